@@ -1,0 +1,37 @@
+#ifndef vtkCellOrientation_h
+#define vtkCellOrientation_h
+
+#include "vtkDataSet.h"
+#include "vtkIsotable.h"
+
+class vtkPoints;
+
+/**
+ * @class   vtkCellOrientation
+ * @brief   tells whether a cell's vertices are in left-handed order
+ *
+ * The sign of the Jacobian at the middle of the cell, from its coordinates; one answer for all cells
+ * of image data and rectilinear grids. A flat cell counts as right-handed.
+ */
+class vtkCellOrientation
+{
+public:
+  explicit vtkCellOrientation(vtkDataSet* input);
+
+  /// \a points in the vertex order of vtkIsotable.
+  bool IsInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const
+  {
+    return this->Points ? this->IsCellInverted(shape, points) : this->AllInverted;
+  }
+
+private:
+  bool IsCellInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const;
+  void GetPoint(vtkIdType id, double x[3]) const;
+
+  vtkPoints* Points = nullptr;
+  const float* Floats = nullptr;
+  const double* Doubles = nullptr;
+  bool AllInverted = false;
+};
+
+#endif

@@ -1,0 +1,239 @@
+#include "vtkExtraction.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkExtractionArrays.h"
+#include "vtkExtractionCleanup.h"
+#include "vtkExtractionDispatch.h"
+#include "vtkExtractionIndex.h"
+#include "vtkExtractionLinearizer.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredExtraction.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredExtraction.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cstring>
+#include <numeric>
+
+namespace
+{
+bool GetRowDimensions(vtkDataSet* input, int dimensions[3])
+{
+  if (vtkImageData* image = vtkImageData::SafeDownCast(input))
+  {
+    image->GetDimensions(dimensions);
+  }
+  else if (vtkRectilinearGrid* rectilinear = vtkRectilinearGrid::SafeDownCast(input))
+  {
+    rectilinear->GetDimensions(dimensions);
+  }
+  else if (vtkStructuredGrid* structured = vtkStructuredGrid::SafeDownCast(input))
+  {
+    structured->GetDimensions(dimensions);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+// The array with its values in rows in memory, as itself or as a copy.
+vtkSmartPointer<vtkDataArray> MakeContiguous(vtkDataArray* array)
+{
+  if (vtkExtractionDispatch::IsSupported(array))
+  {
+    return array;
+  }
+  vtkSmartPointer<vtkDataArray> copy;
+  copy.TakeReference(vtkDataArray::CreateDataArray(array->GetDataType()));
+  copy->DeepCopy(array);
+  if (vtkExtractionDispatch::IsSupported(copy))
+  {
+    return copy;
+  }
+  vtkSmartPointer<vtkDataArray> wide;
+  wide.TakeReference(vtkDataArray::CreateDataArray(VTK_DOUBLE));
+  wide->DeepCopy(array);
+  return wide;
+}
+
+vtkSmartPointer<vtkCellArray> MakeCells(vtkIdTypeArray* connectivity, vtkIdType size)
+{
+  const vtkIdType number = connectivity->GetNumberOfValues() / size;
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(number + 1);
+  vtkIdType* values = offsets->GetPointer(0);
+  vtkSMPTools::For(0, number + 1, [values, size](vtkIdType first, vtkIdType last) {
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      values[i] = i * size;
+    }
+  });
+  vtkSmartPointer<vtkCellArray> cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, connectivity);
+  return cells;
+}
+
+void AddNamed(vtkDataSetAttributes* attributes, vtkDataArray* array, const char* name)
+{
+  array->SetName(name);
+  attributes->AddArray(array);
+}
+
+void MapIds(const std::vector<vtkIdType>& map, std::vector<vtkIdType>& ids)
+{
+  for (vtkIdType& id : ids)
+  {
+    id = map[id];
+  }
+}
+}
+
+bool vtkExtraction::ExtractMesh(vtkExtractionContext& context, vtkExtractionMesh& mesh)
+{
+  int dimensions[3];
+  const bool hasRows = GetRowDimensions(context.Input, dimensions);
+  const vtkIdType cells = context.Input->GetNumberOfCells();
+  const bool isFlat = hasRows && *std::min_element(dimensions, dimensions + 3) < 2;
+  if (cells == 0 || isFlat)
+  {
+    context.Report->Cells += cells;
+    context.Report->LowerDimensionalCells += cells;
+    return true;
+  }
+  if (context.Index)
+  {
+    if (context.Index->Select(context.Input, context.Scalars, hasRows ? dimensions : nullptr))
+    {
+      context.Index->Activate(*context.Values);
+    }
+    else
+    {
+      context.Index = nullptr;
+    }
+  }
+  return hasRows
+    ? vtkStructuredExtraction::Execute(context, dimensions, mesh)
+    : vtkUnstructuredExtraction::Execute(
+        context, vtkUnstructuredGrid::SafeDownCast(context.Input), mesh);
+}
+
+bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
+  vtkUnstructuredGrid* boundary, vtkExtractionReport& report)
+{
+  vtkExtractionContext context;
+  context.Owner = this->Owner;
+  context.Values = this->Values;
+  context.Input = input;
+  context.Index = this->Index;
+  context.Report = &report;
+  context.GenerateBoundaries = this->GenerateBoundaries;
+  context.KeepCellIds =
+    input->GetCellData()->GetNumberOfArrays() > 0 || this->InputBoundary != nullptr;
+  context.CellGhosts = input->GetCellGhostArray();
+  context.PointGhosts = input->GetPointGhostArray();
+
+  int dimensions[3];
+  std::vector<vtkIdType> originalCells;
+  vtkSmartPointer<vtkUnstructuredGrid> linear;
+  if (!GetRowDimensions(input, dimensions) && vtkExtractionLinearizer::IsNeeded(input))
+  {
+    linear = vtkExtractionLinearizer::Execute(input, originalCells);
+    // Ghosts are by cell of the input; those of the new cells follow.
+    if (context.CellGhosts)
+    {
+      vtkNew<vtkUnsignedCharArray> ghosts;
+      ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+      for (vtkIdType cell : originalCells)
+      {
+        ghosts->InsertNextValue(context.CellGhosts->GetValue(cell));
+      }
+      linear->GetCellData()->AddArray(ghosts);
+    }
+    context.Input = linear;
+    context.Index = nullptr;
+    context.CellGhosts = linear->GetCellGhostArray();
+    context.PointGhosts = linear->GetPointGhostArray();
+    vtkDataArray* carried = linear->GetPointData()->GetArray(scalars->GetName());
+    scalars = carried ? carried : scalars;
+  }
+  const vtkSmartPointer<vtkDataArray> contiguous = MakeContiguous(scalars);
+  context.Scalars = contiguous;
+
+  vtkExtractionMesh mesh;
+  mesh.Connectivity = vtkSmartPointer<vtkIdTypeArray>::New();
+  if (!this->ExtractMesh(context, mesh))
+  {
+    return false;
+  }
+  if (mesh.MayHaveUnusedPoints)
+  {
+    vtkExtractionCleanup::RemoveUnusedPoints(mesh);
+  }
+  if (this->GenerateBoundaries && report.CollapsedSimplices > 0)
+  {
+    vtkExtractionCleanup::RemoveOppositeTriangles(mesh);
+  }
+  if (this->InputBoundary)
+  {
+    vtkExtractionCleanup::CutBoundary(context.Input, this->InputBoundary, mesh);
+  }
+  if (linear)
+  {
+    MapIds(originalCells, mesh.CellIds);
+    MapIds(originalCells, mesh.TriangleCellIds);
+  }
+  this->FillOutput(context, mesh, input, output);
+  if (boundary && (this->GenerateBoundaries || this->InputBoundary))
+  {
+    this->FillBoundary(mesh, input, output, boundary);
+  }
+  report.ArraysInterpolated = output->GetPointData()->GetNumberOfArrays();
+  report.ArraysCopied = output->GetCellData()->GetNumberOfArrays() - (this->IdName ? 1 : 0);
+  return true;
+}
+
+void vtkExtraction::FillOutput(const vtkExtractionContext& context, const vtkExtractionMesh& mesh,
+  vtkDataSet* original, vtkUnstructuredGrid* output) const
+{
+  const int size = context.GetSimplexSize();
+  output->SetPoints(
+    vtkExtractionArrays::MakePoints(context.Input, mesh.Points, this->OutputPointsPrecision));
+  this->Owner->UpdateProgress(0.85);
+  output->SetCells(
+    size == 4 ? VTK_TETRA : VTK_TRIANGLE, MakeCells(mesh.Connectivity, size));
+  vtkExtractionArrays::InterpolatePointData(
+    context.Input->GetPointData(), mesh.Points, output->GetPointData());
+  this->Owner->UpdateProgress(0.95);
+  vtkExtractionArrays::CopyCellData(
+    original->GetCellData(), mesh.CellIds, output->GetCellData());
+  if (this->IdName)
+  {
+    AddNamed(output->GetCellData(), mesh.ItemIds, this->IdName);
+  }
+}
+
+void vtkExtraction::FillBoundary(const vtkExtractionMesh& mesh, vtkDataSet* original,
+  vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary) const
+{
+  boundary->SetPoints(output->GetPoints());
+  boundary->GetPointData()->ShallowCopy(output->GetPointData());
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(3 * static_cast<vtkIdType>(mesh.Triangles.size()));
+  if (!mesh.Triangles.empty())
+  {
+    std::memcpy(connectivity->GetPointer(0), mesh.Triangles.data(),
+      mesh.Triangles.size() * sizeof(mesh.Triangles[0]));
+  }
+  boundary->SetCells(VTK_TRIANGLE, MakeCells(connectivity, 3));
+  vtkExtractionArrays::CopyCellData(
+    original->GetCellData(), mesh.TriangleCellIds, boundary->GetCellData());
+  AddNamed(boundary->GetCellData(), mesh.TriangleItemIds, "IntervalId");
+  AddNamed(boundary->GetCellData(), mesh.TriangleSides, "BoundarySide");
+}

@@ -1,0 +1,349 @@
+#include "vtkExtractionArrays.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellData.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
+
+#include <cstring>
+
+namespace
+{
+using PointList = std::vector<vtkExtractionPoint>;
+
+// near + weight (far - near), and near itself for a grid point, whatever far holds.
+template <typename Out>
+Out Interpolate(double near, double far, double weight)
+{
+  return static_cast<Out>(weight == 0.0 ? near : near * (1.0 - weight) + far * weight);
+}
+
+struct InterpolateWorker
+{
+  const PointList& Points;
+
+  template <typename InArray, typename OutArray>
+  void operator()(InArray* in, OutArray* out) const
+  {
+    const auto from = vtk::DataArrayValueRange(in);
+    auto to = vtk::DataArrayValueRange(out);
+    using Out = vtk::GetAPIType<OutArray>;
+    const vtkIdType components = in->GetNumberOfComponents();
+    vtkSMPTools::For(
+      0, static_cast<vtkIdType>(this->Points.size()), [&](vtkIdType first, vtkIdType last) {
+        for (vtkIdType p = first; p < last; ++p)
+        {
+          const vtkExtractionPoint& point = this->Points[p];
+          for (vtkIdType c = 0; c < components; ++c)
+          {
+            to[p * components + c] =
+              Interpolate<Out>(static_cast<double>(from[point.Near * components + c]),
+                static_cast<double>(from[point.Far * components + c]), point.Weight);
+          }
+        }
+      });
+  }
+};
+
+void InterpolateArray(vtkDataArray* in, const PointList& points, vtkDataArray* out)
+{
+  const InterpolateWorker worker{ points };
+  // The output is a float or a double array; the input any.
+  const auto intoKnown = [&](auto* known) {
+    const auto dispatched = [&](auto* array) { worker(array, known); };
+    if (!vtkArrayDispatch::Dispatch::Execute(in, dispatched))
+    {
+      worker(in, known);
+    }
+  };
+  if (vtkFloatArray* floats = vtkFloatArray::SafeDownCast(out))
+  {
+    intoKnown(floats);
+  }
+  else
+  {
+    intoKnown(vtkDoubleArray::SafeDownCast(out));
+  }
+}
+
+// Coordinates of grid points from their index in a grid of rows, rounded as the grid's own are.
+class RowCoordinates
+{
+public:
+  explicit RowCoordinates(vtkDataSet* input)
+  {
+    if (vtkImageData* image = vtkImageData::SafeDownCast(input))
+    {
+      image->GetDimensions(this->Dimensions);
+      image->GetExtent(this->Extent);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        for (int i = 0; i < this->Dimensions[axis]; ++i)
+        {
+          this->Axes[axis].push_back(image->GetOrigin()[axis] +
+            (this->Extent[2 * axis] + i) * image->GetSpacing()[axis]);
+        }
+      }
+      this->Turned = image->GetDirectionMatrix()->IsIdentity() ? nullptr : image;
+    }
+    else
+    {
+      vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input);
+      grid->GetDimensions(this->Dimensions);
+      vtkDataArray* axes[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+        grid->GetZCoordinates() };
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        for (int i = 0; i < this->Dimensions[axis]; ++i)
+        {
+          this->Axes[axis].push_back(axes[axis]->GetComponent(i, 0));
+        }
+      }
+    }
+  }
+
+  void GetPoint(const vtkExtractionPoint& point, double x[3]) const
+  {
+    int near[3];
+    this->GetIndex(point.Near, near);
+    int far[3] = { near[0], near[1], near[2] };
+    // Near and Far are neighbours along one axis.
+    const vtkIdType step = point.Far - point.Near;
+    const vtkIdType size = std::abs(step);
+    const vtkIdType slice = vtkIdType(this->Dimensions[0]) * this->Dimensions[1];
+    far[size == slice ? 2 : size == this->Dimensions[0] ? 1 : 0] += step > 0 ? 1 : step < 0 ? -1 : 0;
+    double end[3];
+    this->GetGridPoint(near, x);
+    this->GetGridPoint(far, end);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      x[axis] = Interpolate<double>(x[axis], end[axis], near[axis] == far[axis] && !this->Turned
+          ? 0.0
+          : point.Weight);
+    }
+  }
+
+private:
+  void GetIndex(vtkIdType id, int index[3]) const
+  {
+    const vtkIdType row = id / this->Dimensions[0];
+    index[0] = static_cast<int>(id - row * this->Dimensions[0]);
+    index[2] = static_cast<int>(row / this->Dimensions[1]);
+    index[1] = static_cast<int>(row - vtkIdType(index[2]) * this->Dimensions[1]);
+  }
+
+  void GetGridPoint(const int index[3], double x[3]) const
+  {
+    if (this->Turned)
+    {
+      this->Turned->TransformIndexToPhysicalPoint(index[0] + this->Extent[0],
+        index[1] + this->Extent[2], index[2] + this->Extent[4], x);
+      return;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      x[axis] = this->Axes[axis][index[axis]];
+    }
+  }
+
+  int Dimensions[3];
+  int Extent[6] = { 0, 0, 0, 0, 0, 0 };
+  std::vector<double> Axes[3];
+  // The image, where its axes are not those of space.
+  vtkImageData* Turned = nullptr;
+};
+
+template <typename OutArray>
+void FillRowPoints(vtkDataSet* input, const PointList& points, OutArray* out)
+{
+  using Out = vtk::GetAPIType<OutArray>;
+  const RowCoordinates coordinates(input);
+  Out* to = out->GetPointer(0);
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(points.size()), [&](vtkIdType first, vtkIdType last) {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        double x[3];
+        coordinates.GetPoint(points[p], x);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          to[3 * p + axis] = static_cast<Out>(x[axis]);
+        }
+      }
+    });
+}
+
+int ChoosePointType(vtkDataSet* input, int precision)
+{
+  if (precision == vtkAlgorithm::DEFAULT_PRECISION)
+  {
+    if (vtkPointSet* pointSet = vtkPointSet::SafeDownCast(input))
+    {
+      return pointSet->GetPoints()->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE;
+    }
+    vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input);
+    return grid && grid->GetXCoordinates()->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT;
+  }
+  return precision == vtkAlgorithm::DOUBLE_PRECISION ? VTK_DOUBLE : VTK_FLOAT;
+}
+
+bool IsCarried(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
+{
+  return array != attributes->GetAbstractAttribute(vtkDataSetAttributes::GLOBALIDS) &&
+    array != attributes->GetAbstractAttribute(vtkDataSetAttributes::PEDIGREEIDS) &&
+    !(array->GetName() &&
+      std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) == 0);
+}
+
+// Gives \a out the name, component names and attribute roles of \a in.
+void AddLike(vtkDataSetAttributes* input, vtkAbstractArray* in, vtkDataSetAttributes* output,
+  vtkAbstractArray* out)
+{
+  out->SetName(in->GetName());
+  out->CopyComponentNames(in);
+  const int index = output->AddArray(out);
+  for (int role = 0; role < vtkDataSetAttributes::NUM_ATTRIBUTES; ++role)
+  {
+    if (input->GetAbstractAttribute(role) == in)
+    {
+      output->SetActiveAttribute(index, role);
+    }
+  }
+}
+
+struct CopyWorker
+{
+  const std::vector<vtkIdType>& Cells;
+
+  template <typename Array>
+  void operator()(Array* in, vtkDataArray* base) const
+  {
+    Array* out = Array::FastDownCast(base);
+    const auto from = vtk::DataArrayValueRange(in);
+    auto to = vtk::DataArrayValueRange(out);
+    const vtkIdType components = in->GetNumberOfComponents();
+    vtkSMPTools::For(
+      0, static_cast<vtkIdType>(this->Cells.size()), [&](vtkIdType first, vtkIdType last) {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          for (vtkIdType c = 0; c < components; ++c)
+          {
+            to[i * components + c] = from[this->Cells[i] * components + c];
+          }
+        }
+      });
+  }
+};
+}
+
+int vtkExtractionArrays::GetInterpolatedType(int dataType)
+{
+  switch (dataType)
+  {
+    case VTK_BIT:
+    case VTK_CHAR:
+    case VTK_SIGNED_CHAR:
+    case VTK_UNSIGNED_CHAR:
+    case VTK_SHORT:
+    case VTK_UNSIGNED_SHORT:
+    case VTK_FLOAT:
+      return VTK_FLOAT;
+    default:
+      return VTK_DOUBLE;
+  }
+}
+
+vtkSmartPointer<vtkPoints> vtkExtractionArrays::MakePoints(
+  vtkDataSet* input, const std::vector<vtkExtractionPoint>& points, int precision)
+{
+  vtkSmartPointer<vtkPoints> made =
+    vtkSmartPointer<vtkPoints>::Take(vtkPoints::New(ChoosePointType(input, precision)));
+  made->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
+  if (vtkPointSet* pointSet = vtkPointSet::SafeDownCast(input))
+  {
+    InterpolateArray(pointSet->GetPoints()->GetData(), points, made->GetData());
+  }
+  else if (vtkFloatArray* floats = vtkFloatArray::SafeDownCast(made->GetData()))
+  {
+    FillRowPoints(input, points, floats);
+  }
+  else
+  {
+    FillRowPoints(input, points, vtkDoubleArray::SafeDownCast(made->GetData()));
+  }
+  return made;
+}
+
+int vtkExtractionArrays::InterpolatePointData(
+  vtkPointData* input, const std::vector<vtkExtractionPoint>& points, vtkPointData* output)
+{
+  int number = 0;
+  for (int a = 0; a < input->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* in = input->GetAbstractArray(a);
+    if (!IsCarried(input, in))
+    {
+      continue;
+    }
+    vtkSmartPointer<vtkAbstractArray> out;
+    vtkDataArray* numbers = vtkDataArray::SafeDownCast(in);
+    out.TakeReference(numbers
+        ? vtkDataArray::CreateDataArray(GetInterpolatedType(in->GetDataType()))
+        : in->NewInstance());
+    out->SetNumberOfComponents(in->GetNumberOfComponents());
+    out->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
+    if (numbers)
+    {
+      InterpolateArray(numbers, points, vtkDataArray::SafeDownCast(out));
+    }
+    else
+    {
+      for (std::size_t p = 0; p < points.size(); ++p)
+      {
+        out->SetTuple(static_cast<vtkIdType>(p), points[p].Near, in);
+      }
+    }
+    AddLike(input, in, output, out);
+    ++number;
+  }
+  return number;
+}
+
+int vtkExtractionArrays::CopyCellData(
+  vtkCellData* input, const std::vector<vtkIdType>& cells, vtkCellData* output)
+{
+  int number = 0;
+  const CopyWorker worker{ cells };
+  for (int a = 0; a < input->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* in = input->GetAbstractArray(a);
+    if (!IsCarried(input, in))
+    {
+      continue;
+    }
+    vtkSmartPointer<vtkAbstractArray> out;
+    out.TakeReference(in->NewInstance());
+    out->SetNumberOfComponents(in->GetNumberOfComponents());
+    out->SetNumberOfTuples(static_cast<vtkIdType>(cells.size()));
+    vtkDataArray* numbers = vtkDataArray::SafeDownCast(in);
+    if (!numbers ||
+      !vtkArrayDispatch::Dispatch::Execute(numbers, worker, vtkDataArray::SafeDownCast(out)))
+    {
+      for (std::size_t i = 0; i < cells.size(); ++i)
+      {
+        out->SetTuple(static_cast<vtkIdType>(i), cells[i], in);
+      }
+    }
+    AddLike(input, in, output, out);
+    ++number;
+  }
+  return number;
+}

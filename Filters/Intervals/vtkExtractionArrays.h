@@ -1,0 +1,37 @@
+#ifndef vtkExtractionArrays_h
+#define vtkExtractionArrays_h
+
+#include "vtkExtractionContext.h"
+
+class vtkCellData;
+class vtkPointData;
+class vtkPoints;
+
+/**
+ * @class   vtkExtractionArrays
+ * @brief   coordinates and arrays of output points and cells
+ *
+ * Numeric point arrays are interpolated along the grid edge and come out as float (from float, and 8
+ * and 16 bit integers) or double; others take the value of the nearer end. Global ids, pedigree ids
+ * and ghost arrays are not carried. Cell arrays keep their type.
+ */
+class vtkExtractionArrays
+{
+public:
+  /// \a precision as in vtkAlgorithm.
+  static vtkSmartPointer<vtkPoints> MakePoints(
+    vtkDataSet* input, const std::vector<vtkExtractionPoint>& points, int precision);
+
+  /// Returns the number of arrays.
+  static int InterpolatePointData(
+    vtkPointData* input, const std::vector<vtkExtractionPoint>& points, vtkPointData* output);
+
+  /// Returns the number of arrays.
+  static int CopyCellData(
+    vtkCellData* input, const std::vector<vtkIdType>& cells, vtkCellData* output);
+
+  /// The data type that an array of \a dataType is interpolated in.
+  static int GetInterpolatedType(int dataType);
+};
+
+#endif

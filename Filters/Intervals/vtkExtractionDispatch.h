@@ -1,0 +1,40 @@
+#ifndef vtkExtractionDispatch_h
+#define vtkExtractionDispatch_h
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+
+#include "vtkDataArrayMeta.h"
+
+/**
+ * @class   vtkExtractionDispatch
+ * @brief   calls a function with the values of a one-component array in their own type
+ *
+ * \a scalars must hold its values one after the other in memory; vtkExtraction copies other layouts.
+ */
+class vtkExtractionDispatch
+{
+public:
+  template <typename Function>
+  static bool Execute(vtkDataArray* scalars, Function&& function)
+  {
+    bool result = false;
+    vtkArrayDispatch::Dispatch::Execute(scalars, [&](auto* array) {
+      using T = vtk::GetAPIType<std::decay_t<decltype(*array)>>;
+      if (auto* contiguous = vtkAOSDataArrayTemplate<T>::FastDownCast(array))
+      {
+        result = function(static_cast<const T*>(contiguous->GetPointer(0)));
+      }
+    });
+    return result;
+  }
+
+  /// Whether Execute can read the array as it is.
+  static bool IsSupported(vtkDataArray* scalars)
+  {
+    return Execute(scalars, [](const auto*) { return true; });
+  }
+};
+
+#endif

@@ -1,0 +1,247 @@
+#include "vtkIntervalVolume.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkExtraction.h"
+#include "vtkExtractionIndex.h"
+#include "vtkExtractionInput.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkIntervalVolume);
+
+vtkIntervalVolume::vtkIntervalVolume()
+  : Index(vtkSmartPointer<vtkExtractionIndex>::New())
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkIntervalVolume::~vtkIntervalVolume() = default;
+
+void vtkIntervalVolume::SetNumberOfIntervals(int number)
+{
+  constexpr int most = 10000;
+  number = std::max(0, std::min(number, most));
+  if (number != this->GetNumberOfIntervals())
+  {
+    this->Intervals.resize(number, { { 0.0, 0.0 } });
+    this->Modified();
+  }
+}
+
+void vtkIntervalVolume::SetInterval(int i, double lower, double upper)
+{
+  if (i < 0)
+  {
+    vtkErrorMacro("Interval index " << i << " is negative.");
+    return;
+  }
+  if (i >= this->GetNumberOfIntervals())
+  {
+    this->SetNumberOfIntervals(i + 1);
+  }
+  const std::array<double, 2> interval{ { lower, upper } };
+  if (i < this->GetNumberOfIntervals() && this->Intervals[i] != interval)
+  {
+    this->Intervals[i] = interval;
+    this->Modified();
+  }
+}
+
+void vtkIntervalVolume::GetInterval(int i, double& lower, double& upper) const
+{
+  lower = this->Intervals.at(i)[0];
+  upper = this->Intervals.at(i)[1];
+}
+
+void vtkIntervalVolume::AddCriterion(const char* arrayName, double lower, double upper)
+{
+  this->Criteria.push_back({ arrayName ? arrayName : "", lower, upper });
+  this->Modified();
+}
+
+void vtkIntervalVolume::RemoveAllCriteria()
+{
+  if (!this->Criteria.empty())
+  {
+    this->Criteria.clear();
+    this->Modified();
+  }
+}
+
+const char* vtkIntervalVolume::GetCriterionArrayName(int i) const
+{
+  return this->Criteria.at(i).ArrayName.c_str();
+}
+
+void vtkIntervalVolume::GetCriterionRange(int i, double& lower, double& upper) const
+{
+  lower = this->Criteria.at(i).Lower;
+  upper = this->Criteria.at(i).Upper;
+}
+
+int vtkIntervalVolume::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+int vtkIntervalVolume::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->IsFirstLeaf = true;
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
+{
+  for (std::size_t i = 0; i < this->Intervals.size(); ++i)
+  {
+    const std::string wrong = vtkExtractionInput::CheckInterval(
+      "Interval " + std::to_string(i), this->Intervals[i][0], this->Intervals[i][1]);
+    if (!wrong.empty())
+    {
+      return wrong;
+    }
+  }
+  for (const Criterion& criterion : this->Criteria)
+  {
+    std::string wrong = vtkExtractionInput::CheckScalars(input,
+      input->GetPointData()->GetAbstractArray(criterion.ArrayName.c_str()),
+      vtkDataObject::FIELD_ASSOCIATION_POINTS,
+      "point array \"" + criterion.ArrayName + "\" of a criterion");
+    if (wrong.empty())
+    {
+      wrong = vtkExtractionInput::CheckInterval(
+        "The criterion on \"" + criterion.ArrayName + "\"", criterion.Lower, criterion.Upper);
+    }
+    if (!wrong.empty())
+    {
+      return wrong;
+    }
+  }
+  return std::string();
+}
+
+int vtkIntervalVolume::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (this->IsFirstLeaf)
+  {
+    this->Report = vtkExtractionReport();
+    this->Index->BeginExecution();
+    this->IsFirstLeaf = false;
+  }
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
+  vtkUnstructuredGrid* boundary = vtkUnstructuredGrid::GetData(outputs, 1);
+  if (!input || input->GetNumberOfPoints() == 0 || this->Intervals.empty())
+  {
+    return 1;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkAbstractArray* array = this->GetInputAbstractArrayToProcess(0, inputs, association);
+  std::string wrong = vtkExtractionInput::CheckScalars(
+    input, array, association, vtkExtractionInput::DescribeArrayToProcess(this));
+  wrong = wrong.empty() ? this->CheckParameters(input) : wrong;
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return 1;
+  }
+  const int passes = 1 + this->GetNumberOfCriteria();
+  this->SetProgressShiftScale(0.0, 1.0 / passes);
+  vtkNew<vtkUnstructuredGrid> cut;
+  vtkNew<vtkUnstructuredGrid> cutBoundary;
+  bool completed = this->ExtractIntervals(input, vtkDataArray::SafeDownCast(array), cut, cutBoundary);
+  for (int pass = 1; completed && pass < passes; ++pass)
+  {
+    this->SetProgressShiftScale(static_cast<double>(pass) / passes, 1.0 / passes);
+    completed = this->ApplyCriterion(this->Criteria[pass - 1], cut, cutBoundary);
+  }
+  this->SetProgressShiftScale(0.0, 1.0);
+  if (completed)
+  {
+    output->ShallowCopy(cut);
+    boundary->ShallowCopy(cutBoundary);
+    this->Report.Passes = passes;
+  }
+  return 1;
+}
+
+bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars,
+  vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
+{
+  const vtkExtractionValues values = vtkExtractionValues::ForIntervals(this->Intervals);
+  vtkExtractionReport report;
+  vtkExtraction extraction;
+  extraction.Owner = this;
+  extraction.Values = &values;
+  extraction.Index = this->UseValueIndex ? this->Index.GetPointer() : nullptr;
+  extraction.IdName = "IntervalId";
+  extraction.OutputPointsPrecision = this->OutputPointsPrecision;
+  extraction.GenerateBoundaries = this->GenerateBoundaries;
+  const bool completed = extraction.Execute(input, scalars, output, boundary, report);
+  this->Report.Add(report);
+  if (report.LinearizedCells > 0)
+  {
+    vtkWarningMacro(<< report.LinearizedCells
+                    << " quadratic or higher cells are taken as linear, by their corners.");
+  }
+  if (report.UnsupportedCells > 0)
+  {
+    vtkWarningMacro(<< report.UnsupportedCells << " cells have no linear counterpart and are left out.");
+  }
+  return completed;
+}
+
+bool vtkIntervalVolume::ApplyCriterion(
+  const Criterion& criterion, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary)
+{
+  vtkNew<vtkUnstructuredGrid> before;
+  vtkNew<vtkUnstructuredGrid> boundaryBefore;
+  before->ShallowCopy(grid);
+  boundaryBefore->ShallowCopy(boundary);
+  grid->Initialize();
+  boundary->Initialize();
+  const vtkExtractionValues values =
+    vtkExtractionValues::ForIntervals({ { { criterion.Lower, criterion.Upper } } });
+  vtkExtractionReport report;
+  vtkExtraction extraction;
+  extraction.Owner = this;
+  extraction.Values = &values;
+  extraction.InputBoundary = this->GenerateBoundaries ? boundaryBefore.GetPointer() : nullptr;
+  const bool completed = extraction.Execute(before,
+    before->GetPointData()->GetArray(criterion.ArrayName.c_str()), grid, boundary, report);
+  this->Report.CollapsedSimplices += report.CollapsedSimplices;
+  this->Report.WorkingBytes = std::max(this->Report.WorkingBytes,
+    report.WorkingBytes + 1024 * static_cast<vtkIdType>(before->GetActualMemorySize()));
+  return completed;
+}
+
+void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Intervals: " << this->Intervals.size() << "\n";
+  for (const auto& interval : this->Intervals)
+  {
+    os << indent.GetNextIndent() << interval[0] << " to " << interval[1] << "\n";
+  }
+  os << indent << "Criteria: " << this->Criteria.size() << "\n";
+  for (const Criterion& criterion : this->Criteria)
+  {
+    os << indent.GetNextIndent() << criterion.ArrayName << ": " << criterion.Lower << " to "
+       << criterion.Upper << "\n";
+  }
+  os << indent << "GenerateBoundaries: " << this->GenerateBoundaries << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
+}

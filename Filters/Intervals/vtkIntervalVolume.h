@@ -1,0 +1,170 @@
+#ifndef vtkIntervalVolume_h
+#define vtkIntervalVolume_h
+
+#include "vtkExtractionReport.h"         // for the report
+#include "InterlumeIntervalsModule.h" // for the export macro
+#include "vtkSmartPointer.h"             // for the value index
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <array>  // for the intervals
+#include <string> // for the criteria
+#include <vector> // for both
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkExtractionIndex;
+
+/**
+ * @class   vtkIntervalVolume
+ * @brief   tetrahedra of the region between two isovalues, of any dataset
+ *
+ * The interval volume { x : lower <= f(x) <= upper } of a scalar point array, made cell by cell by
+ * lifting the cell to one dimension more, F(x,w) = f(x) - (lower (1-w) + upper w), taking the
+ * isosurface F = 0 there from an isotable and projecting it back (P. Bhaniramka, C. Zhang,
+ * D. Xue, R. Crawfis, R. Wenger, "Volume interval segmentation and rendering", IEEE VolVis 2004). A
+ * convex piece of a cell is cut into tetrahedra in one global order of the grid's point ids, so
+ * that two cells agree on the face they share: no cracks, in mixed meshes too.
+ *
+ * Input: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid with tetrahedra,
+ * voxels, hexahedra, wedges, pyramids and convex polyhedra, and composite datasets of them.
+ * Quadratic cells are taken by their corners, with a warning. Cells of fewer dimensions, cells with
+ * NaN or infinity in the scalar, ghost, hidden and blanked cells are left out and counted in
+ * GetReport(). The scalar: SetInputArrayToProcess(0, ...), by default the active point scalars,
+ * one component.
+ *
+ * Output port 0: VTK_TETRA cells in a vtkUnstructuredGrid (a composite input gives a composite output
+ * of the same structure), with
+ * - every point array, interpolated linearly along the grid edge a point lies on; integers come out
+ *   as float (8 and 16 bits) or double;
+ * - every cell array, copied from the cell a tetrahedron comes from;
+ * - cell array `IntervalId` (int): the index of the interval.
+ *
+ * Output port 1: the triangles where f equals lower or upper, made only when GenerateBoundaries is
+ * on, oriented outward from their interval, with the same point arrays, the cell arrays, and the
+ * cell arrays `IntervalId` (int) and `BoundarySide` (int; 0 lower, 1 upper). Its points are
+ * those of port 0, with the same ids.
+ *
+ * Values equal to a bound: f = lower is inside; f = upper is inside unless another interval of
+ * this filter begins at that value. So adjacent intervals of one filter tile the domain without gap
+ * or overlap, and [a, a] gives the cells where f equals a throughout.
+ *
+ * Point identity: an output point is a grid point, or one isovalue on one grid edge; adjacent
+ * intervals share it. The same input gives the same bytes whatever the number of threads.
+ *
+ * Errors (vtkErrorMacro, empty output): no scalar array of that name, more than one component, a
+ * string array, lower > upper, a bound that is not finite.
+ *
+ * @sa vtkIsotableContour vtkIntervalTable
+ */
+class INTERLUMEINTERVALS_EXPORT vtkIntervalVolume : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkIntervalVolume* New();
+  vtkTypeMacro(vtkIntervalVolume, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum BoundarySides
+  {
+    LOWER_SIDE = 0,
+    UPPER_SIDE = 1
+  };
+
+  ///@{
+  /**
+   * The intervals, in the units of the scalar: lower <= upper, both finite. They may touch, overlap
+   * or leave gaps. Default none, which gives an empty output. Valid number: 0 to 10000.
+   */
+  void SetNumberOfIntervals(int number);
+  int GetNumberOfIntervals() const { return static_cast<int>(this->Intervals.size()); }
+  void SetInterval(int i, double lower, double upper);
+  void GetInterval(int i, double& lower, double& upper) const;
+  ///@}
+
+  ///@{
+  /**
+   * Further criteria: the result is also cut to lower <= array <= upper of another point array, one
+   * pass of the same algorithm over the tetrahedra for each. The array is named, has one component,
+   * and is found in the input's point data. Default none.
+   */
+  void AddCriterion(const char* arrayName, double lower, double upper);
+  void RemoveAllCriteria();
+  int GetNumberOfCriteria() const { return static_cast<int>(this->Criteria.size()); }
+  const char* GetCriterionArrayName(int i) const;
+  void GetCriterionRange(int i, double& lower, double& upper) const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether port 1 carries the boundary triangles. With criteria, the triangles where a criterion's
+   * array equals its bound are not among them. Default off.
+   */
+  vtkSetMacro(GenerateBoundaries, bool);
+  vtkGetMacro(GenerateBoundaries, bool);
+  vtkBooleanMacro(GenerateBoundaries, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input's points;
+   * float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default DEFAULT_PRECISION.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether an index of value ranges is kept between executions, so that changed intervals visit
+   * only the cells near them. It is built when the intervals change for the first time over the same
+   * input. Default on.
+   */
+  vtkSetMacro(UseValueIndex, bool);
+  vtkGetMacro(UseValueIndex, bool);
+  vtkBooleanMacro(UseValueIndex, bool);
+  ///@}
+
+  /**
+   * What the last execution did.
+   */
+  const vtkExtractionReport& GetReport() const { return this->Report; }
+
+protected:
+  vtkIntervalVolume();
+  ~vtkIntervalVolume() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  struct Criterion
+  {
+    std::string ArrayName;
+    double Lower;
+    double Upper;
+  };
+
+  /// Why the intervals or criteria cannot be used, or nothing.
+  std::string CheckParameters(vtkDataSet* input) const;
+  /// The first pass. Returns false when the user aborted.
+  bool ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
+    vtkUnstructuredGrid* boundary);
+  /// A further pass, over the result of the one before.
+  bool ApplyCriterion(
+    const Criterion& criterion, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
+
+  std::vector<std::array<double, 2>> Intervals;
+  std::vector<Criterion> Criteria;
+  bool GenerateBoundaries = false;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+  bool UseValueIndex = true;
+  vtkExtractionReport Report;
+  /// Whether the next RequestData begins an execution; a composite input has one for each leaf.
+  bool IsFirstLeaf = true;
+  vtkSmartPointer<vtkExtractionIndex> Index;
+
+private:
+  vtkIntervalVolume(const vtkIntervalVolume&) = delete;
+  void operator=(const vtkIntervalVolume&) = delete;
+};
+
+#endif

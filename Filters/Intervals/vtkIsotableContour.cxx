@@ -1,0 +1,137 @@
+#include "vtkIsotableContour.h"
+
+#include "vtkDataSet.h"
+#include "vtkExtraction.h"
+#include "vtkExtractionIndex.h"
+#include "vtkExtractionInput.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkIsotableContour);
+
+vtkIsotableContour::vtkIsotableContour()
+  : Index(vtkSmartPointer<vtkExtractionIndex>::New())
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkIsotableContour::~vtkIsotableContour() = default;
+
+void vtkIsotableContour::SetNumberOfContours(int number)
+{
+  constexpr int most = 20000;
+  number = std::max(0, std::min(number, most));
+  if (number != this->GetNumberOfContours())
+  {
+    this->Values.resize(number, 0.0);
+    this->Modified();
+  }
+}
+
+void vtkIsotableContour::SetValue(int i, double value)
+{
+  if (i < 0)
+  {
+    vtkErrorMacro("Contour index " << i << " is negative.");
+    return;
+  }
+  if (i >= this->GetNumberOfContours())
+  {
+    this->SetNumberOfContours(i + 1);
+  }
+  if (i < this->GetNumberOfContours() && this->Values[i] != value)
+  {
+    this->Values[i] = value;
+    this->Modified();
+  }
+}
+
+double vtkIsotableContour::GetValue(int i) const
+{
+  return this->Values.at(i);
+}
+
+int vtkIsotableContour::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+int vtkIsotableContour::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->IsFirstLeaf = true;
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+int vtkIsotableContour::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (this->IsFirstLeaf)
+  {
+    this->Report = vtkExtractionReport();
+    this->Index->BeginExecution();
+    this->IsFirstLeaf = false;
+  }
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
+  if (!input || input->GetNumberOfPoints() == 0 || this->Values.empty())
+  {
+    return 1;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkAbstractArray* array = this->GetInputAbstractArrayToProcess(0, inputs, association);
+  std::string wrong = vtkExtractionInput::CheckScalars(
+    input, array, association, vtkExtractionInput::DescribeArrayToProcess(this));
+  for (std::size_t i = 0; wrong.empty() && i < this->Values.size(); ++i)
+  {
+    wrong = vtkExtractionInput::CheckInterval(
+      "Value " + std::to_string(i), this->Values[i], this->Values[i]);
+  }
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return 1;
+  }
+  const vtkExtractionValues values = vtkExtractionValues::ForContours(this->Values);
+  vtkExtractionReport report;
+  vtkExtraction extraction;
+  extraction.Owner = this;
+  extraction.Values = &values;
+  extraction.Index = this->UseValueIndex ? this->Index.GetPointer() : nullptr;
+  extraction.IdName = "ContourId";
+  extraction.OutputPointsPrecision = this->OutputPointsPrecision;
+  if (!extraction.Execute(input, vtkDataArray::SafeDownCast(array), output, nullptr, report))
+  {
+    output->Initialize();
+  }
+  report.Passes = 1;
+  this->Report.Add(report);
+  if (report.LinearizedCells > 0)
+  {
+    vtkWarningMacro(<< report.LinearizedCells
+                    << " quadratic or higher cells are taken as linear, by their corners.");
+  }
+  if (report.UnsupportedCells > 0)
+  {
+    vtkWarningMacro(<< report.UnsupportedCells << " cells have no linear counterpart and are left out.");
+  }
+  return 1;
+}
+
+void vtkIsotableContour::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Values: " << this->Values.size() << "\n";
+  for (double value : this->Values)
+  {
+    os << indent.GetNextIndent() << value << "\n";
+  }
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
+}

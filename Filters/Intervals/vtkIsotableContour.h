@@ -1,0 +1,106 @@
+#ifndef vtkIsotableContour_h
+#define vtkIsotableContour_h
+
+#include "vtkExtractionReport.h"         // for the report
+#include "InterlumeIntervalsModule.h" // for the export macro
+#include "vtkSmartPointer.h"             // for the value index
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <vector> // for the values
+
+class vtkExtractionIndex;
+
+/**
+ * @class   vtkIsotableContour
+ * @brief   isosurfaces of any dataset from convex-hull case tables
+ *
+ * The isosurface f = v of a scalar point array is made cell by cell from an isotable: the facets of
+ * the convex hull of a cell's positive vertices and the midpoints of its edges that change sign
+ * (P. Bhaniramka, R. Wenger, R. Crawfis, "Isosurface construction in any dimension using convex
+ * hulls", IEEE TVCG 10(2), 2004). A vertex is positive when f >= v. Facets with more than three
+ * points are cut in one global order of the grid's point ids, so that any two cells agree on the
+ * edge they share: the surface has no cracks, in mixed meshes too.
+ *
+ * Input: any dataset or composite dataset (as vtkIntervalVolume).
+ * The scalar: SetInputArrayToProcess(0, ...), by default the active point scalars, one component.
+ *
+ * Output: VTK_TRIANGLE cells in a vtkUnstructuredGrid. A triangle's normal points to the
+ * side of lower values.
+ * - every point array, interpolated along the grid edge; integers come out as float (8 and 16 bits)
+ *   or double;
+ * - every cell array, copied from the cell a triangle comes from;
+ * - cell array `ContourId` (int): the index of the value.
+ *
+ * A composite input gives a composite output of the same structure. The same input gives the same
+ * bytes whatever the number of threads.
+ *
+ * When to use which: vtkFlyingEdges3D is the faster one on image data when only the surface is
+ * wanted; this filter gives the surfaces that bound the intervals of vtkIntervalVolume, and takes
+ * every grid.
+ *
+ * @sa vtkIntervalVolume vtkContourTable
+ */
+class INTERLUMEINTERVALS_EXPORT vtkIsotableContour : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkIsotableContour* New();
+  vtkTypeMacro(vtkIsotableContour, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The values, in the units of the scalar. Any finite number; default none.
+   */
+  void SetNumberOfContours(int number);
+  int GetNumberOfContours() const { return static_cast<int>(this->Values.size()); }
+  void SetValue(int i, double value);
+  double GetValue(int i) const;
+  ///@}
+
+  ///@{
+  /**
+   * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input's points;
+   * float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default DEFAULT_PRECISION.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether an index of value ranges is kept between executions, so that changed values visit only
+   * the cells near them. It is built when the values change for the first time over the same input.
+   * Default on.
+   */
+  vtkSetMacro(UseValueIndex, bool);
+  vtkGetMacro(UseValueIndex, bool);
+  vtkBooleanMacro(UseValueIndex, bool);
+  ///@}
+
+  /**
+   * What the last execution did.
+   */
+  const vtkExtractionReport& GetReport() const { return this->Report; }
+
+protected:
+  vtkIsotableContour();
+  ~vtkIsotableContour() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  std::vector<double> Values;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+  bool UseValueIndex = true;
+  vtkExtractionReport Report;
+  /// Whether the next RequestData begins an execution; a composite input has one for each leaf.
+  bool IsFirstLeaf = true;
+  vtkSmartPointer<vtkExtractionIndex> Index;
+
+private:
+  vtkIsotableContour(const vtkIsotableContour&) = delete;
+  void operator=(const vtkIsotableContour&) = delete;
+};
+
+#endif

@@ -1,0 +1,720 @@
+#include "vtkUnstructuredExtraction.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellCorners.h"
+#include "vtkCellOrientation.h"
+#include "vtkExtractionCell.h"
+#include "vtkExtractionDispatch.h"
+#include "vtkExtractionIndex.h"
+#include "vtkExtractionScalars.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+
+namespace
+{
+using Code = vtkExtractionValues::Code;
+using Slot = vtkIsotable::Slot;
+
+constexpr vtkIdType ChunkSize = 64 * vtkExtractionIndex::RunLength;
+
+// The far end of a crossed edge and the isovalue, in one sortable number.
+using CrossingKey = std::uint64_t;
+
+CrossingKey MakeCrossingKey(vtkIdType far, int value)
+{
+  return (static_cast<CrossingKey>(far) << 16) | static_cast<CrossingKey>(value);
+}
+
+// A case met in a chunk of cells.
+struct Found
+{
+  vtkIdType Cell;
+  int Item;
+  int Key;
+};
+
+struct Crossing
+{
+  vtkIdType Owner;
+  CrossingKey Key;
+};
+
+// What the counting pass leaves of a chunk for the writing pass.
+struct Chunk
+{
+  std::vector<Found> Cases;
+  std::vector<Crossing> Crossings;
+  vtkIdType Simplices = 0;
+  vtkIdType Triangles = 0;
+  vtkExtractionReport Report;
+};
+
+// The corners of a cell in the order of its table.
+struct Corners
+{
+  vtkCellCorners What;
+  vtkIdType Ids[8];
+  Code Codes[8];
+};
+
+// The cell array's numbers, whatever their storage.
+class Connectivity
+{
+public:
+  explicit Connectivity(vtkCellArray* cells)
+  {
+    this->Take(cells->GetOffsetsArray(), this->Offsets32, this->Offsets64);
+    this->Take(cells->GetConnectivityArray(), this->Ids32, this->Ids64);
+  }
+
+  void GetCorners(vtkIdType cell, int number, vtkIdType* ids) const
+  {
+    const vtkIdType first = this->Offsets64
+      ? static_cast<vtkIdType>(this->Offsets64[cell])
+      : static_cast<vtkIdType>(this->Offsets32[cell]);
+    for (int i = 0; i < number; ++i)
+    {
+      ids[i] = this->Ids64 ? static_cast<vtkIdType>(this->Ids64[first + i])
+                           : static_cast<vtkIdType>(this->Ids32[first + i]);
+    }
+  }
+
+private:
+  void Take(vtkDataArray* array, const vtkTypeInt32*& narrow, const vtkTypeInt64*& wide)
+  {
+    if (vtkTypeInt32Array* narrowArray = vtkTypeInt32Array::SafeDownCast(array))
+    {
+      narrow = narrowArray->GetPointer(0);
+    }
+    else if (vtkTypeInt64Array* wideArray = vtkTypeInt64Array::SafeDownCast(array))
+    {
+      wide = wideArray->GetPointer(0);
+    }
+    else
+    {
+      // Newer versions of VTK may store offsets of equal cells as a formula.
+      vtkNew<vtkTypeInt64Array> copy;
+      copy->DeepCopy(array);
+      this->Copies.push_back(copy.GetPointer());
+      wide = copy->GetPointer(0);
+    }
+  }
+
+  const vtkTypeInt32* Offsets32 = nullptr;
+  const vtkTypeInt64* Offsets64 = nullptr;
+  const vtkTypeInt32* Ids32 = nullptr;
+  const vtkTypeInt64* Ids64 = nullptr;
+  std::vector<vtkSmartPointer<vtkTypeInt64Array>> Copies;
+};
+
+template <typename T>
+class Extractor
+{
+public:
+  Extractor(const vtkExtractionContext& context, vtkUnstructuredGrid* grid, const T* scalars,
+    vtkExtractionMesh& mesh)
+    : Context(context)
+    , Values(*context.Values)
+    , Scalars(scalars, *context.Values)
+    , Grid(grid)
+    , Cells(grid->GetCells())
+    , GlobalIds(vtkIdTypeArray::SafeDownCast(grid->GetPointData()->GetGlobalIds()))
+    , Mesh(mesh)
+    , Orientation(grid)
+    , NumberOfPoints(grid->GetNumberOfPoints())
+    , NumberOfCells(grid->GetNumberOfCells())
+    , SimplexSize(context.GetSimplexSize())
+  {
+    for (int type = 0; type < VTK_NUMBER_OF_CELL_TYPES; ++type)
+    {
+      this->CornersOfType.push_back(vtkCellCorners::Of(type));
+    }
+    for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+    {
+      this->Tables[shape] = &vtkIsotable::Get(
+        this->Values.GetKind(), static_cast<vtkIsotable::Shapes>(shape));
+    }
+  }
+
+  bool Execute()
+  {
+    const vtkIdType chunks = (this->NumberOfCells + ChunkSize - 1) / ChunkSize;
+    this->Codes.resize(this->NumberOfPoints);
+    this->Used.reset(new std::atomic<std::uint8_t>[this->NumberOfPoints]());
+    this->Chunks.resize(chunks);
+    const bool counted =
+      this->Context.Run(this->NumberOfPoints, 0.0, 0.05,
+        [this](vtkIdType first, vtkIdType last) {
+          this->Scalars.Classify(first, last - first, this->Codes.data() + first);
+        }) &&
+      this->Context.Run(chunks, 0.05, 0.35, [this](vtkIdType first, vtkIdType last) {
+        for (vtkIdType chunk = first; chunk < last; ++chunk)
+        {
+          this->CountChunk(chunk);
+        }
+      });
+    if (!counted)
+    {
+      return false;
+    }
+    this->NumberPoints();
+    this->Allocate();
+    const bool written =
+      this->Context.Run(this->NumberOfPoints, 0.45, 0.5,
+        [this](vtkIdType first, vtkIdType last) { this->WritePoints(first, last); }) &&
+      this->Context.Run(chunks, 0.5, 0.8, [this](vtkIdType first, vtkIdType last) {
+        for (vtkIdType chunk = first; chunk < last; ++chunk)
+        {
+          this->WriteChunk(chunk);
+        }
+      });
+    return written;
+  }
+
+private:
+  void ReadCorners(vtkIdType cell, Corners& corners) const
+  {
+    this->Cells.GetCorners(cell, corners.What.NumberOfCorners, corners.Ids);
+    if (corners.What.Turned)
+    {
+      std::swap(corners.Ids[2], corners.Ids[3]);
+      std::swap(corners.Ids[6], corners.Ids[7]);
+    }
+    for (int v = 0; v < corners.What.NumberOfCorners; ++v)
+    {
+      corners.Codes[v] = this->Codes[corners.Ids[v]];
+    }
+  }
+
+  bool IsBlanked(vtkIdType cell, const Corners& corners) const
+  {
+    return this->Context.IsCellBlanked(cell) ||
+      (this->Context.PointGhosts &&
+        std::any_of(corners.Ids, corners.Ids + corners.What.NumberOfCorners,
+          [this](vtkIdType id) { return this->Context.IsPointBlanked(id); }));
+  }
+
+  // Whether a cell can give output; if not, the reason is counted.
+  bool Accept(vtkIdType cell, Corners& corners, vtkExtractionReport& report) const
+  {
+    corners.What = this->CornersOfType[this->Grid->GetCellType(cell)];
+    if (!corners.What.HasTable())
+    {
+      (corners.What.Kind == vtkCellCorners::LOWER_DIMENSIONAL ? report.LowerDimensionalCells
+                                                              : report.UnsupportedCells) += 1;
+      return false;
+    }
+    this->ReadCorners(cell, corners);
+    if (this->Context.HasBlanking() && this->IsBlanked(cell, corners))
+    {
+      ++report.BlankedCells;
+      return false;
+    }
+    const Code highest =
+      *std::max_element(corners.Codes, corners.Codes + corners.What.NumberOfCorners);
+    if (highest == this->Values.GetNonFiniteCode())
+    {
+      ++report.NonFiniteCells;
+      return false;
+    }
+    report.LinearizedCells += corners.What.Kind == vtkCellCorners::HIGHER_ORDER;
+    return true;
+  }
+
+  void CountChunk(vtkIdType number)
+  {
+    Chunk& chunk = this->Chunks[number];
+    const vtkIdType end = std::min((number + 1) * ChunkSize, this->NumberOfCells);
+    Corners corners;
+    for (vtkIdType first = number * ChunkSize; first < end; first += vtkExtractionIndex::RunLength)
+    {
+      if (this->Context.Index &&
+        !this->Context.Index->IsRunActive(first / vtkExtractionIndex::RunLength))
+      {
+        continue;
+      }
+      const vtkIdType last = std::min(first + vtkExtractionIndex::RunLength, end);
+      chunk.Report.CellsVisited += last - first;
+      for (vtkIdType cell = first; cell < last; ++cell)
+      {
+        if (this->Accept(cell, corners, chunk.Report))
+        {
+          this->CountCell(cell, corners, chunk);
+        }
+      }
+    }
+  }
+
+  void CountCell(vtkIdType cell, const Corners& corners, Chunk& chunk)
+  {
+    const auto range =
+      std::minmax_element(corners.Codes, corners.Codes + corners.What.NumberOfCorners);
+    const std::uint8_t lastDigit = this->Values.GetKind() == vtkIsotable::INTERVAL ? 2 : 1;
+    const auto& items = this->Values.GetItems();
+    const vtkIdType before = chunk.Simplices;
+    for (std::size_t item = 0; item < items.size(); ++item)
+    {
+      const auto& digits = items[item].Digits;
+      if (digits[*range.second] == 0 || digits[*range.first] == lastDigit)
+      {
+        continue;
+      }
+      int key = 0;
+      for (int v = corners.What.NumberOfCorners - 1; v >= 0; --v)
+      {
+        key = key * (lastDigit + 1) + digits[corners.Codes[v]];
+      }
+      this->CountCase({ cell, static_cast<int>(item), key }, corners, chunk);
+    }
+    chunk.Report.CellsWithOutput += chunk.Simplices != before;
+  }
+
+  // Whether two slots of a cell may be one point: by a value equal to an isovalue, or since two corners
+  // are one point.
+  bool HasEqualPoints(const Corners& corners, const vtkExtractionValues::Item& item) const
+  {
+    Code ties = item.Lower == item.Upper;
+    for (int v = 0; v < corners.What.NumberOfCorners; ++v)
+    {
+      ties |= corners.Codes[v];
+    }
+    return vtkExtractionValues::IsTie(ties) ||
+      (!this->IsAscending(corners) &&
+        vtkExtractionCell::IsCollapsed(corners.Ids, corners.What.NumberOfCorners));
+  }
+
+  // For each slot of a case the first slot that is the same point.
+  void IdentifySlots(const Corners& corners, const vtkExtractionValues::Item& item,
+    const vtkIsotable::Case& what, Slot* same) const
+  {
+    const vtkIsotable& table = *this->Tables[corners.What.Shape];
+    const bool hasEqualCorners =
+      vtkExtractionCell::IsCollapsed(corners.Ids, corners.What.NumberOfCorners);
+    for (const Slot slot : what.Slots)
+    {
+      same[slot] = vtkExtractionCell::Identify(table, item, corners.Codes, slot);
+      for (Slot earlier = 0; hasEqualCorners && earlier < same[slot]; ++earlier)
+      {
+        if (this->IsSamePoint(corners, item, earlier, same[slot]))
+        {
+          same[slot] = earlier;
+        }
+      }
+    }
+  }
+
+  bool IsSamePoint(
+    const Corners& corners, const vtkExtractionValues::Item& item, Slot a, Slot b) const
+  {
+    const vtkIsotable& table = *this->Tables[corners.What.Shape];
+    const int n = table.GetNumberOfVertices();
+    if (a < n || b < n)
+    {
+      return a < n && b < n && corners.Ids[a] == corners.Ids[b];
+    }
+    vtkIdType ownerA;
+    vtkIdType ownerB;
+    const CrossingKey keyA = GetCrossing(table, item, corners, a, ownerA);
+    return keyA == GetCrossing(table, item, corners, b, ownerB) && ownerA == ownerB;
+  }
+
+  void CountCase(const Found& found, const Corners& corners, Chunk& chunk)
+  {
+    const vtkIsotable& table = *this->Tables[corners.What.Shape];
+    const vtkIsotable::Case& what = table.GetCase(found.Key);
+    const auto& item = this->Values.GetItems()[found.Item];
+    if (this->IsCutKnown(corners, item))
+    {
+      for (const Slot slot : what.Slots)
+      {
+        this->Enter(table, item, corners, slot, chunk);
+      }
+      chunk.Simplices += what.Simplices.size();
+      chunk.Triangles += this->Context.GenerateBoundaries ? what.Boundary.size() : 0;
+    }
+    else
+    {
+      // Only the points of simplices that keep all their points are made.
+      this->Cut(
+        found.Key, corners, item,
+        [&](const vtkIsotable::Simplex& simplex) {
+          if (vtkExtractionCell::IsCollapsed(simplex.data(), this->SimplexSize))
+          {
+            ++chunk.Report.CollapsedSimplices;
+            return;
+          }
+          for (int p = 0; p < this->SimplexSize; ++p)
+          {
+            this->Enter(table, item, corners, simplex[p], chunk);
+          }
+          ++chunk.Simplices;
+        },
+        [&](const vtkIsotable::Triangle& triangle) {
+          if (this->Context.GenerateBoundaries &&
+            !vtkExtractionCell::IsCollapsed(triangle.data(), 3))
+          {
+            for (int p = 0; p < 3; ++p)
+            {
+              this->Enter(table, item, corners, triangle[p], chunk);
+            }
+            ++chunk.Triangles;
+          }
+        });
+    }
+    chunk.Cases.push_back(found);
+  }
+
+  // Whether the table's own cut tells how many simplices there will be: no points fall together, and
+  // the order of the points does not change their number.
+  bool IsCutKnown(const Corners& corners, const vtkExtractionValues::Item& item) const
+  {
+    return !this->HasEqualPoints(corners, item) &&
+      (this->Values.GetKind() == vtkIsotable::CONTOUR ||
+        corners.What.Shape == vtkIsotable::TETRAHEDRON || this->IsAscending(corners));
+  }
+
+  // Cuts a case in the global order, with slots that are the same point made one.
+  template <typename SimplexVisitor, typename BoundaryVisitor>
+  void Cut(int key, const Corners& corners, const vtkExtractionValues::Item& item,
+    SimplexVisitor&& simplexVisitor, BoundaryVisitor&& boundaryVisitor) const
+  {
+    const vtkIsotable& table = *this->Tables[corners.What.Shape];
+    const vtkIsotable::Case& what = table.GetCase(key);
+    Slot same[vtkIsotable::MaximumNumberOfSlots];
+    std::iota(same, same + vtkIsotable::MaximumNumberOfSlots, Slot(0));
+    if (this->HasEqualPoints(corners, item))
+    {
+      this->IdentifySlots(corners, item, what, same);
+    }
+    const auto simplex = [&](const vtkIsotable::Simplex& s) {
+      simplexVisitor(vtkIsotable::Simplex{ { same[s[0]], same[s[1]], same[s[2]],
+        this->SimplexSize == 4 ? same[s[3]] : Slot(0) } });
+    };
+    const auto boundary = [&](const vtkIsotable::Triangle& t) {
+      boundaryVisitor(vtkIsotable::Triangle{ { same[t[0]], same[t[1]], same[t[2]], t[3] } });
+    };
+    if (this->IsAscending(corners))
+    {
+      std::for_each(what.Simplices.begin(), what.Simplices.end(), simplex);
+      std::for_each(what.Boundary.begin(), what.Boundary.end(), boundary);
+    }
+    else
+    {
+      Slot ranks[8];
+      this->RankCorners(corners, ranks);
+      table.Cut(what, table.GetSlotRanks(ranks), simplex, boundary);
+    }
+  }
+
+  vtkIdType GetOrder(vtkIdType point) const
+  {
+    return this->GlobalIds ? this->GlobalIds->GetValue(point) : point;
+  }
+
+  bool IsAscending(const Corners& corners) const
+  {
+    bool ascending = true;
+    for (int v = 1; v < corners.What.NumberOfCorners; ++v)
+    {
+      ascending &= this->GetOrder(corners.Ids[v - 1]) < this->GetOrder(corners.Ids[v]);
+    }
+    return ascending;
+  }
+
+  void RankCorners(const Corners& corners, Slot* ranks) const
+  {
+    const int n = corners.What.NumberOfCorners;
+    std::fill(ranks, ranks + n, Slot(0));
+    for (int a = 0; a < n; ++a)
+    {
+      for (int b = a + 1; b < n; ++b)
+      {
+        // Of equal ids, in a degenerate cell, the first corner is the lower.
+        const bool isLater = this->GetOrder(corners.Ids[b]) < this->GetOrder(corners.Ids[a]);
+        ++ranks[isLater ? a : b];
+      }
+    }
+  }
+
+  // Notes that the point of a slot is needed.
+  void Enter(const vtkIsotable& table, const vtkExtractionValues::Item& item,
+    const Corners& corners, Slot slot, Chunk& chunk)
+  {
+    if (slot < table.GetNumberOfVertices())
+    {
+      this->Used[corners.Ids[slot]].store(1, std::memory_order_relaxed);
+      return;
+    }
+    vtkIdType owner;
+    const CrossingKey key = GetCrossing(table, item, corners, slot, owner);
+    chunk.Crossings.push_back({ owner, key });
+  }
+
+  static CrossingKey GetCrossing(const vtkIsotable& table,
+    const vtkExtractionValues::Item& item, const Corners& corners, Slot slot, vtkIdType& owner)
+  {
+    const int crossing = slot - table.GetNumberOfVertices();
+    const int kind = crossing >= table.GetNumberOfEdges() ? 1 : 0;
+    const auto& edge = table.GetEdge(crossing - kind * table.GetNumberOfEdges());
+    const vtkIdType a = corners.Ids[edge[0]];
+    const vtkIdType b = corners.Ids[edge[1]];
+    owner = std::min(a, b);
+    return MakeCrossingKey(std::max(a, b), kind == 0 ? item.Lower : item.Upper);
+  }
+
+  // Sorts the crossings into lists by owner, and numbers all output points.
+  void NumberPoints()
+  {
+    std::unique_ptr<std::atomic<std::uint32_t>[]> counts(
+      new std::atomic<std::uint32_t>[this->NumberOfPoints]());
+    const vtkIdType chunks = static_cast<vtkIdType>(this->Chunks.size());
+    const auto forEachCrossing = [this, chunks](auto&& visit) {
+      vtkSMPTools::For(0, chunks, [&](vtkIdType first, vtkIdType last) {
+        for (vtkIdType chunk = first; chunk < last; ++chunk)
+        {
+          for (const Crossing& crossing : this->Chunks[chunk].Crossings)
+          {
+            visit(crossing);
+          }
+        }
+      });
+    };
+    forEachCrossing([&counts](const Crossing& crossing) {
+      counts[crossing.Owner].fetch_add(1, std::memory_order_relaxed);
+    });
+    this->ListStarts.resize(this->NumberOfPoints + 1);
+    this->ListStarts[0] = 0;
+    for (vtkIdType p = 0; p < this->NumberOfPoints; ++p)
+    {
+      this->ListStarts[p + 1] = this->ListStarts[p] + counts[p].load(std::memory_order_relaxed);
+    }
+    this->Lists.resize(this->ListStarts.back());
+    forEachCrossing([this, &counts](const Crossing& crossing) {
+      const std::uint32_t left = counts[crossing.Owner].fetch_sub(1, std::memory_order_relaxed);
+      this->Lists[this->ListStarts[crossing.Owner] + left - 1] = crossing.Key;
+    });
+    this->NoteWorkingBytes(this->NumberOfPoints * sizeof(counts[0]));
+    for (Chunk& chunk : this->Chunks)
+    {
+      std::vector<Crossing>().swap(chunk.Crossings);
+    }
+    this->PointIds.resize(this->NumberOfPoints + 1);
+    vtkSMPTools::For(0, this->NumberOfPoints, [this](vtkIdType first, vtkIdType last) {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        const auto begin = this->Lists.begin() + this->ListStarts[p];
+        const auto end = this->Lists.begin() + this->ListStarts[p + 1];
+        std::sort(begin, end);
+        this->PointIds[p + 1] = (std::unique(begin, end) - begin) + this->Used[p].load();
+      }
+    });
+    this->PointIds[0] = 0;
+    std::partial_sum(this->PointIds.begin(), this->PointIds.end(), this->PointIds.begin());
+  }
+
+  void Allocate()
+  {
+    vtkIdType simplices = 0;
+    vtkIdType triangles = 0;
+    for (Chunk& chunk : this->Chunks)
+    {
+      std::swap(chunk.Simplices, simplices);
+      std::swap(chunk.Triangles, triangles);
+      simplices += chunk.Simplices;
+      triangles += chunk.Triangles;
+      this->Context.Report->Add(chunk.Report);
+    }
+    this->Mesh.Points.resize(this->PointIds.back());
+    vtkNew<vtkIdTypeArray> connectivity;
+    connectivity->SetNumberOfValues(simplices * this->SimplexSize);
+    this->Simplices = connectivity->GetPointer(0);
+    this->Mesh.Connectivity = connectivity;
+    this->Mesh.ItemIds->SetNumberOfValues(simplices);
+    this->Mesh.Triangles.resize(triangles);
+    this->Mesh.TriangleItemIds->SetNumberOfValues(triangles);
+    this->Mesh.TriangleSides->SetNumberOfValues(triangles);
+    if (this->Context.KeepCellIds)
+    {
+      this->Mesh.CellIds.resize(simplices);
+      this->Mesh.TriangleCellIds.resize(triangles);
+    }
+    this->NoteWorkingBytes(this->PointIds.capacity() * sizeof(vtkIdType) +
+      this->Mesh.Points.capacity() * sizeof(vtkExtractionPoint));
+  }
+
+  void NoteWorkingBytes(std::size_t more) const
+  {
+    std::size_t bytes = more + this->Codes.capacity() * sizeof(Code) + this->NumberOfPoints +
+      this->ListStarts.capacity() * sizeof(vtkIdType) +
+      this->Lists.capacity() * sizeof(CrossingKey);
+    for (const Chunk& chunk : this->Chunks)
+    {
+      bytes += chunk.Cases.capacity() * sizeof(Found) +
+        chunk.Crossings.capacity() * sizeof(Crossing);
+    }
+    this->Context.NoteWorkingBytes(bytes);
+  }
+
+  void WritePoints(vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType p = first; p < last; ++p)
+    {
+      vtkExtractionPoint* out = this->Mesh.Points.data() + this->PointIds[p];
+      vtkExtractionPoint* end = this->Mesh.Points.data() + this->PointIds[p + 1];
+      if (out != end && this->Used[p].load(std::memory_order_relaxed))
+      {
+        *out++ = { p, p, 0.0 };
+      }
+      for (vtkIdType at = this->ListStarts[p]; out != end; ++at)
+      {
+        const CrossingKey key = this->Lists[at];
+        *out++ = this->Scalars.Cross(
+          p, static_cast<vtkIdType>(key >> 16), static_cast<int>(key & 0xffff));
+      }
+    }
+  }
+
+  vtkIdType GetId(const vtkIsotable& table, const vtkExtractionValues::Item& item,
+    const Corners& corners, Slot slot) const
+  {
+    if (slot < table.GetNumberOfVertices())
+    {
+      return this->PointIds[corners.Ids[slot]];
+    }
+    vtkIdType owner;
+    const CrossingKey key = GetCrossing(table, item, corners, slot, owner);
+    const CrossingKey* list = this->Lists.data() + this->ListStarts[owner];
+    vtkIdType id = this->PointIds[owner] + this->Used[owner].load(std::memory_order_relaxed);
+    while (*list != key)
+    {
+      ++list;
+      ++id;
+    }
+    return id;
+  }
+
+  void WriteChunk(vtkIdType number)
+  {
+    const Chunk& chunk = this->Chunks[number];
+    vtkIdType simplexId = chunk.Simplices;
+    vtkIdType triangleId = chunk.Triangles;
+    Corners corners;
+    for (const Found& found : chunk.Cases)
+    {
+      corners.What = this->CornersOfType[this->Grid->GetCellType(found.Cell)];
+      this->ReadCorners(found.Cell, corners);
+      this->WriteCase(found, corners, simplexId, triangleId);
+    }
+  }
+
+  void WriteCase(
+    const Found& found, const Corners& corners, vtkIdType& simplexId, vtkIdType& triangleId)
+  {
+    const vtkIsotable& table = *this->Tables[corners.What.Shape];
+    const auto& item = this->Values.GetItems()[found.Item];
+    const bool isInverted = this->Orientation.IsInverted(corners.What.Shape, corners.Ids);
+    constexpr vtkIdType unknown = -1;
+    vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
+    std::fill_n(ids, vtkIsotable::MaximumNumberOfSlots, unknown);
+    const auto idOf = [&](Slot slot) {
+      if (ids[slot] == unknown)
+      {
+        ids[slot] = this->GetId(table, item, corners, slot);
+      }
+      return ids[slot];
+    };
+    const int size = this->SimplexSize;
+    this->Cut(
+      found.Key, corners, item,
+      [&](vtkIsotable::Simplex simplex) {
+        if (vtkExtractionCell::IsCollapsed(simplex.data(), size))
+        {
+          return;
+        }
+        if (isInverted)
+        {
+          std::swap(simplex[0], simplex[1]);
+        }
+        vtkIdType* out = this->Simplices + simplexId * size;
+        for (int p = 0; p < size; ++p)
+        {
+          out[p] = idOf(simplex[p]);
+        }
+        this->Mesh.ItemIds->SetValue(simplexId, found.Item);
+        if (this->Context.KeepCellIds)
+        {
+          this->Mesh.CellIds[simplexId] = found.Cell;
+        }
+        ++simplexId;
+      },
+      [&](vtkIsotable::Triangle triangle) {
+        if (!this->Context.GenerateBoundaries ||
+          vtkExtractionCell::IsCollapsed(triangle.data(), 3))
+        {
+          return;
+        }
+        if (isInverted)
+        {
+          std::swap(triangle[0], triangle[1]);
+        }
+        for (int p = 0; p < 3; ++p)
+        {
+          this->Mesh.Triangles[triangleId][p] = idOf(triangle[p]);
+        }
+        this->Mesh.TriangleItemIds->SetValue(triangleId, found.Item);
+        this->Mesh.TriangleSides->SetValue(triangleId, triangle[3]);
+        if (this->Context.KeepCellIds)
+        {
+          this->Mesh.TriangleCellIds[triangleId] = found.Cell;
+        }
+        ++triangleId;
+      });
+  }
+
+  const vtkExtractionContext& Context;
+  const vtkExtractionValues& Values;
+  vtkExtractionScalars<T> Scalars;
+  vtkUnstructuredGrid* Grid;
+  Connectivity Cells;
+  vtkIdTypeArray* GlobalIds;
+  vtkExtractionMesh& Mesh;
+  vtkCellOrientation Orientation;
+  vtkIdType NumberOfPoints;
+  vtkIdType NumberOfCells;
+  int SimplexSize;
+  std::vector<vtkCellCorners> CornersOfType;
+  const vtkIsotable* Tables[vtkIsotable::NUMBER_OF_SHAPES];
+
+  std::vector<Code> Codes;
+  std::unique_ptr<std::atomic<std::uint8_t>[]> Used;
+  std::vector<Chunk> Chunks;
+  // For each point the range of its crossings in Lists, and its first output point.
+  std::vector<vtkIdType> ListStarts;
+  std::vector<CrossingKey> Lists;
+  std::vector<vtkIdType> PointIds;
+  vtkIdType* Simplices = nullptr;
+};
+}
+
+bool vtkUnstructuredExtraction::Execute(
+  const vtkExtractionContext& context, vtkUnstructuredGrid* grid, vtkExtractionMesh& mesh)
+{
+  context.Report->Cells += grid->GetNumberOfCells();
+  if (grid->GetNumberOfCells() == 0)
+  {
+    return true;
+  }
+  return vtkExtractionDispatch::Execute(context.Scalars, [&](const auto* scalars) {
+    using T = std::decay_t<decltype(*scalars)>;
+    return Extractor<T>(context, grid, scalars, mesh).Execute();
+  });
+}

@@ -1,0 +1,207 @@
+#ifndef vtkIsotable_h
+#define vtkIsotable_h
+
+#include "InterlumeIsotablesModule.h" // for the export macro
+#include "vtkIsotablePolytope.h"      // for the cell
+
+#include <array>   // for the simplices
+#include <atomic>  // for the cases
+#include <cstdint> // for the slots
+#include <memory>  // for the cases
+#include <vector>  // for the lists
+
+/**
+ * @class   vtkIsotable
+ * @brief   the case table of a three-dimensional cell, for isosurfaces or interval volumes
+ *
+ * A case is keyed by one digit for each vertex, vertex 0 the least: in base 2 for a contour
+ * (0: f < v, 1: f >= v), in base 3 for an interval (0: below, 1: inside, 2: above). Cases are made at
+ * their first use, once, whichever thread asks first.
+ *
+ * A point of a case is a slot: with n vertices and m edges, slot i < n is vertex i of the cell;
+ * slot n + e is the isovalue (the lower one of an interval) on edge e; slot n + m + e is the upper one
+ * on edge e. In an interval, a vertex that is inside is a point itself; a contour has none of the
+ * first kind.
+ *
+ * Convex pieces are cut by pulling in an order of the slots: vertices first, then lower, then upper
+ * crossings, each by the ranks of the edge's ends, the smaller rank first. When ranks come from global
+ * point ids, any two cells cut the face they share alike. Simplices holds the cut for ascending ranks,
+ * as structured grids have it; Cut() does any other.
+ *
+ * Vertex order: VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, and VTK_VOXEL for the hexahedron. Tetrahedra
+ * have positive volume in a right-handed cell; triangles of a contour have their normal towards
+ * lower values; boundary triangles of an interval have it outward.
+ *
+ * @sa vtkIsotablePatch vtkIsotableTriangulation
+ */
+class INTERLUMEISOTABLES_EXPORT vtkIsotable
+{
+public:
+  enum Kinds
+  {
+    CONTOUR,
+    INTERVAL
+  };
+  enum Shapes
+  {
+    TETRAHEDRON,
+    PYRAMID,
+    WEDGE,
+    HEXAHEDRON,
+    NUMBER_OF_SHAPES
+  };
+  static constexpr int MaximumNumberOfVertices = 8;
+  static constexpr int MaximumNumberOfSlots = 32;
+
+  using Slot = std::uint8_t;
+  /// Four slots of a tetrahedron, or three of a contour's triangle (the last is unused).
+  using Simplex = std::array<Slot, 4>;
+  /// A boundary triangle of an interval: three slots, and 0 at the lower side or 1 at the upper.
+  using Triangle = std::array<Slot, 4>;
+  using RankArray = std::array<Slot, MaximumNumberOfSlots>;
+
+  struct Case
+  {
+    std::vector<Simplex> Simplices;
+    std::vector<Triangle> Boundary;
+    /// The slots in use, increasing.
+    std::vector<Slot> Slots;
+    /// Convex pieces: number of points, points, number of faces, then for each face its side (0, 1 or
+    /// NoSide), number of points, points in cyclic order. In a contour a piece is one face.
+    std::vector<Slot> Pieces;
+  };
+  static constexpr Slot NoSide = 255;
+
+  /// The table shared by all users in the process.
+  static const vtkIsotable& Get(Kinds kind, Shapes shape);
+
+  vtkIsotable(Kinds kind, const vtkIsotablePolytope& cell);
+  ~vtkIsotable();
+  vtkIsotable(const vtkIsotable&) = delete;
+  void operator=(const vtkIsotable&) = delete;
+
+  int GetNumberOfVertices() const { return this->NumberOfVertices; }
+  int GetNumberOfEdges() const { return this->NumberOfEdges; }
+  int GetNumberOfCases() const { return static_cast<int>(this->Cases.size()); }
+  const std::array<Slot, 2>& GetEdge(int edge) const { return this->Edges[edge]; }
+  const vtkIsotablePolytope& GetCell() const { return this->Cell; }
+  /// The order of the lifted (or plain) cell's edges that ascending vertex ranks give.
+  const std::vector<int>& GetPointRanks() const { return this->PointRanks; }
+
+  /// The case of \a key, 0 <= key < GetNumberOfCases().
+  const Case& GetCase(int key) const
+  {
+    const Case* known = this->Cases[key].load(std::memory_order_acquire);
+    return known ? *known : this->MakeCase(key);
+  }
+
+  /// How many cases have been made so far.
+  int GetNumberOfCasesMade() const;
+
+  /**
+   * The order of slots for vertex ranks 0 ... n-1.
+   */
+  RankArray GetSlotRanks(const Slot* vertexRanks) const;
+
+  /**
+   * Cuts a case in the order given, calling simplex(const Simplex&) and boundary(const Triangle&).
+   */
+  template <typename SimplexVisitor, typename BoundaryVisitor>
+  void Cut(const Case& what, const RankArray& ranks, SimplexVisitor&& simplex,
+    BoundaryVisitor&& boundary) const
+  {
+    for (const Slot* at = what.Pieces.data(); at != what.Pieces.data() + what.Pieces.size();)
+    {
+      at = this->Kind == CONTOUR ? CutPolygon(at, ranks, simplex)
+                                 : CutSolid(at, ranks, simplex, boundary);
+    }
+  }
+
+private:
+  static Slot First(const Slot* slots, int number, const RankArray& ranks)
+  {
+    Slot first = slots[0];
+    for (int i = 1; i < number; ++i)
+    {
+      first = ranks[slots[i]] < ranks[first] ? slots[i] : first;
+    }
+    return first;
+  }
+
+  // Calls fan(a, b, c) for the triangles of a polygon coned from its first point.
+  template <typename Fan>
+  static void PullPolygon(const Slot* slots, int number, const RankArray& ranks, Fan&& fan)
+  {
+    int start = 0;
+    for (int i = 1; i < number; ++i)
+    {
+      start = ranks[slots[i]] < ranks[slots[start]] ? i : start;
+    }
+    int b = start + 1 == number ? 0 : start + 1;
+    for (int i = 2; i < number; ++i)
+    {
+      const int c = b + 1 == number ? 0 : b + 1;
+      fan(slots[start], slots[b], slots[c]);
+      b = c;
+    }
+  }
+
+  template <typename SimplexVisitor>
+  static const Slot* CutPolygon(const Slot* at, const RankArray& ranks, SimplexVisitor&& simplex)
+  {
+    const int number = at[0];
+    PullPolygon(at + 1, number, ranks,
+      [&simplex](Slot a, Slot b, Slot c) { simplex(Simplex{ { a, b, c, 0 } }); });
+    return at + 1 + number;
+  }
+
+  template <typename SimplexVisitor, typename BoundaryVisitor>
+  static const Slot* CutSolid(
+    const Slot* at, const RankArray& ranks, SimplexVisitor&& simplex, BoundaryVisitor&& boundary)
+  {
+    const Slot apex = First(at + 1, at[0], ranks);
+    at += 1 + at[0];
+    int faces = *at++;
+    while (faces-- > 0)
+    {
+      const Slot side = at[0];
+      const int number = at[1];
+      const Slot* slots = at + 2;
+      at = slots + number;
+      bool holdsApex = false;
+      for (int i = 0; i < number; ++i)
+      {
+        holdsApex |= slots[i] == apex;
+      }
+      if (holdsApex && side == NoSide)
+      {
+        continue;
+      }
+      PullPolygon(slots, number, ranks, [&](Slot a, Slot b, Slot c) {
+        if (!holdsApex)
+        {
+          simplex(Simplex{ { a, c, b, apex } });
+        }
+        if (side != NoSide)
+        {
+          boundary(Triangle{ { a, b, c, side } });
+        }
+      });
+    }
+    return at;
+  }
+
+  const Case& MakeCase(int key) const;
+  void AppendPieces(int key, Case& made) const;
+
+  Kinds Kind;
+  vtkIsotablePolytope Cell;
+  vtkIsotablePolytope Lifted;
+  int NumberOfVertices;
+  int NumberOfEdges;
+  std::vector<std::array<Slot, 2>> Edges;
+  std::vector<int> PointRanks;
+  mutable std::vector<std::atomic<const Case*>> Cases;
+};
+
+#endif

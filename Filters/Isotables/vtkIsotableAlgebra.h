@@ -1,0 +1,150 @@
+#ifndef vtkIsotableAlgebra_h
+#define vtkIsotableAlgebra_h
+
+#include "vtkIsotableHull.h" // for points and normals
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+/**
+ * Exact integer algebra shared by the hull and the triangulations. Not installed.
+ */
+namespace vtkIsotableAlgebra
+{
+using Point = vtkIsotableHull::Point;
+using Normal = vtkIsotableHull::Normal;
+constexpr int MaximumDimension = vtkIsotablePolytope::MaximumDimension;
+
+/// Determinant of the n x n matrix whose rows are \a m, over the columns listed.
+inline std::int64_t Determinant(const Normal* m, const int* columns, int n)
+{
+  if (n == 1)
+  {
+    return m[0][columns[0]];
+  }
+  if (n == 2)
+  {
+    return m[0][columns[0]] * m[1][columns[1]] - m[0][columns[1]] * m[1][columns[0]];
+  }
+  std::int64_t sum = 0;
+  int rest[MaximumDimension];
+  for (int skip = 0; skip < n; ++skip)
+  {
+    if (m[0][columns[skip]] == 0)
+    {
+      continue;
+    }
+    std::copy(columns, columns + skip, rest);
+    std::copy(columns + skip + 1, columns + n, rest + skip);
+    const std::int64_t minor = m[0][columns[skip]] * Determinant(m + 1, rest, n - 1);
+    sum += (skip & 1) ? -minor : minor;
+  }
+  return sum;
+}
+
+inline std::int64_t Dot(int dimension, const Normal& n, const Point& p)
+{
+  std::int64_t sum = 0;
+  for (int axis = 0; axis < dimension; ++axis)
+  {
+    sum += n[axis] * p[axis];
+  }
+  return sum;
+}
+
+inline Normal Difference(const Point& a, const Point& b)
+{
+  Normal d{};
+  for (int axis = 0; axis < MaximumDimension; ++axis)
+  {
+    d[axis] = a[axis] - b[axis];
+  }
+  return d;
+}
+
+/// Generalised cross product: orthogonal to the first dimension - 1 rows, with a positive determinant
+/// as the last row below them.
+inline Normal CrossProduct(int dimension, const std::array<Normal, MaximumDimension - 1>& rows)
+{
+  Normal normal{};
+  int columns[MaximumDimension];
+  for (int axis = 0; axis < dimension; ++axis)
+  {
+    for (int i = 0, n = 0; i < dimension; ++i)
+    {
+      if (i != axis)
+      {
+        columns[n++] = i;
+      }
+    }
+    const std::int64_t cofactor = Determinant(rows.data(), columns, dimension - 1);
+    normal[axis] = ((dimension - 1 + axis) & 1) ? -cofactor : cofactor;
+  }
+  return normal;
+}
+
+/// The affine span of points inserted one by one. Fraction-free elimination: each kept row has a pivot
+/// column that later rows are cleared of, so the span maps one to one onto the pivot columns.
+class Span
+{
+public:
+  explicit Span(int dimension)
+    : Dimension(dimension)
+  {
+  }
+
+  /// Returns whether \a p was outside the span of the points before it.
+  bool Insert(const Point& p)
+  {
+    if (this->IsEmpty)
+    {
+      this->Origin = p;
+      this->IsEmpty = false;
+      return true;
+    }
+    Normal row = Difference(p, this->Origin);
+    for (std::size_t r = 0; r < this->Rows.size(); ++r)
+    {
+      this->Clear(row, this->Rows[r], this->Pivots[r]);
+    }
+    for (int axis = 0; axis < this->Dimension; ++axis)
+    {
+      if (row[axis] != 0)
+      {
+        this->Rows.push_back(row);
+        this->Pivots.push_back(axis);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const std::vector<int>& GetPivots() const { return this->Pivots; }
+
+private:
+  void Clear(Normal& row, const Normal& by, int pivot) const
+  {
+    const std::int64_t factor = row[pivot];
+    std::int64_t divisor = 0;
+    for (int axis = 0; axis < this->Dimension; ++axis)
+    {
+      row[axis] = row[axis] * by[pivot] - factor * by[axis];
+      divisor = std::gcd(divisor, row[axis]);
+    }
+    for (int axis = 0; axis < this->Dimension && divisor > 1; ++axis)
+    {
+      row[axis] /= divisor;
+    }
+  }
+
+  int Dimension;
+  bool IsEmpty = true;
+  Point Origin{};
+  std::vector<Normal> Rows;
+  std::vector<int> Pivots;
+};
+}
+
+#endif
+// VTK-HeaderTest-Exclude: vtkIsotableAlgebra.h

@@ -1,0 +1,128 @@
+#include "vtkIsotablePatch.h"
+
+#include "vtkIsotableAlgebra.h"
+
+#include <algorithm>
+
+namespace
+{
+std::vector<vtkIsotablePatch::Point> CollectHullPoints(const vtkIsotablePolytope& cell,
+  const std::vector<bool>& positive, std::vector<int>& edgeOfPoint)
+{
+  std::vector<vtkIsotablePatch::Point> points;
+  for (std::size_t i = 0; i < cell.Vertices.size(); ++i)
+  {
+    if (positive[i])
+    {
+      points.push_back(cell.Vertices[i]);
+      edgeOfPoint.push_back(-1);
+    }
+  }
+  for (std::size_t e = 0; e < cell.Edges.size(); ++e)
+  {
+    if (positive[cell.Edges[e][0]] != positive[cell.Edges[e][1]])
+    {
+      points.push_back(cell.Midpoint(static_cast<int>(e)));
+      edgeOfPoint.push_back(static_cast<int>(e));
+    }
+  }
+  return points;
+}
+}
+
+vtkIsotablePatch::vtkIsotablePatch(
+  const vtkIsotablePolytope& cell, const std::vector<bool>& positive)
+  : Cell(cell)
+  , Hull(cell.Dimension, CollectHullPoints(cell, positive, EdgeOfPoint))
+{
+  for (const vtkIsotableHull::Facet& hullFacet : this->Hull.GetFacets())
+  {
+    Facet facet{ hullFacet.Points, this->GetEdges(hullFacet.Points), hullFacet.Outward };
+    if (facet.Points.front() >= 0)
+    {
+      this->Facets.push_back(facet);
+    }
+  }
+}
+
+vtkIsotablePatch::PointList vtkIsotablePatch::GetEdges(const vtkIsotablePointSet& face) const
+{
+  PointList edges;
+  face.ForEach([&](int i) { edges.push_back(this->EdgeOfPoint[i]); });
+  return edges;
+}
+
+std::vector<vtkIsotablePointSet> vtkIsotablePatch::GetFacesOf(
+  const vtkIsotablePointSet& face) const
+{
+  return this->Hull.FacetsOf(face);
+}
+
+bool vtkIsotablePatch::IsPositive(const Facet& facet, const PointList& simplex) const
+{
+  using namespace vtkIsotableAlgebra;
+  const int dimension = this->Cell.Dimension;
+  vtkIsotableAlgebra::Normal rows[MaximumDimension];
+  int columns[MaximumDimension];
+  const Point origin = this->Cell.Midpoint(simplex[0]);
+  for (int i = 1; i < dimension; ++i)
+  {
+    rows[i - 1] = Difference(this->Cell.Midpoint(simplex[i]), origin);
+  }
+  rows[dimension - 1] = facet.Outward;
+  std::iota(columns, columns + dimension, 0);
+  return Determinant(rows, columns, dimension) > 0;
+}
+
+vtkIsotablePatch::PointList vtkIsotablePatch::ChainPolygon(const vtkIsotablePointSet& polygon) const
+{
+  std::vector<PointList> sides;
+  for (const vtkIsotablePointSet& side : this->GetFacesOf(polygon))
+  {
+    sides.push_back(this->GetEdges(side));
+  }
+  PointList chain = sides.back();
+  sides.pop_back();
+  while (sides.size() > 1)
+  {
+    const int last = chain.back();
+    const auto next = std::find_if(sides.begin(), sides.end(),
+      [last](const PointList& side) { return side[0] == last || side[1] == last; });
+    chain.push_back((*next)[0] == last ? (*next)[1] : (*next)[0]);
+    sides.erase(next);
+  }
+  return chain;
+}
+
+vtkIsotablePatch::PointList vtkIsotablePatch::GetPolygon(const Facet& facet) const
+{
+  PointList polygon = this->ChainPolygon(facet.HullPoints);
+  if (!this->IsPositive(facet, { polygon[0], polygon[1], polygon[2] }))
+  {
+    std::reverse(polygon.begin(), polygon.end());
+  }
+  return polygon;
+}
+
+std::vector<vtkIsotablePatch::PointList> vtkIsotablePatch::GetFaces(const Facet& facet) const
+{
+  std::vector<PointList> faces;
+  for (const vtkIsotablePointSet& face : this->GetFacesOf(facet.HullPoints))
+  {
+    if (this->Cell.Dimension != 4)
+    {
+      faces.push_back(this->GetEdges(face));
+      continue;
+    }
+    PointList polygon = this->ChainPolygon(face);
+    const auto inside = std::find_if(facet.Points.begin(), facet.Points.end(), [&](int edge) {
+      return std::find(polygon.begin(), polygon.end(), edge) == polygon.end();
+    });
+    if (this->IsPositive(facet, { polygon[0], polygon[1], polygon[2], *inside }))
+    {
+      std::reverse(polygon.begin(), polygon.end());
+    }
+    faces.push_back(polygon);
+  }
+  return faces;
+}

@@ -1,0 +1,158 @@
+#include "vtkIsotablePolytope.h"
+
+#include "vtkIsotableHull.h"
+#include "vtkIsotablePointSet.h"
+
+#include <cstdlib>
+
+vtkIsotablePolytope vtkIsotablePolytope::Simplex(int dimension)
+{
+  vtkIsotablePolytope cell;
+  cell.Dimension = dimension;
+  cell.Vertices.push_back(Point{});
+  for (int axis = 0; axis < dimension; ++axis)
+  {
+    Point p{};
+    p[axis] = 2;
+    cell.Vertices.push_back(p);
+  }
+  for (int i = 0; i <= dimension; ++i)
+  {
+    for (int j = i + 1; j <= dimension; ++j)
+    {
+      cell.Edges.push_back({ { i, j } });
+    }
+  }
+  return cell;
+}
+
+vtkIsotablePolytope vtkIsotablePolytope::Cube(int dimension)
+{
+  vtkIsotablePolytope cell;
+  cell.Dimension = dimension;
+  for (int i = 0; i < (1 << dimension); ++i)
+  {
+    Point p{};
+    for (int axis = 0; axis < dimension; ++axis)
+    {
+      p[axis] = 2 * ((i >> axis) & 1);
+    }
+    cell.Vertices.push_back(p);
+  }
+  for (int axis = 0; axis < dimension; ++axis)
+  {
+    const int half = 1 << axis;
+    const std::vector<std::array<int, 2>> lower = cell.Edges;
+    for (int i = 0; i < half; ++i)
+    {
+      cell.Edges.push_back({ { i, i + half } });
+    }
+    for (const auto& edge : lower)
+    {
+      cell.Edges.push_back({ { edge[0] + half, edge[1] + half } });
+    }
+  }
+  return cell;
+}
+
+vtkIsotablePolytope vtkIsotablePolytope::Hexahedron()
+{
+  // VTK_HEXAHEDRON turns around its faces where the cube goes in rows.
+  vtkIsotablePolytope cell = Cube(3);
+  const std::array<int, 8> turned{ { 0, 1, 3, 2, 4, 5, 7, 6 } };
+  const std::vector<Point> rows = cell.Vertices;
+  for (int i = 0; i < 8; ++i)
+  {
+    cell.Vertices[i] = rows[turned[i]];
+  }
+  for (auto& edge : cell.Edges)
+  {
+    edge = { { turned[edge[0]], turned[edge[1]] } };
+  }
+  return cell;
+}
+
+vtkIsotablePolytope vtkIsotablePolytope::Wedge()
+{
+  return Simplex(2).Prism();
+}
+
+vtkIsotablePolytope vtkIsotablePolytope::Pyramid()
+{
+  return FromVertices(3,
+    { Point{ { 0, 0, 0 } }, Point{ { 2, 0, 0 } }, Point{ { 2, 2, 0 } }, Point{ { 0, 2, 0 } },
+      Point{ { 0, 0, 2 } } });
+}
+
+vtkIsotablePolytope vtkIsotablePolytope::FromVertices(
+  int dimension, const std::vector<Point>& vertices)
+{
+  if (vertices.size() > MaximumNumberOfVertices)
+  {
+    return {};
+  }
+  for (const Point& p : vertices)
+  {
+    for (int axis = 0; axis < dimension; ++axis)
+    {
+      if (p[axis] % 2 != 0 || std::abs(p[axis]) > MaximumCoordinate)
+      {
+        return {};
+      }
+    }
+  }
+  vtkIsotablePolytope cell;
+  cell.Dimension = dimension;
+  cell.Vertices = vertices;
+  const vtkIsotableHull hull(dimension, vertices);
+  const int n = static_cast<int>(vertices.size());
+  for (int i = 0; i < n; ++i)
+  {
+    // A point is a vertex, and a pair an edge, when the facets it lies on have nothing else in common.
+    if (hull.SmallestFace({ i }).Count() != 1)
+    {
+      return {};
+    }
+    for (int j = i + 1; j < n; ++j)
+    {
+      if (hull.SmallestFace({ i, j }).Count() == 2)
+      {
+        cell.Edges.push_back({ { i, j } });
+      }
+    }
+  }
+  return cell.Edges.size() <= MaximumNumberOfEdges ? cell : vtkIsotablePolytope{};
+}
+
+vtkIsotablePolytope vtkIsotablePolytope::Prism() const
+{
+  vtkIsotablePolytope prism = *this;
+  prism.Dimension = this->Dimension + 1;
+  const int n = static_cast<int>(this->Vertices.size());
+  for (Point p : this->Vertices)
+  {
+    p[this->Dimension] = 2;
+    prism.Vertices.push_back(p);
+  }
+  for (const auto& edge : this->Edges)
+  {
+    prism.Edges.push_back({ { edge[0] + n, edge[1] + n } });
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    prism.Edges.push_back({ { i, i + n } });
+  }
+  return prism;
+}
+
+vtkIsotablePolytope::Point vtkIsotablePolytope::Midpoint(int edge) const
+{
+  const Point& a = this->Vertices[this->Edges[edge][0]];
+  const Point& b = this->Vertices[this->Edges[edge][1]];
+  Point p{};
+  for (int axis = 0; axis < this->Dimension; ++axis)
+  {
+    p[axis] = (a[axis] + b[axis]) / 2;
+  }
+  return p;
+}

@@ -1,0 +1,65 @@
+#ifndef vtkIsotablePolytope_h
+#define vtkIsotablePolytope_h
+
+#include "InterlumeIsotablesModule.h" // for the export macro
+
+#include <array>  // for the vertices
+#include <vector> // for the lists
+
+/**
+ * @class   vtkIsotablePolytope
+ * @brief   a convex cell with lattice vertices, in 2 to 6 dimensions
+ *
+ * The cells that isotables are made for. Coordinates are even integers, so that the midpoint of an
+ * edge is a lattice point too and every predicate is exact. The order of Edges is the order of the
+ * points in the tables of the source.
+ *
+ * Standard cells have the vertex order of their VTK cell; Cube has vertex i at coordinate
+ * 2 * ((i >> k) & 1) along axis k (the order of VTK_VOXEL).
+ *
+ * Valid range of a coordinate: -128 to 128. At most 32 vertices and 96 edges.
+ */
+class INTERLUMEISOTABLES_EXPORT vtkIsotablePolytope
+{
+public:
+  static constexpr int MaximumDimension = 6;
+  static constexpr int MaximumNumberOfVertices = 32;
+  static constexpr int MaximumNumberOfEdges = 96;
+  static constexpr int MaximumCoordinate = 128;
+  using Point = std::array<int, MaximumDimension>;
+
+  int Dimension = 0;
+  std::vector<Point> Vertices;
+  /// Pairs of vertex indices.
+  std::vector<std::array<int, 2>> Edges;
+
+  ///@{
+  /**
+   * The cells of VTK. Edges of the cube in the order lower, vertical, upper along the last axis,
+   * recursively; of the simplex in lexicographic order.
+   */
+  static vtkIsotablePolytope Simplex(int dimension);
+  static vtkIsotablePolytope Cube(int dimension);
+  static vtkIsotablePolytope Hexahedron();
+  static vtkIsotablePolytope Wedge();
+  static vtkIsotablePolytope Pyramid();
+  ///@}
+
+  /**
+   * Any convex polytope from its vertices; its edges are found, in lexicographic order. Returns a
+   * polytope without vertices when a point is not a vertex of the hull, a coordinate is odd or out
+   * of range, or there are too many points.
+   */
+  static vtkIsotablePolytope FromVertices(int dimension, const std::vector<Point>& vertices);
+
+  /**
+   * The prism over this polytope, one dimension more: vertex i at 0, vertex i + n at 2 along the new
+   * axis. Edges: those at 0, those at 2, then the vertical ones.
+   */
+  vtkIsotablePolytope Prism() const;
+
+  /// The midpoint of an edge.
+  Point Midpoint(int edge) const;
+};
+
+#endif

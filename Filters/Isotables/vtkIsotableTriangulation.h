@@ -1,0 +1,40 @@
+#ifndef vtkIsotableTriangulation_h
+#define vtkIsotableTriangulation_h
+
+#include "InterlumeIsotablesModule.h" // for the export macro
+#include "vtkIsotablePatch.h"         // for the patch
+
+#include <vector> // for the lists
+
+/**
+ * @class   vtkIsotableTriangulation
+ * @brief   cuts the facets of a patch into simplices in a given order of the points
+ *
+ * Both ways depend on a face only through the order of its own points, so that two cells which order
+ * the points of their common face alike cut it alike.
+ * - Placing: points are added in order; each is joined to the faces of the simplices so far that it
+ *   sees (a coplanar one is not seen). What the source does.
+ * - Pulling: a face is coned from its first point over its faces that do not hold that point.
+ *
+ * Every simplex has the orientation of its facet. \a rank has one entry for each edge of
+ * the cell; equal ranks must not occur among the points of a facet.
+ */
+class INTERLUMEISOTABLES_EXPORT vtkIsotableTriangulation
+{
+public:
+  using PointList = vtkIsotablePatch::PointList;
+
+  enum Methods
+  {
+    PLACING,
+    PULLING
+  };
+
+  static std::vector<PointList> Triangulate(
+    const vtkIsotablePatch& patch, Methods method, const std::vector<int>& rank);
+
+  static std::vector<PointList> TriangulateFacet(const vtkIsotablePatch& patch,
+    const vtkIsotablePatch::Facet& facet, Methods method, const std::vector<int>& rank);
+};
+
+#endif

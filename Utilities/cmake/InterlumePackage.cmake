@@ -1,0 +1,18 @@
+# What `find_package(Interlume)` reads after an installation. To be included before the modules are
+# made: they are installed so that each finds the others beside it.
+include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_RPATH "$ORIGIN")
+set(interlume_package_destination "${CMAKE_INSTALL_LIBDIR}/cmake/Interlume")
+
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/InterlumeConfig.cmake.in"
+  "${CMAKE_BINARY_DIR}/InterlumeConfig.cmake"
+  INSTALL_DESTINATION "${interlume_package_destination}")
+write_basic_package_version_file(
+  "${CMAKE_BINARY_DIR}/InterlumeConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(
+  FILES
+    "${CMAKE_BINARY_DIR}/InterlumeConfig.cmake"
+    "${CMAKE_BINARY_DIR}/InterlumeConfigVersion.cmake"
+  DESTINATION "${interlume_package_destination}")

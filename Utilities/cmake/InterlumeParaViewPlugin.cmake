@@ -1,0 +1,21 @@
+# The ParaView plugin: the same modules, built against ParaView's own VTK and loaded with the
+# server-manager XML of Plugin/.
+find_package(ParaView 5.11 REQUIRED)
+paraview_plugin_scan(
+  PLUGIN_FILES      "${PROJECT_SOURCE_DIR}/Plugin/paraview.plugin"
+  PROVIDES_PLUGINS  plugins
+  REQUIRES_MODULES  required_modules
+  ENABLE_BY_DEFAULT ON)
+foreach (module IN LISTS required_modules)
+  if (NOT TARGET "${module}")
+    message(FATAL_ERROR "This ParaView lacks the module ${module}")
+  endif ()
+endforeach ()
+paraview_plugin_build(
+  RUNTIME_DESTINATION  "${CMAKE_INSTALL_BINDIR}"
+  LIBRARY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}"
+  LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
+  PLUGINS              ${plugins})
+if (BUILD_TESTING)
+  add_subdirectory("${PROJECT_SOURCE_DIR}/Testing/ParaView" Testing/ParaView)
+endif ()
