@@ -9,7 +9,7 @@
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
 
-#include <algorithm>
+#include <array>
 
 namespace
 {
@@ -17,7 +17,7 @@ namespace
 struct Jacobian
 {
   int NumberOfVertices;
-  signed char Weights[3][vtkIsotable::MaximumNumberOfVertices];
+  double Weights[3][vtkIsotable::MaximumNumberOfVertices];
 };
 
 const Jacobian Jacobians[vtkIsotable::NUMBER_OF_SHAPES] = {
@@ -28,6 +28,25 @@ const Jacobian Jacobians[vtkIsotable::NUMBER_OF_SHAPES] = {
     { { -1, 1, -1, 1, -1, 1, -1, 1 }, { -1, -1, 1, 1, -1, -1, 1, 1 },
       { -1, -1, -1, -1, 1, 1, 1, 1 } } }
 };
+
+// getPoint(v) gives the coordinates of a vertex.
+template <typename GetPoint>
+bool IsNegative(const Jacobian& jacobian, GetPoint&& getPoint)
+{
+  double columns[3][3] = {};
+  for (int v = 0; v < jacobian.NumberOfVertices; ++v)
+  {
+    const auto x = getPoint(v);
+    for (int c = 0; c < 3; ++c)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        columns[c][axis] += jacobian.Weights[c][v] * static_cast<double>(x[axis]);
+      }
+    }
+  }
+  return vtkMath::Determinant3x3(columns) < 0.0;
+}
 
 bool Decreases(vtkDataArray* coordinates)
 {
@@ -63,37 +82,20 @@ vtkCellOrientation::vtkCellOrientation(vtkDataSet* input)
   }
 }
 
-void vtkCellOrientation::GetPoint(vtkIdType id, double x[3]) const
-{
-  if (this->Floats)
-  {
-    std::copy_n(this->Floats + 3 * id, 3, x);
-  }
-  else if (this->Doubles)
-  {
-    std::copy_n(this->Doubles + 3 * id, 3, x);
-  }
-  else
-  {
-    this->Points->GetPoint(id, x);
-  }
-}
-
 bool vtkCellOrientation::IsCellInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const
 {
   const Jacobian& jacobian = Jacobians[shape];
-  double columns[3][3] = {};
-  for (int v = 0; v < jacobian.NumberOfVertices; ++v)
+  if (this->Floats)
   {
-    double x[3];
-    this->GetPoint(points[v], x);
-    for (int c = 0; c < 3; ++c)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        columns[c][axis] += jacobian.Weights[c][v] * x[axis];
-      }
-    }
+    return IsNegative(jacobian, [&](int v) { return this->Floats + 3 * points[v]; });
   }
-  return vtkMath::Determinant3x3(columns) < 0.0;
+  if (this->Doubles)
+  {
+    return IsNegative(jacobian, [&](int v) { return this->Doubles + 3 * points[v]; });
+  }
+  return IsNegative(jacobian, [&](int v) {
+    std::array<double, 3> x;
+    this->Points->GetPoint(points[v], x.data());
+    return x;
+  });
 }

@@ -18,6 +18,12 @@ class vtkCellOrientation
 public:
   explicit vtkCellOrientation(vtkDataSet* input);
 
+  /// Whether cells differ, so that IsInverted needs their points.
+  bool IsPerCell() const { return this->Points != nullptr; }
+
+  /// The one answer for all cells where they do not differ.
+  bool AreAllInverted() const { return this->AllInverted; }
+
   /// \a points in the vertex order of vtkIsotable.
   bool IsInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const
   {
@@ -26,7 +32,6 @@ public:
 
 private:
   bool IsCellInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const;
-  void GetPoint(vtkIdType id, double x[3]) const;
 
   vtkPoints* Points = nullptr;
   const float* Floats = nullptr;

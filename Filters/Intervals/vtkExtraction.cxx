@@ -8,12 +8,9 @@
 #include "vtkExtractionDispatch.h"
 #include "vtkExtractionIndex.h"
 #include "vtkExtractionLinearizer.h"
-#include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkStructuredExtraction.h"
-#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredExtraction.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -22,27 +19,6 @@
 
 namespace
 {
-bool GetRowDimensions(vtkDataSet* input, int dimensions[3])
-{
-  if (vtkImageData* image = vtkImageData::SafeDownCast(input))
-  {
-    image->GetDimensions(dimensions);
-  }
-  else if (vtkRectilinearGrid* rectilinear = vtkRectilinearGrid::SafeDownCast(input))
-  {
-    rectilinear->GetDimensions(dimensions);
-  }
-  else if (vtkStructuredGrid* structured = vtkStructuredGrid::SafeDownCast(input))
-  {
-    structured->GetDimensions(dimensions);
-  }
-  else
-  {
-    return false;
-  }
-  return true;
-}
-
 // The array with its values in rows in memory, as itself or as a copy.
 vtkSmartPointer<vtkDataArray> MakeContiguous(vtkDataArray* array)
 {
@@ -63,12 +39,12 @@ vtkSmartPointer<vtkDataArray> MakeContiguous(vtkDataArray* array)
   return wide;
 }
 
-vtkSmartPointer<vtkCellArray> MakeCells(vtkIdTypeArray* connectivity, vtkIdType size)
+vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt64Array* connectivity, vtkIdType size)
 {
   const vtkIdType number = connectivity->GetNumberOfValues() / size;
-  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkTypeInt64Array> offsets;
   offsets->SetNumberOfValues(number + 1);
-  vtkIdType* values = offsets->GetPointer(0);
+  vtkTypeInt64* values = offsets->GetPointer(0);
   vtkSMPTools::For(0, number + 1, [values, size](vtkIdType first, vtkIdType last) {
     for (vtkIdType i = first; i < last; ++i)
     {
@@ -98,7 +74,7 @@ void MapIds(const std::vector<vtkIdType>& map, std::vector<vtkIdType>& ids)
 bool vtkExtraction::ExtractMesh(vtkExtractionContext& context, vtkExtractionMesh& mesh)
 {
   int dimensions[3];
-  const bool hasRows = GetRowDimensions(context.Input, dimensions);
+  const bool hasRows = vtkExtractionArrays::GetRowDimensions(context.Input, dimensions);
   const vtkIdType cells = context.Input->GetNumberOfCells();
   const bool isFlat = hasRows && *std::min_element(dimensions, dimensions + 3) < 2;
   if (cells == 0 || isFlat)
@@ -142,7 +118,7 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   int dimensions[3];
   std::vector<vtkIdType> originalCells;
   vtkSmartPointer<vtkUnstructuredGrid> linear;
-  if (!GetRowDimensions(input, dimensions) && vtkExtractionLinearizer::IsNeeded(input))
+  if (!vtkExtractionArrays::GetRowDimensions(input, dimensions) && vtkExtractionLinearizer::IsNeeded(input))
   {
     linear = vtkExtractionLinearizer::Execute(input, originalCells);
     // Ghosts are by cell of the input; those of the new cells follow.
@@ -167,7 +143,7 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   context.Scalars = contiguous;
 
   vtkExtractionMesh mesh;
-  mesh.Connectivity = vtkSmartPointer<vtkIdTypeArray>::New();
+  mesh.Connectivity = vtkSmartPointer<vtkTypeInt64Array>::New();
   if (!this->ExtractMesh(context, mesh))
   {
     return false;
@@ -224,7 +200,7 @@ void vtkExtraction::FillBoundary(const vtkExtractionMesh& mesh, vtkDataSet* orig
 {
   boundary->SetPoints(output->GetPoints());
   boundary->GetPointData()->ShallowCopy(output->GetPointData());
-  vtkNew<vtkIdTypeArray> connectivity;
+  vtkNew<vtkTypeInt64Array> connectivity;
   connectivity->SetNumberOfValues(3 * static_cast<vtkIdType>(mesh.Triangles.size()));
   if (!mesh.Triangles.empty())
   {

@@ -6,12 +6,13 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkRowIndex.h"
+#include "vtkStructuredGrid.h"
 
 #include <cstring>
 
@@ -78,69 +79,56 @@ void InterpolateArray(vtkDataArray* in, const PointList& points, vtkDataArray* o
 class RowCoordinates
 {
 public:
-  explicit RowCoordinates(vtkDataSet* input)
+  RowCoordinates(vtkDataSet* input, const int dimensions[3])
+    : Rows(dimensions)
   {
     if (vtkImageData* image = vtkImageData::SafeDownCast(input))
     {
-      image->GetDimensions(this->Dimensions);
       image->GetExtent(this->Extent);
       for (int axis = 0; axis < 3; ++axis)
       {
-        for (int i = 0; i < this->Dimensions[axis]; ++i)
+        for (int i = 0; i < dimensions[axis]; ++i)
         {
           this->Axes[axis].push_back(image->GetOrigin()[axis] +
             (this->Extent[2 * axis] + i) * image->GetSpacing()[axis]);
         }
       }
       this->Turned = image->GetDirectionMatrix()->IsIdentity() ? nullptr : image;
+      return;
     }
-    else
+    vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input);
+    vtkDataArray* axes[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+      grid->GetZCoordinates() };
+    for (int axis = 0; axis < 3; ++axis)
     {
-      vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input);
-      grid->GetDimensions(this->Dimensions);
-      vtkDataArray* axes[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
-        grid->GetZCoordinates() };
-      for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < dimensions[axis]; ++i)
       {
-        for (int i = 0; i < this->Dimensions[axis]; ++i)
-        {
-          this->Axes[axis].push_back(axes[axis]->GetComponent(i, 0));
-        }
+        this->Axes[axis].push_back(axes[axis]->GetComponent(i, 0));
       }
     }
   }
 
   void GetPoint(const vtkExtractionPoint& point, double x[3]) const
   {
-    int near[3];
-    this->GetIndex(point.Near, near);
-    int far[3] = { near[0], near[1], near[2] };
-    // Near and Far are neighbours along one axis.
-    const vtkIdType step = point.Far - point.Near;
-    const vtkIdType size = std::abs(step);
-    const vtkIdType slice = vtkIdType(this->Dimensions[0]) * this->Dimensions[1];
-    far[size == slice ? 2 : size == this->Dimensions[0] ? 1 : 0] += step > 0 ? 1 : step < 0 ? -1 : 0;
-    double end[3];
+    const std::array<int, 3> near = this->Rows.GetIjk(point.Near);
     this->GetGridPoint(near, x);
-    this->GetGridPoint(far, end);
-    for (int axis = 0; axis < 3; ++axis)
+    if (point.Near == point.Far)
     {
-      x[axis] = Interpolate<double>(x[axis], end[axis], near[axis] == far[axis] && !this->Turned
-          ? 0.0
-          : point.Weight);
+      return;
+    }
+    const int axis = this->Rows.GetAxis(point.Near, point.Far);
+    std::array<int, 3> far = near;
+    far[axis] += point.Near < point.Far ? 1 : -1;
+    double end[3];
+    this->GetGridPoint(far, end);
+    for (int a = 0; a < 3; ++a)
+    {
+      x[a] = a == axis || this->Turned ? Interpolate<double>(x[a], end[a], point.Weight) : x[a];
     }
   }
 
 private:
-  void GetIndex(vtkIdType id, int index[3]) const
-  {
-    const vtkIdType row = id / this->Dimensions[0];
-    index[0] = static_cast<int>(id - row * this->Dimensions[0]);
-    index[2] = static_cast<int>(row / this->Dimensions[1]);
-    index[1] = static_cast<int>(row - vtkIdType(index[2]) * this->Dimensions[1]);
-  }
-
-  void GetGridPoint(const int index[3], double x[3]) const
+  void GetGridPoint(const std::array<int, 3>& index, double x[3]) const
   {
     if (this->Turned)
     {
@@ -154,7 +142,7 @@ private:
     }
   }
 
-  int Dimensions[3];
+  vtkRowIndex Rows;
   int Extent[6] = { 0, 0, 0, 0, 0, 0 };
   std::vector<double> Axes[3];
   // The image, where its axes are not those of space.
@@ -165,7 +153,9 @@ template <typename OutArray>
 void FillRowPoints(vtkDataSet* input, const PointList& points, OutArray* out)
 {
   using Out = vtk::GetAPIType<OutArray>;
-  const RowCoordinates coordinates(input);
+  int dimensions[3];
+  vtkExtractionArrays::GetRowDimensions(input, dimensions);
+  const RowCoordinates coordinates(input, dimensions);
   Out* to = out->GetPointer(0);
   vtkSMPTools::For(
     0, static_cast<vtkIdType>(points.size()), [&](vtkIdType first, vtkIdType last) {
@@ -242,6 +232,27 @@ struct CopyWorker
       });
   }
 };
+}
+
+bool vtkExtractionArrays::GetRowDimensions(vtkDataSet* input, int dimensions[3])
+{
+  if (vtkImageData* image = vtkImageData::SafeDownCast(input))
+  {
+    image->GetDimensions(dimensions);
+  }
+  else if (vtkRectilinearGrid* rectilinear = vtkRectilinearGrid::SafeDownCast(input))
+  {
+    rectilinear->GetDimensions(dimensions);
+  }
+  else if (vtkStructuredGrid* structured = vtkStructuredGrid::SafeDownCast(input))
+  {
+    structured->GetDimensions(dimensions);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
 }
 
 int vtkExtractionArrays::GetInterpolatedType(int dataType)

@@ -30,6 +30,9 @@ public:
   static int CopyCellData(
     vtkCellData* input, const std::vector<vtkIdType>& cells, vtkCellData* output);
 
+  /// The points along each axis of a grid of rows. Returns false for other datasets.
+  static bool GetRowDimensions(vtkDataSet* input, int dimensions[3]);
+
   /// The data type that an array of \a dataType is interpolated in.
   static int GetInterpolatedType(int dataType);
 };

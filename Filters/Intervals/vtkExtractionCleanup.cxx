@@ -37,38 +37,39 @@ void AddTriangle(vtkExtractionMesh& mesh, const Triple& points, int item, int si
 
 void vtkExtractionCleanup::RemoveUnusedPoints(vtkExtractionMesh& mesh)
 {
-  std::vector<vtkIdType> newIds(mesh.Points.size(), 0);
-  vtkIdType* ids = mesh.Connectivity->GetPointer(0);
+  std::vector<unsigned char> used(mesh.Points.size(), 0);
+  vtkTypeInt64* ids = mesh.Connectivity->GetPointer(0);
   const vtkIdType numberOfIds = mesh.Connectivity->GetNumberOfValues();
   for (vtkIdType i = 0; i < numberOfIds; ++i)
   {
-    newIds[ids[i]] = 1;
+    used[ids[i]] = 1;
   }
   for (const auto& triangle : mesh.Triangles)
   {
     for (vtkIdType id : triangle)
     {
-      newIds[id] = 1;
+      used[id] = 1;
     }
   }
-  vtkIdType kept = 0;
-  for (std::size_t p = 0; p < newIds.size(); ++p)
-  {
-    if (newIds[p])
-    {
-      mesh.Points[kept] = mesh.Points[p];
-      newIds[p] = kept++;
-    }
-  }
-  if (kept == static_cast<vtkIdType>(mesh.Points.size()))
+  if (std::find(used.begin(), used.end(), 0) == used.end())
   {
     return;
   }
-  mesh.Points.resize(kept);
-  for (vtkIdType i = 0; i < numberOfIds; ++i)
+  std::vector<vtkIdType> newIds(mesh.Points.size());
+  vtkIdType kept = 0;
+  for (std::size_t p = 0; p < used.size(); ++p)
   {
-    ids[i] = newIds[ids[i]];
+    newIds[p] = kept;
+    mesh.Points[kept] = mesh.Points[p];
+    kept += used[p];
   }
+  mesh.Points.resize(kept);
+  vtkSMPTools::For(0, numberOfIds, [ids, &newIds](vtkIdType first, vtkIdType last) {
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      ids[i] = newIds[ids[i]];
+    }
+  });
   for (auto& triangle : mesh.Triangles)
   {
     for (vtkIdType& id : triangle)
@@ -153,7 +154,7 @@ void vtkExtractionCleanup::CutBoundary(
       {
         continue;
       }
-      const vtkIdType* points = mesh.Connectivity->GetPointer(4 * simplex);
+      const vtkTypeInt64* points = mesh.Connectivity->GetPointer(4 * simplex);
       const auto isOnFace = [&](vtkIdType p) {
         const vtkExtractionPoint& point = mesh.Points[p];
         return point.Near != ids->GetId(out) && point.Far != ids->GetId(out);

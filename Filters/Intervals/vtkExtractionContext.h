@@ -7,11 +7,11 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkExtractionReport.h"
 #include "vtkExtractionValues.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ struct vtkExtractionMesh
 {
   std::vector<vtkExtractionPoint> Points;
   /// Four (interval) or three (contour) point ids a simplex, in the order of the input's cells.
-  vtkSmartPointer<vtkIdTypeArray> Connectivity;
+  vtkSmartPointer<vtkTypeInt64Array> Connectivity;
   vtkNew<vtkIntArray> ItemIds;
   /// The input cell of each simplex; only when the input has cell arrays.
   std::vector<vtkIdType> CellIds;

@@ -2,6 +2,7 @@
 #define vtkExtractionScalars_h
 
 #include "vtkExtractionContext.h"
+#include "vtkExtractionKernels.h"
 
 #include <cmath>
 #include <cstdint>
@@ -34,10 +35,10 @@ public:
     switch (this->Thresholds.size())
     {
       case 2:
-        this->ClassifyBy<2>(f, number, codes);
+        vtkExtractionKernels::Classify<2>(f, number, this->Thresholds.data(), codes);
         break;
       case 4:
-        this->ClassifyBy<4>(f, number, codes);
+        vtkExtractionKernels::Classify<4>(f, number, this->Thresholds.data(), codes);
         break;
       default:
         std::fill(codes, codes + number, Code(0));
@@ -86,22 +87,6 @@ private:
       return { a, b, static_cast<double>(toA / whole) };
     }
     return { b, a, static_cast<double>(toB / whole) };
-  }
-
-  template <int N>
-  void ClassifyBy(const T* f, vtkIdType number, Code* codes) const
-  {
-    T thresholds[N];
-    std::copy(this->Thresholds.begin(), this->Thresholds.end(), thresholds);
-    for (vtkIdType i = 0; i < number; ++i)
-    {
-      Code code = 0;
-      for (int t = 0; t < N; ++t)
-      {
-        code = static_cast<Code>(code + (f[i] >= thresholds[t]));
-      }
-      codes[i] = code;
-    }
   }
 
   bool MarkNonFinite(const T* f, vtkIdType number, Code* codes) const

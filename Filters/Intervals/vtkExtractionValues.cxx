@@ -26,9 +26,7 @@ vtkExtractionValues vtkExtractionValues::ForContours(const std::vector<double>& 
   for (double value : values)
   {
     const int index = result.IndexOf(value);
-    Item item{ index, index, std::vector<std::uint8_t>(2 * result.Values.size() + 2, 0) };
-    std::fill(item.Digits.begin() + 2 * index + 1, item.Digits.end(), std::uint8_t(1));
-    result.Items.push_back(item);
+    result.Items.push_back({ index, index, static_cast<Code>(2 * index + 1), NoCode });
   }
   result.FindPoints();
   return result;
@@ -52,11 +50,8 @@ vtkExtractionValues vtkExtractionValues::ForIntervals(
     const bool isShared = lower != upper &&
       std::any_of(intervals.begin(), intervals.end(),
         [&interval](const std::array<double, 2>& other) { return other[0] == interval[1]; });
-    Item item{ lower, upper, std::vector<std::uint8_t>(2 * result.Values.size() + 2, 0) };
-    std::fill(item.Digits.begin() + 2 * lower + 1, item.Digits.end(), std::uint8_t(1));
-    std::fill(
-      item.Digits.begin() + 2 * upper + (isShared ? 1 : 2), item.Digits.end(), std::uint8_t(2));
-    result.Items.push_back(item);
+    result.Items.push_back({ lower, upper, static_cast<Code>(2 * lower + 1),
+      static_cast<Code>(2 * upper + (isShared ? 1 : 2)) });
     result.FlatItem |= lower == upper;
   }
   result.FindPoints();
@@ -72,7 +67,7 @@ void vtkExtractionValues::FindPoints()
     this->Points[code] = code & 1;
     for (const Item& item : this->Items)
     {
-      this->Points[code] |= this->Kind == vtkIsotable::INTERVAL && item.Digits[code] == 1;
+      this->Points[code] |= this->Kind == vtkIsotable::INTERVAL && item.GetDigit(static_cast<Code>(code)) == 1;
     }
   }
 }

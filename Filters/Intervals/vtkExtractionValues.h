@@ -23,13 +23,21 @@ class vtkExtractionValues
 public:
   using Code = std::uint16_t;
 
-  /// One contour or interval: the digit of the case key for each code, and the isovalues' indices.
+  /// One contour or interval: the indices of its isovalues, and the digit of the case key by code.
   struct Item
   {
     int Lower;
     int Upper;
-    std::vector<std::uint8_t> Digits;
+    /// The first codes with digits 1 and 2; NoCode where there is none.
+    Code First;
+    Code Second;
+
+    std::uint8_t GetDigit(Code code) const
+    {
+      return static_cast<std::uint8_t>((code >= this->First) + (code >= this->Second));
+    }
   };
+  static constexpr Code NoCode = 65535;
 
   /// Isosurfaces, one item each.
   static vtkExtractionValues ForContours(const std::vector<double>& values);
@@ -43,6 +51,13 @@ public:
   bool IsPoint(Code code) const { return this->Points[code] != 0; }
   /// The code of NaN and infinities.
   Code GetNonFiniteCode() const { return static_cast<Code>(2 * this->Values.size() + 1); }
+  /// How many digits a case key has for a vertex.
+  int GetBase() const { return this->Kind == vtkIsotable::INTERVAL ? 3 : 2; }
+  /// Whether an item leaves no output in a cell whose codes are lowest ... highest.
+  bool IsOutside(const Item& item, Code lowest, Code highest) const
+  {
+    return item.GetDigit(highest) == 0 || item.GetDigit(lowest) + 1 == this->GetBase();
+  }
   /// Whether an interval of zero width is among the items.
   bool HasFlatItem() const { return this->FlatItem; }
   static bool IsTie(Code code) { return code & 1; }

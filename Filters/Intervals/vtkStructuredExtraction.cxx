@@ -4,9 +4,10 @@
 #include "vtkExtractionCell.h"
 #include "vtkExtractionDispatch.h"
 #include "vtkExtractionIndex.h"
+#include "vtkExtractionKernels.h"
 #include "vtkExtractionScalars.h"
+#include "vtkRowIndex.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 
 #include <numeric>
@@ -57,17 +58,22 @@ struct CodeRow
   std::vector<Code> Codes;
 };
 
-// Where the output points that a row of grid points owns begin, relative to the row's first.
+// Where the output points that a row of grid points owns begin, relative to the row's first: those of a
+// grid point at Starts, of its edge along i, j, k by Offsets[0], [1], [2] further on.
 struct OwnerRow
 {
   vtkIdType Row = -1;
   vtkIdType Total = 0;
-  std::vector<std::uint32_t> Starts[4];
+  std::vector<std::uint32_t> Starts;
+  std::vector<Code> Offsets[3];
+  std::vector<Code> Counts;
 };
 
-// What the counting pass finds of a row of cells.
+// What the counting pass finds in a row: points owned, simplices and boundary triangles of its cells;
+// after summing, where the row's begin.
 struct RowCount
 {
+  vtkIdType Points = 0;
   vtkIdType Simplices = 0;
   vtkIdType Triangles = 0;
 };
@@ -85,6 +91,7 @@ public:
     , Table(vtkIsotable::Get(context.Values->GetKind(), vtkIsotable::HEXAHEDRON))
     , Places(FindSlotPlaces(Table))
     , Orientation(context.Input)
+    , Rows(dimensions)
     , Nx(dimensions[0])
     , Ny(dimensions[1])
     , Nz(dimensions[2])
@@ -94,26 +101,18 @@ public:
 
   bool Execute()
   {
-    const vtkIdType pointRows = this->Ny * this->Nz;
-    const vtkIdType cellRows = (this->Ny - 1) * (this->Nz - 1);
-    this->PointOffsets.assign(pointRows + 1, 0);
-    this->CellOffsets.assign(cellRows + 1, RowCount());
-    const bool counted =
-      this->Context.Run(pointRows, 0.0, 0.15,
-        [this](vtkIdType first, vtkIdType last) { this->CountPoints(first, last); }) &&
-      this->Context.Run(cellRows, 0.15, 0.4,
-        [this](vtkIdType first, vtkIdType last) { this->template ProcessCells<false>(first, last); });
+    const vtkIdType rows = this->Rows.GetNumberOfRows();
+    this->Offsets.assign(rows + 1, RowCount());
+    this->Columns.assign(rows, { 0, 0 });
+    const bool counted = this->Context.Run(rows, 0.0, 0.4,
+      [this](vtkIdType first, vtkIdType last) { this->template ProcessRows<false>(first, last); });
     if (!counted)
     {
       return false;
     }
-    this->SumOffsets();
     this->Allocate();
-    const bool written =
-      this->Context.Run(pointRows, 0.4, 0.5,
-        [this](vtkIdType first, vtkIdType last) { this->WritePoints(first, last); }) &&
-      this->Context.Run(cellRows, 0.5, 0.8,
-        [this](vtkIdType first, vtkIdType last) { this->template ProcessCells<true>(first, last); });
+    const bool written = this->Context.Run(rows, 0.4, 0.8,
+      [this](vtkIdType first, vtkIdType last) { this->template ProcessRows<true>(first, last); });
     this->GatherReport();
     return written;
   }
@@ -124,34 +123,27 @@ private:
   {
     CodeRow Codes[3][3];
     OwnerRow Owners[2][2];
-    std::vector<std::uint16_t> Columns;
+    std::vector<Code> Columns;
+    std::vector<Code> Keys;
     std::vector<std::uint8_t> Gave;
     std::vector<vtkExtractionIndex::Span> Spans;
     vtkExtractionReport Report;
     bool HasTies = false;
   };
 
-  // Row numbers are j + k * Ny for points and j + k * (Ny - 1) for cells.
+  // A row of cells goes by the number of its first row of grid points.
   const CodeRow& GetCodes(Local& local, vtkIdType j, vtkIdType k) const
   {
     CodeRow& row = local.Codes[k % 3][j % 3];
-    const vtkIdType number = j + k * this->Ny;
+    const vtkIdType number = this->Rows.GetRow(j, k);
     if (row.Row != number)
     {
       row.Row = number;
       row.Codes.resize(this->Nx);
-      row.IsFinite = this->Scalars.Classify(number * this->Nx, this->Nx, row.Codes.data());
-      Code minimum = row.Codes[0];
-      Code maximum = minimum;
-      Code ties = 0;
-      for (const Code code : row.Codes)
-      {
-        minimum = std::min(minimum, code);
-        maximum = std::max(maximum, code);
-        ties |= code;
-      }
-      row.Minimum = minimum;
-      row.Maximum = maximum;
+      row.IsFinite = this->Scalars.Classify(this->Rows.GetFirstPoint(number), this->Nx, row.Codes.data());
+      Code ties;
+      vtkExtractionKernels::Summarize(
+        row.Codes.data(), this->Nx, row.Minimum, row.Maximum, ties);
       row.HasTies = vtkExtractionValues::IsTie(ties);
     }
     return row;
@@ -160,11 +152,11 @@ private:
   const OwnerRow& GetOwners(Local& local, vtkIdType j, vtkIdType k) const
   {
     OwnerRow& owners = local.Owners[k & 1][j & 1];
-    if (owners.Row == j + k * this->Ny)
+    if (owners.Row == this->Rows.GetRow(j, k))
     {
       return owners;
     }
-    owners.Row = j + k * this->Ny;
+    owners.Row = this->Rows.GetRow(j, k);
     owners.Total = 0;
     const CodeRow& here = this->GetCodes(local, j, k);
     const CodeRow& along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k) : here;
@@ -175,69 +167,100 @@ private:
     {
       return owners;
     }
-    for (auto& starts : owners.Starts)
+    owners.Starts.resize(this->Nx + 1);
+    owners.Counts.resize(this->Nx + 1);
+    for (auto& offsets : owners.Offsets)
     {
-      starts.resize(this->Nx);
+      offsets.resize(this->Nx);
     }
-    const Code* c = here.Codes.data();
+    this->CountOwned(here, along, above, owners);
     std::uint32_t total = 0;
     for (vtkIdType i = 0; i < this->Nx; ++i)
     {
-      owners.Starts[0][i] = total;
-      total += this->Values.IsPoint(c[i]);
-      owners.Starts[1][i] = total;
-      total += i + 1 < this->Nx ? this->Values.CountCrossings(c[i], c[i + 1]) : 0;
-      owners.Starts[2][i] = total;
-      total += this->Values.CountCrossings(c[i], along.Codes[i]);
-      owners.Starts[3][i] = total;
-      total += this->Values.CountCrossings(c[i], above.Codes[i]);
+      owners.Starts[i] = total;
+      total += owners.Counts[i];
     }
     owners.Total = total;
     return owners;
   }
 
-  // Whether anything in the cells at a row of grid points can give output.
-  bool IsPointRowActive(vtkIdType j, vtkIdType k) const
+  void CountOwned(
+    const CodeRow& here, const CodeRow& along, const CodeRow& above, OwnerRow& owners) const
   {
-    return !this->Context.Index ||
-      this->Context.Index->IsRowActive(
-        std::min(j, this->Ny - 2) + std::min(k, this->Nz - 2) * (this->Ny - 1));
+    const Code* c = here.Codes.data();
+    Code* first = owners.Offsets[0].data();
+    for (vtkIdType i = 0; i < this->Nx; ++i)
+    {
+      first[i] = this->Values.IsPoint(c[i]);
+    }
+    Code* second = owners.Offsets[1].data();
+    Code* third = owners.Offsets[2].data();
+    Code* all = owners.Counts.data();
+    if (here.IsFinite && along.IsFinite && above.IsFinite)
+    {
+      vtkExtractionKernels::CountOwned(
+        c, along.Codes.data(), above.Codes.data(), this->Nx, first, second, third, all);
+      return;
+    }
+    for (vtkIdType i = 0; i < this->Nx; ++i)
+    {
+      const Code next = i + 1 < this->Nx ? c[i + 1] : c[i];
+      second[i] = static_cast<Code>(first[i] + this->Values.CountCrossings(c[i], next));
+      third[i] =
+        static_cast<Code>(second[i] + this->Values.CountCrossings(c[i], along.Codes[i]));
+      all[i] = static_cast<Code>(third[i] + this->Values.CountCrossings(c[i], above.Codes[i]));
+    }
   }
 
-  void CountPoints(vtkIdType first, vtkIdType last)
+  template <bool Write>
+  void ProcessRows(vtkIdType first, vtkIdType last)
   {
     Local& local = this->Locals.Local();
     for (vtkIdType row = first; row < last; ++row)
     {
-      const vtkIdType j = row % this->Ny;
-      const vtkIdType k = row / this->Ny;
-      if (this->IsPointRowActive(j, k))
+      const vtkIdType j = this->Rows.GetJ(row);
+      const vtkIdType k = this->Rows.GetK(row);
+      const vtkExtractionIndex* index = this->Context.Index;
+      if (index && !index->IsRowActive(this->Rows.GetCellRow(j, k)))
       {
-        this->PointOffsets[row + 1] = this->GetOwners(local, j, k).Total;
+        continue;
+      }
+      RowCount place;
+      if (Write)
+      {
+        place = this->Offsets[row];
+        this->WritePoints(local, row);
+      }
+      else
+      {
         const CodeRow& codes = this->GetCodes(local, j, k);
+        place.Points = this->GetOwners(local, j, k).Total;
         local.HasTies |= codes.HasTies || !codes.IsFinite;
+      }
+      if (this->Rows.HasCells(j, k))
+      {
+        this->template ProcessCells<Write>(local, row, place);
+      }
+      if (!Write)
+      {
+        this->Offsets[row + 1] = place;
       }
     }
   }
 
-  void SumOffsets()
-  {
-    std::partial_sum(
-      this->PointOffsets.begin(), this->PointOffsets.end(), this->PointOffsets.begin());
-    RowCount sum;
-    for (RowCount& count : this->CellOffsets)
-    {
-      sum.Simplices += count.Simplices;
-      sum.Triangles += count.Triangles;
-      count = sum;
-    }
-  }
-
+  // Makes the counts of rows the places where they begin, and room for all.
   void Allocate()
   {
-    const RowCount& total = this->CellOffsets.back();
-    this->Mesh.Points.resize(this->PointOffsets.back());
-    vtkNew<vtkIdTypeArray> connectivity;
+    RowCount total;
+    for (RowCount& count : this->Offsets)
+    {
+      total.Points += count.Points;
+      total.Simplices += count.Simplices;
+      total.Triangles += count.Triangles;
+      count = total;
+    }
+    this->Mesh.Points.resize(total.Points);
+    vtkNew<vtkTypeInt64Array> connectivity;
     connectivity->SetNumberOfValues(total.Simplices * this->SimplexSize);
     this->Connectivity = connectivity->GetPointer(0);
     this->Mesh.Connectivity = connectivity;
@@ -255,14 +278,17 @@ private:
   void GatherReport()
   {
     bool hasTies = false;
-    std::size_t bytes = this->PointOffsets.capacity() * sizeof(vtkIdType) +
-      this->CellOffsets.capacity() * sizeof(RowCount) +
+    std::size_t bytes = this->Offsets.capacity() * sizeof(RowCount) +
+      this->Columns.capacity() * sizeof(this->Columns[0]) +
       this->Mesh.Points.capacity() * sizeof(vtkExtractionPoint);
+    // Nine rows of codes; four of starts, three offsets and counts; columns, keys and marks.
+    constexpr std::size_t bytesOfColumn =
+      9 * sizeof(Code) + 4 * (sizeof(std::uint32_t) + 4 * sizeof(Code)) + 5;
     for (const Local& local : this->Locals)
     {
       this->Context.Report->Add(local.Report);
       hasTies |= local.HasTies;
-      bytes += static_cast<std::size_t>(this->Nx) * (9 * sizeof(Code) + 16 * sizeof(std::uint32_t));
+      bytes += static_cast<std::size_t>(this->Nx) * bytesOfColumn;
     }
     this->Mesh.MayHaveUnusedPoints =
       hasTies || this->Context.HasBlanking() || this->Values.HasFlatItem();
@@ -279,43 +305,36 @@ private:
     }
   }
 
-  void WritePoints(vtkIdType firstRow, vtkIdType lastRow)
+  void WritePoints(Local& local, vtkIdType row)
   {
-    Local& local = this->Locals.Local();
-    for (vtkIdType row = firstRow; row < lastRow; ++row)
+    if (this->Offsets[row].Points == this->Offsets[row + 1].Points)
     {
-      if (this->PointOffsets[row] == this->PointOffsets[row + 1])
+      return;
+    }
+    const vtkIdType j = this->Rows.GetJ(row);
+    const vtkIdType k = this->Rows.GetK(row);
+    const OwnerRow& owners = this->GetOwners(local, j, k);
+    vtkExtractionPoint* out = this->Mesh.Points.data() + this->Offsets[row].Points;
+    const Code* here = this->GetCodes(local, j, k).Codes.data();
+    const Code* along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k).Codes.data() : here;
+    const Code* above = k + 1 < this->Nz ? this->GetCodes(local, j, k + 1).Codes.data() : here;
+    for (vtkIdType i = 0; i < this->Nx; ++i)
+    {
+      if (owners.Counts[i] == 0)
       {
         continue;
       }
-      const vtkIdType j = row % this->Ny;
-      const vtkIdType k = row / this->Ny;
-      vtkExtractionPoint* out = this->Mesh.Points.data() + this->PointOffsets[row];
-      const Code* here = this->GetCodes(local, j, k).Codes.data();
-      const Code* along =
-        j + 1 < this->Ny ? this->GetCodes(local, j + 1, k).Codes.data() : nullptr;
-      const Code* above =
-        k + 1 < this->Nz ? this->GetCodes(local, j, k + 1).Codes.data() : nullptr;
-      for (vtkIdType i = 0; i < this->Nx; ++i)
+      const vtkIdType id = this->Rows.GetFirstPoint(row) + i;
+      if (this->Values.IsPoint(here[i]))
       {
-        const vtkIdType id = row * this->Nx + i;
-        if (this->Values.IsPoint(here[i]))
-        {
-          *out++ = { id, id, 0.0 };
-        }
-        if (i + 1 < this->Nx)
-        {
-          this->WriteCrossings(id, id + 1, here[i], here[i + 1], out);
-        }
-        if (along)
-        {
-          this->WriteCrossings(id, id + this->Nx, here[i], along[i], out);
-        }
-        if (above)
-        {
-          this->WriteCrossings(id, id + this->Nx * this->Ny, here[i], above[i], out);
-        }
+        *out++ = { id, id, 0.0 };
       }
+      if (i + 1 < this->Nx)
+      {
+        this->WriteCrossings(id, id + 1, here[i], here[i + 1], out);
+      }
+      this->WriteCrossings(id, id + this->Rows.GetStep(1), here[i], along[i], out);
+      this->WriteCrossings(id, id + this->Rows.GetStep(2), here[i], above[i], out);
     }
   }
 
@@ -334,47 +353,47 @@ private:
   };
 
   template <bool Write>
-  void ProcessCells(vtkIdType firstRow, vtkIdType lastRow)
+  void ProcessCells(Local& local, vtkIdType row, RowCount& place)
   {
-    Local& local = this->Locals.Local();
-    for (vtkIdType row = firstRow; row < lastRow; ++row)
+    const RowCount& here = this->Offsets[row];
+    const RowCount& next = this->Offsets[row + 1];
+    if (Write && here.Simplices == next.Simplices && here.Triangles == next.Triangles)
     {
-      local.Spans.clear();
-      if (this->Context.Index)
-      {
-        this->Context.Index->GetActiveSpans(row, local.Spans);
-      }
-      else
-      {
-        local.Spans.push_back({ 0, this->Nx - 1 });
-      }
-      RowCount place = Write ? this->CellOffsets[row] : RowCount();
-      if (!local.Spans.empty() && (!Write || this->HasOutput(row)))
-      {
-        this->template ProcessRow<Write>(local, row, place);
-      }
-      if (!Write)
-      {
-        this->CellOffsets[row + 1] = place;
-      }
+      return;
     }
-  }
-
-  bool HasOutput(vtkIdType row) const
-  {
-    const RowCount& here = this->CellOffsets[row];
-    const RowCount& next = this->CellOffsets[row + 1];
-    return here.Simplices != next.Simplices || here.Triangles != next.Triangles;
+    local.Spans.clear();
+    if (Write)
+    {
+      local.Spans.push_back({ this->Columns[row][0], this->Columns[row][1] });
+    }
+    else if (this->Context.Index)
+    {
+      this->Context.Index->GetActiveSpans(
+        this->Rows.GetCellRow(this->Rows.GetJ(row), this->Rows.GetK(row)), local.Spans);
+    }
+    else
+    {
+      local.Spans.push_back({ 0, this->Nx - 1 });
+    }
+    this->template ProcessRow<Write>(local, row, place);
+    if (!Write)
+    {
+      const auto gives = [](std::uint8_t mark) { return mark != 0; };
+      const auto first = std::find_if(local.Gave.begin(), local.Gave.end(), gives);
+      const auto last = std::find_if(local.Gave.rbegin(), local.Gave.rend(), gives);
+      this->Columns[row] = { first - local.Gave.begin(),
+        std::max<vtkIdType>(first - local.Gave.begin(), local.Gave.rend() - last) };
+    }
   }
 
   template <bool Write>
   void ProcessRow(Local& local, vtkIdType row, RowCount& place)
   {
     Around around;
-    around.J = row % (this->Ny - 1);
-    around.K = row / (this->Ny - 1);
-    around.FirstPoint = (around.J + around.K * this->Ny) * this->Nx;
-    around.FirstCell = row * (this->Nx - 1);
+    around.J = this->Rows.GetJ(row);
+    around.K = this->Rows.GetK(row);
+    around.FirstPoint = this->Rows.GetFirstPoint(row);
+    around.FirstCell = this->Rows.GetFirstCell(around.J, around.K);
     Code minimum = std::numeric_limits<Code>::max();
     Code maximum = 0;
     for (int r = 0; r < 4; ++r)
@@ -394,7 +413,7 @@ private:
       const vtkIdType j = around.J + (r & 1);
       const vtkIdType k = around.K + (r >> 1);
       around.Owners[r] = &this->GetOwners(local, j, k);
-      around.Offsets[r] = this->PointOffsets[j + k * this->Ny];
+      around.Offsets[r] = this->Offsets[this->Rows.GetRow(j, k)].Points;
     }
     local.Gave.assign(Write ? 0 : this->Nx, 0);
     if (!Write)
@@ -402,12 +421,9 @@ private:
       this->CountInput(local, around);
     }
     const auto& items = this->Values.GetItems();
-    const std::uint8_t last = this->Values.GetKind() == vtkIsotable::INTERVAL ? 2 : 1;
     for (std::size_t item = 0; item < items.size(); ++item)
     {
-      const auto& digits = items[item].Digits;
-      const bool isEmpty = digits[maximum] == 0 || digits[minimum] == last;
-      if (!isEmpty || !around.IsFinite)
+      if (!this->Values.IsOutside(items[item], minimum, maximum) || !around.IsFinite)
       {
         this->template ProcessItem<Write>(local, around, static_cast<int>(item), place);
       }
@@ -439,18 +455,12 @@ private:
     }
     for (int v = 0; this->Context.PointGhosts && v < 8; ++v)
     {
-      if (this->Context.IsPointBlanked(this->GetVertex(around, i, v)))
+      if (this->Context.IsPointBlanked(this->Rows.GetVertex(around.FirstPoint + i, v)))
       {
         return true;
       }
     }
     return false;
-  }
-
-  vtkIdType GetVertex(const Around& around, vtkIdType i, int vertex) const
-  {
-    return around.FirstPoint + i + (vertex & 1) + ((vertex >> 1) & 1) * this->Nx +
-      (vertex >> 2) * this->Nx * this->Ny;
   }
 
   void CountInput(Local& local, const Around& around) const
@@ -469,20 +479,20 @@ private:
     }
   }
 
-  // A digit of the key for each column of four grid points.
-  void FillColumns(Local& local, const Around& around, const std::vector<std::uint8_t>& digits) const
+  template <int Base>
+  void FillKeys(Local& local, const Around& around, const vtkExtractionValues::Item& item) const
   {
-    const int base = this->Values.GetKind() == vtkIsotable::INTERVAL ? 3 : 2;
-    const int square = base * base;
     local.Columns.resize(this->Nx);
+    local.Keys.resize(this->Nx);
     for (const auto& span : local.Spans)
     {
-      for (vtkIdType i = span[0]; i <= span[1]; ++i)
-      {
-        local.Columns[i] = static_cast<std::uint16_t>(digits[around.Codes[0][i]] +
-          square * (digits[around.Codes[1][i]] +
-            square * (digits[around.Codes[2][i]] + square * digits[around.Codes[3][i]])));
-      }
+      const vtkIdType first = span[0];
+      const vtkIdType number = span[1] - first;
+      Code* columns = local.Columns.data() + first;
+      vtkExtractionKernels::FillColumns<Base>(around.Codes[0] + first, around.Codes[1] + first,
+        around.Codes[2] + first, around.Codes[3] + first, item.First, item.Second, number + 1,
+        columns);
+      vtkExtractionKernels::FillKeys<Base>(columns, number, local.Keys.data() + first);
     }
   }
 
@@ -490,15 +500,16 @@ private:
   void ProcessItem(Local& local, const Around& around, int item, RowCount& place)
   {
     const auto& what = this->Values.GetItems()[item];
-    this->FillColumns(local, around, what.Digits);
-    const int base = this->Values.GetKind() == vtkIsotable::INTERVAL ? 3 : 2;
-    const int last = this->Table.GetNumberOfCases() - 1;
+    this->Values.GetBase() == 3 ? this->template FillKeys<3>(local, around, what)
+                                : this->template FillKeys<2>(local, around, what);
+    const Code last = static_cast<Code>(this->Table.GetNumberOfCases() - 1);
     const bool isSimple = around.IsFinite && !this->Context.HasBlanking();
+    const bool hasTies = around.HasTies || what.Lower == what.Upper;
     for (const auto& span : local.Spans)
     {
       for (vtkIdType i = span[0]; i < span[1]; ++i)
       {
-        const int key = local.Columns[i] + base * local.Columns[i + 1];
+        const Code key = local.Keys[i];
         if (key == 0 || key == last ||
           (!isSimple && (!this->IsFinite(around, i) || this->IsBlanked(around, i))))
         {
@@ -506,7 +517,7 @@ private:
         }
         const vtkIsotable::Case& found = this->Table.GetCase(key);
         const RowCount before = place;
-        if (around.HasTies || what.Lower == what.Upper)
+        if (hasTies && this->HasEqualPoints(around, i, what))
         {
           this->template ProcessCell<Write, true>(local, around, i, item, found, place);
         }
@@ -523,8 +534,23 @@ private:
         {
           local.Gave[i] = 1;
         }
+        else if (!Write && place.Triangles != before.Triangles)
+        {
+          local.Gave[i] = std::max<std::uint8_t>(local.Gave[i], 2);
+        }
       }
     }
+  }
+
+  bool HasEqualPoints(
+    const Around& around, vtkIdType i, const vtkExtractionValues::Item& item) const
+  {
+    Code ties = item.Lower == item.Upper;
+    for (const Code* codes : around.Codes)
+    {
+      ties |= codes[i] | codes[i + 1];
+    }
+    return vtkExtractionValues::IsTie(ties);
   }
 
   // The output id of a slot, or while counting any number that tells points apart.
@@ -537,11 +563,11 @@ private:
       return slot;
     }
     const SlotPlace& at = this->Places[slot];
-    vtkIdType id = around.Offsets[at.Row] +
-      around.Owners[at.Row]->Starts[at.Direction][i + at.Column];
+    const OwnerRow& owners = *around.Owners[at.Row];
+    vtkIdType id = around.Offsets[at.Row] + owners.Starts[i + at.Column];
     if (at.Direction != 0)
     {
-      id += (at.Kind == 0 ? item.Lower : item.Upper) -
+      id += owners.Offsets[at.Direction - 1][i + at.Column] + (at.Kind == 0 ? item.Lower : item.Upper) -
         vtkExtractionValues::GetFirstCrossing(codes[at.Ends[0]], codes[at.Ends[1]]);
     }
     return id;
@@ -564,13 +590,13 @@ private:
         Ties ? vtkExtractionCell::Identify(this->Table, what, codes, slot) : slot;
       ids[slot] = this->template GetId<Write>(around, i, what, codes, same);
     }
-    bool isInverted = false;
-    if (Write)
+    bool isInverted = this->Orientation.AreAllInverted();
+    if (Write && this->Orientation.IsPerCell())
     {
       vtkIdType vertices[8];
       for (int v = 0; v < 8; ++v)
       {
-        vertices[v] = this->GetVertex(around, i, v);
+        vertices[v] = this->Rows.GetVertex(around.FirstPoint + i, v);
       }
       isInverted = this->Orientation.IsInverted(vtkIsotable::HEXAHEDRON, vertices);
     }
@@ -593,7 +619,11 @@ private:
         {
           std::swap(points[0], points[1]);
         }
-        std::copy_n(points, size, this->Connectivity + place.Simplices * size);
+        vtkTypeInt64* out = this->Connectivity + place.Simplices * size;
+        for (int p = 0; p < size; ++p)
+        {
+          out[p] = points[p];
+        }
         this->Mesh.ItemIds->SetValue(place.Simplices, item);
         if (this->Context.KeepCellIds)
         {
@@ -635,13 +665,15 @@ private:
   const vtkIsotable& Table;
   std::vector<SlotPlace> Places;
   vtkCellOrientation Orientation;
+  vtkRowIndex Rows;
   vtkIdType Nx;
   vtkIdType Ny;
   vtkIdType Nz;
   int SimplexSize;
-  std::vector<vtkIdType> PointOffsets;
-  std::vector<RowCount> CellOffsets;
-  vtkIdType* Connectivity = nullptr;
+  std::vector<RowCount> Offsets;
+  // The columns [first, last) of a row of cells that give output.
+  std::vector<std::array<vtkIdType, 2>> Columns;
+  vtkTypeInt64* Connectivity = nullptr;
   vtkSMPThreadLocal<Local> Locals;
 };
 }

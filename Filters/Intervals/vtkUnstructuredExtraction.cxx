@@ -3,6 +3,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellCorners.h"
 #include "vtkCellOrientation.h"
+#include "vtkCrossingKey.h"
 #include "vtkExtractionCell.h"
 #include "vtkExtractionDispatch.h"
 #include "vtkExtractionIndex.h"
@@ -17,7 +18,9 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace
 {
@@ -26,26 +29,20 @@ using Slot = vtkIsotable::Slot;
 
 constexpr vtkIdType ChunkSize = 64 * vtkExtractionIndex::RunLength;
 
-// The far end of a crossed edge and the isovalue, in one sortable number.
-using CrossingKey = std::uint64_t;
-
-CrossingKey MakeCrossingKey(vtkIdType far, int value)
-{
-  return (static_cast<CrossingKey>(far) << 16) | static_cast<CrossingKey>(value);
-}
-
 // A case met in a chunk of cells.
 struct Found
 {
   vtkIdType Cell;
-  int Item;
-  int Key;
+  std::int32_t Item;
+  std::uint16_t Key;
+  // Whether the table's own cut serves: corners in ascending order, and no two slots one point.
+  bool IsPlain;
 };
 
 struct Crossing
 {
   vtkIdType Owner;
-  CrossingKey Key;
+  vtkCrossingKey Key;
 };
 
 // What the counting pass leaves of a chunk for the writing pass.
@@ -64,6 +61,16 @@ struct Corners
   vtkCellCorners What;
   vtkIdType Ids[8];
   Code Codes[8];
+  Code Lowest;
+  Code Highest;
+};
+
+// The ends of a crossing's edge, by slot.
+struct SlotEnds
+{
+  Slot A;
+  Slot B;
+  Slot Kind;
 };
 
 // The cell array's numbers, whatever their storage.
@@ -142,6 +149,18 @@ public:
     {
       this->Tables[shape] = &vtkIsotable::Get(
         this->Values.GetKind(), static_cast<vtkIsotable::Shapes>(shape));
+      const vtkIsotable& table = *this->Tables[shape];
+      const int n = table.GetNumberOfVertices();
+      const int m = table.GetNumberOfEdges();
+      for (int slot = n; slot < n + 2 * m; ++slot)
+      {
+        const auto& edge = table.GetEdge((slot - n) % m);
+        this->Ends[shape][slot] = { edge[0], edge[1], static_cast<Slot>((slot - n) / m) };
+      }
+    }
+    if (grid->IsHomogeneous())
+    {
+      this->OnlyType = grid->GetCellType(0);
     }
   }
 
@@ -189,10 +208,22 @@ private:
       std::swap(corners.Ids[2], corners.Ids[3]);
       std::swap(corners.Ids[6], corners.Ids[7]);
     }
+    Code lowest = std::numeric_limits<Code>::max();
+    Code highest = 0;
     for (int v = 0; v < corners.What.NumberOfCorners; ++v)
     {
-      corners.Codes[v] = this->Codes[corners.Ids[v]];
+      const Code code = this->Codes[corners.Ids[v]];
+      corners.Codes[v] = code;
+      lowest = std::min(lowest, code);
+      highest = std::max(highest, code);
     }
+    corners.Lowest = lowest;
+    corners.Highest = highest;
+  }
+
+  const vtkCellCorners& GetCellCorners(vtkIdType cell) const
+  {
+    return this->CornersOfType[this->OnlyType >= 0 ? this->OnlyType : this->Grid->GetCellType(cell)];
   }
 
   bool IsBlanked(vtkIdType cell, const Corners& corners) const
@@ -206,7 +237,7 @@ private:
   // Whether a cell can give output; if not, the reason is counted.
   bool Accept(vtkIdType cell, Corners& corners, vtkExtractionReport& report) const
   {
-    corners.What = this->CornersOfType[this->Grid->GetCellType(cell)];
+    corners.What = this->GetCellCorners(cell);
     if (!corners.What.HasTable())
     {
       (corners.What.Kind == vtkCellCorners::LOWER_DIMENSIONAL ? report.LowerDimensionalCells
@@ -219,9 +250,7 @@ private:
       ++report.BlankedCells;
       return false;
     }
-    const Code highest =
-      *std::max_element(corners.Codes, corners.Codes + corners.What.NumberOfCorners);
-    if (highest == this->Values.GetNonFiniteCode())
+    if (corners.Highest == this->Values.GetNonFiniteCode())
     {
       ++report.NonFiniteCells;
       return false;
@@ -256,24 +285,25 @@ private:
 
   void CountCell(vtkIdType cell, const Corners& corners, Chunk& chunk)
   {
-    const auto range =
-      std::minmax_element(corners.Codes, corners.Codes + corners.What.NumberOfCorners);
-    const std::uint8_t lastDigit = this->Values.GetKind() == vtkIsotable::INTERVAL ? 2 : 1;
+    const int base = this->Values.GetBase();
     const auto& items = this->Values.GetItems();
     const vtkIdType before = chunk.Simplices;
     for (std::size_t item = 0; item < items.size(); ++item)
     {
-      const auto& digits = items[item].Digits;
-      if (digits[*range.second] == 0 || digits[*range.first] == lastDigit)
+      if (this->Values.IsOutside(items[item], corners.Lowest, corners.Highest))
       {
         continue;
       }
       int key = 0;
       for (int v = corners.What.NumberOfCorners - 1; v >= 0; --v)
       {
-        key = key * (lastDigit + 1) + digits[corners.Codes[v]];
+        key = key * base + items[item].GetDigit(corners.Codes[v]);
       }
-      this->CountCase({ cell, static_cast<int>(item), key }, corners, chunk);
+      const bool isPlain =
+        this->IsAscending(corners) && !this->HasEqualPoints(corners, items[item]);
+      this->CountCase({ cell, static_cast<std::int32_t>(item), static_cast<std::uint16_t>(key),
+                        isPlain },
+        corners, chunk);
     }
     chunk.Report.CellsWithOutput += chunk.Simplices != before;
   }
@@ -323,8 +353,8 @@ private:
     }
     vtkIdType ownerA;
     vtkIdType ownerB;
-    const CrossingKey keyA = GetCrossing(table, item, corners, a, ownerA);
-    return keyA == GetCrossing(table, item, corners, b, ownerB) && ownerA == ownerB;
+    const vtkCrossingKey keyA = this->GetCrossing(item, corners, a, ownerA);
+    return keyA == this->GetCrossing(item, corners, b, ownerB) && ownerA == ownerB;
   }
 
   void CountCase(const Found& found, const Corners& corners, Chunk& chunk)
@@ -332,7 +362,7 @@ private:
     const vtkIsotable& table = *this->Tables[corners.What.Shape];
     const vtkIsotable::Case& what = table.GetCase(found.Key);
     const auto& item = this->Values.GetItems()[found.Item];
-    if (this->IsCutKnown(corners, item))
+    if (found.IsPlain || this->IsCutKnown(corners, item))
     {
       for (const Slot slot : what.Slots)
       {
@@ -344,31 +374,37 @@ private:
     else
     {
       // Only the points of simplices that keep all their points are made.
+      std::uint32_t used = 0;
+      const auto use = [&used](const Slot* slots, int number) {
+        for (int p = 0; p < number; ++p)
+        {
+          used |= std::uint32_t(1) << slots[p];
+        }
+      };
       this->Cut(
-        found.Key, corners, item,
+        found, corners, item,
         [&](const vtkIsotable::Simplex& simplex) {
-          if (vtkExtractionCell::IsCollapsed(simplex.data(), this->SimplexSize))
-          {
-            ++chunk.Report.CollapsedSimplices;
-            return;
-          }
-          for (int p = 0; p < this->SimplexSize; ++p)
-          {
-            this->Enter(table, item, corners, simplex[p], chunk);
-          }
-          ++chunk.Simplices;
+          const bool isCollapsed =
+            vtkExtractionCell::IsCollapsed(simplex.data(), this->SimplexSize);
+          chunk.Report.CollapsedSimplices += isCollapsed;
+          chunk.Simplices += !isCollapsed;
+          use(simplex.data(), isCollapsed ? 0 : this->SimplexSize);
         },
         [&](const vtkIsotable::Triangle& triangle) {
           if (this->Context.GenerateBoundaries &&
             !vtkExtractionCell::IsCollapsed(triangle.data(), 3))
           {
-            for (int p = 0; p < 3; ++p)
-            {
-              this->Enter(table, item, corners, triangle[p], chunk);
-            }
+            use(triangle.data(), 3);
             ++chunk.Triangles;
           }
         });
+      for (Slot slot = 0; used != 0; ++slot, used >>= 1)
+      {
+        if (used & 1)
+        {
+          this->Enter(table, item, corners, slot, chunk);
+        }
+      }
     }
     chunk.Cases.push_back(found);
   }
@@ -384,11 +420,17 @@ private:
 
   // Cuts a case in the global order, with slots that are the same point made one.
   template <typename SimplexVisitor, typename BoundaryVisitor>
-  void Cut(int key, const Corners& corners, const vtkExtractionValues::Item& item,
+  void Cut(const Found& found, const Corners& corners, const vtkExtractionValues::Item& item,
     SimplexVisitor&& simplexVisitor, BoundaryVisitor&& boundaryVisitor) const
   {
     const vtkIsotable& table = *this->Tables[corners.What.Shape];
-    const vtkIsotable::Case& what = table.GetCase(key);
+    const vtkIsotable::Case& what = table.GetCase(found.Key);
+    if (found.IsPlain)
+    {
+      std::for_each(what.Simplices.begin(), what.Simplices.end(), simplexVisitor);
+      std::for_each(what.Boundary.begin(), what.Boundary.end(), boundaryVisitor);
+      return;
+    }
     Slot same[vtkIsotable::MaximumNumberOfSlots];
     std::iota(same, same + vtkIsotable::MaximumNumberOfSlots, Slot(0));
     if (this->HasEqualPoints(corners, item))
@@ -455,20 +497,18 @@ private:
       return;
     }
     vtkIdType owner;
-    const CrossingKey key = GetCrossing(table, item, corners, slot, owner);
+    const vtkCrossingKey key = this->GetCrossing(item, corners, slot, owner);
     chunk.Crossings.push_back({ owner, key });
   }
 
-  static CrossingKey GetCrossing(const vtkIsotable& table,
-    const vtkExtractionValues::Item& item, const Corners& corners, Slot slot, vtkIdType& owner)
+  vtkCrossingKey GetCrossing(const vtkExtractionValues::Item& item, const Corners& corners,
+    Slot slot, vtkIdType& owner) const
   {
-    const int crossing = slot - table.GetNumberOfVertices();
-    const int kind = crossing >= table.GetNumberOfEdges() ? 1 : 0;
-    const auto& edge = table.GetEdge(crossing - kind * table.GetNumberOfEdges());
-    const vtkIdType a = corners.Ids[edge[0]];
-    const vtkIdType b = corners.Ids[edge[1]];
+    const SlotEnds& ends = this->Ends[corners.What.Shape][slot];
+    const vtkIdType a = corners.Ids[ends.A];
+    const vtkIdType b = corners.Ids[ends.B];
     owner = std::min(a, b);
-    return MakeCrossingKey(std::max(a, b), kind == 0 ? item.Lower : item.Upper);
+    return { std::max(a, b), ends.Kind == 0 ? item.Lower : item.Upper };
   }
 
   // Sorts the crossings into lists by owner, and numbers all output points.
@@ -507,18 +547,30 @@ private:
     {
       std::vector<Crossing>().swap(chunk.Crossings);
     }
-    this->PointIds.resize(this->NumberOfPoints + 1);
+    this->FirstCrossings.resize(this->NumberOfPoints + 1);
     vtkSMPTools::For(0, this->NumberOfPoints, [this](vtkIdType first, vtkIdType last) {
       for (vtkIdType p = first; p < last; ++p)
       {
         const auto begin = this->Lists.begin() + this->ListStarts[p];
         const auto end = this->Lists.begin() + this->ListStarts[p + 1];
-        std::sort(begin, end);
-        this->PointIds[p + 1] = (std::unique(begin, end) - begin) + this->Used[p].load();
+        if (end - begin > 1)
+        {
+          std::sort(begin, end);
+          this->FirstCrossings[p] = std::unique(begin, end) - begin;
+        }
+        else
+        {
+          this->FirstCrossings[p] = end - begin;
+        }
       }
     });
-    this->PointIds[0] = 0;
-    std::partial_sum(this->PointIds.begin(), this->PointIds.end(), this->PointIds.begin());
+    vtkIdType total = 0;
+    for (vtkIdType p = 0; p < this->NumberOfPoints; ++p)
+    {
+      total += this->Used[p].load(std::memory_order_relaxed);
+      total += std::exchange(this->FirstCrossings[p], total);
+    }
+    this->FirstCrossings[this->NumberOfPoints] = total;
   }
 
   void Allocate()
@@ -533,8 +585,8 @@ private:
       triangles += chunk.Triangles;
       this->Context.Report->Add(chunk.Report);
     }
-    this->Mesh.Points.resize(this->PointIds.back());
-    vtkNew<vtkIdTypeArray> connectivity;
+    this->Mesh.Points.resize(this->FirstCrossings.back());
+    vtkNew<vtkTypeInt64Array> connectivity;
     connectivity->SetNumberOfValues(simplices * this->SimplexSize);
     this->Simplices = connectivity->GetPointer(0);
     this->Mesh.Connectivity = connectivity;
@@ -547,7 +599,7 @@ private:
       this->Mesh.CellIds.resize(simplices);
       this->Mesh.TriangleCellIds.resize(triangles);
     }
-    this->NoteWorkingBytes(this->PointIds.capacity() * sizeof(vtkIdType) +
+    this->NoteWorkingBytes(this->FirstCrossings.capacity() * sizeof(vtkIdType) +
       this->Mesh.Points.capacity() * sizeof(vtkExtractionPoint));
   }
 
@@ -555,7 +607,7 @@ private:
   {
     std::size_t bytes = more + this->Codes.capacity() * sizeof(Code) + this->NumberOfPoints +
       this->ListStarts.capacity() * sizeof(vtkIdType) +
-      this->Lists.capacity() * sizeof(CrossingKey);
+      this->Lists.capacity() * sizeof(vtkCrossingKey);
     for (const Chunk& chunk : this->Chunks)
     {
       bytes += chunk.Cases.capacity() * sizeof(Found) +
@@ -568,17 +620,18 @@ private:
   {
     for (vtkIdType p = first; p < last; ++p)
     {
-      vtkExtractionPoint* out = this->Mesh.Points.data() + this->PointIds[p];
-      vtkExtractionPoint* end = this->Mesh.Points.data() + this->PointIds[p + 1];
-      if (out != end && this->Used[p].load(std::memory_order_relaxed))
+      vtkExtractionPoint* out = this->Mesh.Points.data() + this->FirstCrossings[p];
+      if (this->Used[p].load(std::memory_order_relaxed))
       {
-        *out++ = { p, p, 0.0 };
+        out[-1] = { p, p, 0.0 };
       }
-      for (vtkIdType at = this->ListStarts[p]; out != end; ++at)
+      // The next owner's grid point comes before its first crossing.
+      const vtkIdType number = this->FirstCrossings[p + 1] - this->FirstCrossings[p] -
+        (p + 1 < this->NumberOfPoints ? this->Used[p + 1].load(std::memory_order_relaxed) : 0);
+      const vtkCrossingKey* keys = this->Lists.data() + this->ListStarts[p];
+      for (vtkIdType c = 0; c < number; ++c)
       {
-        const CrossingKey key = this->Lists[at];
-        *out++ = this->Scalars.Cross(
-          p, static_cast<vtkIdType>(key >> 16), static_cast<int>(key & 0xffff));
+        out[c] = this->Scalars.Cross(p, keys[c].GetFar(), keys[c].GetValue());
       }
     }
   }
@@ -588,12 +641,12 @@ private:
   {
     if (slot < table.GetNumberOfVertices())
     {
-      return this->PointIds[corners.Ids[slot]];
+      return this->FirstCrossings[corners.Ids[slot]] - 1;
     }
     vtkIdType owner;
-    const CrossingKey key = GetCrossing(table, item, corners, slot, owner);
-    const CrossingKey* list = this->Lists.data() + this->ListStarts[owner];
-    vtkIdType id = this->PointIds[owner] + this->Used[owner].load(std::memory_order_relaxed);
+    const vtkCrossingKey key = this->GetCrossing(item, corners, slot, owner);
+    const vtkCrossingKey* list = this->Lists.data() + this->ListStarts[owner];
+    vtkIdType id = this->FirstCrossings[owner];
     while (*list != key)
     {
       ++list;
@@ -610,7 +663,7 @@ private:
     Corners corners;
     for (const Found& found : chunk.Cases)
     {
-      corners.What = this->CornersOfType[this->Grid->GetCellType(found.Cell)];
+      corners.What = this->GetCellCorners(found.Cell);
       this->ReadCorners(found.Cell, corners);
       this->WriteCase(found, corners, simplexId, triangleId);
     }
@@ -624,9 +677,19 @@ private:
     const bool isInverted = this->Orientation.IsInverted(corners.What.Shape, corners.Ids);
     constexpr vtkIdType unknown = -1;
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
-    std::fill_n(ids, vtkIsotable::MaximumNumberOfSlots, unknown);
+    if (found.IsPlain)
+    {
+      for (const Slot slot : table.GetCase(found.Key).Slots)
+      {
+        ids[slot] = this->GetId(table, item, corners, slot);
+      }
+    }
+    else
+    {
+      std::fill_n(ids, vtkIsotable::MaximumNumberOfSlots, unknown);
+    }
     const auto idOf = [&](Slot slot) {
-      if (ids[slot] == unknown)
+      if (!found.IsPlain && ids[slot] == unknown)
       {
         ids[slot] = this->GetId(table, item, corners, slot);
       }
@@ -634,9 +697,9 @@ private:
     };
     const int size = this->SimplexSize;
     this->Cut(
-      found.Key, corners, item,
+      found, corners, item,
       [&](vtkIsotable::Simplex simplex) {
-        if (vtkExtractionCell::IsCollapsed(simplex.data(), size))
+        if (!found.IsPlain && vtkExtractionCell::IsCollapsed(simplex.data(), size))
         {
           return;
         }
@@ -644,7 +707,7 @@ private:
         {
           std::swap(simplex[0], simplex[1]);
         }
-        vtkIdType* out = this->Simplices + simplexId * size;
+        vtkTypeInt64* out = this->Simplices + simplexId * size;
         for (int p = 0; p < size; ++p)
         {
           out[p] = idOf(simplex[p]);
@@ -658,7 +721,7 @@ private:
       },
       [&](vtkIsotable::Triangle triangle) {
         if (!this->Context.GenerateBoundaries ||
-          vtkExtractionCell::IsCollapsed(triangle.data(), 3))
+          (!found.IsPlain && vtkExtractionCell::IsCollapsed(triangle.data(), 3)))
         {
           return;
         }
@@ -692,16 +755,20 @@ private:
   vtkIdType NumberOfCells;
   int SimplexSize;
   std::vector<vtkCellCorners> CornersOfType;
+  // The type of all cells, or -1.
+  int OnlyType = -1;
   const vtkIsotable* Tables[vtkIsotable::NUMBER_OF_SHAPES];
+  SlotEnds Ends[vtkIsotable::NUMBER_OF_SHAPES][vtkIsotable::MaximumNumberOfSlots];
 
   std::vector<Code> Codes;
   std::unique_ptr<std::atomic<std::uint8_t>[]> Used;
   std::vector<Chunk> Chunks;
-  // For each point the range of its crossings in Lists, and its first output point.
+  // For each grid point the range of its crossings in Lists, and the output point of the first; the
+  // grid point's own output point comes just before.
   std::vector<vtkIdType> ListStarts;
-  std::vector<CrossingKey> Lists;
-  std::vector<vtkIdType> PointIds;
-  vtkIdType* Simplices = nullptr;
+  std::vector<vtkCrossingKey> Lists;
+  std::vector<vtkIdType> FirstCrossings;
+  vtkTypeInt64* Simplices = nullptr;
 };
 }
 

@@ -1,0 +1,47 @@
+// Extracts the region where a point array lies between two values and saves it as tetrahedra.
+//
+//   ExtractIntervalVolume bluntfin.vts Density 1.2 5 dense.vtu
+
+#include "MakeReader.h"
+
+#include <vtkDataObject.h>
+#include <vtkIntervalVolume.h>
+#include <vtkNew.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <cstdlib>
+#include <iostream>
+
+int main(int argc, char* argv[])
+{
+  if (argc != 6)
+  {
+    std::cerr << "usage: ExtractIntervalVolume INPUT ARRAY LOWER UPPER OUTPUT.vtu\n";
+    return EXIT_FAILURE;
+  }
+  vtkSmartPointer<vtkAlgorithm> reader = MakeReader(argv[1]);
+
+  vtkNew<vtkIntervalVolume> interval;
+  interval->SetInputConnection(reader->GetOutputPort());
+  interval->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, argv[2]);
+  interval->SetNumberOfIntervals(1);
+  interval->SetInterval(0, std::atof(argv[3]), std::atof(argv[4]));
+  interval->Update();
+
+  vtkUnstructuredGrid* tetrahedra =
+    vtkUnstructuredGrid::SafeDownCast(interval->GetOutputDataObject(0));
+  if (!tetrahedra || tetrahedra->GetNumberOfCells() == 0)
+  {
+    std::cerr << "nothing of " << argv[2] << " lies in that interval\n";
+    return EXIT_FAILURE;
+  }
+  const vtkExtractionReport& report = interval->GetReport();
+  std::cout << tetrahedra->GetNumberOfCells() << " tetrahedra from " << report.CellsWithOutput
+            << " of " << report.Cells << " cells\n";
+
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(tetrahedra);
+  writer->SetFileName(argv[5]);
+  return writer->Write() ? EXIT_SUCCESS : EXIT_FAILURE;
+}

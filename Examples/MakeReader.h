@@ -1,0 +1,28 @@
+#ifndef MakeReader_h
+#define MakeReader_h
+
+#include <vtkAlgorithm.h>
+#include <vtkDataSetReader.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLGenericDataObjectReader.h>
+
+#include <string>
+
+/**
+ * The reader for a file by its extension: legacy .vtk, else one of VTK's XML files (.vti, .vtr,
+ * .vts, .vtu, .vtm ...). A file that can't be read shows as an error when the pipeline runs.
+ */
+inline vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
+{
+  if (path.size() > 4 && path.compare(path.size() - 4, 4, ".vtk") == 0)
+  {
+    auto reader = vtkSmartPointer<vtkDataSetReader>::New();
+    reader->SetFileName(path.c_str());
+    return reader;
+  }
+  auto reader = vtkSmartPointer<vtkXMLGenericDataObjectReader>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+#endif

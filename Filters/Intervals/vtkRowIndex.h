@@ -1,0 +1,81 @@
+#ifndef vtkRowIndex_h
+#define vtkRowIndex_h
+
+#include "vtkType.h"
+
+#include <algorithm>
+#include <array>
+
+/**
+ * @class   vtkRowIndex
+ * @brief   index arithmetic of a grid of rows, in 64 bits throughout
+ *
+ * Points are numbered along i, then j, then k. A row of points is numbered j + k nj; a row of cells
+ * among cells only, j + k (nj - 1).
+ */
+class vtkRowIndex
+{
+public:
+  explicit vtkRowIndex(const int dimensions[3])
+    : Ni(dimensions[0])
+    , Nj(dimensions[1])
+    , Nk(dimensions[2])
+  {
+  }
+
+  vtkIdType GetNumberOfRows() const { return this->Nj * this->Nk; }
+  vtkIdType GetRow(vtkIdType j, vtkIdType k) const { return j + k * this->Nj; }
+  vtkIdType GetJ(vtkIdType row) const { return row % this->Nj; }
+  vtkIdType GetK(vtkIdType row) const { return row / this->Nj; }
+  vtkIdType GetFirstPoint(vtkIdType row) const { return row * this->Ni; }
+
+  /// Whether cells begin at a row of points.
+  bool HasCells(vtkIdType j, vtkIdType k) const { return j + 1 < this->Nj && k + 1 < this->Nk; }
+
+  /// The row of cells at a row of points; for the last rows of points that of the cells before them.
+  vtkIdType GetCellRow(vtkIdType j, vtkIdType k) const
+  {
+    return std::min(j, this->Nj - 2) + std::min(k, this->Nk - 2) * (this->Nj - 1);
+  }
+  vtkIdType GetFirstCell(vtkIdType j, vtkIdType k) const
+  {
+    return this->GetCellRow(j, k) * (this->Ni - 1);
+  }
+
+  /// From a point to its neighbour along an axis.
+  vtkIdType GetStep(int axis) const
+  {
+    return axis == 0 ? 1 : axis == 1 ? this->Ni : this->Ni * this->Nj;
+  }
+
+  /// Vertex 0 ... 7, in the order of VTK_VOXEL, of the cell whose vertex 0 is \a point.
+  vtkIdType GetVertex(vtkIdType point, int vertex) const
+  {
+    return point + (vertex & 1) + ((vertex >> 1) & 1) * this->GetStep(1) +
+      (vertex >> 2) * this->GetStep(2);
+  }
+
+  std::array<int, 3> GetIjk(vtkIdType point) const
+  {
+    const vtkIdType row = point / this->Ni;
+    return { { static_cast<int>(point - row * this->Ni), static_cast<int>(this->GetJ(row)),
+      static_cast<int>(this->GetK(row)) } };
+  }
+
+  /// The axis along which two neighbours differ, 0 for equal points.
+  int GetAxis(vtkIdType a, vtkIdType b) const
+  {
+    const vtkIdType step = a < b ? b - a : a - b;
+    // An axis with one point has no neighbours; its step may be that of the next.
+    return this->Nk > 1 && step == this->GetStep(2) ? 2
+      : this->Nj > 1 && step == this->GetStep(1)    ? 1
+                                                    : 0;
+  }
+
+private:
+  vtkIdType Ni;
+  vtkIdType Nj;
+  vtkIdType Nk;
+};
+
+#endif

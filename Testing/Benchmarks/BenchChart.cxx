@@ -1,0 +1,221 @@
+#include "BenchChart.h"
+
+#include "BenchPlot.h"
+
+#include "vtkAxis.h"
+#include "vtkBrush.h"
+#include "vtkChartLegend.h"
+#include "vtkChartXY.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPen.h"
+#include "vtkPlotBar.h"
+#include "vtkPlotLine.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+/// Colours from dark to light, so that they differ in grey too.
+struct Look
+{
+  std::array<unsigned char, 3> Colour;
+  int Marker;
+};
+
+const Look Looks[] = {
+  { { 68, 1, 84 }, vtkPlotPoints::CIRCLE },
+  { { 0, 92, 150 }, vtkPlotPoints::SQUARE },
+  { { 200, 70, 30 }, vtkPlotPoints::DIAMOND },
+  { { 50, 160, 115 }, vtkPlotPoints::CROSS },
+  { { 226, 150, 20 }, vtkPlotPoints::PLUS },
+  { { 120, 120, 120 }, vtkPlotPoints::SQUARE },
+};
+
+const Look& LookOf(std::size_t series)
+{
+  return Looks[series % (sizeof(Looks) / sizeof(Looks[0]))];
+}
+
+void SetColour(vtkPlot* plot, const Look& look)
+{
+  plot->SetColor(look.Colour[0], look.Colour[1], look.Colour[2], 255);
+}
+
+vtkSmartPointer<vtkTable> MakeTable(
+  const std::string& label, const std::vector<double>& x, const std::vector<double>& y)
+{
+  auto table = vtkSmartPointer<vtkTable>::New();
+  const std::pair<std::string, const std::vector<double>&> columns[] = { { "x", x }, { label, y } };
+  for (const auto& column : columns)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(column.first.c_str());
+    for (double value : column.second)
+    {
+      array->InsertNextValue(value);
+    }
+    table->AddColumn(array);
+  }
+  return table;
+}
+
+/// The range of the numbers of every series, none negative, widened so that no marker touches the
+/// frame and the legend has room.
+std::array<double, 2> RangeOf(
+  const BenchPlot& plot, std::vector<double> BenchPlot::Series::*numbers, bool logarithmic)
+{
+  double low = std::numeric_limits<double>::max();
+  double high = plot.Reference;
+  for (const BenchPlot::Series& series : plot.AllSeries)
+  {
+    for (double number : series.*numbers)
+    {
+      if (!logarithmic || number > 0.0)
+      {
+        low = std::min(low, number);
+        high = std::max(high, number);
+      }
+    }
+  }
+  if (logarithmic)
+  {
+    // Whole decades: the axis then has a labelled tick at both ends.
+    return { std::pow(10.0, std::floor(std::log10(low) - 0.05)),
+      std::pow(10.0, std::ceil(std::log10(high) + 0.05)) };
+  }
+  return { 0.0, 1.2 * high };
+}
+
+void SetAxis(vtkAxis* axis, const std::string& label, bool logarithmic)
+{
+  axis->SetTitle(label);
+  axis->GetTitleProperties()->SetFontSize(22);
+  axis->GetTitleProperties()->SetBold(false);
+  axis->GetLabelProperties()->SetFontSize(19);
+  axis->GetGridPen()->SetColor(225, 225, 225, 255);
+  axis->SetLogScale(logarithmic);
+}
+
+void SetRange(vtkAxis* axis, const std::array<double, 2>& range, bool logarithmic)
+{
+  axis->SetBehavior(vtkAxis::FIXED);
+  axis->SetUnscaledRange(range[0], range[1]);
+  if (!logarithmic)
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> labels;
+  const int first = static_cast<int>(std::lround(std::log10(range[0])));
+  const int last = static_cast<int>(std::lround(std::log10(range[1])));
+  const int step = std::max(1, (last - first + 7) / 8);
+  for (int decade = first; decade <= last; decade += step)
+  {
+    positions->InsertNextValue(decade);
+    labels->InsertNextValue("1e" + std::to_string(decade));
+  }
+  axis->SetCustomTickPositions(positions, labels);
+}
+
+void AddLine(vtkChartXY* chart, const BenchPlot::Series& series, const Look& look, bool isDefault)
+{
+  auto table = MakeTable(series.Label, series.X, series.Y);
+  if (isDefault)
+  {
+    auto ring = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
+    ring->SetInputData(table, 0, 1);
+    ring->SetColor(look.Colour[0], look.Colour[1], look.Colour[2], 70);
+    ring->GetPen()->SetLineType(vtkPen::NO_PEN);
+    ring->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+    ring->SetMarkerSize(30.0f);
+    ring->SetLabel("default");
+  }
+  auto line = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
+  line->SetInputData(table, 0, 1);
+  SetColour(line, look);
+  line->GetPen()->SetLineType(series.IsPeer ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
+  line->SetWidth(series.IsPeer ? 2.5f : 3.0f);
+  line->SetMarkerStyle(look.Marker);
+  const bool isThin = look.Marker == vtkPlotPoints::CROSS || look.Marker == vtkPlotPoints::PLUS;
+  line->SetMarkerSize(isThin ? 17.0f : 12.0f);
+  line->SetLabel(series.IsPeer ? series.Label + " (peer)" : series.Label);
+}
+
+void AddReference(vtkChartXY* chart, double height, double first, double last)
+{
+  auto line = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
+  line->SetInputData(MakeTable("reference", { first, last }, { height, height }), 0, 1);
+  line->SetColor(0, 0, 0, 255);
+  line->GetPen()->SetLineType(vtkPen::DASH_LINE);
+  line->SetWidth(1.5f);
+  line->SetLegendVisibility(false);
+}
+
+void AddBars(vtkChartXY* chart, const BenchPlot& plot)
+{
+  const std::size_t groups = plot.BarLabels.size();
+  std::vector<double> positions(groups);
+  vtkNew<vtkDoubleArray> ticks;
+  vtkNew<vtkStringArray> labels;
+  for (std::size_t i = 0; i < groups; ++i)
+  {
+    positions[i] = static_cast<double>(i);
+    ticks->InsertNextValue(positions[i]);
+    labels->InsertNextValue(plot.BarLabels[i]);
+  }
+  for (std::size_t i = 0; i < plot.AllSeries.size(); ++i)
+  {
+    const BenchPlot::Series& series = plot.AllSeries[i];
+    auto bars = vtkPlotBar::SafeDownCast(chart->AddPlot(vtkChart::BAR));
+    bars->SetInputData(MakeTable(series.Label, positions, series.Y), 0, 1);
+    SetColour(bars, LookOf(i));
+    bars->SetLabel(series.Label);
+  }
+  vtkAxis* bottom = chart->GetAxis(vtkAxis::BOTTOM);
+  bottom->SetBehavior(vtkAxis::FIXED);
+  bottom->SetUnscaledRange(-0.6, static_cast<double>(groups) - 0.4);
+  bottom->SetCustomTickPositions(ticks, labels);
+  bottom->SetGridVisible(false);
+  if (plot.Reference > 0.0)
+  {
+    AddReference(chart, plot.Reference, -0.6, static_cast<double>(groups) - 0.4);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void FillChart(vtkChartXY* chart, const BenchPlot& plot)
+{
+  chart->SetTitle(plot.Title);
+  chart->GetTitleProperties()->SetFontSize(24);
+  SetAxis(chart->GetAxis(vtkAxis::BOTTOM), plot.XLabel, plot.LogX);
+  SetAxis(chart->GetAxis(vtkAxis::LEFT), plot.YLabel, plot.LogY);
+  chart->SetShowLegend(true);
+  chart->GetLegend()->GetLabelProperties()->SetFontSize(18);
+  chart->GetLegend()->GetBrush()->SetColor(255, 255, 255, 230);
+  SetRange(
+    chart->GetAxis(vtkAxis::LEFT), RangeOf(plot, &BenchPlot::Series::Y, plot.LogY), plot.LogY);
+  if (plot.Kind == BenchPlot::BARS)
+  {
+    AddBars(chart, plot);
+    return;
+  }
+  SetRange(
+    chart->GetAxis(vtkAxis::BOTTOM), RangeOf(plot, &BenchPlot::Series::X, plot.LogX), plot.LogX);
+  for (std::size_t i = 0; i < plot.AllSeries.size(); ++i)
+  {
+    const BenchPlot::Series& series = plot.AllSeries[i];
+    AddLine(chart, series, LookOf(i), series.Label == plot.DefaultSeries);
+  }
+}

@@ -1,0 +1,50 @@
+#include "BenchClaim.h"
+
+#include "BenchTiming.h"
+
+namespace
+{
+BenchClaim MakeClaim(const std::string& text, const std::vector<BenchRow>& rows,
+  const std::function<std::optional<double>(const BenchRow&)>& number,
+  const std::function<bool(double)>& isMet)
+{
+  BenchClaim claim;
+  claim.Text = text;
+  for (const BenchRow& row : rows)
+  {
+    if (const std::optional<double> measured = number(row))
+    {
+      claim.Cases.push_back({ row.Case, *measured, isMet(*measured) });
+    }
+  }
+  return claim;
+}
+}
+
+//------------------------------------------------------------------------------
+BenchClaim BenchClaim::AtLeast(const std::string& text, double bound,
+  const std::vector<BenchRow>& rows,
+  const std::function<std::optional<double>(const BenchRow&)>& number)
+{
+  return MakeClaim(text, rows, number, [bound](double measured) { return measured >= bound; });
+}
+
+//------------------------------------------------------------------------------
+BenchClaim BenchClaim::AtMost(const std::string& text, double bound,
+  const std::vector<BenchRow>& rows,
+  const std::function<std::optional<double>(const BenchRow&)>& number)
+{
+  return MakeClaim(text, rows, number, [bound](double measured) { return measured <= bound; });
+}
+
+//------------------------------------------------------------------------------
+std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
+  const std::string& method, const std::string& peer)
+{
+  return [method, peer](const BenchRow& row) -> std::optional<double>
+  {
+    const bool concerned =
+      row.Method == method && row.Peer == peer && row.Parameter == ThreadsParameter(1);
+    return concerned ? row.GetRatio() : std::nullopt;
+  };
+}

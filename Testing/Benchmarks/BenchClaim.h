@@ -1,0 +1,44 @@
+#ifndef BenchClaim_h
+#define BenchClaim_h
+
+#include "BenchRow.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/**
+ * Something a suite wants to be true of a number in every case, and what was measured.
+ */
+struct BenchClaim
+{
+  struct Measured
+  {
+    std::string Case;
+    double Number;
+    bool Met;
+  };
+
+  /// With the bound, such as "at least 3 times faster than clip2, 1 thread".
+  std::string Text;
+  std::vector<Measured> Cases;
+
+  /**
+   * The claim that \a number of every row is at least, or at most, \a bound; rows of which \a
+   * number is nothing are not concerned.
+   */
+  static BenchClaim AtLeast(const std::string& text, double bound,
+    const std::vector<BenchRow>& rows,
+    const std::function<std::optional<double>(const BenchRow&)>& number);
+  static BenchClaim AtMost(const std::string& text, double bound, const std::vector<BenchRow>& rows,
+    const std::function<std::optional<double>(const BenchRow&)>& number);
+};
+
+/**
+ * A function for the above: the ratio of the rows of that method and peer with one thread.
+ */
+std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
+  const std::string& method, const std::string& peer);
+
+#endif

@@ -1,0 +1,11 @@
+#include "BenchOptions.h"
+
+int BenchOptions::GetRepeats() const
+{
+  return this->Size == FULL ? 5 : 3;
+}
+
+std::vector<int> BenchOptions::GetThreadCounts() const
+{
+  return this->Threads > 1 ? std::vector<int>{ 1, this->Threads } : std::vector<int>{ 1 };
+}

@@ -1,0 +1,73 @@
+#include "BenchResults.h"
+
+#include "BenchMachine.h"
+
+#include "vtkVersion.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+//------------------------------------------------------------------------------
+BenchResults BenchResults::Here()
+{
+  BenchResults results;
+  results.Machine = DescribeMachine();
+  results.Vtk = vtkVersion::GetVTKVersion();
+  return results;
+}
+
+//------------------------------------------------------------------------------
+BenchResults BenchResults::Read(const std::string& path)
+{
+  std::ifstream file(path);
+  if (!file)
+  {
+    throw std::runtime_error("cannot read " + path);
+  }
+  try
+  {
+    const auto json = nlohmann::ordered_json::parse(file);
+    BenchResults results;
+    results.Machine = json.at("machine");
+    results.Vtk = json.at("vtk");
+    for (const auto& row : json.at("rows"))
+    {
+      results.Rows.push_back(BenchRow::FromJson(row));
+    }
+    return results;
+  }
+  catch (const nlohmann::json::exception& error)
+  {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void BenchResults::Write(const std::string& path) const
+{
+  nlohmann::ordered_json json;
+  json["machine"] = this->Machine;
+  json["vtk"] = this->Vtk;
+  json["rows"] = nlohmann::ordered_json::array();
+  for (const BenchRow& row : this->Rows)
+  {
+    json["rows"].push_back(row.ToJson());
+  }
+  std::ofstream file(path);
+  file << json.dump(1) << "\n";
+  if (!file)
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchRow> BenchResults::RowsOf(const std::string& suite) const
+{
+  std::vector<BenchRow> rows;
+  std::copy_if(this->Rows.begin(), this->Rows.end(), std::back_inserter(rows),
+    [&suite](const BenchRow& row) { return row.Suite == suite; });
+  return rows;
+}

@@ -1,0 +1,134 @@
+#include "BenchRow.h"
+
+#include <iostream>
+
+namespace
+{
+void PutIf(nlohmann::ordered_json& json, const char* name, const std::string& text)
+{
+  if (!text.empty())
+  {
+    json[name] = text;
+  }
+}
+
+void PutIf(nlohmann::ordered_json& json, const char* name, const std::optional<double>& number)
+{
+  if (number)
+  {
+    json[name] = *number;
+  }
+}
+
+std::optional<double> NumberIn(const nlohmann::ordered_json& json, const char* name)
+{
+  return json.contains(name) ? std::optional<double>(json.at(name).get<double>()) : std::nullopt;
+}
+
+std::ostream& operator<<(std::ostream& os, const BenchRow& row)
+{
+  os << row.Suite << "  " << row.Case << "  " << row.Method;
+  if (!row.Parameter.is_null())
+  {
+    os << "  "
+       << (row.Parameter.is_string() ? row.Parameter.get<std::string>() : row.Parameter.dump());
+  }
+  if (row.Seconds)
+  {
+    os << "  " << *row.Seconds << " s";
+  }
+  if (row.PeerSeconds)
+  {
+    os << "  " << row.Peer << " " << *row.PeerSeconds << " s  ratio " << *row.GetRatio();
+  }
+  if (row.Error)
+  {
+    os << "  " << row.ErrorNorm << " " << *row.Error;
+  }
+  if (!row.Counts.empty())
+  {
+    os << "  " << row.Counts.dump();
+  }
+  return os;
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<double> BenchRow::GetRatio() const
+{
+  if (this->Seconds && this->PeerSeconds && *this->Seconds > 0.0)
+  {
+    return *this->PeerSeconds / *this->Seconds;
+  }
+  return std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json BenchRow::ToJson() const
+{
+  nlohmann::ordered_json json;
+  json["suite"] = this->Suite;
+  json["case"] = this->Case;
+  json["method"] = this->Method;
+  if (!this->Parameter.is_null())
+  {
+    json["parameter"] = this->Parameter;
+  }
+  PutIf(json, "error", this->Error);
+  PutIf(json, "error_norm", this->ErrorNorm);
+  PutIf(json, "seconds", this->Seconds);
+  PutIf(json, "peer", this->Peer);
+  PutIf(json, "peer_seconds", this->PeerSeconds);
+  PutIf(json, "ratio", this->GetRatio());
+  if (!this->Counts.empty())
+  {
+    json["counts"] = this->Counts;
+  }
+  return json;
+}
+
+//------------------------------------------------------------------------------
+BenchRow BenchRow::FromJson(const nlohmann::ordered_json& json)
+{
+  BenchRow row;
+  row.Suite = json.at("suite");
+  row.Case = json.at("case");
+  row.Method = json.at("method");
+  if (json.contains("parameter"))
+  {
+    row.Parameter = json.at("parameter");
+  }
+  row.Error = NumberIn(json, "error");
+  row.ErrorNorm = json.value("error_norm", "");
+  row.Seconds = NumberIn(json, "seconds");
+  row.Peer = json.value("peer", "");
+  row.PeerSeconds = NumberIn(json, "peer_seconds");
+  if (json.contains("counts"))
+  {
+    row.Counts = json.at("counts");
+  }
+  return row;
+}
+
+//------------------------------------------------------------------------------
+BenchRows::BenchRows(const std::string& suite)
+  : Suite(suite)
+{
+}
+
+//------------------------------------------------------------------------------
+BenchRow BenchRows::Make(const std::string& theCase, const std::string& method) const
+{
+  BenchRow row;
+  row.Suite = this->Suite;
+  row.Case = theCase;
+  row.Method = method;
+  return row;
+}
+
+//------------------------------------------------------------------------------
+void BenchRows::Add(BenchRow row)
+{
+  std::cout << row << std::endl;
+  this->Rows.push_back(std::move(row));
+}

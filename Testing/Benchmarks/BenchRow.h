@@ -1,0 +1,59 @@
+#ifndef BenchRow_h
+#define BenchRow_h
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/**
+ * One measurement. What does not apply stays empty and is absent from the JSON.
+ */
+struct BenchRow
+{
+  std::string Suite;
+  std::string Case;
+  std::string Method;
+  /// A number or a short text; null for none.
+  nlohmann::ordered_json Parameter;
+  std::optional<double> Error;
+  /// What Error is, with its unit.
+  std::string ErrorNorm;
+  /// Median wall time.
+  std::optional<double> Seconds;
+  /// What Seconds is compared with, measured alternately in the same run.
+  std::string Peer;
+  std::optional<double> PeerSeconds;
+  /// Named numbers.
+  nlohmann::ordered_json Counts = nlohmann::ordered_json::object();
+
+  /// PeerSeconds / Seconds: above 1 the method is faster than the peer.
+  std::optional<double> GetRatio() const;
+
+  nlohmann::ordered_json ToJson() const;
+  /// Throws nlohmann::json::exception where a field is missing or of the wrong type.
+  static BenchRow FromJson(const nlohmann::ordered_json& json);
+};
+
+/**
+ * The rows of one suite; a row is printed as it comes, so that a long run shows where it is.
+ */
+class BenchRows
+{
+public:
+  explicit BenchRows(const std::string& suite);
+
+  /**
+   * A row with the suite, case and method filled in.
+   */
+  BenchRow Make(const std::string& theCase, const std::string& method) const;
+  void Add(BenchRow row);
+  const std::vector<BenchRow>& Get() const { return this->Rows; }
+
+private:
+  std::string Suite;
+  std::vector<BenchRow> Rows;
+};
+
+#endif

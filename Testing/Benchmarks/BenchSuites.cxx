@@ -1,0 +1,10 @@
+#include "BenchSuites.h"
+
+std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites()
+{
+  std::vector<std::unique_ptr<BenchSuite>> suites;
+  suites.push_back(MakeTablesSuite());
+  suites.push_back(MakeIntervalSuite());
+  suites.push_back(MakeContourSuite());
+  return suites;
+}

@@ -1,0 +1,18 @@
+#ifndef BenchSuites_h
+#define BenchSuites_h
+
+#include "BenchSuite.h"
+
+#include <memory>
+#include <vector>
+
+std::unique_ptr<BenchSuite> MakeTablesSuite();
+std::unique_ptr<BenchSuite> MakeIntervalSuite();
+std::unique_ptr<BenchSuite> MakeContourSuite();
+
+/**
+ * Every suite, in the order of the report.
+ */
+std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites();
+
+#endif

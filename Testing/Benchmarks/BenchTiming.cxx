@@ -1,0 +1,66 @@
+#include "BenchTiming.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <chrono>
+
+//------------------------------------------------------------------------------
+double TimeOnce(const BenchWork& work)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const vtkSmartPointer<vtkObjectBase> result = work();
+  const auto end = std::chrono::steady_clock::now();
+  return std::chrono::duration<double>(end - begin).count();
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> MeasureAlternately(const std::vector<BenchWork>& works, int repeats)
+{
+  for (const BenchWork& work : works)
+  {
+    work();
+  }
+  std::vector<std::vector<double>> times(works.size());
+  for (int repeat = 0; repeat < repeats; ++repeat)
+  {
+    for (std::size_t i = 0; i < works.size(); ++i)
+    {
+      times[i].push_back(TimeOnce(works[i]));
+    }
+  }
+  std::vector<double> medians;
+  for (const std::vector<double>& ofOne : times)
+  {
+    medians.push_back(Median(ofOne));
+  }
+  return medians;
+}
+
+//------------------------------------------------------------------------------
+BenchWork WithThreads(int threads, const BenchWork& work)
+{
+  return [threads, work]()
+  {
+    vtkSMPTools::Initialize(threads);
+    return work();
+  };
+}
+
+//------------------------------------------------------------------------------
+std::string ThreadsParameter(int threads)
+{
+  return std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+}
+
+//------------------------------------------------------------------------------
+double Median(std::vector<double> numbers)
+{
+  if (numbers.empty())
+  {
+    return 0.0;
+  }
+  std::sort(numbers.begin(), numbers.end());
+  const std::size_t middle = numbers.size() / 2;
+  return numbers.size() % 2 == 1 ? numbers[middle] : 0.5 * (numbers[middle - 1] + numbers[middle]);
+}

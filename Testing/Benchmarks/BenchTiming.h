@@ -1,0 +1,43 @@
+#ifndef BenchTiming_h
+#define BenchTiming_h
+
+#include "vtkObjectBase.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/**
+ * Something to be timed. What it returns is kept until the clock is stopped, so that freeing a
+ * result is not part of the time.
+ */
+using BenchWork = std::function<vtkSmartPointer<vtkObjectBase>()>;
+
+/**
+ * Wall seconds of one run of \a work.
+ */
+double TimeOnce(const BenchWork& work);
+
+/**
+ * Median wall seconds of each of \a works: each is run once unmeasured, then all take turns,
+ * A B C A B C ..., \a repeats times, so that what else the machine does falls on all alike.
+ */
+std::vector<double> MeasureAlternately(const std::vector<BenchWork>& works, int repeats);
+
+/**
+ * \a work by so many threads of vtkSMPTools, which stays set so afterwards.
+ */
+BenchWork WithThreads(int threads, const BenchWork& work);
+
+/**
+ * `1 thread`, `2 threads`, ...: the parameter of a row.
+ */
+std::string ThreadsParameter(int threads);
+
+/**
+ * The middle of \a numbers, or the mean of the two in the middle; 0 for none.
+ */
+double Median(std::vector<double> numbers);
+
+#endif

@@ -1,0 +1,19 @@
+#ifndef CellSplits_h
+#define CellSplits_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+/**
+ * The cells of \a image as tetrahedra of positive volume that match at every face, with the point
+ * scalars. \a pieces of a cell:
+ * - 5, a tetrahedron in the middle and one at every other corner, mirrored from cell to cell;
+ * - 6, around the diagonal from the first corner to the last;
+ * - 24, four on every face, of two neighbouring corners, the face's centre and the cell's centre,
+ *   with the mean of the corners' values at the centres.
+ * Throws std::invalid_argument for another number.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> SplitIntoTetrahedra(vtkImageData* image, int pieces);
+
+#endif

@@ -1,0 +1,244 @@
+#include "IntervalError.h"
+
+#include "AnalyticCases.h"
+#include "BenchData.h"
+#include "BenchTiming.h"
+#include "CellSplits.h"
+#include "ExtractionMethods.h"
+#include "TetrahedronSums.h"
+#include "TrilinearRegion.h"
+
+#include "vtkIntervalVolume.h"
+
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interval
+{
+namespace
+{
+const char* const VolumeNorm = "volume, relative";
+const char* const SurfaceNorm = "surface distance, rms, share of the domain's edge";
+const char* const SampledNorm = "volume, relative, with sampling";
+
+/// A way to the interval volume: the grid that it takes and whether the peer does it.
+struct Method
+{
+  std::string Name;
+  vtkSmartPointer<vtkDataSet> Data;
+  bool IsClip = false;
+  double SplitSeconds = 0.0;
+};
+
+std::vector<Method> MakeMethods(vtkImageData* image)
+{
+  std::vector<Method> methods;
+  methods.push_back({ "hexahedra", image });
+  methods.push_back({ "hexahedra-unstructured", ToHexahedra(image) });
+  for (int pieces : { 5, 6, 24 })
+  {
+    Method method;
+    method.Name = "tetrahedra-" + std::to_string(pieces);
+    method.SplitSeconds = TimeOnce(
+      [&]()
+      {
+        method.Data = SplitIntoTetrahedra(image, pieces);
+        return method.Data;
+      });
+    methods.push_back(method);
+  }
+  methods.push_back({ "clip2", image, true });
+  return methods;
+}
+
+/// The tetrahedra of the result, and triangles among which are those of its boundary.
+struct Result
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Tetrahedra;
+  vtkSmartPointer<vtkPointSet> Boundary;
+};
+
+Result Extract(const Method& method, double lower, double upper)
+{
+  Result result;
+  if (method.IsClip)
+  {
+    result.Tetrahedra = methods::ToTetrahedra(
+      methods::ClipTwice(method.Data, lower, upper, vtkAlgorithm::DOUBLE_PRECISION));
+    vtkNew<vtkDataSetSurfaceFilter> surface;
+    surface->SetInputData(result.Tetrahedra);
+    surface->Update();
+    result.Boundary = surface->GetOutput();
+  }
+  else
+  {
+    auto filter = methods::NewIntervalVolume(method.Data, lower, upper);
+    filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    filter->GenerateBoundariesOn();
+    filter->Update();
+    result.Tetrahedra = filter->GetOutput(0);
+    result.Boundary = filter->GetOutput(1);
+  }
+  return result;
+}
+
+/// Root mean square over the area of the boundary inside the box, by a rule of degree 2.
+double SurfaceDistance(
+  vtkPointSet* boundary, const TrilinearRegion& region, double lower, double upper)
+{
+  vtkDataArray* scalars = boundary->GetPointData()->GetScalars("value");
+  vtkNew<vtkIdList> ids;
+  double sum = 0.0;
+  double total = 0.0;
+  for (vtkIdType cell = 0; cell < boundary->GetNumberOfCells(); ++cell)
+  {
+    boundary->GetCellPoints(cell, ids);
+    double x[3][3];
+    double value = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      boundary->GetPoint(ids->GetId(i), x[i]);
+      value += scalars->GetTuple1(ids->GetId(i)) / 3.0;
+    }
+    if (region.IsOnBox(x[0], x[1], x[2]))
+    {
+      continue;
+    }
+    const double bound = std::abs(value - lower) < std::abs(value - upper) ? lower : upper;
+    const double area = vtkTriangle::TriangleArea(x[0], x[1], x[2]);
+    for (int i = 0; i < 3; ++i)
+    {
+      double point[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        point[axis] = (x[0][axis] + x[1][axis] + x[2][axis] + 3.0 * x[i][axis]) / 6.0;
+      }
+      const double distance = region.GetDistance(point, bound);
+      sum += area / 3.0 * distance * distance;
+    }
+    total += area;
+  }
+  return total > 0.0 ? std::sqrt(sum / total) : 0.0;
+}
+
+std::vector<double> TimeMethods(
+  const std::vector<Method>& all, const AnalyticCase& analytic, const BenchOptions& options)
+{
+  std::vector<BenchWork> works;
+  for (const Method& method : all)
+  {
+    const BenchWork work = [&method, &analytic]()
+    {
+      return method.IsClip ? methods::ClipTwice(method.Data, analytic.Lower, analytic.Upper,
+                               vtkAlgorithm::DEFAULT_PRECISION)
+                           : methods::IntervalVolume(method.Data, analytic.Lower, analytic.Upper);
+    };
+    works.push_back(WithThreads(1, work));
+  }
+  return MeasureAlternately(works, options.GetRepeats());
+}
+
+void AddErrorRows(
+  const AnalyticCase& analytic, int points, const BenchOptions& options, BenchRows& rows)
+{
+  auto image = analytic.Sample(points);
+  const TrilinearRegion region(image);
+  const double exact = region.GetVolume(analytic.Lower, analytic.Upper);
+  const std::vector<Method> all = MakeMethods(image);
+  const std::vector<double> seconds = TimeMethods(all, analytic, options);
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const Method& method = all[i];
+    const Result result = Extract(method, analytic.Lower, analytic.Upper);
+    const TetrahedronSums sums = SumTetrahedra(result.Tetrahedra);
+    const double volume = method.IsClip ? sums.AbsoluteVolume : sums.Volume;
+    const double distance =
+      SurfaceDistance(result.Boundary, region, analytic.Lower, analytic.Upper) /
+      (analytic.High - analytic.Low);
+
+    BenchRow row = rows.Make(analytic.Name, method.Name);
+    row.Parameter = points;
+    row.Seconds = seconds[i];
+    if (!method.IsClip)
+    {
+      row.Peer = "clip2";
+      row.PeerSeconds = seconds.back();
+    }
+    row.Counts["threads"] = 1;
+    row.Counts["cells"] = method.Data->GetNumberOfCells();
+    row.Counts["tetrahedra"] = sums.Tetrahedra;
+    if (method.SplitSeconds > 0.0)
+    {
+      row.Counts["split_seconds"] = method.SplitSeconds;
+    }
+    auto addNorm = [&](const char* norm, double error)
+    {
+      row.ErrorNorm = norm;
+      row.Error = error;
+      rows.Add(row);
+    };
+    addNorm(VolumeNorm, std::abs(volume - exact) / exact);
+    addNorm(SurfaceNorm, distance);
+    if (analytic.Volume)
+    {
+      addNorm(SampledNorm, std::abs(volume - *analytic.Volume) / *analytic.Volume);
+    }
+  }
+}
+
+BenchPlot MakeErrorPlot(const std::string& theCase, const char* norm, const std::string& name,
+  const std::vector<BenchRow>& rows)
+{
+  BenchPlot plot;
+  plot.Name = "interval-" + theCase + "-" + name;
+  plot.Title = theCase + ": error against run time as the grid gets finer, 1 thread";
+  plot.XLabel = "run time (s)";
+  plot.YLabel = std::string("error: ") + norm;
+  plot.LogX = true;
+  plot.LogY = true;
+  plot.DefaultSeries = "hexahedra";
+  for (const BenchRow& row : rows)
+  {
+    // An error of nothing has no place on a logarithmic axis.
+    if (row.Case == theCase && row.ErrorNorm == norm && *row.Error > 0.0)
+    {
+      plot.AddPoint(row.Method, row.Method == "clip2", *row.Seconds, *row.Error);
+    }
+  }
+  return plot;
+}
+}
+
+//------------------------------------------------------------------------------
+void AddErrorRows(const BenchOptions& options, BenchRows& rows)
+{
+  const std::vector<int> resolutions =
+    options.Pick<std::vector<int>>({ 9, 17, 33, 65, 97 }, { 5, 9, 13, 17, 25 }, { 5, 7 });
+  for (const AnalyticCase& analytic : MakeAnalyticCases())
+  {
+    for (int points : resolutions)
+    {
+      AddErrorRows(analytic, points, options, rows);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
+{
+  std::vector<BenchPlot> plots;
+  for (const AnalyticCase& analytic : MakeAnalyticCases())
+  {
+    plots.push_back(MakeErrorPlot(analytic.Name, VolumeNorm, "volume", rows));
+    plots.push_back(MakeErrorPlot(analytic.Name, SurfaceNorm, "surface", rows));
+  }
+  return plots;
+}
+}

@@ -1,0 +1,98 @@
+#include "IntervalMemory.h"
+
+#include "BenchData.h"
+#include "BenchTiming.h"
+#include "ExtractionMethods.h"
+
+#include "vtkIntervalVolume.h"
+
+#include "vtkCellType.h"
+
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace interval
+{
+namespace
+{
+/// A line `name: N kB` of /proc/self/status.
+std::optional<long> StatusKib(const std::string& name)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.compare(0, name.size() + 1, name + ":") == 0)
+    {
+      return std::stol(line.substr(name.size() + 1));
+    }
+  }
+  return std::nullopt;
+}
+
+/// Gives freed memory back and starts the high-water mark of the resident memory anew.
+void ForgetPeak()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+/// Loads the code and fills the tables for hexahedra in image data and in unstructured grids.
+void UseOnce()
+{
+  const BenchData wavelet = MakeWavelet(9);
+  methods::IntervalVolume(wavelet.Data, wavelet.Lower, wavelet.Upper);
+  const BenchData cells = MakeRandomCells(VTK_HEXAHEDRON, 1000, 1);
+  methods::IntervalVolume(cells.Data, cells.Lower, cells.Upper);
+}
+}
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json MeasureMemory(
+  const std::string& theCase, bool asHexahedra, const BenchOptions& options)
+{
+  BenchData data = MakeSpeedCase(theCase, options);
+  if (asHexahedra)
+  {
+    data.Data = ToHexahedra(data.Data);
+  }
+  ForgetPeak();
+  const std::optional<long> fresh = StatusKib("VmRSS");
+  UseOnce();
+  ForgetPeak();
+  const std::optional<long> before = StatusKib("VmRSS");
+  auto filter = methods::NewIntervalVolume(data.Data, data.Lower, data.Upper);
+  filter->Update();
+  const std::optional<long> peak = StatusKib("VmHWM");
+
+  nlohmann::ordered_json json;
+  const auto inputKib = data.Data->GetActualMemorySize();
+  json["input_kib"] = inputKib;
+  json["output_kib"] = filter->GetOutput()->GetActualMemorySize();
+  json["working_kib"] = filter->GetReport().WorkingBytes / 1024;
+  if (fresh && before && peak)
+  {
+    json["peak_kib"] = static_cast<long>(inputKib) + *peak - *before;
+    json["first_use_kib"] = *before - *fresh;
+  }
+  return json;
+}
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json MeasureFirstUse(int cellType, const BenchOptions& options)
+{
+  const BenchData data = MakeRandomCells(cellType, options.Pick(2000, 2000, 50), options.Seed);
+  const BenchWork work = [&data]()
+  { return methods::IntervalVolume(data.Data, data.Lower, data.Upper); };
+  nlohmann::ordered_json json;
+  json["cold"] = TimeOnce(work);
+  json["warm"] = TimeOnce(work);
+  return json;
+}
+}

@@ -1,0 +1,45 @@
+#include "IntervalOrientation.h"
+
+#include "BenchData.h"
+#include "ExtractionMethods.h"
+#include "TetrahedronSums.h"
+
+#include "vtkIntervalVolume.h"
+
+#include "vtkCellType.h"
+
+namespace interval
+{
+namespace
+{
+void AddOrientationRow(const BenchData& data, BenchRows& rows)
+{
+  auto filter = methods::NewIntervalVolume(data.Data, data.Lower, data.Upper);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  filter->Update();
+  const TetrahedronSums sums = SumTetrahedra(filter->GetOutput());
+  BenchRow row = rows.Make(data.Case, "inverted");
+  row.ErrorNorm = "share of the volume";
+  row.Error = sums.GetInvertedVolumeShare();
+  row.Counts["cells"] = data.Data->GetNumberOfCells();
+  row.Counts["tetrahedra"] = sums.Tetrahedra;
+  row.Counts["inverted"] = sums.Inverted;
+  row.Counts["share"] = sums.GetInvertedShare();
+  rows.Add(row);
+}
+}
+
+//------------------------------------------------------------------------------
+void AddOrientationRows(const BenchOptions& options, BenchRows& rows)
+{
+  const int cells = options.Pick(100000, 20000, 500);
+  for (int type : { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON })
+  {
+    AddOrientationRow(MakeRandomCells(type, cells, options.Seed), rows);
+  }
+  for (const BenchData& data : MakeSpeedCases(options))
+  {
+    AddOrientationRow(data, rows);
+  }
+}
+}

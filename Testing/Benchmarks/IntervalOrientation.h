@@ -1,0 +1,16 @@
+#ifndef IntervalOrientation_h
+#define IntervalOrientation_h
+
+#include "BenchOptions.h"
+#include "BenchRow.h"
+
+namespace interval
+{
+/**
+ * Method `inverted`: which share of the tetrahedra is inverted, and which share of the volume they
+ * hold (the error), on cells of each shape with random values and on real data.
+ */
+void AddOrientationRows(const BenchOptions& options, BenchRows& rows);
+}
+
+#endif

@@ -1,0 +1,155 @@
+#include "IntervalSpeed.h"
+
+#include "BenchData.h"
+#include "BenchTiming.h"
+#include "ExtractionMethods.h"
+
+#include "vtkIntervalVolume.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <array>
+#include <string>
+
+namespace interval
+{
+namespace
+{
+void AddSpeedRows(const BenchData& data, int threads, const BenchOptions& options, BenchRows& rows)
+{
+  vtkIdType tetrahedra = 0;
+  vtkIdType mixedCells = 0;
+  vtkIdType peerTetrahedra = 0;
+  const BenchWork ours = [&]()
+  {
+    auto grid = methods::IntervalVolume(data.Data, data.Lower, data.Upper);
+    tetrahedra = grid->GetNumberOfCells();
+    return grid;
+  };
+  const BenchWork clip2 = [&]()
+  {
+    auto grid =
+      methods::ClipTwice(data.Data, data.Lower, data.Upper, vtkAlgorithm::DEFAULT_PRECISION);
+    mixedCells = grid->GetNumberOfCells();
+    return grid;
+  };
+  const BenchWork clip2Tetrahedra = [&]()
+  {
+    auto grid = methods::ToTetrahedra(
+      methods::ClipTwice(data.Data, data.Lower, data.Upper, vtkAlgorithm::DEFAULT_PRECISION));
+    peerTetrahedra = grid->GetNumberOfCells();
+    return grid;
+  };
+  const std::vector<double> seconds =
+    MeasureAlternately({ WithThreads(threads, ours), WithThreads(threads, clip2),
+                         WithThreads(threads, clip2Tetrahedra) },
+      options.GetRepeats());
+
+  BenchRow row = rows.Make(data.Case, "interval-volume");
+  row.Parameter = ThreadsParameter(threads);
+  row.Seconds = seconds[0];
+  row.Counts["threads"] = threads;
+  row.Counts["cells"] = data.Data->GetNumberOfCells();
+  row.Counts["tetrahedra"] = tetrahedra;
+  BenchRow againstClip = row;
+  againstClip.Peer = "clip2";
+  againstClip.PeerSeconds = seconds[1];
+  againstClip.Counts["peer_cells"] = mixedCells;
+  rows.Add(againstClip);
+  BenchRow againstTetrahedra = row;
+  againstTetrahedra.Peer = "clip2-tetrahedra";
+  againstTetrahedra.PeerSeconds = seconds[2];
+  againstTetrahedra.Counts["peer_cells"] = peerTetrahedra;
+  rows.Add(againstTetrahedra);
+}
+
+/// A row for an interval in the middle or at the end of the range of values.
+void AddReExtractionRow(const BenchData& data, const std::string& place,
+  const std::array<double, 2>& bounds, double width, const BenchOptions& options, BenchRows& rows)
+{
+  auto indexed = methods::NewIntervalVolume(data.Data, bounds[0], bounds[1]);
+  auto plain = methods::NewIntervalVolume(data.Data, bounds[0], bounds[1]);
+  plain->UseValueIndexOff();
+  indexed->Update();
+
+  // Every run has another interval, as when a slider is dragged.
+  int run = 0;
+  auto changed = [&](vtkIntervalVolume* filter)
+  {
+    const double shift = 0.005 * (++run % 5) * (bounds[1] - bounds[0]);
+    filter->SetInterval(0, bounds[0] - shift, bounds[1] - shift);
+    filter->Update();
+    return vtkSmartPointer<vtkObjectBase>(filter->GetOutput());
+  };
+  const std::vector<double> seconds =
+    MeasureAlternately({ WithThreads(1, [&]() { return changed(indexed); }),
+                         WithThreads(1, [&]() { return changed(plain); }) },
+      options.GetRepeats());
+
+  const vtkExtractionReport& report = indexed->GetReport();
+  BenchRow row = rows.Make(data.Case + "-" + place, "re-extract");
+  row.Parameter = width;
+  row.Seconds = seconds[0];
+  row.Peer = "all-cells";
+  row.PeerSeconds = seconds[1];
+  row.Counts["threads"] = 1;
+  row.Counts["cells"] = report.Cells;
+  row.Counts["visited"] = report.CellsVisited;
+  row.Counts["with_output"] = report.CellsWithOutput;
+  row.Counts["share"] = static_cast<double>(report.CellsWithOutput) /
+    static_cast<double>(data.Data->GetNumberOfCells());
+  rows.Add(row);
+}
+}
+
+//------------------------------------------------------------------------------
+void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
+{
+  for (const BenchData& data : MakeSpeedCases(options))
+  {
+    for (int threads : options.GetThreadCounts())
+    {
+      AddSpeedRows(data, threads, options, rows);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddThreadRows(const BenchOptions& options, BenchRows& rows)
+{
+  for (const BenchData& data : MakeSpeedCases(options))
+  {
+    const BenchWork work = [&data]()
+    { return methods::IntervalVolume(data.Data, data.Lower, data.Upper); };
+    // Cheap, and the more runs, the less another process on the machine matters.
+    const std::vector<double> seconds =
+      MeasureAlternately({ WithThreads(1, work), WithThreads(2, work) }, 3 * options.GetRepeats());
+    BenchRow row = rows.Make(data.Case, "threads-2");
+    row.Seconds = seconds[1];
+    row.Peer = "threads-1";
+    row.PeerSeconds = seconds[0];
+    row.Counts["cells"] = data.Data->GetNumberOfCells();
+    rows.Add(row);
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddReExtractionRows(const BenchOptions& options, BenchRows& rows)
+{
+  const BenchData data = MakeWavelet(WaveletPoints(options));
+  double range[2];
+  data.Data->GetPointData()->GetScalars()->GetRange(range);
+  const double length = range[1] - range[0];
+  for (double width : { 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 0.9 })
+  {
+    AddReExtractionRow(data, "end", { range[1] - width * length, range[1] }, width, options, rows);
+  }
+  for (double width : { 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 0.9 })
+  {
+    const double middle = 0.5 * (range[0] + range[1]);
+    AddReExtractionRow(data, "middle",
+      { middle - 0.5 * width * length, middle + 0.5 * width * length }, width, options, rows);
+  }
+}
+}

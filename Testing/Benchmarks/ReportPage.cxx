@@ -1,0 +1,104 @@
+#include "ReportPage.h"
+
+#include "BenchMachine.h"
+#include "ReportTables.h"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+const char* const Style = R"(
+:root { color-scheme: light; }
+body { font: 16px/1.5 system-ui, sans-serif; color: #222; background: #fafafa; margin: 0 auto;
+  max-width: 1180px; padding: 2rem 1.5rem 4rem; }
+h1, h2 { line-height: 1.2; font-weight: 600; }
+h2 { margin-top: 3rem; border-bottom: 1px solid #ccc; padding-bottom: .3rem; }
+nav a { margin-right: 1.2rem; }
+.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(480px, 1fr)); gap: 1rem; }
+.plots img { width: 100%; border: 1px solid #ddd; background: #fff; }
+.wide { overflow-x: auto; margin: 1.2rem 0; }
+table { border-collapse: collapse; background: #fff; font-size: 14px; }
+th, td { border: 1px solid #ddd; padding: .25rem .6rem; text-align: left; vertical-align: top; }
+th { background: #f0f0f0; font-weight: 600; }
+td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.failed { color: #a00; font-weight: 600; }
+)";
+}
+
+//------------------------------------------------------------------------------
+ReportPage::ReportPage(const BenchResults& results)
+  : Results(results)
+{
+}
+
+//------------------------------------------------------------------------------
+void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<std::string>& plots)
+{
+  const std::string name = suite.GetName();
+  const std::vector<BenchRow> rows = this->Results.RowsOf(name);
+  std::ostringstream text;
+  text << "<h2 id=\"" << name << "\">" << html::Escaped(name) << "</h2>\n<p>"
+       << html::Escaped(suite.GetTitle()) << ".</p>\n<ul>\n";
+  for (const std::string& paragraph : suite.GetDescription())
+  {
+    text << "<li>" << html::Escaped(paragraph) << "</li>\n";
+  }
+  text << "</ul>\n" << html::TableOf(suite.CheckClaims(rows)) << "<div class=\"plots\">\n";
+  for (const std::string& plot : plots)
+  {
+    text << "<a href=\"" << plot << ".png\"><img src=\"" << plot << ".png\" alt=\"" << plot
+         << "\"></a>\n";
+  }
+  text << "</div>\n" << html::TablesOf(rows);
+  this->Body += text.str();
+}
+
+//------------------------------------------------------------------------------
+void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
+{
+  const auto passed = std::count_if(
+    cases.begin(), cases.end(), [](const StabilityCase& oneCase) { return oneCase.Passed; });
+  std::ostringstream text;
+  text << "<h2 id=\"stability\">stability</h2>\n<p>";
+  if (cases.empty())
+  {
+    text << "No case found: run the tests with label <code>stability</code> first.";
+  }
+  else
+  {
+    text << passed << " of " << cases.size() << " cases passed.";
+  }
+  text << "</p>\n" << html::TableOf(cases);
+  this->Body += text.str();
+}
+
+//------------------------------------------------------------------------------
+void ReportPage::Write(const std::string& path) const
+{
+  std::set<std::string> named;
+  std::ofstream file(path);
+  file << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+       << "<title>Interlume: measurements</title>\n<style>" << Style
+       << "</style>\n</head>\n<body>\n<h1>Interlume: measurements</h1>\n<p>"
+       << html::Escaped(MachineInOneLine(this->Results.Machine, this->Results.Vtk)) << "; "
+       << html::Escaped(this->Results.Machine.value("system", "")) << ".</p>\n"
+       << "<p>Times are medians of wall time. A method and its peers take turns in the same run; "
+          "the ratio is the peer's time divided by the method's: above 1 the method is faster. "
+          "The same numbers are in <a href=\"rows.json\">rows.json</a>.</p>\n<nav>";
+  for (const BenchRow& row : this->Results.Rows)
+  {
+    if (named.insert(row.Suite).second)
+    {
+      file << "<a href=\"#" << row.Suite << "\">" << html::Escaped(row.Suite) << "</a>";
+    }
+  }
+  file << "<a href=\"#stability\">stability</a></nav>\n" << this->Body << "</body>\n</html>\n";
+  if (!file)
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}

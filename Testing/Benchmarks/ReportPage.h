@@ -1,0 +1,38 @@
+#ifndef ReportPage_h
+#define ReportPage_h
+
+#include "BenchResults.h"
+#include "BenchSuite.h"
+#include "StabilityCase.h"
+
+#include <string>
+#include <vector>
+
+/**
+ * The page of `interlume-bench report`: what was measured on, then a section for each suite with
+ * its description, plots and tables, then the stability catalogue.
+ */
+class ReportPage
+{
+public:
+  explicit ReportPage(const BenchResults& results);
+
+  /**
+   * A section with the rows of \a suite and its claims; \a plots are file names, without their
+   * ending, of PNG files beside the page.
+   */
+  void AddSuite(const BenchSuite& suite, const std::vector<std::string>& plots);
+
+  void AddCatalogue(const std::vector<StabilityCase>& cases);
+
+  /**
+   * Throws std::runtime_error, with the path, where the file cannot be written.
+   */
+  void Write(const std::string& path) const;
+
+private:
+  const BenchResults& Results;
+  std::string Body;
+};
+
+#endif

@@ -1,0 +1,37 @@
+#ifndef ReportTables_h
+#define ReportTables_h
+
+#include "BenchClaim.h"
+#include "BenchRow.h"
+#include "StabilityCase.h"
+
+#include <string>
+#include <vector>
+
+/**
+ * The parts of the report's page, as HTML. Nothing to show gives an empty text.
+ */
+namespace html
+{
+/**
+ * \a text with the letters that HTML takes for itself replaced.
+ */
+std::string Escaped(const std::string& text);
+
+/**
+ * What is claimed, and for each case what was measured; what is not met stands out.
+ */
+std::string TableOf(const std::vector<BenchClaim>& claims);
+
+/**
+ * One table for every run of rows that have the same fields.
+ */
+std::string TablesOf(const std::vector<BenchRow>& rows);
+
+/**
+ * The stability catalogue.
+ */
+std::string TableOf(const std::vector<StabilityCase>& cases);
+}
+
+#endif

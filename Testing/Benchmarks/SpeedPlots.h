@@ -1,0 +1,24 @@
+#ifndef SpeedPlots_h
+#define SpeedPlots_h
+
+#include "BenchPlot.h"
+#include "BenchRow.h"
+
+#include <string>
+#include <vector>
+
+/**
+ * Bars of peer time divided by own time of the rows of \a method: a plot for each peer, a group of
+ * bars for each case, a bar for each parameter. Named `<suite>-ratio-<peer>`.
+ */
+std::vector<BenchPlot> MakeRatioPlots(
+  const std::string& suite, const std::string& method, const std::vector<BenchRow>& rows);
+
+/**
+ * Time against the share of cells with output of the rows of method `re-extract`, which is the
+ * default, and of their peer: a plot for each case. Named `<suite>-re-extract-<case>`.
+ */
+std::vector<BenchPlot> MakeReExtractionPlots(
+  const std::string& suite, const std::vector<BenchRow>& rows);
+
+#endif

@@ -1,0 +1,164 @@
+#include "BenchData.h"
+#include "BenchSuites.h"
+#include "BenchTiming.h"
+#include "ExtractionMethods.h"
+#include "SpeedPlots.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+namespace
+{
+const char* const OnImage = "isotable-image";
+const char* const OnHexahedra = "isotable-hexahedra";
+
+class SuiteContour : public BenchSuite
+{
+public:
+  std::string GetName() const override { return "contour"; }
+  std::string GetTitle() const override { return "vtkIsotableContour: run time"; }
+  std::vector<std::string> GetDescription() const override;
+  void Run(const BenchOptions& options, BenchRows& rows) const override;
+  std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows) const override;
+  std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override;
+};
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SuiteContour::GetDescription() const
+{
+  return {
+    "isotable-hexahedra: vtkIsotableContour on the unstructured hexahedra of each case, against "
+    "contour3dlinear and contour3dlinear-merge, vtkContour3DLinearGrid with MergePoints off and "
+    "on; "
+    "neither normals nor attributes. vtkIsotableContour always merges points and carries the "
+    "scalar.",
+    "isotable-image: vtkIsotableContour on image data, against flyingedges, vtkFlyingEdges3D "
+    "without "
+    "normals and gradients.",
+    "The contour value is the lower bound of the case's interval."
+  };
+}
+
+/// The number of triangles of a work's result.
+vtkIdType TrianglesOf(const BenchWork& work)
+{
+  return vtkDataSet::SafeDownCast(work())->GetNumberOfCells();
+}
+
+/// The time of each of \a works by so many threads; the first is ours, the others are the peers.
+void AddRows(const BenchRow& common, int threads, const std::vector<std::string>& peers,
+  std::vector<BenchWork> works, const BenchOptions& options, BenchRows& rows)
+{
+  for (BenchWork& work : works)
+  {
+    work = WithThreads(threads, work);
+  }
+  // Short runs: three times as many to have a steady median.
+  const std::vector<double> seconds = MeasureAlternately(works, 3 * options.GetRepeats());
+  for (std::size_t i = 0; i < peers.size(); ++i)
+  {
+    BenchRow row = common;
+    row.Parameter = ThreadsParameter(threads);
+    row.Seconds = seconds[0];
+    row.Peer = peers[i];
+    row.PeerSeconds = seconds[i + 1];
+    row.Counts["threads"] = threads;
+    row.Counts["triangles"] = TrianglesOf(works[0]);
+    row.Counts["peer_triangles"] = TrianglesOf(works[i + 1]);
+    rows.Add(row);
+  }
+}
+
+BenchRow MakeRow(const BenchData& data, const char* method, BenchRows& rows)
+{
+  BenchRow row = rows.Make(data.Case, method);
+  row.Counts["cells"] = data.Data->GetNumberOfCells();
+  return row;
+}
+
+/// vtkContour3DLinearGrid takes float and double only; both get the same.
+vtkSmartPointer<vtkUnstructuredGrid> ToHexahedraOfFloats(vtkDataSet* data)
+{
+  auto grid = ToHexahedra(data);
+  vtkDataArray* scalars = grid->GetPointData()->GetScalars();
+  if (scalars->GetDataType() != VTK_FLOAT && scalars->GetDataType() != VTK_DOUBLE)
+  {
+    vtkNew<vtkFloatArray> floats;
+    floats->DeepCopy(scalars);
+    grid->GetPointData()->SetScalars(floats);
+  }
+  return grid;
+}
+
+void AddHexahedraRows(const BenchData& data, const BenchOptions& options, BenchRows& rows)
+{
+  auto grid = ToHexahedraOfFloats(data.Data);
+  const double value = data.Lower;
+  for (int threads : options.GetThreadCounts())
+  {
+    AddRows(MakeRow(data, OnHexahedra, rows), threads,
+      { "contour3dlinear", "contour3dlinear-merge" },
+      { [&]() { return methods::IsotableContour(grid, value); },
+        [&]() { return methods::Contour3DLinearGrid(grid, value, false); },
+        [&]() { return methods::Contour3DLinearGrid(grid, value, true); } },
+      options, rows);
+  }
+}
+
+void AddImageRows(const BenchData& data, const BenchOptions& options, BenchRows& rows)
+{
+  auto image = vtkImageData::SafeDownCast(data.Data);
+  if (!image)
+  {
+    return;
+  }
+  const double value = data.Lower;
+  for (int threads : options.GetThreadCounts())
+  {
+    AddRows(MakeRow(data, OnImage, rows), threads, { "flyingedges" },
+      { [&]() { return methods::IsotableContour(image, value); },
+        [&]() { return methods::FlyingEdges(image, value); } },
+      options, rows);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SuiteContour::Run(const BenchOptions& options, BenchRows& rows) const
+{
+  for (const BenchData& data : MakeSpeedCases(options))
+  {
+    AddHexahedraRows(data, options, rows);
+    AddImageRows(data, options, rows);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchPlot> SuiteContour::MakePlots(const std::vector<BenchRow>& rows) const
+{
+  std::vector<BenchPlot> plots = MakeRatioPlots("contour", OnHexahedra, rows);
+  for (BenchPlot& plot : MakeRatioPlots("contour", OnImage, rows))
+  {
+    plots.push_back(std::move(plot));
+  }
+  return plots;
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchClaim> SuiteContour::CheckClaims(const std::vector<BenchRow>& rows) const
+{
+  return { BenchClaim::AtLeast("hexahedra, 1 thread: no slower than contour3dlinear", 1.0, rows,
+             RatioWithOneThread(OnHexahedra, "contour3dlinear")),
+    BenchClaim::AtLeast("hexahedra, 1 thread: no slower than contour3dlinear-merge", 1.0, rows,
+      RatioWithOneThread(OnHexahedra, "contour3dlinear-merge")),
+    BenchClaim::AtLeast("image data, 1 thread: at most 4 times slower than flyingedges", 0.25, rows,
+      RatioWithOneThread(OnImage, "flyingedges")) };
+}
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<BenchSuite> MakeContourSuite()
+{
+  return std::make_unique<SuiteContour>();
+}

@@ -1,0 +1,100 @@
+// What the error rows are measured with: the exact trilinear region and the splits into tetrahedra.
+#include "AnalyticCases.h"
+#include "CellSplits.h"
+#include "TetrahedronSums.h"
+#include "TrilinearRegion.h"
+
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace
+{
+bool Right = true;
+
+void ExpectNear(double measured, double exact, double tolerance, const std::string& what)
+{
+  // Written so that NaN fails.
+  if (!(std::abs(measured - exact) <= tolerance))
+  {
+    std::cerr << "ERROR: " << what << ": " << measured << ", expected " << exact << std::endl;
+    Right = false;
+  }
+}
+
+void TestPlane()
+{
+  const AnalyticCase plane = { "plane", "", [](double x, double y, double z) { return x + y + z; },
+    0.0, 1.0, 0.0, 0.0, {} };
+  const TrilinearRegion region(plane.Sample(4));
+  // A corner of the unit cube cut off at distance c along each axis holds c^3 / 6.
+  ExpectNear(region.GetVolume(-1.0, 0.5), 0.125 / 6.0, 1e-5, "volume below a plane");
+  ExpectNear(region.GetVolume(-1.0, 0.5, 9), 0.125 / 6.0, 1e-8, "the same, finer");
+  ExpectNear(region.GetVolume(-1.0, 4.0), 1.0, 1e-14, "volume of everything");
+  const double point[3] = { 0.2, 0.1, 0.4 };
+  ExpectNear(region.GetDistance(point, 1.0), 0.3 / std::sqrt(3.0), 1e-14, "distance to a plane");
+}
+
+void TestProduct()
+{
+  for (const AnalyticCase& analytic : MakeAnalyticCases())
+  {
+    if (analytic.Name == "product")
+    {
+      const TrilinearRegion region(analytic.Sample(9));
+      ExpectNear(region.GetVolume(analytic.Lower, analytic.Upper), *analytic.Volume, 1e-6,
+        "the trilinear field's closed form");
+      return;
+    }
+  }
+  ExpectNear(0.0, 1.0, 0.0, "no case product");
+}
+
+void TestSampling()
+{
+  for (const AnalyticCase& analytic : MakeAnalyticCases())
+  {
+    if (analytic.Volume)
+    {
+      const TrilinearRegion region(analytic.Sample(65));
+      ExpectNear(region.GetVolume(analytic.Lower, analytic.Upper) / *analytic.Volume, 1.0, 2e-3,
+        analytic.Name + " at 65 points");
+    }
+  }
+}
+
+void TestSplit(int pieces)
+{
+  const std::string name = std::to_string(pieces) + " tetrahedra";
+  const int cells = 3;
+  auto image = MakeAnalyticCases().front().Sample(cells + 1);
+  auto grid = SplitIntoTetrahedra(image, pieces);
+  const TetrahedronSums sums = SumTetrahedra(grid);
+  ExpectNear(sums.Tetrahedra, pieces * cells * cells * cells, 0.0, name + ", number");
+  ExpectNear(sums.Inverted, 0.0, 0.0, name + ", inverted");
+  ExpectNear(sums.Volume, 8.0, 1e-13, name + ", volume");
+  // Pieces that match leave only the faces of the box: 2 triangles a square, or 4.
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(grid);
+  surface->Update();
+  ExpectNear(surface->GetOutput()->GetNumberOfCells(), 6 * cells * cells * (pieces == 24 ? 4 : 2),
+    0.0, name + ", outer faces");
+}
+}
+
+int main()
+{
+  TestPlane();
+  TestProduct();
+  TestSampling();
+  for (int pieces : { 5, 6, 24 })
+  {
+    TestSplit(pieces);
+  }
+  return Right ? EXIT_SUCCESS : EXIT_FAILURE;
+}

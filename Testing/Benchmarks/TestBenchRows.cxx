@@ -1,0 +1,121 @@
+// Reads what interlume-bench wrote: every field as documented, every kind of row there.
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <set>
+#include <string>
+
+namespace
+{
+bool Right = true;
+
+void Expect(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::cerr << "ERROR: " << what << std::endl;
+    Right = false;
+  }
+}
+
+bool IsPositive(const nlohmann::json& row, const char* field)
+{
+  return row.at(field).is_number() && row.at(field).get<double>() > 0.0;
+}
+
+void CheckRow(const nlohmann::json& row)
+{
+  static const std::set<std::string> Fields = { "suite", "case", "method", "parameter", "error",
+    "error_norm", "seconds", "peer", "peer_seconds", "ratio", "counts" };
+  const std::string text = row.dump();
+  for (const auto& field : row.items())
+  {
+    Expect(Fields.count(field.key()) == 1, "unknown field " + field.key() + " in " + text);
+  }
+  for (const char* field : { "suite", "case", "method" })
+  {
+    Expect(row.contains(field) && row[field].is_string() && !row[field].get<std::string>().empty(),
+      std::string("no ") + field + " in " + text);
+  }
+  Expect(row.contains("error") == row.contains("error_norm"), "half an error in " + text);
+  if (row.contains("error"))
+  {
+    Expect(row["error"].is_number() && row["error"] >= 0.0, "no number as error in " + text);
+    Expect(row["error_norm"].is_string(), "no error_norm in " + text);
+  }
+  if (row.contains("seconds"))
+  {
+    Expect(IsPositive(row, "seconds"), "no time in " + text);
+  }
+  if (row.contains("peer"))
+  {
+    Expect(row.contains("seconds") && row.contains("peer_seconds") && row.contains("ratio") &&
+        IsPositive(row, "peer_seconds") &&
+        std::abs(row["ratio"].get<double>() * row["seconds"].get<double>() -
+          row["peer_seconds"].get<double>()) < 1e-9,
+      "ratio is not peer_seconds / seconds in " + text);
+  }
+  if (row.contains("counts"))
+  {
+    Expect(row["counts"].is_object() && !row["counts"].empty(), "empty counts in " + text);
+    for (const auto& count : row["counts"].items())
+    {
+      Expect(count.value().is_number(), "count " + count.key() + " is no number in " + text);
+    }
+  }
+}
+
+void CheckMethods(const nlohmann::json& rows)
+{
+  const std::map<std::string, std::set<std::string>> wanted = {
+    { "interval",
+      { "interval-volume clip2", "interval-volume clip2-tetrahedra", "threads-2 threads-1",
+        "re-extract all-cells", "memory", "cold warm", "inverted", "hexahedra clip2",
+        "hexahedra-unstructured clip2", "tetrahedra-5 clip2", "tetrahedra-6 clip2",
+        "tetrahedra-24 clip2", "clip2" } },
+    { "contour",
+      { "isotable-hexahedra contour3dlinear", "isotable-hexahedra contour3dlinear-merge",
+        "isotable-image flyingedges" } },
+  };
+  std::map<std::string, std::set<std::string>> seen;
+  for (const auto& row : rows)
+  {
+    const std::string peer = row.contains("peer") ? " " + row["peer"].get<std::string>() : "";
+    seen[row.at("suite")].insert(row.at("method").get<std::string>() + peer);
+  }
+  for (const auto& suite : wanted)
+  {
+    for (const std::string& method : suite.second)
+    {
+      Expect(seen[suite.first].count(method) == 1, "no row " + suite.first + " " + method);
+    }
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 2)
+  {
+    std::cerr << "usage: TestBenchRows FILE" << std::endl;
+    return EXIT_FAILURE;
+  }
+  std::ifstream file(argv[1]);
+  const auto results = nlohmann::json::parse(file);
+  for (const char* field : { "cpu", "cores", "memory_gib", "system", "compiler", "build", "smp" })
+  {
+    Expect(results.at("machine").contains(field), std::string("machine without ") + field);
+  }
+  Expect(results.at("vtk").is_string(), "no vtk");
+  Expect(!results.at("rows").empty(), "no rows");
+  for (const auto& row : results.at("rows"))
+  {
+    CheckRow(row);
+  }
+  CheckMethods(results.at("rows"));
+  return Right ? EXIT_SUCCESS : EXIT_FAILURE;
+}

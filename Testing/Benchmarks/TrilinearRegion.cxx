@@ -1,0 +1,224 @@
+#include "TrilinearRegion.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// The length of { z in [0,1] : value <= bound } of the linear function from bottom to top.
+double LengthBelow(double bottom, double top, double bound)
+{
+  const bool bottomInside = bottom <= bound;
+  if (bottomInside == (top <= bound))
+  {
+    return bottomInside ? 1.0 : 0.0;
+  }
+  const double crossing = (bound - bottom) / (top - bottom);
+  return bottomInside ? crossing : 1.0 - crossing;
+}
+
+/// The bilinear function of the unit square with values a (0,0), b (1,0), c (0,1), d (1,1).
+struct Bilinear
+{
+  double A, B, C, D;
+
+  double operator()(double x, double y) const
+  {
+    return (1.0 - y) * ((1.0 - x) * this->A + x * this->B) +
+      y * ((1.0 - x) * this->C + x * this->D);
+  }
+};
+
+struct Square
+{
+  double X, Y, Size;
+};
+
+/// The lines along z through a cell: their values at the bottom and at the top face.
+class CellColumns
+{
+public:
+  explicit CellColumns(const std::array<double, 8>& corners)
+    : Bottom{ corners[0], corners[1], corners[2], corners[3] }
+    , Top{ corners[4], corners[5], corners[6], corners[7] }
+  {
+  }
+
+  /// The volume below \a bound over \a square.
+  double VolumeBelow(double bound, const Square& square, int depth) const
+  {
+    if (depth > 0 &&
+      (this->IsCrossed(this->Bottom, bound, square) || this->IsCrossed(this->Top, bound, square)))
+    {
+      const double half = 0.5 * square.Size;
+      double volume = 0.0;
+      for (int quarter = 0; quarter < 4; ++quarter)
+      {
+        volume += this->VolumeBelow(bound,
+          { square.X + half * (quarter % 2), square.Y + half * (quarter / 2), half }, depth - 1);
+      }
+      return volume;
+    }
+    return this->Integrate(bound, square);
+  }
+
+private:
+  /// Whether the contour of \a face may pass through \a square; a bilinear function lies between
+  /// its values at the corners of any square of its axes.
+  static bool IsCrossed(const Bilinear& face, double bound, const Square& square)
+  {
+    const double x = square.X + square.Size;
+    const double y = square.Y + square.Size;
+    const auto range =
+      std::minmax({ face(square.X, square.Y), face(x, square.Y), face(square.X, y), face(x, y) });
+    return range.first <= bound && range.second >= bound;
+  }
+
+  double Integrate(double bound, const Square& square) const
+  {
+    const double node = std::sqrt(0.6);
+    const double nodes[3] = { 0.5 - 0.5 * node, 0.5, 0.5 + 0.5 * node };
+    const double weights[3] = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
+    double volume = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        const double x = square.X + square.Size * nodes[i];
+        const double y = square.Y + square.Size * nodes[j];
+        volume += weights[i] * weights[j] * LengthBelow(this->Bottom(x, y), this->Top(x, y), bound);
+      }
+    }
+    return volume * square.Size * square.Size;
+  }
+
+  Bilinear Bottom;
+  Bilinear Top;
+};
+}
+
+//------------------------------------------------------------------------------
+TrilinearRegion::TrilinearRegion(vtkImageData* image)
+{
+  image->GetDimensions(this->Dimensions.data());
+  image->GetOrigin(this->Origin.data());
+  image->GetSpacing(this->Spacing.data());
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  this->Values.resize(scalars->GetNumberOfTuples());
+  for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
+  {
+    this->Values[id] = scalars->GetTuple1(id);
+  }
+}
+
+//------------------------------------------------------------------------------
+TrilinearRegion::Corners TrilinearRegion::GetCorners(int i, int j, int k) const
+{
+  const std::size_t row = this->Dimensions[0];
+  const std::size_t slab = row * this->Dimensions[1];
+  const std::size_t at = i + row * j + slab * k;
+  Corners corners;
+  for (std::size_t c = 0; c < 8; ++c)
+  {
+    corners[c] = this->Values[at + c % 2 + row * (c / 2 % 2) + slab * (c / 4)];
+  }
+  return corners;
+}
+
+//------------------------------------------------------------------------------
+double TrilinearRegion::GetVolume(double lower, double upper, int depth) const
+{
+  const Square whole = { 0.0, 0.0, 1.0 };
+  double cells = 0.0;
+  for (int k = 0; k + 1 < this->Dimensions[2]; ++k)
+  {
+    for (int j = 0; j + 1 < this->Dimensions[1]; ++j)
+    {
+      for (int i = 0; i + 1 < this->Dimensions[0]; ++i)
+      {
+        const Corners corners = this->GetCorners(i, j, k);
+        const auto range = std::minmax_element(corners.begin(), corners.end());
+        if (*range.second < lower || *range.first > upper)
+        {
+          continue;
+        }
+        if (*range.first >= lower && *range.second <= upper)
+        {
+          cells += 1.0;
+          continue;
+        }
+        const CellColumns columns(corners);
+        cells +=
+          columns.VolumeBelow(upper, whole, depth) - columns.VolumeBelow(lower, whole, depth);
+      }
+    }
+  }
+  return cells * this->Spacing[0] * this->Spacing[1] * this->Spacing[2];
+}
+
+//------------------------------------------------------------------------------
+double TrilinearRegion::Evaluate(const double point[3], double gradient[3]) const
+{
+  int cell[3];
+  double r[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double index = (point[axis] - this->Origin[axis]) / this->Spacing[axis];
+    cell[axis] = std::clamp(static_cast<int>(std::floor(index)), 0, this->Dimensions[axis] - 2);
+    r[axis] = index - cell[axis];
+  }
+  const Corners v = this->GetCorners(cell[0], cell[1], cell[2]);
+  const Bilinear bottom{ v[0], v[1], v[2], v[3] };
+  const Bilinear top{ v[4], v[5], v[6], v[7] };
+  const Bilinear alongX{ v[1] - v[0], v[3] - v[2], v[5] - v[4], v[7] - v[6] };
+  const Bilinear alongY{ v[2] - v[0], v[3] - v[1], v[6] - v[4], v[7] - v[5] };
+  gradient[0] = alongX(r[1], r[2]) / this->Spacing[0];
+  gradient[1] = alongY(r[0], r[2]) / this->Spacing[1];
+  gradient[2] = (top(r[0], r[1]) - bottom(r[0], r[1])) / this->Spacing[2];
+  return (1.0 - r[2]) * bottom(r[0], r[1]) + r[2] * top(r[0], r[1]);
+}
+
+//------------------------------------------------------------------------------
+double TrilinearRegion::GetDistance(const double point[3], double value) const
+{
+  const int maximumSteps = 10;
+  double at[3] = { point[0], point[1], point[2] };
+  for (int step = 0; step < maximumSteps; ++step)
+  {
+    double gradient[3];
+    const double excess = this->Evaluate(at, gradient) - value;
+    const double square =
+      gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2];
+    if (square == 0.0 || excess * excess < 1e-28 * square * this->Spacing[0] * this->Spacing[0])
+    {
+      break;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      at[axis] -= excess * gradient[axis] / square;
+    }
+  }
+  return std::hypot(at[0] - point[0], at[1] - point[1], at[2] - point[2]);
+}
+
+//------------------------------------------------------------------------------
+bool TrilinearRegion::IsOnBox(const double a[3], const double b[3], const double c[3]) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double size = this->Spacing[axis] * (this->Dimensions[axis] - 1);
+    for (double side : { this->Origin[axis], this->Origin[axis] + size })
+    {
+      const double tolerance = 1e-9 * size;
+      if (std::abs(a[axis] - side) < tolerance && std::abs(b[axis] - side) < tolerance &&
+        std::abs(c[axis] - side) < tolerance)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}

@@ -1,0 +1,197 @@
+// Measures Interlume against VTK's own filters; see --help.
+#include "BenchMachine.h"
+#include "BenchResults.h"
+#include "BenchSuites.h"
+#include "PlotDrawer.h"
+#include "ReportPage.h"
+#include "StabilityCase.h"
+
+#include "vtkSMPTools.h"
+
+#include <CLI/CLI.hpp>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+namespace
+{
+using Suites = std::vector<std::unique_ptr<BenchSuite>>;
+
+/// What the command line says, beyond the options of every suite.
+struct Arguments
+{
+  BenchOptions Options;
+  bool List = false;
+  bool Quick = false;
+  bool Tiny = false;
+  std::vector<std::string> Suites;
+  std::string Task;
+  std::string Json;
+  std::string Plots;
+  std::string Data;
+  bool Report = false;
+  std::string Out;
+  std::string From;
+  std::string Stability = INTERLUME_STABILITY_FOLDER;
+};
+
+void Define(CLI::App& app, Arguments& arguments, const std::vector<std::string>& names)
+{
+  app.add_flag("--list", arguments.List, "Print each suite and what it measures");
+  app.add_option("SUITE", arguments.Suites, "Suites to run")->check(CLI::IsMember(names));
+  app.add_option("--json", arguments.Json, "Write the rows to this file");
+  app.add_option("--plots", arguments.Plots, "Draw the plots into this folder");
+  app.add_flag("--quick", arguments.Quick, "Smaller cases: under 45 s a suite on two cores");
+  app.add_option("--threads", arguments.Options.Threads, "Threads that 'all' stands for")
+    ->check(CLI::Range(1, 4096))
+    ->capture_default_str();
+  app.add_option("--seed", arguments.Options.Seed, "Seed of the random values")
+    ->capture_default_str();
+  app.add_option("--data", arguments.Data, "Folder of the real data; default that of the project")
+    ->check(CLI::ExistingDirectory);
+  // Of the program's own tests, and of a process that it starts itself.
+  app.add_flag("--tiny", arguments.Tiny)->group("");
+  app.add_option("--task", arguments.Task)->group("");
+
+  CLI::App* report = app.add_subcommand("report", "Run every suite and write one page of it");
+  report->fallthrough();
+  report->add_option("--out", arguments.Out, "Folder of the page")->required();
+  report->add_option("--from", arguments.From, "Rows of an earlier run, instead of running again")
+    ->check(CLI::ExistingFile);
+  report->add_option("--stability", arguments.Stability, "Folder of the stability cases")
+    ->capture_default_str();
+  report->callback([&arguments]() { arguments.Report = true; });
+}
+
+void Run(const BenchSuite& suite, const BenchOptions& options, BenchResults& results)
+{
+  BenchRows rows(suite.GetName());
+  suite.Run(options, rows);
+  results.Rows.insert(results.Rows.end(), rows.Get().begin(), rows.Get().end());
+}
+
+const BenchSuite& Find(const Suites& suites, const std::string& name)
+{
+  return **std::find_if(
+    suites.begin(), suites.end(), [&name](const auto& suite) { return suite->GetName() == name; });
+}
+
+void WriteReport(const Suites& suites, const Arguments& arguments)
+{
+  BenchResults results =
+    arguments.From.empty() ? BenchResults::Here() : BenchResults::Read(arguments.From);
+  const PlotDrawer drawer(arguments.Out, MachineInOneLine(results.Machine, results.Vtk));
+  if (arguments.From.empty())
+  {
+    for (const auto& suite : suites)
+    {
+      Run(*suite, arguments.Options, results);
+    }
+  }
+  const std::filesystem::path folder = arguments.Out;
+  results.Write((folder / "rows.json").string());
+  ReportPage page(results);
+  for (const auto& suite : suites)
+  {
+    const auto plots = drawer.Draw(suite->MakePlots(results.RowsOf(suite->GetName())));
+    page.AddSuite(*suite, plots);
+  }
+  page.AddCatalogue(StabilityCatalogue::Gather(arguments.Stability));
+  const std::string path = (folder / "index.html").string();
+  page.Write(path);
+  std::cout << path << std::endl;
+}
+
+void RunSuites(const Suites& suites, const Arguments& arguments)
+{
+  BenchResults results = BenchResults::Here();
+  std::unique_ptr<PlotDrawer> drawer;
+  if (!arguments.Plots.empty())
+  {
+    drawer =
+      std::make_unique<PlotDrawer>(arguments.Plots, MachineInOneLine(results.Machine, results.Vtk));
+  }
+  for (const std::string& name : arguments.Suites)
+  {
+    const BenchSuite& suite = Find(suites, name);
+    Run(suite, arguments.Options, results);
+    if (drawer)
+    {
+      drawer->Draw(suite.MakePlots(results.RowsOf(name)));
+    }
+  }
+  if (!arguments.Json.empty())
+  {
+    results.Write(arguments.Json);
+  }
+}
+
+int Execute(const Suites& suites, const CLI::App& app, const Arguments& arguments)
+{
+  if (arguments.List)
+  {
+    for (const auto& suite : suites)
+    {
+      std::cout << suite->GetName() << "\t" << suite->GetTitle() << "\n";
+    }
+  }
+  else if (!arguments.Task.empty() && arguments.Suites.size() == 1)
+  {
+    const BenchSuite& suite = Find(suites, arguments.Suites[0]);
+    std::cout << suite.RunTask(arguments.Task, arguments.Options) << std::endl;
+  }
+  else if (arguments.Report)
+  {
+    WriteReport(suites, arguments);
+  }
+  else if (!arguments.Suites.empty())
+  {
+    RunSuites(suites, arguments);
+  }
+  else
+  {
+    std::cerr << app.help();
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const Suites suites = MakeAllSuites();
+  std::vector<std::string> names;
+  for (const auto& suite : suites)
+  {
+    names.push_back(suite->GetName());
+  }
+  Arguments arguments;
+  arguments.Options.Threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  CLI::App app("Interlume's measurements, against VTK's own filters", "interlume-bench");
+  Define(app, arguments, names);
+  CLI11_PARSE(app, argc, argv);
+
+  arguments.Options.Size = arguments.Tiny ? BenchOptions::TINY
+    : arguments.Quick                     ? BenchOptions::QUICK
+                                          : BenchOptions::FULL;
+  std::string reason;
+  vtksys::SystemTools::FindProgramPath(argv[0], arguments.Options.Program, reason);
+  if (!arguments.Data.empty())
+  {
+    vtksys::SystemTools::PutEnv("INTERLUME_DATA=" + arguments.Data);
+  }
+  try
+  {
+    return Execute(suites, app, arguments);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "interlume-bench: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,44 @@
+#ifndef ReferenceCheck_h
+#define ReferenceCheck_h
+
+#include <string> // for the labels
+
+namespace reference
+{
+
+/**
+ * @class   Check
+ * @brief   collects the failed expectations of one test
+ *
+ * Each failure is printed to standard error with what was expected and what was found; the first
+ * twenty of a test in full, the others are only counted. A test ends with `return check.Result();`.
+ */
+class Check
+{
+public:
+  /// Expects \a condition; \a what says what should hold.
+  bool That(bool condition, const std::string& what);
+  /// Expects found == expected.
+  bool Equal(long long found, long long expected, const std::string& what);
+  /// Expects |found - expected| <= tolerance * max(|expected|, scale).
+  bool Near(
+    double found, double expected, double tolerance, const std::string& what, double scale = 0.0);
+  /// Text put before each failure printed from now on.
+  void SetContext(const std::string& context) { this->Context = context; }
+
+  int GetNumberOfFailures() const { return this->Failures; }
+  long long GetNumberOfChecks() const { return this->Checks; }
+  /// EXIT_SUCCESS when checks were made and none failed; prints both counts.
+  int Result() const;
+
+private:
+  void Fail(const std::string& what);
+
+  std::string Context;
+  int Failures = 0;
+  long long Checks = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,40 @@
+#ifndef ReferenceExtraction_h
+#define ReferenceExtraction_h
+
+#include "vtkExtractionReport.h" // for the report
+#include "vtkSmartPointer.h"     // for the output
+
+#include <array>  // for intervals
+#include <vector> // for intervals
+
+class vtkDataSet;
+class vtkUnstructuredGrid;
+
+/**
+ * The filters under test run once over the active scalars, points in double.
+ */
+namespace reference
+{
+
+using Interval = std::array<double, 2>;
+
+struct Extraction
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Volume;  ///< port 0
+  vtkSmartPointer<vtkUnstructuredGrid> Surface; ///< port 1 with its boundaries on
+  vtkExtractionReport Report;
+};
+
+Extraction ExtractIntervals(vtkDataSet* data, const std::vector<Interval>& intervals);
+
+struct ContourExtraction
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Surface;
+  vtkExtractionReport Report;
+};
+
+ContourExtraction ExtractContours(vtkDataSet* data, const std::vector<double>& values);
+
+}
+
+#endif

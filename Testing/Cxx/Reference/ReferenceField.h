@@ -1,0 +1,39 @@
+#ifndef ReferenceField_h
+#define ReferenceField_h
+
+#include <array> // for linear functions
+
+class vtkDataSet;
+class vtkDoubleArray;
+
+namespace reference
+{
+
+/// A linear function of position: Constant + Gradient . x
+struct LinearFunction
+{
+  double Constant;
+  std::array<double, 3> Gradient;
+
+  template <typename Real>
+  Real operator()(const Real* x) const
+  {
+    return this->Constant + this->Gradient[0] * x[0] + this->Gradient[1] * x[1] +
+      this->Gradient[2] * x[2];
+  }
+};
+
+/// Adds a point array of independent numbers, uniform in [0,1), and makes it the active scalars.
+vtkDoubleArray* AddRandomField(vtkDataSet* data, unsigned int seed, const char* name = "f");
+
+/// The same of integers in [0, values): with few values, many edges and whole cells are flat.
+vtkDoubleArray* AddIntegerField(
+  vtkDataSet* data, int values, unsigned int seed, const char* name = "f");
+
+/// The same of a linear function of position.
+vtkDoubleArray* AddLinearField(
+  vtkDataSet* data, const LinearFunction& function, const char* name = "f");
+
+}
+
+#endif

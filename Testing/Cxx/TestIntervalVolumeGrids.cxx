@@ -1,0 +1,65 @@
+// The same lattice as image, rectilinear, structured and unstructured grid gives the same simplices
+// bit for bit.
+#include "ReferenceCheck.h"
+#include "ReferenceExtraction.h"
+#include "ReferenceField.h"
+#include "ReferenceGrid.h"
+#include "ReferenceLattice.h"
+
+#include "vtkImageData.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace
+{
+
+using namespace reference;
+
+void CheckForms(vtkImageData* image, const std::vector<Interval>& intervals,
+  const std::vector<double>& values, const std::string& name, Check& check)
+{
+  std::vector<GeometricSimplex> volume;
+  std::vector<GeometricSimplex> surface;
+  std::vector<GeometricSimplex> contour;
+  for (const LatticeForm& form : FormsOf(image))
+  {
+    check.SetContext(form.Name + ", " + name);
+    const Extraction extraction = ExtractIntervals(form.Data, intervals);
+    const auto tetrahedra = GeometricSet(extraction.Volume, { "IntervalId" });
+    const auto triangles = GeometricSet(extraction.Surface, { "IntervalId", "BoundarySide" });
+    const auto contours = GeometricSet(ExtractContours(form.Data, values).Surface, { "ContourId" });
+    if (form.Name == "image")
+    {
+      volume = tetrahedra;
+      surface = triangles;
+      contour = contours;
+      check.That(!volume.empty() && !surface.empty() && !contour.empty(), "there is output");
+    }
+    check.That(tetrahedra == volume, "the tetrahedra of the image");
+    check.That(triangles == surface, "the boundary triangles of the image");
+    check.That(contours == contour, "the contour triangles of the image");
+  }
+}
+
+}
+
+int TestIntervalVolumeGrids(int, char*[])
+{
+  Check check;
+  auto image = MakeImage({ 6, 5, 7 });
+  auto shifted = MakeImage({ 6, 5, 7 });
+  shifted->SetExtent(-3, 3, 2, 7, 10, 17);
+  auto turned = MakeImage({ 6, 5, 7 });
+  turned->SetDirectionMatrix(0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6);
+  const LatticeForm images[] = { { "image", image }, { "shifted", shifted }, { "turned", turned } };
+  for (const LatticeForm& one : images)
+  {
+    auto* data = vtkImageData::SafeDownCast(one.Data);
+    AddRandomField(data, 1);
+    CheckForms(data, { { 0.2, 0.4 }, { 0.4, 0.7 }, { 0.65, 2 } }, { 0.3, 0.8 },
+      one.Name + ", random values", check);
+    AddIntegerField(data, 4, 1);
+    CheckForms(data, { { 0, 1 }, { 1, 2 }, { 2.5, 3 } }, { 1, 1.5, 3 },
+      one.Name + ", integer values", check);
+  }
+  return check.Result();
+}

@@ -1,0 +1,173 @@
+// Changed intervals and contour values over the same input give the bytes of a fresh filter and
+// visit fewer cells; a changed input is noticed.
+#include "ReferenceCheck.h"
+#include "ReferenceField.h"
+#include "ReferenceGrid.h"
+#include "ReferenceLattice.h"
+#include "ReferenceMesh.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkIntervalVolume.h"
+#include "vtkIsotableContour.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+
+using namespace reference;
+
+struct IntervalRun
+{
+  vtkNew<vtkIntervalVolume> Filter;
+
+  void Set(double lower, double upper)
+  {
+    this->Filter->SetInterval(0, lower, upper);
+    this->Filter->SetInterval(1, upper, upper + 0.02);
+    this->Filter->GenerateBoundariesOn();
+  }
+};
+
+struct ContourRun
+{
+  vtkNew<vtkIsotableContour> Filter;
+
+  void Set(double lower, double upper)
+  {
+    this->Filter->SetValue(0, lower);
+    this->Filter->SetValue(1, upper);
+  }
+};
+
+/// Varies most along z, the direction in which the numbers of cells grow slowest: blocks of cells
+/// have narrow ranges, as in data much larger than a block.
+void AddSmoothField(vtkDataSet* data)
+{
+  vtkDoubleArray* field = AddRandomField(data, 1);
+  double bounds[6];
+  data->GetBounds(bounds);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    data->GetPoint(i, x);
+    for (int a = 0; a < 3; ++a)
+    {
+      x[a] = (x[a] - bounds[2 * a]) / (bounds[2 * a + 1] - bounds[2 * a]);
+    }
+    field->SetValue(
+      i, 0.5 + 0.4 * std::sin(3 * (x[2] - 0.5)) + 0.05 * std::cos(5 * x[0]) * std::sin(4 * x[1]));
+  }
+}
+
+template <typename Run>
+void CheckAgainstFresh(Run& kept, vtkDataSet* data, double lower, double upper, Check& check)
+{
+  kept.Set(lower, upper);
+  kept.Filter->Update();
+  Run fresh;
+  fresh.Filter->SetInputDataObject(data);
+  fresh.Set(lower, upper);
+  fresh.Filter->Update();
+  check.That(fresh.Filter->GetOutput()->GetNumberOfCells() > 0,
+    "there is output from " + std::to_string(lower));
+  for (int port = 0; port < fresh.Filter->GetNumberOfOutputPorts(); ++port)
+  {
+    const std::string difference =
+      FindDifference(vtkUnstructuredGrid::SafeDownCast(kept.Filter->GetOutputDataObject(port)),
+        vtkUnstructuredGrid::SafeDownCast(fresh.Filter->GetOutputDataObject(port)));
+    check.That(difference.empty(), difference);
+  }
+  const vtkExtractionReport& a = kept.Filter->GetReport();
+  const vtkExtractionReport& b = fresh.Filter->GetReport();
+  check.Equal(a.Cells, b.Cells, "cells");
+  check.Equal(a.CellsWithOutput, b.CellsWithOutput, "cells with output");
+  check.That(a.CellsVisited >= a.CellsWithOutput, "no fewer cells visited than give output");
+}
+
+template <typename Run>
+void CheckRun(const LatticeForm& form, const char* filterName, Check& check)
+{
+  check.SetContext(form.Name + ", " + filterName);
+  AddSmoothField(form.Data);
+  Run kept;
+  kept.Filter->SetInputDataObject(form.Data);
+  constexpr double steps[][2] = { { 0.5, 0.6 }, { 0.51, 0.6 }, { 0.4, 0.45 }, { 0.65, 0.66 },
+    { 0.3, 0.8 }, { 0.5, 0.51 } };
+  for (const auto& step : steps)
+  {
+    CheckAgainstFresh(kept, form.Data, step[0], step[1], check);
+  }
+  const vtkExtractionReport report = kept.Filter->GetReport();
+  std::cout << form.Name << ", " << filterName << ": " << report.CellsVisited << " of "
+            << report.Cells << " cells visited, " << report.CellsWithOutput << " with output\n";
+  check.That(report.CellsVisited < report.Cells / 2, "fewer than half of the cells visited");
+
+  // Other values in the same array, then another array and another input.
+  vtkDataArray* scalars = form.Data->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    scalars->SetComponent(i, 0, 1 - scalars->GetComponent(i, 0) * scalars->GetComponent(i, 0));
+  }
+  scalars->Modified();
+  form.Data->Modified();
+  CheckAgainstFresh(kept, form.Data, 0.7, 0.71, check);
+  AddRandomField(form.Data, 2, "g");
+  CheckAgainstFresh(kept, form.Data, 0.7, 0.71, check);
+  AddSmoothField(form.Data);
+  CheckAgainstFresh(kept, form.Data, 0.7, 0.71, check);
+
+  kept.Filter->UseValueIndexOff();
+  CheckAgainstFresh(kept, form.Data, 0.4, 0.45, check);
+  CheckAgainstFresh(kept, form.Data, 0.45, 0.46, check);
+}
+
+/// Every leaf of a composite input has its own index.
+void CheckComposite(Check& check)
+{
+  check.SetContext("composite");
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int block = 0; block < 3; ++block)
+  {
+    auto image = MakeImage({ 20, 20, 20 });
+    AddSmoothField(image);
+    blocks->SetBlock(block, image);
+  }
+  IntervalRun kept;
+  kept.Filter->SetInputDataObject(blocks);
+  for (double lower : { 0.3, 0.4, 0.5 })
+  {
+    kept.Set(lower, lower + 0.01);
+    kept.Filter->Update();
+  }
+  const vtkExtractionReport report = kept.Filter->GetReport();
+  std::cout << "composite: " << report.CellsVisited << " of " << report.Cells << " cells visited, "
+            << report.CellsWithOutput << " with output\n";
+  check.That(report.CellsWithOutput > 0, "there is output");
+  check.That(report.CellsVisited < report.Cells / 2, "fewer than half of the cells visited");
+}
+
+}
+
+int TestIntervalVolumeIndex(int, char*[])
+{
+  Check check;
+  auto image = MakeImage({ 20, 20, 20 });
+  AddSmoothField(image);
+  for (const LatticeForm& form : FormsOf(image))
+  {
+    CheckRun<IntervalRun>(form, "intervals", check);
+    CheckRun<ContourRun>(form, "contours", check);
+  }
+  auto mixed = MakeMesh(MeshKind::Mixed, { 12, 12, 12 });
+  AddSmoothField(mixed);
+  CheckRun<IntervalRun>({ "mixed", mixed }, "intervals", check);
+  CheckComposite(check);
+  return check.Result();
+}

@@ -1,0 +1,38 @@
+// Adjacent intervals tile the domain: independent random values, so that none equals a bound.
+#include "ReferenceField.h"
+#include "ReferenceMesh.h"
+#include "ReferenceTilingCheck.h"
+#include "ReferenceTransform.h"
+
+#include "vtkUnstructuredGrid.h"
+
+int TestIntervalVolumeTiling(int, char*[])
+{
+  using namespace reference;
+  Check check;
+  const std::vector<double> bounds = { 0.0, 0.2, 0.21, 0.5, 0.9, 1.0 };
+  for (MeshKind kind : AllMeshKinds())
+  {
+    TilingCounts counts;
+    auto tile = [&](vtkUnstructuredGrid* mesh, unsigned int seed, const std::string& how)
+    {
+      check.SetContext(GetName(kind) + ", " + how + ", seed " + std::to_string(seed));
+      AddRandomField(mesh, seed);
+      CheckTiling(mesh, bounds, true, check, counts);
+    };
+    for (unsigned int seed = 1; seed <= 3; ++seed)
+    {
+      auto mesh = MakeMesh(kind, { 3, 3, 3 }, seed);
+      tile(mesh, seed, "as made");
+      tile(TurnCells(mesh, seed), seed, "turned");
+      tile(RenumberPoints(mesh, seed), seed, "renumbered");
+      if (kind != MeshKind::Voxels)
+      {
+        tile(MapProjectively(RenumberPoints(TurnCells(mesh, seed), seed), seed), seed,
+          "turned, renumbered and mapped");
+      }
+    }
+    Print(counts, GetName(kind));
+  }
+  return check.Result();
+}

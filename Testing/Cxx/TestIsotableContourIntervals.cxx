@@ -1,0 +1,91 @@
+// The contour at an interval's bound is the interval's boundary, triangle by triangle; several
+// values in one pass are the values one by one.
+#include "ReferenceCheck.h"
+#include "ReferenceExtraction.h"
+#include "ReferenceField.h"
+#include "ReferenceGrid.h"
+#include "ReferenceMesh.h"
+#include "ReferenceTransform.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <map>
+
+namespace
+{
+
+using namespace reference;
+
+/// The triangles of a set with one value of their last array, without it.
+std::vector<GeometricSimplex> Having(const std::vector<GeometricSimplex>& set, double value)
+{
+  std::vector<GeometricSimplex> result;
+  for (const GeometricSimplex& simplex : set)
+  {
+    if (simplex.back() == value)
+    {
+      result.emplace_back(simplex.begin(), simplex.end() - 1);
+    }
+  }
+  return result;
+}
+
+/// The net use of each triangle: where a face with the isovalue has lower values on both sides, the
+/// contour has it twice, once with each side up, and the interval not at all.
+std::map<GeometricSimplex, double> Net(const std::vector<GeometricSimplex>& set, double sign = 1)
+{
+  std::map<GeometricSimplex, double> net;
+  for (const GeometricSimplex& simplex : set)
+  {
+    const GeometricSimplex key(simplex.begin() + 1, simplex.end());
+    net[key] += sign * simplex[0];
+    if (net[key] == 0)
+    {
+      net.erase(key);
+    }
+  }
+  return net;
+}
+
+void CheckMesh(vtkUnstructuredGrid* mesh, double lower, double upper, bool ties, Check& check)
+{
+  const auto boundary =
+    GeometricSet(ExtractIntervals(mesh, { { lower, upper } }).Surface, { "BoundarySide" });
+  const auto contours =
+    GeometricSet(ExtractContours(mesh, { lower, upper }).Surface, { "ContourId" });
+  check.That(!Having(contours, 0).empty(), "there is a contour");
+  check.That(Net(Having(boundary, 0)) == Net(Having(contours, 0)), "the lower side is the contour");
+  // Where values equal the upper bound they are inside the interval, but above the contour.
+  if (!ties)
+  {
+    check.That(Having(boundary, 0) == Having(contours, 0), "no triangle of it is there twice");
+    check.That(Net(Having(boundary, 1)) == Net(Having(contours, 1), -1),
+      "the upper side is the contour with the other side up");
+  }
+  check.That(Having(contours, 0) == GeometricSet(ExtractContours(mesh, { lower }).Surface),
+    "the first contour alone");
+  check.That(Having(contours, 1) == GeometricSet(ExtractContours(mesh, { upper }).Surface),
+    "the second contour alone");
+}
+
+}
+
+int TestIsotableContourIntervals(int, char*[])
+{
+  Check check;
+  for (MeshKind kind : AllMeshKinds())
+  {
+    for (unsigned int seed = 1; seed <= 3; ++seed)
+    {
+      check.SetContext(GetName(kind) + ", seed " + std::to_string(seed));
+      auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
+      AddRandomField(mesh, seed);
+      CheckMesh(mesh, 0.35, 0.7, false, check);
+      AddIntegerField(mesh, 4, seed);
+      CheckMesh(mesh, 1, 2, true, check);
+    }
+  }
+  return check.Result();
+}

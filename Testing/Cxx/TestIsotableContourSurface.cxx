@@ -1,0 +1,171 @@
+// Isosurfaces are closed inside the domain, two-manifold, turned to lower values and in their
+// place: for random values on every kind of cell, and for the field of a sphere, whose area and
+// volume are known and whose triangles can be counted against another filter's.
+#include "ReferenceBoundary.h"
+#include "ReferenceCheck.h"
+#include "ReferenceExtraction.h"
+#include "ReferenceField.h"
+#include "ReferenceGrid.h"
+#include "ReferenceMesh.h"
+#include "ReferenceTransform.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+
+using namespace reference;
+
+void CheckClosed(vtkDataSet* mesh, vtkUnstructuredGrid* surface, Check& check)
+{
+  const DomainBoundary boundary(mesh);
+  const std::vector<Triangle> triangles = TrianglesOf(surface);
+  check.That(!triangles.empty() && IsValid(surface, VTK_TRIANGLE), "there are triangles");
+  long long open = 0;
+  long long strange = 0;
+  for (const EdgeUse& edge : CountUses(EdgesOf(triangles)))
+  {
+    strange += edge.Plus > 1 || edge.Minus > 1 ? 1 : 0;
+    if (edge.Net() != 0)
+    {
+      std::vector<DomainBoundary::Point> points(2);
+      surface->GetPoint(edge.Key[0], points[0].data());
+      surface->GetPoint(edge.Key[1], points[1].data());
+      open += boundary.Find(points) < 0 ? 1 : 0;
+    }
+  }
+  check.Equal(open, 0, "edges open inside the domain");
+  check.Equal(strange, 0, "edges used more than once with one orientation");
+  check.That(VerticesAreManifold(triangles), "points are manifold");
+}
+
+void CheckRandom(MeshKind kind, Check& check)
+{
+  for (unsigned int seed = 1; seed <= 3; ++seed)
+  {
+    check.SetContext(GetName(kind) + ", seed " + std::to_string(seed));
+    auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
+    AddRandomField(mesh, seed);
+    const double value = 0.25 * seed;
+    const ContourExtraction contour = ExtractContours(mesh, { value });
+    CheckClosed(mesh, contour.Surface, check);
+    double range[2] = { 0, 0 };
+    if (vtkDataArray* field = contour.Surface->GetPointData()->GetArray("f"))
+    {
+      field->GetRange(range);
+    }
+    check.Near(range[0], value, 1e-15, "smallest value on the surface");
+    check.Near(range[1], value, 1e-15, "largest value on the surface");
+  }
+}
+
+/// A linear function: the surface is its plane, and the triangles' normals are against its
+/// gradient.
+void CheckPlane(MeshKind kind, Check& check)
+{
+  check.SetContext(GetName(kind) + ", plane");
+  auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 2 }), 3), 3);
+  const LinearFunction function = { 0.1, { 0.6, 0.35, -0.5 } };
+  AddLinearField(mesh, function);
+  const double value = 1.003;
+  vtkSmartPointer<vtkUnstructuredGrid> surface = ExtractContours(mesh, { value }).Surface;
+  CheckClosed(mesh, surface, check);
+  for (const Triangle& triangle : TrianglesOf(surface))
+  {
+    double x[3][3];
+    double u[3];
+    double v[3];
+    double normal[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      surface->GetPoint(triangle[i], x[i]);
+      check.Near(function(x[i]), value, 1e-14, "value of the function at a point");
+    }
+    vtkMath::Subtract(x[1], x[0], u);
+    vtkMath::Subtract(x[2], x[0], v);
+    vtkMath::Cross(u, v, normal);
+    check.That(vtkMath::Dot(normal, function.Gradient.data()) < 1e-15, "a normal points down");
+  }
+}
+
+void CheckSphere(Check& check)
+{
+  check.SetContext("sphere");
+  constexpr double radius = 0.7531;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(41, 41, 41);
+  image->SetOrigin(-1, -1, -1);
+  image->SetSpacing(0.05, 0.05, 0.05);
+  vtkDoubleArray* field = AddRandomField(image, 1);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    field->SetValue(i, vtkMath::Norm(image->GetPoint(i)));
+  }
+  vtkSmartPointer<vtkUnstructuredGrid> surface = ExtractContours(image, { radius }).Surface;
+  CheckClosed(image, surface, check);
+  long long edges = 0;
+  for (const EdgeUse& edge : CountUses(EdgesOf(TrianglesOf(surface))))
+  {
+    ++edges;
+    check.That(edge.Plus == 1 && edge.Minus == 1, "every edge has two triangles");
+  }
+  const long long triangles = surface->GetNumberOfCells();
+  check.Equal(surface->GetNumberOfPoints() - edges + triangles, 2, "Euler characteristic");
+
+  // Normals point to lower values, so to the centre: the volume inside comes out negative.
+  double area = 0;
+  double volume = 0;
+  for (const Triangle& triangle : TrianglesOf(surface))
+  {
+    double x[3][3];
+    double u[3];
+    double v[3];
+    double normal[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      surface->GetPoint(triangle[i], x[i]);
+    }
+    vtkMath::Subtract(x[1], x[0], u);
+    vtkMath::Subtract(x[2], x[0], v);
+    vtkMath::Cross(u, v, normal);
+    area += 0.5 * vtkMath::Norm(normal);
+    volume += vtkMath::Dot(x[0], normal) / 6;
+  }
+  check.Near(area, 4 * vtkMath::Pi() * radius * radius, 5e-3, "area");
+  check.Near(volume, -4 * vtkMath::Pi() / 3 * radius * radius * radius, 5e-3, "volume");
+
+  vtkNew<vtkFlyingEdges3D> peer;
+  peer->SetInputData(image);
+  peer->SetValue(0, radius);
+  peer->Update();
+  std::cout << triangles << " triangles, vtkFlyingEdges3D " << peer->GetOutput()->GetNumberOfCells()
+            << '\n';
+  check.Near(static_cast<double>(triangles),
+    static_cast<double>(peer->GetOutput()->GetNumberOfCells()), 0.02, "triangles");
+  check.Equal(surface->GetNumberOfPoints(), peer->GetOutput()->GetNumberOfPoints(), "points");
+}
+
+}
+
+int TestIsotableContourSurface(int, char*[])
+{
+  Check check;
+  for (MeshKind kind : AllMeshKinds())
+  {
+    CheckRandom(kind, check);
+    CheckPlane(kind, check);
+  }
+  CheckSphere(check);
+  return check.Result();
+}

@@ -1,0 +1,275 @@
+// A case cut at run time in any order of the vertices is the exact pulling triangulation in that order;
+// what it leaves on a face depends on that face alone; and threads may ask for the same case at once.
+
+#include "vtkIsotable.h"
+#include "vtkIsotablePatch.h"
+#include "vtkIsotableTriangulation.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+#include <thread>
+#include <vector>
+
+namespace
+{
+using Slot = vtkIsotable::Slot;
+using Sorted = std::vector<int>;
+
+// A simplex as its sorted slots with the parity of the sorting: equal for equal orientation.
+Sorted Normalize(const std::vector<int>& slots)
+{
+  Sorted sorted = slots;
+  int inversions = 0;
+  for (std::size_t i = 0; i < slots.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < slots.size(); ++j)
+    {
+      inversions += slots[i] > slots[j];
+    }
+  }
+  std::sort(sorted.begin(), sorted.end());
+  sorted.push_back(inversions & 1);
+  return sorted;
+}
+
+std::multiset<Sorted> CutExactly(
+  const vtkIsotable& table, vtkIsotable::Kinds kind, int key, const vtkIsotable::RankArray& ranks)
+{
+  const int n = table.GetNumberOfVertices();
+  const int m = table.GetNumberOfEdges();
+  const bool isInterval = kind == vtkIsotable::INTERVAL;
+  const vtkIsotablePolytope cell = isInterval ? table.GetCell().Prism() : table.GetCell();
+  std::vector<bool> positive(cell.Vertices.size());
+  for (int v = 0; v < n; ++v)
+  {
+    const int base = isInterval ? 3 : 2;
+    positive[v] = key % base >= 1;
+    if (isInterval)
+    {
+      positive[v + n] = key % base == 2;
+    }
+    key /= base;
+  }
+  const auto toSlot = [=](int edge) { return edge < 2 * m ? n + edge : edge - 2 * m; };
+  std::vector<int> pointRanks;
+  for (std::size_t e = 0; e < cell.Edges.size(); ++e)
+  {
+    pointRanks.push_back(ranks[toSlot(static_cast<int>(e))]);
+  }
+  std::multiset<Sorted> result;
+  for (const auto& simplex : vtkIsotableTriangulation::Triangulate(
+         vtkIsotablePatch(cell, positive), vtkIsotableTriangulation::PULLING, pointRanks))
+  {
+    std::vector<int> slots;
+    for (int edge : simplex)
+    {
+      slots.push_back(toSlot(edge));
+    }
+    result.insert(Normalize(slots));
+  }
+  return result;
+}
+
+bool TestOrders(vtkIsotable::Kinds kind, vtkIsotable::Shapes shape, std::mt19937& random)
+{
+  const vtkIsotable& table = vtkIsotable::Get(kind, shape);
+  const int size = kind == vtkIsotable::INTERVAL ? 4 : 3;
+  std::array<Slot, 8> vertexRanks;
+  std::iota(vertexRanks.begin(), vertexRanks.end(), Slot(0));
+  const int step = std::max(1, table.GetNumberOfCases() / 300);
+  for (int key = 0; key < table.GetNumberOfCases(); key += step)
+  {
+    std::shuffle(
+      vertexRanks.begin(), vertexRanks.begin() + table.GetNumberOfVertices(), random);
+    const vtkIsotable::RankArray ranks = table.GetSlotRanks(vertexRanks.data());
+    std::multiset<Sorted> cut;
+    table.Cut(
+      table.GetCase(key), ranks,
+      [&](const vtkIsotable::Simplex& s) {
+        cut.insert(Normalize(std::vector<int>(s.begin(), s.begin() + size)));
+      },
+      [](const vtkIsotable::Triangle&) {});
+    if (cut != CutExactly(table, kind, key, ranks))
+    {
+      std::cerr << "Kind " << kind << ", shape " << shape << ", case " << key
+                << ": the cut is not the pulling triangulation.\n";
+      return false;
+    }
+  }
+  return true;
+}
+
+// The faces that a case leaves on a facet of the cell, by the slots' vertices: cells that share a facet
+// with the same digits and order must agree on it.
+std::set<std::vector<std::array<int, 3>>> GetFacesOn(
+  const vtkIsotable& table, int key, const vtkIsotable::RankArray& ranks, const std::set<int>& facet)
+{
+  const int n = table.GetNumberOfVertices();
+  const int m = table.GetNumberOfEdges();
+  std::map<std::vector<std::array<int, 3>>, int> count;
+  table.Cut(
+    table.GetCase(key), ranks,
+    [&](const vtkIsotable::Simplex& s) {
+      for (int skip = 0; skip < 4; ++skip)
+      {
+        std::vector<std::array<int, 3>> face;
+        for (int p = 0; p < 4; ++p)
+        {
+          if (p == skip)
+          {
+            continue;
+          }
+          const int slot = s[p];
+          const int kind = slot < n ? 0 : 1 + (slot - n) / m;
+          const std::array<Slot, 2> ends = slot < n
+            ? std::array<Slot, 2>{ { s[p], s[p] } }
+            : table.GetEdge((slot - n) % m);
+          if (facet.count(ends[0]) && facet.count(ends[1]))
+          {
+            face.push_back({ { kind, ends[0], ends[1] } });
+          }
+        }
+        std::sort(face.begin(), face.end());
+        count[face] += face.size() == 3;
+      }
+    },
+    [](const vtkIsotable::Triangle&) {});
+  std::set<std::vector<std::array<int, 3>>> faces;
+  for (const auto& entry : count)
+  {
+    if (entry.second == 1)
+    {
+      // Faces within one isosurface are its boundary, not the facet's.
+      const bool isSurface = entry.first[0][0] != 0 && entry.first[0][0] == entry.first[2][0];
+      if (!isSurface)
+      {
+        faces.insert(entry.first);
+      }
+    }
+  }
+  return faces;
+}
+
+// The bottom of a hexahedron, a wedge's side and a pyramid's base, by vertices in cyclic order.
+bool TestSharedQuadrilateral(std::mt19937& random)
+{
+  struct Side
+  {
+    vtkIsotable::Shapes Shape;
+    std::array<int, 4> Cycle;
+  };
+  const Side sides[] = { { vtkIsotable::HEXAHEDRON, { { 0, 1, 3, 2 } } },
+    { vtkIsotable::HEXAHEDRON, { { 7, 5, 1, 3 } } }, { vtkIsotable::WEDGE, { { 0, 1, 4, 3 } } },
+    { vtkIsotable::PYRAMID, { { 0, 1, 2, 3 } } } };
+  for (int round = 0; round < 400; ++round)
+  {
+    std::array<int, 4> digits;
+    std::generate(digits.begin(), digits.end(), [&random] { return random() % 3; });
+    std::array<int, 4> order{ { 0, 1, 2, 3 } };
+    std::shuffle(order.begin(), order.end(), random);
+    std::set<std::set<std::vector<std::array<int, 2>>>> results;
+    for (const Side& side : sides)
+    {
+      const vtkIsotable& table = vtkIsotable::Get(vtkIsotable::INTERVAL, side.Shape);
+      const int n = table.GetNumberOfVertices();
+      // The rest of the cell is random, its ranks between and around those of the side.
+      std::vector<double> places(n);
+      std::vector<int> all(n);
+      for (int v = 0; v < n; ++v)
+      {
+        places[v] = random() % 1000 / 200.0 - 0.5 + 1e-4 * v;
+        all[v] = random() % 3;
+      }
+      for (int c = 0; c < 4; ++c)
+      {
+        places[side.Cycle[c]] = order[c];
+        all[side.Cycle[c]] = digits[c];
+      }
+      Slot vertexRanks[8];
+      int key = 0;
+      for (int v = n - 1; v >= 0; --v)
+      {
+        vertexRanks[v] = static_cast<Slot>(std::count_if(
+          places.begin(), places.end(), [&](double place) { return place < places[v]; }));
+        key = 3 * key + all[v];
+      }
+      const auto faces = GetFacesOn(table, key, table.GetSlotRanks(vertexRanks),
+        std::set<int>(side.Cycle.begin(), side.Cycle.end()));
+      // In the words of the side: kind and the two places in the cycle.
+      std::set<std::vector<std::array<int, 2>>> words;
+      for (const auto& face : faces)
+      {
+        std::vector<std::array<int, 2>> word;
+        for (const auto& point : face)
+        {
+          const auto at = [&side](int vertex) {
+            return static_cast<int>(
+              std::find(side.Cycle.begin(), side.Cycle.end(), vertex) - side.Cycle.begin());
+          };
+          const int a = std::min(at(point[1]), at(point[2]));
+          const int b = std::max(at(point[1]), at(point[2]));
+          word.push_back({ { point[0], 4 * a + b } });
+        }
+        std::sort(word.begin(), word.end());
+        words.insert(word);
+      }
+      results.insert(words);
+    }
+    if (results.size() != 1)
+    {
+      std::cerr << "Round " << round << ": cells disagree on a shared quadrilateral.\n";
+      return false;
+    }
+  }
+  return true;
+}
+
+bool TestThreads()
+{
+  const vtkIsotable table(vtkIsotable::INTERVAL, vtkIsotablePolytope::Wedge());
+  std::vector<std::vector<const vtkIsotable::Case*>> seen(8);
+  std::vector<std::thread> threads;
+  for (auto& mine : seen)
+  {
+    threads.emplace_back([&table, &mine] {
+      for (int key = 0; key < table.GetNumberOfCases(); ++key)
+      {
+        mine.push_back(&table.GetCase(key));
+      }
+    });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (const auto& mine : seen)
+  {
+    if (mine != seen[0])
+    {
+      std::cerr << "Threads were given different copies of a case.\n";
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+int TestIsotableCuts(int, char*[])
+{
+  std::mt19937 random(7);
+  bool passed = TestThreads() && TestSharedQuadrilateral(random);
+  for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+  {
+    for (const auto kind : { vtkIsotable::CONTOUR, vtkIsotable::INTERVAL })
+    {
+      passed = passed && TestOrders(kind, static_cast<vtkIsotable::Shapes>(shape), random);
+    }
+  }
+  return passed ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,177 @@
+// The numbers of simplices of every interval table that is small enough to fill, against the exact ones
+// stated for the method; and hulls whose facets are known.
+
+#include "vtkIsotable.h"
+#include "vtkIsotableCache.h"
+#include "vtkIsotableHull.h"
+#include "vtkIsotablePatch.h"
+#include "vtkIsotablePolytope.h"
+#include "vtkIsotableTriangulation.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace
+{
+int Failures = 0;
+
+void Expect(bool holds, const std::string& what)
+{
+  if (!holds)
+  {
+    std::cerr << "Failed: " << what << "\n";
+    ++Failures;
+  }
+}
+
+struct Sum
+{
+  long Simplices = 0;
+  int Most = 0;
+};
+
+Sum CountSourceOrder(const vtkIsotablePolytope& cell)
+{
+  const vtkIsotablePolytope lifted = cell.Prism();
+  const int n = static_cast<int>(cell.Vertices.size());
+  std::vector<int> ranks(lifted.Edges.size());
+  std::iota(ranks.begin(), ranks.end(), 0);
+  int cases = 1;
+  for (int v = 0; v < n; ++v)
+  {
+    cases *= 3;
+  }
+  Sum sum;
+  for (int key = 0; key < cases; ++key)
+  {
+    std::vector<bool> positive(2 * n);
+    for (int v = 0, rest = key; v < n; ++v, rest /= 3)
+    {
+      positive[v] = rest % 3 >= 1;
+      positive[v + n] = rest % 3 == 2;
+    }
+    const int number = static_cast<int>(
+      vtkIsotableTriangulation::Triangulate(
+        vtkIsotablePatch(lifted, positive), vtkIsotableTriangulation::PLACING, ranks)
+        .size());
+    sum.Simplices += number;
+    sum.Most = std::max(sum.Most, number);
+  }
+  return sum;
+}
+
+void TestSourceOrder()
+{
+  struct Stated
+  {
+    const char* Name;
+    vtkIsotablePolytope Cell;
+    long Simplices;
+    int Most;
+  };
+  const Stated stated[] = { { "tetrahedron", vtkIsotablePolytope::Simplex(3), 321, 6 },
+    { "4-simplex", vtkIsotablePolytope::Simplex(4), 2031, 14 },
+    { "5-simplex", vtkIsotablePolytope::Simplex(5), 12593, 30 },
+    { "hexahedron", vtkIsotablePolytope::Cube(3), 79344, 22 } };
+  for (const Stated& row : stated)
+  {
+    const Sum sum = CountSourceOrder(row.Cell);
+    Expect(sum.Simplices == row.Simplices && sum.Most == row.Most,
+      std::string(row.Name) + " in the source's order: " + std::to_string(sum.Simplices) +
+        " simplices, at most " + std::to_string(sum.Most));
+  }
+}
+
+void TestShipped()
+{
+  const struct
+  {
+    vtkIsotable::Shapes Shape;
+    long Source;
+    int Most;
+  } rows[] = { { vtkIsotable::TETRAHEDRON, 321, 6 }, { vtkIsotable::PYRAMID, 1676, 12 },
+    { vtkIsotable::WEDGE, 5685, 12 }, { vtkIsotable::HEXAHEDRON, 79344, 22 } };
+  for (const auto& row : rows)
+  {
+    const vtkIsotable& table = vtkIsotable::Get(vtkIsotable::INTERVAL, row.Shape);
+    Sum sum;
+    for (int key = 0; key < table.GetNumberOfCases(); ++key)
+    {
+      const int number = static_cast<int>(table.GetCase(key).Simplices.size());
+      sum.Simplices += number;
+      sum.Most = std::max(sum.Most, number);
+    }
+    Expect(sum.Simplices <= row.Source && sum.Most <= row.Most,
+      "the shipped table has no more simplices than the source's, shape " +
+        std::to_string(row.Shape) + ": " + std::to_string(sum.Simplices));
+    Expect(table.GetNumberOfCasesMade() == table.GetNumberOfCases(), "every case was made");
+  }
+}
+
+void TestHulls()
+{
+  // The 24 cell has 24 octahedra; its prism 24 prisms and two ends.
+  std::vector<vtkIsotablePolytope::Point> points;
+  for (int a = 0; a < 4; ++a)
+  {
+    for (int b = a + 1; b < 4; ++b)
+    {
+      for (int signs = 0; signs < 4; ++signs)
+      {
+        vtkIsotablePolytope::Point p{};
+        p[a] = (signs & 1) ? 2 : -2;
+        p[b] = (signs & 2) ? 2 : -2;
+        points.push_back(p);
+      }
+    }
+  }
+  const vtkIsotableHull cell24(4, points);
+  Expect(cell24.GetFacets().size() == 24, "24-cell: 24 facets");
+  for (const auto& facet : cell24.GetFacets())
+  {
+    Expect(facet.Points.Count() == 6 && cell24.FacetsOf(facet.Points).size() == 8,
+      "24-cell: octahedra");
+  }
+  const vtkIsotablePolytope polytope = vtkIsotablePolytope::FromVertices(4, points);
+  Expect(polytope.Edges.size() == 96, "24-cell: 96 edges");
+  Expect(vtkIsotablePolytope::Cube(5).Edges.size() == 80, "5-cube: 80 edges");
+  Expect(vtkIsotablePolytope::Pyramid().Edges.size() == 8, "pyramid: 8 edges");
+  Expect(vtkIsotablePolytope::FromVertices(3, { { { 1, 0, 0 } } }).Vertices.empty(),
+    "an odd coordinate is refused");
+  Expect(vtkIsotablePolytope::FromVertices(2,
+           { { { 0, 0 } }, { { 4, 0 } }, { { 0, 4 } }, { { 4, 4 } }, { { 2, 2 } } })
+           .Vertices.empty(),
+    "a point inside is refused");
+}
+
+void TestHypercube()
+{
+  vtkIsotableCache& cache = vtkIsotableCache::GetHypercube();
+  std::uint32_t inside = 0;
+  for (int v = 0; v < 16; ++v)
+  {
+    inside = 3 * inside + 1;
+  }
+  Expect(cache.GetCase(inside).size() == 24 * 5, "a constant hypercube gives 24 4-simplices");
+  Expect(cache.GetCase(0).empty(), "all below gives nothing");
+  const auto cases = cache.GetNumberOfCases();
+  const auto hits = cache.GetNumberOfHits();
+  cache.GetCase(inside);
+  Expect(cache.GetNumberOfCases() == cases && cache.GetNumberOfHits() == hits + 1,
+    "a case is made once");
+}
+}
+
+int TestIsotableTables(int, char*[])
+{
+  TestSourceOrder();
+  TestShipped();
+  TestHulls();
+  TestHypercube();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,118 @@
+#include "DrawCounter.h"
+
+#include "Panel.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace gallery
+{
+struct DrawCounter::Counted
+{
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkObject> Mapper;
+  int Draws = 0;
+  unsigned long Tag = 0;
+};
+
+DrawCounter::DrawCounter() = default;
+
+DrawCounter::~DrawCounter()
+{
+  for (const std::unique_ptr<Counted>& counted : this->Counts)
+  {
+    counted->Mapper->RemoveObserver(counted->Tag);
+  }
+}
+
+void DrawCounter::Watch(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator cookie;
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
+  {
+    vtkActor* actor = vtkActor::SafeDownCast(prop);
+    vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+    if (!mapper)
+    {
+      continue;
+    }
+    this->Counts.push_back(std::make_unique<Counted>());
+    Counted* counted = this->Counts.back().get();
+    counted->Renderer = renderer;
+    counted->Mapper = mapper;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(counted);
+    command->SetCallback(
+      [](vtkObject*, unsigned long, void* data, void*) { ++static_cast<Counted*>(data)->Draws; });
+    counted->Tag = mapper->AddObserver(vtkCommand::StartEvent, command);
+  }
+}
+
+int DrawCounter::GetPasses() const
+{
+  std::map<vtkRenderer*, int> busiest;
+  for (const std::unique_ptr<Counted>& counted : this->Counts)
+  {
+    int& draws = busiest[counted->Renderer];
+    draws = std::max(draws, counted->Draws);
+  }
+  int passes = 0;
+  for (const auto& renderer : busiest)
+  {
+    passes += renderer.second;
+  }
+  return passes;
+}
+
+BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
+{
+  BufferCount count;
+  const vtkIdType pixels = panel.GetPixels();
+  // Colour RGBA8 and depth of the window, and the copies it resolves them into.
+  count.Buffers = 4;
+  count.Bytes = 16 * pixels;
+  if (panel.GetLayers().size() > 1)
+  {
+    features.insert("layers");
+  }
+  for (vtkRenderer* layer : panel.GetLayers())
+  {
+    const auto use = [&count, &features, pixels](
+                       const char* feature, int buffers, vtkIdType bytesPerPixel, int screenPasses)
+    {
+      features.insert(feature);
+      count.Buffers += buffers;
+      count.Bytes += pixels * bytesPerPixel;
+      count.ScreenPasses += screenPasses;
+    };
+    if (panel.UsesAmbientOcclusion())
+    {
+      // Colour RGBA32F, position and normal RGB16F, occlusion R8, depth 32F; occlude and combine.
+      use("ambient-occlusion", 5, 16 + 6 + 6 + 1 + 4, 2);
+    }
+    bool translucent = false;
+    vtkPropCollection* props = layer->GetViewProps();
+    vtkCollectionSimpleIterator cookie;
+    props->InitTraversal(cookie);
+    while (vtkProp* prop = props->GetNextProp(cookie))
+    {
+      translucent = translucent || prop->HasTranslucentPolygonalGeometry();
+    }
+    if (translucent)
+    {
+      // Back, front source and destination RGBA8, two depth pairs RG32F, opaque depth 32F.
+      use("depth-peeling", 7, 4 * 4 + 2 * 8 + 4, 0);
+    }
+  }
+  return count;
+}
+}

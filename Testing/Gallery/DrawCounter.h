@@ -1,0 +1,58 @@
+#ifndef DrawCounter_h
+#define DrawCounter_h
+
+#include "vtkType.h"
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+
+namespace gallery
+{
+class Panel;
+
+/**
+ * Counts how often the geometry of renderers is drawn. A renderer's passes are the draws of its
+ * busiest mapper, so that depth peeling shows with the passes it really took.
+ */
+class DrawCounter
+{
+public:
+  DrawCounter();
+  ~DrawCounter();
+
+  /**
+   * From now on counts the draws of every actor in \a renderer.
+   */
+  void Watch(vtkRenderer* renderer);
+
+  int GetPasses() const;
+
+private:
+  struct Counted;
+  std::vector<std::unique_ptr<Counted>> Counts;
+};
+
+/**
+ * Off-screen textures of one panel, its window's own included, and the screen-space passes over
+ * them.
+ */
+struct BufferCount
+{
+  int Buffers = 0;
+  vtkIdType Bytes = 0;
+  int ScreenPasses = 0;
+};
+
+/**
+ * The textures that the window, ambient occlusion and depth peeling keep for \a panel after it was
+ * drawn, in the formats VTK 9 gives them; adds what is on to \a features.
+ */
+BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features);
+}
+
+#endif

@@ -1,0 +1,164 @@
+// interlume-gallery: draws the pictures of the gallery and the page that shows them.
+
+#include "IndexPage.h"
+#include "Picture.h"
+#include "Scene.h"
+#include "Stage.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "vtksys/SystemTools.hxx"
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace
+{
+struct Options
+{
+  bool List = false;
+  std::vector<std::string> Scenes;
+  std::string Out = "gallery";
+  std::string Size = "1280x800";
+  std::string Json;
+};
+
+void PrintList()
+{
+  for (const gallery::Scene& scene : gallery::AllScenes())
+  {
+    std::printf("%-26s %-6s %s\n", scene.Id.c_str(), scene.Figure.c_str(), scene.Title.c_str());
+  }
+}
+
+void ParseSize(const std::string& text, int& width, int& height)
+{
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 64 ||
+    height < 64 || width > 8192 || height > 8192)
+  {
+    throw std::invalid_argument("--size takes WxH with both from 64 to 8192, not " + text);
+  }
+}
+
+std::vector<const gallery::Scene*> ChosenScenes(const std::vector<std::string>& ids)
+{
+  std::vector<const gallery::Scene*> scenes;
+  if (ids.empty())
+  {
+    for (const gallery::Scene& scene : gallery::AllScenes())
+    {
+      scenes.push_back(&scene);
+    }
+  }
+  for (const std::string& id : ids)
+  {
+    const gallery::Scene* scene = gallery::FindScene(id);
+    if (!scene)
+    {
+      throw std::invalid_argument("no scene " + id + "; --list shows them");
+    }
+    scenes.push_back(scene);
+  }
+  return scenes;
+}
+
+void WritePng(vtkImageData* picture, const std::string& path)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(picture);
+  writer->SetFileName(path.c_str());
+  writer->Write();
+  if (writer->GetErrorCode())
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+void WriteJson(const std::vector<gallery::SceneReport>& reports, const std::string& path)
+{
+  nlohmann::json scenes = nlohmann::json::array();
+  for (const gallery::SceneReport& report : reports)
+  {
+    scenes.push_back(ToJson(report));
+  }
+  std::ofstream file(path);
+  file << nlohmann::json{ { "scenes", scenes } }.dump(2) << "\n";
+  if (!file)
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+void Draw(const Options& options)
+{
+  int width = 0;
+  int height = 0;
+  ParseSize(options.Size, width, height);
+  const std::vector<const gallery::Scene*> scenes = ChosenScenes(options.Scenes);
+  if (!vtksys::SystemTools::MakeDirectory(options.Out))
+  {
+    throw std::runtime_error("cannot make the folder " + options.Out);
+  }
+  const gallery::DisplayHold display;
+  std::vector<gallery::SceneReport> reports;
+  for (const gallery::Scene* scene : scenes)
+  {
+    gallery::SceneReport report;
+    vtkSmartPointer<vtkImageData> picture = gallery::RenderScene(*scene, width, height, report);
+    WritePng(picture, options.Out + "/" + scene->Id + ".png");
+    reports.push_back(report);
+    std::printf("[%zu/%zu] %-26s %.1f s\n", reports.size(), scenes.size(), scene->Id.c_str(),
+      report.BuildSeconds + report.RenderSeconds);
+    std::fflush(stdout);
+  }
+  gallery::WriteIndexPage(options.Out, reports);
+  if (!options.Json.empty())
+  {
+    WriteJson(reports, options.Json);
+  }
+  std::cout << vtksys::SystemTools::CollapseFullPath(options.Out + "/index.html") << "\n";
+}
+}
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  CLI::App app(
+    "Draws the gallery of Interlume: a picture a scene, and index.html to look at them.");
+  app.add_flag("--list", options.List, "Print id, figure and title of every scene, and end");
+  app.add_option("--scene", options.Scenes, "Draw this scene only; can be given again")
+    ->allow_extra_args(false);
+  app.add_option("--out", options.Out, "Folder for the pictures and index.html")
+    ->capture_default_str();
+  app.add_option("--size", options.Size, "Width and height of a picture in pixels")
+    ->capture_default_str();
+  app.add_option("--json", options.Json, "Write times and counters of every scene to this file");
+  CLI11_PARSE(app, argc, argv);
+  try
+  {
+    if (options.List)
+    {
+      PrintList();
+    }
+    else
+    {
+      Draw(options);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "interlume-gallery: " << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,180 @@
+#include "IndexPage.h"
+
+#include "DataManifest.h"
+#include "Scene.h"
+
+#include "vtkVersion.h"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace gallery
+{
+namespace
+{
+const char* const STYLE = R"css(
+:root { --ink: #21262e; --soft: #5d6673; --line: #d4d8dc; --paper: #f6f7f8; --card: #ecedee; }
+* { box-sizing: border-box; }
+body { margin: 0; background: var(--paper); color: var(--ink);
+  font: 16px/1.55 system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; }
+header, main, footer { max-width: 1180px; margin: 0 auto; padding: 0 24px; }
+header { padding-top: 56px; padding-bottom: 12px; }
+h1 { font-size: 40px; line-height: 1.1; margin: 0 0 10px; letter-spacing: -0.02em; }
+header p { max-width: 760px; margin: 0; color: var(--soft); font-size: 18px; }
+nav { display: grid; grid-template-columns: repeat(auto-fill, minmax(150px, 1fr)); gap: 12px;
+  margin: 28px 0 8px; }
+nav a { color: var(--soft); font-size: 13px; text-decoration: none; }
+nav img { width: 100%; display: block; border-radius: 6px; border: 1px solid var(--line);
+  margin-bottom: 4px; }
+nav a:hover { color: var(--ink); }
+article { margin: 44px 0; }
+article > a img { width: 100%; display: block; border-radius: 10px; border: 1px solid var(--line);
+  background: var(--card); }
+h2 { font-size: 24px; margin: 18px 0 4px; letter-spacing: -0.01em; }
+h2 span { color: var(--soft); font-weight: normal; font-size: 15px; margin-left: 10px;
+  letter-spacing: 0; white-space: nowrap; }
+article p { margin: 0 0 12px; max-width: 860px; }
+dl { display: grid; grid-template-columns: repeat(auto-fit, minmax(120px, 1fr)); gap: 10px 22px;
+  margin: 0; padding: 14px 0; border-top: 1px solid var(--line); }
+dt { color: var(--soft); font-size: 12px; }
+dd { margin: 0; font-variant-numeric: tabular-nums; }
+.source { color: var(--soft); font-size: 13px; margin: 0; max-width: none; }
+footer { color: var(--soft); font-size: 13px; padding-bottom: 56px; }
+)css";
+
+std::string Escaped(const std::string& text)
+{
+  std::string escaped;
+  for (const char letter : text)
+  {
+    switch (letter)
+    {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += letter;
+    }
+  }
+  return escaped;
+}
+
+/// 1234567 as "1 234 567", with thin spaces.
+std::string Grouped(vtkIdType number)
+{
+  std::string digits = std::to_string(number);
+  for (int place = static_cast<int>(digits.size()) - 3; place > 0; place -= 3)
+  {
+    digits.insert(static_cast<std::size_t>(place), "&#8201;");
+  }
+  return digits;
+}
+
+std::string Seconds(double seconds)
+{
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.2f s", seconds);
+  return text.data();
+}
+
+std::string Joined(const std::set<std::string>& names)
+{
+  std::string joined;
+  for (const std::string& name : names)
+  {
+    joined += (joined.empty() ? "" : ", ") + name;
+  }
+  return joined.empty() ? "none" : joined;
+}
+
+void WriteFact(std::ostream& page, const std::string& name, const std::string& value)
+{
+  page << "<div><dt>" << name << "</dt><dd>" << value << "</dd></div>\n";
+}
+
+void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& report,
+  const std::vector<interlume::DataRow>& manifest)
+{
+  page << "<article id=\"" << scene.Id << "\">\n<a href=\"" << scene.Id << ".png\"><img src=\""
+       << scene.Id << ".png\" width=\"" << report.Width << "\" height=\"" << report.Height
+       << "\" alt=\"" << Escaped(scene.Title) << "\"></a>\n<h2>" << Escaped(scene.Title) << "<span>"
+       << scene.Id << " &middot; figure " << scene.Figure << "</span></h2>\n<p>"
+       << Escaped(scene.Caption) << "</p>\n<dl>\n";
+  WriteFact(page, "Cells in", Grouped(report.Extraction.Cells));
+  WriteFact(page, "Tetrahedra out", Grouped(report.Tetrahedra));
+  if (report.BoundaryTriangles > 0)
+  {
+    WriteFact(page, "Boundary triangles", Grouped(report.BoundaryTriangles));
+  }
+  WriteFact(page, "Intervals", std::to_string(report.Intervals));
+  if (report.Criteria > 0)
+  {
+    WriteFact(page, "Further criteria", std::to_string(report.Criteria));
+  }
+  WriteFact(page, "Extraction", Seconds(report.ExtractSeconds));
+  WriteFact(page, "Drawing", Seconds(report.RenderSeconds));
+  WriteFact(page, "Passes", std::to_string(report.Passes));
+  std::array<char, 48> buffers;
+  std::snprintf(buffers.data(), buffers.size(), "%d, %.0f MB", report.Buffers,
+    static_cast<double>(report.Bytes) / 1e6);
+  WriteFact(page, "Buffers", buffers.data());
+  WriteFact(page, "Features on", Joined(report.Features));
+  page << "</dl>\n";
+  for (const std::string& file : scene.Data)
+  {
+    const interlume::DataRow& row = interlume::FindDataRow(manifest, file);
+    page << "<p class=\"source\">Data: " << Escaped(row.Content) << " (" << Escaped(row.File)
+         << ", from " << Escaped(row.Source) << "). Licence: " << Escaped(row.Licence) << ".</p>\n";
+  }
+  page << "</article>\n";
+}
+}
+
+void WriteIndexPage(const std::string& folder, const std::vector<SceneReport>& reports)
+{
+  const std::vector<interlume::DataRow> manifest = interlume::ReadDataManifest();
+  std::ostringstream page;
+  page
+    << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+    << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+    << "<title>Interlume gallery</title>\n<style>" << STYLE << "</style>\n</head>\n<body>\n"
+    << "<header>\n<h1>Interlume</h1>\n<p>Interval volumes of real data: the region where a field "
+       "lies between two values, as tetrahedra. Each picture is a short pipeline over the public "
+       "classes; the figure numbers are those of the dissertation the methods come from "
+       "(C.&nbsp;Zhang, Ohio State University, 2006).</p>\n<nav>\n";
+  for (const SceneReport& report : reports)
+  {
+    const Scene& scene = *FindScene(report.Id);
+    page << "<a href=\"#" << scene.Id << "\"><img src=\"" << scene.Id << ".png\" alt=\"\">"
+         << Escaped(scene.Title) << "</a>\n";
+  }
+  page << "</nav>\n</header>\n<main>\n";
+  for (const SceneReport& report : reports)
+  {
+    WriteScene(page, *FindScene(report.Id), report, manifest);
+  }
+  page << "</main>\n<footer>Drawn off-screen with VTK " << vtkVersion::GetVTKVersion()
+       << ". Times are wall clock on the machine that made this page; passes are passes over the "
+          "geometry and the screen, buffers are textures at the size drawn.</footer>\n"
+          "</body>\n</html>\n";
+  const std::string path = folder + "/index.html";
+  std::ofstream file(path);
+  file << page.str();
+  if (!file)
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+}

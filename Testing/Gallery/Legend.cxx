@@ -1,0 +1,158 @@
+#include "Legend.h"
+
+#include "Look.h"
+
+#include "vtkActor2D.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTextRenderer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <array>
+#include <cstdio>
+
+namespace gallery
+{
+namespace
+{
+/// Rectangles in pixels, each of one colour, drawn as one actor.
+class Rectangles
+{
+public:
+  Rectangles()
+  {
+    this->Colours->SetNumberOfComponents(3);
+    this->Data->SetPoints(this->Points);
+    this->Data->SetPolys(this->Cells);
+    this->Data->GetCellData()->SetScalars(this->Colours);
+  }
+
+  void Add(double x, double y, double width, double height, const vtkColor3d& colour)
+  {
+    const std::array<vtkIdType, 4> corners = { { this->Points->InsertNextPoint(x, y, 0.0),
+      this->Points->InsertNextPoint(x + width, y, 0.0),
+      this->Points->InsertNextPoint(x + width, y + height, 0.0),
+      this->Points->InsertNextPoint(x, y + height, 0.0) } };
+    this->Cells->InsertNextCell(4, corners.data());
+    this->Colours->InsertNextTuple3(255.0 * colour[0], 255.0 * colour[1], 255.0 * colour[2]);
+  }
+
+  void DrawInto(vtkRenderer* overlay)
+  {
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(this->Data);
+    vtkNew<vtkActor2D> actor;
+    actor->SetMapper(mapper);
+    overlay->AddActor2D(actor);
+  }
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Cells;
+  vtkNew<vtkUnsignedCharArray> Colours;
+  vtkNew<vtkPolyData> Data;
+};
+
+std::string NumberLabel(double value, double span)
+{
+  std::array<char, 32> text;
+  // A number that is zero but for rounding would show as 1e-17.
+  std::snprintf(text.data(), text.size(), "%.4g", std::abs(value) < 1e-9 * span ? 0.0 : value);
+  return text.data();
+}
+
+void SetStyle(vtkTextProperty* style, int fontSize, bool bold)
+{
+  const vtkColor3d ink = Ink();
+  style->SetFontFamilyToArial();
+  style->SetFontSize(fontSize);
+  style->SetBold(bold);
+  style->SetColor(ink[0], ink[1], ink[2]);
+  style->SetVerticalJustificationToCentered();
+}
+
+double TextWidth(const std::string& text, int fontSize)
+{
+  vtkNew<vtkTextProperty> style;
+  SetStyle(style, fontSize, false);
+  std::array<int, 4> box = { { 0, 0, 0, 0 } };
+  const int screenResolution = 72;
+  vtkTextRenderer::GetInstance()->GetBoundingBox(style, text, box.data(), screenResolution);
+  return box[1] - box[0];
+}
+}
+
+void AddText(vtkRenderer* overlay, const std::string& text, double x, double y, int fontSize,
+  Align align, bool bold)
+{
+  vtkNew<vtkTextActor> actor;
+  actor->SetTextScaleModeToNone();
+  actor->SetInput(text.c_str());
+  vtkTextProperty* style = actor->GetTextProperty();
+  SetStyle(style, fontSize, bold);
+  style->SetJustification(align == Align::Left ? VTK_TEXT_LEFT
+      : align == Align::Centre                 ? VTK_TEXT_CENTERED
+                                               : VTK_TEXT_RIGHT);
+  actor->SetPosition(x, y);
+  overlay->AddActor2D(actor);
+}
+
+void AddColourBar(vtkRenderer* overlay, const std::string& title, vtkScalarsToColors* colours,
+  double lower, double upper, double x, double y, double width, int fontSize)
+{
+  const int strips = 256;
+  const double height = 0.75 * fontSize;
+  const double left = x - 0.5 * width;
+  Rectangles rectangles;
+  for (int i = 0; i < strips; ++i)
+  {
+    vtkColor3d colour;
+    colours->GetColor(lower + (upper - lower) * (i + 0.5) / strips, colour.GetData());
+    rectangles.Add(left + width * i / strips, y, width / strips, height, colour);
+  }
+  const int labels = 5;
+  for (int i = 0; i < labels; ++i)
+  {
+    const double share = static_cast<double>(i) / (labels - 1);
+    rectangles.Add(left + share * width - 1.0, y - 0.3 * fontSize, 2.0, 0.3 * fontSize, Ink());
+    AddText(overlay, NumberLabel(lower + share * (upper - lower), upper - lower),
+      left + share * width, y - 0.9 * fontSize, fontSize);
+  }
+  rectangles.DrawInto(overlay);
+  AddText(overlay, title, x, y + height + 0.8 * fontSize, fontSize);
+}
+
+void AddColourKey(vtkRenderer* overlay, const std::string& title,
+  const std::vector<ColourEntry>& entries, double x, double y, int fontSize)
+{
+  const double patch = 1.1 * fontSize;
+  const double gap = 0.5 * fontSize;
+  const double space = 1.6 * fontSize;
+  double total = -space;
+  for (const ColourEntry& entry : entries)
+  {
+    total += patch + gap + TextWidth(entry.second, fontSize) + space;
+  }
+  double left = x - 0.5 * total;
+  Rectangles rectangles;
+  for (const ColourEntry& entry : entries)
+  {
+    rectangles.Add(left, y - 0.5 * patch, patch, patch, entry.first);
+    AddText(overlay, entry.second, left + patch + gap, y, fontSize, Align::Left);
+    left += patch + gap + TextWidth(entry.second, fontSize) + space;
+  }
+  rectangles.DrawInto(overlay);
+  if (!title.empty())
+  {
+    AddText(overlay, title, x, y + 1.7 * fontSize, fontSize);
+  }
+}
+}

@@ -1,0 +1,265 @@
+#include "Panel.h"
+
+#include "Look.h"
+#include "Picture.h"
+
+#include "vtkActor.h"
+#include "vtkCameraPass.h"
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkImageData.h"
+#include "vtkLightsPass.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPointSet.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSSAOPass.h"
+#include "vtkSequencePass.h"
+#include "vtkTranslucentPass.h"
+#include "vtkVectorOperators.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gallery
+{
+namespace
+{
+/// Share of the panel that the fitted props take.
+constexpr double FILL = 0.95;
+
+/// Enough points to find the outline of a surface to a pixel or so.
+constexpr vtkIdType OUTLINE_POINTS = 20000;
+
+template <typename Visit>
+void ForEachProp(vtkRenderer* renderer, const Visit& visit)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator cookie;
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
+  {
+    visit(prop);
+  }
+}
+
+void AppendCorners(const double bounds[6], std::vector<vtkVector3d>& points)
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    points.emplace_back(
+      bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)], bounds[4 + ((corner >> 2) & 1)]);
+  }
+}
+}
+
+Panel::Panel(const std::string& caption)
+  : Caption(caption)
+  , Camera(vtkSmartPointer<vtkCamera>::New())
+{
+  this->Camera->SetViewAngle(22.0);
+  this->LookFrom({ 0.0, -1.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  this->AddLayer();
+}
+
+void Panel::Add(vtkProp* prop)
+{
+  this->Layers.back()->AddViewProp(prop);
+}
+
+void Panel::AddLayer()
+{
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  ApplyLook(renderer);
+  renderer->SetActiveCamera(this->Camera);
+  this->Layers.push_back(renderer);
+}
+
+void Panel::LookFrom(const vtkVector3d& from, const vtkVector3d& up)
+{
+  this->Camera->SetFocalPoint(0.0, 0.0, 0.0);
+  this->Camera->SetPosition(from[0], from[1], from[2]);
+  this->Camera->SetViewUp(up[0], up[1], up[2]);
+  this->Camera->OrthogonalizeViewUp();
+}
+
+void Panel::LookAs(Panel& other)
+{
+  this->Camera = other.Camera;
+  this->Zoom = other.Zoom;
+  for (vtkRenderer* layer : this->Layers)
+  {
+    layer->SetActiveCamera(this->Camera);
+  }
+}
+
+bool Panel::UsesAmbientOcclusion() const
+{
+  return this->OcclusionReach > 0.0 && this->Layers.size() == 1;
+}
+
+void Panel::PreparePasses()
+{
+  for (vtkRenderer* layer : this->Layers)
+  {
+    vtkNew<vtkRenderPassCollection> passes;
+    vtkNew<vtkLightsPass> lights;
+    vtkNew<vtkOpaquePass> opaque;
+    vtkNew<vtkSSAOPass> occlusion;
+    passes->AddItem(lights);
+    if (this->UsesAmbientOcclusion())
+    {
+      vtkNew<vtkCameraPass> inner;
+      inner->SetDelegatePass(opaque);
+      occlusion->SetDelegatePass(inner);
+      occlusion->SetRadius(this->OcclusionReach * this->GetBox().GetDiagonalLength());
+      occlusion->SetBias(0.04 * occlusion->GetRadius());
+      occlusion->SetKernelSize(48);
+      occlusion->BlurOn();
+      passes->AddItem(occlusion);
+    }
+    else
+    {
+      passes->AddItem(opaque);
+    }
+
+    bool translucent = false;
+    ForEachProp(layer,
+      [&translucent](vtkProp* prop)
+      { translucent = translucent || prop->HasTranslucentPolygonalGeometry(); });
+    if (translucent)
+    {
+      vtkNew<vtkDualDepthPeelingPass> peeling;
+      vtkNew<vtkTranslucentPass> surfaces;
+      peeling->SetTranslucentPass(surfaces);
+      peeling->SetMaximumNumberOfPeels(4);
+      peeling->SetOcclusionRatio(0.0);
+      passes->AddItem(peeling);
+    }
+    vtkNew<vtkSequencePass> sequence;
+    sequence->SetPasses(passes);
+    vtkNew<vtkCameraPass> camera;
+    camera->SetDelegatePass(sequence);
+    vtkOpenGLRenderer::SafeDownCast(layer)->SetPass(camera);
+  }
+}
+
+vtkSmartPointer<vtkImageData> Panel::Draw(int width, int height)
+{
+  // A window a panel: the ambient occlusion of VTK 9.1 takes a renderer to cover its window.
+  this->PreparePasses();
+  this->Pixels = static_cast<vtkIdType>(width) * height;
+  vtkSmartPointer<vtkRenderWindow> window = MakeWindow(width, height);
+  double bounds[6];
+  this->GetBox().GetBounds(bounds);
+  window->SetNumberOfLayers(static_cast<int>(this->Layers.size()));
+  for (std::size_t i = 0; i < this->Layers.size(); ++i)
+  {
+    this->Layers[i]->SetLayer(static_cast<int>(i));
+    window->AddRenderer(this->Layers[i]);
+    this->Layers[i]->ResetCameraClippingRange(bounds);
+  }
+  return GrabPicture(window);
+}
+
+vtkBoundingBox Panel::GetBox() const
+{
+  vtkBoundingBox box;
+  for (vtkRenderer* layer : this->Layers)
+  {
+    double bounds[6];
+    layer->ComputeVisiblePropBounds(bounds);
+    box.AddBounds(bounds);
+  }
+  return box;
+}
+
+std::vector<vtkVector3d> Panel::GetPoints() const
+{
+  std::vector<vtkVector3d> points;
+  for (vtkRenderer* layer : this->Layers)
+  {
+    ForEachProp(layer,
+      [&points](vtkProp* prop)
+      {
+        vtkActor* actor = vtkActor::SafeDownCast(prop);
+        vtkPointSet* surface = nullptr;
+        if (actor && actor->GetMapper() && actor->GetIsIdentity())
+        {
+          actor->GetMapper()->Update();
+          surface = vtkPointSet::SafeDownCast(actor->GetMapper()->GetInputAsDataSet());
+        }
+        if (!surface)
+        {
+          AppendCorners(prop->GetBounds(), points);
+          return;
+        }
+        const vtkIdType count = surface->GetNumberOfPoints();
+        const vtkIdType step = std::max<vtkIdType>(1, count / OUTLINE_POINTS);
+        for (vtkIdType i = 0; i < count; i += step)
+        {
+          points.emplace_back(surface->GetPoint(i));
+        }
+      });
+  }
+  return points;
+}
+
+void Panel::Fit(const std::vector<vtkVector3d>& points, double aspect)
+{
+  if (points.empty())
+  {
+    return;
+  }
+  // The extent on the screen changes with the distance; a few rounds of panning and dollying
+  // settle.
+  const double pi = 3.14159265358979323846;
+  const double slope = std::tan(0.5 * this->Camera->GetViewAngle() * pi / 180.0);
+  vtkVector3d from(this->Camera->GetPosition());
+  vtkVector3d focus(this->Camera->GetFocalPoint());
+  from = from - focus;
+  from.Normalize();
+  vtkVector3d up(this->Camera->GetViewUp());
+  const vtkVector3d right = up.Cross(from).Normalized();
+  up = from.Cross(right).Normalized();
+
+  vtkBoundingBox box;
+  for (vtkVector3d point : points)
+  {
+    box.AddPoint(point.GetData());
+  }
+  box.GetCenter(focus.GetData());
+  double distance = 2.0 * box.GetDiagonalLength() / slope;
+  for (int round = 0; round < 12; ++round)
+  {
+    double low[2] = { 1e300, 1e300 };
+    double high[2] = { -1e300, -1e300 };
+    double nearest = 1e300;
+    for (vtkVector3d point : points)
+    {
+      const vtkVector3d offset = point - focus;
+      const double depth = std::max(distance - offset.Dot(from), 1e-3 * distance);
+      nearest = std::min(nearest, depth);
+      const double place[2] = { offset.Dot(right) / (depth * slope * aspect),
+        offset.Dot(up) / (depth * slope) };
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        low[axis] = std::min(low[axis], place[axis]);
+        high[axis] = std::max(high[axis], place[axis]);
+      }
+    }
+    const double half = 0.5 * std::max(high[0] - low[0], high[1] - low[1]);
+    focus = focus + right * (0.5 * (low[0] + high[0]) * distance * slope * aspect) +
+      up * (0.5 * (low[1] + high[1]) * distance * slope);
+    distance += nearest * (half * this->Zoom / FILL - 1.0);
+  }
+  this->Camera->SetFocalPoint(focus.GetData());
+  const vtkVector3d position = focus + from * distance;
+  this->Camera->SetPosition(position.GetData());
+  this->Camera->SetViewUp(up.GetData());
+}
+}

@@ -1,0 +1,92 @@
+#ifndef Panel_h
+#define Panel_h
+
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkVector.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkProp;
+
+namespace gallery
+{
+/**
+ * One view within a picture: its props, its camera, its caption. Made by Stage::AddPanel.
+ *
+ * The camera is given as a direction only; the stage fits it so that the props fill the panel.
+ */
+class Panel
+{
+public:
+  explicit Panel(const std::string& caption);
+
+  const std::string& GetCaption() const { return this->Caption; }
+
+  /**
+   * Adds a prop to the topmost layer.
+   */
+  void Add(vtkProp* prop);
+
+  /**
+   * Starts a layer that is drawn over all before, whatever its depth: the painter's way of giving
+   * priority.
+   */
+  void AddLayer();
+
+  /**
+   * The eye looks along minus \a from, with \a up pointing up. Default from (0, -1, 0), up (0, 0,
+   * 1).
+   */
+  void LookFrom(const vtkVector3d& from, const vtkVector3d& up);
+
+  /**
+   * Uses the camera of another panel; both are fitted to the props of both.
+   */
+  void LookAs(Panel& other);
+
+  ///@{
+  /**
+   * How much nearer than the fit: 1 has the props fill the panel, more cuts them. Default 1.
+   */
+  void SetZoom(double zoom) { this->Zoom = zoom; }
+  ///@}
+
+  /**
+   * Ambient occlusion of the opaque props: reach as a share of the diagonal of the panel's props, 0
+   * for none. Default 0.05.
+   */
+  void SetAmbientOcclusion(double reach) { this->OcclusionReach = reach; }
+
+  ///@{
+  /**
+   * For the stage: the renderers, bottom to top, the camera, what fitting it needs, and the drawing
+   * of width x height pixels. GetPixels() is the size drawn last.
+   */
+  const std::vector<vtkSmartPointer<vtkRenderer>>& GetLayers() const { return this->Layers; }
+  vtkCamera* GetCamera() const { return this->Camera; }
+  bool UsesAmbientOcclusion() const;
+  std::vector<vtkVector3d> GetPoints() const;
+  void Fit(const std::vector<vtkVector3d>& points, double aspect);
+  vtkSmartPointer<vtkImageData> Draw(int width, int height);
+  vtkIdType GetPixels() const { return this->Pixels; }
+  ///@}
+
+private:
+  vtkBoundingBox GetBox() const;
+  void PreparePasses();
+
+  std::string Caption;
+  std::vector<vtkSmartPointer<vtkRenderer>> Layers;
+  vtkSmartPointer<vtkCamera> Camera;
+  vtkIdType Pixels = 0;
+  double Zoom = 1.0;
+  double OcclusionReach = 0.05;
+};
+}
+
+#endif

@@ -1,0 +1,269 @@
+#include "Props.h"
+
+#include "Glass.h"
+#include "Look.h"
+
+#include "vtkActor.h"
+#include "vtkAppendPolyData.h"
+#include "vtkArrayCalculator.h"
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkFloatArray.h"
+#include "vtkGradientFilter.h"
+#include "vtkImageData.h"
+#include "vtkImageShrink3D.h"
+#include "vtkImplicitBoolean.h"
+#include "vtkIntervalVolume.h"
+#include "vtkNew.h"
+#include "vtkOutlineFilter.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkReverseSense.h"
+#include "vtkScalarsToColors.h"
+#include "vtkShaderProperty.h"
+#include "vtkStructuredGrid.h"
+#include "vtkStructuredGridGeometryFilter.h"
+#include "vtkStructuredGridOutlineFilter.h"
+#include "vtkTableBasedClipDataSet.h"
+#include "vtkThreshold.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
+#include "vtkTubeFilter.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace gallery
+{
+namespace
+{
+const char* const GRADIENT = "Gradient";
+
+vtkSmartPointer<vtkUnstructuredGrid> SelectCells(
+  vtkUnstructuredGrid* grid, const char* array, int value)
+{
+  vtkNew<vtkThreshold> threshold;
+  threshold->SetInputData(grid);
+  threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, array);
+  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_BETWEEN);
+  threshold->SetLowerThreshold(value);
+  threshold->SetUpperThreshold(value);
+  threshold->Update();
+  return threshold->GetOutput();
+}
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> SelectInterval(vtkUnstructuredGrid* grid, int id)
+{
+  return SelectCells(grid, "IntervalId", id);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> SelectSide(vtkUnstructuredGrid* triangles, int side)
+{
+  return SelectCells(triangles, "BoundarySide", side);
+}
+
+vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* cells, double featureAngle)
+{
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(cells);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(surface->GetOutputPort());
+  normals->SetFeatureAngle(featureAngle);
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colour, double opacity)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  vtkProperty* property = actor->GetProperty();
+  property->SetColor(colour[0], colour[1], colour[2]);
+  property->SetOpacity(opacity);
+  property->SetAmbient(0.16);
+  property->SetDiffuse(0.88);
+  property->SetSpecular(0.12);
+  property->SetSpecularPower(20.0);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> MakeColouredActor(
+  vtkPolyData* surface, const std::string& array, vtkScalarsToColors* colours)
+{
+  vtkSmartPointer<vtkActor> actor = MakeActor(surface, { 1.0, 1.0, 1.0 });
+  vtkMapper* mapper = actor->GetMapper();
+  mapper->ScalarVisibilityOn();
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray(array.c_str());
+  mapper->SetLookupTable(colours);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->InterpolateScalarsBeforeMappingOn();
+  // More light from everywhere, so that a colour in the shade can still be looked up in the bar.
+  actor->GetProperty()->SetAmbient(0.3);
+  actor->GetProperty()->SetDiffuse(0.7);
+  return actor;
+}
+
+void SetGlossy(vtkActor* actor)
+{
+  // Less diffuse light leaves room for the highlight, which would lose its hue where it is cut off.
+  actor->GetProperty()->SetDiffuse(0.74);
+  actor->GetProperty()->SetSpecular(0.3);
+  actor->GetProperty()->SetSpecularPower(40.0);
+}
+
+void SetGlass(vtkActor* actor)
+{
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, Glass, false);
+}
+
+void SetGradientNormals(vtkPolyData* surface, int side)
+{
+  vtkPointData* pointData = surface->GetPointData();
+  vtkDataArray* vectors = pointData->GetArray(GRADIENT);
+  // Triangles face out of the interval: down the gradient at its lower side.
+  const double sign = side == vtkIntervalVolume::LOWER_SIDE ? -1.0 : 1.0;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(vectors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    vtkVector3d normal;
+    vectors->GetTuple(i, normal.GetData());
+    normal.Normalize();
+    normals->SetTuple3(i, sign * normal[0], sign * normal[1], sign * normal[2]);
+  }
+  pointData->SetNormals(normals);
+}
+
+vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data)
+{
+  vtkNew<vtkGradientFilter> gradient;
+  gradient->SetInputData(data);
+  gradient->SetResultArrayName(GRADIENT);
+  gradient->Update();
+  return vtkDataSet::SafeDownCast(gradient->GetOutput());
+}
+
+vtkSmartPointer<vtkDataSet> AddMagnitude(
+  vtkDataSet* data, const std::string& vectors, const std::string& magnitude)
+{
+  vtkNew<vtkArrayCalculator> calculator;
+  calculator->SetInputData(data);
+  calculator->AddVectorArrayName(vectors.c_str());
+  calculator->SetFunction(("mag(" + vectors + ")").c_str());
+  calculator->SetResultArrayName(magnitude.c_str());
+  calculator->Update();
+  return vtkDataSet::SafeDownCast(calculator->GetOutput());
+}
+
+vtkSmartPointer<vtkPolyData> AddMirrorImage(vtkPolyData* surface)
+{
+  vtkNew<vtkTransform> mirror;
+  mirror->Scale(1.0, -1.0, 1.0);
+  vtkNew<vtkTransformPolyDataFilter> image;
+  image->SetInputData(surface);
+  image->SetTransform(mirror);
+  vtkNew<vtkReverseSense> turned;
+  turned->SetInputConnection(image->GetOutputPort());
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(surface);
+  both->AddInputConnection(turned->GetOutputPort());
+  both->Update();
+  return both->GetOutput();
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> CutOut(
+  vtkDataSet* data, const vtkVector3d& origin, const vtkVector3d& first, const vtkVector3d& second)
+{
+  vtkNew<vtkImplicitBoolean> wedge;
+  wedge->SetOperationTypeToUnion();
+  for (const vtkVector3d& direction : { first, second })
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(origin[0], origin[1], origin[2]);
+    plane->SetNormal(direction[0], direction[1], direction[2]);
+    wedge->AddFunction(plane);
+  }
+  vtkNew<vtkTableBasedClipDataSet> clip;
+  clip->SetInputData(data);
+  clip->SetClipFunction(wedge);
+  clip->InsideOutOn();
+  clip->Update();
+  return clip->GetOutput();
+}
+
+vtkSmartPointer<vtkActor> MakeOutline(vtkDataSet* data)
+{
+  vtkSmartPointer<vtkPolyDataAlgorithm> outline;
+  if (vtkStructuredGrid::SafeDownCast(data))
+  {
+    outline = vtkSmartPointer<vtkStructuredGridOutlineFilter>::New();
+  }
+  else
+  {
+    outline = vtkSmartPointer<vtkOutlineFilter>::New();
+  }
+  outline->SetInputDataObject(data);
+  vtkNew<vtkTubeFilter> tubes;
+  tubes->SetInputConnection(outline->GetOutputPort());
+  tubes->SetRadius(0.0014 * data->GetLength());
+  tubes->SetNumberOfSides(8);
+  tubes->Update();
+  return MakeActor(tubes->GetOutput(), Pencil());
+}
+
+vtkSmartPointer<vtkPolyData> MakeWall(vtkStructuredGrid* grid, int axis, int index)
+{
+  int extent[6];
+  grid->GetExtent(extent);
+  extent[2 * axis] = index;
+  extent[2 * axis + 1] = index;
+  vtkNew<vtkStructuredGridGeometryFilter> geometry;
+  geometry->SetInputData(grid);
+  geometry->SetExtent(extent);
+  geometry->Update();
+  return MakeSurface(geometry->GetOutput());
+}
+
+vtkSmartPointer<vtkImageData> HideQuarter(vtkImageData* image, double x, double y)
+{
+  auto open = vtkSmartPointer<vtkImageData>::New();
+  open->ShallowCopy(image);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(image->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < image->GetNumberOfCells(); ++cell)
+  {
+    double bounds[6];
+    image->GetCellBounds(cell, bounds);
+    const bool hidden = bounds[1] <= x && bounds[3] <= y;
+    ghosts->SetValue(cell, hidden ? vtkDataSetAttributes::HIDDENCELL : 0);
+  }
+  open->GetCellData()->AddArray(ghosts);
+  return open;
+}
+
+vtkSmartPointer<vtkImageData> Reduce(vtkImageData* image, int factor)
+{
+  vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputData(image);
+  shrink->SetShrinkFactors(factor, factor, factor);
+  shrink->MeanOn();
+  shrink->Update();
+  return shrink->GetOutput();
+}
+}

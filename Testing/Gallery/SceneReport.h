@@ -1,0 +1,56 @@
+#ifndef SceneReport_h
+#define SceneReport_h
+
+#include "vtkExtractionReport.h"
+#include "vtkType.h"
+
+#include <set>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace gallery
+{
+/**
+ * What one scene did and what it used. Counts are measured, not declared: a feature that is off
+ * leaves its counts at 0 and its name out of Features.
+ */
+struct SceneReport
+{
+  std::string Id;
+  std::string Figure;
+  /// Pixels of the picture.
+  int Width = 0;
+  int Height = 0;
+
+  /// Wall clock: reading and building, of that the extraction filters, and drawing.
+  double BuildSeconds = 0.0;
+  double ExtractSeconds = 0.0;
+  double RenderSeconds = 0.0;
+
+  /// Names of what was on: `criteria`, `boundaries`, `depth-peeling`, `ambient-occlusion`,
+  /// `layers`.
+  std::set<std::string> Features;
+
+  /// Extraction filters run, their intervals and criteria, and what came out.
+  int Filters = 0;
+  int Intervals = 0;
+  int Criteria = 0;
+  vtkIdType Tetrahedra = 0;
+  vtkIdType BoundaryTriangles = 0;
+  /// Sum of the reports of the filters.
+  vtkExtractionReport Extraction;
+
+  int Panels = 0;
+  /// Passes over the geometry of a renderer, summed over renderers; the screen-space passes of
+  /// ambient occlusion are among them.
+  int Passes = 0;
+  /// Off-screen textures of the drawing, and the bytes they take, the window's own included.
+  int Buffers = 0;
+  vtkIdType Bytes = 0;
+};
+
+nlohmann::json ToJson(const SceneReport& report);
+}
+
+#endif

@@ -1,0 +1,61 @@
+// Four intervals of one field, each of one colour, in one mesh.
+
+#include "DataFiles.h"
+#include "Look.h"
+#include "Props.h"
+#include "Scene.h"
+#include "Stage.h"
+
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkIntervalVolume.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkImageData> tooth =
+    vtkImageData::SafeDownCast(interlume::ReadData("tooth.vti"));
+  const std::array<double, 5> bounds = { { 115.0, 150.0, 172.0, 205.0, 255.0 } };
+  const std::array<const char*, 4> labels = { { "115 to 150", "150 to 172", "172 to 205",
+    "205 to 255" } };
+  const int count = static_cast<int>(labels.size());
+  vtkNew<vtkIntervalVolume> intervals;
+  intervals->SetNumberOfIntervals(count);
+  std::vector<gallery::ColourEntry> key;
+  for (int i = 0; i < count; ++i)
+  {
+    intervals->SetInterval(i, bounds[i], bounds[i + 1]);
+    key.emplace_back(gallery::IntervalColour(i), labels[i]);
+  }
+
+  gallery::Panel& whole = stage.AddPanel("the whole mesh");
+  gallery::Panel& open = stage.AddPanel("a quarter of the cells hidden");
+  whole.LookFrom({ -0.8, -1.0, 0.35 }, { 0.0, 0.0, 1.0 });
+  open.LookAs(whole);
+  const auto draw = [&stage, &intervals, count](gallery::Panel& panel, vtkImageData* image)
+  {
+    vtkSmartPointer<vtkUnstructuredGrid> mesh = stage.Extract(intervals, image);
+    for (int i = 0; i < count; ++i)
+    {
+      vtkSmartPointer<vtkPolyData> surface = gallery::MakeSurface(gallery::SelectInterval(mesh, i));
+      panel.Add(gallery::MakeActor(surface, gallery::IntervalColour(i)));
+    }
+  };
+  draw(whole, tooth);
+  draw(open, gallery::HideQuarter(tooth, 52.0, 46.0));
+  stage.SetColourKey("", key);
+}
+
+const gallery::SceneRegistration registration({ "interval-constant", "3.4",
+  "Four intervals in one mesh, one colour each",
+  "A tooth in a CT scanner, cut by value into four intervals in one pass. They share their points "
+  "and faces, so that the layers meet without a gap: dentine (green) around the pulp chamber, "
+  "enamel "
+  "(red) as a cap on top.",
+  { "tooth.vti" }, &Build });
+}

@@ -1,0 +1,65 @@
+// Intervals painted by priority, and by its reverse.
+
+#include "DataFiles.h"
+#include "Look.h"
+#include "Props.h"
+#include "Scene.h"
+#include "Stage.h"
+
+#include "vtkActor.h"
+#include "vtkDataSet.h"
+#include "vtkIntervalVolume.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkDataSet> protein = interlume::ReadData("neghip.vti");
+  const std::array<double, 5> bounds = { { 30.0, 70.0, 120.0, 180.0, 255.0 } };
+  const std::array<const char*, 4> labels = { { "30 to 70", "70 to 120", "120 to 180",
+    "180 to 255" } };
+  const int count = static_cast<int>(labels.size());
+  vtkNew<vtkIntervalVolume> intervals;
+  intervals->SetNumberOfIntervals(count);
+  for (int i = 0; i < count; ++i)
+  {
+    intervals->SetInterval(i, bounds[i], bounds[i + 1]);
+  }
+  vtkSmartPointer<vtkUnstructuredGrid> mesh = stage.Extract(intervals, protein);
+
+  gallery::Panel& outside = stage.AddPanel("low values painted last");
+  gallery::Panel& inside = stage.AddPanel("high values painted last");
+  outside.LookFrom({ -1.0, -0.7, 0.5 }, { 0.0, 0.0, 1.0 });
+  inside.LookAs(outside);
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  std::vector<gallery::ColourEntry> key;
+  for (int i = 0; i < count; ++i)
+  {
+    vtkSmartPointer<vtkPolyData> surface = gallery::MakeSurface(gallery::SelectInterval(mesh, i));
+    actors.push_back(gallery::MakeActor(surface, gallery::IntervalColour(i), 0.7));
+    key.emplace_back(gallery::IntervalColour(i), labels[i]);
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    if (i > 0)
+    {
+      outside.AddLayer();
+      inside.AddLayer();
+    }
+    outside.Add(actors[count - 1 - i]);
+    inside.Add(actors[i]);
+  }
+  stage.SetColourKey("", key);
+}
+
+const gallery::SceneRegistration registration({ "interval-priority", "3.6",
+  "Intervals by priority, and by its reverse",
+  "Electron density of a protein in four intervals. Each is painted over those before it, whatever "
+  "their depth: with low values last the outer surface dominates, with high values last the cores "
+  "shine through.",
+  { "neghip.vti" }, &Build });
+}

@@ -1,0 +1,190 @@
+#include "Stage.h"
+
+#include "DrawCounter.h"
+#include "Look.h"
+#include "Picture.h"
+#include "Scene.h"
+#include "Stopwatch.h"
+
+#include "vtkImageData.h"
+#include "vtkIntervalVolume.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <map>
+
+namespace gallery
+{
+namespace
+{
+/// The picture is drawn this many times larger in each direction and averaged down.
+constexpr int SUPERSAMPLING = 2;
+
+/// Height of the caption line and of the legend, in lines of text.
+constexpr double CAPTION_LINES = 2.4;
+constexpr double LEGEND_LINES = 4.4;
+
+int FontSize(int height)
+{
+  return std::max(9 * SUPERSAMPLING, static_cast<int>(0.022 * height + 0.5));
+}
+}
+
+Stage::Stage(int width, int height)
+  : Width(SUPERSAMPLING * width)
+  , Height(SUPERSAMPLING * height)
+{
+  this->Report.Width = width;
+  this->Report.Height = height;
+}
+
+Stage::~Stage() = default;
+
+Panel& Stage::AddPanel(const std::string& caption)
+{
+  this->Panels.push_back(std::make_unique<Panel>(caption));
+  return *this->Panels.back();
+}
+
+void Stage::SetColourBar(
+  const std::string& title, vtkScalarsToColors* colours, double lower, double upper)
+{
+  vtkSmartPointer<vtkScalarsToColors> kept = colours;
+  this->Legend = [title, kept, lower, upper](vtkRenderer* overlay, double x, double width, int font)
+  { AddColourBar(overlay, title, kept, lower, upper, x, 1.9 * font, width, font); };
+}
+
+void Stage::SetColourKey(const std::string& title, const std::vector<ColourEntry>& entries)
+{
+  this->Legend = [title, entries](vtkRenderer* overlay, double x, double, int font)
+  { AddColourKey(overlay, title, entries, x, 1.5 * font, font); };
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkIntervalVolume* filter, vtkDataObject* input)
+{
+  const Stopwatch watch;
+  filter->SetInputDataObject(input);
+  filter->Update();
+  this->Report.ExtractSeconds += watch.Seconds();
+
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
+    vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  vtkUnstructuredGrid* boundaries =
+    vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1));
+  ++this->Report.Filters;
+  this->Report.Intervals += filter->GetNumberOfIntervals();
+  this->Report.Criteria += filter->GetNumberOfCriteria();
+  this->Report.Tetrahedra += tetrahedra->GetNumberOfCells();
+  this->Report.BoundaryTriangles += boundaries ? boundaries->GetNumberOfCells() : 0;
+  this->Report.Extraction.Add(filter->GetReport());
+  if (this->Report.Criteria > 0)
+  {
+    this->Report.Features.insert("criteria");
+  }
+  if (this->Report.BoundaryTriangles > 0)
+  {
+    this->Report.Features.insert("boundaries");
+  }
+  return tetrahedra;
+}
+
+Stage::Cell Stage::GetCell(std::size_t panel) const
+{
+  const int count = static_cast<int>(this->Panels.size());
+  const int columns = this->Columns > 0 ? this->Columns : count;
+  const int rows = (count + columns - 1) / columns;
+  const int column = static_cast<int>(panel) % columns;
+  const int row = static_cast<int>(panel) / columns;
+  const int font = FontSize(this->Height);
+  const int legend = this->Legend ? static_cast<int>(LEGEND_LINES * font) : 0;
+  const int captionHeight =
+    this->Panels[panel]->GetCaption().empty() ? 0 : static_cast<int>(CAPTION_LINES * font);
+  const int left = this->Width * column / columns;
+  const int right = this->Width * (column + 1) / columns;
+  const int bottom = legend + (this->Height - legend) * (rows - 1 - row) / rows;
+  const int top = legend + (this->Height - legend) * (rows - row) / rows;
+  return { left, bottom, right - left, top - bottom, captionHeight };
+}
+
+vtkSmartPointer<vtkImageData> Stage::Render()
+{
+  const Stopwatch watch;
+  this->FitCameras();
+  vtkSmartPointer<vtkImageData> picture = this->DrawPaper();
+  for (std::size_t i = 0; i < this->Panels.size(); ++i)
+  {
+    Panel& panel = *this->Panels[i];
+    DrawCounter counter;
+    for (vtkRenderer* layer : panel.GetLayers())
+    {
+      counter.Watch(layer);
+    }
+    const Cell cell = this->GetCell(i);
+    vtkSmartPointer<vtkImageData> drawing = panel.Draw(cell.Width, cell.Height - cell.Caption);
+    Paste(picture, drawing, cell.Left, cell.Bottom + cell.Caption);
+    const BufferCount used = CountBuffers(panel, this->Report.Features);
+    this->Report.Buffers += used.Buffers;
+    this->Report.Bytes += used.Bytes;
+    this->Report.Passes += used.ScreenPasses + counter.GetPasses();
+  }
+  this->Report.Panels = static_cast<int>(this->Panels.size());
+  picture = AverageDown(picture, SUPERSAMPLING);
+  this->Report.RenderSeconds = watch.Seconds();
+  return picture;
+}
+
+vtkSmartPointer<vtkImageData> Stage::DrawPaper()
+{
+  const int font = FontSize(this->Height);
+  vtkNew<vtkRenderer> paper;
+  ApplyLook(paper);
+  for (std::size_t i = 0; i < this->Panels.size(); ++i)
+  {
+    const Cell cell = this->GetCell(i);
+    AddText(paper, this->Panels[i]->GetCaption(), cell.Left + 0.5 * cell.Width,
+      cell.Bottom + 0.5 * cell.Caption, font);
+  }
+  if (this->Legend)
+  {
+    this->Legend(paper, 0.5 * this->Width, 0.42 * this->Width, font);
+  }
+  vtkSmartPointer<vtkRenderWindow> window = MakeWindow(this->Width, this->Height);
+  window->AddRenderer(paper);
+  return GrabPicture(window);
+}
+
+void Stage::FitCameras()
+{
+  std::map<vtkCamera*, std::vector<vtkVector3d>> points;
+  for (const std::unique_ptr<Panel>& panel : this->Panels)
+  {
+    const std::vector<vtkVector3d> own = panel->GetPoints();
+    std::vector<vtkVector3d>& shared = points[panel->GetCamera()];
+    shared.insert(shared.end(), own.begin(), own.end());
+  }
+  for (std::size_t i = 0; i < this->Panels.size(); ++i)
+  {
+    const Cell cell = this->GetCell(i);
+    this->Panels[i]->Fit(points[this->Panels[i]->GetCamera()],
+      static_cast<double>(cell.Width) / (cell.Height - cell.Caption));
+  }
+}
+
+vtkSmartPointer<vtkImageData> RenderScene(
+  const Scene& scene, int width, int height, SceneReport& report)
+{
+  const Stopwatch watch;
+  Stage stage(width, height);
+  scene.Build(stage);
+  const double buildSeconds = watch.Seconds();
+  vtkSmartPointer<vtkImageData> picture = stage.Render();
+  report = stage.GetReport();
+  report.Id = scene.Id;
+  report.Figure = scene.Figure;
+  report.BuildSeconds = buildSeconds;
+  return picture;
+}
+}

@@ -1,0 +1,104 @@
+#ifndef Stage_h
+#define Stage_h
+
+#include "Legend.h"
+#include "Panel.h"
+#include "SceneReport.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkImageData;
+class vtkIntervalVolume;
+class vtkRenderer;
+class vtkScalarsToColors;
+class vtkUnstructuredGrid;
+
+namespace gallery
+{
+struct Scene;
+
+/**
+ * Where a scene puts its panels: lays them out in a grid with a caption under each and one legend
+ * under all, draws them off-screen at twice the size, and counts what was used.
+ */
+class Stage
+{
+public:
+  /**
+   * A picture of width x height pixels.
+   */
+  Stage(int width, int height);
+  ~Stage();
+
+  /**
+   * Number of columns of the grid of panels; rows follow. Default: one row.
+   */
+  void SetColumns(int columns) { this->Columns = columns; }
+
+  /**
+   * Adds a panel, left to right, then top to bottom. It lives as long as the stage.
+   */
+  Panel& AddPanel(const std::string& caption);
+
+  ///@{
+  /**
+   * The legend under the panels, one of both: a bar where colour means a value, or a key where it
+   * means an interval.
+   */
+  void SetColourBar(
+    const std::string& title, vtkScalarsToColors* colours, double lower, double upper);
+  void SetColourKey(const std::string& title, const std::vector<ColourEntry>& entries);
+  ///@}
+
+  /**
+   * Runs an extraction filter on \a input and adds what it did to the report. Returns its
+   * tetrahedra. Boundary triangles, where asked for, are on the filter's port 1.
+   */
+  vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkIntervalVolume* filter, vtkDataObject* input);
+
+  /**
+   * Draws the picture: RGB, unsigned char.
+   */
+  vtkSmartPointer<vtkImageData> Render();
+
+  /**
+   * What was done up to now; complete after Render().
+   */
+  const SceneReport& GetReport() const { return this->Report; }
+
+private:
+  /// Place of a panel in the large picture, in pixels; Caption is the height of its lowest part.
+  struct Cell
+  {
+    int Left;
+    int Bottom;
+    int Width;
+    int Height;
+    int Caption;
+  };
+  Cell GetCell(std::size_t panel) const;
+  void FitCameras();
+  vtkSmartPointer<vtkImageData> DrawPaper();
+
+  int Width;
+  int Height;
+  int Columns = 0;
+  std::vector<std::unique_ptr<Panel>> Panels;
+  std::function<void(vtkRenderer*, double, double, int)> Legend;
+  SceneReport Report;
+};
+
+/**
+ * Builds and draws \a scene and fills the report.
+ */
+vtkSmartPointer<vtkImageData> RenderScene(
+  const Scene& scene, int width, int height, SceneReport& report);
+}
+
+#endif

@@ -1,0 +1,24 @@
+#ifndef Stopwatch_h
+#define Stopwatch_h
+
+#include <chrono>
+
+namespace gallery
+{
+/**
+ * Wall clock time since it was made.
+ */
+class Stopwatch
+{
+public:
+  double Seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+}
+
+#endif

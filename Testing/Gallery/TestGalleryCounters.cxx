@@ -1,0 +1,118 @@
+// Reads what `interlume-gallery --json` and its page say, and checks that a scene paid only for
+// what it used: a feature that is off leaves no triangle, no pass and no buffer. Argument: the
+// folder with gallery.json and index.html.
+
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <set>
+#include <string>
+
+namespace
+{
+/// Textures and passes of a panel, as TestGalleryCounters expects them of VTK 9.
+constexpr int WINDOW_BUFFERS = 4;
+constexpr int OCCLUSION_BUFFERS = 5;
+constexpr int OCCLUSION_PASSES = 2;
+
+class Checker
+{
+public:
+  explicit Checker(const std::string& folder)
+    : Page(ReadText(folder + "/index.html"))
+    , Folder(folder)
+  {
+  }
+
+  static std::string ReadText(const std::string& path)
+  {
+    std::ifstream file(path);
+    return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  }
+
+  void CheckScene(const nlohmann::json& scene)
+  {
+    this->Scene = scene.at("id").get<std::string>();
+    const auto features = scene.at("features").get<std::set<std::string>>();
+    const auto has = [&features](const char* name) { return features.count(name) > 0; };
+    const nlohmann::json& extraction = scene.at("extraction");
+    const int panels = scene.at("panels");
+
+    this->Expect(scene.at("tetrahedra") > 0, "tetrahedra were made");
+    this->Expect(extraction.at("cells_visited") <= extraction.at("cells"),
+      "no more cells visited than there are");
+    this->Expect(extraction.at("cells_with_output") > 0, "cells gave output");
+    this->Expect(has("boundaries") == (scene.at("boundary_triangles") > 0),
+      "boundary triangles exactly where boundaries are on");
+    this->Expect(has("boundaries") == (this->Scene == "interval-boundary"),
+      "boundaries on in interval-boundary only");
+    this->Expect(has("criteria") == (scene.at("criteria") > 0), "criteria as asked for");
+    this->Expect(extraction.at("passes") == (has("criteria") ? 2 : 1),
+      "a second extraction pass exactly where there is a criterion");
+    this->Expect(
+      has("layers") == (this->Scene == "interval-priority"), "layers in interval-priority only");
+    if (!has("depth-peeling") && !has("layers"))
+    {
+      const bool occlusion = has("ambient-occlusion");
+      this->Expect(scene.at("passes") == panels * (1 + (occlusion ? OCCLUSION_PASSES : 0)),
+        "one pass a panel, and those of ambient occlusion");
+      this->Expect(
+        scene.at("buffers") == panels * (WINDOW_BUFFERS + (occlusion ? OCCLUSION_BUFFERS : 0)),
+        "no buffer beyond the window and ambient occlusion");
+    }
+    this->Expect(scene.at("bytes") > 0, "bytes of buffers counted");
+    this->Expect(scene.at("seconds") > 0.0, "time taken");
+    this->Expect(this->Page.find("src=\"" + this->Scene + ".png\"") != std::string::npos,
+      "the page shows the picture");
+    this->Expect(
+      std::ifstream(this->Folder + "/" + this->Scene + ".png").good(), "the picture is there");
+  }
+
+  void Expect(bool holds, const std::string& what)
+  {
+    if (!holds)
+    {
+      std::cerr << this->Scene << ": expected: " << what << "\n";
+      this->Passed = false;
+    }
+  }
+
+  bool HasPassed() const { return this->Passed; }
+
+private:
+  std::string Page;
+  std::string Folder;
+  std::string Scene;
+  bool Passed = true;
+};
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 2)
+  {
+    std::cerr << "the argument is the folder of the gallery\n";
+    return EXIT_FAILURE;
+  }
+  const std::string folder = argv[1];
+  try
+  {
+    Checker checker(folder);
+    const nlohmann::json gallery =
+      nlohmann::json::parse(Checker::ReadText(folder + "/gallery.json"));
+    checker.Expect(gallery.at("scenes").size() >= 7, "at least seven scenes");
+    for (const nlohmann::json& scene : gallery.at("scenes"))
+    {
+      checker.CheckScene(scene);
+    }
+    return checker.HasPassed() ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << error.what() << "\n";
+    return EXIT_FAILURE;
+  }
+}

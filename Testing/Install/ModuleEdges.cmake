@@ -1,0 +1,60 @@
+# find_breaches(ROOT OUTPUT): lists the lines under ROOT that cross an edge between modules that
+# Documentation/architecture.md does not have, each as "file: line".
+#   - ParaView's headers only in Plugin/
+#   - a rendering module knows no module under Filters/
+#   - Isotables knows no pipeline and no dataset; Isotables <- Intervals <- Flow; Sources on VTK alone
+
+# The names of a module's headers, as one regular expression; one that matches nothing if it has none.
+function (header_pattern output)
+  set(names)
+  foreach (folder IN LISTS ARGN)
+    file(GLOB_RECURSE headers "${folder}/*.h")
+    foreach (header IN LISTS headers)
+      get_filename_component(name "${header}" NAME_WE)
+      list(APPEND names "${name}")
+    endforeach ()
+  endforeach ()
+  list(JOIN names "|" pattern)
+  if (NOT pattern)
+    set(pattern "no header")
+  endif ()
+  set(${output} "(${pattern})\\.h" PARENT_SCOPE)
+endfunction ()
+
+# Appends to `breaches` the lines in the folder's sources that include a header of the pattern.
+macro (forbid root folder pattern)
+  file(GLOB_RECURSE sources
+    "${root}/${folder}/*.h" "${root}/${folder}/*.hxx" "${root}/${folder}/*.txx" "${root}/${folder}/*.cxx")
+  foreach (source IN LISTS sources)
+    file(STRINGS "${source}" lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"](.*/)?${pattern}[>\"]")
+    foreach (line IN LISTS lines)
+      file(RELATIVE_PATH name "${root}" "${source}")
+      list(APPEND breaches "${name}: ${line}")
+    endforeach ()
+  endforeach ()
+endmacro ()
+
+function (find_breaches root output)
+  set(breaches)
+  # vtkSMPTools and its like are VTK's: after vtkSM, ParaView's have a capital and a small letter.
+  set(paraview "(vtkPV[A-Z]|vtkSM[A-Z][a-z]|vtkSI[A-Z][a-z]|vtkClientServer|pq[A-Z])[A-Za-z0-9]*\\.h")
+  foreach (folder IN ITEMS Filters Rendering Testing Examples)
+    forbid("${root}" ${folder} "${paraview}")
+  endforeach ()
+
+  set(pipeline "vtk[A-Za-z0-9]*(Algorithm|Executive|Information|InformationVector|Pipeline)\\.h")
+  set(datasets "vtk[A-Za-z0-9]*(DataSet|DataObject|Grid|ImageData|PolyData)\\.h")
+  forbid("${root}" Filters/Isotables "${pipeline}")
+  forbid("${root}" Filters/Isotables "${datasets}")
+
+  header_pattern(filters "${root}/Filters")
+  header_pattern(intervals "${root}/Filters/Intervals")
+  header_pattern(flow "${root}/Filters/Flow")
+  header_pattern(not_sources "${root}/Filters/Isotables" "${root}/Filters/Intervals" "${root}/Filters/Flow")
+  forbid("${root}" Rendering "${filters}")
+  forbid("${root}" Filters/Isotables "${intervals}")
+  forbid("${root}" Filters/Isotables "${flow}")
+  forbid("${root}" Filters/Intervals "${flow}")
+  forbid("${root}" Filters/Sources "${not_sources}")
+  set(${output} "${breaches}" PARENT_SCOPE)
+endfunction ()

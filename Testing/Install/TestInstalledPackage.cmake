@@ -1,0 +1,33 @@
+# Installs the build into a fresh folder, builds a small project against that with find_package, and
+# runs it. The build's own libraries are not needed: nothing points at them.
+function (run what)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if (NOT status EQUAL 0)
+    message(FATAL_ERROR "${what} failed with ${status}:\n${output}")
+  endif ()
+  message(STATUS "${what}: done")
+endfunction ()
+
+set(prefix "${WORK_DIR}/prefix")
+file(REMOVE_RECURSE "${WORK_DIR}")
+run("installation" "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
+run("configuration of the consumer" "${CMAKE_COMMAND}"
+  -S "${CONSUMER_DIR}" -B "${WORK_DIR}/build" -G "${GENERATOR}"
+  "-DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM}"
+  "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
+  "-DCMAKE_C_COMPILER=${C_COMPILER}"
+  "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
+  "-DSANITIZE=${SANITIZE}"
+  "-DVTK_DIR=${VTK_DIR}"
+  "-DInterlume_DIR=${prefix}/${LIBRARY_DIR}/cmake/Interlume")
+run("build of the consumer" "${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
+run("consumer" "${WORK_DIR}/build/consumer")
+
+file(GLOB_RECURSE headers "${prefix}/include/*.h")
+file(GLOB_RECURSE package_files "${prefix}/${LIBRARY_DIR}/cmake/*.cmake")
+foreach (file IN LISTS headers package_files)
+  file(STRINGS "${file}" lines REGEX "^[^#]*${BUILD_DIR}/")
+  if (lines)
+    message(FATAL_ERROR "${file} names the build folder: ${lines}")
+  endif ()
+endforeach ()

@@ -1,0 +1,6 @@
+include("${CMAKE_CURRENT_LIST_DIR}/ModuleEdges.cmake")
+find_breaches("${SOURCE_DIR}" breaches)
+if (breaches)
+  list(JOIN breaches "\n" text)
+  message(FATAL_ERROR "includes that cross a module's edge:\n${text}")
+endif ()

@@ -1,0 +1,19 @@
+# In the build of the VTK modules: the numbers for ParaView to repeat, and the defaults of its XML.
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel ImagingCore IOLegacy IOXMLParser)
+find_package(nlohmann_json REQUIRED)
+
+add_executable(ExtractionNumbers ExtractionNumbers.cxx ExtractionMeasures.cxx ExtractionMeasures.h)
+target_link_libraries(ExtractionNumbers PRIVATE
+  InterlumeTestingCommon Interlume::InterlumeIntervals VTK::ImagingCore VTK::IOLegacy
+  nlohmann_json::nlohmann_json)
+set(extractions_folder "${CMAKE_BINARY_DIR}/Testing/Extractions")
+file(MAKE_DIRECTORY "${extractions_folder}")
+add_test(NAME TestExtractionNumbers COMMAND ExtractionNumbers "${extractions_folder}")
+
+add_executable(TestPluginXMLDefaults TestPluginXMLDefaults.cxx)
+target_link_libraries(TestPluginXMLDefaults PRIVATE Interlume::InterlumeIntervals VTK::IOXMLParser)
+add_test(NAME TestPluginXMLDefaults COMMAND TestPluginXMLDefaults "${PROJECT_SOURCE_DIR}/Plugin")
+
+set_tests_properties(TestExtractionNumbers TestPluginXMLDefaults PROPERTIES
+  LABELS "value;quick"
+  FAIL_REGULAR_EXPRESSION "ERROR: ;Warning: ")

@@ -1,0 +1,53 @@
+# In the build of the plugin: scripts that pvbatch runs, alone and with four MPI ranks.
+set(INTERLUME_EXTRACTIONS "" CACHE PATH
+  "The folder that TestExtractionNumbers wrote in a build of the VTK modules")
+if (NOT INTERLUME_EXTRACTIONS)
+  message(FATAL_ERROR
+    "The plugin's tests need INTERLUME_EXTRACTIONS, a folder that the tests of a build of the VTK "
+    "modules write; or set BUILD_TESTING to OFF. Utilities/test does both builds.")
+endif ()
+find_program(PVBATCH pvbatch HINTS "${ParaView_PREFIX_PATH}/bin" REQUIRED)
+find_package(MPI REQUIRED COMPONENTS C)
+find_path(INTERLUME_PARAVIEW_PYTHON paraview/simple.py REQUIRED
+  HINTS
+    "${ParaView_PREFIX_PATH}/lib/python3/dist-packages"
+    "${ParaView_PREFIX_PATH}/lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
+get_filename_component(paraview_libraries "${ParaView_DIR}/../.." ABSOLUTE)
+
+set(plugin_environment
+  "INTERLUME_PLUGIN=$<TARGET_FILE:Interlume>"
+  "INTERLUME_EXTRACTIONS=${INTERLUME_EXTRACTIONS}"
+  "PYTHONPATH=${INTERLUME_PARAVIEW_PYTHON}:${CMAKE_CURRENT_SOURCE_DIR}"
+  "PYTHONDONTWRITEBYTECODE=1"
+  "LD_LIBRARY_PATH=${paraview_libraries}"
+  # Ranks share the cores, and containers may forbid reading another process's memory.
+  "OMPI_MCA_rmaps_base_oversubscribe=1"
+  "OMPI_MCA_btl_vader_single_copy_mechanism=none"
+  "OMPI_ALLOW_RUN_AS_ROOT=1"
+  "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+set(pieces_file "${CMAKE_CURRENT_BINARY_DIR}/pieces.npz")
+
+# plugin_test(NAME LABELS COMMAND...)
+function (plugin_test name labels)
+  add_test(NAME ${name} COMMAND ${ARGN})
+  set_tests_properties(${name} PROPERTIES
+    LABELS "${labels}"
+    TIMEOUT 300
+    ENVIRONMENT "${plugin_environment}"
+    FAIL_REGULAR_EXPRESSION "ERR\\|;WARN\\|;ERROR: ;Warning: ;Traceback")
+endfunction ()
+
+set(script "${CMAKE_CURRENT_SOURCE_DIR}")
+set(batch "${PVBATCH}" --force-offscreen-rendering)
+set(ranks "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} 4)
+plugin_test(TestPluginNumbers "paraview;value" ${batch} "${script}/TestPluginNumbers.py")
+plugin_test(TestPluginProperties "paraview;value" ${batch} "${script}/TestPluginProperties.py")
+plugin_test(TestPluginComposite "paraview;value" ${batch} "${script}/TestPluginComposite.py")
+plugin_test(TestPluginOnePiece "paraview;value"
+  ${batch} "${script}/TestPluginPieces.py" write "${pieces_file}")
+plugin_test(TestPluginPieces "paraview;mpi;value"
+  ${ranks} ${batch} "${script}/TestPluginPieces.py" compare "${pieces_file}")
+set_tests_properties(TestPluginOnePiece PROPERTIES FIXTURES_SETUP one_piece)
+set_tests_properties(TestPluginPieces PROPERTIES FIXTURES_REQUIRED one_piece RUN_SERIAL ON)
+plugin_test(TestPluginPicture "paraview;image"
+  ${batch} "${script}/TestPluginPicture.py" "${CMAKE_CURRENT_BINARY_DIR}/TestPluginPicture.png")

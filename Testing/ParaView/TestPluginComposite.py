@@ -1,0 +1,60 @@
+"""A composite input gives a composite output of the same structure, leaf by leaf the same simplices."""
+
+import numpy
+from paraview import simple
+
+from plugin_testing import Checks, as_set, fetch, interval_volume, load_plugin, open_data, simplices
+
+LEAVES = (("wavelet", "RTData", (140.0, 180.0)), ("disk_out_ref", "Temp", (400.0, 700.0)))
+
+
+def renamed(name, array):
+    """The data with its scalars called `value`, so that all leaves have that array."""
+    calculator = simple.Calculator(Input=open_data(name))
+    calculator.Function = array
+    calculator.ResultArrayName = "value"
+    calculator.UpdatePipeline()
+    return calculator
+
+
+def output_in_place(proxy):
+    """The output as the filter made it: gathering it would change its structure."""
+    proxy.UpdatePipeline()
+    return proxy.GetClientSideObject().GetOutputDataObject(0)
+
+
+def leaves(composite):
+    """The datasets of a composite dataset, in order."""
+    iterator = composite.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        yield iterator.GetCurrentDataObject()
+        iterator.GoToNextItem()
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    sources = [renamed(name, array) for name, array, _ in LEAVES]
+    intervals = [interval for _, _, interval in LEAVES]
+    group = simple.GroupDatasets(Input=sources)
+
+    contour = simple.IsotableContour(Input=group)
+    contour.ContourBy = ["POINTS", "value"]
+    contour.Isosurfaces = [value for pair in intervals for value in pair]
+    tetrahedra = output_in_place(interval_volume(group, "value", intervals))
+    triangles = output_in_place(contour)
+    for name, output in (("interval volume", tetrahedra), ("contour", triangles)):
+        checks.equal(output.GetClassName(), output_in_place(group).GetClassName(), f"{name}, class")
+        checks.equal(len(list(leaves(output))), len(LEAVES), f"{name}, leaves")
+
+    for (name, _, _), source, leaf in zip(LEAVES, sources, leaves(tetrahedra)):
+        alone = simplices(fetch(interval_volume(source, "value", intervals)))
+        checks.that(len(alone) > 0, f"{name} has tetrahedra")
+        checks.that(numpy.array_equal(as_set(simplices(leaf)), as_set(alone)), f"tetrahedra of {name}")
+    for (name, _, _), leaf in zip(LEAVES, leaves(triangles)):
+        checks.that(leaf.GetNumberOfCells() > 0, f"{name} has triangles")
+    checks.finish()
+
+
+main()

@@ -1,0 +1,108 @@
+// The defaults in the plugin's server-manager XML are those of the C++ classes, for every property;
+// the properties whose default comes from the data have a domain that gives it.
+#include "vtkIntervalVolume.h"
+#include "vtkIsotableContour.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLUtilities.h"
+
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <string>
+
+namespace
+{
+int Failures = 0;
+
+void Check(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    ++Failures;
+    std::cerr << "failed: " << what << "\n";
+  }
+}
+
+template <typename Value>
+std::string Text(Value value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+// A property's name in the XML and the value a fresh object has.
+using Defaults = std::map<std::string, std::string>;
+
+bool TakesValueFromData(vtkXMLDataElement* property)
+{
+  return property->FindNestedElementWithName("ArrayRangeDomain") ||
+    property->FindNestedElementWithName("ArrayListDomain") ||
+    property->FindNestedElementWithName("InputArrayDomain");
+}
+
+void CompareWithXML(const std::string& file, const std::string& className, const Defaults& defaults)
+{
+  vtkSmartPointer<vtkXMLDataElement> root;
+  root.TakeReference(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
+  vtkXMLDataElement* proxy = root ? root->LookupElementWithName("SourceProxy") : nullptr;
+  Check(proxy != nullptr, file + " has a SourceProxy");
+  if (!proxy)
+  {
+    return;
+  }
+  Check(proxy->GetAttribute("class") == className, file + " is for " + className);
+
+  std::size_t compared = 0;
+  for (int i = 0; i < proxy->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* property = proxy->GetNestedElement(i);
+    const std::string kind = property->GetName();
+    if (kind.find("Property") == std::string::npos || kind == "PropertyGroup")
+    {
+      continue;
+    }
+    const std::string name = property->GetAttribute("name");
+    const auto expected = defaults.find(name);
+    if (expected == defaults.end())
+    {
+      Check(TakesValueFromData(property), className + "." + name + " is compared or has a domain");
+      continue;
+    }
+    const char* given = property->GetAttribute("default_values");
+    Check((given ? given : "") == expected->second,
+      className + "." + name + ": XML '" + (given ? given : "") + "', C++ '" + expected->second +
+        "'");
+    ++compared;
+  }
+  Check(compared == defaults.size(), className + ": the XML has every compared property");
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 2)
+  {
+    std::cerr << "usage: " << argv[0] << " PLUGIN_FOLDER\n";
+    return EXIT_FAILURE;
+  }
+  const std::string folder = argv[1];
+
+  vtkNew<vtkIntervalVolume> interval;
+  Check(interval->GetNumberOfIntervals() == 0, "vtkIntervalVolume starts without an interval");
+  Check(interval->GetNumberOfCriteria() == 0, "vtkIntervalVolume starts without a criterion");
+  CompareWithXML(folder + "/IntervalVolume.xml", "vtkIntervalVolume",
+    { { "Criteria", "" }, { "GenerateBoundaries", Text(interval->GetGenerateBoundaries()) },
+      { "OutputPointsPrecision", Text(interval->GetOutputPointsPrecision()) },
+      { "UseValueIndex", Text(interval->GetUseValueIndex()) } });
+
+  vtkNew<vtkIsotableContour> contour;
+  Check(contour->GetNumberOfContours() == 0, "vtkIsotableContour starts without a value");
+  CompareWithXML(folder + "/IsotableContour.xml", "vtkIsotableContour",
+    { { "OutputPointsPrecision", Text(contour->GetOutputPointsPrecision()) },
+      { "UseValueIndex", Text(contour->GetUseValueIndex()) } });
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

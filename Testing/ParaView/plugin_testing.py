@@ -1,0 +1,107 @@
+"""What the tests inside ParaView share: the plugin, the data, simplices as numpy arrays, checks."""
+
+import os
+import sys
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def load_plugin():
+    """Loads the plugin that the environment names into this session."""
+    simple.LoadPlugin(os.environ["INTERLUME_PLUGIN"], remote=False, ns=vars(simple))
+
+
+def extractions_path(name):
+    """A file in the folder that ExtractionNumbers wrote."""
+    return os.path.join(os.environ["INTERLUME_EXTRACTIONS"], name)
+
+
+def open_data(name):
+    """The wavelet source, or a reader of a dataset that ExtractionNumbers left, with its data read."""
+    if name == "wavelet":
+        source = simple.Wavelet()
+    else:
+        source = simple.OpenDataFile(extractions_path(name + ".vtk"))
+    source.UpdatePipeline()
+    return source
+
+
+def interval_volume(source, array, intervals, criteria=()):
+    """The filter over a point array; intervals are pairs, criteria triples of name and bounds."""
+    volume = simple.IntervalVolume(Input=source)
+    volume.Scalars = ["POINTS", array]
+    volume.Intervals = [value for pair in intervals for value in pair]
+    volume.Criteria = [str(value) for criterion in criteria for value in criterion]
+    return volume
+
+
+def fetch(proxy, port=0, rank=0):
+    """The dataset that a process has as the output of a port."""
+    proxy.UpdatePipeline()
+    return servermanager.Fetch(proxy, rank, idx=port)
+
+
+def simplices(grid):
+    """The cells of a grid of equal simplices as corner coordinates: (cells, corners, 3)."""
+    if grid.GetNumberOfCells() == 0:
+        return numpy.empty((0, 4, 3), numpy.float32)
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    corners = grid.GetCell(0).GetNumberOfPoints()
+    ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    return points[ids.reshape(-1, corners)]
+
+
+def sizes(cells):
+    """Signed volumes of tetrahedra or areas of triangles, in double precision."""
+    edges = cells[:, 1:].astype(float) - cells[:, :1]
+    normals = numpy.cross(edges[:, 0], edges[:, 1])
+    if cells.shape[1] == 3:
+        return numpy.linalg.norm(normals, axis=1) / 2
+    return numpy.einsum("ij,ij->i", normals, edges[:, 2]) / 6
+
+
+def as_set(cells):
+    """The simplices in an order that depends on their coordinates alone.
+
+    A row is the corners, sorted, and the orientation: whether sorting them was an even (+1) or an
+    odd (-1) permutation, and 0 where two corners coincide.
+    """
+    count, corners, _ = cells.shape
+    cells = cells + 0.0  # no negative zero
+    keys = [numpy.ascontiguousarray(cells[:, :, axis]) for axis in (2, 1, 0)]
+    order = numpy.lexsort(keys, axis=1)
+    ordered = numpy.take_along_axis(cells, order[:, :, None], axis=1)
+    parity = numpy.ones(count)
+    for first in range(corners):
+        for second in range(first + 1, corners):
+            parity *= numpy.where(order[:, first] > order[:, second], -1, 1)
+    parity[(ordered[:, 1:] == ordered[:, :-1]).all(axis=2).any(axis=1)] = 0
+    rows = numpy.concatenate([ordered.reshape(count, -1), parity[:, None]], axis=1)
+    return rows[numpy.lexsort(rows.T[::-1])]
+
+
+class Checks:
+    """Counts failed checks; `finish` ends the script with status 1 if there are some."""
+
+    def __init__(self):
+        self.failures = 0
+
+    def that(self, condition, what):
+        if not condition:
+            self.failures += 1
+            print("failed:", what, flush=True)
+
+    def equal(self, value, expected, what):
+        self.that(value == expected, f"{what}: {value!r}, expected {expected!r}")
+
+    def close(self, value, expected, tolerance, what):
+        error = abs(value - expected)
+        bound = tolerance * abs(expected)
+        self.that(error <= bound, f"{what}: {value!r}, expected {expected!r} within {bound!r}")
+
+    def finish(self):
+        print("checks failed:", self.failures, flush=True)
+        if self.failures:  # else the script must end by itself, for MPI to be finalized
+            sys.exit(1)

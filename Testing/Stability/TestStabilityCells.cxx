@@ -1,0 +1,249 @@
+// Extreme geometry and topology: cells without volume, inverted, with repeated points, alone, far
+// away, tiny, or with coordinates that are no numbers.
+#include "ReferenceExtraction.h"
+#include "ReferenceField.h"
+#include "ReferenceGrid.h"
+#include "ReferenceLattice.h"
+#include "ReferenceMesh.h"
+#include "ReferenceMeshBuilder.h"
+#include "ReferenceTransform.h"
+#include "ReferenceVolume.h"
+#include "StabilityCase.h"
+
+#include "vtkImageData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double VolumeBound = 1e-12;
+const LinearFunction Function = { 0.1, { 0.3, 0.5, 0.7 } };
+const std::vector<Interval> Halves = { { -9, 0.5 }, { 0.5, 9 } };
+
+TetrahedraVolume Measured(vtkDataSet* data, const std::vector<Interval>& intervals)
+{
+  return MeasureTetrahedra(ExtractIntervals(data, intervals).Volume);
+}
+
+/// The mesh with every point moved.
+vtkSmartPointer<vtkUnstructuredGrid> Moved(
+  vtkUnstructuredGrid* mesh, const std::function<void(double*)>& move)
+{
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    mesh->GetPoint(i, x);
+    move(x);
+    mesh->GetPoints()->SetPoint(i, x);
+  }
+  return mesh;
+}
+
+void TestFlatCells(StabilityCatalogue& catalogue)
+{
+  for (MeshKind kind : AllMeshKinds())
+  {
+    auto flat = Moved(MakeMesh(kind, { 2, 2, 2 }), [](double* x) { x[2] = 0.5; });
+    AddRandomField(flat, 1);
+    const TetrahedraVolume volume = Measured(flat, Halves);
+    catalogue.Measure("flat-" + GetName(kind), "cells pressed flat", "volume",
+      static_cast<double>(volume.SumOfAbsolute), VolumeBound);
+    auto point = Moved(MakeMesh(kind, { 2, 2, 2 }), [](double* x) { x[0] = x[1] = x[2] = 0.5; });
+    AddRandomField(point, 1);
+    catalogue.Measure("point-" + GetName(kind), "cells shrunk to one point", "volume",
+      static_cast<double>(Measured(point, Halves).SumOfAbsolute), VolumeBound);
+  }
+}
+
+void TestInvertedCells(StabilityCatalogue& catalogue)
+{
+  for (MeshKind kind : { MeshKind::Hexahedra, MeshKind::Wedges, MeshKind::Pyramids,
+         MeshKind::Tetrahedra5, MeshKind::Tetrahedra6 })
+  {
+    auto mesh = InvertCells(MakeMesh(kind, { 3, 2, 2 }));
+    AddRandomField(mesh, 2);
+    const TetrahedraVolume volume = Measured(mesh, Halves);
+    catalogue.Measure("inverted-" + GetName(kind), "every cell mirrored in its point order",
+      "error of the magnitude of the domain's volume",
+      std::abs(static_cast<double>(volume.Sum)) / 12 - 1, VolumeBound);
+  }
+}
+
+/// A mesh whose cells share no points, though the coordinates coincide.
+vtkSmartPointer<vtkUnstructuredGrid> Separated(vtkUnstructuredGrid* mesh)
+{
+  MeshBuilder builder;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType count;
+    const vtkIdType* ids;
+    mesh->GetCellPoints(cell, count, ids);
+    std::vector<vtkIdType> own;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const double* x = mesh->GetPoint(ids[i]);
+      own.push_back(builder.AddPoint(x[0], x[1], x[2]));
+    }
+    builder.AddCell(mesh->GetCellType(cell), own);
+  }
+  return builder.GetMesh();
+}
+
+void TestRepeatedPoints(StabilityCatalogue& catalogue)
+{
+  for (MeshKind kind : { MeshKind::Hexahedra, MeshKind::Wedges, MeshKind::Tetrahedra6 })
+  {
+    auto mesh = Separated(MakeMesh(kind, { 3, 2, 2 }));
+    AddLinearField(mesh, Function);
+    const Range range = { "f", 0.5, 1.5 };
+    catalogue.Measure("duplicate-points-" + GetName(kind),
+      "every cell has its own points at the same places", "error of the volume",
+      static_cast<double>(Measured(mesh, { { 0.5, 1.5 } }).Sum - ClippedVolume(mesh, { range })),
+      VolumeBound);
+  }
+  // A hexahedron with an edge, a face or all of it in one point.
+  struct
+  {
+    const char* Name;
+    std::vector<vtkIdType> Ids;
+    double Volume;
+  } const cases[] = { { "edges", { 0, 1, 2, 2, 4, 5, 6, 6 }, 0.5 },
+    { "face", { 0, 1, 2, 3, 4, 4, 4, 4 }, 1.0 / 3 },
+    { "tetrahedron", { 0, 1, 2, 2, 4, 4, 4, 4 }, 1.0 / 6 },
+    { "all", { 3, 3, 3, 3, 3, 3, 3, 3 }, 0 } };
+  for (const auto& one : cases)
+  {
+    auto mesh = MakeMesh(MeshKind::Voxels, { 1, 1, 1 });
+    MeshBuilder builder;
+    for (const auto& corner : { 0, 1, 3, 2, 4, 5, 7, 6 })
+    {
+      const double* x = mesh->GetPoint(corner);
+      builder.AddPoint(x[0], x[1], x[2]);
+    }
+    builder.AddCell(VTK_HEXAHEDRON, one.Ids);
+    auto collapsed = builder.GetMesh();
+    AddLinearField(collapsed, Function);
+    catalogue.Measure(std::string("repeated-ids-") + one.Name,
+      "a hexahedron that names points several times", "error of its volume",
+      static_cast<double>(Measured(collapsed, Halves).Sum) - one.Volume, VolumeBound);
+  }
+}
+
+void TestSingleCells(StabilityCatalogue& catalogue)
+{
+  for (MeshKind kind : AllMeshKinds())
+  {
+    auto mesh = MakeMesh(kind, { 1, 1, 1 });
+    vtkNew<vtkUnstructuredGrid> single;
+    single->SetPoints(mesh->GetPoints());
+    if (mesh->GetCellType(0) == VTK_POLYHEDRON)
+    {
+      vtkNew<vtkIdList> faces;
+      mesh->GetFaceStream(0, faces);
+      single->InsertNextCell(VTK_POLYHEDRON, faces);
+    }
+    else
+    {
+      vtkNew<vtkIdList> ids;
+      mesh->GetCellPoints(0, ids);
+      single->InsertNextCell(mesh->GetCellType(0), ids);
+    }
+    AddLinearField(single, Function);
+    catalogue.Measure("one-cell-" + GetName(kind), "a grid of one cell", "error of its volume",
+      static_cast<double>(Measured(single, Halves).Sum - MeshVolume(single)), VolumeBound);
+  }
+  auto image = MakeImage({ 1, 1, 1 });
+  AddLinearField(image, Function);
+  for (const LatticeForm& form : FormsOf(image))
+  {
+    catalogue.Measure("one-cell-lattice-" + form.Name, "a lattice of one cell",
+      "relative error of its volume",
+      static_cast<double>(Measured(form.Data, { { -9, 9 } }).Sum) / (0.1 * 0.3 * 0.7) - 1,
+      VolumeBound);
+  }
+}
+
+void TestFlatLattices(StabilityCatalogue& catalogue)
+{
+  struct
+  {
+    const char* Name;
+    std::array<int, 3> Cells;
+    vtkIdType Count;
+  } const cases[] = { { "plane", { 3, 2, 0 }, 6 }, { "line", { 0, 4, 0 }, 4 },
+    { "point", { 0, 0, 0 }, 1 } };
+  for (const auto& one : cases)
+  {
+    auto image = MakeImage(one.Cells);
+    AddLinearField(image, Function);
+    const Extraction extraction = ExtractIntervals(image, Halves);
+    const vtkIdType counted = extraction.Report.LowerDimensionalCells;
+    catalogue.Check(std::string("lattice-") + one.Name, "an image of fewer than three dimensions",
+      "an empty output, " + std::to_string(one.Count) + " cells counted",
+      std::to_string(extraction.Volume->GetNumberOfCells()) + " tetrahedra, " +
+        std::to_string(counted) + " cells counted",
+      extraction.Volume->GetNumberOfCells() == 0 && counted == one.Count);
+  }
+}
+
+void TestCoordinates(StabilityCatalogue& catalogue)
+{
+  for (int exponent : { -100, 100 })
+  {
+    auto mesh = MakeMesh(MeshKind::Mixed, { 3, 2, 2 });
+    AddRandomField(mesh, 4);
+    const double scale = std::ldexp(1, exponent);
+    const TetrahedraVolume plain = Measured(mesh, { { 0.2, 0.6 } });
+    const TetrahedraVolume scaled = Measured(Moved(mesh,
+                                               [&](double* x)
+                                               {
+                                                 for (int a = 0; a < 3; ++a)
+                                                 {
+                                                   x[a] *= scale;
+                                                 }
+                                               }),
+      { { 0.2, 0.6 } });
+    catalogue.Measure("coordinates-2^" + std::to_string(exponent), "tiny or huge coordinates",
+      "relative error of the volume",
+      static_cast<double>(scaled.Sum / (plain.Sum * scale * scale * scale) - 1), VolumeBound);
+  }
+  auto far = MakeMesh(MeshKind::Hexahedra, { 3, 2, 2 });
+  AddRandomField(far, 4);
+  const TetrahedraVolume near = Measured(far, { { 0.2, 0.6 } });
+  const TetrahedraVolume moved =
+    Measured(Moved(far, [](double* x) { x[0] += 1048576; }), { { 0.2, 0.6 } });
+  catalogue.Measure("coordinates-far", "cells of size 1 at 2^20", "relative error of the volume",
+    static_cast<double>(moved.Sum / near.Sum - 1), 1e-8);
+
+  auto mesh = MakeMesh(MeshKind::Hexahedra, { 4, 4, 4 });
+  AddRandomField(mesh, 5);
+  const vtkIdType expected = ExtractIntervals(mesh, Halves).Volume->GetNumberOfCells();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  mesh->GetPoints()->SetPoint(62, nan, nan, nan);
+  mesh->GetPoints()->Modified();
+  const vtkIdType found = ExtractIntervals(mesh, Halves).Volume->GetNumberOfCells();
+  catalogue.Check("coordinates-nan", "the coordinates of one point are NaN",
+    "no crash, tetrahedra as without, or without those of its cells",
+    std::to_string(found) + " of " + std::to_string(expected) + " tetrahedra",
+    found > 0 && found <= expected);
+}
+
+}
+
+int TestStabilityCells(int argc, char* argv[])
+{
+  StabilityCatalogue catalogue("TestStabilityCells", argc, argv);
+  TestFlatCells(catalogue);
+  TestInvertedCells(catalogue);
+  TestRepeatedPoints(catalogue);
+  TestSingleCells(catalogue);
+  TestFlatLattices(catalogue);
+  TestCoordinates(catalogue);
+  return catalogue.GetExitCode();
+}

@@ -1,0 +1,284 @@
+// Wrong input and wrong settings: an error that names the array and the value, an empty output, no
+// crash, and the filter works again once they are right.
+#include "ReferenceField.h"
+#include "ReferenceMesh.h"
+#include "StabilityCase.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkImageData.h"
+#include "vtkIntervalVolume.h"
+#include "vtkIsotableContour.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <functional>
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+const double Infinity = std::numeric_limits<double>::infinity();
+
+/// Random scalars f and pressure, a vector array, a string array, and a cell array.
+vtkSmartPointer<vtkUnstructuredGrid> MakeInput()
+{
+  auto mesh = MakeMesh(MeshKind::Mixed, { 2, 2, 2 });
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("velocity");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  vectors->FillValue(0.5);
+  mesh->GetPointData()->AddArray(vectors);
+  vtkNew<vtkStringArray> text;
+  text->SetName("label");
+  text->SetNumberOfValues(mesh->GetNumberOfPoints());
+  mesh->GetPointData()->AddArray(text);
+  vtkNew<vtkDoubleArray> cells;
+  cells->SetName("material");
+  cells->SetNumberOfTuples(mesh->GetNumberOfCells());
+  cells->FillValue(0.5);
+  mesh->GetCellData()->AddArray(cells);
+  AddRandomField(mesh, 2, "pressure");
+  AddRandomField(mesh, 1);
+  return mesh;
+}
+
+std::string ErrorsOf(vtkUnstructuredGridAlgorithm* filter)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->Update();
+  filter->RemoveObserver(observer);
+  filter->GetExecutive()->RemoveObserver(observer);
+  return observer->GetErrorMessage();
+}
+
+/// An error's own words: without the source line and the object's address before them.
+std::string Words(const std::string& error)
+{
+  const size_t begin = error.find("): ");
+  std::string words = begin == std::string::npos ? error : error.substr(begin + 3);
+  words.erase(words.find_last_not_of(" \n") + 1);
+  return words;
+}
+
+/// The output of every port is there and empty.
+bool IsEmpty(vtkUnstructuredGridAlgorithm* filter)
+{
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port));
+    if (!grid || grid->GetNumberOfCells() > 0 || grid->GetNumberOfPoints() > 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <typename Filter>
+struct ErrorCase
+{
+  const char* Name;
+  const char* Extreme;
+  std::vector<std::string> Named; ///< what the message has to hold
+  std::function<void(Filter*)> Break;
+  std::function<void(Filter*)> Mend;
+};
+
+template <typename Filter>
+void TestErrors(StabilityCatalogue& catalogue, const std::vector<ErrorCase<Filter>>& cases)
+{
+  for (const ErrorCase<Filter>& one : cases)
+  {
+    vtkNew<Filter> filter;
+    filter->SetInputData(MakeInput());
+    one.Mend(filter);
+    one.Break(filter);
+    const std::string errors = ErrorsOf(filter);
+    bool passed = !errors.empty() && IsEmpty(filter);
+    std::string expected = "an empty output and an error that names";
+    for (const std::string& part : one.Named)
+    {
+      passed = passed && errors.find(part) != std::string::npos;
+      expected += " " + part;
+    }
+    one.Mend(filter);
+    const std::string later = ErrorsOf(filter);
+    passed = passed && later.empty() && filter->GetOutput()->GetNumberOfCells() > 0;
+    catalogue.Check(std::string(filter->GetClassName()) + "-" + one.Name, one.Extreme,
+      expected + "; mended, it works", errors.empty() ? "no error" : Words(errors), passed);
+  }
+}
+
+template <typename Filter>
+void SetArray(Filter* filter, const char* name)
+{
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+}
+
+/// The errors of the scalar, the same for both filters.
+template <typename Filter>
+std::vector<ErrorCase<Filter>> ArrayCases(const std::function<void(Filter*)>& set)
+{
+  auto mend = [set](Filter* filter)
+  {
+    SetArray(filter, "f");
+    set(filter);
+  };
+  return { { "missing-array", "an array that is not there", { "nosuch" },
+             [](Filter* filter) { SetArray(filter, "nosuch"); }, mend },
+    { "components", "a scalar with three components", { "velocity", "3" },
+      [](Filter* filter) { SetArray(filter, "velocity"); }, mend },
+    { "string-array", "a string array as scalar", { "label" },
+      [](Filter* filter) { SetArray(filter, "label"); }, mend },
+    { "cell-array", "an array that is in the cell data only", { "material" },
+      [](Filter* filter) { SetArray(filter, "material"); }, mend } };
+}
+
+void TestIntervalErrors(StabilityCatalogue& catalogue)
+{
+  auto set = [](vtkIntervalVolume* filter)
+  {
+    filter->RemoveAllCriteria();
+    filter->SetInterval(0, 0.25, 0.75);
+    filter->GenerateBoundariesOn();
+  };
+  using Case = ErrorCase<vtkIntervalVolume>;
+  std::vector<Case> cases = ArrayCases<vtkIntervalVolume>(set);
+  auto addBounds = [&](const char* name, const char* extreme, double lower, double upper,
+                     const std::vector<std::string>& named)
+  {
+    cases.push_back({ name, extreme, named,
+      [=](vtkIntervalVolume* filter) { filter->SetInterval(0, lower, upper); }, set });
+  };
+  addBounds("lower-above-upper", "lower 0.875, upper 0.125", 0.875, 0.125, { "0.875", "0.125" });
+  addBounds("lower-nan", "lower is NaN", NaN, 0.5, { "nan" });
+  addBounds("upper-nan", "upper is NaN", 0.5, NaN, { "nan" });
+  addBounds("lower-infinite", "lower is minus infinity", -Infinity, 0.5, { "-inf" });
+  addBounds("upper-infinite", "upper is infinity", 0.5, Infinity, { "inf" });
+  auto addCriterion = [&](const char* name, const char* extreme, const char* array, double lower,
+                        double upper, const std::vector<std::string>& named)
+  {
+    cases.push_back({ name, extreme, named,
+      [=](vtkIntervalVolume* filter) { filter->AddCriterion(array, lower, upper); }, set });
+  };
+  addCriterion(
+    "criterion-missing", "a criterion on an array that is not there", "nosuch", 0, 1, { "nosuch" });
+  addCriterion(
+    "criterion-components", "a criterion on a vector array", "velocity", 0, 1, { "velocity", "3" });
+  addCriterion("criterion-string", "a criterion on a string array", "label", 0, 1, { "label" });
+  addCriterion("criterion-range", "a criterion from 0.875 to 0.125", "pressure", 0.875, 0.125,
+    { "pressure", "0.875", "0.125" });
+  addCriterion("criterion-nan", "a criterion to NaN", "pressure", 0, NaN, { "pressure", "nan" });
+  TestErrors(catalogue, cases);
+}
+
+void TestContourErrors(StabilityCatalogue& catalogue)
+{
+  auto set = [](vtkIsotableContour* filter) { filter->SetValue(0, 0.5); };
+  std::vector<ErrorCase<vtkIsotableContour>> cases = ArrayCases<vtkIsotableContour>(set);
+  cases.push_back({ "value-nan", "a value that is NaN", { "nan" },
+    [](vtkIsotableContour* filter) { filter->SetValue(0, NaN); }, set });
+  cases.push_back({ "value-infinite", "a value that is infinite", { "inf" },
+    [](vtkIsotableContour* filter) { filter->SetValue(0, Infinity); }, set });
+  TestErrors(catalogue, cases);
+}
+
+template <typename Filter>
+void TestNothing(StabilityCatalogue& catalogue, const char* name, const char* extreme,
+  vtkDataObject* input, const std::function<void(Filter*)>& set)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(input);
+  set(filter);
+  const std::string errors = ErrorsOf(filter);
+  const bool empty = IsEmpty(filter);
+  catalogue.Check(std::string(filter->GetClassName()) + "-" + name, extreme,
+    "an empty output and no error",
+    (empty ? "an empty output, " : "an output, ") + (errors.empty() ? "no error" : Words(errors)),
+    empty && errors.empty());
+}
+
+void TestEmptyInputs(StabilityCatalogue& catalogue)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkUnstructuredGrid> points;
+  points->SetPoints(MakeInput()->GetPoints());
+  AddRandomField(points, 1);
+  struct
+  {
+    const char* Name;
+    const char* Extreme;
+    vtkDataObject* Input;
+  } const inputs[] = { { "empty-grid", "an unstructured grid with nothing in it", grid },
+    { "empty-image", "an image with nothing in it", image },
+    { "no-cells", "points and values, but no cells", points } };
+  for (const auto& one : inputs)
+  {
+    TestNothing<vtkIntervalVolume>(catalogue, one.Name, one.Extreme, one.Input,
+      [](vtkIntervalVolume* filter) { filter->SetInterval(0, 0, 1); });
+    TestNothing<vtkIsotableContour>(catalogue, one.Name, one.Extreme, one.Input,
+      [](vtkIsotableContour* filter) { filter->SetValue(0, 0.5); });
+  }
+  TestNothing<vtkIntervalVolume>(
+    catalogue, "no-intervals", "no interval is set", MakeInput(), [](vtkIntervalVolume*) {});
+  TestNothing<vtkIsotableContour>(
+    catalogue, "no-values", "no value is set", MakeInput(), [](vtkIsotableContour*) {});
+}
+
+void TestSettings(StabilityCatalogue& catalogue)
+{
+  vtkNew<vtkIntervalVolume> filter;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->SetInterval(-1, 0, 1);
+  filter->SetInterval(10000, 0, 1);
+  const int afterIndices = filter->GetNumberOfIntervals();
+  filter->SetNumberOfIntervals(-5);
+  const int afterNegative = filter->GetNumberOfIntervals();
+  filter->SetNumberOfIntervals(10001);
+  const int afterMany = filter->GetNumberOfIntervals();
+  const bool passed = afterIndices == 0 && afterNegative == 0 && afterMany <= 10000;
+  catalogue.Check("interval-indices", "indices and numbers of intervals out of range",
+    "refused: 0 to 10000 intervals",
+    std::to_string(afterIndices) + ", " + std::to_string(afterNegative) + ", " +
+      std::to_string(afterMany) + " intervals",
+    passed);
+
+  filter->SetNumberOfIntervals(0);
+  double lower = 7;
+  double upper = 7;
+  filter->GetInterval(0, lower, upper);
+  filter->GetInterval(-1, lower, upper);
+  filter->GetCriterionRange(3, lower, upper);
+  const bool noName = filter->GetCriterionArrayName(3) == nullptr;
+  vtkNew<vtkIsotableContour> contour;
+  contour->AddObserver(vtkCommand::ErrorEvent, observer);
+  const double value = contour->GetValue(4);
+  catalogue.Check("getter-indices", "an interval, a criterion and a value that are not there",
+    "no crash, no name", "value " + std::to_string(value) + (noName ? ", no name" : ", a name"),
+    noName);
+}
+
+}
+
+int TestStabilityInput(int argc, char* argv[])
+{
+  StabilityCatalogue catalogue("TestStabilityInput", argc, argv);
+  TestIntervalErrors(catalogue);
+  TestContourErrors(catalogue);
+  TestEmptyInputs(catalogue);
+  TestSettings(catalogue);
+  return catalogue.GetExitCode();
+}

@@ -1,0 +1,69 @@
+# Shared by the commands in Utilities/: messages, steps with a log, the build folder, a display.
+# To be sourced by bash with `set -euo pipefail`.
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+build_root=$source_dir/build
+log_dir=$build_root/logs
+jobs=$(nproc)
+started=$SECONDS
+
+say()
+{
+  printf '[%4d s] %s\n' $((SECONDS - started)) "$*"
+}
+
+die()
+{
+  printf 'error: %s\n' "$*" >&2
+  exit 1
+}
+
+# Prints the comment block at the top of the calling script, which is its help.
+show_help()
+{
+  sed -n '2,/^[^#]/{/^#/s/^# \{0,1\}//p}' "$0"
+}
+
+# run_logged NAME COMMAND...: output goes to a log; its last line is shown now and then, and the end
+# of it when the command fails.
+run_logged()
+{
+  local name=$1 log=$log_dir/$1.log pid status=0 waited=0
+  shift
+  mkdir -p "$log_dir"
+  "$@" >"$log" 2>&1 &
+  pid=$!
+  while kill -0 "$pid" 2>/dev/null; do
+    sleep 1
+    waited=$((waited + 1))
+    if [ $((waited % 20)) -eq 0 ]; then
+      say "  … $(tail -n 1 "$log" | cut -c 1-90)"
+    fi
+  done
+  wait "$pid" || status=$?
+  if [ "$status" -ne 0 ]; then
+    tail -n 40 "$log" >&2
+    die "$name failed with status $status; all of its output is in $log"
+  fi
+}
+
+# Configures the preset when needed and builds the targets named, or all of them.
+build_preset()
+{
+  local preset=$1 target
+  local -a targets=()
+  shift
+  for target in "$@"; do
+    targets+=(--target "$target")
+  done
+  say "Building preset $preset with $jobs jobs"
+  run_logged "configure-$preset" cmake -S "$source_dir" --preset "$preset"
+  (cd "$source_dir" && cmake --build --preset "$preset" --parallel "$jobs" ${targets[@]+"${targets[@]}"})
+}
+
+# Runs a command on a virtual display, so that a picture never depends on the desktop's driver. More
+# clients than usual are let in: each rank of a parallel run opens windows of its own.
+with_display()
+{
+  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1280x1024x24 -maxclients 512" "$@"
+}

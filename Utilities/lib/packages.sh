@@ -1,0 +1,51 @@
+# Installs what a Debian machine lacks. Needs common.sh.
+
+build_packages=(
+  g++ cmake ninja-build
+  libvtk9-dev libglm-dev libcli11-dev nlohmann-json3-dev
+  xvfb xauth libgl1-mesa-dri libglx-mesa0)
+
+# What ParaView's CMake package asks for; ParaView's own run-time libraries are read from its package.
+paraview_build_packages=(
+  qtbase5-dev qttools5-dev qttools5-dev-tools libqt5svg5-dev libqt5opengl5-dev
+  libqt5x11extras5-dev libqt5xmlpatterns5-dev qtxmlpatterns5-dev-tools libtool-bin
+  libopenmpi-dev openmpi-bin python3-mpi4py python3-numpy)
+
+as_root()
+{
+  if [ "$(id -u)" -eq 0 ]; then
+    env DEBIAN_FRONTEND=noninteractive "$@"
+  elif command -v sudo >/dev/null; then
+    sudo env DEBIAN_FRONTEND=noninteractive "$@"
+  else
+    die "packages are missing, and this user is neither root nor has sudo; as root, run: $*"
+  fi
+}
+
+# apt_get ARGUMENTS...: with the package lists as they are, and once more with new ones if that fails.
+apt_get()
+{
+  local -a command=(apt-get -y -q -o DPkg::Lock::Timeout=600 --no-install-recommends "$@")
+  as_root "${command[@]}" || { as_root apt-get -q update && as_root "${command[@]}"; }
+}
+
+is_installed()
+{
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# install_packages NAME PACKAGE...: NAME is what the log is called.
+install_packages()
+{
+  local name=$1 package
+  local -a missing=()
+  shift
+  command -v apt-get >/dev/null || die "this needs a Debian system; elsewhere install: $*"
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  if [ ${#missing[@]} -gt 0 ]; then
+    say "Installing ${missing[*]}"
+    run_logged "install-$name" apt_get install "${missing[@]}"
+  fi
+}

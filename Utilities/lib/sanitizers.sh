@@ -1,0 +1,15 @@
+# The value and stability tests under a sanitizer. Needs common.sh and results.sh.
+
+# test_with_sanitizer address|thread: the presets and the suppressions are named after it.
+test_with_sanitizer()
+{
+  local name=$1 suppressions=$source_dir/Utilities/sanitizers
+  build_preset "sanitize-$name"
+  # The thread pool of the standard library instead of TBB: ThreadSanitizer sees its locks.
+  VTK_SMP_BACKEND_IN_USE=STDThread \
+  ASAN_OPTIONS=detect_leaks=1:detect_odr_violation=0 \
+  LSAN_OPTIONS="suppressions=$suppressions/leaks.txt:print_suppressions=0" \
+  UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 \
+  TSAN_OPTIONS="suppressions=$suppressions/races.txt:halt_on_error=1:second_deadlock_stack=1" \
+    run_tests "sanitize-$name" "$build_root/sanitize-$name" --label-regex 'value|stability'
+}
