@@ -1,6 +1,6 @@
 // Draws adjacent intervals of one array into a PNG: the last solid, those before it translucent.
 //
-//   IntervalsToPicture hydrogen_orbital.vti probability_density orbital.png 0.02 0.1 0.3 1
+//   IntervalsToPicture hydrogen_orbital.vti probability_density orbital.png 0.04 0.12 0.3 1
 
 #include "MakeReader.h"
 
@@ -66,7 +66,9 @@ int main(int argc, char* argv[])
     actor->SetMapper(mapper);
     const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 1.0;
     actor->GetProperty()->SetColor(0.2 + 0.75 * share, 0.45 + 0.25 * share, 0.7 - 0.45 * share);
-    actor->GetProperty()->SetOpacity(i == count - 1 ? 1.0 : 0.25);
+    actor->GetProperty()->SetOpacity(i == count - 1 ? 1.0 : 0.3);
+    // Neighbours share a surface; each side of it belongs to one of them.
+    actor->GetProperty()->BackfaceCullingOn();
     renderer->AddActor(actor);
   }
 
@@ -78,6 +80,7 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetPosition(1.0, -1.0, 0.6);
   renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
   renderer->ResetCamera();
+  renderer->GetActiveCamera()->Zoom(1.5);
   window->Render();
   if (intervals->GetReport().CellsWithOutput == 0)
   {

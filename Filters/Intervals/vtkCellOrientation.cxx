@@ -93,9 +93,11 @@ bool vtkCellOrientation::IsCellInverted(vtkIsotable::Shapes shape, const vtkIdTy
   {
     return IsNegative(jacobian, [&](int v) { return this->Doubles + 3 * points[v]; });
   }
-  return IsNegative(jacobian, [&](int v) {
-    std::array<double, 3> x;
-    this->Points->GetPoint(points[v], x.data());
-    return x;
-  });
+  return IsNegative(jacobian,
+    [&](int v)
+    {
+      std::array<double, 3> x;
+      this->Points->GetPoint(points[v], x.data());
+      return x;
+    });
 }

@@ -10,8 +10,8 @@ class vtkPoints;
  * @class   vtkCellOrientation
  * @brief   tells whether a cell's vertices are in left-handed order
  *
- * The sign of the Jacobian at the middle of the cell, from its coordinates; one answer for all cells
- * of image data and rectilinear grids. A flat cell counts as right-handed.
+ * The sign of the Jacobian at the middle of the cell, from its coordinates; one answer for all
+ * cells of image data and rectilinear grids. A flat cell counts as right-handed.
  */
 class vtkCellOrientation
 {

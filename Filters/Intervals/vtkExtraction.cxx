@@ -45,12 +45,14 @@ vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt64Array* connectivity, vtkIdTy
   vtkNew<vtkTypeInt64Array> offsets;
   offsets->SetNumberOfValues(number + 1);
   vtkTypeInt64* values = offsets->GetPointer(0);
-  vtkSMPTools::For(0, number + 1, [values, size](vtkIdType first, vtkIdType last) {
-    for (vtkIdType i = first; i < last; ++i)
+  vtkSMPTools::For(0, number + 1,
+    [values, size](vtkIdType first, vtkIdType last)
     {
-      values[i] = i * size;
-    }
-  });
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        values[i] = i * size;
+      }
+    });
   vtkSmartPointer<vtkCellArray> cells = vtkSmartPointer<vtkCellArray>::New();
   cells->SetData(offsets, connectivity);
   return cells;
@@ -60,6 +62,23 @@ void AddNamed(vtkDataSetAttributes* attributes, vtkDataArray* array, const char*
 {
   array->SetName(name);
   attributes->AddArray(array);
+}
+
+// \a ghosts are those of the cells of \a input, or null.
+void MakeLinear(
+  vtkDataSet* input, vtkUnsignedCharArray* ghosts, vtkExtractionIndex::LinearGrid& linear)
+{
+  linear.Grid = vtkExtractionLinearizer::Execute(input, linear.CellIds);
+  if (ghosts)
+  {
+    vtkNew<vtkUnsignedCharArray> linearGhosts;
+    linearGhosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType cell : linear.CellIds)
+    {
+      linearGhosts->InsertNextValue(ghosts->GetValue(cell));
+    }
+    linear.Grid->GetCellData()->AddArray(linearGhosts);
+  }
 }
 
 void MapIds(const std::vector<vtkIdType>& map, std::vector<vtkIdType>& ids)
@@ -79,7 +98,6 @@ bool vtkExtraction::ExtractMesh(vtkExtractionContext& context, vtkExtractionMesh
   const bool isFlat = hasRows && *std::min_element(dimensions, dimensions + 3) < 2;
   if (cells == 0 || isFlat)
   {
-    context.Report->Cells += cells;
     context.Report->LowerDimensionalCells += cells;
     return true;
   }
@@ -94,10 +112,9 @@ bool vtkExtraction::ExtractMesh(vtkExtractionContext& context, vtkExtractionMesh
       context.Index = nullptr;
     }
   }
-  return hasRows
-    ? vtkStructuredExtraction::Execute(context, dimensions, mesh)
-    : vtkUnstructuredExtraction::Execute(
-        context, vtkUnstructuredGrid::SafeDownCast(context.Input), mesh);
+  return hasRows ? vtkStructuredExtraction::Execute(context, dimensions, mesh)
+                 : vtkUnstructuredExtraction::Execute(
+                     context, vtkUnstructuredGrid::SafeDownCast(context.Input), mesh);
 }
 
 bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
@@ -116,27 +133,20 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   context.PointGhosts = input->GetPointGhostArray();
 
   int dimensions[3];
-  std::vector<vtkIdType> originalCells;
-  vtkSmartPointer<vtkUnstructuredGrid> linear;
-  if (!vtkExtractionArrays::GetRowDimensions(input, dimensions) && vtkExtractionLinearizer::IsNeeded(input))
+  vtkExtractionIndex::LinearGrid ownLinear;
+  vtkExtractionIndex::LinearGrid* linear = nullptr;
+  if (!vtkExtractionArrays::GetRowDimensions(input, dimensions) &&
+    vtkExtractionLinearizer::IsNeeded(input))
   {
-    linear = vtkExtractionLinearizer::Execute(input, originalCells);
-    // Ghosts are by cell of the input; those of the new cells follow.
-    if (context.CellGhosts)
+    linear = this->Index ? &this->Index->GetLinearGrid(input) : &ownLinear;
+    if (!linear->Grid)
     {
-      vtkNew<vtkUnsignedCharArray> ghosts;
-      ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-      for (vtkIdType cell : originalCells)
-      {
-        ghosts->InsertNextValue(context.CellGhosts->GetValue(cell));
-      }
-      linear->GetCellData()->AddArray(ghosts);
+      MakeLinear(input, context.CellGhosts, *linear);
     }
-    context.Input = linear;
-    context.Index = nullptr;
-    context.CellGhosts = linear->GetCellGhostArray();
-    context.PointGhosts = linear->GetPointGhostArray();
-    vtkDataArray* carried = linear->GetPointData()->GetArray(scalars->GetName());
+    context.Input = linear->Grid;
+    context.CellGhosts = linear->Grid->GetCellGhostArray();
+    context.PointGhosts = linear->Grid->GetPointGhostArray();
+    vtkDataArray* carried = linear->Grid->GetPointData()->GetArray(scalars->GetName());
     scalars = carried ? carried : scalars;
   }
   const vtkSmartPointer<vtkDataArray> contiguous = MakeContiguous(scalars);
@@ -148,6 +158,7 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   {
     return false;
   }
+  report.Cells = input->GetNumberOfCells();
   if (mesh.MayHaveUnusedPoints)
   {
     vtkExtractionCleanup::RemoveUnusedPoints(mesh);
@@ -162,8 +173,8 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   }
   if (linear)
   {
-    MapIds(originalCells, mesh.CellIds);
-    MapIds(originalCells, mesh.TriangleCellIds);
+    MapIds(linear->CellIds, mesh.CellIds);
+    MapIds(linear->CellIds, mesh.TriangleCellIds);
   }
   this->FillOutput(context, mesh, input, output);
   if (boundary && (this->GenerateBoundaries || this->InputBoundary))
@@ -182,13 +193,11 @@ void vtkExtraction::FillOutput(const vtkExtractionContext& context, const vtkExt
   output->SetPoints(
     vtkExtractionArrays::MakePoints(context.Input, mesh.Points, this->OutputPointsPrecision));
   this->Owner->UpdateProgress(0.85);
-  output->SetCells(
-    size == 4 ? VTK_TETRA : VTK_TRIANGLE, MakeCells(mesh.Connectivity, size));
+  output->SetCells(size == 4 ? VTK_TETRA : VTK_TRIANGLE, MakeCells(mesh.Connectivity, size));
   vtkExtractionArrays::InterpolatePointData(
     context.Input->GetPointData(), mesh.Points, output->GetPointData());
   this->Owner->UpdateProgress(0.95);
-  vtkExtractionArrays::CopyCellData(
-    original->GetCellData(), mesh.CellIds, output->GetCellData());
+  vtkExtractionArrays::CopyCellData(original->GetCellData(), mesh.CellIds, output->GetCellData());
   if (this->IdName)
   {
     AddNamed(output->GetCellData(), mesh.ItemIds, this->IdName);

@@ -23,8 +23,8 @@ public:
   int OutputPointsPrecision = vtkAlgorithm::DEFAULT_PRECISION;
   bool GenerateBoundaries = false;
   /**
-   * For a further criterion: the boundary of the input, as port 1 of the pass before. Its triangles are
-   * cut like the tetrahedra they belong to. Null: none.
+   * For a further criterion: the boundary of the input, as port 1 of the pass before. Its triangles
+   * are cut like the tetrahedra they belong to. Null: none.
    */
   vtkUnstructuredGrid* InputBoundary = nullptr;
 

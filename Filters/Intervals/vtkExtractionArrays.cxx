@@ -14,17 +14,25 @@
 #include "vtkRowIndex.h"
 #include "vtkStructuredGrid.h"
 
+#include <cmath>
 #include <cstring>
 
 namespace
 {
 using PointList = std::vector<vtkExtractionPoint>;
 
-// near + weight (far - near), and near itself for a grid point, whatever far holds.
+// Exact where near equals far, and near itself for a grid point, whatever far holds.
 template <typename Out>
 Out Interpolate(double near, double far, double weight)
 {
-  return static_cast<Out>(weight == 0.0 ? near : near * (1.0 - weight) + far * weight);
+  if (weight == 0.0)
+  {
+    return static_cast<Out>(near);
+  }
+  const double step = far - near;
+  // The step between two finite values may not be.
+  return static_cast<Out>(
+    std::isfinite(step) ? near + weight * step : near * (1.0 - weight) + far * weight);
 }
 
 struct InterpolateWorker
@@ -38,8 +46,9 @@ struct InterpolateWorker
     auto to = vtk::DataArrayValueRange(out);
     using Out = vtk::GetAPIType<OutArray>;
     const vtkIdType components = in->GetNumberOfComponents();
-    vtkSMPTools::For(
-      0, static_cast<vtkIdType>(this->Points.size()), [&](vtkIdType first, vtkIdType last) {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.size()),
+      [&](vtkIdType first, vtkIdType last)
+      {
         for (vtkIdType p = first; p < last; ++p)
         {
           const vtkExtractionPoint& point = this->Points[p];
@@ -58,7 +67,8 @@ void InterpolateArray(vtkDataArray* in, const PointList& points, vtkDataArray* o
 {
   const InterpolateWorker worker{ points };
   // The output is a float or a double array; the input any.
-  const auto intoKnown = [&](auto* known) {
+  const auto intoKnown = [&](auto* known)
+  {
     const auto dispatched = [&](auto* array) { worker(array, known); };
     if (!vtkArrayDispatch::Dispatch::Execute(in, dispatched))
     {
@@ -89,8 +99,8 @@ public:
       {
         for (int i = 0; i < dimensions[axis]; ++i)
         {
-          this->Axes[axis].push_back(image->GetOrigin()[axis] +
-            (this->Extent[2 * axis] + i) * image->GetSpacing()[axis]);
+          this->Axes[axis].push_back(
+            image->GetOrigin()[axis] + (this->Extent[2 * axis] + i) * image->GetSpacing()[axis]);
         }
       }
       this->Turned = image->GetDirectionMatrix()->IsIdentity() ? nullptr : image;
@@ -132,8 +142,8 @@ private:
   {
     if (this->Turned)
     {
-      this->Turned->TransformIndexToPhysicalPoint(index[0] + this->Extent[0],
-        index[1] + this->Extent[2], index[2] + this->Extent[4], x);
+      this->Turned->TransformIndexToPhysicalPoint(
+        index[0] + this->Extent[0], index[1] + this->Extent[2], index[2] + this->Extent[4], x);
       return;
     }
     for (int axis = 0; axis < 3; ++axis)
@@ -157,8 +167,9 @@ void FillRowPoints(vtkDataSet* input, const PointList& points, OutArray* out)
   vtkExtractionArrays::GetRowDimensions(input, dimensions);
   const RowCoordinates coordinates(input, dimensions);
   Out* to = out->GetPointer(0);
-  vtkSMPTools::For(
-    0, static_cast<vtkIdType>(points.size()), [&](vtkIdType first, vtkIdType last) {
+  vtkSMPTools::For(0, static_cast<vtkIdType>(points.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
       for (vtkIdType p = first; p < last; ++p)
       {
         double x[3];
@@ -220,8 +231,9 @@ struct CopyWorker
     const auto from = vtk::DataArrayValueRange(in);
     auto to = vtk::DataArrayValueRange(out);
     const vtkIdType components = in->GetNumberOfComponents();
-    vtkSMPTools::For(
-      0, static_cast<vtkIdType>(this->Cells.size()), [&](vtkIdType first, vtkIdType last) {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Cells.size()),
+      [&](vtkIdType first, vtkIdType last)
+      {
         for (vtkIdType i = first; i < last; ++i)
         {
           for (vtkIdType c = 0; c < components; ++c)

@@ -11,9 +11,9 @@ class vtkPoints;
  * @class   vtkExtractionArrays
  * @brief   coordinates and arrays of output points and cells
  *
- * Numeric point arrays are interpolated along the grid edge and come out as float (from float, and 8
- * and 16 bit integers) or double; others take the value of the nearer end. Global ids, pedigree ids
- * and ghost arrays are not carried. Cell arrays keep their type.
+ * Numeric point arrays are interpolated along the grid edge and come out as float (from float, and
+ * 8 and 16 bit integers) or double; others take the value of the nearer end. Global ids, pedigree
+ * ids and ghost arrays are not carried. Cell arrays keep their type.
  */
 class vtkExtractionArrays
 {

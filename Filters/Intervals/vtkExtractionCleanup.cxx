@@ -14,7 +14,8 @@ using Triple = std::array<vtkIdType, 3>;
 bool SortTriple(Triple& ids)
 {
   bool odd = false;
-  const auto order = [&](int a, int b) {
+  const auto order = [&](int a, int b)
+  {
     if (ids[b] < ids[a])
     {
       std::swap(ids[a], ids[b]);
@@ -64,12 +65,14 @@ void vtkExtractionCleanup::RemoveUnusedPoints(vtkExtractionMesh& mesh)
     kept += used[p];
   }
   mesh.Points.resize(kept);
-  vtkSMPTools::For(0, numberOfIds, [ids, &newIds](vtkIdType first, vtkIdType last) {
-    for (vtkIdType i = first; i < last; ++i)
+  vtkSMPTools::For(0, numberOfIds,
+    [ids, &newIds](vtkIdType first, vtkIdType last)
     {
-      ids[i] = newIds[ids[i]];
-    }
-  });
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        ids[i] = newIds[ids[i]];
+      }
+    });
   for (auto& triangle : mesh.Triangles)
   {
     for (vtkIdType& id : triangle)
@@ -155,7 +158,8 @@ void vtkExtractionCleanup::CutBoundary(
         continue;
       }
       const vtkTypeInt64* points = mesh.Connectivity->GetPointer(4 * simplex);
-      const auto isOnFace = [&](vtkIdType p) {
+      const auto isOnFace = [&](vtkIdType p)
+      {
         const vtkExtractionPoint& point = mesh.Points[p];
         return point.Near != ids->GetId(out) && point.Far != ids->GetId(out);
       };
@@ -163,8 +167,8 @@ void vtkExtractionCleanup::CutBoundary(
       {
         if (isOnFace(points[face[0]]) && isOnFace(points[face[1]]) && isOnFace(points[face[2]]))
         {
-          AddTriangle(mesh, { { points[face[0]], points[face[1]], points[face[2]] } }, item,
-            side->second);
+          AddTriangle(
+            mesh, { { points[face[0]], points[face[1]], points[face[2]] } }, item, side->second);
           mesh.TriangleCellIds.push_back(cell);
         }
       }

@@ -22,8 +22,8 @@ public:
   static void RemoveOppositeTriangles(vtkExtractionMesh& mesh);
 
   /**
-   * Fills the boundary of \a mesh, which was cut out of the tetrahedra of \a input, with the faces that
-   * lie in triangles of \a inputBoundary.
+   * Fills the boundary of \a mesh, which was cut out of the tetrahedra of \a input, with the faces
+   * that lie in triangles of \a inputBoundary.
    */
   static void CutBoundary(
     vtkDataSet* input, vtkUnstructuredGrid* inputBoundary, vtkExtractionMesh& mesh);

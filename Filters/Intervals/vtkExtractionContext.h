@@ -21,8 +21,8 @@
 class vtkExtractionIndex;
 
 /**
- * What an output point is made of: a grid point when Near equals Far, else the point at Weight of the
- * way from Near to Far, Weight <= 1/2 since Near is the end nearer the isovalue.
+ * What an output point is made of: a grid point when Near equals Far, else the point at Weight of
+ * the way from Near to Far, Weight <= 1/2 since Near is the end nearer the isovalue.
  */
 struct vtkExtractionPoint
 {
@@ -70,10 +70,7 @@ struct vtkExtractionContext
   bool KeepCellIds = false;
   vtkExtractionReport* Report = nullptr;
 
-  int GetSimplexSize() const
-  {
-    return this->Values->GetKind() == vtkIsotable::INTERVAL ? 4 : 3;
-  }
+  int GetSimplexSize() const { return this->Values->GetKind() == vtkIsotable::INTERVAL ? 4 : 3; }
 
   /// Whether the ghost arrays say that a cell does not count.
   bool IsCellBlanked(vtkIdType cell) const
@@ -90,8 +87,8 @@ struct vtkExtractionContext
   bool HasBlanking() const { return this->CellGhosts || this->PointGhosts; }
 
   /**
-   * Runs \a work(first, last) over [0, number) on all threads, in a few batches between which progress
-   * goes from \a from to \a to. Returns false when the user aborted.
+   * Runs \a work(first, last) over [0, number) on all threads, in a few batches between which
+   * progress goes from \a from to \a to. Returns false when the user aborted.
    */
   template <typename Work>
   bool Run(vtkIdType number, double from, double to, Work&& work) const

@@ -11,7 +11,8 @@
  * @class   vtkExtractionDispatch
  * @brief   calls a function with the values of a one-component array in their own type
  *
- * \a scalars must hold its values one after the other in memory; vtkExtraction copies other layouts.
+ * \a scalars must hold its values one after the other in memory; vtkExtraction copies other
+ * layouts.
  */
 class vtkExtractionDispatch
 {
@@ -20,13 +21,15 @@ public:
   static bool Execute(vtkDataArray* scalars, Function&& function)
   {
     bool result = false;
-    vtkArrayDispatch::Dispatch::Execute(scalars, [&](auto* array) {
-      using T = vtk::GetAPIType<std::decay_t<decltype(*array)>>;
-      if (auto* contiguous = vtkAOSDataArrayTemplate<T>::FastDownCast(array))
+    vtkArrayDispatch::Dispatch::Execute(scalars,
+      [&](auto* array)
       {
-        result = function(static_cast<const T*>(contiguous->GetPointer(0)));
-      }
-    });
+        using T = vtk::GetAPIType<std::decay_t<decltype(*array)>>;
+        if (auto* contiguous = vtkAOSDataArrayTemplate<T>::FastDownCast(array))
+        {
+          result = function(static_cast<const T*>(contiguous->GetPointer(0)));
+        }
+      });
     return result;
   }
 

@@ -45,13 +45,34 @@ std::array<double, 2> Widen(const std::array<double, 2>& range)
 
 constexpr vtkIdType vtkExtractionIndex::BlockSize[3];
 
+vtkExtractionIndex::vtkExtractionIndex() = default;
+
+vtkExtractionIndex::~vtkExtractionIndex() = default;
+
 void vtkExtractionIndex::BeginExecution()
 {
-  for (auto known = this->Known.begin(); known != this->Known.end();)
+  const auto forget = [this](auto& kept)
   {
-    known = known->second.LastUse < this->Execution ? this->Known.erase(known) : std::next(known);
-  }
+    for (auto entry = kept.begin(); entry != kept.end();)
+    {
+      entry = entry->second.LastUse < this->Execution ? kept.erase(entry) : std::next(entry);
+    }
+  };
+  forget(this->Known);
+  forget(this->LinearGrids);
   ++this->Execution;
+}
+
+vtkExtractionIndex::LinearGrid& vtkExtractionIndex::GetLinearGrid(vtkDataSet* input)
+{
+  LinearGrid& kept = this->LinearGrids[input];
+  if (kept.InputTime != input->GetMTime())
+  {
+    kept = LinearGrid();
+    kept.InputTime = input->GetMTime();
+  }
+  kept.LastUse = this->Execution;
+  return kept;
 }
 
 bool vtkExtractionIndex::Select(vtkDataSet* input, vtkDataArray* scalars, const int* dimensions)
@@ -78,17 +99,19 @@ bool vtkExtractionIndex::Select(vtkDataSet* input, vtkDataArray* scalars, const 
   }
   if (ranges.Blocks.empty())
   {
-    vtkExtractionDispatch::Execute(scalars, [&](const auto* data) {
-      if (dimensions)
+    vtkExtractionDispatch::Execute(scalars,
+      [&](const auto* data)
       {
-        this->BuildStructured(data, ranges);
-      }
-      else
-      {
-        this->BuildRuns(input, data, ranges);
-      }
-      return true;
-    });
+        if (dimensions)
+        {
+          this->BuildStructured(data, ranges);
+        }
+        else
+        {
+          this->BuildRuns(input, data, ranges);
+        }
+        return true;
+      });
   }
   return true;
 }
@@ -99,33 +122,35 @@ void vtkExtractionIndex::BuildStructured(const T* scalars, Ranges& ranges) const
   const vtkIdType nx = this->Cells[0] + 1;
   const vtkIdType ny = this->Cells[1] + 1;
   ranges.Blocks.resize(this->Blocks[0] * this->Blocks[1] * this->Blocks[2]);
-  vtkSMPTools::For(0, this->Blocks[1] * this->Blocks[2], [&](vtkIdType first, vtkIdType last) {
-    for (vtkIdType row = first; row < last; ++row)
+  vtkSMPTools::For(0, this->Blocks[1] * this->Blocks[2],
+    [&](vtkIdType first, vtkIdType last)
     {
-      const vtkIdType j0 = (row % this->Blocks[1]) * BlockSize[1];
-      const vtkIdType k0 = (row / this->Blocks[1]) * BlockSize[2];
-      const vtkIdType j1 = std::min(j0 + BlockSize[1], this->Cells[1]);
-      const vtkIdType k1 = std::min(k0 + BlockSize[2], this->Cells[2]);
-      for (vtkIdType block = 0; block < this->Blocks[0]; ++block)
+      for (vtkIdType row = first; row < last; ++row)
       {
-        const vtkIdType i0 = block * BlockSize[0];
-        const vtkIdType i1 = std::min(i0 + BlockSize[0], this->Cells[0]);
-        std::array<double, 2> range{ { Infinity, -Infinity } };
-        for (vtkIdType k = k0; k <= k1; ++k)
+        const vtkIdType j0 = (row % this->Blocks[1]) * BlockSize[1];
+        const vtkIdType k0 = (row / this->Blocks[1]) * BlockSize[2];
+        const vtkIdType j1 = std::min(j0 + BlockSize[1], this->Cells[1]);
+        const vtkIdType k1 = std::min(k0 + BlockSize[2], this->Cells[2]);
+        for (vtkIdType block = 0; block < this->Blocks[0]; ++block)
         {
-          for (vtkIdType j = j0; j <= j1; ++j)
+          const vtkIdType i0 = block * BlockSize[0];
+          const vtkIdType i1 = std::min(i0 + BlockSize[0], this->Cells[0]);
+          std::array<double, 2> range{ { Infinity, -Infinity } };
+          for (vtkIdType k = k0; k <= k1; ++k)
           {
-            const T* values = scalars + (j + k * ny) * nx;
-            for (vtkIdType i = i0; i <= i1; ++i)
+            for (vtkIdType j = j0; j <= j1; ++j)
             {
-              Extend(range, values[i]);
+              const T* values = scalars + (j + k * ny) * nx;
+              for (vtkIdType i = i0; i <= i1; ++i)
+              {
+                Extend(range, values[i]);
+              }
             }
           }
+          ranges.Blocks[row * this->Blocks[0] + block] = Widen<T>(range);
         }
-        ranges.Blocks[row * this->Blocks[0] + block] = Widen<T>(range);
       }
-    }
-  });
+    });
 }
 
 template <typename T>
@@ -134,8 +159,9 @@ void vtkExtractionIndex::BuildRuns(vtkDataSet* input, const T* scalars, Ranges& 
   const vtkIdType cells = input->GetNumberOfCells();
   ranges.Blocks.resize((cells + RunLength - 1) / RunLength);
   vtkSMPThreadLocalObject<vtkIdList> lists;
-  vtkSMPTools::For(
-    0, static_cast<vtkIdType>(ranges.Blocks.size()), [&](vtkIdType first, vtkIdType last) {
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ranges.Blocks.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
       vtkIdList* points = lists.Local();
       for (vtkIdType run = first; run < last; ++run)
       {
@@ -166,8 +192,7 @@ void vtkExtractionIndex::Activate(const vtkExtractionValues& values)
   for (std::size_t b = 0; this->Blocks[0] > 0 && b < blocks.size(); b += this->Blocks[0])
   {
     const auto row = this->Active.begin() + b;
-    this->ActiveRows.push_back(
-      std::find(row, row + this->Blocks[0], 1) != row + this->Blocks[0]);
+    this->ActiveRows.push_back(std::find(row, row + this->Blocks[0], 1) != row + this->Blocks[0]);
   }
 }
 

@@ -2,6 +2,7 @@
 #define vtkExtractionIndex_h
 
 #include "vtkObject.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
 #include <map>
@@ -10,14 +11,16 @@
 class vtkDataArray;
 class vtkDataSet;
 class vtkExtractionValues;
+class vtkUnstructuredGrid;
 
 /**
  * @class   vtkExtractionIndex
  * @brief   value ranges of blocks of cells, so that changed isovalues visit only cells near them
  *
- * Structured grids: blocks of 32 x 4 x 4 cells. Other grids: runs of 64 cells. The index of a dataset
- * is made at its second extraction, since it costs one visit of all cells, and kept until the dataset
- * or the scalar changes. One object serves the leaves of a composite dataset.
+ * Structured grids: blocks of 8 x 4 x 4 cells. Other grids: runs of 16 cells. The index of a
+ * dataset is made at its second extraction, since it costs one visit of all cells, and kept until
+ * the dataset or the scalar changes. One object serves the leaves of a composite dataset. It also
+ * keeps the linear counterpart of a grid of polyhedra.
  */
 class vtkExtractionIndex : public vtkObject
 {
@@ -27,15 +30,27 @@ public:
 
   /// Columns [first, last) of a row of cells.
   using Span = std::array<vtkIdType, 2>;
-  static constexpr vtkIdType RunLength = 64;
+  static constexpr vtkIdType RunLength = 16;
+
+  /// A grid made of cells that have tables, and the input cell of each of its cells.
+  struct LinearGrid
+  {
+    vtkSmartPointer<vtkUnstructuredGrid> Grid;
+    std::vector<vtkIdType> CellIds;
+    vtkMTimeType InputTime = 0;
+    int LastUse = 0;
+  };
+
+  /// The grid kept for \a input; without a grid when there is none or the input has changed.
+  LinearGrid& GetLinearGrid(vtkDataSet* input);
 
   /// Forgets what the execution before the last did not use.
   void BeginExecution();
 
   /**
-   * Makes ready the ranges of \a input. Returns false when this is the first extraction of that scalar,
-   * or the scalar or the cells have changed since; then nothing may be asked. \a dimensions is null for
-   * other than structured grids.
+   * Makes ready the ranges of \a input. Returns false when this is the first extraction of that
+   * scalar, or the scalar or the cells have changed since; then nothing may be asked. \a dimensions
+   * is null for other than structured grids.
    */
   bool Select(vtkDataSet* input, vtkDataArray* scalars, const int* dimensions);
 
@@ -57,8 +72,8 @@ public:
   std::size_t GetBytes() const;
 
 protected:
-  vtkExtractionIndex() = default;
-  ~vtkExtractionIndex() override = default;
+  vtkExtractionIndex();
+  ~vtkExtractionIndex() override;
 
 private:
   vtkExtractionIndex(const vtkExtractionIndex&) = delete;
@@ -79,9 +94,10 @@ private:
   template <typename T>
   void BuildRuns(vtkDataSet* input, const T* scalars, Ranges& ranges) const;
 
-  static constexpr vtkIdType BlockSize[3] = { 32, 4, 4 };
+  static constexpr vtkIdType BlockSize[3] = { 8, 4, 4 };
 
   std::map<vtkDataArray*, Ranges> Known;
+  std::map<vtkDataSet*, LinearGrid> LinearGrids;
   int Execution = 0;
   Ranges* Selected = nullptr;
   std::array<vtkIdType, 3> Cells{ { 0, 0, 0 } };

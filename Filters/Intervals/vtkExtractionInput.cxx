@@ -41,8 +41,7 @@ std::string vtkExtractionInput::CheckScalars(
   return what.str();
 }
 
-std::string vtkExtractionInput::CheckInterval(
-  const std::string& name, double lower, double upper)
+std::string vtkExtractionInput::CheckInterval(const std::string& name, double lower, double upper)
 {
   std::ostringstream what;
   if (!std::isfinite(lower) || !std::isfinite(upper))

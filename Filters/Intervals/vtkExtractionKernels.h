@@ -11,8 +11,8 @@
 #endif
 
 /**
- * The inner loops over rows, written so that compilers make vector code of them: no aliasing, 16-bit
- * arithmetic throughout, no branches.
+ * The inner loops over rows, written so that compilers make vector code of them: no aliasing,
+ * 16-bit arithmetic throughout, no branches.
  */
 namespace vtkExtractionKernels
 {
@@ -64,13 +64,13 @@ inline Code CountCrossings(Code a, Code b)
 }
 
 /**
- * What each grid point of a row owns: \a first points of its own, in all \a second with the crossings
- * along i, \a third with those along j, \a all with those along k. On entry \a first is filled.
+ * What each grid point of a row owns: \a first points of its own, in all \a second with the
+ * crossings along i, \a third with those along j, \a all with those along k. On entry \a first is
+ * filled.
  */
 inline void CountOwned(const Code* INTERLUME_RESTRICT here, const Code* INTERLUME_RESTRICT along,
-  const Code* INTERLUME_RESTRICT above, std::int64_t number,
-  const Code* INTERLUME_RESTRICT first, Code* INTERLUME_RESTRICT second,
-  Code* INTERLUME_RESTRICT third, Code* INTERLUME_RESTRICT all)
+  const Code* INTERLUME_RESTRICT above, std::int64_t number, const Code* INTERLUME_RESTRICT first,
+  Code* INTERLUME_RESTRICT second, Code* INTERLUME_RESTRICT third, Code* INTERLUME_RESTRICT all)
 {
   for (std::int64_t i = 0; i + 1 < number; ++i)
   {

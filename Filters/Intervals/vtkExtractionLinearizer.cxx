@@ -81,8 +81,8 @@ private:
         faces.emplace_back(ids->begin(), ids->end());
       }
     }
-    faces.erase(std::remove_if(faces.begin(), faces.end(),
-                  [](const Face& face) { return face.size() < 3; }),
+    faces.erase(
+      std::remove_if(faces.begin(), faces.end(), [](const Face& face) { return face.size() < 3; }),
       faces.end());
     return faces;
   }
@@ -93,7 +93,8 @@ private:
     this->CellIds.push_back(cell);
   }
 
-  // The one neighbour of a point, along edges of faces, that is not on a face; -1 if there are more.
+  // The one neighbour of a point, along edges of faces, that is not on a face; -1 if there are
+  // more.
   static vtkIdType GetNeighborOff(
     const std::map<vtkIdType, std::set<vtkIdType>>& neighbors, vtkIdType point, const Face& face)
   {
@@ -139,8 +140,8 @@ private:
       { 6, 2, 3, VTK_WEDGE, 3 }, { 8, 0, 6, VTK_HEXAHEDRON, 4 } };
     for (const Pattern& pattern : patterns)
     {
-      if (pattern.Points != static_cast<int>(neighbors.size()) ||
-        pattern.Triangles != triangles || pattern.Quadrilaterals != quadrilaterals ||
+      if (pattern.Points != static_cast<int>(neighbors.size()) || pattern.Triangles != triangles ||
+        pattern.Quadrilaterals != quadrilaterals ||
         triangles + quadrilaterals != static_cast<int>(faces.size()))
       {
         continue;

@@ -10,7 +10,8 @@
  * @brief   what the last execution of an extraction filter did
  *
  * A plain value object, summed over the leaves of a composite dataset. Every count is 0 before the
- * first execution.
+ * first execution. A polyhedron that is coned counts by its parts in all numbers of cells but
+ * Cells.
  *
  * @sa vtkIntervalVolume vtkIsotableContour
  */

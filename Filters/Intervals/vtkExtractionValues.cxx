@@ -67,14 +67,15 @@ void vtkExtractionValues::FindPoints()
     this->Points[code] = code & 1;
     for (const Item& item : this->Items)
     {
-      this->Points[code] |= this->Kind == vtkIsotable::INTERVAL && item.GetDigit(static_cast<Code>(code)) == 1;
+      this->Points[code] |=
+        this->Kind == vtkIsotable::INTERVAL && item.GetDigit(static_cast<Code>(code)) == 1;
     }
   }
 }
 
 bool vtkExtractionValues::Overlaps(double minimum, double maximum) const
 {
-  return std::any_of(this->Items.begin(), this->Items.end(), [&](const Item& item) {
-    return minimum <= this->Values[item.Upper] && maximum >= this->Values[item.Lower];
-  });
+  return std::any_of(this->Items.begin(), this->Items.end(),
+    [&](const Item& item)
+    { return minimum <= this->Values[item.Upper] && maximum >= this->Values[item.Lower]; });
 }

@@ -14,9 +14,9 @@
  * @class   vtkExtractionValues
  * @brief   the isovalues of an extraction in one total order, and what they make of a scalar
  *
- * The distinct isovalues v0 < v1 < ... cut the number line into 2 m + 1 codes: 2k between v(k-1) and
- * vk, 2k + 1 at vk itself. A code is all that the combinatorial part of an extraction
- * sees of a value; one rule for values equal to an isovalue follows for everything.
+ * The distinct isovalues v0 < v1 < ... cut the number line into 2 m + 1 codes: 2k between v(k-1)
+ * and vk, 2k + 1 at vk itself. A code is all that the combinatorial part of an extraction sees of a
+ * value; one rule for values equal to an isovalue follows for everything.
  */
 class vtkExtractionValues
 {

@@ -92,11 +92,13 @@ int vtkIntervalVolume::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-int vtkIntervalVolume::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkIntervalVolume::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, int port, vtkMTimeType* time)
 {
-  this->IsFirstLeaf = true;
-  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  // The pipeline asks once before it executes, but runs the filter for each leaf of a composite
+  // input.
+  this->IsFirstRun = true;
+  return this->Superclass::ComputePipelineMTime(request, inputs, outputs, port, time);
 }
 
 std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
@@ -132,11 +134,11 @@ std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
 int vtkIntervalVolume::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (this->IsFirstLeaf)
+  if (this->IsFirstRun)
   {
     this->Report = vtkExtractionReport();
     this->Index->BeginExecution();
-    this->IsFirstLeaf = false;
+    this->IsFirstRun = false;
   }
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
@@ -159,7 +161,8 @@ int vtkIntervalVolume::RequestData(
   this->SetProgressShiftScale(0.0, 1.0 / passes);
   vtkNew<vtkUnstructuredGrid> cut;
   vtkNew<vtkUnstructuredGrid> cutBoundary;
-  bool completed = this->ExtractIntervals(input, vtkDataArray::SafeDownCast(array), cut, cutBoundary);
+  bool completed =
+    this->ExtractIntervals(input, vtkDataArray::SafeDownCast(array), cut, cutBoundary);
   for (int pass = 1; completed && pass < passes; ++pass)
   {
     this->SetProgressShiftScale(static_cast<double>(pass) / passes, 1.0 / passes);
@@ -196,7 +199,8 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
   }
   if (report.UnsupportedCells > 0)
   {
-    vtkWarningMacro(<< report.UnsupportedCells << " cells have no linear counterpart and are left out.");
+    vtkWarningMacro(<< report.UnsupportedCells
+                    << " cells have no linear counterpart and are left out.");
   }
   return completed;
 }
@@ -217,8 +221,8 @@ bool vtkIntervalVolume::ApplyCriterion(
   extraction.Owner = this;
   extraction.Values = &values;
   extraction.InputBoundary = this->GenerateBoundaries ? boundaryBefore.GetPointer() : nullptr;
-  const bool completed = extraction.Execute(before,
-    before->GetPointData()->GetArray(criterion.ArrayName.c_str()), grid, boundary, report);
+  const bool completed = extraction.Execute(
+    before, before->GetPointData()->GetArray(criterion.ArrayName.c_str()), grid, boundary, report);
   this->Report.CollapsedSimplices += report.CollapsedSimplices;
   this->Report.WorkingBytes = std::max(this->Report.WorkingBytes,
     report.WorkingBytes + 1024 * static_cast<vtkIdType>(before->GetActualMemorySize()));

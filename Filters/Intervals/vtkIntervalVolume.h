@@ -1,9 +1,9 @@
 #ifndef vtkIntervalVolume_h
 #define vtkIntervalVolume_h
 
-#include "vtkExtractionReport.h"         // for the report
+#include "vtkExtractionReport.h"      // for the report
 #include "InterlumeIntervalsModule.h" // for the export macro
-#include "vtkSmartPointer.h"             // for the value index
+#include "vtkSmartPointer.h"          // for the value index
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <array>  // for the intervals
@@ -32,8 +32,8 @@ class vtkExtractionIndex;
  * GetReport(). The scalar: SetInputArrayToProcess(0, ...), by default the active point scalars,
  * one component.
  *
- * Output port 0: VTK_TETRA cells in a vtkUnstructuredGrid (a composite input gives a composite output
- * of the same structure), with
+ * Output port 0: VTK_TETRA cells in a vtkUnstructuredGrid (a composite input gives a composite
+ * output of the same structure), with
  * - every point array, interpolated linearly along the grid edge a point lies on; integers come out
  *   as float (8 and 16 bits) or double;
  * - every cell array, copied from the cell a tetrahedron comes from;
@@ -115,13 +115,16 @@ public:
   ///@{
   /**
    * Whether an index of value ranges is kept between executions, so that changed intervals visit
-   * only the cells near them. It is built when the intervals change for the first time over the same
-   * input. Default on.
+   * only the cells near them. It is built when the intervals change for the first time over the
+   * same input. Default on.
    */
   vtkSetMacro(UseValueIndex, bool);
   vtkGetMacro(UseValueIndex, bool);
   vtkBooleanMacro(UseValueIndex, bool);
   ///@}
+
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
+    vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
 
   /**
    * What the last execution did.
@@ -133,7 +136,6 @@ protected:
   ~vtkIntervalVolume() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   struct Criterion
@@ -158,8 +160,8 @@ protected:
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool UseValueIndex = true;
   vtkExtractionReport Report;
-  /// Whether the next RequestData begins an execution; a composite input has one for each leaf.
-  bool IsFirstLeaf = true;
+  /// Whether the next RequestData is the first of an execution.
+  bool IsFirstRun = true;
   vtkSmartPointer<vtkExtractionIndex> Index;
 
 private:

@@ -60,21 +60,23 @@ int vtkIsotableContour::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-int vtkIsotableContour::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkIsotableContour::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, int port, vtkMTimeType* time)
 {
-  this->IsFirstLeaf = true;
-  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  // The pipeline asks once before it executes, but runs the filter for each leaf of a composite
+  // input.
+  this->IsFirstRun = true;
+  return this->Superclass::ComputePipelineMTime(request, inputs, outputs, port, time);
 }
 
 int vtkIsotableContour::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (this->IsFirstLeaf)
+  if (this->IsFirstRun)
   {
     this->Report = vtkExtractionReport();
     this->Index->BeginExecution();
-    this->IsFirstLeaf = false;
+    this->IsFirstRun = false;
   }
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
@@ -117,7 +119,8 @@ int vtkIsotableContour::RequestData(
   }
   if (report.UnsupportedCells > 0)
   {
-    vtkWarningMacro(<< report.UnsupportedCells << " cells have no linear counterpart and are left out.");
+    vtkWarningMacro(<< report.UnsupportedCells
+                    << " cells have no linear counterpart and are left out.");
   }
   return 1;
 }

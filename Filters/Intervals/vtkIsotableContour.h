@@ -1,9 +1,9 @@
 #ifndef vtkIsotableContour_h
 #define vtkIsotableContour_h
 
-#include "vtkExtractionReport.h"         // for the report
+#include "vtkExtractionReport.h"      // for the report
 #include "InterlumeIntervalsModule.h" // for the export macro
-#include "vtkSmartPointer.h"             // for the value index
+#include "vtkSmartPointer.h"          // for the value index
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <vector> // for the values
@@ -77,6 +77,9 @@ public:
   vtkBooleanMacro(UseValueIndex, bool);
   ///@}
 
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
+    vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
+
   /**
    * What the last execution did.
    */
@@ -87,15 +90,14 @@ protected:
   ~vtkIsotableContour() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   std::vector<double> Values;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool UseValueIndex = true;
   vtkExtractionReport Report;
-  /// Whether the next RequestData begins an execution; a composite input has one for each leaf.
-  bool IsFirstLeaf = true;
+  /// Whether the next RequestData is the first of an execution.
+  bool IsFirstRun = true;
   vtkSmartPointer<vtkExtractionIndex> Index;
 
 private:

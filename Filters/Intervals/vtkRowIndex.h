@@ -32,7 +32,8 @@ public:
   /// Whether cells begin at a row of points.
   bool HasCells(vtkIdType j, vtkIdType k) const { return j + 1 < this->Nj && k + 1 < this->Nk; }
 
-  /// The row of cells at a row of points; for the last rows of points that of the cells before them.
+  /// The row of cells at a row of points; for the last rows of points that of the cells before
+  /// them.
   vtkIdType GetCellRow(vtkIdType j, vtkIdType k) const
   {
     return std::min(j, this->Nj - 2) + std::min(k, this->Nk - 2) * (this->Nj - 1);

@@ -58,8 +58,8 @@ struct CodeRow
   std::vector<Code> Codes;
 };
 
-// Where the output points that a row of grid points owns begin, relative to the row's first: those of a
-// grid point at Starts, of its edge along i, j, k by Offsets[0], [1], [2] further on.
+// Where the output points that a row of grid points owns begin, relative to the row's first: those
+// of a grid point at Starts, of its edge along i, j, k by Offsets[0], [1], [2] further on.
 struct OwnerRow
 {
   vtkIdType Row = -1;
@@ -69,8 +69,8 @@ struct OwnerRow
   std::vector<Code> Counts;
 };
 
-// What the counting pass finds in a row: points owned, simplices and boundary triangles of its cells;
-// after summing, where the row's begin.
+// What the counting pass finds in a row: points owned, simplices and boundary triangles of its
+// cells; after summing, where the row's begin.
 struct RowCount
 {
   vtkIdType Points = 0;
@@ -140,10 +140,10 @@ private:
     {
       row.Row = number;
       row.Codes.resize(this->Nx);
-      row.IsFinite = this->Scalars.Classify(this->Rows.GetFirstPoint(number), this->Nx, row.Codes.data());
+      row.IsFinite =
+        this->Scalars.Classify(this->Rows.GetFirstPoint(number), this->Nx, row.Codes.data());
       Code ties;
-      vtkExtractionKernels::Summarize(
-        row.Codes.data(), this->Nx, row.Minimum, row.Maximum, ties);
+      vtkExtractionKernels::Summarize(row.Codes.data(), this->Nx, row.Minimum, row.Maximum, ties);
       row.HasTies = vtkExtractionValues::IsTie(ties);
     }
     return row;
@@ -206,8 +206,7 @@ private:
     {
       const Code next = i + 1 < this->Nx ? c[i + 1] : c[i];
       second[i] = static_cast<Code>(first[i] + this->Values.CountCrossings(c[i], next));
-      third[i] =
-        static_cast<Code>(second[i] + this->Values.CountCrossings(c[i], along.Codes[i]));
+      third[i] = static_cast<Code>(second[i] + this->Values.CountCrossings(c[i], along.Codes[i]));
       all[i] = static_cast<Code>(third[i] + this->Values.CountCrossings(c[i], above.Codes[i]));
     }
   }
@@ -567,7 +566,8 @@ private:
     vtkIdType id = around.Offsets[at.Row] + owners.Starts[i + at.Column];
     if (at.Direction != 0)
     {
-      id += owners.Offsets[at.Direction - 1][i + at.Column] + (at.Kind == 0 ? item.Lower : item.Upper) -
+      id += owners.Offsets[at.Direction - 1][i + at.Column] +
+        (at.Kind == 0 ? item.Lower : item.Upper) -
         vtkExtractionValues::GetFirstCrossing(codes[at.Ends[0]], codes[at.Ends[1]]);
     }
     return id;
@@ -586,8 +586,7 @@ private:
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
     for (const Slot slot : found.Slots)
     {
-      const Slot same =
-        Ties ? vtkExtractionCell::Identify(this->Table, what, codes, slot) : slot;
+      const Slot same = Ties ? vtkExtractionCell::Identify(this->Table, what, codes, slot) : slot;
       ids[slot] = this->template GetId<Write>(around, i, what, codes, same);
     }
     bool isInverted = this->Orientation.AreAllInverted();
@@ -681,9 +680,10 @@ private:
 bool vtkStructuredExtraction::Execute(
   const vtkExtractionContext& context, const int dimensions[3], vtkExtractionMesh& mesh)
 {
-  context.Report->Cells += vtkIdType(dimensions[0] - 1) * (dimensions[1] - 1) * (dimensions[2] - 1);
-  return vtkExtractionDispatch::Execute(context.Scalars, [&](const auto* scalars) {
-    using T = std::decay_t<decltype(*scalars)>;
-    return Extractor<T>(context, dimensions, scalars, mesh).Execute();
-  });
+  return vtkExtractionDispatch::Execute(context.Scalars,
+    [&](const auto* scalars)
+    {
+      using T = std::decay_t<decltype(*scalars)>;
+      return Extractor<T>(context, dimensions, scalars, mesh).Execute();
+    });
 }

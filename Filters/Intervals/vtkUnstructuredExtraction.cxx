@@ -27,7 +27,7 @@ namespace
 using Code = vtkExtractionValues::Code;
 using Slot = vtkIsotable::Slot;
 
-constexpr vtkIdType ChunkSize = 64 * vtkExtractionIndex::RunLength;
+constexpr vtkIdType ChunkSize = 256 * vtkExtractionIndex::RunLength;
 
 // A case met in a chunk of cells.
 struct Found
@@ -37,6 +37,9 @@ struct Found
   std::uint16_t Key;
   // Whether the table's own cut serves: corners in ascending order, and no two slots one point.
   bool IsPlain;
+  // Otherwise where the case's own cut is in the chunk.
+  std::uint32_t FirstSimplex;
+  std::uint32_t FirstTriangle;
 };
 
 struct Crossing
@@ -50,6 +53,9 @@ struct Chunk
 {
   std::vector<Found> Cases;
   std::vector<Crossing> Crossings;
+  // The cuts of cases for which that of the table does not serve, one after the other.
+  std::vector<vtkIsotable::Simplex> CutSimplices;
+  std::vector<vtkIsotable::Triangle> CutTriangles;
   vtkIdType Simplices = 0;
   vtkIdType Triangles = 0;
   vtkExtractionReport Report;
@@ -85,14 +91,10 @@ public:
 
   void GetCorners(vtkIdType cell, int number, vtkIdType* ids) const
   {
-    const vtkIdType first = this->Offsets64
-      ? static_cast<vtkIdType>(this->Offsets64[cell])
-      : static_cast<vtkIdType>(this->Offsets32[cell]);
-    for (int i = 0; i < number; ++i)
-    {
-      ids[i] = this->Ids64 ? static_cast<vtkIdType>(this->Ids64[first + i])
-                           : static_cast<vtkIdType>(this->Ids32[first + i]);
-    }
+    const vtkIdType first = this->Offsets64 ? static_cast<vtkIdType>(this->Offsets64[cell])
+                                            : static_cast<vtkIdType>(this->Offsets32[cell]);
+    this->Ids64 ? std::copy_n(this->Ids64 + first, number, ids)
+                : std::copy_n(this->Ids32 + first, number, ids);
   }
 
 private:
@@ -147,8 +149,8 @@ public:
     }
     for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
     {
-      this->Tables[shape] = &vtkIsotable::Get(
-        this->Values.GetKind(), static_cast<vtkIsotable::Shapes>(shape));
+      this->Tables[shape] =
+        &vtkIsotable::Get(this->Values.GetKind(), static_cast<vtkIsotable::Shapes>(shape));
       const vtkIsotable& table = *this->Tables[shape];
       const int n = table.GetNumberOfVertices();
       const int m = table.GetNumberOfEdges();
@@ -172,15 +174,16 @@ public:
     this->Chunks.resize(chunks);
     const bool counted =
       this->Context.Run(this->NumberOfPoints, 0.0, 0.05,
-        [this](vtkIdType first, vtkIdType last) {
-          this->Scalars.Classify(first, last - first, this->Codes.data() + first);
-        }) &&
-      this->Context.Run(chunks, 0.05, 0.35, [this](vtkIdType first, vtkIdType last) {
-        for (vtkIdType chunk = first; chunk < last; ++chunk)
+        [this](vtkIdType first, vtkIdType last)
+        { this->Scalars.Classify(first, last - first, this->Codes.data() + first); }) &&
+      this->Context.Run(chunks, 0.05, 0.35,
+        [this](vtkIdType first, vtkIdType last)
         {
-          this->CountChunk(chunk);
-        }
-      });
+          for (vtkIdType chunk = first; chunk < last; ++chunk)
+          {
+            this->CountChunk(chunk);
+          }
+        });
     if (!counted)
     {
       return false;
@@ -190,12 +193,14 @@ public:
     const bool written =
       this->Context.Run(this->NumberOfPoints, 0.45, 0.5,
         [this](vtkIdType first, vtkIdType last) { this->WritePoints(first, last); }) &&
-      this->Context.Run(chunks, 0.5, 0.8, [this](vtkIdType first, vtkIdType last) {
-        for (vtkIdType chunk = first; chunk < last; ++chunk)
+      this->Context.Run(chunks, 0.5, 0.8,
+        [this](vtkIdType first, vtkIdType last)
         {
-          this->WriteChunk(chunk);
-        }
-      });
+          for (vtkIdType chunk = first; chunk < last; ++chunk)
+          {
+            this->WriteChunk(chunk);
+          }
+        });
     return written;
   }
 
@@ -208,6 +213,7 @@ private:
       std::swap(corners.Ids[2], corners.Ids[3]);
       std::swap(corners.Ids[6], corners.Ids[7]);
     }
+    this->TurnCorners(corners);
     Code lowest = std::numeric_limits<Code>::max();
     Code highest = 0;
     for (int v = 0; v < corners.What.NumberOfCorners; ++v)
@@ -221,9 +227,79 @@ private:
     corners.Highest = highest;
   }
 
+  // Turns a cell by a symmetry of its shape so that its first corners are in ascending order: most
+  // cells of most meshes then have their corners in the order of the table's own cut. The
+  // orientation is taken from the coordinates, so a reflection does no harm.
+  void TurnCorners(Corners& corners) const
+  {
+    vtkIdType* ids = corners.Ids;
+    const auto before = [this](vtkIdType a, vtkIdType b)
+    { return this->GetOrder(a) < this->GetOrder(b); };
+    if (this->IsAscending(corners))
+    {
+      return;
+    }
+    switch (corners.What.Shape)
+    {
+      case vtkIsotable::TETRAHEDRON:
+        std::sort(ids, ids + 4, before);
+        break;
+      case vtkIsotable::PYRAMID:
+        std::rotate(ids, std::min_element(ids, ids + 4, before), ids + 4);
+        if (before(ids[3], ids[1]))
+        {
+          std::swap(ids[1], ids[3]);
+        }
+        break;
+      case vtkIsotable::WEDGE:
+        TurnWedge(ids, before);
+        break;
+      default:
+        TurnHexahedron(ids, before);
+    }
+  }
+
+  template <typename Before>
+  static void TurnWedge(vtkIdType* ids, Before&& before)
+  {
+    if (std::min_element(ids, ids + 6, before) - ids >= 3)
+    {
+      std::swap_ranges(ids, ids + 3, ids + 3);
+    }
+    // The same exchanges in both triangles.
+    const auto order = [&](int a, int b)
+    {
+      if (before(ids[b], ids[a]))
+      {
+        std::swap(ids[a], ids[b]);
+        std::swap(ids[a + 3], ids[b + 3]);
+      }
+    };
+    order(0, 1);
+    order(1, 2);
+    order(0, 1);
+  }
+
+  template <typename Before>
+  static void TurnHexahedron(vtkIdType* ids, Before&& before)
+  {
+    const int corner = static_cast<int>(std::min_element(ids, ids + 8, before) - ids);
+    int axes[3] = { 1, 2, 4 };
+    std::sort(
+      axes, axes + 3, [&](int a, int b) { return before(ids[corner ^ a], ids[corner ^ b]); });
+    vtkIdType turned[8];
+    for (int v = 0; v < 8; ++v)
+    {
+      turned[v] =
+        ids[corner ^ ((v & 1) ? axes[0] : 0) ^ ((v & 2) ? axes[1] : 0) ^ ((v & 4) ? axes[2] : 0)];
+    }
+    std::copy_n(turned, 8, ids);
+  }
+
   const vtkCellCorners& GetCellCorners(vtkIdType cell) const
   {
-    return this->CornersOfType[this->OnlyType >= 0 ? this->OnlyType : this->Grid->GetCellType(cell)];
+    return this
+      ->CornersOfType[this->OnlyType >= 0 ? this->OnlyType : this->Grid->GetCellType(cell)];
   }
 
   bool IsBlanked(vtkIdType cell, const Corners& corners) const
@@ -302,14 +378,15 @@ private:
       const bool isPlain =
         this->IsAscending(corners) && !this->HasEqualPoints(corners, items[item]);
       this->CountCase({ cell, static_cast<std::int32_t>(item), static_cast<std::uint16_t>(key),
-                        isPlain },
+                        isPlain, static_cast<std::uint32_t>(chunk.CutSimplices.size()),
+                        static_cast<std::uint32_t>(chunk.CutTriangles.size()) },
         corners, chunk);
     }
     chunk.Report.CellsWithOutput += chunk.Simplices != before;
   }
 
-  // Whether two slots of a cell may be one point: by a value equal to an isovalue, or since two corners
-  // are one point.
+  // Whether two slots of a cell may be one point: by a value equal to an isovalue, or since two
+  // corners are one point.
   bool HasEqualPoints(const Corners& corners, const vtkExtractionValues::Item& item) const
   {
     Code ties = item.Lower == item.Upper;
@@ -362,7 +439,7 @@ private:
     const vtkIsotable& table = *this->Tables[corners.What.Shape];
     const vtkIsotable::Case& what = table.GetCase(found.Key);
     const auto& item = this->Values.GetItems()[found.Item];
-    if (found.IsPlain || this->IsCutKnown(corners, item))
+    if (found.IsPlain)
     {
       for (const Slot slot : what.Slots)
       {
@@ -373,31 +450,23 @@ private:
     }
     else
     {
+      this->CutCase(what, corners, item, chunk);
       // Only the points of simplices that keep all their points are made.
       std::uint32_t used = 0;
-      const auto use = [&used](const Slot* slots, int number) {
-        for (int p = 0; p < number; ++p)
+      for (std::size_t s = found.FirstSimplex; s < chunk.CutSimplices.size(); ++s)
+      {
+        for (int p = 0; p < this->SimplexSize; ++p)
         {
-          used |= std::uint32_t(1) << slots[p];
+          used |= std::uint32_t(1) << chunk.CutSimplices[s][p];
         }
-      };
-      this->Cut(
-        found, corners, item,
-        [&](const vtkIsotable::Simplex& simplex) {
-          const bool isCollapsed =
-            vtkExtractionCell::IsCollapsed(simplex.data(), this->SimplexSize);
-          chunk.Report.CollapsedSimplices += isCollapsed;
-          chunk.Simplices += !isCollapsed;
-          use(simplex.data(), isCollapsed ? 0 : this->SimplexSize);
-        },
-        [&](const vtkIsotable::Triangle& triangle) {
-          if (this->Context.GenerateBoundaries &&
-            !vtkExtractionCell::IsCollapsed(triangle.data(), 3))
-          {
-            use(triangle.data(), 3);
-            ++chunk.Triangles;
-          }
-        });
+      }
+      for (std::size_t t = found.FirstTriangle; t < chunk.CutTriangles.size(); ++t)
+      {
+        for (int p = 0; p < 3; ++p)
+        {
+          used |= std::uint32_t(1) << chunk.CutTriangles[t][p];
+        }
+      }
       for (Slot slot = 0; used != 0; ++slot, used >>= 1)
       {
         if (used & 1)
@@ -405,56 +474,47 @@ private:
           this->Enter(table, item, corners, slot, chunk);
         }
       }
+      chunk.Simplices += chunk.CutSimplices.size() - found.FirstSimplex;
+      chunk.Triangles += chunk.CutTriangles.size() - found.FirstTriangle;
     }
     chunk.Cases.push_back(found);
   }
 
-  // Whether the table's own cut tells how many simplices there will be: no points fall together, and
-  // the order of the points does not change their number.
-  bool IsCutKnown(const Corners& corners, const vtkExtractionValues::Item& item) const
-  {
-    return !this->HasEqualPoints(corners, item) &&
-      (this->Values.GetKind() == vtkIsotable::CONTOUR ||
-        corners.What.Shape == vtkIsotable::TETRAHEDRON || this->IsAscending(corners));
-  }
-
-  // Cuts a case in the global order, with slots that are the same point made one.
-  template <typename SimplexVisitor, typename BoundaryVisitor>
-  void Cut(const Found& found, const Corners& corners, const vtkExtractionValues::Item& item,
-    SimplexVisitor&& simplexVisitor, BoundaryVisitor&& boundaryVisitor) const
+  // Cuts a case in the global order, with slots that are the same point made one, and keeps what
+  // has not collapsed.
+  void CutCase(const vtkIsotable::Case& what, const Corners& corners,
+    const vtkExtractionValues::Item& item, Chunk& chunk) const
   {
     const vtkIsotable& table = *this->Tables[corners.What.Shape];
-    const vtkIsotable::Case& what = table.GetCase(found.Key);
-    if (found.IsPlain)
-    {
-      std::for_each(what.Simplices.begin(), what.Simplices.end(), simplexVisitor);
-      std::for_each(what.Boundary.begin(), what.Boundary.end(), boundaryVisitor);
-      return;
-    }
     Slot same[vtkIsotable::MaximumNumberOfSlots];
     std::iota(same, same + vtkIsotable::MaximumNumberOfSlots, Slot(0));
-    if (this->HasEqualPoints(corners, item))
+    const bool hasEqualPoints = this->HasEqualPoints(corners, item);
+    if (hasEqualPoints)
     {
       this->IdentifySlots(corners, item, what, same);
     }
-    const auto simplex = [&](const vtkIsotable::Simplex& s) {
-      simplexVisitor(vtkIsotable::Simplex{ { same[s[0]], same[s[1]], same[s[2]],
-        this->SimplexSize == 4 ? same[s[3]] : Slot(0) } });
-    };
-    const auto boundary = [&](const vtkIsotable::Triangle& t) {
-      boundaryVisitor(vtkIsotable::Triangle{ { same[t[0]], same[t[1]], same[t[2]], t[3] } });
-    };
-    if (this->IsAscending(corners))
+    const auto simplex = [&](const vtkIsotable::Simplex& s)
     {
-      std::for_each(what.Simplices.begin(), what.Simplices.end(), simplex);
-      std::for_each(what.Boundary.begin(), what.Boundary.end(), boundary);
-    }
-    else
+      const vtkIsotable::Simplex points{ { same[s[0]], same[s[1]], same[s[2]],
+        this->SimplexSize == 4 ? same[s[3]] : Slot(0) } };
+      if (hasEqualPoints && vtkExtractionCell::IsCollapsed(points.data(), this->SimplexSize))
+      {
+        ++chunk.Report.CollapsedSimplices;
+        return;
+      }
+      chunk.CutSimplices.push_back(points);
+    };
+    const auto boundary = [&](const vtkIsotable::Triangle& t)
     {
-      Slot ranks[8];
-      this->RankCorners(corners, ranks);
-      table.Cut(what, table.GetSlotRanks(ranks), simplex, boundary);
-    }
+      const vtkIsotable::Triangle points{ { same[t[0]], same[t[1]], same[t[2]], t[3] } };
+      if (this->Context.GenerateBoundaries && !vtkExtractionCell::IsCollapsed(points.data(), 3))
+      {
+        chunk.CutTriangles.push_back(points);
+      }
+    };
+    Slot ranks[8];
+    this->RankCorners(corners, ranks);
+    table.Cut(what, table.GetSlotRanks(ranks), simplex, boundary);
   }
 
   vtkIdType GetOrder(vtkIdType point) const
@@ -517,20 +577,22 @@ private:
     std::unique_ptr<std::atomic<std::uint32_t>[]> counts(
       new std::atomic<std::uint32_t>[this->NumberOfPoints]());
     const vtkIdType chunks = static_cast<vtkIdType>(this->Chunks.size());
-    const auto forEachCrossing = [this, chunks](auto&& visit) {
-      vtkSMPTools::For(0, chunks, [&](vtkIdType first, vtkIdType last) {
-        for (vtkIdType chunk = first; chunk < last; ++chunk)
+    const auto forEachCrossing = [this, chunks](auto&& visit)
+    {
+      vtkSMPTools::For(0, chunks,
+        [&](vtkIdType first, vtkIdType last)
         {
-          for (const Crossing& crossing : this->Chunks[chunk].Crossings)
+          for (vtkIdType chunk = first; chunk < last; ++chunk)
           {
-            visit(crossing);
+            for (const Crossing& crossing : this->Chunks[chunk].Crossings)
+            {
+              visit(crossing);
+            }
           }
-        }
-      });
+        });
     };
-    forEachCrossing([&counts](const Crossing& crossing) {
-      counts[crossing.Owner].fetch_add(1, std::memory_order_relaxed);
-    });
+    forEachCrossing([&counts](const Crossing& crossing)
+      { counts[crossing.Owner].fetch_add(1, std::memory_order_relaxed); });
     this->ListStarts.resize(this->NumberOfPoints + 1);
     this->ListStarts[0] = 0;
     for (vtkIdType p = 0; p < this->NumberOfPoints; ++p)
@@ -538,32 +600,36 @@ private:
       this->ListStarts[p + 1] = this->ListStarts[p] + counts[p].load(std::memory_order_relaxed);
     }
     this->Lists.resize(this->ListStarts.back());
-    forEachCrossing([this, &counts](const Crossing& crossing) {
-      const std::uint32_t left = counts[crossing.Owner].fetch_sub(1, std::memory_order_relaxed);
-      this->Lists[this->ListStarts[crossing.Owner] + left - 1] = crossing.Key;
-    });
+    forEachCrossing(
+      [this, &counts](const Crossing& crossing)
+      {
+        const std::uint32_t left = counts[crossing.Owner].fetch_sub(1, std::memory_order_relaxed);
+        this->Lists[this->ListStarts[crossing.Owner] + left - 1] = crossing.Key;
+      });
     this->NoteWorkingBytes(this->NumberOfPoints * sizeof(counts[0]));
     for (Chunk& chunk : this->Chunks)
     {
       std::vector<Crossing>().swap(chunk.Crossings);
     }
     this->FirstCrossings.resize(this->NumberOfPoints + 1);
-    vtkSMPTools::For(0, this->NumberOfPoints, [this](vtkIdType first, vtkIdType last) {
-      for (vtkIdType p = first; p < last; ++p)
+    vtkSMPTools::For(0, this->NumberOfPoints,
+      [this](vtkIdType first, vtkIdType last)
       {
-        const auto begin = this->Lists.begin() + this->ListStarts[p];
-        const auto end = this->Lists.begin() + this->ListStarts[p + 1];
-        if (end - begin > 1)
+        for (vtkIdType p = first; p < last; ++p)
         {
-          std::sort(begin, end);
-          this->FirstCrossings[p] = std::unique(begin, end) - begin;
+          const auto begin = this->Lists.begin() + this->ListStarts[p];
+          const auto end = this->Lists.begin() + this->ListStarts[p + 1];
+          if (end - begin > 1)
+          {
+            std::sort(begin, end);
+            this->FirstCrossings[p] = std::unique(begin, end) - begin;
+          }
+          else
+          {
+            this->FirstCrossings[p] = end - begin;
+          }
         }
-        else
-        {
-          this->FirstCrossings[p] = end - begin;
-        }
-      }
-    });
+      });
     vtkIdType total = 0;
     for (vtkIdType p = 0; p < this->NumberOfPoints; ++p)
     {
@@ -611,7 +677,9 @@ private:
     for (const Chunk& chunk : this->Chunks)
     {
       bytes += chunk.Cases.capacity() * sizeof(Found) +
-        chunk.Crossings.capacity() * sizeof(Crossing);
+        chunk.Crossings.capacity() * sizeof(Crossing) +
+        chunk.CutSimplices.capacity() * sizeof(vtkIsotable::Simplex) +
+        chunk.CutTriangles.capacity() * sizeof(vtkIsotable::Triangle);
     }
     this->Context.NoteWorkingBytes(bytes);
   }
@@ -661,86 +729,83 @@ private:
     vtkIdType simplexId = chunk.Simplices;
     vtkIdType triangleId = chunk.Triangles;
     Corners corners;
-    for (const Found& found : chunk.Cases)
+    for (std::size_t c = 0; c < chunk.Cases.size(); ++c)
     {
+      const Found& found = chunk.Cases[c];
       corners.What = this->GetCellCorners(found.Cell);
       this->ReadCorners(found.Cell, corners);
-      this->WriteCase(found, corners, simplexId, triangleId);
+      if (found.IsPlain)
+      {
+        const vtkIsotable::Case& what = this->Tables[corners.What.Shape]->GetCase(found.Key);
+        this->WriteCase(found, corners, what.Simplices.data(), what.Simplices.size(),
+          what.Boundary.data(), this->Context.GenerateBoundaries ? what.Boundary.size() : 0,
+          simplexId, triangleId);
+      }
+      else
+      {
+        const bool isLast = c + 1 == chunk.Cases.size();
+        const std::size_t simplexEnd =
+          isLast ? chunk.CutSimplices.size() : chunk.Cases[c + 1].FirstSimplex;
+        const std::size_t triangleEnd =
+          isLast ? chunk.CutTriangles.size() : chunk.Cases[c + 1].FirstTriangle;
+        this->WriteCase(found, corners, chunk.CutSimplices.data() + found.FirstSimplex,
+          simplexEnd - found.FirstSimplex, chunk.CutTriangles.data() + found.FirstTriangle,
+          triangleEnd - found.FirstTriangle, simplexId, triangleId);
+      }
     }
   }
 
-  void WriteCase(
-    const Found& found, const Corners& corners, vtkIdType& simplexId, vtkIdType& triangleId)
+  void WriteCase(const Found& found, const Corners& corners, const vtkIsotable::Simplex* simplices,
+    std::size_t numberOfSimplices, const vtkIsotable::Triangle* triangles,
+    std::size_t numberOfTriangles, vtkIdType& simplexId, vtkIdType& triangleId)
   {
     const vtkIsotable& table = *this->Tables[corners.What.Shape];
     const auto& item = this->Values.GetItems()[found.Item];
     const bool isInverted = this->Orientation.IsInverted(corners.What.Shape, corners.Ids);
     constexpr vtkIdType unknown = -1;
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
-    if (found.IsPlain)
+    std::fill_n(ids, vtkIsotable::MaximumNumberOfSlots, unknown);
+    const auto idOf = [&](Slot slot)
     {
-      for (const Slot slot : table.GetCase(found.Key).Slots)
-      {
-        ids[slot] = this->GetId(table, item, corners, slot);
-      }
-    }
-    else
-    {
-      std::fill_n(ids, vtkIsotable::MaximumNumberOfSlots, unknown);
-    }
-    const auto idOf = [&](Slot slot) {
-      if (!found.IsPlain && ids[slot] == unknown)
+      if (ids[slot] == unknown)
       {
         ids[slot] = this->GetId(table, item, corners, slot);
       }
       return ids[slot];
     };
     const int size = this->SimplexSize;
-    this->Cut(
-      found, corners, item,
-      [&](vtkIsotable::Simplex simplex) {
-        if (!found.IsPlain && vtkExtractionCell::IsCollapsed(simplex.data(), size))
-        {
-          return;
-        }
-        if (isInverted)
-        {
-          std::swap(simplex[0], simplex[1]);
-        }
-        vtkTypeInt64* out = this->Simplices + simplexId * size;
-        for (int p = 0; p < size; ++p)
-        {
-          out[p] = idOf(simplex[p]);
-        }
-        this->Mesh.ItemIds->SetValue(simplexId, found.Item);
-        if (this->Context.KeepCellIds)
-        {
-          this->Mesh.CellIds[simplexId] = found.Cell;
-        }
-        ++simplexId;
-      },
-      [&](vtkIsotable::Triangle triangle) {
-        if (!this->Context.GenerateBoundaries ||
-          (!found.IsPlain && vtkExtractionCell::IsCollapsed(triangle.data(), 3)))
-        {
-          return;
-        }
-        if (isInverted)
-        {
-          std::swap(triangle[0], triangle[1]);
-        }
-        for (int p = 0; p < 3; ++p)
-        {
-          this->Mesh.Triangles[triangleId][p] = idOf(triangle[p]);
-        }
-        this->Mesh.TriangleItemIds->SetValue(triangleId, found.Item);
-        this->Mesh.TriangleSides->SetValue(triangleId, triangle[3]);
-        if (this->Context.KeepCellIds)
-        {
-          this->Mesh.TriangleCellIds[triangleId] = found.Cell;
-        }
-        ++triangleId;
-      });
+    for (std::size_t s = 0; s < numberOfSimplices; ++s, ++simplexId)
+    {
+      vtkTypeInt64* out = this->Simplices + simplexId * size;
+      for (int p = 0; p < size; ++p)
+      {
+        out[p] = idOf(simplices[s][p]);
+      }
+      if (isInverted)
+      {
+        std::swap(out[0], out[1]);
+      }
+      this->Mesh.ItemIds->SetValue(simplexId, found.Item);
+      if (this->Context.KeepCellIds)
+      {
+        this->Mesh.CellIds[simplexId] = found.Cell;
+      }
+    }
+    for (std::size_t t = 0; t < numberOfTriangles; ++t, ++triangleId)
+    {
+      std::array<vtkIdType, 3>& out = this->Mesh.Triangles[triangleId];
+      out = { { idOf(triangles[t][0]), idOf(triangles[t][1]), idOf(triangles[t][2]) } };
+      if (isInverted)
+      {
+        std::swap(out[0], out[1]);
+      }
+      this->Mesh.TriangleItemIds->SetValue(triangleId, found.Item);
+      this->Mesh.TriangleSides->SetValue(triangleId, triangles[t][3]);
+      if (this->Context.KeepCellIds)
+      {
+        this->Mesh.TriangleCellIds[triangleId] = found.Cell;
+      }
+    }
   }
 
   const vtkExtractionContext& Context;
@@ -775,13 +840,14 @@ private:
 bool vtkUnstructuredExtraction::Execute(
   const vtkExtractionContext& context, vtkUnstructuredGrid* grid, vtkExtractionMesh& mesh)
 {
-  context.Report->Cells += grid->GetNumberOfCells();
   if (grid->GetNumberOfCells() == 0)
   {
     return true;
   }
-  return vtkExtractionDispatch::Execute(context.Scalars, [&](const auto* scalars) {
-    using T = std::decay_t<decltype(*scalars)>;
-    return Extractor<T>(context, grid, scalars, mesh).Execute();
-  });
+  return vtkExtractionDispatch::Execute(context.Scalars,
+    [&](const auto* scalars)
+    {
+      using T = std::decay_t<decltype(*scalars)>;
+      return Extractor<T>(context, grid, scalars, mesh).Execute();
+    });
 }

@@ -10,9 +10,9 @@ class vtkUnstructuredGrid;
  * @brief   extraction from tetrahedra, pyramids, wedges, hexahedra and voxels in any mixture
  *
  * Every cell that gives output enters the crossed edges it uses with the lower of their two points,
- * their owner. Each owner's list is sorted and made unique; a prefix sum over the owners numbers the
- * output points. The numbers, and so the bytes, depend on the grid alone; on a grid whose points
- * are numbered in rows they are those of vtkStructuredExtraction.
+ * their owner. Each owner's list is sorted and made unique; a prefix sum over the owners numbers
+ * the output points. The numbers, and so the bytes, depend on the grid alone; on a grid whose
+ * points are numbered in rows they are those of vtkStructuredExtraction.
  *
  * The order in which shared faces are cut is that of the global point ids where the point data has
  * them, so that distributed pieces of a grid agree, and of the point ids otherwise.

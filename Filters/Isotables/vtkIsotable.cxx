@@ -118,10 +118,10 @@ void vtkIsotable::AppendPieces(int key, Case& made) const
     }
   }
   const vtkIsotablePatch patch(this->Lifted, positive);
-  const auto toSlot = [n, m](int edge) {
-    return static_cast<Slot>(edge < 2 * m ? n + edge : edge - 2 * m);
-  };
-  const auto append = [&](const vtkIsotablePatch::PointList& points) {
+  const auto toSlot = [n, m](int edge)
+  { return static_cast<Slot>(edge < 2 * m ? n + edge : edge - 2 * m); };
+  const auto append = [&](const vtkIsotablePatch::PointList& points)
+  {
     made.Pieces.push_back(static_cast<Slot>(points.size()));
     for (int edge : points)
     {
@@ -144,7 +144,8 @@ void vtkIsotable::AppendPieces(int key, Case& made) const
     made.Pieces.push_back(static_cast<Slot>(faces.size()));
     for (const vtkIsotablePatch::PointList& face : faces)
     {
-      const auto all = [&face](int from, int to) {
+      const auto all = [&face](int from, int to)
+      {
         return std::all_of(
           face.begin(), face.end(), [=](int edge) { return edge >= from && edge < to; });
       };
@@ -165,7 +166,8 @@ const vtkIsotable::Case& vtkIsotable::MakeCase(int key) const
   {
     ascending[i] = static_cast<Slot>(i);
   }
-  this->Cut(*made, this->GetSlotRanks(ascending),
+  this->Cut(
+    *made, this->GetSlotRanks(ascending),
     [&made](const Simplex& simplex) { made->Simplices.push_back(simplex); },
     [&made](const Triangle& triangle) { made->Boundary.push_back(triangle); });
   // Where two threads make the same case, the first one's stays.

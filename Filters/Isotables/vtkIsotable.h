@@ -15,18 +15,18 @@
  * @brief   the case table of a three-dimensional cell, for isosurfaces or interval volumes
  *
  * A case is keyed by one digit for each vertex, vertex 0 the least: in base 2 for a contour
- * (0: f < v, 1: f >= v), in base 3 for an interval (0: below, 1: inside, 2: above). Cases are made at
- * their first use, once, whichever thread asks first.
+ * (0: f < v, 1: f >= v), in base 3 for an interval (0: below, 1: inside, 2: above). Cases are made
+ * at their first use, once, whichever thread asks first.
  *
  * A point of a case is a slot: with n vertices and m edges, slot i < n is vertex i of the cell;
- * slot n + e is the isovalue (the lower one of an interval) on edge e; slot n + m + e is the upper one
- * on edge e. In an interval, a vertex that is inside is a point itself; a contour has none of the
- * first kind.
+ * slot n + e is the isovalue (the lower one of an interval) on edge e; slot n + m + e is the upper
+ * one on edge e. In an interval, a vertex that is inside is a point itself; a contour has none of
+ * the first kind.
  *
  * Convex pieces are cut by pulling in an order of the slots: vertices first, then lower, then upper
- * crossings, each by the ranks of the edge's ends, the smaller rank first. When ranks come from global
- * point ids, any two cells cut the face they share alike. Simplices holds the cut for ascending ranks,
- * as structured grids have it; Cut() does any other.
+ * crossings, each by the ranks of the edge's ends, the smaller rank first. When ranks come from
+ * global point ids, any two cells cut the face they share alike. Simplices holds the cut for
+ * ascending ranks, as structured grids have it; Cut() does any other.
  *
  * Vertex order: VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, and VTK_VOXEL for the hexahedron. Tetrahedra
  * have positive volume in a right-handed cell; triangles of a contour have their normal towards
@@ -66,8 +66,8 @@ public:
     std::vector<Triangle> Boundary;
     /// The slots in use, increasing.
     std::vector<Slot> Slots;
-    /// Convex pieces: number of points, points, number of faces, then for each face its side (0, 1 or
-    /// NoSide), number of points, points in cyclic order. In a contour a piece is one face.
+    /// Convex pieces: number of points, points, number of faces, then for each face its side (0, 1
+    /// or NoSide), number of points, points in cyclic order. In a contour a piece is one face.
     std::vector<Slot> Pieces;
   };
   static constexpr Slot NoSide = 255;
@@ -151,7 +151,9 @@ private:
   {
     const int number = at[0];
     PullPolygon(at + 1, number, ranks,
-      [&simplex](Slot a, Slot b, Slot c) { simplex(Simplex{ { a, b, c, 0 } }); });
+      [&simplex](Slot a, Slot b, Slot c) {
+        simplex(Simplex{ { a, b, c, 0 } });
+      });
     return at + 1 + number;
   }
 
@@ -177,16 +179,18 @@ private:
       {
         continue;
       }
-      PullPolygon(slots, number, ranks, [&](Slot a, Slot b, Slot c) {
-        if (!holdsApex)
+      PullPolygon(slots, number, ranks,
+        [&](Slot a, Slot b, Slot c)
         {
-          simplex(Simplex{ { a, c, b, apex } });
-        }
-        if (side != NoSide)
-        {
-          boundary(Triangle{ { a, b, c, side } });
-        }
-      });
+          if (!holdsApex)
+          {
+            simplex(Simplex{ { a, c, b, apex } });
+          }
+          if (side != NoSide)
+          {
+            boundary(Triangle{ { a, b, c, side } });
+          }
+        });
     }
     return at;
   }

@@ -63,8 +63,8 @@ inline Normal Difference(const Point& a, const Point& b)
   return d;
 }
 
-/// Generalised cross product: orthogonal to the first dimension - 1 rows, with a positive determinant
-/// as the last row below them.
+/// Generalised cross product: orthogonal to the first dimension - 1 rows, with a positive
+/// determinant as the last row below them.
 inline Normal CrossProduct(int dimension, const std::array<Normal, MaximumDimension - 1>& rows)
 {
   Normal normal{};
@@ -84,8 +84,8 @@ inline Normal CrossProduct(int dimension, const std::array<Normal, MaximumDimens
   return normal;
 }
 
-/// The affine span of points inserted one by one. Fraction-free elimination: each kept row has a pivot
-/// column that later rows are cleared of, so the span maps one to one onto the pivot columns.
+/// The affine span of points inserted one by one. Fraction-free elimination: each kept row has a
+/// pivot column that later rows are cleared of, so the span maps one to one onto the pivot columns.
 class Span
 {
 public:

@@ -19,8 +19,8 @@
  * thousand. A case is made once, by the thread that first asks for it, and shared by all threads; a
  * reference stays valid as long as the cache.
  *
- * A case is keyed in base 3 as in vtkIsotable. Its simplices have dimension + 1 slots each, slots as
- * in vtkIsotable (vertices, lower crossings, upper crossings), one after the other. The order of
+ * A case is keyed in base 3 as in vtkIsotable. Its simplices have dimension + 1 slots each, slots
+ * as in vtkIsotable (vertices, lower crossings, upper crossings), one after the other. The order of
  * the points is that of vtkIsotable with ascending vertex ranks.
  *
  * @sa vtkIsotable

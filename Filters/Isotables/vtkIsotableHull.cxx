@@ -105,7 +105,8 @@ private:
     simplex.Outward = CrossProduct(this->Dimension, rows);
     simplex.Offset = Dot(this->Dimension, simplex.Outward, this->Points[vertices[0]]);
     // Inside is the sum of dimension + 1 points.
-    if (Dot(this->Dimension, simplex.Outward, this->Inside) > simplex.Offset * (this->Dimension + 1))
+    if (Dot(this->Dimension, simplex.Outward, this->Inside) >
+      simplex.Offset * (this->Dimension + 1))
     {
       for (std::int64_t& value : simplex.Outward)
       {
@@ -118,10 +119,9 @@ private:
 
   void AddPoint(int point)
   {
-    const auto firstVisible = std::partition(
-      this->Simplices.begin(), this->Simplices.end(), [&](const Simplex& simplex) {
-        return Dot(this->Dimension, simplex.Outward, this->Points[point]) <= simplex.Offset;
-      });
+    const auto firstVisible = std::partition(this->Simplices.begin(), this->Simplices.end(),
+      [&](const Simplex& simplex)
+      { return Dot(this->Dimension, simplex.Outward, this->Points[point]) <= simplex.Offset; });
     // The horizon: ridges of exactly one visible simplex.
     this->Ridges.clear();
     for (auto simplex = firstVisible; simplex != this->Simplices.end(); ++simplex)
@@ -221,7 +221,8 @@ std::vector<vtkIsotablePointSet> vtkIsotableHull::FacetsOf(const vtkIsotablePoin
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   const std::vector<vtkIsotablePointSet> all = result;
-  const auto isInside = [&all](const vtkIsotablePointSet& set) {
+  const auto isInside = [&all](const vtkIsotablePointSet& set)
+  {
     return std::any_of(all.begin(), all.end(),
       [&set](const vtkIsotablePointSet& other) { return set != other && set.IsSubsetOf(other); });
   };

@@ -13,8 +13,8 @@
  * @class   vtkIsotableHull
  * @brief   the facets of the convex hull of lattice points, exactly
  *
- * Incremental hull in integer arithmetic. Points on one hyperplane form one facet, however many they
- * are: the result does not depend on the order of the points. At most 128 points, in 2 to 6
+ * Incremental hull in integer arithmetic. Points on one hyperplane form one facet, however many
+ * they are: the result does not depend on the order of the points. At most 128 points, in 2 to 6
  * dimensions.
  */
 class INTERLUMEISOTABLES_EXPORT vtkIsotableHull

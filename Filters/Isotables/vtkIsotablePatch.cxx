@@ -6,8 +6,8 @@
 
 namespace
 {
-std::vector<vtkIsotablePatch::Point> CollectHullPoints(const vtkIsotablePolytope& cell,
-  const std::vector<bool>& positive, std::vector<int>& edgeOfPoint)
+std::vector<vtkIsotablePatch::Point> CollectHullPoints(
+  const vtkIsotablePolytope& cell, const std::vector<bool>& positive, std::vector<int>& edgeOfPoint)
 {
   std::vector<vtkIsotablePatch::Point> points;
   for (std::size_t i = 0; i < cell.Vertices.size(); ++i)
@@ -52,8 +52,7 @@ vtkIsotablePatch::PointList vtkIsotablePatch::GetEdges(const vtkIsotablePointSet
   return edges;
 }
 
-std::vector<vtkIsotablePointSet> vtkIsotablePatch::GetFacesOf(
-  const vtkIsotablePointSet& face) const
+std::vector<vtkIsotablePointSet> vtkIsotablePatch::GetFacesOf(const vtkIsotablePointSet& face) const
 {
   return this->Hull.FacetsOf(face);
 }
@@ -115,9 +114,8 @@ std::vector<vtkIsotablePatch::PointList> vtkIsotablePatch::GetFaces(const Facet&
       continue;
     }
     PointList polygon = this->ChainPolygon(face);
-    const auto inside = std::find_if(facet.Points.begin(), facet.Points.end(), [&](int edge) {
-      return std::find(polygon.begin(), polygon.end(), edge) == polygon.end();
-    });
+    const auto inside = std::find_if(facet.Points.begin(), facet.Points.end(),
+      [&](int edge) { return std::find(polygon.begin(), polygon.end(), edge) == polygon.end(); });
     if (this->IsPositive(facet, { polygon[0], polygon[1], polygon[2], *inside }))
     {
       std::reverse(polygon.begin(), polygon.end());

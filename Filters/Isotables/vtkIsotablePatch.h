@@ -11,9 +11,10 @@
  * @class   vtkIsotablePatch
  * @brief   one case of an isotable: the isosurface patch inside a cell for given signs
  *
- * The patch is made of the facets of the convex hull of { positive vertices } and { midpoints of the
- * edges whose ends differ in sign } that lie in no facet of the cell (Bhaniramka, Wenger, Crawfis
- * 2004). These are the facets without a positive vertex. A patch point is named by its edge.
+ * The patch is made of the facets of the convex hull of { positive vertices } and { midpoints of
+ * the edges whose ends differ in sign } that lie in no facet of the cell (Bhaniramka, Wenger,
+ * Crawfis 2004). These are the facets without a positive vertex. A patch point is named by its
+ * edge.
  */
 class INTERLUMEISOTABLES_EXPORT vtkIsotablePatch
 {
@@ -45,8 +46,8 @@ public:
   std::vector<PointList> GetFaces(const Facet& facet) const;
 
   /**
-   * A facet in three dimensions as a polygon in cyclic order, seen counterclockwise from the negative
-   * side.
+   * A facet in three dimensions as a polygon in cyclic order, seen counterclockwise from the
+   * negative side.
    */
   PointList GetPolygon(const Facet& facet) const;
 

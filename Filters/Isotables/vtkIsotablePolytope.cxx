@@ -108,7 +108,8 @@ vtkIsotablePolytope vtkIsotablePolytope::FromVertices(
   const int n = static_cast<int>(vertices.size());
   for (int i = 0; i < n; ++i)
   {
-    // A point is a vertex, and a pair an edge, when the facets it lies on have nothing else in common.
+    // A point is a vertex, and a pair an edge, when the facets it lies on have nothing else in
+    // common.
     if (hull.SmallestFace({ i }).Count() != 1)
     {
       return {};

@@ -53,8 +53,8 @@ public:
   static vtkIsotablePolytope FromVertices(int dimension, const std::vector<Point>& vertices);
 
   /**
-   * The prism over this polytope, one dimension more: vertex i at 0, vertex i + n at 2 along the new
-   * axis. Edges: those at 0, those at 2, then the vertical ones.
+   * The prism over this polytope, one dimension more: vertex i at 0, vertex i + n at 2 along the
+   * new axis. Edges: those at 0, those at 2, then the vertical ones.
    */
   vtkIsotablePolytope Prism() const;
 

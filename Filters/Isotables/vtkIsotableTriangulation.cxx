@@ -125,8 +125,8 @@ private:
         faces.push_back(face);
       }
     }
-    std::sort(faces.begin(), faces.end(),
-      [](const Face& a, const Face& b) { return a.Points < b.Points; });
+    std::sort(
+      faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.Points < b.Points; });
     for (std::size_t i = 0; i < faces.size();)
     {
       if (i + 1 < faces.size() && faces[i].Points == faces[i + 1].Points)
@@ -161,8 +161,7 @@ std::vector<PointList> vtkIsotableTriangulation::TriangulateFacet(const vtkIsota
   else
   {
     PointList points = facet.Points;
-    std::sort(
-      points.begin(), points.end(), [&rank](int a, int b) { return rank[a] < rank[b]; });
+    std::sort(points.begin(), points.end(), [&rank](int a, int b) { return rank[a] < rank[b]; });
     Placer placer(patch.GetCell());
     for (int point : points)
     {

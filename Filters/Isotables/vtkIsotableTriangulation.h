@@ -10,8 +10,8 @@
  * @class   vtkIsotableTriangulation
  * @brief   cuts the facets of a patch into simplices in a given order of the points
  *
- * Both ways depend on a face only through the order of its own points, so that two cells which order
- * the points of their common face alike cut it alike.
+ * Both ways depend on a face only through the order of its own points, so that two cells which
+ * order the points of their common face alike cut it alike.
  * - Placing: points are added in order; each is joined to the faces of the simplices so far that it
  *   sees (a coplanar one is not seen). What the source does.
  * - Pulling: a face is coned from its first point over its faces that do not hold that point.

@@ -86,7 +86,7 @@ void CheckAgainstFresh(Run& kept, vtkDataSet* data, double lower, double upper, 
   }
   const vtkExtractionReport& a = kept.Filter->GetReport();
   const vtkExtractionReport& b = fresh.Filter->GetReport();
-  check.Equal(a.Cells, b.Cells, "cells");
+  check.Equal(a.Cells, data->GetNumberOfCells(), "cells");
   check.Equal(a.CellsWithOutput, b.CellsWithOutput, "cells with output");
   check.That(a.CellsVisited >= a.CellsWithOutput, "no fewer cells visited than give output");
 }
@@ -107,7 +107,11 @@ void CheckRun(const LatticeForm& form, const char* filterName, Check& check)
   const vtkExtractionReport report = kept.Filter->GetReport();
   std::cout << form.Name << ", " << filterName << ": " << report.CellsVisited << " of "
             << report.Cells << " cells visited, " << report.CellsWithOutput << " with output\n";
-  check.That(report.CellsVisited < report.Cells / 2, "fewer than half of the cells visited");
+  // Polyhedra are cut into other cells each time, without an index.
+  if (form.Name != GetName(MeshKind::Mixed))
+  {
+    check.That(report.CellsVisited < report.Cells / 2, "fewer than half of the cells visited");
+  }
 
   // Other values in the same array, then another array and another input.
   vtkDataArray* scalars = form.Data->GetPointData()->GetScalars();
@@ -165,9 +169,11 @@ int TestIntervalVolumeIndex(int, char*[])
     CheckRun<IntervalRun>(form, "intervals", check);
     CheckRun<ContourRun>(form, "contours", check);
   }
-  auto mixed = MakeMesh(MeshKind::Mixed, { 12, 12, 12 });
-  AddSmoothField(mixed);
-  CheckRun<IntervalRun>({ "mixed", mixed }, "intervals", check);
+  for (MeshKind kind : { MeshKind::Wedges, MeshKind::Mixed })
+  {
+    auto mesh = MakeMesh(kind, { 12, 12, 12 });
+    CheckRun<IntervalRun>({ GetName(kind), mesh }, "intervals", check);
+  }
   CheckComposite(check);
   return check.Result();
 }

@@ -41,6 +41,7 @@ dl { display: grid; grid-template-columns: repeat(auto-fit, minmax(120px, 1fr));
   margin: 0; padding: 14px 0; border-top: 1px solid var(--line); }
 dt { color: var(--soft); font-size: 12px; }
 dd { margin: 0; font-variant-numeric: tabular-nums; }
+dl .features { grid-column: 1 / -1; }
 .source { color: var(--soft); font-size: 13px; margin: 0; max-width: none; }
 footer { color: var(--soft); font-size: 13px; padding-bottom: 56px; }
 )css";
@@ -130,8 +131,8 @@ void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& repor
   std::snprintf(buffers.data(), buffers.size(), "%d, %.0f MB", report.Buffers,
     static_cast<double>(report.Bytes) / 1e6);
   WriteFact(page, "Buffers", buffers.data());
-  WriteFact(page, "Features on", Joined(report.Features));
-  page << "</dl>\n";
+  page << "<div class=\"features\"><dt>Features on</dt><dd>" << Joined(report.Features)
+       << "</dd></div>\n</dl>\n";
   for (const std::string& file : scene.Data)
   {
     const interlume::DataRow& row = interlume::FindDataRow(manifest, file);

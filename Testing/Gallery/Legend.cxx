@@ -98,9 +98,7 @@ void AddText(vtkRenderer* overlay, const std::string& text, double x, double y, 
   actor->SetInput(text.c_str());
   vtkTextProperty* style = actor->GetTextProperty();
   SetStyle(style, fontSize, bold);
-  style->SetJustification(align == Align::Left ? VTK_TEXT_LEFT
-      : align == Align::Centre                 ? VTK_TEXT_CENTERED
-                                               : VTK_TEXT_RIGHT);
+  style->SetJustification(align == Align::Left ? VTK_TEXT_LEFT : VTK_TEXT_CENTERED);
   actor->SetPosition(x, y);
   overlay->AddActor2D(actor);
 }

@@ -19,8 +19,7 @@ namespace gallery
 enum class Align
 {
   Left,
-  Centre,
-  Right
+  Centre
 };
 
 /**

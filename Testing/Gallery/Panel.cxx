@@ -90,7 +90,6 @@ void Panel::LookFrom(const vtkVector3d& from, const vtkVector3d& up)
 void Panel::LookAs(Panel& other)
 {
   this->Camera = other.Camera;
-  this->Zoom = other.Zoom;
   for (vtkRenderer* layer : this->Layers)
   {
     layer->SetActiveCamera(this->Camera);
@@ -255,7 +254,7 @@ void Panel::Fit(const std::vector<vtkVector3d>& points, double aspect)
     const double half = 0.5 * std::max(high[0] - low[0], high[1] - low[1]);
     focus = focus + right * (0.5 * (low[0] + high[0]) * distance * slope * aspect) +
       up * (0.5 * (low[1] + high[1]) * distance * slope);
-    distance += nearest * (half * this->Zoom / FILL - 1.0);
+    distance += nearest * (half / FILL - 1.0);
   }
   this->Camera->SetFocalPoint(focus.GetData());
   const vtkVector3d position = focus + from * distance;

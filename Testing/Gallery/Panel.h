@@ -49,13 +49,6 @@ public:
    */
   void LookAs(Panel& other);
 
-  ///@{
-  /**
-   * How much nearer than the fit: 1 has the props fill the panel, more cuts them. Default 1.
-   */
-  void SetZoom(double zoom) { this->Zoom = zoom; }
-  ///@}
-
   /**
    * Ambient occlusion of the opaque props: reach as a share of the diagonal of the panel's props, 0
    * for none. Default 0.05.
@@ -84,7 +77,6 @@ private:
   std::vector<vtkSmartPointer<vtkRenderer>> Layers;
   vtkSmartPointer<vtkCamera> Camera;
   vtkIdType Pixels = 0;
-  double Zoom = 1.0;
   double OcclusionReach = 0.05;
 };
 }

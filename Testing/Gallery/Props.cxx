@@ -17,7 +17,6 @@
 #include "vtkImplicitBoolean.h"
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
-#include "vtkOutlineFilter.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -30,12 +29,10 @@
 #include "vtkShaderProperty.h"
 #include "vtkStructuredGrid.h"
 #include "vtkStructuredGridGeometryFilter.h"
-#include "vtkStructuredGridOutlineFilter.h"
 #include "vtkTableBasedClipDataSet.h"
 #include "vtkThreshold.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
-#include "vtkTubeFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -204,26 +201,6 @@ vtkSmartPointer<vtkUnstructuredGrid> CutOut(
   clip->InsideOutOn();
   clip->Update();
   return clip->GetOutput();
-}
-
-vtkSmartPointer<vtkActor> MakeOutline(vtkDataSet* data)
-{
-  vtkSmartPointer<vtkPolyDataAlgorithm> outline;
-  if (vtkStructuredGrid::SafeDownCast(data))
-  {
-    outline = vtkSmartPointer<vtkStructuredGridOutlineFilter>::New();
-  }
-  else
-  {
-    outline = vtkSmartPointer<vtkOutlineFilter>::New();
-  }
-  outline->SetInputDataObject(data);
-  vtkNew<vtkTubeFilter> tubes;
-  tubes->SetInputConnection(outline->GetOutputPort());
-  tubes->SetRadius(0.0014 * data->GetLength());
-  tubes->SetNumberOfSides(8);
-  tubes->Update();
-  return MakeActor(tubes->GetOutput(), Pencil());
 }
 
 vtkSmartPointer<vtkPolyData> MakeWall(vtkStructuredGrid* grid, int axis, int index)

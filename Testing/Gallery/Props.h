@@ -16,7 +16,7 @@ class vtkStructuredGrid;
 class vtkUnstructuredGrid;
 
 /**
- * What scenes put on stage: surfaces of extracted tetrahedra, boundary triangles, outlines.
+ * What scenes put on stage: surfaces of extracted tetrahedra, boundary triangles, walls.
  */
 namespace gallery
 {
@@ -86,11 +86,6 @@ vtkSmartPointer<vtkPolyData> AddMirrorImage(vtkPolyData* surface);
  */
 vtkSmartPointer<vtkUnstructuredGrid> CutOut(
   vtkDataSet* data, const vtkVector3d& origin, const vtkVector3d& first, const vtkVector3d& second);
-
-/**
- * The twelve edges of the domain of \a data as thin tubes; the curved ones of a structured grid.
- */
-vtkSmartPointer<vtkActor> MakeOutline(vtkDataSet* data);
 
 /**
  * One grid surface of a structured grid, \a axis 0 to 2 at \a index: a wall for orientation.

@@ -1,10 +1,11 @@
 # In the build of the VTK modules: the numbers for ParaView to repeat, and the defaults of its XML.
-find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel ImagingCore IOLegacy IOXMLParser)
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel ImagingCore IOLegacy IOXML IOXMLParser)
 find_package(nlohmann_json REQUIRED)
 
-add_executable(ExtractionNumbers ExtractionNumbers.cxx ExtractionMeasures.cxx ExtractionMeasures.h)
+add_executable(ExtractionNumbers 
+  ExtractionNumbers.cxx ExtractionMeasures.cxx PieceWriter.cxx)
 target_link_libraries(ExtractionNumbers PRIVATE
-  InterlumeTestingCommon Interlume::InterlumeIntervals VTK::ImagingCore VTK::IOLegacy
+  InterlumeTestingCommon Interlume::InterlumeIntervals VTK::ImagingCore VTK::IOLegacy VTK::IOXML
   nlohmann_json::nlohmann_json)
 set(extractions_folder "${CMAKE_BINARY_DIR}/Testing/Extractions")
 file(MAKE_DIRECTORY "${extractions_folder}")

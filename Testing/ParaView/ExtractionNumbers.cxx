@@ -5,6 +5,7 @@
 // fix).
 #include "DataFiles.h"
 #include "ExtractionMeasures.h"
+#include "PieceWriter.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetWriter.h"
 #include "vtkIdTypeArray.h"
@@ -28,6 +29,8 @@
 
 namespace
 {
+constexpr int NUMBER_OF_PIECES = 4;
+
 using Range = std::pair<double, double>;
 
 struct Criterion
@@ -140,6 +143,18 @@ nlohmann::json AllExtractions(const Inputs& inputs)
     ExtractContours(inputs, "wavelet", "RTData", { 100.0, 157.0 }),
     ExtractContours(inputs, disk, "Temp", { 400.0 }) };
 }
+
+// The unstructured grids for the run with several processes.
+void WriteDistributed(const Inputs& inputs, const std::string& folder)
+{
+  const std::pair<const char*, const char*> grids[] = { { "disk_out_ref", "Temp" },
+    { "post_tets", "Pressure" } };
+  for (const auto& grid : grids)
+  {
+    WritePieces(vtkUnstructuredGrid::SafeDownCast(inputs.Get(grid.first)), grid.second,
+      NUMBER_OF_PIECES, folder + "/" + grid.first + "_pieces");
+  }
+}
 }
 
 int main(int argc, char* argv[])
@@ -152,7 +167,9 @@ int main(int argc, char* argv[])
   try
   {
     const std::string folder = argv[1];
-    const nlohmann::json extractions = AllExtractions(Inputs(folder));
+    const Inputs inputs(folder);
+    WriteDistributed(inputs, folder);
+    const nlohmann::json extractions = AllExtractions(inputs);
     for (const nlohmann::json& extraction : extractions)
     {
       const auto cells = extraction["output"]["cells"].get<vtkIdType>();

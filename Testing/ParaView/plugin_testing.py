@@ -19,11 +19,14 @@ def extractions_path(name):
 
 
 def open_data(name):
-    """The wavelet source, or a reader of a dataset that ExtractionNumbers left, with its data read."""
+    """The wavelet source, or a reader of a dataset that ExtractionNumbers left, with its data read.
+
+    The dataset is a .vtk file unless the name has an extension.
+    """
     if name == "wavelet":
         source = simple.Wavelet()
     else:
-        source = simple.OpenDataFile(extractions_path(name + ".vtk"))
+        source = simple.OpenDataFile(extractions_path(name if "." in name else name + ".vtk"))
     source.UpdatePipeline()
     return source
 

@@ -33,6 +33,7 @@ run_logged()
   mkdir -p "$log_dir"
   "$@" >"$log" 2>&1 &
   pid=$!
+  trap 'kill "$pid" 2>/dev/null; exit 130' INT TERM
   while kill -0 "$pid" 2>/dev/null; do
     sleep 1
     waited=$((waited + 1))
@@ -41,6 +42,7 @@ run_logged()
     fi
   done
   wait "$pid" || status=$?
+  trap - INT TERM
   if [ "$status" -ne 0 ]; then
     tail -n 40 "$log" >&2
     die "$name failed with status $status; all of its output is in $log"
@@ -58,12 +60,14 @@ build_preset()
   done
   say "Building preset $preset with $jobs jobs"
   run_logged "configure-$preset" cmake -S "$source_dir" --preset "$preset"
-  (cd "$source_dir" && cmake --build --preset "$preset" --parallel "$jobs" ${targets[@]+"${targets[@]}"})
+  (cd "$source_dir" &&
+    cmake --build --preset "$preset" --parallel "$jobs" ${targets[@]+"${targets[@]}"})
 }
 
-# Runs a command on a virtual display, so that a picture never depends on the desktop's driver. More
-# clients than usual are let in: each rank of a parallel run opens windows of its own.
+# Runs a command on a virtual display, so that a picture never depends on the desktop's driver. The
+# display takes more clients than usual, since each rank of a parallel run opens windows of its own,
+# and does not reset when the last of them leaves: the next, arriving meanwhile, would be turned away.
 with_display()
 {
-  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1280x1024x24 -maxclients 512" "$@"
+  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1280x1024x24 -maxclients 512 -noreset" "$@"
 }

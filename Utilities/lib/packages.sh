@@ -5,7 +5,7 @@ build_packages=(
   libvtk9-dev libglm-dev libcli11-dev nlohmann-json3-dev
   xvfb xauth libgl1-mesa-dri libglx-mesa0)
 
-# What ParaView's CMake package asks for; ParaView's own run-time libraries are read from its package.
+# What ParaView's CMake package asks for; its own run-time libraries are read from its package.
 paraview_build_packages=(
   qtbase5-dev qttools5-dev qttools5-dev-tools libqt5svg5-dev libqt5opengl5-dev
   libqt5x11extras5-dev libqt5xmlpatterns5-dev qtxmlpatterns5-dev-tools libtool-bin
@@ -22,7 +22,7 @@ as_root()
   fi
 }
 
-# apt_get ARGUMENTS...: with the package lists as they are, and once more with new ones if that fails.
+# apt_get ARGUMENTS...: with the package lists as they are; with new ones if that fails.
 apt_get()
 {
   local -a command=(apt-get -y -q -o DPkg::Lock::Timeout=600 --no-install-recommends "$@")

@@ -1,4 +1,4 @@
-# Brings ParaView into a folder of its own, since its Python package cannot be installed beside VTK's.
+# Brings ParaView into a folder of its own: its Python package cannot be installed beside VTK's.
 # Needs common.sh and packages.sh.
 
 paraview_root=$build_root/paraview-root
@@ -12,7 +12,8 @@ fetch_paraview()
     rm -rf "$paraview_root" "$packages"
     mkdir -p "$paraview_root" "$packages"
     run_logged fetch-paraview download_packages "$packages" paraview paraview-dev python3-paraview
-    run_logged install-paraview-libraries apt_get satisfy "$(libraries_of "$packages"/paraview_*.deb)"
+    run_logged install-paraview-libraries \
+      apt_get satisfy "$(libraries_of "$packages"/paraview_*.deb)"
     run_logged unpack-paraview unpack_packages "$packages" "$paraview_root"
     rm -rf "$packages"
     touch "$stamp"
@@ -21,9 +22,9 @@ fetch_paraview()
 
 download_packages()
 {
-  local folder=$1
+  cd "$1"
   shift
-  (cd "$folder" && { apt-get -q download "$@" || { as_root apt-get -q update && apt-get -q download "$@"; }; })
+  apt-get -q download "$@" || { as_root apt-get -q update && apt-get -q download "$@"; }
 }
 
 # The dependencies of a package without its interpreters: scripts here need only numpy and mpi4py.

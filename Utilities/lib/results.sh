@@ -11,8 +11,8 @@ run_tests()
   say "Testing: $name"
   mkdir -p "$log_dir"
   result_names+=("$name")
-  with_display ctest --test-dir "$folder" --parallel "$jobs" --output-on-failure --no-tests=error "$@" 2>&1 |
-    tee "$log_dir/test-$name.log" || failed_runs=$((failed_runs + 1))
+  with_display ctest --test-dir "$folder" --parallel "$jobs" --output-on-failure \
+    --no-tests=error "$@" 2>&1 | tee "$log_dir/test-$name.log" || failed_runs=$((failed_runs + 1))
 }
 
 # Prints ctest's closing lines of every run; fails if one failed.
@@ -22,7 +22,8 @@ report_results()
   say "Results"
   for name in "${result_names[@]}"; do
     printf '%s:\n' "$name"
-    sed -n '/tests passed,/,$p' "$log_dir/test-$name.log" | sed -e '/^Label Time Summary/,/^$/d' -e '/^$/d' -e 's/^/  /'
+    sed -n '/tests passed,/,$p' "$log_dir/test-$name.log" |
+      sed -e '/^Label Time Summary/,/^$/d' -e '/^$/d' -e 's/^/  /'
   done
   if [ "$failed_runs" -ne 0 ]; then
     printf '%d of %d test runs failed\n' "$failed_runs" "${#result_names[@]}"

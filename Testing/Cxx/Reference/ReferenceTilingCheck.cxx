@@ -178,10 +178,12 @@ private:
     {
       strange += face.Plus > 1 || face.Minus > 1 ? 1 : 0;
     }
+    long long repeated = 0;
     for (const FaceUse& side : sides)
     {
-      strange += side.Total() > 1 ? 1 : 0;
+      repeated += side.Total() > 1 ? 1 : 0;
     }
+    this->Test.Equal(repeated, 0, name + "triangles used more than once");
     if (this->Generic)
     {
       this->Test.Equal(strange, 0, name + "faces used more than once with one orientation");

@@ -29,7 +29,7 @@ struct TilingCounts
  * - the boundary of the tetrahedra of an interval is its triangles on port 1 and a part of the
  *   domain's boundary; the parts of all intervals cover that boundary;
  * - interval i's upper triangles are interval i+1's lower ones with the other side up;
- * - inside the domain the triangles of an interval are closed;
+ * - inside the domain the triangles of an interval are closed, and none is there twice;
  * - the scalar is between the bounds on each tetrahedron and equal to the bound on each triangle;
  * and, when no value equals a bound inside the range (\a generic):
  * - every face of the tetrahedra is used once, or twice with opposite orientation;
