@@ -14,6 +14,11 @@
 
 vtkStandardNewMacro(vtkIntervalVolume);
 
+namespace
+{
+constexpr int MaximumNumberOfIntervals = 10000;
+}
+
 vtkIntervalVolume::vtkIntervalVolume()
   : Index(vtkSmartPointer<vtkExtractionIndex>::New())
 {
@@ -26,8 +31,7 @@ vtkIntervalVolume::~vtkIntervalVolume() = default;
 
 void vtkIntervalVolume::SetNumberOfIntervals(int number)
 {
-  constexpr int most = 10000;
-  number = std::max(0, std::min(number, most));
+  number = std::max(0, std::min(number, MaximumNumberOfIntervals));
   if (number != this->GetNumberOfIntervals())
   {
     this->Intervals.resize(number, { { 0.0, 0.0 } });
@@ -37,9 +41,10 @@ void vtkIntervalVolume::SetNumberOfIntervals(int number)
 
 void vtkIntervalVolume::SetInterval(int i, double lower, double upper)
 {
-  if (i < 0)
+  if (i < 0 || i >= MaximumNumberOfIntervals)
   {
-    vtkErrorMacro("Interval index " << i << " is negative.");
+    vtkErrorMacro(
+      "Interval index " << i << " is not in 0 to " << MaximumNumberOfIntervals - 1 << ".");
     return;
   }
   if (i >= this->GetNumberOfIntervals())
@@ -47,7 +52,7 @@ void vtkIntervalVolume::SetInterval(int i, double lower, double upper)
     this->SetNumberOfIntervals(i + 1);
   }
   const std::array<double, 2> interval{ { lower, upper } };
-  if (i < this->GetNumberOfIntervals() && this->Intervals[i] != interval)
+  if (this->Intervals[i] != interval)
   {
     this->Intervals[i] = interval;
     this->Modified();
@@ -56,8 +61,11 @@ void vtkIntervalVolume::SetInterval(int i, double lower, double upper)
 
 void vtkIntervalVolume::GetInterval(int i, double& lower, double& upper) const
 {
-  lower = this->Intervals.at(i)[0];
-  upper = this->Intervals.at(i)[1];
+  if (i >= 0 && i < this->GetNumberOfIntervals())
+  {
+    lower = this->Intervals[i][0];
+    upper = this->Intervals[i][1];
+  }
 }
 
 void vtkIntervalVolume::AddCriterion(const char* arrayName, double lower, double upper)
@@ -77,13 +85,16 @@ void vtkIntervalVolume::RemoveAllCriteria()
 
 const char* vtkIntervalVolume::GetCriterionArrayName(int i) const
 {
-  return this->Criteria.at(i).ArrayName.c_str();
+  return i >= 0 && i < this->GetNumberOfCriteria() ? this->Criteria[i].ArrayName.c_str() : nullptr;
 }
 
 void vtkIntervalVolume::GetCriterionRange(int i, double& lower, double& upper) const
 {
-  lower = this->Criteria.at(i).Lower;
-  upper = this->Criteria.at(i).Upper;
+  if (i >= 0 && i < this->GetNumberOfCriteria())
+  {
+    lower = this->Criteria[i].Lower;
+    upper = this->Criteria[i].Upper;
+  }
 }
 
 int vtkIntervalVolume::FillInputPortInformation(int, vtkInformation* info)

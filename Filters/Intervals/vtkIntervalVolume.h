@@ -72,7 +72,8 @@ public:
   ///@{
   /**
    * The intervals, in the units of the scalar: lower <= upper, both finite. They may touch, overlap
-   * or leave gaps. Default none, which gives an empty output. Valid number: 0 to 10000.
+   * or leave gaps. Default none, which gives an empty output. Valid number: 0 to 10000. SetInterval
+   * adds intervals where there are fewer; GetInterval leaves its arguments where there is none.
    */
   void SetNumberOfIntervals(int number);
   int GetNumberOfIntervals() const { return static_cast<int>(this->Intervals.size()); }
@@ -84,7 +85,8 @@ public:
   /**
    * Further criteria: the result is also cut to lower <= array <= upper of another point array, one
    * pass of the same algorithm over the tetrahedra for each. The array is named, has one component,
-   * and is found in the input's point data. Default none.
+   * and is found in the input's point data. Default none. Of a criterion that is not there the name
+   * is null, and the range leaves its arguments.
    */
   void AddCriterion(const char* arrayName, double lower, double upper);
   void RemoveAllCriteria();

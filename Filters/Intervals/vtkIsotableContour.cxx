@@ -11,6 +11,11 @@
 
 vtkStandardNewMacro(vtkIsotableContour);
 
+namespace
+{
+constexpr int MaximumNumberOfContours = 20000;
+}
+
 vtkIsotableContour::vtkIsotableContour()
   : Index(vtkSmartPointer<vtkExtractionIndex>::New())
 {
@@ -22,8 +27,7 @@ vtkIsotableContour::~vtkIsotableContour() = default;
 
 void vtkIsotableContour::SetNumberOfContours(int number)
 {
-  constexpr int most = 20000;
-  number = std::max(0, std::min(number, most));
+  number = std::max(0, std::min(number, MaximumNumberOfContours));
   if (number != this->GetNumberOfContours())
   {
     this->Values.resize(number, 0.0);
@@ -33,16 +37,17 @@ void vtkIsotableContour::SetNumberOfContours(int number)
 
 void vtkIsotableContour::SetValue(int i, double value)
 {
-  if (i < 0)
+  if (i < 0 || i >= MaximumNumberOfContours)
   {
-    vtkErrorMacro("Contour index " << i << " is negative.");
+    vtkErrorMacro(
+      "Contour index " << i << " is not in 0 to " << MaximumNumberOfContours - 1 << ".");
     return;
   }
   if (i >= this->GetNumberOfContours())
   {
     this->SetNumberOfContours(i + 1);
   }
-  if (i < this->GetNumberOfContours() && this->Values[i] != value)
+  if (this->Values[i] != value)
   {
     this->Values[i] = value;
     this->Modified();
@@ -51,7 +56,7 @@ void vtkIsotableContour::SetValue(int i, double value)
 
 double vtkIsotableContour::GetValue(int i) const
 {
-  return this->Values.at(i);
+  return i >= 0 && i < this->GetNumberOfContours() ? this->Values[i] : 0.0;
 }
 
 int vtkIsotableContour::FillInputPortInformation(int, vtkInformation* info)

@@ -49,7 +49,8 @@ public:
 
   ///@{
   /**
-   * The values, in the units of the scalar. Any finite number; default none.
+   * The values, in the units of the scalar. Any finite number; default none, at most 20000.
+   * SetValue adds values where there are fewer; GetValue is 0 where there is none.
    */
   void SetNumberOfContours(int number);
   int GetNumberOfContours() const { return static_cast<int>(this->Values.size()); }
