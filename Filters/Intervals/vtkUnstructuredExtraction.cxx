@@ -93,11 +93,30 @@ public:
   {
     const vtkIdType first = this->Offsets64 ? static_cast<vtkIdType>(this->Offsets64[cell])
                                             : static_cast<vtkIdType>(this->Offsets32[cell]);
-    this->Ids64 ? std::copy_n(this->Ids64 + first, number, ids)
-                : std::copy_n(this->Ids32 + first, number, ids);
+    this->Ids64 ? Copy(this->Ids64 + first, number, ids) : Copy(this->Ids32 + first, number, ids);
   }
 
 private:
+  // A copy of a known length is a few moves, one of unknown length a call.
+  template <typename Stored>
+  static void Copy(const Stored* from, int number, vtkIdType* ids)
+  {
+    switch (number)
+    {
+      case 4:
+        std::copy_n(from, 4, ids);
+        break;
+      case 5:
+        std::copy_n(from, 5, ids);
+        break;
+      case 6:
+        std::copy_n(from, 6, ids);
+        break;
+      default:
+        std::copy_n(from, 8, ids);
+    }
+  }
+
   void Take(vtkDataArray* array, const vtkTypeInt32*& narrow, const vtkTypeInt64*& wide)
   {
     if (vtkTypeInt32Array* narrowArray = vtkTypeInt32Array::SafeDownCast(array))
@@ -213,7 +232,6 @@ private:
       std::swap(corners.Ids[2], corners.Ids[3]);
       std::swap(corners.Ids[6], corners.Ids[7]);
     }
-    this->TurnCorners(corners);
     Code lowest = std::numeric_limits<Code>::max();
     Code highest = 0;
     for (int v = 0; v < corners.What.NumberOfCorners; ++v)
@@ -256,6 +274,10 @@ private:
         break;
       default:
         TurnHexahedron(ids, before);
+    }
+    for (int v = 0; v < corners.What.NumberOfCorners; ++v)
+    {
+      corners.Codes[v] = this->Codes[corners.Ids[v]];
     }
   }
 
@@ -351,12 +373,21 @@ private:
       chunk.Report.CellsVisited += last - first;
       for (vtkIdType cell = first; cell < last; ++cell)
       {
-        if (this->Accept(cell, corners, chunk.Report))
+        if (this->Accept(cell, corners, chunk.Report) && this->IsNearItem(corners))
         {
+          this->TurnCorners(corners);
           this->CountCell(cell, corners, chunk);
         }
       }
     }
+  }
+
+  bool IsNearItem(const Corners& corners) const
+  {
+    const auto& items = this->Values.GetItems();
+    return std::any_of(items.begin(), items.end(),
+      [&](const vtkExtractionValues::Item& item)
+      { return !this->Values.IsOutside(item, corners.Lowest, corners.Highest); });
   }
 
   void CountCell(vtkIdType cell, const Corners& corners, Chunk& chunk)
@@ -734,6 +765,7 @@ private:
       const Found& found = chunk.Cases[c];
       corners.What = this->GetCellCorners(found.Cell);
       this->ReadCorners(found.Cell, corners);
+      this->TurnCorners(corners);
       if (found.IsPlain)
       {
         const vtkIsotable::Case& what = this->Tables[corners.What.Shape]->GetCase(found.Key);
