@@ -13,37 +13,44 @@
 
 namespace
 {
-// Weights of the vertices in the three columns of the Jacobian at the middle of a cell.
-struct Jacobian
+// The columns of the Jacobian at the middle of a cell, times a positive number, for one coordinate
+// x(vertex).
+template <typename Coordinate>
+void FillColumns(vtkIsotable::Shapes shape, Coordinate&& x, double* columns)
 {
-  int NumberOfVertices;
-  double Weights[3][vtkIsotable::MaximumNumberOfVertices];
-};
-
-const Jacobian Jacobians[vtkIsotable::NUMBER_OF_SHAPES] = {
-  { 4, { { -1, 1, 0, 0 }, { -1, 0, 1, 0 }, { -1, 0, 0, 1 } } },
-  { 5, { { -1, 1, 1, -1, 0 }, { -1, -1, 1, 1, 0 }, { -1, -1, -1, -1, 4 } } },
-  { 6, { { -1, 1, 0, -1, 1, 0 }, { -1, 0, 1, -1, 0, 1 }, { -1, -1, -1, 1, 1, 1 } } },
-  { 8,
-    { { -1, 1, -1, 1, -1, 1, -1, 1 }, { -1, -1, 1, 1, -1, -1, 1, 1 },
-      { -1, -1, -1, -1, 1, 1, 1, 1 } } }
-};
+  switch (shape)
+  {
+    case vtkIsotable::TETRAHEDRON:
+      columns[0] = x(1) - x(0);
+      columns[1] = x(2) - x(0);
+      columns[2] = x(3) - x(0);
+      break;
+    case vtkIsotable::PYRAMID:
+      columns[0] = (x(1) - x(0)) + (x(2) - x(3));
+      columns[1] = (x(3) - x(0)) + (x(2) - x(1));
+      columns[2] = (x(4) - x(0)) + (x(4) - x(1)) + (x(4) - x(2)) + (x(4) - x(3));
+      break;
+    case vtkIsotable::WEDGE:
+      columns[0] = (x(1) - x(0)) + (x(4) - x(3));
+      columns[1] = (x(2) - x(0)) + (x(5) - x(3));
+      columns[2] = (x(3) - x(0)) + (x(4) - x(1)) + (x(5) - x(2));
+      break;
+    default:
+      columns[0] = (x(1) - x(0)) + (x(3) - x(2)) + (x(5) - x(4)) + (x(7) - x(6));
+      columns[1] = (x(2) - x(0)) + (x(3) - x(1)) + (x(6) - x(4)) + (x(7) - x(5));
+      columns[2] = (x(4) - x(0)) + (x(5) - x(1)) + (x(6) - x(2)) + (x(7) - x(3));
+  }
+}
 
 // getPoint(v) gives the coordinates of a vertex.
 template <typename GetPoint>
-bool IsNegative(const Jacobian& jacobian, GetPoint&& getPoint)
+bool IsNegative(vtkIsotable::Shapes shape, GetPoint&& getPoint)
 {
-  double columns[3][3] = {};
-  for (int v = 0; v < jacobian.NumberOfVertices; ++v)
+  double columns[3][3];
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const auto x = getPoint(v);
-    for (int c = 0; c < 3; ++c)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        columns[c][axis] += jacobian.Weights[c][v] * static_cast<double>(x[axis]);
-      }
-    }
+    FillColumns(
+      shape, [&](int v) { return static_cast<double>(getPoint(v)[axis]); }, columns[axis]);
   }
   return vtkMath::Determinant3x3(columns) < 0.0;
 }
@@ -84,16 +91,15 @@ vtkCellOrientation::vtkCellOrientation(vtkDataSet* input)
 
 bool vtkCellOrientation::IsCellInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const
 {
-  const Jacobian& jacobian = Jacobians[shape];
   if (this->Floats)
   {
-    return IsNegative(jacobian, [&](int v) { return this->Floats + 3 * points[v]; });
+    return IsNegative(shape, [&](int v) { return this->Floats + 3 * points[v]; });
   }
   if (this->Doubles)
   {
-    return IsNegative(jacobian, [&](int v) { return this->Doubles + 3 * points[v]; });
+    return IsNegative(shape, [&](int v) { return this->Doubles + 3 * points[v]; });
   }
-  return IsNegative(jacobian,
+  return IsNegative(shape,
     [&](int v)
     {
       std::array<double, 3> x;

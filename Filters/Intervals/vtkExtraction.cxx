@@ -14,8 +14,7 @@
 #include "vtkUnstructuredExtraction.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <cstring>
-#include <numeric>
+#include <algorithm>
 
 namespace
 {
@@ -37,25 +36,6 @@ vtkSmartPointer<vtkDataArray> MakeContiguous(vtkDataArray* array)
   wide.TakeReference(vtkDataArray::CreateDataArray(VTK_DOUBLE));
   wide->DeepCopy(array);
   return wide;
-}
-
-vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt64Array* connectivity, vtkIdType size)
-{
-  const vtkIdType number = connectivity->GetNumberOfValues() / size;
-  vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(number + 1);
-  vtkTypeInt64* values = offsets->GetPointer(0);
-  vtkSMPTools::For(0, number + 1,
-    [values, size](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        values[i] = i * size;
-      }
-    });
-  vtkSmartPointer<vtkCellArray> cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, connectivity);
-  return cells;
 }
 
 void AddNamed(vtkDataSetAttributes* attributes, vtkDataArray* array, const char* name)
@@ -81,12 +61,9 @@ void MakeLinear(
   }
 }
 
-void MapIds(const std::vector<vtkIdType>& map, std::vector<vtkIdType>& ids)
+void MapIds(const std::vector<vtkIdType>& map, vtkIdType* ids, std::size_t number)
 {
-  for (vtkIdType& id : ids)
-  {
-    id = map[id];
-  }
+  std::transform(ids, ids + number, ids, [&map](vtkIdType id) { return map[id]; });
 }
 }
 
@@ -153,7 +130,7 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   context.Scalars = contiguous;
 
   vtkExtractionMesh mesh;
-  mesh.Connectivity = vtkSmartPointer<vtkTypeInt64Array>::New();
+  mesh.HasSeveralItems = this->Values->GetItems().size() > 1;
   if (!this->ExtractMesh(context, mesh))
   {
     return false;
@@ -173,8 +150,8 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   }
   if (linear)
   {
-    MapIds(linear->CellIds, mesh.CellIds);
-    MapIds(linear->CellIds, mesh.TriangleCellIds);
+    MapIds(linear->CellIds, mesh.CellIds.GetData(), mesh.CellIds.GetSize());
+    MapIds(linear->CellIds, mesh.TriangleCellIds.data(), mesh.TriangleCellIds.size());
   }
   this->FillOutput(context, mesh, input, output);
   if (boundary && (this->GenerateBoundaries || this->InputBoundary))
@@ -186,18 +163,19 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   return true;
 }
 
-void vtkExtraction::FillOutput(const vtkExtractionContext& context, const vtkExtractionMesh& mesh,
+void vtkExtraction::FillOutput(const vtkExtractionContext& context, vtkExtractionMesh& mesh,
   vtkDataSet* original, vtkUnstructuredGrid* output) const
 {
-  const int size = context.GetSimplexSize();
   output->SetPoints(
     vtkExtractionArrays::MakePoints(context.Input, mesh.Points, this->OutputPointsPrecision));
   this->Owner->UpdateProgress(0.85);
-  output->SetCells(size == 4 ? VTK_TETRA : VTK_TRIANGLE, MakeCells(mesh.Connectivity, size));
+  output->SetCells(
+    context.GetSimplexSize() == 4 ? VTK_TETRA : VTK_TRIANGLE, mesh.Simplices.MakeCells());
   vtkExtractionArrays::InterpolatePointData(
     context.Input->GetPointData(), mesh.Points, output->GetPointData());
   this->Owner->UpdateProgress(0.95);
-  vtkExtractionArrays::CopyCellData(original->GetCellData(), mesh.CellIds, output->GetCellData());
+  vtkExtractionArrays::CopyCellData(original->GetCellData(), mesh.CellIds.GetData(),
+    static_cast<vtkIdType>(mesh.CellIds.GetSize()), output->GetCellData());
   if (this->IdName)
   {
     AddNamed(output->GetCellData(), mesh.ItemIds, this->IdName);
@@ -209,16 +187,16 @@ void vtkExtraction::FillBoundary(const vtkExtractionMesh& mesh, vtkDataSet* orig
 {
   boundary->SetPoints(output->GetPoints());
   boundary->GetPointData()->ShallowCopy(output->GetPointData());
-  vtkNew<vtkTypeInt64Array> connectivity;
-  connectivity->SetNumberOfValues(3 * static_cast<vtkIdType>(mesh.Triangles.size()));
-  if (!mesh.Triangles.empty())
+  const vtkIdType number = static_cast<vtkIdType>(mesh.Triangles.size());
+  vtkSimplexList triangles;
+  triangles.Allocate(number, 3, output->GetNumberOfPoints());
+  for (vtkIdType t = 0; t < number; ++t)
   {
-    std::memcpy(connectivity->GetPointer(0), mesh.Triangles.data(),
-      mesh.Triangles.size() * sizeof(mesh.Triangles[0]));
+    triangles.Write(t, mesh.Triangles[t].data());
   }
-  boundary->SetCells(VTK_TRIANGLE, MakeCells(connectivity, 3));
-  vtkExtractionArrays::CopyCellData(
-    original->GetCellData(), mesh.TriangleCellIds, boundary->GetCellData());
+  boundary->SetCells(VTK_TRIANGLE, triangles.MakeCells());
+  vtkExtractionArrays::CopyCellData(original->GetCellData(), mesh.TriangleCellIds.data(),
+    static_cast<vtkIdType>(mesh.TriangleCellIds.size()), boundary->GetCellData());
   AddNamed(boundary->GetCellData(), mesh.TriangleItemIds, "IntervalId");
   AddNamed(boundary->GetCellData(), mesh.TriangleSides, "BoundarySide");
 }

@@ -34,7 +34,7 @@ public:
 
 private:
   bool ExtractMesh(vtkExtractionContext& context, vtkExtractionMesh& mesh);
-  void FillOutput(const vtkExtractionContext& context, const vtkExtractionMesh& mesh,
+  void FillOutput(const vtkExtractionContext& context, vtkExtractionMesh& mesh,
     vtkDataSet* original, vtkUnstructuredGrid* output) const;
   void FillBoundary(const vtkExtractionMesh& mesh, vtkDataSet* original,
     vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary) const;

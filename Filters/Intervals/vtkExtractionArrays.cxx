@@ -19,7 +19,13 @@
 
 namespace
 {
-using PointList = std::vector<vtkExtractionPoint>;
+using PointList = vtkExtractionBuffer<vtkExtractionPoint>;
+
+void PreferLargePages(vtkDataArray* array)
+{
+  vtkExtractionMemory::PreferLargePages(
+    array->GetVoidPointer(0), array->GetDataSize() * array->GetDataTypeSize());
+}
 
 // Exact where near equals far, and near itself for a grid point, whatever far holds.
 template <typename Out>
@@ -42,17 +48,33 @@ struct InterpolateWorker
   template <typename InArray, typename OutArray>
   void operator()(InArray* in, OutArray* out) const
   {
+    // A known number of components needs no loop.
+    switch (in->GetNumberOfComponents())
+    {
+      case 1:
+        return this->Run<1>(in, out);
+      case 3:
+        return this->Run<3>(in, out);
+      default:
+        return this->Run<0>(in, out);
+    }
+  }
+
+private:
+  template <int Known, typename InArray, typename OutArray>
+  void Run(InArray* in, OutArray* out) const
+  {
     const auto from = vtk::DataArrayValueRange(in);
     auto to = vtk::DataArrayValueRange(out);
     using Out = vtk::GetAPIType<OutArray>;
-    const vtkIdType components = in->GetNumberOfComponents();
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.size()),
+    const vtkIdType components = Known ? Known : in->GetNumberOfComponents();
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.GetSize()),
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType p = first; p < last; ++p)
         {
           const vtkExtractionPoint& point = this->Points[p];
-          for (vtkIdType c = 0; c < components; ++c)
+          for (vtkIdType c = 0; c < (Known ? Known : components); ++c)
           {
             to[p * components + c] =
               Interpolate<Out>(static_cast<double>(from[point.Near * components + c]),
@@ -127,13 +149,19 @@ public:
       return;
     }
     const int axis = this->Rows.GetAxis(point.Near, point.Far);
+    const int step = point.Near < point.Far ? 1 : -1;
+    if (!this->Turned)
+    {
+      x[axis] = Interpolate<double>(x[axis], this->Axes[axis][near[axis] + step], point.Weight);
+      return;
+    }
     std::array<int, 3> far = near;
-    far[axis] += point.Near < point.Far ? 1 : -1;
+    far[axis] += step;
     double end[3];
     this->GetGridPoint(far, end);
     for (int a = 0; a < 3; ++a)
     {
-      x[a] = a == axis || this->Turned ? Interpolate<double>(x[a], end[a], point.Weight) : x[a];
+      x[a] = Interpolate<double>(x[a], end[a], point.Weight);
     }
   }
 
@@ -167,7 +195,7 @@ void FillRowPoints(vtkDataSet* input, const PointList& points, OutArray* out)
   vtkExtractionArrays::GetRowDimensions(input, dimensions);
   const RowCoordinates coordinates(input, dimensions);
   Out* to = out->GetPointer(0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(points.size()),
+  vtkSMPTools::For(0, static_cast<vtkIdType>(points.GetSize()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType p = first; p < last; ++p)
@@ -222,7 +250,8 @@ void AddLike(vtkDataSetAttributes* input, vtkAbstractArray* in, vtkDataSetAttrib
 
 struct CopyWorker
 {
-  const std::vector<vtkIdType>& Cells;
+  const vtkIdType* Cells;
+  vtkIdType Number;
 
   template <typename Array>
   void operator()(Array* in, vtkDataArray* base) const
@@ -231,7 +260,7 @@ struct CopyWorker
     const auto from = vtk::DataArrayValueRange(in);
     auto to = vtk::DataArrayValueRange(out);
     const vtkIdType components = in->GetNumberOfComponents();
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Cells.size()),
+    vtkSMPTools::For(0, this->Number,
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType i = first; i < last; ++i)
@@ -285,11 +314,12 @@ int vtkExtractionArrays::GetInterpolatedType(int dataType)
 }
 
 vtkSmartPointer<vtkPoints> vtkExtractionArrays::MakePoints(
-  vtkDataSet* input, const std::vector<vtkExtractionPoint>& points, int precision)
+  vtkDataSet* input, const vtkExtractionBuffer<vtkExtractionPoint>& points, int precision)
 {
   vtkSmartPointer<vtkPoints> made =
     vtkSmartPointer<vtkPoints>::Take(vtkPoints::New(ChoosePointType(input, precision)));
-  made->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
+  made->SetNumberOfPoints(static_cast<vtkIdType>(points.GetSize()));
+  PreferLargePages(made->GetData());
   if (vtkPointSet* pointSet = vtkPointSet::SafeDownCast(input))
   {
     InterpolateArray(pointSet->GetPoints()->GetData(), points, made->GetData());
@@ -306,7 +336,7 @@ vtkSmartPointer<vtkPoints> vtkExtractionArrays::MakePoints(
 }
 
 int vtkExtractionArrays::InterpolatePointData(
-  vtkPointData* input, const std::vector<vtkExtractionPoint>& points, vtkPointData* output)
+  vtkPointData* input, const vtkExtractionBuffer<vtkExtractionPoint>& points, vtkPointData* output)
 {
   int number = 0;
   for (int a = 0; a < input->GetNumberOfArrays(); ++a)
@@ -322,14 +352,15 @@ int vtkExtractionArrays::InterpolatePointData(
         ? vtkDataArray::CreateDataArray(GetInterpolatedType(in->GetDataType()))
         : in->NewInstance());
     out->SetNumberOfComponents(in->GetNumberOfComponents());
-    out->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
+    out->SetNumberOfTuples(static_cast<vtkIdType>(points.GetSize()));
     if (numbers)
     {
+      PreferLargePages(vtkDataArray::SafeDownCast(out));
       InterpolateArray(numbers, points, vtkDataArray::SafeDownCast(out));
     }
     else
     {
-      for (std::size_t p = 0; p < points.size(); ++p)
+      for (std::size_t p = 0; p < points.GetSize(); ++p)
       {
         out->SetTuple(static_cast<vtkIdType>(p), points[p].Near, in);
       }
@@ -341,10 +372,10 @@ int vtkExtractionArrays::InterpolatePointData(
 }
 
 int vtkExtractionArrays::CopyCellData(
-  vtkCellData* input, const std::vector<vtkIdType>& cells, vtkCellData* output)
+  vtkCellData* input, const vtkIdType* cells, vtkIdType number, vtkCellData* output)
 {
-  int number = 0;
-  const CopyWorker worker{ cells };
+  int arrays = 0;
+  const CopyWorker worker{ cells, number };
   for (int a = 0; a < input->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* in = input->GetAbstractArray(a);
@@ -355,18 +386,18 @@ int vtkExtractionArrays::CopyCellData(
     vtkSmartPointer<vtkAbstractArray> out;
     out.TakeReference(in->NewInstance());
     out->SetNumberOfComponents(in->GetNumberOfComponents());
-    out->SetNumberOfTuples(static_cast<vtkIdType>(cells.size()));
+    out->SetNumberOfTuples(number);
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(in);
     if (!numbers ||
       !vtkArrayDispatch::Dispatch::Execute(numbers, worker, vtkDataArray::SafeDownCast(out)))
     {
-      for (std::size_t i = 0; i < cells.size(); ++i)
+      for (vtkIdType i = 0; i < number; ++i)
       {
-        out->SetTuple(static_cast<vtkIdType>(i), cells[i], in);
+        out->SetTuple(i, cells[i], in);
       }
     }
     AddLike(input, in, output, out);
-    ++number;
+    ++arrays;
   }
-  return number;
+  return arrays;
 }

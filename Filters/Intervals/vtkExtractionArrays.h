@@ -20,15 +20,15 @@ class vtkExtractionArrays
 public:
   /// \a precision as in vtkAlgorithm.
   static vtkSmartPointer<vtkPoints> MakePoints(
-    vtkDataSet* input, const std::vector<vtkExtractionPoint>& points, int precision);
+    vtkDataSet* input, const vtkExtractionBuffer<vtkExtractionPoint>& points, int precision);
 
   /// Returns the number of arrays.
-  static int InterpolatePointData(
-    vtkPointData* input, const std::vector<vtkExtractionPoint>& points, vtkPointData* output);
+  static int InterpolatePointData(vtkPointData* input,
+    const vtkExtractionBuffer<vtkExtractionPoint>& points, vtkPointData* output);
 
-  /// Returns the number of arrays.
+  /// \a cells: the input cell of each of \a number output cells. Returns the number of arrays.
   static int CopyCellData(
-    vtkCellData* input, const std::vector<vtkIdType>& cells, vtkCellData* output);
+    vtkCellData* input, const vtkIdType* cells, vtkIdType number, vtkCellData* output);
 
   /// The points along each axis of a grid of rows. Returns false for other datasets.
   static bool GetRowDimensions(vtkDataSet* input, int dimensions[3]);

@@ -36,7 +36,7 @@ public:
         return end;
       }
     }
-    return kind == 1 && item.Lower == item.Upper ? static_cast<Slot>(slot - m) : slot;
+    return kind == 1 && item.IsFlat ? static_cast<Slot>(slot - m) : slot;
   }
 
   template <typename Id>

@@ -4,6 +4,7 @@
 #include "vtkIdList.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <atomic>
 #include <map>
 
 namespace
@@ -38,13 +39,9 @@ void AddTriangle(vtkExtractionMesh& mesh, const Triple& points, int item, int si
 
 void vtkExtractionCleanup::RemoveUnusedPoints(vtkExtractionMesh& mesh)
 {
-  std::vector<unsigned char> used(mesh.Points.size(), 0);
-  vtkTypeInt64* ids = mesh.Connectivity->GetPointer(0);
-  const vtkIdType numberOfIds = mesh.Connectivity->GetNumberOfValues();
-  for (vtkIdType i = 0; i < numberOfIds; ++i)
-  {
-    used[ids[i]] = 1;
-  }
+  const std::size_t number = mesh.Points.GetSize();
+  std::vector<std::atomic<unsigned char>> used(number);
+  mesh.Simplices.ForEachId([&used](vtkIdType id) { used[id].store(1, std::memory_order_relaxed); });
   for (const auto& triangle : mesh.Triangles)
   {
     for (vtkIdType id : triangle)
@@ -56,23 +53,16 @@ void vtkExtractionCleanup::RemoveUnusedPoints(vtkExtractionMesh& mesh)
   {
     return;
   }
-  std::vector<vtkIdType> newIds(mesh.Points.size());
+  std::vector<vtkIdType> newIds(number);
   vtkIdType kept = 0;
-  for (std::size_t p = 0; p < used.size(); ++p)
+  for (std::size_t p = 0; p < number; ++p)
   {
     newIds[p] = kept;
     mesh.Points[kept] = mesh.Points[p];
     kept += used[p];
   }
-  mesh.Points.resize(kept);
-  vtkSMPTools::For(0, numberOfIds,
-    [ids, &newIds](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        ids[i] = newIds[ids[i]];
-      }
-    });
+  mesh.Points.Truncate(kept);
+  mesh.Simplices.Renumber(newIds.data());
   for (auto& triangle : mesh.Triangles)
   {
     for (vtkIdType& id : triangle)
@@ -142,7 +132,7 @@ void vtkExtractionCleanup::CutBoundary(
   }
   // Faces of a tetrahedron, counterclockwise from outside, by the vertex they leave out.
   constexpr int faces[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
-  for (std::size_t simplex = 0; simplex < mesh.CellIds.size(); ++simplex)
+  for (std::size_t simplex = 0; simplex < mesh.CellIds.GetSize(); ++simplex)
   {
     const vtkIdType cell = mesh.CellIds[simplex];
     const int item = static_cast<int>(itemOfCell->GetComponent(cell, 0));
@@ -157,7 +147,11 @@ void vtkExtractionCleanup::CutBoundary(
       {
         continue;
       }
-      const vtkTypeInt64* points = mesh.Connectivity->GetPointer(4 * simplex);
+      vtkIdType points[4];
+      for (int p = 0; p < 4; ++p)
+      {
+        points[p] = mesh.Simplices.GetId(simplex, p);
+      }
       const auto isOnFace = [&](vtkIdType p)
       {
         const vtkExtractionPoint& point = mesh.Points[p];

@@ -5,13 +5,13 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkExtractionBuffer.h"
 #include "vtkExtractionReport.h"
 #include "vtkExtractionValues.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
-#include "vtkTypeInt64Array.h"
+#include "vtkSimplexList.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -36,18 +36,67 @@ struct vtkExtractionPoint
  */
 struct vtkExtractionMesh
 {
-  std::vector<vtkExtractionPoint> Points;
-  /// Four (interval) or three (contour) point ids a simplex, in the order of the input's cells.
-  vtkSmartPointer<vtkTypeInt64Array> Connectivity;
+  vtkExtractionBuffer<vtkExtractionPoint> Points;
+  /// Tetrahedra of intervals or triangles of contours, in the order of the input's cells.
+  vtkSimplexList Simplices;
   vtkNew<vtkIntArray> ItemIds;
   /// The input cell of each simplex; only when the input has cell arrays.
-  std::vector<vtkIdType> CellIds;
+  vtkExtractionBuffer<vtkIdType> CellIds;
 
   /// Boundary triangles of intervals, when asked for.
   std::vector<std::array<vtkIdType, 3>> Triangles;
   vtkNew<vtkIntArray> TriangleItemIds;
   vtkNew<vtkIntArray> TriangleSides;
   std::vector<vtkIdType> TriangleCellIds;
+
+  /// Whether simplices differ in their item: with one item they are noted all at once.
+  bool HasSeveralItems = false;
+
+  /// Makes room for simplices of \a size points and, without boundaries, 0 triangles.
+  void Allocate(vtkIdType simplices, int size, vtkIdType triangles, bool keepCellIds)
+  {
+    this->Simplices.Allocate(simplices, size, static_cast<vtkIdType>(this->Points.GetSize()));
+    vtkSimplexList::AllocateArray(this->ItemIds.GetPointer(), simplices);
+    if (!this->HasSeveralItems)
+    {
+      vtkSMPTools::Fill(this->ItemIds->GetPointer(0), this->ItemIds->GetPointer(0) + simplices, 0);
+    }
+    this->Triangles.resize(triangles);
+    this->TriangleItemIds->SetNumberOfValues(triangles);
+    this->TriangleSides->SetNumberOfValues(triangles);
+    if (keepCellIds)
+    {
+      this->CellIds.Allocate(simplices);
+      this->TriangleCellIds.resize(triangles);
+    }
+  }
+
+  /// Writes what all simplices of one case have in common.
+  void NoteSimplices(vtkIdType first, std::size_t number, int item, vtkIdType cell)
+  {
+    if (this->HasSeveralItems)
+    {
+      std::fill_n(this->ItemIds->GetPointer(first), number, item);
+    }
+    if (this->CellIds.GetSize() > 0)
+    {
+      std::fill_n(this->CellIds.GetData() + first, number, cell);
+    }
+  }
+
+  /// Writes a boundary triangle; its ids in the order for a right-handed cell.
+  void WriteTriangle(vtkIdType triangle, const std::array<vtkIdType, 3>& ids, bool isInverted,
+    int item, int side, vtkIdType cell)
+  {
+    this->Triangles[triangle] =
+      isInverted ? std::array<vtkIdType, 3>{ { ids[1], ids[0], ids[2] } } : ids;
+    this->TriangleItemIds->SetValue(triangle, item);
+    this->TriangleSides->SetValue(triangle, side);
+    if (!this->TriangleCellIds.empty())
+    {
+      this->TriangleCellIds[triangle] = cell;
+    }
+  }
 
   /// Whether points may have been made that no simplex uses.
   bool MayHaveUnusedPoints = false;

@@ -263,7 +263,8 @@ private:
       return;
     }
     // The centres stand for points of the inside; a grid point keeps its exact values.
-    std::vector<vtkExtractionPoint> same(after);
+    vtkExtractionBuffer<vtkExtractionPoint> same;
+    same.Allocate(after);
     for (vtkIdType p = 0; p < after; ++p)
     {
       const vtkIdType source = p < before ? p : this->Centers[p - before].front();
@@ -332,9 +333,16 @@ bool vtkExtractionLinearizer::IsNeeded(vtkDataSet* input)
   {
     return true;
   }
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  const vtkIdType number = grid->GetNumberOfCells();
+  const unsigned char* types = number > 0 ? grid->GetCellTypesArray()->GetPointer(0) : nullptr;
+  bool isMet[256] = {};
+  for (vtkIdType cell = 0; cell < number; ++cell)
   {
-    if (vtkCellCorners::Of(grid->GetCellType(cell)).Kind == vtkCellCorners::POLYHEDRAL)
+    isMet[types[cell]] = true;
+  }
+  for (int type = 0; type < 256; ++type)
+  {
+    if (isMet[type] && vtkCellCorners::Of(type).Kind == vtkCellCorners::POLYHEDRAL)
     {
       return true;
     }

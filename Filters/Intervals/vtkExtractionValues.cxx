@@ -26,7 +26,7 @@ vtkExtractionValues vtkExtractionValues::ForContours(const std::vector<double>& 
   for (double value : values)
   {
     const int index = result.IndexOf(value);
-    result.Items.push_back({ index, index, static_cast<Code>(2 * index + 1), NoCode });
+    result.Items.push_back({ index, index, static_cast<Code>(2 * index + 1), NoCode, false });
   }
   result.FindPoints();
   return result;
@@ -51,7 +51,7 @@ vtkExtractionValues vtkExtractionValues::ForIntervals(
       std::any_of(intervals.begin(), intervals.end(),
         [&interval](const std::array<double, 2>& other) { return other[0] == interval[1]; });
     result.Items.push_back({ lower, upper, static_cast<Code>(2 * lower + 1),
-      static_cast<Code>(2 * upper + (isShared ? 1 : 2)) });
+      static_cast<Code>(2 * upper + (isShared ? 1 : 2)), lower == upper });
     result.FlatItem |= lower == upper;
   }
   result.FindPoints();

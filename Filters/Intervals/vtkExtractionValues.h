@@ -31,10 +31,18 @@ public:
     /// The first codes with digits 1 and 2; NoCode where there is none.
     Code First;
     Code Second;
+    /// Whether it is an interval of zero width.
+    bool IsFlat;
 
     std::uint8_t GetDigit(Code code) const
     {
       return static_cast<std::uint8_t>((code >= this->First) + (code >= this->Second));
+    }
+
+    /// The first code with the greatest digit.
+    Code GetLast(vtkIsotable::Kinds kind) const
+    {
+      return kind == vtkIsotable::INTERVAL ? this->Second : this->First;
     }
   };
   static constexpr Code NoCode = 65535;
@@ -56,7 +64,7 @@ public:
   /// Whether an item leaves no output in a cell whose codes are lowest ... highest.
   bool IsOutside(const Item& item, Code lowest, Code highest) const
   {
-    return item.GetDigit(highest) == 0 || item.GetDigit(lowest) + 1 == this->GetBase();
+    return highest < item.First || lowest >= item.GetLast(this->Kind);
   }
   /// Whether an interval of zero width is among the items.
   bool HasFlatItem() const { return this->FlatItem; }

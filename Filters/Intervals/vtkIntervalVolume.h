@@ -48,6 +48,8 @@ class vtkExtractionIndex;
  * this filter begins at that value. So adjacent intervals of one filter tile the domain without gap
  * or overlap, and [a, a] gives the cells where f equals a throughout.
  *
+ * The cells' ids are stored in 32 bits where they fit (vtkCellArray::IsStorage64Bit tells).
+ *
  * Point identity: an output point is a grid point, or one isovalue on one grid edge; adjacent
  * intervals share it. The same input gives the same bytes whatever the number of threads.
  *

@@ -34,11 +34,14 @@ class vtkExtractionIndex;
  * A composite input gives a composite output of the same structure. The same input gives the same
  * bytes whatever the number of threads.
  *
- * When to use which: vtkFlyingEdges3D is the faster one on image data when only the surface is
- * wanted; this filter gives the surfaces that bound the intervals of vtkIntervalVolume, and takes
- * every grid.
+ * The cells' ids are stored in 32 bits where they fit (vtkCellArray::IsStorage64Bit tells).
  *
- * @sa vtkIntervalVolume vtkContourTable
+ * When to use which: vtkFlyingEdges3D is the faster one on image data when only the surface is
+ * wanted. On linear cells vtkContour3DLinearGrid is the faster one as long as triangles need not
+ * share points (its MergePoints off), the slower one when they do. This filter gives the surfaces
+ * that bound the intervals of vtkIntervalVolume, carries all arrays, and takes every grid.
+ *
+ * @sa vtkIntervalVolume vtkIsotable
  */
 class INTERLUMEINTERVALS_EXPORT vtkIsotableContour : public vtkUnstructuredGridAlgorithm
 {

@@ -20,13 +20,15 @@ public:
     : Ni(dimensions[0])
     , Nj(dimensions[1])
     , Nk(dimensions[2])
+    , InverseNi(1.0 / static_cast<double>(std::max(dimensions[0], 1)))
+    , InverseNj(1.0 / static_cast<double>(std::max(dimensions[1], 1)))
   {
   }
 
   vtkIdType GetNumberOfRows() const { return this->Nj * this->Nk; }
   vtkIdType GetRow(vtkIdType j, vtkIdType k) const { return j + k * this->Nj; }
-  vtkIdType GetJ(vtkIdType row) const { return row % this->Nj; }
-  vtkIdType GetK(vtkIdType row) const { return row / this->Nj; }
+  vtkIdType GetJ(vtkIdType row) const { return row - this->GetK(row) * this->Nj; }
+  vtkIdType GetK(vtkIdType row) const { return Divide(row, this->Nj, this->InverseNj); }
   vtkIdType GetFirstPoint(vtkIdType row) const { return row * this->Ni; }
 
   /// Whether cells begin at a row of points.
@@ -58,7 +60,7 @@ public:
 
   std::array<int, 3> GetIjk(vtkIdType point) const
   {
-    const vtkIdType row = point / this->Ni;
+    const vtkIdType row = Divide(point, this->Ni, this->InverseNi);
     return { { static_cast<int>(point - row * this->Ni), static_cast<int>(this->GetJ(row)),
       static_cast<int>(this->GetK(row)) } };
   }
@@ -74,9 +76,19 @@ public:
   }
 
 private:
+  // a / b for 0 <= a < 2^51; a division of 64-bit integers takes several times as long. The product
+  // may come out below an integer that it should be, never a whole step above one.
+  static vtkIdType Divide(vtkIdType a, vtkIdType b, double inverse)
+  {
+    const vtkIdType near = static_cast<vtkIdType>(static_cast<double>(a) * inverse);
+    return near + (a - near * b >= b);
+  }
+
   vtkIdType Ni;
   vtkIdType Nj;
   vtkIdType Nk;
+  double InverseNi;
+  double InverseNj;
 };
 
 #endif

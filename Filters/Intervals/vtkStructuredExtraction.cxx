@@ -2,7 +2,6 @@
 
 #include "vtkCellOrientation.h"
 #include "vtkExtractionCell.h"
-#include "vtkExtractionDispatch.h"
 #include "vtkExtractionIndex.h"
 #include "vtkExtractionKernels.h"
 #include "vtkExtractionScalars.h"
@@ -78,15 +77,13 @@ struct RowCount
   vtkIdType Triangles = 0;
 };
 
-template <typename T>
 class Extractor
 {
 public:
-  Extractor(const vtkExtractionContext& context, const int dimensions[3], const T* scalars,
-    vtkExtractionMesh& mesh)
+  Extractor(const vtkExtractionContext& context, const int dimensions[3], vtkExtractionMesh& mesh)
     : Context(context)
     , Values(*context.Values)
-    , Scalars(scalars, *context.Values)
+    , Scalars(vtkExtractionScalars::Make(context.Scalars, *context.Values))
     , Mesh(mesh)
     , Table(vtkIsotable::Get(context.Values->GetKind(), vtkIsotable::HEXAHEDRON))
     , Places(FindSlotPlaces(Table))
@@ -105,14 +102,14 @@ public:
     this->Offsets.assign(rows + 1, RowCount());
     this->Columns.assign(rows, { 0, 0 });
     const bool counted = this->Context.Run(rows, 0.0, 0.4,
-      [this](vtkIdType first, vtkIdType last) { this->template ProcessRows<false>(first, last); });
+      [this](vtkIdType first, vtkIdType last) { this->ProcessRows<false>(first, last); });
     if (!counted)
     {
       return false;
     }
     this->Allocate();
     const bool written = this->Context.Run(rows, 0.4, 0.8,
-      [this](vtkIdType first, vtkIdType last) { this->template ProcessRows<true>(first, last); });
+      [this](vtkIdType first, vtkIdType last) { this->ProcessRows<true>(first, last); });
     this->GatherReport();
     return written;
   }
@@ -141,7 +138,7 @@ private:
       row.Row = number;
       row.Codes.resize(this->Nx);
       row.IsFinite =
-        this->Scalars.Classify(this->Rows.GetFirstPoint(number), this->Nx, row.Codes.data());
+        this->Scalars->Classify(this->Rows.GetFirstPoint(number), this->Nx, row.Codes.data());
       Code ties;
       vtkExtractionKernels::Summarize(row.Codes.data(), this->Nx, row.Minimum, row.Maximum, ties);
       row.HasTies = vtkExtractionValues::IsTie(ties);
@@ -238,7 +235,7 @@ private:
       }
       if (this->Rows.HasCells(j, k))
       {
-        this->template ProcessCells<Write>(local, row, place);
+        this->ProcessCells<Write>(local, row, place);
       }
       if (!Write)
       {
@@ -258,28 +255,16 @@ private:
       total.Triangles += count.Triangles;
       count = total;
     }
-    this->Mesh.Points.resize(total.Points);
-    vtkNew<vtkTypeInt64Array> connectivity;
-    connectivity->SetNumberOfValues(total.Simplices * this->SimplexSize);
-    this->Connectivity = connectivity->GetPointer(0);
-    this->Mesh.Connectivity = connectivity;
-    this->Mesh.ItemIds->SetNumberOfValues(total.Simplices);
-    this->Mesh.Triangles.resize(total.Triangles);
-    this->Mesh.TriangleItemIds->SetNumberOfValues(total.Triangles);
-    this->Mesh.TriangleSides->SetNumberOfValues(total.Triangles);
-    if (this->Context.KeepCellIds)
-    {
-      this->Mesh.CellIds.resize(total.Simplices);
-      this->Mesh.TriangleCellIds.resize(total.Triangles);
-    }
+    this->Mesh.Points.Allocate(total.Points);
+    this->Mesh.Allocate(
+      total.Simplices, this->SimplexSize, total.Triangles, this->Context.KeepCellIds);
   }
 
   void GatherReport()
   {
     bool hasTies = false;
     std::size_t bytes = this->Offsets.capacity() * sizeof(RowCount) +
-      this->Columns.capacity() * sizeof(this->Columns[0]) +
-      this->Mesh.Points.capacity() * sizeof(vtkExtractionPoint);
+      this->Columns.capacity() * sizeof(this->Columns[0]) + this->Mesh.Points.GetBytes();
     // Nine rows of codes; four of starts, three offsets and counts; columns, keys and marks.
     constexpr std::size_t bytesOfColumn =
       9 * sizeof(Code) + 4 * (sizeof(std::uint32_t) + 4 * sizeof(Code)) + 5;
@@ -300,7 +285,7 @@ private:
     const int number = this->Values.CountCrossings(codeA, codeB);
     for (int k = first; k < first + number; ++k)
     {
-      *out++ = this->Scalars.Cross(a, b, k);
+      *out++ = { a, b, static_cast<double>(k) };
     }
   }
 
@@ -313,7 +298,8 @@ private:
     const vtkIdType j = this->Rows.GetJ(row);
     const vtkIdType k = this->Rows.GetK(row);
     const OwnerRow& owners = this->GetOwners(local, j, k);
-    vtkExtractionPoint* out = this->Mesh.Points.data() + this->Offsets[row].Points;
+    vtkExtractionPoint* const begin = this->Mesh.Points.GetData() + this->Offsets[row].Points;
+    vtkExtractionPoint* out = begin;
     const Code* here = this->GetCodes(local, j, k).Codes.data();
     const Code* along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k).Codes.data() : here;
     const Code* above = k + 1 < this->Nz ? this->GetCodes(local, j, k + 1).Codes.data() : here;
@@ -335,6 +321,7 @@ private:
       this->WriteCrossings(id, id + this->Rows.GetStep(1), here[i], along[i], out);
       this->WriteCrossings(id, id + this->Rows.GetStep(2), here[i], above[i], out);
     }
+    this->Scalars->Place(begin, out - begin);
   }
 
   // The rows around a row of cells, in the order of SlotPlace::Row.
@@ -374,7 +361,7 @@ private:
     {
       local.Spans.push_back({ 0, this->Nx - 1 });
     }
-    this->template ProcessRow<Write>(local, row, place);
+    this->ProcessRow<Write>(local, row, place);
     if (!Write)
     {
       const auto gives = [](std::uint8_t mark) { return mark != 0; };
@@ -424,7 +411,7 @@ private:
     {
       if (!this->Values.IsOutside(items[item], minimum, maximum) || !around.IsFinite)
       {
-        this->template ProcessItem<Write>(local, around, static_cast<int>(item), place);
+        this->ProcessItem<Write>(local, around, static_cast<int>(item), place);
       }
     }
     if (!Write)
@@ -499,11 +486,11 @@ private:
   void ProcessItem(Local& local, const Around& around, int item, RowCount& place)
   {
     const auto& what = this->Values.GetItems()[item];
-    this->Values.GetBase() == 3 ? this->template FillKeys<3>(local, around, what)
-                                : this->template FillKeys<2>(local, around, what);
+    this->Values.GetBase() == 3 ? this->FillKeys<3>(local, around, what)
+                                : this->FillKeys<2>(local, around, what);
     const Code last = static_cast<Code>(this->Table.GetNumberOfCases() - 1);
     const bool isSimple = around.IsFinite && !this->Context.HasBlanking();
-    const bool hasTies = around.HasTies || what.Lower == what.Upper;
+    const bool hasTies = around.HasTies || what.IsFlat;
     for (const auto& span : local.Spans)
     {
       for (vtkIdType i = span[0]; i < span[1]; ++i)
@@ -518,11 +505,11 @@ private:
         const RowCount before = place;
         if (hasTies && this->HasEqualPoints(around, i, what))
         {
-          this->template ProcessCell<Write, true>(local, around, i, item, found, place);
+          this->ProcessTies<Write>(local, around, i, item, found, place);
         }
         else if (Write)
         {
-          this->template ProcessCell<true, false>(local, around, i, item, found, place);
+          this->WriteCell(around, i, item, found, place);
         }
         else
         {
@@ -544,7 +531,7 @@ private:
   bool HasEqualPoints(
     const Around& around, vtkIdType i, const vtkExtractionValues::Item& item) const
   {
-    Code ties = item.Lower == item.Upper;
+    Code ties = item.IsFlat;
     for (const Code* codes : around.Codes)
     {
       ties |= codes[i] | codes[i + 1];
@@ -552,15 +539,10 @@ private:
     return vtkExtractionValues::IsTie(ties);
   }
 
-  // The output id of a slot, or while counting any number that tells points apart.
-  template <bool Write>
+  // The output id of a slot.
   vtkIdType GetId(const Around& around, vtkIdType i, const vtkExtractionValues::Item& item,
     const Code* codes, Slot slot) const
   {
-    if (!Write)
-    {
-      return slot;
-    }
     const SlotPlace& at = this->Places[slot];
     const OwnerRow& owners = *around.Owners[at.Row];
     vtkIdType id = around.Offsets[at.Row] + owners.Starts[i + at.Column];
@@ -573,93 +555,116 @@ private:
     return id;
   }
 
-  template <bool Write, bool Ties>
-  void ProcessCell(Local& local, const Around& around, vtkIdType i, int item,
-    const vtkIsotable::Case& found, RowCount& place)
+  void GetCodes(const Around& around, vtkIdType i, Code* codes) const
   {
-    const auto& what = this->Values.GetItems()[item];
-    Code codes[8];
     for (int v = 0; v < 8; ++v)
     {
       codes[v] = around.Codes[v >> 1][i + (v & 1)];
     }
+  }
+
+  bool IsInverted(const Around& around, vtkIdType i) const
+  {
+    if (!this->Orientation.IsPerCell())
+    {
+      return this->Orientation.AreAllInverted();
+    }
+    vtkIdType vertices[8];
+    for (int v = 0; v < 8; ++v)
+    {
+      vertices[v] = this->Rows.GetVertex(around.FirstPoint + i, v);
+    }
+    return this->Orientation.IsInverted(vtkIsotable::HEXAHEDRON, vertices);
+  }
+
+  void WriteCell(
+    const Around& around, vtkIdType i, int item, const vtkIsotable::Case& found, RowCount& place)
+  {
+    Code codes[8];
+    this->GetCodes(around, i, codes);
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
     for (const Slot slot : found.Slots)
     {
-      const Slot same = Ties ? vtkExtractionCell::Identify(this->Table, what, codes, slot) : slot;
-      ids[slot] = this->template GetId<Write>(around, i, what, codes, same);
+      ids[slot] = this->GetId(around, i, this->Values.GetItems()[item], codes, slot);
     }
-    bool isInverted = this->Orientation.AreAllInverted();
-    if (Write && this->Orientation.IsPerCell())
+    const bool isInverted = this->IsInverted(around, i);
+    const std::size_t number = found.Simplices.size();
+    this->Mesh.Simplices.Write(place.Simplices, found.Simplices.data(), number, ids, isInverted);
+    this->Mesh.NoteSimplices(place.Simplices, number, item, around.FirstCell + i);
+    place.Simplices += static_cast<vtkIdType>(number);
+    for (std::size_t t = 0; this->Context.GenerateBoundaries && t < found.Boundary.size(); ++t)
     {
-      vtkIdType vertices[8];
-      for (int v = 0; v < 8; ++v)
-      {
-        vertices[v] = this->Rows.GetVertex(around.FirstPoint + i, v);
-      }
-      isInverted = this->Orientation.IsInverted(vtkIsotable::HEXAHEDRON, vertices);
+      this->WriteTriangle(around, i, item, found.Boundary[t], ids, isInverted, place);
     }
-    const int size = this->SimplexSize;
+  }
+
+  void WriteTriangle(const Around& around, vtkIdType i, int item,
+    const vtkIsotable::Triangle& slots, const vtkIdType* ids, bool isInverted, RowCount& place)
+  {
+    this->Mesh.WriteTriangle(place.Triangles++, { { ids[slots[0]], ids[slots[1]], ids[slots[2]] } },
+      isInverted, item, slots[3], around.FirstCell + i);
+  }
+
+  // Where values equal isovalues: slots that are one point are made one, and simplices that lose a
+  // point so are left out.
+  template <bool Write>
+  void ProcessTies(Local& local, const Around& around, vtkIdType i, int item,
+    const vtkIsotable::Case& found, RowCount& place)
+  {
+    const auto& what = this->Values.GetItems()[item];
+    Code codes[8];
+    this->GetCodes(around, i, codes);
+    Slot same[vtkIsotable::MaximumNumberOfSlots] = {};
+    vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
+    for (const Slot slot : found.Slots)
+    {
+      same[slot] = vtkExtractionCell::Identify(this->Table, what, codes, slot);
+      if (Write)
+      {
+        ids[slot] = this->GetId(around, i, what, codes, same[slot]);
+      }
+    }
+    const auto isCollapsed = [&same](const std::array<Slot, 4>& slots, int size)
+    {
+      const Slot points[4] = { same[slots[0]], same[slots[1]], same[slots[2]],
+        size == 4 ? same[slots[3]] : Slot(0) };
+      return vtkExtractionCell::IsCollapsed(points, size);
+    };
+    const bool isInverted = Write && this->IsInverted(around, i);
     for (const vtkIsotable::Simplex& simplex : found.Simplices)
     {
-      vtkIdType points[4] = {};
-      for (int p = 0; p < size; ++p)
-      {
-        points[p] = ids[simplex[p]];
-      }
-      if (Ties && vtkExtractionCell::IsCollapsed(points, size))
+      if (isCollapsed(simplex, this->SimplexSize))
       {
         local.Report.CollapsedSimplices += !Write;
         continue;
       }
       if (Write)
       {
-        if (isInverted)
-        {
-          std::swap(points[0], points[1]);
-        }
-        vtkTypeInt64* out = this->Connectivity + place.Simplices * size;
-        for (int p = 0; p < size; ++p)
-        {
-          out[p] = points[p];
-        }
-        this->Mesh.ItemIds->SetValue(place.Simplices, item);
-        if (this->Context.KeepCellIds)
-        {
-          this->Mesh.CellIds[place.Simplices] = around.FirstCell + i;
-        }
+        this->Mesh.Simplices.Write(place.Simplices, &simplex, 1, ids, isInverted);
+        this->Mesh.NoteSimplices(place.Simplices, 1, item, around.FirstCell + i);
       }
       ++place.Simplices;
     }
     for (const vtkIsotable::Triangle& triangle : found.Boundary)
     {
-      std::array<vtkIdType, 3> points{ { ids[triangle[0]], ids[triangle[1]], ids[triangle[2]] } };
-      if (!this->Context.GenerateBoundaries ||
-        (Ties && vtkExtractionCell::IsCollapsed(points.data(), 3)))
+      if (!this->Context.GenerateBoundaries || isCollapsed(triangle, 3))
       {
         continue;
       }
       if (Write)
       {
-        if (isInverted)
-        {
-          std::swap(points[0], points[1]);
-        }
-        this->Mesh.Triangles[place.Triangles] = points;
-        this->Mesh.TriangleItemIds->SetValue(place.Triangles, item);
-        this->Mesh.TriangleSides->SetValue(place.Triangles, triangle[3]);
-        if (this->Context.KeepCellIds)
-        {
-          this->Mesh.TriangleCellIds[place.Triangles] = around.FirstCell + i;
-        }
+        this->WriteTriangle(around, i, item, triangle, ids, isInverted, place);
       }
-      ++place.Triangles;
+      else
+      {
+        ++place.Triangles;
+      }
     }
   }
 
   const vtkExtractionContext& Context;
   const vtkExtractionValues& Values;
-  vtkExtractionScalars<T> Scalars;
+  std::unique_ptr<vtkExtractionScalars> Scalars;
   vtkExtractionMesh& Mesh;
   const vtkIsotable& Table;
   std::vector<SlotPlace> Places;
@@ -672,7 +677,6 @@ private:
   std::vector<RowCount> Offsets;
   // The columns [first, last) of a row of cells that give output.
   std::vector<std::array<vtkIdType, 2>> Columns;
-  vtkTypeInt64* Connectivity = nullptr;
   vtkSMPThreadLocal<Local> Locals;
 };
 }
@@ -680,10 +684,5 @@ private:
 bool vtkStructuredExtraction::Execute(
   const vtkExtractionContext& context, const int dimensions[3], vtkExtractionMesh& mesh)
 {
-  return vtkExtractionDispatch::Execute(context.Scalars,
-    [&](const auto* scalars)
-    {
-      using T = std::decay_t<decltype(*scalars)>;
-      return Extractor<T>(context, dimensions, scalars, mesh).Execute();
-    });
+  return Extractor(context, dimensions, mesh).Execute();
 }

@@ -1,7 +1,10 @@
-// The index arithmetic of the extraction on grids with more than 2^31 points, where 32 bits would wrap.
+// The index arithmetic of the extraction on grids with more than 2^31 points, where 32 bits would
+// wrap.
 
 #include "vtkCrossingKey.h"
+#include "vtkIdList.h"
 #include "vtkRowIndex.h"
+#include "vtkSimplexList.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -16,6 +19,57 @@ bool Expect(bool holds, const char* what)
     std::cerr << "Failed: " << what << "\n";
   }
   return holds;
+}
+
+// From point to row and back where the inverse of the row's length rounds down or up.
+bool TestRows()
+{
+  bool holds = true;
+  for (int n = 2; n < 200; ++n)
+  {
+    const int dimensions[3] = { n, n + 1, 2000000000 };
+    const vtkRowIndex rows(dimensions);
+    for (std::int64_t row : { std::int64_t(n), std::int64_t(49) * n, (std::int64_t(1) << 32) + n })
+    {
+      for (std::int64_t i : { 0, n - 1 })
+      {
+        const auto ijk = rows.GetIjk(row * n + i);
+        holds &=
+          ijk[0] == i && ijk[1] == row % (n + 1) && ijk[2] == static_cast<int>(row / (n + 1));
+      }
+    }
+  }
+  return Expect(holds, "rows of any length");
+}
+
+// The list is as wide as the ids need, and keeps them whole.
+bool TestSimplexList()
+{
+  constexpr vtkIdType most = (vtkIdType(1) << 31) - 1;
+  bool passed = Expect(vtkSimplexList::AreIdsNarrow(most, most), "the last narrow ids");
+  passed &= Expect(!vtkSimplexList::AreIdsNarrow(most + 1, 4), "a point id beyond 32 bits");
+  passed &= Expect(!vtkSimplexList::AreIdsNarrow(4, most + 1), "an offset beyond 32 bits");
+  for (const vtkIdType points : { vtkIdType(100), vtkIdType(1) << 40 })
+  {
+    vtkSimplexList list;
+    list.Allocate(2, 4, points);
+    const vtkIdType ids[5] = { points - 1, points - 2, points - 3, points - 4, points - 5 };
+    const vtkIsotable::Simplex simplices[2] = { { { 0, 1, 2, 3 } }, { { 4, 3, 2, 1 } } };
+    list.Write(0, simplices, 1, ids, false);
+    list.Write(1, simplices + 1, 1, ids, true);
+    const vtkSmartPointer<vtkCellArray> cells = list.MakeCells();
+    passed &= Expect(cells->IsStorage64Bit() == (points > most), "the width of the cells");
+    vtkNew<vtkIdList> cell;
+    cells->GetCellAtId(0, cell);
+    passed &= Expect(
+      cell->GetNumberOfIds() == 4 && cell->GetId(0) == points - 1 && cell->GetId(3) == points - 4,
+      "the ids of a cell");
+    cells->GetCellAtId(1, cell);
+    passed &= Expect(cell->GetNumberOfIds() == 4 && cell->GetId(0) == points - 4 &&
+        cell->GetId(1) == points - 5 && cell->GetId(2) == points - 3,
+      "the ids of an inverted cell");
+  }
+  return passed;
 }
 }
 
@@ -49,5 +103,7 @@ int TestIntervalVolumeIndexArithmetic(int, char*[])
   passed &= Expect(vtkCrossingKey(point, 65535) < vtkCrossingKey(point + 1, 0), "order of keys");
   const int thin[3] = { 5, 1, 3 };
   passed &= Expect(vtkRowIndex(thin).GetAxis(5, 10) == 2, "an axis with one point");
+  passed &= TestRows();
+  passed &= TestSimplexList();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,0 +1,137 @@
+#include "vtkExtractionScalars.h"
+
+#include "vtkExtractionDispatch.h"
+#include "vtkExtractionKernels.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace
+{
+using Code = vtkExtractionValues::Code;
+
+template <typename T>
+class Typed : public vtkExtractionScalars
+{
+public:
+  Typed(const T* data, const vtkExtractionValues& values)
+    : Data(data)
+    , Values(values)
+    , Thresholds(values.GetThresholds<T>())
+  {
+    for (const double value : values.GetValues())
+    {
+      this->Isovalues.push_back(static_cast<Real>(value));
+    }
+  }
+
+  bool Classify(vtkIdType first, vtkIdType number, Code* codes) const override
+  {
+    const T* f = this->Data + first;
+    switch (this->Thresholds.size())
+    {
+      case 2:
+        vtkExtractionKernels::Classify<2>(f, number, this->Thresholds.data(), codes);
+        break;
+      case 4:
+        vtkExtractionKernels::Classify<4>(f, number, this->Thresholds.data(), codes);
+        break;
+      default:
+        std::fill(codes, codes + number, Code(0));
+        for (const T threshold : this->Thresholds)
+        {
+          for (vtkIdType i = 0; i < number; ++i)
+          {
+            codes[i] = static_cast<Code>(codes[i] + (f[i] >= threshold));
+          }
+        }
+    }
+    return this->MarkNonFinite(f, number, codes);
+  }
+
+  void Place(vtkExtractionPoint* points, vtkIdType number) const override
+  {
+    for (vtkIdType p = 0; p < number; ++p)
+    {
+      vtkExtractionPoint& point = points[p];
+      if (point.Near != point.Far)
+      {
+        this->Place(point, this->Isovalues[static_cast<std::size_t>(point.Weight)]);
+      }
+    }
+  }
+
+private:
+  // 64-bit integers need the 64-bit mantissa of long double, where it has one.
+  using Real = typename std::conditional<std::is_integral<T>::value && sizeof(T) == 8, long double,
+    double>::type;
+
+  static bool IsHalvingExact(T value)
+  {
+    return std::is_integral<T>::value || sizeof(T) < sizeof(double) ||
+      std::abs(static_cast<double>(value)) > 1e-290;
+  }
+
+  void Place(vtkExtractionPoint& point, Real value) const
+  {
+    const T a = this->Data[point.Near];
+    const T b = this->Data[point.Far];
+    // Halved, since the range may be the whole of the type's.
+    const Real half = IsHalvingExact(a) && IsHalvingExact(b) ? Real(0.5) : Real(1.0);
+    // Signed distances in value from the isovalue to the ends.
+    const Real toA = value * half - static_cast<Real>(a) * half;
+    const Real toB = static_cast<Real>(b) * half - value * half;
+    // Which end is nearer is a coin's throw: no branch.
+    const bool isNearA = std::abs(toA) <= std::abs(toB);
+    const vtkIdType near = isNearA ? point.Near : point.Far;
+    point.Far = isNearA ? point.Far : point.Near;
+    point.Near = near;
+    point.Weight = static_cast<double>((isNearA ? toA : toB) / (toA + toB));
+  }
+
+  bool MarkNonFinite(const T* f, vtkIdType number, Code* codes) const
+  {
+    if constexpr (std::is_floating_point<T>::value)
+    {
+      int nonFinite = 0;
+      for (vtkIdType i = 0; i < number; ++i)
+      {
+        nonFinite |= !(std::abs(f[i]) <= std::numeric_limits<T>::max());
+      }
+      if (nonFinite)
+      {
+        for (vtkIdType i = 0; i < number; ++i)
+        {
+          if (!std::isfinite(f[i]))
+          {
+            codes[i] = this->Values.GetNonFiniteCode();
+          }
+        }
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const T* Data;
+  const vtkExtractionValues& Values;
+  std::vector<T> Thresholds;
+  std::vector<Real> Isovalues;
+};
+}
+
+std::unique_ptr<vtkExtractionScalars> vtkExtractionScalars::Make(
+  vtkDataArray* scalars, const vtkExtractionValues& values)
+{
+  std::unique_ptr<vtkExtractionScalars> made;
+  vtkExtractionDispatch::Execute(scalars,
+    [&](const auto* data)
+    {
+      using T = std::decay_t<decltype(*data)>;
+      made = std::make_unique<Typed<T>>(data, values);
+      return true;
+    });
+  return made;
+}
