@@ -162,6 +162,9 @@ public:
       return false;
     }
     this->Points.MakePoints(*this->Scalars, this->Mesh.Points);
+    this->NoteWorkingBytes();
+    this->Codes.Free();
+    this->Marks.Free();
     this->Allocate();
     return this->Context.Run(chunks, 0.5, 0.8,
       [this](vtkIdType first, vtkIdType last)
@@ -462,18 +465,25 @@ private:
   {
     vtkIdType simplices = 0;
     vtkIdType triangles = 0;
-    std::size_t bytes = this->Codes.GetBytes() + this->Marks.GetBytes() + this->Points.GetBytes() +
-      this->Mesh.Points.GetBytes();
     for (Chunk& chunk : this->Chunks)
     {
       std::swap(chunk.Simplices, simplices);
       std::swap(chunk.Triangles, triangles);
       simplices += chunk.Simplices;
       triangles += chunk.Triangles;
-      bytes += chunk.GetBytes();
       this->Context.Report->Add(chunk.Report);
     }
     this->Mesh.Allocate(simplices, this->SimplexSize, triangles, this->Context.KeepCellIds);
+  }
+
+  void NoteWorkingBytes() const
+  {
+    std::size_t bytes = this->Codes.GetBytes() + this->Marks.GetBytes() + this->Points.GetBytes() +
+      this->Mesh.Points.GetBytes();
+    for (const Chunk& chunk : this->Chunks)
+    {
+      bytes += chunk.GetBytes();
+    }
     this->Context.NoteWorkingBytes(bytes);
   }
 
