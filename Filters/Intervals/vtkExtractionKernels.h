@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 
 #if defined(_MSC_VER)
 #define INTERLUME_RESTRICT __restrict
@@ -33,6 +34,42 @@ void Classify(const T* INTERLUME_RESTRICT values, std::int64_t number, const T* 
       code = static_cast<Code>(code + static_cast<Code>(values[i] >= t[k]));
     }
     codes[i] = code;
+  }
+}
+
+/**
+ * \a first: the first place whose code is not that at 0, \a last: the last whose code is not that
+ * at \a number - 1. Where all are equal, number and -1.
+ */
+inline void FindEnds(
+  const Code* codes, std::int64_t number, std::int64_t& first, std::int64_t& last)
+{
+  // Four codes at a time.
+  constexpr std::int64_t step = sizeof(std::uint64_t) / sizeof(Code);
+  constexpr std::uint64_t ones = 0x0001000100010001;
+  const auto equals = [codes](std::int64_t at, std::uint64_t pattern)
+  {
+    std::uint64_t four;
+    std::memcpy(&four, codes + at, sizeof(four));
+    return four == pattern;
+  };
+  first = 0;
+  while (first + step <= number && equals(first, codes[0] * ones))
+  {
+    first += step;
+  }
+  while (first < number && codes[first] == codes[0])
+  {
+    ++first;
+  }
+  last = first < number ? number - 1 : -1;
+  while (last + 1 >= step && equals(last + 1 - step, codes[number - 1] * ones))
+  {
+    last -= step;
+  }
+  while (last >= 0 && codes[last] == codes[number - 1])
+  {
+    --last;
   }
 }
 

@@ -54,7 +54,17 @@ struct CodeRow
   Code Maximum = 0;
   bool HasTies = false;
   bool IsFinite = true;
+  // The codes before First are that of the first point, those after Last that of the last point.
+  std::int64_t First = 0;
+  std::int64_t Last = 0;
   std::vector<Code> Codes;
+};
+
+// Columns [First, Last) of a row.
+struct ColumnRange
+{
+  std::int64_t First;
+  std::int64_t Last;
 };
 
 // Where the output points that a row of grid points owns begin, relative to the row's first: those
@@ -63,6 +73,8 @@ struct OwnerRow
 {
   vtkIdType Row = -1;
   vtkIdType Total = 0;
+  // Only these columns own points; elsewhere the arrays mean nothing.
+  ColumnRange Range = { 0, 0 };
   std::vector<std::uint32_t> Starts;
   std::vector<Code> Offsets[3];
   std::vector<Code> Counts;
@@ -139,11 +151,38 @@ private:
       row.Codes.resize(this->Nx);
       row.IsFinite =
         this->Scalars->Classify(this->Rows.GetFirstPoint(number), this->Nx, row.Codes.data());
+      vtkExtractionKernels::FindEnds(row.Codes.data(), this->Nx, row.First, row.Last);
+      // What lies between, and one of the equal codes at either end.
+      const vtkIdType begin = std::min<vtkIdType>(row.First, this->Nx) - 1;
+      const vtkIdType end = std::max(std::min<vtkIdType>(row.Last + 2, this->Nx), begin + 1);
       Code ties;
-      vtkExtractionKernels::Summarize(row.Codes.data(), this->Nx, row.Minimum, row.Maximum, ties);
+      vtkExtractionKernels::Summarize(
+        row.Codes.data() + begin, end - begin, row.Minimum, row.Maximum, ties);
       row.HasTies = vtkExtractionValues::IsTie(ties);
     }
     return row;
+  }
+
+  // The columns of points between which all that differs lies: outside of them the codes of all
+  // rows are one and the same, and no output.
+  template <std::size_t Number>
+  ColumnRange GetRange(const std::array<const CodeRow*, Number>& rows) const
+  {
+    const Code front = rows[0]->Codes.front();
+    const Code back = rows[0]->Codes.back();
+    bool isFrontEmpty = !this->Values.IsPoint(front);
+    bool isBackEmpty = !this->Values.IsPoint(back);
+    ColumnRange range{ this->Nx, -1 };
+    for (const CodeRow* row : rows)
+    {
+      isFrontEmpty &= row->Codes.front() == front;
+      isBackEmpty &= row->Codes.back() == back;
+      range.First = std::min(range.First, row->First);
+      range.Last = std::max(range.Last, row->Last);
+    }
+    range.First = isFrontEmpty ? range.First - 1 : 0;
+    range.Last = isBackEmpty ? std::min<std::int64_t>(range.Last + 2, this->Nx) : this->Nx;
+    return range.First < range.Last ? range : ColumnRange{ 0, 0 };
   }
 
   const OwnerRow& GetOwners(Local& local, vtkIdType j, vtkIdType k) const
@@ -158,9 +197,8 @@ private:
     const CodeRow& here = this->GetCodes(local, j, k);
     const CodeRow& along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k) : here;
     const CodeRow& above = k + 1 < this->Nz ? this->GetCodes(local, j, k + 1) : here;
-    const Code minimum = std::min({ here.Minimum, along.Minimum, above.Minimum });
-    const Code maximum = std::max({ here.Maximum, along.Maximum, above.Maximum });
-    if (minimum == maximum && !this->Values.IsPoint(minimum))
+    owners.Range = this->GetRange<3>({ { &here, &along, &above } });
+    if (owners.Range.First == owners.Range.Last)
     {
       return owners;
     }
@@ -172,7 +210,7 @@ private:
     }
     this->CountOwned(here, along, above, owners);
     std::uint32_t total = 0;
-    for (vtkIdType i = 0; i < this->Nx; ++i)
+    for (vtkIdType i = owners.Range.First; i < owners.Range.Last; ++i)
     {
       owners.Starts[i] = total;
       total += owners.Counts[i];
@@ -184,27 +222,30 @@ private:
   void CountOwned(
     const CodeRow& here, const CodeRow& along, const CodeRow& above, OwnerRow& owners) const
   {
-    const Code* c = here.Codes.data();
-    Code* first = owners.Offsets[0].data();
-    for (vtkIdType i = 0; i < this->Nx; ++i)
+    const vtkIdType begin = owners.Range.First;
+    const vtkIdType number = owners.Range.Last - begin;
+    const Code* c = here.Codes.data() + begin;
+    const Code* alongJ = along.Codes.data() + begin;
+    const Code* alongK = above.Codes.data() + begin;
+    Code* first = owners.Offsets[0].data() + begin;
+    Code* second = owners.Offsets[1].data() + begin;
+    Code* third = owners.Offsets[2].data() + begin;
+    Code* all = owners.Counts.data() + begin;
+    for (vtkIdType i = 0; i < number; ++i)
     {
       first[i] = this->Values.IsPoint(c[i]);
     }
-    Code* second = owners.Offsets[1].data();
-    Code* third = owners.Offsets[2].data();
-    Code* all = owners.Counts.data();
     if (here.IsFinite && along.IsFinite && above.IsFinite)
     {
-      vtkExtractionKernels::CountOwned(
-        c, along.Codes.data(), above.Codes.data(), this->Nx, first, second, third, all);
+      vtkExtractionKernels::CountOwned(c, alongJ, alongK, number, first, second, third, all);
       return;
     }
-    for (vtkIdType i = 0; i < this->Nx; ++i)
+    for (vtkIdType i = 0; i < number; ++i)
     {
-      const Code next = i + 1 < this->Nx ? c[i + 1] : c[i];
+      const Code next = i + 1 < number ? c[i + 1] : c[i];
       second[i] = static_cast<Code>(first[i] + this->Values.CountCrossings(c[i], next));
-      third[i] = static_cast<Code>(second[i] + this->Values.CountCrossings(c[i], along.Codes[i]));
-      all[i] = static_cast<Code>(third[i] + this->Values.CountCrossings(c[i], above.Codes[i]));
+      third[i] = static_cast<Code>(second[i] + this->Values.CountCrossings(c[i], alongJ[i]));
+      all[i] = static_cast<Code>(third[i] + this->Values.CountCrossings(c[i], alongK[i]));
     }
   }
 
@@ -303,7 +344,7 @@ private:
     const Code* here = this->GetCodes(local, j, k).Codes.data();
     const Code* along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k).Codes.data() : here;
     const Code* above = k + 1 < this->Nz ? this->GetCodes(local, j, k + 1).Codes.data() : here;
-    for (vtkIdType i = 0; i < this->Nx; ++i)
+    for (vtkIdType i = owners.Range.First; i < owners.Range.Last; ++i)
     {
       if (owners.Counts[i] == 0)
       {
@@ -380,8 +421,7 @@ private:
     around.K = this->Rows.GetK(row);
     around.FirstPoint = this->Rows.GetFirstPoint(row);
     around.FirstCell = this->Rows.GetFirstCell(around.J, around.K);
-    Code minimum = std::numeric_limits<Code>::max();
-    Code maximum = 0;
+    std::array<const CodeRow*, 4> rows;
     for (int r = 0; r < 4; ++r)
     {
       const vtkIdType j = around.J + (r & 1);
@@ -390,8 +430,7 @@ private:
       around.Codes[r] = codes.Codes.data();
       around.HasTies |= codes.HasTies;
       around.IsFinite &= codes.IsFinite;
-      minimum = std::min(minimum, codes.Minimum);
-      maximum = std::max(maximum, codes.Maximum);
+      rows[r] = &codes;
     }
     // A second loop: the owners' rows reach further, and only then may the codes' places change.
     for (int r = 0; Write && r < 4; ++r)
@@ -401,10 +440,24 @@ private:
       around.Owners[r] = &this->GetOwners(local, j, k);
       around.Offsets[r] = this->Offsets[this->Rows.GetRow(j, k)].Points;
     }
-    local.Gave.assign(Write ? 0 : this->Nx, 0);
+    local.Gave.clear();
     if (!Write)
     {
       this->CountInput(local, around);
+      const ColumnRange range = this->GetRange(rows);
+      if (range.First == range.Last)
+      {
+        return;
+      }
+      this->Trim(range, local.Spans);
+      local.Gave.assign(this->Nx, 0);
+    }
+    Code minimum = std::numeric_limits<Code>::max();
+    Code maximum = 0;
+    for (const CodeRow* codes : rows)
+    {
+      minimum = std::min(minimum, codes->Minimum);
+      maximum = std::max(maximum, codes->Maximum);
     }
     const auto& items = this->Values.GetItems();
     for (std::size_t item = 0; item < items.size(); ++item)
@@ -417,6 +470,16 @@ private:
     if (!Write)
     {
       local.Report.CellsWithOutput += std::count(local.Gave.begin(), local.Gave.end(), 1);
+    }
+  }
+
+  // Leaves the cells between the columns of points in range.
+  static void Trim(const ColumnRange& range, std::vector<vtkExtractionIndex::Span>& spans)
+  {
+    for (auto& span : spans)
+    {
+      span[0] = std::max<vtkIdType>(span[0], range.First);
+      span[1] = std::max<vtkIdType>(span[0], std::min<vtkIdType>(span[1], range.Last - 1));
     }
   }
 

@@ -1,5 +1,6 @@
-// A case cut at run time in any order of the vertices is the exact pulling triangulation in that order;
-// what it leaves on a face depends on that face alone; and threads may ask for the same case at once.
+// A case cut at run time in any order of the vertices is the exact pulling triangulation in that
+// order; what it leaves on a face depends on that face alone; and threads may ask for the same case
+// at once.
 
 #include "vtkIsotable.h"
 #include "vtkIsotablePatch.h"
@@ -85,15 +86,13 @@ bool TestOrders(vtkIsotable::Kinds kind, vtkIsotable::Shapes shape, std::mt19937
   const int step = std::max(1, table.GetNumberOfCases() / 300);
   for (int key = 0; key < table.GetNumberOfCases(); key += step)
   {
-    std::shuffle(
-      vertexRanks.begin(), vertexRanks.begin() + table.GetNumberOfVertices(), random);
+    std::shuffle(vertexRanks.begin(), vertexRanks.begin() + table.GetNumberOfVertices(), random);
     const vtkIsotable::RankArray ranks = table.GetSlotRanks(vertexRanks.data());
     std::multiset<Sorted> cut;
     table.Cut(
       table.GetCase(key), ranks,
-      [&](const vtkIsotable::Simplex& s) {
-        cut.insert(Normalize(std::vector<int>(s.begin(), s.begin() + size)));
-      },
+      [&](const vtkIsotable::Simplex& s)
+      { cut.insert(Normalize(std::vector<int>(s.begin(), s.begin() + size))); },
       [](const vtkIsotable::Triangle&) {});
     if (cut != CutExactly(table, kind, key, ranks))
     {
@@ -105,17 +104,18 @@ bool TestOrders(vtkIsotable::Kinds kind, vtkIsotable::Shapes shape, std::mt19937
   return true;
 }
 
-// The faces that a case leaves on a facet of the cell, by the slots' vertices: cells that share a facet
-// with the same digits and order must agree on it.
-std::set<std::vector<std::array<int, 3>>> GetFacesOn(
-  const vtkIsotable& table, int key, const vtkIsotable::RankArray& ranks, const std::set<int>& facet)
+// The faces that a case leaves on a facet of the cell, by the slots' vertices: cells that share a
+// facet with the same digits and order must agree on it.
+std::set<std::vector<std::array<int, 3>>> GetFacesOn(const vtkIsotable& table, int key,
+  const vtkIsotable::RankArray& ranks, const std::set<int>& facet)
 {
   const int n = table.GetNumberOfVertices();
   const int m = table.GetNumberOfEdges();
   std::map<std::vector<std::array<int, 3>>, int> count;
   table.Cut(
     table.GetCase(key), ranks,
-    [&](const vtkIsotable::Simplex& s) {
+    [&](const vtkIsotable::Simplex& s)
+    {
       for (int skip = 0; skip < 4; ++skip)
       {
         std::vector<std::array<int, 3>> face;
@@ -127,9 +127,8 @@ std::set<std::vector<std::array<int, 3>>> GetFacesOn(
           }
           const int slot = s[p];
           const int kind = slot < n ? 0 : 1 + (slot - n) / m;
-          const std::array<Slot, 2> ends = slot < n
-            ? std::array<Slot, 2>{ { s[p], s[p] } }
-            : table.GetEdge((slot - n) % m);
+          const std::array<Slot, 2> ends =
+            slot < n ? std::array<Slot, 2>{ { s[p], s[p] } } : table.GetEdge((slot - n) % m);
           if (facet.count(ends[0]) && facet.count(ends[1]))
           {
             face.push_back({ { kind, ends[0], ends[1] } });
@@ -208,7 +207,8 @@ bool TestSharedQuadrilateral(std::mt19937& random)
         std::vector<std::array<int, 2>> word;
         for (const auto& point : face)
         {
-          const auto at = [&side](int vertex) {
+          const auto at = [&side](int vertex)
+          {
             return static_cast<int>(
               std::find(side.Cycle.begin(), side.Cycle.end(), vertex) - side.Cycle.begin());
           };
@@ -237,12 +237,14 @@ bool TestThreads()
   std::vector<std::thread> threads;
   for (auto& mine : seen)
   {
-    threads.emplace_back([&table, &mine] {
-      for (int key = 0; key < table.GetNumberOfCases(); ++key)
+    threads.emplace_back(
+      [&table, &mine]
       {
-        mine.push_back(&table.GetCase(key));
-      }
-    });
+        for (int key = 0; key < table.GetNumberOfCases(); ++key)
+        {
+          mine.push_back(&table.GetCase(key));
+        }
+      });
   }
   for (std::thread& thread : threads)
   {

@@ -1,5 +1,5 @@
-// The numbers of simplices of every interval table that is small enough to fill, against the exact ones
-// stated for the method; and hulls whose facets are known.
+// The numbers of simplices of every interval table that is small enough to fill, against the exact
+// ones stated for the method; and hulls whose facets are known.
 
 #include "vtkIsotable.h"
 #include "vtkIsotableCache.h"
@@ -55,10 +55,9 @@ Sum CountSourceOrder(const vtkIsotablePolytope& cell)
       positive[v] = rest % 3 >= 1;
       positive[v + n] = rest % 3 == 2;
     }
-    const int number = static_cast<int>(
-      vtkIsotableTriangulation::Triangulate(
-        vtkIsotablePatch(lifted, positive), vtkIsotableTriangulation::PLACING, ranks)
-        .size());
+    const int number = static_cast<int>(vtkIsotableTriangulation::Triangulate(
+      vtkIsotablePatch(lifted, positive), vtkIsotableTriangulation::PLACING, ranks)
+                                          .size());
     sum.Simplices += number;
     sum.Most = std::max(sum.Most, number);
   }
@@ -134,8 +133,8 @@ void TestHulls()
   Expect(cell24.GetFacets().size() == 24, "24-cell: 24 facets");
   for (const auto& facet : cell24.GetFacets())
   {
-    Expect(facet.Points.Count() == 6 && cell24.FacetsOf(facet.Points).size() == 8,
-      "24-cell: octahedra");
+    Expect(
+      facet.Points.Count() == 6 && cell24.FacetsOf(facet.Points).size() == 8, "24-cell: octahedra");
   }
   const vtkIsotablePolytope polytope = vtkIsotablePolytope::FromVertices(4, points);
   Expect(polytope.Edges.size() == 96, "24-cell: 96 edges");
@@ -143,8 +142,8 @@ void TestHulls()
   Expect(vtkIsotablePolytope::Pyramid().Edges.size() == 8, "pyramid: 8 edges");
   Expect(vtkIsotablePolytope::FromVertices(3, { { { 1, 0, 0 } } }).Vertices.empty(),
     "an odd coordinate is refused");
-  Expect(vtkIsotablePolytope::FromVertices(2,
-           { { { 0, 0 } }, { { 4, 0 } }, { { 0, 4 } }, { { 4, 4 } }, { { 2, 2 } } })
+  Expect(vtkIsotablePolytope::FromVertices(
+           2, { { { 0, 0 } }, { { 4, 0 } }, { { 0, 4 } }, { { 4, 4 } }, { { 2, 2 } } })
            .Vertices.empty(),
     "a point inside is refused");
 }
