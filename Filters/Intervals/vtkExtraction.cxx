@@ -136,7 +136,7 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
     return false;
   }
   report.Cells = input->GetNumberOfCells();
-  if (mesh.MayHaveUnusedPoints)
+  if (mesh.Used.GetSize() > 0)
   {
     vtkExtractionCleanup::RemoveUnusedPoints(mesh);
   }

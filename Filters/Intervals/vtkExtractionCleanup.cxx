@@ -40,16 +40,8 @@ void AddTriangle(vtkExtractionMesh& mesh, const Triple& points, int item, int si
 void vtkExtractionCleanup::RemoveUnusedPoints(vtkExtractionMesh& mesh)
 {
   const std::size_t number = mesh.Points.GetSize();
-  std::vector<std::atomic<unsigned char>> used(number);
-  mesh.Simplices.ForEachId([&used](vtkIdType id) { used[id].store(1, std::memory_order_relaxed); });
-  for (const auto& triangle : mesh.Triangles)
-  {
-    for (vtkIdType id : triangle)
-    {
-      used[id] = 1;
-    }
-  }
-  if (std::find(used.begin(), used.end(), 0) == used.end())
+  const std::atomic<unsigned char>* used = mesh.Used.GetData();
+  if (std::find(used, used + number, 0) == used + number)
   {
     return;
   }
@@ -59,7 +51,7 @@ void vtkExtractionCleanup::RemoveUnusedPoints(vtkExtractionMesh& mesh)
   {
     newIds[p] = kept;
     mesh.Points[kept] = mesh.Points[p];
-    kept += used[p];
+    kept += used[p].load(std::memory_order_relaxed);
   }
   mesh.Points.Truncate(kept);
   mesh.Simplices.Renumber(newIds.data());

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <vector>
 
 class vtkExtractionIndex;
@@ -98,8 +99,8 @@ struct vtkExtractionMesh
     }
   }
 
-  /// Whether points may have been made that no simplex uses.
-  bool MayHaveUnusedPoints = false;
+  /// One mark for each point, set where a simplex uses it; only where there may be other points.
+  vtkExtractionBuffer<std::atomic<unsigned char>> Used;
 };
 
 /**

@@ -62,7 +62,6 @@ public:
     }
   }
 
-  Mark operator[](vtkIdType point) const { return this->Marks[point]; }
   const Mark* GetData() const { return this->Marks.GetData(); }
   void Free() { this->Marks.Free(); }
   std::size_t GetBytes() const { return this->Marks.GetBytes(); }

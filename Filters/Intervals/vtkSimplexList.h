@@ -59,9 +59,6 @@ public:
       array->GetPointer(0), number * sizeof(*array->GetPointer(0)));
   }
 
-  vtkIdType GetNumberOfSimplices() const { return this->Number; }
-  bool IsNarrow() const { return this->Narrow != nullptr; }
-
   vtkIdType GetId(vtkIdType simplex, int point) const
   {
     const vtkIdType at = simplex * this->Size + point;
@@ -91,24 +88,6 @@ public:
         {
           Set(values[simplex * this->Size + p], points[p]);
         }
-      });
-  }
-
-  /// Calls visit(id) for every point id, on all threads.
-  template <typename Visitor>
-  void ForEachId(Visitor&& visit)
-  {
-    this->Visit(
-      [&](auto* values)
-      {
-        vtkSMPTools::For(0, this->Number * this->Size,
-          [&visit, values](vtkIdType first, vtkIdType last)
-          {
-            for (vtkIdType i = first; i < last; ++i)
-            {
-              visit(static_cast<vtkIdType>(values[i]));
-            }
-          });
       });
   }
 

@@ -7,9 +7,6 @@
 #include "vtkExtractionScalars.h"
 #include "vtkRowIndex.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkIntArray.h"
-
-#include <numeric>
 
 namespace
 {
@@ -299,24 +296,37 @@ private:
     this->Mesh.Points.Allocate(total.Points);
     this->Mesh.Allocate(
       total.Simplices, this->SimplexSize, total.Triangles, this->Context.KeepCellIds);
+    // A point is in the output unless its cells are blanked or its simplices have collapsed.
+    const bool hasTies = std::any_of(
+      this->Locals.begin(), this->Locals.end(), [](const Local& local) { return local.HasTies; });
+    this->MarksUsed = hasTies || this->Context.HasBlanking() || this->Values.HasFlatItem();
+    if (this->MarksUsed)
+    {
+      this->Mesh.Used.AllocateZeros(total.Points);
+    }
+  }
+
+  void Use(vtkIdType point)
+  {
+    if (this->MarksUsed)
+    {
+      this->Mesh.Used[point].store(1, std::memory_order_relaxed);
+    }
   }
 
   void GatherReport()
   {
-    bool hasTies = false;
     std::size_t bytes = this->Offsets.capacity() * sizeof(RowCount) +
-      this->Columns.capacity() * sizeof(this->Columns[0]) + this->Mesh.Points.GetBytes();
+      this->Columns.capacity() * sizeof(this->Columns[0]) + this->Mesh.Points.GetBytes() +
+      this->Mesh.Used.GetBytes();
     // Nine rows of codes; four of starts, three offsets and counts; columns, keys and marks.
     constexpr std::size_t bytesOfColumn =
       9 * sizeof(Code) + 4 * (sizeof(std::uint32_t) + 4 * sizeof(Code)) + 5;
     for (const Local& local : this->Locals)
     {
       this->Context.Report->Add(local.Report);
-      hasTies |= local.HasTies;
       bytes += static_cast<std::size_t>(this->Nx) * bytesOfColumn;
     }
-    this->Mesh.MayHaveUnusedPoints =
-      hasTies || this->Context.HasBlanking() || this->Values.HasFlatItem();
     this->Context.NoteWorkingBytes(bytes);
   }
 
@@ -649,6 +659,7 @@ private:
     for (const Slot slot : found.Slots)
     {
       ids[slot] = this->GetId(around, i, this->Values.GetItems()[item], codes, slot);
+      this->Use(ids[slot]);
     }
     const bool isInverted = this->IsInverted(around, i);
     const std::size_t number = found.Simplices.size();
@@ -703,6 +714,8 @@ private:
       }
       if (Write)
       {
+        std::for_each_n(
+          simplex.begin(), this->SimplexSize, [&](Slot slot) { this->Use(ids[slot]); });
         this->Mesh.Simplices.Write(place.Simplices, &simplex, 1, ids, isInverted);
         this->Mesh.NoteSimplices(place.Simplices, 1, item, around.FirstCell + i);
       }
@@ -716,6 +729,7 @@ private:
       }
       if (Write)
       {
+        std::for_each_n(triangle.begin(), 3, [&](Slot slot) { this->Use(ids[slot]); });
         this->WriteTriangle(around, i, item, triangle, ids, isInverted, place);
       }
       else
@@ -740,6 +754,7 @@ private:
   std::vector<RowCount> Offsets;
   // The columns [first, last) of a row of cells that give output.
   std::vector<std::array<vtkIdType, 2>> Columns;
+  bool MarksUsed = false;
   vtkSMPThreadLocal<Local> Locals;
 };
 }

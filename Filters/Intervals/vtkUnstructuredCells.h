@@ -4,7 +4,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellCorners.h"
 #include "vtkPointMarks.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
