@@ -45,16 +45,19 @@ void vtkExtractionCleanup::RemoveUnusedPoints(vtkExtractionMesh& mesh)
   {
     return;
   }
-  std::vector<vtkIdType> newIds(number);
+  std::vector<vtkIdType> newIds(mesh.Triangles.empty() ? 0 : number);
   vtkIdType kept = 0;
-  for (std::size_t p = 0; p < number; ++p)
-  {
-    newIds[p] = kept;
-    mesh.Points[kept] = mesh.Points[p];
-    kept += used[p].load(std::memory_order_relaxed);
-  }
+  mesh.Simplices.RemovePoints(used, static_cast<vtkIdType>(number),
+    [&](vtkIdType p, vtkIdType before)
+    {
+      mesh.Points[before] = mesh.Points[p];
+      kept = before + used[p].load(std::memory_order_relaxed);
+      if (!newIds.empty())
+      {
+        newIds[p] = before;
+      }
+    });
   mesh.Points.Truncate(kept);
-  mesh.Simplices.Renumber(newIds.data());
   for (auto& triangle : mesh.Triangles)
   {
     for (vtkIdType& id : triangle)

@@ -11,6 +11,8 @@
 #include "vtkTypeInt64Array.h"
 
 #include <limits>
+#include <type_traits>
+#include <vector>
 
 /**
  * @class   vtkSimplexList
@@ -91,18 +93,30 @@ public:
       });
   }
 
-  /// Replaces each id by that of \a newIds.
-  void Renumber(const vtkIdType* newIds)
+  /**
+   * Leaves out the points whose mark is 0; the others keep their order. \a visit(old, kept) is
+   * called for each point in order, with the number of points kept before it.
+   */
+  template <typename Mark, typename Visitor>
+  void RemovePoints(const Mark* marks, vtkIdType numberOfPoints, Visitor&& visit)
   {
     this->Visit(
       [&](auto* values)
       {
+        std::vector<std::decay_t<decltype(*values)>> newIds(numberOfPoints);
+        vtkIdType kept = 0;
+        for (vtkIdType p = 0; p < numberOfPoints; ++p)
+        {
+          Set(newIds[p], kept);
+          visit(p, kept);
+          kept += marks[p] != 0;
+        }
         vtkSMPTools::For(0, this->Number * this->Size,
-          [values, newIds](vtkIdType first, vtkIdType last)
+          [values, &newIds](vtkIdType first, vtkIdType last)
           {
             for (vtkIdType i = first; i < last; ++i)
             {
-              Set(values[i], newIds[values[i]]);
+              values[i] = newIds[values[i]];
             }
           });
       });

@@ -16,19 +16,25 @@ using Slot = vtkIsotable::Slot;
 // Where a slot of the hexahedron's table is in the rows around a cell.
 struct SlotPlace
 {
-  int Row;       // of the owner: 0 (j,k), 1 (j+1,k), 2 (j,k+1), 3 (j+1,k+1)
-  int Column;    // of the owner: 0 or 1
-  int Direction; // 0: the grid point itself, 1, 2, 3: the edge along i, j, k
-  int Kind;      // 0: lower, 1: upper isovalue
-  int Ends[2];   // vertices of the cell
+  Slot Row;       // of the owner: 0 (j,k), 1 (j+1,k), 2 (j,k+1), 3 (j+1,k+1)
+  Slot Column;    // of the owner: 0 or 1
+  Slot Direction; // 0: the grid point itself, 1, 2, 3: the edge along i, j, k
+  Slot Kind;      // 0: lower, 1: upper isovalue
+  Slot Ends[2];   // vertices of the cell
 };
 
 std::vector<SlotPlace> FindSlotPlaces(const vtkIsotable& table)
 {
   std::vector<SlotPlace> places;
+  const auto add = [&places](int a, int b, int direction, int kind)
+  {
+    places.push_back(
+      { static_cast<Slot>(a >> 1), static_cast<Slot>(a & 1), static_cast<Slot>(direction),
+        static_cast<Slot>(kind), { static_cast<Slot>(a), static_cast<Slot>(b) } });
+  };
   for (int v = 0; v < 8; ++v)
   {
-    places.push_back({ v >> 1, v & 1, 0, 0, { v, v } });
+    add(v, v, 0, 0);
   }
   for (int kind = 0; kind < 2; ++kind)
   {
@@ -36,8 +42,7 @@ std::vector<SlotPlace> FindSlotPlaces(const vtkIsotable& table)
     {
       const int a = table.GetEdge(e)[0];
       const int b = table.GetEdge(e)[1];
-      const int direction = b - a == 1 ? 1 : b - a == 2 ? 2 : 3;
-      places.push_back({ a >> 1, a & 1, direction, kind, { a, b } });
+      add(a, b, b - a == 1 ? 1 : b - a == 2 ? 2 : 3, kind);
     }
   }
   return places;
@@ -375,6 +380,14 @@ private:
     this->Scalars->Place(begin, out - begin);
   }
 
+  // Where the ids of a slot's points begin and how they go on along a row of cells.
+  struct SlotRow
+  {
+    vtkIdType First;
+    const std::uint32_t* Starts;
+    const Code* Offsets;
+  };
+
   // The rows around a row of cells, in the order of SlotPlace::Row.
   struct Around
   {
@@ -383,8 +396,7 @@ private:
     vtkIdType FirstPoint; // of the cell at column 0
     vtkIdType FirstCell;
     const Code* Codes[4];
-    const OwnerRow* Owners[4];
-    vtkIdType Offsets[4];
+    SlotRow Slots[vtkIsotable::MaximumNumberOfSlots];
     bool HasTies = false;
     bool IsFinite = true;
   };
@@ -442,13 +454,10 @@ private:
       around.IsFinite &= codes.IsFinite;
       rows[r] = &codes;
     }
-    // A second loop: the owners' rows reach further, and only then may the codes' places change.
-    for (int r = 0; Write && r < 4; ++r)
+    // After all codes: the owners' rows reach further, and only now may the codes' places change.
+    if (Write)
     {
-      const vtkIdType j = around.J + (r & 1);
-      const vtkIdType k = around.K + (r >> 1);
-      around.Owners[r] = &this->GetOwners(local, j, k);
-      around.Offsets[r] = this->Offsets[this->Rows.GetRow(j, k)].Points;
+      this->FindSlotRows(local, around);
     }
     local.Gave.clear();
     if (!Write)
@@ -480,6 +489,28 @@ private:
     if (!Write)
     {
       local.Report.CellsWithOutput += std::count(local.Gave.begin(), local.Gave.end(), 1);
+    }
+  }
+
+  void FindSlotRows(Local& local, Around& around) const
+  {
+    const OwnerRow* owners[4];
+    vtkIdType firsts[4];
+    for (int r = 0; r < 4; ++r)
+    {
+      const vtkIdType j = around.J + (r & 1);
+      const vtkIdType k = around.K + (r >> 1);
+      owners[r] = &this->GetOwners(local, j, k);
+      firsts[r] = this->Offsets[this->Rows.GetRow(j, k)].Points;
+    }
+    for (std::size_t slot = 0; slot < this->Places.size(); ++slot)
+    {
+      const SlotPlace& at = this->Places[slot];
+      const OwnerRow& owner = *owners[at.Row];
+      // A row that owns nothing has no arrays, and its slots no points.
+      const vtkIdType column = owner.Starts.empty() ? 0 : at.Column;
+      around.Slots[slot] = { firsts[at.Row], owner.Starts.data() + column,
+        at.Direction == 0 ? nullptr : owner.Offsets[at.Direction - 1].data() + column };
     }
   }
 
@@ -617,12 +648,11 @@ private:
     const Code* codes, Slot slot) const
   {
     const SlotPlace& at = this->Places[slot];
-    const OwnerRow& owners = *around.Owners[at.Row];
-    vtkIdType id = around.Offsets[at.Row] + owners.Starts[i + at.Column];
+    const SlotRow& row = around.Slots[slot];
+    vtkIdType id = row.First + row.Starts[i];
     if (at.Direction != 0)
     {
-      id += owners.Offsets[at.Direction - 1][i + at.Column] +
-        (at.Kind == 0 ? item.Lower : item.Upper) -
+      id += row.Offsets[i] + (at.Kind == 0 ? item.Lower : item.Upper) -
         vtkExtractionValues::GetFirstCrossing(codes[at.Ends[0]], codes[at.Ends[1]]);
     }
     return id;
