@@ -16,8 +16,8 @@ constexpr int Vertices = 16;
 constexpr std::uint32_t Cases = 43046721;
 using PointList = vtkIsotablePatch::PointList;
 
-// A symmetry of the cube: where vertices go, where edges of the lifted cube go, and what each digit of
-// a key weighs after it.
+// A symmetry of the cube: where vertices go, where edges of the lifted cube go, and what each digit
+// of a key weighs after it.
 struct Symmetry
 {
   std::array<int, Vertices> Vertex;
@@ -58,9 +58,8 @@ std::vector<Symmetry> MakeSymmetries(const vtkIsotablePolytope& lifted)
       }
       for (const auto& edge : lifted.Edges)
       {
-        const auto move = [&symmetry](int v) {
-          return symmetry.Vertex[v % Vertices] + v / Vertices * Vertices;
-        };
+        const auto move = [&symmetry](int v)
+        { return symmetry.Vertex[v % Vertices] + v / Vertices * Vertices; };
         const int a = move(edge[0]);
         const int b = move(edge[1]);
         symmetry.Edge.push_back(edgeOf.at({ { std::min(a, b), std::max(a, b) } }));
@@ -246,8 +245,9 @@ private:
   void FindFacets()
   {
     std::vector<std::vector<PointList>> facets(this->Kinds.size());
-    vtkSMPTools::For(
-      0, static_cast<vtkIdType>(this->Kinds.size()), [&](vtkIdType first, vtkIdType last) {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Kinds.size()),
+      [&](vtkIdType first, vtkIdType last)
+      {
         for (vtkIdType k = first; k < last; ++k)
         {
           const vtkIsotablePatch patch(this->Lifted, GetSigns(this->Kinds[k].Key));
@@ -287,8 +287,9 @@ private:
 
   void CountOrbits()
   {
-    vtkSMPTools::For(
-      0, static_cast<vtkIdType>(this->Orbits.size()), [this](vtkIdType first, vtkIdType last) {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Orbits.size()),
+      [this](vtkIdType first, vtkIdType last)
+      {
         for (vtkIdType o = first; o < last; ++o)
         {
           for (const HypercubeTable::Rule& rule : this->Rules)

@@ -10,9 +10,9 @@
  * @class   HypercubeTable
  * @brief   counts over all 3^16 cases of the interval table of the four-dimensional cube
  *
- * The 384 rotations and reflections of the cube leave 132,102 cases; the patch is computed for one of
- * each kind. A triangulation in a fixed order is not symmetric, so the number of simplices is then
- * found for every one of the 384 images: each patch facet belongs to an orbit of facets, and
+ * The 384 rotations and reflections of the cube leave 132,102 cases; the patch is computed for one
+ * of each kind. A triangulation in a fixed order is not symmetric, so the number of simplices is
+ * then found for every one of the 384 images: each patch facet belongs to an orbit of facets, and
  * is triangulated once for each image of the facet.
  */
 class HypercubeTable

@@ -1,6 +1,7 @@
 #include "ReportPage.h"
 
 #include "BenchMachine.h"
+#include "HtmlText.h"
 #include "ReportTables.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "ReportTables.h"
 
+#include "HtmlText.h"
+
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -120,30 +122,6 @@ std::string Verdict(bool isGood, const std::string& text)
 
 namespace html
 {
-//------------------------------------------------------------------------------
-std::string Escaped(const std::string& text)
-{
-  std::string escaped;
-  for (char letter : text)
-  {
-    switch (letter)
-    {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      default:
-        escaped += letter;
-    }
-  }
-  return escaped;
-}
-
 //------------------------------------------------------------------------------
 std::string TableOf(const std::vector<BenchClaim>& claims)
 {

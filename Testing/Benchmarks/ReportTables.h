@@ -14,11 +14,6 @@
 namespace html
 {
 /**
- * \a text with the letters that HTML takes for itself replaced.
- */
-std::string Escaped(const std::string& text);
-
-/**
  * What is claimed, and for each case what was measured; what is not met stands out.
  */
 std::string TableOf(const std::vector<BenchClaim>& claims);

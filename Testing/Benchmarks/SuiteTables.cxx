@@ -63,12 +63,14 @@ public:
 
   std::vector<std::string> GetDescription() const override
   {
-    return { "The number of simplices of a case, over all cases of the table of a cell. Method "
-             "source-order places the points in the order of the source's edge lists, which "
-             "reproduces its Table 3.2; method shipped is what the filters use on structured grids: "
-             "pulling, grid points first, then lower, then upper crossings.",
+    return {
+      "The number of simplices of a case, over all cases of the table of a cell. Method "
+      "source-order places the points in the order of the source's edge lists, which "
+      "reproduces its Table 3.2; method shipped is what the filters use on structured grids: "
+      "pulling, grid points first, then lower, then upper crossings.",
       "For the four-dimensional cube every one of the 3^16 cases counts, by symmetry: one hull for "
-      "each of the 132,102 kinds of case, one triangulation for each image of each facet." };
+      "each of the 132,102 kinds of case, one triangulation for each image of each facet."
+    };
   }
 
   void Run(const BenchOptions& options, BenchRows& rows) const override
@@ -86,8 +88,10 @@ public:
 
   std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override
   {
-    BenchClaim printed{ "method source-order gives the mean and maximum stated for the method", {} };
-    BenchClaim fewer{ "method shipped has no more simplices than source-order, mean and maximum", {} };
+    BenchClaim printed{ "method source-order gives the mean and maximum stated for the method",
+      {} };
+    BenchClaim fewer{ "method shipped has no more simplices than source-order, mean and maximum",
+      {} };
     for (const BenchRow& row : rows)
     {
       const bool isWhole = !row.Parameter.is_string() || row.Parameter == AllCases;
@@ -99,9 +103,9 @@ public:
           row.Counts["max"] == row.Counts["stated_max"];
         printed.Cases.push_back({ row.Case, mean, met });
       }
-      const auto source = std::find_if(rows.begin(), rows.end(), [&row](const BenchRow& other) {
-        return other.Case == row.Case && other.Method == "source-order";
-      });
+      const auto source = std::find_if(rows.begin(), rows.end(),
+        [&row](const BenchRow& other)
+        { return other.Case == row.Case && other.Method == "source-order"; });
       if (row.Method == "shipped" && source != rows.end())
       {
         const double mean = row.Counts["mean"].get<double>();

@@ -70,6 +70,21 @@ void CheckRandom(MeshKind kind, Check& check)
   }
 }
 
+/// The corners of a triangle, and its normal of twice its area.
+void FindNormal(
+  vtkUnstructuredGrid* surface, const Triangle& triangle, double x[3][3], double normal[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    surface->GetPoint(triangle[i], x[i]);
+  }
+  double u[3];
+  double v[3];
+  vtkMath::Subtract(x[1], x[0], u);
+  vtkMath::Subtract(x[2], x[0], v);
+  vtkMath::Cross(u, v, normal);
+}
+
 /// A linear function: the surface is its plane, and the triangles' normals are against its
 /// gradient.
 void CheckPlane(MeshKind kind, Check& check)
@@ -84,17 +99,12 @@ void CheckPlane(MeshKind kind, Check& check)
   for (const Triangle& triangle : TrianglesOf(surface))
   {
     double x[3][3];
-    double u[3];
-    double v[3];
     double normal[3];
-    for (int i = 0; i < 3; ++i)
+    FindNormal(surface, triangle, x, normal);
+    for (const auto& point : x)
     {
-      surface->GetPoint(triangle[i], x[i]);
-      check.Near(function(x[i]), value, 1e-14, "value of the function at a point");
+      check.Near(function(point), value, 1e-14, "value of the function at a point");
     }
-    vtkMath::Subtract(x[1], x[0], u);
-    vtkMath::Subtract(x[2], x[0], v);
-    vtkMath::Cross(u, v, normal);
     check.That(vtkMath::Dot(normal, function.Gradient.data()) < 1e-15, "a normal points down");
   }
 }
@@ -129,16 +139,8 @@ void CheckSphere(Check& check)
   for (const Triangle& triangle : TrianglesOf(surface))
   {
     double x[3][3];
-    double u[3];
-    double v[3];
     double normal[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      surface->GetPoint(triangle[i], x[i]);
-    }
-    vtkMath::Subtract(x[1], x[0], u);
-    vtkMath::Subtract(x[2], x[0], v);
-    vtkMath::Cross(u, v, normal);
+    FindNormal(surface, triangle, x, normal);
     area += 0.5 * vtkMath::Norm(normal);
     volume += vtkMath::Dot(x[0], normal) / 6;
   }

@@ -1,6 +1,7 @@
 #include "IndexPage.h"
 
 #include "DataManifest.h"
+#include "HtmlText.h"
 #include "Scene.h"
 
 #include "vtkVersion.h"
@@ -46,31 +47,7 @@ dl .features { grid-column: 1 / -1; }
 footer { color: var(--soft); font-size: 13px; padding-bottom: 56px; }
 )css";
 
-std::string Escaped(const std::string& text)
-{
-  std::string escaped;
-  for (const char letter : text)
-  {
-    switch (letter)
-    {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += letter;
-    }
-  }
-  return escaped;
-}
+using html::Escaped;
 
 /// 1234567 as "1 234 567", with thin spaces.
 std::string Grouped(vtkIdType number)

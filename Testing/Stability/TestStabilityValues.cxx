@@ -83,24 +83,22 @@ double DifferentSimplices(double scale, double shift = 0)
 
 void TestRanges(StabilityCatalogue& catalogue)
 {
-  catalogue.Measure("range-1e-30", "values within 2^-100 of each other",
-    "number of tetrahedra that differ from those at scale 1",
-    DifferentSimplices<vtkDoubleArray>(std::ldexp(1, -111)), 0);
-  catalogue.Measure("range-1e+30", "values to 2^100",
-    "number of tetrahedra that differ from those at scale 1",
-    DifferentSimplices<vtkDoubleArray>(std::ldexp(1, 89)), 0);
-  catalogue.Measure("range-1e-30-float", "float values within 2^-100",
-    "number of tetrahedra that differ from those at scale 1",
-    DifferentSimplices<vtkFloatArray>(std::ldexp(1, -111)), 0);
-  catalogue.Measure("range-1e+30-float", "float values to 2^100",
-    "number of tetrahedra that differ from those at scale 1",
-    DifferentSimplices<vtkFloatArray>(std::ldexp(1, 89)), 0);
-  catalogue.Measure("subnormal-float", "float values that are multiples of 2^-149",
-    "number of tetrahedra that differ from those at scale 1",
-    DifferentSimplices<vtkFloatArray>(std::ldexp(1, -149)), 0);
-  catalogue.Measure("subnormal-double", "double values that are multiples of 2^-1074",
-    "number of tetrahedra that differ from those at scale 1",
-    DifferentSimplices<vtkDoubleArray>(std::ldexp(1, -1074)), 0);
+  const auto measure = [&catalogue](const char* name, const char* what, double different)
+  {
+    catalogue.Measure(
+      name, what, "number of tetrahedra that differ from those at scale 1", different, 0);
+  };
+  measure("range-1e-30", "values within 2^-100 of each other",
+    DifferentSimplices<vtkDoubleArray>(std::ldexp(1, -111)));
+  measure("range-1e+30", "values to 2^100", DifferentSimplices<vtkDoubleArray>(std::ldexp(1, 89)));
+  measure("range-1e-30-float", "float values within 2^-100",
+    DifferentSimplices<vtkFloatArray>(std::ldexp(1, -111)));
+  measure("range-1e+30-float", "float values to 2^100",
+    DifferentSimplices<vtkFloatArray>(std::ldexp(1, 89)));
+  measure("subnormal-float", "float values that are multiples of 2^-149",
+    DifferentSimplices<vtkFloatArray>(std::ldexp(1, -149)));
+  measure("subnormal-double", "double values that are multiples of 2^-1074",
+    DifferentSimplices<vtkDoubleArray>(std::ldexp(1, -1074)));
   for (double scale : { 1e-30, 1e+30, 1e-300, 1e+300 })
   {
     auto mesh = MakeInput<vtkDoubleArray>(
