@@ -191,7 +191,7 @@ template <typename OutArray>
 void FillRowPoints(vtkDataSet* input, const PointList& points, OutArray* out)
 {
   using Out = vtk::GetAPIType<OutArray>;
-  int dimensions[3];
+  int dimensions[3] = {};
   vtkExtractionArrays::GetRowDimensions(input, dimensions);
   const RowCoordinates coordinates(input, dimensions);
   Out* to = out->GetPointer(0);

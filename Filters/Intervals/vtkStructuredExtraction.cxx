@@ -78,7 +78,7 @@ struct OwnerRow
   // Only these columns own points; elsewhere the arrays mean nothing.
   ColumnRange Range = { 0, 0 };
   std::vector<std::uint32_t> Starts;
-  std::vector<Code> Offsets[3];
+  std::array<std::vector<Code>, 3> Offsets;
   std::vector<Code> Counts;
 };
 
@@ -132,8 +132,8 @@ private:
   // Buffers and counts of a thread.
   struct Local
   {
-    CodeRow Codes[3][3];
-    OwnerRow Owners[2][2];
+    std::array<std::array<CodeRow, 3>, 3> Codes;
+    std::array<std::array<OwnerRow, 2>, 2> Owners;
     std::vector<Code> Columns;
     std::vector<Code> Keys;
     std::vector<std::uint8_t> Gave;
@@ -728,16 +728,15 @@ private:
         ids[slot] = this->GetId(around, i, what, codes, same[slot]);
       }
     }
-    const auto isCollapsed = [&same](const std::array<Slot, 4>& slots, int size)
+    const auto isCollapsed = [&same](const std::array<Slot, 4>& slots, bool hasFour)
     {
-      const Slot points[4] = { same[slots[0]], same[slots[1]], same[slots[2]],
-        size == 4 ? same[slots[3]] : Slot(0) };
-      return vtkExtractionCell::IsCollapsed(points, size);
+      const Slot points[4] = { same[slots[0]], same[slots[1]], same[slots[2]], same[slots[3]] };
+      return vtkExtractionCell::IsCollapsed(points, hasFour ? 4 : 3);
     };
     const bool isInverted = Write && this->IsInverted(around, i);
     for (const vtkIsotable::Simplex& simplex : found.Simplices)
     {
-      if (isCollapsed(simplex, this->SimplexSize))
+      if (isCollapsed(simplex, this->SimplexSize == 4))
       {
         local.Report.CollapsedSimplices += !Write;
         continue;
@@ -753,7 +752,7 @@ private:
     }
     for (const vtkIsotable::Triangle& triangle : found.Boundary)
     {
-      if (!this->Context.GenerateBoundaries || isCollapsed(triangle, 3))
+      if (!this->Context.GenerateBoundaries || isCollapsed(triangle, false))
       {
         continue;
       }

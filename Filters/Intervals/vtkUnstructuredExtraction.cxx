@@ -65,10 +65,10 @@ struct Chunk
 
   std::size_t GetBytes() const
   {
-    return this->Cases.capacity() * sizeof(Found) +
-      this->Nodes.capacity() * sizeof(this->Nodes[0]) + this->Cuts.capacity() * sizeof(CutSize) +
-      (this->CutSimplices.capacity() + this->CutTriangles.capacity()) *
-      sizeof(vtkIsotable::Simplex);
+    return this->Cases.capacity() * sizeof(Found) + this->Nodes.capacity() * sizeof(void*) +
+      this->Cuts.capacity() * sizeof(CutSize) +
+      this->CutSimplices.capacity() * sizeof(vtkIsotable::Simplex) +
+      this->CutTriangles.capacity() * sizeof(vtkIsotable::Triangle);
   }
 };
 
@@ -312,7 +312,7 @@ private:
       }
     }
     chunk.Cases.reserve(numberNear);
-    Cell cell;
+    Cell cell{};
     for (int c = 0; c < numberNear; ++c)
     {
       this->Read(begin + near[c], cell);
@@ -498,7 +498,7 @@ private:
     auto node = chunk.Nodes.begin();
     Slot slots[vtkIsotable::MaximumNumberOfSlots];
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
-    Cell cell;
+    Cell cell{};
     cell.Id = -1;
     for (const Found& found : chunk.Cases)
     {
