@@ -21,12 +21,6 @@ namespace
 {
 using PointList = vtkExtractionBuffer<vtkExtractionPoint>;
 
-void PreferLargePages(vtkDataArray* array)
-{
-  vtkExtractionMemory::PreferLargePages(
-    array->GetVoidPointer(0), array->GetDataSize() * array->GetDataTypeSize());
-}
-
 // Exact where near equals far, and near itself for a grid point, whatever far holds.
 template <typename Out>
 Out Interpolate(double near, double far, double weight)
@@ -319,7 +313,7 @@ vtkSmartPointer<vtkPoints> vtkExtractionArrays::MakePoints(
   vtkSmartPointer<vtkPoints> made =
     vtkSmartPointer<vtkPoints>::Take(vtkPoints::New(ChoosePointType(input, precision)));
   made->SetNumberOfPoints(static_cast<vtkIdType>(points.GetSize()));
-  PreferLargePages(made->GetData());
+  vtkExtractionMemory::PreferLargePages(made->GetData());
   if (vtkPointSet* pointSet = vtkPointSet::SafeDownCast(input))
   {
     InterpolateArray(pointSet->GetPoints()->GetData(), points, made->GetData());
@@ -355,8 +349,9 @@ int vtkExtractionArrays::InterpolatePointData(
     out->SetNumberOfTuples(static_cast<vtkIdType>(points.GetSize()));
     if (numbers)
     {
-      PreferLargePages(vtkDataArray::SafeDownCast(out));
-      InterpolateArray(numbers, points, vtkDataArray::SafeDownCast(out));
+      vtkDataArray* made = vtkDataArray::SafeDownCast(out);
+      vtkExtractionMemory::PreferLargePages(made);
+      InterpolateArray(numbers, points, made);
     }
     else
     {

@@ -57,7 +57,8 @@ struct vtkExtractionMesh
   void Allocate(vtkIdType simplices, int size, vtkIdType triangles, bool keepCellIds)
   {
     this->Simplices.Allocate(simplices, size, static_cast<vtkIdType>(this->Points.GetSize()));
-    vtkSimplexList::AllocateArray(this->ItemIds.GetPointer(), simplices);
+    this->ItemIds->SetNumberOfValues(simplices);
+    vtkExtractionMemory::PreferLargePages(this->ItemIds);
     if (!this->HasSeveralItems)
     {
       vtkSMPTools::Fill(this->ItemIds->GetPointer(0), this->ItemIds->GetPointer(0) + simplices, 0);

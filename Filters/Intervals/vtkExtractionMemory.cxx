@@ -1,5 +1,7 @@
 #include "vtkExtractionMemory.h"
 
+#include "vtkDataArray.h"
+
 #include <cstdint>
 
 #if defined(__linux__)
@@ -24,4 +26,10 @@ void vtkExtractionMemory::PreferLargePages(void* memory, std::size_t bytes)
   static_cast<void>(memory);
   static_cast<void>(bytes);
 #endif
+}
+
+void vtkExtractionMemory::PreferLargePages(vtkDataArray* array)
+{
+  PreferLargePages(array->GetVoidPointer(0),
+    static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize());
 }

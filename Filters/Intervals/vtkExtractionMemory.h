@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+class vtkDataArray;
+
 /**
  * @class   vtkExtractionMemory
  * @brief   advice on memory that is about to be used; it changes nothing but the time
@@ -15,6 +17,8 @@ public:
   /// Asks for large pages within [memory, memory + bytes), where the system has them; to be called
   /// before the first access. No effect on small blocks, nor on the values.
   static void PreferLargePages(void* memory, std::size_t bytes);
+  /// The same for the values of an array, once it has its size.
+  static void PreferLargePages(vtkDataArray* array);
 
   /// Has a line of the cache loaded for reading.
   static void Prefetch(const void* memory)

@@ -43,22 +43,15 @@ public:
     if (AreIdsNarrow(numberOfPoints, number * size))
     {
       this->Narrow = vtkSmartPointer<vtkTypeInt32Array>::New();
-      AllocateArray(this->Narrow.GetPointer(), number * size);
+      this->Narrow->SetNumberOfValues(number * size);
+      vtkExtractionMemory::PreferLargePages(this->Narrow);
     }
     else
     {
       this->Wide = vtkSmartPointer<vtkTypeInt64Array>::New();
-      AllocateArray(this->Wide.GetPointer(), number * size);
+      this->Wide->SetNumberOfValues(number * size);
+      vtkExtractionMemory::PreferLargePages(this->Wide);
     }
-  }
-
-  /// Makes room in an array, in large pages.
-  template <typename Array>
-  static void AllocateArray(Array* array, vtkIdType number)
-  {
-    array->SetNumberOfValues(number);
-    vtkExtractionMemory::PreferLargePages(
-      array->GetPointer(0), number * sizeof(*array->GetPointer(0)));
   }
 
   vtkIdType GetId(vtkIdType simplex, int point) const
@@ -178,7 +171,8 @@ private:
   {
     using Id = typename Array::ValueType;
     auto offsets = vtkSmartPointer<Array>::New();
-    AllocateArray(offsets.GetPointer(), this->Number + 1);
+    offsets->SetNumberOfValues(this->Number + 1);
+    vtkExtractionMemory::PreferLargePages(offsets);
     Id* values = offsets->GetPointer(0);
     const Id size = this->Size;
     vtkSMPTools::For(0, this->Number + 1,

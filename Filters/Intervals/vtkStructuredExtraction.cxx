@@ -155,7 +155,7 @@ private:
         this->Scalars->Classify(this->Rows.GetFirstPoint(number), this->Nx, row.Codes.data());
       vtkExtractionKernels::FindEnds(row.Codes.data(), this->Nx, row.First, row.Last);
       // What lies between, and one of the equal codes at either end.
-      const vtkIdType begin = std::min<vtkIdType>(row.First, this->Nx) - 1;
+      const vtkIdType begin = row.First - 1;
       const vtkIdType end = std::max(std::min<vtkIdType>(row.Last + 2, this->Nx), begin + 1);
       Code ties;
       vtkExtractionKernels::Summarize(
@@ -443,6 +443,8 @@ private:
     around.K = this->Rows.GetK(row);
     around.FirstPoint = this->Rows.GetFirstPoint(row);
     around.FirstCell = this->Rows.GetFirstCell(around.J, around.K);
+    Code minimum = std::numeric_limits<Code>::max();
+    Code maximum = 0;
     std::array<const CodeRow*, 4> rows;
     for (int r = 0; r < 4; ++r)
     {
@@ -452,6 +454,8 @@ private:
       around.Codes[r] = codes.Codes.data();
       around.HasTies |= codes.HasTies;
       around.IsFinite &= codes.IsFinite;
+      minimum = std::min(minimum, codes.Minimum);
+      maximum = std::max(maximum, codes.Maximum);
       rows[r] = &codes;
     }
     // After all codes: the owners' rows reach further, and only now may the codes' places change.
@@ -470,13 +474,6 @@ private:
       }
       this->Trim(range, local.Spans);
       local.Gave.assign(this->Nx, 0);
-    }
-    Code minimum = std::numeric_limits<Code>::max();
-    Code maximum = 0;
-    for (const CodeRow* codes : rows)
-    {
-      minimum = std::min(minimum, codes->Minimum);
-      maximum = std::max(maximum, codes->Maximum);
     }
     const auto& items = this->Values.GetItems();
     for (std::size_t item = 0; item < items.size(); ++item)
