@@ -24,9 +24,6 @@ flat in mat4 colorPlane;
 #ifdef CELL_COLORS
 flat in vec4 cellColor;
 #endif
-#if defined(EXACT) && defined(OPACITY)
-uniform sampler2D segmentTable;
-#endif
 #ifdef OPAQUE
 uniform sampler2D opaqueDepth;
 uniform vec2 depthOfBuffer;
@@ -41,18 +38,16 @@ uniform vec4 directionOfPixel;
 uniform float opacityOfExtinction;
 #endif
 
-const float THIN = 0.3;
+// Optical depth up to which series are used; what is thicker is taken in parts.
+const float LIMIT = 0.5;
+// More than this opacity hides all else.
+const float OPAQUE_ENOUGH = 0.999995;
 
 float thinOpacityOf(float x)
 {
   return x *
     (1.0 -
       x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0 - x * (1.0 / 720.0))))));
-}
-
-float opacityOf(float x)
-{
-  return x < THIN ? thinOpacityOf(x) : 1.0 - exp(-x);
 }
 
 // Optical depth over a unit of length, and how extinction falls or rises.
@@ -71,35 +66,22 @@ vec2 getMoments(float t0, float t1, float d0, float d1)
 #endif
 }
 
-#if defined(EXACT) && defined(OPACITY)
-float getFrontShare(float depth, float delta)
-{
-  float sum = 1.0 + min(depth, 1e7);
-  float octave = floor(log2(sum));
-  float column = 8.0 * (octave + sum / exp2(octave) - 1.0);
-  float row = (1.0 - sqrt(max(0.5 - 0.5 * delta, 0.0))) * 64.0;
-  return texture(segmentTable, vec2((column + 0.5) / 193.0, (row + 0.5) / 65.0)).r;
-}
-#endif
-
-// Weights of the front and the back colour, and what is passed on: opacity or optical depth.
+// Weights of the front and the back colour, and what is passed on: opacity or optical depth. With
+// OPACITY and EXACT a depth is at most LIMIT.
 vec3 getWeights(float depth, float delta)
 {
 #ifdef OPACITY
-  float opacity = opacityOf(depth);
-  float front = 0.5 * opacity;
 #ifdef EXACT
-  if (depth < THIN)
-  {
-    float g1 = 0.5 - delta / 6.0;
-    float g2 = 1.0 / 3.0 - delta * (1.0 / 6.0 - delta / 30.0);
-    float g3 = 0.25 - delta * (0.15 - delta * (0.05 - delta / 140.0));
-    front = depth * (g1 - depth / 2.0 * (g2 - depth / 3.0 * (g3 - depth * 0.05)));
-  }
-  else
-  {
-    front = getFrontShare(depth, delta) * opacity;
-  }
+  float opacity = thinOpacityOf(depth);
+  float g1 = 0.5 - delta / 6.0;
+  float g2 = 1.0 / 3.0 - delta * (1.0 / 6.0 - delta / 30.0);
+  float g3 = 0.25 - delta * (0.15 - delta * (0.05 - delta / 140.0));
+  float g4 = 0.2 - delta * (2.0 / 15.0 - delta * (2.0 / 35.0));
+  float front = depth *
+    (g1 - depth * 0.5 * (g2 - depth / 3.0 * (g3 - depth * 0.25 * g4)));
+#else
+  float opacity = depth < LIMIT ? thinOpacityOf(depth) : 1.0 - exp(-depth);
+  float front = 0.5 * opacity;
 #endif
   return vec3(front, opacity - front, opacity);
 #else
@@ -123,23 +105,14 @@ int findPiece(float f)
   return piece;
 }
 
+#ifndef EXACT
 vec4 evaluate(int piece, float f)
 {
   return texelFetch(pieces, 2 * piece) +
     texelFetch(pieces, 2 * piece + 1) * (f - texelFetch(starts, piece).x);
 }
 #endif
-
-vec4 blendSegment(vec4 front, vec4 back, float len, vec2 time)
-{
-#ifdef EXACT
-  vec2 moments = getMoments(front.a, back.a, time.x, time.y);
-#else
-  vec2 moments = vec2(0.25 * (front.a + back.a) * (time.x + time.y), 0.0);
 #endif
-  vec3 weights = getWeights(len * moments.x, moments.y);
-  return vec4(weights.x * front.rgb + weights.y * back.rgb, weights.z);
-}
 
 void main()
 {
@@ -233,42 +206,85 @@ void main()
 #ifdef SCALARS
   scalars = clamp(scalars, 0.0, 1.0);
   int piece = findPiece(scalars.x);
-  int end = findPiece(scalars.y);
+#endif
 #ifdef EXACT
-  if (piece != end)
+  vec4 sum = vec4(0.0);
+  float from = 0.0;
+#ifdef SCALARS
+  float rise = scalars.y - scalars.x;
+#endif
+  // From control point to control point, and no thicker than LIMIT. Most segments are one part.
+  while (true)
   {
-    // From control point to control point.
-    int way = end > piece ? 1 : -1;
-    vec4 sum = vec4(0.0);
-    float depth = 0.0;
-    float from = 0.0;
-    float value = scalars.x;
-    bool isLast = false;
-    while (!isLast)
-    {
-      isLast = piece == end;
-      float bound = texelFetch(starts, way > 0 ? piece + 1 : piece).x;
-      float to = isLast ? 1.0 : min((bound - scalars.x) / (scalars.y - scalars.x), 1.0);
-      float next = isLast ? scalars.y : bound;
-      vec2 partTime = vec2(mix(time.x, time.y, from), mix(time.x, time.y, to));
-      vec4 part = blendSegment(evaluate(piece, value), evaluate(piece, next),
-        max(to - from, 0.0) * len, partTime);
-#ifdef OPACITY
-      sum += (1.0 - sum.a) * part;
+    float to = 1.0;
+#ifdef SCALARS
+    float start = texelFetch(starts, piece).x;
+    float bound = rise > 0.0 ? texelFetch(starts, piece + 1).x : start;
+    to = rise == 0.0 ? 1.0 : clamp((bound - scalars.x) / rise, from, 1.0);
+    // Falling, the first piece has no other below it.
+    to = rise < 0.0 && piece == 0 ? 1.0 : to;
+    vec4 value = texelFetch(pieces, 2 * piece);
+    vec4 slope = texelFetch(pieces, 2 * piece + 1);
+    vec4 first = value + slope * (scalars.x + from * rise - start);
+    vec4 last = value + slope * (scalars.x + to * rise - start);
 #else
-      sum += part;
+    vec4 first = mix(front, back, from);
+    vec4 last = back;
 #endif
-      from = to;
-      value = next;
-      piece += way;
+    float part = (to - from) * len;
+    vec2 moments =
+      getMoments(first.a, last.a, mix(time.x, time.y, from), mix(time.x, time.y, to));
+    float depth = part * moments.x;
+    bool isWhole = true;
+#ifdef OPACITY
+    if (depth > LIMIT)
+    {
+      isWhole = false;
+#ifdef DELTA_T
+      float share = LIMIT / depth;
+#else
+      // Where linear extinction has come to LIMIT.
+      float growth = (last.a - first.a) / part;
+      float root = sqrt(max(first.a * first.a + 2.0 * growth * LIMIT, 0.0));
+      float share = min(2.0 * LIMIT / (first.a + root) / part, 1.0);
+#endif
+      to = from + share * (to - from);
+      last = mix(first, last, share);
+      moments = getMoments(first.a, last.a, mix(time.x, time.y, from), mix(time.x, time.y, to));
+      depth = share * part * moments.x;
     }
-    gl_FragData[0] = sum;
-    return;
+#endif
+    vec3 weights = getWeights(depth, moments.y);
+    vec4 color = vec4(weights.x * first.rgb + weights.y * last.rgb, weights.z);
+#ifdef OPACITY
+    sum += (1.0 - sum.a) * color;
+    if (sum.a > OPAQUE_ENOUGH)
+    {
+      break;
+    }
+#else
+    sum += color;
+#endif
+    if (isWhole)
+    {
+      if (to >= 1.0)
+      {
+        break;
+      }
+#ifdef SCALARS
+      piece += rise > 0.0 ? 1 : -1;
+#endif
+    }
+    from = to;
   }
-#endif
+  gl_FragData[0] = sum;
+#else
+#ifdef SCALARS
   vec4 front = evaluate(piece, scalars.x);
-  vec4 back = evaluate(end, scalars.y);
+  vec4 back = evaluate(findPiece(scalars.y), scalars.y);
 #endif
-  gl_FragData[0] = blendSegment(front, back, len, time);
+  vec3 weights = getWeights(0.25 * (front.a + back.a) * (time.x + time.y) * len, 0.0);
+  gl_FragData[0] = vec4(weights.x * front.rgb + weights.y * back.rgb, weights.z);
+#endif
 #endif
 }

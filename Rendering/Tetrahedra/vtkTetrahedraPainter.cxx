@@ -4,7 +4,6 @@
 #include "InterlumeTetrahedraGS.h"
 #include "InterlumeTetrahedraVS.h"
 #include "vtkSceneDepth.h"
-#include "vtkSegmentTable.h"
 #include "vtkShaderFeatures.h"
 
 #include "vtkOpenGLFramebufferObject.h"
@@ -408,12 +407,6 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
         activate(this->Starts, "starts");
         activate(this->Buckets, "buckets");
       }
-      const bool hasTable = picture.IsExact && !IsDepthSum(picture) && picture.Blend != Picture::MAXIMUM;
-      if (hasTable)
-      {
-        this->ActivateTable(window, report);
-        program->SetUniformi("segmentTable", this->SegmentTable->GetTextureUnit());
-      }
       if (hasOpaque)
       {
         this->Depth->Activate();
@@ -423,10 +416,6 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
       if (hasOpaque)
       {
         this->Depth->Deactivate();
-      }
-      if (hasTable)
-      {
-        this->SegmentTable->Deactivate();
       }
       for (vtkTextureBuffer* buffer : active)
       {
@@ -456,25 +445,6 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
 }
 
 //------------------------------------------------------------------------------
-void vtkTetrahedraPainter::ActivateTable(
-  vtkOpenGLRenderWindow* window, vtkTetrahedraRenderReport& report)
-{
-  if (!this->SegmentTable->GetHandle())
-  {
-    const std::vector<float>& values = vtkSegmentTable::Get().GetValues();
-    this->SegmentTable->SetContext(window);
-    this->SegmentTable->SetMinificationFilter(vtkTextureObject::Linear);
-    this->SegmentTable->SetMagnificationFilter(vtkTextureObject::Linear);
-    this->SegmentTable->SetWrapS(vtkTextureObject::ClampToEdge);
-    this->SegmentTable->SetWrapT(vtkTextureObject::ClampToEdge);
-    this->SegmentTable->Create2DFromRaw(vtkSegmentTable::COLUMNS, vtkSegmentTable::ROWS, 1,
-      VTK_FLOAT, const_cast<float*>(values.data()));
-    report.UploadedStaticBytes += static_cast<vtkIdType>(values.size() * sizeof(float));
-  }
-  this->SegmentTable->Activate();
-}
-
-//------------------------------------------------------------------------------
 void vtkTetrahedraPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (vtkTextureBuffer* buffer : { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs,
@@ -488,7 +458,6 @@ void vtkTetrahedraPainter::ReleaseGraphicsResources(vtkWindow* window)
     this->Order = 0;
   }
   this->OrderSize = 0;
-  this->SegmentTable->ReleaseGraphicsResources(window);
   this->Sums->ReleaseGraphicsResources(window);
   this->Layers->ReleaseGraphicsResources(window);
   this->Depth->ReleaseGraphicsResources(window);

@@ -61,7 +61,6 @@ private:
     vtkTetrahedraRenderReport& report);
   void UploadOrder(const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report);
   bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);
-  void ActivateTable(vtkOpenGLRenderWindow* window, vtkTetrahedraRenderReport& report);
   void SetUniforms(vtkShaderProgram* program, const vtkTetrahedraPicture& picture, bool hasOpaque);
   void DrawRange(vtkOpenGLRenderWindow* window, const vtkTetrahedraPicture& picture,
     std::size_t first, std::size_t number);
@@ -76,7 +75,6 @@ private:
   vtkTextureBuffer Pieces;
   vtkTextureBuffer Starts;
   vtkTextureBuffer Buckets;
-  vtkNew<vtkTextureObject> SegmentTable;
   vtkNew<vtkTextureObject> Sums;
   /// The layers drawn so far (PRIORITY).
   vtkNew<vtkTextureObject> Layers;
