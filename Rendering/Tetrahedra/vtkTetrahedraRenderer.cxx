@@ -428,11 +428,19 @@ void vtkTetrahedraRenderer::DrawInSoftware(
 void vtkTetrahedraRenderer::Select(
   vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
 {
+  selector->BeginRenderProp();
   selector->UpdateMaximumCellId(this->MeshState.Grid->GetNumberOfCells());
-  if (!vtkTetrahedraSelection::IsDrawn(selector))
+  if (vtkTetrahedraSelection::IsDrawn(selector))
   {
-    return;
+    this->DrawSelection(renderer, selector, resources);
   }
+  selector->EndRenderProp();
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraRenderer::DrawSelection(
+  vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
+{
   // Ids are drawn once for each pass; neither order nor colour matters, so both paths draw them so.
   this->Picture.Blend = vtkTetrahedraPicture::SELECTION;
   this->Picture.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : nullptr;

@@ -82,6 +82,8 @@ private:
     vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraRenderReport& report);
   void Select(
     vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
+  void DrawSelection(
+    vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void ReadDepth(vtkRenderer* renderer);
   std::string GetFeatures() const;
   vtkIdType GetMemoryBytes() const;

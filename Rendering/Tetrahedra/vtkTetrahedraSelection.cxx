@@ -20,16 +20,17 @@ std::vector<float> vtkTetrahedraSelection::MakeImage(vtkHardwareSelector* select
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     float* pixel = &image[4 * i];
+    const vtkIdType cell = std::max<vtkIdType>(cells[i] - 1, 0);
     switch (selector->GetCurrentPass())
     {
       case vtkHardwareSelector::ACTOR_PASS:
         std::copy_n(selector->GetPropColorValue(), 3, pixel);
         break;
       case vtkHardwareSelector::CELL_ID_LOW24:
-        vtkHardwareSelector::Convert(cells[i] & 0xffffff, pixel);
+        vtkHardwareSelector::Convert(cell & 0xffffff, pixel);
         break;
       case vtkHardwareSelector::CELL_ID_HIGH24:
-        vtkHardwareSelector::Convert((cells[i] >> 24) & 0xffffff, pixel);
+        vtkHardwareSelector::Convert((cell >> 24) & 0xffffff, pixel);
         break;
       case vtkHardwareSelector::PROCESS_PASS:
         vtkHardwareSelector::Convert(selector->GetProcessID() + 1, pixel);
