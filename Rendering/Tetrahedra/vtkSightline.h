@@ -42,7 +42,8 @@ public:
   /**
    * Sorts the events of a line of sight and appends a relation from each exit to the next entry.
    * Depths that differ by no more than \a tolerance may change places so that entries and exits
-   * alternate; the line begins inside where exits are in the majority.
+   * alternate, and ways through the mesh that are no longer than that are left out: the line passes
+   * an edge or a corner there. It begins inside where exits are in the majority.
    */
   static void Relate(Event* first, Event* last, double tolerance, std::vector<Relation>& relations);
 };
