@@ -1,6 +1,8 @@
 #ifndef vtkSightline_h
 #define vtkSightline_h
 
+#include "InterlumeTetrahedraModule.h" // for the export macro
+
 #include <cstdint>
 #include <vector>
 
@@ -8,7 +10,7 @@
  * @class   vtkSightline
  * @brief   where one line of sight enters and leaves a mesh
  */
-class vtkSightline
+class INTERLUMETETRAHEDRA_EXPORT vtkSightline
 {
 public:
   struct Event
