@@ -155,6 +155,12 @@ int TestTetrahedraSortAdjacency(int, char*[])
   vtkTetrahedraMesh twice = MakeFan(1000);
   twice.Corners.insert(twice.Corners.end(), twice.Corners.begin(), twice.Corners.begin() + 2000);
   CheckMesh(twice, "tetrahedra that are there twice", check);
+  // Many faces of one lowest id, each three times.
+  vtkTetrahedraMesh thrice = MakeFan(50000);
+  const std::vector<std::uint32_t> once = thrice.Corners;
+  thrice.Corners.insert(thrice.Corners.end(), once.begin(), once.end());
+  thrice.Corners.insert(thrice.Corners.end(), once.begin(), once.end());
+  CheckMesh(thrice, "a fan three times", check);
   CheckCounts(check);
   return check.Result();
 }
