@@ -1,0 +1,201 @@
+#include "TetrahedraError.h"
+
+#include "BenchTiming.h"
+#include "FieldPicture.h"
+#include "TetrahedraMethods.h"
+#include "TetrahedraScene.h"
+
+#include "vtkNew.h"
+#include "vtkProjectedTetrahedraMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkUnstructuredGridLinearRayIntegrator.h"
+#include "vtkUnstructuredGridVolumeRayCastMapper.h"
+#include "vtkUnstructuredGridVolumeZSweepMapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace tetrahedra
+{
+namespace
+{
+const char* const Norm = "channel difference, mean";
+const char* const RayCast = "raycast";
+const char* const ZSweep = "zsweep";
+const char* const Average = ", average colour";
+
+/// A mapper and its name in the rows.
+struct Method
+{
+  std::string Name;
+  vtkSmartPointer<vtkUnstructuredGridVolumeMapper> Mapper;
+};
+
+bool IsPeer(const std::string& method)
+{
+  return method == Peer || method == RayCast || method == ZSweep;
+}
+
+/// VTK's mappers that make rays, with a ray for each pixel.
+template <typename Mapper>
+Method MakeRayMethod(const char* name)
+{
+  auto mapper = vtkSmartPointer<Mapper>::New();
+  mapper->SetRayIntegrator(vtkNew<vtkUnstructuredGridLinearRayIntegrator>());
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetImageSampleDistance(1.0);
+  return { name, mapper };
+}
+
+/// The peer first.
+std::vector<Method> MakeMethods(vtkUnstructuredGrid* grid)
+{
+  std::vector<Method> methods;
+  methods.push_back({ Peer, vtkSmartPointer<vtkProjectedTetrahedraMapper>::New() });
+  methods.push_back(MakeRayMethod<vtkUnstructuredGridVolumeRayCastMapper>(RayCast));
+  methods.push_back(MakeRayMethod<vtkUnstructuredGridVolumeZSweepMapper>(ZSweep));
+  for (const Method& method : methods)
+  {
+    method.Mapper->SetInputData(static_cast<vtkDataSet*>(grid));
+  }
+  for (const RenderPath& path : AllRenderPaths())
+  {
+    RenderMode mode = GetDefaultMode();
+    methods.push_back({ path.Name, NewMapper(grid, path, mode) });
+    mode.Integration = vtkTimeWeightedTetrahedraMapper::AVERAGE_COLOR;
+    methods.push_back({ std::string(path.Name) + Average, NewMapper(grid, path, mode) });
+  }
+  return methods;
+}
+
+reference::RgbaPicture MakeExpected(const Theatre& theatre, int steps)
+{
+  return IntegrateField(
+    GetField, GetLow(), GetHigh(), MakeProperty(), MakeCamera(), theatre.GetSize(), steps);
+}
+
+/// The smallest error of three captures: VTK's ray mappers stretch a picture now and then.
+reference::PictureError MeasureError(
+  Theatre& theatre, const Method& method, const reference::RgbaPicture& expected)
+{
+  reference::PictureError best =
+    reference::ComparePictures(theatre.Capture(method.Mapper), expected);
+  for (int capture = 1; capture < 3 && IsPeer(method.Name) && method.Name != Peer; ++capture)
+  {
+    const auto error = reference::ComparePictures(theatre.Capture(method.Mapper), expected);
+    best = error.Mean < best.Mean ? error : best;
+  }
+  return best;
+}
+
+BenchRow MakeRow(const BenchRows& rows, const std::string& method, vtkUnstructuredGrid* grid,
+  const reference::PictureError& error)
+{
+  BenchRow row = rows.Make("gyroid", method);
+  row.Error = error.Mean;
+  row.ErrorNorm = Norm;
+  row.Counts["tetrahedra"] = grid->GetNumberOfCells();
+  row.Counts["largest_error"] = error.Max;
+  return row;
+}
+
+void AddResolutionRows(Theatre& theatre, int cubes, const reference::RgbaPicture& expected,
+  const BenchOptions& options, BenchRows& rows)
+{
+  auto grid = MakeGrid(cubes);
+  const std::vector<Method> methods = MakeMethods(grid);
+  std::vector<BenchWork> works;
+  for (const Method& method : methods)
+  {
+    works.push_back(WithThreads(options.Threads, theatre.FrameOf(method.Mapper)));
+  }
+  const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+  for (std::size_t i = 0; i < methods.size(); ++i)
+  {
+    BenchRow row =
+      MakeRow(rows, methods[i].Name, grid, MeasureError(theatre, methods[i], expected));
+    row.Parameter = cubes;
+    row.Seconds = seconds[i];
+    if (!IsPeer(methods[i].Name))
+    {
+      row.Peer = Peer;
+      row.PeerSeconds = seconds[0];
+    }
+    rows.Add(row);
+  }
+}
+
+/// What a path draws when ever less time is allowed for a frame.
+void AddStrideRows(Theatre& theatre, const RenderPath& path, int cubes,
+  const reference::RgbaPicture& expected, const BenchOptions& options, BenchRows& rows)
+{
+  auto grid = MakeGrid(cubes);
+  auto mapper = NewMapper(grid, path, GetDefaultMode());
+  mapper->AutoAdjustLevelOfDetailOn();
+  const BenchWork frame = WithThreads(options.Threads, theatre.FrameOf(mapper));
+  frame();
+  const double full = TimeOnce(frame);
+  std::set<std::pair<int, int>> seen;
+  for (double share : { 1.0, 0.5, 0.2, 0.08, 0.03 })
+  {
+    // The mapper learns from its last frames what fits.
+    theatre.GetStage().GetWindow()->SetDesiredUpdateRate(share < 1.0 ? 1.0 / (share * full) : 1e-4);
+    for (int warm = 0; warm < 3; ++warm)
+    {
+      frame();
+    }
+    const double seconds = MeasureAlternately({ frame }, options.GetRepeats())[0];
+    const auto error = reference::ComparePictures(theatre.Capture(mapper), expected);
+    const vtkTetrahedraRenderReport& report = mapper->GetRenderReport();
+    if (seen.emplace(report.PixelStride, report.TetrahedronStride).second)
+    {
+      BenchRow row = MakeRow(rows, std::string(path.Name) + ", level of detail", grid, error);
+      row.Parameter = "stride of pixels " + std::to_string(report.PixelStride) +
+        ", of tetrahedra " + std::to_string(report.TetrahedronStride);
+      row.Seconds = seconds;
+      rows.Add(row);
+    }
+  }
+  theatre.GetStage().GetWindow()->SetDesiredUpdateRate(1e-4);
+}
+}
+
+//------------------------------------------------------------------------------
+void AddErrorRows(const BenchOptions& options, BenchRows& rows)
+{
+  const std::vector<int> resolutions =
+    options.Pick<std::vector<int>>({ 8, 16, 32, 48 }, { 4, 8, 16 }, { 2, 4 });
+  Theatre theatre(options.Pick(256, 128, 32));
+  const reference::RgbaPicture expected = MakeExpected(theatre, options.Pick(4000, 1000, 200));
+  for (int cubes : resolutions)
+  {
+    AddResolutionRows(theatre, cubes, expected, options, rows);
+  }
+  for (const RenderPath& path : AllRenderPaths())
+  {
+    AddStrideRows(theatre, path, resolutions.back(), expected, options, rows);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
+{
+  BenchPlot plot;
+  plot.Name = "tetrahedra-error";
+  plot.Title = "a gyroid: error against run time as the mesh gets finer";
+  plot.XLabel = "time of a frame (s)";
+  plot.YLabel = std::string("error: ") + Norm;
+  plot.LogX = true;
+  plot.LogY = true;
+  plot.DefaultSeries = "software";
+  for (const BenchRow& row : rows)
+  {
+    if (row.Error && *row.Error > 0.0)
+    {
+      plot.AddPoint(row.Method, IsPeer(row.Method), *row.Seconds, *row.Error);
+    }
+  }
+  return { plot };
+}
+}
