@@ -1,0 +1,77 @@
+#include "vtkFaceRaster.h"
+
+#include <algorithm>
+#include <limits>
+
+using namespace vtkTripleMath;
+
+vtkFaceRaster::vtkFaceRaster(const vtkPictureProjection& projection,
+  const std::array<vtkTriple, 3>& corners, const std::array<std::uint32_t, 3>& ids)
+  : Projection(projection)
+  , Normal(Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0])))
+  , Offset(Dot(this->Normal, corners[0]))
+  , LeastDepth(std::min({ corners[0][2], corners[1][2], corners[2][2] }))
+  , GreatestDepth(std::max({ corners[0][2], corners[1][2], corners[2][2] }))
+{
+  this->FindRectangle(corners);
+  for (int e = 0; e < 3; ++e)
+  {
+    vtkTriple a = corners[e];
+    vtkTriple b = corners[(e + 1) % 3];
+    if (projection.IsParallel())
+    {
+      a[2] = b[2] = 1.0;
+    }
+    this->Edges[e] = MakeEdge(a, ids[e], b, ids[(e + 1) % 3]);
+  }
+}
+
+vtkFaceRaster::Edge vtkFaceRaster::MakeEdge(
+  const vtkTriple& a, std::uint32_t idA, const vtkTriple& b, std::uint32_t idB)
+{
+  const double sign = idA < idB ? 1.0 : -1.0;
+  const vtkTriple line = idA < idB ? Cross(a, b) : Cross(b, a);
+  const double decisive = line[0] != 0.0 ? line[0] : line[1] != 0.0 ? line[1] : line[2];
+  return { sign * line[0], sign * line[1], sign * line[2], sign * decisive > 0.0 };
+}
+
+void vtkFaceRaster::FindRectangle(const std::array<vtkTriple, 3>& corners)
+{
+  // In perspective only what is before the eye counts. What is nearer to its plane than a millionth
+  // of the triangle's depth can be in the picture only that near to the eye.
+  const double nearest = this->Projection.IsParallel() ? std::numeric_limits<double>::lowest()
+                                                       : 1e-6 * this->GreatestDepth;
+  if (!this->Projection.IsParallel() && this->GreatestDepth <= 0.0)
+  {
+    return;
+  }
+  double least[2] = { std::numeric_limits<double>::max(), std::numeric_limits<double>::max() };
+  double greatest[2] = { std::numeric_limits<double>::lowest(),
+    std::numeric_limits<double>::lowest() };
+  const auto add = [&](const vtkTriple& p)
+  {
+    const double scale = this->Projection.IsParallel() ? 1.0 : 1.0 / p[2];
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      least[axis] = std::min(least[axis], p[axis] * scale);
+      greatest[axis] = std::max(greatest[axis], p[axis] * scale);
+    }
+  };
+  for (int e = 0; e < 3; ++e)
+  {
+    const vtkTriple& a = corners[e];
+    const vtkTriple& b = corners[(e + 1) % 3];
+    if (a[2] >= nearest)
+    {
+      add(a);
+    }
+    if ((a[2] >= nearest) != (b[2] >= nearest))
+    {
+      vtkTriple cut = Add(a, (nearest - a[2]) / (b[2] - a[2]), Subtract(b, a));
+      cut[2] = nearest;
+      add(cut);
+    }
+  }
+  this->Columns = this->Projection.GetColumns(least[0], greatest[0]);
+  this->Rows = this->Projection.GetRows(least[1], greatest[1]);
+}

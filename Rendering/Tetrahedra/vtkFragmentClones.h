@@ -1,0 +1,15 @@
+#ifndef vtkFragmentClones_h
+#define vtkFragmentClones_h
+
+/**
+ * Compiles a function for AVX2 too, and chooses when the program is loaded. Sanitizers cannot run the
+ * choice, which comes before them.
+ */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) &&   \
+  !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define INTERLUME_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define INTERLUME_CLONES
+#endif
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef vtkFragmentIntegration_h
+#define vtkFragmentIntegration_h
+
+#include "vtkFragments.h"
+
+class vtkTransferPieces;
+
+/**
+ * @class   vtkFragmentIntegration
+ * @brief   the mathematics of segments, many at a time
+ *
+ * tetrahedra.glsl has the same for a graphics card.
+ */
+class vtkFragmentIntegration
+{
+public:
+  enum Results
+  {
+    /// Weights add up to opacity; Total is transmittance.
+    OPACITY,
+    /// Weights add up to optical depth, which is Total.
+    OPTICAL_DEPTH
+  };
+
+  /// What is interpolated besides depth.
+  struct Channels
+  {
+    bool HasScalars = false;
+    bool HasColors = false;
+    bool HasDeltaT = false;
+  };
+
+  /**
+   * In perspective: divides what is weighted by depth, and makes lengths along lines of sight of
+   * differences of depth. \a slant is the length of each pixel's line of sight for 1 along the axis.
+   */
+  static void FinishPerspective(vtkFragments& fragments, const Channels& channels, const float* slant);
+  /**
+   * The same in parallel, where all lines have one slant.
+   */
+  static void FinishParallel(vtkFragments& fragments, float slant);
+
+  /**
+   * Cuts each segment where an opaque surface is at, given as depth of each pixel; what lies behind has
+   * length 0 then.
+   */
+  static void CutAt(vtkFragments& fragments, const Channels& channels, bool isParallel,
+    const float* opaque);
+
+  /**
+   * Colours of both ends by the transfer functions.
+   */
+  static void LookUp(vtkFragments& fragments, const vtkTransferPieces& pieces);
+
+  /**
+   * Weights and totals. \a isExact: the integral over linear colour and extinction, else their mean.
+   */
+  static void Integrate(
+    vtkFragments& fragments, bool hasDeltaT, bool isExact, Results results);
+
+  /**
+   * Integrates anew the segments that pass a control point, from one to the next.
+   */
+  static void IntegratePieces(vtkFragments& fragments, const vtkTransferPieces& pieces,
+    bool hasDeltaT, Results results);
+};
+
+#endif

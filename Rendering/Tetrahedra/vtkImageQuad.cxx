@@ -1,0 +1,77 @@
+#include "vtkImageQuad.h"
+
+#include "InterlumeImageFS.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+//------------------------------------------------------------------------------
+vtkImageQuad::vtkImageQuad() = default;
+
+//------------------------------------------------------------------------------
+vtkImageQuad::~vtkImageQuad() = default;
+
+//------------------------------------------------------------------------------
+vtkIdType vtkImageQuad::Upload(
+  vtkOpenGLRenderWindow* window, int width, int height, const std::vector<float>& colors)
+{
+  this->Texture->SetContext(window);
+  this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->Texture->Create2DFromRaw(static_cast<unsigned int>(width),
+    static_cast<unsigned int>(height), 4, VTK_FLOAT, const_cast<float*>(colors.data()));
+  return static_cast<vtkIdType>(colors.size() * sizeof(float));
+}
+
+//------------------------------------------------------------------------------
+void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture)
+{
+  if (!this->Quad)
+  {
+    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, InterlumeImageFS, nullptr);
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+  if (!this->Quad->Program)
+  {
+    return;
+  }
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  texture->Activate();
+  this->Quad->Program->SetUniformi("image", texture->GetTextureUnit());
+  this->Quad->Render();
+  texture->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkImageQuad::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  if (this->Quad)
+  {
+    this->Quad->ReleaseGraphicsResources(window);
+    this->Quad.reset();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkImageQuad::HasTexture() const
+{
+  return this->Texture->GetHandle() != 0;
+}

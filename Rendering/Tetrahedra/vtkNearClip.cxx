@@ -1,0 +1,234 @@
+#include "vtkNearClip.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+namespace
+{
+using Point = std::array<double, 3>;
+
+// Positive on one side of the plane through a, b, c.
+double GetSide(const Point& a, const Point& b, const Point& c, const Point& p)
+{
+  double u[3];
+  double v[3];
+  double w[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    u[i] = b[i] - a[i];
+    v[i] = c[i] - a[i];
+    w[i] = p[i] - a[i];
+  }
+  return w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
+    w[2] * (u[0] * v[1] - u[1] * v[0]);
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkNearClip::MayCut(const vtkTetrahedraView& view)
+{
+  // Mesh coordinates are between -1 and 1; a little more for rounding.
+  const double limit = 1.0 + 1e-9;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double point[3] = { corner & 1 ? limit : -limit, corner & 2 ? limit : -limit,
+      corner & 4 ? limit : -limit };
+    if (-view.GetEyePoint(point)[2] < view.GetNear())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkNearClip::Append(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
+  const vtkTetrahedraView& view, const std::vector<std::uint32_t>* order)
+{
+  this->Active = false;
+  this->NumberClipped = 0;
+  this->Points = mesh.Points.size() / 3;
+  this->Tetrahedra = mesh.GetNumberOfTetrahedra();
+  this->Wholes.clear();
+  if (!MayCut(view))
+  {
+    return;
+  }
+  std::vector<unsigned char> isBefore(this->Points);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        isBefore[p] = -view.GetEyePoint(&mesh.Points[3 * p])[2] < view.GetNear();
+      }
+    });
+  if (std::find(isBefore.begin(), isBefore.end(), 1) == isBefore.end())
+  {
+    return;
+  }
+  this->Active = true;
+  this->Order.clear();
+  const std::size_t number = order ? order->size() : this->Tetrahedra;
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    const std::uint32_t tetrahedron = order ? (*order)[i] : static_cast<std::uint32_t>(i);
+    const std::uint32_t* corners = mesh.GetCorners(tetrahedron);
+    const int before = isBefore[corners[0]] + isBefore[corners[1]] + isBefore[corners[2]] +
+      isBefore[corners[3]];
+    if (before == 0)
+    {
+      this->Order.push_back(tetrahedron);
+    }
+    else if (before < 4)
+    {
+      this->Cut(mesh, fields, view, tetrahedron);
+      ++this->NumberClipped;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNearClip::Cut(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
+  const vtkTetrahedraView& view, std::uint32_t tetrahedron)
+{
+  // Corners beyond the plane first.
+  std::array<std::uint32_t, 4> ids;
+  std::array<Point, 4> eyes;
+  int inside = 0;
+  int outside = 4;
+  for (int k = 0; k < 4; ++k)
+  {
+    const std::uint32_t id = mesh.GetCorners(tetrahedron)[k];
+    const Point eye = view.GetEyePoint(mesh.GetPoint(id));
+    const int place = -eye[2] < view.GetNear() ? --outside : inside++;
+    ids[place] = id;
+    eyes[place] = eye;
+  }
+  const auto cut = [&](int a, int b)
+  {
+    const double share =
+      std::min(1.0, (view.GetNear() + eyes[a][2]) / (eyes[a][2] - eyes[b][2]));
+    this->AppendPoint(mesh, fields, ids[a], ids[b], share);
+    return static_cast<std::uint32_t>(mesh.Points.size() / 3 - 1);
+  };
+  std::vector<std::array<std::uint32_t, 4>> parts;
+  if (inside == 1)
+  {
+    parts.push_back({ { ids[0], cut(0, 1), cut(0, 2), cut(0, 3) } });
+  }
+  else
+  {
+    // A wedge: two triangles with three edges between them.
+    std::array<std::uint32_t, 6> w;
+    if (inside == 3)
+    {
+      w = { { ids[0], ids[1], ids[2], cut(0, 3), cut(1, 3), cut(2, 3) } };
+    }
+    else
+    {
+      w = { { ids[0], cut(0, 2), cut(0, 3), ids[1], cut(1, 2), cut(1, 3) } };
+    }
+    parts.push_back({ { w[0], w[1], w[2], w[3] } });
+    parts.push_back({ { w[1], w[2], w[3], w[4] } });
+    parts.push_back({ { w[2], w[3], w[4], w[5] } });
+    // Each is swapped with the next where the eye is beyond the face they share. A line of sight that
+    // meets the first and the third passes the second between them.
+    const Point eye = view.IsParallel() ? Point{ { 0.0, 0.0, 1e6 } } : Point{ { 0.0, 0.0, 0.0 } };
+    const auto isBehind = [&](int part)
+    {
+      std::array<Point, 4> p;
+      for (int k = 0; k < 4; ++k)
+      {
+        p[k] = view.GetEyePoint(mesh.GetPoint(parts[part][k]));
+      }
+      const double ofCorner = GetSide(p[1], p[2], p[3], p[0]);
+      return ofCorner * GetSide(p[1], p[2], p[3], eye) < 0.0;
+    };
+    const bool firstIsBehind = isBehind(0);
+    const bool secondIsBehind = isBehind(1);
+    if (firstIsBehind)
+    {
+      std::swap(parts[0], parts[1]);
+    }
+    if (secondIsBehind)
+    {
+      // The third goes before the second, wherever that is now.
+      const std::array<std::uint32_t, 4> third = parts[2];
+      parts.pop_back();
+      parts.insert(parts.begin() + (firstIsBehind ? 0 : 1), third);
+    }
+  }
+  for (const std::array<std::uint32_t, 4>& part : parts)
+  {
+    this->Order.push_back(mesh.GetNumberOfTetrahedra());
+    mesh.Corners.insert(mesh.Corners.end(), part.begin(), part.end());
+    this->Wholes.push_back(tetrahedron);
+    if (!mesh.Cells.empty())
+    {
+      mesh.Cells.push_back(mesh.Cells[tetrahedron]);
+    }
+    if (!fields.Layers.empty())
+    {
+      fields.Layers.push_back(fields.Layers[tetrahedron]);
+    }
+    if (fields.Kind == vtkTetrahedraFields::CELL_COLORS)
+    {
+      fields.Colors.push_back(fields.Colors[tetrahedron]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNearClip::AppendPoint(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
+  std::uint32_t a, std::uint32_t b, double share)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const double from = mesh.GetPoint(a)[i];
+    mesh.Points.push_back(from + share * (mesh.GetPoint(b)[i] - from));
+  }
+  const auto t = static_cast<float>(share);
+  for (std::vector<float>* values : { &fields.Scalars, &fields.DeltaT })
+  {
+    if (!values->empty())
+    {
+      values->push_back((*values)[a] + t * ((*values)[b] - (*values)[a]));
+    }
+  }
+  if (fields.Kind == vtkTetrahedraFields::POINT_COLORS)
+  {
+    std::array<float, 4> color;
+    for (int c = 0; c < 4; ++c)
+    {
+      color[c] = fields.Colors[a][c] + t * (fields.Colors[b][c] - fields.Colors[a][c]);
+    }
+    fields.Colors.push_back(color);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNearClip::Remove(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields)
+{
+  if (!this->Active)
+  {
+    return;
+  }
+  this->Active = false;
+  const auto shorten = [](auto& values, std::size_t size)
+  {
+    if (values.size() > size)
+    {
+      values.resize(size);
+    }
+  };
+  mesh.Points.resize(3 * this->Points);
+  mesh.Corners.resize(4 * static_cast<std::size_t>(this->Tetrahedra));
+  shorten(mesh.Cells, this->Tetrahedra);
+  shorten(fields.Layers, this->Tetrahedra);
+  shorten(fields.Scalars, this->Points);
+  shorten(fields.DeltaT, this->Points);
+  shorten(fields.Colors,
+    fields.Kind == vtkTetrahedraFields::CELL_COLORS ? this->Tetrahedra : this->Points);
+}

@@ -1,0 +1,70 @@
+#ifndef vtkNearClip_h
+#define vtkNearClip_h
+
+#include "vtkTetrahedraFields.h"
+#include "vtkTetrahedraMesh.h"
+#include "vtkTetrahedraView.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/**
+ * @class   vtkNearClip
+ * @brief   cuts tetrahedra at the near plane
+ *
+ * What is left of a tetrahedron with corners before the plane is one tetrahedron or three. They, and
+ * their points, are appended to the mesh and its fields, and stand in the order where the whole one
+ * stood, front to back among themselves. Views that have the mesh wholly beyond the plane cost a test
+ * of its bounding box.
+ */
+class vtkNearClip
+{
+public:
+  /**
+   * Appends. \a order is front to back, or null for tetrahedra as they are; GetOrder() is then used in
+   * its place if IsActive().
+   */
+  void Append(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, const vtkTetrahedraView& view,
+    const std::vector<std::uint32_t>* order);
+
+  /**
+   * Takes away what was appended.
+   */
+  void Remove(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields);
+
+  bool IsActive() const { return this->Active; }
+  const std::vector<std::uint32_t>& GetOrder() const { return this->Order; }
+  vtkIdType GetNumberClipped() const { return this->NumberClipped; }
+  /// The tetrahedron that one was cut from, or itself.
+  std::uint32_t GetWhole(std::uint32_t tetrahedron) const
+  {
+    return tetrahedron < this->Tetrahedra ? tetrahedron
+                                          : this->Wholes[tetrahedron - this->Tetrahedra];
+  }
+
+private:
+  /// A corner of a part: of the whole (Second equal to First) or on its edge.
+  struct Corner
+  {
+    int First;
+    int Second;
+    double Share;
+  };
+  using Part = std::array<int, 4>;
+
+  static bool MayCut(const vtkTetrahedraView& view);
+  void Cut(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, const vtkTetrahedraView& view,
+    std::uint32_t tetrahedron);
+  void AppendPoint(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, std::uint32_t a,
+    std::uint32_t b, double share);
+
+  bool Active = false;
+  std::size_t Points = 0;
+  std::uint32_t Tetrahedra = 0;
+  std::vector<std::uint32_t> Wholes;
+  std::vector<std::uint32_t> Order;
+  vtkIdType NumberClipped = 0;
+};
+
+#endif

@@ -1,0 +1,167 @@
+#include "vtkSceneDepth.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+namespace
+{
+// The format of the depth buffer that is drawn to; a copy between two needs the same.
+GLint GetDepthFormat()
+{
+  GLint type = GL_NONE;
+  GLint name = 0;
+  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
+    GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+  GLint format = GL_DEPTH24_STENCIL8;
+  if (type == GL_RENDERBUFFER || type == GL_TEXTURE)
+  {
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
+      GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
+  }
+  if (type == GL_RENDERBUFFER)
+  {
+    GLint before = 0;
+    glGetIntegerv(GL_RENDERBUFFER_BINDING, &before);
+    glBindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(name));
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_INTERNAL_FORMAT, &format);
+    glBindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(before));
+  }
+  else if (type == GL_TEXTURE)
+  {
+    GLint before = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D_MULTISAMPLE, &before);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, static_cast<GLuint>(name));
+    glGetTexLevelParameteriv(
+      GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, static_cast<GLuint>(before));
+  }
+  return format;
+}
+
+bool HasStencil(GLint format)
+{
+  return format == GL_DEPTH24_STENCIL8 || format == GL_DEPTH32F_STENCIL8 ||
+    format == GL_DEPTH_STENCIL;
+}
+
+// A copy of the depth buffer with one sample a pixel, bound for reading; deleted at the end.
+class SingleSampleCopy
+{
+public:
+  SingleSampleCopy(int left, int bottom, int width, int height)
+  {
+    GLint target = 0;
+    GLint renderbuffer = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+    glGetIntegerv(GL_RENDERBUFFER_BINDING, &renderbuffer);
+    const GLint format = GetDepthFormat();
+    glGenFramebuffers(1, &this->Framebuffer);
+    glGenRenderbuffers(1, &this->Renderbuffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, this->Renderbuffer);
+    glRenderbufferStorage(GL_RENDERBUFFER, static_cast<GLenum>(format), width, height);
+    glBindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(renderbuffer));
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer);
+    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER,
+      HasStencil(format) ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+      this->Renderbuffer);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(target));
+    glBlitFramebuffer(left, bottom, left + width, bottom + height, 0, 0, width, height,
+      GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(target));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, this->Framebuffer);
+  }
+  ~SingleSampleCopy()
+  {
+    glDeleteRenderbuffers(1, &this->Renderbuffer);
+    glDeleteFramebuffers(1, &this->Framebuffer);
+  }
+  SingleSampleCopy(const SingleSampleCopy&) = delete;
+  SingleSampleCopy& operator=(const SingleSampleCopy&) = delete;
+
+private:
+  GLuint Framebuffer = 0;
+  GLuint Renderbuffer = 0;
+};
+}
+
+//------------------------------------------------------------------------------
+bool vtkSceneDepth::ReadBuffer(
+  vtkOpenGLRenderWindow* window, int left, int bottom, int width, int height)
+{
+  vtkOpenGLState::ScopedglEnableDisable scissor(window->GetState(), GL_SCISSOR_TEST);
+  window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
+  GLint readBefore = 0;
+  GLint target = 0;
+  GLint samples = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  glGetIntegerv(GL_SAMPLES, &samples);
+  bool isRead = false;
+  {
+    std::unique_ptr<SingleSampleCopy> copy;
+    if (samples > 0)
+    {
+      copy = std::make_unique<SingleSampleCopy>(left, bottom, width, height);
+    }
+    else
+    {
+      glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(target));
+    }
+    GLint type = GL_NONE;
+    glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER,
+      target == 0 && !copy ? GL_DEPTH : GL_DEPTH_ATTACHMENT,
+      GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (type != GL_NONE)
+    {
+      glPixelStorei(GL_PACK_ALIGNMENT, 4);
+      glReadPixels(copy ? 0 : left, copy ? 0 : bottom, width, height, GL_DEPTH_COMPONENT, GL_FLOAT,
+        this->Buffer.data());
+      isRead = true;
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readBefore));
+  }
+  return isRead && glGetError() == GL_NO_ERROR;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSceneDepth::Read(vtkRenderer* renderer, const vtkTetrahedraView& view, int stride)
+{
+  int width = 0;
+  int height = 0;
+  int left = 0;
+  int bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  this->Depths.clear();
+  this->Buffer.resize(static_cast<std::size_t>(width) * height);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!this->ReadBuffer(window, left, bottom, width, height))
+  {
+    return false;
+  }
+  if (std::all_of(
+        this->Buffer.begin(), this->Buffer.end(), [](float value) { return value >= 1.0f; }))
+  {
+    return true;
+  }
+  const std::array<double, 2>& depthOfBuffer = view.GetDepthOfBuffer();
+  this->Depths.reserve(static_cast<std::size_t>(view.GetWidth()) * view.GetHeight());
+  for (int y = 0; y < view.GetHeight(); ++y)
+  {
+    const int row = std::min(y * stride + stride / 2, height - 1);
+    for (int x = 0; x < view.GetWidth(); ++x)
+    {
+      const int column = std::min(x * stride + stride / 2, width - 1);
+      const double value = this->Buffer[static_cast<std::size_t>(row) * width + column];
+      this->Depths.push_back(value >= 1.0 ? std::numeric_limits<float>::lowest()
+                                          : static_cast<float>(
+                                              depthOfBuffer[0] + depthOfBuffer[1] * value));
+    }
+  }
+  return true;
+}

@@ -1,0 +1,51 @@
+#ifndef vtkTetrahedraMesh_h
+#define vtkTetrahedraMesh_h
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/**
+ * Where a mesh is seen from, in the mesh's own coordinates.
+ */
+struct vtkViewpoint
+{
+  bool IsParallel = false;
+  /// The eye, in perspective.
+  std::array<double, 3> Eye{};
+  /// From the eye into the scene, unit length.
+  std::array<double, 3> Direction{ { 0.0, 0.0, -1.0 } };
+};
+
+/**
+ * The tetrahedra that are drawn, in coordinates near 0 and of size about 1: world position = Origin +
+ * Scale * point. Degenerate ones and those with NaN are already left out.
+ */
+struct vtkTetrahedraMesh
+{
+  std::array<double, 3> Origin{};
+  double Scale = 1.0;
+  /// Three for each point.
+  std::vector<double> Points;
+  /// Four for each tetrahedron, in either orientation.
+  std::vector<std::uint32_t> Corners;
+  /// The input's cell of each tetrahedron; empty where they are the same.
+  std::vector<std::uint32_t> Cells;
+
+  std::uint32_t GetNumberOfTetrahedra() const
+  {
+    return static_cast<std::uint32_t>(this->Corners.size() / 4);
+  }
+  const double* GetPoint(std::uint32_t id) const
+  {
+    return &this->Points[3 * static_cast<std::size_t>(id)];
+  }
+  const std::uint32_t* GetCorners(std::uint32_t tetrahedron) const
+  {
+    return &this->Corners[4 * static_cast<std::size_t>(tetrahedron)];
+  }
+};
+
+#endif

@@ -1,0 +1,332 @@
+#include "vtkTetrahedraRenderer.h"
+
+#include "vtkImageQuad.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+
+#include "vtkDataArray.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cstring>
+
+using Mapper = vtkTimeWeightedTetrahedraMapper;
+
+namespace
+{
+/// Beyond this MPVONC takes longer than drawing.
+constexpr std::uint32_t MPVONC_LIMIT = 1000000;
+
+bool IsSoftware(vtkOpenGLRenderWindow* window)
+{
+  window->MakeCurrent();
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  if (!name)
+  {
+    return true;
+  }
+  for (const char* software : { "llvmpipe", "softpipe", "SWR", "Software", "SwiftShader",
+         "Basic Render", "GDI Generic" })
+  {
+    if (std::strstr(name, software))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+vtkTetrahedraPicture::Blends GetBlend(int mode)
+{
+  switch (mode)
+  {
+    case Mapper::MAXIMUM_INTENSITY_BLEND:
+      return vtkTetrahedraPicture::MAXIMUM;
+    case Mapper::ADDITIVE_BLEND:
+      return vtkTetrahedraPicture::ADDITIVE;
+    case Mapper::PRIORITY_BLEND:
+      return vtkTetrahedraPicture::PRIORITY;
+    case Mapper::OPTICAL_DEPTH_BLEND:
+      return vtkTetrahedraPicture::OPTICAL_DEPTH;
+    default:
+      return vtkTetrahedraPicture::COMPOSITE;
+  }
+}
+}
+
+struct vtkTetrahedraRenderer::WindowResources
+{
+  vtkImageQuad Quad;
+};
+
+//------------------------------------------------------------------------------
+vtkTetrahedraRenderer::vtkTetrahedraRenderer() = default;
+
+//------------------------------------------------------------------------------
+vtkTetrahedraRenderer::~vtkTetrahedraRenderer() = default;
+
+//------------------------------------------------------------------------------
+std::string vtkTetrahedraRenderer::UpdateMesh(const Request& request)
+{
+  const MeshKey& before = this->MeshState;
+  const vtkTetrahedraArrays& arrays = request.Arrays;
+  const bool isSame = before.Grid == request.Grid && before.Time == request.Grid->GetMTime() &&
+    before.Arrays.Scalars == arrays.Scalars &&
+    before.Arrays.ScalarsAreOfCells == arrays.ScalarsAreOfCells &&
+    before.Arrays.DeltaT == arrays.DeltaT && before.Arrays.Layers == arrays.Layers;
+  if (isSame)
+  {
+    return {};
+  }
+  this->MeshState = MeshKey();
+  this->Property = nullptr;
+  this->Order.Reset();
+  this->LevelOfDetail.Reset();
+  std::string error =
+    vtkTetrahedraBuilder::BuildMesh(request.Grid, arrays, this->Mesh, this->Counts);
+  if (error.empty())
+  {
+    vtkTetrahedraBuilder::BuildFields(arrays, this->Mesh, this->Fields);
+    this->MeshState = { request.Grid, request.Grid->GetMTime(), arrays };
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTetrahedraRenderer::UpdateColors(
+  const Request& request, vtkVolumeProperty* property, double unit)
+{
+  if (this->Property == property && this->PropertyTime == property->GetMTime() &&
+    this->ColorUnit == unit)
+  {
+    return {};
+  }
+  std::string error = vtkTetrahedraBuilder::BuildColors(
+    request.Arrays, this->Mesh, property, unit, this->Fields);
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (this->Fields.Kind == vtkTetrahedraFields::SCALARS)
+  {
+    this->Pieces.Build(property, 0, this->Fields.Range, unit);
+  }
+  this->Property = property;
+  this->PropertyTime = property->GetMTime();
+  this->ColorUnit = unit;
+  return {};
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetrahedraRenderer::HasOneColor() const
+{
+  if (this->Fields.Kind == vtkTetrahedraFields::SCALARS)
+  {
+    return this->Pieces.HasOneColor();
+  }
+  const auto& colors = this->Fields.Colors;
+  return std::all_of(colors.begin(), colors.end(),
+    [&colors](const std::array<float, 4>& color)
+    { return std::equal(color.begin(), color.begin() + 3, colors[0].begin()); });
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraRenderer::ChooseBlend(const Request& request, vtkTetrahedraRenderReport& report)
+{
+  report.BlendMode = request.Blend;
+  report.BlendReason = "as asked for";
+  if (request.Blend == Mapper::AUTOMATIC_BLEND)
+  {
+    const bool hasTime = request.Arrays.DeltaT != nullptr;
+    report.BlendMode = hasTime ? static_cast<int>(Mapper::OPTICAL_DEPTH_BLEND)
+                               : static_cast<int>(Mapper::COMPOSITE_BLEND);
+    report.BlendReason = hasTime ? "with an extent in time tetrahedra overlap and have no order"
+                                 : "without an extent in time tetrahedra have an order";
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraRenderer::ChoosePath(
+  const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraRenderReport& report)
+{
+  report.RenderPath = request.Path;
+  report.PathReason = "as asked for";
+  if (request.Path == Mapper::AUTOMATIC_PATH)
+  {
+    const bool isSoftware = IsSoftware(window);
+    report.RenderPath = isSoftware ? Mapper::SOFTWARE_PATH : Mapper::OPENGL_PATH;
+    report.PathReason =
+      isSoftware ? "OpenGL is itself software here" : "OpenGL runs on a graphics card";
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraRenderReport& report)
+{
+  report.SortMode = Mapper::NO_SORT;
+  if (report.BlendMode != Mapper::COMPOSITE_BLEND)
+  {
+    report.SortReason = "the blend mode needs no order";
+  }
+  else if (request.Sort != Mapper::AUTOMATIC_SORT)
+  {
+    report.SortMode = request.Sort;
+    report.SortReason = "as asked for";
+  }
+  else if (!this->Picture.Surface && this->HasOneColor())
+  {
+    report.SortReason = "all is of one colour";
+  }
+  else if (request.Arrays.DeltaT)
+  {
+    report.SortMode = Mapper::CENTROID_SORT;
+    report.SortReason = "with an extent in time tetrahedra overlap";
+  }
+  else if (this->Mesh.GetNumberOfTetrahedra() > MPVONC_LIMIT)
+  {
+    report.SortMode = Mapper::CENTROID_SORT;
+    report.SortReason = "more than " + std::to_string(MPVONC_LIMIT) + " tetrahedra";
+  }
+  else
+  {
+    report.SortMode = Mapper::MPVONC_SORT;
+    report.SortReason = "colours differ and tetrahedra are few enough";
+  }
+}
+
+//------------------------------------------------------------------------------
+const std::vector<std::uint32_t>* vtkTetrahedraRenderer::UpdateOrder(
+  const Request& request, vtkTetrahedraRenderReport& report)
+{
+  const std::vector<std::uint32_t>* order = nullptr;
+  report.Passes = 1;
+  if (report.BlendMode == Mapper::PRIORITY_BLEND)
+  {
+    order = this->Order.ComputeLayers(this->Fields.Layers, request.Priorities);
+    report.Layers = this->Order.GetNumberOfLayers();
+    report.Passes = report.Layers;
+  }
+  else
+  {
+    const auto kind = report.SortMode == Mapper::CENTROID_SORT ? vtkTetrahedraOrder::CENTROID
+      : report.SortMode == Mapper::MPVONC_SORT                 ? vtkTetrahedraOrder::VISIBILITY
+                                                               : vtkTetrahedraOrder::NONE;
+    order = this->Order.Compute(kind, this->Mesh, this->Picture.View);
+    report.Sorted = this->Order.WasComputed();
+  }
+  report.Cycles = this->Order.GetCycles();
+  report.Gaps = this->Order.GetGaps();
+  report.HasAdjacency = this->Order.HasAdjacency();
+  return order;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
+  const Request& request, vtkTetrahedraRenderReport& report)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    return "the render window is not an OpenGL one";
+  }
+  std::string error = this->UpdateMesh(request);
+  report.Tetrahedra = request.Grid->GetNumberOfCells();
+  report.FlatTetrahedra = this->Counts.Flat;
+  report.NonFiniteTetrahedra = this->Counts.NonFinite;
+  if (!error.empty() || this->Mesh.Corners.empty())
+  {
+    return error;
+  }
+  this->ChooseBlend(request, report);
+  this->ChoosePath(request, window, report);
+
+  const int level = request.AdjustsLevelOfDetail
+    ? this->LevelOfDetail.Choose(volume->GetAllocatedRenderTime())
+    : 0;
+  report.PixelStride = vtkLevelOfDetail::GetPixelStride(level);
+  this->Picture.TetrahedronStride = vtkLevelOfDetail::GetTetrahedronStride(level);
+  report.TetrahedronStride = static_cast<int>(this->Picture.TetrahedronStride);
+  error = this->Picture.View.Set(renderer, volume, this->Mesh, report.PixelStride);
+  if (!error.empty())
+  {
+    return error;
+  }
+  vtkVolumeProperty* property = volume->GetProperty();
+  this->Picture.ExtinctionUnit =
+    this->Picture.View.GetUnit() / property->GetScalarOpacityUnitDistance();
+  error = this->UpdateColors(request, property, this->Picture.ExtinctionUnit);
+  if (!error.empty())
+  {
+    return error;
+  }
+  report.ControlPoints =
+    this->Fields.Kind == vtkTetrahedraFields::SCALARS ? this->Pieces.GetNumberOfPieces() + 1 : 0;
+  this->ChooseSort(request, report);
+  const std::vector<std::uint32_t>* order = this->UpdateOrder(request, report);
+  this->Clip.Append(this->Mesh, this->Fields, this->Picture.View, order);
+  report.TetrahedraClipped = this->Clip.GetNumberClipped();
+
+  this->Picture.Mesh = &this->Mesh;
+  this->Picture.Fields = &this->Fields;
+  this->Picture.Pieces = &this->Pieces;
+  this->Picture.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : order;
+  this->Picture.Blend = GetBlend(report.BlendMode);
+  this->Picture.IsExact = request.IsExact;
+  std::unique_ptr<WindowResources>& resources = this->Windows[window];
+  if (!resources)
+  {
+    resources = std::make_unique<WindowResources>();
+  }
+  this->Depth.Read(renderer, this->Picture.View, report.PixelStride);
+  this->Picture.Opaque =
+    this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
+  this->DrawInSoftware(renderer, *resources, report);
+  this->Clip.Remove(this->Mesh, this->Fields);
+  report.Seconds = vtkTimerLog::GetUniversalTime() - start;
+  this->LevelOfDetail.Measured(level, report.Seconds);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraRenderer::DrawInSoftware(
+  vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraRenderReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
+  if (!this->Rasterizer.Draw(this->Picture, isAborted))
+  {
+    return;
+  }
+  report.TetrahedraDrawn = this->Rasterizer.GetNumberDrawn();
+  report.UploadedImageBytes = resources.Quad.Upload(window, this->Picture.View.GetWidth(),
+    this->Picture.View.GetHeight(), this->Rasterizer.GetColors());
+  report.Buffers = 1;
+  report.BufferBytes = report.UploadedImageBytes;
+  resources.Quad.Draw(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraRenderer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& resources : this->Windows)
+  {
+    if (!window || resources.first == window)
+    {
+      resources.second->Quad.ReleaseGraphicsResources(resources.first);
+    }
+  }
+  if (window)
+  {
+    this->Windows.erase(window);
+  }
+  else
+  {
+    this->Windows.clear();
+  }
+}

@@ -1,0 +1,105 @@
+#ifndef vtkTetrahedraRenderer_h
+#define vtkTetrahedraRenderer_h
+
+#include "vtkLevelOfDetail.h"
+#include "vtkNearClip.h"
+#include "vtkSceneDepth.h"
+#include "vtkTetrahedraBuilder.h"
+#include "vtkTetrahedraOrder.h"
+#include "vtkTetrahedraPicture.h"
+#include "vtkTetrahedraRenderReport.h"
+#include "vtkTileRasterizer.h"
+#include "vtkType.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+class vtkOpenGLRenderWindow;
+class vtkProperty;
+class vtkRenderer;
+class vtkTexture;
+class vtkUnstructuredGrid;
+class vtkVolume;
+class vtkVolumeProperty;
+class vtkWindow;
+
+/**
+ * @class   vtkTetrahedraRenderer
+ * @brief   one picture: what is new is made anew, choices are made, one of the paths draws
+ */
+class vtkTetrahedraRenderer
+{
+public:
+  vtkTetrahedraRenderer();
+  ~vtkTetrahedraRenderer();
+
+  /// What is asked for, in the words of vtkTimeWeightedTetrahedraMapper.
+  struct Request
+  {
+    vtkUnstructuredGrid* Grid = nullptr;
+    vtkTetrahedraArrays Arrays;
+    int Blend = 0;
+    int Sort = 0;
+    int Path = 0;
+    bool IsExact = true;
+    bool AdjustsLevelOfDetail = true;
+    std::map<int, double> Priorities;
+    vtkDataSet* Boundary = nullptr;
+    vtkProperty* BoundaryProperty = nullptr;
+    vtkTexture* BoundaryTexture = nullptr;
+  };
+
+  /**
+   * Draws and reports. Returns what is wrong, or nothing.
+   */
+  std::string Render(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+    vtkTetrahedraRenderReport& report);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  /// What one window's context holds.
+  struct WindowResources;
+
+  std::string UpdateMesh(const Request& request);
+  std::string UpdateColors(const Request& request, vtkVolumeProperty* property, double unit);
+  void ChooseBlend(const Request& request, vtkTetrahedraRenderReport& report);
+  void ChoosePath(const Request& request, vtkOpenGLRenderWindow* window,
+    vtkTetrahedraRenderReport& report);
+  void ChooseSort(const Request& request, vtkTetrahedraRenderReport& report);
+  bool HasOneColor() const;
+  const std::vector<std::uint32_t>* UpdateOrder(
+    const Request& request, vtkTetrahedraRenderReport& report);
+  void DrawInSoftware(
+    vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraRenderReport& report);
+  void Select(vtkRenderer* renderer, WindowResources& resources);
+
+  /// What mesh and colours were made of.
+  struct MeshKey
+  {
+    vtkUnstructuredGrid* Grid = nullptr;
+    vtkMTimeType Time = 0;
+    vtkTetrahedraArrays Arrays;
+  };
+  MeshKey MeshState;
+  vtkVolumeProperty* Property = nullptr;
+  vtkMTimeType PropertyTime = 0;
+  double ColorUnit = 0.0;
+
+  vtkTetrahedraMesh Mesh;
+  vtkTetrahedraFields Fields;
+  vtkTransferPieces Pieces;
+  vtkTetrahedraBuilder::Counts Counts;
+  vtkTetrahedraOrder Order;
+  vtkNearClip Clip;
+  vtkSceneDepth Depth;
+  vtkTetrahedraPicture Picture;
+  vtkTileRasterizer Rasterizer;
+  vtkLevelOfDetail LevelOfDetail;
+  std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
+};
+
+#endif

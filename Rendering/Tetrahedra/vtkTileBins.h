@@ -1,0 +1,56 @@
+#ifndef vtkTileBins_h
+#define vtkTileBins_h
+
+#include "vtkTetrahedraPicture.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/**
+ * @class   vtkTileBins
+ * @brief   which tetrahedra each tile of the picture has, in the picture's order
+ *
+ * Also holds the projected points. Tetrahedra that cover no pixel's centre are in no tile.
+ */
+class vtkTileBins
+{
+public:
+  /// Edge of a tile in pixels.
+  static constexpr int SIZE = 64;
+
+  /// A projected point with what it carries.
+  struct Point
+  {
+    vtkTetrahedraView::Projected Place;
+    float Scalar;
+    float DeltaT;
+  };
+
+  void Fill(const vtkTetrahedraPicture& picture);
+
+  int GetColumns() const { return this->Columns; }
+  int GetNumberOfTiles() const { return this->Columns * this->Rows; }
+  const Point* GetPoints() const { return this->Points.data(); }
+  const std::uint32_t* Begin(int tile) const { return this->Lists.data() + this->Starts[tile]; }
+  const std::uint32_t* End(int tile) const { return this->Lists.data() + this->Starts[tile + 1]; }
+  vtkIdType GetNumberDrawn() const { return this->NumberDrawn; }
+  std::size_t GetBytes() const;
+
+private:
+  /// First and last column and row of tiles; none where the first column is beyond the last.
+  using Range = std::array<std::uint16_t, 4>;
+
+  void ProjectPoints(const vtkTetrahedraPicture& picture);
+  Range GetRange(const vtkTetrahedraPicture& picture, std::uint32_t tetrahedron) const;
+
+  int Columns = 0;
+  int Rows = 0;
+  std::vector<Point> Points;
+  std::vector<Range> Ranges;
+  std::vector<std::size_t> Starts;
+  std::vector<std::uint32_t> Lists;
+  vtkIdType NumberDrawn = 0;
+};
+
+#endif

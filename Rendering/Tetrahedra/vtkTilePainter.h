@@ -1,0 +1,81 @@
+#ifndef vtkTilePainter_h
+#define vtkTilePainter_h
+
+#include "vtkFragmentIntegration.h"
+#include "vtkFragments.h"
+#include "vtkTetrahedraPicture.h"
+#include "vtkTetrahedronSilhouette.h"
+#include "vtkTileBins.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/**
+ * @class   vtkTilePainter
+ * @brief   draws one tile at a time, for one thread
+ */
+class vtkTilePainter
+{
+public:
+  static constexpr int SIZE = vtkTileBins::SIZE;
+  /// RGB and transmittance, optical depth, opacity, or what the blend mode keeps.
+  using Pixel = std::array<float, 4>;
+
+  vtkTilePainter(const vtkTetrahedraPicture& picture, const vtkTileBins& bins);
+
+  void Draw(int tile);
+
+  int GetLeft() const { return this->Left; }
+  int GetBottom() const { return this->Bottom; }
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  /// Colour multiplied by opacity, after Draw().
+  const Pixel& GetPixel(int x, int y) const { return this->Pixels[y * SIZE + x]; }
+  /// SELECTION: the tetrahedron plus 1, and its depth.
+  std::uint32_t GetTetrahedron(int x, int y) const { return this->Nearest[y * SIZE + x]; }
+  float GetDepth(int x, int y) const { return this->NearestDepth[y * SIZE + x]; }
+
+private:
+  using Projected = vtkTetrahedraView::Projected;
+
+  void Begin(int tile);
+  /// Colors: channels of point colours, 4 or 0; Scalars and DeltaT: whether there are any.
+  template <bool Scalars, bool Colors, bool DeltaT>
+  void DrawTetrahedra(int tile);
+  template <bool Scalars, bool Colors, bool DeltaT>
+  void DrawTetrahedron(std::uint32_t tetrahedron);
+  void Flush();
+  void IntegrateAndBlend();
+  bool IsOpaque() const;
+  void ResolveLayer();
+  void Finish();
+
+  /// What a row of a tetrahedron's base side needs: value at the row's first pixel and slope.
+  struct Line
+  {
+    float At;
+    float Slope;
+    float Difference;
+  };
+
+  const vtkTetrahedraPicture& Picture;
+  const vtkTileBins& Bins;
+  vtkFragmentIntegration::Channels Channels;
+  vtkFragments Fragments;
+  float LengthScale = 1.0f;
+
+  int Left = 0;
+  int Bottom = 0;
+  int Width = 0;
+  int Height = 0;
+  std::vector<Pixel> Pixels;
+  /// The layer being drawn (PRIORITY), summed up.
+  std::vector<Pixel> Layer;
+  std::vector<float> Slant;
+  std::vector<float> Opaque;
+  std::vector<std::uint32_t> Nearest;
+  std::vector<float> NearestDepth;
+};
+
+#endif

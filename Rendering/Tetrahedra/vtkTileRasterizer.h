@@ -1,0 +1,55 @@
+#ifndef vtkTileRasterizer_h
+#define vtkTileRasterizer_h
+
+#include "vtkTetrahedraPicture.h"
+#include "vtkTileBins.h"
+
+#include <cstdint>
+#include <vector>
+
+/**
+ * @class   vtkTileRasterizer
+ * @brief   draws tetrahedra on the CPU
+ *
+ * The picture is cut into tiles, each drawn by one thread from front to back: the silhouettes give
+ * segments (vtkFragments), these are integrated many at a time, and then blended one by one. The
+ * result does not depend on the number of threads.
+ */
+class vtkTileRasterizer
+{
+public:
+  /**
+   * Draws; returns false where \a isAborted said so.
+   */
+  template <typename Abort>
+  bool Draw(const vtkTetrahedraPicture& picture, Abort&& isAborted)
+  {
+    this->Prepare(picture);
+    if (isAborted())
+    {
+      return false;
+    }
+    this->DrawTiles(picture);
+    return true;
+  }
+
+  /// RGBA row by row from below, colour multiplied by opacity. SELECTION: none.
+  const std::vector<float>& GetColors() const { return this->Colors; }
+  /// SELECTION: the tetrahedron plus 1 of each pixel, 0 where there is none, and its depth.
+  const std::vector<std::uint32_t>& GetTetrahedra() const { return this->Tetrahedra; }
+  const std::vector<float>& GetDepths() const { return this->Depths; }
+
+  vtkIdType GetNumberDrawn() const { return this->Bins.GetNumberDrawn(); }
+  std::size_t GetBytes() const;
+
+private:
+  void Prepare(const vtkTetrahedraPicture& picture);
+  void DrawTiles(const vtkTetrahedraPicture& picture);
+
+  vtkTileBins Bins;
+  std::vector<float> Colors;
+  std::vector<std::uint32_t> Tetrahedra;
+  std::vector<float> Depths;
+};
+
+#endif

@@ -1,0 +1,286 @@
+#include "vtkTimeWeightedTetrahedraMapper.h"
+
+#include "vtkTetrahedraRenderer.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+const char* const DELTA_T = "DeltaT";
+}
+
+vtkStandardNewMacro(vtkTimeWeightedTetrahedraMapper);
+
+//------------------------------------------------------------------------------
+vtkTimeWeightedTetrahedraMapper::vtkTimeWeightedTetrahedraMapper()
+  : BoundaryProperty(vtkSmartPointer<vtkProperty>::New())
+  , Renderer(std::make_unique<vtkTetrahedraRenderer>())
+{
+  this->SetNumberOfInputPorts(2);
+  this->BlendMode = AUTOMATIC_BLEND;
+  this->BoundaryProperty->SetOpacity(0.5);
+}
+
+//------------------------------------------------------------------------------
+vtkTimeWeightedTetrahedraMapper::~vtkTimeWeightedTetrahedraMapper() = default;
+
+//------------------------------------------------------------------------------
+int vtkTimeWeightedTetrahedraMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+    return 1;
+  }
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTimeWeightedTetrahedraMapper::SetDeltaTArrayName(const char* name)
+{
+  const std::string text = name ? name : "";
+  if (this->HasDeltaTArrayName != (name != nullptr) || this->DeltaTArrayName != text)
+  {
+    this->HasDeltaTArrayName = name != nullptr;
+    this->DeltaTArrayName = text;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTimeWeightedTetrahedraMapper::GetDeltaTArrayName() const
+{
+  return this->HasDeltaTArrayName ? this->DeltaTArrayName.c_str() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkTimeWeightedTetrahedraMapper::SetLayerArrayName(const char* name)
+{
+  const std::string text = name ? name : "";
+  if (this->LayerArrayName != text)
+  {
+    this->LayerArrayName = text;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTimeWeightedTetrahedraMapper::GetLayerArrayName() const
+{
+  return this->LayerArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkTimeWeightedTetrahedraMapper::SetLayerPriority(int layer, double priority)
+{
+  const auto found = this->LayerPriorities.find(layer);
+  if (found == this->LayerPriorities.end() || found->second != priority)
+  {
+    this->LayerPriorities[layer] = priority;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkTimeWeightedTetrahedraMapper::GetLayerPriority(int layer) const
+{
+  const auto found = this->LayerPriorities.find(layer);
+  return found == this->LayerPriorities.end() ? layer : found->second;
+}
+
+//------------------------------------------------------------------------------
+void vtkTimeWeightedTetrahedraMapper::RemoveAllLayerPriorities()
+{
+  if (!this->LayerPriorities.empty())
+  {
+    this->LayerPriorities.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTimeWeightedTetrahedraMapper::SetBoundaryData(vtkDataSet* triangles)
+{
+  this->SetInputDataInternal(1, triangles);
+}
+
+//------------------------------------------------------------------------------
+void vtkTimeWeightedTetrahedraMapper::SetBoundaryProperty(vtkProperty* property)
+{
+  if (property && property != this->BoundaryProperty)
+  {
+    this->BoundaryProperty = property;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkProperty* vtkTimeWeightedTetrahedraMapper::GetBoundaryProperty() const
+{
+  return this->BoundaryProperty;
+}
+
+//------------------------------------------------------------------------------
+void vtkTimeWeightedTetrahedraMapper::SetBoundaryTexture(vtkTexture* texture)
+{
+  if (texture != this->BoundaryTexture)
+  {
+    this->BoundaryTexture = texture;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTexture* vtkTimeWeightedTetrahedraMapper::GetBoundaryTexture() const
+{
+  return this->BoundaryTexture;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkTimeWeightedTetrahedraMapper::GetMTime()
+{
+  vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->BoundaryProperty->GetMTime());
+  return this->BoundaryTexture ? std::max(time, this->BoundaryTexture->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
+  vtkUnstructuredGrid* grid, vtkTetrahedraArrays& arrays)
+{
+  int cellFlag = 0;
+  arrays.Scalars = vtkAbstractMapper::GetScalars(grid, this->ScalarMode, this->ArrayAccessMode,
+    this->ArrayId, this->ArrayName, cellFlag);
+  if (!arrays.Scalars)
+  {
+    return this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && this->ArrayName && *this->ArrayName
+      ? std::string("there is no array ") + this->ArrayName + " to colour by"
+      : std::string("there are no scalars to colour by");
+  }
+  arrays.ScalarsAreOfCells = arrays.Scalars->GetNumberOfTuples() == grid->GetNumberOfCells() &&
+    (cellFlag == 1 || this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
+  const vtkIdType expected =
+    arrays.ScalarsAreOfCells ? grid->GetNumberOfCells() : grid->GetNumberOfPoints();
+  if (arrays.Scalars->GetNumberOfTuples() != expected)
+  {
+    return std::string("the array ") + arrays.Scalars->GetName() + " has " +
+      std::to_string(arrays.Scalars->GetNumberOfTuples()) + " tuples instead of " +
+      std::to_string(expected);
+  }
+  if (!this->HasDeltaTArrayName)
+  {
+    arrays.DeltaT = grid->GetPointData()->GetArray(DELTA_T);
+  }
+  else if (!this->DeltaTArrayName.empty())
+  {
+    arrays.DeltaT = grid->GetPointData()->GetArray(this->DeltaTArrayName.c_str());
+    if (!arrays.DeltaT)
+    {
+      return "there is no point array " + this->DeltaTArrayName + " for the extent in time";
+    }
+  }
+  if (arrays.DeltaT && arrays.DeltaT->GetNumberOfComponents() != 1)
+  {
+    return std::string("the array ") + arrays.DeltaT->GetName() +
+      " for the extent in time has more than one component";
+  }
+  if (this->BlendMode == PRIORITY_BLEND)
+  {
+    arrays.Layers = grid->GetCellData()->GetArray(this->LayerArrayName.c_str());
+    if (!arrays.Layers)
+    {
+      return "there is no cell array " + this->LayerArrayName + " for layers";
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
+  int width = 0;
+  int height = 0;
+  int left = 0;
+  int bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  this->Report = vtkTetrahedraRenderReport();
+  if (!grid || grid->GetNumberOfCells() == 0 || width <= 0 || height <= 0)
+  {
+    return;
+  }
+  vtkTetrahedraRenderer::Request request;
+  request.Grid = grid;
+  request.Blend = this->BlendMode;
+  request.Sort = this->SortMode;
+  request.Path = this->RenderPath;
+  request.IsExact = this->IntegrationMode == LINEAR_SEGMENT;
+  request.AdjustsLevelOfDetail = this->AutoAdjustLevelOfDetail;
+  request.Priorities = this->LayerPriorities;
+  request.Boundary = vtkDataSet::SafeDownCast(this->GetNumberOfInputConnections(1) > 0
+      ? this->GetExecutive()->GetInputData(1, 0)
+      : nullptr);
+  request.BoundaryProperty = this->BoundaryProperty;
+  request.BoundaryTexture = this->BoundaryTexture;
+  std::string error = this->FindArrays(grid, request.Arrays);
+  if (error.empty())
+  {
+    error = this->Renderer->Render(renderer, volume, request, this->Report);
+  }
+  this->TimeToDraw = this->Report.Seconds;
+  // The same complaint once for one state of the input and of the mapper, not for every picture.
+  const vtkMTimeType state = std::max(grid->GetMTime(), this->GetMTime());
+  if (!error.empty() && state != this->ErrorTime)
+  {
+    vtkErrorMacro(<< error);
+    this->ErrorTime = state;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTimeWeightedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Renderer->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkTimeWeightedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "IntegrationMode: " << this->IntegrationMode << "\n";
+  os << indent << "SortMode: " << this->SortMode << "\n";
+  os << indent << "RenderPath: " << this->RenderPath << "\n";
+  os << indent << "DeltaTArrayName: "
+     << (this->HasDeltaTArrayName ? this->DeltaTArrayName.c_str() : "(none)") << "\n";
+  os << indent << "LayerArrayName: " << this->LayerArrayName << "\n";
+  for (const auto& layer : this->LayerPriorities)
+  {
+    os << indent << "LayerPriority " << layer.first << ": " << layer.second << "\n";
+  }
+  os << indent << "BoundaryProperty:\n";
+  this->BoundaryProperty->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "BoundaryTexture: " << this->BoundaryTexture.Get() << "\n";
+  os << indent << "AutoAdjustLevelOfDetail: " << this->AutoAdjustLevelOfDetail << "\n";
+  os << indent << "RenderReport:\n";
+  this->Report.Print(os, indent.GetNextIndent());
+}

@@ -1,0 +1,268 @@
+#ifndef vtkTimeWeightedTetrahedraMapper_h
+#define vtkTimeWeightedTetrahedraMapper_h
+
+#include "InterlumeTetrahedraModule.h" // for the export macro
+#include "vtkSmartPointer.h"           // for the boundary's property
+#include "vtkTetrahedraRenderReport.h" // for the report
+#include "vtkUnstructuredGridVolumeMapper.h"
+
+#include <map>    // for the priorities
+#include <memory> // for what is kept from picture to picture
+#include <string> // for array names
+
+class vtkPolyData;
+class vtkProperty;
+class vtkTetrahedraRenderer;
+class vtkTexture;
+class vtkUnstructuredGrid;
+struct vtkTetrahedraArrays;
+
+/**
+ * @class   vtkTimeWeightedTetrahedraMapper
+ * @brief   draws tetrahedra as a volume, each with its extent in time
+ *
+ * Along a line of sight the optical depth of one tetrahedron is the integral of
+ * tau(f(s)) Dt(s) ds, with the extinction tau, the scalar f and the extent in time Dt all linear
+ * between entry and exit (C. Zhang, dissertation, Ohio State 2006, 3.5.4). A tetrahedron is drawn as
+ * its silhouette of one or two triangles (P. Shirley, A. Tuchman, "A polygonal approximation to
+ * direct scalar volume rendering", 1990, with the thick vertex carried as a number), which is exact
+ * in parallel and in perspective.
+ *
+ * Input port 0: a vtkUnstructuredGrid of VTK_TETRA cells. Input port 1, optional: boundary
+ * triangles, see SetBoundaryConnection.
+ *
+ * Colour comes from the volume's property and the scalars that ScalarMode, ArrayName, ArrayId
+ * choose, as in VTK's other mappers:
+ * - point scalars of one component: colour and opacity functions of the interpolated scalar, whose
+ *   straight pieces are integrated exactly wherever their ends lie within a tetrahedron;
+ * - cell scalars (`IntervalId`): one colour and opacity for each tetrahedron;
+ * - two components without IndependentComponents: colour of the first, opacity of the second;
+ * - four without IndependentComponents: RGB and the opacity function of the fourth; three: RGB and
+ *   the opacity function of their mean. Unsigned char colours are 0 to 255, others 0 to 1.
+ *
+ * With several independent components the vector mode of the colour function chooses one or the
+ * magnitude.
+ *
+ * Extinction is the scalar opacity function divided by the property's ScalarOpacityUnitDistance, per
+ * unit of length, as in VTK's mappers for unstructured grids; it may exceed 1.
+ *
+ * Opaque props occlude: a segment that runs into one is cut there. Each tetrahedron with a vertex
+ * before the near plane is clipped. Selection (vtkHardwareSelector) finds the first tetrahedron on a
+ * line of sight that is not wholly transparent.
+ *
+ * Errors (vtkErrorMacro, nothing drawn): cells that are no tetrahedra, missing scalars, an array for
+ * Dt or layers that is named and missing, a wrong number of components. Tetrahedra with NaN or
+ * infinity are left out and counted in GetRenderReport().
+ */
+class INTERLUMETETRAHEDRA_EXPORT vtkTimeWeightedTetrahedraMapper
+  : public vtkUnstructuredGridVolumeMapper
+{
+public:
+  static vtkTimeWeightedTetrahedraMapper* New();
+  vtkTypeMacro(vtkTimeWeightedTetrahedraMapper, vtkUnstructuredGridVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * How the segments of a line of sight are put together.
+   */
+  enum BlendModes
+  {
+    /// Front to back in order of visibility: COMPOSITE_BLEND of the superclass, 0.
+    /// The largest scalar's colour and opacity: MAXIMUM_INTENSITY_BLEND of the superclass, 1.
+    /// Sum of colour times opacity, without order; saturates.
+    ADDITIVE_BLEND = 2,
+    /// Each layer on its own (as OPTICAL_DEPTH_BLEND), then the layers by priority, whatever lies in
+    /// front.
+    PRIORITY_BLEND = 3,
+    /// 1 - exp(-sum of optical depth), with the mean of colour weighted by optical depth: needs no
+    /// order; exact for one colour.
+    OPTICAL_DEPTH_BLEND = 4,
+    /// OPTICAL_DEPTH_BLEND with Dt, whose tetrahedra overlap so that no order exists; else
+    /// COMPOSITE_BLEND.
+    AUTOMATIC_BLEND = 5
+  };
+
+  ///@{
+  /**
+   * Blend mode: COMPOSITE_BLEND (0) to AUTOMATIC_BLEND (5). Default AUTOMATIC_BLEND.
+   */
+  void SetBlendModeToAdditive() { this->SetBlendMode(ADDITIVE_BLEND); }
+  void SetBlendModeToPriority() { this->SetBlendMode(PRIORITY_BLEND); }
+  void SetBlendModeToOpticalDepth() { this->SetBlendMode(OPTICAL_DEPTH_BLEND); }
+  void SetBlendModeToAutomatic() { this->SetBlendMode(AUTOMATIC_BLEND); }
+  ///@}
+
+  /**
+   * How colour and opacity of one segment are found.
+   */
+  enum IntegrationModes
+  {
+    /// The mean of colour and of extinction at both ends, as the source has it.
+    AVERAGE_COLOR = 0,
+    /// The exact integral over linear colour and extinction (K. Moreland, E. Angel, "A fast high
+    /// accuracy volume renderer for unstructured data", 2004), from control point to control point.
+    LINEAR_SEGMENT = 1
+  };
+
+  ///@{
+  /**
+   * Integration mode. Default LINEAR_SEGMENT.
+   */
+  vtkSetClampMacro(IntegrationMode, int, AVERAGE_COLOR, LINEAR_SEGMENT);
+  vtkGetMacro(IntegrationMode, int);
+  ///@}
+
+  /**
+   * Order of the tetrahedra.
+   */
+  enum SortModes
+  {
+    NO_SORT = 0,
+    /// Distance of the centroid, from the eye in perspective, along the view in parallel.
+    CENTROID_SORT = 1,
+    /// Visibility over shared faces (P. Williams, "Visibility-ordering meshed polyhedra", 1992), with
+    /// the gaps of a mesh that is not convex closed along lines of sight.
+    MPVONC_SORT = 2,
+    /// NO_SORT where the blend mode or one colour makes order irrelevant; MPVONC_SORT up to
+    /// 1,000,000 tetrahedra without Dt; else CENTROID_SORT.
+    AUTOMATIC_SORT = 3
+  };
+
+  ///@{
+  /**
+   * Sort mode. Default AUTOMATIC_SORT.
+   */
+  vtkSetClampMacro(SortMode, int, NO_SORT, AUTOMATIC_SORT);
+  vtkGetMacro(SortMode, int);
+  ///@}
+
+  /**
+   * Who draws.
+   */
+  enum RenderPaths
+  {
+    /// Geometry shader and float framebuffer, OpenGL 3.2 core.
+    OPENGL_PATH = 0,
+    /// Threads and tiles on the CPU.
+    SOFTWARE_PATH = 1,
+    /// SOFTWARE_PATH where OpenGL is itself software, else OPENGL_PATH.
+    AUTOMATIC_PATH = 2
+  };
+
+  ///@{
+  /**
+   * Render path. Default AUTOMATIC_PATH.
+   */
+  vtkSetClampMacro(RenderPath, int, OPENGL_PATH, AUTOMATIC_PATH);
+  vtkGetMacro(RenderPath, int);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array with the extent in time, one component, in the unit that the scalar
+   * opacity unit distance is given for; values >= 0. Default null: `DeltaT` where the input has it,
+   * else 1 everywhere. The empty name: 1 everywhere.
+   */
+  void SetDeltaTArrayName(const char* name);
+  const char* GetDeltaTArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the cell array that tells layers apart, one component, taken as integers. Default
+   * `IntervalId`. Read in PRIORITY_BLEND only.
+   */
+  void SetLayerArrayName(const char* name);
+  const char* GetLayerArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Priority of a layer: the higher is drawn over the lower, equal ones by layer number. Default: the
+   * layer's number.
+   */
+  void SetLayerPriority(int layer, double priority);
+  double GetLayerPriority(int layer) const;
+  void RemoveAllLayerPriorities();
+  ///@}
+
+  ///@{
+  /**
+   * Triangles drawn where the line of sight passes them, between the volume in front and behind: a
+   * vtkPolyData or vtkUnstructuredGrid whose triangles are faces of tetrahedra and whose points are
+   * those of port 0, with the same ids (port 1 of vtkIntervalVolume). Point normals and texture
+   * coordinates are used where it has them. Only COMPOSITE_BLEND has a place for them; other modes
+   * leave them out and report 0 triangles. Default none.
+   */
+  void SetBoundaryConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetBoundaryData(vtkDataSet* triangles);
+  ///@}
+
+  ///@{
+  /**
+   * Colour, opacity, ambient, diffuse and specular of the boundary triangles. Default: a white
+   * vtkProperty of opacity 0.5.
+   */
+  void SetBoundaryProperty(vtkProperty* property);
+  vtkProperty* GetBoundaryProperty() const;
+  ///@}
+
+  ///@{
+  /**
+   * An image over the boundary's texture coordinates; its colour and opacity multiply the
+   * property's. Default none.
+   */
+  void SetBoundaryTexture(vtkTexture* texture);
+  vtkTexture* GetBoundaryTexture() const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether pictures get coarser, in pixels and then in tetrahedra, while the time allocated to the
+   * volume is less than a full picture took. Still pictures are always full. Default on.
+   */
+  vtkSetMacro(AutoAdjustLevelOfDetail, bool);
+  vtkGetMacro(AutoAdjustLevelOfDetail, bool);
+  vtkBooleanMacro(AutoAdjustLevelOfDetail, bool);
+  ///@}
+
+  /**
+   * What the last picture took.
+   */
+  const vtkTetrahedraRenderReport& GetRenderReport() const { return this->Report; }
+
+  vtkMTimeType GetMTime() override;
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkTimeWeightedTetrahedraMapper();
+  ~vtkTimeWeightedTetrahedraMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  /// The arrays to be read; returns what is wrong, or nothing.
+  std::string FindArrays(vtkUnstructuredGrid* grid, vtkTetrahedraArrays& arrays);
+
+  int IntegrationMode = LINEAR_SEGMENT;
+  int SortMode = AUTOMATIC_SORT;
+  int RenderPath = AUTOMATIC_PATH;
+  bool HasDeltaTArrayName = false;
+  std::string DeltaTArrayName;
+  std::string LayerArrayName = "IntervalId";
+  std::map<int, double> LayerPriorities;
+  vtkSmartPointer<vtkProperty> BoundaryProperty;
+  vtkSmartPointer<vtkTexture> BoundaryTexture;
+  bool AutoAdjustLevelOfDetail = true;
+  vtkTetrahedraRenderReport Report;
+
+private:
+  vtkTimeWeightedTetrahedraMapper(const vtkTimeWeightedTetrahedraMapper&) = delete;
+  void operator=(const vtkTimeWeightedTetrahedraMapper&) = delete;
+
+  std::unique_ptr<vtkTetrahedraRenderer> Renderer;
+  /// Of the input and the mapper when the last error was given.
+  vtkMTimeType ErrorTime = 0;
+};
+
+#endif

@@ -1,0 +1,83 @@
+#ifndef vtkTransferPieces_h
+#define vtkTransferPieces_h
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+class vtkVolumeProperty;
+
+/**
+ * @class   vtkTransferPieces
+ * @brief   colour and extinction as straight pieces over the scalar
+ *
+ * The colour and opacity functions of a property, put together: between two control points all four
+ * channels are linear in the scalar. Curved parts of the functions (other colour spaces, midpoints,
+ * sharpness, logarithmic scale) are halved until straight pieces are within 1e-4 of them, and control
+ * points on a straight line are dropped.
+ */
+class vtkTransferPieces
+{
+public:
+  using Sample = std::array<float, 4>;
+
+  /**
+   * The functions of \a component over [\a range[0], \a range[1]], which become 0 to 1. Extinction is
+   * the opacity times \a unit.
+   */
+  void Build(vtkVolumeProperty* property, int component, const double range[2], double unit);
+
+  int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()) - 1; }
+
+  /// One piece: Value + Slope (f - Start), up to the start of the next. One more ends the last, with a
+  /// start beyond every value.
+  struct Piece
+  {
+    float Start;
+    Sample Value;
+    Sample Slope;
+  };
+  const std::vector<Piece>& GetPieces() const { return this->Pieces; }
+
+  /// The piece that \a f, 0 to 1, lies in.
+  int Find(float f) const
+  {
+    int piece = this->First[static_cast<std::size_t>(f * BUCKETS)];
+    while (f >= this->Pieces[piece + 1].Start)
+    {
+      ++piece;
+    }
+    return piece;
+  }
+
+  Sample Evaluate(int piece, float f) const
+  {
+    const Piece& p = this->Pieces[piece];
+    const float offset = f - p.Start;
+    Sample sample;
+    for (int i = 0; i < 4; ++i)
+    {
+      sample[i] = p.Value[i] + p.Slope[i] * offset;
+    }
+    return sample;
+  }
+
+  /// Whether every value gives the same colour, whatever its extinction.
+  bool HasOneColor() const;
+
+private:
+  static constexpr int BUCKETS = 1024;
+
+  struct Node
+  {
+    double X;
+    std::array<double, 4> Value;
+  };
+  void SetNodes(const std::vector<Node>& nodes);
+
+  std::vector<Piece> Pieces;
+  /// For each of BUCKETS + 1 values of f the piece it lies in.
+  std::vector<int> First;
+};
+
+#endif
