@@ -83,8 +83,7 @@ void CheckMethods(const nlohmann::json& rows)
         "isotable-image flyingedges" } },
     { "tetrahedra",
       { "opengl projectedtetrahedra", "software projectedtetrahedra", "opengl", "software",
-        "projectedtetrahedra", "raycast", "zsweep",
-        "opengl, average colour projectedtetrahedra",
+        "projectedtetrahedra", "raycast", "zsweep", "opengl, average colour projectedtetrahedra",
         "software, average colour projectedtetrahedra", "opengl, level of detail",
         "software, level of detail" } },
   };

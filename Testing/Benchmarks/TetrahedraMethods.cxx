@@ -72,6 +72,7 @@ void AddReport(const vtkTetrahedraRenderReport& report, BenchRow& row)
 {
   row.Counts["tetrahedra"] = report.Tetrahedra;
   row.Counts["drawn"] = report.TetrahedraDrawn;
+  row.Counts["render_path"] = report.RenderPath;
   row.Counts["passes"] = report.Passes;
   row.Counts["sort_mode"] = report.SortMode;
   row.Counts["cycles"] = report.Cycles;

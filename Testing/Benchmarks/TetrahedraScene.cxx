@@ -126,4 +126,13 @@ reference::RgbaPicture Theatre::Capture(vtkUnstructuredGridVolumeMapper* mapper)
   this->Stage.SetCamera(this->Camera);
   return this->Stage.Capture();
 }
+
+//------------------------------------------------------------------------------
+reference::RgbaPicture Theatre::CaptureApart(vtkUnstructuredGridVolumeMapper* mapper) const
+{
+  reference::VolumeStage stage(this->Size);
+  stage.SetVolume(mapper, this->Property);
+  stage.SetCamera(this->Camera);
+  return stage.Capture();
+}
 }

@@ -51,8 +51,10 @@ public:
   /// One frame of a mapper, from where the camera has moved on by half a degree, until it is done.
   /// The mapper must outlive the work.
   BenchWork FrameOf(vtkUnstructuredGridVolumeMapper* mapper);
-  /// The picture of a mapper from the camera's first position.
+  /// The picture of a mapper from the camera's first position, in floating point.
   reference::RgbaPicture Capture(vtkUnstructuredGridVolumeMapper* mapper);
+  /// The same on a stage of its own, for a mapper that has not drawn before.
+  reference::RgbaPicture CaptureApart(vtkUnstructuredGridVolumeMapper* mapper) const;
 
   reference::VolumeStage& GetStage() { return this->Stage; }
   std::array<int, 2> GetSize() const { return this->Size; }

@@ -68,6 +68,7 @@ void AddRows(const SpeedCase& what, const BenchOptions& options, BenchRows& rows
   vtkNew<vtkProjectedTetrahedraMapper> peer;
   peer->SetInputData(static_cast<vtkDataSet*>(grid));
   std::vector<BenchWork> works;
+  works.reserve(entries.size() + 1);
   for (const Entry& entry : entries)
   {
     works.push_back(WithThreads(options.Threads, theatre.FrameOf(entry.Mapper)));
@@ -179,6 +180,32 @@ std::function<std::optional<double>(const BenchRow&)> RatioOf(
     return size >= fewest && size < most ? row.GetRatio() : std::nullopt;
   };
 }
+
+/// What is wanted of each render path by itself.
+void AddClaims(
+  const std::string& path, const std::vector<BenchRow>& rows, std::vector<BenchClaim>& claims)
+{
+  for (const std::string mode : { GetUnsortedMode().Name, "optical depth" })
+  {
+    std::string text = path;
+    text.append(": ").append(mode).append(" is at least as fast as composite with its sort");
+    claims.push_back(BenchClaim::AtLeast(text, 1.0, rows,
+      [&](const BenchRow& row) -> std::optional<double>
+      {
+        const bool concerned = IsSpeedRow(row) && row.Method == path && row.Parameter == mode;
+        const auto sorted = TimeOf(rows, row, GetDefaultMode().Name);
+        return concerned && sorted ? std::optional<double>(*sorted / *row.Seconds) : std::nullopt;
+      }));
+  }
+  claims.push_back(BenchClaim::AtMost(
+    path + ": time grows as tetrahedra to the power of at most 1.1", 1.1, rows,
+    [&](const BenchRow& row) -> std::optional<double>
+    {
+      const bool concerned = row.Counts.contains("exponent") && row.Method == path &&
+        row.Parameter == GetDefaultMode().Name;
+      return concerned ? std::optional<double>(row.Counts["exponent"].get<double>()) : std::nullopt;
+    }));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -218,27 +245,7 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
   };
   for (const RenderPath& path : AllRenderPaths())
   {
-    const std::string name = path.Name;
-    for (const std::string mode : { GetUnsortedMode().Name, "optical depth" })
-    {
-      claims.push_back(BenchClaim::AtLeast(
-        name + ": " + mode + " is at least as fast as composite with its sort", 1.0, rows,
-        [&](const BenchRow& row) -> std::optional<double>
-        {
-          const bool concerned = IsSpeedRow(row) && row.Method == name && row.Parameter == mode;
-          const auto sorted = TimeOf(rows, row, GetDefaultMode().Name);
-          return concerned && sorted ? std::optional<double>(*sorted / *row.Seconds) : std::nullopt;
-        }));
-    }
-    claims.push_back(
-      BenchClaim::AtMost(name + ": time grows as tetrahedra to the power of at most 1.1", 1.1, rows,
-        [&](const BenchRow& row) -> std::optional<double>
-        {
-          const bool concerned = row.Counts.contains("exponent") && row.Method == name &&
-            row.Parameter == GetDefaultMode().Name;
-          return concerned ? std::optional<double>(row.Counts["exponent"].get<double>())
-                           : std::nullopt;
-        }));
+    AddClaims(path.Name, rows, claims);
   }
   return claims;
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <sstream>
 
 namespace
@@ -57,8 +58,11 @@ public:
              << ErrorOf(DrawByPeer(what), expected);
       for (int path : AllRenderPaths())
       {
-        this->Catalogue.Measure(name + "-" + projection + "-" + GetPathName(path), extreme,
-          wanted.str(), ErrorOf(DrawByPath(path, what), expected), Bound);
+        const RgbaPicture found = DrawByPath(path, what);
+        std::string row = name;
+        row.append("-").append(projection).append("-").append(GetPathName(path));
+        this->Catalogue.Measure(row, extreme, wanted.str(), ErrorOf(found, expected), Bound);
+        std::cout << "      " << ComparePictures(found, expected) << '\n';
       }
     }
   }
@@ -83,10 +87,12 @@ void TestThinTetrahedra(ErrorTable& table)
     // Ten thin layers alone, and between thick ones.
     std::vector<double> alone;
     std::vector<double> between;
+    double top = 0.0;
     for (int layer = 0; layer <= 10; ++layer)
     {
       alone.push_back(layer * thickness / 4.0);
-      between.push_back(0.1 * ((layer + 1) / 2) + (layer / 2) * thickness / 4.0);
+      between.push_back(top);
+      top += layer % 2 == 0 ? 0.1 : thickness / 4.0;
     }
     auto sheet = MakeLayers(4, alone);
     table.Measure("sheet-" + aspect, "a sheet of tetrahedra of aspect " + aspect, sheet,

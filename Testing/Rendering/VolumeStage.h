@@ -47,7 +47,8 @@ public:
 
   /// Draws into the window's own framebuffer and waits until it is done.
   void Render();
-  /// Draws into a float framebuffer.
+  /// Draws into a float framebuffer. vtkProjectedTetrahedraMapper draws over its last picture there
+  /// where that was one of Render(): give it a stage and a mapper for Capture() alone.
   RgbaPicture Capture();
   /// Who draws, as OpenGL names it. Renders once where nothing has been.
   std::string GetDevice();
