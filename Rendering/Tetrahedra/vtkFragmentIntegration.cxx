@@ -10,6 +10,9 @@
 
 namespace
 {
+/// Optical depth below which series are used.
+constexpr float THIN = 0.3f;
+
 // exp(-x) for x >= 0, within 2e-7 of it relatively.
 inline float ExpOfMinus(float x)
 {
@@ -29,13 +32,17 @@ inline float ExpOfMinus(float x)
   return p * scale;
 }
 
-// 1 - exp(-x), with the relative error of a float for small x too.
-inline float OpacityOf(float x)
+// 1 - exp(-x) for x below THIN, with the relative error of a float.
+inline float ThinOpacityOf(float x)
 {
-  const float small = x *
+  return x *
     (1.0f -
       x * (0.5f - x * (0.166666667f - x * (0.0416666667f - x * (0.00833333333f - x * 0.00138888889f)))));
-  return x < 0.3f ? small : 1.0f - ExpOfMinus(x);
+}
+
+inline float OpacityOf(float x)
+{
+  return x < THIN ? ThinOpacityOf(x) : 1.0f - ExpOfMinus(x);
 }
 
 // Optical depth over a unit of length and what tells where it lies, of extinction and extent in time
@@ -63,16 +70,6 @@ inline Moments GetMoments(float t0, float t1, float d0, float d1)
   return { mean, std::max(-1.0f, std::min(6.0f * centre - 3.0f, 1.0f)) };
 }
 
-template <bool HasDeltaT>
-inline Moments GetMoments(const vtkFragments& f, int i)
-{
-  if (HasDeltaT)
-  {
-    return GetMoments(f.Color[0][i][3], f.Color[1][i][3], f.DeltaT[0][i], f.DeltaT[1][i]);
-  }
-  return GetMoments(f.Color[0][i][3], f.Color[1][i][3]);
-}
-
 using Fragments = vtkFragments;
 
 // The loops, in a function each, since a clone is made of functions.
@@ -87,11 +84,11 @@ void DivideByDepth(const float* front, const float* back, float* front0, float* 
 }
 
 INTERLUME_CLONES
-void MakePerspectiveLengths(Fragments& f, const float* slant)
+void MakePerspectiveLengths(Fragments& f)
 {
   for (int i = 0; i < f.Size; ++i)
   {
-    f.Length[i] *= slant[f.Pixels[i]] / (f.Depth[0][i] * f.Depth[1][i]);
+    f.Length[i] /= f.Depth[0][i] * f.Depth[1][i];
   }
 }
 
@@ -100,9 +97,9 @@ void MakeMoments(Fragments& f)
 {
   for (int i = 0; i < f.Size; ++i)
   {
-    const Moments m = GetMoments<false>(f, i);
-    f.Total[i] = m.Mean * f.Length[i];
-    f.Weight[1][i] = m.Delta;
+    const Moments m = GetMoments(f.Extinction[0][i], f.Extinction[1][i]);
+    f.OpticalDepth[i] = m.Mean * f.Length[i];
+    f.Slope[i] = m.Delta;
   }
 }
 
@@ -111,9 +108,10 @@ void MakeMomentsWithTime(Fragments& f)
 {
   for (int i = 0; i < f.Size; ++i)
   {
-    const Moments m = GetMoments<true>(f, i);
-    f.Total[i] = m.Mean * f.Length[i];
-    f.Weight[1][i] = m.Delta;
+    const Moments m =
+      GetMoments(f.Extinction[0][i], f.Extinction[1][i], f.DeltaT[0][i], f.DeltaT[1][i]);
+    f.OpticalDepth[i] = m.Mean * f.Length[i];
+    f.Slope[i] = m.Delta;
   }
 }
 
@@ -123,53 +121,97 @@ void MakeMeans(Fragments& f, bool hasDeltaT)
   for (int i = 0; i < f.Size; ++i)
   {
     const float time = hasDeltaT ? 0.5f * (f.DeltaT[0][i] + f.DeltaT[1][i]) : 1.0f;
-    f.Total[i] = 0.5f * (f.Color[0][i][3] + f.Color[1][i][3]) * time * f.Length[i];
+    f.OpticalDepth[i] =
+      0.5f * (f.Extinction[0][i] + f.Extinction[1][i]) * time * f.Length[i];
+    f.Slope[i] = 0.0f;
   }
 }
 
-// The front share of small optical depth.
+// From optical depth and slope to weights and transmittance, right below THIN.
 INTERLUME_CLONES
-void MakeThinShares(Fragments& f)
+void MakeThinOpacities(Fragments& f)
 {
   for (int i = 0; i < f.Size; ++i)
   {
-    f.Weight[0][i] = 0.5f - f.Weight[1][i] * (1.0f / 6.0f);
+    const float depth = f.OpticalDepth[i];
+    const float delta = f.Slope[i];
+    // 1 - Psi as a series in optical depth: moments of the optical depth in front.
+    const float g1 = 0.5f - delta * (1.0f / 6.0f);
+    const float g2 = 1.0f / 3.0f - delta * (1.0f / 6.0f - delta * (1.0f / 30.0f));
+    const float g3 = 0.25f - delta * (0.15f - delta * (0.05f - delta * (1.0f / 140.0f)));
+    const float front =
+      depth * (g1 - depth * (1.0f / 2.0f) * (g2 - depth * (1.0f / 3.0f) * (g3 - depth * 0.05f)));
+    const float opacity = ThinOpacityOf(depth);
+    f.Weight[0][i] = front;
+    f.Weight[1][i] = opacity - front;
+    f.Total[i] = 1.0f - opacity;
   }
 }
 
-INTERLUME_CLONES
-void MakeShares(Fragments& f)
+// The same by the table, for those that are not thin.
+void MakeThickOpacities(Fragments& f)
 {
   const vtkSegmentTable& table = vtkSegmentTable::Get();
   for (int i = 0; i < f.Size; ++i)
   {
-    const float depth = std::min(f.Total[i], 1e7f);
-    f.Weight[0][i] = table.GetFrontShare(depth, f.Weight[1][i]);
+    const float depth = f.OpticalDepth[i];
+    if (depth >= THIN)
+    {
+      const float through = ExpOfMinus(depth);
+      const float front =
+        table.GetFrontShare(std::min(depth, 1e7f), f.Slope[i]) * (1.0f - through);
+      f.Weight[0][i] = front;
+      f.Weight[1][i] = 1.0f - through - front;
+      f.Total[i] = through;
+    }
   }
 }
 
-// From front share and optical depth to weights and transmittance.
+// Both ends alike.
 INTERLUME_CLONES
-void MakeOpacities(Fragments& f)
+void MakeEvenOpacities(Fragments& f)
 {
   for (int i = 0; i < f.Size; ++i)
   {
-    const float opacity = OpacityOf(f.Total[i]);
-    const float front = f.Weight[0][i] * opacity;
-    f.Weight[0][i] = front;
-    f.Weight[1][i] = opacity - front;
-    f.Total[i] = f.Total[i] < 0.3f ? 1.0f - opacity : ExpOfMinus(f.Total[i]);
+    const float depth = f.OpticalDepth[i];
+    const float opacity = OpacityOf(depth);
+    f.Weight[0][i] = f.Weight[1][i] = 0.5f * opacity;
+    f.Total[i] = depth < THIN ? 1.0f - opacity : ExpOfMinus(depth);
   }
 }
 
 INTERLUME_CLONES
-void MakeDepths(Fragments& f)
+void MakeDepths(Fragments& f, bool isExact)
 {
   for (int i = 0; i < f.Size; ++i)
   {
-    const float front = f.Weight[0][i] * f.Total[i];
+    const float depth = f.OpticalDepth[i];
+    const float front = depth * (0.5f - (isExact ? f.Slope[i] * (1.0f / 6.0f) : 0.0f));
     f.Weight[0][i] = front;
-    f.Weight[1][i] = f.Total[i] - front;
+    f.Weight[1][i] = depth - front;
+    f.Total[i] = depth;
+  }
+}
+
+// A colour is value + slope * scalar, the scalar counted from its piece's start.
+INTERLUME_CLONES
+void MakePieceWeights(Fragments& f)
+{
+  for (int i = 0; i < f.Size; ++i)
+  {
+    const float front = f.Weight[0][i];
+    const float back = f.Weight[1][i];
+    f.Weight[0][i] = front + back;
+    f.Weight[1][i] = front * f.Scalar[0][i] + back * f.Scalar[1][i];
+  }
+}
+
+INTERLUME_CLONES
+void Scale(float* values, float factor, int size)
+{
+  for (int i = 0; i < size; ++i)
+  {
+    values[i] *= factor;
   }
 }
 }
@@ -178,7 +220,15 @@ void MakeDepths(Fragments& f)
 void vtkFragmentIntegration::FinishPerspective(
   vtkFragments& f, const Channels& channels, const float* slant)
 {
-  MakePerspectiveLengths(f, slant);
+  MakePerspectiveLengths(f);
+  for (int run = 0; run < f.NumberOfRuns; ++run)
+  {
+    const vtkFragments::Run& r = f.Runs[run];
+    for (int i = r.Begin; i < r.End; ++i)
+    {
+      f.Length[i] *= slant[r.Pixel + i - r.Begin];
+    }
+  }
   const auto divide = [&f](vtkFragments::Values* ends) {
     DivideByDepth(f.Depth[0].data(), f.Depth[1].data(), ends[0].data(), ends[1].data(), f.Size);
   };
@@ -194,7 +244,7 @@ void vtkFragmentIntegration::FinishPerspective(
   {
     for (int i = 0; i < f.Size; ++i)
     {
-      for (float& channel : f.Color[end][i])
+      for (float& channel : f.Colors[end][i])
       {
         channel /= f.Depth[end][i];
       }
@@ -205,29 +255,21 @@ void vtkFragmentIntegration::FinishPerspective(
 //------------------------------------------------------------------------------
 void vtkFragmentIntegration::FinishParallel(vtkFragments& f, float slant)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    f.Length[i] *= slant;
-  }
+  Scale(f.Length.data(), slant, f.Size);
 }
 
 //------------------------------------------------------------------------------
 void vtkFragmentIntegration::CutAt(
   vtkFragments& f, const Channels& channels, bool isParallel, const float* opaque)
 {
-  for (int i = 0; i < f.Size; ++i)
+  const auto cutOne = [&](int i, float wall)
   {
-    const float wall = opaque[f.Pixels[i]];
     const float front = f.Depth[0][i];
     const float back = f.Depth[1][i];
-    if (back >= wall)
-    {
-      continue;
-    }
     if (front <= wall)
     {
       f.Length[i] = 0.0f;
-      continue;
+      return;
     }
     // The share of length that is in front: linear in 1/depth in perspective.
     float share = (front - wall) / (front - back);
@@ -246,7 +288,20 @@ void vtkFragmentIntegration::CutAt(
     }
     for (int c = 0; channels.HasColors && c < 4; ++c)
     {
-      cut(f.Color[0][i][c], f.Color[1][i][c]);
+      cut(f.Colors[0][i][c], f.Colors[1][i][c]);
+    }
+  };
+  for (int run = 0; run < f.NumberOfRuns; ++run)
+  {
+    const vtkFragments::Run& r = f.Runs[run];
+    const float* walls = opaque + r.Pixel;
+    for (int i = r.Begin; i < r.End; ++i)
+    {
+      const float wall = walls[i - r.Begin];
+      if (f.Depth[1][i] < wall)
+      {
+        cutOne(i, wall);
+      }
     }
   }
 }
@@ -254,13 +309,47 @@ void vtkFragmentIntegration::CutAt(
 //------------------------------------------------------------------------------
 void vtkFragmentIntegration::LookUp(vtkFragments& f, const vtkTransferPieces& pieces)
 {
+  f.NumberBent = 0;
+  for (int i = 0; i < f.Size; ++i)
+  {
+    int found[2];
+    for (int end = 0; end < 2; ++end)
+    {
+      const float value = std::max(0.0f, std::min(f.Scalar[end][i], 1.0f));
+      found[end] = pieces.Find(value);
+      const float offset = value - pieces.GetStarts()[found[end]];
+      const vtkTransferPieces::Piece& piece = pieces.GetPieces()[found[end]];
+      f.Extinction[end][i] = piece.Value[3] + piece.Slope[3] * offset;
+      f.Scalar[end][i] = offset;
+    }
+    f.Pieces[i] = static_cast<std::int16_t>(found[0]);
+    f.Bent[f.NumberBent] = static_cast<std::uint16_t>(i);
+    f.NumberBent += found[0] != found[1];
+    f.Steps[i] = static_cast<std::int16_t>(found[1] - found[0]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentIntegration::TakeExtinction(vtkFragments& f)
+{
   for (int end = 0; end < 2; ++end)
   {
     for (int i = 0; i < f.Size; ++i)
     {
-      const float value = std::max(0.0f, std::min(f.Scalar[end][i], 1.0f));
-      f.Scalar[end][i] = value;
-      f.Color[end][i] = pieces.Evaluate(pieces.Find(value), value);
+      f.Extinction[end][i] = f.Colors[end][i][3];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentIntegration::TakeExtinction(vtkFragments& f, const vtkFragments::Color* cells)
+{
+  for (int run = 0; run < f.NumberOfRuns; ++run)
+  {
+    const vtkFragments::Run& r = f.Runs[run];
+    for (vtkFragments::Values& extinction : f.Extinction)
+    {
+      std::fill(&extinction[r.Begin], &extinction[r.End], cells[r.Tetrahedron][3]);
     }
   }
 }
@@ -269,103 +358,123 @@ void vtkFragmentIntegration::LookUp(vtkFragments& f, const vtkTransferPieces& pi
 void vtkFragmentIntegration::Integrate(
   vtkFragments& f, bool hasDeltaT, bool isExact, Results results)
 {
-  if (!isExact)
+  if (isExact && hasDeltaT)
+  {
+    MakeMomentsWithTime(f);
+  }
+  else if (isExact)
+  {
+    MakeMoments(f);
+  }
+  else
   {
     MakeMeans(f, hasDeltaT);
-    std::fill_n(f.Weight[0].begin(), f.Size, 0.5f);
+  }
+  if (results == OPTICAL_DEPTH)
+  {
+    MakeDepths(f, isExact);
+  }
+  else if (isExact)
+  {
+    MakeThinOpacities(f);
+    MakeThickOpacities(f);
   }
   else
   {
-    if (hasDeltaT)
-    {
-      MakeMomentsWithTime(f);
-    }
-    else
-    {
-      MakeMoments(f);
-    }
-    if (results == OPACITY)
-    {
-      MakeShares(f);
-    }
-    else
-    {
-      MakeThinShares(f);
-    }
-  }
-  if (results == OPACITY)
-  {
-    MakeOpacities(f);
-  }
-  else
-  {
-    MakeDepths(f);
+    MakeEvenOpacities(f);
   }
 }
 
-//------------------------------------------------------------------------------
-void vtkFragmentIntegration::IntegratePieces(
-  vtkFragments& f, const vtkTransferPieces& pieces, bool hasDeltaT, Results results)
+namespace
+{
+using Results = vtkFragmentIntegration::Results;
+
+// Segment i from control point to control point, whose ends lie in pieces `piece` and `end`.
+void IntegrateBent(vtkFragments& f, int i, int piece, int end, const vtkTransferPieces& pieces,
+  bool hasDeltaT, Results results, vtkFragments::Color& color)
 {
   const vtkSegmentTable& table = vtkSegmentTable::Get();
-  const std::vector<vtkTransferPieces::Piece>& all = pieces.GetPieces();
-  for (int i = 0; i < f.Size; ++i)
+  const std::vector<float>& starts = pieces.GetStarts();
+  const float first = f.Scalar[0][i] + starts[piece];
+  const float last = f.Scalar[1][i] + starts[end];
+  const int step = end > piece ? 1 : -1;
+  float depth = 0.0f;
+  float from = 0.0f;
+  float value = first;
+  while (true)
   {
-    const float first = f.Scalar[0][i];
-    const float last = f.Scalar[1][i];
-    int piece = pieces.Find(first);
-    const int end = pieces.Find(last);
-    if (piece == end || f.Length[i] <= 0.0f)
+    // To the end of this piece, or of the segment.
+    const bool isLast = piece == end;
+    const float bound = starts[step > 0 ? piece + 1 : piece];
+    const float to = isLast ? 1.0f : std::min((bound - first) / (last - first), 1.0f);
+    const float next = isLast ? last : bound;
+    const vtkTransferPieces::Sample front = pieces.Evaluate(piece, value);
+    const vtkTransferPieces::Sample back = pieces.Evaluate(piece, next);
+    Moments m = GetMoments(front[3], back[3]);
+    if (hasDeltaT)
     {
-      continue;
+      const float rise = f.DeltaT[1][i] - f.DeltaT[0][i];
+      m = GetMoments(front[3], back[3], f.DeltaT[0][i] + from * rise, f.DeltaT[0][i] + to * rise);
     }
-    const int step = last > first ? 1 : -1;
-    std::array<float, 3> color{ { 0.0f, 0.0f, 0.0f } };
-    float depth = 0.0f;
-    float from = 0.0f;
-    float value = first;
-    while (true)
+    const float part = std::max(to - from, 0.0f) * f.Length[i] * m.Mean;
+    float weight = part;
+    float frontWeight = part * (0.5f - m.Delta * (1.0f / 6.0f));
+    if (results == vtkFragmentIntegration::OPACITY)
     {
-      // To the end of this piece, or of the segment.
-      const float bound = all[step > 0 ? piece + 1 : piece].Start;
-      const float to = piece == end ? 1.0f : std::min((bound - first) / (last - first), 1.0f);
-      const float next = piece == end ? last : bound;
-      const vtkTransferPieces::Sample front = pieces.Evaluate(piece, value);
-      const vtkTransferPieces::Sample back = pieces.Evaluate(piece, next);
-      Moments m = GetMoments(front[3], back[3]);
-      if (hasDeltaT)
-      {
-        const float rise = f.DeltaT[1][i] - f.DeltaT[0][i];
-        m = GetMoments(front[3], back[3], f.DeltaT[0][i] + from * rise, f.DeltaT[0][i] + to * rise);
-      }
-      const float part = std::max(to - from, 0.0f) * f.Length[i] * m.Mean;
-      float frontWeight;
-      float weight = part;
-      if (results == OPACITY)
-      {
-        weight = OpacityOf(part) * ExpOfMinus(depth);
-        frontWeight = weight * table.GetFrontShare(std::min(part, 1e7f), m.Delta);
-      }
-      else
-      {
-        frontWeight = weight * (0.5f - m.Delta * (1.0f / 6.0f));
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        color[c] += frontWeight * front[c] + (weight - frontWeight) * back[c];
-      }
-      depth += part;
-      if (piece == end)
-      {
-        break;
-      }
-      from = to;
-      value = next;
-      piece += step;
+      weight = OpacityOf(part) * ExpOfMinus(depth);
+      frontWeight = weight * table.GetFrontShare(std::min(part, 1e7f), m.Delta);
     }
-    f.Color[0][i] = { { color[0], color[1], color[2], 0.0f } };
-    f.Weight[0][i] = 1.0f;
-    f.Weight[1][i] = 0.0f;
-    f.Total[i] = results == OPACITY ? ExpOfMinus(depth) : depth;
+    for (int c = 0; c < 3; ++c)
+    {
+      color[c] += frontWeight * front[c] + (weight - frontWeight) * back[c];
+    }
+    depth += part;
+    if (isLast)
+    {
+      break;
+    }
+    from = to;
+    value = next;
+    piece += step;
   }
+  f.Total[i] = results == vtkFragmentIntegration::OPACITY ? ExpOfMinus(depth) : depth;
+}
+
+// The mean of colour at both ends, which are in different pieces.
+void AverageBent(const vtkFragments& f, int i, int piece, int end, const vtkTransferPieces& pieces,
+  vtkFragments::Color& color)
+{
+  const std::vector<float>& starts = pieces.GetStarts();
+  const vtkTransferPieces::Sample front =
+    pieces.Evaluate(piece, f.Scalar[0][i] + starts[piece]);
+  const vtkTransferPieces::Sample back = pieces.Evaluate(end, f.Scalar[1][i] + starts[end]);
+  for (int c = 0; c < 3; ++c)
+  {
+    color[c] = f.Weight[0][i] * front[c] + f.Weight[1][i] * back[c];
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentIntegration::FinishPieces(vtkFragments& f, const vtkTransferPieces& pieces,
+  bool hasDeltaT, bool isExact, Results results)
+{
+  for (int bent = 0; bent < f.NumberBent; ++bent)
+  {
+    const int i = f.Bent[bent];
+    const int piece = f.Pieces[i];
+    const int end = piece + f.Steps[i];
+    vtkFragments::Color& color = f.BentColors[bent];
+    color = { { 0.0f, 0.0f, 0.0f, 0.0f } };
+    if (isExact)
+    {
+      IntegrateBent(f, i, piece, end, pieces, hasDeltaT, results, color);
+    }
+    else
+    {
+      AverageBent(f, i, piece, end, pieces, color);
+    }
+    f.Pieces[i] = static_cast<std::int16_t>(-1 - bent);
+  }
+  MakePieceWeights(f);
 }

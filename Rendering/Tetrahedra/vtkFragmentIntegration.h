@@ -9,7 +9,7 @@ class vtkTransferPieces;
  * @class   vtkFragmentIntegration
  * @brief   the mathematics of segments, many at a time
  *
- * tetrahedra.glsl has the same for a graphics card.
+ * InterlumeTetrahedraFS.glsl has the same for a graphics card.
  */
 class vtkFragmentIntegration
 {
@@ -44,25 +44,30 @@ public:
    * Cuts each segment where an opaque surface is at, given as depth of each pixel; what lies behind has
    * length 0 then.
    */
-  static void CutAt(vtkFragments& fragments, const Channels& channels, bool isParallel,
-    const float* opaque);
+  static void CutAt(
+    vtkFragments& fragments, const Channels& channels, bool isParallel, const float* opaque);
 
+  ///@{
   /**
-   * Colours of both ends by the transfer functions.
+   * Extinction of both ends: by the transfer functions, which also tells those that pass a control
+   * point; from point colours; one of each tetrahedron.
    */
   static void LookUp(vtkFragments& fragments, const vtkTransferPieces& pieces);
+  static void TakeExtinction(vtkFragments& fragments);
+  static void TakeExtinction(vtkFragments& fragments, const vtkFragments::Color* cells);
+  ///@}
 
   /**
    * Weights and totals. \a isExact: the integral over linear colour and extinction, else their mean.
    */
-  static void Integrate(
-    vtkFragments& fragments, bool hasDeltaT, bool isExact, Results results);
+  static void Integrate(vtkFragments& fragments, bool hasDeltaT, bool isExact, Results results);
 
   /**
-   * Integrates anew the segments that pass a control point, from one to the next.
+   * After LookUp() and Integrate(): turns the weights of colours into those of a piece's value and
+   * slope, and integrates anew the segments that pass a control point, from one to the next.
    */
-  static void IntegratePieces(vtkFragments& fragments, const vtkTransferPieces& pieces,
-    bool hasDeltaT, Results results);
+  static void FinishPieces(vtkFragments& fragments, const vtkTransferPieces& pieces, bool hasDeltaT,
+    bool isExact, Results results);
 };
 
 #endif

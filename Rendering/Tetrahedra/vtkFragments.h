@@ -12,25 +12,51 @@
 struct vtkFragments
 {
   static constexpr int CAPACITY = 512;
-  using Values = std::array<float, CAPACITY>;
+  /// Rows are written in groups of this many, the last beyond their end.
+  static constexpr int GROUP = 8;
+  template <typename T>
+  using Array = std::array<T, CAPACITY + GROUP>;
+  using Values = Array<float>;
+  using Color = std::array<float, 4>;
 
+  /// Segments of one tetrahedron in neighbouring pixels.
+  struct Run
+  {
+    std::uint32_t Tetrahedron;
+    /// The first pixel within the tile.
+    std::uint16_t Pixel;
+    std::uint16_t Begin;
+    std::uint16_t End;
+  };
+  std::array<Run, CAPACITY> Runs;
+  int NumberOfRuns = 0;
   int Size = 0;
-  /// Pixel within the tile, and tetrahedron.
-  std::array<std::uint32_t, CAPACITY> Pixels;
-  std::array<std::uint32_t, CAPACITY> Tetrahedra;
+
   /// Difference of depth; then length, in units of the mesh.
   alignas(64) Values Length;
   /// Depths of both ends.
   alignas(64) Values Depth[2];
-  /// Scalar or extent in time, in perspective weighted by depth until the division.
+  /// Scalar, extent in time, and extinction. In perspective weighted by depth until the division.
   alignas(64) Values Scalar[2];
   alignas(64) Values DeltaT[2];
-  /// Colour and extinction of both ends.
-  std::array<std::array<float, 4>, CAPACITY> Color[2];
+  alignas(64) Values Extinction[2];
+  /// Point colours of both ends.
+  alignas(64) Array<Color> Colors[2];
+  /// The piece of the transfer functions that a segment is in; below 0: -1 - i for Bent[i].
+  Array<std::int16_t> Pieces;
+  /// Pieces from the front to the back end.
+  Array<std::int16_t> Steps;
+  /// Segments that pass a control point, and the colours that they come to.
+  Array<std::uint16_t> Bent;
+  Array<Color> BentColors;
+  int NumberBent = 0;
 
   /// What integration makes: the weights of both colours, and optical depth or transmittance.
   alignas(64) Values Weight[2];
   alignas(64) Values Total;
+  /// Kept on the way: optical depth, and how extinction falls or rises.
+  alignas(64) Values OpticalDepth;
+  alignas(64) Values Slope;
 };
 
 #endif

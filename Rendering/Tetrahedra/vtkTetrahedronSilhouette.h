@@ -30,7 +30,7 @@ public:
   using Projected = vtkTetrahedraView::Projected;
 
   /// An edge of the silhouette: lambda = 1 + X (x - thick x) + Y (y - thick y); 0, 0 where it never is
-  /// the least.
+  /// the least, and of the fourth where there are three.
   struct Edge
   {
     double X;
@@ -152,6 +152,7 @@ private:
   void SetInner(bool innerIsPositive)
   {
     this->Size = 3;
+    this->Edges[3] = { 0.0, 0.0 };
     this->Inner = 0;
     for (int k = 1; k < 4; ++k)
     {

@@ -1,5 +1,8 @@
 #include "vtkTilePainter.h"
 
+#include "vtkFragmentRow.h"
+#include "vtkSilhouetteRows.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,65 +17,142 @@ constexpr float TRANSMITTANCE_END = 1e-5f;
 /// Flushes between two looks whether the tile is opaque.
 constexpr int LOOK_INTERVAL = 16;
 
-void BlendComposite(const vtkFragments& f, Pixel* pixels)
+// Calls blend(pixel, i, color) for every segment, its color multiplied by its weights.
+template <typename Blend>
+void ForEachColor(const vtkFragments& f, const vtkTetrahedraPicture& picture, Pixel* pixels,
+  const Blend& blend)
 {
-  for (int i = 0; i < f.Size; ++i)
+  const vtkTetrahedraFields& fields = *picture.Fields;
+  for (int run = 0; run < f.NumberOfRuns; ++run)
   {
-    Pixel& pixel = pixels[f.Pixels[i]];
-    const float through = pixel[3];
-    const float front = f.Weight[0][i] * through;
-    const float back = f.Weight[1][i] * through;
-    for (int c = 0; c < 3; ++c)
+    const vtkFragments::Run& r = f.Runs[run];
+    Pixel* pixel = pixels + r.Pixel;
+    if (fields.Kind == vtkTetrahedraFields::SCALARS)
     {
-      pixel[c] += front * f.Color[0][i][c] + back * f.Color[1][i][c];
+      const vtkTransferPieces::Piece* pieces = picture.Pieces->GetPieces().data();
+      for (int i = r.Begin; i < r.End; ++i, ++pixel)
+      {
+        const int piece = f.Pieces[i];
+        Pixel color;
+        if (piece >= 0)
+        {
+          for (int c = 0; c < 4; ++c)
+          {
+            color[c] = f.Weight[0][i] * pieces[piece].Value[c] + f.Weight[1][i] * pieces[piece].Slope[c];
+          }
+        }
+        else
+        {
+          color = f.BentColors[-1 - piece];
+        }
+        blend(*pixel, i, color);
+      }
     }
-    pixel[3] = through * f.Total[i];
+    else if (fields.Kind == vtkTetrahedraFields::POINT_COLORS)
+    {
+      for (int i = r.Begin; i < r.End; ++i, ++pixel)
+      {
+        Pixel color;
+        for (int c = 0; c < 4; ++c)
+        {
+          color[c] = f.Weight[0][i] * f.Colors[0][i][c] + f.Weight[1][i] * f.Colors[1][i][c];
+        }
+        blend(*pixel, i, color);
+      }
+    }
+    else
+    {
+      const Pixel& cell = fields.Colors[r.Tetrahedron];
+      for (int i = r.Begin; i < r.End; ++i, ++pixel)
+      {
+        const float weight = f.Weight[0][i] + f.Weight[1][i];
+        Pixel color;
+        for (int c = 0; c < 4; ++c)
+        {
+          color[c] = weight * cell[c];
+        }
+        blend(*pixel, i, color);
+      }
+    }
   }
+}
+
+void BlendComposite(const vtkFragments& f, const vtkTetrahedraPicture& picture, Pixel* pixels)
+{
+  ForEachColor(f, picture, pixels,
+    [&f](Pixel& pixel, int i, const Pixel& color)
+    {
+      const float through = pixel[3];
+      for (int c = 0; c < 4; ++c)
+      {
+        pixel[c] += through * color[c];
+      }
+      pixel[3] = through * f.Total[i];
+    });
 }
 
 // Sums of weighted colour, and of opacity or optical depth.
-void BlendSum(const vtkFragments& f, bool isOpacity, Pixel* pixels)
+void BlendSum(
+  const vtkFragments& f, const vtkTetrahedraPicture& picture, bool isOpacity, Pixel* pixels)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    Pixel& pixel = pixels[f.Pixels[i]];
-    for (int c = 0; c < 3; ++c)
+  ForEachColor(f, picture, pixels,
+    [&f, isOpacity](Pixel& pixel, int i, const Pixel& color)
     {
-      pixel[c] += f.Weight[0][i] * f.Color[0][i][c] + f.Weight[1][i] * f.Color[1][i][c];
+      const float sum = pixel[3];
+      for (int c = 0; c < 4; ++c)
+      {
+        pixel[c] += color[c];
+      }
+      pixel[3] = sum + (isOpacity ? 1.0f - f.Total[i] : f.Total[i]);
+    });
+}
+
+// Calls visit(pixel, i, run) for every segment that has a length.
+template <typename Visit>
+void ForEachSegment(const vtkFragments& f, const Visit& visit)
+{
+  for (int run = 0; run < f.NumberOfRuns; ++run)
+  {
+    const vtkFragments::Run& r = f.Runs[run];
+    for (int i = r.Begin; i < r.End; ++i)
+    {
+      if (f.Length[i] > 0.0f)
+      {
+        visit(r.Pixel + i - r.Begin, i, r);
+      }
     }
-    pixel[3] += isOpacity ? 1.0f - f.Total[i] : f.Total[i];
   }
 }
 
-// The largest scalar; every tetrahedron has a length, so that an end on the silhouette counts.
 void BlendLargestScalar(const vtkFragments& f, Pixel* pixels)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    if (f.Length[i] > 0.0f)
+  ForEachSegment(f,
+    [&f, pixels](int pixel, int i, const vtkFragments::Run&)
     {
-      float& largest = pixels[f.Pixels[i]][0];
+      float& largest = pixels[pixel][0];
       largest = std::max({ largest, f.Scalar[0][i], f.Scalar[1][i] });
-    }
-  }
+    });
 }
 
-void BlendLargestColor(const vtkFragments& f, float unit, Pixel* pixels)
+void BlendLargestColor(
+  const vtkFragments& f, const vtkTetrahedraFields& fields, float unit, Pixel* pixels)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    for (int end = 0; end < 2 && f.Length[i] > 0.0f; ++end)
+  const bool isOfCells = fields.Kind == vtkTetrahedraFields::CELL_COLORS;
+  ForEachSegment(f,
+    [&](int pixel, int i, const vtkFragments::Run& run)
     {
-      Pixel& pixel = pixels[f.Pixels[i]];
-      const std::array<float, 4>& color = f.Color[end][i];
-      const float opacity = std::min(color[3] * unit, 1.0f);
-      for (int c = 0; c < 3; ++c)
+      for (int end = 0; end < 2; ++end)
       {
-        pixel[c] = std::max(pixel[c], color[c] * opacity);
+        const Pixel& color = isOfCells ? fields.Colors[run.Tetrahedron] : f.Colors[end][i];
+        const float opacity = std::min(color[3] * unit, 1.0f);
+        Pixel& largest = pixels[pixel];
+        for (int c = 0; c < 3; ++c)
+        {
+          largest[c] = std::max(largest[c], color[c] * opacity);
+        }
+        largest[3] = std::max(largest[3], opacity);
       }
-      pixel[3] = std::max(pixel[3], opacity);
-    }
-  }
+    });
 }
 
 // Colour times opacity of what was summed up as optical depth.
@@ -195,15 +275,39 @@ void vtkTilePainter::DrawTetrahedra(int tile)
     {
       this->ResolveLayer();
     }
+    this->FetchAhead(t, end);
     const int before = this->Fragments.Size;
     this->DrawTetrahedron<Scalars, Colors, DeltaT>(*t);
     if (canEnd && this->Fragments.Size < before && ++flushes % LOOK_INTERVAL == 0 &&
       this->IsOpaque())
     {
       this->Fragments.Size = 0;
+      this->Fragments.NumberOfRuns = 0;
       return;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkTilePainter::FetchAhead(const std::uint32_t* t, const std::uint32_t* end) const
+{
+  // In order of visibility neither corners nor points are neighbours in memory.
+#if defined(__GNUC__)
+  constexpr int CORNERS = 8;
+  constexpr int POINTS = 4;
+  if (end - t > CORNERS)
+  {
+    __builtin_prefetch(this->Picture.Mesh->GetCorners(t[CORNERS]));
+    const std::uint32_t* corners = this->Picture.Mesh->GetCorners(t[POINTS]);
+    for (int k = 0; k < 4; ++k)
+    {
+      __builtin_prefetch(this->Bins.GetPoints() + corners[k]);
+    }
+  }
+#else
+  static_cast<void>(t);
+  static_cast<void>(end);
+#endif
 }
 
 //------------------------------------------------------------------------------
@@ -219,157 +323,100 @@ void vtkTilePainter::DrawTetrahedron(std::uint32_t tetrahedron)
   {
     return;
   }
-  using Value = vtkTetrahedronSilhouette::Value;
   const bool isParallel = this->Picture.View.IsParallel();
-  const auto weighted = [&](int k, float value)
-  { return isParallel ? value : value * p[k]->Place.Depth; };
+  const auto getValue = [&](auto&& get)
+  {
+    std::array<double, 4> v;
+    for (int k = 0; k < 4; ++k)
+    {
+      v[k] = isParallel ? get(k) : get(k) * p[k]->Place.Depth;
+    }
+    return shape.GetValue(v);
+  };
 
   // Depth, then what is carried.
   constexpr int CHANNELS = 1 + (Scalars ? 1 : 0) + (DeltaT ? 1 : 0) + (Colors ? 4 : 0);
-  std::array<Value, CHANNELS> values;
+  std::array<vtkTetrahedronSilhouette::Value, CHANNELS> values;
   values[0] = shape.GetValue(
     { { p[0]->Place.Depth, p[1]->Place.Depth, p[2]->Place.Depth, p[3]->Place.Depth } });
   int channel = 1;
   if (Scalars)
   {
-    values[channel++] = shape.GetValue({ { weighted(0, p[0]->Scalar), weighted(1, p[1]->Scalar),
-      weighted(2, p[2]->Scalar), weighted(3, p[3]->Scalar) } });
+    values[channel++] = getValue([&p](int k) { return p[k]->Scalar; });
   }
   if (DeltaT)
   {
-    values[channel++] = shape.GetValue({ { weighted(0, p[0]->DeltaT), weighted(1, p[1]->DeltaT),
-      weighted(2, p[2]->DeltaT), weighted(3, p[3]->DeltaT) } });
+    values[channel++] = getValue([&p](int k) { return p[k]->DeltaT; });
   }
   for (int c = 0; Colors && c < 4; ++c)
   {
     const auto& colors = this->Picture.Fields->Colors;
-    values[channel++] = shape.GetValue({ { weighted(0, colors[corners[0]][c]),
-      weighted(1, colors[corners[1]][c]), weighted(2, colors[corners[2]][c]),
-      weighted(3, colors[corners[3]][c]) } });
+    values[channel++] = getValue([&](int k) { return colors[corners[k]][c]; });
   }
   // The nearer side has the larger depth.
   const int base = values[0].Difference > 0.0 ? 1 : 0;
-  const int other = 1 - base;
-  const auto thickness = static_cast<float>(std::abs(values[0].Difference));
-
-  // Rows between the lowest and the highest corner.
-  const int edges = shape.GetNumberOfEdges();
-  double low = shape.GetPoint(0).Y;
-  double high = low;
-  for (int i = 1; i < edges; ++i)
+  vtkFragmentRow row;
+  row.Thickness = static_cast<float>(std::abs(values[0].Difference));
+  vtkFragments& f = this->Fragments;
+  for (int c = 0; c < CHANNELS; ++c)
   {
-    low = std::min(low, shape.GetPoint(i).Y);
-    high = std::max(high, shape.GetPoint(i).Y);
+    row.Differences[c] = static_cast<float>(values[c].Difference);
   }
-  const int firstRow = std::max(0, static_cast<int>(std::ceil(std::max(low - 0.5 - this->Bottom, -1.0))));
-  const int lastRow = static_cast<int>(
-    std::ceil(std::min(high - 0.5 - this->Bottom, static_cast<double>(this->Height))));
-  for (int row = firstRow; row < lastRow; ++row)
+  const auto setEnds = [&row, base](int c, vtkFragments::Values* ends)
   {
-    const double y = this->Bottom + row + 0.5;
-    double left = std::numeric_limits<double>::max();
-    double right = std::numeric_limits<double>::lowest();
-    for (int i = 0; i < edges; ++i)
+    row.Base[c] = ends[base].data();
+    row.Other[c] = ends[1 - base].data();
+  };
+  setEnds(0, f.Depth);
+  if (Scalars)
+  {
+    setEnds(1, f.Scalar);
+  }
+  if (DeltaT)
+  {
+    setEnds(Scalars ? 2 : 1, f.DeltaT);
+  }
+
+  const vtkSilhouetteRows rows(shape);
+  const int top = rows.GetEnd(this->Bottom, this->Height);
+  for (int y = rows.GetBegin(this->Bottom); y < top; ++y)
+  {
+    const double centre = this->Bottom + y + 0.5;
+    vtkSilhouetteRows::Span spans[2];
+    const int number = rows.GetSpans(centre, this->Left, this->Width, spans);
+    for (int i = 0; i < number; ++i)
     {
-      const Projected* a = &shape.GetPoint(i);
-      const Projected* b = &shape.GetPoint((i + 1) % edges);
-      if ((a->Y <= y) == (b->Y <= y))
-      {
-        continue;
-      }
-      // From the lower end, so that both neighbours of an edge find the same crossing.
-      if (b->Y < a->Y)
-      {
-        std::swap(a, b);
-      }
-      const double x = a->X + (y - a->Y) * ((b->X - a->X) / (b->Y - a->Y));
-      left = std::min(left, x);
-      right = std::max(right, x);
-    }
-    int column =
-      std::max(0, static_cast<int>(std::ceil(std::max(left - 0.5 - this->Left, -1.0))));
-    const int end = static_cast<int>(
-      std::ceil(std::min(right - 0.5 - this->Left, static_cast<double>(this->Width))));
-    while (column < end)
-    {
-      // Up to the crease, then beyond.
-      int half = 0;
-      int stop = end;
-      if (shape.HasCrease())
-      {
-        const Projected& a = shape.GetPoint(0);
-        const Projected& b = shape.GetPoint(2);
-        const Projected& inFirst = shape.GetPoint(1);
-        const auto side = [&a, &b](double px, double py)
-        { return (b.X - a.X) * (py - a.Y) - (b.Y - a.Y) * (px - a.X); };
-        const double x = this->Left + column + 0.5;
-        const bool isFirst = (side(x, y) > 0.0) == (side(inFirst.X, inFirst.Y) > 0.0);
-        half = isFirst ? 0 : 1;
-        const double slope = -(b.Y - a.Y);
-        const double crossing = x - side(x, y) / slope;
-        if (crossing > x && crossing < this->Left + end)
-        {
-          stop = std::max(column + 1,
-            std::min(end, static_cast<int>(std::ceil(crossing - 0.5 - this->Left))));
-        }
-      }
-      if (this->Fragments.Size + stop - column > vtkFragments::CAPACITY)
+      const vtkSilhouetteRows::Span& span = spans[i];
+      const int size = span.End - span.Begin;
+      if (f.Size + size > vtkFragments::CAPACITY || f.NumberOfRuns == vtkFragments::CAPACITY)
       {
         this->Flush();
       }
-      const double dx = this->Left + column + 0.5 - shape.GetThickX();
-      const double dy = y - shape.GetThickY();
-      float share[4];
-      float shareSlope[4];
-      for (int i = 0; i < 4; ++i)
+      const double dx = this->Left + span.Begin + 0.5 - shape.GetThickX();
+      const double dy = centre - shape.GetThickY();
+      for (int e = 0; e < 4; ++e)
       {
-        const bool isEdge = i < edges;
-        const vtkTetrahedronSilhouette::Edge edge = shape.GetEdge(isEdge ? i : 0);
-        share[i] = static_cast<float>(1.0 + edge.X * dx + edge.Y * dy);
-        shareSlope[i] = static_cast<float>(edge.X);
+        const vtkTetrahedronSilhouette::Edge& edge = shape.GetEdge(e);
+        row.Shares[e] = static_cast<float>(1.0 + edge.X * dx + edge.Y * dy);
+        row.ShareSlopes[e] = static_cast<float>(edge.X);
       }
-      Line lines[CHANNELS];
       for (int c = 0; c < CHANNELS; ++c)
       {
-        const Value& value = values[c];
-        lines[c] = { static_cast<float>(value.At + value.X[half] * dx + value.Y[half] * dy),
-          static_cast<float>(value.X[half]), static_cast<float>(value.Difference) };
+        const vtkTetrahedronSilhouette::Value& value = values[c];
+        row.Values[c] =
+          static_cast<float>(value.At + value.X[span.Half] * dx + value.Y[span.Half] * dy);
+        row.Slopes[c] = static_cast<float>(value.X[span.Half]);
       }
-      vtkFragments& f = this->Fragments;
-      const int size = stop - column;
-      const int at = f.Size;
-      const auto pixel = static_cast<std::uint32_t>(row * SIZE + column);
-      for (int i = 0; i < size; ++i)
+      constexpr int COLORS = CHANNELS - (Colors ? 4 : 0);
+      row.Write(f, COLORS, size);
+      if (Colors)
       {
-        const auto x = static_cast<float>(i);
-        const float lambda =
-          std::max(0.0f, std::min(std::min(share[0] + shareSlope[0] * x, share[1] + shareSlope[1] * x),
-                           std::min(share[2] + shareSlope[2] * x, share[3] + shareSlope[3] * x)));
-        f.Pixels[at + i] = pixel + static_cast<std::uint32_t>(i);
-        f.Tetrahedra[at + i] = tetrahedron;
-        f.Length[at + i] = lambda * thickness;
-        const auto put = [&](int c, float& baseEnd, float& otherEnd)
-        {
-          const float value = lines[c].At + lines[c].Slope * x;
-          baseEnd = value;
-          otherEnd = value + lambda * lines[c].Difference;
-        };
-        put(0, f.Depth[base][at + i], f.Depth[other][at + i]);
-        if (Scalars)
-        {
-          put(1, f.Scalar[base][at + i], f.Scalar[other][at + i]);
-        }
-        if (DeltaT)
-        {
-          put(Scalars ? 2 : 1, f.DeltaT[base][at + i], f.DeltaT[other][at + i]);
-        }
-        for (int c = 0; Colors && c < 4; ++c)
-        {
-          put(CHANNELS - 4 + c, f.Color[base][at + i][c], f.Color[other][at + i][c]);
-        }
+        row.WriteColors(f, COLORS, base, size);
       }
+      f.Runs[f.NumberOfRuns++] = { tetrahedron,
+        static_cast<std::uint16_t>(y * SIZE + span.Begin), static_cast<std::uint16_t>(f.Size),
+        static_cast<std::uint16_t>(f.Size + size) };
       f.Size += size;
-      column = stop;
     }
   }
 }
@@ -394,6 +441,7 @@ void vtkTilePainter::Flush()
   }
   this->IntegrateAndBlend();
   f.Size = 0;
+  f.NumberOfRuns = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -407,56 +455,59 @@ void vtkTilePainter::IntegrateAndBlend()
     BlendLargestScalar(f, this->Pixels.data());
     return;
   }
-  if (fields.Kind == vtkTetrahedraFields::CELL_COLORS)
+  if (blend == Blends::MAXIMUM)
   {
-    for (int i = 0; i < f.Size; ++i)
-    {
-      f.Color[0][i] = f.Color[1][i] = fields.Colors[f.Tetrahedra[i]];
-    }
+    BlendLargestColor(
+      f, fields, static_cast<float>(1.0 / this->Picture.ExtinctionUnit), this->Pixels.data());
+    return;
   }
-  else if (this->Channels.HasScalars)
+  if (this->Channels.HasScalars)
   {
     vtkFragmentIntegration::LookUp(f, *this->Picture.Pieces);
   }
-  if (blend == Blends::MAXIMUM)
+  else if (this->Channels.HasColors)
   {
-    BlendLargestColor(f, static_cast<float>(1.0 / this->Picture.ExtinctionUnit), this->Pixels.data());
-    return;
+    vtkFragmentIntegration::TakeExtinction(f);
+  }
+  else
+  {
+    vtkFragmentIntegration::TakeExtinction(f, fields.Colors.data());
   }
   const bool isDepth = blend == Blends::PRIORITY || blend == Blends::OPTICAL_DEPTH;
   const auto results =
     isDepth ? vtkFragmentIntegration::OPTICAL_DEPTH : vtkFragmentIntegration::OPACITY;
-  vtkFragmentIntegration::Integrate(f, this->Channels.HasDeltaT, this->Picture.IsExact, results);
-  if (this->Channels.HasScalars && this->Picture.IsExact &&
-    this->Picture.Pieces->GetNumberOfPieces() > 1)
+  const bool hasDeltaT = this->Channels.HasDeltaT;
+  vtkFragmentIntegration::Integrate(f, hasDeltaT, this->Picture.IsExact, results);
+  if (this->Channels.HasScalars)
   {
-    vtkFragmentIntegration::IntegratePieces(
-      f, *this->Picture.Pieces, this->Channels.HasDeltaT, results);
+    vtkFragmentIntegration::FinishPieces(
+      f, *this->Picture.Pieces, hasDeltaT, this->Picture.IsExact, results);
   }
   switch (blend)
   {
     case Blends::COMPOSITE:
-      BlendComposite(f, this->Pixels.data());
+      BlendComposite(f, this->Picture, this->Pixels.data());
       break;
     case Blends::ADDITIVE:
-      BlendSum(f, true, this->Pixels.data());
+      BlendSum(f, this->Picture, true, this->Pixels.data());
       break;
     case Blends::PRIORITY:
-      BlendSum(f, false, this->Layer.data());
+      BlendSum(f, this->Picture, false, this->Layer.data());
       break;
     case Blends::OPTICAL_DEPTH:
-      BlendSum(f, false, this->Pixels.data());
+      BlendSum(f, this->Picture, false, this->Pixels.data());
       break;
     default:
-      for (int i = 0; i < f.Size; ++i)
-      {
-        const std::uint32_t pixel = f.Pixels[i];
-        if (f.Total[i] < 1.0f && f.Depth[0][i] > this->NearestDepth[pixel])
+      ForEachSegment(f,
+        [this](int pixel, int i, const vtkFragments::Run& run)
         {
-          this->NearestDepth[pixel] = f.Depth[0][i];
-          this->Nearest[pixel] = f.Tetrahedra[i] + 1;
-        }
-      }
+          if (this->Fragments.Total[i] < 1.0f &&
+            this->Fragments.Depth[0][i] > this->NearestDepth[pixel])
+          {
+            this->NearestDepth[pixel] = this->Fragments.Depth[0][i];
+            this->Nearest[pixel] = run.Tetrahedron + 1;
+          }
+        });
   }
 }
 

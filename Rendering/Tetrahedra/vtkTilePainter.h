@@ -45,19 +45,12 @@ private:
   void DrawTetrahedra(int tile);
   template <bool Scalars, bool Colors, bool DeltaT>
   void DrawTetrahedron(std::uint32_t tetrahedron);
+  void FetchAhead(const std::uint32_t* tetrahedron, const std::uint32_t* end) const;
   void Flush();
   void IntegrateAndBlend();
   bool IsOpaque() const;
   void ResolveLayer();
   void Finish();
-
-  /// What a row of a tetrahedron's base side needs: value at the row's first pixel and slope.
-  struct Line
-  {
-    float At;
-    float Slope;
-    float Difference;
-  };
 
   const vtkTetrahedraPicture& Picture;
   const vtkTileBins& Bins;

@@ -172,10 +172,10 @@ void vtkTransferPieces::Build(
 void vtkTransferPieces::SetNodes(const std::vector<Node>& nodes)
 {
   this->Pieces.clear();
-  for (std::size_t i = 0; i < nodes.size(); ++i)
+  this->Starts.clear();
+  for (std::size_t i = 0; i + 1 < std::max<std::size_t>(nodes.size(), 2); ++i)
   {
     Piece piece = {};
-    piece.Start = static_cast<float>(nodes[i].X);
     // Two nodes may be one in single precision: a jump.
     const double width = i + 1 < nodes.size() ? nodes[i + 1].X - nodes[i].X : 0.0;
     for (int c = 0; c < 4; ++c)
@@ -187,18 +187,14 @@ void vtkTransferPieces::SetNodes(const std::vector<Node>& nodes)
       }
     }
     this->Pieces.push_back(piece);
+    this->Starts.push_back(static_cast<float>(nodes[i].X));
   }
-  if (this->Pieces.size() == 1)
-  {
-    this->Pieces.push_back(this->Pieces[0]);
-  }
-  // Beyond every value, so that the search ends at the last piece.
-  this->Pieces.back().Start = 2.0f;
+  this->Starts.push_back(2.0f);
   this->First.resize(BUCKETS + 1);
   int piece = 0;
   for (int bucket = 0; bucket <= BUCKETS; ++bucket)
   {
-    while (static_cast<float>(bucket) / BUCKETS >= this->Pieces[piece + 1].Start)
+    while (static_cast<float>(bucket) / BUCKETS >= this->Starts[piece + 1])
     {
       ++piece;
     }

@@ -27,23 +27,23 @@ public:
    */
   void Build(vtkVolumeProperty* property, int component, const double range[2], double unit);
 
-  int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()) - 1; }
+  int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()); }
 
-  /// One piece: Value + Slope (f - Start), up to the start of the next. One more ends the last, with a
-  /// start beyond every value.
-  struct Piece
+  /// One piece: Value + Slope (f - start), from its start to that of the next.
+  struct alignas(16) Piece
   {
-    float Start;
     Sample Value;
     Sample Slope;
   };
   const std::vector<Piece>& GetPieces() const { return this->Pieces; }
+  /// One more than pieces: the last is beyond every value.
+  const std::vector<float>& GetStarts() const { return this->Starts; }
 
   /// The piece that \a f, 0 to 1, lies in.
   int Find(float f) const
   {
     int piece = this->First[static_cast<std::size_t>(f * BUCKETS)];
-    while (f >= this->Pieces[piece + 1].Start)
+    while (f >= this->Starts[piece + 1])
     {
       ++piece;
     }
@@ -52,14 +52,18 @@ public:
 
   Sample Evaluate(int piece, float f) const
   {
-    const Piece& p = this->Pieces[piece];
-    const float offset = f - p.Start;
     Sample sample;
+    this->Evaluate(piece, f, sample);
+    return sample;
+  }
+  void Evaluate(int piece, float f, Sample& sample) const
+  {
+    const Piece& p = this->Pieces[piece];
+    const float offset = f - this->Starts[piece];
     for (int i = 0; i < 4; ++i)
     {
       sample[i] = p.Value[i] + p.Slope[i] * offset;
     }
-    return sample;
   }
 
   /// Whether every value gives the same colour, whatever its extinction.
@@ -76,6 +80,7 @@ private:
   void SetNodes(const std::vector<Node>& nodes);
 
   std::vector<Piece> Pieces;
+  std::vector<float> Starts;
   /// For each of BUCKETS + 1 values of f the piece it lies in.
   std::vector<int> First;
 };

@@ -1,0 +1,41 @@
+#ifndef vtkFragmentRow_h
+#define vtkFragmentRow_h
+
+#include "vtkFragments.h"
+
+/**
+ * @class   vtkFragmentRow
+ * @brief   segments of one tetrahedron in one row of pixels
+ *
+ * See vtkTetrahedronSilhouette: each value is affine on the base side, and lambda, the least of the
+ * shares, takes it to the other side.
+ */
+struct vtkFragmentRow
+{
+  /// Depth, scalar, extent in time, four of a colour.
+  static constexpr int CHANNELS = 7;
+
+  float Thickness;
+  /// At the first pixel, and from pixel to pixel.
+  float Shares[4];
+  float ShareSlopes[4];
+  float Values[CHANNELS];
+  float Slopes[CHANNELS];
+  float Differences[CHANNELS];
+  /// Where they are written to.
+  float* Base[CHANNELS];
+  float* Other[CHANNELS];
+
+  /**
+   * Writes lengths and the first \a channels of \a size segments after the last; the caller counts
+   * them.
+   */
+  void Write(vtkFragments& fragments, int channels, int size) const;
+
+  /**
+   * The same for four channels of colours, from \a channel on.
+   */
+  void WriteColors(vtkFragments& fragments, int channel, int base, int size) const;
+};
+
+#endif
