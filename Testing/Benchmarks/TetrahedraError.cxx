@@ -198,21 +198,28 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 //------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
 {
-  BenchPlot plot;
-  plot.Name = "tetrahedra-error";
-  plot.Title = "a gyroid: error against run time as the mesh gets finer";
-  plot.XLabel = "time of a frame (s)";
-  plot.YLabel = std::string("error: ") + Norm;
-  plot.LogX = true;
-  plot.LogY = true;
-  plot.DefaultSeries = "software";
+  BenchPlot finer;
+  finer.Name = "tetrahedra-error";
+  finer.Title = "a gyroid: error against run time as the mesh gets finer";
+  finer.DefaultSeries = "software";
+  BenchPlot coarser;
+  coarser.Name = "tetrahedra-level-of-detail";
+  coarser.Title = "a gyroid: error against run time as the level of detail falls";
+  for (BenchPlot* plot : { &finer, &coarser })
+  {
+    plot->XLabel = "time of a frame (s)";
+    plot->YLabel = std::string("error: ") + Norm;
+    plot->LogX = true;
+    plot->LogY = true;
+  }
   for (const BenchRow& row : rows)
   {
     if (row.Error && *row.Error > 0.0)
     {
+      BenchPlot& plot = row.Parameter.is_string() ? coarser : finer;
       plot.AddPoint(row.Method, IsPeer(row.Method), *row.Seconds, *row.Error);
     }
   }
-  return { plot };
+  return { finer, coarser };
 }
 }
