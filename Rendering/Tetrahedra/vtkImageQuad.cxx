@@ -1,10 +1,11 @@
 #include "vtkImageQuad.h"
 
-#include "InterlumeImageFS.h"
+#include "InterlumeResolveFS.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtk_glew.h"
@@ -30,11 +31,15 @@ vtkIdType vtkImageQuad::Upload(
 }
 
 //------------------------------------------------------------------------------
-void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture)
+void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  const std::string& features, const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
-  if (!this->Quad)
+  if (!this->Quad || this->Features != features)
   {
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, InterlumeImageFS, nullptr);
+    this->Features = features;
+    const std::string shader = vtkShaderFeatures::Insert(InterlumeResolveFS, features);
+    this->Quad =
+      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader.c_str(), nullptr);
   }
   else
   {
@@ -55,6 +60,10 @@ void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   texture->Activate();
   this->Quad->Program->SetUniformi("image", texture->GetTextureUnit());
+  if (setUniforms)
+  {
+    setUniforms(this->Quad->Program);
+  }
   this->Quad->Render();
   texture->Deactivate();
 }

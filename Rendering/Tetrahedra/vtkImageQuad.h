@@ -4,11 +4,14 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
 
@@ -32,10 +35,12 @@ public:
     vtkOpenGLRenderWindow* window, int width, int height, const std::vector<float>& colors);
 
   /**
-   * Draws what was uploaded last, or \a texture.
+   * Draws what was uploaded last, or \a texture, into the framebuffer that is bound. \a features are
+   * those of InterlumeResolveFS.glsl, which \a setUniforms may want more for.
    */
-  void Draw(vtkOpenGLRenderWindow* window) { this->Draw(window, this->Texture); }
-  void Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
+  void Draw(vtkOpenGLRenderWindow* window) { this->Draw(window, this->Texture, "COLORS"); }
+  void Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, const std::string& features,
+    const std::function<void(vtkShaderProgram*)>& setUniforms = nullptr);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -43,6 +48,7 @@ public:
 
 private:
   vtkNew<vtkTextureObject> Texture;
+  std::string Features;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };
 

@@ -3,6 +3,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
+#include "vtkTextureObject.h"
 #include "vtk_glew.h"
 
 #include <algorithm>
@@ -88,12 +89,18 @@ private:
   GLuint Framebuffer = 0;
   GLuint Renderbuffer = 0;
 };
-}
 
-//------------------------------------------------------------------------------
-bool vtkSceneDepth::ReadBuffer(
-  vtkOpenGLRenderWindow* window, int left, int bottom, int width, int height)
+// Calls read(left, bottom, width, height) with the depth buffer of the renderer's viewport bound for
+// reading. Returns false where there is none, or reading failed.
+template <typename Reader>
+bool ReadDepth(vtkRenderer* renderer, const Reader& read)
 {
+  int width = 0;
+  int height = 0;
+  int left = 0;
+  int bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState::ScopedglEnableDisable scissor(window->GetState(), GL_SCISSOR_TEST);
   window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
   GLint readBefore = 0;
@@ -108,6 +115,8 @@ bool vtkSceneDepth::ReadBuffer(
     if (samples > 0)
     {
       copy = std::make_unique<SingleSampleCopy>(left, bottom, width, height);
+      left = 0;
+      bottom = 0;
     }
     else
     {
@@ -119,14 +128,31 @@ bool vtkSceneDepth::ReadBuffer(
       GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
     if (type != GL_NONE)
     {
-      glPixelStorei(GL_PACK_ALIGNMENT, 4);
-      glReadPixels(copy ? 0 : left, copy ? 0 : bottom, width, height, GL_DEPTH_COMPONENT, GL_FLOAT,
-        this->Buffer.data());
+      read(left, bottom, width, height);
       isRead = true;
     }
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readBefore));
   }
   return isRead && glGetError() == GL_NO_ERROR;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkSceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
+{
+  return ReadDepth(renderer,
+    [texture](int left, int bottom, int width, int height)
+    {
+      const bool fits = texture->GetHandle() != 0 &&
+        static_cast<int>(texture->GetWidth()) == width &&
+        static_cast<int>(texture->GetHeight()) == height;
+      if (!fits)
+      {
+        texture->AllocateDepth(static_cast<unsigned int>(width),
+          static_cast<unsigned int>(height), vtkTextureObject::Float32);
+      }
+      texture->CopyFromFrameBuffer(left, bottom, 0, 0, width, height);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -134,13 +160,18 @@ bool vtkSceneDepth::Read(vtkRenderer* renderer, const vtkTetrahedraView& view, i
 {
   int width = 0;
   int height = 0;
-  int left = 0;
-  int bottom = 0;
-  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
   this->Depths.clear();
-  this->Buffer.resize(static_cast<std::size_t>(width) * height);
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!this->ReadBuffer(window, left, bottom, width, height))
+  const bool isRead = ReadDepth(renderer,
+    [&](int left, int bottom, int columns, int rows)
+    {
+      width = columns;
+      height = rows;
+      this->Buffer.resize(static_cast<std::size_t>(columns) * rows);
+      glPixelStorei(GL_PACK_ALIGNMENT, 4);
+      glReadPixels(
+        left, bottom, columns, rows, GL_DEPTH_COMPONENT, GL_FLOAT, this->Buffer.data());
+    });
+  if (!isRead)
   {
     return false;
   }

@@ -7,6 +7,7 @@
 
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
+class vtkTextureObject;
 
 /**
  * @class   vtkSceneDepth
@@ -21,12 +22,15 @@ public:
    */
   bool Read(vtkRenderer* renderer, const vtkTetrahedraView& view, int stride);
 
+  /**
+   * Copies the depth buffer of the renderer's viewport to a texture. Returns false where there is none.
+   */
+  static bool CopyTo(vtkRenderer* renderer, vtkTextureObject* texture);
+
   /// Depths as vtkTetrahedraView has them, for each of its pixels; empty where nothing is drawn.
   const std::vector<float>& GetDepths() const { return this->Depths; }
 
 private:
-  bool ReadBuffer(vtkOpenGLRenderWindow* window, int left, int bottom, int width, int height);
-
   std::vector<float> Buffer;
   std::vector<float> Depths;
 };

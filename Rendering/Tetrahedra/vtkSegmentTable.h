@@ -51,9 +51,6 @@ public:
     return first + b * (second - first);
   }
 
-  /// Row by row, for a texture.
-  const std::vector<float>& GetValues() const { return this->Values; }
-
 private:
   vtkSegmentTable();
 

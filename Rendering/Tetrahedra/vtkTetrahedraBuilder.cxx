@@ -46,23 +46,6 @@ struct CornerCopier
   }
 };
 
-double SixfoldVolume(const vtkTetrahedraMesh& mesh, const std::uint32_t* corners)
-{
-  const double* o = mesh.GetPoint(corners[0]);
-  double edges[3][3];
-  for (int e = 0; e < 3; ++e)
-  {
-    const double* p = mesh.GetPoint(corners[e + 1]);
-    for (int i = 0; i < 3; ++i)
-    {
-      edges[e][i] = p[i] - o[i];
-    }
-  }
-  return edges[0][0] * (edges[1][1] * edges[2][2] - edges[1][2] * edges[2][1]) +
-    edges[0][1] * (edges[1][2] * edges[2][0] - edges[1][0] * edges[2][2]) +
-    edges[0][2] * (edges[1][0] * edges[2][1] - edges[1][1] * edges[2][0]);
-}
-
 bool IsFinite(vtkDataArray* array, vtkIdType id)
 {
   for (int c = 0; c < array->GetNumberOfComponents(); ++c)
@@ -184,7 +167,7 @@ std::string vtkTetrahedraBuilder::BuildMesh(
         {
           marks[cell] = NON_FINITE;
         }
-        else if (SixfoldVolume(mesh, corners) == 0.0)
+        else if (mesh.GetSixfoldVolume(static_cast<std::uint32_t>(cell)) == 0.0)
         {
           marks[cell] = FLAT;
         }

@@ -42,6 +42,24 @@ struct vtkTetrahedraMesh
   {
     return &this->Points[3 * static_cast<std::size_t>(id)];
   }
+  /// Positive for one orientation, negative for the other.
+  double GetSixfoldVolume(std::uint32_t tetrahedron) const
+  {
+    const std::uint32_t* corners = this->GetCorners(tetrahedron);
+    const double* o = this->GetPoint(corners[0]);
+    double e[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      const double* p = this->GetPoint(corners[k + 1]);
+      for (int i = 0; i < 3; ++i)
+      {
+        e[k][i] = p[i] - o[i];
+      }
+    }
+    return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) +
+      e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
+      e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  }
   const std::uint32_t* GetCorners(std::uint32_t tetrahedron) const
   {
     return &this->Corners[4 * static_cast<std::size_t>(tetrahedron)];

@@ -41,6 +41,8 @@ struct vtkTetrahedraPicture
   /// Extinction of opacity 1, so that MAXIMUM can undo what extinction was made by.
   double ExtinctionUnit = 1.0;
   bool IsExact = true;
+  /// Pixels of the viewport along an edge of one of the picture.
+  int PixelStride = 1;
   /// One of how many tetrahedra is drawn, and stands for them.
   std::uint32_t TetrahedronStride = 1;
 

@@ -1,10 +1,12 @@
 #include "vtkTetrahedraRenderer.h"
 
 #include "vtkImageQuad.h"
+#include "vtkTetrahedraPainter.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
@@ -62,6 +64,11 @@ vtkTetrahedraPicture::Blends GetBlend(int mode)
 struct vtkTetrahedraRenderer::WindowResources
 {
   vtkImageQuad Quad;
+  vtkTetrahedraPainter Painter;
+  int MeshVersion = 0;
+  int ColorVersion = 0;
+  int OrderVersion = 0;
+  bool WasClipped = false;
 };
 
 //------------------------------------------------------------------------------
@@ -93,6 +100,7 @@ std::string vtkTetrahedraRenderer::UpdateMesh(const Request& request)
   {
     vtkTetrahedraBuilder::BuildFields(arrays, this->Mesh, this->Fields);
     this->MeshState = { request.Grid, request.Grid->GetMTime(), arrays };
+    ++this->MeshVersion;
   }
   return error;
 }
@@ -119,6 +127,7 @@ std::string vtkTetrahedraRenderer::UpdateColors(
   this->Property = property;
   this->PropertyTime = property->GetMTime();
   this->ColorUnit = unit;
+  ++this->ColorVersion;
   return {};
 }
 
@@ -219,6 +228,7 @@ const std::vector<std::uint32_t>* vtkTetrahedraRenderer::UpdateOrder(
     order = this->Order.Compute(kind, this->Mesh, this->Picture.View);
     report.Sorted = this->Order.WasComputed();
   }
+  this->OrderVersion += this->Order.WasComputed() ? 1 : 0;
   report.Cycles = this->Order.GetCycles();
   report.Gaps = this->Order.GetGaps();
   report.HasAdjacency = this->Order.HasAdjacency();
@@ -283,10 +293,24 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
   {
     resources = std::make_unique<WindowResources>();
   }
-  this->Depth.Read(renderer, this->Picture.View, report.PixelStride);
-  this->Picture.Opaque =
-    this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
-  this->DrawInSoftware(renderer, *resources, report);
+  this->Picture.PixelStride = report.PixelStride;
+  if (report.RenderPath == Mapper::OPENGL_PATH)
+  {
+    std::string obstacle = resources->Painter.GetObstacle(window, this->Picture);
+    if (obstacle.empty())
+    {
+      obstacle = this->DrawWithOpenGL(renderer, volume, *resources, report);
+    }
+    if (!obstacle.empty())
+    {
+      report.RenderPath = Mapper::SOFTWARE_PATH;
+      report.PathReason = obstacle;
+    }
+  }
+  if (report.RenderPath == Mapper::SOFTWARE_PATH)
+  {
+    this->DrawInSoftware(renderer, *resources, report);
+  }
   this->Clip.Remove(this->Mesh, this->Fields);
   report.Seconds = vtkTimerLog::GetUniversalTime() - start;
   this->LevelOfDetail.Measured(level, report.Seconds);
@@ -294,9 +318,54 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
 }
 
 //------------------------------------------------------------------------------
+bool vtkTetrahedraRenderer::HasOpaque(vtkRenderer* renderer, vtkVolume* volume) const
+{
+  // What another renderer left in the depth buffer counts too.
+  if (renderer->GetPreserveDepthBuffer())
+  {
+    return true;
+  }
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    if (prop != volume && prop->GetVisibility() && !prop->IsA("vtkVolume"))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTetrahedraRenderer::DrawWithOpenGL(vtkRenderer* renderer, vtkVolume* volume,
+  WindowResources& resources, vtkTetrahedraRenderReport& report)
+{
+  // Parts cut at the near plane are in the mesh for this picture only.
+  const bool isClipped = this->Clip.IsActive() || resources.WasClipped;
+  vtkTetrahedraPainter::Changes changes;
+  changes.Mesh = isClipped || resources.MeshVersion != this->MeshVersion;
+  changes.Colors = isClipped || resources.ColorVersion != this->ColorVersion;
+  changes.Order = isClipped || resources.OrderVersion != this->OrderVersion;
+  std::string error = resources.Painter.Draw(
+    renderer, this->Picture, changes, this->HasOpaque(renderer, volume), report);
+  resources.MeshVersion = this->MeshVersion;
+  resources.ColorVersion = this->ColorVersion;
+  resources.OrderVersion = this->OrderVersion;
+  resources.WasClipped = this->Clip.IsActive();
+  report.TetrahedraDrawn = static_cast<vtkIdType>(
+    this->Picture.Order ? this->Picture.Order->size() : this->Mesh.GetNumberOfTetrahedra());
+  return error;
+}
+
+//------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::DrawInSoftware(
   vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraRenderReport& report)
 {
+  this->Depth.Read(renderer, this->Picture.View, report.PixelStride);
+  this->Picture.Opaque =
+    this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
   if (!this->Rasterizer.Draw(this->Picture, isAborted))
@@ -319,6 +388,7 @@ void vtkTetrahedraRenderer::ReleaseGraphicsResources(vtkWindow* window)
     if (!window || resources.first == window)
     {
       resources.second->Quad.ReleaseGraphicsResources(resources.first);
+      resources.second->Painter.ReleaseGraphicsResources(resources.first);
     }
   }
   if (window)

@@ -73,6 +73,9 @@ private:
   bool HasOneColor() const;
   const std::vector<std::uint32_t>* UpdateOrder(
     const Request& request, vtkTetrahedraRenderReport& report);
+  bool HasOpaque(vtkRenderer* renderer, vtkVolume* volume) const;
+  std::string DrawWithOpenGL(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
+    vtkTetrahedraRenderReport& report);
   void DrawInSoftware(
     vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraRenderReport& report);
   void Select(vtkRenderer* renderer, WindowResources& resources);
@@ -88,6 +91,11 @@ private:
   vtkVolumeProperty* Property = nullptr;
   vtkMTimeType PropertyTime = 0;
   double ColorUnit = 0.0;
+
+  /// Count what is made anew, so that each window can tell what it has to upload.
+  int MeshVersion = 0;
+  int ColorVersion = 0;
+  int OrderVersion = 0;
 
   vtkTetrahedraMesh Mesh;
   vtkTetrahedraFields Fields;

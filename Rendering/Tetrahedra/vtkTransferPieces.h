@@ -39,6 +39,9 @@ public:
   /// One more than pieces: the last is beyond every value.
   const std::vector<float>& GetStarts() const { return this->Starts; }
 
+  /// For each of 1024 + 1 values of the scalar the piece it lies in.
+  const std::vector<int>& GetBuckets() const { return this->First; }
+
   /// The piece that \a f, 0 to 1, lies in.
   int Find(float f) const
   {

@@ -1,0 +1,290 @@
+//VTK::System::Dec
+//INTERLUME::FEATURES
+
+// One segment of a line of sight; see vtkFragmentIntegration, whose words are used here.
+//VTK::Output::Dec
+
+// Sums, or colour times opacity, by blend mode.
+flat in vec4 edgesX;
+flat in vec4 edgesY;
+flat in vec2 thick;
+flat in vec4 depthPlane;
+#ifdef SCALARS
+flat in vec4 scalarPlane;
+uniform samplerBuffer pieces;
+uniform samplerBuffer starts;
+uniform isamplerBuffer buckets;
+#endif
+#ifdef DELTA_T
+flat in vec4 deltaTPlane;
+#endif
+#ifdef POINT_COLORS
+flat in mat4 colorPlane;
+#endif
+#ifdef CELL_COLORS
+flat in vec4 cellColor;
+#endif
+#ifdef OPAQUE
+uniform sampler2D opaqueDepth;
+uniform vec2 depthOfBuffer;
+uniform int pixelStride;
+#endif
+uniform float lengthScale;
+#ifdef PERSPECTIVE
+// A line of sight's direction, 1 along the axis: scale and offset of x, of y.
+uniform vec4 directionOfPixel;
+#endif
+#ifdef MAXIMUM
+uniform float opacityOfExtinction;
+#endif
+
+// Optical depth up to which series are used; what is thicker is taken in parts.
+const float LIMIT = 0.5;
+// More than this opacity hides all else.
+const float OPAQUE_ENOUGH = 0.999995;
+
+float thinOpacityOf(float x)
+{
+  return x *
+    (1.0 -
+      x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0 - x * (1.0 / 720.0))))));
+}
+
+// Optical depth over a unit of length, and how extinction falls or rises.
+vec2 getMoments(float t0, float t1, float d0, float d1)
+{
+#ifdef DELTA_T
+  float a = t0 * d0;
+  float b = t0 * d1 + t1 * d0;
+  float c = t1 * d1;
+  float mean = (2.0 * a + b + 2.0 * c) / 6.0;
+  float centre = (a + b + 3.0 * c) / 12.0 / max(mean, 1e-37);
+  return vec2(mean, clamp(6.0 * centre - 3.0, -1.0, 1.0));
+#else
+  float sum = t0 + t1;
+  return vec2(0.5 * sum, (t1 - t0) / max(sum, 1e-37));
+#endif
+}
+
+// Weights of the front and the back colour, and what is passed on: opacity or optical depth. With
+// OPACITY and EXACT a depth is at most LIMIT.
+vec3 getWeights(float depth, float delta)
+{
+#ifdef OPACITY
+#ifdef EXACT
+  float opacity = thinOpacityOf(depth);
+  float g1 = 0.5 - delta / 6.0;
+  float g2 = 1.0 / 3.0 - delta * (1.0 / 6.0 - delta / 30.0);
+  float g3 = 0.25 - delta * (0.15 - delta * (0.05 - delta / 140.0));
+  float g4 = 0.2 - delta * (2.0 / 15.0 - delta * (2.0 / 35.0));
+  float front = depth *
+    (g1 - depth * 0.5 * (g2 - depth / 3.0 * (g3 - depth * 0.25 * g4)));
+#else
+  float opacity = depth < LIMIT ? thinOpacityOf(depth) : 1.0 - exp(-depth);
+  float front = 0.5 * opacity;
+#endif
+  return vec3(front, opacity - front, opacity);
+#else
+#ifdef EXACT
+  float front = depth * (0.5 - delta / 6.0);
+#else
+  float front = 0.5 * depth;
+#endif
+  return vec3(front, depth - front, depth);
+#endif
+}
+
+#ifdef SCALARS
+int findPiece(float f)
+{
+  int piece = texelFetch(buckets, int(f * 1024.0)).x;
+  while (f >= texelFetch(starts, piece + 1).x)
+  {
+    ++piece;
+  }
+  return piece;
+}
+
+#ifndef EXACT
+vec4 evaluate(int piece, float f)
+{
+  return texelFetch(pieces, 2 * piece) +
+    texelFetch(pieces, 2 * piece + 1) * (f - texelFetch(starts, piece).x);
+}
+#endif
+#endif
+
+void main()
+{
+  vec2 offset = gl_FragCoord.xy - thick;
+  vec4 shares = 1.0 + edgesX * offset.x + edgesY * offset.y;
+  float lambda = max(0.0, min(min(shares.x, shares.y), min(shares.z, shares.w)));
+  vec3 plane = vec3(1.0, offset);
+  bool baseIsBack = depthPlane.w > 0.0;
+
+  float baseDepth = dot(depthPlane.xyz, plane);
+  float otherDepth = baseDepth + lambda * depthPlane.w;
+  float len = lambda * abs(depthPlane.w) * lengthScale;
+#ifdef PERSPECTIVE
+  vec2 direction = directionOfPixel.xz * gl_FragCoord.xy + directionOfPixel.yw;
+  len *= sqrt(1.0 + dot(direction, direction)) / (baseDepth * otherDepth);
+  vec2 weight = 1.0 / vec2(baseDepth, otherDepth);
+#else
+  vec2 weight = vec2(1.0);
+#endif
+  weight = baseIsBack ? weight.yx : weight;
+  vec2 depths = baseIsBack ? vec2(otherDepth, baseDepth) : vec2(baseDepth, otherDepth);
+
+#define ENDS(p, ends)                                                                              \
+  float base_##ends = dot(p.xyz, plane);                                                           \
+  vec2 ends = vec2(base_##ends, base_##ends + lambda * p.w);                                       \
+  ends = (baseIsBack ? ends.yx : ends) * weight;
+
+#ifdef SCALARS
+  ENDS(scalarPlane, scalars)
+#endif
+  vec2 time = vec2(1.0);
+#ifdef DELTA_T
+  ENDS(deltaTPlane, times)
+  time = times;
+#endif
+#ifdef POINT_COLORS
+  vec4 base = vec4(dot(colorPlane[0].xyz, plane), dot(colorPlane[1].xyz, plane),
+    dot(colorPlane[2].xyz, plane), dot(colorPlane[3].xyz, plane));
+  vec4 other = base +
+    lambda * vec4(colorPlane[0].w, colorPlane[1].w, colorPlane[2].w, colorPlane[3].w);
+  vec4 front = (baseIsBack ? other : base) * weight.x;
+  vec4 back = (baseIsBack ? base : other) * weight.y;
+#endif
+#ifdef CELL_COLORS
+  vec4 front = cellColor;
+  vec4 back = cellColor;
+#endif
+
+#ifdef OPAQUE
+  // Cut where an opaque surface is.
+  float buffered = texelFetch(opaqueDepth, min(pixelStride * ivec2(gl_FragCoord.xy) + pixelStride / 2,
+    textureSize(opaqueDepth, 0) - 1), 0).r;
+  float wall = depthOfBuffer.x + depthOfBuffer.y * buffered;
+  if (buffered < 1.0 && depths.y < wall)
+  {
+    if (depths.x <= wall)
+    {
+      discard;
+    }
+    float share = (depths.x - wall) / (depths.x - depths.y);
+#ifdef PERSPECTIVE
+    share *= depths.y / wall;
+#endif
+    share = min(share, 1.0);
+    len *= share;
+#ifdef SCALARS
+    scalars.y = mix(scalars.x, scalars.y, share);
+#endif
+#ifdef DELTA_T
+    time.y = mix(time.x, time.y, share);
+#endif
+#ifdef POINT_COLORS
+    back = mix(front, back, share);
+#endif
+  }
+#endif
+
+#ifdef MAXIMUM
+#ifdef SCALARS
+  if (!(len > 0.0))
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(clamp(max(scalars.x, scalars.y), 0.0, 1.0));
+#else
+  float first = min(front.a * opacityOfExtinction, 1.0);
+  float second = min(back.a * opacityOfExtinction, 1.0);
+  gl_FragData[0] = max(vec4(front.rgb * first, first), vec4(back.rgb * second, second));
+#endif
+#else
+#ifdef SCALARS
+  scalars = clamp(scalars, 0.0, 1.0);
+  int piece = findPiece(scalars.x);
+#endif
+#ifdef EXACT
+  vec4 sum = vec4(0.0);
+  float from = 0.0;
+#ifdef SCALARS
+  float rise = scalars.y - scalars.x;
+#endif
+  // From control point to control point, and no thicker than LIMIT. Most segments are one part.
+  while (true)
+  {
+    float to = 1.0;
+#ifdef SCALARS
+    float start = texelFetch(starts, piece).x;
+    float bound = rise > 0.0 ? texelFetch(starts, piece + 1).x : start;
+    to = rise == 0.0 ? 1.0 : clamp((bound - scalars.x) / rise, from, 1.0);
+    // Falling, the first piece has no other below it.
+    to = rise < 0.0 && piece == 0 ? 1.0 : to;
+    vec4 value = texelFetch(pieces, 2 * piece);
+    vec4 slope = texelFetch(pieces, 2 * piece + 1);
+    vec4 first = value + slope * (scalars.x + from * rise - start);
+    vec4 last = value + slope * (scalars.x + to * rise - start);
+#else
+    vec4 first = mix(front, back, from);
+    vec4 last = back;
+#endif
+    float part = (to - from) * len;
+    vec2 moments =
+      getMoments(first.a, last.a, mix(time.x, time.y, from), mix(time.x, time.y, to));
+    float depth = part * moments.x;
+    bool isWhole = true;
+#ifdef OPACITY
+    if (depth > LIMIT)
+    {
+      isWhole = false;
+#ifdef DELTA_T
+      float share = LIMIT / depth;
+#else
+      // Where linear extinction has come to LIMIT.
+      float growth = (last.a - first.a) / part;
+      float root = sqrt(max(first.a * first.a + 2.0 * growth * LIMIT, 0.0));
+      float share = min(2.0 * LIMIT / (first.a + root) / part, 1.0);
+#endif
+      to = from + share * (to - from);
+      last = mix(first, last, share);
+      moments = getMoments(first.a, last.a, mix(time.x, time.y, from), mix(time.x, time.y, to));
+      depth = share * part * moments.x;
+    }
+#endif
+    vec3 weights = getWeights(depth, moments.y);
+    vec4 color = vec4(weights.x * first.rgb + weights.y * last.rgb, weights.z);
+#ifdef OPACITY
+    sum += (1.0 - sum.a) * color;
+    if (sum.a > OPAQUE_ENOUGH)
+    {
+      break;
+    }
+#else
+    sum += color;
+#endif
+    if (isWhole)
+    {
+      if (to >= 1.0)
+      {
+        break;
+      }
+#ifdef SCALARS
+      piece += rise > 0.0 ? 1 : -1;
+#endif
+    }
+    from = to;
+  }
+  gl_FragData[0] = sum;
+#else
+#ifdef SCALARS
+  vec4 front = evaluate(piece, scalars.x);
+  vec4 back = evaluate(findPiece(scalars.y), scalars.y);
+#endif
+  vec3 weights = getWeights(0.25 * (front.a + back.a) * (time.x + time.y) * len, 0.0);
+  gl_FragData[0] = vec4(weights.x * front.rgb + weights.y * back.rgb, weights.z);
+#endif
+#endif
+}

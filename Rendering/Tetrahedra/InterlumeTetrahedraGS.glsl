@@ -1,0 +1,330 @@
+//VTK::System::Dec
+//INTERLUME::FEATURES
+
+// From a tetrahedron to its silhouette: see vtkTetrahedronSilhouette, whose words are used here.
+layout(points) in;
+layout(triangle_strip, max_vertices = 4) out;
+
+flat in int vertexTetrahedron[];
+
+uniform samplerBuffer points;
+uniform usamplerBuffer corners;
+uniform samplerBuffer volumes;
+// Eye from mesh, and pixels from eye: scale, shift and offset.
+uniform vec4 eyeRows[3];
+uniform vec3 pixelX;
+uniform vec3 pixelY;
+uniform vec2 viewport;
+uniform float nearDistance;
+// Of six times the volume in mesh coordinates to that in pixels and depth.
+uniform float volumeScale;
+#ifdef TETRAHEDRON_STRIDE
+uniform int tetrahedronStride;
+#endif
+#ifdef DELTA_T
+uniform samplerBuffer deltaTs;
+#endif
+#if defined(POINT_COLORS) || defined(CELL_COLORS)
+uniform samplerBuffer colors;
+#endif
+
+// What the fragments get. Outputs are undefined after a vertex is emitted, so each is kept beside it.
+flat out vec4 edgesX;
+flat out vec4 edgesY;
+flat out vec2 thick;
+flat out vec4 depthPlane;
+#ifdef SCALARS
+flat out vec4 scalarPlane;
+#endif
+#ifdef DELTA_T
+flat out vec4 deltaTPlane;
+#endif
+#ifdef POINT_COLORS
+flat out mat4 colorPlane;
+#endif
+#ifdef CELL_COLORS
+flat out vec4 cellColor;
+#endif
+
+struct Shape
+{
+  // For each edge of the silhouette: lambda = 1 + x * edgesX + y * edgesY from the thick point.
+  vec4 edgesX;
+  vec4 edgesY;
+  vec2 thick;
+  // Of a value on the base side: at the thick point, slopes in x and y; to the other side.
+  vec4 depthPlane;
+  vec4 scalarPlane;
+  vec4 deltaTPlane;
+  mat4 colorPlane;
+  vec4 cellColor;
+};
+Shape shape;
+
+struct Corner
+{
+  // In pixels from the first corner, and its depth.
+  vec2 place;
+  float depth;
+  // Of the face across: signed area.
+  float area;
+  float scalar;
+  float deltaT;
+  vec4 color;
+};
+
+float cross2(vec2 a, vec2 b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
+void swap(bool condition, inout Corner a, inout Corner b)
+{
+  if (condition)
+  {
+    Corner c = a;
+    a = b;
+    b = c;
+  }
+}
+
+// Slopes of the affine function with values v at three points, divided by the area later.
+vec2 slopes(vec3 v, vec2 a, vec2 b, vec2 c)
+{
+  vec2 ab = b - a;
+  vec2 ac = c - a;
+  float area = cross2(ab, ac);
+  vec2 slope = vec2((v.y - v.x) * ac.y - (v.z - v.x) * ab.y, (v.z - v.x) * ab.x - (v.y - v.x) * ac.x);
+  return area == 0.0 ? vec2(0.0) : slope / area;
+}
+
+void setEdge(int i, vec2 a, vec2 b, float atThick, float inside, float least)
+{
+  bool isUsed = atThick * inside > 0.0 && abs(atThick) > least;
+  shape.edgesX[i] = isUsed ? (a.y - b.y) / atThick : 0.0;
+  shape.edgesY[i] = isUsed ? (b.x - a.x) / atThick : 0.0;
+}
+
+Corner fetch(uint id)
+{
+  vec4 point = texelFetch(points, int(id));
+  Corner corner;
+  vec4 position = vec4(point.xyz, 1.0);
+  corner.place = vec2(dot(eyeRows[0], position), dot(eyeRows[1], position));
+  corner.depth = dot(eyeRows[2], position);
+  corner.area = 0.0;
+  corner.scalar = point.w;
+  corner.deltaT = 1.0;
+#ifdef DELTA_T
+  corner.deltaT = texelFetch(deltaTs, int(id)).x;
+#endif
+  corner.color = vec4(0.0);
+#ifdef POINT_COLORS
+  corner.color = texelFetch(colors, int(id));
+#endif
+  return corner;
+}
+
+// From eye coordinates (place, depth = z) to pixels from the first corner; returns the first's pixel.
+vec2 project(inout Corner c[4])
+{
+  vec2 scale = vec2(pixelX.x, pixelY.x);
+  vec2 shift = vec2(pixelX.y, pixelY.y);
+  vec2 offset = vec2(pixelX.z, pixelY.z);
+  vec2 first = scale * c[0].place + shift * c[0].depth;
+#ifdef PERSPECTIVE
+  // Differences are taken before the division, so that small tetrahedra keep their shape.
+  float w = -c[0].depth;
+  for (int k = 1; k < 4; ++k)
+  {
+    float rise = c[k].depth - c[0].depth;
+    vec2 edge = scale * (c[k].place - c[0].place) + shift * rise;
+    c[k].place = (edge * w + first * rise) / (w * -c[k].depth);
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    c[k].depth = -1.0 / c[k].depth;
+    c[k].scalar *= c[k].depth;
+    c[k].deltaT *= c[k].depth;
+    c[k].color *= c[k].depth;
+  }
+  first /= w;
+#else
+  for (int k = 1; k < 4; ++k)
+  {
+    c[k].place = scale * (c[k].place - c[0].place) + shift * (c[k].depth - c[0].depth);
+  }
+#endif
+  c[0].place = vec2(0.0);
+  return first + offset;
+}
+
+// The plane of one value over the base triangle (a, b, c).
+vec4 makePlane(float atThick, float difference, vec3 v, Corner a, Corner b, Corner c)
+{
+  return vec4(atThick, slopes(v, a.place, b.place, c.place), difference);
+}
+
+#define PLANE(value)                                                                               \
+  makePlane(base.value, other.value - base.value, vec3(a.value, b.value, c.value), a, b, c)
+
+// Sets what belongs to one base triangle; base and other are the sides at the thick point.
+void setPlanes(Corner base, Corner other, float depthDifference, Corner a, Corner b, Corner c)
+{
+  shape.depthPlane =
+    makePlane(base.depth, depthDifference, vec3(a.depth, b.depth, c.depth), a, b, c);
+#ifdef SCALARS
+  shape.scalarPlane = PLANE(scalar);
+#endif
+#ifdef DELTA_T
+  shape.deltaTPlane = PLANE(deltaT);
+#endif
+#ifdef POINT_COLORS
+  shape.colorPlane = mat4(PLANE(color.x), PLANE(color.y), PLANE(color.z), PLANE(color.w));
+#endif
+}
+
+Corner mixCorners(Corner a, Corner b, float t)
+{
+  a.place = mix(a.place, b.place, t);
+  a.depth = mix(a.depth, b.depth, t);
+  a.scalar = mix(a.scalar, b.scalar, t);
+  a.deltaT = mix(a.deltaT, b.deltaT, t);
+  a.color = mix(a.color, b.color, t);
+  return a;
+}
+
+void emit(vec2 pixel)
+{
+  edgesX = shape.edgesX;
+  edgesY = shape.edgesY;
+  thick = shape.thick;
+  depthPlane = shape.depthPlane;
+#ifdef SCALARS
+  scalarPlane = shape.scalarPlane;
+#endif
+#ifdef DELTA_T
+  deltaTPlane = shape.deltaTPlane;
+#endif
+#ifdef POINT_COLORS
+  colorPlane = shape.colorPlane;
+#endif
+#ifdef CELL_COLORS
+  cellColor = shape.cellColor;
+#endif
+  gl_Position = vec4(2.0 * pixel / viewport - 1.0, 0.0, 1.0);
+  EmitVertex();
+}
+
+void main()
+{
+  int tetrahedron = vertexTetrahedron[0];
+#ifdef TETRAHEDRON_STRIDE
+  if (((uint(tetrahedron) * 2654435761u) >> 8) % uint(tetrahedronStride) != 0u)
+  {
+    return;
+  }
+#endif
+  uvec4 ids = texelFetch(corners, tetrahedron);
+  Corner c[4];
+  c[0] = fetch(ids.x);
+  c[1] = fetch(ids.y);
+  c[2] = fetch(ids.z);
+  c[3] = fetch(ids.w);
+  // What crosses the near plane is drawn as its parts.
+  if (max(max(c[0].depth, c[1].depth), max(c[2].depth, c[3].depth)) > -nearDistance)
+  {
+    return;
+  }
+  vec2 origin = project(c);
+  vec2 low = origin + min(min(c[0].place, c[1].place), min(c[2].place, c[3].place));
+  vec2 high = origin + max(max(c[0].place, c[1].place), max(c[2].place, c[3].place));
+  // No pixel's centre between them.
+  if (any(greaterThan(ceil(max(low, 0.0) - 0.5), min(high, viewport) - 0.5)))
+  {
+    return;
+  }
+
+  vec2 p1 = c[1].place;
+  vec2 p2 = c[2].place;
+  vec2 p3 = c[3].place;
+  vec4 areas = vec4(cross2(p2 - p1, p3 - p1), -cross2(p2, p3), cross2(p1, p3), -cross2(p1, p2));
+  float sum = dot(max(areas, 0.0), vec4(1.0));
+  if (!(sum > 0.0))
+  {
+    return;
+  }
+  int positive = int(dot(vec4(greaterThan(areas, vec4(0.0))), vec4(1.0)));
+  // The volume keeps its digits when the tetrahedron is thin, where a sum over depths would not.
+  float thickness = texelFetch(volumes, tetrahedron).x * volumeScale / sum;
+#ifdef PERSPECTIVE
+  thickness *= c[0].depth * c[1].depth * c[2].depth * c[3].depth;
+#endif
+  c[0].area = areas.x;
+  c[1].area = areas.y;
+  c[2].area = areas.z;
+  c[3].area = areas.w;
+#ifdef CELL_COLORS
+  shape.cellColor = texelFetch(colors, tetrahedron);
+#endif
+
+  if (positive != 2)
+  {
+    // A corner inside the triangle of the others: it goes last.
+    float sign = positive == 1 ? 1.0 : -1.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      swap(sign * c[k].area > sign * c[3].area, c[k], c[3]);
+    }
+    shape.thick = origin + c[3].place;
+    float least = 1e-6 * sum;
+    float whole = cross2(c[1].place - c[0].place, c[2].place - c[0].place);
+    shape.edgesX = vec4(0.0);
+    shape.edgesY = vec4(0.0);
+    setEdge(0, c[0].place, c[1].place, cross2(c[1].place - c[0].place, c[3].place - c[0].place),
+      whole, least);
+    setEdge(1, c[1].place, c[2].place, cross2(c[2].place - c[1].place, c[3].place - c[1].place),
+      whole, least);
+    setEdge(2, c[2].place, c[0].place, cross2(c[0].place - c[2].place, c[3].place - c[2].place),
+      whole, least);
+    // The base side at the thick point.
+    vec3 weights = abs(vec3(c[0].area, c[1].area, c[2].area));
+    weights /= weights.x + weights.y + weights.z;
+    Corner base = mixCorners(c[0], c[1], weights.y / max(weights.x + weights.y, 1e-30));
+    base = mixCorners(base, c[2], weights.z);
+    setPlanes(base, c[3], sign * thickness, c[0], c[1], c[2]);
+    emit(origin + c[0].place);
+    emit(origin + c[1].place);
+    emit(origin + c[2].place);
+    EndPrimitive();
+    return;
+  }
+
+  // Two crossing edges: the positive corners become 0 and 2.
+  swap(c[0].area <= 0.0 && c[1].area > 0.0, c[0], c[1]);
+  swap(c[0].area <= 0.0, c[0], c[3]);
+  swap(c[2].area <= 0.0 && c[1].area > 0.0, c[2], c[1]);
+  swap(c[2].area <= 0.0, c[2], c[3]);
+  float share = c[2].area / sum;
+  float otherShare = abs(c[3].area) / (abs(c[1].area) + abs(c[3].area));
+  Corner base = mixCorners(c[0], c[2], share);
+  Corner other = mixCorners(c[1], c[3], otherShare);
+  shape.thick = origin + base.place;
+  for (int i = 0; i < 4; ++i)
+  {
+    bool isFirst = i == 0 || i == 3;
+    vec2 from = i == 0 ? c[0].place : i == 1 ? c[1].place : i == 2 ? c[2].place : c[3].place;
+    vec2 to = i == 0 ? c[1].place : i == 1 ? c[2].place : i == 2 ? c[3].place : c[0].place;
+    vec2 across = isFirst ? c[2].place : c[0].place;
+    float area = cross2(to - from, across - from);
+    setEdge(i, from, to, area * (isFirst ? share : 1.0 - share), area, 1e-6 * sum);
+  }
+  // A strip: the third corner carries the first triangle's planes, the fourth the second's.
+  setPlanes(base, other, -thickness, c[0], c[2], c[1]);
+  emit(origin + c[1].place);
+  emit(origin + c[0].place);
+  emit(origin + c[2].place);
+  setPlanes(base, other, -thickness, c[0], c[2], c[3]);
+  emit(origin + c[3].place);
+  EndPrimitive();
+}

@@ -1,0 +1,468 @@
+#include "vtkTetrahedraPainter.h"
+
+#include "InterlumeTetrahedraFS.h"
+#include "InterlumeTetrahedraGS.h"
+#include "InterlumeTetrahedraVS.h"
+#include "vtkSceneDepth.h"
+#include "vtkShaderFeatures.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using Picture = vtkTetrahedraPicture;
+
+// Six times the volume of every tetrahedron, in mesh coordinates, before those are rounded.
+std::vector<float> MakeVolumes(const vtkTetrahedraMesh& mesh)
+{
+  std::vector<float> volumes(mesh.GetNumberOfTetrahedra());
+  for (std::uint32_t t = 0; t < mesh.GetNumberOfTetrahedra(); ++t)
+  {
+    volumes[t] = static_cast<float>(mesh.GetSixfoldVolume(t));
+  }
+  return volumes;
+}
+
+// Coordinates, and the scalar as the fourth.
+std::vector<float> MakePoints(const vtkTetrahedraMesh& mesh, const vtkTetrahedraFields& fields)
+{
+  const std::size_t points = mesh.Points.size() / 3;
+  std::vector<float> values(4 * points);
+  for (std::size_t p = 0; p < points; ++p)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      values[4 * p + i] = static_cast<float>(mesh.Points[3 * p + i]);
+    }
+    values[4 * p + 3] = fields.Scalars.empty() ? 0.0f : fields.Scalars[p];
+  }
+  return values;
+}
+
+bool IsDepthSum(const Picture& picture)
+{
+  return picture.Blend == Picture::OPTICAL_DEPTH || picture.Blend == Picture::PRIORITY;
+}
+
+void AllocateSums(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int width, int height)
+{
+  texture->SetContext(window);
+  const bool fits = texture->GetHandle() != 0 && static_cast<int>(texture->GetWidth()) == width &&
+    static_cast<int>(texture->GetHeight()) == height;
+  if (!fits)
+  {
+    texture->SetMinificationFilter(vtkTextureObject::Linear);
+    texture->SetMagnificationFilter(vtkTextureObject::Linear);
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+    texture->Allocate2D(
+      static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkTetrahedraPainter::vtkTetrahedraPainter() = default;
+
+//------------------------------------------------------------------------------
+vtkTetrahedraPainter::~vtkTetrahedraPainter() = default;
+
+//------------------------------------------------------------------------------
+std::string vtkTetrahedraPainter::GetObstacle(
+  vtkOpenGLRenderWindow* window, const vtkTetrahedraPicture& picture) const
+{
+  window->MakeCurrent();
+  if (!GLEW_VERSION_3_2)
+  {
+    return "OpenGL is older than 3.2";
+  }
+  GLint texels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  const std::size_t most = std::max<std::size_t>(
+    picture.Mesh->GetNumberOfTetrahedra(), picture.Mesh->Points.size() / 3);
+  if (most > static_cast<std::size_t>(texels))
+  {
+    return "texture buffers hold " + std::to_string(texels) + " values, and " +
+      std::to_string(most) + " are needed";
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTetrahedraPainter::GetFeatures(const vtkTetrahedraPicture& picture, bool hasOpaque) const
+{
+  const vtkTetrahedraFields& fields = *picture.Fields;
+  std::string features = fields.Kind == vtkTetrahedraFields::SCALARS ? "SCALARS"
+    : fields.Kind == vtkTetrahedraFields::POINT_COLORS              ? "POINT_COLORS"
+                                                                     : "CELL_COLORS";
+  features += picture.View.IsParallel() ? "" : " PERSPECTIVE";
+  features += fields.DeltaT.empty() ? "" : " DELTA_T";
+  features += hasOpaque ? " OPAQUE" : "";
+  features += picture.IsExact ? " EXACT" : "";
+  features += picture.TetrahedronStride > 1 ? " TETRAHEDRON_STRIDE" : "";
+  if (picture.Blend == Picture::MAXIMUM)
+  {
+    features += " MAXIMUM";
+  }
+  else
+  {
+    features += IsDepthSum(picture) ? "" : " OPACITY";
+  }
+  return features;
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraPainter::Upload(const vtkTetrahedraPicture& picture, const Changes& changes,
+  vtkTetrahedraRenderReport& report)
+{
+  const vtkTetrahedraMesh& mesh = *picture.Mesh;
+  const vtkTetrahedraFields& fields = *picture.Fields;
+  vtkIdType bytes = 0;
+  const auto upload = [&bytes](
+                        vtkTextureBuffer& buffer, vtkTextureBuffer::Formats format, const auto& values)
+  {
+    bytes += buffer.Upload(format, values.data(), values.size() * sizeof(values[0]));
+  };
+  if (changes.Mesh || !this->Points.IsAllocated())
+  {
+    upload(this->Corners, vtkTextureBuffer::UINT4, mesh.Corners);
+    upload(this->Volumes, vtkTextureBuffer::FLOAT, MakeVolumes(mesh));
+    if (!fields.DeltaT.empty())
+    {
+      upload(this->DeltaTs, vtkTextureBuffer::FLOAT, fields.DeltaT);
+    }
+  }
+  if (changes.Mesh || changes.Colors || !this->Points.IsAllocated())
+  {
+    upload(this->Points, vtkTextureBuffer::FLOAT4, MakePoints(mesh, fields));
+    if (fields.Kind != vtkTetrahedraFields::SCALARS)
+    {
+      upload(this->Colors, vtkTextureBuffer::FLOAT4, fields.Colors);
+    }
+    else
+    {
+      upload(this->Pieces, vtkTextureBuffer::FLOAT4, picture.Pieces->GetPieces());
+      upload(this->Starts, vtkTextureBuffer::FLOAT, picture.Pieces->GetStarts());
+      upload(this->Buckets, vtkTextureBuffer::INT, picture.Pieces->GetBuckets());
+    }
+  }
+  report.UploadedStaticBytes = bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraPainter::UploadOrder(
+  const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report)
+{
+  if (!this->Order)
+  {
+    glGenBuffers(1, &this->Order);
+  }
+  // From back to front, as blending goes; layers too are drawn from the lowest priority up.
+  const std::vector<std::uint32_t> order(picture.Order->rbegin(), picture.Order->rend());
+  const std::size_t bytes = order.size() * sizeof(std::uint32_t);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Order);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), order.data(), GL_STREAM_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  this->OrderSize = order.size();
+  report.UploadedOrderBytes = static_cast<vtkIdType>(bytes);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetrahedraPainter::PrepareTarget(
+  vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers)
+{
+  AllocateSums(window, this->Sums, width, height);
+  if (hasLayers)
+  {
+    AllocateSums(window, this->Layers, width, height);
+  }
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Sums);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  const char* status = nullptr;
+  return vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, status);
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraPainter::SetUniforms(
+  vtkShaderProgram* program, const vtkTetrahedraPicture& picture, bool hasOpaque)
+{
+  const vtkTetrahedraView& view = picture.View;
+  const std::array<double, 12>& matrix = view.GetEyeFromMesh();
+  float rows[3][4];
+  for (int i = 0; i < 12; ++i)
+  {
+    rows[i / 4][i % 4] = static_cast<float>(matrix[i]);
+  }
+  program->SetUniform4fv("eyeRows", 3, rows);
+  const std::array<double, 6> pixels = view.GetPixelsFromEye();
+  program->SetUniform3f("pixelX", &pixels[0]);
+  program->SetUniform3f("pixelY", &pixels[3]);
+  const float viewport[2] = { static_cast<float>(view.GetWidth()),
+    static_cast<float>(view.GetHeight()) };
+  program->SetUniform2f("viewport", viewport);
+  program->SetUniformf("nearDistance", static_cast<float>(view.GetNear()));
+  const double determinant = matrix[0] * (matrix[5] * matrix[10] - matrix[6] * matrix[9]) -
+    matrix[1] * (matrix[4] * matrix[10] - matrix[6] * matrix[8]) +
+    matrix[2] * (matrix[4] * matrix[9] - matrix[5] * matrix[8]);
+  program->SetUniformf("volumeScale", static_cast<float>(-determinant * pixels[0] * pixels[3]));
+  const auto stride = static_cast<float>(picture.TetrahedronStride);
+  if (view.IsParallel())
+  {
+    program->SetUniformf("lengthScale", stride * static_cast<float>(view.GetSlant(0.0, 0.0)));
+  }
+  else
+  {
+    program->SetUniformf("lengthScale", stride);
+    const std::array<double, 3> first = view.GetEyePoint(0.0, 0.0, 1.0);
+    const float direction[4] = { static_cast<float>(1.0 / pixels[0]), static_cast<float>(first[0]),
+      static_cast<float>(1.0 / pixels[3]), static_cast<float>(first[1]) };
+    program->SetUniform4f("directionOfPixel", direction);
+  }
+  if (picture.TetrahedronStride > 1)
+  {
+    program->SetUniformi("tetrahedronStride", static_cast<int>(picture.TetrahedronStride));
+  }
+  if (hasOpaque)
+  {
+    const std::array<double, 2>& depth = view.GetDepthOfBuffer();
+    const float values[2] = { static_cast<float>(depth[0]), static_cast<float>(depth[1]) };
+    program->SetUniform2f("depthOfBuffer", values);
+    program->SetUniformi("opaqueDepth", this->Depth->GetTextureUnit());
+    program->SetUniformi("pixelStride", picture.PixelStride);
+  }
+  if (picture.Blend == Picture::MAXIMUM && picture.Fields->Kind != vtkTetrahedraFields::SCALARS)
+  {
+    program->SetUniformf(
+      "opacityOfExtinction", static_cast<float>(1.0 / picture.ExtinctionUnit));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraPainter::DrawRange(vtkOpenGLRenderWindow* window,
+  const vtkTetrahedraPicture& picture, std::size_t first, std::size_t number)
+{
+  vtkOpenGLState* state = window->GetState();
+  const bool isOver = picture.Blend == Picture::COMPOSITE;
+  const float nothing = picture.Blend == Picture::MAXIMUM ? -1.0f : 0.0f;
+  state->vtkglClearColor(nothing < 0.0f ? nothing : 0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  state->vtkglBlendFunc(GL_ONE, isOver ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+  state->vtkglBlendEquation(picture.Blend == Picture::MAXIMUM ? GL_MAX : GL_FUNC_ADD);
+  this->Vertices->Bind();
+  if (picture.Order)
+  {
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Order);
+    glDrawElements(GL_POINTS, static_cast<GLsizei>(number), GL_UNSIGNED_INT,
+      reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  }
+  else
+  {
+    glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(number));
+  }
+  this->Vertices->Release();
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraPainter::Resolve(vtkOpenGLRenderWindow* window,
+  const vtkTetrahedraPicture& picture, vtkTextureObject* texture, bool isResolved)
+{
+  const bool isLargestScalar =
+    picture.Blend == Picture::MAXIMUM && picture.Fields->Kind == vtkTetrahedraFields::SCALARS;
+  if (!isResolved && isLargestScalar)
+  {
+    this->ResolveQuad.Draw(window, texture, "LARGEST_SCALAR",
+      [&](vtkShaderProgram* program)
+      {
+        this->Pieces.Activate(window, program, "pieces");
+        this->Starts.Activate(window, program, "starts");
+        this->Buckets.Activate(window, program, "buckets");
+        program->SetUniformf(
+          "opacityOfExtinction", static_cast<float>(1.0 / picture.ExtinctionUnit));
+      });
+    this->Pieces.Deactivate(window);
+    this->Starts.Deactivate(window);
+    this->Buckets.Deactivate(window);
+    return;
+  }
+  if (!isResolved && IsDepthSum(picture))
+  {
+    this->ResolveQuad.Draw(window, texture, "OPTICAL_DEPTH");
+    return;
+  }
+  this->Quad.Draw(window, texture, picture.Blend == Picture::ADDITIVE ? "SATURATE" : "COLORS");
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedraPicture& picture,
+  const Changes& changes, bool hasOpaque, vtkTetrahedraRenderReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  const vtkTetrahedraFields& fields = *picture.Fields;
+  this->Upload(picture, changes, report);
+  if (picture.Order && (changes.Order || !this->Order))
+  {
+    this->UploadOrder(picture, report);
+  }
+  if (hasOpaque)
+  {
+    this->Depth->SetContext(window);
+    hasOpaque = vtkSceneDepth::CopyTo(renderer, this->Depth);
+  }
+  const std::string features = this->GetFeatures(picture, hasOpaque);
+  report.Features = features;
+
+  // The scene's framebuffer and state come back at the end of this block.
+  state->PushFramebufferBindings();
+  {
+    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+    vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+    vtkOpenGLState::ScopedglDepthMask depthMask(state);
+    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+    vtkOpenGLState::ScopedglViewport viewport(state);
+    vtkOpenGLState::ScopedglClearColor clearColor(state);
+    const int width = picture.View.GetWidth();
+    const int height = picture.View.GetHeight();
+    const bool hasLayers = picture.Blend == Picture::PRIORITY;
+    if (!this->PrepareTarget(window, width, height, hasLayers))
+    {
+      state->PopFramebufferBindings();
+      return "a framebuffer of floats cannot be drawn to";
+    }
+    state->vtkglViewport(0, 0, width, height);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglDepthMask(GL_FALSE);
+    const std::size_t number =
+      picture.Order ? this->OrderSize : picture.Mesh->GetNumberOfTetrahedra();
+    if (hasLayers)
+    {
+      this->Framebuffer->AddColorAttachment(0, this->Layers);
+      state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+      glClear(GL_COLOR_BUFFER_BIT);
+    }
+    std::size_t first = 0;
+    while (first < number)
+    {
+      std::size_t last = number;
+      if (hasLayers)
+      {
+        // The order was turned round for blending.
+        const auto layer = [&](std::size_t i)
+        { return fields.Layers[(*picture.Order)[number - 1 - i]]; };
+        last = first + 1;
+        while (last < number && layer(last) == layer(first))
+        {
+          ++last;
+        }
+        this->Framebuffer->AddColorAttachment(0, this->Sums);
+      }
+      vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+        InterlumeTetrahedraVS, vtkShaderFeatures::Insert(InterlumeTetrahedraFS, features).c_str(),
+        vtkShaderFeatures::Insert(InterlumeTetrahedraGS, features).c_str());
+      if (!program)
+      {
+        state->PopFramebufferBindings();
+        return "the shaders cannot be compiled";
+      }
+      std::vector<vtkTextureBuffer*> active;
+      const auto activate = [&](vtkTextureBuffer& buffer, const char* name)
+      {
+        buffer.Activate(window, program, name);
+        active.push_back(&buffer);
+      };
+      activate(this->Points, "points");
+      activate(this->Corners, "corners");
+      activate(this->Volumes, "volumes");
+      if (!fields.DeltaT.empty())
+      {
+        activate(this->DeltaTs, "deltaTs");
+      }
+      if (fields.Kind != vtkTetrahedraFields::SCALARS)
+      {
+        activate(this->Colors, "colors");
+      }
+      else if (picture.Blend != Picture::MAXIMUM)
+      {
+        activate(this->Pieces, "pieces");
+        activate(this->Starts, "starts");
+        activate(this->Buckets, "buckets");
+      }
+      if (hasOpaque)
+      {
+        this->Depth->Activate();
+      }
+      this->SetUniforms(program, picture, hasOpaque);
+      this->DrawRange(window, picture, first, last - first);
+      if (hasOpaque)
+      {
+        this->Depth->Deactivate();
+      }
+      for (vtkTextureBuffer* buffer : active)
+      {
+        buffer->Deactivate(window);
+      }
+      if (hasLayers)
+      {
+        this->Framebuffer->AddColorAttachment(0, this->Layers);
+        this->Resolve(window, picture, this->Sums, false);
+      }
+      first = last;
+    }
+  }
+  state->PopFramebufferBindings();
+  const bool isResolved = picture.Blend == Picture::PRIORITY;
+  this->Resolve(window, picture, isResolved ? this->Layers : this->Sums, isResolved);
+  const vtkIdType pixels = static_cast<vtkIdType>(picture.View.GetWidth()) * picture.View.GetHeight();
+  report.Buffers = 1 + (isResolved ? 1 : 0) + (hasOpaque ? 1 : 0);
+  report.BufferBytes = 16 * pixels * (isResolved ? 2 : 1) + (hasOpaque ? 4 * pixels : 0);
+  for (const vtkTextureBuffer* buffer : { &this->Points, &this->Corners, &this->Volumes,
+         &this->DeltaTs, &this->Colors, &this->Pieces, &this->Starts, &this->Buckets })
+  {
+    report.BufferBytes += static_cast<vtkIdType>(buffer->GetBytes());
+  }
+  report.BufferBytes += static_cast<vtkIdType>(this->OrderSize * sizeof(std::uint32_t));
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraPainter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkTextureBuffer* buffer : { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs,
+         &this->Colors, &this->Pieces, &this->Starts, &this->Buckets })
+  {
+    buffer->Release();
+  }
+  if (this->Order)
+  {
+    glDeleteBuffers(1, &this->Order);
+    this->Order = 0;
+  }
+  this->OrderSize = 0;
+  this->Sums->ReleaseGraphicsResources(window);
+  this->Layers->ReleaseGraphicsResources(window);
+  this->Depth->ReleaseGraphicsResources(window);
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->Vertices->ReleaseGraphicsResources();
+  this->Quad.ReleaseGraphicsResources(window);
+  this->ResolveQuad.ReleaseGraphicsResources(window);
+}
