@@ -41,7 +41,8 @@ public:
   }
 
   void Measure(const std::string& name, const std::string& extreme, vtkUnstructuredGrid* grid,
-    vtkVolumeProperty* property, const Point3& direction = Slanted)
+    vtkVolumeProperty* property, const Point3& direction = Slanted,
+    const std::array<int, 2>& size = { { 96, 64 } })
   {
     for (bool parallel : { true, false })
     {
@@ -50,7 +51,7 @@ public:
       what.Grid = grid;
       what.Property = property;
       what.Camera = LookAt(grid, direction, parallel);
-      what.Settings.Size = { { 96, 64 } };
+      what.Settings.Size = size;
       const RgbaPicture expected = DrawByReference(what);
       std::ostringstream wanted;
       wanted.precision(3);
@@ -76,6 +77,27 @@ private:
 std::string Power(int exponent)
 {
   return (exponent < 0 ? "1e-" : "1e+") + std::to_string(std::abs(exponent));
+}
+
+/// Pictures with a pixel in the middle, of meshes with faces through the middle: lines of sight lie
+/// in faces, along rows, columns and diagonals of the picture.
+void TestAlignedFaces(ErrorTable& table)
+{
+  const std::array<int, 2> odd = { { 95, 63 } };
+  const std::string extreme = "lines of sight within faces, ";
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Point3 direction = { { 0.0, 0.0, 0.0 } };
+    direction[axis] = 1.0;
+    std::string name = "aligned-";
+    name.append(1, "xyz"[axis]);
+    table.Measure(name + "-5", extreme + "five tetrahedra a cube", MakeCube(4),
+      MakeRamp(0.1, 1.0, 0.25), direction, odd);
+    table.Measure(name + "-6", extreme + "six tetrahedra a cube", MakeBox({ { 4, 4, 4 } }),
+      MakeRamp(0.1, 1.0, 0.25), direction, odd);
+  }
+  table.Measure("aligned-xy", extreme + "along a diagonal", MakeCube(2), MakeRamp(0.1, 1.0, 0.25),
+    { { 1.0, 1.0, 0.0 } }, odd);
 }
 
 void TestThinTetrahedra(ErrorTable& table)
@@ -149,6 +171,7 @@ int TestTetrahedraMapperError(int argc, char* argv[])
     MakeRamp(0.1, 1.0, 0.25), { { 0.0, 0.0, 1.0 } });
   table.Measure("regular-diagonal", "edges along the lines of sight", MakeBox({ { 3, 3, 3 } }),
     MakeRamp(0.1, 1.0, 0.25), { { 1.0, 1.0, 1.0 } });
+  TestAlignedFaces(table);
   TestThinTetrahedra(table);
   TestScales(table);
   TestExtinctions(table);

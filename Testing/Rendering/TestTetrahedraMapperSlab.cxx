@@ -5,6 +5,7 @@
 #include "ReferenceCheck.h"
 
 #include "vtkCamera.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
@@ -31,11 +32,11 @@ PictureCase MakeCase(
 }
 
 /// Seen face-on in parallel, every pixel of the slab is the same.
-void TestUniform(Check& check, int path, vtkUnstructuredGrid* grid, double extinction)
+void TestUniform(Check& check, int path, vtkUnstructuredGrid* grid, double extinction, int pixels)
 {
   const Point3 color = { { 0.9, 0.5, 0.2 } };
-  const PictureCase what =
-    MakeCase(grid, MakeProperty({ { 0.0, color, extinction } }), FaceOn, true);
+  PictureCase what = MakeCase(grid, MakeProperty({ { 0.0, color, extinction } }), FaceOn, true);
+  what.Settings.Size = { { pixels, pixels } };
   const RgbaPicture picture = DrawByPath(path, what);
   const double expected = -std::expm1(-extinction);
   double lowest = 1.0;
@@ -59,7 +60,7 @@ void TestUniform(Check& check, int path, vtkUnstructuredGrid* grid, double extin
       }
       else
       {
-        check.Near(pixel[3], 0.0, 0.0, "alpha beside the slab");
+        check.Near(pixel[3], 0.0, 1e-5, "alpha beside the slab", 1.0);
       }
     }
   }
@@ -69,11 +70,13 @@ void TestUniform(Check& check, int path, vtkUnstructuredGrid* grid, double extin
   check.Near(highest, expected, 1e-5, "highest alpha of the slab", 1.0);
 }
 
-/// Seen at a slant and in perspective, every pixel has its own length.
+/// Seen at a slant and in perspective, every pixel has its own length. OpenGL rounds the silhouette
+/// of a tetrahedron to 1/256 of a pixel, and may miss what is thinner.
 void TestChords(Check& check, int path, bool parallel)
 {
   auto grid = MakeCube(5);
   const double extinction = 1.7;
+  const double bound = path == vtkTimeWeightedTetrahedraMapper::OPENGL_PATH ? 2e-4 : 1e-5;
   const PictureCase what =
     MakeCase(grid, MakeProperty({ { 0.0, { { 1.0, 1.0, 1.0 } }, extinction } }), Slanted, parallel);
   const RgbaPicture picture = DrawByPath(path, what);
@@ -83,8 +86,8 @@ void TestChords(Check& check, int path, bool parallel)
     for (int i = 0; i < picture.Width; ++i)
     {
       const double alpha = -std::expm1(-extinction * BoxChord(grid, rays.Get(i, j)));
-      check.Near(picture.At(i, j)[3], alpha, 1e-5, "alpha of a chord", 1.0);
-      check.Near(picture.At(i, j)[0], alpha, 1e-5, "red of a chord", 1.0);
+      check.Near(picture.At(i, j)[3], alpha, bound, "alpha of a chord", 1.0);
+      check.Near(picture.At(i, j)[0], alpha, bound, "red of a chord", 1.0);
     }
   }
 }
@@ -113,8 +116,11 @@ int TestTetrahedraMapperSlab(int, char*[])
     for (double extinction : { 0.01, 1.0, 5.0 })
     {
       check.SetContext(GetPathName(path) + ", extinction " + std::to_string(extinction));
-      TestUniform(check, path, MakeCube(5), extinction);
-      TestUniform(check, path, MakeBox({ { 3, 4, 7 } }), extinction);
+      TestUniform(check, path, MakeCube(5), extinction, 96);
+      TestUniform(check, path, MakeBox({ { 3, 4, 7 } }), extinction, 96);
+      // With a pixel in the middle, where faces are.
+      TestUniform(check, path, MakeCube(4), extinction, 95);
+      TestUniform(check, path, MakeBox({ { 2, 4, 3 } }), extinction, 95);
     }
     for (bool parallel : { true, false })
     {
