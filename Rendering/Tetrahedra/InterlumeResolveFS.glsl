@@ -44,6 +44,15 @@ void main()
   float opacity = min(color.a * opacityOfExtinction, 1.0);
   gl_FragData[0] = vec4(color.rgb * opacity, opacity);
 #endif
+#ifdef SELECTION
+  // A colour that names a cell, and its depth.
+  if (sum.a < 0.0)
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(sum.rgb, 1.0);
+  gl_FragDepth = sum.a;
+#endif
 #ifdef COLORS
   gl_FragData[0] = sum;
 #endif

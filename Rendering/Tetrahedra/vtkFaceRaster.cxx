@@ -31,8 +31,7 @@ vtkFaceRaster::Edge vtkFaceRaster::MakeEdge(
 {
   const double sign = idA < idB ? 1.0 : -1.0;
   const vtkTriple line = idA < idB ? Cross(a, b) : Cross(b, a);
-  const double decisive = line[0] != 0.0 ? line[0] : line[1] != 0.0 ? line[1] : line[2];
-  return { sign * line[0], sign * line[1], sign * line[2], sign * decisive > 0.0 };
+  return { sign * line[0], sign * line[1], sign * line[2] };
 }
 
 void vtkFaceRaster::FindRectangle(const std::array<vtkTriple, 3>& corners)

@@ -1,6 +1,7 @@
 #ifndef vtkFaceRaster_h
 #define vtkFaceRaster_h
 
+#include "InterlumeTetrahedraModule.h" // for the export macro
 #include "vtkPictureProjection.h"
 #include "vtkTriple.h"
 
@@ -12,12 +13,11 @@
  * @brief   the pixels of a picture whose lines of sight pass a triangle, and at which depth
  *
  * In homogeneous coordinates (M. Olano, T. Greer, "Triangle scan conversion using 2D homogeneous
- * coordinates", 1997), so that no triangle needs to be cut at the eye's plane. A line of sight
- * through an edge is given to exactly one of two triangles on either side of it, and edges are
- * evaluated in the order of their point ids, so that both have the same rounding: a closed surface
- * has no leaks.
+ * coordinates", 1997), so that no triangle needs to be cut at the eye's plane. An edge is evaluated
+ * in the order of its point ids, so that the triangles on either side of it have the same rounding:
+ * a closed surface has no leaks.
  */
-class vtkFaceRaster
+class INTERLUMETETRAHEDRA_EXPORT vtkFaceRaster
 {
 public:
   /// A triangle: picture coordinates of its corners, and their point ids.
@@ -43,8 +43,6 @@ private:
     double X;
     double Y;
     double One;
-    // The sign on the line itself: that a little to the right and less up.
-    bool IsPositiveOn;
   };
 
   static Edge MakeEdge(
@@ -82,7 +80,7 @@ void vtkFaceRaster::VisitRow(int row, const Visit& visit) const
     for (int e = 0; e < 3; ++e)
     {
       const double side = this->Edges[e].X * x + starts[e];
-      positive += side > 0.0 || (side == 0.0 && this->Edges[e].IsPositiveOn) ? 1 : 0;
+      positive += side > 0.0 ? 1 : 0;
     }
     if (positive == 0 || positive == 3)
     {

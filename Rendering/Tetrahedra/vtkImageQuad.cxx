@@ -18,11 +18,13 @@ vtkImageQuad::~vtkImageQuad() = default;
 
 //------------------------------------------------------------------------------
 vtkIdType vtkImageQuad::Upload(
-  vtkOpenGLRenderWindow* window, int width, int height, const std::vector<float>& colors)
+  vtkOpenGLRenderWindow* window, int width, int height,
+  const std::vector<float>& colors, bool isSmooth)
 {
   this->Texture->SetContext(window);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  const int filter = isSmooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  this->Texture->SetMinificationFilter(filter);
+  this->Texture->SetMagnificationFilter(filter);
   this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
   this->Texture->Create2DFromRaw(static_cast<unsigned int>(width),
@@ -54,8 +56,16 @@ void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglDepthMask depthMask(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
+  const bool isSelection = features == "SELECTION";
+  if (isSelection)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+  }
+  else
+  {
+    state->vtkglDisable(GL_DEPTH_TEST);
+  }
+  state->vtkglDepthMask(isSelection ? GL_TRUE : GL_FALSE);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   texture->Activate();
@@ -77,10 +87,4 @@ void vtkImageQuad::ReleaseGraphicsResources(vtkWindow* window)
     this->Quad->ReleaseGraphicsResources(window);
     this->Quad.reset();
   }
-}
-
-//------------------------------------------------------------------------------
-bool vtkImageQuad::HasTexture() const
-{
-  return this->Texture->GetHandle() != 0;
 }

@@ -1,6 +1,7 @@
 #ifndef vtkPictureProjection_h
 #define vtkPictureProjection_h
 
+#include "InterlumeTetrahedraModule.h" // for the export macro
 #include "vtkTriple.h"
 #include "vtkViewRays.h"
 
@@ -12,7 +13,7 @@
  * upper one, times the depth in perspective, and the depth d in units of the direction's length.
  * The line of sight of a pixel at (x, y) is (x, y, 1) d in perspective, (x, y, d) in parallel.
  */
-class vtkPictureProjection
+class INTERLUMETETRAHEDRA_EXPORT vtkPictureProjection
 {
 public:
   explicit vtkPictureProjection(const vtkViewRays& rays);
@@ -32,9 +33,15 @@ public:
 
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
-  /// The centre of a column or row of pixels.
-  double GetX(int i) const { return (2 * i + 1) * this->PixelWidth - 1.0; }
-  double GetY(int j) const { return (2 * j + 1) * this->PixelHeight - 1.0; }
+  ///@{
+  /**
+   * The centre of a column or row of pixels, moved by a hundred-millionth of a pixel to the right
+   * and less up: edges and corners that line up with pixel centres, as those of a lattice do, would
+   * otherwise be on either side by rounding.
+   */
+  double GetX(int i) const { return (2 * i + 1 + 2.0e-8) * this->PixelWidth - 1.0; }
+  double GetY(int j) const { return (2 * j + 1 + 1.2e-8) * this->PixelHeight - 1.0; }
+  ///@}
 
   /// Pixels first to last, whose centres may be in a range; none where first > last.
   struct Range

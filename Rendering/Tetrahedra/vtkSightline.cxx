@@ -18,6 +18,50 @@ void SortByInsertion(vtkSightline::Event* first, vtkSightline::Event* last)
     *place = event;
   }
 }
+
+// Leaves out tetrahedra that a line only touches, whose two events are in either order; returns the
+// end of what is left.
+vtkSightline::Event* RemoveTouched(
+  vtkSightline::Event* first, vtkSightline::Event* last, double tolerance)
+{
+  vtkSightline::Event* kept = first;
+  while (first < last)
+  {
+    vtkSightline::Event* other = first + 1;
+    while (other < last && other->Depth - first->Depth <= tolerance &&
+      (other->Face / 4 != first->Face / 4 || other->IsEntry == first->IsEntry))
+    {
+      ++other;
+    }
+    if (other < last && other->Depth - first->Depth <= tolerance)
+    {
+      // The place of the other is taken by those before it.
+      std::copy_backward(first + 1, other, other + 1);
+      first += 2;
+    }
+    else
+    {
+      *kept++ = *first++;
+    }
+  }
+  return kept;
+}
+
+// Has the first event of the wanted kind, where there is one as near as that, changed places with
+// those before it.
+void BringForward(
+  vtkSightline::Event* first, vtkSightline::Event* last, bool wantsEntry, double tolerance)
+{
+  vtkSightline::Event* wanted = first;
+  while (wanted < last && wanted->IsEntry != wantsEntry)
+  {
+    ++wanted;
+  }
+  if (wanted < last && wanted->Depth - first->Depth <= tolerance)
+  {
+    std::rotate(first, wanted, wanted + 1);
+  }
+}
 }
 
 void vtkSightline::Relate(
@@ -32,31 +76,38 @@ void vtkSightline::Relate(
   {
     std::sort(first, last);
   }
+  last = RemoveTouched(first, last, tolerance);
   const auto entries = std::count_if(first, last, [](const Event& e) { return e.IsEntry; });
   bool isInside = last - first - entries > entries;
+  const Event* entry = nullptr;
   const Event* exit = nullptr;
+  // Of the last exit and the entry after it.
+  const auto relate = [&]()
+  {
+    if (entry && exit && exit->Face / 4 != entry->Face / 4)
+    {
+      relations.push_back({ entry->Face / 4, exit->Face / 4 });
+    }
+    entry = nullptr;
+  };
   for (Event* event = first; event < last; ++event)
   {
-    if (event->IsEntry == isInside)
-    {
-      Event* other = event + 1;
-      while (other < last && other->IsEntry == isInside)
-      {
-        ++other;
-      }
-      if (other < last && other->Depth - event->Depth <= tolerance)
-      {
-        std::rotate(event, other, other + 1);
-      }
-    }
+    BringForward(event, last, !isInside, tolerance);
     isInside = event->IsEntry;
-    if (!isInside)
+    if (isInside)
     {
+      relate();
+      entry = event;
+    }
+    else if (entry && event->Depth - entry->Depth <= tolerance)
+    {
+      entry = nullptr;
+    }
+    else
+    {
+      relate();
       exit = event;
     }
-    else if (exit && exit->Face / 4 != event->Face / 4)
-    {
-      relations.push_back({ event->Face / 4, exit->Face / 4 });
-    }
   }
+  relate();
 }

@@ -1,6 +1,8 @@
 #ifndef vtkSightline_h
 #define vtkSightline_h
 
+#include "InterlumeTetrahedraModule.h" // for the export macro
+
 #include <cstdint>
 #include <vector>
 
@@ -8,7 +10,7 @@
  * @class   vtkSightline
  * @brief   where one line of sight enters and leaves a mesh
  */
-class vtkSightline
+class INTERLUMETETRAHEDRA_EXPORT vtkSightline
 {
 public:
   struct Event
@@ -42,7 +44,8 @@ public:
   /**
    * Sorts the events of a line of sight and appends a relation from each exit to the next entry.
    * Depths that differ by no more than \a tolerance may change places so that entries and exits
-   * alternate; the line begins inside where exits are in the majority.
+   * alternate, and ways through the mesh that are no longer than that are left out: the line passes
+   * an edge or a corner there. It begins inside where exits are in the majority.
    */
   static void Relate(Event* first, Event* last, double tolerance, std::vector<Relation>& relations);
 };

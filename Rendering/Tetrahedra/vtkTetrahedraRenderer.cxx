@@ -2,9 +2,11 @@
 
 #include "vtkImageQuad.h"
 #include "vtkTetrahedraPainter.h"
+#include "vtkTetrahedraSelection.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 
 #include "vtkDataArray.h"
+#include "vtkHardwareSelector.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
@@ -61,6 +63,30 @@ vtkTetrahedraPicture::Blends GetBlend(int mode)
 }
 }
 
+/// All that a picture of the software path is made of.
+struct vtkTetrahedraRenderer::DrawnState
+{
+  vtkTetrahedraView View;
+  int MeshVersion = 0;
+  int ColorVersion = 0;
+  int OrderVersion = 0;
+  int SurfaceVersion = 0;
+  vtkTetrahedraPicture::Blends Blend = vtkTetrahedraPicture::SELECTION;
+  bool IsExact = false;
+  int PixelStride = 0;
+  std::uint32_t TetrahedronStride = 0;
+  std::vector<float> Opaque;
+
+  bool operator==(const DrawnState& other) const
+  {
+    return this->View == other.View && this->MeshVersion == other.MeshVersion &&
+      this->ColorVersion == other.ColorVersion && this->OrderVersion == other.OrderVersion &&
+      this->SurfaceVersion == other.SurfaceVersion && this->Blend == other.Blend &&
+      this->IsExact == other.IsExact && this->PixelStride == other.PixelStride &&
+      this->TetrahedronStride == other.TetrahedronStride && this->Opaque == other.Opaque;
+  }
+};
+
 struct vtkTetrahedraRenderer::WindowResources
 {
   vtkImageQuad Quad;
@@ -69,6 +95,8 @@ struct vtkTetrahedraRenderer::WindowResources
   int ColorVersion = 0;
   int OrderVersion = 0;
   bool WasClipped = false;
+  DrawnState Drawn;
+  vtkIdType NumberDrawn = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -256,7 +284,7 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
   this->ChooseBlend(request, report);
   this->ChoosePath(request, window, report);
 
-  const int level = request.AdjustsLevelOfDetail
+  const int level = request.AdjustsLevelOfDetail && !renderer->GetSelector()
     ? this->LevelOfDetail.Choose(volume->GetAllocatedRenderTime())
     : 0;
   report.PixelStride = vtkLevelOfDetail::GetPixelStride(level);
@@ -294,6 +322,12 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
     resources = std::make_unique<WindowResources>();
   }
   this->Picture.PixelStride = report.PixelStride;
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    this->Select(renderer, selector, *resources);
+    this->Clip.Remove(this->Mesh, this->Fields);
+    return {};
+  }
   if (report.RenderPath == Mapper::OPENGL_PATH)
   {
     std::string obstacle = resources->Painter.GetObstacle(window, this->Picture);
@@ -314,6 +348,7 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
   this->Clip.Remove(this->Mesh, this->Fields);
   report.Seconds = vtkTimerLog::GetUniversalTime() - start;
   this->LevelOfDetail.Measured(level, report.Seconds);
+  report.MemoryBytes = this->GetMemoryBytes();
   return {};
 }
 
@@ -363,21 +398,101 @@ std::string vtkTetrahedraRenderer::DrawWithOpenGL(vtkRenderer* renderer, vtkVolu
 void vtkTetrahedraRenderer::DrawInSoftware(
   vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraRenderReport& report)
 {
-  this->Depth.Read(renderer, this->Picture.View, report.PixelStride);
+  this->ReadDepth(renderer);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  report.Features = this->GetFeatures();
+  const DrawnState state = { this->Picture.View, this->MeshVersion, this->ColorVersion,
+    this->OrderVersion, this->SurfaceVersion, this->Picture.Blend, this->Picture.IsExact,
+    this->Picture.PixelStride, this->Picture.TetrahedronStride, this->Depth.GetDepths() };
+  // A still view of a still scene keeps its picture.
+  if (!(resources.Drawn == state))
+  {
+    const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
+    if (!this->Rasterizer.Draw(this->Picture, isAborted))
+    {
+      return;
+    }
+    report.UploadedImageBytes = resources.Quad.Upload(window, this->Picture.View.GetWidth(),
+      this->Picture.View.GetHeight(), this->Rasterizer.GetColors());
+    resources.Drawn = state;
+    resources.NumberDrawn = this->Rasterizer.GetNumberDrawn();
+  }
+  report.TetrahedraDrawn = resources.NumberDrawn;
+  report.Buffers = 1;
+  report.BufferBytes = 16 * static_cast<vtkIdType>(this->Picture.View.GetWidth()) *
+    this->Picture.View.GetHeight();
+  resources.Quad.Draw(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraRenderer::Select(
+  vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
+{
+  selector->BeginRenderProp();
+  selector->UpdateMaximumCellId(this->MeshState.Grid->GetNumberOfCells());
+  if (vtkTetrahedraSelection::IsDrawn(selector))
+  {
+    this->DrawSelection(renderer, selector, resources);
+  }
+  selector->EndRenderProp();
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraRenderer::DrawSelection(
+  vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
+{
+  // Ids are drawn once for each pass; neither order nor colour matters, so both paths draw them so.
+  this->Picture.Blend = vtkTetrahedraPicture::SELECTION;
+  this->Picture.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : nullptr;
+  this->ReadDepth(renderer);
+  this->Rasterizer.Draw(this->Picture, []() { return false; });
+  std::vector<vtkIdType> cells;
+  cells.reserve(this->Rasterizer.GetTetrahedra().size());
+  for (std::uint32_t tetrahedron : this->Rasterizer.GetTetrahedra())
+  {
+    const std::uint32_t whole = tetrahedron ? this->Clip.GetWhole(tetrahedron - 1) : 0;
+    const vtkIdType cell =
+      this->Mesh.Cells.empty() ? static_cast<vtkIdType>(whole) : this->Mesh.Cells[whole];
+    cells.push_back(tetrahedron ? cell + 1 : 0);
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const vtkTetrahedraView& view = this->Picture.View;
+  resources.Quad.Upload(window, view.GetWidth(), view.GetHeight(),
+    vtkTetrahedraSelection::MakeImage(selector, view, cells, this->Rasterizer.GetDepths()), false);
+  resources.Quad.Draw(window, "SELECTION");
+  resources.Drawn = DrawnState();
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraRenderer::ReadDepth(vtkRenderer* renderer)
+{
+  this->Depth.Read(renderer, this->Picture.View, this->Picture.PixelStride);
   this->Picture.Opaque =
     this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
-  if (!this->Rasterizer.Draw(this->Picture, isAborted))
-  {
-    return;
-  }
-  report.TetrahedraDrawn = this->Rasterizer.GetNumberDrawn();
-  report.UploadedImageBytes = resources.Quad.Upload(window, this->Picture.View.GetWidth(),
-    this->Picture.View.GetHeight(), this->Rasterizer.GetColors());
-  report.Buffers = 1;
-  report.BufferBytes = report.UploadedImageBytes;
-  resources.Quad.Draw(window);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTetrahedraRenderer::GetMemoryBytes() const
+{
+  const auto bytes = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
+  return static_cast<vtkIdType>(bytes(this->Mesh.Points) + bytes(this->Mesh.Corners) +
+    bytes(this->Mesh.Cells) + bytes(this->Fields.Scalars) + bytes(this->Fields.Colors) +
+    bytes(this->Fields.DeltaT) + bytes(this->Fields.Layers) + this->Order.GetBytes() +
+    this->Rasterizer.GetBytes());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTetrahedraRenderer::GetFeatures() const
+{
+  const vtkTetrahedraPicture& picture = this->Picture;
+  std::string features = this->Fields.Kind == vtkTetrahedraFields::SCALARS ? "scalars"
+    : this->Fields.Kind == vtkTetrahedraFields::POINT_COLORS              ? "point-colors"
+                                                                           : "cell-colors";
+  features += picture.View.IsParallel() ? " parallel" : " perspective";
+  features += this->Fields.DeltaT.empty() ? "" : " delta-t";
+  features += picture.Opaque ? " opaque" : "";
+  features += picture.Surface ? " surface" : "";
+  return features + (picture.IsExact ? " exact" : " average");
 }
 
 //------------------------------------------------------------------------------

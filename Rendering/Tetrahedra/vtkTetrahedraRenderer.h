@@ -17,6 +17,7 @@
 #include <vector>
 
 class vtkDataSet;
+class vtkHardwareSelector;
 class vtkOpenGLRenderWindow;
 class vtkProperty;
 class vtkRenderer;
@@ -63,6 +64,7 @@ public:
 private:
   /// What one window's context holds.
   struct WindowResources;
+  struct DrawnState;
 
   std::string UpdateMesh(const Request& request);
   std::string UpdateColors(const Request& request, vtkVolumeProperty* property, double unit);
@@ -78,7 +80,13 @@ private:
     vtkTetrahedraRenderReport& report);
   void DrawInSoftware(
     vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraRenderReport& report);
-  void Select(vtkRenderer* renderer, WindowResources& resources);
+  void Select(
+    vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
+  void DrawSelection(
+    vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
+  void ReadDepth(vtkRenderer* renderer);
+  std::string GetFeatures() const;
+  vtkIdType GetMemoryBytes() const;
 
   /// What mesh and colours were made of.
   struct MeshKey
@@ -96,6 +104,7 @@ private:
   int MeshVersion = 0;
   int ColorVersion = 0;
   int OrderVersion = 0;
+  int SurfaceVersion = 0;
 
   vtkTetrahedraMesh Mesh;
   vtkTetrahedraFields Fields;

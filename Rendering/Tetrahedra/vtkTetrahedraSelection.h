@@ -1,0 +1,31 @@
+#ifndef vtkTetrahedraSelection_h
+#define vtkTetrahedraSelection_h
+
+#include "vtkTetrahedraView.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkHardwareSelector;
+
+/**
+ * @class   vtkTetrahedraSelection
+ * @brief   the colours by which a hardware selector tells cells apart
+ */
+class vtkTetrahedraSelection
+{
+public:
+  /**
+   * Whether this pass of the selector draws anything of a volume's cells.
+   */
+  static bool IsDrawn(vtkHardwareSelector* selector);
+
+  /**
+   * Four values for each pixel: the colour of this pass, and the value of the depth buffer, below 0
+   * where there is nothing. \a cells are cells plus 1, 0 for none.
+   */
+  static std::vector<float> MakeImage(vtkHardwareSelector* selector, const vtkTetrahedraView& view,
+    const std::vector<vtkIdType>& cells, const std::vector<float>& depths);
+};
+
+#endif

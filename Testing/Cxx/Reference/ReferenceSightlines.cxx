@@ -1,0 +1,213 @@
+#include "ReferenceSightlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace reference
+{
+namespace
+{
+using Vector = std::array<double, 3>;
+
+// Shorter ways through a tetrahedron are left out: there rounding decides what is hit.
+constexpr double LeastLength = 1e-7;
+constexpr double Tolerance = 1e-9;
+
+Vector Combine(const Vector& a, double s, const Vector& b)
+{
+  return { { a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2] } };
+}
+Vector Cross(const Vector& a, const Vector& b)
+{
+  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+}
+double Dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Vector Normalize(const Vector& a)
+{
+  return Combine({}, 1.0 / std::sqrt(Dot(a, a)), a);
+}
+Vector ToVector(const double* p)
+{
+  return { { p[0], p[1], p[2] } };
+}
+
+std::vector<std::uint32_t> GetRanks(const std::vector<std::uint32_t>& order)
+{
+  std::vector<std::uint32_t> ranks(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    ranks[order[i]] = static_cast<std::uint32_t>(i);
+  }
+  return ranks;
+}
+}
+
+vtkViewRays LookAt(const std::array<double, 3>& eye, const std::array<double, 3>& target,
+  double halfSize, int pixels, bool isParallel)
+{
+  vtkViewRays rays;
+  rays.Viewpoint.IsParallel = isParallel;
+  rays.Viewpoint.Eye = eye;
+  rays.Viewpoint.Direction = Normalize(Combine(target, -1.0, eye));
+  const Vector up = std::abs(rays.Viewpoint.Direction[1]) > 0.9 ? Vector{ { 0.0, 0.0, 1.0 } }
+                                                                : Vector{ { 0.0, 1.0, 0.0 } };
+  rays.Right = Normalize(Cross(rays.Viewpoint.Direction, up));
+  rays.Up = Cross(rays.Right, rays.Viewpoint.Direction);
+  rays.HalfSize = { { halfSize, halfSize } };
+  rays.Width = pixels;
+  rays.Height = pixels;
+  return rays;
+}
+
+std::vector<View> GetViews(int pixels, const std::array<double, 3>& hole)
+{
+  const Vector middle = { { 0.01, -0.02, 0.015 } };
+  std::vector<View> views = {
+    { "perspective", LookAt({ { 1.3, 1.1, 1.7 } }, middle, 0.4, pixels, false) },
+    { "perspective, near", LookAt({ { -0.71, 0.13, 0.21 } }, middle, 1.2, pixels, false) },
+    { "perspective, far", LookAt({ { 130.0, -250.0, 470.0 } }, middle, 0.0016, pixels, false) },
+    { "from within",
+      LookAt({ { 0.011, 0.021, -0.017 } }, { { 0.3, 0.5, 0.4 } }, 1.5, pixels, false) },
+    { "from a hole", LookAt(hole, { { -0.4, -0.2, -0.3 } }, 1.5, pixels, false) },
+    { "from a hole, back", LookAt(hole, { { 0.4, 0.3, 0.6 } }, 1.0, pixels, false) },
+    { "along an axis", LookAt({ { 0.0, 0.0, 2.0 } }, { { 0.0, 0.0, 0.0 } }, 0.4, pixels, false) },
+    { "parallel", LookAt({ { 1.3, 0.9, 0.6 } }, middle, 0.8, pixels, true) },
+    { "parallel along an axis",
+      LookAt({ { 0.0, 0.0, 1.0 } }, { { 0.0, 0.0, 0.0 } }, 0.6, pixels, true) },
+  };
+  View shifted = views[0];
+  shifted.Name = "perspective, shifted, mirrored, not square";
+  shifted.Rays.Center = { { 0.1, -0.05 } };
+  shifted.Rays.HalfSize = { { 0.3, 0.2 } };
+  shifted.Rays.Height = pixels / 2;
+  shifted.Rays.Right = Combine({}, -1.5, shifted.Rays.Right);
+  views.push_back(shifted);
+  shifted.Name = "parallel, shifted, mirrored, not square";
+  shifted.Rays.Viewpoint.IsParallel = true;
+  views.push_back(shifted);
+  return views;
+}
+
+Sightlines::Sightlines(const vtkTetrahedraMesh& mesh)
+{
+  for (std::uint32_t t = 0; t < mesh.GetNumberOfTetrahedra(); ++t)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const std::uint32_t* corners = mesh.GetCorners(t);
+      const Vector a = ToVector(mesh.GetPoint(corners[(k + 1) & 3]));
+      const Vector b = ToVector(mesh.GetPoint(corners[(k + 2) & 3]));
+      const Vector c = ToVector(mesh.GetPoint(corners[(k + 3) & 3]));
+      Vector normal = Normalize(Cross(Combine(b, -1.0, a), Combine(c, -1.0, a)));
+      if (Dot(normal, Combine(ToVector(mesh.GetPoint(corners[k])), -1.0, a)) > 0.0)
+      {
+        normal = Combine({}, -1.0, normal);
+      }
+      this->Planes.push_back({ normal, Dot(normal, a) });
+    }
+  }
+}
+
+void Sightlines::CheckLine(const vtkViewRays& rays, double x, double y,
+  const std::vector<std::uint32_t>& ranks, OrderErrors& errors) const
+{
+  const bool isParallel = rays.Viewpoint.IsParallel;
+  const Vector shift = Combine(Combine({}, x, rays.Right), y, rays.Up);
+  const Vector origin = isParallel ? Combine(rays.Viewpoint.Eye, 1.0, shift) : rays.Viewpoint.Eye;
+  const Vector direction = Normalize(
+    isParallel ? rays.Viewpoint.Direction : Combine(rays.Viewpoint.Direction, 1.0, shift));
+  struct Segment
+  {
+    double Entry;
+    double Exit;
+    std::uint32_t Tetrahedron;
+  };
+  std::vector<Segment> segments;
+  for (std::size_t t = 0; t < this->Planes.size() / 4; ++t)
+  {
+    double entry = isParallel ? std::numeric_limits<double>::lowest() : 0.0;
+    double exit = std::numeric_limits<double>::max();
+    for (std::size_t f = 4 * t; f < 4 * t + 4 && entry < exit; ++f)
+    {
+      const double slope = Dot(this->Planes[f].Normal, direction);
+      const double distance = this->Planes[f].Offset - Dot(this->Planes[f].Normal, origin);
+      if (slope > 0.0)
+      {
+        exit = std::min(exit, distance / slope);
+      }
+      else if (slope < 0.0)
+      {
+        entry = std::max(entry, distance / slope);
+      }
+      else if (distance <= 0.0)
+      {
+        exit = entry;
+      }
+    }
+    if (exit - entry > LeastLength)
+    {
+      segments.push_back({ entry, exit, static_cast<std::uint32_t>(t) });
+    }
+  }
+  std::sort(segments.begin(), segments.end(),
+    [](const Segment& a, const Segment& b) { return a.Entry < b.Entry; });
+  for (std::size_t i = 1; i < segments.size(); ++i)
+  {
+    ++errors.Pairs;
+    errors.Overlaps += segments[i - 1].Exit > segments[i].Entry + Tolerance ? 1 : 0;
+    errors.Wrong += ranks[segments[i - 1].Tetrahedron] > ranks[segments[i].Tetrahedron] ? 1 : 0;
+  }
+}
+
+OrderErrors Sightlines::CheckPixels(const vtkViewRays& rays,
+  const std::vector<std::uint32_t>& frontToBack, int number, unsigned int seed) const
+{
+  const std::vector<std::uint32_t> ranks = GetRanks(frontToBack);
+  std::mt19937 random(seed);
+  OrderErrors errors;
+  for (int n = 0; n < number; ++n)
+  {
+    const int i = n == 0 ? rays.Width / 2 : static_cast<int>(random() % rays.Width);
+    const int j = n == 0 ? rays.Height / 2 : static_cast<int>(random() % rays.Height);
+    this->CheckLine(rays, rays.Center[0] + (2.0 * (i + 0.5) / rays.Width - 1.0) * rays.HalfSize[0],
+      rays.Center[1] + (2.0 * (j + 0.5) / rays.Height - 1.0) * rays.HalfSize[1], ranks, errors);
+  }
+  return errors;
+}
+
+OrderErrors Sightlines::CheckRandom(const vtkViewRays& rays,
+  const std::vector<std::uint32_t>& frontToBack, int number, unsigned int seed) const
+{
+  const std::vector<std::uint32_t> ranks = GetRanks(frontToBack);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  OrderErrors errors;
+  for (int n = 0; n < number; ++n)
+  {
+    const double x = rays.Center[0] + place(random) * rays.HalfSize[0];
+    const double y = rays.Center[1] + place(random) * rays.HalfSize[1];
+    this->CheckLine(rays, x, y, ranks, errors);
+  }
+  return errors;
+}
+
+bool IsPermutation(const std::vector<std::uint32_t>& order, std::uint32_t number)
+{
+  std::vector<bool> seen(number, false);
+  for (const std::uint32_t t : order)
+  {
+    if (t >= number || seen[t])
+    {
+      return false;
+    }
+    seen[t] = true;
+  }
+  return order.size() == number;
+}
+
+}

@@ -1,0 +1,72 @@
+#ifndef ReferenceSightlines_h
+#define ReferenceSightlines_h
+
+#include "vtkTetrahedraMesh.h"
+#include "vtkViewRays.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace reference
+{
+
+/// A view with a name.
+struct View
+{
+  std::string Name;
+  vtkViewRays Rays;
+};
+/// A view from \a eye toward \a target, or in parallel along that line.
+vtkViewRays LookAt(const std::array<double, 3>& eye, const std::array<double, 3>& target,
+  double halfSize, int pixels, bool isParallel);
+/// Views of the cube [-0.5, 0.5]^3 from outside, within, and along its axes; \a hole: one more
+/// place to look from.
+std::vector<View> GetViews(int pixels, const std::array<double, 3>& hole);
+
+/// What an order of tetrahedra was found to do along some lines of sight.
+struct OrderErrors
+{
+  /// Consecutive tetrahedra on a line of sight, and those that are in the wrong order.
+  long long Pairs = 0;
+  long long Wrong = 0;
+  /// Consecutive tetrahedra that overlap: the mesh is not one.
+  long long Overlaps = 0;
+};
+
+/**
+ * @class   Sightlines
+ * @brief   intersects lines of sight with all tetrahedra of a mesh, one by one
+ */
+class Sightlines
+{
+public:
+  explicit Sightlines(const vtkTetrahedraMesh& mesh);
+
+  /// Along the lines of sight through \a number pixel centres, the middle one and random ones.
+  OrderErrors CheckPixels(const vtkViewRays& rays, const std::vector<std::uint32_t>& frontToBack,
+    int number, unsigned int seed) const;
+  /// Along \a number random lines of sight in the picture.
+  OrderErrors CheckRandom(const vtkViewRays& rays, const std::vector<std::uint32_t>& frontToBack,
+    int number, unsigned int seed) const;
+
+private:
+  struct Plane
+  {
+    std::array<double, 3> Normal;
+    double Offset;
+  };
+
+  void CheckLine(const vtkViewRays& rays, double x, double y,
+    const std::vector<std::uint32_t>& ranks, OrderErrors& errors) const;
+
+  // Four for each tetrahedron, with the outward unit normal.
+  std::vector<Plane> Planes;
+};
+
+/// Whether \a order has each number below \a number once.
+bool IsPermutation(const std::vector<std::uint32_t>& order, std::uint32_t number);
+
+}
+
+#endif

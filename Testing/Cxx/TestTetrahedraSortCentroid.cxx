@@ -1,0 +1,163 @@
+// The order by centroids, against a stable sort of the same distances.
+#include "ReferenceCheck.h"
+#include "ReferenceSightlines.h"
+#include "ReferenceTetrahedra.h"
+
+#include "vtkCentroidOrder.h"
+#include "vtkRadixOrder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+namespace
+{
+
+using namespace reference;
+
+template <typename Key>
+std::vector<std::uint32_t> SortStably(const std::vector<Key>& keys)
+{
+  std::vector<std::uint32_t> order(keys.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
+  return order;
+}
+
+void CheckRadix(Check& check)
+{
+  std::mt19937 random(7);
+  vtkRadixOrder radix;
+  for (const std::uint32_t number : { 0u, 1u, 2u, 1000u, 16384u, 300000u, 17u })
+  {
+    // Few different keys, one digit, two, all bits; from 0 on and from elsewhere.
+    for (const int bits : { 0, 1, 11, 12, 22, 23, 32 })
+    {
+      const std::uint32_t mask = bits == 32 ? ~0u : (1u << bits) - 1;
+      const std::uint32_t start = bits == 32 ? 0u : 12345678u;
+      std::vector<std::uint32_t> keys(number);
+      std::generate(keys.begin(), keys.end(),
+        [&] { return start + static_cast<std::uint32_t>(random() & mask); });
+      std::vector<std::uint32_t> order(number);
+      radix.Sort(keys.data(), number, order.data());
+      check.That(order == SortStably(keys),
+        std::to_string(number) + " keys of " + std::to_string(bits) + " bits");
+    }
+  }
+}
+
+void CheckFloatKeys(Check& check)
+{
+  const std::vector<float> values = { std::numeric_limits<float>::lowest(), -1.0f,
+    -std::numeric_limits<float>::denorm_min(), 0.0f, std::numeric_limits<float>::denorm_min(), 1.0f,
+    std::numeric_limits<float>::max(), std::numeric_limits<float>::infinity() };
+  for (std::size_t i = 1; i < values.size(); ++i)
+  {
+    check.That(vtkRadixOrder::MakeKey(values[i - 1]) < vtkRadixOrder::MakeKey(values[i]),
+      "keys sort as floats do");
+  }
+  check.That(
+    vtkRadixOrder::MakeKey(-0.0f) == vtkRadixOrder::MakeKey(0.0f), "0 and -0 have the same key");
+}
+
+// The sum of corners, less four times the eye: squared, and along the direction.
+std::vector<double> Measure(const vtkTetrahedraMesh& mesh, const vtkViewpoint& view)
+{
+  std::vector<double> measures;
+  for (std::uint32_t t = 0; t < mesh.GetNumberOfTetrahedra(); ++t)
+  {
+    double measure = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double sum = 0.0;
+      for (int k = 0; k < 4; ++k)
+      {
+        sum += mesh.GetPoint(mesh.GetCorners(t)[k])[axis];
+      }
+      const double distance = sum - 4.0 * view.Eye[axis];
+      measure += view.IsParallel ? sum * view.Direction[axis] : distance * distance;
+    }
+    measures.push_back(measure);
+  }
+  return measures;
+}
+
+// On a lattice whose coordinates are multiples of 1/16 distances are exact, and many are equal.
+void CheckLattice(Check& check)
+{
+  CubeMesh form;
+  form.Cubes = 16;
+  const vtkTetrahedraMesh mesh = Shuffle(MakeCubes(form), 3);
+  vtkCentroidOrder centroids;
+  std::vector<std::uint32_t> order;
+  for (const bool isParallel : { false, true })
+  {
+    vtkViewpoint view;
+    view.IsParallel = isParallel;
+    view.Direction = { { 0.5, -0.25, 0.75 } };
+    for (const double distance : { 0.0, 0.125, 1.0, 8.0 })
+    {
+      view.Eye = { { 0.5 * distance, distance, -0.75 * distance } };
+      centroids.Compute(mesh, view, order);
+      check.That(order == SortStably(Measure(mesh, view)),
+        "stable, at a distance of " + std::to_string(distance));
+    }
+  }
+}
+
+// The order keeps distances apart that differ by more than single precision of the mesh's size,
+// from wherever it is seen.
+void CheckPrecision(Check& check)
+{
+  CubeMesh form;
+  form.Cubes = 12;
+  form.Jitter = 0.2;
+  const vtkTetrahedraMesh mesh = MakeCubes(form);
+  vtkCentroidOrder centroids;
+  std::vector<std::uint32_t> order;
+  for (const double distance : { 0.001, 0.3, 0.9, 2.0, 1e3, 1e6 })
+  {
+    vtkViewpoint view;
+    view.Eye = { { 0.6 * distance, 0.0, 0.8 * distance } };
+    centroids.Compute(mesh, view, order);
+    check.That(
+      IsPermutation(order, mesh.GetNumberOfTetrahedra()), "each tetrahedron is there once");
+    const std::vector<double> squared = Measure(mesh, view);
+    double worst = 0.0;
+    for (std::size_t i = 1; i < order.size(); ++i)
+    {
+      const double step = std::sqrt(squared[order[i - 1]]) - std::sqrt(squared[order[i]]);
+      worst = std::max(worst, step / 4.0);
+    }
+    check.That(worst < 3e-7,
+      "wrong by " + std::to_string(1e9 * worst) + "e-9 from " + std::to_string(distance));
+  }
+}
+
+void CheckSmall(Check& check)
+{
+  vtkCentroidOrder centroids;
+  std::vector<std::uint32_t> order(5);
+  centroids.Compute(vtkTetrahedraMesh(), vtkViewpoint(), order);
+  check.That(order.empty(), "nothing of an empty mesh");
+  vtkTetrahedraMesh mesh;
+  Append(mesh, { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } });
+  centroids.Compute(mesh, vtkViewpoint(), order);
+  check.That(order == std::vector<std::uint32_t>{ 0 }, "one tetrahedron");
+  check.That(centroids.GetBytes() > 0, "bytes are counted");
+}
+}
+
+int TestTetrahedraSortCentroid(int, char*[])
+{
+  Check check;
+  CheckRadix(check);
+  CheckFloatKeys(check);
+  CheckLattice(check);
+  CheckPrecision(check);
+  CheckSmall(check);
+  return check.Result();
+}

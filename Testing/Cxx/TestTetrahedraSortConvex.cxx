@@ -1,0 +1,98 @@
+// The visibility order of convex meshes along lines of sight, each intersected with all tetrahedra.
+#include "ReferenceCheck.h"
+#include "ReferenceSightlines.h"
+#include "ReferenceTetrahedra.h"
+
+#include "vtkVisibilityOrder.h"
+
+#include <iostream>
+
+namespace
+{
+
+using namespace reference;
+
+// How many orders were computed, and how many of those had cycles.
+struct Tally
+{
+  int Orders = 0;
+  int Cyclic = 0;
+  long long Pairs = 0;
+};
+
+void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name, int lines, bool mayBeCyclic,
+  Tally& tally, Check& check)
+{
+  const Sightlines sightlines(mesh);
+  vtkVisibilityOrder visibility;
+  check.That(visibility.Build(mesh), "built");
+  std::vector<std::uint32_t> order;
+  std::vector<std::uint32_t> orderOfFaces;
+  for (const View& view : GetViews(200, { { 0.31, -0.12, 0.22 } }))
+  {
+    check.SetContext(name + ", " + view.Name);
+    visibility.Compute(mesh, view.Rays, order);
+    check.That(IsPermutation(order, mesh.GetNumberOfTetrahedra()), "each tetrahedron once");
+    check.Equal(visibility.GetNumberOfGapRelations(), 0, "relations across gaps");
+    ++tally.Orders;
+    if (visibility.GetNumberOfTetrahedraInCycles() > 0)
+    {
+      check.That(mayBeCyclic, "no cycles");
+      ++tally.Cyclic;
+      continue;
+    }
+    OrderErrors errors = sightlines.CheckPixels(view.Rays, order, lines, 1);
+    check.Equal(errors.Wrong, 0, "wrong along lines through pixels");
+    check.Equal(errors.Overlaps, 0, "overlaps of the mesh");
+    tally.Pairs += errors.Pairs;
+    errors = sightlines.CheckRandom(view.Rays, order, lines, 2);
+    check.Equal(errors.Wrong, 0, "wrong along random lines");
+    tally.Pairs += errors.Pairs;
+
+    // Shared faces alone are enough, and give the same.
+    vtkViewRays facesOnly = view.Rays;
+    facesOnly.Width = 0;
+    visibility.Compute(mesh, facesOnly, orderOfFaces);
+    check.That(order == orderOfFaces, "the same without a picture");
+  }
+}
+}
+
+int TestTetrahedraSortConvex(int, char*[])
+{
+  Check check;
+  Tally tally;
+  CubeMesh form;
+  for (const int pieces : { 5, 6 })
+  {
+    form.Pieces = pieces;
+    form.Cubes = 12;
+    form.Jitter = 0.0;
+    CheckMesh(MakeCubes(form), std::to_string(pieces) + " of a cube", 60, false, tally, check);
+    CheckMesh(
+      Shuffle(MakeCubes(form), 9), std::to_string(pieces) + ", shuffled", 60, false, tally, check);
+    for (const double jitter : { 0.05, 0.15, 0.25 })
+    {
+      form.Jitter = jitter;
+      form.Seed = pieces + static_cast<unsigned int>(100 * jitter);
+      CheckMesh(
+        MakeCubes(form), std::to_string(pieces) + " of a cube, moved", 60, true, tally, check);
+    }
+  }
+  form.Jitter = 0.0;
+  form.Cubes = 25;
+  CheckMesh(MakeCubes(form), "93,750 tetrahedra", 40, false, tally, check);
+  form.Cubes = 8;
+  for (unsigned int seed = 1; seed <= 6; ++seed)
+  {
+    form.Pieces = seed % 2 ? 5 : 6;
+    vtkTetrahedraMesh mesh = MakeCubes(form);
+    Distort(mesh, 0.02 * seed, 10, seed);
+    CheckMesh(mesh, "distorted, " + std::to_string(seed), 100, true, tally, check);
+  }
+  std::cout << tally.Orders << " orders, " << tally.Cyclic << " with cycles left out, "
+            << tally.Pairs << " pairs\n";
+  check.SetContext("");
+  check.That(tally.Pairs > 20000, "pairs were compared");
+  return check.Result();
+}

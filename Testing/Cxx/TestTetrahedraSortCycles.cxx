@@ -1,0 +1,234 @@
+// Cycles of visibility: found, counted, and put out whole.
+#include "ReferenceCheck.h"
+#include "ReferenceSightlines.h"
+#include "ReferenceTetrahedra.h"
+
+#include "vtkVisibilityOrder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <map>
+
+namespace
+{
+
+using namespace reference;
+using Point = std::array<double, 3>;
+
+// A long tetrahedron from a place on a circle to one a third of a turn on, falling from z = 0.1 to
+// z = -0.1: each of three lies on that before it.
+std::array<Point, 4> MakeStick(int third)
+{
+  const double pi = std::acos(-1.0);
+  const double begin = 2.0 * pi * third / 3.0;
+  const double end = begin + 2.0 * pi / 3.0;
+  Point from = { { 0.4 * std::cos(begin), 0.4 * std::sin(begin), 0.1 } };
+  Point to = { { 0.4 * std::cos(end), 0.4 * std::sin(end), -0.1 } };
+  const Point along = { { to[0] - from[0], to[1] - from[1], 0.0 } };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    // So that they cross near the ends rather than meet in them.
+    from[axis] -= 0.2 * along[axis];
+    to[axis] += 0.2 * along[axis];
+  }
+  const double width = 0.05 / std::hypot(along[0], along[1]);
+  const double side[2] = { -along[1] * width, along[0] * width };
+  return { { { { from[0] - side[0], from[1] - side[1], from[2] } },
+    { { from[0] + side[0], from[1] + side[1], from[2] } }, { { to[0], to[1], to[2] - 0.03 } },
+    { { to[0], to[1], to[2] + 0.03 } } } };
+}
+
+std::array<Point, 4> MakeLid(double z)
+{
+  return { { { { -1.0, -1.0, z } }, { { 1.0, -1.0, z } }, { { 0.0, 1.0, z } },
+    { { 0.0, 0.0, z + 0.1 } } } };
+}
+
+void CheckSticks(Check& check)
+{
+  vtkTetrahedraMesh mesh;
+  Append(mesh, MakeStick(0));
+  const std::uint32_t behind = Append(mesh, MakeLid(-0.4));
+  Append(mesh, MakeStick(1));
+  const std::uint32_t before = Append(mesh, MakeLid(0.4));
+  Append(mesh, MakeStick(2));
+  vtkVisibilityOrder visibility;
+  visibility.Build(mesh);
+  std::vector<std::uint32_t> order;
+  for (const bool isParallel : { false, true })
+  {
+    check.SetContext(isParallel ? "sticks in parallel" : "sticks in perspective");
+    vtkViewRays rays =
+      LookAt({ { 0.0, 0.0, 4.0 } }, { { 0.0, 0.0, 0.0 } }, isParallel ? 1.0 : 0.3, 400, isParallel);
+    visibility.Compute(mesh, rays, order);
+    check.Equal(visibility.GetNumberOfTetrahedraInCycles(), 3, "tetrahedra in cycles");
+    check.That(IsPermutation(order, 5), "each tetrahedron once");
+    check.That(order.size() == 5 && order.front() == before && order.back() == behind,
+      "what is before a cycle and what is behind it are in order");
+
+    // From below the sticks are a cycle the other way round; from the side they are none.
+    rays = LookAt(
+      { { 0.0, 0.0, -4.0 } }, { { 0.0, 0.0, 0.0 } }, isParallel ? 1.0 : 0.3, 400, isParallel);
+    visibility.Compute(mesh, rays, order);
+    check.Equal(visibility.GetNumberOfTetrahedraInCycles(), 3, "tetrahedra in cycles from below");
+    check.That(order.size() == 5 && order.front() == behind && order.back() == before,
+      "what is before a cycle and what is behind it are in order from below");
+    rays =
+      LookAt({ { 4.0, 1.0, 0.0 } }, { { 0.0, 0.0, 0.0 } }, isParallel ? 1.0 : 0.3, 400, isParallel);
+    visibility.Compute(mesh, rays, order);
+    check.Equal(
+      visibility.GetNumberOfTetrahedraInCycles(), 0, "tetrahedra in cycles from the side");
+    const OrderErrors errors = Sightlines(mesh).CheckPixels(rays, order, 5000, 1);
+    check.That(errors.Pairs > 0 && errors.Wrong == 0, "order from the side");
+  }
+}
+
+// Relations over shared faces: for each tetrahedron those in front of it.
+std::vector<std::vector<std::uint32_t>> Relate(const vtkTetrahedraMesh& mesh, const Point& eye)
+{
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> faces;
+  std::vector<std::vector<std::uint32_t>> inFront(mesh.GetNumberOfTetrahedra());
+  const auto side = [&](const std::array<std::uint32_t, 3>& ids, const double* p)
+  {
+    long double e[3][3];
+    const double* a = mesh.GetPoint(ids[0]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      e[0][axis] = static_cast<long double>(mesh.GetPoint(ids[1])[axis]) - a[axis];
+      e[1][axis] = static_cast<long double>(mesh.GetPoint(ids[2])[axis]) - a[axis];
+      e[2][axis] = static_cast<long double>(p[axis]) - a[axis];
+    }
+    return e[2][0] * (e[0][1] * e[1][2] - e[0][2] * e[1][1]) +
+      e[2][1] * (e[0][2] * e[1][0] - e[0][0] * e[1][2]) +
+      e[2][2] * (e[0][0] * e[1][1] - e[0][1] * e[1][0]);
+  };
+  for (std::uint32_t face = 0; face < 4 * mesh.GetNumberOfTetrahedra(); ++face)
+  {
+    const std::uint32_t* corners = mesh.GetCorners(face / 4);
+    std::array<std::uint32_t, 3> ids;
+    for (std::uint32_t k = 0; k < 3; ++k)
+    {
+      ids[k] = corners[(face + 1 + k) % 4];
+    }
+    std::sort(ids.begin(), ids.end());
+    const auto other = faces.emplace(ids, face);
+    if (!other.second)
+    {
+      const std::uint32_t own = face / 4;
+      const std::uint32_t neighbor = other.first->second / 4;
+      const bool isOwnInFront =
+        side(ids, eye.data()) * side(ids, mesh.GetPoint(corners[face % 4])) > 0.0L;
+      inFront[isOwnInFront ? neighbor : own].push_back(isOwnInFront ? own : neighbor);
+    }
+  }
+  return inFront;
+}
+
+// How many tetrahedra are before themselves.
+long long CountInCycles(const std::vector<std::vector<std::uint32_t>>& inFront)
+{
+  long long count = 0;
+  for (std::uint32_t start = 0; start < inFront.size(); ++start)
+  {
+    std::vector<bool> seen(inFront.size(), false);
+    std::vector<std::uint32_t> open = inFront[start];
+    while (!open.empty() && !seen[start])
+    {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      if (!seen[t])
+      {
+        seen[t] = true;
+        open.insert(open.end(), inFront[t].begin(), inFront[t].end());
+      }
+    }
+    count += seen[start] ? 1 : 0;
+  }
+  return count;
+}
+
+// Whether a is put out before b for each relation, unless b is before a too.
+bool IsKept(
+  const std::vector<std::vector<std::uint32_t>>& inFront, const std::vector<std::uint32_t>& order)
+{
+  const auto isReached = [&](std::uint32_t from, std::uint32_t to)
+  {
+    std::vector<bool> seen(inFront.size(), false);
+    std::vector<std::uint32_t> open(1, from);
+    while (!open.empty())
+    {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      if (t == to)
+      {
+        return true;
+      }
+      if (!seen[t])
+      {
+        seen[t] = true;
+        open.insert(open.end(), inFront[t].begin(), inFront[t].end());
+      }
+    }
+    return false;
+  };
+  std::vector<std::size_t> ranks(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    ranks[order[i]] = i;
+  }
+  for (std::uint32_t back = 0; back < inFront.size(); ++back)
+  {
+    for (const std::uint32_t front : inFront[back])
+    {
+      if (ranks[front] > ranks[back] && !isReached(front, back))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// A convex mesh of long and thin tetrahedra has cycles over shared faces.
+void CheckDistorted(Check& check)
+{
+  CubeMesh form;
+  form.Cubes = 6;
+  form.Pieces = 5;
+  long long found = 0;
+  for (unsigned int seed = 1; seed <= 12; ++seed)
+  {
+    vtkTetrahedraMesh mesh = MakeCubes(form);
+    Distort(mesh, 0.15, 20, seed);
+    vtkVisibilityOrder visibility;
+    visibility.Build(mesh);
+    std::vector<std::uint32_t> order;
+    for (const Point& eye :
+      { Point{ { 1.3, 1.1, 1.7 } }, Point{ { -0.8, 0.3, 0.2 } }, Point{ { 0.01, 0.02, 0.03 } } })
+    {
+      check.SetContext("distorted, seed " + std::to_string(seed));
+      vtkViewRays rays;
+      rays.Viewpoint.Eye = eye;
+      visibility.Compute(mesh, rays, order);
+      const auto inFront = Relate(mesh, eye);
+      const long long expected = CountInCycles(inFront);
+      check.Equal(visibility.GetNumberOfTetrahedraInCycles(), expected, "tetrahedra in cycles");
+      check.That(IsPermutation(order, mesh.GetNumberOfTetrahedra()), "each tetrahedron once");
+      check.That(IsKept(inFront, order), "relations outside of cycles are kept");
+      found += expected;
+    }
+  }
+  std::cout << found << " tetrahedra in cycles over shared faces\n";
+  check.SetContext("distorted");
+  check.That(found > 0, "there are cycles over shared faces");
+}
+}
+
+int TestTetrahedraSortCycles(int, char*[])
+{
+  Check check;
+  CheckSticks(check);
+  CheckDistorted(check);
+  return check.Result();
+}

@@ -1,0 +1,186 @@
+// Which pixels' lines of sight pass a triangle, and what the places where one enters and leaves a
+// mesh say about order.
+#include "ReferenceCheck.h"
+#include "ReferenceSightlines.h"
+
+#include "vtkFaceRaster.h"
+#include "vtkPictureProjection.h"
+#include "vtkSightline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+using Event = vtkSightline::Event;
+using Relation = vtkSightline::Relation;
+
+// Triangles that cover a square, with corners, edges and diagonals through pixel centres.
+void CheckCover(const vtkViewRays& rays, const std::string& name, Check& check)
+{
+  check.SetContext(name);
+  constexpr int n = 8;
+  constexpr double depth = 3.0;
+  const vtkPictureProjection projection(rays);
+  check.That(projection.IsValid(), "a picture");
+  std::vector<int> visits(static_cast<std::size_t>(rays.Width) * rays.Height, 0);
+  int fronts = 0;
+  int backs = 0;
+  double worst = 0.0;
+  const auto draw = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c)
+  {
+    const std::array<std::uint32_t, 3> ids = { { a, b, c } };
+    std::array<vtkTriple, 3> corners;
+    for (int i = 0; i < 3; ++i)
+    {
+      // A lattice over the picture, through the centres of pixels 2, 6, 10 ...
+      const double x = (5.0 + 8.0 * (ids[i] % n)) / rays.Width - 1.0;
+      const double y = (5.0 + 8.0 * (ids[i] / n)) / rays.Height - 1.0;
+      const double scale = projection.IsParallel() ? 1.0 : depth;
+      corners[i] = { { x * scale, y * scale, depth } };
+    }
+    const vtkFaceRaster raster(projection, corners, ids);
+    for (int row = raster.GetRows().First; row <= raster.GetRows().Last; ++row)
+    {
+      raster.VisitRow(row,
+        [&](int column, double found, bool isFront)
+        {
+          ++visits[static_cast<std::size_t>(row) * rays.Width + column];
+          ++(isFront ? fronts : backs);
+          worst = std::max(worst, std::abs(found - depth));
+        });
+    }
+  };
+  for (std::uint32_t j = 0; j + 1 < n; ++j)
+  {
+    for (std::uint32_t i = 0; i + 1 < n; ++i)
+    {
+      const std::uint32_t p = i + n * j;
+      if ((i + j) & 1)
+      {
+        draw(p, p + 1, p + n + 1);
+        draw(p + n, p, p + n + 1);
+      }
+      else
+      {
+        // One of them clockwise.
+        draw(p + n, p + 1, p);
+        draw(p + 1, p + n + 1, p + n);
+      }
+    }
+  }
+  const long long covered = 4 * (n - 1) * 4 * (n - 1);
+  check.Equal(*std::max_element(visits.begin(), visits.end()), 1, "triangles of a pixel at most");
+  check.Equal(fronts + backs, covered, "pixels of a square");
+  check.That(backs > covered / 5 && fronts > covered / 2, "sides");
+  check.That(worst < 1e-12, "depths");
+}
+
+void CheckRaster(Check& check)
+{
+  for (const bool isParallel : { false, true })
+  {
+    vtkViewRays rays = LookAt({ { 0, 0, 0 } }, { { 0, 0, -1 } }, 1.0, 64, isParallel);
+    const std::string name = isParallel ? "parallel" : "perspective";
+    CheckCover(rays, name, check);
+    rays.Width = 37;
+    rays.Height = 45;
+    rays.HalfSize = { { 0.3, 0.7 } };
+    CheckCover(rays, name + ", odd", check);
+  }
+
+  check.SetContext("through the eye's plane");
+  const vtkPictureProjection projection(LookAt({ { 0, 0, 0 } }, { { 0, 0, -1 } }, 1.0, 40, false));
+  int visits = 0;
+  double least = 1.0;
+  // A floor half a unit below the eye, from far behind it to far before it: half of the picture.
+  const vtkFaceRaster floor(projection,
+    { { { { 0.0, -0.5, -1e4 } }, { { 1e5, -0.5, 1e4 } }, { { -1e5, -0.5, 1e4 } } } },
+    { { 5, 3, 4 } });
+  for (int row = floor.GetRows().First; row <= floor.GetRows().Last; ++row)
+  {
+    floor.VisitRow(row,
+      [&](int, double depth, bool)
+      {
+        ++visits;
+        least = std::min(least, depth);
+      });
+  }
+  check.Equal(visits, 40 * 20, "pixels of a floor");
+  check.Near(least, 0.5 / (39.0 / 40.0), 1e-9, "its nearest depth");
+}
+
+Event Enter(double depth, std::uint32_t tetrahedron)
+{
+  return { depth, 4 * tetrahedron, true };
+}
+Event Leave(double depth, std::uint32_t tetrahedron)
+{
+  return { depth, 4 * tetrahedron + 1, false };
+}
+
+void Expect(std::vector<Event> events, const std::vector<Relation>& expected,
+  const std::string& what, Check& check)
+{
+  std::sort(events.begin(), events.end());
+  do
+  {
+    std::vector<Event> line = events;
+    std::vector<Relation> found;
+    vtkSightline::Relate(line.data(), line.data() + line.size(), 1e-9, found);
+    std::sort(found.begin(), found.end());
+    check.That(found == expected, what);
+  } while (std::next_permutation(events.begin(), events.end()));
+}
+
+void CheckRelations(Check& check)
+{
+  check.SetContext("relations");
+  Expect({}, {}, "nothing", check);
+  Expect({ Enter(1, 0), Leave(2, 1) }, {}, "one piece", check);
+  Expect({ Enter(1, 0), Leave(2, 1), Enter(3, 2), Leave(4, 3) }, { { 2, 1 } }, "a gap", check);
+  Expect({ Leave(1, 1), Enter(2, 2), Leave(3, 2) }, { { 2, 1 } }, "from within", check);
+  Expect({ Enter(1, 1), Leave(2, 1), Enter(3, 1), Leave(4, 2) }, {}, "none before itself", check);
+  // Touching pieces, with rounding either way.
+  for (const double error : { -1e-12, 0.0, 1e-12 })
+  {
+    Expect({ Enter(1, 0), Leave(2, 1), Enter(2 + error, 2), Leave(3, 3) }, { { 2, 1 } },
+      "touching pieces", check);
+    Expect({ Leave(2 + error, 1), Enter(2, 2), Leave(3, 2) }, { { 2, 1 } },
+      "touching pieces from within", check);
+    // The outline of a piece before another, and a tetrahedron that is only touched.
+    Expect({ Enter(1, 0), Leave(1 + error, 1), Enter(2, 2), Leave(3, 3) }, {}, "an outline", check);
+    Expect(
+      { Enter(1, 0), Leave(2, 1), Enter(2.5, 4), Leave(2.5 + error, 4), Enter(3, 2), Leave(4, 3) },
+      { { 2, 1 } }, "a touched tetrahedron", check);
+    Expect({ Enter(1, 0), Leave(2, 1), Enter(2, 4), Leave(2 + error, 4), Enter(2, 2), Leave(4, 3) },
+      { { 2, 1 } }, "one that is touched between touching pieces", check);
+  }
+  // As many as take the other way of sorting.
+  std::vector<Event> many;
+  std::vector<Relation> expected;
+  for (std::uint32_t t = 0; t < 100; ++t)
+  {
+    many.insert(many.begin(), Enter(t, t));
+    many.insert(many.begin() + t, Leave(t + 0.5, t));
+    if (t > 0)
+    {
+      expected.push_back({ t, t - 1 });
+    }
+  }
+  std::vector<Relation> found;
+  vtkSightline::Relate(many.data(), many.data() + many.size(), 1e-9, found);
+  check.That(found == expected, "many gaps");
+}
+}
+
+int TestTetrahedraSortSightline(int, char*[])
+{
+  Check check;
+  CheckRaster(check);
+  CheckRelations(check);
+  return check.Result();
+}

@@ -1,0 +1,94 @@
+// The same orders for 1, 2 and 8 threads and every backend.
+#include "ReferenceCheck.h"
+#include "ReferenceSightlines.h"
+#include "ReferenceTetrahedra.h"
+
+#include "vtkCentroidOrder.h"
+#include "vtkFaceAdjacency.h"
+#include "vtkSMPTools.h"
+#include "vtkVisibilityOrder.h"
+
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+// ThreadSanitizer sees no locks of libraries that are not built with it.
+#ifdef __SANITIZE_THREAD__
+const std::vector<const char*> Backends = { "Sequential", "STDThread" };
+#else
+const std::vector<const char*> Backends = { "Sequential", "STDThread", "TBB", "OpenMP" };
+#endif
+
+struct Orders
+{
+  std::vector<std::uint32_t> Twins;
+  std::vector<std::uint32_t> Boundary;
+  std::vector<std::vector<std::uint32_t>> Lists;
+  std::vector<vtkIdType> Counts;
+
+  bool operator==(const Orders& other) const
+  {
+    return this->Twins == other.Twins && this->Boundary == other.Boundary &&
+      this->Lists == other.Lists && this->Counts == other.Counts;
+  }
+};
+
+Orders ComputeAll(const vtkTetrahedraMesh& mesh)
+{
+  Orders all;
+  vtkCentroidOrder centroids;
+  vtkVisibilityOrder visibility;
+  visibility.Build(mesh);
+  all.Twins = visibility.GetAdjacency().GetTwins();
+  all.Boundary = visibility.GetAdjacency().GetBoundaryFaces();
+  for (const View& view : GetViews(150, { { 0.12, 0.01, 0.02 } }))
+  {
+    std::vector<std::uint32_t> order;
+    centroids.Compute(mesh, view.Rays.Viewpoint, order);
+    all.Lists.push_back(order);
+    visibility.Compute(mesh, view.Rays, order);
+    all.Lists.push_back(order);
+    all.Counts.push_back(visibility.GetNumberOfTetrahedraInCycles());
+    all.Counts.push_back(visibility.GetNumberOfGapRelations());
+  }
+  return all;
+}
+
+void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name, Check& check)
+{
+  vtkSMPTools::SetBackend("Sequential");
+  vtkSMPTools::Initialize(1);
+  const Orders expected = ComputeAll(mesh);
+  for (const char* backend : Backends)
+  {
+    vtkSMPTools::SetBackend(backend);
+    for (const int threads : { 1, 2, 8 })
+    {
+      check.SetContext(name + ", " + backend + ", " + std::to_string(threads) + " threads");
+      vtkSMPTools::Initialize(threads);
+      check.That(ComputeAll(mesh) == expected, "the same");
+    }
+  }
+}
+}
+
+int TestTetrahedraSortThreads(int, char*[])
+{
+  Check check;
+  CubeMesh form;
+  form.Cubes = 22;
+  form.IsIn = GetShapes()[0].IsIn;
+  CheckMesh(MakeCubes(form), "ball with holes", check);
+  // Cycles, and as many open faces as there can be.
+  form.Cubes = 8;
+  form.Pieces = 5;
+  vtkTetrahedraMesh mesh = MakeCubes(form);
+  Distort(mesh, 0.1, 20, 1);
+  CheckMesh(mesh, "distorted", check);
+  CheckMesh(Separate(mesh), "no shared points", check);
+  return check.Result();
+}
