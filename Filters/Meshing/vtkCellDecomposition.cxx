@@ -11,7 +11,6 @@
 namespace
 {
 using vtkTetrahedronMath::Cross;
-using vtkTetrahedronMath::Determinant;
 using vtkTetrahedronMath::Difference;
 using vtkTetrahedronMath::Dot;
 using vtkTetrahedronMath::PolarSine;

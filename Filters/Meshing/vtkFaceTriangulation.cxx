@@ -63,6 +63,7 @@ std::vector<Flat> Project(const std::vector<vtkFaceTriangulation::Point>& points
     std::swap(u, v);
   }
   std::vector<Flat> flat;
+  flat.reserve(points.size());
   for (const auto& point : points)
   {
     flat.push_back({ { point[u], point[v] } });
@@ -212,6 +213,7 @@ bool vtkFaceTriangulation::Triangulate(
     return true;
   }
   std::vector<Point> points;
+  points.reserve(polygon.size());
   for (vtkIdType id : polygon)
   {
     points.push_back(this->GetPoint(id));

@@ -5,6 +5,7 @@
 #include "vtkType.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -18,8 +19,9 @@ struct vtkMeshMeasures
 
   vtkIdType AboveQualityBound = 0;
   vtkIdType AboveMaximumVolume = 0;
-  /// The volume of the tetrahedra that exceed a bound.
-  double ExceedingVolume = 0.0;
+  /// How far the mesh is from its bounds: the volume of each tetrahedron that exceeds one, times
+  /// the logarithm of by how much.
+  double Excess = 0.0;
   double LargestRadiusEdgeRatio = 0.0;
   double SmallestVolume = std::numeric_limits<double>::infinity();
   double LargestVolume = 0.0;
@@ -48,7 +50,8 @@ private:
       this->MaximumVolume > 0.0 && volume > this->MaximumVolume * (1.0 + rounding);
     this->AboveQualityBound += isBad;
     this->AboveMaximumVolume += isLarge;
-    this->ExceedingVolume += isBad || isLarge ? volume : 0.0;
+    this->Excess += isBad ? volume * std::log(std::min(ratio / this->QualityBound, 1e9)) : 0.0;
+    this->Excess += isLarge ? volume * std::log(volume / this->MaximumVolume) : 0.0;
     this->LargestRadiusEdgeRatio = std::max(this->LargestRadiusEdgeRatio, ratio);
     this->SmallestVolume = std::min(this->SmallestVolume, volume);
     this->LargestVolume = std::max(this->LargestVolume, volume);

@@ -10,10 +10,9 @@ struct vtkTetGenSolution;
  *
  * TetGen's own improvement of a refined mesh can undo what the refinement reached, and a strict
  * bound is reached better from a mesh that holds a weaker one. So the mesh goes through TetGen
- * several times. The result of a pass is taken when tetrahedra of less volume in all exceed a bound
- * than before and none has become tiny or flat, as next to small angles. Otherwise, and where
- * TetGen fails, the last good mesh stays, and goes through TetGen with weaker bounds on its shape
- * as long as tetrahedra are too large.
+ * several times. The result is the mesh nearest to its bounds, see vtkMeshMeasures::Excess. A pass
+ * that makes tiny or flat tetrahedra, as next to small angles, is dropped, and so is one in which
+ * TetGen fails; then weaker bounds on the shape are tried, as long as tetrahedra are too large.
  */
 class vtkMeshRefinement
 {

@@ -73,9 +73,10 @@ public:
   /**
    * The largest ratio of a tetrahedron's circumscribed radius to its shortest edge, for surfaces
    * and point sets. 0: no bound, and no new point but what the surface needs. Smaller is better
-   * shaped; an equilateral tetrahedron has 0.612. TetGen ends for certain from 2 on, where the
-   * input has no angle below 70 degrees; near 1 it mostly does. Default 0; valid 0, and 1 to 1000
-   * (less than 1 becomes 1).
+   * shaped; a regular tetrahedron has 0.612. Held where no angle between edges or faces of the
+   * surface is below some 60 degrees, and best from 1.2 on; elsewhere a warning counts what exceeds
+   * it, or TetGen does not end, see TimeLimit. Default 0; valid 0, and 1 to 1000 (less than 1
+   * becomes 1).
    */
   void SetQualityBound(double bound);
   vtkGetMacro(QualityBound, double);

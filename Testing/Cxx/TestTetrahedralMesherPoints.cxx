@@ -99,9 +99,15 @@ int TestTetrahedralMesherPoints(int, char*[])
 
   check.SetContext("a lattice: many points on one sphere");
   vtkNew<vtkPoints> lattice;
-  for (int i = 0; i < 125; ++i)
+  for (int k = 0; k < 5; ++k)
   {
-    lattice->InsertNextPoint(i % 5 / 4.0, i / 5 % 5 / 4.0, i / 25 / 4.0);
+    for (int j = 0; j < 5; ++j)
+    {
+      for (int i = 0; i < 5; ++i)
+      {
+        lattice->InsertNextPoint(i / 4.0, j / 4.0, k / 4.0);
+      }
+    }
   }
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(lattice);

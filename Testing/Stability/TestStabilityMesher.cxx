@@ -191,9 +191,12 @@ void TestPoints(StabilityCatalogue& catalogue)
   data->SetPoints(points);
   points->InsertNextPoint(1, 2, 3);
   Refuse(catalogue, "points-one", "one point", "plane", data);
-  for (int i = 0; i < 20; ++i)
+  for (int j = 0; j < 4; ++j)
   {
-    points->InsertNextPoint(1 + i % 5, 2 + i / 5, 3);
+    for (int i = 0; i < 5; ++i)
+    {
+      points->InsertNextPoint(1 + i, 2 + j, 3);
+    }
   }
   Refuse(catalogue, "points-plane", "points of a plane", "plane", data);
   points->InsertNextPoint(1, NaN, 1);
