@@ -4,8 +4,10 @@
 #include "ReferenceTetrahedra.h"
 
 #include "vtkCommand.h"
+#include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTestErrorObserver.h"
 #include "vtkTetra.h"
@@ -133,7 +135,9 @@ int TestTetrahedralMesherPoints(int, char*[])
   check.Equal(mesher->GetReport().MergedPoints, 58, "merged points");
 
   check.SetContext("refined");
-  mesher->SetInputData(MakePoints(50));
+  auto coarse = MakePoints(50);
+  AddRandomField(coarse, 9, "random");
+  mesher->SetInputData(coarse);
   for (double volume : { 0.0, 0.001 })
   {
     mesher->SetQualityBound(2.0);
@@ -148,6 +152,10 @@ int TestTetrahedralMesherPoints(int, char*[])
     check.That(
       volume == 0.0 || report.LargestVolume <= volume * (1 + 1e-9), "the maximum volume is held");
     check.That(report.AddedPoints > 0, "points are added");
+    // Between the values of the tetrahedron around a point, not beyond them.
+    double range[2];
+    mesher->GetOutput()->GetPointData()->GetArray("random")->GetRange(range);
+    check.That(range[0] >= -1e-9 && range[1] <= 1 + 1e-9, "values are between those given");
   }
   return check.Result();
 }

@@ -93,12 +93,14 @@ void Accept(StabilityCatalogue& catalogue, const std::string& name, const std::s
 
 void TestSurfaces(StabilityCatalogue& catalogue)
 {
-  for (double bad : { NaN, Infinity })
+  for (int axis = 0; axis < 3; ++axis)
   {
     auto cube = MakeCube();
-    cube->GetPoints()->SetPoint(3, 1, bad, 0);
-    Refuse(
-      catalogue, "surface-" + std::to_string(bad), "a coordinate of a surface", "Point 3", cube);
+    double x[3] = { 1, 1, 0 };
+    x[axis] = axis == 1 ? Infinity : NaN;
+    cube->GetPoints()->SetPoint(3, x);
+    Refuse(catalogue, "surface-not-finite-" + std::to_string(axis), "a coordinate of a surface",
+      "Point 3", cube);
   }
   auto open = MakeBoxes();
   open->SetPoints(MakeCube()->GetPoints());
