@@ -4,6 +4,9 @@
 #include "vtkIsotableContour.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#ifdef INTERLUME_ENABLE_TETGEN
+#include "vtkTetrahedralMesher.h"
+#endif
 #include "vtkXMLDataElement.h"
 #include "vtkXMLUtilities.h"
 
@@ -40,6 +43,7 @@ using Defaults = std::map<std::string, std::string>;
 bool TakesValueFromData(vtkXMLDataElement* property)
 {
   return property->FindNestedElementWithName("ArrayRangeDomain") ||
+    property->FindNestedElementWithName("DataTypeDomain") ||
     property->FindNestedElementWithName("ArrayListDomain") ||
     property->FindNestedElementWithName("InputArrayDomain");
 }
@@ -104,5 +108,17 @@ int main(int argc, char* argv[])
   CompareWithXML(folder + "/IsotableContour.xml", "vtkIsotableContour",
     { { "OutputPointsPrecision", Text(contour->GetOutputPointsPrecision()) },
       { "UseValueIndex", Text(contour->GetUseValueIndex()) } });
+
+#ifdef INTERLUME_ENABLE_TETGEN
+  vtkNew<vtkTetrahedralMesher> mesher;
+  CompareWithXML(folder + "/TetrahedralMesher.xml", "vtkTetrahedralMesher",
+    { { "QualityBound", Text(mesher->GetQualityBound()) },
+      { "MinimumDihedralAngle", Text(mesher->GetMinimumDihedralAngle()) },
+      { "MaximumVolume", Text(mesher->GetMaximumVolume()) },
+      { "MaximumNumberOfAddedPoints", Text(mesher->GetMaximumNumberOfAddedPoints()) },
+      { "PreserveBoundary", Text(mesher->GetPreserveBoundary()) },
+      { "FillNestedShells", Text(mesher->GetFillNestedShells()) },
+      { "TimeLimit", Text(mesher->GetTimeLimit()) } });
+#endif
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
