@@ -126,13 +126,14 @@ void setEdge(int i, vec2 a, vec2 b, float atThick, float inside, float least)
   shape.edgesY[i] = isUsed ? (b.x - a.x) / atThick : 0.0;
 }
 
-Corner fetch(uint id)
+// first is the mesh position of the first corner, from which place and depth are then counted.
+Corner fetch(uint id, vec3 first)
 {
   vec4 point = texelFetch(points, int(id));
   Corner corner;
-  vec4 position = vec4(point.xyz, 1.0);
-  corner.place = vec2(dot(eyeRows[0], position), dot(eyeRows[1], position));
-  corner.depth = dot(eyeRows[2], position);
+  vec3 position = point.xyz - first;
+  corner.place = vec2(dot(eyeRows[0].xyz, position), dot(eyeRows[1].xyz, position));
+  corner.depth = dot(eyeRows[2].xyz, position);
   corner.area = 0.0;
   corner.scalar = point.w;
   corner.deltaT = 1.0;
@@ -153,39 +154,37 @@ Corner fetch(uint id)
   return corner;
 }
 
-// From eye coordinates (place, depth = z) to pixels from the first corner; returns the first's pixel.
-vec2 project(inout Corner c[4])
+// From eye coordinates counted from those of the first corner to pixels counted from its pixel, which is
+// returned, and depths. Differences are taken before anything is divided or rounded, so that small and
+// thin tetrahedra keep their shape.
+vec2 project(inout Corner c[4], vec3 eye)
 {
   vec2 scale = vec2(pixelX.x, pixelY.x);
   vec2 shift = vec2(pixelX.y, pixelY.y);
   vec2 offset = vec2(pixelX.z, pixelY.z);
-  vec2 first = scale * c[0].place + shift * c[0].depth;
+  vec2 first = scale * eye.xy + shift * eye.z;
 #ifdef PERSPECTIVE
-  // Differences are taken before the division, so that small tetrahedra keep their shape.
-  float w = -c[0].depth;
-  for (int k = 1; k < 4; ++k)
-  {
-    float rise = c[k].depth - c[0].depth;
-    vec2 edge = scale * (c[k].place - c[0].place) + shift * rise;
-    c[k].place = (edge * w + first * rise) / (w * -c[k].depth);
-  }
+  float w = -eye.z;
   for (int k = 0; k < 4; ++k)
   {
-    c[k].depth = -1.0 / c[k].depth;
-    c[k].scalar *= c[k].depth;
-    c[k].deltaT *= c[k].depth;
-    c[k].color *= c[k].depth;
-    c[k].normal *= c[k].depth;
-    c[k].texturePlace *= c[k].depth;
+    vec2 edge = scale * c[k].place + shift * c[k].depth;
+    float depth = 1.0 / (w - c[k].depth);
+    c[k].place = (edge + first * (c[k].depth / w)) * depth;
+    c[k].depth = depth;
+    c[k].scalar *= depth;
+    c[k].deltaT *= depth;
+    c[k].color *= depth;
+    c[k].normal *= depth;
+    c[k].texturePlace *= depth;
   }
   first /= w;
 #else
-  for (int k = 1; k < 4; ++k)
+  for (int k = 0; k < 4; ++k)
   {
-    c[k].place = scale * (c[k].place - c[0].place) + shift * (c[k].depth - c[0].depth);
+    c[k].place = scale * c[k].place + shift * c[k].depth;
+    c[k].depth += eye.z;
   }
 #endif
-  c[0].place = vec2(0.0);
   return first + offset;
 }
 
@@ -230,6 +229,27 @@ Corner mixCorners(Corner a, Corner b, float t)
   return a;
 }
 
+// Graphics cards round corners to parts of a pixel, which thin silhouettes do not survive: they are drawn
+// wider than they are, and where lambda is below 0 there is nothing.
+const float MARGIN = 1.0 / 64.0;
+const float THIN = 0.5;
+const float THINNEST = 2e-3;
+
+vec2 outward(vec2 a, vec2 b)
+{
+  vec2 edge = b - a;
+  return vec2(edge.y, -edge.x) / max(length(edge), 1e-20);
+}
+
+// The corner between its neighbours, moved out by margin, which is below 0 for polygons that turn right.
+vec2 widen(vec2 before, vec2 corner, vec2 after, float margin)
+{
+  vec2 first = outward(before, corner);
+  vec2 second = outward(corner, after);
+  // Sharp corners are cut off.
+  return corner + margin * (first + second) / max(1.0 + dot(first, second), 0.02);
+}
+
 void emit(vec2 pixel)
 {
   edgesX = shape.edgesX;
@@ -269,11 +289,14 @@ void main()
 #endif
   uvec4 ids = texelFetch(corners, tetrahedron);
   Corner c[4];
-  c[0] = fetch(ids.x);
-  c[1] = fetch(ids.y);
-  c[2] = fetch(ids.z);
-  c[3] = fetch(ids.w);
-  vec2 origin = project(c);
+  vec3 first = texelFetch(points, int(ids.x)).xyz;
+  c[0] = fetch(ids.x, first);
+  c[1] = fetch(ids.y, first);
+  c[2] = fetch(ids.z, first);
+  c[3] = fetch(ids.w, first);
+  vec4 position = vec4(first, 1.0);
+  vec2 origin = project(
+    c, vec3(dot(eyeRows[0], position), dot(eyeRows[1], position), dot(eyeRows[2], position)));
   vec2 low = origin + min(min(c[0].place, c[1].place), min(c[2].place, c[3].place));
   vec2 high = origin + max(max(c[0].place, c[1].place), max(c[2].place, c[3].place));
   // No pixel's centre between them.
@@ -297,6 +320,9 @@ void main()
 #ifdef PERSPECTIVE
   thickness *= c[0].depth * c[1].depth * c[2].depth * c[3].depth;
 #endif
+  vec2 extent = high - low;
+  float width = sum / max(extent.x, extent.y);
+  float margin = width < THIN && width > THINNEST ? MARGIN : 0.0;
   c[0].area = areas.x;
   c[1].area = areas.y;
   c[2].area = areas.z;
@@ -339,9 +365,10 @@ void main()
     shape.baseFace = c[3].face;
     shape.otherFaces = vec4(c[2].face, c[0].face, c[1].face, 0.0);
     setPlanes(base, c[3], sign * thickness, c[0], c[1], c[2]);
-    emit(origin + c[0].place);
-    emit(origin + c[1].place);
-    emit(origin + c[2].place);
+    margin *= whole > 0.0 ? 1.0 : -1.0;
+    emit(origin + widen(c[2].place, c[0].place, c[1].place, margin));
+    emit(origin + widen(c[0].place, c[1].place, c[2].place, margin));
+    emit(origin + widen(c[1].place, c[2].place, c[0].place, margin));
     EndPrimitive();
     return;
   }
@@ -369,11 +396,13 @@ void main()
   shape.otherFaces = vec4(c[2].face, c[0].face, c[0].face, c[2].face);
   shape.baseFace = c[3].face;
   setPlanes(base, other, -thickness, c[0], c[2], c[1]);
-  emit(origin + c[1].place);
-  emit(origin + c[0].place);
-  emit(origin + c[2].place);
+  float turn = cross2(c[1].place - c[0].place, c[2].place - c[0].place);
+  margin *= turn > 0.0 ? 1.0 : -1.0;
+  emit(origin + widen(c[0].place, c[1].place, c[2].place, margin));
+  emit(origin + widen(c[3].place, c[0].place, c[1].place, margin));
+  emit(origin + widen(c[1].place, c[2].place, c[3].place, margin));
   shape.baseFace = c[1].face;
   setPlanes(base, other, -thickness, c[0], c[2], c[3]);
-  emit(origin + c[3].place);
+  emit(origin + widen(c[2].place, c[3].place, c[0].place, margin));
   EndPrimitive();
 }
