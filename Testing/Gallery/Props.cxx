@@ -4,7 +4,6 @@
 #include "Look.h"
 
 #include "vtkActor.h"
-#include "vtkAppendPolyData.h"
 #include "vtkArrayCalculator.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
@@ -14,56 +13,40 @@
 #include "vtkGradientFilter.h"
 #include "vtkImageData.h"
 #include "vtkImageShrink3D.h"
-#include "vtkImplicitBoolean.h"
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
-#include "vtkPlane.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
-#include "vtkReverseSense.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
 #include "vtkStructuredGrid.h"
 #include "vtkStructuredGridGeometryFilter.h"
-#include "vtkTableBasedClipDataSet.h"
 #include "vtkThreshold.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVector.h"
 
 namespace gallery
 {
 namespace
 {
 const char* const GRADIENT = "Gradient";
-
-vtkSmartPointer<vtkUnstructuredGrid> SelectCells(
-  vtkUnstructuredGrid* grid, const char* array, int value)
-{
-  vtkNew<vtkThreshold> threshold;
-  threshold->SetInputData(grid);
-  threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, array);
-  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_BETWEEN);
-  threshold->SetLowerThreshold(value);
-  threshold->SetUpperThreshold(value);
-  threshold->Update();
-  return threshold->GetOutput();
-}
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> SelectInterval(vtkUnstructuredGrid* grid, int id)
-{
-  return SelectCells(grid, "IntervalId", id);
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> SelectSide(vtkUnstructuredGrid* triangles, int side)
 {
-  return SelectCells(triangles, "BoundarySide", side);
+  vtkNew<vtkThreshold> threshold;
+  threshold->SetInputData(triangles);
+  threshold->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "BoundarySide");
+  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_BETWEEN);
+  threshold->SetLowerThreshold(side);
+  threshold->SetUpperThreshold(side);
+  threshold->Update();
+  return threshold->GetOutput();
 }
 
 vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* cells, double featureAngle)
@@ -165,42 +148,6 @@ vtkSmartPointer<vtkDataSet> AddMagnitude(
   calculator->SetResultArrayName(magnitude.c_str());
   calculator->Update();
   return vtkDataSet::SafeDownCast(calculator->GetOutput());
-}
-
-vtkSmartPointer<vtkPolyData> AddMirrorImage(vtkPolyData* surface)
-{
-  vtkNew<vtkTransform> mirror;
-  mirror->Scale(1.0, -1.0, 1.0);
-  vtkNew<vtkTransformPolyDataFilter> image;
-  image->SetInputData(surface);
-  image->SetTransform(mirror);
-  vtkNew<vtkReverseSense> turned;
-  turned->SetInputConnection(image->GetOutputPort());
-  vtkNew<vtkAppendPolyData> both;
-  both->AddInputData(surface);
-  both->AddInputConnection(turned->GetOutputPort());
-  both->Update();
-  return both->GetOutput();
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> CutOut(
-  vtkDataSet* data, const vtkVector3d& origin, const vtkVector3d& first, const vtkVector3d& second)
-{
-  vtkNew<vtkImplicitBoolean> wedge;
-  wedge->SetOperationTypeToUnion();
-  for (const vtkVector3d& direction : { first, second })
-  {
-    vtkNew<vtkPlane> plane;
-    plane->SetOrigin(origin[0], origin[1], origin[2]);
-    plane->SetNormal(direction[0], direction[1], direction[2]);
-    wedge->AddFunction(plane);
-  }
-  vtkNew<vtkTableBasedClipDataSet> clip;
-  clip->SetInputData(data);
-  clip->SetClipFunction(wedge);
-  clip->InsideOutOn();
-  clip->Update();
-  return clip->GetOutput();
 }
 
 vtkSmartPointer<vtkPolyData> MakeWall(vtkStructuredGrid* grid, int axis, int index)

@@ -3,7 +3,6 @@
 
 #include "vtkColor.h"
 #include "vtkSmartPointer.h"
-#include "vtkVector.h"
 
 #include <string>
 
@@ -20,11 +19,6 @@ class vtkUnstructuredGrid;
  */
 namespace gallery
 {
-/**
- * The tetrahedra or triangles with cell array `IntervalId` equal to \a id.
- */
-vtkSmartPointer<vtkUnstructuredGrid> SelectInterval(vtkUnstructuredGrid* grid, int id);
-
 /**
  * The triangles with cell array `BoundarySide` equal to \a side (vtkIntervalVolume::BoundarySides).
  */
@@ -74,18 +68,6 @@ vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data);
  */
 vtkSmartPointer<vtkDataSet> AddMagnitude(
   vtkDataSet* data, const std::string& vectors, const std::string& magnitude);
-
-/**
- * \a surface and its image in the plane y = 0, for data that stop at their plane of symmetry.
- */
-vtkSmartPointer<vtkPolyData> AddMirrorImage(vtkPolyData* surface);
-
-/**
- * \a data without the part where both a point's offset from \a origin along \a first and along
- * \a second are positive: a wedge cut out to look inside.
- */
-vtkSmartPointer<vtkUnstructuredGrid> CutOut(
-  vtkDataSet* data, const vtkVector3d& origin, const vtkVector3d& first, const vtkVector3d& second);
 
 /**
  * One grid surface of a structured grid, \a axis 0 to 2 at \a index: a wall for orientation.

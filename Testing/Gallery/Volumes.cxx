@@ -1,0 +1,58 @@
+#include "Volumes.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace gallery
+{
+namespace
+{
+vtkSmartPointer<vtkVolume> Make(vtkUnstructuredGrid* tetrahedra, int scalarMode,
+  const std::string& array, vtkColorTransferFunction* colours, vtkPiecewiseFunction* extinction)
+{
+  vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;
+  mapper->SetInputData(tetrahedra);
+  mapper->SetScalarMode(scalarMode);
+  mapper->SelectScalarArray(array.c_str());
+  // A picture of the gallery takes the time it takes.
+  mapper->AutoAdjustLevelOfDetailOff();
+  auto volume = vtkSmartPointer<vtkVolume>::New();
+  volume->SetMapper(mapper);
+  volume->GetProperty()->SetColor(colours);
+  volume->GetProperty()->SetScalarOpacity(extinction);
+  volume->GetProperty()->SetScalarOpacityUnitDistance(1.0);
+  return volume;
+}
+}
+
+vtkSmartPointer<vtkVolume> MakeVolume(vtkUnstructuredGrid* tetrahedra, const std::string& array,
+  vtkColorTransferFunction* colours, vtkPiecewiseFunction* extinction)
+{
+  return Make(tetrahedra, VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, array, colours, extinction);
+}
+
+vtkSmartPointer<vtkVolume> MakeVolumeOfIntervals(
+  vtkUnstructuredGrid* tetrahedra, const std::vector<IntervalLook>& looks)
+{
+  vtkNew<vtkColorTransferFunction> colours;
+  vtkNew<vtkPiecewiseFunction> extinction;
+  for (std::size_t i = 0; i < looks.size(); ++i)
+  {
+    const auto id = static_cast<double>(i);
+    const vtkColor3d& colour = looks[i].Colour;
+    colours->AddRGBPoint(id, colour[0], colour[1], colour[2]);
+    extinction->AddPoint(id, looks[i].Extinction);
+  }
+  return Make(tetrahedra, VTK_SCALAR_MODE_USE_CELL_FIELD_DATA, "IntervalId", colours, extinction);
+}
+
+vtkTimeWeightedTetrahedraMapper* GetMapper(vtkVolume* volume)
+{
+  return vtkTimeWeightedTetrahedraMapper::SafeDownCast(volume->GetMapper());
+}
+}
