@@ -38,6 +38,63 @@ uniform vec4 directionOfPixel;
 uniform float opacityOfExtinction;
 #endif
 
+#ifdef SURFACE
+// Boundary triangles: see vtkBoundaryShading.
+flat in float baseFace;
+flat in vec4 otherFaces;
+flat in mat3x4 normalPlane;
+flat in mat2x4 texturePlane;
+const int MAXIMUM_LIGHTS = 8;
+uniform int numberOfLights;
+// The fourth is 1 for a place, 0 for a direction.
+uniform vec4 lightPlaces[MAXIMUM_LIGHTS];
+uniform vec3 lightColors[MAXIMUM_LIGHTS];
+uniform vec4 surfaceColor;
+uniform vec4 surfaceShares;
+uniform vec3 specularColor;
+uniform vec3 normalRows[3];
+// Eye from pixel and depth: scale, shift and offset of x, then of y.
+uniform vec3 pixelX;
+uniform vec3 pixelY;
+#ifdef SURFACE_TEXTURE
+uniform sampler2D surfaceTexture;
+#endif
+
+vec4 shade(float depth, vec3 meshNormal, vec2 texturePlace)
+{
+  vec4 base = surfaceColor;
+#ifdef SURFACE_TEXTURE
+  base *= texture(surfaceTexture, texturePlace);
+#endif
+  vec2 offset = gl_FragCoord.xy - vec2(pixelX.z, pixelY.z);
+#ifdef PERSPECTIVE
+  float z = -1.0 / depth;
+  offset /= depth;
+#else
+  float z = depth;
+#endif
+  vec3 eye = vec3((offset.x - pixelX.y * z) / pixelX.x, (offset.y - pixelY.y * z) / pixelY.x, z);
+  vec3 normal = vec3(dot(normalRows[0], meshNormal), dot(normalRows[1], meshNormal),
+    dot(normalRows[2], meshNormal));
+  normal = normal / max(length(normal), 1e-30);
+  vec3 view = normalize(-eye);
+  normal = dot(normal, view) < 0.0 ? -normal : normal;
+  vec3 color = base.rgb * surfaceShares.x;
+  for (int i = 0; i < numberOfLights; ++i)
+  {
+    vec3 towards = normalize(lightPlaces[i].xyz - lightPlaces[i].w * eye);
+    float cosine = dot(normal, towards);
+    float shine =
+      pow(max(dot(2.0 * cosine * normal - towards, view), 1e-30), surfaceShares.w);
+    color += cosine > 0.0
+      ? lightColors[i] *
+        (base.rgb * surfaceShares.y * cosine + specularColor * surfaceShares.z * shine)
+      : vec3(0.0);
+  }
+  return vec4(min(color, 1.0) * base.a, base.a);
+}
+#endif
+
 // Optical depth up to which series are used; what is thicker is taken in parts.
 const float LIMIT = 0.5;
 // More than this opacity hides all else.
@@ -161,6 +218,9 @@ void main()
   vec4 back = cellColor;
 #endif
 
+#ifdef SURFACE
+  bool isCut = false;
+#endif
 #ifdef OPAQUE
   // Cut where an opaque surface is.
   float buffered = texelFetch(opaqueDepth, min(pixelStride * ivec2(gl_FragCoord.xy) + pixelStride / 2,
@@ -177,6 +237,9 @@ void main()
     share *= depths.y / wall;
 #endif
     share = min(share, 1.0);
+#ifdef SURFACE
+    isCut = true;
+#endif
     len *= share;
 #ifdef SCALARS
     scalars.y = mix(scalars.x, scalars.y, share);
@@ -277,14 +340,47 @@ void main()
     }
     from = to;
   }
-  gl_FragData[0] = sum;
+  vec4 result = sum;
 #else
 #ifdef SCALARS
   vec4 front = evaluate(piece, scalars.x);
   vec4 back = evaluate(findPiece(scalars.y), scalars.y);
 #endif
   vec3 weights = getWeights(0.25 * (front.a + back.a) * (time.x + time.y) * len, 0.0);
-  gl_FragData[0] = vec4(weights.x * front.rgb + weights.y * back.rgb, weights.z);
+  vec4 result = vec4(weights.x * front.rgb + weights.y * back.rgb, weights.z);
 #endif
+#ifdef SURFACE
+  // Lambda's edge tells the face on the other side.
+  shares = mix(shares, vec4(1e30), vec4(equal(abs(edgesX) + abs(edgesY), vec4(0.0))));
+  float least = min(min(shares.x, shares.y), min(shares.z, shares.w));
+  float otherFace = least == shares.x ? otherFaces.x
+    : least == shares.y               ? otherFaces.y
+    : least == shares.z               ? otherFaces.z
+                                      : otherFaces.w;
+  vec2 isFace = baseIsBack ? vec2(otherFace, baseFace) : vec2(baseFace, otherFace);
+  if (isFace.x > 0.0 || (isFace.y > 0.0 && !isCut))
+  {
+    vec3 baseNormal = plane * mat3(normalPlane[0].xyz, normalPlane[1].xyz, normalPlane[2].xyz);
+    vec3 otherNormal =
+      baseNormal + lambda * vec3(normalPlane[0].w, normalPlane[1].w, normalPlane[2].w);
+    vec2 basePlace = vec2(dot(texturePlane[0].xyz, plane), dot(texturePlane[1].xyz, plane));
+    vec2 otherPlace = basePlace + lambda * vec2(texturePlane[0].w, texturePlane[1].w);
+    if (isFace.y > 0.0 && !isCut)
+    {
+      vec4 behind = shade(baseIsBack ? baseDepth : otherDepth,
+        (baseIsBack ? baseNormal : otherNormal) * weight.y,
+        (baseIsBack ? basePlace : otherPlace) * weight.y);
+      result += (1.0 - result.a) * behind;
+    }
+    if (isFace.x > 0.0)
+    {
+      vec4 before = shade(baseIsBack ? otherDepth : baseDepth,
+        (baseIsBack ? otherNormal : baseNormal) * weight.x,
+        (baseIsBack ? otherPlace : basePlace) * weight.x);
+      result = before + (1.0 - before.a) * result;
+    }
+  }
+#endif
+  gl_FragData[0] = result;
 #endif
 }

@@ -28,6 +28,13 @@ uniform samplerBuffer deltaTs;
 uniform samplerBuffer colors;
 #endif
 
+#ifdef SURFACE
+// Of a tetrahedron the faces that are boundary triangles, bit k for that opposite corner k. Of a point
+// its normal, then its texture coordinates.
+uniform isamplerBuffer faces;
+uniform samplerBuffer surfacePoints;
+#endif
+
 // What the fragments get. Outputs are undefined after a vertex is emitted, so each is kept beside it.
 flat out vec4 edgesX;
 flat out vec4 edgesY;
@@ -45,6 +52,13 @@ flat out mat4 colorPlane;
 #ifdef CELL_COLORS
 flat out vec4 cellColor;
 #endif
+#ifdef SURFACE
+// 1 where the face is a boundary triangle: on the base side, on the other next to each edge.
+flat out float baseFace;
+flat out vec4 otherFaces;
+flat out mat3x4 normalPlane;
+flat out mat2x4 texturePlane;
+#endif
 
 struct Shape
 {
@@ -58,6 +72,10 @@ struct Shape
   vec4 deltaTPlane;
   mat4 colorPlane;
   vec4 cellColor;
+  float baseFace;
+  vec4 otherFaces;
+  mat3x4 normalPlane;
+  mat2x4 texturePlane;
 };
 Shape shape;
 
@@ -71,6 +89,10 @@ struct Corner
   float scalar;
   float deltaT;
   vec4 color;
+  // 1 if the face across is a boundary triangle.
+  float face;
+  vec3 normal;
+  vec2 texturePlace;
 };
 
 float cross2(vec2 a, vec2 b)
@@ -118,6 +140,13 @@ Corner fetch(uint id)
 #ifdef DELTA_T
   corner.deltaT = texelFetch(deltaTs, int(id)).x;
 #endif
+  corner.face = 0.0;
+  corner.normal = vec3(0.0);
+  corner.texturePlace = vec2(0.0);
+#ifdef SURFACE
+  corner.normal = texelFetch(surfacePoints, 2 * int(id)).xyz;
+  corner.texturePlace = texelFetch(surfacePoints, 2 * int(id) + 1).xy;
+#endif
   corner.color = vec4(0.0);
 #ifdef POINT_COLORS
   corner.color = texelFetch(colors, int(id));
@@ -147,6 +176,8 @@ vec2 project(inout Corner c[4])
     c[k].scalar *= c[k].depth;
     c[k].deltaT *= c[k].depth;
     c[k].color *= c[k].depth;
+    c[k].normal *= c[k].depth;
+    c[k].texturePlace *= c[k].depth;
   }
   first /= w;
 #else
@@ -182,6 +213,10 @@ void setPlanes(Corner base, Corner other, float depthDifference, Corner a, Corne
 #ifdef POINT_COLORS
   shape.colorPlane = mat4(PLANE(color.x), PLANE(color.y), PLANE(color.z), PLANE(color.w));
 #endif
+#ifdef SURFACE
+  shape.normalPlane = mat3x4(PLANE(normal.x), PLANE(normal.y), PLANE(normal.z));
+  shape.texturePlane = mat2x4(PLANE(texturePlace.x), PLANE(texturePlace.y));
+#endif
 }
 
 Corner mixCorners(Corner a, Corner b, float t)
@@ -191,6 +226,8 @@ Corner mixCorners(Corner a, Corner b, float t)
   a.scalar = mix(a.scalar, b.scalar, t);
   a.deltaT = mix(a.deltaT, b.deltaT, t);
   a.color = mix(a.color, b.color, t);
+  a.normal = mix(a.normal, b.normal, t);
+  a.texturePlace = mix(a.texturePlace, b.texturePlace, t);
   return a;
 }
 
@@ -211,6 +248,12 @@ void emit(vec2 pixel)
 #endif
 #ifdef CELL_COLORS
   cellColor = shape.cellColor;
+#endif
+#ifdef SURFACE
+  baseFace = shape.baseFace;
+  otherFaces = shape.otherFaces;
+  normalPlane = shape.normalPlane;
+  texturePlane = shape.texturePlane;
 #endif
   gl_Position = vec4(2.0 * pixel / viewport - 1.0, 0.0, 1.0);
   EmitVertex();
@@ -264,6 +307,13 @@ void main()
   c[1].area = areas.y;
   c[2].area = areas.z;
   c[3].area = areas.w;
+#ifdef SURFACE
+  int tagged = texelFetch(faces, tetrahedron).x;
+  for (int k = 0; k < 4; ++k)
+  {
+    c[k].face = float((tagged >> k) & 1);
+  }
+#endif
 #ifdef CELL_COLORS
   shape.cellColor = texelFetch(colors, tetrahedron);
 #endif
@@ -292,6 +342,8 @@ void main()
     weights /= weights.x + weights.y + weights.z;
     Corner base = mixCorners(c[0], c[1], weights.y / max(weights.x + weights.y, 1e-30));
     base = mixCorners(base, c[2], weights.z);
+    shape.baseFace = c[3].face;
+    shape.otherFaces = vec4(c[2].face, c[0].face, c[1].face, 0.0);
     setPlanes(base, c[3], sign * thickness, c[0], c[1], c[2]);
     emit(origin + c[0].place);
     emit(origin + c[1].place);
@@ -320,10 +372,13 @@ void main()
     setEdge(i, from, to, area * (isFirst ? share : 1.0 - share), area, 1e-6 * sum);
   }
   // A strip: the third corner carries the first triangle's planes, the fourth the second's.
+  shape.otherFaces = vec4(c[2].face, c[0].face, c[0].face, c[2].face);
+  shape.baseFace = c[3].face;
   setPlanes(base, other, -thickness, c[0], c[2], c[1]);
   emit(origin + c[1].place);
   emit(origin + c[0].place);
   emit(origin + c[2].place);
+  shape.baseFace = c[1].face;
   setPlanes(base, other, -thickness, c[0], c[2], c[3]);
   emit(origin + c[3].place);
   EndPrimitive();

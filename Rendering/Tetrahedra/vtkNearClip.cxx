@@ -94,7 +94,7 @@ void vtkNearClip::Cut(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
   const vtkTetrahedraView& view, std::uint32_t tetrahedron)
 {
   // Corners beyond the plane first.
-  std::array<std::uint32_t, 4> ids;
+  std::array<Corner, 4> corners;
   std::array<Point, 4> eyes;
   int inside = 0;
   int outside = 4;
@@ -103,80 +103,112 @@ void vtkNearClip::Cut(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
     const std::uint32_t id = mesh.GetCorners(tetrahedron)[k];
     const Point eye = view.GetEyePoint(mesh.GetPoint(id));
     const int place = -eye[2] < view.GetNear() ? --outside : inside++;
-    ids[place] = id;
+    corners[place] = { id, 1u << k };
     eyes[place] = eye;
   }
   const auto cut = [&](int a, int b)
   {
-    const double share =
-      std::min(1.0, (view.GetNear() + eyes[a][2]) / (eyes[a][2] - eyes[b][2]));
-    this->AppendPoint(mesh, fields, ids[a], ids[b], share);
-    return static_cast<std::uint32_t>(mesh.Points.size() / 3 - 1);
+    const double share = std::min(1.0, (view.GetNear() + eyes[a][2]) / (eyes[a][2] - eyes[b][2]));
+    this->AppendPoint(mesh, fields, corners[a].Id, corners[b].Id, share);
+    return Corner{ static_cast<std::uint32_t>(mesh.Points.size() / 3 - 1),
+      corners[a].Support | corners[b].Support };
   };
-  std::vector<std::array<std::uint32_t, 4>> parts;
+  std::vector<Part> parts;
   if (inside == 1)
   {
-    parts.push_back({ { ids[0], cut(0, 1), cut(0, 2), cut(0, 3) } });
+    parts.push_back({ { corners[0], cut(0, 1), cut(0, 2), cut(0, 3) } });
   }
   else
   {
     // A wedge: two triangles with three edges between them.
-    std::array<std::uint32_t, 6> w;
+    std::array<Corner, 6> w;
     if (inside == 3)
     {
-      w = { { ids[0], ids[1], ids[2], cut(0, 3), cut(1, 3), cut(2, 3) } };
+      w = { { corners[0], corners[1], corners[2], cut(0, 3), cut(1, 3), cut(2, 3) } };
     }
     else
     {
-      w = { { ids[0], cut(0, 2), cut(0, 3), ids[1], cut(1, 2), cut(1, 3) } };
+      w = { { corners[0], cut(0, 2), cut(0, 3), corners[1], cut(1, 2), cut(1, 3) } };
     }
     parts.push_back({ { w[0], w[1], w[2], w[3] } });
     parts.push_back({ { w[1], w[2], w[3], w[4] } });
     parts.push_back({ { w[2], w[3], w[4], w[5] } });
-    // Each is swapped with the next where the eye is beyond the face they share. A line of sight that
-    // meets the first and the third passes the second between them.
-    const Point eye = view.IsParallel() ? Point{ { 0.0, 0.0, 1e6 } } : Point{ { 0.0, 0.0, 0.0 } };
-    const auto isBehind = [&](int part)
-    {
-      std::array<Point, 4> p;
-      for (int k = 0; k < 4; ++k)
-      {
-        p[k] = view.GetEyePoint(mesh.GetPoint(parts[part][k]));
-      }
-      const double ofCorner = GetSide(p[1], p[2], p[3], p[0]);
-      return ofCorner * GetSide(p[1], p[2], p[3], eye) < 0.0;
-    };
-    const bool firstIsBehind = isBehind(0);
-    const bool secondIsBehind = isBehind(1);
-    if (firstIsBehind)
-    {
-      std::swap(parts[0], parts[1]);
-    }
-    if (secondIsBehind)
-    {
-      // The third goes before the second, wherever that is now.
-      const std::array<std::uint32_t, 4> third = parts[2];
-      parts.pop_back();
-      parts.insert(parts.begin() + (firstIsBehind ? 0 : 1), third);
-    }
+    Sort(mesh, view, parts);
   }
-  for (const std::array<std::uint32_t, 4>& part : parts)
+  for (const Part& part : parts)
   {
     this->Order.push_back(mesh.GetNumberOfTetrahedra());
-    mesh.Corners.insert(mesh.Corners.end(), part.begin(), part.end());
-    this->Wholes.push_back(tetrahedron);
-    if (!mesh.Cells.empty())
+    this->AppendPart(mesh, fields, tetrahedron, part);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNearClip::Sort(
+  const vtkTetrahedraMesh& mesh, const vtkTetrahedraView& view, std::vector<Part>& parts)
+{
+  // Each is swapped with the next where the eye is beyond the face they share. A line of sight that
+  // meets the first and the third passes the second between them.
+  const Point eye = view.IsParallel() ? Point{ { 0.0, 0.0, 1e6 } } : Point{ { 0.0, 0.0, 0.0 } };
+  const auto isBehind = [&](int part)
+  {
+    std::array<Point, 4> p;
+    for (int k = 0; k < 4; ++k)
     {
-      mesh.Cells.push_back(mesh.Cells[tetrahedron]);
+      p[k] = view.GetEyePoint(mesh.GetPoint(parts[part][k].Id));
     }
-    if (!fields.Layers.empty())
+    const double ofCorner = GetSide(p[1], p[2], p[3], p[0]);
+    return ofCorner * GetSide(p[1], p[2], p[3], eye) < 0.0;
+  };
+  const bool firstIsBehind = isBehind(0);
+  const bool secondIsBehind = isBehind(1);
+  if (firstIsBehind)
+  {
+    std::swap(parts[0], parts[1]);
+  }
+  if (secondIsBehind)
+  {
+    // The third goes before the second, wherever that is now.
+    const Part third = parts[2];
+    parts.pop_back();
+    parts.insert(parts.begin() + (firstIsBehind ? 0 : 1), third);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNearClip::AppendPart(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
+  std::uint32_t tetrahedron, const Part& part)
+{
+  for (const Corner& corner : part)
+  {
+    mesh.Corners.push_back(corner.Id);
+  }
+  this->Wholes.push_back(tetrahedron);
+  if (!mesh.Cells.empty())
+  {
+    mesh.Cells.push_back(mesh.Cells[tetrahedron]);
+  }
+  if (!fields.Layers.empty())
+  {
+    fields.Layers.push_back(fields.Layers[tetrahedron]);
+  }
+  if (fields.Kind == vtkTetrahedraFields::CELL_COLORS)
+  {
+    fields.Colors.push_back(fields.Colors[tetrahedron]);
+  }
+  if (!fields.Faces.empty())
+  {
+    // A face of the part lies in the whole's face opposite k if none of its corners needs corner k.
+    unsigned int faces = 0;
+    for (int face = 0; face < 4; ++face)
     {
-      fields.Layers.push_back(fields.Layers[tetrahedron]);
+      unsigned int support = 0;
+      for (int k = 0; k < 4; ++k)
+      {
+        support |= k == face ? 0u : part[k].Support;
+      }
+      faces |= (fields.Faces[tetrahedron] & ~support & 15u) ? 1u << face : 0u;
     }
-    if (fields.Kind == vtkTetrahedraFields::CELL_COLORS)
-    {
-      fields.Colors.push_back(fields.Colors[tetrahedron]);
-    }
+    fields.Faces.push_back(static_cast<unsigned char>(faces));
   }
 }
 
@@ -197,15 +229,24 @@ void vtkNearClip::AppendPoint(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fiel
       values->push_back((*values)[a] + t * ((*values)[b] - (*values)[a]));
     }
   }
+  const auto append = [a, b, t](auto& values)
+  {
+    if (!values.empty())
+    {
+      auto value = values[a];
+      for (std::size_t i = 0; i < value.size(); ++i)
+      {
+        value[i] += t * (values[b][i] - value[i]);
+      }
+      values.push_back(value);
+    }
+  };
   if (fields.Kind == vtkTetrahedraFields::POINT_COLORS)
   {
-    std::array<float, 4> color;
-    for (int c = 0; c < 4; ++c)
-    {
-      color[c] = fields.Colors[a][c] + t * (fields.Colors[b][c] - fields.Colors[a][c]);
-    }
-    fields.Colors.push_back(color);
+    append(fields.Colors);
   }
+  append(fields.Normals);
+  append(fields.TextureCoordinates);
 }
 
 //------------------------------------------------------------------------------
@@ -227,6 +268,9 @@ void vtkNearClip::Remove(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields)
   mesh.Corners.resize(4 * static_cast<std::size_t>(this->Tetrahedra));
   shorten(mesh.Cells, this->Tetrahedra);
   shorten(fields.Layers, this->Tetrahedra);
+  shorten(fields.Faces, this->Tetrahedra);
+  shorten(fields.Normals, this->Points);
+  shorten(fields.TextureCoordinates, this->Points);
   shorten(fields.Scalars, this->Points);
   shorten(fields.DeltaT, this->Points);
   shorten(fields.Colors,

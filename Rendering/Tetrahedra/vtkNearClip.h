@@ -44,18 +44,21 @@ public:
   }
 
 private:
-  /// A corner of a part: of the whole (Second equal to First) or on its edge.
+  /// A corner of a part, and the whole's corners that it lies between, one bit for each.
   struct Corner
   {
-    int First;
-    int Second;
-    double Share;
+    std::uint32_t Id;
+    unsigned int Support;
   };
-  using Part = std::array<int, 4>;
+  using Part = std::array<Corner, 4>;
 
   static bool MayCut(const vtkTetrahedraView& view);
   void Cut(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, const vtkTetrahedraView& view,
     std::uint32_t tetrahedron);
+  static void Sort(
+    const vtkTetrahedraMesh& mesh, const vtkTetrahedraView& view, std::vector<Part>& parts);
+  void AppendPart(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, std::uint32_t tetrahedron,
+    const Part& part);
   void AppendPoint(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, std::uint32_t a,
     std::uint32_t b, double share);
 

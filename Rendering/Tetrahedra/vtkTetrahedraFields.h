@@ -30,6 +30,13 @@ struct vtkTetrahedraFields
   std::vector<float> DeltaT;
   /// Of each tetrahedron; empty unless layers are drawn.
   std::vector<int> Layers;
+  /// Of each tetrahedron the faces that are boundary triangles, bit k for that opposite corner k; empty
+  /// where no boundary is drawn, as are the next two.
+  std::vector<unsigned char> Faces;
+  /// At points.
+  std::vector<std::array<float, 3>> Normals;
+  /// At points; empty where the boundary has none.
+  std::vector<std::array<float, 2>> TextureCoordinates;
 };
 
 #endif

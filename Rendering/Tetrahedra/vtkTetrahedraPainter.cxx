@@ -3,6 +3,7 @@
 #include "InterlumeTetrahedraFS.h"
 #include "InterlumeTetrahedraGS.h"
 #include "InterlumeTetrahedraVS.h"
+#include "vtkBoundaryShading.h"
 #include "vtkSceneDepth.h"
 #include "vtkShaderFeatures.h"
 
@@ -110,6 +111,10 @@ std::string vtkTetrahedraPainter::GetFeatures(const vtkTetrahedraPicture& pictur
   features += fields.DeltaT.empty() ? "" : " DELTA_T";
   features += hasOpaque ? " OPAQUE" : "";
   features += picture.IsExact ? " EXACT" : "";
+  if (picture.Surface)
+  {
+    features += picture.Surface->GetImage().empty() ? " SURFACE" : " SURFACE SURFACE_TEXTURE";
+  }
   features += picture.TetrahedronStride > 1 ? " TETRAHEDRON_STRIDE" : "";
   if (picture.Blend == Picture::MAXIMUM)
   {
@@ -158,6 +163,72 @@ void vtkTetrahedraPainter::Upload(const vtkTetrahedraPicture& picture, const Cha
     }
   }
   report.UploadedStaticBytes = bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraPainter::UploadSurface(
+  const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report)
+{
+  const vtkTetrahedraFields& fields = *picture.Fields;
+  const std::vector<std::int32_t> faces(fields.Faces.begin(), fields.Faces.end());
+  std::vector<float> points;
+  points.reserve(8 * fields.Normals.size());
+  for (std::size_t p = 0; p < fields.Normals.size(); ++p)
+  {
+    const std::array<float, 3>& normal = fields.Normals[p];
+    points.insert(points.end(), { normal[0], normal[1], normal[2], 0.0f });
+    const bool has = !fields.TextureCoordinates.empty();
+    points.insert(points.end(), { has ? fields.TextureCoordinates[p][0] : 0.0f,
+                                  has ? fields.TextureCoordinates[p][1] : 0.0f, 0.0f, 0.0f });
+  }
+  report.UploadedStaticBytes += this->Faces.Upload(
+    vtkTextureBuffer::INT, faces.data(), faces.size() * sizeof(std::int32_t));
+  report.UploadedStaticBytes += this->SurfacePoints.Upload(
+    vtkTextureBuffer::FLOAT4, points.data(), points.size() * sizeof(float));
+  const vtkBoundaryShading& shading = *picture.Surface;
+  if (!shading.GetImage().empty())
+  {
+    vtkTextureObject* texture = this->SurfaceTexture;
+    const int wrap =
+      shading.IsRepeated() ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
+    texture->SetMinificationFilter(vtkTextureObject::Linear);
+    texture->SetMagnificationFilter(vtkTextureObject::Linear);
+    texture->SetWrapS(wrap);
+    texture->SetWrapT(wrap);
+    texture->Create2DFromRaw(static_cast<unsigned int>(shading.GetImageWidth()),
+      static_cast<unsigned int>(shading.GetImageHeight()), 4, VTK_FLOAT,
+      const_cast<float*>(shading.GetImage()[0].data()));
+    report.UploadedStaticBytes +=
+      static_cast<vtkIdType>(shading.GetImage().size() * sizeof(vtkBoundaryShading::Color));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraPainter::SetSurfaceUniforms(
+  vtkShaderProgram* program, const vtkTetrahedraPicture& picture)
+{
+  const vtkBoundaryShading& shading = *picture.Surface;
+  float places[vtkBoundaryShading::MAXIMUM_LIGHTS][4] = {};
+  float colors[vtkBoundaryShading::MAXIMUM_LIGHTS][3] = {};
+  const auto lights = static_cast<int>(shading.GetLights().size());
+  for (int i = 0; i < lights; ++i)
+  {
+    const vtkBoundaryShading::Light& light = shading.GetLights()[i];
+    std::copy(light.Place.begin(), light.Place.end(), places[i]);
+    places[i][3] = light.IsPositional ? 1.0f : 0.0f;
+    std::copy(light.Color.begin(), light.Color.end(), colors[i]);
+  }
+  program->SetUniformi("numberOfLights", lights);
+  program->SetUniform4fv("lightPlaces", vtkBoundaryShading::MAXIMUM_LIGHTS, places);
+  program->SetUniform3fv("lightColors", vtkBoundaryShading::MAXIMUM_LIGHTS, colors);
+  program->SetUniform4f("surfaceColor", shading.GetColor().data());
+  program->SetUniform4f("surfaceShares", shading.GetShares().data());
+  program->SetUniform3f("specularColor", shading.GetSpecularColor().data());
+  program->SetUniform3fv("normalRows", 3, shading.GetNormalMatrix().data());
+  if (!shading.GetImage().empty())
+  {
+    program->SetUniformi("surfaceTexture", this->SurfaceTexture->GetTextureUnit());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -315,6 +386,11 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
   vtkOpenGLState* state = window->GetState();
   const vtkTetrahedraFields& fields = *picture.Fields;
   this->Upload(picture, changes, report);
+  if (picture.Surface && (changes.Surface || changes.Mesh || !this->Faces.IsAllocated()))
+  {
+    this->SurfaceTexture->SetContext(window);
+    this->UploadSurface(picture, report);
+  }
   if (picture.Order && (changes.Order || !this->Order))
   {
     this->UploadOrder(picture, report);
@@ -407,6 +483,17 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
         activate(this->Starts, "starts");
         activate(this->Buckets, "buckets");
       }
+      const bool hasTexture = picture.Surface && !picture.Surface->GetImage().empty();
+      if (picture.Surface)
+      {
+        activate(this->Faces, "faces");
+        activate(this->SurfacePoints, "surfacePoints");
+        if (hasTexture)
+        {
+          this->SurfaceTexture->Activate();
+        }
+        this->SetSurfaceUniforms(program, picture);
+      }
       if (hasOpaque)
       {
         this->Depth->Activate();
@@ -416,6 +503,10 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
       if (hasOpaque)
       {
         this->Depth->Deactivate();
+      }
+      if (hasTexture)
+      {
+        this->SurfaceTexture->Deactivate();
       }
       for (vtkTextureBuffer* buffer : active)
       {
@@ -436,7 +527,7 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
   report.Buffers = 1 + (isResolved ? 1 : 0) + (hasOpaque ? 1 : 0);
   report.BufferBytes = 16 * pixels * (isResolved ? 2 : 1) + (hasOpaque ? 4 * pixels : 0);
   for (const vtkTextureBuffer* buffer : { &this->Points, &this->Corners, &this->Volumes,
-         &this->DeltaTs, &this->Colors, &this->Pieces, &this->Starts, &this->Buckets })
+         &this->DeltaTs, &this->Colors, &this->Faces, &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets })
   {
     report.BufferBytes += static_cast<vtkIdType>(buffer->GetBytes());
   }
@@ -448,7 +539,7 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
 void vtkTetrahedraPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (vtkTextureBuffer* buffer : { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs,
-         &this->Colors, &this->Pieces, &this->Starts, &this->Buckets })
+         &this->Colors, &this->Faces, &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets })
   {
     buffer->Release();
   }
@@ -458,6 +549,7 @@ void vtkTetrahedraPainter::ReleaseGraphicsResources(vtkWindow* window)
     this->Order = 0;
   }
   this->OrderSize = 0;
+  this->SurfaceTexture->ReleaseGraphicsResources(window);
   this->Sums->ReleaseGraphicsResources(window);
   this->Layers->ReleaseGraphicsResources(window);
   this->Depth->ReleaseGraphicsResources(window);

@@ -45,6 +45,7 @@ public:
     bool Mesh = true;
     bool Colors = true;
     bool Order = true;
+    bool Surface = true;
   };
 
   /**
@@ -59,9 +60,11 @@ private:
   std::string GetFeatures(const vtkTetrahedraPicture& picture, bool hasOpaque) const;
   void Upload(const vtkTetrahedraPicture& picture, const Changes& changes,
     vtkTetrahedraRenderReport& report);
+  void UploadSurface(const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report);
   void UploadOrder(const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report);
   bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);
   void SetUniforms(vtkShaderProgram* program, const vtkTetrahedraPicture& picture, bool hasOpaque);
+  void SetSurfaceUniforms(vtkShaderProgram* program, const vtkTetrahedraPicture& picture);
   void DrawRange(vtkOpenGLRenderWindow* window, const vtkTetrahedraPicture& picture,
     std::size_t first, std::size_t number);
   void Resolve(vtkOpenGLRenderWindow* window, const vtkTetrahedraPicture& picture,
@@ -72,6 +75,9 @@ private:
   vtkTextureBuffer Volumes;
   vtkTextureBuffer DeltaTs;
   vtkTextureBuffer Colors;
+  vtkTextureBuffer Faces;
+  vtkTextureBuffer SurfacePoints;
+  vtkNew<vtkTextureObject> SurfaceTexture;
   vtkTextureBuffer Pieces;
   vtkTextureBuffer Starts;
   vtkTextureBuffer Buckets;

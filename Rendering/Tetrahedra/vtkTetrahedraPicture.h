@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-class vtkTetrahedraSurface;
+class vtkBoundaryShading;
 
 /**
  * All that one picture is made of, for either path. What is pointed to outlives the drawing.
@@ -35,8 +35,8 @@ struct vtkTetrahedraPicture
   const std::vector<std::uint32_t>* Order = nullptr;
   /// Depth of the nearest opaque surface, row by row from below; null where there is none.
   const float* Opaque = nullptr;
-  /// Boundary triangles; null where there are none.
-  const vtkTetrahedraSurface* Surface = nullptr;
+  /// Of the boundary triangles; null where none are drawn.
+  const vtkBoundaryShading* Surface = nullptr;
   Blends Blend = COMPOSITE;
   /// Extinction of opacity 1, so that MAXIMUM can undo what extinction was made by.
   double ExtinctionUnit = 1.0;

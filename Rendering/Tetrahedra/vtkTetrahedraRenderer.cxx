@@ -6,6 +6,7 @@
 #include "vtkTimeWeightedTetrahedraMapper.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
@@ -94,6 +95,7 @@ struct vtkTetrahedraRenderer::WindowResources
   int MeshVersion = 0;
   int ColorVersion = 0;
   int OrderVersion = 0;
+  int SurfaceVersion = 0;
   bool WasClipped = false;
   DrawnState Drawn;
   vtkIdType NumberDrawn = 0;
@@ -120,6 +122,8 @@ std::string vtkTetrahedraRenderer::UpdateMesh(const Request& request)
   }
   this->MeshState = MeshKey();
   this->Property = nullptr;
+  this->Boundary = nullptr;
+  vtkBoundaryFaces::Clear(this->Fields);
   this->Order.Reset();
   this->LevelOfDetail.Reset();
   std::string error =
@@ -305,6 +309,7 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
   }
   report.ControlPoints =
     this->Fields.Kind == vtkTetrahedraFields::SCALARS ? this->Pieces.GetNumberOfPieces() + 1 : 0;
+  this->UpdateBoundary(renderer, request, report);
   this->ChooseSort(request, report);
   const std::vector<std::uint32_t>* order = this->UpdateOrder(request, report);
   this->Clip.Append(this->Mesh, this->Fields, this->Picture.View, order);
@@ -383,11 +388,13 @@ std::string vtkTetrahedraRenderer::DrawWithOpenGL(vtkRenderer* renderer, vtkVolu
   changes.Mesh = isClipped || resources.MeshVersion != this->MeshVersion;
   changes.Colors = isClipped || resources.ColorVersion != this->ColorVersion;
   changes.Order = isClipped || resources.OrderVersion != this->OrderVersion;
+  changes.Surface = isClipped || resources.SurfaceVersion != this->SurfaceVersion;
   std::string error = resources.Painter.Draw(
     renderer, this->Picture, changes, this->HasOpaque(renderer, volume), report);
   resources.MeshVersion = this->MeshVersion;
   resources.ColorVersion = this->ColorVersion;
   resources.OrderVersion = this->OrderVersion;
+  resources.SurfaceVersion = this->SurfaceVersion;
   resources.WasClipped = this->Clip.IsActive();
   report.TetrahedraDrawn = static_cast<vtkIdType>(
     this->Picture.Order ? this->Picture.Order->size() : this->Mesh.GetNumberOfTetrahedra());
@@ -461,6 +468,45 @@ void vtkTetrahedraRenderer::DrawSelection(
     vtkTetrahedraSelection::MakeImage(selector, view, cells, this->Rasterizer.GetDepths()), false);
   resources.Quad.Draw(window, "SELECTION");
   resources.Drawn = DrawnState();
+}
+
+//------------------------------------------------------------------------------
+void vtkTetrahedraRenderer::UpdateBoundary(
+  vtkRenderer* renderer, const Request& request, vtkTetrahedraRenderReport& report)
+{
+  this->Picture.Surface = nullptr;
+  if (!request.Boundary)
+  {
+    if (this->Boundary)
+    {
+      vtkBoundaryFaces::Clear(this->Fields);
+      this->Boundary = nullptr;
+      ++this->SurfaceVersion;
+    }
+    return;
+  }
+  if (report.BlendMode != Mapper::COMPOSITE_BLEND)
+  {
+    return;
+  }
+  if (this->Boundary != request.Boundary || this->BoundaryTime != request.Boundary->GetMTime())
+  {
+    this->Boundary = request.Boundary;
+    this->BoundaryTime = request.Boundary->GetMTime();
+    this->BoundaryCounts =
+      vtkBoundaryFaces::Build(request.Boundary, request.Grid, this->Mesh, this->Fields);
+    ++this->SurfaceVersion;
+  }
+  report.BoundaryTriangles = this->BoundaryCounts.Triangles;
+  report.UnmatchedTriangles = this->BoundaryCounts.Unmatched;
+  if (this->BoundaryCounts.Triangles > 0)
+  {
+    const vtkBoundaryShading before = this->Shading;
+    this->Shading.Set(
+      renderer, this->Picture.View, request.BoundaryProperty, request.BoundaryTexture);
+    this->SurfaceVersion += before == this->Shading ? 0 : 1;
+    this->Picture.Surface = &this->Shading;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,8 @@
 #ifndef vtkTetrahedraRenderer_h
 #define vtkTetrahedraRenderer_h
 
+#include "vtkBoundaryFaces.h"
+#include "vtkBoundaryShading.h"
 #include "vtkLevelOfDetail.h"
 #include "vtkNearClip.h"
 #include "vtkSceneDepth.h"
@@ -85,6 +87,8 @@ private:
   void DrawSelection(
     vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void ReadDepth(vtkRenderer* renderer);
+  void UpdateBoundary(
+    vtkRenderer* renderer, const Request& request, vtkTetrahedraRenderReport& report);
   std::string GetFeatures() const;
   vtkIdType GetMemoryBytes() const;
 
@@ -105,6 +109,12 @@ private:
   int ColorVersion = 0;
   int OrderVersion = 0;
   int SurfaceVersion = 0;
+
+  /// What the boundary was made of.
+  vtkDataSet* Boundary = nullptr;
+  vtkMTimeType BoundaryTime = 0;
+  vtkBoundaryFaces::Counts BoundaryCounts;
+  vtkBoundaryShading Shading;
 
   vtkTetrahedraMesh Mesh;
   vtkTetrahedraFields Fields;

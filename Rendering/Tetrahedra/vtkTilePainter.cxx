@@ -91,6 +91,28 @@ void BlendComposite(const vtkFragments& f, const vtkTetrahedraPicture& picture, 
     });
 }
 
+// The same, with boundary triangles before and behind the segments.
+void BlendCompositeWithSurface(const vtkFragments& f, const vtkTetrahedraPicture& picture,
+  const vtkSurfaceFragments& surface, Pixel* pixels)
+{
+  const auto lay = [](Pixel& pixel, const Pixel& color)
+  {
+    const float through = pixel[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      pixel[c] += through * color[c];
+    }
+    pixel[3] = through * (1.0f - color[3]);
+  };
+  ForEachColor(f, picture, pixels,
+    [&](Pixel& pixel, int i, const Pixel& color)
+    {
+      lay(pixel, surface.GetFront(i));
+      lay(pixel, { { color[0], color[1], color[2], 1.0f - f.Total[i] } });
+      lay(pixel, surface.GetBack(i));
+    });
+}
+
 // Sums of weighted colour, and of opacity or optical depth.
 void BlendSum(
   const vtkFragments& f, const vtkTetrahedraPicture& picture, bool isOpacity, Pixel* pixels)
@@ -187,6 +209,10 @@ vtkTilePainter::vtkTilePainter(const vtkTetrahedraPicture& picture, const vtkTil
   if (picture.Opaque)
   {
     this->Opaque.resize(SIZE * SIZE);
+  }
+  if (picture.Surface)
+  {
+    this->Surface = std::make_unique<vtkSurfaceFragments>(picture, bins);
   }
   if (picture.Blend == Blends::SELECTION)
   {
@@ -486,7 +512,16 @@ void vtkTilePainter::IntegrateAndBlend()
   switch (blend)
   {
     case Blends::COMPOSITE:
-      BlendComposite(f, this->Picture, this->Pixels.data());
+      if (this->Surface)
+      {
+        this->Surface->Compute(
+          f, this->Left, this->Bottom, this->Picture.Opaque ? this->Opaque.data() : nullptr);
+        BlendCompositeWithSurface(f, this->Picture, *this->Surface, this->Pixels.data());
+      }
+      else
+      {
+        BlendComposite(f, this->Picture, this->Pixels.data());
+      }
       break;
     case Blends::ADDITIVE:
       BlendSum(f, this->Picture, true, this->Pixels.data());

@@ -3,12 +3,14 @@
 
 #include "vtkFragmentIntegration.h"
 #include "vtkFragments.h"
+#include "vtkSurfaceFragments.h"
 #include "vtkTetrahedraPicture.h"
 #include "vtkTetrahedronSilhouette.h"
 #include "vtkTileBins.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 /**
@@ -65,6 +67,8 @@ private:
   std::vector<Pixel> Pixels;
   /// The layer being drawn (PRIORITY), summed up.
   std::vector<Pixel> Layer;
+  /// Null where no boundary is drawn.
+  std::unique_ptr<vtkSurfaceFragments> Surface;
   std::vector<float> Slant;
   std::vector<float> Opaque;
   std::vector<std::uint32_t> Nearest;
