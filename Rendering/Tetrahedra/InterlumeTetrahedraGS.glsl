@@ -15,7 +15,6 @@ uniform vec4 eyeRows[3];
 uniform vec3 pixelX;
 uniform vec3 pixelY;
 uniform vec2 viewport;
-uniform float nearDistance;
 // Of six times the volume in mesh coordinates to that in pixels and depth.
 uniform float volumeScale;
 #ifdef TETRAHEDRON_STRIDE
@@ -274,11 +273,6 @@ void main()
   c[1] = fetch(ids.y);
   c[2] = fetch(ids.z);
   c[3] = fetch(ids.w);
-  // What crosses the near plane is drawn as its parts.
-  if (max(max(c[0].depth, c[1].depth), max(c[2].depth, c[3].depth)) > -nearDistance)
-  {
-    return;
-  }
   vec2 origin = project(c);
   vec2 low = origin + min(min(c[0].place, c[1].place), min(c[2].place, c[3].place));
   vec2 high = origin + max(max(c[0].place, c[1].place), max(c[2].place, c[3].place));

@@ -57,7 +57,8 @@ struct Moments
 inline Moments GetMoments(float t0, float t1)
 {
   const float sum = t0 + t1;
-  return { 0.5f * sum, (t1 - t0) / std::max(sum, 1e-37f) };
+  const float delta = (t1 - t0) / std::max(sum, 1e-37f);
+  return { 0.5f * sum, std::max(-1.0f, std::min(delta, 1.0f)) };
 }
 
 inline Moments GetMoments(float t0, float t1, float d0, float d1)

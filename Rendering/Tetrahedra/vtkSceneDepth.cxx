@@ -151,7 +151,9 @@ bool vtkSceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
         texture->AllocateDepth(static_cast<unsigned int>(width),
           static_cast<unsigned int>(height), vtkTextureObject::Float32);
       }
-      texture->CopyFromFrameBuffer(left, bottom, 0, 0, width, height);
+      texture->Activate();
+      glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, left, bottom, width, height);
+      texture->Deactivate();
     });
 }
 

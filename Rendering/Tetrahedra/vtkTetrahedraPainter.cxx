@@ -284,7 +284,6 @@ void vtkTetrahedraPainter::SetUniforms(
   const float viewport[2] = { static_cast<float>(view.GetWidth()),
     static_cast<float>(view.GetHeight()) };
   program->SetUniform2f("viewport", viewport);
-  program->SetUniformf("nearDistance", static_cast<float>(view.GetNear()));
   const double determinant = matrix[0] * (matrix[5] * matrix[10] - matrix[6] * matrix[9]) -
     matrix[1] * (matrix[4] * matrix[10] - matrix[6] * matrix[8]) +
     matrix[2] * (matrix[4] * matrix[9] - matrix[5] * matrix[8]);

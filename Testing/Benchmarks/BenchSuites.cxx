@@ -6,5 +6,6 @@ std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites()
   suites.push_back(MakeTablesSuite());
   suites.push_back(MakeIntervalSuite());
   suites.push_back(MakeContourSuite());
+  suites.push_back(MakeTetrahedraSuite());
   return suites;
 }

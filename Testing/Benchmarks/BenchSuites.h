@@ -9,6 +9,7 @@
 std::unique_ptr<BenchSuite> MakeTablesSuite();
 std::unique_ptr<BenchSuite> MakeIntervalSuite();
 std::unique_ptr<BenchSuite> MakeContourSuite();
+std::unique_ptr<BenchSuite> MakeTetrahedraSuite();
 
 /**
  * Every suite, in the order of the report.

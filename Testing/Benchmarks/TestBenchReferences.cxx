@@ -1,6 +1,10 @@
-// What the error rows are measured with: the exact trilinear region and the splits into tetrahedra.
+// What the error rows are measured with: the exact trilinear region, the splits into tetrahedra,
+// the picture of a field.
 #include "AnalyticCases.h"
 #include "CellSplits.h"
+#include "FieldPicture.h"
+#include "ReferenceVolumePicture.h"
+#include "TetrahedraScene.h"
 #include "TetrahedronSums.h"
 #include "TrilinearRegion.h"
 
@@ -85,10 +89,33 @@ void TestSplit(int pieces)
   ExpectNear(surface->GetOutput()->GetNumberOfCells(), 6 * cells * cells * (pieces == 24 ? 4 : 2),
     0.0, name + ", outer faces");
 }
+
+/// The picture of a field on ever finer meshes tends to the picture without a mesh, with the square
+/// of the edge.
+void TestFieldPicture()
+{
+  auto property = tetrahedra::MakeProperty();
+  auto camera = tetrahedra::MakeCamera();
+  reference::PictureSettings settings;
+  settings.Size = { { 24, 24 } };
+  const auto exact = IntegrateField(tetrahedra::GetField, tetrahedra::GetLow(),
+    tetrahedra::GetHigh(), property, camera, settings.Size, 2000);
+  double errors[2];
+  for (int level = 0; level < 2; ++level)
+  {
+    auto grid = tetrahedra::MakeGrid(level == 0 ? 12 : 24);
+    errors[level] = reference::ComparePictures(
+      reference::MakeReferencePicture(grid, property, camera, settings), exact)
+                      .Mean;
+  }
+  ExpectNear(errors[1], 0.0, 4e-3, "error of the picture of a mesh");
+  ExpectNear(errors[0] / errors[1], 4.0, 1.0, "error of a mesh half as fine");
+}
 }
 
 int main()
 {
+  TestFieldPicture();
   TestPlane();
   TestProduct();
   TestSampling();

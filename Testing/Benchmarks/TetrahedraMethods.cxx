@@ -1,0 +1,86 @@
+#include "TetrahedraMethods.h"
+
+namespace tetrahedra
+{
+namespace
+{
+using Mapper = vtkTimeWeightedTetrahedraMapper;
+}
+
+const char* const Peer = "projectedtetrahedra";
+
+//------------------------------------------------------------------------------
+const std::vector<RenderPath>& AllRenderPaths()
+{
+  static const std::vector<RenderPath> paths = { { "opengl", Mapper::OPENGL_PATH },
+    { "software", Mapper::SOFTWARE_PATH } };
+  return paths;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<RenderMode>& AllRenderModes()
+{
+  static const std::vector<RenderMode> modes = {
+    { "composite", Mapper::COMPOSITE_BLEND, Mapper::AUTOMATIC_SORT, Mapper::LINEAR_SEGMENT, true },
+    { "composite, unsorted", Mapper::COMPOSITE_BLEND, Mapper::NO_SORT, Mapper::LINEAR_SEGMENT,
+      true },
+    { "composite, centroid sort", Mapper::COMPOSITE_BLEND, Mapper::CENTROID_SORT,
+      Mapper::LINEAR_SEGMENT, false },
+    { "composite, MPVONC sort", Mapper::COMPOSITE_BLEND, Mapper::MPVONC_SORT,
+      Mapper::LINEAR_SEGMENT, false },
+    { "composite, average colour", Mapper::COMPOSITE_BLEND, Mapper::AUTOMATIC_SORT,
+      Mapper::AVERAGE_COLOR, true },
+    { "optical depth", Mapper::OPTICAL_DEPTH_BLEND, Mapper::AUTOMATIC_SORT, Mapper::LINEAR_SEGMENT,
+      true },
+    { "additive", Mapper::ADDITIVE_BLEND, Mapper::AUTOMATIC_SORT, Mapper::LINEAR_SEGMENT, false },
+    { "maximum intensity", Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::AUTOMATIC_SORT,
+      Mapper::LINEAR_SEGMENT, false },
+    { "priority, four layers", Mapper::PRIORITY_BLEND, Mapper::AUTOMATIC_SORT,
+      Mapper::LINEAR_SEGMENT, false },
+  };
+  return modes;
+}
+
+//------------------------------------------------------------------------------
+const RenderMode& GetDefaultMode()
+{
+  return AllRenderModes()[0];
+}
+
+//------------------------------------------------------------------------------
+const RenderMode& GetUnsortedMode()
+{
+  return AllRenderModes()[1];
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<Mapper> NewMapper(
+  vtkUnstructuredGrid* grid, const RenderPath& path, const RenderMode& mode)
+{
+  auto mapper = vtkSmartPointer<Mapper>::New();
+  mapper->SetInputData(static_cast<vtkDataSet*>(grid));
+  mapper->SetRenderPath(path.Path);
+  mapper->SetBlendMode(mode.Blend);
+  mapper->SetSortMode(mode.Sort);
+  mapper->SetIntegrationMode(mode.Integration);
+  mapper->AutoAdjustLevelOfDetailOff();
+  return mapper;
+}
+
+//------------------------------------------------------------------------------
+void AddReport(const vtkTetrahedraRenderReport& report, BenchRow& row)
+{
+  row.Counts["tetrahedra"] = report.Tetrahedra;
+  row.Counts["drawn"] = report.TetrahedraDrawn;
+  row.Counts["render_path"] = report.RenderPath;
+  row.Counts["passes"] = report.Passes;
+  row.Counts["sort_mode"] = report.SortMode;
+  row.Counts["cycles"] = report.Cycles;
+  row.Counts["gaps"] = report.Gaps;
+  row.Counts["buffers"] = report.Buffers;
+  row.Counts["buffer_bytes"] = report.BufferBytes;
+  row.Counts["memory_bytes"] = report.MemoryBytes;
+  row.Counts["uploaded_order_bytes"] = report.UploadedOrderBytes;
+  row.Counts["uploaded_image_bytes"] = report.UploadedImageBytes;
+}
+}

@@ -1,0 +1,359 @@
+// Every blend mode, kind of array and clip of both render paths against the reference.
+#include "MapperPicture.h"
+#include "PictureCases.h"
+#include "ReferenceCheck.h"
+#include "VolumeStage.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+using Mapper = vtkTimeWeightedTetrahedraMapper;
+
+constexpr double Bound = 1e-3;
+constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
+constexpr Point3 Red = { { 1.0, 0.1, 0.0 } };
+constexpr Point3 Green = { { 0.2, 1.0, 0.1 } };
+constexpr Point3 Blue = { { 0.1, 0.3, 1.0 } };
+
+PictureCase MakeCase(bool parallel)
+{
+  PictureCase what;
+  what.Grid = MakeCube(4);
+  what.Property = MakeRamp(0.1, 1.0, 0.25);
+  what.Camera = LookAt(what.Grid, Slanted, parallel);
+  what.Settings.Size = { { 80, 64 } };
+  return what;
+}
+
+/// Compares both render paths with the reference.
+void Expect(Check& check, const PictureCase& what, const std::string& name)
+{
+  const RgbaPicture expected = DrawByReference(what);
+  check.That(LargestAlpha(expected) > 0.2, name + ": something is seen");
+  for (int path : AllRenderPaths())
+  {
+    const PictureError error = ComparePictures(DrawByPath(path, what), expected);
+    const std::string whole = name +
+      (what.Camera->GetParallelProjection() ? ", parallel, " : ", perspective, ") +
+      GetPathName(path);
+    std::cout << whole << ": " << error << '\n';
+    check.Near(error.Max, 0.0, Bound, whole, 1.0);
+  }
+}
+
+void TestBlendModes(Check& check, bool parallel)
+{
+  PictureCase what = MakeCase(parallel);
+  AddSlabs(what.Grid, "IntervalId", 2, 4);
+  // As additive blending saturates, it gets a fainter volume as well.
+  auto faint = MakeRamp(0.01, 0.1);
+  const struct
+  {
+    Blend How;
+    const char* Name;
+  } modes[] = { { Blend::Composite, "composite" }, { Blend::MaximumIntensity, "maximum" },
+    { Blend::Additive, "additive" }, { Blend::Priority, "priority" },
+    { Blend::OpticalDepth, "optical depth" } };
+  AddLinear(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
+  for (const auto& mode : modes)
+  {
+    what.Settings.How = mode.How;
+    for (const char* extent : { "", "DeltaT" })
+    {
+      what.Settings.Arrays.DeltaT = extent;
+      Expect(check, what, std::string(mode.Name) + (*extent ? ", extent in time" : ""));
+    }
+  }
+  what.Settings.Arrays.DeltaT.clear();
+  what.Settings.How = Blend::Additive;
+  what.Property = faint;
+  what.Settings.Arrays.DeltaT.clear();
+  const RgbaPicture expected = DrawByReference(what);
+  for (int path : AllRenderPaths())
+  {
+    const PictureError error = ComparePictures(DrawByPath(path, what), expected);
+    check.Near(error.Max, 0.0, Bound * LargestAlpha(expected), "additive, faint", 1.0);
+  }
+}
+
+/// Layers that the priorities, not the positions, put over each other.
+void TestPriorities(Check& check, bool parallel)
+{
+  PictureCase what = MakeCase(parallel);
+  AddSlabs(what.Grid, "layer", 0, 3);
+  what.Property = MakeProperty({ { 0.0, Red, 2.0 }, { 1.0, Green, 1.0 }, { 2.0, Blue, 3.0 } });
+  what.Settings.How = Blend::Priority;
+  what.Settings.Layers = "layer";
+  what.Settings.Arrays.Scalars = "layer";
+  what.Settings.Arrays.OfCells = true;
+  Expect(check, what, "priority by number");
+  what.Settings.Priorities = { { 0, 5.0 }, { 1, -1.0 }, { 2, 0.5 } };
+  Expect(check, what, "priority as set");
+  what.Settings.Priorities = { { 0, 2.0 }, { 1, 2.0 } };
+  Expect(check, what, "equal priorities");
+}
+
+/// AUTOMATIC_BLEND is composite without and optical depth with the array `DeltaT`, found by itself.
+void TestAutomatic(Check& check)
+{
+  PictureCase what = MakeCase(true);
+  for (bool extended : { false, true })
+  {
+    if (extended)
+    {
+      AddLinear(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
+      what.Settings.How = Blend::OpticalDepth;
+      what.Settings.Arrays.DeltaT = "DeltaT";
+    }
+    const RgbaPicture expected = DrawByReference(what);
+    for (int path : AllRenderPaths())
+    {
+      vtkNew<Mapper> mapper;
+      mapper->SetRenderPath(path);
+      Configure(mapper, what);
+      mapper->SetDeltaTArrayName(nullptr);
+      mapper->SetBlendModeToAutomatic();
+      VolumeStage stage(what.Settings.Size);
+      stage.SetVolume(mapper, what.Property);
+      stage.SetCamera(what.Camera);
+      check.Near(ComparePictures(stage.Capture(), expected).Max, 0.0, Bound,
+        "automatic blend, " + GetPathName(path), 1.0);
+    }
+  }
+}
+
+template <typename Array>
+void AddColors(vtkDataSetAttributes* data, vtkIdType tuples, int components, double scale)
+{
+  vtkNew<Array> colors;
+  colors->SetName("colors");
+  colors->SetNumberOfComponents(components);
+  colors->SetNumberOfTuples(tuples);
+  for (vtkIdType i = 0; i < tuples; ++i)
+  {
+    for (int k = 0; k < components; ++k)
+    {
+      const double value = 0.5 + 0.5 * std::sin(1.7 * static_cast<double>(i) + 2.1 * k);
+      colors->SetTypedComponent(i, k, static_cast<typename Array::ValueType>(scale * value));
+    }
+  }
+  data->AddArray(colors);
+}
+
+/// Colours in the array itself, for points and cells.
+void TestColorArrays(Check& check, bool parallel)
+{
+  for (bool ofCells : { false, true })
+  {
+    const std::string place = ofCells ? " of cells" : " of points";
+    for (int components : { 2, 3, 4 })
+    {
+      PictureCase what = MakeCase(parallel);
+      what.Settings.Arrays.Scalars = "colors";
+      what.Settings.Arrays.OfCells = ofCells;
+      vtkDataSetAttributes* data = what.Grid->GetPointData();
+      vtkIdType tuples = what.Grid->GetNumberOfPoints();
+      if (ofCells)
+      {
+        data = what.Grid->GetCellData();
+        tuples = what.Grid->GetNumberOfCells();
+      }
+      what.Property->IndependentComponentsOff();
+      AddColors<vtkFloatArray>(data, tuples, components, 1.0);
+      Expect(check, what, std::to_string(components) + " components" + place);
+      if (components > 2)
+      {
+        data->RemoveArray("colors");
+        AddColors<vtkUnsignedCharArray>(data, tuples, components, 255.0);
+        what.Property = MakeProperty({ { 0.0, Red, 0.1 }, { 255.0, Red, 1.0 } }, 0.25);
+        what.Property->IndependentComponentsOff();
+        Expect(check, what, std::to_string(components) + " bytes" + place);
+      }
+    }
+  }
+}
+
+void TestTransferFunctions(Check& check, bool parallel)
+{
+  // Thirty nodes over the range of the field: some four in each tetrahedron.
+  std::vector<FunctionNode> nodes;
+  for (int node = 0; node < 30; ++node)
+  {
+    const double x = 0.1 + 0.9 * node / 29.0;
+    const Point3& color = node % 3 == 0 ? Red : node % 3 == 1 ? Green : Blue;
+    nodes.push_back({ x, color, node % 2 == 0 ? 0.0 : 6.0 });
+  }
+  PictureCase what = MakeCase(parallel);
+  what.Property = MakeProperty(nodes);
+  Expect(check, what, "thirty nodes");
+  what.Grid = MakeCube(1);
+  Expect(check, what, "thirty nodes in five tetrahedra");
+  what.Settings.How = Blend::OpticalDepth;
+  Expect(check, what, "thirty nodes, optical depth");
+  what.Settings.How = Blend::Composite;
+  // A step, and a spike narrower than a pixel is deep.
+  what.Property = MakeProperty({ { 0.0, Red, 0.0 }, { 0.5, Red, 0.0 }, { 0.5000001, Blue, 3.0 },
+    { 0.7, Blue, 3.0 }, { 0.7001, Green, 900.0 }, { 0.7002, Green, 0.2 }, { 1.0, Green, 0.2 } });
+  Expect(check, what, "a step and a spike");
+  what.Property = MakeRamp(0.1, 1.0, 0.03);
+  Expect(check, what, "unit distance 0.03");
+  what.Property = MakeRamp(0.0, 1.0, 0.25);
+  what.Settings.Mode = Integration::AverageColor;
+  Expect(check, what, "average colour");
+}
+
+void TestCellConstants(Check& check, bool parallel)
+{
+  PictureCase what = MakeCase(parallel);
+  AddSlabs(what.Grid, "IntervalId", 1, 4);
+  what.Settings.Arrays.Scalars = "IntervalId";
+  what.Settings.Arrays.OfCells = true;
+  what.Property = MakeProperty(
+    { { 0.0, Red, 3.0 }, { 1.0, Green, 0.0 }, { 2.0, Blue, 1.0 }, { 3.0, Green, 4.0 } });
+  Expect(check, what, "constants of cells");
+  AddLinear(what.Grid, "DeltaT", 0.0, { { 0.5, 0.2, 0.9 } });
+  what.Settings.Arrays.DeltaT = "DeltaT";
+  Expect(check, what, "constants of cells, extent in time from 0");
+}
+
+void TestNearPlane(Check& check)
+{
+  PictureCase what = MakeCase(true);
+  double range[2];
+  what.Camera->GetClippingRange(range);
+  const double middle = what.Camera->GetDistance();
+  what.Camera->SetClippingRange(middle - 0.13, range[1]);
+  Expect(check, what, "near plane through the mesh");
+  what = MakeCase(false);
+  what.Camera->SetClippingRange(middle + 0.11, range[1]);
+  Expect(check, what, "near plane through the mesh");
+  // The eye inside, off every face.
+  what.Camera->SetPosition(0.47, 0.53, 0.41);
+  what.Camera->SetFocalPoint(0.47 + 0.3, 0.53 - 0.4, 0.41 + 1.0);
+  what.Camera->SetViewAngle(70.0);
+  what.Camera->SetClippingRange(0.02, 10.0);
+  Expect(check, what, "eye inside the mesh");
+  what.Camera->SetClippingRange(1e-4, 10.0);
+  Expect(check, what, "eye inside the mesh, near plane 1e-4 away");
+}
+
+/// A plane across the whole picture, at a slant to the lines of sight, so far behind the middle.
+void AddPlane(PictureCase& what, double behind, const Point3& color)
+{
+  double eye[3];
+  double middle[3];
+  what.Camera->GetPosition(eye);
+  what.Camera->GetFocalPoint(middle);
+  double normal[3];
+  what.Camera->GetDirectionOfProjection(normal);
+  double center[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    center[k] = middle[k] + behind * normal[k];
+  }
+  normal[0] += 0.15;
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-10.0, -10.0, 0.0);
+  plane->SetPoint1(10.0, -10.0, 0.0);
+  plane->SetPoint2(-10.0, 10.0, 0.0);
+  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  plane->SetNormal(normal);
+  plane->SetCenter(center);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  what.Actors.push_back(actor);
+
+  const PixelRays rays(what.Camera, what.Settings.Size);
+  what.Settings.OpaqueDistance.clear();
+  for (int j = 0; j < what.Settings.Size[1]; ++j)
+  {
+    for (int i = 0; i < what.Settings.Size[0]; ++i)
+    {
+      const Ray ray = rays.Get(i, j);
+      const Vector n = { normal[0], normal[1], normal[2] };
+      const Vector offset = { center[0] - ray.Origin[0], center[1] - ray.Origin[1],
+        center[2] - ray.Origin[2] };
+      what.Settings.OpaqueDistance.push_back(
+        static_cast<double>(Dot(n, offset) / Dot(n, ray.Direction)));
+    }
+  }
+}
+
+/// Something opaque in front of, inside and behind the volume.
+void TestOpaque(Check& check, bool parallel)
+{
+  const Point3 color = { { 0.2, 0.6, 0.4 } };
+  for (Blend how : { Blend::Composite, Blend::OpticalDepth, Blend::MaximumIntensity })
+  {
+    for (double behind : { -1.5, -0.3, 0.05, 0.3, 1.5 })
+    {
+      PictureCase what = MakeCase(parallel);
+      what.Settings.How = how;
+      AddPlane(what, behind, color);
+      RgbaPicture expected = DrawByReference(what);
+      for (int j = 0; j < expected.Height; ++j)
+      {
+        for (int i = 0; i < expected.Width; ++i)
+        {
+          double* pixel = expected.At(i, j);
+          for (int k = 0; k < 3; ++k)
+          {
+            pixel[k] += (1.0 - pixel[3]) * color[k];
+          }
+          pixel[3] = 1.0;
+        }
+      }
+      for (int path : AllRenderPaths())
+      {
+        const PictureError error = ComparePictures(DrawByPath(path, what), expected);
+        const std::string name = "plane " + std::to_string(behind) + " behind the middle, blend " +
+          std::to_string(static_cast<int>(how)) + (parallel ? ", parallel, " : ", perspective, ") +
+          GetPathName(path);
+        std::cout << name << ": " << error << '\n';
+        check.Near(error.Max, 0.0, Bound, name, 1.0);
+      }
+    }
+  }
+}
+
+}
+
+int TestTetrahedraMapperBlend(int, char*[])
+{
+  Check check;
+  for (bool parallel : { true, false })
+  {
+    TestBlendModes(check, parallel);
+    TestPriorities(check, parallel);
+    TestColorArrays(check, parallel);
+    TestTransferFunctions(check, parallel);
+    TestCellConstants(check, parallel);
+    TestOpaque(check, parallel);
+  }
+  TestAutomatic(check);
+  TestNearPlane(check);
+  return check.Result();
+}

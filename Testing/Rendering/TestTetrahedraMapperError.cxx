@@ -1,0 +1,179 @@
+// The largest channel error of both render paths against the reference, in a float framebuffer, on
+// linear fields: regular and thin tetrahedra, small, large and far meshes, faint and dense ones.
+// The error of VTK's mapper stands in the same row.
+#include "MapperPicture.h"
+#include "PictureCases.h"
+#include "StabilityCase.h"
+
+#include "vtkCamera.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double Bound = 1e-3;
+constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
+constexpr Point3 EdgeOn = { { 1.0, 0.03, 0.02 } };
+
+/// The largest difference as a share of the largest alpha, where that is small; NaN where nothing
+/// is seen, which fails.
+double ErrorOf(const RgbaPicture& found, const RgbaPicture& expected)
+{
+  const double largest = LargestAlpha(expected);
+  return largest > 0.0 ? ComparePictures(found, expected).Max / std::min(1.0, largest)
+                       : std::nan("");
+}
+
+class ErrorTable
+{
+public:
+  ErrorTable(int argc, char* argv[])
+    : Catalogue("TestTetrahedraMapperError", argc, argv)
+  {
+  }
+
+  void Measure(const std::string& name, const std::string& extreme, vtkUnstructuredGrid* grid,
+    vtkVolumeProperty* property, const Point3& direction = Slanted,
+    const std::array<int, 2>& size = { { 96, 64 } })
+  {
+    for (bool parallel : { true, false })
+    {
+      const std::string projection = parallel ? "parallel" : "perspective";
+      PictureCase what;
+      what.Grid = grid;
+      what.Property = property;
+      what.Camera = LookAt(grid, direction, parallel);
+      what.Settings.Size = size;
+      const RgbaPicture expected = DrawByReference(what);
+      std::ostringstream wanted;
+      wanted.precision(3);
+      wanted << "largest channel error, as a share of the largest alpha; VTK's mapper has "
+             << ErrorOf(DrawByPeer(what), expected);
+      for (int path : AllRenderPaths())
+      {
+        const RgbaPicture found = DrawByPath(path, what);
+        std::string row = name;
+        row.append("-").append(projection).append("-").append(GetPathName(path));
+        this->Catalogue.Measure(row, extreme, wanted.str(), ErrorOf(found, expected), Bound);
+        std::cout << "      " << ComparePictures(found, expected) << '\n';
+      }
+    }
+  }
+
+  int GetExitCode() const { return this->Catalogue.GetExitCode(); }
+
+private:
+  StabilityCatalogue Catalogue;
+};
+
+std::string Power(int exponent)
+{
+  return (exponent < 0 ? "1e-" : "1e+") + std::to_string(std::abs(exponent));
+}
+
+/// Pictures with a pixel in the middle, of meshes with faces through the middle: lines of sight lie
+/// in faces, along rows, columns and diagonals of the picture.
+void TestAlignedFaces(ErrorTable& table)
+{
+  const std::array<int, 2> odd = { { 95, 63 } };
+  const std::string extreme = "lines of sight within faces, ";
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Point3 direction = { { 0.0, 0.0, 0.0 } };
+    direction[axis] = 1.0;
+    std::string name = "aligned-";
+    name.append(1, "xyz"[axis]);
+    table.Measure(name + "-5", extreme + "five tetrahedra a cube", MakeCube(4),
+      MakeRamp(0.1, 1.0, 0.25), direction, odd);
+    table.Measure(name + "-6", extreme + "six tetrahedra a cube", MakeBox({ { 4, 4, 4 } }),
+      MakeRamp(0.1, 1.0, 0.25), direction, odd);
+  }
+  table.Measure("aligned-xy", extreme + "along a diagonal", MakeCube(2), MakeRamp(0.1, 1.0, 0.25),
+    { { 1.0, 1.0, 0.0 } }, odd);
+}
+
+void TestThinTetrahedra(ErrorTable& table)
+{
+  for (int exponent : { -2, -4, -6 })
+  {
+    const double thickness = std::pow(10.0, exponent);
+    const std::string aspect = Power(-exponent);
+    // Ten thin layers alone, and between thick ones.
+    std::vector<double> alone;
+    std::vector<double> between;
+    double top = 0.0;
+    for (int layer = 0; layer <= 10; ++layer)
+    {
+      alone.push_back(layer * thickness / 4.0);
+      between.push_back(top);
+      top += layer % 2 == 0 ? 0.1 : thickness / 4.0;
+    }
+    auto sheet = MakeLayers(4, alone);
+    table.Measure("sheet-" + aspect, "a sheet of tetrahedra of aspect " + aspect, sheet,
+      MakeRamp(0.1, 1.0, thickness));
+    auto layered = MakeLayers(4, between);
+    table.Measure("layers-" + aspect, "every other layer of aspect " + aspect, layered,
+      MakeRamp(0.1, 1.0, 0.25));
+    table.Measure("layers-edge-on-" + aspect, "layers of aspect " + aspect + ", seen edge-on",
+      layered, MakeRamp(0.1, 1.0, 0.25), EdgeOn);
+  }
+}
+
+void TestScales(ErrorTable& table)
+{
+  for (int exponent : { -6, 6 })
+  {
+    const double scale = std::pow(10.0, exponent);
+    auto grid = MakeCube(4);
+    MovePoints(grid, { { 0.0, 0.0, 0.0 } }, scale);
+    table.Measure("scale-" + Power(exponent), "a mesh of size " + Power(exponent), grid,
+      MakeRamp(0.1, 1.0, 0.25 * scale));
+  }
+  for (int exponent : { 3, 6, 9 })
+  {
+    const double offset = std::pow(10.0, exponent);
+    auto grid = MakeCube(4);
+    MovePoints(grid, { { offset, -offset, 0.7 * offset } }, 1.0);
+    table.Measure("far-" + Power(exponent), "a mesh of size 1, " + Power(exponent) + " away", grid,
+      MakeRamp(0.1, 1.0, 0.25));
+  }
+}
+
+void TestExtinctions(ErrorTable& table)
+{
+  auto grid = MakeCube(4);
+  for (int exponent : { -6, -3, 0, 3, 6 })
+  {
+    const double extinction = std::pow(10.0, exponent);
+    table.Measure("extinction-" + Power(exponent), "extinction to " + Power(exponent) + " per unit",
+      grid, MakeRamp(0.1 * extinction, extinction));
+    table.Measure("unit-distance-" + Power(-exponent),
+      "opacity to 1 in a unit distance of " + Power(-exponent), grid,
+      MakeRamp(0.1, 1.0, 1.0 / extinction));
+  }
+}
+
+}
+
+int TestTetrahedraMapperError(int argc, char* argv[])
+{
+  ErrorTable table(argc, argv);
+  table.Measure("regular", "nothing", MakeCube(4), MakeRamp(0.1, 1.0, 0.25));
+  table.Measure("regular-face-on", "faces along the lines of sight", MakeCube(4),
+    MakeRamp(0.1, 1.0, 0.25), { { 0.0, 0.0, 1.0 } });
+  table.Measure("regular-diagonal", "edges along the lines of sight", MakeBox({ { 3, 3, 3 } }),
+    MakeRamp(0.1, 1.0, 0.25), { { 1.0, 1.0, 1.0 } });
+  TestAlignedFaces(table);
+  TestThinTetrahedra(table);
+  TestScales(table);
+  TestExtinctions(table);
+  return table.GetExitCode();
+}

@@ -1,0 +1,130 @@
+#include "VolumeStage.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkFramebufferPass.h"
+#include "vtkLightsPass.h"
+#include "vtkOpaquePass.h"
+#include "vtkPixelBufferObject.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSequencePass.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+#include "vtkUnstructuredGridVolumeMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkVolumetricPass.h"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace reference
+{
+
+VolumeStage::VolumeStage(const std::array<int, 2>& size)
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(size[0], size[1]);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  this->Renderer->SetBackgroundAlpha(0.0);
+  this->Renderer->AddVolume(this->Volume);
+
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(vtkNew<vtkLightsPass>());
+  passes->AddItem(vtkNew<vtkOpaquePass>());
+  passes->AddItem(vtkNew<vtkVolumetricPass>());
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  this->Pass->SetDelegatePass(camera);
+  this->Pass->SetColorFormat(vtkTextureObject::Float32);
+  this->Pass->SetDepthFormat(vtkTextureObject::Fixed24);
+}
+
+VolumeStage::~VolumeStage()
+{
+  this->Pass->ReleaseGraphicsResources(this->Window);
+}
+
+void VolumeStage::SetVolume(vtkUnstructuredGridVolumeMapper* mapper, vtkVolumeProperty* property)
+{
+  this->Volume->SetMapper(mapper);
+  this->Volume->SetProperty(property);
+}
+
+void VolumeStage::AddActor(vtkActor* actor)
+{
+  this->Renderer->AddActor(actor);
+}
+
+void VolumeStage::SetCamera(vtkCamera* camera)
+{
+  this->Renderer->SetActiveCamera(camera);
+}
+
+vtkRenderer* VolumeStage::GetRenderer()
+{
+  return this->Renderer;
+}
+
+vtkRenderWindow* VolumeStage::GetWindow()
+{
+  return this->Window;
+}
+
+void VolumeStage::Render()
+{
+  this->Renderer->SetPass(nullptr);
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+}
+
+RgbaPicture VolumeStage::Capture()
+{
+  this->Renderer->SetPass(this->Pass);
+  // vtkProjectedTetrahedraMapper leaves the first thousand cells of its first picture out.
+  this->Window->Render();
+  this->Window->Render();
+  vtkTextureObject* texture = this->Pass->GetColorTexture();
+  if (!texture)
+  {
+    throw std::runtime_error("no float framebuffer");
+  }
+  const unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
+  const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
+  RgbaPicture picture(static_cast<int>(size[0]), static_cast<int>(size[1]));
+  std::vector<float> values(picture.Values.size());
+  unsigned int dimensions[2] = { size[0], size[1] };
+  vtkIdType increments[2] = { 0, 0 };
+  if (!buffer->Download2D(VTK_FLOAT, values.data(), dimensions, 4, increments))
+  {
+    throw std::runtime_error("the float framebuffer cannot be read");
+  }
+  picture.Values.assign(values.begin(), values.end());
+  return picture;
+}
+
+std::string VolumeStage::GetDevice()
+{
+  this->Render();
+  std::istringstream capabilities(this->Window->ReportCapabilities());
+  const std::string name = "OpenGL renderer string:";
+  for (std::string line; std::getline(capabilities, line);)
+  {
+    const std::size_t at = line.find(name);
+    if (at != std::string::npos)
+    {
+      const std::size_t begin = line.find_first_not_of(' ', at + name.size());
+      return begin == std::string::npos ? std::string() : line.substr(begin);
+    }
+  }
+  return {};
+}
+
+}
