@@ -1,16 +1,17 @@
 #include "Props.h"
 
-#include "Glass.h"
 #include "Look.h"
 
 #include "vtkActor.h"
 #include "vtkArrayCalculator.h"
 #include "vtkCellData.h"
-#include "vtkDataObject.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkFloatArray.h"
 #include "vtkGradientFilter.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkImageShrink3D.h"
 #include "vtkIntervalVolume.h"
@@ -21,10 +22,8 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkScalarsToColors.h"
-#include "vtkShaderProperty.h"
 #include "vtkStructuredGrid.h"
 #include "vtkStructuredGridGeometryFilter.h"
-#include "vtkThreshold.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVector.h"
@@ -38,15 +37,20 @@ const char* const GRADIENT = "Gradient";
 
 vtkSmartPointer<vtkUnstructuredGrid> SelectSide(vtkUnstructuredGrid* triangles, int side)
 {
-  vtkNew<vtkThreshold> threshold;
-  threshold->SetInputData(triangles);
-  threshold->SetInputArrayToProcess(
-    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "BoundarySide");
-  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_BETWEEN);
-  threshold->SetLowerThreshold(side);
-  threshold->SetUpperThreshold(side);
-  threshold->Update();
-  return threshold->GetOutput();
+  vtkDataArray* sides = triangles->GetCellData()->GetArray("BoundarySide");
+  auto selected = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  selected->SetPoints(triangles->GetPoints());
+  selected->GetPointData()->ShallowCopy(triangles->GetPointData());
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
+  {
+    if (sides->GetComponent(cell, 0) == side)
+    {
+      triangles->GetCellPoints(cell, corners);
+      selected->InsertNextCell(VTK_TRIANGLE, corners);
+    }
+  }
+  return selected;
 }
 
 vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* cells, double featureAngle)
@@ -61,7 +65,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* cells, double featureAngle)
   return normals->GetOutput();
 }
 
-vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colour, double opacity)
+vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colour)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface);
@@ -70,7 +74,6 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colo
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
   property->SetColor(colour[0], colour[1], colour[2]);
-  property->SetOpacity(opacity);
   property->SetAmbient(0.16);
   property->SetDiffuse(0.88);
   property->SetSpecular(0.12);
@@ -95,21 +98,7 @@ vtkSmartPointer<vtkActor> MakeColouredActor(
   return actor;
 }
 
-void SetGlossy(vtkActor* actor)
-{
-  // Less diffuse light leaves room for the highlight, which would lose its hue where it is cut off.
-  actor->GetProperty()->SetDiffuse(0.74);
-  actor->GetProperty()->SetSpecular(0.3);
-  actor->GetProperty()->SetSpecularPower(40.0);
-}
-
-void SetGlass(vtkActor* actor)
-{
-  vtkShaderProperty* shader = actor->GetShaderProperty();
-  shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, Glass, false);
-}
-
-void SetGradientNormals(vtkPolyData* surface, int side)
+void SetGradientNormals(vtkDataSet* surface, int side)
 {
   vtkPointData* pointData = surface->GetPointData();
   vtkDataArray* vectors = pointData->GetArray(GRADIENT);

@@ -20,7 +20,8 @@ class vtkUnstructuredGrid;
 namespace gallery
 {
 /**
- * The triangles with cell array `BoundarySide` equal to \a side (vtkIntervalVolume::BoundarySides).
+ * The triangles with cell array `BoundarySide` equal to \a side (vtkIntervalVolume::BoundarySides),
+ * over the points of all.
  */
 vtkSmartPointer<vtkUnstructuredGrid> SelectSide(vtkUnstructuredGrid* triangles, int side);
 
@@ -31,10 +32,9 @@ vtkSmartPointer<vtkUnstructuredGrid> SelectSide(vtkUnstructuredGrid* triangles, 
 vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* cells, double featureAngle = 50.0);
 
 /**
- * A smoothly shaded actor of one colour; \a opacity 0 to 1.
+ * A smoothly shaded actor of one colour.
  */
-vtkSmartPointer<vtkActor> MakeActor(
-  vtkPolyData* surface, const vtkColor3d& colour, double opacity = 1.0);
+vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colour);
 
 /**
  * A smoothly shaded actor coloured by point array \a array.
@@ -43,20 +43,10 @@ vtkSmartPointer<vtkActor> MakeColouredActor(
   vtkPolyData* surface, const std::string& array, vtkScalarsToColors* colours);
 
 /**
- * Makes \a actor glossy, with white highlights.
- */
-void SetGlossy(vtkActor* actor);
-
-/**
- * Makes a translucent \a actor more opaque towards its silhouette, so that shells read as shells.
- */
-void SetGlass(vtkActor* actor);
-
-/**
  * Point normals of one side of an interval (vtkIntervalVolume::BoundarySides) from the gradient of
  * the field, smoother than those of the triangles; AddGradient() was applied before the extraction.
  */
-void SetGradientNormals(vtkPolyData* surface, int side);
+void SetGradientNormals(vtkDataSet* surface, int side);
 
 /**
  * \a data with the gradient of its active point scalars as point array `Gradient`.

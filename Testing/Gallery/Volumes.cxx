@@ -3,6 +3,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkProperty.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
@@ -49,6 +50,21 @@ vtkSmartPointer<vtkVolume> MakeVolumeOfIntervals(
     extinction->AddPoint(id, looks[i].Extinction);
   }
   return Make(tetrahedra, VTK_SCALAR_MODE_USE_CELL_FIELD_DATA, "IntervalId", colours, extinction);
+}
+
+void SetBoundary(
+  vtkVolume* volume, vtkUnstructuredGrid* triangles, const vtkColor3d& colour, double opacity)
+{
+  vtkTimeWeightedTetrahedraMapper* mapper = GetMapper(volume);
+  mapper->SetBoundaryData(triangles);
+  vtkProperty* property = mapper->GetBoundaryProperty();
+  property->SetColor(colour[0], colour[1], colour[2]);
+  property->SetOpacity(opacity);
+  property->SetAmbient(0.16);
+  // Less diffuse light leaves room for the highlight, which would lose its hue where it is cut off.
+  property->SetDiffuse(0.74);
+  property->SetSpecular(0.3);
+  property->SetSpecularPower(40.0);
 }
 
 vtkTimeWeightedTetrahedraMapper* GetMapper(vtkVolume* volume)

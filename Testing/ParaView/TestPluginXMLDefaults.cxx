@@ -4,6 +4,7 @@
 #include "vtkIsotableContour.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLUtilities.h"
 
@@ -41,15 +42,18 @@ bool TakesValueFromData(vtkXMLDataElement* property)
 {
   return property->FindNestedElementWithName("ArrayRangeDomain") ||
     property->FindNestedElementWithName("ArrayListDomain") ||
+    property->FindNestedElementWithName("BoundsDomain") ||
     property->FindNestedElementWithName("InputArrayDomain");
 }
 
-void CompareWithXML(const std::string& file, const std::string& className, const Defaults& defaults)
+// Compares the properties whose names start with the prefix.
+void CompareWithXML(const std::string& file, const std::string& proxyKind,
+  const std::string& className, const std::string& prefix, const Defaults& defaults)
 {
   vtkSmartPointer<vtkXMLDataElement> root;
   root.TakeReference(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
-  vtkXMLDataElement* proxy = root ? root->LookupElementWithName("SourceProxy") : nullptr;
-  Check(proxy != nullptr, file + " has a SourceProxy");
+  vtkXMLDataElement* proxy = root ? root->LookupElementWithName(proxyKind.c_str()) : nullptr;
+  Check(proxy != nullptr, file + " has a " + proxyKind);
   if (!proxy)
   {
     return;
@@ -66,6 +70,10 @@ void CompareWithXML(const std::string& file, const std::string& className, const
       continue;
     }
     const std::string name = property->GetAttribute("name");
+    if (name.compare(0, prefix.size(), prefix) != 0)
+    {
+      continue;
+    }
     const auto expected = defaults.find(name);
     if (expected == defaults.end())
     {
@@ -94,15 +102,30 @@ int main(int argc, char* argv[])
   vtkNew<vtkIntervalVolume> interval;
   Check(interval->GetNumberOfIntervals() == 0, "vtkIntervalVolume starts without an interval");
   Check(interval->GetNumberOfCriteria() == 0, "vtkIntervalVolume starts without a criterion");
-  CompareWithXML(folder + "/IntervalVolume.xml", "vtkIntervalVolume",
+  CompareWithXML(folder + "/IntervalVolume.xml", "SourceProxy", "vtkIntervalVolume", "",
     { { "Criteria", "" }, { "GenerateBoundaries", Text(interval->GetGenerateBoundaries()) },
       { "OutputPointsPrecision", Text(interval->GetOutputPointsPrecision()) },
       { "UseValueIndex", Text(interval->GetUseValueIndex()) } });
 
   vtkNew<vtkIsotableContour> contour;
   Check(contour->GetNumberOfContours() == 0, "vtkIsotableContour starts without a value");
-  CompareWithXML(folder + "/IsotableContour.xml", "vtkIsotableContour",
+  CompareWithXML(folder + "/IsotableContour.xml", "SourceProxy", "vtkIsotableContour", "",
     { { "OutputPointsPrecision", Text(contour->GetOutputPointsPrecision()) },
       { "UseValueIndex", Text(contour->GetUseValueIndex()) } });
+
+  // The representation's own properties; the others are those of ParaView's volumes.
+  vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;
+  Check(mapper->GetDeltaTArrayName() == nullptr, "the mapper takes DeltaT where there is one");
+  Check(mapper->GetLayerPriority(3) == 3.0, "the mapper's priorities are the layers' numbers");
+  CompareWithXML(folder + "/IntervalVolumeRepresentation.xml", "RepresentationProxy",
+    "vtkIntervalVolumeRepresentation", "Interval",
+    { { "IntervalBlendMode", Text(mapper->GetBlendMode()) },
+      { "IntervalSortMode", Text(mapper->GetSortMode()) },
+      { "IntervalIntegrationMode", Text(mapper->GetIntegrationMode()) },
+      { "IntervalRenderPath", Text(mapper->GetRenderPath()) },
+      { "IntervalAutoAdjustLevelOfDetail", Text(mapper->GetAutoAdjustLevelOfDetail()) },
+      { "IntervalDeltaTArrayName", "DeltaT" },
+      { "IntervalLayerArrayName", mapper->GetLayerArrayName() },
+      { "IntervalLayerPriorities", "" } });
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
