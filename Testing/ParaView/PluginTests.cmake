@@ -52,4 +52,7 @@ set_tests_properties(TestPluginPieces PROPERTIES FIXTURES_REQUIRED one_piece RUN
 plugin_test(TestPluginPicture "paraview;image"
   ${batch} "${script}/TestPluginPicture.py" "${CMAKE_CURRENT_BINARY_DIR}/TestPluginPicture.png")
 plugin_test(TestPluginRepresentation "paraview;image"
-  ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}")
+  ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" whole)
+plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
+  ${ranks} ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
+set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON)
