@@ -128,7 +128,7 @@ void MakeMeans(Fragments& f, bool hasDeltaT)
   }
 }
 
-// From optical depth and slope to weights and transmittance, right below THIN.
+// From optical depth and slope to weights and opacity, right below THIN.
 INTERLUME_CLONES
 void MakeThinOpacities(Fragments& f)
 {
@@ -145,7 +145,7 @@ void MakeThinOpacities(Fragments& f)
     const float opacity = ThinOpacityOf(depth);
     f.Weight[0][i] = front;
     f.Weight[1][i] = opacity - front;
-    f.Total[i] = 1.0f - opacity;
+    f.Total[i] = opacity;
   }
 }
 
@@ -158,12 +158,11 @@ void MakeThickOpacities(Fragments& f)
     const float depth = f.OpticalDepth[i];
     if (depth >= THIN)
     {
-      const float through = ExpOfMinus(depth);
-      const float front =
-        table.GetFrontShare(std::min(depth, 1e7f), f.Slope[i]) * (1.0f - through);
+      const float opacity = 1.0f - ExpOfMinus(depth);
+      const float front = table.GetFrontShare(std::min(depth, 1e7f), f.Slope[i]) * opacity;
       f.Weight[0][i] = front;
-      f.Weight[1][i] = 1.0f - through - front;
-      f.Total[i] = through;
+      f.Weight[1][i] = opacity - front;
+      f.Total[i] = opacity;
     }
   }
 }
@@ -177,7 +176,7 @@ void MakeEvenOpacities(Fragments& f)
     const float depth = f.OpticalDepth[i];
     const float opacity = OpacityOf(depth);
     f.Weight[0][i] = f.Weight[1][i] = 0.5f * opacity;
-    f.Total[i] = depth < THIN ? 1.0f - opacity : ExpOfMinus(depth);
+    f.Total[i] = opacity;
   }
 }
 
@@ -438,7 +437,7 @@ void IntegrateBent(vtkFragments& f, int i, int piece, int end, const vtkTransfer
     value = next;
     piece += step;
   }
-  f.Total[i] = results == vtkFragmentIntegration::OPACITY ? ExpOfMinus(depth) : depth;
+  f.Total[i] = results == vtkFragmentIntegration::OPACITY ? OpacityOf(depth) : depth;
 }
 
 // The mean of colour at both ends, which are in different pieces.

@@ -16,7 +16,7 @@ class vtkFragmentIntegration
 public:
   enum Results
   {
-    /// Weights add up to opacity; Total is transmittance.
+    /// Weights add up to opacity, which is Total.
     OPACITY,
     /// Weights add up to optical depth, which is Total.
     OPTICAL_DEPTH

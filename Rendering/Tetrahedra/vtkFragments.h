@@ -51,7 +51,7 @@ struct vtkFragments
   Array<Color> BentColors;
   int NumberBent = 0;
 
-  /// What integration makes: the weights of both colours, and optical depth or transmittance.
+  /// What integration makes: the weights of both colours, and their sum, opacity or optical depth.
   alignas(64) Values Weight[2];
   alignas(64) Values Total;
   /// Kept on the way: optical depth, and how extinction falls or rises.

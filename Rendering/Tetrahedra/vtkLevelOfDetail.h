@@ -11,22 +11,25 @@
  * Level 0 is the full picture. Each further level halves the pixels along an edge, up to a quarter,
  * or, in turn with that and then alone, takes every second of the tetrahedra that were left. The
  * finest level is chosen that took no longer than there is time, or is expected not to: half of the
- * level before.
+ * level before. At least FEWEST tetrahedra stay.
  */
 class vtkLevelOfDetail
 {
 public:
   static constexpr int LEVELS = 9;
+  static constexpr std::uint32_t FEWEST = 20000;
 
   /// Forgets what was measured: another mesh, window size or path.
   void Reset() { this->Seconds.fill(0.0); }
   void Measured(int level, double seconds) { this->Seconds[level] = seconds; }
 
-  int Choose(double allocated) const
+  int Choose(double allocated, std::uint32_t tetrahedra) const
   {
     double expected = this->Seconds[0];
     int level = 0;
-    while (level + 1 < LEVELS && expected > allocated)
+    while (level + 1 < LEVELS && expected > allocated &&
+      (GetTetrahedronStride(level + 1) == 1 ||
+        tetrahedra / GetTetrahedronStride(level + 1) >= FEWEST))
     {
       ++level;
       expected = this->Seconds[level] > 0.0 ? this->Seconds[level] : 0.5 * expected;

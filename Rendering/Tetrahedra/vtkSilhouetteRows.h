@@ -75,7 +75,7 @@ public:
     for (int i = 0; i < this->Size; ++i)
     {
       const Edge& edge = this->Edges[i];
-      if (edge.Low < y && y <= edge.High)
+      if (edge.Low <= y && y < edge.High)
       {
         const double x = edge.X + (y - edge.Low) * edge.Slope;
         first = std::min(first, x);
@@ -94,7 +94,8 @@ public:
       return 1;
     }
     const double side = this->GetSide(left + begin + 0.5, y);
-    spans[0].Half = side >= 0.0 ? 0 : 1;
+    // On the crease itself the half is the one that the row goes into.
+    spans[0].Half = side > 0.0 || (side == 0.0 && this->CreaseX > 0.0) ? 0 : 1;
     // The first pixel beyond the crease.
     const double steps = -side / this->CreaseX;
     const int middle = begin + std::max(1, GetCeiling(steps, end - begin));

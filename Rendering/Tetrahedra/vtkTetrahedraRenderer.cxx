@@ -289,7 +289,8 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
   this->ChoosePath(request, window, report);
 
   const int level = request.AdjustsLevelOfDetail && !renderer->GetSelector()
-    ? this->LevelOfDetail.Choose(volume->GetAllocatedRenderTime())
+    ? this->LevelOfDetail.Choose(
+        volume->GetAllocatedRenderTime(), this->Mesh.GetNumberOfTetrahedra())
     : 0;
   report.PixelStride = vtkLevelOfDetail::GetPixelStride(level);
   this->Picture.TetrahedronStride = vtkLevelOfDetail::GetTetrahedronStride(level);

@@ -12,8 +12,8 @@ namespace
 using Pixel = vtkTilePainter::Pixel;
 using Blends = vtkTetrahedraPicture::Blends;
 
-/// Less of the background than this is not seen.
-constexpr float TRANSMITTANCE_END = 1e-5f;
+/// What lies behind this opacity is not seen.
+constexpr float OPAQUE_ENOUGH = 1.0f - 1e-5f;
 /// Flushes between two looks whether the tile is opaque.
 constexpr int LOOK_INTERVAL = 16;
 
@@ -82,12 +82,13 @@ void BlendComposite(const vtkFragments& f, const vtkTetrahedraPicture& picture, 
   ForEachColor(f, picture, pixels,
     [&f](Pixel& pixel, int i, const Pixel& color)
     {
-      const float through = pixel[3];
+      const float opacity = pixel[3];
+      const float through = 1.0f - opacity;
       for (int c = 0; c < 4; ++c)
       {
         pixel[c] += through * color[c];
       }
-      pixel[3] = through * f.Total[i];
+      pixel[3] = opacity + through * f.Total[i];
     });
 }
 
@@ -97,35 +98,33 @@ void BlendCompositeWithSurface(const vtkFragments& f, const vtkTetrahedraPicture
 {
   const auto lay = [](Pixel& pixel, const Pixel& color)
   {
-    const float through = pixel[3];
-    for (int c = 0; c < 3; ++c)
+    const float through = 1.0f - pixel[3];
+    for (int c = 0; c < 4; ++c)
     {
       pixel[c] += through * color[c];
     }
-    pixel[3] = through * (1.0f - color[3]);
   };
   ForEachColor(f, picture, pixels,
     [&](Pixel& pixel, int i, const Pixel& color)
     {
       lay(pixel, surface.GetFront(i));
-      lay(pixel, { { color[0], color[1], color[2], 1.0f - f.Total[i] } });
+      lay(pixel, { { color[0], color[1], color[2], f.Total[i] } });
       lay(pixel, surface.GetBack(i));
     });
 }
 
 // Sums of weighted colour, and of opacity or optical depth.
-void BlendSum(
-  const vtkFragments& f, const vtkTetrahedraPicture& picture, bool isOpacity, Pixel* pixels)
+void BlendSum(const vtkFragments& f, const vtkTetrahedraPicture& picture, Pixel* pixels)
 {
   ForEachColor(f, picture, pixels,
-    [&f, isOpacity](Pixel& pixel, int i, const Pixel& color)
+    [&f](Pixel& pixel, int i, const Pixel& color)
     {
       const float sum = pixel[3];
       for (int c = 0; c < 4; ++c)
       {
         pixel[c] += color[c];
       }
-      pixel[3] = sum + (isOpacity ? 1.0f - f.Total[i] : f.Total[i]);
+      pixel[3] = sum + f.Total[i];
     });
 }
 
@@ -253,10 +252,6 @@ void vtkTilePainter::Begin(int tile)
   this->Width = std::min(SIZE, view.GetWidth() - this->Left);
   this->Height = std::min(SIZE, view.GetHeight() - this->Bottom);
   Pixel empty{ { 0.0f, 0.0f, 0.0f, 0.0f } };
-  if (this->Picture.Blend == Blends::COMPOSITE || this->Picture.Blend == Blends::PRIORITY)
-  {
-    empty[3] = 1.0f;
-  }
   if (this->Picture.Blend == Blends::MAXIMUM && this->Channels.HasScalars)
   {
     empty[0] = -1.0f;
@@ -524,19 +519,19 @@ void vtkTilePainter::IntegrateAndBlend()
       }
       break;
     case Blends::ADDITIVE:
-      BlendSum(f, this->Picture, true, this->Pixels.data());
+      BlendSum(f, this->Picture, this->Pixels.data());
       break;
     case Blends::PRIORITY:
-      BlendSum(f, this->Picture, false, this->Layer.data());
+      BlendSum(f, this->Picture, this->Layer.data());
       break;
     case Blends::OPTICAL_DEPTH:
-      BlendSum(f, this->Picture, false, this->Pixels.data());
+      BlendSum(f, this->Picture, this->Pixels.data());
       break;
     default:
       ForEachSegment(f,
         [this](int pixel, int i, const vtkFragments::Run& run)
         {
-          if (this->Fragments.Total[i] < 1.0f &&
+          if (this->Fragments.Total[i] > 0.0f &&
             this->Fragments.Depth[0][i] > this->NearestDepth[pixel])
           {
             this->NearestDepth[pixel] = this->Fragments.Depth[0][i];
@@ -553,7 +548,7 @@ bool vtkTilePainter::IsOpaque() const
   {
     for (int x = 0; x < this->Width; ++x)
     {
-      if (this->Pixels[y * SIZE + x][3] > TRANSMITTANCE_END)
+      if (this->Pixels[y * SIZE + x][3] < OPAQUE_ENOUGH)
       {
         return false;
       }
@@ -570,11 +565,11 @@ void vtkTilePainter::ResolveLayer()
   {
     const Pixel layer = Resolve(this->Layer[i]);
     Pixel& pixel = this->Pixels[i];
-    for (int c = 0; c < 3; ++c)
+    const float through = 1.0f - pixel[3];
+    for (int c = 0; c < 4; ++c)
     {
-      pixel[c] += pixel[3] * layer[c];
+      pixel[c] += through * layer[c];
     }
-    pixel[3] *= 1.0f - layer[3];
     this->Layer[i] = { { 0.0f, 0.0f, 0.0f, 0.0f } };
   }
 }
@@ -594,10 +589,6 @@ void vtkTilePainter::Finish()
   {
     switch (this->Picture.Blend)
     {
-      case Blends::COMPOSITE:
-      case Blends::PRIORITY:
-        pixel[3] = 1.0f - pixel[3];
-        break;
       case Blends::ADDITIVE:
         for (float& channel : pixel)
         {

@@ -21,7 +21,7 @@ class vtkTilePainter
 {
 public:
   static constexpr int SIZE = vtkTileBins::SIZE;
-  /// RGB and transmittance, optical depth, opacity, or what the blend mode keeps.
+  /// RGB times opacity and opacity, or the sums that the blend mode keeps.
   using Pixel = std::array<float, 4>;
 
   vtkTilePainter(const vtkTetrahedraPicture& picture, const vtkTileBins& bins);

@@ -37,8 +37,10 @@ void CheckCover(const vtkViewRays& rays, const std::string& name, Check& check)
     for (int i = 0; i < 3; ++i)
     {
       // A lattice over the picture, through the centres of pixels 2, 6, 10 ...
-      const double x = (5.0 + 8.0 * (ids[i] % n)) / rays.Width - 1.0;
-      const double y = (5.0 + 8.0 * (ids[i] / n)) / rays.Height - 1.0;
+      const std::uint32_t column = ids[i] % n;
+      const std::uint32_t row = ids[i] / n;
+      const double x = (5.0 + 8.0 * column) / rays.Width - 1.0;
+      const double y = (5.0 + 8.0 * row) / rays.Height - 1.0;
       const double scale = projection.IsParallel() ? 1.0 : depth;
       corners[i] = { { x * scale, y * scale, depth } };
     }
