@@ -74,23 +74,13 @@ BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
   // Colour RGBA8 and depth of the window, and the copies it resolves them into.
   count.Buffers = 4;
   count.Bytes = 16 * pixels;
-  const auto use = [&count, &features, pixels](
-                     const char* feature, int buffers, vtkIdType bytesPerPixel, int screenPasses)
-  {
-    features.insert(feature);
-    count.Buffers += buffers;
-    count.Bytes += pixels * bytesPerPixel;
-    count.ScreenPasses += screenPasses;
-  };
   if (panel.UsesAmbientOcclusion())
   {
+    features.insert("ambient-occlusion");
     // Colour RGBA32F, position and normal RGB16F, occlusion R8, depth 32F; occlude and combine.
-    use("ambient-occlusion", 5, 16 + 6 + 6 + 1 + 4, 2);
-  }
-  if (panel.UsesDepthPeeling())
-  {
-    // Back, front source and destination RGBA8, two depth pairs RG32F, opaque depth 32F.
-    use("depth-peeling", 7, 4 * 4 + 2 * 8 + 4, 0);
+    count.Buffers += 5;
+    count.Bytes += (16 + 6 + 6 + 1 + 4) * pixels;
+    count.ScreenPasses += 2;
   }
   return count;
 }

@@ -16,8 +16,7 @@ namespace gallery
 class Panel;
 
 /**
- * Counts how often the surfaces of a renderer are drawn: the draws of its busiest mapper, so that
- * depth peeling shows with the passes it really took.
+ * Counts how often the surfaces of a renderer are drawn: the draws of its busiest mapper.
  */
 class DrawCounter
 {
@@ -47,7 +46,7 @@ struct BufferCount
 };
 
 /**
- * The textures that the window, ambient occlusion and depth peeling keep for \a panel after it was
+ * The textures that the window and ambient occlusion keep for \a panel after it was
  * drawn, in the formats VTK 9 gives them; adds what is on to \a features.
  */
 BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features);

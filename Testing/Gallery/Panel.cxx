@@ -6,7 +6,6 @@
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkCameraPass.h"
-#include "vtkDualDepthPeelingPass.h"
 #include "vtkImageData.h"
 #include "vtkLightsPass.h"
 #include "vtkMapper.h"
@@ -20,7 +19,6 @@
 #include "vtkRenderer.h"
 #include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
-#include "vtkTranslucentPass.h"
 #include "vtkVectorOperators.h"
 #include "vtkVolume.h"
 #include "vtkVolumetricPass.h"
@@ -123,15 +121,6 @@ bool Panel::UsesAmbientOcclusion() const
   return this->OcclusionReach > 0.0 && hasSurface;
 }
 
-bool Panel::UsesDepthPeeling() const
-{
-  bool isTranslucent = false;
-  ForEachProp(this->Renderer,
-    [&isTranslucent](vtkProp* prop)
-    { isTranslucent = isTranslucent || prop->HasTranslucentPolygonalGeometry(); });
-  return isTranslucent;
-}
-
 void Panel::PreparePasses()
 {
   vtkNew<vtkRenderPassCollection> passes;
@@ -153,15 +142,6 @@ void Panel::PreparePasses()
   else
   {
     passes->AddItem(opaque);
-  }
-  if (this->UsesDepthPeeling())
-  {
-    vtkNew<vtkDualDepthPeelingPass> peeling;
-    vtkNew<vtkTranslucentPass> surfaces;
-    peeling->SetTranslucentPass(surfaces);
-    peeling->SetMaximumNumberOfPeels(4);
-    peeling->SetOcclusionRatio(0.0);
-    passes->AddItem(peeling);
   }
   vtkNew<vtkVolumetricPass> volumes;
   passes->AddItem(volumes);

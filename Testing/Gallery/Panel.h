@@ -28,7 +28,7 @@ public:
   const std::string& GetCaption() const { return this->Caption; }
 
   /**
-   * Adds a surface (vtkActor) or a volume (vtkVolume).
+   * Adds an opaque surface (vtkActor) or a volume (vtkVolume).
    */
   void Add(vtkProp* prop);
 
@@ -57,7 +57,6 @@ public:
   vtkRenderer* GetRenderer() const { return this->Renderer; }
   vtkCamera* GetCamera() const { return this->Camera; }
   bool UsesAmbientOcclusion() const;
-  bool UsesDepthPeeling() const;
   std::vector<vtkVector3d> GetPoints() const;
   void Fit(const std::vector<vtkVector3d>& points, double aspect);
   vtkSmartPointer<vtkImageData> Draw(int width, int height);

@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkFloatArray.h"
@@ -33,10 +34,32 @@ namespace gallery
 namespace
 {
 const char* const GRADIENT = "Gradient";
+
+/// Normals from the gradient of the field, out of the interval: down the gradient at its lower
+/// side.
+void SetGradientNormals(vtkPointData* pointData, int side)
+{
+  vtkDataArray* vectors = pointData->GetArray(GRADIENT);
+  const double sign = side == vtkIntervalVolume::LOWER_SIDE ? -1.0 : 1.0;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(vectors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    vtkVector3d normal;
+    vectors->GetTuple(i, normal.GetData());
+    normal.Normalize();
+    normals->SetTuple3(i, sign * normal[0], sign * normal[1], sign * normal[2]);
+  }
+  pointData->SetNormals(normals);
+}
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> SelectSide(vtkUnstructuredGrid* triangles, int side)
+vtkSmartPointer<vtkUnstructuredGrid> MakeBoundary(vtkIntervalVolume* filter, int side)
 {
+  vtkUnstructuredGrid* triangles =
+    vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1));
   vtkDataArray* sides = triangles->GetCellData()->GetArray("BoundarySide");
   auto selected = vtkSmartPointer<vtkUnstructuredGrid>::New();
   selected->SetPoints(triangles->GetPoints());
@@ -50,6 +73,7 @@ vtkSmartPointer<vtkUnstructuredGrid> SelectSide(vtkUnstructuredGrid* triangles, 
       selected->InsertNextCell(VTK_TRIANGLE, corners);
     }
   }
+  SetGradientNormals(selected->GetPointData(), side);
   return selected;
 }
 
@@ -98,30 +122,11 @@ vtkSmartPointer<vtkActor> MakeColouredActor(
   return actor;
 }
 
-void SetGradientNormals(vtkDataSet* surface, int side)
-{
-  vtkPointData* pointData = surface->GetPointData();
-  vtkDataArray* vectors = pointData->GetArray(GRADIENT);
-  // Triangles face out of the interval: down the gradient at its lower side.
-  const double sign = side == vtkIntervalVolume::LOWER_SIDE ? -1.0 : 1.0;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(vectors->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
-  {
-    vtkVector3d normal;
-    vectors->GetTuple(i, normal.GetData());
-    normal.Normalize();
-    normals->SetTuple3(i, sign * normal[0], sign * normal[1], sign * normal[2]);
-  }
-  pointData->SetNormals(normals);
-}
-
-vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data)
+vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data, const std::string& array)
 {
   vtkNew<vtkGradientFilter> gradient;
   gradient->SetInputData(data);
+  gradient->SetInputScalars(vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
   gradient->SetResultArrayName(GRADIENT);
   gradient->Update();
   return vtkDataSet::SafeDownCast(gradient->GetOutput());
@@ -177,6 +182,8 @@ vtkSmartPointer<vtkImageData> Reduce(vtkImageData* image, int factor)
   shrink->SetShrinkFactors(factor, factor, factor);
   shrink->MeanOn();
   shrink->Update();
+  shrink->GetOutput()->GetPointData()->GetScalars()->SetName(
+    image->GetPointData()->GetScalars()->GetName());
   return shrink->GetOutput();
 }
 }

@@ -9,6 +9,7 @@
 class vtkActor;
 class vtkDataSet;
 class vtkImageData;
+class vtkIntervalVolume;
 class vtkPolyData;
 class vtkScalarsToColors;
 class vtkStructuredGrid;
@@ -20,10 +21,12 @@ class vtkUnstructuredGrid;
 namespace gallery
 {
 /**
- * The triangles with cell array `BoundarySide` equal to \a side (vtkIntervalVolume::BoundarySides),
- * over the points of all.
+ * The boundary triangles of an extraction with cell array `BoundarySide` equal to \a side
+ * (vtkIntervalVolume::BoundarySides), over the points of all. Point normals come from the gradient
+ * of the field, smoother than those of the triangles; AddGradient() was applied before the
+ * extraction.
  */
-vtkSmartPointer<vtkUnstructuredGrid> SelectSide(vtkUnstructuredGrid* triangles, int side);
+vtkSmartPointer<vtkUnstructuredGrid> MakeBoundary(vtkIntervalVolume* filter, int side);
 
 /**
  * The outer surface of \a cells with point normals; sharper edges than \a featureAngle degrees stay
@@ -43,15 +46,9 @@ vtkSmartPointer<vtkActor> MakeColouredActor(
   vtkPolyData* surface, const std::string& array, vtkScalarsToColors* colours);
 
 /**
- * Point normals of one side of an interval (vtkIntervalVolume::BoundarySides) from the gradient of
- * the field, smoother than those of the triangles; AddGradient() was applied before the extraction.
+ * \a data with the gradient of point array \a array as point array `Gradient`.
  */
-void SetGradientNormals(vtkDataSet* surface, int side);
-
-/**
- * \a data with the gradient of its active point scalars as point array `Gradient`.
- */
-vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data);
+vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data, const std::string& array);
 
 /**
  * \a data with the length of a vector as point array \a magnitude.

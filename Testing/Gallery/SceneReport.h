@@ -30,7 +30,7 @@ struct SceneReport
   double ExtractSeconds = 0.0;
   double RenderSeconds = 0.0;
 
-  /// Names of what was on: `criteria`, `boundaries`, `volumes`, `depth-peeling`,
+  /// Names of what was on: `criteria`, `boundaries`, `volumes`,
   /// `ambient-occlusion`.
   std::set<std::string> Features;
 

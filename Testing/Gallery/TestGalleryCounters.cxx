@@ -47,8 +47,9 @@ public:
     this->Expect(extraction.at("cells_with_output") > 0, "cells gave output");
     this->Expect(has("boundaries") == (scene.at("boundary_triangles") > 0),
       "boundary triangles exactly where boundaries are on");
-    this->Expect(has("boundaries") == (this->Scene == "interval-boundary"),
-      "boundaries on in interval-boundary only");
+    this->Expect(has("boundaries") ==
+        (this->Scene == "interval-boundary" || this->Scene == "interval-constant"),
+      "boundaries on in interval-boundary and interval-constant only");
     this->Expect(has("criteria") == (scene.at("criteria") > 0), "criteria as asked for");
     this->Expect(extraction.at("passes") == (has("criteria") ? 2 : 1),
       "a second extraction pass exactly where there is a criterion");
@@ -64,14 +65,11 @@ public:
     const int surfacePanels = scene.at("surface_panels");
     this->Expect(has("ambient-occlusion") == (surfacePanels > 0),
       "ambient occlusion exactly where there are surfaces");
-    if (!has("depth-peeling"))
-    {
-      this->Expect(scene.at("passes") == surfacePanels * (1 + OCCLUSION_PASSES) + volumePasses,
-        "one pass for the surfaces of a panel, those of ambient occlusion and of the volumes");
-      this->Expect(scene.at("buffers") ==
-          panels * WINDOW_BUFFERS + surfacePanels * OCCLUSION_BUFFERS + volumeBuffers,
-        "no buffer beyond the window, ambient occlusion and the volumes");
-    }
+    this->Expect(scene.at("passes") == surfacePanels * (1 + OCCLUSION_PASSES) + volumePasses,
+      "one pass for the surfaces of a panel, those of ambient occlusion and of the volumes");
+    this->Expect(scene.at("buffers") ==
+        panels * WINDOW_BUFFERS + surfacePanels * OCCLUSION_BUFFERS + volumeBuffers,
+      "no buffer beyond the window, ambient occlusion and the volumes");
     this->Expect(scene.at("bytes") > 0, "bytes of buffers counted");
     this->Expect(scene.at("seconds") > 0.0, "time taken");
     this->Expect(this->Page.find("src=\"" + this->Scene + ".png\"") != std::string::npos,

@@ -41,8 +41,8 @@ vtkSmartPointer<vtkVolume> MakeVolumeOfIntervals(
   vtkUnstructuredGrid* tetrahedra, const std::vector<IntervalLook>& looks);
 
 /**
- * Draws boundary triangles over the points of the tetrahedra between the parts of the volume, shaded
- * and glossy; \a opacity 0 to 1.
+ * Draws boundary triangles over the points of the tetrahedra between the parts of the volume,
+ * shaded and glossy; \a opacity 0 to 1.
  */
 void SetBoundary(
   vtkVolume* volume, vtkUnstructuredGrid* triangles, const vtkColor3d& colour, double opacity);

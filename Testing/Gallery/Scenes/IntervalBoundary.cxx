@@ -17,16 +17,14 @@ namespace
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkDataSet> orbital =
-    gallery::AddGradient(interlume::ReadData("hydrogen_orbital.vti"));
+    gallery::AddGradient(interlume::ReadData("hydrogen_orbital.vti"), "probability_density");
   vtkNew<vtkIntervalVolume> interval;
   interval->SetNumberOfIntervals(1);
   interval->SetInterval(0, 0.04, 0.25);
   interval->GenerateBoundariesOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, orbital);
   vtkSmartPointer<vtkUnstructuredGrid> inner =
-    gallery::SelectSide(vtkUnstructuredGrid::SafeDownCast(interval->GetOutputDataObject(1)),
-      vtkIntervalVolume::UPPER_SIDE);
-  gallery::SetGradientNormals(inner, vtkIntervalVolume::UPPER_SIDE);
+    gallery::MakeBoundary(interval, vtkIntervalVolume::UPPER_SIDE);
 
   gallery::Panel& plain = stage.AddPanel("the interval");
   gallery::Panel& highlighted = stage.AddPanel("its inner boundary highlighted");
@@ -42,8 +40,8 @@ void Build(gallery::Stage& stage)
 const gallery::SceneRegistration registration(
   { "interval-boundary", "3.7", "The inner boundary of an interval, highlighted",
     "Probability density of an electron in a hydrogen atom, from 0.04 to 0.25 of its maximum. The "
-    "inner "
-    "boundary comes with the interval in the same pass; drawn opaque, shaded and glossy, it shows "
-    "where the values leave the interval upwards.",
+    "inner boundary comes with the interval in the same pass; opaque, shaded and glossy, and seen "
+    "through the part of the volume in front of it, it shows where the values leave the interval "
+    "upwards.",
     { "hydrogen_orbital.vti" }, &Build });
 }

@@ -28,6 +28,7 @@ void Build(gallery::Stage& stage)
   const int count = static_cast<int>(labels.size());
   vtkNew<vtkIntervalVolume> intervals;
   intervals->SetNumberOfIntervals(count);
+  intervals->GenerateBoundariesOn();
   std::vector<gallery::IntervalLook> looks;
   std::vector<gallery::ColourEntry> key;
   for (int i = 0; i < count; ++i)
@@ -43,10 +44,13 @@ void Build(gallery::Stage& stage)
   open.LookAs(whole);
   const auto draw = [&stage, &intervals, &looks](gallery::Panel& panel, vtkImageData* image)
   {
-    vtkSmartPointer<vtkUnstructuredGrid> mesh = stage.Extract(intervals, image);
+    vtkSmartPointer<vtkUnstructuredGrid> mesh =
+      stage.Extract(intervals, gallery::AddGradient(image, "density"));
     vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeOfIntervals(mesh, looks);
     gallery::GetMapper(volume)->SetBlendModeToComposite();
     gallery::GetMapper(volume)->SetSortMode(vtkTimeWeightedTetrahedraMapper::MPVONC_SORT);
+    gallery::SetBoundary(volume, gallery::MakeBoundary(intervals, vtkIntervalVolume::LOWER_SIDE),
+      { 1.0, 1.0, 1.0 }, 0.06);
     panel.Add(volume);
   };
   draw(whole, tooth);
@@ -59,6 +63,6 @@ const gallery::SceneRegistration registration(
     "A tooth in a CT scanner, cut by value into four intervals in one pass and drawn as one "
     "mesh in order of visibility. Each interval has one colour and one opacity: dentine "
     "(green) is thin enough to show the pulp chamber and the root canals within, enamel "
-    "(red) is a cap on top.",
+    "(red) is a cap on top. A faint shaded boundary under each interval gives it form.",
     { "tooth.vti" }, &Build });
 }
