@@ -205,30 +205,12 @@ void MakePieceWeights(Fragments& f)
     f.Weight[1][i] = front * f.Scalar[0][i] + back * f.Scalar[1][i];
   }
 }
-
-INTERLUME_CLONES
-void Scale(float* values, float factor, int size)
-{
-  for (int i = 0; i < size; ++i)
-  {
-    values[i] *= factor;
-  }
-}
 }
 
 //------------------------------------------------------------------------------
-void vtkFragmentIntegration::FinishPerspective(
-  vtkFragments& f, const Channels& channels, const float* slant)
+void vtkFragmentIntegration::FinishPerspective(vtkFragments& f, const Channels& channels)
 {
   MakePerspectiveLengths(f);
-  for (int run = 0; run < f.NumberOfRuns; ++run)
-  {
-    const vtkFragments::Run& r = f.Runs[run];
-    for (int i = r.Begin; i < r.End; ++i)
-    {
-      f.Length[i] *= slant[r.Pixel + i - r.Begin];
-    }
-  }
   const auto divide = [&f](vtkFragments::Values* ends) {
     DivideByDepth(f.Depth[0].data(), f.Depth[1].data(), ends[0].data(), ends[1].data(), f.Size);
   };
@@ -250,12 +232,6 @@ void vtkFragmentIntegration::FinishPerspective(
       }
     }
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkFragmentIntegration::FinishParallel(vtkFragments& f, float slant)
-{
-  Scale(f.Length.data(), slant, f.Size);
 }
 
 //------------------------------------------------------------------------------
@@ -306,26 +282,77 @@ void vtkFragmentIntegration::CutAt(
   }
 }
 
+namespace
+{
+// The piece, place in it and extinction of one end of all segments, for so few pieces that comparing
+// with each start is faster than a search.
+INTERLUME_CLONES
+void LookUpFew(float* scalars, float* extinctions, std::int32_t* found, int size,
+  const float* starts, const float* values, const float* slopes, int pieces)
+{
+  for (int i = 0; i < size; ++i)
+  {
+    const float low = scalars[i] > 0.0f ? scalars[i] : 0.0f;
+    scalars[i] = low < 1.0f ? low : 1.0f;
+    found[i] = 0;
+  }
+  for (int piece = 1; piece < pieces; ++piece)
+  {
+    const float start = starts[piece];
+    for (int i = 0; i < size; ++i)
+    {
+      found[i] += scalars[i] >= start ? 1 : 0;
+    }
+  }
+  for (int i = 0; i < size; ++i)
+  {
+    const float offset = scalars[i] - starts[found[i]];
+    scalars[i] = offset;
+    extinctions[i] = values[found[i]] + slopes[found[i]] * offset;
+  }
+}
+
+void LookUpMany(float* scalars, float* extinctions, std::int32_t* found, int size,
+  const vtkTransferPieces& pieces)
+{
+  for (int i = 0; i < size; ++i)
+  {
+    const float value = std::max(0.0f, std::min(scalars[i], 1.0f));
+    const int piece = pieces.Find(value);
+    const float offset = value - pieces.GetStarts()[piece];
+    scalars[i] = offset;
+    extinctions[i] =
+      pieces.GetExtinctions()[piece] + pieces.GetExtinctionSlopes()[piece] * offset;
+    found[i] = piece;
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 void vtkFragmentIntegration::LookUp(vtkFragments& f, const vtkTransferPieces& pieces)
 {
-  f.NumberBent = 0;
-  for (int i = 0; i < f.Size; ++i)
+  constexpr int FEW = 12;
+  const int number = pieces.GetNumberOfPieces();
+  for (int end = 0; end < 2; ++end)
   {
-    int found[2];
-    for (int end = 0; end < 2; ++end)
+    float* scalars = f.Scalar[end].data();
+    float* extinctions = f.Extinction[end].data();
+    std::int32_t* found = f.Pieces[end].data();
+    if (number <= FEW)
     {
-      const float value = std::max(0.0f, std::min(f.Scalar[end][i], 1.0f));
-      found[end] = pieces.Find(value);
-      const float offset = value - pieces.GetStarts()[found[end]];
-      const vtkTransferPieces::Piece& piece = pieces.GetPieces()[found[end]];
-      f.Extinction[end][i] = piece.Value[3] + piece.Slope[3] * offset;
-      f.Scalar[end][i] = offset;
+      LookUpFew(scalars, extinctions, found, f.Size, pieces.GetStarts().data(),
+        pieces.GetExtinctions().data(), pieces.GetExtinctionSlopes().data(), number);
     }
-    f.Pieces[i] = static_cast<std::int16_t>(found[0]);
+    else
+    {
+      LookUpMany(scalars, extinctions, found, f.Size, pieces);
+    }
+  }
+  f.NumberBent = 0;
+  for (int i = 0; i < f.Size && number > 1; ++i)
+  {
     f.Bent[f.NumberBent] = static_cast<std::uint16_t>(i);
-    f.NumberBent += found[0] != found[1];
-    f.Steps[i] = static_cast<std::int16_t>(found[1] - found[0]);
+    f.NumberBent += f.Pieces[0][i] != f.Pieces[1][i];
   }
 }
 
@@ -462,8 +489,8 @@ void vtkFragmentIntegration::FinishPieces(vtkFragments& f, const vtkTransferPiec
   for (int bent = 0; bent < f.NumberBent; ++bent)
   {
     const int i = f.Bent[bent];
-    const int piece = f.Pieces[i];
-    const int end = piece + f.Steps[i];
+    const int piece = f.Pieces[0][i];
+    const int end = f.Pieces[1][i];
     vtkFragments::Color& color = f.BentColors[bent];
     color = { { 0.0f, 0.0f, 0.0f, 0.0f } };
     if (isExact)
@@ -474,7 +501,7 @@ void vtkFragmentIntegration::FinishPieces(vtkFragments& f, const vtkTransferPiec
     {
       AverageBent(f, i, piece, end, pieces, color);
     }
-    f.Pieces[i] = static_cast<std::int16_t>(-1 - bent);
+    f.Pieces[0][i] = -1 - bent;
   }
   MakePieceWeights(f);
 }

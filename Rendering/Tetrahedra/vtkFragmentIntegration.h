@@ -31,14 +31,9 @@ public:
   };
 
   /**
-   * In perspective: divides what is weighted by depth, and makes lengths along lines of sight of
-   * differences of depth. \a slant is the length of each pixel's line of sight for 1 along the axis.
+   * In perspective: divides what is weighted by depth, and makes lengths of differences of depth.
    */
-  static void FinishPerspective(vtkFragments& fragments, const Channels& channels, const float* slant);
-  /**
-   * The same in parallel, where all lines have one slant.
-   */
-  static void FinishParallel(vtkFragments& fragments, float slant);
+  static void FinishPerspective(vtkFragments& fragments, const Channels& channels);
 
   /**
    * Cuts each segment where an opaque surface is at, given as depth of each pixel; what lies behind has

@@ -7,8 +7,8 @@
  * @class   vtkFragmentRow
  * @brief   segments of one tetrahedron in one row of pixels
  *
- * See vtkTetrahedronSilhouette: each value is affine on the base side, and lambda, the least of the
- * shares, takes it to the other side.
+ * See vtkTetrahedronSilhouette: each value is affine on the base side but for a bend at the crease,
+ * and lambda, the least of the shares, takes it to the other side.
  */
 struct vtkFragmentRow
 {
@@ -16,11 +16,17 @@ struct vtkFragmentRow
   static constexpr int CHANNELS = 7;
 
   float Thickness;
+  /// For each pixel the length of a line of sight for 1 of difference of depth in parallel, and for 1
+  /// along the axis in perspective; GROUP more may be read.
+  const float* Slants;
   /// At the first pixel, and from pixel to pixel.
   float Shares[4];
   float ShareSlopes[4];
+  float Crease;
+  float CreaseSlope;
   float Values[CHANNELS];
   float Slopes[CHANNELS];
+  float Bends[CHANNELS];
   float Differences[CHANNELS];
   /// Where they are written to.
   float* Base[CHANNELS];

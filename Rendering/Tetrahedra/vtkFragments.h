@@ -42,10 +42,9 @@ struct vtkFragments
   alignas(64) Values Extinction[2];
   /// Point colours of both ends.
   alignas(64) Array<Color> Colors[2];
-  /// The piece of the transfer functions that a segment is in; below 0: -1 - i for Bent[i].
-  Array<std::int16_t> Pieces;
-  /// Pieces from the front to the back end.
-  Array<std::int16_t> Steps;
+  /// The pieces of the transfer functions that both ends are in; of the front, once a segment that
+  /// passes a control point is integrated, -1 - i for Bent[i].
+  alignas(64) Array<std::int32_t> Pieces[2];
   /// Segments that pass a control point, and the colours that they come to.
   Array<std::uint16_t> Bent;
   Array<Color> BentColors;

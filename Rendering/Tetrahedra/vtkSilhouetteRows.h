@@ -16,14 +16,6 @@
 class vtkSilhouetteRows
 {
 public:
-  /// Pixels Begin to End - 1, on one side of the crease.
-  struct Span
-  {
-    int Begin;
-    int End;
-    int Half;
-  };
-
   explicit vtkSilhouetteRows(const vtkTetrahedronSilhouette& shape)
     : Size(shape.GetNumberOfEdges())
   {
@@ -40,21 +32,6 @@ public:
       this->Low = std::min(this->Low, a->Y);
       this->High = std::max(this->High, b->Y);
     }
-    if (shape.HasCrease())
-    {
-      const auto& a = shape.GetPoint(0);
-      const auto& b = shape.GetPoint(2);
-      const auto& c = shape.GetPoint(1);
-      this->CreaseX = a.Y - b.Y;
-      this->CreaseY = b.X - a.X;
-      this->CreaseAt = -this->CreaseX * a.X - this->CreaseY * a.Y;
-      if (this->GetSide(c.X, c.Y) < 0.0)
-      {
-        this->CreaseX = -this->CreaseX;
-        this->CreaseY = -this->CreaseY;
-        this->CreaseAt = -this->CreaseAt;
-      }
-    }
   }
 
   /// The first row and the one after the last, counted from \a bottom, of \a height.
@@ -67,8 +44,9 @@ public:
     return GetCeiling(this->High - 0.5 - bottom, height);
   }
 
-  /// The pixels of the row with its centre at \a y, counted from \a left, of \a width: up to two spans.
-  int GetSpans(double y, int left, int width, Span spans[2]) const
+  /// The first pixel and the one after the last of the row with its centre at \a y, counted from
+  /// \a left, of \a width.
+  void GetSpan(double y, int left, int width, int& begin, int& end) const
   {
     double first = std::numeric_limits<double>::max();
     double last = std::numeric_limits<double>::lowest();
@@ -82,30 +60,8 @@ public:
         last = std::max(last, x);
       }
     }
-    const int begin = GetCeiling(first - 0.5 - left, width);
-    const int end = GetCeiling(last - 0.5 - left, width);
-    if (begin >= end)
-    {
-      return 0;
-    }
-    spans[0] = { begin, end, 0 };
-    if (this->Size == 3)
-    {
-      return 1;
-    }
-    const double side = this->GetSide(left + begin + 0.5, y);
-    // On the crease itself the half is the one that the row goes into.
-    spans[0].Half = side > 0.0 || (side == 0.0 && this->CreaseX > 0.0) ? 0 : 1;
-    // The first pixel beyond the crease.
-    const double steps = -side / this->CreaseX;
-    const int middle = begin + std::max(1, GetCeiling(steps, end - begin));
-    if (!(steps > 0.0) || middle >= end)
-    {
-      return 1;
-    }
-    spans[0].End = middle;
-    spans[1] = { middle, end, 1 - spans[0].Half };
-    return 2;
+    begin = GetCeiling(first - 0.5 - left, width);
+    end = GetCeiling(last - 0.5 - left, width);
   }
 
 private:
@@ -132,19 +88,10 @@ private:
     return whole + (whole < value ? 1 : 0);
   }
 
-  // Positive in the first half.
-  double GetSide(double x, double y) const
-  {
-    return this->CreaseX * x + this->CreaseY * y + this->CreaseAt;
-  }
-
   int Size;
   std::array<Edge, 4> Edges;
   double Low = std::numeric_limits<double>::max();
   double High = std::numeric_limits<double>::lowest();
-  double CreaseX = 0.0;
-  double CreaseY = 0.0;
-  double CreaseAt = 0.0;
 };
 
 #endif

@@ -43,7 +43,7 @@ void vtkSurfaceFragments::SetTetrahedron(std::uint32_t tetrahedron)
 }
 
 //------------------------------------------------------------------------------
-double vtkSurfaceFragments::Locate(double x, double y, int& half, int& edge) const
+double vtkSurfaceFragments::Locate(double x, double y, int& edge) const
 {
   const double dx = x - this->Shape.GetThickX();
   const double dy = y - this->Shape.GetThickY();
@@ -51,7 +51,7 @@ double vtkSurfaceFragments::Locate(double x, double y, int& half, int& edge) con
   edge = 0;
   for (int i = 0; i < this->Shape.GetNumberOfEdges(); ++i)
   {
-    const vtkTetrahedronSilhouette::Edge& e = this->Shape.GetEdge(i);
+    const vtkTetrahedronSilhouette::Slope& e = this->Shape.GetEdge(i);
     const double share = 1.0 + e.X * dx + e.Y * dy;
     const bool isUsed = e.X != 0.0 || e.Y != 0.0;
     if (isUsed && share < least)
@@ -59,12 +59,6 @@ double vtkSurfaceFragments::Locate(double x, double y, int& half, int& edge) con
       least = share;
       edge = i;
     }
-  }
-  half = 0;
-  if (this->Shape.HasCrease())
-  {
-    // Edges 0 and 1 are the first triangle's.
-    half = edge < 2 ? 0 : 1;
   }
   return std::max(0.0, std::min(least, 1.0));
 }
@@ -97,14 +91,17 @@ void vtkSurfaceFragments::Compute(
       const int pixel = r.Pixel + i - r.Begin;
       const double x = left + pixel % vtkTileBins::SIZE + 0.5;
       const double y = bottom + pixel / vtkTileBins::SIZE + 0.5;
-      int half = 0;
       int edge = 0;
-      const double lambda = this->Locate(x, y, half, edge);
+      const double lambda = this->Locate(x, y, edge);
+      const double dx = x - this->Shape.GetThickX();
+      const double dy = y - this->Shape.GetThickY();
+      const vtkTetrahedronSilhouette::Slope& crease = this->Shape.GetCrease();
+      const double beyond = std::max(0.0, crease.X * dx + crease.Y * dy);
       for (int end = 0; end < 2; ++end)
       {
         const bool isBase = end == base;
         const int face =
-          isBase ? this->Shape.GetBaseFace(half) : this->Shape.GetOtherFace(edge);
+          isBase ? this->Shape.GetBaseFace(edge) : this->Shape.GetOtherFace(edge);
         if (!(faces & (1u << face)))
         {
           continue;
@@ -113,8 +110,7 @@ void vtkSurfaceFragments::Compute(
         for (int c = 0; c < CHANNELS; ++c)
         {
           const Value& value = this->Values[c];
-          at[c] = value.At + value.X[half] * (x - this->Shape.GetThickX()) +
-            value.Y[half] * (y - this->Shape.GetThickY()) +
+          at[c] = value.At + value.Base.X * dx + value.Base.Y * dy + value.Bend * beyond +
             (isBase ? 0.0 : lambda * value.Difference);
         }
         if (opaque && at[0] <= opaque[pixel])

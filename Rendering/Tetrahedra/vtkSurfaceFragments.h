@@ -40,8 +40,8 @@ private:
   static constexpr int CHANNELS = 6;
 
   void SetTetrahedron(std::uint32_t tetrahedron);
-  /// The base face's half and the edge next to which a pixel lies; returns lambda there.
-  double Locate(double x, double y, int& half, int& edge) const;
+  /// The edge next to which a pixel lies; returns lambda there.
+  double Locate(double x, double y, int& edge) const;
 
   const vtkTetrahedraPicture& Picture;
   const vtkTileBins& Bins;

@@ -22,26 +22,28 @@
  * for depth and every attribute, without a case distinction and, the difference being taken before
  * anything is rounded, with a relative error that does not grow as the tetrahedron gets thin.
  *
- * The base side is one triangle, or two along the crease between corners Polygon[0] and Polygon[2].
+ * The base side is one triangle, or two along a crease, the edge between corners 0 and 2 of the
+ * silhouette, beyond which h(x, y) > 0 bends it:
+ *
+ *   base side = affine + bend * max(0, h(x, y))
  */
 class vtkTetrahedronSilhouette
 {
 public:
   using Projected = vtkTetrahedraView::Projected;
 
-  /// An edge of the silhouette: lambda = 1 + X (x - thick x) + Y (y - thick y); 0, 0 where it never is
-  /// the least, and of the fourth where there are three.
-  struct Edge
+  /// An affine function from the thick point: X (x - thick x) + Y (y - thick y).
+  struct Slope
   {
     double X;
     double Y;
   };
-  /// An affine value on the base side: At (at the thick point), slopes, and the other side less it.
+  /// A value on the base side: At (at the thick point), slope, bend, and the other side less it.
   struct Value
   {
     double At;
-    std::array<double, 2> X;
-    std::array<double, 2> Y;
+    Slope Base;
+    double Bend;
     double Difference;
   };
 
@@ -80,14 +82,16 @@ public:
 
   /// Number of corners and edges; edge i joins corners i and i + 1.
   int GetNumberOfEdges() const { return this->Size; }
-  int GetCorner(int i) const { return this->Polygon[i]; }
   const Projected& GetPoint(int i) const { return *this->Points[this->Polygon[i]]; }
-  const Edge& GetEdge(int i) const { return this->Edges[i]; }
-  bool HasCrease() const { return this->Size == 4; }
+  /// lambda = 1 + the slope, the least of all; 0, 0 where it never is the least, and of the fourth where
+  /// there are three.
+  const Slope& GetEdge(int i) const { return this->Edges[i]; }
+  /// The slope of h; 0, 0 where there is no crease.
+  const Slope& GetCrease() const { return this->Crease; }
   double GetThickX() const { return this->ThickX; }
   double GetThickY() const { return this->ThickY; }
 
-  /// The affine function with values \a v at the four corners.
+  /// The values \a v at the four corners as functions on both sides.
   Value GetValue(const std::array<double, 4>& v) const
   {
     Value value;
@@ -100,33 +104,33 @@ public:
     const int a = this->Polygon[0];
     const int b = this->Polygon[1];
     const int c = this->Polygon[2];
+    value.Bend = 0.0;
     if (this->Size == 3)
     {
       value.At = v[this->Inner] - value.Difference;
-      this->SetSlopes(v, a, b, c, value.X[0], value.Y[0]);
-      value.X[1] = value.X[0];
-      value.Y[1] = value.Y[0];
+      value.Base = this->GetSlope(v, a, b, c);
       return value;
     }
     const int d = this->Polygon[3];
     value.At = v[a] + this->ThickShare * (v[c] - v[a]);
-    const bool hasFirst = this->SetSlopes(v, a, c, b, value.X[0], value.Y[0]);
-    const bool hasSecond = this->SetSlopes(v, a, c, d, value.X[1], value.Y[1]);
-    if (!hasFirst || !hasSecond)
+    value.Base = this->GetSlope(v, a, c, this->HasFirst ? b : d);
+    if (this->HasBend)
     {
-      const int from = hasFirst ? 0 : 1;
-      value.X[1 - from] = value.X[from];
-      value.Y[1 - from] = value.Y[from];
+      // h is 1 at the corner across.
+      const Projected& across = *this->Points[d];
+      value.Bend = v[d] - value.At - value.Base.X * (across.X - this->ThickX) -
+        value.Base.Y * (across.Y - this->ThickY);
     }
     return value;
   }
 
   ///@{
-  /// The face that a line of sight passes on the base side, in the first or second triangle, and on the
-  /// other side, next to edge \a i, as the corner opposite to it.
-  int GetBaseFace(int half) const
+  /// The face that a line of sight passes on the base side and on the other side, next to edge \a i, as
+  /// the corner opposite to it.
+  int GetBaseFace(int i) const
   {
-    return this->Size == 3 ? this->Inner : this->Polygon[half == 0 ? 3 : 1];
+    // Edges 0 and 1 are the first triangle's.
+    return this->Size == 3 ? this->Inner : this->Polygon[i < 2 ? 3 : 1];
   }
   int GetOtherFace(int i) const
   {
@@ -153,6 +157,7 @@ private:
   {
     this->Size = 3;
     this->Edges[3] = { 0.0, 0.0 };
+    this->Crease = { 0.0, 0.0 };
     this->Inner = 0;
     for (int k = 1; k < 4; ++k)
     {
@@ -210,6 +215,19 @@ private:
       const double area = this->Area(from, to, across);
       this->SetEdge(i, share * area, area);
     }
+    // A triangle without area on one side of the crease is left out.
+    const double first = std::abs(this->Areas[this->Polygon[3]]);
+    const double second = std::abs(this->Areas[this->Polygon[1]]);
+    this->HasFirst = first > 1e-12 * this->Sum;
+    this->HasBend = this->HasFirst && second > 1e-12 * this->Sum;
+    this->Crease = { 0.0, 0.0 };
+    if (this->HasBend)
+    {
+      const double across = this->Area(a, c, this->Polygon[3]);
+      const Projected& p = *this->Points[a];
+      const Projected& q = *this->Points[c];
+      this->Crease = { (p.Y - q.Y) / across, (q.X - p.X) / across };
+    }
   }
 
   void SetEdge(int i, double atThick, double inside)
@@ -225,19 +243,14 @@ private:
     this->Edges[i] = { (a.Y - b.Y) / atThick, (b.X - a.X) / atThick };
   }
 
-  bool SetSlopes(const std::array<double, 4>& v, int a, int b, int c, double& x, double& y) const
+  Slope GetSlope(const std::array<double, 4>& v, int a, int b, int c) const
   {
     const Projected& p = *this->Points[a];
     const Projected& q = *this->Points[b];
     const Projected& r = *this->Points[c];
     const double area = this->Area(a, b, c);
-    if (std::abs(area) < 1e-12 * this->Sum)
-    {
-      return false;
-    }
-    x = ((v[b] - v[a]) * (r.Y - p.Y) - (v[c] - v[a]) * (q.Y - p.Y)) / area;
-    y = ((v[c] - v[a]) * (q.X - p.X) - (v[b] - v[a]) * (r.X - p.X)) / area;
-    return true;
+    return { ((v[b] - v[a]) * (r.Y - p.Y) - (v[c] - v[a]) * (q.Y - p.Y)) / area,
+      ((v[c] - v[a]) * (q.X - p.X) - (v[b] - v[a]) * (r.X - p.X)) / area };
   }
 
   std::array<const Projected*, 4> Points;
@@ -246,8 +259,11 @@ private:
   double Sign = 1.0;
   int Size = 0;
   int Inner = 0;
-  std::array<int, 4> Polygon;
-  std::array<Edge, 4> Edges;
+  bool HasFirst = true;
+  bool HasBend = false;
+  std::array<int, 4> Polygon{};
+  std::array<Slope, 4> Edges;
+  Slope Crease;
   double ThickX = 0.0;
   double ThickY = 0.0;
   double ThickShare = 0.0;

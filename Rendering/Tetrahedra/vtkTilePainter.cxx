@@ -1,5 +1,6 @@
 #include "vtkTilePainter.h"
 
+#include "vtkFragmentClones.h"
 #include "vtkFragmentRow.h"
 #include "vtkSilhouetteRows.h"
 
@@ -32,7 +33,7 @@ void ForEachColor(const vtkFragments& f, const vtkTetrahedraPicture& picture, Pi
       const vtkTransferPieces::Piece* pieces = picture.Pieces->GetPieces().data();
       for (int i = r.Begin; i < r.End; ++i, ++pixel)
       {
-        const int piece = f.Pieces[i];
+        const int piece = f.Pieces[0][i];
         Pixel color;
         if (piece >= 0)
         {
@@ -195,7 +196,7 @@ vtkTilePainter::vtkTilePainter(const vtkTetrahedraPicture& picture, const vtkTil
   , Bins(bins)
   , LengthScale(static_cast<float>(picture.TetrahedronStride))
   , Pixels(SIZE * SIZE)
-  , Slant(SIZE * SIZE)
+  , Slant(SIZE * SIZE + vtkFragments::GROUP)
 {
   const vtkTetrahedraFields& fields = *picture.Fields;
   this->Channels.HasScalars = fields.Kind == vtkTetrahedraFields::SCALARS;
@@ -227,18 +228,15 @@ void vtkTilePainter::Draw(int tile)
   const bool hasDeltaT = this->Channels.HasDeltaT;
   if (this->Channels.HasScalars)
   {
-    hasDeltaT ? this->DrawTetrahedra<true, false, true>(tile)
-              : this->DrawTetrahedra<true, false, false>(tile);
+    hasDeltaT ? this->DrawScalarsInTime(tile) : this->DrawScalars(tile);
   }
   else if (this->Channels.HasColors)
   {
-    hasDeltaT ? this->DrawTetrahedra<false, true, true>(tile)
-              : this->DrawTetrahedra<false, true, false>(tile);
+    hasDeltaT ? this->DrawColorsInTime(tile) : this->DrawColors(tile);
   }
   else
   {
-    hasDeltaT ? this->DrawTetrahedra<false, false, true>(tile)
-              : this->DrawTetrahedra<false, false, false>(tile);
+    hasDeltaT ? this->DrawCellsInTime(tile) : this->DrawCells(tile);
   }
   this->Finish();
 }
@@ -267,11 +265,8 @@ void vtkTilePainter::Begin(int tile)
     {
       const int column = this->Left + x;
       const int row = this->Bottom + y;
-      if (!view.IsParallel())
-      {
-        this->Slant[y * SIZE + x] =
-          this->LengthScale * static_cast<float>(view.GetSlant(column + 0.5, row + 0.5));
-      }
+      this->Slant[y * SIZE + x] =
+        this->LengthScale * static_cast<float>(view.GetSlant(column + 0.5, row + 0.5));
       if (this->Picture.Opaque)
       {
         this->Opaque[y * SIZE + x] =
@@ -379,10 +374,19 @@ void vtkTilePainter::DrawTetrahedron(std::uint32_t tetrahedron)
   vtkFragmentRow row;
   row.Thickness = static_cast<float>(std::abs(values[0].Difference));
   vtkFragments& f = this->Fragments;
+  // What is the same in all rows.
   for (int c = 0; c < CHANNELS; ++c)
   {
+    row.Slopes[c] = static_cast<float>(values[c].Base.X);
+    row.Bends[c] = static_cast<float>(values[c].Bend);
     row.Differences[c] = static_cast<float>(values[c].Difference);
   }
+  for (int e = 0; e < 4; ++e)
+  {
+    row.ShareSlopes[e] = static_cast<float>(shape.GetEdge(e).X);
+  }
+  const vtkTetrahedronSilhouette::Slope crease = shape.GetCrease();
+  row.CreaseSlope = static_cast<float>(crease.X);
   const auto setEnds = [&row, base](int c, vtkFragments::Values* ends)
   {
     row.Base[c] = ends[base].data();
@@ -403,43 +407,84 @@ void vtkTilePainter::DrawTetrahedron(std::uint32_t tetrahedron)
   for (int y = rows.GetBegin(this->Bottom); y < top; ++y)
   {
     const double centre = this->Bottom + y + 0.5;
-    vtkSilhouetteRows::Span spans[2];
-    const int number = rows.GetSpans(centre, this->Left, this->Width, spans);
-    for (int i = 0; i < number; ++i)
+    int begin = 0;
+    int end = 0;
+    rows.GetSpan(centre, this->Left, this->Width, begin, end);
+    const int size = end - begin;
+    if (size <= 0)
     {
-      const vtkSilhouetteRows::Span& span = spans[i];
-      const int size = span.End - span.Begin;
-      if (f.Size + size > vtkFragments::CAPACITY || f.NumberOfRuns == vtkFragments::CAPACITY)
-      {
-        this->Flush();
-      }
-      const double dx = this->Left + span.Begin + 0.5 - shape.GetThickX();
-      const double dy = centre - shape.GetThickY();
-      for (int e = 0; e < 4; ++e)
-      {
-        const vtkTetrahedronSilhouette::Edge& edge = shape.GetEdge(e);
-        row.Shares[e] = static_cast<float>(1.0 + edge.X * dx + edge.Y * dy);
-        row.ShareSlopes[e] = static_cast<float>(edge.X);
-      }
-      for (int c = 0; c < CHANNELS; ++c)
-      {
-        const vtkTetrahedronSilhouette::Value& value = values[c];
-        row.Values[c] =
-          static_cast<float>(value.At + value.X[span.Half] * dx + value.Y[span.Half] * dy);
-        row.Slopes[c] = static_cast<float>(value.X[span.Half]);
-      }
-      constexpr int COLORS = CHANNELS - (Colors ? 4 : 0);
-      row.Write(f, COLORS, size);
-      if (Colors)
-      {
-        row.WriteColors(f, COLORS, base, size);
-      }
-      f.Runs[f.NumberOfRuns++] = { tetrahedron,
-        static_cast<std::uint16_t>(y * SIZE + span.Begin), static_cast<std::uint16_t>(f.Size),
-        static_cast<std::uint16_t>(f.Size + size) };
-      f.Size += size;
+      continue;
     }
+    if (f.Size + size > vtkFragments::CAPACITY || f.NumberOfRuns == vtkFragments::CAPACITY)
+    {
+      this->Flush();
+    }
+    const double dx = this->Left + begin + 0.5 - shape.GetThickX();
+    const double dy = centre - shape.GetThickY();
+    for (int e = 0; e < 4; ++e)
+    {
+      const vtkTetrahedronSilhouette::Slope& edge = shape.GetEdge(e);
+      row.Shares[e] = static_cast<float>(1.0 + edge.X * dx + edge.Y * dy);
+    }
+    row.Crease = static_cast<float>(crease.X * dx + crease.Y * dy);
+    for (int c = 0; c < CHANNELS; ++c)
+    {
+      const vtkTetrahedronSilhouette::Value& value = values[c];
+      row.Values[c] = static_cast<float>(value.At + value.Base.X * dx + value.Base.Y * dy);
+    }
+    row.Slants = &this->Slant[y * SIZE + begin];
+    constexpr int COLORS = CHANNELS - (Colors ? 4 : 0);
+    row.Write(f, COLORS, size);
+    if (Colors)
+    {
+      row.WriteColors(f, COLORS, base, size);
+    }
+    f.Runs[f.NumberOfRuns++] = { tetrahedron, static_cast<std::uint16_t>(y * SIZE + begin),
+      static_cast<std::uint16_t>(f.Size), static_cast<std::uint16_t>(f.Size + size) };
+    f.Size += size;
   }
+}
+
+//------------------------------------------------------------------------------
+INTERLUME_CLONES
+void vtkTilePainter::DrawScalars(int tile)
+{
+  this->DrawTetrahedra<true, false, false>(tile);
+}
+
+//------------------------------------------------------------------------------
+INTERLUME_CLONES
+void vtkTilePainter::DrawScalarsInTime(int tile)
+{
+  this->DrawTetrahedra<true, false, true>(tile);
+}
+
+//------------------------------------------------------------------------------
+INTERLUME_CLONES
+void vtkTilePainter::DrawColors(int tile)
+{
+  this->DrawTetrahedra<false, true, false>(tile);
+}
+
+//------------------------------------------------------------------------------
+INTERLUME_CLONES
+void vtkTilePainter::DrawColorsInTime(int tile)
+{
+  this->DrawTetrahedra<false, true, true>(tile);
+}
+
+//------------------------------------------------------------------------------
+INTERLUME_CLONES
+void vtkTilePainter::DrawCells(int tile)
+{
+  this->DrawTetrahedra<false, false, false>(tile);
+}
+
+//------------------------------------------------------------------------------
+INTERLUME_CLONES
+void vtkTilePainter::DrawCellsInTime(int tile)
+{
+  this->DrawTetrahedra<false, false, true>(tile);
 }
 
 //------------------------------------------------------------------------------
@@ -447,14 +492,9 @@ void vtkTilePainter::Flush()
 {
   vtkFragments& f = this->Fragments;
   const vtkTetrahedraView& view = this->Picture.View;
-  if (view.IsParallel())
+  if (!view.IsParallel())
   {
-    vtkFragmentIntegration::FinishParallel(
-      f, this->LengthScale * static_cast<float>(view.GetSlant(0.0, 0.0)));
-  }
-  else
-  {
-    vtkFragmentIntegration::FinishPerspective(f, this->Channels, this->Slant.data());
+    vtkFragmentIntegration::FinishPerspective(f, this->Channels);
   }
   if (this->Picture.Opaque)
   {

@@ -1,6 +1,7 @@
 #ifndef vtkTilePainter_h
 #define vtkTilePainter_h
 
+#include "vtkFragmentClones.h"
 #include "vtkFragmentIntegration.h"
 #include "vtkFragments.h"
 #include "vtkSurfaceFragments.h"
@@ -47,6 +48,14 @@ private:
   void DrawTetrahedra(int tile);
   template <bool Scalars, bool Colors, bool DeltaT>
   void DrawTetrahedron(std::uint32_t tetrahedron);
+  /// DrawTetrahedra for each kind of fields, as functions that can be compiled for more than one
+  /// processor.
+  INTERLUME_CLONES void DrawScalars(int tile);
+  INTERLUME_CLONES void DrawScalarsInTime(int tile);
+  INTERLUME_CLONES void DrawColors(int tile);
+  INTERLUME_CLONES void DrawColorsInTime(int tile);
+  INTERLUME_CLONES void DrawCells(int tile);
+  INTERLUME_CLONES void DrawCellsInTime(int tile);
   void FetchAhead(const std::uint32_t* tetrahedron, const std::uint32_t* end) const;
   void Flush();
   void IntegrateAndBlend();

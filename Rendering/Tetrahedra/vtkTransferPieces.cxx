@@ -173,6 +173,8 @@ void vtkTransferPieces::SetNodes(const std::vector<Node>& nodes)
 {
   this->Pieces.clear();
   this->Starts.clear();
+  this->Extinctions.clear();
+  this->ExtinctionSlopes.clear();
   for (std::size_t i = 0; i + 1 < std::max<std::size_t>(nodes.size(), 2); ++i)
   {
     Piece piece = {};
@@ -188,6 +190,8 @@ void vtkTransferPieces::SetNodes(const std::vector<Node>& nodes)
     }
     this->Pieces.push_back(piece);
     this->Starts.push_back(static_cast<float>(nodes[i].X));
+    this->Extinctions.push_back(piece.Value[3]);
+    this->ExtinctionSlopes.push_back(piece.Slope[3]);
   }
   this->Starts.push_back(2.0f);
   this->First.resize(BUCKETS + 1);

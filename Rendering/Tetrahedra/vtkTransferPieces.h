@@ -39,6 +39,9 @@ public:
   /// One more than pieces: the last is beyond every value.
   const std::vector<float>& GetStarts() const { return this->Starts; }
 
+  /// The fourth of value and slope of each piece, for loops that need no more.
+  const std::vector<float>& GetExtinctions() const { return this->Extinctions; }
+  const std::vector<float>& GetExtinctionSlopes() const { return this->ExtinctionSlopes; }
   /// For each of 1024 + 1 values of the scalar the piece it lies in.
   const std::vector<int>& GetBuckets() const { return this->First; }
 
@@ -84,6 +87,8 @@ private:
 
   std::vector<Piece> Pieces;
   std::vector<float> Starts;
+  std::vector<float> Extinctions;
+  std::vector<float> ExtinctionSlopes;
   /// For each of BUCKETS + 1 values of f the piece it lies in.
   std::vector<int> First;
 };

@@ -2,7 +2,8 @@
 # Documentation/architecture.md does not have, each as "file: line".
 #   - ParaView's headers only in Plugin/
 #   - a rendering module knows no module under Filters/
-#   - Isotables knows no pipeline and no dataset; Isotables <- Intervals <- Flow; Sources on VTK alone
+#   - Isotables knows no pipeline and no dataset; Isotables <- Intervals <- Flow; Sources and Meshing on VTK
+#     alone
 
 # The names of a module's headers, as one regular expression; one that matches nothing if it has none.
 function (header_pattern output)
@@ -50,11 +51,16 @@ function (find_breaches root output)
   header_pattern(filters "${root}/Filters")
   header_pattern(intervals "${root}/Filters/Intervals")
   header_pattern(flow "${root}/Filters/Flow")
+  header_pattern(meshing "${root}/Filters/Meshing")
   header_pattern(not_sources "${root}/Filters/Isotables" "${root}/Filters/Intervals" "${root}/Filters/Flow")
   forbid("${root}" Rendering "${filters}")
   forbid("${root}" Filters/Isotables "${intervals}")
   forbid("${root}" Filters/Isotables "${flow}")
   forbid("${root}" Filters/Intervals "${flow}")
   forbid("${root}" Filters/Sources "${not_sources}")
+  forbid("${root}" Filters/Meshing "${not_sources}")
+  foreach (folder IN ITEMS Isotables Intervals Flow Sources)
+    forbid("${root}" Filters/${folder} "${meshing}")
+  endforeach ()
   set(${output} "${breaches}" PARENT_SCOPE)
 endfunction ()

@@ -6,6 +6,7 @@ file(WRITE "${WORK_DIR}/Filters/Isotables/vtkTable.h" "#include \"vtkSMPTools.h\
 file(WRITE "${WORK_DIR}/Filters/Intervals/vtkCut.h"
   "#include \"vtkTable.h\"\n#include \"vtkUnstructuredGridAlgorithm.h\"\n")
 file(WRITE "${WORK_DIR}/Filters/Flow/vtkStreamVolume.h" "#include \"vtkCut.h\"\n")
+file(WRITE "${WORK_DIR}/Filters/Meshing/vtkMesh.h" "#include \"vtkPolyData.h\"\n")
 file(WRITE "${WORK_DIR}/Plugin/vtkPanel.cxx" "#include \"vtkPVView.h\"\n")
 find_breaches("${WORK_DIR}" breaches)
 if (breaches)
@@ -19,6 +20,8 @@ set(expected
   "Filters/Isotables/vtkD.cxx: #include \"vtkCut.h\""
   "Filters/Isotables/vtkE.cxx: #include \"vtkStreamVolume.h\""
   "Filters/Intervals/vtkF.cxx: #include \"vtkStreamVolume.h\""
+  "Filters/Intervals/vtkK.cxx: #include \"vtkMesh.h\""
+  "Filters/Meshing/vtkL.cxx: #include \"vtkCut.h\""
   "Filters/Sources/vtkG.cxx: #include \"vtkTable.h\""
   "Rendering/Light/vtkH.cxx: #include <vtkCut.h>"
   "Testing/Cxx/I.cxx: #include \"vtkSMProxy.h\""

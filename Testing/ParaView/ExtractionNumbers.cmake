@@ -25,6 +25,10 @@ add_test(NAME TestRepresentationPictures COMMAND RepresentationPictures "${extra
 add_executable(TestPluginXMLDefaults TestPluginXMLDefaults.cxx)
 target_link_libraries(TestPluginXMLDefaults PRIVATE
   Interlume::InterlumeIntervals Interlume::InterlumeTetrahedra VTK::IOXMLParser)
+if (INTERLUME_ENABLE_TETGEN)
+  target_link_libraries(TestPluginXMLDefaults PRIVATE Interlume::InterlumeMeshing)
+  target_compile_definitions(TestPluginXMLDefaults PRIVATE INTERLUME_ENABLE_TETGEN)
+endif ()
 add_test(NAME TestPluginXMLDefaults COMMAND TestPluginXMLDefaults "${PROJECT_SOURCE_DIR}/Plugin")
 
 set_tests_properties(TestExtractionNumbers TestPluginXMLDefaults PROPERTIES

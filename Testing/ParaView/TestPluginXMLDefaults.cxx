@@ -4,6 +4,9 @@
 #include "vtkIsotableContour.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#ifdef INTERLUME_ENABLE_TETGEN
+#include "vtkTetrahedralMesher.h"
+#endif
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLUtilities.h"
@@ -41,6 +44,7 @@ using Defaults = std::map<std::string, std::string>;
 bool TakesValueFromData(vtkXMLDataElement* property)
 {
   return property->FindNestedElementWithName("ArrayRangeDomain") ||
+    property->FindNestedElementWithName("DataTypeDomain") ||
     property->FindNestedElementWithName("ArrayListDomain") ||
     property->FindNestedElementWithName("BoundsDomain") ||
     property->FindNestedElementWithName("InputArrayDomain");
@@ -112,6 +116,18 @@ int main(int argc, char* argv[])
   CompareWithXML(folder + "/IsotableContour.xml", "SourceProxy", "vtkIsotableContour", "",
     { { "OutputPointsPrecision", Text(contour->GetOutputPointsPrecision()) },
       { "UseValueIndex", Text(contour->GetUseValueIndex()) } });
+
+#ifdef INTERLUME_ENABLE_TETGEN
+  vtkNew<vtkTetrahedralMesher> mesher;
+  CompareWithXML(folder + "/TetrahedralMesher.xml", "SourceProxy", "vtkTetrahedralMesher", "",
+    { { "QualityBound", Text(mesher->GetQualityBound()) },
+      { "MinimumDihedralAngle", Text(mesher->GetMinimumDihedralAngle()) },
+      { "MaximumVolume", Text(mesher->GetMaximumVolume()) },
+      { "MaximumNumberOfAddedPoints", Text(mesher->GetMaximumNumberOfAddedPoints()) },
+      { "PreserveBoundary", Text(mesher->GetPreserveBoundary()) },
+      { "FillNestedShells", Text(mesher->GetFillNestedShells()) },
+      { "TimeLimit", Text(mesher->GetTimeLimit()) } });
+#endif
 
   // The representation's own properties; the others are those of ParaView's volumes.
   vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;

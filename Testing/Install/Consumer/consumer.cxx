@@ -1,8 +1,13 @@
-// Extracts an interval volume with the installed package: a shell of the wavelet has tetrahedra.
+// Uses the installed package: a shell of the wavelet has tetrahedra, and so has a meshed sphere,
+// which needs the installed program that runs TetGen.
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkRTAnalyticSource.h"
 #include "vtkUnstructuredGrid.h"
+#ifdef WITH_MESHING
+#include "vtkSphereSource.h"
+#include "vtkTetrahedralMesher.h"
+#endif
 
 #include <cstdlib>
 #include <iostream>
@@ -17,5 +22,17 @@ int main()
   interval->Update();
   const vtkIdType tetrahedra = interval->GetOutput()->GetNumberOfCells();
   std::cout << tetrahedra << " tetrahedra\n";
+#ifdef WITH_MESHING
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputConnection(sphere->GetOutputPort());
+  mesher->Update();
+  const vtkIdType meshed = mesher->GetOutput()->GetNumberOfCells();
+  std::cout << meshed << " tetrahedra of a sphere\n";
+  if (meshed == 0)
+  {
+    return EXIT_FAILURE;
+  }
+#endif
   return tetrahedra > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,0 +1,117 @@
+// Runs TetGen for vtkTetrahedralMesher: reads problems from the socket at standard input and
+// answers there until it is closed. TetGen may stop, crash or never end; then only this program
+// does.
+#include "vtkTetGenChannel.h"
+
+#include <tetgen.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include <unistd.h>
+
+namespace
+{
+/// TetGen frees with delete[] what it is given.
+template <typename Value>
+Value* CopyOf(const std::vector<Value>& list)
+{
+  Value* copy = new Value[list.size()];
+  std::copy(list.begin(), list.end(), copy);
+  return copy;
+}
+
+template <typename Value>
+std::vector<Value> ListOf(const Value* values, int number, int components)
+{
+  return values ? std::vector<Value>(values, values + static_cast<std::size_t>(number) * components)
+                : std::vector<Value>();
+}
+
+void AddFacets(const std::vector<int>& triangles, const std::vector<int>& markers, tetgenio& input)
+{
+  input.numberoffacets = static_cast<int>(markers.size());
+  input.facetlist = new tetgenio::facet[input.numberoffacets];
+  input.facetmarkerlist = CopyOf(markers);
+  for (int i = 0; i < input.numberoffacets; ++i)
+  {
+    tetgenio::facet& facet = input.facetlist[i];
+    tetgenio::init(&facet);
+    facet.numberofpolygons = 1;
+    facet.polygonlist = new tetgenio::polygon[1];
+    tetgenio::init(facet.polygonlist);
+    facet.polygonlist->numberofvertices = 3;
+    facet.polygonlist->vertexlist = new int[3];
+    std::copy_n(&triangles[3 * i], 3, facet.polygonlist->vertexlist);
+  }
+}
+
+vtkTetGenSolution Solve(const vtkTetGenProblem& problem)
+{
+  tetgenio input;
+  tetgenio output;
+  input.firstnumber = 0;
+  input.numberofpoints = static_cast<int>(problem.Points.size() / 3);
+  input.pointlist = CopyOf(problem.Points);
+  if (problem.Tetrahedra.empty())
+  {
+    AddFacets(problem.Triangles, problem.Markers, input);
+  }
+  else
+  {
+    input.numberoftrifaces = static_cast<int>(problem.Markers.size());
+    input.trifacelist = CopyOf(problem.Triangles);
+    input.trifacemarkerlist = CopyOf(problem.Markers);
+    input.numberoftetrahedra = static_cast<int>(problem.Tetrahedra.size() / 4);
+    input.numberofcorners = 4;
+    input.tetrahedronlist = CopyOf(problem.Tetrahedra);
+  }
+  // TetGen draws random numbers: a solution must not depend on the problems before it.
+  std::srand(1);
+  std::string switches = problem.Switches;
+  tetrahedralize(&switches[0], &input, &output);
+
+  vtkTetGenSolution solution;
+  solution.Points = ListOf(output.pointlist, output.numberofpoints, 3);
+  solution.Tetrahedra = ListOf(output.tetrahedronlist, output.numberoftetrahedra, 4);
+  solution.Neighbors = ListOf(output.neighborlist, output.numberoftetrahedra, 4);
+  if (output.trifacemarkerlist)
+  {
+    solution.Triangles = ListOf(output.trifacelist, output.numberoftrifaces, 3);
+    solution.Markers = ListOf(output.trifacemarkerlist, output.numberoftrifaces, 1);
+  }
+  return solution;
+}
+}
+
+int main()
+{
+  // What TetGen has printed is to be in the file when it crashes.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  vtkTetGenChannel channel(STDIN_FILENO);
+  vtkTetGenProblem problem;
+  while (channel.Receive(problem))
+  {
+    vtkTetGenSolution solution;
+    try
+    {
+      solution = Solve(problem);
+    }
+    catch (int code)
+    {
+      solution.Code = code;
+    }
+    catch (...)
+    {
+      solution.Code = -1;
+    }
+    std::fflush(stdout);
+    if (!channel.Send(solution) || solution.Code != 0)
+    {
+      break;
+    }
+  }
+  // TetGen's memory is not worth an orderly end after it threw.
+  std::_Exit(EXIT_SUCCESS);
+}

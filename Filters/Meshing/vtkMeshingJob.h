@@ -1,0 +1,53 @@
+#ifndef vtkMeshingJob_h
+#define vtkMeshingJob_h
+
+#include "vtkTetGenProcess.h"
+#include "vtkTetrahedra.h"
+#include "vtkTetrahedralMesherReport.h"
+
+#include <functional>
+#include <string>
+
+class vtkDataSet;
+
+/**
+ * One execution of vtkTetrahedralMesher: what is asked, the means, and what comes out. A mesher
+ * fills Mesh, or Error with the reason why not; both stay empty when it was cancelled.
+ */
+struct vtkMeshingJob
+{
+  vtkMeshingJob(vtkDataSet* input, const std::string& program)
+    : Input(input)
+    , TetGen(program)
+  {
+  }
+
+  vtkDataSet* Input;
+  double QualityBound = 0.0;
+  double MinimumDihedralAngle = 0.0;
+  double MaximumVolume = 0.0;
+  int MaximumNumberOfAddedPoints = 0;
+  bool PreserveBoundary = false;
+  bool FillNestedShells = false;
+
+  std::function<void(double)> SetProgress;
+  std::function<bool()> IsCancelled;
+  vtkTetGenProcess TetGen;
+
+  vtkTetrahedra Mesh;
+  vtkTetrahedralMesherReport Report;
+  std::string Error;
+
+  /// Whether the mesh is to be refined.
+  bool IsRefining() const { return this->QualityBound > 0.0 || this->MaximumVolume > 0.0; }
+  /// TetGen's switches to refine a mesh to bounds, 0 for none, by at most \a points new ones.
+  std::string GetRefinementSwitches(double quality, double volume, int points) const;
+
+  /// The dimension of cells of a type; 0 for a type that is not known.
+  static int GetDimension(int cellType);
+
+  /// Runs TetGen, counted. Returns false with Error set, or cancelled.
+  bool Solve(const vtkTetGenProblem& problem, vtkTetGenSolution& solution);
+};
+
+#endif

@@ -1,0 +1,230 @@
+#include "vtkTetrahedralMesher.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellMesher.h"
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkMeshMeasures.h"
+#include "vtkMeshedArrays.h"
+#include "vtkMeshingJob.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSetMesher.h"
+#include "vtkPoints.h"
+#include "vtkSurfaceMesher.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <new>
+
+vtkStandardNewMacro(vtkTetrahedralMesher);
+
+namespace
+{
+constexpr double LeastQualityBound = 1.0;
+constexpr double LargestQualityBound = 1000.0;
+
+void Measure(const vtkMeshingJob& job, vtkTetrahedralMesherReport& report)
+{
+  vtkMeshMeasures measures;
+  // Cells are not refined.
+  measures.QualityBound = job.Mesh.Cells.empty() ? job.QualityBound : 0.0;
+  measures.MaximumVolume = job.Mesh.Cells.empty() ? job.MaximumVolume : 0.0;
+  measures.Add(job.Mesh.Points, job.Mesh.Tetrahedra);
+  report.Tetrahedra = static_cast<vtkIdType>(job.Mesh.Tetrahedra.size() / 4);
+  report.TetrahedraAboveQualityBound = measures.AboveQualityBound;
+  report.TetrahedraAboveMaximumVolume = measures.AboveMaximumVolume;
+  report.LargestRadiusEdgeRatio = measures.LargestRadiusEdgeRatio;
+  report.SmallestVolume = measures.SmallestVolume;
+  report.LargestVolume = measures.LargestVolume;
+}
+}
+
+vtkTetrahedralMesher::vtkTetrahedralMesher() = default;
+vtkTetrahedralMesher::~vtkTetrahedralMesher() = default;
+
+void vtkTetrahedralMesher::SetQualityBound(double bound)
+{
+  bound = bound > 0.0 ? std::max(LeastQualityBound, std::min(bound, LargestQualityBound)) : 0.0;
+  if (this->QualityBound != bound)
+  {
+    this->QualityBound = bound;
+    this->Modified();
+  }
+}
+
+int vtkTetrahedralMesher::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+int vtkTetrahedralMesher::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->Report = vtkTetrahedralMesherReport();
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  vtkMeshingJob job(input, this->WorkerFileName);
+  job.QualityBound = this->QualityBound;
+  job.MinimumDihedralAngle = this->MinimumDihedralAngle;
+  job.MaximumVolume = this->MaximumVolume;
+  job.MaximumNumberOfAddedPoints = this->MaximumNumberOfAddedPoints;
+  job.PreserveBoundary = this->PreserveBoundary;
+  job.FillNestedShells = this->FillNestedShells;
+  double progress = 0.0;
+  job.SetProgress = [this, &progress](double value)
+  {
+    progress = value;
+    this->UpdateProgress(value);
+  };
+  job.IsCancelled = [this]() { return this->GetAbortExecute() != 0; };
+  job.TetGen.TimeLimit = this->TimeLimit;
+  // Observers of progress are asked while TetGen works: one of them may abort.
+  job.TetGen.IsCancelled = [this, &progress]()
+  {
+    this->UpdateProgress(progress);
+    return this->GetAbortExecute() != 0;
+  };
+  try
+  {
+    this->Mesh(job);
+    if (job.Error.empty() && !job.IsCancelled())
+    {
+      this->TakeOutput(job, output);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    job.Error = "There is not enough memory for the mesh.";
+  }
+  if (!job.Error.empty())
+  {
+    vtkErrorMacro(<< job.Error);
+  }
+  this->Report = job.Report;
+  this->Warn();
+  return 1;
+}
+
+void vtkTetrahedralMesher::Mesh(vtkMeshingJob& job)
+{
+  int dimension = 0;
+  const vtkIdType cells = job.Input->GetNumberOfCells();
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    dimension = std::max(dimension, vtkMeshingJob::GetDimension(job.Input->GetCellType(cell)));
+  }
+  if (dimension == 3)
+  {
+    vtkCellMesher::Execute(job);
+  }
+  else if (dimension == 2)
+  {
+    vtkSurfaceMesher::Execute(job);
+  }
+  else
+  {
+    vtkPointSetMesher::Execute(job);
+  }
+}
+
+void vtkTetrahedralMesher::TakeOutput(vtkMeshingJob& job, vtkUnstructuredGrid* output)
+{
+  const vtkTetrahedra& mesh = job.Mesh;
+  const auto tetrahedra = static_cast<vtkIdType>(mesh.Tetrahedra.size() / 4);
+  if (tetrahedra == 0)
+  {
+    return;
+  }
+  job.SetProgress(0.9);
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  points->SetDataType(VTK_DOUBLE);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Origins.size()));
+  std::copy(mesh.Points.begin(), mesh.Points.end(),
+    vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0));
+  grid->SetPoints(points);
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(tetrahedra + 1);
+  for (vtkIdType t = 0; t <= tetrahedra; ++t)
+  {
+    offsets->SetValue(t, 4 * t);
+  }
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(4 * tetrahedra);
+  std::copy(mesh.Tetrahedra.begin(), mesh.Tetrahedra.end(), connectivity->GetPointer(0));
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  grid->SetCells(VTK_TETRA, cells);
+  if (!vtkMeshedArrays::InterpolatePointData(job.Input, mesh, job.IsCancelled, grid))
+  {
+    return;
+  }
+  if (!mesh.Cells.empty())
+  {
+    vtkMeshedArrays::CopyCellData(job.Input, mesh, grid);
+  }
+  if (!mesh.Regions.empty())
+  {
+    vtkNew<vtkIntArray> regions;
+    regions->SetName("RegionId");
+    regions->SetNumberOfValues(tetrahedra);
+    std::copy(mesh.Regions.begin(), mesh.Regions.end(), regions->GetPointer(0));
+    grid->GetCellData()->AddArray(regions);
+  }
+  for (const vtkMeshedPoint& origin : mesh.Origins)
+  {
+    job.Report.AddedPoints += origin.NumberOfSources != 1;
+  }
+  Measure(job, job.Report);
+  output->ShallowCopy(grid);
+}
+
+void vtkTetrahedralMesher::Warn()
+{
+  const vtkTetrahedralMesherReport& report = this->Report;
+  if (report.UnsupportedCells > 0)
+  {
+    vtkWarningMacro(<< report.UnsupportedCells
+                    << " cells are not linear, or of a type that is not taken, and are left out.");
+  }
+  if (report.TetrahedraAboveQualityBound > 0)
+  {
+    vtkWarningMacro(<< report.TetrahedraAboveQualityBound << " of " << report.Tetrahedra
+                    << " tetrahedra exceed the quality bound " << this->QualityBound
+                    << ", the worst with " << report.LargestRadiusEdgeRatio << ".");
+  }
+  if (report.TetrahedraAboveMaximumVolume > 0)
+  {
+    vtkWarningMacro(<< report.TetrahedraAboveMaximumVolume << " of " << report.Tetrahedra
+                    << " tetrahedra exceed the maximum volume " << this->MaximumVolume
+                    << ", the largest with " << report.LargestVolume << ".");
+  }
+}
+
+void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "QualityBound: " << this->QualityBound << "\n";
+  os << indent << "MinimumDihedralAngle: " << this->MinimumDihedralAngle << "\n";
+  os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
+  os << indent << "MaximumNumberOfAddedPoints: " << this->MaximumNumberOfAddedPoints << "\n";
+  os << indent << "PreserveBoundary: " << this->PreserveBoundary << "\n";
+  os << indent << "FillNestedShells: " << this->FillNestedShells << "\n";
+  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
+  os << indent << "WorkerFileName: " << this->WorkerFileName << "\n";
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
+}

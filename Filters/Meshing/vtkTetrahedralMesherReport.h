@@ -1,0 +1,50 @@
+#ifndef vtkTetrahedralMesherReport_h
+#define vtkTetrahedralMesherReport_h
+
+#include "InterlumeMeshingModule.h" // for the export macro
+#include "vtkIndent.h"
+#include "vtkType.h"
+
+/**
+ * @class   vtkTetrahedralMesherReport
+ * @brief   what the last execution of vtkTetrahedralMesher did
+ *
+ * A plain value object. Every number is 0 before the first execution and where it does not apply.
+ *
+ * @sa vtkTetrahedralMesher
+ */
+struct INTERLUMEMESHING_EXPORT vtkTetrahedralMesherReport
+{
+  /// Three-dimensional cells of the input that were decomposed, and of these: those that TetGen
+  /// decomposed, and those that were coned from a new point inside. The others needed no new point.
+  vtkIdType Cells = 0;
+  vtkIdType CellsByTetGen = 0;
+  vtkIdType CellsConed = 0;
+  /// Cells left out: of fewer dimensions beside three-dimensional ones, ghosts and hidden cells.
+  vtkIdType CellsLeftOut = 0;
+  /// Cells left out because they are not linear.
+  vtkIdType UnsupportedCells = 0;
+  /// Triangles of the input surface.
+  vtkIdType SurfaceTriangles = 0;
+  /// Points of a surface or point set left out because another one is in the same place.
+  vtkIdType MergedPoints = 0;
+  /// Points of the output that the input does not have.
+  vtkIdType AddedPoints = 0;
+  /// Values of the cell array RegionId.
+  vtkIdType Regions = 0;
+  /// Tetrahedra of the output, and of these: those beyond a bound that was set.
+  vtkIdType Tetrahedra = 0;
+  vtkIdType TetrahedraAboveQualityBound = 0;
+  vtkIdType TetrahedraAboveMaximumVolume = 0;
+  /// The largest ratio of circumscribed radius to shortest edge.
+  double LargestRadiusEdgeRatio = 0.0;
+  /// The smallest and largest volume, in cubes of the unit of length.
+  double SmallestVolume = 0.0;
+  double LargestVolume = 0.0;
+  /// How many times a worker process was asked.
+  vtkIdType TetGenCalls = 0;
+
+  void Print(ostream& os, vtkIndent indent) const;
+};
+
+#endif

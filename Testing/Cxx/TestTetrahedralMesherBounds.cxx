@@ -1,0 +1,168 @@
+// The quality bound and the maximum volume are held, and the boundary is kept when asked.
+#include "ReferenceCheck.h"
+#include "ReferenceMeshing.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkTetrahedralMesher.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <iostream>
+
+namespace
+{
+
+using namespace reference;
+
+struct Bounds
+{
+  double Quality;
+  double Volume;
+};
+
+void CheckBounds(vtkPolyData* surface, const Bounds& bounds, Check& check)
+{
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputData(surface);
+  mesher->SetQualityBound(bounds.Quality);
+  mesher->SetMaximumVolume(bounds.Volume);
+  mesher->Update();
+  const TetrahedraReport report = Inspect(mesher->GetOutput());
+  const long double enclosed = EnclosedVolume(surface);
+  check.That(report.Tetrahedra > 0, "there are tetrahedra");
+  check.Equal(report.NotPositive + report.FacesTooOften + report.FacesTurned, 0, "a valid mesh");
+  check.Near(report.Volume, enclosed, 1e-12, "volume");
+  check.Near(report.BoundaryVolume, enclosed, 1e-12, "volume within the outer faces");
+  if (bounds.Quality > 0)
+  {
+    check.That(report.LargestRadiusEdgeRatio <= bounds.Quality * (1 + 1e-9),
+      "the quality bound is held: " + std::to_string(report.LargestRadiusEdgeRatio));
+  }
+  if (bounds.Volume > 0)
+  {
+    check.That(report.LargestVolume <= bounds.Volume * (1 + 1e-9),
+      "the maximum volume is held: " + std::to_string(report.LargestVolume));
+  }
+  const vtkTetrahedralMesherReport& told = mesher->GetReport();
+  check.Near(
+    told.LargestRadiusEdgeRatio, report.LargestRadiusEdgeRatio, 1e-6, "the ratio that is reported");
+  check.Near(told.LargestVolume, report.LargestVolume, 1e-12, "the volume that is reported");
+  check.Equal(told.TetrahedraAboveQualityBound + told.TetrahedraAboveMaximumVolume, 0,
+    "tetrahedra beyond a bound");
+  std::cout << "bound " << bounds.Quality << ", volume " << bounds.Volume << ": "
+            << report.Tetrahedra << " tetrahedra, ratio " << report.LargestRadiusEdgeRatio
+            << ", largest " << report.LargestVolume << ", " << told.AddedPoints
+            << " points added\n";
+}
+
+void CheckPreserved(vtkPolyData* surface, vtkIdType triangles, Check& check)
+{
+  for (double volume : { 0.0, 0.001 })
+  {
+    vtkNew<vtkTest::ErrorObserver> observer;
+    vtkNew<vtkTetrahedralMesher> mesher;
+    mesher->AddObserver(vtkCommand::WarningEvent, observer);
+    mesher->SetInputData(surface);
+    mesher->SetMaximumVolume(volume);
+    mesher->PreserveBoundaryOn();
+    mesher->Update();
+    const TetrahedraReport report = Inspect(mesher->GetOutput());
+    check.Equal(report.FacesOnce, triangles, "triangles of the boundary");
+    check.Near(report.Volume, EnclosedVolume(surface), 1e-12, "volume");
+    check.Equal(observer->GetWarning(), report.LargestVolume > volume && volume > 0,
+      "a warning where a bound is not held");
+  }
+}
+
+/// Next to angles of 15 degrees no quality bound can be held, but the volume is, without tetrahedra
+/// that shrink without end.
+void CheckNeedles(Check& check)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(16);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->AddObserver(vtkCommand::WarningEvent, observer);
+  mesher->SetInputConnection(sphere->GetOutputPort());
+  mesher->SetQualityBound(1.4);
+  mesher->SetMaximumVolume(0.001);
+  mesher->Update();
+  const vtkTetrahedralMesherReport& report = mesher->GetReport();
+  std::cout << "sphere of needles: " << report.Tetrahedra << " tetrahedra, "
+            << report.TetrahedraAboveQualityBound << " beyond the quality bound, smallest "
+            << report.SmallestVolume << ", largest " << report.LargestVolume << "\n";
+  check.That(observer->GetWarning(), "a warning tells that the quality bound is not held");
+  check.Equal(report.TetrahedraAboveMaximumVolume, 0, "tetrahedra that are too large");
+  check.That(report.SmallestVolume > 1e-12, "no tetrahedron is tiny");
+  check.Near(
+    Inspect(mesher->GetOutput()).Volume, EnclosedVolume(sphere->GetOutput()), 1e-12, "volume");
+}
+
+void CheckLimits(vtkPolyData* surface, Check& check)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->AddObserver(vtkCommand::WarningEvent, observer);
+  mesher->SetInputData(surface);
+  mesher->SetMaximumVolume(1e-5);
+  mesher->SetMaximumNumberOfAddedPoints(500);
+  mesher->Update();
+  check.That(mesher->GetReport().AddedPoints <= 600, "the number of new points is bounded");
+  check.That(observer->GetWarning() && mesher->GetReport().TetrahedraAboveMaximumVolume > 0,
+    "a warning tells that the volume is not held");
+  check.Near(Inspect(mesher->GetOutput()).Volume, EnclosedVolume(surface), 1e-12, "volume");
+}
+
+void CheckValues(Check& check)
+{
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetQualityBound(0.3);
+  check.Near(mesher->GetQualityBound(), 1.0, 0.0, "a bound below 1");
+  mesher->SetQualityBound(-5);
+  check.Near(mesher->GetQualityBound(), 0.0, 0.0, "a negative bound");
+  mesher->SetQualityBound(1e9);
+  check.Near(mesher->GetQualityBound(), 1000.0, 0.0, "a large bound");
+  mesher->SetMaximumVolume(-1);
+  check.Near(mesher->GetMaximumVolume(), 0.0, 0.0, "a negative volume");
+  mesher->SetMinimumDihedralAngle(90);
+  check.Near(mesher->GetMinimumDihedralAngle(), 30.0, 0.0, "a large angle");
+}
+
+}
+
+int TestTetrahedralMesherBounds(int, char*[])
+{
+  Check check;
+  auto box = MakeBoxes();
+  AppendBox(box, { 0, 0, 0 }, { 1, 2, 3 });
+  auto sphere = MakeGeodesic(3);
+  auto torus = MakeTorus(30, 16);
+  const std::pair<const char*, vtkPolyData*> surfaces[] = { { "box", box }, { "sphere", sphere },
+    { "torus", torus } };
+  for (const auto& surface : surfaces)
+  {
+    check.SetContext(surface.first);
+    std::cout << surface.first << "\n";
+    for (const Bounds& bounds : std::initializer_list<Bounds>{
+           { 2.0, 0.0 }, { 1.4, 0.0 }, { 1.2, 0.0 }, { 0.0, 0.01 }, { 1.4, 0.001 } })
+    {
+      CheckBounds(surface.second, bounds, check);
+    }
+  }
+  check.SetContext("preserved boundary");
+  CheckPreserved(box, 12, check);
+  CheckPreserved(torus, torus->GetNumberOfCells(), check);
+  check.SetContext("needles at the poles");
+  CheckNeedles(check);
+  check.SetContext("limit of new points");
+  CheckLimits(box, check);
+  check.SetContext("values");
+  CheckValues(check);
+  return check.Result();
+}

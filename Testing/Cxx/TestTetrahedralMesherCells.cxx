@@ -1,0 +1,219 @@
+// The cells of grids: concave polyhedra with concave faces that are not planar, beside every other
+// cell, become positive tetrahedra that fit together and fill what the cells fill.
+#include "ReferenceCheck.h"
+#include "ReferenceField.h"
+#include "ReferenceMesh.h"
+#include "ReferenceMeshBuilder.h"
+#include "ReferenceMeshing.h"
+#include "ReferenceVolume.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTetrahedralMesher.h"
+
+#include <cmath>
+
+namespace
+{
+
+using namespace reference;
+
+const LinearFunction Function = { 0.1, { 0.3, 0.5, 0.7 } };
+
+vtkTetrahedralMesherReport CheckMesh(vtkDataSet* input, long double volume, Check& check)
+{
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputDataObject(input);
+  mesher->Update();
+  vtkUnstructuredGrid* output = mesher->GetOutput();
+  const TetrahedraReport report = Inspect(output);
+  check.That(report.Tetrahedra > 0, "there are tetrahedra");
+  check.Equal(report.Tetrahedra, output->GetNumberOfCells(), "every cell is a tetrahedron");
+  check.Equal(report.NotPositive, 0, "every tetrahedron is positive");
+  check.Equal(report.FacesTooOften, 0, "no face belongs to more than two tetrahedra");
+  check.Equal(report.FacesTurned, 0, "two tetrahedra are on two sides of a face");
+  check.Equal(report.UnusedPoints, 0, "every point is used");
+  check.Near(report.Volume, volume, 1e-12, "volume");
+  // A crack inside has faces that occur once: each adds to the surface of the whole.
+  check.Near(report.BoundaryVolume, volume, 1e-12, "volume within the outer faces");
+  if (input->GetPointData()->GetArray("f"))
+  {
+    check.That(LinearError(output, "f", Function) < 1e-10, "a linear field is reproduced");
+  }
+  check.Equal(mesher->GetReport().Tetrahedra, report.Tetrahedra, "tetrahedra reported");
+  return mesher->GetReport();
+}
+
+vtkIdType OuterFaces(vtkDataSet* input)
+{
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputDataObject(input);
+  mesher->Update();
+  return Inspect(mesher->GetOutput()).FacesOnce;
+}
+
+void CheckKinds(Check& check)
+{
+  for (MeshKind kind : AllMeshKinds())
+  {
+    check.SetContext(GetName(kind));
+    auto mesh = MakeMesh(kind, { 3, 3, 3 });
+    AddLinearField(mesh, Function);
+    const auto report = CheckMesh(mesh, MeshVolume(mesh), check);
+    check.Equal(report.Cells, mesh->GetNumberOfCells(), "cells decomposed");
+    check.Equal(report.AddedPoints, 0, "convex cells need no new point");
+  }
+  // Each side of the box has 3 x 3 squares of two triangles: one crack more would have more.
+  check.SetContext("outer faces");
+  check.Equal(OuterFaces(MakeMesh(MeshKind::Mixed, { 3, 3, 3 })), 6 * 9 * 2, "of a mixed mesh");
+}
+
+void CheckConcave(Check& check)
+{
+  for (double shift : { 0.0, 1e-9, 0.02, 0.15 })
+  {
+    for (unsigned int seed = 1; seed <= 4; ++seed)
+    {
+      check.SetContext("concave, shift " + std::to_string(shift));
+      const std::array<int, 3> blocks = { 3, 3, 4 };
+      auto mesh = MakeConcaveMesh(blocks, shift, seed);
+      AddLinearField(mesh, Function);
+      const auto report = CheckMesh(mesh, 4.0L * blocks[0] * blocks[1] * blocks[2], check);
+      check.Equal(report.Cells, mesh->GetNumberOfCells(), "cells decomposed");
+      // Sides: 2*6 x 4 squares in x and in y, 3*3*4 squares above and below, two triangles each.
+      check.Equal(OuterFaces(mesh), 2 * (2 * (6 * 4) + 2 * (6 * 4) + 2 * 36), "outer faces");
+      if (seed == 1)
+      {
+        std::cout << "shift " << shift << ": " << report.Cells << " cells, " << report.CellsByTetGen
+                  << " by TetGen, " << report.CellsConed << " coned, " << report.Tetrahedra
+                  << " tetrahedra, smallest " << report.SmallestVolume << "\n";
+      }
+    }
+  }
+}
+
+/// With global ids the cut of a face follows them, not the point ids.
+void CheckGlobalIds(Check& check)
+{
+  check.SetContext("global ids");
+  auto mesh = MakeConcaveMesh({ 2, 2, 2 }, 0.1);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("ids");
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    ids->InsertNextValue(1000 - 7 * p);
+  }
+  mesh->GetPointData()->SetGlobalIds(ids);
+  CheckMesh(mesh, 32.0L, check);
+}
+
+/// A prism over a polygon in the plane, its points listed counterclockwise.
+vtkSmartPointer<vtkUnstructuredGrid> MakePrism(
+  const std::vector<std::array<double, 2>>& polygon, double twist = 0.0)
+{
+  MeshBuilder builder;
+  const int n = static_cast<int>(polygon.size());
+  for (int k = 0; k < 2; ++k)
+  {
+    for (const auto& x : polygon)
+    {
+      const double c = std::cos(k * twist);
+      const double s = std::sin(k * twist);
+      builder.AddPoint(c * x[0] - s * x[1], s * x[0] + c * x[1], k);
+    }
+  }
+  std::vector<std::vector<vtkIdType>> faces(2);
+  for (int i = 0; i < n; ++i)
+  {
+    faces[0].push_back(n - 1 - i);
+    faces[1].push_back(n + i);
+    faces.push_back({ i, (i + 1) % n, n + (i + 1) % n, n + i });
+  }
+  builder.AddPolyhedron(faces);
+  auto mesh = builder.GetMesh();
+  AddLinearField(mesh, Function);
+  return mesh;
+}
+
+void CheckSingle(Check& check)
+{
+  // No point of a U sees all of it.
+  check.SetContext("U");
+  CheckMesh(MakePrism({ { { 0, 0 } }, { { 3, 0 } }, { { 3, 3 } }, { { 2, 3 } }, { { 2, 1 } },
+              { { 1, 1 } }, { { 1, 3 } }, { { 0, 3 } } }),
+    7.0L, check);
+  check.SetContext("comb");
+  std::vector<std::array<double, 2>> comb = { { { 0, 0 } }, { { 9, 0 } } };
+  for (int tooth = 4; tooth >= 0; --tooth)
+  {
+    comb.push_back({ { 2.0 * tooth + 1, 3 } });
+    comb.push_back({ { 2.0 * tooth, 3 } });
+    if (tooth > 0)
+    {
+      comb.push_back({ { 2.0 * tooth, 1 } });
+      comb.push_back({ { 2.0 * tooth - 1, 1 } });
+    }
+  }
+  CheckMesh(MakePrism(comb), 9.0L + 5 * 2.0L, check);
+  // Schoenhardt's polyhedron has no tetrahedra without a new point: 12 triangles and one point in
+  // the interior of a twisted prism whose sides are cut the wrong way.
+  check.SetContext("Schoenhardt");
+  MeshBuilder builder;
+  const double pi = std::acos(-1.0);
+  for (int k = 0; k < 2; ++k)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const double angle = 2 * pi * i / 3 + k * pi / 6;
+      builder.AddPoint(std::cos(angle), std::sin(angle), k);
+    }
+  }
+  builder.AddPolyhedron({ { 0, 2, 1 }, { 3, 4, 5 }, { 0, 1, 4 }, { 0, 4, 3 }, { 1, 2, 5 },
+    { 1, 5, 4 }, { 2, 0, 3 }, { 2, 3, 5 } });
+  auto mesh = builder.GetMesh();
+  AddLinearField(mesh, Function);
+  long double volume = 0;
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputData(mesh);
+  mesher->Update();
+  volume = Inspect(mesher->GetOutput()).BoundaryVolume;
+  const auto report = CheckMesh(mesh, volume, check);
+  check.That(volume > 0.5L && report.AddedPoints > 0, "a new point inside");
+}
+
+void CheckArrays(Check& check)
+{
+  check.SetContext("cell arrays");
+  auto mesh = MakeConcaveMesh({ 2, 2, 2 }, 0.1);
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputData(mesh);
+  mesher->Update();
+  vtkDataArray* kinds = mesher->GetOutput()->GetCellData()->GetArray("kind");
+  check.That(kinds && kinds->GetDataType() == VTK_INT, "the cell array is there, with its type");
+  check.Equal(
+    kinds ? kinds->GetNumberOfTuples() : 0, mesher->GetOutput()->GetNumberOfCells(), "values");
+  long double polyhedra = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; kinds && t < kinds->GetNumberOfTuples(); ++t)
+  {
+    polyhedra += kinds->GetComponent(t, 0) == 0;
+  }
+  check.That(polyhedra > 0 && polyhedra < mesher->GetOutput()->GetNumberOfCells(),
+    "tetrahedra of polyhedra and of others");
+}
+
+}
+
+int TestTetrahedralMesherCells(int, char*[])
+{
+  Check check;
+  CheckKinds(check);
+  CheckConcave(check);
+  CheckGlobalIds(check);
+  CheckSingle(check);
+  CheckArrays(check);
+  return check.Result();
+}

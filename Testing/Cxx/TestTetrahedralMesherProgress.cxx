@@ -1,0 +1,143 @@
+// Progress, abort while TetGen works, repeatability, and PrintSelf.
+#include "ReferenceCheck.h"
+#include "ReferenceField.h"
+#include "ReferenceGrid.h"
+#include "ReferenceMeshing.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTetrahedralMesher.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <chrono>
+#include <sstream>
+
+namespace
+{
+
+using namespace reference;
+
+struct Watch
+{
+  std::vector<double> Progress;
+  /// After how many events to abort.
+  std::size_t AbortAfter = 1000000;
+};
+
+void OnProgress(vtkObject* caller, unsigned long, void* client, void* data)
+{
+  auto* watch = static_cast<Watch*>(client);
+  watch->Progress.push_back(*static_cast<double*>(data));
+  if (watch->Progress.size() > watch->AbortAfter)
+  {
+    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+  }
+}
+
+void Observe(vtkAlgorithm* filter, Watch& watch)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(OnProgress);
+  command->SetClientData(&watch);
+  filter->AddObserver(vtkCommand::ProgressEvent, command);
+}
+
+void CheckRuns(vtkDataSet* input, Check& check)
+{
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputDataObject(input);
+  mesher->SetMaximumVolume(0.01);
+  Watch watch;
+  Observe(mesher, watch);
+  mesher->Update();
+  vtkNew<vtkUnstructuredGrid> first;
+  first->DeepCopy(mesher->GetOutput());
+  check.That(first->GetNumberOfCells() > 0, "there is output");
+  check.That(watch.Progress.size() >= 3, "progress is told");
+  check.That(std::is_sorted(watch.Progress.begin(), watch.Progress.end()), "progress grows");
+  check.That(watch.Progress.back() <= 1, "progress is at most 1");
+  mesher->Modified();
+  mesher->Update();
+  check.That(FindDifference(first, mesher->GetOutput()).empty(), "the same bytes again");
+  for (std::size_t after : { 0, 1 })
+  {
+    watch = Watch();
+    watch.AbortAfter = after;
+    mesher->Modified();
+    mesher->Update();
+    check.Equal(mesher->GetOutput()->GetNumberOfCells(), 0, "cells after an abort");
+    mesher->SetAbortExecute(0);
+  }
+  watch = Watch();
+  mesher->Modified();
+  mesher->Update();
+  check.That(FindDifference(first, mesher->GetOutput()).empty(), "the same bytes after an abort");
+}
+
+/// A mesh that would take minutes is given up within the time that a user waits.
+void CheckAbortWithinTetGen(Check& check)
+{
+  auto box = MakeBoxes();
+  AppendBox(box, { 0, 0, 0 }, { 1, 1, 1 });
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputData(box);
+  mesher->SetMaximumVolume(1e-8);
+  mesher->SetMaximumNumberOfAddedPoints(100000000);
+  Watch watch;
+  watch.AbortAfter = 4;
+  Observe(mesher, watch);
+  const auto start = std::chrono::steady_clock::now();
+  mesher->Update();
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  check.Equal(mesher->GetOutput()->GetNumberOfCells(), 0, "cells");
+  check.That(time.count() < 10.0, "it ends at once: " + std::to_string(time.count()));
+}
+
+void CheckPrint(Check& check)
+{
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetQualityBound(1.25);
+  mesher->SetMinimumDihedralAngle(12.5);
+  mesher->SetMaximumVolume(0.375);
+  mesher->SetMaximumNumberOfAddedPoints(4321);
+  mesher->SetTimeLimit(87.5);
+  mesher->SetWorkerFileName("nowhere");
+  std::ostringstream text;
+  mesher->Print(text);
+  for (const char* part :
+    { "QualityBound: 1.25", "MinimumDihedralAngle: 12.5", "MaximumVolume: 0.375",
+      "MaximumNumberOfAddedPoints: 4321", "PreserveBoundary: 0", "FillNestedShells: 0",
+      "TimeLimit: 87.5", "WorkerFileName: nowhere", "Cells:", "CellsByTetGen", "CellsConed",
+      "CellsLeftOut", "UnsupportedCells", "SurfaceTriangles", "MergedPoints", "AddedPoints",
+      "Regions", "Tetrahedra:", "TetrahedraAboveQualityBound", "TetrahedraAboveMaximumVolume",
+      "LargestRadiusEdgeRatio", "SmallestVolume", "LargestVolume", "TetGenCalls" })
+  {
+    check.That(text.str().find(part) != std::string::npos, std::string("PrintSelf: ") + part);
+  }
+}
+
+}
+
+int TestTetrahedralMesherProgress(int, char*[])
+{
+  Check check;
+  check.SetContext("surface");
+  auto torus = MakeTorus(30, 16);
+  AddRandomField(torus, 1);
+  CheckRuns(torus, check);
+  check.SetContext("cells");
+  auto cells = MakeConcaveMesh({ 6, 6, 6 }, 0.1);
+  AddRandomField(cells, 1);
+  CheckRuns(cells, check);
+  check.SetContext("points");
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(cells->GetPoints());
+  AddRandomField(points, 1);
+  CheckRuns(points, check);
+  check.SetContext("abort within TetGen");
+  CheckAbortWithinTetGen(check);
+  check.SetContext("print");
+  CheckPrint(check);
+  return check.Result();
+}

@@ -1,0 +1,194 @@
+// Closed surfaces: the tetrahedra fill the space within, to rounding, shells within shells too.
+#include "ReferenceCheck.h"
+#include "ReferenceMeshing.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCubeSource.h"
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkStripper.h"
+#include "vtkTetrahedralMesher.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <map>
+
+namespace
+{
+
+using namespace reference;
+
+vtkSmartPointer<vtkUnstructuredGrid> MeshOf(vtkDataSet* surface, bool fill = false)
+{
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputDataObject(surface);
+  mesher->SetFillNestedShells(fill);
+  mesher->Update();
+  return mesher->GetOutput();
+}
+
+void CheckVolume(vtkUnstructuredGrid* mesh, long double volume, Check& check)
+{
+  const TetrahedraReport report = Inspect(mesh);
+  check.That(report.Tetrahedra > 0, "there are tetrahedra");
+  check.Equal(report.NotPositive, 0, "every tetrahedron is positive");
+  check.Equal(report.FacesTooOften + report.FacesTurned, 0, "tetrahedra fit together");
+  check.Equal(report.UnusedPoints, 0, "every point is used");
+  check.Near(report.Volume, volume, 1e-12, "volume");
+  check.Near(report.BoundaryVolume, volume, 1e-12, "volume within the outer faces");
+}
+
+/// The volume of each value of RegionId.
+std::map<int, long double> RegionVolumes(vtkUnstructuredGrid* mesh)
+{
+  std::map<int, long double> volumes;
+  vtkDataArray* regions = mesh->GetCellData()->GetArray("RegionId");
+  for (vtkIdType t = 0; regions && t < mesh->GetNumberOfCells(); ++t)
+  {
+    vtkNew<vtkUnstructuredGrid> one;
+    vtkNew<vtkIdList> ids;
+    mesh->GetCellPoints(t, ids);
+    double x[4][3];
+    for (int i = 0; i < 4; ++i)
+    {
+      mesh->GetPoint(ids->GetId(i), x[i]);
+    }
+    double e[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      vtkMath::Subtract(x[i + 1], x[0], e[i]);
+    }
+    volumes[static_cast<int>(regions->GetComponent(t, 0))] +=
+      vtkMath::Determinant3x3(e[0], e[1], e[2]) / 6;
+  }
+  return volumes;
+}
+
+void CheckRegions(vtkUnstructuredGrid* mesh, const std::vector<double>& expected, Check& check)
+{
+  const auto volumes = RegionVolumes(mesh);
+  check.Equal(
+    static_cast<long long>(volumes.size()), static_cast<long long>(expected.size()), "regions");
+  for (std::size_t r = 0; r < expected.size(); ++r)
+  {
+    const auto found = volumes.find(static_cast<int>(r));
+    check.Near(found == volumes.end() ? 0.0 : static_cast<double>(found->second), expected[r],
+      1e-12, "volume of region " + std::to_string(r));
+  }
+}
+
+void CheckSources(Check& check)
+{
+  check.SetContext("cube source, each corner three times");
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(2.0);
+  cube->Update();
+  CheckVolume(MeshOf(cube->GetOutput()), 2.0L, check);
+
+  check.SetContext("sphere");
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(16);
+  sphere->Update();
+  CheckVolume(MeshOf(sphere->GetOutput()), EnclosedVolume(sphere->GetOutput()), check);
+
+  check.SetContext("sphere far from the origin");
+  sphere->SetCenter(1e4, -2e4, 3e4);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  CheckVolume(MeshOf(sphere->GetOutput()), EnclosedVolume(sphere->GetOutput()), check);
+
+  check.SetContext("torus");
+  auto torus = MakeTorus(30, 16);
+  const long double volume = EnclosedVolume(torus);
+  check.That(volume > 0, "the torus faces outward");
+  CheckVolume(MeshOf(torus), volume, check);
+
+  check.SetContext("strips");
+  vtkNew<vtkStripper> strips;
+  strips->SetInputData(torus);
+  strips->Update();
+  check.That(strips->GetOutput()->GetNumberOfStrips() > 0, "there are strips");
+  CheckVolume(MeshOf(strips->GetOutput()), volume, check);
+}
+
+void CheckConcavePolygons(Check& check)
+{
+  check.SetContext("an L of concave polygons");
+  auto surface = MakeBoxes();
+  const double ring[6][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } };
+  for (int k = 0; k < 2; ++k)
+  {
+    for (const auto& x : ring)
+    {
+      surface->GetPoints()->InsertNextPoint(x[0], x[1], k);
+    }
+  }
+  surface->GetPolys()->InsertNextCell({ 5, 4, 3, 2, 1, 0 });
+  surface->GetPolys()->InsertNextCell({ 6, 7, 8, 9, 10, 11 });
+  for (vtkIdType i = 0; i < 6; ++i)
+  {
+    const vtkIdType j = (i + 1) % 6;
+    surface->GetPolys()->InsertNextCell({ i, j, 6 + j, 6 + i });
+  }
+  CheckVolume(MeshOf(surface), 3.0L, check);
+}
+
+void CheckShells(Check& check)
+{
+  for (bool inward : { false, true })
+  {
+    check.SetContext(inward ? "shells facing in and out" : "shells facing out");
+    auto boxes = MakeBoxes();
+    AppendBox(boxes, { 1, 1, 1 }, { 9, 9, 9 }, inward);
+    AppendBox(boxes, { 0, 0, 0 }, { 10, 10, 10 });
+    AppendBox(boxes, { 20, 0, 0 }, { 21, 1, 1 });
+    AppendBox(boxes, { 2, 2, 2 }, { 4, 4, 4 });
+    AppendBox(boxes, { 6, 6, 6 }, { 7, 7, 7 }, inward);
+    auto cavities = MeshOf(boxes);
+    // In the order of the first polygon of the shells around them: 512 - 8 - 1 is a cavity.
+    CheckRegions(cavities, { 1000 - 512, 1, 8, 1 }, check);
+    CheckVolume(cavities, 1000 - 512 + 1 + 8 + 1, check);
+    auto filled = MeshOf(boxes, true);
+    CheckRegions(filled, { 1000 - 512, 512 - 8 - 1, 1, 8, 1 }, check);
+    CheckVolume(filled, 1001.0L, check);
+  }
+}
+
+void CheckWalls(Check& check)
+{
+  check.SetContext("boxes that share a wall");
+  auto boxes = MakeBoxes();
+  AppendBox(boxes, { 0, 0, 0 }, { 1, 1, 1 });
+  AppendBox(boxes, { 1, 0, 0 }, { 3, 1, 1 });
+  auto mesh = MeshOf(boxes);
+  CheckRegions(mesh, { 1, 2 }, check);
+  CheckVolume(mesh, 3.0L, check);
+}
+
+void CheckPlanarGrid(Check& check)
+{
+  check.SetContext("triangles in an unstructured grid");
+  auto boxes = MakeBoxes();
+  AppendBox(boxes, { 0, 0, 0 }, { 1, 2, 3 });
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(boxes->GetPoints());
+  grid->SetCells(VTK_QUAD, boxes->GetPolys());
+  CheckVolume(MeshOf(grid), 6.0L, check);
+}
+
+}
+
+int TestTetrahedralMesherSurfaces(int, char*[])
+{
+  Check check;
+  CheckSources(check);
+  CheckConcavePolygons(check);
+  CheckShells(check);
+  CheckWalls(check);
+  CheckPlanarGrid(check);
+  return check.Result();
+}

@@ -1,0 +1,317 @@
+// Bad and extreme input of the mesher. Where there is no mesh: an error that names what is wrong,
+// an empty output, and the process lives on, though TetGen throws, crashes or never ends. Where
+// there is one: positive tetrahedra that fill the volume.
+#include "ReferenceMeshBuilder.h"
+#include "ReferenceMeshing.h"
+#include "StabilityCase.h"
+
+#include "vtkCellArray.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkTetrahedralMesher.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace
+{
+
+using namespace reference;
+
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+const double Infinity = std::numeric_limits<double>::infinity();
+
+struct Outcome
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Mesh;
+  std::string Error;
+  std::string Warning;
+};
+
+Outcome Run(vtkTetrahedralMesher* mesher, vtkDataSet* input)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  mesher->AddObserver(vtkCommand::ErrorEvent, observer);
+  mesher->AddObserver(vtkCommand::WarningEvent, observer);
+  mesher->SetInputDataObject(input);
+  mesher->Update();
+  mesher->RemoveObserver(observer);
+  Outcome outcome;
+  outcome.Mesh = mesher->GetOutput();
+  const std::string error = observer->GetErrorMessage();
+  const std::size_t words = error.find("): ");
+  outcome.Error = words == std::string::npos ? error : error.substr(words + 3);
+  outcome.Error.erase(outcome.Error.find_last_not_of(" \n") + 1);
+  outcome.Warning = observer->GetWarningMessage();
+  return outcome;
+}
+
+vtkSmartPointer<vtkPolyData> MakeCube()
+{
+  auto box = MakeBoxes();
+  AppendBox(box, { 0, 0, 0 }, { 1, 1, 1 });
+  return box;
+}
+
+/// The mesher refuses \a input with an error that holds \a named, and meshes a cube after that.
+void Refuse(StabilityCatalogue& catalogue, const std::string& name, const std::string& extreme,
+  const std::string& named, vtkDataSet* input)
+{
+  vtkNew<vtkTetrahedralMesher> mesher;
+  const Outcome outcome = Run(mesher, input);
+  const bool isRefused = outcome.Error.find(named) != std::string::npos &&
+    outcome.Mesh->GetNumberOfCells() == 0 && outcome.Mesh->GetNumberOfPoints() == 0;
+  const Outcome later = Run(mesher, MakeCube());
+  catalogue.Check("mesher-" + name, extreme,
+    "an empty output and an error that names \"" + named + "\"; then it works",
+    outcome.Error.empty() ? "no error" : outcome.Error,
+    isRefused && later.Error.empty() && later.Mesh->GetNumberOfCells() > 0);
+}
+
+/// The mesher takes \a input, and its positive tetrahedra fill \a volume.
+void Accept(StabilityCatalogue& catalogue, const std::string& name, const std::string& extreme,
+  double volume, double bound, vtkDataSet* input, double quality = 0.0)
+{
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetQualityBound(quality);
+  const Outcome outcome = Run(mesher, input);
+  const TetrahedraReport report = Inspect(outcome.Mesh);
+  const bool isGood = outcome.Error.empty() && report.Tetrahedra > 0 && report.NotPositive == 0 &&
+    report.FacesTooOften + report.FacesTurned == 0;
+  if (!outcome.Error.empty())
+  {
+    std::cout << outcome.Error << "\n";
+  }
+  catalogue.Measure("mesher-" + name, extreme, "positive tetrahedra that fill the volume",
+    isGood ? static_cast<double>(report.Volume / volume - 1) : NaN, bound);
+}
+
+void TestSurfaces(StabilityCatalogue& catalogue)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    auto cube = MakeCube();
+    double x[3] = { 1, 1, 0 };
+    x[axis] = axis == 1 ? Infinity : NaN;
+    cube->GetPoints()->SetPoint(3, x);
+    Refuse(catalogue, "surface-not-finite-" + std::to_string(axis), "a coordinate of a surface",
+      "Point 3", cube);
+  }
+  auto open = MakeBoxes();
+  open->SetPoints(MakeCube()->GetPoints());
+  open->GetPolys()->InsertNextCell({ 0, 2, 3, 1 });
+  open->GetPolys()->InsertNextCell({ 4, 5, 7, 6 });
+  Refuse(catalogue, "surface-open", "two squares of a cube", "open: the edge from point 0", open);
+
+  auto line = MakeCube();
+  line->GetPoints()->InsertNextPoint(0.5, 0, 0);
+  line->GetPolys()->InsertNextCell({ 0, 8, 1 });
+  Refuse(catalogue, "surface-line", "a triangle on a line", "Cell 6", line);
+
+  auto bow = MakeCube();
+  bow->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+  Refuse(catalogue, "surface-bow", "a polygon that crosses itself", "cell 6", bow);
+
+  auto crossing = MakeCube();
+  AppendBox(crossing, { 0.37, 0.41, 0.43 }, { 1.37, 1.41, 1.43 });
+  Refuse(catalogue, "surface-crossing", "two cubes that cross", "intersects itself", crossing);
+
+  auto coplanar = MakeCube();
+  AppendBox(coplanar, { 0.25, 0.25, 1 }, { 0.75, 0.75, 2 });
+  Refuse(catalogue, "surface-overlap", "a cube that stands on another", "TetGen", coplanar);
+
+  std::mt19937 random(11);
+  auto soup = MakeBoxes();
+  for (vtkIdType t = 0; t < 40; ++t)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      soup->GetPoints()->InsertNextPoint(random() % 1000, random() % 1000, random() % 1000);
+    }
+    const vtkIdType p = 4 * t;
+    soup->GetPolys()->InsertNextCell({ p, p + 1, p + 2 });
+    soup->GetPolys()->InsertNextCell({ p, p + 3, p + 1 });
+    soup->GetPolys()->InsertNextCell({ p + 1, p + 3, p + 2 });
+    soup->GetPolys()->InsertNextCell({ p + 2, p + 3, p });
+  }
+  Refuse(
+    catalogue, "surface-soup", "forty tetrahedra at random through each other", "intersects", soup);
+
+  auto missing = MakeCube();
+  missing->GetPolys()->InsertNextCell({ 0, 1, 99 });
+  Refuse(catalogue, "surface-missing-point", "a triangle with a point that is not there",
+    "Cell 6 has point 99", missing);
+
+  auto sheet = MakeBoxes();
+  sheet->SetPoints(MakeCube()->GetPoints());
+  sheet->GetPolys()->InsertNextCell({ 0, 2, 3, 1 });
+  sheet->GetPolys()->InsertNextCell({ 0, 1, 3, 2 });
+  Refuse(catalogue, "surface-sheet", "one square from both sides", "open", sheet);
+}
+
+void TestScales(StabilityCatalogue& catalogue)
+{
+  for (double scale : { 1e-30, 1e-6, 1e6, 1e30 })
+  {
+    auto box = MakeBoxes();
+    AppendBox(box, { 0, 0, 0 }, { scale, 2 * scale, 3 * scale });
+    std::ostringstream name;
+    name << "scale-" << scale;
+    Accept(catalogue, name.str(), "a box of this size", 6 * std::pow(scale, 3), 1e-12, box);
+  }
+  for (double thin : { 1e-3, 1e-6, 1e-9 })
+  {
+    auto box = MakeBoxes();
+    AppendBox(box, { 0, 0, 0 }, { 1, 1, thin });
+    std::ostringstream name;
+    name << "thin-" << thin;
+    Accept(catalogue, name.str(), "a plate of this thickness", thin, 1e-12, box);
+  }
+  auto far = MakeBoxes();
+  AppendBox(far, { 1e8, 1e8, 1e8 }, { 1e8 + 1, 1e8 + 1, 1e8 + 1 });
+  Accept(catalogue, "far", "a unit cube at 1e8", 1.0, 1e-12, far);
+  auto close = MakeCube();
+  AppendBox(close, { 1 + 1e-9, 0, 0 }, { 2, 1, 1 });
+  Accept(catalogue, "close", "two cubes 1e-9 apart", 2 - 1e-9, 1e-12, close);
+  auto corner = MakeCube();
+  AppendBox(corner, { 1, 1, 1 }, { 2, 2, 2 });
+  Accept(catalogue, "corner", "two cubes that share a corner", 2.0, 1e-12, corner);
+  auto edge = MakeCube();
+  AppendBox(edge, { 1, 1, 0 }, { 2, 2, 1 });
+  Accept(catalogue, "edge", "two cubes that share an edge", 2.0, 1e-12, edge);
+}
+
+void TestPoints(StabilityCatalogue& catalogue)
+{
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  data->SetPoints(points);
+  points->InsertNextPoint(1, 2, 3);
+  Refuse(catalogue, "points-one", "one point", "plane", data);
+  for (int j = 0; j < 4; ++j)
+  {
+    for (int i = 0; i < 5; ++i)
+    {
+      points->InsertNextPoint(1 + i, 2 + j, 3);
+    }
+  }
+  Refuse(catalogue, "points-plane", "points of a plane", "plane", data);
+  points->InsertNextPoint(1, NaN, 1);
+  Refuse(catalogue, "points-nan", "a NaN among points", "Point 21", data);
+  points->SetPoint(21, 1, 2, 4);
+  Accept(catalogue, "points-one-above", "one point above a plane", 12.0 / 3, 1e-12, data);
+  vtkNew<vtkPolyData> same;
+  vtkNew<vtkPoints> samePoints;
+  same->SetPoints(samePoints);
+  for (int i = 0; i < 100; ++i)
+  {
+    samePoints->InsertNextPoint(1, 2, 3);
+  }
+  Refuse(catalogue, "points-same", "a hundred points in one place", "plane", same);
+}
+
+void TestCells(StabilityCatalogue& catalogue)
+{
+  const std::vector<std::vector<vtkIdType>> cube = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
+    { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
+  const auto make = [](const std::vector<std::vector<vtkIdType>>& faces, double height)
+  {
+    MeshBuilder builder;
+    for (int i = 0; i < 8; ++i)
+    {
+      builder.AddPoint(i & 1, i >> 1 & 1, height * (i >> 2 & 1));
+    }
+    builder.AddPolyhedron(faces);
+    return builder.GetMesh();
+  };
+  Accept(catalogue, "cell-cube", "a cube as a polyhedron", 1.0, 1e-12, make(cube, 1));
+  auto turned = cube;
+  for (std::size_t f = 0; f < turned.size(); f += 2)
+  {
+    std::reverse(turned[f].begin(), turned[f].end());
+  }
+  Accept(catalogue, "cell-turned", "half of the faces turned inside", 1.0, 1e-12, make(turned, 1));
+  auto open = cube;
+  open.pop_back();
+  Refuse(catalogue, "cell-open", "a polyhedron without a face", "Cell 0", make(open, 1));
+  Refuse(catalogue, "cell-flat", "a polyhedron without volume", "no area", make(cube, 0));
+  auto nan = make(cube, 1);
+  nan->GetPoints()->SetPoint(5, 0, NaN, 0);
+  Refuse(catalogue, "cell-nan", "a NaN in a cell", "point 5", nan);
+  auto crossing = make(cube, 1);
+  crossing->GetPoints()->SetPoint(7, -2, -2, -3);
+  Refuse(catalogue, "cell-crossing", "a polyhedron that meets itself", "Cell 0", crossing);
+
+  MeshBuilder inverted;
+  for (int i = 0; i < 8; ++i)
+  {
+    inverted.AddPoint(i & 1, i >> 1 & 1, -(i >> 2 & 1));
+  }
+  inverted.AddCell(VTK_HEXAHEDRON, { 0, 1, 3, 2, 4, 5, 7, 6 });
+  Accept(catalogue, "cell-inverted", "a hexahedron inside out", 1.0, 1e-12, inverted.GetMesh());
+  MeshBuilder collapsed;
+  for (int i = 0; i < 8; ++i)
+  {
+    collapsed.AddPoint(i & 1, i >> 1 & 1, i >> 2 & 1);
+  }
+  collapsed.AddCell(VTK_HEXAHEDRON, { 0, 1, 3, 2, 4, 5, 5, 4 });
+  Accept(catalogue, "cell-collapsed", "a hexahedron with an edge for a face", 0.5, 1e-12,
+    collapsed.GetMesh());
+  MeshBuilder nothing;
+  nothing.AddPoint(0, 0, 0);
+  nothing.AddCell(VTK_TETRA, { 0, 0, 0, 0 });
+  vtkNew<vtkTetrahedralMesher> mesher;
+  const Outcome outcome = Run(mesher, nothing.GetMesh());
+  catalogue.Check("mesher-cell-point", "a tetrahedron of one point", "an empty output",
+    outcome.Error.empty() ? "no error" : outcome.Error,
+    outcome.Error.empty() && outcome.Mesh->GetNumberOfCells() == 0);
+}
+
+/// Programs in the place of the worker: none, one that ends, one that never answers.
+void TestWorkers(StabilityCatalogue& catalogue)
+{
+  struct Worker
+  {
+    const char *Name, *Extreme, *Program, *Named;
+  };
+  const Worker workers[] = { { "worker-missing", "no program of that name", "/nowhere/tetgen",
+                               "cannot start" },
+    { "worker-ends", "a program that ends at once", "/bin/false", "exit code 1" },
+    { "worker-silent", "a program that never answers", "/bin/cat", "not done after 0.5 s" } };
+  for (const Worker& worker : workers)
+  {
+    vtkNew<vtkTetrahedralMesher> mesher;
+    mesher->SetWorkerFileName(worker.Program);
+    mesher->SetTimeLimit(0.5);
+    const auto start = std::chrono::steady_clock::now();
+    const Outcome outcome = Run(mesher, MakeCube());
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    const bool isRefused = outcome.Error.find(worker.Named) != std::string::npos &&
+      outcome.Mesh->GetNumberOfCells() == 0 && time.count() < 30;
+    mesher->SetWorkerFileName("");
+    mesher->SetTimeLimit(0);
+    const Outcome later = Run(mesher, MakeCube());
+    catalogue.Check(std::string("mesher-") + worker.Name, worker.Extreme,
+      std::string("an empty output and an error that names \"") + worker.Named +
+        "\"; mended, it works",
+      outcome.Error, isRefused && later.Error.empty() && later.Mesh->GetNumberOfCells() > 0);
+  }
+}
+
+}
+
+int TestStabilityMesher(int argc, char* argv[])
+{
+  StabilityCatalogue catalogue("TestStabilityMesher", argc, argv);
+  TestSurfaces(catalogue);
+  TestScales(catalogue);
+  TestPoints(catalogue);
+  TestCells(catalogue);
+  TestWorkers(catalogue);
+  return catalogue.GetExitCode();
+}

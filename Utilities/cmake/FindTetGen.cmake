@@ -1,0 +1,21 @@
+# Finds TetGen, built as a library: the header tetgen.h and the library tet.
+#   TetGen_FOUND
+#   TetGen::TetGen   what to link to
+# On Debian it is the package libtet1.5-dev, later libtet-dev.
+find_path(TetGen_INCLUDE_DIR tetgen.h PATH_SUFFIXES tetgen tetgen1.5)
+find_library(TetGen_LIBRARY NAMES tet tetgen)
+mark_as_advanced(TetGen_INCLUDE_DIR TetGen_LIBRARY)
+
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(TetGen
+  REQUIRED_VARS TetGen_LIBRARY TetGen_INCLUDE_DIR
+  REASON_FAILURE_MESSAGE
+    "TetGen's header tetgen.h or its library tet is missing (on Debian: libtet1.5-dev or libtet-dev). Install it, or set INTERLUME_ENABLE_TETGEN to OFF")
+
+if (TetGen_FOUND AND NOT TARGET TetGen::TetGen)
+  add_library(TetGen::TetGen UNKNOWN IMPORTED)
+  set_target_properties(TetGen::TetGen PROPERTIES
+    IMPORTED_LOCATION "${TetGen_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${TetGen_INCLUDE_DIR}"
+    INTERFACE_COMPILE_DEFINITIONS TETLIBRARY)
+endif ()
