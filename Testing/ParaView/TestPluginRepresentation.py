@@ -57,6 +57,16 @@ def draw(picture, source, path):
     simple.Delete(volume)
 
 
+def check_mapper(checks, display):
+    """What no picture shows reaches the mapper too."""
+    display.IntervalRenderPath = "OpenGL"
+    display.IntervalAutoAdjustLevelOfDetail = False
+    display.IntervalLayerArrayName = "TimeSlab"
+    text = str(display.GetClientSideObject().GetActiveRepresentation())
+    for line in ("RenderPath: 0", "AutoAdjustLevelOfDetail: 0", "LayerArrayName: TimeSlab"):
+        checks.that(f" {line}\n" in text.split("RenderReport:")[0], f"the mapper has {line}")
+
+
 def check_choice(checks):
     """The representation can be chosen for the filter's output; without an array it draws nothing."""
     volume = interval_volume(open_data("wavelet"), "RTData", [(140.0, 180.0)])
@@ -72,6 +82,7 @@ def check_choice(checks):
             text = display.GetProperty(name).SMProperty.GetDocumentation()
             checks.that(text and text.GetDescription().strip(), f"{name} has a documentation")
     checks.that(own.GetDocumentation().GetDescription().strip(), "it has a documentation")
+    check_mapper(checks, display)
     simple.Delete(view)
 
 
