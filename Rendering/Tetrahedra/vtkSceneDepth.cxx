@@ -169,7 +169,6 @@ bool vtkSceneDepth::Read(vtkRenderer* renderer, const vtkTetrahedraView& view, i
       width = columns;
       height = rows;
       this->Buffer.resize(static_cast<std::size_t>(columns) * rows);
-      glPixelStorei(GL_PACK_ALIGNMENT, 4);
       glReadPixels(
         left, bottom, columns, rows, GL_DEPTH_COMPONENT, GL_FLOAT, this->Buffer.data());
     });

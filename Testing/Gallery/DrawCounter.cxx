@@ -1,6 +1,7 @@
 #include "DrawCounter.h"
 
 #include "Panel.h"
+#include "Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
@@ -9,6 +10,9 @@
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 
@@ -16,23 +20,12 @@ namespace gallery
 {
 struct DrawCounter::Counted
 {
-  vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkObject> Mapper;
   int Draws = 0;
   unsigned long Tag = 0;
 };
 
-DrawCounter::DrawCounter() = default;
-
-DrawCounter::~DrawCounter()
-{
-  for (const std::unique_ptr<Counted>& counted : this->Counts)
-  {
-    counted->Mapper->RemoveObserver(counted->Tag);
-  }
-}
-
-void DrawCounter::Watch(vtkRenderer* renderer)
+DrawCounter::DrawCounter(vtkRenderer* renderer)
 {
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator cookie;
@@ -47,7 +40,6 @@ void DrawCounter::Watch(vtkRenderer* renderer)
     }
     this->Counts.push_back(std::make_unique<Counted>());
     Counted* counted = this->Counts.back().get();
-    counted->Renderer = renderer;
     counted->Mapper = mapper;
     vtkNew<vtkCallbackCommand> command;
     command->SetClientData(counted);
@@ -57,18 +49,20 @@ void DrawCounter::Watch(vtkRenderer* renderer)
   }
 }
 
-int DrawCounter::GetPasses() const
+DrawCounter::~DrawCounter()
 {
-  std::map<vtkRenderer*, int> busiest;
   for (const std::unique_ptr<Counted>& counted : this->Counts)
   {
-    int& draws = busiest[counted->Renderer];
-    draws = std::max(draws, counted->Draws);
+    counted->Mapper->RemoveObserver(counted->Tag);
   }
+}
+
+int DrawCounter::GetPasses() const
+{
   int passes = 0;
-  for (const auto& renderer : busiest)
+  for (const std::unique_ptr<Counted>& counted : this->Counts)
   {
-    passes += renderer.second;
+    passes = std::max(passes, counted->Draws);
   }
   return passes;
 }
@@ -80,39 +74,27 @@ BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
   // Colour RGBA8 and depth of the window, and the copies it resolves them into.
   count.Buffers = 4;
   count.Bytes = 16 * pixels;
-  if (panel.GetLayers().size() > 1)
+  if (panel.UsesAmbientOcclusion())
   {
-    features.insert("layers");
-  }
-  for (vtkRenderer* layer : panel.GetLayers())
-  {
-    const auto use = [&count, &features, pixels](
-                       const char* feature, int buffers, vtkIdType bytesPerPixel, int screenPasses)
-    {
-      features.insert(feature);
-      count.Buffers += buffers;
-      count.Bytes += pixels * bytesPerPixel;
-      count.ScreenPasses += screenPasses;
-    };
-    if (panel.UsesAmbientOcclusion())
-    {
-      // Colour RGBA32F, position and normal RGB16F, occlusion R8, depth 32F; occlude and combine.
-      use("ambient-occlusion", 5, 16 + 6 + 6 + 1 + 4, 2);
-    }
-    bool translucent = false;
-    vtkPropCollection* props = layer->GetViewProps();
-    vtkCollectionSimpleIterator cookie;
-    props->InitTraversal(cookie);
-    while (vtkProp* prop = props->GetNextProp(cookie))
-    {
-      translucent = translucent || prop->HasTranslucentPolygonalGeometry();
-    }
-    if (translucent)
-    {
-      // Back, front source and destination RGBA8, two depth pairs RG32F, opaque depth 32F.
-      use("depth-peeling", 7, 4 * 4 + 2 * 8 + 4, 0);
-    }
+    features.insert("ambient-occlusion");
+    // Colour RGBA32F, position and normal RGB16F, occlusion R8, depth 32F; occlude and combine.
+    count.Buffers += 5;
+    count.Bytes += (16 + 6 + 6 + 1 + 4) * pixels;
+    count.ScreenPasses += 2;
   }
   return count;
+}
+
+std::vector<vtkTetrahedraRenderReport> GetVolumeReports(const Panel& panel)
+{
+  std::vector<vtkTetrahedraRenderReport> reports;
+  vtkVolumeCollection* volumes = panel.GetRenderer()->GetVolumes();
+  vtkCollectionSimpleIterator cookie;
+  volumes->InitTraversal(cookie);
+  while (vtkVolume* volume = volumes->GetNextVolume(cookie))
+  {
+    reports.push_back(GetMapper(volume)->GetRenderReport());
+  }
+  return reports;
 }
 }

@@ -1,9 +1,9 @@
 #ifndef DrawCounter_h
 #define DrawCounter_h
 
+#include "vtkTetrahedraRenderReport.h"
 #include "vtkType.h"
 
-#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -16,19 +16,16 @@ namespace gallery
 class Panel;
 
 /**
- * Counts how often the geometry of renderers is drawn. A renderer's passes are the draws of its
- * busiest mapper, so that depth peeling shows with the passes it really took.
+ * Counts how often the surfaces of a renderer are drawn: the draws of its busiest mapper.
  */
 class DrawCounter
 {
 public:
-  DrawCounter();
-  ~DrawCounter();
-
   /**
    * From now on counts the draws of every actor in \a renderer.
    */
-  void Watch(vtkRenderer* renderer);
+  explicit DrawCounter(vtkRenderer* renderer);
+  ~DrawCounter();
 
   int GetPasses() const;
 
@@ -49,10 +46,15 @@ struct BufferCount
 };
 
 /**
- * The textures that the window, ambient occlusion and depth peeling keep for \a panel after it was
+ * The textures that the window and ambient occlusion keep for \a panel after it was
  * drawn, in the formats VTK 9 gives them; adds what is on to \a features.
  */
 BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features);
+
+/**
+ * What each volume of \a panel took when it was drawn.
+ */
+std::vector<vtkTetrahedraRenderReport> GetVolumeReports(const Panel& panel);
 }
 
 #endif

@@ -3,24 +3,25 @@
 #include "Look.h"
 #include "Picture.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkCameraPass.h"
-#include "vtkDualDepthPeelingPass.h"
 #include "vtkImageData.h"
 #include "vtkLightsPass.h"
 #include "vtkMapper.h"
-#include "vtkMatrix4x4.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPointSet.h"
+#include "vtkProp3D.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
-#include "vtkTranslucentPass.h"
 #include "vtkVectorOperators.h"
+#include "vtkVolume.h"
+#include "vtkVolumetricPass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,31 @@ void ForEachProp(vtkRenderer* renderer, const Visit& visit)
   }
 }
 
+/// The points that a prop draws, where they lie in the world as they are.
+vtkPointSet* GetShape(vtkProp* prop)
+{
+  auto* prop3D = vtkProp3D::SafeDownCast(prop);
+  if (!prop3D || !prop3D->GetIsIdentity())
+  {
+    return nullptr;
+  }
+  vtkAlgorithm* mapper = nullptr;
+  if (auto* actor = vtkActor::SafeDownCast(prop))
+  {
+    mapper = actor->GetMapper();
+  }
+  else if (auto* volume = vtkVolume::SafeDownCast(prop))
+  {
+    mapper = volume->GetMapper();
+  }
+  if (!mapper)
+  {
+    return nullptr;
+  }
+  mapper->Update();
+  return vtkPointSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+}
+
 void AppendCorners(const double bounds[6], std::vector<vtkVector3d>& points)
 {
   for (int corner = 0; corner < 8; ++corner)
@@ -59,24 +85,18 @@ void AppendCorners(const double bounds[6], std::vector<vtkVector3d>& points)
 
 Panel::Panel(const std::string& caption)
   : Caption(caption)
+  , Renderer(vtkSmartPointer<vtkRenderer>::New())
   , Camera(vtkSmartPointer<vtkCamera>::New())
 {
+  ApplyLook(this->Renderer);
+  this->Renderer->SetActiveCamera(this->Camera);
   this->Camera->SetViewAngle(22.0);
   this->LookFrom({ 0.0, -1.0, 0.0 }, { 0.0, 0.0, 1.0 });
-  this->AddLayer();
 }
 
 void Panel::Add(vtkProp* prop)
 {
-  this->Layers.back()->AddViewProp(prop);
-}
-
-void Panel::AddLayer()
-{
-  auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  ApplyLook(renderer);
-  renderer->SetActiveCamera(this->Camera);
-  this->Layers.push_back(renderer);
+  this->Renderer->AddViewProp(prop);
 }
 
 void Panel::LookFrom(const vtkVector3d& from, const vtkVector3d& up)
@@ -90,61 +110,46 @@ void Panel::LookFrom(const vtkVector3d& from, const vtkVector3d& up)
 void Panel::LookAs(Panel& other)
 {
   this->Camera = other.Camera;
-  for (vtkRenderer* layer : this->Layers)
-  {
-    layer->SetActiveCamera(this->Camera);
-  }
+  this->Renderer->SetActiveCamera(this->Camera);
 }
 
 bool Panel::UsesAmbientOcclusion() const
 {
-  return this->OcclusionReach > 0.0 && this->Layers.size() == 1;
+  bool hasSurface = false;
+  ForEachProp(this->Renderer,
+    [&hasSurface](vtkProp* prop) { hasSurface = hasSurface || prop->IsA("vtkActor"); });
+  return this->OcclusionReach > 0.0 && hasSurface;
 }
 
 void Panel::PreparePasses()
 {
-  for (vtkRenderer* layer : this->Layers)
+  vtkNew<vtkRenderPassCollection> passes;
+  vtkNew<vtkLightsPass> lights;
+  vtkNew<vtkOpaquePass> opaque;
+  passes->AddItem(lights);
+  if (this->UsesAmbientOcclusion())
   {
-    vtkNew<vtkRenderPassCollection> passes;
-    vtkNew<vtkLightsPass> lights;
-    vtkNew<vtkOpaquePass> opaque;
     vtkNew<vtkSSAOPass> occlusion;
-    passes->AddItem(lights);
-    if (this->UsesAmbientOcclusion())
-    {
-      vtkNew<vtkCameraPass> inner;
-      inner->SetDelegatePass(opaque);
-      occlusion->SetDelegatePass(inner);
-      occlusion->SetRadius(this->OcclusionReach * this->GetBox().GetDiagonalLength());
-      occlusion->SetBias(0.04 * occlusion->GetRadius());
-      occlusion->SetKernelSize(48);
-      occlusion->BlurOn();
-      passes->AddItem(occlusion);
-    }
-    else
-    {
-      passes->AddItem(opaque);
-    }
-
-    bool translucent = false;
-    ForEachProp(layer,
-      [&translucent](vtkProp* prop)
-      { translucent = translucent || prop->HasTranslucentPolygonalGeometry(); });
-    if (translucent)
-    {
-      vtkNew<vtkDualDepthPeelingPass> peeling;
-      vtkNew<vtkTranslucentPass> surfaces;
-      peeling->SetTranslucentPass(surfaces);
-      peeling->SetMaximumNumberOfPeels(4);
-      peeling->SetOcclusionRatio(0.0);
-      passes->AddItem(peeling);
-    }
-    vtkNew<vtkSequencePass> sequence;
-    sequence->SetPasses(passes);
-    vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(sequence);
-    vtkOpenGLRenderer::SafeDownCast(layer)->SetPass(camera);
+    vtkNew<vtkCameraPass> inner;
+    inner->SetDelegatePass(opaque);
+    occlusion->SetDelegatePass(inner);
+    occlusion->SetRadius(this->OcclusionReach * this->GetBox().GetDiagonalLength());
+    occlusion->SetBias(0.04 * occlusion->GetRadius());
+    occlusion->SetKernelSize(48);
+    occlusion->BlurOn();
+    passes->AddItem(occlusion);
   }
+  else
+  {
+    passes->AddItem(opaque);
+  }
+  vtkNew<vtkVolumetricPass> volumes;
+  passes->AddItem(volumes);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  vtkOpenGLRenderer::SafeDownCast(this->Renderer)->SetPass(camera);
 }
 
 vtkSmartPointer<vtkImageData> Panel::Draw(int width, int height)
@@ -153,58 +158,39 @@ vtkSmartPointer<vtkImageData> Panel::Draw(int width, int height)
   this->PreparePasses();
   this->Pixels = static_cast<vtkIdType>(width) * height;
   vtkSmartPointer<vtkRenderWindow> window = MakeWindow(width, height);
+  window->AddRenderer(this->Renderer);
   double bounds[6];
   this->GetBox().GetBounds(bounds);
-  window->SetNumberOfLayers(static_cast<int>(this->Layers.size()));
-  for (std::size_t i = 0; i < this->Layers.size(); ++i)
-  {
-    this->Layers[i]->SetLayer(static_cast<int>(i));
-    window->AddRenderer(this->Layers[i]);
-    this->Layers[i]->ResetCameraClippingRange(bounds);
-  }
+  this->Renderer->ResetCameraClippingRange(bounds);
   return GrabPicture(window);
 }
 
 vtkBoundingBox Panel::GetBox() const
 {
-  vtkBoundingBox box;
-  for (vtkRenderer* layer : this->Layers)
-  {
-    double bounds[6];
-    layer->ComputeVisiblePropBounds(bounds);
-    box.AddBounds(bounds);
-  }
-  return box;
+  double bounds[6];
+  this->Renderer->ComputeVisiblePropBounds(bounds);
+  return vtkBoundingBox(bounds);
 }
 
 std::vector<vtkVector3d> Panel::GetPoints() const
 {
   std::vector<vtkVector3d> points;
-  for (vtkRenderer* layer : this->Layers)
-  {
-    ForEachProp(layer,
-      [&points](vtkProp* prop)
+  ForEachProp(this->Renderer,
+    [&points](vtkProp* prop)
+    {
+      vtkPointSet* shape = GetShape(prop);
+      if (!shape)
       {
-        vtkActor* actor = vtkActor::SafeDownCast(prop);
-        vtkPointSet* surface = nullptr;
-        if (actor && actor->GetMapper() && actor->GetIsIdentity())
-        {
-          actor->GetMapper()->Update();
-          surface = vtkPointSet::SafeDownCast(actor->GetMapper()->GetInputAsDataSet());
-        }
-        if (!surface)
-        {
-          AppendCorners(prop->GetBounds(), points);
-          return;
-        }
-        const vtkIdType count = surface->GetNumberOfPoints();
-        const vtkIdType step = std::max<vtkIdType>(1, count / OUTLINE_POINTS);
-        for (vtkIdType i = 0; i < count; i += step)
-        {
-          points.emplace_back(surface->GetPoint(i));
-        }
-      });
-  }
+        AppendCorners(prop->GetBounds(), points);
+        return;
+      }
+      const vtkIdType count = shape->GetNumberOfPoints();
+      const vtkIdType step = std::max<vtkIdType>(1, count / OUTLINE_POINTS);
+      for (vtkIdType i = 0; i < count; i += step)
+      {
+        points.emplace_back(shape->GetPoint(i));
+      }
+    });
   return points;
 }
 

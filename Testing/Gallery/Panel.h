@@ -28,15 +28,9 @@ public:
   const std::string& GetCaption() const { return this->Caption; }
 
   /**
-   * Adds a prop to the topmost layer.
+   * Adds an opaque surface (vtkActor) or a volume (vtkVolume).
    */
   void Add(vtkProp* prop);
-
-  /**
-   * Starts a layer that is drawn over all before, whatever its depth: the painter's way of giving
-   * priority.
-   */
-  void AddLayer();
 
   /**
    * The eye looks along minus \a from, with \a up pointing up. Default from (0, -1, 0), up (0, 0,
@@ -50,17 +44,17 @@ public:
   void LookAs(Panel& other);
 
   /**
-   * Ambient occlusion of the opaque props: reach as a share of the diagonal of the panel's props, 0
-   * for none. Default 0.05.
+   * Ambient occlusion of the surfaces: reach as a share of the diagonal of the panel's props, 0 for
+   * none. Default 0.05; none where the panel has no surface.
    */
   void SetAmbientOcclusion(double reach) { this->OcclusionReach = reach; }
 
   ///@{
   /**
-   * For the stage: the renderers, bottom to top, the camera, what fitting it needs, and the drawing
-   * of width x height pixels. GetPixels() is the size drawn last.
+   * For the stage: the renderer, the camera, what fitting it needs, and the drawing of width x
+   * height pixels. GetPixels() is the size drawn last.
    */
-  const std::vector<vtkSmartPointer<vtkRenderer>>& GetLayers() const { return this->Layers; }
+  vtkRenderer* GetRenderer() const { return this->Renderer; }
   vtkCamera* GetCamera() const { return this->Camera; }
   bool UsesAmbientOcclusion() const;
   std::vector<vtkVector3d> GetPoints() const;
@@ -74,7 +68,7 @@ private:
   void PreparePasses();
 
   std::string Caption;
-  std::vector<vtkSmartPointer<vtkRenderer>> Layers;
+  vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkCamera> Camera;
   vtkIdType Pixels = 0;
   double OcclusionReach = 0.05;

@@ -1,40 +1,33 @@
 #include "Props.h"
 
-#include "Glass.h"
 #include "Look.h"
 
 #include "vtkActor.h"
-#include "vtkAppendPolyData.h"
 #include "vtkArrayCalculator.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkFloatArray.h"
 #include "vtkGradientFilter.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkImageShrink3D.h"
-#include "vtkImplicitBoolean.h"
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
-#include "vtkPlane.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
-#include "vtkReverseSense.h"
 #include "vtkScalarsToColors.h"
-#include "vtkShaderProperty.h"
 #include "vtkStructuredGrid.h"
 #include "vtkStructuredGridGeometryFilter.h"
-#include "vtkTableBasedClipDataSet.h"
-#include "vtkThreshold.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVector.h"
 
 namespace gallery
 {
@@ -42,28 +35,46 @@ namespace
 {
 const char* const GRADIENT = "Gradient";
 
-vtkSmartPointer<vtkUnstructuredGrid> SelectCells(
-  vtkUnstructuredGrid* grid, const char* array, int value)
+/// Normals from the gradient of the field, out of the interval: down the gradient at its lower
+/// side.
+void SetGradientNormals(vtkPointData* pointData, int side)
 {
-  vtkNew<vtkThreshold> threshold;
-  threshold->SetInputData(grid);
-  threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, array);
-  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_BETWEEN);
-  threshold->SetLowerThreshold(value);
-  threshold->SetUpperThreshold(value);
-  threshold->Update();
-  return threshold->GetOutput();
+  vtkDataArray* vectors = pointData->GetArray(GRADIENT);
+  const double sign = side == vtkIntervalVolume::LOWER_SIDE ? -1.0 : 1.0;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(vectors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    vtkVector3d normal;
+    vectors->GetTuple(i, normal.GetData());
+    normal.Normalize();
+    normals->SetTuple3(i, sign * normal[0], sign * normal[1], sign * normal[2]);
+  }
+  pointData->SetNormals(normals);
 }
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> SelectInterval(vtkUnstructuredGrid* grid, int id)
+vtkSmartPointer<vtkUnstructuredGrid> MakeBoundary(vtkIntervalVolume* filter, int side)
 {
-  return SelectCells(grid, "IntervalId", id);
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> SelectSide(vtkUnstructuredGrid* triangles, int side)
-{
-  return SelectCells(triangles, "BoundarySide", side);
+  vtkUnstructuredGrid* triangles =
+    vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1));
+  vtkDataArray* sides = triangles->GetCellData()->GetArray("BoundarySide");
+  auto selected = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  selected->SetPoints(triangles->GetPoints());
+  selected->GetPointData()->ShallowCopy(triangles->GetPointData());
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
+  {
+    if (sides->GetComponent(cell, 0) == side)
+    {
+      triangles->GetCellPoints(cell, corners);
+      selected->InsertNextCell(VTK_TRIANGLE, corners);
+    }
+  }
+  SetGradientNormals(selected->GetPointData(), side);
+  return selected;
 }
 
 vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* cells, double featureAngle)
@@ -78,7 +89,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* cells, double featureAngle)
   return normals->GetOutput();
 }
 
-vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colour, double opacity)
+vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colour)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface);
@@ -87,7 +98,6 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colo
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
   property->SetColor(colour[0], colour[1], colour[2]);
-  property->SetOpacity(opacity);
   property->SetAmbient(0.16);
   property->SetDiffuse(0.88);
   property->SetSpecular(0.12);
@@ -112,44 +122,11 @@ vtkSmartPointer<vtkActor> MakeColouredActor(
   return actor;
 }
 
-void SetGlossy(vtkActor* actor)
-{
-  // Less diffuse light leaves room for the highlight, which would lose its hue where it is cut off.
-  actor->GetProperty()->SetDiffuse(0.74);
-  actor->GetProperty()->SetSpecular(0.3);
-  actor->GetProperty()->SetSpecularPower(40.0);
-}
-
-void SetGlass(vtkActor* actor)
-{
-  vtkShaderProperty* shader = actor->GetShaderProperty();
-  shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, Glass, false);
-}
-
-void SetGradientNormals(vtkPolyData* surface, int side)
-{
-  vtkPointData* pointData = surface->GetPointData();
-  vtkDataArray* vectors = pointData->GetArray(GRADIENT);
-  // Triangles face out of the interval: down the gradient at its lower side.
-  const double sign = side == vtkIntervalVolume::LOWER_SIDE ? -1.0 : 1.0;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(vectors->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
-  {
-    vtkVector3d normal;
-    vectors->GetTuple(i, normal.GetData());
-    normal.Normalize();
-    normals->SetTuple3(i, sign * normal[0], sign * normal[1], sign * normal[2]);
-  }
-  pointData->SetNormals(normals);
-}
-
-vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data)
+vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data, const std::string& array)
 {
   vtkNew<vtkGradientFilter> gradient;
   gradient->SetInputData(data);
+  gradient->SetInputScalars(vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
   gradient->SetResultArrayName(GRADIENT);
   gradient->Update();
   return vtkDataSet::SafeDownCast(gradient->GetOutput());
@@ -165,42 +142,6 @@ vtkSmartPointer<vtkDataSet> AddMagnitude(
   calculator->SetResultArrayName(magnitude.c_str());
   calculator->Update();
   return vtkDataSet::SafeDownCast(calculator->GetOutput());
-}
-
-vtkSmartPointer<vtkPolyData> AddMirrorImage(vtkPolyData* surface)
-{
-  vtkNew<vtkTransform> mirror;
-  mirror->Scale(1.0, -1.0, 1.0);
-  vtkNew<vtkTransformPolyDataFilter> image;
-  image->SetInputData(surface);
-  image->SetTransform(mirror);
-  vtkNew<vtkReverseSense> turned;
-  turned->SetInputConnection(image->GetOutputPort());
-  vtkNew<vtkAppendPolyData> both;
-  both->AddInputData(surface);
-  both->AddInputConnection(turned->GetOutputPort());
-  both->Update();
-  return both->GetOutput();
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> CutOut(
-  vtkDataSet* data, const vtkVector3d& origin, const vtkVector3d& first, const vtkVector3d& second)
-{
-  vtkNew<vtkImplicitBoolean> wedge;
-  wedge->SetOperationTypeToUnion();
-  for (const vtkVector3d& direction : { first, second })
-  {
-    vtkNew<vtkPlane> plane;
-    plane->SetOrigin(origin[0], origin[1], origin[2]);
-    plane->SetNormal(direction[0], direction[1], direction[2]);
-    wedge->AddFunction(plane);
-  }
-  vtkNew<vtkTableBasedClipDataSet> clip;
-  clip->SetInputData(data);
-  clip->SetClipFunction(wedge);
-  clip->InsideOutOn();
-  clip->Update();
-  return clip->GetOutput();
 }
 
 vtkSmartPointer<vtkPolyData> MakeWall(vtkStructuredGrid* grid, int axis, int index)
@@ -241,6 +182,8 @@ vtkSmartPointer<vtkImageData> Reduce(vtkImageData* image, int factor)
   shrink->SetShrinkFactors(factor, factor, factor);
   shrink->MeanOn();
   shrink->Update();
+  shrink->GetOutput()->GetPointData()->GetScalars()->SetName(
+    image->GetPointData()->GetScalars()->GetName());
   return shrink->GetOutput();
 }
 }

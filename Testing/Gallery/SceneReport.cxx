@@ -2,18 +2,63 @@
 
 #include <nlohmann/json.hpp>
 
+#include <vector>
+
 namespace gallery
 {
+namespace
+{
+const char* GetName(const std::vector<const char*>& names, int mode)
+{
+  return names.at(static_cast<std::size_t>(mode));
+}
+
+nlohmann::json ToJson(const vtkTetrahedraRenderReport& volume)
+{
+  return { { "path", GetName({ "opengl", "software" }, volume.RenderPath) },
+    { "blend",
+      GetName(
+        { "composite", "maximum", "additive", "priority", "optical-depth" }, volume.BlendMode) },
+    { "sort", GetName({ "none", "centroid", "mpvonc" }, volume.SortMode) },
+    { "sort_reason", volume.SortReason }, { "sorted", volume.Sorted },
+    { "adjacency", volume.HasAdjacency }, { "features", volume.Features },
+    { "tetrahedra", volume.Tetrahedra }, { "tetrahedra_drawn", volume.TetrahedraDrawn },
+    { "boundary_triangles", volume.BoundaryTriangles }, { "passes", volume.Passes },
+    { "layers", volume.Layers }, { "cycles", volume.Cycles }, { "gaps", volume.Gaps },
+    { "control_points", volume.ControlPoints }, { "pixel_stride", volume.PixelStride },
+    { "buffers", volume.Buffers }, { "buffer_bytes", volume.BufferBytes },
+    { "memory_bytes", volume.MemoryBytes },
+    { "uploaded_bytes",
+      volume.UploadedStaticBytes + volume.UploadedOrderBytes + volume.UploadedImageBytes },
+    { "seconds", volume.Seconds } };
+}
+}
+
+void SceneReport::AddVolume(const vtkTetrahedraRenderReport& volume)
+{
+  this->Features.insert("volumes");
+  this->Passes += volume.Passes;
+  this->Buffers += volume.Buffers;
+  this->Bytes += volume.BufferBytes;
+  this->Volumes.push_back(volume);
+}
+
 nlohmann::json ToJson(const SceneReport& report)
 {
   const vtkExtractionReport& extraction = report.Extraction;
+  nlohmann::json volumes = nlohmann::json::array();
+  for (const vtkTetrahedraRenderReport& volume : report.Volumes)
+  {
+    volumes.push_back(ToJson(volume));
+  }
   return { { "id", report.Id }, { "figure", report.Figure },
     { "size", { report.Width, report.Height } },
     { "seconds", report.BuildSeconds + report.RenderSeconds },
     { "build_seconds", report.BuildSeconds }, { "extract_seconds", report.ExtractSeconds },
     { "render_seconds", report.RenderSeconds }, { "features", report.Features },
-    { "panels", report.Panels }, { "passes", report.Passes }, { "buffers", report.Buffers },
-    { "bytes", report.Bytes }, { "filters", report.Filters }, { "intervals", report.Intervals },
+    { "panels", report.Panels }, { "surface_panels", report.SurfacePanels },
+    { "passes", report.Passes }, { "buffers", report.Buffers }, { "bytes", report.Bytes },
+    { "volumes", volumes }, { "filters", report.Filters }, { "intervals", report.Intervals },
     { "criteria", report.Criteria }, { "tetrahedra", report.Tetrahedra },
     { "boundary_triangles", report.BoundaryTriangles },
     { "extraction",

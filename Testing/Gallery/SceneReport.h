@@ -2,10 +2,12 @@
 #define SceneReport_h
 
 #include "vtkExtractionReport.h"
+#include "vtkTetrahedraRenderReport.h"
 #include "vtkType.h"
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -28,8 +30,8 @@ struct SceneReport
   double ExtractSeconds = 0.0;
   double RenderSeconds = 0.0;
 
-  /// Names of what was on: `criteria`, `boundaries`, `depth-peeling`, `ambient-occlusion`,
-  /// `layers`.
+  /// Names of what was on: `criteria`, `boundaries`, `volumes`,
+  /// `ambient-occlusion`.
   std::set<std::string> Features;
 
   /// Extraction filters run, their intervals and criteria, and what came out.
@@ -41,13 +43,19 @@ struct SceneReport
   /// Sum of the reports of the filters.
   vtkExtractionReport Extraction;
 
+  /// Panels, and those that have surfaces.
   int Panels = 0;
-  /// Passes over the geometry of a renderer, summed over renderers; the screen-space passes of
-  /// ambient occlusion are among them.
+  int SurfacePanels = 0;
+  /// Passes over the surfaces of a panel and over the tetrahedra of each volume, summed over
+  /// panels; the screen-space passes of ambient occlusion are among them.
   int Passes = 0;
   /// Off-screen textures of the drawing, and the bytes they take, the window's own included.
   int Buffers = 0;
   vtkIdType Bytes = 0;
+  /// What each volume took; its passes, buffers and bytes are in the sums above.
+  std::vector<vtkTetrahedraRenderReport> Volumes;
+
+  void AddVolume(const vtkTetrahedraRenderReport& volume);
 };
 
 nlohmann::json ToJson(const SceneReport& report);

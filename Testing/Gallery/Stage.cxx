@@ -70,8 +70,8 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkIntervalVolume* filter, v
   filter->Update();
   this->Report.ExtractSeconds += watch.Seconds();
 
-  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
-    vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  auto tetrahedra = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  tetrahedra->ShallowCopy(filter->GetOutputDataObject(0));
   vtkUnstructuredGrid* boundaries =
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1));
   ++this->Report.Filters;
@@ -117,18 +117,19 @@ vtkSmartPointer<vtkImageData> Stage::Render()
   for (std::size_t i = 0; i < this->Panels.size(); ++i)
   {
     Panel& panel = *this->Panels[i];
-    DrawCounter counter;
-    for (vtkRenderer* layer : panel.GetLayers())
-    {
-      counter.Watch(layer);
-    }
+    const DrawCounter counter(panel.GetRenderer());
     const Cell cell = this->GetCell(i);
     vtkSmartPointer<vtkImageData> drawing = panel.Draw(cell.Width, cell.Height - cell.Caption);
     Paste(picture, drawing, cell.Left, cell.Bottom + cell.Caption);
     const BufferCount used = CountBuffers(panel, this->Report.Features);
     this->Report.Buffers += used.Buffers;
     this->Report.Bytes += used.Bytes;
+    this->Report.SurfacePanels += counter.GetPasses() > 0 ? 1 : 0;
     this->Report.Passes += used.ScreenPasses + counter.GetPasses();
+    for (const vtkTetrahedraRenderReport& volume : GetVolumeReports(panel))
+    {
+      this->Report.AddVolume(volume);
+    }
   }
   this->Report.Panels = static_cast<int>(this->Panels.size());
   picture = AverageDown(picture, SUPERSAMPLING);

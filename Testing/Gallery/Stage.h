@@ -58,7 +58,8 @@ public:
 
   /**
    * Runs an extraction filter on \a input and adds what it did to the report. Returns its
-   * tetrahedra. Boundary triangles, where asked for, are on the filter's port 1.
+   * tetrahedra, which outlive another run. Boundary triangles, where asked for, are on the filter's
+   * port 1.
    */
   vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkIntervalVolume* filter, vtkDataObject* input);
 

@@ -47,28 +47,73 @@ public:
     this->Expect(extraction.at("cells_with_output") > 0, "cells gave output");
     this->Expect(has("boundaries") == (scene.at("boundary_triangles") > 0),
       "boundary triangles exactly where boundaries are on");
-    this->Expect(has("boundaries") == (this->Scene == "interval-boundary"),
-      "boundaries on in interval-boundary only");
+    this->Expect(has("boundaries") ==
+        (this->Scene == "interval-boundary" || this->Scene == "interval-constant"),
+      "boundaries on in interval-boundary and interval-constant only");
     this->Expect(has("criteria") == (scene.at("criteria") > 0), "criteria as asked for");
     this->Expect(extraction.at("passes") == (has("criteria") ? 2 : 1),
       "a second extraction pass exactly where there is a criterion");
-    this->Expect(
-      has("layers") == (this->Scene == "interval-priority"), "layers in interval-priority only");
-    if (!has("depth-peeling") && !has("layers"))
+    int volumePasses = 0;
+    int volumeBuffers = 0;
+    this->Expect(has("volumes") == !scene.at("volumes").empty(), "volumes as the features say");
+    for (const nlohmann::json& volume : scene.at("volumes"))
     {
-      const bool occlusion = has("ambient-occlusion");
-      this->Expect(scene.at("passes") == panels * (1 + (occlusion ? OCCLUSION_PASSES : 0)),
-        "one pass a panel, and those of ambient occlusion");
-      this->Expect(
-        scene.at("buffers") == panels * (WINDOW_BUFFERS + (occlusion ? OCCLUSION_BUFFERS : 0)),
-        "no buffer beyond the window and ambient occlusion");
+      this->CheckVolume(volume);
+      volumePasses += volume.at("passes").get<int>();
+      volumeBuffers += volume.at("buffers").get<int>();
     }
+    const int surfacePanels = scene.at("surface_panels");
+    this->Expect(has("ambient-occlusion") == (surfacePanels > 0),
+      "ambient occlusion exactly where there are surfaces");
+    this->Expect(scene.at("passes") == surfacePanels * (1 + OCCLUSION_PASSES) + volumePasses,
+      "one pass for the surfaces of a panel, those of ambient occlusion and of the volumes");
+    this->Expect(scene.at("buffers") ==
+        panels * WINDOW_BUFFERS + surfacePanels * OCCLUSION_BUFFERS + volumeBuffers,
+      "no buffer beyond the window, ambient occlusion and the volumes");
     this->Expect(scene.at("bytes") > 0, "bytes of buffers counted");
     this->Expect(scene.at("seconds") > 0.0, "time taken");
     this->Expect(this->Page.find("src=\"" + this->Scene + ".png\"") != std::string::npos,
       "the page shows the picture");
     this->Expect(
       std::ifstream(this->Folder + "/" + this->Scene + ".png").good(), "the picture is there");
+  }
+
+  void CheckVolume(const nlohmann::json& volume)
+  {
+    const std::string features = " " + volume.at("features").get<std::string>() + " ";
+    const auto has = [&features](const std::string& name)
+    { return features.find(" " + name + " ") != std::string::npos; };
+    const std::string sort = volume.at("sort");
+    const std::string blend = volume.at("blend");
+
+    this->Expect(!has("delta-t"), "no code for an extent in time");
+    this->Expect(has("surface") == (volume.at("boundary_triangles") > 0),
+      "code for boundary triangles exactly where there are some");
+    this->Expect(has("perspective"), "a picture in perspective");
+    this->Expect(volume.at("pixel_stride") == 1, "every pixel computed");
+    this->Expect(volume.at("tetrahedra_drawn") > 0, "tetrahedra drawn");
+    this->Expect(volume.at("tetrahedra_drawn") <= volume.at("tetrahedra"), "none drawn twice");
+    this->Expect(volume.at("adjacency") == (sort == "mpvonc"), "adjacency for MPVONC only");
+    this->Expect(volume.at("sorted") == (sort != "none"), "sorted as the sort mode says");
+    this->Expect((volume.at("layers") > 0) == (blend == "priority"), "layers for priority only");
+    this->Expect(volume.at("passes") == (blend == "priority" ? volume.at("layers").get<int>() : 1),
+      "one pass, or one for each layer");
+    if (sort == "none")
+    {
+      this->Expect(volume.at("cycles") == 0 && volume.at("gaps") == 0, "no order looked for");
+    }
+    if (this->Scene == "interval-cycle" || this->Scene == "interval-intersection")
+    {
+      this->Expect(sort == "none", "one colour or overlapping meshes need no order");
+    }
+    if (this->Scene == "interval-priority")
+    {
+      this->Expect(blend == "priority" && sort == "none", "priority without an order");
+    }
+    if (this->Scene == "interval-constant")
+    {
+      this->Expect(blend == "composite" && sort == "mpvonc", "one mesh in order of visibility");
+    }
   }
 
   void Expect(bool holds, const std::string& what)

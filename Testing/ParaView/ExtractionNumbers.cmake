@@ -1,5 +1,8 @@
-# In the build of the VTK modules: the numbers for ParaView to repeat, and the defaults of its XML.
-find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel ImagingCore IOLegacy IOXML IOXMLParser)
+# In the build of the VTK modules: the numbers and pictures for ParaView to repeat, and the defaults of
+# its XML.
+find_package(VTK 9.1 REQUIRED
+  COMPONENTS CommonCore CommonDataModel ImagingCore IOImage IOLegacy IOXML IOXMLParser
+    RenderingCore RenderingOpenGL2 RenderingVolume)
 find_package(nlohmann_json REQUIRED)
 
 add_executable(ExtractionNumbers 
@@ -11,8 +14,17 @@ set(extractions_folder "${CMAKE_BINARY_DIR}/Testing/Extractions")
 file(MAKE_DIRECTORY "${extractions_folder}")
 add_test(NAME TestExtractionNumbers COMMAND ExtractionNumbers "${extractions_folder}")
 
+add_executable(RepresentationPictures RepresentationPictures.cxx)
+target_link_libraries(RepresentationPictures PRIVATE
+  InterlumeTestingCommon Interlume::InterlumeIntervals Interlume::InterlumeTetrahedra VTK::IOImage
+  VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingVolume nlohmann_json::nlohmann_json)
+vtk_module_autoinit(TARGETS RepresentationPictures
+  MODULES VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingVolume)
+add_test(NAME TestRepresentationPictures COMMAND RepresentationPictures "${extractions_folder}")
+
 add_executable(TestPluginXMLDefaults TestPluginXMLDefaults.cxx)
-target_link_libraries(TestPluginXMLDefaults PRIVATE Interlume::InterlumeIntervals VTK::IOXMLParser)
+target_link_libraries(TestPluginXMLDefaults PRIVATE
+  Interlume::InterlumeIntervals Interlume::InterlumeTetrahedra VTK::IOXMLParser)
 if (INTERLUME_ENABLE_TETGEN)
   target_link_libraries(TestPluginXMLDefaults PRIVATE Interlume::InterlumeMeshing)
   target_compile_definitions(TestPluginXMLDefaults PRIVATE INTERLUME_ENABLE_TETGEN)
@@ -22,3 +34,6 @@ add_test(NAME TestPluginXMLDefaults COMMAND TestPluginXMLDefaults "${PROJECT_SOU
 set_tests_properties(TestExtractionNumbers TestPluginXMLDefaults PROPERTIES
   LABELS "value;quick"
   FAIL_REGULAR_EXPRESSION "ERROR: ;Warning: ")
+set_tests_properties(TestRepresentationPictures PROPERTIES
+  LABELS image
+  FAIL_REGULAR_EXPRESSION "ERROR: ;Warning: ;ERR\\|;WARN\\|")

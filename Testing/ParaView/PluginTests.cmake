@@ -1,6 +1,6 @@
 # In the build of the plugin: scripts that pvbatch runs, alone and with four MPI ranks.
 set(INTERLUME_EXTRACTIONS "" CACHE PATH
-  "The folder that TestExtractionNumbers wrote in a build of the VTK modules")
+  "The folder that TestExtractionNumbers and TestRepresentationPictures wrote in a build of the VTK modules")
 if (NOT INTERLUME_EXTRACTIONS)
   message(FATAL_ERROR
     "The plugin's tests need INTERLUME_EXTRACTIONS, a folder that the tests of a build of the VTK "
@@ -51,3 +51,8 @@ set_tests_properties(TestPluginOnePiece PROPERTIES FIXTURES_SETUP one_piece)
 set_tests_properties(TestPluginPieces PROPERTIES FIXTURES_REQUIRED one_piece RUN_SERIAL ON)
 plugin_test(TestPluginPicture "paraview;image"
   ${batch} "${script}/TestPluginPicture.py" "${CMAKE_CURRENT_BINARY_DIR}/TestPluginPicture.png")
+plugin_test(TestPluginRepresentation "paraview;image"
+  ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" whole)
+plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
+  ${ranks} ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
+set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON)

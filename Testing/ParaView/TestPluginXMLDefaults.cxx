@@ -7,6 +7,7 @@
 #ifdef INTERLUME_ENABLE_TETGEN
 #include "vtkTetrahedralMesher.h"
 #endif
+#include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLUtilities.h"
 
@@ -45,15 +46,18 @@ bool TakesValueFromData(vtkXMLDataElement* property)
   return property->FindNestedElementWithName("ArrayRangeDomain") ||
     property->FindNestedElementWithName("DataTypeDomain") ||
     property->FindNestedElementWithName("ArrayListDomain") ||
+    property->FindNestedElementWithName("BoundsDomain") ||
     property->FindNestedElementWithName("InputArrayDomain");
 }
 
-void CompareWithXML(const std::string& file, const std::string& className, const Defaults& defaults)
+// Compares the properties whose names start with the prefix.
+void CompareWithXML(const std::string& file, const std::string& proxyKind,
+  const std::string& className, const std::string& prefix, const Defaults& defaults)
 {
   vtkSmartPointer<vtkXMLDataElement> root;
   root.TakeReference(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
-  vtkXMLDataElement* proxy = root ? root->LookupElementWithName("SourceProxy") : nullptr;
-  Check(proxy != nullptr, file + " has a SourceProxy");
+  vtkXMLDataElement* proxy = root ? root->LookupElementWithName(proxyKind.c_str()) : nullptr;
+  Check(proxy != nullptr, file + " has a " + proxyKind);
   if (!proxy)
   {
     return;
@@ -70,6 +74,10 @@ void CompareWithXML(const std::string& file, const std::string& className, const
       continue;
     }
     const std::string name = property->GetAttribute("name");
+    if (name.compare(0, prefix.size(), prefix) != 0)
+    {
+      continue;
+    }
     const auto expected = defaults.find(name);
     if (expected == defaults.end())
     {
@@ -98,20 +106,20 @@ int main(int argc, char* argv[])
   vtkNew<vtkIntervalVolume> interval;
   Check(interval->GetNumberOfIntervals() == 0, "vtkIntervalVolume starts without an interval");
   Check(interval->GetNumberOfCriteria() == 0, "vtkIntervalVolume starts without a criterion");
-  CompareWithXML(folder + "/IntervalVolume.xml", "vtkIntervalVolume",
+  CompareWithXML(folder + "/IntervalVolume.xml", "SourceProxy", "vtkIntervalVolume", "",
     { { "Criteria", "" }, { "GenerateBoundaries", Text(interval->GetGenerateBoundaries()) },
       { "OutputPointsPrecision", Text(interval->GetOutputPointsPrecision()) },
       { "UseValueIndex", Text(interval->GetUseValueIndex()) } });
 
   vtkNew<vtkIsotableContour> contour;
   Check(contour->GetNumberOfContours() == 0, "vtkIsotableContour starts without a value");
-  CompareWithXML(folder + "/IsotableContour.xml", "vtkIsotableContour",
+  CompareWithXML(folder + "/IsotableContour.xml", "SourceProxy", "vtkIsotableContour", "",
     { { "OutputPointsPrecision", Text(contour->GetOutputPointsPrecision()) },
       { "UseValueIndex", Text(contour->GetUseValueIndex()) } });
 
 #ifdef INTERLUME_ENABLE_TETGEN
   vtkNew<vtkTetrahedralMesher> mesher;
-  CompareWithXML(folder + "/TetrahedralMesher.xml", "vtkTetrahedralMesher",
+  CompareWithXML(folder + "/TetrahedralMesher.xml", "SourceProxy", "vtkTetrahedralMesher", "",
     { { "QualityBound", Text(mesher->GetQualityBound()) },
       { "MinimumDihedralAngle", Text(mesher->GetMinimumDihedralAngle()) },
       { "MaximumVolume", Text(mesher->GetMaximumVolume()) },
@@ -120,5 +128,20 @@ int main(int argc, char* argv[])
       { "FillNestedShells", Text(mesher->GetFillNestedShells()) },
       { "TimeLimit", Text(mesher->GetTimeLimit()) } });
 #endif
+
+  // The representation's own properties; the others are those of ParaView's volumes.
+  vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;
+  Check(mapper->GetDeltaTArrayName() == nullptr, "the mapper takes DeltaT where there is one");
+  Check(mapper->GetLayerPriority(3) == 3.0, "the mapper's priorities are the layers' numbers");
+  CompareWithXML(folder + "/IntervalVolumeRepresentation.xml", "RepresentationProxy",
+    "vtkIntervalVolumeRepresentation", "Interval",
+    { { "IntervalBlendMode", Text(mapper->GetBlendMode()) },
+      { "IntervalSortMode", Text(mapper->GetSortMode()) },
+      { "IntervalIntegrationMode", Text(mapper->GetIntegrationMode()) },
+      { "IntervalRenderPath", Text(mapper->GetRenderPath()) },
+      { "IntervalAutoAdjustLevelOfDetail", Text(mapper->GetAutoAdjustLevelOfDetail()) },
+      { "IntervalDeltaTArrayName", "DeltaT" },
+      { "IntervalLayerArrayName", mapper->GetLayerArrayName() },
+      { "IntervalLayerPriorities", "" } });
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,35 +1,42 @@
 #include "BluntFin.h"
 
+#include "DataFiles.h"
 #include "Look.h"
 #include "Props.h"
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredData.h"
 #include "vtkStructuredGrid.h"
 
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
 namespace gallery
 {
 namespace
 {
-/// The lid between the upper edge of the fin's side and its mirror image.
+/// The lid between the upper edges of both sides of the fin.
 vtkSmartPointer<vtkPolyData> MakeLid(vtkStructuredGrid* flow)
 {
   int dimensions[3];
   flow->GetDimensions(dimensions);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> quads;
-  for (int i = 0; i < dimensions[0]; ++i)
+  for (int i = 0; i <= dimensions[0] / 2; ++i)
   {
-    int place[3] = { i, 0, dimensions[2] - 1 };
-    double point[3];
-    flow->GetPoint(vtkStructuredData::ComputePointId(dimensions, place), point);
-    points->InsertNextPoint(point);
-    points->InsertNextPoint(point[0], -point[1], point[2]);
+    for (const int side : { i, dimensions[0] - 1 - i })
+    {
+      int place[3] = { side, 0, dimensions[2] - 1 };
+      points->InsertNextPoint(flow->GetPoint(vtkStructuredData::ComputePointId(dimensions, place)));
+    }
     if (i > 0)
     {
       const vtkIdType last = 2 * static_cast<vtkIdType>(i);
@@ -37,17 +44,69 @@ vtkSmartPointer<vtkPolyData> MakeLid(vtkStructuredGrid* flow)
       quads->InsertNextCell(4, corners);
     }
   }
-  auto lid = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPolyData> lid;
   lid->SetPoints(points);
   lid->SetPolys(quads);
   return MakeSurface(lid);
 }
 }
 
+vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
+{
+  vtkSmartPointer<vtkDataSet> data =
+    AddMagnitude(interlume::ReadData("bluntfin.vts"), "Velocity", "Speed");
+  vtkStructuredGrid* half = vtkStructuredGrid::SafeDownCast(data);
+  int dimensions[3];
+  half->GetDimensions(dimensions);
+  int wholeDimensions[3] = { 2 * dimensions[0] - 1, dimensions[1], dimensions[2] };
+  auto whole = vtkSmartPointer<vtkStructuredGrid>::New();
+  whole->SetDimensions(wholeDimensions);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(half->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(
+    static_cast<vtkIdType>(wholeDimensions[0]) * wholeDimensions[1] * wholeDimensions[2]);
+  whole->SetPoints(points);
+  std::vector<std::pair<vtkDataArray*, vtkDataArray*>> arrays;
+  for (int array = 0; array < half->GetPointData()->GetNumberOfArrays(); ++array)
+  {
+    vtkDataArray* from = half->GetPointData()->GetArray(array);
+    if (from && from->GetNumberOfComponents() == 1)
+    {
+      auto to = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
+      to->SetName(from->GetName());
+      to->SetNumberOfTuples(points->GetNumberOfPoints());
+      whole->GetPointData()->AddArray(to);
+      arrays.emplace_back(from, to);
+    }
+  }
+  for (int k = 0; k < dimensions[2]; ++k)
+  {
+    for (int j = 0; j < dimensions[1]; ++j)
+    {
+      for (int i = 0; i < wholeDimensions[0]; ++i)
+      {
+        const int offset = i - (dimensions[0] - 1);
+        int place[3] = { std::abs(offset), j, k };
+        int wholePlace[3] = { i, j, k };
+        const vtkIdType from = vtkStructuredData::ComputePointId(dimensions, place);
+        const vtkIdType to = vtkStructuredData::ComputePointId(wholeDimensions, wholePlace);
+        double point[3];
+        half->GetPoint(from, point);
+        points->SetPoint(to, point[0], offset < 0 ? -point[1] : point[1], point[2]);
+        for (const auto& array : arrays)
+        {
+          array.second->SetTuple(to, from, array.first);
+        }
+      }
+    }
+  }
+  return whole;
+}
+
 vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow)
 {
   vtkNew<vtkAppendPolyData> fin;
-  fin->AddInputData(AddMirrorImage(MakeWall(flow, 1, 0)));
+  fin->AddInputData(MakeWall(flow, 1, 0));
   fin->AddInputData(MakeLid(flow));
   fin->Update();
   return MakeActor(fin->GetOutput(), Pencil());
@@ -55,6 +114,6 @@ vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow)
 
 vtkSmartPointer<vtkActor> MakeBluntFinPlate(vtkStructuredGrid* flow)
 {
-  return MakeActor(AddMirrorImage(MakeWall(flow, 2, 0)), Pencil());
+  return MakeActor(MakeWall(flow, 2, 0), Pencil());
 }
 }

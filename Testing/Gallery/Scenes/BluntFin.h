@@ -9,8 +9,14 @@ class vtkStructuredGrid;
 namespace gallery
 {
 /**
- * The fin in the blunt fin data: both sides and the top. The grid holds one side of the flow; its
- * surface j = 0 lies on the fin, and the plane of symmetry is y = 0.
+ * The flow past a blunt fin, both halves. The data hold one, whose surface i = 0 is the plane of
+ * symmetry y = 0 upstream of the fin; the other is its mirror image, and both share the points of
+ * that surface. Point arrays of one component are kept, and `Speed` is the length of the velocity.
+ */
+vtkSmartPointer<vtkStructuredGrid> ReadBluntFin();
+
+/**
+ * The fin in the flow: both sides, surface j = 0, and the top.
  */
 vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow);
 

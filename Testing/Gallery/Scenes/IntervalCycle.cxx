@@ -5,13 +5,13 @@
 #include "Props.h"
 #include "Scene.h"
 #include "Stage.h"
+#include "Volumes.h"
 
-#include "vtkActor.h"
 #include "vtkExtractVOI.h"
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
-#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
 
 #include <array>
 
@@ -20,25 +20,27 @@ namespace
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkDataSet> bonsai = interlume::ReadData("bonsai.vti");
-  vtkNew<vtkExtractVOI> withoutTable;
-  withoutTable->SetInputData(bonsai);
-  withoutTable->SetVOI(20, 235, 20, 235, 0, 255);
-  withoutTable->Update();
-  vtkSmartPointer<vtkImageData> half = gallery::Reduce(withoutTable->GetOutput(), 2);
+  vtkNew<vtkExtractVOI> crown;
+  crown->SetInputData(bonsai);
+  crown->SetVOI(20, 235, 96, 255, 0, 255);
+  crown->Update();
+  vtkSmartPointer<vtkImageData> half = gallery::Reduce(crown->GetOutput(), 2);
 
-  const std::array<double, 4> bounds = { { 34.0, 75.0, 140.0, 255.0 } };
-  const std::array<const char*, 3> captions = { { "34 to 75", "75 to 140", "140 to 255" } };
-  const std::array<int, 3> colours = { { 1, 2, 3 } };
+  const std::array<double, 5> bounds = { { 26.0, 38.0, 55.0, 85.0, 255.0 } };
+  const std::array<const char*, 4> captions = { { "26 to 38", "38 to 55", "55 to 85",
+    "85 to 255" } };
+  const std::array<double, 4> extinctions = { { 0.12, 0.18, 0.18, 0.18 } };
   vtkNew<vtkIntervalVolume> interval;
   interval->SetNumberOfIntervals(1);
+  stage.SetColumns(2);
   gallery::Panel* first = nullptr;
   for (int i = 0; i < static_cast<int>(captions.size()); ++i)
   {
     interval->SetInterval(0, bounds[i], bounds[i + 1]);
     vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, half);
     gallery::Panel& panel = stage.AddPanel(captions[i]);
-    panel.Add(gallery::MakeActor(
-      gallery::MakeSurface(tetrahedra, 80.0), gallery::IntervalColour(colours[i])));
+    panel.Add(gallery::MakeVolumeOfIntervals(
+      tetrahedra, { { gallery::IntervalColour(i), extinctions[i] } }));
     if (first)
     {
       panel.LookAs(*first);
@@ -51,9 +53,10 @@ void Build(gallery::Stage& stage)
   }
 }
 
-const gallery::SceneRegistration registration({ "interval-cycle", "3.5",
-  "Adjacent intervals shown in turn",
-  "CT of a bonsai. Three adjacent intervals, one after the other from low to high values: leaves, "
-  "wood, and the pot with its gravel. Each is of one colour, so no order of drawing matters.",
-  { "bonsai.vti" }, &Build });
+const gallery::SceneRegistration registration(
+  { "interval-cycle", "3.5", "Adjacent intervals shown in turn",
+    "The crown of a bonsai in a CT scanner. Four adjacent intervals, one after the other "
+    "from low to high values: leaves, twigs, branches, and the core of the wood. Each is of "
+    "one colour, so no order of drawing matters, and nothing is sorted.",
+    { "bonsai.vti" }, &Build });
 }

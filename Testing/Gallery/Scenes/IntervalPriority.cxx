@@ -2,15 +2,15 @@
 
 #include "DataFiles.h"
 #include "Look.h"
-#include "Props.h"
 #include "Scene.h"
 #include "Stage.h"
+#include "Volumes.h"
 
-#include "vtkActor.h"
 #include "vtkDataSet.h"
 #include "vtkIntervalVolume.h"
-#include "vtkPolyData.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
 
 #include <array>
 
@@ -22,6 +22,7 @@ void Build(gallery::Stage& stage)
   const std::array<double, 5> bounds = { { 30.0, 70.0, 120.0, 180.0, 255.0 } };
   const std::array<const char*, 4> labels = { { "30 to 70", "70 to 120", "120 to 180",
     "180 to 255" } };
+  const std::array<double, 4> extinctions = { { 0.12, 0.1, 0.15, 0.15 } };
   const int count = static_cast<int>(labels.size());
   vtkNew<vtkIntervalVolume> intervals;
   intervals->SetNumberOfIntervals(count);
@@ -35,31 +36,31 @@ void Build(gallery::Stage& stage)
   gallery::Panel& inside = stage.AddPanel("high values painted last");
   outside.LookFrom({ -1.0, -0.7, 0.5 }, { 0.0, 0.0, 1.0 });
   inside.LookAs(outside);
-  std::vector<vtkSmartPointer<vtkActor>> actors;
+  std::vector<gallery::IntervalLook> looks;
   std::vector<gallery::ColourEntry> key;
   for (int i = 0; i < count; ++i)
   {
-    vtkSmartPointer<vtkPolyData> surface = gallery::MakeSurface(gallery::SelectInterval(mesh, i));
-    actors.push_back(gallery::MakeActor(surface, gallery::IntervalColour(i), 0.7));
+    looks.push_back({ gallery::IntervalColour(i), extinctions[i] });
     key.emplace_back(gallery::IntervalColour(i), labels[i]);
   }
-  for (int i = 0; i < count; ++i)
+  for (gallery::Panel* panel : { &outside, &inside })
   {
-    if (i > 0)
+    vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeOfIntervals(mesh, looks);
+    vtkTimeWeightedTetrahedraMapper* mapper = gallery::GetMapper(volume);
+    mapper->SetBlendModeToPriority();
+    for (int i = 0; i < count; ++i)
     {
-      outside.AddLayer();
-      inside.AddLayer();
+      mapper->SetLayerPriority(i, panel == &inside ? i : count - 1 - i);
     }
-    outside.Add(actors[count - 1 - i]);
-    inside.Add(actors[i]);
+    panel->Add(volume);
   }
   stage.SetColourKey("", key);
 }
 
-const gallery::SceneRegistration registration({ "interval-priority", "3.6",
-  "Intervals by priority, and by its reverse",
-  "Electron density of a protein in four intervals. Each is painted over those before it, whatever "
-  "their depth: with low values last the outer surface dominates, with high values last the cores "
-  "shine through.",
-  { "neghip.vti" }, &Build });
+const gallery::SceneRegistration registration(
+  { "interval-priority", "3.6", "Intervals by priority, and by its reverse",
+    "Electron density of a protein in four intervals. Each is drawn over those before it, "
+    "whatever their depth, and none is sorted: with low values last the outer shell "
+    "dominates, with high values last the cores stand out.",
+    { "neghip.vti" }, &Build });
 }

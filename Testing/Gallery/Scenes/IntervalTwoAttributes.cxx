@@ -1,7 +1,6 @@
 // Extracted by one array, coloured by another.
 
 #include "BluntFin.h"
-#include "DataFiles.h"
 #include "Look.h"
 #include "Props.h"
 #include "Scene.h"
@@ -10,7 +9,6 @@
 #include "vtkActor.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataObject.h"
-#include "vtkDataSet.h"
 #include "vtkIntervalVolume.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
@@ -21,8 +19,7 @@ namespace
 void Build(gallery::Stage& stage)
 {
   const double slow = 1.75;
-  vtkSmartPointer<vtkDataSet> flow =
-    gallery::AddMagnitude(interlume::ReadData("bluntfin.vts"), "Velocity", "Speed");
+  vtkSmartPointer<vtkStructuredGrid> flow = gallery::ReadBluntFin();
   vtkNew<vtkIntervalVolume> interval;
   interval->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Speed");
   interval->SetNumberOfIntervals(1);
@@ -34,9 +31,8 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkColorTransferFunction> colours =
     gallery::MakeColourMap(gallery::Map::Viridis, lower, upper);
   gallery::Panel& panel = stage.AddPanel("");
-  panel.Add(gallery::MakeColouredActor(
-    gallery::AddMirrorImage(gallery::MakeSurface(tetrahedra)), "Pressure", colours));
-  panel.Add(gallery::MakeBluntFin(vtkStructuredGrid::SafeDownCast(flow)));
+  panel.Add(gallery::MakeColouredActor(gallery::MakeSurface(tetrahedra), "Pressure", colours));
+  panel.Add(gallery::MakeBluntFin(flow));
   panel.LookFrom({ -1.0, 0.8, 0.8 }, { 0.0, 0.0, 1.0 });
   stage.SetColourBar(
     "pressure where the speed is below 1.75 (above 1.6 drawn as 1.6)", colours, lower, upper);

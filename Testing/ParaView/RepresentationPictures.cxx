@@ -1,0 +1,199 @@
+// Writes a folder for the test of the plugin's representation: representation.json, a list of
+// pictures (what was extracted from which data, how it was drawn, from where), and each picture as
+// `<name>.png`. ParaView is asked the same and must draw the same. The data are those that
+// ExtractionNumbers leaves there.
+#include "DataFiles.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkIntervalVolume.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using nlohmann::json;
+using Mapper = vtkTimeWeightedTetrahedraMapper;
+
+namespace
+{
+// Two touching intervals of the temperature around a hot disk, seen from aside; colours and
+// opacities as rows of value, red, green, blue and of value, opacity.
+const json COMMON = { { "data", "disk_out_ref" }, { "array", "Temp" },
+  { "intervals", { { 360.0, 480.0 }, { 480.0, 800.0 } } }, { "size", { 400, 300 } },
+  { "background", { 0.925, 0.929, 0.933 } },
+  { "camera",
+    { { "position", { 15.0, -18.0, 11.0 } }, { "focus", { 0.0, 0.0, 1.5 } },
+      { "up", { 0.0, 0.0, 1.0 } }, { "angle", 30.0 } } },
+  { "unit", 2.0 }, { "blend", Mapper::AUTOMATIC_BLEND }, { "sort", Mapper::AUTOMATIC_SORT },
+  { "integration", Mapper::LINEAR_SEGMENT }, { "path", Mapper::AUTOMATIC_PATH },
+  { "delta_t", "DeltaT" }, { "priorities", json::array() } };
+
+const json BY_TEMPERATURE = { { "color_by", { "POINTS", "Temp" } },
+  { "colors",
+    { { 360.0, 0.23, 0.30, 0.75 }, { 500.0, 0.87, 0.87, 0.87 }, { 800.0, 0.71, 0.02, 0.15 } } },
+  { "opacities", { { 360.0, 0.1 }, { 480.0, 0.4 }, { 800.0, 2.0 } } } };
+
+const json BY_INTERVAL = { { "color_by", { "CELLS", "IntervalId" } },
+  { "colors", { { 0.0, 0.22, 0.44, 0.72 }, { 1.0, 0.93, 0.69, 0.26 } } },
+  { "opacities", { { 0.0, 0.4 }, { 1.0, 0.8 } } } };
+
+json MakeCase(const std::string& name, const json& colors, const json& changes)
+{
+  json result = COMMON;
+  result.update(colors);
+  result.update(changes);
+  result["name"] = name;
+  return result;
+}
+
+std::vector<json> AllCases()
+{
+  return { MakeCase("by-temperature", BY_TEMPERATURE, json::object()),
+    MakeCase("averaged-unsorted", BY_TEMPERATURE,
+      { { "integration", Mapper::AVERAGE_COLOR }, { "sort", Mapper::NO_SORT } }),
+    MakeCase("extent-in-time", BY_TEMPERATURE, { { "delta_t", "AsH3" }, { "unit", 0.1 } }),
+    MakeCase("by-interval", BY_INTERVAL, { { "sort", Mapper::CENTROID_SORT } }),
+    MakeCase("outer-first", BY_INTERVAL,
+      { { "blend", Mapper::PRIORITY_BLEND }, { "priorities", { { 0, 2.0 } } } }),
+    MakeCase("opengl", BY_INTERVAL,
+      { { "path", Mapper::OPENGL_PATH }, { "blend", Mapper::OPTICAL_DEPTH_BLEND } }) };
+}
+
+std::array<double, 3> Triple(const json& numbers)
+{
+  return numbers.get<std::array<double, 3>>();
+}
+
+void SetUpMapper(Mapper* mapper, const json& picture)
+{
+  const bool isOfCells = picture["color_by"][0] == "CELLS";
+  mapper->SetScalarMode(
+    isOfCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  mapper->SelectScalarArray(picture["color_by"][1].get<std::string>().c_str());
+  mapper->SetBlendMode(picture["blend"]);
+  mapper->SetSortMode(picture["sort"]);
+  mapper->SetIntegrationMode(picture["integration"]);
+  mapper->SetRenderPath(picture["path"]);
+  if (picture["delta_t"] != "DeltaT")
+  {
+    mapper->SetDeltaTArrayName(picture["delta_t"].get<std::string>().c_str());
+  }
+  for (const json& priority : picture["priorities"])
+  {
+    mapper->SetLayerPriority(priority[0], priority[1]);
+  }
+}
+
+void SetUpProperty(vtkVolumeProperty* property, const json& picture)
+{
+  vtkNew<vtkColorTransferFunction> colors;
+  for (const json& row : picture["colors"])
+  {
+    colors->AddRGBPoint(row[0], row[1], row[2], row[3]);
+  }
+  vtkNew<vtkPiecewiseFunction> opacities;
+  for (const json& row : picture["opacities"])
+  {
+    opacities->AddPoint(row[0], row[1]);
+  }
+  property->SetColor(colors);
+  property->SetScalarOpacity(opacities);
+  property->SetScalarOpacityUnitDistance(picture["unit"]);
+}
+
+void Draw(const json& picture, const std::string& folder)
+{
+  vtkNew<vtkIntervalVolume> filter;
+  filter->SetInputData(interlume::ReadData(picture["data"].get<std::string>() + ".vtu"));
+  filter->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, picture["array"].get<std::string>().c_str());
+  filter->SetNumberOfIntervals(static_cast<int>(picture["intervals"].size()));
+  int interval = 0;
+  for (const json& range : picture["intervals"])
+  {
+    filter->SetInterval(interval++, range[0], range[1]);
+  }
+  vtkNew<Mapper> mapper;
+  mapper->SetInputConnection(filter->GetOutputPort());
+  SetUpMapper(mapper, picture);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  SetUpProperty(volume->GetProperty(), picture);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddVolume(volume);
+  renderer->SetBackground(Triple(picture["background"]).data());
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(Triple(picture["camera"]["position"]).data());
+  camera->SetFocalPoint(Triple(picture["camera"]["focus"]).data());
+  camera->SetViewUp(Triple(picture["camera"]["up"]).data());
+  camera->SetViewAngle(picture["camera"]["angle"]);
+  renderer->ResetCameraClippingRange();
+  vtkNew<vtkRenderWindow> window;
+  window->OffScreenRenderingOn();
+  window->SetMultiSamples(0);
+  window->SetSize(picture["size"][0], picture["size"][1]);
+  window->AddRenderer(renderer);
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grabber;
+  grabber->SetInput(window);
+  grabber->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grabber->GetOutputPort());
+  writer->SetFileName((folder + "/" + picture["name"].get<std::string>() + ".png").c_str());
+  writer->Write();
+  if (writer->GetErrorCode())
+  {
+    throw std::runtime_error("cannot write to " + folder);
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 2)
+  {
+    std::cerr << "usage: " << argv[0] << " FOLDER\n";
+    return EXIT_FAILURE;
+  }
+  const std::string folder = argv[1];
+  try
+  {
+    // A virtual X server starts anew when its last client leaves: this one stays.
+    vtkNew<vtkRenderWindow> display;
+    display->OffScreenRenderingOn();
+    display->SetSize(8, 8);
+    display->Render();
+    const std::vector<json> cases = AllCases();
+    for (const json& picture : cases)
+    {
+      Draw(picture, folder);
+    }
+    std::ofstream(folder + "/representation.json") << json(cases).dump(2) << "\n";
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << error.what() << "\n";
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

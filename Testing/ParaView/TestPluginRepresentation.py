@@ -1,0 +1,129 @@
+"""The representation Interval Volume draws what the mapper draws in C++, pixel by pixel.
+
+Arguments: the folder for the pictures, and `whole`, or `distributed` in a run with several processes:
+each has a piece of the data, and those pictures are compared that ordered compositing can make.
+"""
+
+import json
+import os
+import sys
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+from plugin_testing import Checks, extractions_path, interval_volume, load_plugin, open_data
+
+REPRESENTATION = "Interval Volume"
+# Largest and mean difference in steps of 1/255. Both round the same numbers, in other versions of VTK.
+WHOLE_BOUNDS = (1, 0.2)
+# Cells that straddle the regions of two processes are drawn by one of them.
+DISTRIBUTED_BOUNDS = (24, 0.4)
+DISTRIBUTED_PICTURES = ("by-temperature", "by-interval")
+SMALLEST_CHANGE = 0.5  # mean difference of pictures drawn in other ways
+SMALLEST_SHARE = 0.25  # of the picture that shows something
+
+
+def draw(picture, source, path):
+    volume = interval_volume(source, picture["array"], picture["intervals"])
+    view = simple.CreateView("RenderView")
+    view.ViewSize = picture["size"]
+    view.UseColorPaletteForBackground = False
+    view.Background = picture["background"]
+    view.OrientationAxesVisibility = False
+    view.CameraPosition = picture["camera"]["position"]
+    view.CameraFocalPoint = picture["camera"]["focus"]
+    view.CameraViewUp = picture["camera"]["up"]
+    view.CameraViewAngle = picture["camera"]["angle"]
+    display = simple.Show(volume, view)
+    display.SetRepresentationType(REPRESENTATION)
+    simple.ColorBy(display, picture["color_by"], separate=True)
+    display.SetScalarBarVisibility(view, False)
+    colors = display.LookupTable
+    colors.RGBPoints = [number for row in picture["colors"] for number in row]
+    colors.ColorSpace = "RGB"
+    opacities = display.ScalarOpacityFunction
+    opacities.Points = [number for row in picture["opacities"] for number in (*row, 0.5, 0.0)]
+    display.IntervalOpacityUnitDistance = picture["unit"]
+    display.IntervalBlendMode = picture["blend"]
+    display.IntervalSortMode = picture["sort"]
+    display.IntervalIntegrationMode = picture["integration"]
+    display.IntervalRenderPath = picture["path"]
+    display.IntervalDeltaTArrayName = picture["delta_t"]
+    display.IntervalLayerPriorities = [str(number) for row in picture["priorities"] for number in row]
+    simple.SaveScreenshot(path, view, ImageResolution=picture["size"])
+    simple.Delete(view)  # while its window still has a display
+    simple.Delete(volume)
+
+
+def check_mapper(checks, display):
+    """What no picture shows reaches the mapper too."""
+    display.IntervalRenderPath = "OpenGL"
+    display.IntervalAutoAdjustLevelOfDetail = False
+    display.IntervalLayerArrayName = "TimeSlab"
+    text = str(display.GetClientSideObject().GetActiveRepresentation())
+    for line in ("RenderPath: 0", "AutoAdjustLevelOfDetail: 0", "LayerArrayName: TimeSlab"):
+        checks.that(f" {line}\n" in text.split("RenderReport:")[0], f"the mapper has {line}")
+
+
+def check_choice(checks):
+    """The representation can be chosen for the filter's output; without an array it draws nothing."""
+    volume = interval_volume(open_data("wavelet"), "RTData", [(140.0, 180.0)])
+    view = simple.CreateView("RenderView")
+    display = simple.Show(volume, view)
+    checks.that(REPRESENTATION in display.GetProperty("Representation").Available, "it can be chosen")
+    display.SetRepresentationType(REPRESENTATION)
+    simple.ColorBy(display, None)
+    simple.Render(view)
+    own = servermanager.ProxyManager().GetPrototypeProxy("representations", "IntervalVolumeRepresentation")
+    for name in display.ListProperties():
+        if name.startswith("Interval"):
+            text = display.GetProperty(name).SMProperty.GetDocumentation()
+            checks.that(text and text.GetDescription().strip(), f"{name} has a documentation")
+    checks.that(own.GetDocumentation().GetDescription().strip(), "it has a documentation")
+    check_mapper(checks, display)
+    simple.Delete(view)
+
+
+def pixels(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return values[:, :3].astype(int)
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    with open(extractions_path("representation.json"), encoding="utf-8") as file:
+        pictures = json.load(file)
+    checks.that(len(pictures) > 1, "there are pictures to repeat")
+    distributed = sys.argv[2] == "distributed"
+    largest, mean = DISTRIBUTED_BOUNDS if distributed else WHOLE_BOUNDS
+    if distributed:
+        pictures = [picture for picture in pictures if picture["name"] in DISTRIBUTED_PICTURES]
+    else:
+        check_choice(checks)
+    seen = {}
+    for picture in pictures:
+        name = picture["name"]
+        path = os.path.join(sys.argv[1], f"TestPluginRepresentation-{sys.argv[2]}-{name}.png")
+        data = picture["data"]
+        draw(picture, open_data(f"{data}_pieces.pvtu" if distributed else data), path)
+        drawn, expected = pixels(path), pixels(extractions_path(name + ".png"))
+        difference = numpy.abs(drawn - expected)
+        shown = numpy.mean((drawn != drawn[0]).any(axis=1))
+        print(f"{name}: largest {difference.max()}, mean {difference.mean():.5f}, shown {shown:.3f}")
+        checks.that(difference.max() <= largest, f"{name}, every pixel")
+        checks.that(difference.mean() <= mean, f"{name}, the mean")
+        checks.that(shown >= SMALLEST_SHARE, f"{name} shows something")
+        for other, shot in seen.items():
+            change = numpy.abs(drawn - shot).mean()
+            checks.that(change >= SMALLEST_CHANGE, f"{name} differs from {other}: {change}")
+        seen[name] = drawn
+    checks.finish()
+
+
+main()
