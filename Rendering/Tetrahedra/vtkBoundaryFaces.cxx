@@ -181,8 +181,8 @@ vtkBoundaryFaces::Counts vtkBoundaryFaces::Build(vtkDataSet* triangles, vtkUnstr
   for (std::uint32_t t = 0; t < mesh.GetNumberOfTetrahedra(); ++t)
   {
     const std::uint32_t* corners = mesh.GetCorners(t);
-    const int marked = isCorner[corners[0]] + isCorner[corners[1]] + isCorner[corners[2]] +
-      isCorner[corners[3]];
+    const int marked =
+      isCorner[corners[0]] + isCorner[corners[1]] + isCorner[corners[2]] + isCorner[corners[3]];
     for (int face = 0; face < 4 && marked >= 3; ++face)
     {
       Ids key;

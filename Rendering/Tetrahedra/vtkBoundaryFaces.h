@@ -12,8 +12,8 @@ class vtkUnstructuredGrid;
  * @class   vtkBoundaryFaces
  * @brief   finds the tetrahedra that boundary triangles are faces of
  *
- * A triangle is drawn with the first tetrahedron that has it as a face. Its points are the grid's by
- * their ids, or, where a filter left some out, by their exact coordinates.
+ * A triangle is drawn with the first tetrahedron that has it as a face. Its points are the grid's
+ * by their ids, or, where a filter left some out, by their exact coordinates.
  */
 class vtkBoundaryFaces
 {
@@ -26,8 +26,8 @@ public:
   };
 
   /**
-   * Sets faces, normals and texture coordinates of \a fields. Normals are those of \a triangles, or the
-   * mean of the triangles around a point.
+   * Sets faces, normals and texture coordinates of \a fields. Normals are those of \a triangles, or
+   * the mean of the triangles around a point.
    */
   static Counts Build(vtkDataSet* triangles, vtkUnstructuredGrid* grid,
     const vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields);

@@ -37,8 +37,8 @@ std::array<float, 3> ToFloat(const double v[3])
 }
 
 //------------------------------------------------------------------------------
-void vtkBoundaryShading::Set(vtkRenderer* renderer, const vtkTetrahedraView& view,
-  vtkProperty* property, vtkTexture* texture)
+void vtkBoundaryShading::Set(
+  vtkRenderer* renderer, const vtkTetrahedraView& view, vtkProperty* property, vtkTexture* texture)
 {
   this->Base = { { 0.0f, 0.0f, 0.0f, static_cast<float>(property->GetOpacity()) } };
   for (int c = 0; c < 3; ++c)
@@ -92,8 +92,8 @@ void vtkBoundaryShading::Set(vtkRenderer* renderer, const vtkTetrahedraView& vie
       const int i2 = (i + 2) % 3;
       const int j1 = (j + 1) % 3;
       const int j2 = (j + 2) % 3;
-      this->NormalMatrix[3 * i + j] = static_cast<float>(
-        m[4 * i1 + j1] * m[4 * i2 + j2] - m[4 * i1 + j2] * m[4 * i2 + j1]);
+      this->NormalMatrix[3 * i + j] =
+        static_cast<float>(m[4 * i1 + j1] * m[4 * i2 + j2] - m[4 * i1 + j2] * m[4 * i2 + j1]);
     }
   }
   this->SetImage(texture);
@@ -134,8 +134,8 @@ void vtkBoundaryShading::SetImage(vtkTexture* texture)
   {
     const auto get = [&](int c)
     {
-      const double value = mapped ? mapped[4 * i + c]
-                                  : scalars->GetComponent(static_cast<vtkIdType>(i), c);
+      const double value =
+        mapped ? mapped[4 * i + c] : scalars->GetComponent(static_cast<vtkIdType>(i), c);
       return static_cast<float>(value / 255.0);
     };
     // One component is grey, two are grey and opacity.
@@ -162,8 +162,7 @@ vtkBoundaryShading::Color vtkBoundaryShading::Sample(double u, double v) const
     for (int i = 0; i < 2; ++i)
     {
       const int pixel = static_cast<int>(whole) + i;
-      ends[i] =
-        this->Repeated ? (pixel + size) % size : std::max(0, std::min(pixel, size - 1));
+      ends[i] = this->Repeated ? (pixel + size) % size : std::max(0, std::min(pixel, size - 1));
     }
     return static_cast<float>(at - whole);
   };
@@ -235,8 +234,8 @@ vtkBoundaryShading::Color vtkBoundaryShading::Shade(const std::array<double, 3>&
     for (int c = 0; c < 3; ++c)
     {
       color[c] += light.Color[c] *
-        static_cast<float>(base[c] * this->Shares[1] * cosine +
-          this->SpecularColor[c] * this->Shares[2] * shine);
+        static_cast<float>(
+          base[c] * this->Shares[1] * cosine + this->SpecularColor[c] * this->Shares[2] * shine);
     }
   }
   for (int c = 0; c < 3; ++c)

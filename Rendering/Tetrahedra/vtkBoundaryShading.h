@@ -14,8 +14,8 @@ class vtkTexture;
  * @class   vtkBoundaryShading
  * @brief   how boundary triangles look
  *
- * The renderer's lights, up to MAXIMUM_LIGHTS that are switched on, with ambient, diffuse and specular
- * light on either side, and an image over the texture coordinates.
+ * The renderer's lights, up to MAXIMUM_LIGHTS that are switched on, with ambient, diffuse and
+ * specular light on either side, and an image over the texture coordinates.
  */
 class vtkBoundaryShading
 {
@@ -38,8 +38,8 @@ public:
     vtkTexture* texture);
 
   /**
-   * Colour times opacity at a point in eye coordinates. \a normal is in mesh coordinates, of any length
-   * and either side.
+   * Colour times opacity at a point in eye coordinates. \a normal is in mesh coordinates, of any
+   * length and either side.
    */
   Color Shade(const std::array<double, 3>& eye, const std::array<double, 3>& normal,
     const std::array<double, 2>& textureCoordinates) const;

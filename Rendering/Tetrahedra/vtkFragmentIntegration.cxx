@@ -25,7 +25,8 @@ inline float ExpOfMinus(float x)
       (-0.693147181f +
         f *
           (0.240226462f +
-            f * (-0.0555033400f + f * (0.00961403240f + f * (-0.00132710570f + f * 0.000137200f)))));
+            f *
+              (-0.0555033400f + f * (0.00961403240f + f * (-0.00132710570f + f * 0.000137200f)))));
   const int bits = (127 - whole) << 23;
   float scale;
   std::memcpy(&scale, &bits, sizeof(scale));
@@ -37,7 +38,9 @@ inline float ThinOpacityOf(float x)
 {
   return x *
     (1.0f -
-      x * (0.5f - x * (0.166666667f - x * (0.0416666667f - x * (0.00833333333f - x * 0.00138888889f)))));
+      x *
+        (0.5f -
+          x * (0.166666667f - x * (0.0416666667f - x * (0.00833333333f - x * 0.00138888889f)))));
 }
 
 inline float OpacityOf(float x)
@@ -45,8 +48,8 @@ inline float OpacityOf(float x)
   return x < THIN ? ThinOpacityOf(x) : 1.0f - ExpOfMinus(x);
 }
 
-// Optical depth over a unit of length and what tells where it lies, of extinction and extent in time
-// that are linear.
+// Optical depth over a unit of length and what tells where it lies, of extinction and extent in
+// time that are linear.
 struct Moments
 {
   float Mean;
@@ -122,8 +125,7 @@ void MakeMeans(Fragments& f, bool hasDeltaT)
   for (int i = 0; i < f.Size; ++i)
   {
     const float time = hasDeltaT ? 0.5f * (f.DeltaT[0][i] + f.DeltaT[1][i]) : 1.0f;
-    f.OpticalDepth[i] =
-      0.5f * (f.Extinction[0][i] + f.Extinction[1][i]) * time * f.Length[i];
+    f.OpticalDepth[i] = 0.5f * (f.Extinction[0][i] + f.Extinction[1][i]) * time * f.Length[i];
     f.Slope[i] = 0.0f;
   }
 }
@@ -211,9 +213,8 @@ void MakePieceWeights(Fragments& f)
 void vtkFragmentIntegration::FinishPerspective(vtkFragments& f, const Channels& channels)
 {
   MakePerspectiveLengths(f);
-  const auto divide = [&f](vtkFragments::Values* ends) {
-    DivideByDepth(f.Depth[0].data(), f.Depth[1].data(), ends[0].data(), ends[1].data(), f.Size);
-  };
+  const auto divide = [&f](vtkFragments::Values* ends)
+  { DivideByDepth(f.Depth[0].data(), f.Depth[1].data(), ends[0].data(), ends[1].data(), f.Size); };
   if (channels.HasScalars)
   {
     divide(f.Scalar);
@@ -284,8 +285,8 @@ void vtkFragmentIntegration::CutAt(
 
 namespace
 {
-// The piece, place in it and extinction of one end of all segments, for so few pieces that comparing
-// with each start is faster than a search.
+// The piece, place in it and extinction of one end of all segments, for so few pieces that
+// comparing with each start is faster than a search.
 INTERLUME_CLONES
 void LookUpFew(float* scalars, float* extinctions, std::int32_t* found, int size,
   const float* starts, const float* values, const float* slopes, int pieces)
@@ -321,8 +322,7 @@ void LookUpMany(float* scalars, float* extinctions, std::int32_t* found, int siz
     const int piece = pieces.Find(value);
     const float offset = value - pieces.GetStarts()[piece];
     scalars[i] = offset;
-    extinctions[i] =
-      pieces.GetExtinctions()[piece] + pieces.GetExtinctionSlopes()[piece] * offset;
+    extinctions[i] = pieces.GetExtinctions()[piece] + pieces.GetExtinctionSlopes()[piece] * offset;
     found[i] = piece;
   }
 }
@@ -472,8 +472,7 @@ void AverageBent(const vtkFragments& f, int i, int piece, int end, const vtkTran
   vtkFragments::Color& color)
 {
   const std::vector<float>& starts = pieces.GetStarts();
-  const vtkTransferPieces::Sample front =
-    pieces.Evaluate(piece, f.Scalar[0][i] + starts[piece]);
+  const vtkTransferPieces::Sample front = pieces.Evaluate(piece, f.Scalar[0][i] + starts[piece]);
   const vtkTransferPieces::Sample back = pieces.Evaluate(end, f.Scalar[1][i] + starts[end]);
   for (int c = 0; c < 3; ++c)
   {
@@ -483,8 +482,8 @@ void AverageBent(const vtkFragments& f, int i, int piece, int end, const vtkTran
 }
 
 //------------------------------------------------------------------------------
-void vtkFragmentIntegration::FinishPieces(vtkFragments& f, const vtkTransferPieces& pieces,
-  bool hasDeltaT, bool isExact, Results results)
+void vtkFragmentIntegration::FinishPieces(
+  vtkFragments& f, const vtkTransferPieces& pieces, bool hasDeltaT, bool isExact, Results results)
 {
   for (int bent = 0; bent < f.NumberBent; ++bent)
   {

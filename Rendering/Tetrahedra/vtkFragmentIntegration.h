@@ -36,8 +36,8 @@ public:
   static void FinishPerspective(vtkFragments& fragments, const Channels& channels);
 
   /**
-   * Cuts each segment where an opaque surface is at, given as depth of each pixel; what lies behind has
-   * length 0 then.
+   * Cuts each segment where an opaque surface is at, given as depth of each pixel; what lies behind
+   * has length 0 then.
    */
   static void CutAt(
     vtkFragments& fragments, const Channels& channels, bool isParallel, const float* opaque);
@@ -53,7 +53,8 @@ public:
   ///@}
 
   /**
-   * Weights and totals. \a isExact: the integral over linear colour and extinction, else their mean.
+   * Weights and totals. \a isExact: the integral over linear colour and extinction, else their
+   * mean.
    */
   static void Integrate(vtkFragments& fragments, bool hasDeltaT, bool isExact, Results results);
 

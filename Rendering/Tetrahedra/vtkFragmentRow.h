@@ -16,8 +16,8 @@ struct vtkFragmentRow
   static constexpr int CHANNELS = 7;
 
   float Thickness;
-  /// For each pixel the length of a line of sight for 1 of difference of depth in parallel, and for 1
-  /// along the axis in perspective; GROUP more may be read.
+  /// For each pixel the length of a line of sight for 1 of difference of depth in parallel, and for
+  /// 1 along the axis in perspective; GROUP more may be read.
   const float* Slants;
   /// At the first pixel, and from pixel to pixel.
   float Shares[4];

@@ -5,9 +5,9 @@
 #include <cstdint>
 
 /**
- * Segments of lines of sight within tetrahedra, one array for each of their values, so that loops over
- * them use vector instructions however small the tetrahedra are. Index 0 of a pair is the front end,
- * 1 the back end.
+ * Segments of lines of sight within tetrahedra, one array for each of their values, so that loops
+ * over them use vector instructions however small the tetrahedra are. Index 0 of a pair is the
+ * front end, 1 the back end.
  */
 struct vtkFragments
 {

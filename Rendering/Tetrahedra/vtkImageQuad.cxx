@@ -17,8 +17,7 @@ vtkImageQuad::vtkImageQuad() = default;
 vtkImageQuad::~vtkImageQuad() = default;
 
 //------------------------------------------------------------------------------
-vtkIdType vtkImageQuad::Upload(
-  vtkOpenGLRenderWindow* window, int width, int height,
+vtkIdType vtkImageQuad::Upload(vtkOpenGLRenderWindow* window, int width, int height,
   const std::vector<float>& colors, bool isSmooth)
 {
   this->Texture->SetContext(window);
@@ -40,8 +39,7 @@ void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture
   {
     this->Features = features;
     const std::string shader = vtkShaderFeatures::Insert(InterlumeResolveFS, features);
-    this->Quad =
-      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader.c_str(), nullptr);
+    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader.c_str(), nullptr);
   }
   else
   {

@@ -19,8 +19,8 @@ class vtkWindow;
  * @class   vtkImageQuad
  * @brief   lays a picture of floats over the viewport
  *
- * Colour is already multiplied by opacity. Depth is neither tested nor written, since the picture was
- * made with the scene's depth in hand; a selection's is both.
+ * Colour is already multiplied by opacity. Depth is neither tested nor written, since the picture
+ * was made with the scene's depth in hand; a selection's is both.
  */
 class vtkImageQuad
 {
@@ -32,13 +32,12 @@ public:
    * Uploads RGBA, row by row from below. Pixels of the viewport between those of the picture are
    * interpolated, if \a isSmooth. Returns the bytes.
    */
-  vtkIdType Upload(
-    vtkOpenGLRenderWindow* window, int width, int height,
+  vtkIdType Upload(vtkOpenGLRenderWindow* window, int width, int height,
     const std::vector<float>& colors, bool isSmooth = true);
 
   /**
-   * Draws what was uploaded last, or \a texture, into the framebuffer that is bound. \a features are
-   * those of InterlumeResolveFS.glsl, which \a setUniforms may want more for.
+   * Draws what was uploaded last, or \a texture, into the framebuffer that is bound. \a features
+   * are those of InterlumeResolveFS.glsl, which \a setUniforms may want more for.
    */
   void Draw(vtkOpenGLRenderWindow* window, const std::string& features = "COLORS")
   {

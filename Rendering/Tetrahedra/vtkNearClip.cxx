@@ -75,8 +75,8 @@ void vtkNearClip::Append(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
   {
     const std::uint32_t tetrahedron = order ? (*order)[i] : static_cast<std::uint32_t>(i);
     const std::uint32_t* corners = mesh.GetCorners(tetrahedron);
-    const int before = isBefore[corners[0]] + isBefore[corners[1]] + isBefore[corners[2]] +
-      isBefore[corners[3]];
+    const int before =
+      isBefore[corners[0]] + isBefore[corners[1]] + isBefore[corners[2]] + isBefore[corners[3]];
     if (before == 0)
     {
       this->Order.push_back(tetrahedron);
@@ -175,8 +175,8 @@ void vtkNearClip::Sort(
 }
 
 //------------------------------------------------------------------------------
-void vtkNearClip::AppendPart(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
-  std::uint32_t tetrahedron, const Part& part)
+void vtkNearClip::AppendPart(
+  vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, std::uint32_t tetrahedron, const Part& part)
 {
   for (const Corner& corner : part)
   {
@@ -213,8 +213,8 @@ void vtkNearClip::AppendPart(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& field
 }
 
 //------------------------------------------------------------------------------
-void vtkNearClip::AppendPoint(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
-  std::uint32_t a, std::uint32_t b, double share)
+void vtkNearClip::AppendPoint(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, std::uint32_t a,
+  std::uint32_t b, double share)
 {
   for (int i = 0; i < 3; ++i)
   {

@@ -13,17 +13,17 @@
  * @class   vtkNearClip
  * @brief   cuts tetrahedra at the near plane
  *
- * What is left of a tetrahedron with corners before the plane is one tetrahedron or three. They, and
- * their points, are appended to the mesh and its fields, and stand in the order where the whole one
- * stood, front to back among themselves. Views that have the mesh wholly beyond the plane cost a test
- * of its bounding box.
+ * What is left of a tetrahedron with corners before the plane is one tetrahedron or three. They,
+ * and their points, are appended to the mesh and its fields, and stand in the order where the whole
+ * one stood, front to back among themselves. Views that have the mesh wholly beyond the plane cost
+ * a test of its bounding box.
  */
 class vtkNearClip
 {
 public:
   /**
-   * Appends. \a order is front to back, or null for tetrahedra as they are; GetOrder() is then used in
-   * its place if IsActive().
+   * Appends. \a order is front to back, or null for tetrahedra as they are; GetOrder() is then used
+   * in its place if IsActive().
    */
   void Append(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, const vtkTetrahedraView& view,
     const std::vector<std::uint32_t>* order);

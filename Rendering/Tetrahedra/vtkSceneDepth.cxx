@@ -17,13 +17,13 @@ GLint GetDepthFormat()
 {
   GLint type = GL_NONE;
   GLint name = 0;
-  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
-    GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
   GLint format = GL_DEPTH24_STENCIL8;
   if (type == GL_RENDERBUFFER || type == GL_TEXTURE)
   {
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
-      GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
+    glGetFramebufferAttachmentParameteriv(
+      GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
   }
   if (type == GL_RENDERBUFFER)
   {
@@ -38,8 +38,7 @@ GLint GetDepthFormat()
     GLint before = 0;
     glGetIntegerv(GL_TEXTURE_BINDING_2D_MULTISAMPLE, &before);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, static_cast<GLuint>(name));
-    glGetTexLevelParameteriv(
-      GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, static_cast<GLuint>(before));
   }
   return format;
@@ -90,8 +89,8 @@ private:
   GLuint Renderbuffer = 0;
 };
 
-// Calls read(left, bottom, width, height) with the depth buffer of the renderer's viewport bound for
-// reading. Returns false where there is none, or reading failed.
+// Calls read(left, bottom, width, height) with the depth buffer of the renderer's viewport bound
+// for reading. Returns false where there is none, or reading failed.
 template <typename Reader>
 bool ReadDepth(vtkRenderer* renderer, const Reader& read)
 {
@@ -124,8 +123,8 @@ bool ReadDepth(vtkRenderer* renderer, const Reader& read)
     }
     GLint type = GL_NONE;
     glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER,
-      target == 0 && !copy ? GL_DEPTH : GL_DEPTH_ATTACHMENT,
-      GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+      target == 0 && !copy ? GL_DEPTH : GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE,
+      &type);
     if (type != GL_NONE)
     {
       read(left, bottom, width, height);
@@ -148,8 +147,8 @@ bool vtkSceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
         static_cast<int>(texture->GetHeight()) == height;
       if (!fits)
       {
-        texture->AllocateDepth(static_cast<unsigned int>(width),
-          static_cast<unsigned int>(height), vtkTextureObject::Float32);
+        texture->AllocateDepth(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
+          vtkTextureObject::Float32);
       }
       texture->Activate();
       glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, left, bottom, width, height);
@@ -169,8 +168,7 @@ bool vtkSceneDepth::Read(vtkRenderer* renderer, const vtkTetrahedraView& view, i
       width = columns;
       height = rows;
       this->Buffer.resize(static_cast<std::size_t>(columns) * rows);
-      glReadPixels(
-        left, bottom, columns, rows, GL_DEPTH_COMPONENT, GL_FLOAT, this->Buffer.data());
+      glReadPixels(left, bottom, columns, rows, GL_DEPTH_COMPONENT, GL_FLOAT, this->Buffer.data());
     });
   if (!isRead)
   {
@@ -190,9 +188,9 @@ bool vtkSceneDepth::Read(vtkRenderer* renderer, const vtkTetrahedraView& view, i
     {
       const int column = std::min(x * stride + stride / 2, width - 1);
       const double value = this->Buffer[static_cast<std::size_t>(row) * width + column];
-      this->Depths.push_back(value >= 1.0 ? std::numeric_limits<float>::lowest()
-                                          : static_cast<float>(
-                                              depthOfBuffer[0] + depthOfBuffer[1] * value));
+      this->Depths.push_back(value >= 1.0
+          ? std::numeric_limits<float>::lowest()
+          : static_cast<float>(depthOfBuffer[0] + depthOfBuffer[1] * value));
     }
   }
   return true;

@@ -23,7 +23,8 @@ public:
   bool Read(vtkRenderer* renderer, const vtkTetrahedraView& view, int stride);
 
   /**
-   * Copies the depth buffer of the renderer's viewport to a texture. Returns false where there is none.
+   * Copies the depth buffer of the renderer's viewport to a texture. Returns false where there is
+   * none.
    */
   static bool CopyTo(vtkRenderer* renderer, vtkTextureObject* texture);
 

@@ -11,14 +11,14 @@
  * @class   vtkSegmentTable
  * @brief   the share of a segment's colour that its front end has
  *
- * Colour and extinction are linear along the segment, with optical depth D and extinction falling or
- * rising by delta = (back - front) / (back + front). Its colour, seen from the front, is
- * alpha (m front + (1 - m) back) with alpha = 1 - exp(-D) and
+ * Colour and extinction are linear along the segment, with optical depth D and extinction falling
+ * or rising by delta = (back - front) / (back + front). Its colour, seen from the front, is alpha
+ * (m front + (1 - m) back) with alpha = 1 - exp(-D) and
  *
  *   m = (1 - Psi) / alpha,  Psi = integral over 0..1 of exp(-D ((1 - delta) s + delta s^2)) ds
  *
- * (K. Moreland, E. Angel, "A fast high accuracy volume renderer for unstructured data", 2004), which
- * is smooth and between 1/3 and 1. The table is bilinear, within 2e-4 for D below 1e7.
+ * (K. Moreland, E. Angel, "A fast high accuracy volume renderer for unstructured data", 2004),
+ * which is smooth and between 1/3 and 1. The table is bilinear, within 2e-4 for D below 1e7.
  */
 class vtkSegmentTable
 {

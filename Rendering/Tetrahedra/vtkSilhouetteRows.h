@@ -39,10 +39,7 @@ public:
   {
     return GetCeiling(this->Low - 0.5 - bottom, std::numeric_limits<int>::max());
   }
-  int GetEnd(int bottom, int height) const
-  {
-    return GetCeiling(this->High - 0.5 - bottom, height);
-  }
+  int GetEnd(int bottom, int height) const { return GetCeiling(this->High - 0.5 - bottom, height); }
 
   /// The first pixel and the one after the last of the row with its centre at \a y, counted from
   /// \a left, of \a width.

@@ -100,8 +100,7 @@ void vtkSurfaceFragments::Compute(
       for (int end = 0; end < 2; ++end)
       {
         const bool isBase = end == base;
-        const int face =
-          isBase ? this->Shape.GetBaseFace(edge) : this->Shape.GetOtherFace(edge);
+        const int face = isBase ? this->Shape.GetBaseFace(edge) : this->Shape.GetOtherFace(edge);
         if (!(faces & (1u << face)))
         {
           continue;
@@ -118,10 +117,9 @@ void vtkSurfaceFragments::Compute(
           continue;
         }
         const double weight = view.IsParallel() ? 1.0 : at[0];
-        this->Colors[end][i] =
-          this->Picture.Surface->Shade(view.GetEyePoint(x, y, at[0]),
-            { { at[1] / weight, at[2] / weight, at[3] / weight } },
-            { { at[4] / weight, at[5] / weight } });
+        this->Colors[end][i] = this->Picture.Surface->Shade(view.GetEyePoint(x, y, at[0]),
+          { { at[1] / weight, at[2] / weight, at[3] / weight } },
+          { { at[4] / weight, at[5] / weight } });
       }
     }
   }

@@ -13,8 +13,8 @@
  * @class   vtkSurfaceFragments
  * @brief   boundary triangles where segments pass them
  *
- * A segment enters its tetrahedron through one face and leaves it through another. Where that face is
- * a boundary triangle, its shaded colour is laid before or behind the segment.
+ * A segment enters its tetrahedron through one face and leaves it through another. Where that face
+ * is a boundary triangle, its shaded colour is laid before or behind the segment.
  */
 class vtkSurfaceFragments
 {

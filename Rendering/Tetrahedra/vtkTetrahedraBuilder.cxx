@@ -116,8 +116,8 @@ std::vector<unsigned char> CopyPoints(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTetrahedraBuilder::BuildMesh(
-  vtkUnstructuredGrid* grid, const vtkTetrahedraArrays& arrays, vtkTetrahedraMesh& mesh, Counts& counts)
+std::string vtkTetrahedraBuilder::BuildMesh(vtkUnstructuredGrid* grid,
+  const vtkTetrahedraArrays& arrays, vtkTetrahedraMesh& mesh, Counts& counts)
 {
   counts = Counts();
   mesh = vtkTetrahedraMesh();
@@ -161,8 +161,7 @@ std::string vtkTetrahedraBuilder::BuildMesh(
         {
           marks[cell] = GHOST;
         }
-        else if (isBad[corners[0]] || isBad[corners[1]] || isBad[corners[2]] ||
-          isBad[corners[3]] ||
+        else if (isBad[corners[0]] || isBad[corners[1]] || isBad[corners[2]] || isBad[corners[3]] ||
           (arrays.Scalars && arrays.ScalarsAreOfCells && !IsFinite(arrays.Scalars, cell)))
         {
           marks[cell] = NON_FINITE;
@@ -294,8 +293,9 @@ void vtkTetrahedraBuilder::BuildFields(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTetrahedraBuilder::BuildColors(const vtkTetrahedraArrays& arrays, const vtkTetrahedraMesh& mesh,
-  vtkVolumeProperty* property, double unit, vtkTetrahedraFields& fields)
+std::string vtkTetrahedraBuilder::BuildColors(const vtkTetrahedraArrays& arrays,
+  const vtkTetrahedraMesh& mesh, vtkVolumeProperty* property, double unit,
+  vtkTetrahedraFields& fields)
 {
   fields.Colors.clear();
   fields.Scalars.clear();
@@ -310,9 +310,8 @@ std::string vtkTetrahedraBuilder::BuildColors(const vtkTetrahedraArrays& arrays,
   }
   const int component = GetColoringComponent(scalars, property);
   const std::size_t points = mesh.Points.size() / 3;
-  const auto isFinite = [&](std::size_t id) {
-    return IsFinite(scalars, static_cast<vtkIdType>(id));
-  };
+  const auto isFinite = [&](std::size_t id)
+  { return IsFinite(scalars, static_cast<vtkIdType>(id)); };
   if (arrays.ScalarsAreOfCells)
   {
     fields.Kind = vtkTetrahedraFields::CELL_COLORS;
@@ -355,8 +354,7 @@ std::string vtkTetrahedraBuilder::BuildColors(const vtkTetrahedraArrays& arrays,
     const std::size_t id = arrays.ScalarsAreOfCells && !mesh.Cells.empty() ? mesh.Cells[i] : i;
     if (isFinite(id))
     {
-      fields.Colors[i] =
-        GetColor(scalars, static_cast<vtkIdType>(id), component, property, unit);
+      fields.Colors[i] = GetColor(scalars, static_cast<vtkIdType>(id), component, property, unit);
     }
   }
   return {};

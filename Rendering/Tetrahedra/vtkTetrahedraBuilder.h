@@ -40,8 +40,8 @@ public:
    * The mesh without flat tetrahedra, ghosts, and those with NaN or infinity in a coordinate or
    * array.
    */
-  static std::string BuildMesh(
-    vtkUnstructuredGrid* grid, const vtkTetrahedraArrays& arrays, vtkTetrahedraMesh& mesh, Counts& counts);
+  static std::string BuildMesh(vtkUnstructuredGrid* grid, const vtkTetrahedraArrays& arrays,
+    vtkTetrahedraMesh& mesh, Counts& counts);
 
   /**
    * Everything but colours that transfer functions give.

@@ -5,8 +5,8 @@
 #include <vector>
 
 /**
- * What the tetrahedra carry. Extinction, the fourth of a colour, is per unit of length of the mesh's
- * coordinates (vtkTetrahedraMesh::Scale).
+ * What the tetrahedra carry. Extinction, the fourth of a colour, is per unit of length of the
+ * mesh's coordinates (vtkTetrahedraMesh::Scale).
  */
 struct vtkTetrahedraFields
 {
@@ -30,8 +30,8 @@ struct vtkTetrahedraFields
   std::vector<float> DeltaT;
   /// Of each tetrahedron; empty unless layers are drawn.
   std::vector<int> Layers;
-  /// Of each tetrahedron the faces that are boundary triangles, bit k for that opposite corner k; empty
-  /// where no boundary is drawn, as are the next two.
+  /// Of each tetrahedron the faces that are boundary triangles, bit k for that opposite corner k;
+  /// empty where no boundary is drawn, as are the next two.
   std::vector<unsigned char> Faces;
   /// At points.
   std::vector<std::array<float, 3>> Normals;

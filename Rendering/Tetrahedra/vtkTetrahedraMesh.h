@@ -20,8 +20,8 @@ struct vtkViewpoint
 };
 
 /**
- * The tetrahedra that are drawn, in coordinates near 0 and of size about 1: world position = Origin +
- * Scale * point. Degenerate ones and those with NaN are already left out.
+ * The tetrahedra that are drawn, in coordinates near 0 and of size about 1: world position = Origin
+ * + Scale * point. Degenerate ones and those with NaN are already left out.
  */
 struct vtkTetrahedraMesh
 {

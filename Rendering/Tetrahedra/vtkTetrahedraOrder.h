@@ -32,8 +32,8 @@ public:
   void Reset();
 
   /**
-   * The order from front to back, or null for none. Returns false from WasComputed() where it is that
-   * of the call before.
+   * The order from front to back, or null for none. Returns false from WasComputed() where it is
+   * that of the call before.
    */
   const std::vector<std::uint32_t>* Compute(
     Kinds kind, const vtkTetrahedraMesh& mesh, const vtkTetrahedraView& view);

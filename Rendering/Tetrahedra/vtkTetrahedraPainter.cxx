@@ -90,8 +90,8 @@ std::string vtkTetrahedraPainter::GetObstacle(
   }
   GLint texels = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-  const std::size_t most = std::max<std::size_t>(
-    picture.Mesh->GetNumberOfTetrahedra(), picture.Mesh->Points.size() / 3);
+  const std::size_t most =
+    std::max<std::size_t>(picture.Mesh->GetNumberOfTetrahedra(), picture.Mesh->Points.size() / 3);
   if (most > static_cast<std::size_t>(texels))
   {
     return "texture buffers hold " + std::to_string(texels) + " values, and " +
@@ -101,11 +101,12 @@ std::string vtkTetrahedraPainter::GetObstacle(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTetrahedraPainter::GetFeatures(const vtkTetrahedraPicture& picture, bool hasOpaque) const
+std::string vtkTetrahedraPainter::GetFeatures(
+  const vtkTetrahedraPicture& picture, bool hasOpaque) const
 {
   const vtkTetrahedraFields& fields = *picture.Fields;
   std::string features = fields.Kind == vtkTetrahedraFields::SCALARS ? "SCALARS"
-    : fields.Kind == vtkTetrahedraFields::POINT_COLORS              ? "POINT_COLORS"
+    : fields.Kind == vtkTetrahedraFields::POINT_COLORS               ? "POINT_COLORS"
                                                                      : "CELL_COLORS";
   features += picture.View.IsParallel() ? "" : " PERSPECTIVE";
   features += fields.DeltaT.empty() ? "" : " DELTA_T";
@@ -128,17 +129,15 @@ std::string vtkTetrahedraPainter::GetFeatures(const vtkTetrahedraPicture& pictur
 }
 
 //------------------------------------------------------------------------------
-void vtkTetrahedraPainter::Upload(const vtkTetrahedraPicture& picture, const Changes& changes,
-  vtkTetrahedraRenderReport& report)
+void vtkTetrahedraPainter::Upload(
+  const vtkTetrahedraPicture& picture, const Changes& changes, vtkTetrahedraRenderReport& report)
 {
   const vtkTetrahedraMesh& mesh = *picture.Mesh;
   const vtkTetrahedraFields& fields = *picture.Fields;
   vtkIdType bytes = 0;
-  const auto upload = [&bytes](
-                        vtkTextureBuffer& buffer, vtkTextureBuffer::Formats format, const auto& values)
-  {
-    bytes += buffer.Upload(format, values.data(), values.size() * sizeof(values[0]));
-  };
+  const auto upload =
+    [&bytes](vtkTextureBuffer& buffer, vtkTextureBuffer::Formats format, const auto& values)
+  { bytes += buffer.Upload(format, values.data(), values.size() * sizeof(values[0])); };
   if (changes.Mesh || !this->Points.IsAllocated())
   {
     upload(this->Corners, vtkTextureBuffer::UINT4, mesh.Corners);
@@ -178,11 +177,12 @@ void vtkTetrahedraPainter::UploadSurface(
     const std::array<float, 3>& normal = fields.Normals[p];
     points.insert(points.end(), { normal[0], normal[1], normal[2], 0.0f });
     const bool has = !fields.TextureCoordinates.empty();
-    points.insert(points.end(), { has ? fields.TextureCoordinates[p][0] : 0.0f,
-                                  has ? fields.TextureCoordinates[p][1] : 0.0f, 0.0f, 0.0f });
+    points.insert(points.end(),
+      { has ? fields.TextureCoordinates[p][0] : 0.0f, has ? fields.TextureCoordinates[p][1] : 0.0f,
+        0.0f, 0.0f });
   }
-  report.UploadedStaticBytes += this->Faces.Upload(
-    vtkTextureBuffer::INT, faces.data(), faces.size() * sizeof(std::int32_t));
+  report.UploadedStaticBytes +=
+    this->Faces.Upload(vtkTextureBuffer::INT, faces.data(), faces.size() * sizeof(std::int32_t));
   report.UploadedStaticBytes += this->SurfacePoints.Upload(
     vtkTextureBuffer::FLOAT4, points.data(), points.size() * sizeof(float));
   const vtkBoundaryShading& shading = *picture.Surface;
@@ -243,7 +243,8 @@ void vtkTetrahedraPainter::UploadOrder(
   const std::vector<std::uint32_t> order(picture.Order->rbegin(), picture.Order->rend());
   const std::size_t bytes = order.size() * sizeof(std::uint32_t);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Order);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), order.data(), GL_STREAM_DRAW);
+  glBufferData(
+    GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), order.data(), GL_STREAM_DRAW);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
   this->OrderSize = order.size();
   report.UploadedOrderBytes = static_cast<vtkIdType>(bytes);
@@ -315,8 +316,7 @@ void vtkTetrahedraPainter::SetUniforms(
   }
   if (picture.Blend == Picture::MAXIMUM && picture.Fields->Kind != vtkTetrahedraFields::SCALARS)
   {
-    program->SetUniformf(
-      "opacityOfExtinction", static_cast<float>(1.0 / picture.ExtinctionUnit));
+    program->SetUniformf("opacityOfExtinction", static_cast<float>(1.0 / picture.ExtinctionUnit));
   }
 }
 
@@ -522,11 +522,13 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
   state->PopFramebufferBindings();
   const bool isResolved = picture.Blend == Picture::PRIORITY;
   this->Resolve(window, picture, isResolved ? this->Layers : this->Sums, isResolved);
-  const vtkIdType pixels = static_cast<vtkIdType>(picture.View.GetWidth()) * picture.View.GetHeight();
+  const vtkIdType pixels =
+    static_cast<vtkIdType>(picture.View.GetWidth()) * picture.View.GetHeight();
   report.Buffers = 1 + (isResolved ? 1 : 0) + (hasOpaque ? 1 : 0);
   report.BufferBytes = 16 * pixels * (isResolved ? 2 : 1) + (hasOpaque ? 4 * pixels : 0);
-  for (const vtkTextureBuffer* buffer : { &this->Points, &this->Corners, &this->Volumes,
-         &this->DeltaTs, &this->Colors, &this->Faces, &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets })
+  for (const vtkTextureBuffer* buffer :
+    { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs, &this->Colors, &this->Faces,
+      &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets })
   {
     report.BufferBytes += static_cast<vtkIdType>(buffer->GetBytes());
   }
@@ -537,8 +539,9 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
 //------------------------------------------------------------------------------
 void vtkTetrahedraPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkTextureBuffer* buffer : { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs,
-         &this->Colors, &this->Faces, &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets })
+  for (vtkTextureBuffer* buffer :
+    { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs, &this->Colors, &this->Faces,
+      &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets })
   {
     buffer->Release();
   }

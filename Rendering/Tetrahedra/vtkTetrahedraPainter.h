@@ -24,9 +24,9 @@ class vtkWindow;
  * @class   vtkTetrahedraPainter
  * @brief   draws tetrahedra with OpenGL 3.2
  *
- * Mesh and fields are uploaded once, as texture buffers; a tetrahedron is drawn as one point, by its
- * number, and a geometry shader makes its silhouette. A new view uploads an order at most. Sums are
- * kept in a framebuffer of floats, laid over the scene at the end.
+ * Mesh and fields are uploaded once, as texture buffers; a tetrahedron is drawn as one point, by
+ * its number, and a geometry shader makes its silhouette. A new view uploads an order at most. Sums
+ * are kept in a framebuffer of floats, laid over the scene at the end.
  */
 class vtkTetrahedraPainter
 {
@@ -58,8 +58,8 @@ public:
 
 private:
   std::string GetFeatures(const vtkTetrahedraPicture& picture, bool hasOpaque) const;
-  void Upload(const vtkTetrahedraPicture& picture, const Changes& changes,
-    vtkTetrahedraRenderReport& report);
+  void Upload(
+    const vtkTetrahedraPicture& picture, const Changes& changes, vtkTetrahedraRenderReport& report);
   void UploadSurface(const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report);
   void UploadOrder(const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report);
   bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);

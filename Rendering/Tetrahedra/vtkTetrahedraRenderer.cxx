@@ -35,8 +35,8 @@ bool IsSoftware(vtkOpenGLRenderWindow* window)
   {
     return true;
   }
-  for (const char* software : { "llvmpipe", "softpipe", "SWR", "Software", "SwiftShader",
-         "Basic Render", "GDI Generic" })
+  for (const char* software :
+    { "llvmpipe", "softpipe", "SWR", "Software", "SwiftShader", "Basic Render", "GDI Generic" })
   {
     if (std::strstr(name, software))
     {
@@ -146,8 +146,8 @@ std::string vtkTetrahedraRenderer::UpdateColors(
   {
     return {};
   }
-  std::string error = vtkTetrahedraBuilder::BuildColors(
-    request.Arrays, this->Mesh, property, unit, this->Fields);
+  std::string error =
+    vtkTetrahedraBuilder::BuildColors(request.Arrays, this->Mesh, property, unit, this->Fields);
   if (!error.empty())
   {
     return error;
@@ -427,8 +427,8 @@ void vtkTetrahedraRenderer::DrawInSoftware(
   }
   report.TetrahedraDrawn = resources.NumberDrawn;
   report.Buffers = 1;
-  report.BufferBytes = 16 * static_cast<vtkIdType>(this->Picture.View.GetWidth()) *
-    this->Picture.View.GetHeight();
+  report.BufferBytes =
+    16 * static_cast<vtkIdType>(this->Picture.View.GetWidth()) * this->Picture.View.GetHeight();
   resources.Quad.Draw(window);
 }
 
@@ -514,8 +514,7 @@ void vtkTetrahedraRenderer::UpdateBoundary(
 void vtkTetrahedraRenderer::ReadDepth(vtkRenderer* renderer)
 {
   this->Depth.Read(renderer, this->Picture.View, this->Picture.PixelStride);
-  this->Picture.Opaque =
-    this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
+  this->Picture.Opaque = this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
 }
 
 //------------------------------------------------------------------------------
@@ -533,7 +532,7 @@ std::string vtkTetrahedraRenderer::GetFeatures() const
 {
   const vtkTetrahedraPicture& picture = this->Picture;
   std::string features = this->Fields.Kind == vtkTetrahedraFields::SCALARS ? "scalars"
-    : this->Fields.Kind == vtkTetrahedraFields::POINT_COLORS              ? "point-colors"
+    : this->Fields.Kind == vtkTetrahedraFields::POINT_COLORS               ? "point-colors"
                                                                            : "cell-colors";
   features += picture.View.IsParallel() ? " parallel" : " perspective";
   features += this->Fields.DeltaT.empty() ? "" : " delta-t";

@@ -71,8 +71,8 @@ private:
   std::string UpdateMesh(const Request& request);
   std::string UpdateColors(const Request& request, vtkVolumeProperty* property, double unit);
   void ChooseBlend(const Request& request, vtkTetrahedraRenderReport& report);
-  void ChoosePath(const Request& request, vtkOpenGLRenderWindow* window,
-    vtkTetrahedraRenderReport& report);
+  void ChoosePath(
+    const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraRenderReport& report);
   void ChooseSort(const Request& request, vtkTetrahedraRenderReport& report);
   bool HasOneColor() const;
   const std::vector<std::uint32_t>* UpdateOrder(
@@ -82,8 +82,7 @@ private:
     vtkTetrahedraRenderReport& report);
   void DrawInSoftware(
     vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraRenderReport& report);
-  void Select(
-    vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
+  void Select(vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void DrawSelection(
     vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void ReadDepth(vtkRenderer* renderer);

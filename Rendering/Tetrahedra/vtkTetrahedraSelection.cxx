@@ -8,7 +8,8 @@
 bool vtkTetrahedraSelection::IsDrawn(vtkHardwareSelector* selector)
 {
   const int pass = selector->GetCurrentPass();
-  return pass != vtkHardwareSelector::POINT_ID_LOW24 && pass != vtkHardwareSelector::POINT_ID_HIGH24;
+  return pass != vtkHardwareSelector::POINT_ID_LOW24 &&
+    pass != vtkHardwareSelector::POINT_ID_HIGH24;
 }
 
 //------------------------------------------------------------------------------

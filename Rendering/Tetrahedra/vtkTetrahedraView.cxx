@@ -11,8 +11,8 @@
 
 namespace
 {
-/// Lines of sight pass this far from the pixels' centres. Regular meshes in regular views have edges
-/// and faces through the centres, where rounding alone would choose between neighbours.
+/// Lines of sight pass this far from the pixels' centres. Regular meshes in regular views have
+/// edges and faces through the centres, where rounding alone would choose between neighbours.
 constexpr double HAIR_X = 2.3e-7;
 constexpr double HAIR_Y = 3.7e-7;
 }

@@ -14,10 +14,10 @@ class vtkVolume;
  * @class   vtkTetrahedraView
  * @brief   from the mesh's coordinates to pixels and depths
  *
- * Along a pixel's line of sight every face of a tetrahedron has a depth that is affine in the pixel,
- * if depth d is 1/z in perspective and -z in parallel, z the distance along the view axis: the larger
- * the nearer. There an attribute v is affine as v d in perspective, as v in parallel. Lengths are in
- * units of the mesh's coordinates as they appear in the world, GetUnit() long.
+ * Along a pixel's line of sight every face of a tetrahedron has a depth that is affine in the
+ * pixel, if depth d is 1/z in perspective and -z in parallel, z the distance along the view axis:
+ * the larger the nearer. There an attribute v is affine as v d in perspective, as v in parallel.
+ * Lengths are in units of the mesh's coordinates as they appear in the world, GetUnit() long.
  */
 class vtkTetrahedraView
 {
@@ -34,7 +34,8 @@ public:
    * Reads the camera and the volume's place. \a stride pixels of the viewport are one pixel here.
    * Returns what is wrong, or nothing.
    */
-  std::string Set(vtkRenderer* renderer, vtkVolume* volume, const vtkTetrahedraMesh& mesh, int stride);
+  std::string Set(
+    vtkRenderer* renderer, vtkVolume* volume, const vtkTetrahedraMesh& mesh, int stride);
 
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }

@@ -10,12 +10,12 @@
  * @class   vtkTetrahedronSilhouette
  * @brief   one tetrahedron on the screen
  *
- * The four projected corners have one affine dependency, sum S_k p_k = 0 with sum S_k = 0, where S_k is
- * the signed area of the face opposite corner k. Its positive and its negative corners meet in one
- * point, the thick one (Radon's theorem): a corner inside a triangle, or the crossing of two edges.
- * There the two sides of the tetrahedron are sum S_k v_k / P apart in any affine value v, P the sum of
- * the positive S_k; towards each edge of the silhouette this falls to 0 linearly. So with
- * lambda(x, y) the least of one affine function for each edge, 1 at the thick point,
+ * The four projected corners have one affine dependency, sum S_k p_k = 0 with sum S_k = 0, where
+ * S_k is the signed area of the face opposite corner k. Its positive and its negative corners meet
+ * in one point, the thick one (Radon's theorem): a corner inside a triangle, or the crossing of two
+ * edges. There the two sides of the tetrahedron are sum S_k v_k / P apart in any affine value v, P
+ * the sum of the positive S_k; towards each edge of the silhouette this falls to 0 linearly. So
+ * with lambda(x, y) the least of one affine function for each edge, 1 at the thick point,
  *
  *   other side = base side + lambda * difference at the thick point
  *
@@ -83,8 +83,8 @@ public:
   /// Number of corners and edges; edge i joins corners i and i + 1.
   int GetNumberOfEdges() const { return this->Size; }
   const Projected& GetPoint(int i) const { return *this->Points[this->Polygon[i]]; }
-  /// lambda = 1 + the slope, the least of all; 0, 0 where it never is the least, and of the fourth where
-  /// there are three.
+  /// lambda = 1 + the slope, the least of all; 0, 0 where it never is the least, and of the fourth
+  /// where there are three.
   const Slope& GetEdge(int i) const { return this->Edges[i]; }
   /// The slope of h; 0, 0 where there is no crease.
   const Slope& GetCrease() const { return this->Crease; }
@@ -125,8 +125,8 @@ public:
   }
 
   ///@{
-  /// The face that a line of sight passes on the base side and on the other side, next to edge \a i, as
-  /// the corner opposite to it.
+  /// The face that a line of sight passes on the base side and on the other side, next to edge \a
+  /// i, as the corner opposite to it.
   int GetBaseFace(int i) const
   {
     // Edges 0 and 1 are the first triangle's.
@@ -203,8 +203,10 @@ private:
     const int a = this->Polygon[0];
     const int c = this->Polygon[2];
     this->ThickShare = this->Areas[c] / this->Sum;
-    this->ThickX = this->Points[a]->X + this->ThickShare * (this->Points[c]->X - this->Points[a]->X);
-    this->ThickY = this->Points[a]->Y + this->ThickShare * (this->Points[c]->Y - this->Points[a]->Y);
+    this->ThickX =
+      this->Points[a]->X + this->ThickShare * (this->Points[c]->X - this->Points[a]->X);
+    this->ThickY =
+      this->Points[a]->Y + this->ThickShare * (this->Points[c]->Y - this->Points[a]->Y);
     for (int i = 0; i < 4; ++i)
     {
       const int from = this->Polygon[i];

@@ -76,8 +76,8 @@ void vtkTileBins::Fill(const vtkTetrahedraPicture& picture)
       for (vtkIdType t = first; t < last; ++t)
       {
         const auto tetrahedron = static_cast<std::uint32_t>(t);
-        this->Ranges[t] =
-          picture.IsDrawn(tetrahedron) ? this->GetRange(picture, tetrahedron) : Range{ { 1, 0, 1, 0 } };
+        this->Ranges[t] = picture.IsDrawn(tetrahedron) ? this->GetRange(picture, tetrahedron)
+                                                       : Range{ { 1, 0, 1, 0 } };
       }
     });
 

@@ -20,8 +20,8 @@ constexpr int LOOK_INTERVAL = 16;
 
 // Calls blend(pixel, i, color) for every segment, its color multiplied by its weights.
 template <typename Blend>
-void ForEachColor(const vtkFragments& f, const vtkTetrahedraPicture& picture, Pixel* pixels,
-  const Blend& blend)
+void ForEachColor(
+  const vtkFragments& f, const vtkTetrahedraPicture& picture, Pixel* pixels, const Blend& blend)
 {
   const vtkTetrahedraFields& fields = *picture.Fields;
   for (int run = 0; run < f.NumberOfRuns; ++run)
@@ -39,7 +39,8 @@ void ForEachColor(const vtkFragments& f, const vtkTetrahedraPicture& picture, Pi
         {
           for (int c = 0; c < 4; ++c)
           {
-            color[c] = f.Weight[0][i] * pieces[piece].Value[c] + f.Weight[1][i] * pieces[piece].Slope[c];
+            color[c] =
+              f.Weight[0][i] * pieces[piece].Value[c] + f.Weight[1][i] * pieces[piece].Slope[c];
           }
         }
         else
@@ -257,8 +258,8 @@ void vtkTilePainter::Begin(int tile)
   std::fill(this->Pixels.begin(), this->Pixels.end(), empty);
   std::fill(this->Layer.begin(), this->Layer.end(), Pixel{ { 0.0f, 0.0f, 0.0f, 0.0f } });
   std::fill(this->Nearest.begin(), this->Nearest.end(), 0u);
-  std::fill(this->NearestDepth.begin(), this->NearestDepth.end(),
-    std::numeric_limits<float>::lowest());
+  std::fill(
+    this->NearestDepth.begin(), this->NearestDepth.end(), std::numeric_limits<float>::lowest());
   for (int y = 0; y < this->Height; ++y)
   {
     for (int x = 0; x < this->Width; ++x)

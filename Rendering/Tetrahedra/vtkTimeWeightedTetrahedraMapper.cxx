@@ -168,8 +168,8 @@ std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
   vtkUnstructuredGrid* grid, vtkTetrahedraArrays& arrays)
 {
   int cellFlag = 0;
-  arrays.Scalars = vtkAbstractMapper::GetScalars(grid, this->ScalarMode, this->ArrayAccessMode,
-    this->ArrayId, this->ArrayName, cellFlag);
+  arrays.Scalars = vtkAbstractMapper::GetScalars(
+    grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
   if (!arrays.Scalars)
   {
     return this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && this->ArrayName && *this->ArrayName
@@ -236,9 +236,8 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   request.IsExact = this->IntegrationMode == LINEAR_SEGMENT;
   request.AdjustsLevelOfDetail = this->AutoAdjustLevelOfDetail;
   request.Priorities = this->LayerPriorities;
-  request.Boundary = vtkDataSet::SafeDownCast(this->GetNumberOfInputConnections(1) > 0
-      ? this->GetExecutive()->GetInputData(1, 0)
-      : nullptr);
+  request.Boundary = vtkDataSet::SafeDownCast(
+    this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0) : nullptr);
   request.BoundaryProperty = this->BoundaryProperty;
   request.BoundaryTexture = this->BoundaryTexture;
   std::string error = this->FindArrays(grid, request.Arrays);
@@ -270,8 +269,9 @@ void vtkTimeWeightedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IntegrationMode: " << this->IntegrationMode << "\n";
   os << indent << "SortMode: " << this->SortMode << "\n";
   os << indent << "RenderPath: " << this->RenderPath << "\n";
-  os << indent << "DeltaTArrayName: "
-     << (this->HasDeltaTArrayName ? this->DeltaTArrayName.c_str() : "(none)") << "\n";
+  os << indent
+     << "DeltaTArrayName: " << (this->HasDeltaTArrayName ? this->DeltaTArrayName.c_str() : "(none)")
+     << "\n";
   os << indent << "LayerArrayName: " << this->LayerArrayName << "\n";
   for (const auto& layer : this->LayerPriorities)
   {

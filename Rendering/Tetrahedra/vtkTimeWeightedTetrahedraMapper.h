@@ -23,8 +23,8 @@ struct vtkTetrahedraArrays;
  *
  * Along a line of sight the optical depth of one tetrahedron is the integral of
  * tau(f(s)) Dt(s) ds, with the extinction tau, the scalar f and the extent in time Dt all linear
- * between entry and exit (C. Zhang, dissertation, Ohio State 2006, 3.5.4). A tetrahedron is drawn as
- * its silhouette of one or two triangles (P. Shirley, A. Tuchman, "A polygonal approximation to
+ * between entry and exit (C. Zhang, dissertation, Ohio State 2006, 3.5.4). A tetrahedron is drawn
+ * as its silhouette of one or two triangles (P. Shirley, A. Tuchman, "A polygonal approximation to
  * direct scalar volume rendering", 1990, with the thick vertex carried as a number), which is exact
  * in parallel and in perspective.
  *
@@ -43,15 +43,15 @@ struct vtkTetrahedraArrays;
  * With several independent components the vector mode of the colour function chooses one or the
  * magnitude.
  *
- * Extinction is the scalar opacity function divided by the property's ScalarOpacityUnitDistance, per
- * unit of length, as in VTK's mappers for unstructured grids; it may exceed 1.
+ * Extinction is the scalar opacity function divided by the property's ScalarOpacityUnitDistance,
+ * per unit of length, as in VTK's mappers for unstructured grids; it may exceed 1.
  *
  * Opaque props occlude: a segment that runs into one is cut there. Each tetrahedron with a vertex
- * before the near plane is clipped. Selection (vtkHardwareSelector) finds the first tetrahedron on a
- * line of sight that is not wholly transparent.
+ * before the near plane is clipped. Selection (vtkHardwareSelector) finds the first tetrahedron on
+ * a line of sight that is not wholly transparent.
  *
- * Errors (vtkErrorMacro, nothing drawn): cells that are no tetrahedra, missing scalars, an array for
- * Dt or layers that is named and missing, a wrong number of components. Tetrahedra with NaN or
+ * Errors (vtkErrorMacro, nothing drawn): cells that are no tetrahedra, missing scalars, an array
+ * for Dt or layers that is named and missing, a wrong number of components. Tetrahedra with NaN or
  * infinity are left out and counted in GetRenderReport().
  */
 class INTERLUMETETRAHEDRA_EXPORT vtkTimeWeightedTetrahedraMapper
@@ -71,8 +71,8 @@ public:
     /// The largest scalar's colour and opacity: MAXIMUM_INTENSITY_BLEND of the superclass, 1.
     /// Sum of colour times opacity, without order; saturates.
     ADDITIVE_BLEND = 2,
-    /// Each layer on its own (as OPTICAL_DEPTH_BLEND), then the layers by priority, whatever lies in
-    /// front.
+    /// Each layer on its own (as OPTICAL_DEPTH_BLEND), then the layers by priority, whatever lies
+    /// in front.
     PRIORITY_BLEND = 3,
     /// 1 - exp(-sum of optical depth), with the mean of colour weighted by optical depth: needs no
     /// order; exact for one colour.
@@ -120,8 +120,8 @@ public:
     NO_SORT = 0,
     /// Distance of the centroid, from the eye in perspective, along the view in parallel.
     CENTROID_SORT = 1,
-    /// Visibility over shared faces (P. Williams, "Visibility-ordering meshed polyhedra", 1992), with
-    /// the gaps of a mesh that is not convex closed along lines of sight.
+    /// Visibility over shared faces (P. Williams, "Visibility-ordering meshed polyhedra", 1992),
+    /// with the gaps of a mesh that is not convex closed along lines of sight.
     MPVONC_SORT = 2,
     /// NO_SORT where the blend mode or one colour makes order irrelevant; MPVONC_SORT up to
     /// 1,000,000 tetrahedra without Dt; else CENTROID_SORT.
@@ -178,8 +178,8 @@ public:
 
   ///@{
   /**
-   * Priority of a layer: the higher is drawn over the lower, equal ones by layer number. Default: the
-   * layer's number.
+   * Priority of a layer: the higher is drawn over the lower, equal ones by layer number. Default:
+   * the layer's number.
    */
   void SetLayerPriority(int layer, double priority);
   double GetLayerPriority(int layer) const;

@@ -117,9 +117,8 @@ void vtkTransferPieces::Build(
   // Appends what lies after a, b included.
   const auto append = [&](const auto& self, const Node& a, const Node& b, int depth) -> void
   {
-    const auto isStraight = [&](double t) {
-      return IsClose(functions.Evaluate(a.X + t * (b.X - a.X)), Mix(a.Value, b.Value, t));
-    };
+    const auto isStraight = [&](double t)
+    { return IsClose(functions.Evaluate(a.X + t * (b.X - a.X)), Mix(a.Value, b.Value, t)); };
     const double middle = 0.5 * (a.X + b.X);
     if (depth == DEPTH || !(middle > a.X && middle < b.X) ||
       (isStraight(0.25) && isStraight(0.5) && isStraight(0.75) && isStraight(0.03) &&

@@ -13,8 +13,8 @@ class vtkVolumeProperty;
  *
  * The colour and opacity functions of a property, put together: between two control points all four
  * channels are linear in the scalar. Curved parts of the functions (other colour spaces, midpoints,
- * sharpness, logarithmic scale) are halved until straight pieces are within 1e-4 of them, and control
- * points on a straight line are dropped.
+ * sharpness, logarithmic scale) are halved until straight pieces are within 1e-4 of them, and
+ * control points on a straight line are dropped.
  */
 class vtkTransferPieces
 {
@@ -22,8 +22,8 @@ public:
   using Sample = std::array<float, 4>;
 
   /**
-   * The functions of \a component over [\a range[0], \a range[1]], which become 0 to 1. Extinction is
-   * the opacity times \a unit.
+   * The functions of \a component over [\a range[0], \a range[1]], which become 0 to 1. Extinction
+   * is the opacity times \a unit.
    */
   void Build(vtkVolumeProperty* property, int component, const double range[2], double unit);
 

@@ -45,7 +45,10 @@ PictureCase MakeCase(bool parallel)
 }
 
 /// Compares both render paths with the reference.
-void Expect(Check& check, const PictureCase& what, const std::string& name)
+/// \a openGLBound: where a silhouette is dense, a pixel that OpenGL misses by 1/256 of its width
+/// shows.
+void Expect(
+  Check& check, const PictureCase& what, const std::string& name, double openGLBound = Bound)
 {
   const RgbaPicture expected = DrawByReference(what);
   check.That(LargestAlpha(expected) > 0.2, name + ": something is seen");
@@ -56,7 +59,8 @@ void Expect(Check& check, const PictureCase& what, const std::string& name)
       (what.Camera->GetParallelProjection() ? ", parallel, " : ", perspective, ") +
       GetPathName(path);
     std::cout << whole << ": " << error << '\n';
-    check.Near(error.Max, 0.0, Bound, whole, 1.0);
+    const bool isOpenGL = path == vtkTimeWeightedTetrahedraMapper::OPENGL_PATH;
+    check.Near(error.Max, 0.0, isOpenGL ? openGLBound : Bound, whole, 1.0);
   }
 }
 
@@ -215,7 +219,7 @@ void TestTransferFunctions(Check& check, bool parallel)
     { 0.7, Blue, 3.0 }, { 0.7001, Green, 900.0 }, { 0.7002, Green, 0.2 }, { 1.0, Green, 0.2 } });
   Expect(check, what, "a step and a spike");
   what.Property = MakeRamp(0.1, 1.0, 0.03);
-  Expect(check, what, "unit distance 0.03");
+  Expect(check, what, "unit distance 0.03", 3e-3);
   what.Property = MakeRamp(0.0, 1.0, 0.25);
   what.Settings.Mode = Integration::AverageColor;
   Expect(check, what, "average colour");
