@@ -6,7 +6,10 @@
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
@@ -234,10 +237,53 @@ void TestBoundary(Check& check, int path, bool parallel)
   check.Equal(with.UnmatchedTriangles, 0, scene.Name + ": no other triangle");
   check.That(HasFeature(with, "surface"), scene.Name + ": a surface");
   ExpectNothingSent(check, scene.Draw(), scene.Name + ", with a triangle, still");
+  // Light and camera go to the shader as numbers.
+  scene.What.Camera->Azimuth(10.0);
+  check.Equal(scene.Draw().UploadedStaticBytes, 0, scene.Name + ", with a triangle, moved");
   scene.Drawer->SetBoundaryData(nullptr);
   const Report after = scene.Draw();
   check.Equal(after.BoundaryTriangles, 0, scene.Name + ": the triangle is gone");
   check.That(!HasFeature(after, "surface"), scene.Name + ": the surface is gone");
+}
+
+/// Parts that the near plane cuts are made for one view, and sent for one.
+void TestNearPlane(Check& check, int path, bool parallel)
+{
+  Scene scene(path, parallel);
+  double range[2];
+  scene.What.Camera->GetClippingRange(range);
+  scene.What.Camera->SetClippingRange(scene.What.Camera->GetDistance(), range[1]);
+  const Report first = scene.Draw(Blend::Composite);
+  check.That(first.TetrahedraClipped > 0, scene.Name + ": the near plane cuts");
+  const Report still = scene.Draw();
+  check.Equal(still.TetrahedraClipped, first.TetrahedraClipped, scene.Name + ": it cuts again");
+  ExpectNothingSent(check, still, scene.Name + ", cut by the near plane, still");
+}
+
+/// What sorting found is not reported of a picture that was not sorted.
+void TestGaps(Check& check, int path, bool parallel)
+{
+  Scene scene(path, parallel);
+  scene.What.Grid = MakeCube(3);
+  AddSlabs(scene.What.Grid, "slab", 2, 3);
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType cell = 0; cell < scene.What.Grid->GetNumberOfCells(); ++cell)
+  {
+    if (scene.What.Grid->GetCellData()->GetArray("slab")->GetComponent(cell, 0) != 1.0)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* corners = nullptr;
+      scene.What.Grid->GetCellPoints(cell, size, corners);
+      cells->InsertNextCell(size, corners);
+    }
+  }
+  scene.What.Grid->GetCellData()->Initialize();
+  scene.What.Grid->SetCells(VTK_TETRA, cells);
+  const Report sorted = scene.Draw(Blend::Composite);
+  check.That(sorted.Sorted && sorted.Gaps > 0, scene.Name + ": gaps of a mesh in two parts");
+  const Report unsorted = scene.Draw(Blend::Additive);
+  check.That(!unsorted.Sorted, scene.Name + ": additive after composite, not sorted");
+  check.Equal(unsorted.Gaps, 0, scene.Name + ": additive after composite, gaps");
 }
 
 }
@@ -254,6 +300,8 @@ int TestTetrahedraMapperCounters(int, char*[])
       TestOrder(check, path, parallel);
       TestSortedFrames(check, path, parallel);
       TestBoundary(check, path, parallel);
+      TestNearPlane(check, path, parallel);
+      TestGaps(check, path, parallel);
     }
   }
   return check.Result();
