@@ -285,6 +285,9 @@ void vtkFragmentIntegration::CutAt(
 
 namespace
 {
+/// Pieces up to which comparing with each start is faster than a search.
+constexpr int FEW = 12;
+
 // The piece, place in it and extinction of one end of all segments, for so few pieces that
 // comparing with each start is faster than a search.
 INTERLUME_CLONES
@@ -331,7 +334,6 @@ void LookUpMany(float* scalars, float* extinctions, std::int32_t* found, int siz
 //------------------------------------------------------------------------------
 void vtkFragmentIntegration::LookUp(vtkFragments& f, const vtkTransferPieces& pieces)
 {
-  constexpr int FEW = 12;
   const int number = pieces.GetNumberOfPieces();
   for (int end = 0; end < 2; ++end)
   {

@@ -33,29 +33,29 @@ struct vtkFragments
   int Size = 0;
 
   /// Difference of depth; then length, in units of the mesh.
-  alignas(64) Values Length;
+  Values Length;
   /// Depths of both ends.
-  alignas(64) Values Depth[2];
+  Values Depth[2];
   /// Scalar, extent in time, and extinction. In perspective weighted by depth until the division.
-  alignas(64) Values Scalar[2];
-  alignas(64) Values DeltaT[2];
-  alignas(64) Values Extinction[2];
+  Values Scalar[2];
+  Values DeltaT[2];
+  Values Extinction[2];
   /// Point colours of both ends.
-  alignas(64) Array<Color> Colors[2];
+  Array<Color> Colors[2];
   /// The pieces of the transfer functions that both ends are in; of the front, once a segment that
   /// passes a control point is integrated, -1 - i for Bent[i].
-  alignas(64) Array<std::int32_t> Pieces[2];
+  Array<std::int32_t> Pieces[2];
   /// Segments that pass a control point, and the colours that they come to.
   Array<std::uint16_t> Bent;
   Array<Color> BentColors;
   int NumberBent = 0;
 
   /// What integration makes: the weights of both colours, and their sum, opacity or optical depth.
-  alignas(64) Values Weight[2];
-  alignas(64) Values Total;
+  Values Weight[2];
+  Values Total;
   /// Kept on the way: optical depth, and how extinction falls or rises.
-  alignas(64) Values OpticalDepth;
-  alignas(64) Values Slope;
+  Values OpticalDepth;
+  Values Slope;
 };
 
 #endif

@@ -28,7 +28,8 @@ vtkIdType vtkImageQuad::Upload(vtkOpenGLRenderWindow* window, int width, int hei
   this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
   this->Texture->Create2DFromRaw(static_cast<unsigned int>(width),
     static_cast<unsigned int>(height), 4, VTK_FLOAT, const_cast<float*>(colors.data()));
-  return static_cast<vtkIdType>(colors.size() * sizeof(float));
+  const std::size_t bytes = colors.size() * sizeof(float);
+  return static_cast<vtkIdType>(bytes);
 }
 
 //------------------------------------------------------------------------------

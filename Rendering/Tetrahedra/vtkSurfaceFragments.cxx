@@ -89,8 +89,10 @@ void vtkSurfaceFragments::Compute(
     for (int i = r.Begin; i < r.End; ++i)
     {
       const int pixel = r.Pixel + i - r.Begin;
-      const double x = left + pixel % vtkTileBins::SIZE + 0.5;
-      const double y = bottom + pixel / vtkTileBins::SIZE + 0.5;
+      const int column = left + pixel % vtkTileBins::SIZE;
+      const int row = bottom + pixel / vtkTileBins::SIZE;
+      const double x = column + 0.5;
+      const double y = row + 0.5;
       int edge = 0;
       const double lambda = this->Locate(x, y, edge);
       const double dx = x - this->Shape.GetThickX();

@@ -64,6 +64,7 @@ const std::vector<std::uint32_t>* vtkTetrahedraOrder::ComputeLayers(
     return found == priorities.end() ? static_cast<double>(layer) : found->second;
   };
   std::vector<int> names;
+  names.reserve(members.size());
   for (const auto& layer : members)
   {
     names.push_back(layer.first);

@@ -326,8 +326,7 @@ void vtkTetrahedraPainter::DrawRange(vtkOpenGLRenderWindow* window,
 {
   vtkOpenGLState* state = window->GetState();
   const bool isOver = picture.Blend == Picture::COMPOSITE;
-  const float nothing = picture.Blend == Picture::MAXIMUM ? -1.0f : 0.0f;
-  state->vtkglClearColor(nothing < 0.0f ? nothing : 0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglClearColor(picture.Blend == Picture::MAXIMUM ? -1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
   state->vtkglBlendFunc(GL_ONE, isOver ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
   state->vtkglBlendEquation(picture.Blend == Picture::MAXIMUM ? GL_MAX : GL_FUNC_ADD);
@@ -335,8 +334,8 @@ void vtkTetrahedraPainter::DrawRange(vtkOpenGLRenderWindow* window,
   if (picture.Order)
   {
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Order);
-    glDrawElements(GL_POINTS, static_cast<GLsizei>(number), GL_UNSIGNED_INT,
-      reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+    const std::uint32_t* begin = nullptr;
+    glDrawElements(GL_POINTS, static_cast<GLsizei>(number), GL_UNSIGNED_INT, begin + first);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
   }
   else

@@ -520,11 +520,17 @@ void vtkTetrahedraRenderer::ReadDepth(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 vtkIdType vtkTetrahedraRenderer::GetMemoryBytes() const
 {
-  const auto bytes = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
-  return static_cast<vtkIdType>(bytes(this->Mesh.Points) + bytes(this->Mesh.Corners) +
-    bytes(this->Mesh.Cells) + bytes(this->Fields.Scalars) + bytes(this->Fields.Colors) +
-    bytes(this->Fields.DeltaT) + bytes(this->Fields.Layers) + this->Order.GetBytes() +
-    this->Rasterizer.GetBytes());
+  std::size_t bytes = this->Order.GetBytes() + this->Rasterizer.GetBytes();
+  const auto add = [&bytes](const auto& values) { bytes += values.capacity() * sizeof(values[0]); };
+  add(this->Mesh.Points);
+  add(this->Mesh.Corners);
+  add(this->Mesh.Cells);
+  add(this->Fields.Scalars);
+  add(this->Fields.Colors);
+  add(this->Fields.DeltaT);
+  add(this->Fields.Layers);
+  add(this->Fields.Normals);
+  return static_cast<vtkIdType>(bytes);
 }
 
 //------------------------------------------------------------------------------

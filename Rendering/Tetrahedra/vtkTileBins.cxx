@@ -99,7 +99,7 @@ void vtkTileBins::Fill(const vtkTetrahedraPicture& picture)
       {
         for (int column = range[0]; column <= range[1]; ++column)
         {
-          action(static_cast<std::size_t>(row * this->Columns + column), tetrahedron);
+          action(static_cast<std::size_t>(row) * this->Columns + column, tetrahedron);
         }
       }
       drawn[chunk] += range[0] <= range[1];

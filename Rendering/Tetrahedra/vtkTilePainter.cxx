@@ -310,12 +310,12 @@ void vtkTilePainter::FetchAhead(const std::uint32_t* t, const std::uint32_t* end
 {
   // In order of visibility neither corners nor points are neighbours in memory.
 #if defined(__GNUC__)
-  constexpr int CORNERS = 8;
-  constexpr int POINTS = 4;
-  if (end - t > CORNERS)
+  constexpr int cornersAhead = 8;
+  constexpr int pointsAhead = 4;
+  if (end - t > cornersAhead)
   {
-    __builtin_prefetch(this->Picture.Mesh->GetCorners(t[CORNERS]));
-    const std::uint32_t* corners = this->Picture.Mesh->GetCorners(t[POINTS]);
+    __builtin_prefetch(this->Picture.Mesh->GetCorners(t[cornersAhead]));
+    const std::uint32_t* corners = this->Picture.Mesh->GetCorners(t[pointsAhead]);
     for (int k = 0; k < 4; ++k)
     {
       __builtin_prefetch(this->Bins.GetPoints() + corners[k]);
@@ -352,8 +352,8 @@ void vtkTilePainter::DrawTetrahedron(std::uint32_t tetrahedron)
   };
 
   // Depth, then what is carried.
-  constexpr int CHANNELS = 1 + (Scalars ? 1 : 0) + (DeltaT ? 1 : 0) + (Colors ? 4 : 0);
-  std::array<vtkTetrahedronSilhouette::Value, CHANNELS> values;
+  constexpr int channels = 1 + (Scalars ? 1 : 0) + (DeltaT ? 1 : 0) + (Colors ? 4 : 0);
+  std::array<vtkTetrahedronSilhouette::Value, channels> values;
   values[0] = shape.GetValue(
     { { p[0]->Place.Depth, p[1]->Place.Depth, p[2]->Place.Depth, p[3]->Place.Depth } });
   int channel = 1;
@@ -376,7 +376,7 @@ void vtkTilePainter::DrawTetrahedron(std::uint32_t tetrahedron)
   row.Thickness = static_cast<float>(std::abs(values[0].Difference));
   vtkFragments& f = this->Fragments;
   // What is the same in all rows.
-  for (int c = 0; c < CHANNELS; ++c)
+  for (int c = 0; c < channels; ++c)
   {
     row.Slopes[c] = static_cast<float>(values[c].Base.X);
     row.Bends[c] = static_cast<float>(values[c].Bend);
@@ -428,17 +428,17 @@ void vtkTilePainter::DrawTetrahedron(std::uint32_t tetrahedron)
       row.Shares[e] = static_cast<float>(1.0 + edge.X * dx + edge.Y * dy);
     }
     row.Crease = static_cast<float>(crease.X * dx + crease.Y * dy);
-    for (int c = 0; c < CHANNELS; ++c)
+    for (int c = 0; c < channels; ++c)
     {
       const vtkTetrahedronSilhouette::Value& value = values[c];
       row.Values[c] = static_cast<float>(value.At + value.Base.X * dx + value.Base.Y * dy);
     }
     row.Slants = &this->Slant[y * SIZE + begin];
-    constexpr int COLORS = CHANNELS - (Colors ? 4 : 0);
-    row.Write(f, COLORS, size);
+    constexpr int withoutColors = channels - (Colors ? 4 : 0);
+    row.Write(f, withoutColors, size);
     if (Colors)
     {
-      row.WriteColors(f, COLORS, base, size);
+      row.WriteColors(f, withoutColors, base, size);
     }
     f.Runs[f.NumberOfRuns++] = { tetrahedron, static_cast<std::uint16_t>(y * SIZE + begin),
       static_cast<std::uint16_t>(f.Size), static_cast<std::uint16_t>(f.Size + size) };

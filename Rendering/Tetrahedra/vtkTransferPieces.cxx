@@ -41,7 +41,7 @@ public:
     }
     else
     {
-      value[0] = value[1] = value[2] = this->Gray->GetValue(x);
+      value[0] = value[1] = value[2] = this->Gray ? this->Gray->GetValue(x) : 1.0;
     }
     value[3] = this->Opacity->GetValue(x) * this->Unit;
     return value;
@@ -59,7 +59,8 @@ public:
       }
     };
     double node[6];
-    for (int i = 0; this->Color && i < this->Color->GetSize(); ++i)
+    const int colors = this->Color ? this->Color->GetSize() : 0;
+    for (int i = 0; i < colors; ++i)
     {
       this->Color->GetNodeValue(i, node);
       add(node[0]);

@@ -1,0 +1,308 @@
+// Pay for use: what a picture did not need was not done, by the report of both render paths.
+#include "MapperPicture.h"
+#include "PictureCases.h"
+#include "ReferenceCheck.h"
+#include "VolumeStage.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace
+{
+
+using namespace reference;
+using Mapper = vtkTimeWeightedTetrahedraMapper;
+using Report = vtkTetrahedraRenderReport;
+
+constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
+constexpr Point3 Red = { { 1.0, 0.1, 0.0 } };
+
+/// One volume in one window by one path and one projection, drawn again and again.
+class Scene
+{
+public:
+  Scene(int path, bool parallel)
+    : Name(GetPathName(path) + (parallel ? ", parallel" : ", perspective"))
+    , Stage(std::array<int, 2>{ { 80, 64 } })
+    , Path(path)
+  {
+    this->What.Grid = MakeCube(4);
+    this->What.Property = MakeRamp(0.1, 1.0, 0.25);
+    this->What.Camera = LookAt(this->What.Grid, Slanted, parallel);
+    this->Drawer->SetRenderPath(path);
+    // Levels of detail come by the clock.
+    this->Drawer->AutoAdjustLevelOfDetailOff();
+  }
+
+  /// Draws with the mapper as it is.
+  Report Draw()
+  {
+    this->Stage.SetVolume(this->Drawer, this->What.Property);
+    this->Stage.SetCamera(this->What.Camera);
+    this->Stage.Render();
+    return this->Drawer->GetRenderReport();
+  }
+
+  /// Draws with the settings.
+  Report Draw(Blend blend)
+  {
+    this->What.Settings.How = blend;
+    Configure(this->Drawer, this->What);
+    return this->Draw();
+  }
+
+  bool IsOpenGL() const { return this->Path == Mapper::OPENGL_PATH; }
+  vtkIdType GetCells() const { return this->What.Grid->GetNumberOfCells(); }
+
+  std::string Name;
+  PictureCase What;
+  vtkNew<Mapper> Drawer;
+
+private:
+  VolumeStage Stage;
+  int Path;
+};
+
+/// Both paths write features in their own spelling: `delta-t`, `DELTA_T`.
+bool HasFeature(const Report& report, const std::string& feature)
+{
+  std::string text = report.Features;
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char letter)
+    { return letter == '_' ? '-' : static_cast<char>(std::tolower(letter)); });
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+  {
+    if (word == feature)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void ExpectNothingSent(Check& check, const Report& report, const std::string& what)
+{
+  check.That(!report.Sorted, what + ": not sorted");
+  check.Equal(report.UploadedStaticBytes, 0, what + ": static bytes");
+  check.Equal(report.UploadedOrderBytes, 0, what + ": bytes of the order");
+  check.Equal(report.UploadedImageBytes, 0, what + ": bytes of the image");
+}
+
+void TestReasons(Check& check, int path, bool parallel)
+{
+  Scene scene(path, parallel);
+  check.That(scene.Drawer->GetRenderReport().PathReason.empty(), "no reason before a picture");
+  const Report report = scene.Draw(Blend::Composite);
+  check.Equal(report.RenderPath, path, scene.Name + ": path");
+  check.That(!report.PathReason.empty(), scene.Name + ": a reason of the path");
+  check.That(!report.BlendReason.empty(), scene.Name + ": a reason of the blend mode");
+  check.That(!report.SortReason.empty(), scene.Name + ": a reason of the order");
+  check.Equal(report.Tetrahedra, scene.GetCells(), scene.Name + ": tetrahedra");
+  check.Equal(report.TetrahedraDrawn, scene.GetCells(), scene.Name + ": tetrahedra drawn");
+  check.Equal(report.TetrahedraClipped, 0, scene.Name + ": tetrahedra clipped");
+  check.Equal(report.Passes, 1, scene.Name + ": passes");
+  check.Equal(report.Layers, 0, scene.Name + ": layers");
+  check.That(report.MemoryBytes > 0 && report.BufferBytes > 0, scene.Name + ": memory");
+}
+
+void TestDeltaT(Check& check, int path, bool parallel)
+{
+  Scene scene(path, parallel);
+  Configure(scene.Drawer, scene.What);
+  scene.Drawer->SetDeltaTArrayName(nullptr);
+  scene.Drawer->SetBlendModeToAutomatic();
+  const Report without = scene.Draw();
+  check.That(!without.Features.empty(), scene.Name + ": features");
+  check.That(!HasFeature(without, "delta-t"), scene.Name + ": no extent in time");
+  check.Equal(without.BlendMode, Mapper::COMPOSITE_BLEND, scene.Name + ": automatic blend");
+  AddLinear(scene.What.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
+  const Report with = scene.Draw();
+  check.That(HasFeature(with, "delta-t"), scene.Name + ": an extent in time");
+  check.Equal(with.BlendMode, Mapper::OPTICAL_DEPTH_BLEND, scene.Name + ": automatic blend");
+  check.Equal(with.SortMode, Mapper::NO_SORT, scene.Name + ": automatic blend, no order");
+}
+
+void TestOrder(Check& check, int path, bool parallel)
+{
+  const struct
+  {
+    Blend How;
+    const char* Name;
+  } modes[] = { { Blend::Additive, "additive" }, { Blend::MaximumIntensity, "maximum" },
+    { Blend::Priority, "priority" }, { Blend::OpticalDepth, "optical depth" },
+    { Blend::Composite, "composite of one colour" } };
+  for (const auto& mode : modes)
+  {
+    Scene scene(path, parallel);
+    AddSlabs(scene.What.Grid, "IntervalId", 2, 3);
+    if (mode.How == Blend::Composite)
+    {
+      scene.What.Property = MakeProperty({ { 0.0, Red, 0.1 }, { 1.0, Red, 1.0 } });
+    }
+    const std::string name = scene.Name + ", " + mode.Name;
+    const Report report = scene.Draw(mode.How);
+    check.Equal(report.SortMode, Mapper::NO_SORT, name + ": order");
+    check.That(!report.Sorted, name + ": not sorted");
+    check.That(!report.HasAdjacency, name + ": no adjacency");
+    const bool isPriority = mode.How == Blend::Priority;
+    check.Equal(report.UploadedOrderBytes,
+      isPriority && scene.IsOpenGL() ? 4 * scene.GetCells() : 0, name + ": bytes of the order");
+    check.Equal(report.Layers, isPriority ? 3 : 0, name + ": layers");
+    check.Equal(report.Passes, isPriority ? 3 : 1, name + ": passes");
+    ExpectNothingSent(check, scene.Draw(), name + ", again");
+    scene.What.Camera->Azimuth(10.0);
+    const Report moved = scene.Draw();
+    check.Equal(moved.UploadedStaticBytes, 0, name + ", moved: static bytes");
+    check.Equal(moved.UploadedOrderBytes, 0, name + ", moved: bytes of the order");
+    check.That(!moved.Sorted, name + ", moved: not sorted");
+  }
+}
+
+void TestSortedFrames(Check& check, int path, bool parallel)
+{
+  Scene scene(path, parallel);
+  const vtkIdType orderBytes = scene.IsOpenGL() ? 4 * scene.GetCells() : 0;
+  const Report first = scene.Draw(Blend::Composite);
+  check.Equal(first.SortMode, Mapper::MPVONC_SORT, scene.Name + ": order");
+  check.That(first.Sorted, scene.Name + ": sorted");
+  check.That(first.HasAdjacency, scene.Name + ": adjacency");
+  check.Equal(first.UploadedOrderBytes, orderBytes, scene.Name + ": bytes of the order");
+  // What is 0 later was not before.
+  check.That((first.UploadedStaticBytes > 0) == scene.IsOpenGL(), scene.Name + ": static bytes");
+  check.That((first.UploadedImageBytes > 0) == !scene.IsOpenGL(), scene.Name + ": image bytes");
+  ExpectNothingSent(check, scene.Draw(), scene.Name + ", still");
+  ExpectNothingSent(check, scene.Draw(), scene.Name + ", still again");
+
+  for (int step = 0; step < 3; ++step)
+  {
+    scene.What.Camera->Azimuth(10.0);
+    const Report moved = scene.Draw();
+    check.That(moved.Sorted, scene.Name + ", moved: sorted");
+    check.Equal(moved.UploadedStaticBytes, 0, scene.Name + ", moved: static bytes");
+    check.Equal(moved.UploadedOrderBytes, orderBytes, scene.Name + ", moved: bytes of the order");
+    ExpectNothingSent(check, scene.Draw(), scene.Name + ", moved and still");
+  }
+
+  // Colours alone.
+  scene.What.Property->GetRGBTransferFunction()->AddRGBPoint(0.5, 0.0, 1.0, 0.0);
+  const Report colored = scene.Draw();
+  check.That(!colored.Sorted, scene.Name + ", other colours: not sorted");
+  check.Equal(colored.UploadedOrderBytes, 0, scene.Name + ", other colours: bytes of the order");
+  if (scene.IsOpenGL())
+  {
+    check.That(
+      colored.UploadedStaticBytes > 0 && colored.UploadedStaticBytes < first.UploadedStaticBytes,
+      scene.Name + ", other colours: bytes of the colours and no more");
+  }
+  else
+  {
+    check.Equal(colored.UploadedImageBytes, first.UploadedImageBytes,
+      scene.Name + ", other colours: another image");
+  }
+  ExpectNothingSent(check, scene.Draw(), scene.Name + ", other colours, still");
+}
+
+void TestBoundary(Check& check, int path, bool parallel)
+{
+  Scene scene(path, parallel);
+  const Report without = scene.Draw(Blend::Composite);
+  check.Equal(without.BoundaryTriangles, 0, scene.Name + ": no triangles");
+  check.That(!HasFeature(without, "surface"), scene.Name + ": no surface");
+  // A face of the first tetrahedron.
+  vtkIdType size = 0;
+  const vtkIdType* corners = nullptr;
+  scene.What.Grid->GetCellPoints(0, size, corners);
+  vtkNew<vtkCellArray> triangles;
+  triangles->InsertNextCell(3, corners);
+  vtkNew<vtkPolyData> boundary;
+  boundary->SetPoints(scene.What.Grid->GetPoints());
+  boundary->SetPolys(triangles);
+  scene.Drawer->SetBoundaryData(boundary);
+  const Report with = scene.Draw();
+  check.Equal(with.BoundaryTriangles, 1, scene.Name + ": one triangle");
+  check.Equal(with.UnmatchedTriangles, 0, scene.Name + ": no other triangle");
+  check.That(HasFeature(with, "surface"), scene.Name + ": a surface");
+  ExpectNothingSent(check, scene.Draw(), scene.Name + ", with a triangle, still");
+  // Light and camera go to the shader as numbers.
+  scene.What.Camera->Azimuth(10.0);
+  check.Equal(scene.Draw().UploadedStaticBytes, 0, scene.Name + ", with a triangle, moved");
+  scene.Drawer->SetBoundaryData(nullptr);
+  const Report after = scene.Draw();
+  check.Equal(after.BoundaryTriangles, 0, scene.Name + ": the triangle is gone");
+  check.That(!HasFeature(after, "surface"), scene.Name + ": the surface is gone");
+}
+
+/// Parts that the near plane cuts are made for one view, and sent for one.
+void TestNearPlane(Check& check, int path, bool parallel)
+{
+  Scene scene(path, parallel);
+  double range[2];
+  scene.What.Camera->GetClippingRange(range);
+  scene.What.Camera->SetClippingRange(scene.What.Camera->GetDistance(), range[1]);
+  const Report first = scene.Draw(Blend::Composite);
+  check.That(first.TetrahedraClipped > 0, scene.Name + ": the near plane cuts");
+  const Report still = scene.Draw();
+  check.Equal(still.TetrahedraClipped, first.TetrahedraClipped, scene.Name + ": it cuts again");
+  ExpectNothingSent(check, still, scene.Name + ", cut by the near plane, still");
+}
+
+/// What sorting found is not reported of a picture that was not sorted.
+void TestGaps(Check& check, int path, bool parallel)
+{
+  Scene scene(path, parallel);
+  scene.What.Grid = MakeCube(3);
+  AddSlabs(scene.What.Grid, "slab", 2, 3);
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType cell = 0; cell < scene.What.Grid->GetNumberOfCells(); ++cell)
+  {
+    if (scene.What.Grid->GetCellData()->GetArray("slab")->GetComponent(cell, 0) != 1.0)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* corners = nullptr;
+      scene.What.Grid->GetCellPoints(cell, size, corners);
+      cells->InsertNextCell(size, corners);
+    }
+  }
+  scene.What.Grid->GetCellData()->Initialize();
+  scene.What.Grid->SetCells(VTK_TETRA, cells);
+  const Report sorted = scene.Draw(Blend::Composite);
+  check.That(sorted.Sorted && sorted.Gaps > 0, scene.Name + ": gaps of a mesh in two parts");
+  const Report unsorted = scene.Draw(Blend::Additive);
+  check.That(!unsorted.Sorted, scene.Name + ": additive after composite, not sorted");
+  check.Equal(unsorted.Gaps, 0, scene.Name + ": additive after composite, gaps");
+}
+
+}
+
+int TestTetrahedraMapperCounters(int, char*[])
+{
+  Check check;
+  for (int path : AllRenderPaths())
+  {
+    for (bool parallel : { true, false })
+    {
+      TestReasons(check, path, parallel);
+      TestDeltaT(check, path, parallel);
+      TestOrder(check, path, parallel);
+      TestSortedFrames(check, path, parallel);
+      TestBoundary(check, path, parallel);
+      TestNearPlane(check, path, parallel);
+      TestGaps(check, path, parallel);
+    }
+  }
+  return check.Result();
+}

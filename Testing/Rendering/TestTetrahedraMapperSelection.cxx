@@ -1,0 +1,263 @@
+// vtkHardwareSelector finds the input's cell ids: of well separated tetrahedra, with some left out,
+// transparent, hidden or cut by the near plane, with and without multisampling.
+#include "MapperPicture.h"
+#include "PictureCases.h"
+#include "ReferenceCheck.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkSphereSource.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace
+{
+
+using namespace reference;
+using Mapper = vtkTimeWeightedTetrahedraMapper;
+using Ids = std::set<vtkIdType>;
+
+constexpr int Side = 4;
+constexpr vtkIdType Cells = Side * Side;
+constexpr Point3 Red = { { 1.0, 0.1, 0.0 } };
+
+/// Side x Side tetrahedra a unit apart and half as large, each with its own scalar, the cell's id,
+/// and some with points before the plane z = 0.
+vtkSmartPointer<vtkUnstructuredGrid> MakeSeparated()
+{
+  const double corners[4][3] = { { 0.0, 0.0, -0.25 }, { 0.5, 0.0, -0.1 }, { 0.2, 0.5, 0.0 },
+    { 0.25, 0.2, 0.25 } };
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> tetrahedra;
+  vtkNew<vtkDoubleArray> scalars;
+  scalars->SetName("f");
+  for (vtkIdType cell = 0; cell < Cells; ++cell)
+  {
+    vtkIdType ids[4];
+    for (int i = 0; i < 4; ++i)
+    {
+      ids[i] = points->InsertNextPoint(corners[i][0] + static_cast<double>(cell % Side),
+        corners[i][1] + static_cast<double>(cell / Side), corners[i][2]);
+      scalars->InsertNextValue(static_cast<double>(cell));
+    }
+    tetrahedra->InsertNextCell(4, ids);
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->SetCells(VTK_TETRA, tetrahedra);
+  grid->GetPointData()->SetScalars(scalars);
+  return grid;
+}
+
+class Picker
+{
+public:
+  Picker(int path, bool parallel, int samples)
+    : Name(GetPathName(path) + (parallel ? ", parallel, " : ", perspective, ") +
+        std::to_string(samples) + " samples")
+    , Grid(MakeSeparated())
+  {
+    this->Volume->SetMapper(this->Drawer);
+    this->Volume->SetProperty(MakeProperty({ { 0.0, Red, 1.0 } }, 0.25));
+    this->Drawer->SetInputData(static_cast<vtkDataSet*>(this->Grid));
+    this->Drawer->SetRenderPath(path);
+    this->Renderer->AddVolume(this->Volume);
+    this->Renderer->SetActiveCamera(LookAt(this->Grid, { { 0.0, 0.0, -1.0 } }, parallel));
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(samples);
+    this->Window->SetSize(160, 160);
+    this->Window->AddRenderer(this->Renderer);
+  }
+
+  /// Every cell of the volume in a part of the window.
+  Ids Select(int left, int bottom, int right, int top)
+  {
+    this->Window->Render();
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(this->Renderer);
+    selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+    selector->SetArea(static_cast<unsigned int>(left), static_cast<unsigned int>(bottom),
+      static_cast<unsigned int>(right), static_cast<unsigned int>(top));
+    const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+    Ids found;
+    for (unsigned int n = 0; selection && n < selection->GetNumberOfNodes(); ++n)
+    {
+      vtkSelectionNode* node = selection->GetNode(n);
+      auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+      const bool isVolume = node->GetProperties()->Get(vtkSelectionNode::PROP()) == this->Volume;
+      for (vtkIdType i = 0; isVolume && list && i < list->GetNumberOfTuples(); ++i)
+      {
+        found.insert(list->GetValue(i));
+      }
+    }
+    return found;
+  }
+
+  Ids SelectAll() { return this->Select(0, 0, 159, 159); }
+
+  /// The cell at the pixel on which the middle of a tetrahedron is.
+  Ids SelectAt(vtkIdType cell)
+  {
+    double middle[3] = { 0.0, 0.0, 0.0 };
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      double x[3];
+      MakeSeparated()->GetPoint(4 * cell + i, x);
+      for (int k = 0; k < 3; ++k)
+      {
+        middle[k] += 0.25 * x[k];
+      }
+    }
+    this->Window->Render();
+    this->Renderer->SetWorldPoint(middle[0], middle[1], middle[2], 1.0);
+    this->Renderer->WorldToDisplay();
+    const double* pixel = this->Renderer->GetDisplayPoint();
+    const int i = static_cast<int>(pixel[0]);
+    const int j = static_cast<int>(pixel[1]);
+    return this->Select(i, j, i, j);
+  }
+
+  std::string Name;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  vtkNew<Mapper> Drawer;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+};
+
+std::string Print(const Ids& ids)
+{
+  std::ostringstream text;
+  for (vtkIdType id : ids)
+  {
+    text << ' ' << id;
+  }
+  return text.str();
+}
+
+/// Expects every cell but some, in the whole window and each at its own place.
+void Expect(Check& check, Picker& picker, const Ids& missing, const std::string& what)
+{
+  const std::string name = picker.Name + ", " + what;
+  Ids expected;
+  for (vtkIdType cell = 0; cell < Cells; ++cell)
+  {
+    if (missing.count(cell) == 0)
+    {
+      expected.insert(cell);
+    }
+  }
+  const Ids all = picker.SelectAll();
+  check.That(all == expected, name + ": found" + Print(all) + " instead of" + Print(expected));
+  for (vtkIdType cell = 0; cell < Cells; ++cell)
+  {
+    const Ids one = picker.SelectAt(cell);
+    const Ids wanted = missing.count(cell) == 0 ? Ids{ cell } : Ids{};
+    check.That(one == wanted, name + ": found" + Print(one) + " at cell " + std::to_string(cell));
+  }
+}
+
+void TestPlain(Check& check, int path, bool parallel, int samples)
+{
+  Picker picker(path, parallel, samples);
+  Expect(check, picker, {}, "all");
+}
+
+void TestLeftOut(Check& check, int path, bool parallel, int samples)
+{
+  Picker picker(path, parallel, samples);
+  for (vtkIdType cell : { 2, 3, 9 })
+  {
+    picker.Grid->GetPointData()->GetScalars()->SetComponent(
+      4 * cell + 1, 0, std::numeric_limits<double>::quiet_NaN());
+  }
+  picker.Grid->Modified();
+  Expect(check, picker, { 2, 3, 9 }, "some left out");
+}
+
+void TestTransparent(Check& check, int path, bool parallel, int samples)
+{
+  Picker picker(path, parallel, samples);
+  picker.Volume->SetProperty(
+    MakeProperty({ { 0.0, Red, 1.0 }, { 4.4, Red, 1.0 }, { 4.6, Red, 0.0 }, { 6.4, Red, 0.0 },
+                   { 6.6, Red, 1.0 }, { 15.0, Red, 1.0 } },
+      0.25));
+  Expect(check, picker, { 5, 6 }, "some transparent");
+}
+
+void TestHidden(Check& check, int path, bool parallel, int samples)
+{
+  Picker picker(path, parallel, samples);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.45);
+  sphere->SetThetaResolution(32);
+  sphere->SetPhiResolution(32);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  picker.Renderer->AddActor(actor);
+  // The eye is at a large z; in front of cell 10, and behind it.
+  sphere->SetCenter(2.23, 2.2, 0.75);
+  Expect(check, picker, { 10 }, "a sphere in front");
+  sphere->SetCenter(2.23, 2.2, -0.85);
+  Expect(check, picker, {}, "a sphere behind");
+}
+
+void TestNearPlane(Check& check, int path, bool parallel, int samples)
+{
+  Picker picker(path, parallel, samples);
+  double eye[3];
+  picker.Renderer->GetActiveCamera()->GetPosition(eye);
+  // At z = 0.05 the apex of each is cut off; the middle of each is behind.
+  picker.Renderer->GetActiveCamera()->SetClippingRange(eye[2] - 0.05, eye[2] + 10.0);
+  Expect(check, picker, {}, "cut by the near plane");
+  check.Equal(
+    picker.Drawer->GetRenderReport().TetrahedraClipped, Cells, picker.Name + ": all are cut");
+}
+
+}
+
+int TestTetrahedraMapperSelection(int, char*[])
+{
+  Check check;
+  for (int path : AllRenderPaths())
+  {
+    for (bool parallel : { true, false })
+    {
+      for (int samples : { 0, 4 })
+      {
+        TestPlain(check, path, parallel, samples);
+        TestLeftOut(check, path, parallel, samples);
+        TestTransparent(check, path, parallel, samples);
+        TestHidden(check, path, parallel, samples);
+        TestNearPlane(check, path, parallel, samples);
+      }
+    }
+  }
+  return check.Result();
+}

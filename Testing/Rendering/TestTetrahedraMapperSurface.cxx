@@ -1,0 +1,435 @@
+// Boundary triangles in the volume: opaque ones as vtkPolyDataMapper draws them, a translucent face
+// between two halves of a slab as the formula has it, textures, points matched by their place.
+#include "MapperPicture.h"
+#include "PictureCases.h"
+#include "ReferenceCheck.h"
+#include "ReferenceRay.h"
+#include "VolumeStage.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTexture.h"
+#include "vtkThreshold.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <set>
+
+namespace
+{
+
+using namespace reference;
+using Mapper = vtkTimeWeightedTetrahedraMapper;
+
+constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
+constexpr Point3 FaceOn = { { 0.0, 0.0, 1.0 } };
+constexpr Point3 FaceColor = { { 0.2, 0.6, 0.9 } };
+constexpr std::array<int, 2> Size = { { 96, 80 } };
+
+/// The faces of tetrahedra, once each, whose points are all on one of the planes named by a
+/// function of the point: the same number, and not -1.
+vtkSmartPointer<vtkPolyData> MakeFaces(
+  vtkUnstructuredGrid* grid, const std::function<int(const double*, int)>& planeOf)
+{
+  vtkNew<vtkCellArray> triangles;
+  std::set<std::set<vtkIdType>> known;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    grid->GetCellPoints(cell, size, corners);
+    for (int left = 0; left < 4; ++left)
+    {
+      const vtkIdType ids[3] = { corners[(left + 1) % 4], corners[(left + 2) % 4],
+        corners[(left + 3) % 4] };
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        std::set<int> planes;
+        for (vtkIdType id : ids)
+        {
+          double x[3];
+          grid->GetPoint(id, x);
+          planes.insert(planeOf(x, axis));
+        }
+        const bool isFace = planes.size() == 1 && *planes.begin() >= 0;
+        if (isFace && known.insert({ ids[0], ids[1], ids[2] }).second)
+        {
+          triangles->InsertNextCell(3, ids);
+        }
+      }
+    }
+  }
+  auto faces = vtkSmartPointer<vtkPolyData>::New();
+  faces->SetPoints(grid->GetPoints());
+  faces->SetPolys(triangles);
+  return faces;
+}
+
+/// The six sides of the unit cube.
+vtkSmartPointer<vtkPolyData> MakeSides(vtkUnstructuredGrid* grid)
+{
+  return MakeFaces(
+    grid, [](const double* x, int axis) { return x[axis] == 0.0 ? 0
+                                            : x[axis] == 1.0    ? 1
+                                                                : -1; });
+}
+
+/// The square at z = 1/2.
+vtkSmartPointer<vtkPolyData> MakeMiddle(vtkUnstructuredGrid* grid)
+{
+  return MakeFaces(
+    grid, [](const double* x, int axis) { return axis == 2 && x[axis] == 0.5 ? 0 : -1; });
+}
+
+void MakeFlat(vtkProperty* property, const Point3& color, double opacity)
+{
+  property->SetColor(color[0], color[1], color[2]);
+  property->SetAmbient(1.0);
+  property->SetDiffuse(0.0);
+  property->SetSpecular(0.0);
+  property->SetOpacity(opacity);
+}
+
+/// A mapper with triangles.
+struct Surface
+{
+  vtkNew<Mapper> Drawer;
+  vtkNew<vtkProperty> Property;
+
+  Surface(int path, vtkDataSet* triangles, double opacity, const Point3& color = FaceColor)
+  {
+    MakeFlat(this->Property, color, opacity);
+    this->Drawer->SetRenderPath(path);
+    this->Drawer->SetBoundaryData(triangles);
+    this->Drawer->SetBoundaryProperty(this->Property);
+  }
+};
+
+std::string GetName(int path, bool parallel)
+{
+  return GetPathName(path) + (parallel ? ", parallel" : ", perspective");
+}
+
+/// The triangles by VTK's own mapper.
+RgbaPicture DrawTriangles(
+  vtkPolyData* triangles, vtkCamera* camera, const Point3& color, vtkTexture* texture)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(triangles);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->SetTexture(texture);
+  MakeFlat(actor->GetProperty(), color, 1.0);
+  vtkNew<Mapper> nothing;
+  nothing->SetInputData(static_cast<vtkDataSet*>(vtkNew<vtkUnstructuredGrid>()));
+  VolumeStage stage(Size);
+  stage.SetVolume(nothing, MakeRamp(0.0, 1.0));
+  stage.AddActor(actor);
+  stage.SetCamera(camera);
+  return stage.Capture();
+}
+
+/// Compares pixels whose eight neighbours are covered by the triangles too.
+void ExpectInside(Check& check, vtkUnstructuredGrid* grid, vtkCamera* camera,
+  const RgbaPicture& found, const RgbaPicture& expected, const std::string& name)
+{
+  const PixelRays rays(camera, Size);
+  int inside = 0;
+  double largest = 0.0;
+  for (int j = 1; j + 1 < Size[1]; ++j)
+  {
+    for (int i = 1; i + 1 < Size[0]; ++i)
+    {
+      bool isInside = true;
+      for (int k = 0; k < 9; ++k)
+      {
+        isInside = isInside && BoxChord(grid, rays.Get(i + k % 3 - 1, j + k / 3 - 1)) > 0.0;
+      }
+      for (int k = 0; k < 4 && isInside; ++k)
+      {
+        const double difference = std::abs(found.At(i, j)[k] - expected.At(i, j)[k]);
+        largest = difference <= largest ? largest : difference;
+      }
+      inside += isInside ? 1 : 0;
+    }
+  }
+  std::cout << name << ": " << largest << " in " << inside << " pixels\n";
+  check.That(inside > 1000, name + ": the cube is seen");
+  check.Near(largest, 0.0, 1e-3, name, 1.0);
+}
+
+void TestOpaque(Check& check, int path, bool parallel)
+{
+  PictureCase what;
+  what.Grid = MakeCube(4);
+  what.Property = MakeRamp(0.1, 1.0, 0.25);
+  what.Camera = LookAt(what.Grid, Slanted, parallel);
+  what.Settings.Size = Size;
+  auto sides = MakeSides(what.Grid);
+  check.Equal(sides->GetNumberOfCells(), 6 * 4 * 4 * 2, "triangles of the cube's sides");
+  Surface surface(path, sides, 1.0);
+  const std::string name = GetName(path, parallel) + ", opaque sides";
+  const RgbaPicture found = DrawByMapper(surface.Drawer, what);
+  check.Equal(surface.Drawer->GetRenderReport().BoundaryTriangles, sides->GetNumberOfCells(),
+    name + ": triangles");
+  ExpectInside(check, what.Grid, what.Camera, found,
+    DrawTriangles(sides, what.Camera, FaceColor, nullptr), name);
+}
+
+/// An image of two colours, left and right, and texture coordinates x and y.
+vtkSmartPointer<vtkTexture> MakeTexture(vtkPolyData* triangles)
+{
+  constexpr int width = 64;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(width, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 2 * width; ++i)
+  {
+    auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(i % width, i / width, 0));
+    const bool isLeft = i % width < width / 2;
+    pixel[0] = isLeft ? 255 : 51;
+    pixel[1] = isLeft ? 102 : 204;
+    pixel[2] = isLeft ? 0 : 255;
+  }
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  for (vtkIdType id = 0; id < triangles->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    triangles->GetPoint(id, x);
+    coordinates->InsertNextTuple(x);
+  }
+  triangles->GetPointData()->SetTCoords(coordinates);
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->RepeatOff();
+  texture->InterpolateOn();
+  return texture;
+}
+
+void TestTexture(Check& check, int path, bool parallel)
+{
+  PictureCase what;
+  what.Grid = MakeLayers(4, { 0.0, 0.5, 1.0 });
+  what.Property = MakeProperty({ { 0.0, { { 1.0, 1.0, 1.0 } }, 0.0 } });
+  what.Camera = LookAt(what.Grid, FaceOn, parallel);
+  what.Settings.Size = Size;
+  auto middle = MakeMiddle(what.Grid);
+  auto texture = MakeTexture(middle);
+  Surface surface(path, middle, 0.5);
+  surface.Drawer->SetBoundaryTexture(texture);
+  const RgbaPicture found = DrawByMapper(surface.Drawer, what);
+  const std::string name = GetName(path, parallel) + ", textured";
+  const PixelRays rays(what.Camera, Size);
+  const Point3 halves[2] = { { { 1.0, 0.4, 0.0 } }, { { 0.2, 0.8, 1.0 } } };
+  int seen[2] = { 0, 0 };
+  for (int j = 0; j < Size[1]; ++j)
+  {
+    for (int i = 0; i < Size[0]; ++i)
+    {
+      const Ray ray = rays.Get(i, j);
+      const Real distance = (Real(0.5) - ray.Origin[2]) / ray.Direction[2];
+      const auto u = static_cast<double>(ray.Origin[0] + distance * ray.Direction[0]);
+      const auto v = static_cast<double>(ray.Origin[1] + distance * ray.Direction[1]);
+      const bool isWithin = u > 0.02 && u < 0.98 && v > 0.02 && v < 0.98;
+      if (isWithin && std::abs(u - 0.5) > 0.02)
+      {
+        const int half = u < 0.5 ? 0 : 1;
+        ++seen[half];
+        for (int k = 0; k < 3; ++k)
+        {
+          check.Near(found.At(i, j)[k], 0.5 * halves[half][k] * FaceColor[k], 1e-3, name, 1.0);
+        }
+        check.Near(found.At(i, j)[3], 0.5, 1e-3, name + ", alpha", 1.0);
+      }
+    }
+  }
+  check.That(seen[0] > 500 && seen[1] > 500, name + ": both halves are seen");
+}
+
+/// Colour and alpha through front half, face and back half.
+void TestSlab(Check& check, int path, bool parallel, const Point3& direction, double opacity,
+  vtkDataSet* faces, vtkUnstructuredGrid* grid, const std::string& kind)
+{
+  constexpr double extinction = 1.5;
+  const Point3 slab = { { 0.9, 0.5, 0.1 } };
+  PictureCase what;
+  what.Grid = grid;
+  what.Property = MakeProperty({ { 0.0, slab, extinction } });
+  what.Camera = LookAt(what.Grid, direction, parallel);
+  what.Settings.Size = Size;
+  Surface surface(path, faces, opacity);
+  const RgbaPicture found = DrawByMapper(surface.Drawer, what);
+  const std::string name =
+    GetName(path, parallel) + ", " + kind + ", opacity " + std::to_string(opacity);
+  check.Equal(surface.Drawer->GetRenderReport().BoundaryTriangles, faces->GetNumberOfCells(),
+    name + ": triangles");
+  check.Equal(surface.Drawer->GetRenderReport().UnmatchedTriangles, 0, name + ": unmatched");
+  const PixelRays rays(what.Camera, Size);
+  int inside = 0;
+  double largest = 0.0;
+  for (int j = 0; j < Size[1]; ++j)
+  {
+    for (int i = 0; i < Size[0]; ++i)
+    {
+      const Ray ray = rays.Get(i, j);
+      const double chord = BoxChord(grid, ray);
+      const double height = chord * std::abs(static_cast<double>(ray.Direction[2]));
+      // Only lines of sight that pass both sides of the slab.
+      if (std::abs(height - 1.0) < 1e-9)
+      {
+        ++inside;
+        const double half = -std::expm1(-0.5 * extinction * chord);
+        const double afterFront = 1.0 - half;
+        const double afterFace = afterFront * (1.0 - opacity);
+        for (int k = 0; k < 4; ++k)
+        {
+          const double volume = k < 3 ? slab[k] : 1.0;
+          const double face = k < 3 ? FaceColor[k] : 1.0;
+          const double expected =
+            half * volume + afterFront * opacity * face + afterFace * half * volume;
+          const double difference = std::abs(found.At(i, j)[k] - expected);
+          largest = difference <= largest ? largest : difference;
+        }
+      }
+    }
+  }
+  std::cout << name << ": " << largest << " in " << inside << " pixels\n";
+  check.That(inside > 300, name + ": the slab is seen");
+  check.Near(largest, 0.0, 1e-4, name, 1.0);
+}
+
+/// The faces with no other points than theirs.
+vtkSmartPointer<vtkUnstructuredGrid> Compact(vtkPolyData* faces)
+{
+  vtkNew<vtkIntArray> all;
+  all->SetName("all");
+  for (vtkIdType cell = 0; cell < faces->GetNumberOfCells(); ++cell)
+  {
+    all->InsertNextValue(1);
+  }
+  faces->GetCellData()->AddArray(all);
+  vtkNew<vtkThreshold> threshold;
+  threshold->SetInputData(faces);
+  threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "all");
+  threshold->SetUpperThreshold(0.5);
+  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
+  // The grid's points are in double, and so must those to be matched be.
+  threshold->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  threshold->Update();
+  return threshold->GetOutput();
+}
+
+void TestFaces(Check& check, int path, bool parallel)
+{
+  auto grid = MakeLayers(4, { 0.0, 0.25, 0.5, 1.0 });
+  auto middle = MakeMiddle(grid);
+  check.Equal(middle->GetNumberOfCells(), 4 * 4 * 2, "triangles in the middle");
+  for (double opacity : { 0.0, 0.3, 1.0 })
+  {
+    TestSlab(check, path, parallel, FaceOn, opacity, middle, grid, "face-on");
+    TestSlab(check, path, parallel, Slanted, opacity, middle, grid, "slanted");
+  }
+  TestSlab(check, path, parallel, { { 0.2, 0.1, -1.0 } }, 0.4, middle, grid, "from behind");
+  auto compact = Compact(middle);
+  check.Equal(compact->GetNumberOfPoints(), 5 * 5, "points of the compacted triangles");
+  TestSlab(check, path, parallel, Slanted, 0.3, compact, grid, "compacted points");
+}
+
+/// Triangles that are no faces are counted, wherever their points are.
+void TestUnmatched(Check& check, int path)
+{
+  PictureCase what;
+  what.Grid = MakeCube(2);
+  what.Property = MakeRamp(0.1, 1.0);
+  what.Camera = LookAt(what.Grid, Slanted, true);
+  auto sides = MakeSides(what.Grid);
+  const vtkIdType matched = sides->GetNumberOfCells();
+  // Across the whole cube.
+  sides->GetPolys()->InsertNextCell({ 0, 2, 26 });
+  Surface surface(path, sides, 0.5);
+  DrawByMapper(surface.Drawer, what);
+  const std::string name = GetPathName(path);
+  check.Equal(surface.Drawer->GetRenderReport().BoundaryTriangles, matched, name + ": matched");
+  check.Equal(surface.Drawer->GetRenderReport().UnmatchedTriangles, 1, name + ": unmatched");
+
+  auto compact = Compact(sides);
+  double x[3];
+  compact->GetPoint(compact->GetNumberOfPoints() - 1, x);
+  compact->GetPoints()->SetPoint(compact->GetNumberOfPoints() - 1, x[0], x[1], x[2] + 1e-3);
+  vtkIdType moved = 0;
+  for (vtkIdType cell = 0; cell < compact->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    compact->GetCellPoints(cell, size, corners);
+    moved +=
+      std::set<vtkIdType>(corners, corners + size).count(compact->GetNumberOfPoints() - 1) ? 1 : 0;
+  }
+  Surface other(path, compact, 0.5);
+  DrawByMapper(other.Drawer, what);
+  const vtkIdType found = other.Drawer->GetRenderReport().BoundaryTriangles;
+  const vtkIdType unmatched = other.Drawer->GetRenderReport().UnmatchedTriangles;
+  check.Equal(found + unmatched, compact->GetNumberOfCells(), name + ": all are counted");
+  check.That(moved > 1 && unmatched >= moved && unmatched <= moved + 1,
+    name + ": those at the moved point are unmatched");
+}
+
+/// Modes without a place for triangles draw as if there were none.
+void TestOtherModes(Check& check, int path)
+{
+  PictureCase what;
+  what.Grid = MakeCube(2);
+  AddSlabs(what.Grid, "IntervalId", 2, 2);
+  what.Property = MakeRamp(0.1, 1.0);
+  what.Camera = LookAt(what.Grid, Slanted, true);
+  auto sides = MakeSides(what.Grid);
+  for (Blend how :
+    { Blend::Additive, Blend::MaximumIntensity, Blend::Priority, Blend::OpticalDepth })
+  {
+    what.Settings.How = how;
+    Surface surface(path, sides, 0.5);
+    const RgbaPicture found = DrawByMapper(surface.Drawer, what);
+    const std::string name = GetPathName(path) + ", blend " + std::to_string(static_cast<int>(how));
+    check.Equal(surface.Drawer->GetRenderReport().BoundaryTriangles, 0, name + ": triangles");
+    check.Near(
+      ComparePictures(found, DrawByPath(path, what)).Max, 0.0, 1e-6, name + ": picture", 1.0);
+    check.That(LargestAlpha(found) > 0.1, name + ": something is seen");
+  }
+}
+
+}
+
+int TestTetrahedraMapperSurface(int, char*[])
+{
+  Check check;
+  for (int path : AllRenderPaths())
+  {
+    for (bool parallel : { true, false })
+    {
+      TestOpaque(check, path, parallel);
+      TestTexture(check, path, parallel);
+      TestFaces(check, path, parallel);
+    }
+    TestUnmatched(check, path);
+    TestOtherModes(check, path);
+  }
+  return check.Result();
+}

@@ -1,0 +1,328 @@
+// One mapper in several windows and renderers, resized, released and drawn again; depth peeling and
+// multisampling; level of detail. Pictures are compared with those of fresh mappers.
+#include "MapperPicture.h"
+#include "PictureCases.h"
+#include "ReferenceCheck.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+
+using namespace reference;
+using Mapper = vtkTimeWeightedTetrahedraMapper;
+
+constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
+constexpr Point3 Sideways = { { 1.0, 0.2, 0.3 } };
+constexpr double Byte = 1.0 / 255.0;
+constexpr double StillRate = 1e-4;
+
+/// The window's own pixels.
+RgbaPicture Draw(vtkRenderWindow* window)
+{
+  window->Render();
+  const int* size = window->GetSize();
+  RgbaPicture picture(size[0], size[1]);
+  vtkNew<vtkFloatArray> pixels;
+  window->GetRGBAPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  for (std::size_t i = 0; i < picture.Values.size(); ++i)
+  {
+    picture.Values[i] = pixels->GetValue(static_cast<vtkIdType>(i));
+  }
+  return picture;
+}
+
+/// The mesh and what it looks like.
+struct Scene
+{
+  explicit Scene(int path)
+    : Path(path)
+    , Name(GetPathName(path) + ", ")
+  {
+  }
+
+  vtkSmartPointer<vtkVolume> MakeVolume() const
+  {
+    vtkNew<Mapper> mapper;
+    mapper->SetRenderPath(this->Path);
+    mapper->SetInputData(static_cast<vtkDataSet*>(this->Grid));
+    mapper->AutoAdjustLevelOfDetailOff();
+    auto volume = vtkSmartPointer<vtkVolume>::New();
+    volume->SetMapper(mapper);
+    volume->SetProperty(this->Property);
+    return volume;
+  }
+
+  int Path;
+  std::string Name;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid = MakeCube(4);
+  vtkSmartPointer<vtkVolumeProperty> Property = MakeRamp(0.1, 1.0, 0.25);
+};
+
+/// A window of one renderer.
+struct View
+{
+  View(const Scene& scene, vtkVolume* volume, const Point3& direction,
+    const std::array<int, 2>& size = { { 80, 64 } }, int samples = 0)
+  {
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(samples);
+    this->Window->SetSize(size[0], size[1]);
+    this->Window->AddRenderer(this->Renderer);
+    this->Renderer->SetBackground(0.2, 0.1, 0.3);
+    this->Renderer->AddVolume(volume);
+    this->Renderer->SetActiveCamera(LookAt(scene.Grid, direction, false));
+  }
+
+  RgbaPicture Draw() { return ::Draw(this->Window); }
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+};
+
+/// By a mapper that has drawn nothing else.
+RgbaPicture DrawFresh(
+  const Scene& scene, const Point3& direction, const std::array<int, 2>& size = { { 80, 64 } })
+{
+  return View(scene, scene.MakeVolume(), direction, size).Draw();
+}
+
+/// Expects equal pictures in which the volume is seen.
+void ExpectSame(
+  Check& check, const RgbaPicture& found, const RgbaPicture& expected, const std::string& what)
+{
+  check.Near(ComparePictures(found, expected).Max, 0.0, 1e-9, what, 1.0);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < expected.Values.size(); i += 4)
+  {
+    largest = std::max(largest, std::abs(expected.Values[i] - 0.2));
+  }
+  check.That(largest > 0.1, what + ": the volume is seen");
+}
+
+void TestTwoWindows(Check& check, const Scene& scene)
+{
+  const RgbaPicture first = DrawFresh(scene, Slanted);
+  const RgbaPicture second = DrawFresh(scene, Sideways, { { 48, 72 } });
+  auto volume = scene.MakeVolume();
+  View a(scene, volume, Slanted);
+  View b(scene, volume, Sideways, { { 48, 72 } });
+  for (int turn = 0; turn < 3; ++turn)
+  {
+    const std::string name = scene.Name + "two windows, turn " + std::to_string(turn);
+    ExpectSame(check, a.Draw(), first, name + ", first");
+    ExpectSame(check, b.Draw(), second, name + ", second");
+  }
+  // A change reaches both.
+  Scene other = scene;
+  other.Property = MakeRamp(1.0, 0.2, 0.5);
+  volume->SetProperty(other.Property);
+  ExpectSame(check, a.Draw(), DrawFresh(other, Slanted), scene.Name + "other colours, first");
+  ExpectSame(check, b.Draw(), DrawFresh(other, Sideways, { { 48, 72 } }),
+    scene.Name + "other colours, second");
+}
+
+void TestTwoRenderers(Check& check, const Scene& scene)
+{
+  const RgbaPicture left = DrawFresh(scene, Slanted, { { 40, 64 } });
+  const RgbaPicture right = DrawFresh(scene, Sideways, { { 40, 64 } });
+  auto volume = scene.MakeVolume();
+  View view(scene, volume, Slanted);
+  view.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> other;
+  other->SetBackground(0.2, 0.1, 0.3);
+  other->SetViewport(0.5, 0.0, 1.0, 1.0);
+  other->AddVolume(volume);
+  other->SetActiveCamera(LookAt(scene.Grid, Sideways, false));
+  view.Window->AddRenderer(other);
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    const RgbaPicture both = view.Draw();
+    RgbaPicture halves[2] = { RgbaPicture(40, 64), RgbaPicture(40, 64) };
+    for (int j = 0; j < 64; ++j)
+    {
+      for (int i = 0; i < 80; ++i)
+      {
+        std::copy_n(both.At(i, j), 4, halves[i / 40].At(i % 40, j));
+      }
+    }
+    ExpectSame(check, halves[0], left, scene.Name + "two renderers, left");
+    ExpectSame(check, halves[1], right, scene.Name + "two renderers, right");
+  }
+}
+
+void TestResize(Check& check, const Scene& scene)
+{
+  View view(scene, scene.MakeVolume(), Slanted);
+  view.Draw();
+  for (const std::array<int, 2>& size :
+    { std::array<int, 2>{ { 33, 57 } }, { { 120, 90 } }, { { 80, 64 } } })
+  {
+    view.Window->SetSize(size[0], size[1]);
+    ExpectSame(check, view.Draw(), DrawFresh(scene, Slanted, size),
+      scene.Name + "resized to " + std::to_string(size[0]));
+  }
+}
+
+void TestRelease(Check& check, const Scene& scene)
+{
+  auto volume = scene.MakeVolume();
+  View view(scene, volume, Slanted);
+  const RgbaPicture expected = view.Draw();
+  volume->GetMapper()->ReleaseGraphicsResources(view.Window);
+  ExpectSame(check, view.Draw(), expected, scene.Name + "released");
+  volume->GetMapper()->ReleaseGraphicsResources(view.Window);
+  volume->GetMapper()->ReleaseGraphicsResources(view.Window);
+  ExpectSame(check, view.Draw(), expected, scene.Name + "released twice");
+  view.Window->Finalize();
+  ExpectSame(check, view.Draw(), expected, scene.Name + "window finalised");
+  {
+    View other(scene, volume, Slanted);
+    ExpectSame(check, other.Draw(), expected, scene.Name + "another window");
+  }
+  ExpectSame(check, view.Draw(), expected, scene.Name + "the other window is gone");
+}
+
+/// A translucent plane over the left half of the picture, in front of the volume.
+vtkSmartPointer<vtkActor> MakePlane(const Scene& scene)
+{
+  auto camera = LookAt(scene.Grid, Slanted, false);
+  double eye[3];
+  double middle[3];
+  camera->GetPosition(eye);
+  camera->GetFocalPoint(middle);
+  double right[3];
+  double up[3] = { 0.0, 1.0, 0.0 };
+  double view[3];
+  camera->GetDirectionOfProjection(view);
+  vtkMath::Cross(view, up, right);
+  vtkMath::Normalize(right);
+  vtkMath::Cross(right, view, up);
+  double corners[3][3];
+  for (int k = 0; k < 3; ++k)
+  {
+    const double center = 0.5 * (eye[k] + middle[k]);
+    corners[0][k] = center - 2.0 * right[k] - 2.0 * up[k];
+    corners[1][k] = center - 2.0 * up[k];
+    corners[2][k] = center - 2.0 * right[k] + 2.0 * up[k];
+  }
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(corners[0]);
+  plane->SetPoint1(corners[1]);
+  plane->SetPoint2(corners[2]);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(0.1, 0.9, 0.2);
+  actor->GetProperty()->SetOpacity(0.5);
+  return actor;
+}
+
+/// The largest difference of a channel of colour among the columns [first, last).
+double CompareColumns(const RgbaPicture& a, const RgbaPicture& b, int first, int last)
+{
+  double largest = 0.0;
+  for (int j = 0; j < a.Height; ++j)
+  {
+    for (int i = first; i < last; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        largest = std::max(largest, std::abs(a.At(i, j)[k] - b.At(i, j)[k]));
+      }
+    }
+  }
+  return largest;
+}
+
+void TestPeeling(Check& check, const Scene& scene, int samples, bool isPeeled)
+{
+  const std::string name = scene.Name + std::to_string(samples) + " samples, " +
+    (isPeeled ? "depth peeling" : "no depth peeling");
+  View view(scene, scene.MakeVolume(), Slanted, { { 80, 64 } }, samples);
+  view.Window->SetAlphaBitPlanes(1);
+  view.Renderer->SetUseDepthPeeling(isPeeled);
+  view.Renderer->SetMaximumNumberOfPeels(8);
+  view.Renderer->AddActor(MakePlane(scene));
+  const RgbaPicture plain = DrawFresh(scene, Slanted);
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    const RgbaPicture found = view.Draw();
+    check.Near(CompareColumns(found, plain, 42, 80), 0.0, 2.0 * Byte, name + ": the volume", 1.0);
+    check.That(CompareColumns(found, plain, 25, 38) > 0.1, name + ": the actor over the volume");
+    // Beside the volume the plane is half over the background.
+    const double* corner = found.At(1, 1);
+    check.Near(corner[0], 0.5 * (0.2 + 0.1), 2.0 * Byte, name + ": the actor's red", 1.0);
+    check.Near(corner[1], 0.5 * (0.1 + 0.9), 2.0 * Byte, name + ": the actor's green", 1.0);
+    check.Near(corner[2], 0.5 * (0.3 + 0.2), 2.0 * Byte, name + ": the actor's blue", 1.0);
+  }
+}
+
+void TestLevelOfDetail(Check& check, const Scene& scene)
+{
+  auto volume = scene.MakeVolume();
+  auto* mapper = Mapper::SafeDownCast(volume->GetMapper());
+  mapper->AutoAdjustLevelOfDetailOn();
+  View view(scene, volume, Slanted);
+  view.Window->SetDesiredUpdateRate(StillRate);
+  const RgbaPicture expected = view.Draw();
+  const std::string name = scene.Name + "level of detail";
+  check.Equal(mapper->GetRenderReport().PixelStride, 1, name + ": full at first");
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    view.Window->SetDesiredUpdateRate(1e9);
+    const RgbaPicture coarse = view.Draw();
+    check.That(mapper->GetRenderReport().PixelStride > 1, name + ": coarse in a hurry");
+    const PictureError error = ComparePictures(coarse, expected);
+    check.That(error.Max > 1e-3 && error.Mean < 0.05, name + ": another, but similar picture");
+    view.Window->SetDesiredUpdateRate(StillRate);
+    ExpectSame(check, view.Draw(), expected, name + ": still");
+    check.Equal(mapper->GetRenderReport().PixelStride, 1, name + ": full when still");
+    check.Equal(mapper->GetRenderReport().TetrahedronStride, 1, name + ": all when still");
+  }
+  mapper->AutoAdjustLevelOfDetailOff();
+  view.Window->SetDesiredUpdateRate(1e9);
+  ExpectSame(check, view.Draw(), expected, name + " off");
+  check.Equal(mapper->GetRenderReport().PixelStride, 1, name + " off: full");
+}
+
+}
+
+int TestTetrahedraMapperViews(int, char*[])
+{
+  Check check;
+  for (int path : AllRenderPaths())
+  {
+    const Scene scene(path);
+    TestTwoWindows(check, scene);
+    TestTwoRenderers(check, scene);
+    TestResize(check, scene);
+    TestRelease(check, scene);
+    for (int samples : { 0, 4 })
+    {
+      TestPeeling(check, scene, samples, false);
+      TestPeeling(check, scene, samples, true);
+    }
+    TestLevelOfDetail(check, scene);
+  }
+  return check.Result();
+}
