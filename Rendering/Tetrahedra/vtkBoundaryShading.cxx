@@ -253,7 +253,6 @@ bool vtkBoundaryShading::operator==(const vtkBoundaryShading& other) const
   { return a.Place == b.Place && a.IsPositional == b.IsPositional && a.Color == b.Color; };
   return this->Base == other.Base && this->Shares == other.Shares &&
     this->SpecularColor == other.SpecularColor && this->NormalMatrix == other.NormalMatrix &&
-    this->ImageTime == other.ImageTime && this->Repeated == other.Repeated &&
-    this->Lights.size() == other.Lights.size() &&
+    this->HasSameImage(other) && this->Lights.size() == other.Lights.size() &&
     std::equal(this->Lights.begin(), this->Lights.end(), other.Lights.begin(), isSame);
 }

@@ -57,6 +57,10 @@ public:
   int GetImageHeight() const { return this->ImageHeight; }
   bool IsRepeated() const { return this->Repeated; }
 
+  bool HasSameImage(const vtkBoundaryShading& other) const
+  {
+    return this->ImageTime == other.ImageTime && this->Repeated == other.Repeated;
+  }
   bool operator==(const vtkBoundaryShading& other) const;
 
 private:

@@ -88,13 +88,13 @@ const std::vector<std::uint32_t>* vtkTetrahedraOrder::ComputeLayers(
 //------------------------------------------------------------------------------
 vtkIdType vtkTetrahedraOrder::GetCycles() const
 {
-  return this->Kind == VISIBILITY ? this->Visibility->GetNumberOfTetrahedraInCycles() : 0;
+  return this->Visibility ? this->Visibility->GetNumberOfTetrahedraInCycles() : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTetrahedraOrder::GetGaps() const
 {
-  return this->Kind == VISIBILITY ? this->Visibility->GetNumberOfGapRelations() : 0;
+  return this->Visibility ? this->Visibility->GetNumberOfGapRelations() : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -46,6 +46,7 @@ public:
 
   bool WasComputed() const { return this->Computed; }
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
+  /// Of the last order of visibility.
   vtkIdType GetCycles() const;
   vtkIdType GetGaps() const;
   bool HasAdjacency() const { return this->Visibility != nullptr; }

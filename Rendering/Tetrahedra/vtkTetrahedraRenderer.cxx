@@ -95,8 +95,9 @@ struct vtkTetrahedraRenderer::WindowResources
   int MeshVersion = 0;
   int ColorVersion = 0;
   int OrderVersion = 0;
-  int SurfaceVersion = 0;
+  int BoundaryVersion = 0;
   bool WasClipped = false;
+  vtkTetrahedraView ClipView;
   DrawnState Drawn;
   vtkIdType NumberDrawn = 0;
 };
@@ -261,8 +262,11 @@ const std::vector<std::uint32_t>* vtkTetrahedraRenderer::UpdateOrder(
     report.Sorted = this->Order.WasComputed();
   }
   this->OrderVersion += this->Order.WasComputed() ? 1 : 0;
-  report.Cycles = this->Order.GetCycles();
-  report.Gaps = this->Order.GetGaps();
+  if (report.SortMode == Mapper::MPVONC_SORT)
+  {
+    report.Cycles = this->Order.GetCycles();
+    report.Gaps = this->Order.GetGaps();
+  }
   report.HasAdjacency = this->Order.HasAdjacency();
   return order;
 }
@@ -383,20 +387,25 @@ bool vtkTetrahedraRenderer::HasOpaque(vtkRenderer* renderer, vtkVolume* volume) 
 std::string vtkTetrahedraRenderer::DrawWithOpenGL(vtkRenderer* renderer, vtkVolume* volume,
   WindowResources& resources, vtkTetrahedraRenderReport& report)
 {
-  // Parts cut at the near plane are in the mesh for this picture only.
-  const bool isClipped = this->Clip.IsActive() || resources.WasClipped;
+  // Parts cut at the near plane are in the mesh for this view only.
+  const bool isClipped = this->Clip.IsActive();
+  const bool isSameCut = isClipped == resources.WasClipped &&
+    (!isClipped ||
+      (resources.ClipView == this->Picture.View && resources.OrderVersion == this->OrderVersion &&
+        resources.BoundaryVersion == this->BoundaryVersion));
   vtkTetrahedraPainter::Changes changes;
-  changes.Mesh = isClipped || resources.MeshVersion != this->MeshVersion;
-  changes.Colors = isClipped || resources.ColorVersion != this->ColorVersion;
-  changes.Order = isClipped || resources.OrderVersion != this->OrderVersion;
-  changes.Surface = isClipped || resources.SurfaceVersion != this->SurfaceVersion;
+  changes.Mesh = !isSameCut || resources.MeshVersion != this->MeshVersion;
+  changes.Colors = !isSameCut || resources.ColorVersion != this->ColorVersion;
+  changes.Order = !isSameCut || resources.OrderVersion != this->OrderVersion;
+  changes.Surface = !isSameCut || resources.BoundaryVersion != this->BoundaryVersion;
   std::string error = resources.Painter.Draw(
     renderer, this->Picture, changes, this->HasOpaque(renderer, volume), report);
   resources.MeshVersion = this->MeshVersion;
   resources.ColorVersion = this->ColorVersion;
   resources.OrderVersion = this->OrderVersion;
-  resources.SurfaceVersion = this->SurfaceVersion;
-  resources.WasClipped = this->Clip.IsActive();
+  resources.BoundaryVersion = this->BoundaryVersion;
+  resources.WasClipped = isClipped;
+  resources.ClipView = this->Picture.View;
   report.TetrahedraDrawn = static_cast<vtkIdType>(
     this->Picture.Order ? this->Picture.Order->size() : this->Mesh.GetNumberOfTetrahedra());
   return error;
@@ -497,6 +506,7 @@ void vtkTetrahedraRenderer::UpdateBoundary(
     this->BoundaryCounts =
       vtkBoundaryFaces::Build(request.Boundary, request.Grid, this->Mesh, this->Fields);
     ++this->SurfaceVersion;
+    ++this->BoundaryVersion;
   }
   report.BoundaryTriangles = this->BoundaryCounts.Triangles;
   report.UnmatchedTriangles = this->BoundaryCounts.Unmatched;
@@ -506,6 +516,7 @@ void vtkTetrahedraRenderer::UpdateBoundary(
     this->Shading.Set(
       renderer, this->Picture.View, request.BoundaryProperty, request.BoundaryTexture);
     this->SurfaceVersion += before == this->Shading ? 0 : 1;
+    this->BoundaryVersion += before.HasSameImage(this->Shading) ? 0 : 1;
     this->Picture.Surface = &this->Shading;
   }
 }

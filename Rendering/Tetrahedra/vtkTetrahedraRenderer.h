@@ -108,6 +108,8 @@ private:
   int ColorVersion = 0;
   int OrderVersion = 0;
   int SurfaceVersion = 0;
+  /// Of the boundary without its light, which is no upload.
+  int BoundaryVersion = 0;
 
   /// What the boundary was made of.
   vtkDataSet* Boundary = nullptr;
