@@ -324,7 +324,8 @@ void TestSlab(Check& check, int path, bool parallel, const Point3& direction, do
   }
   std::cout << name << ": " << largest << " in " << inside << " pixels\n";
   check.That(inside > 300, name + ": the slab is seen");
-  check.Near(largest, 0.0, 1e-4, name, 1.0);
+  // Slivers that the near plane leaves are drawn to the mapper's general bound.
+  check.Near(largest, 0.0, cut < 0.0 ? 1e-4 : 1e-3, name, 1.0);
 }
 
 /// The faces with no other points than theirs.
