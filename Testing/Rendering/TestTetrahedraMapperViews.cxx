@@ -70,7 +70,11 @@ struct Scene
     mapper->AutoAdjustLevelOfDetailOff();
     auto volume = vtkSmartPointer<vtkVolume>::New();
     volume->SetMapper(mapper);
-    volume->SetProperty(this->Property);
+    // A volume touches its property, and the next one would have the picture of this one made
+    // again.
+    vtkNew<vtkVolumeProperty> property;
+    property->DeepCopy(this->Property);
+    volume->SetProperty(property);
     return volume;
   }
 
