@@ -52,9 +52,12 @@ RgbaPicture Draw(vtkRenderWindow* window)
 /// The mesh and what it looks like.
 struct Scene
 {
-  explicit Scene(int path)
+  /// Sorted is composite; without order is optical depth.
+  Scene(int path, bool isSorted)
     : Path(path)
-    , Name(GetPathName(path) + ", ")
+    , Blend(isSorted ? static_cast<int>(Mapper::COMPOSITE_BLEND)
+                     : static_cast<int>(Mapper::OPTICAL_DEPTH_BLEND))
+    , Name(GetPathName(path) + (isSorted ? ", sorted, " : ", without order, "))
   {
   }
 
@@ -62,15 +65,21 @@ struct Scene
   {
     vtkNew<Mapper> mapper;
     mapper->SetRenderPath(this->Path);
+    mapper->SetBlendMode(this->Blend);
     mapper->SetInputData(static_cast<vtkDataSet*>(this->Grid));
     mapper->AutoAdjustLevelOfDetailOff();
     auto volume = vtkSmartPointer<vtkVolume>::New();
     volume->SetMapper(mapper);
-    volume->SetProperty(this->Property);
+    // A volume touches its property, and the next one would have the picture of this one made
+    // again.
+    vtkNew<vtkVolumeProperty> property;
+    property->DeepCopy(this->Property);
+    volume->SetProperty(property);
     return volume;
   }
 
   int Path;
+  int Blend;
   std::string Name;
   vtkSmartPointer<vtkUnstructuredGrid> Grid = MakeCube(4);
   vtkSmartPointer<vtkVolumeProperty> Property = MakeRamp(0.1, 1.0, 0.25);
@@ -312,11 +321,15 @@ int TestTetrahedraMapperViews(int, char*[])
   Check check;
   for (int path : AllRenderPaths())
   {
-    const Scene scene(path);
-    TestTwoWindows(check, scene);
-    TestTwoRenderers(check, scene);
-    TestResize(check, scene);
-    TestRelease(check, scene);
+    for (bool isSorted : { true, false })
+    {
+      const Scene scene(path, isSorted);
+      TestTwoWindows(check, scene);
+      TestTwoRenderers(check, scene);
+      TestResize(check, scene);
+      TestRelease(check, scene);
+    }
+    const Scene scene(path, true);
     for (int samples : { 0, 4 })
     {
       TestPeeling(check, scene, samples, false);
