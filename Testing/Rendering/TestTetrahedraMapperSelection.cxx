@@ -57,11 +57,13 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeSeparated()
   scalars->SetName("f");
   for (vtkIdType cell = 0; cell < Cells; ++cell)
   {
+    const double column = static_cast<double>(cell % Side);
+    const vtkIdType row = cell / Side;
     vtkIdType ids[4];
     for (int i = 0; i < 4; ++i)
     {
-      ids[i] = points->InsertNextPoint(corners[i][0] + static_cast<double>(cell % Side),
-        corners[i][1] + static_cast<double>(cell / Side), corners[i][2]);
+      ids[i] = points->InsertNextPoint(
+        corners[i][0] + column, corners[i][1] + static_cast<double>(row), corners[i][2]);
       scalars->InsertNextValue(static_cast<double>(cell));
     }
     tetrahedra->InsertNextCell(4, ids);
