@@ -292,6 +292,13 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
   this->ChooseBlend(request, report);
   this->ChoosePath(request, window, report);
 
+  const std::array<int, 3> conditions{ { report.RenderPath, renderer->GetSize()[0],
+    renderer->GetSize()[1] } };
+  if (conditions != this->LevelConditions)
+  {
+    this->LevelOfDetail.Reset();
+    this->LevelConditions = conditions;
+  }
   const int level = request.AdjustsLevelOfDetail && !renderer->GetSelector()
     ? this->LevelOfDetail.Choose(
         volume->GetAllocatedRenderTime(), this->Mesh.GetNumberOfTetrahedra())

@@ -13,6 +13,7 @@
 #include "vtkTileRasterizer.h"
 #include "vtkType.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -127,6 +128,8 @@ private:
   vtkTetrahedraPicture Picture;
   vtkTileRasterizer Rasterizer;
   vtkLevelOfDetail LevelOfDetail;
+  /// Path and size of the viewport that its times were measured with.
+  std::array<int, 3> LevelConditions{};
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
 };
 
