@@ -11,7 +11,10 @@ import sys
 import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
 from plugin_testing import Checks, extractions_path, interval_volume, load_plugin, open_data
 
@@ -23,6 +26,7 @@ DISTRIBUTED_BOUNDS = (24, 0.4)
 DISTRIBUTED_PICTURES = ("by-temperature", "by-interval")
 SMALLEST_CHANGE = 0.5  # mean difference of pictures drawn in other ways
 SMALLEST_SHARE = 0.25  # of the picture that shows something
+SKIPPED = 77
 
 
 def draw(picture, source, path):
@@ -86,6 +90,29 @@ def check_choice(checks):
     simple.Delete(view)
 
 
+def can_exchange_data():
+    """Processes exchange data as XML with raw bytes, which VTK before 9.3 cannot read with an expat that
+    defers parsing (https://gitlab.kitware.com/vtk/vtk/-/issues/19258)."""
+    grid = vtkUnstructuredGrid()
+    points = vtkPoints()
+    for i in range(10000):  # more than the parser takes at once
+        points.InsertNextPoint(0.1 * i, 0.7 * i, 0.3 * i)
+    grid.SetPoints(points)
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetInputData(grid)
+    writer.WriteToOutputStringOn()
+    writer.SetDataModeToAppended()
+    writer.EncodeAppendedDataOff()
+    writer.Update()
+    reader = vtkXMLUnstructuredGridReader()
+    reader.ReadFromInputStringOn()
+    reader.SetInputString(writer.GetOutputString())
+    vtkObject.GlobalWarningDisplayOff()
+    reader.Update()
+    vtkObject.GlobalWarningDisplayOn()
+    return reader.GetOutput().GetNumberOfPoints() == points.GetNumberOfPoints()
+
+
 def pixels(path):
     reader = vtkPNGReader()
     reader.SetFileName(path)
@@ -101,6 +128,9 @@ def main():
         pictures = json.load(file)
     checks.that(len(pictures) > 1, "there are pictures to repeat")
     distributed = sys.argv[2] == "distributed"
+    if distributed and not can_exchange_data():
+        print("skipped: this ParaView cannot exchange grids between processes")
+        sys.exit(SKIPPED)
     largest, mean = DISTRIBUTED_BOUNDS if distributed else WHOLE_BOUNDS
     if distributed:
         pictures = [picture for picture in pictures if picture["name"] in DISTRIBUTED_PICTURES]
