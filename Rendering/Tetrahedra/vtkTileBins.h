@@ -17,7 +17,7 @@ class vtkTileBins
 {
 public:
   /// Edge of a tile in pixels.
-  static constexpr int SIZE = 64;
+  static constexpr int SIZE = 96;
 
   /// A projected point with what it carries.
   struct Point

@@ -10,7 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
+#include <string>
 
 namespace tetrahedra
 {
@@ -278,9 +281,21 @@ std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
     }
   }
   plots.push_back(times);
+  // Bars need a value for every case, and the largest has not every mode.
+  std::set<std::string> ofAll;
+  for (const RenderMode& mode : AllRenderModes())
+  {
+    if (mode.OfLargest)
+    {
+      ofAll.insert(mode.Name);
+    }
+  }
+  std::vector<BenchRow> complete;
+  std::copy_if(speed.begin(), speed.end(), std::back_inserter(complete),
+    [&ofAll](const BenchRow& row) { return ofAll.count(row.Parameter.get<std::string>()) > 0; });
   for (const RenderPath& path : AllRenderPaths())
   {
-    for (BenchPlot& plot : MakeRatioPlots("tetrahedra", path.Name, speed))
+    for (BenchPlot& plot : MakeRatioPlots("tetrahedra", path.Name, complete))
     {
       plot.Name = "tetrahedra-ratio-" + std::string(path.Name);
       plots.push_back(std::move(plot));
