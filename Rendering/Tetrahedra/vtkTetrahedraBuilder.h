@@ -50,8 +50,8 @@ public:
     const vtkTetrahedraArrays& arrays, const vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields);
 
   /**
-   * Kind, scalars, and colours where they are not looked up while drawing. Extinction is opacity times
-   * \a unit.
+   * Kind, scalars, and colours where they are not looked up while drawing. Extinction is opacity
+   * times \a unit.
    */
   static std::string BuildColors(const vtkTetrahedraArrays& arrays, const vtkTetrahedraMesh& mesh,
     vtkVolumeProperty* property, double unit, vtkTetrahedraFields& fields);
