@@ -106,7 +106,7 @@ void vtkBoundaryShading::SetImage(vtkTexture* texture)
   vtkDataArray* scalars = input ? input->GetPointData()->GetScalars() : nullptr;
   if (!scalars)
   {
-    this->Image.clear();
+    this->Image = std::make_shared<const std::vector<Color>>();
     this->ImageWidth = 0;
     this->ImageHeight = 0;
     this->ImageTime = 0;
@@ -129,7 +129,7 @@ void vtkBoundaryShading::SetImage(vtkTexture* texture)
   unsigned char* mapped = isColor ? nullptr : texture->MapScalarsToColors(scalars);
   const int components = isColor ? scalars->GetNumberOfComponents() : 4;
   const auto pixels = static_cast<std::size_t>(this->ImageWidth) * this->ImageHeight;
-  this->Image.assign(pixels, { { 0.0f, 0.0f, 0.0f, 1.0f } });
+  auto image = std::make_shared<std::vector<Color>>(pixels, Color{ { 0.0f, 0.0f, 0.0f, 1.0f } });
   for (std::size_t i = 0; i < pixels; ++i)
   {
     const auto get = [&](int c)
@@ -141,13 +141,14 @@ void vtkBoundaryShading::SetImage(vtkTexture* texture)
     // One component is grey, two are grey and opacity.
     for (int c = 0; c < 3; ++c)
     {
-      this->Image[i][c] = get(components >= 3 ? c : 0);
+      (*image)[i][c] = get(components >= 3 ? c : 0);
     }
     if (components == 2 || components == 4)
     {
-      this->Image[i][3] = get(components - 1);
+      (*image)[i][3] = get(components - 1);
     }
   }
+  this->Image = image;
 }
 
 //------------------------------------------------------------------------------
@@ -171,7 +172,7 @@ vtkBoundaryShading::Color vtkBoundaryShading::Sample(double u, double v) const
   const float a = place(u, this->ImageWidth, x);
   const float b = place(v, this->ImageHeight, y);
   const auto pixel = [&](int i, int j) -> const Color&
-  { return this->Image[static_cast<std::size_t>(y[j]) * this->ImageWidth + x[i]]; };
+  { return (*this->Image)[static_cast<std::size_t>(y[j]) * this->ImageWidth + x[i]]; };
   Color color;
   for (int c = 0; c < 4; ++c)
   {
@@ -187,7 +188,7 @@ vtkBoundaryShading::Color vtkBoundaryShading::Shade(const std::array<double, 3>&
   const std::array<double, 3>& normal, const std::array<double, 2>& textureCoordinates) const
 {
   Color base = this->Base;
-  if (!this->Image.empty())
+  if (!this->Image->empty())
   {
     const Color texel = this->Sample(textureCoordinates[0], textureCoordinates[1]);
     for (int c = 0; c < 4; ++c)

@@ -4,6 +4,7 @@
 #include "vtkTetrahedraView.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 class vtkProperty;
@@ -52,7 +53,7 @@ public:
   /// Eye from mesh, of normals: three rows.
   const std::array<float, 9>& GetNormalMatrix() const { return this->NormalMatrix; }
   /// The image row by row from below; no pixels where there is none.
-  const std::vector<Color>& GetImage() const { return this->Image; }
+  const std::vector<Color>& GetImage() const { return *this->Image; }
   int GetImageWidth() const { return this->ImageWidth; }
   int GetImageHeight() const { return this->ImageHeight; }
   bool IsRepeated() const { return this->Repeated; }
@@ -72,7 +73,8 @@ private:
   Color Shares{};
   std::array<float, 3> SpecularColor{};
   std::array<float, 9> NormalMatrix{};
-  std::vector<Color> Image;
+  /// Shared with copies, which are made to tell what has changed.
+  std::shared_ptr<const std::vector<Color>> Image = std::make_shared<const std::vector<Color>>();
   vtkMTimeType ImageTime = 0;
   int ImageWidth = 0;
   int ImageHeight = 0;

@@ -160,12 +160,13 @@ std::string vtkTetrahedraRenderer::UpdateColors(
   this->Property = property;
   this->PropertyTime = property->GetMTime();
   this->ColorUnit = unit;
+  this->HasOneColor = this->FindOneColor();
   ++this->ColorVersion;
   return {};
 }
 
 //------------------------------------------------------------------------------
-bool vtkTetrahedraRenderer::HasOneColor() const
+bool vtkTetrahedraRenderer::FindOneColor() const
 {
   if (this->Fields.Kind == vtkTetrahedraFields::SCALARS)
   {
@@ -220,7 +221,7 @@ void vtkTetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraRend
     report.SortMode = request.Sort;
     report.SortReason = "as asked for";
   }
-  else if (!this->Picture.Surface && this->HasOneColor())
+  else if (!this->Picture.Surface && this->HasOneColor)
   {
     report.SortReason = "all is of one colour";
   }

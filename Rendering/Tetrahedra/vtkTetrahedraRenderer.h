@@ -75,7 +75,7 @@ private:
   void ChoosePath(
     const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraRenderReport& report);
   void ChooseSort(const Request& request, vtkTetrahedraRenderReport& report);
-  bool HasOneColor() const;
+  bool FindOneColor() const;
   const std::vector<std::uint32_t>* UpdateOrder(
     const Request& request, vtkTetrahedraRenderReport& report);
   bool HasOpaque(vtkRenderer* renderer, vtkVolume* volume) const;
@@ -103,6 +103,8 @@ private:
   vtkVolumeProperty* Property = nullptr;
   vtkMTimeType PropertyTime = 0;
   double ColorUnit = 0.0;
+  /// Whether all is of one colour, so that order does not matter.
+  bool HasOneColor = false;
 
   /// Count what is made anew, so that each window can tell what it has to upload.
   int MeshVersion = 0;
