@@ -1,5 +1,6 @@
 #include "vtkIsotable.h"
 
+#include "vtkIsotableOrder.h"
 #include "vtkIsotablePatch.h"
 
 #include <algorithm>
@@ -78,23 +79,9 @@ int vtkIsotable::GetNumberOfCasesMade() const
 
 vtkIsotable::RankArray vtkIsotable::GetSlotRanks(const Slot* vertexRanks) const
 {
-  constexpr int n = MaximumNumberOfVertices;
   RankArray ranks{};
-  for (int i = 0; i < this->NumberOfVertices; ++i)
-  {
-    ranks[i] = vertexRanks[i];
-  }
-  for (int e = 0; e < this->NumberOfEdges; ++e)
-  {
-    const Slot a = vertexRanks[this->Edges[e][0]];
-    const Slot b = vertexRanks[this->Edges[e][1]];
-    const int lower = n + n * std::min(a, b) + std::max(a, b);
-    ranks[this->NumberOfVertices + e] = static_cast<Slot>(lower);
-    if (this->Kind == INTERVAL)
-    {
-      ranks[this->NumberOfVertices + this->NumberOfEdges + e] = static_cast<Slot>(lower + n * n);
-    }
-  }
+  vtkIsotableOrder::RankSlots(
+    this->NumberOfVertices, this->Edges, this->Kind == INTERVAL, vertexRanks, ranks.data());
   return ranks;
 }
 
@@ -119,7 +106,7 @@ void vtkIsotable::AppendPieces(int key, Case& made) const
   }
   const vtkIsotablePatch patch(this->Lifted, positive);
   const auto toSlot = [n, m](int edge)
-  { return static_cast<Slot>(edge < 2 * m ? n + edge : edge - 2 * m); };
+  { return static_cast<Slot>(vtkIsotableOrder::GetSlot(n, m, edge)); };
   const auto append = [&](const vtkIsotablePatch::PointList& points)
   {
     made.Pieces.push_back(static_cast<Slot>(points.size()));

@@ -84,8 +84,9 @@ inline Normal CrossProduct(int dimension, const std::array<Normal, MaximumDimens
   return normal;
 }
 
-/// The affine span of points inserted one by one. Fraction-free elimination: each kept row has a
-/// pivot column that later rows are cleared of, so the span maps one to one onto the pivot columns.
+/// The affine span of points inserted one by one. It maps one to one onto the pivot columns: the
+/// minor of its rows there is not zero. A further row is outside of it when a minor with one more
+/// column is not zero; minors of coordinates up to MaximumCoordinate fit in 64 bits.
 class Span
 {
 public:
@@ -103,45 +104,33 @@ public:
       this->IsEmpty = false;
       return true;
     }
-    Normal row = Difference(p, this->Origin);
-    for (std::size_t r = 0; r < this->Rows.size(); ++r)
+    const std::size_t rank = this->Pivots.size();
+    if (static_cast<int>(rank) == this->Dimension)
     {
-      this->Clear(row, this->Rows[r], this->Pivots[r]);
+      return false;
     }
+    this->Rows[rank] = Difference(p, this->Origin);
+    this->Pivots.push_back(0);
     for (int axis = 0; axis < this->Dimension; ++axis)
     {
-      if (row[axis] != 0)
+      this->Pivots[rank] = axis;
+      if (std::find(this->Pivots.begin(), this->Pivots.end() - 1, axis) == this->Pivots.end() - 1 &&
+        Determinant(this->Rows.data(), this->Pivots.data(), static_cast<int>(rank) + 1) != 0)
       {
-        this->Rows.push_back(row);
-        this->Pivots.push_back(axis);
         return true;
       }
     }
+    this->Pivots.pop_back();
     return false;
   }
 
   const std::vector<int>& GetPivots() const { return this->Pivots; }
 
 private:
-  void Clear(Normal& row, const Normal& by, int pivot) const
-  {
-    const std::int64_t factor = row[pivot];
-    std::int64_t divisor = 0;
-    for (int axis = 0; axis < this->Dimension; ++axis)
-    {
-      row[axis] = row[axis] * by[pivot] - factor * by[axis];
-      divisor = std::gcd(divisor, row[axis]);
-    }
-    for (int axis = 0; axis < this->Dimension && divisor > 1; ++axis)
-    {
-      row[axis] /= divisor;
-    }
-  }
-
   int Dimension;
   bool IsEmpty = true;
   Point Origin{};
-  std::vector<Normal> Rows;
+  std::array<Normal, MaximumDimension> Rows{};
   std::vector<int> Pivots;
 };
 }

@@ -1,77 +1,95 @@
 #include "vtkIsotableCache.h"
 
-#include "vtkIsotableTriangulation.h"
+#include "vtkIsotableOrder.h"
+#include "vtkIsotablePatch.h"
+#include "vtkIsotablePointSet.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
-
-namespace
-{
-// Vertices first, then lower, then upper crossings, each by the ends of its edge.
-std::vector<int> RankPoints(const vtkIsotablePolytope& cell)
-{
-  const int n = static_cast<int>(cell.Vertices.size());
-  const int m = static_cast<int>(cell.Edges.size());
-  std::vector<std::array<int, 3>> keys;
-  for (int kind = 1; kind <= 2; ++kind)
-  {
-    for (const auto& edge : cell.Edges)
-    {
-      keys.push_back({ { kind, std::min(edge[0], edge[1]), std::max(edge[0], edge[1]) } });
-    }
-  }
-  for (int i = 0; i < n; ++i)
-  {
-    keys.push_back({ { 0, i, i } });
-  }
-  std::vector<int> order(n + 2 * m);
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&keys](int a, int b) { return keys[a] < keys[b]; });
-  std::vector<int> ranks(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    ranks[order[i]] = static_cast<int>(i);
-  }
-  return ranks;
-}
-}
 
 vtkIsotableCache::vtkIsotableCache(const vtkIsotablePolytope& cell)
   : Cell(cell)
   , Lifted(cell.Prism())
-  , PointRanks(RankPoints(cell))
-  , Shards(new Shard[NumberOfShards])
+  , Symmetries(cell)
 {
+  for (const auto& edge : cell.Edges)
+  {
+    this->Edges.push_back({ { static_cast<Slot>(std::min(edge[0], edge[1])),
+      static_cast<Slot>(std::max(edge[0], edge[1])) } });
+  }
+  std::array<Slot, MaximumNumberOfVertices> ascending;
+  std::iota(ascending.begin(), ascending.end(), Slot(0));
+  this->Ascending = this->GetSlotRanks(ascending.data());
 }
 
 vtkIsotableCache::~vtkIsotableCache() = default;
 
-vtkIsotableCache& vtkIsotableCache::GetHypercube()
+vtkIsotableCache& vtkIsotableCache::Get(vtkIsotable::Shapes shape)
 {
-  static vtkIsotableCache cache(vtkIsotablePolytope::Cube(4));
-  return cache;
+  static vtkIsotableCache caches[vtkIsotable::NUMBER_OF_SHAPES] = {
+    vtkIsotableCache(vtkIsotablePolytope::Simplex(3).Prism()),
+    vtkIsotableCache(vtkIsotablePolytope::Pyramid().Prism()),
+    vtkIsotableCache(vtkIsotablePolytope::Wedge().Prism()),
+    vtkIsotableCache(vtkIsotablePolytope::Cube(3).Prism())
+  };
+  return caches[shape];
+}
+
+vtkIsotableCache::RankArray vtkIsotableCache::GetSlotRanks(const Slot* vertexRanks) const
+{
+  RankArray ranks{};
+  vtkIsotableOrder::RankSlots(
+    this->GetNumberOfVertices(), this->Edges, true, vertexRanks, ranks.data());
+  return ranks;
 }
 
 const vtkIsotableCache::Case& vtkIsotableCache::GetCase(std::uint32_t key)
 {
+  std::uint64_t misses = 0;
+  const Case& found = this->FindCase(key, misses);
   this->Lookups.fetch_add(1, std::memory_order_relaxed);
-  Shard& shard = this->Shards[(key * 2654435761u) >> 26];
-  std::lock_guard<std::mutex> lock(shard.Mutex);
-  std::unique_ptr<const Case>& known = shard.Cases[key];
-  if (!known)
-  {
-    known.reset(new Case(this->MakeCase(key)));
-    this->Misses.fetch_add(1, std::memory_order_relaxed);
-    this->Bytes.fetch_add(sizeof(Case) + known->capacity(), std::memory_order_relaxed);
-  }
-  return *known;
+  this->Misses.fetch_add(misses, std::memory_order_relaxed);
+  return found;
 }
 
-vtkIsotableCache::Case vtkIsotableCache::MakeCase(std::uint32_t key) const
+const vtkIsotableCache::Case& vtkIsotableCache::FindCase(std::uint32_t key, std::uint64_t& misses)
 {
-  const int n = static_cast<int>(this->Cell.Vertices.size());
-  const int m = static_cast<int>(this->Cell.Edges.size());
+  return this->Cases.Find(key,
+    [this, key, &misses]
+    {
+      ++misses;
+      return this->MakeCase(key);
+    });
+}
+
+std::unique_ptr<const vtkIsotableCache::Case> vtkIsotableCache::MakeCase(std::uint32_t key)
+{
+  const vtkIsotableSymmetries::Origin origin = this->Symmetries.FindOrigin(key);
+  std::unique_ptr<Case> made(new Case);
+  made->Symmetry = origin.Symmetry;
+  made->Pieces =
+    &this->Kinds.Find(origin.Key, [this, &origin] { return this->MakeKind(origin.Key); });
+  vtkIsotablePointSet slots;
+  for (const Slot slot : made->Pieces->GetSlots())
+  {
+    slots.Insert(this->Symmetries.Get()[origin.Symmetry].Slots[slot]);
+  }
+  made->Slots.reserve(made->Pieces->GetSlots().size());
+  slots.ForEach([&made](int slot) { made->Slots.push_back(static_cast<Slot>(slot)); });
+  // Enough for most cases.
+  made->Simplices.reserve(64);
+  this->CutPieces(*made->Pieces, origin.Symmetry, this->Ascending,
+    [&made](const Simplex& simplex) { made->Simplices.push_back(simplex); });
+  made->Simplices.shrink_to_fit();
+  this->Bytes.fetch_add(
+    sizeof(Case) + made->Simplices.capacity() * sizeof(Simplex) + made->Slots.capacity(),
+    std::memory_order_relaxed);
+  return made;
+}
+
+std::unique_ptr<const vtkIsotableCache::Kind> vtkIsotableCache::MakeKind(std::uint32_t key)
+{
+  const int n = this->GetNumberOfVertices();
   std::vector<bool> positive(2 * n);
   for (int i = 0; i < n; ++i, key /= 3)
   {
@@ -79,15 +97,19 @@ vtkIsotableCache::Case vtkIsotableCache::MakeCase(std::uint32_t key) const
     positive[i + n] = key % 3 == 2;
   }
   const vtkIsotablePatch patch(this->Lifted, positive);
-  Case made;
-  for (const auto& simplex : vtkIsotableTriangulation::Triangulate(
-         patch, vtkIsotableTriangulation::PULLING, this->PointRanks))
-  {
-    for (int edge : simplex)
-    {
-      made.push_back(static_cast<Slot>(edge < 2 * m ? n + edge : edge - 2 * m));
-    }
-  }
-  made.shrink_to_fit();
+  std::unique_ptr<Kind> made(new Kind(patch, n, this->GetNumberOfEdges()));
+  this->Bytes.fetch_add(made->GetBytes(), std::memory_order_relaxed);
   return made;
+}
+
+vtkIsotableCache::Reader::Reader(vtkIsotableCache& cache)
+  : Cache(&cache)
+  , Entries(new Entry[std::size_t(1) << EntryBits])
+{
+}
+
+vtkIsotableCache::Reader::~Reader()
+{
+  this->Cache->Lookups.fetch_add(this->Lookups, std::memory_order_relaxed);
+  this->Cache->Misses.fetch_add(this->Misses, std::memory_order_relaxed);
 }

@@ -2,9 +2,14 @@
 #define vtkIsotableCache_h
 
 #include "InterlumeIsotablesModule.h" // for the export macro
+#include "vtkIsotable.h"              // for the shapes
+#include "vtkIsotablePieces.h"        // for the kinds
 #include "vtkIsotablePolytope.h"      // for the cell
+#include "vtkIsotableSymmetries.h"    // for the kinds
 
+#include <array>         // for the ranks
 #include <atomic>        // for the statistics
+#include <cstddef>       // for the sizes
 #include <cstdint>       // for the slots
 #include <memory>        // for the cases
 #include <mutex>         // for the shards
@@ -13,62 +18,191 @@
 
 /**
  * @class   vtkIsotableCache
- * @brief   an interval table too large to fill: its cases are made at run time and kept
+ * @brief   the interval table of a four-dimensional cell: cases are made at run time and kept
  *
  * For the four-dimensional cube there are 3^16 cases, of which a smooth field visits some ten
  * thousand. A case is made once, by the thread that first asks for it, and shared by all threads; a
- * reference stays valid as long as the cache.
+ * reference stays valid as long as the cache. Cases that a symmetry of the cell takes into each
+ * other are of one kind (the 384 symmetries of the cube leave a few hundred), and share its convex
+ * pieces; only they need a convex hull.
  *
- * A case is keyed in base 3 as in vtkIsotable. Its simplices have dimension + 1 slots each, slots
- * as in vtkIsotable (vertices, lower crossings, upper crossings), one after the other. The order of
- * the points is that of vtkIsotable with ascending vertex ranks.
+ * A case is keyed in base 3, and its points are slots, as in vtkIsotable: vertices, lower
+ * crossings, upper crossings. Convex pieces are cut by pulling in the order of vtkIsotable.
+ * Case::Simplices is the cut for ascending vertex ranks, as structured grids have it; Cut() does
+ * any other. Simplices have the orientation of vtkIsotablePatch, and their order depends on the key
+ * alone.
  *
- * @sa vtkIsotable
+ * @sa vtkIsotable vtkIsotablePieces vtkIsotableSymmetries
  */
 class INTERLUMEISOTABLES_EXPORT vtkIsotableCache
 {
 public:
-  using Slot = std::uint8_t;
-  using Case = std::vector<Slot>;
+  using Slot = vtkIsotablePieces::Slot;
+  using Simplex = vtkIsotablePieces::Simplex;
+  /// The pieces of all cases that are one up to symmetry.
+  using Kind = vtkIsotablePieces;
+  static constexpr int MaximumNumberOfVertices = 16;
+  static constexpr int MaximumNumberOfSlots = 96;
+  using RankArray = std::array<std::uint16_t, MaximumNumberOfSlots>;
 
-  /// For cells of up to five dimensions and 20 vertices.
+  struct Case
+  {
+    /// Cut in ascending vertex order.
+    std::vector<Simplex> Simplices;
+    /// The slots in use, increasing.
+    std::vector<Slot> Slots;
+    /// Any other cut is made from these, moved by a symmetry of the cell.
+    const Kind* Pieces;
+    int Symmetry;
+  };
+
+  /**
+   * The cache of the prism of a three-dimensional cell with time, shared by all users in the
+   * process. With n vertices of the cell in the order of vtkIsotable (VTK_TETRA, VTK_PYRAMID,
+   * VTK_WEDGE, VTK_VOXEL), vertex v < n is v at the first time, v + n at the second. Edges: those
+   * of the cell at the first time, at the second, then the n along time.
+   */
+  static vtkIsotableCache& Get(vtkIsotable::Shapes shape);
+
+  /// For four-dimensional cells with at most 16 vertices, 96 slots, and coordinates from -32 to 32.
   explicit vtkIsotableCache(const vtkIsotablePolytope& cell);
   ~vtkIsotableCache();
-
-  /// The cache of the four-dimensional cube, shared by all users in the process.
-  static vtkIsotableCache& GetHypercube();
+  vtkIsotableCache(const vtkIsotableCache&) = delete;
+  void operator=(const vtkIsotableCache&) = delete;
 
   const vtkIsotablePolytope& GetCell() const { return this->Cell; }
-  /// For each edge of the lifted cell its place in the order.
-  const std::vector<int>& GetPointRanks() const { return this->PointRanks; }
+  int GetNumberOfVertices() const { return static_cast<int>(this->Cell.Vertices.size()); }
+  int GetNumberOfEdges() const { return static_cast<int>(this->Edges.size()); }
+  /// The two vertices of an edge, the smaller first.
+  const std::array<Slot, 2>& GetEdge(int edge) const { return this->Edges[edge]; }
 
-  /// The case of \a key, 0 <= key < 3^vertices.
+  /**
+   * The case of \a key, 0 <= key < 3^vertices. Loops over many cells go through a Reader.
+   */
   const Case& GetCase(std::uint32_t key);
+
+  /// The order of slots for vertex ranks 0 ... n-1.
+  RankArray GetSlotRanks(const Slot* vertexRanks) const;
+
+  /**
+   * Cuts a case in the order given, calling simplex(const Simplex&).
+   */
+  template <typename Visitor>
+  void Cut(const Case& what, const RankArray& ranks, Visitor&& simplex) const
+  {
+    this->CutPieces(*what.Pieces, what.Symmetry, ranks, simplex);
+  }
 
   ///@{
   /**
-   * Lookups so far, those that found their case made, cases held, and their bytes.
+   * Lookups so far and those that found their case made, without those of readers that still exist;
+   * cases and kinds held, and the bytes of both.
    */
   std::uint64_t GetNumberOfLookups() const { return this->Lookups; }
   std::uint64_t GetNumberOfHits() const { return this->Lookups - this->Misses; }
-  std::uint64_t GetNumberOfCases() const { return this->Misses; }
+  std::uint64_t GetNumberOfCases() const { return this->Cases.Number; }
+  std::uint64_t GetNumberOfKinds() const { return this->Kinds.Number; }
   std::uint64_t GetBytes() const { return this->Bytes; }
   ///@}
 
-private:
-  Case MakeCase(std::uint32_t key) const;
-
-  static constexpr int NumberOfShards = 64;
-  struct Shard
+  /**
+   * One thread's way to a cache, which must outlive it. Remembers the cases it met last, so that
+   * meeting them again takes no lock and touches no memory that other threads write. Counts for
+   * itself, and adds its counts to those of the cache when it is destroyed.
+   */
+  class Reader
   {
-    std::mutex Mutex;
-    std::unordered_map<std::uint32_t, std::unique_ptr<const Case>> Cases;
+  public:
+    explicit Reader(vtkIsotableCache& cache);
+    ~Reader();
+    Reader(const Reader&) = delete;
+    void operator=(const Reader&) = delete;
+
+    const Case& GetCase(std::uint32_t key)
+    {
+      ++this->Lookups;
+      Entry& entry = this->Entries[(key * 2654435761u) >> (32 - EntryBits)];
+      if (entry.Known == nullptr || entry.Key != key)
+      {
+        entry = { key, &this->Cache->FindCase(key, this->Misses) };
+      }
+      return *entry.Known;
+    }
+
+    /// Lookups so far, and how many of them made their case.
+    std::uint64_t GetNumberOfLookups() const { return this->Lookups; }
+    std::uint64_t GetNumberOfCasesMade() const { return this->Misses; }
+
+  private:
+    static constexpr int EntryBits = 12;
+    struct Entry
+    {
+      std::uint32_t Key = 0;
+      const Case* Known = nullptr;
+    };
+
+    vtkIsotableCache* Cache;
+    std::unique_ptr<Entry[]> Entries;
+    std::uint64_t Lookups = 0;
+    std::uint64_t Misses = 0;
   };
+
+private:
+  // A map that many threads fill; what it holds stays where it is.
+  template <typename Value>
+  class Shelf
+  {
+  public:
+    template <typename Maker>
+    const Value& Find(std::uint32_t key, Maker&& make)
+    {
+      Shard& shard = this->Shards[(key * 2654435761u) >> 26];
+      std::lock_guard<std::mutex> lock(shard.Mutex);
+      std::unique_ptr<const Value>& known = shard.Values[key];
+      if (!known)
+      {
+        known = make();
+        this->Number.fetch_add(1, std::memory_order_relaxed);
+      }
+      return *known;
+    }
+
+    std::atomic<std::uint64_t> Number{ 0 };
+
+  private:
+    static constexpr int NumberOfShards = 64;
+    struct Shard
+    {
+      std::mutex Mutex;
+      std::unordered_map<std::uint32_t, std::unique_ptr<const Value>> Values;
+    };
+    std::array<Shard, NumberOfShards> Shards;
+  };
+
+  template <typename Visitor>
+  void CutPieces(const Kind& pieces, int symmetry, const RankArray& ranks, Visitor&& simplex) const
+  {
+    const vtkIsotableSymmetries::Symmetry& moved = this->Symmetries.Get()[symmetry];
+    std::array<vtkIsotablePieces::Label, MaximumNumberOfSlots> labels;
+    for (const Slot slot : pieces.GetSlots())
+    {
+      const Slot name = moved.Slots[slot];
+      labels[slot] = { ranks[name], name };
+    }
+    pieces.Pull(labels.data(), moved.Reverses, simplex);
+  }
+
+  const Case& FindCase(std::uint32_t key, std::uint64_t& misses);
+  std::unique_ptr<const Case> MakeCase(std::uint32_t key);
+  std::unique_ptr<const Kind> MakeKind(std::uint32_t key);
 
   vtkIsotablePolytope Cell;
   vtkIsotablePolytope Lifted;
-  std::vector<int> PointRanks;
-  std::unique_ptr<Shard[]> Shards;
+  vtkIsotableSymmetries Symmetries;
+  std::vector<std::array<Slot, 2>> Edges;
+  RankArray Ascending;
+  Shelf<Kind> Kinds;
+  Shelf<Case> Cases;
   std::atomic<std::uint64_t> Lookups{ 0 };
   std::atomic<std::uint64_t> Misses{ 0 };
   std::atomic<std::uint64_t> Bytes{ 0 };

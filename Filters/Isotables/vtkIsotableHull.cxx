@@ -3,6 +3,8 @@
 #include "vtkIsotableAlgebra.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <numeric>
 
 namespace
 {
@@ -10,12 +12,14 @@ using namespace vtkIsotableAlgebra;
 using Point = vtkIsotableHull::Point;
 using Normal = vtkIsotableHull::Normal;
 
-// A simplicial facet of the growing hull.
-struct Simplex
+// A facet of the growing hull: Outward * x <= Offset.
+struct Face
 {
-  std::array<int, MaximumDimension> Vertices;
   Normal Outward;
   std::int64_t Offset;
+  // Of the point that is added: above the facet if positive.
+  std::int64_t Height;
+  vtkIsotablePointSet Points;
 };
 
 // Affinely independent points, greedily in order; fewer than dimension + 1 for flat input.
@@ -33,6 +37,31 @@ std::vector<int> FindSpanningPoints(int dimension, const std::vector<Point>& poi
   return chosen;
 }
 
+// Two facets share a ridge when no third one holds all that they share.
+template <typename FaceType>
+bool MeetInRidge(int dimension, const std::vector<FaceType>& faces, const vtkIsotablePointSet& a,
+  const vtkIsotablePointSet& b)
+{
+  const vtkIsotablePointSet shared = a & b;
+  return shared.HasAtLeast(dimension - 1) &&
+    std::none_of(faces.begin(), faces.end(),
+      [&](const FaceType& other)
+      { return shared.IsSubsetOf(other.Points) && other.Points != a && other.Points != b; });
+}
+
+// Whether a * x + b * y cannot overflow.
+bool CanCombine(int dimension, std::int64_t a, const Normal& x, std::int64_t b, const Normal& y)
+{
+  constexpr std::int64_t limit = std::int64_t(1) << 30;
+  bool fits = a < limit && b < limit;
+  for (int axis = 0; axis < dimension; ++axis)
+  {
+    fits = fits && std::abs(x[axis]) < limit && std::abs(y[axis]) < limit;
+  }
+  return fits;
+}
+
+// The double description method: facets with all of their points, however many those are.
 class Builder
 {
 public:
@@ -49,28 +78,20 @@ public:
     {
       return false;
     }
+    vtkIsotablePointSet simplex;
     for (int i : start)
     {
-      for (int axis = 0; axis < this->Dimension; ++axis)
-      {
-        this->Inside[axis] += this->Points[i][axis];
-      }
+      simplex.Insert(i);
     }
-    for (int skip = 0; skip <= this->Dimension; ++skip)
+    for (int i : start)
     {
-      std::array<int, MaximumDimension> vertices{};
-      for (int i = 0, n = 0; i <= this->Dimension; ++i)
-      {
-        if (i != skip)
-        {
-          vertices[n++] = start[i];
-        }
-      }
-      this->AddSimplex(vertices);
+      vtkIsotablePointSet side = simplex;
+      side.Remove(i);
+      this->Faces.push_back(this->MakeFace(side, i));
     }
     for (int i = 0; i < static_cast<int>(this->Points.size()); ++i)
     {
-      if (std::find(start.begin(), start.end(), i) == start.end())
+      if (!simplex.Contains(i))
       {
         this->AddPoint(i);
       }
@@ -78,113 +99,121 @@ public:
     return true;
   }
 
-  std::vector<Simplex> Simplices;
+  std::vector<Face> Faces;
 
 private:
-  // The vertices of a simplex stay sorted, so that equal ridges are equal arrays.
-  std::array<int, MaximumDimension> Insert(std::array<int, MaximumDimension> ridge, int point) const
+  // From points that span a hyperplane and one that lies below it.
+  Face MakeFace(const vtkIsotablePointSet& points, int inside) const
   {
-    int at = this->Dimension - 1;
-    for (; at > 0 && ridge[at - 1] > point; --at)
-    {
-      ridge[at] = ridge[at - 1];
-    }
-    ridge[at] = point;
-    return ridge;
-  }
-
-  void AddSimplex(const std::array<int, MaximumDimension>& vertices)
-  {
-    Simplex simplex;
-    simplex.Vertices = vertices;
+    const Point& origin = this->Points[points.GetFirst()];
     std::array<Normal, MaximumDimension - 1> rows{};
-    for (int i = 1; i < this->Dimension; ++i)
+    int number = 0;
+    Span span(this->Dimension);
+    points.ForEach(
+      [&](int i)
+      {
+        if (span.Insert(this->Points[i]) && i != points.GetFirst())
+        {
+          rows[number++] = Difference(this->Points[i], origin);
+        }
+      });
+    Face face{ CrossProduct(this->Dimension, rows), 0, 0, points };
+    face.Offset = Dot(this->Dimension, face.Outward, origin);
+    if (Dot(this->Dimension, face.Outward, this->Points[inside]) > face.Offset)
     {
-      rows[i - 1] = Difference(this->Points[vertices[i]], this->Points[vertices[0]]);
-    }
-    simplex.Outward = CrossProduct(this->Dimension, rows);
-    simplex.Offset = Dot(this->Dimension, simplex.Outward, this->Points[vertices[0]]);
-    // Inside is the sum of dimension + 1 points.
-    if (Dot(this->Dimension, simplex.Outward, this->Inside) >
-      simplex.Offset * (this->Dimension + 1))
-    {
-      for (std::int64_t& value : simplex.Outward)
+      for (std::int64_t& value : face.Outward)
       {
         value = -value;
       }
-      simplex.Offset = -simplex.Offset;
+      face.Offset = -face.Offset;
     }
-    this->Simplices.push_back(simplex);
+    return face;
+  }
+
+  // From the ridge between a facet that the point is above of and one that it is below of.
+  Face MakeFace(const Face& above, const Face& below, int point) const
+  {
+    vtkIsotablePointSet points = above.Points & below.Points;
+    points.Insert(point);
+    const std::int64_t common = std::gcd(above.Height, below.Height);
+    const std::int64_t a = above.Height / common;
+    const std::int64_t b = -below.Height / common;
+    if (!CanCombine(this->Dimension, a, below.Outward, b, above.Outward))
+    {
+      return this->MakeFace(points, (below.Points - points).GetFirst());
+    }
+    Face face{ {}, 0, 0, points };
+    std::int64_t divisor = 0;
+    for (int axis = 0; axis < this->Dimension; ++axis)
+    {
+      face.Outward[axis] = a * below.Outward[axis] + b * above.Outward[axis];
+      divisor = divisor == 1 ? 1 : std::gcd(divisor, face.Outward[axis]);
+    }
+    for (int axis = 0; axis < this->Dimension && divisor > 1; ++axis)
+    {
+      face.Outward[axis] /= divisor;
+    }
+    face.Offset = Dot(this->Dimension, face.Outward, this->Points[point]);
+    return face;
   }
 
   void AddPoint(int point)
   {
-    const auto firstVisible = std::partition(this->Simplices.begin(), this->Simplices.end(),
-      [&](const Simplex& simplex)
-      { return Dot(this->Dimension, simplex.Outward, this->Points[point]) <= simplex.Offset; });
-    // The horizon: ridges of exactly one visible simplex.
-    this->Ridges.clear();
-    for (auto simplex = firstVisible; simplex != this->Simplices.end(); ++simplex)
+    for (Face& face : this->Faces)
     {
-      for (int skip = 0; skip < this->Dimension; ++skip)
+      face.Height = Dot(this->Dimension, face.Outward, this->Points[point]) - face.Offset;
+      if (face.Height == 0)
       {
-        std::array<int, MaximumDimension> ridge{};
-        for (int i = 0, n = 0; i < this->Dimension; ++i)
+        face.Points.Insert(point);
+      }
+    }
+    const auto firstAbove = std::partition(
+      this->Faces.begin(), this->Faces.end(), [](const Face& face) { return face.Height <= 0; });
+    this->Added.clear();
+    for (auto above = firstAbove; above != this->Faces.end(); ++above)
+    {
+      for (auto below = this->Faces.begin(); below != firstAbove; ++below)
+      {
+        if (below->Height < 0 &&
+          MeetInRidge(this->Dimension, this->Faces, above->Points, below->Points))
         {
-          if (i != skip)
-          {
-            ridge[n++] = simplex->Vertices[i];
-          }
+          this->Added.push_back(this->MakeFace(*above, *below, point));
         }
-        this->Ridges.push_back(ridge);
       }
     }
-    this->Simplices.erase(firstVisible, this->Simplices.end());
-    std::sort(this->Ridges.begin(), this->Ridges.end());
-    for (std::size_t i = 0; i < this->Ridges.size();)
-    {
-      if (i + 1 < this->Ridges.size() && this->Ridges[i] == this->Ridges[i + 1])
-      {
-        i += 2;
-        continue;
-      }
-      this->AddSimplex(Insert(this->Ridges[i], point));
-      ++i;
-    }
+    this->Faces.erase(firstAbove, this->Faces.end());
+    this->Faces.insert(this->Faces.end(), this->Added.begin(), this->Added.end());
   }
 
   int Dimension;
   const std::vector<Point>& Points;
-  Point Inside{};
-  std::vector<std::array<int, MaximumDimension>> Ridges;
+  std::vector<Face> Added;
 };
 }
 
 vtkIsotableHull::vtkIsotableHull(int dimension, const std::vector<Point>& points)
+  : Dimension(dimension)
 {
-  Builder builder(dimension, points);
-  if (points.size() > vtkIsotablePointSet::Capacity || !builder.Build())
+  if (points.size() > vtkIsotablePointSet::Capacity)
   {
     return;
   }
-  for (const Simplex& simplex : builder.Simplices)
+  Builder builder(dimension, points);
+  if (!builder.Build())
   {
-    Facet facet;
-    facet.Outward = simplex.Outward;
-    for (int i = 0; i < static_cast<int>(points.size()); ++i)
-    {
-      if (Dot(dimension, simplex.Outward, points[i]) == simplex.Offset)
-      {
-        facet.Points.Insert(i);
-      }
-    }
-    this->Facets.push_back(facet);
+    return;
   }
-  const auto byPoints = [](const Facet& a, const Facet& b) { return a.Points < b.Points; };
-  const auto samePoints = [](const Facet& a, const Facet& b) { return a.Points == b.Points; };
-  std::sort(this->Facets.begin(), this->Facets.end(), byPoints);
-  this->Facets.erase(
-    std::unique(this->Facets.begin(), this->Facets.end(), samePoints), this->Facets.end());
+  for (const Face& face : builder.Faces)
+  {
+    this->Facets.push_back({ face.Points, face.Outward });
+  }
+  std::sort(this->Facets.begin(), this->Facets.end(),
+    [](const Facet& a, const Facet& b) { return a.Points < b.Points; });
+}
+
+bool vtkIsotableHull::IsRidge(const vtkIsotablePointSet& a, const vtkIsotablePointSet& b) const
+{
+  return MeetInRidge(this->Dimension, this->Facets, a, b);
 }
 
 vtkIsotablePointSet vtkIsotableHull::SmallestFace(std::initializer_list<int> points) const

@@ -36,6 +36,12 @@ public:
 
   const std::vector<Facet>& GetFacets() const { return this->Facets; }
 
+  /**
+   * Whether two facets, given by their points, meet in a ridge, a face of one dimension less: no
+   * third facet holds all points that they share.
+   */
+  bool IsRidge(const vtkIsotablePointSet& a, const vtkIsotablePointSet& b) const;
+
   /// The points of the smallest face that holds all of \a points.
   vtkIsotablePointSet SmallestFace(std::initializer_list<int> points) const;
 
@@ -46,6 +52,7 @@ public:
   std::vector<vtkIsotablePointSet> FacetsOf(const vtkIsotablePointSet& face) const;
 
 private:
+  int Dimension;
   std::vector<Facet> Facets;
 };
 

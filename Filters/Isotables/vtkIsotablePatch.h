@@ -38,6 +38,7 @@ public:
 
   const vtkIsotablePolytope& GetCell() const { return this->Cell; }
   const std::vector<Facet>& GetFacets() const { return this->Facets; }
+  const vtkIsotableHull& GetHull() const { return this->Hull; }
 
   /**
    * The faces of a facet, one dimension less. In four dimensions, where a facet is a solid, its
@@ -54,6 +55,9 @@ public:
   /// The faces of any face of the hull, as sets of hull points.
   std::vector<vtkIsotablePointSet> GetFacesOf(const vtkIsotablePointSet& face) const;
 
+  /// For each hull point the edge it stands for, or -1 for a positive vertex.
+  const std::vector<int>& GetEdgesOfHullPoints() const { return this->EdgeOfPoint; }
+
   /// The edges that a set of hull points stands for.
   PointList GetEdges(const vtkIsotablePointSet& face) const;
 
@@ -67,7 +71,6 @@ private:
   PointList ChainPolygon(const vtkIsotablePointSet& polygon) const;
 
   vtkIsotablePolytope Cell;
-  /// For each hull point its edge, or -1 for a vertex of the cell.
   std::vector<int> EdgeOfPoint;
   vtkIsotableHull Hull;
   std::vector<Facet> Facets;

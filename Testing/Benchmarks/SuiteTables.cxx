@@ -2,6 +2,7 @@
 #include "HypercubeTable.h"
 
 #include "vtkIsotableCache.h"
+#include "vtkIsotableOrder.h"
 #include "vtkIsotablePatch.h"
 #include "vtkIsotablePolytope.h"
 #include "vtkIsotableTriangulation.h"
@@ -43,12 +44,29 @@ std::vector<int> GetSourceRanks(const vtkIsotablePolytope& cell)
   return ranks;
 }
 
+// The order of the filters on structured grids.
+std::vector<int> GetShippedRanks(const vtkIsotablePolytope& cell)
+{
+  const int n = static_cast<int>(cell.Vertices.size());
+  const int m = static_cast<int>(cell.Edges.size());
+  std::vector<int> ascending(n);
+  std::iota(ascending.begin(), ascending.end(), 0);
+  std::vector<int> slotRanks(n + 2 * m);
+  vtkIsotableOrder::RankSlots(n, cell.Edges, true, ascending.data(), slotRanks.data());
+  std::vector<int> ranks;
+  ranks.reserve(slotRanks.size());
+  for (int e = 0; e < n + 2 * m; ++e)
+  {
+    ranks.push_back(slotRanks[vtkIsotableOrder::GetSlot(n, m, e)]);
+  }
+  return ranks;
+}
+
 HypercubeTable::Rule GetRule(const std::string& method, const vtkIsotablePolytope& cell)
 {
   return method == "source-order"
     ? HypercubeTable::Rule{ vtkIsotableTriangulation::PLACING, GetSourceRanks(cell) }
-    : HypercubeTable::Rule{ vtkIsotableTriangulation::PULLING,
-        vtkIsotableCache(cell).GetPointRanks() };
+    : HypercubeTable::Rule{ vtkIsotableTriangulation::PULLING, GetShippedRanks(cell) };
 }
 
 class SuiteTables : public BenchSuite
@@ -165,7 +183,8 @@ private:
       inside = 3 * inside + 1;
     }
     BenchRow row = rows.Make("constant-hypercube", "shipped");
-    row.Counts["simplices"] = vtkIsotableCache::GetHypercube().GetCase(inside).size() / 5;
+    row.Counts["simplices"] =
+      vtkIsotableCache::Get(vtkIsotable::HEXAHEDRON).GetCase(inside).Simplices.size();
     rows.Add(row);
   }
 

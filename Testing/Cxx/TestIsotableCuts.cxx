@@ -2,12 +2,13 @@
 // order; what it leaves on a face depends on that face alone; and threads may ask for the same case
 // at once.
 
+#include "ReferenceIsotable.h"
+
 #include "vtkIsotable.h"
-#include "vtkIsotablePatch.h"
-#include "vtkIsotableTriangulation.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -20,63 +21,6 @@
 namespace
 {
 using Slot = vtkIsotable::Slot;
-using Sorted = std::vector<int>;
-
-// A simplex as its sorted slots with the parity of the sorting: equal for equal orientation.
-Sorted Normalize(const std::vector<int>& slots)
-{
-  Sorted sorted = slots;
-  int inversions = 0;
-  for (std::size_t i = 0; i < slots.size(); ++i)
-  {
-    for (std::size_t j = i + 1; j < slots.size(); ++j)
-    {
-      inversions += slots[i] > slots[j];
-    }
-  }
-  std::sort(sorted.begin(), sorted.end());
-  sorted.push_back(inversions & 1);
-  return sorted;
-}
-
-std::multiset<Sorted> CutExactly(
-  const vtkIsotable& table, vtkIsotable::Kinds kind, int key, const vtkIsotable::RankArray& ranks)
-{
-  const int n = table.GetNumberOfVertices();
-  const int m = table.GetNumberOfEdges();
-  const bool isInterval = kind == vtkIsotable::INTERVAL;
-  const vtkIsotablePolytope cell = isInterval ? table.GetCell().Prism() : table.GetCell();
-  std::vector<bool> positive(cell.Vertices.size());
-  for (int v = 0; v < n; ++v)
-  {
-    const int base = isInterval ? 3 : 2;
-    positive[v] = key % base >= 1;
-    if (isInterval)
-    {
-      positive[v + n] = key % base == 2;
-    }
-    key /= base;
-  }
-  const auto toSlot = [=](int edge) { return edge < 2 * m ? n + edge : edge - 2 * m; };
-  std::vector<int> pointRanks;
-  for (std::size_t e = 0; e < cell.Edges.size(); ++e)
-  {
-    pointRanks.push_back(ranks[toSlot(static_cast<int>(e))]);
-  }
-  std::multiset<Sorted> result;
-  for (const auto& simplex : vtkIsotableTriangulation::Triangulate(
-         vtkIsotablePatch(cell, positive), vtkIsotableTriangulation::PULLING, pointRanks))
-  {
-    std::vector<int> slots;
-    for (int edge : simplex)
-    {
-      slots.push_back(toSlot(edge));
-    }
-    result.insert(Normalize(slots));
-  }
-  return result;
-}
-
 bool TestOrders(vtkIsotable::Kinds kind, vtkIsotable::Shapes shape, std::mt19937& random)
 {
   const vtkIsotable& table = vtkIsotable::Get(kind, shape);
@@ -88,13 +32,16 @@ bool TestOrders(vtkIsotable::Kinds kind, vtkIsotable::Shapes shape, std::mt19937
   {
     std::shuffle(vertexRanks.begin(), vertexRanks.begin() + table.GetNumberOfVertices(), random);
     const vtkIsotable::RankArray ranks = table.GetSlotRanks(vertexRanks.data());
-    std::multiset<Sorted> cut;
+    std::multiset<reference::OrientedSimplex> cut;
     table.Cut(
       table.GetCase(key), ranks,
-      [&](const vtkIsotable::Simplex& s)
-      { cut.insert(Normalize(std::vector<int>(s.begin(), s.begin() + size))); },
+      [&](const vtkIsotable::Simplex& s) {
+        cut.insert(reference::Orient({ s.begin(), s.begin() + size }));
+      },
       [](const vtkIsotable::Triangle&) {});
-    if (cut != CutExactly(table, kind, key, ranks))
+    if (cut !=
+      reference::PullExactly(table.GetCell(), kind == vtkIsotable::INTERVAL,
+        static_cast<std::uint32_t>(key), { ranks.begin(), ranks.end() }))
     {
       std::cerr << "Kind " << kind << ", shape " << shape << ", case " << key
                 << ": the cut is not the pulling triangulation.\n";

@@ -2,14 +2,12 @@
 // ones stated for the method; and hulls whose facets are known.
 
 #include "vtkIsotable.h"
-#include "vtkIsotableCache.h"
 #include "vtkIsotableHull.h"
 #include "vtkIsotablePatch.h"
 #include "vtkIsotablePolytope.h"
 #include "vtkIsotableTriangulation.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <numeric>
@@ -147,23 +145,6 @@ void TestHulls()
            .Vertices.empty(),
     "a point inside is refused");
 }
-
-void TestHypercube()
-{
-  vtkIsotableCache& cache = vtkIsotableCache::GetHypercube();
-  std::uint32_t inside = 0;
-  for (int v = 0; v < 16; ++v)
-  {
-    inside = 3 * inside + 1;
-  }
-  Expect(cache.GetCase(inside).size() == 24 * 5, "a constant hypercube gives 24 4-simplices");
-  Expect(cache.GetCase(0).empty(), "all below gives nothing");
-  const auto cases = cache.GetNumberOfCases();
-  const auto hits = cache.GetNumberOfHits();
-  cache.GetCase(inside);
-  Expect(cache.GetNumberOfCases() == cases && cache.GetNumberOfHits() == hits + 1,
-    "a case is made once");
-}
 }
 
 int TestIsotableTables(int, char*[])
@@ -171,6 +152,5 @@ int TestIsotableTables(int, char*[])
   TestSourceOrder();
   TestShipped();
   TestHulls();
-  TestHypercube();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

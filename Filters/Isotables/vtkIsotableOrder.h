@@ -1,0 +1,52 @@
+#ifndef vtkIsotableOrder_h
+#define vtkIsotableOrder_h
+
+#include <algorithm> // for the ends of an edge
+#include <cstddef>   // for loops
+#include <cstdint>   // for the ranks
+
+/**
+ * @class   vtkIsotableOrder
+ * @brief   the order of the points of a case that all isotables are cut in
+ *
+ * With n vertices and m edges, the points of an interval are slots: vertices 0 ... n-1, lower
+ * crossings n ... n+m-1, upper crossings n+m ... n+2m-1. Vertices come first, then lower, then
+ * upper crossings, each by the ranks of the edge's ends, the smaller rank first. Two cells that
+ * rank the vertices they share alike rank the points on their common face alike.
+ */
+class vtkIsotableOrder
+{
+public:
+  /// The slot of a point that is named by an edge of the lifted cell, as vtkIsotablePatch names it.
+  static int GetSlot(int numberOfVertices, int numberOfEdges, int liftedEdge)
+  {
+    return liftedEdge < 2 * numberOfEdges ? numberOfVertices + liftedEdge
+                                          : liftedEdge - 2 * numberOfEdges;
+  }
+
+  /**
+   * Fills \a ranks for all slots, without the upper ones unless \a isInterval. Vertices have ranks
+   * 0 ... n-1; ranks of slots are distinct and less than n + 2 n n.
+   */
+  template <typename EdgeList, typename VertexRank, typename SlotRank>
+  static void RankSlots(int numberOfVertices, const EdgeList& edges, bool isInterval,
+    const VertexRank* vertexRanks, SlotRank* ranks)
+  {
+    const int n = numberOfVertices;
+    std::copy(vertexRanks, vertexRanks + n, ranks);
+    const std::size_t m = edges.size();
+    for (std::size_t e = 0; e < m; ++e)
+    {
+      const int a = vertexRanks[edges[e][0]];
+      const int b = vertexRanks[edges[e][1]];
+      const int lower = n + n * std::min(a, b) + std::max(a, b);
+      ranks[n + e] = static_cast<SlotRank>(lower);
+      if (isInterval)
+      {
+        ranks[n + m + e] = static_cast<SlotRank>(lower + n * n);
+      }
+    }
+  }
+};
+
+#endif

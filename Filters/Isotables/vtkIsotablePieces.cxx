@@ -1,0 +1,214 @@
+#include "vtkIsotablePieces.h"
+
+#include "vtkIsotableOrder.h"
+
+#include <algorithm>
+
+// Reads the faces of a patch off its hull.
+class vtkIsotablePieces::Builder
+{
+public:
+  Builder(
+    vtkIsotablePieces& made, const vtkIsotablePatch& patch, int numberOfVertices, int numberOfEdges)
+    : Made(made)
+    , Hull(patch.GetHull())
+  {
+    for (const int edge : patch.GetEdgesOfHullPoints())
+    {
+      const bool isPoint = edge >= 0;
+      this->SlotOf.push_back(static_cast<Slot>(
+        isPoint ? vtkIsotableOrder::GetSlot(numberOfVertices, numberOfEdges, edge) : 0));
+      this->Places.push_back(isPoint ? patch.GetCell().Midpoint(edge) : Point{});
+    }
+  }
+
+  void AddPiece(const vtkIsotablePatch::Facet& piece)
+  {
+    this->Neighbors.clear();
+    for (const vtkIsotableHull::Facet& facet : this->Hull.GetFacets())
+    {
+      if (facet.Points != piece.HullPoints && this->Hull.IsRidge(facet.Points, piece.HullPoints))
+      {
+        this->Neighbors.push_back(&facet);
+      }
+    }
+    const std::uint32_t pointsEnd = this->AddPoints(piece.HullPoints);
+    for (const vtkIsotableHull::Facet* neighbor : this->Neighbors)
+    {
+      this->AddSolid(piece, *neighbor);
+    }
+    this->Made.Pieces.push_back(
+      { pointsEnd, static_cast<std::uint32_t>(this->Made.Solids.size()) });
+  }
+
+private:
+  using Point = vtkIsotablePatch::Point;
+  using Normal = vtkIsotablePatch::Normal;
+
+  // Three axes onto which a solid projects one to one, and whether that keeps its orientation.
+  struct Projection
+  {
+    std::array<int, 3> Axes;
+    bool Keeps;
+  };
+
+  std::uint32_t AddPoints(const vtkIsotablePointSet& face)
+  {
+    face.ForEach([this](int i) { this->Made.Points.push_back(this->SlotOf[i]); });
+    return static_cast<std::uint32_t>(this->Made.Points.size());
+  }
+
+  // A polygon of a solid is what it has in common with another solid.
+  void AddSolid(const vtkIsotablePatch::Facet& piece, const vtkIsotableHull::Facet& neighbor)
+  {
+    const vtkIsotablePointSet solid = piece.HullPoints & neighbor.Points;
+    this->Polygons.clear();
+    for (const vtkIsotableHull::Facet* other : this->Neighbors)
+    {
+      const vtkIsotablePointSet shared = solid & other->Points;
+      if (other != &neighbor && shared.HasAtLeast(3))
+      {
+        this->Polygons.push_back(shared);
+      }
+    }
+    const std::uint32_t pointsEnd = this->AddPoints(solid);
+    const Projection projection = Project(piece.Outward, neighbor.Outward);
+    for (const vtkIsotablePointSet& polygon : this->Polygons)
+    {
+      this->AddPolygon(polygon, (solid - polygon).GetFirst(), projection);
+    }
+    this->Made.Solids.push_back(
+      { pointsEnd, static_cast<std::uint32_t>(this->Made.Polygons.size()) });
+  }
+
+  // The solid is orthogonal to both normals. A determinant of three of its vectors and of both
+  // normals is the sum of the products of complementary minors, which are proportional, so that
+  // one product has the sign of them all. In a simplex that ends with a point of the piece beyond
+  // the solid, that point is on the side that the neighbour's normal points away from.
+  static Projection Project(const Normal& outward, const Normal& neighbor)
+  {
+    for (int k = 0;; ++k)
+    {
+      for (int l = k + 1; l < 5; ++l)
+      {
+        const std::int64_t minor = outward[k] * neighbor[l] - outward[l] * neighbor[k];
+        if (minor != 0)
+        {
+          Projection projection{ {}, (minor > 0) == ((k + l) % 2 == 1) };
+          for (int axis = 0, i = 0; axis < 5; ++axis)
+          {
+            if (axis != k && axis != l)
+            {
+              projection.Axes[i++] = axis;
+            }
+          }
+          return projection;
+        }
+      }
+    }
+  }
+
+  void AddPolygon(const vtkIsotablePointSet& polygon, int inside, const Projection& projection)
+  {
+    this->Cycle.clear();
+    polygon.ForEach([this](int i) { this->Cycle.push_back(i); });
+    if (this->Cycle.size() > 3)
+    {
+      this->OrderPolygon(polygon);
+    }
+    if (!this->IsPositive(inside, projection))
+    {
+      std::swap(this->Cycle[0], this->Cycle[2]);
+      std::reverse(this->Cycle.begin() + 3, this->Cycle.end());
+    }
+    for (const int i : this->Cycle)
+    {
+      this->Made.Points.push_back(this->SlotOf[i]);
+    }
+    this->Made.Polygons.push_back(static_cast<std::uint32_t>(this->Made.Points.size()));
+  }
+
+  bool IsPositive(int inside, const Projection& projection) const
+  {
+    std::array<std::array<int, 3>, 3> m;
+    const Point& origin = this->Places[this->Cycle[0]];
+    const std::array<const Point*, 3> ends{ { &this->Places[this->Cycle[1]],
+      &this->Places[this->Cycle[2]], &this->Places[inside] } };
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        const int axis = projection.Axes[i];
+        m[row][i] = (*ends[row])[axis] - origin[axis];
+      }
+    }
+    const int determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
+      m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
+      m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    return (determinant > 0) == projection.Keeps;
+  }
+
+  // An edge of a polygon is what it has in common with another one of the solid.
+  void OrderPolygon(const vtkIsotablePointSet& polygon)
+  {
+    this->Sides.clear();
+    for (const vtkIsotablePointSet& other : this->Polygons)
+    {
+      const vtkIsotablePointSet shared = polygon & other;
+      if (other != polygon && shared.HasAtLeast(2))
+      {
+        this->Sides.push_back(shared);
+      }
+    }
+    int at = this->Cycle[0];
+    for (int& i : this->Cycle)
+    {
+      i = at;
+      const auto side = std::find_if(this->Sides.begin(), this->Sides.end(),
+        [at](const vtkIsotablePointSet& set) { return set.Contains(at); });
+      side->Remove(at);
+      at = side->GetFirst();
+      *side = this->Sides.back();
+      this->Sides.pop_back();
+    }
+  }
+
+  vtkIsotablePieces& Made;
+  const vtkIsotableHull& Hull;
+  /// For each hull point.
+  std::vector<Slot> SlotOf;
+  std::vector<Point> Places;
+  /// The facets of the hull that meet a piece in its solids.
+  std::vector<const vtkIsotableHull::Facet*> Neighbors;
+  std::vector<vtkIsotablePointSet> Polygons;
+  std::vector<vtkIsotablePointSet> Sides;
+  std::vector<int> Cycle;
+};
+
+vtkIsotablePieces::vtkIsotablePieces(
+  const vtkIsotablePatch& patch, int numberOfVertices, int numberOfEdges)
+{
+  Builder builder(*this, patch, numberOfVertices, numberOfEdges);
+  for (const vtkIsotablePatch::Facet& facet : patch.GetFacets())
+  {
+    builder.AddPiece(facet);
+  }
+  vtkIsotablePointSet used;
+  for (const Slot slot : this->Points)
+  {
+    used.Insert(slot);
+  }
+  used.ForEach([this](int slot) { this->Slots.push_back(static_cast<Slot>(slot)); });
+  this->Slots.shrink_to_fit();
+  this->Pieces.shrink_to_fit();
+  this->Solids.shrink_to_fit();
+  this->Polygons.shrink_to_fit();
+  this->Points.shrink_to_fit();
+}
+
+std::size_t vtkIsotablePieces::GetBytes() const
+{
+  return sizeof(*this) + this->Slots.capacity() + this->Points.capacity() +
+    sizeof(Piece) * this->Pieces.capacity() + sizeof(Solid) * this->Solids.capacity() +
+    sizeof(std::uint32_t) * this->Polygons.capacity();
+}

@@ -1,0 +1,149 @@
+#ifndef vtkIsotablePieces_h
+#define vtkIsotablePieces_h
+
+#include "InterlumeIsotablesModule.h" // for the export macro
+#include "vtkIsotablePatch.h"         // for the patch
+
+#include <array>   // for the simplices
+#include <cstddef> // for the size
+#include <cstdint> // for the slots
+#include <vector>  // for the lists
+
+/**
+ * @class   vtkIsotablePieces
+ * @brief   the convex pieces of one case of a four-dimensional cell, ready to be cut in any order
+ *
+ * A piece is a facet of the patch in five dimensions, and is kept with its faces: its solids, their
+ * polygons in cyclic order. Pull() cuts it as vtkIsotableTriangulation::PULLING does: it is coned
+ * from its first point over its solids without it, each of which is coned from its first point over
+ * its polygons without it, each of which is a fan from its first point.
+ *
+ * Slots are those of vtkIsotableOrder.
+ */
+class INTERLUMEISOTABLES_EXPORT vtkIsotablePieces
+{
+public:
+  using Slot = std::uint8_t;
+  /// The slots of a 4-simplex.
+  using Simplex = std::array<Slot, 5>;
+
+  /// What a point of the pieces has in a cut: its place in the order, the least first, and the name
+  /// it goes by in the simplices.
+  struct Label
+  {
+    std::uint16_t Rank;
+    Slot Name;
+  };
+
+  /// For the patch of a lifted cell with that many vertices and edges before it was lifted, and
+  /// coordinates from -32 to 32.
+  vtkIsotablePieces(const vtkIsotablePatch& patch, int numberOfVertices, int numberOfEdges);
+
+  /// The slots in use, increasing.
+  const std::vector<Slot>& GetSlots() const { return this->Slots; }
+
+  /**
+   * Calls visit(const Simplex&) for every simplex of the cut. \a labels has one entry for each slot
+   * in use; ranks must be distinct. Simplices have the orientation of the patch (see
+   * vtkIsotablePatch::IsPositive), or the opposite one if \a reverse.
+   */
+  template <typename Visitor>
+  void Pull(const Label* labels, bool reverse, Visitor&& visit) const
+  {
+    const int second = reverse ? 2 : 1;
+    std::uint32_t solid = 0;
+    std::uint32_t polygon = 0;
+    Range points{ 0, 0 };
+    for (const Piece& piece : this->Pieces)
+    {
+      points = { points.End, piece.PointsEnd };
+      const Slot apex = this->FindFirst(points, labels);
+      for (; solid < piece.SolidsEnd; ++solid)
+      {
+        points = { points.End, this->Solids[solid].PointsEnd };
+        const Slot first = this->FindFirst(points, labels);
+        if (first == apex)
+        {
+          polygon = this->Solids[solid].PolygonsEnd;
+          points.End = this->Polygons[polygon - 1];
+          continue;
+        }
+        for (; polygon < this->Solids[solid].PolygonsEnd; ++polygon)
+        {
+          points = { points.End, this->Polygons[polygon] };
+          const std::uint32_t start = this->FindFirstPlace(points, labels);
+          if (this->Points[start] == first)
+          {
+            continue;
+          }
+          Simplex simplex;
+          simplex[0] = labels[this->Points[start]].Name;
+          simplex[3] = labels[first].Name;
+          simplex[4] = labels[apex].Name;
+          std::uint32_t at = this->GetNext(points, start);
+          Slot before = labels[this->Points[at]].Name;
+          for (std::uint32_t i = points.Begin + 2; i < points.End; ++i)
+          {
+            at = this->GetNext(points, at);
+            simplex[second] = before;
+            before = labels[this->Points[at]].Name;
+            simplex[3 - second] = before;
+            visit(static_cast<const Simplex&>(simplex));
+          }
+        }
+      }
+    }
+  }
+
+  /// Memory held, in bytes.
+  std::size_t GetBytes() const;
+
+private:
+  // Where the lists of points, solids and polygons end; each begins at the end of the one before,
+  // and the points of a face come before those of its own faces.
+  struct Piece
+  {
+    std::uint32_t PointsEnd;
+    std::uint32_t SolidsEnd;
+  };
+  struct Solid
+  {
+    std::uint32_t PointsEnd;
+    std::uint32_t PolygonsEnd;
+  };
+  struct Range
+  {
+    std::uint32_t Begin;
+    std::uint32_t End;
+  };
+
+  std::uint32_t FindFirstPlace(const Range& range, const Label* labels) const
+  {
+    std::uint32_t first = range.Begin;
+    for (std::uint32_t i = range.Begin + 1; i < range.End; ++i)
+    {
+      first = labels[this->Points[i]].Rank < labels[this->Points[first]].Rank ? i : first;
+    }
+    return first;
+  }
+
+  Slot FindFirst(const Range& range, const Label* labels) const
+  {
+    return this->Points[this->FindFirstPlace(range, labels)];
+  }
+
+  static std::uint32_t GetNext(const Range& range, std::uint32_t at)
+  {
+    return at + 1 == range.End ? range.Begin : at + 1;
+  }
+
+  class Builder;
+
+  std::vector<Slot> Slots;
+  std::vector<Piece> Pieces;
+  std::vector<Solid> Solids;
+  std::vector<std::uint32_t> Polygons;
+  std::vector<Slot> Points;
+};
+
+#endif

@@ -1,0 +1,28 @@
+#ifndef ReferenceIsotable_h
+#define ReferenceIsotable_h
+
+#include "vtkIsotablePolytope.h"
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+namespace reference
+{
+
+/// A simplex as its sorted slots followed by the parity of the sorting: equal for equal
+/// orientation.
+using OrientedSimplex = std::vector<int>;
+OrientedSimplex Orient(const std::vector<int>& slots);
+
+/// Whether each vertex of the lifted cell (of the cell itself for a contour) is positive.
+std::vector<bool> GetSigns(int numberOfVertices, bool isInterval, std::uint32_t key);
+
+/// The exact pulling triangulation of a case, an interval's or a contour's, in an order of the
+/// slots.
+std::multiset<OrientedSimplex> PullExactly(const vtkIsotablePolytope& cell, bool isInterval,
+  std::uint32_t key, const std::vector<int>& slotRanks);
+
+}
+
+#endif

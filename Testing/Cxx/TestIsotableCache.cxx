@@ -1,0 +1,221 @@
+// The table of a cell times time: every cut is the exact pulling triangulation, in ascending order
+// and in any other; counts over whole tables; and what the cache counts.
+
+#include "ReferenceCheck.h"
+#include "ReferenceIsotable.h"
+
+#include "vtkIsotable.h"
+#include "vtkIsotableCache.h"
+#include "vtkIsotablePolytope.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Cuts = std::multiset<reference::OrientedSimplex>;
+using Slot = vtkIsotableCache::Slot;
+using VertexRanks = std::array<Slot, vtkIsotableCache::MaximumNumberOfVertices>;
+
+const char* const Names[] = { "tetrahedron x time", "pyramid x time", "wedge x time",
+  "hexahedron x time" };
+
+VertexRanks GetAscending()
+{
+  VertexRanks ranks;
+  std::iota(ranks.begin(), ranks.end(), Slot(0));
+  return ranks;
+}
+
+std::uint32_t GetNumberOfCases(const vtkIsotableCache& cache)
+{
+  std::uint32_t number = 1;
+  for (int v = 0; v < cache.GetNumberOfVertices(); ++v)
+  {
+    number *= 3;
+  }
+  return number;
+}
+
+Cuts Cut(
+  const vtkIsotableCache& cache, const vtkIsotableCache::Case& what, const VertexRanks& vertexRanks)
+{
+  Cuts cuts;
+  cache.Cut(what, cache.GetSlotRanks(vertexRanks.data()),
+    [&cuts](const vtkIsotableCache::Simplex& simplex) {
+      cuts.insert(reference::Orient({ simplex.begin(), simplex.end() }));
+    });
+  return cuts;
+}
+
+Cuts PullExactly(const vtkIsotableCache& cache, std::uint32_t key, const VertexRanks& vertexRanks)
+{
+  const auto ranks = cache.GetSlotRanks(vertexRanks.data());
+  return reference::PullExactly(cache.GetCell(), true, key, { ranks.begin(), ranks.end() });
+}
+
+// Every digit at random, or two values at random, or a few vertices unlike the others.
+std::uint32_t MakeKey(int numberOfVertices, int round, std::mt19937& random)
+{
+  std::uint32_t key = 0;
+  for (int v = 0; v < numberOfVertices; ++v)
+  {
+    const std::uint32_t any = random() % 3;
+    const bool differs = random() % 5 == 0;
+    const std::uint32_t some = round % 4 == 1 ? any % 2 : 1 + any % 2;
+    key = 3 * key + (round % 4 == 0 ? any : round % 4 == 3 && differs ? any : some);
+  }
+  return key;
+}
+
+void TestCuts(vtkIsotableCache& cache, reference::Check& check)
+{
+  std::mt19937 random(3);
+  const int n = cache.GetNumberOfVertices();
+  for (int round = 0; round < 240; ++round)
+  {
+    const std::uint32_t key = MakeKey(n, round, random);
+    const vtkIsotableCache::Case& what = cache.GetCase(key);
+    Cuts ascending;
+    std::set<Slot> used;
+    for (const vtkIsotableCache::Simplex& simplex : what.Simplices)
+    {
+      ascending.insert(reference::Orient({ simplex.begin(), simplex.end() }));
+      used.insert(simplex.begin(), simplex.end());
+    }
+    check.That(ascending == PullExactly(cache, key, GetAscending()), "ascending order");
+    check.That(std::equal(used.begin(), used.end(), what.Slots.begin(), what.Slots.end()),
+      "the slots in use");
+    VertexRanks order = GetAscending();
+    std::shuffle(order.begin(), order.begin() + n, random);
+    check.That(Cut(cache, what, order) == PullExactly(cache, key, order), "any order");
+  }
+}
+
+void TestSlotRanks(const vtkIsotableCache& cache, reference::Check& check)
+{
+  std::mt19937 random(17);
+  const int n = cache.GetNumberOfVertices();
+  const int m = cache.GetNumberOfEdges();
+  VertexRanks order = GetAscending();
+  std::shuffle(order.begin(), order.begin() + n, random);
+  const auto ranks = cache.GetSlotRanks(order.data());
+  std::set<std::array<int, 4>> places;
+  for (int slot = 0; slot < n + 2 * m; ++slot)
+  {
+    const int kind = slot < n ? 0 : 1 + (slot - n) / m;
+    const auto edge =
+      kind == 0 ? std::array<Slot, 2>{ { Slot(slot), Slot(slot) } } : cache.GetEdge((slot - n) % m);
+    const auto ends = std::minmax(order[edge[0]], order[edge[1]]);
+    places.insert({ { kind, ends.first, ends.second, slot } });
+  }
+  int last = -1;
+  for (const auto& place : places)
+  {
+    check.That(ranks[place[3]] > last, "slots are ordered by kind, then by the ranks of both ends");
+    last = ranks[place[3]];
+  }
+}
+
+// Against sums over the exact triangulations of all cases.
+void TestTetrahedron(reference::Check& check)
+{
+  vtkIsotableCache& cache = vtkIsotableCache::Get(vtkIsotable::TETRAHEDRON);
+  std::size_t sum = 0;
+  std::size_t most = 0;
+  for (std::uint32_t key = 0; key < GetNumberOfCases(cache); ++key)
+  {
+    const std::size_t number = cache.GetCase(key).Simplices.size();
+    sum += number;
+    most = std::max(most, number);
+  }
+  check.Equal(sum, 123516, "simplices of all cases");
+  check.Equal(most, 34, "most simplices of a case");
+}
+
+void TestConstantHypercube(reference::Check& check)
+{
+  vtkIsotableCache& cache = vtkIsotableCache::Get(vtkIsotable::HEXAHEDRON);
+  const std::uint32_t last = GetNumberOfCases(cache) - 1;
+  check.Equal(cache.GetCase(last / 2).Simplices.size(), 24, "a cell of constant value");
+  check.Equal(cache.GetCase(0).Simplices.size(), 0, "all vertices below");
+  check.Equal(cache.GetCase(last).Simplices.size(), 0, "all vertices above");
+}
+
+// A cell whose graph has symmetries that the cell has not.
+void TestFrustum(reference::Check& check)
+{
+  using Point = vtkIsotablePolytope::Point;
+  vtkIsotableCache cache(vtkIsotablePolytope::FromVertices(3,
+    { Point{ { 0, 0, 0 } }, Point{ { 12, 0, 0 } }, Point{ { 0, 12, 0 } }, Point{ { 12, 12, 0 } },
+      Point{ { 4, 4, 4 } }, Point{ { 8, 4, 4 } }, Point{ { 4, 8, 4 } },
+      Point{
+        { 8, 8, 4 } } }).Prism());
+  TestCuts(cache, check);
+}
+
+void TestStatistics(reference::Check& check)
+{
+  vtkIsotableCache cache(vtkIsotablePolytope::Simplex(3).Prism());
+  // All but one vertex below: 8 cases, which symmetries take into each other.
+  std::vector<std::uint32_t> keys{ 1 };
+  while (keys.size() < 8)
+  {
+    keys.push_back(3 * keys.back());
+  }
+  for (const std::uint32_t key : keys)
+  {
+    cache.GetCase(key);
+  }
+  check.Equal(cache.GetNumberOfKinds(), 1, "one kind");
+  check.Equal(cache.GetNumberOfCases(), 8, "cases");
+  check.Equal(cache.GetNumberOfLookups(), 8, "lookups");
+  check.Equal(cache.GetNumberOfHits(), 0, "hits");
+  const std::uint64_t bytes = cache.GetBytes();
+  {
+    vtkIsotableCache::Reader reader(cache);
+    for (int round = 0; round < 3; ++round)
+    {
+      check.That(&reader.GetCase(1) == &cache.GetCase(1), "a reader finds the same case");
+      reader.GetCase(2);
+    }
+    check.Equal(reader.GetNumberOfLookups(), 6, "lookups of the reader");
+    check.Equal(reader.GetNumberOfCasesMade(), 1, "cases that the reader made");
+    check.Equal(cache.GetNumberOfLookups(), 11, "lookups without those of the reader");
+  }
+  check.Equal(cache.GetNumberOfLookups(), 17, "lookups with those of the reader");
+  check.Equal(cache.GetNumberOfHits(), 8, "hits with those of the reader");
+  check.Equal(cache.GetNumberOfCases(), 9, "cases with that of the reader");
+  check.Equal(cache.GetNumberOfKinds(), 2, "kinds with that of the reader");
+  check.That(cache.GetBytes() > bytes, "a case takes memory");
+}
+
+}
+
+int TestIsotableCache(int, char*[])
+{
+  reference::Check check;
+  for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+  {
+    check.SetContext(Names[shape]);
+    vtkIsotableCache& cache = vtkIsotableCache::Get(static_cast<vtkIsotable::Shapes>(shape));
+    TestCuts(cache, check);
+    TestSlotRanks(cache, check);
+  }
+  check.SetContext("frustum x time");
+  TestFrustum(check);
+  check.SetContext("tetrahedron x time, whole table");
+  TestTetrahedron(check);
+  check.SetContext("hexahedron x time, constant");
+  TestConstantHypercube(check);
+  check.SetContext("statistics");
+  TestStatistics(check);
+  return check.Result();
+}

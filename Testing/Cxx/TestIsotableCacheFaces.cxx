@@ -1,0 +1,186 @@
+// Cells that share a three-dimensional face in space and time, whatever their shapes, leave the
+// same tetrahedra on it when their vertices there have the same digits and are ordered alike.
+
+#include "ReferenceCheck.h"
+
+#include "vtkIsotable.h"
+#include "vtkIsotableCache.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Slot = vtkIsotableCache::Slot;
+using Shapes = vtkIsotable::Shapes;
+
+// A face of a cell: for each vertex of the face that of the cell.
+struct Face
+{
+  std::string Name;
+  Shapes Shape;
+  std::vector<int> Vertices;
+};
+
+// Faces that are cubes have their vertices in rows, prisms have their triangles one after the
+// other.
+std::vector<std::vector<Face>> GetFaces()
+{
+  using Table = vtkIsotable;
+  return {
+    { { "hexahedron at the first time", Table::HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } },
+      { "hexahedron at the second time", Table::HEXAHEDRON, { 8, 9, 10, 11, 12, 13, 14, 15 } },
+      { "side of a hexahedron", Table::HEXAHEDRON, { 1, 3, 5, 7, 9, 11, 13, 15 } },
+      { "turned side of a hexahedron", Table::HEXAHEDRON, { 4, 0, 6, 2, 12, 8, 14, 10 } },
+      { "top of a hexahedron", Table::HEXAHEDRON, { 4, 5, 6, 7, 12, 13, 14, 15 } },
+      { "side of a wedge", Table::WEDGE, { 0, 1, 3, 4, 6, 7, 9, 10 } },
+      { "base of a pyramid", Table::PYRAMID, { 0, 1, 3, 2, 5, 6, 8, 7 } } },
+    { { "wedge at the first time", Table::WEDGE, { 0, 1, 2, 3, 4, 5 } },
+      { "wedge at the second time", Table::WEDGE, { 6, 7, 8, 9, 10, 11 } },
+      { "end of a wedge", Table::WEDGE, { 3, 4, 5, 9, 10, 11 } },
+      { "side of a tetrahedron", Table::TETRAHEDRON, { 0, 3, 2, 4, 7, 6 } },
+      { "side of a pyramid", Table::PYRAMID, { 1, 2, 4, 6, 7, 9 } } }
+  };
+}
+
+// A point of a face in its own words: whether vertex, lower or upper crossing, and both ends.
+using FacePoint = std::array<int, 3>;
+using Tetrahedra = std::set<std::vector<FacePoint>>;
+
+// The tetrahedra on the face belong to one simplex each.
+Tetrahedra FindTetrahedra(const vtkIsotableCache& cache, const vtkIsotableCache::Case& what,
+  const vtkIsotableCache::RankArray& ranks, const Face& face)
+{
+  const int n = cache.GetNumberOfVertices();
+  const int m = cache.GetNumberOfEdges();
+  const auto find = [&face](int vertex)
+  {
+    return static_cast<int>(
+      std::find(face.Vertices.begin(), face.Vertices.end(), vertex) - face.Vertices.begin());
+  };
+  const int outside = static_cast<int>(face.Vertices.size());
+  std::map<std::vector<FacePoint>, int> count;
+  cache.Cut(what, ranks,
+    [&](const vtkIsotableCache::Simplex& simplex)
+    {
+      std::vector<FacePoint> points;
+      for (const Slot slot : simplex)
+      {
+        const int kind = slot < n ? 0 : 1 + (slot - n) / m;
+        const auto edge =
+          kind == 0 ? std::array<Slot, 2>{ { slot, slot } } : cache.GetEdge((slot - n) % m);
+        const int a = find(edge[0]);
+        const int b = find(edge[1]);
+        if (std::max(a, b) < outside)
+        {
+          points.push_back({ { kind, std::min(a, b), std::max(a, b) } });
+        }
+      }
+      std::sort(points.begin(), points.end());
+      if (points.size() == 4)
+      {
+        ++count[points];
+      }
+    });
+  Tetrahedra found;
+  for (const auto& entry : count)
+  {
+    if (entry.second == 1)
+    {
+      found.insert(entry.first);
+    }
+  }
+  return found;
+}
+
+class Sharing
+{
+public:
+  Sharing(const std::vector<Face>& faces, int seed)
+    : Faces(faces)
+    , Random(seed)
+  {
+  }
+
+  // Returns the number of tetrahedra on the face.
+  std::size_t Test(reference::Check& check)
+  {
+    const std::size_t number = this->Faces[0].Vertices.size();
+    this->Digits.resize(number);
+    const bool isMixed = this->Random() % 2 == 0;
+    for (std::uint32_t& digit : this->Digits)
+    {
+      digit = isMixed || this->Random() % 4 == 0 ? this->Random() % 3 : 1;
+    }
+    this->Order.resize(number);
+    std::iota(this->Order.begin(), this->Order.end(), 0);
+    std::shuffle(this->Order.begin(), this->Order.end(), this->Random);
+    const Tetrahedra expected = this->Cut(this->Faces[0]);
+    for (const Face& face : this->Faces)
+    {
+      check.That(this->Cut(face) == expected, face.Name + " agrees with " + this->Faces[0].Name);
+    }
+    return expected.size();
+  }
+
+private:
+  // The rest of the cell is random, its ranks between and around those of the face.
+  Tetrahedra Cut(const Face& face)
+  {
+    vtkIsotableCache& cache = vtkIsotableCache::Get(face.Shape);
+    const int n = cache.GetNumberOfVertices();
+    std::vector<double> places(n);
+    std::vector<std::uint32_t> digits(n);
+    for (int v = 0; v < n; ++v)
+    {
+      places[v] = this->Random() % 1000 / 100.0 - 1.0 + 1e-4 * (v + 1);
+      digits[v] = this->Random() % 3;
+    }
+    for (std::size_t i = 0; i < face.Vertices.size(); ++i)
+    {
+      places[face.Vertices[i]] = this->Order[i];
+      digits[face.Vertices[i]] = this->Digits[i];
+    }
+    std::vector<Slot> vertexRanks;
+    std::uint32_t key = 0;
+    for (int v = 0; v < n; ++v)
+    {
+      vertexRanks.push_back(static_cast<Slot>(std::count_if(
+        places.begin(), places.end(), [&](double place) { return place < places[v]; })));
+      key = 3 * key + digits[n - 1 - v];
+    }
+    return FindTetrahedra(cache, cache.GetCase(key), cache.GetSlotRanks(vertexRanks.data()), face);
+  }
+
+  const std::vector<Face>& Faces;
+  std::mt19937 Random;
+  std::vector<std::uint32_t> Digits;
+  std::vector<int> Order;
+};
+
+}
+
+int TestIsotableCacheFaces(int, char*[])
+{
+  reference::Check check;
+  for (const std::vector<Face>& faces : GetFaces())
+  {
+    Sharing sharing(faces, 13);
+    std::size_t tetrahedra = 0;
+    for (int round = 0; round < 200; ++round)
+    {
+      check.SetContext("round " + std::to_string(round));
+      tetrahedra += sharing.Test(check);
+    }
+    check.That(tetrahedra > 200, "faces are not empty");
+  }
+  return check.Result();
+}
