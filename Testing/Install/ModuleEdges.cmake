@@ -3,7 +3,7 @@
 #   - ParaView's headers only in Plugin/
 #   - a rendering module knows no module under Filters/
 #   - Isotables knows no pipeline and no dataset; Isotables <- Intervals <- Flow; Sources and Meshing on VTK
-#     alone
+#     alone, and no filter module uses them
 
 # The names of a module's headers, as one regular expression; one that matches nothing if it has none.
 function (header_pattern output)
@@ -52,6 +52,7 @@ function (find_breaches root output)
   header_pattern(intervals "${root}/Filters/Intervals")
   header_pattern(flow "${root}/Filters/Flow")
   header_pattern(meshing "${root}/Filters/Meshing")
+  header_pattern(sources_headers "${root}/Filters/Sources")
   header_pattern(not_sources "${root}/Filters/Isotables" "${root}/Filters/Intervals" "${root}/Filters/Flow")
   forbid("${root}" Rendering "${filters}")
   forbid("${root}" Filters/Isotables "${intervals}")
@@ -61,6 +62,9 @@ function (find_breaches root output)
   forbid("${root}" Filters/Meshing "${not_sources}")
   foreach (folder IN ITEMS Isotables Intervals Flow Sources)
     forbid("${root}" Filters/${folder} "${meshing}")
+  endforeach ()
+  foreach (folder IN ITEMS Isotables Intervals Flow Meshing)
+    forbid("${root}" Filters/${folder} "${sources_headers}")
   endforeach ()
   set(${output} "${breaches}" PARENT_SCOPE)
 endfunction ()

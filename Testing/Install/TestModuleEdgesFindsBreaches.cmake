@@ -7,6 +7,7 @@ file(WRITE "${WORK_DIR}/Filters/Intervals/vtkCut.h"
   "#include \"vtkTable.h\"\n#include \"vtkUnstructuredGridAlgorithm.h\"\n")
 file(WRITE "${WORK_DIR}/Filters/Flow/vtkStreamVolume.h" "#include \"vtkCut.h\"\n")
 file(WRITE "${WORK_DIR}/Filters/Meshing/vtkMesh.h" "#include \"vtkPolyData.h\"\n")
+file(WRITE "${WORK_DIR}/Filters/Sources/vtkField.h" "#include \"vtkImageAlgorithm.h\"\n")
 file(WRITE "${WORK_DIR}/Plugin/vtkPanel.cxx" "#include \"vtkPVView.h\"\n")
 find_breaches("${WORK_DIR}" breaches)
 if (breaches)
@@ -21,6 +22,7 @@ set(expected
   "Filters/Isotables/vtkE.cxx: #include \"vtkStreamVolume.h\""
   "Filters/Intervals/vtkF.cxx: #include \"vtkStreamVolume.h\""
   "Filters/Intervals/vtkK.cxx: #include \"vtkMesh.h\""
+  "Filters/Intervals/vtkM.cxx: #include \"vtkField.h\""
   "Filters/Meshing/vtkL.cxx: #include \"vtkCut.h\""
   "Filters/Sources/vtkG.cxx: #include \"vtkTable.h\""
   "Rendering/Light/vtkH.cxx: #include <vtkCut.h>"

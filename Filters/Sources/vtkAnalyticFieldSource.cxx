@@ -1,0 +1,79 @@
+#include "vtkAnalyticFieldSource.h"
+
+#include "vtkClampedValue.h"
+#include "vtkElementaryFields.h"
+#include "vtkObjectFactory.h"
+#include "vtkVortexTubes.h"
+
+vtkStandardNewMacro(vtkAnalyticFieldSource);
+
+namespace
+{
+constexpr double Limit = 1e6;
+
+// base + rate * time
+vtkElementaryFields::Vector Advance(const double base[3], const double rate[3], double time)
+{
+  return { { base[0] + rate[0] * time, base[1] + rate[1] * time, base[2] + rate[2] * time } };
+}
+
+void PrintVector(ostream& os, vtkIndent indent, const char* name, const double v[3])
+{
+  os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n";
+}
+}
+
+const char* vtkAnalyticFieldSource::GetFieldName(int field)
+{
+  static const char* const names[NUMBER_OF_FIELDS] = { "wave", "vortex", "linear", "ball",
+    "gyroid" };
+  return field >= 0 && field < NUMBER_OF_FIELDS ? names[field] : nullptr;
+}
+
+void vtkAnalyticFieldSource::SetVector(double (&member)[3], double x, double y, double z)
+{
+  if (vtkClampedValue::Assign(member, { x, y, z }, -Limit, Limit))
+  {
+    this->Modified();
+  }
+}
+
+void vtkAnalyticFieldSource::SetNumber(double& member, double value)
+{
+  if (vtkClampedValue::Assign(member, value, -Limit, Limit))
+  {
+    this->Modified();
+  }
+}
+
+vtkFieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) const
+{
+  switch (this->Field)
+  {
+    case WAVE:
+      return vtkElementaryFields::Wave{ t };
+    case LINEAR:
+      return vtkElementaryFields::Linear{ t, this->Constant,
+        { { this->Gradient[0], this->Gradient[1], this->Gradient[2] } }, this->Rate };
+    case BALL:
+      return vtkElementaryFields::Ball{ Advance(this->Center, this->Velocity, t),
+        this->Radius + this->Growth * t };
+    case GYROID:
+      return vtkElementaryFields::Gyroid{ Advance(this->Center, this->Velocity, t) };
+    default:
+      return vtkVortexTubes(t);
+  }
+}
+
+void vtkAnalyticFieldSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Field: " << GetFieldName(this->Field) << "\n";
+  os << indent << "Constant: " << this->Constant << "\n";
+  PrintVector(os, indent, "Gradient", this->Gradient);
+  os << indent << "Rate: " << this->Rate << "\n";
+  PrintVector(os, indent, "Center", this->Center);
+  PrintVector(os, indent, "Velocity", this->Velocity);
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Growth: " << this->Growth << "\n";
+}

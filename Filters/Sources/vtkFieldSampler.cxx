@@ -1,0 +1,140 @@
+#include "vtkFieldSampler.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+// How often progress is told and an abort seen.
+constexpr vtkIdType NumberOfBatches = 32;
+
+template <typename Value>
+void Assign(Value& member, const Value& value, vtkAlgorithm* owner)
+{
+  if (member != value)
+  {
+    member = value;
+    owner->Modified();
+  }
+}
+}
+
+void vtkFieldSampler::SetNumberOfTimeSteps(int number, vtkAlgorithm* owner)
+{
+  Assign(this->NumberOfTimeSteps, std::max(1, std::min(number, MaximumNumberOfTimeSteps)), owner);
+}
+
+void vtkFieldSampler::SetTimeRange(double first, double last, vtkAlgorithm* owner)
+{
+  if (!std::isfinite(first) || !std::isfinite(last))
+  {
+    vtkErrorWithObjectMacro(
+      owner, "The time range " << first << " to " << last << " is not finite.");
+    return;
+  }
+  Assign(this->TimeRange, { { std::min(first, last), std::max(first, last) } }, owner);
+}
+
+void vtkFieldSampler::SetScalarType(int type, vtkAlgorithm* owner)
+{
+  Assign(this->ScalarType, type == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT, owner);
+}
+
+void vtkFieldSampler::SetArrayName(const char* name, vtkAlgorithm* owner)
+{
+  Assign(this->ArrayName, name && *name ? std::string(name) : this->DefaultArrayName, owner);
+}
+
+void vtkFieldSampler::Announce(vtkInformation* output, const int wholeExtent[6]) const
+{
+  // Equal times are one step.
+  const double length = this->TimeRange[1] - this->TimeRange[0];
+  const int number = length > 0.0 ? this->NumberOfTimeSteps : 1;
+  std::vector<double> times(number, this->TimeRange[0]);
+  for (int i = 1; i < number; ++i)
+  {
+    times[i] =
+      i == number - 1 ? this->TimeRange[1] : this->TimeRange[0] + length * i / (number - 1);
+  }
+  const double range[2] = { times.front(), times.back() };
+  output->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), number);
+  output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), wholeExtent, 6);
+  output->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  vtkDataObject::SetPointDataActiveScalarInfo(output, this->ScalarType, 1);
+}
+
+bool vtkFieldSampler::GetRequestedTime(
+  vtkInformation* output, vtkAlgorithm* owner, double& time) const
+{
+  const auto key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  time = output->Has(key) ? output->Get(key) : this->TimeRange[0];
+  if (!std::isfinite(time))
+  {
+    vtkErrorWithObjectMacro(owner, "The time asked for, " << time << ", is not finite.");
+    return false;
+  }
+  return true;
+}
+
+bool vtkFieldSampler::Sample(vtkDataSet* output, const int extent[6], double time,
+  const Field& field, const Positions& positions, vtkAlgorithm* owner) const
+{
+  const vtkIdType rowLength = extent[1] - extent[0] + 1;
+  const vtkIdType rowsOfLayer = extent[3] - extent[2] + 1;
+  const vtkIdType rows = rowsOfLayer * (extent[5] - extent[4] + 1);
+  vtkSmartPointer<vtkDataArray> values =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->ScalarType));
+  values->SetName(this->ArrayName.c_str());
+  values->SetNumberOfTuples(rows * rowLength);
+
+  const auto sampleRows = [&](vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType row = first; row < last; ++row)
+    {
+      int ijk[3] = { 0, static_cast<int>(extent[2] + row % rowsOfLayer),
+        static_cast<int>(extent[4] + row / rowsOfLayer) };
+      for (vtkIdType i = 0; i < rowLength; ++i)
+      {
+        ijk[0] = static_cast<int>(extent[0] + i);
+        double x[3];
+        positions(ijk, row * rowLength + i, x);
+        values->SetComponent(row * rowLength + i, 0, field(x));
+      }
+    }
+  };
+  const vtkIdType batches = std::min(rows, NumberOfBatches);
+  for (vtkIdType batch = 0; batch < batches; ++batch)
+  {
+    owner->UpdateProgress(static_cast<double>(batch) / batches);
+    if (owner->GetAbortExecute())
+    {
+      return false;
+    }
+    vtkSMPTools::For(batch * rows / batches, (batch + 1) * rows / batches, sampleRows);
+  }
+  output->GetPointData()->SetScalars(values);
+  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  owner->UpdateProgress(1.0);
+  return true;
+}
+
+void vtkFieldSampler::Print(ostream& os, vtkIndent indent) const
+{
+  os << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n";
+  os << indent << "TimeRange: " << this->TimeRange[0] << " " << this->TimeRange[1] << "\n";
+  os << indent << "OutputScalarType: " << (this->ScalarType == VTK_DOUBLE ? "double" : "float")
+     << "\n";
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
+}

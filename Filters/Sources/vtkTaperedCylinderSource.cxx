@@ -1,0 +1,99 @@
+#include "vtkTaperedCylinderSource.h"
+
+#include "vtkClampedValue.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkVortexStreet.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkTaperedCylinderSource);
+
+namespace
+{
+// Of points towards the wall, and towards the wake.
+constexpr double Clustering = 2.0;
+constexpr double ClusteringAround = 0.75;
+}
+
+vtkTaperedCylinderSource::vtkTaperedCylinderSource()
+  : Superclass("density", 64, 64, 32)
+{
+}
+
+void vtkTaperedCylinderSource::SetNumber(double& member, double value, double lower, double upper)
+{
+  if (vtkClampedValue::Assign(member, value, lower, upper))
+  {
+    this->Modified();
+  }
+}
+
+void vtkTaperedCylinderSource::SetRadii(double bottom, double top)
+{
+  if (vtkClampedValue::Assign(this->Radii, { bottom, top }, 0.05, 50.0))
+  {
+    this->Modified();
+  }
+}
+
+void vtkTaperedCylinderSource::SetHeight(double height)
+{
+  this->SetNumber(this->Height, height, 0.1, 1000.0);
+}
+
+void vtkTaperedCylinderSource::SetOuterRadius(double radius)
+{
+  this->SetNumber(this->OuterRadius, radius, 0.1, 200.0);
+}
+
+void vtkTaperedCylinderSource::SetSpeed(double speed)
+{
+  this->SetNumber(this->Speed, speed, 0.001, 1000.0);
+}
+
+void vtkTaperedCylinderSource::SetStrouhalNumber(double number)
+{
+  this->SetNumber(this->StrouhalNumber, number, 0.01, 1.0);
+}
+
+double vtkTaperedCylinderSource::GetGridRadius() const
+{
+  return std::max(this->OuterRadius, 2.0 * std::max(this->Radii[0], this->Radii[1]));
+}
+
+void vtkTaperedCylinderSource::GetPosition(const int ijk[3], double x[3]) const
+{
+  const double height = static_cast<double>(ijk[2]) / (this->Dimensions[2] - 1);
+  const double wall = (1.0 - height) * this->Radii[0] + height * this->Radii[1];
+  const double outward = static_cast<double>(ijk[0]) / (this->Dimensions[0] - 1);
+  const double radius = wall +
+    (this->GetGridRadius() - wall) * std::expm1(Clustering * outward) / std::expm1(Clustering);
+  // The last point around is the first one, to the bit.
+  const double around =
+    static_cast<double>(ijk[1] % (this->Dimensions[1] - 1)) / (this->Dimensions[1] - 1);
+  const double turn = 2.0 * vtkMath::Pi() * around;
+  const double angle = turn - vtkMath::Pi() + ClusteringAround * std::sin(turn);
+  x[0] = radius * std::cos(angle);
+  x[1] = radius * std::sin(angle);
+  x[2] = height * this->Height;
+}
+
+vtkFieldSampler::Field vtkTaperedCylinderSource::GetFieldAtTime(double t) const
+{
+  const vtkVortexStreet street({ { { this->Radii[0], this->Radii[1] } }, this->Height,
+                                 this->GetGridRadius(), this->Speed, this->StrouhalNumber },
+    t);
+  return [street](const double x[3]) { return 1.0 - street(x); };
+}
+
+void vtkTaperedCylinderSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Radii: " << this->Radii[0] << " " << this->Radii[1] << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "OuterRadius: " << this->OuterRadius << "\n";
+  os << indent << "Speed: " << this->Speed << "\n";
+  os << indent << "StrouhalNumber: " << this->StrouhalNumber << "\n";
+}

@@ -1,0 +1,83 @@
+#include "vtkTemporalGridSource.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredData.h"
+#include "vtkStructuredGrid.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr int MinimumDimension = 2;
+constexpr int MaximumDimension = 32768;
+}
+
+vtkTemporalGridSource::vtkTemporalGridSource(const char* arrayName, int i, int j, int k)
+  : Dimensions{ i, j, k }
+  , Sampler(arrayName)
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+void vtkTemporalGridSource::SetDimensions(int i, int j, int k)
+{
+  int clamped[3] = { i, j, k };
+  for (int& dimension : clamped)
+  {
+    dimension = std::max(MinimumDimension, std::min(dimension, MaximumDimension));
+  }
+  if (!std::equal(clamped, clamped + 3, this->Dimensions))
+  {
+    std::copy_n(clamped, 3, this->Dimensions);
+    this->Modified();
+  }
+}
+
+int vtkTemporalGridSource::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  const int wholeExtent[6] = { 0, this->Dimensions[0] - 1, 0, this->Dimensions[1] - 1, 0,
+    this->Dimensions[2] - 1 };
+  this->Sampler.Announce(outputs->GetInformationObject(0), wholeExtent);
+  return 1;
+}
+
+int vtkTemporalGridSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkStructuredGrid* grid = vtkStructuredGrid::GetData(info);
+  double time = 0.0;
+  if (!this->Sampler.GetRequestedTime(info, this, time))
+  {
+    return 1;
+  }
+  int* extent = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(this->Sampler.GetScalarType());
+  points->SetNumberOfPoints(vtkStructuredData::GetNumberOfPoints(extent));
+  grid->SetExtent(extent);
+  grid->SetPoints(points);
+  const auto positions = [this, &points](const int ijk[3], vtkIdType point, double x[3])
+  {
+    this->GetPosition(ijk, x);
+    points->SetPoint(point, x);
+  };
+  if (!this->Sampler.Sample(grid, extent, time, this->GetFieldAtTime(time), positions, this))
+  {
+    grid->Initialize();
+  }
+  return 1;
+}
+
+void vtkTemporalGridSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
+     << this->Dimensions[2] << "\n";
+  this->Sampler.Print(os, indent);
+}

@@ -1,0 +1,178 @@
+// Pieces and parts of the extent have the values and points of the whole, float is double rounded,
+// and the bytes are the same for any number of threads.
+#include "ReferenceCheck.h"
+#include "ReferenceTemporalSource.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredData.h"
+#include "vtkStructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+using Extent = std::array<int, 6>;
+
+Extent GetExtent(vtkDataSet* data)
+{
+  Extent extent;
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    image->GetExtent(extent.data());
+  }
+  else
+  {
+    vtkStructuredGrid::SafeDownCast(data)->GetExtent(extent.data());
+  }
+  return extent;
+}
+
+vtkSmartPointer<vtkDataSet> Copy(vtkDataSet* data)
+{
+  auto copy = vtk::TakeSmartPointer(data->NewInstance());
+  copy->DeepCopy(data);
+  return copy;
+}
+
+// Every point of the part is that of the whole. Returns the number of points.
+vtkIdType ComparePart(vtkDataSet* part, vtkDataSet* whole, Check& check)
+{
+  Extent extent = GetExtent(part);
+  Extent all = GetExtent(whole);
+  vtkDataArray* values = part->GetPointData()->GetScalars();
+  vtkDataArray* expected = whole->GetPointData()->GetScalars();
+  vtkIdType differing = 0;
+  vtkIdType point = 0;
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      for (int i = extent[0]; i <= extent[1]; ++i, ++point)
+      {
+        int ijk[3] = { i, j, k };
+        const vtkIdType same = vtkStructuredData::ComputePointIdForExtent(all.data(), ijk);
+        double a[3];
+        double b[3];
+        part->GetPoint(point, a);
+        whole->GetPoint(same, b);
+        differing +=
+          values->GetTuple1(point) != expected->GetTuple1(same) || !std::equal(a, a + 3, b);
+      }
+    }
+  }
+  check.Equal(point, part->GetNumberOfPoints(), "points of the part");
+  check.Equal(differing, 0, "points that differ from the whole's");
+  return point;
+}
+
+// Without a change the pipeline would keep the whole, which has every part.
+void CheckParts(const TemporalSource& source, vtkDataSet* whole, Check& check)
+{
+  const Extent all = GetExtent(whole);
+  const Extent part = { { all[0] + 2, all[1] - 3, all[2] + 1, all[2] + 1, all[4], all[5] - 1 } };
+  check.SetContext(source.Name + ", a part");
+  source.Algorithm->Modified();
+  source.Algorithm->UpdateExtent(part.data());
+  check.That(GetExtent(source.GetOutput()) == part, "the part is that which was asked for");
+  ComparePart(source.GetOutput(), whole, check);
+  for (int ghosts : { 0, 1 })
+  {
+    vtkIdType cells = 0;
+    vtkIdType points = 0;
+    for (int piece = 0; piece < 5; ++piece)
+    {
+      check.SetContext(source.Name + ", piece " + std::to_string(piece));
+      source.Algorithm->Modified();
+      source.Algorithm->UpdatePiece(piece, 5, ghosts);
+      points += ComparePart(source.GetOutput(), whole, check);
+      for (vtkIdType cell = 0; cell < source.GetOutput()->GetNumberOfCells(); ++cell)
+      {
+        vtkUnsignedCharArray* marks = source.GetOutput()->GetCellGhostArray();
+        cells += !marks || marks->GetComponent(cell, 0) == 0;
+      }
+    }
+    check.SetContext(source.Name);
+    check.Equal(cells, whole->GetNumberOfCells(), "cells of all pieces that are no ghosts");
+    check.That(points > whole->GetNumberOfPoints(), "pieces share points");
+  }
+}
+
+void CheckTypes(const TemporalSource& source, Check& check)
+{
+  check.SetContext(source.Name);
+  source.Algorithm->UpdateWholeExtent();
+  const auto single = Copy(source.GetOutput());
+  source.SetOutputScalarType(VTK_DOUBLE);
+  source.Algorithm->UpdateWholeExtent();
+  vtkDataArray* values = single->GetPointData()->GetScalars();
+  vtkDataArray* exact = source.GetValues();
+  check.Equal(values->GetDataType(), VTK_FLOAT, "type");
+  check.Equal(exact->GetDataType(), VTK_DOUBLE, "type in double");
+  vtkIdType differing = 0;
+  for (vtkIdType i = 0; i < exact->GetNumberOfTuples(); ++i)
+  {
+    differing += values->GetTuple1(i) != static_cast<float>(exact->GetTuple1(i));
+  }
+  check.Equal(differing, 0, "values in float that are not those in double, rounded");
+  if (auto* grid = vtkStructuredGrid::SafeDownCast(source.GetOutput()))
+  {
+    check.Equal(grid->GetPoints()->GetDataType(), VTK_DOUBLE, "type of the points in double");
+  }
+}
+
+std::string GetBytes(vtkDataArray* array)
+{
+  return std::string(static_cast<const char*>(array->GetVoidPointer(0)),
+    array->GetNumberOfValues() * array->GetDataTypeSize());
+}
+
+std::string GetBytes(const TemporalSource& source)
+{
+  auto* grid = vtkStructuredGrid::SafeDownCast(source.GetOutput());
+  return GetBytes(source.GetValues()) + (grid ? GetBytes(grid->GetPoints()->GetData()) : "");
+}
+
+void CheckThreads(Check& check)
+{
+  std::vector<std::string> expected;
+  for (int threads : { 1, 2, 8 })
+  {
+    vtkSMPTools::Initialize(threads);
+    std::size_t i = 0;
+    for (const TemporalSource& source : MakeTemporalSources())
+    {
+      check.SetContext(source.Name + ", " + std::to_string(threads) + " threads");
+      source.Algorithm->UpdateTimeStep(0.7);
+      if (threads == 1)
+      {
+        expected.push_back(GetBytes(source));
+      }
+      check.That(GetBytes(source) == expected[i++], "the same bytes");
+    }
+  }
+}
+
+}
+
+int TestTemporalSourceParts(int, char*[])
+{
+  Check check;
+  vtkSMPTools::SetBackend("STDThread");
+  for (const TemporalSource& source : MakeTemporalSources())
+  {
+    source.Algorithm->UpdateWholeExtent();
+    CheckParts(source, Copy(source.GetOutput()), check);
+    CheckTypes(source, check);
+  }
+  CheckThreads(check);
+  return check.Result();
+}

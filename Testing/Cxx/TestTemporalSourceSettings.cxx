@@ -1,0 +1,241 @@
+// Setters clamp or refuse what is not valid and mark only real changes, PrintSelf prints every
+// public value, progress is told and an abort leaves an empty output.
+#include "ReferenceCheck.h"
+#include "ReferenceTemporalSource.h"
+
+#include "vtkAnalyticFieldSource.h"
+#include "vtkCallbackCommand.h"
+#include "vtkDataSet.h"
+#include "vtkDeltaWingSource.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTaperedCylinderSource.h"
+#include "vtkTestErrorObserver.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr int Most = std::numeric_limits<int>::max();
+constexpr int Least = std::numeric_limits<int>::min();
+
+template <std::size_t Size, typename Value>
+void CheckValues(const Value* found, const std::array<Value, Size>& expected,
+  const std::string& what, Check& check)
+{
+  check.That(std::equal(expected.begin(), expected.end(), found), what);
+}
+
+void CheckCommon(const TemporalSource& source, Check& check)
+{
+  check.SetContext(source.Name);
+  check.Equal(source.GetNumberOfTimeSteps(), 3, "time steps by default");
+  CheckValues<2>(source.GetTimeRange(), { { 0.0, 2.0 } }, "time range by default", check);
+  check.Equal(source.GetOutputScalarType(), VTK_FLOAT, "type by default");
+  check.That(source.GetArrayName() == source.DefaultArrayName, "array name by default");
+
+  source.SetNumberOfTimeSteps(0);
+  check.Equal(source.GetNumberOfTimeSteps(), 1, "no time steps");
+  source.SetNumberOfTimeSteps(Most);
+  check.Equal(source.GetNumberOfTimeSteps(), 100000, "too many time steps");
+  source.SetTimeRange(3.0, -1.0);
+  CheckValues<2>(source.GetTimeRange(), { { -1.0, 3.0 } }, "times in order", check);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  source.Algorithm->AddObserver(vtkCommand::ErrorEvent, observer);
+  for (double bad : { NaN, Infinity })
+  {
+    source.SetTimeRange(0.0, bad);
+    check.That(observer->GetErrorMessage().find("not finite") != std::string::npos,
+      "a time range that is not finite is an error");
+    observer->Clear();
+  }
+  CheckValues<2>(source.GetTimeRange(), { { -1.0, 3.0 } }, "times after errors", check);
+  source.SetOutputScalarType(VTK_INT);
+  check.Equal(source.GetOutputScalarType(), VTK_FLOAT, "a type that is none");
+  source.SetArrayName("pressure");
+  check.That(source.GetArrayName() == "pressure", "array name");
+  source.Algorithm->Update();
+  check.That(source.GetOutput()->GetPointData()->HasArray("pressure"), "the array has the name");
+  for (const char* none : { "", static_cast<const char*>(nullptr) })
+  {
+    source.SetArrayName(none);
+    check.That(source.GetArrayName() == source.DefaultArrayName, "no array name");
+  }
+  const vtkMTimeType before = source.Algorithm->GetMTime();
+  source.SetArrayName(nullptr);
+  source.SetTimeRange(-1.0, 3.0);
+  source.SetNumberOfTimeSteps(100000);
+  source.SetOutputScalarType(VTK_FLOAT);
+  check.That(source.Algorithm->GetMTime() == before, "the same values are no change");
+}
+
+void CheckLattice(Check& check)
+{
+  check.SetContext("lattice");
+  vtkNew<vtkAnalyticFieldSource> source;
+  source->SetDimensions(0, Least, Most);
+  CheckValues<6>(source->GetWholeExtent(), { { 0, 0, 0, 0, 0, 32767 } }, "dimensions", check);
+  source->SetWholeExtent(5, 3, Least, Most, 1, 2);
+  CheckValues<6>(
+    source->GetWholeExtent(), { { 5, 5, -32768, 32767, 1, 2 } }, "whole extent", check);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  source->AddObserver(vtkCommand::ErrorEvent, observer);
+  for (double bad : { NaN, Infinity, 0.0, -1.0 })
+  {
+    source->SetBounds(0.0, 1.0, 0.0, bad, 0.0, 1.0);
+    check.That(observer->GetErrorMessage().find("axis 1") != std::string::npos,
+      "bounds of no length are an error");
+    observer->Clear();
+  }
+  CheckValues<6>(source->GetBounds(), { { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 } }, "bounds", check);
+}
+
+void CheckAnalytic(Check& check)
+{
+  check.SetContext("analytic");
+  vtkNew<vtkAnalyticFieldSource> source;
+  check.Equal(source->GetField(), vtkAnalyticFieldSource::VORTEX, "field by default");
+  source->SetField(-1);
+  check.Equal(source->GetField(), 0, "a field below");
+  source->SetField(99);
+  check.Equal(source->GetField(), vtkAnalyticFieldSource::GYROID, "a field above");
+  check.That(vtkAnalyticFieldSource::GetFieldName(5) == nullptr, "no field has no name");
+  source->SetGradient(NaN, Infinity, -1e9);
+  CheckValues<3>(source->GetGradient(), { { 1.0, 1e6, -1e6 } }, "gradient", check);
+  source->SetCenter(1.0, NaN, 2.0);
+  CheckValues<3>(source->GetCenter(), { { 1.0, 0.0, 2.0 } }, "centre", check);
+  source->SetVelocity(-Infinity, 0.0, 0.0);
+  CheckValues<3>(source->GetVelocity(), { { -1e6, 0.0, 0.0 } }, "velocity", check);
+  source->SetConstant(1e7);
+  source->SetRate(-1e7);
+  source->SetRadius(NaN);
+  source->SetGrowth(Infinity);
+  check.That(source->GetConstant() == 1e6 && source->GetRate() == -1e6 &&
+      source->GetRadius() == 0.4 && source->GetGrowth() == 1e6,
+    "numbers");
+}
+
+void CheckGrids(Check& check)
+{
+  check.SetContext("cylinder");
+  vtkNew<vtkTaperedCylinderSource> cylinder;
+  CheckValues<3>(cylinder->GetDimensions(), { { 64, 64, 32 } }, "dimensions by default", check);
+  cylinder->SetDimensions(1, Least, Most);
+  CheckValues<3>(cylinder->GetDimensions(), { { 2, 2, 32768 } }, "dimensions", check);
+  cylinder->SetRadii(0.0, Infinity);
+  CheckValues<2>(cylinder->GetRadii(), { { 0.05, 50.0 } }, "radii", check);
+  cylinder->SetHeight(-1.0);
+  cylinder->SetOuterRadius(1e9);
+  cylinder->SetSpeed(0.0);
+  cylinder->SetStrouhalNumber(2.0);
+  check.That(cylinder->GetHeight() == 0.1 && cylinder->GetOuterRadius() == 200.0 &&
+      cylinder->GetSpeed() == 0.001 && cylinder->GetStrouhalNumber() == 1.0,
+    "numbers");
+  cylinder->SetOuterRadius(0.2);
+  const int outer[3] = { 1, 0, 0 };
+  double x[3];
+  cylinder->GetPosition(outer, x);
+  check.Near(x[0], -100.0, 1e-12, "radius of a grid that would not hold the cylinder");
+
+  check.SetContext("wing");
+  vtkNew<vtkDeltaWingSource> wing;
+  CheckValues<3>(wing->GetDimensions(), { { 111, 126, 51 } }, "dimensions by default", check);
+  wing->SetSweepAngle(90.0);
+  wing->SetBreakdownPosition(3.0);
+  wing->SetBreakdownAmplitude(-1.0);
+  wing->SetBreakdownFrequency(1e4);
+  wing->SetSpiralFrequency(NaN);
+  check.That(wing->GetSweepAngle() == 85.0 && wing->GetBreakdownPosition() == 2.0 &&
+      wing->GetBreakdownAmplitude() == 0.0 && wing->GetBreakdownFrequency() == 1000.0 &&
+      wing->GetSpiralFrequency() == 0.15,
+    "numbers");
+}
+
+void CheckPrinted(vtkObject* source, const std::vector<std::string>& names, Check& check)
+{
+  check.SetContext(source->GetClassName());
+  std::ostringstream text;
+  source->Print(text);
+  for (const std::string& name : names)
+  {
+    check.That(text.str().find(" " + name + ": ") != std::string::npos, name + " is printed");
+  }
+}
+
+struct Watch
+{
+  std::vector<double> Progress;
+  double AbortAt = 2.0;
+};
+
+void OnProgress(vtkObject* caller, unsigned long, void* client, void* data)
+{
+  auto* watch = static_cast<Watch*>(client);
+  watch->Progress.push_back(*static_cast<double*>(data));
+  vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(watch->Progress.back() >= watch->AbortAt);
+}
+
+void CheckProgress(const TemporalSource& source, Check& check)
+{
+  check.SetContext(source.Name);
+  Watch watch;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(OnProgress);
+  command->SetClientData(&watch);
+  source.Algorithm->AddObserver(vtkCommand::ProgressEvent, command);
+  source.Algorithm->Update();
+  check.That(watch.Progress.size() >= 10, "progress is told at least ten times");
+  check.That(std::is_sorted(watch.Progress.begin(), watch.Progress.end()) &&
+      watch.Progress.front() >= 0.0 && watch.Progress.back() == 1.0,
+    "progress grows to 1");
+  for (double at : { 0.0, 0.6 })
+  {
+    watch = Watch();
+    watch.AbortAt = at;
+    source.Algorithm->Modified();
+    source.Algorithm->Update();
+    check.Equal(source.GetOutput()->GetNumberOfPoints(), 0, "points after an abort");
+    check.That(watch.Progress.back() < at + 0.1, "an abort ends the work");
+  }
+  source.Algorithm->RemoveAllObservers();
+  source.Algorithm->SetAbortExecute(0);
+  source.Algorithm->Modified();
+  source.Algorithm->Update();
+  check.That(source.GetOutput()->GetNumberOfPoints() > 0, "the next execution is whole");
+}
+
+}
+
+int TestTemporalSourceSettings(int, char*[])
+{
+  Check check;
+  for (const TemporalSource& source : MakeTemporalSources())
+  {
+    CheckProgress(source, check);
+    CheckCommon(source, check);
+    CheckPrinted(source.Algorithm,
+      { "NumberOfTimeSteps", "TimeRange", "OutputScalarType", "ArrayName" }, check);
+  }
+  CheckLattice(check);
+  CheckAnalytic(check);
+  CheckGrids(check);
+  CheckPrinted(vtkNew<vtkAnalyticFieldSource>(),
+    { "WholeExtent", "Bounds", "Field", "Constant", "Gradient", "Rate", "Center", "Velocity",
+      "Radius", "Growth" },
+    check);
+  CheckPrinted(vtkNew<vtkTaperedCylinderSource>(),
+    { "Dimensions", "Radii", "Height", "OuterRadius", "Speed", "StrouhalNumber" }, check);
+  CheckPrinted(vtkNew<vtkDeltaWingSource>(),
+    { "Dimensions", "SweepAngle", "BreakdownPosition", "BreakdownAmplitude", "BreakdownFrequency",
+      "SpiralFrequency" },
+    check);
+  return check.Result();
+}
