@@ -44,7 +44,7 @@ void FillColumns(vtkIsotable::Shapes shape, Coordinate&& x, double* columns)
 
 // getPoint(v) gives the coordinates of a vertex.
 template <typename GetPoint>
-bool IsNegative(vtkIsotable::Shapes shape, GetPoint&& getPoint)
+int GetDeterminantSign(vtkIsotable::Shapes shape, GetPoint&& getPoint)
 {
   double columns[3][3];
   for (int axis = 0; axis < 3; ++axis)
@@ -52,7 +52,8 @@ bool IsNegative(vtkIsotable::Shapes shape, GetPoint&& getPoint)
     FillColumns(
       shape, [&](int v) { return static_cast<double>(getPoint(v)[axis]); }, columns[axis]);
   }
-  return vtkMath::Determinant3x3(columns) < 0.0;
+  const double determinant = vtkMath::Determinant3x3(columns);
+  return determinant < 0.0 ? -1 : determinant > 0.0 ? 1 : 0;
 }
 
 bool Decreases(vtkDataArray* coordinates)
@@ -89,17 +90,17 @@ vtkCellOrientation::vtkCellOrientation(vtkDataSet* input)
   }
 }
 
-bool vtkCellOrientation::IsCellInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const
+int vtkCellOrientation::GetCellSign(vtkIsotable::Shapes shape, const vtkIdType* points) const
 {
   if (this->Floats)
   {
-    return IsNegative(shape, [&](int v) { return this->Floats + 3 * points[v]; });
+    return GetDeterminantSign(shape, [&](int v) { return this->Floats + 3 * points[v]; });
   }
   if (this->Doubles)
   {
-    return IsNegative(shape, [&](int v) { return this->Doubles + 3 * points[v]; });
+    return GetDeterminantSign(shape, [&](int v) { return this->Doubles + 3 * points[v]; });
   }
-  return IsNegative(shape,
+  return GetDeterminantSign(shape,
     [&](int v)
     {
       std::array<double, 3> x;

@@ -27,11 +27,17 @@ public:
   /// \a points in the vertex order of vtkIsotable.
   bool IsInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const
   {
-    return this->Points ? this->IsCellInverted(shape, points) : this->AllInverted;
+    return this->GetSign(shape, points) < 0;
+  }
+
+  /// 1 for a right-handed cell, -1 for a left-handed, 0 for a flat one.
+  int GetSign(vtkIsotable::Shapes shape, const vtkIdType* points) const
+  {
+    return this->Points ? this->GetCellSign(shape, points) : this->AllInverted ? -1 : 1;
   }
 
 private:
-  bool IsCellInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const;
+  int GetCellSign(vtkIsotable::Shapes shape, const vtkIdType* points) const;
 
   vtkPoints* Points = nullptr;
   const float* Floats = nullptr;

@@ -1,6 +1,15 @@
 #include "vtkCornerOrder.h"
 
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+
 #include <algorithm>
+
+vtkCornerOrder::vtkCornerOrder(vtkPointData* points)
+{
+  vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(points->GetGlobalIds());
+  this->GlobalIds = ids ? ids->GetPointer(0) : nullptr;
+}
 
 void vtkCornerOrder::Rank(const vtkIdType* ids, int number, vtkIsotable::Slot* ranks) const
 {

@@ -4,6 +4,8 @@
 #include "vtkIsotable.h"
 #include "vtkType.h"
 
+class vtkPointData;
+
 /**
  * @class   vtkCornerOrder
  * @brief   the one order of a grid's points by which cells that share a face cut it alike
@@ -14,11 +16,8 @@
 class vtkCornerOrder
 {
 public:
-  /// \a globalIds: one for each point, or null.
-  explicit vtkCornerOrder(const vtkIdType* globalIds)
-    : GlobalIds(globalIds)
-  {
-  }
+  /// \a points is kept by the caller.
+  explicit vtkCornerOrder(vtkPointData* points);
 
   bool IsBefore(vtkIdType a, vtkIdType b) const
   {
@@ -50,6 +49,7 @@ private:
   void TurnWedge(vtkIdType* ids) const;
   void TurnHexahedron(vtkIdType* ids) const;
 
+  // One for each point, or null.
   const vtkIdType* GlobalIds;
 };
 

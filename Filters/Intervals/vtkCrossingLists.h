@@ -79,6 +79,9 @@ public:
     return id;
   }
 
+  /// The key of a numbered point.
+  vtkCrossingKey GetKey(vtkIdType id) const { return this->Keys[id]; }
+
   /// How many bytes the lists held at most.
   std::size_t GetBytes() const { return this->Bytes; }
 

@@ -18,47 +18,10 @@
 
 namespace
 {
-// The array with its values in rows in memory, as itself or as a copy.
-vtkSmartPointer<vtkDataArray> MakeContiguous(vtkDataArray* array)
-{
-  if (vtkExtractionDispatch::IsSupported(array))
-  {
-    return array;
-  }
-  vtkSmartPointer<vtkDataArray> copy;
-  copy.TakeReference(vtkDataArray::CreateDataArray(array->GetDataType()));
-  copy->DeepCopy(array);
-  if (vtkExtractionDispatch::IsSupported(copy))
-  {
-    return copy;
-  }
-  vtkSmartPointer<vtkDataArray> wide;
-  wide.TakeReference(vtkDataArray::CreateDataArray(VTK_DOUBLE));
-  wide->DeepCopy(array);
-  return wide;
-}
-
 void AddNamed(vtkDataSetAttributes* attributes, vtkDataArray* array, const char* name)
 {
   array->SetName(name);
   attributes->AddArray(array);
-}
-
-// \a ghosts are those of the cells of \a input, or null.
-void MakeLinear(
-  vtkDataSet* input, vtkUnsignedCharArray* ghosts, vtkExtractionIndex::LinearGrid& linear)
-{
-  linear.Grid = vtkExtractionLinearizer::Execute(input, linear.CellIds);
-  if (ghosts)
-  {
-    vtkNew<vtkUnsignedCharArray> linearGhosts;
-    linearGhosts->SetName(vtkDataSetAttributes::GhostArrayName());
-    for (vtkIdType cell : linear.CellIds)
-    {
-      linearGhosts->InsertNextValue(ghosts->GetValue(cell));
-    }
-    linear.Grid->GetCellData()->AddArray(linearGhosts);
-  }
 }
 
 void MapIds(const std::vector<vtkIdType>& map, vtkIdType* ids, std::size_t number)
@@ -106,8 +69,7 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   context.GenerateBoundaries = this->GenerateBoundaries;
   context.KeepCellIds =
     input->GetCellData()->GetNumberOfArrays() > 0 || this->InputBoundary != nullptr;
-  context.CellGhosts = input->GetCellGhostArray();
-  context.PointGhosts = input->GetPointGhostArray();
+  context.SetBlanking(input);
 
   int dimensions[3];
   vtkExtractionIndex::LinearGrid ownLinear;
@@ -118,15 +80,14 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
     linear = this->Index ? &this->Index->GetLinearGrid(input) : &ownLinear;
     if (!linear->Grid)
     {
-      MakeLinear(input, context.CellGhosts, *linear);
+      linear->Grid = vtkExtractionLinearizer::Execute(input, linear->CellIds);
     }
     context.Input = linear->Grid;
-    context.CellGhosts = linear->Grid->GetCellGhostArray();
-    context.PointGhosts = linear->Grid->GetPointGhostArray();
+    context.SetBlanking(linear->Grid);
     vtkDataArray* carried = linear->Grid->GetPointData()->GetArray(scalars->GetName());
     scalars = carried ? carried : scalars;
   }
-  const vtkSmartPointer<vtkDataArray> contiguous = MakeContiguous(scalars);
+  const vtkSmartPointer<vtkDataArray> contiguous = vtkExtractionDispatch::MakeContiguous(scalars);
   context.Scalars = contiguous;
 
   vtkExtractionMesh mesh;

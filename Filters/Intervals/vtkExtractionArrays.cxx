@@ -16,6 +16,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 namespace
 {
@@ -35,60 +37,85 @@ Out Interpolate(double near, double far, double weight)
     std::isfinite(step) ? near + weight * step : near * (1.0 - weight) + far * weight);
 }
 
+// Interpolates from two arrays, of which the second has the points from Split on.
 struct InterpolateWorker
 {
   const PointList& Points;
+  vtkIdType Split;
 
   template <typename InArray, typename OutArray>
-  void operator()(InArray* in, OutArray* out) const
+  void operator()(InArray* first, InArray* second, OutArray* out) const
   {
     // A known number of components needs no loop.
-    switch (in->GetNumberOfComponents())
+    switch (first->GetNumberOfComponents())
     {
       case 1:
-        return this->Run<1>(in, out);
+        return this->Run<1>(first, second, out);
       case 3:
-        return this->Run<3>(in, out);
+        return this->Run<3>(first, second, out);
       default:
-        return this->Run<0>(in, out);
+        return this->Run<0>(first, second, out);
     }
   }
 
 private:
   template <int Known, typename InArray, typename OutArray>
-  void Run(InArray* in, OutArray* out) const
+  void Run(InArray* first, InArray* second, OutArray* out) const
   {
-    const auto from = vtk::DataArrayValueRange(in);
+    const auto from = vtk::DataArrayValueRange(first);
+    const auto fromSecond = vtk::DataArrayValueRange(second);
     auto to = vtk::DataArrayValueRange(out);
     using Out = vtk::GetAPIType<OutArray>;
-    const vtkIdType components = Known ? Known : in->GetNumberOfComponents();
+    const vtkIdType components = Known ? Known : first->GetNumberOfComponents();
+    const auto value = [&](vtkIdType point, vtkIdType c)
+    {
+      return static_cast<double>(point < this->Split
+          ? from[point * components + c]
+          : fromSecond[(point - this->Split) * components + c]);
+    };
     vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.GetSize()),
-      [&](vtkIdType first, vtkIdType last)
+      [&](vtkIdType begin, vtkIdType end)
       {
-        for (vtkIdType p = first; p < last; ++p)
+        for (vtkIdType p = begin; p < end; ++p)
         {
           const vtkExtractionPoint& point = this->Points[p];
           for (vtkIdType c = 0; c < (Known ? Known : components); ++c)
           {
             to[p * components + c] =
-              Interpolate<Out>(static_cast<double>(from[point.Near * components + c]),
-                static_cast<double>(from[point.Far * components + c]), point.Weight);
+              Interpolate<Out>(value(point.Near, c), value(point.Far, c), point.Weight);
           }
         }
       });
   }
 };
 
-void InterpolateArray(vtkDataArray* in, const PointList& points, vtkDataArray* out)
+constexpr vtkIdType NoSplit = std::numeric_limits<vtkIdType>::max();
+
+void InterpolateArray(vtkDataArray* first, vtkDataArray* second, vtkIdType split,
+  const PointList& points, vtkDataArray* out)
 {
-  const InterpolateWorker worker{ points };
+  const InterpolateWorker worker{ points, split };
   // The output is a float or a double array; the input any.
   const auto intoKnown = [&](auto* known)
   {
-    const auto dispatched = [&](auto* array) { worker(array, known); };
-    if (!vtkArrayDispatch::Dispatch::Execute(in, dispatched))
+    const auto pair = [&](auto* a, auto* b)
     {
-      worker(in, known);
+      if constexpr (std::is_same<decltype(a), decltype(b)>::value)
+      {
+        worker(a, b, known);
+      }
+      else
+      {
+        worker(first, second, known);
+      }
+    };
+    const auto single = [&](auto* array) { worker(array, array, known); };
+    const bool isDone = first == second
+      ? vtkArrayDispatch::Dispatch::Execute(first, single)
+      : vtkArrayDispatch::Dispatch2SameValueType::Execute(first, second, pair);
+    if (!isDone)
+    {
+      worker(first, second, known);
     }
   };
   if (vtkFloatArray* floats = vtkFloatArray::SafeDownCast(out))
@@ -218,7 +245,9 @@ int ChoosePointType(vtkDataSet* input, int precision)
   return precision == vtkAlgorithm::DOUBLE_PRECISION ? VTK_DOUBLE : VTK_FLOAT;
 }
 
-bool IsCarried(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
+}
+
+bool vtkExtractionArrays::IsCarried(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
 {
   return array != attributes->GetAbstractAttribute(vtkDataSetAttributes::GLOBALIDS) &&
     array != attributes->GetAbstractAttribute(vtkDataSetAttributes::PEDIGREEIDS) &&
@@ -226,9 +255,8 @@ bool IsCarried(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
       std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) == 0);
 }
 
-// Gives \a out the name, component names and attribute roles of \a in.
-void AddLike(vtkDataSetAttributes* input, vtkAbstractArray* in, vtkDataSetAttributes* output,
-  vtkAbstractArray* out)
+void vtkExtractionArrays::AddLike(vtkDataSetAttributes* input, vtkAbstractArray* in,
+  vtkDataSetAttributes* output, vtkAbstractArray* out)
 {
   out->SetName(in->GetName());
   out->CopyComponentNames(in);
@@ -242,6 +270,8 @@ void AddLike(vtkDataSetAttributes* input, vtkAbstractArray* in, vtkDataSetAttrib
   }
 }
 
+namespace
+{
 struct CopyWorker
 {
   const vtkIdType* Cells;
@@ -267,6 +297,13 @@ struct CopyWorker
       });
   }
 };
+}
+
+bool vtkExtractionArrays::IsAlike(vtkAbstractArray* a, vtkAbstractArray* b)
+{
+  return a && b && a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
+    a->IsA("vtkDataArray") == b->IsA("vtkDataArray") &&
+    (a->IsA("vtkDataArray") || a->GetDataType() == b->GetDataType());
 }
 
 bool vtkExtractionArrays::GetRowDimensions(vtkDataSet* input, int dimensions[3])
@@ -316,7 +353,8 @@ vtkSmartPointer<vtkPoints> vtkExtractionArrays::MakePoints(
   vtkExtractionMemory::PreferLargePages(made->GetData());
   if (vtkPointSet* pointSet = vtkPointSet::SafeDownCast(input))
   {
-    InterpolateArray(pointSet->GetPoints()->GetData(), points, made->GetData());
+    vtkDataArray* coordinates = pointSet->GetPoints()->GetData();
+    InterpolateArray(coordinates, coordinates, NoSplit, points, made->GetData());
   }
   else if (vtkFloatArray* floats = vtkFloatArray::SafeDownCast(made->GetData()))
   {
@@ -332,11 +370,18 @@ vtkSmartPointer<vtkPoints> vtkExtractionArrays::MakePoints(
 int vtkExtractionArrays::InterpolatePointData(
   vtkPointData* input, const vtkExtractionBuffer<vtkExtractionPoint>& points, vtkPointData* output)
 {
+  return InterpolatePointData(input, input, NoSplit, points, output);
+}
+
+int vtkExtractionArrays::InterpolatePointData(vtkPointData* first, vtkPointData* second,
+  vtkIdType split, const vtkExtractionBuffer<vtkExtractionPoint>& points, vtkPointData* output)
+{
   int number = 0;
-  for (int a = 0; a < input->GetNumberOfArrays(); ++a)
+  for (int a = 0; a < first->GetNumberOfArrays(); ++a)
   {
-    vtkAbstractArray* in = input->GetAbstractArray(a);
-    if (!IsCarried(input, in))
+    vtkAbstractArray* in = first->GetAbstractArray(a);
+    vtkAbstractArray* inSecond = first == second ? in : second->GetAbstractArray(in->GetName());
+    if (!IsCarried(first, in) || !IsAlike(in, inSecond))
     {
       continue;
     }
@@ -351,16 +396,18 @@ int vtkExtractionArrays::InterpolatePointData(
     {
       vtkDataArray* made = vtkDataArray::SafeDownCast(out);
       vtkExtractionMemory::PreferLargePages(made);
-      InterpolateArray(numbers, points, made);
+      InterpolateArray(numbers, vtkDataArray::SafeDownCast(inSecond), split, points, made);
     }
     else
     {
       for (std::size_t p = 0; p < points.GetSize(); ++p)
       {
-        out->SetTuple(static_cast<vtkIdType>(p), points[p].Near, in);
+        const vtkIdType near = points[p].Near;
+        out->SetTuple(static_cast<vtkIdType>(p), near < split ? near : near - split,
+          near < split ? in : inSecond);
       }
     }
-    AddLike(input, in, output, out);
+    AddLike(first, in, output, out);
     ++number;
   }
   return number;

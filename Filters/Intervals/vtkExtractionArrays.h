@@ -3,7 +3,9 @@
 
 #include "vtkExtractionContext.h"
 
+class vtkAbstractArray;
 class vtkCellData;
+class vtkDataSetAttributes;
 class vtkPointData;
 class vtkPoints;
 
@@ -26,12 +28,29 @@ public:
   static int InterpolatePointData(vtkPointData* input,
     const vtkExtractionBuffer<vtkExtractionPoint>& points, vtkPointData* output);
 
+  /**
+   * The same from two grids of \a split points each, where ids from \a split on are points of the
+   * second: the arrays that both have, by name.
+   */
+  static int InterpolatePointData(vtkPointData* first, vtkPointData* second, vtkIdType split,
+    const vtkExtractionBuffer<vtkExtractionPoint>& points, vtkPointData* output);
+
   /// \a cells: the input cell of each of \a number output cells. Returns the number of arrays.
   static int CopyCellData(
     vtkCellData* input, const vtkIdType* cells, vtkIdType number, vtkCellData* output);
 
   /// The points along each axis of a grid of rows. Returns false for other datasets.
   static bool GetRowDimensions(vtkDataSet* input, int dimensions[3]);
+
+  /// Whether an array of \a attributes is carried at all.
+  static bool IsCarried(vtkDataSetAttributes* attributes, vtkAbstractArray* array);
+
+  /// Whether two arrays can be interpolated between; either may be null.
+  static bool IsAlike(vtkAbstractArray* a, vtkAbstractArray* b);
+
+  /// Adds \a out with the name, component names and attribute roles that \a in has in \a input.
+  static void AddLike(vtkDataSetAttributes* input, vtkAbstractArray* in,
+    vtkDataSetAttributes* output, vtkAbstractArray* out);
 
   /// The data type that an array of \a dataType is interpolated in.
   static int GetInterpolatedType(int dataType);

@@ -4,6 +4,8 @@
 #include "vtkExtractionValues.h"
 #include "vtkIsotable.h"
 
+#include <vector>
+
 /**
  * @class   vtkExtractionCell
  * @brief   the slots of one cell that are the same point because a value equals an isovalue
@@ -17,8 +19,10 @@ public:
   using Code = vtkExtractionValues::Code;
   using Slot = vtkIsotable::Slot;
 
+  /// \a table: a vtkIsotable or vtkIsotableCache.
+  template <typename Table>
   static Slot Identify(
-    const vtkIsotable& table, const vtkExtractionValues::Item& item, const Code* codes, Slot slot)
+    const Table& table, const vtkExtractionValues::Item& item, const Code* codes, Slot slot)
   {
     const int n = table.GetNumberOfVertices();
     const int m = table.GetNumberOfEdges();
@@ -37,6 +41,28 @@ public:
       }
     }
     return kind == 1 && item.IsFlat ? static_cast<Slot>(slot - m) : slot;
+  }
+
+  /**
+   * For each of \a slots the first slot that is the same point. Where corners of the cell may be
+   * one point, getPoint(slot) tells by an equal result which slots are.
+   */
+  template <typename Table, typename GetPoint>
+  static void IdentifyAll(const Table& table, const vtkExtractionValues::Item& item,
+    const Code* codes, const std::vector<Slot>& slots, bool hasEqualCorners, GetPoint&& getPoint,
+    Slot* same)
+  {
+    for (const Slot slot : slots)
+    {
+      same[slot] = Identify(table, item, codes, slot);
+      for (Slot earlier = 0; hasEqualCorners && earlier < same[slot]; ++earlier)
+      {
+        if (getPoint(earlier) == getPoint(same[slot]))
+        {
+          same[slot] = earlier;
+        }
+      }
+    }
   }
 
   template <typename Id>

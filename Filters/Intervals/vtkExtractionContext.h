@@ -2,9 +2,9 @@
 #define vtkExtractionContext_h
 
 #include "vtkAlgorithm.h"
+#include "vtkBlanking.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkExtractionBuffer.h"
 #include "vtkExtractionReport.h"
 #include "vtkExtractionValues.h"
@@ -12,7 +12,6 @@
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
 #include "vtkSimplexList.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -108,34 +107,18 @@ struct vtkExtractionMesh
  * @class   vtkExtractionContext
  * @brief   what every part of one extraction needs to know
  */
-struct vtkExtractionContext
+struct vtkExtractionContext : vtkBlanking
 {
   vtkAlgorithm* Owner = nullptr;
   const vtkExtractionValues* Values = nullptr;
   vtkDataSet* Input = nullptr;
   vtkDataArray* Scalars = nullptr;
   vtkExtractionIndex* Index = nullptr;
-  vtkUnsignedCharArray* CellGhosts = nullptr;
-  vtkUnsignedCharArray* PointGhosts = nullptr;
   bool GenerateBoundaries = false;
   bool KeepCellIds = false;
   vtkExtractionReport* Report = nullptr;
 
   int GetSimplexSize() const { return this->Values->GetKind() == vtkIsotable::INTERVAL ? 4 : 3; }
-
-  /// Whether the ghost arrays say that a cell does not count.
-  bool IsCellBlanked(vtkIdType cell) const
-  {
-    constexpr unsigned char blanked = vtkDataSetAttributes::DUPLICATECELL |
-      vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
-    return this->CellGhosts && (this->CellGhosts->GetValue(cell) & blanked);
-  }
-  bool IsPointBlanked(vtkIdType point) const
-  {
-    return this->PointGhosts &&
-      (this->PointGhosts->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT);
-  }
-  bool HasBlanking() const { return this->CellGhosts || this->PointGhosts; }
 
   /**
    * Runs \a work(first, last) over [0, number) on all threads, in a few batches between which

@@ -4,14 +4,14 @@
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
-
 #include "vtkDataArrayMeta.h"
+#include "vtkSmartPointer.h"
 
 /**
  * @class   vtkExtractionDispatch
  * @brief   calls a function with the values of a one-component array in their own type
  *
- * \a scalars must hold its values one after the other in memory; vtkExtraction copies other
+ * \a scalars must hold its values one after the other in memory; MakeContiguous copies other
  * layouts.
  */
 class vtkExtractionDispatch
@@ -37,6 +37,40 @@ public:
   static bool IsSupported(vtkDataArray* scalars)
   {
     return Execute(scalars, [](const auto*) { return true; });
+  }
+
+  /// The array with its values in rows in memory, as itself or as a copy.
+  static vtkSmartPointer<vtkDataArray> MakeContiguous(vtkDataArray* array)
+  {
+    if (IsSupported(array))
+    {
+      return array;
+    }
+    vtkSmartPointer<vtkDataArray> copy = MakeCopy(array, array->GetDataType());
+    return IsSupported(copy) ? copy : MakeCopy(array, VTK_DOUBLE);
+  }
+
+  /// The values of an array as an Array: itself, or a copy. (Newer versions of VTK may store
+  /// offsets of equal cells as a formula.)
+  template <typename Array>
+  static vtkSmartPointer<Array> MakeTyped(vtkDataArray* array)
+  {
+    if (Array* same = Array::SafeDownCast(array))
+    {
+      return same;
+    }
+    auto copy = vtkSmartPointer<Array>::New();
+    copy->DeepCopy(array);
+    return copy;
+  }
+
+  /// A copy in another type.
+  static vtkSmartPointer<vtkDataArray> MakeCopy(vtkDataArray* array, int dataType)
+  {
+    vtkSmartPointer<vtkDataArray> copy;
+    copy.TakeReference(vtkDataArray::CreateDataArray(dataType));
+    copy->DeepCopy(array);
+    return copy;
   }
 };
 

@@ -55,6 +55,20 @@ std::string vtkExtractionInput::CheckInterval(const std::string& name, double lo
   return what.str();
 }
 
+std::string vtkExtractionInput::CheckIntervals(const std::vector<std::array<double, 2>>& intervals)
+{
+  for (std::size_t i = 0; i < intervals.size(); ++i)
+  {
+    std::string wrong =
+      CheckInterval("Interval " + std::to_string(i), intervals[i][0], intervals[i][1]);
+    if (!wrong.empty())
+    {
+      return wrong;
+    }
+  }
+  return std::string();
+}
+
 std::string vtkExtractionInput::DescribeArrayToProcess(vtkAlgorithm* owner)
 {
   vtkInformation* info = owner->GetInputArrayInformation(0);

@@ -1,7 +1,9 @@
 #ifndef vtkExtractionInput_h
 #define vtkExtractionInput_h
 
+#include <array>
 #include <string>
+#include <vector>
 
 class vtkAbstractArray;
 class vtkAlgorithm;
@@ -23,6 +25,9 @@ public:
 
   /// Why lower ... upper is not an interval, or nothing.
   static std::string CheckInterval(const std::string& name, double lower, double upper);
+
+  /// The same of the first interval of a list that is none, by its index.
+  static std::string CheckIntervals(const std::vector<std::array<double, 2>>& intervals);
 
   /// The array that input 0 of \a owner is set to process, in words.
   static std::string DescribeArrayToProcess(vtkAlgorithm* owner);

@@ -1,6 +1,7 @@
 #include "vtkExtractionLinearizer.h"
 
 #include "vtkCellCorners.h"
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -10,6 +11,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -226,7 +228,9 @@ private:
     const vtkIdType before = this->Input->GetNumberOfPoints();
     const vtkIdType after = before + static_cast<vtkIdType>(this->Centers.size());
     vtkNew<vtkPoints> points;
-    points->SetDataType(VTK_DOUBLE);
+    vtkPointSet* set = vtkPointSet::SafeDownCast(this->Input);
+    points->SetDataType(
+      set && set->GetPoints()->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
     points->SetNumberOfPoints(after);
     for (vtkIdType p = 0; p < before; ++p)
     {
@@ -353,5 +357,16 @@ bool vtkExtractionLinearizer::IsNeeded(vtkDataSet* input)
 vtkSmartPointer<vtkUnstructuredGrid> vtkExtractionLinearizer::Execute(
   vtkDataSet* input, std::vector<vtkIdType>& cellIds)
 {
-  return Linearizer(input, cellIds).Execute();
+  vtkSmartPointer<vtkUnstructuredGrid> linear = Linearizer(input, cellIds).Execute();
+  if (vtkUnsignedCharArray* ghosts = input->GetCellGhostArray())
+  {
+    vtkNew<vtkUnsignedCharArray> linearGhosts;
+    linearGhosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType cell : cellIds)
+    {
+      linearGhosts->InsertNextValue(ghosts->GetValue(cell));
+    }
+    linear->GetCellData()->AddArray(linearGhosts);
+  }
+  return linear;
 }

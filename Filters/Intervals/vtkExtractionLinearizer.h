@@ -28,7 +28,7 @@ public:
   /// Whether \a input is not an unstructured grid or has polyhedra.
   static bool IsNeeded(vtkDataSet* input);
 
-  /// \a cellIds: the input cell of each cell made.
+  /// \a cellIds: the input cell of each cell made; it has the ghost level of that cell.
   static vtkSmartPointer<vtkUnstructuredGrid> Execute(
     vtkDataSet* input, std::vector<vtkIdType>& cellIds);
 };

@@ -17,7 +17,14 @@ class Typed : public vtkExtractionScalars
 {
 public:
   Typed(const T* data, const vtkExtractionValues& values)
+    : Typed(data, nullptr, std::numeric_limits<vtkIdType>::max(), values)
+  {
+  }
+
+  Typed(const T* data, const T* second, vtkIdType split, const vtkExtractionValues& values)
     : Data(data)
+    , Second(second)
+    , Split(split)
     , Values(values)
     , Thresholds(values.GetThresholds<T>())
   {
@@ -68,6 +75,11 @@ private:
   using Real = typename std::conditional<std::is_integral<T>::value && sizeof(T) == 8, long double,
     double>::type;
 
+  T GetValue(vtkIdType point) const
+  {
+    return point < this->Split ? this->Data[point] : this->Second[point - this->Split];
+  }
+
   static bool IsHalvingExact(T value)
   {
     return std::is_integral<T>::value || sizeof(T) < sizeof(double) ||
@@ -76,8 +88,8 @@ private:
 
   void Place(vtkExtractionPoint& point, Real value) const
   {
-    const T a = this->Data[point.Near];
-    const T b = this->Data[point.Far];
+    const T a = this->GetValue(point.Near);
+    const T b = this->GetValue(point.Far);
     // Halved, since the range may be the whole of the type's.
     const Real half = IsHalvingExact(a) && IsHalvingExact(b) ? Real(0.5) : Real(1.0);
     // Signed distances in value from the isovalue to the ends.
@@ -116,9 +128,27 @@ private:
   }
 
   const T* Data;
+  const T* Second;
+  vtkIdType Split;
   const vtkExtractionValues& Values;
   std::vector<T> Thresholds;
   std::vector<Real> Isovalues;
+};
+
+// Two arrays of different types, as double.
+class Converted : public Typed<double>
+{
+public:
+  Converted(vtkSmartPointer<vtkDataArray> first, vtkSmartPointer<vtkDataArray> second,
+    vtkIdType split, const vtkExtractionValues& values)
+    : Typed<double>(static_cast<const double*>(first->GetVoidPointer(0)),
+        static_cast<const double*>(second->GetVoidPointer(0)), split, values)
+    , Arrays{ first, second }
+  {
+  }
+
+private:
+  vtkSmartPointer<vtkDataArray> Arrays[2];
 };
 }
 
@@ -131,6 +161,26 @@ std::unique_ptr<vtkExtractionScalars> vtkExtractionScalars::Make(
     {
       using T = std::decay_t<decltype(*data)>;
       made = std::make_unique<Typed<T>>(data, values);
+      return true;
+    });
+  return made;
+}
+
+std::unique_ptr<vtkExtractionScalars> vtkExtractionScalars::MakePair(
+  vtkDataArray* first, vtkDataArray* second, vtkIdType split, const vtkExtractionValues& values)
+{
+  if (first->GetDataType() != second->GetDataType())
+  {
+    return std::make_unique<Converted>(vtkExtractionDispatch::MakeCopy(first, VTK_DOUBLE),
+      vtkExtractionDispatch::MakeCopy(second, VTK_DOUBLE), split, values);
+  }
+  std::unique_ptr<vtkExtractionScalars> made;
+  vtkExtractionDispatch::Execute(first,
+    [&](const auto* data)
+    {
+      using T = std::decay_t<decltype(*data)>;
+      made = std::make_unique<Typed<T>>(
+        data, static_cast<const T*>(second->GetVoidPointer(0)), split, values);
       return true;
     });
   return made;

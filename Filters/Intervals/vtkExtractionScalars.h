@@ -16,9 +16,16 @@ class vtkExtractionScalars
 public:
   using Code = vtkExtractionValues::Code;
 
-  /// \a scalars and \a values must outlive the result.
+  /// \a scalars are as vtkExtractionDispatch::MakeContiguous gives them; they and \a values must outlive the result.
   static std::unique_ptr<vtkExtractionScalars> Make(
     vtkDataArray* scalars, const vtkExtractionValues& values);
+
+  /**
+   * The same for two grids of \a split points each: ids from \a split on are points of the second.
+   * Only crossings are placed. Arrays of different types are taken as double.
+   */
+  static std::unique_ptr<vtkExtractionScalars> MakePair(
+    vtkDataArray* first, vtkDataArray* second, vtkIdType split, const vtkExtractionValues& values);
 
   virtual ~vtkExtractionScalars() = default;
 

@@ -14,11 +14,6 @@
 
 vtkStandardNewMacro(vtkIntervalVolume);
 
-namespace
-{
-constexpr int MaximumNumberOfIntervals = 10000;
-}
-
 vtkIntervalVolume::vtkIntervalVolume()
   : Index(vtkSmartPointer<vtkExtractionIndex>::New())
 {
@@ -31,41 +26,17 @@ vtkIntervalVolume::~vtkIntervalVolume() = default;
 
 void vtkIntervalVolume::SetNumberOfIntervals(int number)
 {
-  number = std::max(0, std::min(number, MaximumNumberOfIntervals));
-  if (number != this->GetNumberOfIntervals())
-  {
-    this->Intervals.resize(number, { { 0.0, 0.0 } });
-    this->Modified();
-  }
+  this->Intervals.SetNumber(number, this);
 }
 
 void vtkIntervalVolume::SetInterval(int i, double lower, double upper)
 {
-  if (i < 0 || i >= MaximumNumberOfIntervals)
-  {
-    vtkErrorMacro(
-      "Interval index " << i << " is not in 0 to " << MaximumNumberOfIntervals - 1 << ".");
-    return;
-  }
-  if (i >= this->GetNumberOfIntervals())
-  {
-    this->SetNumberOfIntervals(i + 1);
-  }
-  const std::array<double, 2> interval{ { lower, upper } };
-  if (this->Intervals[i] != interval)
-  {
-    this->Intervals[i] = interval;
-    this->Modified();
-  }
+  this->Intervals.Set(i, lower, upper, this);
 }
 
 void vtkIntervalVolume::GetInterval(int i, double& lower, double& upper) const
 {
-  if (i >= 0 && i < this->GetNumberOfIntervals())
-  {
-    lower = this->Intervals[i][0];
-    upper = this->Intervals[i][1];
-  }
+  this->Intervals.Get(i, lower, upper);
 }
 
 void vtkIntervalVolume::AddCriterion(const char* arrayName, double lower, double upper)
@@ -114,14 +85,10 @@ int vtkIntervalVolume::ComputePipelineMTime(vtkInformation* request, vtkInformat
 
 std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
 {
-  for (std::size_t i = 0; i < this->Intervals.size(); ++i)
+  std::string wrongInterval = vtkExtractionInput::CheckIntervals(this->Intervals.GetAll());
+  if (!wrongInterval.empty())
   {
-    const std::string wrong = vtkExtractionInput::CheckInterval(
-      "Interval " + std::to_string(i), this->Intervals[i][0], this->Intervals[i][1]);
-    if (!wrong.empty())
-    {
-      return wrong;
-    }
+    return wrongInterval;
   }
   for (const Criterion& criterion : this->Criteria)
   {
@@ -154,7 +121,7 @@ int vtkIntervalVolume::RequestData(
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
   vtkUnstructuredGrid* boundary = vtkUnstructuredGrid::GetData(outputs, 1);
-  if (!input || input->GetNumberOfPoints() == 0 || this->Intervals.empty())
+  if (!input || input->GetNumberOfPoints() == 0 || this->GetNumberOfIntervals() == 0)
   {
     return 1;
   }
@@ -192,7 +159,7 @@ int vtkIntervalVolume::RequestData(
 bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars,
   vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
 {
-  const vtkExtractionValues values = vtkExtractionValues::ForIntervals(this->Intervals);
+  const vtkExtractionValues values = vtkExtractionValues::ForIntervals(this->Intervals.GetAll());
   vtkExtractionReport report;
   vtkExtraction extraction;
   extraction.Owner = this;
@@ -243,11 +210,7 @@ bool vtkIntervalVolume::ApplyCriterion(
 void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Intervals: " << this->Intervals.size() << "\n";
-  for (const auto& interval : this->Intervals)
-  {
-    os << indent.GetNextIndent() << interval[0] << " to " << interval[1] << "\n";
-  }
+  this->Intervals.Print(os, indent);
   os << indent << "Criteria: " << this->Criteria.size() << "\n";
   for (const Criterion& criterion : this->Criteria)
   {

@@ -1,14 +1,14 @@
 #ifndef vtkIntervalVolume_h
 #define vtkIntervalVolume_h
 
-#include "vtkExtractionReport.h"      // for the report
 #include "InterlumeIntervalsModule.h" // for the export macro
+#include "vtkExtractionReport.h"      // for the report
+#include "vtkIntervalList.h"          // for the intervals
 #include "vtkSmartPointer.h"          // for the value index
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <array>  // for the intervals
 #include <string> // for the criteria
-#include <vector> // for both
+#include <vector> // for the criteria
 
 class vtkDataArray;
 class vtkDataSet;
@@ -78,7 +78,7 @@ public:
    * adds intervals where there are fewer; GetInterval leaves its arguments where there is none.
    */
   void SetNumberOfIntervals(int number);
-  int GetNumberOfIntervals() const { return static_cast<int>(this->Intervals.size()); }
+  int GetNumberOfIntervals() const { return this->Intervals.GetNumber(); }
   void SetInterval(int i, double lower, double upper);
   void GetInterval(int i, double& lower, double& upper) const;
   ///@}
@@ -158,7 +158,7 @@ protected:
   bool ApplyCriterion(
     const Criterion& criterion, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
 
-  std::vector<std::array<double, 2>> Intervals;
+  vtkIntervalList Intervals;
   std::vector<Criterion> Criteria;
   bool GenerateBoundaries = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;

@@ -56,9 +56,16 @@ public:
   {
     for (vtkIdType p = first; p < last; ++p)
     {
-      this->Marks[p] = codes[p] == this->NonFinite
-        ? NonFiniteMark
-        : static_cast<Mark>(1u << (codes[p] >> this->Shift));
+      this->Marks[p] = this->GetMark(codes[p]);
+    }
+  }
+
+  /// The union of the marks of each point at two time steps.
+  void Fill(const Code* codes, const Code* codesAfter, vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType p = first; p < last; ++p)
+    {
+      this->Marks[p] = static_cast<Mark>(this->GetMark(codes[p]) | this->GetMark(codesAfter[p]));
     }
   }
 
@@ -73,6 +80,11 @@ public:
 private:
   static constexpr int NumberOfRanges = 7;
   static constexpr Mark NonFiniteMark = 1 << NumberOfRanges;
+
+  Mark GetMark(Code code) const
+  {
+    return code == this->NonFinite ? NonFiniteMark : static_cast<Mark>(1u << (code >> this->Shift));
+  }
 
   Code NonFinite;
   int Shift = 0;

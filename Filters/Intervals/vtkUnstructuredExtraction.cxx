@@ -4,9 +4,9 @@
 #include "vtkCornerOrder.h"
 #include "vtkCrossingLists.h"
 #include "vtkExtractionCell.h"
+#include "vtkExtractionDispatch.h"
 #include "vtkExtractionIndex.h"
 #include "vtkExtractionScalars.h"
-#include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 namespace
 {
@@ -23,12 +24,6 @@ using Slot = vtkIsotable::Slot;
 using Item = vtkExtractionValues::Item;
 
 constexpr vtkIdType ChunkSize = 256 * vtkExtractionIndex::RunLength;
-
-const vtkIdType* GetGlobalIds(vtkUnstructuredGrid* grid)
-{
-  vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(grid->GetPointData()->GetGlobalIds());
-  return ids ? ids->GetPointer(0) : nullptr;
-}
 
 // How much a cut of its own left.
 struct CutSize
@@ -112,7 +107,7 @@ public:
     , Values(*context.Values)
     , Scalars(vtkExtractionScalars::Make(context.Scalars, *context.Values))
     , Cells(grid, offsets, ids)
-    , Order(GetGlobalIds(grid))
+    , Order(grid->GetPointData())
     , Orientation(grid)
     , Mesh(mesh)
     , NumberOfPoints(grid->GetNumberOfPoints())
@@ -404,7 +399,16 @@ private:
     const bool hasEqualPoints = this->HasEqualPoints(cell, item);
     if (hasEqualPoints)
     {
-      this->IdentifySlots(cell, item, what, same);
+      vtkExtractionCell::IdentifyAll(
+        table, item, cell.Codes, what.Slots,
+        vtkExtractionCell::IsCollapsed(cell.Ids, cell.NumberOfCorners),
+        [&](Slot slot)
+        {
+          vtkIdType owner;
+          const vtkCrossingKey key = this->GetPoint(cell, item, slot, owner);
+          return std::make_pair(owner, key);
+        },
+        same);
     }
     const auto simplex = [&](const vtkIsotable::Simplex& s)
     {
@@ -431,33 +435,6 @@ private:
     chunk.Cuts.push_back({ static_cast<std::uint8_t>(chunk.CutSimplices.size() - firstSimplex),
       static_cast<std::uint8_t>(chunk.CutTriangles.size() - firstTriangle) });
     return this->GetOwnCut(chunk, chunk.Cuts.back(), firstSimplex, firstTriangle, slots);
-  }
-
-  // For each slot of a case the first slot that is the same point.
-  void IdentifySlots(
-    const Cell& cell, const Item& item, const vtkIsotable::Case& what, Slot* same) const
-  {
-    const vtkIsotable& table = *this->Tables[cell.Shape];
-    const bool hasEqualCorners = vtkExtractionCell::IsCollapsed(cell.Ids, cell.NumberOfCorners);
-    for (const Slot slot : what.Slots)
-    {
-      same[slot] = vtkExtractionCell::Identify(table, item, cell.Codes, slot);
-      for (Slot earlier = 0; hasEqualCorners && earlier < same[slot]; ++earlier)
-      {
-        if (this->IsSamePoint(cell, item, earlier, same[slot]))
-        {
-          same[slot] = earlier;
-        }
-      }
-    }
-  }
-
-  bool IsSamePoint(const Cell& cell, const Item& item, Slot a, Slot b) const
-  {
-    vtkIdType ownerA;
-    vtkIdType ownerB;
-    const vtkCrossingKey keyA = this->GetPoint(cell, item, a, ownerA);
-    return keyA == this->GetPoint(cell, item, b, ownerB) && ownerA == ownerB;
   }
 
   // Makes the counts of chunks the places where they begin, and room for all.
@@ -579,26 +556,13 @@ private:
   std::vector<Chunk> Chunks;
 };
 
-// The numbers in an array of another type.
-template <typename Stored>
-vtkSmartPointer<Stored> Convert(vtkDataArray* array)
-{
-  if (Stored* same = Stored::SafeDownCast(array))
-  {
-    return same;
-  }
-  // Newer versions of VTK may store offsets of equal cells as a formula.
-  auto copy = vtkSmartPointer<Stored>::New();
-  copy->DeepCopy(array);
-  return copy;
-}
-
 template <typename Array>
 bool Extract(
   const vtkExtractionContext& context, vtkUnstructuredGrid* grid, vtkExtractionMesh& mesh)
 {
-  const auto offsets = Convert<Array>(grid->GetCells()->GetOffsetsArray());
-  const auto ids = Convert<Array>(grid->GetCells()->GetConnectivityArray());
+  const auto offsets = vtkExtractionDispatch::MakeTyped<Array>(grid->GetCells()->GetOffsetsArray());
+  const auto ids =
+    vtkExtractionDispatch::MakeTyped<Array>(grid->GetCells()->GetConnectivityArray());
   using Stored = typename Array::ValueType;
   const Stored* firstOffset = offsets->GetPointer(0);
   const Stored* firstId = ids->GetPointer(0);

@@ -1,0 +1,54 @@
+#include "vtkIntervalList.h"
+
+#include "vtkObject.h"
+#include "vtkSetGet.h"
+
+#include <algorithm>
+
+void vtkIntervalList::SetNumber(int number, vtkObject* owner)
+{
+  number = std::max(0, std::min(number, MaximumNumber));
+  if (number != this->GetNumber())
+  {
+    this->Intervals.resize(number, { { 0.0, 0.0 } });
+    owner->Modified();
+  }
+}
+
+void vtkIntervalList::Set(int i, double lower, double upper, vtkObject* owner)
+{
+  if (i < 0 || i >= MaximumNumber)
+  {
+    vtkErrorWithObjectMacro(
+      owner, "Interval index " << i << " is not in 0 to " << MaximumNumber - 1 << ".");
+    return;
+  }
+  if (i >= this->GetNumber())
+  {
+    this->SetNumber(i + 1, owner);
+  }
+  const Interval interval{ { lower, upper } };
+  if (this->Intervals[i] != interval)
+  {
+    this->Intervals[i] = interval;
+    owner->Modified();
+  }
+}
+
+void vtkIntervalList::Get(int i, double& lower, double& upper) const
+{
+  if (i >= 0 && i < this->GetNumber())
+  {
+    lower = this->Intervals[i][0];
+    upper = this->Intervals[i][1];
+  }
+}
+
+void vtkIntervalList::Print(ostream& os, vtkIndent indent) const
+{
+  os << indent << "Intervals: " << this->Intervals.size() << "\n";
+  for (const Interval& interval : this->Intervals)
+  {
+    os << indent.GetNextIndent() << interval[0] << " to " << interval[1] << "\n";
+  }
+}
