@@ -1,0 +1,72 @@
+#ifndef vtkSimplexTimeSlice_h
+#define vtkSimplexTimeSlice_h
+
+#include "InterlumeIntervalsModule.h" // for the export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+/**
+ * @class   vtkSimplexTimeSlice
+ * @brief   4-simplices in space and time at one time: tetrahedra
+ *
+ * The part of each 4-simplex at time t: nothing, a tetrahedron, or a prism over a triangle that is
+ * cut into three tetrahedra. The cut of a face that two 4-simplices share depends on its points'
+ * ids alone (the global ids where the point data has them), so no cracks appear.
+ *
+ * Input: a vtkUnstructuredGrid with VTK_POLY_VERTEX cells of five points and a point array `Time`
+ * (one component, any numeric type), as port 2 of vtkTimeVaryingIntervalVolume gives them, or as
+ * they were read back from a file; or a composite dataset of such, which gives a composite output
+ * of the same structure.
+ *
+ * Output: VTK_TETRA cells, points in the precision of the input's, with
+ * - point array `Time` (double): the time of the slice;
+ * - every other point array, interpolated linearly; integers come out as float (8 and 16 bits) or
+ *   double;
+ * - every cell array, copied from the 4-simplex.
+ *
+ * A tetrahedron has the orientation of its 4-simplex: positive volume where that is positively
+ * oriented in (x,y,z,t), det(p1-p0, p2-p0, p3-p0, p4-p0) > 0.
+ *
+ * At the time of a time step the slice is the interval volume of that step: the faces of
+ * 4-simplices that lie in it, each once, whether 4-simplices end there, begin there, or both. A
+ * 4-simplex that lies in the slice as a whole gives nothing. The same input gives the same bytes
+ * whatever the number of threads.
+ *
+ * 4-simplices with a time that is NaN or infinite, and ghost, hidden and blanked ones, are left
+ * out. A time outside of all 4-simplices gives an empty output without a message.
+ *
+ * Errors (vtkErrorMacro, empty output): no point array `Time` with one component and a value for
+ * each point, a cell that is not a VTK_POLY_VERTEX of five points (the message names the first), a
+ * time of the slice that is not finite.
+ *
+ * @sa vtkTimeVaryingIntervalVolume
+ */
+class INTERLUMEINTERVALS_EXPORT vtkSimplexTimeSlice : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkSimplexTimeSlice* New();
+  vtkTypeMacro(vtkSimplexTimeSlice, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The time of the slice, in the units of the array `Time`. Default 0. Any finite value.
+   */
+  vtkSetMacro(Time, double);
+  vtkGetMacro(Time, double);
+  ///@}
+
+protected:
+  vtkSimplexTimeSlice();
+  ~vtkSimplexTimeSlice() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  double Time = 0.0;
+
+private:
+  vtkSimplexTimeSlice(const vtkSimplexTimeSlice&) = delete;
+  void operator=(const vtkSimplexTimeSlice&) = delete;
+};
+
+#endif

@@ -1,0 +1,56 @@
+#include "ReferenceThreads.h"
+
+#include "ReferenceGrid.h"
+
+#include "vtkSMPTools.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace reference
+{
+
+namespace
+{
+
+// ThreadSanitizer sees no locks of libraries that are not built with it.
+#ifdef __SANITIZE_THREAD__
+const std::vector<const char*> Backends = { "Sequential", "STDThread" };
+#else
+const std::vector<const char*> Backends = { "Sequential", "STDThread", "TBB", "OpenMP" };
+#endif
+
+}
+
+void CheckThreads(const std::string& name,
+  const std::function<std::vector<vtkSmartPointer<vtkUnstructuredGrid>>()>& run, Check& check)
+{
+  vtkSMPTools::SetBackend("Sequential");
+  vtkSMPTools::Initialize(1);
+  const auto expected = run();
+  for (const auto& grid : expected)
+  {
+    check.That(grid->GetNumberOfCells() > 0, "there is output");
+  }
+  int backends = 0;
+  for (const char* backend : Backends)
+  {
+    if (!vtkSMPTools::SetBackend(backend))
+    {
+      continue;
+    }
+    ++backends;
+    for (int threads : { 1, 2, 8 })
+    {
+      check.SetContext(name + ", " + backend + ", " + std::to_string(threads) + " threads");
+      vtkSMPTools::Initialize(threads);
+      const auto found = run();
+      for (size_t i = 0; i < expected.size(); ++i)
+      {
+        const std::string difference = FindDifference(found[i], expected[i]);
+        check.That(difference.empty(), difference);
+      }
+    }
+  }
+  check.That(backends >= 2, "there is a backend with threads");
+}
+
+}
