@@ -1,0 +1,53 @@
+#include "vtkFacePlanarity.h"
+
+#include "vtkMath.h"
+#include "vtkStructuredGrid.h"
+
+#include <cmath>
+
+vtkFacePlanarity::vtkFacePlanarity(const vtkSpaceTimeStep& first, const vtkSpaceTimeStep& second)
+  : Grid(first.GetGrid())
+  , Static(first.HasSamePoints(second))
+  , Flat(!vtkPointSet::SafeDownCast(first.GetGrid()))
+{
+}
+
+unsigned vtkFacePlanarity::GetPlanar(
+  const vtkSpaceTimeCell& cell, const vtkSpaceTimeSlots& slots) const
+{
+  if (this->Flat)
+  {
+    return (1u << vtkSpaceTimeSlots::MaximumNumberOfFaces) - 1;
+  }
+  unsigned planar = 0;
+  for (int f = 0; f < vtkSpaceTimeSlots::MaximumNumberOfFaces; ++f)
+  {
+    planar |= this->IsPlanar(cell, slots.GetFace(f)) ? 1u << f : 0u;
+  }
+  return planar;
+}
+
+bool vtkFacePlanarity::IsPlanar(const vtkSpaceTimeCell& cell, unsigned corners) const
+{
+  double x[4][3];
+  int number = 0;
+  for (int v = 0; v < cell.NumberOfCorners; ++v)
+  {
+    if ((corners >> v) & 1)
+    {
+      this->Grid->GetPoint(cell.Ids[v], x[number++]);
+    }
+  }
+  if (number < 4)
+  {
+    return true;
+  }
+  for (int k = 1; k < 4; ++k)
+  {
+    vtkMath::Subtract(x[k], x[0], x[k]);
+  }
+  // What is left of a volume by rounding alone.
+  constexpr double small = 1e-13;
+  const double size = vtkMath::Norm(x[1]) * vtkMath::Norm(x[2]) * vtkMath::Norm(x[3]);
+  return std::abs(vtkMath::Determinant3x3(x[1], x[2], x[3])) <= small * size;
+}

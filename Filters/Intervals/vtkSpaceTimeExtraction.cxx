@@ -1,0 +1,549 @@
+#include "vtkSpaceTimeExtraction.h"
+
+#include "vtkCellArray.h"
+#include "vtkCrossingLists.h"
+#include "vtkExtractionCell.h"
+#include "vtkExtractionDispatch.h"
+#include "vtkExtractionScalars.h"
+#include "vtkIsotableCache.h"
+#include "vtkPointData.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkFacePlanarity.h"
+#include "vtkSpaceTimeBoundary.h"
+#include "vtkSpaceTimeCells.h"
+#include "vtkSpaceTimeMesh.h"
+#include "vtkSpaceTimeReport.h"
+#include "vtkSpaceTimeSlots.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace
+{
+using Code = vtkExtractionValues::Code;
+using Item = vtkExtractionValues::Item;
+using Slot = vtkIsotableCache::Slot;
+using Simplex = vtkIsotableCache::Simplex;
+
+constexpr vtkIdType ChunkSize = 4096;
+constexpr int MaximumNumberOfVertices = vtkIsotableCache::MaximumNumberOfVertices;
+constexpr int MaximumNumberOfSlots = vtkIsotableCache::MaximumNumberOfSlots;
+
+// A case met in a chunk of cells.
+struct Found
+{
+  vtkIdType Cell;
+  const vtkIsotableCache::Case* Case;
+  int Item;
+  // Whether the table's own cut serves: corners in ascending order, no two slots one point.
+  bool IsPlain;
+};
+
+struct Chunk
+{
+  std::vector<Found> Cases;
+  std::vector<vtkSpaceTimeMesh::BoundaryCell> Boundary;
+  vtkIdType Simplices = 0;
+  vtkExtractionReport Report;
+};
+
+// A case as it is cut in a cell whose corners are not in ascending order, or of which two slots are
+// one point: simplices as the table has them, and with slots that are one point made one.
+struct Cut
+{
+  std::vector<Simplex> Originals;
+  std::vector<Simplex> Simplices;
+  // Simplices with a point twice; only their faces may count.
+  std::vector<Simplex> CollapsedOriginals;
+  std::vector<Simplex> Collapsed;
+  // The slots in use, increasing.
+  std::vector<Slot> Slots;
+
+  void Clear()
+  {
+    for (auto* list :
+      { &this->Originals, &this->Simplices, &this->CollapsedOriginals, &this->Collapsed })
+    {
+      list->clear();
+    }
+    this->Slots.clear();
+  }
+};
+
+// One thread's way to the tables, and room for cuts.
+struct Workplace
+{
+  // Shared only since VTK copies what a thread begins with.
+  std::array<std::shared_ptr<vtkIsotableCache::Reader>, vtkIsotable::NUMBER_OF_SHAPES> Tables;
+  Cut Own;
+
+  const vtkIsotableCache::Case& GetCase(vtkIsotable::Shapes shape, std::uint32_t key)
+  {
+    auto& table = this->Tables[shape];
+    if (!table)
+    {
+      table = std::make_shared<vtkIsotableCache::Reader>(vtkIsotableCache::Get(shape));
+    }
+    return table->GetCase(key);
+  }
+};
+
+template <typename Cells>
+class Extractor
+{
+public:
+  Extractor(const vtkExtractionContext& context, const vtkSpaceTimeStep& first,
+    const vtkSpaceTimeStep& second, const Cells& cells, const vtkCornerOrder& order,
+    vtkSpaceTimeMesh& mesh, vtkSpaceTimeReport& report)
+    : Context(context)
+    , Values(*context.Values)
+    , Steps{ &first, &second }
+    , TheCells(cells)
+    , Order(order)
+    , Orientations{ vtkCellOrientation(first.GetGrid()), vtkCellOrientation(second.GetGrid()) }
+    , Planarity(first, second)
+    , Mesh(mesh)
+    , Report(report)
+    , NumberOfPoints(first.GetNumberOfPoints())
+    , NumberOfCells(first.GetNumberOfCells())
+    , HasBoundary(mesh.HasWantedKinds())
+    , Marks(*context.Values, first.GetNumberOfPoints())
+    , Points(2 * first.GetNumberOfPoints(), false)
+  {
+    for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+    {
+      this->Slots.emplace_back(static_cast<vtkIsotable::Shapes>(shape));
+    }
+  }
+
+  bool Execute()
+  {
+    const vtkIdType chunks = (this->NumberOfCells + ChunkSize - 1) / ChunkSize;
+    this->Chunks.resize(chunks);
+    const bool counted =
+      this->Context.Run(this->NumberOfPoints, 0.1, 0.2,
+        [this](vtkIdType first, vtkIdType last) {
+          this->Marks.Fill(this->Steps[0]->GetCodes(), this->Steps[1]->GetCodes(), first, last);
+        }) &&
+      this->Context.Run(chunks, 0.2, 0.5,
+        [this](vtkIdType first, vtkIdType last)
+        {
+          for (vtkIdType chunk = first; chunk < last; ++chunk)
+          {
+            this->CountChunk(chunk);
+          }
+        });
+    if (!counted)
+    {
+      return false;
+    }
+    const auto scalars = vtkExtractionScalars::MakePair(this->Steps[0]->GetScalars(),
+      this->Steps[1]->GetScalars(), this->NumberOfPoints, this->Values);
+    vtkExtractionBuffer<vtkExtractionPoint> points;
+    this->Points.MakePoints(*scalars, points);
+    this->Ids = this->Mesh.AddPoints(*this->Steps[0], *this->Steps[1], points, this->Points);
+    this->NoteReport(points.GetBytes());
+    this->Marks.Free();
+    this->Allocate();
+    if (!this->Context.Run(chunks, 0.6, 0.8,
+          [this](vtkIdType first, vtkIdType last)
+          {
+            for (vtkIdType chunk = first; chunk < last; ++chunk)
+            {
+              this->WriteChunk(chunk);
+            }
+          }))
+    {
+      return false;
+    }
+    this->TakeBoundary();
+    return true;
+  }
+
+private:
+  void ReadCodes(const vtkSpaceTimeCell& cell, Code* codes) const
+  {
+    for (int v = 0; v < cell.NumberOfCorners; ++v)
+    {
+      codes[v] = this->Steps[0]->GetCodes()[cell.Ids[v]];
+      codes[v + cell.NumberOfCorners] = this->Steps[1]->GetCodes()[cell.Ids[v]];
+    }
+  }
+
+  // Whether two slots of a cell may be one point: by a value equal to an isovalue, or since two
+  // corners are one point.
+  static bool HasEqualPoints(const vtkSpaceTimeCell& cell, const Code* codes, const Item& item)
+  {
+    Code ties = item.IsFlat;
+    for (int v = 0; v < 2 * cell.NumberOfCorners; ++v)
+    {
+      ties |= codes[v];
+    }
+    return vtkExtractionValues::IsTie(ties) || HasEqualCorners(cell);
+  }
+
+  static bool HasEqualCorners(const vtkSpaceTimeCell& cell)
+  {
+    return !cell.IsAscending && vtkExtractionCell::IsCollapsed(cell.Ids, cell.NumberOfCorners);
+  }
+
+  // The point of a slot: its owner and its key there.
+  std::pair<vtkIdType, vtkCrossingKey> GetPoint(
+    const vtkSpaceTimeCell& cell, const Item& item, Slot slot) const
+  {
+    const vtkSpaceTimeSlots& slots = this->Slots[cell.Shape];
+    const vtkIdType a = this->GetVertexId(cell, slots.GetEnd(slot, 0));
+    if (slots.IsVertex(slot))
+    {
+      return { a, {} };
+    }
+    const vtkIdType b = this->GetVertexId(cell, slots.GetEnd(slot, 1));
+    const bool isUpper = slots.GetSides(slot) & vtkSpaceTimeSlots::UPPER;
+    return { std::min(a, b), { std::max(a, b), isUpper ? item.Upper : item.Lower } };
+  }
+
+  vtkIdType GetVertexId(const vtkSpaceTimeCell& cell, Slot vertex) const
+  {
+    return vertex < cell.NumberOfCorners
+      ? cell.Ids[vertex]
+      : cell.Ids[vertex - cell.NumberOfCorners] + this->NumberOfPoints;
+  }
+
+  void CountChunk(vtkIdType number)
+  {
+    Chunk& chunk = this->Chunks[number];
+    Workplace& place = this->Workplaces.Local();
+    vtkCrossingLists::Arena& arena = this->Points.GetArena();
+    const vtkIdType begin = number * ChunkSize;
+    const vtkIdType end = std::min(begin + ChunkSize, this->NumberOfCells);
+    std::vector<vtkIdType> near;
+    this->TheCells.FindNear(begin, end, this->Marks, near, chunk.Report);
+    chunk.Report.CellsVisited = end - begin;
+    vtkSpaceTimeCell cell;
+    for (const vtkIdType id : near)
+    {
+      this->TheCells.Read(id, cell);
+      this->CountCell(cell, chunk, place, arena);
+    }
+  }
+
+  void CountCell(
+    const vtkSpaceTimeCell& cell, Chunk& chunk, Workplace& place, vtkCrossingLists::Arena& arena)
+  {
+    Code codes[MaximumNumberOfVertices] = {};
+    this->ReadCodes(cell, codes);
+    const int vertices = 2 * cell.NumberOfCorners;
+    const auto range = std::minmax_element(codes, codes + vertices);
+    const vtkIdType before = chunk.Simplices;
+    const auto& items = this->Values.GetItems();
+    for (std::size_t number = 0; number < items.size(); ++number)
+    {
+      const Item& item = items[number];
+      if (this->Values.IsOutside(item, *range.first, *range.second))
+      {
+        continue;
+      }
+      std::uint32_t key = 0;
+      std::uint32_t power = 1;
+      for (int v = 0; v < vertices; ++v, power *= 3)
+      {
+        key += power * item.GetDigit(codes[v]);
+      }
+      const vtkIsotableCache::Case& what = place.GetCase(cell.Shape, key);
+      const bool isPlain = cell.IsAscending && !HasEqualPoints(cell, codes, item);
+      if (!isPlain)
+      {
+        this->MakeCut(cell, codes, item, what, place.Own);
+        chunk.Report.CollapsedSimplices += static_cast<vtkIdType>(place.Own.Collapsed.size());
+      }
+      for (const Slot slot : isPlain ? what.Slots : place.Own.Slots)
+      {
+        const auto point = this->GetPoint(cell, item, slot);
+        this->Points.Enter(point.first, point.second, arena);
+      }
+      chunk.Simplices +=
+        static_cast<vtkIdType>((isPlain ? what.Simplices : place.Own.Simplices).size());
+      chunk.Cases.push_back({ cell.Id, &what, static_cast<int>(number), isPlain });
+    }
+    chunk.Report.CellsWithOutput += chunk.Simplices != before;
+  }
+
+  // Cuts a case in the global order, with slots that are the same point made one, and keeps what
+  // has not collapsed.
+  void MakeCut(const vtkSpaceTimeCell& cell, const Code* codes, const Item& item,
+    const vtkIsotableCache::Case& what, Cut& cut) const
+  {
+    const vtkIsotableCache& table = vtkIsotableCache::Get(cell.Shape);
+    cut.Clear();
+    Slot same[MaximumNumberOfSlots];
+    std::iota(same, same + MaximumNumberOfSlots, Slot(0));
+    if (HasEqualPoints(cell, codes, item))
+    {
+      vtkExtractionCell::IdentifyAll(
+        table, item, codes, what.Slots, HasEqualCorners(cell),
+        [&](Slot slot) { return this->GetPoint(cell, item, slot); }, same);
+    }
+    const auto add = [&](const Simplex& original)
+    {
+      Simplex simplex = original;
+      std::for_each(simplex.begin(), simplex.end(), [&same](Slot& slot) { slot = same[slot]; });
+      const bool isCollapsed = vtkExtractionCell::IsCollapsed(simplex.data(), 5);
+      (isCollapsed ? cut.CollapsedOriginals : cut.Originals).push_back(original);
+      (isCollapsed ? cut.Collapsed : cut.Simplices).push_back(simplex);
+    };
+    // The corners at the first step come before those at the second.
+    constexpr int most = MaximumNumberOfVertices / 2;
+    const int corners = std::min(cell.NumberOfCorners, most);
+    Slot ranks[MaximumNumberOfVertices];
+    this->Order.Rank(cell.Ids, corners, ranks);
+    for (int v = 0; v < corners; ++v)
+    {
+      ranks[v + corners] = static_cast<Slot>(ranks[v] + corners);
+    }
+    table.Cut(what, table.GetSlotRanks(ranks), add);
+    this->FindSlots(cell, cut);
+  }
+
+  void FindSlots(const vtkSpaceTimeCell& cell, Cut& cut) const
+  {
+    bool isUsed[MaximumNumberOfSlots] = {};
+    for (const Simplex& simplex : cut.Simplices)
+    {
+      std::for_each(simplex.begin(), simplex.end(), [&](Slot slot) { isUsed[slot] = true; });
+    }
+    for (std::size_t s = 0; s < cut.Collapsed.size() && this->HasBoundary; ++s)
+    {
+      vtkSpaceTimeBoundary::ForEach(this->Slots[cell.Shape], cut.CollapsedOriginals[s],
+        cut.Collapsed[s], this->Mesh,
+        [&](int, const Slot* slots, int number)
+        { std::for_each(slots, slots + number, [&](Slot slot) { isUsed[slot] = true; }); });
+    }
+    for (int slot = 0; slot < MaximumNumberOfSlots; ++slot)
+    {
+      if (isUsed[slot])
+      {
+        cut.Slots.push_back(static_cast<Slot>(slot));
+      }
+    }
+  }
+
+  // Makes the counts of chunks the places where they begin, and room for all.
+  void Allocate()
+  {
+    vtkIdType simplices = 0;
+    for (Chunk& chunk : this->Chunks)
+    {
+      std::swap(chunk.Simplices, simplices);
+      simplices += chunk.Simplices;
+      this->Report.Add(chunk.Report);
+    }
+    const vtkSpaceTimeOptions& options = this->Mesh.GetOptions();
+    vtkSpaceTimeMesh::Slab& slab = this->Mesh.GetSlab();
+    const bool isNeeded = options.Tetrahedra || options.Simplices;
+    slab.Simplices.Allocate(isNeeded ? simplices : 0);
+    slab.Items.Allocate(isNeeded && this->Values.GetItems().size() > 1 ? simplices : 0);
+    slab.Flats.Allocate(options.Tetrahedra ? simplices : 0);
+    this->Report.Simplices += simplices;
+    this->MarksFlat = options.Tetrahedra && options.IsAlongTime() && this->Planarity.IsStatic();
+  }
+
+  void NoteReport(std::size_t bytes)
+  {
+    for (Workplace& place : this->Workplaces)
+    {
+      for (const auto& table : place.Tables)
+      {
+        this->Report.TableLookups += table ? table->GetNumberOfLookups() : 0;
+        this->Report.TableCasesMade += table ? table->GetNumberOfCasesMade() : 0;
+      }
+    }
+    bytes += this->Marks.GetBytes() + this->Points.GetBytes() + this->Ids.GetBytes() +
+      this->Mesh.GetBytes() + this->Steps[0]->GetBytes() + this->Steps[1]->GetBytes();
+    for (const Chunk& chunk : this->Chunks)
+    {
+      bytes += chunk.Cases.capacity() * sizeof(Found);
+    }
+    this->Context.NoteWorkingBytes(bytes);
+  }
+
+  void WriteChunk(vtkIdType number)
+  {
+    Chunk& chunk = this->Chunks[number];
+    Workplace& place = this->Workplaces.Local();
+    vtkIdType next = chunk.Simplices;
+    vtkSpaceTimeCell cell;
+    for (const Found& found : chunk.Cases)
+    {
+      if (found.Cell != cell.Id)
+      {
+        this->TheCells.Read(found.Cell, cell);
+      }
+      const Item& item = this->Values.GetItems()[found.Item];
+      if (!found.IsPlain)
+      {
+        Code codes[MaximumNumberOfVertices] = {};
+        this->ReadCodes(cell, codes);
+        this->MakeCut(cell, codes, item, *found.Case, place.Own);
+      }
+      vtkIdType ids[MaximumNumberOfSlots];
+      for (const Slot slot : found.IsPlain ? found.Case->Slots : place.Own.Slots)
+      {
+        const auto point = this->GetPoint(cell, item, slot);
+        ids[slot] = this->Ids[this->Points.GetId(point.first, point.second)];
+      }
+      const bool isInverted = this->IsInverted(cell);
+      const auto& simplices = found.IsPlain ? found.Case->Simplices : place.Own.Simplices;
+      const auto& originals = found.IsPlain ? found.Case->Simplices : place.Own.Originals;
+      this->WriteSimplices(cell, found.Item, simplices, ids, isInverted, next);
+      next += static_cast<vtkIdType>(simplices.size());
+      if (this->HasBoundary)
+      {
+        this->WriteBoundary(cell, found.Item, originals, simplices, ids, isInverted, chunk);
+        if (!found.IsPlain)
+        {
+          this->WriteBoundary(cell, found.Item, place.Own.CollapsedOriginals, place.Own.Collapsed,
+            ids, isInverted, chunk);
+        }
+      }
+    }
+  }
+
+  bool IsInverted(const vtkSpaceTimeCell& cell) const
+  {
+    const int sign = this->Orientations[0].GetSign(cell.Shape, cell.Ids);
+    return (sign != 0 ? sign : this->Orientations[1].GetSign(cell.Shape, cell.Ids)) < 0;
+  }
+
+  void WriteSimplices(const vtkSpaceTimeCell& cell, int item, const std::vector<Simplex>& simplices,
+    const vtkIdType* ids, bool isInverted, vtkIdType next)
+  {
+    vtkSpaceTimeMesh::Slab& slab = this->Mesh.GetSlab();
+    const vtkSpaceTimeSlots& slots = this->Slots[cell.Shape];
+    const unsigned planar = this->MarksFlat ? this->Planarity.GetPlanar(cell, slots) : 0;
+    for (std::size_t s = 0; s < simplices.size() && slab.Simplices.GetSize() > 0; ++s, ++next)
+    {
+      // The first two points change places in a left-handed cell.
+      Simplex turned = simplices[s];
+      if (isInverted)
+      {
+        std::swap(turned[0], turned[1]);
+      }
+      for (int p = 0; p < 5; ++p)
+      {
+        slab.Simplices[next][p] = ids[turned[p]];
+      }
+      if (slab.Items.GetSize() > 0)
+      {
+        slab.Items[next] = item;
+      }
+      if (slab.Flats.GetSize() > 0)
+      {
+        slab.Flats[next] = this->MarksFlat ? slots.FindFlat(turned, planar) : std::uint8_t(0);
+      }
+    }
+  }
+
+  void WriteBoundary(const vtkSpaceTimeCell& cell, int item, const std::vector<Simplex>& originals,
+    const std::vector<Simplex>& points, const vtkIdType* ids, bool isInverted, Chunk& chunk) const
+  {
+    for (std::size_t s = 0; s < points.size(); ++s)
+    {
+      vtkSpaceTimeBoundary::ForEach(this->Slots[cell.Shape], originals[s], points[s], this->Mesh,
+        [&](int kind, const Slot* slots, int number)
+        {
+          vtkSpaceTimeMesh::BoundaryCell made{ { { -1, -1, -1, -1 } }, kind, item, 0 };
+          for (int p = 0; p < number; ++p)
+          {
+            made.Ids[p] = ids[slots[p]];
+          }
+          if (isInverted)
+          {
+            std::swap(made.Ids[0], made.Ids[1]);
+          }
+          chunk.Boundary.push_back(made);
+        });
+    }
+  }
+
+  // Gives the mesh the boundary cells of all chunks in their order.
+  void TakeBoundary()
+  {
+    for (const Chunk& chunk : this->Chunks)
+    {
+      this->Mesh.AddBoundary(chunk.Boundary);
+    }
+    if (this->Report.CollapsedSimplices > 0)
+    {
+      this->Mesh.RemoveOppositeBoundaryCells();
+    }
+  }
+
+  const vtkExtractionContext& Context;
+  const vtkExtractionValues& Values;
+  const vtkSpaceTimeStep* Steps[2];
+  const Cells& TheCells;
+  const vtkCornerOrder& Order;
+  vtkCellOrientation Orientations[2];
+  vtkFacePlanarity Planarity;
+  vtkSpaceTimeMesh& Mesh;
+  vtkSpaceTimeReport& Report;
+  vtkIdType NumberOfPoints;
+  vtkIdType NumberOfCells;
+  bool HasBoundary;
+  bool MarksFlat = false;
+  std::vector<vtkSpaceTimeSlots> Slots;
+  vtkPointMarks Marks;
+  vtkCrossingLists Points;
+  // The id in the mesh of each point of the slab.
+  vtkExtractionBuffer<vtkIdType> Ids;
+  std::vector<Chunk> Chunks;
+  vtkSMPThreadLocal<Workplace> Workplaces;
+};
+
+template <typename Array>
+bool ExtractUnstructured(const vtkExtractionContext& context, const vtkSpaceTimeStep& first,
+  const vtkSpaceTimeStep& second, vtkSpaceTimeMesh& mesh, vtkSpaceTimeReport& report)
+{
+  vtkCellArray* stored = first.GetUnstructuredGrid()->GetCells();
+  const auto offsets = vtkExtractionDispatch::MakeTyped<Array>(stored->GetOffsetsArray());
+  const auto ids = vtkExtractionDispatch::MakeTyped<Array>(stored->GetConnectivityArray());
+  const vtkSpaceTimeUnstructured<typename Array::ValueType> cells(
+    first, second, offsets->GetPointer(0), ids->GetPointer(0));
+  return Extractor<std::decay_t<decltype(cells)>>(
+    context, first, second, cells, cells.GetOrder(), mesh, report)
+    .Execute();
+}
+}
+
+bool vtkSpaceTimeExtraction::Execute(const vtkExtractionContext& context,
+  const vtkSpaceTimeStep& first, const vtkSpaceTimeStep& second, vtkSpaceTimeMesh& mesh,
+  vtkSpaceTimeReport& report)
+{
+  if (const int* dimensions = first.GetDimensions())
+  {
+    if (*std::min_element(dimensions, dimensions + 3) < 2)
+    {
+      report.LowerDimensionalCells += first.GetNumberOfCells();
+      return true;
+    }
+    const vtkSpaceTimeRows cells(first, second);
+    // The corners of rows ascend in the order of their ids.
+    const vtkNew<vtkPointData> noOrder;
+    return Extractor<vtkSpaceTimeRows>(
+      context, first, second, cells, vtkCornerOrder(noOrder), mesh, report)
+      .Execute();
+  }
+  if (first.GetNumberOfCells() == 0)
+  {
+    return true;
+  }
+  return vtkTypeInt32Array::SafeDownCast(
+           first.GetUnstructuredGrid()->GetCells()->GetConnectivityArray())
+    ? ExtractUnstructured<vtkTypeInt32Array>(context, first, second, mesh, report)
+    : ExtractUnstructured<vtkTypeInt64Array>(context, first, second, mesh, report);
+}

@@ -1,0 +1,25 @@
+#ifndef vtkSpaceTimeExtraction_h
+#define vtkSpaceTimeExtraction_h
+
+struct vtkExtractionContext;
+class vtkSpaceTimeMesh;
+class vtkSpaceTimeStep;
+struct vtkSpaceTimeReport;
+
+/**
+ * @class   vtkSpaceTimeExtraction
+ * @brief   the 4-simplices between two time steps
+ *
+ * The points of both steps are one set: with n points, id i < n is point i at the first step, i + n
+ * the same at the second. Each cell times the slab is a cell of the table, its corners at the first
+ * step before those at the second in the global order, so that slabs agree on the step they share.
+ */
+class vtkSpaceTimeExtraction
+{
+public:
+  /// Adds to \a mesh. Returns false when the user aborted.
+  static bool Execute(const vtkExtractionContext& context, const vtkSpaceTimeStep& first,
+    const vtkSpaceTimeStep& second, vtkSpaceTimeMesh& mesh, vtkSpaceTimeReport& report);
+};
+
+#endif

@@ -1,0 +1,147 @@
+#ifndef vtkSpaceTimeMesh_h
+#define vtkSpaceTimeMesh_h
+
+#include "vtkCrossingKey.h"
+#include "vtkDoubleArray.h"
+#include "vtkExtractionBuffer.h"
+#include "vtkExtractionContext.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSimplexProjection.h"
+#include "vtkSmartPointer.h"
+#include "vtkSpaceTimeOptions.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkCrossingLists;
+class vtkSpaceTimeStep;
+
+/**
+ * @class   vtkSpaceTimeMesh
+ * @brief   the 4-simplices of one dataset over all slabs, their points and their boundary
+ *
+ * A point is a place in space, a time, and the arrays of the input. Points that a slab shares with
+ * the one before it are found by walking along both lists, which are sorted alike.
+ */
+class vtkSpaceTimeMesh
+{
+public:
+  using Simplex = std::array<vtkIdType, 5>;
+
+  /// The 4-simplices of one slab.
+  struct Slab
+  {
+    int Number = 0;
+    vtkExtractionBuffer<Simplex> Simplices;
+    /// The interval of each; empty where there is only one.
+    vtkExtractionBuffer<int> Items;
+    /// For each which of its sides are known to be flat, and its projection; see
+    /// vtkSimplexProjection.
+    vtkExtractionBuffer<std::uint8_t> Flats;
+    vtkExtractionBuffer<vtkSimplexProjection> Projections;
+  };
+
+  /// A triangle, with a last id of -1, or a tetrahedron on the boundary.
+  struct BoundaryCell
+  {
+    std::array<vtkIdType, 4> Ids;
+    int Kind;
+    int Item;
+    int Slab;
+  };
+
+  explicit vtkSpaceTimeMesh(const vtkSpaceTimeOptions& options)
+    : Options(options)
+  {
+  }
+
+  const vtkSpaceTimeOptions& GetOptions() const { return this->Options; }
+
+  /// Begins a slab. Boundaries at the start and end are in the first and last one only. Points are
+  /// shared with the slab before where that ends at the step at which this one begins.
+  void BeginSlab(int number, bool isFirst, bool isLast, bool isJoined);
+
+  /// Whether boundary cells of a kind are asked for and can be in this slab.
+  bool IsWanted(int kind) const { return this->WantedKinds[kind]; }
+  bool HasWantedKinds() const;
+
+  /**
+   * Takes over the points of the slab and gives the id of each. \a points and \a lists as
+   * vtkCrossingLists makes them.
+   */
+  vtkExtractionBuffer<vtkIdType> AddPoints(const vtkSpaceTimeStep& first,
+    const vtkSpaceTimeStep& second, const vtkExtractionBuffer<vtkExtractionPoint>& points,
+    const vtkCrossingLists& lists);
+
+  /// Adds boundary cells of the slab; their number of the slab is filled in.
+  void AddBoundary(const std::vector<BoundaryCell>& cells);
+
+  /// Removes pairs of boundary cells of the slab with the same points and opposite orientation.
+  void RemoveOppositeBoundaryCells();
+
+  /// Projects the simplices of the slab. Returns false when the user aborted.
+  bool Project(const vtkExtractionContext& context);
+
+  /// The slab begun last.
+  Slab& GetSlab() { return this->Slabs.back(); }
+
+  ///@{
+  /**
+   * Null where there is nothing.
+   */
+  vtkPoints* GetPoints() const { return this->Points; }
+  vtkDoubleArray* GetTimes() const { return this->Times; }
+  ///@}
+  vtkPointData* GetArrays() const { return this->Arrays; }
+  const std::vector<Slab>& GetSlabs() const { return this->Slabs; }
+  const std::vector<BoundaryCell>& GetBoundary() const { return this->Boundary; }
+
+  /// The names of point arrays that were left out since a step lacks them.
+  const std::vector<std::string>& GetArraysLeftOut() const { return this->ArraysLeftOut; }
+
+  std::size_t GetBytes() const;
+
+  /// A point as it is projected, the coordinate along the projection last.
+  vtkSimplexProjection::Point GetProjected(vtkIdType id) const;
+
+private:
+  // A point at the end of a slab: what makes it, and its id.
+  struct SharedPoint
+  {
+    vtkIdType Owner;
+    vtkCrossingKey Key;
+    vtkIdType Id;
+
+    bool IsBefore(const SharedPoint& other) const
+    {
+      return this->Owner < other.Owner || (this->Owner == other.Owner && this->Key < other.Key);
+    }
+  };
+
+  // Notes the points at the second step, for the next slab.
+  void FindEndPoints(const vtkExtractionBuffer<vtkExtractionPoint>& points,
+    const vtkCrossingLists& lists, vtkIdType split, const vtkExtractionBuffer<vtkIdType>& ids);
+
+  void AppendPoints(const vtkSpaceTimeStep& first, const vtkSpaceTimeStep& second,
+    const vtkExtractionBuffer<vtkExtractionPoint>& points);
+  void AppendArrays(vtkPointData* more);
+
+  vtkSpaceTimeOptions Options;
+  std::array<bool, vtkSpaceTimeOptions::NumberOfBoundaries> WantedKinds{};
+  vtkSmartPointer<vtkPoints> Points;
+  vtkSmartPointer<vtkDoubleArray> Times;
+  vtkNew<vtkPointData> Arrays;
+  std::vector<std::string> ArraysLeftOut;
+  bool IsLast = true;
+  std::vector<SharedPoint> EndPoints;
+  std::vector<Slab> Slabs;
+  std::vector<BoundaryCell> Boundary;
+  // Where those of the last slab begin.
+  std::size_t BoundaryBegin = 0;
+};
+
+#endif

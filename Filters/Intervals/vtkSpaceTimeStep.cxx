@@ -1,0 +1,155 @@
+#include "vtkSpaceTimeStep.h"
+
+#include "vtkCellArray.h"
+#include "vtkExtractionArrays.h"
+#include "vtkExtractionDispatch.h"
+#include "vtkExtractionLinearizer.h"
+#include "vtkExtractionScalars.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cstring>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+bool HasSameValues(vtkDataArray* a, vtkDataArray* b)
+{
+  if (a == b)
+  {
+    return true;
+  }
+  if (a->GetNumberOfValues() != b->GetNumberOfValues())
+  {
+    return false;
+  }
+  if (a->GetDataType() == b->GetDataType() && a->HasStandardMemoryLayout() &&
+    b->HasStandardMemoryLayout())
+  {
+    return std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+             static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) == 0;
+  }
+  for (vtkIdType tuple = 0; tuple < a->GetNumberOfTuples(); ++tuple)
+  {
+    for (int c = 0; c < a->GetNumberOfComponents(); ++c)
+    {
+      if (a->GetComponent(tuple, c) != b->GetComponent(tuple, c))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool HasSameFrame(vtkImageData* a, vtkImageData* b)
+{
+  return std::equal(a->GetOrigin(), a->GetOrigin() + 3, b->GetOrigin()) &&
+    std::equal(a->GetSpacing(), a->GetSpacing() + 3, b->GetSpacing()) &&
+    std::equal(a->GetExtent(), a->GetExtent() + 6, b->GetExtent()) &&
+    std::equal(a->GetDirectionMatrix()->GetData(), a->GetDirectionMatrix()->GetData() + 9,
+      b->GetDirectionMatrix()->GetData());
+}
+
+std::string DescribeChange(const char* what, vtkIdType before, vtkIdType now)
+{
+  std::ostringstream words;
+  words << "its number of " << what << " is " << now << ", before it was " << before;
+  return words.str();
+}
+}
+
+vtkSpaceTimeStep::vtkSpaceTimeStep(vtkDataSet* input, vtkDataArray* scalars, double time)
+  : Time(time)
+  , NumberOfInputCells(input->GetNumberOfCells())
+{
+  this->HasRows = vtkExtractionArrays::GetRowDimensions(input, this->Dimensions);
+  if (!this->HasRows && vtkExtractionLinearizer::IsNeeded(input))
+  {
+    std::vector<vtkIdType> cellIds;
+    this->Grid = vtkExtractionLinearizer::Execute(input, cellIds);
+    vtkDataArray* carried = this->Grid->GetPointData()->GetArray(scalars->GetName());
+    scalars = carried ? carried : scalars;
+  }
+  else
+  {
+    this->Grid.TakeReference(input->NewInstance());
+    this->Grid->ShallowCopy(input);
+  }
+  this->Scalars = vtkExtractionDispatch::MakeContiguous(scalars);
+  this->SetBlanking(this->Grid);
+}
+
+vtkUnstructuredGrid* vtkSpaceTimeStep::GetUnstructuredGrid() const
+{
+  return vtkUnstructuredGrid::SafeDownCast(this->Grid);
+}
+
+bool vtkSpaceTimeStep::MakeCodes(const vtkExtractionContext& context, double from, double to)
+{
+  if (this->Codes.GetSize() > 0)
+  {
+    return true;
+  }
+  this->Codes.Allocate(this->GetNumberOfPoints());
+  const auto scalars = vtkExtractionScalars::Make(this->Scalars, *context.Values);
+  return context.Run(this->GetNumberOfPoints(), from, to,
+    [&](vtkIdType first, vtkIdType last)
+    { scalars->Classify(first, last - first, this->Codes.GetData() + first); });
+}
+
+std::string vtkSpaceTimeStep::FindDifference(const vtkSpaceTimeStep& before) const
+{
+  if (std::strcmp(this->Grid->GetClassName(), before.Grid->GetClassName()) != 0)
+  {
+    return std::string("it is a ") + this->Grid->GetClassName() + ", before it was a " +
+      before.Grid->GetClassName();
+  }
+  if (this->GetNumberOfPoints() != before.GetNumberOfPoints())
+  {
+    return DescribeChange("points", before.GetNumberOfPoints(), this->GetNumberOfPoints());
+  }
+  if (this->GetNumberOfCells() != before.GetNumberOfCells())
+  {
+    return DescribeChange("cells", before.GetNumberOfCells(), this->GetNumberOfCells());
+  }
+  if (this->HasRows)
+  {
+    return std::equal(this->Dimensions, this->Dimensions + 3, before.Dimensions)
+      ? std::string()
+      : std::string("its dimensions have changed");
+  }
+  vtkUnstructuredGrid* now = this->GetUnstructuredGrid();
+  vtkUnstructuredGrid* then = before.GetUnstructuredGrid();
+  const bool isSame = this->GetNumberOfCells() == 0 ||
+    (HasSameValues(now->GetCellTypesArray(), then->GetCellTypesArray()) &&
+      HasSameValues(now->GetCells()->GetOffsetsArray(), then->GetCells()->GetOffsetsArray()) &&
+      HasSameValues(
+        now->GetCells()->GetConnectivityArray(), then->GetCells()->GetConnectivityArray()));
+  return isSame ? std::string() : std::string("its cells have other points or types");
+}
+
+bool vtkSpaceTimeStep::HasSamePoints(const vtkSpaceTimeStep& other) const
+{
+  if (vtkPointSet* set = vtkPointSet::SafeDownCast(this->Grid))
+  {
+    vtkPoints* points = set->GetPoints();
+    vtkPoints* otherPoints = vtkPointSet::SafeDownCast(other.Grid)->GetPoints();
+    return points == otherPoints || HasSameValues(points->GetData(), otherPoints->GetData());
+  }
+  if (vtkImageData* image = vtkImageData::SafeDownCast(this->Grid))
+  {
+    return HasSameFrame(image, vtkImageData::SafeDownCast(other.Grid));
+  }
+  vtkRectilinearGrid* a = vtkRectilinearGrid::SafeDownCast(this->Grid);
+  vtkRectilinearGrid* b = vtkRectilinearGrid::SafeDownCast(other.Grid);
+  return HasSameValues(a->GetXCoordinates(), b->GetXCoordinates()) &&
+    HasSameValues(a->GetYCoordinates(), b->GetYCoordinates()) &&
+    HasSameValues(a->GetZCoordinates(), b->GetZCoordinates());
+}

@@ -1,0 +1,310 @@
+#include "vtkTimeVaryingIntervalVolume.h"
+
+#include "vtkDataObjectTypes.h"
+#include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkExtractionInput.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTimeVaryingRun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+
+vtkStandardNewMacro(vtkTimeVaryingIntervalVolume);
+
+namespace
+{
+constexpr int NumberOfPorts = 3;
+}
+
+vtkTimeVaryingIntervalVolume::vtkTimeVaryingIntervalVolume()
+  : TimeStepRange{ 0, std::numeric_limits<int>::max() }
+  , ProjectionDirection{ 0.0, 0.0, 0.0, 1.0 }
+{
+  this->SetNumberOfOutputPorts(NumberOfPorts);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkTimeVaryingIntervalVolume::~vtkTimeVaryingIntervalVolume() = default;
+
+void vtkTimeVaryingIntervalVolume::SetNumberOfIntervals(int number)
+{
+  this->Intervals.SetNumber(number, this);
+}
+
+void vtkTimeVaryingIntervalVolume::SetInterval(int i, double lower, double upper)
+{
+  this->Intervals.Set(i, lower, upper, this);
+}
+
+void vtkTimeVaryingIntervalVolume::GetInterval(int i, double& lower, double& upper) const
+{
+  this->Intervals.Get(i, lower, upper);
+}
+
+void vtkTimeVaryingIntervalVolume::SetGenerateBoundary(int kind, bool on)
+{
+  if (kind < 0 || kind >= NUMBER_OF_BOUNDARY_KINDS)
+  {
+    vtkErrorMacro(
+      "Boundary kind " << kind << " is not in 0 to " << NUMBER_OF_BOUNDARY_KINDS - 1 << ".");
+    return;
+  }
+  if (this->GenerateBoundary[kind] != on)
+  {
+    this->GenerateBoundary[kind] = on;
+    this->Modified();
+  }
+}
+
+bool vtkTimeVaryingIntervalVolume::GetGenerateBoundary(int kind) const
+{
+  return kind >= 0 && kind < NUMBER_OF_BOUNDARY_KINDS && this->GenerateBoundary[kind];
+}
+
+void vtkTimeVaryingIntervalVolume::SetGenerateBoundaries(bool on)
+{
+  for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
+  {
+    this->SetGenerateBoundary(kind, on);
+  }
+}
+
+int vtkTimeVaryingIntervalVolume::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkTimeVaryingIntervalVolume::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+vtkTypeBool vtkTimeVaryingIntervalVolume::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT())
+    ? this->RequestDataObject(inputs, outputs)
+    : this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+int vtkTimeVaryingIntervalVolume::RequestDataObject(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+  if (!input)
+  {
+    return 0;
+  }
+  const char* wanted = vtkTimeVaryingRun::GetOutputType(input);
+  for (int port = 0; port < NumberOfPorts; ++port)
+  {
+    vtkInformation* info = outputs->GetInformationObject(port);
+    vtkDataObject* output = vtkDataObject::GetData(info);
+    if (!output || std::string(output->GetClassName()) != wanted)
+    {
+      const auto made =
+        vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(wanted));
+      info->Set(vtkDataObject::DATA_OBJECT(), made);
+    }
+  }
+  return 1;
+}
+
+int vtkTimeVaryingIntervalVolume::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  vtkInformationDoubleVectorKey* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+  this->TimeSteps.clear();
+  if (input->Has(key))
+  {
+    this->TimeSteps.assign(input->Get(key), input->Get(key) + input->Length(key));
+  }
+  // The input has changed while its steps were taken, or an execution broke off in the middle of
+  // them: begin anew, but once, since some readers say so at every step.
+  if (this->Run && !this->IsRestarted)
+  {
+    this->Run.reset();
+    this->IsRestarted = true;
+  }
+  // One output stands for all times.
+  for (int port = 0; port < NumberOfPorts; ++port)
+  {
+    outputs->GetInformationObject(port)->Remove(key);
+    outputs->GetInformationObject(port)->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  }
+  return 1;
+}
+
+std::string vtkTimeVaryingIntervalVolume::CheckTimes(const std::vector<double>& times) const
+{
+  std::ostringstream what;
+  if (times.size() < 2)
+  {
+    what << "At least two time steps are needed; the input has " << this->TimeSteps.size()
+         << ", of which " << times.size() << " are in the range " << this->TimeStepRange[0]
+         << " to " << this->TimeStepRange[1] << ".";
+    return what.str();
+  }
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    const std::size_t step = this->GetFirstStep() + i;
+    if (!std::isfinite(times[i]))
+    {
+      what << "Time step " << step << " has the time " << times[i] << ".";
+      return what.str();
+    }
+    if (i > 0 && times[i] < times[i - 1])
+    {
+      what << "Time step " << step << " (time " << times[i] << ") is before time step " << step - 1
+           << " (time " << times[i - 1] << ").";
+      return what.str();
+    }
+  }
+  return std::string();
+}
+
+std::string vtkTimeVaryingIntervalVolume::CheckDirection() const
+{
+  const double* d = this->ProjectionDirection;
+  const bool isFinite = std::all_of(d, d + 4, [](double value) { return std::isfinite(value); });
+  if (isFinite && std::any_of(d, d + 4, [](double value) { return value != 0.0; }))
+  {
+    return std::string();
+  }
+  std::ostringstream what;
+  what << "The direction of projection (" << d[0] << ", " << d[1] << ", " << d[2] << ", " << d[3]
+       << ") is " << (isFinite ? "zero." : "not finite.");
+  return what.str();
+}
+
+int vtkTimeVaryingIntervalVolume::GetFirstStep() const
+{
+  return std::max(this->TimeStepRange[0], 0);
+}
+
+std::vector<double> vtkTimeVaryingIntervalVolume::GetTimesTaken() const
+{
+  const int number = static_cast<int>(this->TimeSteps.size());
+  const int first = this->GetFirstStep();
+  const int last = std::min(this->TimeStepRange[1], number - 1);
+  return first <= last
+    ? std::vector<double>(this->TimeSteps.begin() + first, this->TimeSteps.begin() + last + 1)
+    : std::vector<double>();
+}
+
+int vtkTimeVaryingIntervalVolume::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  const std::vector<double> times = this->GetTimesTaken();
+  if (this->Run || !times.empty())
+  {
+    inputs[0]->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(),
+      this->Run ? this->Run->GetNextTime() : times.front());
+  }
+  return 1;
+}
+
+bool vtkTimeVaryingIntervalVolume::Begin()
+{
+  this->Report = vtkSpaceTimeReport();
+  const std::vector<double> times = this->GetTimesTaken();
+  for (const std::string& wrong : { this->CheckTimes(times), this->CheckDirection(),
+         vtkExtractionInput::CheckIntervals(this->Intervals.GetAll()) })
+  {
+    if (!wrong.empty())
+    {
+      vtkErrorMacro(<< wrong);
+      return false;
+    }
+  }
+  vtkSpaceTimeOptions options;
+  options.Tetrahedra = this->GenerateTetrahedra;
+  options.Simplices = this->GenerateSimplices;
+  options.Boundaries = this->GenerateBoundary;
+  options.Precision = this->OutputPointsPrecision;
+  options.SetDirection(this->ProjectionDirection);
+  this->Run = std::make_unique<vtkTimeVaryingRun>(
+    this,
+    [this](vtkDataSet* input, int& association)
+    { return this->GetInputAbstractArrayToProcess(0, input, association); },
+    this->Intervals.GetAll(), options, this->GetFirstStep(), times, this->Report);
+  return true;
+}
+
+int vtkTimeVaryingIntervalVolume::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+  vtkDataObject* made[NumberOfPorts];
+  for (int port = 0; port < NumberOfPorts; ++port)
+  {
+    made[port] = vtkDataObject::GetData(outputs, port);
+  }
+  if (!this->Run && (this->GetNumberOfIntervals() == 0 || !this->Begin()))
+  {
+    return 1;
+  }
+  const vtkTimeVaryingRun::Results result = this->Run->AddStep(input);
+  if (result == vtkTimeVaryingRun::DONE && !this->Run->IsFinished() && !this->GetAbortExecute())
+  {
+    request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
+    return 1;
+  }
+  request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
+  this->SetProgressShiftScale(0.0, 1.0);
+  const std::unique_ptr<vtkTimeVaryingRun> run = std::move(this->Run);
+  this->IsRestarted = false;
+  if (result == vtkTimeVaryingRun::FAILED)
+  {
+    vtkErrorMacro(<< run->GetMessage());
+  }
+  else if (result == vtkTimeVaryingRun::DONE && run->IsFinished())
+  {
+    for (vtkDataObject* output : made)
+    {
+      vtkTimeVaryingRun::CopyStructure(input, output);
+    }
+    run->FillOutputs(made[0], made[1], made[2]);
+  }
+  this->Report.Passes = this->Report.Slabs;
+  for (const std::string& warning : run->GetWarnings())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  return 1;
+}
+
+void vtkTimeVaryingIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  this->Intervals.Print(os, indent);
+  os << indent << "TimeStepRange: " << this->TimeStepRange[0] << " to " << this->TimeStepRange[1]
+     << "\n";
+  os << indent << "ProjectionDirection: " << this->ProjectionDirection[0] << " "
+     << this->ProjectionDirection[1] << " " << this->ProjectionDirection[2] << " "
+     << this->ProjectionDirection[3] << "\n";
+  os << indent << "GenerateTetrahedra: " << this->GenerateTetrahedra << "\n";
+  os << indent << "GenerateSimplices: " << this->GenerateSimplices << "\n";
+  os << indent << "GenerateBoundary:";
+  for (const bool on : this->GenerateBoundary)
+  {
+    os << " " << on;
+  }
+  os << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
+}

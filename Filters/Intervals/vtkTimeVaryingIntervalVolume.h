@@ -1,0 +1,234 @@
+#ifndef vtkTimeVaryingIntervalVolume_h
+#define vtkTimeVaryingIntervalVolume_h
+
+#include "InterlumeIntervalsModule.h" // for the export macro
+#include "vtkIntervalList.h"          // for the intervals
+#include "vtkSpaceTimeReport.h"       // for the report
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <array>  // for the flags
+#include <memory> // for the state between time steps
+#include <string> // for messages
+#include <vector> // for the time steps
+
+class vtkTimeVaryingRun;
+
+/**
+ * @class   vtkTimeVaryingIntervalVolume
+ * @brief   the region between two isovalues of a field in space and time, projected to space
+ *
+ * The set { (x,t) : lower <= f(x,t) <= upper } of a scalar point array that changes in time is four
+ * dimensional. It is made slab by slab, between two time steps at a time: each cell times the slab
+ * is lifted to five dimensions, F(x,t,w) = f(x,t) - (lower (1-w) + upper w), the isosurface F = 0
+ * there is taken from an isotable that is filled at run time, and projected back along w. This
+ * gives 4-simplices. Each is projected along the time axis (or another direction) to space, where
+ * it is cut into at most six tetrahedra around the one point where it is thickest (C. Zhang, "Light
+ * in volumes", 2006, chapter 3.5; here the cut is that of the Radon partition of the five points,
+ * which has the six classes of figure 3.15 as its sign patterns).
+ *
+ * Input: a temporal source with at least two time steps, of vtkImageData, vtkRectilinearGrid,
+ * vtkStructuredGrid, vtkUnstructuredGrid with tetrahedra, voxels, hexahedra, wedges, pyramids and
+ * convex polyhedra, and composite datasets of them, which give composite outputs of the same
+ * structure. All time steps are requested through the pipeline, one after the other; two are held.
+ * Points may move from step to step, cells may not change. The scalar: SetInputArrayToProcess(0,
+ * ...), by default the active point scalars, one component. Linear between steps on every edge.
+ *
+ * Output port 0, made unless GenerateTetrahedra is off: VTK_TETRA cells with
+ * - point array `DeltaT` (double, units of time): how long the 4-simplex lasts there; zero at all
+ *   points of a tetrahedron but one, linear in between. Tetrahedra overlap: over all of them the
+ * sum of DeltaT at a point of space is the time that f is in the interval there.
+ * - point array `Time` (double): the time of a point; at the thick point the mean over DeltaT;
+ * - every point array that all steps have, interpolated; at the thick point its mean over DeltaT.
+ *   Integers come out as float (8 and 16 bits) or double. An array that a step lacks, or that is
+ *   named as one of the two above, is left out with a warning;
+ * - cell arrays `SimplexClass` (unsigned char, see SimplexClasses), `IntervalId` (int), `TimeSlab`
+ *   (int; slab i lies between steps i and i+1 of those that are taken). The input's cell arrays
+ * belong to one step each, and are not carried.
+ *
+ * The integral of DeltaT over a tetrahedron is a quarter of its volume times its one DeltaT, and
+ * the sum over the tetrahedra of a 4-simplex is its hypervolume. On cells with arbitrary values a
+ * few 4-simplices come out inverted, as in vtkIntervalVolume; their tetrahedra are inverted too, so
+ * that signed sums are right.
+ *
+ * Output port 1: the boundaries that are asked for, triangles and tetrahedra in space, with the
+ * points, `Time` and other point arrays of port 2, and cell arrays `BoundaryKind` (int, see
+ * BoundaryKinds), `IntervalId`, `TimeSlab`. Start and end are the first and the last of the time
+ * steps taken.
+ *
+ * Output port 2, made only when GenerateSimplices is on: the 4-simplices as VTK_POLY_VERTEX cells
+ * of five points, positively oriented in (x,y,z,t), with point array `Time` and all other point
+ * arrays, cell arrays `IntervalId`, `TimeSlab`. Ready for a writer, and for vtkSimplexTimeSlice.
+ * Points that two slabs share are one point.
+ *
+ * Values equal to a bound, and the identity of points: as in vtkIntervalVolume. The same input
+ * gives the same bytes whatever the number of threads.
+ *
+ * Cells with NaN or infinity at one of the two steps, ghost, hidden and blanked cells are left out
+ * of that slab and counted in GetReport(). A slab of no duration (two steps of equal time) is left
+ * out with a warning.
+ *
+ * Errors (vtkErrorMacro, empty output): fewer than two time steps, steps whose times decrease or
+ * are not finite, a step without the scalar array or of another type of grid, number of points or
+ * cells, or connectivity than the step before (the message names the step), and those of
+ * vtkIntervalVolume.
+ *
+ * @sa vtkIntervalVolume vtkSimplexTimeSlice vtkTimeWeightedTetrahedraMapper
+ */
+class INTERLUMEINTERVALS_EXPORT vtkTimeVaryingIntervalVolume : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkTimeVaryingIntervalVolume* New();
+  vtkTypeMacro(vtkTimeVaryingIntervalVolume, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What a cell of port 1 is a part of: f equals the lower or upper bound at the start or the end
+  /// (triangles) or at any time (tetrahedra); f is in the interval at the start or the end
+  /// (tetrahedra).
+  enum BoundaryKinds
+  {
+    LOWER_SURFACE_AT_START = 0,
+    UPPER_SURFACE_AT_START = 1,
+    LOWER_SURFACE_AT_END = 2,
+    UPPER_SURFACE_AT_END = 3,
+    LOWER_SURFACE_IN_TIME = 4,
+    UPPER_SURFACE_IN_TIME = 5,
+    VOLUME_AT_START = 6,
+    VOLUME_AT_END = 7,
+    NUMBER_OF_BOUNDARY_KINDS = 8
+  };
+
+  /// How the five projected points of a 4-simplex lie (figures 3.12 and 3.15 of the source), and in
+  /// how many tetrahedra: no point inside the hull (6), one inside (4), four in a plane, the thick
+  /// point within (4), or one of them inside the triangle of the others (3), three in a line (2),
+  /// two in one place (1).
+  enum SimplexClasses
+  {
+    CLASS_1 = 10,
+    CLASS_2 = 20,
+    CLASS_3A = 31,
+    CLASS_3B = 32,
+    CLASS_4 = 40,
+    CLASS_5 = 50
+  };
+
+  ///@{
+  /**
+   * The intervals, as in vtkIntervalVolume. Default none, which gives an empty output. Valid
+   * number: 0 to 10000.
+   */
+  void SetNumberOfIntervals(int number);
+  int GetNumberOfIntervals() const { return this->Intervals.GetNumber(); }
+  void SetInterval(int i, double lower, double upper);
+  void GetInterval(int i, double& lower, double& upper) const;
+  ///@}
+
+  ///@{
+  /**
+   * The first and last time step taken, by index. A last step beyond the input's is its last.
+   * Default 0, VTK_INT_MAX. Valid: 0 <= first < last.
+   */
+  vtkSetVector2Macro(TimeStepRange, int);
+  vtkGetVector2Macro(TimeStepRange, int);
+  ///@}
+
+  ///@{
+  /**
+   * The direction (x,y,z,t) along which 4-simplices are projected, of any length but zero. Along
+   * time, the default (0,0,0,1), the result is in space. Along any other direction d it is in the
+   * space orthogonal to it, whose axes are those of x, y, z turned by the smallest rotation that
+   * takes t to d (or to -d, where that is nearer); DeltaT is then the extent along d, in the length
+   * of (x,y,z,t).
+   */
+  vtkSetVector4Macro(ProjectionDirection, double);
+  vtkGetVector4Macro(ProjectionDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether port 0 is made. Default on.
+   */
+  vtkSetMacro(GenerateTetrahedra, bool);
+  vtkGetMacro(GenerateTetrahedra, bool);
+  vtkBooleanMacro(GenerateTetrahedra, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether port 2 carries the 4-simplices. Default off.
+   */
+  vtkSetMacro(GenerateSimplices, bool);
+  vtkGetMacro(GenerateSimplices, bool);
+  vtkBooleanMacro(GenerateSimplices, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether port 1 carries the boundaries of a kind, or of all kinds. Default off. A kind that is
+   * not in BoundaryKinds is an error.
+   */
+  void SetGenerateBoundary(int kind, bool on);
+  bool GetGenerateBoundary(int kind) const;
+  void GenerateBoundaryOn(int kind) { this->SetGenerateBoundary(kind, true); }
+  void GenerateBoundaryOff(int kind) { this->SetGenerateBoundary(kind, false); }
+  void SetGenerateBoundaries(bool on);
+  vtkBooleanMacro(GenerateBoundaries, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input's points;
+   * float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default DEFAULT_PRECISION.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  /**
+   * What the last execution did.
+   */
+  const vtkSpaceTimeReport& GetReport() const { return this->Report; }
+
+protected:
+  vtkTimeVaryingIntervalVolume();
+  ~vtkTimeVaryingIntervalVolume() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  /// Makes outputs that are unstructured grids or composite datasets, as the input is.
+  int RequestDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /// Why times cannot be used, or nothing.
+  std::string CheckTimes(const std::vector<double>& times) const;
+  std::string CheckDirection() const;
+  int GetFirstStep() const;
+  /// The times of the steps in the range.
+  std::vector<double> GetTimesTaken() const;
+  /// Begins an execution. Returns false, after an error, where parameters do not allow it.
+  bool Begin();
+
+  vtkIntervalList Intervals;
+  int TimeStepRange[2];
+  double ProjectionDirection[4];
+  bool GenerateTetrahedra = true;
+  bool GenerateSimplices = false;
+  std::array<bool, NUMBER_OF_BOUNDARY_KINDS> GenerateBoundary{};
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+  vtkSpaceTimeReport Report;
+  /// The times of the input's steps.
+  std::vector<double> TimeSteps;
+  /// What is kept from one time step to the next; null between executions.
+  std::unique_ptr<vtkTimeVaryingRun> Run;
+  /// Whether an execution was begun anew since the input changed meanwhile.
+  bool IsRestarted = false;
+
+private:
+  vtkTimeVaryingIntervalVolume(const vtkTimeVaryingIntervalVolume&) = delete;
+  void operator=(const vtkTimeVaryingIntervalVolume&) = delete;
+};
+
+#endif

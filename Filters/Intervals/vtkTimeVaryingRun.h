@@ -1,0 +1,97 @@
+#ifndef vtkTimeVaryingRun_h
+#define vtkTimeVaryingRun_h
+
+#include "vtkExtractionValues.h"
+#include "vtkSmartPointer.h"
+#include "vtkSpaceTimeMesh.h"
+#include "vtkSpaceTimeStep.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkAbstractArray;
+class vtkAlgorithm;
+class vtkDataObject;
+struct vtkSpaceTimeReport;
+
+/**
+ * @class   vtkTimeVaryingRun
+ * @brief   one execution of vtkTimeVaryingIntervalVolume, step by step
+ *
+ * Holds a mesh and the step before for each dataset of the input.
+ */
+class vtkTimeVaryingRun
+{
+public:
+  enum Results
+  {
+    DONE,
+    ABORTED,
+    FAILED
+  };
+
+  /// Gives the array of a dataset that is to be processed, and its association.
+  using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet*, int&)>;
+
+  /// \a times are those of the steps to be taken, of which the first is step \a firstStep of the
+  /// input.
+  vtkTimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
+    const std::vector<vtkIntervalList::Interval>& intervals, const vtkSpaceTimeOptions& options,
+    int firstStep, const std::vector<double>& times, vtkSpaceTimeReport& report);
+
+  /// The steps taken so far.
+  int GetNumberOfSteps() const { return this->NextStep; }
+  bool IsFinished() const { return this->NextStep == static_cast<int>(this->Times.size()); }
+  double GetNextTime() const { return this->Times[this->NextStep]; }
+
+  /// Takes the next step. Where it fails GetMessage says why.
+  Results AddStep(vtkDataObject* input);
+  const std::string& GetMessage() const { return this->Message; }
+
+  /// Fills unstructured grids or composite datasets of the input's structure.
+  void FillOutputs(vtkDataObject* tetrahedra, vtkDataObject* boundary, vtkDataObject* simplices);
+
+  /// Warnings, each once.
+  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
+
+  /// The type of the outputs for an input: an unstructured grid, or a composite dataset.
+  static const char* GetOutputType(vtkDataObject* input);
+  /// Gives a composite output the blocks of its input.
+  static void CopyStructure(vtkDataObject* input, vtkDataObject* output);
+
+private:
+  // What is kept of one dataset of the input.
+  struct Leaf
+  {
+    explicit Leaf(const vtkSpaceTimeOptions& options)
+      : Mesh(options)
+    {
+    }
+    std::unique_ptr<vtkSpaceTimeStep> Before;
+    vtkSpaceTimeMesh Mesh;
+  };
+
+  Results AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number);
+  Results Fail(const std::string& why);
+  std::string CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
+  std::string DescribeStep() const;
+  void Warn(const std::string& what);
+
+  vtkAlgorithm* Owner;
+  ArrayFinder FindArray;
+  vtkExtractionValues Values;
+  vtkSpaceTimeOptions Options;
+  int FirstStep;
+  std::vector<double> Times;
+  vtkSpaceTimeReport& Report;
+  int NextStep = 0;
+  // Whether the slab before had a duration, so that this one is joined to it.
+  bool IsJoined = false;
+  std::vector<std::unique_ptr<Leaf>> Leaves;
+  std::string Message;
+  std::vector<std::string> Warnings;
+};
+
+#endif
