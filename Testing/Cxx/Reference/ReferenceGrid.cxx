@@ -143,27 +143,35 @@ bool IsValid(vtkUnstructuredGrid* grid, int type)
 }
 
 std::vector<GeometricSimplex> GeometricSet(
-  vtkUnstructuredGrid* grid, const std::vector<std::string>& cellArrays)
+  vtkUnstructuredGrid* grid, const std::vector<std::string>& cellArrays, const std::string& fourth)
 {
+  const auto find = [&](vtkDataSetAttributes* attributes, const std::string& name)
+  {
+    vtkDataArray* array = attributes->GetArray(name.c_str());
+    if (!array && grid->GetNumberOfCells() > 0)
+    {
+      throw std::invalid_argument("no array " + name);
+    }
+    return array;
+  };
   std::vector<vtkDataArray*> arrays;
+  arrays.reserve(cellArrays.size());
   for (const std::string& name : cellArrays)
   {
-    arrays.push_back(grid->GetCellData()->GetArray(name.c_str()));
-    if (!arrays.back() && grid->GetNumberOfCells() > 0)
-    {
-      throw std::invalid_argument("no cell array " + name);
-    }
+    arrays.push_back(find(grid->GetCellData(), name));
   }
+  vtkDataArray* const fourths = fourth.empty() ? nullptr : find(grid->GetPointData(), fourth);
   std::vector<GeometricSimplex> set;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     vtkIdType count;
     const vtkIdType* ids;
     grid->GetCellPoints(cell, count, ids);
-    std::vector<std::array<double, 3>> points(count);
+    std::vector<std::array<double, 4>> points(count);
     for (vtkIdType i = 0; i < count; ++i)
     {
       grid->GetPoint(ids[i], points[i].data());
+      points[i][3] = fourths ? fourths->GetComponent(ids[i], 0) : 0;
     }
     double sign = 1;
     for (size_t i = 1; i < points.size(); ++i)
@@ -177,7 +185,7 @@ std::vector<GeometricSimplex> GeometricSet(
     GeometricSimplex simplex = { sign };
     for (const auto& point : points)
     {
-      simplex.insert(simplex.end(), point.begin(), point.end());
+      simplex.insert(simplex.end(), point.begin(), point.end() - (fourths ? 0 : 1));
     }
     for (vtkDataArray* array : arrays)
     {

@@ -33,10 +33,11 @@ bool IsValid(vtkUnstructuredGrid* grid, int type);
 /// of cell arrays: equal for two grids that number their points and cells differently.
 using GeometricSimplex = std::vector<double>;
 
-/// The simplices of a grid, sorted. \a cellArrays are numeric cell arrays with one component;
+/// The simplices of a grid, sorted. \a cellArrays are numeric cell arrays with one component,
+/// \a fourth a point array whose value is a coordinate of the points too, where it is not empty;
 /// std::invalid_argument where one is missing.
-std::vector<GeometricSimplex> GeometricSet(
-  vtkUnstructuredGrid* grid, const std::vector<std::string>& cellArrays = {});
+std::vector<GeometricSimplex> GeometricSet(vtkUnstructuredGrid* grid,
+  const std::vector<std::string>& cellArrays = {}, const std::string& fourth = "");
 
 /// Empty when both grids have the same points, cells and arrays bit for bit; else the first
 /// difference.

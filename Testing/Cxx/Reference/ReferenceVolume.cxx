@@ -1,12 +1,11 @@
 #include "ReferenceVolume.h"
 
-#include "vtkCell.h"
+#include "ReferenceSplit.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkGenericCell.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -93,56 +92,34 @@ void Clip(const Tetrahedron& tetrahedron, size_t array, Real bound, int sign,
   }
 }
 
-void ForEachTetrahedron(vtkDataSet* mesh, const std::vector<vtkDataArray*>& arrays,
+Corner CornerOf(vtkDataSet* mesh, const std::vector<vtkDataArray*>& arrays, const MeanPoint& mean)
+{
+  Corner corner;
+  for (int i = 0; i < 3; ++i)
+  {
+    corner.X[i] = MeanOf<Real>(mean, [&](vtkIdType id) { return mesh->GetPoint(id)[i]; });
+  }
+  for (vtkDataArray* array : arrays)
+  {
+    corner.Values.push_back(
+      MeanOf<Real>(mean, [&](vtkIdType id) { return array->GetComponent(id, 0); }));
+  }
+  return corner;
+}
+
+void ForEachCornered(vtkDataSet* mesh, const std::vector<vtkDataArray*>& arrays,
   const std::function<void(const Tetrahedron&)>& function)
 {
-  auto corner = [&](vtkIdType id)
-  {
-    double x[3];
-    mesh->GetPoint(id, x);
-    Corner result;
-    result.X = { x[0], x[1], x[2] };
-    for (vtkDataArray* array : arrays)
+  ForEachTetrahedron(mesh,
+    [&](vtkIdType, const SplitTetrahedron& split)
     {
-      result.Values.push_back(array->GetComponent(id, 0));
-    }
-    return result;
-  };
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
-  {
-    mesh->GetCell(c, cell);
-    if (cell->GetCellDimension() < 3)
-    {
-      continue;
-    }
-    if (cell->GetCellType() == VTK_TETRA)
-    {
-      function({ corner(cell->GetPointId(0)), corner(cell->GetPointId(1)),
-        corner(cell->GetPointId(2)), corner(cell->GetPointId(3)) });
-      continue;
-    }
-    Corner centre = corner(cell->GetPointId(0));
-    for (int i = 1; i < cell->GetNumberOfPoints(); ++i)
-    {
-      centre = Between(centre, corner(cell->GetPointId(i)), Real(1) / (i + 1));
-    }
-    for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
-    {
-      vtkCell* face = cell->GetFace(f);
-      // The points of a pixel are not in order around it.
-      const bool pixel = face->GetCellType() == VTK_PIXEL;
-      std::vector<Corner> ring;
-      for (int i = 0; i < face->GetNumberOfPoints(); ++i)
+      Tetrahedron tetrahedron;
+      for (int i = 0; i < 4; ++i)
       {
-        ring.push_back(corner(face->GetPointId(pixel && i > 1 ? 5 - i : i)));
+        tetrahedron[i] = CornerOf(mesh, arrays, split[i]);
       }
-      for (size_t i = 2; i < ring.size(); ++i)
-      {
-        function({ ring[0], ring[i - 1], ring[i], centre });
-      }
-    }
-  }
+      function(tetrahedron);
+    });
 }
 
 void Measure(vtkUnstructuredGrid* grid, vtkIdType cell, TetrahedraVolume& volume)
@@ -213,19 +190,20 @@ TetrahedraVolume MeasureInterval(vtkUnstructuredGrid* grid, int interval)
 long double MeshVolume(vtkDataSet* mesh)
 {
   Real volume = 0;
-  ForEachTetrahedron(mesh, {}, [&](const Tetrahedron& t) { volume += AbsoluteVolume(t); });
+  ForEachCornered(mesh, {}, [&](const Tetrahedron& t) { volume += AbsoluteVolume(t); });
   return volume;
 }
 
 long double ClippedVolume(vtkDataSet* mesh, const std::vector<Range>& ranges)
 {
   std::vector<vtkDataArray*> arrays;
+  arrays.reserve(ranges.size());
   for (const Range& range : ranges)
   {
     arrays.push_back(mesh->GetPointData()->GetArray(range.Array));
   }
   Real volume = 0;
-  ForEachTetrahedron(mesh, arrays,
+  ForEachCornered(mesh, arrays,
     [&](const Tetrahedron& tetrahedron)
     {
       std::vector<Tetrahedron> pieces = { tetrahedron };

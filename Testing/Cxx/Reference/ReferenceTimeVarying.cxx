@@ -1,0 +1,42 @@
+#include "ReferenceTimeVarying.h"
+
+#include "ReferenceTemporal.h"
+
+#include "vtkNew.h"
+#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace reference
+{
+
+void Apply(const TimeVaryingSettings& settings, vtkTimeVaryingIntervalVolume* filter)
+{
+  filter->SetNumberOfIntervals(static_cast<int>(settings.Intervals.size()));
+  for (size_t i = 0; i < settings.Intervals.size(); ++i)
+  {
+    filter->SetInterval(static_cast<int>(i), settings.Intervals[i][0], settings.Intervals[i][1]);
+  }
+  const auto& d = settings.Direction;
+  filter->SetProjectionDirection(d[0], d[1], d[2], d[3]);
+  filter->SetTimeStepRange(settings.Steps[0], settings.Steps[1]);
+  filter->SetGenerateTetrahedra(settings.Tetrahedra);
+  filter->SetGenerateBoundaries(settings.Boundaries);
+  filter->SetGenerateSimplices(settings.Simplices);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+}
+
+TimeVaryingExtraction ExtractTimeVarying(
+  const TimeSteps& steps, const TimeVaryingSettings& settings)
+{
+  vtkNew<TemporalGrids> source;
+  source->SetSteps(steps);
+  vtkNew<vtkTimeVaryingIntervalVolume> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  Apply(settings, filter);
+  filter->Update();
+  auto output = [&](int port)
+  { return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port)); };
+  return { output(0), output(1), output(2), filter->GetReport() };
+}
+
+}

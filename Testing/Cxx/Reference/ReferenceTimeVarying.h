@@ -1,0 +1,44 @@
+#ifndef ReferenceTimeVarying_h
+#define ReferenceTimeVarying_h
+
+#include "ReferenceExtraction.h" // for the intervals
+#include "ReferenceTimeSteps.h"  // for the steps
+
+#include "vtkSpaceTimeReport.h" // for the report
+
+#include <array>  // for the direction
+#include <vector> // for the intervals
+
+class vtkTimeVaryingIntervalVolume;
+
+namespace reference
+{
+
+/// What the filter under test is set to; points are in double.
+struct TimeVaryingSettings
+{
+  std::vector<Interval> Intervals;
+  std::array<double, 4> Direction = { 0, 0, 0, 1 };
+  std::array<int, 2> Steps = { 0, VTK_INT_MAX };
+  bool Tetrahedra = true;
+  bool Boundaries = true;
+  bool Simplices = true;
+};
+
+void Apply(const TimeVaryingSettings& settings, vtkTimeVaryingIntervalVolume* filter);
+
+struct TimeVaryingExtraction
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Tetrahedra; ///< port 0
+  vtkSmartPointer<vtkUnstructuredGrid> Boundaries; ///< port 1
+  vtkSmartPointer<vtkUnstructuredGrid> Simplices;  ///< port 2
+  vtkSpaceTimeReport Report;
+};
+
+/// The filter under test run once over the active scalars.
+TimeVaryingExtraction ExtractTimeVarying(
+  const TimeSteps& steps, const TimeVaryingSettings& settings);
+
+}
+
+#endif
