@@ -24,7 +24,8 @@ add_test(NAME TestRepresentationPictures COMMAND RepresentationPictures "${extra
 
 add_executable(TestPluginXMLDefaults TestPluginXMLDefaults.cxx)
 target_link_libraries(TestPluginXMLDefaults PRIVATE
-  Interlume::InterlumeIntervals Interlume::InterlumeTetrahedra VTK::IOXMLParser)
+  Interlume::InterlumeIntervals Interlume::InterlumeSources Interlume::InterlumeTetrahedra
+  VTK::IOXMLParser)
 if (INTERLUME_ENABLE_TETGEN)
   target_link_libraries(TestPluginXMLDefaults PRIVATE Interlume::InterlumeMeshing)
   target_compile_definitions(TestPluginXMLDefaults PRIVATE INTERLUME_ENABLE_TETGEN)

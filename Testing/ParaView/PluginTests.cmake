@@ -42,6 +42,7 @@ set(batch "${PVBATCH}" --force-offscreen-rendering)
 set(ranks "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} 4)
 plugin_test(TestPluginNumbers "paraview;value" ${batch} "${script}/TestPluginNumbers.py")
 plugin_test(TestPluginProperties "paraview;value" ${batch} "${script}/TestPluginProperties.py")
+plugin_test(TestPluginSources "paraview;value" ${batch} "${script}/TestPluginSources.py")
 plugin_test(TestPluginComposite "paraview;value" ${batch} "${script}/TestPluginComposite.py")
 plugin_test(TestPluginOnePiece "paraview;value"
   ${batch} "${script}/TestPluginPieces.py" write "${pieces_file}")

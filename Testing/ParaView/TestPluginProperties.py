@@ -2,24 +2,10 @@
 
 from paraview import servermanager, simple
 
-from plugin_testing import Checks, fetch, load_plugin, open_data
+from plugin_testing import (
+    Checks, check_documentation, check_menu, fetch, load_plugin, open_data)
 
 FLOAT_ROUNDING = 1e-7
-
-
-def check_documentation(checks, proxy):
-    name = proxy.SMProxy.GetXMLName()
-    documentation = proxy.SMProxy.GetDocumentation()
-    checks.that(documentation.GetShortHelp() and documentation.GetLongHelp(), f"{name} has help")
-    for label in proxy.ListProperties():
-        text = proxy.GetProperty(label).SMProperty.GetDocumentation()
-        checks.that(text and text.GetDescription().strip(), f"{name}, {label} has a documentation")
-
-
-def check_menu(checks, name):
-    hints = servermanager.ProxyManager().GetPrototypeProxy("filters", name).GetHints()
-    menu = hints.FindNestedElementByName("ShowInMenu")
-    checks.that(menu and menu.GetAttribute("category") == "Interlume", f"{name} is in the menu")
 
 
 def check_inputs(checks, name, wavelet):
@@ -63,7 +49,7 @@ def main():
 
     for proxy in (volume, contour):
         check_documentation(checks, proxy)
-        check_menu(checks, proxy.SMProxy.GetXMLName())
+        check_menu(checks, "filters", proxy.SMProxy.GetXMLName())
         check_inputs(checks, proxy.SMProxy.GetXMLName(), wavelet)
     checks.finish()
 

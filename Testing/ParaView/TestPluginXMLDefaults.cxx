@@ -1,12 +1,17 @@
 // The defaults in the plugin's server-manager XML are those of the C++ classes, for every property;
 // the properties whose default comes from the data have a domain that gives it.
+#include "vtkAnalyticFieldSource.h"
+#include "vtkDeltaWingSource.h"
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
 #include "vtkNew.h"
+#include "vtkSimplexTimeSlice.h"
 #include "vtkSmartPointer.h"
+#include "vtkTaperedCylinderSource.h"
 #ifdef INTERLUME_ENABLE_TETGEN
 #include "vtkTetrahedralMesher.h"
 #endif
+#include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLUtilities.h"
@@ -16,6 +21,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -38,6 +44,17 @@ std::string Text(Value value)
   return text.str();
 }
 
+template <typename Value>
+std::string Text(const Value* values, int number)
+{
+  std::string text = Text(values[0]);
+  for (int i = 1; i < number; ++i)
+  {
+    text += " " + Text(values[i]);
+  }
+  return text;
+}
+
 // A property's name in the XML and the value a fresh object has.
 using Defaults = std::map<std::string, std::string>;
 
@@ -50,26 +67,55 @@ bool TakesValueFromData(vtkXMLDataElement* property)
     property->FindNestedElementWithName("InputArrayDomain");
 }
 
+// Appends the elements of a kind with a value of an attribute, at any depth.
+void FindElements(vtkXMLDataElement* root, const std::string& kind, const char* attribute,
+  const std::string& value, std::vector<vtkXMLDataElement*>& found)
+{
+  for (int i = 0; root && i < root->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* element = root->GetNestedElement(i);
+    const char* given = element->GetAttribute(attribute);
+    if (element->GetName() == kind && given && given == value)
+    {
+      found.push_back(element);
+    }
+    FindElements(element, kind, attribute, value, found);
+  }
+}
+
 // Compares the properties whose names start with the prefix.
 void CompareWithXML(const std::string& file, const std::string& proxyKind,
   const std::string& className, const std::string& prefix, const Defaults& defaults)
 {
   vtkSmartPointer<vtkXMLDataElement> root;
   root.TakeReference(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
-  vtkXMLDataElement* proxy = root ? root->LookupElementWithName(proxyKind.c_str()) : nullptr;
-  Check(proxy != nullptr, file + " has a " + proxyKind);
-  if (!proxy)
+  std::vector<vtkXMLDataElement*> proxies;
+  FindElements(root, proxyKind, "class", className, proxies);
+  Check(proxies.size() == 1, file + " has a " + proxyKind + " of " + className);
+  if (proxies.size() != 1)
   {
     return;
   }
-  Check(proxy->GetAttribute("class") == className, file + " is for " + className);
+  if (const char* base = proxies.front()->GetAttribute("base_proxyname"))
+  {
+    // Or one of another file, as those that ParaView brings.
+    FindElements(root, proxyKind, "name", base, proxies);
+  }
+  std::vector<vtkXMLDataElement*> elements;
+  for (vtkXMLDataElement* proxy : proxies)
+  {
+    for (int i = 0; i < proxy->GetNumberOfNestedElements(); ++i)
+    {
+      elements.push_back(proxy->GetNestedElement(i));
+    }
+  }
 
   std::size_t compared = 0;
-  for (int i = 0; i < proxy->GetNumberOfNestedElements(); ++i)
+  for (vtkXMLDataElement* property : elements)
   {
-    vtkXMLDataElement* property = proxy->GetNestedElement(i);
     const std::string kind = property->GetName();
-    if (kind.find("Property") == std::string::npos || kind == "PropertyGroup")
+    if (kind.find("Property") == std::string::npos || kind == "PropertyGroup" ||
+      property->GetAttribute("information_only"))
     {
       continue;
     }
@@ -91,6 +137,17 @@ void CompareWithXML(const std::string& file, const std::string& proxyKind,
     ++compared;
   }
   Check(compared == defaults.size(), className + ": the XML has every compared property");
+}
+
+// What a temporal source has in common with the others, and its own defaults.
+template <typename Source>
+void CompareSource(Source* source, const std::string& folder, Defaults defaults)
+{
+  defaults["NumberOfTimeSteps"] = Text(source->GetNumberOfTimeSteps());
+  defaults["TimeRange"] = Text(source->GetTimeRange(), 2);
+  defaults["OutputScalarType"] = Text(source->GetOutputScalarType());
+  defaults["ArrayName"] = source->GetArrayName();
+  CompareWithXML(folder + "/Sources.xml", "SourceProxy", source->GetClassName(), "", defaults);
 }
 }
 
@@ -117,6 +174,30 @@ int main(int argc, char* argv[])
     { { "OutputPointsPrecision", Text(contour->GetOutputPointsPrecision()) },
       { "UseValueIndex", Text(contour->GetUseValueIndex()) } });
 
+  vtkNew<vtkSimplexTimeSlice> slice;
+  CompareWithXML(folder + "/SimplexTimeSlice.xml", "SourceProxy", "vtkSimplexTimeSlice", "",
+    { { "Time", Text(slice->GetTime()) } });
+
+  vtkNew<vtkTimeVaryingIntervalVolume> inTime;
+  Check(
+    inTime->GetNumberOfIntervals() == 0, "vtkTimeVaryingIntervalVolume starts without an interval");
+  for (int kind = 0; kind < vtkTimeVaryingIntervalVolume::NUMBER_OF_BOUNDARY_KINDS; ++kind)
+  {
+    Check(
+      !inTime->GetGenerateBoundary(kind), "vtkTimeVaryingIntervalVolume starts without boundaries");
+  }
+  const int* steps = inTime->GetTimeStepRange();
+  const double* direction = inTime->GetProjectionDirection();
+  CompareWithXML(folder + "/TimeVaryingIntervalVolume.xml", "SourceProxy",
+    "vtkTimeVaryingIntervalVolume", "",
+    { { "TimeStepRange", Text(steps[0]) + " " + Text(steps[1]) },
+      { "ProjectionDirection",
+        Text(direction[0]) + " " + Text(direction[1]) + " " + Text(direction[2]) + " " +
+          Text(direction[3]) },
+      { "GenerateTetrahedra", Text(inTime->GetGenerateTetrahedra()) }, { "Boundaries", "" },
+      { "GenerateSimplices", Text(inTime->GetGenerateSimplices()) },
+      { "OutputPointsPrecision", Text(inTime->GetOutputPointsPrecision()) } });
+
 #ifdef INTERLUME_ENABLE_TETGEN
   vtkNew<vtkTetrahedralMesher> mesher;
   CompareWithXML(folder + "/TetrahedralMesher.xml", "SourceProxy", "vtkTetrahedralMesher", "",
@@ -128,6 +209,28 @@ int main(int argc, char* argv[])
       { "FillNestedShells", Text(mesher->GetFillNestedShells()) },
       { "TimeLimit", Text(mesher->GetTimeLimit()) } });
 #endif
+
+  vtkNew<vtkAnalyticFieldSource> field;
+  CompareSource(field.GetPointer(), folder,
+    { { "Field", Text(field->GetField()) }, { "WholeExtent", Text(field->GetWholeExtent(), 6) },
+      { "Bounds", Text(field->GetBounds(), 6) }, { "Constant", Text(field->GetConstant()) },
+      { "Gradient", Text(field->GetGradient(), 3) }, { "Rate", Text(field->GetRate()) },
+      { "Center", Text(field->GetCenter(), 3) }, { "Velocity", Text(field->GetVelocity(), 3) },
+      { "Radius", Text(field->GetRadius()) }, { "Growth", Text(field->GetGrowth()) } });
+  vtkNew<vtkTaperedCylinderSource> cylinder;
+  CompareSource(cylinder.GetPointer(), folder,
+    { { "Dimensions", Text(cylinder->GetDimensions(), 3) },
+      { "Radii", Text(cylinder->GetRadii(), 2) }, { "Height", Text(cylinder->GetHeight()) },
+      { "OuterRadius", Text(cylinder->GetOuterRadius()) }, { "Speed", Text(cylinder->GetSpeed()) },
+      { "StrouhalNumber", Text(cylinder->GetStrouhalNumber()) } });
+  vtkNew<vtkDeltaWingSource> wing;
+  CompareSource(wing.GetPointer(), folder,
+    { { "Dimensions", Text(wing->GetDimensions(), 3) },
+      { "SweepAngle", Text(wing->GetSweepAngle()) },
+      { "BreakdownPosition", Text(wing->GetBreakdownPosition()) },
+      { "BreakdownAmplitude", Text(wing->GetBreakdownAmplitude()) },
+      { "BreakdownFrequency", Text(wing->GetBreakdownFrequency()) },
+      { "SpiralFrequency", Text(wing->GetSpiralFrequency()) } });
 
   // The representation's own properties; the others are those of ParaView's volumes.
   vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;

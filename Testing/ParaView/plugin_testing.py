@@ -108,3 +108,20 @@ class Checks:
         print("checks failed:", self.failures, flush=True)
         if self.failures:  # else the script must end by itself, for MPI to be finalized
             sys.exit(1)
+
+
+def check_documentation(checks, proxy):
+    """A proxy and each of its properties say what they are for."""
+    name = proxy.SMProxy.GetXMLName()
+    documentation = proxy.SMProxy.GetDocumentation()
+    checks.that(documentation.GetShortHelp() and documentation.GetLongHelp(), f"{name} has help")
+    for label in proxy.ListProperties():
+        text = proxy.GetProperty(label).SMProperty.GetDocumentation()
+        checks.that(text and text.GetDescription().strip(), f"{name}, {label} has a documentation")
+
+
+def check_menu(checks, group, name):
+    """A source or filter is in the menu Interlume."""
+    hints = servermanager.ProxyManager().GetPrototypeProxy(group, name).GetHints()
+    menu = hints.FindNestedElementByName("ShowInMenu")
+    checks.that(menu and menu.GetAttribute("category") == "Interlume", f"{name} is in the menu")
