@@ -1,0 +1,198 @@
+// The nodes for two, three and n steps, what is refused, and the colours in a picture.
+#include "MapperPicture.h"
+#include "PictureCases.h"
+#include "ReferenceCheck.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkTemporalColorTransferFunction.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+/// Time, red, green, blue.
+using Node = std::array<double, 4>;
+
+void ExpectNodes(
+  Check& check, vtkTemporalColorTransferFunction* function, const std::vector<Node>& expected)
+{
+  check.Equal(function->GetSize(), static_cast<int>(expected.size()), "nodes");
+  for (int i = 0; i < std::min(function->GetSize(), static_cast<int>(expected.size())); ++i)
+  {
+    double node[6];
+    function->GetNodeValue(i, node);
+    for (int k = 0; k < 4; ++k)
+    {
+      check.That(node[k] == expected[i][k],
+        "value " + std::to_string(k) + " of node " + std::to_string(i) + " is " +
+          std::to_string(expected[i][k]) + ", not " + std::to_string(node[k]));
+    }
+    check.That(node[4] == 0.5 && node[5] == 0.0, "a straight line after a node");
+  }
+}
+
+void TestNodes(Check& check)
+{
+  vtkNew<vtkTemporalColorTransferFunction> function;
+  check.SetContext("two steps");
+  function->SetTimes(3.0, 7.0);
+  ExpectNodes(check, function,
+    { { { 3.0, 0.0, 1.0, 0.0 } }, { { 5.0, 1.0, 1.0, 0.0 } }, { { 7.0, 1.0, 0.0, 0.0 } } });
+  check.Equal(function->GetColorSpace(), VTK_CTF_RGB, "colour space");
+
+  check.SetContext("three steps");
+  const std::array<double, 3> three = { { -2.0, 0.0, 8.0 } };
+  function->SetTimes(3, three.data());
+  ExpectNodes(check, function,
+    { { { -2.0, 0.0, 0.0, 1.0 } }, { { -1.0, 0.0, 1.0, 1.0 } }, { { 0.0, 0.0, 1.0, 0.0 } },
+      { { 4.0, 1.0, 1.0, 0.0 } }, { { 8.0, 1.0, 0.0, 0.0 } } });
+
+  // u is 0, 1/3, 2/3, 1 at the steps: 1/4 is three quarters through the first slab.
+  check.SetContext("four steps");
+  const std::array<double, 4> four = { { 0.0, 4.0, 6.0, 14.0 } };
+  function->SetTimes(4, four.data());
+  const double part = 4.0 / 3.0; // in quarters of u, at step 1
+  ExpectNodes(check, function,
+    { { { 0.0, 0.0, 0.0, 1.0 } }, { { 3.0, 0.0, 1.0, 1.0 } }, { { 4.0, 0.0, 1.0, 2.0 - part } },
+      { { 5.0, 0.0, 1.0, 0.0 } }, { { 6.0, 2.0 * part - 2.0, 1.0, 0.0 } },
+      { { 8.0, 1.0, 1.0, 0.0 } }, { { 14.0, 1.0, 0.0, 0.0 } } });
+
+  check.SetContext("five steps");
+  const std::array<double, 5> five = { { 0.0, 1.0, 10.0, 11.0, 100.0 } };
+  function->SetTimes(5, five.data());
+  ExpectNodes(check, function,
+    { { { 0.0, 0.0, 0.0, 1.0 } }, { { 1.0, 0.0, 1.0, 1.0 } }, { { 10.0, 0.0, 1.0, 0.0 } },
+      { { 11.0, 1.0, 1.0, 0.0 } }, { { 100.0, 1.0, 0.0, 0.0 } } });
+}
+
+/// Wherever the steps are, colour is the map of three steps at u.
+void TestManySteps(Check& check)
+{
+  check.SetContext("many steps");
+  for (int n = 3; n <= 40; ++n)
+  {
+    std::vector<double> times(n);
+    for (int i = 0; i < n; ++i)
+    {
+      times[i] = i * i + std::sin(i);
+    }
+    vtkNew<vtkTemporalColorTransferFunction> function;
+    function->SetTimes(n, times.data());
+    for (int sample = 0; sample <= 100 * (n - 1); ++sample)
+    {
+      const int step = std::min(sample / 100, n - 2);
+      const double share = sample / 100.0 - step;
+      const double u = (step + share) / (n - 1);
+      double rgb[3];
+      function->GetColor(times[step] + share * (times[step + 1] - times[step]), rgb);
+      const double red = u < 0.5 ? 0.0 : (u > 0.75 ? 1.0 : 4.0 * u - 2.0);
+      const double blue = u > 0.5 ? 0.0 : (u < 0.25 ? 1.0 : 2.0 - 4.0 * u);
+      const double green = u < 0.25 ? 4.0 * u : (u > 0.75 ? 4.0 - 4.0 * u : 1.0);
+      check.Near(rgb[0], red, 1e-12, "red", 1.0);
+      check.Near(rgb[1], green, 1e-12, "green", 1.0);
+      check.Near(rgb[2], blue, 1e-12, "blue", 1.0);
+    }
+  }
+}
+
+void TestErrors(Check& check)
+{
+  vtkNew<vtkTemporalColorTransferFunction> function;
+  function->SetTimes(0.0, 2.0);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  function->AddObserver(vtkCommand::ErrorEvent, observer);
+  const auto refuse = [&](const std::vector<double>& times, const std::string& reason)
+  {
+    check.SetContext("times refused: " + reason);
+    observer->Clear();
+    const vtkMTimeType before = function->GetMTime();
+    function->SetTimes(static_cast<int>(times.size()), times.data());
+    check.That(observer->GetErrorMessage().find(reason) != std::string::npos, "an error");
+    check.That(function->GetMTime() == before, "nothing changed");
+    check.Equal(function->GetSize(), 3, "nodes");
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  refuse({}, "two times or more");
+  refuse({ 1.0 }, "two times or more");
+  refuse({ 1.0, nan }, "not finite");
+  refuse({ -infinity, 0.0, 1.0 }, "not finite");
+  refuse({ 0.0, 1.0, infinity }, "not finite");
+  refuse({ 1.0, 1.0 }, "do not increase");
+  refuse({ 0.0, 2.0, 1.0 }, "do not increase");
+  refuse({ 0.0, 1.0, 2.0, 2.0, 3.0 }, "do not increase");
+  refuse({ 1.0, std::nextafter(1.0, 2.0) }, "do not increase");
+  check.SetContext("no times");
+  observer->Clear();
+  function->SetTimes(2, nullptr);
+  check.That(!observer->GetErrorMessage().empty(), "an error");
+  check.Equal(function->GetSize(), 3, "nodes");
+}
+
+/// Time is constant along each line of sight, so that a pixel has the colour of its time.
+void TestPicture(Check& check)
+{
+  const double extinction = 1.5;
+  const std::array<double, 3> times = { { 2.0, 2.5, 4.0 } };
+  vtkNew<vtkTemporalColorTransferFunction> function;
+  function->SetTimes(3, times.data());
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(times[0], extinction);
+  PictureCase what;
+  what.Grid = MakeCube(5);
+  AddLinear(what.Grid, "Time", times[0], { { times[2] - times[0], 0.0, 0.0 } });
+  what.Property = MakeProperty({});
+  what.Property->SetColor(function);
+  what.Property->SetScalarOpacity(opacity);
+  what.Camera = LookAt(what.Grid, { { 0.0, 0.0, 1.0 } }, true);
+  what.Settings.Size = { { 96, 96 } };
+  what.Settings.Arrays.Scalars = "Time";
+  const PixelRays rays(what.Camera, what.Settings.Size);
+  for (const int path : AllRenderPaths())
+  {
+    check.SetContext(GetPathName(path));
+    const RgbaPicture picture = DrawByPath(path, what);
+    for (int i = 0; i < picture.Width; ++i)
+    {
+      const Ray ray = rays.Get(i, picture.Height / 2);
+      const auto x = static_cast<double>(ray.Origin[0]);
+      if (x < 0.0 || x > 1.0)
+      {
+        continue;
+      }
+      const double* pixel = picture.At(i, picture.Height / 2);
+      double rgb[3];
+      function->GetColor(times[0] + x * (times[2] - times[0]), rgb);
+      for (int k = 0; k < 3; ++k)
+      {
+        check.Near(pixel[k], -std::expm1(-extinction) * rgb[k], 1e-4, "colour of the time", 1.0);
+      }
+    }
+  }
+}
+
+}
+
+int TestTemporalColorTransferFunction(int, char*[])
+{
+  Check check;
+  TestNodes(check);
+  TestManySteps(check);
+  TestErrors(check);
+  TestPicture(check);
+  return check.Result();
+}
