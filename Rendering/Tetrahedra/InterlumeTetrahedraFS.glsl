@@ -17,6 +17,7 @@ uniform isamplerBuffer buckets;
 #endif
 #ifdef DELTA_T
 flat in vec4 deltaTPlane;
+flat in float largestDeltaT;
 #endif
 #ifdef POINT_COLORS
 flat in mat4 colorPlane;
@@ -203,7 +204,8 @@ void main()
   vec2 time = vec2(1.0);
 #ifdef DELTA_T
   ENDS(deltaTPlane, times)
-  time = times;
+  // Beside a thin silhouette, in a pixel that rounding gave to it, the plane is far from its corners.
+  time = clamp(times, 0.0, largestDeltaT);
 #endif
 #ifdef POINT_COLORS
   vec4 base = vec4(dot(colorPlane[0].xyz, plane), dot(colorPlane[1].xyz, plane),

@@ -44,6 +44,8 @@ flat out vec4 scalarPlane;
 #endif
 #ifdef DELTA_T
 flat out vec4 deltaTPlane;
+// Of the corners.
+flat out float largestDeltaT;
 #endif
 #ifdef POINT_COLORS
 flat out mat4 colorPlane;
@@ -69,6 +71,7 @@ struct Shape
   vec4 depthPlane;
   vec4 scalarPlane;
   vec4 deltaTPlane;
+  float largestDeltaT;
   mat4 colorPlane;
   vec4 cellColor;
   float baseFace;
@@ -261,6 +264,7 @@ void emit(vec2 pixel)
 #endif
 #ifdef DELTA_T
   deltaTPlane = shape.deltaTPlane;
+  largestDeltaT = shape.largestDeltaT;
 #endif
 #ifdef POINT_COLORS
   colorPlane = shape.colorPlane;
@@ -294,6 +298,7 @@ void main()
   c[1] = fetch(ids.y, first);
   c[2] = fetch(ids.z, first);
   c[3] = fetch(ids.w, first);
+  shape.largestDeltaT = max(max(c[0].deltaT, c[1].deltaT), max(c[2].deltaT, c[3].deltaT));
   vec4 position = vec4(first, 1.0);
   vec2 origin = project(
     c, vec3(dot(eyeRows[0], position), dot(eyeRows[1], position), dot(eyeRows[2], position)));
