@@ -96,6 +96,10 @@ void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& repor
   {
     WriteFact(page, "Boundary triangles", Grouped(report.BoundaryTriangles));
   }
+  if (report.Simplices > 0)
+  {
+    WriteFact(page, "4-simplices", Grouped(report.Simplices));
+  }
   WriteFact(page, "Intervals", std::to_string(report.Intervals));
   if (report.Criteria > 0)
   {

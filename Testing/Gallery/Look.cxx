@@ -51,6 +51,11 @@ vtkColor3d Background()
   return { 0.925, 0.929, 0.933 };
 }
 
+vtkColor3d DarkBackground()
+{
+  return { 0.065, 0.072, 0.085 };
+}
+
 vtkColor3d Ink()
 {
   return { 0.13, 0.15, 0.18 };

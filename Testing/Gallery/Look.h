@@ -15,6 +15,9 @@ namespace gallery
 /// Colour of the background, the same in every picture.
 vtkColor3d Background();
 
+/// Colour behind volumes whose colours are added up: dark, so that white can be told from nothing.
+vtkColor3d DarkBackground();
+
 /// Colour of text.
 vtkColor3d Ink();
 

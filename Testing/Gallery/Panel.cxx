@@ -113,6 +113,11 @@ void Panel::LookAs(Panel& other)
   this->Renderer->SetActiveCamera(this->Camera);
 }
 
+void Panel::SetBackground(const vtkColor3d& colour)
+{
+  this->Renderer->SetBackground(colour[0], colour[1], colour[2]);
+}
+
 bool Panel::UsesAmbientOcclusion() const
 {
   bool hasSurface = false;
@@ -218,6 +223,7 @@ void Panel::Fit(const std::vector<vtkVector3d>& points, double aspect)
     box.AddPoint(point.GetData());
   }
   box.GetCenter(focus.GetData());
+  const bool isParallel = this->Camera->GetParallelProjection() != 0;
   double distance = 2.0 * box.GetDiagonalLength() / slope;
   for (int round = 0; round < 12; ++round)
   {
@@ -227,7 +233,8 @@ void Panel::Fit(const std::vector<vtkVector3d>& points, double aspect)
     for (vtkVector3d point : points)
     {
       const vtkVector3d offset = point - focus;
-      const double depth = std::max(distance - offset.Dot(from), 1e-3 * distance);
+      const double depth =
+        isParallel ? distance : std::max(distance - offset.Dot(from), 1e-3 * distance);
       nearest = std::min(nearest, depth);
       const double place[2] = { offset.Dot(right) / (depth * slope * aspect),
         offset.Dot(up) / (depth * slope) };
@@ -244,6 +251,7 @@ void Panel::Fit(const std::vector<vtkVector3d>& points, double aspect)
   }
   this->Camera->SetFocalPoint(focus.GetData());
   const vtkVector3d position = focus + from * distance;
+  this->Camera->SetParallelScale(distance * slope);
   this->Camera->SetPosition(position.GetData());
   this->Camera->SetViewUp(up.GetData());
 }

@@ -3,6 +3,7 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkColor.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkVector.h"
@@ -42,6 +43,16 @@ public:
    * Uses the camera of another panel; both are fitted to the props of both.
    */
   void LookAs(Panel& other);
+
+  /**
+   * Draws without perspective, so that equal things look equal everywhere. Default: in perspective.
+   */
+  void UseParallelProjection() { this->Camera->ParallelProjectionOn(); }
+
+  /**
+   * Default: Background() of the look.
+   */
+  void SetBackground(const vtkColor3d& colour);
 
   /**
    * Ambient occlusion of the surfaces: reach as a share of the diagonal of the panel's props, 0 for

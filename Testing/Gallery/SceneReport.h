@@ -30,8 +30,8 @@ struct SceneReport
   double ExtractSeconds = 0.0;
   double RenderSeconds = 0.0;
 
-  /// Names of what was on: `criteria`, `boundaries`, `volumes`,
-  /// `ambient-occlusion`.
+  /// Names of what was on: `criteria`, `boundaries`, `time`, `time-boundaries` (those of
+  /// tetrahedra), `time-slices`, `volumes`, `ambient-occlusion`.
   std::set<std::string> Features;
 
   /// Extraction filters run, their intervals and criteria, and what came out.
@@ -40,6 +40,9 @@ struct SceneReport
   int Criteria = 0;
   vtkIdType Tetrahedra = 0;
   vtkIdType BoundaryTriangles = 0;
+  /// Of interval volumes in space and time: the most slabs between steps, and the 4-simplices.
+  int Slabs = 0;
+  vtkIdType Simplices = 0;
   /// Sum of the reports of the filters.
   vtkExtractionReport Extraction;
 

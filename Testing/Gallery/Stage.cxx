@@ -6,11 +6,14 @@
 #include "Scene.h"
 #include "Stopwatch.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkSimplexTimeSlice.h"
+#include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -63,21 +66,26 @@ void Stage::SetColourKey(const std::string& title, const std::vector<ColourEntry
   { AddColourKey(overlay, title, entries, x, 1.5 * font, font); };
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkIntervalVolume* filter, vtkDataObject* input)
+vtkSmartPointer<vtkUnstructuredGrid> Stage::Run(vtkAlgorithm* filter)
 {
   const Stopwatch watch;
-  filter->SetInputDataObject(input);
   filter->Update();
   this->Report.ExtractSeconds += watch.Seconds();
-
+  ++this->Report.Filters;
   auto tetrahedra = vtkSmartPointer<vtkUnstructuredGrid>::New();
   tetrahedra->ShallowCopy(filter->GetOutputDataObject(0));
+  this->Report.Tetrahedra += tetrahedra->GetNumberOfCells();
+  return tetrahedra;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkIntervalVolume* filter, vtkDataObject* input)
+{
+  filter->SetInputDataObject(input);
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = this->Run(filter);
   vtkUnstructuredGrid* boundaries =
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1));
-  ++this->Report.Filters;
   this->Report.Intervals += filter->GetNumberOfIntervals();
   this->Report.Criteria += filter->GetNumberOfCriteria();
-  this->Report.Tetrahedra += tetrahedra->GetNumberOfCells();
   this->Report.BoundaryTriangles += boundaries ? boundaries->GetNumberOfCells() : 0;
   this->Report.Extraction.Add(filter->GetReport());
   if (this->Report.Criteria > 0)
@@ -89,6 +97,39 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkIntervalVolume* filter, v
     this->Report.Features.insert("boundaries");
   }
   return tetrahedra;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(
+  vtkTimeVaryingIntervalVolume* filter, vtkAlgorithm* source)
+{
+  filter->SetInputConnection(source->GetOutputPort());
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = this->Run(filter);
+  const vtkSpaceTimeReport& report = filter->GetReport();
+  this->Report.Intervals += filter->GetNumberOfIntervals();
+  this->Report.Slabs = std::max(this->Report.Slabs, report.Slabs);
+  this->Report.Simplices += report.Simplices;
+  this->Report.Extraction.Add(report);
+  this->Report.Features.insert("time");
+  for (int kind = 0; kind < vtkTimeVaryingIntervalVolume::NUMBER_OF_BOUNDARY_KINDS; ++kind)
+  {
+    const bool isSurface = kind <= vtkTimeVaryingIntervalVolume::UPPER_SURFACE_AT_END;
+    const vtkIdType cells = report.Boundaries[static_cast<std::size_t>(kind)];
+    (isSurface ? this->Report.BoundaryTriangles : this->Report.Tetrahedra) += cells;
+    if (cells > 0)
+    {
+      this->Report.Features.insert(isSurface ? "boundaries" : "time-boundaries");
+    }
+  }
+  return tetrahedra;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> Stage::Slice(vtkUnstructuredGrid* simplices, double time)
+{
+  vtkNew<vtkSimplexTimeSlice> slice;
+  slice->SetInputData(simplices);
+  slice->SetTime(time);
+  this->Report.Features.insert("time-slices");
+  return this->Run(slice);
 }
 
 Stage::Cell Stage::GetCell(std::size_t panel) const

@@ -12,11 +12,13 @@
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataObject;
 class vtkImageData;
 class vtkIntervalVolume;
 class vtkRenderer;
 class vtkScalarsToColors;
+class vtkTimeVaryingIntervalVolume;
 class vtkUnstructuredGrid;
 
 namespace gallery
@@ -64,6 +66,19 @@ public:
   vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkIntervalVolume* filter, vtkDataObject* input);
 
   /**
+   * The same for an interval volume in space and time of a temporal source, over the steps that the
+   * filter takes. Boundaries, where asked for, are on the filter's port 1, and counted; 4-simplices
+   * on its port 2.
+   */
+  vtkSmartPointer<vtkUnstructuredGrid> Extract(
+    vtkTimeVaryingIntervalVolume* filter, vtkAlgorithm* source);
+
+  /**
+   * The 4-simplices at one time, as tetrahedra, which are counted.
+   */
+  vtkSmartPointer<vtkUnstructuredGrid> Slice(vtkUnstructuredGrid* simplices, double time);
+
+  /**
    * Draws the picture: RGB, unsigned char.
    */
   vtkSmartPointer<vtkImageData> Render();
@@ -84,6 +99,8 @@ private:
     int Caption;
   };
   Cell GetCell(std::size_t panel) const;
+  /// Runs a filter and counts what came out, and how long it took.
+  vtkSmartPointer<vtkUnstructuredGrid> Run(vtkAlgorithm* filter);
   void FitCameras();
   vtkSmartPointer<vtkImageData> DrawPaper();
 

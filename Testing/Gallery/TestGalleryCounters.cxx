@@ -48,11 +48,23 @@ public:
     this->Expect(has("boundaries") == (scene.at("boundary_triangles") > 0),
       "boundary triangles exactly where boundaries are on");
     this->Expect(has("boundaries") ==
-        (this->Scene == "interval-boundary" || this->Scene == "interval-constant"),
-      "boundaries on in interval-boundary and interval-constant only");
+        (this->Scene == "interval-boundary" || this->Scene == "interval-constant" ||
+          this->Scene == "time-boundaries"),
+      "boundaries on in interval-boundary, interval-constant and time-boundaries only");
+    this->Expect(has("time-boundaries") ==
+        (this->Scene == "time-isosurfaces" || this->Scene == "time-end-volumes" ||
+          this->Scene == "time-priority"),
+      "boundaries of tetrahedra in the three scenes that show them only");
     this->Expect(has("criteria") == (scene.at("criteria") > 0), "criteria as asked for");
-    this->Expect(extraction.at("passes") == (has("criteria") ? 2 : 1),
-      "a second extraction pass exactly where there is a criterion");
+    const int slabs = scene.at("slabs");
+    this->Expect(has("time") == (slabs > 0 && scene.at("simplices") > 0),
+      "slabs and 4-simplices exactly where there is time");
+    this->Expect(extraction.at("passes") == (has("time") ? slabs : (has("criteria") ? 2 : 1)),
+      "a pass for each slab, and a second one exactly where there is a criterion");
+    this->Expect(
+      has("time-slices") == (this->Scene == "time-slices"), "slices in time in time-slices only");
+    // Boundaries have no extent in time.
+    this->HasTime = has("time") && !has("time-boundaries");
     int volumePasses = 0;
     int volumeBuffers = 0;
     this->Expect(has("volumes") == !scene.at("volumes").empty(), "volumes as the features say");
@@ -86,10 +98,11 @@ public:
     const std::string sort = volume.at("sort");
     const std::string blend = volume.at("blend");
 
-    this->Expect(!has("delta-t"), "no code for an extent in time");
+    this->Expect(!has("delta-t") || this->HasTime, "no code for an extent in time without time");
     this->Expect(has("surface") == (volume.at("boundary_triangles") > 0),
       "code for boundary triangles exactly where there are some");
-    this->Expect(has("perspective"), "a picture in perspective");
+    this->Expect(has("perspective") == (this->Scene != "constant-plate"),
+      "a picture in perspective, but for that of equal cells");
     this->Expect(volume.at("pixel_stride") == 1, "every pixel computed");
     this->Expect(volume.at("tetrahedra_drawn") > 0, "tetrahedra drawn");
     this->Expect(volume.at("tetrahedra_drawn") <= volume.at("tetrahedra"), "none drawn twice");
@@ -106,9 +119,29 @@ public:
     {
       this->Expect(sort == "none", "one colour or overlapping meshes need no order");
     }
-    if (this->Scene == "interval-priority")
+    if (this->Scene == "interval-priority" || this->Scene == "time-priority")
     {
       this->Expect(blend == "priority" && sort == "none", "priority without an order");
+    }
+    if (this->Scene == "wave-in-time" || this->Scene == "time-delta" ||
+      this->Scene == "time-vortex" || this->Scene == "time-vortex-three" ||
+      this->Scene == "time-cylinder")
+    {
+      this->Expect(has("delta-t") && blend == "additive" && sort == "none",
+        "colours of time added up without an order, by the extent in time");
+    }
+    if (this->Scene == "time-boundaries" || this->Scene == "time-mug")
+    {
+      this->Expect(has("delta-t") && blend == "optical-depth" && sort == "none",
+        "overlapping tetrahedra without an order, by the extent in time");
+    }
+    if (this->Scene == "time-isosurfaces" || this->Scene == "time-end-volumes")
+    {
+      this->Expect(sort == "none", "one colour needs no order");
+    }
+    if (this->Scene == "constant-plate")
+    {
+      this->Expect(blend == "optical-depth" && sort == "none", "overlapping cells need no order");
     }
     if (this->Scene == "interval-constant")
     {
@@ -131,6 +164,7 @@ private:
   std::string Page;
   std::string Folder;
   std::string Scene;
+  bool HasTime = false;
   bool Passed = true;
 };
 }
@@ -148,7 +182,7 @@ int main(int argc, char* argv[])
     Checker checker(folder);
     const nlohmann::json gallery =
       nlohmann::json::parse(Checker::ReadText(folder + "/gallery.json"));
-    checker.Expect(gallery.at("scenes").size() >= 7, "at least seven scenes");
+    checker.Expect(gallery.at("scenes").size() >= 12, "at least twelve scenes");
     for (const nlohmann::json& scene : gallery.at("scenes"))
     {
       checker.CheckScene(scene);

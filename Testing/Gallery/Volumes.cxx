@@ -4,6 +4,7 @@
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkProperty.h"
+#include "vtkTemporalColorTransferFunction.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
@@ -50,6 +51,16 @@ vtkSmartPointer<vtkVolume> MakeVolumeOfIntervals(
     extinction->AddPoint(id, looks[i].Extinction);
   }
   return Make(tetrahedra, VTK_SCALAR_MODE_USE_CELL_FIELD_DATA, "IntervalId", colours, extinction);
+}
+
+vtkSmartPointer<vtkVolume> MakeVolumeInTime(
+  vtkUnstructuredGrid* tetrahedra, const std::vector<double>& times, double extinction)
+{
+  vtkNew<vtkTemporalColorTransferFunction> colours;
+  colours->SetTimes(static_cast<int>(times.size()), times.data());
+  vtkNew<vtkPiecewiseFunction> constant;
+  constant->AddPoint(times.front(), extinction);
+  return MakeVolume(tetrahedra, "Time", colours, constant);
 }
 
 void SetBoundary(

@@ -41,6 +41,14 @@ vtkSmartPointer<vtkVolume> MakeVolumeOfIntervals(
   vtkUnstructuredGrid* tetrahedra, const std::vector<IntervalLook>& looks);
 
 /**
+ * A volume of vtkTimeVaryingIntervalVolume with the colours that vtkTemporalColorTransferFunction
+ * gives to the times of the steps, by point array `Time`; \a extinction per unit of length and
+ * time.
+ */
+vtkSmartPointer<vtkVolume> MakeVolumeInTime(
+  vtkUnstructuredGrid* tetrahedra, const std::vector<double>& times, double extinction);
+
+/**
  * Draws boundary triangles over the points of the tetrahedra between the parts of the volume,
  * shaded and glossy; \a opacity 0 to 1.
  */

@@ -1,0 +1,116 @@
+// A plate of constant hypercubes without and with its extent in time.
+
+#include "Look.h"
+#include "Scene.h"
+#include "Stage.h"
+#include "Volumes.h"
+
+#include "HypercubePlate.h"
+#include "VolumeStage.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace
+{
+constexpr int CELLS = 8;
+
+/// Half the height of the picture that is measured, in cells, and a part of the plate's own: all
+/// pixels are the plate's.
+constexpr double MEASURED = 0.48 * CELLS;
+
+/// The standard deviation of opacity over the pixels of the plate, seen from the front without
+/// perspective, in floating point.
+double MeasureDeviation(vtkVolume* plate)
+{
+  vtkNew<vtkCamera> camera;
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(MEASURED);
+  camera->SetFocalPoint(0.0, 0.0, 0.5);
+  camera->SetPosition(0.0, 0.0, 2.0 * CELLS);
+  camera->SetClippingRange(CELLS, 3.0 * CELLS);
+  const std::array<int, 2> size = { { 400, 400 } };
+  reference::VolumeStage stage(size);
+  stage.SetVolume(gallery::GetMapper(plate), plate->GetProperty());
+  stage.SetCamera(camera);
+  const reference::RgbaPicture picture = stage.Capture();
+
+  const double pixels = static_cast<double>(picture.Width) * picture.Height;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int j = 0; j < picture.Height; ++j)
+  {
+    for (int i = 0; i < picture.Width; ++i)
+    {
+      sum += picture.At(i, j)[3];
+      squares += picture.At(i, j)[3] * picture.At(i, j)[3];
+    }
+  }
+  const double mean = sum / pixels;
+  return std::sqrt(std::max(squares / pixels - mean * mean, 0.0));
+}
+
+/// Digits that do not depend on who draws.
+std::string ToText(double deviation)
+{
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), deviation < 1e-5 ? "below 0.00001" : "%.4f", deviation);
+  return text.data();
+}
+
+void Build(gallery::Stage& stage)
+{
+  vtkNew<vtkTimeVaryingIntervalVolume> interval;
+  interval->SetNumberOfIntervals(1);
+  interval->SetInterval(0, -1.0, 1.0);
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
+    stage.Extract(interval, reference::MakeHypercubePlate(CELLS, 2, 1.0, true));
+
+  // Without the extent in time, about as opaque on average as with it.
+  vtkSmartPointer<vtkVolume> without =
+    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 0.22 } });
+  gallery::GetMapper(without)->SetDeltaTArrayName("");
+  gallery::GetMapper(without)->SetBlendModeToOpticalDepth();
+  vtkSmartPointer<vtkVolume> with =
+    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 1.1 } });
+
+  stage.SetColumns(2);
+  const std::string deviation = ": standard deviation of opacity ";
+  for (const vtkVector3d& from : { vtkVector3d(0.0, 0.0, 1.0), vtkVector3d(0.45, -0.8, 0.9) })
+  {
+    const bool isFront = from[0] == 0.0;
+    for (vtkVolume* plate : { without.Get(), with.Get() })
+    {
+      const std::string name = plate == with ? "with Δt" : "without Δt";
+      gallery::Panel& panel = stage.AddPanel(
+        isFront ? name + deviation + ToText(MeasureDeviation(plate)) : name + ", obliquely");
+      panel.Add(plate);
+      panel.UseParallelProjection();
+      panel.LookFrom(from, { 0.0, 1.0, 0.0 });
+    }
+  }
+}
+
+const gallery::SceneRegistration registration(
+  { "constant-plate", "3.14", "A plate of constant hypercubes, without and with Δt",
+    "A plate of 8 x 8 constant hypercubes, whose points move by part of a cell between two "
+    "time steps, projected along time. The tetrahedra overlap; on the left they count whole, "
+    "and their overlap shows as a pattern (figure 3.14). On the right each counts for as "
+    "long as it lasts, Δt, and the plate is uniform (figure 3.19), from the front and "
+    "obliquely, where its edges are thinner. On a grid at rest the 4-simplices of a constant "
+    "hypercube would project to the same tetrahedra, and hide the mistake.",
+    {}, &Build });
+}

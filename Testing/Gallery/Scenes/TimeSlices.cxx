@@ -1,0 +1,64 @@
+// Slices of 4-simplices at two time steps and midway.
+
+#include "Look.h"
+#include "Props.h"
+#include "Scene.h"
+#include "Stage.h"
+
+#include "vtkActor.h"
+#include "vtkAnalyticFieldSource.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  const std::array<double, 3> times = { { 0.0, 0.25, 0.5 } };
+  const std::array<const char*, 3> captions = { { "time step 0", "between, at 0.25",
+    "time step 0.5" } };
+  vtkNew<vtkAnalyticFieldSource> wave;
+  wave->SetFieldToWave();
+  wave->SetDimensions(44, 55, 27);
+  wave->SetBounds(-1.0, 1.0, -1.25, 1.25, -0.6, 0.6);
+  wave->SetTimeRange(times.front(), times.back());
+  wave->SetNumberOfTimeSteps(2);
+  vtkNew<vtkTimeVaryingIntervalVolume> interval;
+  interval->SetNumberOfIntervals(1);
+  interval->SetInterval(0, -0.15, 0.15);
+  interval->GenerateTetrahedraOff();
+  interval->GenerateSimplicesOn();
+  stage.Extract(interval, wave);
+  vtkUnstructuredGrid* simplices =
+    vtkUnstructuredGrid::SafeDownCast(interval->GetOutputDataObject(2));
+
+  gallery::Panel* first = nullptr;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    gallery::Panel& panel = stage.AddPanel(captions[i]);
+    panel.Add(gallery::MakeActor(gallery::MakeSurface(stage.Slice(simplices, times[i]), 80.0),
+      gallery::IntervalColour(static_cast<int>(i) + 1)));
+    if (first)
+    {
+      panel.LookAs(*first);
+    }
+    else
+    {
+      panel.LookFrom({ 0.55, -1.0, 1.0 }, { 0.0, 0.0, 1.0 });
+      first = &panel;
+    }
+  }
+}
+
+const gallery::SceneRegistration registration(
+  { "time-slices", "3.11", "One interval at two time steps and between them",
+    "A sheet that follows a travelling wave. Its 4-simplices between two time steps, cut at the "
+    "first "
+    "step, midway and at the second: the crests go to the right. Any time between the steps can be "
+    "cut out; nothing is extracted again.",
+    {}, &Build });
+}

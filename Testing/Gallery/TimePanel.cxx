@@ -1,0 +1,47 @@
+#include "TimePanel.h"
+
+#include "Look.h"
+#include "Panel.h"
+#include "Stage.h"
+#include "Volumes.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace gallery
+{
+std::vector<double> GetTimeSteps(vtkAlgorithm* source)
+{
+  source->UpdateInformation();
+  vtkInformation* information = source->GetOutputInformation(0);
+  const double* times = information->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  return { times, times + information->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) };
+}
+
+Panel& AddPanelInTime(
+  Stage& stage, vtkAlgorithm* source, double lower, double upper, double extinction)
+{
+  vtkNew<vtkTimeVaryingIntervalVolume> interval;
+  interval->SetNumberOfIntervals(1);
+  interval->SetInterval(0, lower, upper);
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, source);
+  const std::vector<double> times = GetTimeSteps(source);
+  vtkSmartPointer<vtkVolume> volume = MakeVolumeInTime(tetrahedra, times, extinction);
+  GetMapper(volume)->SetBlendModeToAdditive();
+
+  Panel& panel = stage.AddPanel("");
+  panel.SetBackground(DarkBackground());
+  panel.Add(volume);
+  stage.SetColourBar(
+    "time", volume->GetProperty()->GetRGBTransferFunction(), times.front(), times.back());
+  return panel;
+}
+}
