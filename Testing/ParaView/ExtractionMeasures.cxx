@@ -4,12 +4,12 @@
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <stdexcept>
@@ -18,41 +18,66 @@
 
 namespace
 {
-using Vector = std::array<double, 3>;
+using Vector = std::array<double, 4>;
 
-Vector Edge(vtkPoints* points, vtkIdType from, vtkIdType to)
+// From one point of a grid to another in space and, where there are times, in time.
+Vector Edge(vtkPoints* points, vtkDataArray* times, vtkIdType from, vtkIdType to)
 {
-  Vector a;
-  Vector b;
+  Vector a{};
+  Vector b{};
   points->GetPoint(from, a.data());
   points->GetPoint(to, b.data());
-  return { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
-}
-
-double SizeOfSimplex(vtkPoints* points, vtkIdList* ids)
-{
-  const Vector u = Edge(points, ids->GetId(0), ids->GetId(1));
-  const Vector v = Edge(points, ids->GetId(0), ids->GetId(2));
-  Vector normal;
-  vtkMath::Cross(u.data(), v.data(), normal.data());
-  if (ids->GetNumberOfIds() == 3)
+  if (times)
   {
-    return vtkMath::Norm(normal.data()) / 2.0;
+    a[3] = times->GetTuple1(from);
+    b[3] = times->GetTuple1(to);
   }
-  const Vector w = Edge(points, ids->GetId(0), ids->GetId(3));
-  return vtkMath::Dot(normal.data(), w.data()) / 6.0;
+  return { b[0] - a[0], b[1] - a[1], b[2] - a[2], b[3] - a[3] };
 }
 
-std::vector<std::string> SortedArrayNames(vtkDataSetAttributes* attributes)
+double SizeOfSimplex(vtkPoints* points, vtkDataArray* times, vtkIdList* ids)
 {
-  std::vector<std::string> names;
+  std::array<Vector, 4> edges{};
+  for (vtkIdType i = 1; i < ids->GetNumberOfIds(); ++i)
+  {
+    edges[i - 1] = Edge(points, times, ids->GetId(0), ids->GetId(i));
+  }
+  if (ids->GetNumberOfIds() == 5)
+  {
+    return vtkMatrix4x4::Determinant(edges.front().data()) / 24.0;
+  }
+  double normal[3];
+  vtkMath::Cross(edges[0].data(), edges[1].data(), normal);
+  return ids->GetNumberOfIds() == 3 ? vtkMath::Norm(normal) / 2.0
+                                    : vtkMath::Dot(normal, edges[2].data()) / 6.0;
+}
+
+double MeanOver(vtkDataArray* array, vtkIdList* ids)
+{
+  double sum = 0.0;
+  for (const vtkIdType id : *ids)
+  {
+    sum += array->GetTuple1(id);
+  }
+  return sum / static_cast<double>(ids->GetNumberOfIds());
+}
+
+nlohmann::json ArrayRanges(vtkDataSetAttributes* attributes)
+{
+  nlohmann::json ranges = nlohmann::json::object();
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
-    names.emplace_back(attributes->GetArrayName(i));
+    const double* range = attributes->GetArray(i)->GetRange();
+    ranges[attributes->GetArrayName(i)] = { range[0], range[1] };
   }
-  std::sort(names.begin(), names.end());
-  return names;
+  return ranges;
 }
+
+struct Group
+{
+  vtkIdType Cells = 0;
+  double Size = 0.0;
+};
 }
 
 nlohmann::json MeasureExtraction(vtkUnstructuredGrid* grid, const char* idArray)
@@ -62,25 +87,33 @@ nlohmann::json MeasureExtraction(vtkUnstructuredGrid* grid, const char* idArray)
   {
     throw std::runtime_error(std::string("no cell array ") + idArray);
   }
+  vtkDataArray* times = grid->GetPointData()->GetArray("Time");
+  vtkDataArray* durations = grid->GetPointData()->GetArray("DeltaT");
   double size = 0.0;
-  std::map<int, vtkIdType> cellsById;
+  double hypervolume = 0.0;
+  std::map<int, Group> groups;
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     grid->GetCellPoints(cell, corners);
-    size += SizeOfSimplex(grid->GetPoints(), corners);
-    ++cellsById[static_cast<int>(ids->GetTuple1(cell))];
+    const double sizeOfCell = SizeOfSimplex(grid->GetPoints(), times, corners);
+    Group& group = groups[static_cast<int>(ids->GetTuple1(cell))];
+    ++group.Cells;
+    group.Size += sizeOfCell;
+    size += sizeOfCell;
+    hypervolume += durations ? sizeOfCell * MeanOver(durations, corners) : 0.0;
   }
-  std::vector<vtkIdType> counts;
-  for (const auto& entry : cellsById)
+  nlohmann::json byId = nlohmann::json::array();
+  for (const auto& entry : groups)
   {
-    counts.push_back(entry.second);
+    byId.push_back(
+      { { "id", entry.first }, { "cells", entry.second.Cells }, { "size", entry.second.Size } });
   }
   const double* bounds = grid->GetBounds();
   return { { "points", grid->GetNumberOfPoints() }, { "cells", grid->GetNumberOfCells() },
     { "bounds", std::vector<double>(bounds, bounds + 6) }, { "size", size },
-    { "cells_by_id", counts },
-    { "arrays",
-      { { "point", SortedArrayNames(grid->GetPointData()) },
-        { "cell", SortedArrayNames(grid->GetCellData()) } } } };
+    { "hypervolume", hypervolume }, { "by_id", byId },
+    { "ranges",
+      { { "point", ArrayRanges(grid->GetPointData()) },
+        { "cell", ArrayRanges(grid->GetCellData()) } } } };
 }

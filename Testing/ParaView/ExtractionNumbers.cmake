@@ -5,19 +5,21 @@ find_package(VTK 9.1 REQUIRED
     RenderingCore RenderingOpenGL2 RenderingVolume)
 find_package(nlohmann_json REQUIRED)
 
-add_executable(ExtractionNumbers 
-  ExtractionNumbers.cxx ExtractionMeasures.cxx PieceWriter.cxx)
+add_executable(ExtractionNumbers
+  ExtractionNumbers.cxx ExtractionMeasures.cxx PieceWriter.cxx TimeVaryingExtraction.cxx
+  TimeVaryingNumbers.cxx)
 target_link_libraries(ExtractionNumbers PRIVATE
-  InterlumeTestingCommon Interlume::InterlumeIntervals VTK::ImagingCore VTK::IOLegacy VTK::IOXML
-  nlohmann_json::nlohmann_json)
+  InterlumeTestingCommon Interlume::InterlumeIntervals Interlume::InterlumeSources
+  VTK::ImagingCore VTK::IOLegacy VTK::IOXML nlohmann_json::nlohmann_json)
 set(extractions_folder "${CMAKE_BINARY_DIR}/Testing/Extractions")
 file(MAKE_DIRECTORY "${extractions_folder}")
 add_test(NAME TestExtractionNumbers COMMAND ExtractionNumbers "${extractions_folder}")
 
-add_executable(RepresentationPictures RepresentationPictures.cxx)
+add_executable(RepresentationPictures RepresentationPictures.cxx TimeVaryingExtraction.cxx)
 target_link_libraries(RepresentationPictures PRIVATE
-  InterlumeTestingCommon Interlume::InterlumeIntervals Interlume::InterlumeTetrahedra VTK::IOImage
-  VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingVolume nlohmann_json::nlohmann_json)
+  InterlumeTestingCommon Interlume::InterlumeIntervals Interlume::InterlumeSources
+  Interlume::InterlumeTetrahedra VTK::IOImage VTK::RenderingCore VTK::RenderingOpenGL2
+  VTK::RenderingVolume nlohmann_json::nlohmann_json)
 vtk_module_autoinit(TARGETS RepresentationPictures
   MODULES VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingVolume)
 add_test(NAME TestRepresentationPictures COMMAND RepresentationPictures "${extractions_folder}")

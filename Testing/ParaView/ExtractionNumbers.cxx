@@ -1,11 +1,13 @@
 // Writes a folder for the tests of the ParaView plugin: numbers.json, a list of extractions (what
-// was asked of which filter on which data, and what came out), and that data in the legacy format.
+// was asked of which filter on which data, and what came out), that data in the legacy format, and
+// time_varying.json, extractions from temporal sources.
 // The plugin is asked the same and must give the same. The legacy format, since ParaView 5.11 of
 // Debian cannot read appended XML data with an expat that defers parsing (2.6, and 2.5 with that
 // fix).
 #include "DataFiles.h"
 #include "ExtractionMeasures.h"
 #include "PieceWriter.h"
+#include "TimeVaryingNumbers.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetWriter.h"
 #include "vtkIdTypeArray.h"
@@ -155,6 +157,16 @@ void WriteDistributed(const Inputs& inputs, const std::string& folder)
       NUMBER_OF_PIECES, folder + "/" + grid.first + "_pieces");
   }
 }
+
+void WriteJson(const nlohmann::json& content, const std::string& path)
+{
+  std::ofstream file(path);
+  file << content.dump(1) << "\n";
+  if (!file.flush())
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
 }
 
 int main(int argc, char* argv[])
@@ -180,13 +192,8 @@ int main(int argc, char* argv[])
         throw std::runtime_error("an extraction is empty");
       }
     }
-    const std::string path = folder + "/numbers.json";
-    std::ofstream file(path);
-    file << extractions.dump(1) << "\n";
-    if (!file.flush())
-    {
-      throw std::runtime_error("cannot write " + path);
-    }
+    WriteJson(extractions, folder + "/numbers.json");
+    WriteJson(MeasureTimeVaryingVolumes(), folder + "/time_varying.json");
   }
   catch (const std::exception& error)
   {

@@ -44,6 +44,7 @@ plugin_test(TestPluginNumbers "paraview;value" ${batch} "${script}/TestPluginNum
 plugin_test(TestPluginProperties "paraview;value" ${batch} "${script}/TestPluginProperties.py")
 plugin_test(TestPluginSources "paraview;value" ${batch} "${script}/TestPluginSources.py")
 plugin_test(TestPluginComposite "paraview;value" ${batch} "${script}/TestPluginComposite.py")
+plugin_test(TestPluginTimeVarying "paraview;value" ${batch} "${script}/TestPluginTimeVarying.py")
 plugin_test(TestPluginOnePiece "paraview;value"
   ${batch} "${script}/TestPluginPieces.py" write "${pieces_file}")
 plugin_test(TestPluginPieces "paraview;mpi;value"

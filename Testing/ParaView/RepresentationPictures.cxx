@@ -1,9 +1,11 @@
 // Writes a folder for the test of the plugin's representation: representation.json, a list of
-// pictures (what was extracted from which data, how it was drawn, from where), and each picture as
-// `<name>.png`. ParaView is asked the same and must draw the same. The data are those that
-// ExtractionNumbers leaves there.
+// pictures (what was extracted from which data or source, how it was drawn, from where), and each
+// picture as `<name>.png`. ParaView is asked the same and must draw the same. The data are those
+// that ExtractionNumbers leaves there.
 #include "DataFiles.h"
+#include "TimeVaryingExtraction.h"
 
+#include "vtkAnalyticFieldSource.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataObject.h"
@@ -14,6 +16,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -56,6 +59,21 @@ const json BY_INTERVAL = { { "color_by", { "CELLS", "IntervalId" } },
   { "colors", { { 0.0, 0.22, 0.44, 0.72 }, { 1.0, 0.93, 0.69, 0.26 } } },
   { "opacities", { { 0.0, 0.4 }, { 1.0, 0.8 } } } };
 
+// Vortex tubes that move, appear and fade: early green, in between yellow, late red, thicker where
+// they stay longer.
+const json BY_TIME = { { "source", "AnalyticField" },
+  { "source_properties",
+    { { "Field", vtkAnalyticFieldSource::VORTEX }, { "WholeExtent", { 0, 71, 0, 71, 0, 71 } },
+      { "Bounds", { -0.9, 0.9, -0.9, 0.9, -0.9, 0.9 } }, { "NumberOfTimeSteps", 3 },
+      { "TimeRange", { 0.0, 2.0 } } } },
+  { "properties", { { "Intervals", { 0.4, 0.8 } } } }, { "size", { 600, 450 } },
+  { "camera",
+    { { "position", { 2.8, -1.25, 1.0 } }, { "focus", { 0.0, 0.0, -0.06 } },
+      { "up", { 0.0, 0.0, 1.0 } }, { "angle", 30.0 } } },
+  { "color_by", { "POINTS", "Time" } },
+  { "colors", { { 0.0, 0.05, 0.60, 0.25 }, { 1.0, 0.98, 0.85, 0.20 }, { 2.0, 0.80, 0.08, 0.10 } } },
+  { "opacities", { { 0.0, 0.5 }, { 2.0, 0.5 } } }, { "unit", 0.012 } };
+
 json MakeCase(const std::string& name, const json& colors, const json& changes)
 {
   json result = COMMON;
@@ -75,7 +93,8 @@ std::vector<json> AllCases()
     MakeCase("outer-first", BY_INTERVAL,
       { { "blend", Mapper::PRIORITY_BLEND }, { "priorities", { { 0, 2.0 } } } }),
     MakeCase("opengl", BY_INTERVAL,
-      { { "path", Mapper::OPENGL_PATH }, { "blend", Mapper::OPTICAL_DEPTH_BLEND } }) };
+      { { "path", Mapper::OPENGL_PATH }, { "blend", Mapper::OPTICAL_DEPTH_BLEND } }),
+    MakeCase("by-time", BY_TIME, json::object()) };
 }
 
 std::array<double, 3> Triple(const json& numbers)
@@ -120,9 +139,13 @@ void SetUpProperty(vtkVolumeProperty* property, const json& picture)
   property->SetScalarOpacityUnitDistance(picture["unit"]);
 }
 
-void Draw(const json& picture, const std::string& folder)
+vtkSmartPointer<vtkAlgorithm> MakeExtraction(const json& picture)
 {
-  vtkNew<vtkIntervalVolume> filter;
+  if (picture.contains("source"))
+  {
+    return MakeTimeVaryingVolume(picture);
+  }
+  const auto filter = vtkSmartPointer<vtkIntervalVolume>::New();
   filter->SetInputData(interlume::ReadData(picture["data"].get<std::string>() + ".vtu"));
   filter->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, picture["array"].get<std::string>().c_str());
@@ -132,8 +155,14 @@ void Draw(const json& picture, const std::string& folder)
   {
     filter->SetInterval(interval++, range[0], range[1]);
   }
+  return filter;
+}
+
+void Draw(const json& picture, const std::string& folder)
+{
+  const vtkSmartPointer<vtkAlgorithm> extraction = MakeExtraction(picture);
   vtkNew<Mapper> mapper;
-  mapper->SetInputConnection(filter->GetOutputPort());
+  mapper->SetInputConnection(extraction->GetOutputPort());
   SetUpMapper(mapper, picture);
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);

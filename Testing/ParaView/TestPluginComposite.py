@@ -3,7 +3,8 @@
 import numpy
 from paraview import simple
 
-from plugin_testing import Checks, as_set, fetch, interval_volume, load_plugin, open_data, simplices
+from plugin_testing import (
+    Checks, as_set, fetch, interval_volume, leaves, load_plugin, open_data, output_in_place, simplices)
 
 LEAVES = (("wavelet", "RTData", (140.0, 180.0)), ("disk_out_ref", "Temp", (400.0, 700.0)))
 
@@ -15,21 +16,6 @@ def renamed(name, array):
     calculator.ResultArrayName = "value"
     calculator.UpdatePipeline()
     return calculator
-
-
-def output_in_place(proxy):
-    """The output as the filter made it: gathering it would change its structure."""
-    proxy.UpdatePipeline()
-    return proxy.GetClientSideObject().GetOutputDataObject(0)
-
-
-def leaves(composite):
-    """The datasets of a composite dataset, in order."""
-    iterator = composite.NewIterator()
-    iterator.InitTraversal()
-    while not iterator.IsDoneWithTraversal():
-        yield iterator.GetCurrentDataObject()
-        iterator.GoToNextItem()
 
 
 def main():

@@ -3,29 +3,10 @@
 import json
 
 from paraview import simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
-import numpy
 
+from extraction_measures import compare
 from plugin_testing import (
-    Checks, extractions_path, fetch, interval_volume, load_plugin, open_data, simplices, sizes)
-
-TOLERANCE = 1e-12  # of a sum, whose order differs
-
-
-def array_names(attributes):
-    return sorted(attributes.GetArrayName(i) for i in range(attributes.GetNumberOfArrays()))
-
-
-def compare(checks, name, grid, expected, id_array):
-    checks.equal(grid.GetNumberOfCells(), expected["cells"], f"{name}, cells")
-    checks.equal(grid.GetNumberOfPoints(), expected["points"], f"{name}, points")
-    checks.equal(list(grid.GetBounds()), expected["bounds"], f"{name}, bounds")
-    checks.equal(array_names(grid.GetPointData()), expected["arrays"]["point"], f"{name}, point arrays")
-    checks.equal(array_names(grid.GetCellData()), expected["arrays"]["cell"], f"{name}, cell arrays")
-    checks.close(sizes(simplices(grid)).sum(), expected["size"], TOLERANCE, f"{name}, size")
-    ids = vtk_to_numpy(grid.GetCellData().GetArray(id_array))
-    counts = numpy.unique(ids, return_counts=True)[1].tolist()
-    checks.equal(counts, expected["cells_by_id"], f"{name}, cells by {id_array}")
+    Checks, extractions_path, fetch, interval_volume, load_plugin, open_data)
 
 
 def repeat_intervals(checks, name, extraction):

@@ -1,6 +1,6 @@
-"""The pieces of a parallel run give the same tetrahedra, as a set, as one process.
+"""The pieces of a parallel run give the same simplices, as a set, as one process.
 
-Arguments: `write` or `compare`, and the file of tetrahedra that one process wrote.
+Arguments: `write` or `compare`, and the file of simplices that one process wrote.
 """
 
 from collections import Counter
@@ -9,22 +9,35 @@ import sys
 import numpy
 from paraview import servermanager, simple
 
-from plugin_testing import Checks, as_set, fetch, interval_volume, load_plugin, open_data, simplices
+from plugin_testing import (
+    Checks, as_set, fetch, interval_volume, load_plugin, open_data, simplices, temporal_source,
+    time_varying_volume)
+
+FIELD = {"WholeExtent": [0, 23, 0, 19, 0, 19], "Bounds": [-0.5, 0.5, -0.4, 0.4, -0.4, 0.4]}
+IN_TIME = {"Intervals": [0.3, 0.5, 0.5, 0.8], "GenerateSimplices": True}
 
 
-def inputs(mode):
-    """Name, source, array and intervals; to compare, the unstructured grids are read in pieces."""
+def volumes(mode):
+    """Name, extraction and the port whose output is compared; to compare, the unstructured grids are
+    read in pieces."""
     wavelet = open_data("wavelet")
     ghosts = simple.GhostCellsGenerator(Input=wavelet)
     ghosts.UpdatePipeline()
     intervals = [(100.0, 140.0), (140.0, 180.0)]
-    yield "wavelet", wavelet, "RTData", intervals
-    yield "wavelet with ghosts", ghosts, "RTData", intervals
+    yield "wavelet", interval_volume(wavelet, "RTData", intervals), 0
+    yield "wavelet with ghosts", interval_volume(ghosts, "RTData", intervals), 0
     for name, array, intervals in (
             ("disk_out_ref", "Temp", [(400.0, 500.0), (500.0, 700.0)]),
             ("post_tets", "Pressure", [(0.8, 1.1)])):
         file = name if mode == "write" else f"{name}_pieces.pvtu"
-        yield name, open_data(file), array, intervals
+        yield name, interval_volume(open_data(file), array, intervals), 0
+    field = temporal_source("AnalyticField", FIELD)
+    ghosts = simple.GhostCellsGenerator(Input=field)
+    ghosts.UpdatePipeline()
+    for name, source in ("field in time", field), ("field in time with ghosts", ghosts):
+        in_time = time_varying_volume(source, IN_TIME)
+        yield name, in_time, 0
+        yield f"{name}, 4-simplices", in_time, 2
 
 
 def differences(expected, rows):
@@ -39,11 +52,10 @@ def main():
     checks = Checks()
     found = {}
     ranks = servermanager.ActiveConnection.GetNumberOfDataPartitions()
-    for name, source, array, intervals in inputs(mode):
-        volume = interval_volume(source, array, intervals)
-        pieces = [simplices(fetch(volume, rank=rank)) for rank in range(ranks)]
-        print(f"{name}: tetrahedra of each process:", *map(len, pieces), flush=True)
-        checks.that(all(map(len, pieces)), f"{name} has tetrahedra in every process")
+    for name, volume, port in volumes(mode):
+        pieces = [simplices(fetch(volume, port, rank)) for rank in range(ranks)]
+        print(f"{name}: simplices of each process:", *map(len, pieces), flush=True)
+        checks.that(all(map(len, pieces)), f"{name} has simplices in every process")
         found[name] = as_set(numpy.concatenate(pieces))
     if mode == "write":
         checks.equal(ranks, 1, "processes that write")
@@ -53,7 +65,7 @@ def main():
         expected = numpy.load(path)
         for name, rows in found.items():
             missing, extra = differences(expected[name], rows)
-            checks.equal((missing, extra), (0, 0), f"{name}: tetrahedra missing and extra")
+            checks.equal((missing, extra), (0, 0), f"{name}: simplices missing and extra")
     checks.finish()
 
 

@@ -1,9 +1,12 @@
-"""A filter made in ParaView starts with values from its input's range, and says what all is for."""
+"""A filter made in ParaView starts with values from its input's range, makes what is chosen, and says
+what all is for."""
 
+import numpy
 from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from plugin_testing import (
-    Checks, check_documentation, check_menu, fetch, load_plugin, open_data)
+    Checks, check_documentation, check_menu, fetch, load_plugin, open_data, temporal_source)
 
 FLOAT_ROUNDING = 1e-7
 
@@ -20,6 +23,55 @@ def check_inputs(checks, name, wavelet):
         taken = bool(input_property.IsInDomains())
         checks.equal(taken, accepted, f"{name} takes {source.SMProxy.GetXMLName()}")
     input_property.RemoveAllUncheckedProxies()
+
+
+def boundary_kinds(volume):
+    grid = fetch(volume, 1)
+    if grid.GetNumberOfCells() == 0:
+        return []
+    return numpy.unique(vtk_to_numpy(grid.GetCellData().GetArray("BoundaryKind"))).tolist()
+
+
+def check_boundaries(checks, volume):
+    """Boundaries are chosen by name; those no longer chosen are gone."""
+    checks.equal(list(volume.Boundaries), [], "boundaries, at first")
+    checks.equal(boundary_kinds(volume), [], "kinds of boundaries, at first")
+    for kind, name in enumerate(volume.GetProperty("Boundaries").Available):
+        volume.Boundaries = [name]
+        checks.equal(boundary_kinds(volume), [kind], f"kinds of {name}")
+    volume.Boundaries = ["Volume at end", "Lower surface at start"]
+    checks.equal(boundary_kinds(volume), [0, 7], "kinds of two boundaries")
+    volume.Boundaries = []
+    checks.equal(boundary_kinds(volume), [], "kinds of no boundaries")
+
+
+def check_in_time(checks, field):
+    """The filter over time steps."""
+    lowest, highest = field.PointData.GetArray("f").GetRange()
+    volume = simple.TimeVaryingIntervalVolume(Input=field)
+    checks.equal(list(volume.Scalars), ["POINTS", "f"], "scalars in time")
+    checks.equal(list(volume.Intervals), [(lowest + highest) / 2, highest], "first interval in time")
+    checks.equal(list(volume.TimeStepRange), [0, 2**31 - 1], "time steps taken")
+    checks.equal(volume.OutputPointsPrecision, "Same as input", "precision in time")
+    for port, name in enumerate(("Tetrahedra", "Boundaries", "Simplices")):
+        checks.equal(volume.SMProxy.GetOutputPortName(port), name, f"output port {port} in time")
+    checks.that(fetch(volume).GetNumberOfCells() > 0, "the first interval lasts")
+    volume.Intervals = [-0.15, 0.15]
+    check_boundaries(checks, volume)
+    simplex_slice = simple.SimplexTimeSlice(Input=simple.OutputPort(volume, 2))
+    simplex_slice.Time = 0.4
+    checks.equal(fetch(simplex_slice).GetNumberOfCells(), 0, "slice of 4-simplices not asked for")
+    volume.GenerateSimplices = True
+    checks.that(fetch(volume, 2).GetNumberOfCells() > 0, "there are 4-simplices")
+    checks.equal(fetch(simplex_slice).GetPointData().GetArray("Time").GetRange(), (0.4, 0.4), "slice")
+    volume.GenerateTetrahedra = False
+    checks.equal(fetch(volume).GetNumberOfCells(), 0, "tetrahedra not asked for")
+    volume.Intervals = []
+    checks.equal(fetch(volume, 2).GetNumberOfCells(), 0, "4-simplices of no interval")
+    for proxy in (volume, simplex_slice):
+        check_documentation(checks, proxy)
+        check_menu(checks, "filters", proxy.SMProxy.GetXMLName())
+    check_inputs(checks, "TimeVaryingIntervalVolume", field)
 
 
 def main():
@@ -51,6 +103,8 @@ def main():
         check_documentation(checks, proxy)
         check_menu(checks, "filters", proxy.SMProxy.GetXMLName())
         check_inputs(checks, proxy.SMProxy.GetXMLName(), wavelet)
+    field = temporal_source("AnalyticField", {"Field": "Wave", "WholeExtent": [0, 15, 0, 7, 0, 7]})
+    check_in_time(checks, field)
     checks.finish()
 
 

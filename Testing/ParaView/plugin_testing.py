@@ -40,25 +40,68 @@ def interval_volume(source, array, intervals, criteria=()):
     return volume
 
 
+def time_varying_volume(source, properties):
+    """The filter over a source; properties by name."""
+    volume = simple.TimeVaryingIntervalVolume(Input=source)
+    set_properties(volume, properties)
+    return volume
+
+
+def temporal_source(name, properties):
+    """A source of the plugin, with its data made, whose array filters take; properties by name."""
+    source = getattr(simple, name)()
+    set_properties(source, properties)
+    source.UpdatePipeline()
+    return source
+
+
+def set_properties(proxy, values):
+    for name, value in values.items():
+        setattr(proxy, name, value)
+
+
 def fetch(proxy, port=0, rank=0):
     """The dataset that a process has as the output of a port."""
     proxy.UpdatePipeline()
     return servermanager.Fetch(proxy, rank, idx=port)
 
 
-def simplices(grid):
-    """The cells of a grid of equal simplices as corner coordinates: (cells, corners, 3)."""
+def output_in_place(proxy, port=0):
+    """The output as the filter made it: gathering it would change its structure."""
+    proxy.UpdatePipeline()
+    return proxy.GetClientSideObject().GetOutputDataObject(port)
+
+
+def leaves(composite):
+    """The datasets of a composite dataset, in order."""
+    iterator = composite.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        yield iterator.GetCurrentDataObject()
+        iterator.GoToNextItem()
+
+
+def simplices(grid, chosen=slice(None)):
+    """Corner coordinates of the cells of a grid, or of those chosen, which all have as many corners:
+    (cells, corners, 3), or for 4-simplices, with the point array Time, (cells, 5, 4)."""
     if grid.GetNumberOfCells() == 0:
         return numpy.empty((0, 4, 3), numpy.float32)
     points = vtk_to_numpy(grid.GetPoints().GetData())
-    corners = grid.GetCell(0).GetNumberOfPoints()
+    offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
+    corners = numpy.unique(numpy.diff(offsets)[chosen])
+    assert len(corners) == 1, "cells of one kind"
+    if corners == 5:
+        points = numpy.column_stack([points, vtk_to_numpy(grid.GetPointData().GetArray("Time"))])
     ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
-    return points[ids.reshape(-1, corners)]
+    return points[ids[offsets[:-1][chosen][:, None] + numpy.arange(corners[0])]]
 
 
 def sizes(cells):
-    """Signed volumes of tetrahedra or areas of triangles, in double precision."""
+    """Areas of triangles, signed volumes of tetrahedra or hypervolumes of 4-simplices, in double
+    precision."""
     edges = cells[:, 1:].astype(float) - cells[:, :1]
+    if cells.shape[1] == 5:
+        return numpy.linalg.det(edges) / 24
     normals = numpy.cross(edges[:, 0], edges[:, 1])
     if cells.shape[1] == 3:
         return numpy.linalg.norm(normals, axis=1) / 2
@@ -71,9 +114,9 @@ def as_set(cells):
     A row is the corners, sorted, and the orientation: whether sorting them was an even (+1) or an
     odd (-1) permutation, and 0 where two corners coincide.
     """
-    count, corners, _ = cells.shape
+    count, corners, axes = cells.shape
     cells = cells + 0.0  # no negative zero
-    keys = [numpy.ascontiguousarray(cells[:, :, axis]) for axis in (2, 1, 0)]
+    keys = [numpy.ascontiguousarray(cells[:, :, axis]) for axis in reversed(range(axes))]
     order = numpy.lexsort(keys, axis=1)
     ordered = numpy.take_along_axis(cells, order[:, :, None], axis=1)
     parity = numpy.ones(count)

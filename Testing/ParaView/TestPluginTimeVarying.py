@@ -1,0 +1,90 @@
+"""Time-varying interval volumes and their slices inside ParaView are those that the C++ classes gave,
+also of a composite dataset, whatever time ParaView shows."""
+
+import json
+
+import numpy
+from paraview import simple
+
+from extraction_measures import compare
+from plugin_testing import (
+    Checks, as_set, extractions_path, fetch, leaves, load_plugin, output_in_place, simplices,
+    temporal_source, time_varying_volume)
+
+PORTS = (("tetrahedra", "SimplexClass"), ("boundaries", "BoundaryKind"), ("simplices", "TimeSlab"))
+
+
+def slice_at(volume, time):
+    simplex_slice = simple.SimplexTimeSlice(Input=simple.OutputPort(volume, 2))
+    simplex_slice.Time = time
+    return simplex_slice
+
+
+def repeat(checks, name, extraction):
+    source = temporal_source(extraction["source"], extraction["source_properties"])
+    volume = time_varying_volume(source, extraction["properties"])
+    for port, (output, id_array) in enumerate(PORTS):
+        compare(checks, f"{name}, {output}", fetch(volume, port), extraction[output], id_array)
+    for time, expected in zip(extraction["slice_times"], extraction["slices"]):
+        found = fetch(slice_at(volume, time))
+        compare(checks, f"{name}, slice at {time}", found, expected, "IntervalId")
+
+
+def check_time(checks, extraction):
+    """The output is that of all times, made once, with no time steps of its own."""
+    source = temporal_source(extraction["source"], extraction["source_properties"])
+    volume = time_varying_volume(source, extraction["properties"])
+    made = set()
+    for time in (1.0, 0.7, 5.0):
+        volume.UpdatePipeline(time)
+        grid = output_in_place(volume)
+        compare(checks, f"shown at {time}", grid, extraction["tetrahedra"], "SimplexClass")
+        made.add(grid.GetPoints().GetMTime())
+    checks.equal(len(made), 1, "executions for three times")
+    for proxy, steps in ((source, extraction["source_properties"]["NumberOfTimeSteps"]), (volume, 0)):
+        information = proxy.GetDataInformation().DataInformation
+        checks.equal(information.GetNumberOfTimeSteps(), steps, f"{proxy.SMProxy.GetXMLName()}, time steps")
+
+
+def check_composite(checks, extraction):
+    """A group gives a group of the same structure, with the simplices of each source."""
+    properties = extraction["properties"]
+    sources = []
+    for shift in (0.0, 0.3):
+        source = temporal_source(extraction["source"], extraction["source_properties"])
+        source.Bounds = [bound + shift for bound in extraction["source_properties"]["Bounds"]]
+        sources.append(source)
+    group = simple.GroupDatasets(Input=sources)
+    group.UpdatePipeline()
+    volume = time_varying_volume(group, properties)
+    slices = slice_at(volume, extraction["slice_times"][0])
+    kind = output_in_place(group).GetClassName()
+    for port, (output, id_array) in enumerate(PORTS):
+        grids = list(leaves(output_in_place(volume, port)))
+        checks.equal(output_in_place(volume, port).GetClassName(), kind, f"group, {output}")
+        checks.equal(len(grids), len(sources), f"group, leaves of {output}")
+        compare(checks, f"first of a group, {output}", grids[0], extraction[output], id_array)
+    checks.equal(output_in_place(slices).GetClassName(), kind, "group, slices")
+    alone = time_varying_volume(sources[1], properties)
+    for grouped, single, port in ((volume, alone, 2), (slices, slice_at(alone, slices.Time), 0)):
+        found = as_set(simplices(list(leaves(output_in_place(grouped, port)))[1]))
+        expected = as_set(simplices(fetch(single, port)))
+        checks.that(len(expected) > 0, "the second of the group has simplices")
+        checks.that(numpy.array_equal(found, expected), "the second of the group is as it is alone")
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    with open(extractions_path("time_varying.json"), encoding="utf-8") as file:
+        extractions = json.load(file)
+    for number, extraction in enumerate(extractions):
+        name = f"{number}: {extraction['source']}"
+        print(name, flush=True)
+        repeat(checks, name, extraction)
+    check_time(checks, extractions[0])
+    check_composite(checks, extractions[0])
+    checks.finish()
+
+
+main()

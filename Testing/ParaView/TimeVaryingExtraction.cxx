@@ -1,0 +1,113 @@
+#include "TimeVaryingExtraction.h"
+
+#include "vtkAnalyticFieldSource.h"
+#include "vtkTaperedCylinderSource.h"
+#include "vtkTimeVaryingIntervalVolume.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+using nlohmann::json;
+
+namespace
+{
+template <typename Class>
+using Setters = std::map<std::string, std::function<void(Class*, const json&)>>;
+
+// Calls the setters of an object's properties.
+template <typename Class>
+void SetProperties(Class* object, const json& values, const Setters<Class>& setters)
+{
+  for (const auto& property : values.items())
+  {
+    const auto setter = setters.find(property.key());
+    if (setter == setters.end())
+    {
+      throw std::runtime_error(property.key() + " is no property to set");
+    }
+    setter->second(object, property.value());
+  }
+}
+
+template <typename Source>
+Setters<Source> TemporalSetters()
+{
+  return { { "NumberOfTimeSteps",
+             [](Source* source, const json& value) { source->SetNumberOfTimeSteps(value); } },
+    { "TimeRange",
+      [](Source* source, const json& value) { source->SetTimeRange(value[0], value[1]); } } };
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeAnalyticField(const json& properties)
+{
+  using Source = vtkAnalyticFieldSource;
+  Setters<Source> setters = TemporalSetters<Source>();
+  setters["Field"] = [](Source* source, const json& value) { source->SetField(value); };
+  setters["WholeExtent"] = [](Source* source, const json& value)
+  { source->SetWholeExtent(value.get<std::array<int, 6>>().data()); };
+  setters["Bounds"] = [](Source* source, const json& value)
+  { source->SetBounds(value.get<std::array<double, 6>>().data()); };
+  const auto field = vtkSmartPointer<Source>::New();
+  SetProperties<Source>(field, properties, setters);
+  return field;
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeCylinder(const json& properties)
+{
+  using Source = vtkTaperedCylinderSource;
+  Setters<Source> setters = TemporalSetters<Source>();
+  setters["Dimensions"] = [](Source* source, const json& value)
+  { source->SetDimensions(value[0], value[1], value[2]); };
+  const auto cylinder = vtkSmartPointer<Source>::New();
+  SetProperties<Source>(cylinder, properties, setters);
+  return cylinder;
+}
+
+Setters<vtkTimeVaryingIntervalVolume> VolumeSetters()
+{
+  using Volume = vtkTimeVaryingIntervalVolume;
+  return {
+    { "Intervals",
+      [](Volume* volume, const json& bounds)
+      {
+        const int number = static_cast<int>(bounds.size() / 2);
+        volume->SetNumberOfIntervals(number);
+        for (int i = 0; i < number; ++i)
+        {
+          volume->SetInterval(i, bounds[2 * i], bounds[2 * i + 1]);
+        }
+      } },
+    { "TimeStepRange",
+      [](Volume* volume, const json& range) { volume->SetTimeStepRange(range[0], range[1]); } },
+    { "ProjectionDirection",
+      [](Volume* volume, const json& direction)
+      { volume->SetProjectionDirection(direction.get<std::array<double, 4>>().data()); } },
+    { "OutputPointsPrecision",
+      [](Volume* volume, const json& value) { volume->SetOutputPointsPrecision(value); } },
+    { "GenerateSimplices",
+      [](Volume* volume, const json& value) { volume->SetGenerateSimplices(value == 1); } },
+    { "Boundaries",
+      [](Volume* volume, const json& kinds)
+      {
+        for (const json& kind : kinds)
+        {
+          volume->GenerateBoundaryOn(kind);
+        }
+      } },
+  };
+}
+}
+
+vtkSmartPointer<vtkTimeVaryingIntervalVolume> MakeTimeVaryingVolume(const json& extraction)
+{
+  const auto source = extraction["source"] == "AnalyticField"
+    ? MakeAnalyticField(extraction["source_properties"])
+    : MakeCylinder(extraction["source_properties"]);
+  auto volume = vtkSmartPointer<vtkTimeVaryingIntervalVolume>::New();
+  volume->SetInputConnection(source->GetOutputPort());
+  SetProperties<vtkTimeVaryingIntervalVolume>(volume, extraction["properties"], VolumeSetters());
+  return volume;
+}

@@ -1,0 +1,19 @@
+#ifndef TimeVaryingExtraction_h
+#define TimeVaryingExtraction_h
+
+#include "vtkSmartPointer.h"
+
+#include <nlohmann/json.hpp>
+
+class vtkTimeVaryingIntervalVolume;
+
+/**
+ * The filter over a temporal source, as JSON says: `source` is `AnalyticField` or
+ * `TaperedCylinderWake`, `source_properties` and `properties` have the names and values that the
+ * properties of the source and of the filter have in the plugin's XML. Not yet updated.
+ * @throw std::runtime_error for a property that is not one of those the tests set.
+ */
+vtkSmartPointer<vtkTimeVaryingIntervalVolume> MakeTimeVaryingVolume(
+  const nlohmann::json& extraction);
+
+#endif

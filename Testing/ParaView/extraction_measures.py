@@ -1,0 +1,48 @@
+"""The measures of an extraction that ExtractionMeasures.cxx takes, compared."""
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+import numpy
+
+from plugin_testing import simplices, sizes
+
+TOLERANCE = 1e-12  # of a sum without signs, whose order differs
+
+
+def array_ranges(attributes):
+    arrays = [attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())]
+    return {array.GetName(): list(array.GetRange()) for array in arrays}
+
+
+def integrals(grid, array):
+    """Of a point array over each tetrahedron."""
+    corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
+    values = vtk_to_numpy(grid.GetPointData().GetArray(array))
+    return sizes(simplices(grid)) * values[corners].mean(axis=1)
+
+
+def check_sum(checks, terms, expected, what):
+    error, bound = abs(terms.sum() - expected), TOLERANCE * numpy.abs(terms).sum()
+    checks.that(error <= bound, f"{what}: {terms.sum()!r}, expected {expected!r} within {bound!r}")
+
+
+def compare(checks, name, grid, expected, id_array):
+    """Checks a grid against measures; `id_array` is the cell array that they are given by."""
+    checks.equal(grid.GetNumberOfCells(), expected["cells"], f"{name}, cells")
+    checks.equal(grid.GetNumberOfPoints(), expected["points"], f"{name}, points")
+    checks.equal(list(grid.GetBounds()), expected["bounds"], f"{name}, bounds")
+    for kind, attributes in (("point", grid.GetPointData()), ("cell", grid.GetCellData())):
+        checks.equal(array_ranges(attributes), expected["ranges"][kind], f"{name}, {kind} arrays")
+    ids = vtk_to_numpy(grid.GetCellData().GetArray(id_array))
+    checks.equal(
+        numpy.unique(ids).tolist(), [part["id"] for part in expected["by_id"]], f"{name}, {id_array}")
+    found = []
+    for part in expected["by_id"]:
+        what = f"{name}, {id_array} {part['id']}"
+        chosen = ids == part["id"]
+        checks.equal(chosen.sum(), part["cells"], f"{what}, cells")
+        if chosen.any():
+            found.append(sizes(simplices(grid, chosen)))
+            check_sum(checks, found[-1], part["size"], f"{what}, size")
+    check_sum(checks, numpy.concatenate(found or [numpy.zeros(0)]), expected["size"], f"{name}, size")
+    if "DeltaT" in expected["ranges"]["point"]:
+        check_sum(checks, integrals(grid, "DeltaT"), expected["hypervolume"], f"{name}, hypervolume")
