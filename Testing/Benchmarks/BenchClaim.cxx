@@ -48,3 +48,17 @@ std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
     return concerned ? row.GetRatio() : std::nullopt;
   };
 }
+
+//------------------------------------------------------------------------------
+std::function<std::optional<double>(const BenchRow&)> CountOf(
+  const std::string& method, const std::string& count)
+{
+  return [method, count](const BenchRow& row) -> std::optional<double>
+  {
+    if (row.Method != method || !row.Counts.contains(count))
+    {
+      return std::nullopt;
+    }
+    return row.Counts[count].get<double>();
+  };
+}

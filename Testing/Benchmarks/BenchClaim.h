@@ -41,4 +41,10 @@ struct BenchClaim
 std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
   const std::string& method, const std::string& peer);
 
+/**
+ * Likewise: a count of the rows of that method that have it.
+ */
+std::function<std::optional<double>(const BenchRow&)> CountOf(
+  const std::string& method, const std::string& count);
+
 #endif

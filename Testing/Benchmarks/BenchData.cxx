@@ -38,19 +38,6 @@ const RealSet RealSets[] = {
 };
 
 /// The dataset \a from without any array but the point array \a name.
-vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& name)
-{
-  vtkDataArray* array = from->GetPointData()->GetArray(name.c_str());
-  if (!array)
-  {
-    throw std::runtime_error("no point array " + name);
-  }
-  auto data = vtk::TakeSmartPointer(from->NewInstance());
-  data->CopyStructure(from);
-  data->GetPointData()->SetScalars(array);
-  return data;
-}
-
 BenchData ReadRealSet(const RealSet& set)
 {
   BenchData data;
@@ -90,6 +77,20 @@ const CellShape& ShapeOf(int cellType)
   }
   throw std::runtime_error("no shape for cell type " + std::to_string(cellType));
 }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& name)
+{
+  vtkDataArray* array = from->GetPointData()->GetArray(name.c_str());
+  if (!array)
+  {
+    throw std::runtime_error("no point array " + name);
+  }
+  auto data = vtk::TakeSmartPointer(from->NewInstance());
+  data->CopyStructure(from);
+  data->GetPointData()->SetScalars(array);
+  return data;
 }
 
 //------------------------------------------------------------------------------

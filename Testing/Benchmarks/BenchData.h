@@ -24,6 +24,12 @@ struct BenchData
 };
 
 /**
+ * The structure of \a from with nothing on it but that point array, as the scalars. Throws
+ * std::runtime_error where there is no such array.
+ */
+vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& name);
+
+/**
  * The scalars of vtkRTAnalyticSource on points^3 points, 140 <= f <= 180: `wavelet-<points>`.
  */
 BenchData MakeWavelet(int points);

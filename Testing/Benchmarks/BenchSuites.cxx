@@ -7,5 +7,6 @@ std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites()
   suites.push_back(MakeIntervalSuite());
   suites.push_back(MakeContourSuite());
   suites.push_back(MakeTetrahedraSuite());
+  suites.push_back(MakeInterval4dSuite());
   return suites;
 }

@@ -10,6 +10,7 @@ std::unique_ptr<BenchSuite> MakeTablesSuite();
 std::unique_ptr<BenchSuite> MakeIntervalSuite();
 std::unique_ptr<BenchSuite> MakeContourSuite();
 std::unique_ptr<BenchSuite> MakeTetrahedraSuite();
+std::unique_ptr<BenchSuite> MakeInterval4dSuite();
 
 /**
  * Every suite, in the order of the report.

@@ -5,6 +5,7 @@
 #include "BenchTiming.h"
 #include "CellSplits.h"
 #include "ExtractionMethods.h"
+#include "SurfaceDistances.h"
 #include "TetrahedronSums.h"
 #include "TrilinearRegion.h"
 
@@ -15,7 +16,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,14 +89,13 @@ Result Extract(const Method& method, double lower, double upper)
   return result;
 }
 
-/// Root mean square over the area of the boundary inside the box, by a rule of degree 2.
+/// Root mean square over the area of the boundary inside the box.
 double SurfaceDistance(
   vtkPointSet* boundary, const TrilinearRegion& region, double lower, double upper)
 {
   vtkDataArray* scalars = boundary->GetPointData()->GetScalars("value");
   vtkNew<vtkIdList> ids;
-  double sum = 0.0;
-  double total = 0.0;
+  SurfaceDistances sums;
   for (vtkIdType cell = 0; cell < boundary->GetNumberOfCells(); ++cell)
   {
     boundary->GetCellPoints(cell, ids);
@@ -112,20 +111,9 @@ double SurfaceDistance(
       continue;
     }
     const double bound = std::abs(value - lower) < std::abs(value - upper) ? lower : upper;
-    const double area = vtkTriangle::TriangleArea(x[0], x[1], x[2]);
-    for (int i = 0; i < 3; ++i)
-    {
-      double point[3];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        point[axis] = (x[0][axis] + x[1][axis] + x[2][axis] + 3.0 * x[i][axis]) / 6.0;
-      }
-      const double distance = region.GetDistance(point, bound);
-      sum += area / 3.0 * distance * distance;
-    }
-    total += area;
+    sums.AddTriangle(x, [&](const double point[3]) { return region.GetDistance(point, bound); });
   }
-  return total > 0.0 ? std::sqrt(sum / total) : 0.0;
+  return sums.GetRootMeanSquare();
 }
 
 std::vector<double> TimeMethods(

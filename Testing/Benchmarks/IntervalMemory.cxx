@@ -3,46 +3,18 @@
 #include "BenchData.h"
 #include "BenchTiming.h"
 #include "ExtractionMethods.h"
+#include "ResidentMemory.h"
 
 #include "vtkIntervalVolume.h"
 
 #include "vtkCellType.h"
 
-#include <fstream>
 #include <optional>
-#include <sstream>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace interval
 {
 namespace
 {
-/// A line `name: N kB` of /proc/self/status.
-std::optional<long> StatusKib(const std::string& name)
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-  {
-    if (line.compare(0, name.size() + 1, name + ":") == 0)
-    {
-      return std::stol(line.substr(name.size() + 1));
-    }
-  }
-  return std::nullopt;
-}
-
-/// Gives freed memory back and starts the high-water mark of the resident memory anew.
-void ForgetPeak()
-{
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-  std::ofstream("/proc/self/clear_refs") << "5";
-}
-
 /// Loads the code and fills the tables for hexahedra in image data and in unstructured grids.
 void UseOnce()
 {
@@ -62,14 +34,14 @@ nlohmann::ordered_json MeasureMemory(
   {
     data.Data = ToHexahedra(data.Data);
   }
-  ForgetPeak();
-  const std::optional<long> fresh = StatusKib("VmRSS");
+  ForgetPeakMemory();
+  const std::optional<long> fresh = ResidentKib();
   UseOnce();
-  ForgetPeak();
-  const std::optional<long> before = StatusKib("VmRSS");
+  ForgetPeakMemory();
+  const std::optional<long> before = ResidentKib();
   auto filter = methods::NewIntervalVolume(data.Data, data.Lower, data.Upper);
   filter->Update();
-  const std::optional<long> peak = StatusKib("VmHWM");
+  const std::optional<long> peak = PeakResidentKib();
 
   nlohmann::ordered_json json;
   const auto inputKib = data.Data->GetActualMemorySize();

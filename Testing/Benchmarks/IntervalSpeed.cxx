@@ -3,6 +3,7 @@
 #include "BenchData.h"
 #include "BenchTiming.h"
 #include "ExtractionMethods.h"
+#include "SecondThread.h"
 
 #include "vtkIntervalVolume.h"
 
@@ -122,14 +123,9 @@ void AddThreadRows(const BenchOptions& options, BenchRows& rows)
   {
     const BenchWork work = [&data]()
     { return methods::IntervalVolume(data.Data, data.Lower, data.Upper); };
-    // Cheap, and the more runs, the less another process on the machine matters.
-    const std::vector<double> seconds =
-      MeasureAlternately({ WithThreads(1, work), WithThreads(2, work) }, 3 * options.GetRepeats());
     BenchRow row = rows.Make(data.Case, "threads-2");
-    row.Seconds = seconds[1];
-    row.Peer = "threads-1";
-    row.PeerSeconds = seconds[0];
     row.Counts["cells"] = data.Data->GetNumberOfCells();
+    MeasureSecondThread(work, options, row);
     rows.Add(row);
   }
 }

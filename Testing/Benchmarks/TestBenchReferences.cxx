@@ -1,16 +1,26 @@
 // What the error rows are measured with: the exact trilinear region, the splits into tetrahedra,
-// the picture of a field.
+// the picture of a field, regions that move, time steps in memory.
 #include "AnalyticCases.h"
 #include "CellSplits.h"
+#include "ExtractionMethods.h"
 #include "FieldPicture.h"
+#include "KeptTimeSteps.h"
+#include "MovingFields.h"
+#include "PowerFit.h"
 #include "ReferenceVolumePicture.h"
+#include "RegionError.h"
 #include "TetrahedraScene.h"
 #include "TetrahedronSums.h"
 #include "TrilinearRegion.h"
 
+#include "vtkIntervalVolume.h"
+
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -111,10 +121,79 @@ void TestFieldPicture()
   ExpectNear(errors[1], 0.0, 4e-3, "error of the picture of a mesh");
   ExpectNear(errors[0] / errors[1], 4.0, 1.0, "error of a mesh half as fine");
 }
+
+double GetHandedOutTime(KeptTimeSteps* steps, double wanted)
+{
+  steps->UpdateTimeStep(wanted);
+  return steps->GetOutputDataObject(0)->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
+}
+
+void TestKeptSteps()
+{
+  vtkNew<vtkAnalyticFieldSource> source;
+  source->SetFieldToLinear();
+  source->SetDimensions(3, 4, 5);
+  source->SetNumberOfTimeSteps(3);
+  source->SetTimeRange(1.0, 2.0);
+  vtkNew<KeptTimeSteps> steps;
+  steps->AddStepsOf(source);
+  ExpectNear(steps->GetNumberOfSteps(), 3, 0.0, "number of steps in memory");
+  for (int step = 0; step < 3; ++step)
+  {
+    ExpectNear(steps->GetTimeOf(step), 1.0 + 0.5 * step, 1e-15, "time of a step");
+    ExpectNear(GetHandedOutTime(steps, 1.0 + 0.5 * step), 1.0 + 0.5 * step, 1e-15, "the step");
+    // f = x + t, and x = -1 at the first point.
+    auto* image = vtkImageData::SafeDownCast(steps->GetOutputDataObject(0));
+    ExpectNear(image->GetScalarComponentAsDouble(0, 0, 0, 0), 0.5 * step, 1e-6, "its values");
+    ExpectNear(static_cast<double>(image->GetNumberOfPoints()), 60, 0.0, "its points");
+  }
+  ExpectNear(GetHandedOutTime(steps, 1.7), 1.5, 1e-15, "the step before a time");
+  ExpectNear(GetHandedOutTime(steps, 0.0), 1.0, 1e-15, "the step of a time before all");
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeRegion(const interval4d::MovingField& field, double time)
+{
+  field.Source->UpdateTimeStep(time);
+  auto filter = methods::NewIntervalVolume(field.Source->GetOutput(), field.Lower, field.Upper);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+void TestMovingFields()
+{
+  BenchOptions options;
+  for (const interval4d::MovingField& field : interval4d::MakeMovingFields(options))
+  {
+    for (const double time : { 0.0, 0.7, 2.0 })
+    {
+      const auto error = interval4d::MeasureRegion(field, time, MakeRegion(field, time));
+      ExpectNear(error.Volume, 0.0, 3e-3, field.Name + ", volume");
+      ExpectNear(error.SymmetricDifference, 0.0, 2e-2, field.Name + ", symmetric difference");
+    }
+    // The linear field's planes go 0.05 along z in a unit of time, through a box of 2 x 2.
+    if (field.Name == "linear")
+    {
+      const auto error = interval4d::MeasureRegion(field, 1.4, MakeRegion(field, 1.0));
+      ExpectNear(error.Volume, 0.0, 1e-12, "a shifted slab, volume");
+      ExpectNear(error.SymmetricDifference, 2.0 * 4.0 * 0.05 * 0.4 / 0.8, 1e-9,
+        "a shifted slab, symmetric difference");
+    }
+  }
+}
+
+void TestPowerFit()
+{
+  ExpectNear(FitExponent({ 1.0, 2.0, 4.0 }, { 3.0, 3.0 * std::pow(2.0, 2.5), 3.0 * 32.0 }), 2.5,
+    1e-12, "exponent of a power");
+}
 }
 
 int main()
 {
+  TestKeptSteps();
+  TestMovingFields();
+  TestPowerFit();
   TestFieldPicture();
   TestPlane();
   TestProduct();

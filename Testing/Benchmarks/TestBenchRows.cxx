@@ -86,6 +86,10 @@ void CheckMethods(const nlohmann::json& rows)
         "projectedtetrahedra", "raycast", "zsweep", "opengl, average colour projectedtetrahedra",
         "software, average colour projectedtetrahedra", "opengl, level of detail",
         "software, level of detail" } },
+    { "interval4d",
+      { "warm", "threads-2 threads-1", "cold warm", "later-slabs", "memory", "throughput",
+        "hexahedra", "tetrahedra-5", "slice interpolate", "interpolate", "sampled", "slice",
+        "slice-again interpolate" } },
   };
   std::map<std::string, std::set<std::string>> seen;
   for (const auto& row : rows)

@@ -1,6 +1,7 @@
 #include "TetrahedraSpeed.h"
 
 #include "BenchTiming.h"
+#include "PowerFit.h"
 #include "SpeedPlots.h"
 #include "TetrahedraMethods.h"
 #include "TetrahedraScene.h"
@@ -9,7 +10,6 @@
 #include "vtkProjectedTetrahedraMapper.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -106,23 +106,6 @@ void AddRows(const SpeedCase& what, const BenchOptions& options, BenchRows& rows
     row.Counts["device"] = device;
     rows.Add(row);
   }
-}
-
-/// The slope of a straight line through the logarithms of positive numbers, by least squares.
-double FitExponent(const std::vector<double>& x, const std::vector<double>& y)
-{
-  const auto n = static_cast<double>(x.size());
-  double sums[4] = { 0.0, 0.0, 0.0, 0.0 };
-  for (std::size_t i = 0; i < x.size(); ++i)
-  {
-    const double a = std::log(x[i]);
-    const double b = std::log(y[i]);
-    sums[0] += a;
-    sums[1] += b;
-    sums[2] += a * a;
-    sums[3] += a * b;
-  }
-  return (n * sums[3] - sums[0] * sums[1]) / (n * sums[2] - sums[0] * sums[0]);
 }
 
 bool IsSpeedRow(const BenchRow& row)

@@ -1,5 +1,7 @@
 #include "TrilinearRegion.h"
 
+#include "LevelDistance.h"
+
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
@@ -184,24 +186,9 @@ double TrilinearRegion::Evaluate(const double point[3], double gradient[3]) cons
 //------------------------------------------------------------------------------
 double TrilinearRegion::GetDistance(const double point[3], double value) const
 {
-  const int maximumSteps = 10;
-  double at[3] = { point[0], point[1], point[2] };
-  for (int step = 0; step < maximumSteps; ++step)
-  {
-    double gradient[3];
-    const double excess = this->Evaluate(at, gradient) - value;
-    const double square =
-      gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2];
-    if (square == 0.0 || excess * excess < 1e-28 * square * this->Spacing[0] * this->Spacing[0])
-    {
-      break;
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      at[axis] -= excess * gradient[axis] / square;
-    }
-  }
-  return std::hypot(at[0] - point[0], at[1] - point[1], at[2] - point[2]);
+  return DistanceToLevel([this](const double at[3], double gradient[3])
+    { return this->Evaluate(at, gradient); },
+    point, value, this->Spacing[0]);
 }
 
 //------------------------------------------------------------------------------

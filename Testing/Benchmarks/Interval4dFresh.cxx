@@ -1,0 +1,199 @@
+#include "Interval4dFresh.h"
+
+#include "BenchTiming.h"
+#include "Interval4dCases.h"
+#include "ResidentMemory.h"
+
+#include "vtkIsotableCache.h"
+#include "vtkTimeVaryingIntervalVolume.h"
+
+#include <limits>
+
+namespace interval4d
+{
+namespace
+{
+const char* const FreshTask = "fresh";
+const char* const LaterSlabsTask = "later-slabs";
+
+/// What all tables of the process hold.
+struct TableCounts
+{
+  std::uint64_t Kinds = 0;
+  std::uint64_t Bytes = 0;
+
+  static TableCounts Get()
+  {
+    TableCounts counts;
+    for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+    {
+      const auto& cache = vtkIsotableCache::Get(static_cast<vtkIsotable::Shapes>(shape));
+      counts.Kinds += cache.GetNumberOfKinds();
+      counts.Bytes += cache.GetBytes();
+    }
+    return counts;
+  }
+};
+
+/// The counts of the last execution of \a filter, before which the tables held \a before.
+nlohmann::ordered_json CountLookups(vtkTimeVaryingIntervalVolume* filter, const TableCounts& before)
+{
+  const vtkSpaceTimeReport& report = filter->GetReport();
+  const TableCounts after = TableCounts::Get();
+  const auto lookups = static_cast<double>(report.TableLookups);
+  nlohmann::ordered_json json;
+  json["simplices"] = report.Simplices;
+  json["lookups"] = report.TableLookups;
+  json["cases_made"] = report.TableCasesMade;
+  json["kinds_made"] = after.Kinds - before.Kinds;
+  json["hit_share"] = 1.0 - static_cast<double>(report.TableCasesMade) / lookups;
+  json["kind_hit_share"] = 1.0 - static_cast<double>(after.Kinds - before.Kinds) / lookups;
+  json["table_kib"] = after.Bytes / 1024;
+  return json;
+}
+
+nlohmann::ordered_json CountMemory(const Case& what)
+{
+  ForgetPeakMemory();
+  const std::optional<long> before = ResidentKib();
+  auto filter = what.NewFilter();
+  filter->Update();
+  const std::optional<long> peak = PeakResidentKib();
+
+  const auto steps = static_cast<long>(
+    what.Steps->GetStep(0)->GetActualMemorySize() + what.Steps->GetStep(1)->GetActualMemorySize());
+  const auto output = static_cast<long>(filter->GetOutputDataObject(0)->GetActualMemorySize());
+  nlohmann::ordered_json json;
+  json["steps"] = what.Steps->GetNumberOfSteps();
+  json["simplices"] = filter->GetReport().Simplices;
+  json["steps_kib"] = steps;
+  json["output_kib"] = output;
+  json["working_kib"] = filter->GetReport().WorkingBytes / 1024;
+  if (before && peak)
+  {
+    const long growth = *peak - *before;
+    json["peak_kib"] = steps + growth;
+    json["peak_share"] = static_cast<double>(steps + growth) / static_cast<double>(steps + output);
+  }
+  return json;
+}
+
+/// Everything that is measured in a process that has made no case of a table before.
+nlohmann::ordered_json MeasureFresh(const std::string& theCase, const BenchOptions& options)
+{
+  const Case what = MakeCase(theCase, options);
+  vtkSmartPointer<vtkTimeVaryingIntervalVolume> filter;
+  const BenchWork work = WithThreads(1,
+    [&]()
+    {
+      filter = what.NewFilter();
+      filter->Update();
+      return filter;
+    });
+  nlohmann::ordered_json json;
+  json["cold"] = TimeOnce(work);
+  json["table"] = CountLookups(filter, TableCounts());
+  json["warm"] = MeasureAlternately({ work }, options.GetRepeats()).front();
+  filter = nullptr;
+  json["memory"] = CountMemory(what);
+  return json;
+}
+
+/// The table's counts of all slabs but the first, after the first.
+nlohmann::ordered_json MeasureLaterSlabs(const std::string& theCase, const BenchOptions& options)
+{
+  const Case what = MakeCase(theCase, options);
+  auto filter = what.NewFilter();
+  filter->SetTimeStepRange(0, 1);
+  filter->Update();
+  const TableCounts before = TableCounts::Get();
+  filter->SetTimeStepRange(1, std::numeric_limits<int>::max());
+  filter->Update();
+  return CountLookups(filter, before);
+}
+}
+
+//------------------------------------------------------------------------------
+void AddFreshRows(const BenchOptions& options, const TaskRunner& runTask, BenchRows& rows)
+{
+  std::vector<BenchRow> laterSlabs;
+  std::vector<BenchRow> memory;
+  for (const std::string& name : GetCaseNames(options))
+  {
+    const nlohmann::ordered_json found = runTask(FreshTask + (" " + name));
+    BenchRow row = rows.Make(name, "cold");
+    row.Seconds = found.at("cold").get<double>();
+    row.Peer = "warm";
+    row.PeerSeconds = found.at("warm").get<double>();
+    row.Counts = found.at("table");
+    rows.Add(row);
+    memory.push_back(rows.Make(name, "memory"));
+    memory.back().Counts = found.at("memory");
+    if (memory.back().Counts["steps"] > 2)
+    {
+      laterSlabs.push_back(rows.Make(name, "later-slabs"));
+      laterSlabs.back().Counts = runTask(LaterSlabsTask + (" " + name));
+    }
+  }
+  for (const std::vector<BenchRow>& more : { laterSlabs, memory })
+  {
+    for (const BenchRow& row : more)
+    {
+      rows.Add(row);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<nlohmann::ordered_json> RunFreshTask(
+  const std::string& task, const BenchOptions& options)
+{
+  const std::size_t space = task.find(' ');
+  const std::string name = task.substr(0, space);
+  const std::string theCase = space == std::string::npos ? "" : task.substr(space + 1);
+  if (name == FreshTask)
+  {
+    return MeasureFresh(theCase, options);
+  }
+  if (name == LaterSlabsTask)
+  {
+    return MeasureLaterSlabs(theCase, options);
+  }
+  return std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchClaim> CheckFreshClaims(const std::vector<BenchRow>& rows)
+{
+  const auto cold = [](const BenchRow& row)
+  { return row.Method == "cold" && row.Case == ClaimedCase ? row.Seconds : std::nullopt; };
+  return { BenchClaim::AtMost("cold table, 1 thread: at most 1 s", 1.0, rows, cold),
+    BenchClaim::AtLeast("at least 99 % of the lookups after the first slab find their case", 0.99,
+      rows, CountOf("later-slabs", "hit_share")),
+    BenchClaim::AtLeast("at least 99 % of them find their kind", 0.99, rows,
+      CountOf("later-slabs", "kind_hit_share")),
+    BenchClaim::AtMost("peak memory at most 1.5 times two time steps and the output", 1.5, rows,
+      CountOf("memory", "peak_share")) };
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchPlot> MakeFreshPlots(const std::vector<BenchRow>& rows)
+{
+  BenchPlot plot;
+  plot.Kind = BenchPlot::BARS;
+  plot.Name = "interval4d-time";
+  plot.Title = "cold and warm table, 1 thread";
+  plot.YLabel = "run time (s)";
+  for (const BenchRow& row : rows)
+  {
+    if (row.Method == "cold")
+    {
+      const auto bar = static_cast<double>(plot.BarLabels.size());
+      plot.BarLabels.push_back(row.Case);
+      plot.AddPoint("cold", false, bar, *row.Seconds);
+      plot.AddPoint("warm", true, bar, *row.PeerSeconds);
+    }
+  }
+  return plot.BarLabels.empty() ? std::vector<BenchPlot>() : std::vector<BenchPlot>{ plot };
+}
+}

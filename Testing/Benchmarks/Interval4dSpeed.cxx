@@ -1,0 +1,80 @@
+#include "Interval4dSpeed.h"
+
+#include "BenchTiming.h"
+#include "Interval4dCases.h"
+#include "SecondThread.h"
+
+#include "vtkTimeVaryingIntervalVolume.h"
+
+#include "vtkUnstructuredGrid.h"
+
+namespace interval4d
+{
+namespace
+{
+BenchWork Extraction(const Case& what)
+{
+  return [&what]()
+  {
+    auto filter = what.NewFilter();
+    filter->Update();
+    return vtkSmartPointer<vtkObjectBase>(filter->GetOutput());
+  };
+}
+
+void AddWarmRows(const Case& what, const BenchOptions& options, BenchRows& rows)
+{
+  const BenchWork work = Extraction(what);
+  auto filter = what.NewFilter();
+  filter->Update();
+  const vtkSpaceTimeReport& report = filter->GetReport();
+  for (int threads : options.GetThreadCounts())
+  {
+    BenchRow row = rows.Make(what.Name, "warm");
+    row.Parameter = ThreadsParameter(threads);
+    row.Seconds = MeasureAlternately({ WithThreads(threads, work) }, options.GetRepeats()).front();
+    row.Counts["threads"] = threads;
+    row.Counts["steps"] = report.TimeSteps;
+    row.Counts["cells"] = what.GetNumberOfCells();
+    row.Counts["lower"] = what.Lower;
+    row.Counts["upper"] = what.Upper;
+    row.Counts["simplices"] = report.Simplices;
+    row.Counts["tetrahedra"] = filter->GetOutput()->GetNumberOfCells();
+    if (what.Stated)
+    {
+      row.Counts["stated_simplices"] = what.Stated->Simplices;
+      row.Counts["stated_tetrahedra"] = what.Stated->Tetrahedra;
+    }
+    rows.Add(row);
+  }
+  BenchRow row = rows.Make(what.Name, "threads-2");
+  row.Counts["simplices"] = report.Simplices;
+  MeasureSecondThread(work, options, row);
+  rows.Add(row);
+}
+}
+
+//------------------------------------------------------------------------------
+void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
+{
+  for (const std::string& name : GetCaseNames(options))
+  {
+    AddWarmRows(MakeCase(name, options), options, rows);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
+{
+  const auto secondThread = [](const BenchRow& row)
+  { return row.Method == "threads-2" ? row.GetRatio() : std::nullopt; };
+  const auto warm = [](const BenchRow& row)
+  {
+    const bool concerned =
+      row.Method == "warm" && row.Case == ClaimedCase && row.Parameter == ThreadsParameter(1);
+    return concerned ? row.Seconds : std::nullopt;
+  };
+  return { BenchClaim::AtMost("warm table, 1 thread: at most 0.25 s", 0.25, rows, warm),
+    BenchClaim::AtLeast("a second thread gives at least 1.7", 1.7, rows, secondThread) };
+}
+}

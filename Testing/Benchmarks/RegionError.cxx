@@ -1,0 +1,58 @@
+#include "RegionError.h"
+
+#include "SurfaceDistances.h"
+#include "TetrahedronSums.h"
+
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+
+namespace interval4d
+{
+namespace
+{
+/// Whether the point is a crossing of that bound, whose value is the bound but for rounding.
+bool IsAt(double value, double bound)
+{
+  return std::abs(value - bound) < 1e-9;
+}
+}
+
+//------------------------------------------------------------------------------
+RegionError MeasureRegion(const MovingField& field, double time, vtkUnstructuredGrid* tetrahedra)
+{
+  vtkDataArray* values = tetrahedra->GetPointData()->GetArray(field.Source->GetArrayName());
+  vtkNew<vtkIdList> ids;
+  SurfaceDistances surface;
+  for (vtkIdType cell = 0; cell < tetrahedra->GetNumberOfCells(); ++cell)
+  {
+    tetrahedra->GetCellPoints(cell, ids);
+    for (const double bound : { field.Lower, field.Upper })
+    {
+      double x[4][3];
+      int number = 0;
+      for (const vtkIdType id : *ids)
+      {
+        if (IsAt(values->GetTuple1(id), bound))
+        {
+          tetrahedra->GetPoint(id, x[number++]);
+        }
+      }
+      if (number == 3)
+      {
+        surface.AddTriangle(
+          x, [&](const double point[3]) { return field.GetDistance(point, bound, time); });
+      }
+    }
+  }
+  const double exact = field.Volume(time);
+  RegionError error;
+  error.SymmetricDifference = surface.Integral / exact;
+  error.Volume = std::abs(SumTetrahedra(tetrahedra).Volume - exact) / exact;
+  return error;
+}
+}

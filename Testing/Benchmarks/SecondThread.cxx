@@ -1,0 +1,14 @@
+#include "SecondThread.h"
+
+#include <vector>
+
+//------------------------------------------------------------------------------
+void MeasureSecondThread(const BenchWork& work, const BenchOptions& options, BenchRow& row)
+{
+  // Cheap, and the more runs, the less another process on the machine matters.
+  const std::vector<double> seconds =
+    MeasureAlternately({ WithThreads(1, work), WithThreads(2, work) }, 3 * options.GetRepeats());
+  row.Seconds = seconds[1];
+  row.Peer = "threads-1";
+  row.PeerSeconds = seconds[0];
+}
