@@ -30,7 +30,8 @@ using Item = vtkExtractionValues::Item;
 using Slot = vtkIsotableCache::Slot;
 using Simplex = vtkIsotableCache::Simplex;
 
-constexpr vtkIdType ChunkSize = 4096;
+// Small, since cells that matter lie in clusters, and threads are to share them.
+constexpr vtkIdType ChunkSize = 512;
 constexpr int MaximumNumberOfVertices = vtkIsotableCache::MaximumNumberOfVertices;
 constexpr int MaximumNumberOfSlots = vtkIsotableCache::MaximumNumberOfSlots;
 
@@ -130,7 +131,7 @@ public:
         [this](vtkIdType first, vtkIdType last) {
           this->Marks.Fill(this->Steps[0]->GetCodes(), this->Steps[1]->GetCodes(), first, last);
         }) &&
-      this->Context.Run(chunks, 0.2, 0.5,
+      this->Context.Run(chunks, 0.2, 0.6,
         [this](vtkIdType first, vtkIdType last)
         {
           for (vtkIdType chunk = first; chunk < last; ++chunk)
@@ -150,7 +151,7 @@ public:
     this->NoteReport(points.GetBytes());
     this->Marks.Free();
     this->Allocate();
-    if (!this->Context.Run(chunks, 0.6, 0.8,
+    if (!this->Context.Run(chunks, 0.6, 1.0,
           [this](vtkIdType first, vtkIdType last)
           {
             for (vtkIdType chunk = first; chunk < last; ++chunk)

@@ -244,12 +244,14 @@ void vtkSpaceTimeMesh::AppendPoints(
     this->Points = places;
     this->Times = times;
     this->Arrays->ShallowCopy(arrays);
+    this->FindCoordinates();
     return;
   }
   const vtkIdType before = this->Points->GetNumberOfPoints();
   const vtkIdType number = places->GetNumberOfPoints();
   this->Points->GetData()->InsertTuples(before, number, 0, places->GetData());
   this->Points->Modified();
+  this->FindCoordinates();
   this->Times->InsertTuples(before, number, 0, times);
   this->AppendArrays(arrays);
 }
@@ -323,37 +325,12 @@ void vtkSpaceTimeMesh::RemoveOppositeBoundaryCells()
   this->Boundary.resize(kept);
 }
 
-vtkSimplexProjection::Point vtkSpaceTimeMesh::GetProjected(vtkIdType id) const
+void vtkSpaceTimeMesh::FindCoordinates()
 {
-  vtkSimplexProjection::Point x;
-  this->Points->GetPoint(id, x.data());
-  x[3] = this->Times->GetValue(id);
-  if (!this->Options.IsAlongTime())
-  {
-    this->Options.Project(x.data());
-  }
-  return x;
-}
-
-bool vtkSpaceTimeMesh::Project(const vtkExtractionContext& context)
-{
-  Slab& slab = this->Slabs.back();
-  slab.Projections.Allocate(slab.Simplices.GetSize());
-  const bool completed = context.Run(static_cast<vtkIdType>(slab.Simplices.GetSize()), 0.8, 0.95,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType s = first; s < last; ++s)
-      {
-        std::array<vtkSimplexProjection::Point, vtkSimplexProjection::NumberOfPoints> points;
-        for (int p = 0; p < vtkSimplexProjection::NumberOfPoints; ++p)
-        {
-          points[p] = this->GetProjected(slab.Simplices[s][p]);
-        }
-        slab.Projections[s] = vtkSimplexProjection(points, slab.Flats[s]);
-      }
-    });
-  slab.Flats.Free();
-  return completed;
+  vtkFloatArray* floats = vtkFloatArray::SafeDownCast(this->Points->GetData());
+  vtkDoubleArray* doubles = vtkDoubleArray::SafeDownCast(this->Points->GetData());
+  this->Floats = floats ? floats->GetPointer(0) : nullptr;
+  this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
 }
 
 std::size_t vtkSpaceTimeMesh::GetBytes() const
@@ -362,8 +339,7 @@ std::size_t vtkSpaceTimeMesh::GetBytes() const
     this->Boundary.capacity() * sizeof(BoundaryCell);
   for (const Slab& slab : this->Slabs)
   {
-    bytes += slab.Simplices.GetBytes() + slab.Items.GetBytes() + slab.Flats.GetBytes() +
-      slab.Projections.GetBytes();
+    bytes += slab.Simplices.GetBytes() + slab.Items.GetBytes() + slab.Flats.GetBytes();
   }
   return bytes;
 }

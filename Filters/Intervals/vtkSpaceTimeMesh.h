@@ -3,6 +3,7 @@
 
 #include "vtkCrossingKey.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkExtractionBuffer.h"
 #include "vtkExtractionContext.h"
 #include "vtkNew.h"
@@ -39,10 +40,9 @@ public:
     vtkExtractionBuffer<Simplex> Simplices;
     /// The interval of each; empty where there is only one.
     vtkExtractionBuffer<int> Items;
-    /// For each which of its sides are known to be flat, and its projection; see
-    /// vtkSimplexProjection.
+    /// For each which of its sides are known to be flat, see vtkSimplexProjection; empty where no
+    /// projection is asked for.
     vtkExtractionBuffer<std::uint8_t> Flats;
-    vtkExtractionBuffer<vtkSimplexProjection> Projections;
   };
 
   /// A triangle, with a last id of -1, or a tetrahedron on the boundary.
@@ -83,9 +83,6 @@ public:
   /// Removes pairs of boundary cells of the slab with the same points and opposite orientation.
   void RemoveOppositeBoundaryCells();
 
-  /// Projects the simplices of the slab. Returns false when the user aborted.
-  bool Project(const vtkExtractionContext& context);
-
   /// The slab begun last.
   Slab& GetSlab() { return this->Slabs.back(); }
 
@@ -106,7 +103,33 @@ public:
   std::size_t GetBytes() const;
 
   /// A point as it is projected, the coordinate along the projection last.
-  vtkSimplexProjection::Point GetProjected(vtkIdType id) const;
+  vtkSimplexProjection::Point GetProjected(vtkIdType id) const
+  {
+    vtkSimplexProjection::Point x;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      x[axis] = this->Floats ? static_cast<double>(this->Floats[3 * id + axis])
+                             : this->Doubles[3 * id + axis];
+    }
+    x[3] = this->Times->GetValue(id);
+    if (!this->Options.IsAlongTime())
+    {
+      this->Options.Project(x.data());
+    }
+    return x;
+  }
+
+  /// The corners of a simplex as they are projected.
+  using Corners = std::array<vtkSimplexProjection::Point, vtkSimplexProjection::NumberOfPoints>;
+  Corners GetProjected(const Simplex& simplex) const
+  {
+    Corners corners;
+    for (int p = 0; p < vtkSimplexProjection::NumberOfPoints; ++p)
+    {
+      corners[p] = this->GetProjected(simplex[p]);
+    }
+    return corners;
+  }
 
 private:
   // A point at the end of a slab: what makes it, and its id.
@@ -129,10 +152,14 @@ private:
   void AppendPoints(const vtkSpaceTimeStep& first, const vtkSpaceTimeStep& second,
     const vtkExtractionBuffer<vtkExtractionPoint>& points);
   void AppendArrays(vtkPointData* more);
+  void FindCoordinates();
 
   vtkSpaceTimeOptions Options;
   std::array<bool, vtkSpaceTimeOptions::NumberOfBoundaries> WantedKinds{};
   vtkSmartPointer<vtkPoints> Points;
+  // The coordinates, in the one type or the other.
+  const float* Floats = nullptr;
+  const double* Doubles = nullptr;
   vtkSmartPointer<vtkDoubleArray> Times;
   vtkNew<vtkPointData> Arrays;
   std::vector<std::string> ArraysLeftOut;

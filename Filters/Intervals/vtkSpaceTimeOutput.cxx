@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace
@@ -72,66 +73,92 @@ struct Sums
   }
 };
 
+// Some simplices of a slab.
+struct Block
+{
+  const Slab* TheSlab;
+  vtkIdType First;
+  vtkIdType Last;
+  // What they add up to; then where they begin.
+  Sums Content;
+};
+
+// Writes the mean of an array at a thick point.
+using MeanWriter =
+  std::function<void(const Simplex&, const vtkSimplexProjection&, vtkIdType thickPoint)>;
+
+// Projects every simplex twice, to count and to write: that takes less time than to keep what five
+// weights and a thickness take.
 class TetrahedraFiller
 {
 public:
-  TetrahedraFiller(const vtkSpaceTimeMesh& mesh, vtkUnstructuredGrid* output)
-    : Mesh(mesh)
+  TetrahedraFiller(
+    const vtkExtractionContext& context, const vtkSpaceTimeMesh& mesh, vtkUnstructuredGrid* output)
+    : Context(context)
+    , Mesh(mesh)
     , Output(output)
     , BasePoints(mesh.GetPoints()->GetNumberOfPoints())
   {
   }
 
-  void Fill(vtkSpaceTimeReport& report)
+  bool Fill(vtkSpaceTimeReport& report)
   {
-    this->FindPlaces(report);
-    this->FillPoints();
-    vtkPointData* to = this->Output->GetPointData();
-    vtkPointData* from = this->Mesh.GetArrays();
-    for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+    this->MakeBlocks();
+    const vtkIdType blocks = static_cast<vtkIdType>(this->Blocks.size());
+    const bool counted = this->Context.Run(blocks, 0.0, 0.4,
+      [this](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType b = first; b < last; ++b)
+        {
+          Block& block = this->Blocks[b];
+          for (vtkIdType s = block.First; s < block.Last; ++s)
+          {
+            block.Content.Add(this->Project(*block.TheSlab, s));
+          }
+        }
+      });
+    if (!counted)
     {
-      vtkAbstractArray* array = from->GetAbstractArray(a);
-      vtkExtractionArrays::AddLike(from, array, to, this->MakeArray(array));
+      return false;
     }
-    to->AddArray(this->MakeArray(this->Mesh.GetTimes()));
-    this->FillThickness();
-    this->FillCells();
+    for (Block& block : this->Blocks)
+    {
+      this->Begin(block.Content, report);
+    }
+    this->Allocate();
+    const bool written = this->Context.Run(blocks, 0.4, 1.0,
+      [this](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType b = first; b < last; ++b)
+        {
+          this->WriteBlock(this->Blocks[b]);
+        }
+      });
+    if (written)
+    {
+      this->FillOthers();
+      this->Output->SetCells(VTK_TETRA, this->Cells.MakeCells());
+    }
+    return written;
   }
 
 private:
-  // Counts by blocks, then goes through each block once more from where it begins.
-  void FindPlaces(vtkSpaceTimeReport& report)
+  void MakeBlocks()
   {
-    constexpr vtkIdType blockSize = 8192;
+    constexpr vtkIdType size = 512;
     for (const Slab& slab : this->Mesh.GetSlabs())
     {
       const vtkIdType number = static_cast<vtkIdType>(slab.Simplices.GetSize());
-      std::vector<Sums> blocks((number + blockSize - 1) / blockSize);
-      const auto forBlocks = [&](auto&& visit)
+      for (vtkIdType first = 0; first < number; first += size)
       {
-        vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()),
-          [&](vtkIdType first, vtkIdType last)
-          {
-            for (vtkIdType s = first * blockSize; s < std::min(last * blockSize, number); ++s)
-            {
-              visit(blocks[s / blockSize], s);
-            }
-          });
-      };
-      forBlocks([&](Sums& block, vtkIdType s) { block.Add(slab.Projections[s]); });
-      for (Sums& block : blocks)
-      {
-        this->Begin(block, report);
+        this->Blocks.push_back({ &slab, first, std::min(first + size, number), {} });
       }
-      this->Places.emplace_back();
-      this->Places.back().Allocate(number);
-      forBlocks(
-        [&](Sums& block, vtkIdType s)
-        {
-          this->Places.back()[s] = { this->BasePoints + block.Size.Point, block.Size.Tetrahedron };
-          block.Add(slab.Projections[s]);
-        });
     }
+  }
+
+  vtkSimplexProjection Project(const Slab& slab, vtkIdType s) const
+  {
+    return { this->Mesh.GetProjected(slab.Simplices[s]), slab.Flats[s] };
   }
 
   // Makes the size of a block the place where it begins.
@@ -144,94 +171,82 @@ private:
       report.Tetrahedra[c] += block.Classes[c];
     }
     const Place size = block.Size;
-    block.Size = { this->ThickPoints, this->Tetrahedra };
+    block.Size = { this->BasePoints + this->ThickPoints, this->Tetrahedra };
     this->ThickPoints += size.Point;
     this->Tetrahedra += size.Tetrahedron;
   }
 
-  // Calls visit(slab, simplex, its projection, its place) for each simplex that has tetrahedra.
-  template <typename Visitor>
-  void ForEach(Visitor&& visit) const
+  void Allocate()
   {
-    for (std::size_t i = 0; i < this->Places.size(); ++i)
-    {
-      const Slab& slab = this->Mesh.GetSlabs()[i];
-      vtkSMPTools::For(0, static_cast<vtkIdType>(slab.Simplices.GetSize()),
-        [&](vtkIdType first, vtkIdType last)
-        {
-          for (vtkIdType s = first; s < last; ++s)
-          {
-            if (!slab.Projections[s].IsFlat())
-            {
-              visit(slab, s, slab.Projections[s], this->Places[i][s]);
-            }
-          }
-        });
-    }
-  }
-
-  void FillPoints()
-  {
-    auto points =
-      vtkSmartPointer<vtkPoints>::Take(vtkPoints::New(this->Mesh.GetPoints()->GetDataType()));
-    points->SetNumberOfPoints(this->BasePoints + this->ThickPoints);
-    vtkExtractionMemory::PreferLargePages(points->GetData());
+    const vtkIdType points = this->BasePoints + this->ThickPoints;
+    this->Points.TakeReference(vtkPoints::New(this->Mesh.GetPoints()->GetDataType()));
+    this->Points->SetNumberOfPoints(points);
+    vtkExtractionMemory::PreferLargePages(this->Points->GetData());
+    this->Output->SetPoints(this->Points);
     vtkSMPTools::For(0, this->BasePoints,
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType p = first; p < last; ++p)
         {
-          points->SetPoint(p, this->Mesh.GetProjected(p).data());
+          this->Points->SetPoint(p, this->Mesh.GetProjected(p).data());
         }
       });
-    this->ForEach(
-      [&](const Slab& slab, vtkIdType s, const vtkSimplexProjection& projection, const Place& place)
-      {
-        vtkSimplexProjection::Point corners[NumberOfPoints];
-        const double* places[NumberOfPoints];
-        for (int p = 0; p < NumberOfPoints; ++p)
-        {
-          corners[p] = this->Mesh.GetProjected(slab.Simplices[s][p]);
-          places[p] = corners[p].data();
-        }
-        double x[3];
-        projection.GetThickPoint(places, x);
-        points->SetPoint(place.Point, x);
-      });
-    this->Output->SetPoints(points);
+    vtkPointData* to = this->Output->GetPointData();
+    vtkPointData* from = this->Mesh.GetArrays();
+    for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+    {
+      vtkAbstractArray* array = from->GetAbstractArray(a);
+      vtkExtractionArrays::AddLike(from, array, to, this->MakeArray(array));
+    }
+    to->AddArray(this->MakeArray(this->Mesh.GetTimes()));
+    this->Thickness->SetName("DeltaT");
+    this->Thickness->SetNumberOfValues(points);
+    vtkExtractionMemory::PreferLargePages(this->Thickness);
+    double* thickness = this->Thickness->GetPointer(0);
+    vtkSMPTools::Fill(thickness, thickness + this->BasePoints, 0.0);
+    to->AddArray(this->Thickness);
+    this->Cells.Allocate(this->Tetrahedra, 4, points);
+    this->Classes =
+      AddCellArray<vtkUnsignedCharArray>(this->Output, "SimplexClass", this->Tetrahedra);
+    this->Items = AddCellArray<vtkIntArray>(this->Output, "IntervalId", this->Tetrahedra);
+    this->Slabs = AddCellArray<vtkIntArray>(this->Output, "TimeSlab", this->Tetrahedra);
   }
 
-  // An array of the points, with its means at the thick points.
-  vtkSmartPointer<vtkAbstractArray> MakeArray(vtkAbstractArray* from) const
+  // An array of the points; its values at the thick points are yet to be written.
+  vtkSmartPointer<vtkAbstractArray> MakeArray(vtkAbstractArray* from)
   {
     vtkSmartPointer<vtkAbstractArray> made;
     made.TakeReference(from->NewInstance());
     made->SetName(from->GetName());
     made->SetNumberOfComponents(from->GetNumberOfComponents());
     made->SetNumberOfTuples(this->BasePoints + this->ThickPoints);
+    if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(made))
+    {
+      vtkExtractionMemory::PreferLargePages(numbers);
+    }
     made->InsertTuples(0, this->BasePoints, 0, from);
     if (vtkFloatArray* floats = vtkFloatArray::SafeDownCast(made))
     {
-      this->FillMeans(floats->GetPointer(0), from->GetNumberOfComponents());
+      this->AddMeans(floats->GetPointer(0), from->GetNumberOfComponents());
     }
     else if (vtkDoubleArray* doubles = vtkDoubleArray::SafeDownCast(made))
     {
-      this->FillMeans(doubles->GetPointer(0), from->GetNumberOfComponents());
+      this->AddMeans(doubles->GetPointer(0), from->GetNumberOfComponents());
     }
     else
     {
-      this->CopyHeaviest(made);
+      this->Others.push_back(made);
     }
     return made;
   }
 
   template <typename Value>
-  void FillMeans(Value* values, int components) const
+  void AddMeans(Value* values, int components)
   {
-    this->ForEach(
-      [=](const Slab& slab, vtkIdType s, const vtkSimplexProjection& projection, const Place& place)
+    this->Means.push_back(
+      [values, components](
+        const Simplex& simplex, const vtkSimplexProjection& projection, vtkIdType thickPoint)
       {
-        const Simplex& simplex = slab.Simplices[s];
         for (int c = 0; c < components; ++c)
         {
           double mean = 0.0;
@@ -241,74 +256,89 @@ private:
             // What has no weight may not be finite.
             mean += weight == 0.0 ? 0.0 : weight * values[simplex[p] * components + c];
           }
-          values[place.Point * components + c] = static_cast<Value>(mean);
+          values[thickPoint * components + c] = static_cast<Value>(mean);
         }
       });
   }
 
-  void CopyHeaviest(vtkAbstractArray* array) const
+  void WriteBlock(const Block& block)
   {
-    for (std::size_t i = 0; i < this->Places.size(); ++i)
+    const Slab& slab = *block.TheSlab;
+    Place place = block.Content.Size;
+    for (vtkIdType s = block.First; s < block.Last; ++s)
     {
-      const Slab& slab = this->Mesh.GetSlabs()[i];
-      for (std::size_t s = 0; s < slab.Simplices.GetSize(); ++s)
+      const Simplex& simplex = slab.Simplices[s];
+      const vtkSpaceTimeMesh::Corners corners = this->Mesh.GetProjected(simplex);
+      const vtkSimplexProjection projection(corners, slab.Flats[s]);
+      if (projection.IsFlat())
       {
-        const auto& weights = slab.Projections[s].GetWeights();
-        const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-        if (!slab.Projections[s].IsFlat())
+        continue;
+      }
+      const double* places[NumberOfPoints];
+      std::transform(corners.begin(), corners.end(), places,
+        [](const vtkSimplexProjection::Point& corner) { return corner.data(); });
+      double x[3];
+      projection.GetThickPoint(places, x);
+      this->Points->SetPoint(place.Point, x);
+      this->Thickness->SetValue(place.Point, projection.GetThickness());
+      for (const MeanWriter& write : this->Means)
+      {
+        write(simplex, projection, place.Point);
+      }
+      const vtkIdType first = place.Tetrahedron;
+      projection.ForEachTetrahedron(
+        [&](int a, int b, int c)
         {
-          array->SetTuple(this->Places[i][s].Point, slab.Simplices[s][heaviest], array);
+          const vtkIdType ids[4] = { simplex[a], simplex[b], simplex[c], place.Point };
+          this->Cells.Write(place.Tetrahedron++, ids);
+        });
+      const vtkIdType number = place.Tetrahedron - first;
+      std::fill_n(this->Classes->GetPointer(first), number, ClassNames[projection.GetClass()]);
+      std::fill_n(this->Items->GetPointer(first), number, GetItem(slab, s));
+      std::fill_n(this->Slabs->GetPointer(first), number, slab.Number);
+      ++place.Point;
+    }
+  }
+
+  // Values that have no mean are those of the point with the most weight.
+  void FillOthers()
+  {
+    for (const Block& block : this->Blocks)
+    {
+      vtkIdType thickPoint = block.Content.Size.Point;
+      for (vtkIdType s = block.First; s < block.Last && !this->Others.empty(); ++s)
+      {
+        const vtkSimplexProjection projection = this->Project(*block.TheSlab, s);
+        if (projection.IsFlat())
+        {
+          continue;
         }
+        const auto& weights = projection.GetWeights();
+        const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+        for (vtkAbstractArray* array : this->Others)
+        {
+          array->SetTuple(thickPoint, block.TheSlab->Simplices[s][heaviest], array);
+        }
+        ++thickPoint;
       }
     }
   }
 
-  void FillThickness()
-  {
-    vtkNew<vtkDoubleArray> thickness;
-    thickness->SetName("DeltaT");
-    thickness->SetNumberOfValues(this->BasePoints + this->ThickPoints);
-    vtkSMPTools::Fill(thickness->GetPointer(0), thickness->GetPointer(0) + this->BasePoints, 0.0);
-    this->ForEach(
-      [&](const Slab&, vtkIdType, const vtkSimplexProjection& projection, const Place& place)
-      { thickness->SetValue(place.Point, projection.GetThickness()); });
-    this->Output->GetPointData()->AddArray(thickness);
-  }
-
-  void FillCells()
-  {
-    vtkSimplexList list;
-    list.Allocate(this->Tetrahedra, 4, this->BasePoints + this->ThickPoints);
-    auto* classes =
-      AddCellArray<vtkUnsignedCharArray>(this->Output, "SimplexClass", this->Tetrahedra);
-    auto* items = AddCellArray<vtkIntArray>(this->Output, "IntervalId", this->Tetrahedra);
-    auto* slabs = AddCellArray<vtkIntArray>(this->Output, "TimeSlab", this->Tetrahedra);
-    this->ForEach(
-      [&](const Slab& slab, vtkIdType s, const vtkSimplexProjection& projection, const Place& place)
-      {
-        const Simplex& simplex = slab.Simplices[s];
-        vtkIdType next = place.Tetrahedron;
-        projection.ForEachTetrahedron(
-          [&](int a, int b, int c)
-          {
-            const vtkIdType ids[4] = { simplex[a], simplex[b], simplex[c], place.Point };
-            list.Write(next++, ids);
-          });
-        const vtkIdType number = next - place.Tetrahedron;
-        std::fill_n(
-          classes->GetPointer(place.Tetrahedron), number, ClassNames[projection.GetClass()]);
-        std::fill_n(items->GetPointer(place.Tetrahedron), number, GetItem(slab, s));
-        std::fill_n(slabs->GetPointer(place.Tetrahedron), number, slab.Number);
-      });
-    this->Output->SetCells(VTK_TETRA, list.MakeCells());
-  }
-
+  const vtkExtractionContext& Context;
   const vtkSpaceTimeMesh& Mesh;
   vtkUnstructuredGrid* Output;
   vtkIdType BasePoints;
   vtkIdType ThickPoints = 0;
   vtkIdType Tetrahedra = 0;
-  std::vector<vtkExtractionBuffer<Place>> Places;
+  std::vector<Block> Blocks;
+  vtkSmartPointer<vtkPoints> Points;
+  vtkNew<vtkDoubleArray> Thickness;
+  std::vector<MeanWriter> Means;
+  std::vector<vtkAbstractArray*> Others;
+  vtkSimplexList Cells;
+  vtkUnsignedCharArray* Classes = nullptr;
+  vtkIntArray* Items = nullptr;
+  vtkIntArray* Slabs = nullptr;
 };
 
 // Points and point arrays of the mesh itself.
@@ -320,13 +350,10 @@ void ShareArrays(const vtkSpaceTimeMesh& mesh, vtkUnstructuredGrid* output)
 }
 }
 
-void vtkSpaceTimeOutput::FillTetrahedra(
+bool vtkSpaceTimeOutput::FillTetrahedra(const vtkExtractionContext& context,
   const vtkSpaceTimeMesh& mesh, vtkUnstructuredGrid* output, vtkSpaceTimeReport& report)
 {
-  if (mesh.GetPoints())
-  {
-    TetrahedraFiller(mesh, output).Fill(report);
-  }
+  return !mesh.GetPoints() || TetrahedraFiller(context, mesh, output).Fill(report);
 }
 
 void vtkSpaceTimeOutput::FillBoundary(

@@ -1,6 +1,7 @@
 #ifndef vtkSpaceTimeOutput_h
 #define vtkSpaceTimeOutput_h
 
+struct vtkExtractionContext;
 class vtkSpaceTimeMesh;
 class vtkUnstructuredGrid;
 struct vtkSpaceTimeReport;
@@ -15,9 +16,9 @@ class vtkSpaceTimeOutput
 {
 public:
   /// The tetrahedra of all projections, with the points of the mesh and one thick point for each
-  /// 4-simplex after them.
-  static void FillTetrahedra(
-    const vtkSpaceTimeMesh& mesh, vtkUnstructuredGrid* output, vtkSpaceTimeReport& report);
+  /// 4-simplex after them. Returns false when the user aborted.
+  static bool FillTetrahedra(const vtkExtractionContext& context, const vtkSpaceTimeMesh& mesh,
+    vtkUnstructuredGrid* output, vtkSpaceTimeReport& report);
   /// The boundary, with the points of the mesh.
   static void FillBoundary(
     const vtkSpaceTimeMesh& mesh, vtkUnstructuredGrid* output, vtkSpaceTimeReport& report);

@@ -264,7 +264,6 @@ int vtkTimeVaryingIntervalVolume::RequestData(
     return 1;
   }
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
-  this->SetProgressShiftScale(0.0, 1.0);
   const std::unique_ptr<vtkTimeVaryingRun> run = std::move(this->Run);
   this->IsRestarted = false;
   if (result == vtkTimeVaryingRun::FAILED)
@@ -277,8 +276,13 @@ int vtkTimeVaryingIntervalVolume::RequestData(
     {
       vtkTimeVaryingRun::CopyStructure(input, output);
     }
-    run->FillOutputs(made[0], made[1], made[2]);
+    if (!run->FillOutputs(made[0], made[1], made[2]))
+    {
+      std::for_each(
+        made, made + NumberOfPorts, [](vtkDataObject* output) { output->Initialize(); });
+    }
   }
+  this->SetProgressShiftScale(0.0, 1.0);
   this->Report.Passes = this->Report.Slabs;
   for (const std::string& warning : run->GetWarnings())
   {

@@ -22,9 +22,9 @@ class vtkTimeVaryingRun;
  * is lifted to five dimensions, F(x,t,w) = f(x,t) - (lower (1-w) + upper w), the isosurface F = 0
  * there is taken from an isotable that is filled at run time, and projected back along w. This
  * gives 4-simplices. Each is projected along the time axis (or another direction) to space, where
- * it is cut into at most six tetrahedra around the one point where it is thickest (C. Zhang, "Light
- * in volumes", 2006, chapter 3.5; here the cut is that of the Radon partition of the five points,
- * which has the six classes of figure 3.15 as its sign patterns).
+ * it is cut into at most six tetrahedra around the one point where it is thickest (C. Zhang,
+ * dissertation, Ohio State 2006, chapter 3.5; here the cut is that of the Radon partition of the
+ * five points, which has the six classes of figure 3.15 as its sign patterns).
  *
  * Input: a temporal source with at least two time steps, of vtkImageData, vtkRectilinearGrid,
  * vtkStructuredGrid, vtkUnstructuredGrid with tetrahedra, voxels, hexahedra, wedges, pyramids and

@@ -16,6 +16,9 @@
 
 namespace
 {
+// The part of the progress until the outputs are made.
+constexpr double ExtractionShare = 0.7;
+
 // The datasets of an input, with null for blocks that are none.
 std::vector<vtkDataSet*> GetLeaves(vtkDataObject* input)
 {
@@ -178,6 +181,15 @@ vtkTimeVaryingRun::Results vtkTimeVaryingRun::AddStep(vtkDataObject* input)
   return result;
 }
 
+vtkExtractionContext vtkTimeVaryingRun::MakeContext()
+{
+  vtkExtractionContext context;
+  context.Owner = this->Owner;
+  context.Values = &this->Values;
+  context.Report = &this->Report;
+  return context;
+}
+
 vtkTimeVaryingRun::Results vtkTimeVaryingRun::AddLeafStep(
   vtkDataSet* input, Leaf& leaf, std::size_t number)
 {
@@ -198,15 +210,13 @@ vtkTimeVaryingRun::Results vtkTimeVaryingRun::AddLeafStep(
     return this->Fail(wrong);
   }
   auto step = std::make_unique<vtkSpaceTimeStep>(input, scalars, this->Times[this->NextStep]);
-  vtkExtractionContext context;
-  context.Owner = this->Owner;
-  context.Values = &this->Values;
-  context.Report = &this->Report;
+  const vtkExtractionContext context = this->MakeContext();
   const double slabs = static_cast<double>(this->Times.size()) - 1.0;
   const double leaves = static_cast<double>(this->Leaves.size());
   const double slab = std::max(this->NextStep - 1, 0);
   this->Owner->SetProgressShiftScale(
-    (slab + static_cast<double>(number) / leaves) / slabs, 1.0 / (slabs * leaves));
+    ExtractionShare * (slab + static_cast<double>(number) / leaves) / slabs,
+    ExtractionShare / (slabs * leaves));
   if (leaf.Before)
   {
     const std::string difference = step->FindDifference(*leaf.Before);
@@ -221,8 +231,7 @@ vtkTimeVaryingRun::Results vtkTimeVaryingRun::AddLeafStep(
       this->NextStep + 1 == static_cast<int>(this->Times.size()), this->IsJoined);
     this->Report.Cells += step->GetNumberOfInputCells();
     if (!leaf.Before->MakeCodes(context, 0.0, 0.05) || !step->MakeCodes(context, 0.05, 0.1) ||
-      !vtkSpaceTimeExtraction::Execute(context, *leaf.Before, *step, leaf.Mesh, this->Report) ||
-      (this->Options.Tetrahedra && !leaf.Mesh.Project(context)))
+      !vtkSpaceTimeExtraction::Execute(context, *leaf.Before, *step, leaf.Mesh, this->Report))
     {
       return ABORTED;
     }
@@ -231,24 +240,34 @@ vtkTimeVaryingRun::Results vtkTimeVaryingRun::AddLeafStep(
   return DONE;
 }
 
-void vtkTimeVaryingRun::FillOutputs(
+bool vtkTimeVaryingRun::FillOutputs(
   vtkDataObject* tetrahedra, vtkDataObject* boundary, vtkDataObject* simplices)
 {
   OutputLeaves tetrahedraLeaves(tetrahedra);
   OutputLeaves boundaryLeaves(boundary);
   OutputLeaves simplexLeaves(simplices);
-  const bool hasBoundary =
-    std::find(this->Options.Boundaries.begin(), this->Options.Boundaries.end(), true) !=
-    this->Options.Boundaries.end();
+  const auto& kinds = this->Options.Boundaries;
+  const bool hasBoundary = std::find(kinds.begin(), kinds.end(), true) != kinds.end();
+  const vtkExtractionContext context = this->MakeContext();
+  std::size_t bytes = 0;
   for (std::unique_ptr<Leaf>& leaf : this->Leaves)
   {
+    bytes += leaf->Mesh.GetBytes();
+  }
+  context.NoteWorkingBytes(bytes);
+  double filled = 0.0;
+  for (std::unique_ptr<Leaf>& leaf : this->Leaves)
+  {
+    const double share = (1.0 - ExtractionShare) / static_cast<double>(this->Leaves.size());
+    this->Owner->SetProgressShiftScale(ExtractionShare + filled++ * share, share);
     const bool isNeeded = leaf->Before != nullptr;
     leaf->Before.reset();
-    vtkSpaceTimeMesh& mesh = leaf->Mesh;
+    const vtkSpaceTimeMesh& mesh = leaf->Mesh;
     vtkUnstructuredGrid* output = tetrahedraLeaves.GetNext(isNeeded);
-    if (output && this->Options.Tetrahedra)
+    if (output && this->Options.Tetrahedra &&
+      !vtkSpaceTimeOutput::FillTetrahedra(context, mesh, output, this->Report))
     {
-      vtkSpaceTimeOutput::FillTetrahedra(mesh, output, this->Report);
+      return false;
     }
     output = boundaryLeaves.GetNext(isNeeded);
     if (output && hasBoundary)
@@ -267,5 +286,7 @@ void vtkTimeVaryingRun::FillOutputs(
       this->Warn("Point array \"" + name +
         "\" is left out: it is not at all steps, or has the name of an array that is made here.");
     }
+    leaf.reset();
   }
+  return true;
 }

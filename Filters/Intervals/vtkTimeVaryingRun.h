@@ -50,8 +50,9 @@ public:
   Results AddStep(vtkDataObject* input);
   const std::string& GetMessage() const { return this->Message; }
 
-  /// Fills unstructured grids or composite datasets of the input's structure.
-  void FillOutputs(vtkDataObject* tetrahedra, vtkDataObject* boundary, vtkDataObject* simplices);
+  /// Fills unstructured grids or composite datasets of the input's structure. Returns false when
+  /// the user aborted.
+  bool FillOutputs(vtkDataObject* tetrahedra, vtkDataObject* boundary, vtkDataObject* simplices);
 
   /// Warnings, each once.
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
@@ -73,6 +74,7 @@ private:
     vtkSpaceTimeMesh Mesh;
   };
 
+  vtkExtractionContext MakeContext();
   Results AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number);
   Results Fail(const std::string& why);
   std::string CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
