@@ -12,8 +12,8 @@
  *
  * - WAVE: f = z - 0.4 cos(pi (x + y/4 - t/2)). A travelling wave; the sheet -0.15 <= f <= 0.15
  * moves a quarter of its wavelength in a unit of time. The region l <= f <= u has u - l of every
- * column within the bounds. It stands for the test function of C. Zhang, "Light in volumes", 2006,
- *   figure 3.20: bounds -2 to 2, -1 to 1, -1 to 1, 40 x 20 x 20 points, times 0 and 1.
+ * column within the bounds. It stands for the test function of C. Zhang, dissertation, Ohio State
+ * 2006, figure 3.20: bounds -2 to 2, -1 to 1, -1 to 1, 40 x 20 x 20 points, times 0 and 1.
  * - VORTEX: the sum of eleven vortex tubes, each
  *     S(t) exp(-d^2 / r^2) exp(-(s/h)^4),  S(t) = exp(-((t-p)/q)^2),
  *   where s is the coordinate along the tube's straight line through c + v t and d the distance, to

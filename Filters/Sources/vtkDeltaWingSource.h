@@ -8,9 +8,9 @@
  * @class   vtkDeltaWingSource
  * @brief   the two vortices above a delta wing, and their breakdown, on a curvilinear grid
  *
- * A stand-in, with a formula, for the delta wing data of C. Zhang, "Light in volumes", 2006, figure
- * 3.22. The wing of length 1 lies in z = 0 with its apex at the origin; x leads along it. Its half
- * span is b(x) = x tan(90 degrees - SweepAngle).
+ * A stand-in, with a formula, for the delta wing data of C. Zhang, dissertation, Ohio State 2006,
+ * figure 3.22. The wing of length 1 lies in z = 0 with its apex at the origin; x leads along it.
+ * Its half span is b(x) = x tan(90 degrees - SweepAngle).
  *
  * Grid: i along x from 0.1 to 1.2, j across, k up from the wing, conical. With i', j', k' = 0 to 1:
  *   x = 0.1 + 1.1 i',  y = 1.5 b (2 j' - 1),  z = 0.7 b k' (1 + k').
