@@ -51,20 +51,6 @@ double Linear(const double* x, double time, int component)
   return 3 * x[0] + (2 + component) * x[1] + 4 * x[2] + 5 * time + 7 * component;
 }
 
-/// A source and the filter behind it.
-struct Pipeline
-{
-  vtkNew<TemporalGrids> Source;
-  vtkNew<vtkTimeVaryingIntervalVolume> Filter;
-
-  explicit Pipeline(const TimeSteps& steps)
-  {
-    this->Source->SetSteps(steps);
-    this->Filter->SetInputConnection(this->Source->GetOutputPort());
-    Apply({ { { 0.25, 0.75 } } }, this->Filter);
-  }
-};
-
 void AddTypes(const TimeSteps& steps, int components)
 {
   for (const TimeStep& step : steps)
@@ -231,7 +217,7 @@ void CheckScalars(Check& check)
   const TimeSteps steps = RepeatGrid(AllSpaceTimeGrids({ 2, 2, 2 }, 3).front().Data, { 0, 1 });
   AddRandomTimeField(steps, 1, "g");
   AddRandomTimeField(steps, 2, "f");
-  const Pipeline pipeline(steps);
+  const TimeVaryingPipeline pipeline(steps, { { { 0.25, 0.75 } } });
   vtkTimeVaryingIntervalVolume* filter = pipeline.Filter;
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "g");
   filter->Update();
@@ -256,7 +242,7 @@ void CheckOtherArrays(Check& check)
   AddSpaceTimeField(
     steps, [](const std::array<double, 3>&, double, vtkIdType) { return -77.0; }, "DeltaT");
   AddRandomTimeField(steps, 2);
-  const Pipeline pipeline(steps);
+  const TimeVaryingPipeline pipeline(steps, { { { 0.25, 0.75 } } });
   vtkTimeVaryingIntervalVolume* filter = pipeline.Filter;
   vtkNew<vtkTest::ErrorObserver> observer;
   filter->AddObserver(vtkCommand::WarningEvent, observer);
@@ -309,7 +295,7 @@ void CheckPrecision(const SpaceTimeGrid& grid, int type, Check& check)
     SetPointsType(steps, type);
   }
   AddRandomTimeField(steps, 2);
-  const Pipeline pipeline(steps);
+  const TimeVaryingPipeline pipeline(steps, { { { 0.25, 0.75 } } });
   vtkTimeVaryingIntervalVolume* filter = pipeline.Filter;
   const int own = hasPoints ? type : grid.Name == "image" ? VTK_FLOAT : VTK_DOUBLE;
   const std::pair<int, int> cases[] = { { vtkAlgorithm::DEFAULT_PRECISION, own },

@@ -3,18 +3,17 @@
 #include "ReferenceCheck.h"
 #include "ReferenceLattice.h"
 #include "ReferenceMesh.h"
+#include "ReferenceMessages.h"
 #include "ReferenceTemporal.h"
 #include "ReferenceTimeVarying.h"
 #include "ReferenceTransform.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkTestErrorObserver.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -58,18 +57,6 @@ struct ErrorCase
   std::function<void(vtkTimeVaryingIntervalVolume*)> Break = [](vtkTimeVaryingIntervalVolume*) {};
   bool TellsTimes = true;
 };
-
-/// The errors and warnings of an update.
-std::string MessagesOf(vtkTimeVaryingIntervalVolume* filter)
-{
-  vtkNew<vtkTest::ErrorObserver> observer;
-  filter->AddObserver(vtkCommand::ErrorEvent, observer);
-  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
-  filter->Update();
-  filter->RemoveObserver(observer);
-  filter->GetExecutive()->RemoveObserver(observer);
-  return observer->GetErrorMessage();
-}
 
 bool IsEmpty(vtkDataObject* data)
 {

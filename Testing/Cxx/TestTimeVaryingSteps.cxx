@@ -101,16 +101,11 @@ void CheckSlabs(const SpaceTimeGrid& grid, bool integers, Check& check)
   }
 }
 
-struct Pipeline
+struct Pipeline : TimeVaryingPipeline
 {
-  vtkNew<TemporalGrids> Source;
-  vtkNew<vtkTimeVaryingIntervalVolume> Filter;
-
   explicit Pipeline(const TimeSteps& steps)
+    : TimeVaryingPipeline(steps, { Intervals })
   {
-    this->Source->SetSteps(steps);
-    this->Filter->SetInputConnection(this->Source->GetOutputPort());
-    Apply({ Intervals }, this->Filter);
   }
 
   vtkUnstructuredGrid* GetSimplices()

@@ -2,11 +2,11 @@
 // crash, and the filter works again once they are right.
 #include "ReferenceField.h"
 #include "ReferenceMesh.h"
+#include "ReferenceMessages.h"
 #include "StabilityCase.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
@@ -51,17 +51,6 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeInput()
   return mesh;
 }
 
-std::string ErrorsOf(vtkUnstructuredGridAlgorithm* filter)
-{
-  vtkNew<vtkTest::ErrorObserver> observer;
-  filter->AddObserver(vtkCommand::ErrorEvent, observer);
-  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
-  filter->Update();
-  filter->RemoveObserver(observer);
-  filter->GetExecutive()->RemoveObserver(observer);
-  return observer->GetErrorMessage();
-}
-
 /// An error's own words: without the source line and the object's address before them.
 std::string Words(const std::string& error)
 {
@@ -104,7 +93,7 @@ void TestErrors(StabilityCatalogue& catalogue, const std::vector<ErrorCase<Filte
     filter->SetInputData(MakeInput());
     one.Mend(filter);
     one.Break(filter);
-    const std::string errors = ErrorsOf(filter);
+    const std::string errors = MessagesOf(filter);
     bool passed = !errors.empty() && IsEmpty(filter);
     std::string expected = "an empty output and an error that names";
     for (const std::string& part : one.Named)
@@ -113,7 +102,7 @@ void TestErrors(StabilityCatalogue& catalogue, const std::vector<ErrorCase<Filte
       expected += " " + part;
     }
     one.Mend(filter);
-    const std::string later = ErrorsOf(filter);
+    const std::string later = MessagesOf(filter);
     passed = passed && later.empty() && filter->GetOutput()->GetNumberOfCells() > 0;
     catalogue.Check(std::string(filter->GetClassName()) + "-" + one.Name, one.Extreme,
       expected + "; mended, it works", errors.empty() ? "no error" : Words(errors), passed);
@@ -201,7 +190,7 @@ void TestNothing(StabilityCatalogue& catalogue, const char* name, const char* ex
   vtkNew<Filter> filter;
   filter->SetInputDataObject(input);
   set(filter);
-  const std::string errors = ErrorsOf(filter);
+  const std::string errors = MessagesOf(filter);
   const bool empty = IsEmpty(filter);
   catalogue.Check(std::string(filter->GetClassName()) + "-" + name, extreme,
     "an empty output and no error",

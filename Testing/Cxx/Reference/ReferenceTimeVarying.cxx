@@ -1,9 +1,5 @@
 #include "ReferenceTimeVarying.h"
 
-#include "ReferenceTemporal.h"
-
-#include "vtkNew.h"
-#include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace reference
@@ -25,18 +21,22 @@ void Apply(const TimeVaryingSettings& settings, vtkTimeVaryingIntervalVolume* fi
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
 }
 
+TimeVaryingPipeline::TimeVaryingPipeline(
+  const TimeSteps& steps, const TimeVaryingSettings& settings)
+{
+  this->Source->SetSteps(steps);
+  this->Filter->SetInputConnection(this->Source->GetOutputPort());
+  Apply(settings, this->Filter);
+}
+
 TimeVaryingExtraction ExtractTimeVarying(
   const TimeSteps& steps, const TimeVaryingSettings& settings)
 {
-  vtkNew<TemporalGrids> source;
-  source->SetSteps(steps);
-  vtkNew<vtkTimeVaryingIntervalVolume> filter;
-  filter->SetInputConnection(source->GetOutputPort());
-  Apply(settings, filter);
-  filter->Update();
+  const TimeVaryingPipeline pipeline(steps, settings);
+  pipeline.Filter->Update();
   auto output = [&](int port)
-  { return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port)); };
-  return { output(0), output(1), output(2), filter->GetReport() };
+  { return vtkUnstructuredGrid::SafeDownCast(pipeline.Filter->GetOutputDataObject(port)); };
+  return { output(0), output(1), output(2), pipeline.Filter->GetReport() };
 }
 
 }

@@ -2,14 +2,15 @@
 #define ReferenceTimeVarying_h
 
 #include "ReferenceExtraction.h" // for the intervals
+#include "ReferenceTemporal.h"   // for the source
 #include "ReferenceTimeSteps.h"  // for the steps
 
-#include "vtkSpaceTimeReport.h" // for the report
+#include "vtkNew.h"                       // for the pipeline
+#include "vtkSpaceTimeReport.h"           // for the report
+#include "vtkTimeVaryingIntervalVolume.h" // for the pipeline
 
 #include <array>  // for the direction
 #include <vector> // for the intervals
-
-class vtkTimeVaryingIntervalVolume;
 
 namespace reference
 {
@@ -26,6 +27,15 @@ struct TimeVaryingSettings
 };
 
 void Apply(const TimeVaryingSettings& settings, vtkTimeVaryingIntervalVolume* filter);
+
+/// A source of time steps and the filter under test behind it.
+struct TimeVaryingPipeline
+{
+  vtkNew<TemporalGrids> Source;
+  vtkNew<vtkTimeVaryingIntervalVolume> Filter;
+
+  TimeVaryingPipeline(const TimeSteps& steps, const TimeVaryingSettings& settings);
+};
 
 struct TimeVaryingExtraction
 {
