@@ -204,6 +204,8 @@ void FillChart(vtkChartXY* chart, const BenchPlot& plot)
   chart->SetShowLegend(true);
   chart->GetLegend()->GetLabelProperties()->SetFontSize(18);
   chart->GetLegend()->GetBrush()->SetColor(255, 255, 255, 230);
+  chart->GetLegend()->SetVerticalAlignment(
+    plot.Rises ? vtkChartLegend::BOTTOM : vtkChartLegend::TOP);
   SetRange(
     chart->GetAxis(vtkAxis::LEFT), RangeOf(plot, &BenchPlot::Series::Y, plot.LogY), plot.LogY);
   if (plot.Kind == BenchPlot::BARS)

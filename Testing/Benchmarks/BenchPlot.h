@@ -34,6 +34,8 @@ struct BenchPlot
   std::string YLabel;
   bool LogX = false;
   bool LogY = false;
+  /// Whether lines end at the top right, so that the legend is better at the bottom.
+  bool Rises = false;
   /// Label of the series whose points are ringed, as the default's.
   std::string DefaultSeries;
   std::vector<std::string> BarLabels;

@@ -17,7 +17,8 @@ class vtkTimeVaryingIntervalVolume;
  */
 namespace interval4d
 {
-/// The counts of C. Zhang, "Light in volumes", 2006, table 3.4, of the data that a case stands for.
+/// The counts of C. Zhang, dissertation, Ohio State 2006, table 3.4, of the data that a case stands
+/// for.
 struct StatedCounts
 {
   vtkIdType Simplices;

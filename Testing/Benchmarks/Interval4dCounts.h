@@ -9,7 +9,7 @@
 
 /**
  * The part of the suite `interval4d` about numbers of simplices: tables 3.5 and 3.6 of C. Zhang,
- * "Light in volumes", 2006.
+ * dissertation, Ohio State 2006.
  */
 namespace interval4d
 {

@@ -34,7 +34,7 @@ public:
       "The time steps are in memory, with one point array, so that the filter alone is timed; it "
       "makes projected tetrahedra. vortex and wave are fields of vtkAnalyticFieldSource, cylinder "
       "and delta those of vtkTaperedCylinderSource and vtkDeltaWingSource, which stand in for the "
-      "data of the source, C. Zhang, \"Light in volumes\", 2006, with the number of time steps; "
+      "data of the source, C. Zhang, dissertation, Ohio State 2006, with the number of time steps; "
       "mug is real. stated_ are the counts of the source. warm: the table holds every case. "
       "threads-2: two threads against one. throughput: 4-simplices a second; the parameter is the "
       "share of points inside.",
