@@ -5,7 +5,6 @@
 #include "vtkSpaceTimeStep.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace

@@ -30,7 +30,6 @@ public:
 
   explicit vtkSpaceTimeSlots(vtkIsotable::Shapes shape);
 
-  int GetNumberOfVertices() const { return this->NumberOfVertices; }
   bool IsVertex(Slot slot) const { return slot < this->NumberOfVertices; }
   /// The vertices at the ends of the slot's edge; twice the vertex itself for a vertex.
   Slot GetEnd(Slot slot, int end) const { return this->Ends[slot][end]; }

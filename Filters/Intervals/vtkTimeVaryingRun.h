@@ -41,8 +41,6 @@ public:
     const std::vector<vtkIntervalList::Interval>& intervals, const vtkSpaceTimeOptions& options,
     int firstStep, const std::vector<double>& times, vtkSpaceTimeReport& report);
 
-  /// The steps taken so far.
-  int GetNumberOfSteps() const { return this->NextStep; }
   bool IsFinished() const { return this->NextStep == static_cast<int>(this->Times.size()); }
   double GetNextTime() const { return this->Times[this->NextStep]; }
 
