@@ -147,7 +147,8 @@ public:
       this->Steps[1]->GetScalars(), this->NumberOfPoints, this->Values);
     vtkExtractionBuffer<vtkExtractionPoint> points;
     this->Points.MakePoints(*scalars, points);
-    this->Ids = this->Mesh.AddPoints(*this->Steps[0], *this->Steps[1], points, this->Points);
+    this->Ids = this->Mesh.AddPoints(
+      *this->Steps[0], *this->Steps[1], points, this->Points, this->Planarity.IsStatic());
     this->NoteReport(points.GetBytes());
     this->Marks.Free();
     this->Allocate();

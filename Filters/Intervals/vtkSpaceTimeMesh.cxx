@@ -60,9 +60,9 @@ void InterpolatePoints(
 }
 
 vtkSmartPointer<vtkPoints> MakePoints(const vtkSpaceTimeStep& first, const vtkSpaceTimeStep& second,
-  const PointList& points, int precision)
+  const PointList& points, int precision, bool isStatic)
 {
-  if (first.HasSamePoints(second))
+  if (isStatic)
   {
     return vtkExtractionArrays::MakePoints(
       first.GetGrid(), Fold(points, first.GetNumberOfPoints()), precision);
@@ -147,7 +147,8 @@ bool vtkSpaceTimeMesh::HasWantedKinds() const
 }
 
 vtkExtractionBuffer<vtkIdType> vtkSpaceTimeMesh::AddPoints(const vtkSpaceTimeStep& first,
-  const vtkSpaceTimeStep& second, const PointList& points, const vtkCrossingLists& lists)
+  const vtkSpaceTimeStep& second, const PointList& points, const vtkCrossingLists& lists,
+  bool isStatic)
 {
   const vtkIdType split = first.GetNumberOfPoints();
   const vtkIdType number = static_cast<vtkIdType>(points.GetSize());
@@ -188,7 +189,7 @@ vtkExtractionBuffer<vtkIdType> vtkSpaceTimeMesh::AddPoints(const vtkSpaceTimeSte
     });
   added.Truncate(number - numberShared);
   this->FindEndPoints(points, lists, split, ids);
-  this->AppendPoints(first, second, added);
+  this->AppendPoints(first, second, added, isStatic);
   return ids;
 }
 
@@ -215,11 +216,11 @@ void vtkSpaceTimeMesh::FindEndPoints(const PointList& points, const vtkCrossingL
   }
 }
 
-void vtkSpaceTimeMesh::AppendPoints(
-  const vtkSpaceTimeStep& first, const vtkSpaceTimeStep& second, const PointList& points)
+void vtkSpaceTimeMesh::AppendPoints(const vtkSpaceTimeStep& first, const vtkSpaceTimeStep& second,
+  const PointList& points, bool isStatic)
 {
   const vtkSmartPointer<vtkPoints> places =
-    MakePoints(first, second, points, this->Options.Precision);
+    MakePoints(first, second, points, this->Options.Precision, isStatic);
   const vtkSmartPointer<vtkDoubleArray> times = MakeTimes(first, second, points);
   vtkNew<vtkPointData> arrays;
   vtkPointData* from = first.GetGrid()->GetPointData();

@@ -71,11 +71,11 @@ public:
 
   /**
    * Takes over the points of the slab and gives the id of each. \a points and \a lists as
-   * vtkCrossingLists makes them.
+   * vtkCrossingLists makes them; \a isStatic where those of the grid stay in place.
    */
   vtkExtractionBuffer<vtkIdType> AddPoints(const vtkSpaceTimeStep& first,
     const vtkSpaceTimeStep& second, const vtkExtractionBuffer<vtkExtractionPoint>& points,
-    const vtkCrossingLists& lists);
+    const vtkCrossingLists& lists, bool isStatic);
 
   /// Adds boundary cells of the slab; their number of the slab is filled in.
   void AddBoundary(const std::vector<BoundaryCell>& cells);
@@ -150,7 +150,7 @@ private:
     const vtkCrossingLists& lists, vtkIdType split, const vtkExtractionBuffer<vtkIdType>& ids);
 
   void AppendPoints(const vtkSpaceTimeStep& first, const vtkSpaceTimeStep& second,
-    const vtkExtractionBuffer<vtkExtractionPoint>& points);
+    const vtkExtractionBuffer<vtkExtractionPoint>& points, bool isStatic);
   void AppendArrays(vtkPointData* more);
   void FindCoordinates();
 
