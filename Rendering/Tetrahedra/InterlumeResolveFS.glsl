@@ -26,9 +26,6 @@ void main()
     : 1.0 - exp(-sum.a);
   gl_FragData[0] = vec4(sum.rgb * (opacity / sum.a), opacity);
 #endif
-#ifdef SATURATE
-  gl_FragData[0] = min(sum, 1.0);
-#endif
 #ifdef LARGEST_SCALAR
   if (sum.r < 0.0)
   {
@@ -43,17 +40,5 @@ void main()
     texelFetch(pieces, 2 * piece + 1) * (sum.r - texelFetch(starts, piece).x);
   float opacity = min(color.a * opacityOfExtinction, 1.0);
   gl_FragData[0] = vec4(color.rgb * opacity, opacity);
-#endif
-#ifdef SELECTION
-  // A colour that names a cell, and its depth.
-  if (sum.a < 0.0)
-  {
-    discard;
-  }
-  gl_FragData[0] = vec4(sum.rgb, 1.0);
-  gl_FragDepth = sum.a;
-#endif
-#ifdef COLORS
-  gl_FragData[0] = sum;
 #endif
 }

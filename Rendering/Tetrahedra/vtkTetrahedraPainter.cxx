@@ -1,5 +1,6 @@
 #include "vtkTetrahedraPainter.h"
 
+#include "InterlumeResolveFS.h"
 #include "InterlumeTetrahedraFS.h"
 #include "InterlumeTetrahedraGS.h"
 #include "InterlumeTetrahedraVS.h"
@@ -354,7 +355,8 @@ void vtkTetrahedraPainter::Resolve(vtkOpenGLRenderWindow* window,
     picture.Blend == Picture::MAXIMUM && picture.Fields->Kind == vtkTetrahedraFields::SCALARS;
   if (!isResolved && isLargestScalar)
   {
-    this->ResolveQuad.Draw(window, texture, "LARGEST_SCALAR",
+    this->ResolveQuad.DrawWith(window, texture,
+      vtkShaderFeatures::Insert(InterlumeResolveFS, "LARGEST_SCALAR"),
       [&](vtkShaderProgram* program)
       {
         this->Pieces.Activate(window, program, "pieces");
@@ -370,10 +372,11 @@ void vtkTetrahedraPainter::Resolve(vtkOpenGLRenderWindow* window,
   }
   if (!isResolved && IsDepthSum(picture))
   {
-    this->ResolveQuad.Draw(window, texture, "OPTICAL_DEPTH");
+    this->ResolveQuad.DrawWith(
+      window, texture, vtkShaderFeatures::Insert(InterlumeResolveFS, "OPTICAL_DEPTH"));
     return;
   }
-  this->Quad.Draw(window, texture, picture.Blend == Picture::ADDITIVE ? "SATURATE" : "COLORS");
+  this->Quad.Draw(window, texture, picture.Blend == Picture::ADDITIVE ? "SATURATE" : "");
 }
 
 //------------------------------------------------------------------------------

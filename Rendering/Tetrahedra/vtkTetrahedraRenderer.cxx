@@ -1,6 +1,8 @@
 #include "vtkTetrahedraRenderer.h"
 
 #include "vtkImageQuad.h"
+#include "vtkOpaqueProps.h"
+#include "vtkSoftwareOpenGL.h"
 #include "vtkTetrahedraPainter.h"
 #include "vtkTetrahedraSelection.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
@@ -9,16 +11,13 @@
 #include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
-#include <cstring>
 
 using Mapper = vtkTimeWeightedTetrahedraMapper;
 
@@ -26,25 +25,6 @@ namespace
 {
 /// Beyond this MPVONC takes longer than drawing.
 constexpr std::uint32_t MPVONC_LIMIT = 1000000;
-
-bool IsSoftware(vtkOpenGLRenderWindow* window)
-{
-  window->MakeCurrent();
-  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  if (!name)
-  {
-    return true;
-  }
-  for (const char* software :
-    { "llvmpipe", "softpipe", "SWR", "Software", "SwiftShader", "Basic Render", "GDI Generic" })
-  {
-    if (std::strstr(name, software))
-    {
-      return true;
-    }
-  }
-  return false;
-}
 
 vtkTetrahedraPicture::Blends GetBlend(int mode)
 {
@@ -201,7 +181,7 @@ void vtkTetrahedraRenderer::ChoosePath(
   report.PathReason = "as asked for";
   if (request.Path == Mapper::AUTOMATIC_PATH)
   {
-    const bool isSoftware = IsSoftware(window);
+    const bool isSoftware = vtkSoftwareOpenGL::IsUsed(window);
     report.RenderPath = isSoftware ? Mapper::SOFTWARE_PATH : Mapper::OPENGL_PATH;
     report.PathReason =
       isSoftware ? "OpenGL is itself software here" : "OpenGL runs on a graphics card";
@@ -371,27 +351,6 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
 }
 
 //------------------------------------------------------------------------------
-bool vtkTetrahedraRenderer::HasOpaque(vtkRenderer* renderer, vtkVolume* volume) const
-{
-  // What another renderer left in the depth buffer counts too.
-  if (renderer->GetPreserveDepthBuffer())
-  {
-    return true;
-  }
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator iterator;
-  props->InitTraversal(iterator);
-  while (vtkProp* prop = props->GetNextProp(iterator))
-  {
-    if (prop != volume && prop->GetVisibility() && !prop->IsA("vtkVolume"))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraRenderer::DrawWithOpenGL(vtkRenderer* renderer, vtkVolume* volume,
   WindowResources& resources, vtkTetrahedraRenderReport& report)
 {
@@ -407,7 +366,7 @@ std::string vtkTetrahedraRenderer::DrawWithOpenGL(vtkRenderer* renderer, vtkVolu
   changes.Order = !isSameCut || resources.OrderVersion != this->OrderVersion;
   changes.Surface = !isSameCut || resources.BoundaryVersion != this->BoundaryVersion;
   std::string error = resources.Painter.Draw(
-    renderer, this->Picture, changes, this->HasOpaque(renderer, volume), report);
+    renderer, this->Picture, changes, vtkOpaqueProps::MayOcclude(renderer, volume), report);
   resources.MeshVersion = this->MeshVersion;
   resources.ColorVersion = this->ColorVersion;
   resources.OrderVersion = this->OrderVersion;

@@ -5,8 +5,8 @@
 #include "vtkBoundaryShading.h"
 #include "vtkLevelOfDetail.h"
 #include "vtkNearClip.h"
-#include "vtkSceneDepth.h"
 #include "vtkTetrahedraBuilder.h"
+#include "vtkTetrahedraDepth.h"
 #include "vtkTetrahedraOrder.h"
 #include "vtkTetrahedraPicture.h"
 #include "vtkTetrahedraRenderReport.h"
@@ -78,7 +78,6 @@ private:
   bool FindOneColor() const;
   const std::vector<std::uint32_t>* UpdateOrder(
     const Request& request, vtkTetrahedraRenderReport& report);
-  bool HasOpaque(vtkRenderer* renderer, vtkVolume* volume) const;
   std::string DrawWithOpenGL(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
     vtkTetrahedraRenderReport& report);
   void DrawInSoftware(
@@ -126,7 +125,7 @@ private:
   vtkTetrahedraBuilder::Counts Counts;
   vtkTetrahedraOrder Order;
   vtkNearClip Clip;
-  vtkSceneDepth Depth;
+  vtkTetrahedraDepth Depth;
   vtkTetrahedraPicture Picture;
   vtkTileRasterizer Rasterizer;
   vtkLevelOfDetail LevelOfDetail;

@@ -1,7 +1,8 @@
 # find_breaches(ROOT OUTPUT): lists the lines under ROOT that cross an edge between modules that
 # Documentation/architecture.md does not have, each as "file: line".
 #   - ParaView's headers only in Plugin/
-#   - a rendering module knows no module under Filters/
+#   - a rendering module knows no module under Filters/; Scene <- Tetrahedra, Light, which do not know
+#     each other
 #   - Isotables knows no pipeline and no dataset; Isotables <- Intervals <- Flow; Sources and Meshing on VTK
 #     alone, and no filter module uses them
 
@@ -54,7 +55,15 @@ function (find_breaches root output)
   header_pattern(meshing "${root}/Filters/Meshing")
   header_pattern(sources_headers "${root}/Filters/Sources")
   header_pattern(not_sources "${root}/Filters/Isotables" "${root}/Filters/Intervals" "${root}/Filters/Flow")
+  header_pattern(tetrahedra "${root}/Rendering/Tetrahedra")
+  header_pattern(light "${root}/Rendering/Light")
   forbid("${root}" Rendering "${filters}")
+  foreach (folder IN ITEMS Scene Light)
+    forbid("${root}" Rendering/${folder} "${tetrahedra}")
+  endforeach ()
+  foreach (folder IN ITEMS Scene Tetrahedra)
+    forbid("${root}" Rendering/${folder} "${light}")
+  endforeach ()
   forbid("${root}" Filters/Isotables "${intervals}")
   forbid("${root}" Filters/Isotables "${flow}")
   forbid("${root}" Filters/Intervals "${flow}")

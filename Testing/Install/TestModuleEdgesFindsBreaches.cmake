@@ -8,6 +8,9 @@ file(WRITE "${WORK_DIR}/Filters/Intervals/vtkCut.h"
 file(WRITE "${WORK_DIR}/Filters/Flow/vtkStreamVolume.h" "#include \"vtkCut.h\"\n")
 file(WRITE "${WORK_DIR}/Filters/Meshing/vtkMesh.h" "#include \"vtkPolyData.h\"\n")
 file(WRITE "${WORK_DIR}/Filters/Sources/vtkField.h" "#include \"vtkImageAlgorithm.h\"\n")
+file(WRITE "${WORK_DIR}/Rendering/Scene/vtkDepth.h" "#include \"vtkRenderer.h\"\n")
+file(WRITE "${WORK_DIR}/Rendering/Light/vtkSweep.h" "#include \"vtkDepth.h\"\n")
+file(WRITE "${WORK_DIR}/Rendering/Tetrahedra/vtkOrder.h" "#include \"vtkDepth.h\"\n")
 file(WRITE "${WORK_DIR}/Plugin/vtkPanel.cxx" "#include \"vtkPVView.h\"\n")
 find_breaches("${WORK_DIR}" breaches)
 if (breaches)
@@ -26,6 +29,10 @@ set(expected
   "Filters/Meshing/vtkL.cxx: #include \"vtkCut.h\""
   "Filters/Sources/vtkG.cxx: #include \"vtkTable.h\""
   "Rendering/Light/vtkH.cxx: #include <vtkCut.h>"
+  "Rendering/Light/vtkN.cxx: #include \"vtkOrder.h\""
+  "Rendering/Scene/vtkO.cxx: #include \"vtkOrder.h\""
+  "Rendering/Scene/vtkP.cxx: #include \"vtkSweep.h\""
+  "Rendering/Tetrahedra/vtkQ.cxx: #include \"vtkSweep.h\""
   "Testing/Cxx/I.cxx: #include \"vtkSMProxy.h\""
   "Examples/J.cxx: #  include \"pqCoreInit.h\"")
 foreach (breach IN LISTS expected)

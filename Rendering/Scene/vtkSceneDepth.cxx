@@ -6,8 +6,6 @@
 #include "vtkTextureObject.h"
 #include "vtk_glew.h"
 
-#include <algorithm>
-#include <limits>
 #include <memory>
 
 namespace
@@ -157,41 +155,14 @@ bool vtkSceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
 }
 
 //------------------------------------------------------------------------------
-bool vtkSceneDepth::Read(vtkRenderer* renderer, const vtkTetrahedraView& view, int stride)
+bool vtkSceneDepth::Read(
+  vtkRenderer* renderer, std::vector<float>& depths, std::array<int, 2>& size)
 {
-  int width = 0;
-  int height = 0;
-  this->Depths.clear();
-  const bool isRead = ReadDepth(renderer,
-    [&](int left, int bottom, int columns, int rows)
+  return ReadDepth(renderer,
+    [&](int left, int bottom, int width, int height)
     {
-      width = columns;
-      height = rows;
-      this->Buffer.resize(static_cast<std::size_t>(columns) * rows);
-      glReadPixels(left, bottom, columns, rows, GL_DEPTH_COMPONENT, GL_FLOAT, this->Buffer.data());
+      size = { { width, height } };
+      depths.resize(static_cast<std::size_t>(width) * height);
+      glReadPixels(left, bottom, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
     });
-  if (!isRead)
-  {
-    return false;
-  }
-  if (std::all_of(
-        this->Buffer.begin(), this->Buffer.end(), [](float value) { return value >= 1.0f; }))
-  {
-    return true;
-  }
-  const std::array<double, 2>& depthOfBuffer = view.GetDepthOfBuffer();
-  this->Depths.reserve(static_cast<std::size_t>(view.GetWidth()) * view.GetHeight());
-  for (int y = 0; y < view.GetHeight(); ++y)
-  {
-    const int row = std::min(y * stride + stride / 2, height - 1);
-    for (int x = 0; x < view.GetWidth(); ++x)
-    {
-      const int column = std::min(x * stride + stride / 2, width - 1);
-      const double value = this->Buffer[static_cast<std::size_t>(row) * width + column];
-      this->Depths.push_back(value >= 1.0
-          ? std::numeric_limits<float>::lowest()
-          : static_cast<float>(depthOfBuffer[0] + depthOfBuffer[1] * value));
-    }
-  }
-  return true;
 }

@@ -1,5 +1,6 @@
 #include "vtkShaderFeatures.h"
 
+#include <algorithm>
 #include <sstream>
 
 //------------------------------------------------------------------------------
@@ -10,6 +11,7 @@ std::string vtkShaderFeatures::Insert(const std::string& source, const std::stri
   std::istringstream words(features);
   for (std::string word; words >> word;)
   {
+    std::replace(word.begin(), word.end(), '=', ' ');
     defines += "#define " + word + "\n";
   }
   std::string result = source;

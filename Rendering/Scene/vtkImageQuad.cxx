@@ -1,6 +1,6 @@
 #include "vtkImageQuad.h"
 
-#include "InterlumeResolveFS.h"
+#include "InterlumeImageQuadFS.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -33,14 +33,41 @@ vtkIdType vtkImageQuad::Upload(vtkOpenGLRenderWindow* window, int width, int hei
 }
 
 //------------------------------------------------------------------------------
-void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
-  const std::string& features, const std::function<void(vtkShaderProgram*)>& setUniforms)
+void vtkImageQuad::Draw(
+  vtkOpenGLRenderWindow* window, const std::string& features, const Share& share)
 {
-  if (!this->Quad || this->Features != features)
+  this->Draw(window, this->Texture, features, share);
+}
+
+//------------------------------------------------------------------------------
+void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  const std::string& features, const Share& share)
+{
+  const std::array<float, 2> floats{ { static_cast<float>(share[0]),
+    static_cast<float>(share[1]) } };
+  this->Render(
+    window, texture, vtkShaderFeatures::Insert(InterlumeImageQuadFS, features),
+    [&floats](vtkShaderProgram* program) { program->SetUniform2f("share", floats.data()); },
+    features.find("SELECTION") != std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+void vtkImageQuad::DrawWith(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setUniforms)
+{
+  this->Render(window, texture, fragmentShader, setUniforms, false);
+}
+
+//------------------------------------------------------------------------------
+void vtkImageQuad::Render(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setUniforms,
+  bool usesDepth)
+{
+  if (!this->Quad || this->FragmentShader != fragmentShader)
   {
-    this->Features = features;
-    const std::string shader = vtkShaderFeatures::Insert(InterlumeResolveFS, features);
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader.c_str(), nullptr);
+    this->FragmentShader = fragmentShader;
+    this->Quad =
+      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragmentShader.c_str(), nullptr);
   }
   else
   {
@@ -55,8 +82,7 @@ void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglDepthMask depthMask(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
-  const bool isSelection = features == "SELECTION";
-  if (isSelection)
+  if (usesDepth)
   {
     state->vtkglEnable(GL_DEPTH_TEST);
   }
@@ -64,7 +90,7 @@ void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture
   {
     state->vtkglDisable(GL_DEPTH_TEST);
   }
-  state->vtkglDepthMask(isSelection ? GL_TRUE : GL_FALSE);
+  state->vtkglDepthMask(usesDepth ? GL_TRUE : GL_FALSE);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   texture->Activate();

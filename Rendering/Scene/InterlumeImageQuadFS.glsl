@@ -1,0 +1,33 @@
+//VTK::System::Dec
+//INTERLUME::FEATURES
+
+// A picture, as colour times opacity.
+in vec2 texCoord;
+uniform sampler2D image;
+uniform vec2 share;
+
+//VTK::Output::Dec
+
+void main()
+{
+  vec4 color = texture(image, texCoord * share);
+#ifdef SATURATE
+  color = min(color, 1.0);
+#endif
+#ifdef SUM
+  color.a = 0.0;
+#endif
+#ifdef TRANSMITTANCE
+  color.a = 1.0 - color.a;
+#endif
+#ifdef SELECTION
+  // A colour that names a cell, and its depth.
+  if (color.a < 0.0)
+  {
+    discard;
+  }
+  gl_FragDepth = color.a;
+  color.a = 1.0;
+#endif
+  gl_FragData[0] = color;
+}

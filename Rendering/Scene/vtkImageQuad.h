@@ -1,0 +1,84 @@
+#ifndef vtkImageQuad_h
+#define vtkImageQuad_h
+
+#include "InterlumeSceneModule.h" // for the export macro
+#include "vtkNew.h"               // for the texture
+#include "vtkType.h"
+
+#include <array>      // for the share
+#include <functional> // for uniforms of the caller
+#include <memory>     // for the quad
+#include <string>     // for shaders
+#include <vector>     // for pictures
+
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+/**
+ * @class   vtkImageQuad
+ * @brief   lays a picture of floats over the viewport
+ *
+ * The picture holds red, green and blue, already multiplied by opacity, and opacity. Depth is
+ * neither tested nor written, since the picture was made with the scene's depth in hand; a
+ * selection's is both. Where the picture is smaller than the viewport it is stretched, by the
+ * texture's own filter.
+ *
+ * Features are words separated by spaces:
+ * - SATURATE: at most 1 in each channel;
+ * - TRANSMITTANCE: the fourth channel is what the picture lets through of what is behind,
+ *   1 - opacity: C + T behind;
+ * - SELECTION: the fourth channel is the depth, 0 to 1; below 0 nothing is drawn.
+ */
+class INTERLUMESCENE_EXPORT vtkImageQuad
+{
+public:
+  vtkImageQuad();
+  ~vtkImageQuad();
+  vtkImageQuad(const vtkImageQuad&) = delete;
+  vtkImageQuad& operator=(const vtkImageQuad&) = delete;
+
+  /// Columns and rows that the viewport shows, from the lower left, as a share of the picture's: 1
+  /// where its last pixels end with the viewport.
+  using Share = std::array<double, 2>;
+
+  /**
+   * Uploads RGBA, row by row from below. Pixels of the viewport between those of the picture are
+   * interpolated, if \a isSmooth. Returns the bytes.
+   */
+  vtkIdType Upload(vtkOpenGLRenderWindow* window, int width, int height,
+    const std::vector<float>& colors, bool isSmooth = true);
+
+  ///@{
+  /**
+   * Draws what was uploaded last, or \a texture, into the framebuffer that is bound.
+   */
+  void Draw(vtkOpenGLRenderWindow* window, const std::string& features = {},
+    const Share& share = Share{ { 1.0, 1.0 } });
+  void Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+    const std::string& features = {}, const Share& share = Share{ { 1.0, 1.0 } });
+  ///@}
+
+  /**
+   * Draws with a fragment shader of the caller's, which finds \a texture as `image` and where in it
+   * the fragment lies as `texCoord`, 0 to 1; \a setUniforms sets what else it wants.
+   */
+  void DrawWith(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+    const std::string& fragmentShader,
+    const std::function<void(vtkShaderProgram*)>& setUniforms = nullptr);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void Render(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+    const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setUniforms,
+    bool usesDepth);
+
+  vtkNew<vtkTextureObject> Texture;
+  std::string FragmentShader;
+  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+};
+
+#endif

@@ -1,0 +1,22 @@
+#ifndef vtkShaderFeatures_h
+#define vtkShaderFeatures_h
+
+#include "InterlumeSceneModule.h" // for the export macro
+
+#include <string> // for sources
+
+/**
+ * @class   vtkShaderFeatures
+ * @brief   puts the features of a shader in its source
+ */
+class INTERLUMESCENE_EXPORT vtkShaderFeatures
+{
+public:
+  /**
+   * \a source with one `#define` for each word of \a features, a name or name=value, in the place of
+   * the line `//INTERLUME::FEATURES`.
+   */
+  static std::string Insert(const std::string& source, const std::string& features);
+};
+
+#endif

@@ -1,0 +1,26 @@
+#include "vtkSoftwareOpenGL.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtk_glew.h"
+
+#include <cstring>
+
+//------------------------------------------------------------------------------
+bool vtkSoftwareOpenGL::IsUsed(vtkOpenGLRenderWindow* window)
+{
+  window->MakeCurrent();
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  if (!name)
+  {
+    return true;
+  }
+  for (const char* software :
+    { "llvmpipe", "softpipe", "SWR", "Software", "SwiftShader", "Basic Render", "GDI Generic" })
+  {
+    if (std::strstr(name, software))
+    {
+      return true;
+    }
+  }
+  return false;
+}

@@ -1,0 +1,22 @@
+#ifndef vtkSoftwareOpenGL_h
+#define vtkSoftwareOpenGL_h
+
+#include "InterlumeSceneModule.h" // for the export macro
+
+class vtkOpenGLRenderWindow;
+
+/**
+ * @class   vtkSoftwareOpenGL
+ * @brief   whether OpenGL runs on the processor instead of a graphics card
+ */
+class INTERLUMESCENE_EXPORT vtkSoftwareOpenGL
+{
+public:
+  /**
+   * Makes the window's context current and looks at the name of its renderer. One without a name
+   * counts as software.
+   */
+  static bool IsUsed(vtkOpenGLRenderWindow* window);
+};
+
+#endif

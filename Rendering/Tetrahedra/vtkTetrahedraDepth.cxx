@@ -1,0 +1,38 @@
+#include "vtkTetrahedraDepth.h"
+
+#include "vtkSceneDepth.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+//------------------------------------------------------------------------------
+bool vtkTetrahedraDepth::Read(vtkRenderer* renderer, const vtkTetrahedraView& view, int stride)
+{
+  std::array<int, 2> size{ { 0, 0 } };
+  this->Depths.clear();
+  if (!vtkSceneDepth::Read(renderer, this->Buffer, size))
+  {
+    return false;
+  }
+  if (std::all_of(
+        this->Buffer.begin(), this->Buffer.end(), [](float value) { return value >= 1.0f; }))
+  {
+    return true;
+  }
+  const std::array<double, 2>& depthOfBuffer = view.GetDepthOfBuffer();
+  this->Depths.reserve(static_cast<std::size_t>(view.GetWidth()) * view.GetHeight());
+  for (int y = 0; y < view.GetHeight(); ++y)
+  {
+    const int row = std::min(y * stride + stride / 2, size[1] - 1);
+    for (int x = 0; x < view.GetWidth(); ++x)
+    {
+      const int column = std::min(x * stride + stride / 2, size[0] - 1);
+      const double value = this->Buffer[static_cast<std::size_t>(row) * size[0] + column];
+      this->Depths.push_back(value >= 1.0
+          ? std::numeric_limits<float>::lowest()
+          : static_cast<float>(depthOfBuffer[0] + depthOfBuffer[1] * value));
+    }
+  }
+  return true;
+}
