@@ -1,0 +1,190 @@
+//VTK::System::Dec
+//INTERLUME::FEATURES
+#define COLOR
+
+// What the eye sees of one slab: colour times opacity, and opacity.
+in vec3 place;
+uniform sampler2D colors;
+#ifdef PERSPECTIVE
+uniform vec3 eyePosition;
+#else
+uniform vec3 eyeDirection;
+#endif
+#ifdef NEAR_PLANE
+uniform vec4 nearPlane;
+#endif
+#ifdef OPAQUE
+uniform sampler2D opaqueDepth;
+uniform vec2 imageSize;
+uniform mat4 unitFromClip;
+#endif
+#ifdef LIT
+uniform vec4 materials[ROWS];
+uniform vec3 ambient;
+#ifdef SHADE
+// The change from voxel to voxel, in columns, from which on there is a surface.
+uniform float surfaceColumns;
+#endif
+#endif
+
+//VTK::Output::Dec
+//INTERLUME::MEDIUM
+
+// The segment that this fragment stands for, the sample in its middle, and its optical depth.
+vec3 segmentStart;
+vec3 segmentEnd;
+vec3 sampleAt;
+vec3 sightline;
+float sampleExtinction;
+float opticalDepth;
+float opacity;
+
+vec3 colorAt(vec4 texel, int row)
+{
+#ifdef RGB
+  return texel.rgb * colorColumnScale.rgb + colorColumnOffset.rgb;
+#else
+  return lookUpColor(colors, texel, row);
+#endif
+}
+
+#ifdef TRANSMISSION
+vec3 samplePart;
+#else
+#define samplePart 1.0
+#endif
+
+#ifdef LIT
+// The rows' colours, shares of the extinction and normals, and how much of a surface there is, 0 to 1.
+vec3 rowColors[ROWS];
+float rowShares[ROWS];
+#ifdef SHADE
+vec3 rowNormals[ROWS];
+float rowSurfaces[ROWS];
+#endif
+
+// Mean of exp(-b) over the segment, weighted by what the eye sees, exp(-a) da: b goes from first to
+// last and a from 0 to opticalDepth, both evenly.
+float meanOfProduct(float first, float last)
+{
+  float sum = opticalDepth + last - first;
+  float integral = abs(sum) < 1e-2
+    ? exp(-first) * (1.0 - sum * (0.5 - sum * (1.0 / 6.0 - sum / 24.0)))
+    : (exp(-first) - exp(-(opticalDepth + last))) / sum;
+  return integral * opticalDepth / opacity;
+}
+
+#ifdef TRANSMISSION
+vec3 meanOfProduct(vec3 first, vec3 last)
+{
+  return vec3(meanOfProduct(first.r, last.r), meanOfProduct(first.g, last.g),
+    meanOfProduct(first.b, last.b));
+}
+#endif
+
+// Equation 2.6, without the ambient part, of light that goes along l.
+void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
+{
+  for (int row = 0; row < ROWS; ++row)
+  {
+#ifdef SHADE
+    vec3 n = rowNormals[row];
+    float cosine = -dot(n, l);
+    float incidence = mix(1.0, max(cosine, 0.0), rowSurfaces[row]);
+    sum += rowShares[row] * rowColors[row] * diffuse * (materials[row].y * incidence);
+    if (cosine > 0.0)
+    {
+      float mirrored = max(-dot(l + 2.0 * cosine * n, sightline), 0.0);
+      sum += rowShares[row] * specular *
+        (materials[row].z * rowSurfaces[row] * pow(mirrored, materials[row].w));
+    }
+#else
+    sum += rowShares[row] * rowColors[row] * diffuse * materials[row].y;
+#endif
+  }
+}
+
+//INTERLUME::LIGHTS
+#endif
+
+void main()
+{
+#ifdef PERSPECTIVE
+  vec3 ray = place - eyePosition;
+  sightline = normalize(ray);
+#else
+  sightline = eyeDirection;
+#endif
+  float upper = 0.5 * sliceSpacing / max(abs(dot(sightline, sliceNormal)), 1e-6);
+  float lower = -upper;
+#ifdef NEAR_PLANE
+  lower = max(
+    lower, -(dot(nearPlane.xyz, place) + nearPlane.w) / dot(nearPlane.xyz, sightline));
+#endif
+#ifdef OPAQUE
+  vec2 image = gl_FragCoord.xy / imageSize;
+  float window = texture(opaqueDepth, image).r;
+  if (window < 1.0)
+  {
+    vec4 surface = unitFromClip * vec4(vec3(image, window) * 2.0 - 1.0, 1.0);
+    upper = min(upper, dot(surface.xyz / surface.w - place, sightline));
+  }
+#endif
+  cutToMatter(place, sightline, lower, upper);
+  if (!(upper > lower))
+  {
+    discard;
+  }
+  sampleAt = place + sightline * (0.5 * (lower + upper));
+  vec4 texel;
+  vec4 parts;
+  sampleExtinction = extinctionsAt(sampleAt, texel, parts);
+  if (!(sampleExtinction > 0.0))
+  {
+    discard;
+  }
+  opticalDepth = sampleExtinction * (upper - lower);
+  opacity = opticalDepth < 0.05
+    ? opticalDepth *
+      (1.0 - opticalDepth * (0.5 - opticalDepth * (1.0 / 6.0 - opticalDepth / 24.0)))
+    : 1.0 - exp(-opticalDepth);
+  vec3 color = vec3(0.0);
+#ifdef LIT
+  segmentStart = place + sightline * lower;
+  segmentEnd = place + sightline * upper;
+#ifdef TRANSMISSION
+  samplePart = PART(texel);
+#endif
+#ifdef SHADE
+  vec4 differences[3];
+  differencesAt((textureFromUnit * vec4(sampleAt, 1.0)).xyz, texel, differences);
+#endif
+  for (int row = 0; row < ROWS; ++row)
+  {
+    rowShares[row] = parts[row] / sampleExtinction;
+    rowColors[row] = colorAt(texel, row);
+#ifdef SHADE
+#if ROWS == 1
+    vec3 difference =
+      vec3(differences[0].OPACITY_OF, differences[1].OPACITY_OF, differences[2].OPACITY_OF);
+    float scale = columnScale.OPACITY_OF;
+#else
+    vec3 difference = vec3(differences[0][row], differences[1][row], differences[2][row]);
+    float scale = columnScale[row];
+#endif
+    float change = 0.5 * max(max(abs(difference.x), abs(difference.y)), abs(difference.z)) * abs(scale);
+    bool isFlat = change == 0.0;
+    rowNormals[row] = isFlat ? vec3(0.0) : -normalize(gradientOf(difference));
+    rowSurfaces[row] = min(change / surfaceColumns, 1.0);
+#endif
+    color += rowShares[row] * rowColors[row] * ambient * materials[row].x;
+  }
+  //INTERLUME::SHINE
+#else
+  for (int row = 0; row < ROWS; ++row)
+  {
+    color += parts[row] / sampleExtinction * colorAt(texel, row);
+  }
+#endif
+  gl_FragData[0] = vec4(color * opacity, opacity);
+}

@@ -1,0 +1,74 @@
+//VTK::System::Dec
+//INTERLUME::FEATURES
+
+// What a light loses in one slab: its transmittance, which the buffer is multiplied by. A wide light's
+// buffer has optical depth instead, times the ray's cosine with the normal: along the slices that
+// changes evenly, where the transmittance of longer and longer rays cannot be interpolated.
+#ifdef WIDE
+in vec2 texCoord;
+uniform mat3 frame;
+#else
+in vec3 place;
+#endif
+#ifdef POSITIONAL
+uniform vec3 position;
+#else
+uniform vec3 direction;
+#endif
+
+//VTK::Output::Dec
+//INTERLUME::MEDIUM
+
+void main()
+{
+#ifdef WIDE
+  // Octahedral map of the half space that the light shines into.
+  vec2 p = texCoord * 2.0 - 1.0;
+  p = vec2(p.x + p.y, p.x - p.y) * 0.5;
+  vec3 l = normalize(frame * vec3(p, max(1.0 - abs(p.x) - abs(p.y), 1e-6)));
+  vec3 x = position;
+  float slope = max(dot(l, sliceNormal), 1e-6);
+  float first = (sliceEntrance - dot(position, sliceNormal)) / slope;
+  float lower = max(first, 0.0);
+  float upper = first + sliceSpacing / slope;
+#else
+#ifdef POSITIONAL
+  vec3 l = normalize(place - position);
+#else
+  vec3 l = direction;
+#endif
+  vec3 x = place;
+  float upper = 0.5 * sliceSpacing / dot(l, sliceNormal);
+  float lower = -upper;
+#endif
+  cutToMatter(x, l, lower, upper);
+  if (!(upper > lower))
+  {
+    discard;
+  }
+  vec4 texel;
+  vec4 parts;
+#ifdef WIDE
+  int steps = clamp(int(ceil((upper - lower) / (1.5 * sliceSpacing))), 1, 256);
+  float size = (upper - lower) / float(steps);
+  LIGHT depth = LIGHT(0.0);
+  for (int i = 0; i < steps; ++i)
+  {
+    float extinction = extinctionsAt(x + l * (lower + (float(i) + 0.5) * size), texel, parts);
+    depth += extinction * size * PART(texel);
+  }
+#else
+  float extinction = extinctionsAt(x + l * (0.5 * (lower + upper)), texel, parts);
+  if (!(extinction > 0.0))
+  {
+    discard;
+  }
+  LIGHT depth = extinction * (upper - lower) * PART(texel);
+#endif
+  gl_FragData[0] = vec4(1.0);
+#ifdef WIDE
+  gl_FragData[0].CHANNELS = depth * slope;
+#else
+  gl_FragData[0].CHANNELS = exp(-depth);
+#endif
+}

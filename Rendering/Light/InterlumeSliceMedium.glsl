@@ -1,0 +1,201 @@
+// What a fragment of the picture and one of a light's buffer both know: the matter along a ray.
+// ROWS functions of COLUMNS samples; OPACITY_OF names the components of a texel that have an opacity.
+
+uniform sampler3D volume;
+uniform sampler2D extinctions;
+uniform mat4 textureFromUnit;
+uniform vec4 columnScale;
+uniform vec4 columnOffset;
+uniform vec3 boxLower;
+uniform vec3 boxUpper;
+// World units in one of unit space.
+uniform float worldLength;
+#ifdef MASK
+uniform sampler3D mask;
+#endif
+#ifdef CLIPPING_PLANES
+uniform vec4 clippingPlanes[CLIPPING_PLANES];
+#endif
+#ifdef CROPPING
+uniform vec3 croppingLower;
+uniform vec3 croppingUpper;
+uniform int croppingFlags;
+uniform mat4 volumeFromUnit;
+#endif
+#ifdef TRANSMISSION
+uniform sampler2D transmissions;
+#endif
+#if defined(TRANSMISSION) || defined(COLOR)
+uniform vec4 colorColumnScale;
+uniform vec4 colorColumnOffset;
+#endif
+#if defined(GRADIENT_OPACITY) || defined(SHADE)
+uniform vec3 voxel;
+#endif
+#ifdef GRADIENT_OPACITY
+uniform sampler2D gradientOpacities;
+// Half a difference times these is the magnitude that the functions are of.
+uniform vec3 gradientSteps;
+uniform vec4 gradientColumnScale;
+uniform vec4 unitDistances;
+#endif
+
+// Slab: from entrance along the normal as far as spacing.
+uniform vec3 sliceNormal;
+uniform float sliceEntrance;
+uniform float sliceSpacing;
+
+// The part of x + s d between lower and upper that has matter.
+void cutToMatter(vec3 x, vec3 d, inout float lower, inout float upper)
+{
+  vec3 p = (textureFromUnit * vec4(x, 1.0)).xyz;
+  vec3 q = mat3(textureFromUnit) * d;
+  q = mix(q, vec3(1e-12), lessThan(abs(q), vec3(1e-12)));
+  vec3 a = (boxLower - p) / q;
+  vec3 b = (boxUpper - p) / q;
+  vec3 near = min(a, b);
+  vec3 far = max(a, b);
+  lower = max(lower, max(max(near.x, near.y), near.z));
+  upper = min(upper, min(min(far.x, far.y), far.z));
+#ifdef CLIPPING_PLANES
+  for (int i = 0; i < CLIPPING_PLANES; ++i)
+  {
+    float height = dot(clippingPlanes[i].xyz, x) + clippingPlanes[i].w;
+    float slope = dot(clippingPlanes[i].xyz, d);
+    if (abs(slope) < 1e-12)
+    {
+      upper = height < 0.0 ? lower - 1.0 : upper;
+    }
+    else if (slope > 0.0)
+    {
+      lower = max(lower, -height / slope);
+    }
+    else
+    {
+      upper = min(upper, -height / slope);
+    }
+  }
+#endif
+}
+
+float lookUp(sampler2D table, float column, int row)
+{
+  float place = clamp(column, 0.0, float(COLUMNS - 1));
+  int first = min(int(place), COLUMNS - 2);
+  return mix(texelFetch(table, ivec2(first, row), 0).r,
+    texelFetch(table, ivec2(first + 1, row), 0).r, place - float(first));
+}
+
+#if defined(TRANSMISSION) || defined(COLOR)
+vec3 lookUpColor(sampler2D table, vec4 texel, int row)
+{
+  float column =
+    clamp(texel[row] * colorColumnScale[row] + colorColumnOffset[row], 0.0, float(COLUMNS - 1));
+  int first = min(int(column), COLUMNS - 2);
+  return mix(texelFetch(table, ivec2(first, row), 0).rgb,
+    texelFetch(table, ivec2(first + 1, row), 0).rgb, column - float(first));
+}
+#endif
+
+// Light has three channels where the matter has a colour of its own for light that passes, else one;
+// PART is the share of the extinction that each meets.
+#ifdef TRANSMISSION
+#define LIGHT vec3
+#define CHANNELS rgb
+#define PART(texel) (1.0 - lookUpColor(transmissions, texel, 0))
+#else
+#define LIGHT float
+#define CHANNELS r
+#define PART(texel) 1.0
+#endif
+
+// The mean of the finite samples around, and their share.
+vec4 texelAt(vec3 p, out float share)
+{
+  vec4 texel = texture(volume, p);
+  share = 1.0;
+#ifdef MASK
+  share = texture(mask, p).r;
+  texel /= max(share, 1e-6);
+#endif
+  return texel;
+}
+
+#if defined(GRADIENT_OPACITY) || defined(SHADE)
+// Differences of the texel over two voxels along each axis of the texture.
+void differencesAt(vec3 p, vec4 here, out vec4 differences[3])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vec3 offset = vec3(0.0);
+    offset[axis] = voxel[axis];
+    float share;
+    vec4 before = texelAt(p - offset, share);
+    before = share > 0.0 ? before : here;
+    vec4 after = texelAt(p + offset, share);
+    after = share > 0.0 ? after : here;
+    differences[axis] = after - before;
+  }
+}
+
+// The gradient in unit space of one component, from its differences.
+vec3 gradientOf(vec3 difference)
+{
+  return (0.5 * difference / voxel) * mat3(textureFromUnit);
+}
+#endif
+
+#ifdef CROPPING
+bool isCropped(vec3 x)
+{
+  vec3 v = (volumeFromUnit * vec4(x, 1.0)).xyz;
+  ivec3 region = ivec3(greaterThanEqual(v, croppingLower)) + ivec3(greaterThan(v, croppingUpper));
+  return (croppingFlags & (1 << (region.x + 3 * region.y + 9 * region.z))) == 0;
+}
+#endif
+
+// Extinction of each row at x, and their sum.
+float extinctionsAt(vec3 x, out vec4 texel, out vec4 parts)
+{
+  parts = vec4(0.0);
+#ifdef CROPPING
+  if (isCropped(x))
+  {
+    texel = vec4(0.0);
+    return 0.0;
+  }
+#endif
+  float share;
+  vec3 p = (textureFromUnit * vec4(x, 1.0)).xyz;
+  texel = texelAt(p, share);
+  vec4 columns = texel * columnScale + columnOffset;
+#if ROWS == 1
+  parts.x = lookUp(extinctions, columns.OPACITY_OF, 0) * (share * worldLength);
+#else
+  for (int row = 0; row < ROWS; ++row)
+  {
+    parts[row] = lookUp(extinctions, columns[row], row) * (share * worldLength);
+  }
+#endif
+#ifdef GRADIENT_OPACITY
+  if (dot(parts, vec4(1.0)) > 0.0)
+  {
+    vec4 differences[3];
+    differencesAt(p, texel, differences);
+    for (int row = 0; row < ROWS; ++row)
+    {
+#if ROWS == 1
+      vec3 difference =
+        vec3(differences[0].OPACITY_OF, differences[1].OPACITY_OF, differences[2].OPACITY_OF);
+#else
+      vec3 difference = vec3(differences[0][row], differences[1][row], differences[2][row]);
+#endif
+      float factor = lookUp(
+        gradientOpacities, length(difference * gradientSteps) * gradientColumnScale[row], row);
+      float opacity = 1.0 - exp(-parts[row] * unitDistances[row]);
+      parts[row] = -log(max(1.0 - opacity * factor, 1e-30)) / unitDistances[row];
+    }
+  }
+#endif
+  return dot(parts, vec4(1.0));
+}

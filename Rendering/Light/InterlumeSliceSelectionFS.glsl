@@ -1,0 +1,17 @@
+//VTK::System::Dec
+
+// One colour where there is something of the volume in front of all else.
+in vec2 texCoord;
+uniform sampler2D image;
+uniform vec3 selectionColor;
+
+//VTK::Output::Dec
+
+void main()
+{
+  if (!(texture(image, texCoord).a > 0.0))
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(selectionColor, 1.0);
+}

@@ -1,0 +1,36 @@
+#include "vtkFloatTarget.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkTextureObject.h"
+
+//------------------------------------------------------------------------------
+bool vtkFloatTarget::Fits(vtkTextureObject* texture, int width, int height)
+{
+  return texture->GetHandle() != 0 && static_cast<int>(texture->GetWidth()) == width &&
+    static_cast<int>(texture->GetHeight()) == height;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFloatTarget::Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  int width, int height, int channels, bool isSmooth)
+{
+  texture->SetContext(window);
+  const int filter = isSmooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  texture->SetMinificationFilter(filter);
+  texture->SetMagnificationFilter(filter);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  const bool fits = Fits(texture, width, height) && texture->GetComponents() == channels;
+  if (!fits)
+  {
+    // Else it keeps the format it had.
+    texture->ResetFormatAndType();
+  }
+  if (!fits &&
+    !texture->Allocate2D(
+      static_cast<unsigned int>(width), static_cast<unsigned int>(height), channels, VTK_FLOAT))
+  {
+    return 0;
+  }
+  return static_cast<vtkIdType>(sizeof(float)) * width * height * channels;
+}

@@ -1,0 +1,97 @@
+#ifndef vtkMaterialTable_h
+#define vtkMaterialTable_h
+
+#include "InterlumeLightModule.h" // for the export macro
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkColorTransferFunction;
+class vtkVolumeProperty;
+class vtkVolumeSamples;
+
+/**
+ * @class   vtkMaterialTable
+ * @brief   colour, extinction and gradient opacity by scalar, as textures have them
+ *
+ * A row is the functions of one component, sampled at Columns places over the component's range,
+ * ends included; where its values are all equal, over a range from there on. A function without
+ * points is a ramp over the range, colours from 0 to 1 and opacities from 0 to 0.5, as in VTK. Of
+ * components that are not independent the functions, the unit distance and the gradient opacity are
+ * those of index 0. Weights count for two and more independent components only, as in VTK.
+ *
+ * What lies between two columns is interpolated: a peak narrower than that is lower in the picture
+ * or missed, but never hides a block, as GetLargestExtinction looks at the points of the function
+ * too.
+ *
+ * **Gradient opacity** is by the magnitude that vtkGPUVolumeRayCastMapper looks up: the length of
+ * the gradient by central differences per unit of length of the image, times the mean of its three
+ * spacings s,
+ *   m = (sx + sy + sz) / 3 |((f(x + 1) - f(x - 1)) / (2 sx), ... y, ... z)|,
+ * x counting voxels; so it is in units of the scalar, for cubic voxels its change from one to the
+ * next. m beyond a quarter of the component's range counts as that quarter. f is the opacity's
+ * component.
+ */
+class INTERLUMELIGHT_EXPORT vtkMaterialTable
+{
+public:
+  static constexpr int Columns = 4096;
+
+  /// What a voxel's components mean.
+  enum Kinds
+  {
+    /// Each has its own functions; one row for each. One component is such.
+    INDEPENDENT,
+    /// The first has a colour, the second an opacity.
+    COLOR_OPACITY,
+    /// RGB and a fourth that has an opacity.
+    RGB_OPACITY
+  };
+
+  /**
+   * Samples the functions of \a property. \a transmission may be null. Returns what is wrong, or
+   * nothing. Wrong are three components that are not independent, transfer functions of two
+   * dimensions, a unit distance that is not above 0, and a transmission for several independent
+   * components or for RGB.
+   */
+  std::string Build(vtkVolumeProperty* property, const vtkVolumeSamples& samples,
+    vtkColorTransferFunction* transmission);
+
+  /// The largest extinction per world unit in [lower, upper] of \a row's opacity function, from the
+  /// table's samples in and next to it and the function's points between those. A scalar closer to
+  /// a sample than a thousandth of their distance counts as on it. 0 where lower > upper.
+  double GetLargestExtinction(int row, double lower, double upper) const;
+
+  /// The component that \a row's opacity is of.
+  int GetOpacityComponent(int row) const
+  {
+    return this->Kind == INDEPENDENT ? row : this->Kind == COLOR_OPACITY ? 1 : 3;
+  }
+
+  Kinds Kind = INDEPENDENT;
+  int Rows = 0;
+  /// Scalars of the first and last column of a row for the colour, and for the opacity; they differ
+  /// for COLOR_OPACITY only. Never equal, and their difference is finite.
+  std::array<std::array<double, 2>, 4> ColorRange{};
+  std::array<std::array<double, 2>, 4> OpacityRange{};
+  /// Red, green, blue, and extinction per world unit (-ln(1 - opacity) / unit distance, at most
+  /// LargestOpticalDepth / unit distance), times the component's weight. White for RGB_OPACITY.
+  std::vector<float> Colors;
+  static constexpr double LargestOpticalDepth = 69.0;
+  /// Gradient opacity over the magnitude m, 0 to GradientRange[row], a quarter of the range; 1 for
+  /// rows without such a function or with DisableGradientOpacity, empty where all are 1.
+  std::vector<float> GradientOpacity;
+  std::array<double, 4> GradientRange{ { 1.0, 1.0, 1.0, 1.0 } };
+  /// RGB of light let through, by row 0's colour range; empty without it.
+  std::vector<float> Transmission;
+
+private:
+  void BuildRow(vtkVolumeProperty* property, int row);
+  void BuildGradientOpacity(vtkVolumeProperty* property);
+  void BuildTransmission(vtkColorTransferFunction* transmission);
+
+  /// Largest extinctions of 1, 2, 4, ... successive columns and gaps between them, by row.
+  std::vector<float> Largest;
+};
+
+#endif

@@ -1,0 +1,192 @@
+#include "vtkShadowedSliceMapper.h"
+
+#include "vtkSliceRenderer.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkShadowedSliceMapper);
+
+//------------------------------------------------------------------------------
+vtkShadowedSliceMapper::vtkShadowedSliceMapper()
+  : Renderer(std::make_unique<vtkSliceRenderer>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkShadowedSliceMapper::~vtkShadowedSliceMapper() = default;
+
+//------------------------------------------------------------------------------
+int vtkShadowedSliceMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port != 0)
+  {
+    return 0;
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedSliceMapper::SetLightBufferSize(int size)
+{
+  const int clamped = size <= 0 ? 0 : std::min(std::max(size, 16), 8192);
+  if (clamped != this->LightBufferSize)
+  {
+    this->LightBufferSize = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedSliceMapper::SetTransmissionColor(vtkColorTransferFunction* function)
+{
+  if (function != this->TransmissionColor)
+  {
+    this->TransmissionColor = function;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkShadowedSliceMapper::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->TransmissionColor ? std::max(time, this->TransmissionColor->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowedSliceMapper::FindScalars(
+  vtkImageData* image, vtkDataArray*& scalars, bool& isOfCells)
+{
+  int cellFlag = 0;
+  scalars = vtkAbstractMapper::GetScalars(
+    image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+  if (!scalars)
+  {
+    return this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && this->ArrayName && *this->ArrayName
+      ? std::string("there is no array ") + this->ArrayName + " to draw"
+      : std::string("there are no scalars to draw");
+  }
+  isOfCells = cellFlag == 1 || this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+  const vtkIdType expected = isOfCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+  if (scalars->GetNumberOfTuples() != expected)
+  {
+    const std::string name = scalars->GetName() ? scalars->GetName() : "without a name";
+    return "the array " + name + " has " + std::to_string(scalars->GetNumberOfTuples()) +
+      " tuples instead of " + std::to_string(expected);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetInput());
+  int width = 0;
+  int height = 0;
+  int left = 0;
+  int bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  this->RenderReport = vtkShadowedSliceReport();
+  if (!image || image->GetNumberOfPoints() == 0 || width <= 0 || height <= 0)
+  {
+    return;
+  }
+  vtkSliceRenderer::Request request;
+  request.Image = image;
+  request.Transmission = this->TransmissionColor;
+  request.ClippingPlanes = this->ClippingPlanes;
+  request.Cropping = this->Cropping != 0;
+  std::copy_n(this->CroppingRegionPlanes, 6, request.CroppingPlanes.begin());
+  request.CroppingFlags = this->CroppingRegionFlags;
+  request.Shadows = this->Shadows;
+  request.MaximumNumberOfShadows = this->MaximumNumberOfShadows;
+  request.SliceSpacing = this->SliceSpacing;
+  request.LightBufferSize = this->LightBufferSize;
+  request.IsSmoothLookup = this->LightLookup == BILINEAR_LIGHT;
+  request.ImageSampleDistance = this->ImageSampleDistance;
+  request.AdjustsSampleDistances = this->AutoAdjustSampleDistances;
+  request.SurfaceGradient = this->SurfaceGradient;
+  request.MaximumTextureMemory = this->MaximumTextureMemory;
+  std::vector<std::string> warnings;
+  std::string error = this->BlendMode == COMPOSITE_BLEND
+    ? this->FindScalars(image, request.Scalars, request.IsOfCells)
+    : std::string("blend modes other than composite are not supported");
+  if (error.empty())
+  {
+    error = this->Renderer->Render(renderer, volume, request, warnings, this->RenderReport);
+  }
+  else
+  {
+    this->Renderer->ShowLast(renderer);
+  }
+  this->TimeToDraw = this->RenderReport.Seconds;
+  this->Complain(image, request.Scalars, error, warnings);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedSliceMapper::Complain(vtkImageData* image, vtkDataArray* scalars,
+  const std::string& error, const std::vector<std::string>& warnings)
+{
+  std::string text = error;
+  for (const std::string& warning : warnings)
+  {
+    text += (text.empty() ? "" : "; ") + warning;
+  }
+  // The same complaint once for one state of the input and of the mapper, not for every picture.
+  const vtkMTimeType state = std::max(image->GetMTime(), this->GetMTime());
+  if (!text.empty() && (state != this->ErrorTime || text != this->ErrorText))
+  {
+    vtkErrorMacro(<< text);
+    this->ErrorTime = state;
+    this->ErrorText = text;
+  }
+  if (error.empty() && this->RenderReport.NonFiniteVoxels > 0 &&
+    scalars->GetMTime() != this->WarningTime)
+  {
+    const char* name = scalars->GetName() ? scalars->GetName() : "without a name";
+    vtkWarningMacro(<< "the array " << name << " has " << this->RenderReport.NonFiniteVoxels
+                    << " voxels with NaN or infinity, which are transparent");
+    this->WarningTime = scalars->GetMTime();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowedSliceMapper::ReadLightBuffer(
+  vtkRenderer* renderer, vtkLight* light, vtkImageData* image)
+{
+  return renderer && light && image && this->Renderer->ReadLightBuffer(renderer, light, image);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedSliceMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Renderer->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Shadows: " << this->Shadows << "\n";
+  os << indent << "MaximumNumberOfShadows: " << this->MaximumNumberOfShadows << "\n";
+  os << indent << "SliceSpacing: " << this->SliceSpacing << "\n";
+  os << indent << "LightBufferSize: " << this->LightBufferSize << "\n";
+  os << indent << "LightLookup: " << this->LightLookup << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
+  os << indent << "SurfaceGradient: " << this->SurfaceGradient << "\n";
+  os << indent << "TransmissionColor: " << this->TransmissionColor.Get() << "\n";
+  os << indent << "MaximumTextureMemory: " << this->MaximumTextureMemory << "\n";
+  os << indent << "RenderReport:\n";
+  this->RenderReport.Print(os, indent.GetNextIndent());
+}

@@ -1,0 +1,255 @@
+#ifndef vtkShadowedSliceMapper_h
+#define vtkShadowedSliceMapper_h
+
+#include "InterlumeLightModule.h"     // for the export macro
+#include "vtkColorTransferFunction.h" // for the smart pointer
+#include "vtkShadowedSliceReport.h"   // for the report
+#include "vtkSmartPointer.h"          // for the transmission colours
+#include "vtkVolumeMapper.h"
+
+#include <memory> // for what is kept from picture to picture
+#include <string> // for errors
+#include <vector> // for warnings
+
+class vtkDataArray;
+class vtkImageData;
+class vtkLight;
+class vtkSliceRenderer;
+
+/**
+ * @class   vtkShadowedSliceMapper
+ * @brief   draws a volume in half-angle slices, with the shadows of every light in it
+ *
+ * The volume is cut by planes perpendicular to the half vector between the directions of view and
+ * of light, so that one order of slices serves both (C. Zhang, dissertation, Ohio State 2006, 2.3;
+ * J. Kniss, S. Premoze, C. Hansen, D. Ebert, "Interactive translucent volume rendering and
+ * procedural modeling", 2002). Each slice is first drawn into the picture, lit by what one
+ * two-dimensional buffer for each light holds, then into that buffer, which holds the transmittance
+ * T(x) from the light to the slice.
+ *
+ * A slice stands for the slab of matter around it. Along the eye's ray through it, of length l
+ * within the volume, the slab has transmittance exp(-tau l); a light loses exp(-tau m) along its
+ * own ray of length m. Inside the slab both fall exponentially, and their product is integrated
+ * exactly for constant tau, so that a homogeneous medium is exact at any spacing and opaque
+ * surfaces do not darken as slices get thicker.
+ *
+ * **Extinction** tau = -ln(1 - opacity) / ScalarOpacityUnitDistance per unit of length, the opacity
+ * from the property's scalar opacity function, times its gradient opacity function of the
+ * gradient's magnitude where there is one - taken as vtkGPUVolumeRayCastMapper takes it, with the
+ * image's spacings s: (sx + sy + sz) / 3 |(df/dx, df/dy, df/dz)|, central differences in the
+ * image's own units - classified after interpolation for each fragment.
+ *
+ * **Colour** with the property's Shade on: equation 2.6, for each channel (2.9),
+ *   C = c (ka Ia + sum kd I T (N.L)) + sum ks I T (E.R)^n,
+ * over all lights that are switched on, I their colour, intensity, cone, fall-off and screen, N the
+ * normalised gradient by central differences, towards lower values. Where the gradient is zero
+ * there is no surface, and light is scattered evenly: N.L is 1 and nothing is specular. Ia is the
+ * sum of the lights' ambient colours times intensity, or white where all of them are black. With
+ * Shade off and a light that casts shadows: C = c (ka + sum kd I T). With Shade off and no shadows:
+ * C = c, as in other mappers of VTK.
+ *
+ * **Lights** are those of the renderer: headlights, camera lights and scene lights, directional,
+ * positional, with cone, and vtkProjectiveLight. A light casts shadows if Shadows is on and its
+ * ShadowAttenuation is above 0: it then shines with 1 - ShadowAttenuation (1 - T). Lights behind
+ * the viewer are swept from front to back, those behind the volume from back to front; lights on
+ * both sides take two sweeps, and so does a positional light inside the volume.
+ *
+ * **Input**: vtkImageData, point or cell scalars by ScalarMode, ArrayName, ArrayId as in VTK's
+ * other mappers, of any type and of
+ * - one component: colour and opacity functions of it;
+ * - two to four independent components: the functions and the weight of each, extinctions added,
+ *   colours weighted by extinction;
+ * - two without IndependentComponents: colour of the first, opacity of the second;
+ * - four without: RGB, 0 to 255 in unsigned char and 0 to 1 otherwise, and the opacity function of
+ * the fourth. Three without IndependentComponents are an error. Samples with NaN or infinity in any
+ * component are transparent, with a ramp of one voxel around them; they are counted and warned of
+ * once for each input.
+ *
+ * Samples of points reach from the first sample to the last; values of cells fill the image's
+ * bounds, level within half a voxel of them.
+ *
+ * Selection (vtkHardwareSelector) finds the volume as a whole, wherever a line of sight meets
+ * matter before an opaque prop.
+ *
+ * Cropping by region flags and clipping planes cut the matter exactly along the ray where the flags
+ * are those of the subvolume, sample by sample otherwise. Opaque props occlude by depth, within a
+ * slab too. BlendMode: composite only.
+ *
+ * Errors (vtkErrorMacro; the picture of the frame before stays where there is one): no scalars, a
+ * blend mode or number of components that is not supported, a volume larger than the graphics
+ * card's three-dimensional textures, textures that do not fit into its memory or beyond
+ * MaximumTextureMemory, a projective light whose image has no samples (the others still shine).
+ *
+ * @sa vtkProjectiveLight vtkShadowedSliceReport
+ */
+class INTERLUMELIGHT_EXPORT vtkShadowedSliceMapper : public vtkVolumeMapper
+{
+public:
+  static vtkShadowedSliceMapper* New();
+  vtkTypeMacro(vtkShadowedSliceMapper, vtkVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Whether lights cast shadows in the volume. Off, no light has a buffer, and nothing of shadows
+   * is drawn, kept or in the shaders. Default on.
+   */
+  vtkSetMacro(Shadows, bool);
+  vtkGetMacro(Shadows, bool);
+  vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Only that many lights cast shadows, the brightest; the others shine through. A light kit has
+   * five lights, of which one matters. Default 16. Valid: 0 to 16.
+   */
+  vtkSetClampMacro(MaximumNumberOfShadows, int, 0, 16);
+  vtkGetMacro(MaximumNumberOfShadows, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the slices, in world units. 0, the default: half the length within one voxel of a
+   * line along the slices' normal. Valid: 0 and above. No more than 65,536 slices are drawn: a
+   * smaller distance is enlarged to that, and the report has the one in use.
+   */
+  vtkSetClampMacro(SliceSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SliceSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Columns and rows of the buffer of each light. 0, the default: as many as the volume has voxels
+   * across, seen from the light. Valid: 0, and 16 to 8192, up to what the graphics card can do.
+   */
+  void SetLightBufferSize(int size);
+  vtkGetMacro(LightBufferSize, int);
+  ///@}
+
+  /**
+   * How the light's buffer is looked up.
+   */
+  enum LightLookups
+  {
+    NEAREST_LIGHT = 0,
+    BILINEAR_LIGHT = 1
+  };
+
+  ///@{
+  /**
+   * The nearest sample of the light's buffer or the four around. Default BILINEAR_LIGHT.
+   */
+  vtkSetClampMacro(LightLookup, int, NEAREST_LIGHT, BILINEAR_LIGHT);
+  vtkGetMacro(LightLookup, int);
+  void SetLightLookupToNearest() { this->SetLightLookup(NEAREST_LIGHT); }
+  void SetLightLookupToBilinear() { this->SetLightLookup(BILINEAR_LIGHT); }
+  ///@}
+
+  ///@{
+  /**
+   * Pixels of the viewport for each of the picture, along an edge; between them it is interpolated.
+   * Default 1. Valid: 0.25 to 100.
+   */
+  vtkSetClampMacro(ImageSampleDistance, double, 0.25, 100.0);
+  vtkGetMacro(ImageSampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether slices and pixels are made coarser where the renderer allots less time than the last
+   * picture took, as while a view is turned. Default on. Only automatic values are changed: a
+   * SliceSpacing that is set stays.
+   */
+  vtkSetMacro(AutoAdjustSampleDistances, bool);
+  vtkGetMacro(AutoAdjustSampleDistances, bool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The change of a scalar from one voxel to the next, as a share of its range, from which on
+   * matter is shaded as a surface. Below, light is scattered evenly in proportion: N.L goes from 1
+   * at no change to itself, and the specular part from nothing to itself. Smoke and surfaces in one
+   * volume want a few hundredths, so does data with noise. Default 0: every gradient is one of a
+   * surface. Valid: 0 to 1.
+   */
+  vtkSetClampMacro(SurfaceGradient, double, 0.0, 1.0);
+  vtkGetMacro(SurfaceGradient, double);
+  ///@}
+
+  ///@{
+  /**
+   * The colour of light that the matter lets through, by scalar: channel k of a light is attenuated
+   * with extinction tau (1 - colour_k), so that white lets all light pass and black none. Light
+   * buffers have three channels then, else one. For volumes of one component or of two without
+   * IndependentComponents. Default null: black.
+   */
+  void SetTransmissionColor(vtkColorTransferFunction* function);
+  vtkColorTransferFunction* GetTransmissionColor() const { return this->TransmissionColor; }
+  ///@}
+
+  ///@{
+  /**
+   * The most that textures and buffers of one picture may take, in bytes. Beyond it is an error.
+   * Default 0: what the graphics card gives. Valid: 0 and above.
+   */
+  vtkSetClampMacro(MaximumTextureMemory, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaximumTextureMemory, vtkIdType);
+  ///@}
+
+  /**
+   * What the last picture took.
+   */
+  const vtkShadowedSliceReport& GetRenderReport() const { return this->RenderReport; }
+
+  /**
+   * The transmittance of the whole volume along each ray of a light, as its buffer holds it after
+   * the last picture: an image of floats of one or three components, and in its field data
+   * `BufferFromWorld` (16 values, rows of a matrix to texture coordinates 0 to 1 after division by
+   * the fourth). Only for lights seen through a plane: a light inside or close to the volume
+   * returns false, as does one that casts no shadows.
+   */
+  bool ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkImageData* image);
+
+  /**
+   * WARNING: for the renderer only.
+   */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkShadowedSliceMapper();
+  ~vtkShadowedSliceMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  bool Shadows = true;
+  int MaximumNumberOfShadows = 16;
+  double SliceSpacing = 0.0;
+  int LightBufferSize = 0;
+  int LightLookup = BILINEAR_LIGHT;
+  double ImageSampleDistance = 1.0;
+  bool AutoAdjustSampleDistances = true;
+  double SurfaceGradient = 0.0;
+  vtkSmartPointer<vtkColorTransferFunction> TransmissionColor;
+  vtkIdType MaximumTextureMemory = 0;
+
+private:
+  vtkShadowedSliceMapper(const vtkShadowedSliceMapper&) = delete;
+  void operator=(const vtkShadowedSliceMapper&) = delete;
+
+  std::string FindScalars(vtkImageData* image, vtkDataArray*& scalars, bool& isOfCells);
+  void Complain(vtkImageData* image, vtkDataArray* scalars, const std::string& error,
+    const std::vector<std::string>& warnings);
+
+  vtkShadowedSliceReport RenderReport;
+  vtkMTimeType ErrorTime = 0;
+  std::string ErrorText;
+  vtkMTimeType WarningTime = 0;
+  std::unique_ptr<vtkSliceRenderer> Renderer;
+};
+
+#endif

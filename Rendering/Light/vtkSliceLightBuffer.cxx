@@ -1,0 +1,124 @@
+#include "vtkSliceLightBuffer.h"
+
+#include "vtkFloatTarget.h"
+#include "vtkSlicePicture.h"
+#include "vtkSliceShader.h"
+#include "vtkSliceTextures.h"
+
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+//------------------------------------------------------------------------------
+vtkSliceLightBuffer::vtkSliceLightBuffer(int light)
+  : Light(light)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkSliceLightBuffer::~vtkSliceLightBuffer() = default;
+
+//------------------------------------------------------------------------------
+std::string vtkSliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window,
+  const vtkSlicePicture& picture, const vtkSlicePlan::Sweep& sweep,
+  const vtkSlicePlan::ShadowedLight& light, vtkSliceTextures& textures,
+  vtkOpenGLBufferObject* vertices)
+{
+  this->Size = light.BufferSize;
+  this->Bytes = vtkFloatTarget::Allocate(window, this->Texture, this->Size, this->Size,
+    picture.Material.Transmission.empty() ? 1 : 3, picture.IsSmoothLookup);
+  if (this->Bytes == 0)
+  {
+    return "the graphics card has no memory for the buffer of a light";
+  }
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Texture);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  // A wide light's buffer has optical depth.
+  const float start = light.IsWide ? 0.0f : 1.0f;
+  window->GetState()->vtkglClearColor(start, start, start, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  const std::string source = vtkSliceShader::GetLightSource(picture, light);
+  vtkShaderProgram* program = nullptr;
+  this->Wide.reset();
+  if (light.IsWide)
+  {
+    this->Wide = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
+    program = this->Wide->Program;
+  }
+  else
+  {
+    std::string error = this->Slices.Prepare(window, source, vertices);
+    if (!error.empty())
+    {
+      return error;
+    }
+    program = this->Slices.GetProgram();
+  }
+  if (!program)
+  {
+    return "the shaders of a light cannot be compiled";
+  }
+  textures.Activate(program);
+  vtkSliceShader::SetLightUniforms(program, picture, sweep, light);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkSliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep,
+  const vtkSlicePolygons& polygons, int slab)
+{
+  vtkOpenGLState* state = window->GetState();
+  this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  state->vtkglViewport(0, 0, this->Size, this->Size);
+  const double entrance = sweep.First + slab * sweep.Spacing;
+  if (!this->Wide)
+  {
+    state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    this->Slices.Draw(window, polygons, slab, entrance);
+    return;
+  }
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  window->GetShaderCache()->ReadyShaderProgram(this->Wide->Program);
+  this->Wide->Program->SetUniformf("sliceEntrance", static_cast<float>(entrance));
+  this->Wide->Render();
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkSliceLightBuffer::Read(
+  vtkOpenGLRenderWindow* window, int& size, int& channels)
+{
+  if (!this->IsUsed() || this->Wide)
+  {
+    return {};
+  }
+  window->MakeCurrent();
+  size = this->Size;
+  channels = this->Texture->GetComponents();
+  std::vector<float> texels(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) *
+    static_cast<std::size_t>(channels));
+  this->Texture->Activate();
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTexImage(GL_TEXTURE_2D, 0, channels == 1 ? GL_RED : GL_RGB, GL_FLOAT, texels.data());
+  this->Texture->Deactivate();
+  return texels;
+}
+
+//------------------------------------------------------------------------------
+void vtkSliceLightBuffer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->Slices.ReleaseGraphicsResources();
+  if (this->Wide)
+  {
+    this->Wide->ReleaseGraphicsResources(window);
+  }
+}

@@ -1,0 +1,71 @@
+#ifndef vtkSliceLightBuffer_h
+#define vtkSliceLightBuffer_h
+
+#include "vtkSlicePass.h"
+#include "vtkSlicePlan.h"
+
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkSlicePicture;
+class vtkSliceTextures;
+class vtkTextureObject;
+class vtkWindow;
+
+/**
+ * @class   vtkSliceLightBuffer
+ * @brief   the transmittance from one light to a slice
+ *
+ * A wide light's buffer holds optical depth times the cosine between ray and normal.
+ */
+class vtkSliceLightBuffer
+{
+public:
+  /// \a light is the light's index in the picture's list.
+  explicit vtkSliceLightBuffer(int light);
+  ~vtkSliceLightBuffer();
+
+  int GetLight() const { return this->Light; }
+  vtkTextureObject* GetTexture() const { return this->Texture; }
+  vtkIdType GetBytes() const { return this->Bytes; }
+  /// Whether a sweep of the picture uses it.
+  bool IsUsed() const { return this->Bytes > 0; }
+  void SetUnused() { this->Bytes = 0; }
+
+  /**
+   * Makes it ready for a sweep: all light passes. \a light is this buffer's in the sweep. Returns
+   * what is wrong, or nothing.
+   */
+  std::string Prepare(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
+    const vtkSlicePlan::Sweep& sweep, const vtkSlicePlan::ShadowedLight& light,
+    vtkSliceTextures& textures, vtkOpenGLBufferObject* vertices);
+
+  /// Takes what a slab lets through.
+  void Draw(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep,
+    const vtkSlicePolygons& polygons, int slab);
+
+  /// The texels, \a size times \a size; empty for a light inside the volume.
+  std::vector<float> Read(vtkOpenGLRenderWindow* window, int& size, int& channels);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  int Light;
+  int Size = 0;
+  vtkIdType Bytes = 0;
+  vtkNew<vtkTextureObject> Texture;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkSlicePass Slices;
+  /// Instead of slices for a wide light.
+  std::unique_ptr<vtkOpenGLQuadHelper> Wide;
+};
+
+#endif

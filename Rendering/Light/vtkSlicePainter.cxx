@@ -1,0 +1,486 @@
+#include "vtkSlicePainter.h"
+
+#include "InterlumeSliceOcclusionFS.h"
+#include "InterlumeSliceSelectionFS.h"
+#include "vtkFloatTarget.h"
+#include "vtkProjectiveLight.h"
+#include "vtkSceneDepth.h"
+#include "vtkSliceShader.h"
+
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+
+namespace
+{
+using Sweep = vtkSlicePlan::Sweep;
+
+/// Slabs between two looks at what is already opaque, and the opacity that counts as such.
+constexpr int OCCLUSION_INTERVAL = 16;
+constexpr float OPAQUE = 0.99999f;
+
+// Rays of eye and light make at least this cosine with a slice's normal where blocks at the edge of
+// the volume have to be enlarged for it.
+constexpr double LEAST_COSINE = 0.35;
+
+// The state that drawing of slices changes, as it was at the end of the block.
+struct ScopedState
+{
+  explicit ScopedState(vtkOpenGLState* state)
+    : DepthTest(state, GL_DEPTH_TEST)
+    , Blend(state, GL_BLEND)
+    , Cull(state, GL_CULL_FACE)
+    , Scissor(state, GL_SCISSOR_TEST)
+    , DepthMask(state)
+    , BlendFunction(state)
+    , Viewport(state)
+    , ClearColor(state)
+  {
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglDepthMask(GL_FALSE);
+  }
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable Cull;
+  vtkOpenGLState::ScopedglEnableDisable Scissor;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglClearColor ClearColor;
+};
+}
+
+//------------------------------------------------------------------------------
+vtkSlicePainter::vtkSlicePainter() = default;
+
+//------------------------------------------------------------------------------
+vtkSlicePainter::~vtkSlicePainter() = default;
+
+//------------------------------------------------------------------------------
+std::string vtkSlicePainter::GetObstacle(vtkOpenGLRenderWindow* window)
+{
+  window->MakeCurrent();
+  return GLEW_VERSION_3_2 ? std::string() : std::string("OpenGL is older than 3.2");
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSlicePainter::PrepareImage(
+  vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, vtkShadowedSliceReport& report)
+{
+  const int width = picture.Size[0];
+  const int height = picture.Size[1];
+  vtkIdType bytes = vtkFloatTarget::Allocate(window, this->Image, width, height, 4, true);
+  if (bytes == 0)
+  {
+    return "the graphics card has no memory for a picture of floats";
+  }
+  report.ImageBuffers = 1;
+  report.ImageBufferBytes = bytes;
+  if (picture.Plan.Sweeps.size() > 1)
+  {
+    bytes = vtkFloatTarget::Allocate(window, this->SweepImage, width, height, 4, false);
+    if (bytes == 0)
+    {
+      return "the graphics card has no memory for a second picture of floats";
+    }
+    ++report.ImageBuffers;
+    report.ImageBufferBytes += bytes;
+  }
+  else
+  {
+    this->SweepImage->ReleaseGraphicsResources(window);
+  }
+  this->Depth->SetContext(window);
+  if (!vtkFloatTarget::Fits(this->Depth, width, height))
+  {
+    this->Depth->AllocateDepth(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
+      vtkTextureObject::Float32);
+  }
+  ++report.ImageBuffers;
+  report.ImageBufferBytes += static_cast<vtkIdType>(sizeof(float)) * width * height;
+  if (this->HasOpaqueDepth)
+  {
+    ++report.ImageBuffers;
+    report.ImageBufferBytes += static_cast<vtkIdType>(sizeof(float)) *
+      static_cast<vtkIdType>(this->OpaqueDepth->GetWidth()) *
+      static_cast<vtkIdType>(this->OpaqueDepth->GetHeight());
+  }
+  this->ImageFramebuffer->SetContext(window);
+  this->OcclusionFramebuffer->SetContext(window);
+  this->OcclusionFramebuffer->Bind();
+  this->OcclusionFramebuffer->AddDepthAttachment(this->Depth);
+  this->OcclusionFramebuffer->DeactivateDrawBuffers();
+  this->ImageFramebuffer->Bind();
+  this->ImageFramebuffer->AddColorAttachment(0, this->Image);
+  this->ImageFramebuffer->AddDepthAttachment(this->Depth);
+  this->ImageFramebuffer->ActivateDrawBuffer(0);
+  const char* status = nullptr;
+  return vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, status)
+    ? std::string()
+    : std::string("a framebuffer of floats cannot be drawn to");
+}
+
+//------------------------------------------------------------------------------
+vtkSliceLightBuffer& vtkSlicePainter::GetLightBuffer(int light)
+{
+  const auto found = std::find_if(this->Lights.begin(), this->Lights.end(),
+    [light](const std::unique_ptr<vtkSliceLightBuffer>& buffer)
+    { return buffer->GetLight() == light; });
+  if (found != this->Lights.end())
+  {
+    return **found;
+  }
+  this->Lights.push_back(std::make_unique<vtkSliceLightBuffer>(light));
+  return *this->Lights.back();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSlicePainter::PrepareLights(
+  vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, const Sweep& sweep)
+{
+  for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
+  {
+    // A light of several sweeps has its buffer in each in turn.
+    std::string error = this->GetLightBuffer(light.Light)
+                          .Prepare(window, picture, sweep, light, this->Textures, this->Vertices);
+    if (!error.empty())
+    {
+      return error;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePainter::ReleaseUnusedLights(vtkWindow* window)
+{
+  for (const std::unique_ptr<vtkSliceLightBuffer>& buffer : this->Lights)
+  {
+    if (!buffer->IsUsed())
+    {
+      buffer->ReleaseGraphicsResources(window);
+    }
+  }
+  this->Lights.erase(
+    std::remove_if(this->Lights.begin(), this->Lights.end(),
+      [](const std::unique_ptr<vtkSliceLightBuffer>& buffer) { return !buffer->IsUsed(); }),
+    this->Lights.end());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSlicePainter::Draw(vtkRenderer* renderer, const vtkSlicePicture& picture,
+  const std::function<bool()>& isAborted, vtkShadowedSliceReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  this->HasOpaqueDepth = false;
+  if (picture.MayBeOccluded)
+  {
+    this->OpaqueDepth->SetContext(window);
+    this->HasOpaqueDepth = vtkSceneDepth::CopyTo(renderer, this->OpaqueDepth);
+  }
+  else
+  {
+    this->OpaqueDepth->ReleaseGraphicsResources(window);
+  }
+  report.Features = vtkSliceShader::GetNames(picture, this->HasOpaqueDepth);
+  for (const std::unique_ptr<vtkSliceLightBuffer>& buffer : this->Lights)
+  {
+    buffer->SetUnused();
+  }
+  this->HasImage = false;
+  std::string error;
+  state->PushFramebufferBindings();
+  {
+    const ScopedState scoped(state);
+    error = this->PrepareImage(window, picture, report);
+    for (std::size_t i = 0; i < picture.Plan.Sweeps.size() && error.empty(); ++i)
+    {
+      error = this->DrawSweep(window, picture, i, isAborted, report);
+    }
+  }
+  state->PopFramebufferBindings();
+  this->ReleaseUnusedLights(window);
+  for (const std::unique_ptr<vtkSliceLightBuffer>& buffer : this->Lights)
+  {
+    ++report.LightBuffers;
+    report.LightBufferBytes += buffer->GetBytes();
+    report.LightBufferSize =
+      std::max(report.LightBufferSize, static_cast<int>(buffer->GetTexture()->GetWidth()));
+    report.LightChannels = buffer->GetTexture()->GetComponents();
+  }
+  this->HasImage = error.empty();
+  return error;
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePainter::ActivateTextures(vtkOpenGLRenderWindow* window,
+  const vtkSlicePicture& picture, std::size_t sweepIndex, vtkShadowedSliceReport& report)
+{
+  vtkShaderProgram* program = this->Eye.GetProgram();
+  const auto activate = [&](vtkTextureObject* texture, const std::string& name)
+  {
+    texture->Activate();
+    program->SetUniformi(name.c_str(), texture->GetTextureUnit());
+    this->Active.push_back(texture);
+  };
+  this->Textures.Activate(program);
+  if (this->HasOpaqueDepth)
+  {
+    activate(this->OpaqueDepth, "opaqueDepth");
+  }
+  const std::size_t shadowed = picture.Plan.Sweeps[sweepIndex].Lights.size();
+  std::size_t number = 0;
+  for (int light : vtkSliceShader::GetLightsOf(picture, sweepIndex))
+  {
+    const std::string suffix = "_" + std::to_string(number);
+    if (number < shadowed)
+    {
+      activate(this->GetLightBuffer(light).GetTexture(), "buffer" + suffix);
+    }
+    vtkProjectiveLight* projective = picture.Lights[light].Projective;
+    if (projective && projective->GetImage())
+    {
+      activate(
+        this->Textures.GetScreen(window, projective, report.UploadedBytes), "image" + suffix);
+    }
+    ++number;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePainter::DeactivateTextures()
+{
+  this->Textures.Deactivate();
+  for (vtkTextureObject* texture : this->Active)
+  {
+    texture->Deactivate();
+  }
+  this->Active.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePainter::ClearSweep(
+  vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, std::size_t sweepIndex)
+{
+  vtkOpenGLState* state = window->GetState();
+  this->ImageFramebuffer->Bind();
+  this->ImageFramebuffer->AddColorAttachment(
+    0, sweepIndex == 0 ? this->Image.Get() : this->SweepImage.Get());
+  this->ImageFramebuffer->ActivateDrawBuffer(0);
+  state->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglClearDepth(1.0);
+  state->vtkglDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  state->vtkglDepthMask(GL_FALSE);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
+  const vtkSlicePicture& picture, std::size_t sweepIndex, const std::function<bool()>& isAborted,
+  vtkShadowedSliceReport& report)
+{
+  const Sweep& sweep = picture.Plan.Sweeps[sweepIndex];
+  this->Polygons.Build(
+    sweep, picture.Blocks, picture.Space, picture.Matter.Box, 0.5 * sweep.Spacing / LEAST_COSINE);
+  report.Slices += sweep.Slabs;
+  if (this->Polygons.GetVertices().empty())
+  {
+    this->ClearSweep(window, picture, sweepIndex);
+    return {};
+  }
+  report.TriangleBytes += static_cast<vtkIdType>(sizeof(float)) *
+    static_cast<vtkIdType>(this->Polygons.GetVertices().size());
+  this->Vertices->Upload(this->Polygons.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+
+  std::string error = this->PrepareLights(window, picture, sweep);
+  if (error.empty())
+  {
+    error = this->Eye.Prepare(window,
+      vtkSliceShader::GetEyeSource(picture, sweepIndex, this->HasOpaqueDepth), this->Vertices);
+  }
+  if (!error.empty())
+  {
+    this->DeactivateTextures();
+    return error;
+  }
+  this->ActivateTextures(window, picture, sweepIndex, report);
+  vtkSliceShader::SetEyeUniforms(this->Eye.GetProgram(), picture, sweepIndex, this->HasOpaqueDepth);
+  this->ClearSweep(window, picture, sweepIndex);
+  int drawn = 0;
+  for (int slab = 0; slab < sweep.Slabs && !isAborted(); ++slab)
+  {
+    if (this->Polygons.IsEmpty(slab))
+    {
+      continue;
+    }
+    this->DrawEyeSlab(window, picture, sweep, slab);
+    ++report.EyePasses;
+    for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
+    {
+      this->GetLightBuffer(light.Light).Draw(window, sweep, this->Polygons, slab);
+      ++report.LightPasses;
+    }
+    ++drawn;
+    if (sweep.IsFrontToBack && drawn % OCCLUSION_INTERVAL == 0)
+    {
+      this->MarkOccluded(window, picture);
+      ++report.OcclusionPasses;
+    }
+  }
+  this->DeactivateTextures();
+  report.SlicesDrawn += drawn;
+  if (sweepIndex > 0)
+  {
+    this->AddSweep(window, picture);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePainter::DrawEyeSlab(
+  vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, const Sweep& sweep, int slab)
+{
+  vtkOpenGLState* state = window->GetState();
+  this->ImageFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  state->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+  if (sweep.IsFrontToBack)
+  {
+    state->vtkglBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  }
+  else
+  {
+    state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  if (sweep.IsFrontToBack)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+  }
+  // What is left of a slab may lie behind the near plane while its middle is before it.
+  if (picture.IsCutByNearPlane)
+  {
+    glEnable(GL_DEPTH_CLAMP);
+  }
+  this->Eye.Draw(window, this->Polygons, slab, sweep.First + slab * sweep.Spacing);
+  if (picture.IsCutByNearPlane)
+  {
+    glDisable(GL_DEPTH_CLAMP);
+  }
+  state->vtkglDisable(GL_DEPTH_TEST);
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePainter::MarkOccluded(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture)
+{
+  vtkOpenGLState* state = window->GetState();
+  if (!this->Occlusion)
+  {
+    this->Occlusion =
+      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, InterlumeSliceOcclusionFS, nullptr);
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Occlusion->Program);
+  }
+  this->OcclusionFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  state->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+  vtkTextureObject* image = this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0);
+  image->Activate();
+  this->Occlusion->Program->SetUniformi("picture", image->GetTextureUnit());
+  this->Occlusion->Program->SetUniformf("opaque", OPAQUE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  this->Occlusion->Render();
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  image->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePainter::AddSweep(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture)
+{
+  // Every sweep has the same opacity; the colours are those of different lights.
+  this->ImageFramebuffer->Bind();
+  this->ImageFramebuffer->AddColorAttachment(0, this->Image);
+  this->ImageFramebuffer->ActivateDrawBuffer(0);
+  window->GetState()->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+  this->SumQuad.Draw(window, this->SweepImage, "SUM");
+}
+
+//------------------------------------------------------------------------------
+bool vtkSlicePainter::Show(vtkOpenGLRenderWindow* window)
+{
+  if (this->HasImage)
+  {
+    this->Quad.Draw(window, this->Image);
+  }
+  return this->HasImage;
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePainter::ShowSelection(
+  vtkOpenGLRenderWindow* window, const std::array<float, 3>& color)
+{
+  if (this->HasImage)
+  {
+    this->SelectionQuad.DrawWith(window, this->Image, InterlumeSliceSelectionFS,
+      [&color](vtkShaderProgram* program)
+      { program->SetUniform3f("selectionColor", color.data()); });
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkSlicePainter::ReadLightBuffer(
+  vtkOpenGLRenderWindow* window, int light, int& size, int& channels)
+{
+  for (const std::unique_ptr<vtkSliceLightBuffer>& buffer : this->Lights)
+  {
+    if (buffer->GetLight() == light)
+    {
+      return buffer->Read(window, size, channels);
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePainter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->HasImage = false;
+  this->Textures.ReleaseGraphicsResources(window);
+  for (vtkTextureObject* texture :
+    { this->Image.Get(), this->SweepImage.Get(), this->Depth.Get(), this->OpaqueDepth.Get() })
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->ImageFramebuffer->ReleaseGraphicsResources(window);
+  this->OcclusionFramebuffer->ReleaseGraphicsResources(window);
+  for (const std::unique_ptr<vtkSliceLightBuffer>& buffer : this->Lights)
+  {
+    buffer->ReleaseGraphicsResources(window);
+  }
+  this->Lights.clear();
+  this->Eye.ReleaseGraphicsResources();
+  if (this->Occlusion)
+  {
+    this->Occlusion->ReleaseGraphicsResources(window);
+    this->Occlusion.reset();
+  }
+  this->Vertices->ReleaseGraphicsResources();
+  this->Quad.ReleaseGraphicsResources(window);
+  this->SumQuad.ReleaseGraphicsResources(window);
+  this->SelectionQuad.ReleaseGraphicsResources(window);
+}

@@ -1,0 +1,104 @@
+#ifndef vtkSlicePainter_h
+#define vtkSlicePainter_h
+
+#include "vtkImageQuad.h"
+#include "vtkShadowedSliceReport.h"
+#include "vtkSliceLightBuffer.h"
+#include "vtkSlicePass.h"
+#include "vtkSlicePicture.h"
+#include "vtkSlicePolygons.h"
+#include "vtkSliceTextures.h"
+
+#include "vtkNew.h"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWindow;
+
+/**
+ * @class   vtkSlicePainter
+ * @brief   draws a picture of slices with OpenGL 3.2, in one window
+ *
+ * The picture's buffer holds colour times opacity, and opacity, in floats: with thousands of thin
+ * slices little opacity keeps its digits, where a transmittance near 1 would lose them.
+ */
+class vtkSlicePainter
+{
+public:
+  vtkSlicePainter();
+  ~vtkSlicePainter();
+
+  /// Why nothing can be drawn in this window, or nothing.
+  static std::string GetObstacle(vtkOpenGLRenderWindow* window);
+
+  vtkSliceTextures& GetTextures() { return this->Textures; }
+
+  /**
+   * Draws all sweeps into the picture's buffer. Returns what is wrong, or nothing. Stops between
+   * slabs and returns where \a isAborted.
+   */
+  std::string Draw(vtkRenderer* renderer, const vtkSlicePicture& picture,
+    const std::function<bool()>& isAborted, vtkShadowedSliceReport& report);
+
+  /// Lays the last picture over the scene. Returns false where there is none.
+  bool Show(vtkOpenGLRenderWindow* window);
+
+  /// Shows where the last picture has something of the volume, in one colour, for a selection.
+  void ShowSelection(vtkOpenGLRenderWindow* window, const std::array<float, 3>& color);
+
+  /// The texels of the buffer of \a light of the last picture; empty where there is none.
+  std::vector<float> ReadLightBuffer(
+    vtkOpenGLRenderWindow* window, int light, int& size, int& channels);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  std::string PrepareImage(
+    vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, vtkShadowedSliceReport& report);
+  vtkSliceLightBuffer& GetLightBuffer(int light);
+  std::string PrepareLights(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
+    const vtkSlicePlan::Sweep& sweep);
+  void ReleaseUnusedLights(vtkWindow* window);
+  std::string DrawSweep(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
+    std::size_t sweepIndex, const std::function<bool()>& isAborted, vtkShadowedSliceReport& report);
+  void ActivateTextures(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
+    std::size_t sweepIndex, vtkShadowedSliceReport& report);
+  void DeactivateTextures();
+  void ClearSweep(
+    vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, std::size_t sweepIndex);
+  void DrawEyeSlab(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
+    const vtkSlicePlan::Sweep& sweep, int slab);
+  void MarkOccluded(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture);
+  void AddSweep(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture);
+
+  vtkSliceTextures Textures;
+  vtkSlicePolygons Polygons;
+  vtkNew<vtkOpenGLBufferObject> Vertices;
+  vtkNew<vtkOpenGLFramebufferObject> ImageFramebuffer;
+  vtkNew<vtkOpenGLFramebufferObject> OcclusionFramebuffer;
+  vtkNew<vtkTextureObject> Image;
+  vtkNew<vtkTextureObject> SweepImage;
+  vtkNew<vtkTextureObject> Depth;
+  vtkNew<vtkTextureObject> OpaqueDepth;
+  vtkSlicePass Eye;
+  std::unique_ptr<vtkOpenGLQuadHelper> Occlusion;
+  std::vector<std::unique_ptr<vtkSliceLightBuffer>> Lights;
+  std::vector<vtkTextureObject*> Active;
+  vtkImageQuad Quad;
+  vtkImageQuad SumQuad;
+  vtkImageQuad SelectionQuad;
+  bool HasOpaqueDepth = false;
+  bool HasImage = false;
+};
+
+#endif

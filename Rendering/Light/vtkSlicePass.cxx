@@ -1,0 +1,55 @@
+#include "vtkSlicePass.h"
+
+#include "InterlumeSliceVS.h"
+#include "vtkSlicePolygons.h"
+
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkShaderProgram.h"
+#include "vtk_glew.h"
+
+//------------------------------------------------------------------------------
+vtkSlicePass::vtkSlicePass() = default;
+
+//------------------------------------------------------------------------------
+vtkSlicePass::~vtkSlicePass() = default;
+
+//------------------------------------------------------------------------------
+std::string vtkSlicePass::Prepare(
+  vtkOpenGLRenderWindow* window, const std::string& source, vtkOpenGLBufferObject* vertices)
+{
+  this->Program =
+    window->GetShaderCache()->ReadyShaderProgram(InterlumeSliceVS, source.c_str(), "");
+  if (!this->Program)
+  {
+    return "the shaders of slices cannot be compiled";
+  }
+  this->Vertices->ReleaseGraphicsResources();
+  this->Vertices->Bind();
+  const bool isAdded = this->Vertices->AddAttributeArray(
+    this->Program, vertices, "placeIn", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
+  this->Vertices->Release();
+  return isAdded ? "" : "the triangles of slices cannot be drawn";
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePass::Draw(
+  vtkOpenGLRenderWindow* window, const vtkSlicePolygons& polygons, int slab, double entrance)
+{
+  window->GetShaderCache()->ReadyShaderProgram(this->Program);
+  this->Program->SetUniformf("sliceEntrance", static_cast<float>(entrance));
+  this->Vertices->Bind();
+  const std::vector<std::size_t>& starts = polygons.GetStarts();
+  glDrawArrays(GL_TRIANGLES, static_cast<GLint>(starts[slab]),
+    static_cast<GLsizei>(starts[slab + 1] - starts[slab]));
+  this->Vertices->Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePass::ReleaseGraphicsResources()
+{
+  this->Vertices->ReleaseGraphicsResources();
+  this->Program = nullptr;
+}

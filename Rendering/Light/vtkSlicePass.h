@@ -1,0 +1,41 @@
+#ifndef vtkSlicePass_h
+#define vtkSlicePass_h
+
+#include "vtkNew.h"
+
+#include <string>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkShaderProgram;
+class vtkSlicePolygons;
+
+/**
+ * @class   vtkSlicePass
+ * @brief   a program over the triangles of slices
+ */
+class vtkSlicePass
+{
+public:
+  vtkSlicePass();
+  ~vtkSlicePass();
+
+  /// Compiles the fragments' source, for triangles in \a vertices. Returns what is wrong, or
+  /// nothing.
+  std::string Prepare(
+    vtkOpenGLRenderWindow* window, const std::string& source, vtkOpenGLBufferObject* vertices);
+  vtkShaderProgram* GetProgram() const { return this->Program; }
+
+  /// Draws the triangles of a slab that begins at \a entrance into the framebuffer that is bound.
+  void Draw(
+    vtkOpenGLRenderWindow* window, const vtkSlicePolygons& polygons, int slab, double entrance);
+
+  void ReleaseGraphicsResources();
+
+private:
+  vtkShaderProgram* Program = nullptr;
+  vtkNew<vtkOpenGLVertexArrayObject> Vertices;
+};
+
+#endif

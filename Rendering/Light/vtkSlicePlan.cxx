@@ -1,0 +1,220 @@
+#include "vtkSlicePlan.h"
+
+#include "vtkBoxCorners.h"
+#include "vtkLightFit.h"
+#include "vtkLightGroup.h"
+#include "vtkSliceNormal.h"
+#include "vtkSliceView.h"
+#include "vtkUnitSpace.h"
+#include "vtkUnitVector.h"
+
+namespace
+{
+
+using namespace vtkUnitVector;
+
+// Less than this of the volume behind a light is none.
+constexpr double Nothing = 1e-9;
+
+// Puts a light into a group that has a normal for it, one of its own side first.
+void AddLight(const vtkSliceView& view, const vtkLightGroup& own, std::size_t most,
+  std::vector<vtkLightGroup>& groups)
+{
+  for (const bool isOwnSide : { true, false })
+  {
+    for (vtkLightGroup& group : groups)
+    {
+      const bool isSameSide = group.IsFrontToBack() == own.IsFrontToBack();
+      if (isSameSide == isOwnSide && group.Join(view, own.GetCasters().front(), most))
+      {
+        return;
+      }
+    }
+  }
+  groups.push_back(own);
+}
+
+// A sweep with room that goes along \a normal, or -1.
+int FindSweep(
+  const std::vector<vtkSlicePlan::Sweep>& sweeps, const Vector& normal, std::size_t most)
+{
+  for (std::size_t i = 0; i < sweeps.size(); ++i)
+  {
+    if (sweeps[i].Normal == normal && sweeps[i].Lights.size() < most)
+    {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+// Adds a wide light to the sweeps along and against the normal that needs the fewest new ones.
+void AddWide(const vtkSliceView& view, const vtkLightSource& source, int index,
+  const vtkBoxCorners& corners, std::size_t most, const vtkLightFit& fit,
+  std::vector<vtkSlicePlan::Sweep>& sweeps)
+{
+  std::vector<Vector> normals;
+  normals.reserve(sweeps.size() + 1);
+  for (const vtkSlicePlan::Sweep& sweep : sweeps)
+  {
+    normals.push_back(sweep.Normal);
+  }
+  normals.push_back(view.Direction);
+
+  const auto getSides = [&](const Vector& normal)
+  {
+    const std::array<double, 2> range = corners.GetRange(normal);
+    const double light = Dot(source.Position, normal);
+    std::vector<Vector> sides;
+    if (range[1] > light + Nothing)
+    {
+      sides.push_back(normal);
+    }
+    if (range[0] < light - Nothing)
+    {
+      sides.push_back(Scale(-1.0, normal));
+    }
+    return sides;
+  };
+  const auto countNew = [&](const Vector& normal)
+  {
+    const std::vector<Vector> sides = getSides(normal);
+    return std::count_if(sides.begin(), sides.end(),
+      [&](const Vector& side) { return FindSweep(sweeps, side, most) < 0; });
+  };
+  const Vector normal = *std::min_element(normals.begin(), normals.end(),
+    [&](const Vector& a, const Vector& b) { return countNew(a) < countNew(b); });
+
+  for (const Vector& side : getSides(normal))
+  {
+    int sweep = FindSweep(sweeps, side, most);
+    if (sweep < 0)
+    {
+      sweep = static_cast<int>(sweeps.size());
+      sweeps.emplace_back();
+      sweeps.back().Normal = side;
+      sweeps.back().IsFrontToBack = Dot(side, view.Direction) > 0.0;
+    }
+    vtkSlicePlan::ShadowedLight light;
+    light.Light = index;
+    fit.FitHalfSpace(side, light);
+    sweeps[static_cast<std::size_t>(sweep)].Lights.push_back(light);
+  }
+}
+
+void SetSlabs(vtkSlicePlan::Sweep& sweep, const vtkBoxCorners& corners, const vtkUnitSpace& space,
+  const vtkSlicePlan::Settings& settings)
+{
+  const std::array<double, 2> range = corners.GetRange(sweep.Normal);
+  const double extent = range[1] - range[0];
+  const double spacing = settings.Spacing > 0.0
+    ? settings.Spacing
+    : vtkSlicePlan::GetVoxelSpacing(space, sweep.Normal) * settings.AutomaticFactor;
+  // Rounding adds no slab.
+  constexpr double rounding = 1e-9;
+  const double slabs = std::ceil(extent / spacing * (1.0 - rounding));
+  const int most = std::max(settings.MaximumNumberOfSlabs, 1);
+  sweep.Slabs = slabs < most ? std::max(static_cast<int>(slabs), 1) : most;
+  sweep.First = range[0];
+  sweep.Spacing = extent / sweep.Slabs;
+}
+
+}
+
+void vtkSlicePlan::Make(const Eye& eye, const std::vector<vtkLightSource>& lights,
+  const vtkUnitSpace& space, const std::array<std::array<double, 2>, 3>& box,
+  const Settings& settings)
+{
+  const vtkBoxCorners corners(space, box);
+  const vtkSliceView view(eye, corners);
+  const vtkLightFit fit(corners, space, settings);
+  const auto most = static_cast<std::size_t>(std::max(settings.LightsOfSweep, 1));
+
+  std::vector<vtkLightGroup> groups;
+  std::vector<int> wide;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    if (lights[i].ShadowStrength > 0.0)
+    {
+      const vtkLightGroup::Caster caster(static_cast<int>(i), lights[i], corners);
+      const vtkLightGroup own = vtkLightGroup::Make(view, caster);
+      if (lights[i].IsPositional && own.GetLightCosine() < WideCosine)
+      {
+        wide.push_back(caster.Light);
+      }
+      else
+      {
+        AddLight(view, own, most, groups);
+      }
+    }
+  }
+
+  this->Sweeps.clear();
+  for (const vtkLightGroup& group : groups)
+  {
+    Sweep sweep;
+    sweep.Normal = group.GetNormal();
+    sweep.IsFrontToBack = group.IsFrontToBack();
+    for (const vtkLightGroup::Caster& caster : group.GetCasters())
+    {
+      ShadowedLight light;
+      light.Light = caster.Light;
+      fit.FitPlane(lights[static_cast<std::size_t>(caster.Light)], light);
+      sweep.Lights.push_back(light);
+    }
+    this->Sweeps.push_back(sweep);
+  }
+  for (const int light : wide)
+  {
+    AddWide(view, lights[static_cast<std::size_t>(light)], light, corners, most, fit, this->Sweeps);
+  }
+  if (this->Sweeps.empty())
+  {
+    vtkSliceNormal normal;
+    normal.Add(view.Rays, 1.0, EyeCosine);
+    normal.FindBest();
+    Sweep sweep;
+    sweep.Normal = normal.Turn(view.Direction);
+    this->Sweeps.push_back(sweep);
+  }
+  for (Sweep& sweep : this->Sweeps)
+  {
+    SetSlabs(sweep, corners, space, settings);
+  }
+}
+
+double vtkSlicePlan::GetVoxelSpacing(const vtkUnitSpace& space, const std::array<double, 3>& normal)
+{
+  Vector texels = TransformVector(space.TextureFromUnit, normal);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    texels[axis] *= space.Size[axis];
+  }
+  return 1.0 / Length(texels);
+}
+
+std::array<double, 2> vtkSlicePlan::GetBufferPlace(
+  const std::array<double, 9>& frame, const std::array<double, 3>& direction)
+{
+  double along[3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    along[i] = vtkMath::Dot(frame.data() + 3 * i, direction.data());
+  }
+  const double size = std::abs(along[0]) + std::abs(along[1]) + along[2];
+  const double x = along[0] / size;
+  const double y = along[1] / size;
+  return { { 0.5 * (x + y) + 0.5, 0.5 * (x - y) + 0.5 } };
+}
+
+std::array<double, 3> vtkSlicePlan::GetBufferDirection(
+  const std::array<double, 9>& frame, const std::array<double, 2>& place)
+{
+  const double x = place[0] + place[1] - 1.0;
+  const double y = place[0] - place[1];
+  const double z = 1.0 - std::abs(x) - std::abs(y);
+  const Vector across =
+    Combine(x, { { frame[0], frame[1], frame[2] } }, y, { { frame[3], frame[4], frame[5] } });
+  const Vector normal{ { frame[6], frame[7], frame[8] } };
+  return Normalize(Combine(1.0, across, z, normal), normal);
+}

@@ -1,0 +1,119 @@
+#ifndef vtkSlicePlan_h
+#define vtkSlicePlan_h
+
+#include "InterlumeLightModule.h" // for the export macro
+#include "vtkLightSource.h"       // for the lights
+
+#include <array>
+#include <vector>
+
+class vtkUnitSpace;
+
+/**
+ * @class   vtkSlicePlan
+ * @brief   which slices are drawn in which order, for which lights
+ *
+ * A sweep goes through the slabs of one set of parallel planes along their normal; light goes the
+ * same way in all of its lights. Where the eye looks along the normal too, the sweep is from front
+ * to back, else from back to front.
+ *
+ * One light, one sweep: its normal is the half vector of view and light where the light is on the
+ * viewer's side, and of view and the light's opposite where it is behind the volume, turned as far
+ * as the rays through the corners of the volume need it: wherever that can be had the eye's make a
+ * cosine of at least EyeCosine with the normal, and the lights' one of at least LightCosine.
+ * Several lights share a sweep as long as the average vector (2.3.4) leaves all of them and the eye
+ * these angles; lights that no normal serves together have sweeps of their own. A positional light
+ * that no normal gives a cosine of at least WideCosine, as one in whose plane some of the volume
+ * lies, is *wide*: it shines along the normal on one side of that plane, and against it on the
+ * other, and takes part in one sweep for each side on which there is something of the volume.
+ *
+ * A small change of eye or light changes normals by little, except where it changes the number of
+ * sweeps, their sides, or the lights that share one, as where light and view are perpendicular.
+ * What slices show is an integral that does not depend on the choice of planes: such a change moves
+ * the picture by the error of the slices (their distance and the size of the buffers), by no more.
+ */
+class INTERLUMELIGHT_EXPORT vtkSlicePlan
+{
+public:
+  /// What the eye sees, in unit space.
+  struct Eye
+  {
+    bool IsParallel = false;
+    std::array<double, 3> Position{ { 0.0, 0.0, 4.0 } };
+    /// Length 1.
+    std::array<double, 3> Direction{ { 0.0, 0.0, -1.0 } };
+    std::array<double, 3> ViewUp{ { 0.0, 1.0, 0.0 } };
+    /// Rows of the matrix from unit space to clip coordinates.
+    std::array<double, 16> ClipFromUnit{};
+  };
+
+  /// A light with its buffer.
+  struct ShadowedLight
+  {
+    /// Index in the list of lights.
+    int Light = 0;
+    /// Columns and rows of the buffer.
+    int BufferSize = 0;
+    /// Whether its buffer holds directions of a half space (octahedral) instead of a plane.
+    bool IsWide = false;
+    /// Not wide: rows of the matrix from unit space to clip coordinates of the buffer, -1 to 1
+    /// after division by the fourth, which is above 0 in front of the light.
+    std::array<double, 16> BufferFromUnit{};
+    /// Wide: rows are two directions in the slices' plane and the sweep's normal.
+    std::array<double, 9> Frame{};
+  };
+
+  struct Sweep
+  {
+    std::array<double, 3> Normal{ { 0.0, 0.0, -1.0 } };
+    bool IsFrontToBack = true;
+    /// Slab i is First + i Spacing <= x.Normal <= First + (i + 1) Spacing.
+    double First = 0.0;
+    double Spacing = 0.0;
+    int Slabs = 0;
+    std::vector<ShadowedLight> Lights;
+  };
+
+  struct Settings
+  {
+    /// In unit space; 0 is GetVoxelSpacing times AutomaticFactor.
+    double Spacing = 0.0;
+    double AutomaticFactor = 1.0;
+    int BufferSize = 0;
+    int LargestBufferSize = 8192;
+    int MaximumNumberOfSlabs = 65536;
+    int LightsOfSweep = 4;
+  };
+
+  /**
+   * Makes the plan. \a lights are all that shine; those with a ShadowStrength above 0 get a buffer.
+   * There is at least one sweep, the first one, with no lights where none has shadows; its normal
+   * is then the direction of view. \a box is the part of the volume with something to see, in
+   * texture coordinates.
+   */
+  void Make(const Eye& eye, const std::vector<vtkLightSource>& lights, const vtkUnitSpace& space,
+    const std::array<std::array<double, 2>, 3>& box, const Settings& settings);
+
+  std::vector<Sweep> Sweeps;
+
+  /// Least cosines between a sweep's normal and the rays of the eye and of lights, and the least of
+  /// a light that is not wide.
+  static constexpr double EyeCosine = 0.5;
+  static constexpr double LightCosine = 0.35;
+  static constexpr double WideCosine = 0.2;
+
+  /// Distance of slices that is one voxel along \a normal: the length within a voxel of a line
+  /// along it, 1 / sqrt(sum (n_i / voxel_i)^2) in the volume's own axes.
+  static double GetVoxelSpacing(const vtkUnitSpace& space, const std::array<double, 3>& normal);
+
+  /// Where direction d of the half space d.n >= 0 is in the buffer of a wide light, 0 to 1: with
+  /// (e1, e2, n) the rows of \a frame and p = (d.e1, d.e2) / (|d.e1| + |d.e2| + d.n), this is
+  /// ((p.x + p.y), (p.x - p.y)) / 2 + 1/2 (the octahedral map).
+  static std::array<double, 2> GetBufferPlace(
+    const std::array<double, 9>& frame, const std::array<double, 3>& direction);
+  /// The direction, of length 1, that has this place.
+  static std::array<double, 3> GetBufferDirection(
+    const std::array<double, 9>& frame, const std::array<double, 2>& place);
+};
+
+#endif

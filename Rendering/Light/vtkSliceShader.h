@@ -1,0 +1,46 @@
+#ifndef vtkSliceShader_h
+#define vtkSliceShader_h
+
+#include "vtkSlicePicture.h"
+
+#include <string>
+
+class vtkShaderProgram;
+
+/**
+ * @class   vtkSliceShader
+ * @brief   puts the shaders of a picture together, and sets what they read
+ *
+ * A feature that is off is not in the source.
+ */
+class vtkSliceShader
+{
+public:
+  /**
+   * Source of the picture's fragments in a sweep. The first sweep has all lights without shadows
+   * and the ambient light as well.
+   */
+  static std::string GetEyeSource(
+    const vtkSlicePicture& picture, std::size_t sweep, bool isOccluded);
+  /// Source of the fragments of a light's buffer, different for each light, which so keeps its
+  /// uniforms from slab to slab.
+  static std::string GetLightSource(
+    const vtkSlicePicture& picture, const vtkSlicePlan::ShadowedLight& light);
+
+  /// The names of what is in the sources, for the report.
+  static std::string GetNames(const vtkSlicePicture& picture, bool isOccluded);
+
+  ///@{
+  /// Uniforms that are the same for all slabs of a sweep.
+  static void SetEyeUniforms(
+    vtkShaderProgram* program, const vtkSlicePicture& picture, std::size_t sweep, bool isOccluded);
+  static void SetLightUniforms(vtkShaderProgram* program, const vtkSlicePicture& picture,
+    const vtkSlicePlan::Sweep& sweep, const vtkSlicePlan::ShadowedLight& light);
+  ///@}
+
+  /// The lights that the picture's fragments of a sweep see: indices in the picture's list, those
+  /// with buffers first and in their order.
+  static std::vector<int> GetLightsOf(const vtkSlicePicture& picture, std::size_t sweep);
+};
+
+#endif

@@ -1,0 +1,225 @@
+#include "vtkSliceTextures.h"
+
+#include "vtkMaterialTable.h"
+#include "vtkProjectiveLight.h"
+#include "vtkVolumeSamples.h"
+
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+
+namespace
+{
+void SetSampling(vtkTextureObject* texture, bool isSmooth)
+{
+  const int filter = isSmooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  texture->SetMinificationFilter(filter);
+  texture->SetMagnificationFilter(filter);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetWrapR(vtkTextureObject::ClampToEdge);
+}
+
+void ForgetErrors()
+{
+  // Without a context glGetError never ends.
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
+}
+
+int GetType(vtkVolumeSamples::Formats format)
+{
+  switch (format)
+  {
+    case vtkVolumeSamples::UNORM8:
+      return VTK_UNSIGNED_CHAR;
+    case vtkVolumeSamples::UNORM16:
+      return VTK_UNSIGNED_SHORT;
+    default:
+      return VTK_FLOAT;
+  }
+}
+
+// A texture of one sample for each column and row of a table, or none where the table is empty.
+void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  const std::vector<float>& table, int rows, int components)
+{
+  if (table.empty())
+  {
+    texture->ReleaseGraphicsResources(window);
+    return;
+  }
+  texture->SetContext(window);
+  SetSampling(texture, false);
+  texture->Create2DFromRaw(vtkMaterialTable::Columns, static_cast<unsigned int>(rows), components,
+    VTK_FLOAT, const_cast<float*>(table.data()));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSliceTextures::vtkSliceTextures() = default;
+
+//------------------------------------------------------------------------------
+vtkSliceTextures::~vtkSliceTextures() = default;
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSliceTextures::GetBytes(const vtkVolumeSamples& samples)
+{
+  const std::size_t bytes = samples.Texels.size() + samples.Mask.size() * sizeof(samples.Mask[0]);
+  return static_cast<vtkIdType>(bytes);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSliceTextures::GetBytes(const vtkMaterialTable& material)
+{
+  // Extinctions are a texture of their own.
+  const std::size_t values = material.Colors.size() + material.Colors.size() / 4 +
+    material.GradientOpacity.size() + material.Transmission.size();
+  return static_cast<vtkIdType>(sizeof(float)) * static_cast<vtkIdType>(values);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSliceTextures::Upload(vtkOpenGLRenderWindow* window, const vtkVolumeSamples& samples)
+{
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
+  const int largest = *std::max_element(samples.Size.begin(), samples.Size.end());
+  if (largest > limit)
+  {
+    return "the volume has " + std::to_string(largest) +
+      " samples along an axis, and textures here at most " + std::to_string(limit);
+  }
+  const auto create = [&](vtkTextureObject* texture, int components, int type, const void* values)
+  {
+    texture->SetContext(window);
+    SetSampling(texture, true);
+    // Else it keeps the format of the values before.
+    texture->ResetFormatAndType();
+    return texture->Create3DFromRaw(static_cast<unsigned int>(samples.Size[0]),
+      static_cast<unsigned int>(samples.Size[1]), static_cast<unsigned int>(samples.Size[2]),
+      components, type, const_cast<void*>(values));
+  };
+  ForgetErrors();
+  bool isMade =
+    create(this->Volume, samples.Components, GetType(samples.Format), samples.Texels.data());
+  if (samples.Mask.empty())
+  {
+    this->Mask->ReleaseGraphicsResources(window);
+  }
+  else
+  {
+    isMade = isMade && create(this->Mask, 1, VTK_UNSIGNED_SHORT, samples.Mask.data());
+  }
+  if (!isMade || glGetError() != GL_NO_ERROR)
+  {
+    this->Volume->ReleaseGraphicsResources(window);
+    this->Mask->ReleaseGraphicsResources(window);
+    return "the graphics card has no memory for " + std::to_string(GetBytes(samples)) +
+      " bytes of the volume";
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSliceTextures::Upload(
+  vtkOpenGLRenderWindow* window, const vtkMaterialTable& material)
+{
+  ForgetErrors();
+  std::vector<float> extinctions;
+  extinctions.reserve(material.Colors.size() / 4);
+  for (std::size_t i = 3; i < material.Colors.size(); i += 4)
+  {
+    extinctions.push_back(material.Colors[i]);
+  }
+  UploadTable(window, this->Colors, material.Colors, material.Rows, 4);
+  UploadTable(window, this->Extinctions, extinctions, material.Rows, 1);
+  UploadTable(window, this->GradientOpacities, material.GradientOpacity, material.Rows, 1);
+  UploadTable(window, this->Transmissions, material.Transmission, 1, 3);
+  return glGetError() == GL_NO_ERROR
+    ? std::string()
+    : std::string("the graphics card has no memory for the transfer functions");
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkSliceTextures::GetScreen(
+  vtkOpenGLRenderWindow* window, vtkProjectiveLight* light, vtkIdType& bytes)
+{
+  Screen& screen = this->Screens[light];
+  if (!screen.Texture || screen.Time != light->GetMTime())
+  {
+    std::vector<float> texels = light->GetTexels();
+    screen.Time = light->GetMTime();
+    screen.Texture = vtkSmartPointer<vtkTextureObject>::New();
+    screen.Texture->SetContext(window);
+    const int* size = light->GetImage()->GetDimensions();
+    screen.Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
+      static_cast<unsigned int>(size[1]), 3, VTK_FLOAT, texels.data());
+    SetSampling(screen.Texture, light->GetInterpolate());
+    bytes += static_cast<vtkIdType>(texels.size()) * static_cast<vtkIdType>(sizeof(float));
+  }
+  return screen.Texture;
+}
+
+//------------------------------------------------------------------------------
+void vtkSliceTextures::KeepScreens(
+  const std::vector<vtkProjectiveLight*>& lights, vtkWindow* window)
+{
+  for (auto screen = this->Screens.begin(); screen != this->Screens.end();)
+  {
+    if (std::find(lights.begin(), lights.end(), screen->first) == lights.end())
+    {
+      screen->second.Texture->ReleaseGraphicsResources(window);
+      screen = this->Screens.erase(screen);
+    }
+    else
+    {
+      ++screen;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSliceTextures::Activate(vtkShaderProgram* program)
+{
+  const auto activate = [&](vtkTextureObject* texture, const char* name)
+  {
+    if (texture->GetHandle() && program->IsUniformUsed(name))
+    {
+      texture->Activate();
+      program->SetUniformi(name, texture->GetTextureUnit());
+      this->Active.push_back(texture);
+    }
+  };
+  activate(this->Volume, "volume");
+  activate(this->Mask, "mask");
+  activate(this->Extinctions, "extinctions");
+  activate(this->Colors, "colors");
+  activate(this->GradientOpacities, "gradientOpacities");
+  activate(this->Transmissions, "transmissions");
+}
+
+//------------------------------------------------------------------------------
+void vtkSliceTextures::Deactivate()
+{
+  for (vtkTextureObject* texture : this->Active)
+  {
+    texture->Deactivate();
+  }
+  this->Active.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkSliceTextures::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkTextureObject* texture : { this->Volume.Get(), this->Mask.Get(), this->Colors.Get(),
+         this->Extinctions.Get(), this->GradientOpacities.Get(), this->Transmissions.Get() })
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->KeepScreens({}, window);
+}

@@ -1,0 +1,30 @@
+#ifndef ReferenceUnitSpace_h
+#define ReferenceUnitSpace_h
+
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkUnitSpace.h"
+
+#include <array>
+
+namespace reference
+{
+
+/// The space of the cells of an image of \a size points that a matrix shears x by y.
+inline vtkUnitSpace MakeUnitSpace(
+  const std::array<int, 3>& size, const std::array<double, 3>& spacing, double shear = 0.0)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size.data());
+  image->SetSpacing(spacing.data());
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->SetElement(0, 1, shear);
+  vtkUnitSpace space;
+  space.Set(image, true, matrix);
+  return space;
+}
+
+}
+
+#endif

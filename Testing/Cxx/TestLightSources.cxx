@@ -1,0 +1,287 @@
+// The lights of a renderer in unit space, against the places that VTK gives them.
+#include "ReferenceCheck.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightSources.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkProjectiveLight.h"
+#include "vtkUnitSpace.h"
+#include "vtkUnitVector.h"
+
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+using namespace vtkUnitVector;
+
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+// A volume of half size 5 about (100, 0, 0).
+vtkUnitSpace MakeSpace()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(11, 11, 11);
+  image->SetOrigin(95.0, -5.0, -5.0);
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkUnitSpace space;
+  space.Set(image, true, matrix);
+  return space;
+}
+
+struct Scene
+{
+  vtkNew<vtkOpenGLRenderer> Renderer;
+  vtkUnitSpace Space = MakeSpace();
+  vtkLightSources::Settings Settings;
+  std::vector<std::string> Errors;
+
+  Scene()
+  {
+    vtkNew<vtkCamera> camera;
+    camera->SetPosition(90.0, 20.0, 30.0);
+    camera->SetFocalPoint(100.0, 1.0, 2.0);
+    camera->SetViewUp(0.3, 1.0, 0.1);
+    this->Renderer->SetActiveCamera(camera);
+  }
+  vtkLight* Add(int type, bool isPositional, vtkLight* light)
+  {
+    light->SetLightType(type);
+    light->SetPositional(isPositional);
+    light->SetPosition(103.0, 8.0, 9.0);
+    light->SetFocalPoint(99.0, 2.0, 1.0);
+    this->Renderer->AddLight(light);
+    return light;
+  }
+  vtkLight* Add(int type, bool isPositional)
+  {
+    return this->Add(type, isPositional, vtkNew<vtkLight>());
+  }
+  std::vector<vtkLightSource> Gather()
+  {
+    this->Errors.clear();
+    return vtkLightSources::Gather(this->Renderer, this->Space, this->Settings, this->Errors);
+  }
+};
+
+void CheckVector(Check& check, const Vector& found, const Vector& expected, const std::string& what)
+{
+  check.Near(Length(Combine(1.0, found, -1.0, expected)), 0.0, 1e-12, what, 1.0);
+}
+
+// Before the renderer moves its lights, and after; with the lights of others as they are.
+void CheckPlaces(Check& check)
+{
+  for (const int type :
+    { VTK_LIGHT_TYPE_HEADLIGHT, VTK_LIGHT_TYPE_CAMERA_LIGHT, VTK_LIGHT_TYPE_SCENE_LIGHT })
+  {
+    for (const bool follows : { true, false })
+    {
+      for (const bool isPositional : { false, true })
+      {
+        check.SetContext("type " + std::to_string(type));
+        Scene scene;
+        scene.Renderer->SetLightFollowCamera(follows);
+        vtkLight* light = scene.Add(type, isPositional);
+        const vtkMTimeType time = light->GetMTime();
+        const vtkLightSource source = scene.Gather().at(0);
+        check.That(light->GetMTime() == time, "the light is as it was");
+        if (follows)
+        {
+          scene.Renderer->UpdateLightsGeometryToFollowCamera();
+        }
+        const vtkLightSource after = scene.Gather().at(0);
+        Vector position;
+        Vector focalPoint;
+        light->GetTransformedPosition(position.data());
+        light->GetTransformedFocalPoint(focalPoint.data());
+        const Vector axis = Combine(1.0, focalPoint, -1.0, position);
+        const Vector direction = Normalize(axis, axis);
+        const Vector unit =
+          Scale(1.0 / scene.Space.Radius, Combine(1.0, position, -1.0, { { 100.0, 0.0, 0.0 } }));
+        for (const vtkLightSource& found : { source, after })
+        {
+          check.That(found.Light == light && !found.Projective, "the light itself");
+          check.That(found.IsPositional == isPositional, "positional");
+          CheckVector(check, found.Position, unit, "position");
+          CheckVector(check, found.Direction, direction, "direction");
+        }
+      }
+    }
+  }
+}
+
+void CheckValues(Check& check)
+{
+  check.SetContext("");
+  Scene scene;
+  vtkLight* light = scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, true);
+  light->SetIntensity(0.5);
+  light->SetAmbientColor(0.1, 0.2, 0.3);
+  light->SetDiffuseColor(0.4, 0.5, 0.6);
+  light->SetSpecularColor(0.7, 0.8, 0.9);
+  light->SetConeAngle(60.0);
+  light->SetExponent(3.0);
+  light->SetAttenuationValues(0.3, 0.04, 0.005);
+  vtkLightSource source = scene.Gather().at(0);
+  CheckVector(check, source.Ambient, { { 0.05, 0.1, 0.15 } }, "ambient");
+  CheckVector(check, source.Diffuse, { { 0.2, 0.25, 0.3 } }, "diffuse");
+  CheckVector(check, source.Specular, { { 0.35, 0.4, 0.45 } }, "specular");
+  check.Near(source.ConeCosine, 0.5, 1e-12, "cone");
+  check.Near(source.Exponent, 3.0, 0.0, "exponent");
+  // The same attenuation at the same place.
+  const double distance = 7.0;
+  const double unit = distance / scene.Space.Radius;
+  check.Near(
+    source.Attenuation[0] + source.Attenuation[1] * unit + source.Attenuation[2] * unit * unit,
+    0.3 + 0.04 * distance + 0.005 * distance * distance, 1e-12, "attenuation");
+  check.Near(source.ShadowStrength, 1.0, 0.0, "shadows");
+
+  light->SetConeAngle(90.0);
+  source = scene.Gather().at(0);
+  check.That(source.ConeCosine == -1.0 && source.Exponent == 0.0, "no cone from 90 degrees on");
+  light->SetConeAngle(30.0);
+  light->SetPositional(false);
+  source = scene.Gather().at(0);
+  check.That(source.ConeCosine == -1.0 && source.Attenuation == Vector{ { 1.0, 0.0, 0.0 } },
+    "a directional light has neither cone nor attenuation");
+}
+
+void CheckShadows(Check& check)
+{
+  Scene scene;
+  // Brightness 0.5, 2, 1, 1 and none.
+  const double intensities[5] = { 0.5, 2.0, 1.0, 1.0, 3.0 };
+  std::vector<vtkLight*> lights;
+  for (const double intensity : intensities)
+  {
+    lights.push_back(scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, false));
+    lights.back()->SetIntensity(intensity);
+  }
+  lights[0]->SetDiffuseColor(0.2, 1.0, 0.0);
+  lights[1]->SetShadowAttenuation(0.25f);
+  lights[4]->SetDiffuseColor(0.0, 0.0, 0.0);
+  lights[4]->SetSpecularColor(0.0, 0.0, 0.0);
+  lights[4]->SetAmbientColor(1.0, 1.0, 1.0);
+  const auto isAs = [&](const std::vector<double>& expected, const std::string& what)
+  {
+    const std::vector<vtkLightSource> sources = scene.Gather();
+    check.Equal(static_cast<long long>(sources.size()), 5, what);
+    for (std::size_t i = 0; i < sources.size(); ++i)
+    {
+      check.That(sources[i].Light == lights[i], "the renderer's order");
+      check.Near(sources[i].ShadowStrength, expected[i], 0.0, what);
+    }
+  };
+  isAs({ 1.0, 0.25, 1.0, 1.0, 0.0 }, "all but the black one");
+  scene.Settings.MaximumNumberOfShadows = 2;
+  isAs({ 0.0, 0.25, 1.0, 0.0, 0.0 }, "the two brightest, the first of equals");
+  scene.Settings.MaximumNumberOfShadows = 0;
+  isAs({ 0.0, 0.0, 0.0, 0.0, 0.0 }, "at most none");
+  scene.Settings.MaximumNumberOfShadows = 3;
+  lights[1]->SetShadowAttenuation(0.0f);
+  isAs({ 1.0, 0.0, 1.0, 1.0, 0.0 }, "one without shadows does not count");
+  lights[1]->SetShadowAttenuation(4.0f);
+  isAs({ 0.0, 1.0, 1.0, 1.0, 0.0 }, "clamped");
+  lights[1]->SetShadowAttenuation(-4.0f);
+  lights[2]->SetShadowAttenuation(std::numeric_limits<float>::quiet_NaN());
+  isAs({ 1.0, 0.0, 0.0, 1.0, 0.0 }, "none below 0, and none of NaN");
+  scene.Settings.Shadows = false;
+  isAs({ 0.0, 0.0, 0.0, 0.0, 0.0 }, "shadows off");
+
+  lights[4]->SetAmbientColor(0.0, 0.0, 0.0);
+  lights[3]->SetIntensity(0.0);
+  lights[2]->SetSwitch(false);
+  check.Equal(static_cast<long long>(scene.Gather().size()), 2, "off or black");
+  check.That(scene.Errors.empty(), "which is no error");
+}
+
+void CheckProjective(Check& check)
+{
+  for (const int type :
+    { VTK_LIGHT_TYPE_HEADLIGHT, VTK_LIGHT_TYPE_CAMERA_LIGHT, VTK_LIGHT_TYPE_SCENE_LIGHT })
+  {
+    Scene scene;
+    vtkNew<vtkProjectiveLight> light;
+    light->SetScreenSize(3.0, 2.0);
+    scene.Add(type, true, light);
+    const vtkLightSource source = scene.Gather().at(0);
+    check.That(source.Projective == light, "a projective light");
+    scene.Renderer->UpdateLightsGeometryToFollowCamera();
+    vtkNew<vtkMatrix4x4> world;
+    light->GetScreenMatrix(world);
+    for (const Vector& point : { Vector{ { 101.0, 1.0, 2.0 } }, Vector{ { 96.0, -3.0, 4.0 } } })
+    {
+      const Vector unit = scene.Space.ToUnit(point.data());
+      const double from[2][4] = { { point[0], point[1], point[2], 1.0 },
+        { unit[0], unit[1], unit[2], 1.0 } };
+      double to[2][4];
+      world->MultiplyPoint(from[0], to[0]);
+      vtkMatrix4x4::MultiplyPoint(source.ScreenFromUnit.data(), from[1], to[1]);
+      for (int i = 0; i < 2; ++i)
+      {
+        check.Near(to[1][i] / to[1][3], to[0][i] / to[0][3], 1e-11, "place on the screen", 1.0);
+      }
+      check.That((to[0][3] > 0.0) == (to[1][3] > 0.0), "in front or behind");
+    }
+  }
+}
+
+void CheckErrors(Check& check)
+{
+  Scene scene;
+  const auto isLeftOut = [&](vtkLight* light, const std::string& what)
+  {
+    check.That(scene.Gather().empty(), what + " is left out");
+    check.That(scene.Errors.size() == 1 && scene.Errors[0].find("Light 0") != std::string::npos,
+      what + " is an error");
+    scene.Renderer->RemoveLight(light);
+  };
+  const auto add = [&](bool isPositional)
+  { return scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, isPositional); };
+  vtkLight* light = add(false);
+  light->SetFocalPoint(light->GetPosition());
+  isLeftOut(light, "a light without direction");
+  light = add(true);
+  light->SetFocalPoint(light->GetPosition());
+  light->SetConeAngle(30.0);
+  isLeftOut(light, "a cone without direction");
+  light = add(true);
+  light->SetFocalPoint(light->GetPosition());
+  light->SetConeAngle(180.0);
+  check.That(scene.Gather().size() == 1 && scene.Errors.empty(), "a bulb needs no direction");
+  light->SetPosition(NotANumber, 0.0, 0.0);
+  isLeftOut(light, "no place");
+  light = add(true);
+  light->SetFocalPoint(0.0, std::numeric_limits<double>::infinity(), 0.0);
+  isLeftOut(light, "an infinite focal point");
+  light = add(true);
+  light->SetIntensity(NotANumber);
+  isLeftOut(light, "an intensity of NaN");
+  light = add(true);
+  light->SetConeAngle(NotANumber);
+  isLeftOut(light, "a cone of NaN");
+  light = add(true);
+  light->SetAttenuationValues(1.0, NotANumber, 0.0);
+  isLeftOut(light, "an attenuation of NaN");
+  vtkNew<vtkProjectiveLight> projective;
+  projective->SetImage(vtkNew<vtkImageData>());
+  isLeftOut(scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, true, projective), "an image without samples");
+}
+}
+
+int TestLightSources(int, char*[])
+{
+  Check check;
+  CheckPlaces(check);
+  CheckValues(check);
+  CheckShadows(check);
+  CheckProjective(check);
+  CheckErrors(check);
+  return check.Result();
+}

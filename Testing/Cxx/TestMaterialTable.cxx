@@ -1,0 +1,356 @@
+// Colour, extinction, gradient opacity and transmission of every column against the functions;
+// largest extinctions against brute force; extremes; wrong properties.
+#include "ReferenceCheck.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDoubleArray.h"
+#include "vtkMaterialTable.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolumeProperty.h"
+#include "vtkVolumeSamples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr std::size_t Columns = vtkMaterialTable::Columns;
+using Range = std::array<double, 2>;
+
+/// Voxels with the lower values, then the upper ones.
+vtkVolumeSamples MakeSamples(const std::vector<Range>& ranges)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetNumberOfComponents(static_cast<int>(ranges.size()));
+  array->SetNumberOfTuples(2);
+  for (std::size_t c = 0; c < ranges.size(); ++c)
+  {
+    array->SetComponent(0, static_cast<int>(c), ranges[c][0]);
+    array->SetComponent(1, static_cast<int>(c), ranges[c][1]);
+  }
+  vtkVolumeSamples samples;
+  samples.Build(array, { { 2, 1, 1 } }, false);
+  return samples;
+}
+
+vtkNew<vtkPiecewiseFunction> MakeRamp(double x0, double y0, double x1, double y1)
+{
+  vtkNew<vtkPiecewiseFunction> ramp;
+  ramp->AddPoint(x0, y0);
+  ramp->AddPoint(x1, y1);
+  return ramp;
+}
+
+double ScalarOf(const Range& range, std::size_t column)
+{
+  return range[0] + (range[1] - range[0]) * column / (Columns - 1);
+}
+
+float ValueOf(
+  const vtkMaterialTable& table, std::size_t row, std::size_t column, std::size_t channel)
+{
+  return table.Colors[4 * (row * Columns + column) + channel];
+}
+
+/// -ln(1 - opacity) per unit distance of a linear opacity, for unit distances of all sizes.
+void CheckExtinction(Check& check)
+{
+  const vtkVolumeSamples samples = MakeSamples({ { { -2.0, 3.0 } } });
+  for (const double unit : { 1e-6, 0.25, 1.0, 1e6 })
+  {
+    check.SetContext("unit distance " + std::to_string(unit));
+    vtkNew<vtkVolumeProperty> property;
+    const auto ramp = MakeRamp(-2.0, 0.0, 3.0, 1.0);
+    property->SetScalarOpacity(ramp);
+    property->SetScalarOpacityUnitDistance(unit);
+    // Counts for several components only.
+    property->SetComponentWeight(0, 0.5);
+    vtkMaterialTable table;
+    check.That(table.Build(property, samples, nullptr).empty(), "no error");
+    check.That(table.Kind == vtkMaterialTable::INDEPENDENT && table.Rows == 1, "one row");
+    check.That(table.ColorRange[0] == Range{ { -2.0, 3.0 } }, "range of the colours");
+    check.That(table.OpacityRange[0] == Range{ { -2.0, 3.0 } }, "range of the opacity");
+    check.Equal(static_cast<long long>(table.Colors.size()), 4 * Columns, "values");
+    for (std::size_t i = 0; i < Columns; ++i)
+    {
+      const long double opacity = static_cast<long double>(i) / (Columns - 1);
+      const double depth =
+        i == Columns - 1 ? 69.0 : std::min(static_cast<double>(-std::log1p(-opacity)), 69.0);
+      check.Near(ValueOf(table, 0, i, 3), depth / unit, 1e-6, "extinction");
+    }
+    check.Near(table.GetLargestExtinction(0, -2.0, 3.0), 69.0 / unit, 1e-6, "the largest");
+  }
+}
+
+void CheckColors(Check& check)
+{
+  check.SetContext("RGB and gray");
+  const vtkVolumeSamples samples = MakeSamples({ { { 0.0, 10.0 } }, { { 100.0, 300.0 } } });
+  vtkNew<vtkVolumeProperty> property;
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(0.0, 0.0, 1.0, 0.5);
+  colors->AddRGBPoint(10.0, 1.0, 0.25, 0.5);
+  const auto gray = MakeRamp(100.0, 0.25, 300.0, 0.75);
+  const auto opacity = MakeRamp(0.0, 0.5, 10.0, 0.5);
+  property->SetColor(0, colors);
+  property->SetColor(1, gray);
+  property->SetScalarOpacity(0, opacity);
+  property->SetScalarOpacity(1, opacity);
+  property->SetComponentWeight(1, 0.25);
+  property->SetScalarOpacityUnitDistance(1, 2.0);
+  vtkMaterialTable table;
+  check.That(table.Build(property, samples, nullptr).empty(), "no error");
+  check.Equal(table.Rows, 2, "rows");
+  check.That(table.OpacityRange[1] == Range{ { 100.0, 300.0 } }, "range of the second");
+  for (std::size_t i = 0; i < Columns; ++i)
+  {
+    const double part = i / (Columns - 1.0);
+    check.Near(ValueOf(table, 0, i, 0), part, 1e-6, "red", 1.0);
+    check.Near(ValueOf(table, 0, i, 1), 1.0 - 0.75 * part, 1e-6, "green", 1.0);
+    check.Near(ValueOf(table, 0, i, 2), 0.5, 1e-6, "blue");
+    check.Near(ValueOf(table, 0, i, 3), std::log(2.0), 1e-6, "extinction");
+    for (std::size_t channel = 0; channel < 3; ++channel)
+    {
+      check.Near(ValueOf(table, 1, i, channel), 0.25 + 0.5 * part, 1e-6, "gray");
+    }
+    check.Near(ValueOf(table, 1, i, 3), 0.25 * std::log(2.0) / 2.0, 1e-6, "weighted extinction");
+  }
+
+  check.SetContext("functions without points");
+  vtkNew<vtkVolumeProperty> empty;
+  vtkNew<vtkColorTransferFunction> noColors;
+  vtkNew<vtkPiecewiseFunction> noOpacity;
+  empty->SetColor(noColors);
+  empty->SetScalarOpacity(noOpacity);
+  check.That(table.Build(empty, MakeSamples({ { { 0.0, 10.0 } } }), nullptr).empty(), "no error");
+  check.Near(ValueOf(table, 0, Columns - 1, 1), 1.0, 1e-6, "white at the end");
+  check.Near(ValueOf(table, 0, Columns - 1, 3), std::log(2.0), 1e-6, "0.5 at the end");
+  check.Equal(noOpacity->GetSize() + noColors->GetSize(), 0, "the functions stay as they are");
+}
+
+void CheckDependent(Check& check)
+{
+  vtkNew<vtkVolumeProperty> property;
+  property->IndependentComponentsOff();
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
+  colors->AddRGBPoint(1.0, 1.0, 1.0, 1.0);
+  const auto opacity = MakeRamp(0.0, 0.0, 255.0, 0.5);
+  property->SetColor(colors);
+  property->SetScalarOpacity(opacity);
+  property->SetComponentWeight(0, 0.5);
+
+  check.SetContext("colour and opacity");
+  vtkMaterialTable table;
+  check.That(
+    table.Build(property, MakeSamples({ { { 0.0, 1.0 } }, { { 0.0, 255.0 } } }), nullptr).empty(),
+    "no error");
+  check.That(table.Kind == vtkMaterialTable::COLOR_OPACITY && table.Rows == 1, "one row");
+  check.That(table.ColorRange[0] == Range{ { 0.0, 1.0 } }, "range of the colours");
+  check.That(table.OpacityRange[0] == Range{ { 0.0, 255.0 } }, "range of the opacity");
+  check.Equal(table.GetOpacityComponent(0), 1, "the opacity's component");
+  check.Near(ValueOf(table, 0, Columns - 1, 0), 1.0, 1e-6, "red");
+  check.Near(ValueOf(table, 0, Columns - 1, 3), std::log(2.0), 1e-6, "extinction");
+
+  check.SetContext("bytes of RGB and opacity");
+  vtkNew<vtkUnsignedCharArray> bytes;
+  bytes->SetNumberOfComponents(4);
+  bytes->SetNumberOfTuples(2);
+  bytes->FillValue(255);
+  bytes->SetComponent(0, 3, 0);
+  vtkVolumeSamples samples;
+  check.That(samples.Build(bytes, { { 2, 1, 1 } }, false).empty(), "samples");
+  check.That(table.Build(property, samples, nullptr).empty(), "no error");
+  check.That(table.Kind == vtkMaterialTable::RGB_OPACITY && table.Rows == 1, "one row");
+  check.That(table.OpacityRange[0] == Range{ { 0.0, 255.0 } }, "0 to 255");
+  check.Equal(table.GetOpacityComponent(0), 3, "the opacity's component");
+  check.Near(ValueOf(table, 0, Columns - 1, 3), std::log(2.0), 1e-6, "extinction");
+  check.Near(ValueOf(table, 0, 17, 2), 1.0, 0.0, "white");
+}
+
+void CheckGradientOpacity(Check& check)
+{
+  check.SetContext("gradient opacity");
+  const vtkVolumeSamples samples = MakeSamples({ { { 0.0, 80.0 } }, { { 0.0, 8.0 } } });
+  vtkNew<vtkVolumeProperty> property;
+  vtkMaterialTable table;
+  check.That(table.Build(property, samples, nullptr).empty(), "no error");
+  check.That(table.GradientOpacity.empty(), "none is none");
+  check.That(!property->HasGradientOpacity(0), "none is made");
+  property->GetGradientOpacity(0);
+  check.That(table.Build(property, samples, nullptr).empty(), "no error");
+  check.That(table.GradientOpacity.empty(), "the default is none");
+  const auto ramp = MakeRamp(0.0, 0.0, 4.0, 1.0);
+  property->SetGradientOpacity(1, ramp);
+  check.That(table.Build(property, samples, nullptr).empty(), "no error");
+  check.Equal(static_cast<long long>(table.GradientOpacity.size()), 2 * Columns, "two rows");
+  check.Near(table.GradientRange[0], 20.0, 1e-12, "a quarter of the range");
+  check.Near(table.GradientRange[1], 2.0, 1e-12, "a quarter of the range");
+  for (std::size_t i = 0; i < Columns; ++i)
+  {
+    check.Near(table.GradientOpacity[i], 1.0, 0.0, "no function: 1");
+    check.Near(table.GradientOpacity[Columns + i], 0.5 * i / (Columns - 1), 1e-6, "the ramp");
+  }
+  property->SetDisableGradientOpacity(1, 1);
+  check.That(table.Build(property, samples, nullptr).empty(), "no error");
+  check.That(table.GradientOpacity.empty(), "disabled is none");
+}
+
+void CheckTransmission(Check& check)
+{
+  check.SetContext("transmission");
+  vtkNew<vtkVolumeProperty> property;
+  vtkNew<vtkColorTransferFunction> transmission;
+  vtkMaterialTable table;
+  check.That(
+    table.Build(property, MakeSamples({ { { 0.0, 4.0 } } }), transmission).empty(), "no error");
+  check.That(table.Transmission == std::vector<float>(3 * Columns, 0.0F), "no points: black");
+  transmission->AddRGBPoint(0.0, 0.0, 0.5, 1.0);
+  transmission->AddRGBPoint(4.0, 1.0, 0.5, 0.0);
+  check.That(
+    table.Build(property, MakeSamples({ { { 0.0, 4.0 } } }), transmission).empty(), "no error");
+  for (std::size_t i = 0; i < Columns; ++i)
+  {
+    const double part = i / (Columns - 1.0);
+    const std::size_t first = 3 * i;
+    check.Near(table.Transmission[first], part, 1e-6, "red", 1.0);
+    check.Near(table.Transmission[first + 1], 0.5, 1e-6, "green", 1.0);
+    check.Near(table.Transmission[first + 2], 1.0 - part, 1e-6, "blue", 1.0);
+  }
+  const vtkVolumeSamples two = MakeSamples({ { { 0.0, 4.0 } }, { { 0.0, 1.0 } } });
+  check.That(!table.Build(property, two, transmission).empty(), "not for independent components");
+  property->IndependentComponentsOff();
+  check.That(table.Build(property, two, transmission).empty(), "for colour and opacity");
+}
+
+/// A function with steps, peaks narrower than a column, and gaps.
+void CheckLargest(Check& check)
+{
+  check.SetContext("the largest extinction");
+  std::mt19937 random(7);
+  const auto uniform = [&]() { return random() / static_cast<double>(random.max()); };
+  vtkNew<vtkPiecewiseFunction> function;
+  const Range range{ { -1.0, 3.0 } };
+  function->AddPoint(-1.0, 0.0);
+  function->AddPoint(3.0, 0.0);
+  const double width = 4.0 / (Columns - 1);
+  std::vector<double> peaks;
+  for (std::size_t i = 0; i < 12; ++i)
+  {
+    const double x = ScalarOf(range, 150 + 320 * i) + width * (0.2 + 0.6 * uniform());
+    peaks.push_back(x);
+    const double half = (i % 2 == 0 ? 0.1 : 30.0) * width;
+    function->AddPoint(x - half, 0.0);
+    function->AddPoint(x, 0.1 + 0.8 * uniform());
+    function->AddPoint(x + half, 0.0);
+  }
+  vtkNew<vtkVolumeProperty> property;
+  property->SetScalarOpacity(function);
+  vtkMaterialTable table;
+  check.That(table.Build(property, MakeSamples({ range }), nullptr).empty(), "no error");
+  const auto extinction = [&](double x) { return -std::log1p(-function->GetValue(x)); };
+  const auto brute = [&](double lower, double upper)
+  {
+    double largest = std::max(extinction(lower), extinction(upper));
+    for (int i = 0; i < function->GetSize(); ++i)
+    {
+      std::array<double, 4> node{};
+      function->GetNodeValue(i, node.data());
+      largest =
+        node[0] >= lower && node[0] <= upper ? std::max(largest, extinction(node[0])) : largest;
+    }
+    return largest;
+  };
+  for (int i = 0; i < 4000; ++i)
+  {
+    const double center = i % 2 == 0 ? -1.0 + 4.0 * uniform()
+                                     : peaks[random() % peaks.size()] + 40.0 * width * uniform();
+    const double reach = width * std::pow(2000.0, uniform());
+    const double lower = std::clamp(center - reach, range[0], range[1]);
+    const double upper = std::clamp(center + reach, range[0], range[1]);
+    const double found = table.GetLargestExtinction(0, lower, upper);
+    check.That(found >= brute(lower, upper) * (1.0 - 1e-5), "not below the function");
+    check.That(found <=
+        brute(std::max(lower - 1.01 * width, range[0]), std::min(upper + 1.01 * width, range[1])) *
+          (1.0 + 1e-5),
+      "not above it in a column around");
+  }
+
+  check.SetContext("a background at the foot of a ramp");
+  const auto ramp = MakeRamp(0.0, 0.0, 255.0, 1.0);
+  property->SetScalarOpacity(ramp);
+  check.That(table.Build(property, MakeSamples({ { { 0.0, 255.0 } } }), nullptr).empty(), "build");
+  check.That(table.GetLargestExtinction(0, 0.0, 0.0) == 0.0, "nothing at 0");
+  check.That(table.GetLargestExtinction(0, 0.0, 1e-5) == 0.0, "nothing at 0 but for rounding");
+  check.That(table.GetLargestExtinction(0, 0.0, 0.01) > 0.0, "something next to it");
+  check.That(table.GetLargestExtinction(0, 1.0, 0.0) == 0.0, "nothing in no range");
+  check.Near(table.GetLargestExtinction(0, -1e9, 1e9), 69.0, 1e-6, "beyond the ends");
+}
+
+void CheckExtremes(Check& check)
+{
+  for (const Range& range :
+    { Range{ { 5.0, 5.0 } }, Range{ { 0.0, 0.0 } }, Range{ { -1e308, 1e308 } },
+      Range{ { 1e308, 1e308 } }, Range{ { 1e-320, 2e-320 } }, Range{ { 1e9, 1e9 + 1e-6 } } })
+  {
+    check.SetContext("range " + std::to_string(range[0]) + " to " + std::to_string(range[1]));
+    vtkNew<vtkVolumeProperty> property;
+    const auto opacity = MakeRamp(range[0] - 1.0, 0.5, range[0] + 1.0, 0.5);
+    property->SetScalarOpacity(opacity);
+    const vtkVolumeSamples samples = MakeSamples({ range });
+    vtkMaterialTable table;
+    check.That(table.Build(property, samples, nullptr).empty(), "no error");
+    const double width = table.OpacityRange[0][1] - table.OpacityRange[0][0];
+    check.That(width > 0.0 && std::isfinite(width), "a finite range");
+    const double slope = samples.Scale[0] / width;
+    check.That(slope > 0.0 && slope < 1e30, "texels to columns in single precision");
+    check.That(std::all_of(table.Colors.begin(), table.Colors.end(),
+                 [](float c) { return std::isfinite(c); }),
+      "finite values");
+    check.Near(
+      table.GetLargestExtinction(0, range[0], range[1]), std::log(2.0), 1e-6, "extinction");
+    check.That(std::isfinite(table.GradientRange[0]) && table.GradientRange[0] > 0.0, "gradients");
+  }
+}
+
+void CheckErrors(Check& check)
+{
+  check.SetContext("errors");
+  vtkMaterialTable table;
+  vtkNew<vtkVolumeProperty> property;
+  const vtkVolumeSamples one = MakeSamples({ { { 0.0, 1.0 } } });
+  property->SetScalarOpacityUnitDistance(0.0);
+  check.That(table.Build(property, one, nullptr).find("is 0") != std::string::npos, "distance 0");
+  property->SetScalarOpacityUnitDistance(1.0);
+  property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+  check.That(!table.Build(property, one, nullptr).empty(), "two dimensions");
+  property->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
+  property->IndependentComponentsOff();
+  check.That(table.Build(property, one, nullptr).empty(), "one is independent anyway");
+  const Range range{ { 0.0, 1.0 } };
+  check.That(
+    !table.Build(property, MakeSamples({ range, range, range }), nullptr).empty(), "three");
+}
+}
+
+int TestMaterialTable(int, char*[])
+{
+  Check check;
+  CheckExtinction(check);
+  CheckColors(check);
+  CheckDependent(check);
+  CheckGradientOpacity(check);
+  CheckTransmission(check);
+  CheckLargest(check);
+  CheckExtremes(check);
+  CheckErrors(check);
+  return check.Result();
+}

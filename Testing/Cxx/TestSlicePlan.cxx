@@ -1,0 +1,655 @@
+// Which sweeps of slices there are, and what each light's buffer holds: for eyes, lights and boxes
+// at random, against normals tried one by one.
+#include "ReferenceCheck.h"
+#include "ReferenceRandom.h"
+#include "ReferenceUnitSpace.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkProjectiveLight.h"
+#include "vtkSlicePlan.h"
+#include "vtkUnitVector.h"
+
+namespace
+{
+
+using namespace reference;
+using namespace vtkUnitVector;
+
+using Box = std::array<std::array<double, 2>, 3>;
+using Eye = vtkSlicePlan::Eye;
+using Sweep = vtkSlicePlan::Sweep;
+
+vtkUnitSpace MakeCube()
+{
+  return MakeUnitSpace({ { 65, 65, 65 } }, { { 1.0, 1.0, 1.0 } });
+}
+
+std::array<Vector, 8> GetCorners(const vtkUnitSpace& space, const Box& box)
+{
+  std::array<Vector, 8> corners;
+  std::size_t corner = 0;
+  for (const double x : box[0])
+  {
+    for (const double y : box[1])
+    {
+      for (const double z : box[2])
+      {
+        corners[corner++] = TransformPoint(space.UnitFromTexture, { { x, y, z } });
+      }
+    }
+  }
+  return corners;
+}
+
+Vector GetRay(const Vector& from, const Vector& to)
+{
+  const Vector ray = Combine(1.0, to, -1.0, from);
+  return Normalize(ray, { { 0.0, 0.0, 0.0 } });
+}
+
+Eye MakeParallel(const Vector& direction)
+{
+  Eye eye;
+  eye.IsParallel = true;
+  eye.Direction = direction;
+  eye.Position = Scale(-4.0, direction);
+  return eye;
+}
+
+// Whose picture is square, with the tangent of half its angle; 0 leaves the matrix out.
+Eye MakePerspective(const Vector& position, const Vector& direction, double tangent)
+{
+  Eye eye;
+  eye.Position = position;
+  eye.Direction = direction;
+  eye.ViewUp = Perpendicular(direction, { { 0.0, 1.0, 0.0 } });
+  const Vector right = Cross(direction, eye.ViewUp);
+  const Vector rows[3] = { Scale(1.0 / std::max(tangent, 1e-9), right),
+    Scale(1.0 / std::max(tangent, 1e-9), eye.ViewUp), direction };
+  for (std::size_t row = 0; row < 3 && tangent > 0.0; ++row)
+  {
+    const std::size_t start = row == 2 ? 12 : 4 * row;
+    std::copy(rows[row].begin(), rows[row].end(), eye.ClipFromUnit.begin() + start);
+    eye.ClipFromUnit[start + 3] = -Dot(rows[row], position);
+  }
+  return eye;
+}
+
+vtkLightSource MakeDirectional(const Vector& direction)
+{
+  vtkLightSource light;
+  light.Direction = direction;
+  light.ShadowStrength = 1.0;
+  return light;
+}
+
+vtkLightSource MakePositional(const Vector& position)
+{
+  vtkLightSource light = MakeDirectional({ { 0.0, 0.0, -1.0 } });
+  light.IsPositional = true;
+  light.Position = position;
+  return light;
+}
+
+vtkSlicePlan Plan(const Eye& eye, const std::vector<vtkLightSource>& lights,
+  const vtkUnitSpace& space, const vtkSlicePlan::Settings& settings = {})
+{
+  vtkSlicePlan plan;
+  plan.Make(eye, lights, space, space.Box, settings);
+  return plan;
+}
+
+std::vector<Vector> GetRays(const vtkLightSource& light, const std::array<Vector, 8>& corners)
+{
+  if (!light.IsPositional)
+  {
+    return { light.Direction };
+  }
+  std::vector<Vector> rays;
+  rays.reserve(corners.size());
+  for (const Vector& corner : corners)
+  {
+    rays.push_back(GetRay(light.Position, corner));
+  }
+  return rays;
+}
+
+double GetLeast(const std::vector<Vector>& rays, const Vector& normal, double sign = 1.0)
+{
+  double least = 1.0;
+  for (const Vector& ray : rays)
+  {
+    least = std::min(least, sign * Dot(ray, normal));
+  }
+  return least;
+}
+
+// Normals everywhere, and closer around one.
+std::vector<Vector> GetNormals(const Vector& around)
+{
+  std::vector<Vector> normals = { around };
+  constexpr int number = 1500;
+  for (int i = 0; i < number; ++i)
+  {
+    const double z = 1.0 - (2.0 * i + 1.0) / number;
+    const double turn = 2.399963229728653 * i;
+    const double radius = std::sqrt(1.0 - z * z);
+    const Vector normal{ { radius * std::cos(turn), radius * std::sin(turn), z } };
+    normals.push_back(normal);
+    normals.push_back(Normalize(Combine(1.0, around, 0.3, normal), around));
+  }
+  return normals;
+}
+
+void CheckSlabs(
+  Check& check, const Sweep& sweep, const vtkUnitSpace& space, const std::array<Vector, 8>& corners)
+{
+  double lower = VTK_DOUBLE_MAX;
+  double upper = -VTK_DOUBLE_MAX;
+  for (const Vector& corner : corners)
+  {
+    lower = std::min(lower, Dot(corner, sweep.Normal));
+    upper = std::max(upper, Dot(corner, sweep.Normal));
+  }
+  check.Near(Length(sweep.Normal), 1.0, 1e-12, "length of the normal");
+  check.Near(sweep.First, lower, 1e-12, "the first slab starts at the lowest corner", 1.0);
+  check.Near(sweep.First + sweep.Slabs * sweep.Spacing, upper, 1e-12, "the last ends", 1.0);
+  const double voxel = vtkSlicePlan::GetVoxelSpacing(space, sweep.Normal);
+  check.That(sweep.Spacing <= voxel * (1.0 + 1e-8), "a slab is no thicker than a voxel");
+  check.That((sweep.Slabs - 1) * voxel < upper - lower, "there are no more slabs than needed");
+}
+
+// All corners are inside of the buffer's border and reach it.
+void CheckBuffer(Check& check, const vtkSlicePlan::ShadowedLight& light,
+  const std::array<Vector, 8>& corners, double distance)
+{
+  const double border = 1.0 - 4.0 / light.BufferSize;
+  double lower[2] = { 1.0, 1.0 };
+  double upper[2] = { -1.0, -1.0 };
+  for (const Vector& corner : corners)
+  {
+    const Matrix& m = light.BufferFromUnit;
+    const Vector point = TransformPoint(m, corner);
+    const double w = m[12] * corner[0] + m[13] * corner[1] + m[14] * corner[2] + m[15];
+    check.That(w > 0.0, "a corner is in front of the light");
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      lower[i] = std::min(lower[i], point[i] / w);
+      upper[i] = std::max(upper[i], point[i] / w);
+    }
+  }
+  const double tolerance = 1e-9 + 1e-14 * distance;
+  for (int i = 0; i < 2; ++i)
+  {
+    check.Near(lower[i], -border, tolerance, "lower edge of the box in the buffer");
+    check.Near(upper[i], border, tolerance, "upper edge of the box in the buffer");
+  }
+}
+
+void CheckFrame(Check& check, const vtkSlicePlan::ShadowedLight& light, const Sweep& sweep)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      check.Near(vtkMath::Dot(light.Frame.data() + 3 * i, light.Frame.data() + 3 * j),
+        i == j ? 1.0 : 0.0, 1e-12, "the frame is orthonormal", 1.0);
+    }
+    check.Near(light.Frame[6 + i], sweep.Normal[i], 1e-12, "its third row is the normal", 1.0);
+  }
+}
+
+// Whatever the plan: the eye's side, each light once for all of the volume, buffers, slabs.
+void CheckSweeps(Check& check, const vtkSlicePlan& plan, const Eye& eye,
+  const std::vector<vtkLightSource>& lights, const vtkUnitSpace& space, int most)
+{
+  const std::array<Vector, 8> corners = GetCorners(space, space.Box);
+  std::vector<int> narrow(lights.size());
+  std::vector<std::vector<Vector>> wide(lights.size());
+  for (const Sweep& sweep : plan.Sweeps)
+  {
+    CheckSlabs(check, sweep, space, corners);
+    check.That(static_cast<int>(sweep.Lights.size()) <= most, "lights of a sweep");
+    const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
+    check.That(sign * Dot(eye.Direction, sweep.Normal) > 0.0, "the eye's side");
+    for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
+    {
+      const auto index = static_cast<std::size_t>(light.Light);
+      const vtkLightSource& source = lights[index];
+      if (light.IsWide)
+      {
+        wide[index].push_back(sweep.Normal);
+        CheckFrame(check, light, sweep);
+        continue;
+      }
+      ++narrow[index];
+      const std::vector<Vector> rays = GetRays(source, corners);
+      // A directional one has no other choice, and the eye next to the volume leaves it little.
+      const double least = source.IsPositional ? vtkSlicePlan::WideCosine - 1e-9 : 0.05;
+      check.That(
+        GetLeast(rays, sweep.Normal) >= least, "the least cosine of a light that is not wide");
+      if (std::count_if(sweep.Lights.begin(), sweep.Lights.end(),
+            [](const vtkSlicePlan::ShadowedLight& other) { return !other.IsWide; }) > 1)
+      {
+        check.That(GetLeast(rays, sweep.Normal) >= vtkSlicePlan::LightCosine - 1e-9,
+          "rays of lights that share a sweep");
+      }
+      CheckBuffer(check, light, corners, source.IsPositional ? Length(source.Position) : 0.0);
+    }
+  }
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    const std::string which = "light " + std::to_string(i);
+    if (!(lights[i].ShadowStrength > 0.0) || narrow[i] > 0)
+    {
+      check.Equal(narrow[i], lights[i].ShadowStrength > 0.0 ? 1 : 0, which + " once");
+      check.That(wide[i].empty(), which + " is not wide as well");
+      continue;
+    }
+    check.That(wide[i].size() == 1 || wide[i].size() == 2, which + " has one or two half spaces");
+    check.That(wide[i].size() < 2 || wide[i][0] == Scale(-1.0, wide[i][1]),
+      which + "'s half spaces are opposite");
+    for (const Vector& side : wide[i])
+    {
+      double most = 0.0;
+      for (const Vector& corner : corners)
+      {
+        most = std::max(most, Dot(Combine(1.0, corner, -1.0, lights[i].Position), side));
+      }
+      check.That(most > 0.0, which + " has volume on each of its sides");
+    }
+    for (const Vector& corner : corners)
+    {
+      const bool isLit = std::any_of(wide[i].begin(), wide[i].end(),
+        [&](const Vector& side)
+        { return Dot(Combine(1.0, corner, -1.0, lights[i].Position), side) >= -1e-8; });
+      check.That(isLit, which + " shines on all of the volume");
+    }
+  }
+}
+
+// Cosines that are promised are there if any normal has them.
+void CheckAngles(Check& check, const vtkSlicePlan& plan, const std::vector<Vector>& eyeRays,
+  const vtkLightSource& light, const std::array<Vector, 8>& corners)
+{
+  const Sweep& sweep = plan.Sweeps.front();
+  const std::vector<Vector> rays = GetRays(light, corners);
+  const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
+  const auto isGood = [&](const Vector& normal, double side, double tolerance)
+  {
+    return GetLeast(eyeRays, normal, side) >= vtkSlicePlan::EyeCosine - tolerance &&
+      GetLeast(rays, normal) >= vtkSlicePlan::LightCosine - tolerance;
+  };
+  if (!sweep.Lights.front().IsWide && isGood(sweep.Normal, sign, 1e-9))
+  {
+    check.That(true, "angles are as promised");
+    return;
+  }
+  const std::vector<Vector> normals = GetNormals(sweep.Normal);
+  check.That(std::none_of(normals.begin(), normals.end(),
+               [&](const Vector& normal)
+               { return isGood(normal, 1.0, -1e-6) || isGood(normal, -1.0, -1e-6); }),
+    "there is a normal of which all angles are good");
+}
+
+vtkUnitSpace MakeRandomSpace(Random& random)
+{
+  std::array<int, 3> size;
+  Vector spacing;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    size[axis] = static_cast<int>(random.Get(2.0, 80.0));
+    spacing[axis] = std::exp(random.Get(-1.0, 1.0));
+  }
+  return MakeUnitSpace(size, spacing, random.Get(-1.0, 1.0));
+}
+
+double GetRandomDistance(Random& random)
+{
+  return random.Get(0.0, 1.0) < 0.5 ? random.Get(1.0, 4.0) : std::exp(random.Get(-7.0, 14.0));
+}
+
+void CheckRandomLight(Check& check)
+{
+  Random random(5);
+  for (int i = 0; i < 4000; ++i)
+  {
+    check.SetContext("one light, case " + std::to_string(i));
+    const vtkUnitSpace space = MakeRandomSpace(random);
+    const std::array<Vector, 8> corners = GetCorners(space, space.Box);
+    const Vector view = random.GetDirection();
+    const bool isParallel = i % 3 == 0;
+    const Vector position = Combine(-random.Get(1.1, 10.0), view, 0.2, random.GetDirection());
+    const Eye eye = isParallel ? MakeParallel(view) : MakePerspective(position, view, 0.0);
+    const vtkLightSource light = i % 2
+      ? MakeDirectional(random.GetDirection())
+      : MakePositional(Scale(GetRandomDistance(random), random.GetDirection()));
+    const vtkSlicePlan plan = Plan(eye, { light }, space);
+    CheckSweeps(check, plan, eye, { light }, space, 4);
+    std::vector<Vector> rays = { view };
+    if (!isParallel)
+    {
+      rays = GetRays(MakePositional(position), corners);
+    }
+    CheckAngles(check, plan, rays, light, corners);
+  }
+}
+
+// What is in the picture is in order along each ray, with the eye anywhere and lights of all kinds.
+void CheckRandomLights(Check& check)
+{
+  Random random(5);
+  for (int i = 0; i < 2000; ++i)
+  {
+    check.SetContext("many lights, case " + std::to_string(i));
+    const vtkUnitSpace space = MakeRandomSpace(random);
+    const Vector view = random.GetDirection();
+    const double tangent = random.Get(0.05, 1.0);
+    const Vector position = Combine(1.0, random.GetPoint(0.2), -random.Get(0.0, 3.0), view);
+    const Eye eye = i % 4 == 0 ? MakeParallel(view) : MakePerspective(position, view, tangent);
+    std::vector<vtkLightSource> lights;
+    for (int number = i % 9; number > 0; --number)
+    {
+      lights.push_back(random.Get(0.0, 1.0) < 0.5
+          ? MakeDirectional(random.GetDirection())
+          : MakePositional(Scale(GetRandomDistance(random), random.GetDirection())));
+      lights.back().ShadowStrength = number % 4 == 0 ? 0.0 : 0.7;
+    }
+    vtkSlicePlan::Settings settings;
+    settings.LightsOfSweep = 1 + i % 4;
+    const vtkSlicePlan plan = Plan(eye, lights, space, settings);
+    CheckSweeps(check, plan, eye, lights, space, settings.LightsOfSweep);
+    for (int sample = 0; sample < 50 && !eye.IsParallel; ++sample)
+    {
+      const Vector right = Cross(view, eye.ViewUp);
+      const Vector ray = Combine(1.0, Combine(1.0, view, random.Get(-tangent, tangent), right),
+        random.Get(-tangent, tangent), eye.ViewUp);
+      const bool isSeen = [&]
+      {
+        const Vector point =
+          TransformPoint(space.TextureFromUnit, Combine(1.0, position, random.Get(0.0, 5.0), ray));
+        return *std::min_element(point.begin(), point.end()) > 0.0 &&
+          *std::max_element(point.begin(), point.end()) < 1.0;
+      }();
+      for (const Sweep& sweep : plan.Sweeps)
+      {
+        const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
+        check.That(!isSeen || sign * Dot(ray, sweep.Normal) > 0.05 * Length(ray),
+          "a ray of the picture goes through the slabs in order");
+      }
+    }
+  }
+}
+
+void CheckHalfVector(Check& check)
+{
+  const vtkUnitSpace space = MakeCube();
+  Random random(5);
+  for (int i = 0; i < 500; ++i)
+  {
+    const Vector view = random.GetDirection();
+    const Vector light = i == 0 ? view : (i == 1 ? Scale(-1.0, view) : random.GetDirection());
+    check.SetContext("half vector, case " + std::to_string(i));
+    const bool isInFront = Dot(view, light) >= 0.0;
+    const Vector half = Combine(1.0, light, isInFront ? 1.0 : -1.0, view);
+    const Sweep sweep = Plan(MakeParallel(view), { MakeDirectional(light) }, space).Sweeps.front();
+    check.That(sweep.IsFrontToBack == isInFront, "the side");
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      check.Near(sweep.Normal[axis], half[axis] / Length(half), 1e-12, "normal", 1.0);
+    }
+  }
+}
+
+// Around the eye in steps of a hundredth of a degree the normal turns as slowly as the light, but
+// for the change of side at 90 degrees.
+void CheckContinuity(Check& check)
+{
+  const vtkUnitSpace space = MakeCube();
+  const Vector view{ { 0.0, 0.0, -1.0 } };
+  for (const bool isPositional : { false, true })
+  {
+    for (const double distance : { 1e6, 12.0, 3.0, 2.0 })
+    {
+      const Eye eye = distance > 1e5 ? MakeParallel(view)
+                                     : MakePerspective({ { 0.0, 0.0, distance } }, view, 0.0);
+      int changes = 0;
+      Sweep before;
+      for (int step = 0; step <= 18000; ++step)
+      {
+        const double angle = vtkMath::RadiansFromDegrees(0.01 * step);
+        const Vector light{ { std::sin(angle), 0.0, -std::cos(angle) } };
+        const Sweep sweep = Plan(eye,
+          { isPositional ? MakePositional(Scale(-2.5, light)) : MakeDirectional(light) }, space)
+                              .Sweeps.front();
+        check.That(!sweep.Lights.front().IsWide, "the light is outside of the volume");
+        if (step > 0 && sweep.IsFrontToBack != before.IsFrontToBack)
+        {
+          ++changes;
+          check.Near(0.01 * step, 90.0, 1.2e-4, "angle at which the side changes");
+        }
+        else if (step > 0)
+        {
+          check.That(Length(Combine(1.0, sweep.Normal, -1.0, before.Normal)) < 1e-3,
+            "the normal jumps at " + std::to_string(0.01 * step) + " degrees from " +
+              std::to_string(distance));
+        }
+        before = sweep;
+      }
+      check.Equal(changes, 1, "changes of side from " + std::to_string(distance));
+    }
+  }
+}
+
+struct Case
+{
+  std::string Name;
+  std::vector<vtkLightSource> Lights;
+  int Sweeps;
+  int FrontToBack;
+  int Wide;
+};
+
+void CheckCounts(Check& check)
+{
+  check.SetContext("");
+  const vtkUnitSpace space = MakeCube();
+  const double side = space.UnitFromTexture[0] / 2.0;
+  const Vector eye{ { 0.0, 0.0, 4.0 } };
+  const vtkLightSource front = MakeDirectional({ { 0.0, 0.0, -1.0 } });
+  const vtkLightSource back = MakeDirectional({ { 0.0, 0.0, 1.0 } });
+  const vtkLightSource oblique = MakeDirectional({ { 0.6, 0.0, -0.8 } });
+  const vtkLightSource behindSide = MakeDirectional({ { 0.995037, 0.0, 0.0995037 } });
+  vtkLightSource none = front;
+  none.ShadowStrength = 0.0;
+  const std::vector<Case> cases = {
+    { "no lights", {}, 1, 1, 0 },
+    { "no shadows", { none, none }, 1, 1, 0 },
+    { "with the view", { front }, 1, 1, 0 },
+    { "against the view", { back }, 1, 0, 0 },
+    { "front and back", { front, back }, 2, 1, 0 },
+    { "two in front", { front, oblique }, 1, 1, 0 },
+    { "one a little behind shares", { oblique, behindSide }, 1, 1, 0 },
+    { "five are too many for one", { front, front, front, front, front }, 2, 2, 0 },
+    { "at the eye", { MakePositional(eye) }, 1, 1, 0 },
+    { "opposite", { MakePositional({ { 0.0, 0.0, -4.0 } }) }, 1, 0, 0 },
+    { "inside", { MakePositional({ { 0.0, 0.0, 0.0 } }) }, 2, 1, 2 },
+    { "inside, off the middle", { MakePositional({ { 0.1, 0.2, 0.3 } }) }, 2, 1, 2 },
+    { "a thousandth inside", { MakePositional({ { 0.0, 0.0, side - 1e-3 } }) }, 2, 1, 2 },
+    { "in the front face", { MakePositional({ { 0.0, 0.0, side } }) }, 1, 1, 1 },
+    { "a thousandth in front", { MakePositional({ { 0.0, 0.0, side + 1e-3 } }) }, 1, 1, 1 },
+    { "a thousandth behind", { MakePositional({ { 0.0, 0.0, -side - 1e-3 } }) }, 1, 0, 1 },
+    { "a thousandth beside", { MakePositional({ { side + 1e-3, 0.0, 0.0 } }) }, 2, 1, 2 },
+    { "at a million", { MakePositional({ { 1e6, 0.0, 1e6 } }) }, 1, 1, 0 },
+    { "at 1e12", { MakePositional({ { 1e12, 0.0, -1e12 } }) }, 1, 0, 0 },
+    { "inside joins front", { front, MakePositional({ { 0.0, 0.0, 0.0 } }) }, 2, 1, 2 },
+    { "in the front face joins", { front, MakePositional({ { 0.0, 0.0, side } }) }, 1, 1, 1 },
+    { "two inside share",
+      { MakePositional({ { 0.0, 0.0, 0.0 } }), MakePositional({ { 0.1, 0.2, 0.3 } }) }, 2, 1, 4 },
+  };
+  for (const Case& one : cases)
+  {
+    const Eye view = MakePerspective(eye, { { 0.0, 0.0, -1.0 } }, 0.27);
+    const vtkSlicePlan plan = Plan(view, one.Lights, space);
+    CheckSweeps(check, plan, view, one.Lights, space, 4);
+    int frontToBack = 0;
+    int wide = 0;
+    for (const Sweep& sweep : plan.Sweeps)
+    {
+      frontToBack += sweep.IsFrontToBack ? 1 : 0;
+      for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
+      {
+        wide += light.IsWide ? 1 : 0;
+      }
+    }
+    check.Equal(static_cast<long long>(plan.Sweeps.size()), one.Sweeps, one.Name + ": sweeps");
+    check.Equal(frontToBack, one.FrontToBack, one.Name + ": from front to back");
+    check.Equal(wide, one.Wide, one.Name + ": half spaces");
+  }
+}
+
+void CheckSettings(Check& check)
+{
+  const vtkUnitSpace space = MakeUnitSpace({ { 101, 201, 3 } }, { { 1.0, 1.0, 50.0 } });
+  const Eye eye = MakeParallel({ { 0.0, 0.0, -1.0 } });
+  const std::vector<vtkLightSource> lights = { MakeDirectional({ { 0.0, 0.0, -1.0 } }) };
+  vtkSlicePlan::Settings settings;
+  const auto make = [&] { return Plan(eye, lights, space, settings).Sweeps.front(); };
+  check.Equal(make().Slabs, 2, "one slab for each voxel along the normal");
+  check.Equal(make().Lights[0].BufferSize, 208, "200 voxels across, and the border");
+  settings.AutomaticFactor = 0.25;
+  check.Equal(make().Slabs, 8, "a quarter of the distance");
+  settings.Spacing = 30.0 / space.Radius;
+  check.Equal(make().Slabs, 4, "100 in slabs of at most 30");
+  check.Near(make().Spacing * space.Radius, 25.0, 1e-9, "which are 25");
+  settings.MaximumNumberOfSlabs = 3;
+  check.Equal(make().Slabs, 3, "no more than 3");
+  settings.Spacing = 1e-300;
+  check.Equal(make().Slabs, 3, "however small the distance");
+  settings.BufferSize = 100;
+  check.Equal(make().Lights[0].BufferSize, 100, "size as set");
+  settings.LargestBufferSize = 90;
+  check.Equal(make().Lights[0].BufferSize, 90, "and as can be");
+  settings.BufferSize = 0;
+  check.Equal(make().Lights[0].BufferSize, 90, "automatic as can be");
+  settings.LargestBufferSize = 8192;
+  check.Equal(
+    Plan(eye, lights, MakeCube(), settings).Sweeps[0].Lights[0].BufferSize, 80, "64 voxels");
+  check.Equal(Plan(eye, lights, MakeUnitSpace({ { 9, 9, 9 } }, { { 1.0, 1.0, 1.0 } }), settings)
+                .Sweeps[0]
+                .Lights[0]
+                .BufferSize,
+    64, "the smallest automatic one");
+  check.Equal(Plan(eye, lights, MakeUnitSpace({ { 5001, 9, 9 } }, { { 1.0, 1.0, 1.0 } }), settings)
+                .Sweeps[0]
+                .Lights[0]
+                .BufferSize,
+    2048, "the largest automatic one");
+
+  const Vector voxel{ { 1.0 / space.Radius, 1.0 / space.Radius, 50.0 / space.Radius } };
+  Random random(5);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Vector n = random.GetDirection();
+    const Vector a{ { n[0] / voxel[0], n[1] / voxel[1], n[2] / voxel[2] } };
+    check.Near(vtkSlicePlan::GetVoxelSpacing(space, n), 1.0 / std::sqrt(Dot(a, a)), 1e-12,
+      "a voxel's length along a normal");
+  }
+}
+
+// The screen's corners are at the buffer's border where the screen is smaller than the box.
+void CheckScreens(Check& check)
+{
+  const vtkUnitSpace space = MakeCube();
+  const Eye eye = MakeParallel({ { 0.0, 0.0, -1.0 } });
+  for (const bool isPositional : { false, true })
+  {
+    check.SetContext(isPositional ? "screen of a positional light" : "screen of a parallel light");
+    vtkNew<vtkProjectiveLight> projective;
+    projective->SetPositional(isPositional);
+    projective->SetPosition(2.0, 0.5, 2.0);
+    projective->SetFocalPoint(0.1, 0.0, 0.0);
+    projective->SetViewUp(0.3, 1.0, 0.0);
+    vtkLightSource light = isPositional ? MakePositional({ { 2.0, 0.5, 2.0 } })
+                                        : MakeDirectional({ { 0.0, 0.0, -1.0 } });
+    light.Projective = projective;
+    light.Direction = Normalize({ { -1.9, -0.5, -2.0 } }, {});
+    const auto make = [&](double width, double height)
+    {
+      projective->SetScreenSize(width, height);
+      vtkNew<vtkMatrix4x4> matrix;
+      projective->GetScreenMatrix(matrix);
+      std::copy_n(matrix->GetData(), 16, light.ScreenFromUnit.begin());
+      return Plan(eye, { light }, space).Sweeps[0].Lights[0];
+    };
+    const vtkSlicePlan::ShadowedLight cut = make(0.3, 0.2);
+    const double border = 1.0 - 4.0 / cut.BufferSize;
+    const Vector up = Perpendicular(light.Direction, { { 0.3, 1.0, 0.0 } });
+    const Vector right = Cross(light.Direction, up);
+    for (const double u : { -1.0, 1.0 })
+    {
+      for (const double v : { -1.0, 1.0 })
+      {
+        const Vector corner =
+          Combine(1.0, { { 0.1, 0.0, 0.0 } }, 1.0, Combine(0.15 * u, right, 0.1 * v, up));
+        const double from[4] = { corner[0], corner[1], corner[2], 1.0 };
+        double to[4];
+        vtkMatrix4x4::MultiplyPoint(cut.BufferFromUnit.data(), from, to);
+        check.That(to[3] > 0.0, "in front");
+        check.Near(to[0] / to[3], u * border, 1e-9, "across");
+        check.Near(to[1] / to[3], v * border, 1e-9, "up");
+      }
+    }
+    CheckBuffer(check, make(100.0, 100.0), GetCorners(space, space.Box), 0.0);
+    check.Equal(cut.BufferSize, 64, "a small part needs few texels");
+  }
+}
+
+void CheckOctahedralMap(Check& check)
+{
+  Random random(5);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Vector normal = random.GetDirection();
+    const Vector first = Perpendicular(normal, random.GetDirection());
+    const Vector second = Cross(normal, first);
+    std::array<double, 9> frame;
+    std::copy(first.begin(), first.end(), frame.begin());
+    std::copy(second.begin(), second.end(), frame.begin() + 3);
+    std::copy(normal.begin(), normal.end(), frame.begin() + 6);
+    Vector direction = random.GetDirection();
+    const double along = Dot(direction, normal);
+    // Some on the rim.
+    direction = Normalize(
+      Combine(along < 0.0 ? -1.0 : 1.0, direction, i % 5 ? 0.0 : -std::abs(along), normal), normal);
+    const std::array<double, 2> place =
+      vtkSlicePlan::GetBufferPlace(frame, Scale(random.Get(0.1, 10.0), direction));
+    const Vector back = vtkSlicePlan::GetBufferDirection(frame, place);
+    for (const double coordinate : place)
+    {
+      check.That(coordinate > -1e-12 && coordinate < 1.0 + 1e-12, "inside of the buffer");
+    }
+    check.Near(Dot(back, direction), 1.0, 1e-12, "and back");
+    const double x = Dot(direction, first);
+    const double y = Dot(direction, second);
+    const double size = std::abs(x) + std::abs(y) + Dot(direction, normal);
+    check.Near(place[0], 0.5 + 0.5 * (x + y) / size, 1e-12, "first coordinate", 1.0);
+    check.Near(place[1], 0.5 + 0.5 * (x - y) / size, 1e-12, "second coordinate", 1.0);
+  }
+}
+}
+
+int TestSlicePlan(int, char*[])
+{
+  Check check;
+  CheckHalfVector(check);
+  CheckContinuity(check);
+  CheckCounts(check);
+  CheckSettings(check);
+  CheckScreens(check);
+  CheckOctahedralMap(check);
+  CheckRandomLight(check);
+  CheckRandomLights(check);
+  return check.Result();
+}

@@ -1,0 +1,450 @@
+// The polygons of slices against the same planes clipped to each block by itself: areas, points
+// that are covered once, ties, and threads.
+#include "ReferenceCheck.h"
+#include "ReferenceRandom.h"
+#include "ReferenceUnitSpace.h"
+
+#include "vtkSMPTools.h"
+#include "vtkSlicePolygons.h"
+#include "vtkUnitVector.h"
+
+namespace
+{
+
+using namespace reference;
+using namespace vtkUnitVector;
+
+using Box = std::array<std::array<double, 2>, 3>;
+using Polygon = std::vector<Vector>;
+
+struct Scene
+{
+  vtkUnitSpace Space;
+  std::array<std::vector<double>, 3> Borders;
+  std::vector<unsigned char> Visible;
+  Box Crop{};
+  double Margin = 0.0;
+  vtkSlicePlan::Sweep Sweep;
+};
+
+// As vtkVolumeBlocks has them, between the centres of the outermost texels.
+std::vector<double> MakeBorders(int size, int block)
+{
+  std::vector<double> borders;
+  for (int sample = 0; sample < size - 1; sample += block)
+  {
+    borders.push_back((sample + 0.5) / size);
+  }
+  borders.push_back((size - 0.5) / size);
+  return borders;
+}
+
+void SetSlabs(Scene& scene, const Vector& normal, int slabs)
+{
+  double lower = VTK_DOUBLE_MAX;
+  double upper = -VTK_DOUBLE_MAX;
+  for (const double x : scene.Crop[0])
+  {
+    for (const double y : scene.Crop[1])
+    {
+      for (const double z : scene.Crop[2])
+      {
+        const double place =
+          Dot(normal, TransformPoint(scene.Space.UnitFromTexture, { { x, y, z } }));
+        lower = std::min(lower, place);
+        upper = std::max(upper, place);
+      }
+    }
+  }
+  scene.Sweep.Normal = normal;
+  scene.Sweep.Slabs = slabs;
+  scene.Sweep.First = lower;
+  scene.Sweep.Spacing = (upper - lower) / slabs;
+}
+
+// Each visible block by itself.
+std::vector<Box> GetBlocks(const Scene& scene)
+{
+  std::vector<Box> blocks;
+  std::size_t sizes[3];
+  double margins[3];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    sizes[axis] = scene.Borders[axis].size() - 1;
+    // Moves the face's plane by the margin.
+    const double* row = scene.Space.TextureFromUnit.data() + 4 * axis;
+    margins[axis] = scene.Margin * std::sqrt(vtkMath::Dot(row, row));
+  }
+  for (std::size_t block = 0; block < scene.Visible.size(); ++block)
+  {
+    const std::size_t place[3] = { block % sizes[0], block / sizes[0] % sizes[1],
+      block / sizes[0] / sizes[1] };
+    Box box;
+    bool isEmpty = scene.Visible[block] == 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const std::array<double, 2>& crop = scene.Crop[axis];
+      const double start = place[axis] == 0 ? -1.0 : scene.Borders[axis][place[axis]];
+      const double end =
+        place[axis] + 1 == sizes[axis] ? 2.0 : scene.Borders[axis][place[axis] + 1];
+      isEmpty = isEmpty || start >= crop[1] || end <= crop[0];
+      box[axis][0] = start > crop[0] ? start : crop[0] - margins[axis];
+      box[axis][1] = end < crop[1] ? end : crop[1] + margins[axis];
+    }
+    if (!isEmpty)
+    {
+      blocks.push_back(box);
+    }
+  }
+  return blocks;
+}
+
+// Two directions in the plane.
+std::array<Vector, 2> GetAxes(const Vector& normal)
+{
+  const Vector first = Perpendicular(normal, { { 0.3, 0.8, 0.5 } });
+  return { { first, Cross(normal, first) } };
+}
+
+double GetArea(const Polygon& polygon)
+{
+  Vector sum{ { 0.0, 0.0, 0.0 } };
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+  {
+    const Vector across = Cross(
+      Combine(1.0, polygon[i - 1], -1.0, polygon[0]), Combine(1.0, polygon[i], -1.0, polygon[0]));
+    sum = Combine(1.0, sum, 0.5, across);
+  }
+  return Length(sum);
+}
+
+// The part of the plane in a block: a large square clipped by its faces.
+Polygon ClipPlane(const Scene& scene, double place, const Box& block)
+{
+  const Vector& normal = scene.Sweep.Normal;
+  const std::array<Vector, 2> axes = GetAxes(normal);
+  Polygon polygon;
+  for (const std::array<double, 2>& corner : { std::array<double, 2>{ { -9.0, -9.0 } },
+         { { 9.0, -9.0 } }, { { 9.0, 9.0 } }, { { -9.0, 9.0 } } })
+  {
+    polygon.push_back(
+      Combine(1.0, Scale(place, normal), 1.0, Combine(corner[0], axes[0], corner[1], axes[1])));
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (const std::size_t side : { std::size_t(0), std::size_t(1) })
+    {
+      const auto inside = [&](const Vector& point)
+      {
+        const double depth =
+          TransformPoint(scene.Space.TextureFromUnit, point)[axis] - block[axis][side];
+        return side == 0 ? depth : -depth;
+      };
+      Polygon clipped;
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+      {
+        const Vector& from = polygon[i];
+        const Vector& to = polygon[(i + 1) % polygon.size()];
+        const double start = inside(from);
+        const double end = inside(to);
+        if (start >= 0.0)
+        {
+          clipped.push_back(from);
+        }
+        if ((start >= 0.0) != (end >= 0.0))
+        {
+          const double t = start / (start - end);
+          clipped.push_back(Combine(1.0 - t, from, t, to));
+        }
+      }
+      polygon = clipped;
+    }
+  }
+  return polygon;
+}
+
+using Point = std::array<double, 2>;
+using Triangle = std::array<Point, 3>;
+
+// Of the slab's triangles, in the plane. Equal vertices stay equal.
+std::vector<Triangle> GetTriangles(const Scene& scene, const vtkSlicePolygons& polygons, int slab)
+{
+  const std::array<Vector, 2> axes = GetAxes(scene.Sweep.Normal);
+  const std::vector<float>& vertices = polygons.GetVertices();
+  std::vector<Triangle> triangles;
+  const auto index = static_cast<std::size_t>(slab);
+  for (std::size_t v = polygons.GetStarts()[index]; v < polygons.GetStarts()[index + 1]; v += 3)
+  {
+    Triangle triangle;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const float* p = vertices.data() + 3 * (v + i);
+      const Vector point{ { p[0], p[1], p[2] } };
+      triangle[i] = { { Dot(point, axes[0]), Dot(point, axes[1]) } };
+    }
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+// Which side of an edge a point is on; the same edge gives the same answer in both triangles.
+bool IsLeft(const Point& a, const Point& b, const Point& p)
+{
+  if (b < a)
+  {
+    return !IsLeft(b, a, p);
+  }
+  return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) >= 0.0;
+}
+
+int CountCover(const std::vector<Triangle>& triangles, const Point& p)
+{
+  return static_cast<int>(std::count_if(triangles.begin(), triangles.end(),
+    [&](const Triangle& t)
+    {
+      const bool first = IsLeft(t[0], t[1], p);
+      return IsLeft(t[1], t[2], p) == first && IsLeft(t[2], t[0], p) == first;
+    }));
+}
+
+// How far inside of a block a point is, in texture coordinates.
+double GetDepth(const Box& block, const Vector& texture)
+{
+  double depth = 1.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    depth = std::min({ depth, texture[axis] - block[axis][0], block[axis][1] - texture[axis] });
+  }
+  return depth;
+}
+
+// Areas of each slab, and points of its plane: inside of the visible blocks they are covered once,
+// on common faces too, and outside not at all.
+void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
+{
+  vtkSlicePolygons polygons;
+  polygons.Build(scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, scene.Margin);
+  check.Equal(polygons.GetNumberOfSlabs(), scene.Sweep.Slabs, "slabs");
+  check.That(polygons.GetVertices().size() == 3 * polygons.GetStarts().back(), "vertices");
+  const std::vector<Box> blocks = GetBlocks(scene);
+  const std::array<Vector, 2> axes = GetAxes(scene.Sweep.Normal);
+  for (int slab = 0; slab < scene.Sweep.Slabs; ++slab)
+  {
+    const double place = scene.Sweep.First + (slab + 0.5) * scene.Sweep.Spacing;
+    // Just into the upper side where planes are along faces.
+    const double beside = place + (hasTies ? 1e-9 : 0.0);
+    double expected = 0.0;
+    for (const Box& block : blocks)
+    {
+      expected += GetArea(ClipPlane(scene, beside, block));
+    }
+    double found = 0.0;
+    const std::vector<Triangle> triangles = GetTriangles(scene, polygons, slab);
+    for (const Triangle& t : triangles)
+    {
+      const double area = 0.5 *
+        std::abs(
+          (t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) - (t[1][1] - t[0][1]) * (t[2][0] - t[0][0]));
+      found += area;
+      check.That(t[0] != t[1] && t[1] != t[2] && t[2] != t[0], "a triangle has three corners");
+    }
+    check.Near(found, expected, 2e-6, "area of slab " + std::to_string(slab), 1.0);
+    check.That(polygons.IsEmpty(slab) == triangles.empty(), "empty slabs");
+
+    const auto checkPoint = [&](const Point& p)
+    {
+      const Vector unit =
+        Combine(1.0, Scale(beside, scene.Sweep.Normal), 1.0, Combine(p[0], axes[0], p[1], axes[1]));
+      const Vector texture = TransformPoint(scene.Space.TextureFromUnit, unit);
+      double depth = -1.0;
+      for (const Box& block : blocks)
+      {
+        // A little larger, so that points on common faces are inside of one.
+        Box larger = block;
+        for (std::array<double, 2>& range : larger)
+        {
+          range = { { range[0] - 1e-12, range[1] + 1e-12 } };
+        }
+        depth = std::max(depth, GetDepth(larger, texture));
+      }
+      // Near the outline of what is visible either may be.
+      bool isNear = false;
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        Vector moved = texture;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          moved[axis] += corner >> axis & 1 ? 1e-6 : -1e-6;
+        }
+        const bool isInside = std::any_of(blocks.begin(), blocks.end(),
+          [&](const Box& block) { return GetDepth(block, moved) > 0.0; });
+        isNear = isNear || isInside != (depth > 0.0);
+      }
+      if (!isNear)
+      {
+        check.Equal(CountCover(triangles, p), depth > 0.0 ? 1 : 0,
+          "cover of a point of slab " + std::to_string(slab));
+      }
+    };
+    for (int i = 0; i < 20; ++i)
+    {
+      checkPoint({ { random.Get(-1.2, 1.2), random.Get(-1.2, 1.2) } });
+    }
+    for (std::size_t i = 0; i < triangles.size(); i += 7)
+    {
+      // On the triangle's edges, most of them common to two.
+      for (std::size_t edge = 0; edge < 3; ++edge)
+      {
+        const Point& a = triangles[i][edge];
+        const Point& b = triangles[i][(edge + 1) % 3];
+        const double t = random.Get(0.1, 0.9);
+        checkPoint({ { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]) } });
+      }
+    }
+  }
+}
+
+void CheckRandom(Check& check)
+{
+  Random random(11);
+  for (int number = 0; number < 150; ++number)
+  {
+    check.SetContext("scene " + std::to_string(number));
+    Scene scene;
+    std::array<int, 3> size;
+    std::size_t blocks = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      size[axis] = number % 10 == 0 && axis == 2 ? 2 : static_cast<int>(random.Get(2.0, 40.0));
+      const auto block = static_cast<int>(random.Get(2.0, 16.0));
+      // Cells, of which there is one less.
+      scene.Borders[axis] =
+        size[axis] == 2 ? std::vector<double>{ 0.5, 0.5 } : MakeBorders(size[axis] - 1, block);
+      blocks *= scene.Borders[axis].size() - 1;
+    }
+    const double shear = number % 4 == 0 ? random.Get(-1.0, 1.0) : 0.0;
+    scene.Space = MakeUnitSpace(
+      size, { { random.Get(0.5, 2.0), random.Get(0.5, 2.0), random.Get(0.5, 2.0) } }, shear);
+    const double share = number % 5 == 0 ? 1.1 : random.Get(0.1, 0.9);
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+      scene.Visible.push_back(random.Get(0.0, 1.0) < share ? 1 : 0);
+    }
+    scene.Crop = scene.Space.Box;
+    for (std::size_t axis = 0; axis < 3 && number % 3 == 0; ++axis)
+    {
+      scene.Crop[axis] = { { random.Get(0.0, 0.4), random.Get(0.6, 1.0) } };
+    }
+    scene.Margin = number % 2 ? random.Get(0.0, 0.1) : 0.0;
+    SetSlabs(scene, random.GetDirection(), 12);
+    CheckScene(check, scene, random, false);
+  }
+}
+
+// Unit space of which all coordinates of block borders are exact.
+vtkUnitSpace MakeExactSpace()
+{
+  vtkUnitSpace space;
+  space.Size.fill(8);
+  space.UnitFromTexture = { { 1.0, 0.0, 0.0, -0.5, 0.0, 1.0, 0.0, -0.5, 0.0, 0.0, 1.0, -0.5, 0.0,
+    0.0, 0.0, 1.0 } };
+  space.TextureFromUnit = { { 1.0, 0.0, 0.0, 0.5, 0.0, 1.0, 0.0, 0.5, 0.0, 0.0, 1.0, 0.5, 0.0, 0.0,
+    0.0, 1.0 } };
+  space.Box.fill({ { 0.0, 1.0 } });
+  return space;
+}
+
+// Planes along the faces of blocks and through their corners.
+void CheckTies(Check& check)
+{
+  Random random(11);
+  const double third = std::sqrt(1.0 / 3.0);
+  const double half = std::sqrt(0.5);
+  const std::vector<Vector> normals = { { { 1.0, 0.0, 0.0 } }, { { 0.0, -1.0, 0.0 } },
+    { { 0.0, 0.0, 1.0 } }, { { third, third, third } }, { { -third, third, -third } },
+    { { half, half, 0.0 } }, { { 0.0, half, -half } } };
+  for (const Vector& normal : normals)
+  {
+    for (const bool isFull : { false, true })
+    {
+      check.SetContext("planes along faces and through corners");
+      Scene scene;
+      scene.Space = MakeExactSpace();
+      scene.Borders.fill({ 0.0, 0.25, 0.5, 0.75, 1.0 });
+      for (int block = 0; block < 64; ++block)
+      {
+        scene.Visible.push_back(isFull || random.Get(0.0, 1.0) < 0.5 ? 1 : 0);
+      }
+      scene.Crop = scene.Space.Box;
+      // Slabs around the borders, and beyond them.
+      SetSlabs(scene, normal, 4);
+      scene.Sweep.First -= 0.5 * scene.Sweep.Spacing;
+      scene.Sweep.Slabs = 5;
+      CheckScene(check, scene, random, true);
+    }
+  }
+  // Outer faces: the lower one is drawn, the upper one is not.
+  Scene scene;
+  scene.Space = MakeExactSpace();
+  scene.Borders.fill({ 0.0, 0.5, 1.0 });
+  scene.Visible.assign(8, 1);
+  scene.Crop = scene.Space.Box;
+  SetSlabs(scene, { { 0.0, 0.0, 1.0 } }, 2);
+  scene.Sweep.First -= 0.5 * scene.Sweep.Spacing;
+  scene.Sweep.Slabs = 3;
+  vtkSlicePolygons polygons;
+  polygons.Build(scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, 0.0);
+  check.That(!polygons.IsEmpty(0) && !polygons.IsEmpty(1) && polygons.IsEmpty(2),
+    "a block owns its lower face");
+  // One block for all that is visible: two triangles.
+  check.Equal(static_cast<long long>(polygons.GetStarts()[2] - polygons.GetStarts()[1]), 6,
+    "vertices of a slab across all blocks");
+}
+
+void CheckThreads(Check& check)
+{
+  check.SetContext("");
+  Random random(11);
+  Scene scene;
+  scene.Space = MakeUnitSpace({ { 129, 129, 129 } }, { { 1.0, 1.0, 1.0 } }, 0.0);
+  scene.Borders.fill(MakeBorders(128, 16));
+  for (int block = 0; block < 512; ++block)
+  {
+    scene.Visible.push_back(random.Get(0.0, 1.0) < 0.5 ? 1 : 0);
+  }
+  scene.Crop = scene.Space.Box;
+  SetSlabs(scene, random.GetDirection(), 300);
+  std::vector<vtkSlicePolygons> results;
+  for (const char* backend : { "Sequential", "STDThread", "TBB" })
+  {
+    for (const int threads : { 1, 2, 8 })
+    {
+      vtkSMPTools::SetBackend(backend);
+      vtkSMPTools::Initialize(threads);
+      results.emplace_back();
+      results.back().Build(
+        scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, scene.Margin);
+      check.That(!results.back().GetVertices().empty() &&
+          results.back().GetVertices() == results.front().GetVertices() &&
+          results.back().GetStarts() == results.front().GetStarts(),
+        std::to_string(threads) + " threads of " + backend);
+    }
+  }
+  // Nothing is left of what was there before.
+  scene.Visible.assign(512, 0);
+  results[0].Build(
+    scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, scene.Margin);
+  check.That(results[0].GetVertices().empty() && results[0].GetNumberOfSlabs() == 300 &&
+      results[0].IsEmpty(0),
+    "no triangles where nothing is visible");
+}
+}
+
+int TestSlicePolygons(int, char*[])
+{
+  Check check;
+  CheckRandom(check);
+  CheckTies(check);
+  CheckThreads(check);
+  return check.Result();
+}

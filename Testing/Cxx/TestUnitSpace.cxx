@@ -1,0 +1,214 @@
+// The unit space of images of any place, size and turn, against the image's own points.
+#include "ReferenceCheck.h"
+#include "ReferenceRandom.h"
+
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkUnitSpace.h"
+#include "vtkUnitVector.h"
+
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+using namespace vtkUnitVector;
+
+// A turn about an axis at random; mirrored if wanted.
+std::array<double, 9> MakeTurn(Random& random, bool isMirrored)
+{
+  const Vector a = Normalize({ { random.Get(-1.0, 1.0), random.Get(-1.0, 1.0), 0.5 } }, {});
+  const Vector b = Perpendicular(a, { { 0.2, random.Get(-1.0, 1.0), 0.9 } });
+  const Vector c = Scale(isMirrored ? -1.0 : 1.0, Cross(a, b));
+  return { { a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2] } };
+}
+
+struct Scene
+{
+  vtkNew<vtkImageData> Image;
+  vtkNew<vtkMatrix4x4> Matrix;
+  vtkUnitSpace Space;
+  std::array<int, 6> Extent{};
+  bool IsOfCells = false;
+
+  // Of a place in the image given in indices.
+  Vector GetVolumePoint(const Vector& index)
+  {
+    Vector point;
+    this->Image->TransformContinuousIndexToPhysicalPoint(index.data(), point.data());
+    return point;
+  }
+  Vector GetWorldPoint(const Vector& index)
+  {
+    const Vector point = this->GetVolumePoint(index);
+    const double from[4] = { point[0], point[1], point[2], 1.0 };
+    double to[4];
+    this->Matrix->MultiplyPoint(from, to);
+    return { { to[0], to[1], to[2] } };
+  }
+};
+
+bool IsFlat(const Scene& scene, std::size_t axis)
+{
+  return scene.Extent[2 * axis] == scene.Extent[2 * axis + 1];
+}
+
+// Distance between two points, as a share of a length.
+void CheckNear(Check& check, const Vector& found, const Vector& expected, double tolerance,
+  double length, const std::string& what)
+{
+  check.Near(Length(Combine(1.0, found, -1.0, expected)) / length, 0.0, tolerance, what, 1.0);
+}
+
+// \a far is how far off the origin the volume is, in its size.
+void CheckPoints(Check& check, Scene& scene, Random& random, double far)
+{
+  const vtkUnitSpace& space = scene.Space;
+  // Digits that are lost in the world's own coordinates.
+  const double tolerance = 1e-12 + 1e-14 * far;
+  const double size =
+    Length({ { double(space.Size[0]), double(space.Size[1]), double(space.Size[2]) } });
+  double farthest = 0.0;
+  for (int corner = 0; corner < 40; ++corner)
+  {
+    Vector index;
+    Vector texture;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      // The corners of the box, then anywhere.
+      const double lower = scene.Extent[2 * axis] - (IsFlat(scene, axis) ? 0.5 : 0.0);
+      const double upper = scene.Extent[2 * axis + 1] + (IsFlat(scene, axis) ? 0.5 : 0.0);
+      const double t = corner < 8 ? corner >> axis & 1 : random.Get(0.0, 1.0);
+      index[axis] = lower + t * (upper - lower);
+      const bool hasEnds = scene.IsOfCells || IsFlat(scene, axis);
+      const double points = scene.Extent[2 * axis + 1] - scene.Extent[2 * axis] + 1;
+      texture[axis] = hasEnds ? t : (index[axis] - scene.Extent[2 * axis] + 0.5) / points;
+      if (corner < 8)
+      {
+        check.Near(space.Box[axis][corner >> axis & 1], texture[axis], 1e-14, "the box", 1.0);
+      }
+    }
+    const Vector unit = TransformPoint(space.UnitFromTexture, texture);
+    const Vector world = scene.GetWorldPoint(index);
+    CheckNear(check, TransformPoint(space.TextureFromUnit, unit), texture, 1e-11, 1.0, "and back");
+    CheckNear(check, space.ToUnit(world.data()), unit, tolerance, 1.0, "unit from world");
+    const Vector volume = TransformPoint(space.VolumeFromUnit, unit);
+    const Vector expected = scene.GetVolumePoint(index);
+    CheckNear(check, volume, expected, tolerance,
+      size *
+        Length({ { scene.Image->GetSpacing()[0], scene.Image->GetSpacing()[1],
+          scene.Image->GetSpacing()[2] } }),
+      "volume from unit");
+    if (corner < 8)
+    {
+      farthest = std::max(farthest, Length(unit));
+    }
+  }
+  check.Near(farthest, 1.0, 1e-12, "the farthest corner is on the sphere");
+}
+
+void MakeScene(Scene& scene, Random& random, int number, double far)
+{
+  const double size = std::pow(10.0, random.Get(-9.0, 9.0));
+  double spacing[3];
+  double origin[3];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    scene.Extent[2 * axis] = static_cast<int>(random.Get(-50.0, 50.0));
+    const int more = static_cast<int>(random.Get(number % 3 ? 1.0 : 0.0, number % 3 ? 60.0 : 3.0));
+    scene.Extent[2 * axis + 1] = scene.Extent[2 * axis] + more;
+    spacing[axis] = size * std::exp(random.Get(-2.0, 2.0));
+    origin[axis] = random.Get(-1.0, 1.0) * far * size;
+  }
+  scene.Image->SetExtent(scene.Extent.data());
+  scene.Image->SetSpacing(spacing);
+  scene.Image->SetOrigin(origin);
+  scene.Image->SetDirectionMatrix(MakeTurn(random, number % 2 == 0).data());
+  // Any affine matrix: a turn, then scales and shears.
+  const std::array<double, 9> turn = MakeTurn(random, number % 5 == 0);
+  const double scale = std::pow(10.0, random.Get(-3.0, 3.0));
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      const int element = 3 * row + column;
+      const double shear = row < column ? random.Get(-1.0, 1.0) : 0.0;
+      scene.Matrix->SetElement(
+        row, column, scale * (turn[static_cast<std::size_t>(element)] + shear));
+    }
+    scene.Matrix->SetElement(row, 3, random.Get(-1.0, 1.0) * far * size * scale);
+  }
+  scene.IsOfCells = number % 4 == 1;
+}
+
+void CheckRandom(Check& check)
+{
+  Random random(3);
+  for (int number = 0; number < 1000; ++number)
+  {
+    check.SetContext("scene " + std::to_string(number));
+    const double far = number % 7 == 0 ? 1e7 : 10.0;
+    Scene scene;
+    MakeScene(scene, random, number, far);
+    check.That(scene.Space.Set(scene.Image, scene.IsOfCells, scene.Matrix).empty(), "no error");
+    CheckPoints(check, scene, random, far);
+  }
+}
+
+void CheckSizes(Check& check)
+{
+  check.SetContext("");
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkUnitSpace space;
+  image->SetExtent(5, 8, 0, 0, -1, 0);
+  space.Set(image, false, matrix);
+  check.That(space.Size == std::array<int, 3>{ { 4, 1, 2 } }, "texels of points");
+  check.Near(space.Radius, 0.5 * std::sqrt(9.0 + 1.0 + 1.0), 1e-14, "one voxel thick");
+  check.Near(space.Center[0], 6.5, 1e-14, "middle");
+  space.Set(image, true, matrix);
+  check.That(space.Size == std::array<int, 3>{ { 3, 1, 1 } }, "texels of cells");
+  check.That(space.Box[0] == std::array<double, 2>{ { 0.0, 1.0 } }, "cells fill their texture");
+}
+
+void CheckErrors(Check& check)
+{
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkUnitSpace space;
+  const auto hasError = [&] { return !space.Set(image, false, matrix).empty(); };
+  check.That(hasError(), "an image without samples");
+  image->SetDimensions(3, 4, 5);
+  check.That(!hasError(), "no error");
+  for (const double value :
+    { 0.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  {
+    matrix->SetElement(1, 1, value);
+    check.That(hasError(), "scale " + std::to_string(value));
+    matrix->Identity();
+  }
+  matrix->SetElement(1, 3, std::numeric_limits<double>::quiet_NaN());
+  check.That(hasError(), "a place that is not a number");
+  matrix->Identity();
+  matrix->SetElement(0, 1, 1.0);
+  matrix->SetElement(1, 0, 1.0);
+  check.That(hasError(), "two rows alike");
+  matrix->Identity();
+  matrix->SetElement(3, 0, 0.1);
+  check.That(hasError(), "a perspective");
+  matrix->Identity();
+  image->SetSpacing(1.0, 0.0, 1.0);
+  check.That(hasError(), "no spacing");
+}
+}
+
+int TestUnitSpace(int, char*[])
+{
+  Check check;
+  CheckRandom(check);
+  CheckSizes(check);
+  CheckErrors(check);
+  return check.Result();
+}

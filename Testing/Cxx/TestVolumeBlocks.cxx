@@ -1,0 +1,360 @@
+// Blocks with something to see, and blocks around it, are visible; blocks whose values and those
+// between them have no opacity are not; the borders are where the samples are.
+#include "ReferenceCheck.h"
+
+#include "vtkDataArray.h"
+#include "vtkMaterialTable.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeBlocks.h"
+#include "vtkVolumeProperty.h"
+#include "vtkVolumeSamples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+using Size = std::array<int, 3>;
+using Place = std::array<int, 3>;
+
+/// A volume with its values, and what can be seen of a range of those.
+struct Case
+{
+  std::string Name;
+  int Type = VTK_FLOAT;
+  Size Samples{};
+  int Components = 1;
+  bool Independent = true;
+  /// Value of a component of a sample.
+  std::function<double(const Place&, int)> Value;
+};
+
+/// Opaque from 0.25 (excluded) to 0.75 (excluded) of what the type can have, by component.
+const std::array<double, 2> Band = { { 0.25, 0.75 } };
+
+double FullOf(int type)
+{
+  return type == VTK_UNSIGNED_CHAR ? 255.0 : type == VTK_SHORT ? 32767.0 : 1.0;
+}
+
+vtkSmartPointer<vtkDataArray> MakeArray(const Case& volume)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(volume.Type));
+  const Size& size = volume.Samples;
+  array->SetNumberOfComponents(volume.Components);
+  array->SetNumberOfTuples(size[0] * size[1] * size[2]);
+  for (int v = 0; v < array->GetNumberOfTuples(); ++v)
+  {
+    const Place place{ { v % size[0], v / size[0] % size[1], v / size[0] / size[1] } };
+    for (int c = 0; c < volume.Components; ++c)
+    {
+      array->SetComponent(v, c, volume.Value(place, c));
+    }
+  }
+  return array;
+}
+
+/// Whether a band meets the values of a component in blocks' boxes, widened by a column if \a wide.
+bool MeetsBand(
+  vtkDataArray* array, const Case& volume, const Place& block, int component, bool wide)
+{
+  const Size& size = volume.Samples;
+  double lower = std::numeric_limits<double>::infinity();
+  double upper = -lower;
+  const auto first = [&](int axis) { return std::max(16 * block[axis] - 1, 0); };
+  const auto last = [&](int axis) { return std::min(16 * block[axis] + 17, size[axis] - 1); };
+  for (int k = first(2); k <= last(2); ++k)
+  {
+    for (int j = first(1); j <= last(1); ++j)
+    {
+      for (int i = first(0); i <= last(0); ++i)
+      {
+        const vtkIdType voxel = (static_cast<vtkIdType>(k) * size[1] + j) * size[0] + i;
+        bool finite = true;
+        for (int c = 0; c < volume.Components; ++c)
+        {
+          finite = finite && std::isfinite(array->GetComponent(voxel, c));
+        }
+        if (finite)
+        {
+          lower = std::min(lower, array->GetComponent(voxel, component));
+          upper = std::max(upper, array->GetComponent(voxel, component));
+        }
+      }
+    }
+  }
+  const double full = FullOf(volume.Type);
+  const double margin = wide ? 2.0 * full / vtkMaterialTable::Columns : 0.0;
+  return lower <= upper && upper > Band[0] * full - margin && lower < Band[1] * full + margin;
+}
+
+/// Opacity of the band alone.
+vtkNew<vtkVolumeProperty> MakeProperty(const Case& volume)
+{
+  vtkNew<vtkVolumeProperty> property;
+  property->SetIndependentComponents(volume.Independent ? 1 : 0);
+  const double full = FullOf(volume.Type);
+  for (int c = 0; c < volume.Components; ++c)
+  {
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(Band[0] * full, 0.0);
+    opacity->AddPoint(0.5 * full, 0.5);
+    opacity->AddPoint(Band[1] * full, 0.0);
+    property->SetScalarOpacity(c, opacity);
+  }
+  return property;
+}
+
+void CheckCase(const Case& volume, Check& check)
+{
+  check.SetContext(volume.Name);
+  const auto array = MakeArray(volume);
+  const auto property = MakeProperty(volume);
+  vtkVolumeSamples samples;
+  check.That(samples.Build(array, volume.Samples, false).empty(), "samples");
+  vtkMaterialTable material;
+  check.That(material.Build(property, samples, nullptr).empty(), "materials");
+  vtkVolumeBlocks blocks;
+  blocks.Build(samples);
+  check.Equal(blocks.GetNumberVisible(), 0, "none before they are classified");
+  blocks.Classify(material);
+
+  int count = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int cells = std::max(volume.Samples[axis] - 1, 1);
+    const int expected = (cells + 15) / 16;
+    check.Equal(blocks.GetSize()[axis], expected, "blocks");
+    count *= expected;
+  }
+  check.Equal(blocks.GetNumberOfBlocks(), count, "all blocks");
+
+  std::vector<int> seen;
+  if (volume.Independent)
+  {
+    for (int c = 0; c < volume.Components; ++c)
+    {
+      seen.push_back(c);
+    }
+  }
+  else
+  {
+    seen.push_back(volume.Components - 1);
+  }
+  const Size size = blocks.GetSize();
+  int visible = 0;
+  for (int b = 0; b < count; ++b)
+  {
+    const Place block{ { b % size[0], b / size[0] % size[1], b / size[0] / size[1] } };
+    bool must = false;
+    bool may = false;
+    for (const int c : seen)
+    {
+      must = must || MeetsBand(array, volume, block, c, false);
+      may = may || MeetsBand(array, volume, block, c, true);
+    }
+    const bool found = blocks.IsVisible(block[0], block[1], block[2]);
+    const std::string name =
+      std::to_string(block[0]) + " " + std::to_string(block[1]) + " " + std::to_string(block[2]);
+    check.That(found || !must, "visible: block " + name);
+    check.That(!found || may, "not visible: block " + name);
+    visible += found ? 1 : 0;
+  }
+  check.Equal(blocks.GetNumberVisible(), visible, "visible blocks");
+}
+
+/// 0 with a few samples in the band.
+std::function<double(const Place&, int)> MakeSparse(const Size& size, int type, int points)
+{
+  std::mt19937 random(static_cast<unsigned int>(size[0] + 100 * size[1] + points));
+  std::vector<Place> places;
+  for (int i = 0; i < points; ++i)
+  {
+    Place place{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      place[axis] = static_cast<int>(random() % static_cast<unsigned int>(size[axis]));
+    }
+    places.push_back(place);
+  }
+  return [places, type](const Place& place, int)
+  {
+    return std::find(places.begin(), places.end(), place) != places.end()
+      ? std::floor(0.5 * FullOf(type)) + (FullOf(type) == 1.0 ? 0.5 : 0.0)
+      : 0.0;
+  };
+}
+
+void CheckSizes(Check& check)
+{
+  for (const Size& size :
+    { Size{ { 1, 1, 1 } }, Size{ { 1, 1, 40 } }, Size{ { 40, 1, 1 } }, Size{ { 2, 2, 2 } },
+      Size{ { 16, 17, 18 } }, Size{ { 33, 34, 15 } }, Size{ { 50, 35, 65 } } })
+  {
+    for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_FLOAT, VTK_DOUBLE })
+    {
+      for (const int points : { 0, 1, 3 })
+      {
+        Case volume;
+        volume.Name = std::to_string(size[0]) + " " + std::to_string(size[1]) + " " +
+          std::to_string(size[2]) + ", type " + std::to_string(type) + ", points " +
+          std::to_string(points);
+        volume.Type = type;
+        volume.Samples = size;
+        volume.Value = MakeSparse(size, type, points);
+        CheckCase(volume, check);
+      }
+    }
+  }
+}
+
+/// A sample at each place near the borders of blocks, one at a time.
+void CheckNeighbors(Check& check)
+{
+  for (int place = 0; place < 50; ++place)
+  {
+    Case volume;
+    volume.Name = "sample " + std::to_string(place) + " of a row";
+    volume.Samples = { { 50, 1, 1 } };
+    volume.Value = [place](const Place& p, int) { return p[0] == place ? 0.5 : 0.0; };
+    CheckCase(volume, check);
+  }
+}
+
+void CheckBetween(Check& check)
+{
+  Case volume;
+  volume.Name = "0 beside 1";
+  volume.Samples = { { 60, 20, 20 } };
+  volume.Value = [](const Place& p, int) { return p[0] < 25 ? 0.0 : 1.0; };
+  CheckCase(volume, check);
+}
+
+void CheckComponents(Check& check)
+{
+  Case volume;
+  volume.Samples = { { 70, 20, 20 } };
+  volume.Value = [](const Place& p, int c) { return p[0] == 8 + 16 * c ? 0.5 : 0.0; };
+  for (const int components : { 2, 3, 4 })
+  {
+    volume.Components = components;
+    volume.Independent = true;
+    volume.Name = std::to_string(components) + " independent components";
+    CheckCase(volume, check);
+    if (components != 3)
+    {
+      volume.Independent = false;
+      volume.Name = std::to_string(components) + " dependent components";
+      CheckCase(volume, check);
+    }
+  }
+}
+
+void CheckNonFinite(Check& check)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Case volume;
+  volume.Samples = { { 70, 18, 18 } };
+  volume.Name = "nothing finite in some blocks";
+  volume.Value = [nan](const Place& p, int) {
+    return p[0] < 40 ? nan : p[0] == 60 ? 0.5 : p[0] == 44 ? nan : 0.0;
+  };
+  CheckCase(volume, check);
+  volume.Name = "1 beside NaN";
+  volume.Value = [nan](const Place& p, int) { return p[0] % 2 == 0 ? nan : 1.0; };
+  CheckCase(volume, check);
+  volume.Name = "in another component";
+  volume.Components = 2;
+  volume.Value = [nan](const Place& p, int c) { return c == 0 && p[0] < 40 ? nan : 0.5; };
+  CheckCase(volume, check);
+  volume.Name = "nothing finite";
+  volume.Value = [nan](const Place&, int) { return nan; };
+  CheckCase(volume, check);
+}
+
+void CheckBorders(Check& check)
+{
+  check.SetContext("borders");
+  const auto bordersOf = [](const Size& size, int axis)
+  {
+    Case volume;
+    volume.Samples = size;
+    volume.Value = [](const Place&, int) { return 0.0; };
+    vtkVolumeSamples samples;
+    samples.Build(MakeArray(volume), size, false);
+    vtkVolumeBlocks blocks;
+    blocks.Build(samples);
+    return blocks.GetBorders(axis);
+  };
+  const Size size{ { 40, 17, 1 } };
+  check.That(
+    bordersOf(size, 0) == std::vector<double>{ 0.5 / 40.0, 16.5 / 40.0, 32.5 / 40.0, 39.5 / 40.0 },
+    "from the first sample to the last");
+  check.That(bordersOf(size, 1) == std::vector<double>{ 0.5 / 17.0, 16.5 / 17.0 }, "one block");
+  check.That(bordersOf(size, 2) == std::vector<double>{ 0.0, 1.0 }, "one sample");
+  check.That(
+    bordersOf({ { 18, 1, 1 } }, 0) == std::vector<double>{ 0.5 / 18.0, 16.5 / 18.0, 17.5 / 18.0 },
+    "a block of one cell");
+}
+
+void CheckThreads(Check& check)
+{
+  Case volume;
+  volume.Name = "threads";
+  volume.Samples = { { 90, 70, 50 } };
+  volume.Value = MakeSparse(volume.Samples, VTK_FLOAT, 6);
+  const auto property = MakeProperty(volume);
+  const auto array = MakeArray(volume);
+  std::vector<std::vector<bool>> results;
+  for (const char* backend : { "Sequential", "STDThread" })
+  {
+    for (const int threads : { 1, 4 })
+    {
+      vtkSMPTools::SetBackend(backend);
+      vtkSMPTools::Initialize(threads);
+      vtkVolumeSamples samples;
+      samples.Build(array, volume.Samples, false);
+      vtkMaterialTable material;
+      material.Build(property, samples, nullptr);
+      vtkVolumeBlocks blocks;
+      blocks.Build(samples);
+      blocks.Classify(material);
+      std::vector<bool> result;
+      result.reserve(static_cast<std::size_t>(blocks.GetNumberOfBlocks()));
+      for (int b = 0; b < blocks.GetNumberOfBlocks(); ++b)
+      {
+        result.push_back(
+          blocks.IsVisible(b % blocks.GetSize()[0], b / blocks.GetSize()[0] % blocks.GetSize()[1],
+            b / blocks.GetSize()[0] / blocks.GetSize()[1]));
+      }
+      results.push_back(result);
+      check.SetContext(std::string(backend) + ", " + std::to_string(threads) + " threads");
+      check.That(result == results[0], "the same blocks");
+    }
+  }
+  CheckCase(volume, check);
+}
+}
+
+int TestVolumeBlocks(int, char*[])
+{
+  Check check;
+  CheckSizes(check);
+  CheckNeighbors(check);
+  CheckBetween(check);
+  CheckComponents(check);
+  CheckNonFinite(check);
+  CheckBorders(check);
+  CheckThreads(check);
+  return check.Result();
+}
