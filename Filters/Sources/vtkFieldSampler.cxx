@@ -1,12 +1,12 @@
 #include "vtkFieldSampler.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkBatchedRows.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -16,9 +16,6 @@
 
 namespace
 {
-// How often progress is told and an abort seen.
-constexpr vtkIdType NumberOfBatches = 32;
-
 template <typename Value>
 void Assign(Value& member, const Value& value, vtkAlgorithm* owner)
 {
@@ -114,15 +111,9 @@ bool vtkFieldSampler::Sample(vtkDataSet* output, const int extent[6], double tim
       }
     }
   };
-  const vtkIdType batches = std::min(rows, NumberOfBatches);
-  for (vtkIdType batch = 0; batch < batches; ++batch)
+  if (!vtkBatchedRows::Run(rows, owner, sampleRows))
   {
-    owner->UpdateProgress(static_cast<double>(batch) / batches);
-    if (owner->GetAbortExecute())
-    {
-      return false;
-    }
-    vtkSMPTools::For(batch * rows / batches, (batch + 1) * rows / batches, sampleRows);
+    return false;
   }
   output->GetPointData()->SetScalars(values);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);

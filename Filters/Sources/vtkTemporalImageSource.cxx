@@ -6,97 +6,16 @@
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
-#include <cmath>
-
-namespace
-{
-constexpr int MinimumIndex = -32768;
-constexpr int MaximumIndex = 32767;
-}
-
 vtkTemporalImageSource::vtkTemporalImageSource()
   : Sampler("f")
 {
-  this->SetNumberOfInputPorts(0);
-}
-
-void vtkTemporalImageSource::SetWholeExtent(int x0, int x1, int y0, int y1, int z0, int z1)
-{
-  const int extent[6] = { x0, x1, y0, y1, z0, z1 };
-  this->SetWholeExtent(extent);
-}
-
-void vtkTemporalImageSource::SetWholeExtent(const int extent[6])
-{
-  int clamped[6];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    clamped[2 * axis] = std::max(MinimumIndex, std::min(extent[2 * axis], MaximumIndex));
-    clamped[2 * axis + 1] =
-      std::max(clamped[2 * axis], std::min(extent[2 * axis + 1], MaximumIndex));
-  }
-  if (!std::equal(clamped, clamped + 6, this->WholeExtent))
-  {
-    std::copy_n(clamped, 6, this->WholeExtent);
-    this->Modified();
-  }
-}
-
-void vtkTemporalImageSource::SetDimensions(int x, int y, int z)
-{
-  // Clamped first, since the least integer less one is none.
-  this->SetWholeExtent(0, std::max(x, 1) - 1, 0, std::max(y, 1) - 1, 0, std::max(z, 1) - 1);
-}
-
-void vtkTemporalImageSource::SetBounds(
-  double x0, double x1, double y0, double y1, double z0, double z1)
-{
-  const double bounds[6] = { x0, x1, y0, y1, z0, z1 };
-  this->SetBounds(bounds);
-}
-
-void vtkTemporalImageSource::SetBounds(const double bounds[6])
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double length = bounds[2 * axis + 1] - bounds[2 * axis];
-    if (!(length > 0.0) || !std::isfinite(length))
-    {
-      vtkErrorMacro("Bounds " << bounds[2 * axis] << " to " << bounds[2 * axis + 1] << " of axis "
-                              << axis << " have no finite positive length.");
-      return;
-    }
-  }
-  if (!std::equal(bounds, bounds + 6, this->Bounds))
-  {
-    std::copy_n(bounds, 6, this->Bounds);
-    this->Modified();
-  }
-}
-
-void vtkTemporalImageSource::GetLattice(double origin[3], double spacing[3]) const
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int first = this->WholeExtent[2 * axis];
-    const int last = this->WholeExtent[2 * axis + 1];
-    const double length = this->Bounds[2 * axis + 1] - this->Bounds[2 * axis];
-    spacing[axis] = length / std::max(last - first, 1);
-    origin[axis] = this->Bounds[2 * axis] - first * spacing[axis];
-  }
 }
 
 int vtkTemporalImageSource::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkInformation* info = outputs->GetInformationObject(0);
-  double origin[3];
-  double spacing[3];
-  this->GetLattice(origin, spacing);
-  info->Set(vtkDataObject::ORIGIN(), origin, 3);
-  info->Set(vtkDataObject::SPACING(), spacing, 3);
-  this->Sampler.Announce(info, this->WholeExtent);
+  this->Superclass::RequestInformation(request, inputs, outputs);
+  this->Sampler.Announce(outputs->GetInformationObject(0), this->WholeExtent);
   return 1;
 }
 
@@ -113,9 +32,7 @@ int vtkTemporalImageSource::RequestData(
   double origin[3];
   double spacing[3];
   this->GetLattice(origin, spacing);
-  image->SetExtent(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
-  image->SetOrigin(origin);
-  image->SetSpacing(spacing);
+  this->Place(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   const auto positions = [&origin, &spacing](const int ijk[3], vtkIdType, double x[3])
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -134,16 +51,5 @@ int vtkTemporalImageSource::RequestData(
 void vtkTemporalImageSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "WholeExtent:";
-  for (int index : this->WholeExtent)
-  {
-    os << " " << index;
-  }
-  os << "\n" << indent << "Bounds:";
-  for (double bound : this->Bounds)
-  {
-    os << " " << bound;
-  }
-  os << "\n";
   this->Sampler.Print(os, indent);
 }

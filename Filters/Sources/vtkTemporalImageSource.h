@@ -2,8 +2,8 @@
 #define vtkTemporalImageSource_h
 
 #include "InterlumeSourcesModule.h" // for the export macro
-#include "vtkFieldSampler.h"        // for the time steps and the array
-#include "vtkImageAlgorithm.h"
+#include "vtkBoundedImageSource.h"
+#include "vtkFieldSampler.h" // for the time steps and the array
 
 /**
  * @class   vtkTemporalImageSource
@@ -11,49 +11,22 @@
  *
  * The output has one point array, the active scalars, and the time in DATA_TIME_STEP. The field is
  * evaluated for the time that is asked for, whether it is one of the time steps, between them or
- * beyond them; without one, for the first time step. Any part of the whole extent is made alone,
- * with the same values as in the whole.
+ * beyond them; without one, for the first time step.
  *
  * Errors (vtkErrorMacro, empty output): a time that is not finite.
  *
  * @sa vtkAnalyticFieldSource vtkTemporalGridSource
  */
-class INTERLUMESOURCES_EXPORT vtkTemporalImageSource : public vtkImageAlgorithm
+class INTERLUMESOURCES_EXPORT vtkTemporalImageSource : public vtkBoundedImageSource
 {
 public:
-  vtkAbstractTypeMacro(vtkTemporalImageSource, vtkImageAlgorithm);
+  vtkAbstractTypeMacro(vtkTemporalImageSource, vtkBoundedImageSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * The field at one point and time.
    */
   double Evaluate(const double x[3], double t) const { return this->GetFieldAtTime(t)(x); }
-
-  ///@{
-  /**
-   * The extent of the whole image, in point indices. Default 0 to 63 in each direction. Valid:
-   * -32768 to 32767, the upper index not below the lower; clamped.
-   */
-  void SetWholeExtent(int x0, int x1, int y0, int y1, int z0, int z1);
-  void SetWholeExtent(const int extent[6]);
-  vtkGetVector6Macro(WholeExtent, int);
-  ///@}
-
-  /**
-   * Makes the whole extent start at 0 with so many points in each direction.
-   */
-  void SetDimensions(int x, int y, int z);
-
-  ///@{
-  /**
-   * The positions of the first and the last points of the whole extent in each direction, in units
-   * of length. Default -1 to 1. Valid: finite, the upper one above the lower; other values are an
-   * error and change nothing. With one point in a direction the point is at the lower one.
-   */
-  void SetBounds(double x0, double x1, double y0, double y1, double z0, double z1);
-  void SetBounds(const double bounds[6]);
-  vtkGetVector6Macro(Bounds, double);
-  ///@}
 
   ///@{
   /**
@@ -99,16 +72,11 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int WholeExtent[6] = { 0, 63, 0, 63, 0, 63 };
-  double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
   vtkFieldSampler Sampler;
 
 private:
   vtkTemporalImageSource(const vtkTemporalImageSource&) = delete;
   void operator=(const vtkTemporalImageSource&) = delete;
-
-  /// Places the point of index 0 and the distance of points.
-  void GetLattice(double origin[3], double spacing[3]) const;
 };
 
 #endif

@@ -1,0 +1,240 @@
+#include "vtkConstructiveVolume.h"
+
+#include "vtkBatchedRows.h"
+#include "vtkColorDilation.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartPrinter.h"
+#include "vtkPointData.h"
+#include "vtkSpatialSampler.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkConstructiveVolume);
+
+namespace
+{
+// Of the progress, what is left for the colours of points without density.
+constexpr double DilationShare = 0.1;
+
+void Store(double value, float& stored)
+{
+  stored = static_cast<float>(value);
+}
+
+void Store(double value, unsigned char& stored)
+{
+  stored = static_cast<unsigned char>(std::lround(255.0 * value));
+}
+
+template <typename Value>
+void Store(const vtkSpatialObject::Sample& sample, int numberOfComponents, Value* stored)
+{
+  Store(sample.Density, stored[numberOfComponents - 1]);
+  for (int c = 0; c + 1 < numberOfComponents; ++c)
+  {
+    Store(sample.Color[c], stored[c]);
+  }
+}
+
+// The values of all rows of an extent, by threads.
+template <typename Value>
+bool SampleRows(const vtkSpatialSampler& sampler, const int extent[6], int numberOfComponents,
+  Value* values, vtkAlgorithm* owner)
+{
+  const int length = extent[1] - extent[0] + 1;
+  const vtkIdType rowsOfLayer = extent[3] - extent[2] + 1;
+  const vtkIdType rows = rowsOfLayer * (extent[5] - extent[4] + 1);
+  const auto makeRows = [&](vtkIdType first, vtkIdType last)
+  {
+    vtkSpatialObject::Sample samples[vtkSpatialObject::SpanLength];
+    for (vtkIdType row = first; row < last; ++row)
+    {
+      Value* stored = values + row * length * numberOfComponents;
+      for (int i = 0; i < length; i += vtkSpatialObject::SpanLength)
+      {
+        const int number = std::min(length - i, vtkSpatialObject::SpanLength);
+        const int ijk[3] = { extent[0] + i, static_cast<int>(extent[2] + row % rowsOfLayer),
+          static_cast<int>(extent[4] + row / rowsOfLayer) };
+        sampler.SampleSpan(ijk, number, samples);
+        for (int s = 0; s < number; ++s, stored += numberOfComponents)
+        {
+          Store(samples[s], numberOfComponents, stored);
+        }
+      }
+    }
+  };
+  const bool isColored = numberOfComponents > 1;
+  if (!vtkBatchedRows::Run(rows, owner, makeRows, 0.0, isColored ? 1.0 - DilationShare : 1.0))
+  {
+    return false;
+  }
+  const auto dilate = [&](vtkIdType first, vtkIdType last)
+  { vtkColorDilation::DilateRows(values, extent, first, last); };
+  return !isColored || vtkBatchedRows::Run(rows, owner, dilate, 1.0 - DilationShare, 1.0);
+}
+}
+
+vtkConstructiveVolume::vtkConstructiveVolume() = default;
+
+vtkConstructiveVolume::~vtkConstructiveVolume() = default;
+
+const char* vtkConstructiveVolume::GetOutputModeName(int mode)
+{
+  static const char* const names[NUMBER_OF_OUTPUT_MODES] = { "density", "color bytes",
+    "color floats" };
+  return mode >= 0 && mode < NUMBER_OF_OUTPUT_MODES ? names[mode] : nullptr;
+}
+
+void vtkConstructiveVolume::SetRoot(vtkSpatialObject* root)
+{
+  if (this->Root != root)
+  {
+    this->Root = root;
+    this->Modified();
+  }
+}
+
+vtkSpatialObject* vtkConstructiveVolume::GetRoot() const
+{
+  return this->Root;
+}
+
+vtkMTimeType vtkConstructiveVolume::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Root ? std::max(own, this->Root->GetMTime()) : own;
+}
+
+void vtkConstructiveVolume::FitRoot(int resolution, double margin)
+{
+  double box[6];
+  if (!this->Root || !this->Root->GetBounds(box))
+  {
+    vtkErrorMacro("There is no root whose bounds could be taken.");
+    return;
+  }
+  double lengths[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lengths[axis] = box[2 * axis + 1] - box[2 * axis];
+  }
+  const double longest = *std::max_element(lengths, lengths + 3);
+  if (!(*std::min_element(lengths, lengths + 3) >= 0.0) || !(longest > 0.0) ||
+    !std::isfinite(longest) || !std::isfinite(margin) || !(margin > 0.0))
+  {
+    vtkErrorMacro(
+      "The root is empty or has no end, or the margin " << margin << " is not above 0.");
+    return;
+  }
+  int dimensions[3];
+  const int points = std::max(2, resolution);
+  const double spacing = longest * (1.0 + 2.0 * margin) / (points - 1);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double length = lengths[axis] + 2.0 * margin * longest;
+    dimensions[axis] = std::max(2, static_cast<int>(std::lround(length / spacing)) + 1);
+    box[2 * axis] -= margin * longest;
+    box[2 * axis + 1] += margin * longest;
+  }
+  this->SetBounds(box);
+  this->SetDimensions(dimensions[0], dimensions[1], dimensions[2]);
+}
+
+double vtkConstructiveVolume::Evaluate(const double x[3], double color[3])
+{
+  vtkSpatialObject::Sample sample;
+  if (this->Root)
+  {
+    this->Root->Evaluate(x, sample);
+  }
+  else
+  {
+    vtkErrorMacro("There is no root to evaluate.");
+  }
+  if (color)
+  {
+    std::copy_n(sample.Color, 3, color);
+  }
+  return sample.Density;
+}
+
+int vtkConstructiveVolume::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->Superclass::RequestInformation(request, inputs, outputs);
+  vtkDataObject::SetPointDataActiveScalarInfo(outputs->GetInformationObject(0),
+    this->OutputMode == COLOR_BYTES ? VTK_UNSIGNED_CHAR : VTK_FLOAT,
+    this->OutputMode == DENSITY ? 1 : 4);
+  return 1;
+}
+
+bool vtkConstructiveVolume::Sample(const int extent[6], vtkDataArray* values)
+{
+  double origin[3];
+  double spacing[3];
+  this->GetLattice(origin, spacing);
+  const vtkSpatialSampler sampler(this->Root, origin, spacing, this->NumberOfSubsamples);
+  const int components = values->GetNumberOfComponents();
+  values->SetNumberOfTuples(static_cast<vtkIdType>(extent[1] - extent[0] + 1) *
+    (extent[3] - extent[2] + 1) * (extent[5] - extent[4] + 1));
+  if (auto* bytes = vtkUnsignedCharArray::SafeDownCast(values))
+  {
+    return SampleRows(sampler, extent, components, bytes->GetPointer(0), this);
+  }
+  auto* floats = vtkFloatArray::SafeDownCast(values);
+  return SampleRows(sampler, extent, components, floats->GetPointer(0), this);
+}
+
+int vtkConstructiveVolume::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  const std::string problem =
+    this->Root ? this->Root->Update() : std::string("There is no root to sample.");
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    image->Initialize();
+    return 1;
+  }
+  // A point without density takes its colour from all neighbours, also those outside of the part.
+  int part[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), part);
+  int extent[6];
+  std::copy_n(part, 6, extent);
+  for (int axis = 0; axis < 3 && this->OutputMode != DENSITY; ++axis)
+  {
+    extent[2 * axis] = std::max(part[2 * axis] - 1, this->WholeExtent[2 * axis]);
+    extent[2 * axis + 1] = std::min(part[2 * axis + 1] + 1, this->WholeExtent[2 * axis + 1]);
+  }
+  this->Place(image, extent);
+  vtkSmartPointer<vtkDataArray> values = vtk::TakeSmartPointer(
+    vtkDataArray::CreateDataArray(this->OutputMode == COLOR_BYTES ? VTK_UNSIGNED_CHAR : VTK_FLOAT));
+  values->SetName(this->OutputMode == DENSITY ? "Density" : "Color");
+  values->SetNumberOfComponents(this->OutputMode == DENSITY ? 1 : 4);
+  if (!this->Sample(extent, values))
+  {
+    image->Initialize();
+    return 1;
+  }
+  image->GetPointData()->SetScalars(values);
+  image->Crop(part);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkConstructiveVolume::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "OutputMode: " << GetOutputModeName(this->OutputMode) << "\n";
+  os << indent << "NumberOfSubsamples: " << this->NumberOfSubsamples << "\n";
+  vtkPartPrinter::Print(os, indent, "Root", this->Root);
+}

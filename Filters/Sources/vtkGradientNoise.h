@@ -1,0 +1,56 @@
+#ifndef vtkGradientNoise_h
+#define vtkGradientNoise_h
+
+#include "InterlumeSourcesModule.h" // for the export macro
+
+#include <array> // for the permutation
+
+/**
+ * @class   vtkGradientNoise
+ * @brief   Perlin's improved gradient noise, and sums of its octaves
+ *
+ * K. Perlin, "Improving noise", SIGGRAPH 2002: gradients at the points of the unit lattice, chosen
+ * from the twelve directions to the edges of a cube by a permutation of 0 ... 255, interpolated
+ * with 6 t^5 - 15 t^4 + 10 t^3. The noise is 0 at lattice points, has continuous second
+ * derivatives, mean 0, values between about -1 and 1, and period 256 in each direction. At a
+ * position that is not finite it is 0.
+ *
+ * Seed 0 is the published permutation; another seed shuffles 0 ... 255 by a generator of its own,
+ * so that a seed means the same noise with every compiler and library.
+ */
+class INTERLUMESOURCES_EXPORT vtkGradientNoise
+{
+public:
+  /// How octaves are summed: the noise alone, sum of noise(2^i x) / 2^i, or of its absolute value.
+  enum Sums
+  {
+    NOISE = 0,
+    FRACTAL_SUM = 1,
+    TURBULENCE = 2
+  };
+
+  /// "noise", "fractal sum" or "turbulence"; null for a number that is none.
+  static const char* GetSumName(int sum);
+
+  static constexpr int MaximumNumberOfOctaves = 16;
+
+  /// No noise is larger, and no sum of octaves larger than twice that.
+  static constexpr double LargestNoise = 1.04;
+
+  explicit vtkGradientNoise(int seed = 0);
+
+  /// The noise at \a x, in lattice units.
+  double Evaluate(const double x[3]) const;
+
+  /**
+   * The sum over i = 0 ... octaves - 1 of noise(2^i x) / 2^i or |noise(2^i x)| / 2^i (C. Zhang,
+   * dissertation, Ohio State 2006, section 2.3.2). For NOISE the number of octaves is 1.
+   */
+  double Sum(const double x[3], int sum, int octaves) const;
+
+private:
+  // Twice, so that indices need no wrapping.
+  std::array<unsigned char, 512> Permutation;
+};
+
+#endif

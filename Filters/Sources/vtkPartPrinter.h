@@ -1,0 +1,22 @@
+#ifndef vtkPartPrinter_h
+#define vtkPartPrinter_h
+
+#include "vtkObject.h"
+
+/**
+ * For PrintSelf of objects that have others.
+ */
+namespace vtkPartPrinter
+{
+/// Prints an object that another one has, or that there is none.
+inline void Print(ostream& os, vtkIndent indent, const char* name, vtkObject* part)
+{
+  os << indent << name << ": " << (part ? "\n" : "none\n");
+  if (part)
+  {
+    part->PrintSelf(os, indent.GetNextIndent());
+  }
+}
+}
+
+#endif

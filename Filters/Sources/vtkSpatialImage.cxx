@@ -1,0 +1,196 @@
+#include "vtkSpatialImage.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartPrinter.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkSpatialImage);
+
+namespace
+{
+// Infinite scalars become this, so that they have a weight.
+constexpr double LargestDensity = 1e30;
+
+// In cells, by which a point on the image's side may be outside.
+constexpr double SideTolerance = 1e-9;
+}
+
+vtkSpatialImage::vtkSpatialImage() = default;
+
+vtkSpatialImage::~vtkSpatialImage() = default;
+
+void vtkSpatialImage::SetImage(vtkImageData* image)
+{
+  if (this->Image != image)
+  {
+    this->Image = image;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkSpatialImage::GetImage() const
+{
+  return this->Image;
+}
+
+void vtkSpatialImage::SetScalarRange(double a, double b)
+{
+  if (!std::isfinite(b - a) || a == b)
+  {
+    vtkErrorMacro("The scalar range " << a << " to " << b << " is not finite or empty.");
+    return;
+  }
+  if (a != this->ScalarRange[0] || b != this->ScalarRange[1])
+  {
+    this->ScalarRange[0] = a;
+    this->ScalarRange[1] = b;
+    this->Modified();
+  }
+}
+
+void vtkSpatialImage::SetColorArrayName(const char* name)
+{
+  const std::string given = name ? name : "";
+  if (this->ColorArrayName != given)
+  {
+    this->ColorArrayName = given;
+    this->Modified();
+  }
+}
+
+vtkMTimeType vtkSpatialImage::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Image ? std::max(own, this->Image->GetMTime()) : own;
+}
+
+std::string vtkSpatialImage::CopyValues()
+{
+  vtkDataArray* scalars = this->Image ? this->Image->GetPointData()->GetScalars() : nullptr;
+  if (!scalars || scalars->GetNumberOfTuples() < 1)
+  {
+    return "A spatial object of an image has no image with point scalars.";
+  }
+  const double scale = 1.0 / (this->ScalarRange[1] - this->ScalarRange[0]);
+  this->Densities.resize(scalars->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    const double density = (scalars->GetComponent(i, 0) - this->ScalarRange[0]) * scale;
+    this->Densities[i] = std::isnan(density)
+      ? 0.0f
+      : static_cast<float>(std::max(-LargestDensity, std::min(density, LargestDensity)));
+  }
+  return "";
+}
+
+std::string vtkSpatialImage::CopyColors()
+{
+  this->Colors.clear();
+  if (this->ColorArrayName.empty())
+  {
+    return "";
+  }
+  vtkDataArray* colors = this->Image->GetPointData()->GetArray(this->ColorArrayName.c_str());
+  if (!colors || colors->GetNumberOfComponents() < 3)
+  {
+    return "The image has no point array '" + this->ColorArrayName + "' of three components.";
+  }
+  const double scale = colors->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const double color = scale * colors->GetComponent(i, c);
+      this->Colors.push_back(static_cast<float>(vtkMath::ClampValue(color, 0.0, 1.0)));
+    }
+  }
+  return "";
+}
+
+std::string vtkSpatialImage::Prepare(double bounds[6])
+{
+  std::string problem = this->CopyValues();
+  if (problem.empty())
+  {
+    problem = this->CopyColors();
+  }
+  if (problem.empty())
+  {
+    this->Image->GetExtent(this->Extent);
+    vtkMatrix4x4::DeepCopy(this->PhysicalToIndex, this->Image->GetPhysicalToIndexMatrix());
+    this->Image->GetBounds(bounds);
+  }
+  return problem;
+}
+
+bool vtkSpatialImage::Locate(const double x[3], vtkIdType corners[8], double weights[8]) const
+{
+  std::fill_n(corners, 8, 0);
+  std::fill_n(weights, 8, 1.0);
+  vtkIdType stride = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double* row = this->PhysicalToIndex + 4 * axis;
+    const int last = this->Extent[2 * axis + 1] - this->Extent[2 * axis];
+    const double position =
+      row[0] * x[0] + row[1] * x[1] + row[2] * x[2] + row[3] - this->Extent[2 * axis];
+    if (!(position >= -SideTolerance && position <= last + SideTolerance))
+    {
+      return false;
+    }
+    const int cell = std::max(0, std::min(static_cast<int>(position), last - 1));
+    const double t = std::max(0.0, std::min(position - cell, 1.0));
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const bool isUpper = (corner >> axis & 1) != 0;
+      corners[corner] += stride * std::min(cell + (isUpper ? 1 : 0), last);
+      weights[corner] *= isUpper ? t : 1.0 - t;
+    }
+    stride *= last + 1;
+  }
+  return true;
+}
+
+bool vtkSpatialImage::EvaluateLocally(const double (*points)[3], int number, Sample* samples) const
+{
+  bool isAny = false;
+  for (int i = 0; i < number; ++i)
+  {
+    vtkIdType corners[8];
+    double weights[8];
+    samples[i] = Sample();
+    if (!this->Locate(points[i], corners, weights))
+    {
+      continue;
+    }
+    double density = 0.0;
+    double color[3] = { 0.0, 0.0, 0.0 };
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      density += weights[corner] * this->Densities[corners[corner]];
+      for (int c = 0; c < 3 && !this->Colors.empty(); ++c)
+      {
+        color[c] += weights[corner] * this->Colors[3 * corners[corner] + c];
+      }
+    }
+    samples[i].Density = this->Density * std::max(0.0, std::min(density, 1.0));
+    std::copy_n(this->Colors.empty() ? this->Color : color, 3, samples[i].Color);
+    isAny = isAny || samples[i].Density > 0.0;
+  }
+  return isAny;
+}
+
+void vtkSpatialImage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ScalarRange: " << this->ScalarRange[0] << " " << this->ScalarRange[1] << "\n";
+  os << indent << "ColorArrayName: " << this->ColorArrayName << "\n";
+  vtkPartPrinter::Print(os, indent, "Image", this->Image);
+}

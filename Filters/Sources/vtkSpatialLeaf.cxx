@@ -1,0 +1,27 @@
+#include "vtkSpatialLeaf.h"
+
+#include "vtkClampedValue.h"
+
+void vtkSpatialLeaf::SetDensity(double density)
+{
+  if (vtkClampedValue::Assign(this->Density, density, 0.0, 1.0))
+  {
+    this->Modified();
+  }
+}
+
+void vtkSpatialLeaf::SetColor(double red, double green, double blue)
+{
+  if (vtkClampedValue::Assign(this->Color, { red, green, blue }, 0.0, 1.0))
+  {
+    this->Modified();
+  }
+}
+
+void vtkSpatialLeaf::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Density: " << this->Density << "\n";
+  os << indent << "Color: " << this->Color[0] << " " << this->Color[1] << " " << this->Color[2]
+     << "\n";
+}

@@ -1,0 +1,187 @@
+#include "vtkSpatialTurbulence.h"
+
+#include "vtkClampedValue.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartPrinter.h"
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+
+vtkStandardNewMacro(vtkSpatialTurbulence);
+
+namespace
+{
+constexpr double Limit = 1e12;
+}
+
+vtkSpatialTurbulence::vtkSpatialTurbulence()
+{
+  this->MakeNoises();
+}
+
+const char* vtkSpatialTurbulence::GetModeName(int mode)
+{
+  static const char* const names[NUMBER_OF_MODES] = { "displacement", "modulation", "erosion" };
+  return mode >= 0 && mode < NUMBER_OF_MODES ? names[mode] : nullptr;
+}
+
+void vtkSpatialTurbulence::SetOperand(vtkSpatialObject* operand)
+{
+  if (operand && operand->Contains(this))
+  {
+    vtkErrorMacro("The operand has the turbulence among its own parts.");
+    return;
+  }
+  if (this->Operand != operand)
+  {
+    this->Operand = operand;
+    this->Modified();
+  }
+}
+
+vtkSpatialObject* vtkSpatialTurbulence::GetOperand() const
+{
+  return this->Operand;
+}
+
+void vtkSpatialTurbulence::SetFrequency(double x, double y, double z)
+{
+  if (vtkClampedValue::Assign(this->Frequency, { x, y, z }, 0.0, Limit))
+  {
+    this->Modified();
+  }
+}
+
+void vtkSpatialTurbulence::SetAmplitude(double amplitude)
+{
+  if (vtkClampedValue::Assign(this->Amplitude, amplitude, -Limit, Limit))
+  {
+    this->Modified();
+  }
+}
+
+void vtkSpatialTurbulence::SetGain(double gain)
+{
+  if (vtkClampedValue::Assign(this->Gain, gain, 0.0, Limit))
+  {
+    this->Modified();
+  }
+}
+
+void vtkSpatialTurbulence::SetSeed(int seed)
+{
+  if (this->Seed != seed)
+  {
+    this->Seed = seed;
+    this->MakeNoises();
+    this->Modified();
+  }
+}
+
+void vtkSpatialTurbulence::MakeNoises()
+{
+  // Far from the seeds that users take, which are small numbers.
+  constexpr int distance = INT_MAX / 3;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Noises[i] = vtkGradientNoise(this->Seed ^ (i * distance));
+  }
+}
+
+bool vtkSpatialTurbulence::Contains(const vtkSpatialObject* object) const
+{
+  return object == this || (this->Operand && this->Operand->Contains(object));
+}
+
+vtkMTimeType vtkSpatialTurbulence::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Operand ? std::max(own, this->Operand->GetMTime()) : own;
+}
+
+std::string vtkSpatialTurbulence::Prepare(double bounds[6])
+{
+  if (!this->Operand)
+  {
+    return "A spatial turbulence has no operand.";
+  }
+  std::string problem = this->Operand->Update();
+  if (problem.empty())
+  {
+    this->Operand->GetBounds(bounds);
+    const double largest = this->Sum == vtkGradientNoise::NOISE
+      ? vtkGradientNoise::LargestNoise
+      : 2.0 * vtkGradientNoise::LargestNoise;
+    const double reach = this->Mode == DISPLACEMENT ? largest * std::fabs(this->Amplitude) : 0.0;
+    // Turbulence displaces to one side only.
+    const bool isOneSided = this->Sum == vtkGradientNoise::TURBULENCE;
+    for (int side = 0; side < 6; ++side)
+    {
+      const bool isLower = side % 2 == 0;
+      const bool moves = !isOneSided || isLower == (this->Amplitude > 0.0);
+      bounds[side] += !moves ? 0.0 : (isLower ? -reach : reach);
+    }
+  }
+  return problem;
+}
+
+double vtkSpatialTurbulence::GetNoise(const vtkGradientNoise& noise, const double x[3]) const
+{
+  const double scaled[3] = { this->Frequency[0] * x[0], this->Frequency[1] * x[1],
+    this->Frequency[2] * x[2] };
+  return noise.Sum(scaled, this->Sum, this->NumberOfOctaves);
+}
+
+bool vtkSpatialTurbulence::Displace(const double (*points)[3], int number, Sample* samples) const
+{
+  double displaced[SpanLength][3];
+  for (int i = 0; i < number; ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      displaced[i][axis] =
+        points[i][axis] + this->Amplitude * this->GetNoise(this->Noises[axis], points[i]);
+    }
+  }
+  return this->Operand->EvaluateSpan(displaced, number, samples);
+}
+
+bool vtkSpatialTurbulence::EvaluateLocally(
+  const double (*points)[3], int number, Sample* samples) const
+{
+  if (this->Mode == DISPLACEMENT)
+  {
+    return this->Displace(points, number, samples);
+  }
+  if (!this->Operand->EvaluateSpan(points, number, samples))
+  {
+    return false;
+  }
+  for (int i = 0; i < number; ++i)
+  {
+    double& density = samples[i].Density;
+    if (density > 0.0)
+    {
+      const double noise = this->Amplitude * this->GetNoise(this->Noises[0], points[i]);
+      const double changed = this->Mode == MODULATION ? density * (1.0 + noise)
+                                                      : 0.5 + this->Gain * (density - noise - 0.5);
+      density = std::max(0.0, std::min(changed, 1.0));
+    }
+  }
+  return true;
+}
+
+void vtkSpatialTurbulence::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << GetModeName(this->Mode) << "\n";
+  os << indent << "Sum: " << vtkGradientNoise::GetSumName(this->Sum) << "\n";
+  os << indent << "NumberOfOctaves: " << this->NumberOfOctaves << "\n";
+  os << indent << "Frequency: " << this->Frequency[0] << " " << this->Frequency[1] << " "
+     << this->Frequency[2] << "\n";
+  os << indent << "Amplitude: " << this->Amplitude << "\n";
+  os << indent << "Gain: " << this->Gain << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  vtkPartPrinter::Print(os, indent, "Operand", this->Operand);
+}

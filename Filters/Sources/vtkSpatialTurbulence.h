@@ -1,0 +1,145 @@
+#ifndef vtkSpatialTurbulence_h
+#define vtkSpatialTurbulence_h
+
+#include "InterlumeSourcesModule.h" // for the export macro
+#include "vtkGradientNoise.h"
+#include "vtkSpatialObject.h"
+
+/**
+ * @class   vtkSpatialTurbulence
+ * @brief   hypertexture: noise that displaces or changes the density of a spatial object
+ *
+ * K. Perlin and E. Hoffert, "Hypertexture", SIGGRAPH 1989. With d the operand's density at x, A the
+ * amplitude, n(x) the chosen sum of octaves at Frequency x (vtkGradientNoise) and n1, n2, n3 three
+ * of it, of different seeds, the density is
+ * - DISPLACEMENT: d(x + A (n1, n2, n3)), and the colour is the one of there;
+ * - MODULATION: d (1 + A n);
+ * - EROSION: 1/2 + G (d - A n - 1/2) where d > 0, with the gain G. Soft edges get fringes, and with
+ *   a high frequency fur.
+ *
+ * Each clamped to 0 ... 1; the last two keep the colour and add nothing where d is 0.
+ *
+ * Errors (vtkErrorMacro): an operand that has this object among its parts, which is not taken; no
+ * operand (density 0).
+ */
+class INTERLUMESOURCES_EXPORT vtkSpatialTurbulence : public vtkSpatialObject
+{
+public:
+  static vtkSpatialTurbulence* New();
+  vtkTypeMacro(vtkSpatialTurbulence, vtkSpatialObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Modes
+  {
+    DISPLACEMENT = 0,
+    MODULATION = 1,
+    EROSION = 2,
+    NUMBER_OF_MODES = 3
+  };
+
+  /// The mode's name in small letters; null for a number that is none.
+  static const char* GetModeName(int mode);
+
+  ///@{
+  /**
+   * The object that is changed. Default null, which is an error when it is evaluated.
+   */
+  void SetOperand(vtkSpatialObject* operand);
+  vtkSpatialObject* GetOperand() const;
+  ///@}
+
+  ///@{
+  /**
+   * What the noise does. Default DISPLACEMENT. Valid: see Modes; clamped.
+   */
+  vtkSetClampMacro(Mode, int, DISPLACEMENT, EROSION);
+  vtkGetMacro(Mode, int);
+  void SetModeToDisplacement() { this->SetMode(DISPLACEMENT); }
+  void SetModeToModulation() { this->SetMode(MODULATION); }
+  void SetModeToErosion() { this->SetMode(EROSION); }
+  ///@}
+
+  ///@{
+  /**
+   * How octaves are summed, see vtkGradientNoise::Sums. Default TURBULENCE. Clamped.
+   */
+  vtkSetClampMacro(Sum, int, vtkGradientNoise::NOISE, vtkGradientNoise::TURBULENCE);
+  vtkGetMacro(Sum, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of octaves. Default 4. Valid: 1 to 16; clamped.
+   */
+  vtkSetClampMacro(NumberOfOctaves, int, 1, vtkGradientNoise::MaximumNumberOfOctaves);
+  vtkGetMacro(NumberOfOctaves, int);
+  ///@}
+
+  ///@{
+  /**
+   * Lattice cells of the first octave in a unit of length, each 0 or more, along x, y, z. Default 4
+   * each. Valid: 0 to 1e12; clamped, NaN changes nothing.
+   */
+  void SetFrequency(double x, double y, double z);
+  void SetFrequency(double frequency) { this->SetFrequency(frequency, frequency, frequency); }
+  vtkGetVector3Macro(Frequency, double);
+  ///@}
+
+  ///@{
+  /**
+   * The noise's factor A: a length for DISPLACEMENT, a density else. Default 0.1. Valid: -1e12 to
+   * 1e12; clamped, NaN changes nothing.
+   */
+  void SetAmplitude(double amplitude);
+  vtkGetMacro(Amplitude, double);
+  ///@}
+
+  ///@{
+  /**
+   * The gain G of EROSION: the larger, the sharper the edge of what is left. Default 1. Valid: 0 to
+   * 1e12; clamped, NaN changes nothing.
+   */
+  void SetGain(double gain);
+  vtkGetMacro(Gain, double);
+  ///@}
+
+  ///@{
+  /**
+   * The noise's seed. Default 0.
+   */
+  void SetSeed(int seed);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  bool Contains(const vtkSpatialObject* object) const override;
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkSpatialTurbulence();
+  ~vtkSpatialTurbulence() override = default;
+
+  std::string Prepare(double bounds[6]) override;
+  bool EvaluateLocally(const double (*points)[3], int number, Sample* samples) const override;
+
+  int Mode = DISPLACEMENT;
+  int Sum = vtkGradientNoise::TURBULENCE;
+  int NumberOfOctaves = 4;
+  double Frequency[3] = { 4.0, 4.0, 4.0 };
+  double Amplitude = 0.1;
+  double Gain = 1.0;
+  int Seed = 0;
+
+private:
+  vtkSpatialTurbulence(const vtkSpatialTurbulence&) = delete;
+  void operator=(const vtkSpatialTurbulence&) = delete;
+
+  /// One noise for each direction, all of the seed.
+  void MakeNoises();
+  double GetNoise(const vtkGradientNoise& noise, const double x[3]) const;
+  bool Displace(const double (*points)[3], int number, Sample* samples) const;
+
+  vtkSmartPointer<vtkSpatialObject> Operand;
+  vtkGradientNoise Noises[3];
+};
+
+#endif

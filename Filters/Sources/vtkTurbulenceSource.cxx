@@ -1,0 +1,181 @@
+#include "vtkTurbulenceSource.h"
+
+#include "vtkBatchedRows.h"
+#include "vtkClampedValue.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkTurbulenceSource);
+
+namespace
+{
+constexpr double Limit = 1e12;
+constexpr double LeastTopFraction = 1e-6;
+}
+
+const char* vtkTurbulenceSource::GetFalloffName(int falloff)
+{
+  static const char* const names[NUMBER_OF_FALLOFFS] = { "none", "linear", "exponential" };
+  return falloff >= 0 && falloff < NUMBER_OF_FALLOFFS ? names[falloff] : nullptr;
+}
+
+const char* vtkTurbulenceSource::GetEnvelopeName(int envelope)
+{
+  static const char* const names[NUMBER_OF_ENVELOPES] = { "none", "sphere", "cloud" };
+  return envelope >= 0 && envelope < NUMBER_OF_ENVELOPES ? names[envelope] : nullptr;
+}
+
+void vtkTurbulenceSource::SetFrequency(double frequency)
+{
+  if (vtkClampedValue::Assign(this->Frequency, frequency, 0.0, Limit))
+  {
+    this->Modified();
+  }
+}
+
+void vtkTurbulenceSource::SetAmplitude(double amplitude)
+{
+  if (vtkClampedValue::Assign(this->Amplitude, amplitude, -Limit, Limit))
+  {
+    this->Modified();
+  }
+}
+
+void vtkTurbulenceSource::SetOffset(double offset)
+{
+  if (vtkClampedValue::Assign(this->Offset, offset, -Limit, Limit))
+  {
+    this->Modified();
+  }
+}
+
+void vtkTurbulenceSource::SetTopFraction(double fraction)
+{
+  if (vtkClampedValue::Assign(this->TopFraction, fraction, LeastTopFraction, 1.0))
+  {
+    this->Modified();
+  }
+}
+
+double vtkTurbulenceSource::GetFalloffFactor(const double x[3]) const
+{
+  const double lower = this->Bounds[2 * this->VerticalAxis];
+  const double upper = this->Bounds[2 * this->VerticalAxis + 1];
+  const double height = (x[this->VerticalAxis] - lower) / (upper - lower);
+  switch (this->Falloff)
+  {
+    case LINEAR:
+      return 1.0 - (1.0 - this->TopFraction) * height;
+    case EXPONENTIAL:
+      return std::pow(this->TopFraction, height);
+    default:
+      return 1.0;
+  }
+}
+
+double vtkTurbulenceSource::GetEnvelopeFactor(const double x[3]) const
+{
+  if (this->Envelope == NO_ENVELOPE)
+  {
+    return 1.0;
+  }
+  double r2 = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double lower = this->Bounds[2 * axis];
+    const double upper = this->Bounds[2 * axis + 1];
+    const double offset = (2.0 * x[axis] - lower - upper) / (upper - lower);
+    r2 += offset * offset;
+  }
+  return std::max(0.0, 1.0 - r2);
+}
+
+double vtkTurbulenceSource::Evaluate(const vtkGradientNoise& noise, const double x[3]) const
+{
+  const double envelope = this->GetEnvelopeFactor(x);
+  const double scaled[3] = { this->Frequency * x[0], this->Frequency * x[1],
+    this->Frequency * x[2] };
+  const double value = this->GetFalloffFactor(x) *
+    (this->Offset + this->Amplitude * noise.Sum(scaled, this->Sum, this->NumberOfOctaves));
+  return this->Envelope == CLOUD ? std::max(0.0, envelope + value - 1.0) : envelope * value;
+}
+
+double vtkTurbulenceSource::Evaluate(const double x[3]) const
+{
+  return this->Evaluate(vtkGradientNoise(this->Seed), x);
+}
+
+int vtkTurbulenceSource::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->Superclass::RequestInformation(request, inputs, outputs);
+  vtkDataObject::SetPointDataActiveScalarInfo(outputs->GetInformationObject(0), VTK_FLOAT, 1);
+  return 1;
+}
+
+int vtkTurbulenceSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  double origin[3];
+  double spacing[3];
+  this->GetLattice(origin, spacing);
+  this->Place(image, extent);
+
+  const vtkIdType length = extent[1] - extent[0] + 1;
+  const vtkIdType rowsOfLayer = extent[3] - extent[2] + 1;
+  const vtkIdType rows = rowsOfLayer * (extent[5] - extent[4] + 1);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Turbulence");
+  values->SetNumberOfTuples(rows * length);
+  const vtkGradientNoise noise(this->Seed);
+  const auto makeRows = [&](vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType row = first; row < last; ++row)
+    {
+      const vtkIdType y = extent[2] + row % rowsOfLayer;
+      const vtkIdType z = extent[4] + row / rowsOfLayer;
+      double x[3] = { 0.0, origin[1] + y * spacing[1], origin[2] + z * spacing[2] };
+      for (vtkIdType i = 0; i < length; ++i)
+      {
+        x[0] = origin[0] + (extent[0] + i) * spacing[0];
+        values->SetValue(row * length + i, static_cast<float>(this->Evaluate(noise, x)));
+      }
+    }
+  };
+  if (!vtkBatchedRows::Run(rows, this, makeRows))
+  {
+    image->Initialize();
+    return 1;
+  }
+  image->GetPointData()->SetScalars(values);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkTurbulenceSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Sum: " << vtkGradientNoise::GetSumName(this->Sum) << "\n";
+  os << indent << "NumberOfOctaves: " << this->NumberOfOctaves << "\n";
+  os << indent << "Frequency: " << this->Frequency << "\n";
+  os << indent << "Amplitude: " << this->Amplitude << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "Falloff: " << GetFalloffName(this->Falloff) << "\n";
+  os << indent << "VerticalAxis: " << this->VerticalAxis << "\n";
+  os << indent << "TopFraction: " << this->TopFraction << "\n";
+  os << indent << "Envelope: " << GetEnvelopeName(this->Envelope) << "\n";
+}

@@ -1,0 +1,171 @@
+#ifndef vtkTurbulenceSource_h
+#define vtkTurbulenceSource_h
+
+#include "InterlumeSourcesModule.h" // for the export macro
+#include "vtkBoundedImageSource.h"
+#include "vtkGradientNoise.h" // for the sums
+
+/**
+ * @class   vtkTurbulenceSource
+ * @brief   noise and turbulence on an image: smoke, haze, clouds
+ *
+ * The output has one point array, the active scalars: `Turbulence`, float. With n(x) the chosen sum
+ * of octaves at Frequency x (vtkGradientNoise; TURBULENCE is the sum of |noise(2^i x)| / 2^i: C.
+ * Zhang, dissertation, Ohio State 2006, section 2.3.2), the value at x is
+ *   E(x) F(h) (Offset + Amplitude n(x)),
+ * or for the envelope CLOUD max(0, E(x) + F(h) (Offset + Amplitude n(x)) - 1).
+ *
+ * The falloff F depends on the height h, 0 at the lower and 1 at the upper bound of VerticalAxis,
+ * with t = TopFraction:
+ * - NO_FALLOFF: 1;
+ * - LINEAR: 1 - (1 - t) h;
+ * - EXPONENTIAL: t^h.
+ *
+ * The envelope E depends on r, 0 at the centre of the bounds and 1 on the ellipsoid that touches
+ * all of their sides:
+ * - NO_ENVELOPE: 1;
+ * - SPHERE and CLOUD: max(0, 1 - r^2).
+ *
+ * The bytes do not depend on the number of threads. Any part of the whole extent is made alone,
+ * with the same values as in the whole.
+ *
+ * @sa vtkGradientNoise vtkSpatialTurbulence
+ */
+class INTERLUMESOURCES_EXPORT vtkTurbulenceSource : public vtkBoundedImageSource
+{
+public:
+  static vtkTurbulenceSource* New();
+  vtkTypeMacro(vtkTurbulenceSource, vtkBoundedImageSource);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Falloffs
+  {
+    NO_FALLOFF = 0,
+    LINEAR = 1,
+    EXPONENTIAL = 2,
+    NUMBER_OF_FALLOFFS = 3
+  };
+
+  enum Envelopes
+  {
+    NO_ENVELOPE = 0,
+    SPHERE = 1,
+    CLOUD = 2,
+    NUMBER_OF_ENVELOPES = 3
+  };
+
+  ///@{
+  /// The name in small letters; null for a number that is none.
+  static const char* GetFalloffName(int falloff);
+  static const char* GetEnvelopeName(int envelope);
+  ///@}
+
+  ///@{
+  /**
+   * How octaves are summed, see vtkGradientNoise::Sums. Default TURBULENCE. Clamped.
+   */
+  vtkSetClampMacro(Sum, int, vtkGradientNoise::NOISE, vtkGradientNoise::TURBULENCE);
+  vtkGetMacro(Sum, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of octaves. Default 5. Valid: 1 to 16; clamped.
+   */
+  vtkSetClampMacro(NumberOfOctaves, int, 1, vtkGradientNoise::MaximumNumberOfOctaves);
+  vtkGetMacro(NumberOfOctaves, int);
+  ///@}
+
+  ///@{
+  /**
+   * Lattice cells of the first octave in a unit of length. Default 2. Valid: 0 to 1e12; clamped,
+   * NaN changes nothing.
+   */
+  void SetFrequency(double frequency);
+  vtkGetMacro(Frequency, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the noise is multiplied with and what is added. Default 1, 0. Valid: -1e12 to 1e12;
+   * clamped, NaN changes nothing.
+   */
+  void SetAmplitude(double amplitude);
+  vtkGetMacro(Amplitude, double);
+  void SetOffset(double offset);
+  vtkGetMacro(Offset, double);
+  ///@}
+
+  ///@{
+  /**
+   * The noise's seed. Default 0.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /**
+   * How values fall with height. Default NO_FALLOFF. Valid: see Falloffs; clamped.
+   */
+  vtkSetClampMacro(Falloff, int, NO_FALLOFF, EXPONENTIAL);
+  vtkGetMacro(Falloff, int);
+  ///@}
+
+  ///@{
+  /**
+   * The axis of height: 0, 1, 2 for x, y, z. Default 2. Clamped.
+   */
+  vtkSetClampMacro(VerticalAxis, int, 0, 2);
+  vtkGetMacro(VerticalAxis, int);
+  ///@}
+
+  ///@{
+  /**
+   * What is left at the top. Default 0.1. Valid: 1e-6 to 1; clamped, NaN changes nothing.
+   */
+  void SetTopFraction(double fraction);
+  vtkGetMacro(TopFraction, double);
+  ///@}
+
+  ///@{
+  /**
+   * The shape that values are kept to. Default NO_ENVELOPE. Valid: see Envelopes; clamped.
+   */
+  vtkSetClampMacro(Envelope, int, NO_ENVELOPE, CLOUD);
+  vtkGetMacro(Envelope, int);
+  ///@}
+
+  /**
+   * The value at one point. It makes the noise's permutation anew.
+   */
+  double Evaluate(const double x[3]) const;
+
+protected:
+  vtkTurbulenceSource() = default;
+  ~vtkTurbulenceSource() override = default;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Sum = vtkGradientNoise::TURBULENCE;
+  int NumberOfOctaves = 5;
+  double Frequency = 2.0;
+  double Amplitude = 1.0;
+  double Offset = 0.0;
+  int Seed = 0;
+  int Falloff = NO_FALLOFF;
+  int VerticalAxis = 2;
+  double TopFraction = 0.1;
+  int Envelope = NO_ENVELOPE;
+
+private:
+  vtkTurbulenceSource(const vtkTurbulenceSource&) = delete;
+  void operator=(const vtkTurbulenceSource&) = delete;
+
+  double Evaluate(const vtkGradientNoise& noise, const double x[3]) const;
+  double GetFalloffFactor(const double x[3]) const;
+  double GetEnvelopeFactor(const double x[3]) const;
+};
+
+#endif
