@@ -119,10 +119,15 @@ void AddSlabs(vtkUnstructuredGrid* grid, const std::string& name, int axis, int 
 
 vtkSmartPointer<vtkCamera> LookAt(vtkUnstructuredGrid* grid, const Point3& direction, bool parallel)
 {
+  Point3 middle;
+  grid->GetCenter(middle.data());
+  return LookAt(middle, 0.5 * grid->GetLength(), direction, parallel);
+}
+
+vtkSmartPointer<vtkCamera> LookAt(
+  const Point3& middle, double radius, const Point3& direction, bool parallel)
+{
   constexpr double distance = 4.0; // radii from the middle to the eye
-  double middle[3];
-  grid->GetCenter(middle);
-  const double radius = 0.5 * grid->GetLength();
   const double length = vtkMath::Norm(direction.data());
   auto camera = vtkSmartPointer<vtkCamera>::New();
   double eye[3];
@@ -131,7 +136,7 @@ vtkSmartPointer<vtkCamera> LookAt(vtkUnstructuredGrid* grid, const Point3& direc
     eye[axis] = middle[axis] - distance * radius * direction[axis] / length;
   }
   camera->SetPosition(eye);
-  camera->SetFocalPoint(middle);
+  camera->SetFocalPoint(middle.data());
   const bool alongY = std::abs(direction[1]) > 0.9 * length;
   camera->SetViewUp(0.0, alongY ? 0.0 : 1.0, alongY ? 1.0 : 0.0);
   camera->SetParallelProjection(parallel ? 1 : 0);

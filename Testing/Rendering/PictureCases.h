@@ -47,6 +47,9 @@ void AddSlabs(vtkUnstructuredGrid* grid, const std::string& name, int axis, int 
 /// picture, its clipping range around the grid.
 vtkSmartPointer<vtkCamera> LookAt(
   vtkUnstructuredGrid* grid, const Point3& direction, bool parallel);
+/// The same at the middle of a sphere.
+vtkSmartPointer<vtkCamera> LookAt(
+  const Point3& middle, double radius, const Point3& direction, bool parallel);
 
 /// The length of a line of sight within the bounds of a grid.
 double BoxChord(vtkUnstructuredGrid* grid, const Ray& ray);

@@ -1,9 +1,11 @@
 #include "VolumeStage.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkFramebufferPass.h"
+#include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkOpaquePass.h"
 #include "vtkPixelBufferObject.h"
@@ -13,7 +15,6 @@
 #include "vtkSequencePass.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
-#include "vtkUnstructuredGridVolumeMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 #include "vtkVolumetricPass.h"
@@ -52,15 +53,30 @@ VolumeStage::~VolumeStage()
   this->Pass->ReleaseGraphicsResources(this->Window);
 }
 
-void VolumeStage::SetVolume(vtkUnstructuredGridVolumeMapper* mapper, vtkVolumeProperty* property)
+void VolumeStage::SetVolume(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property)
 {
   this->Volume->SetMapper(mapper);
   this->Volume->SetProperty(property);
 }
 
+vtkVolume* VolumeStage::GetVolume()
+{
+  return this->Volume;
+}
+
 void VolumeStage::AddActor(vtkActor* actor)
 {
   this->Renderer->AddActor(actor);
+}
+
+void VolumeStage::SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights)
+{
+  this->Renderer->RemoveAllLights();
+  this->Renderer->AutomaticLightCreationOff();
+  for (vtkLight* light : lights)
+  {
+    this->Renderer->AddLight(light);
+  }
 }
 
 void VolumeStage::SetCamera(vtkCamera* camera)
@@ -88,6 +104,8 @@ void VolumeStage::Render()
 RgbaPicture VolumeStage::Capture()
 {
   this->Renderer->SetPass(this->Pass);
+  // Without a pass the renderer does so itself.
+  this->Renderer->UpdateLightsGeometryToFollowCamera();
   // vtkProjectedTetrahedraMapper leaves the first thousand cells of its first picture out.
   this->Window->Render();
   this->Window->Render();

@@ -4,16 +4,19 @@
 #include "RgbaPicture.h" // for pictures
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h" // for lights
 
 #include <array>
 #include <string>
+#include <vector>
 
+class vtkAbstractVolumeMapper;
 class vtkActor;
 class vtkCamera;
 class vtkFramebufferPass;
+class vtkLight;
 class vtkRenderer;
 class vtkRenderWindow;
-class vtkUnstructuredGridVolumeMapper;
 class vtkVolume;
 class vtkVolumeProperty;
 
@@ -38,8 +41,11 @@ public:
   VolumeStage(const VolumeStage&) = delete;
   VolumeStage& operator=(const VolumeStage&) = delete;
 
-  void SetVolume(vtkUnstructuredGridVolumeMapper* mapper, vtkVolumeProperty* property);
+  void SetVolume(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property);
+  vtkVolume* GetVolume();
   void AddActor(vtkActor* actor);
+  /// Exactly these lights, and no other by itself. Headlights and camera lights follow the camera.
+  void SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights);
   /// The camera is used as it is, its clipping range as well.
   void SetCamera(vtkCamera* camera);
   vtkRenderer* GetRenderer();

@@ -1,0 +1,103 @@
+// A picture of two pixels over a viewport: stretched by interpolation, a share of it, and colour
+// with transmittance.
+#include "ReferenceCheck.h"
+
+#include "vtkCommand.h"
+#include "vtkFloatArray.h"
+#include "vtkImageQuad.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr int WIDTH = 40;
+constexpr int HEIGHT = 10;
+// The target has eight bits, and texture filters of graphics cards as many.
+constexpr double TOLERANCE = 2.0 / 255.0;
+constexpr std::array<double, 3> BACKGROUND{ { 0.2, 0.4, 0.6 } };
+const std::vector<float> PICTURE{ 0.1f, 0.0f, 0.3f, 0.9f, 0.5f, 0.2f, 0.0f, 0.3f };
+
+/// Draws at the end of a renderer's turn.
+class QuadCommand : public vtkCommand
+{
+public:
+  static QuadCommand* New() { return new QuadCommand; }
+  void Execute(vtkObject* renderer, unsigned long, void*) override
+  {
+    auto* window =
+      vtkOpenGLRenderWindow::SafeDownCast(static_cast<vtkRenderer*>(renderer)->GetRenderWindow());
+    this->Quad.Upload(window, 2, 1, PICTURE);
+    this->Quad.Draw(window, this->Features, this->Share);
+    this->Quad.ReleaseGraphicsResources(window);
+  }
+  std::string Features;
+  vtkImageQuad::Share Share{ { 1.0, 1.0 } };
+
+private:
+  vtkImageQuad Quad;
+};
+
+// The picture's channel at x of 0 to 1, between the centres of its pixels.
+double Sample(int channel, double x)
+{
+  const double weight = std::min(std::max((x - 0.25) / 0.5, 0.0), 1.0);
+  return PICTURE[channel] * (1.0 - weight) + PICTURE[channel + 4] * weight;
+}
+
+void CheckPicture(Check& check, const std::string& name, const std::string& features, double share,
+  const std::function<double(double alpha)>& transmittance)
+{
+  vtkNew<QuadCommand> command;
+  command->Features = features;
+  command->Share = { { share, 1.0 } };
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(BACKGROUND.data());
+  renderer->AddObserver(vtkCommand::EndEvent, command);
+  vtkNew<vtkRenderWindow> window;
+  window->OffScreenRenderingOn();
+  window->SetMultiSamples(0);
+  window->SetSize(WIDTH, HEIGHT);
+  window->AddRenderer(renderer);
+  window->Render();
+  vtkNew<vtkFloatArray> pixels;
+  window->GetRGBAPixelData(0, 0, WIDTH - 1, HEIGHT - 1, 0, pixels);
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
+  {
+    const double x = (static_cast<double>(i % WIDTH) + 0.5) / WIDTH * share;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const double expected =
+        Sample(channel, x) + transmittance(Sample(3, x)) * BACKGROUND[channel];
+      largest = std::max(largest, std::abs(pixels->GetComponent(i, channel) - expected));
+    }
+  }
+  check.Equal(pixels->GetNumberOfTuples(), WIDTH * HEIGHT, name + ", pixels");
+  check.That(largest <= TOLERANCE, name + ", error " + std::to_string(largest));
+}
+
+}
+
+int TestImageQuad(int, char*[])
+{
+  Check check;
+  const auto ofOpacity = [](double alpha) { return 1.0 - alpha; };
+  const auto asItIs = [](double alpha) { return alpha; };
+  CheckPicture(check, "opacity", "", 1.0, ofOpacity);
+  CheckPicture(check, "share", "", 0.6, ofOpacity);
+  CheckPicture(check, "transmittance", "TRANSMITTANCE", 1.0, asItIs);
+  return check.Result();
+}

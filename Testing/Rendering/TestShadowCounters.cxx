@@ -1,0 +1,248 @@
+// What vtkShadowedSliceMapper reports of its work: nothing for shadows that nobody casts, one
+// buffer a light, sweeps by where lights are, nothing drawn of what is empty, nothing sent twice.
+#include "ReferenceCheck.h"
+#include "ShadowCases.h"
+#include "ShadowPicture.h"
+#include "VolumeStage.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkLightKit.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+
+using namespace reference;
+using Report = vtkShadowedSliceReport;
+
+ShadowScene SphereScene()
+{
+  auto scene = MakeScene(MakeImage(20, MakeSphere(0.15, 0.45)), MakeSoftProperty(0.5, true));
+  scene.Size = { { 32, 32 } };
+  return scene;
+}
+
+Report GetReport(const ShadowScene& scene)
+{
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  DrawByMapper(mapper, scene);
+  return mapper->GetRenderReport();
+}
+
+void ExpectNoShadows(Check& check, const Report& report, const std::string& what)
+{
+  check.Equal(report.ShadowedLights, 0, what + ": lights with shadows");
+  check.Equal(report.LightPasses, 0, what + ": light passes");
+  check.Equal(report.LightBuffers, 0, what + ": light buffers");
+  check.Equal(report.LightBufferBytes, 0, what + ": bytes of light buffers");
+  check.That(report.Features.find("hadow") == std::string::npos, what + ": no shader of shadows");
+  check.Equal(report.Sweeps, 1, what + ": sweeps");
+  check.That(report.EyePasses > 0, what + ": drawn");
+}
+
+void TestNoShadows(Check& check)
+{
+  for (bool shade : { true, false })
+  {
+    auto scene = SphereScene();
+    scene.Property->SetShade(shade ? 1 : 0);
+    scene.Lights.push_back(MakePositionalLight({ { -0.2, 0.4, -1.5 } }));
+    const Report with = GetReport(scene);
+    check.Equal(with.Lights, shade || with.ShadowedLights > 0 ? 2 : 0, "lights");
+    check.Equal(with.ShadowedLights, 2, "lights with shadows");
+    check.That(with.LightPasses > 0, "light passes");
+    check.That(with.Features.find("hadow") != std::string::npos, "shader of shadows");
+
+    scene.Shadows = false;
+    vtkNew<vtkShadowedSliceMapper> off;
+    const RgbaPicture picture = DrawByMapper(off, scene);
+    ExpectNoShadows(check, off->GetRenderReport(), "shadows off");
+    scene.Shadows = true;
+    for (vtkLight* light : scene.Lights)
+    {
+      light->SetShadowAttenuation(0.0);
+    }
+    vtkNew<vtkShadowedSliceMapper> none;
+    const PictureError error = ComparePictures(DrawByMapper(none, scene), picture);
+    check.Near(error.Max, 0.0, 0.0, "the same without shadow attenuation");
+    ExpectNoShadows(check, none->GetRenderReport(), "no shadow attenuation");
+    for (vtkLight* light : scene.Lights)
+    {
+      light->SetShadowAttenuation(1.0);
+      light->SetSwitch(0);
+    }
+    ExpectNoShadows(check, GetReport(scene), "lights off");
+    scene.Lights.clear();
+    const Report dark = GetReport(scene);
+    ExpectNoShadows(check, dark, "no lights");
+    check.Equal(dark.Lights, 0, "no lights: lights");
+  }
+}
+
+void TestBuffers(Check& check)
+{
+  for (bool colored : { false, true })
+  {
+    auto scene = SphereScene();
+    if (colored)
+    {
+      scene.TransmissionColor = vtkSmartPointer<vtkColorTransferFunction>::New();
+      scene.TransmissionColor->AddRGBPoint(0.0, 1.0, 0.5, 0.2);
+    }
+    scene.Lights.clear();
+    const int channels = colored ? 3 : 1;
+    for (int lights = 1; lights <= 4; ++lights)
+    {
+      scene.Lights.push_back(MakeDirectionalLight({ { 0.3 * lights - 0.8, 0.4, -1.0 } }));
+      vtkNew<vtkShadowedSliceMapper> mapper;
+      mapper->SetLightBufferSize(64);
+      DrawByMapper(mapper, scene);
+      const Report& report = mapper->GetRenderReport();
+      const std::string name =
+        std::to_string(lights) + " lights, " + std::to_string(channels) + " channels";
+      check.Equal(report.ShadowedLights, lights, name + ": shadows");
+      check.Equal(report.LightBuffers, lights, name + ": buffers");
+      check.Equal(report.LightBufferSize, 64, name + ": size");
+      check.Equal(report.LightChannels, channels, name + ": channels");
+      check.Equal(report.LightBufferBytes, lights * 64 * 64 * 4 * channels, name + ": bytes");
+    }
+    const Report automatic = GetReport(scene);
+    check.That(automatic.LightBufferSize >= 20 && automatic.LightBufferSize <= 64,
+      "as many samples as voxels are across");
+    check.That(automatic.LightBufferBytes <=
+        4 * 4 * channels * automatic.LightBufferSize * automatic.LightBufferSize,
+      "bytes of buffers of the size that is reported");
+  }
+}
+
+void TestSweeps(Check& check)
+{
+  auto scene = SphereScene();
+  scene.Camera = LookAt(scene.Image, { { 0.0, 0.0, -1.0 } }, true);
+  const auto sweeps = [&](const std::string& name, int all, int fromFront)
+  {
+    const Report report = GetReport(scene);
+    check.Equal(report.Sweeps, all, name + ": sweeps");
+    check.Equal(report.FrontToBackSweeps, fromFront, name + ": sweeps from front to back");
+  };
+  const auto front = MakeDirectionalLight({ { 0.3, -0.3, -1.0 } });
+  const auto back = MakeDirectionalLight({ { 0.3, -0.3, 1.0 } });
+  scene.Lights = { front };
+  sweeps("light in front", 1, 1);
+  scene.Lights = { back };
+  sweeps("light behind", 1, 0);
+  scene.Lights = { front, MakePositionalLight({ { -0.5, 0.4, 2.0 } }) };
+  sweeps("two lights in front", 1, 1);
+  scene.Lights = { front, back };
+  sweeps("lights on both sides", 2, 1);
+  scene.Lights = { MakePositionalLight({ { 0.05, 0.1, 0.0 } }) };
+  sweeps("light inside", 2, 1);
+}
+
+void TestBlocks(Check& check)
+{
+  // Two balls in opposite corners, with nothing between.
+  const auto balls = [](const Double3& x)
+  {
+    const double a = vtkMath::Norm(Double3{ { x[0] - 0.1, x[1] - 0.1, x[2] - 0.1 } }.data());
+    const double b = vtkMath::Norm(Double3{ { x[0] - 0.9, x[1] - 0.9, x[2] - 0.9 } }.data());
+    return std::max(0.0, 1.0 - std::min(a, b) / 0.08);
+  };
+  auto scene = MakeScene(MakeImage(64, balls), MakeSoftProperty(0.9, true));
+  scene.Lights = { MakeDirectionalLight({ { -0.4, -0.3, -1.0 } }) };
+  const Report some = GetReport(scene);
+  check.Equal(some.Blocks, 64, "blocks of 16 cells");
+  check.Equal(some.BlocksDrawn, 2, "blocks with something to see");
+  check.That(some.SlicesDrawn > 0 && some.SlicesDrawn < some.Slices, "slices between are left out");
+
+  scene.Image->GetPointData()->GetScalars()->Fill(0.0);
+  scene.Image->GetPointData()->GetScalars()->Modified();
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  const RgbaPicture picture = DrawByMapper(mapper, scene);
+  const Report& none = mapper->GetRenderReport();
+  check.Equal(none.BlocksDrawn, 0, "nothing to see: blocks");
+  check.Equal(none.SlicesDrawn, 0, "nothing to see: slices");
+  check.Equal(none.LightPasses, 0, "nothing to see: light passes");
+  check.Near(LargestAlpha(picture), 0.0, 0.0, "nothing to see: picture");
+}
+
+void TestUploads(Check& check)
+{
+  auto scene = SphereScene();
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  VolumeStage stage(scene.Size);
+  SetScene(stage, mapper, scene);
+  stage.Render();
+  const Report first = mapper->GetRenderReport();
+  check.That(first.UploadedBytes > 21 * 21 * 21, "the volume is sent");
+  check.That(first.TextureBytes > 21 * 21 * 21, "what is sent is kept");
+  // Slices are sent for each view and light, textures are not.
+  const auto expectNothing = [&](const std::string& name, bool isSame = true)
+  {
+    stage.Render();
+    const vtkIdType sent = mapper->GetRenderReport().UploadedBytes;
+    check.That(isSame ? sent == 0 : sent < first.TextureBytes / 10,
+      name + ": " + std::to_string(sent) + " bytes are sent");
+    check.Equal(mapper->GetRenderReport().TextureBytes, first.TextureBytes, name + ": kept");
+  };
+  expectNothing("the same again");
+  scene.Camera->Azimuth(20.0);
+  expectNothing("another camera", false);
+  scene.Lights[0]->SetPosition(1.0, 1.0, -1.0);
+  expectNothing("another light", false);
+  scene.Property->GetRGBTransferFunction()->AddRGBPoint(0.5, 0.0, 1.0, 0.0);
+  stage.Render();
+  const vtkIdType colors = mapper->GetRenderReport().UploadedBytes;
+  check.That(colors > 0 && colors < first.UploadedBytes, "other colours: the functions alone");
+  expectNothing("other colours, again");
+  scene.Image->GetPointData()->GetScalars()->SetComponent(0, 0, 0.5);
+  scene.Image->GetPointData()->GetScalars()->Modified();
+  scene.Image->Modified();
+  stage.Render();
+  check.That(mapper->GetRenderReport().UploadedBytes > 21 * 21 * 21, "other values are sent");
+  expectNothing("other values, again");
+}
+
+/// Five lights, of which the brightest casts shadows.
+void TestLightKit(Check& check)
+{
+  auto scene = SphereScene();
+  scene.Lights.clear();
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  mapper->SetMaximumNumberOfShadows(1);
+  VolumeStage stage(scene.Size);
+  SetScene(stage, mapper, scene);
+  vtkNew<vtkLightKit> kit;
+  kit->AddLightsToRenderer(stage.GetRenderer());
+  stage.Render();
+  check.Equal(mapper->GetRenderReport().Lights,
+    stage.GetRenderer()->GetLights()->GetNumberOfItems(), "lights of a kit");
+  check.Equal(mapper->GetRenderReport().LightBuffers, 1, "buffers of a kit");
+}
+
+}
+
+int TestShadowCounters(int, char*[])
+{
+  Check check;
+  TestNoShadows(check);
+  TestBuffers(check);
+  TestSweeps(check);
+  TestBlocks(check);
+  TestUploads(check);
+  TestLightKit(check);
+  return check.Result();
+}

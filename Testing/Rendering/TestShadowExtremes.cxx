@@ -1,0 +1,411 @@
+// Extremes of vtkShadowedSliceMapper, each by its name: places of lights, shapes and sizes of
+// volumes, materials, values that are no numbers, textures and memory.
+#include "PictureCases.h"
+#include "ReferenceShadowPicture.h"
+#include "ShadowCases.h"
+#include "ShadowPicture.h"
+#include "StabilityCase.h"
+#include "VolumeStage.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkProjectiveLight.h"
+#include "vtkRenderWindow.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkVolumeProperty.h"
+#include "vtk_glew.h"
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+
+/// Slabs of a voxel take their sample in the middle of a fuzzy ball.
+constexpr double Bound = 0.02;
+
+class ShadowTable
+{
+public:
+  ShadowTable(int argc, char* argv[])
+    : Catalogue("TestShadowExtremes", argc, argv)
+  {
+  }
+
+  /// The mapper's picture against the reference.
+  void Measure(const std::string& name, const std::string& extreme, const ShadowScene& scene,
+    double bound = Bound)
+  {
+    vtkNew<vtkShadowedSliceMapper> mapper;
+    const RgbaPicture found = DrawByMapper(mapper, scene);
+    this->Measure(name, extreme, found, MakeShadowPicture(scene), bound);
+  }
+
+  void Measure(const std::string& name, const std::string& extreme, const RgbaPicture& found,
+    const RgbaPicture& expected, double bound)
+  {
+    const bool isSeen = LargestAlpha(expected) > 0.05;
+    this->Catalogue.Measure(name, extreme, "largest channel error against the reference",
+      isSeen ? ComparePictures(found, expected).Max : std::nan(""), bound);
+  }
+
+  StabilityCatalogue Catalogue;
+};
+
+ShadowScene BallScene()
+{
+  auto scene = MakeScene(MakeImage(24, MakeSphere(0.1, 0.45)), MakeSoftProperty(0.4, false));
+  scene.Size = { { 48, 48 } };
+  return scene;
+}
+
+void TestLightPlaces(ShadowTable& table)
+{
+  auto scene = BallScene();
+  const auto measure = [&](const std::string& name, const std::string& extreme,
+                         const vtkSmartPointer<vtkLight>& light, double bound = Bound)
+  {
+    scene.Lights = { light };
+    for (bool parallel : { false, true })
+    {
+      const Double3 direction = { { -0.3, -0.4, -1.0 } };
+      scene.Camera = LookAt(scene.Image, direction, parallel);
+      table.Measure(name + (parallel ? "-parallel" : "-perspective"), extreme, scene, bound);
+    }
+  };
+  measure(
+    "light-inside", "a light inside the volume", MakePositionalLight({ { 0.1, 0.05, 0.15 } }));
+  measure("light-inside-center", "a light in the middle of the volume",
+    MakePositionalLight({ { 0.0, 0.0, 1e-9 } }));
+  Double3 eye;
+  scene.Camera->GetPosition(eye.data());
+  measure("light-at-eye", "a light at the eye", MakePositionalLight(eye));
+  vtkNew<vtkLight> head;
+  head->SetLightTypeToHeadlight();
+  head->SetIntensity(0.8);
+  measure("headlight", "light along the view", head.Get());
+  measure("light-opposite", "light exactly against the view",
+    MakeDirectionalLight({ { 0.3, 0.4, 1.0 } }));
+  measure("light-opposite-point", "a light exactly opposite the eye",
+    MakePositionalLight({ { -eye[0], -eye[1], -eye[2] } }));
+  measure(
+    "light-across", "light exactly across the view", MakeDirectionalLight({ { 1.0, -0.75, 0.0 } }));
+  // The slices' plane with a light behind and in front is that of the view: perpendicular to it.
+  measure("light-in-slice-plane", "a light beside the volume, in the plane of a slice",
+    MakePositionalLight({ { -0.8, 0.6, 0.0 } }));
+  measure("light-distance-1e-3", "a light 1e-3 above the volume",
+    MakePositionalLight({ { 0.0, 0.0, 0.501 } }));
+  measure(
+    "light-distance-1e+6", "a light 1e6 away", MakePositionalLight({ { -6e5, 4.8e5, 6.4e5 } }));
+  scene.Lights = { MakeDirectionalLight({ { 0.0, 0.0, 0.0 } }) };
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  mapper->AddObserver(vtkCommand::WarningEvent, observer);
+  const RgbaPicture found = DrawByMapper(mapper, scene);
+  scene.Lights.clear();
+  vtkNew<vtkShadowedSliceMapper> without;
+  const double difference = ComparePictures(found, DrawByMapper(without, scene)).Max;
+  table.Catalogue.Check("light-without-direction", "position and focal point the same",
+    "an error, and the others shine", observer->GetErrorMessage() + observer->GetWarningMessage(),
+    (observer->GetError() || observer->GetWarning()) && difference < 1e-6);
+}
+
+void TestShapes(ShadowTable& table)
+{
+  auto scene = BallScene();
+  scene.Image = MakeImage({ { 24, 24, 8 } }, { { 0.02, 0.02, 1.0 } }, MakeSphere(0.1, 0.45));
+  scene.Property->SetScalarOpacityUnitDistance(0.5);
+  for (const Double3& direction :
+    { Double3{ { -0.3, -0.4, -1.0 } }, Double3{ { -1.0, -0.5, 0.01 } } })
+  {
+    scene.Camera = LookAt(scene.Image, direction, false);
+    table.Measure(direction[2] < 0.0 ? "voxels-1-1-50-along" : "voxels-1-1-50-across",
+      "voxels of 1:1:50", scene);
+  }
+  for (double scale : { 1e-6, 1e6 })
+  {
+    auto scaled = BallScene();
+    scaled.Image = MakeImage(
+      { { 24, 24, 24 } }, { { scale / 24, scale / 24, scale / 24 } }, MakeSphere(0.1, 0.45));
+    scaled.Property->SetScalarOpacityUnitDistance(0.1 * scale);
+    scaled.Camera = LookAt(scaled.Image, { { -0.3, -0.4, -1.0 } }, false);
+    const std::string name = scale < 1.0 ? "scale-1e-6" : "scale-1e+6";
+    table.Measure(name, "a volume of that size", scaled);
+    scaled.Lights = { MakePositionalLight({ { -scale, 0.9 * scale, 1.1 * scale } }) };
+    scaled.Lights[0]->SetAttenuationValues(1.0, 0.1 / scale, 0.1 / (scale * scale));
+    table.Measure(name + "-positional", "a volume of that size, with fall-off of light", scaled);
+  }
+  auto far = BallScene();
+  far.Image->SetOrigin(1e6 - 0.5, -1e6 - 0.5, 1e6 - 0.5);
+  far.Camera = LookAt(far.Image, { { -0.3, -0.4, -1.0 } }, true);
+  table.Measure("far-1e+6", "a volume of size 1, 1e6 away", far);
+}
+
+void TestMaterials(ShadowTable& table)
+{
+  // Opaque: the front face of a cube, lit along the view, has its colour; lit from behind, none.
+  auto scene = MakeHomogeneousScene(8, 1.0);
+  scene.Size = { { 16, 16 } };
+  scene.Property->GetScalarOpacity()->RemoveAllPoints();
+  scene.Property->GetScalarOpacity()->AddPoint(0.0, 1.0);
+  scene.Property->SetScalarOpacityUnitDistance(0.01);
+  scene.Camera = LookAt(scene.Image, { { 0.0, 0.0, -1.0 } }, true);
+  const auto middle = [&](double alongZ)
+  {
+    scene.Lights = { MakeDirectionalLight({ { 0.0, 0.0, alongZ } }) };
+    scene.Lights[0]->SetIntensity(1.0);
+    vtkNew<vtkShadowedSliceMapper> mapper;
+    const RgbaPicture found = DrawByMapper(mapper, scene);
+    const double* pixel = found.At(8, 8);
+    return std::array<double, 2>{ { pixel[0], pixel[3] } };
+  };
+  // Eye's and light's transmittance fall alike: half of the light comes back.
+  const std::array<double, 2> lit = middle(-1.0);
+  table.Catalogue.Measure("opaque-lit", "fully opaque, lit along the view",
+    "alpha 1, half of the light", std::max(std::abs(lit[0] - 0.5), std::abs(lit[1] - 1.0)), 1e-3);
+  const std::array<double, 2> dark = middle(1.0);
+  table.Catalogue.Measure("opaque-dark", "fully opaque, lit from behind", "alpha 1, black",
+    std::max(std::abs(dark[0]), std::abs(dark[1] - 1.0)), 1e-3);
+  scene.Property->GetScalarOpacity()->RemoveAllPoints();
+  scene.Property->GetScalarOpacity()->AddPoint(0.0, 0.0);
+  const std::array<double, 2> none = middle(-1.0);
+  table.Catalogue.Measure("transparent", "fully transparent", "nothing",
+    std::max(std::abs(none[0]), std::abs(none[1])), 0.0);
+
+  auto solid = MakeScene(MakeImage(24, MakeSphere(0.4, 0.45)), MakeSoftProperty(1.0, false));
+  solid.Size = { { 48, 48 } };
+  solid.Property->SetScalarOpacityUnitDistance(1.0 / 24.0);
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  const PictureError error = ComparePictures(DrawByMapper(mapper, solid), MakeShadowPicture(solid));
+  table.Catalogue.Measure("opaque-ball", "opacity to 1 within a voxel",
+    "mean channel error against the reference", error.Mean, 0.01);
+
+  auto flat = MakeHomogeneousScene(8, 2.0);
+  flat.Size = { { 32, 32 } };
+  flat.Property->ShadeOn();
+  flat.Property->SetAmbient(0.1);
+  flat.Property->SetSpecular(0.5);
+  table.Measure("zero-gradient", "shaded, with no gradient anywhere", flat, 0.03);
+}
+
+/// The law of Beer and Lambert in slabs that are each almost clear.
+void TestManySlices(ShadowTable& table)
+{
+  for (double tau : { 1e-3, 1.0, 8.0 })
+  {
+    auto scene = MakeHomogeneousScene(8, tau);
+    scene.Size = { { 12, 12 } };
+    scene.Camera = LookAt(scene.Image, { { 0.0, 0.0, -1.0 } }, true);
+    for (double alongZ : { -1.0, 1.0 })
+    {
+      scene.Lights = { MakeDirectionalLight({ { 0.0, 0.0, alongZ } }) };
+      scene.Lights[0]->SetIntensity(1.0);
+      vtkNew<vtkShadowedSliceMapper> mapper;
+      mapper->SetSliceSpacing(1.0 / 4096.0);
+      const RgbaPicture found = DrawByMapper(mapper, scene);
+      const double alpha = -std::expm1(-tau);
+      const double seen = alongZ < 0.0 ? -0.5 * std::expm1(-2.0 * tau) : tau * std::exp(-tau);
+      const double error =
+        std::max(std::abs(found.At(6, 6)[3] - alpha), std::abs(found.At(6, 6)[0] - seen));
+      const std::string depth = tau < 0.1 ? "1e-3" : (tau < 2.0 ? "1" : "8");
+      table.Catalogue.Measure("slices-4096-depth-" + depth + (alongZ < 0.0 ? "-front" : "-back"),
+        "4,096 slices of a total optical depth of " + depth,
+        "alpha and light of the closed form, as a share of alpha",
+        mapper->GetRenderReport().Slices >= 4096 ? error / alpha : std::nan(""), 1e-3);
+    }
+  }
+}
+
+void TestNan(ShadowTable& table)
+{
+  auto scene = BallScene();
+  vtkDataArray* values = scene.Image->GetPointData()->GetScalars();
+  vtkIdType count = 0;
+  for (vtkIdType id = 0; id < values->GetNumberOfTuples(); ++id)
+  {
+    double x[3];
+    scene.Image->GetPoint(id, x);
+    if (x[0] > 0.05 && x[1] > -0.1)
+    {
+      values->SetComponent(id, 0,
+        id % 3 == 0 ? std::numeric_limits<double>::infinity()
+                    : std::numeric_limits<double>::quiet_NaN());
+      ++count;
+    }
+  }
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  int warnings = 0;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  mapper->AddObserver(vtkCommand::WarningEvent, observer);
+  mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  VolumeStage stage(scene.Size);
+  SetScene(stage, mapper, scene);
+  RgbaPicture found;
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    found = stage.Capture();
+    warnings += observer->GetWarning() ? 1 : 0;
+    observer->Clear();
+    scene.Camera->Modified();
+  }
+  table.Measure(
+    "nan", "a quarter of the voxels are NaN or infinite", found, MakeShadowPicture(scene), 0.03);
+  table.Catalogue.Check("nan-counted", "voxels that are NaN or infinite", "all are counted",
+    std::to_string(mapper->GetRenderReport().NonFiniteVoxels) + " of " + std::to_string(count),
+    mapper->GetRenderReport().NonFiniteVoxels == count);
+  table.Catalogue.Check("nan-warned", "voxels that are NaN or infinite", "one warning",
+    std::to_string(warnings) + " pictures of three with a warning", warnings == 1);
+  values->Fill(std::nan(""));
+  values->Modified();
+  scene.Image->Modified();
+  table.Catalogue.Measure(
+    "nan-all", "nothing but NaN", "nothing is drawn", LargestAlpha(stage.Capture()), 0.0);
+}
+
+void TestScreens(ShadowTable& table)
+{
+  auto scene = BallScene();
+  vtkNew<vtkProjectiveLight> light;
+  light->PositionalOn();
+  light->SetConeAngle(180.0);
+  light->SetPosition(-0.9, 1.0, 1.2);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetScreenSize(3.0, 3.0);
+  vtkNew<vtkImageData> slide;
+  slide->SetDimensions(1, 1, 1);
+  slide->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  slide->GetPointData()->GetScalars()->SetTuple3(0, 200.0, 100.0, 50.0);
+  light->SetImage(slide);
+  scene.Lights = { light.Get() };
+  table.Measure("screen-1x1", "a light's image of one sample", scene);
+  vtkNew<vtkImageData> missing;
+  light->SetImage(missing);
+  scene.Lights.push_back(MakeDirectionalLight({ { 1.0, -1.0, -1.0 } }));
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  const RgbaPicture found = DrawByMapper(mapper, scene);
+  table.Catalogue.Check("screen-missing", "a light's image without samples", "an error says so",
+    observer->GetErrorMessage(), observer->GetError());
+  scene.Lights.erase(scene.Lights.begin());
+  table.Measure("screen-missing-others", "a light's image without samples, and another light",
+    found, MakeShadowPicture(scene), Bound);
+}
+
+/// An error that names what is wrong, and the picture of before.
+void ExpectKept(ShadowTable& table, const std::string& name, const std::string& extreme,
+  const std::string& word, const std::function<void(vtkShadowedSliceMapper*, ShadowScene&)>& spoil)
+{
+  auto scene = BallScene();
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  VolumeStage stage(scene.Size);
+  SetScene(stage, mapper, scene);
+  const RgbaPicture before = stage.Capture();
+  const bool wasRight = !observer->GetError() && LargestAlpha(before) > 0.1;
+  spoil(mapper, scene);
+  const RgbaPicture after = stage.Capture();
+  const std::string message = observer->GetErrorMessage();
+  table.Catalogue.Check(name, extreme, "an error with '" + word + "'", message,
+    wasRight && message.find(word) != std::string::npos);
+  table.Catalogue.Measure(name + "-picture", extreme, "the picture of the frame before",
+    ComparePictures(after, before).Max, 0.0);
+  // At once, without a picture before.
+  vtkNew<vtkShadowedSliceMapper> fresh;
+  observer->Clear();
+  fresh->AddObserver(vtkCommand::ErrorEvent, observer);
+  auto first = BallScene();
+  VolumeStage empty(first.Size);
+  SetScene(empty, fresh, first);
+  spoil(fresh, first);
+  table.Catalogue.Measure(name + "-first", extreme + ", in the first picture", "nothing",
+    LargestAlpha(empty.Capture()), 0.0);
+}
+
+vtkSmartPointer<vtkImageData> MakeBytes(const std::array<int, 3>& size, int components)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size[0], size[1], size[2]);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
+  image->GetPointData()->GetScalars()->Fill(100.0);
+  return image;
+}
+
+void TestErrors(ShadowTable& table)
+{
+  GLint limit = 0;
+  {
+    VolumeStage stage(std::array<int, 2>{ { 8, 8 } });
+    stage.Render();
+    stage.GetWindow()->MakeCurrent();
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
+  }
+  const auto setInput = [](const vtkSmartPointer<vtkImageData>& image) {
+    return [image](vtkShadowedSliceMapper* mapper, ShadowScene&) { mapper->SetInputData(image); };
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::array<int, 3> size = { { 1, 1, 1 } };
+    size[axis] = limit + 1;
+    std::string name = "volume-above-limit-";
+    name.append(1, "xyz"[axis]);
+    ExpectKept(table, name, "one voxel more than a texture may have", std::to_string(limit),
+      setInput(MakeBytes(size, 1)));
+  }
+  ExpectKept(table, "memory", "textures of 1,000 bytes", "MaximumTextureMemory",
+    [](vtkShadowedSliceMapper* mapper, ShadowScene&) { mapper->SetMaximumTextureMemory(1000); });
+  ExpectKept(table, "no-scalars", "an image without scalars", "calar",
+    [](vtkShadowedSliceMapper* mapper, ShadowScene&)
+    {
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(3, 3, 3);
+      mapper->SetInputData(image);
+    });
+  ExpectKept(table, "missing-array", "an array that is not there", "nowhere",
+    [](vtkShadowedSliceMapper* mapper, ShadowScene&)
+    {
+      mapper->SetScalarMode(VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+      mapper->SelectScalarArray("nowhere");
+    });
+  ExpectKept(table, "blend-mode", "maximum intensity", "lend",
+    [](vtkShadowedSliceMapper* mapper, ShadowScene&) { mapper->SetBlendModeToMaximumIntensity(); });
+  ExpectKept(table, "three-dependent", "three dependent components", "three",
+    [](vtkShadowedSliceMapper* mapper, ShadowScene& scene)
+    {
+      scene.Property->IndependentComponentsOff();
+      mapper->SetInputData(MakeBytes({ { 4, 4, 4 } }, 3));
+    });
+  ExpectKept(table, "five-components", "five components", "5 components",
+    setInput(MakeBytes({ { 4, 4, 4 } }, 5)));
+}
+
+}
+
+int TestShadowExtremes(int argc, char* argv[])
+{
+  ShadowTable table(argc, argv);
+  TestLightPlaces(table);
+  TestShapes(table);
+  TestMaterials(table);
+  TestManySlices(table);
+  TestNan(table);
+  TestScreens(table);
+  TestErrors(table);
+  return table.Catalogue.GetExitCode();
+}

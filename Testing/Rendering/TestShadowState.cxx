@@ -1,0 +1,433 @@
+// vtkShadowedSliceMapper in windows: several viewports and windows, targets of bytes and floats,
+// stereo, backgrounds, what is drawn after it, what changes from picture to picture.
+#include "PictureCases.h"
+#include "ReferenceCheck.h"
+#include "ShadowCases.h"
+#include "ShadowPicture.h"
+#include "VolumeStage.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <functional>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double Byte = 1.0 / 255.0;
+
+ShadowScene SphereScene()
+{
+  auto scene = MakeScene(MakeImage(16, MakeSphere(0.15, 0.45)), MakeSoftProperty(0.6, true));
+  scene.Size = { { 51, 40 } };
+  return scene;
+}
+
+/// What a window shows, alpha 1.
+RgbaPicture ReadWindow(vtkRenderWindow* window)
+{
+  window->Render();
+  const int* size = window->GetSize();
+  RgbaPicture picture(size[0], size[1]);
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  for (int j = 0; j < size[1]; ++j)
+  {
+    for (int i = 0; i < size[0]; ++i)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        picture.At(i, j)[k] = k == 3 ? 1.0 : Byte * pixels->GetComponent(j * size[0] + i, k);
+      }
+    }
+  }
+  return picture;
+}
+
+/// Part of a picture.
+RgbaPicture Crop(const RgbaPicture& picture, int left, int width)
+{
+  RgbaPicture part(width, picture.Height);
+  for (int j = 0; j < picture.Height; ++j)
+  {
+    std::copy_n(picture.At(left, j), 4 * static_cast<std::size_t>(width), part.At(0, j));
+  }
+  return part;
+}
+
+/// Over a background, alpha 1.
+RgbaPicture Over(const RgbaPicture& picture, const Double3& background)
+{
+  RgbaPicture result = picture;
+  for (int j = 0; j < picture.Height; ++j)
+  {
+    for (int i = 0; i < picture.Width; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        result.At(i, j)[k] += (1.0 - picture.At(i, j)[3]) * background[k];
+      }
+      result.At(i, j)[3] = 1.0;
+    }
+  }
+  return result;
+}
+
+void ExpectSame(Check& check, const std::string& name, const RgbaPicture& found,
+  const RgbaPicture& expected, double bound = 0.0)
+{
+  check.Near(ComparePictures(found, expected).Max, 0.0, bound, name, 1.0);
+}
+
+void AddSceneTo(vtkRenderer* renderer, vtkShadowedSliceMapper* mapper, const ShadowScene& scene)
+{
+  Configure(mapper, scene);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  volume->SetProperty(scene.Property);
+  renderer->AddVolume(volume);
+  renderer->SetActiveCamera(scene.Camera);
+  renderer->AutomaticLightCreationOff();
+  for (vtkLight* light : scene.Lights)
+  {
+    renderer->AddLight(light);
+  }
+}
+
+vtkSmartPointer<vtkActor> MakeBall(const Double3& center, double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->SetCenter(center[0], center[1], center[2]);
+  sphere->SetThetaResolution(32);
+  sphere->SetPhiResolution(32);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  auto ball = vtkSmartPointer<vtkActor>::New();
+  ball->SetMapper(mapper);
+  ball->GetProperty()->SetColor(1.0, 0.5, 0.2);
+  return ball;
+}
+
+/// Bytes hold what floats do, over the background, which stays where nothing is.
+void TestTargets(Check& check)
+{
+  const auto scene = SphereScene();
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  const RgbaPicture floats = DrawByMapper(mapper, scene);
+  check.That(LargestAlpha(floats) > 0.5, "something is seen");
+  for (const Double3& background : { Double3{ { 0.0, 0.0, 0.0 } }, Double3{ { 0.2, 0.6, 0.4 } } })
+  {
+    VolumeStage stage(scene.Size);
+    SetScene(stage, mapper, scene);
+    stage.GetRenderer()->SetBackground(background[0], background[1], background[2]);
+    const RgbaPicture bytes = ReadWindow(stage.GetWindow());
+    // One rounding of the picture, one of the background, and that of the blending.
+    ExpectSame(check, "bytes", bytes, Over(floats, background), 1.25 * Byte);
+    for (int k = 0; k < 3; ++k)
+    {
+      check.Near(bytes.At(0, 0)[k], background[k], 0.5 * Byte, "background in the corner", 1.0);
+    }
+  }
+}
+
+/// Two viewports of different content, in one window; nothing of one is in the other.
+void TestViewports(Check& check)
+{
+  const auto left = SphereScene();
+  auto right = SphereScene();
+  right.Camera = LookAt(right.Image, { { 1.0, 0.2, 0.3 } }, true);
+  right.Lights = { MakeDirectionalLight({ { -1.0, -1.0, 0.2 } }) };
+  vtkNew<vtkRenderWindow> window;
+  window->OffScreenRenderingOn();
+  window->SetMultiSamples(0);
+  window->SetSize(102, 40);
+  const ShadowScene* const scenes[2] = { &left, &right };
+  vtkNew<vtkShadowedSliceMapper> mappers[2];
+  for (int side = 0; side < 2; ++side)
+  {
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetViewport(0.5 * side, 0.0, 0.5 + 0.5 * side, 1.0);
+    AddSceneTo(renderer, mappers[side], *scenes[side]);
+    window->AddRenderer(renderer);
+  }
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    const RgbaPicture both = ReadWindow(window);
+    for (int side = 0; side < 2; ++side)
+    {
+      vtkNew<vtkShadowedSliceMapper> alone;
+      const RgbaPicture expected = Over(DrawByMapper(alone, *scenes[side]), { { 0.0, 0.0, 0.0 } });
+      ExpectSame(check, side == 0 ? "left viewport" : "right viewport", Crop(both, 51 * side, 51),
+        expected, 1.1 * Byte);
+    }
+  }
+}
+
+/// One volume in two viewports with their own cameras and lights.
+void TestSharedVolume(Check& check)
+{
+  const auto scene = SphereScene();
+  vtkNew<vtkRenderWindow> window;
+  window->OffScreenRenderingOn();
+  window->SetMultiSamples(0);
+  window->SetSize(102, 40);
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  for (int side = 0; side < 2; ++side)
+  {
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetViewport(0.5 * side, 0.0, 0.5 + 0.5 * side, 1.0);
+    AddSceneTo(renderer, mapper, scene);
+    window->AddRenderer(renderer);
+  }
+  const RgbaPicture both = ReadWindow(window);
+  ExpectSame(check, "one mapper in two viewports", Crop(both, 0, 51), Crop(both, 51, 51));
+}
+
+/// Surfaces in a viewport that is drawn after are the same as without the volume.
+void TestAfter(Check& check)
+{
+  RgbaPicture pictures[2];
+  for (int with = 0; with < 2; ++with)
+  {
+    const auto scene = SphereScene();
+    vtkNew<vtkRenderWindow> window;
+    window->OffScreenRenderingOn();
+    window->SetMultiSamples(0);
+    window->SetSize(102, 40);
+    vtkNew<vtkRenderer> left;
+    left->SetViewport(0.0, 0.0, 0.5, 1.0);
+    vtkNew<vtkShadowedSliceMapper> mapper;
+    if (with == 1)
+    {
+      AddSceneTo(left, mapper, scene);
+    }
+    window->AddRenderer(left);
+    vtkNew<vtkRenderer> right;
+    right->SetViewport(0.5, 0.0, 1.0, 1.0);
+    right->SetBackground(0.3, 0.2, 0.1);
+    right->AddActor(MakeBall({ { 0.0, 0.0, 0.0 } }, 0.4));
+    const auto glass = MakeBall({ { 0.2, 0.0, 0.3 } }, 0.2);
+    glass->GetProperty()->SetOpacity(0.5);
+    right->AddActor(glass);
+    right->SetActiveCamera(scene.Camera);
+    window->AddRenderer(right);
+    ReadWindow(window);
+    pictures[with] = Crop(ReadWindow(window), 51, 51);
+  }
+  ExpectSame(check, "surfaces drawn after", pictures[1], pictures[0]);
+}
+
+Double3 GetMiddle(const RgbaPicture& picture)
+{
+  Double3 sum{};
+  for (int j = 0; j < picture.Height; ++j)
+  {
+    for (int i = 0; i < picture.Width; ++i)
+    {
+      const double weight = picture.At(i, j)[0] + picture.At(i, j)[1] + picture.At(i, j)[2];
+      sum[0] += weight * i;
+      sum[1] += weight * j;
+      sum[2] += weight;
+    }
+  }
+  return { { sum[0] / sum[2], sum[1] / sum[2], sum[2] } };
+}
+
+/// Each eye sees the volume where it sees a ball in its place.
+void TestStereo(Check& check)
+{
+  auto scene = SphereScene();
+  scene.Camera = LookAt(scene.Image, { { 0.0, 0.0, -1.0 } }, false);
+  scene.Camera->SetFocalPoint(0.0, 0.0, -1.0);
+  scene.Camera->SetEyeAngle(8.0);
+  scene.Lights = { MakeDirectionalLight({ { 0.0, 0.0, -1.0 } }) };
+  double middles[2] = { 0.0, 0.0 };
+  const int types[2] = { VTK_STEREO_LEFT, VTK_STEREO_RIGHT };
+  RgbaPicture eyes[2];
+  for (int eye = 0; eye < 2; ++eye)
+  {
+    vtkNew<vtkShadowedSliceMapper> mapper;
+    VolumeStage stage(scene.Size);
+    SetScene(stage, mapper, scene);
+    stage.GetWindow()->SetStereoType(types[eye]);
+    stage.GetWindow()->StereoRenderOn();
+    eyes[eye] = ReadWindow(stage.GetWindow());
+    const Double3 volume = GetMiddle(eyes[eye]);
+    check.That(volume[2] > 10.0, "an eye sees the volume");
+    stage.GetVolume()->VisibilityOff();
+    const auto ball = MakeBall({ { 0.0, 0.0, 0.0 } }, 0.35);
+    ball->GetProperty()->LightingOff();
+    stage.AddActor(ball);
+    const Double3 surface = GetMiddle(ReadWindow(stage.GetWindow()));
+    check.Near(volume[0], surface[0], 0.3, "an eye sees the volume at its place", 1.0);
+    check.Near(volume[1], surface[1], 0.3, "an eye sees the volume at its height", 1.0);
+    middles[eye] = volume[0];
+  }
+  check.That(std::abs(middles[0] - middles[1]) > 1.0, "the eyes see it at different places");
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  VolumeStage stage(scene.Size);
+  SetScene(stage, mapper, scene);
+  stage.GetWindow()->SetStereoTypeToAnaglyph();
+  stage.GetWindow()->SetAnaglyphColorSaturation(0.0F);
+  stage.GetWindow()->StereoRenderOn();
+  const RgbaPicture anaglyph = ReadWindow(stage.GetWindow());
+  double red = 0.0;
+  double cyan = 0.0;
+  double sums[2] = { 0.0, 0.0 };
+  for (int j = 0; j < anaglyph.Height; ++j)
+  {
+    for (int i = 0; i < anaglyph.Width; ++i)
+    {
+      red += i * anaglyph.At(i, j)[0];
+      sums[0] += anaglyph.At(i, j)[0];
+      cyan += i * anaglyph.At(i, j)[2];
+      sums[1] += anaglyph.At(i, j)[2];
+    }
+  }
+  check.Near(red / sums[0], middles[0], 0.5, "red of an anaglyph is what the left eye sees", 1.0);
+  check.Near(cyan / sums[1], middles[1], 0.5, "cyan is what the right eye sees", 1.0);
+}
+
+/// Whatever changes is seen, as by a mapper that knows no picture before.
+void TestChanges(Check& check)
+{
+  auto scene = SphereScene();
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  VolumeStage stage(scene.Size);
+  SetScene(stage, mapper, scene);
+  RgbaPicture before = stage.Capture();
+  const auto change = [&](const std::string& name, const std::function<void()>& what)
+  {
+    what();
+    const RgbaPicture found = stage.Capture();
+    check.That(ComparePictures(found, before).Max > 1e-3, name + " is seen");
+    vtkNew<vtkShadowedSliceMapper> fresh;
+    fresh->SetSliceSpacing(mapper->GetSliceSpacing());
+    fresh->SetShadows(mapper->GetShadows());
+    ShadowScene now = scene;
+    now.Shadows = mapper->GetShadows();
+    now.TransmissionColor = mapper->GetTransmissionColor();
+    ExpectSame(check, name + ", as by a new mapper", found, DrawByMapper(fresh, now));
+    before = found;
+  };
+  change("opacity", [&] { scene.Property->GetScalarOpacity()->AddPoint(0.5, 0.6); });
+  change("colour", [&] { scene.Property->GetRGBTransferFunction()->AddRGBPoint(0.5, 1, 0, 0); });
+  change("shade", [&] { scene.Property->ShadeOff(); });
+  change("diffuse", [&] { scene.Property->SetDiffuse(0.5); });
+  change("unit distance", [&] { scene.Property->SetScalarOpacityUnitDistance(0.3); });
+  change("light's place", [&] { scene.Lights[0]->SetPosition(1.0, 1.0, -0.3); });
+  change("light's colour", [&] { scene.Lights[0]->SetDiffuseColor(0.2, 0.6, 1.0); });
+  change("light's shadow", [&] { scene.Lights[0]->SetShadowAttenuation(0.3); });
+  change("camera", [&] { scene.Camera->Azimuth(30.0); });
+  change("projection", [&] { scene.Camera->ParallelProjectionOn(); });
+  change("values",
+    [&]
+    {
+      vtkDataArray* values = scene.Image->GetPointData()->GetScalars();
+      for (vtkIdType id = 0; id < values->GetNumberOfTuples() / 2; ++id)
+      {
+        values->SetComponent(id, 0, 0.0);
+      }
+      values->Modified();
+      scene.Image->Modified();
+    });
+  change("spacing of the image", [&] { scene.Image->SetSpacing(0.06, 0.05, 0.04); });
+  change("no shadows", [&] { mapper->ShadowsOff(); });
+  change("shadows", [&] { mapper->ShadowsOn(); });
+  change("transmission",
+    [&]
+    {
+      vtkNew<vtkColorTransferFunction> function;
+      function->AddRGBPoint(0.0, 1.0, 0.2, 0.0);
+      mapper->SetTransmissionColor(function);
+    });
+  change(
+    "transmission's points", [&] { mapper->GetTransmissionColor()->AddRGBPoint(1.0, 0, 1, 1); });
+  change("values of another type",
+    [&]
+    {
+      vtkDataArray* doubles = scene.Image->GetPointData()->GetScalars();
+      vtkNew<vtkUnsignedCharArray> bytes;
+      for (vtkIdType id = 0; id < doubles->GetNumberOfTuples(); ++id)
+      {
+        bytes->InsertNextValue(doubles->GetComponent(id, 0) > 0.3 ? 1 : 0);
+      }
+      scene.Image->GetPointData()->SetScalars(bytes);
+    });
+  change("values of two components",
+    [&]
+    {
+      mapper->SetTransmissionColor(nullptr);
+      vtkNew<vtkUnsignedCharArray> bytes;
+      bytes->SetNumberOfComponents(2);
+      for (vtkIdType id = 0; id < scene.Image->GetNumberOfPoints(); ++id)
+      {
+        bytes->InsertNextTuple2(0.0, id % 50 < 25 ? 1.0 : 0.0);
+      }
+      scene.Image->GetPointData()->SetScalars(bytes);
+      scene.Property->IndependentComponentsOff();
+    });
+}
+
+/// Textures are made anew after they were released, and for each window.
+void TestWindows(Check& check)
+{
+  const auto scene = SphereScene();
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  VolumeStage first(scene.Size);
+  SetScene(first, mapper, scene);
+  const RgbaPicture picture = first.Capture();
+  mapper->ReleaseGraphicsResources(first.GetWindow());
+  ExpectSame(check, "after release", first.Capture(), picture);
+  check.That(LargestAlpha(picture) > 0.5, "something is seen");
+  {
+    VolumeStage second(scene.Size);
+    SetScene(second, mapper, scene);
+    ExpectSame(check, "in another window", second.Capture(), picture);
+    ExpectSame(check, "in the first window again", first.Capture(), picture);
+    ExpectSame(check, "in the other window again", second.Capture(), picture);
+  }
+  ExpectSame(check, "after the other window is gone", first.Capture(), picture);
+  first.GetWindow()->SetSize(80, 60);
+  const RgbaPicture large = first.Capture();
+  auto resized = scene;
+  resized.Size = { { 80, 60 } };
+  vtkNew<vtkShadowedSliceMapper> fresh;
+  ExpectSame(check, "after a change of size", large, DrawByMapper(fresh, resized));
+}
+
+}
+
+int TestShadowState(int, char*[])
+{
+  Check check;
+  TestTargets(check);
+  TestViewports(check);
+  TestSharedVolume(check);
+  TestAfter(check);
+  TestStereo(check);
+  TestChanges(check);
+  TestWindows(check);
+  return check.Result();
+}
