@@ -15,19 +15,27 @@ set(extractions_folder "${CMAKE_BINARY_DIR}/Testing/Extractions")
 file(MAKE_DIRECTORY "${extractions_folder}")
 add_test(NAME TestExtractionNumbers COMMAND ExtractionNumbers "${extractions_folder}")
 
-add_executable(RepresentationPictures RepresentationPictures.cxx TimeVaryingExtraction.cxx)
-target_link_libraries(RepresentationPictures PRIVATE
-  InterlumeTestingCommon Interlume::InterlumeIntervals Interlume::InterlumeSources
-  Interlume::InterlumeTetrahedra VTK::IOImage VTK::RenderingCore VTK::RenderingOpenGL2
-  VTK::RenderingVolume nlohmann_json::nlohmann_json)
-vtk_module_autoinit(TARGETS RepresentationPictures
-  MODULES VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingVolume)
-add_test(NAME TestRepresentationPictures COMMAND RepresentationPictures "${extractions_folder}")
+# picture_program(NAME): one that writes pictures, run as the test Test<NAME>
+function (picture_program name)
+  add_executable(${name} ${name}.cxx PictureStage.cxx TimeVaryingExtraction.cxx)
+  target_link_libraries(${name} PRIVATE
+    InterlumeTestingCommon Interlume::InterlumeIntervals Interlume::InterlumeLight
+    Interlume::InterlumeSources Interlume::InterlumeTetrahedra VTK::IOImage VTK::RenderingCore
+    VTK::RenderingOpenGL2 VTK::RenderingVolume nlohmann_json::nlohmann_json)
+  vtk_module_autoinit(TARGETS ${name}
+    MODULES VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingVolume)
+  add_test(NAME Test${name} COMMAND ${name} "${extractions_folder}")
+  set_tests_properties(Test${name} PROPERTIES
+    LABELS image
+    FAIL_REGULAR_EXPRESSION "ERROR: ;Warning: ;ERR\\|;WARN\\|")
+endfunction ()
+picture_program(RepresentationPictures)
+picture_program(ShadowedSlicePictures)
 
 add_executable(TestPluginXMLDefaults TestPluginXMLDefaults.cxx)
 target_link_libraries(TestPluginXMLDefaults PRIVATE
-  Interlume::InterlumeIntervals Interlume::InterlumeSources Interlume::InterlumeTetrahedra
-  VTK::IOXMLParser)
+  Interlume::InterlumeIntervals Interlume::InterlumeLight Interlume::InterlumeSources
+  Interlume::InterlumeTetrahedra VTK::IOXMLParser)
 if (INTERLUME_ENABLE_TETGEN)
   target_link_libraries(TestPluginXMLDefaults PRIVATE Interlume::InterlumeMeshing)
   target_compile_definitions(TestPluginXMLDefaults PRIVATE INTERLUME_ENABLE_TETGEN)
@@ -37,6 +45,3 @@ add_test(NAME TestPluginXMLDefaults COMMAND TestPluginXMLDefaults "${PROJECT_SOU
 set_tests_properties(TestExtractionNumbers TestPluginXMLDefaults PROPERTIES
   LABELS "value;quick"
   FAIL_REGULAR_EXPRESSION "ERROR: ;Warning: ")
-set_tests_properties(TestRepresentationPictures PROPERTIES
-  LABELS image
-  FAIL_REGULAR_EXPRESSION "ERROR: ;Warning: ;ERR\\|;WARN\\|")

@@ -1,6 +1,6 @@
 # In the build of the plugin: scripts that pvbatch runs, alone and with four MPI ranks.
 set(INTERLUME_EXTRACTIONS "" CACHE PATH
-  "The folder that TestExtractionNumbers and TestRepresentationPictures wrote in a build of the VTK modules")
+  "The folder that TestExtractionNumbers and the programs of pictures wrote in a build of the VTK modules")
 if (NOT INTERLUME_EXTRACTIONS)
   message(FATAL_ERROR
     "The plugin's tests need INTERLUME_EXTRACTIONS, a folder that the tests of a build of the VTK "
@@ -55,6 +55,11 @@ plugin_test(TestPluginPicture "paraview;image"
   ${batch} "${script}/TestPluginPicture.py" "${CMAKE_CURRENT_BINARY_DIR}/TestPluginPicture.png")
 plugin_test(TestPluginRepresentation "paraview;image"
   ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" whole)
+plugin_test(TestPluginShadowedSlices "paraview;image"
+  ${batch} "${script}/TestPluginShadowedSlices.py" "${CMAKE_CURRENT_BINARY_DIR}" whole)
+plugin_test(TestPluginShadowedSlicesPieces "paraview;mpi;image"
+  ${ranks} ${batch} "${script}/TestPluginShadowedSlices.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
+set_tests_properties(TestPluginShadowedSlicesPieces PROPERTIES RUN_SERIAL ON)
 plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
 set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON SKIP_RETURN_CODE 77)

@@ -3,33 +3,21 @@
 // picture as `<name>.png`. ParaView is asked the same and must draw the same. The data are those
 // that ExtractionNumbers leaves there.
 #include "DataFiles.h"
+#include "PictureStage.h"
 #include "TimeVaryingExtraction.h"
 
 #include "vtkAnalyticFieldSource.h"
-#include "vtkCamera.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
-#include "vtkPNGWriter.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <cstdlib>
-#include <exception>
-#include <fstream>
-#include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -97,11 +85,6 @@ std::vector<json> AllCases()
     MakeCase("by-time", BY_TIME, json::object()) };
 }
 
-std::array<double, 3> Triple(const json& numbers)
-{
-  return numbers.get<std::array<double, 3>>();
-}
-
 void SetUpMapper(Mapper* mapper, const json& picture)
 {
   const bool isOfCells = picture["color_by"][0] == "CELLS";
@@ -120,23 +103,6 @@ void SetUpMapper(Mapper* mapper, const json& picture)
   {
     mapper->SetLayerPriority(priority[0], priority[1]);
   }
-}
-
-void SetUpProperty(vtkVolumeProperty* property, const json& picture)
-{
-  vtkNew<vtkColorTransferFunction> colors;
-  for (const json& row : picture["colors"])
-  {
-    colors->AddRGBPoint(row[0], row[1], row[2], row[3]);
-  }
-  vtkNew<vtkPiecewiseFunction> opacities;
-  for (const json& row : picture["opacities"])
-  {
-    opacities->AddPoint(row[0], row[1]);
-  }
-  property->SetColor(colors);
-  property->SetScalarOpacity(opacities);
-  property->SetScalarOpacityUnitDistance(picture["unit"]);
 }
 
 vtkSmartPointer<vtkAlgorithm> MakeExtraction(const json& picture)
@@ -170,59 +136,11 @@ void Draw(const json& picture, const std::string& folder)
 
   vtkNew<vtkRenderer> renderer;
   renderer->AddVolume(volume);
-  renderer->SetBackground(Triple(picture["background"]).data());
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(Triple(picture["camera"]["position"]).data());
-  camera->SetFocalPoint(Triple(picture["camera"]["focus"]).data());
-  camera->SetViewUp(Triple(picture["camera"]["up"]).data());
-  camera->SetViewAngle(picture["camera"]["angle"]);
-  renderer->ResetCameraClippingRange();
-  vtkNew<vtkRenderWindow> window;
-  window->OffScreenRenderingOn();
-  window->SetMultiSamples(0);
-  window->SetSize(picture["size"][0], picture["size"][1]);
-  window->AddRenderer(renderer);
-  window->Render();
-  vtkNew<vtkWindowToImageFilter> grabber;
-  grabber->SetInput(window);
-  grabber->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(grabber->GetOutputPort());
-  writer->SetFileName((folder + "/" + picture["name"].get<std::string>() + ".png").c_str());
-  writer->Write();
-  if (writer->GetErrorCode())
-  {
-    throw std::runtime_error("cannot write to " + folder);
-  }
+  SavePicture(picture, renderer, folder);
 }
 }
 
 int main(int argc, char* argv[])
 {
-  if (argc != 2)
-  {
-    std::cerr << "usage: " << argv[0] << " FOLDER\n";
-    return EXIT_FAILURE;
-  }
-  const std::string folder = argv[1];
-  try
-  {
-    // A virtual X server starts anew when its last client leaves: this one stays.
-    vtkNew<vtkRenderWindow> display;
-    display->OffScreenRenderingOn();
-    display->SetSize(8, 8);
-    display->Render();
-    const std::vector<json> cases = AllCases();
-    for (const json& picture : cases)
-    {
-      Draw(picture, folder);
-    }
-    std::ofstream(folder + "/representation.json") << json(cases).dump(2) << "\n";
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << error.what() << "\n";
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  return WritePictures(argc, argv, "representation.json", AllCases(), Draw);
 }

@@ -5,17 +5,14 @@ each has a piece of the data, and those pictures are compared that ordered compo
 """
 
 import json
-import os
 import sys
 
-import numpy
 from paraview import servermanager, simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
-from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
+from plugin_pictures import Comparison, make_view, picture_path, set_colors
 from plugin_testing import (
     Checks, extractions_path, interval_volume, load_plugin, open_data, temporal_source,
     time_varying_volume)
@@ -28,8 +25,6 @@ IN_TIME_BOUNDS = (2, 0.1)
 # Cells that straddle the regions of two processes are drawn by one of them.
 DISTRIBUTED_BOUNDS = (24, 0.4)
 DISTRIBUTED_PICTURES = ("by-temperature", "by-interval")
-SMALLEST_CHANGE = 0.5  # mean difference of pictures drawn in other ways
-SMALLEST_SHARE = 0.15  # of the picture that shows something
 SKIPPED = 77
 
 
@@ -43,24 +38,10 @@ def extract(picture, distributed):
 
 
 def draw(picture, volume, path):
-    view = simple.CreateView("RenderView")
-    view.ViewSize = picture["size"]
-    view.UseColorPaletteForBackground = False
-    view.Background = picture["background"]
-    view.OrientationAxesVisibility = False
-    view.CameraPosition = picture["camera"]["position"]
-    view.CameraFocalPoint = picture["camera"]["focus"]
-    view.CameraViewUp = picture["camera"]["up"]
-    view.CameraViewAngle = picture["camera"]["angle"]
+    view = make_view(picture)
     display = simple.Show(volume, view)
     display.SetRepresentationType(REPRESENTATION)
-    simple.ColorBy(display, picture["color_by"], separate=True)
-    display.SetScalarBarVisibility(view, False)
-    colors = display.LookupTable
-    colors.RGBPoints = [number for row in picture["colors"] for number in row]
-    colors.ColorSpace = "RGB"
-    opacities = display.ScalarOpacityFunction
-    opacities.Points = [number for row in picture["opacities"] for number in (*row, 0.5, 0.0)]
+    set_colors(display, view, picture["color_by"], picture)
     display.IntervalOpacityUnitDistance = picture["unit"]
     display.IntervalBlendMode = picture["blend"]
     display.IntervalSortMode = picture["sort"]
@@ -125,14 +106,6 @@ def can_exchange_data():
     return reader.GetOutput().GetNumberOfPoints() == points.GetNumberOfPoints()
 
 
-def pixels(path):
-    reader = vtkPNGReader()
-    reader.SetFileName(path)
-    reader.Update()
-    values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-    return values[:, :3].astype(int)
-
-
 def bounds(picture, distributed):
     if distributed:
         return DISTRIBUTED_BOUNDS
@@ -153,25 +126,12 @@ def main():
         pictures = [picture for picture in pictures if picture["name"] in DISTRIBUTED_PICTURES]
     else:
         check_choice(checks)
-    seen = {}
+    comparison = Comparison(checks)
     for picture in pictures:
         name = picture["name"]
-        largest, mean = bounds(picture, distributed)
-        path = os.path.join(sys.argv[1], f"TestPluginRepresentation-{sys.argv[2]}-{name}.png")
+        path = picture_path(sys.argv[1], f"TestPluginRepresentation-{sys.argv[2]}", name)
         draw(picture, extract(picture, distributed), path)
-        drawn, expected = pixels(path), pixels(extractions_path(name + ".png"))
-        difference = numpy.abs(drawn - expected)
-        shown = numpy.mean((drawn != drawn[0]).any(axis=1))
-        print(f"{name}: largest {difference.max()}, mean {difference.mean():.5f}, shown {shown:.3f}")
-        checks.that(difference.max() <= largest, f"{name}, every pixel")
-        checks.that(difference.mean() <= mean, f"{name}, the mean")
-        checks.that(shown >= SMALLEST_SHARE, f"{name} shows something")
-        for other, shot in seen.items():
-            if shot.shape != drawn.shape:
-                continue
-            change = numpy.abs(drawn - shot).mean()
-            checks.that(change >= SMALLEST_CHANGE, f"{name} differs from {other}: {change}")
-        seen[name] = drawn
+        comparison.compare(name, path, bounds(picture, distributed))
     checks.finish()
 
 

@@ -1,10 +1,13 @@
 // The defaults in the plugin's server-manager XML are those of the C++ classes, for every property;
 // the properties whose default comes from the data have a domain that gives it.
 #include "vtkAnalyticFieldSource.h"
+#include "vtkConstructiveModelSource.h"
 #include "vtkDeltaWingSource.h"
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
 #include "vtkNew.h"
+#include "vtkProjectiveLight.h"
+#include "vtkShadowedSliceMapper.h"
 #include "vtkSimplexTimeSlice.h"
 #include "vtkSmartPointer.h"
 #include "vtkTaperedCylinderSource.h"
@@ -13,6 +16,7 @@
 #endif
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkTurbulenceSource.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLUtilities.h"
 
@@ -232,6 +236,24 @@ int main(int argc, char* argv[])
       { "BreakdownFrequency", Text(wing->GetBreakdownFrequency()) },
       { "SpiralFrequency", Text(wing->GetSpiralFrequency()) } });
 
+  vtkNew<vtkConstructiveModelSource> model;
+  CompareWithXML(folder + "/Sources.xml", "SourceProxy", "vtkConstructiveModelSource", "",
+    { { "Model", Text(model->GetModel()) }, { "Resolution", Text(model->GetResolution()) },
+      { "OutputMode", Text(model->GetOutputMode()) },
+      { "NumberOfSubsamples", Text(model->GetNumberOfSubsamples()) } });
+  vtkNew<vtkTurbulenceSource> turbulence;
+  CompareWithXML(folder + "/Sources.xml", "SourceProxy", "vtkTurbulenceSource", "",
+    { { "WholeExtent", Text(turbulence->GetWholeExtent(), 6) },
+      { "Bounds", Text(turbulence->GetBounds(), 6) }, { "Sum", Text(turbulence->GetSum()) },
+      { "NumberOfOctaves", Text(turbulence->GetNumberOfOctaves()) },
+      { "Frequency", Text(turbulence->GetFrequency()) },
+      { "Amplitude", Text(turbulence->GetAmplitude()) },
+      { "Offset", Text(turbulence->GetOffset()) }, { "Seed", Text(turbulence->GetSeed()) },
+      { "Falloff", Text(turbulence->GetFalloff()) },
+      { "VerticalAxis", Text(turbulence->GetVerticalAxis()) },
+      { "TopFraction", Text(turbulence->GetTopFraction()) },
+      { "Envelope", Text(turbulence->GetEnvelope()) } });
+
   // The representation's own properties; the others are those of ParaView's volumes.
   vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;
   Check(mapper->GetDeltaTArrayName() == nullptr, "the mapper takes DeltaT where there is one");
@@ -246,5 +268,30 @@ int main(int argc, char* argv[])
       { "IntervalDeltaTArrayName", "DeltaT" },
       { "IntervalLayerArrayName", mapper->GetLayerArrayName() },
       { "IntervalLayerPriorities", "" } });
+
+  // A light kit has five lights: one shadow at first, and shading, without which they are too
+  // bright.
+  vtkNew<vtkShadowedSliceMapper> slices;
+  vtkNew<vtkProjectiveLight> light;
+  CompareWithXML(folder + "/ShadowedSliceRepresentation.xml", "RepresentationProxy",
+    "vtkShadowedSliceRepresentation", "",
+    { { "Ambient", "0" }, { "Diffuse", "1" }, { "Specular", "0" }, { "SpecularPower", "100" },
+      { "ShadowedShade", "1" }, { "Shadows", Text(slices->GetShadows()) },
+      { "MaximumNumberOfShadows", "1" }, { "ColoredShadows", "0" },
+      { "SliceSpacing", Text(slices->GetSliceSpacing()) },
+      { "LightBufferSize", Text(slices->GetLightBufferSize()) },
+      { "LightLookup", Text(slices->GetLightLookup()) },
+      { "ImageSampleDistance", Text(slices->GetImageSampleDistance()) },
+      { "AutoAdjustSampleDistances", Text(slices->GetAutoAdjustSampleDistances()) },
+      { "ShadowedUseSeparateOpacityArray", "0" }, { "ShadowedOpacityComponent", "0" },
+      { "ShadowedUseCropping", Text(slices->GetCropping()) }, { "ShadowedCroppingOrigin", "0 0 0" },
+      { "ShadowedCroppingScale", "1 1 1" }, { "ShadowedInput", "" }, { "ProjectiveLight", "0" },
+      { "ProjectiveLightPositional", Text(light->GetPositional()) },
+      { "ProjectiveLightViewUp", Text(light->GetViewUp(), 3) },
+      { "ProjectiveLightImage", light->GetImage() ? "image" : "" },
+      { "ProjectiveLightEdgeWidth", Text(light->GetEdgeWidth()) },
+      { "ProjectiveLightColor", Text(light->GetDiffuseColor(), 3) },
+      { "ProjectiveLightIntensity", Text(light->GetIntensity()) },
+      { "ProjectiveLightShadows", Text(light->GetShadowAttenuation()) } });
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

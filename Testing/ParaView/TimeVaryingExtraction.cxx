@@ -101,11 +101,16 @@ Setters<vtkTimeVaryingIntervalVolume> VolumeSetters()
 }
 }
 
-vtkSmartPointer<vtkTimeVaryingIntervalVolume> MakeTimeVaryingVolume(const json& extraction)
+vtkSmartPointer<vtkAlgorithm> MakeTemporalSource(const json& extraction)
 {
-  const auto source = extraction["source"] == "AnalyticField"
+  return extraction["source"] == "AnalyticField"
     ? MakeAnalyticField(extraction["source_properties"])
     : MakeCylinder(extraction["source_properties"]);
+}
+
+vtkSmartPointer<vtkTimeVaryingIntervalVolume> MakeTimeVaryingVolume(const json& extraction)
+{
+  const auto source = MakeTemporalSource(extraction);
   auto volume = vtkSmartPointer<vtkTimeVaryingIntervalVolume>::New();
   volume->SetInputConnection(source->GetOutputPort());
   SetProperties<vtkTimeVaryingIntervalVolume>(volume, extraction["properties"], VolumeSetters());

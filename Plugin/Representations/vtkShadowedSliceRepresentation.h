@@ -1,0 +1,118 @@
+#ifndef vtkShadowedSliceRepresentation_h
+#define vtkShadowedSliceRepresentation_h
+
+#include "InterlumeRepresentationsModule.h" // for the export macro
+#include "vtkImageVolumeRepresentation.h"
+#include "vtkNew.h"          // for the light
+#include "vtkSmartPointer.h" // for the texture
+
+#include <memory> // for the component
+
+class vtkImageComponent;
+class vtkProjectiveLight;
+class vtkShadowedSliceMapper;
+class vtkTexture;
+
+/**
+ * @class   vtkShadowedSliceRepresentation
+ * @brief   shows images in ParaView by vtkShadowedSliceMapper, with a projective light of its own
+ *
+ * Input: a vtkImageData, or a composite dataset with one; more than one, or none but other data, is
+ * an error, and nothing is drawn. Colour and opacity are ParaView's, as those of its Volume: the
+ * array to colour by, its component or magnitude where it has several, or the components
+ * themselves, with its colour and opacity functions, a separate array for opacity, the unit
+ * distance of the opacity, shading and cropping. Without an array to colour by nothing is drawn.
+ *
+ * All lights of the view shine on the volume: the light kit and additional lights. How many of them
+ * cast shadows is MaximumNumberOfShadows, here 1 at first. Shading is on at first, unlike that of
+ * ParaView's Volume: without it the light kit's lights add up to more than white.
+ *
+ * The light of its own, a vtkProjectiveLight, is one of the view's lights as long as the
+ * representation is in the view, and is switched off with its visibility. Other representations see
+ * a light of that position and colour without a screen.
+ *
+ * With several processes each draws its piece of the data, and ParaView composites the pictures in
+ * order: without shadows that is exact but for gradients at the pieces' borders; shadows do not
+ * reach from one piece into another.
+ */
+class INTERLUMEREPRESENTATIONS_EXPORT vtkShadowedSliceRepresentation
+  : public vtkImageVolumeRepresentation
+{
+public:
+  static vtkShadowedSliceRepresentation* New();
+  vtkTypeMacro(vtkShadowedSliceRepresentation, vtkImageVolumeRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Passed on to the mapper. Their defaults are its own, but for MaximumNumberOfShadows.
+   */
+  void SetShadows(bool shadows);
+  void SetMaximumNumberOfShadows(int number);
+  void SetSliceSpacing(double spacing);
+  void SetLightBufferSize(int size);
+  void SetLightLookup(int lookup);
+  void SetImageSampleDistance(double distance);
+  void SetAutoAdjustSampleDistances(bool adjust);
+  ///@}
+
+  /**
+   * Whether light takes on the colour of what it passes: the mapper's TransmissionColor is the
+   * colour function. Without effect on RGB components. Default off.
+   */
+  void SetColoredShadows(bool colored);
+
+  ///@{
+  /**
+   * The light of its own: whether it shines (default off), and what is passed on to it.
+   */
+  void SetProjectiveLight(bool shines);
+  void SetProjectiveLightPositional(bool positional);
+  void SetProjectiveLightPosition(double x, double y, double z);
+  void SetProjectiveLightFocalPoint(double x, double y, double z);
+  void SetProjectiveLightViewUp(double x, double y, double z);
+  void SetProjectiveLightScreenWidth(double width);
+  void SetProjectiveLightScreenHeight(double height);
+  void SetProjectiveLightEdgeWidth(double width);
+  void SetProjectiveLightColor(double red, double green, double blue);
+  void SetProjectiveLightIntensity(double intensity);
+  ///@}
+
+  /**
+   * The texture whose image is on the light's screen. Default null: all light passes.
+   */
+  void SetProjectiveLightImage(vtkTexture* texture);
+
+  /**
+   * Whether the light of its own casts shadows, if it is among the brightest. Default on.
+   */
+  void SetProjectiveLightShadows(bool shadows);
+
+  void SetVisibility(bool visible) override;
+
+protected:
+  vtkShadowedSliceRepresentation();
+  ~vtkShadowedSliceRepresentation() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+  void UpdateMapperParameters() override;
+
+private:
+  vtkShadowedSliceRepresentation(const vtkShadowedSliceRepresentation&) = delete;
+  void operator=(const vtkShadowedSliceRepresentation&) = delete;
+
+  void UpdateScalars();
+  void UpdateLight();
+
+  vtkNew<vtkShadowedSliceMapper> Mapper;
+  vtkNew<vtkProjectiveLight> Light;
+  vtkSmartPointer<vtkTexture> LightImage;
+  std::unique_ptr<vtkImageComponent> Component;
+  bool ColoredShadows = false;
+  bool LightShines = false;
+};
+
+#endif

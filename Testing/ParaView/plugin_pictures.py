@@ -1,0 +1,74 @@
+"""What the tests of the plugin's representations share: views and colours as C++ had them, pixels."""
+
+import os
+
+import numpy
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+from plugin_testing import extractions_path
+
+SMALLEST_CHANGE = 0.5  # mean difference of pictures drawn in other ways, in steps of 1/255
+SMALLEST_SHARE = 0.15  # of the picture that shows something
+
+
+def make_view(picture):
+    view = simple.CreateView("RenderView")
+    view.ViewSize = picture["size"]
+    view.UseColorPaletteForBackground = False
+    view.Background = picture["background"]
+    view.OrientationAxesVisibility = False
+    view.CameraPosition = picture["camera"]["position"]
+    view.CameraFocalPoint = picture["camera"]["focus"]
+    view.CameraViewUp = picture["camera"]["up"]
+    view.CameraViewAngle = picture["camera"]["angle"]
+    return view
+
+
+def set_colors(display, view, color_by, picture):
+    """The array to colour by and its functions."""
+    simple.ColorBy(display, color_by, separate=True)
+    display.SetScalarBarVisibility(view, False)
+    colors = display.LookupTable
+    colors.RGBPoints = [number for row in picture["colors"] for number in row]
+    colors.ColorSpace = "RGB"
+    opacities = display.ScalarOpacityFunction
+    opacities.Points = [number for row in picture["opacities"] for number in (*row, 0.5, 0.0)]
+
+
+def pixels(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return values[:, :3].astype(int)
+
+
+class Comparison:
+    """Compares pictures, each drawn in another way, with those of C++."""
+
+    def __init__(self, checks):
+        self.checks = checks
+        self.seen = {}
+
+    def compare(self, name, path, bounds):
+        """`bounds`: the largest and the mean difference in steps of 1/255."""
+        largest, mean = bounds
+        drawn, expected = pixels(path), pixels(extractions_path(name + ".png"))
+        difference = numpy.abs(drawn - expected)
+        shown = numpy.mean((drawn != drawn[0]).any(axis=1))
+        print(f"{name}: largest {difference.max()}, mean {difference.mean():.5f}, shown {shown:.3f}")
+        self.checks.that(difference.max() <= largest, f"{name}, every pixel")
+        self.checks.that(difference.mean() <= mean, f"{name}, the mean")
+        self.checks.that(shown >= SMALLEST_SHARE, f"{name} shows something")
+        for other, shot in self.seen.items():
+            if shot.shape != drawn.shape:
+                continue
+            change = numpy.abs(drawn - shot).mean()
+            self.checks.that(change >= SMALLEST_CHANGE, f"{name} differs from {other}: {change}")
+        self.seen[name] = drawn
+
+
+def picture_path(folder, test, name):
+    return os.path.join(folder, f"{test}-{name}.png")
