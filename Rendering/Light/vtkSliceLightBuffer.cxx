@@ -45,6 +45,11 @@ std::string vtkSliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window,
   const float start = light.IsWide ? 0.0f : 1.0f;
   window->GetState()->vtkglClearColor(start, start, start, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
+  if (!light.IsWide)
+  {
+    this->Bytes += this->Occlusion.Prepare(window, this->Framebuffer, this->Size, this->Size);
+    vtkSliceOcclusion::Clear(window);
+  }
   const std::string source = vtkSliceShader::GetLightSource(picture, light);
   vtkShaderProgram* program = nullptr;
   this->Wide.reset();
@@ -82,13 +87,25 @@ void vtkSliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const vtkSlicePlan
   if (!this->Wide)
   {
     state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    state->vtkglEnable(GL_DEPTH_TEST);
     this->Slices.Draw(window, polygons, slab, entrance);
+    state->vtkglDisable(GL_DEPTH_TEST);
     return;
   }
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   window->GetShaderCache()->ReadyShaderProgram(this->Wide->Program);
   this->Wide->Program->SetUniformf("sliceEntrance", static_cast<float>(entrance));
   this->Wide->Render();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSliceLightBuffer::MarkOccluded(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Wide)
+  {
+    this->Occlusion.Mark(window, this->Texture, true);
+  }
+  return !this->Wide;
 }
 
 //------------------------------------------------------------------------------
@@ -117,6 +134,7 @@ void vtkSliceLightBuffer::ReleaseGraphicsResources(vtkWindow* window)
   this->Texture->ReleaseGraphicsResources(window);
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Slices.ReleaseGraphicsResources();
+  this->Occlusion.ReleaseGraphicsResources(window);
   if (this->Wide)
   {
     this->Wide->ReleaseGraphicsResources(window);

@@ -1,6 +1,7 @@
 #ifndef vtkSliceLightBuffer_h
 #define vtkSliceLightBuffer_h
 
+#include "vtkSliceOcclusion.h"
 #include "vtkSlicePass.h"
 #include "vtkSlicePlan.h"
 
@@ -52,6 +53,9 @@ public:
   void Draw(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep,
     const vtkSlicePolygons& polygons, int slab);
 
+  /// Spares what lies behind opaque matter from now on. Returns whether it can.
+  bool MarkOccluded(vtkOpenGLRenderWindow* window);
+
   /// The texels, \a size times \a size; empty for a light inside the volume.
   std::vector<float> Read(vtkOpenGLRenderWindow* window, int& size, int& channels);
 
@@ -64,6 +68,7 @@ private:
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSlicePass Slices;
+  vtkSliceOcclusion Occlusion;
   /// Instead of slices for a wide light.
   std::unique_ptr<vtkOpenGLQuadHelper> Wide;
 };

@@ -1,6 +1,5 @@
 #include "vtkSlicePainter.h"
 
-#include "InterlumeSliceOcclusionFS.h"
 #include "InterlumeSliceSelectionFS.h"
 #include "vtkFloatTarget.h"
 #include "vtkProjectiveLight.h"
@@ -9,9 +8,7 @@
 
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -23,10 +20,6 @@
 namespace
 {
 using Sweep = vtkSlicePlan::Sweep;
-
-/// Slabs between two looks at what is already opaque, and the opacity that counts as such.
-constexpr int OCCLUSION_INTERVAL = 16;
-constexpr float OPAQUE = 0.99999f;
 
 // Rays of eye and light make at least this cosine with a slice's normal where blocks at the edge of
 // the volume have to be enlarged for it.
@@ -102,14 +95,6 @@ std::string vtkSlicePainter::PrepareImage(
   {
     this->SweepImage->ReleaseGraphicsResources(window);
   }
-  this->Depth->SetContext(window);
-  if (!vtkFloatTarget::Fits(this->Depth, width, height))
-  {
-    this->Depth->AllocateDepth(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
-      vtkTextureObject::Float32);
-  }
-  ++report.ImageBuffers;
-  report.ImageBufferBytes += static_cast<vtkIdType>(sizeof(float)) * width * height;
   if (this->HasOpaqueDepth)
   {
     ++report.ImageBuffers;
@@ -118,13 +103,10 @@ std::string vtkSlicePainter::PrepareImage(
       static_cast<vtkIdType>(this->OpaqueDepth->GetHeight());
   }
   this->ImageFramebuffer->SetContext(window);
-  this->OcclusionFramebuffer->SetContext(window);
-  this->OcclusionFramebuffer->Bind();
-  this->OcclusionFramebuffer->AddDepthAttachment(this->Depth);
-  this->OcclusionFramebuffer->DeactivateDrawBuffers();
+  ++report.ImageBuffers;
+  report.ImageBufferBytes += this->Occlusion.Prepare(window, this->ImageFramebuffer, width, height);
   this->ImageFramebuffer->Bind();
   this->ImageFramebuffer->AddColorAttachment(0, this->Image);
-  this->ImageFramebuffer->AddDepthAttachment(this->Depth);
   this->ImageFramebuffer->ActivateDrawBuffer(0);
   const char* status = nullptr;
   return vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, status)
@@ -282,10 +264,8 @@ void vtkSlicePainter::ClearSweep(
   this->ImageFramebuffer->ActivateDrawBuffer(0);
   state->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
   state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  state->vtkglClearDepth(1.0);
-  state->vtkglDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  state->vtkglDepthMask(GL_FALSE);
+  glClear(GL_COLOR_BUFFER_BIT);
+  vtkSliceOcclusion::Clear(window);
 }
 
 //------------------------------------------------------------------------------
@@ -335,10 +315,9 @@ std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
       ++report.LightPasses;
     }
     ++drawn;
-    if (sweep.IsFrontToBack && drawn % OCCLUSION_INTERVAL == 0)
+    if (drawn % vtkSliceOcclusion::Interval == 0)
     {
-      this->MarkOccluded(window, picture);
-      ++report.OcclusionPasses;
+      report.OcclusionPasses += this->MarkOccluded(window, sweep);
     }
   }
   this->DeactivateTextures();
@@ -383,30 +362,20 @@ void vtkSlicePainter::DrawEyeSlab(
 }
 
 //------------------------------------------------------------------------------
-void vtkSlicePainter::MarkOccluded(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture)
+int vtkSlicePainter::MarkOccluded(vtkOpenGLRenderWindow* window, const Sweep& sweep)
 {
-  vtkOpenGLState* state = window->GetState();
-  if (!this->Occlusion)
+  int passes = 0;
+  if (sweep.IsFrontToBack)
   {
-    this->Occlusion =
-      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, InterlumeSliceOcclusionFS, nullptr);
+    this->Occlusion.Mark(
+      window, this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0), false);
+    ++passes;
   }
-  else
+  for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
   {
-    window->GetShaderCache()->ReadyShaderProgram(this->Occlusion->Program);
+    passes += this->GetLightBuffer(light.Light).MarkOccluded(window) ? 1 : 0;
   }
-  this->OcclusionFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
-  state->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
-  vtkTextureObject* image = this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0);
-  image->Activate();
-  this->Occlusion->Program->SetUniformi("picture", image->GetTextureUnit());
-  this->Occlusion->Program->SetUniformf("opaque", OPAQUE);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_TRUE);
-  this->Occlusion->Render();
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  image->Deactivate();
+  return passes;
 }
 
 //------------------------------------------------------------------------------
@@ -462,23 +431,18 @@ void vtkSlicePainter::ReleaseGraphicsResources(vtkWindow* window)
   this->HasImage = false;
   this->Textures.ReleaseGraphicsResources(window);
   for (vtkTextureObject* texture :
-    { this->Image.Get(), this->SweepImage.Get(), this->Depth.Get(), this->OpaqueDepth.Get() })
+    { this->Image.Get(), this->SweepImage.Get(), this->OpaqueDepth.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }
   this->ImageFramebuffer->ReleaseGraphicsResources(window);
-  this->OcclusionFramebuffer->ReleaseGraphicsResources(window);
+  this->Occlusion.ReleaseGraphicsResources(window);
   for (const std::unique_ptr<vtkSliceLightBuffer>& buffer : this->Lights)
   {
     buffer->ReleaseGraphicsResources(window);
   }
   this->Lights.clear();
   this->Eye.ReleaseGraphicsResources();
-  if (this->Occlusion)
-  {
-    this->Occlusion->ReleaseGraphicsResources(window);
-    this->Occlusion.reset();
-  }
   this->Vertices->ReleaseGraphicsResources();
   this->Quad.ReleaseGraphicsResources(window);
   this->SumQuad.ReleaseGraphicsResources(window);

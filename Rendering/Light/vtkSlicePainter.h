@@ -4,6 +4,7 @@
 #include "vtkImageQuad.h"
 #include "vtkShadowedSliceReport.h"
 #include "vtkSliceLightBuffer.h"
+#include "vtkSliceOcclusion.h"
 #include "vtkSlicePass.h"
 #include "vtkSlicePicture.h"
 #include "vtkSlicePolygons.h"
@@ -19,7 +20,6 @@
 
 class vtkOpenGLBufferObject;
 class vtkOpenGLFramebufferObject;
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkTextureObject;
@@ -78,20 +78,19 @@ private:
     vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, std::size_t sweepIndex);
   void DrawEyeSlab(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
     const vtkSlicePlan::Sweep& sweep, int slab);
-  void MarkOccluded(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture);
+  /// Returns the passes it took.
+  int MarkOccluded(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep);
   void AddSweep(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture);
 
   vtkSliceTextures Textures;
   vtkSlicePolygons Polygons;
   vtkNew<vtkOpenGLBufferObject> Vertices;
   vtkNew<vtkOpenGLFramebufferObject> ImageFramebuffer;
-  vtkNew<vtkOpenGLFramebufferObject> OcclusionFramebuffer;
   vtkNew<vtkTextureObject> Image;
   vtkNew<vtkTextureObject> SweepImage;
-  vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkTextureObject> OpaqueDepth;
   vtkSlicePass Eye;
-  std::unique_ptr<vtkOpenGLQuadHelper> Occlusion;
+  vtkSliceOcclusion Occlusion;
   std::vector<std::unique_ptr<vtkSliceLightBuffer>> Lights;
   std::vector<vtkTextureObject*> Active;
   vtkImageQuad Quad;

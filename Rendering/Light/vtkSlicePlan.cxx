@@ -102,14 +102,23 @@ void AddWide(const vtkSliceView& view, const vtkLightSource& source, int index,
   }
 }
 
+// A line of sight along the thick side of long voxels needs no more slices for being cut obliquely.
+double GetAutomaticSpacing(
+  const vtkUnitSpace& space, const Vector& normal, const Vector& direction, double factor)
+{
+  const double seen =
+    vtkSlicePlan::GetVoxelSpacing(space, direction) * std::abs(Dot(direction, normal));
+  return factor * std::max(vtkSlicePlan::GetVoxelSpacing(space, normal), seen);
+}
+
 void SetSlabs(vtkSlicePlan::Sweep& sweep, const vtkBoxCorners& corners, const vtkUnitSpace& space,
-  const vtkSlicePlan::Settings& settings)
+  const Vector& direction, const vtkSlicePlan::Settings& settings)
 {
   const std::array<double, 2> range = corners.GetRange(sweep.Normal);
   const double extent = range[1] - range[0];
   const double spacing = settings.Spacing > 0.0
     ? settings.Spacing
-    : vtkSlicePlan::GetVoxelSpacing(space, sweep.Normal) * settings.AutomaticFactor;
+    : GetAutomaticSpacing(space, sweep.Normal, direction, settings.AutomaticFactor);
   // Rounding adds no slab.
   constexpr double rounding = 1e-9;
   const double slabs = std::ceil(extent / spacing * (1.0 - rounding));
@@ -179,7 +188,7 @@ void vtkSlicePlan::Make(const Eye& eye, const std::vector<vtkLightSource>& light
   }
   for (Sweep& sweep : this->Sweeps)
   {
-    SetSlabs(sweep, corners, space, settings);
+    SetSlabs(sweep, corners, space, view.Direction, settings);
   }
 }
 

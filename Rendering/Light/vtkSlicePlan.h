@@ -76,7 +76,8 @@ public:
 
   struct Settings
   {
-    /// In unit space; 0 is GetVoxelSpacing times AutomaticFactor.
+    /// In unit space; 0 is GetVoxelSpacing times AutomaticFactor, of the normal or,
+    /// where that is more, of the direction of view times its cosine with the normal.
     double Spacing = 0.0;
     double AutomaticFactor = 1.0;
     int BufferSize = 0;

@@ -156,7 +156,16 @@ void CheckSlabs(
   check.Near(sweep.First, lower, 1e-12, "the first slab starts at the lowest corner", 1.0);
   check.Near(sweep.First + sweep.Slabs * sweep.Spacing, upper, 1e-12, "the last ends", 1.0);
   const double voxel = vtkSlicePlan::GetVoxelSpacing(space, sweep.Normal);
-  check.That(sweep.Spacing <= voxel * (1.0 + 1e-8), "a slab is no thicker than a voxel");
+  // No line within a voxel is longer than its sides together.
+  double longest = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Matrix& m = space.UnitFromTexture;
+    longest +=
+      Length({ { m[axis], m[4 + axis], m[8 + axis] } }) / static_cast<double>(space.Size[axis]);
+  }
+  check.That(
+    sweep.Spacing <= std::max(voxel, longest) * (1.0 + 1e-8), "a slab is no thicker than a voxel");
   check.That((sweep.Slabs - 1) * voxel < upper - lower, "there are no more slabs than needed");
 }
 

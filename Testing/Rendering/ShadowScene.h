@@ -3,19 +3,19 @@
 
 #include "ReferenceImage.h" // for the array
 
-#include "vtkSmartPointer.h" // for what is drawn
+// Whole types, so that a scene can be copied.
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPlane.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeProperty.h"
 
 #include <array>
 #include <vector>
-
-class vtkActor;
-class vtkCamera;
-class vtkColorTransferFunction;
-class vtkImageData;
-class vtkLight;
-class vtkMatrix4x4;
-class vtkPlane;
-class vtkVolumeProperty;
 
 namespace reference
 {

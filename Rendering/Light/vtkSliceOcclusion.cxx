@@ -1,0 +1,94 @@
+#include "vtkSliceOcclusion.h"
+
+#include "InterlumeSliceOcclusionFS.h"
+#include "vtkFloatTarget.h"
+#include "vtkShaderFeatures.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+//------------------------------------------------------------------------------
+vtkSliceOcclusion::vtkSliceOcclusion() = default;
+
+//------------------------------------------------------------------------------
+vtkSliceOcclusion::~vtkSliceOcclusion() = default;
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSliceOcclusion::Prepare(
+  vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer, int width, int height)
+{
+  this->Depth->SetContext(window);
+  if (!vtkFloatTarget::Fits(this->Depth, width, height))
+  {
+    this->Depth->AllocateDepth(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
+      vtkTextureObject::Fixed16);
+  }
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddDepthAttachment(this->Depth);
+  this->Framebuffer->DeactivateDrawBuffers();
+  framebuffer->Bind();
+  framebuffer->AddDepthAttachment(this->Depth);
+  return static_cast<vtkIdType>(2) * width * height;
+}
+
+//------------------------------------------------------------------------------
+void vtkSliceOcclusion::Clear(vtkOpenGLRenderWindow* window)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglClearDepth(1.0);
+  state->vtkglDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  state->vtkglDepthMask(GL_FALSE);
+}
+
+//------------------------------------------------------------------------------
+void vtkSliceOcclusion::Mark(
+  vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, bool isOfLight)
+{
+  if (!this->Quad)
+  {
+    const std::string source =
+      vtkShaderFeatures::Insert(InterlumeSliceOcclusionFS, isOfLight ? "TRANSMITTANCE" : "");
+    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+  vtkOpenGLState* state = window->GetState();
+  this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  state->vtkglViewport(
+    0, 0, static_cast<GLsizei>(buffer->GetWidth()), static_cast<GLsizei>(buffer->GetHeight()));
+  // A light's buffer has its texture unit for the whole sweep.
+  const bool wasActive = buffer->GetTextureUnit() >= 0;
+  buffer->Activate();
+  this->Quad->Program->SetUniformi("slices", buffer->GetTextureUnit());
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  this->Quad->Render();
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  if (!wasActive)
+  {
+    buffer->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSliceOcclusion::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Depth->ReleaseGraphicsResources(window);
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  if (this->Quad)
+  {
+    this->Quad->ReleaseGraphicsResources(window);
+    this->Quad.reset();
+  }
+}

@@ -1,0 +1,51 @@
+#ifndef vtkSliceOcclusion_h
+#define vtkSliceOcclusion_h
+
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <memory>
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+/**
+ * @class   vtkSliceOcclusion
+ * @brief   spares fragments behind what is already opaque
+ *
+ * A depth buffer beside a buffer of slices: where that lets nothing through any more it gets a
+ * depth that nothing is nearer than, so that the test of depth drops what comes behind before its
+ * shader runs.
+ */
+class vtkSliceOcclusion
+{
+public:
+  /// Slabs between two looks at the buffer.
+  static constexpr int Interval = 16;
+
+  vtkSliceOcclusion();
+  ~vtkSliceOcclusion();
+
+  /// Makes the depth buffer fit and attaches it to \a framebuffer, which is bound then. Returns its
+  /// bytes.
+  vtkIdType Prepare(
+    vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer, int width, int height);
+
+  /// Clears the depth of the framebuffer that is bound: nothing is opaque.
+  static void Clear(vtkOpenGLRenderWindow* window);
+
+  /// Looks at \a buffer, which is of a light, with transmittance, or of the picture, with opacity.
+  void Mark(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, bool isOfLight);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkNew<vtkTextureObject> Depth;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+};
+
+#endif
