@@ -1,6 +1,7 @@
 #include "DrawCounter.h"
 
 #include "Panel.h"
+#include "SceneReport.h"
 #include "Volumes.h"
 
 #include "vtkActor.h"
@@ -10,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkShadowedSliceMapper.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
@@ -85,16 +87,21 @@ BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
   return count;
 }
 
-std::vector<vtkTetrahedraRenderReport> GetVolumeReports(const Panel& panel)
+void AddVolumeReports(const Panel& panel, SceneReport& report)
 {
-  std::vector<vtkTetrahedraRenderReport> reports;
   vtkVolumeCollection* volumes = panel.GetRenderer()->GetVolumes();
   vtkCollectionSimpleIterator cookie;
   volumes->InitTraversal(cookie);
   while (vtkVolume* volume = volumes->GetNextVolume(cookie))
   {
-    reports.push_back(GetMapper(volume)->GetRenderReport());
+    if (auto* sliced = vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper()))
+    {
+      report.AddVolume(sliced->GetRenderReport());
+    }
+    else
+    {
+      report.AddVolume(GetMapper(volume)->GetRenderReport());
+    }
   }
-  return reports;
 }
 }

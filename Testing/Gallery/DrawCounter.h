@@ -1,7 +1,6 @@
 #ifndef DrawCounter_h
 #define DrawCounter_h
 
-#include "vtkTetrahedraRenderReport.h"
 #include "vtkType.h"
 
 #include <memory>
@@ -14,6 +13,7 @@ class vtkRenderer;
 namespace gallery
 {
 class Panel;
+struct SceneReport;
 
 /**
  * Counts how often the surfaces of a renderer are drawn: the draws of its busiest mapper.
@@ -52,9 +52,9 @@ struct BufferCount
 BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features);
 
 /**
- * What each volume of \a panel took when it was drawn.
+ * Adds what each volume of \a panel took when it was drawn to \a report.
  */
-std::vector<vtkTetrahedraRenderReport> GetVolumeReports(const Panel& panel);
+void AddVolumeReports(const Panel& panel, SceneReport& report);
 }
 
 #endif

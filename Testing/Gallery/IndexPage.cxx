@@ -6,6 +6,7 @@
 
 #include "vtkVersion.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -82,6 +83,27 @@ void WriteFact(std::ostream& page, const std::string& name, const std::string& v
   page << "<div><dt>" << name << "</dt><dd>" << value << "</dd></div>\n";
 }
 
+/// Of all volumes drawn in slices together.
+void WriteSlices(std::ostream& page, const std::vector<vtkShadowedSliceReport>& volumes)
+{
+  if (volumes.empty())
+  {
+    return;
+  }
+  int slices = 0;
+  int lights = 0;
+  int lightBuffers = 0;
+  for (const vtkShadowedSliceReport& volume : volumes)
+  {
+    slices += volume.SlicesDrawn;
+    lights = std::max(lights, volume.Lights);
+    lightBuffers += volume.LightBuffers;
+  }
+  WriteFact(page, "Slices", Grouped(slices));
+  WriteFact(page, "Lights", std::to_string(lights));
+  WriteFact(page, "Light buffers", std::to_string(lightBuffers));
+}
+
 void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& report,
   const std::vector<interlume::DataRow>& manifest)
 {
@@ -90,8 +112,13 @@ void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& repor
        << "\" alt=\"" << Escaped(scene.Title) << "\"></a>\n<h2>" << Escaped(scene.Title) << "<span>"
        << scene.Id << " &middot; figure " << scene.Figure << "</span></h2>\n<p>"
        << Escaped(scene.Caption) << "</p>\n<dl>\n";
-  WriteFact(page, "Cells in", Grouped(report.Extraction.Cells));
-  WriteFact(page, "Tetrahedra out", Grouped(report.Tetrahedra));
+  if (report.Filters > 0)
+  {
+    WriteFact(page, "Cells in", Grouped(report.Extraction.Cells));
+    WriteFact(page, "Tetrahedra out", Grouped(report.Tetrahedra));
+    WriteFact(page, "Intervals", std::to_string(report.Intervals));
+    WriteFact(page, "Extraction", Seconds(report.ExtractSeconds));
+  }
   if (report.BoundaryTriangles > 0)
   {
     WriteFact(page, "Boundary triangles", Grouped(report.BoundaryTriangles));
@@ -100,12 +127,11 @@ void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& repor
   {
     WriteFact(page, "4-simplices", Grouped(report.Simplices));
   }
-  WriteFact(page, "Intervals", std::to_string(report.Intervals));
   if (report.Criteria > 0)
   {
     WriteFact(page, "Further criteria", std::to_string(report.Criteria));
   }
-  WriteFact(page, "Extraction", Seconds(report.ExtractSeconds));
+  WriteSlices(page, report.SlicedVolumes);
   WriteFact(page, "Drawing", Seconds(report.RenderSeconds));
   WriteFact(page, "Passes", std::to_string(report.Passes));
   std::array<char, 48> buffers;
@@ -132,8 +158,9 @@ void WriteIndexPage(const std::string& folder, const std::vector<SceneReport>& r
     << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
     << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
     << "<title>Interlume gallery</title>\n<style>" << STYLE << "</style>\n</head>\n<body>\n"
-    << "<header>\n<h1>Interlume</h1>\n<p>Interval volumes of real data: the region where a field "
-       "lies between two values, as tetrahedra. Each picture is a short pipeline over the public "
+    << "<header>\n<h1>Interlume</h1>\n<p>Volumes with the shadows they cast, and interval volumes: "
+       "the region where a field lies between two values, as tetrahedra. Each picture is a short "
+       "pipeline over the public "
        "classes; the figure numbers are those of the dissertation the methods come from "
        "(C.&nbsp;Zhang, Ohio State University, 2006).</p>\n<nav>\n";
   for (const SceneReport& report : reports)

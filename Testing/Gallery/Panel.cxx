@@ -7,6 +7,7 @@
 #include "vtkActor.h"
 #include "vtkCameraPass.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkMapper.h"
 #include "vtkOpaquePass.h"
@@ -118,6 +119,15 @@ void Panel::SetBackground(const vtkColor3d& colour)
   this->Renderer->SetBackground(colour[0], colour[1], colour[2]);
 }
 
+void Panel::SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights)
+{
+  this->Renderer->RemoveAllLights();
+  for (const vtkSmartPointer<vtkLight>& light : lights)
+  {
+    this->Renderer->AddLight(light);
+  }
+}
+
 bool Panel::UsesAmbientOcclusion() const
 {
   bool hasSurface = false;
@@ -180,6 +190,13 @@ vtkBoundingBox Panel::GetBox() const
 std::vector<vtkVector3d> Panel::GetPoints() const
 {
   std::vector<vtkVector3d> points;
+  if (this->FramedBox.IsValid())
+  {
+    double bounds[6];
+    this->FramedBox.GetBounds(bounds);
+    AppendCorners(bounds, points);
+    return points;
+  }
   ForEachProp(this->Renderer,
     [&points](vtkProp* prop)
     {

@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkImageData;
+class vtkLight;
 class vtkProp;
 
 namespace gallery
@@ -43,6 +44,17 @@ public:
    * Uses the camera of another panel; both are fitted to the props of both.
    */
   void LookAs(Panel& other);
+
+  /**
+   * The camera is fitted to \a bounds instead of the props; what lies around them may run out of
+   * the picture.
+   */
+  void Frame(const vtkBoundingBox& bounds) { this->FramedBox = bounds; }
+
+  /**
+   * Lights of the panel's own in place of the look's, of any type and place.
+   */
+  void SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights);
 
   /**
    * Draws without perspective, so that equal things look equal everywhere. Default: in perspective.
@@ -81,6 +93,7 @@ private:
   std::string Caption;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkCamera> Camera;
+  vtkBoundingBox FramedBox;
   vtkIdType Pixels = 0;
   double OcclusionReach = 0.05;
 };

@@ -32,6 +32,22 @@ nlohmann::json ToJson(const vtkTetrahedraRenderReport& volume)
       volume.UploadedStaticBytes + volume.UploadedOrderBytes + volume.UploadedImageBytes },
     { "seconds", volume.Seconds } };
 }
+
+nlohmann::json ToJson(const vtkShadowedSliceReport& volume)
+{
+  return { { "features", volume.Features }, { "lights", volume.Lights },
+    { "shadowed_lights", volume.ShadowedLights }, { "sweeps", volume.Sweeps },
+    { "front_to_back_sweeps", volume.FrontToBackSweeps }, { "slices", volume.Slices },
+    { "slices_drawn", volume.SlicesDrawn }, { "slice_spacing", volume.SliceSpacing },
+    { "eye_passes", volume.EyePasses }, { "light_passes", volume.LightPasses },
+    { "occlusion_passes", volume.OcclusionPasses }, { "image_buffers", volume.ImageBuffers },
+    { "image_buffer_bytes", volume.ImageBufferBytes }, { "light_buffers", volume.LightBuffers },
+    { "light_buffer_bytes", volume.LightBufferBytes },
+    { "light_buffer_size", volume.LightBufferSize }, { "light_channels", volume.LightChannels },
+    { "blocks", volume.Blocks }, { "blocks_drawn", volume.BlocksDrawn },
+    { "texture_bytes", volume.TextureBytes }, { "uploaded_bytes", volume.UploadedBytes },
+    { "image_sample_distance", volume.ImageSampleDistance }, { "seconds", volume.Seconds } };
+}
 }
 
 void SceneReport::AddVolume(const vtkTetrahedraRenderReport& volume)
@@ -43,6 +59,19 @@ void SceneReport::AddVolume(const vtkTetrahedraRenderReport& volume)
   this->Volumes.push_back(volume);
 }
 
+void SceneReport::AddVolume(const vtkShadowedSliceReport& volume)
+{
+  this->Features.insert("slices");
+  if (volume.ShadowedLights > 0)
+  {
+    this->Features.insert("shadows");
+  }
+  this->Passes += volume.EyePasses + volume.LightPasses + volume.OcclusionPasses;
+  this->Buffers += volume.ImageBuffers + volume.LightBuffers;
+  this->Bytes += volume.ImageBufferBytes + volume.LightBufferBytes;
+  this->SlicedVolumes.push_back(volume);
+}
+
 nlohmann::json ToJson(const SceneReport& report)
 {
   const vtkExtractionReport& extraction = report.Extraction;
@@ -51,17 +80,23 @@ nlohmann::json ToJson(const SceneReport& report)
   {
     volumes.push_back(ToJson(volume));
   }
+  nlohmann::json slicedVolumes = nlohmann::json::array();
+  for (const vtkShadowedSliceReport& volume : report.SlicedVolumes)
+  {
+    slicedVolumes.push_back(ToJson(volume));
+  }
   return { { "id", report.Id }, { "figure", report.Figure },
     { "size", { report.Width, report.Height } },
     { "seconds", report.BuildSeconds + report.RenderSeconds },
     { "build_seconds", report.BuildSeconds }, { "extract_seconds", report.ExtractSeconds },
     { "render_seconds", report.RenderSeconds }, { "features", report.Features },
     { "panels", report.Panels }, { "surface_panels", report.SurfacePanels },
-    { "passes", report.Passes }, { "buffers", report.Buffers }, { "bytes", report.Bytes },
-    { "volumes", volumes }, { "filters", report.Filters }, { "intervals", report.Intervals },
-    { "criteria", report.Criteria }, { "tetrahedra", report.Tetrahedra },
-    { "boundary_triangles", report.BoundaryTriangles }, { "slabs", report.Slabs },
-    { "simplices", report.Simplices },
+    { "occlusion_panels", report.OcclusionPanels }, { "passes", report.Passes },
+    { "buffers", report.Buffers }, { "bytes", report.Bytes }, { "volumes", volumes },
+    { "sliced_volumes", slicedVolumes }, { "filters", report.Filters },
+    { "intervals", report.Intervals }, { "criteria", report.Criteria },
+    { "tetrahedra", report.Tetrahedra }, { "boundary_triangles", report.BoundaryTriangles },
+    { "slabs", report.Slabs }, { "simplices", report.Simplices },
     { "extraction",
       { { "cells", extraction.Cells }, { "cells_visited", extraction.CellsVisited },
         { "cells_with_output", extraction.CellsWithOutput },

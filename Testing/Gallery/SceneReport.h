@@ -2,6 +2,7 @@
 #define SceneReport_h
 
 #include "vtkExtractionReport.h"
+#include "vtkShadowedSliceReport.h"
 #include "vtkTetrahedraRenderReport.h"
 #include "vtkType.h"
 
@@ -31,7 +32,7 @@ struct SceneReport
   double RenderSeconds = 0.0;
 
   /// Names of what was on: `criteria`, `boundaries`, `time`, `time-boundaries` (those of
-  /// tetrahedra), `time-slices`, `volumes`, `ambient-occlusion`.
+  /// tetrahedra), `time-slices`, `volumes`, `slices`, `shadows`, `ambient-occlusion`.
   std::set<std::string> Features;
 
   /// Extraction filters run, their intervals and criteria, and what came out.
@@ -46,19 +47,23 @@ struct SceneReport
   /// Sum of the reports of the filters.
   vtkExtractionReport Extraction;
 
-  /// Panels, and those that have surfaces.
+  /// Panels, those that have surfaces, and of these those with ambient occlusion.
   int Panels = 0;
   int SurfacePanels = 0;
-  /// Passes over the surfaces of a panel and over the tetrahedra of each volume, summed over
-  /// panels; the screen-space passes of ambient occlusion are among them.
+  int OcclusionPanels = 0;
+  /// Passes over the surfaces of a panel, over the tetrahedra of each volume and over the buffers
+  /// of each volume of slices, summed over panels; the screen-space passes of ambient occlusion are
+  /// among them.
   int Passes = 0;
   /// Off-screen textures of the drawing, and the bytes they take, the window's own included.
   int Buffers = 0;
   vtkIdType Bytes = 0;
   /// What each volume took; its passes, buffers and bytes are in the sums above.
   std::vector<vtkTetrahedraRenderReport> Volumes;
+  std::vector<vtkShadowedSliceReport> SlicedVolumes;
 
   void AddVolume(const vtkTetrahedraRenderReport& volume);
+  void AddVolume(const vtkShadowedSliceReport& volume);
 };
 
 nlohmann::json ToJson(const SceneReport& report);

@@ -166,11 +166,9 @@ vtkSmartPointer<vtkImageData> Stage::Render()
     this->Report.Buffers += used.Buffers;
     this->Report.Bytes += used.Bytes;
     this->Report.SurfacePanels += counter.GetPasses() > 0 ? 1 : 0;
+    this->Report.OcclusionPanels += used.ScreenPasses > 0 ? 1 : 0;
     this->Report.Passes += used.ScreenPasses + counter.GetPasses();
-    for (const vtkTetrahedraRenderReport& volume : GetVolumeReports(panel))
-    {
-      this->Report.AddVolume(volume);
-    }
+    AddVolumeReports(panel, this->Report);
   }
   this->Report.Panels = static_cast<int>(this->Panels.size());
   picture = AverageDown(picture, SUPERSAMPLING);

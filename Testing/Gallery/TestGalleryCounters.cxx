@@ -41,10 +41,11 @@ public:
     const nlohmann::json& extraction = scene.at("extraction");
     const int panels = scene.at("panels");
 
-    this->Expect(scene.at("tetrahedra") > 0, "tetrahedra were made");
+    const bool isExtracted = scene.at("filters") > 0;
+    this->Expect((scene.at("tetrahedra") > 0) == isExtracted, "tetrahedra were made");
     this->Expect(extraction.at("cells_visited") <= extraction.at("cells"),
       "no more cells visited than there are");
-    this->Expect(extraction.at("cells_with_output") > 0, "cells gave output");
+    this->Expect((extraction.at("cells_with_output") > 0) == isExtracted, "cells gave output");
     this->Expect(has("boundaries") == (scene.at("boundary_triangles") > 0),
       "boundary triangles exactly where boundaries are on");
     this->Expect(has("boundaries") ==
@@ -59,7 +60,8 @@ public:
     const int slabs = scene.at("slabs");
     this->Expect(has("time") == (slabs > 0 && scene.at("simplices") > 0),
       "slabs and 4-simplices exactly where there is time");
-    this->Expect(extraction.at("passes") == (has("time") ? slabs : (has("criteria") ? 2 : 1)),
+    this->Expect(
+      !isExtracted || extraction.at("passes") == (has("time") ? slabs : (has("criteria") ? 2 : 1)),
       "a pass for each slab, and a second one exactly where there is a criterion");
     this->Expect(
       has("time-slices") == (this->Scene == "time-slices"), "slices in time in time-slices only");
@@ -74,13 +76,31 @@ public:
       volumePasses += volume.at("passes").get<int>();
       volumeBuffers += volume.at("buffers").get<int>();
     }
+    int shadowedLights = 0;
+    this->Expect(
+      has("slices") == !scene.at("sliced_volumes").empty(), "slices as the features say");
+    for (const nlohmann::json& volume : scene.at("sliced_volumes"))
+    {
+      this->CheckSlicedVolume(volume);
+      shadowedLights += volume.at("shadowed_lights").get<int>();
+      volumePasses += volume.at("eye_passes").get<int>() + volume.at("light_passes").get<int>() +
+        volume.at("occlusion_passes").get<int>();
+      volumeBuffers +=
+        volume.at("image_buffers").get<int>() + volume.at("light_buffers").get<int>();
+    }
+    this->Expect(has("shadows") == (shadowedLights > 0), "shadows as the features say");
     const int surfacePanels = scene.at("surface_panels");
-    this->Expect(has("ambient-occlusion") == (surfacePanels > 0),
-      "ambient occlusion exactly where there are surfaces");
-    this->Expect(scene.at("passes") == surfacePanels * (1 + OCCLUSION_PASSES) + volumePasses,
+    const int occlusionPanels = scene.at("occlusion_panels");
+    this->Expect(
+      has("slices") ? occlusionPanels <= surfacePanels : occlusionPanels == surfacePanels,
+      "ambient occlusion where there are surfaces, but for some beside slices");
+    this->Expect(
+      has("ambient-occlusion") == (occlusionPanels > 0), "ambient occlusion as the features say");
+    this->Expect(
+      scene.at("passes") == surfacePanels + occlusionPanels * OCCLUSION_PASSES + volumePasses,
       "one pass for the surfaces of a panel, those of ambient occlusion and of the volumes");
     this->Expect(scene.at("buffers") ==
-        panels * WINDOW_BUFFERS + surfacePanels * OCCLUSION_BUFFERS + volumeBuffers,
+        panels * WINDOW_BUFFERS + occlusionPanels * OCCLUSION_BUFFERS + volumeBuffers,
       "no buffer beyond the window, ambient occlusion and the volumes");
     this->Expect(scene.at("bytes") > 0, "bytes of buffers counted");
     this->Expect(scene.at("seconds") > 0.0, "time taken");
@@ -147,6 +167,22 @@ public:
     {
       this->Expect(blend == "composite" && sort == "mpvonc", "one mesh in order of visibility");
     }
+  }
+
+  void CheckSlicedVolume(const nlohmann::json& volume)
+  {
+    const std::string features = " " + volume.at("features").get<std::string>() + " ";
+    const bool hasShadows = volume.at("shadowed_lights") > 0;
+    this->Expect(volume.at("slices_drawn") > 0, "slices drawn");
+    this->Expect(volume.at("slices_drawn") <= volume.at("slices"), "no slice drawn in vain");
+    this->Expect(volume.at("blocks_drawn") > 0, "blocks drawn");
+    this->Expect(volume.at("blocks_drawn") <= volume.at("blocks"), "no block drawn twice");
+    this->Expect(volume.at("light_buffers") == volume.at("shadowed_lights"),
+      "a buffer for each light that casts shadows");
+    this->Expect((volume.at("light_passes") > 0) == hasShadows, "light passes for shadows only");
+    this->Expect((volume.at("light_buffer_bytes") > 0) == hasShadows, "light buffers take bytes");
+    this->Expect((features.find(" shadow") != std::string::npos) == hasShadows,
+      "code for shadows exactly where a light casts them");
   }
 
   void Expect(bool holds, const std::string& what)

@@ -1,0 +1,67 @@
+#include "Bonsai.h"
+
+#include "DataFiles.h"
+#include "ShadowScene.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkExtractVOI.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkSpatialImage.h"
+#include "vtkSpatialOperation.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkTransform.h"
+
+namespace gallery
+{
+namespace
+{
+/// The part of the scan with indices of \a box.
+vtkSmartPointer<vtkImageData> Cut(vtkDataSet* scan, const int box[6])
+{
+  vtkNew<vtkExtractVOI> part;
+  part->SetInputData(scan);
+  part->SetVOI(box[0], box[1], box[2], box[3], box[4], box[5]);
+  part->Update();
+  return part->GetOutput();
+}
+}
+
+vtkSmartPointer<vtkSpatialObject> MakeBonsai()
+{
+  vtkSmartPointer<vtkDataSet> scan = interlume::ReadData("bonsai.vti");
+
+  // Leaves are thin and their values low; the trunk is brighter.
+  vtkNew<vtkColorTransferFunction> tree;
+  tree->AddRGBPoint(20.0, 0.36, 0.52, 0.20);
+  tree->AddRGBPoint(75.0, 0.47, 0.60, 0.26);
+  tree->AddRGBPoint(110.0, 0.50, 0.36, 0.22);
+  tree->AddRGBPoint(160.0, 0.58, 0.42, 0.27);
+  const int crown[6] = { 24, 232, 60, 232, 60, 255 };
+  // Below the branches all but the trunk is noise.
+  vtkNew<vtkSpatialOperation> leaves;
+  leaves->SetOperationToTrim();
+  leaves->AddOperand(MakeImageObject(Cut(scan, crown), 20.0, 48.0, tree));
+  leaves->AddOperand(Unite({ MakeBox({ 0.0, 88.0, 0.0 }, { 255.0, 255.0, 255.0 }, Plaster()),
+    MakeBox({ 96.0, 0.0, 100.0 }, { 150.0, 88.0, 160.0 }, Plaster()) }));
+
+  vtkNew<vtkColorTransferFunction> clay;
+  clay->AddRGBPoint(60.0, 0.40, 0.27, 0.18);
+  clay->AddRGBPoint(175.0, 0.42, 0.28, 0.18);
+  clay->AddRGBPoint(198.0, 0.72, 0.44, 0.31);
+  const int bowl[6] = { 36, 206, 10, 60, 76, 255 };
+  vtkSmartPointer<vtkSpatialObject> pot = MakeImageObject(Cut(scan, bowl), 30.0, 110.0, clay);
+
+  // Up is +y in the scan, and the cut at the upper end of z.
+  vtkSmartPointer<vtkSpatialObject> bonsai =
+    Unite({ pot, vtkSmartPointer<vtkSpatialObject>(leaves) });
+  const double scale = 1.0 / 210.0;
+  vtkNew<vtkTransform> transform;
+  transform->Scale(scale, scale, scale);
+  transform->RotateZ(180.0);
+  transform->RotateX(90.0);
+  transform->Translate(-124.0, -9.0, -128.0);
+  bonsai->SetTransform(transform);
+  return bonsai;
+}
+}

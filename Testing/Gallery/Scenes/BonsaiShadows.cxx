@@ -1,0 +1,32 @@
+// A scanned bonsai, without and with shadows.
+
+#include "Bonsai.h"
+#include "Scene.h"
+#include "ShadowScene.h"
+#include "Stage.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkSpatialObject> all = gallery::Unite({ gallery::MakeBonsai(),
+    gallery::MakeDisk({ 0.0, -0.05, 0.0 }, 0.68, 0.05, gallery::Plaster()) });
+  vtkSmartPointer<vtkImageData> image =
+    gallery::Sample(all, vtkBoundingBox(-0.7, 0.7, -0.75, 0.65, -0.07, 1.1), 216, 0.5);
+  gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMatter(image),
+    gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85));
+  pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.66, 0.66, -0.1, 0.1, -0.27, 1.06));
+}
+
+const gallery::SceneRegistration registration(
+  { "bonsai", "2.14", "A bonsai, without and with shadows",
+    "A scanned bonsai in its pot, coloured by the value of the scan. With shadows the crown gets "
+    "depth, and it shades the trunk, the soil and the ground.",
+    { "bonsai.vti" }, &Build });
+}

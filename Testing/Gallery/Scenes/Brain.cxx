@@ -1,0 +1,51 @@
+// The head and brain of a scan, without and with shadows, and both close up.
+
+#include "DataFiles.h"
+#include "Scene.h"
+#include "ShadowScene.h"
+#include "Stage.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkSpatialImage.h"
+#include "vtkSpatialObject.h"
+#include "vtkTransform.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  vtkNew<vtkColorTransferFunction> skin;
+  skin->AddRGBPoint(20.0, 0.82, 0.66, 0.54);
+  skin->AddRGBPoint(80.0, 0.88, 0.74, 0.64);
+  vtkSmartPointer<vtkDataSet> scan = interlume::ReadData("brainsmall.vti");
+  vtkSmartPointer<vtkSpatialObject> head =
+    gallery::MakeImageObject(vtkImageData::SafeDownCast(scan), 15.0, 55.0, skin);
+  const double scale = 1.0 / 128.0;
+  vtkNew<vtkTransform> transform;
+  transform->Scale(scale, scale, scale);
+  transform->RotateX(-90.0);
+  transform->Translate(-64.0, -64.0, -42.0);
+  head->SetTransform(transform);
+  vtkSmartPointer<vtkImageData> image =
+    gallery::Sample(head, vtkBoundingBox(-0.5, 0.5, -0.35, 0.35, -0.5, 0.5), 180, 1.0);
+  vtkSmartPointer<vtkVolumeProperty> property = gallery::MakeSolidMatter(image);
+  const gallery::Lights lights = gallery::MakeStudioLights({ -2.6, -1.5, 1.5 });
+  gallery::ShadowPair whole = gallery::AddShadowPair(stage, image, property, lights);
+  gallery::ShadowPair part =
+    gallery::AddShadowPair(stage, image, property, lights, 0.0, "close up, ");
+  stage.SetColumns(2);
+  whole.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.3, 0.3, -0.1, 0.1, -0.335, 0.295));
+  part.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.1, 0.1, -0.3, -0.1, 0.0, 0.2));
+}
+
+const gallery::SceneRegistration registration(
+  { "brain", "2.15", "A brain, without and with shadows, and close up",
+    "A scanned head with the brain laid open. With shadows the cut edge of the skin lies over the "
+    "brain, and the folds get depth. Close up the edges of shadows are smooth: light is taken away "
+    "for each pixel, not for each voxel.",
+    { "brainsmall.vti" }, &Build });
+}

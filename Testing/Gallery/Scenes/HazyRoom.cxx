@@ -1,0 +1,83 @@
+#include "HazyRoom.h"
+
+#include "Look.h"
+#include "Panel.h"
+#include "Room.h"
+#include "Stage.h"
+
+#include "vtkConstructiveModels.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkTransform.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace gallery
+{
+namespace
+{
+/// The density whose opacity MakeSolidMatterInSmoke() takes.
+constexpr double SMOKE_DENSITY = 60.0 / 255.0;
+
+/// \a object turned around the vertical by \a degrees after it was tilted backwards by \a tilt.
+vtkSmartPointer<vtkSpatialObject> Arrange(vtkSmartPointer<vtkSpatialObject> object,
+  const vtkVector3d& offset, double degrees, double tilt, double scale)
+{
+  vtkNew<vtkTransform> transform;
+  transform->Translate(offset.GetData());
+  transform->RotateZ(degrees);
+  transform->RotateX(tilt);
+  transform->Scale(scale, scale, scale);
+  object->SetTransform(transform);
+  return object;
+}
+
+vtkSmartPointer<vtkImageData> SampleRoom()
+{
+  return Sample(Unite({ Arrange(Soften(vtkConstructiveModels::MakeRobot(), 0.05),
+                          { -0.5, 0.1, 0.0 }, -20.0, 0.0, 0.85),
+                  Arrange(Soften(vtkConstructiveModels::MakeRings(), 0.04), { 0.54, 0.32, 0.41 },
+                    -28.0, 80.0, 0.42),
+                  MakeRoom() }),
+    vtkBoundingBox(-1.1, 1.05, -1.05, 1.1, -0.1, 1.35), 190);
+}
+}
+
+Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& inside, double opacity,
+  const Lights& lights)
+{
+  // Far from that of solids, so that their normals are their own, and the same everywhere, as eight
+  // bits have few steps for something so thin.
+  constexpr double density = 12.0 / 255.0;
+  vtkVector3d lower;
+  vtkVector3d upper;
+  inside.GetMinPoint(lower.GetData());
+  inside.GetMaxPoint(upper.GetData());
+  const vtkColor3d white(1.0, 1.0, 1.0);
+  AddSmoke(room, MakeBox(lower, upper, white), density, white);
+  vtkSmartPointer<vtkVolumeProperty> matter =
+    MakeSolidMatterInSmoke(room, SMOKE_DENSITY / density * opacity);
+  matter->SetAmbient(0.1);
+  vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(room, matter, SMOKE_GRADIENT);
+  // There is matter everywhere, which makes light buffers slow.
+  GetSlicedMapper(volume)->SetLightBufferSize(512);
+  Panel& panel = stage.AddPanel("");
+  panel.Add(volume);
+  panel.SetLights(lights);
+  panel.SetBackground(DarkBackground());
+  return panel;
+}
+
+Panel& AddHazyRoom(Stage& stage, const Lights& lights)
+{
+  const vtkBoundingBox inside(-1.0, 1.0, -1.0, 1.0, 0.0, 1.3);
+  Panel& panel = AddHazyPanel(stage, SampleRoom(), inside, 0.003, lights);
+  panel.Frame(inside);
+  panel.LookFrom({ 0.45, -1.0, 0.33 }, { 0.0, 0.0, 1.0 });
+  return panel;
+}
+}

@@ -1,0 +1,35 @@
+// A sphere displaced by turbulence, and its shadow.
+
+#include "Panel.h"
+#include "Scene.h"
+#include "ShadowScene.h"
+#include "Stage.h"
+
+#include "vtkConstructiveModels.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
+    { gallery::Place(vtkConstructiveModels::MakeHypertextureSphere(), { 0.0, 0.0, 0.62 }),
+      gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.0, 0.05, gallery::Plaster()) });
+  vtkSmartPointer<vtkImageData> image =
+    gallery::Sample(all, vtkBoundingBox(-1.05, 1.05, -1.05, 1.05, -0.1, 1.35), 170, 0.7);
+  gallery::Panel& panel = gallery::AddShadowPanel(
+    stage, image, gallery::MakeSolidMatter(image), gallery::MakeStudioLights({ -2.4, -1.4, 3.0 }));
+  panel.LookFrom({ 0.15, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  panel.Frame(vtkBoundingBox(-1.0, 1.0, -0.1, 0.1, -0.62, 1.35));
+}
+
+const gallery::SceneRegistration registration(
+  { "hypertexture", "2.12", "A hypertextured sphere with its shadow",
+    "A sphere whose surface is displaced by a sum of octaves of noise. Its bulges shade its "
+    "hollows, and its ragged outline returns in the shadow on the disk.",
+    {}, &Build });
+}

@@ -1,0 +1,67 @@
+// Rings of light on simple shapes.
+
+#include "LightScreens.h"
+#include "Panel.h"
+#include "Scene.h"
+#include "ShadowScene.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkProjectiveLight.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
+
+#include <cmath>
+
+namespace
+{
+vtkSmartPointer<vtkSpatialPrimitive> MakeRound(
+  int shape, const vtkVector3d& centre, double radius, double height, const vtkColor3d& colour)
+{
+  auto round = vtkSmartPointer<vtkSpatialPrimitive>::New();
+  round->SetShape(shape);
+  round->SetCenter(centre[0], centre[1], centre[2]);
+  round->SetRadius(radius);
+  round->SetHeight(height);
+  round->SetEdgeWidth(gallery::EDGE_WIDTH);
+  round->SetColor(colour[0], colour[1], colour[2]);
+  return round;
+}
+
+void Build(gallery::Stage& stage)
+{
+  const vtkBoundingBox box(-1.65, 1.65, -1.0, 1.05, -0.08, 1.4);
+  vtkSmartPointer<vtkSpatialObject> cube = gallery::Place(
+    gallery::MakeBox({ -0.25, -0.25, 0.0 }, { 0.25, 0.25, 0.5 }, { 0.72, 0.68, 0.62 }),
+    { 0.62, 0.12, 0.0 }, 25.0);
+  vtkSmartPointer<vtkImageData> image = gallery::Sample(
+    gallery::Unite(
+      { gallery::MakeBox({ -1.6, -0.95, -0.05 }, { 1.6, 1.0, 0.0 }, gallery::Plaster()),
+        gallery::MakeBox({ -1.6, 0.95, -0.05 }, { 1.6, 1.0, 1.35 }, gallery::Plaster()), cube,
+        MakeRound(
+          vtkSpatialPrimitive::SPHERE, { -0.12, -0.25, 0.34 }, 0.34, 1.0, { 0.90, 0.60, 0.30 }),
+        MakeRound(
+          vtkSpatialPrimitive::CYLINDER, { -0.72, 0.35, 0.42 }, 0.2, 0.84, { 0.36, 0.50, 0.68 }) }),
+    box, 230);
+  vtkSmartPointer<vtkImageData> rings = gallery::MakePattern(512, 512,
+    [](double u, double v)
+    {
+      const double radius = 2.0 * std::hypot(u - 0.5, v - 0.5);
+      const double wave = 0.5 + 0.5 * std::cos(2.0 * 3.14159265358979323846 * 6.0 * radius);
+      const double grey = 0.12 + 0.88 * wave * wave * (3.0 - 2.0 * wave);
+      return vtkColor3d(grey, 0.95 * grey, 0.86 * grey);
+    });
+  vtkSmartPointer<vtkProjectiveLight> light =
+    gallery::MakeProjector({ -1.7, -3.0, 3.4 }, { 0.0, 0.1, 0.3 }, 3.4, 3.4, 2.5, rings);
+  light->SetEdgeWidth(0.5);
+
+  gallery::AddPatternPanel(stage, image, light).LookFrom({ 0.15, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+}
+
+const gallery::SceneRegistration registration(
+  { "light-rings", "2.18", "Rings of light on simple shapes",
+    "A point light shines through a screen with rings, which follow the shapes that they fall on; "
+    "behind a shape there is none. The edge of the screen is smooth: the light goes out by and by. "
+    "A constructive volume.",
+    {}, &Build });
+}

@@ -1,0 +1,139 @@
+#include "LightScreens.h"
+
+#include "Panel.h"
+#include "ShadowScene.h"
+#include "Stage.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkProjectiveLight.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gallery
+{
+namespace
+{
+double SmoothStep(double t)
+{
+  const double clamped = std::max(0.0, std::min(t, 1.0));
+  return clamped * clamped * (3.0 - 2.0 * clamped);
+}
+}
+
+vtkSmartPointer<vtkImageData> MakePattern(
+  int width, int height, const std::function<vtkColor3d(double, double)>& pattern)
+{
+  constexpr int subsamples = 4;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int j = 0; j < height; ++j)
+  {
+    for (int i = 0; i < width; ++i)
+    {
+      vtkColor3d sum(0.0, 0.0, 0.0);
+      for (int k = 0; k < subsamples * subsamples; ++k)
+      {
+        const int row = k / subsamples;
+        const double x = i + (k - row * subsamples + 0.5) / subsamples;
+        const double y = j + (row + 0.5) / subsamples;
+        const vtkColor3d colour = pattern(x / width, y / height);
+        for (int c = 0; c < 3; ++c)
+        {
+          sum[c] += colour[c];
+        }
+      }
+      auto* sample = static_cast<unsigned char*>(image->GetScalarPointer(i, j, 0));
+      for (int c = 0; c < 3; ++c)
+      {
+        sample[c] =
+          static_cast<unsigned char>(std::lround(255.0 / (subsamples * subsamples) * sum[c]));
+      }
+    }
+  }
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> MakeGridPattern(int lines, double share)
+{
+  constexpr int size = 1024;
+  return MakePattern(size, size,
+    [lines, share](double u, double v)
+    {
+      const auto isOnLine = [lines, share](double x)
+      { return std::abs(x * lines - std::floor(x * lines) - 0.5) < 0.5 * share; };
+      const double grey = isOnLine(u) || isOnLine(v) ? 0.0 : 1.0;
+      return vtkColor3d(grey, grey, grey);
+    });
+}
+
+vtkSmartPointer<vtkImageData> MakeSoftDisk(double edge)
+{
+  constexpr int size = 256;
+  return MakePattern(size, size,
+    [edge](double u, double v)
+    {
+      const double radius = 2.0 * std::hypot(u - 0.5, v - 0.5);
+      const double grey = SmoothStep((0.98 - radius) / edge);
+      return vtkColor3d(grey, grey, grey);
+    });
+}
+
+vtkSmartPointer<vtkProjectiveLight> MakeProjector(const vtkVector3d& position,
+  const vtkVector3d& centre, double width, double height, double intensity, vtkImageData* image)
+{
+  auto light = vtkSmartPointer<vtkProjectiveLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->PositionalOn();
+  light->SetConeAngle(180.0);
+  light->SetPosition(position[0], position[1], position[2]);
+  light->SetFocalPoint(centre[0], centre[1], centre[2]);
+  light->SetViewUp(0.0, 0.0, 1.0);
+  light->SetScreenSize(width, height);
+  light->SetIntensity(intensity);
+  light->SetImage(image);
+  return light;
+}
+
+vtkSmartPointer<vtkProjectiveLight> MakeParallelProjector(const vtkVector3d& position,
+  const vtkVector3d& centre, double width, double height, double intensity, vtkImageData* image)
+{
+  vtkSmartPointer<vtkProjectiveLight> light =
+    MakeProjector(position, centre, width, height, intensity, image);
+  light->PositionalOff();
+  return light;
+}
+
+vtkSmartPointer<vtkLight> MakeFillLight(const vtkVector3d& from, double intensity)
+{
+  vtkSmartPointer<vtkLight> light = MakeParallelLight(from, intensity);
+  light->SetDiffuseColor(0.86, 0.92, 1.0);
+  light->SetShadowAttenuation(0.0F);
+  return light;
+}
+
+vtkSmartPointer<vtkProjectiveLight> MakeBeam(const vtkVector3d& position, const vtkVector3d& centre,
+  double diameter, double intensity, const vtkColor3d& colour)
+{
+  vtkSmartPointer<vtkProjectiveLight> light =
+    MakeParallelProjector(position, centre, diameter, diameter, intensity, MakeSoftDisk(0.3));
+  light->SetDiffuseColor(colour[0], colour[1], colour[2]);
+  return light;
+}
+
+Panel& AddPatternPanel(Stage& stage, vtkImageData* image, vtkProjectiveLight* light)
+{
+  vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, MakeSolidMatter(image));
+  // Finer than elsewhere, so that no slices are seen on bright walls.
+  GetSlicedMapper(volume)->SetSliceSpacing(0.3 * image->GetSpacing()[0]);
+  Panel& panel = stage.AddPanel("");
+  panel.Add(volume);
+  panel.SetLights({ light, MakeFillLight({ 1.0, -1.0, 0.6 }, 0.2) });
+  return panel;
+}
+}

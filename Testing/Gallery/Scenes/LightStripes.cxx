@@ -1,0 +1,47 @@
+// Stripes of light on a cube.
+
+#include "LightScreens.h"
+#include "Panel.h"
+#include "Scene.h"
+#include "ShadowScene.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkProjectiveLight.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
+
+#include <cmath>
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  const vtkBoundingBox box(-1.65, 1.65, -0.95, 1.15, -0.08, 1.35);
+  vtkSmartPointer<vtkSpatialObject> cube = gallery::Place(
+    gallery::MakeBox({ -0.36, -0.36, 0.0 }, { 0.36, 0.36, 0.72 }, { 0.90, 0.62, 0.34 }),
+    { 0.0, -0.05, 0.0 }, 30.0);
+  vtkSmartPointer<vtkImageData> image = gallery::Sample(
+    gallery::Unite({ gallery::MakeBox({ -1.6, -0.9, -0.05 }, { 1.6, 1.1, 0.0 }, gallery::Plaster()),
+      gallery::MakeBox({ -1.6, 1.05, -0.05 }, { 1.6, 1.1, 1.3 }, gallery::Plaster()), cube }),
+    box, 230);
+  vtkSmartPointer<vtkImageData> stripes = gallery::MakePattern(1024, 16,
+    [](double u, double)
+    {
+      const double grey = std::fmod(16.0 * u, 1.0) < 0.5 ? 1.0 : 0.12;
+      return vtkColor3d(grey, grey, grey);
+    });
+  vtkSmartPointer<vtkProjectiveLight> light =
+    gallery::MakeProjector({ -1.4, -3.0, 2.9 }, { 0.0, 0.1, 0.35 }, 4.4, 4.4, 2.0, stripes);
+  light->SetViewUp(-0.6, 0.0, 1.0);
+
+  gallery::AddPatternPanel(stage, image, light).LookFrom({ 0.2, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+}
+
+const gallery::SceneRegistration registration({ "light-stripes", "2.19",
+  "Stripes of light on a cube",
+  "A point light shines through a screen with stripes. They break at the edges of the cube and go "
+  "on at another angle on each of its faces, the ground and the wall; the cube throws its shadow "
+  "on them. A constructive volume.",
+  {}, &Build });
+}

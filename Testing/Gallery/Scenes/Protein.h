@@ -1,0 +1,17 @@
+#ifndef Protein_h
+#define Protein_h
+
+#include "vtkSmartPointer.h"
+
+class vtkSpatialObject;
+
+namespace gallery
+{
+/**
+ * The absolute value of an electron's wave function in an iron protein, as an object in -0.5 to
+ * 0.5: lumps around its maxima.
+ */
+vtkSmartPointer<vtkSpatialObject> MakeProtein();
+}
+
+#endif

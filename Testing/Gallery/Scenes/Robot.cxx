@@ -1,0 +1,36 @@
+// A robot of boxes and its shadow.
+
+#include "Panel.h"
+#include "Scene.h"
+#include "ShadowScene.h"
+#include "Stage.h"
+
+#include "vtkConstructiveModels.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkSpatialObject> all =
+    gallery::Unite({ gallery::Place(gallery::Soften(vtkConstructiveModels::MakeRobot()),
+                       { -0.25, 0.0, 0.0 }, -28.0),
+      gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.0, 0.06, gallery::Plaster()) });
+  vtkSmartPointer<vtkImageData> image =
+    gallery::Sample(all, vtkBoundingBox(-1.05, 1.05, -1.05, 1.05, -0.1, 1.28), 230, 0.9);
+  gallery::Panel& panel = gallery::AddShadowPanel(
+    stage, image, gallery::MakeSolidMatter(image), gallery::MakeStudioLights({ -2.6, -2.2, 3.6 }));
+  panel.LookFrom({ 0.15, -1.0, 0.55 }, { 0.0, 0.0, 1.0 });
+  panel.Frame(vtkBoundingBox(-1.0, 1.0, -0.1, 0.1, -0.66, 1.3));
+}
+
+const gallery::SceneRegistration registration({ "robot", "2.6", "The shadow of a robot",
+  "A robot of two cubes and two boxes, a union of constructive volume geometry, stands on a disk. "
+  "The point light is at the upper left; the legs, the body and the head cast a shadow with sharp "
+  "edges on the disk.",
+  {}, &Build });
+}

@@ -1,0 +1,54 @@
+// A robot in the light of one and of two lamps.
+
+#include "LightScreens.h"
+#include "Panel.h"
+#include "Scene.h"
+#include "ShadowScene.h"
+#include "Stage.h"
+
+#include "vtkConstructiveModels.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkProjectiveLight.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkSpatialObject> all =
+    gallery::Unite({ gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.0, 0.06, gallery::Plaster()),
+      gallery::Place(
+        gallery::Soften(vtkConstructiveModels::MakeRobot()), { -0.3, -0.1, 0.0 }, -28.0) });
+  vtkSmartPointer<vtkImageData> image =
+    gallery::Sample(all, vtkBoundingBox(-1.05, 1.05, -1.05, 1.05, -0.1, 1.28), 190);
+  vtkSmartPointer<vtkVolumeProperty> matter = gallery::MakeSolidMatter(image);
+  gallery::Lights lights = { gallery::MakeFillLight({ 1.0, -1.0, 0.5 }, 0.2),
+    gallery::MakePointLight({ -2.3, -2.0, 4.1 }, 1.0) };
+  gallery::Panel& one = stage.AddPanel("one light");
+  one.Add(gallery::MakeSlicedVolume(image, matter));
+  one.SetLights(lights);
+
+  lights.push_back(gallery::MakePointLight({ -3.0, 0.0, 4.1 }, 1.0));
+  gallery::Panel& two = stage.AddPanel("two lights");
+  two.Add(gallery::MakeSlicedVolume(image, matter));
+  two.SetLights(lights);
+
+  for (gallery::Panel* panel : { &one, &two })
+  {
+    panel->Frame(vtkBoundingBox(-0.97, 0.97, -0.85, 0.5, -0.1, 1.1));
+  }
+  two.LookAs(one);
+  one.LookFrom({ 0.1, -1.0, 0.7 }, { 0.0, 0.0, 1.0 });
+}
+
+const gallery::SceneRegistration registration(
+  { "robot-two-lights", "2.27", "A robot in the light of one and of two lamps",
+    "A robot of boxes on a plate, a constructive volume. The second lamp has a light buffer of its "
+    "own: where only one shadow falls the other lamp still shines, and the plate is darkest where "
+    "both shadows meet.",
+    {}, &Build });
+}

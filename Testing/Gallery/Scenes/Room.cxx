@@ -1,0 +1,77 @@
+#include "Room.h"
+
+#include "ShadowScene.h"
+
+#include "vtkConstructiveModels.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkSpatialTurbulence.h"
+#include "vtkTransform.h"
+
+namespace gallery
+{
+namespace
+{
+vtkSmartPointer<vtkSpatialObject> MakePuff()
+{
+  vtkNew<vtkSpatialPrimitive> sphere;
+  sphere->SetShape(vtkSpatialPrimitive::FUZZY_SPHERE);
+  sphere->SetRadius(0.32);
+  sphere->SetInnerRadius(0.05);
+  vtkNew<vtkSpatialTurbulence> puff;
+  puff->SetOperand(sphere);
+  puff->SetFrequency(5.0);
+  puff->SetAmplitude(0.1);
+  puff->SetSum(vtkGradientNoise::FRACTAL_SUM);
+  return Place(puff, { 0.75, -0.75, 0.45 });
+}
+
+/// Upright, against the wall at +y.
+vtkSmartPointer<vtkSpatialObject> MakeLeaningRings()
+{
+  vtkSmartPointer<vtkSpatialObject> rings =
+    Unite({ Soften(vtkConstructiveModels::MakeRings(), 0.03) });
+  vtkNew<vtkTransform> transform;
+  transform->Translate(0.45, 0.66, 0.47);
+  transform->RotateX(74.0);
+  transform->RotateZ(30.0);
+  transform->Scale(0.5, 0.5, 0.5);
+  rings->SetTransform(transform);
+  return rings;
+}
+
+vtkSmartPointer<vtkSpatialObject> MakeSmallRobot()
+{
+  vtkSmartPointer<vtkSpatialObject> robot =
+    Unite({ Soften(vtkConstructiveModels::MakeRobot(), 0.03) });
+  vtkNew<vtkTransform> transform;
+  transform->Translate(-0.4, 0.1, 0.0);
+  transform->RotateZ(20.0);
+  transform->Scale(0.75, 0.75, 0.75);
+  robot->SetTransform(transform);
+  return robot;
+}
+}
+
+vtkSmartPointer<vtkSpatialObject> MakeRoom()
+{
+  const double thickness = 0.05;
+  const vtkColor3d floor(0.70, 0.58, 0.46);
+  return Unite(
+    { MakeBox({ -1.0 - thickness, -1.0, -thickness }, { 1.0, 1.0 + thickness, 0.0 }, floor),
+      MakeBox({ -1.0 - thickness, -1.0, -thickness }, { -1.0, 1.0 + thickness, 1.3 }, Plaster()),
+      MakeBox({ -1.0 - thickness, 1.0, -thickness }, { 1.0, 1.0 + thickness, 1.3 }, Plaster()) });
+}
+
+vtkSmartPointer<vtkImageData> SampleFurnishedRoom(int resolution)
+{
+  vtkSmartPointer<vtkSpatialObject> all =
+    Unite({ MakeSmallRobot(), MakeLeaningRings(), MakeRoom() });
+  vtkSmartPointer<vtkImageData> image =
+    Sample(all, vtkBoundingBox(-1.1, 1.05, -1.05, 1.1, -0.1, 1.35), resolution);
+  AddSmoke(image, MakePuff(), 0.24, { 0.80, 0.82, 0.85 });
+  return image;
+}
+}

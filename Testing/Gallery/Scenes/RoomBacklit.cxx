@@ -1,0 +1,83 @@
+// A room with the sun in its window.
+
+#include "HazyRoom.h"
+#include "LightScreens.h"
+#include "Panel.h"
+#include "Scene.h"
+#include "ShadowScene.h"
+
+#include "vtkActor.h"
+#include "vtkConstructiveModels.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProjectiveLight.h"
+#include "vtkProperty.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialOperation.h"
+#include "vtkSpatialPrimitive.h"
+
+namespace
+{
+/// Closed but for the side of the viewer, with a window at the left of the wall at +y.
+vtkSmartPointer<vtkSpatialObject> MakeShell()
+{
+  const vtkColor3d plaster = gallery::Plaster();
+  const vtkColor3d wood(0.60, 0.42, 0.27);
+  auto wall = vtkSmartPointer<vtkSpatialOperation>::New();
+  wall->SetOperationToDifference();
+  wall->AddOperand(gallery::MakeBox({ -1.26, 1.0, -0.06 }, { 1.26, 1.06, 1.56 }, plaster));
+  wall->AddOperand(gallery::MakeBox({ -0.75, 0.9, 0.5 }, { 0.25, 1.15, 1.3 }, plaster));
+  return gallery::Unite({ gallery::MakeBox({ -1.26, -1.0, -0.06 }, { 1.26, 1.06, 0.0 }, wood),
+    gallery::MakeBox({ -1.26, -1.0, -0.06 }, { -1.2, 1.06, 1.56 }, plaster),
+    gallery::MakeBox({ 1.2, -1.0, -0.06 }, { 1.26, 1.06, 1.56 }, plaster),
+    gallery::MakeBox({ -1.26, -1.0, 1.5 }, { 1.26, 1.06, 1.56 }, plaster), wall,
+    gallery::MakeBox({ -0.75, 1.0, 0.88 }, { 0.25, 1.06, 0.92 }, wood),
+    gallery::MakeBox({ -0.27, 1.0, 0.5 }, { -0.23, 1.06, 1.3 }, wood) });
+}
+
+/// Behind the window.
+vtkSmartPointer<vtkActor> MakeSky()
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-0.9, 1.1, 0.4);
+  plane->SetPoint1(0.4, 1.1, 0.4);
+  plane->SetPoint2(-0.9, 1.1, 1.4);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(0.93, 0.95, 1.0);
+  return actor;
+}
+
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkImageData> image = gallery::Sample(
+    gallery::Unite({ MakeShell(),
+      gallery::Place(gallery::Soften(vtkConstructiveModels::MakeDesk()), { 0.5, 0.3, 0.0 }, 6.0),
+      gallery::Place(
+        gallery::Soften(vtkConstructiveModels::MakeChair()), { -0.15, 0.1, 0.0 }, 118.0) }),
+    vtkBoundingBox(-1.3, 1.3, -1.04, 1.1, -0.1, 1.6), 220);
+  vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.5, 1.0, 0.56 }, 7.5);
+  sun->SetDiffuseColor(1.0, 0.87, 0.68);
+
+  gallery::Panel& panel =
+    gallery::AddHazyPanel(stage, image, vtkBoundingBox(-1.2, 1.2, -1.0, 1.0, 0.0, 1.5), 0.0036,
+      { sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.22) });
+  panel.SetAmbientOcclusion(0.0);
+  panel.Add(MakeSky());
+  panel.Frame(vtkBoundingBox(-1.06, 1.06, -1.0, -0.99, 0.12, 1.41));
+  panel.LookFrom({ 0.12, -1.0, 0.08 }, { 0.0, 0.0, 1.0 });
+}
+
+const gallery::SceneRegistration registration(
+  { "room-backlit", "2.16", "A hazy room with the sun in its window",
+    "The sun shines through a window into a room with a desk and a chair, one constructive volume. "
+    "Its light is seen on its way in the haze, and so are the shadows of the window's cross and of "
+    "the furniture. As the light is behind the volume, slices are drawn from back to front.",
+    {}, &Build });
+}

@@ -1,0 +1,29 @@
+// A robot, rings and smoke in a room.
+
+#include "Panel.h"
+#include "Room.h"
+#include "Scene.h"
+#include "ShadowScene.h"
+#include "Stage.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkSpatialObject.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkImageData> image = gallery::SampleFurnishedRoom(190);
+  gallery::Panel& panel =
+    gallery::AddShadowPanel(stage, image, gallery::MakeSolidMatterInSmoke(image, 0.09),
+      gallery::MakeStudioLights({ 2.8, -1.8, 2.8 }), gallery::SMOKE_GRADIENT);
+  panel.LookFrom({ 0.6, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
+}
+
+const gallery::SceneRegistration registration({ "room", "2.9", "A room with hard and soft shadows",
+  "A robot, rings and a cloud of smoke in a room. The solid things throw shadows with sharp edges "
+  "on the floor and the walls, the smoke one that fades to its rim.",
+  {}, &Build });
+}

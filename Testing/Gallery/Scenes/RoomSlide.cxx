@@ -1,0 +1,107 @@
+// A slide on the wall of a hazy room.
+
+#include "LightScreens.h"
+#include "HazyRoom.h"
+#include "Scene.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkProjectiveLight.h"
+#include "vtkStdString.h"
+#include "vtkTextProperty.h"
+#include "vtkTextRenderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace
+{
+/// The coverage of a word by its letters, at places of 0 to 1 over its width and height.
+class Word
+{
+public:
+  explicit Word(const std::string& word)
+  {
+    vtkNew<vtkTextProperty> style;
+    style->SetFontFamilyToArial();
+    style->BoldOn();
+    style->SetFontSize(120);
+    style->SetColor(1.0, 1.0, 1.0);
+    vtkTextRenderer::GetInstance()->RenderString(style, word, this->Image, this->Size.data(), 72);
+  }
+  double GetAspect() const { return static_cast<double>(this->Size[0]) / this->Size[1]; }
+  double GetCoverage(double u, double v) const
+  {
+    const int i = static_cast<int>(std::floor(u * this->Size[0]));
+    const int j = static_cast<int>(std::floor(v * this->Size[1]));
+    if (i < 0 || i >= this->Size[0] || j < 0 || j >= this->Size[1])
+    {
+      return 0.0;
+    }
+    return static_cast<unsigned char*>(this->Image->GetScalarPointer(i, j, 0))[3] / 255.0;
+  }
+
+private:
+  vtkNew<vtkImageData> Image;
+  std::array<int, 2> Size{ { 0, 0 } };
+};
+
+/// Width over height of the slide.
+constexpr double ASPECT = 1.6;
+
+/// Of the emblem, in heights of the slide.
+constexpr double RADIUS = 0.25;
+
+vtkSmartPointer<vtkImageData> MakeSlide()
+{
+  const Word word("INTERLUME");
+  const vtkColor3d paper(1.0, 0.95, 0.84);
+  const vtkColor3d ink(0.08, 0.16, 0.30);
+  return gallery::MakePattern(1024, static_cast<int>(1024 / ASPECT),
+    [&](double u, double v)
+    {
+      // In units of the height, around the middle.
+      const double x = ASPECT * (u - 0.5);
+      const double y = v - 0.5;
+      constexpr double width = 1.2;
+      const double height = width / word.GetAspect();
+      const double share = word.GetCoverage(x / width + 0.5, (y - 0.29) / height + 0.5);
+      const double radius = std::hypot(x, y + 0.12);
+      vtkColor3d colour = paper;
+      if (radius < RADIUS)
+      {
+        // A disk in slices.
+        const double slice = std::fmod((y + 0.12 + RADIUS) / (2.0 * RADIUS) * 6.0, 1.0);
+        colour = slice < 0.72 ? vtkColor3d(0.98, 0.55, 0.12) : paper;
+      }
+      if (std::max(std::abs(x) / (0.5 * ASPECT - 0.04), std::abs(y) / 0.46) > 1.0)
+      {
+        colour = ink;
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        colour[c] += share * (ink[c] - colour[c]);
+      }
+      return colour;
+    });
+}
+
+void Build(gallery::Stage& stage)
+{
+  constexpr double height = 0.86;
+  vtkSmartPointer<vtkProjectiveLight> projector = gallery::MakeProjector(
+    { 0.3, -2.8, 1.15 }, { 0.14, 1.0, 0.80 }, ASPECT * height, height, 2.6, MakeSlide());
+  gallery::AddHazyRoom(stage, { projector, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.3) });
+}
+
+const gallery::SceneRegistration registration(
+  { "room-slide", "2.23", "A slide on the wall of a room",
+    "A lamp with a coloured image on its screen, a slide projector, shines into a room with thin "
+    "smoke, a constructive volume. The robot and the rings take from the image on the wall what "
+    "falls "
+    "on them, and the colours of the slide are in the smoke before.",
+    {}, &Build });
+}

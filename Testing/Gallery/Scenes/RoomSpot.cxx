@@ -1,0 +1,27 @@
+// A spot of light in a room with thin smoke.
+
+#include "HazyRoom.h"
+#include "LightScreens.h"
+#include "Scene.h"
+#include "ShadowScene.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkProjectiveLight.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkProjectiveLight> spot = gallery::MakeProjector(
+    { -1.2, -1.5, 2.7 }, { 0.0, 0.15, 0.3 }, 1.7, 1.7, 2.9, gallery::MakeSoftDisk(0.25));
+  spot->SetDiffuseColor(1.0, 0.93, 0.80);
+  gallery::AddHazyRoom(stage, { spot, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.2) });
+}
+
+const gallery::SceneRegistration registration({ "room-spot", "2.22", "A spot of light in a room",
+  "A robot and rings in a room with thin smoke, a constructive volume, under a lamp whose screen "
+  "has a disk with a soft edge. The smoke shows the light on its way, and the shadows that the "
+  "robot and the rings throw through it.",
+  {}, &Build });
+}

@@ -1,0 +1,44 @@
+// A room with smoke, denser below, and a cube inside.
+
+#include "Panel.h"
+#include "Room.h"
+#include "Scene.h"
+#include "ShadowScene.h"
+#include "Stage.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkTurbulenceSource.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
+    { gallery::Place(gallery::MakeBox({ -0.3, -0.3, 0.0 }, { 0.3, 0.3, 0.6 }, { 0.80, 0.47, 0.26 }),
+        { 0.0, 0.15, 0.0 }, 30.0),
+      gallery::MakeRoom() });
+  vtkSmartPointer<vtkImageData> image =
+    gallery::Sample(all, vtkBoundingBox(-1.1, 1.1, -1.1, 1.1, -0.1, 1.4), 160);
+  vtkNew<vtkTurbulenceSource> smoke;
+  smoke->SetFrequency(1.6);
+  smoke->SetOffset(0.05);
+  smoke->SetFalloff(vtkTurbulenceSource::EXPONENTIAL);
+  smoke->SetTopFraction(0.03);
+  gallery::AddSmoke(
+    image, smoke, 0.3, { 0.80, 0.81, 0.82 }, vtkBoundingBox(-1.0, 0.98, -0.98, 1.0, 0.0, 1.3));
+  gallery::Panel& panel =
+    gallery::AddShadowPanel(stage, image, gallery::MakeSolidMatterInSmoke(image, 0.045),
+      gallery::MakeStudioLights({ 2.8, -1.6, 3.2 }, 1.0), gallery::SMOKE_GRADIENT);
+  panel.LookFrom({ 0.6, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
+}
+
+const gallery::SceneRegistration registration({ "smoky-room", "2.8", "A cube in a smoky room",
+  "Smoke fills a room, dense at the floor and thin above, disturbed by turbulence. It dims the "
+  "light on its way down, takes the shadow of the cube and throws one of its own.",
+  {}, &Build });
+}

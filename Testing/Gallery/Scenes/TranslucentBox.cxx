@@ -1,0 +1,95 @@
+#include "TranslucentBox.h"
+
+#include "Look.h"
+#include "Panel.h"
+#include "Stage.h"
+
+#include "vtkActor.h"
+#include "vtkCubeSource.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkVectorOperators.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+
+namespace gallery
+{
+namespace
+{
+/// Density of the air, of that of the box.
+constexpr double AIR_SHARE = 0.2;
+
+vtkSmartPointer<vtkImageData> SampleBox(const TranslucentBox& box)
+{
+  const vtkColor3d white(1.0, 1.0, 1.0);
+  vtkSmartPointer<vtkSpatialPrimitive> air =
+    MakeBox({ -1.4, -0.6, -0.9 }, { 1.4, 0.6, 0.9 }, white);
+  air->SetDensity(AIR_SHARE);
+  air->SetEdgeWidth(0.2);
+  vtkSmartPointer<vtkSpatialPrimitive> solid =
+    MakeBox(-0.5 * box.Lengths, 0.5 * box.Lengths, white);
+  solid->SetEdgeWidth(0.04);
+  return Sample(Unite({ Place(solid, { 0.0, 0.0, 0.0 }, box.Degrees), air }),
+    vtkBoundingBox(-1.5, 1.5, -0.7, 0.7, -1.0, 1.0), 140);
+}
+
+/// The edges of the box.
+vtkSmartPointer<vtkActor> MakeFrame(const TranslucentBox& box)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(box.Lengths[0]);
+  cube->SetYLength(box.Lengths[1]);
+  cube->SetZLength(box.Lengths[2]);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(cube->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->RotateZ(box.Degrees);
+  const vtkColor3d colour = Pencil();
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->SetRepresentationToWireframe();
+  actor->GetProperty()->SetLineWidth(2.0);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+}
+
+ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Lights& beams)
+{
+  vtkSmartPointer<vtkImageData> image = SampleBox(box);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(255.0 * AIR_SHARE, 1.0 - std::exp(-box.AirExtinction));
+  opacity->AddPoint(255.0, 1.0 - std::exp(-box.Extinction));
+  vtkSmartPointer<vtkVolumeProperty> matter = MakeColouredMatter(opacity, 1.0);
+  matter->SetAmbient(0.05);
+  matter->SetDiffuse(1.0);
+  matter->SetSpecular(0.0);
+
+  Panel& without = stage.AddPanel("without attenuation");
+  Panel& with = stage.AddPanel("with attenuation");
+  for (Panel* panel : { &without, &with })
+  {
+    // All of this scatters evenly, at its edges too.
+    vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, matter, 1.0);
+    // Beams are narrow.
+    GetSlicedMapper(volume)->SetLightBufferSize(128);
+    GetSlicedMapper(volume)->SetShadows(panel == &with);
+    panel->Add(volume);
+    panel->Add(MakeFrame(box));
+    panel->SetAmbientOcclusion(0.0);
+    panel->SetBackground(DarkBackground());
+    panel->SetLights(beams);
+  }
+  return { without, with };
+}
+}

@@ -1,0 +1,32 @@
+#ifndef TranslucentBox_h
+#define TranslucentBox_h
+
+#include "ShadowScene.h"
+
+#include "vtkVector.h"
+
+namespace gallery
+{
+class Stage;
+
+/**
+ * Light in a translucent box that is surrounded by thin air.
+ */
+struct TranslucentBox
+{
+  vtkVector3d Lengths;
+  /// Around the vertical.
+  double Degrees;
+  /// Extinctions per unit of length.
+  double Extinction;
+  double AirExtinction;
+};
+
+/**
+ * Adds two panels of \a box around the origin: without attenuation of \a beams, and with it.
+ * The air is 3 units long, 2 units high and wide.
+ */
+ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Lights& beams);
+}
+
+#endif
