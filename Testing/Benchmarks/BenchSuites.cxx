@@ -8,5 +8,6 @@ std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites()
   suites.push_back(MakeContourSuite());
   suites.push_back(MakeTetrahedraSuite());
   suites.push_back(MakeInterval4dSuite());
+  suites.push_back(MakeShadowsSuite());
   return suites;
 }

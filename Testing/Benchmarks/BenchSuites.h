@@ -11,6 +11,7 @@ std::unique_ptr<BenchSuite> MakeIntervalSuite();
 std::unique_ptr<BenchSuite> MakeContourSuite();
 std::unique_ptr<BenchSuite> MakeTetrahedraSuite();
 std::unique_ptr<BenchSuite> MakeInterval4dSuite();
+std::unique_ptr<BenchSuite> MakeShadowsSuite();
 
 /**
  * Every suite, in the order of the report.

@@ -90,6 +90,10 @@ void CheckMethods(const nlohmann::json& rows)
       { "warm", "threads-2 threads-1", "cold warm", "later-slabs", "memory", "throughput",
         "hexahedra", "tetrahedra-5", "slice interpolate", "interpolate", "sampled", "slice",
         "slice-again interpolate" } },
+    // Rows against gpu-shadows need VTK 9.2.
+    { "shadows",
+      { "shadows shadows-off", "shadows, both sides shadows-off", "shadows-off gpu",
+        "unlit no-lights", "spacing", "buffer" } },
   };
   std::map<std::string, std::set<std::string>> seen;
   for (const auto& row : rows)

@@ -1,0 +1,288 @@
+#include "ShadowsError.h"
+
+#include "BenchTiming.h"
+#include "ReferenceShadowPicture.h"
+#include "ShadowsMethods.h"
+#include "ShadowsScene.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace shadows
+{
+namespace
+{
+const char* const MarcherNorm = "channel difference, mean";
+const char* const LimitNorm = "channel difference from its own limit, mean";
+const char* const Spacing = "spacing";
+const char* const Buffer = "buffer";
+const char* const EqualError = "equal-error";
+const char* const Scattering = ", scattering";
+const char* const Shaded = ", shaded";
+/// Slices of the limits over the default distance, and samples in voxels.
+constexpr double FinestSlices = 0.125;
+constexpr double FinestSamples = 0.25;
+constexpr int Repeats = 3;
+
+std::vector<Case> MakeCases(const BenchOptions& options)
+{
+  const int points = options.Pick(128, 32, 12);
+  const int step = options.Pick(2, 8, 16);
+  std::vector<Case> cases = { MakeSphere(points), MakeRings(points), MakeBonsai(step, step) };
+  const int pixels = options.Pick(256, 64, 16);
+  for (Case& one : cases)
+  {
+    one.Scene.Size = { { pixels, pixels } };
+  }
+  return cases;
+}
+
+/// A method at one of its settings, and what was found.
+struct Setting
+{
+  std::string Name;
+  double Parameter;
+  MethodPointer Drawn;
+  double Seconds = 0.0;
+};
+
+/// The default distance of slices, in world units.
+double GetDefaultSpacing(reference::VolumeStage& stage, const reference::ShadowScene& scene)
+{
+  const MethodPointer method = MakeSlices(stage, scene);
+  method->Capture();
+  return method->GetSlices()->GetRenderReport().SliceSpacing;
+}
+
+std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
+  const reference::ShadowScene& scene, double spacing, bool hasPeer, const BenchOptions& options)
+{
+  const auto distances = options.Pick<std::vector<double>>(
+    { 0.25, 0.5, 1.0, 2.0, 4.0 }, { 0.5, 1.0, 2.0 }, { 1.0, 2.0 });
+  const auto sizes =
+    options.Pick<std::vector<int>>({ 64, 128, 256, 512, 1024 }, { 32, 128 }, { 16, 32 });
+  std::vector<Setting> settings;
+  settings.reserve(2 * distances.size() + sizes.size());
+  for (const double factor : distances)
+  {
+    settings.push_back({ Spacing, factor,
+      MakeSlices(stage, scene,
+        [=](vtkShadowedSliceMapper* mapper) { mapper->SetSliceSpacing(factor * spacing); }) });
+  }
+  for (const int size : sizes)
+  {
+    settings.push_back({ Buffer, static_cast<double>(size),
+      MakeSlices(
+        stage, scene, [=](vtkShadowedSliceMapper* mapper) { mapper->SetLightBufferSize(size); }) });
+  }
+  for (const double distance : distances)
+  {
+    if (hasPeer && HasGpuShadows() && distance > FinestSamples)
+    {
+      settings.push_back({ GpuShadowsPeer, distance, MakeShadowRays(stage, scene, distance) });
+    }
+  }
+  return settings;
+}
+
+/// What pictures are compared with.
+struct Limits
+{
+  reference::RgbaPicture Marcher;
+  reference::RgbaPicture Slices;
+  reference::RgbaPicture Rays;
+
+  Limits(reference::VolumeStage& stage, const reference::ShadowScene& scene, double spacing,
+    int bufferSize, bool hasPeer)
+    : Marcher(reference::MakeShadowPicture(scene))
+  {
+    this->Slices = MakeSlices(stage, scene,
+      [=](vtkShadowedSliceMapper* mapper)
+      {
+        mapper->SetSliceSpacing(FinestSlices * spacing);
+        mapper->SetLightBufferSize(bufferSize);
+      })->Capture();
+    if (hasPeer && HasGpuShadows())
+    {
+      this->Rays = MakeShadowRays(stage, scene, FinestSamples)->Capture();
+    }
+  }
+};
+
+void AddRowsOf(Setting& setting, const std::string& name, const Limits& limits, BenchRows& rows)
+{
+  const reference::RgbaPicture picture = setting.Drawn->Capture();
+  BenchRow row = rows.Make(name, setting.Name);
+  row.Parameter = setting.Parameter;
+  row.Seconds = setting.Seconds;
+  if (vtkShadowedSliceMapper* slices = setting.Drawn->GetSlices())
+  {
+    AddReport(slices->GetRenderReport(), row);
+  }
+  const auto add = [&](const char* norm, const reference::RgbaPicture& limit)
+  {
+    const reference::PictureError error = reference::ComparePictures(picture, limit);
+    row.ErrorNorm = norm;
+    row.Error = error.Mean;
+    row.Counts["largest_error"] = error.Max;
+    rows.Add(row);
+  };
+  add(MarcherNorm, limits.Marcher);
+  add(LimitNorm, setting.Name == GpuShadowsPeer ? limits.Rays : limits.Slices);
+}
+
+void AddSceneRows(reference::VolumeStage& stage, const std::string& name,
+  const reference::ShadowScene& scene, bool hasPeer, const BenchOptions& options, BenchRows& rows)
+{
+  const double spacing = GetDefaultSpacing(stage, scene);
+  std::vector<Setting> settings = MakeSettings(stage, scene, spacing, hasPeer, options);
+  std::vector<BenchWork> works;
+  works.reserve(settings.size());
+  for (const Setting& setting : settings)
+  {
+    works.push_back(setting.Drawn->GetFrame(options.Threads));
+  }
+  const std::vector<double> seconds = MeasureAlternately(works, Repeats);
+  const Limits limits(stage, scene, spacing, options.Pick(512, 128, 64), hasPeer);
+  for (std::size_t i = 0; i < settings.size(); ++i)
+  {
+    settings[i].Seconds = seconds[i];
+    AddRowsOf(settings[i], name, limits, rows);
+  }
+}
+
+/// A point of the plot.
+struct Point
+{
+  double Seconds;
+  double Error;
+};
+
+/// The points of a method in a case, by falling error.
+std::vector<Point> GetPoints(const std::vector<BenchRow>& rows, const std::string& name,
+  const std::string& method, const std::string& norm)
+{
+  std::vector<Point> points;
+  for (const BenchRow& row : rows)
+  {
+    if (row.Case == name && row.Method == method && row.ErrorNorm == norm && *row.Error > 0.0)
+    {
+      points.push_back({ *row.Seconds, *row.Error });
+    }
+  }
+  std::sort(
+    points.begin(), points.end(), [](const Point& a, const Point& b) { return a.Error > b.Error; });
+  return points;
+}
+
+/// The time at which a line through the points has the error; that of an end beyond them.
+double GetSecondsAt(double error, const std::vector<Point>& points)
+{
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (points[i].Error <= error)
+    {
+      if (i == 0)
+      {
+        return points[0].Seconds;
+      }
+      const Point& before = points[i - 1];
+      const double share =
+        std::log(before.Error / error) / std::log(before.Error / points[i].Error);
+      return before.Seconds * std::pow(points[i].Seconds / before.Seconds, share);
+    }
+  }
+  return points.back().Seconds;
+}
+
+void AddEqualErrorRow(const std::string& name, const char* norm, BenchRows& rows)
+{
+  const std::vector<BenchRow>& all = rows.Get();
+  const auto ours = std::find_if(all.begin(), all.end(),
+    [&](const BenchRow& row)
+    {
+      return row.Case == name && row.Method == Spacing && row.Parameter == 1.0 &&
+        row.ErrorNorm == norm;
+    });
+  const std::vector<Point> peers = GetPoints(all, name, GpuShadowsPeer, norm);
+  if (ours == all.end() || peers.empty())
+  {
+    return;
+  }
+  BenchRow row = rows.Make(name, EqualError);
+  row.Error = ours->Error;
+  row.ErrorNorm = norm;
+  row.Seconds = ours->Seconds;
+  row.Peer = GpuShadowsPeer;
+  row.PeerSeconds = GetSecondsAt(*ours->Error, peers);
+  row.Counts["at_least"] = peers.back().Error > *ours->Error ? 1 : 0;
+  rows.Add(row);
+}
+}
+
+//------------------------------------------------------------------------------
+void AddErrorRows(const BenchOptions& options, BenchRows& rows)
+{
+  const std::vector<Case> cases = MakeCases(options);
+  reference::VolumeStage stage(cases.front().Scene.Size);
+  for (const Case& what : cases)
+  {
+    const std::string scattering = what.Name + Scattering;
+    AddSceneRows(stage, scattering, MakeScattering(what).Scene, true, options, rows);
+    for (const char* norm : { MarcherNorm, LimitNorm })
+    {
+      AddEqualErrorRow(scattering, norm, rows);
+    }
+    AddSceneRows(stage, what.Name + Shaded, what.Scene, false, options, rows);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchClaim> CheckErrorClaims(const std::vector<BenchRow>& rows)
+{
+  const auto ratio = [](const BenchRow& row)
+  { return row.Method == EqualError ? row.GetRatio() : std::nullopt; };
+  return { BenchClaim::AtLeast(
+    std::string("at equal error at least 5 times faster than ") + GpuShadowsPeer, 5.0, rows,
+    ratio) };
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
+{
+  std::vector<BenchPlot> plots;
+  for (const BenchRow& row : rows)
+  {
+    if (row.ErrorNorm != MarcherNorm || row.Method == EqualError || !(*row.Error > 0.0))
+    {
+      continue;
+    }
+    if (plots.empty() || plots.back().Title.compare(0, row.Case.size(), row.Case) != 0)
+    {
+      BenchPlot plot;
+      plot.Name = "shadows-error-" + row.Case.substr(0, row.Case.find('-')) +
+        (row.Case.find(Scattering) == std::string::npos ? "-shaded" : "-scattering");
+      plot.Title = row.Case + ": error against run time, one light";
+      plot.XLabel = "time of a frame (s)";
+      plot.YLabel = std::string("error: ") + MarcherNorm;
+      plot.LogX = true;
+      plot.LogY = true;
+      plots.push_back(plot);
+    }
+    BenchPlot& plot = plots.back();
+    plot.AddPoint(row.Method, row.Method == GpuShadowsPeer, *row.Seconds, *row.Error);
+    if (row.Method == Spacing && row.Parameter == 1.0)
+    {
+      // A line has two points at least.
+      plot.AddPoint("default", false, *row.Seconds, *row.Error);
+      plot.AddPoint("default", false, *row.Seconds, *row.Error);
+    }
+  }
+  return plots;
+}
+}

@@ -1,0 +1,166 @@
+#include "ShadowsMethods.h"
+
+#include "vtkCamera.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+#include "vtkVersion.h"
+#include "vtkVolumeCollection.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace shadows
+{
+namespace
+{
+vtkSmartPointer<vtkGPUVolumeRayCastMapper> NewRayCaster(
+  const reference::ShadowScene& scene, double sampleDistance)
+{
+  const double* spacing = scene.Image->GetSpacing();
+  auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
+  mapper->SetInputData(scene.Image.Get());
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetImageSampleDistance(1.0f);
+  mapper->SetSampleDistance(
+    static_cast<float>(sampleDistance * std::min({ spacing[0], spacing[1], spacing[2] })));
+  return mapper;
+}
+}
+
+const char* const GpuPeer = "gpu";
+const char* const GpuShadowsPeer = "gpu-shadows";
+
+//------------------------------------------------------------------------------
+bool HasGpuShadows()
+{
+  return VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0);
+}
+
+//------------------------------------------------------------------------------
+Method::Method(
+  reference::VolumeStage& stage, const reference::ShadowScene& scene, vtkVolumeMapper* mapper)
+  : Stage(stage)
+  , Scene(scene)
+  , Mapper(mapper)
+{
+  this->Volume->SetMapper(mapper);
+  this->Volume->SetProperty(scene.Property);
+  stage.GetVolume()->VisibilityOff();
+  stage.GetRenderer()->AddVolume(this->Volume);
+}
+
+//------------------------------------------------------------------------------
+Method::~Method()
+{
+  this->Stage.GetRenderer()->RemoveVolume(this->Volume);
+}
+
+//------------------------------------------------------------------------------
+void Method::Show(vtkCamera* camera)
+{
+  vtkVolumeCollection* volumes = this->Stage.GetRenderer()->GetVolumes();
+  vtkCollectionSimpleIterator at;
+  volumes->InitTraversal(at);
+  while (vtkVolume* volume = volumes->GetNextVolume(at))
+  {
+    volume->SetVisibility(volume == this->Volume.Get());
+  }
+  this->Stage.SetLights(this->Scene.Lights);
+  this->Stage.SetCamera(camera);
+}
+
+//------------------------------------------------------------------------------
+BenchWork Method::GetFrame(int threads)
+{
+  return WithThreads(threads,
+    [this]()
+    {
+      vtkNew<vtkCamera> moved;
+      moved->DeepCopy(this->Scene.Camera);
+      moved->Azimuth(0.5 * (++this->Frames % 40));
+      this->Show(moved);
+      this->Stage.Render();
+      return vtkSmartPointer<vtkObjectBase>(this->Mapper);
+    });
+}
+
+//------------------------------------------------------------------------------
+reference::RgbaPicture Method::Capture()
+{
+  this->Show(this->Scene.Camera);
+  // vtkGPUVolumeRayCastMapper cannot take its depth buffer from the float framebuffer and draws
+  // nothing there until it has one.
+  this->Stage.Render();
+  return this->Stage.Capture();
+}
+
+//------------------------------------------------------------------------------
+vtkShadowedSliceMapper* Method::GetSlices()
+{
+  return vtkShadowedSliceMapper::SafeDownCast(this->Mapper);
+}
+
+//------------------------------------------------------------------------------
+MethodPointer MakeSlices(reference::VolumeStage& stage, const reference::ShadowScene& scene,
+  const std::function<void(vtkShadowedSliceMapper*)>& set)
+{
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  mapper->SetInputData(scene.Image.Get());
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetShadows(scene.Shadows);
+  if (set)
+  {
+    set(mapper);
+  }
+  return std::make_unique<Method>(stage, scene, mapper);
+}
+
+//------------------------------------------------------------------------------
+MethodPointer MakeRays(
+  reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance)
+{
+  return std::make_unique<Method>(stage, scene, NewRayCaster(scene, sampleDistance));
+}
+
+//------------------------------------------------------------------------------
+MethodPointer MakeShadowRays(
+  reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  auto mapper = NewRayCaster(scene, sampleDistance);
+  mapper->SetGlobalIlluminationReach(1.0f);
+  mapper->SetVolumetricScatteringBlending(2.0f);
+  reference::ShadowScene shaded = scene;
+  shaded.Property = vtkSmartPointer<vtkVolumeProperty>::New();
+  shaded.Property->DeepCopy(scene.Property);
+  shaded.Property->ShadeOn();
+  return std::make_unique<Method>(stage, shaded, mapper);
+#else
+  static_cast<void>(stage);
+  static_cast<void>(scene);
+  static_cast<void>(sampleDistance);
+  return nullptr;
+#endif
+}
+
+//------------------------------------------------------------------------------
+void AddReport(const vtkShadowedSliceReport& report, BenchRow& row)
+{
+  row.Counts["lights"] = report.Lights;
+  row.Counts["shadowed_lights"] = report.ShadowedLights;
+  row.Counts["sweeps"] = report.Sweeps;
+  row.Counts["slices"] = report.SlicesDrawn;
+  row.Counts["eye_passes"] = report.EyePasses;
+  row.Counts["light_passes"] = report.LightPasses;
+  row.Counts["light_buffers"] = report.LightBuffers;
+  row.Counts["light_buffer_size"] = report.LightBufferSize;
+  row.Counts["light_buffer_bytes"] = report.LightBufferBytes;
+  row.Counts["image_buffer_bytes"] = report.ImageBufferBytes;
+  row.Counts["texture_bytes"] = report.TextureBytes;
+  row.Counts["blocks"] = report.Blocks;
+  row.Counts["blocks_drawn"] = report.BlocksDrawn;
+}
+}

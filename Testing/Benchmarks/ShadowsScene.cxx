@@ -1,0 +1,218 @@
+#include "ShadowsScene.h"
+
+#include "DataFiles.h"
+
+#include "vtkConstructiveModels.h"
+#include "vtkConstructiveVolume.h"
+#include "vtkSpatialObject.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkExtractVOI.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace shadows
+{
+namespace
+{
+using reference::Double3;
+
+struct Node
+{
+  double Value;
+  Double3 Color;
+  double Opacity;
+};
+
+/// Opacities are for one unit of length.
+vtkSmartPointer<vtkVolumeProperty> MakeProperty(const std::vector<Node>& nodes, double unit)
+{
+  vtkNew<vtkColorTransferFunction> color;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  for (const Node& node : nodes)
+  {
+    color->AddRGBPoint(node.Value, node.Color[0], node.Color[1], node.Color[2]);
+    opacity->AddPoint(node.Value, node.Opacity);
+  }
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  property->SetColor(color);
+  property->SetScalarOpacity(opacity);
+  property->SetScalarOpacityUnitDistance(unit);
+  property->SetInterpolationTypeToLinear();
+  property->ShadeOn();
+  property->SetAmbient(0.15);
+  property->SetDiffuse(0.85);
+  property->SetSpecular(0.2);
+  property->SetSpecularPower(20.0);
+  return property;
+}
+
+/// In perspective; a cube of that edge in the middle of the image fills most of the picture.
+vtkSmartPointer<vtkCamera> MakeCamera(
+  vtkImageData* image, const Double3& direction, const Double3& viewUp, double edge)
+{
+  constexpr double angle = 30.0;
+  double center[3];
+  image->GetCenter(center);
+  const double distance = 0.75 * edge / std::tan(vtkMath::RadiansFromDegrees(0.5 * angle));
+  const double length = vtkMath::Norm(direction.data());
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetFocalPoint(center);
+  camera->SetPosition(center[0] - distance / length * direction[0],
+    center[1] - distance / length * direction[1], center[2] - distance / length * direction[2]);
+  camera->SetViewUp(viewUp.data());
+  camera->SetViewAngle(angle);
+  const double radius = 0.5 * image->GetLength();
+  camera->SetClippingRange(
+    std::max(distance - 1.1 * radius, 0.05 * distance), distance + 1.1 * radius);
+  return camera;
+}
+
+reference::ShadowScene MakeScene(
+  vtkImageData* image, vtkVolumeProperty* property, vtkCamera* camera)
+{
+  reference::ShadowScene scene;
+  scene.Image = image;
+  scene.Property = property;
+  scene.Camera = camera;
+  scene.Size = { { 512, 512 } };
+  scene.Lights = MakeLights(scene, 1);
+  return scene;
+}
+
+/// A model on points^3 points of the cube from -half to half.
+vtkSmartPointer<vtkImageData> Sample(vtkSpatialObject* model, int points, double half)
+{
+  vtkNew<vtkConstructiveVolume> volume;
+  volume->SetRoot(model);
+  volume->SetDimensions(points, points, points);
+  volume->SetBounds(-half, half, -half, half, -half, half);
+  volume->SetNumberOfSubsamples(2);
+  volume->Update();
+  return volume->GetOutput();
+}
+
+/// Directional; its direction in parts of the viewer's own, to the right and up.
+vtkSmartPointer<vtkLight> MakeLight(
+  const reference::ShadowScene& scene, double forward, double right, double up, double intensity)
+{
+  Double3 view;
+  Double3 above;
+  Double3 aside;
+  scene.Camera->GetDirectionOfProjection(view.data());
+  vtkMath::Cross(view.data(), scene.Camera->GetViewUp(), aside.data());
+  vtkMath::Normalize(aside.data());
+  vtkMath::Cross(aside.data(), view.data(), above.data());
+  Double3 position;
+  for (int k = 0; k < 3; ++k)
+  {
+    position[k] = -(forward * view[k] + right * aside[k] + up * above[k]);
+  }
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->PositionalOff();
+  light->SetPosition(position.data());
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetIntensity(intensity);
+  return light;
+}
+}
+
+//------------------------------------------------------------------------------
+Case MakeBonsai(int stepXY, int stepZ)
+{
+  auto whole = interlume::ReadData("bonsai.vti");
+  vtkNew<vtkExtractVOI> thin;
+  thin->SetInputData(whole);
+  thin->SetVOI(vtkImageData::SafeDownCast(whole)->GetExtent());
+  thin->SetSampleRate(stepXY, stepXY, stepZ);
+  thin->Update();
+  vtkImageData* image = thin->GetOutput();
+  if (image->GetNumberOfPoints() == 0)
+  {
+    throw std::runtime_error("bonsai.vti holds no points");
+  }
+  const int* size = image->GetDimensions();
+  Case made;
+  made.Name = "bonsai-" + std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" +
+    std::to_string(size[2]);
+  auto property = MakeProperty(
+    { { 35.0, { { 0.25, 0.5, 0.2 } }, 0.0 }, { 65.0, { { 0.35, 0.6, 0.25 } }, 0.9 },
+      { 110.0, { { 0.65, 0.45, 0.3 } }, 0.9 }, { 255.0, { { 0.85, 0.75, 0.6 } }, 0.9 } },
+    stepXY);
+  made.Scene = MakeScene(
+    image, property, MakeCamera(image, { { 0.3, -0.35, -1.0 } }, { { 0.0, 1.0, 0.0 } }, 256.0));
+  return made;
+}
+
+//------------------------------------------------------------------------------
+Case MakeSphere(int points)
+{
+  Case made;
+  made.Name = "sphere-" + std::to_string(points);
+  auto image = Sample(vtkConstructiveModels::MakeFuzzySphere(), points, 0.52);
+  const Double3 color{ { 0.9, 0.8, 0.7 } };
+  auto property = MakeProperty({ { 0.0, color, 0.0 }, { 1.0, color, -std::expm1(-0.6) } }, 0.1);
+  made.Scene = MakeScene(
+    image, property, MakeCamera(image, { { -0.3, -0.4, -1.0 } }, { { 0.0, 1.0, 0.0 } }, 1.04));
+  return made;
+}
+
+//------------------------------------------------------------------------------
+Case MakeRings(int points)
+{
+  Case made;
+  made.Name = "rings-" + std::to_string(points);
+  auto image = Sample(vtkConstructiveModels::MakeRings(), points, 1.0);
+  const Double3 color{ { 0.8, 0.6, 0.35 } };
+  auto property = MakeProperty({ { 0.0, color, 0.0 }, { 1.0, color, 0.8 } }, 2.0 / points);
+  made.Scene = MakeScene(
+    image, property, MakeCamera(image, { { 0.2, 0.8, -0.8 } }, { { 0.0, 0.0, 1.0 } }, 2.0));
+  return made;
+}
+
+//------------------------------------------------------------------------------
+Case MakeScattering(const Case& from)
+{
+  Case made = from;
+  made.Scene.Property = vtkSmartPointer<vtkVolumeProperty>::New();
+  made.Scene.Property->DeepCopy(from.Scene.Property);
+  made.Scene.Property->ShadeOff();
+  made.Scene.Property->SetAmbient(0.0);
+  made.Scene.Property->SetDiffuse(1.0);
+  made.Scene.Property->SetSpecular(0.0);
+  return made;
+}
+
+//------------------------------------------------------------------------------
+Lights MakeLights(const reference::ShadowScene& scene, int number)
+{
+  const double directions[4][3] = { { 0.6, 0.55, -0.6 }, { 0.7, -0.6, -0.4 }, { 0.8, 0.1, -0.6 },
+    { 0.9, -0.2, 0.4 } };
+  Lights lights;
+  for (int i = 0; i < number; ++i)
+  {
+    lights.push_back(
+      MakeLight(scene, directions[i][0], directions[i][1], directions[i][2], 1.0 / number));
+  }
+  return lights;
+}
+
+//------------------------------------------------------------------------------
+Lights MakeLightsOnBothSides(const reference::ShadowScene& scene)
+{
+  Lights lights = MakeLights(scene, 2);
+  lights[1] = MakeLight(scene, -0.7, -0.5, -0.5, 0.5);
+  return lights;
+}
+}

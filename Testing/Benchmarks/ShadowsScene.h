@@ -1,0 +1,55 @@
+#ifndef ShadowsScene_h
+#define ShadowsScene_h
+
+#include "ShadowScene.h"
+
+#include <string>
+
+/**
+ * What the suite `shadows` draws.
+ */
+namespace shadows
+{
+struct Case
+{
+  std::string Name;
+  /// With the light of MakeLights(1) and a picture of 512^2.
+  reference::ShadowScene Scene;
+};
+
+/**
+ * bonsai.vti, a CT set of 256^3 bytes, thinned to every so many samples along x and y, and along z.
+ * Opacity rises as for a surface from nothing to 0.9 a voxel within 30 of 255 values. Shade is on.
+ * `bonsai-<x>x<y>x<z>`. Throws std::runtime_error where the file cannot be read.
+ */
+Case MakeBonsai(int stepXY, int stepZ);
+
+/**
+ * The sphere of equation 2.7 of C. Zhang (dissertation, Ohio State 2006) on points^3 points of a
+ * cube: haze, of optical depth 6 through the middle if it were homogeneous. Shade is on.
+ * `sphere-<points>`.
+ */
+Case MakeSphere(int points);
+
+/**
+ * Seven tori of vtkConstructiveModels on points^3 points of a cube, nearly opaque. Shade is on.
+ * `rings-<points>`.
+ */
+Case MakeRings(int points);
+
+/**
+ * The same matter, each part of which scatters light evenly: C = c kd I T, without ambient light.
+ * vtkShadowedSliceMapper draws it so with Shade off, vtkGPUVolumeRayCastMapper's volumetric shadows
+ * with Shade on.
+ */
+Case MakeScattering(const Case& from);
+
+using Lights = std::vector<vtkSmartPointer<vtkLight>>;
+
+/// White directional lights on the viewer's side, 1 to 4, together of intensity 1.
+Lights MakeLights(const reference::ShadowScene& scene, int number);
+/// One on the viewer's side and one behind the volume.
+Lights MakeLightsOnBothSides(const reference::ShadowScene& scene);
+}
+
+#endif

@@ -1,0 +1,261 @@
+#include "ShadowsSpeed.h"
+
+#include "BenchTiming.h"
+#include "ShadowsMethods.h"
+#include "ShadowsScene.h"
+
+#include "vtkImageData.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace shadows
+{
+namespace
+{
+const char* const On = "shadows";
+const char* const Off = "shadows-off";
+const char* const BothSides = "shadows, both sides";
+const char* const Unlit = "unlit";
+const char* const NoLights = "no-lights";
+const std::vector<int> NumbersOfLights = { 1, 2, 4 };
+
+std::vector<Case> MakeCases(const BenchOptions& options)
+{
+  std::vector<Case> cases;
+  if (options.Size == BenchOptions::FULL)
+  {
+    cases = { MakeBonsai(1, 2), MakeBonsai(1, 1), MakeSphere(128), MakeRings(128) };
+  }
+  else if (options.Size == BenchOptions::QUICK)
+  {
+    cases = { MakeBonsai(2, 4), MakeSphere(48), MakeRings(48) };
+  }
+  else
+  {
+    cases = { MakeBonsai(16, 32), MakeSphere(12), MakeRings(12) };
+  }
+  const int pixels = options.Pick(512, 192, 32);
+  for (Case& one : cases)
+  {
+    one.Scene.Size = { { pixels, pixels } };
+  }
+  return cases;
+}
+
+/// A method that takes its turn, and its name in the rows.
+struct Turn
+{
+  std::string Name;
+  int NumberOfLights;
+  MethodPointer Drawn;
+  double Seconds = 0.0;
+};
+
+using Turns = std::vector<Turn>;
+
+reference::ShadowScene WithLights(
+  const reference::ShadowScene& scene, const Lights& lights, bool hasShadows, bool isShaded)
+{
+  reference::ShadowScene made = scene;
+  made.Lights = lights;
+  made.Shadows = hasShadows;
+  if (!isShaded)
+  {
+    made.Property = vtkSmartPointer<vtkVolumeProperty>::New();
+    made.Property->DeepCopy(scene.Property);
+    made.Property->ShadeOff();
+  }
+  return made;
+}
+
+Turns MakeTurns(reference::VolumeStage& stage, const reference::ShadowScene& scene)
+{
+  Turns turns;
+  const auto add = [&](const char* name, int number, MethodPointer method)
+  {
+    if (method)
+    {
+      turns.push_back({ name, number, std::move(method) });
+    }
+  };
+  for (const int number : NumbersOfLights)
+  {
+    const Lights lights = MakeLights(scene, number);
+    add(Off, number, MakeSlices(stage, WithLights(scene, lights, false, true)));
+    add(On, number, MakeSlices(stage, WithLights(scene, lights, true, true)));
+  }
+  add(BothSides, 2, MakeSlices(stage, WithLights(scene, MakeLightsOnBothSides(scene), true, true)));
+  add(NoLights, 0, MakeSlices(stage, WithLights(scene, {}, true, false)));
+  add(Unlit, 1, MakeSlices(stage, WithLights(scene, scene.Lights, false, false)));
+  add(GpuPeer, 1, MakeRays(stage, scene, 1.0));
+  add(GpuShadowsPeer, 1, MakeShadowRays(stage, scene, 1.0));
+  return turns;
+}
+
+const Turn* Find(const Turns& turns, const std::string& name, int number)
+{
+  const auto found = std::find_if(turns.begin(), turns.end(),
+    [&](const Turn& turn) { return turn.Name == name && turn.NumberOfLights == number; });
+  return found == turns.end() ? nullptr : &*found;
+}
+
+/// What the rows of one case have in common.
+struct RowMaker
+{
+  const Case& What;
+  const Turns& All;
+  const std::string& Device;
+  BenchRows& Rows;
+
+  void Add(const Turn& turn, const Turn* peer) const
+  {
+    if (!peer)
+    {
+      return;
+    }
+    BenchRow row = this->Rows.Make(this->What.Name, turn.Name);
+    row.Parameter = turn.NumberOfLights;
+    row.Seconds = turn.Seconds;
+    row.Peer = peer->Name;
+    row.PeerSeconds = peer->Seconds;
+    AddReport(turn.Drawn->GetSlices()->GetRenderReport(), row);
+    if (row.Peer == Off)
+    {
+      row.Counts["over_off"] = turn.Seconds / peer->Seconds;
+      row.Counts["over_one_light"] = turn.Seconds / Find(this->All, On, 1)->Seconds;
+    }
+    row.Counts["voxels"] = this->What.Scene.Image->GetNumberOfPoints();
+    row.Counts["pixels"] = this->What.Scene.Size[0] * this->What.Scene.Size[1];
+    row.Counts["device"] = this->Device;
+    this->Rows.Add(row);
+  }
+};
+
+void AddRows(
+  reference::VolumeStage& stage, const Case& what, const BenchOptions& options, BenchRows& rows)
+{
+  Turns turns = MakeTurns(stage, what.Scene);
+  const std::string device = stage.GetDevice();
+  std::vector<BenchWork> works;
+  works.reserve(turns.size());
+  for (const Turn& turn : turns)
+  {
+    works.push_back(turn.Drawn->GetFrame(options.Threads));
+  }
+  const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+  for (std::size_t i = 0; i < turns.size(); ++i)
+  {
+    turns[i].Seconds = seconds[i];
+  }
+  const RowMaker maker{ what, turns, device, rows };
+  for (const Turn& turn : turns)
+  {
+    if (turn.Name == On || turn.Name == BothSides)
+    {
+      maker.Add(turn, Find(turns, Off, turn.NumberOfLights));
+    }
+  }
+  maker.Add(*Find(turns, Unlit, 1), Find(turns, NoLights, 0));
+  maker.Add(*Find(turns, Off, 1), Find(turns, GpuPeer, 1));
+  maker.Add(*Find(turns, On, 1), Find(turns, GpuShadowsPeer, 1));
+}
+
+bool IsOfBonsai(const BenchRow& row)
+{
+  return row.Case.compare(0, 6, "bonsai") == 0;
+}
+
+/// The time of the rows of these lights of the bonsai scene, over that without shadows.
+std::function<std::optional<double>(const BenchRow&)> OverOff(int lights)
+{
+  return [lights](const BenchRow& row) -> std::optional<double>
+  {
+    const bool concerned =
+      row.Method == On && row.Peer == Off && row.Parameter == lights && IsOfBonsai(row);
+    return concerned ? std::optional<double>(row.Counts["over_off"].get<double>()) : std::nullopt;
+  };
+}
+
+/// 1 and the share of the time of one light that each further one adds.
+std::optional<double> OverFurtherLight(const BenchRow& row)
+{
+  if (row.Method != On || row.Peer != Off || !IsOfBonsai(row) || row.Parameter == 1)
+  {
+    return std::nullopt;
+  }
+  const double further = row.Parameter.get<double>() - 1.0;
+  return 1.0 + (row.Counts["over_one_light"].get<double>() - 1.0) / further;
+}
+
+/// Bytes of light buffers over those of a square one of one float for each light.
+std::optional<double> OverOneBuffer(const BenchRow& row)
+{
+  if (row.Method != On || row.Peer != Off)
+  {
+    return std::nullopt;
+  }
+  const double size = row.Counts["light_buffer_size"].get<double>();
+  const double lights = row.Counts["shadowed_lights"].get<double>();
+  return row.Counts["light_buffer_bytes"].get<double>() / (lights * sizeof(float) * size * size);
+}
+}
+
+//------------------------------------------------------------------------------
+void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
+{
+  const std::vector<Case> cases = MakeCases(options);
+  reference::VolumeStage stage(cases.front().Scene.Size);
+  for (const Case& what : cases)
+  {
+    AddRows(stage, what, options, rows);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
+{
+  const auto overNoLights = [](const BenchRow& row) -> std::optional<double>
+  {
+    return row.Method == Unlit ? std::optional<double>(*row.Seconds / *row.PeerSeconds)
+                               : std::nullopt;
+  };
+  return {
+    BenchClaim::AtMost(
+      "bonsai: shadows of one light take at most 1.5 times", 1.5, rows, OverOff(1)),
+    BenchClaim::AtMost(
+      "bonsai: each further light takes at most 1.35 times", 1.35, rows, OverFurtherLight),
+    BenchClaim::AtMost("no light with shadows: at most 1.05 times the time without lights", 1.05,
+      rows, overNoLights),
+    BenchClaim::AtMost("one buffer of floats for each light, bytes", 1.0, rows, OverOneBuffer),
+  };
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
+{
+  BenchPlot plot;
+  plot.Kind = BenchPlot::BARS;
+  plot.Name = "shadows-lights";
+  plot.Title = "shadows of 1, 2 and 4 lights";
+  plot.YLabel = "time / time without shadows";
+  plot.Reference = 1.0;
+  for (const BenchRow& row : rows)
+  {
+    if (row.Method != On || row.Peer != Off)
+    {
+      continue;
+    }
+    if (plot.BarLabels.empty() || plot.BarLabels.back() != row.Case)
+    {
+      plot.BarLabels.push_back(row.Case);
+    }
+    const int lights = row.Parameter.get<int>();
+    plot.AddPoint(std::to_string(lights) + (lights == 1 ? " light" : " lights"), false,
+      static_cast<double>(plot.BarLabels.size() - 1), row.Counts["over_off"].get<double>());
+  }
+  return { plot };
+}
+}
