@@ -59,7 +59,6 @@ vtkSlicePlan::Eye vtkSliceEye::Get(vtkRenderer* renderer, const vtkUnitSpace& sp
     eye.Direction[i] /= length;
     eye.Position[i] =
       eye.IsParallel ? near[i] / near[3] - 4.0 * eye.Direction[i] : apex[i] / apex[3];
-    eye.ViewUp[i] = camera->GetViewUp()[i];
   }
   return eye;
 }

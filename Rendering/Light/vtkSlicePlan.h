@@ -42,7 +42,6 @@ public:
     std::array<double, 3> Position{ { 0.0, 0.0, 4.0 } };
     /// Length 1.
     std::array<double, 3> Direction{ { 0.0, 0.0, -1.0 } };
-    std::array<double, 3> ViewUp{ { 0.0, 1.0, 0.0 } };
     /// Rows of the matrix from unit space to clip coordinates.
     std::array<double, 16> ClipFromUnit{};
   };

@@ -17,9 +17,6 @@ void main()
 #ifdef SUM
   color.a = 0.0;
 #endif
-#ifdef TRANSMITTANCE
-  color.a = 1.0 - color.a;
-#endif
 #ifdef SELECTION
   // A colour that names a cell, and its depth.
   if (color.a < 0.0)

@@ -28,8 +28,7 @@ class vtkWindow;
  *
  * Features are words separated by spaces:
  * - SATURATE: at most 1 in each channel;
- * - TRANSMITTANCE: the fourth channel is what the picture lets through of what is behind,
- *   1 - opacity: C + T behind;
+ * - SUM: its colour is added to what is behind, whatever its opacity;
  * - SELECTION: the fourth channel is the depth, 0 to 1; below 0 nothing is drawn.
  */
 class INTERLUMESCENE_EXPORT vtkImageQuad

@@ -63,10 +63,10 @@ Eye MakePerspective(const Vector& position, const Vector& direction, double tang
   Eye eye;
   eye.Position = position;
   eye.Direction = direction;
-  eye.ViewUp = Perpendicular(direction, { { 0.0, 1.0, 0.0 } });
-  const Vector right = Cross(direction, eye.ViewUp);
+  const Vector up = Perpendicular(direction, { { 0.0, 1.0, 0.0 } });
+  const Vector right = Cross(direction, up);
   const Vector rows[3] = { Scale(1.0 / std::max(tangent, 1e-9), right),
-    Scale(1.0 / std::max(tangent, 1e-9), eye.ViewUp), direction };
+    Scale(1.0 / std::max(tangent, 1e-9), up), direction };
   for (std::size_t row = 0; row < 3 && tangent > 0.0; ++row)
   {
     const std::size_t start = row == 2 ? 12 : 4 * row;
@@ -371,9 +371,10 @@ void CheckRandomLights(Check& check)
     CheckSweeps(check, plan, eye, lights, space, settings.LightsOfSweep);
     for (int sample = 0; sample < 50 && !eye.IsParallel; ++sample)
     {
-      const Vector right = Cross(view, eye.ViewUp);
+      const Vector up = Perpendicular(view, { { 0.0, 1.0, 0.0 } });
+      const Vector right = Cross(view, up);
       const Vector ray = Combine(1.0, Combine(1.0, view, random.Get(-tangent, tangent), right),
-        random.Get(-tangent, tangent), eye.ViewUp);
+        random.Get(-tangent, tangent), up);
       const bool isSeen = [&]
       {
         const Vector point =
