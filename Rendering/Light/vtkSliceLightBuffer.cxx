@@ -32,7 +32,7 @@ std::string vtkSliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window,
 {
   this->Size = light.BufferSize;
   this->Bytes = vtkFloatTarget::Allocate(window, this->Texture, this->Size, this->Size,
-    picture.Material.Transmission.empty() ? 1 : 3, picture.IsSmoothLookup);
+    picture.GetLightChannels(), picture.IsSmoothLookup);
   if (this->Bytes == 0)
   {
     return "the graphics card has no memory for the buffer of a light";

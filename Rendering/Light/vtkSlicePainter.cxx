@@ -339,14 +339,11 @@ void vtkSlicePainter::DrawEyeSlab(
   if (sweep.IsFrontToBack)
   {
     state->vtkglBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    state->vtkglEnable(GL_DEPTH_TEST);
   }
   else
   {
     state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  }
-  if (sweep.IsFrontToBack)
-  {
-    state->vtkglEnable(GL_DEPTH_TEST);
   }
   // What is left of a slab may lie behind the near plane while its middle is before it.
   if (picture.IsCutByNearPlane)

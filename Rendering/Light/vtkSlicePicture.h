@@ -60,6 +60,8 @@ struct vtkSlicePicture
     }
     return false;
   }
+  /// Channels of light that matter takes from: three where it has a colour for light that passes.
+  int GetLightChannels() const { return this->Material.Transmission.empty() ? 1 : 3; }
   /// Whether lights change the colour at all.
   bool IsLit() const { return this->IsShaded || this->HasShadows(); }
 };

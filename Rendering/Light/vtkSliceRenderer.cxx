@@ -215,7 +215,7 @@ std::string vtkSliceRenderer::Upload(
     for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
     {
       bytes += static_cast<vtkIdType>(sizeof(float)) * light.BufferSize * light.BufferSize *
-        (picture.Material.Transmission.empty() ? 1 : 3);
+        picture.GetLightChannels();
     }
   }
   if (request.MaximumTextureMemory > 0 && bytes > request.MaximumTextureMemory)

@@ -49,7 +49,7 @@ std::string GetMediumFeatures(const Picture& picture)
 // Light has colours of its own inside the matter.
 bool HasTransmission(const Picture& picture)
 {
-  return !picture.Material.Transmission.empty() && picture.HasShadows();
+  return picture.GetLightChannels() > 1 && picture.HasShadows();
 }
 
 const ShadowedLight* FindShadow(const Sweep& sweep, int light)

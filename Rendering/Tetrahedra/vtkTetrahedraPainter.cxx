@@ -5,6 +5,7 @@
 #include "InterlumeTetrahedraGS.h"
 #include "InterlumeTetrahedraVS.h"
 #include "vtkBoundaryShading.h"
+#include "vtkFloatTarget.h"
 #include "vtkSceneDepth.h"
 #include "vtkShaderFeatures.h"
 
@@ -55,22 +56,6 @@ std::vector<float> MakePoints(const vtkTetrahedraMesh& mesh, const vtkTetrahedra
 bool IsDepthSum(const Picture& picture)
 {
   return picture.Blend == Picture::OPTICAL_DEPTH || picture.Blend == Picture::PRIORITY;
-}
-
-void AllocateSums(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int width, int height)
-{
-  texture->SetContext(window);
-  const bool fits = texture->GetHandle() != 0 && static_cast<int>(texture->GetWidth()) == width &&
-    static_cast<int>(texture->GetHeight()) == height;
-  if (!fits)
-  {
-    texture->SetMinificationFilter(vtkTextureObject::Linear);
-    texture->SetMagnificationFilter(vtkTextureObject::Linear);
-    texture->SetWrapS(vtkTextureObject::ClampToEdge);
-    texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    texture->Allocate2D(
-      static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT);
-  }
 }
 }
 
@@ -255,10 +240,10 @@ void vtkTetrahedraPainter::UploadOrder(
 bool vtkTetrahedraPainter::PrepareTarget(
   vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers)
 {
-  AllocateSums(window, this->Sums, width, height);
+  vtkFloatTarget::Allocate(window, this->Sums, width, height, 4, true);
   if (hasLayers)
   {
-    AllocateSums(window, this->Layers, width, height);
+    vtkFloatTarget::Allocate(window, this->Layers, width, height, 4, true);
   }
   this->Framebuffer->SetContext(window);
   this->Framebuffer->Bind();

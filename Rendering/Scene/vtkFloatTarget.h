@@ -1,7 +1,8 @@
 #ifndef vtkFloatTarget_h
 #define vtkFloatTarget_h
 
-#include "vtkType.h"
+#include "InterlumeSceneModule.h" // for the export macro
+#include "vtkType.h"              // for bytes
 
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
@@ -10,7 +11,7 @@ class vtkTextureObject;
  * @class   vtkFloatTarget
  * @brief   textures of floats to draw into
  */
-class vtkFloatTarget
+class INTERLUMESCENE_EXPORT vtkFloatTarget
 {
 public:
   /**
