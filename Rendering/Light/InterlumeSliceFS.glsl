@@ -33,6 +33,8 @@ uniform float surfaceColumns;
 // The segment that this fragment stands for, the sample in its middle, and its optical depth.
 vec3 segmentStart;
 vec3 segmentEnd;
+vec3 startInTexture;
+vec3 endInTexture;
 vec3 sampleAt;
 vec3 sightline;
 float sampleExtinction;
@@ -130,15 +132,19 @@ void main()
     upper = min(upper, dot(surface.xyz / surface.w - place, sightline));
   }
 #endif
-  cutToMatter(place, sightline, lower, upper);
+  vec3 p = placeInTexture(place);
+  vec3 q = mat3(textureFromUnit) * sightline;
+  cutToMatter(place, sightline, p, inverseOf(q), lower, upper);
   if (!(upper > lower))
   {
     discard;
   }
-  sampleAt = place + sightline * (0.5 * (lower + upper));
+  float middle = 0.5 * (lower + upper);
+  sampleAt = place + sightline * middle;
+  vec3 sampleInTexture = p + q * middle;
   vec4 texel;
   vec4 parts;
-  sampleExtinction = extinctionsAt(sampleAt, texel, parts);
+  sampleExtinction = extinctionsAt(sampleAt, sampleInTexture, texel, parts);
   if (!(sampleExtinction > 0.0))
   {
     discard;
@@ -152,12 +158,14 @@ void main()
 #ifdef LIT
   segmentStart = place + sightline * lower;
   segmentEnd = place + sightline * upper;
+  startInTexture = p + q * lower;
+  endInTexture = p + q * upper;
 #ifdef TRANSMISSION
   samplePart = PART(texel);
 #endif
 #ifdef SHADE
   vec4 differences[3];
-  differencesAt((textureFromUnit * vec4(sampleAt, 1.0)).xyz, texel, differences);
+  differencesAt(sampleInTexture, texel, differences);
 #endif
   for (int row = 0; row < ROWS; ++row)
   {

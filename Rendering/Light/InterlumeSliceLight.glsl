@@ -77,8 +77,9 @@ vec3 getColor_INDEX(vec3 l)
 }
 
 #ifdef SHADOW_INDEX
-// How far light goes through the slab's matter before it is at x.
-float getPath_INDEX(vec3 x, vec3 l)
+// How far light that goes along l, inverse in the texture, goes through the slab's matter before it
+// is at x, p in the texture.
+float getPath_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
 {
   float path = (dot(x, sliceNormal) - sliceEntrance) / max(dot(l, sliceNormal), 1e-6);
 #ifdef WIDE_INDEX
@@ -86,7 +87,7 @@ float getPath_INDEX(vec3 x, vec3 l)
 #endif
   float lower = -max(path, 0.0);
   float upper = 0.0;
-  cutToMatter(x, l, lower, upper);
+  cutToMatter(x, l, p, inverse, lower, upper);
   return max(-lower, 0.0);
 }
 
@@ -106,10 +107,11 @@ LIGHT getTransmittance_INDEX(vec3 l)
   vec4 b = bufferFromUnit_INDEX * vec4(sampleAt, 1.0);
   vec2 uv = b.xy / b.w * 0.5 + 0.5;
 #endif
+  vec3 inverse = inverseOf(mat3(textureFromUnit) * l);
   LIGHT outside = textureLod(buffer_INDEX, uv, 0.0).CHANNELS;
 #ifdef WIDE_INDEX
   outside = exp(-outside / max(dot(l, sliceNormal), 1e-6));
-  float path = getPath_INDEX(sampleAt, l);
+  float path = getPath_INDEX(sampleAt, placeInTexture(sampleAt), l, inverse);
   if (path > 1.5 * sliceSpacing)
   {
     int steps = clamp(int(ceil(path / (1.5 * sliceSpacing))), 1, 256);
@@ -119,15 +121,15 @@ LIGHT getTransmittance_INDEX(vec3 l)
     {
       vec4 texel;
       vec4 parts;
-      float extinction =
-        extinctionsAt(sampleAt - l * ((float(i) + 0.5) * size), texel, parts);
+      vec3 x = sampleAt - l * ((float(i) + 0.5) * size);
+      float extinction = extinctionsAt(x, placeInTexture(x), texel, parts);
       depth += extinction * size * PART(texel);
     }
     return outside * exp(-depth);
   }
 #endif
-  LIGHT first = sampleExtinction * getPath_INDEX(segmentStart, l) * samplePart;
-  LIGHT last = sampleExtinction * getPath_INDEX(segmentEnd, l) * samplePart;
+  LIGHT first = sampleExtinction * getPath_INDEX(segmentStart, startInTexture, l, inverse) * samplePart;
+  LIGHT last = sampleExtinction * getPath_INDEX(segmentEnd, endInTexture, l, inverse) * samplePart;
   return outside * meanOfProduct(first, last);
 }
 #endif

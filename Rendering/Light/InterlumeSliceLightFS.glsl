@@ -23,9 +23,9 @@ void main()
 {
 #ifdef WIDE
   // Octahedral map of the half space that the light shines into.
-  vec2 p = texCoord * 2.0 - 1.0;
-  p = vec2(p.x + p.y, p.x - p.y) * 0.5;
-  vec3 l = normalize(frame * vec3(p, max(1.0 - abs(p.x) - abs(p.y), 1e-6)));
+  vec2 corner = texCoord * 2.0 - 1.0;
+  vec2 across = vec2(corner.x + corner.y, corner.x - corner.y) * 0.5;
+  vec3 l = normalize(frame * vec3(across, max(1.0 - abs(across.x) - abs(across.y), 1e-6)));
   vec3 x = position;
   float slope = max(dot(l, sliceNormal), 1e-6);
   float first = (sliceEntrance - dot(position, sliceNormal)) / slope;
@@ -41,7 +41,9 @@ void main()
   float upper = 0.5 * sliceSpacing / dot(l, sliceNormal);
   float lower = -upper;
 #endif
-  cutToMatter(x, l, lower, upper);
+  vec3 p = placeInTexture(x);
+  vec3 q = mat3(textureFromUnit) * l;
+  cutToMatter(x, l, p, inverseOf(q), lower, upper);
   if (!(upper > lower))
   {
     discard;
@@ -54,11 +56,13 @@ void main()
   LIGHT depth = LIGHT(0.0);
   for (int i = 0; i < steps; ++i)
   {
-    float extinction = extinctionsAt(x + l * (lower + (float(i) + 0.5) * size), texel, parts);
+    float s = lower + (float(i) + 0.5) * size;
+    float extinction = extinctionsAt(x + l * s, p + q * s, texel, parts);
     depth += extinction * size * PART(texel);
   }
 #else
-  float extinction = extinctionsAt(x + l * (0.5 * (lower + upper)), texel, parts);
+  float middle = 0.5 * (lower + upper);
+  float extinction = extinctionsAt(x + l * middle, p + q * middle, texel, parts);
   if (!(extinction > 0.0))
   {
     discard;

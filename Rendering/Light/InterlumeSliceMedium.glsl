@@ -45,14 +45,23 @@ uniform vec3 sliceNormal;
 uniform float sliceEntrance;
 uniform float sliceSpacing;
 
-// The part of x + s d between lower and upper that has matter.
-void cutToMatter(vec3 x, vec3 d, inout float lower, inout float upper)
+vec3 placeInTexture(vec3 x)
 {
-  vec3 p = (textureFromUnit * vec4(x, 1.0)).xyz;
-  vec3 q = mat3(textureFromUnit) * d;
-  q = mix(q, vec3(1e-12), lessThan(abs(q), vec3(1e-12)));
-  vec3 a = (boxLower - p) / q;
-  vec3 b = (boxUpper - p) / q;
+  return (textureFromUnit * vec4(x, 1.0)).xyz;
+}
+
+// One over a direction in the texture, as far as that goes.
+vec3 inverseOf(vec3 q)
+{
+  return 1.0 / mix(q, vec3(1e-12), lessThan(abs(q), vec3(1e-12)));
+}
+
+// The part of x + s d between lower and upper that has matter. In the texture x is p, and one over d
+// is inverse.
+void cutToMatter(vec3 x, vec3 d, vec3 p, vec3 inverse, inout float lower, inout float upper)
+{
+  vec3 a = (boxLower - p) * inverse;
+  vec3 b = (boxUpper - p) * inverse;
   vec3 near = min(a, b);
   vec3 far = max(a, b);
   lower = max(lower, max(max(near.x, near.y), near.z));
@@ -78,12 +87,13 @@ void cutToMatter(vec3 x, vec3 d, inout float lower, inout float upper)
 #endif
 }
 
+// A texel has its column's value and the next one's.
 float lookUp(sampler2D table, float column, int row)
 {
   float place = clamp(column, 0.0, float(COLUMNS - 1));
-  int first = min(int(place), COLUMNS - 2);
-  return mix(texelFetch(table, ivec2(first, row), 0).r,
-    texelFetch(table, ivec2(first + 1, row), 0).r, place - float(first));
+  int first = int(place);
+  vec2 values = texelFetch(table, ivec2(first, row), 0).rg;
+  return mix(values.x, values.y, place - float(first));
 }
 
 #if defined(TRANSMISSION) || defined(COLOR)
@@ -154,8 +164,8 @@ bool isCropped(vec3 x)
 }
 #endif
 
-// Extinction of each row at x, and their sum.
-float extinctionsAt(vec3 x, out vec4 texel, out vec4 parts)
+// Extinction of each row at x, which is p in the texture, and their sum.
+float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 {
   parts = vec4(0.0);
 #ifdef CROPPING
@@ -166,7 +176,6 @@ float extinctionsAt(vec3 x, out vec4 texel, out vec4 parts)
   }
 #endif
   float share;
-  vec3 p = (textureFromUnit * vec4(x, 1.0)).xyz;
   texel = texelAt(p, share);
   vec4 columns = texel * columnScale + columnOffset;
 #if ROWS == 1

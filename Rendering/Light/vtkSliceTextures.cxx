@@ -59,6 +59,20 @@ void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   texture->Create2DFromRaw(vtkMaterialTable::Columns, static_cast<unsigned int>(rows), components,
     VTK_FLOAT, const_cast<float*>(table.data()));
 }
+
+// Each value and the next of its row, so that one look finds both that it lies between.
+std::vector<float> MakePairs(const std::vector<float>& table)
+{
+  std::vector<float> pairs;
+  pairs.reserve(2 * table.size());
+  for (std::size_t i = 0; i < table.size(); ++i)
+  {
+    const bool isLast = (i + 1) % vtkMaterialTable::Columns == 0;
+    pairs.push_back(table[i]);
+    pairs.push_back(table[isLast ? i : i + 1]);
+  }
+  return pairs;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -77,9 +91,9 @@ vtkIdType vtkSliceTextures::GetBytes(const vtkVolumeSamples& samples)
 //------------------------------------------------------------------------------
 vtkIdType vtkSliceTextures::GetBytes(const vtkMaterialTable& material)
 {
-  // Extinctions are a texture of their own.
-  const std::size_t values = material.Colors.size() + material.Colors.size() / 4 +
-    material.GradientOpacity.size() + material.Transmission.size();
+  // Extinctions are a texture of their own, in pairs.
+  const std::size_t values = material.Colors.size() + 2 * (material.Colors.size() / 4) +
+    2 * material.GradientOpacity.size() + material.Transmission.size();
   return static_cast<vtkIdType>(sizeof(float)) * static_cast<vtkIdType>(values);
 }
 
@@ -137,8 +151,9 @@ std::string vtkSliceTextures::Upload(
     extinctions.push_back(material.Colors[i]);
   }
   UploadTable(window, this->Colors, material.Colors, material.Rows, 4);
-  UploadTable(window, this->Extinctions, extinctions, material.Rows, 1);
-  UploadTable(window, this->GradientOpacities, material.GradientOpacity, material.Rows, 1);
+  UploadTable(window, this->Extinctions, MakePairs(extinctions), material.Rows, 2);
+  UploadTable(
+    window, this->GradientOpacities, MakePairs(material.GradientOpacity), material.Rows, 2);
   UploadTable(window, this->Transmissions, material.Transmission, 1, 3);
   return glGetError() == GL_NO_ERROR
     ? std::string()
