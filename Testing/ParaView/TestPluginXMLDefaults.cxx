@@ -1,6 +1,7 @@
 // The defaults in the plugin's server-manager XML are those of the C++ classes, for every property;
 // the properties whose default comes from the data have a domain that gives it.
 #include "vtkAnalyticFieldSource.h"
+#include "vtkAnalyticFlowSource.h"
 #include "vtkConstructiveModelSource.h"
 #include "vtkDeltaWingSource.h"
 #include "vtkIntervalVolume.h"
@@ -253,6 +254,26 @@ int main(int argc, char* argv[])
       { "VerticalAxis", Text(turbulence->GetVerticalAxis()) },
       { "TopFraction", Text(turbulence->GetTopFraction()) },
       { "Envelope", Text(turbulence->GetEnvelope()) } });
+
+  vtkNew<vtkAnalyticFlowSource> flow;
+  CompareWithXML(folder + "/Sources.xml", "SourceProxy", "vtkAnalyticFlowSource", "",
+    { { "Field", Text(flow->GetField()) }, { "WholeExtent", Text(flow->GetWholeExtent(), 6) },
+      { "Bounds", Text(flow->GetBounds(), 6) },
+      { "OutputScalarType", Text(flow->GetOutputScalarType()) },
+      { "Center", Text(flow->GetCenter(), 3) }, { "Velocity", Text(flow->GetVelocity(), 3) },
+      { "Axis", Text(flow->GetAxis(), 3) }, { "AngularVelocity", Text(flow->GetAngularVelocity()) },
+      { "SaddleRates", Text(flow->GetSaddleRates(), 3) },
+      { "NodeRates", Text(flow->GetNodeRates(), 3) }, { "Swirl", Text(flow->GetSwirl()) },
+      { "Strength", Text(flow->GetStrength()) }, { "Separation", Text(flow->GetSeparation(), 3) },
+      { "CoreRadius", Text(flow->GetCoreRadius()) }, { "Radius", Text(flow->GetRadius()) },
+      { "Inside", Text(flow->GetInside()) },
+      { "SpanwiseVelocity", Text(flow->GetSpanwiseVelocity()) },
+      { "Amplitudes", Text(flow->GetAmplitudes(), 3) }, { "Period", Text(flow->GetPeriod()) },
+      { "Thickness", Text(flow->GetThickness()) }, { "Height", Text(flow->GetHeight()) },
+      { "AxisTilt", Text(flow->GetAxisTilt(), 2) }, { "AxisBend", Text(flow->GetAxisBend(), 2) },
+      { "MaximumWind", Text(flow->GetMaximumWind()) }, { "EyeRadius", Text(flow->GetEyeRadius()) },
+      { "Updraft", Text(flow->GetUpdraft()) }, { "Circulation", Text(flow->GetCirculation()) },
+      { "Strain", Text(flow->GetStrain()) } });
 
   // The representation's own properties; the others are those of ParaView's volumes.
   vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;

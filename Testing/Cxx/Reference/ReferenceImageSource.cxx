@@ -101,6 +101,7 @@ void CheckAbort(vtkImageAlgorithm* source, Check& check)
 std::string GetBytes(vtkImageData* image)
 {
   vtkDataArray* array = image->GetPointData()->GetScalars();
+  array = array ? array : image->GetPointData()->GetVectors();
   return array ? std::string(static_cast<const char*>(array->GetVoidPointer(0)),
                    array->GetNumberOfValues() * array->GetDataTypeSize())
                : std::string();

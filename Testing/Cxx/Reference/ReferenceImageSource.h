@@ -13,7 +13,7 @@ class vtkObject;
 namespace reference
 {
 
-/// The bytes of the active point scalars; none without them.
+/// The bytes of the active point scalars, or vectors without them; none without both.
 std::string GetBytes(vtkImageData* image);
 
 /// Parts of the output have the bytes that they have in the whole; the bytes are the same for 1, 2

@@ -1,0 +1,324 @@
+#include "vtkAnalyticFlowSource.h"
+
+#include "vtkBatchedRows.h"
+#include "vtkClampedValue.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkElementaryFlows.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVortexFlows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+vtkStandardNewMacro(vtkAnalyticFlowSource);
+
+namespace
+{
+using Vector = vtkElementaryFlows::Vector;
+
+constexpr double Limit = 1e12;
+constexpr double LeastLength = 1e-12;
+
+Vector MakeVector(const double v[3])
+{
+  return { { v[0], v[1], v[2] } };
+}
+
+Vector Scale(const Vector& v, double factor)
+{
+  return { { factor * v[0], factor * v[1], factor * v[2] } };
+}
+
+// Sums of squares of numbers up to the limit are finite, but those of very small ones may be 0.
+Vector GetDirection(const double v[3])
+{
+  const double largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+  const Vector scaled = { { v[0] / largest, v[1] / largest, v[2] / largest } };
+  return Scale(scaled, 1.0 / std::sqrt(vtkElementaryFlows::SquaredLength(scaled.data())));
+}
+
+// The parts of a vector along a direction and across it.
+Vector GetPartAlong(const Vector& direction, const double v[3])
+{
+  return Scale(direction, vtkElementaryFlows::Dot(direction, v));
+}
+
+Vector GetPartAcross(const Vector& direction, const double v[3])
+{
+  const Vector along = GetPartAlong(direction, v);
+  return { { v[0] - along[0], v[1] - along[1], v[2] - along[2] } };
+}
+
+void PrintVector(ostream& os, vtkIndent indent, const char* name, const double* v, int size = 3)
+{
+  os << indent << name << ":";
+  for (int i = 0; i < size; ++i)
+  {
+    os << " " << v[i];
+  }
+  os << "\n";
+}
+}
+
+const char* vtkAnalyticFlowSource::GetFieldName(int field)
+{
+  static const char* const names[NUMBER_OF_FIELDS] = { "uniform", "rotation", "saddle", "node",
+    "source and sink", "coupled charge", "sphere", "cylinder", "ABC", "shear", "hurricane",
+    "tornado" };
+  return field >= 0 && field < NUMBER_OF_FIELDS ? names[field] : nullptr;
+}
+
+const char* vtkAnalyticFlowSource::GetInsideName(int inside)
+{
+  static const char* const names[NUMBER_OF_INSIDES] = { "zero", "not a number", "hidden" };
+  return inside >= 0 && inside < NUMBER_OF_INSIDES ? names[inside] : nullptr;
+}
+
+void vtkAnalyticFlowSource::SetNumber(double& member, double value)
+{
+  if (vtkClampedValue::Assign(member, value, -Limit, Limit))
+  {
+    this->Modified();
+  }
+}
+
+void vtkAnalyticFlowSource::SetLength(double& member, double value)
+{
+  if (vtkClampedValue::Assign(member, value, LeastLength, Limit))
+  {
+    this->Modified();
+  }
+}
+
+void vtkAnalyticFlowSource::SetVector(double (&member)[3], double x, double y, double z)
+{
+  if (vtkClampedValue::Assign(member, { x, y, z }, -Limit, Limit))
+  {
+    this->Modified();
+  }
+}
+
+void vtkAnalyticFlowSource::SetVector(double (&member)[2], double x, double y)
+{
+  if (vtkClampedValue::Assign(member, { x, y }, -Limit, Limit))
+  {
+    this->Modified();
+  }
+}
+
+void vtkAnalyticFlowSource::SetAxis(double x, double y, double z)
+{
+  const double largest = std::max({ std::abs(x), std::abs(y), std::abs(z) });
+  if (!std::isfinite(x + y + z) || largest == 0.0)
+  {
+    vtkErrorMacro("Axis " << x << " " << y << " " << z << " is no direction.");
+    return;
+  }
+  this->SetVector(this->Axis, x, y, z);
+}
+
+void vtkAnalyticFlowSource::SetOutputScalarType(int type)
+{
+  const int valid = type == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE;
+  if (valid != this->OutputScalarType)
+  {
+    this->OutputScalarType = valid;
+    this->Modified();
+  }
+}
+
+template <typename Visitor>
+void vtkAnalyticFlowSource::Visit(const Visitor& visit) const
+{
+  using namespace vtkElementaryFlows;
+  const Vector axis = GetDirection(this->Axis);
+  const vtkVortexFlows::BentAxis bentAxis = { this->Height,
+    { { this->AxisTilt[0], this->AxisTilt[1] } }, { { this->AxisBend[0], this->AxisBend[1] } } };
+  const Vector zero = { { 0.0, 0.0, 0.0 } };
+  switch (this->Field)
+  {
+    case UNIFORM:
+      return visit(Uniform{ MakeVector(this->Velocity) });
+    case ROTATION:
+      return visit(Linear{ zero, Scale(axis, this->AngularVelocity) });
+    case SADDLE:
+      return visit(Linear{ MakeVector(this->SaddleRates), zero });
+    case NODE:
+      return visit(Linear{ MakeVector(this->NodeRates), Scale(axis, this->Swirl) });
+    case SOURCE_SINK:
+    case COUPLED_CHARGE:
+      return visit(Pair{ this->Strength, MakeVector(this->Separation), this->CoreRadius,
+        this->Field == COUPLED_CHARGE });
+    case SPHERE:
+      return visit(Sphere{ MakeVector(this->Velocity), this->Radius });
+    case CYLINDER:
+    {
+      Vector along = GetPartAlong(axis, this->Velocity);
+      for (int i = 0; i < 3; ++i)
+      {
+        along[i] += this->SpanwiseVelocity * axis[i];
+      }
+      return visit(Cylinder{ GetPartAcross(axis, this->Velocity), along, axis, this->Radius });
+    }
+    case ABC:
+      return visit(Beltrami{
+        MakeVector(this->Amplitudes), 2.0 * vtkVortexFlows::BentAxis::Pi / this->Period });
+    case SHEAR:
+      return visit(Shear{ GetPartAcross(axis, this->Velocity), axis, this->Thickness });
+    case HURRICANE:
+      return visit(
+        vtkVortexFlows::Hurricane{ bentAxis, this->MaximumWind, this->EyeRadius, this->Updraft });
+    default:
+      return visit(
+        vtkVortexFlows::Tornado{ bentAxis, this->Circulation, this->CoreRadius, this->Strain });
+  }
+}
+
+bool vtkAnalyticFlowSource::IsInside(const double x[3]) const
+{
+  const double relative[3] = { x[0] - this->Center[0], x[1] - this->Center[1],
+    x[2] - this->Center[2] };
+  if (this->Field == SPHERE)
+  {
+    return vtkElementaryFlows::Sphere{ {}, this->Radius }.IsInside(relative);
+  }
+  return this->Field == CYLINDER &&
+    vtkElementaryFlows::Cylinder{ {}, {}, GetDirection(this->Axis), this->Radius }.IsInside(
+      relative);
+}
+
+void vtkAnalyticFlowSource::Evaluate(const double x[3], double velocity[3]) const
+{
+  if (this->Inside == NOT_A_NUMBER && this->IsInside(x))
+  {
+    std::fill_n(velocity, 3, std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
+  const double relative[3] = { x[0] - this->Center[0], x[1] - this->Center[1],
+    x[2] - this->Center[2] };
+  this->Visit([&](const auto& flow) { flow(relative, velocity); });
+}
+
+void vtkAnalyticFlowSource::EvaluateJacobian(const double x[3], double jacobian[9]) const
+{
+  if (this->Inside == NOT_A_NUMBER && this->IsInside(x))
+  {
+    std::fill_n(jacobian, 9, std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
+  vtkDualNumber relative[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    relative[i].Value = x[i] - this->Center[i];
+    relative[i].Derivatives[i] = 1.0;
+  }
+  vtkDualNumber velocity[3];
+  this->Visit([&](const auto& flow) { flow(relative, velocity); });
+  for (int i = 0; i < 3; ++i)
+  {
+    std::copy_n(velocity[i].Derivatives, 3, jacobian + 3 * i);
+  }
+}
+
+int vtkAnalyticFlowSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  double origin[3];
+  double spacing[3];
+  this->GetLattice(origin, spacing);
+  this->Place(image, extent);
+
+  const vtkIdType length = extent[1] - extent[0] + 1;
+  const vtkIdType rowsOfLayer = extent[3] - extent[2] + 1;
+  const vtkIdType rows = rowsOfLayer * (extent[5] - extent[4] + 1);
+  auto values = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->OutputScalarType));
+  values->SetName("Velocity");
+  values->SetNumberOfComponents(3);
+  values->SetNumberOfTuples(rows * length);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  const bool isHiding =
+    this->Inside == HIDDEN && (this->Field == SPHERE || this->Field == CYLINDER);
+  if (isHiding)
+  {
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    ghosts->SetNumberOfValues(rows * length);
+  }
+  const auto makeRows = [&](vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType row = first; row < last; ++row)
+    {
+      const vtkIdType y = extent[2] + row % rowsOfLayer;
+      const vtkIdType z = extent[4] + row / rowsOfLayer;
+      double x[3] = { 0.0, origin[1] + y * spacing[1], origin[2] + z * spacing[2] };
+      for (vtkIdType i = 0; i < length; ++i)
+      {
+        x[0] = origin[0] + (extent[0] + i) * spacing[0];
+        double velocity[3];
+        this->Evaluate(x, velocity);
+        const vtkIdType point = row * length + i;
+        values->SetTuple(point, velocity);
+        if (isHiding)
+        {
+          ghosts->SetValue(point, this->IsInside(x) ? vtkDataSetAttributes::HIDDENPOINT : 0);
+        }
+      }
+    }
+  };
+  if (!vtkBatchedRows::Run(rows, this, makeRows))
+  {
+    image->Initialize();
+    return 1;
+  }
+  image->GetPointData()->SetVectors(values);
+  if (isHiding)
+  {
+    image->GetPointData()->AddArray(ghosts);
+  }
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkAnalyticFlowSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Field: " << GetFieldName(this->Field) << "\n";
+  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
+  PrintVector(os, indent, "Center", this->Center);
+  PrintVector(os, indent, "Velocity", this->Velocity);
+  PrintVector(os, indent, "Axis", this->Axis);
+  os << indent << "AngularVelocity: " << this->AngularVelocity << "\n";
+  PrintVector(os, indent, "SaddleRates", this->SaddleRates);
+  PrintVector(os, indent, "NodeRates", this->NodeRates);
+  os << indent << "Swirl: " << this->Swirl << "\n";
+  os << indent << "Strength: " << this->Strength << "\n";
+  PrintVector(os, indent, "Separation", this->Separation);
+  os << indent << "CoreRadius: " << this->CoreRadius << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Inside: " << GetInsideName(this->Inside) << "\n";
+  os << indent << "SpanwiseVelocity: " << this->SpanwiseVelocity << "\n";
+  PrintVector(os, indent, "Amplitudes", this->Amplitudes);
+  os << indent << "Period: " << this->Period << "\n";
+  os << indent << "Thickness: " << this->Thickness << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  PrintVector(os, indent, "AxisTilt", this->AxisTilt, 2);
+  PrintVector(os, indent, "AxisBend", this->AxisBend, 2);
+  os << indent << "MaximumWind: " << this->MaximumWind << "\n";
+  os << indent << "EyeRadius: " << this->EyeRadius << "\n";
+  os << indent << "Updraft: " << this->Updraft << "\n";
+  os << indent << "Circulation: " << this->Circulation << "\n";
+  os << indent << "Strain: " << this->Strain << "\n";
+}
