@@ -2,7 +2,7 @@
 
 build_packages=(
   g++ cmake ninja-build
-  libvtk9-dev libtet1.5-dev libglm-dev libcli11-dev nlohmann-json3-dev
+  libvtk9-dev libtet1.5-dev libglm-dev libboost-dev libcli11-dev nlohmann-json3-dev
   xvfb xauth libgl1-mesa-dri libglx-mesa0)
 
 # What ParaView's CMake package asks for; its own run-time libraries are read from its package.

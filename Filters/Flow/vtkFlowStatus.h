@@ -1,0 +1,62 @@
+#ifndef vtkFlowStatus_h
+#define vtkFlowStatus_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+
+/**
+ * @class   vtkFlowStatus
+ * @brief   how the advection of a sample ended, and the names of the arrays that say so
+ *
+ * Everything that reads an implicit flow field asks the status first: the other arrays have a
+ * meaning for REACHED_SURFACE only, but for AdvectionTime, which is the time until the end however
+ * it came.
+ */
+class INTERLUMEFLOW_EXPORT vtkFlowStatus
+{
+public:
+  enum Values
+  {
+    /// It reached a termination surface, or is on one (time 0).
+    REACHED_SURFACE = 0,
+    /// It left the field's domain, or came to a blanked cell.
+    LEFT_DOMAIN = 1,
+    /// Its speed fell below the minimum.
+    STAGNATED = 2,
+    /// It went on for the maximum time.
+    OUT_OF_TIME = 3,
+    /// It took the maximum number of steps.
+    OUT_OF_STEPS = 4,
+    /// The sample is not in the field's domain.
+    OUTSIDE = 5,
+    /// The field is not finite at the sample or where it came.
+    NOT_FINITE = 6,
+    NUMBER_OF_VALUES = 7
+  };
+
+  /// In small letters, "reached surface"; null for a number that is none.
+  static const char* GetName(int status);
+
+  ///@{
+  /**
+   * Point arrays: FlowStatus (unsigned char), TerminationId (int, -1 without one), TerminationUV
+   * (double, 2 components, 0 without), AdvectionTime (double).
+   */
+  static const char* StatusArray() { return "FlowStatus"; }
+  static const char* IdArray() { return "TerminationId"; }
+  static const char* ParametersArray() { return "TerminationUV"; }
+  static const char* TimeArray() { return "AdvectionTime"; }
+  ///@}
+
+  /**
+   * Field array TerminationSurfaces (int, 3 components), a tuple for each id in use: the id, and
+   * whether u and v are periodic with period 1 there.
+   */
+  static const char* SurfacesArray() { return "TerminationSurfaces"; }
+  /// Point array of vtkInflowMapping (double, one component): NaN where there is none.
+  static const char* InflowArray() { return "Inflow"; }
+  /// Field array of vtkInflowMapping (int, 3 components): an id, and whether its mapping goes on
+  /// over the seams of u and v.
+  static const char* InflowPeriodicArray() { return "InflowPeriodic"; }
+};
+
+#endif

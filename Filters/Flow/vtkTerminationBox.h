@@ -1,0 +1,53 @@
+#ifndef vtkTerminationBox_h
+#define vtkTerminationBox_h
+
+#include "vtkTerminationSurface.h"
+
+/**
+ * @class   vtkTerminationBox
+ * @brief   the six faces of a box along the axes
+ *
+ * Parts 0 to 5 are the faces -x, +x, -y, +y, -z, +z. (u,v) of a face are the other two axes in the
+ * order x, y, z, from 0 at the lower bound to 1 at the upper. Normals point outward; the distance
+ * is exact everywhere and negative inside. The nearest face is the one that the point is least
+ * inside of, or furthest outside.
+ *
+ * Update reports bounds that are not finite, and a lower bound that is not below its upper.
+ */
+class INTERLUMEFLOW_EXPORT vtkTerminationBox : public vtkTerminationSurface
+{
+public:
+  static vtkTerminationBox* New();
+  vtkTypeMacro(vtkTerminationBox, vtkTerminationSurface);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Lower and upper of x, y, z, world units. Default -0.5, 0.5 of each. Valid: finite, lower <
+   * upper.
+   */
+  vtkSetVector6Macro(Bounds, double);
+  vtkGetVector6Macro(Bounds, double);
+  ///@}
+
+  int GetNumberOfParts() const override { return 6; }
+  std::string Update() override;
+  double EvaluateDistance(const double x[3]) const override;
+  int EvaluatePart(const double x[3]) const override;
+  void EvaluateParameters(const double x[3], double uv[2]) const override;
+  void EvaluateNormal(const double x[3], double normal[3]) const override;
+  bool EvaluatePoint(int part, const double uv[2], double x[3]) const override;
+  void GetBounds(double bounds[6]) const override;
+
+protected:
+  vtkTerminationBox() = default;
+  ~vtkTerminationBox() override = default;
+
+  double Bounds[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
+
+private:
+  vtkTerminationBox(const vtkTerminationBox&) = delete;
+  void operator=(const vtkTerminationBox&) = delete;
+};
+
+#endif

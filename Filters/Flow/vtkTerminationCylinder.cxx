@@ -1,0 +1,162 @@
+#include "vtkTerminationCylinder.h"
+
+#include "vtkDiscParameters.h"
+#include "vtkFiniteNumbers.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkTerminationCylinder);
+
+//------------------------------------------------------------------------------
+std::string vtkTerminationCylinder::Update()
+{
+  if (!vtkFiniteNumbers::AreFinite(this->Point1, 3) ||
+    !vtkFiniteNumbers::AreFinite(this->Point2, 3))
+  {
+    return "an end of the cylinder's axis is not finite";
+  }
+  if (!vtkFiniteNumbers::IsSize(this->Radius))
+  {
+    return "the cylinder's radius is not finite and above 0";
+  }
+  double axis[3];
+  vtkMath::Subtract(this->Point2, this->Point1, axis);
+  this->Length = vtkMath::Norm(axis);
+  if (!vtkFiniteNumbers::IsSize(this->Length))
+  {
+    return "the cylinder's axis has no length: its ends are the same point";
+  }
+  this->Frame.SetAxis(axis);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+vtkTerminationCylinder::Place vtkTerminationCylinder::GetPlace(const double x[3]) const
+{
+  double p[3];
+  this->Frame.GetComponents(x, this->Point1, p);
+  Place place;
+  place.Offset[0] = p[0];
+  place.Offset[1] = p[1];
+  place.Along = p[2];
+  place.Wall = std::hypot(p[0], p[1]) - this->Radius;
+  place.End = std::max(-p[2], p[2] - this->Length);
+  place.Part = WALL;
+  if (this->Capped && place.End > place.Wall)
+  {
+    place.Part = p[2] < 0.5 * this->Length ? CAP_1 : CAP_2;
+  }
+  return place;
+}
+
+//------------------------------------------------------------------------------
+double vtkTerminationCylinder::EvaluateDistance(const double x[3]) const
+{
+  const Place place = this->GetPlace(x);
+  if (!this->Capped)
+  {
+    return place.Wall;
+  }
+  return place.Wall > 0.0 && place.End > 0.0 ? std::hypot(place.Wall, place.End)
+                                             : std::max(place.Wall, place.End);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerminationCylinder::IsOn(const double x[3]) const
+{
+  return this->Capped || this->GetPlace(x).End <= BorderTolerance * this->Length;
+}
+
+//------------------------------------------------------------------------------
+int vtkTerminationCylinder::EvaluatePart(const double x[3]) const
+{
+  return this->GetPlace(x).Part;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationCylinder::EvaluateParameters(const double x[3], double uv[2]) const
+{
+  const Place place = this->GetPlace(x);
+  if (place.Part == WALL)
+  {
+    uv[0] = vtkAxialFrame::GetTurn(place.Offset[0], place.Offset[1]);
+    uv[1] = std::max(0.0, std::min(place.Along / this->Length, 1.0));
+    return;
+  }
+  vtkDiscParameters::FromPoint(place.Offset[0] / this->Radius, place.Offset[1] / this->Radius, uv);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationCylinder::EvaluateNormal(const double x[3], double normal[3]) const
+{
+  const Place place = this->GetPlace(x);
+  const double zero[3] = { 0.0, 0.0, 0.0 };
+  if (place.Part != WALL)
+  {
+    this->Frame.GetPoint(zero, 0.0, 0.0, place.Part == CAP_1 ? -1.0 : 1.0, normal);
+    return;
+  }
+  this->Frame.GetPoint(zero, place.Offset[0], place.Offset[1], 0.0, normal);
+  if (!(vtkMath::Normalize(normal) > 0.0))
+  {
+    std::copy_n(this->Frame.X, 3, normal);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerminationCylinder::EvaluatePoint(int part, const double uv[2], double x[3]) const
+{
+  double taken[2];
+  if (!this->TakeParameters(part, uv, taken))
+  {
+    return false;
+  }
+  if (part == WALL)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * taken[0];
+    this->Frame.GetPoint(this->Point1, this->Radius * std::cos(angle),
+      this->Radius * std::sin(angle), this->Length * taken[1], x);
+    return true;
+  }
+  double a;
+  double b;
+  const bool isInside = vtkDiscParameters::ToPoint(taken, a, b);
+  if (isInside)
+  {
+    this->Frame.GetPoint(
+      part == CAP_1 ? this->Point1 : this->Point2, this->Radius * a, this->Radius * b, 0.0, x);
+  }
+  return isInside;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerminationCylinder::IsPeriodic(int direction, int part) const
+{
+  return direction == 0 && part == WALL;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationCylinder::GetBounds(double bounds[6]) const
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const double extent = this->Radius * std::hypot(this->Frame.X[i], this->Frame.Y[i]);
+    bounds[2 * i] = std::min(this->Point1[i], this->Point2[i]) - extent;
+    bounds[2 * i + 1] = std::max(this->Point1[i], this->Point2[i]) + extent;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationCylinder::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Point1: " << this->Point1[0] << " " << this->Point1[1] << " " << this->Point1[2]
+     << "\n";
+  os << indent << "Point2: " << this->Point2[0] << " " << this->Point2[1] << " " << this->Point2[2]
+     << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Capped: " << this->Capped << "\n";
+}

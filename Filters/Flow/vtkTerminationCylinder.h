@@ -1,0 +1,100 @@
+#ifndef vtkTerminationCylinder_h
+#define vtkTerminationCylinder_h
+
+#include "vtkAxialFrame.h" // for the frame
+#include "vtkTerminationSurface.h"
+
+/**
+ * @class   vtkTerminationCylinder
+ * @brief   the wall of a cylinder between two points of its axis, and its caps on request
+ *
+ * Part 0 is the wall: u the angle in turns, counterclockwise around the axis from Point1 to Point2
+ * and periodic; v from 0 at Point1 to 1 at Point2. u = 0 is towards x for an axis along z, else
+ * where the basis of T. Duff et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017,
+ * has its first vector. The distance is that from the infinite wall, negative inside.
+ *
+ * With Capped, parts 1 and 2 are the discs at Point1 and Point2, and the distance is that of the
+ * closed cylinder. In a disc u = (x / Radius + 1) / 2, v = (y / Radius + 1) / 2, x towards u = 0 of
+ * the wall and y towards u = 1/4; neither is periodic. Normals point outward.
+ *
+ * Update reports points that are not finite or are the same, and a radius that is not above 0.
+ */
+class INTERLUMEFLOW_EXPORT vtkTerminationCylinder : public vtkTerminationSurface
+{
+public:
+  static vtkTerminationCylinder* New();
+  vtkTypeMacro(vtkTerminationCylinder, vtkTerminationSurface);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The ends of the axis and the radius, world units. Default (0, 0, -0.5), (0, 0, 0.5), 0.5.
+   * Valid: finite, not the same; above 0.
+   */
+  vtkSetVector3Macro(Point1, double);
+  vtkGetVector3Macro(Point1, double);
+  vtkSetVector3Macro(Point2, double);
+  vtkGetVector3Macro(Point2, double);
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the cylinder is closed by discs. Default off.
+   */
+  vtkSetMacro(Capped, bool);
+  vtkGetMacro(Capped, bool);
+  vtkBooleanMacro(Capped, bool);
+  ///@}
+
+  enum Parts
+  {
+    WALL = 0,
+    CAP_1 = 1,
+    CAP_2 = 2
+  };
+
+  int GetNumberOfParts() const override { return this->Capped ? 3 : 1; }
+  std::string Update() override;
+  double EvaluateDistance(const double x[3]) const override;
+  bool IsOn(const double x[3]) const override;
+  int EvaluatePart(const double x[3]) const override;
+  void EvaluateParameters(const double x[3], double uv[2]) const override;
+  void EvaluateNormal(const double x[3], double normal[3]) const override;
+  bool EvaluatePoint(int part, const double uv[2], double x[3]) const override;
+  bool IsPeriodic(int direction, int part = 0) const override;
+  void GetBounds(double bounds[6]) const override;
+
+protected:
+  vtkTerminationCylinder() = default;
+  ~vtkTerminationCylinder() override = default;
+
+  double Point1[3] = { 0.0, 0.0, -0.5 };
+  double Point2[3] = { 0.0, 0.0, 0.5 };
+  double Radius = 0.5;
+  bool Capped = false;
+
+private:
+  vtkTerminationCylinder(const vtkTerminationCylinder&) = delete;
+  void operator=(const vtkTerminationCylinder&) = delete;
+
+  /// A point in the cylinder's own coordinates.
+  struct Place
+  {
+    /// Across the axis.
+    double Offset[2];
+    /// From Point1 along the axis.
+    double Along;
+    /// Signed distances from the infinite wall and from the nearer end's plane, negative inside.
+    double Wall;
+    double End;
+    int Part;
+  };
+  Place GetPlace(const double x[3]) const;
+
+  vtkAxialFrame Frame;
+  double Length = 1.0;
+};
+
+#endif

@@ -1,0 +1,224 @@
+#include "vtkTerminationMesh.h"
+
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTerminationTriangles.h"
+#include "vtkTextureSearch.h"
+#include "vtkTriangleDistance.h"
+#include "vtkTriangleEdges.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkTerminationMesh);
+
+namespace
+{
+// In parts of the diagonal: further from the mesh a change of sign is a jump, no crossing.
+constexpr double Nearness = 1e-6;
+}
+
+struct vtkTerminationMesh::Contents
+{
+  vtkTerminationTriangles Triangles;
+  vtkTriangleEdges Edges;
+  vtkTriangleDistance Distance;
+  vtkTextureSearch Texture;
+};
+
+//------------------------------------------------------------------------------
+vtkTerminationMesh::vtkTerminationMesh()
+  : Made(new Contents)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkTerminationMesh::~vtkTerminationMesh() = default;
+
+//------------------------------------------------------------------------------
+void vtkTerminationMesh::SetMesh(vtkPolyData* mesh)
+{
+  if (this->Mesh != mesh)
+  {
+    this->Mesh = mesh;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkTerminationMesh::GetMesh() const
+{
+  return this->Mesh;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationMesh::SetTolerance(double tolerance)
+{
+  const double clamped = std::max(1e-15, std::min(tolerance, 0.1));
+  if (!std::isnan(tolerance) && this->Tolerance != clamped)
+  {
+    this->Tolerance = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkTerminationMesh::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Mesh ? std::max(own, this->Mesh->GetMTime()) : own;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTerminationMesh::GetNumberOfTriangles() const
+{
+  return static_cast<vtkIdType>(this->Made->Triangles.Triangles.size());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTerminationMesh::GetNumberOfDegenerateTriangles() const
+{
+  return this->Made->Triangles.NumberOfDegenerateTriangles;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTerminationMesh::GetNumberOfBorderEdges() const
+{
+  return this->Made->Edges.NumberOfBorderEdges;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTerminationMesh::GetNumberOfBranchingEdges() const
+{
+  return this->Made->Edges.NumberOfBranchingEdges;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerminationMesh::Update()
+{
+  if (this->UpdateTime > this->GetMTime())
+  {
+    return {};
+  }
+  this->Made.reset(new Contents);
+  if (!this->Mesh)
+  {
+    return "the mesh has no dataset";
+  }
+  const bool isPeriodic[2] = { this->PeriodicU, this->PeriodicV };
+  std::unique_ptr<Contents> made(new Contents);
+  std::string wrong = made->Triangles.Take(this->Mesh, this->Tolerance, isPeriodic);
+  if (wrong.empty())
+  {
+    made->Edges.Connect(made->Triangles);
+    wrong = made->Edges.Orient(made->Triangles);
+  }
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  made->Distance.Build(&made->Triangles, made->Edges);
+  made->Texture.Build(&made->Triangles, isPeriodic);
+  this->Made = std::move(made);
+  this->UpdateTime.Modified();
+  return {};
+}
+
+//------------------------------------------------------------------------------
+double vtkTerminationMesh::EvaluateDistance(const double x[3]) const
+{
+  vtkTriangleFoot foot;
+  const int triangle = this->Made->Distance.FindNearest(x, foot);
+  return triangle < 0 ? VTK_DOUBLE_MAX : this->Made->Distance.GetSignedDistance(triangle, foot, x);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerminationMesh::IsOn(const double x[3]) const
+{
+  vtkTriangleFoot foot;
+  const int triangle = this->Made->Distance.FindNearest(x, foot);
+  const double diagonal = this->Made->Triangles.Diagonal;
+  if (triangle < 0 || !(std::sqrt(foot.SquaredDistance) <= Nearness * diagonal))
+  {
+    return false;
+  }
+  if (!this->Made->Distance.IsOnBorder(triangle, foot))
+  {
+    return true;
+  }
+  const double* normal = this->Made->Distance.GetNormal(triangle, foot);
+  double beyond[3];
+  vtkMath::Subtract(x, foot.Point, beyond);
+  const double away = vtkMath::Dot(beyond, normal);
+  for (int i = 0; i < 3; ++i)
+  {
+    beyond[i] -= away * normal[i];
+  }
+  return vtkMath::Norm(beyond) <= this->Tolerance * diagonal;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationMesh::EvaluateParameters(const double x[3], double uv[2]) const
+{
+  std::fill_n(uv, 2, 0.0);
+  vtkTriangleFoot foot;
+  const int triangle = this->Made->Distance.FindNearest(x, foot);
+  for (int i = 0; i < 2 && triangle >= 0; ++i)
+  {
+    const auto& texture = this->Made->Triangles.Triangles[triangle].Texture;
+    uv[i] = foot.Weights[0] * texture[0][i] + foot.Weights[1] * texture[1][i] +
+      foot.Weights[2] * texture[2][i];
+    if (this->IsPeriodic(i))
+    {
+      uv[i] -= std::floor(uv[i]);
+      uv[i] = uv[i] < 1.0 ? uv[i] : 0.0;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationMesh::EvaluateNormal(const double x[3], double normal[3]) const
+{
+  vtkTriangleFoot foot;
+  const int triangle = this->Made->Distance.FindNearest(x, foot);
+  const double axis[3] = { 0.0, 0.0, 1.0 };
+  std::copy_n(triangle < 0 ? axis : this->Made->Distance.GetNormal(triangle, foot), 3, normal);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerminationMesh::EvaluatePoint(int part, const double uv[2], double x[3]) const
+{
+  double taken[2];
+  return this->TakeParameters(part, uv, taken) && this->Made->Texture.FindPoint(taken, x);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerminationMesh::IsPeriodic(int direction, int) const
+{
+  return direction == 0 ? this->PeriodicU : this->PeriodicV;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationMesh::GetBounds(double bounds[6]) const
+{
+  vtkMath::UninitializeBounds(bounds);
+  if (!this->Made->Triangles.Triangles.empty())
+  {
+    std::copy_n(this->Made->Triangles.Bounds, 6, bounds);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationMesh::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mesh: " << this->Mesh.GetPointer() << "\n";
+  os << indent << "PeriodicU: " << this->PeriodicU << "\n";
+  os << indent << "PeriodicV: " << this->PeriodicV << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Triangles: " << this->GetNumberOfTriangles() << "\n";
+  os << indent << "DegenerateTriangles: " << this->GetNumberOfDegenerateTriangles() << "\n";
+  os << indent << "BorderEdges: " << this->GetNumberOfBorderEdges() << "\n";
+  os << indent << "BranchingEdges: " << this->GetNumberOfBranchingEdges() << "\n";
+}

@@ -1,0 +1,77 @@
+#ifndef vtkTerminationPlane_h
+#define vtkTerminationPlane_h
+
+#include "vtkTerminationSurface.h"
+
+/**
+ * @class   vtkTerminationPlane
+ * @brief   a parallelogram of a plane, or all of the plane
+ *
+ * Given as in vtkPlaneSource: u goes from 0 at Origin to 1 at Point1, v to 1 at Point2. The two
+ * edges need not be perpendicular. The normal is (Point1 - Origin) x (Point2 - Origin).
+ *
+ * Parameters of a point are those of its foot in the plane, clamped to 0 ... 1 unless Unbounded.
+ *
+ * Update reports points that are not finite, an edge without length, and parallel edges (the sine
+ * of their angle is below 1e-12).
+ */
+class INTERLUMEFLOW_EXPORT vtkTerminationPlane : public vtkTerminationSurface
+{
+public:
+  static vtkTerminationPlane* New();
+  vtkTypeMacro(vtkTerminationPlane, vtkTerminationSurface);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Three corners, world units. Default (-0.5, -0.5, 0), (0.5, -0.5, 0), (-0.5, 0.5, 0). Valid:
+   * finite, not on a line.
+   */
+  vtkSetVector3Macro(Origin, double);
+  vtkGetVector3Macro(Origin, double);
+  vtkSetVector3Macro(Point1, double);
+  vtkGetVector3Macro(Point1, double);
+  vtkSetVector3Macro(Point2, double);
+  vtkGetVector3Macro(Point2, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether all of the plane is the surface; parameters go on below 0 and above 1 then. Default
+   * off.
+   */
+  vtkSetMacro(Unbounded, bool);
+  vtkGetMacro(Unbounded, bool);
+  vtkBooleanMacro(Unbounded, bool);
+  ///@}
+
+  std::string Update() override;
+  double EvaluateDistance(const double x[3]) const override;
+  bool IsOn(const double x[3]) const override;
+  void EvaluateParameters(const double x[3], double uv[2]) const override;
+  void EvaluateNormal(const double x[3], double normal[3]) const override;
+  bool EvaluatePoint(int part, const double uv[2], double x[3]) const override;
+  void GetBounds(double bounds[6]) const override;
+
+protected:
+  vtkTerminationPlane() = default;
+  ~vtkTerminationPlane() override = default;
+
+  double Origin[3] = { -0.5, -0.5, 0.0 };
+  double Point1[3] = { 0.5, -0.5, 0.0 };
+  double Point2[3] = { -0.5, 0.5, 0.0 };
+  bool Unbounded = false;
+
+private:
+  vtkTerminationPlane(const vtkTerminationPlane&) = delete;
+  void operator=(const vtkTerminationPlane&) = delete;
+
+  /// Of the foot in the plane, not clamped.
+  void GetFoot(const double x[3], double uv[2]) const;
+
+  double Normal[3] = { 0.0, 0.0, 1.0 };
+  /// Gradients of u and v.
+  double Gradients[2][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } };
+};
+
+#endif

@@ -1,0 +1,96 @@
+#include "vtkTerminationSphere.h"
+
+#include "vtkFiniteNumbers.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkTerminationSphere);
+
+//------------------------------------------------------------------------------
+std::string vtkTerminationSphere::Update()
+{
+  if (!vtkFiniteNumbers::AreFinite(this->Center, 3))
+  {
+    return "the sphere's centre is not finite";
+  }
+  if (!vtkFiniteNumbers::IsSize(this->Radius))
+  {
+    return "the sphere's radius is not finite and above 0";
+  }
+  if (!vtkFiniteNumbers::IsSize(vtkMath::Norm(this->Axis)))
+  {
+    return "the sphere's axis is not finite or has no length";
+  }
+  this->Frame.SetAxis(this->Axis);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+double vtkTerminationSphere::EvaluateDistance(const double x[3]) const
+{
+  return std::sqrt(vtkMath::Distance2BetweenPoints(x, this->Center)) - this->Radius;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationSphere::EvaluateParameters(const double x[3], double uv[2]) const
+{
+  double p[3];
+  this->Frame.GetComponents(x, this->Center, p);
+  uv[0] = vtkAxialFrame::GetTurn(p[0], p[1]);
+  uv[1] = 0.5 + std::atan2(p[2], std::hypot(p[0], p[1])) / vtkMath::Pi();
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationSphere::EvaluateNormal(const double x[3], double normal[3]) const
+{
+  vtkMath::Subtract(x, this->Center, normal);
+  if (!(vtkMath::Normalize(normal) > 0.0))
+  {
+    std::copy_n(this->Frame.Axis, 3, normal);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerminationSphere::EvaluatePoint(int part, const double uv[2], double x[3]) const
+{
+  double taken[2];
+  if (!this->TakeParameters(part, uv, taken))
+  {
+    return false;
+  }
+  const double longitude = 2.0 * vtkMath::Pi() * taken[0];
+  const double latitude = vtkMath::Pi() * (taken[1] - 0.5);
+  const double across = this->Radius * std::cos(latitude);
+  this->Frame.GetPoint(this->Center, across * std::cos(longitude), across * std::sin(longitude),
+    this->Radius * std::sin(latitude), x);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerminationSphere::IsPeriodic(int direction, int) const
+{
+  return direction == 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationSphere::GetBounds(double bounds[6]) const
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    bounds[2 * i] = this->Center[i] - this->Radius;
+    bounds[2 * i + 1] = this->Center[i] + this->Radius;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationSphere::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Center: " << this->Center[0] << " " << this->Center[1] << " " << this->Center[2]
+     << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
+}

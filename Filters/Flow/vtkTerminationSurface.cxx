@@ -1,0 +1,51 @@
+#include "vtkTerminationSurface.h"
+
+#include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+bool vtkTerminationSurface::IsOn(const double*) const
+{
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkTerminationSurface::EvaluatePart(const double*) const
+{
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerminationSurface::IsPeriodic(int, int) const
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerminationSurface::TakeParameters(int part, const double uv[2], double taken[2]) const
+{
+  if (part < 0 || part >= this->GetNumberOfParts())
+  {
+    return false;
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    taken[i] =
+      this->IsPeriodic(i, part) ? uv[i] - std::floor(uv[i]) : std::max(0.0, std::min(uv[i], 1.0));
+    // Written so that NaN and infinity are refused.
+    if (!(std::isfinite(uv[i]) &&
+          (this->IsPeriodic(i, part) || std::abs(taken[i] - uv[i]) <= BorderTolerance)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationSurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Id: " << this->Id << "\n";
+  os << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n";
+}

@@ -1,0 +1,105 @@
+#ifndef vtkTerminationSurface_h
+#define vtkTerminationSurface_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkObject.h"
+
+#include <string> // for errors
+
+/**
+ * @class   vtkTerminationSurface
+ * @brief   where the advection of a sample ends: signed distance, parameters and normal
+ *
+ * A surface that streamlines are followed to (C. Zhang, dissertation, Ohio State 2006,
+ * section 4.4). It is the zero set of a signed distance, or the part of that set for which IsOn is
+ * true where the surface ends somewhere (a rectangle of a plane, an open mesh). A streamline
+ * reaches it where the distance along it changes sign, from either side.
+ *
+ * A surface has one or more parts; part p of a surface with id i is known as i + p in the array
+ * TerminationId. Each part has parameters (u,v) of its own, from 0 to 1. Where parameters go
+ * around, u = 0 and u = 1 are the same place and the direction is periodic; nothing else may jump
+ * within a part.
+ *
+ * The Evaluate functions may be called by several threads at once after Update, until a setter is
+ * called.
+ *
+ * @sa vtkTerminationPlane vtkTerminationSphere vtkTerminationCylinder vtkTerminationBox
+ * vtkTerminationTube vtkTerminationMesh vtkImplicitFlowField
+ */
+class INTERLUMEFLOW_EXPORT vtkTerminationSurface : public vtkObject
+{
+public:
+  vtkAbstractTypeMacro(vtkTerminationSurface, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The id of the surface's first part. -1: one that is free, given by the filter in the order of
+   * its surfaces. Surfaces of the same id are parts of one surface, lying in the same parameters.
+   * Default -1. Valid: -1 to 1000000000, clamped.
+   */
+  vtkSetClampMacro(Id, int, -1, 1000000000);
+  vtkGetMacro(Id, int);
+  ///@}
+
+  /// Borders are wider by this part of the size, so that no streamline slips through between two
+  /// surfaces that touch.
+  static constexpr double BorderTolerance = 1e-9;
+
+  /// How many ids it takes. Default 1.
+  virtual int GetNumberOfParts() const { return 1; }
+
+  /**
+   * Makes what the Evaluate functions need. Returns what is wrong with the surface ("the radius is
+   * not above 0"), or nothing.
+   */
+  virtual std::string Update() { return {}; }
+
+  /**
+   * Signed distance in world units, positive where the normal points to. It never changes by more
+   * than the way between two points, but for jumps of sign beyond the end of an open mesh.
+   */
+  virtual double EvaluateDistance(const double x[3]) const = 0;
+
+  /// Whether a point at distance 0 is on the surface. Default true.
+  virtual bool IsOn(const double x[3]) const;
+
+  /// The part that is nearest to \a x. Default 0.
+  virtual int EvaluatePart(const double x[3]) const;
+
+  /// Parameters of the point of the surface nearest to \a x, 0 to 1; in a periodic direction
+  /// below 1.
+  virtual void EvaluateParameters(const double x[3], double uv[2]) const = 0;
+
+  /// Unit normal at the point of the surface nearest to \a x.
+  virtual void EvaluateNormal(const double x[3], double normal[3]) const = 0;
+
+  /**
+   * The point of a part with these parameters. False where there is none, as in the gaps between
+   * the triangles of a mesh's texture.
+   */
+  virtual bool EvaluatePoint(int part, const double uv[2], double x[3]) const = 0;
+
+  /// Whether \a direction of a part, 0 for u and 1 for v, is periodic with period 1. Default false.
+  virtual bool IsPeriodic(int direction, int part = 0) const;
+
+  /// Lower and upper of x, y, z; empty (lower above upper) for a surface without bounds.
+  virtual void GetBounds(double bounds[6]) const = 0;
+
+protected:
+  vtkTerminationSurface() = default;
+  ~vtkTerminationSurface() override = default;
+
+  /// The parameters that EvaluatePoint is asked for: around in periodic directions, else clamped to
+  /// 0 ... 1 when they are beyond by BorderTolerance at most. False for others and without the
+  /// part.
+  bool TakeParameters(int part, const double uv[2], double taken[2]) const;
+
+  int Id = -1;
+
+private:
+  vtkTerminationSurface(const vtkTerminationSurface&) = delete;
+  void operator=(const vtkTerminationSurface&) = delete;
+};
+
+#endif

@@ -1,0 +1,118 @@
+#include "vtkTerminationSurfaceSource.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFlowStatus.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTerminationGrid.h"
+#include "vtkTerminationSurface.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkTerminationSurfaceSource);
+
+//------------------------------------------------------------------------------
+vtkTerminationSurfaceSource::vtkTerminationSurfaceSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkTerminationSurfaceSource::~vtkTerminationSurfaceSource() = default;
+
+//------------------------------------------------------------------------------
+void vtkTerminationSurfaceSource::SetSurface(vtkTerminationSurface* surface)
+{
+  if (this->Surface != surface)
+  {
+    this->Surface = surface;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTerminationSurface* vtkTerminationSurfaceSource::GetSurface() const
+{
+  return this->Surface;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkTerminationSurfaceSource::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Surface ? std::max(own, this->Surface->GetMTime()) : own;
+}
+
+//------------------------------------------------------------------------------
+int vtkTerminationSurfaceSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  const std::string wrong =
+    this->Surface ? this->Surface->Update() : std::string("there is none; call SetSurface");
+  if (!wrong.empty())
+  {
+    vtkErrorMacro("The termination surface cannot be drawn: " << wrong << ".");
+    return 1;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> parameters;
+  parameters->SetName(vtkFlowStatus::ParametersArray());
+  parameters->SetNumberOfComponents(2);
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(vtkFlowStatus::IdArray());
+  vtkNew<vtkCellArray> triangles;
+  const int parts = this->Surface->GetNumberOfParts();
+  for (int part = 0; part < parts; ++part)
+  {
+    vtkTerminationGrid grid(this->Surface, part, this->ResolutionU, this->ResolutionV);
+    const auto isAborted = [this, part, parts](double done)
+    {
+      this->UpdateProgress((part + done) / parts);
+      return this->GetAbortExecute() != 0;
+    };
+    if (!grid.Execute(isAborted))
+    {
+      return 1;
+    }
+    const vtkIdType offset = points->GetNumberOfPoints();
+    for (const vtkTerminationGrid::Point& point : grid.Points)
+    {
+      points->InsertNextPoint(point.Position);
+      parameters->InsertNextTuple(point.Parameters);
+      normals->InsertNextTuple(point.Normal);
+    }
+    for (const auto& triangle : grid.Triangles)
+    {
+      triangles->InsertNextCell(
+        { offset + triangle[0], offset + triangle[1], offset + triangle[2] });
+      ids->InsertNextValue(std::max(this->Surface->GetId(), 0) + part);
+    }
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+  output->GetPointData()->SetTCoords(parameters);
+  output->GetPointData()->SetNormals(normals);
+  output->GetCellData()->AddArray(ids);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationSurfaceSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Surface: " << this->Surface.GetPointer() << "\n";
+  os << indent << "ResolutionU: " << this->ResolutionU << "\n";
+  os << indent << "ResolutionV: " << this->ResolutionV << "\n";
+}

@@ -1,0 +1,69 @@
+#ifndef vtkTerminationSurfaceSource_h
+#define vtkTerminationSurfaceSource_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for the surface
+
+class vtkTerminationSurface;
+
+/**
+ * @class   vtkTerminationSurfaceSource
+ * @brief   a termination surface as triangles, to be drawn
+ *
+ * A grid over (u,v), 0 to 1, of each part. Where the part has no point for some parameters
+ * (vtkTerminationSurface::EvaluatePoint) the grid is cut at the border, found by bisection. At the
+ * seam of a periodic direction there are points at 0 and at 1. Of an unbounded plane it is the
+ * parallelogram.
+ *
+ * Output: triangles with the point arrays `TerminationUV` (double, 2 components), also the active
+ * texture coordinates, and `Normals` (double), those of the surface, also the active normals, and
+ * the cell array `TerminationId` (int): the surface's id, 0 for -1, plus the part. Triangles are
+ * counterclockwise seen from where the normals point.
+ *
+ * Errors (vtkErrorMacro, empty output): no surface; what vtkTerminationSurface::Update reports.
+ */
+class INTERLUMEFLOW_EXPORT vtkTerminationSurfaceSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkTerminationSurfaceSource* New();
+  vtkTypeMacro(vtkTerminationSurfaceSource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What is drawn. Default null.
+   */
+  void SetSurface(vtkTerminationSurface* surface);
+  vtkTerminationSurface* GetSurface() const;
+  ///@}
+
+  ///@{
+  /**
+   * Cells of the grid along u and v. Default 32, 32. Valid: 1 to 10000, clamped.
+   */
+  vtkSetClampMacro(ResolutionU, int, 1, 10000);
+  vtkGetMacro(ResolutionU, int);
+  vtkSetClampMacro(ResolutionV, int, 1, 10000);
+  vtkGetMacro(ResolutionV, int);
+  ///@}
+
+  /// That of the surface too.
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkTerminationSurfaceSource();
+  ~vtkTerminationSurfaceSource() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  vtkSmartPointer<vtkTerminationSurface> Surface;
+  int ResolutionU = 32;
+  int ResolutionV = 32;
+
+private:
+  vtkTerminationSurfaceSource(const vtkTerminationSurfaceSource&) = delete;
+  void operator=(const vtkTerminationSurfaceSource&) = delete;
+};
+
+#endif

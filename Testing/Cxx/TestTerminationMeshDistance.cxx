@@ -1,0 +1,264 @@
+// The signed distance of meshes against all triangles and the winding number: sharp edges, tips,
+// concave solids, closed grids; seams, open borders and jumps; all scales.
+#include "ReferenceCheck.h"
+#include "ReferenceRandom.h"
+#include "ReferenceTermination.h"
+#include "ReferenceTerminationMesh.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTerminationMesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using namespace reference;
+
+const double Pi = std::acos(-1.0);
+
+Vector OnSphere(double u, double v)
+{
+  const double across = 0.7 * std::sin(Pi * v);
+  return { { across * std::cos(2.0 * Pi * u), across * std::sin(2.0 * Pi * u),
+    -0.7 * std::cos(Pi * v) } };
+}
+
+Vector OnTorus(double u, double v)
+{
+  const double across = 0.6 + 0.25 * std::cos(2.0 * Pi * v);
+  return { { across * std::cos(2.0 * Pi * u), across * std::sin(2.0 * Pi * u),
+    0.25 * std::sin(2.0 * Pi * v) } };
+}
+
+void CheckClosed(const TexturedMesh& unit, const SurfaceScale& scale, bool isPeriodic,
+  const std::string& name, Check& check)
+{
+  check.SetContext(name + ", size " + std::to_string(scale.Size));
+  const TexturedMesh mesh = unit.Placed(scale);
+  vtkNew<vtkTerminationMesh> surface;
+  surface->SetMesh(mesh.MakeData());
+  surface->SetPeriodicU(isPeriodic);
+  const std::string wrong = surface->Update();
+  check.That(wrong.empty(), "nothing is wrong: " + wrong);
+  check.Equal(surface->GetNumberOfBorderEdges(), 0, "border edges");
+  check.Equal(surface->GetNumberOfBranchingEdges(), 0, "branching edges");
+  check.Equal(
+    surface->GetNumberOfTriangles(), static_cast<long long>(mesh.Triangles.size()), "triangles");
+  std::vector<Vector> places = HardPlaces(mesh);
+  const std::vector<Vector> more = PointsAround(scale, 1000, 2);
+  places.insert(places.end(), more.begin(), more.end());
+  // No more than the time allows, for the winding number is that of all triangles.
+  const std::size_t stride = 1 + places.size() * mesh.Triangles.size() / 1500000;
+  int inside = 0;
+  for (std::size_t i = 0; i < places.size(); i += stride)
+  {
+    const Vector& x = places[i];
+    const double distance = DistanceOf(surface, x);
+    const double expected = NearestDistance(mesh, x);
+    check.Near(std::abs(distance), expected, 30.0 * scale.Rounding, "distance", scale.Size);
+    const double winding = WindingNumber(mesh, x);
+    // On the surface itself either sign is right.
+    if (expected > 100.0 * scale.Rounding * scale.Size)
+    {
+      check.That((distance < 0.0) == (winding > 0.5),
+        "the sign at distance " + std::to_string(distance / scale.Size) + ", winding number " +
+          std::to_string(winding));
+      inside += distance < 0.0 ? 1 : 0;
+    }
+  }
+  check.That(inside >= 10, "there are points inside: " + std::to_string(inside));
+  CheckLipschitz(surface, scale, name, check);
+  double bounds[6];
+  surface->GetBounds(bounds);
+  for (const Vector& point : mesh.Points)
+  {
+    check.That(surface->IsOn(point.data()), "a corner is on the surface");
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      check.That(point[axis] >= bounds[2 * axis] && point[axis] <= bounds[2 * axis + 1], "bounds");
+    }
+  }
+}
+
+// Normals of faces are the gradient of the distance; of vertices of a sphere, nearly radial.
+void CheckNormalsOfMesh(Check& check)
+{
+  check.SetContext("normals");
+  const TexturedMesh mesh = MakeGridMesh(40, 24, OnSphere);
+  vtkNew<vtkTerminationMesh> surface;
+  surface->SetMesh(mesh.MakeData());
+  surface->Update();
+  for (std::size_t i = 0; i < mesh.Triangles.size(); i += 5)
+  {
+    const auto& t = mesh.Triangles[i];
+    Vector middle = Added(Added(mesh.Points[t[0]], mesh.Points[t[1]]), mesh.Points[t[2]]);
+    middle = Added({ { 0.0, 0.0, 0.0 } }, middle, 1.0 / 3.0);
+    Vector normal;
+    surface->EvaluateNormal(middle.data(), normal.data());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Vector step = { { 0.0, 0.0, 0.0 } };
+      step[axis] = 1e-6;
+      const double slope = (DistanceOf(surface, Added(middle, step)) -
+                             DistanceOf(surface, Added(middle, step, -1.0))) /
+        2e-6;
+      check.Near(slope, normal[axis], 1e-6, "gradient", 1.0);
+    }
+    const Vector& corner = mesh.Points[t[0]];
+    surface->EvaluateNormal(corner.data(), normal.data());
+    check.Near(DotOf(normal, corner) / 0.7, 1.0, 0.01, "the normal of a vertex of a sphere");
+  }
+}
+
+// Meshes of finer and finer grids come to the sphere's distance with the square of the spacing.
+void CheckConvergence(Check& check)
+{
+  check.SetContext("convergence");
+  double before = 0.0;
+  for (int n : { 12, 24, 48 })
+  {
+    vtkNew<vtkTerminationMesh> surface;
+    surface->SetMesh(MakeGridMesh(2 * n, n, OnSphere).MakeData());
+    surface->Update();
+    double error = 0.0;
+    for (const Vector& x : PointsAround(SurfaceScale(), 1000, 4))
+    {
+      error = std::max(error, std::abs(DistanceOf(surface, x) - (LengthOf(x) - 0.7)));
+    }
+    check.That(before == 0.0 || (error < before / 3.5 && error > before / 4.5),
+      "the error goes from " + std::to_string(before) + " to " + std::to_string(error));
+    before = error;
+  }
+}
+
+void CheckOpen(const SurfaceScale& scale, Check& check)
+{
+  check.SetContext("open, size " + std::to_string(scale.Size));
+  const TexturedMesh mesh = MakeGridMesh(6, 5,
+    [](double u, double v) {
+      return Vector{ { u - 0.5, v - 0.5, 0.0 } };
+    }).Placed(scale);
+  vtkNew<vtkTerminationMesh> surface;
+  surface->SetMesh(mesh.MakeData());
+  check.That(surface->Update().empty(), "nothing is wrong");
+  check.Equal(surface->GetNumberOfBorderEdges(), 22, "border edges");
+  for (const Vector& x : PointsAround(scale, 1000, 6))
+  {
+    const Vector p = Added(x, scale.Center, -1.0);
+    const double beyond =
+      std::max({ std::abs(p[0]) - 0.5 * scale.Size, std::abs(p[1]) - 0.5 * scale.Size, 0.0 });
+    check.Near(std::abs(DistanceOf(surface, x)), NearestDistance(mesh, x), 30.0 * scale.Rounding,
+      "distance", scale.Size);
+    check.That((DistanceOf(surface, x) > 0.0) == (p[2] > 0.0) || beyond > 0.0, "side");
+    Vector foot = x;
+    foot[2] = scale.Center[2];
+    check.That(surface->IsOn(foot.data()) == (beyond == 0.0), "IsOn");
+  }
+  // Near the borders.
+  for (double step : { -1e-6, 0.0, 1e-6 })
+  {
+    for (int side = 0; side < 4; ++side)
+    {
+      Vector x = scale.Center;
+      x[side / 2] += (side % 2 ? 1.0 : -1.0) * (0.5 + step) * scale.Size;
+      x[1 - side / 2] += 0.123 * scale.Size;
+      check.That(surface->IsOn(x.data()) == (step <= 0.0), "IsOn next to a border");
+    }
+  }
+}
+
+// The normal and the sign at a tip do not depend on how its faces are cut.
+void CheckFan(Check& check)
+{
+  check.SetContext("fan");
+  const TexturedMesh whole =
+    MakeSolid({ { { 0, 0, 1 } }, { { -0.3, -0.3, 0 } }, { { 0.3, -0.3, 0 } }, { { 0, 0.3, 0 } } },
+      { { { 0, 1, 2 } }, { { 0, 2, 3 } }, { { 0, 3, 1 } }, { { 1, 3, 2 } } });
+  // The first face in pieces that all meet in the tip, and so is the bottom.
+  const int pieces = 30;
+  std::vector<Vector> points = whole.Points;
+  std::vector<std::array<int, 3>> triangles = { { { 0, 2, 3 } }, { { 0, 3, 1 } } };
+  for (int i = 0; i < pieces; ++i)
+  {
+    const double part = static_cast<double>(i + 1) / pieces;
+    const int before = i == 0 ? 1 : 3 + i;
+    const int after = i + 1 == pieces ? 2 : 4 + i;
+    if (i + 1 < pieces)
+    {
+      points.push_back(Added(whole.Points[1], Added(whole.Points[2], whole.Points[1], -1.0), part));
+    }
+    triangles.push_back({ { 0, before, after } });
+    triangles.push_back({ { 3, after, before } });
+  }
+  const TexturedMesh cut = MakeSolid(points, triangles);
+  vtkNew<vtkTerminationMesh> surfaces[2];
+  surfaces[0]->SetMesh(whole.MakeData());
+  surfaces[1]->SetMesh(cut.MakeData());
+  for (auto& surface : surfaces)
+  {
+    check.That(surface->Update().empty(), "nothing is wrong");
+    check.Equal(surface->GetNumberOfBorderEdges(), 0, "border edges");
+  }
+  for (const Vector& point : whole.Points)
+  {
+    Vector normals[2];
+    surfaces[0]->EvaluateNormal(point.data(), normals[0].data());
+    surfaces[1]->EvaluateNormal(point.data(), normals[1].data());
+    check.Near(
+      LengthOf(Added(normals[0], normals[1], -1.0)), 0.0, 1e-6, "the normal of a corner", 1.0);
+  }
+  for (const Vector& x : HardPlaces(whole))
+  {
+    check.Near(DistanceOf(surfaces[1], x), DistanceOf(surfaces[0], x), 1e-12, "the distance", 1.0);
+  }
+}
+
+// Two sheets that face the same way: the sign jumps between them, where nothing is on the surface.
+void CheckSheets(Check& check)
+{
+  check.SetContext("sheets");
+  TexturedMesh mesh;
+  mesh.Points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } },
+    { { 1, 0, 1 } }, { { 0, 1, 1 } } };
+  mesh.Texture.assign(6, { { 0.5, 0.5 } });
+  mesh.Triangles = { { { 0, 1, 2 } }, { { 3, 4, 5 } } };
+  vtkNew<vtkTerminationMesh> surface;
+  surface->SetMesh(mesh.MakeData());
+  check.That(surface->Update().empty(), "nothing is wrong");
+  const Vector below = { { 0.2, 0.2, 0.499 } };
+  const Vector above = { { 0.2, 0.2, 0.501 } };
+  const Vector between = { { 0.2, 0.2, 0.5 } };
+  check.That(
+    DistanceOf(surface, below) > 0.0 && DistanceOf(surface, above) < 0.0, "the sign jumps");
+  check.That(!surface->IsOn(between.data()), "nothing is at the jump");
+  const Vector on = { { 0.2, 0.2, 1.0 + 1e-10 } };
+  check.That(surface->IsOn(on.data()), "a sheet is on the surface");
+}
+
+}
+
+int TestTerminationMeshDistance(int, char*[])
+{
+  Check check;
+  std::vector<SurfaceScale> scales(4);
+  scales[1].Size = 1e-9;
+  scales[2].Size = 1e9;
+  scales[3].Center = { { 1e6, -1e6, 2e6 } };
+  scales[3].Rounding = 2e-9;
+  for (const SurfaceScale& scale : scales)
+  {
+    CheckClosed(MakeTetrahedron(), scale, false, "tetrahedron", check);
+    CheckClosed(MakeStar(), scale, false, "star", check);
+    CheckClosed(MakeGridMesh(24, 12, OnSphere), scale, true, "sphere", check);
+    CheckClosed(MakeGridMesh(24, 12, OnTorus), scale, true, "torus", check);
+    CheckOpen(scale, check);
+  }
+  CheckNormalsOfMesh(check);
+  CheckConvergence(check);
+  CheckFan(check);
+  CheckSheets(check);
+  return check.Result();
+}

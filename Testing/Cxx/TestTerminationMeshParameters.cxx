@@ -1,0 +1,221 @@
+// Texture coordinates of meshes as parameters: of a point and back, over seams with and without
+// points on both sides, with gaps; strips and polygons; IsOn of a half cylinder.
+#include "ReferenceCheck.h"
+#include "ReferenceRandom.h"
+#include "ReferenceTermination.h"
+#include "ReferenceTerminationMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTerminationMesh.h"
+
+#include <cmath>
+
+namespace
+{
+
+using namespace reference;
+
+const double Pi = std::acos(-1.0);
+
+Vector OnCylinder(double u, double v)
+{
+  return { { 0.5 * std::cos(2.0 * Pi * u), 0.5 * std::sin(2.0 * Pi * u), v - 0.5 } };
+}
+
+// Where u = 0 is when the seam lies inside of triangles, in turns.
+const double Shift = 0.02;
+
+// The grid's points without those at u = 1; triangles at the seam lead back to u = 0, which lies
+// \a shift before their corners.
+TexturedMesh WithoutSeam(const TexturedMesh& mesh, int columns, double shift = 0.0)
+{
+  TexturedMesh merged;
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    if (i % (columns + 1) < static_cast<std::size_t>(columns))
+    {
+      merged.Points.push_back(mesh.Points[i]);
+      merged.Texture.push_back({ { mesh.Texture[i][0] + shift, mesh.Texture[i][1] } });
+    }
+  }
+  for (auto triangle : mesh.Triangles)
+  {
+    for (int& corner : triangle)
+    {
+      corner = corner / (columns + 1) * columns + corner % (columns + 1) % columns;
+    }
+    merged.Triangles.push_back(triangle);
+  }
+  return merged;
+}
+
+void CheckCylinder(const TexturedMesh& mesh, int columns, double shift, const SurfaceScale& scale,
+  const std::string& name, Check& check)
+{
+  check.SetContext(name + ", size " + std::to_string(scale.Size));
+  vtkNew<vtkTerminationMesh> surface;
+  surface->SetMesh(mesh.Placed(scale).MakeData());
+  surface->PeriodicUOn();
+  const std::string wrong = surface->Update();
+  check.That(wrong.empty(), "nothing is wrong: " + wrong);
+  check.Equal(surface->GetNumberOfBorderEdges(), 2 * columns, "border edges: the ends only");
+  check.That(surface->IsPeriodic(0) && !surface->IsPeriodic(1), "u is periodic");
+  CheckRoundTrip(surface, scale, 300, name, check);
+  // The parameters are those of the cylinder, to the chord's error.
+  Random random(9);
+  for (int i = 0; i < 500; ++i)
+  {
+    const double u = i < 100 ? random.Get(-0.02, 0.02) : random.Get(0.0, 1.0);
+    const double v = random.Get(0.0, 1.0);
+    const Vector x = Added(scale.Center, OnCylinder(u - shift, v), scale.Size);
+    double uv[2];
+    surface->EvaluateParameters(x.data(), uv);
+    check.Near(uv[0] - u - std::round(uv[0] - u), 0.0, 2e-4, "u", 1.0);
+    check.Near(uv[1], v, 1e-6, "v", 1.0);
+    check.That(uv[0] >= 0.0 && uv[0] < 1.0, "u is from 0 to below 1");
+    const double distance = DistanceOf(surface, x) / scale.Size;
+    check.That(distance >= -1e-6 && distance < 0.01, "the mesh is inside of the cylinder");
+    const double lifted[2] = { u - std::floor(u), v };
+    Vector y;
+    check.That(surface->EvaluatePoint(0, lifted, y.data()), "there is a point");
+    check.That(LengthOf(Added(y, x, -1.0)) < 0.01 * scale.Size, "and it is near");
+  }
+  for (double v : { -1e-5, 0.0, 1.0, 1.0 + 1e-5 })
+  {
+    // A corner of the mesh, which is on the cylinder.
+    const Vector x = Added(scale.Center, OnCylinder(2.0 / columns, v), scale.Size);
+    check.That(surface->IsOn(x.data()) == (v == 0.0 || v == 1.0), "the ends");
+  }
+}
+
+// One texture in two patches with a gap between.
+void CheckGap(Check& check)
+{
+  check.SetContext("gap");
+  TexturedMesh mesh = MakeGridMesh(3, 1, [](double u, double v) { return Vector{ { u, v, 0 } }; });
+  // Without the middle column.
+  mesh.Triangles.erase(mesh.Triangles.begin() + 2, mesh.Triangles.begin() + 4);
+  vtkNew<vtkTerminationMesh> surface;
+  surface->SetMesh(mesh.MakeData());
+  surface->Update();
+  for (double u : { 0.1, 0.33, 0.34, 0.5, 0.66, 0.67, 0.9 })
+  {
+    const double uv[2] = { u, 0.4 };
+    Vector x;
+    const bool isThere = u < 1.0 / 3.0 || u > 2.0 / 3.0;
+    check.That(surface->EvaluatePoint(0, uv, x.data()) == isThere, "points but in the gap");
+    const Vector place = { { u, 0.4, 0.0 } };
+    check.That(surface->IsOn(place.data()) == isThere, "on the surface but in the gap");
+  }
+  for (const auto& outside : { std::array<double, 2>{ { 1.1, 0.5 } },
+         std::array<double, 2>{ { 0.1, -0.1 } }, std::array<double, 2>{ { NAN, 0.5 } } })
+  {
+    Vector x;
+    check.That(!surface->EvaluatePoint(0, outside.data(), x.data()), "no point outside");
+    check.That(!surface->EvaluatePoint(1, mesh.Texture[0].data(), x.data()), "no other part");
+  }
+}
+
+// Without PeriodicU a triangle over the seam of a texture is one that has all of it.
+void CheckPeriodicMatters(Check& check)
+{
+  check.SetContext("periodic");
+  const TexturedMesh mesh = WithoutSeam(MakeGridMesh(20, 4, OnCylinder), 20);
+  vtkNew<vtkTerminationMesh> surface;
+  surface->SetMesh(mesh.MakeData());
+  surface->Update();
+  const Vector x = OnCylinder(0.975, 0.3);
+  double uv[2];
+  surface->EvaluateParameters(x.data(), uv);
+  check.That(uv[0] > 0.1 && uv[0] < 0.9, "not periodic: the texture runs back");
+  surface->PeriodicUOn();
+  surface->Update();
+  surface->EvaluateParameters(x.data(), uv);
+  check.Near(uv[0], 0.975, 1e-3, "periodic: it goes on");
+}
+
+// v goes around, u does not.
+void CheckPeriodicV(Check& check)
+{
+  check.SetContext("periodic v");
+  TexturedMesh mesh = WithoutSeam(MakeGridMesh(20, 4, OnCylinder), 20, Shift);
+  for (auto& texture : mesh.Texture)
+  {
+    std::swap(texture[0], texture[1]);
+  }
+  vtkNew<vtkTerminationMesh> surface;
+  surface->SetMesh(mesh.MakeData());
+  surface->PeriodicVOn();
+  check.That(surface->Update().empty(), "nothing is wrong");
+  check.That(!surface->IsPeriodic(0) && surface->IsPeriodic(1), "v is periodic");
+  CheckRoundTrip(surface, SurfaceScale(), 300, "periodic v", check);
+}
+
+// The same plane of a strip, of polygons (one of them concave) and of triangles.
+void CheckCells(Check& check)
+{
+  check.SetContext("cells");
+  TexturedMesh mesh;
+  mesh.Points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } }, { { 2, 1, 0 } },
+    { { 1, 1, 0 } }, { { 0, 1, 0 } }, { { 0.5, 0.5, 0 } } };
+  for (const Vector& point : mesh.Points)
+  {
+    mesh.Texture.push_back({ { point[0] / 2.0, point[1] } });
+  }
+  const auto checkData = [&](vtkPolyData* data, int triangles, const std::string& name)
+  {
+    vtkNew<vtkTerminationMesh> surface;
+    surface->SetMesh(data);
+    const std::string wrong = surface->Update();
+    check.That(wrong.empty(), name + ": nothing is wrong " + wrong);
+    check.Equal(surface->GetNumberOfTriangles(), triangles, name + ": triangles");
+    CheckRoundTrip(surface, SurfaceScale(), 300, name, check);
+  };
+  auto data = mesh.MakeData();
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 5, 0, 4, 1, 3, 2 });
+  data->SetPolys(vtkNew<vtkCellArray>());
+  data->SetStrips(strips);
+  checkData(data, 4, "strip");
+  data = mesh.MakeData();
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 1, 2, 3, 4, 5, 6 });
+  polygons->InsertNextCell({ 0, 6, 5 });
+  data->SetPolys(polygons);
+  checkData(data, 6, "concave polygon");
+  data = mesh.MakeData();
+  vtkNew<vtkCellArray> quads;
+  quads->InsertNextCell({ 0, 1, 4, 5 });
+  quads->InsertNextCell({ 3, 2, 1, 4 });
+  data->SetPolys(quads);
+  checkData(data, 4, "quadrilaterals of two orientations");
+}
+
+}
+
+int TestTerminationMeshParameters(int, char*[])
+{
+  Check check;
+  const int columns = 20;
+  const TexturedMesh mesh = MakeGridMesh(columns, 6, OnCylinder);
+  std::vector<SurfaceScale> scales(4);
+  scales[1].Size = 1e-9;
+  scales[2].Size = 1e9;
+  scales[3].Center = { { 1e6, -1e6, 2e6 } };
+  scales[3].Rounding = 2e-9;
+  for (const SurfaceScale& scale : scales)
+  {
+    CheckCylinder(mesh, columns, 0.0, scale, "points on both sides of the seam", check);
+    CheckCylinder(
+      WithoutSeam(mesh, columns), columns, 0.0, scale, "triangles that end at the seam", check);
+    CheckCylinder(
+      WithoutSeam(mesh, columns, Shift), columns, Shift, scale, "triangles over the seam", check);
+  }
+  CheckGap(check);
+  CheckPeriodicMatters(check);
+  CheckPeriodicV(check);
+  CheckCells(check);
+  return check.Result();
+}

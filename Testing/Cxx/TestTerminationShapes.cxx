@@ -1,0 +1,258 @@
+// Plane, sphere, cylinder and box against formulas and samples, at all scales and far from the
+// origin; where they end, where their parameters go around.
+#include "ReferenceCheck.h"
+#include "ReferenceTermination.h"
+
+#include "vtkNew.h"
+#include "vtkTerminationBox.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTerminationSphere.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using namespace reference;
+
+const double Pi = std::acos(-1.0);
+
+void CheckAll(const vtkTerminationSurface* surface, const SurfaceScale& scale,
+  const std::function<double(const Vector&)>& distance, const std::string& name, Check& check)
+{
+  CheckDistance(surface, scale, distance, name, check);
+  CheckLipschitz(surface, scale, name, check);
+  CheckRoundTrip(surface, scale, 230, name, check);
+  CheckNormals(surface, scale, name, check);
+}
+
+Vector PointOf(const vtkTerminationSurface* surface, int part, double u, double v)
+{
+  const double uv[2] = { u, v };
+  Vector x = { { 0.0, 0.0, 0.0 } };
+  surface->EvaluatePoint(part, uv, x.data());
+  return x;
+}
+
+void CheckPlane(const SurfaceScale& scale, Check& check)
+{
+  const Vector edges[2] = { { { 0.6, 0.2, -0.3 } }, { { 0.1, 0.9, 0.4 } } };
+  const Vector origin = Added(scale.Center, { { -0.3, -0.4, 0.1 } }, scale.Size);
+  const Vector point1 = Added(origin, edges[0], scale.Size);
+  const Vector point2 = Added(origin, edges[1], scale.Size);
+  vtkNew<vtkTerminationPlane> plane;
+  plane->SetOrigin(origin.data());
+  plane->SetPoint1(point1.data());
+  plane->SetPoint2(point2.data());
+  check.That(plane->Update().empty(), "plane: nothing is wrong");
+  const Vector cross = CrossOf(edges[0], edges[1]);
+  const Vector normal = Added({ { 0.0, 0.0, 0.0 } }, cross, 1.0 / LengthOf(cross));
+  const auto distance = [&normal, &origin](const Vector& x)
+  { return DotOf(normal, Added(x, origin, -1.0)); };
+  CheckAll(plane, scale, distance, "plane", check);
+  // In and out of the rectangle, near its borders and above it.
+  for (double side : { -1e-6, 0.0, 1.0, 1.0 + 1e-6 })
+  {
+    for (double height : { 0.0, 0.01 })
+    {
+      const double reach = scale.Size * side;
+      const bool isOn = side == 0.0 || side == 1.0;
+      const Vector lifted = Added(origin, normal, height * scale.Size);
+      const Vector acrossU = Added(Added(lifted, edges[0], reach), edges[1], 0.5 * scale.Size);
+      const Vector acrossV = Added(Added(lifted, edges[1], reach), edges[0], 0.5 * scale.Size);
+      check.That(plane->IsOn(acrossU.data()) == isOn, "plane: border of u");
+      check.That(plane->IsOn(acrossV.data()) == isOn, "plane: border of v");
+      double uv[2];
+      plane->EvaluateParameters(acrossU.data(), uv);
+      check.That(uv[0] >= 0.0 && uv[0] <= 1.0, "plane: u is clamped");
+    }
+  }
+  plane->UnboundedOn();
+  const double beyond[2] = { -3.5, 7.25 };
+  Vector x;
+  check.That(plane->EvaluatePoint(0, beyond, x.data()), "unbounded plane: there is a point");
+  check.That(plane->IsOn(x.data()), "unbounded plane: a point far away is on it");
+  double again[2];
+  plane->EvaluateParameters(x.data(), again);
+  check.Near(again[0], beyond[0], 1e3 * scale.Rounding, "unbounded plane: u");
+  check.Near(again[1], beyond[1], 1e3 * scale.Rounding, "unbounded plane: v");
+  double bounds[6];
+  plane->GetBounds(bounds);
+  check.That(bounds[0] > bounds[1], "unbounded plane: no bounds");
+}
+
+void CheckSphere(const SurfaceScale& scale, Check& check)
+{
+  const Vector axes[3] = { { { 0.0, 0.0, 1.0 } }, { { 0.0, 0.0, -2.0 } }, { { 1.0, -2.0, 0.5 } } };
+  for (const Vector& axis : axes)
+  {
+    vtkNew<vtkTerminationSphere> sphere;
+    sphere->SetCenter(scale.Center.data());
+    sphere->SetRadius(0.7 * scale.Size);
+    sphere->SetAxis(axis.data());
+    check.That(sphere->Update().empty(), "sphere: nothing is wrong");
+    CheckAll(
+      sphere, scale,
+      [&scale](const Vector& x)
+      { return LengthOf(Added(x, scale.Center, -1.0)) - 0.7 * scale.Size; },
+      "sphere", check);
+    // The poles, and counterclockwise around the axis from the one.
+    const double reach = 0.7 * scale.Size / LengthOf(axis);
+    for (double v : { 0.0, 1.0 })
+    {
+      const Vector pole = Added(scale.Center, axis, v == 0.0 ? -reach : reach);
+      const Vector found = PointOf(sphere, 0, 0.3, v);
+      check.Near(LengthOf(Added(found, pole, -1.0)), 0.0, 2.0 * scale.Rounding, "sphere: a pole",
+        scale.Size);
+    }
+    const Vector first = Added(PointOf(sphere, 0, 0.1, 0.5), scale.Center, -1.0);
+    const Vector second = Added(PointOf(sphere, 0, 0.2, 0.5), scale.Center, -1.0);
+    const Vector turn = CrossOf(first, second);
+    check.Near(DotOf(turn, axis) / (LengthOf(axis) * 0.49 * scale.Size * scale.Size),
+      std::sin(0.2 * Pi), 1e-5, "sphere: a tenth of a turn");
+  }
+}
+
+// The seam of u of part 0 at any v: next to it u is near 0 and 1, and 0 and 1 are the same place.
+void CheckSeam(const vtkTerminationSurface* surface, const SurfaceScale& scale,
+  const std::string& name, Check& check)
+{
+  for (double v : { 0.2, 0.7 })
+  {
+    const Vector place = PointOf(surface, 0, 0.0, v);
+    check.Near(LengthOf(Added(place, PointOf(surface, 0, 1.0, v), -1.0)), 0.0, scale.Rounding,
+      name + ": both sides of the seam", scale.Size);
+    double low[2];
+    double high[2];
+    surface->EvaluateParameters(PointOf(surface, 0, 1e-4, v).data(), low);
+    surface->EvaluateParameters(PointOf(surface, 0, -1e-4, v).data(), high);
+    check.Near(low[0], 1e-4, 1e-5, name + ": beyond the seam", 1.0);
+    check.Near(high[0], 1.0 - 1e-4, 1e-5, name + ": before the seam", 1.0);
+  }
+}
+
+void CheckCylinder(const SurfaceScale& scale, Check& check)
+{
+  const Vector axis = { { 0.6, -0.48, 0.64 } };
+  const double radius = 0.4;
+  const double length = 1.3;
+  const Vector point1 = Added(scale.Center, axis, -0.5 * length * scale.Size);
+  const Vector point2 = Added(scale.Center, axis, 0.5 * length * scale.Size);
+  vtkNew<vtkTerminationCylinder> cylinder;
+  cylinder->SetPoint1(point1.data());
+  cylinder->SetPoint2(point2.data());
+  cylinder->SetRadius(radius * scale.Size);
+  check.That(cylinder->Update().empty(), "cylinder: nothing is wrong");
+  const auto wall = [&](const Vector& x)
+  { return LengthOf(CrossOf(Added(x, scale.Center, -1.0), axis)) - radius * scale.Size; };
+  const auto end = [&](const Vector& x)
+  { return std::abs(DotOf(Added(x, scale.Center, -1.0), axis)) - 0.5 * length * scale.Size; };
+  CheckAll(cylinder, scale, wall, "cylinder", check);
+  CheckSeam(cylinder, scale, "cylinder", check);
+  for (double v : { -1e-6, 0.0, 0.5, 1.0, 1.0 + 1e-6 })
+  {
+    Vector x = PointOf(cylinder, 0, 0.35, 0.0);
+    x = Added(x, axis, v * length * scale.Size);
+    check.That(cylinder->IsOn(x.data()) == (v >= 0.0 && v <= 1.0), "cylinder: its ends");
+    double uv[2];
+    cylinder->EvaluateParameters(x.data(), uv);
+    check.Near(uv[1], std::max(0.0, std::min(v, 1.0)), 1e-8, "cylinder: v", 1.0);
+  }
+  cylinder->CappedOn();
+  check.Equal(cylinder->GetNumberOfParts(), 3, "capped cylinder: parts");
+  CheckAll(
+    cylinder, scale,
+    [&](const Vector& x)
+    {
+      const double a = wall(x);
+      const double b = end(x);
+      return a > 0.0 && b > 0.0 ? std::hypot(a, b) : std::max(a, b);
+    },
+    "capped cylinder", check);
+  CheckSamples(cylinder, scale, 60, 0.05 * scale.Size, "capped cylinder", check);
+  check.That(cylinder->IsPeriodic(0) && !cylinder->IsPeriodic(0, 1) && !cylinder->IsPeriodic(1),
+    "capped cylinder: only the wall's angle is periodic");
+  const Vector caps[2] = { point1, point2 };
+  for (int cap = 0; cap < 2; ++cap)
+  {
+    check.Near(LengthOf(Added(PointOf(cylinder, 1 + cap, 0.5, 0.5), caps[cap], -1.0)), 0.0,
+      2.0 * scale.Rounding, "capped cylinder: the middle of a cap", scale.Size);
+    // The angle of wall and cap is the same.
+    const Vector rim = PointOf(cylinder, 0, 0.25, cap);
+    check.Near(LengthOf(Added(PointOf(cylinder, 1 + cap, 0.5, 1.0), rim, -1.0)), 0.0,
+      2.0 * scale.Rounding, "capped cylinder: a quarter of a turn", scale.Size);
+    const double corner[2] = { 0.05, 0.05 };
+    Vector x;
+    check.That(!cylinder->EvaluatePoint(1 + cap, corner, x.data()), "no point beyond a disc");
+  }
+}
+
+void CheckBox(const SurfaceScale& scale, Check& check)
+{
+  const double half[3] = { 0.3, 0.5, 0.7 };
+  double bounds[6];
+  for (int i = 0; i < 3; ++i)
+  {
+    bounds[2 * i] = scale.Center[i] - half[i] * scale.Size;
+    bounds[2 * i + 1] = scale.Center[i] + half[i] * scale.Size;
+  }
+  vtkNew<vtkTerminationBox> box;
+  box->SetBounds(bounds);
+  check.That(box->Update().empty(), "box: nothing is wrong");
+  CheckAll(
+    box, scale,
+    [&](const Vector& x)
+    {
+      double outside = 0.0;
+      double inside = -1e300;
+      for (int i = 0; i < 3; ++i)
+      {
+        const double q = std::abs(x[i] - scale.Center[i]) - half[i] * scale.Size;
+        outside += q > 0.0 ? q * q : 0.0;
+        inside = std::max(inside, q);
+      }
+      return outside > 0.0 ? std::sqrt(outside) : inside;
+    },
+    "box", check);
+  CheckSamples(box, scale, 30, 0.05 * scale.Size, "box", check);
+  for (int part = 0; part < 6; ++part)
+  {
+    const int axis = part / 2;
+    const int u = axis == 0 ? 1 : 0;
+    const int v = axis == 2 ? 1 : 2;
+    const Vector x = PointOf(box, part, 0.25, 0.75);
+    check.Near(x[axis], bounds[part], 1e-15, "box: the face's plane");
+    check.Near(x[u] - scale.Center[u], -0.5 * half[u] * scale.Size, 10.0 * scale.Rounding, "box: u",
+      scale.Size);
+    check.Near(x[v] - scale.Center[v], 0.5 * half[v] * scale.Size, 10.0 * scale.Rounding, "box: v",
+      scale.Size);
+    Vector normal;
+    box->EvaluateNormal(x.data(), normal.data());
+    check.Equal(static_cast<int>(normal[axis]), part % 2 == 0 ? -1 : 1, "box: outward");
+  }
+}
+
+}
+
+int TestTerminationShapes(int, char*[])
+{
+  Check check;
+  std::vector<SurfaceScale> scales(5);
+  scales[0].Size = 1e-9;
+  scales[2].Size = 1e9;
+  scales[3].Center = { { 1e6, -1e6, 2e6 } };
+  scales[3].Rounding = 2e-9;
+  scales[4].Center = { { 0.1, -0.2, 0.3 } };
+  for (const SurfaceScale& scale : scales)
+  {
+    check.SetContext(
+      "size " + std::to_string(scale.Size) + " at " + std::to_string(scale.Center[0]));
+    CheckPlane(scale, check);
+    CheckSphere(scale, check);
+    CheckCylinder(scale, check);
+    CheckBox(scale, check);
+  }
+  return check.Result();
+}

@@ -1,0 +1,238 @@
+// Surfaces drawn: points on them with their parameters and normals, areas and rims against
+// formulas, triangles turned outward, ids; gaps, messages, progress, threads.
+#include "ReferenceCheck.h"
+#include "ReferenceMessages.h"
+#include "ReferenceProgress.h"
+#include "ReferenceTermination.h"
+#include "ReferenceTerminationMesh.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkTerminationBox.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationMesh.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTerminationSphere.h"
+#include "vtkTerminationSurfaceSource.h"
+#include "vtkTerminationTube.h"
+
+#include <cmath>
+#include <map>
+
+namespace
+{
+
+using namespace reference;
+
+const double Pi = std::acos(-1.0);
+
+Vector PointOf(vtkPolyData* data, vtkIdType id)
+{
+  Vector x;
+  data->GetPoint(id, x.data());
+  return x;
+}
+
+// Every part's area, and that all is where it should be.
+void CheckSurface(vtkTerminationSurface* surface, int resolution,
+  const std::map<int, double>& areas, double tolerance, const std::string& name, Check& check)
+{
+  check.SetContext(name);
+  vtkNew<vtkTerminationSurfaceSource> source;
+  source->SetSurface(surface);
+  source->SetResolutionU(resolution);
+  source->SetResolutionV(resolution);
+  const std::string messages = MessagesOf(source);
+  check.That(messages.empty(), "no message: " + messages);
+  vtkPolyData* output = source->GetOutput();
+  vtkDataArray* texture = output->GetPointData()->GetTCoords();
+  vtkDataArray* normals = output->GetPointData()->GetNormals();
+  vtkDataArray* ids = output->GetCellData()->GetArray("TerminationId");
+  check.That(texture && normals && ids, "the arrays are there");
+  if (!texture || !normals || !ids)
+  {
+    return;
+  }
+  check.That(std::string(texture->GetName()) == "TerminationUV", "the name of the parameters");
+  check.That(std::string(normals->GetName()) == "Normals", "the name of the normals");
+  std::map<int, double> found;
+  vtkNew<vtkIdList> cell;
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    output->GetCellPoints(i, cell);
+    check.Equal(cell->GetNumberOfIds(), 3, "a triangle");
+    const int id = static_cast<int>(ids->GetTuple1(i));
+    Vector corners[3];
+    Vector mean = { { 0.0, 0.0, 0.0 } };
+    for (int k = 0; k < 3; ++k)
+    {
+      const vtkIdType point = cell->GetId(k);
+      corners[k] = PointOf(output, point);
+      check.Near(DistanceOf(surface, corners[k]), 0.0, 1e-12, "on the surface", 1.0);
+      const double* uv = texture->GetTuple(point);
+      Vector again;
+      check.That(surface->EvaluatePoint(id - surface->GetId(), uv, again.data()) &&
+          LengthOf(Added(again, corners[k], -1.0)) < 1e-12,
+        "the parameters of a point");
+      Vector normal;
+      normals->GetTuple(point, normal.data());
+      check.Near(LengthOf(normal), 1.0, 1e-9, "length of a normal");
+      mean = Added(mean, normal);
+    }
+    const Vector cross =
+      CrossOf(Added(corners[1], corners[0], -1.0), Added(corners[2], corners[0], -1.0));
+    // Specks at a rim may lie in the rim's plane.
+    check.That(
+      LengthOf(cross) < 1e-6 || DotOf(cross, mean) > 0.9 * LengthOf(cross) * LengthOf(mean),
+      "triangles and normals face the same way");
+    found[id] += 0.5 * LengthOf(cross);
+  }
+  check.Equal(static_cast<long long>(found.size()), static_cast<long long>(areas.size()), "parts");
+  for (const auto& area : areas)
+  {
+    check.Near(
+      found[area.first], area.second, tolerance, "area of id " + std::to_string(area.first));
+  }
+}
+
+void CheckShapes(Check& check)
+{
+  vtkNew<vtkTerminationPlane> plane;
+  plane->SetId(3);
+  plane->SetOrigin(0.0, 0.0, 0.0);
+  plane->SetPoint1(2.0, 0.0, 0.0);
+  plane->SetPoint2(1.0, 3.0, 0.0);
+  plane->UnboundedOn();
+  CheckSurface(plane, 7, { { 3, 6.0 } }, 1e-12, "plane", check);
+  vtkNew<vtkTerminationSphere> sphere;
+  sphere->SetId(0);
+  sphere->SetAxis(1.0, 1.0, 0.0);
+  CheckSurface(sphere, 48, { { 0, Pi } }, 0.005, "sphere", check);
+  vtkNew<vtkTerminationSurfaceSource> source;
+  source->SetSurface(sphere);
+  source->Update();
+  check.Equal(source->GetOutput()->GetNumberOfCells(), 2 * 32 * 31,
+    "triangles of a sphere, those at the poles left out that have no area");
+  vtkNew<vtkTerminationBox> box;
+  box->SetId(10);
+  box->SetBounds(0.0, 1.0, 0.0, 2.0, 0.0, 3.0);
+  CheckSurface(box, 4,
+    { { 10, 6.0 }, { 11, 6.0 }, { 12, 3.0 }, { 13, 3.0 }, { 14, 2.0 }, { 15, 2.0 } }, 1e-12, "box",
+    check);
+  vtkNew<vtkTerminationCylinder> cylinder;
+  cylinder->SetId(5);
+  cylinder->SetRadius(0.5);
+  cylinder->SetPoint2(0.0, 0.0, 1.5);
+  CheckSurface(cylinder, 40, { { 5, 2.0 * Pi } }, 0.005, "cylinder", check);
+  cylinder->CappedOn();
+  CheckSurface(cylinder, 40, { { 5, 2.0 * Pi }, { 6, 0.25 * Pi }, { 7, 0.25 * Pi } }, 0.005,
+    "capped cylinder", check);
+  vtkNew<vtkTerminationTube> tube;
+  tube->SetId(0);
+  tube->AddPoint(0.0, 0.0, 0.0);
+  tube->AddPoint(0.0, 2.0, 0.0);
+  tube->CappedOn();
+  const double half = 2.0 * Pi * 0.25;
+  CheckSurface(tube, 40, { { 0, 2.0 * Pi }, { 1, half }, { 2, half } }, 0.005, "tube", check);
+  // A disc as a mesh whose texture is a diamond.
+  TexturedMesh diamond;
+  diamond.Points = { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { -1, 0, 0 } }, { { 0, -1, 0 } } };
+  diamond.Texture = { { { 1.0, 0.5 } }, { { 0.5, 1.0 } }, { { 0.0, 0.5 } }, { { 0.5, 0.0 } } };
+  diamond.Triangles = { { { 0, 1, 2 } }, { { 0, 2, 3 } } };
+  vtkNew<vtkTerminationMesh> mesh;
+  mesh->SetId(0);
+  mesh->SetMesh(diamond.MakeData());
+  CheckSurface(mesh, 8, { { 0, 2.0 } }, 1e-6, "diamond", check);
+}
+
+void CheckErrors(Check& check)
+{
+  check.SetContext("messages");
+  vtkNew<vtkTerminationSurfaceSource> source;
+  check.That(MessagesOf(source).find("call SetSurface") != std::string::npos, "no surface");
+  vtkNew<vtkTerminationSphere> sphere;
+  sphere->SetRadius(-1.0);
+  source->SetSurface(sphere);
+  check.That(
+    MessagesOf(source).find("radius is not finite and above 0") != std::string::npos, "a radius");
+  check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "empty output");
+  sphere->SetRadius(1.0);
+  check.That(MessagesOf(source).empty(), "a good radius");
+  check.That(source->GetOutput()->GetNumberOfCells() > 1000, "the surface's change is seen");
+  source->SetResolutionU(0);
+  check.Equal(source->GetResolutionU(), 1, "clamped below");
+  source->SetResolutionV(20000);
+  check.Equal(source->GetResolutionV(), 10000, "clamped above");
+  CheckPrinted(Print(source), { "Surface: ", "ResolutionU: 1", "ResolutionV: 10000" }, check);
+}
+
+void CheckProgressOfSource(Check& check)
+{
+  check.SetContext("progress");
+  vtkNew<vtkTerminationBox> box;
+  vtkNew<vtkTerminationSurfaceSource> source;
+  source->SetSurface(box);
+  ProgressWatch watch;
+  Observe(source, watch);
+  source->Update();
+  CheckGrowth(watch, 50, check);
+  watch.Progress.clear();
+  watch.AbortAt = 0.5;
+  source->Modified();
+  source->Update();
+  check.Equal(source->GetOutput()->GetNumberOfCells(), 0, "an abort leaves nothing");
+}
+
+void CheckThreadsOfSource(Check& check)
+{
+  check.SetContext("threads");
+  vtkNew<vtkTerminationCylinder> cylinder;
+  cylinder->CappedOn();
+  std::vector<double> expected;
+  for (const char* backend : { "Sequential", "STDThread" })
+  {
+    for (int threads : { 1, 2, 8 })
+    {
+      vtkSMPTools::SetBackend(backend);
+      vtkSMPTools::Initialize(threads);
+      vtkNew<vtkTerminationSurfaceSource> source;
+      source->SetSurface(cylinder);
+      source->Update();
+      vtkPolyData* output = source->GetOutput();
+      std::vector<double> found;
+      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+      {
+        const Vector x = PointOf(output, i);
+        const double* uv = output->GetPointData()->GetTCoords()->GetTuple(i);
+        found.insert(found.end(), x.begin(), x.end());
+        found.insert(found.end(), uv, uv + 2);
+      }
+      vtkNew<vtkIdList> cell;
+      for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+      {
+        output->GetCellPoints(i, cell);
+        found.insert(found.end(), cell->begin(), cell->end());
+      }
+      expected = expected.empty() ? found : expected;
+      check.That(found.size() > 10000 && found == expected,
+        std::string(backend) + " " + std::to_string(threads) + " threads");
+    }
+  }
+}
+
+}
+
+int TestTerminationSurfaceSource(int, char*[])
+{
+  Check check;
+  CheckShapes(check);
+  CheckErrors(check);
+  CheckProgressOfSource(check);
+  CheckThreadsOfSource(check);
+  return check.Result();
+}

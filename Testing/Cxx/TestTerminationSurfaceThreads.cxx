@@ -1,0 +1,111 @@
+// Evaluation by many threads at once gives what one thread gives, to the bit.
+#include "ReferenceCheck.h"
+#include "ReferenceTermination.h"
+#include "ReferenceTerminationMesh.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTerminationBox.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationMesh.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTerminationSphere.h"
+#include "vtkTerminationTube.h"
+
+#include <cmath>
+#include <thread>
+
+namespace
+{
+
+using namespace reference;
+
+// All that a surface says of a point.
+using Answer = std::array<double, 11>;
+
+Answer AnswerOf(const vtkTerminationSurface* surface, const Vector& x)
+{
+  Answer answer{};
+  answer[0] = DistanceOf(surface, x);
+  answer[1] = surface->IsOn(x.data()) ? 1.0 : 0.0;
+  const int part = surface->EvaluatePart(x.data());
+  answer[2] = part;
+  surface->EvaluateParameters(x.data(), &answer[3]);
+  surface->EvaluateNormal(x.data(), &answer[5]);
+  surface->EvaluatePoint(part, &answer[3], &answer[8]);
+  return answer;
+}
+
+void CheckSurface(vtkTerminationSurface* surface, const std::string& name, Check& check)
+{
+  check.SetContext(name);
+  check.That(surface->Update().empty(), "nothing is wrong");
+  const std::vector<Vector> points = PointsAround(SurfaceScale(), 3000, 31);
+  std::vector<Answer> expected;
+  expected.reserve(points.size());
+  for (const Vector& x : points)
+  {
+    expected.push_back(AnswerOf(surface, x));
+  }
+  const int number = 8;
+  std::vector<std::vector<Answer>> found(number, std::vector<Answer>(points.size()));
+  std::vector<std::thread> threads;
+  threads.reserve(number);
+  for (int t = 0; t < number; ++t)
+  {
+    threads.emplace_back(
+      [surface, &points, &found, t]
+      {
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          // Each begins elsewhere.
+          const std::size_t k = (i + 377 * static_cast<std::size_t>(t)) % points.size();
+          found[t][k] = AnswerOf(surface, points[k]);
+        }
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (const auto& answers : found)
+  {
+    check.That(answers == expected, "what one thread gives");
+  }
+}
+
+}
+
+int TestTerminationSurfaceThreads(int, char*[])
+{
+  Check check;
+  CheckSurface(vtkNew<vtkTerminationPlane>(), "plane", check);
+  CheckSurface(vtkNew<vtkTerminationSphere>(), "sphere", check);
+  vtkNew<vtkTerminationCylinder> cylinder;
+  cylinder->CappedOn();
+  CheckSurface(cylinder, "cylinder", check);
+  CheckSurface(vtkNew<vtkTerminationBox>(), "box", check);
+  vtkNew<vtkTerminationTube> tube;
+  for (int i = 0; i < 50; ++i)
+  {
+    tube->AddPoint(0.5 * std::cos(0.2 * i), 0.5 * std::sin(0.2 * i), 0.02 * i - 0.5);
+  }
+  tube->SetRadius(0.1);
+  tube->CappedOn();
+  CheckSurface(tube, "tube", check);
+  vtkNew<vtkTerminationMesh> mesh;
+  mesh->SetMesh(MakeGridMesh(30, 20,
+    [](double u, double v) {
+      return Vector{ { u - 0.5, v - 0.5, 0.2 * std::sin(9.0 * u * v) } };
+    }).MakeData());
+  CheckSurface(mesh, "mesh", check);
+  // Two of the same mesh are the same.
+  vtkNew<vtkTerminationMesh> again;
+  again->SetMesh(mesh->GetMesh());
+  again->Update();
+  for (const Vector& x : PointsAround(SurfaceScale(), 500, 3))
+  {
+    check.That(AnswerOf(mesh, x) == AnswerOf(again, x), "the same mesh again");
+  }
+  return check.Result();
+}

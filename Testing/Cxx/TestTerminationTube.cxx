@@ -1,0 +1,332 @@
+// Tubes around straight, bent, knotted and closed lines: distance, angle and length without jumps,
+// round ends, messages.
+#include "ReferenceCheck.h"
+#include "ReferenceRandom.h"
+#include "ReferenceTermination.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationTube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+
+const double Pi = std::acos(-1.0);
+
+Vector OnHelix(double t)
+{
+  return { { 0.5 * std::cos(4.0 * t), 0.5 * std::sin(4.0 * t), t - 0.5 } };
+}
+
+// A closed line that is in no plane, so that its frame is turned after one round.
+Vector OnRing(double t)
+{
+  const double angle = 2.0 * Pi * t;
+  return { { 0.7 * std::cos(angle), 0.6 * std::sin(angle),
+    0.2 * std::sin(2.0 * angle) + 0.1 * std::cos(3.0 * angle) } };
+}
+
+std::vector<Vector> MakeLine(
+  const std::function<Vector(double)>& place, int segments, bool isClosed)
+{
+  std::vector<Vector> line;
+  for (int i = 0; i <= segments; ++i)
+  {
+    line.push_back(place(isClosed && i == segments ? 0.0 : static_cast<double>(i) / segments));
+  }
+  return line;
+}
+
+double DistanceFromLine(const std::vector<Vector>& line, const Vector& x)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+  {
+    const Vector side = Added(line[i + 1], line[i], -1.0);
+    const Vector p = Added(x, line[i], -1.0);
+    const double t = std::max(0.0, std::min(DotOf(p, side) / DotOf(side, side), 1.0));
+    nearest = std::min(nearest, LengthOf(Added(p, side, -t)));
+  }
+  return nearest;
+}
+
+void SetPoints(vtkTerminationTube* tube, const std::vector<Vector>& line)
+{
+  tube->RemoveAllPoints();
+  for (const Vector& point : line)
+  {
+    tube->AddPoint(point[0], point[1], point[2]);
+  }
+}
+
+// Walks on the tube in small steps of parameters and of places: neither jumps.
+void CheckContinuity(vtkTerminationTube* tube, const SurfaceScale& scale, double radius,
+  const std::string& name, Check& check)
+{
+  const int steps = 4000;
+  const auto pointAt = [tube](double u, double v)
+  {
+    const double uv[2] = { u, v };
+    Vector x = { { 0.0, 0.0, 0.0 } };
+    tube->EvaluatePoint(0, uv, x.data());
+    return x;
+  };
+  for (double u : { 0.0, 0.2, 0.4, 0.6, 0.8 })
+  {
+    Vector before = pointAt(u, 0.0);
+    for (int i = 1; i <= steps; ++i)
+    {
+      const Vector x = pointAt(u, static_cast<double>(i) / steps);
+      // Between bends the places come close on the inside and go apart on the outside.
+      check.That(LengthOf(Added(x, before, -1.0)) < 0.02 * scale.Size, name + ": no jump along");
+      before = x;
+    }
+  }
+  Random random(21);
+  for (int i = 0; i < 3000; ++i)
+  {
+    const double v = random.Get(0.01, 0.99);
+    const Vector x = pointAt(random.Get(0.0, 1.0), v);
+    const Vector y = Added(x, random.GetDirection(), 1e-5 * scale.Size);
+    double a[2];
+    double b[2];
+    tube->EvaluateParameters(x.data(), a);
+    tube->EvaluateParameters(y.data(), b);
+    const double du = a[0] - b[0] - std::round(a[0] - b[0]);
+    const double dv = tube->IsPeriodic(1) ? a[1] - b[1] - std::round(a[1] - b[1]) : a[1] - b[1];
+    check.Near(du, 0.0, 1e-5 / (2.0 * Pi * radius) * 4.0, name + ": u next to a place", 1.0);
+    check.Near(dv, 0.0, 2e-4, name + ": v next to a place", 1.0);
+  }
+}
+
+void CheckTube(const std::vector<Vector>& unit, double radius, const SurfaceScale& scale,
+  const std::string& name, Check& check)
+{
+  check.SetContext(name + ", size " + std::to_string(scale.Size));
+  std::vector<Vector> line;
+  line.reserve(unit.size());
+  for (const Vector& point : unit)
+  {
+    line.push_back(Added(scale.Center, point, scale.Size));
+  }
+  vtkNew<vtkTerminationTube> tube;
+  SetPoints(tube, line);
+  tube->SetRadius(radius * scale.Size);
+  const std::string wrong = tube->Update();
+  check.That(wrong.empty(), "nothing is wrong: " + wrong);
+  const bool isClosed = line.front() == line.back();
+  check.That(tube->IsPeriodic(0) && tube->IsPeriodic(1) == isClosed, "periodic");
+  const auto distance = [&](const Vector& x)
+  { return DistanceFromLine(line, x) - radius * scale.Size; };
+  CheckDistance(tube, scale, distance, name, check);
+  CheckLipschitz(tube, scale, name, check);
+  CheckRoundTrip(tube, scale, 300, name, check);
+  CheckNormals(tube, scale, name, check);
+  CheckContinuity(tube, scale, radius, name, check);
+  if (isClosed)
+  {
+    tube->CappedOn();
+    check.Equal(tube->GetNumberOfParts(), 1, "a closed tube has no ends");
+    return;
+  }
+  // In front of and behind the ends.
+  for (int end = 0; end < 2; ++end)
+  {
+    const Vector& tip = end ? line.back() : line.front();
+    const Vector inward = Added(end ? line[line.size() - 2] : line[1], tip, -1.0);
+    for (double step : { -1e-3, 1e-3 })
+    {
+      Vector x;
+      const double uv[2] = { 0.3, end ? 1.0 : 0.0 };
+      check.That(tube->EvaluatePoint(0, uv, x.data()), "there is a rim");
+      check.That(tube->IsOn(x.data()), "the rim is on the surface");
+      x = Added(x, inward, step);
+      check.That(tube->IsOn(x.data()) == (step > 0.0), "the ends are open");
+    }
+  }
+  tube->CappedOn();
+  check.Equal(tube->GetNumberOfParts(), 3, "parts with ends");
+  CheckRoundTrip(tube, scale, 700, name + " with ends", check);
+  CheckNormals(tube, scale, name + " with ends", check);
+  CheckSamples(tube, scale, 80, 0.1 * scale.Size, name + " with ends", check);
+  check.That(!tube->IsPeriodic(0, 1) && !tube->IsPeriodic(0, 2), "ends are not periodic");
+  // The rim of an end is that of the tube, the middle its tip.
+  for (int end = 0; end < 2; ++end)
+  {
+    const double middle[2] = { 0.5, 0.5 };
+    const double quarter[2] = { 0.5, 1.0 };
+    const double rim[2] = { 0.25, static_cast<double>(end) };
+    Vector a;
+    Vector b;
+    const Vector& tip = end ? line.back() : line.front();
+    const Vector outward = Added(tip, end ? line[line.size() - 2] : line[1], -1.0);
+    tube->EvaluatePoint(1 + end, middle, a.data());
+    b = Added(tip, outward, radius * scale.Size / LengthOf(outward));
+    check.Near(
+      LengthOf(Added(a, b, -1.0)), 0.0, 5.0 * scale.Rounding, "the tip of an end", scale.Size);
+    tube->EvaluatePoint(1 + end, quarter, a.data());
+    tube->EvaluatePoint(0, rim, b.data());
+    check.Near(
+      LengthOf(Added(a, b, -1.0)), 0.0, 5.0 * scale.Rounding, "the rim of an end", scale.Size);
+  }
+}
+
+// A straight tube is a cylinder, whatever points are on its line.
+void CheckStraight(Check& check)
+{
+  check.SetContext("straight");
+  const Vector start = { { -0.3, 0.1, -0.4 } };
+  const Vector way = { { 0.7, 0.2, 0.9 } };
+  vtkNew<vtkTerminationTube> tube;
+  for (double t : { 0.0, 0.0, 0.1, 0.35, 0.35, 0.6, 1.0, 1.0 })
+  {
+    const Vector x = Added(start, way, t);
+    tube->AddPoint(x[0], x[1], x[2]);
+  }
+  tube->SetRadius(0.25);
+  check.That(tube->Update().empty(), "nothing is wrong");
+  vtkNew<vtkTerminationCylinder> cylinder;
+  const Vector end = Added(start, way);
+  cylinder->SetPoint1(start.data());
+  cylinder->SetPoint2(end.data());
+  cylinder->SetRadius(0.25);
+  cylinder->Update();
+  Random random(2);
+  for (int i = 0; i < 500; ++i)
+  {
+    const double uv[2] = { random.Get(0.0, 1.0), random.Get(0.0, 1.0) };
+    Vector x;
+    Vector y;
+    tube->EvaluatePoint(0, uv, x.data());
+    cylinder->EvaluatePoint(0, uv, y.data());
+    check.Near(LengthOf(Added(x, y, -1.0)), 0.0, 1e-13, "the point of the cylinder", 1.0);
+  }
+}
+
+// The same tube from a dataset.
+void CheckData(Check& check)
+{
+  check.SetContext("dataset");
+  const std::vector<Vector> line = MakeLine(OnHelix, 20, false);
+  vtkNew<vtkTerminationTube> expected;
+  SetPoints(expected, line);
+  expected->Update();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(21);
+  for (int i = 20; i >= 0; --i)
+  {
+    points->InsertNextPoint(line[i].data());
+    lines->InsertCellPoint(i);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(lines);
+  vtkNew<vtkTerminationTube> tube;
+  tube->SetLine(data);
+  check.That(tube->Update().empty(), "nothing is wrong");
+  for (const Vector& x : PointsAround(SurfaceScale(), 300, 5))
+  {
+    double a[2];
+    double b[2];
+    tube->EvaluateParameters(x.data(), a);
+    expected->EvaluateParameters(x.data(), b);
+    check.That(a[0] == b[0] && a[1] == b[1], "the parameters of the same points");
+  }
+  const vtkMTimeType before = tube->GetMTime();
+  data->Modified();
+  check.That(tube->GetMTime() > before, "the dataset's change is seen");
+  const auto expectMessage = [&](const std::string& text)
+  {
+    const std::string wrong = tube->Update();
+    check.That(wrong.find(text) != std::string::npos, "\"" + wrong + "\" has \"" + text + "\"");
+  };
+  lines->InsertNextCell({ 0, 1 });
+  data->SetLines(lines);
+  expectMessage("has 2 lines, not one");
+  data->SetLines(vtkNew<vtkCellArray>());
+  expectMessage("has 0 lines, not one");
+  vtkNew<vtkCellArray> wrongLine;
+  wrongLine->InsertNextCell({ 0, 99 });
+  data->SetLines(wrongLine);
+  expectMessage("has point 99, which is not there");
+}
+
+void CheckMessages(Check& check)
+{
+  check.SetContext("messages");
+  const double notANumber = std::numeric_limits<double>::quiet_NaN();
+  const std::pair<std::vector<Vector>, std::string> cases[] = {
+    { {}, "fewer than two points" },
+    { { { { 1, 2, 3 } } }, "fewer than two points" },
+    { { { { 1, 2, 3 } }, { { 1, 2, 3 } } }, "fewer than two points" },
+    { { { { 1, 2, 3 } }, { { 1, notANumber, 3 } } }, "point 1 of the tube's line is not finite" },
+    { { { { 0, 0, 0 } }, { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0.5, 0, 0 } } },
+      "turns back on itself at point 2" },
+  };
+  for (const auto& one : cases)
+  {
+    vtkNew<vtkTerminationTube> tube;
+    SetPoints(tube, one.first);
+    const std::string wrong = tube->Update();
+    check.That(
+      wrong.find(one.second) != std::string::npos, "\"" + wrong + "\" has \"" + one.second + "\"");
+    const Vector x = { { 0.1, 0.2, 0.3 } };
+    Vector y;
+    double uv[2] = { 0.5, 0.5 };
+    double bounds[6];
+    tube->GetBounds(bounds);
+    check.That(bounds[0] > bounds[1], "no bounds");
+    check.That(!tube->IsOn(x.data()) && !tube->EvaluatePoint(0, uv, y.data()), "no surface");
+    check.That(
+      DistanceOf(tube, x) == VTK_DOUBLE_MAX && tube->EvaluatePart(x.data()) == 0, "no distance");
+    tube->EvaluateParameters(x.data(), uv);
+    tube->EvaluateNormal(x.data(), y.data());
+  }
+  vtkNew<vtkTerminationTube> tube;
+  SetPoints(tube, { { { 0, 0, 0 } }, { { 1, 0, 0 } } });
+  for (double radius : { 0.0, -1.0, notANumber })
+  {
+    tube->SetRadius(radius);
+    check.That(tube->Update().find("radius") != std::string::npos, "a radius that is none");
+  }
+  Vector point = { { 7.0, 7.0, 7.0 } };
+  tube->GetPoint(2, point.data());
+  tube->GetPoint(-1, point.data());
+  check.Near(point[0], 7.0, 0.0, "there is no such point");
+  tube->GetPoint(1, point.data());
+  check.Near(point[0], 1.0, 0.0, "the second point");
+}
+
+}
+
+int TestTerminationTube(int, char*[])
+{
+  Check check;
+  std::vector<SurfaceScale> scales(4);
+  scales[1].Size = 1e-9;
+  scales[2].Size = 1e9;
+  scales[3].Center = { { 1e6, -1e6, 2e6 } };
+  scales[3].Rounding = 2e-9;
+  for (const SurfaceScale& scale : scales)
+  {
+    CheckTube(MakeLine(OnHelix, 24, false), 0.12, scale, "helix", check);
+    CheckTube(MakeLine(OnRing, 60, true), 0.08, scale, "ring", check);
+    CheckTube({ { { -0.5, 0, 0 } }, { { 0, 0, 0.1 } }, { { 0.1, 0.5, 0 } }, { { 0.6, 0.5, 0.3 } } },
+      0.1, scale, "three bends", check);
+  }
+  CheckStraight(check);
+  CheckData(check);
+  CheckMessages(check);
+  return check.Result();
+}
