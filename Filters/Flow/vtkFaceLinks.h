@@ -1,0 +1,75 @@
+#ifndef vtkFaceLinks_h
+#define vtkFaceLinks_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkFlowValues.h"
+#include "vtkType.h"
+
+#include <functional>
+#include <vector>
+
+/**
+ * @class   vtkFaceLinks
+ * @brief   which faces of cells are the same, and how the coordinates of one are in the other's
+ *
+ * Faces are the same that have the same points, or points at the same coordinates, in the same
+ * cyclic order: a grid that is closed on itself, or put together of blocks, goes on over the seam.
+ * Points at the same coordinates are looked for among the faces that match none by their ids. Faces
+ * of three or more cells match none. A quadrilateral does not match two triangles.
+ *
+ * Coordinates (u,v) are those of vtkFlowShape::Face.
+ */
+class INTERLUMEFLOW_EXPORT vtkFaceLinks
+{
+public:
+  /// The points of face number i, at most four; returns how many, 0 for a number that is no face.
+  using FacePoints = std::function<int(vtkIdType face, vtkIdType* points)>;
+
+  /// Another face, and how its corners lie: corner i is corner \a Start + i, or - i, of this one.
+  struct Link
+  {
+    vtkIdType Face;
+    int Start;
+    bool IsReversed;
+  };
+  /// Called once for each face that has another; by several threads, never twice for one face.
+  using SetLink = std::function<void(vtkIdType face, const Link& link)>;
+
+  /// \a positions are those of the points.
+  static void Find(vtkIdType numberOfFaces, const FacePoints& getFace,
+    const vtkFlowValues& positions, const SetLink& setLink);
+
+  /// (u,v) in a face of three or four corners becomes (u,v) in the linked one.
+  static void Map(int corners, int start, bool isReversed, double uv[2])
+  {
+    const int way = isReversed ? corners - 1 : 1;
+    const int second = (start + way) % corners;
+    const int last = (start + (corners - 1) * way) % corners;
+    const double u = uv[0];
+    const double v = uv[1];
+    if (corners == 3)
+    {
+      const double weights[3] = { 1.0 - u - v, u, v };
+      uv[0] = weights[second];
+      uv[1] = weights[last];
+      return;
+    }
+    uv[0] = GetAlong(start, second, u, v);
+    uv[1] = GetAlong(start, last, u, v);
+  }
+
+private:
+  // From 0 at one corner of [0,1]^2 to 1 at the next.
+  static double GetAlong(int from, int to, double u, double v)
+  {
+    constexpr int us[4] = { 0, 1, 1, 0 };
+    constexpr int vs[4] = { 0, 0, 1, 1 };
+    if (us[from] != us[to])
+    {
+      return us[from] ? 1.0 - u : u;
+    }
+    return vs[from] ? 1.0 - v : v;
+  }
+};
+
+#endif

@@ -1,0 +1,85 @@
+#ifndef vtkFlowField_h
+#define vtkFlowField_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkFlowValues.h"
+#include "vtkType.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataSet;
+
+/**
+ * @class   vtkFlowField
+ * @brief   what walkers share: the vectors, further point arrays, and which cells are the field's
+ *
+ * Constant once it is built, and read by any number of threads. A class for each kind of dataset
+ * adds the geometry, and `std::string Build(dataset, vectors, arrays)`, which returns what is wrong
+ * with the field, or nothing. The arrays may be of any type; they are kept for as long as the
+ * field.
+ *
+ * Cells that are hidden or refined, or that have a hidden point, are not part of the field.
+ * Duplicates of another piece's cells are.
+ */
+class INTERLUMEFLOW_EXPORT vtkFlowField
+{
+public:
+  bool IsCellIncluded(vtkIdType cell) const
+  {
+    return this->Excluded.empty() || !this->Excluded[cell];
+  }
+
+  void GetVector(vtkIdType point, double vector[3]) const { this->Vectors.Get<3>(point, vector); }
+  /// Of the point array with this number.
+  double GetValue(int array, vtkIdType point) const
+  {
+    double value;
+    this->Arrays[array].Get<1>(point, &value);
+    return value;
+  }
+  int GetNumberOfArrays() const { return static_cast<int>(this->Arrays.size()); }
+
+  /// The largest length of a finite vector in a point of the field's cells; 0 without one.
+  double GetMaximumSpeed() const { return this->MaximumSpeed; }
+  /// Points of the field's cells whose vector is not finite.
+  vtkIdType GetNumberOfNonFiniteVectors() const { return this->NumberOfNonFiniteVectors; }
+  /// Of the dataset: lower and upper of x, y, z.
+  const double* GetBounds() const { return this->Bounds; }
+  vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
+
+protected:
+  vtkFlowField() = default;
+  ~vtkFlowField() = default;
+
+  /// The points of a cell, at most eight; returns how many.
+  using CellPoints = std::function<int(vtkIdType cell, vtkIdType* points)>;
+
+  /// Returns what is wrong with the arrays, or nothing.
+  std::string SetArrays(
+    vtkDataSet* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
+  /// Finds the excluded cells.
+  void SetBlanking(vtkDataSet* data, const CellPoints& cells);
+  /// Finds speed and not finite vectors. \a hasOtherPoints: whether there are points that no cell
+  /// of the field has.
+  void Measure(const CellPoints& cells, bool hasOtherPoints);
+
+  static std::string GetErrorWithoutCells() { return "the field has no three-dimensional cells"; }
+
+private:
+  vtkFlowField(const vtkFlowField&) = delete;
+  void operator=(const vtkFlowField&) = delete;
+
+  vtkFlowValues Vectors;
+  std::vector<vtkFlowValues> Arrays;
+  // Empty where none is.
+  std::vector<unsigned char> Excluded;
+  double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  vtkIdType NumberOfCells = 0;
+  double MaximumSpeed = 0.0;
+  vtkIdType NumberOfNonFiniteVectors = 0;
+};
+
+#endif

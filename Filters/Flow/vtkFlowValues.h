@@ -1,0 +1,51 @@
+#ifndef vtkFlowValues_h
+#define vtkFlowValues_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+/**
+ * @class   vtkFlowValues
+ * @brief   the numbers of an array as floats or doubles in rows, read by any thread
+ *
+ * Arrays of floats and doubles that lie in rows are used as they are; others are copied, to floats
+ * where those hold every number exactly (types of one or two bytes, floats in columns), else to
+ * doubles.
+ */
+class INTERLUMEFLOW_EXPORT vtkFlowValues
+{
+public:
+  void Build(vtkDataArray* array);
+
+  vtkIdType GetNumber() const { return this->Array->GetNumberOfTuples(); }
+
+  /// Tuple \a i of an array with N components.
+  template <int N>
+  void Get(vtkIdType i, double* tuple) const
+  {
+    if (this->Floats)
+    {
+      const float* from = this->Floats + N * i;
+      for (int c = 0; c < N; ++c)
+      {
+        tuple[c] = static_cast<double>(from[c]);
+      }
+      return;
+    }
+    const double* from = this->Doubles + N * i;
+    for (int c = 0; c < N; ++c)
+    {
+      tuple[c] = from[c];
+    }
+  }
+
+private:
+  void Refer(vtkDataArray* array);
+
+  const float* Floats = nullptr;
+  const double* Doubles = nullptr;
+  vtkSmartPointer<vtkDataArray> Array;
+};
+
+#endif

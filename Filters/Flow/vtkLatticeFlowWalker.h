@@ -1,0 +1,159 @@
+#ifndef vtkLatticeFlowWalker_h
+#define vtkLatticeFlowWalker_h
+
+#include "vtkFlowWalker.h"
+#include "vtkIndexedFlowField.h"
+
+/**
+ * @class   vtkLatticeFlowWalker
+ * @brief   the walker of boxes: images and rectilinear grids
+ *
+ * In a box dx/dp is constant, so dp/dt is a trilinear polynomial. Its coefficients are made once
+ * for each cell that is entered. \a FieldType is vtkImageFlowField or vtkRectilinearFlowField.
+ */
+template <typename FieldType>
+class vtkLatticeFlowWalker : public vtkFlowWalker
+{
+public:
+  using Field = FieldType;
+  static constexpr bool FacesAreAffine = true;
+
+  explicit vtkLatticeFlowWalker(const Field* field)
+    : Shared(field)
+  {
+  }
+
+  const Field& GetField() const { return *this->Shared; }
+
+  bool Locate(const double x[3], double p[3])
+  {
+    if (!this->Shared->Locate(x, this->Stand, p))
+    {
+      return false;
+    }
+    this->Enter();
+    return true;
+  }
+
+  vtkIdType GetCell() const { return this->Stand.Cell; }
+  bool IsFinite() const { return this->HasFiniteVectors; }
+
+  void GetVelocity(const double p[3], double rate[3]) const { this->Rate.Evaluate(p, rate); }
+
+  void GetJacobian(const double p[3], double jacobian[9]) const
+  {
+    double columns[3][4];
+    this->Rate.EvaluateDerivatives(p, columns);
+    for (int i = 0; i < 9; ++i)
+    {
+      jacobian[i] = columns[i % 3][i / 3];
+    }
+  }
+
+  void GetPosition(const double p[3], double x[3]) const
+  {
+    this->Shared->GetPosition(this->Stand, p, x);
+  }
+
+  void GetWorldVector(const double*, const double d[3], double w[3]) const
+  {
+    double frame[9];
+    this->Shared->GetFrame(this->Stand, frame);
+    const double from[3] = { d[0], d[1], d[2] };
+    for (int i = 0; i < 3; ++i)
+    {
+      w[i] = frame[3 * i] * from[0] + frame[3 * i + 1] * from[1] + frame[3 * i + 2] * from[2];
+    }
+  }
+
+  void GetVelocityGradient(const double p[3], double gradient[9]) const
+  {
+    double frame[9];
+    double inverse[9];
+    double columns[3][4];
+    this->Shared->GetFrame(this->Stand, frame);
+    this->Shared->GetInverse(this->Stand, inverse);
+    this->Rate.EvaluateDerivatives(p, columns);
+    for (int i = 0; i < 3; ++i)
+    {
+      double row[3];
+      for (int j = 0; j < 3; ++j)
+      {
+        row[j] = frame[3 * i] * columns[j][0] + frame[3 * i + 1] * columns[j][1] +
+          frame[3 * i + 2] * columns[j][2];
+      }
+      for (int j = 0; j < 3; ++j)
+      {
+        gradient[3 * i + j] =
+          row[0] * inverse[j] + row[1] * inverse[3 + j] + row[2] * inverse[6 + j];
+      }
+    }
+  }
+
+  int GetNumberOfFaces() const { return 6; }
+  double GetFaceDistance(int face, const double p[3]) const
+  {
+    const double q = p[face >> 1];
+    return face & 1 ? 1.0 - q : q;
+  }
+
+  bool Cross(int face, double p[3])
+  {
+    if (!this->Shared->Step(this->Stand, face))
+    {
+      return false;
+    }
+    p[face >> 1] = face & 1 ? 0.0 : 1.0;
+    this->Enter();
+    return true;
+  }
+
+  int GetDomainFace(int face) const
+  {
+    return this->Shared->IsOutside(this->Stand, face) ? face : -1;
+  }
+  void GetDomainParameters(int face, const double p[3], double uv[2]) const
+  {
+    this->Shared->GetParameters(this->Stand, face, p, uv);
+  }
+
+  double Interpolate(int array, const double p[3]) const
+  {
+    vtkTrilinear values;
+    this->Shared->GetValues(array, this->Stand, values);
+    values.Fit();
+    double value[3];
+    values.Evaluate(p, value);
+    return value[0];
+  }
+
+private:
+  void Enter()
+  {
+    double inverse[9];
+    this->Shared->GetInverse(this->Stand, inverse);
+    double check = 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double v[3];
+      this->Shared->GetVector(this->Shared->GetCorner(this->Stand, corner), v);
+      double* rate = this->Rate.C[corner];
+      for (int i = 0; i < 3; ++i)
+      {
+        // NaN where the number is not finite.
+        check += 0.0 * v[i];
+        rate[i] = inverse[3 * i] * v[0] + inverse[3 * i + 1] * v[1] + inverse[3 * i + 2] * v[2];
+      }
+      rate[3] = 0.0;
+    }
+    this->HasFiniteVectors = check == 0.0;
+    this->Rate.Fit();
+  }
+
+  const Field* Shared;
+  typename Field::Place Stand;
+  bool HasFiniteVectors = false;
+  vtkTrilinear Rate = {};
+};
+
+#endif

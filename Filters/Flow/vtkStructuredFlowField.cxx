@@ -1,0 +1,120 @@
+#include "vtkStructuredFlowField.h"
+
+#include "vtkCellPositions.h"
+#include "vtkPoints.h"
+#include "vtkStructuredGrid.h"
+
+//------------------------------------------------------------------------------
+std::string vtkStructuredFlowField::Build(
+  vtkStructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
+{
+  int points[3];
+  grid->GetDimensions(points);
+  std::string error = this->BuildIndices(grid, points, vectors, arrays);
+  if (!error.empty())
+  {
+    return error;
+  }
+  this->Positions.Build(grid->GetPoints()->GetData());
+  const vtkCellPositions positions(this->Positions,
+    [this](vtkIdType cell, vtkIdType* ids)
+    {
+      const Place place = this->GetPlace(cell);
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        ids[corner] = this->GetCorner(place, corner);
+      }
+      return this->IsCellIncluded(cell) ? 8 : 0;
+    });
+  error = positions.FindError(this->GetNumberOfCells());
+  if (error.empty())
+  {
+    positions.Build(this->GetNumberOfCells(), this->Tree);
+    this->FindSeams();
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> vtkStructuredFlowField::GetOutsideFaces() const
+{
+  std::vector<vtkIdType> faces;
+  for (int face = 0; face < 6; ++face)
+  {
+    const int axis = face >> 1;
+    const int across[2] = { (axis + 1) % 3, (axis + 2) % 3 };
+    int index[3];
+    index[axis] = face & 1 ? this->Cells[axis] - 1 : 0;
+    for (index[across[1]] = 0; index[across[1]] < this->Cells[across[1]]; ++index[across[1]])
+    {
+      for (index[across[0]] = 0; index[across[0]] < this->Cells[across[0]]; ++index[across[0]])
+      {
+        const vtkIdType cell = this->GetPlace(index).Cell;
+        if (this->IsCellIncluded(cell))
+        {
+          faces.push_back(8 * cell + face);
+        }
+      }
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+//------------------------------------------------------------------------------
+int vtkStructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) const
+{
+  const Place place = this->GetPlace(face / 8);
+  const int* corners = vtkFlowShape::Of(vtkFlowShape::HEXAHEDRON).Faces[face % 8].Corners;
+  for (int i = 0; i < 4; ++i)
+  {
+    points[i] = this->GetCorner(place, corners[i]);
+  }
+  return 4;
+}
+
+//------------------------------------------------------------------------------
+void vtkStructuredFlowField::FindSeams()
+{
+  const std::vector<vtkIdType> faces = this->GetOutsideFaces();
+  std::vector<vtkFaceLinks::Link> links(faces.size(), vtkFaceLinks::Link{ -1, 0, false });
+  vtkFaceLinks::Find(
+    static_cast<vtkIdType>(faces.size()),
+    [&](vtkIdType i, vtkIdType* points) { return this->GetFacePoints(faces[i], points); },
+    this->Positions, [&](vtkIdType i, const vtkFaceLinks::Link& link) { links[i] = link; });
+  this->Seams.clear();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (links[i].Face >= 0)
+    {
+      this->Seams.push_back({ faces[i], links[i] });
+      this->Seams.back().Link.Face = faces[links[i].Face];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+const vtkStructuredFlowField::Seam* vtkStructuredFlowField::FindSeam(vtkIdType cell, int face) const
+{
+  const vtkIdType wanted = 8 * cell + face;
+  const auto found = std::lower_bound(this->Seams.begin(), this->Seams.end(), wanted,
+    [](const Seam& seam, vtkIdType value) { return seam.Face < value; });
+  return found != this->Seams.end() && found->Face == wanted ? &*found : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkStructuredFlowField::CrossSeam(Place& place, int face, double p[3]) const
+{
+  const Seam* seam = this->FindSeam(place.Cell, face);
+  if (!seam)
+  {
+    return false;
+  }
+  const auto& faces = vtkFlowShape::Of(vtkFlowShape::HEXAHEDRON).Faces;
+  double uv[2];
+  faces[face].GetParameters(p, uv);
+  vtkFaceLinks::Map(4, seam->Link.Start, seam->Link.IsReversed, uv);
+  faces[seam->Link.Face % 8].GetPlace(uv, p);
+  place = this->GetPlace(seam->Link.Face / 8);
+  return true;
+}

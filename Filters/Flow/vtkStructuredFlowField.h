@@ -1,0 +1,79 @@
+#ifndef vtkStructuredFlowField_h
+#define vtkStructuredFlowField_h
+
+#include "vtkCellTree.h"
+#include "vtkFaceLinks.h"
+#include "vtkFlowShape.h"
+#include "vtkIndexedFlowField.h"
+
+class vtkStructuredGrid;
+
+/**
+ * @class   vtkStructuredFlowField
+ * @brief   a field on a structured grid of hexahedra
+ *
+ * Where faces on the outside have the same coordinates, as along the cut of an O- or C-grid, the
+ * grid goes on from one to the other.
+ *
+ * Errors of Build: those of the arrays; a grid without cells of dimension 3; a point of the field
+ * that is not finite.
+ */
+class INTERLUMEFLOW_EXPORT vtkStructuredFlowField : public vtkIndexedFlowField
+{
+public:
+  vtkStructuredFlowField() = default;
+
+  using vtkIndexedFlowField::GetPlace;
+
+  std::string Build(
+    vtkStructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays = {});
+
+  int GetShape(const Place&) const { return vtkFlowShape::HEXAHEDRON; }
+  void GetPoints(const Place& place, vtkTrilinear& points) const
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      this->Positions.Get<3>(this->GetCorner(place, corner), points.C[corner]);
+      points.C[corner][3] = 0.0;
+    }
+  }
+  const vtkCellTree& GetTree() const { return this->Tree; }
+
+  /// Through a face into the neighbour; false, and no change, where there is none.
+  bool Cross(Place& place, int face, double p[3]) const
+  {
+    if (this->Step(place, face))
+    {
+      p[face >> 1] = face & 1 ? 0.0 : 1.0;
+      return true;
+    }
+    return !this->Seams.empty() && this->IsOutside(place, face) && this->CrossSeam(place, face, p);
+  }
+  /// Whether a streamline leaves the grid there.
+  bool IsDomainFace(const Place& place, int face) const
+  {
+    return this->IsOutside(place, face) &&
+      (this->Seams.empty() || !this->FindSeam(place.Cell, face));
+  }
+
+private:
+  // A face is eight times its cell, and its number there.
+  struct Seam
+  {
+    vtkIdType Face;
+    vtkFaceLinks::Link Link;
+  };
+
+  std::vector<vtkIdType> GetOutsideFaces() const;
+  int GetFacePoints(vtkIdType face, vtkIdType* points) const;
+  void FindSeams();
+  const Seam* FindSeam(vtkIdType cell, int face) const;
+  bool CrossSeam(Place& place, int face, double p[3]) const;
+
+  vtkFlowValues Positions;
+  vtkCellTree Tree;
+  // By ascending face.
+  std::vector<Seam> Seams;
+};
+
+#endif

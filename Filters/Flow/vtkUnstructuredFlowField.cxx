@@ -1,0 +1,157 @@
+#include "vtkUnstructuredFlowField.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellPositions.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <atomic>
+
+//------------------------------------------------------------------------------
+void vtkUnstructuredFlowField::Numbers::Build(vtkDataArray* array)
+{
+  // Newer versions of VTK may store offsets of equal cells as a formula.
+  this->Array = array;
+  if (!vtkTypeInt32Array::SafeDownCast(array) && !vtkTypeInt64Array::SafeDownCast(array))
+  {
+    this->Array = vtkSmartPointer<vtkTypeInt64Array>::New();
+    this->Array->DeepCopy(array);
+  }
+  auto* small = vtkTypeInt32Array::SafeDownCast(this->Array);
+  auto* large = vtkTypeInt64Array::SafeDownCast(this->Array);
+  this->Small = small ? small->GetPointer(0) : nullptr;
+  this->Large = large ? large->GetPointer(0) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkUnstructuredFlowField::Build(
+  vtkUnstructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
+{
+  static_assert(VTK_TETRA == FirstType && VTK_VOXEL == FirstType + 1 &&
+      VTK_HEXAHEDRON == FirstType + 2 && VTK_WEDGE == FirstType + 3 && VTK_PYRAMID == FirstType + 4,
+    "the types are in this order");
+  if (grid->GetNumberOfCells() == 0 || !grid->GetPoints())
+  {
+    return GetErrorWithoutCells();
+  }
+  std::string error = this->SetArrays(grid, vectors, arrays);
+  if (!error.empty())
+  {
+    return error;
+  }
+  this->Offsets.Build(grid->GetCells()->GetOffsetsArray());
+  this->PointIds.Build(grid->GetCells()->GetConnectivityArray());
+  this->TypeArray = grid->GetCellTypesArray();
+  this->Types = grid->GetCellTypesArray()->GetPointer(0);
+  this->Positions.Build(grid->GetPoints()->GetData());
+  const auto getPoints = [this](vtkIdType cell, vtkIdType* ids)
+  {
+    const vtkIdType first = this->Offsets.Get(cell);
+    const vtkIdType number = std::min<vtkIdType>(this->Offsets.Get(cell + 1) - first, 8);
+    for (vtkIdType v = 0; v < number; ++v)
+    {
+      ids[v] = this->PointIds.Get(first + v);
+    }
+    return static_cast<int>(number);
+  };
+  this->SetBlanking(grid, getPoints);
+  error = this->FindCellError();
+  if (!error.empty())
+  {
+    return error;
+  }
+  this->Measure(getPoints, true);
+  const vtkCellPositions positions(this->Positions,
+    [this](vtkIdType cell, vtkIdType* ids) { return this->GetCellPoints(cell, ids); });
+  error = positions.FindError(this->GetNumberOfCells());
+  if (error.empty())
+  {
+    positions.Build(this->GetNumberOfCells(), this->Tree);
+    this->FindLinks();
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkUnstructuredFlowField::FindCellError() const
+{
+  for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    const int wanted = GetCorners(this->Types[cell]).Number;
+    const vtkIdType found = this->Offsets.Get(cell + 1) - this->Offsets.Get(cell);
+    if (!this->IsCellIncluded(cell) || (wanted > 0 && found == wanted))
+    {
+      continue;
+    }
+    const char* name = vtkCellTypes::GetClassNameFromTypeId(this->Types[cell]);
+    const std::string which = "cell " + std::to_string(cell) + " is a " + name + " (type " +
+      std::to_string(this->Types[cell]) + ")";
+    return wanted == 0 ? which + "; a field has tetrahedra, voxels, hexahedra, wedges and pyramids"
+                       : which + " of " + std::to_string(found) + " points";
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+int vtkUnstructuredFlowField::GetCellPoints(vtkIdType cell, vtkIdType* points) const
+{
+  if (!this->IsCellIncluded(cell))
+  {
+    return 0;
+  }
+  const Place place = this->GetPlace(cell);
+  this->ForEachCorner(place, [points](int corner, vtkIdType point) { points[corner] = point; });
+  return GetCorners(place.Type).Number;
+}
+
+//------------------------------------------------------------------------------
+int vtkUnstructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) const
+{
+  vtkIdType corners[8];
+  const vtkIdType cell = face / this->FacesPerCell;
+  if (this->GetCellPoints(cell, corners) == 0)
+  {
+    return 0;
+  }
+  const vtkFlowShape& shape = vtkFlowShape::Of(GetCorners(this->Types[cell]).Shape);
+  const int number = static_cast<int>(face % this->FacesPerCell);
+  if (number >= shape.NumberOfFaces)
+  {
+    return 0;
+  }
+  const vtkFlowShape::Face& one = shape.Faces[number];
+  for (int i = 0; i < one.NumberOfCorners; ++i)
+  {
+    points[i] = corners[one.Corners[i]];
+  }
+  return one.NumberOfCorners;
+}
+
+//------------------------------------------------------------------------------
+void vtkUnstructuredFlowField::FindLinks()
+{
+  this->FacesPerCell = 4;
+  for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    if (this->IsCellIncluded(cell))
+    {
+      const int shape = GetCorners(this->Types[cell]).Shape;
+      this->FacesPerCell = std::max(this->FacesPerCell, vtkFlowShape::Of(shape).NumberOfFaces);
+    }
+  }
+  this->Links.assign(this->GetNumberOfCells() * this->FacesPerCell, -1);
+  vtkFaceLinks::Find(
+    static_cast<vtkIdType>(this->Links.size()),
+    [this](vtkIdType face, vtkIdType* points) { return this->GetFacePoints(face, points); },
+    this->Positions,
+    [this](vtkIdType face, const vtkFaceLinks::Link& link)
+    {
+      const vtkIdType cell = link.Face / this->FacesPerCell;
+      const vtkIdType number = link.Face % this->FacesPerCell;
+      this->Links[face] = 64 * cell + 8 * number + 2 * link.Start + (link.IsReversed ? 1 : 0);
+    });
+}

@@ -1,0 +1,162 @@
+#ifndef vtkUnstructuredFlowField_h
+#define vtkUnstructuredFlowField_h
+
+#include "vtkCellTree.h"
+#include "vtkFaceLinks.h"
+#include "vtkFlowField.h"
+#include "vtkFlowShape.h"
+#include "vtkSmartPointer.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
+
+class vtkUnstructuredGrid;
+
+/**
+ * @class   vtkUnstructuredFlowField
+ * @brief   a field on tetrahedra, voxels, hexahedra, wedges and pyramids
+ *
+ * Streamlines go from face to face by vtkFaceLinks. A face without a link, as between a
+ * quadrilateral and two triangles, is where the field ends. Memory: a number for each face, beside
+ * the grid.
+ *
+ * Errors of Build: those of the arrays; a grid without cells; a cell of another type, or with
+ * another number of points; a point of a cell that is not finite.
+ */
+class INTERLUMEFLOW_EXPORT vtkUnstructuredFlowField : public vtkFlowField
+{
+public:
+  /// A cell, its first point in the list of points, and its VTK type.
+  struct Place
+  {
+    vtkIdType Cell = 0;
+    vtkIdType First = 0;
+    int Type = 0;
+  };
+
+  vtkUnstructuredFlowField() = default;
+
+  std::string Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
+    const std::vector<vtkDataArray*>& arrays = {});
+
+  Place GetPlace(vtkIdType cell) const
+  {
+    Place place;
+    place.Cell = cell;
+    place.First = this->Offsets.Get(cell);
+    place.Type = this->Types[cell];
+    return place;
+  }
+  int GetShape(const Place& place) const { return GetCorners(place.Type).Shape; }
+
+  void GetPoints(const Place& place, vtkTrilinear& points) const
+  {
+    this->ForEachCorner(place,
+      [&](int corner, vtkIdType point)
+      {
+        this->Positions.Get<3>(point, points.C[corner]);
+        points.C[corner][3] = 0.0;
+      });
+  }
+  void GetVectors(const Place& place, vtkTrilinear& vectors) const
+  {
+    this->ForEachCorner(place,
+      [&](int corner, vtkIdType point)
+      {
+        this->GetVector(point, vectors.C[corner]);
+        vectors.C[corner][3] = 0.0;
+      });
+  }
+  /// In the first column; the others become 0.
+  void GetValues(int array, const Place& place, vtkTrilinear& values) const
+  {
+    this->ForEachCorner(place,
+      [&](int corner, vtkIdType point)
+      {
+        values.Clear(corner);
+        values.C[corner][0] = this->GetValue(array, point);
+      });
+  }
+  const vtkCellTree& GetTree() const { return this->Tree; }
+
+  /// Through a face into the neighbour; false, and no change, where there is none.
+  bool Cross(Place& place, int face, double p[3]) const
+  {
+    const vtkIdType link = this->Links[place.Cell * this->FacesPerCell + face];
+    if (link < 0)
+    {
+      return false;
+    }
+    const vtkFlowShape::Face& from = vtkFlowShape::Of(this->GetShape(place)).Faces[face];
+    double uv[2];
+    from.GetParameters(p, uv);
+    vtkFaceLinks::Map(from.NumberOfCorners, link >> 1 & 3, link & 1, uv);
+    place = this->GetPlace(link >> 6);
+    vtkFlowShape::Of(this->GetShape(place)).Faces[link >> 3 & 7].GetPlace(uv, p);
+    return true;
+  }
+
+private:
+  // Numbers that a cell array has stored.
+  struct Numbers
+  {
+    const vtkTypeInt32* Small = nullptr;
+    const vtkTypeInt64* Large = nullptr;
+    vtkSmartPointer<vtkDataArray> Array;
+
+    void Build(vtkDataArray* array);
+    vtkIdType Get(vtkIdType i) const
+    {
+      return this->Small ? static_cast<vtkIdType>(this->Small[i])
+                         : static_cast<vtkIdType>(this->Large[i]);
+    }
+  };
+
+  // What corners of VTK's types are in the shape's order.
+  struct TypeCorners
+  {
+    int Shape;
+    int Number;
+    int Order[8];
+  };
+  // Without corners for other types.
+  static const TypeCorners& GetCorners(int type)
+  {
+    static constexpr TypeCorners none = { vtkFlowShape::TETRAHEDRON, 0, {} };
+    static constexpr TypeCorners known[5] = { { vtkFlowShape::TETRAHEDRON, 4, { 0, 1, 2, 3 } },
+      { vtkFlowShape::HEXAHEDRON, 8, { 0, 1, 2, 3, 4, 5, 6, 7 } },
+      { vtkFlowShape::HEXAHEDRON, 8, { 0, 1, 3, 2, 4, 5, 7, 6 } },
+      { vtkFlowShape::WEDGE, 6, { 0, 1, 2, 3, 4, 5 } },
+      { vtkFlowShape::PYRAMID, 5, { 0, 1, 2, 3, 4 } } };
+    return type >= FirstType && type < FirstType + 5 ? known[type - FirstType] : none;
+  }
+  // VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID follow each other.
+  static constexpr int FirstType = 10;
+
+  template <typename Visitor>
+  void ForEachCorner(const Place& place, Visitor&& visit) const
+  {
+    const TypeCorners& corners = GetCorners(place.Type);
+    for (int corner = 0; corner < corners.Number; ++corner)
+    {
+      visit(corner, this->PointIds.Get(place.First + corners.Order[corner]));
+    }
+  }
+
+  std::string FindCellError() const;
+  int GetCellPoints(vtkIdType cell, vtkIdType* points) const;
+  int GetFacePoints(vtkIdType face, vtkIdType* points) const;
+  void FindLinks();
+
+  vtkFlowValues Positions;
+  Numbers Offsets;
+  Numbers PointIds;
+  const unsigned char* Types = nullptr;
+  vtkSmartPointer<vtkDataArray> TypeArray;
+  vtkCellTree Tree;
+  int FacesPerCell = 0;
+  // For each face of each cell -1, or 64 times the neighbour, 8 times its face, twice the start and
+  // whether it is reversed.
+  std::vector<vtkIdType> Links;
+};
+
+#endif

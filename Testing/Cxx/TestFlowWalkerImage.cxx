@@ -1,0 +1,360 @@
+// The walkers of images and rectilinear grids against VTK's cells, differences, linear fields and
+// straight lines; the field's sums, blanking, array types and errors.
+#include "ReferenceLattice.h"
+#include "ReferenceWalker.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFlowDispatch.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSOADataArrayTemplate.h"
+#include "vtkUniformGrid.h"
+
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+
+vtkSmartPointer<vtkImageData> MakeBox(int x, int y, int z)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(x + 1, y + 1, z + 1);
+  return image;
+}
+
+vtkSmartPointer<vtkRectilinearGrid> MakeRectilinear(double ratio, double unit, bool isDescending)
+{
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  grid->SetDimensions(5, 4, 6);
+  const int numbers[3] = { 5, 4, 6 };
+  vtkNew<vtkDoubleArray> coordinates[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double value = -0.3 * unit;
+    double width = axis == 1 ? unit / ratio : unit;
+    for (int i = 0; i < numbers[axis]; ++i, value += width, width *= 1.3)
+    {
+      coordinates[axis]->InsertNextValue(isDescending && axis == 2 ? -value : value);
+    }
+  }
+  grid->SetXCoordinates(coordinates[0]);
+  grid->SetYCoordinates(coordinates[1]);
+  grid->SetZCoordinates(coordinates[2]);
+  return grid;
+}
+
+void CheckGrid(
+  const std::string& name, vtkDataSet* data, double unit, Check& check, bool isTurned = false)
+{
+  check.SetContext(name);
+  auto vectors = AddRandomVectors(data, 3);
+  std::string error = vtkFlowDispatch::Execute(data, vectors, {},
+    [&](const auto& walker)
+    {
+      CheckPlaces(walker, data, vectors, 3, 1e-11, check, !isTurned && unit >= 1.0);
+      CheckDerivatives(walker, data, vectors, unit == 1.0 ? 1e-8 : 1e-6, check);
+      CheckPoints(walker, data, check);
+      if (!isTurned)
+      {
+        CheckLines(walker, data, 20, unit, check);
+      }
+    });
+  check.That(error.empty(), error);
+  auto linear = AddVectors(data,
+    [unit](const Vector& x) {
+      return GetLinearVector({ { x[0] / unit, x[1] / unit, x[2] / unit } });
+    });
+  error = vtkFlowDispatch::Execute(data, linear, {},
+    [&](const auto& walker)
+    { CheckLinear(walker, data, linear, unit, isTurned ? 1e-11 : 1e-12, check); });
+  check.That(error.empty(), error);
+}
+
+void CheckGrids(Check& check)
+{
+  auto image = MakeImage({ 6, 5, 7 });
+  CheckGrid("image", image, 1.0, check);
+  auto shifted = MakeImage({ 6, 5, 7 });
+  shifted->SetExtent(-3, 3, 2, 7, 10, 17);
+  CheckGrid("shifted", shifted, 1.0, check);
+  auto turned = MakeImage({ 6, 5, 7 });
+  turned->SetExtent(-3, 3, 2, 7, 10, 17);
+  turned->SetDirectionMatrix(0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6);
+  CheckGrid("turned", turned, 1.0, check, true);
+  for (const double unit : { 1e-9, 1e9 })
+  {
+    auto scaled = MakeBox(4, 5, 3);
+    scaled->SetSpacing(unit, 1e-4 * unit, 2.0 * unit);
+    scaled->SetOrigin(-2.5 * unit, 1e-4 * unit, unit);
+    CheckGrid("flat cells of " + std::to_string(unit), scaled, unit, check);
+    CheckGrid("rectilinear, flat cells of " + std::to_string(unit),
+      MakeRectilinear(1e4, unit, false), unit, check);
+  }
+  CheckGrid("rectilinear", MakeRectilinear(1.0, 1.0, false), 1.0, check);
+  CheckGrid("descending", MakeRectilinear(1.0, 1.0, true), 1.0, check);
+}
+
+// Along the diagonal through corners, along an edge and in a face.
+void CheckCorners(Check& check)
+{
+  auto image = MakeBox(4, 4, 4);
+  auto vectors = AddRandomVectors(image, 5);
+  const Vector lines[][2] = { { { { 0.5, 0.5, 0.5 } }, { { 1, 1, 1 } } },
+    { { { 3.5, 0.5, 2.5 } }, { { -1, 1, -1 } } }, { { { 0.5, 0.5, 2 } }, { { 1, 1, 0 } } },
+    { { { 0.25, 3, 2 } }, { { 1, 0, 0 } } }, { { { 2, 2, 2 } }, { { -1, -1, 1 } } } };
+  vtkFlowDispatch::Execute(image, vectors, {},
+    [&](const auto& walker)
+    {
+      for (const auto& line : lines)
+      {
+        check.SetContext("line from " + std::to_string(line[0][0]));
+        CheckLine(walker, image, line[0], line[1], 1.0, check);
+      }
+    });
+}
+
+void CheckDomainFaces(Check& check)
+{
+  check.SetContext("domain faces");
+  auto image = MakeBox(4, 2, 3);
+  auto vectors = AddRandomVectors(image, 5);
+  vtkFlowDispatch::Execute(image, vectors, {},
+    [&](auto walker)
+    {
+      const Vector x = { { 3.5, 0.25, 1.75 } };
+      Vector p;
+      walker.Locate(x.data(), p.data());
+      const int expected[6] = { -1, 1, 2, -1, -1, -1 };
+      for (int face = 0; face < 6; ++face)
+      {
+        check.Equal(walker.GetDomainFace(face), expected[face], "face " + std::to_string(face));
+      }
+      double uv[2];
+      walker.GetDomainParameters(1, p.data(), uv);
+      check.Near(uv[0], 0.125, 1e-15, "u of +i is along j");
+      check.Near(uv[1], 1.75 / 3.0, 1e-15, "v of +i is along k");
+      walker.GetDomainParameters(2, p.data(), uv);
+      check.Near(uv[0], 0.875, 1e-15, "u of -j is along i");
+      check.Near(uv[1], 1.75 / 3.0, 1e-15, "v of -j is along k");
+      walker.GetDomainParameters(4, p.data(), uv);
+      check.Near(uv[0], 0.875, 1e-15, "u of -k is along i");
+      check.Near(uv[1], 0.125, 1e-15, "v of -k is along j");
+    });
+}
+
+void CheckBlanking(Check& check)
+{
+  check.SetContext("blanking");
+  auto image = vtkSmartPointer<vtkUniformGrid>::New();
+  image->SetDimensions(5, 4, 4);
+  image->AllocateCellGhostArray();
+  auto* ghosts = image->GetCellGhostArray();
+  // i = 2 is hidden, but for one cell that is another piece's.
+  for (vtkIdType cell = 0; cell < image->GetNumberOfCells(); ++cell)
+  {
+    ghosts->SetValue(cell, cell % 4 == 2 ? vtkDataSetAttributes::HIDDENCELL : 0);
+  }
+  const vtkIdType duplicate = 2 + 4 * (1 + 3 * 1);
+  ghosts->SetValue(duplicate, vtkDataSetAttributes::DUPLICATECELL);
+  auto vectors = AddRandomVectors(image, 5);
+  const std::string error = vtkFlowDispatch::Execute(image, vectors, {},
+    [&](auto walker)
+    {
+      Vector p;
+      const Vector hidden = { { 2.5, 0.5, 0.5 } };
+      check.That(!walker.Locate(hidden.data(), p.data()), "a hidden cell is not found");
+      const Vector edge = { { 2.0, 0.5, 0.5 } };
+      check.That(walker.Locate(edge.data(), p.data()) && walker.GetCell() == 1 && p[0] == 1.0,
+        "a point on its face is in the neighbour");
+      const Vector far = { { 3.0, 0.5, 0.5 } };
+      check.That(walker.Locate(far.data(), p.data()) && walker.GetCell() == 3 && p[0] == 0.0,
+        "and on the other side");
+      const Vector corner = { { 2.0, 1.0, 1.0 } };
+      check.That(walker.Locate(corner.data(), p.data()), "a corner is in a cell of the field");
+      check.Near(GetNorm(Subtract(PositionOf(walker, p), corner)), 0.0, 1e-15, "at its place", 1.0);
+
+      LineWalk<std::decay_t<decltype(walker)>> stopped(
+        walker, { { 0.5, 0.5, 0.5 } }, { { 1, 0, 0 } });
+      check.That(stopped.Run(10.0) && stopped.HasEnded, "a line stops at a hidden cell");
+      check.Near(stopped.Time, 1.5, 1e-12, "at its face");
+      check.Equal(stopped.Stand.GetDomainFace(stopped.EndFace), -1, "which is no domain face");
+      check.Equal(stopped.Stand.GetCell(), 1, "the walker stays");
+      LineWalk<std::decay_t<decltype(walker)>> through(
+        walker, { { 0.5, 1.5, 1.5 } }, { { 1, 0, 0 } });
+      check.That(through.Run(10.0) && through.HasEnded, "a line goes through a duplicate cell");
+      check.Near(through.Time, 3.5, 1e-12, "to the side");
+    });
+  check.That(error.empty(), error);
+
+  check.SetContext("hidden points");
+  auto points = vtkSmartPointer<vtkUniformGrid>::New();
+  points->SetDimensions(4, 4, 4);
+  auto outlier = AddVectors(points,
+    [](const Vector& x)
+    {
+      const bool isHidden = x[0] + x[1] + x[2] == 0.0;
+      return Vector{ { isHidden ? std::nan("") : 3.0, 0.0, isHidden ? 7.0 : 4.0 } };
+    });
+  points->BlankPoint(0);
+  vtkFlowDispatch::Execute(points, outlier, {},
+    [&](auto walker)
+    {
+      Vector p;
+      const Vector x = { { 0.5, 0.5, 0.5 } };
+      check.That(!walker.Locate(x.data(), p.data()), "a cell with a hidden point is not found");
+      check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 0, "hidden vectors");
+      check.Near(walker.GetField().GetMaximumSpeed(), 5.0, 1e-15, "largest speed");
+    });
+}
+
+void CheckNonFinite(Check& check)
+{
+  check.SetContext("not finite");
+  auto image = MakeBox(4, 4, 4);
+  const double infinity = std::numeric_limits<double>::infinity();
+  auto vectors = AddVectors(image,
+    [&](const Vector& x)
+    {
+      return Vector{ { x[0] == 0.0 && x[1] == 0.0 && x[2] == 0.0 ? std::nan("") : 1e200,
+        x[0] == 4.0 && x[1] == 4.0 && x[2] == 4.0 ? infinity : 1e200, 0.0 } };
+    });
+  vtkFlowDispatch::Execute(image, vectors, {},
+    [&](auto walker)
+    {
+      check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 2, "vectors");
+      check.Near(walker.GetField().GetMaximumSpeed(), std::sqrt(2.0) * 1e200, 1e-14, "speed");
+      Vector p;
+      for (int cell = 0; cell < 4; ++cell)
+      {
+        const double c = cell + 0.5;
+        const Vector x = { { c, c, c } };
+        check.That(walker.Locate(x.data(), p.data()), "the cell is found");
+        check.Equal(walker.IsFinite(), cell == 1 || cell == 2, "whether it is finite");
+      }
+      const Vector nowhere = { { std::nan(""), 1.0, 1.0 } };
+      check.That(!walker.Locate(nowhere.data(), p.data()), "NaN is nowhere");
+      const Vector outside = { { 4.0 + 1e-9, 1.0, 1.0 } };
+      check.That(!walker.Locate(outside.data(), p.data()), "a point outside is not found");
+    });
+}
+
+void CheckTypes(Check& check)
+{
+  const VectorField field = [](const Vector& x) {
+    return Vector{ { x[0], 2.0 + x[1], 1.0 + x[2] } };
+  };
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
+         VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE })
+  {
+    auto image = MakeBox(3, 3, 3);
+    auto vectors = AddVectors(image, field, type);
+    check.SetContext(vectors->GetDataTypeAsString());
+    vtkNew<vtkSOADataArrayTemplate<double>> columns;
+    columns->DeepCopy(vectors);
+    vtkSmartPointer<vtkDataArray> values;
+    values.TakeReference(vtkDataArray::CreateDataArray(type));
+    values->SetNumberOfTuples(image->GetNumberOfPoints());
+    for (vtkIdType point = 0; point < image->GetNumberOfPoints(); ++point)
+    {
+      double x[3];
+      image->GetPoint(point, x);
+      values->SetTuple1(point, x[0] + 2.0 * x[1] + 3.0 * x[2]);
+    }
+    for (vtkDataArray* array : { vectors.Get(), static_cast<vtkDataArray*>(columns.Get()) })
+    {
+      const std::string error = vtkFlowDispatch::Execute(image, array, { values },
+        [&](auto walker)
+        {
+          const Vector x = { { 0.25, 1.5, 2.75 } };
+          Vector p;
+          check.That(walker.Locate(x.data(), p.data()), "the place is found");
+          check.Near(
+            GetNorm(Subtract(VelocityOf(walker, p), field(x))), 0.0, 1e-14, "velocity", 1.0);
+          check.Equal(walker.GetField().GetNumberOfArrays(), 1, "arrays");
+          check.Near(walker.Interpolate(0, p.data()), 11.5, 1e-14, "an array's value");
+          check.Near(walker.GetField().GetMaximumSpeed(), std::sqrt(9.0 + 25.0 + 16.0), 1e-15,
+            "largest speed");
+          check.Near(walker.GetField().GetBounds()[3], 3.0, 0.0, "bounds");
+        });
+      check.That(error.empty(), error);
+    }
+  }
+}
+
+// Numbers that floats do not have.
+void CheckLargeIntegers(Check& check)
+{
+  check.SetContext("large integers");
+  auto image = MakeBox(2, 2, 2);
+  auto vectors = AddVectors(
+    image,
+    [](const Vector&) {
+      return Vector{ { 16777217.0, 0.0, 0.0 } };
+    },
+    VTK_INT);
+  vtkFlowDispatch::Execute(image, vectors, {},
+    [&](const auto& walker)
+    { check.Equal(std::llround(walker.GetField().GetMaximumSpeed()), 16777217, "largest speed"); });
+}
+
+void CheckErrors(Check& check)
+{
+  check.SetContext("errors");
+  const auto expect = [&](vtkDataSet* data, vtkDataArray* vectors,
+                        const std::vector<vtkDataArray*>& arrays, const std::string& text)
+  {
+    bool isCalled = false;
+    const std::string error =
+      vtkFlowDispatch::Execute(data, vectors, arrays, [&](const auto&) { isCalled = true; });
+    check.That(!isCalled && error == text, "expected \"" + text + "\", found \"" + error + "\"");
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    auto plane = MakeBox(axis == 0 ? 0 : 3, axis == 1 ? 0 : 3, axis == 2 ? 0 : 3);
+    expect(plane, AddRandomVectors(plane, 1), {}, "the field has no three-dimensional cells");
+  }
+  auto image = MakeBox(2, 2, 2);
+  auto vectors = AddRandomVectors(image, 1);
+  expect(image, nullptr, {}, "there is no array of vectors");
+  expect(image, vectors, { nullptr }, "there is no array of numbers");
+  expect(image, vectors, { vectors }, "the array \"velocity\" has 3 components, not 1");
+  vtkNew<vtkDoubleArray> wrong;
+  wrong->SetName("wrong");
+  wrong->SetNumberOfComponents(2);
+  wrong->SetNumberOfTuples(27);
+  expect(image, wrong, {}, "the array \"wrong\" has 2 components, not 3");
+  vtkNew<vtkDoubleArray> shorter;
+  shorter->SetNumberOfComponents(3);
+  shorter->SetNumberOfTuples(26);
+  expect(image, shorter, {}, "the array without a name has 26 tuples for 27 points");
+  image->SetSpacing(1.0, 0.0, 1.0);
+  expect(image, vectors, {}, "the image's spacing and direction matrix have no inverse");
+  auto grid = MakeRectilinear(1.0, 1.0, false);
+  auto gridVectors = AddRandomVectors(grid, 1);
+  grid->GetYCoordinates()->SetTuple1(2, -5.0);
+  expect(grid, gridVectors, {}, "the coordinates along y neither ascend nor descend to number 2");
+  vtkNew<vtkPolyData> surface;
+  expect(surface, vectors, {}, "a field is no vtkPolyData");
+  expect(nullptr, vectors, {}, "there is no dataset");
+}
+
+}
+
+int TestFlowWalkerImage(int, char*[])
+{
+  Check check;
+  CheckGrids(check);
+  CheckCorners(check);
+  CheckDomainFaces(check);
+  CheckBlanking(check);
+  CheckNonFinite(check);
+  CheckTypes(check);
+  CheckLargeIntegers(check);
+  CheckErrors(check);
+  return check.Result();
+}

@@ -1,0 +1,374 @@
+// The walker of structured grids against VTK's hexahedra, differences, linear fields and straight
+// lines; seams, blanking, collapsed and folded cells, threads.
+#include "ReferenceWalker.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkFlowDispatch.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+
+namespace
+{
+
+using namespace reference;
+
+const std::array<int, 3> Cells = { { 5, 4, 6 } };
+
+vtkSmartPointer<vtkStructuredGrid> MakeCurved(double bend, const VectorField& place)
+{
+  auto grid = MakeStructuredGrid(Cells);
+  MovePoints(grid, MakeBend(Cells, bend));
+  MovePoints(grid, place);
+  return grid;
+}
+
+template <typename Function>
+void WithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
+{
+  const std::string error = vtkFlowDispatch::Execute(data, vectors, {}, function);
+  check.That(error.empty(), error);
+}
+
+// \a isBox: the grid fills its bounds.
+void CheckGrid(const std::string& name, vtkStructuredGrid* grid, double unit, double tolerance,
+  bool isBox, Check& check)
+{
+  check.SetContext(name);
+  auto vectors = AddRandomVectors(grid, 3);
+  WithWalker(grid, vectors, check,
+    [&](const auto& walker)
+    {
+      CheckPlaces(walker, grid, vectors, 4, tolerance, check, unit >= 1.0);
+      CheckDerivatives(walker, grid, vectors, 1e-6, check);
+      CheckPoints(walker, grid, check);
+      if (isBox)
+      {
+        CheckLines(walker, grid, 20, unit, check);
+      }
+    });
+  auto linear = AddVectors(grid,
+    [unit](const Vector& x) {
+      return GetLinearVector({ { x[0] / unit, x[1] / unit, x[2] / unit } });
+    });
+  WithWalker(grid, linear, check,
+    [&](const auto& walker) { CheckLinear(walker, grid, linear, unit, tolerance, check); });
+}
+
+void CheckGrids(Check& check)
+{
+  const VectorField same = [](const Vector& x) { return x; };
+  CheckGrid("boxes", MakeCurved(0.0, same), 1.0, 1e-12, true, check);
+  CheckGrid("curved", MakeCurved(0.35, same), 1.0, 1e-11, true, check);
+  CheckGrid("left-handed",
+    MakeCurved(0.35,
+      [](const Vector& x) {
+        return Vector{ { -x[0], x[1], x[2] } };
+      }),
+    1.0, 1e-11, true, check);
+  CheckGrid("sheared",
+    MakeCurved(0.2,
+      [](const Vector& x) {
+        return Vector{ { x[0] + 3.0 * x[1], x[1], x[2] - 2.0 * x[0] } };
+      }),
+    1.0, 1e-10, false, check);
+  for (const double unit : { 1e-9, 1e9 })
+  {
+    CheckGrid("curved of " + std::to_string(unit),
+      MakeCurved(0.35,
+        [unit](const Vector& x) {
+          return Vector{ { unit * (x[0] - 2.0), unit * x[1], unit * x[2] } };
+        }),
+      unit, 1e-11, true, check);
+    CheckGrid("flat of " + std::to_string(unit),
+      MakeCurved(0.35,
+        [unit](const Vector& x) {
+          return Vector{ { unit * x[0], 1e-4 * unit * x[1], unit * x[2] } };
+        }),
+      unit, 1e-10, true, check);
+  }
+}
+
+void CheckCorners(Check& check)
+{
+  auto grid = MakeStructuredGrid({ { 4, 4, 4 } });
+  auto vectors = AddRandomVectors(grid, 5);
+  const Vector lines[][2] = { { { { 0.5, 0.5, 0.5 } }, { { 1, 1, 1 } } },
+    { { { 3.5, 0.5, 2.5 } }, { { -1, 1, -1 } } }, { { { 0.5, 0.5, 2 } }, { { 1, 1, 0 } } },
+    { { { 0.25, 3, 2 } }, { { 1, 0, 0 } } }, { { { 2, 2, 2 } }, { { -1, -1, 1 } } } };
+  WithWalker(grid, vectors, check,
+    [&](const auto& walker)
+    {
+      for (const auto& line : lines)
+      {
+        check.SetContext("line from " + std::to_string(line[0][0]));
+        CheckLine(walker, grid, line[0], line[1], 1.0, check);
+      }
+    });
+}
+
+// All around the ring, over the seam, and back.
+void CheckSeam(Check& check)
+{
+  check.SetContext("seam");
+  const std::array<int, 3> cells = { { 3, 16, 4 } };
+  auto ring = MakeRing(cells);
+  auto vectors = AddVectors(ring, [](const Vector& x) { return Vector{ { -x[1], x[0], 0.1 } }; });
+  WithWalker(ring, vectors, check,
+    [&](auto walker)
+    {
+      CheckPlaces(walker, ring, vectors, 3, 1e-12, check);
+      for (const int around : { 3, 2 })
+      {
+        const Vector start = { { 1.4, 0.1, 1.3 } };
+        Vector p;
+        check.That(walker.Locate(start.data(), p.data()), "the start is found");
+        const vtkIdType first = walker.GetCell();
+        for (int step = 0; step < cells[1]; ++step)
+        {
+          check.Equal(walker.GetDomainFace(around), -1, "no side of the grid around");
+          p[1] = around == 3 ? 1.0 : 0.0;
+          const Vector before = PositionOf(walker, p);
+          check.That(walker.Cross(around, p.data()), "the next cell around");
+          check.Near(GetNorm(Subtract(PositionOf(walker, p), before)), 0.0, 1e-15,
+            "the position stays", 1.0);
+        }
+        check.Equal(walker.GetCell(), first, "once around");
+        check.That(!walker.Cross(4, p.data()) || walker.GetDomainFace(5) == -1, "sides along z");
+      }
+      const double inner[3] = { 1.0, 0.02, 0.5 };
+      Vector p;
+      check.That(walker.Locate(inner, p.data()), "a point at the inner side");
+      check.Equal(walker.GetDomainFace(0), 0, "the inner side");
+      check.Equal(walker.GetDomainFace(4), 4, "the lower side");
+      check.Equal(walker.GetDomainFace(5), -1, "a face within");
+      double uv[2];
+      walker.GetDomainParameters(0, p.data(), uv);
+      check.Near(uv[1], 0.125, 1e-12, "v of -i is along k");
+    });
+}
+
+void CheckBlanking(Check& check)
+{
+  check.SetContext("blanking");
+  auto grid = MakeStructuredGrid({ { 4, 3, 3 } });
+  auto vectors = AddRandomVectors(grid, 5);
+  grid->AllocateCellGhostArray();
+  auto* ghosts = grid->GetCellGhostArray();
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    ghosts->SetValue(cell, cell % 4 == 2 ? vtkDataSetAttributes::HIDDENCELL : 0);
+  }
+  ghosts->SetValue(2 + 4 * (1 + 3 * 1), vtkDataSetAttributes::DUPLICATECELL);
+  WithWalker(grid, vectors, check,
+    [&](auto walker)
+    {
+      using Walk = LineWalk<std::decay_t<decltype(walker)>>;
+      Vector p;
+      const Vector hidden = { { 2.5, 0.5, 0.5 } };
+      check.That(!walker.Locate(hidden.data(), p.data()), "a hidden cell is not found");
+      const Vector edge = { { 2.0, 0.5, 0.5 } };
+      check.That(walker.Locate(edge.data(), p.data()) && walker.GetCell() == 1 && p[0] == 1.0,
+        "a point on its face is in the neighbour");
+      Walk stopped(walker, { { 0.5, 0.5, 0.5 } }, { { 1, 0, 0 } });
+      check.That(stopped.Run(10.0) && stopped.HasEnded, "a line stops at a hidden cell");
+      check.Near(stopped.Time, 1.5, 1e-12, "at its face");
+      Walk through(walker, { { 0.5, 1.5, 1.5 } }, { { 1, 0, 0 } });
+      check.That(through.Run(10.0) && through.HasEnded, "a line goes through a duplicate cell");
+      check.Near(through.Time, 3.5, 1e-12, "to the side");
+    });
+}
+
+// A wedge of revolution: at i = 0 all cells around end in the axis, where j has no meaning.
+void CheckCollapsed(Check& check)
+{
+  check.SetContext("collapsed");
+  auto grid = MakeStructuredGrid({ { 3, 5, 3 } });
+  MovePoints(grid,
+    [](const Vector& index)
+    {
+      const double angle = 0.25 * index[1];
+      return Vector{ { index[0] * std::cos(angle), index[0] * std::sin(angle), index[2] } };
+    });
+  auto vectors = AddVectors(grid, [](const Vector&) { return Vector{ { 0.0, 0.0, 2.0 } }; });
+  WithWalker(grid, vectors, check,
+    [&](auto walker)
+    {
+      CheckPlaces(walker, grid, vectors, 3, 1e-10, check, false);
+      const double axis[3] = { 0.0, 0.0, 1.5 };
+      Vector p;
+      Vector rate;
+      check.That(walker.Locate(axis, p.data()), "the axis is found");
+      walker.GetVelocity(p.data(), rate.data());
+      check.Near(rate[0], 0.0, 1e-12, "nothing outward", 1.0);
+      check.Near(rate[1], 0.0, 1e-12, "nothing around", 1.0);
+      check.Near(rate[2], 2.0, 1e-12, "along the axis");
+      std::array<double, 9> jacobian;
+      walker.GetJacobian(p.data(), jacobian.data());
+      check.That(std::isfinite(GetLargest(jacobian)), "the Jacobian is finite");
+    });
+}
+
+// Whether dx/dp of the cell that a walker stands in is positive at 125 places.
+template <typename Walker>
+bool IsPositive(const Walker& walker)
+{
+  for (int place = 0; place < 125; ++place)
+  {
+    const double p[3] = { place % 5 / 4.0, place / 5 % 5 / 4.0, place / 25 / 4.0 };
+    double w[3][3];
+    for (int j = 0; j < 3; ++j)
+    {
+      const double along[3] = { j == 0 ? 1.0 : 0.0, j == 1 ? 1.0 : 0.0, j == 2 ? 1.0 : 0.0 };
+      walker.GetWorldVector(p, along, w[j]);
+    }
+    const double volume = w[0][0] * (w[1][1] * w[2][2] - w[1][2] * w[2][1]) +
+      w[0][1] * (w[1][2] * w[2][0] - w[1][0] * w[2][2]) +
+      w[0][2] * (w[1][0] * w[2][1] - w[1][1] * w[2][0]);
+    if (volume <= 0.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Cells so distorted that Newton's method from the centre does not find all their places.
+void CheckDistorted(Check& check)
+{
+  check.SetContext("distorted");
+  int cells = 0;
+  for (unsigned int seed = 1; seed < 3000; ++seed)
+  {
+    auto grid = MakeStructuredGrid({ { 1, 1, 1 } });
+    Random random(seed);
+    MovePoints(grid,
+      [&](const Vector& x)
+      {
+        const Vector d = random.GetPoint(0.7);
+        return Vector{ { x[0] + d[0], x[1] + d[1], x[2] + d[2] } };
+      });
+    auto vectors = AddRandomVectors(grid, seed);
+    WithWalker(grid, vectors, check,
+      [&](auto walker)
+      {
+        Vector p;
+        CellSample sample = SampleCell(grid, vectors, 0, random);
+        if (!walker.Locate(sample.Position.data(), p.data()) || !IsPositive(walker))
+        {
+          return;
+        }
+        ++cells;
+        for (int i = 0; i < 20; ++i)
+        {
+          sample = SampleCell(grid, vectors, 0, random);
+          check.That(walker.Locate(sample.Position.data(), p.data()), "the place is found");
+          check.Near(GetNorm(Subtract(VelocityOf(walker, p), sample.Velocity)), 0.0, 1e-9,
+            "its velocity", 1.0);
+        }
+      });
+  }
+  check.That(cells > 100, "there are such cells");
+}
+
+// A cell turned inside out by a moved point, and collapsed ones: all ends, nothing is NaN.
+void CheckFolded(Check& check)
+{
+  check.SetContext("folded");
+  auto grid = MakeStructuredGrid({ { 4, 3, 3 } });
+  auto vectors = AddRandomVectors(grid, 9);
+  grid->GetPoints()->SetPoint(1 + 5 * (1 + 4), 3.4, 1.2, 1.1);
+  grid->GetPoints()->SetPoint(3 + 5 * (2 + 4 * 2), 2.0, 2.0, 2.0);
+  Random random(23);
+  WithWalker(grid, vectors, check,
+    [&](auto walker)
+    {
+      for (int i = 0; i < 2000; ++i)
+      {
+        Vector x = { { random.Get(0.0, 4.0), random.Get(0.0, 3.0), random.Get(0.0, 3.0) } };
+        Vector p;
+        if (walker.Locate(x.data(), p.data()))
+        {
+          check.Near(GetNorm(Subtract(PositionOf(walker, p), x)), 0.0, 1e-10, "position", 1.0);
+          Vector rate;
+          walker.GetVelocity(p.data(), rate.data());
+          check.That(std::isfinite(GetNorm(rate)), "the velocity is finite");
+        }
+      }
+    });
+}
+
+void CheckErrors(Check& check)
+{
+  check.SetContext("errors");
+  auto grid = MakeStructuredGrid({ { 3, 3, 3 } });
+  auto vectors = AddRandomVectors(grid, 1);
+  const auto find = [&] { return vtkFlowDispatch::Execute(grid, vectors, {}, [](const auto&) {}); };
+  grid->GetPoints()->SetPoint(17, 0.0, std::nan(""), 0.0);
+  check.That(find() == "point 17 is not finite", find());
+  grid->GetPoints()->SetNumberOfPoints(60);
+  check.That(find() == "the grid has 60 points of 64", find());
+  grid->SetDimensions(4, 1, 4);
+  check.That(find() == "the field has no three-dimensional cells", find());
+}
+
+// Cells, places and velocities of points, from a field that was built and read by threads.
+std::vector<double> FindAll(vtkDataSet* data, vtkDataArray* vectors)
+{
+  std::vector<double> all(7 * data->GetNumberOfPoints());
+  vtkFlowDispatch::Execute(data, vectors, {},
+    [&](const auto& prototype)
+    {
+      vtkSMPTools::For(0, data->GetNumberOfPoints(), 7,
+        [&](vtkIdType first, vtkIdType last)
+        {
+          auto walker = prototype;
+          for (vtkIdType point = first; point < last; ++point)
+          {
+            double x[3];
+            data->GetPoint(point, x);
+            double* to = &all[7 * point];
+            to[0] = walker.Locate(x, to + 1) ? static_cast<double>(walker.GetCell()) : -1.0;
+            walker.GetVelocity(to + 1, to + 4);
+          }
+        });
+    });
+  return all;
+}
+
+void CheckThreads(Check& check)
+{
+  auto grid = MakeCurved(0.35, [](const Vector& x) { return x; });
+  auto vectors = AddRandomVectors(grid, 3);
+  vtkSMPTools::SetBackend("Sequential");
+  const std::vector<double> expected = FindAll(grid, vectors);
+  for (const char* backend : { "STDThread", "TBB" })
+  {
+    for (const int threads : { 1, 2, 8 })
+    {
+      check.SetContext(backend + (", " + std::to_string(threads)) + " threads");
+      if (vtkSMPTools::SetBackend(backend))
+      {
+        vtkSMPTools::Initialize(threads);
+        check.That(FindAll(grid, vectors) == expected, "the same cells, places and velocities");
+      }
+    }
+  }
+}
+
+}
+
+int TestFlowWalkerStructured(int, char*[])
+{
+  Check check;
+  CheckGrids(check);
+  CheckCorners(check);
+  CheckSeam(check);
+  CheckBlanking(check);
+  CheckCollapsed(check);
+  CheckDistorted(check);
+  CheckFolded(check);
+  CheckErrors(check);
+  CheckThreads(check);
+  return check.Result();
+}

@@ -1,0 +1,374 @@
+// The walker of unstructured grids against VTK's cells, differences, linear fields and straight
+// lines, over meshes of all its types; turned and mirrored cells, blocks, cracks and errors.
+#include "ReferenceTransform.h"
+#include "ReferenceWalker.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFlowDispatch.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+
+namespace
+{
+
+using namespace reference;
+
+const std::array<int, 3> Cells = { { 3, 4, 3 } };
+
+template <typename Function>
+void WithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
+{
+  const std::string error = vtkFlowDispatch::Execute(data, vectors, {}, function);
+  check.That(error.empty(), error);
+}
+
+void CheckMesh(
+  const std::string& name, vtkUnstructuredGrid* mesh, double unit, double tolerance, Check& check)
+{
+  check.SetContext(name);
+  auto vectors = AddRandomVectors(mesh, 3);
+  WithWalker(mesh, vectors, check,
+    [&](const auto& walker)
+    {
+      CheckPlaces(walker, mesh, vectors, 3, tolerance, check, unit >= 1.0);
+      CheckDerivatives(walker, mesh, vectors, 1e-5, check);
+      CheckPoints(walker, mesh, check);
+      CheckLines(walker, mesh, 12, unit, check);
+    });
+  auto linear = AddVectors(mesh,
+    [unit](const Vector& x) {
+      return GetLinearVector({ { x[0] / unit, x[1] / unit, x[2] / unit } });
+    });
+  WithWalker(mesh, linear, check,
+    [&](const auto& walker) { CheckLinear(walker, mesh, linear, unit, tolerance, check); });
+}
+
+void CheckMeshes(Check& check)
+{
+  for (const MeshKind kind : FlowMeshKinds())
+  {
+    const std::string name = GetName(kind);
+    CheckMesh(name, MakeFlowMesh(kind, Cells), 1.0, 1e-12, check);
+    auto curved = MakeFlowMesh(kind, Cells, false);
+    MovePoints(curved, MakeBend(Cells, 0.25));
+    CheckMesh(name + ", curved", curved, 1.0, 1e-10, check);
+    CheckMesh(name + ", turned", TurnCells(curved, 5), 1.0, 1e-10, check);
+    CheckMesh(name + ", mirrored", InvertCells(curved), 1.0, 1e-10, check);
+    for (const double unit : { 1e-9, 1e9 })
+    {
+      auto flat = MakeFlowMesh(kind, Cells, false);
+      MovePoints(flat, MakeBend(Cells, 0.25));
+      MovePoints(flat,
+        [unit](const Vector& x) {
+          return Vector{ { unit * x[0], unit * x[1], 1e-4 * unit * x[2] } };
+        });
+      CheckMesh(name + ", flat of " + std::to_string(unit), flat, unit, 1e-9, check);
+    }
+  }
+}
+
+// Through corners, edges, apexes and along faces.
+void CheckCorners(Check& check)
+{
+  const std::array<int, 3> cells = { { 4, 4, 4 } };
+  const Vector lines[][2] = { { { { 0.5, 0.5, 0.5 } }, { { 1, 1, 1 } } },
+    { { { 3.5, 0.5, 2.5 } }, { { -1, 1, -1 } } }, { { { 0.5, 0.5, 2 } }, { { 1, 1, 0 } } },
+    { { { 0.25, 3, 2 } }, { { 1, 0, 0 } } }, { { { 0.25, 2.5, 1.5 } }, { { 1, 0, 0 } } } };
+  for (const MeshKind kind : FlowMeshKinds())
+  {
+    auto mesh = MakeFlowMesh(kind, cells);
+    auto vectors = AddRandomVectors(mesh, 5);
+    WithWalker(mesh, vectors, check,
+      [&](const auto& walker)
+      {
+        for (const auto& line : lines)
+        {
+          check.SetContext(GetName(kind) + ", line from " + std::to_string(line[0][0]));
+          CheckLine(walker, mesh, line[0], line[1], 1.0, check);
+        }
+      });
+  }
+}
+
+// In the apex of a pyramid velocity and Jacobian of p are finite, and the velocity is its vector.
+void CheckApex(Check& check)
+{
+  check.SetContext("apex");
+  auto mesh = MakeFlowMesh(MeshKind::Pyramids, { { 2, 2, 2 } });
+  MovePoints(mesh, MakeBend({ { 2, 2, 2 } }, 0.3));
+  auto vectors = AddRandomVectors(mesh, 31);
+  WithWalker(mesh, vectors, check,
+    [&](auto walker)
+    {
+      for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+      {
+        vtkNew<vtkIdList> ids;
+        mesh->GetCellPoints(cell, ids);
+        Vector x;
+        Vector expected;
+        Vector p;
+        mesh->GetPoint(ids->GetId(4), x.data());
+        vectors->GetTuple(ids->GetId(4), expected.data());
+        check.That(walker.Locate(x.data(), p.data()), "the apex is found");
+        check.Near(p[2], 1.0, 1e-12, "at z = 1");
+        check.Near(
+          GetNorm(Subtract(VelocityOf(walker, p), expected)), 0.0, 1e-12, "its vector", 1.0);
+        Vector rate;
+        std::array<double, 9> jacobian;
+        walker.GetVelocity(p.data(), rate.data());
+        walker.GetJacobian(p.data(), jacobian.data());
+        check.That(GetNorm(rate) < 100.0, "the rate is bounded");
+        // A little to the side and beyond.
+        for (const double z : { 1.0 - 1e-13, 1.0, 1.0 + 1e-13, 1.0 + 1e-3 })
+        {
+          const double beside[3] = { 1e-13, -1e-13, z };
+          walker.GetVelocity(beside, rate.data());
+          check.That(GetNorm(rate) < 1000.0, "the rate beside the apex is bounded");
+        }
+      }
+    });
+}
+
+// Two blocks whose points are not shared go on into each other; where one has quadrilaterals and
+// the other triangles, the field ends.
+void CheckBlocks(Check& check)
+{
+  check.SetContext("blocks");
+  const std::array<int, 3> cells = { { 2, 2, 2 } };
+  const auto append = [&](MeshKind second)
+  {
+    auto mesh = MakeFlowMesh(MeshKind::Hexahedra, cells);
+    auto other = MakeFlowMesh(second, cells);
+    const vtkIdType first = mesh->GetNumberOfPoints();
+    for (vtkIdType point = 0; point < other->GetNumberOfPoints(); ++point)
+    {
+      double x[3];
+      other->GetPoint(point, x);
+      mesh->GetPoints()->InsertNextPoint(x[0] + cells[0], x[1], x[2]);
+    }
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < other->GetNumberOfCells(); ++cell)
+    {
+      other->GetCellPoints(cell, ids);
+      for (vtkIdType v = 0; v < ids->GetNumberOfIds(); ++v)
+      {
+        ids->SetId(v, ids->GetId(v) + first);
+      }
+      mesh->InsertNextCell(other->GetCellType(cell), ids);
+    }
+    return mesh;
+  };
+  for (const MeshKind kind : { MeshKind::Hexahedra, MeshKind::Pyramids, MeshKind::Voxels })
+  {
+    auto mesh = append(kind);
+    auto vectors = AddRandomVectors(mesh, 3);
+    WithWalker(
+      mesh, vectors, check, [&](const auto& walker) { CheckLines(walker, mesh, 20, 1.0, check); });
+  }
+  auto mesh = append(MeshKind::Tetrahedra6);
+  auto vectors = AddRandomVectors(mesh, 3);
+  WithWalker(mesh, vectors, check,
+    [&](const auto& walker)
+    {
+      LineWalk<std::decay_t<decltype(walker)>> walk(walker, { { 0.5, 0.6, 0.7 } }, { { 1, 0, 0 } });
+      check.That(walk.Run(10.0) && walk.HasEnded, "the walk ends between blocks");
+      check.Near(walk.Time, 1.5, 1e-12, "at the quadrilaterals");
+      check.Equal(walk.Stand.GetDomainFace(walk.EndFace), -1, "no side of a structured grid");
+    });
+}
+
+void CheckBlanking(Check& check)
+{
+  check.SetContext("blanking");
+  auto mesh = MakeFlowMesh(MeshKind::Hexahedra, { { 4, 3, 3 } });
+  // Of no point of the field: does not count.
+  mesh->GetPoints()->InsertNextPoint(0.0, 0.0, 0.0);
+  auto vectors = AddVectors(mesh, [](const Vector&) { return Vector{ { 1.0, 2.0, 2.0 } }; });
+  const double infinite[3] = { 0.0, std::numeric_limits<double>::infinity(), 0.0 };
+  vectors->SetTuple(mesh->GetNumberOfPoints() - 1, infinite);
+  mesh->AllocateCellGhostArray();
+  auto* ghosts = mesh->GetCellGhostArray();
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    ghosts->SetValue(cell, cell % 4 == 2 ? vtkDataSetAttributes::HIDDENCELL : 0);
+  }
+  ghosts->SetValue(2 + 4 * (1 + 3 * 1), vtkDataSetAttributes::DUPLICATECELL);
+  WithWalker(mesh, vectors, check,
+    [&](auto walker)
+    {
+      using Walk = LineWalk<std::decay_t<decltype(walker)>>;
+      check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 0, "vectors of no cell");
+      check.Near(walker.GetField().GetMaximumSpeed(), 3.0, 1e-15, "largest speed");
+      Vector p;
+      const Vector hidden = { { 2.5, 0.5, 0.5 } };
+      check.That(!walker.Locate(hidden.data(), p.data()), "a hidden cell is not found");
+      const Vector edge = { { 2.0, 0.5, 0.5 } };
+      check.That(walker.Locate(edge.data(), p.data()) && walker.GetCell() == 1 && p[0] == 1.0,
+        "a point on its face is in the neighbour");
+      Walk stopped(walker, { { 0.5, 0.5, 0.5 } }, { { 1, 0, 0 } });
+      check.That(stopped.Run(10.0) && stopped.HasEnded, "a line stops at a hidden cell");
+      check.Near(stopped.Time, 1.5, 1e-12, "at its face");
+      Walk through(walker, { { 0.5, 1.5, 1.5 } }, { { 1, 0, 0 } });
+      check.That(through.Run(10.0) && through.HasEnded, "a line goes through a duplicate cell");
+      check.Near(through.Time, 3.5, 1e-12, "to the side");
+    });
+}
+
+void CheckNonFinite(Check& check)
+{
+  check.SetContext("not finite");
+  auto mesh = MakeFlowMesh(MeshKind::Mixed, Cells);
+  auto vectors = AddRandomVectors(mesh, 3);
+  const double wrong[3] = { 0.0, 0.0, std::nan("") };
+  vectors->SetTuple(20, wrong);
+  vtkNew<vtkIdList> ids;
+  Random random(29);
+  WithWalker(mesh, vectors, check,
+    [&](auto walker)
+    {
+      check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 1, "vectors");
+      int infinite = 0;
+      for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+      {
+        mesh->GetCellPoints(cell, ids);
+        const bool isFinite = ids->IsId(20) < 0;
+        infinite += !isFinite;
+        const CellSample sample = SampleCell(mesh, vectors, cell, random);
+        Vector p;
+        check.That(walker.Locate(sample.Position.data(), p.data()), "the cell is found");
+        check.Equal(walker.IsFinite(), isFinite, "whether it is finite");
+      }
+      check.That(infinite > 0, "there are such cells");
+    });
+}
+
+// Arrays interpolated as the vectors are.
+void CheckArrays(Check& check)
+{
+  for (const MeshKind kind : FlowMeshKinds())
+  {
+    check.SetContext(GetName(kind) + ", arrays");
+    auto mesh = MakeFlowMesh(kind, Cells, false);
+    MovePoints(mesh, MakeBend(Cells, 0.25));
+    auto vectors = AddRandomVectors(mesh, 3, VTK_FLOAT);
+    vtkNew<vtkDoubleArray> parts[3];
+    for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        parts[i]->InsertNextValue(vectors->GetComponent(point, i));
+      }
+    }
+    Random random(37);
+    const std::string error =
+      vtkFlowDispatch::Execute(mesh, vectors, { parts[0], parts[1], parts[2] },
+        [&](auto walker)
+        {
+          for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+          {
+            const CellSample sample = SampleCell(mesh, vectors, cell, random);
+            Vector p;
+            walker.Locate(sample.Position.data(), p.data());
+            for (int i = 0; i < 3; ++i)
+            {
+              check.Near(walker.Interpolate(i, p.data()), sample.Velocity[i], 1e-11, "value", 1.0);
+            }
+          }
+        });
+    check.That(error.empty(), error);
+  }
+}
+
+void CheckErrors(Check& check)
+{
+  check.SetContext("errors");
+  const auto find = [](vtkUnstructuredGrid* mesh)
+  {
+    auto vectors = AddRandomVectors(mesh, 1);
+    return vtkFlowDispatch::Execute(mesh, vectors, {}, [](const auto&) {});
+  };
+  auto boxes = MakeMesh(MeshKind::Boxes, { { 2, 2, 2 } });
+  check.That(find(boxes) ==
+      "cell 0 is a vtkPolyhedron (type 42); a field has tetrahedra, voxels, hexahedra, wedges and "
+      "pyramids",
+    find(boxes));
+  auto mesh = MakeFlowMesh(MeshKind::Tetrahedra5, { { 2, 2, 2 } });
+  const vtkIdType triangle[3] = { 0, 1, 2 };
+  mesh->InsertNextCell(VTK_TRIANGLE, 3, triangle);
+  check.That(find(mesh) ==
+      "cell 40 is a vtkTriangle (type 5); a field has tetrahedra, voxels, hexahedra, wedges and "
+      "pyramids",
+    find(mesh));
+  auto short4 = MakeFlowMesh(MeshKind::Hexahedra, { { 1, 1, 1 } });
+  short4->InsertNextCell(VTK_HEXAHEDRON, 3, triangle);
+  check.That(find(short4) == "cell 1 is a vtkHexahedron (type 12) of 3 points", find(short4));
+  auto broken = MakeFlowMesh(MeshKind::Hexahedra, { { 2, 2, 2 } });
+  broken->GetPoints()->SetPoint(13, 0.0, 0.0, std::nan(""));
+  check.That(find(broken) == "point 13 is not finite", find(broken));
+  vtkNew<vtkUnstructuredGrid> empty;
+  check.That(find(empty) == "the field has no three-dimensional cells", find(empty));
+}
+
+// Where lines through a mesh go, with a field built by threads.
+std::vector<double> WalkAll(vtkUnstructuredGrid* mesh, vtkDataArray* vectors)
+{
+  std::vector<double> all;
+  vtkFlowDispatch::Execute(mesh, vectors, {},
+    [&](const auto& walker)
+    {
+      Random random(41);
+      for (int line = 0; line < 30; ++line)
+      {
+        const Vector start = { { random.Get(0.0, 3.0), random.Get(0.0, 4.0),
+          random.Get(0.0, 3.0) } };
+        LineWalk<std::decay_t<decltype(walker)>> walk(walker, start, random.GetDirection());
+        walk.Run(20.0);
+        all.insert(all.end(), walk.P.begin(), walk.P.end());
+        all.insert(all.end(), walk.Cells.begin(), walk.Cells.end());
+        all.push_back(walk.Time);
+      }
+    });
+  return all;
+}
+
+void CheckThreads(Check& check)
+{
+  auto mesh = MakeFlowMesh(MeshKind::Mixed, Cells, false);
+  MovePoints(mesh, MakeBend(Cells, 0.25));
+  auto vectors = AddRandomVectors(mesh, 3);
+  vtkSMPTools::SetBackend("Sequential");
+  const std::vector<double> expected = WalkAll(mesh, vectors);
+  check.That(expected.size() > 200, "there are cells on the way");
+  for (const char* backend : { "STDThread", "TBB" })
+  {
+    for (const int threads : { 1, 2, 8 })
+    {
+      check.SetContext(backend + (", " + std::to_string(threads)) + " threads");
+      if (vtkSMPTools::SetBackend(backend))
+      {
+        vtkSMPTools::Initialize(threads);
+        check.That(WalkAll(mesh, vectors) == expected, "the same walks");
+      }
+    }
+  }
+}
+
+}
+
+int TestFlowWalkerUnstructured(int, char*[])
+{
+  Check check;
+  CheckMeshes(check);
+  CheckCorners(check);
+  CheckApex(check);
+  CheckBlocks(check);
+  CheckBlanking(check);
+  CheckNonFinite(check);
+  CheckArrays(check);
+  CheckErrors(check);
+  CheckThreads(check);
+  return check.Result();
+}
