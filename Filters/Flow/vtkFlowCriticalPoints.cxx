@@ -1,0 +1,179 @@
+#include "vtkFlowCriticalPoints.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFlowVectors.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRealEigenvalues.h"
+#include "vtkZeroSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+vtkStandardNewMacro(vtkFlowCriticalPoints);
+
+namespace
+{
+// The vectors themselves.
+class VectorSystem : public vtkZeroSearch::Systems
+{
+public:
+  void GetRange(const vtkMultilinearCell&, int& first, int& last) const override
+  {
+    first = 0;
+    last = 1;
+  }
+
+  void Evaluate(
+    const vtkMultilinearCell& cell, int, vtkMultilinearCell::Values& values) const override
+  {
+    std::copy_n(&cell.GetVectors()[0][0], 24, &values[0][0]);
+  }
+};
+
+int Classify(const double eigenvalues[6])
+{
+  double largest = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    largest = std::max(largest, std::hypot(eigenvalues[2 * i], eigenvalues[2 * i + 1]));
+  }
+  const double least = 1e-9 * largest;
+  int outgoing = 0;
+  bool isSpiral = false;
+  bool isDegenerate = false;
+  bool isCenter = false;
+  for (int i = 0; i < 3; ++i)
+  {
+    const bool isComplex = std::abs(eigenvalues[2 * i + 1]) > least;
+    const bool isZero = std::abs(eigenvalues[2 * i]) <= least;
+    outgoing += eigenvalues[2 * i] > 0.0 ? 1 : 0;
+    isSpiral = isSpiral || isComplex;
+    isDegenerate = isDegenerate || isZero;
+    isCenter = isCenter || (isZero && isComplex);
+  }
+  if (isDegenerate)
+  {
+    return isCenter ? vtkFlowCriticalPoints::CENTER : vtkFlowCriticalPoints::DEGENERATE;
+  }
+  constexpr int types[4] = { vtkFlowCriticalPoints::SINK, vtkFlowCriticalPoints::SADDLE_2_IN,
+    vtkFlowCriticalPoints::SADDLE_1_IN, vtkFlowCriticalPoints::SOURCE };
+  return types[outgoing] + (isSpiral ? 1 : 0);
+}
+}
+
+vtkFlowCriticalPoints::vtkFlowCriticalPoints()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
+}
+
+vtkFlowCriticalPoints::~vtkFlowCriticalPoints() = default;
+
+const char* vtkFlowCriticalPoints::GetTypeName(int type)
+{
+  static const char* const names[NUMBER_OF_TYPES] = { "degenerate", "source", "spiral source",
+    "saddle, 1 in", "spiral saddle, 1 in", "saddle, 2 in", "spiral saddle, 2 in", "sink",
+    "spiral sink", "center" };
+  return type >= 0 && type < NUMBER_OF_TYPES ? names[type] : nullptr;
+}
+
+int vtkFlowCriticalPoints::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  for (const char* type :
+    { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid", "vtkUnstructuredGrid" })
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+  }
+  return 1;
+}
+
+int vtkFlowCriticalPoints::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  this->NumberOfZeroCells = 0;
+  this->NumberOfDegenerateCells = 0;
+  this->NumberOfNonFiniteCells = 0;
+  if (!input || input->GetNumberOfCells() == 0)
+  {
+    return 1;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* vectors = this->GetInputArrayToProcess(0, inputs, association);
+  const std::string wrong =
+    vtkFlowVectors::Check(input, vectors, association, this->GetInputArrayInformation(0));
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return 1;
+  }
+  vtkZeroSearch search;
+  if (!search.Execute(this, input, vectors, VectorSystem()))
+  {
+    return 1;
+  }
+  this->NumberOfZeroCells = search.GetCounts().ZeroCells;
+  this->NumberOfDegenerateCells = search.GetCounts().DegenerateCells;
+  this->NumberOfNonFiniteCells = search.GetCounts().NonFiniteCells;
+
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkIntArray> types;
+  types->SetName("CriticalPointType");
+  vtkNew<vtkDoubleArray> eigenvalues;
+  eigenvalues->SetName("Eigenvalues");
+  eigenvalues->SetNumberOfComponents(6);
+  vtkNew<vtkDoubleArray> jacobians;
+  jacobians->SetName("Jacobian");
+  jacobians->SetNumberOfComponents(9);
+  vtkNew<vtkDoubleArray> lengths;
+  lengths->SetName("CellLength");
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("CellId");
+  for (const vtkZeroSearch::Zero& zero : search.GetZeros())
+  {
+    const vtkIdType point = points->InsertNextPoint(zero.Position);
+    vertices->InsertNextCell(1, &point);
+    double values[6];
+    vtkRealEigenvalues::Compute(zero.Gradient, values);
+    types->InsertNextValue(zero.IsDegenerate ? DEGENERATE : Classify(values));
+    eigenvalues->InsertNextTuple(values);
+    jacobians->InsertNextTuple(zero.Gradient);
+    lengths->InsertNextValue(zero.CellLength);
+    cells->InsertNextValue(zero.Cell);
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  vtkPointData* data = output->GetPointData();
+  data->SetScalars(types);
+  data->AddArray(eigenvalues);
+  data->AddArray(jacobians);
+  data->AddArray(lengths);
+  data->AddArray(cells);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkFlowCriticalPoints::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfZeroCells: " << this->NumberOfZeroCells << "\n";
+  os << indent << "NumberOfDegenerateCells: " << this->NumberOfDegenerateCells << "\n";
+  os << indent << "NumberOfNonFiniteCells: " << this->NumberOfNonFiniteCells << "\n";
+}

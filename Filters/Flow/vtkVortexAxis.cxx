@@ -1,0 +1,252 @@
+#include "vtkVortexAxis.h"
+
+#include "vtkCellArray.h"
+#include "vtkCrossFlow.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFlowVectors.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkVortexAxis);
+
+namespace
+{
+using Vortex = vtkCrossFlow::Vortex;
+
+// The vortices of all planes, those of one plane together.
+class Tracker
+{
+public:
+  Tracker(const vtkCrossFlow& flow, const std::vector<vtkZeroSearch::Zero>& zeros,
+    double minimumSwirlStrength, double radius)
+    : Flow(flow)
+    , Radius(radius)
+    , Planes(flow.GetNumberOfPlanes())
+  {
+    for (const vtkZeroSearch::Zero& zero : zeros)
+    {
+      const Vortex vortex = flow.MakeVortex(zero);
+      if (vortex.SwirlStrength > 0.0 && vortex.SwirlStrength >= minimumSwirlStrength)
+      {
+        this->Planes[vortex.Plane].push_back(vortex);
+      }
+    }
+  }
+
+  // Null without a vortex.
+  const Vortex* FindStrongest() const
+  {
+    const Vortex* strongest = nullptr;
+    for (const auto& plane : this->Planes)
+    {
+      for (const Vortex& vortex : plane)
+      {
+        strongest =
+          !strongest || vortex.SwirlStrength > strongest->SwirlStrength ? &vortex : strongest;
+      }
+    }
+    return strongest;
+  }
+
+  const Vortex* FindNearest(const double seed[3]) const
+  {
+    const double height = this->Flow.GetHeight(seed);
+    const Vortex* nearest = nullptr;
+    std::pair<double, double> least;
+    for (const auto& plane : this->Planes)
+    {
+      for (const Vortex& vortex : plane)
+      {
+        const std::pair<double, double> distances = { std::abs(
+                                                        this->Flow.GetPlane(vortex.Plane) - height),
+          this->Flow.GetDistance(vortex.Position, seed) };
+        if (!nearest || distances < least)
+        {
+          nearest = &vortex;
+          least = distances;
+        }
+      }
+    }
+    return nearest;
+  }
+
+  // By ascending plane; not all planes have one.
+  std::vector<const Vortex*> Follow(const Vortex* start) const
+  {
+    std::vector<const Vortex*> axis = { start };
+    for (const int direction : { -1, 1 })
+    {
+      const Vortex* last = start;
+      for (int plane = start->Plane + direction;
+           plane >= 0 && plane < static_cast<int>(this->Planes.size()); plane += direction)
+      {
+        if (const Vortex* next = this->FindNext(*last, plane))
+        {
+          axis.push_back(next);
+          last = next;
+        }
+      }
+    }
+    std::sort(axis.begin(), axis.end(),
+      [](const Vortex* a, const Vortex* b) { return a->Plane < b->Plane; });
+    return axis;
+  }
+
+private:
+  const Vortex* FindNext(const Vortex& last, int plane) const
+  {
+    const Vortex* next = nullptr;
+    double least = this->Radius > 0.0 ? this->Radius * std::abs(plane - last.Plane)
+                                      : 2.0 *
+        (std::abs(this->Flow.GetPlane(plane) - this->Flow.GetPlane(last.Plane)) + last.CellLength);
+    for (const Vortex& vortex : this->Planes[plane])
+    {
+      const double distance = this->Flow.GetDistance(vortex.Position, last.Position);
+      if (vortex.IsCounterclockwise == last.IsCounterclockwise &&
+        (next ? distance < least : distance <= least))
+      {
+        next = &vortex;
+        least = distance;
+      }
+    }
+    return next;
+  }
+
+  const vtkCrossFlow& Flow;
+  double Radius;
+  std::vector<std::vector<Vortex>> Planes;
+};
+
+void Write(const std::vector<const Vortex*>& axis, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkDoubleArray> speeds;
+  speeds->SetName("CrossFlowSpeed");
+  vtkNew<vtkDoubleArray> swirls;
+  swirls->SetName("SwirlStrength");
+  vtkNew<vtkDoubleArray> velocities;
+  velocities->SetName("AxialVelocity");
+  std::vector<vtkIdType> ids;
+  for (std::size_t i = 0; i < axis.size(); ++i)
+  {
+    const Vortex& vortex = *axis[i];
+    ids.push_back(points->InsertNextPoint(vortex.Position));
+    speeds->InsertNextValue(vortex.CrossFlowSpeed);
+    swirls->InsertNextValue(vortex.SwirlStrength);
+    velocities->InsertNextValue(vortex.AxialVelocity);
+    if (i + 1 == axis.size() || axis[i + 1]->Plane != vortex.Plane + 1)
+    {
+      (ids.size() > 1 ? lines : vertices)
+        ->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+      ids.clear();
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->SetVerts(vertices);
+  output->GetPointData()->AddArray(speeds);
+  output->GetPointData()->SetScalars(swirls);
+  output->GetPointData()->AddArray(velocities);
+}
+
+std::string CheckVector(const char* name, const double v[3], bool isDirection)
+{
+  const bool isFinite = std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+  const bool isZero = v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0;
+  std::ostringstream what;
+  if (!isFinite || (isDirection && isZero))
+  {
+    what << name << " " << v[0] << " " << v[1] << " " << v[2]
+         << (isFinite ? " is no direction." : " is not finite.");
+  }
+  return what.str();
+}
+
+void PrintVector(ostream& os, vtkIndent indent, const char* name, const double v[3])
+{
+  os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n";
+}
+}
+
+vtkVortexAxis::vtkVortexAxis()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
+}
+
+vtkVortexAxis::~vtkVortexAxis() = default;
+
+int vtkVortexAxis::FillInputPortInformation(int, vtkInformation* info)
+{
+  vtkFlowVectors::FillPortInformation(info);
+  return 1;
+}
+
+int vtkVortexAxis::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  if (!input || input->GetNumberOfCells() == 0)
+  {
+    return 1;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* vectors = this->GetInputArrayToProcess(0, inputs, association);
+  std::string wrong = CheckVector("Axis", this->Axis, true);
+  wrong = wrong.empty() ? CheckVector("Seed", this->Seed, false) : wrong;
+  wrong = wrong.empty() ? CheckVector("FrameVelocity", this->FrameVelocity, false) : wrong;
+  wrong = wrong.empty()
+    ? vtkFlowVectors::Check(input, vectors, association, this->GetInputArrayInformation(0))
+    : wrong;
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return 1;
+  }
+  vtkCrossFlow flow(this->Axis, this->FrameVelocity);
+  flow.PlacePlanes(input, this->NumberOfPlanes);
+  vtkZeroSearch search;
+  if (!search.Execute(this, input, vectors, flow))
+  {
+    return 1;
+  }
+  const Tracker tracker(flow, search.GetZeros(), this->MinimumSwirlStrength, this->SearchRadius);
+  if (const Vortex* start =
+        this->UseSeed ? tracker.FindNearest(this->Seed) : tracker.FindStrongest())
+  {
+    Write(tracker.Follow(start), output);
+  }
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkVortexAxis::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  PrintVector(os, indent, "Axis", this->Axis);
+  os << indent << "NumberOfPlanes: " << this->NumberOfPlanes << "\n";
+  os << indent << "UseSeed: " << (this->UseSeed ? "On" : "Off") << "\n";
+  PrintVector(os, indent, "Seed", this->Seed);
+  PrintVector(os, indent, "FrameVelocity", this->FrameVelocity);
+  os << indent << "SearchRadius: " << this->SearchRadius << "\n";
+  os << indent << "MinimumSwirlStrength: " << this->MinimumSwirlStrength << "\n";
+}

@@ -1,0 +1,633 @@
+// Straight, tilted and curved axes on all kinds of grids, exact or to second order; several
+// vortices, the seed, the frame of reference, breaks; no vortex; planes; threads, progress, abort,
+// errors.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowMaps.h"
+#include "ReferenceLattice.h"
+#include "ReferenceMesh.h"
+#include "ReferenceMessages.h"
+#include "ReferenceProgress.h"
+
+#include "vtkAnalyticFlowSource.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSMPTools.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVortexAxis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double Pi = 3.14159265358979323846;
+
+// A place of an axis by z.
+using Curve = std::function<FlowVector(double)>;
+
+// A vortex whose velocity across z is 0 on a curve, with a swirl that fades outward.
+FlowFunction MakeVortex(const Curve& curve, double swirl, double radius)
+{
+  return [=](const FlowVector& x)
+  {
+    const FlowVector axis = curve(x[2]);
+    const double d[2] = { x[0] - axis[0], x[1] - axis[1] };
+    const double turn = swirl * std::exp(-(d[0] * d[0] + d[1] * d[1]) / (radius * radius));
+    return FlowVector{ { -turn * d[1] - 0.1 * d[0], turn * d[0] - 0.1 * d[1], 0.3 } };
+  };
+}
+
+vtkSmartPointer<vtkImageData> MakeCube(int cells)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(cells + 1, cells + 1, cells + 1);
+  image->SetOrigin(-1.0, -1.0, -1.0);
+  image->SetSpacing(2.0 / cells, 2.0 / cells, 2.0 / cells);
+  return image;
+}
+
+vtkPolyData* Run(vtkVortexAxis* filter, vtkDataSet* data)
+{
+  filter->SetInputDataObject(data);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+// The farthest distance from a curve along its planes.
+double GetError(vtkPolyData* output, const Curve& curve)
+{
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    output->GetPoint(i, x);
+    const FlowVector axis = curve(x[2]);
+    largest = std::max(largest, std::hypot(x[0] - axis[0], x[1] - axis[1]));
+  }
+  return largest;
+}
+
+double GetLargest(vtkPolyData* output, const char* name)
+{
+  double range[2] = { 0.0, HUGE_VAL };
+  if (vtkDataArray* array = output->GetPointData()->GetArray(name))
+  {
+    array->GetRange(range);
+  }
+  return range[1];
+}
+
+void CheckLine(vtkPolyData* output, vtkIdType points, Check& check)
+{
+  check.Equal(output->GetNumberOfPoints(), points, "places");
+  check.Equal(output->GetNumberOfLines(), 1, "lines");
+  check.Equal(output->GetNumberOfVerts(), 0, "vertices");
+  check.Near(GetLargest(output, "CrossFlowSpeed"), 0.0, 1e-13, "cross-flow speed", 1.0);
+  for (vtkIdType i = 1; i < output->GetNumberOfPoints(); ++i)
+  {
+    double a[3];
+    double b[3];
+    output->GetPoint(i - 1, a);
+    output->GetPoint(i, b);
+    check.That(a[2] < b[2], "places by height");
+  }
+}
+
+// A linear vortex about a line that leans is found to rounding, on any grid.
+void CheckLinear(Check& check)
+{
+  const FlowVector direction = { { 0.2, -0.3, 1.0 } };
+  const Curve line = [&](double z) {
+    return FlowVector{ { 1.41 + direction[0] * z, 2.37 + direction[1] * z, z } };
+  };
+  const FlowFunction field = [&](const FlowVector& x)
+  {
+    const FlowVector axis = line(x[2]);
+    const double d[2] = { x[0] - axis[0], x[1] - axis[1] };
+    return FlowVector{ { 0.4 * d[0] - 3.0 * d[1], 2.0 * d[0] - 0.2 * d[1], 0.7 + x[2] } };
+  };
+  // Of [[0.4, -3], [2, -0.2]].
+  const double swirl = std::sqrt(6.0 - 0.09);
+  for (const MeshKind kind : { MeshKind::Hexahedra, MeshKind::Voxels, MeshKind::Wedges,
+         MeshKind::Pyramids, MeshKind::Tetrahedra5, MeshKind::Tetrahedra6, MeshKind::Tetrahedra12 })
+  {
+    auto mesh = MakeMesh(kind, { 3, 4, 2 });
+    SetVelocity(mesh, field);
+    for (const int planes : { 0, 1, 2, 3, 7, 20 })
+    {
+      check.SetContext(GetName(kind) + ", " + std::to_string(planes) + " planes");
+      vtkNew<vtkVortexAxis> filter;
+      filter->SetNumberOfPlanes(planes);
+      vtkPolyData* output = Run(filter, mesh);
+      if (planes == 1)
+      {
+        check.Equal(output->GetNumberOfPoints(), 1, "places");
+        check.Equal(output->GetNumberOfVerts(), 1, "vertices");
+        check.Near(output->GetPoint(0)[2], 1.0, 1e-15, "the plane in the middle");
+      }
+      else
+      {
+        const double number = std::cbrt(static_cast<double>(mesh->GetNumberOfPoints()));
+        CheckLine(output, planes == 0 ? std::lround(number) : planes, check);
+      }
+      check.Near(GetError(output, line), 0.0, 1e-13, "distance from the axis", 1.0);
+      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+      {
+        vtkPointData* data = output->GetPointData();
+        check.Near(data->GetArray("SwirlStrength")->GetTuple1(i), swirl, 1e-12, "swirl");
+        check.Near(data->GetArray("AxialVelocity")->GetTuple1(i), 0.7 + output->GetPoint(i)[2],
+          1e-12, "axial velocity");
+      }
+    }
+  }
+  auto image = MakeImage({ 8, 7, 6 });
+  SetVelocity(image,
+    [](const FlowVector& x)
+    {
+      const double d[2] = { x[0] + 0.93 - 0.02 * x[2], x[1] - 1.8 + 0.1 * x[2] };
+      return FlowVector{ { -d[1], d[0], 1.0 } };
+    });
+  for (const LatticeForm& form : FormsOf(image))
+  {
+    check.SetContext(form.Name);
+    vtkNew<vtkVortexAxis> filter;
+    filter->SetNumberOfPlanes(form.Data->IsA("vtkUnstructuredGrid") ? 7 : 0);
+    vtkPolyData* output = Run(filter, form.Data);
+    CheckLine(output, 7, check);
+    const Curve axis = [](double z) {
+      return FlowVector{ { -0.93 + 0.02 * z, 1.8 - 0.1 * z, z } };
+    };
+    check.Near(GetError(output, axis), 0.0, 1e-12, "distance from the axis", 1.0);
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      check.Near(output->GetPoint(i)[2], 2.1 + 0.7 * i, 1e-13, "a layer of points");
+    }
+  }
+}
+
+// Layers at uneven distances, and layers whose coordinates along the axis differ by roundings.
+void CheckLayers(Check& check)
+{
+  check.SetContext("uneven layers");
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(4, 4, 5);
+  vtkNew<vtkDoubleArray> across;
+  vtkNew<vtkDoubleArray> along;
+  for (const double x : { -1.0, -0.2, 0.3, 1.0 })
+  {
+    across->InsertNextValue(x);
+  }
+  const double layers[5] = { 3.0, 2.5, 1.0, 0.9, -2.0 };
+  for (const double layer : layers)
+  {
+    along->InsertNextValue(layer);
+  }
+  grid->SetXCoordinates(across);
+  grid->SetYCoordinates(across);
+  grid->SetZCoordinates(along);
+  const Curve line = [](double) { return FlowVector{ { 0.1, 0.2, 0.0 } }; };
+  SetVelocity(grid, MakeVortex(line, 1.0, 1e6));
+  vtkNew<vtkVortexAxis> filter;
+  vtkPolyData* output = Run(filter, grid);
+  CheckLine(output, 5, check);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    check.Near(output->GetPoint(i)[2], layers[4 - i], 1e-15, "the layer", 1.0);
+  }
+
+  check.SetContext("turned layers");
+  auto image = MakeImage({ 9, 8, 11 });
+  const double third = 1.0 / 3.0;
+  image->SetDirectionMatrix(
+    2 * third, -third, 2 * third, 2 * third, 2 * third, -third, -third, 2 * third, 2 * third);
+  image->SetOrigin(117.3, -211.9, 301.7);
+  const FlowVector axis = { { 2 * third, -third, 2 * third } };
+  filter->SetAxis(axis.data());
+  for (int place = 0; place < 30; ++place)
+  {
+    FlowVector center;
+    image->GetPoint(1 + place % 7 + 10 * (1 + place / 7), center.data());
+    SetVelocity(image,
+      [&](const FlowVector& x)
+      {
+        return Multiply(CrossMatrix(axis),
+          { { x[0] - center[0] - 0.001 * place, x[1] - center[1], x[2] - center[2] } });
+      });
+    for (const LatticeForm& form : FormsOf(image))
+    {
+      filter->SetNumberOfPlanes(form.Data->IsA("vtkUnstructuredGrid") ? 12 : 0);
+      output = Run(filter, form.Data);
+      check.Equal(output->GetNumberOfPoints(), 12, "one for each layer of the " + form.Name);
+      check.Equal(output->GetNumberOfLines(), 1, "lines");
+    }
+  }
+}
+
+// Other directions, and axes along edges and faces of cells.
+void CheckDirections(Check& check)
+{
+  const std::vector<FlowVector> axes = { { { 0.0, 0.0, 1.0 } }, { { 3.0, 0.0, 0.0 } },
+    { { 0.0, -1e-200, 0.0 } }, { { 1.0, 2.0, -2.0 } }, { { 0.1, 1e5, 0.3 } } };
+  for (const FlowVector& axis : axes)
+  {
+    for (const FlowVector& center :
+      { FlowVector{ { 0.0, 0.0, 0.0 } }, { { 0.1, 0.03, -0.07 } }, { { 0.0, 0.04, 0.1 } } })
+    {
+      check.SetContext("axis " + std::to_string(axis[0]) + " " + std::to_string(axis[1]) + " " +
+        std::to_string(axis[2]));
+      vtkNew<vtkAnalyticFlowSource> source;
+      source->SetField(vtkAnalyticFlowSource::ROTATION);
+      source->SetDimensions(21, 21, 21);
+      source->SetAxis(axis[0], axis[1], axis[2]);
+      source->SetAngularVelocity(-1.5);
+      source->SetCenter(center[0], center[1], center[2]);
+      source->Update();
+      vtkNew<vtkVortexAxis> filter;
+      filter->SetAxis(axis.data());
+      vtkPolyData* output = Run(filter, source->GetOutput());
+      const double largest = std::max({ std::abs(axis[0]), std::abs(axis[1]), std::abs(axis[2]) });
+      FlowVector unit = { { axis[0] / largest, axis[1] / largest, axis[2] / largest } };
+      const double length = std::sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2]);
+      check.That(output->GetNumberOfPoints() >= 12 && output->GetNumberOfPoints() <= 21,
+        "places: " + std::to_string(output->GetNumberOfPoints()));
+      check.Equal(output->GetNumberOfLines(), 1, "lines");
+      if (length == 1.0)
+      {
+        check.Equal(output->GetNumberOfPoints(), 21, "one for each layer");
+      }
+      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+      {
+        FlowVector d;
+        output->GetPoint(i, d.data());
+        double along = 0.0;
+        for (int j = 0; j < 3; ++j)
+        {
+          d[j] -= center[j];
+          unit[j] /= i == 0 ? length : 1.0;
+          along += unit[j] * d[j];
+        }
+        for (int j = 0; j < 3; ++j)
+        {
+          check.Near(d[j], along * unit[j], 1e-12, "place", 1.0);
+        }
+        check.Near(
+          output->GetPointData()->GetArray("SwirlStrength")->GetTuple1(i), 1.5, 1e-10, "swirl");
+      }
+    }
+  }
+}
+
+void CheckOrder(Check& check)
+{
+  const std::pair<const char*, Curve> curves[] = {
+    { "straight",
+      [](double) {
+        return FlowVector{ { 0.123, -0.077, 0.0 } };
+      } },
+    { "tilted",
+      [](double z) {
+        return FlowVector{ { 0.123 + 0.3 * z, -0.077 - 0.2 * z, 0.0 } };
+      } },
+    { "curved",
+      [](double z) {
+        return FlowVector{ { 0.05 + 0.3 * std::sin(2.0 * z), 0.2 * std::cos(1.5 * z) - 0.1, 0.0 } };
+      } },
+  };
+  for (const auto& curve : curves)
+  {
+    check.SetContext(curve.first);
+    std::vector<double> errors;
+    for (const int cells : { 16, 32, 64 })
+    {
+      auto image = MakeCube(cells);
+      // The swirl is not even about the axis, or errors would cancel.
+      const FlowFunction vortex = MakeVortex(curve.second, 2.0, 0.6);
+      SetVelocity(image,
+        [&](const FlowVector& x)
+        {
+          const FlowVector axis = curve.second(x[2]);
+          const FlowVector v = vortex(x);
+          const double factor = 1.0 + 0.5 * std::sin(3.0 * (x[0] - axis[0]) + (x[1] - axis[1]));
+          return FlowVector{ { factor * v[0], factor * v[1], v[2] } };
+        });
+      vtkNew<vtkVortexAxis> filter;
+      vtkPolyData* output = Run(filter, image);
+      CheckLine(output, cells + 1, check);
+      errors.push_back(GetError(output, curve.second));
+      check.Near(errors.back(), 0.0, 2.0 / cells / cells, "distance from the axis", 1.0);
+      check.Near(GetLargest(output, "SwirlStrength"), 2.0, 8.0 / cells, "swirl");
+      check.Near(GetLargest(output, "AxialVelocity"), 0.3, 1e-13, "axial velocity");
+    }
+    check.That(errors[2] < errors[0] / 8.0,
+      "of second order: " + std::to_string(errors[0]) + " " + std::to_string(errors[1]) + " " +
+        std::to_string(errors[2]));
+  }
+
+  check.SetContext("hurricane");
+  vtkNew<vtkAnalyticFlowSource> source;
+  source->SetUpdraft(0.0);
+  source->SetDimensions(61, 61, 31);
+  source->Update();
+  vtkNew<vtkVortexAxis> filter;
+  vtkPolyData* output = Run(filter, source->GetOutput());
+  CheckLine(output, 31, check);
+  const Curve eye = [](double z)
+  {
+    const double bend = std::sin(Pi * 0.5 * (z + 1.0));
+    return FlowVector{ { 0.1 * z + 0.1 * bend, 0.05 * z - 0.05 * bend, 0.0 } };
+  };
+  check.Near(GetError(output, eye), 0.0, 0.003, "distance from the eye", 1.0);
+  // The sinking air in the eye goes along the axis, which leans: a little beside it the sum is 0.
+  source->SetUpdraft(0.3);
+  source->Update();
+  output = Run(filter, source->GetOutput());
+  CheckLine(output, 31, check);
+  check.Near(GetError(output, eye), 0.0, 0.008, "distance from the eye", 1.0);
+}
+
+void CheckChoice(Check& check)
+{
+  const Curve strong = [](double z) { return FlowVector{ { -0.5 + 0.1 * z, 0.0, 0.0 } }; };
+  const Curve weak = [](double z) { return FlowVector{ { 0.5, 0.1 * z, 0.0 } }; };
+  auto image = MakeCube(32);
+  SetVelocity(image,
+    [&](const FlowVector& x)
+    { return MakeVortex(x[0] < 0.0 ? strong : weak, x[0] < 0.0 ? 3.0 : -1.0, 0.15)(x); });
+  vtkNew<vtkVortexAxis> filter;
+  check.SetContext("the strongest");
+  vtkPolyData* output = Run(filter, image);
+  CheckLine(output, 33, check);
+  check.Near(GetError(output, strong), 0.0, 0.01, "distance", 1.0);
+  check.SetContext("the one nearest to the seed");
+  filter->UseSeedOn();
+  filter->SetSeed(0.3, 0.2, 7.0);
+  output = Run(filter, image);
+  CheckLine(output, 33, check);
+  check.Near(GetError(output, weak), 0.0, 0.01, "distance", 1.0);
+  filter->SetSeed(-0.1, 0.0, -0.5);
+  output = Run(filter, image);
+  check.Near(GetError(output, strong), 0.0, 0.01, "distance", 1.0);
+  check.SetContext("none is strong enough");
+  filter->SetMinimumSwirlStrength(10.0);
+  output = Run(filter, image);
+  check.Equal(output->GetNumberOfPoints(), 0, "places");
+
+  check.SetContext("two of the same sense");
+  const Curve other = [](double z) { return FlowVector{ { 0.1, 0.1 * z, 0.0 } }; };
+  SetVelocity(image,
+    [&](const FlowVector& x) { return MakeVortex(x[0] < -0.2 ? strong : other, 1.0, 0.15)(x); });
+  vtkNew<vtkVortexAxis> wide;
+  wide->SetSearchRadius(2.0);
+  wide->UseSeedOn();
+  for (const double seed : { -0.5, 0.1 })
+  {
+    wide->SetSeed(seed, 0.0, 0.0);
+    output = Run(wide, image);
+    CheckLine(output, 33, check);
+    check.Near(GetError(output, seed < 0.0 ? strong : other), 0.0, 0.01, "distance", 1.0);
+  }
+
+  check.SetContext("a frame of reference");
+  const Curve still = [](double z) { return FlowVector{ { 0.2, 0.1 * z, 0.0 } }; };
+  SetVelocity(image,
+    [&](const FlowVector& x)
+    {
+      const FlowVector v = MakeVortex(still, 1.0, 5.0)(x);
+      return FlowVector{ { v[0] + 4.0, v[1] - 3.0, v[2] + 2.0 } };
+    });
+  vtkNew<vtkVortexAxis> travelling;
+  output = Run(travelling, image);
+  check.Equal(output->GetNumberOfPoints(), 0, "places where nothing is subtracted");
+  travelling->SetFrameVelocity(4.0, -3.0, 2.0);
+  output = Run(travelling, image);
+  CheckLine(output, 33, check);
+  check.Near(GetError(output, still), 0.0, 0.001, "distance", 1.0);
+  check.Near(GetLargest(output, "AxialVelocity"), 0.3, 1e-12, "axial velocity");
+}
+
+void CheckBreaks(Check& check)
+{
+  // Without a vortex in the layers -0.3 < z < 0.2, and turning the other way above 0.7.
+  const Curve axis = [](double z) { return FlowVector{ { 0.03, 0.1 * z, 0.0 } }; };
+  auto image = MakeCube(20);
+  SetVelocity(image,
+    [&](const FlowVector& x)
+    {
+      const bool isGap = x[2] > -0.35 && x[2] < 0.25;
+      return isGap ? FlowVector{ { 1.0, 0.0, 0.0 } }
+                   : MakeVortex(axis, x[2] > 0.75 ? -1.0 : 1.0, 5.0)(x);
+    });
+  check.SetContext("breaks");
+  vtkNew<vtkVortexAxis> filter;
+  vtkPolyData* output = Run(filter, image);
+  check.Equal(output->GetNumberOfLines(), 2, "lines");
+  check.Equal(output->GetNumberOfPoints(), 7 + 5, "places");
+  check.Near(GetError(output, axis), 0.0, 1e-3, "distance", 1.0);
+  vtkNew<vtkIdList> ids;
+  output->GetLines()->GetCellAtId(0, ids);
+  check.Equal(ids->GetNumberOfIds(), 7, "places of the lower line");
+
+  // Which way it turns is told by the swirl, though the flow goes apart faster.
+  check.SetContext("senses");
+  SetVelocity(image,
+    [&](const FlowVector& x)
+    {
+      const double turn = x[2] > 0.25 ? -1.0 : 1.1;
+      return FlowVector{ { 5.0 * x[0] - turn * x[1], turn * x[0] + 5.0 * x[1], 1.0 } };
+    });
+  output = Run(filter, image);
+  check.Equal(output->GetNumberOfPoints(), 13, "places up to where it turns the other way");
+
+  // An axis that jumps aside farther than the search goes.
+  check.SetContext("a jump");
+  const Curve jump = [](double z) { return FlowVector{ { z < 0.05 ? -0.4 : 0.5, 0.01, 0.0 } }; };
+  SetVelocity(
+    image, [&](const FlowVector& x) { return MakeVortex(jump, x[2] < 0.05 ? 2.0 : 1.0, 5.0)(x); });
+  vtkNew<vtkVortexAxis> near;
+  near->SetSearchRadius(0.05);
+  output = Run(near, image);
+  CheckLine(output, 11, check);
+  near->SetSearchRadius(0.95);
+  output = Run(near, image);
+  CheckLine(output, 21, check);
+  near->SetSearchRadius(0.16);
+  output = Run(near, image);
+  check.Equal(output->GetNumberOfLines(), 2, "found again, six planes on");
+  check.Equal(output->GetNumberOfPoints(), 11 + 5, "places");
+}
+
+void CheckNone(Check& check)
+{
+  vtkNew<vtkAnalyticFlowSource> source;
+  source->SetDimensions(24, 24, 24);
+  for (const int field : { vtkAnalyticFlowSource::UNIFORM, vtkAnalyticFlowSource::SADDLE,
+         vtkAnalyticFlowSource::NODE, vtkAnalyticFlowSource::COUPLED_CHARGE,
+         vtkAnalyticFlowSource::SHEAR, vtkAnalyticFlowSource::SPHERE })
+  {
+    check.SetContext(std::string("none: ") + vtkAnalyticFlowSource::GetFieldName(field));
+    source->SetField(field);
+    for (const FlowVector& axis : { FlowVector{ { 0.0, 0.0, 1.0 } }, { { 1.0, 0.0, 0.0 } } })
+    {
+      source->SetNodeRates(1.0, 1.1, 1.2);
+      source->Update();
+      vtkNew<vtkVortexAxis> filter;
+      filter->SetAxis(axis.data());
+      filter->SetInputData(source->GetOutput());
+      check.That(MessagesOf(filter).empty(), "no error");
+      check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "places");
+      check.Equal(filter->GetOutput()->GetNumberOfCells(), 0, "cells");
+    }
+  }
+  check.SetContext("none: along an oblique axis");
+  source->SetField(vtkAnalyticFlowSource::UNIFORM);
+  source->SetVelocity(0.3, -0.7, 0.9);
+  source->Update();
+  vtkNew<vtkVortexAxis> filter;
+  filter->SetAxis(0.3, -0.7, 0.9);
+  SetVelocity(source->GetOutput(),
+    [](const FlowVector& x)
+    {
+      const double speed = 1.0 + 0.3 * std::sin(7.0 * x[0] + 5.0 * x[1] - 3.0 * x[2]);
+      return FlowVector{ { 0.3 * speed, -0.7 * speed, 0.9 * speed } };
+    });
+  check.Equal(Run(filter, source->GetOutput())->GetNumberOfPoints(), 0, "places");
+}
+
+void CheckScales(Check& check)
+{
+  for (const double length : { 1e-12, 1e12 })
+  {
+    for (const double speed : { 1e-200, 1e-12, 1e12, 1e200 })
+    {
+      check.SetContext("length " + std::to_string(std::log10(length)) + ", speed " +
+        std::to_string(std::log10(speed)));
+      auto image = MakeCube(8);
+      image->SetOrigin(-length, -length, -length);
+      image->SetSpacing(0.25 * length, 0.25 * length, 0.25 * length);
+      SetVelocity(image,
+        [&](const FlowVector& x) {
+          return FlowVector{ { -speed * (x[1] / length - 0.1), speed * (x[0] / length + 0.3),
+            speed } };
+        });
+      vtkNew<vtkVortexAxis> filter;
+      vtkPolyData* output = Run(filter, image);
+      check.Equal(output->GetNumberOfPoints(), 9, "places");
+      check.Near(GetLargest(output, "SwirlStrength"), speed / length, 1e-12, "swirl");
+      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+      {
+        check.Near(output->GetPoint(i)[0], -0.3 * length, 1e-12, "x");
+        check.Near(output->GetPoint(i)[1], 0.1 * length, 1e-12, "y");
+      }
+    }
+  }
+}
+
+void CheckExecution(Check& check)
+{
+  check.SetContext("execution");
+  vtkNew<vtkAnalyticFlowSource> source;
+  source->SetDimensions(30, 31, 32);
+  source->Update();
+  std::string expected;
+  vtkNew<vtkVortexAxis> filter;
+  for (const char* backend : { "Sequential", "STDThread" })
+  {
+    vtkSMPTools::SetBackend(backend);
+    for (const int threads : { 1, 2, 8 })
+    {
+      vtkSMPTools::Initialize(threads);
+      filter->Modified();
+      const std::string bytes = GetBytes(Run(filter, source->GetOutput()));
+      expected = expected.empty() ? bytes : expected;
+      check.That(!bytes.empty() && bytes == expected, "the same bytes for any number of threads");
+    }
+  }
+  ProgressWatch watch;
+  Observe(filter, watch);
+  filter->Modified();
+  filter->Update();
+  CheckGrowth(watch, 5, check);
+  for (const double at : { 0.0, 0.5 })
+  {
+    watch.AbortAt = at;
+    filter->Modified();
+    filter->Update();
+    check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "points after an abort");
+    watch.AbortAt = 2;
+    filter->SetAbortExecute(0);
+    filter->Modified();
+    filter->Update();
+    check.That(GetBytes(filter->GetOutput()) == expected, "the same once it is taken back");
+  }
+}
+
+void CheckErrors(Check& check)
+{
+  check.SetContext("errors");
+  const auto expect = [&check](vtkVortexAxis* filter, const std::string& message)
+  {
+    const std::string found = MessagesOf(filter);
+    check.That(found.find(message) != std::string::npos, message + " in: " + found);
+    check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "points with an error");
+  };
+  auto image = MakeCube(4);
+  vtkNew<vtkVortexAxis> filter;
+  filter->SetInputData(image);
+  expect(filter, "The field has no active point vectors");
+  SetVelocity(image, MakeVortex([](double) { return FlowVector{}; }, 1.0, 5.0));
+  filter->SetAxis(0.0, 0.0, 0.0);
+  expect(filter, "Axis 0 0 0 is no direction");
+  filter->SetAxis(0.0, std::nan(""), 1.0);
+  expect(filter, "Axis 0 nan 1 is not finite");
+  filter->SetAxis(0.0, 0.0, 2.0);
+  filter->SetSeed(0.0, 0.0, HUGE_VAL);
+  expect(filter, "Seed 0 0 inf is not finite");
+  filter->SetSeed(0.0, 0.0, 0.0);
+  filter->SetFrameVelocity(0.0, std::nan(""), 0.0);
+  expect(filter, "FrameVelocity 0 nan 0 is not finite");
+  filter->SetFrameVelocity(0.0, 0.0, 0.0);
+  check.That(MessagesOf(filter).empty(), "no error");
+  check.Equal(filter->GetOutput()->GetNumberOfPoints(), 5, "places");
+  auto flat = MakeImage({ 2, 2, 0 });
+  SetVelocity(flat, MakeVortex([](double) { return FlowVector{}; }, 1.0, 5.0));
+  filter->SetInputData(flat);
+  expect(filter, "Cell 0 is a vtkPixel");
+  vtkNew<vtkUnstructuredGrid> empty;
+  filter->SetInputData(empty);
+  check.That(MessagesOf(filter).empty(), "nothing in an empty grid is no error");
+  filter->SetNumberOfPlanes(-1);
+  filter->SetSearchRadius(-1.0);
+  filter->SetMinimumSwirlStrength(-1.0);
+  CheckPrinted(Print(filter),
+    { "Axis: 0 0 2", "NumberOfPlanes: 0", "UseSeed: Off", "Seed: 0 0 0", "FrameVelocity: 0 0 0",
+      "SearchRadius: 0", "MinimumSwirlStrength: 0" },
+    check);
+}
+
+}
+
+int TestVortexAxis(int, char*[])
+{
+  Check check;
+  CheckLinear(check);
+  CheckLayers(check);
+  CheckDirections(check);
+  CheckOrder(check);
+  CheckChoice(check);
+  CheckBreaks(check);
+  CheckNone(check);
+  CheckScales(check);
+  CheckExecution(check);
+  CheckErrors(check);
+  return check.Result();
+}
