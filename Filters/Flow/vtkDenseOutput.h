@@ -1,0 +1,64 @@
+#ifndef vtkDenseOutput_h
+#define vtkDenseOutput_h
+
+/**
+ * @class   vtkDenseOutput
+ * @brief   where a step of an integrator is between its ends: a polynomial of theta, 0 to 1
+ *
+ * p(theta) = sum of Coefficients[k] theta^k.
+ */
+struct vtkDenseOutput
+{
+  static constexpr int MaximumDegree = 5;
+
+  int Degree = 0;
+  double Coefficients[MaximumDegree + 1][3] = {};
+
+  void GetPoint(double theta, double p[3]) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      double sum = this->Coefficients[this->Degree][i];
+      for (int k = this->Degree - 1; k >= 0; --k)
+      {
+        sum = sum * theta + this->Coefficients[k][i];
+      }
+      p[i] = sum;
+    }
+  }
+
+  /// dp/dtheta.
+  void GetDerivative(double theta, double d[3]) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      double sum = this->Degree * this->Coefficients[this->Degree][i];
+      for (int k = this->Degree - 1; k >= 1; --k)
+      {
+        sum = sum * theta + k * this->Coefficients[k][i];
+      }
+      d[i] = sum;
+    }
+  }
+
+  /// The Degree + 1 control points of the same curve in Bernstein's form.
+  void GetControlPoints(double points[MaximumDegree + 1][3]) const
+  {
+    // binomial(j, k) / binomial(degree, k), by k from one to the next
+    for (int j = 0; j <= this->Degree; ++j)
+    {
+      double weight = 1.0;
+      points[j][0] = points[j][1] = points[j][2] = 0.0;
+      for (int k = 0; k <= j; ++k)
+      {
+        for (int i = 0; i < 3; ++i)
+        {
+          points[j][i] += weight * this->Coefficients[k][i];
+        }
+        weight *= static_cast<double>(j - k) / (this->Degree - k > 0 ? this->Degree - k : 1);
+      }
+    }
+  }
+};
+
+#endif

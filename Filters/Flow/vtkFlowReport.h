@@ -1,0 +1,54 @@
+#ifndef vtkFlowReport_h
+#define vtkFlowReport_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkFlowStatus.h"
+#include "vtkIndent.h"
+#include "vtkType.h"
+
+#include <array>
+#include <map>
+#include <ostream>
+
+struct vtkAdvectionResult;
+
+/**
+ * @class   vtkFlowReport
+ * @brief   what an execution of vtkImplicitFlowField did
+ *
+ * Sums over all samples; the same for any number of threads.
+ */
+class INTERLUMEFLOW_EXPORT vtkFlowReport
+{
+public:
+  void Print(std::ostream& os, vtkIndent indent) const;
+  void Add(const vtkFlowReport& other);
+  /// One sample more.
+  void Add(const vtkAdvectionResult& result);
+
+  vtkIdType Samples = 0;
+  /// By vtkFlowStatus.
+  std::array<vtkIdType, vtkFlowStatus::NUMBER_OF_VALUES> Statuses{};
+  /// Samples that reached a surface, by TerminationId.
+  std::map<int, vtkIdType> Reached;
+  /// Accepted and rejected steps of the explicit method, and of Rosenbrock's.
+  vtkIdType Steps = 0;
+  vtkIdType RejectedSteps = 0;
+  vtkIdType StiffSteps = 0;
+  vtkIdType RejectedStiffSteps = 0;
+  /// Samples that took at least one step of Rosenbrock's method.
+  vtkIdType StiffSamples = 0;
+  /// Evaluations of the field, of its Jacobian, and of surfaces' distances.
+  vtkIdType Evaluations = 0;
+  vtkIdType JacobianEvaluations = 0;
+  vtkIdType DistanceEvaluations = 0;
+  /// Cells that streamlines entered.
+  vtkIdType CellsVisited = 0;
+  /// How often samples were advected since the filter was made: what else changes does not count.
+  vtkIdType Executions = 0;
+  /// The error and the speed in use, where those that were set are automatic.
+  double MaximumError = 0.0;
+  double MinimumSpeed = 0.0;
+};
+
+#endif

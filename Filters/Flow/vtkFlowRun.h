@@ -1,0 +1,52 @@
+#ifndef vtkFlowRun_h
+#define vtkFlowRun_h
+
+#include "vtkAdvectionOptions.h"
+#include "vtkFlowReport.h"
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkDataSet;
+
+/**
+ * @class   vtkFlowRun
+ * @brief   one execution of vtkImplicitFlowField: all samples, by threads, and their arrays
+ */
+class vtkFlowRun
+{
+public:
+  vtkFlowRun(vtkAlgorithm* owner, const vtkAdvectionOptions& options);
+
+  /// The field, its vectors, and the names of the arrays that have a mean.
+  void SetField(vtkDataSet* field, vtkDataArray* vectors, const std::vector<std::string>& means);
+  /// Error and minimum speed in parts of the field's largest speed; 0: those of the options.
+  void SetAutomatic(double error, double speed);
+  void SetKeepSteps(bool keep) { this->KeepSteps = keep; }
+
+  /// Adds the arrays to \a samples. Returns what is wrong; an abort is not.
+  std::string Execute(vtkDataSet* samples);
+
+  const vtkFlowReport& GetReport() const { return this->Report; }
+
+private:
+  struct Arrays;
+  template <typename Walker>
+  void Follow(const Walker& walker, vtkDataSet* samples, Arrays& arrays);
+  std::string FindArrays(std::vector<vtkDataArray*>& means) const;
+  void AddSurfaces(vtkDataSet* samples) const;
+
+  vtkAlgorithm* Owner;
+  vtkAdvectionOptions Options;
+  vtkDataSet* Field = nullptr;
+  vtkDataArray* Vectors = nullptr;
+  std::vector<std::string> Means;
+  double AutomaticError = 0.0;
+  double AutomaticSpeed = 0.0;
+  bool KeepSteps = false;
+  vtkFlowReport Report;
+};
+
+#endif

@@ -1,0 +1,472 @@
+#include "vtkImplicitFlowField.h"
+
+#include "vtkFlowCriticalPoints.h"
+#include "vtkFlowRun.h"
+#include "vtkFlowStatus.h"
+#include "vtkFlowVectors.h"
+#include "vtkTerminationSphere.h"
+#include "vtkTerminationSurface.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <set>
+
+vtkStandardNewMacro(vtkImplicitFlowField);
+
+namespace
+{
+constexpr double AutomaticError = 1e-6;
+constexpr double AutomaticSpeed = 1e-9;
+
+bool IsEmpty(const double bounds[6])
+{
+  return !(bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5]);
+}
+
+/// Where streamlines of a direction end by themselves.
+bool IsEnd(int type, bool isBackward)
+{
+  return isBackward
+    ? type == vtkFlowCriticalPoints::SOURCE || type == vtkFlowCriticalPoints::SPIRAL_SOURCE
+    : type == vtkFlowCriticalPoints::SINK || type == vtkFlowCriticalPoints::SPIRAL_SINK;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkImplicitFlowField::vtkImplicitFlowField()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
+}
+
+//------------------------------------------------------------------------------
+vtkImplicitFlowField::~vtkImplicitFlowField() = default;
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::AddTerminationSurface(vtkTerminationSurface* surface)
+{
+  if (surface)
+  {
+    this->Surfaces.emplace_back(surface);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::RemoveTerminationSurface(vtkTerminationSurface* surface)
+{
+  const auto found = std::find(this->Surfaces.begin(), this->Surfaces.end(), surface);
+  if (found != this->Surfaces.end())
+  {
+    this->Surfaces.erase(found);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::RemoveAllTerminationSurfaces()
+{
+  if (!this->Surfaces.empty())
+  {
+    this->Surfaces.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTerminationSurface* vtkImplicitFlowField::GetTerminationSurface(int i) const
+{
+  return i >= 0 && i < this->GetNumberOfTerminationSurfaces()
+    ? this->Surfaces[static_cast<std::size_t>(i)].Get()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::SetSampleDimensions(int x, int y, int z)
+{
+  constexpr int most = 100000;
+  const int dimensions[3] = { std::clamp(x, 1, most), std::clamp(y, 1, most),
+    std::clamp(z, 1, most) };
+  if (!std::equal(dimensions, dimensions + 3, this->SampleDimensions))
+  {
+    std::copy_n(dimensions, 3, this->SampleDimensions);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::SetSampleData(vtkDataSet* data)
+{
+  this->SetInputDataInternal(1, data);
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::AddMeanArray(const char* name)
+{
+  if (name && *name &&
+    std::find(this->MeanArrays.begin(), this->MeanArrays.end(), name) == this->MeanArrays.end())
+  {
+    this->MeanArrays.emplace_back(name);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::RemoveAllMeanArrays()
+{
+  if (!this->MeanArrays.empty())
+  {
+    this->MeanArrays.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkImplicitFlowField::GetMeanArrayName(int i) const
+{
+  return i >= 0 && i < this->GetNumberOfMeanArrays()
+    ? this->MeanArrays[static_cast<std::size_t>(i)].c_str()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkImplicitFlowField::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (const auto& surface : this->Surfaces)
+  {
+    time = std::max(time, surface->GetMTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+int vtkImplicitFlowField::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkImplicitFlowField::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* field = vtkDataSet::GetData(inputs[0]);
+  vtkDataSet* samples =
+    this->SampleMode == SAMPLES_OF_INPUT ? vtkDataSet::GetData(inputs[1]) : field;
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkDataSet* output = vtkDataSet::GetData(outputs);
+  const bool isImage = this->SampleMode == SAMPLES_OF_IMAGE || !samples;
+  const int type = isImage ? VTK_IMAGE_DATA : samples->GetDataObjectType();
+  if (!output || output->GetDataObjectType() != type)
+  {
+    vtkSmartPointer<vtkDataSet> made;
+    if (isImage)
+    {
+      made = vtkSmartPointer<vtkImageData>::New();
+    }
+    else
+    {
+      made = vtk::TakeSmartPointer(samples->NewInstance());
+    }
+    info->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkImplicitFlowField::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  if (this->SampleMode == SAMPLES_OF_IMAGE)
+  {
+    const int extent[6] = { 0, this->SampleDimensions[0] - 1, 0, this->SampleDimensions[1] - 1, 0,
+      this->SampleDimensions[2] - 1 };
+    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+    info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+    return 1;
+  }
+  const int port = this->SampleMode == SAMPLES_OF_INPUT ? 1 : 0;
+  if (inputs[port]->GetNumberOfInformationObjects() > 0)
+  {
+    vtkInformation* samples = inputs[port]->GetInformationObject(0);
+    info->CopyEntry(samples, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  }
+  return this->Superclass::RequestInformation(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
+int vtkImplicitFlowField::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* field = inputs[0]->GetInformationObject(0);
+  if (field->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    field->Set(Pipeline::UPDATE_EXTENT(), field->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  field->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  field->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  field->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (this->SampleMode == SAMPLES_OF_INPUT && inputs[1]->GetNumberOfInformationObjects() > 0)
+  {
+    vtkInformation* samples = inputs[1]->GetInformationObject(0);
+    vtkInformation* output = outputs->GetInformationObject(0);
+    for (vtkInformationIntegerKey* key : { Pipeline::UPDATE_PIECE_NUMBER(),
+           Pipeline::UPDATE_NUMBER_OF_PIECES(), Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS() })
+    {
+      samples->CopyEntry(output, key);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkImplicitFlowField::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const vtkIdType executions = this->Report.Executions;
+  this->Report = vtkFlowReport();
+  this->Report.Executions = executions;
+  vtkDataSet* output = vtkDataSet::GetData(outputs);
+  vtkDataSet* field = vtkDataSet::GetData(inputs[0]);
+  if (!field || field->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  vtkAdvectionOptions options;
+  std::vector<vtkSmartPointer<vtkTerminationSurface>> spheres;
+  if (!this->SetSamples(inputs, outputs) || !this->SetOptions(field, options, spheres))
+  {
+    output->Initialize();
+    return 1;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* vectors = this->GetInputArrayToProcess(0, inputs, association);
+  vtkFlowRun run(this, options);
+  run.SetField(field, vectors, this->MeanArrays);
+  run.SetAutomatic(this->MaximumError > 0.0 ? 0.0 : AutomaticError,
+    this->MinimumSpeed > 0.0 ? 0.0 : AutomaticSpeed);
+  run.SetKeepSteps(this->KeepSteps);
+  std::string error =
+    vtkFlowVectors::CheckVectors(field, vectors, association, this->GetInputArrayInformation(0));
+  if (error.empty())
+  {
+    error = run.Execute(output);
+  }
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+  }
+  if (!error.empty() || this->GetAbortExecute())
+  {
+    output->Initialize();
+    return 1;
+  }
+  this->Report = run.GetReport();
+  this->Report.Executions = executions + 1;
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkImplicitFlowField::SetSamples(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* output = vtkDataSet::GetData(outputs);
+  vtkDataSet* field = vtkDataSet::GetData(inputs[0]);
+  if (this->SampleMode == SAMPLES_OF_IMAGE)
+  {
+    double bounds[6];
+    std::copy_n(this->SampleBounds, 6, bounds);
+    if (IsEmpty(bounds))
+    {
+      field->GetBounds(bounds);
+    }
+    vtkImageData* image = vtkImageData::SafeDownCast(output);
+    double spacing[3];
+    double origin[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double length = bounds[2 * axis + 1] - bounds[2 * axis];
+      const int intervals = this->SampleDimensions[axis] - 1;
+      // One point alone is in the middle.
+      spacing[axis] = intervals > 0 && length > 0.0 ? length / intervals : 1.0;
+      origin[axis] = intervals > 0 ? bounds[2 * axis] : bounds[2 * axis] + 0.5 * length;
+    }
+    image->SetOrigin(origin);
+    image->SetSpacing(spacing);
+    image->SetExtent(
+      outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+    return true;
+  }
+  vtkDataSet* samples = field;
+  if (this->SampleMode == SAMPLES_OF_INPUT)
+  {
+    samples = vtkDataSet::GetData(inputs[1]);
+    if (!samples)
+    {
+      vtkErrorMacro("The samples are those of input port 1, and nothing is connected there.");
+      return false;
+    }
+  }
+  output->ShallowCopy(samples);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkImplicitFlowField::SetOptions(vtkDataSet* field, vtkAdvectionOptions& options,
+  std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres)
+{
+  if (this->Surfaces.empty() && !this->DomainFaces && !this->CriticalPointSpheres)
+  {
+    vtkErrorMacro("There is nothing to end at: no termination surface, DomainFaces and "
+                  "CriticalPointSpheres are off.");
+    return false;
+  }
+  // Automatic ids are those that are free, in the order of the surfaces.
+  std::set<int> taken;
+  for (const auto& surface : this->Surfaces)
+  {
+    for (int part = 0; surface->GetId() >= 0 && part < surface->GetNumberOfParts(); ++part)
+    {
+      taken.insert(surface->GetId() + part);
+    }
+  }
+  int next = 0;
+  for (std::size_t i = 0; i < this->Surfaces.size(); ++i)
+  {
+    vtkTerminationSurface* surface = this->Surfaces[i];
+    const std::string error = surface->Update();
+    if (!error.empty())
+    {
+      vtkErrorMacro(
+        "Termination surface " << i << " (" << surface->GetClassName() << "): " << error);
+      return false;
+    }
+    int id = surface->GetId();
+    if (id < 0)
+    {
+      const auto isFree = [&](int first)
+      {
+        for (int part = 0; part < surface->GetNumberOfParts(); ++part)
+        {
+          if (taken.count(first + part) > 0)
+          {
+            return false;
+          }
+        }
+        return true;
+      };
+      while (!isFree(next))
+      {
+        ++next;
+      }
+      id = next;
+      next += surface->GetNumberOfParts();
+    }
+    options.Surfaces.push_back({ surface, id });
+  }
+  if (this->CriticalPointSpheres)
+  {
+    this->MakeSpheres(field, spheres);
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+    {
+      options.Surfaces.push_back({ spheres[i], this->CriticalPointId + static_cast<int>(i) });
+    }
+  }
+  options.HasDomainFaces = this->DomainFaces;
+  options.DomainFaceId = this->DomainFaceId;
+  options.IsBackward = this->Direction == BACKWARD;
+  options.Integrator = this->Integrator;
+  options.MaximumError = this->MaximumError;
+  options.MaximumTime = this->MaximumTime;
+  options.MaximumNumberOfSteps = this->MaximumNumberOfSteps;
+  options.MinimumSpeed = this->MinimumSpeed;
+  options.HasMaximumSpeed = this->ComputeMaximumSpeed;
+  options.HasArcLength = this->ComputeArcLength;
+  options.HasMeanVorticity = this->ComputeMeanVorticity;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::MakeSpheres(
+  vtkDataSet* field, std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres)
+{
+  vtkNew<vtkFlowCriticalPoints> finder;
+  finder->SetInputDataObject(field);
+  finder->SetInputArrayToProcess(0, this->GetInputArrayInformation(0));
+  finder->Update();
+  vtkPolyData* points = finder->GetOutput();
+  vtkDataArray* types = points->GetPointData()->GetArray("CriticalPointType");
+  vtkDataArray* lengths = points->GetPointData()->GetArray("CellLength");
+  for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
+  {
+    if (IsEnd(static_cast<int>(types->GetComponent(id, 0)), this->Direction == BACKWARD))
+    {
+      vtkNew<vtkTerminationSphere> sphere;
+      sphere->SetCenter(points->GetPoint(id));
+      sphere->SetRadius(this->CriticalPointRadius * lengths->GetComponent(id, 0));
+      sphere->Update();
+      spheres.emplace_back(sphere);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const auto& value)
+  { os << indent << name << ": " << value << "\n"; };
+  const auto printAll = [&](const char* name, const auto* values, int number)
+  {
+    os << indent << name << ":";
+    for (int i = 0; i < number; ++i)
+    {
+      os << " " << values[i];
+    }
+    os << "\n";
+  };
+  print("NumberOfTerminationSurfaces", this->GetNumberOfTerminationSurfaces());
+  for (const auto& surface : this->Surfaces)
+  {
+    os << indent << surface->GetClassName() << ":\n";
+    surface->PrintSelf(os, indent.GetNextIndent());
+  }
+  print("DomainFaces", this->DomainFaces);
+  print("DomainFaceId", this->DomainFaceId);
+  print("CriticalPointSpheres", this->CriticalPointSpheres);
+  print("CriticalPointId", this->CriticalPointId);
+  print("CriticalPointRadius", this->CriticalPointRadius);
+  print("SampleMode", this->SampleMode);
+  printAll("SampleDimensions", this->SampleDimensions, 3);
+  printAll("SampleBounds", this->SampleBounds, 6);
+  print("Direction", this->Direction);
+  print("Integrator", this->Integrator);
+  print("MaximumError", this->MaximumError);
+  print("MaximumTime", this->MaximumTime);
+  print("MaximumNumberOfSteps", this->MaximumNumberOfSteps);
+  print("MinimumSpeed", this->MinimumSpeed);
+  print("ComputeMaximumSpeed", this->ComputeMaximumSpeed);
+  print("ComputeArcLength", this->ComputeArcLength);
+  print("ComputeMeanVorticity", this->ComputeMeanVorticity);
+  printAll("MeanArrays", this->MeanArrays.data(), this->GetNumberOfMeanArrays());
+  print("KeepSteps", this->KeepSteps);
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
+}

@@ -1,0 +1,284 @@
+#ifndef vtkImplicitFlowField_h
+#define vtkImplicitFlowField_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkDataSetAlgorithm.h"
+#include "vtkFlowReport.h"   // for the report
+#include "vtkSmartPointer.h" // for the surfaces
+
+#include <limits>
+#include <string>
+#include <vector>
+
+class vtkTerminationSurface;
+struct vtkAdvectionOptions;
+
+/**
+ * @class   vtkImplicitFlowField
+ * @brief   every sample of a field advected to a termination surface: which, where and when
+ *
+ * From each sample the streamline dx/dt = -v(x) (backward) or v(x) (forward) is followed until it
+ * reaches a termination surface (C. Zhang, dissertation, Ohio State 2006, section 4.4; J. J. van
+ * Wijk, "Implicit stream surfaces", IEEE Visualization 1993). What is kept of it, (f,u,v,t), is all
+ * that stream volumes, stream surfaces, time surfaces and textured flow need: see vtkInflowMapping
+ * and vtkFlowVolume.
+ *
+ * Input port 0: the field. vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, or
+ * vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges and pyramids; vectors in the points
+ * (SetInputArrayToProcess(0,
+ * ...), by default the active vectors), three components, any numbers. Between points they are
+ * interpolated as in VTK's cells. Ghost, hidden and blanked cells are not part of the field, but
+ * for duplicates of pieces. Input port 1, optional: the samples of SAMPLES_OF_INPUT.
+ *
+ * Output: the samples, with the point data of their dataset, and the arrays of vtkFlowStatus. By
+ * request MaximumSpeed, ArcLength, MeanVorticity and Mean<name> along the path (double; 0 for
+ * samples OUTSIDE). The field array TerminationSurfaces tells the ids and what is periodic. Where
+ * the samples are the field's own points or port 1's, the output has their type; an image of
+ * samples is vtkImageData, so the type of the output follows SampleMode.
+ *
+ * **Method.** A streamline is followed from cell to cell in the cell's own coordinates, where the
+ * interpolated field is smooth: the kinks at faces are never within a step, and the method keeps
+ * its order. A step that goes on beyond the face is cut there by its dense output. So is a step
+ * that crosses a surface. Tests with the signed distance are made only when the streamline can have
+ * gone as far.
+ *
+ * **Error.** Steps are controlled so that the local error is at most MaximumError times the step,
+ * in world units per unit of time. What the field damps within a cell does not add up from step to
+ * step; such a part of the error, in stiff fields, counts by what is left of it.
+ *
+ * **Pieces.** A sample needs all of the field that its streamline meets: of port 0 the whole is
+ * asked for, whatever the piece; samples are those of the piece. With several ranks each holds the
+ * whole field.
+ *
+ * The same output for any number of threads.
+ *
+ * Errors (vtkErrorMacro, empty output): no vectors of that name or not of three components; a
+ * surface that vtkTerminationSurface::Update finds wrong; no surface and no domain faces; cells of
+ * other types; SAMPLES_OF_INPUT without an input.
+ *
+ * @sa vtkTerminationSurface vtkFlowStatus
+ */
+class INTERLUMEFLOW_EXPORT vtkImplicitFlowField : public vtkDataSetAlgorithm
+{
+public:
+  static vtkImplicitFlowField* New();
+  vtkTypeMacro(vtkImplicitFlowField, vtkDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The surfaces. Of several that a step crosses the first along the streamline counts, of equal
+   * ones that added first. Default none. Null is no surface.
+   */
+  void AddTerminationSurface(vtkTerminationSurface* surface);
+  void RemoveTerminationSurface(vtkTerminationSurface* surface);
+  void RemoveAllTerminationSurfaces();
+  int GetNumberOfTerminationSurfaces() const { return static_cast<int>(this->Surfaces.size()); }
+  vtkTerminationSurface* GetTerminationSurface(int i) const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether the six faces of a field on an image, a rectilinear or a structured grid are surfaces
+   * too, where streamlines leave the domain. Their ids are DomainFaceId + 0 ... 5 for -i, +i, -j,
+   * +j, -k, +k; (u,v) are the other two directions in parts of the grid's points. Elsewhere no
+   * difference. Default off, 1000.
+   */
+  vtkSetMacro(DomainFaces, bool);
+  vtkGetMacro(DomainFaces, bool);
+  vtkBooleanMacro(DomainFaces, bool);
+  vtkSetClampMacro(DomainFaceId, int, 0, 1000000000);
+  vtkGetMacro(DomainFaceId, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a sphere stands around each critical point of the field that streamlines of this
+   * direction end in (vtkFlowCriticalPoints: sources for BACKWARD, sinks for FORWARD, saddles
+   * never), with ids CriticalPointId + 0, 1, ...; CriticalPointRadius is in lengths of the cell
+   * that the point lies in. Default off, 2000, 1. Valid: above 0 to 1000.
+   */
+  vtkSetMacro(CriticalPointSpheres, bool);
+  vtkGetMacro(CriticalPointSpheres, bool);
+  vtkBooleanMacro(CriticalPointSpheres, bool);
+  vtkSetClampMacro(CriticalPointId, int, 0, 1000000000);
+  vtkGetMacro(CriticalPointId, int);
+  vtkSetClampMacro(CriticalPointRadius, double, 1e-6, 1000.0);
+  vtkGetMacro(CriticalPointRadius, double);
+  ///@}
+
+  enum SampleModes
+  {
+    SAMPLES_OF_FIELD = 0,
+    SAMPLES_OF_IMAGE = 1,
+    SAMPLES_OF_INPUT = 2
+  };
+  ///@{
+  /**
+   * What the samples are: the field's points, those of an image over SampleBounds, or the points of
+   * port 1. Default SAMPLES_OF_FIELD.
+   */
+  vtkSetClampMacro(SampleMode, int, SAMPLES_OF_FIELD, SAMPLES_OF_INPUT);
+  vtkGetMacro(SampleMode, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points of the image along each axis, and its bounds in world units; empty bounds (lower above
+   * upper): those of the field. Default 64, 64, 64; empty. Valid: 1 to 100000.
+   */
+  void SetSampleDimensions(int x, int y, int z);
+  vtkGetVector3Macro(SampleDimensions, int);
+  vtkSetVector6Macro(SampleBounds, double);
+  vtkGetVector6Macro(SampleBounds, double);
+  ///@}
+
+  /// What of the samples' dataset an explicit stream tracer calls port 1.
+  void SetSampleConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetSampleData(vtkDataSet* data);
+
+  enum Directions
+  {
+    BACKWARD = 0,
+    FORWARD = 1
+  };
+  ///@{
+  /**
+   * Against the vectors or along them. Default BACKWARD.
+   */
+  vtkSetClampMacro(Direction, int, BACKWARD, FORWARD);
+  vtkGetMacro(Direction, int);
+  void SetDirectionToBackward() { this->SetDirection(BACKWARD); }
+  void SetDirectionToForward() { this->SetDirection(FORWARD); }
+  ///@}
+
+  enum Integrators
+  {
+    AUTOMATIC = 0,
+    DORMAND_PRINCE = 1,
+    RUNGE_KUTTA_4 = 2,
+    ROSENBROCK = 3
+  };
+  ///@{
+  /**
+   * DORMAND_PRINCE: order 5(4) with dense output of order 4. RUNGE_KUTTA_4: the classical method,
+   * error by doubling the step, as the dissertation has it. ROSENBROCK: RODAS, order 4(3),
+   * L-stable. AUTOMATIC: Dormand and Prince's where the test of Hairer and Wanner finds no
+   * stiffness, Rosenbrock's where it does. Default AUTOMATIC.
+   */
+  vtkSetClampMacro(Integrator, int, AUTOMATIC, ROSENBROCK);
+  vtkGetMacro(Integrator, int);
+  ///@}
+
+  ///@{
+  /**
+   * Largest local error, world units per unit of time. 0: a millionth of the largest speed of the
+   * field. Default 0. Valid: 0 and above.
+   */
+  vtkSetClampMacro(MaximumError, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumError, double);
+  ///@}
+
+  ///@{
+  /**
+   * After how much time, and how many steps, rejected ones too, a streamline ends. Default no limit
+   * of time (VTK_DOUBLE_MAX), 100000 steps. Valid: above 0; 1 to 1000000000.
+   */
+  vtkSetClampMacro(
+    MaximumTime, double, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+  vtkGetMacro(MaximumTime, double);
+  vtkSetClampMacro(MaximumNumberOfSteps, int, 1, 1000000000);
+  vtkGetMacro(MaximumNumberOfSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * The speed below which a streamline ends, world units per unit of time. 0: 1e-9 of the field's
+   * largest speed. Default 0. Valid: 0 and above.
+   */
+  vtkSetClampMacro(MinimumSpeed, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MinimumSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * What else is kept of a path: its largest speed (MaximumSpeed), its length (ArcLength), the mean
+   * over time of the vorticity's magnitude (MeanVorticity), and the mean over time of any point
+   * array of the field with one component (Mean and its name). Default off, none.
+   */
+  vtkSetMacro(ComputeMaximumSpeed, bool);
+  vtkGetMacro(ComputeMaximumSpeed, bool);
+  vtkBooleanMacro(ComputeMaximumSpeed, bool);
+  vtkSetMacro(ComputeArcLength, bool);
+  vtkGetMacro(ComputeArcLength, bool);
+  vtkBooleanMacro(ComputeArcLength, bool);
+  vtkSetMacro(ComputeMeanVorticity, bool);
+  vtkGetMacro(ComputeMeanVorticity, bool);
+  vtkBooleanMacro(ComputeMeanVorticity, bool);
+  void AddMeanArray(const char* name);
+  void RemoveAllMeanArrays();
+  int GetNumberOfMeanArrays() const { return static_cast<int>(this->MeanArrays.size()); }
+  const char* GetMeanArrayName(int i) const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether the steps and the steps of Rosenbrock's method are kept of each sample: point arrays
+   * AdvectionSteps, StiffSteps (int). Default off.
+   */
+  vtkSetMacro(KeepSteps, bool);
+  vtkGetMacro(KeepSteps, bool);
+  vtkBooleanMacro(KeepSteps, bool);
+  ///@}
+
+  /// That of the surfaces too.
+  vtkMTimeType GetMTime() override;
+
+  /// What the last execution did.
+  const vtkFlowReport& GetReport() const { return this->Report; }
+
+protected:
+  vtkImplicitFlowField();
+  ~vtkImplicitFlowField() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkImplicitFlowField(const vtkImplicitFlowField&) = delete;
+  void operator=(const vtkImplicitFlowField&) = delete;
+
+  /// Gives the output the samples' geometry and point data.
+  bool SetSamples(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  /// False where something is wrong, which has been said. \a spheres keeps those that were made.
+  bool SetOptions(vtkDataSet* field, vtkAdvectionOptions& options,
+    std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres);
+  void MakeSpheres(vtkDataSet* field, std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres);
+
+  std::vector<vtkSmartPointer<vtkTerminationSurface>> Surfaces;
+  bool DomainFaces = false;
+  int DomainFaceId = 1000;
+  bool CriticalPointSpheres = false;
+  int CriticalPointId = 2000;
+  double CriticalPointRadius = 1.0;
+  int SampleMode = SAMPLES_OF_FIELD;
+  int SampleDimensions[3] = { 64, 64, 64 };
+  double SampleBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  int Direction = BACKWARD;
+  int Integrator = AUTOMATIC;
+  double MaximumError = 0.0;
+  double MaximumTime = VTK_DOUBLE_MAX;
+  int MaximumNumberOfSteps = 100000;
+  double MinimumSpeed = 0.0;
+  bool ComputeMaximumSpeed = false;
+  bool ComputeArcLength = false;
+  bool ComputeMeanVorticity = false;
+  std::vector<std::string> MeanArrays;
+  bool KeepSteps = false;
+  vtkFlowReport Report;
+};
+
+#endif

@@ -1,0 +1,91 @@
+#include "ReferenceAdvection.h"
+
+#include "vtkAdvection.h"
+#include "vtkMath.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace reference
+{
+
+namespace
+{
+
+template <typename Walker>
+vtkAdvectionResult AdvectIn(
+  const Walker& field, const vtkAdvectionOptions& options, const Place& start)
+{
+  vtkAdvection<Walker> advection(field, options);
+  vtkAdvectionResult result;
+  advection.Follow(start.data(), result);
+  return result;
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkAdvectionResult Advect(const SpaceWalker& field, const vtkAdvectionOptions& options, Place start)
+{
+  return AdvectIn(field, options, start);
+}
+
+//------------------------------------------------------------------------------
+vtkAdvectionResult Advect(
+  const LatticeWalker<>& field, const vtkAdvectionOptions& options, Place start)
+{
+  return AdvectIn(field, options, start);
+}
+
+//------------------------------------------------------------------------------
+vtkAdvectionResult Advect(
+  const LatticeWalker<true>& field, const vtkAdvectionOptions& options, Place start)
+{
+  return AdvectIn(field, options, start);
+}
+
+//------------------------------------------------------------------------------
+KeepingOptions ForwardOptions()
+{
+  KeepingOptions options;
+  options.IsBackward = false;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+KeepingOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces)
+{
+  KeepingOptions options = ForwardOptions();
+  options.Kept = surfaces;
+  int id = 0;
+  for (const auto& surface : surfaces)
+  {
+    id += 10;
+    options.Surfaces.push_back({ surface, id });
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+int NumberOfSteps(const vtkAdvectionResult& result)
+{
+  return result.Steps + result.RejectedSteps + result.StiffSteps + result.RejectedStiffSteps;
+}
+
+//------------------------------------------------------------------------------
+double Distance(const double a[3], const Place& b)
+{
+  return std::sqrt(vtkMath::Distance2BetweenPoints(a, b.data()));
+}
+
+//------------------------------------------------------------------------------
+std::string Describe(const vtkAdvectionResult& result)
+{
+  std::ostringstream text;
+  text << vtkFlowStatus::GetName(result.Status) << " " << result.Id << " at ("
+       << result.Parameters[0] << ", " << result.Parameters[1] << "), time " << result.Time
+       << " after " << NumberOfSteps(result) << " steps";
+  return text.str();
+}
+
+}

@@ -1,0 +1,510 @@
+// vtkImplicitFlowField over grids of every kind: where and when samples end, what is kept of them,
+// samples of their own, domain faces, spheres around critical points, threads, parts, errors.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowGrid.h"
+#include "ReferenceMessages.h"
+#include "ReferenceProgress.h"
+#include "ReferenceRandom.h"
+
+#include "vtkFlowStatus.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTerminationSphere.h"
+
+#include "vtkAnalyticFlowSource.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSMPTools.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+vtkDataArray* GetArray(vtkDataSet* data, const char* name)
+{
+  return data->GetPointData()->GetArray(name);
+}
+
+double GetValue(vtkDataSet* data, const char* name, vtkIdType id, int component = 0)
+{
+  return GetArray(data, name)->GetComponent(id, component);
+}
+
+/// The plane x = place over 0 ... 4 in y and z, u along y and v along z.
+vtkSmartPointer<vtkTerminationPlane> MakePlane(double place)
+{
+  auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
+  plane->SetOrigin(place, 0.0, 0.0);
+  plane->SetPoint1(place, 4.0, 0.0);
+  plane->SetPoint2(place, 0.0, 4.0);
+  return plane;
+}
+
+/// An image over 0 ... 4.
+vtkSmartPointer<vtkImageData> MakeImage(int points, const VectorField& field)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(points, points, points);
+  const double spacing = 4.0 / (points - 1);
+  image->SetSpacing(spacing, spacing, spacing);
+  AddVectors(image, field);
+  return image;
+}
+
+Vector Shear(const Vector& x)
+{
+  return { { 1.0, 0.25 * x[2], 0.0 } };
+}
+
+/// Grids of all kinds over 0 ... 4, with one field that all of them interpolate exactly.
+std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeGrids()
+{
+  std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> grids;
+  grids.emplace_back("image", MakeImage(5, Shear));
+  auto rectilinear = vtkSmartPointer<vtkRectilinearGrid>::New();
+  vtkNew<vtkDoubleArray> coordinates;
+  for (double x : { 0.0, 0.3, 1.7, 2.0, 4.0 })
+  {
+    coordinates->InsertNextValue(x);
+  }
+  rectilinear->SetDimensions(5, 5, 5);
+  rectilinear->SetXCoordinates(coordinates);
+  rectilinear->SetYCoordinates(coordinates);
+  rectilinear->SetZCoordinates(coordinates);
+  grids.emplace_back("rectilinear grid", rectilinear);
+  auto structured = MakeStructuredGrid({ { 4, 4, 4 } });
+  MovePoints(structured, MakeBend({ { 4, 4, 4 } }, 0.2));
+  grids.emplace_back("structured grid", structured);
+  for (MeshKind kind : FlowMeshKinds())
+  {
+    grids.emplace_back(
+      "mesh " + std::to_string(static_cast<int>(kind)), MakeFlowMesh(kind, { { 4, 4, 4 } }));
+  }
+  for (auto& grid : grids)
+  {
+    AddVectors(grid.second, Shear);
+  }
+  return grids;
+}
+
+/// Backward from x through the sheared flow: y and z at the plane x = 0 and the time, or it leaves
+/// by y = 0 first.
+void TestGrids(Check& check)
+{
+  for (const auto& grid : MakeGrids())
+  {
+    check.SetContext(grid.first);
+    vtkNew<vtkImplicitFlowField> filter;
+    filter->SetInputDataObject(grid.second);
+    filter->AddTerminationSurface(MakePlane(0.0));
+    filter->ComputeArcLengthOn();
+    filter->ComputeMaximumSpeedOn();
+    filter->ComputeMeanVorticityOn();
+    check.That(MessagesOf(filter).empty(), "no messages");
+    vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    check.That(std::strcmp(output->GetClassName(), grid.second->GetClassName()) == 0, "its type");
+    check.Equal(output->GetNumberOfCells(), grid.second->GetNumberOfCells(), "cells");
+    // In bent cells a straight line is a curve of the cell's coordinates, and has the error set.
+    const double tolerance = grid.first == "structured grid" ? 4e-6 : 1e-10;
+    vtkIdType reached = 0;
+    for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+    {
+      double x[3];
+      output->GetPoint(id, x);
+      const double rate = 0.25 * x[2];
+      const double y = x[1] - rate * x[0];
+      const auto status = static_cast<int>(GetValue(output, "FlowStatus", id));
+      if (std::abs(y) < 1e-9 && x[0] > 0.0)
+      {
+        // Along the edge of both.
+        continue;
+      }
+      const bool reaches = y >= 0.0;
+      check.Equal(
+        status, reaches ? vtkFlowStatus::REACHED_SURFACE : vtkFlowStatus::LEFT_DOMAIN, "status");
+      const double time = reaches ? x[0] : x[1] / rate;
+      check.Near(GetValue(output, "AdvectionTime", id), time, tolerance, "time", 1.0);
+      check.Equal(static_cast<int>(GetValue(output, "TerminationId", id)), reaches ? 0 : -1, "id");
+      check.Near(
+        GetValue(output, "TerminationUV", id, 0), reaches ? y / 4.0 : 0.0, tolerance, "u", 1.0);
+      check.Near(
+        GetValue(output, "TerminationUV", id, 1), reaches ? x[2] / 4.0 : 0.0, tolerance, "v", 1.0);
+      const double speed = std::sqrt(1.0 + rate * rate);
+      check.Near(
+        GetValue(output, "ArcLength", id), speed * time, 10.0 * tolerance, "arc length", 1.0);
+      check.Near(GetValue(output, "MaximumSpeed", id), speed, 10.0 * tolerance, "speed", 1.0);
+      if (time > 0.0)
+      {
+        check.Near(GetValue(output, "MeanVorticity", id), 0.25, 10.0 * tolerance, "vorticity", 1.0);
+      }
+      reached += reaches ? 1 : 0;
+    }
+    const vtkFlowReport& report = filter->GetReport();
+    check.Equal(report.Samples, output->GetNumberOfPoints(), "samples in the report");
+    check.That(report.Statuses[vtkFlowStatus::REACHED_SURFACE] >= reached, "reached in the report");
+    check.Equal(report.Reached.at(0), report.Statuses[vtkFlowStatus::REACHED_SURFACE], "by id");
+    check.Near(report.MaximumError, 1e-6 * std::sqrt(2.0), 1e-3, "automatic error");
+    check.Near(report.MinimumSpeed, 1e-9 * std::sqrt(2.0), 1e-3, "automatic minimum speed");
+    check.Equal(report.Executions, 1, "executions");
+    vtkDataArray* surfaces = output->GetFieldData()->GetArray("TerminationSurfaces");
+    check.Equal(surfaces->GetNumberOfTuples(), 1, "ids of surfaces");
+  }
+  check.SetContext("");
+}
+
+/// Samples on an image of their own, and of another dataset, some outside.
+void TestSamples(Check& check)
+{
+  auto image = MakeImage(5, Shear);
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(image);
+  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+  filter->SetSampleDimensions(9, 3, 1);
+  filter->Update();
+  vtkImageData* samples = vtkImageData::SafeDownCast(filter->GetOutputDataObject(0));
+  check.That(samples != nullptr, "an image of samples");
+  check.Equal(samples->GetNumberOfPoints(), 27, "samples");
+  double bounds[6];
+  samples->GetBounds(bounds);
+  const double expected[6] = { 0.0, 4.0, 0.0, 4.0, 2.0, 2.0 };
+  for (int i = 0; i < 6; ++i)
+  {
+    check.Near(bounds[i], expected[i], 0.0, "bounds of the field", 1.0);
+  }
+  for (vtkIdType id = 0; id < 27; ++id)
+  {
+    check.Near(GetValue(samples, "TerminationUV", id, 1),
+      GetValue(samples, "FlowStatus", id) == 0.0 ? 0.5 : 0.0, 1e-12, "v in the middle", 1.0);
+  }
+  filter->SetSampleBounds(-1.0, 5.0, 1.0, 1.0, 0.0, 4.0);
+  filter->SetSampleDimensions(7, 1, 5);
+  filter->Update();
+  check.Equal(filter->GetReport().Statuses[vtkFlowStatus::OUTSIDE], 10, "samples outside");
+  check.Equal(filter->GetReport().Executions, 2, "executions");
+
+  // Any part of the image has the values of the whole.
+  const int part[6] = { 2, 4, 0, 0, 1, 3 };
+  vtkNew<vtkImageData> whole;
+  whole->DeepCopy(filter->GetOutputDataObject(0));
+  vtkNew<vtkImplicitFlowField> other;
+  other->SetInputDataObject(image);
+  other->AddTerminationSurface(MakePlane(0.0));
+  other->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+  other->SetSampleBounds(-1.0, 5.0, 1.0, 1.0, 0.0, 4.0);
+  other->SetSampleDimensions(7, 1, 5);
+  other->UpdateExtent(part);
+  vtkImageData* some = vtkImageData::SafeDownCast(other->GetOutputDataObject(0));
+  check.Equal(some->GetNumberOfPoints(), 9, "samples of a part");
+  for (int k = 1; k <= 3; ++k)
+  {
+    for (int i = 2; i <= 4; ++i)
+    {
+      int ijk[3] = { i, 0, k };
+      check.That(GetValue(some, "AdvectionTime", some->ComputePointId(ijk)) ==
+          GetValue(whole, "AdvectionTime", whole->ComputePointId(ijk)),
+        "a part has the bytes of the whole");
+    }
+  }
+
+  auto mesh = MakeFlowMesh(FlowMeshKinds().front(), { { 2, 2, 2 } });
+  vtkNew<vtkDoubleArray> own;
+  own->SetName("Own");
+  own->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  own->Fill(7.0);
+  mesh->GetPointData()->AddArray(own);
+  filter->SetSampleData(mesh);
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+  filter->Update();
+  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  check.That(output != nullptr, "samples of another grid");
+  check.Equal(output->GetNumberOfPoints(), mesh->GetNumberOfPoints(), "its points");
+  check.That(GetArray(output, "Own") != nullptr, "its arrays");
+  check.That(mesh->GetPointData()->GetNumberOfArrays() == 1, "the input stays as it is");
+}
+
+/// Faces of the grid are surfaces, in directions that leave through all of them.
+void TestDomainFaces(Check& check)
+{
+  auto image = MakeImage(5,
+    [](const Vector& x) {
+      return Vector{ { x[0] - 2.0, x[1] - 2.0, x[2] - 2.0 } };
+    });
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(image);
+  filter->DomainFacesOn();
+  filter->SetDirectionToForward();
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+  filter->SetSampleDimensions(6, 7, 8);
+  filter->SetSampleBounds(0.5, 3.4, 0.7, 3.6, 0.9, 3.45);
+  filter->Update();
+  vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  check.Equal(filter->GetReport().Reached.size(), 6, "faces that are reached");
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    output->GetPoint(id, x);
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+    {
+      axis = std::abs(x[i] - 2.0) > std::abs(x[axis] - 2.0) ? i : axis;
+    }
+    const int face = 2 * axis + (x[axis] > 2.0 ? 1 : 0);
+    check.Equal(static_cast<int>(GetValue(output, "TerminationId", id)), 1000 + face, "face");
+    check.Near(GetValue(output, "AdvectionTime", id), std::log(2.0 / std::abs(x[axis] - 2.0)), 1e-5,
+      "time to the face", 1.0);
+    const double scale = 2.0 / std::abs(x[axis] - 2.0);
+    int component = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      if (i != axis)
+      {
+        check.Near(GetValue(output, "TerminationUV", id, component++),
+          0.5 + 0.25 * scale * (x[i] - 2.0), 1e-5, "place on the face", 1.0);
+      }
+    }
+  }
+}
+
+/// A source has a sphere where it is looked for, and stagnation otherwise.
+void TestCriticalPoints(Check& check)
+{
+  const auto field = [](const Vector& x) {
+    return Vector{ { x[0] - 1.9, 2.0 * (x[1] - 2.1), x[2] - 1.8 } };
+  };
+  auto image = MakeImage(9, field);
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(image);
+  filter->CriticalPointSpheresOn();
+  filter->SetCriticalPointRadius(0.5);
+  filter->Update();
+  // One is inside of the sphere.
+  check.Equal(filter->GetReport().Reached.at(2000), 728, "all reach it");
+  check.Equal(filter->GetReport().Statuses[vtkFlowStatus::STAGNATED], 1, "one is inside");
+  // No end for the other direction: all leave.
+  filter->DomainFacesOn();
+  filter->SetDirectionToForward();
+  filter->Update();
+  check.Equal(filter->GetReport().Reached.count(2000), 0, "no sphere forward");
+  filter->SetDirectionToBackward();
+  filter->CriticalPointSpheresOff();
+  filter->SetMaximumError(1e-3);
+  filter->Update();
+  check.Equal(
+    filter->GetReport().Statuses[vtkFlowStatus::STAGNATED], 729, "without one they stagnate");
+}
+
+/// Ids that are set, parts, those that are free.
+void TestIds(Check& check)
+{
+  auto image = MakeImage(5, [](const Vector&) { return Vector{ { 1.0, 0.0, 0.0 } }; });
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(image);
+  auto first = MakePlane(1.0);
+  auto second = MakePlane(2.0);
+  auto third = MakePlane(3.0);
+  second->SetId(0);
+  filter->AddTerminationSurface(first);
+  filter->AddTerminationSurface(second);
+  filter->AddTerminationSurface(third);
+  filter->Update();
+  vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  const int expected[5] = { -1, 1, 0, 2, 2 };
+  for (vtkIdType i = 0; i < 5; ++i)
+  {
+    check.Equal(static_cast<int>(GetValue(output, "TerminationId", i)), expected[i], "id at x");
+  }
+  // A surface that changes makes it run again.
+  const auto executions = filter->GetReport().Executions;
+  first->SetOrigin(0.5, 0.0, 0.0);
+  first->SetPoint1(0.5, 4.0, 0.0);
+  first->SetPoint2(0.5, 0.0, 4.0);
+  filter->Update();
+  check.Equal(filter->GetReport().Executions, executions + 1, "a changed surface");
+  output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  check.Near(GetValue(output, "AdvectionTime", 1), 0.5, 1e-12, "time to the moved one", 1.0);
+}
+
+std::string GetBytes(vtkDataSet* data)
+{
+  std::string bytes;
+  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetPointData()->GetArray(i);
+    bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
+      static_cast<std::size_t>(array->GetNumberOfValues() * array->GetDataTypeSize()));
+  }
+  return bytes;
+}
+
+/// The same bytes and counts for any number of threads.
+void TestThreads(Check& check)
+{
+  vtkNew<vtkAnalyticFlowSource> source;
+  source->SetField(vtkAnalyticFlowSource::HURRICANE);
+  source->SetDimensions(17, 17, 9);
+  std::string bytes;
+  vtkIdType steps = 0;
+  for (int threads : { 1, 2, 5 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads },
+      [&]
+      {
+        vtkNew<vtkImplicitFlowField> filter;
+        filter->SetInputConnection(source->GetOutputPort());
+        filter->DomainFacesOn();
+        filter->SetMaximumNumberOfSteps(500);
+        filter->KeepStepsOn();
+        filter->Update();
+        const auto found = GetBytes(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)));
+        check.That(!found.empty() && (bytes.empty() || found == bytes), "bytes");
+        check.That(steps == 0 || steps == filter->GetReport().Steps, "steps");
+        bytes = found;
+        steps = filter->GetReport().Steps;
+      });
+  }
+  check.That(steps > 1000, "steps were taken");
+}
+
+/// NaN in a block of points: told as such where a sample is or comes there, nowhere else.
+void TestNotFinite(Check& check)
+{
+  auto image = MakeImage(9,
+    [](const Vector& x) {
+      return Vector{ { x[0] >= 1.5 && x[0] <= 2.0 && x[1] <= 1.0 ? NaN : 1.0, 0.0, 0.0 } };
+    });
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(image);
+  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->Update();
+  vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    output->GetPoint(id, x);
+    const auto status = static_cast<int>(GetValue(output, "FlowStatus", id));
+    if (x[1] > 1.5 || x[0] < 1.0)
+    {
+      check.Equal(status, vtkFlowStatus::REACHED_SURFACE, "away from the block");
+    }
+    if (x[1] < 1.5 && x[0] > 1.0)
+    {
+      check.Equal(status, vtkFlowStatus::NOT_FINITE, "in the block or behind it");
+    }
+  }
+}
+
+void TestErrors(Check& check)
+{
+  auto image = MakeImage(3, Shear);
+  const auto expect = [&](vtkImplicitFlowField* filter, const std::string& part)
+  {
+    const std::string found = MessagesOf(filter);
+    check.That(found.find(part) != std::string::npos, "\"" + part + "\" in \"" + found + "\"");
+    auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    check.Equal(output->GetNumberOfPoints(), 0, "empty output after: " + part);
+  };
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(image);
+  expect(filter, "nothing to end at");
+  vtkNew<vtkTerminationSphere> sphere;
+  sphere->SetRadius(1.0);
+  filter->AddTerminationSurface(sphere);
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+  expect(filter, "nothing is connected");
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
+  filter->AddMeanArray("Missing");
+  expect(filter, "\"Missing\"");
+  filter->RemoveAllMeanArrays();
+  vtkNew<vtkDoubleArray> scalar;
+  scalar->SetName("Scalar");
+  scalar->SetNumberOfTuples(27);
+  scalar->Fill(0.5);
+  image->GetPointData()->AddArray(scalar);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Scalar");
+  expect(filter, "\"Scalar\" has 1 components; three are needed");
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Nowhere");
+  expect(filter, "no array of numbers \"Nowhere\"");
+  vtkNew<vtkTerminationPlane> line;
+  line->SetOrigin(0.0, 0.0, 0.0);
+  line->SetPoint1(1.0, 0.0, 0.0);
+  line->SetPoint2(2.0, 0.0, 0.0);
+  filter->AddTerminationSurface(line);
+  expect(filter, "Termination surface 1 (vtkTerminationPlane)");
+}
+
+void TestMeans(Check& check)
+{
+  auto image = MakeImage(5, [](const Vector&) { return Vector{ { 2.0, 0.0, 0.0 } }; });
+  vtkNew<vtkDoubleArray> scalar;
+  scalar->SetName("Heat");
+  for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
+  {
+    scalar->InsertNextValue(3.0 * image->GetPoint(id)[0] + 1.0);
+  }
+  image->GetPointData()->AddArray(scalar);
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(image);
+  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->AddMeanArray("Heat");
+  filter->Update();
+  vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    output->GetPoint(id, x);
+    check.Near(GetValue(output, "MeanHeat", id), 1.5 * x[0] + 1.0, 1e-10, "mean on the way", 1.0);
+  }
+  check.That(GetArray(output, "ArcLength") == nullptr, "no array that is not asked for");
+}
+
+void TestProgress(Check& check)
+{
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(MakeImage(17, Shear));
+  filter->AddTerminationSurface(MakePlane(0.0));
+  ProgressWatch watch;
+  Observe(filter, watch);
+  filter->Update();
+  CheckGrowth(watch, 5, check);
+  watch.Progress.clear();
+  watch.AbortAt = 0.4;
+  filter->Modified();
+  filter->Update();
+  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  check.Equal(output->GetNumberOfPoints(), 0, "nothing after an abort");
+  CheckPrinted(Print(filter),
+    { "MaximumTime", "NumberOfTerminationSurfaces: 1", "Samples, stagnated: 0" }, check);
+}
+
+}
+
+int TestImplicitFlowField(int, char*[])
+{
+  Check check;
+  TestGrids(check);
+  TestSamples(check);
+  TestDomainFaces(check);
+  TestCriticalPoints(check);
+  TestIds(check);
+  TestThreads(check);
+  TestNotFinite(check);
+  TestErrors(check);
+  TestMeans(check);
+  TestProgress(check);
+  return check.Result();
+}

@@ -1,0 +1,314 @@
+// Streamlines of extreme fields: each ends with a status, in steps that are bounded.
+#include "ReferenceAdvection.h"
+#include "StabilityCase.h"
+
+#include "vtkImplicitFlowField.h" // for the integrators
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+
+using namespace reference;
+
+std::string Short(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+Lattice Cubes(const Place& spacing, int number)
+{
+  Lattice lattice;
+  lattice.Spacing = spacing;
+  lattice.Cells = { number, number, number };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    lattice.Origin[i] = -0.5 * number * spacing[i] + 0.0123 * spacing[i];
+  }
+  return lattice;
+}
+
+/// Attracted to the curve y = sin(x), z = 0 at \a rate, along which it goes at speed 1 in x.
+Flow ToCurve(double rate)
+{
+  Flow flow;
+  flow.Velocity = [rate](const double* x, double* v)
+  {
+    v[0] = 1.0;
+    v[1] = std::cos(x[0]) - rate * (x[1] - std::sin(x[0]));
+    v[2] = -rate * x[2];
+  };
+  flow.Gradient = [rate](const double* x, double* gradient)
+  {
+    std::fill(gradient, gradient + 9, 0.0);
+    gradient[3] = -std::sin(x[0]) + rate * std::cos(x[0]);
+    gradient[4] = gradient[8] = -rate;
+  };
+  return flow;
+}
+
+/// Eigenvalue ratios: steps and errors of the methods, in space and across cells.
+void TestStiff(StabilityCatalogue& catalogue)
+{
+  const Lattice lattice = Cubes({ 0.3, 0.3, 0.3 }, 61);
+  constexpr double time = 5.0;
+  const struct
+  {
+    const char* Name;
+    int Integrator;
+  } methods[] = { { "automatic", vtkImplicitFlowField::AUTOMATIC },
+    { "rosenbrock", vtkImplicitFlowField::ROSENBROCK },
+    { "explicit", vtkImplicitFlowField::DORMAND_PRINCE } };
+  for (double rate : { 1e2, 1e3, 1e4, 1e5, 1e6 })
+  {
+    const Flow flow = ToCurve(rate);
+    const Place start = { -2.0, std::sin(-2.0) + 0.01, 0.01 };
+    const double decay = 0.01 * std::exp(-rate * time);
+    const Place end = { 3.0, std::sin(3.0) + decay, decay };
+    for (const auto& method : methods)
+    {
+      vtkAdvectionOptions options = ForwardOptions();
+      options.Integrator = method.Integrator;
+      options.MaximumTime = time;
+      for (bool isLattice : { false, true })
+      {
+        const auto result = isLattice ? Advect(LatticeWalker<>(flow, lattice), options, start)
+                                      : Advect(SpaceWalker(flow), options, start);
+        const std::string name =
+          std::string("stiff-") + Short(rate) + "-" + method.Name + (isLattice ? "-cells" : "");
+        const std::string extreme = "eigenvalues 1 to " + Short(rate) + ", " + method.Name +
+          (isLattice ? ", across cells" : ", in one cell");
+        const int steps = NumberOfSteps(result);
+        if (method.Integrator == vtkImplicitFlowField::DORMAND_PRINCE)
+        {
+          // Stability asks for rate * time / 3.3 steps.
+          const bool isOut = result.Status == vtkFlowStatus::OUT_OF_STEPS;
+          catalogue.Check(name, extreme, "a status: out of time, or out of steps above 100000",
+            Describe(result),
+            isOut ? rate > 1e4 && steps == 100000
+                  : result.Status == vtkFlowStatus::OUT_OF_TIME && steps < rate * time + 500.0);
+          continue;
+        }
+        catalogue.Measure(name + "-error", extreme,
+          "distance from the exact end, out of time; " + Describe(result),
+          result.Status == vtkFlowStatus::OUT_OF_TIME ? Distance(result.Position, end)
+                                                      : std::nan(""),
+          10.0 * options.MaximumError * time);
+        catalogue.Measure(name + "-steps", extreme,
+          "number of steps, " + std::to_string(result.StiffSteps) + " of Rosenbrock's",
+          rate > 100.0 && result.StiffSteps == 0 ? std::nan("") : steps, 2000.0);
+      }
+    }
+  }
+  // A field that is not stiff is left to the explicit method.
+  vtkAdvectionOptions options = ForwardOptions();
+  options.MaximumTime = 50.0;
+  options.MaximumError = 1e-2;
+  const Flow flow = Flow::Beltrami(1.0, 0.7, 0.43);
+  const auto result = Advect(SpaceWalker(flow), options, { 0.5, 0.6, 0.7 });
+  catalogue.Measure("not-stiff", "a chaotic field that is not stiff", "steps of Rosenbrock's",
+    result.StiffSteps, 0.0);
+  options.MaximumError = 1e-6;
+  // Stiff for a while: back to the explicit method behind it.
+  Flow passing = ToCurve(1.0);
+  const auto rate = [](double x) { return x < 0.0 ? 1e4 : 0.1; };
+  passing.Velocity = [rate](const double* x, double* v)
+  {
+    v[0] = 1.0;
+    v[1] = std::cos(x[0]) - rate(x[0]) * (x[1] - std::sin(x[0]));
+    v[2] = 0.0;
+  };
+  passing.Gradient = [rate](const double* x, double* gradient)
+  {
+    std::fill(gradient, gradient + 9, 0.0);
+    gradient[3] = -std::sin(x[0]) + rate(x[0]) * std::cos(x[0]);
+    gradient[4] = -rate(x[0]);
+  };
+  Lattice half = Cubes({ 0.25, 0.25, 0.25 }, 80);
+  half.Origin = { -10, -10, -10 };
+  const Place before = { -3.0, std::sin(-3.0) + 0.01, 0.1 };
+  options.MaximumTime = 3.0;
+  const auto stiff = Advect(LatticeWalker<>(passing, half), options, before);
+  options.MaximumTime = 10.0;
+  const auto passed = Advect(LatticeWalker<>(passing, half), options, before);
+  catalogue.Check("stiff-for-a-while", "eigenvalues 1e4 in half of the cells, then 0.1",
+    "Rosenbrock's steps there, few behind",
+    std::to_string(stiff.StiffSteps) + " and " +
+      std::to_string(passed.StiffSteps - stiff.StiffSteps),
+    stiff.StiffSteps > 5 && stiff.StiffSteps < 400 && passed.StiffSteps - stiff.StiffSteps <= 10 &&
+      passed.Steps > 40 && passed.Steps < 400 &&
+      std::abs(passed.Position[1] - std::sin(7.0)) < 1e-4);
+}
+
+void TestNodes(StabilityCatalogue& catalogue)
+{
+  const Lattice lattice = Cubes({ 0.2, 0.2, 0.2 }, 30);
+  for (double turn : { 0.0, 1.0, 100.0, 1e4 })
+  {
+    const Flow flow = Flow::Linear({ -1, -turn, 0, turn, -1, 0, 0, 0, -1 }, { 0.1, 0.07, 0.05 });
+    vtkAdvectionOptions options = ForwardOptions();
+    options.MinimumSpeed = 1e-4;
+    options.MaximumError = 1e-6 * std::max(1.0, turn);
+    for (bool isLattice : { false, true })
+    {
+      const auto result = isLattice ? Advect(LatticeWalker<>(flow, lattice), options, { 1, 1, 1 })
+                                    : Advect(SpaceWalker(flow), options, { 1, 1, 1 });
+      catalogue.Check(std::string("spiral-") + Short(turn) + (isLattice ? "-cells" : ""),
+        "a node that streamlines come to in " + Short(turn / (2.0 * vtkMath::Pi())) +
+          " turns per unit of time",
+        "stagnated, or out of steps", Describe(result),
+        (result.Status == vtkFlowStatus::STAGNATED ||
+          (turn >= 1e4 && result.Status == vtkFlowStatus::OUT_OF_STEPS)) &&
+          NumberOfSteps(result) <= 100000);
+    }
+  }
+}
+
+void TestScales(StabilityCatalogue& catalogue)
+{
+  const auto surface = FormulaSurface::Plane({ 1, 0, 0 }, 1.0, 1, 2);
+  const Lattice lattice = Cubes({ 0.3, 0.3, 0.3 }, 31);
+  for (double speed : { 1e-12, 1e-6, 1e6, 1e12 })
+  {
+    const Flow flow = Flow::Rotation(1.0).Times(speed);
+    vtkAdvectionOptions options = ForwardOptions();
+    options.Surfaces.push_back({ surface, 3 });
+    options.MaximumError = 1e-9 * speed;
+    const auto result = Advect(LatticeWalker<>(flow, lattice), options, { 0, -2, 0.5 });
+    catalogue.Measure("speed-" + Short(speed), "speeds of " + Short(speed),
+      "relative error of the time to a plane; " + Describe(result),
+      result.Id == 3 ? result.Time * speed / (vtkMath::Pi() / 6.0) - 1.0 : std::nan(""), 1e-7);
+  }
+  const Flow slow = Flow::Uniform({ 1e-290, 0, 0 });
+  vtkAdvectionOptions options = ForwardOptions();
+  options.Surfaces.push_back({ surface, 3 });
+  options.MaximumError = 1e-296;
+  const auto late = Advect(LatticeWalker<>(slow, lattice), options, { 0, 0, 0 });
+  catalogue.Measure("time-1e290", "speeds of 1e-290",
+    "relative error of the time to a plane; " + Describe(late),
+    late.Id == 3 ? late.Time / 1e290 - 1.0 : std::nan(""), 1e-12);
+  const Flow zero = Flow::Uniform({ 0, 0, 0 });
+  const auto still = Advect(LatticeWalker<>(zero, lattice), options, { 0, 0, 0 });
+  catalogue.Check("zero-field", "vectors 0 everywhere", "stagnated, no step", Describe(still),
+    still.Status == vtkFlowStatus::STAGNATED && NumberOfSteps(still) == 0);
+  // In all of space, to no surface, with no limit of time.
+  const Flow uniform = Flow::Uniform({ 1, 2, 3 });
+  const auto endless = Advect(SpaceWalker(uniform), ForwardOptions(), { 0, 0, 0 });
+  catalogue.Check("endless", "a uniform field without an end", "a status within 100000 steps",
+    Describe(endless), NumberOfSteps(endless) <= 100000);
+}
+
+void TestFields(StabilityCatalogue& catalogue)
+{
+  Lattice lattice = Cubes({ 0.25, 0.25, 0.25 }, 32);
+  vtkAdvectionOptions options = ForwardOptions();
+  options.MaximumTime = 30.0;
+  // NaN in a block of cells in the midst.
+  lattice.IsFinite = [](const auto& cell)
+  { return std::any_of(cell.begin(), cell.end(), [](int i) { return i < 14 || i > 17; }); };
+  const auto blocked =
+    Advect(LatticeWalker<>(Flow::Uniform({ 1, 0, 0 }), lattice), options, { -3, 0.1, 0.1 });
+  catalogue.Measure("nan-block", "NaN in 4^3 cells",
+    "distance between the end and the block, not finite",
+    blocked.Status == vtkFlowStatus::NOT_FINITE
+      ? blocked.Position[0] - (lattice.Origin[0] + 14 * 0.25)
+      : std::nan(""),
+    1e-14);
+  const auto beside =
+    Advect(LatticeWalker<>(Flow::Rotation(1.0), lattice), options, { 2, 0.0, 0.1 });
+  catalogue.Check("nan-beside", "NaN in 4^3 cells, streamlines around them", "out of time",
+    Describe(beside), beside.Status == vtkFlowStatus::OUT_OF_TIME);
+  lattice.IsFinite = nullptr;
+
+  // A shear layer of 1e-4, crossed at an angle: x by the integral of tanh.
+  const Flow shear = Flow::ShearLayer(1e-4, { 0, 0.25, 0 });
+  options.MaximumTime = 3.2;
+  for (bool isLattice : { false, true })
+  {
+    const auto result = isLattice ? Advect(LatticeWalker<>(shear, lattice), options, { 0, -0.5, 0 })
+                                  : Advect(SpaceWalker(shear), options, { 0, -0.5, 0 });
+    catalogue.Measure(isLattice ? "shear-layer-cells" : "shear-layer", "a shear layer of 1e-4",
+      "distance from the exact end; " + Describe(result),
+      result.Status == vtkFlowStatus::OUT_OF_TIME ? Distance(result.Position, { -0.8, 0.3, 0 })
+                                                  : std::nan(""),
+      10.0 * options.MaximumError * options.MaximumTime);
+    catalogue.Measure(isLattice ? "shear-layer-cells-steps" : "shear-layer-steps",
+      "a shear layer of 1e-4", "number of steps", NumberOfSteps(result), 2000.0);
+  }
+
+  // Cells of 1 : 1e4.
+  const Lattice thin = Cubes({ 1.0, 1e-4, 1.0 }, 101);
+  const Flow spin = Flow::Linear({ 0, -1e4, 0, 1e-4, 0, 0, 0, 0, 0 });
+  options.MaximumTime = 2.0 * vtkMath::Pi();
+  const auto turned = Advect(LatticeWalker<>(spin, thin), options, { 30, 0, 0.2 });
+  catalogue.Measure("cells-1e4", "cells of 1 : 1e-4 : 1",
+    "distance after one turn; " + Describe(turned),
+    turned.Status == vtkFlowStatus::OUT_OF_TIME ? Distance(turned.Position, { 30, 0, 0.2 })
+                                                : std::nan(""),
+    1e-4);
+
+  // A closed orbit never ends.
+  options = ForwardOptions();
+  options.MaximumNumberOfSteps = 20000;
+  const auto orbit = Advect(LatticeWalker<>(Flow::Rotation(1.0), lattice), options, { 2, 0, 0 });
+  catalogue.Check("closed-orbit", "a circle, no limit of time", "out of steps, on the circle",
+    Describe(orbit),
+    orbit.Status == vtkFlowStatus::OUT_OF_STEPS &&
+      std::abs(std::hypot(orbit.Position[0], orbit.Position[1]) - 2.0) < 1e-6 * orbit.Time);
+}
+
+void TestSurfaces(StabilityCatalogue& catalogue)
+{
+  const Lattice lattice = Cubes({ 0.25, 0.25, 0.25 }, 32);
+  const Flow rotation = Flow::Rotation(1.0);
+  const auto advect = [&](const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces, Place start)
+  {
+    KeepingOptions options = ForwardOptions(surfaces);
+    options.MaximumTime = 7.0;
+    options.MaximumError = 1e-10;
+    return Advect(LatticeWalker<>(rotation, lattice), options, start);
+  };
+  const auto plane = [](double offset) { return FormulaSurface::Plane({ 1, 0, 0 }, offset, 1, 2); };
+  const auto on = advect({ plane(2.0) }, { 2, 0.1, 0 });
+  catalogue.Check("sample-on-surface", "a sample on a plane", "reached at time 0", Describe(on),
+    on.Status == vtkFlowStatus::REACHED_SURFACE && on.Time == 0.0);
+  const double angle = std::acos(1.0 - 0.5e-7);
+  const auto grazed = advect({ plane(2.0 - 1e-7) }, { 0, -2, 0 });
+  catalogue.Measure("tangent", "a circle that is 1e-7 beyond a plane",
+    "error of the time; " + Describe(grazed),
+    grazed.Id == 10 ? grazed.Time - (0.5 * vtkMath::Pi() - angle) : std::nan(""), 1e-5);
+  const auto touched = advect({ plane(2.0) }, { 0, -2, 0 });
+  catalogue.Check("tangent-exact", "a circle that touches a plane", "reached or out of time",
+    Describe(touched),
+    touched.Status == vtkFlowStatus::REACHED_SURFACE ||
+      touched.Status == vtkFlowStatus::OUT_OF_TIME);
+  const auto outside = advect({ plane(100.0) }, { 0, -2, 0 });
+  catalogue.Check("surface-outside", "a surface outside of the domain", "out of time",
+    Describe(outside), outside.Status == vtkFlowStatus::OUT_OF_TIME);
+  const auto first =
+    advect({ plane(1.0), FormulaSurface::Sphere({ 1, -2, 0 }, 0.5) }, { 0, -2, 0 });
+  catalogue.Check("overlapping", "a plane within a sphere", "the sphere is met first",
+    Describe(first), first.Id == 20);
+  const auto same = advect({ plane(1.0), plane(1.0) }, { 0, -2, 0 });
+  catalogue.Check(
+    "same-twice", "the same plane twice", "the first one", Describe(same), same.Id == 10);
+}
+
+}
+
+int TestStabilityFlow(int argc, char* argv[])
+{
+  StabilityCatalogue catalogue("TestStabilityFlow", argc, argv);
+  TestStiff(catalogue);
+  TestNodes(catalogue);
+  TestScales(catalogue);
+  TestFields(catalogue);
+  TestSurfaces(catalogue);
+  return catalogue.GetExitCode();
+}
