@@ -3,11 +3,13 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkDoubleArray.h"
 #include "vtkExtractionArrays.h"
 #include "vtkExtractionCleanup.h"
 #include "vtkExtractionDispatch.h"
 #include "vtkExtractionIndex.h"
 #include "vtkExtractionLinearizer.h"
+#include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStructuredExtraction.h"
@@ -27,6 +29,36 @@ void AddNamed(vtkDataSetAttributes* attributes, vtkDataArray* array, const char*
 void MapIds(const std::vector<vtkIdType>& map, vtkIdType* ids, std::size_t number)
 {
   std::transform(ids, ids + number, ids, [&map](vtkIdType id) { return map[id]; });
+}
+
+void AddPointOrigins(const vtkExtractionBuffer<vtkExtractionPoint>& points, vtkPointData* output)
+{
+  const vtkIdType number = static_cast<vtkIdType>(points.GetSize());
+  vtkNew<vtkIdTypeArray> ends;
+  ends->SetNumberOfComponents(2);
+  ends->SetNumberOfTuples(number);
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetNumberOfValues(number);
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        ends->SetValue(2 * p, points[p].Near);
+        ends->SetValue(2 * p + 1, points[p].Far);
+        weights->SetValue(p, points[p].Near == points[p].Far ? 0.0 : points[p].Weight);
+      }
+    });
+  AddNamed(output, ends, "OriginPoints");
+  AddNamed(output, weights, "OriginWeight");
+}
+
+void AddCellOrigins(const vtkIdType* cells, std::size_t number, vtkCellData* output)
+{
+  vtkNew<vtkIdTypeArray> origins;
+  origins->SetNumberOfValues(static_cast<vtkIdType>(number));
+  std::copy_n(cells, number, origins->GetPointer(0));
+  AddNamed(output, origins, "OriginCell");
 }
 }
 
@@ -68,7 +100,7 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   context.Report = &report;
   context.GenerateBoundaries = this->GenerateBoundaries;
   context.KeepCellIds =
-    input->GetCellData()->GetNumberOfArrays() > 0 || this->InputBoundary != nullptr;
+    input->GetCellData()->GetNumberOfArrays() > 0 || this->InputBoundary || this->KeepOrigins;
   context.SetBlanking(input);
 
   int dimensions[3];
@@ -119,8 +151,10 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   {
     this->FillBoundary(mesh, input, output, boundary);
   }
-  report.ArraysInterpolated = output->GetPointData()->GetNumberOfArrays();
-  report.ArraysCopied = output->GetCellData()->GetNumberOfArrays() - (this->IdName ? 1 : 0);
+  const int origins = this->KeepOrigins ? 1 : 0;
+  report.ArraysInterpolated = output->GetPointData()->GetNumberOfArrays() - 2 * origins;
+  report.ArraysCopied =
+    output->GetCellData()->GetNumberOfArrays() - (this->IdName ? 1 : 0) - origins;
   return true;
 }
 
@@ -141,6 +175,11 @@ void vtkExtraction::FillOutput(const vtkExtractionContext& context, vtkExtractio
   {
     AddNamed(output->GetCellData(), mesh.ItemIds, this->IdName);
   }
+  if (this->KeepOrigins)
+  {
+    AddPointOrigins(mesh.Points, output->GetPointData());
+    AddCellOrigins(mesh.CellIds.GetData(), mesh.CellIds.GetSize(), output->GetCellData());
+  }
 }
 
 void vtkExtraction::FillBoundary(const vtkExtractionMesh& mesh, vtkDataSet* original,
@@ -160,4 +199,9 @@ void vtkExtraction::FillBoundary(const vtkExtractionMesh& mesh, vtkDataSet* orig
     static_cast<vtkIdType>(mesh.TriangleCellIds.size()), boundary->GetCellData());
   AddNamed(boundary->GetCellData(), mesh.TriangleItemIds, "IntervalId");
   AddNamed(boundary->GetCellData(), mesh.TriangleSides, "BoundarySide");
+  if (this->KeepOrigins)
+  {
+    AddCellOrigins(
+      mesh.TriangleCellIds.data(), mesh.TriangleCellIds.size(), boundary->GetCellData());
+  }
 }

@@ -168,6 +168,7 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
   extraction.IdName = "IntervalId";
   extraction.OutputPointsPrecision = this->OutputPointsPrecision;
   extraction.GenerateBoundaries = this->GenerateBoundaries;
+  extraction.KeepOrigins = this->KeepOrigins && this->Criteria.empty();
   const bool completed = extraction.Execute(input, scalars, output, boundary, report);
   this->Report.Add(report);
   if (report.LinearizedCells > 0)
@@ -218,6 +219,7 @@ void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
        << criterion.Upper << "\n";
   }
   os << indent << "GenerateBoundaries: " << this->GenerateBoundaries << "\n";
+  os << indent << "KeepOrigins: " << this->KeepOrigins << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
   os << indent << "Report:\n";

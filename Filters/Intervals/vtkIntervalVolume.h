@@ -109,6 +109,20 @@ public:
 
   ///@{
   /**
+   * Whether the outputs say what they were made of: point arrays `OriginPoints` (vtkIdType, 2
+   * components: the input's points whose edge an output point lies on, twice the same for one of
+   * the input's points) and `OriginWeight` (double, 0 to 1/2: how far from the first to the
+   * second), cell array `OriginCell` (vtkIdType, on both ports). Polyhedra that are coned have an
+   * apex each, with ids from the number of the input's points on. Not with criteria, where it is as
+   * off. Default off.
+   */
+  vtkSetMacro(KeepOrigins, bool);
+  vtkGetMacro(KeepOrigins, bool);
+  vtkBooleanMacro(KeepOrigins, bool);
+  ///@}
+
+  ///@{
+  /**
    * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input's points;
    * float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default DEFAULT_PRECISION.
    */
@@ -161,6 +175,7 @@ protected:
   vtkIntervalList Intervals;
   std::vector<Criterion> Criteria;
   bool GenerateBoundaries = false;
+  bool KeepOrigins = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool UseValueIndex = true;
   vtkExtractionReport Report;

@@ -1,0 +1,35 @@
+#ifndef vtkContourArc_h
+#define vtkContourArc_h
+
+#include "vtkContourPlaces.h"
+#include "vtkLevelContours.h"
+
+#include <array>
+#include <vector>
+
+class vtkTerminationSurface;
+
+/**
+ * @class   vtkContourArc
+ * @brief   a contour on a termination surface, measured in world units from its start
+ */
+class vtkContourArc
+{
+public:
+  using Position = std::array<double, 3>;
+
+  vtkContourPlaces::Curve Curve;
+  bool IsClosed = false;
+
+  double GetLength() const { return this->Curve.Lengths.back(); }
+
+  /**
+   * The arcs of a contour on a part of a surface: one, or more open ones where the surface has no
+   * point with some of its parameters. They start as vtkStreamSurfaceParameters says.
+   */
+  static std::vector<vtkContourArc> Measure(vtkLevelContours::Contour contour,
+    const vtkTerminationSurface& surface, int part, const std::array<bool, 2>& isPeriodic,
+    const std::vector<Position>& startPoints);
+};
+
+#endif

@@ -1,0 +1,255 @@
+#include "vtkFlowExtraction.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkFlowArrays.h"
+#include "vtkFlowLevels.h"
+#include "vtkFlowSeams.h"
+#include "vtkFlowStatus.h"
+#include "vtkIntArray.h"
+#include "vtkIntervalVolume.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <limits>
+
+namespace
+{
+// Of the progress, where each part ends.
+constexpr double PreparationEnd = 0.1;
+constexpr double InflowEnd = 0.5;
+constexpr double TimeEnd = 0.85;
+
+// Tells the progress of an inner filter as that of its owner, and hands an abort on.
+struct Progress
+{
+  vtkAlgorithm* Owner;
+  double Start;
+  double Length;
+
+  static void Tell(vtkObject* caller, unsigned long, void* client, void* data)
+  {
+    const auto* progress = static_cast<Progress*>(client);
+    progress->Owner->UpdateProgress(
+      progress->Start + progress->Length * *static_cast<double*>(data));
+    if (progress->Owner->GetAbortExecute())
+    {
+      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+    }
+  }
+};
+
+// Which seams may be interpolated over. Without a mapping nothing differs on their sides.
+vtkFlowCells::Continuity GetContinuity(vtkDataSet* input, const vtkFlowArrays& arrays)
+{
+  return input->GetPointData()->GetArray(vtkFlowStatus::InflowArray())
+    ? vtkFlowArrays::ReadFlags(input, vtkFlowStatus::InflowPeriodicArray())
+    : arrays.GetSurfaces();
+}
+
+// The integers of an array of \a mesh under another name.
+vtkSmartPointer<vtkIntArray> Rename(
+  vtkUnstructuredGrid* mesh, const char* before, const char* after)
+{
+  vtkSmartPointer<vtkIntArray> renamed = vtkSmartPointer<vtkIntArray>::New();
+  if (vtkDataArray* array = mesh->GetCellData()->GetArray(before))
+  {
+    renamed->ShallowCopy(array);
+  }
+  renamed->SetName(after);
+  return renamed;
+}
+
+void RemoveOrigins(vtkUnstructuredGrid* mesh)
+{
+  mesh->GetPointData()->RemoveArray("OriginPoints");
+  mesh->GetPointData()->RemoveArray("OriginWeight");
+  mesh->GetCellData()->RemoveArray("OriginCell");
+}
+}
+
+//------------------------------------------------------------------------------
+vtkFlowExtraction::vtkFlowExtraction()
+{
+  this->ByInflow.Filter->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkFlowStatus::InflowArray());
+  this->ByTime.Filter->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkFlowStatus::TimeArray());
+}
+
+//------------------------------------------------------------------------------
+vtkFlowExtraction::~vtkFlowExtraction() = default;
+
+//------------------------------------------------------------------------------
+bool vtkFlowExtraction::Prepare(const Request& request, vtkFlowVolume::Report& report)
+{
+  vtkDataSet* input = request.Input;
+  const bool isKnown = this->PreparedInput == input && this->PreparedTime == input->GetMTime();
+  if (!isKnown)
+  {
+    this->PreparedInput = nullptr;
+    if (!this->Cells.Find(input, *request.Arrays, GetContinuity(input, *request.Arrays),
+          request.Owner, 0.0, PreparationEnd))
+    {
+      return false;
+    }
+    this->Prepared.TakeReference(input->NewInstance());
+    this->Prepared->ShallowCopy(input);
+    // It is the same in all cells that are left.
+    this->Prepared->GetPointData()->RemoveArray(vtkFlowStatus::StatusArray());
+    if (this->Cells.Count(vtkFlowCells::LEFT_OUT) > 0)
+    {
+      vtkUnsignedCharArray* before = input->GetCellGhostArray();
+      vtkNew<vtkUnsignedCharArray> ghosts;
+      ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+      ghosts->SetNumberOfValues(this->Cells.GetNumberOfCells());
+      vtkSMPTools::For(0, this->Cells.GetNumberOfCells(),
+        [&](vtkIdType first, vtkIdType last)
+        {
+          for (vtkIdType cell = first; cell < last; ++cell)
+          {
+            const bool isHidden = this->Cells.GetKind(cell) & vtkFlowCells::LEFT_OUT;
+            const int own = isHidden ? vtkDataSetAttributes::HIDDENCELL : 0;
+            ghosts->SetValue(
+              cell, static_cast<unsigned char>(own | (before ? before->GetValue(cell) : 0)));
+          }
+        });
+      this->Prepared->GetCellData()->AddArray(ghosts);
+    }
+    this->PreparedInput = input;
+    this->PreparedTime = input->GetMTime();
+    report.Preparations = 1;
+  }
+  report.Cells = this->Cells.GetNumberOfCells();
+  report.CellsWithoutAnswer = this->Cells.Count(vtkFlowCells::WITHOUT_ANSWER);
+  report.CellsBetweenSurfaces = this->Cells.Count(vtkFlowCells::BETWEEN_SURFACES);
+  report.CellsOnSeams = this->Cells.Count(vtkFlowCells::ON_SEAM);
+  report.CellsAcrossSeams = this->Cells.Count(vtkFlowCells::ACROSS);
+  report.CellsAroundPoles = this->Cells.Count(vtkFlowCells::AROUND_POLE);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFlowExtraction::Run(const Request& request, Result& result, vtkDataSet* input,
+  const vtkFlowLevels& levels, bool unwrap, double start, double end, int& passes)
+{
+  vtkIntervalVolume* filter = result.Filter;
+  filter->SetInputDataObject(input);
+  filter->SetOutputPointsPrecision(request.Precision);
+  levels.SetItems(filter);
+  Progress progress{ request.Owner, start, end - start };
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(Progress::Tell);
+  command->SetClientData(&progress);
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, command);
+  filter->Update();
+  filter->RemoveObserver(tag);
+  if (filter->GetAbortExecute() || request.Owner->GetAbortExecute())
+  {
+    filter->SetAbortExecute(0);
+    filter->Modified();
+    return false;
+  }
+  if (result.UpdateTime == filter->GetOutput()->GetUpdateTime())
+  {
+    return true;
+  }
+  result.UpdateTime = filter->GetOutput()->GetUpdateTime();
+  ++passes;
+  result.Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  result.Mesh->ShallowCopy(filter->GetOutput());
+  result.Boundary = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  result.Boundary->ShallowCopy(filter->GetOutput(1));
+  result.PointsOnSeams =
+    unwrap ? vtkFlowSeams::Unwrap(this->Cells, *request.Arrays, result.Mesh, result.Boundary) : 0;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowExtraction::TakeTriangles(
+  Result& result, const vtkFlowLevels& levels, bool isFinal, vtkFlowTriangles& triangles)
+{
+  triangles.Take(result.Boundary, levels);
+  // Only values equal to a bound leave loose ones, and cutting drops them anyway.
+  if (isFinal && result.Filter->GetReport().CollapsedSimplices > 0)
+  {
+    triangles.RemoveLoose(result.Mesh);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFlowExtraction::Execute(const Request& request, vtkFlowVolume::Report& report)
+{
+  if (!this->Prepare(request, report))
+  {
+    return false;
+  }
+  const bool isAcross = report.CellsAcrossSeams > 0;
+  this->StreamTriangles = vtkFlowTriangles();
+  this->TimeTriangles = vtkFlowTriangles();
+  this->InflowItems = nullptr;
+  this->TimeItems = nullptr;
+  if (request.Inflow)
+  {
+    this->ByInflow.Filter->SetGenerateBoundaries(request.GenerateStreamSurfaces);
+    this->ByInflow.Filter->SetKeepOrigins(isAcross);
+    if (!this->Run(request, this->ByInflow, this->Prepared, *request.Inflow, isAcross,
+          PreparationEnd, request.Time ? InflowEnd : TimeEnd, report.InflowPasses))
+    {
+      return false;
+    }
+    if (report.InflowPasses > 0)
+    {
+      this->Between = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      this->Between->ShallowCopy(this->ByInflow.Mesh);
+      RemoveOrigins(this->Between);
+      const auto items = Rename(this->Between, "IntervalId", ItemArray());
+      this->Between->GetCellData()->RemoveArray("IntervalId");
+      this->Between->GetCellData()->AddArray(items);
+    }
+    this->Mesh = this->Between;
+    this->InflowItems =
+      vtkIntArray::SafeDownCast(this->Between->GetCellData()->GetArray(ItemArray()));
+    report.PointsOnSeams = this->ByInflow.PointsOnSeams;
+    if (request.GenerateStreamSurfaces)
+    {
+      TakeTriangles(this->ByInflow, *request.Inflow, !request.Time, this->StreamTriangles);
+    }
+  }
+  if (!request.Time)
+  {
+    return true;
+  }
+  const bool cutsTriangles = request.Inflow && request.GenerateStreamSurfaces;
+  const bool unwraps = isAcross && !request.Inflow;
+  this->ByTime.Filter->SetGenerateBoundaries(request.GenerateTimeSurfaces);
+  this->ByTime.Filter->SetKeepOrigins(cutsTriangles || unwraps);
+  vtkDataSet* const input =
+    request.Inflow ? static_cast<vtkDataSet*>(this->Between) : this->Prepared.GetPointer();
+  if (!this->Run(request, this->ByTime, input, *request.Time, unwraps,
+        request.Inflow ? InflowEnd : PreparationEnd, TimeEnd, report.TimePasses))
+  {
+    return false;
+  }
+  report.PointsOnSeams += this->ByTime.PointsOnSeams;
+  if (cutsTriangles)
+  {
+    this->StreamTriangles.Cut(this->Between, this->ByTime.Mesh);
+    report.SurfaceCuts = 1;
+  }
+  if (request.GenerateTimeSurfaces)
+  {
+    TakeTriangles(this->ByTime, *request.Time, true, this->TimeTriangles);
+  }
+  this->Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  this->Mesh->ShallowCopy(this->ByTime.Mesh);
+  RemoveOrigins(this->Mesh);
+  this->TimeItems = Rename(this->Mesh, "IntervalId", "TimeIntervalId");
+  this->InflowItems = request.Inflow
+    ? vtkIntArray::SafeDownCast(this->Mesh->GetCellData()->GetArray(ItemArray()))
+    : nullptr;
+  return true;
+}

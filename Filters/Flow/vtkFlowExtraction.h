@@ -1,0 +1,99 @@
+#ifndef vtkFlowExtraction_h
+#define vtkFlowExtraction_h
+
+#include "vtkFlowCells.h"
+#include "vtkFlowTriangles.h"
+#include "vtkFlowVolume.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+class vtkDataSet;
+class vtkFlowArrays;
+class vtkFlowLevels;
+class vtkIntArray;
+class vtkIntervalVolume;
+class vtkUnstructuredGrid;
+
+/**
+ * @class   vtkFlowExtraction
+ * @brief   the extractions of a vtkFlowVolume, and what they leave between its executions
+ *
+ * The field is cut by Inflow first, what is left by time. Whatever has not changed since the last
+ * execution is not done again: the kinds of the cells depend on the input only, the first
+ * extraction on the levels of Inflow too.
+ */
+class vtkFlowExtraction
+{
+public:
+  struct Request
+  {
+    vtkDataSet* Input = nullptr;
+    vtkFlowArrays* Arrays = nullptr;
+    /// Null: no extraction by it. One of the two is there.
+    const vtkFlowLevels* Inflow = nullptr;
+    const vtkFlowLevels* Time = nullptr;
+    bool GenerateStreamSurfaces = false;
+    bool GenerateTimeSurfaces = false;
+    int Precision = 0;
+    vtkAlgorithm* Owner = nullptr;
+  };
+
+  vtkFlowExtraction();
+  ~vtkFlowExtraction();
+
+  /// False when the owner was aborted.
+  bool Execute(const Request& request, vtkFlowVolume::Report& report);
+
+  ///@{
+  /**
+   * Of the last execution: the tetrahedra, with the items of the levels they belong to (null
+   * without an extraction by them), and the triangles of surfaces.
+   */
+  vtkUnstructuredGrid* GetMesh() const { return this->Mesh; }
+  vtkIntArray* GetInflowItems() const { return this->InflowItems; }
+  vtkIntArray* GetTimeItems() const { return this->TimeItems; }
+  const vtkFlowTriangles& GetStreamTriangles() const { return this->StreamTriangles; }
+  const vtkFlowTriangles& GetTimeTriangles() const { return this->TimeTriangles; }
+  ///@}
+
+  /// Cell array of the tetrahedra between the two, not of the input's.
+  static const char* ItemArray() { return "InflowItem"; }
+
+private:
+  /// The outputs of one extraction, unwrapped where that is asked for.
+  struct Result
+  {
+    vtkNew<vtkIntervalVolume> Filter;
+    vtkSmartPointer<vtkUnstructuredGrid> Mesh;
+    vtkSmartPointer<vtkUnstructuredGrid> Boundary;
+    vtkMTimeType UpdateTime = 0;
+    vtkIdType PointsOnSeams = 0;
+  };
+
+  bool Prepare(const Request& request, vtkFlowVolume::Report& report);
+  /// One extraction; the progress of the owner goes from \a start to \a end.
+  bool Run(const Request& request, Result& result, vtkDataSet* input, const vtkFlowLevels& levels,
+    bool unwrap, double start, double end, int& passes);
+
+  /// The surfaces of one extraction; \a isFinal: they are not cut by another.
+  static void TakeTriangles(
+    Result& result, const vtkFlowLevels& levels, bool isFinal, vtkFlowTriangles& triangles);
+
+  // The input without cells that are left out.
+  vtkSmartPointer<vtkDataSet> Prepared;
+  const vtkDataSet* PreparedInput = nullptr;
+  vtkMTimeType PreparedTime = 0;
+  vtkFlowCells Cells;
+  Result ByInflow;
+  Result ByTime;
+  // What the second extraction starts from: the first one's tetrahedra, without its origins.
+  vtkSmartPointer<vtkUnstructuredGrid> Between;
+
+  vtkSmartPointer<vtkUnstructuredGrid> Mesh;
+  vtkSmartPointer<vtkIntArray> InflowItems;
+  vtkSmartPointer<vtkIntArray> TimeItems;
+  vtkFlowTriangles StreamTriangles;
+  vtkFlowTriangles TimeTriangles;
+};
+
+#endif

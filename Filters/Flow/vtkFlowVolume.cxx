@@ -1,0 +1,422 @@
+#include "vtkFlowVolume.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkFieldData.h"
+#include "vtkFlowArrays.h"
+#include "vtkFlowExtraction.h"
+#include "vtkFlowLevels.h"
+#include "vtkFlowNormals.h"
+#include "vtkFlowStatus.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkIntervalVolume.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+vtkStandardNewMacro(vtkFlowVolume);
+
+namespace
+{
+constexpr vtkFlowLevels::Interval Everything{ { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX } };
+
+void SetNumberOf(std::vector<double>& values, int number, vtkObject* owner)
+{
+  number = std::max(0, std::min(number, vtkIntervalList::MaximumNumber));
+  if (number != static_cast<int>(values.size()))
+  {
+    values.resize(number, 0.0);
+    owner->Modified();
+  }
+}
+
+void SetValue(std::vector<double>& values, int i, double value, vtkObject* owner)
+{
+  if (i < 0 || i >= vtkIntervalList::MaximumNumber)
+  {
+    vtkErrorWithObjectMacro(owner,
+      "Surface index " << i << " is not in 0 to " << vtkIntervalList::MaximumNumber - 1 << ".");
+    return;
+  }
+  if (i >= static_cast<int>(values.size()))
+  {
+    SetNumberOf(values, i + 1, owner);
+  }
+  if (values[i] != value)
+  {
+    values[i] = value;
+    owner->Modified();
+  }
+}
+
+double GetValue(const std::vector<double>& values, int i)
+{
+  return i >= 0 && i < static_cast<int>(values.size()) ? values[i] : 0.0;
+}
+
+std::string CheckInterval(const std::string& name, double lower, double upper)
+{
+  std::ostringstream wrong;
+  if (!std::isfinite(lower) || !std::isfinite(upper))
+  {
+    wrong << name << " [" << lower << ", " << upper << "] is not finite.";
+  }
+  else if (lower > upper)
+  {
+    wrong << name << " begins at " << lower << ", after its end at " << upper << ".";
+  }
+  return wrong.str();
+}
+
+std::string CheckSurfaces(const std::string& name, const std::vector<double>& values)
+{
+  const auto wrong =
+    std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
+  return wrong == values.end()
+    ? std::string()
+    : name + " surface " + std::to_string(wrong - values.begin()) + " is not at a finite value.";
+}
+
+std::string CheckArray(vtkDataSet* input, const char* name, const std::string& reason)
+{
+  vtkDataArray* array = input->GetPointData()->GetArray(name);
+  if (array && array->GetNumberOfComponents() == 1 &&
+    array->GetNumberOfTuples() == input->GetNumberOfPoints())
+  {
+    return {};
+  }
+  return std::string("The point array \"") + name + "\" " +
+    (array ? "does not have one component and a value for each point" : "is missing") + reason;
+}
+
+vtkSmartPointer<vtkIntArray> MakeIds(const char* name, vtkIntArray* items, vtkIdType number)
+{
+  vtkSmartPointer<vtkIntArray> ids = vtkSmartPointer<vtkIntArray>::New();
+  ids->SetName(name);
+  ids->SetNumberOfValues(items ? items->GetNumberOfValues() : number);
+  return ids;
+}
+
+// Cell ids from items by \a get(item).
+template <typename Get>
+void AddIds(vtkUnstructuredGrid* mesh, const char* name, vtkIntArray* items, const Get& get)
+{
+  const vtkIdType number = mesh->GetNumberOfCells();
+  const auto ids = MakeIds(name, items, number);
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType cell = first; cell < last; ++cell)
+      {
+        ids->SetValue(cell, get(items ? items->GetValue(cell) : 0));
+      }
+    });
+  mesh->GetCellData()->AddArray(ids);
+}
+
+// The arrays that are no numbers to interpolate between, as they were.
+void RestorePointArrays(vtkUnstructuredGrid* mesh)
+{
+  const vtkIdType number = mesh->GetNumberOfPoints();
+  vtkNew<vtkUnsignedCharArray> statuses;
+  statuses->SetName(vtkFlowStatus::StatusArray());
+  statuses->SetNumberOfValues(number);
+  statuses->Fill(vtkFlowStatus::REACHED_SURFACE);
+  mesh->GetPointData()->AddArray(statuses);
+  vtkDataArray* before = mesh->GetPointData()->GetArray(vtkFlowStatus::IdArray());
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(vtkFlowStatus::IdArray());
+  ids->SetNumberOfValues(number);
+  vtkSMPTools::For(0, before ? number : 0,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        ids->SetValue(p, static_cast<int>(before->GetComponent(p, 0)));
+      }
+    });
+  mesh->GetPointData()->AddArray(ids);
+}
+
+void FillSurface(const vtkFlowTriangles& triangles, const char* name, vtkUnstructuredGrid* mesh,
+  vtkUnstructuredGrid* surface)
+{
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType number = static_cast<vtkIdType>(triangles.GetTriangles().size());
+  if (mesh->GetNumberOfPoints() <= VTK_INT_MAX && 3 * number <= VTK_INT_MAX)
+  {
+    cells->Use32BitStorage();
+  }
+  cells->AllocateExact(number, 3 * number);
+  for (const auto& triangle : triangles.GetTriangles())
+  {
+    cells->InsertNextCell(3, triangle.data());
+  }
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(name);
+  ids->SetNumberOfValues(number);
+  std::copy(triangles.GetSurfaces().begin(), triangles.GetSurfaces().end(), ids->GetPointer(0));
+  surface->SetPoints(mesh->GetPoints());
+  surface->SetCells(VTK_TRIANGLE, cells);
+  surface->GetPointData()->ShallowCopy(mesh->GetPointData());
+  surface->GetCellData()->AddArray(ids);
+}
+
+void AddNormals(const vtkFlowTriangles& triangles, const char* function, vtkUnstructuredGrid* mesh,
+  vtkUnstructuredGrid* surface)
+{
+  surface->GetPointData()->SetNormals(vtkFlowNormals::Compute(
+    mesh, mesh->GetPointData()->GetArray(function), triangles.GetTriangles()));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkFlowVolume::vtkFlowVolume()
+  : Extraction(std::make_unique<vtkFlowExtraction>())
+{
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+vtkFlowVolume::~vtkFlowVolume() = default;
+
+//------------------------------------------------------------------------------
+void vtkFlowVolume::SetNumberOfIntervals(int number)
+{
+  this->Intervals.SetNumber(number, this);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowVolume::SetInterval(int i, double lower, double upper)
+{
+  this->Intervals.Set(i, lower, upper, this);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowVolume::GetInterval(int i, double& lower, double& upper) const
+{
+  this->Intervals.Get(i, lower, upper);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowVolume::SetNumberOfStreamSurfaces(int number)
+{
+  SetNumberOf(this->StreamSurfaces, number, this);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowVolume::SetStreamSurface(int i, double value)
+{
+  SetValue(this->StreamSurfaces, i, value, this);
+}
+
+//------------------------------------------------------------------------------
+double vtkFlowVolume::GetStreamSurface(int i) const
+{
+  return GetValue(this->StreamSurfaces, i);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowVolume::SetNumberOfTimeSurfaces(int number)
+{
+  SetNumberOf(this->TimeSurfaces, number, this);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowVolume::SetTimeSurface(int i, double time)
+{
+  SetValue(this->TimeSurfaces, i, time, this);
+}
+
+//------------------------------------------------------------------------------
+double vtkFlowVolume::GetTimeSurface(int i) const
+{
+  return GetValue(this->TimeSurfaces, i);
+}
+
+//------------------------------------------------------------------------------
+int vtkFlowVolume::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInflow) const
+{
+  std::string wrong =
+    CheckArray(input, vtkFlowStatus::TimeArray(), ": the input is no implicit flow field.");
+  if (wrong.empty() && usesInflow)
+  {
+    wrong = CheckArray(input, vtkFlowStatus::InflowArray(),
+      "; intervals and stream surfaces need the one of vtkInflowMapping.");
+  }
+  for (int i = 0; wrong.empty() && i < this->GetNumberOfIntervals(); ++i)
+  {
+    const vtkIntervalList::Interval& interval = this->Intervals.GetAll()[i];
+    wrong = CheckInterval("Interval " + std::to_string(i), interval[0], interval[1]);
+  }
+  wrong =
+    wrong.empty() ? CheckInterval("The time range", this->TimeRange[0], this->TimeRange[1]) : wrong;
+  wrong = wrong.empty() ? CheckSurfaces("Stream", this->StreamSurfaces) : wrong;
+  return wrong.empty() ? CheckSurfaces("Time", this->TimeSurfaces) : wrong;
+}
+
+//------------------------------------------------------------------------------
+int vtkFlowVolume::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->LastReport = Report();
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  if (input->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  const bool usesInflow = this->GetNumberOfIntervals() > 0 || this->GetNumberOfStreamSurfaces() > 0;
+  vtkFlowArrays arrays;
+  std::string wrong = arrays.Find(input);
+  wrong = wrong.empty() ? this->CheckParameters(input, usesInflow) : wrong;
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return 1;
+  }
+  const vtkFlowLevels byInflow(this->GetNumberOfIntervals() > 0
+      ? this->Intervals.GetAll()
+      : std::vector<vtkFlowLevels::Interval>{ Everything },
+    this->StreamSurfaces, -VTK_DOUBLE_MAX);
+  const vtkFlowLevels byTime(
+    { { { this->TimeRange[0], this->TimeRange[1] } } }, this->TimeSurfaces, 0.0);
+  const std::size_t items = std::max(byInflow.GetItems().size(), byTime.GetItems().size());
+  if (items > static_cast<std::size_t>(vtkIntervalList::MaximumNumber))
+  {
+    vtkErrorMacro("There are " << items << " intervals between surfaces; "
+                               << vtkIntervalList::MaximumNumber << " are the most.");
+    return 1;
+  }
+  vtkFlowExtraction::Request request;
+  request.Input = input;
+  request.Arrays = &arrays;
+  request.Inflow = usesInflow ? &byInflow : nullptr;
+  const bool cutsTime = byTime.GetItems().size() > 1 || byTime.GetItems()[0] != Everything;
+  request.Time = cutsTime || !usesInflow ? &byTime : nullptr;
+  request.GenerateStreamSurfaces = this->GenerateStreamSurfaces;
+  request.GenerateTimeSurfaces = this->GenerateTimeSurfaces && cutsTime;
+  request.Precision = this->OutputPointsPrecision;
+  request.Owner = this;
+  if (!this->Extraction->Execute(request, this->LastReport))
+  {
+    return 1;
+  }
+  vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputs, 0);
+  this->FillMesh(byInflow, byTime, mesh);
+  this->UpdateProgress(0.9);
+  vtkUnstructuredGrid* streamSurfaces = vtkUnstructuredGrid::GetData(outputs, 1);
+  vtkUnstructuredGrid* timeSurfaces = vtkUnstructuredGrid::GetData(outputs, 2);
+  if (request.GenerateStreamSurfaces && request.Inflow)
+  {
+    const vtkFlowTriangles& triangles = this->Extraction->GetStreamTriangles();
+    FillSurface(triangles, "StreamSurfaceId", mesh, streamSurfaces);
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(vtkFlowStatus::InflowArray());
+    for (const int surface : triangles.GetSurfaces())
+    {
+      values->InsertNextValue(byInflow.GetValues()[surface]);
+    }
+    streamSurfaces->GetCellData()->AddArray(values);
+    if (this->GenerateNormals)
+    {
+      AddNormals(triangles, vtkFlowStatus::InflowArray(), mesh, streamSurfaces);
+      ++this->LastReport.NormalPasses;
+    }
+  }
+  if (request.GenerateTimeSurfaces)
+  {
+    const vtkFlowTriangles& triangles = this->Extraction->GetTimeTriangles();
+    FillSurface(triangles, "TimeSurfaceId", mesh, timeSurfaces);
+    if (this->GenerateNormals)
+    {
+      AddNormals(triangles, vtkFlowStatus::TimeArray(), mesh, timeSurfaces);
+      ++this->LastReport.NormalPasses;
+    }
+  }
+  for (vtkUnstructuredGrid* output : { mesh, streamSurfaces, timeSurfaces })
+  {
+    output->GetFieldData()->PassData(input->GetFieldData());
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowVolume::FillMesh(
+  const vtkFlowLevels& byInflow, const vtkFlowLevels& byTime, vtkUnstructuredGrid* mesh) const
+{
+  mesh->ShallowCopy(this->Extraction->GetMesh());
+  vtkIntArray* const inflowItems = this->Extraction->GetInflowItems();
+  AddIds(mesh, "IntervalId", inflowItems,
+    [&](int item) { return inflowItems ? byInflow.GetInterval(item) : 0; });
+  AddIds(mesh, "TimeIntervalId", this->Extraction->GetTimeItems(),
+    [&](int item) { return byTime.GetSurface(item, vtkIntervalVolume::LOWER_SIDE); });
+  mesh->GetCellData()->RemoveArray(vtkFlowExtraction::ItemArray());
+  RestorePointArrays(mesh);
+  if (this->ParametersAsTextureCoordinates)
+  {
+    mesh->GetPointData()->SetActiveTCoords(vtkFlowStatus::ParametersArray());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  this->Intervals.Print(os, indent);
+  os << indent << "TimeRange: " << this->TimeRange[0] << " to " << this->TimeRange[1] << "\n";
+  os << indent << "StreamSurfaces:";
+  for (const double value : this->StreamSurfaces)
+  {
+    os << " " << value;
+  }
+  os << "\n" << indent << "TimeSurfaces:";
+  for (const double time : this->TimeSurfaces)
+  {
+    os << " " << time;
+  }
+  os << "\n" << indent << "GenerateStreamSurfaces: " << this->GenerateStreamSurfaces << "\n";
+  os << indent << "GenerateTimeSurfaces: " << this->GenerateTimeSurfaces << "\n";
+  os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
+  os << indent << "ParametersAsTextureCoordinates: " << this->ParametersAsTextureCoordinates
+     << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  const Report& report = this->LastReport;
+  os << indent << "Report:\n";
+  const vtkIndent next = indent.GetNextIndent();
+  os << next << "Cells: " << report.Cells << "\n";
+  os << next << "CellsWithoutAnswer: " << report.CellsWithoutAnswer << "\n";
+  os << next << "CellsBetweenSurfaces: " << report.CellsBetweenSurfaces << "\n";
+  os << next << "CellsOnSeams: " << report.CellsOnSeams << "\n";
+  os << next << "CellsAcrossSeams: " << report.CellsAcrossSeams << "\n";
+  os << next << "CellsAroundPoles: " << report.CellsAroundPoles << "\n";
+  os << next << "PointsOnSeams: " << report.PointsOnSeams << "\n";
+  os << next << "Preparations: " << report.Preparations << "\n";
+  os << next << "InflowPasses: " << report.InflowPasses << "\n";
+  os << next << "TimePasses: " << report.TimePasses << "\n";
+  os << next << "SurfaceCuts: " << report.SurfaceCuts << "\n";
+  os << next << "NormalPasses: " << report.NormalPasses << "\n";
+}

@@ -1,0 +1,196 @@
+#ifndef vtkFlowVolume_h
+#define vtkFlowVolume_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkIntervalList.h"     // for the intervals
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+class vtkFlowExtraction;
+class vtkFlowLevels;
+
+/**
+ * @class   vtkFlowVolume
+ * @brief   stream volumes clipped by advection time, with their stream and time surfaces, in one
+ * mesh
+ *
+ * The region { x : lower <= Inflow(x) <= upper, start <= AdvectionTime(x) <= end } of an implicit
+ * flow field (C. Zhang, dissertation, Ohio State 2006, sections 4.5 and 4.5.4, equation 4.1), by
+ * the tables of vtkIntervalVolume for the first and again for the second. Nothing is advected:
+ * other intervals and times cost an extraction, other times alone only the second one. What cuts
+ * nothing costs none, but for one that makes tetrahedra of the cells where nothing cuts at all.
+ *
+ * **Never interpolated** is between samples of different status or TerminationId, or across a seam
+ * that the mapping does not continue over: such cells are left out and counted (GetReport). Across
+ * a seam that it does continue over (InflowPeriodic; all seams where the input has no Inflow)
+ * parameters are unwrapped, so that TerminationUV goes on above 1 there, on points of their own;
+ * not in polyhedra, which are left out there. A cell is taken to lie across a seam where its
+ * parameters differ by more than half a period.
+ *
+ * Input: vtkImageData, rectilinear, structured or unstructured grids with the arrays of
+ * vtkFlowStatus, and of vtkInflowMapping where there are intervals or stream surfaces. Without
+ * intervals all of Inflow counts (a time volume needs no mapping). Cells of fewer dimensions, cells
+ * that are hidden or ghosts, and cells with NaN in Inflow, where it counts, are left out too.
+ *
+ * Output port 0: tetrahedra with the point arrays of the input, its cell arrays, and the cell
+ * arrays `IntervalId` (int), the interval of Inflow (0 without), and `TimeIntervalId` (int), the
+ * TimeSurfaceId of the surface at the lower end of the cell's times. Stream and time surfaces are
+ * faces of tetrahedra, so that no cell lies on both sides of one. Other arrays are as
+ * vtkIntervalVolume leaves them.
+ *
+ * Output port 1: triangles of stream surfaces: the bounds of the intervals and StreamSurfaces. Cell
+ * arrays `StreamSurfaceId` (int: the place of its value among all of these, ascending), `Inflow`
+ * (double: the value). Output port 2: triangles of time surfaces: start, end and TimeSurfaces, cell
+ * array `TimeSurfaceId` (int: the place of its time among all of these, ascending, those outside of
+ * the range too). Both share the points of port 0, with their ids and arrays; a triangle is there
+ * once, and faces against the gradient of what it is a level set of. Point normals `Normals`
+ * (float) when GenerateNormals is on: against that gradient, from the tetrahedra; 0 at points of no
+ * triangle. All ports have the field arrays of the input.
+ *
+ * The same output for any number of threads. Between executions the filter holds on to the input's
+ * arrays and to the result of each extraction.
+ *
+ * Errors (vtkErrorMacro, empty outputs): arrays that are missing or of the wrong shape, lower >
+ * upper, start > end, bounds that are not finite, more than 10000 intervals between surfaces.
+ *
+ * @sa vtkImplicitFlowField vtkInflowMapping vtkStreamSurfaceParameters
+ */
+class INTERLUMEFLOW_EXPORT vtkFlowVolume : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkFlowVolume* New();
+  vtkTypeMacro(vtkFlowVolume, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The intervals of Inflow: lower <= upper, both finite. Default none, which takes every cell that
+   * has an answer. Valid number: 0 to 10000.
+   */
+  void SetNumberOfIntervals(int number);
+  int GetNumberOfIntervals() const { return this->Intervals.GetNumber(); }
+  void SetInterval(int i, double lower, double upper);
+  void GetInterval(int i, double& lower, double& upper) const;
+  ///@}
+
+  ///@{
+  /**
+   * The times that the volume is clipped to. Default 0 to VTK_DOUBLE_MAX, which clips nothing; nor
+   * does a start below 0.
+   */
+  vtkSetVector2Macro(TimeRange, double);
+  vtkGetVector2Macro(TimeRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * Values of Inflow and advection times of further surfaces inside the volume; elsewhere they are
+   * nothing. New ones are 0. Default none. Valid numbers: 0 to 10000. SetStreamSurface and
+   * SetTimeSurface add surfaces where there are fewer; the Get functions give 0 where there is
+   * none.
+   */
+  void SetNumberOfStreamSurfaces(int number);
+  int GetNumberOfStreamSurfaces() const { return static_cast<int>(this->StreamSurfaces.size()); }
+  void SetStreamSurface(int i, double value);
+  double GetStreamSurface(int i) const;
+  void SetNumberOfTimeSurfaces(int number);
+  int GetNumberOfTimeSurfaces() const { return static_cast<int>(this->TimeSurfaces.size()); }
+  void SetTimeSurface(int i, double time);
+  double GetTimeSurface(int i) const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether ports 1 and 2 carry their triangles, and with normals. Default off, off, off.
+   */
+  vtkSetMacro(GenerateStreamSurfaces, bool);
+  vtkGetMacro(GenerateStreamSurfaces, bool);
+  vtkBooleanMacro(GenerateStreamSurfaces, bool);
+  vtkSetMacro(GenerateTimeSurfaces, bool);
+  vtkGetMacro(GenerateTimeSurfaces, bool);
+  vtkBooleanMacro(GenerateTimeSurfaces, bool);
+  vtkSetMacro(GenerateNormals, bool);
+  vtkGetMacro(GenerateNormals, bool);
+  vtkBooleanMacro(GenerateNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether TerminationUV is the active texture coordinates of the outputs: a texture laid on the
+   * termination surface, carried by the flow. Default off.
+   */
+  vtkSetMacro(ParametersAsTextureCoordinates, bool);
+  vtkGetMacro(ParametersAsTextureCoordinates, bool);
+  vtkBooleanMacro(ParametersAsTextureCoordinates, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Precision of the output points, as in vtkIntervalVolume. Default DEFAULT_PRECISION: that of the
+   * input's points; float for image data.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  /// Of the last execution: what was left out and why, and what was done.
+  struct Report
+  {
+    vtkIdType Cells = 0;
+    /// Without an answer at a corner, with different ones, and on a seam that is not continued
+    /// over.
+    vtkIdType CellsWithoutAnswer = 0;
+    vtkIdType CellsBetweenSurfaces = 0;
+    vtkIdType CellsOnSeams = 0;
+    /// Unwrapped, and those of them whose corners no unwrapping brings within half a period:
+    /// parameters in them are wrong.
+    vtkIdType CellsAcrossSeams = 0;
+    vtkIdType CellsAroundPoles = 0;
+    /// Points added for cells across seams.
+    vtkIdType PointsOnSeams = 0;
+    /// How often all cells were looked at, extractions were made by Inflow and by time, and stream
+    /// surfaces were cut by time: 0 for what was not needed, or was still there.
+    int Preparations = 0;
+    int InflowPasses = 0;
+    int TimePasses = 0;
+    int SurfaceCuts = 0;
+    /// Ports that normals were computed of.
+    int NormalPasses = 0;
+  };
+  const Report& GetReport() const { return this->LastReport; }
+
+protected:
+  vtkFlowVolume();
+  ~vtkFlowVolume() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkFlowVolume(const vtkFlowVolume&) = delete;
+  void operator=(const vtkFlowVolume&) = delete;
+
+  /// What is wrong with the arrays and the settings, or nothing.
+  std::string CheckParameters(vtkDataSet* input, bool usesInflow) const;
+  /// Port 0, from the last extraction.
+  void FillMesh(
+    const vtkFlowLevels& byInflow, const vtkFlowLevels& byTime, vtkUnstructuredGrid* mesh) const;
+
+  vtkIntervalList Intervals;
+  double TimeRange[2] = { 0.0, VTK_DOUBLE_MAX };
+  std::vector<double> StreamSurfaces;
+  std::vector<double> TimeSurfaces;
+  bool GenerateStreamSurfaces = false;
+  bool GenerateTimeSurfaces = false;
+  bool GenerateNormals = false;
+  bool ParametersAsTextureCoordinates = false;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+  Report LastReport;
+  std::unique_ptr<vtkFlowExtraction> Extraction;
+};
+
+#endif

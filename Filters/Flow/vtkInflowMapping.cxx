@@ -1,0 +1,360 @@
+#include "vtkInflowMapping.h"
+
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFlowArrays.h"
+#include "vtkFlowBatches.h"
+#include "vtkFlowStatus.h"
+#include "vtkImageData.h"
+#include "vtkInflowFunction.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+vtkStandardNewMacro(vtkInflowMapping);
+
+namespace
+{
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+// One thread's evaluators.
+using EvaluatorMap = std::map<const vtkInflowFunction*, std::shared_ptr<vtkInflowEvaluator>>;
+
+vtkInflowEvaluator& GetEvaluator(EvaluatorMap& evaluators, const vtkInflowFunction* function)
+{
+  auto& evaluator = evaluators[function];
+  if (!evaluator)
+  {
+    evaluator = std::make_shared<vtkInflowEvaluator>(function);
+  }
+  return *evaluator;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkInflowMapping::vtkInflowMapping()
+{
+  this->SetFormula(ALL, "u");
+}
+
+//------------------------------------------------------------------------------
+vtkInflowMapping::~vtkInflowMapping() = default;
+
+//------------------------------------------------------------------------------
+int vtkInflowMapping::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkInflowFunction* vtkInflowMapping::Take(int id, int kind)
+{
+  if (id < ALL)
+  {
+    vtkErrorMacro("The id " << id << " of a mapping is below 0.");
+    return nullptr;
+  }
+  std::shared_ptr<vtkInflowFunction>& mapping = this->Mappings[id];
+  if (!mapping || mapping->Kind != kind)
+  {
+    mapping = std::make_shared<vtkInflowFunction>();
+    mapping->Kind = kind;
+  }
+  this->Modified();
+  return mapping.get();
+}
+
+//------------------------------------------------------------------------------
+void vtkInflowMapping::SetFormula(int id, const char* formula)
+{
+  if (!formula)
+  {
+    this->RemoveMapping(id);
+    return;
+  }
+  const char* before = this->GetFormula(id);
+  if (before && std::string(before) == formula)
+  {
+    return;
+  }
+  if (vtkInflowFunction* mapping = this->Take(id, FORMULA))
+  {
+    mapping->Formula = formula;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInflowMapping::AddRing(
+  int id, double centerU, double centerV, double radius, double width, double amplitude)
+{
+  if (!(width > 0.0) || !std::isfinite(centerU + centerV + radius + width + amplitude))
+  {
+    vtkErrorMacro("A ring of id " << id << " at (" << centerU << ", " << centerV << ") with radius "
+                                  << radius << ", width " << width << " and amplitude " << amplitude
+                                  << " has a width that is not above 0, or is not finite.");
+    return;
+  }
+  if (vtkInflowFunction* mapping = this->Take(id, RINGS))
+  {
+    mapping->Rings.push_back({ { centerU, centerV }, radius, width, amplitude });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInflowMapping::SetImage(int id, vtkImageData* image)
+{
+  if (!image)
+  {
+    this->RemoveMapping(id);
+  }
+  else if (this->GetImage(id) != image)
+  {
+    if (vtkInflowFunction* mapping = this->Take(id, IMAGE))
+    {
+      mapping->Image = image;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInflowMapping::RemoveMapping(int id)
+{
+  if (this->Mappings.erase(id) > 0)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInflowMapping::RemoveAllMappings()
+{
+  if (!this->Mappings.empty())
+  {
+    this->Mappings.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkInflowMapping::GetKind(int id) const
+{
+  const auto found = this->Mappings.find(id);
+  return found == this->Mappings.end() ? static_cast<int>(NONE) : found->second->Kind;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkInflowMapping::GetFormula(int id) const
+{
+  return this->GetKind(id) == FORMULA ? this->Mappings.at(id)->Formula.c_str() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkInflowMapping::GetNumberOfRings(int id) const
+{
+  return this->GetKind(id) == RINGS ? static_cast<int>(this->Mappings.at(id)->Rings.size()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkInflowMapping::GetImage(int id) const
+{
+  return this->GetKind(id) == IMAGE ? this->Mappings.at(id)->Image.GetPointer() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkInflowMapping::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (const auto& mapping : this->Mappings)
+  {
+    if (mapping.second->Image)
+    {
+      time = std::max(time, mapping.second->Image->GetMTime());
+    }
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+const vtkInflowFunction* vtkInflowMapping::Find(int id) const
+{
+  auto found = this->Mappings.find(id);
+  found = found == this->Mappings.end() ? this->Mappings.find(ALL) : found;
+  return found == this->Mappings.end() ? nullptr : found->second.get();
+}
+
+//------------------------------------------------------------------------------
+const std::string& vtkInflowMapping::Prepare()
+{
+  if (this->PreparedTime != this->GetMTime())
+  {
+    this->Evaluators.clear();
+    this->Problem.clear();
+    for (const auto& mapping : this->Mappings)
+    {
+      const std::string wrong = mapping.second->Prepare();
+      if (!wrong.empty() && this->Problem.empty())
+      {
+        this->Problem = "The mapping of " +
+          (mapping.first == ALL ? std::string("all ids") : "id " + std::to_string(mapping.first)) +
+          " is wrong. " + wrong;
+      }
+    }
+    this->PreparedTime = this->GetMTime();
+  }
+  return this->Problem;
+}
+
+//------------------------------------------------------------------------------
+double vtkInflowMapping::Evaluate(int id, double u, double v, bool isPeriodicU, bool isPeriodicV)
+{
+  if (!this->Prepare().empty())
+  {
+    return NotANumber;
+  }
+  vtkInflowEvaluator& evaluator = GetEvaluator(this->Evaluators, this->Find(id));
+  evaluator.SetSurface(id, isPeriodicU, isPeriodicV);
+  return evaluator.Evaluate(u, v);
+}
+
+//------------------------------------------------------------------------------
+bool vtkInflowMapping::IsContinued(int id, int direction, bool isPeriodicU, bool isPeriodicV)
+{
+  constexpr int places = 33;
+  constexpr double tolerance = 1e-6;
+  if (!(direction == 0 ? isPeriodicU : isPeriodicV))
+  {
+    return false;
+  }
+  // Rows from one side of the seam to the other.
+  double lowest = VTK_DOUBLE_MAX;
+  double highest = -VTK_DOUBLE_MAX;
+  double largestJump = 0.0;
+  for (int i = 0; i < places; ++i)
+  {
+    const double along = static_cast<double>(i) / (places - 1);
+    double values[places];
+    for (int j = 0; j < places; ++j)
+    {
+      const double across = static_cast<double>(j) / (places - 1);
+      values[j] = direction == 0 ? this->Evaluate(id, across, along, isPeriodicU, isPeriodicV)
+                                 : this->Evaluate(id, along, across, isPeriodicU, isPeriodicV);
+      if (std::isfinite(values[j]))
+      {
+        lowest = std::min(lowest, values[j]);
+        highest = std::max(highest, values[j]);
+      }
+    }
+    const bool isFinite = std::isfinite(values[0]);
+    if (isFinite != std::isfinite(values[places - 1]))
+    {
+      return false;
+    }
+    largestJump =
+      isFinite ? std::max(largestJump, std::abs(values[places - 1] - values[0])) : largestJump;
+  }
+  return largestJump <= tolerance * std::max(highest - lowest, 0.0);
+}
+
+//------------------------------------------------------------------------------
+int vtkInflowMapping::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  vtkDataSet* output = vtkDataSet::GetData(outputs);
+  vtkFlowArrays arrays;
+  std::string wrong = arrays.Find(input);
+  wrong = wrong.empty() ? this->Prepare() : wrong;
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return 1;
+  }
+  const vtkIdType number = input->GetNumberOfPoints();
+  vtkNew<vtkDoubleArray> inflow;
+  inflow->SetName(vtkFlowStatus::InflowArray());
+  inflow->SetNumberOfValues(number);
+  double* values = inflow->GetPointer(0);
+  vtkSMPThreadLocal<EvaluatorMap> threads;
+  const auto map = [&](vtkIdType first, vtkIdType last)
+  {
+    EvaluatorMap& evaluators = threads.Local();
+    vtkInflowEvaluator* evaluator = nullptr;
+    int id = ALL;
+    for (vtkIdType p = first; p < last; ++p)
+    {
+      if (!arrays.IsReached(p))
+      {
+        values[p] = NotANumber;
+        continue;
+      }
+      if (!evaluator || id != arrays.GetId(p))
+      {
+        id = arrays.GetId(p);
+        evaluator = &GetEvaluator(evaluators, this->Find(id));
+        const std::array<bool, 2> periodicity = arrays.GetPeriodicity(id);
+        evaluator->SetSurface(id, periodicity[0], periodicity[1]);
+      }
+      const double* uv = arrays.GetParameters(p);
+      values[p] = evaluator->Evaluate(uv[0], uv[1]);
+    }
+  };
+  if (!vtkFlowBatches::Run(number, this, 0.0, 1.0, map))
+  {
+    return 1;
+  }
+  vtkNew<vtkIntArray> periodic;
+  periodic->SetName(vtkFlowStatus::InflowPeriodicArray());
+  periodic->SetNumberOfComponents(3);
+  for (const auto& surface : arrays.GetSurfaces())
+  {
+    const bool isU = surface.second[0];
+    const bool isV = surface.second[1];
+    const int tuple[3] = { surface.first, this->IsContinued(surface.first, 0, isU, isV),
+      this->IsContinued(surface.first, 1, isU, isV) };
+    periodic->InsertNextTypedTuple(tuple);
+  }
+  output->ShallowCopy(input);
+  output->GetPointData()->AddArray(inflow);
+  output->GetFieldData()->AddArray(periodic);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkInflowMapping::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mappings: " << this->Mappings.size() << "\n";
+  for (const auto& mapping : this->Mappings)
+  {
+    os << indent.GetNextIndent();
+    if (mapping.first == ALL)
+    {
+      os << "all";
+    }
+    else
+    {
+      os << mapping.first;
+    }
+    switch (mapping.second->Kind)
+    {
+      case FORMULA:
+        os << ": formula " << mapping.second->Formula << "\n";
+        break;
+      case RINGS:
+        os << ": rings " << mapping.second->Rings.size() << "\n";
+        break;
+      default:
+        os << ": image\n";
+    }
+  }
+}

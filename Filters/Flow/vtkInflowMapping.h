@@ -1,0 +1,123 @@
+#ifndef vtkInflowMapping_h
+#define vtkInflowMapping_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkDataSetAlgorithm.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+class vtkImageData;
+class vtkInflowEvaluator;
+class vtkInflowFunction;
+
+/**
+ * @class   vtkInflowMapping
+ * @brief   a scalar on the termination surfaces, carried to every sample of an implicit flow field
+ *
+ * Inflow(x) = Phi_f(u(x), v(x)), (f,u,v) where the streamline of x ends (C. Zhang, dissertation,
+ * Ohio State 2006, section 4.5): a family of stream surfaces as its level sets, and stream volumes
+ * between two of its values, without advection. Each id has a mapping of its own, or the one for
+ * all others.
+ *
+ * Input: what vtkImplicitFlowField gives. Output: the same with the point array `Inflow` (double),
+ * NaN where the status is not REACHED_SURFACE, the id has no mapping, or the formula is not finite.
+ * The field array `InflowPeriodic` (int, 3 components) tells of each id in use whether its mapping
+ * is the same on both sides of the seams of u and v: id, u, v (values at 33 places of the seam
+ * agree to 1e-6 of the mapping's range).
+ *
+ * Errors (vtkErrorMacro, empty output): no arrays of vtkFlowStatus; a formula that cannot be read
+ * (with the parser's message) or gives a vector, an image without points or scalars or of three
+ * dimensions. The same output for any number of threads.
+ *
+ * @sa vtkImplicitFlowField vtkFlowVolume
+ */
+class INTERLUMEFLOW_EXPORT vtkInflowMapping : public vtkDataSetAlgorithm
+{
+public:
+  static vtkInflowMapping* New();
+  vtkTypeMacro(vtkInflowMapping, vtkDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Kinds
+  {
+    NONE = 0,
+    FORMULA = 1,
+    RINGS = 2,
+    IMAGE = 3
+  };
+
+  /// The id of the mapping for all ids that have none of their own.
+  static constexpr int ALL = -1;
+
+  ///@{
+  /**
+   * The mapping of an id, or of ALL, as one of:
+   * - a formula of u, v and f (the id as a number) in the language of
+   * vtkExprTkFunctionParser; null removes the mapping;
+   * - Gaussian rings: sum of amplitude exp(-((r - radius) / width)^2), r the distance from
+   * (centerU, centerV) in parameters, the short way around in periodic directions; AddRing adds to
+   * the rings that the id has;
+   * - the first component of an image over u and v, 0 to 1 from its first to its last point,
+   * interpolated bilinearly, beyond it clamped, periodic directions around; colours (3 and 4
+   * components of unsigned char) as their luminance 0 to 255, 0.30 R + 0.59 G + 0.11 B. Null
+   * removes the mapping. u goes along the first axis of the image that has more than one point.
+   *
+   * Default: for ALL the formula "u". Valid ids: ALL, 0 and above; width above 0, all numbers of a
+   * ring finite; others are an error and change nothing. What an id had before of another kind is
+   * dropped. The Get functions tell of what was set for the id itself: NONE, null or 0 without.
+   */
+  void SetFormula(int id, const char* formula);
+  void AddRing(
+    int id, double centerU, double centerV, double radius, double width, double amplitude = 1.0);
+  void SetImage(int id, vtkImageData* image);
+  void RemoveMapping(int id);
+  void RemoveAllMappings();
+  int GetKind(int id) const;
+  const char* GetFormula(int id) const;
+  int GetNumberOfRings(int id) const;
+  vtkImageData* GetImage(int id) const;
+  ///@}
+
+  /**
+   * Phi of an id at (u,v), as the filter evaluates it; NaN without a mapping, or where it is wrong.
+   * Periodic directions as given. Not for threads.
+   */
+  double Evaluate(int id, double u, double v, bool isPeriodicU = false, bool isPeriodicV = false);
+
+  /**
+   * Whether the mapping of an id goes on over the seam of \a direction, 0 for u and 1 for v: false
+   * where that is not periodic, else as InflowPeriodic tells. Not for threads.
+   */
+  bool IsContinued(int id, int direction, bool isPeriodicU, bool isPeriodicV);
+
+  /// That of the images too.
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkInflowMapping();
+  ~vtkInflowMapping() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkInflowMapping(const vtkInflowMapping&) = delete;
+  void operator=(const vtkInflowMapping&) = delete;
+
+  /// The mapping that counts for an id; null without one.
+  const vtkInflowFunction* Find(int id) const;
+  /// The mapping of an id itself, of \a kind, empty where it was of another; null for a wrong id.
+  vtkInflowFunction* Take(int id, int kind);
+  /// Reads what has changed. What is wrong with the mappings, or nothing.
+  const std::string& Prepare();
+
+  std::map<int, std::shared_ptr<vtkInflowFunction>> Mappings;
+  std::string Problem;
+  vtkMTimeType PreparedTime = 0;
+  // Those of Evaluate.
+  std::map<const vtkInflowFunction*, std::shared_ptr<vtkInflowEvaluator>> Evaluators;
+};
+
+#endif

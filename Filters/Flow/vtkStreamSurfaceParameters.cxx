@@ -1,0 +1,307 @@
+#include "vtkStreamSurfaceParameters.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkContourArc.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFlowBatches.h"
+#include "vtkFlowPointCopies.h"
+#include "vtkFlowStatus.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInflowMapping.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkLevelContours.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamSurfaceWork.h"
+#include "vtkTerminationSurface.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+vtkStandardNewMacro(vtkStreamSurfaceParameters);
+
+namespace
+{
+// Of the progress, where each part ends.
+constexpr double ContoursEnd = 0.3;
+constexpr double PlacesEnd = 0.8;
+
+void FillPoints(vtkPointSet* input, const vtkStreamSurfaceWork::Points& made, vtkPolyData* output)
+{
+  const vtkIdType before = input->GetNumberOfPoints();
+  if (before == static_cast<vtkIdType>(made.Sources.size()))
+  {
+    output->SetPoints(input->GetPoints());
+    output->GetPointData()->ShallowCopy(input->GetPointData());
+    return;
+  }
+  vtkNew<vtkPoints> points;
+  vtkFlowPointCopies::Append(
+    input, { made.Sources.begin() + before, made.Sources.end() }, points, output->GetPointData());
+  output->SetPoints(points);
+}
+
+void AddPointNumbers(const vtkStreamSurfaceWork::Points& made, vtkPointData* output)
+{
+  vtkNew<vtkIntArray> contours;
+  contours->SetName("ContourId");
+  vtkNew<vtkIdTypeArray> sources;
+  sources->SetName("vtkOriginalPointIds");
+  for (std::size_t p = 0; p < made.Sources.size(); ++p)
+  {
+    contours->InsertNextValue(made.Contours[p]);
+    sources->InsertNextValue(made.Sources[p]);
+  }
+  output->AddArray(contours);
+  output->AddArray(sources);
+}
+
+void AddContours(const std::vector<vtkStreamSurfaceWork::Contour>& contours, vtkFieldData* output)
+{
+  vtkNew<vtkDoubleArray> lengths;
+  lengths->SetName("ContourLength");
+  vtkNew<vtkIntArray> closed;
+  closed->SetName("ContourClosed");
+  for (const vtkStreamSurfaceWork::Contour& contour : contours)
+  {
+    lengths->InsertNextValue(contour.Length);
+    closed->InsertNextValue(contour.IsClosed);
+  }
+  output->AddArray(lengths);
+  output->AddArray(closed);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkStreamSurfaceParameters::vtkStreamSurfaceParameters() = default;
+
+//------------------------------------------------------------------------------
+vtkStreamSurfaceParameters::~vtkStreamSurfaceParameters() = default;
+
+//------------------------------------------------------------------------------
+void vtkStreamSurfaceParameters::SetMapping(vtkInflowMapping* mapping)
+{
+  if (this->Mapping != mapping)
+  {
+    this->Mapping = mapping;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkInflowMapping* vtkStreamSurfaceParameters::GetMapping() const
+{
+  return this->Mapping;
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamSurfaceParameters::AddTerminationSurface(vtkTerminationSurface* surface, int id)
+{
+  if (surface)
+  {
+    this->Surfaces.push_back({ surface, id });
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamSurfaceParameters::RemoveAllTerminationSurfaces()
+{
+  if (!this->Surfaces.empty())
+  {
+    this->Surfaces.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTerminationSurface* vtkStreamSurfaceParameters::GetTerminationSurface(int i) const
+{
+  return i >= 0 && i < this->GetNumberOfTerminationSurfaces() ? this->Surfaces[i].Shape.GetPointer()
+                                                              : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamSurfaceParameters::AddStartPoint(double x, double y, double z)
+{
+  this->StartPoints.push_back({ { x, y, z } });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamSurfaceParameters::RemoveAllStartPoints()
+{
+  if (!this->StartPoints.empty())
+  {
+    this->StartPoints.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkStreamSurfaceParameters::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  time = this->Mapping ? std::max(time, this->Mapping->GetMTime()) : time;
+  for (const Surface& surface : this->Surfaces)
+  {
+    time = std::max(time, surface.Shape->GetMTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+int vtkStreamSurfaceParameters::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTerminationSurface* vtkStreamSurfaceParameters::FindSurface(int id, int& part) const
+{
+  for (const Surface& surface : this->Surfaces)
+  {
+    const int first = surface.Id >= 0 ? surface.Id : surface.Shape->GetId();
+    if (first >= 0 && id >= first && id - first < surface.Shape->GetNumberOfParts())
+    {
+      part = id - first;
+      return surface.Shape;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkStreamSurfaceParameters::FindContours(vtkStreamSurfaceWork& work) const
+{
+  // Levels of one id after each other: its mapping is sampled once.
+  std::vector<vtkStreamSurfaceWork::Level*> order;
+  for (vtkStreamSurfaceWork::Level& level : work.Levels)
+  {
+    order.push_back(&level);
+  }
+  std::sort(order.begin(), order.end(),
+    [](const vtkStreamSurfaceWork::Level* a, const vtkStreamSurfaceWork::Level* b)
+    { return std::make_pair(a->Id, a->Value) < std::make_pair(b->Id, b->Value); });
+  int id = -1;
+  std::unique_ptr<vtkLevelContours> follower;
+  std::array<bool, 2> isJoined{};
+  for (vtkStreamSurfaceWork::Level* level : order)
+  {
+    int part = 0;
+    vtkTerminationSurface* surface = this->FindSurface(level->Id, part);
+    if (!surface)
+    {
+      return "There is no termination surface with id " + std::to_string(level->Id) + ".";
+    }
+    if (!follower || id != level->Id)
+    {
+      id = level->Id;
+      const std::string problem = surface->Update();
+      if (!problem.empty())
+      {
+        return "The termination surface with id " + std::to_string(id) + " is wrong: " + problem;
+      }
+      const std::array<bool, 2> isPeriodic = work.GetArrays().GetPeriodicity(id);
+      isJoined = { { this->Mapping->IsContinued(id, 0, isPeriodic[0], isPeriodic[1]),
+        this->Mapping->IsContinued(id, 1, isPeriodic[0], isPeriodic[1]) } };
+      follower = std::make_unique<vtkLevelContours>([this, id, isPeriodic](double u, double v)
+        { return this->Mapping->Evaluate(id, u, v, isPeriodic[0], isPeriodic[1]); },
+        this->Resolution, isJoined);
+    }
+    level->FirstContour = static_cast<int>(work.Contours.size());
+    std::vector<vtkContourPlaces::Curve> curves;
+    for (vtkLevelContours::Contour& contour : follower->Follow(level->Value))
+    {
+      for (vtkContourArc& arc :
+        vtkContourArc::Measure(std::move(contour), *surface, part, isJoined, this->StartPoints))
+      {
+        work.Contours.push_back({ arc.GetLength(), arc.IsClosed });
+        curves.push_back(std::move(arc.Curve));
+      }
+    }
+    level->Places = std::make_unique<vtkContourPlaces>(std::move(curves), isJoined);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+int vtkStreamSurfaceParameters::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  if (input->GetNumberOfCells() == 0)
+  {
+    return 1;
+  }
+  vtkStreamSurfaceWork work;
+  std::string wrong = this->Mapping ? work.Read(input) : "There is no mapping.";
+  wrong = wrong.empty() ? this->FindContours(work) : wrong;
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return 1;
+  }
+  const auto findPlaces = [&](vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType p = first; p < last; ++p)
+    {
+      work.FindPlace(p);
+    }
+  };
+  if (!vtkFlowBatches::Run(input->GetNumberOfPoints(), this, ContoursEnd, PlacesEnd, findPlaces))
+  {
+    return 1;
+  }
+  vtkNew<vtkCellArray> cells;
+  const vtkStreamSurfaceWork::Points made = work.MakeTriangles(cells);
+  FillPoints(input, made, output);
+  output->SetPolys(cells);
+  output->GetCellData()->ShallowCopy(input->GetCellData());
+  this->FillTexture(made.Lengths, made.Sources,
+    input->GetPointData()->GetArray(vtkFlowStatus::TimeArray()), output);
+  AddPointNumbers(made, output->GetPointData());
+  output->GetFieldData()->PassData(input->GetFieldData());
+  AddContours(work.Contours, output->GetFieldData());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamSurfaceParameters::FillTexture(const std::vector<double>& lengths,
+  const std::vector<vtkIdType>& sources, vtkDataArray* times, vtkPolyData* output) const
+{
+  vtkNew<vtkDoubleArray> texture;
+  texture->SetName("StreamTexture");
+  texture->SetNumberOfComponents(2);
+  texture->SetNumberOfTuples(static_cast<vtkIdType>(lengths.size()));
+  for (std::size_t p = 0; p < lengths.size(); ++p)
+  {
+    texture->SetTuple2(static_cast<vtkIdType>(p), this->LengthScale * lengths[p],
+      this->TimeScale * times->GetComponent(sources[p], 0));
+  }
+  output->GetPointData()->SetTCoords(texture);
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamSurfaceParameters::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mapping: " << (this->Mapping ? "set" : "none") << "\n";
+  os << indent << "TerminationSurfaces: " << this->Surfaces.size() << "\n";
+  os << indent << "StartPoints: " << this->StartPoints.size() << "\n";
+  os << indent << "LengthScale: " << this->LengthScale << "\n";
+  os << indent << "TimeScale: " << this->TimeScale << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+}

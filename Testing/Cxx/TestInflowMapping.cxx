@@ -1,0 +1,368 @@
+// A scalar on termination surfaces at every sample: formulas, rings and images against their
+// definitions, NaN where there is none, what is periodic, wrong settings, and threads.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowAnswers.h"
+#include "ReferenceLattice.h"
+#include "ReferenceMessages.h"
+#include "ReferenceProgress.h"
+#include "ReferenceThreads.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInflowMapping.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+
+const double TwoPi = 2.0 * vtkMath::Pi();
+
+// Samples of the plane with ids by their height: 0 and 1 reach, below 0 none does.
+vtkSmartPointer<vtkImageData> MakeSamples()
+{
+  auto image = MakeFlowImage({ { 13, 9, 5 } }, { { -0.2, 1.2, -0.1, 1.3, -1.0, 2.0 } });
+  AddFlow(image,
+    [](const double* x) -> FlowAnswer {
+      return { x[2] < 0.0 ? 3 : 0, x[2] < 1.0 ? 0 : 7, x[0], x[1], 1.0 };
+    },
+    { { { 0, 1, 0 } }, { { 7, 0, 0 } } });
+  return image;
+}
+
+// Calls check with the id, u and v of each sample that reached, and its Inflow; NaN elsewhere.
+template <typename Function>
+void CheckValues(
+  vtkInflowMapping* mapping, const std::string& name, Check& check, const Function& expected)
+{
+  check.SetContext(name);
+  auto samples = MakeSamples();
+  mapping->SetInputData(samples);
+  mapping->Update();
+  vtkPointData* data = mapping->GetOutput()->GetPointData();
+  vtkDataArray* inflow = data->GetArray("Inflow");
+  if (!check.That(
+        inflow != nullptr && inflow->GetNumberOfTuples() == 13 * 9 * 5, "there is Inflow"))
+  {
+    return;
+  }
+  for (vtkIdType p = 0; p < inflow->GetNumberOfTuples(); ++p)
+  {
+    const double* uv = data->GetArray("TerminationUV")->GetTuple2(p);
+    const int id = static_cast<int>(data->GetArray("TerminationId")->GetComponent(p, 0));
+    const double u = uv[0];
+    const double v = uv[1];
+    const double value = id < 0 ? std::numeric_limits<double>::quiet_NaN() : expected(id, u, v);
+    const double found = inflow->GetComponent(p, 0);
+    if (std::isnan(value))
+    {
+      check.That(std::isnan(found), "NaN where there is no value");
+    }
+    else
+    {
+      check.Near(found, value, 1e-13, "Inflow", 1.0);
+      check.Near(mapping->Evaluate(id, u, v, id == 0, false), value, 1e-13, "Evaluate", 1.0);
+    }
+  }
+}
+
+double Around(double u)
+{
+  return u >= 0.0 && u <= 1.0 ? u : u - std::floor(u);
+}
+
+void CheckFormulas(Check& check)
+{
+  vtkNew<vtkInflowMapping> mapping;
+  CheckValues(
+    mapping, "default", check, [](int id, double u, double) { return id ? u : Around(u); });
+  mapping->SetFormula(vtkInflowMapping::ALL, "u + 2*v + 10*f");
+  CheckValues(mapping, "all", check,
+    [](int id, double u, double v) { return (id ? u : Around(u)) + 2.0 * v + 10.0 * id; });
+  mapping->SetFormula(7, "ln(v)");
+  CheckValues(mapping, "one of its own", check,
+    [](int id, double u, double v) {
+      return id == 0 ? Around(u) + 2.0 * v : v > 0 ? std::log(v) : std::nan("");
+    });
+  mapping->RemoveMapping(vtkInflowMapping::ALL);
+  CheckValues(mapping, "only one", check,
+    [](int id, double, double v) { return id == 0 || v <= 0 ? std::nan("") : std::log(v); });
+  mapping->RemoveAllMappings();
+  CheckValues(mapping, "none", check, [](int, double, double) { return std::nan(""); });
+  check.That(std::isnan(mapping->Evaluate(0, 0.5, 0.5)), "NaN without a mapping");
+}
+
+void CheckRings(Check& check)
+{
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->AddRing(vtkInflowMapping::ALL, 0.9, 0.4, 0.25, 0.1, 2.0);
+  mapping->AddRing(vtkInflowMapping::ALL, 0.1, 0.6, 0.0, 0.3);
+  check.Equal(mapping->GetNumberOfRings(vtkInflowMapping::ALL), 2, "rings");
+  CheckValues(mapping, "rings", check,
+    [](int id, double u, double v)
+    {
+      double sum = 0.0;
+      const double rings[2][5] = { { 0.9, 0.4, 0.25, 0.1, 2.0 }, { 0.1, 0.6, 0.0, 0.3, 1.0 } };
+      for (const auto& ring : rings)
+      {
+        double du = std::abs(u - ring[0]);
+        for (int turn = -2; turn <= 2 && id == 0; ++turn)
+        {
+          du = std::min(du, std::abs(u - ring[0] + turn));
+        }
+        const double r = std::sqrt(du * du + (v - ring[1]) * (v - ring[1]));
+        sum += ring[4] * std::exp(-std::pow((r - ring[2]) / ring[3], 2));
+      }
+      return sum;
+    });
+}
+
+vtkSmartPointer<vtkImageData> MakePicture(const std::array<int, 3>& size, int components)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size[0], size[1], size[2]);
+  image->AllocateScalars(components == 1 ? VTK_DOUBLE : VTK_UNSIGNED_CHAR, components);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      values->SetComponent(i, c, static_cast<double>((37 * i + 101 * c) % 251));
+    }
+  }
+  return image;
+}
+
+// Bilinear interpolation by four weights.
+double Bilinear(vtkImageData* image, int nu, int nv, double u, double v)
+{
+  const double x = std::max(0.0, std::min(u, 1.0)) * (nu - 1);
+  const double y = std::max(0.0, std::min(v, 1.0)) * (nv - 1);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  double sum = 0.0;
+  for (int j = 0; j < nv; ++j)
+  {
+    for (int i = 0; i < nu; ++i)
+    {
+      const double weight =
+        std::max(0.0, 1.0 - std::abs(x - i)) * std::max(0.0, 1.0 - std::abs(y - j));
+      const vtkIdType p = static_cast<vtkIdType>(j) * nu + i;
+      const double value = values->GetNumberOfComponents() == 1
+        ? values->GetComponent(p, 0)
+        : 0.30 * values->GetComponent(p, 0) + 0.59 * values->GetComponent(p, 1) +
+          0.11 * values->GetComponent(p, 2);
+      sum += weight * value;
+    }
+  }
+  return sum;
+}
+
+void CheckImages(Check& check)
+{
+  struct
+  {
+    std::array<int, 3> Size;
+    int NumberOfU;
+    int NumberOfV;
+  } const cases[] = { { { { 6, 4, 1 } }, 6, 4 }, { { { 5, 1, 3 } }, 5, 3 },
+    { { { 1, 4, 5 } }, 4, 5 }, { { { 1, 4, 1 } }, 1, 4 }, { { { 4, 1, 1 } }, 4, 1 },
+    { { { 1, 1, 1 } }, 1, 1 } };
+  for (const auto& one : cases)
+  {
+    for (int components : { 1, 3, 4 })
+    {
+      auto image = MakePicture(one.Size, components);
+      vtkNew<vtkInflowMapping> mapping;
+      mapping->SetImage(vtkInflowMapping::ALL, image);
+      CheckValues(mapping, "image " + std::to_string(components), check,
+        [&](int id, double u, double v)
+        { return Bilinear(image, one.NumberOfU, one.NumberOfV, id ? u : Around(u), v); });
+    }
+  }
+  check.SetContext("a changed image");
+  auto image = MakePicture({ { 2, 1, 1 } }, 1);
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetImage(3, image);
+  check.That(mapping->GetImage(3) == image, "GetImage");
+  check.Near(mapping->Evaluate(3, 1.0, 0.0), 37.0, 1e-15, "before");
+  image->GetPointData()->GetScalars()->SetComponent(1, 0, 5.0);
+  image->GetPointData()->GetScalars()->Modified();
+  check.Near(mapping->Evaluate(3, 1.0, 0.0), 5.0, 1e-15, "after");
+}
+
+// What InflowPeriodic tells of id 0, whose u and v are periodic by \a isPeriodic.
+std::array<int, 2> GetPeriodic(vtkInflowMapping* mapping, std::array<int, 2> isPeriodic)
+{
+  auto image = MakeFlowImage({ { 2, 2, 2 } }, { { 0, 1, 0, 1, 0, 1 } });
+  AddFlow(image, UniformFlow(1.0), { { { 5, 0, 0 } }, { { 0, isPeriodic[0], isPeriodic[1] } } });
+  mapping->SetInputData(image);
+  mapping->Update();
+  vtkDataArray* array = mapping->GetOutput()->GetFieldData()->GetArray("InflowPeriodic");
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    if (array->GetComponent(i, 0) == 0.0)
+    {
+      return { { static_cast<int>(array->GetComponent(i, 1)),
+        static_cast<int>(array->GetComponent(i, 2)) } };
+    }
+  }
+  return { { -1, -1 } };
+}
+
+void CheckPeriodic(Check& check)
+{
+  vtkNew<vtkInflowMapping> mapping;
+  const std::array<int, 2> both{ { 1, 1 } };
+  const auto expect = [&](const char* formula, std::array<int, 2> isPeriodic, int u, int v)
+  {
+    check.SetContext(formula);
+    mapping->SetFormula(vtkInflowMapping::ALL, formula);
+    const auto found = GetPeriodic(mapping, isPeriodic);
+    check.Equal(found[0], u, "over the seam of u");
+    check.Equal(found[1], v, "over the seam of v");
+  };
+  expect("u", both, 0, 1);
+  expect("v", both, 1, 0);
+  expect("v", { { 0, 1 } }, 0, 0);
+  expect("v", { { 1, 0 } }, 1, 0);
+  expect("sin(6.283185307179586*u)*v", both, 1, 0);
+  expect("sin(6.283185307179586*u)+1e-7*u", both, 1, 1);
+  expect("sin(6.283185307179586*u)+1e-5*u", both, 0, 1);
+  expect("3", both, 1, 1);
+  expect("1/u", both, 0, 1);
+  check.SetContext("rings");
+  mapping->AddRing(vtkInflowMapping::ALL, 0.9, 0.5, 0.2, 0.1);
+  check.That(GetPeriodic(mapping, both) == both, "rings go around");
+  mapping->SetImage(vtkInflowMapping::ALL, MakePicture({ { 3, 3, 1 } }, 1));
+  check.That(GetPeriodic(mapping, both) == std::array<int, 2>{ { 0, 0 } }, "an image");
+}
+
+void CheckErrors(Check& check)
+{
+  check.SetContext("errors");
+  const auto expect = [&](vtkInflowMapping* mapping, const std::string& part)
+  {
+    const std::string message = MessagesOf(mapping);
+    check.That(message.find(part) != std::string::npos, "tells of " + part + ", not " + message);
+    check.That(mapping->GetOutput()->GetNumberOfPoints() == 0, "the output is empty");
+  };
+  for (const char* name : { "FlowStatus", "TerminationId", "TerminationUV" })
+  {
+    auto samples = MakeSamples();
+    samples->GetPointData()->RemoveArray(name);
+    vtkNew<vtkInflowMapping> mapping;
+    mapping->SetInputData(samples);
+    expect(mapping, name);
+  }
+  vtkNew<vtkInflowMapping> mapping;
+  auto samples = MakeSamples();
+  samples->GetFieldData()->RemoveArray("TerminationSurfaces");
+  mapping->SetInputData(samples);
+  expect(mapping, "TerminationSurfaces");
+  samples = MakeSamples();
+  samples->GetPointData()->GetArray("TerminationId")->SetNumberOfTuples(3);
+  mapping->SetInputData(samples);
+  expect(mapping, "3 tuples");
+  mapping->SetInputData(MakeSamples());
+  mapping->SetFormula(4, "u + w");
+  expect(mapping, "'w'");
+  check.That(std::isnan(mapping->Evaluate(0, 0.5, 0.5)), "NaN with a wrong formula");
+  mapping->SetFormula(4, "u*iHat");
+  expect(mapping, "vector");
+  mapping->SetFormula(4, "");
+  expect(mapping, "empty");
+  mapping->SetImage(4, MakePicture({ { 2, 3, 4 } }, 1));
+  expect(mapping, "2 x 3 x 4");
+  vtkNew<vtkImageData> empty;
+  mapping->SetImage(4, empty);
+  expect(mapping, "no points");
+  empty->SetDimensions(2, 2, 1);
+  expect(mapping, "no active scalars");
+  mapping->RemoveMapping(4);
+  check.That(MessagesOf(mapping).empty(), "nothing wrong is left");
+
+  vtkNew<vtkTest::ErrorObserver> observer;
+  mapping->AddObserver(vtkCommand::ErrorEvent, observer);
+  const vtkMTimeType before = mapping->GetMTime();
+  mapping->AddRing(0, 0.5, 0.5, 0.1, 0.0);
+  check.That(observer->GetErrorMessage().find("width 0") != std::string::npos, "a width of 0");
+  observer->Clear();
+  mapping->AddRing(0, 0.5, std::nan(""), 0.1, 1.0);
+  check.That(observer->GetError(), "a ring that is not finite");
+  observer->Clear();
+  mapping->SetFormula(-2, "u");
+  check.That(observer->GetErrorMessage().find("-2") != std::string::npos, "an id below ALL");
+  check.Equal(mapping->GetKind(0), vtkInflowMapping::NONE, "nothing was set");
+  mapping->SetFormula(vtkInflowMapping::ALL, "u");
+  check.Equal(static_cast<long long>(mapping->GetMTime() - before), 0, "nothing has changed");
+  check.That(mapping->GetFormula(vtkInflowMapping::ALL) == std::string("u"), "GetFormula");
+  mapping->AddRing(2, 0.5, 0.5, 0.1, 1.0);
+  mapping->SetFormula(3, "v");
+  CheckPrinted(Print(mapping), { "all: formula u", "2: rings 1", "3: formula v" }, check);
+  mapping->SetFormula(3, nullptr);
+  check.Equal(mapping->GetKind(3), vtkInflowMapping::NONE, "null removes");
+}
+
+void CheckRuns(Check& check)
+{
+  const auto run = []()
+  {
+    std::vector<vtkSmartPointer<vtkUnstructuredGrid>> outputs;
+    for (const LatticeForm& form : FormsOf(MakeSamples()))
+    {
+      if (!form.Data->IsA("vtkUnstructuredGrid"))
+      {
+        continue;
+      }
+      AddFlow(form.Data, CylinderFlow(0.3), { { { 0, 1, 0 } } });
+      vtkNew<vtkInflowMapping> mapping;
+      mapping->SetFormula(vtkInflowMapping::ALL, "sin(20*u)*v");
+      mapping->SetInputData(form.Data);
+      mapping->Update();
+      outputs.emplace_back(vtkUnstructuredGrid::SafeDownCast(mapping->GetOutput()));
+    }
+    return outputs;
+  };
+  CheckThreads("mapping", run, check);
+  check.SetContext("progress");
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetInputData(MakeSamples());
+  ProgressWatch watch;
+  Observe(mapping, watch);
+  mapping->Update();
+  CheckGrowth(watch, 3, check);
+  watch = ProgressWatch();
+  watch.AbortAt = 0.3;
+  mapping->Modified();
+  mapping->Update();
+  check.That(mapping->GetOutput()->GetPointData()->GetArray("Inflow") == nullptr, "aborted");
+}
+
+}
+
+int TestInflowMapping(int, char*[])
+{
+  Check check;
+  CheckFormulas(check);
+  CheckRings(check);
+  CheckImages(check);
+  CheckPeriodic(check);
+  CheckErrors(check);
+  CheckRuns(check);
+  check.SetContext("seam");
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetFormula(0, "cos(6.283185307179586*u)");
+  check.Near(mapping->Evaluate(0, 1.25, 0.0, true), std::cos(TwoPi * 0.25), 1e-12, "around", 1.0);
+  return check.Result();
+}

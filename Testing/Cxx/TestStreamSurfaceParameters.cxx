@@ -1,0 +1,478 @@
+// Texture coordinates of stream surfaces: lengths along inflow contours against formulas, closed,
+// open and several of them, over seams; triangles never run back; start points, scales and errors.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowAnswers.h"
+#include "ReferenceMessages.h"
+#include "ReferenceProgress.h"
+#include "ReferenceContourSurfaces.h"
+#include "ReferenceThreads.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkFlowVolume.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkInflowMapping.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamSurfaceParameters.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+namespace
+{
+
+using namespace reference;
+
+const double Pi = vtkMath::Pi();
+
+// A stream surface of a formula, with texture coordinates.
+struct Pipeline
+{
+  vtkNew<vtkInflowMapping> Mapping;
+  vtkNew<vtkFlowVolume> Volume;
+  vtkNew<vtkStreamSurfaceParameters> Parameters;
+
+  Pipeline(vtkDataSet* data, const char* formula, const std::vector<double>& values)
+  {
+    this->Mapping->SetInputData(data);
+    this->Mapping->SetFormula(vtkInflowMapping::ALL, formula);
+    this->Volume->SetInputConnection(this->Mapping->GetOutputPort());
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      this->Volume->SetStreamSurface(static_cast<int>(i), values[i]);
+    }
+    this->Volume->GenerateStreamSurfacesOn();
+    this->Parameters->SetInputConnection(this->Volume->GetOutputPort(1));
+    this->Parameters->SetMapping(this->Mapping);
+  }
+
+  vtkPolyData* Update()
+  {
+    this->Parameters->Update();
+    return this->Parameters->GetOutput();
+  }
+
+  double GetLength(int contour)
+  {
+    vtkDataArray* lengths = this->Update()->GetFieldData()->GetArray("ContourLength");
+    return lengths && contour < lengths->GetNumberOfTuples() ? lengths->GetComponent(contour, 0)
+                                                             : -1.0;
+  }
+  int GetNumberOfContours()
+  {
+    vtkDataArray* lengths = this->Update()->GetFieldData()->GetArray("ContourLength");
+    return lengths ? static_cast<int>(lengths->GetNumberOfTuples()) : -1;
+  }
+  int GetNumberOfClosedContours()
+  {
+    vtkDataArray* closed = this->Update()->GetFieldData()->GetArray("ContourClosed");
+    int number = 0;
+    for (vtkIdType i = 0; closed && i < closed->GetNumberOfTuples(); ++i)
+    {
+      number += closed->GetComponent(i, 0) != 0.0;
+    }
+    return number;
+  }
+};
+
+vtkSmartPointer<vtkImageData> MakePlaneFlow(int points = 24)
+{
+  auto image = MakeFlowImage({ { 5, points, points } }, { { 0, 1, 0, 1, 0, 1 } });
+  AddFlow(image, UniformFlow(0.5), { { { 0, 0, 0 } } });
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> MakeCylinderFlow(int points = 30)
+{
+  auto image = MakeFlowImage({ { points, points, 12 } }, { { -1, 1, -1, 1, 0, 1 } });
+  AddFlow(image, CylinderFlow(0.4), { { { 0, 1, 0 } } });
+  return image;
+}
+
+// Calls visit with s, t, the contour and the position of the corners of each triangle.
+struct Corner
+{
+  double S;
+  double T;
+  int Contour;
+  vtkIdType Source;
+  double X[3];
+};
+
+void ForEachTriangle(vtkPolyData* output, const std::function<void(const Corner*)>& visit)
+{
+  vtkPointData* data = output->GetPointData();
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    output->GetCellPoints(cell, ids);
+    Corner corners[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      const vtkIdType p = ids->GetId(c);
+      corners[c].S = data->GetTCoords()->GetComponent(p, 0);
+      corners[c].T = data->GetTCoords()->GetComponent(p, 1);
+      corners[c].Contour = static_cast<int>(data->GetArray("ContourId")->GetComponent(p, 0));
+      corners[c].Source =
+        static_cast<vtkIdType>(data->GetArray("vtkOriginalPointIds")->GetComponent(p, 0));
+      output->GetPoint(p, corners[c].X);
+    }
+    visit(corners);
+  }
+}
+
+// No triangle is long in s; its corners are of one contour; t is the time, and the points and
+// arrays of the input are where they were.
+void CheckTriangles(Pipeline& pipeline, double longest, Check& check)
+{
+  vtkPolyData* output = pipeline.Update();
+  vtkUnstructuredGrid* input = pipeline.Volume->GetOutput(1);
+  check.Equal(output->GetNumberOfCells(), input->GetNumberOfCells(), "triangles of the input");
+  check.That(output->GetNumberOfCells() > 0, "there are triangles");
+  check.That(output->GetPointData()->GetTCoords() &&
+      output->GetPointData()->GetTCoords()->GetName() == std::string("StreamTexture"),
+    "StreamTexture is active");
+  ForEachTriangle(output,
+    [&](const Corner* corners)
+    {
+      const auto ends = std::minmax({ corners[0].S, corners[1].S, corners[2].S });
+      check.That(ends.second - ends.first <= longest,
+        "a triangle is " + std::to_string(ends.second - ends.first) + " long");
+      check.That(corners[0].Contour >= 0 && corners[0].Contour == corners[1].Contour &&
+          corners[0].Contour == corners[2].Contour,
+        "a triangle has one contour");
+      for (int c = 0; c < 3; ++c)
+      {
+        double x[3];
+        input->GetPoint(corners[c].Source, x);
+        check.That(std::equal(x, x + 3, corners[c].X), "points are where they were");
+        check.Near(corners[c].T,
+          input->GetPointData()->GetArray("AdvectionTime")->GetComponent(corners[c].Source, 0), 0.0,
+          "t", 1.0);
+      }
+    });
+  for (vtkIdType p = 0; p < input->GetNumberOfPoints(); ++p)
+  {
+    check.That(output->GetPointData()->GetArray("vtkOriginalPointIds")->GetComponent(p, 0) == p,
+      "points keep their ids");
+  }
+  for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+  {
+    const double s = output->GetPointData()->GetTCoords()->GetComponent(p, 0);
+    check.That(s >= 0.0, "s is not below 0");
+  }
+}
+
+// s of a circle against the angle: the differences of s over r and the angle are one constant.
+void CheckCircle(Pipeline& pipeline, double radius,
+  const std::function<double(const double*)>& angle, double sign, double tolerance, Check& check)
+{
+  bool isFirst = true;
+  double offset = 0.0;
+  ForEachTriangle(pipeline.Update(),
+    [&](const Corner* corners)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const double difference = sign * corners[c].S / radius - angle(corners[c].X);
+        offset = isFirst ? difference : offset;
+        isFirst = false;
+        const double turns = (difference - offset) / (2.0 * Pi);
+        check.Near(2.0 * Pi * (turns - std::round(turns)), 0.0, tolerance, "s along a circle", 1.0);
+      }
+    });
+}
+
+// Half the length of an ellipse by Simpson's rule.
+double GetEllipseLength(double a, double b)
+{
+  constexpr int steps = 2000;
+  double sum = 0.0;
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double t = 2.0 * Pi * i / steps;
+    const double speed = std::hypot(a * std::sin(t), b * std::cos(t));
+    sum += speed * (i == 0 || i == steps ? 1 : i % 2 ? 4 : 2);
+  }
+  return sum * 2.0 * Pi / steps / 3.0;
+}
+
+void CheckPlane(Check& check)
+{
+  vtkNew<Plane> plane;
+  plane->SetId(0);
+  // A rectangle twice as long as wide: the circle of parameters is an ellipse.
+  vtkNew<Plane> longPlane;
+  longPlane->SetSize(2.0, 1.0);
+  check.SetContext("circle");
+  Pipeline circle(MakePlaneFlow(), "(u-0.5)^2+(v-0.5)^2", { 0.09 });
+  circle.Parameters->AddTerminationSurface(plane);
+  check.Equal(circle.GetNumberOfContours(), 1, "contours");
+  check.Equal(circle.GetNumberOfClosedContours(), 1, "closed ones");
+  check.Near(circle.GetLength(0), 2.0 * Pi * 0.3, 1e-4, "length");
+  CheckTriangles(circle, 0.15, check);
+  // Higher values are outside: on the left, when it turns clockwise.
+  const auto angle = [](const double* x) { return std::atan2(x[2] - 0.5, x[1] - 0.5); };
+  CheckCircle(circle, 0.3, angle, -1.0, 2e-3, check);
+  check.That(
+    circle.Update()->GetNumberOfPoints() > circle.Volume->GetOutput(1)->GetNumberOfPoints(),
+    "points at the start are copied");
+  circle.Parameters->SetResolution(512);
+  check.Near(circle.GetLength(0), 2.0 * Pi * 0.3, 1e-5, "length, finer");
+  circle.Parameters->SetResolution(256);
+
+  check.SetContext("start point");
+  circle.Parameters->AddStartPoint(0.0, 0.5, 3.0);
+  CheckTriangles(circle, 0.15, check);
+  ForEachTriangle(circle.Update(),
+    [&](const Corner* corners)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        // Clockwise from the top; copies are a turn on.
+        double turns = 0.25 - angle(corners[c].X) / (2.0 * Pi);
+        turns -= std::floor(turns);
+        const double found = corners[c].S / circle.GetLength(0);
+        check.Near(found - turns, std::round(found - turns), 5e-4, "s from the start", 1.0);
+        check.That(found < 1.1, "at most a triangle beyond the end");
+      }
+    });
+
+  check.SetContext("scales");
+  const double length = circle.GetLength(0);
+  circle.Parameters->SetLengthScale(2.0 / length);
+  circle.Parameters->SetTimeScale(3.0);
+  const double most = circle.Update()->GetPointData()->GetTCoords()->GetRange(0)[1];
+  check.That(most > 2.0 && most < 2.2, "two textures around");
+  check.Near(circle.Update()->GetPointData()->GetTCoords()->GetRange(1)[1], 6.0, 1e-6, "t");
+  check.Near(circle.GetLength(0), length, 1e-15, "lengths are not scaled");
+
+  check.SetContext("ellipse");
+  Pipeline ellipse(MakePlaneFlow(), "(u-0.5)^2+(v-0.5)^2", { 0.09 });
+  ellipse.Parameters->AddTerminationSurface(longPlane, 0);
+  check.Near(ellipse.GetLength(0), GetEllipseLength(0.6, 0.3), 1e-4, "length");
+  CheckTriangles(ellipse, 0.3, check);
+
+  check.SetContext("open lines");
+  Pipeline lines(MakePlaneFlow(), "u+0.5*v", { 0.3, 0.8, 1.2 });
+  lines.Parameters->AddTerminationSurface(plane);
+  check.Equal(lines.GetNumberOfContours(), 3, "contours");
+  check.Equal(lines.GetNumberOfClosedContours(), 0, "none is closed");
+  check.Near(lines.GetLength(0), 0.3 * std::sqrt(5.0), 1e-9, "corner to corner");
+  check.Near(lines.GetLength(1), std::sqrt(1.25), 1e-9, "side to side");
+  check.Near(lines.GetLength(2), 0.3 * std::sqrt(5.0), 1e-9, "the other corner");
+  CheckTriangles(lines, 0.15, check);
+  for (double end : { 0.0, 1.0 })
+  {
+    lines.Parameters->RemoveAllStartPoints();
+    lines.Parameters->AddStartPoint(0.0, 0.5, end);
+    ForEachTriangle(lines.Update(),
+      [&](const Corner* corners)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          const double v = corners[c].X[2];
+          // The last line does not come to 0, the first not to 1.
+          const double first = corners[c].Contour == 0 ? 0.6 : 1.0;
+          const double last = corners[c].Contour == 2 ? 0.4 : 0.0;
+          check.Near(corners[c].S, std::sqrt(1.25) * (end == 0.0 ? v - last : first - v), 1e-6,
+            "s of a straight line", 1.0);
+        }
+      });
+  }
+  check.SetContext("open curve");
+  Pipeline parabola(MakePlaneFlow(), "v-u^2", { 0.0 });
+  parabola.Parameters->AddTerminationSurface(plane);
+  check.Near(
+    parabola.GetLength(0), 0.5 * std::sqrt(5.0) + 0.25 * std::asinh(2.0), 1e-4, "parabola");
+
+  check.SetContext("several of one value");
+  Pipeline several(MakePlaneFlow(40), "min((u-0.27)^2+(v-0.27)^2,(u-0.72)^2+(v-0.7)^2)", { 0.04 });
+  several.Parameters->AddTerminationSurface(plane);
+  check.Equal(several.GetNumberOfClosedContours(), 2, "two circles");
+  check.Near(several.GetLength(0), 2.0 * Pi * 0.2, 1e-4, "one");
+  check.Near(several.GetLength(1), 2.0 * Pi * 0.2, 1e-4, "the other");
+  CheckTriangles(several, 0.15, check);
+  std::set<int> met;
+  ForEachTriangle(several.Update(),
+    [&](const Corner* corners)
+    {
+      met.insert(corners[0].Contour);
+      const bool isFirst = corners[0].X[1] + corners[0].X[2] < 0.985;
+      check.That((corners[0].Contour == 0) == isFirst, "the circle that a triangle is on");
+    });
+  check.Equal(static_cast<long long>(met.size()), 2, "both are met");
+
+  check.SetContext("saddle");
+  Pipeline saddle(MakePlaneFlow(), "(u-0.5)*(v-0.5)", { 0.0004 });
+  saddle.Parameters->SetResolution(17);
+  saddle.Parameters->AddTerminationSurface(plane);
+  check.Equal(saddle.GetNumberOfContours(), 2, "two branches");
+  check.Near(saddle.GetLength(0), saddle.GetLength(1), 1e-6, "as long");
+}
+
+void CheckCylinder(Check& check)
+{
+  vtkNew<Cylinder> cylinder;
+  cylinder->SetRadius(0.4);
+  check.SetContext("around a cylinder");
+  Pipeline around(MakeCylinderFlow(), "v", { 0.37 });
+  around.Parameters->AddTerminationSurface(cylinder, 0);
+  check.Equal(around.GetNumberOfContours(), 1, "contours");
+  check.Equal(around.GetNumberOfClosedContours(), 1, "it is closed");
+  check.Near(around.GetLength(0), 2.0 * Pi * 0.4, 1e-4, "length");
+  CheckTriangles(around, 0.2, check);
+  const auto angle = [](const double* x) { return std::atan2(x[1], x[0]); };
+  CheckCircle(around, 0.4, angle, 1.0, 0.02, check);
+
+  check.SetContext("across the seam");
+  Pipeline across(
+    MakeCylinderFlow(40), "4*(1-cos(6.283185307179586*u))/39.4784176+(v-0.5)^2*0.7", { 0.01 });
+  across.Parameters->AddTerminationSurface(cylinder, 0);
+  check.Equal(across.GetNumberOfClosedContours(), 1, "one closed contour");
+  check.Equal(across.GetNumberOfContours(), 1, "and no other");
+  CheckTriangles(across, 0.3, check);
+  // The same, turned away from the seam.
+  Pipeline away(MakeCylinderFlow(40),
+    "4*(1-cos(6.283185307179586*(u-0.5)))/39.4784176+(v-0.5)^2*0.7", { 0.01 });
+  away.Parameters->AddTerminationSurface(cylinder, 0);
+  check.Near(across.GetLength(0), away.GetLength(0), 1e-6, "as long as elsewhere");
+
+  check.SetContext("a spiral");
+  Pipeline spiral(MakeCylinderFlow(), "u", { 0.25 });
+  spiral.Parameters->AddTerminationSurface(cylinder, 0);
+  check.Equal(spiral.GetNumberOfContours(), 1, "a line");
+  check.Near(spiral.GetLength(0), 1.0, 1e-9, "as high as the cylinder");
+  CheckTriangles(spiral, 0.2, check);
+
+  check.SetContext("gaps");
+  cylinder->SetGap(0.25, 0.5);
+  Pipeline gap(MakeCylinderFlow(), "v", { 0.37 });
+  gap.Parameters->AddTerminationSurface(cylinder, 0);
+  check.Equal(gap.GetNumberOfContours(), 1, "one arc is left");
+  check.Equal(gap.GetNumberOfClosedContours(), 0, "it is open");
+  check.Near(gap.GetLength(0), 1.5 * Pi * 0.4, 0.01, "length of the rest");
+}
+
+void CheckParts(Check& check)
+{
+  check.SetContext("several surfaces");
+  auto image = MakeFlowImage({ { 20, 20, 20 } }, { { -1, 1, 0, 1, 0, 1 } });
+  AddFlow(image,
+    [](const double* x) -> FlowAnswer {
+      return { 0, x[0] < 0.0 ? 4 : 9, x[1], x[2], std::abs(x[0]) };
+    },
+    { { { 4, 0, 0 } }, { { 9, 0, 0 } } });
+  vtkNew<Plane> plane;
+  vtkNew<Plane> large;
+  large->SetSize(3.0, 3.0);
+  Pipeline pipeline(image, "(u-0.5)^2+(v-0.5)^2", { 0.04, 0.09 });
+  pipeline.Parameters->AddTerminationSurface(large, 4);
+  pipeline.Parameters->AddTerminationSurface(plane, 9);
+  check.Equal(pipeline.GetNumberOfContours(), 4, "contours");
+  const double expected[4] = { 0.6, 0.9, 0.2, 0.3 };
+  for (int i = 0; i < 4; ++i)
+  {
+    check.Near(pipeline.GetLength(i), 2.0 * Pi * expected[i], 1e-4, "length");
+  }
+  CheckTriangles(pipeline, 0.6, check);
+  ForEachTriangle(pipeline.Update(),
+    [&](const Corner* corners)
+    { check.That((corners[0].Contour < 2) == (corners[0].X[0] < 0.0), "contour of the surface"); });
+}
+
+void CheckErrors(Check& check)
+{
+  vtkNew<Plane> plane;
+  struct
+  {
+    const char* Part;
+    std::function<void(vtkStreamSurfaceParameters*, vtkUnstructuredGrid*)> Spoil;
+  } const cases[] = {
+    { "no mapping",
+      [](vtkStreamSurfaceParameters* f, vtkUnstructuredGrid*) { f->SetMapping(nullptr); } },
+    { "no termination surface with id 0",
+      [](vtkStreamSurfaceParameters* f, vtkUnstructuredGrid*)
+      { f->RemoveAllTerminationSurfaces(); } },
+    { "no size",
+      [&](vtkStreamSurfaceParameters*, vtkUnstructuredGrid*) { plane->SetSize(0.0, 0.0); } },
+    { "\"AdvectionTime\"",
+      [](vtkStreamSurfaceParameters*, vtkUnstructuredGrid* d)
+      { d->GetPointData()->RemoveArray("AdvectionTime"); } },
+    { "\"TerminationUV\"",
+      [](vtkStreamSurfaceParameters*, vtkUnstructuredGrid* d)
+      { d->GetPointData()->RemoveArray("TerminationUV"); } },
+    { "cell array \"Inflow\"",
+      [](vtkStreamSurfaceParameters*, vtkUnstructuredGrid* d)
+      { d->GetCellData()->RemoveArray("Inflow"); } },
+    { "4 points",
+      [](vtkStreamSurfaceParameters*, vtkUnstructuredGrid* d)
+      {
+        const vtkIdType ids[4] = { 0, 1, 2, 3 };
+        d->InsertNextCell(VTK_TETRA, 4, ids);
+        d->GetCellData()->GetArray("Inflow")->InsertNextTuple1(0.0);
+        d->GetCellData()->GetArray("StreamSurfaceId")->InsertNextTuple1(0);
+      } },
+  };
+  for (const auto& one : cases)
+  {
+    check.SetContext(one.Part);
+    plane->SetSize(1.0, 1.0);
+    Pipeline pipeline(MakePlaneFlow(8), "u", { 0.4 });
+    pipeline.Parameters->AddTerminationSurface(plane, 0);
+    pipeline.Volume->Update();
+    vtkNew<vtkUnstructuredGrid> input;
+    input->DeepCopy(pipeline.Volume->GetOutput(1));
+    one.Spoil(pipeline.Parameters, input);
+    pipeline.Parameters->SetInputData(input);
+    const std::string message = MessagesOf(pipeline.Parameters);
+    check.That(message.find(one.Part) != std::string::npos, "is told, not " + message);
+    check.Equal(pipeline.Parameters->GetOutput()->GetNumberOfCells(), 0, "no output");
+  }
+  check.SetContext("settings");
+  plane->SetSize(1.0, 1.0);
+  Pipeline pipeline(MakePlaneFlow(8), "u", { 0.4 });
+  pipeline.Parameters->AddTerminationSurface(nullptr);
+  check.Equal(pipeline.Parameters->GetNumberOfTerminationSurfaces(), 0, "null is no surface");
+  pipeline.Parameters->AddTerminationSurface(plane, 0);
+  check.That(pipeline.Parameters->GetTerminationSurface(0) == plane.Get(), "GetTerminationSurface");
+  check.That(pipeline.Parameters->GetTerminationSurface(1) == nullptr, "none");
+  check.Near(pipeline.GetLength(0), 1.0, 1e-9, "length");
+  plane->SetSize(1.0, 2.0);
+  check.Near(pipeline.GetLength(0), 2.0, 1e-9, "a changed surface counts");
+  CheckPrinted(Print(pipeline.Parameters), { "Mapping: set", "Resolution: 256" }, check);
+  ProgressWatch watch;
+  Observe(pipeline.Parameters, watch);
+  pipeline.Parameters->Modified();
+  pipeline.Update();
+  CheckGrowth(watch, 3, check);
+  // A contour smaller than a square is not found.
+  check.SetContext("no contour");
+  Pipeline small(MakePlaneFlow(41), "(u-0.525)^2+(v-0.525)^2", { 0.0002 });
+  small.Parameters->AddTerminationSurface(plane, 0);
+  small.Parameters->SetResolution(4);
+  check.Equal(small.GetNumberOfContours(), 0, "none");
+  ForEachTriangle(small.Update(),
+    [&](const Corner* corners) { check.Equal(corners[0].Contour, -1, "the id of none"); });
+}
+
+}
+
+int TestStreamSurfaceParameters(int, char*[])
+{
+  Check check;
+  CheckPlane(check);
+  CheckCylinder(check);
+  CheckParts(check);
+  CheckErrors(check);
+  return check.Result();
+}
