@@ -2,7 +2,7 @@
 # Documentation/architecture.md does not have, each as "file: line".
 #   - ParaView's headers only in Plugin/
 #   - a rendering module knows no module under Filters/; Scene <- Tetrahedra, Light, which do not know
-#     each other
+#     each other; FlowTexture knows none of them, and none knows it
 #   - Isotables knows no pipeline and no dataset; Isotables <- Intervals <- Flow; Sources and Meshing on VTK
 #     alone, and no filter module uses them
 
@@ -57,12 +57,18 @@ function (find_breaches root output)
   header_pattern(not_sources "${root}/Filters/Isotables" "${root}/Filters/Intervals" "${root}/Filters/Flow")
   header_pattern(tetrahedra "${root}/Rendering/Tetrahedra")
   header_pattern(light "${root}/Rendering/Light")
+  header_pattern(scene "${root}/Rendering/Scene")
+  header_pattern(flow_texture "${root}/Rendering/FlowTexture")
   forbid("${root}" Rendering "${filters}")
-  foreach (folder IN ITEMS Scene Light)
+  foreach (folder IN ITEMS Scene Light FlowTexture)
     forbid("${root}" Rendering/${folder} "${tetrahedra}")
   endforeach ()
-  foreach (folder IN ITEMS Scene Tetrahedra)
+  foreach (folder IN ITEMS Scene Tetrahedra FlowTexture)
     forbid("${root}" Rendering/${folder} "${light}")
+  endforeach ()
+  forbid("${root}" Rendering/FlowTexture "${scene}")
+  foreach (folder IN ITEMS Scene Tetrahedra Light)
+    forbid("${root}" Rendering/${folder} "${flow_texture}")
   endforeach ()
   forbid("${root}" Filters/Isotables "${intervals}")
   forbid("${root}" Filters/Isotables "${flow}")

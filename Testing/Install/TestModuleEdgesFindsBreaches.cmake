@@ -11,6 +11,7 @@ file(WRITE "${WORK_DIR}/Filters/Sources/vtkField.h" "#include \"vtkImageAlgorith
 file(WRITE "${WORK_DIR}/Rendering/Scene/vtkDepth.h" "#include \"vtkRenderer.h\"\n")
 file(WRITE "${WORK_DIR}/Rendering/Light/vtkSweep.h" "#include \"vtkDepth.h\"\n")
 file(WRITE "${WORK_DIR}/Rendering/Tetrahedra/vtkOrder.h" "#include \"vtkDepth.h\"\n")
+file(WRITE "${WORK_DIR}/Rendering/FlowTexture/vtkStripes.h" "#include \"vtkOpenGLTexture.h\"\n")
 file(WRITE "${WORK_DIR}/Plugin/vtkPanel.cxx" "#include \"vtkPVView.h\"\n")
 find_breaches("${WORK_DIR}" breaches)
 if (breaches)
@@ -28,6 +29,10 @@ set(expected
   "Filters/Intervals/vtkM.cxx: #include \"vtkField.h\""
   "Filters/Meshing/vtkL.cxx: #include \"vtkCut.h\""
   "Filters/Sources/vtkG.cxx: #include \"vtkTable.h\""
+  "Rendering/FlowTexture/vtkR.cxx: #include \"vtkDepth.h\""
+  "Rendering/FlowTexture/vtkS.cxx: #include \"vtkSweep.h\""
+  "Rendering/FlowTexture/vtkT.cxx: #include \"vtkOrder.h\""
+  "Rendering/Light/vtkU.cxx: #include \"vtkStripes.h\""
   "Rendering/Light/vtkH.cxx: #include <vtkCut.h>"
   "Rendering/Light/vtkN.cxx: #include \"vtkOrder.h\""
   "Rendering/Scene/vtkO.cxx: #include \"vtkOrder.h\""

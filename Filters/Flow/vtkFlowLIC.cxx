@@ -1,0 +1,222 @@
+#include "vtkFlowLIC.h"
+
+#include "vtkArcWalk.h"
+#include "vtkConvolutionKernel.h"
+#include "vtkFlowBatches.h"
+#include "vtkFlowDispatch.h"
+#include "vtkFlowVectors.h"
+#include "vtkLatticeNoise.h"
+
+#include "vtkDataSet.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+vtkStandardNewMacro(vtkFlowLIC);
+
+namespace
+{
+constexpr double MostSteps = 1e6;
+constexpr double RelativeMinimumSpeed = 1e-9;
+}
+
+//------------------------------------------------------------------------------
+vtkFlowLIC::vtkFlowLIC()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowLIC::SetFieldData(vtkDataSet* field)
+{
+  this->SetInputDataInternal(1, field);
+}
+
+//------------------------------------------------------------------------------
+int vtkFlowLIC::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFlowLIC::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  // Streamlines go through all of the field.
+  const int port = inputs[1]->GetNumberOfInformationObjects() > 0 ? 1 : 0;
+  vtkInformation* field = inputs[port]->GetInformationObject(0);
+  if (field->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    field->Set(Pipeline::UPDATE_EXTENT(), field->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  field->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  field->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  field->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFlowLIC::FindSteps(vtkDataSet* points)
+{
+  Report& report = this->LastReport;
+  report.NoiseScale = this->NoiseScale;
+  if (report.NoiseScale == 0.0)
+  {
+    const double diagonal = points->GetLength();
+    report.NoiseScale = diagonal > 0.0 ? diagonal / 128.0 : 1.0;
+  }
+  report.Length = this->Length > 0.0 ? this->Length : 10.0 * report.NoiseScale;
+  const double step = this->StepLength > 0.0 ? this->StepLength : 0.25 * report.NoiseScale;
+  // A whole number but for rounding stays one.
+  const double steps = std::max(1.0, std::ceil(report.Length / step * (1.0 - 1e-12)));
+  if (!(steps <= MostSteps))
+  {
+    return false;
+  }
+  report.Steps = static_cast<int>(steps);
+  report.StepLength = report.Length / steps;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkFlowLIC::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->LastReport = Report();
+  vtkDataSet* points = vtkDataSet::GetData(inputs[0]);
+  vtkDataSet* field =
+    inputs[1]->GetNumberOfInformationObjects() > 0 ? vtkDataSet::GetData(inputs[1]) : points;
+  vtkDataSet* output = vtkDataSet::GetData(outputs);
+  if (points->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* vectors = this->GetInputArrayToProcess(0, field, association);
+  std::string wrong =
+    vtkFlowVectors::CheckVectors(field, vectors, association, this->GetInputArrayInformation(0));
+  if (wrong.empty() && !this->FindSteps(points))
+  {
+    wrong = "Length " + std::to_string(this->LastReport.Length) +
+      " is more than 1,000,000 steps of StepLength.";
+  }
+  output->ShallowCopy(points);
+  vtkNew<vtkFloatArray> values;
+  if (wrong.empty())
+  {
+    values->SetName("LIC");
+    values->SetNumberOfValues(points->GetNumberOfPoints());
+    wrong = vtkFlowDispatch::Execute(field, vectors, {},
+      [&](const auto& walker) { this->Convolve(walker, points, values->GetPointer(0)); });
+  }
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+  }
+  if (!wrong.empty() || this->GetAbortExecute())
+  {
+    output->Initialize();
+    return 1;
+  }
+  output->GetPointData()->SetScalars(values);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+template <typename Walker>
+void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* values)
+{
+  Report& report = this->LastReport;
+  const double minimumSpeed = std::max(
+    RelativeMinimumSpeed * walker.GetField().GetMaximumSpeed(), std::numeric_limits<double>::min());
+  const vtkLatticeNoise noise(report.NoiseScale, this->Seed);
+  const vtkConvolutionKernel kernel(
+    this->Kernel == HANN, report.Steps, report.StepLength, report.NoiseScale);
+  const double contrast = this->Contrast;
+  vtkSMPThreadLocal<Report> counts;
+  double first[3];
+  // What the dataset makes at the first call is there for threads.
+  points->GetPoint(0, first);
+  vtkFlowBatches::Run(points->GetNumberOfPoints(), this, 0.0, 1.0,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkArcWalk<Walker> walk(walker, minimumSpeed);
+      Report& count = counts.Local();
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        double x[3];
+        points->GetPoint(id, x);
+        if (!walk.IsInside(x))
+        {
+          ++count.PointsOutside;
+          values[id] = 0.0f;
+          continue;
+        }
+        walk.Begin(x);
+        count.PointsAtRest += walk.CanGo() ? 0 : 1;
+        double sum = noise.Evaluate(x);
+        int reached[2] = { 0, 0 };
+        for (int side = 0; side < 2; ++side)
+        {
+          walk.Begin(x);
+          const double step = side == 0 ? -report.StepLength : report.StepLength;
+          int& j = reached[side];
+          while (j < report.Steps && walk.Go(step))
+          {
+            ++j;
+            sum += kernel.GetWeight(j) * noise.Evaluate(walk.GetPosition());
+          }
+        }
+        const bool isShort = std::min(reached[0], reached[1]) < report.Steps;
+        count.PointsWithShortLines += isShort && walk.CanGo() ? 1 : 0;
+        const double mean = sum / kernel.GetSum(reached[0], reached[1]);
+        const double stretched =
+          0.5 + contrast * (mean - 0.5) / kernel.GetDeviation(reached[0], reached[1]);
+        values[id] = static_cast<float>(std::clamp(stretched, 0.0, 1.0));
+      }
+    });
+  report.Points = points->GetNumberOfPoints();
+  for (const Report& count : counts)
+  {
+    report.PointsOutside += count.PointsOutside;
+    report.PointsAtRest += count.PointsAtRest;
+    report.PointsWithShortLines += count.PointsWithShortLines;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowLIC::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const auto& value)
+  { os << indent << name << ": " << value << "\n"; };
+  print("Kernel", this->Kernel == HANN ? "Hann" : "box");
+  print("Length", this->Length);
+  print("NoiseScale", this->NoiseScale);
+  print("StepLength", this->StepLength);
+  print("Seed", this->Seed);
+  print("Contrast", this->Contrast);
+  print("Points", this->LastReport.Points);
+  print("PointsOutside", this->LastReport.PointsOutside);
+  print("PointsAtRest", this->LastReport.PointsAtRest);
+  print("PointsWithShortLines", this->LastReport.PointsWithShortLines);
+}

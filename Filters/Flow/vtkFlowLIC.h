@@ -1,0 +1,165 @@
+#ifndef vtkFlowLIC_h
+#define vtkFlowLIC_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkDataSetAlgorithm.h"
+
+/**
+ * @class   vtkFlowLIC
+ * @brief   line integral convolution at the points of any dataset
+ *
+ * For each point the mean of a noise along its streamline, Length both ways (B. Cabral and L.
+ * Leedom, Imaging Vector Fields Using Line Integral Convolution, SIGGRAPH 1993):
+ *
+ *   m(x) = integral of k(s) n(c(s)) ds / integral of k(s) ds, s from -Length to Length,
+ *
+ * c the streamline through x by arc length (dc/ds = v/|v|, c(0) = x), n a noise in space, k the
+ * kernel. Where the streamline ends before, both integrals do. An image gives a volume of LIC; the
+ * points of a surface give one on it that does not depend on parameters of the surface, as in C.
+ * Zhang, dissertation, Ohio State 2006, figure 4.6. A surface needs triangles that are smaller than
+ * NoiseScale.
+ *
+ * The noise is one of values at the points of a lattice, NoiseScale apart, uniform in 0 ... 1 by a
+ * hash of the indices and Seed, smoothly interpolated. It belongs to space: points that different
+ * datasets share have the same result.
+ *
+ * Means vary less than the noise does, the less the longer the kernel is. The output is stretched
+ * by what the kernel makes of the noise's variance on straight lines: 1/2 + Contrast (m - 1/2) /
+ * sigma, held to 0 ... 1. sigma is of the part of the kernel that counts for the point, so that
+ * contrast does not change where streamlines end.
+ *
+ * Input port 0: any dataset, whose points count. Port 1, optional: the field, vtkImageData,
+ * rectilinear, structured or unstructured grids with cells of three dimensions; without it port 0
+ * is the field. The vectors are the array to process 0 of the field (point data; default the active
+ * vectors).
+ *
+ * Output: the input of port 0 with the point array `LIC` (float, 0 to 1), the active scalars. It is
+ * 0 where the point is outside of the field, which is counted; where the velocity is 0 or not
+ * finite, it is the noise itself, stretched alike.
+ *
+ * Streamlines are followed by the classical Runge-Kutta method of fourth order with StepLength.
+ * They end where a step would leave the field, and where the velocity vanishes or turns by more
+ * than a right angle in a step. The same output for any number of threads.
+ *
+ * Errors (vtkErrorMacro, empty output): no vectors, or not three components at points; a field that
+ * is no such dataset or that has no cells of three dimensions; more than 1,000,000 steps for
+ * Length.
+ *
+ * @sa vtkStreamlineTexture vtkImplicitFlowField
+ */
+class INTERLUMEFLOW_EXPORT vtkFlowLIC : public vtkDataSetAlgorithm
+{
+public:
+  static vtkFlowLIC* New();
+  vtkTypeMacro(vtkFlowLIC, vtkDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The field, on port 1.
+  void SetFieldConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetFieldData(vtkDataSet* field);
+
+  enum Kernels
+  {
+    /// k(s) = 1.
+    BOX = 0,
+    /// k(s) = (1 + cos(pi s / Length)) / 2.
+    HANN = 1
+  };
+
+  ///@{
+  /**
+   * Default HANN. Valid: see Kernels; clamped.
+   */
+  vtkSetClampMacro(Kernel, int, BOX, HANN);
+  vtkGetMacro(Kernel, int);
+  ///@}
+
+  ///@{
+  /**
+   * How far streamlines are followed each way, in units of length. Default 0: ten times NoiseScale.
+   * Valid: 0 and above; clamped.
+   */
+  vtkSetClampMacro(Length, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Length, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the noise's lattice, in units of length. Default 0: 1/128 of the diagonal of the
+   * bounds of port 0. Valid: 0 and above; clamped.
+   */
+  vtkSetClampMacro(NoiseScale, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(NoiseScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * A step, in units of length; shortened so that Length is a whole number of them. Default 0: a
+   * quarter of NoiseScale. Valid: 0 and above; clamped.
+   */
+  vtkSetClampMacro(StepLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(StepLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * The noise's. Default 0. Any number.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /**
+   * Standard deviation of the output. Default 0.2: of a normal distribution 1.2 % are held to 0 and
+   * 1. Valid: 0 to 1; clamped.
+   */
+  vtkSetClampMacro(Contrast, double, 0.0, 1.0);
+  vtkGetMacro(Contrast, double);
+  ///@}
+
+  /// Of the last execution.
+  struct Report
+  {
+    vtkIdType Points = 0;
+    /// Outside of the field: 0.
+    vtkIdType PointsOutside = 0;
+    /// Inside, at a velocity that is not finite, or less than 1e-9 of the largest.
+    vtkIdType PointsAtRest = 0;
+    /// Others whose streamline ends before Length on one side or on both.
+    vtkIdType PointsWithShortLines = 0;
+    /// Each way, of a full streamline, and what was taken for the values of 0 above.
+    int Steps = 0;
+    double StepLength = 0.0;
+    double Length = 0.0;
+    double NoiseScale = 0.0;
+  };
+  const Report& GetReport() const { return this->LastReport; }
+
+protected:
+  vtkFlowLIC();
+  ~vtkFlowLIC() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkFlowLIC(const vtkFlowLIC&) = delete;
+  void operator=(const vtkFlowLIC&) = delete;
+
+  /// Fills lengths and steps of the report. False where there are too many.
+  bool FindSteps(vtkDataSet* points);
+  template <typename Walker>
+  void Convolve(const Walker& walker, vtkDataSet* points, float* values);
+
+  int Kernel = HANN;
+  double Length = 0.0;
+  double NoiseScale = 0.0;
+  double StepLength = 0.0;
+  int Seed = 0;
+  double Contrast = 0.2;
+  Report LastReport;
+};
+
+#endif

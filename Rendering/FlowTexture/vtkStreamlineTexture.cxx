@@ -1,0 +1,177 @@
+#include "vtkStreamlineTexture.h"
+
+#include "vtkStripePyramid.h"
+
+#include "vtkActor.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTextureObject.h"
+
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <vector>
+
+vtkStandardNewMacro(vtkStreamlineTexture);
+
+namespace
+{
+constexpr int MostLines = 4096;
+constexpr const char* TimelinesName = "timelines";
+}
+
+//------------------------------------------------------------------------------
+vtkStreamlineTexture::vtkStreamlineTexture()
+{
+  this->RepeatOn();
+  this->InterpolateOn();
+  this->MipmapOn();
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamlineTexture::SetNumberOfLines(int number)
+{
+  if (number < 1 || number > MostLines || (number & (number - 1)) != 0)
+  {
+    vtkErrorMacro(
+      "NumberOfLines " << number << " is no power of two from 1 to " << MostLines << ".");
+    return;
+  }
+  if (this->NumberOfLines != number)
+  {
+    this->NumberOfLines = number;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkStreamlineTexture::GetNumberOfLevels() const
+{
+  vtkStripePyramid pyramid;
+  pyramid.NumberOfLines = this->NumberOfLines;
+  return pyramid.GetNumberOfLevels();
+}
+
+//------------------------------------------------------------------------------
+int vtkStreamlineTexture::IsTranslucent()
+{
+  return this->BackgroundColor[3] < 1.0 ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamlineTexture::AddTo(
+  vtkActor* actor, vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines)
+{
+  actor->GetProperty()->RemoveTexture(TimelinesName);
+  if (streamlines && timelines)
+  {
+    // In VTK's terms: the colour of the second by its opacity, the rest of the first.
+    timelines->SetBlendingMode(VTK_TEXTURE_BLENDING_MODE_REPLACE);
+    actor->GetProperty()->SetTexture(TimelinesName, timelines);
+  }
+  actor->SetTexture(streamlines ? streamlines : timelines);
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamlineTexture::Render(vtkRenderer* renderer)
+{
+  this->Load(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamlineTexture::Load(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    vtkErrorMacro("The renderer has no OpenGL window.");
+    return;
+  }
+  const bool isOther = this->RenderWindow != window;
+  if (isOther && this->TextureObject)
+  {
+    this->ReleaseGraphicsResources(this->RenderWindow);
+  }
+  if (isOther || !this->TextureObject || this->GetMTime() > this->LoadTime)
+  {
+    this->RenderWindow = window;
+    if (!this->TextureObject)
+    {
+      this->TextureObject = vtkTextureObject::New();
+    }
+    this->TextureObject->SetContext(window);
+    this->Upload();
+    this->LoadTime.Modified();
+  }
+  this->TextureObject->Activate();
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamlineTexture::Upload()
+{
+  vtkStripePyramid pyramid;
+  pyramid.NumberOfLines = this->NumberOfLines;
+  pyramid.TexelsPerLine = this->TexelsPerLine;
+  pyramid.LineWidth = this->LineWidth;
+  std::copy_n(this->LineColor, 3, pyramid.Line.begin());
+  std::copy_n(this->BackgroundColor, 4, pyramid.Background.begin());
+  GLint longest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longest);
+  while (pyramid.GetLength(0) > longest && pyramid.NumberOfLines > 1)
+  {
+    pyramid.NumberOfLines /= 2;
+  }
+  if (pyramid.NumberOfLines != this->NumberOfLines)
+  {
+    vtkErrorMacro("OpenGL has no room for " << this->NumberOfLines << " lines of "
+                                            << this->TexelsPerLine << " texels; there are up to "
+                                            << pyramid.NumberOfLines << ".");
+  }
+  const int levels = pyramid.GetNumberOfLevels();
+  vtkTextureObject* texture = this->TextureObject;
+  texture->SetWrapS(vtkTextureObject::Repeat);
+  texture->SetWrapT(vtkTextureObject::Repeat);
+  texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  texture->SetMaximumAnisotropicFiltering(1.0f);
+  texture->SetBaseLevel(0);
+  texture->SetMaxLevel(levels - 1);
+  const bool isAlongT = this->Direction == T;
+  for (int level = 0; level < levels; ++level)
+  {
+    std::vector<unsigned char> texels = pyramid.GetTexels(level);
+    const int length = pyramid.GetLength(level);
+    const int width = isAlongT ? 1 : length;
+    const int height = isAlongT ? length : 1;
+    if (level == 0)
+    {
+      texture->Create2DFromRaw(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
+        4, VTK_UNSIGNED_CHAR, texels.data());
+      texture->Activate();
+    }
+    else
+    {
+      glTexImage2D(
+        GL_TEXTURE_2D, level, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+    }
+  }
+  texture->Deactivate();
+  ++this->NumberOfUploads;
+}
+
+//------------------------------------------------------------------------------
+void vtkStreamlineTexture::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Direction: " << (this->Direction == T ? "T" : "S") << "\n";
+  os << indent << "NumberOfLines: " << this->NumberOfLines << "\n";
+  os << indent << "LineWidth: " << this->LineWidth << "\n";
+  os << indent << "TexelsPerLine: " << this->TexelsPerLine << "\n";
+  os << indent << "LineColor: " << this->LineColor[0] << " " << this->LineColor[1] << " "
+     << this->LineColor[2] << "\n";
+  os << indent << "BackgroundColor: " << this->BackgroundColor[0] << " " << this->BackgroundColor[1]
+     << " " << this->BackgroundColor[2] << " " << this->BackgroundColor[3] << "\n";
+  os << indent << "NumberOfUploads: " << this->NumberOfUploads << "\n";
+}

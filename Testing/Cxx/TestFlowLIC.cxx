@@ -1,0 +1,706 @@
+// vtkFlowLIC: values against quadrature by brute force, contrast, coherence along streamlines,
+// where streamlines end, points outside and at rest, kinds of datasets, threads, errors.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowGrid.h"
+#include "ReferenceMessages.h"
+#include "ReferenceProgress.h"
+#include "ReferenceRandom.h"
+
+#include "vtkFlowLIC.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double Pi = 3.14159265358979324;
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+//------------------------------------------------------------------------------
+// The noise, written down again.
+
+double GetLatticeValue(int seed, const std::int64_t index[3])
+{
+  const auto mix = [](std::uint64_t z)
+  {
+    z += 11400714819323198485u;
+    z ^= z >> 30;
+    z *= 13787848793156543929u;
+    z ^= z >> 27;
+    z *= 10723151780598845931u;
+    return z ^ (z >> 31);
+  };
+  std::uint64_t hash = mix(static_cast<std::uint64_t>(seed));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    hash = mix(hash + static_cast<std::uint64_t>(index[axis]));
+  }
+  return static_cast<double>(hash >> 11) / 9007199254740992.0;
+}
+
+/// The weight of a lattice point at distance \a t.
+double GetTent(double t)
+{
+  const double a = std::abs(t);
+  return a < 1.0 ? 1.0 - (6.0 * std::pow(a, 5) - 15.0 * std::pow(a, 4) + 10.0 * std::pow(a, 3))
+                 : 0.0;
+}
+
+double GetNoise(const Vector& x, double scale, int seed)
+{
+  std::int64_t first[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    first[axis] = static_cast<std::int64_t>(std::floor(x[axis] / scale));
+  }
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double weight = 1.0;
+    std::int64_t index[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = first[axis] + (corner >> axis & 1);
+      weight *= GetTent(x[axis] / scale - static_cast<double>(index[axis]));
+    }
+    sum += weight * GetLatticeValue(seed, index);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+/// What the filter is asked for.
+struct Setting
+{
+  bool IsHann = true;
+  double Length = 1.0;
+  double Scale = 0.25;
+  double Step = 0.01;
+  int Seed = 5;
+};
+
+double GetKernel(const Setting& setting, double s)
+{
+  return setting.IsHann ? 0.5 * (1.0 + std::cos(Pi * s / setting.Length)) : 1.0;
+}
+
+/// The mean of noise over lines, from -back to front.
+double GetMean(
+  const Setting& setting, const std::function<Vector(double)>& line, double back, double front)
+{
+  constexpr int parts = 1000;
+  double sum = 0.0;
+  double weights = 0.0;
+  for (int i = 0; i < parts; ++i)
+  {
+    const double s = -back + (back + front) * (i + 0.5) / parts;
+    const double weight = GetKernel(setting, s);
+    sum += weight * GetNoise(line(s), setting.Scale, setting.Seed);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+/// The mean over places of the product of weights of one lattice point at two places.
+double GetCorrelation(double distance)
+{
+  constexpr int parts = 200;
+  double sum = 0.0;
+  for (int i = 0; i < parts; ++i)
+  {
+    const double t = -1.0 + 2.0 * (i + 0.5) / parts;
+    sum += GetTent(t) * GetTent(t + distance);
+  }
+  return 2.0 * sum / parts;
+}
+
+/// The deviation of such means over straight lines: their covariances, by directions at random.
+double GetDeviation(const Setting& setting, double back, double front)
+{
+  std::vector<double> correlations;
+  for (int i = 0; i <= 1000; ++i)
+  {
+    correlations.push_back(GetCorrelation(0.002 * i));
+  }
+  const int parts = std::max(2, static_cast<int>((back + front) / setting.Scale * 16.0));
+  const double part = (back + front) / parts;
+  std::vector<double> covariances(parts, 0.0);
+  Random random(3);
+  constexpr int directions = 3000;
+  for (int direction = 0; direction < directions; ++direction)
+  {
+    const Vector d = random.GetDirection();
+    for (int i = 0; i < parts; ++i)
+    {
+      double product = 1.0 / 12.0 / directions;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const auto place =
+          static_cast<std::size_t>(std::abs(d[axis]) * i * part / setting.Scale * 500.0 + 0.5);
+        product *= place < correlations.size() ? correlations[place] : 0.0;
+      }
+      covariances[i] += product;
+    }
+  }
+  double sum = 0.0;
+  double weights = 0.0;
+  for (int i = 0; i < parts; ++i)
+  {
+    const double weight = GetKernel(setting, -back + part * (i + 0.5));
+    weights += weight;
+    for (int j = 0; j < parts; ++j)
+    {
+      sum += weight * GetKernel(setting, -back + part * (j + 0.5)) * covariances[std::abs(i - j)];
+    }
+  }
+  return std::sqrt(sum) / weights;
+}
+
+vtkSmartPointer<vtkFlowLIC> MakeFilter(const Setting& setting)
+{
+  auto filter = vtkSmartPointer<vtkFlowLIC>::New();
+  filter->SetKernel(setting.IsHann ? vtkFlowLIC::HANN : vtkFlowLIC::BOX);
+  filter->SetLength(setting.Length);
+  filter->SetNoiseScale(setting.Scale);
+  filter->SetStepLength(setting.Step);
+  filter->SetSeed(setting.Seed);
+  return filter;
+}
+
+/// An image over -2 ... 2.
+vtkSmartPointer<vtkImageData> MakeImage(int points, const VectorField& field)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(points, points, points);
+  image->SetOrigin(-2.0, -2.0, -2.0);
+  const double spacing = 4.0 / (points - 1);
+  image->SetSpacing(spacing, spacing, spacing);
+  AddVectors(image, field);
+  return image;
+}
+
+vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<Vector>& places)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vector& place : places)
+  {
+    points->InsertNextPoint(place.data());
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  return data;
+}
+
+std::vector<Vector> MakePlaces(int number, double size)
+{
+  Random random(11);
+  std::vector<Vector> places;
+  for (int i = 0; i < number; ++i)
+  {
+    places.push_back(random.GetPoint(size));
+  }
+  return places;
+}
+
+double GetValue(vtkAlgorithm* filter, vtkIdType id)
+{
+  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  vtkDataArray* values = output->GetPointData()->GetArray("LIC");
+  return values ? values->GetComponent(id, 0) : NaN;
+}
+
+Vector Uniform(const Vector&)
+{
+  return { { 0.6, -1.2, 0.8 } };
+}
+
+Vector Rotation(const Vector& x)
+{
+  return { { -3.0 * x[1], 3.0 * x[0], 0.0 } };
+}
+
+//------------------------------------------------------------------------------
+/// Values at points, through streamlines known by formula, against quadrature.
+void TestValues(Check& check, const std::string& name, const VectorField& field,
+  const std::function<Vector(const Vector&, double)>& line)
+{
+  for (const bool isHann : { true, false })
+  {
+    for (const double scale : { 0.25, 0.1 })
+    {
+      Setting setting;
+      setting.IsHann = isHann;
+      setting.Scale = scale;
+      check.SetContext(name + (isHann ? ", Hann, " : ", box, ") + std::to_string(scale) + ": ");
+      const std::vector<Vector> places = MakePlaces(60, 0.7);
+      const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
+      filter->SetInputData(MakePoints(places));
+      filter->SetFieldData(MakeImage(9, field));
+      check.That(MessagesOf(filter).empty(), "no messages");
+      const double deviation = GetDeviation(setting, setting.Length, setting.Length);
+      double largest = 0.0;
+      for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        const double mean = GetMean(
+          setting, [&](double s) { return line(places[i], s); }, setting.Length, setting.Length);
+        const double expected = std::clamp(0.5 + 0.2 * (mean - 0.5) / deviation, 0.0, 1.0);
+        largest =
+          std::max(largest, std::abs(GetValue(filter, static_cast<vtkIdType>(i)) - expected));
+      }
+      check.That(largest <= 0.008, "error " + std::to_string(largest));
+      check.Equal(filter->GetReport().PointsWithShortLines, 0, "lines that end");
+      check.Equal(filter->GetReport().Steps, 100, "steps");
+    }
+  }
+}
+
+/// Few samples have the weights of the trapezoidal rule: values are in proportion to such sums.
+void TestWeights(Check& check)
+{
+  check.SetContext("weights: ");
+  Setting setting;
+  setting.IsHann = false;
+  setting.Step = 0.5;
+  const std::vector<Vector> places = MakePlaces(30, 0.7);
+  const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
+  filter->SetContrast(0.05);
+  filter->SetInputData(MakePoints(places));
+  filter->SetFieldData(MakeImage(9, Uniform));
+  filter->Update();
+  double factor = 0.0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    double sum = 0.0;
+    for (int j = -2; j <= 2; ++j)
+    {
+      const double s = 0.5 * j / GetNorm(Uniform(places[i]));
+      const Vector x = { { places[i][0] + 0.6 * s, places[i][1] - 1.2 * s,
+        places[i][2] + 0.8 * s } };
+      sum += (std::abs(j) == 2 ? 0.125 : 0.25) * (GetNoise(x, setting.Scale, setting.Seed) - 0.5);
+    }
+    const double found = GetValue(filter, static_cast<vtkIdType>(i)) - 0.5;
+    factor = i == 0 ? found / sum : factor;
+    check.Near(found, factor * sum, 1e-4, "value", 1.0);
+  }
+}
+
+/// Where streamlines leave, the rest of the kernel counts, with its own deviation.
+void TestEnds(Check& check)
+{
+  Setting setting;
+  const auto along = [](const Vector&) { return Vector{ { 2.0, 0.0, 0.0 } }; };
+  const std::vector<Vector> places = { { { 1.605, 0.3, 0.1 } }, { { -1.905, 0.2, -0.7 } },
+    { { 1.805, -0.3, 0.6 } }, { { 0.005, 1.1, 0.9 } } };
+  for (const bool isHann : { true, false })
+  {
+    setting.IsHann = isHann;
+    check.SetContext(isHann ? "ends, Hann: " : "ends, box: ");
+    const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
+    filter->SetInputData(MakePoints(places));
+    filter->SetFieldData(MakeImage(9, along));
+    filter->Update();
+    check.Equal(filter->GetReport().PointsWithShortLines, 3, "lines that end");
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      // Whole steps, half of one of which is what the last sample stands for.
+      const auto reach = [&](double room)
+      { return std::min(setting.Length, std::floor(room / setting.Step) * setting.Step); };
+      const auto part = [&](double r) { return r + (r < setting.Length ? setting.Step / 2 : 0.0); };
+      const double back = part(reach(places[i][0] + 2.0));
+      const double front = part(reach(2.0 - places[i][0]));
+      const double mean = GetMean(
+        setting,
+        [&](double s) {
+          return Vector{ { places[i][0] + s, places[i][1], places[i][2] } };
+        },
+        back, front);
+      const double expected =
+        std::clamp(0.5 + 0.2 * (mean - 0.5) / GetDeviation(setting, back, front), 0.0, 1.0);
+      check.Near(GetValue(filter, static_cast<vtkIdType>(i)), expected, 0.008,
+        "point " + std::to_string(i), 1.0);
+    }
+  }
+}
+
+/// Mean and deviation of a volume, whatever the kernel.
+void TestContrast(Check& check)
+{
+  for (const double length : { 0.05, 0.5, 1.5 })
+  {
+    for (const bool isHann : { true, false })
+    {
+      Setting setting;
+      setting.IsHann = isHann;
+      setting.Length = length;
+      setting.Scale = 0.1;
+      setting.Step = 0.025;
+      check.SetContext("contrast, length " + std::to_string(length) + ": ");
+      const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
+      filter->SetContrast(0.1);
+      filter->SetInputData(MakePoints(MakePlaces(4000, 2.0)));
+      filter->SetFieldData(MakeImage(9, Uniform));
+      filter->Update();
+      double sum = 0.0;
+      double squares = 0.0;
+      const vtkIdType number = filter->GetReport().Points;
+      for (vtkIdType id = 0; id < number; ++id)
+      {
+        sum += GetValue(filter, id);
+        squares += std::pow(GetValue(filter, id), 2);
+      }
+      const double mean = sum / static_cast<double>(number);
+      check.Near(mean, 0.5, 0.02, "mean", 1.0);
+      check.Near(
+        std::sqrt(squares / static_cast<double>(number) - mean * mean), 0.1, 0.06, "deviation");
+    }
+  }
+}
+
+/// Neighbours along streamlines are alike, those across are not.
+void TestCoherence(Check& check)
+{
+  check.SetContext("coherence: ");
+  Setting setting;
+  setting.Scale = 0.05;
+  setting.Step = 0.0125;
+  double along = 0.0;
+  double across = 0.0;
+  std::vector<Vector> places;
+  Random random(4);
+  constexpr double way = 0.1;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double radius = random.Get(0.6, 1.6);
+    const double angle = random.Get(0.0, 2.0 * Pi);
+    const double z = random.Get(-1.5, 1.5);
+    const auto add = [&](double r, double a) {
+      places.push_back({ { r * std::cos(a), r * std::sin(a), z } });
+    };
+    add(radius, angle);
+    add(radius, angle + way / radius);
+    add(radius + way, angle);
+  }
+  const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
+  filter->SetInputData(MakePoints(places));
+  filter->SetFieldData(MakeImage(9, Rotation));
+  filter->Update();
+  for (vtkIdType i = 0; i < 3000; i += 3)
+  {
+    along += std::pow(GetValue(filter, i + 1) - GetValue(filter, i), 2);
+    across += std::pow(GetValue(filter, i + 2) - GetValue(filter, i), 2);
+  }
+  check.That(
+    across >= 8.0 * along, "across " + std::to_string(across) + ", along " + std::to_string(along));
+  check.Near(std::sqrt(across / 2000.0), 0.2, 0.1, "deviation across");
+}
+
+/// Points outside are 0 and counted; at rest they have the noise.
+void TestOutside(Check& check)
+{
+  check.SetContext("outside: ");
+  Setting setting;
+  const std::vector<Vector> places = { { { 0.1, 0.2, 0.3 } }, { { 2.1, 0.0, 0.0 } },
+    { { 0.0, -9.0, 0.0 } }, { { 0.0, 0.0, NaN } } };
+  vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
+  filter->SetInputData(MakePoints(places));
+  filter->SetFieldData(MakeImage(5, Uniform));
+  check.That(MessagesOf(filter).empty(), "no messages");
+  check.Equal(filter->GetReport().Points, 4, "points");
+  check.Equal(filter->GetReport().PointsOutside, 3, "points outside");
+  check.That(GetValue(filter, 0) > 0.0, "inside");
+  for (vtkIdType id = 1; id < 4; ++id)
+  {
+    check.That(GetValue(filter, id) == 0.0, "0 outside");
+  }
+  check.SetContext("at rest: ");
+  const double deviation = GetDeviation(setting, 0.0, 1e-9);
+  const VectorField fields[2] = { [](const Vector&) {
+                                   return Vector{ { 0.0, 0.0, 0.0 } };
+                                 },
+    [](const Vector&) {
+      return Vector{ { NaN, 0.0, 0.0 } };
+    } };
+  for (const VectorField& field : fields)
+  {
+    filter = MakeFilter(setting);
+    const std::vector<Vector> inside = MakePlaces(40, 1.9);
+    filter->SetInputData(MakePoints(inside));
+    filter->SetFieldData(MakeImage(5, field));
+    check.That(MessagesOf(filter).empty(), "no messages");
+    check.Equal(filter->GetReport().PointsAtRest, 40, "points at rest");
+    check.Equal(filter->GetReport().PointsWithShortLines, 0, "they have no lines");
+    for (std::size_t i = 0; i < inside.size(); ++i)
+    {
+      const double noise = GetNoise(inside[i], setting.Scale, setting.Seed);
+      check.Near(GetValue(filter, static_cast<vtkIdType>(i)),
+        std::clamp(0.5 + 0.2 * (noise - 0.5) / deviation, 0.0, 1.0), 0.01, "noise", 1.0);
+    }
+  }
+}
+
+/// A streamline does not go to and fro over a sink.
+void TestSink(Check& check)
+{
+  check.SetContext("sink: ");
+  Setting setting;
+  setting.Step = 0.04;
+  const auto sink = [](const Vector& x) { return Vector{ { -x[0], -x[1], -x[2] } }; };
+  const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
+  filter->SetInputData(MakePoints({ { { 0.5, 0.1, 0.1 } }, { { 1.3, 0.0, 0.0 } } }));
+  filter->SetFieldData(MakeImage(10, sink));
+  filter->Update();
+  // One ends at the sink; the other at the box, outward.
+  check.Equal(filter->GetReport().PointsWithShortLines, 2, "lines that end");
+  const double size = std::sqrt(0.27);
+  const double mean = GetMean(
+    setting,
+    [&](double s) {
+      return Vector{ { 0.5 * (1 - s / size), 0.1 * (1 - s / size), 0.1 * (1 - s / size) } };
+    },
+    1.0, 0.5);
+  const double expected = 0.5 + 0.2 * (mean - 0.5) / GetDeviation(setting, 1.0, 0.5);
+  check.Near(GetValue(filter, 0), expected, 0.03, "value", 1.0);
+}
+
+/// The same on every kind of dataset, as field and as points.
+void TestDatasets(Check& check)
+{
+  Setting setting;
+  setting.Length = 0.5;
+  setting.Step = 0.05;
+  std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> grids;
+  const auto shear = [](const Vector& x) { return Vector{ { 1.0, 0.25 * x[2], 0.0 } }; };
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(5, 5, 5);
+  grids.emplace_back("image", image);
+  auto rectilinear = vtkSmartPointer<vtkRectilinearGrid>::New();
+  vtkNew<vtkDoubleArray> coordinates;
+  for (const double x : { 0.0, 0.3, 1.7, 2.0, 4.0 })
+  {
+    coordinates->InsertNextValue(x);
+  }
+  rectilinear->SetDimensions(5, 5, 5);
+  rectilinear->SetXCoordinates(coordinates);
+  rectilinear->SetYCoordinates(coordinates);
+  rectilinear->SetZCoordinates(coordinates);
+  grids.emplace_back("rectilinear grid", rectilinear);
+  auto structured = MakeStructuredGrid({ { 4, 4, 4 } });
+  MovePoints(structured, MakeBend({ { 4, 4, 4 } }, 0.2));
+  grids.emplace_back("structured grid", structured);
+  for (const MeshKind kind : FlowMeshKinds())
+  {
+    grids.emplace_back(
+      "mesh " + std::to_string(static_cast<int>(kind)), MakeFlowMesh(kind, { { 4, 4, 4 } }));
+  }
+  std::vector<Vector> places;
+  for (const Vector& place : MakePlaces(50, 1.3))
+  {
+    places.push_back({ { place[0] + 2.0, place[1] + 2.0, place[2] + 2.0 } });
+  }
+  std::vector<double> values;
+  for (const auto& grid : grids)
+  {
+    check.SetContext(grid.first + ": ");
+    AddVectors(grid.second, shear);
+    const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
+    filter->SetInputData(MakePoints(places));
+    filter->SetFieldData(grid.second);
+    check.That(MessagesOf(filter).empty(), "no messages");
+    for (vtkIdType id = 0; id < 50; ++id)
+    {
+      if (values.size() < 50)
+      {
+        values.push_back(GetValue(filter, id));
+      }
+      check.Near(GetValue(filter, id), values[id], 1e-6, "value", 1.0);
+    }
+    // Its own points, where nothing else is connected.
+    const vtkSmartPointer<vtkFlowLIC> own = MakeFilter(setting);
+    own->SetInputData(grid.second);
+    check.That(MessagesOf(own).empty(), "no messages of its own");
+    auto* output = vtkDataSet::SafeDownCast(own->GetOutputDataObject(0));
+    check.That(output->IsA(grid.second->GetClassName()), "type");
+    check.Equal(output->GetNumberOfCells(), grid.second->GetNumberOfCells(), "cells");
+    check.Equal(own->GetReport().PointsOutside, 0, "points outside");
+    check.That(output->GetPointData()->GetScalars() == output->GetPointData()->GetArray("LIC"),
+      "active scalars");
+    check.That(grid.second->GetPointData()->GetArray("LIC") == nullptr, "nothing in the input");
+  }
+}
+
+/// Values of 0 are those of the bounds.
+void TestDefaults(Check& check)
+{
+  check.SetContext("defaults: ");
+  vtkNew<vtkFlowLIC> filter;
+  filter->SetInputData(MakeImage(5, Uniform));
+  filter->Update();
+  const vtkFlowLIC::Report& report = filter->GetReport();
+  const double scale = 4.0 * std::sqrt(3.0) / 128.0;
+  check.Near(report.NoiseScale, scale, 1e-12, "scale");
+  check.Near(report.Length, 10.0 * scale, 1e-12, "length");
+  check.Equal(report.Steps, 40, "steps");
+  check.Near(report.StepLength, 0.25 * scale, 1e-12, "step");
+  filter->SetStepLength(0.3 * scale);
+  filter->Update();
+  check.Equal(filter->GetReport().Steps, 34, "steps up to the whole length");
+  check.Near(filter->GetReport().StepLength, scale / 3.4, 1e-12, "shorter step");
+  filter->SetSeed(-1);
+  std::vector<double> before;
+  for (vtkIdType id = 0; id < 125; ++id)
+  {
+    before.push_back(GetValue(filter, id));
+  }
+  filter->Update();
+  int changed = 0;
+  for (vtkIdType id = 0; id < 125; ++id)
+  {
+    changed += std::abs(before[id] - GetValue(filter, id)) > 1e-3 ? 1 : 0;
+  }
+  check.That(changed > 110, "another seed");
+}
+
+void TestThreads(Check& check)
+{
+  check.SetContext("threads: ");
+  std::vector<float> values;
+  for (const int threads : { 1, 2, 7 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads },
+      [&]
+      {
+        vtkNew<vtkFlowLIC> filter;
+        filter->SetInputData(MakeImage(21, Rotation));
+        filter->Update();
+        std::vector<float> found;
+        for (vtkIdType id = 0; id < filter->GetReport().Points; ++id)
+        {
+          found.push_back(static_cast<float>(GetValue(filter, id)));
+        }
+        check.Equal(static_cast<long long>(found.size()), 9261, "points");
+        check.Equal(filter->GetReport().PointsAtRest, 21, "points on the axis");
+        check.That(values.empty() || values == found, "values");
+        values = found;
+      });
+  }
+}
+
+void CheckError(Check& check, vtkFlowLIC* filter, const std::string& expected)
+{
+  const std::string message = MessagesOf(filter);
+  check.That(message.find(expected) != std::string::npos, expected + " in " + message);
+  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  check.That(!output || output->GetNumberOfPoints() == 0, "empty output");
+}
+
+void TestErrors(Check& check)
+{
+  check.SetContext("errors: ");
+  vtkNew<vtkFlowLIC> filter;
+  filter->SetInputData(MakePoints(MakePlaces(3, 1.0)));
+  CheckError(check, filter, "no active point vectors");
+  const vtkSmartPointer<vtkImageData> image = MakeImage(3, Uniform);
+  filter->SetFieldData(image);
+  check.That(MessagesOf(filter).empty(), "a field");
+  filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "wind");
+  CheckError(check, filter, "\"wind\"");
+  vtkNew<vtkDoubleArray> wind;
+  wind->SetName("wind");
+  wind->SetNumberOfComponents(2);
+  wind->SetNumberOfTuples(27);
+  wind->Fill(1.0);
+  image->GetPointData()->AddArray(wind);
+  CheckError(check, filter, "has 2 components");
+  vtkNew<vtkFlowLIC> surface;
+  auto points = MakePoints(MakePlaces(3, 1.0));
+  AddVectors(points, Uniform);
+  surface->SetInputData(points);
+  CheckError(check, surface, "vtkPolyData");
+  vtkNew<vtkFlowLIC> flat;
+  vtkNew<vtkImageData> plane;
+  plane->SetDimensions(4, 4, 1);
+  AddVectors(plane, Uniform);
+  flat->SetInputData(plane);
+  CheckError(check, flat, "three-dimensional");
+  vtkNew<vtkFlowLIC> slow;
+  slow->SetInputData(MakeImage(3, Uniform));
+  slow->SetStepLength(1e-9);
+  CheckError(check, slow, "1,000,000 steps");
+  vtkNew<vtkFlowLIC> empty;
+  vtkNew<vtkImageData> nothing;
+  empty->SetInputData(nothing);
+  check.That(MessagesOf(empty).empty(), "nothing to do");
+}
+
+void TestProgress(Check& check)
+{
+  check.SetContext("progress: ");
+  vtkNew<vtkFlowLIC> filter;
+  filter->SetInputData(MakeImage(9, Rotation));
+  ProgressWatch watch;
+  Observe(filter, watch);
+  filter->Update();
+  CheckGrowth(watch, 5, check);
+  watch.Progress.clear();
+  watch.AbortAt = 0.4;
+  filter->Modified();
+  filter->Update();
+  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  check.Equal(output->GetNumberOfPoints(), 0, "nothing after an abort");
+  CheckPrinted(Print(filter), { "Kernel: Hann", "NoiseScale: 0", "Contrast: 0.2" }, check);
+}
+
+}
+
+int TestFlowLIC(int, char*[])
+{
+  Check check;
+  TestValues(check, "uniform", Uniform,
+    [](const Vector& x, double s)
+    {
+      const double size = GetNorm(Uniform(x));
+      return Vector{ { x[0] + s * 0.6 / size, x[1] - s * 1.2 / size, x[2] + s * 0.8 / size } };
+    });
+  TestValues(check, "rotation", Rotation,
+    [](const Vector& x, double s)
+    {
+      const double radius = std::hypot(x[0], x[1]);
+      const double angle = std::atan2(x[1], x[0]) + s / radius;
+      return Vector{ { radius * std::cos(angle), radius * std::sin(angle), x[2] } };
+    });
+  TestWeights(check);
+  TestEnds(check);
+  TestContrast(check);
+  TestCoherence(check);
+  TestOutside(check);
+  TestSink(check);
+  TestDatasets(check);
+  TestDefaults(check);
+  TestThreads(check);
+  TestErrors(check);
+  TestProgress(check);
+  return check.Result();
+}

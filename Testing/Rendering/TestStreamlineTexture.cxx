@@ -1,0 +1,443 @@
+// vtkStreamlineTexture: what its levels hold, how many lines are seen at which distance, that they
+// never average, grids, colours, uploads.
+#include "ReferenceCheck.h"
+
+#include "vtkStreamlineTexture.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+#include "vtkUnsignedCharArray.h"
+
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr int WINDOW = 512;
+// The target and texture filters of graphics cards have eight bits.
+constexpr double TOLERANCE = 2.0 / 255.0;
+
+/// A quad in the window, unlit, texture coordinates 0 to \a scale; the window is \a height high.
+class Quad
+{
+public:
+  Quad(double sCoordinate, double tCoordinate)
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(-0.5, -0.5, 0.0);
+    plane->SetPoint1(0.5, -0.5, 0.0);
+    plane->SetPoint2(-0.5, 0.5, 0.0);
+    plane->Update();
+    this->Data = plane->GetOutput();
+    vtkDataArray* coordinates = this->Data->GetPointData()->GetTCoords();
+    for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
+    {
+      coordinates->SetTuple2(i, sCoordinate * coordinates->GetComponent(i, 0),
+        tCoordinate * coordinates->GetComponent(i, 1));
+    }
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(this->Data);
+    this->Actor->SetMapper(mapper);
+    this->Actor->GetProperty()->LightingOff();
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
+    this->Window->OffScreenRenderingOn();
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(WINDOW, WINDOW);
+    this->Window->AddRenderer(this->Renderer);
+    this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+    this->SetPixels(WINDOW);
+  }
+
+  /// How many pixels the quad's side has.
+  void SetPixels(double pixels)
+  {
+    this->Renderer->GetActiveCamera()->SetParallelScale(0.5 * WINDOW / pixels);
+    this->Renderer->ResetCameraClippingRange();
+  }
+
+  using Row = std::vector<std::array<double, 4>>;
+  /// Pixels of the middle row, or column, in 0 ... 1.
+  Row Draw(bool isColumn = false)
+  {
+    this->Window->Render();
+    const int middle = WINDOW / 2;
+    vtkNew<vtkFloatArray> pixels;
+    this->Window->GetRGBAPixelData(isColumn ? middle : 0, isColumn ? 0 : middle,
+      isColumn ? middle : WINDOW - 1, isColumn ? WINDOW - 1 : middle, 0, pixels);
+    Row row;
+    for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
+    {
+      std::array<double, 4> pixel;
+      pixels->GetTuple(i, pixel.data());
+      row.push_back(pixel);
+    }
+    return row;
+  }
+
+  vtkSmartPointer<vtkPolyData> Data;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+};
+
+struct Level
+{
+  int Width;
+  int Height;
+  std::vector<unsigned char> Texels;
+};
+
+std::vector<Level> ReadLevels(Quad& quad, vtkStreamlineTexture* texture, int number)
+{
+  quad.Window->MakeCurrent();
+  texture->GetTextureObject()->Activate();
+  std::vector<Level> levels;
+  for (int i = 0; i < number; ++i)
+  {
+    Level level;
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, i, GL_TEXTURE_WIDTH, &level.Width);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, i, GL_TEXTURE_HEIGHT, &level.Height);
+    level.Texels.resize(4 * static_cast<std::size_t>(level.Width) * level.Height);
+    glGetTexImage(GL_TEXTURE_2D, i, GL_RGBA, GL_UNSIGNED_BYTE, level.Texels.data());
+    levels.push_back(level);
+  }
+  texture->GetTextureObject()->Deactivate();
+  return levels;
+}
+
+/// What is covered by lines of texels \a i, centred at multiples of \a period, by brute force.
+double GetCoverage(int i, int period, double width)
+{
+  constexpr int parts = 1000;
+  int covered = 0;
+  for (int part = 0; part < parts; ++part)
+  {
+    const double place = (i + (part + 0.5) / parts) / period;
+    covered += std::abs(place - std::round(place)) < 0.5 * width ? 1 : 0;
+  }
+  return static_cast<double>(covered) / parts;
+}
+
+/// Every level against the square wave.
+void TestLevels(Check& check, int lines, int texels, double width, int direction)
+{
+  check.SetContext("levels of " + std::to_string(lines) + " lines of " + std::to_string(texels) +
+    " texels, width " + std::to_string(width) + ": ");
+  const double line[3] = { 0.2, 0.4, 0.6 };
+  const double background[4] = { 0.9, 0.8, 0.7, 0.5 };
+  vtkNew<vtkStreamlineTexture> texture;
+  texture->SetNumberOfLines(lines);
+  texture->SetTexelsPerLine(texels);
+  texture->SetLineWidth(width);
+  texture->SetLineColor(line);
+  texture->SetBackgroundColor(background);
+  texture->SetDirection(direction);
+  Quad quad(1.0, 1.0);
+  quad.Actor->SetTexture(texture);
+  quad.Draw();
+  const int number = static_cast<int>(std::lround(std::log2(lines))) + 1;
+  check.Equal(texture->GetNumberOfLevels(), number, "number of levels");
+  const std::vector<Level> levels = ReadLevels(quad, texture, number + 1);
+  check.Equal(levels[number].Width, 0, "no level after the last");
+  for (int k = 0; k < number; ++k)
+  {
+    const Level& level = levels[k];
+    const bool isAlongS = direction == vtkStreamlineTexture::S;
+    const int length = isAlongS ? level.Width : level.Height;
+    check.Equal(isAlongS ? level.Height : level.Width, 1, "texels across");
+    check.Equal(length, (lines >> k) * texels, "texels of level " + std::to_string(k));
+    double largest = 0.0;
+    for (int i = 0; i < length; ++i)
+    {
+      const double coverage = GetCoverage(i, texels, width);
+      for (int channel = 0; channel < 4; ++channel)
+      {
+        const double of = channel < 3 ? line[channel] : 1.0;
+        const double expected = background[channel] + coverage * (of - background[channel]);
+        largest = std::max(largest, std::abs(level.Texels[4 * i + channel] / 255.0 - expected));
+      }
+    }
+    check.That(largest <= 1.01 / 255.0,
+      "level " + std::to_string(k) + " is off by " + std::to_string(largest));
+  }
+}
+
+/// Places where a row goes from light to dark, and its range of values.
+struct Lines
+{
+  std::vector<int> Places;
+  double Darkest = 1.0;
+  double Lightest = 0.0;
+};
+Lines FindLines(const Quad::Row& row, int first, int last)
+{
+  Lines lines;
+  for (int i = first; i <= last; ++i)
+  {
+    lines.Darkest = std::min(lines.Darkest, row[i][0]);
+    lines.Lightest = std::max(lines.Lightest, row[i][0]);
+    if (i > first && row[i - 1][0] >= 0.5 && row[i][0] < 0.5)
+    {
+      lines.Places.push_back(i);
+    }
+  }
+  return lines;
+}
+
+/// Lines that are seen of a quad whose side has so many pixels; how far apart they are.
+void TestDistances(Check& check, int direction)
+{
+  vtkNew<vtkStreamlineTexture> texture;
+  texture->SetNumberOfLines(1024);
+  texture->SetDirection(direction);
+  const bool isColumn = direction == vtkStreamlineTexture::T;
+  Quad quad(1.0, 1.0);
+  quad.Actor->SetTexture(texture);
+  double before = 0.0;
+  std::vector<std::pair<double, double>> all;
+  for (const double pixels :
+    { 40.0, 64.0, 90.0, 100.0, 150.0, 256.0, 400.0, 480.0, 1024.0, 1700.0, 3000.0, 8000.0 })
+  {
+    check.SetContext("a side of " + std::to_string(pixels) + " pixels: ");
+    quad.SetPixels(pixels);
+    const int half = static_cast<int>(std::min(pixels, static_cast<double>(WINDOW)) / 2.0);
+    const Lines lines = FindLines(quad.Draw(isColumn), WINDOW / 2 - half, WINDOW / 2 + half - 1);
+    const double apart = 2.0 * half / static_cast<double>(lines.Places.size());
+    const auto seen = static_cast<double>(lines.Places.size()) * pixels / (2.0 * half);
+    check.That(apart >= 16.0 / 1.5 && apart <= 16.0 * 1.5,
+      "lines are " + std::to_string(apart) + " pixels apart");
+    check.That(seen >= before, "no fewer lines than from farther away");
+    for (const auto& farther : all)
+    {
+      check.That(2.0 * farther.first > pixels || seen >= 1.5 * farther.second,
+        "more lines than from twice as far away");
+    }
+    all.emplace_back(pixels, seen);
+    before = seen;
+    check.That(lines.Lightest >= 0.95, "between lines " + std::to_string(lines.Lightest));
+    check.That(lines.Darkest <= 0.3, "lines " + std::to_string(lines.Darkest));
+  }
+}
+
+/// Far more texture coordinates than pixels: one line over 0 ... 1 is left, and it keeps contrast.
+void TestFarAway(Check& check)
+{
+  check.SetContext("far away: ");
+  vtkNew<vtkStreamlineTexture> texture;
+  texture->SetTexelsPerLine(8);
+  Quad quad(1.0, 1.0);
+  quad.Actor->SetTexture(texture);
+  quad.SetPixels(16.0);
+  const Lines lines = FindLines(quad.Draw(), WINDOW / 2 - 8, WINDOW / 2 + 7);
+  check.That(lines.Lightest - lines.Darkest >= 0.5,
+    "contrast " + std::to_string(lines.Lightest - lines.Darkest));
+  // The same number of lines over each piece of a texture that repeats.
+  Quad repeated(64.0, 1.0);
+  repeated.Actor->SetTexture(texture);
+  const Lines all = FindLines(repeated.Draw(), 0, WINDOW - 1);
+  check.That(std::abs(static_cast<double>(all.Places.size()) - 64.0) <= 1.0,
+    std::to_string(all.Places.size()) + " lines of 64");
+  check.That(all.Lightest - all.Darkest >= 0.7, "contrast of repeated lines");
+}
+
+/// A grid has lines at the same distance in both directions, however different the coordinates.
+void TestGrid(Check& check)
+{
+  check.SetContext("grid: ");
+  vtkNew<vtkStreamlineTexture> streamlines;
+  vtkNew<vtkStreamlineTexture> timelines;
+  timelines->SetDirection(vtkStreamlineTexture::T);
+  timelines->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
+  Quad quad(0.5, 8.0);
+  vtkStreamlineTexture::AddTo(quad.Actor, streamlines, timelines);
+  for (const bool isColumn : { false, true })
+  {
+    // Beside the lines through the middle.
+    quad.Renderer->GetActiveCamera()->SetFocalPoint(7.0 / WINDOW, 7.0 / WINDOW, 0.0);
+    quad.Renderer->GetActiveCamera()->SetPosition(7.0 / WINDOW, 7.0 / WINDOW, 1.0);
+    const Lines lines = FindLines(quad.Draw(isColumn), 8, WINDOW - 16);
+    const double apart = (WINDOW - 24.0) / static_cast<double>(lines.Places.size());
+    check.That(apart >= 16.0 / 1.5 && apart <= 16.0 * 1.5,
+      (isColumn ? "timelines " : "streamlines ") + std::to_string(apart) + " pixels apart");
+    check.That(lines.Lightest >= 0.95 && lines.Darkest <= 0.3, "contrast");
+  }
+  vtkStreamlineTexture::AddTo(quad.Actor, nullptr, timelines);
+  check.That(quad.Actor->GetTexture() == timelines.Get(), "timelines alone");
+  check.That(quad.Actor->GetProperty()->GetAllTextures().empty(), "nothing laid over them");
+}
+
+/// Lines over the mapper's colours: those stay between the lines; without background they are seen
+/// through.
+void TestColours(Check& check)
+{
+  check.SetContext("colours: ");
+  Quad quad(1.0, 1.0);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < quad.Data->GetNumberOfPoints(); ++i)
+  {
+    colours->InsertNextTuple3(51.0, 204.0, 102.0);
+  }
+  quad.Data->GetPointData()->SetScalars(colours);
+  quad.Renderer->SetBackground(0.8, 0.1, 0.3);
+  vtkNew<vtkStreamlineTexture> texture;
+  texture->SetNumberOfLines(8);
+  texture->SetLineWidth(0.5);
+  quad.Actor->SetTexture(texture);
+  // Lines 64 pixels apart, 32 wide, one at the left.
+  const auto expect = [&](const std::string& name, const std::array<double, 3>& line,
+                        const std::array<double, 3>& between)
+  {
+    const Quad::Row row = quad.Draw();
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      check.Near(row[64][channel], line[channel], TOLERANCE, name + ", line", 1.0);
+      check.Near(row[96][channel], between[channel], TOLERANCE, name + ", between", 1.0);
+    }
+  };
+  check.Equal(texture->IsTranslucent(), 0, "translucent");
+  expect("white", { { 0.0, 0.0, 0.0 } }, { { 0.2, 0.8, 0.4 } });
+  texture->SetLineColor(1.0, 0.5, 0.5);
+  texture->SetBackgroundColor(0.5, 1.0, 1.0, 1.0);
+  expect("colours", { { 0.2, 0.4, 0.2 } }, { { 0.1, 0.8, 0.4 } });
+  texture->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
+  check.Equal(texture->IsTranslucent(), 1, "translucent");
+  expect("no background", { { 0.2, 0.4, 0.2 } }, { { 0.8, 0.1, 0.3 } });
+  texture->SetBackgroundColor(1.0, 1.0, 1.0, 0.5);
+  expect("half a background", { { 0.2, 0.4, 0.2 } }, { { 0.5, 0.45, 0.35 } });
+}
+
+/// Settings that change upload once, drawing again does not; resources can be released.
+void TestUploads(Check& check)
+{
+  check.SetContext("uploads: ");
+  vtkNew<vtkStreamlineTexture> texture;
+  Quad quad(1.0, 1.0);
+  quad.Actor->SetTexture(texture);
+  check.Equal(texture->GetNumberOfUploads(), 0, "before");
+  quad.Draw();
+  quad.SetPixels(100.0);
+  quad.Draw();
+  check.Equal(texture->GetNumberOfUploads(), 1, "drawn twice");
+  texture->SetLineWidth(0.5);
+  texture->SetTexelsPerLine(8);
+  const Quad::Row wide = quad.Draw();
+  quad.Draw();
+  check.Equal(texture->GetNumberOfUploads(), 2, "after a change");
+  texture->SetLineWidth(0.5);
+  quad.Draw();
+  check.Equal(texture->GetNumberOfUploads(), 2, "the same setting");
+  texture->ReleaseGraphicsResources(quad.Window);
+  vtkTextureObject* released = texture->GetTextureObject();
+  check.That(!released || released->GetHandle() == 0, "no texture");
+  check.That(quad.Draw() == wide, "the same picture after a release");
+  check.Equal(texture->GetNumberOfUploads(), 3, "after a release");
+  // Another window.
+  Quad other(1.0, 1.0);
+  other.Actor->SetTexture(texture);
+  other.SetPixels(100.0);
+  quad.Actor->SetTexture(nullptr);
+  check.That(other.Draw() == wide, "the same picture in another window");
+  check.Equal(texture->GetNumberOfUploads(), 4, "in another window");
+  // Fewer lines leave no level behind.
+  texture->SetNumberOfLines(4);
+  other.Draw();
+  check.Equal(texture->GetNumberOfLevels(), 3, "levels of four lines");
+  other.SetPixels(400.0);
+  check.Equal(static_cast<long long>(FindLines(other.Draw(), 56, 455).Places.size()), 4,
+    "lines of four, near");
+}
+
+class ErrorCounter : public vtkCommand
+{
+public:
+  static ErrorCounter* New() { return new ErrorCounter; }
+  void Execute(vtkObject*, unsigned long, void* data) override
+  {
+    this->Message = static_cast<const char*>(data);
+  }
+  std::string Message;
+};
+
+void TestSettings(Check& check)
+{
+  check.SetContext("settings: ");
+  vtkNew<vtkStreamlineTexture> texture;
+  vtkNew<ErrorCounter> errors;
+  texture->AddObserver(vtkCommand::ErrorEvent, errors);
+  for (const int wrong : { 0, -4, 3, 8192 })
+  {
+    errors->Message.clear();
+    texture->SetNumberOfLines(wrong);
+    check.That(errors->Message.find("NumberOfLines " + std::to_string(wrong)) != std::string::npos,
+      "an error that names " + std::to_string(wrong));
+    check.Equal(texture->GetNumberOfLines(), 256, "number of lines");
+  }
+  errors->Message.clear();
+  texture->SetNumberOfLines(1);
+  texture->SetTexelsPerLine(1);
+  texture->SetLineWidth(-1.0);
+  texture->SetDirection(7);
+  check.Equal(texture->GetTexelsPerLine(), 2, "texels");
+  check.That(texture->GetLineWidth() == 0.0, "width");
+  check.Equal(texture->GetDirection(), vtkStreamlineTexture::T, "direction");
+  Quad quad(1.0, 1.0);
+  quad.Actor->SetTexture(texture);
+  check.That(quad.Draw()[WINDOW / 2][0] > 0.99, "no line without width");
+  check.That(errors->Message.empty(), "no error");
+  // More than there is room for.
+  texture->SetNumberOfLines(4096);
+  texture->SetTexelsPerLine(256);
+  texture->SetLineWidth(0.5);
+  texture->SetDirection(vtkStreamlineTexture::S);
+  quad.SetPixels(1000.0);
+  const Quad::Row row = quad.Draw();
+  check.That(errors->Message.find("no room for 4096 lines") != std::string::npos, "too many lines");
+  check.That(FindLines(row, 0, WINDOW - 1).Darkest < 0.1, "lines all the same");
+  std::ostringstream printed;
+  texture->Print(printed);
+  check.That(printed.str().find("TexelsPerLine: 256") != std::string::npos, "printed");
+}
+
+}
+
+int TestStreamlineTexture(int, char*[])
+{
+  Check check;
+  TestLevels(check, 256, 16, 0.25, vtkStreamlineTexture::S);
+  TestLevels(check, 32, 8, 0.3, vtkStreamlineTexture::T);
+  TestLevels(check, 1, 2, 1.0, vtkStreamlineTexture::S);
+  TestLevels(check, 2, 7, 0.1, vtkStreamlineTexture::S);
+  TestDistances(check, vtkStreamlineTexture::S);
+  TestDistances(check, vtkStreamlineTexture::T);
+  TestFarAway(check);
+  TestGrid(check);
+  TestColours(check);
+  TestUploads(check);
+  TestSettings(check);
+  return check.Result();
+}
