@@ -1,6 +1,7 @@
 #include "vtkImplicitFlowField.h"
 
 #include "vtkFlowCriticalPoints.h"
+#include "vtkFlowPiece.h"
 #include "vtkFlowRun.h"
 #include "vtkFlowStatus.h"
 #include "vtkFlowVectors.h"
@@ -17,6 +18,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <set>
@@ -207,6 +209,10 @@ int vtkImplicitFlowField::RequestInformation(
   {
     vtkInformation* samples = inputs[port]->GetInformationObject(0);
     info->CopyEntry(samples, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+    if (port == 0 && samples->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+    {
+      info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+    }
   }
   return this->Superclass::RequestInformation(request, inputs, outputs);
 }
@@ -325,7 +331,24 @@ bool vtkImplicitFlowField::SetSamples(vtkInformationVector** inputs, vtkInformat
     }
   }
   output->ShallowCopy(samples);
+  if (this->SampleMode == SAMPLES_OF_FIELD)
+  {
+    this->CutPiece(outputs->GetInformationObject(0), output);
+  }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::CutPiece(vtkInformation* info, vtkDataSet* output)
+{
+  if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(output))
+  {
+    vtkFlowPiece::Extract(info, grid);
+  }
+  else if (info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()))
+  {
+    output->Crop(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+  }
 }
 
 //------------------------------------------------------------------------------

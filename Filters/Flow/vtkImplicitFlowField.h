@@ -253,6 +253,8 @@ private:
 
   /// Gives the output the samples' geometry and point data.
   bool SetSamples(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  /// Leaves of the whole field the piece that is asked for.
+  static void CutPiece(vtkInformation* info, vtkDataSet* output);
   /// False where something is wrong, which has been said. \a spheres keeps those that were made.
   bool SetOptions(vtkDataSet* field, vtkAdvectionOptions& options,
     std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres);

@@ -5,6 +5,7 @@
 #include "ReferenceFlowAnswers.h"
 #include "ReferenceGrid.h"
 #include "ReferenceLattice.h"
+#include "ReferenceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -208,7 +209,7 @@ void CheckCylinder(Check& check)
       "without the seam parameters jump");
     check.That(
       GetLargestSpread(volume->GetOutput(), "TerminationUV", 0) < 0.3, "parameters are unwrapped");
-    check.That(GetLargestAngleError(volume->GetOutput()) < 0.01, "u of every point");
+    check.That(GetLargestAngleError(volume->GetOutput()) < 0.002, "u of every point");
     const auto& report = volume->GetReport();
     check.Equal(report.CellsAcrossSeams, counts[1] * (layers - 1), "cells across the seam");
     check.Equal(report.CellsOnSeams + report.CellsAroundPoles, 0, "no others");
@@ -227,7 +228,22 @@ void CheckCylinder(Check& check)
   times->Update();
   check.Near(MeasureVolume(times->GetOutput()), 0.5 * TwoPi * (0.81 - 0.16), 0.01, "volume");
   check.That(GetLargestSpread(times->GetOutput(), "TerminationUV", 0) < 0.3, "unwrapped");
-  check.That(GetLargestAngleError(times->GetOutput()) < 0.01, "u of every point");
+  check.That(GetLargestAngleError(times->GetOutput()) < 0.002, "u of every point");
+
+  // A wedge around the seam, bounded inside of its cells, and one opposite.
+  check.SetContext("cylinder, wedge");
+  vtkNew<vtkInflowMapping> wave;
+  vtkNew<vtkFlowVolume> wedge;
+  Connect(wave, wedge, makeImage(1));
+  wave->SetFormula(0, "sin(6.283185307179586*u)");
+  wedge->SetInterval(0, -0.02, 0.02);
+  wedge->Update();
+  check.Near(
+    MeasureVolume(wedge->GetOutput()), 2.0 * 0.02 * (1.0 - radius * radius), 0.1, "volume");
+  check.That(GetLargestAngleError(wedge->GetOutput()) < 1e-4, "u of every point");
+  const double* range = wedge->GetOutput()->GetPointData()->GetArray("TerminationUV")->GetRange(0);
+  check.Near(range[0], 0.5 - 0.02 / TwoPi, 1e-4, "u of the wedge opposite");
+  check.Near(range[1], 1.0 + 0.02 / TwoPi, 1e-4, "u beyond it");
 
   // A mapping that jumps leaves the seam's cells out.
   check.SetContext("cylinder, not continued");
@@ -298,6 +314,50 @@ void CheckTorus(Check& check)
   }
 }
 
+// A cell lies across a seam where its parameters differ by more than half a period.
+void CheckThreshold(Check& check)
+{
+  for (double step : { 0.45, 0.49, 0.51, 0.55 })
+  {
+    check.SetContext("parameters that differ by " + std::to_string(step));
+    auto image = MakeFlowImage({ { 2, 2, 2 } }, { { 0, 1, 0, 1, 0, 1 } });
+    AddFlow(image,
+      [step](const double* x) -> FlowAnswer {
+        return { 0, 0, 0.2, 0.3 + step * x[1], x[0] };
+      },
+      { { { 0, 1, 1 } } });
+    vtkNew<vtkFlowVolume> volume;
+    volume->SetInputData(image);
+    volume->Update();
+    check.Equal(volume->GetReport().CellsAcrossSeams, step > 0.5, "cells across");
+    const double* range =
+      volume->GetOutput()->GetPointData()->GetArray("TerminationUV")->GetRange(1);
+    check.Near(range[0], step > 0.5 ? 0.3 + step : 0.3, 1e-12, "lowest");
+    check.Near(range[1], step > 0.5 ? 1.3 : 0.3 + step, 1e-12, "highest");
+  }
+}
+
+// Polyhedra on seams are left out, whatever the mapping; elsewhere they are as other cells.
+void CheckPolyhedra(Check& check)
+{
+  check.SetContext("polyhedra");
+  auto mesh = MakeMesh(MeshKind::Boxes, { { 4, 4, 4 } });
+  AddFlow(mesh,
+    [](const double* x) -> FlowAnswer
+    {
+      const double u = 0.2 * x[1] + 0.5;
+      return { 0, 0, u - std::floor(u), x[2], x[0] };
+    },
+    { { { 0, 1, 0 } } });
+  vtkNew<vtkFlowVolume> volume;
+  volume->SetInputData(mesh);
+  volume->SetTimeRange(0.5, 3.0);
+  volume->Update();
+  check.Equal(volume->GetReport().CellsOnSeams, 16, "a layer of cells");
+  check.Near(MeasureVolume(volume->GetOutput()), 2.5 * 3.0 * 4.0, 1e-12, "volume of the others");
+  check.That(GetLargestSpread(volume->GetOutput(), "TerminationUV", 0) < 0.21, "no jump");
+}
+
 // Ghost cells of the input stay out, and no ghost array comes out.
 void CheckGhosts(Check& check)
 {
@@ -313,13 +373,19 @@ void CheckGhosts(Check& check)
   ghosts->SetValue(1, vtkDataSetAttributes::DUPLICATECELL);
   ghosts->SetValue(124, vtkDataSetAttributes::HIDDENCELL);
   image->GetCellData()->AddArray(ghosts);
-  vtkNew<vtkFlowVolume> volume;
-  volume->SetInputData(image);
-  volume->Update();
-  check.Near(MeasureVolume(volume->GetOutput()), (100.0 - 2.0) / 125.0, 1e-6, "volume");
-  check.Equal(volume->GetReport().CellsWithoutAnswer, 24, "those that count");
-  check.That(!volume->GetOutput()->GetCellData()->HasArray(vtkDataSetAttributes::GhostArrayName()),
-    "no ghost array");
+  for (const LatticeForm& form : FormsOf(image))
+  {
+    check.SetContext("ghosts, " + form.Name);
+    AddFlow(form.Data, UniformFlow(1.0), { { { 0, 0, 0 } } });
+    vtkNew<vtkFlowVolume> volume;
+    volume->SetInputData(form.Data);
+    volume->Update();
+    check.Near(MeasureVolume(volume->GetOutput()), (100.0 - 2.0) / 125.0, 1e-6, "volume");
+    check.Equal(volume->GetReport().CellsWithoutAnswer, 24, "those that count");
+    check.That(
+      !volume->GetOutput()->GetCellData()->HasArray(vtkDataSetAttributes::GhostArrayName()),
+      "no ghost array");
+  }
   check.Equal(ghosts->GetValue(5), 0, "the input's array is as it was");
 }
 
@@ -332,6 +398,8 @@ int TestFlowVolumeSeams(int, char*[])
   CheckSaddle(41, check);
   CheckCylinder(check);
   CheckTorus(check);
+  CheckThreshold(check);
+  CheckPolyhedra(check);
   CheckGhosts(check);
   return check.Result();
 }

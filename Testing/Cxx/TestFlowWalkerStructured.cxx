@@ -60,6 +60,7 @@ void CheckGrids(Check& check)
   const VectorField same = [](const Vector& x) { return x; };
   CheckGrid("boxes", MakeCurved(0.0, same), 1.0, 1e-12, true, check);
   CheckGrid("curved", MakeCurved(0.35, same), 1.0, 1e-11, true, check);
+  CheckGrid("slightly curved", MakeCurved(1e-4, same), 1.0, 1e-11, true, check);
   CheckGrid("left-handed",
     MakeCurved(0.35,
       [](const Vector& x) {
@@ -136,6 +137,15 @@ void CheckSeam(Check& check)
         check.Equal(walker.GetCell(), first, "once around");
         check.That(!walker.Cross(4, p.data()) || walker.GetDomainFace(5) == -1, "sides along z");
       }
+      // The inner side is a polygon: in the box of the cell, but not in it.
+      const double middle = 3.14159265358979324 / cells[1];
+      for (const double beside : { -1e-4, -1e-9, 1e-9 })
+      {
+        const double radius = std::cos(middle) + beside;
+        const double x[3] = { radius * std::cos(middle), radius * std::sin(middle), 0.5 };
+        Vector there;
+        check.Equal(walker.Locate(x, there.data()), beside > 0.0, "whether it is in the ring");
+      }
       const double inner[3] = { 1.0, 0.02, 0.5 };
       Vector p;
       check.That(walker.Locate(inner, p.data()), "a point at the inner side");
@@ -145,6 +155,40 @@ void CheckSeam(Check& check)
       double uv[2];
       walker.GetDomainParameters(0, p.data(), uv);
       check.Near(uv[1], 0.125, 1e-12, "v of -i is along k");
+    });
+}
+
+// The cut of a C-grid in parabolic coordinates, where i runs to and fro.
+void CheckCut(Check& check)
+{
+  check.SetContext("cut");
+  const std::array<int, 3> cells = { { 6, 3, 2 } };
+  auto grid = MakeStructuredGrid(cells);
+  MovePoints(grid,
+    [](const Vector& index)
+    {
+      const double s = index[0] - 3.0;
+      return Vector{ { s * s - index[1] * index[1], 2.0 * s * index[1], index[2] } };
+    });
+  auto vectors = AddRandomVectors(grid, 3);
+  WithWalker(grid, vectors, check,
+    [&](auto walker)
+    {
+      const double start[3] = { 2.3, 0.4, 0.7 };
+      Vector p;
+      check.That(walker.Locate(start, p.data()), "the start is found");
+      check.Equal(walker.GetCell(), 4, "before the cut");
+      check.Equal(walker.GetDomainFace(2), -1, "the cut is no side");
+      p[1] = 0.0;
+      const Vector before = PositionOf(walker, p);
+      check.That(walker.Cross(2, p.data()), "the cut is crossed");
+      check.Equal(walker.GetCell(), 1, "behind the cut");
+      check.Near(p[1], 0.0, 0.0, "on the cut", 1.0);
+      check.Near(
+        GetNorm(Subtract(PositionOf(walker, p), before)), 0.0, 1e-15, "the position stays", 1.0);
+      check.That(walker.Cross(2, p.data()) && walker.GetCell() == 4, "and back");
+      check.Near(
+        GetNorm(Subtract(PositionOf(walker, p), before)), 0.0, 1e-15, "the position stays", 1.0);
     });
 }
 
@@ -209,13 +253,54 @@ void CheckCollapsed(Check& check)
     });
 }
 
+// A corner that is straight: two of the columns of dx/dp are parallel there but for rounding.
+void CheckStraightCorner(Check& check)
+{
+  check.SetContext("straight corner");
+  const Vector along = { { 0.48, 0.64, 0.6 } };
+  const Vector across = { { -0.8, 0.6, 0.0 } };
+  const Vector up = { { 0.1, 0.3, 1.7 } };
+  auto grid = MakeStructuredGrid({ { 1, 1, 1 } });
+  MovePoints(grid,
+    [&](const Vector& index)
+    {
+      const double part = (index[0] - 0.6 * index[1]) / 0.7;
+      const double away = index[0] * index[1];
+      Vector x{};
+      for (int i = 0; i < 3; ++i)
+      {
+        x[i] = 0.37 + part * along[i] + away * across[i] + index[2] * up[i];
+      }
+      return x;
+    });
+  const Vector expected = { { up[0] + along[0], up[1] + along[1], up[2] + along[2] } };
+  auto vectors = AddVectors(grid, [&](const Vector&) { return expected; });
+  Random random(43);
+  WithWalker(grid, vectors, check,
+    [&](auto walker)
+    {
+      CheckPlaces(walker, grid, vectors, 20, 1e-10, check, false);
+      const Vector inside = SampleCell(grid, vectors, 0, random).Position;
+      Vector p;
+      check.That(walker.Locate(inside.data(), p.data()), "the cell is found");
+      p = { { 0.0, 0.0, 0.25 } };
+      Vector rate;
+      walker.GetVelocity(p.data(), rate.data());
+      check.Near(GetNorm(Subtract(VelocityOf(walker, p), expected)), 0.0, 1e-12,
+        "the velocity along the other columns", 1.0);
+      check.Near(rate[0] - 0.6 * rate[1], 0.7, 1e-12, "one of the two is enough");
+      check.Near(rate[0] * rate[1], 0.0, 1e-12, "and the other stays", 1.0);
+      check.Near(rate[2], 1.0, 1e-12, "upward");
+    });
+}
+
 // Whether dx/dp of the cell that a walker stands in is positive at 125 places.
 template <typename Walker>
 bool IsPositive(const Walker& walker)
 {
   for (int place = 0; place < 125; ++place)
   {
-    const double p[3] = { place % 5 / 4.0, place / 5 % 5 / 4.0, place / 25 / 4.0 };
+    const double p[3] = { 0.25 * (place % 5), 0.25 * (place / 5 % 5), 0.25 * (place / 25 % 5) };
     double w[3][3];
     for (int j = 0; j < 3; ++j)
     {
@@ -304,8 +389,8 @@ void CheckErrors(Check& check)
   auto grid = MakeStructuredGrid({ { 3, 3, 3 } });
   auto vectors = AddRandomVectors(grid, 1);
   const auto find = [&] { return vtkFlowDispatch::Execute(grid, vectors, {}, [](const auto&) {}); };
-  grid->GetPoints()->SetPoint(17, 0.0, std::nan(""), 0.0);
-  check.That(find() == "point 17 is not finite", find());
+  grid->GetPoints()->SetPoint(63, 0.0, std::nan(""), 0.0);
+  check.That(find() == "point 63 is not finite", find());
   grid->GetPoints()->SetNumberOfPoints(60);
   check.That(find() == "the grid has 60 points of 64", find());
   grid->SetDimensions(4, 1, 4);
@@ -364,8 +449,10 @@ int TestFlowWalkerStructured(int, char*[])
   CheckGrids(check);
   CheckCorners(check);
   CheckSeam(check);
+  CheckCut(check);
   CheckBlanking(check);
   CheckCollapsed(check);
+  CheckStraightCorner(check);
   CheckDistorted(check);
   CheckFolded(check);
   CheckErrors(check);

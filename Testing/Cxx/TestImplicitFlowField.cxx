@@ -472,6 +472,38 @@ void TestMeans(Check& check)
   check.That(GetArray(output, "ArcLength") == nullptr, "no array that is not asked for");
 }
 
+/// Pieces have all cells of the field, once, and the answers that their points have in the whole.
+void TestPieces(Check& check)
+{
+  constexpr int pieces = 3;
+  for (const auto& grid : MakeGrids())
+  {
+    check.SetContext("pieces of " + grid.first);
+    vtkNew<vtkImplicitFlowField> filter;
+    filter->SetInputDataObject(grid.second);
+    filter->AddTerminationSurface(MakePlane(0.0));
+    filter->Update();
+    auto whole = vtk::TakeSmartPointer(
+      vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)->NewInstance()));
+    whole->DeepCopy(filter->GetOutputDataObject(0));
+    vtkIdType cells = 0;
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      filter->UpdatePiece(piece, pieces, 0);
+      vtkDataSet* part = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+      cells += part->GetNumberOfCells();
+      check.That(part->GetNumberOfCells() < whole->GetNumberOfCells(), "a part of the cells");
+      for (vtkIdType id = 0; id < part->GetNumberOfPoints(); ++id)
+      {
+        const vtkIdType same = whole->FindPoint(part->GetPoint(id));
+        check.Equal(GetValue(part, "AdvectionTime", id), GetValue(whole, "AdvectionTime", same),
+          "time in a piece");
+      }
+    }
+    check.Equal(cells, whole->GetNumberOfCells(), "cells of all pieces");
+  }
+}
+
 void TestProgress(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
@@ -505,6 +537,7 @@ int TestImplicitFlowField(int, char*[])
   TestNotFinite(check);
   TestErrors(check);
   TestMeans(check);
+  TestPieces(check);
   TestProgress(check);
   return check.Result();
 }

@@ -29,13 +29,13 @@ using namespace reference;
 
 const double TwoPi = 2.0 * vtkMath::Pi();
 
-// Samples of the plane with ids by their height: 0 and 1 reach, below 0 none does.
+// Samples above 0 reach a surface, of one id or another by their place in a row.
 vtkSmartPointer<vtkImageData> MakeSamples()
 {
   auto image = MakeFlowImage({ { 13, 9, 5 } }, { { -0.2, 1.2, -0.1, 1.3, -1.0, 2.0 } });
   AddFlow(image,
     [](const double* x) -> FlowAnswer {
-      return { x[2] < 0.0 ? 3 : 0, x[2] < 1.0 ? 0 : 7, x[0], x[1], 1.0 };
+      return { x[2] < 0.0 ? 3 : 0, x[0] < 0.4 || x[0] > 1.1 ? 0 : 7, x[0], x[1], 1.0 };
     },
     { { { 0, 1, 0 } }, { { 7, 0, 0 } } });
   return image;

@@ -2,13 +2,15 @@
 // open and several of them, over seams; triangles never run back; start points, scales and errors.
 #include "ReferenceCheck.h"
 #include "ReferenceFlowAnswers.h"
+#include "ReferenceMeshBuilder.h"
 #include "ReferenceMessages.h"
 #include "ReferenceProgress.h"
 #include "ReferenceContourSurfaces.h"
 #include "ReferenceThreads.h"
 
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFlowVolume.h"
 #include "vtkIdList.h"
@@ -24,7 +26,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <set>
 
 namespace
@@ -312,12 +313,27 @@ void CheckPlane(Check& check)
     });
   check.Equal(static_cast<long long>(met.size()), 2, "both are met");
 
-  check.SetContext("saddle");
-  Pipeline saddle(MakePlaneFlow(), "(u-0.5)*(v-0.5)", { 0.0004 });
-  saddle.Parameters->SetResolution(17);
-  saddle.Parameters->AddTerminationSurface(plane);
-  check.Equal(saddle.GetNumberOfContours(), 2, "two branches");
-  check.Near(saddle.GetLength(0), saddle.GetLength(1), 1e-6, "as long");
+  // In the square around the saddle branches pass each other by.
+  for (double value : { 0.0004, -0.0004 })
+  {
+    check.SetContext("saddle, " + std::to_string(value));
+    Pipeline saddle(MakePlaneFlow(), "(u-0.5)*(v-0.5)", { value });
+    saddle.Parameters->SetResolution(17);
+    saddle.Parameters->AddTerminationSurface(plane);
+    check.Equal(saddle.GetNumberOfContours(), 2, "two branches");
+    check.Near(saddle.GetLength(0), saddle.GetLength(1), 1e-6, "as long");
+    std::set<std::pair<int, bool>> sides;
+    ForEachTriangle(saddle.Update(),
+      [&](const Corner* corners)
+      {
+        const double y = corners[0].X[1] - 0.5;
+        if (std::abs(y) > 0.1 && std::abs(corners[0].X[2] - 0.5) < 0.1)
+        {
+          sides.insert({ corners[0].Contour, y > 0.0 });
+        }
+      });
+    check.Equal(static_cast<long long>(sides.size()), 2, "each on one side");
+  }
 }
 
 void CheckCylinder(Check& check)
@@ -333,6 +349,29 @@ void CheckCylinder(Check& check)
   CheckTriangles(around, 0.2, check);
   const auto angle = [](const double* x) { return std::atan2(x[1], x[0]); };
   CheckCircle(around, 0.4, angle, 1.0, 0.02, check);
+
+  check.SetContext("a wave around a cylinder");
+  Pipeline wave(MakeCylinderFlow(), "v+0.1*cos(6.283185307179586*u)", { 0.5 });
+  wave.Parameters->AddTerminationSurface(cylinder, 0);
+  // Length by the angle: along the circle, up and down.
+  std::vector<double> lengths{ 0.0 };
+  constexpr int steps = 20000;
+  for (int i = 0; i < steps; ++i)
+  {
+    const double slope = 0.1 * std::sin(2.0 * Pi * (i + 0.5) / steps);
+    lengths.push_back(lengths.back() + 2.0 * Pi / steps * std::hypot(0.4, slope));
+  }
+  check.Near(wave.GetLength(0), lengths.back(), 1e-4, "length");
+  CheckTriangles(wave, 0.2, check);
+  CheckCircle(
+    wave, lengths.back() / (2.0 * Pi),
+    [&](const double* x)
+    {
+      double turns = std::atan2(x[1], x[0]) / (2.0 * Pi);
+      turns -= std::floor(turns);
+      return 2.0 * Pi * lengths[static_cast<std::size_t>(turns * steps)] / lengths.back();
+    },
+    1.0, 0.02, check);
 
   check.SetContext("across the seam");
   Pipeline across(
@@ -388,6 +427,66 @@ void CheckParts(Check& check)
   ForEachTriangle(pipeline.Update(),
     [&](const Corner* corners)
     { check.That((corners[0].Contour < 2) == (corners[0].X[0] < 0.0), "contour of the surface"); });
+}
+
+// Places far from their contour: the nearest on a circle is at the same angle.
+void CheckFar(Check& check)
+{
+  check.SetContext("far from the contour");
+  vtkNew<Plane> plane;
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetFormula(vtkInflowMapping::ALL, "(u-0.5)^2+(v-0.5)^2");
+  // Triangles of one point each, at a spiral of parameters.
+  MeshBuilder builder;
+  constexpr int number = 300;
+  for (int i = 0; i < number; ++i)
+  {
+    const double r = 0.1 + 0.4 * i / number;
+    const vtkIdType p = builder.AddPoint(0.0, 0.5 + r * std::cos(i), 0.5 + r * std::sin(i));
+    builder.AddCell(VTK_TRIANGLE, { p, p, p });
+  }
+  auto mesh = builder.GetMesh();
+  AddFlow(mesh, UniformFlow(1.0), { { { 0, 0, 0 } } });
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Inflow");
+  values->SetNumberOfValues(number);
+  values->Fill(0.09);
+  mesh->GetCellData()->AddArray(values);
+  vtkNew<vtkStreamSurfaceParameters> parameters;
+  parameters->SetInputData(mesh);
+  parameters->SetMapping(mapping);
+  parameters->AddTerminationSurface(plane, 0);
+  parameters->AddStartPoint(0.0, 0.8, 0.5);
+  parameters->Update();
+  const double turn =
+    parameters->GetOutput()->GetFieldData()->GetArray("ContourLength")->GetComponent(0, 0);
+  for (int i = 0; i < number; ++i)
+  {
+    const double found =
+      parameters->GetOutput()->GetPointData()->GetTCoords()->GetComponent(i, 0) / turn;
+    const double turns = found + i / (2.0 * Pi);
+    check.Near(turns, std::round(turns), 2e-3, "the nearest place", 1.0);
+  }
+}
+
+void CheckRuns(Check& check)
+{
+  vtkNew<Cylinder> cylinder;
+  cylinder->SetRadius(0.4);
+  CheckThreads(
+    "parameters",
+    [&]()
+    {
+      Pipeline pipeline(MakeCylinderFlow(), "v+0.1*cos(6.283185307179586*u)", { 0.4, 0.5 });
+      pipeline.Parameters->AddTerminationSurface(cylinder, 0);
+      vtkPolyData* output = pipeline.Update();
+      auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      grid->SetPoints(output->GetPoints());
+      grid->SetCells(VTK_TRIANGLE, output->GetPolys());
+      grid->GetPointData()->ShallowCopy(output->GetPointData());
+      return std::vector<vtkSmartPointer<vtkUnstructuredGrid>>{ grid };
+    },
+    check);
 }
 
 void CheckErrors(Check& check)
@@ -473,6 +572,8 @@ int TestStreamSurfaceParameters(int, char*[])
   CheckPlane(check);
   CheckCylinder(check);
   CheckParts(check);
+  CheckFar(check);
+  CheckRuns(check);
   CheckErrors(check);
   return check.Result();
 }

@@ -8,6 +8,7 @@
 #include "vtkDataSet.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -487,6 +488,15 @@ void CheckPoints(Walker walker, vtkDataSet* data, Check& check)
     check.That(
       other.Locate(x.data(), again.data()) && other.GetCell() == walker.GetCell() && again == p,
       "it is always in the same cell");
+    // A side of the grid is found in spite of rounding.
+    Vector rounded = x;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool isUpper = 2.0 * x[axis] > bounds[2 * axis] + bounds[2 * axis + 1];
+      rounded[axis] += (isUpper ? 2.0 : -2.0) * DBL_EPSILON * std::abs(x[axis]);
+    }
+    check.That(other.Locate(rounded.data(), again.data()), "a point rounded outward is found");
+    check.Near(GetDifference(PositionOf(other, again), x, extent), 0.0, 1e-12, "there", 1.0);
   }
 }
 
