@@ -56,23 +56,29 @@ void SetGradientNormals(vtkPointData* pointData, int side)
 }
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> MakeBoundary(vtkIntervalVolume* filter, int side)
+vtkSmartPointer<vtkUnstructuredGrid> SelectTriangles(
+  vtkUnstructuredGrid* triangles, const std::string& array, int value)
 {
-  vtkUnstructuredGrid* triangles =
-    vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1));
-  vtkDataArray* sides = triangles->GetCellData()->GetArray("BoundarySide");
+  vtkDataArray* values = triangles->GetCellData()->GetArray(array.c_str());
   auto selected = vtkSmartPointer<vtkUnstructuredGrid>::New();
   selected->SetPoints(triangles->GetPoints());
   selected->GetPointData()->ShallowCopy(triangles->GetPointData());
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
   {
-    if (sides->GetComponent(cell, 0) == side)
+    if (values->GetComponent(cell, 0) == value)
     {
       triangles->GetCellPoints(cell, corners);
       selected->InsertNextCell(VTK_TRIANGLE, corners);
     }
   }
+  return selected;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeBoundary(vtkIntervalVolume* filter, int side)
+{
+  vtkSmartPointer<vtkUnstructuredGrid> selected = SelectTriangles(
+    vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1)), "BoundarySide", side);
   SetGradientNormals(selected->GetPointData(), side);
   return selected;
 }

@@ -21,6 +21,12 @@ class vtkUnstructuredGrid;
 namespace gallery
 {
 /**
+ * The cells of \a triangles with cell array \a array equal to \a value, over the points of all.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> SelectTriangles(
+  vtkUnstructuredGrid* triangles, const std::string& array, int value);
+
+/**
  * The boundary triangles of an extraction with cell array `BoundarySide` equal to \a side
  * (vtkIntervalVolume::BoundarySides), over the points of all. Point normals come from the gradient
  * of the field, smoother than those of the triangles; AddGradient() was applied before the

@@ -97,6 +97,8 @@ nlohmann::json ToJson(const SceneReport& report)
     { "intervals", report.Intervals }, { "criteria", report.Criteria },
     { "tetrahedra", report.Tetrahedra }, { "boundary_triangles", report.BoundaryTriangles },
     { "slabs", report.Slabs }, { "simplices", report.Simplices },
+    { "flow_cells", report.FlowCells }, { "flow_cells_left_out", report.FlowCellsLeftOut },
+    { "inflow_passes", report.InflowPasses }, { "time_passes", report.TimePasses },
     { "extraction",
       { { "cells", extraction.Cells }, { "cells_visited", extraction.CellsVisited },
         { "cells_with_output", extraction.CellsWithOutput },

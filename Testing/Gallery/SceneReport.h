@@ -32,7 +32,8 @@ struct SceneReport
   double RenderSeconds = 0.0;
 
   /// Names of what was on: `criteria`, `boundaries`, `time`, `time-boundaries` (those of
-  /// tetrahedra), `time-slices`, `volumes`, `slices`, `shadows`, `ambient-occlusion`.
+  /// tetrahedra), `time-slices`, `flow`, `stream-surfaces`, `time-surfaces`, `volumes`, `slices`,
+  /// `shadows`, `ambient-occlusion`.
   std::set<std::string> Features;
 
   /// Extraction filters run, their intervals and criteria, and what came out.
@@ -46,6 +47,13 @@ struct SceneReport
   vtkIdType Simplices = 0;
   /// Sum of the reports of the filters.
   vtkExtractionReport Extraction;
+
+  /// Of flow volumes: cells of the implicit flow fields, those left out because nothing may be
+  /// interpolated in them, and extractions by inflow and by advection time.
+  vtkIdType FlowCells = 0;
+  vtkIdType FlowCellsLeftOut = 0;
+  int InflowPasses = 0;
+  int TimePasses = 0;
 
   /// Panels, those that have surfaces, and of these those with ambient occlusion.
   int Panels = 0;

@@ -7,6 +7,7 @@
 #include "Stopwatch.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkFlowVolume.h"
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
 #include "vtkRenderWindow.h"
@@ -120,6 +121,31 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(
       this->Report.Features.insert(isSurface ? "boundaries" : "time-boundaries");
     }
   }
+  return tetrahedra;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkFlowVolume* filter, vtkDataObject* input)
+{
+  filter->SetInputDataObject(input);
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = this->Run(filter);
+  this->Report.Intervals += filter->GetNumberOfIntervals();
+  this->Report.Features.insert("flow");
+  for (int port = 1; port <= 2; ++port)
+  {
+    const vtkIdType cells =
+      vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port))->GetNumberOfCells();
+    this->Report.BoundaryTriangles += cells;
+    if (cells > 0)
+    {
+      this->Report.Features.insert(port == 1 ? "stream-surfaces" : "time-surfaces");
+    }
+  }
+  const vtkFlowVolume::Report& report = filter->GetReport();
+  this->Report.FlowCells += report.Cells;
+  this->Report.FlowCellsLeftOut +=
+    report.CellsWithoutAnswer + report.CellsBetweenSurfaces + report.CellsOnSeams;
+  this->Report.InflowPasses += report.InflowPasses;
+  this->Report.TimePasses += report.TimePasses;
   return tetrahedra;
 }
 

@@ -14,6 +14,7 @@
 
 class vtkAlgorithm;
 class vtkDataObject;
+class vtkFlowVolume;
 class vtkImageData;
 class vtkIntervalVolume;
 class vtkRenderer;
@@ -72,6 +73,12 @@ public:
    */
   vtkSmartPointer<vtkUnstructuredGrid> Extract(
     vtkTimeVaryingIntervalVolume* filter, vtkAlgorithm* source);
+
+  /**
+   * The same for a flow volume of an implicit flow field with its inflow. Stream surfaces, where
+   * asked for, are on the filter's port 1, time surfaces on its port 2, and counted.
+   */
+  vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkFlowVolume* filter, vtkDataObject* input);
 
   /**
    * The 4-simplices at one time, as tetrahedra, which are counted.

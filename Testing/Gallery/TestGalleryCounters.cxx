@@ -45,9 +45,12 @@ public:
     this->Expect((scene.at("tetrahedra") > 0) == isExtracted, "tetrahedra were made");
     this->Expect(extraction.at("cells_visited") <= extraction.at("cells"),
       "no more cells visited than there are");
-    this->Expect((extraction.at("cells_with_output") > 0) == isExtracted, "cells gave output");
-    this->Expect(has("boundaries") == (scene.at("boundary_triangles") > 0),
+    this->Expect((extraction.at("cells_with_output") > 0) == (isExtracted && !has("flow")),
+      "cells gave output");
+    this->Expect((has("boundaries") || has("stream-surfaces") || has("time-surfaces")) ==
+        (scene.at("boundary_triangles") > 0),
       "boundary triangles exactly where boundaries are on");
+    this->CheckFlow(scene, has("flow"));
     this->Expect(has("boundaries") ==
         (this->Scene == "interval-boundary" || this->Scene == "interval-constant" ||
           this->Scene == "time-boundaries"),
@@ -60,8 +63,8 @@ public:
     const int slabs = scene.at("slabs");
     this->Expect(has("time") == (slabs > 0 && scene.at("simplices") > 0),
       "slabs and 4-simplices exactly where there is time");
-    this->Expect(
-      !isExtracted || extraction.at("passes") == (has("time") ? slabs : (has("criteria") ? 2 : 1)),
+    this->Expect(!isExtracted || has("flow") ||
+        extraction.at("passes") == (has("time") ? slabs : (has("criteria") ? 2 : 1)),
       "a pass for each slab, and a second one exactly where there is a criterion");
     this->Expect(
       has("time-slices") == (this->Scene == "time-slices"), "slices in time in time-slices only");
@@ -108,6 +111,20 @@ public:
       "the page shows the picture");
     this->Expect(
       std::ifstream(this->Folder + "/" + this->Scene + ".png").good(), "the picture is there");
+  }
+
+  void CheckFlow(const nlohmann::json& scene, bool hasFlow)
+  {
+    this->Expect((scene.at("flow_cells") > 0) == hasFlow, "cells of a flow where there is one");
+    this->Expect(scene.at("flow_cells_left_out") < scene.at("flow_cells") || !hasFlow,
+      "cells of the flow to extract from");
+    const int filters = scene.at("filters");
+    const int inflowPasses = scene.at("inflow_passes");
+    const int timePasses = scene.at("time_passes");
+    this->Expect(inflowPasses <= filters && timePasses <= filters, "each extraction made once");
+    this->Expect((inflowPasses + timePasses > 0) == hasFlow, "extractions where there is flow");
+    this->Expect((inflowPasses > 0) == (hasFlow && scene.at("intervals") > 0),
+      "extracted by inflow exactly where there are intervals");
   }
 
   void CheckVolume(const nlohmann::json& volume)

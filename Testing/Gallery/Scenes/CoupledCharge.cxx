@@ -1,0 +1,84 @@
+// From a source to a sink: a stream volume with five nested stream surfaces.
+
+#include "FlowScene.h"
+#include "FlowTextures.h"
+#include "Look.h"
+#include "Scene.h"
+#include "Stage.h"
+#include "Volumes.h"
+
+#include "vtkActor.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkFlowVolume.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkTerminationSphere.h"
+#include "vtkTexture.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+#include <vector>
+
+namespace
+{
+constexpr double HALF_SEPARATION = 0.5;
+constexpr double RADIUS = 0.12;
+constexpr double BALL_RADIUS = 0.15;
+
+void Build(gallery::Stage& stage)
+{
+  const vtkSmartPointer<vtkAnalyticFlowSource> charges = gallery::MakeAnalyticFlow(
+    vtkAnalyticFlowSource::COUPLED_CHARGE, { { 49, 49, 49 }, { -1.6, 1.6, -1.6, 1.6, -1.6, 1.6 } });
+  vtkNew<vtkTerminationSphere> source;
+  source->SetCenter(-HALF_SEPARATION, 0.0, 0.0);
+  source->SetRadius(RADIUS);
+  source->SetAxis(1.0, 0.0, 0.0);
+  // Half of it: the cut shows how the surfaces are nested.
+  const gallery::FlowLattice samples = { { 73, 37, 57 }, { -1.0, 1.0, 0.0, 0.8, -0.8, 0.8 } };
+  const vtkSmartPointer<vtkDataSet> inflow =
+    gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v");
+
+  vtkNew<vtkFlowVolume> filter;
+  filter->SetNumberOfIntervals(1);
+  filter->SetInterval(0, 0.0, 0.42);
+  const std::vector<double> values = { 0.06, 0.13, 0.22, 0.32 };
+  for (int i = 0; i < 4; ++i)
+  {
+    filter->SetStreamSurface(i, values[static_cast<std::size_t>(i)]);
+  }
+  filter->GenerateStreamSurfacesOn();
+  filter->GenerateNormalsOn();
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
+
+  std::vector<vtkColor3d> colours;
+  for (int i = 0; i < 6; ++i)
+  {
+    colours.push_back(gallery::IntervalColour(i));
+  }
+  vtkUnstructuredGrid* surfaces =
+    vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(gallery::STREAM_SURFACES));
+  gallery::SetStreamlineCoordinates(surfaces, 0, 24, 6);
+
+  gallery::Panel& panel = stage.AddPanel("");
+  panel.LookFrom({ 0.25, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  vtkNew<vtkPiecewiseFunction> extinction;
+  extinction->AddPoint(0.0, 1.0);
+  vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(
+    tetrahedra, "Inflow", gallery::MakeColourMap(gallery::Map::Viridis, 0.0, 0.42), extinction);
+  gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colours, 0.85));
+  panel.Add(volume);
+  panel.Add(
+    gallery::MakeBall({ -HALF_SEPARATION, 0.0, 0.0 }, BALL_RADIUS, gallery::IntervalColour(3)));
+  panel.Add(
+    gallery::MakeBall({ HALF_SEPARATION, 0.0, 0.0 }, BALL_RADIUS, gallery::IntervalColour(0)));
+}
+
+const gallery::SceneRegistration registration(
+  { "coupled-charge", "4.9", "From a source to a sink, with five stream surfaces",
+    "The field of two charges of opposite sign, cut in half. Red is a sphere around the source, "
+    "where all streamlines are followed back to, blue one around the sink. Five stream surfaces, "
+    "nested, by the latitude at which they leave the source; the lines on them are streamlines at "
+    "equal steps of longitude. The volume between them has the colours of latitude.",
+    {}, &Build });
+}

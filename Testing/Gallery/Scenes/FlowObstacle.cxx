@@ -1,0 +1,62 @@
+// Flow that parts around a sphere, with three textured time surfaces.
+
+#include "FlowScene.h"
+#include "FlowTextures.h"
+#include "Look.h"
+#include "Scene.h"
+#include "Stage.h"
+#include "Volumes.h"
+
+#include "vtkActor.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkFlowVolume.h"
+#include "vtkNew.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTexture.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+namespace
+{
+constexpr double RADIUS = 0.3;
+
+void Build(gallery::Stage& stage)
+{
+  const vtkSmartPointer<vtkAnalyticFlowSource> flow = gallery::MakeAnalyticFlow(
+    vtkAnalyticFlowSource::SPHERE, { { 73, 57, 57 }, { -1.1, 1.1, -0.8, 0.8, -0.8, 0.8 } });
+  flow->SetRadius(RADIUS);
+  const vtkSmartPointer<vtkTerminationPlane> plane =
+    gallery::MakeInflowPlane({ -1.0, 0.0, 0.0 }, { 0.0, 0.75, 0.0 }, { 0.0, 0.0, 0.75 });
+  const gallery::FlowLattice samples = { { 85, 57, 57 }, { -1.0, 0.9, -0.6, 0.6, -0.6, 0.6 } };
+  const vtkSmartPointer<vtkDataSet> inflow = gallery::MapInflow(
+    gallery::MakeImplicitFlow(flow, { plane }, samples), "2 * sqrt((u - 0.5)^2 + (v - 0.5)^2)");
+  vtkNew<vtkFlowVolume> filter;
+  filter->SetNumberOfIntervals(1);
+  filter->SetInterval(0, 0.22, 0.5);
+  filter->SetTimeSurface(0, 0.5);
+  filter->SetTimeSurface(1, 1.15);
+  filter->SetTimeSurface(2, 1.75);
+  filter->GenerateTimeSurfacesOn();
+  filter->GenerateNormalsOn();
+  filter->ParametersAsTextureCoordinatesOn();
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
+
+  gallery::Panel& panel = stage.AddPanel("");
+  panel.LookFrom({ 0.9, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 0.8 } }));
+  for (int id = 0; id < 3; ++id)
+  {
+    panel.Add(
+      gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id + 1),
+        gallery::MakeGridTexture(32, 32, gallery::IntervalColour(1 + id), gallery::Ink())));
+  }
+  panel.Add(gallery::MakeBall({ 0.0, 0.0, 0.0 }, 1.02 * RADIUS, gallery::Pencil()));
+}
+
+const gallery::SceneRegistration registration(
+  { "flow-obstacle", "4.12", "Flow that parts around a sphere, with three time surfaces",
+    "Potential flow around a sphere, from the left. Three time surfaces within the stream volume "
+    "of a ring, each where the flow has come to after some time. The grid is laid on the inflow "
+    "and carried along: it is bent around the obstacle.",
+    {}, &Build });
+}

@@ -1,0 +1,156 @@
+#include "FlowScene.h"
+
+#include "Props.h"
+#include "Volumes.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkFlowStatus.h"
+#include "vtkFlowVolume.h"
+#include "vtkIdList.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkInflowMapping.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTerminationSurfaceSource.h"
+#include "vtkTexture.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+namespace gallery
+{
+vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowLattice& lattice)
+{
+  auto source = vtkSmartPointer<vtkAnalyticFlowSource>::New();
+  source->SetField(field);
+  const std::array<int, 3>& dimensions = lattice.Dimensions;
+  source->SetDimensions(dimensions[0], dimensions[1], dimensions[2]);
+  source->SetBounds(lattice.Bounds.data());
+  return source;
+}
+
+vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
+  const std::vector<vtkTerminationSurface*>& surfaces, const FlowLattice& samples, double time)
+{
+  vtkNew<vtkImplicitFlowField> flow;
+  flow->SetInputConnection(field->GetOutputPort());
+  for (vtkTerminationSurface* surface : surfaces)
+  {
+    flow->AddTerminationSurface(surface);
+  }
+  flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+  const std::array<int, 3>& dimensions = samples.Dimensions;
+  flow->SetSampleDimensions(dimensions[0], dimensions[1], dimensions[2]);
+  flow->SetSampleBounds(samples.Bounds.data());
+  flow->SetMaximumTime(time);
+  flow->Update();
+  return vtkDataSet::SafeDownCast(flow->GetOutputDataObject(0));
+}
+
+vtkSmartPointer<vtkDataSet> MapInflow(vtkDataSet* flow, const std::string& formula)
+{
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetInputData(flow);
+  mapping->SetFormula(vtkInflowMapping::ALL, formula.c_str());
+  mapping->Update();
+  return vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0));
+}
+
+vtkSmartPointer<vtkTerminationPlane> MakeInflowPlane(const std::array<double, 3>& middle,
+  const std::array<double, 3>& u, const std::array<double, 3>& v)
+{
+  double corners[3][3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    corners[0][i] = middle[i] - u[i] - v[i];
+    corners[1][i] = middle[i] + u[i] - v[i];
+    corners[2][i] = middle[i] - u[i] + v[i];
+  }
+  auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
+  plane->SetOrigin(corners[0]);
+  plane->SetPoint1(corners[1]);
+  plane->SetPoint2(corners[2]);
+  return plane;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> GetFlowSurface(vtkFlowVolume* filter, int port, int id)
+{
+  return SelectTriangles(vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port)),
+    port == STREAM_SURFACES ? "StreamSurfaceId" : "TimeSurfaceId", id);
+}
+
+vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, const vtkColor3d& colour)
+{
+  vtkNew<vtkDataSetSurfaceFilter> triangles;
+  triangles->SetInputData(surface);
+  triangles->Update();
+  return MakeActor(triangles->GetOutput(), colour);
+}
+
+vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, vtkTexture* texture)
+{
+  vtkSmartPointer<vtkActor> actor = MakeFlowActor(surface, vtkColor3d(1.0, 1.0, 1.0));
+  actor->SetTexture(texture);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> MakeTerminationActor(vtkTerminationSurface* surface, vtkTexture* texture)
+{
+  vtkNew<vtkTerminationSurfaceSource> source;
+  source->SetSurface(surface);
+  source->Update();
+  vtkSmartPointer<vtkActor> actor = MakeActor(source->GetOutput(), { 1.0, 1.0, 1.0 });
+  actor->SetTexture(texture);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> MakeBall(
+  const std::array<double, 3>& center, double radius, const vtkColor3d& colour)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(center[0], center[1], center[2]);
+  ball->SetRadius(radius);
+  ball->SetThetaResolution(64);
+  ball->SetPhiResolution(64);
+  ball->Update();
+  return MakeActor(ball->GetOutput(), colour);
+}
+
+void SetStreamlineCoordinates(vtkUnstructuredGrid* surfaces, int component, int lines, int number)
+{
+  vtkDataArray* parameters = surfaces->GetPointData()->GetArray(vtkFlowStatus::ParametersArray());
+  vtkDataArray* ids = surfaces->GetCellData()->GetArray("StreamSurfaceId");
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetName("StreamlineCoordinates");
+  coordinates->SetNumberOfComponents(2);
+  coordinates->SetNumberOfTuples(surfaces->GetNumberOfPoints());
+  coordinates->Fill(0.0);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < surfaces->GetNumberOfCells(); ++cell)
+  {
+    surfaces->GetCellPoints(cell, corners);
+    const double part = (ids->GetComponent(cell, 0) + 0.5) / number;
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType point = corners->GetId(i);
+      coordinates->SetTuple2(point, lines * parameters->GetComponent(point, component), part);
+    }
+  }
+  surfaces->GetPointData()->SetTCoords(coordinates);
+}
+
+void SetTexturedBoundary(vtkVolume* volume, vtkUnstructuredGrid* surfaces, vtkTexture* texture)
+{
+  SetBoundary(volume, surfaces, { 1.0, 1.0, 1.0 }, 1.0);
+  GetMapper(volume)->SetBoundaryTexture(texture);
+}
+}

@@ -1,0 +1,55 @@
+// A flow volume with one of its two boundary surfaces highlighted.
+
+#include "FlowScene.h"
+#include "Look.h"
+#include "Scene.h"
+#include "Stage.h"
+#include "Volumes.h"
+
+#include "vtkAnalyticFlowSource.h"
+#include "vtkFlowVolume.h"
+#include "vtkNew.h"
+#include "vtkTerminationPlane.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+namespace
+{
+constexpr double TOP = 1.0;
+
+void Build(gallery::Stage& stage)
+{
+  const vtkSmartPointer<vtkAnalyticFlowSource> jet = gallery::MakeAnalyticFlow(
+    vtkAnalyticFlowSource::SADDLE, { { 17, 17, 17 }, { -1.3, 1.3, -0.9, 0.9, 0.0, TOP } });
+  jet->SetSaddleRates(0.65, 0.35, -1.0);
+  const vtkSmartPointer<vtkTerminationPlane> nozzle =
+    gallery::MakeInflowPlane({ 0.0, 0.0, TOP }, { 0.5, 0.0, 0.0 }, { 0.0, 0.5, 0.0 });
+  const gallery::FlowLattice samples = { { 81, 65, 41 }, { -1.3, 1.3, -0.9, 0.9, 0.02, TOP } };
+  const vtkSmartPointer<vtkDataSet> inflow = gallery::MapInflow(
+    gallery::MakeImplicitFlow(jet, { nozzle }, samples), "sqrt((u - 0.5)^2 + (v - 0.5)^2)");
+
+  vtkNew<vtkFlowVolume> filter;
+  filter->SetNumberOfIntervals(1);
+  filter->SetInterval(0, 0.16, 0.42);
+  filter->GenerateStreamSurfacesOn();
+  filter->GenerateNormalsOn();
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
+
+  gallery::Panel& panel = stage.AddPanel("");
+  panel.LookFrom({ 0.45, -1.0, 0.4 }, { 0.0, 0.0, 1.0 });
+  vtkSmartPointer<vtkVolume> volume =
+    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 1.2 } });
+  gallery::SetBoundary(volume, gallery::GetFlowSurface(filter, gallery::STREAM_SURFACES, 0),
+    gallery::IntervalColour(2), 1.0);
+  panel.Add(volume);
+}
+
+const gallery::SceneRegistration registration(
+  { "flow-volume-boundary", "4.5", "A flow volume with one boundary surface",
+    "A jet that comes down on a floor, which is not shown, and spreads, more to the left and right "
+    "than to the front "
+    "and back: a saddle of velocity (0.65 x, 0.35 y, -z). The stream volume is what flows through "
+    "a ring at the top; its inner boundary, opaque and glossy, is a stream surface made with it in "
+    "the same pass.",
+    {}, &Build });
+}

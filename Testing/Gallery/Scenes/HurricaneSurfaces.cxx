@@ -1,0 +1,76 @@
+// Four stream surfaces of a hurricane.
+
+#include "FlowScene.h"
+#include "FlowTextures.h"
+#include "Look.h"
+#include "Scene.h"
+#include "Stage.h"
+#include "Volumes.h"
+
+#include "vtkAnalyticFlowSource.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkFlowVolume.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTexture.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+#include <vector>
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  const vtkSmartPointer<vtkAnalyticFlowSource> hurricane = gallery::MakeAnalyticFlow(
+    vtkAnalyticFlowSource::HURRICANE, { { 65, 65, 25 }, { -1.3, 1.3, -1.3, 1.3, -0.5, 0.5 } });
+  hurricane->SetHeight(1.0);
+  hurricane->SetMaximumWind(0.5);
+  hurricane->SetUpdraft(0.5);
+  hurricane->SetAxisTilt(0.0, 0.0);
+  hurricane->SetAxisBend(0.0, 0.0);
+  // Air comes in through the lower part of the rim.
+  vtkNew<vtkTerminationCylinder> rim;
+  rim->SetPoint1(0.0, 0.0, -0.5);
+  rim->SetPoint2(0.0, 0.0, 0.5);
+  rim->SetRadius(1.25);
+  const gallery::FlowLattice samples = { { 69, 35, 57 }, { -0.85, 0.85, 0.0, 0.85, -0.49, 0.49 } };
+  const vtkSmartPointer<vtkDataSet> inflow =
+    gallery::MapInflow(gallery::MakeImplicitFlow(hurricane, { rim }, samples, 12.0), "v");
+
+  vtkNew<vtkFlowVolume> filter;
+  filter->SetNumberOfIntervals(1);
+  filter->SetInterval(0, 0.1, 0.29);
+  filter->SetStreamSurface(0, 0.17);
+  filter->SetStreamSurface(1, 0.23);
+  filter->GenerateStreamSurfacesOn();
+  filter->GenerateNormalsOn();
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
+  vtkUnstructuredGrid* surfaces =
+    vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(gallery::STREAM_SURFACES));
+  gallery::SetStreamlineCoordinates(surfaces, 0, 24, 4);
+  std::vector<vtkColor3d> colours;
+  for (int i = 0; i < 4; ++i)
+  {
+    colours.push_back(gallery::IntervalColour(i));
+  }
+
+  gallery::Panel& panel = stage.AddPanel("");
+  panel.LookFrom({ 0.25, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  vtkNew<vtkPiecewiseFunction> extinction;
+  extinction->AddPoint(0.0, 2.5);
+  vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(
+    tetrahedra, "Inflow", gallery::MakeColourMap(gallery::Map::Viridis, 0.0, 0.5), extinction);
+  gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colours, 0.85));
+  panel.Add(volume);
+}
+
+const gallery::SceneRegistration registration(
+  { "hurricane-surfaces", "4.10", "Four stream surfaces of a hurricane",
+    "A stand-in for a hurricane with known formulas, cut in half. Air comes in through the lower "
+    "half of the rim, a cylinder around the storm, rises in a ring around the eye and leaves "
+    "above. Four stream surfaces by the height at which the air comes in, blue lowest; the lines "
+    "on them are streamlines, which show the swirl.",
+    {}, &Build });
+}

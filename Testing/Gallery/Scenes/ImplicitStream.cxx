@@ -1,0 +1,56 @@
+// An implicit stream surface beside the stream volume that it bounds.
+
+#include "FlowScene.h"
+#include "Look.h"
+#include "Scene.h"
+#include "Stage.h"
+#include "Volumes.h"
+
+#include "vtkActor.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkFlowVolume.h"
+#include "vtkNew.h"
+#include "vtkTerminationPlane.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  const vtkSmartPointer<vtkAnalyticFlowSource> tornado = gallery::MakeAnalyticFlow(
+    vtkAnalyticFlowSource::TORNADO, { { 49, 49, 33 }, { -1.5, 1.5, -1.5, 1.5, -1.0, 1.0 } });
+  tornado->SetCoreRadius(0.6);
+  tornado->SetCirculation(1.2);
+  const vtkSmartPointer<vtkTerminationPlane> ground =
+    gallery::MakeInflowPlane({ 0.0, 0.0, -0.8 }, { 1.5, 0.0, 0.0 }, { 0.0, 1.5, 0.0 });
+  const gallery::FlowLattice samples = { { 57, 57, 61 }, { -0.9, 0.9, -0.9, 0.9, -0.8, 1.0 } };
+  // A star with four points.
+  const vtkSmartPointer<vtkDataSet> inflow =
+    gallery::MapInflow(gallery::MakeImplicitFlow(tornado, { ground }, samples),
+      "3 * sqrt((u - 0.5)^2 + (v - 0.5)^2) * (1 + 0.25 * cos(4 * atan2(v - 0.5, u - 0.5)))");
+
+  vtkNew<vtkFlowVolume> filter;
+  filter->SetNumberOfIntervals(1);
+  filter->SetInterval(0, 0.3, 0.6);
+  filter->GenerateStreamSurfacesOn();
+  filter->GenerateNormalsOn();
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
+
+  gallery::Panel& surface = stage.AddPanel("the stream surface");
+  gallery::Panel& volume = stage.AddPanel("the stream volume");
+  surface.LookFrom({ 0.25, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  volume.LookAs(surface);
+  surface.Add(gallery::MakeFlowActor(
+    gallery::GetFlowSurface(filter, gallery::STREAM_SURFACES, 1), gallery::IntervalColour(0)));
+  volume.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 3.0 } }));
+}
+
+const gallery::SceneRegistration registration(
+  { "implicit-stream", "4.3", "An implicit stream surface and a stream volume",
+    "A vortex that draws air up from the ground, a stand-in for a tornado. Every sample is "
+    "followed back to the ground, where a star is drawn. On the left a level set of it, as van "
+    "Wijk's implicit stream surfaces; on the right all between two levels, from the same samples. "
+    "Nothing is followed a second time for it.",
+    {}, &Build });
+}

@@ -1,0 +1,35 @@
+// The boundary of an interval volume as a textured stream surface.
+
+#include "Look.h"
+#include "Scene.h"
+#include "Stage.h"
+#include "TexturedSurface.h"
+#include "Volumes.h"
+
+#include "vtkActor.h"
+#include "vtkDataSet.h"
+#include "vtkPolyData.h"
+#include "vtkStreamlineTexture.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  const vtkSmartPointer<vtkDataSet> flow = gallery::MakeTornado();
+  gallery::Panel& panel = stage.AddPanel("");
+  panel.LookFrom({ 0.4, -1.0, 0.35 }, { 0.0, 0.0, 1.0 });
+  panel.Add(gallery::MakeLinedActor(gallery::MakeStreamSurface(flow, 0.06, 0.45, 10.0, 16.0),
+    vtkColor3d(0.95, 0.93, 0.9), gallery::MakeStreamlines(48, gallery::Ink()), nullptr));
+  panel.Add(gallery::MakeVolumeOfIntervals(gallery::MakeStreamVolume(flow, 0.06, 0.16, 0.45, 10.0),
+    { { gallery::IntervalColour(0), 2.0 } }));
+}
+
+const gallery::SceneRegistration registration({ "interval-textured", "3.8",
+  "The boundary of an interval as a textured stream surface",
+  "Air of a tornado that flows in at heights from 0.06 to 0.16 of all: an interval volume of the "
+  "inflow height. Its inner boundary is a stream surface, drawn opaque with lines that follow the "
+  "flow, and seen through the translucent rest.",
+  {}, &Build });
+}

@@ -1,0 +1,87 @@
+// A stream surface with line integral convolution on it, inside a translucent volume.
+
+#include "Look.h"
+#include "Props.h"
+#include "Scene.h"
+#include "Stage.h"
+#include "TexturedSurface.h"
+#include "Volumes.h"
+
+#include "vtkActor.h"
+#include "vtkLinearSubdivisionFilter.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataSet.h"
+#include "vtkFlowLIC.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkInflowMapping.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTerminationPlane.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+namespace
+{
+constexpr double Radius = 0.4;
+
+/// The samples of the flow, with the distance from the axis where they flow in.
+vtkSmartPointer<vtkDataSet> MakeFlow(vtkAnalyticFlowSource* source)
+{
+  vtkNew<vtkTerminationPlane> plane;
+  plane->SetOrigin(-1.3, -1.0, -1.0);
+  plane->SetPoint1(-1.3, 1.0, -1.0);
+  plane->SetPoint2(-1.3, -1.0, 1.0);
+  vtkNew<vtkImplicitFlowField> flow;
+  flow->SetInputConnection(source->GetOutputPort());
+  flow->AddTerminationSurface(plane);
+  flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+  flow->SetSampleDimensions(81, 57, 57);
+  flow->SetSampleBounds(-1.3, 1.3, -0.9, 0.9, -0.9, 0.9);
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetInputConnection(flow->GetOutputPort());
+  mapping->SetFormula(vtkInflowMapping::ALL, "2 * sqrt((u - 0.5)^2 + (v - 0.5)^2)");
+  mapping->Update();
+  return vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0));
+}
+
+void Build(gallery::Stage& stage)
+{
+  vtkNew<vtkAnalyticFlowSource> source;
+  source->SetField(vtkAnalyticFlowSource::SPHERE);
+  source->SetDimensions(105, 81, 81);
+  source->SetBounds(-1.4, 1.4, -1.0, 1.0, -1.0, 1.0);
+  source->SetRadius(Radius);
+  const vtkSmartPointer<vtkDataSet> flow = MakeFlow(source);
+
+  // Triangles smaller than the noise.
+  vtkNew<vtkLinearSubdivisionFilter> small;
+  small->SetInputData(gallery::MakeStreamSurface(flow, 0.3, 0.05, 3.5, 1.0));
+  small->SetNumberOfSubdivisions(2);
+  vtkNew<vtkFlowLIC> lic;
+  lic->SetInputConnection(small->GetOutputPort());
+  lic->SetFieldConnection(source->GetOutputPort());
+  lic->SetNoiseScale(0.022);
+  lic->SetLength(0.25);
+  lic->Update();
+  vtkNew<vtkColorTransferFunction> colours;
+  colours->AddRGBPoint(0.0, 0.25, 0.1, 0.02);
+  colours->AddRGBPoint(0.5, 0.8, 0.5, 0.2);
+  colours->AddRGBPoint(1.0, 1.0, 0.95, 0.8);
+
+  gallery::Panel& panel = stage.AddPanel("");
+  panel.LookFrom({ -0.55, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
+  panel.Add(gallery::MakeColouredActor(
+    vtkPolyData::SafeDownCast(lic->GetOutputDataObject(0)), "LIC", colours));
+  panel.Add(gallery::MakeVolumeOfIntervals(
+    gallery::MakeStreamVolume(flow, 0.3, 0.6, 0.05, 3.5), { { gallery::IntervalColour(0), 0.7 } }));
+}
+
+const gallery::SceneRegistration registration(
+  { "stream-surface-lic", "4.6", "A stream surface through a line integral convolution",
+    "Flow around a sphere, from the left. The surface of streamlines that start on a circle passes "
+    "close by the sphere; its points have the mean of a noise in space along their streamlines, so "
+    "that streaks show where the flow goes without any parameters of the surface. Around it the "
+    "flow volume of streamlines farther from the axis.",
+    {}, &Build });
+}

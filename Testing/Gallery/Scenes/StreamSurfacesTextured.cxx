@@ -1,0 +1,45 @@
+// Streamlines and timelines on a stream surface, and nested surfaces with textures of their own.
+
+#include "Look.h"
+#include "Scene.h"
+#include "Stage.h"
+#include "TexturedSurface.h"
+
+#include "vtkActor.h"
+#include "vtkDataSet.h"
+#include "vtkPolyData.h"
+#include "vtkStreamlineTexture.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  const vtkSmartPointer<vtkDataSet> flow = gallery::MakeTornado();
+  gallery::Panel& one = stage.AddPanel("streamlines and timelines");
+  gallery::Panel& nested = stage.AddPanel("two nested surfaces");
+  one.LookFrom({ 0.4, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  nested.LookAs(one);
+
+  const vtkSmartPointer<vtkPolyData> outer =
+    gallery::MakeStreamSurface(flow, 0.13, 0.45, 3.9, 16.0);
+  one.Add(gallery::MakeLinedActor(outer, gallery::IntervalColour(0),
+    gallery::MakeStreamlines(64, gallery::Ink()),
+    gallery::MakeTimelines(72, vtkColor3d(1.0, 1.0, 1.0))));
+
+  const vtkSmartPointer<vtkActor> open = gallery::MakeLinedActor(
+    outer, gallery::IntervalColour(0), gallery::MakeStreamlines(48, gallery::Ink()), nullptr);
+  gallery::CutOpen(open, { -0.4, 1.0, 0.0 });
+  nested.Add(open);
+  nested.Add(gallery::MakeLinedActor(gallery::MakeStreamSurface(flow, 0.05, 0.45, 5.5, 16.0),
+    gallery::IntervalColour(1), nullptr, gallery::MakeTimelines(48, gallery::Ink())));
+}
+
+const gallery::SceneRegistration registration({ "stream-surfaces-textured", "4.7",
+  "Streamlines and timelines as textures",
+  "Stream surfaces of a tornado, of the air that flows in at one height. Left, dark streamlines, "
+  "which come from points of the surface around it, and white timelines, which air reaches at the "
+  "same time. Right, the same surface, cut open, with streamlines alone, and one of air from "
+  "nearer to the ground inside of it with timelines. No line is a curve of its own: angle and "
+  "time of each point are its texture coordinates.",
+  {}, &Build });
+}

@@ -1,0 +1,164 @@
+#include "TexturedSurface.h"
+
+#include "Props.h"
+
+#include "vtkActor.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkFlowStatus.h"
+#include "vtkFlowVolume.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkInflowMapping.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamlineTexture.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+
+namespace gallery
+{
+namespace
+{
+/// Points around the tornado's axis, which bends, in rings.
+vtkSmartPointer<vtkStructuredGrid> MakeRings(vtkAnalyticFlowSource* tornado)
+{
+  constexpr int outward = 41;
+  constexpr int around = 73;
+  constexpr int upward = 49;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int k = 0; k < upward; ++k)
+  {
+    const double height = 0.01 + 0.98 * k / (upward - 1);
+    double axis[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      axis[i] = tornado->GetAxisTilt()[i] * (height - 0.5) +
+        tornado->GetAxisBend()[i] * std::sin(vtkMath::Pi() * height);
+    }
+    for (int j = 0; j < around; ++j)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * (j % (around - 1)) / (around - 1);
+      for (int i = 0; i < outward; ++i)
+      {
+        const double radius = 0.06 * std::pow(1.02 / 0.06, static_cast<double>(i) / (outward - 1));
+        points->InsertNextPoint(axis[0] + radius * std::cos(angle),
+          axis[1] + radius * std::sin(angle), 2.0 * height - 1.0);
+      }
+    }
+  }
+  auto rings = vtkSmartPointer<vtkStructuredGrid>::New();
+  rings->SetDimensions(outward, around, upward);
+  rings->SetPoints(points);
+  return rings;
+}
+}
+
+vtkSmartPointer<vtkDataSet> MakeTornado()
+{
+  vtkNew<vtkAnalyticFlowSource> tornado;
+  tornado->SetField(vtkAnalyticFlowSource::TORNADO);
+  tornado->SetDimensions(97, 97, 97);
+  tornado->SetBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
+  tornado->SetCoreRadius(0.3);
+  vtkNew<vtkTerminationCylinder> cylinder;
+  cylinder->SetPoint1(0.0, 0.0, -1.0);
+  cylinder->SetPoint2(0.0, 0.0, 1.0);
+  cylinder->SetRadius(0.9);
+  vtkNew<vtkImplicitFlowField> flow;
+  flow->SetInputConnection(tornado->GetOutputPort());
+  flow->AddTerminationSurface(cylinder);
+  flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+  flow->SetSampleData(MakeRings(tornado));
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetInputConnection(flow->GetOutputPort());
+  mapping->SetFormula(vtkInflowMapping::ALL, "v");
+  mapping->Update();
+  return vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0));
+}
+
+vtkSmartPointer<vtkPolyData> MakeStreamSurface(
+  vtkDataSet* flow, double inflow, double start, double end, double period)
+{
+  vtkNew<vtkFlowVolume> filter;
+  filter->SetInputData(flow);
+  filter->SetStreamSurface(0, inflow);
+  filter->SetTimeRange(start, end);
+  filter->GenerateStreamSurfacesOn();
+  filter->GenerateNormalsOn();
+  vtkNew<vtkDataSetSurfaceFilter> triangles;
+  triangles->SetInputConnection(filter->GetOutputPort(1));
+  triangles->Update();
+  vtkSmartPointer<vtkPolyData> surface = triangles->GetOutput();
+  vtkPointData* data = surface->GetPointData();
+  vtkDataArray* parameters = data->GetArray(vtkFlowStatus::ParametersArray());
+  vtkDataArray* times = data->GetArray(vtkFlowStatus::TimeArray());
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetName("AngleAndTime");
+  coordinates->SetNumberOfComponents(2);
+  coordinates->SetNumberOfTuples(surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    coordinates->SetTuple2(i, parameters->GetComponent(i, 0), times->GetComponent(i, 0) / period);
+  }
+  data->SetTCoords(coordinates);
+  return surface;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
+  vtkDataSet* flow, double lower, double upper, double start, double end)
+{
+  vtkNew<vtkFlowVolume> filter;
+  filter->SetInputData(flow);
+  filter->SetNumberOfIntervals(1);
+  filter->SetInterval(0, lower, upper);
+  filter->SetTimeRange(start, end);
+  filter->Update();
+  return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(int texels, const vtkColor3d& colour)
+{
+  auto texture = vtkSmartPointer<vtkStreamlineTexture>::New();
+  texture->SetNumberOfLines(128);
+  texture->SetTexelsPerLine(texels);
+  texture->SetLineColor(colour[0], colour[1], colour[2]);
+  return texture;
+}
+
+vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d& colour)
+{
+  vtkSmartPointer<vtkStreamlineTexture> texture = MakeStreamlines(texels, colour);
+  texture->SetDirection(vtkStreamlineTexture::T);
+  texture->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
+  return texture;
+}
+
+vtkSmartPointer<vtkActor> MakeLinedActor(vtkPolyData* surface, const vtkColor3d& colour,
+  vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines)
+{
+  // The texture has the colour, so that lines of any colour can lie on it.
+  vtkSmartPointer<vtkActor> actor = MakeActor(surface, { 1.0, 1.0, 1.0 });
+  vtkStreamlineTexture* below = streamlines ? streamlines : timelines;
+  below->SetBackgroundColor(colour[0], colour[1], colour[2], 1.0);
+  vtkStreamlineTexture::AddTo(actor, streamlines, timelines);
+  return actor;
+}
+
+void CutOpen(vtkActor* actor, const std::array<double, 3>& normal)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(normal.data());
+  actor->GetMapper()->AddClippingPlane(plane);
+}
+}

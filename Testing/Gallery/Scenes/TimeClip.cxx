@@ -1,0 +1,89 @@
+// A stream volume clipped by advection time, and with stream and time surfaces inside.
+
+#include "FlowScene.h"
+#include "FlowTextures.h"
+#include "Look.h"
+#include "Scene.h"
+#include "Stage.h"
+#include "Volumes.h"
+
+#include "vtkActor.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkFlowVolume.h"
+#include "vtkNew.h"
+#include "vtkTerminationSphere.h"
+#include "vtkTexture.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+namespace
+{
+const vtkColor3d VOLUME = gallery::IntervalColour(0);
+constexpr int OUTER_SURFACE = 2;
+
+/// The filter with its times, and a panel with the volume and the time surfaces from \a first to
+/// \a last.
+gallery::Panel& Show(gallery::Stage& stage, vtkFlowVolume* filter, vtkDataSet* inflow,
+  const char* caption, int first, int last)
+{
+  filter->SetNumberOfIntervals(1);
+  filter->SetInterval(0, 0.0, 0.35);
+  filter->SetStreamSurface(0, 0.14);
+  filter->GenerateTimeSurfacesOn();
+  filter->GenerateStreamSurfacesOn();
+  filter->GenerateNormalsOn();
+  filter->ParametersAsTextureCoordinatesOn();
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
+  gallery::Panel& panel = stage.AddPanel(caption);
+  panel.Add(gallery::MakeBall({ 0.0, 0.0, -0.5 }, 0.14, gallery::IntervalColour(3)));
+  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { VOLUME, 2.0 } }));
+  for (int id = first; id <= last; ++id)
+  {
+    panel.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id),
+      gallery::MakeGridTexture(24, 48, gallery::IntervalColour(2), gallery::Ink())));
+  }
+  return panel;
+}
+
+void Build(gallery::Stage& stage)
+{
+  const vtkSmartPointer<vtkAnalyticFlowSource> charges = gallery::MakeAnalyticFlow(
+    vtkAnalyticFlowSource::COUPLED_CHARGE, { { 41, 41, 41 }, { -1.3, 1.3, -1.3, 1.3, -1.3, 1.3 } });
+  charges->SetSeparation(0.0, 0.0, 1.0);
+  vtkNew<vtkTerminationSphere> source;
+  source->SetCenter(0.0, 0.0, -0.5);
+  source->SetRadius(0.12);
+  const gallery::FlowLattice samples = { { 57, 29, 73 }, { -0.6, 0.6, 0.0, 0.6, -0.6, 0.6 } };
+  const vtkSmartPointer<vtkDataSet> inflow =
+    gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v");
+
+  vtkNew<vtkFlowVolume> clipped;
+  clipped->SetTimeRange(0.015, 0.06);
+  gallery::Panel& left = Show(stage, clipped, inflow, "(a) clipped to a range of time", 0, 1);
+  left.LookFrom({ 0.5, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
+  left.Add(gallery::MakeFlowActor(
+    gallery::GetFlowSurface(clipped, gallery::STREAM_SURFACES, OUTER_SURFACE),
+    gallery::MakeGridTexture(24, 1, gallery::IntervalColour(1), gallery::Ink())));
+
+  vtkNew<vtkFlowVolume> whole;
+  const double times[3] = { 0.015, 0.035, 0.06 };
+  for (int i = 0; i < 3; ++i)
+  {
+    whole->SetTimeSurface(i, times[i]);
+  }
+  gallery::Panel& right =
+    Show(stage, whole, inflow, "(b) three time surfaces, one stream surface", 1, 3);
+  right.LookAs(left);
+  right.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(whole, gallery::STREAM_SURFACES, 1),
+    gallery::MakeGridTexture(24, 1, gallery::IntervalColour(1), gallery::Ink())));
+}
+
+const gallery::SceneRegistration registration(
+  { "time-clip", "4.13", "A stream volume clipped by time, and with surfaces inside",
+    "From a source below to a sink above, two charges of opposite sign, cut in half. (a) The "
+    "stream volume between two "
+    "advection times, with its stream surface, green with streamlines, and its time surfaces, "
+    "yellow with a grid that the flow has carried. (b) All of the volume with three time surfaces "
+    "and a stream surface inside it.",
+    {}, &Build });
+}

@@ -1,0 +1,55 @@
+// A flow volume between two time surfaces with a grid that the flow carries.
+
+#include "FlowScene.h"
+#include "FlowTextures.h"
+#include "Look.h"
+#include "Scene.h"
+#include "Stage.h"
+#include "Volumes.h"
+
+#include "vtkActor.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkFlowVolume.h"
+#include "vtkNew.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTexture.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  const vtkSmartPointer<vtkAnalyticFlowSource> abc = gallery::MakeAnalyticFlow(
+    vtkAnalyticFlowSource::ABC, { { 33, 33, 33 }, { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 } });
+  const vtkSmartPointer<vtkTerminationPlane> plane =
+    gallery::MakeInflowPlane({ 0.0, 0.0, -0.9 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+  const gallery::FlowLattice samples = { { 57, 57, 57 }, { -1.0, 1.0, -1.0, 1.0, -0.9, 1.0 } };
+  const vtkSmartPointer<vtkDataSet> inflow = gallery::MapInflow(
+    gallery::MakeImplicitFlow(abc, { plane }, samples), "sqrt((u - 0.5)^2 + (v - 0.72)^2)");
+  vtkNew<vtkFlowVolume> filter;
+  filter->SetNumberOfIntervals(1);
+  filter->SetInterval(0, 0.0, 0.22);
+  filter->SetTimeRange(0.08, 0.33);
+  filter->GenerateTimeSurfacesOn();
+  filter->GenerateNormalsOn();
+  filter->ParametersAsTextureCoordinatesOn();
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
+
+  gallery::Panel& panel = stage.AddPanel("");
+  panel.LookFrom({ 1.0, -0.5, 0.35 }, { 0.0, 0.0, 1.0 });
+  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 1.5 } }));
+  for (int id = 0; id < 2; ++id)
+  {
+    panel.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id),
+      gallery::MakeGridTexture(24, 24, gallery::IntervalColour(1 + id), gallery::Ink())));
+  }
+}
+
+const gallery::SceneRegistration registration({ "time-surfaces", "4.11",
+  "A flow volume between two time surfaces with a grid",
+  "What passes a disc in a flow of Arnold, Beltrami and Childress, from 0.08 to 0.33 units of time "
+  "later: green where it is first, yellow where it is last. The grid on both is one of squares "
+  "on the disc, carried by the flow; it shows how the flow turns, stretches and shears.",
+  {}, &Build });
+}
