@@ -6,20 +6,21 @@ find_package(VTK 9.1 REQUIRED
 find_package(nlohmann_json REQUIRED)
 
 add_executable(ExtractionNumbers
-  ExtractionNumbers.cxx ExtractionMeasures.cxx PieceWriter.cxx TimeVaryingExtraction.cxx
-  TimeVaryingNumbers.cxx)
+  ExtractionNumbers.cxx ExtractionMeasures.cxx FlowExtraction.cxx FlowNumbers.cxx PieceWriter.cxx
+  TimeVaryingExtraction.cxx TimeVaryingNumbers.cxx)
 target_link_libraries(ExtractionNumbers PRIVATE
-  InterlumeTestingCommon Interlume::InterlumeIntervals Interlume::InterlumeSources
-  VTK::ImagingCore VTK::IOLegacy VTK::IOXML nlohmann_json::nlohmann_json)
+  InterlumeTestingCommon Interlume::InterlumeFlow Interlume::InterlumeIntervals
+  Interlume::InterlumeSources VTK::ImagingCore VTK::IOLegacy VTK::IOXML nlohmann_json::nlohmann_json)
 set(extractions_folder "${CMAKE_BINARY_DIR}/Testing/Extractions")
 file(MAKE_DIRECTORY "${extractions_folder}")
 add_test(NAME TestExtractionNumbers COMMAND ExtractionNumbers "${extractions_folder}")
 
 # picture_program(NAME): one that writes pictures, run as the test Test<NAME>
 function (picture_program name)
-  add_executable(${name} ${name}.cxx PictureStage.cxx TimeVaryingExtraction.cxx)
+  add_executable(${name} ${name}.cxx FlowExtraction.cxx PictureStage.cxx TimeVaryingExtraction.cxx)
   target_link_libraries(${name} PRIVATE
-    InterlumeTestingCommon Interlume::InterlumeIntervals Interlume::InterlumeLight
+    InterlumeTestingCommon Interlume::InterlumeFlow Interlume::InterlumeIntervals
+    Interlume::InterlumeLight
     Interlume::InterlumeSources Interlume::InterlumeTetrahedra VTK::IOImage VTK::RenderingCore
     VTK::RenderingOpenGL2 VTK::RenderingVolume nlohmann_json::nlohmann_json)
   vtk_module_autoinit(TARGETS ${name}
@@ -34,8 +35,8 @@ picture_program(ShadowedSlicePictures)
 
 add_executable(TestPluginXMLDefaults TestPluginXMLDefaults.cxx)
 target_link_libraries(TestPluginXMLDefaults PRIVATE
-  Interlume::InterlumeIntervals Interlume::InterlumeLight Interlume::InterlumeSources
-  Interlume::InterlumeTetrahedra VTK::IOXMLParser)
+  Interlume::InterlumeFlow Interlume::InterlumeIntervals Interlume::InterlumeLight
+  Interlume::InterlumeSources Interlume::InterlumeTetrahedra VTK::IOXMLParser)
 if (INTERLUME_ENABLE_TETGEN)
   target_link_libraries(TestPluginXMLDefaults PRIVATE Interlume::InterlumeMeshing)
   target_compile_definitions(TestPluginXMLDefaults PRIVATE INTERLUME_ENABLE_TETGEN)

@@ -1,11 +1,12 @@
 // Writes a folder for the tests of the ParaView plugin: numbers.json, a list of extractions (what
 // was asked of which filter on which data, and what came out), that data in the legacy format, and
-// time_varying.json, extractions from temporal sources.
+// time_varying.json and flow.json, extractions from temporal sources and of flows.
 // The plugin is asked the same and must give the same. The legacy format, since ParaView 5.11 of
 // Debian cannot read appended XML data with an expat that defers parsing (2.6, and 2.5 with that
 // fix).
 #include "DataFiles.h"
 #include "ExtractionMeasures.h"
+#include "FlowNumbers.h"
 #include "PieceWriter.h"
 #include "TimeVaryingNumbers.h"
 #include "vtkDataSet.h"
@@ -194,6 +195,7 @@ int main(int argc, char* argv[])
     }
     WriteJson(extractions, folder + "/numbers.json");
     WriteJson(MeasureTimeVaryingVolumes(), folder + "/time_varying.json");
+    WriteJson(MeasureFlowVolumes(), folder + "/flow.json");
   }
   catch (const std::exception& error)
   {

@@ -26,6 +26,7 @@ set(plugin_environment
   "OMPI_ALLOW_RUN_AS_ROOT=1"
   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
 set(pieces_file "${CMAKE_CURRENT_BINARY_DIR}/pieces.npz")
+set(flow_pieces_file "${CMAKE_CURRENT_BINARY_DIR}/flow_pieces.npz")
 
 # plugin_test(NAME LABELS COMMAND...)
 function (plugin_test name labels)
@@ -45,12 +46,22 @@ plugin_test(TestPluginProperties "paraview;value" ${batch} "${script}/TestPlugin
 plugin_test(TestPluginSources "paraview;value" ${batch} "${script}/TestPluginSources.py")
 plugin_test(TestPluginComposite "paraview;value" ${batch} "${script}/TestPluginComposite.py")
 plugin_test(TestPluginTimeVarying "paraview;value" ${batch} "${script}/TestPluginTimeVarying.py")
+plugin_test(TestPluginFlow "paraview;value" ${batch} "${script}/TestPluginFlow.py")
+plugin_test(TestPluginFlowProperties "paraview;value"
+  ${batch} "${script}/TestPluginFlowProperties.py")
 plugin_test(TestPluginOnePiece "paraview;value"
   ${batch} "${script}/TestPluginPieces.py" write "${pieces_file}")
 plugin_test(TestPluginPieces "paraview;mpi;value"
   ${ranks} ${batch} "${script}/TestPluginPieces.py" compare "${pieces_file}")
 set_tests_properties(TestPluginOnePiece PROPERTIES FIXTURES_SETUP one_piece)
 set_tests_properties(TestPluginPieces PROPERTIES FIXTURES_REQUIRED one_piece RUN_SERIAL ON)
+plugin_test(TestPluginFlowOnePiece "paraview;value"
+  ${batch} "${script}/TestPluginFlowPieces.py" write "${flow_pieces_file}")
+plugin_test(TestPluginFlowPieces "paraview;mpi;value"
+  ${ranks} ${batch} "${script}/TestPluginFlowPieces.py" compare "${flow_pieces_file}")
+set_tests_properties(TestPluginFlowOnePiece PROPERTIES FIXTURES_SETUP flow_one_piece)
+set_tests_properties(TestPluginFlowPieces PROPERTIES
+  FIXTURES_REQUIRED flow_one_piece RUN_SERIAL ON)
 plugin_test(TestPluginPicture "paraview;image"
   ${batch} "${script}/TestPluginPicture.py" "${CMAKE_CURRENT_BINARY_DIR}/TestPluginPicture.png")
 plugin_test(TestPluginRepresentation "paraview;image"

@@ -3,12 +3,15 @@
 // picture as `<name>.png`. ParaView is asked the same and must draw the same. The data are those
 // that ExtractionNumbers leaves there.
 #include "DataFiles.h"
+#include "FlowExtraction.h"
 #include "PictureStage.h"
 #include "TimeVaryingExtraction.h"
 
 #include "vtkAnalyticFieldSource.h"
+#include "vtkAnalyticFlowSource.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkFlowVolume.h"
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
@@ -62,6 +65,27 @@ const json BY_TIME = { { "source", "AnalyticField" },
   { "colors", { { 0.0, 0.05, 0.60, 0.25 }, { 1.0, 0.98, 0.85, 0.20 }, { 2.0, 0.80, 0.08, 0.10 } } },
   { "opacities", { { 0.0, 0.5 }, { 2.0, 0.5 } } }, { "unit", 0.012 } };
 
+// Two stream volumes around a sphere, from a rectangle upstream, coloured by how long the flow
+// took.
+const json FLOW = { { "source", "AnalyticFlow" },
+  { "source_properties",
+    { { "Field", vtkAnalyticFlowSource::SPHERE }, { "WholeExtent", { 0, 39, 0, 39, 0, 39 } },
+      { "Bounds", { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 } } } },
+  { "surfaces",
+    { { { "kind", "Rectangle" },
+      { "properties",
+        { { "Center", { -0.875, 0.0, 0.0 } }, { "Normal", { 1.0, 0.0, 0.0 } },
+          { "Lengths", { 1.5, 1.5 } } } } } } },
+  { "meshes", json::array() }, { "field", json::object() }, { "mapping", { { "Formula", "v" } } },
+  { "volume", { { "Intervals", { 0.3, 0.45, 0.55, 0.7 } }, { "TimeRange", { 0.1, 1.5 } } } },
+  { "size", { 480, 360 } },
+  { "camera",
+    { { "position", { 1.5, -4.5, 2.0 } }, { "focus", { 0.0, 0.0, 0.0 } },
+      { "up", { 0.0, 0.0, 1.0 } }, { "angle", 30.0 } } },
+  { "color_by", { "POINTS", "AdvectionTime" } },
+  { "colors", { { 0.1, 0.10, 0.25, 0.70 }, { 0.8, 0.90, 0.90, 0.85 }, { 1.5, 0.75, 0.20, 0.10 } } },
+  { "opacities", { { 0.1, 0.6 }, { 1.5, 0.9 } } }, { "unit", 0.2 } };
+
 json MakeCase(const std::string& name, const json& colors, const json& changes)
 {
   json result = COMMON;
@@ -82,7 +106,7 @@ std::vector<json> AllCases()
       { { "blend", Mapper::PRIORITY_BLEND }, { "priorities", { { 0, 2.0 } } } }),
     MakeCase("opengl", BY_INTERVAL,
       { { "path", Mapper::OPENGL_PATH }, { "blend", Mapper::OPTICAL_DEPTH_BLEND } }),
-    MakeCase("by-time", BY_TIME, json::object()) };
+    MakeCase("by-time", BY_TIME, json::object()), MakeCase("flow", FLOW, json::object()) };
 }
 
 void SetUpMapper(Mapper* mapper, const json& picture)
@@ -107,6 +131,10 @@ void SetUpMapper(Mapper* mapper, const json& picture)
 
 vtkSmartPointer<vtkAlgorithm> MakeExtraction(const json& picture)
 {
+  if (picture.contains("volume"))
+  {
+    return MakeFlowVolume(picture);
+  }
   if (picture.contains("source"))
   {
     return MakeTimeVaryingVolume(picture);

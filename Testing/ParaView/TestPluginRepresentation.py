@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
+from flow_testing import analytic_flow, flow_field, flow_volume, inflow_mapping
 from plugin_pictures import Comparison, make_view, picture_path, set_colors
 from plugin_testing import (
     Checks, extractions_path, interval_volume, load_plugin, open_data, temporal_source,
@@ -29,6 +30,9 @@ SKIPPED = 77
 
 
 def extract(picture, distributed):
+    if "volume" in picture:
+        field = flow_field(analytic_flow(picture), picture)
+        return flow_volume(inflow_mapping(field, picture), picture)
     if "source" in picture:
         source = temporal_source(picture["source"], picture["source_properties"])
         return time_varying_volume(source, picture["properties"])

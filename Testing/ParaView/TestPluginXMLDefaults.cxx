@@ -4,6 +4,9 @@
 #include "vtkAnalyticFlowSource.h"
 #include "vtkConstructiveModelSource.h"
 #include "vtkDeltaWingSource.h"
+#include "vtkFlowVolume.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkInflowMapping.h"
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
 #include "vtkNew.h"
@@ -12,12 +15,20 @@
 #include "vtkSimplexTimeSlice.h"
 #include "vtkSmartPointer.h"
 #include "vtkTaperedCylinderSource.h"
+#include "vtkTerminationBox.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationMesh.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTerminationSphere.h"
+#include "vtkTerminationSurfaceSource.h"
+#include "vtkTerminationTube.h"
 #ifdef INTERLUME_ENABLE_TETGEN
 #include "vtkTetrahedralMesher.h"
 #endif
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkTurbulenceSource.h"
+#include "vtkVortexAxis.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLUtilities.h"
 
@@ -65,10 +76,12 @@ using Defaults = std::map<std::string, std::string>;
 
 bool TakesValueFromData(vtkXMLDataElement* property)
 {
-  return property->FindNestedElementWithName("ArrayRangeDomain") ||
+  return property->GetAttribute("is_internal") ||
+    property->FindNestedElementWithName("ArrayRangeDomain") ||
     property->FindNestedElementWithName("DataTypeDomain") ||
     property->FindNestedElementWithName("ArrayListDomain") ||
     property->FindNestedElementWithName("BoundsDomain") ||
+    property->FindNestedElementWithName("ProxyListDomain") ||
     property->FindNestedElementWithName("InputArrayDomain");
 }
 
@@ -153,6 +166,118 @@ void CompareSource(Source* source, const std::string& folder, Defaults defaults)
   defaults["OutputScalarType"] = Text(source->GetOutputScalarType());
   defaults["ArrayName"] = source->GetArrayName();
   CompareWithXML(folder + "/Sources.xml", "SourceProxy", source->GetClassName(), "", defaults);
+}
+
+// The surfaces that streamlines end at. Those of the plugin are the same by other values.
+void CompareTerminationSurfaces(const std::string& file)
+{
+  const auto compare = [&](const char* className, Defaults defaults)
+  {
+    defaults["Id"] = Text(vtkNew<vtkTerminationSphere>()->GetId());
+    CompareWithXML(file, "Proxy", className, "", defaults);
+  };
+  vtkNew<vtkTerminationPlane> plane;
+  const double* origin = plane->GetOrigin();
+  const double* point1 = plane->GetPoint1();
+  const double* point2 = plane->GetPoint2();
+  compare("vtkTerminationPlane",
+    { { "Origin", Text(origin, 3) }, { "Point1", Text(point1, 3) }, { "Point2", Text(point2, 3) },
+      { "Unbounded", Text(plane->GetUnbounded()) } });
+  double center[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    center[i] = 0.5 * (point1[i] + point2[i]);
+  }
+  compare("vtkPVTerminationRectangle",
+    { { "Center", Text(center, 3) }, { "Normal", "0 0 1" },
+      { "Lengths", Text(point1[0] - origin[0]) + " " + Text(point2[1] - origin[1]) },
+      { "Angle", "0" } });
+  vtkNew<vtkTerminationSphere> sphere;
+  compare("vtkTerminationSphere",
+    { { "Center", Text(sphere->GetCenter(), 3) }, { "Radius", Text(sphere->GetRadius()) },
+      { "Axis", Text(sphere->GetAxis(), 3) } });
+  vtkNew<vtkTerminationCylinder> cylinder;
+  const double* start = cylinder->GetPoint1();
+  const double* end = cylinder->GetPoint2();
+  for (int i = 0; i < 3; ++i)
+  {
+    center[i] = 0.5 * (start[i] + end[i]);
+  }
+  compare("vtkPVTerminationCylinder",
+    { { "Center", Text(center, 3) }, { "Axis", "0 0 1" }, { "Length", Text(end[2] - start[2]) },
+      { "Radius", Text(cylinder->GetRadius()) }, { "Capped", Text(cylinder->GetCapped()) } });
+  vtkNew<vtkTerminationBox> box;
+  double bounds[6];
+  box->GetBounds(bounds);
+  compare("vtkPVTerminationBox",
+    { { "Position", Text(bounds[0]) + " " + Text(bounds[2]) + " " + Text(bounds[4]) },
+      { "Lengths",
+        Text(bounds[1] - bounds[0]) + " " + Text(bounds[3] - bounds[2]) + " " +
+          Text(bounds[5] - bounds[4]) } });
+  vtkNew<vtkTerminationTube> tube;
+  compare("vtkTerminationTube",
+    { { "Points", Text(start, 3) + " " + Text(end, 3) }, { "Radius", Text(tube->GetRadius()) },
+      { "Capped", Text(tube->GetCapped()) } });
+  vtkNew<vtkTerminationSurfaceSource> source;
+  CompareWithXML(file, "SourceProxy", "vtkTerminationSurfaceSource", "",
+    { { "ResolutionU", Text(source->GetResolutionU()) },
+      { "ResolutionV", Text(source->GetResolutionV()) } });
+}
+
+void CompareFlowFilters(const std::string& folder)
+{
+  vtkNew<vtkImplicitFlowField> field;
+  Check(
+    field->GetNumberOfTerminationSurfaces() == 0, "vtkImplicitFlowField starts without a surface");
+  Check(field->GetNumberOfMeanArrays() == 0, "vtkImplicitFlowField starts without means");
+  vtkNew<vtkTerminationMesh> mesh;
+  vtkNew<vtkTerminationTube> tube;
+  CompareWithXML(folder + "/ImplicitFlowField.xml", "SourceProxy", "vtkPVImplicitFlowField", "",
+    { { "TubeRadius", Text(tube->GetRadius()) }, { "MeshPeriodicU", Text(mesh->GetPeriodicU()) },
+      { "MeshPeriodicV", Text(mesh->GetPeriodicV()) },
+      { "DomainFaces", Text(field->GetDomainFaces()) },
+      { "DomainFaceId", Text(field->GetDomainFaceId()) },
+      { "CriticalPointSpheres", Text(field->GetCriticalPointSpheres()) },
+      { "CriticalPointId", Text(field->GetCriticalPointId()) },
+      { "CriticalPointRadius", Text(field->GetCriticalPointRadius()) },
+      { "SampleMode", Text(field->GetSampleMode()) },
+      { "SampleDimensions", Text(field->GetSampleDimensions(), 3) },
+      { "SampleBounds", Text(field->GetSampleBounds(), 6) },
+      { "Direction", Text(field->GetDirection()) }, { "Integrator", Text(field->GetIntegrator()) },
+      { "MaximumError", Text(field->GetMaximumError()) },
+      { "MaximumTime", Text(field->GetMaximumTime()) },
+      { "MaximumNumberOfSteps", Text(field->GetMaximumNumberOfSteps()) },
+      { "MinimumSpeed", Text(field->GetMinimumSpeed()) },
+      { "ComputeMaximumSpeed", Text(field->GetComputeMaximumSpeed()) },
+      { "ComputeArcLength", Text(field->GetComputeArcLength()) },
+      { "ComputeMeanVorticity", Text(field->GetComputeMeanVorticity()) }, { "MeanArrays", "" },
+      { "KeepSteps", Text(field->GetKeepSteps()) } });
+
+  vtkNew<vtkInflowMapping> mapping;
+  CompareWithXML(folder + "/InflowMapping.xml", "SourceProxy", "vtkPVInflowMapping", "",
+    { { "Formula", mapping->GetFormula(vtkInflowMapping::ALL) }, { "FormulasById", "" },
+      { "Rings", "" }, { "ImageId", Text(static_cast<int>(vtkInflowMapping::ALL)) } });
+
+  vtkNew<vtkFlowVolume> volume;
+  Check(volume->GetNumberOfIntervals() == 0, "vtkFlowVolume starts without an interval");
+  CompareWithXML(folder + "/FlowVolume.xml", "SourceProxy", "vtkFlowVolume", "",
+    { { "Intervals", "" }, { "TimeRange", Text(volume->GetTimeRange(), 2) },
+      { "StreamSurfaces", "" }, { "TimeSurfaces", "" },
+      { "GenerateStreamSurfaces", Text(volume->GetGenerateStreamSurfaces()) },
+      { "GenerateTimeSurfaces", Text(volume->GetGenerateTimeSurfaces()) },
+      { "GenerateNormals", Text(volume->GetGenerateNormals()) },
+      { "ParametersAsTextureCoordinates", Text(volume->GetParametersAsTextureCoordinates()) },
+      { "OutputPointsPrecision", Text(volume->GetOutputPointsPrecision()) } });
+
+  vtkNew<vtkVortexAxis> axis;
+  CompareWithXML(folder + "/VortexAxis.xml", "SourceProxy", "vtkVortexAxis", "",
+    { { "Axis", Text(axis->GetAxis(), 3) }, { "NumberOfPlanes", Text(axis->GetNumberOfPlanes()) },
+      { "UseSeed", Text(axis->GetUseSeed()) }, { "Seed", Text(axis->GetSeed(), 3) },
+      { "FrameVelocity", Text(axis->GetFrameVelocity(), 3) },
+      { "SearchRadius", Text(axis->GetSearchRadius()) },
+      { "MinimumSwirlStrength", Text(axis->GetMinimumSwirlStrength()) } });
+  CompareWithXML(
+    folder + "/FlowCriticalPoints.xml", "SourceProxy", "vtkFlowCriticalPoints", "", {});
 }
 }
 
@@ -274,6 +399,9 @@ int main(int argc, char* argv[])
       { "MaximumWind", Text(flow->GetMaximumWind()) }, { "EyeRadius", Text(flow->GetEyeRadius()) },
       { "Updraft", Text(flow->GetUpdraft()) }, { "Circulation", Text(flow->GetCirculation()) },
       { "Strain", Text(flow->GetStrain()) } });
+
+  CompareTerminationSurfaces(folder + "/TerminationSurfaces.xml");
+  CompareFlowFilters(folder);
 
   // The representation's own properties; the others are those of ParaView's volumes.
   vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;

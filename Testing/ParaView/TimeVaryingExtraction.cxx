@@ -1,37 +1,16 @@
 #include "TimeVaryingExtraction.h"
 
+#include "PropertySetters.h"
 #include "vtkAnalyticFieldSource.h"
 #include "vtkTaperedCylinderSource.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 
 #include <array>
-#include <functional>
-#include <map>
-#include <stdexcept>
-#include <string>
 
 using nlohmann::json;
 
 namespace
 {
-template <typename Class>
-using Setters = std::map<std::string, std::function<void(Class*, const json&)>>;
-
-// Calls the setters of an object's properties.
-template <typename Class>
-void SetProperties(Class* object, const json& values, const Setters<Class>& setters)
-{
-  for (const auto& property : values.items())
-  {
-    const auto setter = setters.find(property.key());
-    if (setter == setters.end())
-    {
-      throw std::runtime_error(property.key() + " is no property to set");
-    }
-    setter->second(object, property.value());
-  }
-}
-
 template <typename Source>
 Setters<Source> TemporalSetters()
 {

@@ -1,0 +1,121 @@
+#include "vtkPVImplicitFlowField.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTerminationMesh.h"
+#include "vtkTerminationTube.h"
+
+vtkStandardNewMacro(vtkPVImplicitFlowField);
+
+namespace
+{
+constexpr int SurfacesPort = 2;
+}
+
+//------------------------------------------------------------------------------
+vtkPVImplicitFlowField::vtkPVImplicitFlowField()
+{
+  this->SetNumberOfInputPorts(SurfacesPort + 1);
+}
+
+//------------------------------------------------------------------------------
+vtkPVImplicitFlowField::~vtkPVImplicitFlowField() = default;
+
+//------------------------------------------------------------------------------
+void vtkPVImplicitFlowField::RemoveAllSurfaceInputs()
+{
+  this->SetInputConnection(SurfacesPort, nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkPVImplicitFlowField::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port != SurfacesPort)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPVImplicitFlowField::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int i = 0; i < inputs[SurfacesPort]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* surface = inputs[SurfacesPort]->GetInformationObject(i);
+    surface->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    surface->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    surface->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
+int vtkPVImplicitFlowField::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const SurfaceList surfaces = this->MakeSurfaces(inputs[SurfacesPort]);
+  for (const auto& surface : surfaces)
+  {
+    this->AddTerminationSurface(surface);
+  }
+  const int result = this->Superclass::RequestData(request, inputs, outputs);
+  for (const auto& surface : surfaces)
+  {
+    this->RemoveTerminationSurface(surface);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkPVImplicitFlowField::SurfaceList vtkPVImplicitFlowField::MakeSurfaces(
+  vtkInformationVector* inputs) const
+{
+  SurfaceList surfaces;
+  vtkNew<vtkIdList> points;
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkPolyData* data = vtkPolyData::GetData(inputs, i);
+    if (data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0)
+    {
+      vtkNew<vtkTerminationMesh> mesh;
+      mesh->SetMesh(data);
+      mesh->SetPeriodicU(this->MeshPeriodicU);
+      mesh->SetPeriodicV(this->MeshPeriodicV);
+      surfaces.emplace_back(mesh);
+    }
+    for (vtkIdType line = 0; line < data->GetNumberOfLines(); ++line)
+    {
+      data->GetLines()->GetCellAtId(line, points);
+      vtkNew<vtkTerminationTube> tube;
+      tube->SetRadius(this->TubeRadius);
+      for (vtkIdType p = 0; p < points->GetNumberOfIds(); ++p)
+      {
+        const double* x = data->GetPoint(points->GetId(p));
+        tube->AddPoint(x[0], x[1], x[2]);
+      }
+      surfaces.emplace_back(tube);
+    }
+  }
+  return surfaces;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TubeRadius: " << this->TubeRadius << "\n";
+  os << indent << "MeshPeriodicU: " << this->MeshPeriodicU << "\n";
+  os << indent << "MeshPeriodicV: " << this->MeshPeriodicV << "\n";
+}

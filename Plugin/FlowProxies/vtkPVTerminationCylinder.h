@@ -1,0 +1,54 @@
+#ifndef vtkPVTerminationCylinder_h
+#define vtkPVTerminationCylinder_h
+
+#include "InterlumeFlowProxiesModule.h" // for the export macro
+#include "vtkTerminationCylinder.h"
+
+/**
+ * @class   vtkPVTerminationCylinder
+ * @brief   a cylinder by what ParaView's cylinder widget gives: its centre, axis and radius
+ *
+ * Point1 and Point2 of the base class are half of Length before and behind the centre.
+ */
+class INTERLUMEFLOWPROXIES_EXPORT vtkPVTerminationCylinder : public vtkTerminationCylinder
+{
+public:
+  static vtkPVTerminationCylinder* New();
+  vtkTypeMacro(vtkPVTerminationCylinder, vtkTerminationCylinder);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * World units. Default (0, 0, 0), (0, 0, 1). Valid: finite; an axis of any length above 0.
+   */
+  void SetCenter(double x, double y, double z);
+  vtkGetVector3Macro(Center, double);
+  void SetAxis(double x, double y, double z);
+  vtkGetVector3Macro(Axis, double);
+  ///@}
+
+  ///@{
+  /**
+   * From end to end, world units. Default 1. Valid: above 0.
+   */
+  void SetLength(double length);
+  vtkGetMacro(Length, double);
+  ///@}
+
+protected:
+  vtkPVTerminationCylinder() = default;
+  ~vtkPVTerminationCylinder() override = default;
+
+private:
+  vtkPVTerminationCylinder(const vtkPVTerminationCylinder&) = delete;
+  void operator=(const vtkPVTerminationCylinder&) = delete;
+
+  /// Sets the two points of the base class.
+  void PlacePoints();
+
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  double Axis[3] = { 0.0, 0.0, 1.0 };
+  double Length = 1.0;
+};
+
+#endif

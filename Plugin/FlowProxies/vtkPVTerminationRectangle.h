@@ -1,0 +1,64 @@
+#ifndef vtkPVTerminationRectangle_h
+#define vtkPVTerminationRectangle_h
+
+#include "InterlumeFlowProxiesModule.h" // for the export macro
+#include "vtkTerminationPlane.h"
+
+/**
+ * @class   vtkPVTerminationRectangle
+ * @brief   a rectangle by what ParaView's plane widget gives: its centre and normal
+ *
+ * u goes along the first edge and v along the second, with u x v the normal. With an angle of 0 and
+ * a normal along an axis u is along the next axis: x for the normal z.
+ */
+class INTERLUMEFLOWPROXIES_EXPORT vtkPVTerminationRectangle : public vtkTerminationPlane
+{
+public:
+  static vtkPVTerminationRectangle* New();
+  vtkTypeMacro(vtkPVTerminationRectangle, vtkTerminationPlane);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * World units. Default (0, 0, 0), (0, 0, 1). Valid: finite; a normal of any length above 0.
+   */
+  void SetCenter(double x, double y, double z);
+  vtkGetVector3Macro(Center, double);
+  void SetNormal(double x, double y, double z);
+  vtkGetVector3Macro(Normal, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of the edges along u and v, world units. Default (1, 1). Valid: above 0.
+   */
+  void SetLengths(double u, double v);
+  vtkGetVector2Macro(Lengths, double);
+  ///@}
+
+  ///@{
+  /**
+   * Degrees that the edges are turned around the normal. Default 0.
+   */
+  void SetAngle(double angle);
+  vtkGetMacro(Angle, double);
+  ///@}
+
+protected:
+  vtkPVTerminationRectangle() = default;
+  ~vtkPVTerminationRectangle() override = default;
+
+private:
+  vtkPVTerminationRectangle(const vtkPVTerminationRectangle&) = delete;
+  void operator=(const vtkPVTerminationRectangle&) = delete;
+
+  /// Sets the three corners of the base class.
+  void PlaceCorners();
+
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  double Normal[3] = { 0.0, 0.0, 1.0 };
+  double Lengths[2] = { 1.0, 1.0 };
+  double Angle = 0.0;
+};
+
+#endif

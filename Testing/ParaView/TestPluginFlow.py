@@ -1,0 +1,65 @@
+"""Implicit flow fields, inflow mappings and flow volumes inside ParaView are those that the C++ classes
+gave: several surfaces, meshes, vortex axes, images, all of their properties."""
+
+import json
+
+import numpy
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from extraction_measures import check_sum, compare
+from flow_testing import analytic_flow, flow_field, flow_volume, inflow_mapping, vortex_axis
+from plugin_testing import Checks, extractions_path, fetch, load_plugin
+
+OUTPUTS = (("volume", "IntervalId"), ("stream surfaces", "StreamSurfaceId"),
+           ("time surfaces", "TimeSurfaceId"))
+
+
+def counts(array):
+    values, numbers = numpy.unique(vtk_to_numpy(array), return_counts=True)
+    return {str(value): int(number) for value, number in zip(values, numbers)}
+
+
+def compare_samples(checks, name, data, expected):
+    arrays = data.GetPointData()
+    checks.equal(data.GetNumberOfPoints(), expected["number"], f"{name}, samples")
+    checks.equal(counts(arrays.GetArray("FlowStatus")), expected["statuses"], f"{name}, statuses")
+    checks.equal(counts(arrays.GetArray("TerminationId")), expected["ids"], f"{name}, ids")
+    parameters = vtk_to_numpy(arrays.GetArray("TerminationUV"))
+    for what, values in (
+            ("u", parameters[:, 0]), ("v", parameters[:, 1]),
+            ("time", vtk_to_numpy(arrays.GetArray("AdvectionTime"))),
+            ("inflow", vtk_to_numpy(arrays.GetArray("Inflow")))):
+        check_sum(checks, values[numpy.isfinite(values)], expected[what], f"{name}, {what}")
+
+
+def repeat(checks, name, extraction):
+    flow = analytic_flow(extraction)
+    mapping = inflow_mapping(flow_field(flow, extraction), extraction)
+    compare_samples(checks, name, fetch(mapping), extraction["points"])
+    volume = flow_volume(mapping, extraction)
+    for port, (output, id_array) in enumerate(OUTPUTS):
+        found = fetch(volume, port)
+        compare(checks, f"{name}, {output}", found, extraction["outputs"][port], id_array)
+    points = fetch(simple.FlowCriticalPoints(Input=flow))
+    types = points.GetPointData().GetArray("CriticalPointType")
+    checks.equal(counts(types), extraction["critical_points"], f"{name}, critical points")
+    if "axis" in extraction:
+        axis = fetch(vortex_axis(flow, extraction))
+        checks.equal(axis.GetNumberOfPoints(), extraction["axis_points"], f"{name}, points of the axis")
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    with open(extractions_path("flow.json"), encoding="utf-8") as file:
+        extractions = json.load(file)
+    checks.that(len(extractions) > 0, "there are extractions to repeat")
+    for number, extraction in enumerate(extractions):
+        name = f"{number}: flow {extraction['source_properties']['Field']}"
+        print(name, flush=True)
+        repeat(checks, name, extraction)
+    checks.finish()
+
+
+main()

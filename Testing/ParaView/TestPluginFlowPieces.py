@@ -1,0 +1,78 @@
+"""The samples of an implicit flow field are split over the ranks of a parallel run, and each has the
+answer that one process gives it; so have the tetrahedra of flow volumes their sizes.
+
+Arguments: `write` or `compare`, and the file of what one process wrote.
+"""
+
+import json
+import sys
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from flow_testing import analytic_flow, flow_field, flow_volume, inflow_mapping
+from plugin_testing import Checks, extractions_path, fetch, load_plugin, simplices, sizes
+
+ARRAYS = ("FlowStatus", "TerminationId", "TerminationUV", "AdvectionTime", "Inflow")
+RASTER = 1.7e-3  # of places: an image that is fetched from a process has six digits of its origin
+TOLERANCE = 1e-12  # of a sum of sizes, whose order differs
+
+
+def pipelines():
+    """Name, mapping and volume of the extractions, and of the first on tetrahedra."""
+    with open(extractions_path("flow.json"), encoding="utf-8") as file:
+        extractions = json.load(file)
+    for number, extraction in enumerate(extractions):
+        kinds = ("grid", "tetrahedra") if number == 0 else ("grid",)
+        for kind in kinds:
+            flow = analytic_flow(extraction)
+            if kind == "tetrahedra":
+                flow = simple.Tetrahedralize(Input=flow)
+                flow.UpdatePipeline()
+            mapping = inflow_mapping(flow_field(flow, extraction), extraction)
+            yield f"{number}, {kind}", mapping, flow_volume(mapping, extraction)
+
+
+def rows(samples):
+    """Place and answer of each sample, once, in an order of their own."""
+    places = [samples.GetPoint(i) for i in range(samples.GetNumberOfPoints())]
+    columns = [numpy.round(numpy.divide(places, RASTER)) + 0.0]  # no negative zero
+    columns += [vtk_to_numpy(samples.GetPointData().GetArray(name)) for name in ARRAYS]
+    table = numpy.column_stack([numpy.asarray(column, float) for column in columns])
+    return numpy.unique(numpy.where(numpy.isnan(table), -1e300, table), axis=0)
+
+
+def main():
+    mode, path = sys.argv[1:]
+    load_plugin()
+    checks = Checks()
+    ranks = servermanager.ActiveConnection.GetNumberOfDataPartitions()
+    found = {}
+    for name, mapping, volume in pipelines():
+        pieces = [fetch(mapping, 0, rank) for rank in range(ranks)]
+        numbers = [piece.GetNumberOfPoints() for piece in pieces]
+        whole = [fetch(volume, 0, rank) for rank in range(ranks)]
+        print(f"{name}: samples of each process:", *numbers, flush=True)
+        checks.that(all(numbers), f"{name} has samples in every process")
+        found[name] = numpy.concatenate([rows(piece) for piece in pieces])
+        found[name] = numpy.unique(found[name], axis=0)
+        checks.that(ranks == 1 or max(numbers) < len(found[name]), f"{name} is split")
+        volumes = [sizes(simplices(piece)).sum() for piece in whole]
+        found[f"{name}, size"] = numpy.array(sum(volumes))
+    if mode == "write":
+        checks.equal(ranks, 1, "processes that write")
+        numpy.savez_compressed(path, **found)
+    else:
+        checks.equal(ranks, 4, "processes")
+        expected = numpy.load(path)
+        checks.equal(sorted(found), sorted(expected.files), "what is compared")
+        for name in found:
+            if name.endswith("size"):
+                checks.close(found[name], expected[name], TOLERANCE, name)
+            else:
+                checks.that(numpy.array_equal(found[name], expected[name]), f"{name}, samples")
+    checks.finish()
+
+
+main()

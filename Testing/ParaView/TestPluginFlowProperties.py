@@ -1,0 +1,179 @@
+"""What the flow filters ask and start with in ParaView: their inputs, panels and termination surfaces."""
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from plugin_testing import Checks, check_documentation, check_menu, fetch, load_plugin
+
+KINDS = ["Rectangle", "Sphere", "Cylinder", "Box", "Tube", "Parallelogram"]
+
+
+def fresh(kind):
+    """A surface with the values that it has before any data are there."""
+    group = servermanager.ProxyNamespace(
+        ["termination_surfaces"], servermanager.ActiveConnection.Session)
+    return getattr(group, kind)()
+
+
+def check_shapes(checks):
+    """Each surface as it is at first, drawn: its bounds and texture coordinates."""
+    half = 0.5
+    flat = [-half, half, -half, half, 0.0, 0.0]
+    cube = [-half, half] * 3
+    bounds = {"Rectangle": flat, "Parallelogram": flat, "Tube": cube, "Sphere": cube, "Cylinder": cube,
+              "Box": cube}
+    for kind in KINDS:
+        surface = fresh(kind)
+        mesh = fetch(simple.TerminationSurface(Surface=surface))
+        found = mesh.GetBounds()
+        checks.that(numpy.abs(numpy.subtract(found, bounds[kind])).max() < 1e-6, f"{kind}, {found}")
+        checks.that(mesh.GetPointData().GetTCoords() is not None, f"{kind}, texture coordinates")
+        check_documentation(checks, surface)
+
+
+def check_placing(checks):
+    """The values of the widgets place the surfaces."""
+    rectangle = fresh("Rectangle")
+    rectangle.Center, rectangle.Normal, rectangle.Lengths = [1, 2, 3], [0, 2, 0], [4, 2]
+    cylinder = fresh("Cylinder")
+    cylinder.Center, cylinder.Axis, cylinder.Length = [1, 0, 0], [3, 0, 0], 4
+    box = fresh("Box")
+    box.Position, box.Lengths = [1, 2, 3], [1, 2, 4]
+    for surface, bounds in (
+            (rectangle, [0, 2, 2, 2, 1, 5]), (cylinder, [-1, 3, -0.5, 0.5, -0.5, 0.5]),
+            (box, [1, 2, 2, 4, 3, 7])):
+        found = fetch(simple.TerminationSurface(Surface=surface)).GetBounds()
+        checks.that(numpy.abs(numpy.subtract(found, bounds)).max() < 1e-6, f"placed at {found}")
+    rectangle.Normal, rectangle.Lengths, rectangle.Angle = [0, 0, 1], [2, 2], 45
+    found = fetch(simple.TerminationSurface(Surface=rectangle)).GetBounds()
+    expected = [1 - 2**0.5, 1 + 2**0.5, 2 - 2**0.5, 2 + 2**0.5, 3, 3]
+    checks.that(numpy.abs(numpy.subtract(found, expected)).max() < 1e-6, f"turned to {found}")
+
+
+def surface_of(field):
+    return field.TerminationSurface
+
+
+def check_field(checks, flow):
+    """Surfaces are chosen by name and start in the middle of the data."""
+    simple.SetActiveSource(flow)
+    field = simple.ImplicitFlowField(Input=flow)
+    checks.equal(list(field.Vectors), ["POINTS", "Velocity"], "vectors")
+    checks.equal(
+        list(field.GetProperty("TerminationSurface").Available), [*KINDS, "None"], "kinds of surfaces")
+    checks.equal(surface_of(field).SMProxy.GetXMLLabel(), "Rectangle", "the first surface")
+    reached = {}
+    for kind in KINDS:
+        field.TerminationSurface = kind
+        surface = surface_of(field)
+        if kind not in ("Tube", "Parallelogram", "Box"):
+            checks.equal(list(surface.Center), [1.0, 0.0, 0.0], f"{kind}, centre")
+        statuses = vtk_to_numpy(fetch(field).GetPointData().GetArray("FlowStatus"))
+        reached[kind] = int((statuses == 0).sum())
+        checks.that(reached[kind] > 0, f"{kind} is reached")
+    field.TerminationSurface = "Box"
+    checks.equal(list(surface_of(field).Position), [0.0, -1.0, -1.0], "the box's corner")
+    checks.equal(list(surface_of(field).Lengths), [2.0, 2.0, 2.0], "the box's lengths")
+    field.TerminationSurface = "None"
+    field.DomainFaces = True
+    ids = vtk_to_numpy(fetch(field).GetPointData().GetArray("TerminationId"))
+    checks.equal(numpy.unique(ids).tolist(), [1000], "ids of the faces")
+    return field
+
+
+def check_samples(checks, flow, field):
+    """Samples of an input: its points and type."""
+    field.SampleMode = "Points of the samples"
+    field.Samples = simple.Sphere(Center=[1.0, 0.0, 0.0])
+    samples = fetch(field)
+    checks.equal(samples.GetClassName(), "vtkPolyData", "type of the samples")
+    times = vtk_to_numpy(samples.GetPointData().GetArray("AdvectionTime"))
+    places = vtk_to_numpy(samples.GetPoints().GetData())[:, 0]
+    checks.that(numpy.abs(times - places).max() < 1e-6, "times of the samples")
+    field.SampleMode = "Image"
+    field.SampleDimensions = [5, 4, 3]
+    checks.equal(fetch(field).GetDimensions(), (5, 4, 3), "image of samples")
+    field.SampleMode = "Points of the field"
+    checks.equal(fetch(field).GetNumberOfPoints(), fetch(flow).GetNumberOfPoints(), "the field's points")
+
+
+def check_mapping(checks, field):
+    mapping = simple.InflowMapping(Input=field)
+    checks.equal(mapping.Formula, "u", "formula at first")
+    values = lambda: vtk_to_numpy(fetch(mapping).GetPointData().GetArray("Inflow"))
+    parameters = vtk_to_numpy(fetch(mapping).GetPointData().GetArray("TerminationUV"))
+    checks.that(numpy.array_equal(values(), parameters[:, 0]), "Inflow is u")
+    mapping.Formula = "2*v"
+    checks.that(numpy.array_equal(values(), 2 * parameters[:, 1]), "Inflow is 2 v")
+    mapping.FormulasById = ["1000", "u + f"]
+    checks.that(numpy.array_equal(values(), parameters[:, 0] + 1000), "Inflow is of the id")
+    mapping.Rings = ["1000", "0.5", "0.5", "0.25", "0.1", "3"]
+    distances = numpy.hypot(*(parameters - 0.5).T)
+    ring = 3 * numpy.exp(-(((distances - 0.25) / 0.1) ** 2))
+    checks.that(numpy.abs(values() - ring).max() < 1e-12, "Inflow is a ring")
+    image = simple.Wavelet(WholeExtent=[0, 4, 0, 4, 0, 0])
+    mapping.Image = image
+    checks.that(numpy.abs(values() - ring).max() < 1e-12, "the image is of ids without a mapping")
+    mapping.ImageId = 1000
+    low, high = fetch(image).GetPointData().GetArray("RTData").GetRange()
+    found = values()
+    checks.that(abs(found.min() - low) < 1e-4 and abs(found.max() - high) < 1e-4, "Inflow is the image's")
+    mapping.Image = None
+    mapping.Rings = []
+    mapping.FormulasById = []
+    checks.that(numpy.array_equal(values(), 2 * parameters[:, 1]), "Inflow is 2 v again")
+    return mapping
+
+
+def check_volume(checks, mapping):
+    volume = simple.FlowVolume(Input=mapping)
+    for port, name in enumerate(("Volume", "Stream Surfaces", "Time Surfaces")):
+        checks.equal(volume.SMProxy.GetOutputPortName(port), name, f"output port {port}")
+    checks.that(fetch(volume).GetNumberOfCells() > 0, "all of the flow at first")
+    checks.equal(fetch(volume, 1).GetNumberOfCells(), 0, "stream surfaces not asked for")
+    checks.equal(fetch(volume, 2).GetNumberOfCells(), 0, "time surfaces not asked for")
+    volume.TimeRange = [0.25, 0.75]
+    low, high = fetch(volume).GetPointData().GetArray("AdvectionTime").GetRange()
+    checks.that(abs(low - 0.25) < 1e-6 and abs(high - 0.75) < 1e-6, f"times {low} to {high}")
+    volume.ParametersAsTextureCoordinates = True
+    checks.equal(fetch(volume).GetPointData().GetTCoords().GetName(), "TerminationUV", "texture")
+    return volume
+
+
+def check_inputs(checks, flow):
+    """Fields have point vectors."""
+    for name in ("ImplicitFlowField", "FlowCriticalPoints", "VortexAxis"):
+        input_property = servermanager.ProxyManager().GetPrototypeProxy("filters", name).GetProperty("Input")
+        for source, accepted in ((flow, True), (simple.Wavelet(), False), (simple.Sphere(), False)):
+            source.UpdatePipeline()
+            input_property.RemoveAllUncheckedProxies()
+            input_property.AddUncheckedInputConnection(source.SMProxy, 0)
+            taken = bool(input_property.IsInDomains())
+            checks.equal(taken, accepted, f"{name} takes {source.SMProxy.GetXMLName()}")
+        input_property.RemoveAllUncheckedProxies()
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    flow = simple.AnalyticFlow(
+        Field="Uniform", WholeExtent=[0, 8, 0, 8, 0, 8], Bounds=[0, 2, -1, 1, -1, 1])
+    flow.UpdatePipeline()
+    check_shapes(checks)
+    check_placing(checks)
+    field = check_field(checks, flow)
+    check_samples(checks, flow, field)
+    mapping = check_mapping(checks, field)
+    volume = check_volume(checks, mapping)
+    for proxy in (field, mapping, volume, simple.FlowCriticalPoints(Input=flow), simple.VortexAxis(Input=flow)):
+        check_documentation(checks, proxy)
+        check_menu(checks, "filters", proxy.SMProxy.GetXMLName())
+    source = simple.TerminationSurface()
+    check_documentation(checks, source)
+    check_menu(checks, "sources", source.SMProxy.GetXMLName())
+    check_inputs(checks, flow)
+    checks.finish()
+
+
+main()

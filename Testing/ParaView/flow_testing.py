@@ -1,0 +1,64 @@
+"""Flow filters as FlowExtraction.cxx makes them, from the same descriptions."""
+
+from paraview import servermanager, simple
+
+from plugin_testing import set_properties, temporal_source
+
+
+def termination_surface(description):
+    """A proxy of the group termination_surfaces."""
+    group = servermanager.ProxyNamespace(
+        ["termination_surfaces"], servermanager.ActiveConnection.Session)
+    surface = getattr(group, description["kind"])()
+    set_properties(surface, description["properties"])
+    return surface
+
+
+def surface_mesh(description):
+    """The triangles of a termination surface."""
+    return simple.TerminationSurface(Surface=termination_surface(description))
+
+
+def vortex_axis(flow, extraction):
+    axis = simple.VortexAxis(Input=flow)
+    set_properties(axis, extraction["axis"])
+    return axis
+
+
+def analytic_flow(extraction):
+    return temporal_source("AnalyticFlow", extraction["source_properties"])
+
+
+def flow_field(flow, extraction):
+    field = simple.ImplicitFlowField(Input=flow)
+    surfaces = [termination_surface(description) for description in extraction["surfaces"]]
+    field.TerminationSurface = surfaces if surfaces else "None"
+    further = [surface_mesh(description) for description in extraction["meshes"]]
+    if "axis" in extraction:
+        further.append(vortex_axis(flow, extraction))
+        field.TubeRadius = extraction["TubeRadius"]
+    if further:
+        field.Surfaces = further
+    set_properties(field, extraction["field"])
+    return field
+
+
+def as_text(rows):
+    """The cells of a table, row by row."""
+    return [str(value) for row in rows for value in row]
+
+
+def inflow_mapping(field, extraction):
+    mapping = simple.InflowMapping(Input=field)
+    for name, value in extraction["mapping"].items():
+        setattr(mapping, name, value if name == "Formula" else as_text(value))
+    if "image" in extraction:
+        mapping.Image = simple.Wavelet(WholeExtent=extraction["image"])
+        mapping.ImageId = extraction["ImageId"]
+    return mapping
+
+
+def flow_volume(mapping, extraction):
+    volume = simple.FlowVolume(Input=mapping)
+    set_properties(volume, extraction["volume"])
+    return volume
