@@ -9,5 +9,6 @@ std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites()
   suites.push_back(MakeTetrahedraSuite());
   suites.push_back(MakeInterval4dSuite());
   suites.push_back(MakeShadowsSuite());
+  suites.push_back(MakeFlowSuite());
   return suites;
 }

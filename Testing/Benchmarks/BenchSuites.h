@@ -12,6 +12,7 @@ std::unique_ptr<BenchSuite> MakeContourSuite();
 std::unique_ptr<BenchSuite> MakeTetrahedraSuite();
 std::unique_ptr<BenchSuite> MakeInterval4dSuite();
 std::unique_ptr<BenchSuite> MakeShadowsSuite();
+std::unique_ptr<BenchSuite> MakeFlowSuite();
 
 /**
  * Every suite, in the order of the report.

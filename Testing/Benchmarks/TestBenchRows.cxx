@@ -94,6 +94,10 @@ void CheckMethods(const nlohmann::json& rows)
     { "shadows",
       { "shadows shadows-off", "shadows, both sides shadows-off", "shadows-off gpu",
         "unlit no-lights", "spacing", "buffer" } },
+    { "flow",
+      { "advection", "RK4", "RK45", "equal-error streamtracer-RK4", "equal-error streamtracer-RK45",
+        "threads-2 threads-1", "samples", "automatic", "dormand-prince", "runge-kutta-4",
+        "rosenbrock" } },
   };
   std::map<std::string, std::set<std::string>> seen;
   for (const auto& row : rows)

@@ -1,0 +1,278 @@
+#include "FlowMethods.h"
+
+#include "BenchTiming.h"
+
+#include "vtkFlowStatus.h"
+#include "vtkTerminationBox.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellLocatorInterpolatedVelocityField.h"
+#include "vtkDataArray.h"
+#include "vtkInterpolatedVelocityField.h"
+#include "vtkModifiedBSPTree.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+
+#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace flow
+{
+namespace
+{
+double GetLargestSpeed(const Case& what)
+{
+  return what.Field->GetPointData()->GetVectors()->GetMaxNorm();
+}
+
+double Mean(const std::vector<double>& numbers)
+{
+  return numbers.empty()
+    ? 0.0
+    : std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
+}
+
+vtkSmartPointer<vtkAbstractInterpolatedVelocityField> NewInterpolation(int locator)
+{
+  if (locator == TracerSettings::POINT_LOCATOR)
+  {
+    return vtkSmartPointer<vtkInterpolatedVelocityField>::New();
+  }
+  auto field = vtkSmartPointer<vtkCellLocatorInterpolatedVelocityField>::New();
+  vtkSmartPointer<vtkAbstractCellLocator> prototype;
+  if (locator == TracerSettings::BSP_TREE)
+  {
+    prototype = vtkSmartPointer<vtkModifiedBSPTree>::New();
+  }
+  else
+  {
+    prototype = vtkSmartPointer<vtkStaticCellLocator>::New();
+  }
+  field->SetCellLocatorPrototype(prototype);
+  return field;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
+  const Case& what, int integrator, double tolerance)
+{
+  vtkNew<vtkTerminationBox> box;
+  double bounds[6];
+  std::copy(what.Box.begin(), what.Box.end(), bounds);
+  box->SetBounds(bounds);
+  box->SetId(0);
+  auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();
+  filter->SetInputData(what.Field);
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+  filter->SetSampleData(what.Seeds);
+  filter->AddTerminationSurface(box);
+  filter->SetMaximumTime(LongestTime);
+  filter->SetIntegrator(integrator);
+  filter->SetMaximumError(tolerance * GetLargestSpeed(what));
+  return filter;
+}
+
+//------------------------------------------------------------------------------
+Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter)
+{
+  vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  vtkPointData* data = output->GetPointData();
+  vtkDataArray* statuses = data->GetArray(vtkFlowStatus::StatusArray());
+  vtkDataArray* ids = data->GetArray(vtkFlowStatus::IdArray());
+  vtkDataArray* parameters = data->GetArray(vtkFlowStatus::ParametersArray());
+  vtkDataArray* times = data->GetArray(vtkFlowStatus::TimeArray());
+  vtkTerminationSurface* box = filter->GetTerminationSurface(0);
+  Answer answer;
+  answer.Ends.resize(static_cast<std::size_t>(what.Seeds->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    End& end = answer.Ends[static_cast<std::size_t>(i)];
+    end.HasAnswer = statuses->GetTuple1(i) == vtkFlowStatus::REACHED_SURFACE;
+    end.Time = times->GetTuple1(i);
+    answer.Time += end.Time;
+    if (end.HasAnswer)
+    {
+      double uv[2];
+      parameters->GetTuple(i, uv);
+      box->EvaluatePoint(static_cast<int>(ids->GetTuple1(i)), uv, end.Place.data());
+    }
+  }
+  const vtkFlowReport& report = filter->GetReport();
+  answer.Steps = report.Steps + report.StiffSteps;
+  return answer;
+}
+
+//------------------------------------------------------------------------------
+std::string TracerSettings::GetName() const
+{
+  return this->Integrator == vtkStreamTracer::RUNGE_KUTTA45
+    ? "RK45"
+    : (this->Integrator == vtkStreamTracer::RUNGE_KUTTA4 ? "RK4" : "RK2");
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSettings& settings)
+{
+  auto tracer = vtkSmartPointer<vtkStreamTracer>::New();
+  tracer->SetInputData(what.Field);
+  tracer->SetSourceData(what.Seeds);
+  tracer->SetInterpolatorPrototype(NewInterpolation(settings.Locator));
+  tracer->SetIntegrationDirectionToBackward();
+  tracer->SetIntegratorType(settings.Integrator);
+  tracer->SetIntegrationStepUnit(vtkStreamTracer::CELL_LENGTH_UNIT);
+  if (settings.Integrator == vtkStreamTracer::RUNGE_KUTTA45)
+  {
+    tracer->SetInitialIntegrationStep(0.5);
+    tracer->SetMinimumIntegrationStep(1e-4);
+    tracer->SetMaximumIntegrationStep(2.0);
+    tracer->SetMaximumError(settings.Parameter);
+  }
+  else
+  {
+    tracer->SetInitialIntegrationStep(settings.Parameter);
+  }
+  tracer->SetMaximumNumberOfSteps(1000000);
+  tracer->SetMaximumPropagation(LongestWay);
+  tracer->SetTerminalSpeed(1e-9 * GetLargestSpeed(what));
+  tracer->SetComputeVorticity(false);
+  return tracer;
+}
+
+//------------------------------------------------------------------------------
+Answer ReadTracer(const Case& what, vtkStreamTracer* tracer)
+{
+  vtkPolyData* output = tracer->GetOutput();
+  Answer answer;
+  answer.Ends.resize(static_cast<std::size_t>(what.Seeds->GetNumberOfPoints()));
+  vtkDataArray* seeds = output->GetCellData()->GetArray("SeedIds");
+  vtkDataArray* times = output->GetPointData()->GetArray("IntegrationTime");
+  for (vtkIdType line = 0; line < output->GetNumberOfLines(); ++line)
+  {
+    vtkIdType number = 0;
+    const vtkIdType* points = nullptr;
+    output->GetLines()->GetCellAtId(line, number, points);
+    if (number < 2)
+    {
+      continue;
+    }
+    End& end = answer.Ends[static_cast<std::size_t>(seeds->GetTuple1(line))];
+    vtkIdType last = number - 1;
+    answer.Time += std::abs(times->GetTuple1(points[last]));
+    answer.Steps += last;
+    const vtkBoundingBox box(what.Box.data());
+    while (last > 0 && !box.ContainsPoint(output->GetPoint(points[last])))
+    {
+      --last;
+    }
+    end.HasAnswer = last > 0;
+    end.Time = std::abs(times->GetTuple1(points[last]));
+    output->GetPoint(points[last], end.Place.data());
+  }
+  return answer;
+}
+
+//------------------------------------------------------------------------------
+Reference::Reference(const Case& what)
+  : Seeds(what.Seeds)
+  , Interpolation(vtkSmartPointer<vtkCellLocatorInterpolatedVelocityField>::New())
+{
+  vtkNew<vtkStaticCellLocator> prototype;
+  this->Interpolation->SetCellLocatorPrototype(prototype);
+  this->Interpolation->AddDataSet(what.Field);
+  this->Interpolation->SelectVectors(
+    vtkDataObject::FIELD_ASSOCIATION_POINTS, what.Field->GetPointData()->GetVectors()->GetName());
+  this->LongestStep =
+    0.1 * std::sqrt(what.Field->GetCell(0)->GetLength2() / 3.0) / GetLargestSpeed(what);
+}
+
+//------------------------------------------------------------------------------
+Reference::~Reference() = default;
+
+//------------------------------------------------------------------------------
+void Reference::GetVelocity(const double x[3], double v[3]) const
+{
+  double place[4] = { x[0], x[1], x[2], 0.0 };
+  if (this->Interpolation->FunctionValues(place, v) == 0)
+  {
+    std::fill(v, v + 3, 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Reference::Follow(double x[3], double time) const
+{
+  namespace odeint = boost::numeric::odeint;
+  using State = std::vector<double>;
+  State state(x, x + 3);
+  const double sign = time < 0.0 ? 1.0 : -1.0;
+  const auto rate = [&](const State& at, State& v, double)
+  {
+    this->GetVelocity(at.data(), v.data());
+    std::for_each(v.begin(), v.end(), [sign](double& component) { component *= sign; });
+  };
+  if (std::abs(time) > 0.0)
+  {
+    odeint::integrate_adaptive(odeint::make_controlled(1e-12, 1e-12, this->LongestStep,
+                                 odeint::runge_kutta_fehlberg78<State>()),
+      rate, state, 0.0, std::abs(time), std::min(this->LongestStep, std::abs(time)));
+  }
+  std::copy(state.begin(), state.end(), x);
+}
+
+//------------------------------------------------------------------------------
+Difference Reference::Compare(const Answer& answer, vtkIdType stride) const
+{
+  std::vector<double> aside;
+  std::vector<double> times;
+  for (vtkIdType i = 0; i < this->Seeds->GetNumberOfPoints(); i += stride)
+  {
+    const End& end = answer.Ends[static_cast<std::size_t>(i)];
+    if (!end.HasAnswer)
+    {
+      continue;
+    }
+    double place[3];
+    this->Seeds->GetPoint(i, place);
+    double time = end.Time;
+    this->Follow(place, time);
+    double apart[3];
+    // To the point of the streamline that is closest to the end.
+    for (int iteration = 0; iteration < 4; ++iteration)
+    {
+      double v[3];
+      this->GetVelocity(place, v);
+      double along = 0.0;
+      double square = 0.0;
+      for (int j = 0; j < 3; ++j)
+      {
+        along -= (end.Place[j] - place[j]) * v[j];
+        square += v[j] * v[j];
+      }
+      this->Follow(place, along / square);
+      time += along / square;
+    }
+    for (int j = 0; j < 3; ++j)
+    {
+      apart[j] = end.Place[j] - place[j];
+    }
+    if (!std::isfinite(time))
+    {
+      continue;
+    }
+    aside.push_back(std::sqrt(apart[0] * apart[0] + apart[1] * apart[1] + apart[2] * apart[2]));
+    times.push_back(std::abs(end.Time - time));
+  }
+  return { Mean(aside), Median(aside), Mean(times) };
+}
+}

@@ -1,0 +1,119 @@
+#ifndef FlowMethods_h
+#define FlowMethods_h
+
+#include "FlowCases.h"
+
+#include "vtkImplicitFlowField.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamTracer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkCellLocatorInterpolatedVelocityField;
+
+/**
+ * The two ways of following streamlines backward, and where they end.
+ */
+namespace flow
+{
+inline const char* const Peer = "streamtracer";
+
+/// The most that a streamline goes on, in time and in length.
+constexpr double LongestTime = 5.0;
+constexpr double LongestWay = 12.0;
+
+/// Where and when one streamline ends.
+struct End
+{
+  bool HasAnswer = false;
+  double Time = 0.0;
+  std::array<double, 3> Place{};
+};
+
+/// All streamlines of a run.
+struct Answer
+{
+  std::vector<End> Ends;
+  vtkIdType Steps = 0;
+  /// The sum of all times.
+  double Time = 0.0;
+};
+
+/**
+ * vtkImplicitFlowField from the seeds to the box, not yet run. \a tolerance: MaximumError over the
+ * largest speed of the field. Ready with the answer: those that reached the box.
+ */
+vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
+  const Case& what, int integrator, double tolerance);
+Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter);
+
+/// How vtkStreamTracer is set.
+struct TracerSettings
+{
+  /// One of vtkStreamTracer's: RUNGE_KUTTA2, RUNGE_KUTTA4 or RUNGE_KUTTA45.
+  int Integrator = vtkStreamTracer::RUNGE_KUTTA4;
+  /// RUNGE_KUTTA45: MaximumError; the others: the step in lengths of a cell.
+  double Parameter = 0.5;
+  /// How cells are found where the last one is left.
+  enum Locators
+  {
+    /// vtkInterpolatedVelocityField, as is the default: walks from a close point.
+    POINT_LOCATOR,
+    /// vtkCellLocatorInterpolatedVelocityField with vtkModifiedBSPTree, its default.
+    BSP_TREE,
+    /// The same with vtkStaticCellLocator.
+    STATIC_CELL_LOCATOR
+  };
+  int Locator = POINT_LOCATOR;
+
+  std::string GetName() const;
+};
+
+/**
+ * vtkStreamTracer from the seeds until it leaves the field, without vorticity, not yet run. Its
+ * answers are its last points inside the box.
+ */
+vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSettings& settings);
+Answer ReadTracer(const Case& what, vtkStreamTracer* tracer);
+
+/// How far an answer is from the reference.
+struct Difference
+{
+  /// Mean and median distance of the ends from the streamlines.
+  double Mean = 0.0;
+  double Median = 0.0;
+  /// Mean difference of the time at which a streamline is where it ends.
+  double Time = 0.0;
+};
+
+/**
+ * The streamlines by Boost's method of Runge, Kutta and Fehlberg, order 7(8), in steps of at most a
+ * tenth of a cell, through VTK's own interpolation, and so not by this project.
+ */
+class Reference
+{
+public:
+  explicit Reference(const Case& what);
+  ~Reference();
+  Reference(const Reference&) = delete;
+  void operator=(const Reference&) = delete;
+
+  /// Over every \a stride-th seed with an answer.
+  Difference Compare(const Answer& answer, vtkIdType stride) const;
+
+private:
+  void GetVelocity(const double x[3], double v[3]) const;
+  /// Moves \a x, backward for times above 0.
+  void Follow(double x[3], double time) const;
+
+  vtkSmartPointer<vtkPolyData> Seeds;
+  vtkSmartPointer<vtkCellLocatorInterpolatedVelocityField> Interpolation;
+  /// A tenth of a cell.
+  double LongestStep;
+};
+}
+
+#endif

@@ -1,0 +1,314 @@
+#include "FlowSpeed.h"
+
+#include "BenchTiming.h"
+#include "FlowCases.h"
+#include "FlowMethods.h"
+#include "SecondThread.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace flow
+{
+namespace
+{
+const char* const Advection = "advection";
+const char* const EqualError = "equal-error";
+const char* const Samples = "samples";
+const char* const Norm = "mean distance of the ends from the streamlines";
+constexpr double DefaultTolerance = 1e-6;
+
+/// What an answer costs, and how good it is.
+struct Trial
+{
+  double Parameter = 0.0;
+  double Seconds = 0.0;
+  Answer Found;
+  Difference Apart;
+};
+
+BenchWork MakeAdvection(const Case& what, double tolerance)
+{
+  return [&what, tolerance]()
+  {
+    const auto filter = NewAdvection(what, vtkImplicitFlowField::AUTOMATIC, tolerance);
+    filter->Update();
+    return vtkSmartPointer<vtkObjectBase>(filter);
+  };
+}
+
+BenchWork MakeTracer(const Case& what, const TracerSettings& settings)
+{
+  return [&what, settings]()
+  {
+    const auto tracer = NewTracer(what, settings);
+    tracer->Update();
+    return vtkSmartPointer<vtkObjectBase>(tracer);
+  };
+}
+
+/// Without what is done before the first step, as far as the clock tells the two apart.
+double StepsPerSecond(vtkIdType steps, double seconds, double setup)
+{
+  return static_cast<double>(steps) / std::max(seconds - setup, 0.01 * seconds);
+}
+
+/// All rows of one case.
+class CaseRows
+{
+public:
+  CaseRows(const Case& what, const BenchOptions& options, BenchRows& rows)
+    : What(what)
+    , Options(options)
+    , Rows(rows)
+    , Exact(what)
+    , Stride(std::max<vtkIdType>(1, what.Seeds->GetNumberOfPoints() / options.Pick(200, 20, 4)))
+  {
+  }
+
+  void Add()
+  {
+    Trial best;
+    for (const double tolerance :
+      this->Options.Pick<std::vector<double>>({ 1e-2, 1e-4, DefaultTolerance, 1e-8, 1e-10 },
+        { 1e-2, DefaultTolerance, 1e-10 }, { DefaultTolerance, 1e-9 }))
+    {
+      const auto filter = NewAdvection(this->What, vtkImplicitFlowField::AUTOMATIC, tolerance);
+      Trial trial;
+      trial.Parameter = tolerance;
+      trial.Seconds = TimeOnce(WithThreads(1, MakeAdvection(this->What, tolerance)));
+      filter->Update();
+      trial.Found = ReadAdvection(this->What, filter);
+      trial.Apart = this->Exact.Compare(trial.Found, this->Stride);
+      this->AddTrial(Advection, trial);
+      if (tolerance == DefaultTolerance)
+      {
+        best = trial;
+      }
+    }
+    for (const int integrator : { vtkStreamTracer::RUNGE_KUTTA4, vtkStreamTracer::RUNGE_KUTTA45 })
+    {
+      TracerSettings settings;
+      settings.Integrator = integrator;
+      const Trial equal = this->AddPeer(settings, 2.0 * best.Apart.Mean);
+      settings.Parameter = equal.Parameter;
+      this->AddEqual(best, settings, equal);
+    }
+  }
+
+private:
+  void AddTrial(const std::string& method, const Trial& trial)
+  {
+    BenchRow row = this->Rows.Make(this->What.Name, method);
+    row.Parameter = trial.Parameter;
+    row.Seconds = trial.Seconds;
+    row.Error = trial.Apart.Mean;
+    row.ErrorNorm = Norm;
+    row.Counts["steps"] = trial.Found.Steps;
+    row.Counts["time_error"] = trial.Apart.Time;
+    row.Counts["steps_per_second"] = static_cast<double>(trial.Found.Steps) / trial.Seconds;
+    this->Rows.Add(row);
+  }
+
+  /// Until the error is small enough, or as long as that gets anywhere.
+  Trial AddPeer(TracerSettings settings, double wanted)
+  {
+    const bool isAdaptive = settings.Integrator == vtkStreamTracer::RUNGE_KUTTA45;
+    const int most = this->Options.Pick(isAdaptive ? 10 : 8, isAdaptive ? 8 : 6, 2);
+    settings.Locator =
+      this->What.IsLattice ? TracerSettings::POINT_LOCATOR : TracerSettings::STATIC_CELL_LOCATOR;
+    settings.Parameter = isAdaptive ? 1e-4 : 0.5;
+    Trial trial;
+    for (int i = 0; i < most; ++i)
+    {
+      const auto tracer = NewTracer(this->What, settings);
+      trial.Parameter = settings.Parameter;
+      trial.Seconds = TimeOnce(MakeTracer(this->What, settings));
+      tracer->Update();
+      trial.Found = ReadTracer(this->What, tracer);
+      trial.Apart = this->Exact.Compare(trial.Found, this->Stride);
+      this->AddTrial(settings.GetName(), trial);
+      if (trial.Apart.Mean <= wanted)
+      {
+        break;
+      }
+      settings.Parameter *= isAdaptive ? 0.1 : 0.5;
+    }
+    return trial;
+  }
+
+  void AddEqual(const Trial& own, TracerSettings settings, const Trial& other)
+  {
+    settings.Locator =
+      this->What.IsLattice ? TracerSettings::POINT_LOCATOR : TracerSettings::STATIC_CELL_LOCATOR;
+    // What is made of the field first, such as faces and locators, shows with one streamline.
+    Case one = this->What;
+    one.Seeds = MakeSeeds(1, 0.01, this->Options.Seed);
+    const std::vector<double> seconds =
+      MeasureAlternately({ WithThreads(1, MakeAdvection(this->What, DefaultTolerance)),
+                           MakeTracer(this->What, settings), MakeAdvection(one, DefaultTolerance),
+                           MakeTracer(one, settings) },
+        this->Options.GetRepeats());
+    BenchRow row = this->Rows.Make(this->What.Name, EqualError);
+    row.Parameter = DefaultTolerance;
+    row.Error = own.Apart.Mean;
+    row.ErrorNorm = Norm;
+    row.Seconds = seconds[0];
+    row.Peer = std::string(Peer) + "-" + settings.GetName();
+    row.PeerSeconds = seconds[1];
+    const auto samples = static_cast<double>(this->What.Seeds->GetNumberOfPoints());
+    const double rate = StepsPerSecond(own.Found.Steps, seconds[0], seconds[2]);
+    const double peerRate = StepsPerSecond(other.Found.Steps, seconds[1], seconds[3]);
+    row.Counts["steps"] = own.Found.Steps;
+    row.Counts["steps_per_second"] = rate;
+    row.Counts["samples_per_second"] = samples / seconds[0];
+    row.Counts["setup_seconds"] = seconds[2];
+    row.Counts["time_error"] = own.Apart.Time;
+    row.Counts["peer_setup_seconds"] = seconds[3];
+    row.Counts["peer_parameter"] = other.Parameter;
+    row.Counts["peer_error"] = other.Apart.Mean;
+    row.Counts["peer_time_error"] = other.Apart.Time;
+    row.Counts["peer_steps"] = other.Found.Steps;
+    row.Counts["peer_steps_per_second"] = peerRate;
+    row.Counts["peer_samples_per_second"] = samples / seconds[1];
+    row.Counts["steps_per_second_ratio"] = rate / peerRate;
+    this->Rows.Add(row);
+  }
+
+  const Case& What;
+  const BenchOptions& Options;
+  BenchRows& Rows;
+  const Reference Exact;
+  const vtkIdType Stride;
+};
+
+void AddSecondThread(Case what, const BenchOptions& options, BenchRows& rows)
+{
+  what.Seeds = MakeSeeds(options.Pick(20000, 4000, 50), 0.9, options.Seed);
+  BenchRow row = rows.Make(what.Name, "threads-2");
+  MeasureSecondThread(MakeAdvection(what, DefaultTolerance), options, row);
+  rows.Add(row);
+}
+
+void AddSamples(const BenchOptions& options, BenchRows& rows)
+{
+  const int points = options.Pick(128, 24, 8);
+  vtkNew<vtkAnalyticFlowSource> source;
+  source->SetField(vtkAnalyticFlowSource::HURRICANE);
+  source->SetDimensions(points, points, points);
+  source->Update();
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputData(source->GetOutput());
+  filter->DomainFacesOn();
+  filter->SetMaximumTime(20.0);
+  const double seconds = TimeOnce(WithThreads(options.Threads,
+    [&]()
+    {
+      filter->Update();
+      return vtkSmartPointer<vtkObjectBase>(filter->GetOutputDataObject(0));
+    }));
+  const vtkFlowReport& report = filter->GetReport();
+  BenchRow row = rows.Make("hurricane-" + std::to_string(points), Samples);
+  row.Parameter = ThreadsParameter(options.Threads);
+  row.Seconds = seconds;
+  row.Counts["samples"] = report.Samples;
+  row.Counts["steps"] = report.Steps + report.StiffSteps;
+  row.Counts["microseconds_per_sample"] = 1e6 * seconds / static_cast<double>(report.Samples);
+  row.Counts["reached"] = static_cast<double>(report.Statuses[vtkFlowStatus::REACHED_SURFACE]) /
+    static_cast<double>(report.Samples);
+  rows.Add(row);
+}
+
+/// The number of rows of equal error on images, or on other grids.
+std::function<std::optional<double>(const BenchRow&)> OfEqualError(
+  bool isImage, const std::function<double(const BenchRow&)>& number)
+{
+  return [isImage, number](const BenchRow& row) -> std::optional<double>
+  {
+    if (row.Method != EqualError || (row.Case.rfind("image", 0) == 0) != isImage)
+    {
+      return std::nullopt;
+    }
+    return number(row);
+  };
+}
+}
+
+//------------------------------------------------------------------------------
+void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
+{
+  const std::vector<Case> cases = MakeSpeedCases(options);
+  for (const Case& what : cases)
+  {
+    CaseRows(what, options, rows).Add();
+  }
+  AddSecondThread(cases.front(), options, rows);
+  AddSamples(options, rows);
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
+{
+  const auto ratio = [](const BenchRow& row) { return *row.GetRatio(); };
+  const auto steps = [](const BenchRow& row)
+  { return row.Counts["steps_per_second_ratio"].get<double>(); };
+  return {
+    BenchClaim::AtLeast("at least 8 times as many samples a second as streamtracer at equal error, "
+                        "images, 1 thread",
+      8.0, rows, OfEqualError(true, ratio)),
+    BenchClaim::AtLeast("at least 4 times as many samples a second as streamtracer at equal error, "
+                        "unstructured grids, 1 thread",
+      4.0, rows, OfEqualError(false, ratio)),
+    BenchClaim::AtLeast("at least 8 times as many steps a second as streamtracer at equal error, "
+                        "images, 1 thread",
+      8.0, rows, OfEqualError(true, steps)),
+    BenchClaim::AtLeast("at least 4 times as many steps a second as streamtracer at equal error, "
+                        "unstructured grids, 1 thread",
+      4.0, rows, OfEqualError(false, steps)),
+    BenchClaim::AtLeast("a second thread: at least 1.8 times faster", 1.8, rows,
+      [](const BenchRow& row) -> std::optional<double>
+      { return row.Method == "threads-2" ? row.GetRatio() : std::nullopt; }),
+  };
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
+{
+  std::vector<BenchPlot> plots;
+  for (const BenchRow& row : rows)
+  {
+    const bool isOwn = row.Method == Advection;
+    if (!row.Error || (!isOwn && row.Method != "RK4" && row.Method != "RK45"))
+    {
+      continue;
+    }
+    if (plots.empty() ||
+      plots.back().Title != "Streamlines of ABC flow, " + row.Case + ", 1 thread")
+    {
+      BenchPlot plot;
+      plot.Name = "flow-error-" + row.Case;
+      plot.Title = "Streamlines of ABC flow, " + row.Case + ", 1 thread";
+      plot.XLabel = "run time (s)";
+      plot.YLabel = "mean distance from the streamline";
+      plot.LogX = true;
+      plot.LogY = true;
+      plot.DefaultSeries = "default";
+      plots.push_back(plot);
+    }
+    plots.back().AddPoint(
+      isOwn ? row.Method : std::string(Peer) + " " + row.Method, !isOwn, *row.Seconds, *row.Error);
+    if (isOwn && row.Parameter.get<double>() == DefaultTolerance)
+    {
+      // A line of one point is an error to VTK's charts.
+      plots.back().AddPoint("default", false, *row.Seconds, *row.Error);
+      plots.back().AddPoint("default", false, *row.Seconds, *row.Error);
+    }
+  }
+  return plots;
+}
+}
