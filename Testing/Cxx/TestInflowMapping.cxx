@@ -15,6 +15,7 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 #include "vtkTestErrorObserver.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -354,6 +355,8 @@ void CheckRuns(Check& check)
 int TestInflowMapping(int, char*[])
 {
   Check check;
+  // Samples of several ids in a thread's range.
+  vtkSMPTools::SetBackend("Sequential");
   CheckFormulas(check);
   CheckRings(check);
   CheckImages(check);

@@ -322,17 +322,24 @@ void CheckPlane(Check& check)
     saddle.Parameters->AddTerminationSurface(plane);
     check.Equal(saddle.GetNumberOfContours(), 2, "two branches");
     check.Near(saddle.GetLength(0), saddle.GetLength(1), 1e-6, "as long");
-    std::set<std::pair<int, bool>> sides;
+    // The contours of the arms: right, top, left, bottom.
+    std::array<std::set<int>, 4> arms;
     ForEachTriangle(saddle.Update(),
       [&](const Corner* corners)
       {
         const double y = corners[0].X[1] - 0.5;
-        if (std::abs(y) > 0.1 && std::abs(corners[0].X[2] - 0.5) < 0.1)
+        const double z = corners[0].X[2] - 0.5;
+        if (std::max(std::abs(y), std::abs(z)) > 0.2)
         {
-          sides.insert({ corners[0].Contour, y > 0.0 });
+          const std::size_t arm = std::abs(y) > std::abs(z) ? (y > 0.0 ? 0 : 2) : z > 0.0 ? 1 : 3;
+          arms[arm].insert(corners[0].Contour);
         }
       });
-    check.Equal(static_cast<long long>(sides.size()), 2, "each on one side");
+    const std::size_t first = value > 0.0 ? 0 : 1;
+    check.That(arms[first].size() == 1 && arms[first] == arms[first + 1], "one branch");
+    check.That(arms[first + 2].size() == 1 && arms[first + 2] == arms[(first + 3) % 4] &&
+        arms[first + 2] != arms[first],
+      "the other");
   }
 }
 
@@ -351,14 +358,15 @@ void CheckCylinder(Check& check)
   CheckCircle(around, 0.4, angle, 1.0, 0.02, check);
 
   check.SetContext("a wave around a cylinder");
-  Pipeline wave(MakeCylinderFlow(), "v+0.1*cos(6.283185307179586*u)", { 0.5 });
+  // Steepest at the seam.
+  Pipeline wave(MakeCylinderFlow(), "v+0.1*sin(6.283185307179586*u)", { 0.5 });
   wave.Parameters->AddTerminationSurface(cylinder, 0);
   // Length by the angle: along the circle, up and down.
   std::vector<double> lengths{ 0.0 };
   constexpr int steps = 20000;
   for (int i = 0; i < steps; ++i)
   {
-    const double slope = 0.1 * std::sin(2.0 * Pi * (i + 0.5) / steps);
+    const double slope = 0.1 * std::cos(2.0 * Pi * (i + 0.5) / steps);
     lengths.push_back(lengths.back() + 2.0 * Pi / steps * std::hypot(0.4, slope));
   }
   check.Near(wave.GetLength(0), lengths.back(), 1e-4, "length");
@@ -469,6 +477,57 @@ void CheckFar(Check& check)
   }
 }
 
+// The same over a seam: the nearest of many points of a wave around a cylinder.
+void CheckFarAround(Check& check)
+{
+  check.SetContext("far from a contour around a cylinder");
+  vtkNew<Cylinder> cylinder;
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetFormula(vtkInflowMapping::ALL, "v+0.1*sin(6.283185307179586*u)");
+  MeshBuilder builder;
+  constexpr int number = 60;
+  for (int i = 0; i < number; ++i)
+  {
+    const double turns = 0.37 * i - std::floor(0.37 * i);
+    const vtkIdType p = builder.AddPoint(
+      std::cos(2.0 * Pi * turns), std::sin(2.0 * Pi * turns), 0.3 + 0.4 * i / number);
+    builder.AddCell(VTK_TRIANGLE, { p, p, p });
+  }
+  auto mesh = builder.GetMesh();
+  AddFlow(mesh, CylinderFlow(0.999), { { { 0, 1, 0 } } });
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Inflow");
+  values->SetNumberOfValues(number);
+  values->Fill(0.5);
+  mesh->GetCellData()->AddArray(values);
+  vtkNew<vtkStreamSurfaceParameters> parameters;
+  parameters->SetInputData(mesh);
+  parameters->SetMapping(mapping);
+  parameters->AddTerminationSurface(cylinder, 0);
+  parameters->AddStartPoint(1.0, 0.0, 0.5);
+  parameters->Update();
+  for (int i = 0; i < number; ++i)
+  {
+    const double* uv = mesh->GetPointData()->GetArray("TerminationUV")->GetTuple2(i);
+    constexpr int steps = 20000;
+    double length = 0.0;
+    double nearest = 0.0;
+    double least = 10.0;
+    for (int step = 0; step < steps; ++step)
+    {
+      const double u = (step + 0.5) / steps;
+      const double du = uv[0] - u - std::round(uv[0] - u);
+      const double distance = std::hypot(du, uv[1] - 0.5 + 0.1 * std::sin(2.0 * Pi * u));
+      length += 2.0 * Pi / steps * std::hypot(1.0, 0.1 * std::cos(2.0 * Pi * u));
+      nearest = distance < least ? length : nearest;
+      least = std::min(least, distance);
+    }
+    const double found = parameters->GetOutput()->GetPointData()->GetTCoords()->GetComponent(i, 0);
+    const double turns = (found - nearest) / length;
+    check.Near(turns, std::round(turns), 3e-3, "the nearest place", 1.0);
+  }
+}
+
 void CheckRuns(Check& check)
 {
   vtkNew<Cylinder> cylinder;
@@ -573,6 +632,7 @@ int TestStreamSurfaceParameters(int, char*[])
   CheckCylinder(check);
   CheckParts(check);
   CheckFar(check);
+  CheckFarAround(check);
   CheckRuns(check);
   CheckErrors(check);
   return check.Result();
