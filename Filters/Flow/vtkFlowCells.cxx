@@ -1,5 +1,6 @@
 #include "vtkFlowCells.h"
 
+#include "vtkBlanking.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -111,9 +112,7 @@ struct Output
   // A cell that does not count anyway is left as it is.
   bool IsBlanked(vtkIdType cell) const
   {
-    constexpr unsigned char blanked = vtkDataSetAttributes::DUPLICATECELL |
-      vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
-    return this->Ghosts && (this->Ghosts->GetValue(cell) & blanked);
+    return vtkBlanking{ this->Ghosts, nullptr }.IsCellBlanked(cell);
   }
 };
 

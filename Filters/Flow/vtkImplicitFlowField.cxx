@@ -257,24 +257,31 @@ int vtkImplicitFlowField::RequestData(
     return 1;
   }
   vtkAdvectionOptions options;
-  std::vector<vtkSmartPointer<vtkTerminationSurface>> spheres;
-  if (!this->SetSamples(inputs, outputs) || !this->SetOptions(field, options, spheres))
+  if (!this->SetSamples(inputs, outputs) || !this->SetOptions(options))
   {
     output->Initialize();
     return 1;
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* vectors = this->GetInputArrayToProcess(0, inputs, association);
-  vtkFlowRun run(this, options);
-  run.SetField(field, vectors, this->MeanArrays);
-  run.SetAutomatic(this->MaximumError > 0.0 ? 0.0 : AutomaticError,
-    this->MinimumSpeed > 0.0 ? 0.0 : AutomaticSpeed);
-  run.SetKeepSteps(this->KeepSteps);
   std::string error =
     vtkFlowVectors::CheckVectors(field, vectors, association, this->GetInputArrayInformation(0));
+  vtkFlowReport report;
   if (error.empty())
   {
+    // They are looked for with the same vectors, and last as long as the options.
+    std::vector<vtkSmartPointer<vtkTerminationSurface>> spheres;
+    if (this->CriticalPointSpheres)
+    {
+      this->AddSpheres(field, options, spheres);
+    }
+    vtkFlowRun run(this, options);
+    run.SetField(field, vectors, this->MeanArrays);
+    run.SetAutomatic(this->MaximumError > 0.0 ? 0.0 : AutomaticError,
+      this->MinimumSpeed > 0.0 ? 0.0 : AutomaticSpeed);
+    run.SetKeepSteps(this->KeepSteps);
     error = run.Execute(output);
+    report = run.GetReport();
   }
   if (!error.empty())
   {
@@ -285,7 +292,7 @@ int vtkImplicitFlowField::RequestData(
     output->Initialize();
     return 1;
   }
-  this->Report = run.GetReport();
+  this->Report = report;
   this->Report.Executions = executions + 1;
   return 1;
 }
@@ -352,8 +359,7 @@ void vtkImplicitFlowField::CutPiece(vtkInformation* info, vtkDataSet* output)
 }
 
 //------------------------------------------------------------------------------
-bool vtkImplicitFlowField::SetOptions(vtkDataSet* field, vtkAdvectionOptions& options,
-  std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres)
+bool vtkImplicitFlowField::SetOptions(vtkAdvectionOptions& options)
 {
   if (this->Surfaces.empty() && !this->DomainFaces && !this->CriticalPointSpheres)
   {
@@ -404,14 +410,6 @@ bool vtkImplicitFlowField::SetOptions(vtkDataSet* field, vtkAdvectionOptions& op
     }
     options.Surfaces.push_back({ surface, id });
   }
-  if (this->CriticalPointSpheres)
-  {
-    this->MakeSpheres(field, spheres);
-    for (std::size_t i = 0; i < spheres.size(); ++i)
-    {
-      options.Surfaces.push_back({ spheres[i], this->CriticalPointId + static_cast<int>(i) });
-    }
-  }
   options.HasDomainFaces = this->DomainFaces;
   options.DomainFaceId = this->DomainFaceId;
   options.IsBackward = this->Direction == BACKWARD;
@@ -427,8 +425,8 @@ bool vtkImplicitFlowField::SetOptions(vtkDataSet* field, vtkAdvectionOptions& op
 }
 
 //------------------------------------------------------------------------------
-void vtkImplicitFlowField::MakeSpheres(
-  vtkDataSet* field, std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres)
+void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, vtkAdvectionOptions& options,
+  std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres)
 {
   vtkNew<vtkFlowCriticalPoints> finder;
   finder->SetInputDataObject(field);
@@ -445,6 +443,8 @@ void vtkImplicitFlowField::MakeSpheres(
       sphere->SetCenter(points->GetPoint(id));
       sphere->SetRadius(this->CriticalPointRadius * lengths->GetComponent(id, 0));
       sphere->Update();
+      options.Surfaces.push_back(
+        { sphere, this->CriticalPointId + static_cast<int>(spheres.size()) });
       spheres.emplace_back(sphere);
     }
   }

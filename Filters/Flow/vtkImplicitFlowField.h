@@ -255,10 +255,11 @@ private:
   bool SetSamples(vtkInformationVector** inputs, vtkInformationVector* outputs);
   /// Leaves of the whole field the piece that is asked for.
   static void CutPiece(vtkInformation* info, vtkDataSet* output);
-  /// False where something is wrong, which has been said. \a spheres keeps those that were made.
-  bool SetOptions(vtkDataSet* field, vtkAdvectionOptions& options,
+  /// False where something is wrong, which has been said.
+  bool SetOptions(vtkAdvectionOptions& options);
+  /// \a spheres keeps those that are added.
+  void AddSpheres(vtkDataSet* field, vtkAdvectionOptions& options,
     std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres);
-  void MakeSpheres(vtkDataSet* field, std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres);
 
   std::vector<vtkSmartPointer<vtkTerminationSurface>> Surfaces;
   bool DomainFaces = false;
