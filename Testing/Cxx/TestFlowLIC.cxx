@@ -15,11 +15,8 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
-#include "vtkStructuredGrid.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -491,30 +488,8 @@ void TestDatasets(Check& check)
   Setting setting;
   setting.Length = 0.5;
   setting.Step = 0.05;
-  std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> grids;
   const auto shear = [](const Vector& x) { return Vector{ { 1.0, 0.25 * x[2], 0.0 } }; };
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(5, 5, 5);
-  grids.emplace_back("image", image);
-  auto rectilinear = vtkSmartPointer<vtkRectilinearGrid>::New();
-  vtkNew<vtkDoubleArray> coordinates;
-  for (const double x : { 0.0, 0.3, 1.7, 2.0, 4.0 })
-  {
-    coordinates->InsertNextValue(x);
-  }
-  rectilinear->SetDimensions(5, 5, 5);
-  rectilinear->SetXCoordinates(coordinates);
-  rectilinear->SetYCoordinates(coordinates);
-  rectilinear->SetZCoordinates(coordinates);
-  grids.emplace_back("rectilinear grid", rectilinear);
-  auto structured = MakeStructuredGrid({ { 4, 4, 4 } });
-  MovePoints(structured, MakeBend({ { 4, 4, 4 } }, 0.2));
-  grids.emplace_back("structured grid", structured);
-  for (const MeshKind kind : FlowMeshKinds())
-  {
-    grids.emplace_back(
-      "mesh " + std::to_string(static_cast<int>(kind)), MakeFlowMesh(kind, { { 4, 4, 4 } }));
-  }
+  const auto grids = MakeFlowGrids();
   std::vector<Vector> places;
   for (const Vector& place : MakePlaces(50, 1.3))
   {

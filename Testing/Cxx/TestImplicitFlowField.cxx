@@ -18,9 +18,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkSMPTools.h"
-#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
@@ -73,27 +71,7 @@ Vector Shear(const Vector& x)
 /// Grids of all kinds over 0 ... 4, with one field that all of them interpolate exactly.
 std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeGrids()
 {
-  std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> grids;
-  grids.emplace_back("image", MakeImage(5, Shear));
-  auto rectilinear = vtkSmartPointer<vtkRectilinearGrid>::New();
-  vtkNew<vtkDoubleArray> coordinates;
-  for (double x : { 0.0, 0.3, 1.7, 2.0, 4.0 })
-  {
-    coordinates->InsertNextValue(x);
-  }
-  rectilinear->SetDimensions(5, 5, 5);
-  rectilinear->SetXCoordinates(coordinates);
-  rectilinear->SetYCoordinates(coordinates);
-  rectilinear->SetZCoordinates(coordinates);
-  grids.emplace_back("rectilinear grid", rectilinear);
-  auto structured = MakeStructuredGrid({ { 4, 4, 4 } });
-  MovePoints(structured, MakeBend({ { 4, 4, 4 } }, 0.2));
-  grids.emplace_back("structured grid", structured);
-  for (MeshKind kind : FlowMeshKinds())
-  {
-    grids.emplace_back(
-      "mesh " + std::to_string(static_cast<int>(kind)), MakeFlowMesh(kind, { { 4, 4, 4 } }));
-  }
+  auto grids = MakeFlowGrids();
   for (auto& grid : grids)
   {
     AddVectors(grid.second, Shear);

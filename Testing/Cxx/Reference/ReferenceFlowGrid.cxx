@@ -3,11 +3,14 @@
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -218,6 +221,34 @@ CellSample SampleCell(
     one->Derivatives(subId, p, values.data(), 3, sample.Gradient.data());
   }
   return sample;
+}
+
+std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeFlowGrids()
+{
+  std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> grids;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(5, 5, 5);
+  grids.emplace_back("image", image);
+  auto rectilinear = vtkSmartPointer<vtkRectilinearGrid>::New();
+  vtkNew<vtkDoubleArray> coordinates;
+  for (const double x : { 0.0, 0.3, 1.7, 2.0, 4.0 })
+  {
+    coordinates->InsertNextValue(x);
+  }
+  rectilinear->SetDimensions(5, 5, 5);
+  rectilinear->SetXCoordinates(coordinates);
+  rectilinear->SetYCoordinates(coordinates);
+  rectilinear->SetZCoordinates(coordinates);
+  grids.emplace_back("rectilinear grid", rectilinear);
+  auto structured = MakeStructuredGrid({ { 4, 4, 4 } });
+  MovePoints(structured, MakeBend({ { 4, 4, 4 } }, 0.2));
+  grids.emplace_back("structured grid", structured);
+  for (const MeshKind kind : FlowMeshKinds())
+  {
+    grids.emplace_back(
+      "mesh " + std::to_string(static_cast<int>(kind)), MakeFlowMesh(kind, { { 4, 4, 4 } }));
+  }
+  return grids;
 }
 
 double GetNorm(const Vector& v)

@@ -9,6 +9,8 @@
 
 #include <array>      // for places
 #include <functional> // for the fields
+#include <string>     // for the names of grids
+#include <utility>    // for grids with names
 #include <vector>     // for the list of kinds
 
 class vtkDataArray;
@@ -56,6 +58,10 @@ const std::vector<MeshKind>& FlowMeshKinds();
 /// MakeMesh with voxels, or else hexahedra, and wedges for polyhedra.
 vtkSmartPointer<vtkUnstructuredGrid> MakeFlowMesh(
   MeshKind kind, const std::array<int, 3>& cells, bool hasVoxels = true, unsigned int seed = 1);
+
+/// An image, a rectilinear grid, a structured grid that is bent inside, and a mesh of each kind,
+/// all over 0 ... 4 with 5 points along each axis, and their names.
+std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeFlowGrids();
 
 /// A place in a cell, as VTK's cell interpolates.
 struct CellSample
