@@ -324,6 +324,14 @@ private:
     return vtkAdvectionVector::Length(error);
   }
 
+  void PrefetchAhead(int round) const
+  {
+    if (this->Exit.GetFaceAhead() >= 0)
+    {
+      this->Field.Prefetch(this->Exit.GetFaceAhead(), round);
+    }
+  }
+
   /// One step, accepted or not. False where the streamline ends.
   template <typename Method>
   bool TakeStepBy(Method& method)
@@ -339,7 +347,9 @@ private:
     const bool isLast = h >= remaining;
     h = isLast ? remaining : h;
 
+    this->PrefetchAhead(0);
     const bool isTaken = method.Take(this->Rate, this->Point, this->PointRate, h);
+    this->PrefetchAhead(1);
     const double ratio = isTaken ? this->GetLastingError(method, h) / h / largestError
                                  : std::numeric_limits<double>::infinity();
     // A step that rounding all but loses is no better when it is shorter.

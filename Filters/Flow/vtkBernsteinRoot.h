@@ -1,6 +1,8 @@
 #ifndef vtkBernsteinRoot_h
 #define vtkBernsteinRoot_h
 
+#include "vtkBinomials.h"
+
 #include <cmath>
 
 /**
@@ -14,7 +16,7 @@
 class vtkBernsteinRoot
 {
 public:
-  static constexpr int MaximumDegree = 5;
+  static constexpr int MaximumDegree = vtkBinomials::MaximumDegree;
   /// What Find returns where there is none.
   static constexpr double None = 2.0;
 
@@ -75,9 +77,15 @@ private:
   {
     double powers[MaximumDegree + 1];
     vtkBernsteinRoot::GetPowers(b, degree, powers);
+    // No half of a second derivative is larger.
+    double bend = 0.0;
+    for (int k = 2; k <= degree; ++k)
+    {
+      bend += 0.5 * k * (k - 1) * std::abs(powers[k]);
+    }
     double low = 0.0;
     double high = 1.0;
-    double theta = b[0] / (b[0] - b[degree]);
+    double theta = vtkBernsteinRoot::GuessOnly(powers[0], powers[1], b[degree]);
     for (int iteration = 0; iteration < 100; ++iteration)
     {
       double value = powers[degree];
@@ -89,18 +97,32 @@ private:
       }
       (value < 0.0 ? high : low) = theta;
       double next = theta - value / slope;
-      if (!(next > low && next < high))
+      const bool isNewton = next > low && next < high;
+      if (!isNewton)
       {
         next = value == 0.0 ? theta : 0.5 * (low + high);
       }
-      // No more can be told of a place in a step of length 1.
-      if (std::abs(next - theta) <= 2e-16 || next == low || next == high)
+      // What Newton's method leaves is at most bend / slope times the square of its way. No more
+      // can be told of a place in a step of length 1.
+      const double way = next - theta;
+      if ((isNewton && bend * (way * way) <= 1e-16 * std::abs(slope)) || std::abs(way) <= 2e-16 ||
+        next == low || next == high)
       {
         return next;
       }
       theta = next;
     }
     return theta;
+  }
+
+  /// The root of the parabola with this value and slope at 0, and this value at 1.
+  static double GuessOnly(double start, double slope, double end)
+  {
+    const double bend = end - start - slope;
+    const double square = slope * slope - 4.0 * bend * start;
+    const double divisor = std::sqrt(square) - slope;
+    const double theta = 2.0 * start / divisor;
+    return theta > 0.0 && theta < 1.0 ? theta : start / (start - end);
   }
 
   static void GetPowers(const double* b, int degree, double* powers)
@@ -110,15 +132,14 @@ private:
     {
       differences[i] = b[i];
     }
-    double binomial = 1.0;
+    const double* binomials = vtkBinomials::Get().Choose[degree];
     for (int k = 0; k <= degree; ++k)
     {
-      powers[k] = binomial * differences[0];
+      powers[k] = binomials[k] * differences[0];
       for (int i = 0; i < degree - k; ++i)
       {
         differences[i] = differences[i + 1] - differences[i];
       }
-      binomial *= static_cast<double>(degree - k) / (k + 1);
     }
   }
 };

@@ -30,26 +30,31 @@ public:
    */
   void Approach(const Walker& field, const double p[3], const double rate[3], bool isHeld)
   {
-    // Affine distances have the same slope everywhere, found best from a point well apart.
-    const double scale = (Walker::FacesAreAffine ? 1.0 : 1e-6) / vtkAdvectionVector::Largest(rate);
-    double ahead[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      ahead[i] = p[i] + scale * rate[i];
-    }
     this->NumberOfFaces = field.GetNumberOfFaces();
+    if (field.IsBox())
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Distances[2 * axis] = p[axis];
+        this->Distances[2 * axis + 1] = 1.0 - p[axis];
+        this->Rates[2 * axis] = rate[axis];
+        this->Rates[2 * axis + 1] = -rate[axis];
+      }
+    }
+    else
+    {
+      this->FindRates(field, p, rate);
+    }
     double fastest = 0.0;
     this->Outside = 0.0;
     for (int face = 0; face < this->NumberOfFaces; ++face)
     {
-      const double distance = field.GetFaceDistance(face, p);
-      this->Distances[face] = distance;
-      this->Rates[face] = (field.GetFaceDistance(face, ahead) - distance) / scale;
       fastest = std::max(fastest, std::abs(this->Rates[face]));
-      this->Outside = std::max(this->Outside, -distance);
+      this->Outside = std::max(this->Outside, -this->Distances[face]);
     }
     this->Fastest = fastest;
     this->TimeLimit = std::numeric_limits<double>::infinity();
+    this->FaceAhead = -1;
     for (int face = 0; face < this->NumberOfFaces; ++face)
     {
       const double outside = std::max(0.0, -this->Distances[face]);
@@ -58,13 +63,21 @@ public:
       if (this->Rates[face] < 0.0)
       {
         const double room = isBehind ? 0.01 : 1.1 * std::max(0.0, this->Distances[face]) + 0.05;
-        this->TimeLimit = std::min(this->TimeLimit, room / -this->Rates[face]);
+        const double time = room / -this->Rates[face];
+        if (time < this->TimeLimit)
+        {
+          this->TimeLimit = time;
+          this->FaceAhead = face;
+        }
       }
     }
   }
 
   /// The time until the end of a straight step is somewhat outside of the cell.
   double GetTimeLimit() const { return this->TimeLimit; }
+
+  /// The face that a straight step is likely to leave by; -1: none.
+  int GetFaceAhead() const { return this->FaceAhead; }
 
   /// The largest rate at which a distance from a face changes: widths per unit of time.
   double GetFastest() const { return this->Fastest; }
@@ -97,44 +110,26 @@ public:
   double Find(const Walker& field, const vtkDenseOutput& dense, int& exitFace, bool& isFar) const
   {
     exitFace = -1;
-    double end = std::numeric_limits<double>::infinity();
     double first = vtkBernsteinRoot::None;
-    double points[vtkDenseOutput::MaximumDegree + 1][3];
-    const int degree = Walker::FacesAreAffine ? dense.Degree : NumberOfSamples;
-    if constexpr (Walker::FacesAreAffine)
+    double end = std::numeric_limits<double>::infinity();
+    const auto leave = [&](int face, double theta)
     {
-      dense.GetControlPoints(points);
-    }
-    for (int face = 0; face < this->NumberOfFaces; ++face)
-    {
-      double b[NumberOfSamples + 1];
-      double least = std::numeric_limits<double>::infinity();
-      for (int i = 0; i <= degree; ++i)
-      {
-        if constexpr (Walker::FacesAreAffine)
-        {
-          b[i] = field.GetFaceDistance(face, points[i]);
-        }
-        else
-        {
-          b[i] = vtkCellExit::GetDistance(field, face, dense, i / double(NumberOfSamples));
-        }
-        least = std::min(least, b[i]);
-      }
-      end = std::min(end, b[degree]);
-      // Control points outside need not mean that the curve is; samples inside not that it is not.
-      if (Walker::FacesAreAffine ? least > -this->Slacks[face] : least > 0.5)
-      {
-        continue;
-      }
-      const double theta = Walker::FacesAreAffine
-        ? vtkCellExit::FindAffine(b, degree, this->Slacks[face])
-        : this->FindSmooth(field, face, dense, b);
       if (theta < first)
       {
         first = theta;
         exitFace = face;
       }
+    };
+    if constexpr (Walker::FacesAreAffine)
+    {
+      double points[vtkDenseOutput::MaximumDegree + 1][3];
+      dense.GetControlPoints(points);
+      end = field.IsBox() ? this->FindInBox(points, dense.Degree, leave)
+                          : this->FindInPlanes(field, points, dense.Degree, leave);
+    }
+    else
+    {
+      end = this->FindInSamples(field, dense, leave);
     }
     isFar = end < -LargestOvershoot - this->Outside;
     return first;
@@ -147,6 +142,107 @@ private:
   static constexpr double MuchOutside = 1e-6;
   /// Of faces that are not affine.
   static constexpr int NumberOfSamples = 16;
+
+  void FindRates(const Walker& field, const double p[3], const double rate[3])
+  {
+    // Affine distances have the same slope everywhere, found best from a point well apart.
+    const double scale = (Walker::FacesAreAffine ? 1.0 : 1e-6) / vtkAdvectionVector::Largest(rate);
+    double ahead[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      ahead[i] = p[i] + scale * rate[i];
+    }
+    for (int face = 0; face < this->NumberOfFaces; ++face)
+    {
+      const double distance = field.GetFaceDistance(face, p);
+      this->Distances[face] = distance;
+      this->Rates[face] = (field.GetFaceDistance(face, ahead) - distance) / scale;
+    }
+  }
+
+  // Three ways to look for exits: each calls leave(face, theta) where a face may be crossed, and
+  // returns the least distance at the step's end. Control points outside of a plane need not mean
+  // that the curve is; samples inside of a face not that it is not.
+
+  template <typename Leave>
+  double FindInBox(const double (*points)[3], int degree, Leave&& leave) const
+  {
+    double low[3];
+    double high[3];
+    std::copy(points[0], points[0] + 3, low);
+    std::copy(points[0], points[0] + 3, high);
+    for (int k = 1; k <= degree; ++k)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = std::min(low[axis], points[k][axis]);
+        high[axis] = std::max(high[axis], points[k][axis]);
+      }
+    }
+    double end = std::numeric_limits<double>::infinity();
+    for (int face = 0; face < 6; ++face)
+    {
+      const int axis = face >> 1;
+      const bool isUpper = face & 1;
+      const double last = points[degree][axis];
+      end = std::min(end, isUpper ? 1.0 - last : last);
+      if ((isUpper ? 1.0 - high[axis] : low[axis]) <= -this->Slacks[face])
+      {
+        double b[vtkDenseOutput::MaximumDegree + 1];
+        for (int k = 0; k <= degree; ++k)
+        {
+          b[k] = isUpper ? 1.0 - points[k][axis] : points[k][axis];
+        }
+        leave(face, vtkCellExit::FindAffine(b, degree, this->Slacks[face]));
+      }
+    }
+    return end;
+  }
+
+  template <typename Leave>
+  double FindInPlanes(
+    const Walker& field, const double (*points)[3], int degree, Leave&& leave) const
+  {
+    double end = std::numeric_limits<double>::infinity();
+    for (int face = 0; face < this->NumberOfFaces; ++face)
+    {
+      double b[vtkDenseOutput::MaximumDegree + 1];
+      double least = std::numeric_limits<double>::infinity();
+      for (int k = 0; k <= degree; ++k)
+      {
+        b[k] = field.GetFaceDistance(face, points[k]);
+        least = std::min(least, b[k]);
+      }
+      end = std::min(end, b[degree]);
+      if (least <= -this->Slacks[face])
+      {
+        leave(face, vtkCellExit::FindAffine(b, degree, this->Slacks[face]));
+      }
+    }
+    return end;
+  }
+
+  template <typename Leave>
+  double FindInSamples(const Walker& field, const vtkDenseOutput& dense, Leave&& leave) const
+  {
+    double end = std::numeric_limits<double>::infinity();
+    for (int face = 0; face < this->NumberOfFaces; ++face)
+    {
+      double samples[NumberOfSamples + 1];
+      double least = std::numeric_limits<double>::infinity();
+      for (int i = 0; i <= NumberOfSamples; ++i)
+      {
+        samples[i] = vtkCellExit::GetDistance(field, face, dense, i / double(NumberOfSamples));
+        least = std::min(least, samples[i]);
+      }
+      end = std::min(end, samples[NumberOfSamples]);
+      if (least <= 0.5)
+      {
+        leave(face, this->FindSmooth(field, face, dense, samples));
+      }
+    }
+    return end;
+  }
 
   /// Where the distance falls below -slack, moved back to where it was 0.
   static double FindAffine(double* b, int degree, double slack)
@@ -221,6 +317,7 @@ private:
   double Outside = 0.0;
   double Fastest = 0.0;
   double TimeLimit = 0.0;
+  int FaceAhead = -1;
 };
 
 #endif

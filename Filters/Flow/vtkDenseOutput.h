@@ -1,6 +1,8 @@
 #ifndef vtkDenseOutput_h
 #define vtkDenseOutput_h
 
+#include "vtkBinomials.h"
+
 /**
  * @class   vtkDenseOutput
  * @brief   where a step of an integrator is between its ends: a polynomial of theta, 0 to 1
@@ -9,7 +11,7 @@
  */
 struct vtkDenseOutput
 {
-  static constexpr int MaximumDegree = 5;
+  static constexpr int MaximumDegree = vtkBinomials::MaximumDegree;
 
   int Degree = 0;
   double Coefficients[MaximumDegree + 1][3] = {};
@@ -44,18 +46,16 @@ struct vtkDenseOutput
   /// The Degree + 1 control points of the same curve in Bernstein's form.
   void GetControlPoints(double points[MaximumDegree + 1][3]) const
   {
-    // binomial(j, k) / binomial(degree, k), by k from one to the next
+    const auto& weights = vtkBinomials::Get().Elevation[this->Degree];
     for (int j = 0; j <= this->Degree; ++j)
     {
-      double weight = 1.0;
       points[j][0] = points[j][1] = points[j][2] = 0.0;
       for (int k = 0; k <= j; ++k)
       {
         for (int i = 0; i < 3; ++i)
         {
-          points[j][i] += weight * this->Coefficients[k][i];
+          points[j][i] += weights[j][k] * this->Coefficients[k][i];
         }
-        weight *= static_cast<double>(j - k) / (this->Degree - k > 0 ? this->Degree - k : 1);
       }
     }
   }

@@ -33,6 +33,7 @@ public:
   }
 
   void GetVector(vtkIdType point, double vector[3]) const { this->Vectors.Get<3>(point, vector); }
+  void PrefetchVector(vtkIdType point) const { this->Vectors.Prefetch<3>(point); }
   /// Of the point array with this number.
   double GetValue(int array, vtkIdType point) const
   {

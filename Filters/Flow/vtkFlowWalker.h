@@ -31,6 +31,11 @@
  * - `int GetNumberOfFaces() const`, at most 6, and `double GetFaceDistance(int face, const double
  * p[3]) const`: above 0 inside, 0 on the face, affine or smooth in p; scaled so that the cell's
  * width is about 1.
+ * - `bool IsBox() const`: whether the cell is [0,1]^3 and the distances from faces 2 i and 2 i + 1
+ * are p_i and 1 - p_i.
+ * - `void Prefetch(int face, int round) const`: the cell is likely to be left by that face soon;
+ * what Cross will read may be brought near. Called twice with some work between: what round 0 brings
+ * may tell round 1 what is next. Changes nothing.
  * - `bool Cross(int face, double p[3])`: p, on the face but for rounding, becomes the place in the
  * neighbour, where the walker then stands. What p is off the face is lost: the new p is on it, to
  * the last digit where the face is one of a coordinate (its distance is p_i or 1 - p_i). The place
@@ -52,6 +57,9 @@
 struct vtkFlowWalker
 {
   static constexpr bool FacesAreAffine = true;
+
+  bool IsBox() const { return false; }
+  void Prefetch(int, int) const {}
 };
 
 #endif

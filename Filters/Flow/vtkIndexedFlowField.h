@@ -71,6 +71,12 @@ public:
     return true;
   }
 
+  /// The vectors that the neighbour has and the cell has not.
+  void Prefetch(const Place& place, int face) const
+  {
+    this->ForEachCornerBeyond(place, face, [this](vtkIdType point) { this->PrefetchVector(point); });
+  }
+
   /// The corners of [0,1]^3, x fastest.
   vtkIdType GetCorner(const Place& place, int corner) const
   {
@@ -122,6 +128,26 @@ protected:
    * shares the place.
    */
   bool Find(const double q[3], const double slack[3], Place& place, double p[3]) const;
+
+  /// Calls visit(point) for those corners of a face's neighbour that are not on the face.
+  template <typename Visitor>
+  void ForEachCornerBeyond(const Place& place, int face, Visitor&& visit) const
+  {
+    if (this->IsOutside(place, face))
+    {
+      return;
+    }
+    const int axis = face >> 1;
+    const int way = face & 1;
+    const vtkIdType neighbor = place.Point + (way ? 1 : -1) * this->PointStrides[axis];
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      if ((corner >> axis & 1) == way)
+      {
+        visit(neighbor + this->CornerOffsets[corner]);
+      }
+    }
+  }
 
   int Cells[3] = { 0, 0, 0 };
   vtkIdType CellStrides[3] = { 1, 0, 0 };

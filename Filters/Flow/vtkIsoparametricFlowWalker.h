@@ -58,6 +58,7 @@ public:
     this->Cell.GetVelocityGradient(p, gradient);
   }
 
+  bool IsBox() const { return this->Cell.GetShape() == vtkFlowShape::HEXAHEDRON; }
   int GetNumberOfFaces() const { return this->Cell.GetNumberOfFaces(); }
   double GetFaceDistance(int face, const double p[3]) const
   {

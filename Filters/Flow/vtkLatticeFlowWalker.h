@@ -90,6 +90,7 @@ public:
     }
   }
 
+  static constexpr bool IsBox() { return true; }
   int GetNumberOfFaces() const { return 6; }
   double GetFaceDistance(int face, const double p[3]) const
   {
@@ -97,6 +98,13 @@ public:
     return face & 1 ? 1.0 - q : q;
   }
 
+  void Prefetch(int face, int round) const
+  {
+    if (round == 0)
+    {
+      this->Shared->Prefetch(this->Stand, face);
+    }
+  }
   bool Cross(int face, double p[3])
   {
     if (!this->Shared->Step(this->Stand, face))
@@ -132,19 +140,24 @@ private:
   {
     double inverse[9];
     this->Shared->GetInverse(this->Stand, inverse);
+    // Four wide, so that compilers use vectors.
+    double columns[3][4];
+    for (int i = 0; i < 12; ++i)
+    {
+      columns[i >> 2][i & 3] = (i & 3) < 3 ? inverse[3 * (i & 3) + (i >> 2)] : 0.0;
+    }
     double check = 0.0;
     for (int corner = 0; corner < 8; ++corner)
     {
       double v[3];
       this->Shared->GetVector(this->Shared->GetCorner(this->Stand, corner), v);
       double* rate = this->Rate.C[corner];
-      for (int i = 0; i < 3; ++i)
+      // NaN where a number is not finite.
+      check += 0.0 * v[0] + 0.0 * v[1] + 0.0 * v[2];
+      for (int i = 0; i < 4; ++i)
       {
-        // NaN where the number is not finite.
-        check += 0.0 * v[i];
-        rate[i] = inverse[3 * i] * v[0] + inverse[3 * i + 1] * v[1] + inverse[3 * i + 2] * v[2];
+        rate[i] = columns[0][i] * v[0] + columns[1][i] * v[1] + columns[2][i] * v[2];
       }
-      rate[3] = 0.0;
     }
     this->HasFiniteVectors = check == 0.0;
     this->Rate.Fit();

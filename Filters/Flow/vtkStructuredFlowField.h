@@ -39,6 +39,17 @@ public:
   }
   const vtkCellTree& GetTree() const { return this->Tree; }
 
+  /// The positions and vectors that the neighbour has and the cell has not.
+  void Prefetch(const Place& place, int face) const
+  {
+    this->ForEachCornerBeyond(place, face,
+      [this](vtkIdType point)
+      {
+        this->Positions.Prefetch<3>(point);
+        this->PrefetchVector(point);
+      });
+  }
+
   /// Through a face into the neighbour; false, and no change, where there is none.
   bool Cross(Place& place, int face, double p[3]) const
   {

@@ -13,6 +13,13 @@ class vtkStructuredFlowWalker : public vtkIsoparametricFlowWalker<vtkStructuredF
 public:
   using vtkIsoparametricFlowWalker::vtkIsoparametricFlowWalker;
 
+  void Prefetch(int face, int round) const
+  {
+    if (round == 0)
+    {
+      this->Shared->Prefetch(this->Stand, face);
+    }
+  }
   int GetDomainFace(int face) const
   {
     return this->Shared->IsDomainFace(this->Stand, face) ? face : -1;

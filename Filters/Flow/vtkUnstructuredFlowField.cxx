@@ -9,7 +9,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <atomic>
+#include <algorithm>
 
 //------------------------------------------------------------------------------
 void vtkUnstructuredFlowField::Numbers::Build(vtkDataArray* array)
@@ -64,6 +64,7 @@ std::string vtkUnstructuredFlowField::Build(
   {
     return error;
   }
+  this->FindOnlyType();
   this->Measure(getPoints, true);
   const vtkCellPositions positions(this->Positions,
     [this](vtkIdType cell, vtkIdType* ids) { return this->GetCellPoints(cell, ids); });
@@ -74,6 +75,19 @@ std::string vtkUnstructuredFlowField::Build(
     this->FindLinks();
   }
   return error;
+}
+
+//------------------------------------------------------------------------------
+void vtkUnstructuredFlowField::FindOnlyType()
+{
+  const vtkIdType number = this->GetNumberOfCells();
+  const int size = GetCorners(this->Types[0]).Number;
+  const bool isOnly =
+    std::all_of(this->Types, this->Types + number, [this](unsigned char type)
+      { return type == this->Types[0]; }) &&
+    this->Offsets.Get(number) == number * size;
+  this->OnlyType = isOnly ? this->Types[0] : 0;
+  this->OnlySize = isOnly ? size : 0;
 }
 
 //------------------------------------------------------------------------------

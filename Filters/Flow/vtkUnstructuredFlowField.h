@@ -42,8 +42,8 @@ public:
   {
     Place place;
     place.Cell = cell;
-    place.First = this->Offsets.Get(cell);
-    place.Type = this->Types[cell];
+    place.First = this->OnlyType ? cell * this->OnlySize : this->Offsets.Get(cell);
+    place.Type = this->OnlyType ? this->OnlyType : this->Types[cell];
     return place;
   }
   int GetShape(const Place& place) const { return GetCorners(place.Type).Shape; }
@@ -78,6 +78,30 @@ public:
   }
   const vtkCellTree& GetTree() const { return this->Tree; }
 
+  /// Round 0: the neighbour's list of points; round 1: their positions and vectors.
+  void Prefetch(const Place& place, int face, int round) const
+  {
+    const vtkIdType link = this->Links[place.Cell * this->FacesPerCell + face];
+    if (link < 0)
+    {
+      return;
+    }
+    const Place neighbor = this->GetPlace(link >> 6);
+    if (round == 0)
+    {
+      this->PointIds.Prefetch(
+        neighbor.First, neighbor.First + GetCorners(neighbor.Type).Number - 1);
+      return;
+    }
+    this->ForEachCorner(neighbor,
+      [this](int, vtkIdType point)
+      {
+        this->Positions.Prefetch<3>(point);
+        this->PrefetchVector(point);
+      });
+    vtkPrefetch::Read(this->Links.data() + neighbor.Cell * this->FacesPerCell);
+  }
+
   /// Through a face into the neighbour; false, and no change, where there is none.
   bool Cross(Place& place, int face, double p[3]) const
   {
@@ -108,6 +132,13 @@ private:
     {
       return this->Small ? static_cast<vtkIdType>(this->Small[i])
                          : static_cast<vtkIdType>(this->Large[i]);
+    }
+    void Prefetch(vtkIdType first, vtkIdType last) const
+    {
+      for (const vtkIdType i : { first, last })
+      {
+        this->Small ? vtkPrefetch::Read(this->Small + i) : vtkPrefetch::Read(this->Large + i);
+      }
     }
   };
 
@@ -142,6 +173,7 @@ private:
     }
   }
 
+  void FindOnlyType();
   std::string FindCellError() const;
   int GetCellPoints(vtkIdType cell, vtkIdType* points) const;
   int GetFacePoints(vtkIdType face, vtkIdType* points) const;
@@ -151,6 +183,9 @@ private:
   Numbers Offsets;
   Numbers PointIds;
   const unsigned char* Types = nullptr;
+  // Where all cells are of one type that type, and how many points each has; else 0.
+  int OnlyType = 0;
+  int OnlySize = 0;
   vtkSmartPointer<vtkDataArray> TypeArray;
   vtkCellTree Tree;
   int FacesPerCell = 0;

@@ -15,6 +15,7 @@ class vtkUnstructuredFlowWalker : public vtkIsoparametricFlowWalker<vtkUnstructu
 public:
   using vtkIsoparametricFlowWalker::vtkIsoparametricFlowWalker;
 
+  void Prefetch(int face, int round) const { this->Shared->Prefetch(this->Stand, face, round); }
   int GetDomainFace(int) const { return -1; }
   void GetDomainParameters(int, const double*, double uv[2]) const { uv[0] = uv[1] = 0.0; }
 };

@@ -1,0 +1,18 @@
+#ifndef vtkPrefetch_h
+#define vtkPrefetch_h
+
+/**
+ * @class   vtkPrefetch
+ * @brief   asks for memory that is read soon; nothing with compilers that have no word for it
+ */
+struct vtkPrefetch
+{
+  static void Read([[maybe_unused]] const void* address)
+  {
+#if defined(__GNUC__)
+    __builtin_prefetch(address);
+#endif
+  }
+};
+
+#endif
