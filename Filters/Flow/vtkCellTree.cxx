@@ -82,20 +82,22 @@ void vtkCellTree::Build(vtkIdType numberOfCells, const CellBox& getBox)
   // Unions of boxes by parts, one for each, so that none waits for another.
   constexpr vtkIdType part = 4096;
   const vtkIdType parts = (numberOfCells + part - 1) / part;
+  std::vector<Box> boxes(numberOfCells);
   std::vector<Box> unions(parts);
   vtkSMPTools::For(0, parts,
     [&](vtkIdType first, vtkIdType last)
     {
-      double box[6];
       for (vtkIdType i = first; i < last; ++i)
       {
         unions[i].Clear();
         for (vtkIdType cell = i * part; cell < std::min((i + 1) * part, numberOfCells); ++cell)
         {
-          if (getBox(cell, box))
+          Box& box = boxes[cell];
+          if (!getBox(cell, box.Bounds))
           {
-            unions[i].Add(box);
+            box.Clear();
           }
+          unions[i].Add(box.Bounds);
         }
       }
     });
@@ -111,10 +113,10 @@ void vtkCellTree::Build(vtkIdType numberOfCells, const CellBox& getBox)
   vtkSMPTools::For(0, numberOfCells,
     [&](vtkIdType first, vtkIdType last)
     {
-      double box[6];
       for (vtkIdType cell = first; cell < last; ++cell)
       {
-        order[cell] = { getBox(cell, box) ? GetCode(box, all.Bounds) : none, cell };
+        const double* box = boxes[cell].Bounds;
+        order[cell] = { box[0] <= box[1] ? GetCode(box, all.Bounds) : none, cell };
       }
     });
   vtkSMPTools::Sort(order.begin(), order.end());
@@ -149,12 +151,7 @@ void vtkCellTree::Build(vtkIdType numberOfCells, const CellBox& getBox)
     return;
   }
   addLevel(this->Cells.size(), LeafSize,
-    [&](std::size_t child, Box& box)
-    {
-      double bounds[6];
-      getBox(this->Cells[child], bounds);
-      box.Add(bounds);
-    });
+    [&](std::size_t child, Box& box) { box.Add(boxes[this->Cells[child]].Bounds); });
   for (Box& leaf : this->Levels[0])
   {
     leaf.Inflate();

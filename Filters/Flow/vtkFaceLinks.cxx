@@ -1,6 +1,7 @@
 #include "vtkFaceLinks.h"
 
-#include "vtkSMPThreadLocal.h"
+#include "vtkFaceTurn.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -9,129 +10,123 @@
 
 namespace
 {
+using FillBlock = vtkFaceLinks::FillBlock;
+using SetLink = vtkFaceLinks::SetLink;
 
-// A face with its points in order, to be found among others.
-struct Key
+// What else a face has than its least point: the points after it, which all that are the same face
+// have in the same order, the face, and how its own order is to that.
+template <typename Id>
+struct Entry
 {
-  std::array<vtkIdType, 4> Points;
+  std::array<Id, 3> Points;
+  vtkFaceTurn Turn;
   vtkIdType Face;
-  bool operator<(const Key& other) const
-  {
-    return this->Points != other.Points ? this->Points < other.Points : this->Face < other.Face;
-  }
+  bool operator<(const Entry& other) const { return this->Points < other.Points; }
 };
 
-bool FindTurn(const vtkIdType* from, const vtkIdType* to, int corners, vtkFaceLinks::Link& link)
+template <typename Visitor>
+void ForEachFace(
+  vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill, Visitor&& visit)
 {
-  for (int start = 0; start < corners; ++start)
-  {
-    for (const bool isReversed : { true, false })
+  vtkSMPTools::For(0, numberOfBlocks,
+    [&](vtkIdType first, vtkIdType last)
     {
-      const int way = isReversed ? corners - 1 : 1;
-      bool isSame = true;
-      for (int i = 0; i < corners; ++i)
+      vtkFaceLinks::Block block;
+      for (vtkIdType number = first; number < last; ++number)
       {
-        isSame = isSame && to[i] == from[(start + i * way) % corners];
-      }
-      if (isSame)
-      {
-        link.Start = start;
-        link.IsReversed = isReversed;
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-// Faces are gathered at the least of their points' ids, and compared there.
-void Match(vtkIdType numberOfFaces, const vtkFaceLinks::FacePoints& getFace,
-  vtkIdType numberOfPoints, const vtkFaceLinks::SetLink& setLink)
-{
-  std::vector<std::atomic<vtkIdType>> ends(numberOfPoints + 1);
-  const auto forEachFace = [&](auto&& visit)
-  {
-    vtkSMPTools::For(0, numberOfFaces,
-      [&](vtkIdType first, vtkIdType last)
-      {
-        vtkIdType points[4];
-        for (vtkIdType face = first; face < last; ++face)
+        fill(number, block);
+        for (int i = 0; i < facesPerBlock; ++i)
         {
-          if (const int corners = getFace(face, points))
+          if (block.Corners[i] > 0)
           {
-            visit(face, *std::min_element(points, points + corners));
+            visit(number * facesPerBlock + i, block.Points[i], block.Corners[i]);
           }
-        }
-      });
-  };
-  forEachFace(
-    [&](vtkIdType, vtkIdType point) { ends[point + 1].fetch_add(1, std::memory_order_relaxed); });
-  for (vtkIdType point = 0; point < numberOfPoints; ++point)
-  {
-    ends[point + 1] += ends[point];
-  }
-  // Filling moves each point's begin to its end.
-  std::vector<vtkIdType> faces(ends[numberOfPoints]);
-  forEachFace([&](vtkIdType face, vtkIdType point)
-    { faces[ends[point].fetch_add(1, std::memory_order_relaxed)] = face; });
-
-  vtkSMPThreadLocal<std::vector<Key>> keysOfThreads;
-  vtkSMPTools::For(0, numberOfPoints,
-    [&](vtkIdType firstPoint, vtkIdType lastPoint)
-    {
-      std::vector<Key>& keys = keysOfThreads.Local();
-      for (vtkIdType point = firstPoint; point < lastPoint; ++point)
-      {
-        keys.clear();
-        const vtkIdType begin = point > 0 ? ends[point - 1].load() : 0;
-        for (vtkIdType i = begin; i < ends[point]; ++i)
-        {
-          Key key;
-          key.Face = faces[i];
-          key.Points.fill(-1);
-          getFace(key.Face, key.Points.data());
-          std::sort(key.Points.begin(), key.Points.end());
-          keys.push_back(key);
-        }
-        std::sort(keys.begin(), keys.end());
-        for (std::size_t i = 0; i < keys.size();)
-        {
-          std::size_t next = i + 1;
-          while (next < keys.size() && keys[next].Points == keys[i].Points)
-          {
-            ++next;
-          }
-          if (next == i + 2)
-          {
-            vtkIdType a[4];
-            vtkIdType b[4];
-            const int corners = getFace(keys[i].Face, a);
-            getFace(keys[i + 1].Face, b);
-            vtkFaceLinks::Link link;
-            link.Face = keys[i + 1].Face;
-            if (FindTurn(a, b, corners, link))
-            {
-              setLink(keys[i].Face, link);
-              link.Face = keys[i].Face;
-              FindTurn(b, a, corners, link);
-              setLink(keys[i + 1].Face, link);
-            }
-          }
-          i = next;
         }
       }
     });
 }
 
-// Each point's first one at its coordinates, of the points of these faces.
-bool FindCoincident(const std::vector<vtkIdType>& faces, const vtkFaceLinks::FacePoints& getFace,
-  const vtkFlowValues& positions, std::vector<vtkIdType>& firsts)
+template <typename Id>
+void SetLinks(Entry<Id>* begin, Entry<Id>* end, const SetLink& setLink)
+{
+  std::sort(begin, end);
+  for (const Entry<Id>* entry = begin; entry < end;)
+  {
+    const Entry<Id>* next = entry + 1;
+    while (next < end && next->Points == entry->Points)
+    {
+      ++next;
+    }
+    if (next == entry + 2)
+    {
+      const Entry<Id>& other = entry[1];
+      setLink(entry->Face, vtkFaceTurn::GetLink(entry->Turn, other.Turn, other.Face));
+      setLink(other.Face, vtkFaceTurn::GetLink(other.Turn, entry->Turn, entry->Face));
+    }
+    entry = next;
+  }
+}
+
+// Faces are gathered at the least of their points, and compared there.
+template <typename Id>
+void Match(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
+  vtkIdType numberOfPoints, const SetLink& setLink)
+{
+  std::vector<std::atomic<vtkIdType>> ends(numberOfPoints + 1);
+  ForEachFace(numberOfBlocks, facesPerBlock, fill,
+    [&](vtkIdType, const vtkIdType* points, int corners)
+    {
+      const vtkIdType least = *std::min_element(points, points + corners);
+      ends[least + 1].fetch_add(1, std::memory_order_relaxed);
+    });
+  for (vtkIdType point = 0; point < numberOfPoints; ++point)
+  {
+    ends[point + 1] += ends[point];
+  }
+  // Filling moves each point's begin to its end.
+  std::vector<Entry<Id>> entries(ends[numberOfPoints]);
+  ForEachFace(numberOfBlocks, facesPerBlock, fill,
+    [&](vtkIdType face, const vtkIdType* points, int corners)
+    {
+      Entry<Id> entry;
+      vtkIdType ordered[4];
+      entry.Turn = vtkFaceTurn::Order(points, corners, ordered);
+      entry.Face = face;
+      for (int i = 0; i < 3; ++i)
+      {
+        entry.Points[i] = i + 1 < corners ? static_cast<Id>(ordered[i + 1]) : Id(-1);
+      }
+      entries[ends[ordered[0]].fetch_add(1, std::memory_order_relaxed)] = entry;
+    });
+  vtkSMPTools::For(0, numberOfPoints,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType point = first; point < last; ++point)
+      {
+        const vtkIdType begin = point > 0 ? ends[point - 1].load() : 0;
+        SetLinks(entries.data() + begin, entries.data() + ends[point], setLink);
+      }
+    });
+}
+
+void MatchAny(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
+  vtkIdType numberOfPoints, const SetLink& setLink)
+{
+  constexpr vtkIdType most = 0x7fffffff;
+  auto* match = numberOfPoints < most ? &Match<unsigned int> : &Match<vtkIdType>;
+  match(numberOfBlocks, facesPerBlock, fill, numberOfPoints, setLink);
+}
+
+// Each point's first one at its coordinates, of the points of these blocks of one face.
+bool FindCoincident(vtkIdType number, const FillBlock& fill, const vtkFlowValues& positions,
+  std::vector<vtkIdType>& firsts)
 {
   std::vector<vtkIdType> ids;
-  vtkIdType points[4];
-  for (const vtkIdType face : faces)
+  vtkFaceLinks::Block block;
+  for (vtkIdType i = 0; i < number; ++i)
   {
-    ids.insert(ids.end(), points, points + getFace(face, points));
+    fill(i, block);
+    ids.insert(ids.end(), block.Points[0], block.Points[0] + block.Corners[0]);
   }
   vtkSMPTools::Sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -164,37 +159,55 @@ bool FindCoincident(const std::vector<vtkIdType>& faces, const vtkFaceLinks::Fac
 }
 
 //------------------------------------------------------------------------------
-void vtkFaceLinks::Find(vtkIdType numberOfFaces, const FacePoints& getFace,
+void vtkFaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
   const vtkFlowValues& positions, const SetLink& setLink)
 {
-  std::vector<unsigned char> isLinked(numberOfFaces, 0);
-  Match(numberOfFaces, getFace, positions.GetNumber(),
+  std::vector<unsigned char> isLinked(numberOfBlocks * facesPerBlock, 0);
+  MatchAny(numberOfBlocks, facesPerBlock, fill, positions.GetNumber(),
     [&](vtkIdType face, const Link& link)
     {
       isLinked[face] = 1;
       setLink(face, link);
     });
   std::vector<vtkIdType> single;
-  vtkIdType points[4];
-  for (vtkIdType face = 0; face < numberOfFaces; ++face)
+  Block block;
+  for (vtkIdType number = 0; number < numberOfBlocks; ++number)
   {
-    if (!isLinked[face] && getFace(face, points) > 0)
+    const unsigned char* known = isLinked.data() + number * facesPerBlock;
+    if (std::find(known, known + facesPerBlock, 0) == known + facesPerBlock)
     {
-      single.push_back(face);
+      continue;
+    }
+    fill(number, block);
+    for (int i = 0; i < facesPerBlock; ++i)
+    {
+      if (!known[i] && block.Corners[i] > 0)
+      {
+        single.push_back(number * facesPerBlock + i);
+      }
     }
   }
+  const auto fillSingle = [&](vtkIdType i, Block& one)
+  {
+    Block all;
+    fill(single[i] / facesPerBlock, all);
+    const vtkIdType face = single[i] % facesPerBlock;
+    one.Corners[0] = all.Corners[face];
+    std::copy(all.Points[face], all.Points[face] + 4, one.Points[0]);
+  };
+  const auto number = static_cast<vtkIdType>(single.size());
   std::vector<vtkIdType> firsts;
-  if (!FindCoincident(single, getFace, positions, firsts))
+  if (!FindCoincident(number, fillSingle, positions, firsts))
   {
     return;
   }
-  Match(
-    static_cast<vtkIdType>(single.size()),
-    [&](vtkIdType i, vtkIdType* ids)
+  MatchAny(
+    number, 1,
+    [&](vtkIdType i, Block& one)
     {
-      const int corners = getFace(single[i], ids);
-      std::transform(ids, ids + corners, ids, [&](vtkIdType id) { return firsts[id]; });
-      return corners;
+      fillSingle(i, one);
+      std::transform(one.Points[0], one.Points[0] + one.Corners[0], one.Points[0],
+        [&](vtkIdType id) { return firsts[id]; });
     },
     positions.GetNumber(),
     [&](vtkIdType i, const Link& link) {

@@ -22,8 +22,16 @@
 class INTERLUMEFLOW_EXPORT vtkFaceLinks
 {
 public:
-  /// The points of face number i, at most four; returns how many, 0 for a number that is no face.
-  using FacePoints = std::function<int(vtkIdType face, vtkIdType* points)>;
+  static constexpr int MaximumPerBlock = 6;
+
+  /// Faces that are asked for together, such as those of a cell; 0 corners: no face.
+  struct Block
+  {
+    int Corners[MaximumPerBlock];
+    vtkIdType Points[MaximumPerBlock][4];
+  };
+  /// Fills a block; by several threads.
+  using FillBlock = std::function<void(vtkIdType number, Block& block)>;
 
   /// Another face, and how its corners lie: corner i is corner \a Start + i, or - i, of this one.
   struct Link
@@ -35,8 +43,11 @@ public:
   /// Called once for each face that has another; by several threads, never twice for one face.
   using SetLink = std::function<void(vtkIdType face, const Link& link)>;
 
-  /// \a positions are those of the points.
-  static void Find(vtkIdType numberOfFaces, const FacePoints& getFace,
+  /**
+   * Face i of block b has the number b times \a facesPerBlock + i. \a positions are those of the
+   * points.
+   */
+  static void Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
     const vtkFlowValues& positions, const SetLink& setLink);
 
   /// (u,v) in a face of three or four corners becomes (u,v) in the linked one.

@@ -79,8 +79,9 @@ void vtkStructuredFlowField::FindSeams()
   const std::vector<vtkIdType> faces = this->GetOutsideFaces();
   std::vector<vtkFaceLinks::Link> links(faces.size(), vtkFaceLinks::Link{ -1, 0, false });
   vtkFaceLinks::Find(
-    static_cast<vtkIdType>(faces.size()),
-    [&](vtkIdType i, vtkIdType* points) { return this->GetFacePoints(faces[i], points); },
+    static_cast<vtkIdType>(faces.size()), 1,
+    [&](vtkIdType i, vtkFaceLinks::Block& block)
+    { block.Corners[0] = this->GetFacePoints(faces[i], block.Points[0]); },
     this->Positions, [&](vtkIdType i, const vtkFaceLinks::Link& link) { links[i] = link; });
   this->Seams.clear();
   for (std::size_t i = 0; i < faces.size(); ++i)

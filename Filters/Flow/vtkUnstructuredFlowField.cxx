@@ -123,26 +123,20 @@ int vtkUnstructuredFlowField::GetCellPoints(vtkIdType cell, vtkIdType* points) c
 }
 
 //------------------------------------------------------------------------------
-int vtkUnstructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) const
+void vtkUnstructuredFlowField::FillFaces(vtkIdType cell, vtkFaceLinks::Block& faces) const
 {
-  vtkIdType corners[8];
-  const vtkIdType cell = face / this->FacesPerCell;
-  if (this->GetCellPoints(cell, corners) == 0)
-  {
-    return 0;
-  }
+  vtkIdType points[8];
+  const bool isIncluded = this->GetCellPoints(cell, points) > 0;
   const vtkFlowShape& shape = vtkFlowShape::Of(GetCorners(this->Types[cell]).Shape);
-  const int number = static_cast<int>(face % this->FacesPerCell);
-  if (number >= shape.NumberOfFaces)
+  const int number = isIncluded ? shape.NumberOfFaces : 0;
+  for (int i = 0; i < this->FacesPerCell; ++i)
   {
-    return 0;
+    faces.Corners[i] = i < number ? shape.Faces[i].NumberOfCorners : 0;
+    for (int corner = 0; corner < faces.Corners[i]; ++corner)
+    {
+      faces.Points[i][corner] = points[shape.Faces[i].Corners[corner]];
+    }
   }
-  const vtkFlowShape::Face& one = shape.Faces[number];
-  for (int i = 0; i < one.NumberOfCorners; ++i)
-  {
-    points[i] = corners[one.Corners[i]];
-  }
-  return one.NumberOfCorners;
 }
 
 //------------------------------------------------------------------------------
@@ -159,8 +153,8 @@ void vtkUnstructuredFlowField::FindLinks()
   }
   this->Links.assign(this->GetNumberOfCells() * this->FacesPerCell, -1);
   vtkFaceLinks::Find(
-    static_cast<vtkIdType>(this->Links.size()),
-    [this](vtkIdType face, vtkIdType* points) { return this->GetFacePoints(face, points); },
+    this->GetNumberOfCells(), this->FacesPerCell,
+    [this](vtkIdType cell, vtkFaceLinks::Block& faces) { this->FillFaces(cell, faces); },
     this->Positions,
     [this](vtkIdType face, const vtkFaceLinks::Link& link)
     {

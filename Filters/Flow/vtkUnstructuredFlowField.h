@@ -176,7 +176,7 @@ private:
   void FindOnlyType();
   std::string FindCellError() const;
   int GetCellPoints(vtkIdType cell, vtkIdType* points) const;
-  int GetFacePoints(vtkIdType face, vtkIdType* points) const;
+  void FillFaces(vtkIdType cell, vtkFaceLinks::Block& faces) const;
   void FindLinks();
 
   vtkFlowValues Positions;
