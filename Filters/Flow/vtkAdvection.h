@@ -364,9 +364,10 @@ private:
     }
 
     method.GetDenseOutput(this->Dense);
+    this->Dense.GetControlPoints(this->Controls);
     int face = -1;
     bool isFar = false;
-    const double exit = this->Exit.Find(this->Field, this->Dense, face, isFar);
+    const double exit = this->Exit.Find(this->Field, this->Dense, this->Controls, face, isFar);
     if (isFar && face >= 0 && !isTiny)
     {
       ++(isStiff ? this->Result->RejectedStiffSteps : this->Result->RejectedSteps);
@@ -408,6 +409,31 @@ private:
     return this->GoOn(method, h, isLast);
   }
 
+  /// No part of the step goes farther than its share of this, whatever the rounding.
+  double GetReach() const
+  {
+    constexpr double margin = 1.01;
+    double slopes[vtkDenseOutput::MaximumDegree][3];
+    const int number = this->Dense.GetSlopes(this->Controls, slopes);
+    if (this->Field.IsAffine())
+    {
+      for (int j = 0; j < number; ++j)
+      {
+        this->Field.GetWorldVector(this->Point, slopes[j], slopes[j]);
+      }
+      return margin * vtkAdvectionVector::LargestLength(slopes, number);
+    }
+    double largest[3] = { 0.0, 0.0, 0.0 };
+    for (int j = 0; j < number; ++j)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        largest[i] = std::max(largest[i], std::abs(slopes[j][i]));
+      }
+    }
+    return margin * this->Field.GetLongestWorldVector(largest);
+  }
+
   /// To the first surface that the step meets, if it does.
   template <typename Method>
   bool MeetsSurface(Method& method, double end, double h)
@@ -416,15 +442,6 @@ private:
     {
       return false;
     }
-    double speed = this->Speed * h;
-    for (double theta : { 0.5 * end, end })
-    {
-      double p[3];
-      double slope[3];
-      this->Dense.GetPoint(theta, p);
-      this->Dense.GetDerivative(theta, slope);
-      speed = std::max(speed, this->GetWorldLength(p, slope));
-    }
     auto place = [this](double theta, double x[3])
     {
       double p[3];
@@ -432,7 +449,7 @@ private:
       this->Field.GetPosition(p, x);
     };
     int surface = -1;
-    double theta = this->Surfaces.Find(place, end, 2.0 * speed, surface);
+    double theta = this->Surfaces.Find(place, end, this->GetReach(), surface);
     if (surface < 0)
     {
       return false;
@@ -496,6 +513,8 @@ private:
   vtkRungeKutta4Step RungeKutta4;
   vtkRosenbrockStep Rosenbrock;
   vtkDenseOutput Dense;
+  /// Of Dense, while it is the whole step's.
+  double Controls[vtkDenseOutput::MaximumDegree + 1][3];
 
   /// The streamline that is followed.
   vtkAdvectionResult* Result = nullptr;

@@ -32,6 +32,26 @@ struct vtkAdvectionVector
     return largest * std::sqrt(vtkAdvectionVector::Dot(scaled, scaled));
   }
 
+  /// Of the longest of some.
+  static double LargestLength(const double (*vectors)[3], int number)
+  {
+    double square = 0.0;
+    double length = 0.0;
+    for (int i = 0; i < number; ++i)
+    {
+      square = std::max(square, vtkAdvectionVector::Dot(vectors[i], vectors[i]));
+    }
+    if (square > 1e-280 && square < 1e280)
+    {
+      return std::sqrt(square);
+    }
+    for (int i = 0; i < number; ++i)
+    {
+      length = std::max(length, vtkAdvectionVector::Length(vectors[i]));
+    }
+    return length;
+  }
+
   /// The largest absolute value.
   static double Largest(const double v[3])
   {

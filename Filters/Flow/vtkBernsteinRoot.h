@@ -102,10 +102,9 @@ private:
       {
         next = value == 0.0 ? theta : 0.5 * (low + high);
       }
-      // What Newton's method leaves is at most bend / slope times the square of its way. No more
-      // can be told of a place in a step of length 1.
+      // What Newton's method leaves is at most bend / slope times the square of its way.
       const double way = next - theta;
-      if ((isNewton && bend * (way * way) <= 1e-16 * std::abs(slope)) || std::abs(way) <= 2e-16 ||
+      if ((isNewton && bend * (way * way) <= 1e-14 * std::abs(slope)) || std::abs(way) <= 2e-16 ||
         next == low || next == high)
       {
         return next;

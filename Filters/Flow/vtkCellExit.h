@@ -105,9 +105,10 @@ public:
   /**
    * Where a step first leaves the cell approached last, and by which face; vtkBernsteinRoot::None
    * and -1 where it stays. \a isFar: whether its end is so far outside that the field may no longer
-   * be smooth there.
+   * be smooth there. \a points: the control points of \a dense.
    */
-  double Find(const Walker& field, const vtkDenseOutput& dense, int& exitFace, bool& isFar) const
+  double Find(const Walker& field, const vtkDenseOutput& dense,
+    const double points[vtkDenseOutput::MaximumDegree + 1][3], int& exitFace, bool& isFar) const
   {
     exitFace = -1;
     double first = vtkBernsteinRoot::None;
@@ -122,8 +123,6 @@ public:
     };
     if constexpr (Walker::FacesAreAffine)
     {
-      double points[vtkDenseOutput::MaximumDegree + 1][3];
-      dense.GetControlPoints(points);
       end = field.IsBox() ? this->FindInBox(points, dense.Degree, leave)
                           : this->FindInPlanes(field, points, dense.Degree, leave);
     }

@@ -59,6 +59,19 @@ struct vtkDenseOutput
       }
     }
   }
+
+  /// The Degree control points of dp/dtheta, of the above.
+  int GetSlopes(const double points[MaximumDegree + 1][3], double slopes[MaximumDegree][3]) const
+  {
+    for (int j = 0; j < this->Degree; ++j)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        slopes[j][i] = this->Degree * (points[j + 1][i] - points[j][i]);
+      }
+    }
+    return this->Degree;
+  }
 };
 
 #endif

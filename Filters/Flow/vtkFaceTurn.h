@@ -25,7 +25,8 @@ struct vtkFaceTurn
     bool isRepeated = false;
     for (int corner = 1; corner < corners; ++corner)
     {
-      isRepeated = points[corner] == points[start] || (isRepeated && points[corner] > points[start]);
+      isRepeated =
+        points[corner] == points[start] || (isRepeated && points[corner] > points[start]);
       start = points[corner] < points[start] ? corner : start;
     }
     const vtkIdType next = points[start + 1 < corners ? start + 1 : 0];
@@ -50,8 +51,7 @@ struct vtkFaceTurn
   }
 
   /// From a face to \a other, which has the same points in that order and is turned by \a to.
-  static vtkFaceLinks::Link GetLink(
-    const vtkFaceTurn& from, const vtkFaceTurn& to, vtkIdType other)
+  static vtkFaceLinks::Link GetLink(const vtkFaceTurn& from, const vtkFaceTurn& to, vtkIdType other)
   {
     // The other's corner i is that order's corner i - to.Start, or to.Start - i.
     const bool isReversed = from.IsReversed != to.IsReversed;

@@ -91,6 +91,37 @@ void vtkFlowCell::GetJacobian(const double p[3], double jacobian[9]) const
   }
 }
 
+// A column of dx/dp is bilinear in the other coordinates, in a pyramid in VTK's, so that it is
+// longest at corners.
+//------------------------------------------------------------------------------
+double vtkFlowCell::GetLongestWorldVector(const double d[3]) const
+{
+  const auto& c = this->Points.C;
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int one = 1 << axis;
+    const int second = one | (axis == 0 ? 2 : 1);
+    const int third = one | (axis == 2 ? 2 : 4);
+    const int both = this->Shape == vtkFlowShape::PYRAMID && axis == 2 ? 3 : 7;
+    double longest = 0.0;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const double u = corner & 1;
+      const double v = corner >> 1;
+      // The sum of the components does without roots.
+      double length = 0.0;
+      for (int i = 0; i < 3; ++i)
+      {
+        length += std::abs(c[one][i] + u * c[second][i] + v * (c[third][i] + u * c[both][i]));
+      }
+      longest = std::max(longest, length);
+    }
+    sum += longest * d[axis];
+  }
+  return sum;
+}
+
 //------------------------------------------------------------------------------
 void vtkFlowCell::GetVelocityGradient(const double p[3], double gradient[9]) const
 {

@@ -70,6 +70,11 @@ public:
     vtkFlowFrame::Combine(columns, d, w);
   }
 
+  /// Whether the above is the same throughout the cell; else a bound of its length anywhere in the
+  /// cell, for changes by -d to d.
+  bool IsAffine() const { return this->Form != CURVED; }
+  double GetLongestWorldVector(const double d[3]) const;
+
   void GetVelocityGradient(const double p[3], double gradient[9]) const;
 
   /// The value at p of a polynomial that Fit has made for the cell's shape.

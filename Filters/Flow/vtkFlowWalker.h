@@ -26,6 +26,9 @@
  * - `void GetPosition(const double p[3], double x[3]) const`.
  * - `void GetWorldVector(const double p[3], const double d[3], double w[3]) const`: the change of x
  * for a change of p by d, to first order; of GetVelocity it gives v.
+ * - `bool IsAffine() const`: whether the above is the same throughout the cell; else `double
+ * GetLongestWorldVector(const double d[3]) const` is at least its length anywhere in the cell for
+ * changes of p by -d to d, d >= 0.
  * - `void GetVelocityGradient(const double p[3], double gradient[9]) const`: dv[i]/dx[j] at [3 i +
  * j], for vorticity.
  * - `int GetNumberOfFaces() const`, at most 6, and `double GetFaceDistance(int face, const double
@@ -34,8 +37,8 @@
  * - `bool IsBox() const`: whether the cell is [0,1]^3 and the distances from faces 2 i and 2 i + 1
  * are p_i and 1 - p_i.
  * - `void Prefetch(int face, int round) const`: the cell is likely to be left by that face soon;
- * what Cross will read may be brought near. Called twice with some work between: what round 0 brings
- * may tell round 1 what is next. Changes nothing.
+ * what Cross will read may be brought near. Called twice with some work between: what round 0
+ * brings may tell round 1 what is next. Changes nothing.
  * - `bool Cross(int face, double p[3])`: p, on the face but for rounding, becomes the place in the
  * neighbour, where the walker then stands. What p is off the face is lost: the new p is on it, to
  * the last digit where the face is one of a coordinate (its distance is p_i or 1 - p_i). The place
@@ -58,6 +61,8 @@ struct vtkFlowWalker
 {
   static constexpr bool FacesAreAffine = true;
 
+  bool IsAffine() const { return true; }
+  double GetLongestWorldVector(const double*) const { return 0.0; }
   bool IsBox() const { return false; }
   void Prefetch(int, int) const {}
 };

@@ -74,7 +74,8 @@ public:
   /// The vectors that the neighbour has and the cell has not.
   void Prefetch(const Place& place, int face) const
   {
-    this->ForEachCornerBeyond(place, face, [this](vtkIdType point) { this->PrefetchVector(point); });
+    this->ForEachCornerBeyond(
+      place, face, [this](vtkIdType point) { this->PrefetchVector(point); });
   }
 
   /// The corners of [0,1]^3, x fastest.

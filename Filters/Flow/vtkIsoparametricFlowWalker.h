@@ -53,6 +53,11 @@ public:
   {
     this->Cell.GetWorldVector(p, d, w);
   }
+  bool IsAffine() const { return this->Cell.IsAffine(); }
+  double GetLongestWorldVector(const double d[3]) const
+  {
+    return this->Cell.GetLongestWorldVector(d);
+  }
   void GetVelocityGradient(const double p[3], double gradient[9]) const
   {
     this->Cell.GetVelocityGradient(p, gradient);

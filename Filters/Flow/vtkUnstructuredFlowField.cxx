@@ -82,9 +82,8 @@ void vtkUnstructuredFlowField::FindOnlyType()
 {
   const vtkIdType number = this->GetNumberOfCells();
   const int size = GetCorners(this->Types[0]).Number;
-  const bool isOnly =
-    std::all_of(this->Types, this->Types + number, [this](unsigned char type)
-      { return type == this->Types[0]; }) &&
+  const bool isOnly = std::all_of(this->Types, this->Types + number,
+                        [this](unsigned char type) { return type == this->Types[0]; }) &&
     this->Offsets.Get(number) == number * size;
   this->OnlyType = isOnly ? this->Types[0] : 0;
   this->OnlySize = isOnly ? size : 0;
