@@ -11,6 +11,8 @@ struct vtkPrefetch
   {
 #if defined(__GNUC__)
     __builtin_prefetch(address);
+    // Without it GCC takes functions that do no more than this for ones that do nothing.
+    __asm__ volatile("");
 #endif
   }
 };
