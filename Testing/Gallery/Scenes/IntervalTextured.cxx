@@ -17,13 +17,14 @@ namespace
 {
 void Build(gallery::Stage& stage)
 {
-  const vtkSmartPointer<vtkDataSet> flow = gallery::MakeTornado();
+  const gallery::MappedFlow flow = gallery::MakeTornado(12.0);
   gallery::Panel& panel = stage.AddPanel("");
   panel.LookFrom({ 0.4, -1.0, 0.35 }, { 0.0, 0.0, 1.0 });
-  panel.Add(gallery::MakeLinedActor(gallery::MakeStreamSurface(flow, 0.06, 0.45, 10.0, 16.0),
+  panel.Add(gallery::MakeLinedActor(gallery::MakeTexturedSurface(flow, 0.06, 0.45, 10.0, 16.0),
     vtkColor3d(0.95, 0.93, 0.9), gallery::MakeStreamlines(48, gallery::Ink()), nullptr));
-  panel.Add(gallery::MakeVolumeOfIntervals(gallery::MakeStreamVolume(flow, 0.06, 0.16, 0.45, 10.0),
-    { { gallery::IntervalColour(0), 2.0 } }));
+  panel.Add(
+    gallery::MakeVolumeOfIntervals(gallery::MakeStreamVolume(flow.Samples, 0.06, 0.16, 0.45, 10.0),
+      { { gallery::IntervalColour(0), 2.0 } }));
 }
 
 const gallery::SceneRegistration registration({ "interval-textured", "3.8",

@@ -56,7 +56,7 @@ void Build(gallery::Stage& stage)
 
   // Triangles smaller than the noise.
   vtkNew<vtkLinearSubdivisionFilter> small;
-  small->SetInputData(gallery::MakeStreamSurface(flow, 0.3, 0.05, 3.5, 1.0));
+  small->SetInputData(gallery::MakeStreamSurface(flow, 0.3, 0.05, 3.5));
   small->SetNumberOfSubdivisions(2);
   vtkNew<vtkFlowLIC> lic;
   lic->SetInputConnection(small->GetOutputPort());

@@ -14,14 +14,14 @@ namespace
 {
 void Build(gallery::Stage& stage)
 {
-  const vtkSmartPointer<vtkDataSet> flow = gallery::MakeTornado();
+  const gallery::MappedFlow flow = gallery::MakeTornado(7.0);
   gallery::Panel& one = stage.AddPanel("streamlines and timelines");
   gallery::Panel& nested = stage.AddPanel("two nested surfaces");
   one.LookFrom({ 0.4, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
   nested.LookAs(one);
 
   const vtkSmartPointer<vtkPolyData> outer =
-    gallery::MakeStreamSurface(flow, 0.13, 0.45, 3.9, 16.0);
+    gallery::MakeTexturedSurface(flow, 0.13, 0.45, 3.9, 16.0);
   one.Add(gallery::MakeLinedActor(outer, gallery::IntervalColour(0),
     gallery::MakeStreamlines(64, gallery::Ink()),
     gallery::MakeTimelines(72, vtkColor3d(1.0, 1.0, 1.0))));
@@ -30,7 +30,7 @@ void Build(gallery::Stage& stage)
     outer, gallery::IntervalColour(0), gallery::MakeStreamlines(48, gallery::Ink()), nullptr);
   gallery::CutOpen(open, { -0.4, 1.0, 0.0 });
   nested.Add(open);
-  nested.Add(gallery::MakeLinedActor(gallery::MakeStreamSurface(flow, 0.05, 0.45, 5.5, 16.0),
+  nested.Add(gallery::MakeLinedActor(gallery::MakeTexturedSurface(flow, 0.05, 0.45, 5.5, 16.0),
     gallery::IntervalColour(1), nullptr, gallery::MakeTimelines(48, gallery::Ink())));
 }
 
@@ -39,7 +39,7 @@ const gallery::SceneRegistration registration({ "stream-surfaces-textured", "4.7
   "Stream surfaces of a tornado, of the air that flows in at one height. Left, dark streamlines, "
   "which come from points of the surface around it, and white timelines, which air reaches at the "
   "same time. Right, the same surface, cut open, with streamlines alone, and one of air from "
-  "nearer to the ground inside of it with timelines. No line is a curve of its own: angle and "
-  "time of each point are its texture coordinates.",
+  "nearer to the ground inside of it with timelines. No line is a curve of its own: the length "
+  "along the circle where the air comes from, and the time since, are texture coordinates.",
   {}, &Build });
 }

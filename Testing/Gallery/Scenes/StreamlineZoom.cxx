@@ -16,7 +16,7 @@ namespace
 void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkPolyData> surface =
-    gallery::MakeStreamSurface(gallery::MakeTornado(), 0.13, 0.45, 3.9, 16.0);
+    gallery::MakeTexturedSurface(gallery::MakeTornado(5.0), 0.13, 0.45, 3.9, 16.0);
   // One texture for all.
   const vtkSmartPointer<vtkStreamlineTexture> lines = gallery::MakeStreamlines(48, gallery::Ink());
   const struct

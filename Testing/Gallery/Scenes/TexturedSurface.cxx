@@ -1,13 +1,12 @@
 #include "TexturedSurface.h"
 
+#include "FlowScene.h"
 #include "Props.h"
 
 #include "vtkActor.h"
 #include "vtkAnalyticFlowSource.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
-#include "vtkDoubleArray.h"
-#include "vtkFlowStatus.h"
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkInflowMapping.h"
@@ -15,9 +14,9 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStreamSurfaceParameters.h"
 #include "vtkStreamlineTexture.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTerminationCylinder.h"
@@ -64,7 +63,7 @@ vtkSmartPointer<vtkStructuredGrid> MakeRings(vtkAnalyticFlowSource* tornado)
 }
 }
 
-vtkSmartPointer<vtkDataSet> MakeTornado()
+MappedFlow MakeTornado(double time)
 {
   vtkNew<vtkAnalyticFlowSource> tornado;
   tornado->SetField(vtkAnalyticFlowSource::TORNADO);
@@ -80,46 +79,48 @@ vtkSmartPointer<vtkDataSet> MakeTornado()
   flow->AddTerminationSurface(cylinder);
   flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
   flow->SetSampleData(MakeRings(tornado));
+  flow->SetMaximumTime(time);
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputConnection(flow->GetOutputPort());
   mapping->SetFormula(vtkInflowMapping::ALL, "v");
   mapping->Update();
-  return vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0));
+  return { vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0)), mapping, cylinder,
+    2.0 * vtkMath::Pi() * cylinder->GetRadius() };
 }
 
 vtkSmartPointer<vtkPolyData> MakeStreamSurface(
-  vtkDataSet* flow, double inflow, double start, double end, double period)
+  vtkDataSet* samples, double inflow, double start, double end)
 {
   vtkNew<vtkFlowVolume> filter;
-  filter->SetInputData(flow);
+  filter->SetInputData(samples);
   filter->SetStreamSurface(0, inflow);
   filter->SetTimeRange(start, end);
   filter->GenerateStreamSurfacesOn();
   filter->GenerateNormalsOn();
   vtkNew<vtkDataSetSurfaceFilter> triangles;
-  triangles->SetInputConnection(filter->GetOutputPort(1));
+  triangles->SetInputConnection(filter->GetOutputPort(STREAM_SURFACES));
   triangles->Update();
-  vtkSmartPointer<vtkPolyData> surface = triangles->GetOutput();
-  vtkPointData* data = surface->GetPointData();
-  vtkDataArray* parameters = data->GetArray(vtkFlowStatus::ParametersArray());
-  vtkDataArray* times = data->GetArray(vtkFlowStatus::TimeArray());
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetName("AngleAndTime");
-  coordinates->SetNumberOfComponents(2);
-  coordinates->SetNumberOfTuples(surface->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    coordinates->SetTuple2(i, parameters->GetComponent(i, 0), times->GetComponent(i, 0) / period);
-  }
-  data->SetTCoords(coordinates);
-  return surface;
+  return triangles->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> MakeTexturedSurface(
+  const MappedFlow& flow, double inflow, double start, double end, double period)
+{
+  vtkNew<vtkStreamSurfaceParameters> parameters;
+  parameters->SetInputData(MakeStreamSurface(flow.Samples, inflow, start, end));
+  parameters->SetMapping(flow.Mapping);
+  parameters->AddTerminationSurface(flow.Surface, 0);
+  parameters->SetLengthScale(1.0 / flow.Length);
+  parameters->SetTimeScale(1.0 / period);
+  parameters->Update();
+  return parameters->GetOutput();
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
-  vtkDataSet* flow, double lower, double upper, double start, double end)
+  vtkDataSet* samples, double lower, double upper, double start, double end)
 {
   vtkNew<vtkFlowVolume> filter;
-  filter->SetInputData(flow);
+  filter->SetInputData(samples);
   filter->SetNumberOfIntervals(1);
   filter->SetInterval(0, lower, upper);
   filter->SetTimeRange(start, end);

@@ -8,8 +8,10 @@
 
 class vtkActor;
 class vtkDataSet;
+class vtkInflowMapping;
 class vtkPolyData;
 class vtkStreamlineTexture;
+class vtkTerminationSurface;
 class vtkUnstructuredGrid;
 
 /**
@@ -18,27 +20,46 @@ class vtkUnstructuredGrid;
 namespace gallery
 {
 /**
- * A tornado's flow, as an implicit flow field back to a cylinder around it: u the angle there, v
- * the height, which is the inflow. Stream surfaces are funnels, one for each height.
+ * An implicit flow field with its inflow, and where both come from.
  */
-vtkSmartPointer<vtkDataSet> MakeTornado();
+struct MappedFlow
+{
+  vtkSmartPointer<vtkDataSet> Samples;
+  vtkSmartPointer<vtkInflowMapping> Mapping;
+  vtkSmartPointer<vtkTerminationSurface> Surface;
+  /// Around the surface.
+  double Length;
+};
 
 /**
- * The stream surface of \a flow at this inflow, of streamlines from \a start to \a end of the time
- * since the termination surface. Texture coordinates: u, and the time, 1 for \a period.
+ * A tornado's flow, as an implicit flow field back to a cylinder around it, for no more than \a
+ * time; the inflow is the height there. Stream surfaces are funnels, one for each height.
+ */
+MappedFlow MakeTornado(double time);
+
+/**
+ * The stream surface of \a samples at this inflow, of streamlines from \a start to \a end of the
+ * time since the termination surface.
  */
 vtkSmartPointer<vtkPolyData> MakeStreamSurface(
-  vtkDataSet* flow, double inflow, double start, double end, double period);
+  vtkDataSet* samples, double inflow, double start, double end);
+
+/**
+ * The same with texture coordinates: the length along the line where it flows in, 1 for all
+ * around, and the time, 1 for \a period.
+ */
+vtkSmartPointer<vtkPolyData> MakeTexturedSurface(
+  const MappedFlow& flow, double inflow, double start, double end, double period);
 
 /**
  * The tetrahedra between two such surfaces.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
-  vtkDataSet* flow, double lower, double upper, double start, double end);
+  vtkDataSet* samples, double lower, double upper, double start, double end);
 
 /**
- * Streamlines by u, or timelines by the time; \a texels is how far apart they are, in pixels of a
- * picture that is drawn at twice its size.
+ * Streamlines by the length, or timelines by the time; \a texels is how far apart they are, in
+ * pixels of a picture that is drawn at twice its size.
  */
 vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(int texels, const vtkColor3d& colour);
 vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d& colour);
