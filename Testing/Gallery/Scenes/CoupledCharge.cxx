@@ -35,7 +35,7 @@ void Build(gallery::Stage& stage)
   source->SetRadius(RADIUS);
   source->SetAxis(1.0, 0.0, 0.0);
   // Half of it: the cut shows how the surfaces are nested.
-  const gallery::FlowLattice samples = { { 73, 37, 57 }, { -1.0, 1.0, 0.0, 0.8, -0.8, 0.8 } };
+  const gallery::FlowLattice samples = { { 45, 31, 49 }, { -0.6, 0.6, 0.0, 0.67, -0.67, 0.67 } };
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v");
 

@@ -27,7 +27,7 @@ void Build(gallery::Stage& stage)
   flow->SetRadius(RADIUS);
   const vtkSmartPointer<vtkTerminationPlane> plane =
     gallery::MakeInflowPlane({ -1.0, 0.0, 0.0 }, { 0.0, 0.75, 0.0 }, { 0.0, 0.0, 0.75 });
-  const gallery::FlowLattice samples = { { 85, 57, 57 }, { -1.0, 0.9, -0.6, 0.6, -0.6, 0.6 } };
+  const gallery::FlowLattice samples = { { 77, 43, 43 }, { -1.0, 0.9, -0.52, 0.52, -0.52, 0.52 } };
   const vtkSmartPointer<vtkDataSet> inflow = gallery::MapInflow(
     gallery::MakeImplicitFlow(flow, { plane }, samples), "2 * sqrt((u - 0.5)^2 + (v - 0.5)^2)");
   vtkNew<vtkFlowVolume> filter;

@@ -24,7 +24,7 @@ namespace
 void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkAnalyticFlowSource> hurricane = gallery::MakeAnalyticFlow(
-    vtkAnalyticFlowSource::HURRICANE, { { 65, 65, 25 }, { -1.3, 1.3, -1.3, 1.3, -0.5, 0.5 } });
+    vtkAnalyticFlowSource::HURRICANE, { { 45, 45, 19 }, { -1.3, 1.3, -1.3, 1.3, -0.5, 0.5 } });
   hurricane->SetHeight(1.0);
   hurricane->SetMaximumWind(0.5);
   hurricane->SetUpdraft(0.5);
@@ -35,7 +35,7 @@ void Build(gallery::Stage& stage)
   rim->SetPoint1(0.0, 0.0, -0.5);
   rim->SetPoint2(0.0, 0.0, 0.5);
   rim->SetRadius(1.25);
-  const gallery::FlowLattice samples = { { 69, 35, 57 }, { -0.85, 0.85, 0.0, 0.85, -0.49, 0.49 } };
+  const gallery::FlowLattice samples = { { 65, 33, 53 }, { -0.85, 0.85, 0.0, 0.85, -0.49, 0.49 } };
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(hurricane, { rim }, samples, 12.0), "v");
 

@@ -36,8 +36,8 @@ vtkSmartPointer<vtkDataSet> MakeFlow(vtkAnalyticFlowSource* source)
   flow->SetInputConnection(source->GetOutputPort());
   flow->AddTerminationSurface(plane);
   flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
-  flow->SetSampleDimensions(81, 57, 57);
-  flow->SetSampleBounds(-1.3, 1.3, -0.9, 0.9, -0.9, 0.9);
+  flow->SetSampleDimensions(66, 39, 39);
+  flow->SetSampleBounds(-1.3, 1.3, -0.76, 0.76, -0.76, 0.76);
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputConnection(flow->GetOutputPort());
   mapping->SetFormula(vtkInflowMapping::ALL, "2 * sqrt((u - 0.5)^2 + (v - 0.5)^2)");
@@ -49,7 +49,7 @@ void Build(gallery::Stage& stage)
 {
   vtkNew<vtkAnalyticFlowSource> source;
   source->SetField(vtkAnalyticFlowSource::SPHERE);
-  source->SetDimensions(105, 81, 81);
+  source->SetDimensions(85, 61, 61);
   source->SetBounds(-1.4, 1.4, -1.0, 1.0, -1.0, 1.0);
   source->SetRadius(Radius);
   const vtkSmartPointer<vtkDataSet> flow = MakeFlow(source);
@@ -63,6 +63,7 @@ void Build(gallery::Stage& stage)
   lic->SetFieldConnection(source->GetOutputPort());
   lic->SetNoiseScale(0.022);
   lic->SetLength(0.25);
+  lic->SetStepLength(0.011);
   lic->Update();
   vtkNew<vtkColorTransferFunction> colours;
   colours->AddRGBPoint(0.0, 0.25, 0.1, 0.02);

@@ -31,9 +31,9 @@ namespace
 /// Points around the tornado's axis, which bends, in rings.
 vtkSmartPointer<vtkStructuredGrid> MakeRings(vtkAnalyticFlowSource* tornado)
 {
-  constexpr int outward = 41;
+  constexpr int outward = 37;
   constexpr int around = 73;
-  constexpr int upward = 49;
+  constexpr int upward = 41;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (int k = 0; k < upward; ++k)
@@ -67,7 +67,7 @@ MappedFlow MakeTornado(double time)
 {
   vtkNew<vtkAnalyticFlowSource> tornado;
   tornado->SetField(vtkAnalyticFlowSource::TORNADO);
-  tornado->SetDimensions(97, 97, 97);
+  tornado->SetDimensions(49, 49, 49);
   tornado->SetBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
   tornado->SetCoreRadius(0.3);
   vtkNew<vtkTerminationCylinder> cylinder;
