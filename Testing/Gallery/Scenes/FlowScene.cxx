@@ -15,6 +15,7 @@
 #include "vtkIdList.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkInflowMapping.h"
+#include "vtkLineSource.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -23,11 +24,29 @@
 #include "vtkTerminationSurfaceSource.h"
 #include "vtkTexture.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkTubeFilter.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 
 namespace gallery
 {
+namespace
+{
+/// A filter but for its samples.
+vtkSmartPointer<vtkImplicitFlowField> MakeFlowFilter(
+  vtkAlgorithm* field, const std::vector<vtkTerminationSurface*>& surfaces, double time)
+{
+  auto flow = vtkSmartPointer<vtkImplicitFlowField>::New();
+  flow->SetInputConnection(field->GetOutputPort());
+  for (vtkTerminationSurface* surface : surfaces)
+  {
+    flow->AddTerminationSurface(surface);
+  }
+  flow->SetMaximumTime(time);
+  return flow;
+}
+}
+
 vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowLattice& lattice)
 {
   auto source = vtkSmartPointer<vtkAnalyticFlowSource>::New();
@@ -41,17 +60,21 @@ vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowLat
 vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
   const std::vector<vtkTerminationSurface*>& surfaces, const FlowLattice& samples, double time)
 {
-  vtkNew<vtkImplicitFlowField> flow;
-  flow->SetInputConnection(field->GetOutputPort());
-  for (vtkTerminationSurface* surface : surfaces)
-  {
-    flow->AddTerminationSurface(surface);
-  }
+  const vtkSmartPointer<vtkImplicitFlowField> flow = MakeFlowFilter(field, surfaces, time);
   flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
   const std::array<int, 3>& dimensions = samples.Dimensions;
   flow->SetSampleDimensions(dimensions[0], dimensions[1], dimensions[2]);
   flow->SetSampleBounds(samples.Bounds.data());
-  flow->SetMaximumTime(time);
+  flow->Update();
+  return vtkDataSet::SafeDownCast(flow->GetOutputDataObject(0));
+}
+
+vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
+  const std::vector<vtkTerminationSurface*>& surfaces, vtkDataSet* samples, double time)
+{
+  const vtkSmartPointer<vtkImplicitFlowField> flow = MakeFlowFilter(field, surfaces, time);
+  flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+  flow->SetSampleData(samples);
   flow->Update();
   return vtkDataSet::SafeDownCast(flow->GetOutputDataObject(0));
 }
@@ -123,6 +146,21 @@ vtkSmartPointer<vtkActor> MakeBall(
   ball->SetPhiResolution(64);
   ball->Update();
   return MakeActor(ball->GetOutput(), colour);
+}
+
+vtkSmartPointer<vtkActor> MakePillar(
+  double radius, double bottom, double top, const vtkColor3d& colour)
+{
+  vtkNew<vtkLineSource> axis;
+  axis->SetPoint1(0.0, 0.0, bottom);
+  axis->SetPoint2(0.0, 0.0, top);
+  vtkNew<vtkTubeFilter> tube;
+  tube->SetInputConnection(axis->GetOutputPort());
+  tube->SetRadius(radius);
+  tube->SetNumberOfSides(96);
+  tube->CappingOn();
+  tube->Update();
+  return MakeActor(MakeSurface(tube->GetOutput()), colour);
 }
 
 void SetStreamlineCoordinates(vtkUnstructuredGrid* surfaces, int component, int lines, int number)

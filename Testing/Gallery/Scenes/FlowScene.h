@@ -48,6 +48,13 @@ vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
   double time = std::numeric_limits<double>::max());
 
 /**
+ * The same with the points of a dataset as samples.
+ */
+vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
+  const std::vector<vtkTerminationSurface*>& surfaces, vtkDataSet* samples,
+  double time = std::numeric_limits<double>::max());
+
+/**
  * \a flow with the inflow of a formula of u, v and f, the surface's id.
  */
 vtkSmartPointer<vtkDataSet> MapInflow(vtkDataSet* flow, const std::string& formula);
@@ -88,6 +95,12 @@ vtkSmartPointer<vtkActor> MakeTerminationActor(vtkTerminationSurface* surface, v
  */
 vtkSmartPointer<vtkActor> MakeBall(
   const std::array<double, 3>& center, double radius, const vtkColor3d& colour);
+
+/**
+ * An upright cylinder for orientation, from \a bottom to \a top along the z axis.
+ */
+vtkSmartPointer<vtkActor> MakePillar(
+  double radius, double bottom, double top, const vtkColor3d& colour);
 
 /**
  * Gives stream surfaces texture coordinates for MakeStreamlineTexture(): the parameter \a component
