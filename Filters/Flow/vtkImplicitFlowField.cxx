@@ -95,6 +95,22 @@ vtkTerminationSurface* vtkImplicitFlowField::GetTerminationSurface(int i) const
 }
 
 //------------------------------------------------------------------------------
+vtkTerminationSurface* vtkImplicitFlowField::GetUsedSurface(int i) const
+{
+  return i >= 0 && i < this->GetNumberOfUsedSurfaces()
+    ? this->UsedSurfaces[static_cast<std::size_t>(i)].first.GetPointer()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkImplicitFlowField::GetUsedSurfaceId(int i) const
+{
+  return i >= 0 && i < this->GetNumberOfUsedSurfaces()
+    ? this->UsedSurfaces[static_cast<std::size_t>(i)].second
+    : -1;
+}
+
+//------------------------------------------------------------------------------
 void vtkImplicitFlowField::SetSampleDimensions(int x, int y, int z)
 {
   constexpr int most = 100000;
@@ -250,6 +266,7 @@ int vtkImplicitFlowField::RequestData(
   const vtkIdType executions = this->Report.Executions;
   this->Report = vtkFlowReport();
   this->Report.Executions = executions;
+  this->UsedSurfaces.clear();
   vtkDataSet* output = vtkDataSet::GetData(outputs);
   vtkDataSet* field = vtkDataSet::GetData(inputs[0]);
   if (!field || field->GetNumberOfPoints() == 0)
@@ -269,11 +286,9 @@ int vtkImplicitFlowField::RequestData(
   vtkFlowReport report;
   if (error.empty())
   {
-    // They are looked for with the same vectors, and last as long as the options.
-    std::vector<vtkSmartPointer<vtkTerminationSurface>> spheres;
     if (this->CriticalPointSpheres)
     {
-      this->AddSpheres(field, options, spheres);
+      this->AddSpheres(field, options);
     }
     vtkFlowRun run(this, options);
     run.SetField(field, vectors, this->MeanArrays);
@@ -408,7 +423,7 @@ bool vtkImplicitFlowField::SetOptions(vtkAdvectionOptions& options)
       id = next;
       next += surface->GetNumberOfParts();
     }
-    options.Surfaces.push_back({ surface, id });
+    this->UseSurface(surface, id, options);
   }
   options.HasDomainFaces = this->DomainFaces;
   options.DomainFaceId = this->DomainFaceId;
@@ -425,8 +440,15 @@ bool vtkImplicitFlowField::SetOptions(vtkAdvectionOptions& options)
 }
 
 //------------------------------------------------------------------------------
-void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, vtkAdvectionOptions& options,
-  std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres)
+void vtkImplicitFlowField::UseSurface(
+  vtkTerminationSurface* surface, int id, vtkAdvectionOptions& options)
+{
+  options.Surfaces.push_back({ surface, id });
+  this->UsedSurfaces.emplace_back(surface, id);
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, vtkAdvectionOptions& options)
 {
   vtkNew<vtkFlowCriticalPoints> finder;
   finder->SetInputDataObject(field);
@@ -435,6 +457,7 @@ void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, vtkAdvectionOptions& op
   vtkPolyData* points = finder->GetOutput();
   vtkDataArray* types = points->GetPointData()->GetArray("CriticalPointType");
   vtkDataArray* lengths = points->GetPointData()->GetArray("CellLength");
+  int sphereId = this->CriticalPointId;
   for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
   {
     if (IsEnd(static_cast<int>(types->GetComponent(id, 0)), this->Direction == BACKWARD))
@@ -443,9 +466,7 @@ void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, vtkAdvectionOptions& op
       sphere->SetCenter(points->GetPoint(id));
       sphere->SetRadius(this->CriticalPointRadius * lengths->GetComponent(id, 0));
       sphere->Update();
-      options.Surfaces.push_back(
-        { sphere, this->CriticalPointId + static_cast<int>(spheres.size()) });
-      spheres.emplace_back(sphere);
+      this->UseSurface(sphere, sphereId++, options);
     }
   }
 }

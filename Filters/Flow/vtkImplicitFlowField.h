@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkTerminationSurface;
@@ -234,6 +235,17 @@ public:
   /// That of the surfaces too.
   vtkMTimeType GetMTime() override;
 
+  ///@{
+  /**
+   * The surfaces of the last execution in the order in which they count, and the TerminationId of
+   * the first part of each, automatic ones too. Spheres around critical points are among them, the
+   * faces of the domain are not. Null and -1 beyond them.
+   */
+  int GetNumberOfUsedSurfaces() const { return static_cast<int>(this->UsedSurfaces.size()); }
+  vtkTerminationSurface* GetUsedSurface(int i) const;
+  int GetUsedSurfaceId(int i) const;
+  ///@}
+
   /// What the last execution did.
   const vtkFlowReport& GetReport() const { return this->Report; }
 
@@ -257,11 +269,12 @@ private:
   static void CutPiece(vtkInformation* info, vtkDataSet* output);
   /// False where something is wrong, which has been said.
   bool SetOptions(vtkAdvectionOptions& options);
-  /// \a spheres keeps those that are added.
-  void AddSpheres(vtkDataSet* field, vtkAdvectionOptions& options,
-    std::vector<vtkSmartPointer<vtkTerminationSurface>>& spheres);
+  void AddSpheres(vtkDataSet* field, vtkAdvectionOptions& options);
+  /// Adds a surface to the options, and keeps it as long as they last.
+  void UseSurface(vtkTerminationSurface* surface, int id, vtkAdvectionOptions& options);
 
   std::vector<vtkSmartPointer<vtkTerminationSurface>> Surfaces;
+  std::vector<std::pair<vtkSmartPointer<vtkTerminationSurface>, int>> UsedSurfaces;
   bool DomainFaces = false;
   int DomainFaceId = 1000;
   bool CriticalPointSpheres = false;

@@ -306,6 +306,13 @@ void TestIds(Check& check)
   {
     check.Equal(static_cast<int>(GetValue(output, "TerminationId", i)), expected[i], "id at x");
   }
+  vtkTerminationSurface* const surfaces[4] = { first, second, third, nullptr };
+  const int ids[4] = { 1, 0, 2, -1 };
+  for (int i = 0; i < 4; ++i)
+  {
+    check.Equal(filter->GetUsedSurface(i) == surfaces[i], true, "a used surface");
+    check.Equal(filter->GetUsedSurfaceId(i), ids[i], "its id");
+  }
   // A surface that changes makes it run again.
   const auto executions = filter->GetReport().Executions;
   first->SetOrigin(0.5, 0.0, 0.0);

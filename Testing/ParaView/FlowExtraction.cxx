@@ -2,6 +2,7 @@
 
 #include "PropertySetters.h"
 #include "vtkAnalyticFlowSource.h"
+#include "vtkFlowLIC.h"
 #include "vtkFlowVolume.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
@@ -10,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkRTAnalyticSource.h"
+#include "vtkStreamSurfaceParameters.h"
 #include "vtkTerminationBox.h"
 #include "vtkTerminationCylinder.h"
 #include "vtkTerminationMesh.h"
@@ -335,4 +337,45 @@ vtkSmartPointer<vtkFlowVolume> MakeFlowVolume(const json& extraction)
   volume->SetInputConnection(mapping->GetOutputPort());
   SetProperties<vtkFlowVolume>(volume, extraction.at("volume"), VolumeSetters());
   return volume;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkStreamSurfaceParameters> MakeStreamSurfaceParameters(
+  const json& extraction, vtkFlowVolume* volume)
+{
+  using Parameters = vtkStreamSurfaceParameters;
+  auto parameters = vtkSmartPointer<Parameters>::New();
+  SetProperties<Parameters>(parameters, extraction.at("texture"),
+    { { "LengthScale", [](Parameters* made, const json& value) { made->SetLengthScale(value); } },
+      { "TimeScale", [](Parameters* made, const json& value) { made->SetTimeScale(value); } },
+      { "Resolution", [](Parameters* made, const json& value) { made->SetResolution(value); } },
+      { "StartPoints", [](Parameters* made, const json& value) {
+         made->AddStartPoint(value[0], value[1], value[2]);
+       } } });
+  auto* mapping = vtkInflowMapping::SafeDownCast(volume->GetInputAlgorithm());
+  auto* field = vtkImplicitFlowField::SafeDownCast(mapping->GetInputAlgorithm());
+  parameters->SetMapping(mapping);
+  for (int i = 0; i < field->GetNumberOfUsedSurfaces(); ++i)
+  {
+    parameters->AddTerminationSurface(field->GetUsedSurface(i), field->GetUsedSurfaceId(i));
+  }
+  parameters->SetInputConnection(volume->GetOutputPort(1));
+  return parameters;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkFlowLIC> MakeFlowLIC(const json& extraction, vtkFlowVolume* volume)
+{
+  auto lic = vtkSmartPointer<vtkFlowLIC>::New();
+  SetProperties<vtkFlowLIC>(lic, extraction.at("lic"),
+    { { "NoiseScale", [](vtkFlowLIC* made, const json& value) { made->SetNoiseScale(value); } },
+      { "Length", [](vtkFlowLIC* made, const json& value) { made->SetLength(value); } },
+      { "StepLength", [](vtkFlowLIC* made, const json& value) { made->SetStepLength(value); } },
+      { "Kernel", [](vtkFlowLIC* made, const json& value) { made->SetKernel(value); } },
+      { "Seed", [](vtkFlowLIC* made, const json& value) { made->SetSeed(value); } },
+      { "Contrast", [](vtkFlowLIC* made, const json& value) { made->SetContrast(value); } } });
+  const auto field = MakeFlow(extraction);
+  lic->SetInputConnection(volume->GetOutputPort(1));
+  lic->SetFieldConnection(field->GetOutputPort());
+  return lic;
 }

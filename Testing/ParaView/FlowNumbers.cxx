@@ -6,6 +6,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFlowCriticalPoints.h"
+#include "vtkFlowLIC.h"
 #include "vtkFlowStatus.h"
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"
@@ -13,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStreamSurfaceParameters.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
@@ -71,6 +73,26 @@ json CountCriticalPoints(const json& extraction)
   return CountValues(points->GetOutput()->GetPointData()->GetArray("CriticalPointType"));
 }
 
+// Texture coordinates of the stream surfaces.
+json MeasureTexture(const json& extraction, vtkFlowVolume* volume)
+{
+  const auto parameters = MakeStreamSurfaceParameters(extraction, volume);
+  parameters->Update();
+  vtkPointData* arrays = parameters->GetOutput()->GetPointData();
+  vtkDataArray* texture = arrays->GetArray("StreamTexture");
+  return { { "contours", CountValues(arrays->GetArray("ContourId")) },
+    { "length", Sum(texture, 0) }, { "time", Sum(texture, 1) } };
+}
+
+// Of line integral convolution at the points of the stream surfaces.
+double MeasureLIC(const json& extraction, vtkFlowVolume* volume)
+{
+  const auto lic = MakeFlowLIC(extraction, volume);
+  lic->Update();
+  return Sum(
+    vtkDataSet::SafeDownCast(lic->GetOutputDataObject(0))->GetPointData()->GetArray("LIC"), 0);
+}
+
 json Measure(json extraction)
 {
   const auto mapping = MakeInflowMapping(extraction);
@@ -87,6 +109,11 @@ json Measure(json extraction)
       throw std::runtime_error(std::string("no cells to measure by ") + ids[port]);
     }
     extraction["outputs"].push_back(MeasureExtraction(volume->GetOutput(port), ids[port]));
+  }
+  if (extraction.contains("texture"))
+  {
+    extraction["textured"] = MeasureTexture(extraction, volume);
+    extraction["lic_sum"] = MeasureLIC(extraction, volume);
   }
   extraction["critical_points"] = CountCriticalPoints(extraction);
   if (extraction.contains("axis"))
@@ -131,7 +158,9 @@ json FromRectangle()
     { "volume",
       Volume({ { "Intervals", { 0.25, 0.5, 0.5, 0.75 } }, { "TimeRange", { 0.2, 1.2 } },
         { "StreamSurfaces", { 0.4 } }, { "TimeSurfaces", { 0.6, 0.9 } },
-        { "GenerateNormals", 1 } }) } };
+        { "GenerateNormals", 1 } }) },
+    { "texture", { { "LengthScale", 4.0 }, { "TimeScale", 0.5 }, { "Resolution", 64 } } },
+    { "lic", { { "NoiseScale", 0.125 }, { "Contrast", 0.25 } } } };
 }
 
 // Between a source and a sink: two surfaces with ids, rings on one and a formula of the other's
@@ -157,7 +186,11 @@ json ToSphereAndBox()
         { "Rings", { { 7, 0.5, 0.5, 0.25, 0.125, 1.0 }, { 7, 0.0, 0.75, 0.0, 0.25, 0.5 } } } } },
     { "volume",
       Volume({ { "Intervals", { 0.25, 0.75 } }, { "TimeSurfaces", { 1.0 } },
-        { "OutputPointsPrecision", 1 } }) } };
+        { "OutputPointsPrecision", 1 } }) },
+    { "texture", { { "StartPoints", { 0.75, 0.0, 0.0 } } } },
+    { "lic",
+      { { "NoiseScale", 0.25 }, { "Length", 1.0 }, { "StepLength", 0.125 }, { "Kernel", 0 },
+        { "Seed", 3 } } } };
 }
 
 // A hurricane: a closed cylinder, the mesh of a sphere, and an image over u and v.
@@ -175,7 +208,8 @@ json FromCylinderAndMesh()
     { "mapping", { { "Formula", "u" } } }, { "image", { -10, 10, -8, 8, 0, 0 } }, { "ImageId", 0 },
     { "volume",
       Volume({ { "Intervals", { 130.0, 200.0 } }, { "StreamSurfaces", { 160.0 } },
-        { "TimeSurfaces", { 0.5, 1.0 } } }) } };
+        { "TimeSurfaces", { 0.5, 1.0 } } }) },
+    { "texture", json::object() }, { "lic", json::object() } };
 }
 
 // A tornado: the tube around its axis and the domain's faces.

@@ -8,7 +8,8 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from extraction_measures import check_sum, compare
-from flow_testing import analytic_flow, flow_field, flow_volume, inflow_mapping, vortex_axis
+from flow_testing import (
+    analytic_flow, flow_field, flow_volume, inflow_mapping, stream_lic, stream_texture, vortex_axis)
 from plugin_testing import Checks, extractions_path, fetch, load_plugin
 
 OUTPUTS = (("volume", "IntervalId"), ("stream surfaces", "StreamSurfaceId"),
@@ -33,6 +34,19 @@ def compare_samples(checks, name, data, expected):
         check_sum(checks, values[numpy.isfinite(values)], expected[what], f"{name}, {what}")
 
 
+def compare_texture(checks, name, flow, volume, extraction):
+    """Texture coordinates and LIC of the stream surfaces."""
+    expected = extraction["textured"]
+    arrays = fetch(stream_texture(volume, extraction)).GetPointData()
+    checks.equal(arrays.GetTCoords().GetName(), "StreamTexture", f"{name}, texture coordinates")
+    checks.equal(counts(arrays.GetArray("ContourId")), expected["contours"], f"{name}, contours")
+    coordinates = vtk_to_numpy(arrays.GetTCoords())
+    check_sum(checks, coordinates[:, 0], expected["length"], f"{name}, length along contours")
+    check_sum(checks, coordinates[:, 1], expected["time"], f"{name}, time of the texture")
+    values = fetch(stream_lic(volume, flow, extraction)).GetPointData().GetArray("LIC")
+    check_sum(checks, vtk_to_numpy(values).astype(float), extraction["lic_sum"], f"{name}, LIC")
+
+
 def repeat(checks, name, extraction):
     flow = analytic_flow(extraction)
     mapping = inflow_mapping(flow_field(flow, extraction), extraction)
@@ -41,6 +55,8 @@ def repeat(checks, name, extraction):
     for port, (output, id_array) in enumerate(OUTPUTS):
         found = fetch(volume, port)
         compare(checks, f"{name}, {output}", found, extraction["outputs"][port], id_array)
+    if "texture" in extraction:
+        compare_texture(checks, name, flow, volume, extraction)
     points = fetch(simple.FlowCriticalPoints(Input=flow))
     types = points.GetPointData().GetArray("CriticalPointType")
     checks.equal(counts(types), extraction["critical_points"], f"{name}, critical points")

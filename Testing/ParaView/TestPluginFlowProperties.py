@@ -98,6 +98,24 @@ def check_samples(checks, flow, field):
     checks.equal(fetch(field).GetNumberOfPoints(), fetch(flow).GetNumberOfPoints(), "the field's points")
 
 
+def mean_arrays(field):
+    domain = field.GetProperty("MeanArrays").SMProperty.FindDomain("vtkSMArrayListDomain")
+    return {domain.GetString(i) for i in range(domain.GetNumberOfStrings())}
+
+
+def check_means(checks, flow, field):
+    """Arrays of one component can be chosen; none is at first."""
+    checks.equal(mean_arrays(field), set(), "arrays of one component in the flow")
+    speed = simple.Calculator(Input=flow, ResultArrayName="Speed", Function="mag(Velocity)")
+    speed.UpdatePipeline()
+    means = simple.ImplicitFlowField(Input=speed, TerminationSurface="None", DomainFaces=True)
+    checks.equal(mean_arrays(means), {"Speed"}, "arrays of one component")
+    checks.equal(list(means.MeanArrays), [], "means at first")
+    means.MeanArrays = ["Speed"]
+    low, high = fetch(means).GetPointData().GetArray("MeanSpeed").GetRange()
+    checks.that(abs(low - 1.0) < 1e-6 and abs(high - 1.0) < 1e-6, f"means {low} to {high}")
+
+
 def check_mapping(checks, field):
     mapping = simple.InflowMapping(Input=field)
     checks.equal(mapping.Formula, "u", "formula at first")
@@ -141,6 +159,41 @@ def check_volume(checks, mapping):
     return volume
 
 
+def upright_rectangle(height):
+    rectangle = fresh("Rectangle")
+    rectangle.Center, rectangle.Normal, rectangle.Lengths = [0, 0, 0], [1, 0, 0], [2, height]
+    return rectangle
+
+
+def check_lengths(checks, texture, height):
+    """On the surface u = 0.5, which is y = 0, the length is that from one end of the rectangle."""
+    surface = fetch(texture)
+    used = numpy.unique(vtk_to_numpy(surface.GetPolys().GetConnectivityArray()))
+    points = vtk_to_numpy(surface.GetPoints().GetData())[used]
+    found = vtk_to_numpy(surface.GetPointData().GetTCoords())[used]
+    checks.that(len(points) > 0 and numpy.abs(points[:, 1]).max() < 1e-6, f"{height}: the middle")
+    error = min(numpy.abs(found[:, 0] - height / 2 - side * points[:, 2]).max() for side in (1, -1))
+    checks.that(error < 1e-5, f"{height}: length along the contour, {error}")
+    checks.that(numpy.abs(found[:, 1] - points[:, 0]).max() < 1e-5, f"{height}: time")
+
+
+def check_texture(checks, flow):
+    """Texture coordinates follow the filters upstream."""
+    field = simple.ImplicitFlowField(Input=flow, TerminationSurface=upright_rectangle(2))
+    mapping = simple.InflowMapping(Input=field, Formula="u")
+    volume = simple.FlowVolume(Input=mapping, StreamSurfaces=[0.5], GenerateStreamSurfaces=True)
+    texture = simple.StreamSurfaceParameters(Input=simple.OutputPort(volume, 1))
+    checks.equal(texture.Resolution, 256, "resolution at first")
+    check_lengths(checks, texture, 2)
+    field.TerminationSurface = upright_rectangle(4)
+    check_lengths(checks, texture, 4)
+    lic = simple.FlowLIC(Input=texture, Field=flow)
+    checks.equal(list(lic.Vectors), ["POINTS", "Velocity"], "vectors of the field")
+    low, high = fetch(lic).GetPointData().GetArray("LIC").GetRange()
+    checks.that(0.0 <= low < high <= 1.0, f"LIC from {low} to {high}")
+    return texture, lic
+
+
 def check_inputs(checks, flow):
     """Fields have point vectors."""
     for name in ("ImplicitFlowField", "FlowCriticalPoints", "VortexAxis"):
@@ -164,9 +217,11 @@ def main():
     check_placing(checks)
     field = check_field(checks, flow)
     check_samples(checks, flow, field)
+    check_means(checks, flow, field)
     mapping = check_mapping(checks, field)
     volume = check_volume(checks, mapping)
-    for proxy in (field, mapping, volume, simple.FlowCriticalPoints(Input=flow), simple.VortexAxis(Input=flow)):
+    points, axis = simple.FlowCriticalPoints(Input=flow), simple.VortexAxis(Input=flow)
+    for proxy in (field, mapping, volume, *check_texture(checks, flow), points, axis):
         check_documentation(checks, proxy)
         check_menu(checks, "filters", proxy.SMProxy.GetXMLName())
     source = simple.TerminationSurface()

@@ -4,6 +4,7 @@
 #include "vtkAnalyticFlowSource.h"
 #include "vtkConstructiveModelSource.h"
 #include "vtkDeltaWingSource.h"
+#include "vtkFlowLIC.h"
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkInflowMapping.h"
@@ -14,6 +15,7 @@
 #include "vtkShadowedSliceMapper.h"
 #include "vtkSimplexTimeSlice.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamSurfaceParameters.h"
 #include "vtkTaperedCylinderSource.h"
 #include "vtkTerminationBox.h"
 #include "vtkTerminationCylinder.h"
@@ -268,6 +270,21 @@ void CompareFlowFilters(const std::string& folder)
       { "GenerateNormals", Text(volume->GetGenerateNormals()) },
       { "ParametersAsTextureCoordinates", Text(volume->GetParametersAsTextureCoordinates()) },
       { "OutputPointsPrecision", Text(volume->GetOutputPointsPrecision()) } });
+
+  vtkNew<vtkStreamSurfaceParameters> parameters;
+  Check(parameters->GetNumberOfStartPoints() == 0,
+    "vtkStreamSurfaceParameters starts without a start point");
+  CompareWithXML(folder + "/StreamSurfaceParameters.xml", "SourceProxy",
+    "vtkPVStreamSurfaceParameters", "",
+    { { "StartPoints", "" }, { "LengthScale", Text(parameters->GetLengthScale()) },
+      { "TimeScale", Text(parameters->GetTimeScale()) },
+      { "Resolution", Text(parameters->GetResolution()) } });
+
+  vtkNew<vtkFlowLIC> lic;
+  CompareWithXML(folder + "/FlowLIC.xml", "SourceProxy", "vtkFlowLIC", "",
+    { { "NoiseScale", Text(lic->GetNoiseScale()) }, { "Length", Text(lic->GetLength()) },
+      { "StepLength", Text(lic->GetStepLength()) }, { "Kernel", Text(lic->GetKernel()) },
+      { "Seed", Text(lic->GetSeed()) }, { "Contrast", Text(lic->GetContrast()) } });
 
   vtkNew<vtkVortexAxis> axis;
   CompareWithXML(folder + "/VortexAxis.xml", "SourceProxy", "vtkVortexAxis", "",

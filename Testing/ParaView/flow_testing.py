@@ -58,6 +58,18 @@ def inflow_mapping(field, extraction):
     return mapping
 
 
+def stream_texture(volume, extraction):
+    texture = simple.StreamSurfaceParameters(Input=simple.OutputPort(volume, 1))
+    set_properties(texture, extraction["texture"])
+    return texture
+
+
+def stream_lic(volume, flow, extraction):
+    lic = simple.FlowLIC(Input=simple.OutputPort(volume, 1), Field=flow)
+    set_properties(lic, extraction["lic"])
+    return lic
+
+
 def flow_volume(mapping, extraction):
     volume = simple.FlowVolume(Input=mapping)
     set_properties(volume, extraction["volume"])

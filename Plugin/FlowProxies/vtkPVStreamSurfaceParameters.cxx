@@ -1,0 +1,55 @@
+#include "vtkPVStreamSurfaceParameters.h"
+
+#include "vtkImplicitFlowField.h"
+#include "vtkInflowMapping.h"
+#include "vtkObjectFactory.h"
+#include "vtkTerminationSurface.h"
+
+vtkStandardNewMacro(vtkPVStreamSurfaceParameters);
+
+namespace
+{
+/// The first filter of a class upstream, along first connections; null without. ParaView has
+/// filters of its own between ours.
+template <typename Filter>
+Filter* FindUpstream(vtkAlgorithm* algorithm)
+{
+  while (algorithm && algorithm->GetNumberOfInputPorts() > 0 &&
+    algorithm->GetNumberOfInputConnections(0) > 0)
+  {
+    algorithm = algorithm->GetInputAlgorithm(0, 0);
+    if (Filter* found = Filter::SafeDownCast(algorithm))
+    {
+      return found;
+    }
+  }
+  return nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPVStreamSurfaceParameters::vtkPVStreamSurfaceParameters() = default;
+
+//------------------------------------------------------------------------------
+vtkPVStreamSurfaceParameters::~vtkPVStreamSurfaceParameters() = default;
+
+//------------------------------------------------------------------------------
+int vtkPVStreamSurfaceParameters::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInflowMapping* mapping = FindUpstream<vtkInflowMapping>(this);
+  vtkImplicitFlowField* flow = FindUpstream<vtkImplicitFlowField>(mapping);
+  if (!flow)
+  {
+    vtkErrorMacro("There is no " << (mapping ? "vtkImplicitFlowField" : "vtkInflowMapping")
+                                 << " upstream, which the contours are taken from.");
+    return 1;
+  }
+  this->SetMapping(mapping);
+  this->RemoveAllTerminationSurfaces();
+  for (int i = 0; i < flow->GetNumberOfUsedSurfaces(); ++i)
+  {
+    this->AddTerminationSurface(flow->GetUsedSurface(i), flow->GetUsedSurfaceId(i));
+  }
+  return this->Superclass::RequestData(request, inputs, outputs);
+}
