@@ -28,7 +28,7 @@ struct vtkAdvectionOptions
   int Integrator = 0;
   double MaximumError = 1e-6;
   double MaximumTime = VTK_DOUBLE_MAX;
-  int MaximumNumberOfSteps = 100000;
+  int MaximumNumberOfSteps = 10000;
   double MinimumSpeed = 0.0;
   /// Extras; arrays by their numbers in the walker.
   bool HasMaximumSpeed = false;

@@ -78,6 +78,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
   filter->SetSampleData(what.Seeds);
   filter->AddTerminationSurface(box);
   filter->SetMaximumTime(LongestTime);
+  filter->SetMaximumNumberOfSteps(MostSteps);
   filter->SetIntegrator(integrator);
   filter->SetMaximumError(tolerance * GetLargestSpeed(what));
   return filter;

@@ -21,9 +21,11 @@ namespace flow
 {
 inline const char* const Peer = "streamtracer";
 
-/// The most that a streamline goes on, in time and in length.
+/// The most that a streamline goes on, in time, in length and in our steps: explicit methods are
+/// to show what they take where a field is stiff.
 constexpr double LongestTime = 5.0;
 constexpr double LongestWay = 12.0;
+constexpr int MostSteps = 100000;
 
 /// Where and when one streamline ends.
 struct End
