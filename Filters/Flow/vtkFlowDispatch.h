@@ -1,6 +1,7 @@
 #ifndef vtkFlowDispatch_h
 #define vtkFlowDispatch_h
 
+#include "vtkFlowProgress.h"
 #include "vtkImageData.h"
 #include "vtkImageFlowWalker.h"
 #include "vtkRectilinearGrid.h"
@@ -19,44 +20,49 @@
 class vtkFlowDispatch
 {
 public:
+  /// Of the progress of an algorithm that follows streamlines the part for building the field.
+  static constexpr double BuildingPart = 0.1;
+
   /**
    * Calls function(walker), where \a walker, of the kind that \a data needs, stands nowhere yet.
    * Each thread works with a copy. walker.GetField() has the speed, the bounds and what else is
    * known of the field, which lasts until the function returns. \a arrays are point arrays of one
    * component, by number for Interpolate. Returns what is wrong with the field, the function not
-   * being called, or nothing.
+   * being called, or nothing. Nor is it called when the owner of \a progress, which is that of
+   * building the field, was aborted before.
    */
   template <typename Function>
   static std::string Execute(vtkDataSet* data, vtkDataArray* vectors,
-    const std::vector<vtkDataArray*>& arrays, Function&& function)
+    const std::vector<vtkDataArray*>& arrays, Function&& function,
+    const vtkFlowProgress& progress = {})
   {
     if (auto* image = vtkImageData::SafeDownCast(data))
     {
-      return Run<vtkImageFlowWalker>(image, vectors, arrays, function);
+      return Run<vtkImageFlowWalker>(image, vectors, arrays, progress, function);
     }
     if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
     {
-      return Run<vtkRectilinearFlowWalker>(rectilinear, vectors, arrays, function);
+      return Run<vtkRectilinearFlowWalker>(rectilinear, vectors, arrays, progress, function);
     }
     if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
     {
-      return Run<vtkStructuredFlowWalker>(structured, vectors, arrays, function);
+      return Run<vtkStructuredFlowWalker>(structured, vectors, arrays, progress, function);
     }
     if (auto* unstructured = vtkUnstructuredGrid::SafeDownCast(data))
     {
-      return Run<vtkUnstructuredFlowWalker>(unstructured, vectors, arrays, function);
+      return Run<vtkUnstructuredFlowWalker>(unstructured, vectors, arrays, progress, function);
     }
     return data ? std::string("a field is no ") + data->GetClassName() : "there is no dataset";
   }
 
 private:
   template <typename Walker, typename Data, typename Function>
-  static std::string Run(
-    Data* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays, Function& function)
+  static std::string Run(Data* data, vtkDataArray* vectors,
+    const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress, Function& function)
   {
     typename Walker::Field field;
-    std::string error = field.Build(data, vectors, arrays);
-    if (error.empty())
+    std::string error = field.Build(data, vectors, arrays, progress);
+    if (error.empty() && progress.Reach(1.0))
     {
       function(Walker(&field));
     }

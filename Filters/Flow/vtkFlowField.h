@@ -2,6 +2,7 @@
 #define vtkFlowField_h
 
 #include "InterlumeFlowModule.h" // for the export macro
+#include "vtkFlowProgress.h"
 #include "vtkFlowValues.h"
 #include "vtkType.h"
 
@@ -17,9 +18,9 @@ class vtkDataSet;
  * @brief   what walkers share: the vectors, further point arrays, and which cells are the field's
  *
  * Constant once it is built, and read by any number of threads. A class for each kind of dataset
- * adds the geometry, and `std::string Build(dataset, vectors, arrays)`, which returns what is wrong
- * with the field, or nothing. The arrays may be of any type; they are kept for as long as the
- * field.
+ * adds the geometry, and `std::string Build(dataset, vectors, arrays, progress)`, which returns
+ * what is wrong with the field, or nothing. Once its progress is aborted nothing is wrong, but the
+ * field is of no use. The arrays may be of any type; they are kept for as long as the field.
  *
  * Cells that are hidden or refined, or that have a hidden point, are not part of the field.
  * Duplicates of another piece's cells are.

@@ -125,8 +125,10 @@ int vtkFlowLIC::RequestData(
   {
     values->SetName("LIC");
     values->SetNumberOfValues(points->GetNumberOfPoints());
-    wrong = vtkFlowDispatch::Execute(field, vectors, {},
-      [&](const auto& walker) { this->Convolve(walker, points, values->GetPointer(0)); });
+    wrong = vtkFlowDispatch::Execute(
+      field, vectors, {},
+      [&](const auto& walker) { this->Convolve(walker, points, values->GetPointer(0)); },
+      vtkFlowProgress(this, 0.0, vtkFlowDispatch::BuildingPart));
   }
   if (!wrong.empty())
   {
@@ -156,7 +158,7 @@ void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* value
   double first[3];
   // What the dataset makes at the first call is there for threads.
   points->GetPoint(0, first);
-  vtkFlowBatches::Run(points->GetNumberOfPoints(), this, 0.0, 1.0,
+  vtkFlowBatches::Run(points->GetNumberOfPoints(), this, vtkFlowDispatch::BuildingPart, 1.0,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkArcWalk<Walker> walk(walker, minimumSpeed);

@@ -151,7 +151,8 @@ std::string vtkFlowRun::Execute(vtkDataSet* samples)
     arrays.Steps = Add<vtkIntArray>(samples, "AdvectionSteps", 1);
     arrays.StiffSteps = Add<vtkIntArray>(samples, "StiffSteps", 1);
   }
-  error = vtkFlowDispatch::Execute(this->Field, this->Vectors, means,
+  error = vtkFlowDispatch::Execute(
+    this->Field, this->Vectors, means,
     [&](const auto& walker)
     {
       const double largestSpeed = walker.GetField().GetMaximumSpeed();
@@ -167,7 +168,8 @@ std::string vtkFlowRun::Execute(vtkDataSet* samples)
           std::max(this->AutomaticSpeed * largestSpeed, std::numeric_limits<double>::min());
       }
       this->Follow(walker, samples, arrays);
-    });
+    },
+    vtkFlowProgress(this->Owner, 0.0, vtkFlowDispatch::BuildingPart));
   this->AddSurfaces(samples);
   return error;
 }
@@ -184,7 +186,7 @@ void vtkFlowRun::Follow(const Walker& walker, vtkDataSet* samples, Arrays& array
     double x[3];
     samples->GetPoint(0, x);
   }
-  vtkFlowBatches::Run(number, this->Owner, 0.0, 1.0,
+  vtkFlowBatches::Run(number, this->Owner, vtkFlowDispatch::BuildingPart, 1.0,
     [&](vtkIdType first, vtkIdType end)
     {
       vtkAdvection<Walker> advection(walker, this->Options);

@@ -26,7 +26,10 @@ public:
   void SetAutomatic(double error, double speed);
   void SetKeepSteps(bool keep) { this->KeepSteps = keep; }
 
-  /// Adds the arrays to \a samples. Returns what is wrong; an abort is not.
+  /**
+   * Adds the arrays to \a samples. Returns what is wrong; an abort is not. The first part of the
+   * progress is building the field.
+   */
   std::string Execute(vtkDataSet* samples);
 
   const vtkFlowReport& GetReport() const { return this->Report; }

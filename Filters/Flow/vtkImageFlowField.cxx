@@ -7,12 +7,12 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
-std::string vtkImageFlowField::Build(
-  vtkImageData* image, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
+std::string vtkImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
+  const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress)
 {
   int points[3];
   image->GetDimensions(points);
-  std::string error = this->BuildIndices(image, points, vectors, arrays);
+  std::string error = this->BuildIndices(image, points, vectors, arrays, progress);
   if (!error.empty())
   {
     return error;

@@ -17,8 +17,8 @@ class INTERLUMEFLOW_EXPORT vtkImageFlowField : public vtkIndexedFlowField
 public:
   vtkImageFlowField() = default;
 
-  std::string Build(
-    vtkImageData* image, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays = {});
+  std::string Build(vtkImageData* image, vtkDataArray* vectors,
+    const std::vector<vtkDataArray*>& arrays = {}, const vtkFlowProgress& progress = {});
 
   bool Locate(const double x[3], Place& place, double p[3]) const;
 

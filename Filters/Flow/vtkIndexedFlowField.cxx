@@ -4,7 +4,7 @@
 
 //------------------------------------------------------------------------------
 std::string vtkIndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3],
-  vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
+  vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress)
 {
   if (points[0] < 2 || points[1] < 2 || points[2] < 2)
   {
@@ -42,7 +42,10 @@ std::string vtkIndexedFlowField::BuildIndices(vtkDataSet* data, const int points
     return 8;
   };
   this->SetBlanking(data, getPoints);
-  this->Measure(getPoints, false);
+  if (progress.Reach(0.5))
+  {
+    this->Measure(getPoints, false);
+  }
   return {};
 }
 

@@ -121,7 +121,7 @@ protected:
 
   /// Numbers of points, arrays and blanking, all but the geometry; an error or nothing.
   std::string BuildIndices(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
-    const std::vector<vtkDataArray*>& arrays);
+    const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress);
 
   /**
    * The cell that \a q, in cells along each axis, is in, and the place there. Up to \a slack beyond

@@ -7,12 +7,12 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
-std::string vtkRectilinearFlowField::Build(
-  vtkRectilinearGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
+std::string vtkRectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
+  const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress)
 {
   int points[3];
   grid->GetDimensions(points);
-  std::string error = this->BuildIndices(grid, points, vectors, arrays);
+  std::string error = this->BuildIndices(grid, points, vectors, arrays, progress);
   if (!error.empty())
   {
     return error;

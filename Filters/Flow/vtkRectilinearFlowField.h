@@ -17,8 +17,8 @@ class INTERLUMEFLOW_EXPORT vtkRectilinearFlowField : public vtkIndexedFlowField
 public:
   vtkRectilinearFlowField() = default;
 
-  std::string Build(
-    vtkRectilinearGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays = {});
+  std::string Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
+    const std::vector<vtkDataArray*>& arrays = {}, const vtkFlowProgress& progress = {});
 
   bool Locate(const double x[3], Place& place, double p[3]) const;
 

@@ -5,13 +5,13 @@
 #include "vtkStructuredGrid.h"
 
 //------------------------------------------------------------------------------
-std::string vtkStructuredFlowField::Build(
-  vtkStructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
+std::string vtkStructuredFlowField::Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
+  const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress)
 {
   int points[3];
   grid->GetDimensions(points);
-  std::string error = this->BuildIndices(grid, points, vectors, arrays);
-  if (!error.empty())
+  std::string error = this->BuildIndices(grid, points, vectors, arrays, progress.GetPart(0.0, 0.2));
+  if (!error.empty() || !progress.Reach(0.2))
   {
     return error;
   }
@@ -27,10 +27,13 @@ std::string vtkStructuredFlowField::Build(
       return this->IsCellIncluded(cell) ? 8 : 0;
     });
   error = positions.FindError(this->GetNumberOfCells());
-  if (error.empty())
+  if (error.empty() && progress.Reach(0.3))
   {
     positions.Build(this->GetNumberOfCells(), this->Tree);
-    this->FindSeams();
+    if (progress.Reach(0.9))
+    {
+      this->FindSeams();
+    }
   }
   return error;
 }

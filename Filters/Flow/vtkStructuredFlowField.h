@@ -25,8 +25,8 @@ public:
 
   using vtkIndexedFlowField::GetPlace;
 
-  std::string Build(
-    vtkStructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays = {});
+  std::string Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
+    const std::vector<vtkDataArray*>& arrays = {}, const vtkFlowProgress& progress = {});
 
   int GetShape(const Place&) const { return vtkFlowShape::HEXAHEDRON; }
   void GetPoints(const Place& place, vtkTrilinear& points) const

@@ -28,8 +28,8 @@ void vtkUnstructuredFlowField::Numbers::Build(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkUnstructuredFlowField::Build(
-  vtkUnstructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
+std::string vtkUnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
+  const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress)
 {
   static_assert(VTK_TETRA == FirstType && VTK_VOXEL == FirstType + 1 &&
       VTK_HEXAHEDRON == FirstType + 2 && VTK_WEDGE == FirstType + 3 && VTK_PYRAMID == FirstType + 4,
@@ -60,19 +60,26 @@ std::string vtkUnstructuredFlowField::Build(
   };
   this->SetBlanking(grid, getPoints);
   error = this->FindCellError();
-  if (!error.empty())
+  if (!error.empty() || !progress.Reach(0.1))
   {
     return error;
   }
   this->FindOnlyType();
   this->Measure(getPoints, true);
+  if (!progress.Reach(0.2))
+  {
+    return {};
+  }
   const vtkCellPositions positions(this->Positions,
     [this](vtkIdType cell, vtkIdType* ids) { return this->GetCellPoints(cell, ids); });
   error = positions.FindError(this->GetNumberOfCells());
-  if (error.empty())
+  if (error.empty() && progress.Reach(0.3))
   {
     positions.Build(this->GetNumberOfCells(), this->Tree);
-    this->FindLinks();
+    if (progress.Reach(0.6))
+    {
+      this->FindLinks();
+    }
   }
   return error;
 }

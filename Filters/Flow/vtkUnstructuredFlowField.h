@@ -36,7 +36,7 @@ public:
   vtkUnstructuredFlowField() = default;
 
   std::string Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
-    const std::vector<vtkDataArray*>& arrays = {});
+    const std::vector<vtkDataArray*>& arrays = {}, const vtkFlowProgress& progress = {});
 
   Place GetPlace(vtkIdType cell) const
   {

@@ -21,6 +21,7 @@
 #include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -489,6 +490,40 @@ void TestPieces(Check& check)
   }
 }
 
+/// Progress is told while the field is built, and an abort at any time leaves nothing: no error.
+void TestBuildingProgress(Check& check)
+{
+  for (const auto& grid : MakeGrids())
+  {
+    check.SetContext("progress of " + grid.first);
+    vtkNew<vtkImplicitFlowField> filter;
+    filter->SetInputDataObject(grid.second);
+    filter->AddTerminationSurface(MakePlane(0.0));
+    ProgressWatch watch;
+    Observe(filter, watch);
+    filter->Update();
+    const std::vector<double> told = watch.Progress;
+    CheckGrowth(watch, 10, check);
+    const auto isBuilding = [](double progress) { return progress > 0.0 && progress < 0.1; };
+    const bool isIndexed = grid.first == "image" || grid.first == "rectilinear grid";
+    check.That(
+      std::count_if(told.begin(), told.end(), isBuilding) >= (isIndexed ? 1 : 3), "while building");
+    // The last event is the executive's, of the end.
+    for (std::size_t after = 0; after + 1 < told.size(); ++after)
+    {
+      watch.Progress.clear();
+      watch.AbortAfter = after;
+      filter->Modified();
+      check.That(MessagesOf(filter).empty(), "an abort is no error");
+      auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+      check.Equal(output->GetNumberOfPoints(), 0, "points after an abort");
+      check.Equal(filter->GetReport().Executions, 1, "an aborted execution");
+      check.That(watch.Progress.size() == after + 1, "nothing goes on after an abort");
+    }
+  }
+  check.SetContext("");
+}
+
 void TestProgress(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
@@ -524,5 +559,6 @@ int TestImplicitFlowField(int, char*[])
   TestMeans(check);
   TestPieces(check);
   TestProgress(check);
+  TestBuildingProgress(check);
   return check.Result();
 }
