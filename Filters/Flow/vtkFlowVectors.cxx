@@ -63,6 +63,18 @@ std::string vtkFlowVectors::CheckVectors(
   return what.str();
 }
 
+std::string vtkFlowVectors::CompareArrays(vtkDataArray* first, vtkDataArray* other)
+{
+  const auto describe = [](vtkDataArray* array)
+  {
+    return "\"" + std::string(array->GetName() ? array->GetName() : "") + "\" of " +
+      array->GetDataTypeAsString();
+  };
+  return describe(first) == describe(other)
+    ? std::string()
+    : "The vectors are " + describe(other) + ", in the first block " + describe(first) + ".";
+}
+
 std::string vtkFlowVectors::CheckCells(vtkDataSet* data)
 {
   vtkBlanking blanking;

@@ -1,6 +1,7 @@
 #include "vtkImplicitFlowField.h"
 
 #include "vtkFlowCriticalPoints.h"
+#include "vtkFlowInput.h"
 #include "vtkFlowPiece.h"
 #include "vtkFlowRun.h"
 #include "vtkFlowStatus.h"
@@ -9,6 +10,7 @@
 #include "vtkTerminationSurface.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataObjectTypes.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -173,6 +175,10 @@ vtkMTimeType vtkImplicitFlowField::GetMTime()
 int vtkImplicitFlowField::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -184,25 +190,20 @@ int vtkImplicitFlowField::FillInputPortInformation(int port, vtkInformation* inf
 int vtkImplicitFlowField::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataSet* field = vtkDataSet::GetData(inputs[0]);
-  vtkDataSet* samples =
-    this->SampleMode == SAMPLES_OF_INPUT ? vtkDataSet::GetData(inputs[1]) : field;
+  vtkDataObject* samples =
+    vtkDataObject::GetData(inputs[this->SampleMode == SAMPLES_OF_INPUT ? 1 : 0], 0);
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkDataSet* output = vtkDataSet::GetData(outputs);
-  const bool isImage = this->SampleMode == SAMPLES_OF_IMAGE || !samples;
-  const int type = isImage ? VTK_IMAGE_DATA : samples->GetDataObjectType();
+  int type = VTK_IMAGE_DATA;
+  if (this->SampleMode != SAMPLES_OF_IMAGE && samples)
+  {
+    type =
+      vtkFlowInput::IsComposite(samples) ? VTK_UNSTRUCTURED_GRID : samples->GetDataObjectType();
+  }
   if (!output || output->GetDataObjectType() != type)
   {
-    vtkSmartPointer<vtkDataSet> made;
-    if (isImage)
-    {
-      made = vtkSmartPointer<vtkImageData>::New();
-    }
-    else
-    {
-      made = vtk::TakeSmartPointer(samples->NewInstance());
-    }
-    info->Set(vtkDataObject::DATA_OBJECT(), made);
+    info->Set(
+      vtkDataObject::DATA_OBJECT(), vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(type)));
   }
   return 1;
 }
@@ -268,19 +269,26 @@ int vtkImplicitFlowField::RequestData(
   this->Report.Executions = executions;
   this->UsedSurfaces.clear();
   vtkDataSet* output = vtkDataSet::GetData(outputs);
-  vtkDataSet* field = vtkDataSet::GetData(inputs[0]);
+  const vtkFlowInput input(vtkDataObject::GetData(inputs[0], 0));
+  const std::string wrong = this->CheckBlocks(input);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return 1;
+  }
+  const vtkSmartPointer<vtkDataSet> field = input.MakeField();
   if (!field || field->GetNumberOfPoints() == 0)
   {
     return 1;
   }
   vtkAdvectionOptions options;
-  if (!this->SetSamples(inputs, outputs) || !this->SetOptions(options))
+  if (!this->SetSamples(input, field, inputs, outputs) || !this->SetOptions(options))
   {
     output->Initialize();
     return 1;
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* vectors = this->GetInputArrayToProcess(0, inputs, association);
+  vtkDataArray* vectors = this->GetInputArrayToProcess(0, field, association);
   std::string error =
     vtkFlowVectors::CheckVectors(field, vectors, association, this->GetInputArrayInformation(0));
   vtkFlowReport report;
@@ -313,10 +321,33 @@ int vtkImplicitFlowField::RequestData(
 }
 
 //------------------------------------------------------------------------------
-bool vtkImplicitFlowField::SetSamples(vtkInformationVector** inputs, vtkInformationVector* outputs)
+std::string vtkImplicitFlowField::CheckBlocks(const vtkFlowInput& input)
+{
+  vtkDataArray* first = nullptr;
+  for (const vtkFlowInput::Block& block : input.GetBlocks())
+  {
+    int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    vtkDataArray* vectors = this->GetInputArrayToProcess(0, block.Data, association);
+    std::string wrong =
+      vtkFlowVectors::Check(block.Data, vectors, association, this->GetInputArrayInformation(0));
+    first = first ? first : vectors;
+    if (wrong.empty())
+    {
+      wrong = vtkFlowVectors::CompareArrays(first, vectors);
+    }
+    if (!wrong.empty())
+    {
+      return "Block " + std::to_string(block.FlatIndex) + " (flat index): " + wrong;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+bool vtkImplicitFlowField::SetSamples(const vtkFlowInput& input, vtkDataSet* field,
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataSet* output = vtkDataSet::GetData(outputs);
-  vtkDataSet* field = vtkDataSet::GetData(inputs[0]);
   if (this->SampleMode == SAMPLES_OF_IMAGE)
   {
     double bounds[6];
@@ -342,7 +373,7 @@ bool vtkImplicitFlowField::SetSamples(vtkInformationVector** inputs, vtkInformat
       outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
     return true;
   }
-  vtkDataSet* samples = field;
+  vtkSmartPointer<vtkDataSet> samples;
   if (this->SampleMode == SAMPLES_OF_INPUT)
   {
     samples = vtkDataSet::GetData(inputs[1]);
@@ -351,6 +382,10 @@ bool vtkImplicitFlowField::SetSamples(vtkInformationVector** inputs, vtkInformat
       vtkErrorMacro("The samples are those of input port 1, and nothing is connected there.");
       return false;
     }
+  }
+  else
+  {
+    samples = input.MakeSamples(field);
   }
   output->ShallowCopy(samples);
   if (this->SampleMode == SAMPLES_OF_FIELD)

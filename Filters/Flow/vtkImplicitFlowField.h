@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+class vtkFlowInput;
 class vtkTerminationSurface;
 struct vtkAdvectionOptions;
 
@@ -31,10 +32,18 @@ struct vtkAdvectionOptions;
  * interpolated as in VTK's cells. Ghost, hidden and blanked cells are not part of the field, but
  * for duplicates of pieces. Input port 1, optional: the samples of SAMPLES_OF_INPUT.
  *
+ * **Blocks.** Port 0 takes composite datasets too, as vtkMultiBlockDataSet, of any of these: one
+ * field, streamlines going from block to block where faces have the same corners, to the last bit.
+ * Blocks are merged for that to one vtkUnstructuredGrid, without hidden and duplicate cells; points
+ * in the same place become one, with the values of the first block. Every block needs the vectors,
+ * by one name and type; other arrays are kept where all have them. SAMPLES_OF_FIELD gives that
+ * grid. Where faces do not fit, as between levels of AMR, the field ends.
+ *
  * Output: the samples, with the point data of their dataset, and the arrays of vtkFlowStatus. By
  * request MaximumSpeed, ArcLength, MeanVorticity and Mean<name> along the path (double; 0 for
  * samples OUTSIDE). The field array TerminationSurfaces tells the ids and what is periodic. Where
- * the samples are the field's own points or port 1's, the output has their type; an image of
+ * the samples are the field's own points or port 1's, the output has their type
+ * (vtkUnstructuredGrid for composite data); an image of
  * samples is vtkImageData, so the type of the output follows SampleMode.
  *
  * **Method.** A streamline is followed from cell to cell in the cell's own coordinates, where the
@@ -55,7 +64,7 @@ struct vtkAdvectionOptions;
  *
  * Errors (vtkErrorMacro, empty output): no vectors of that name or not of three components; a
  * surface that vtkTerminationSurface::Update finds wrong; no surface and no domain faces; cells of
- * other types; SAMPLES_OF_INPUT without an input.
+ * other types, with the block where there are several; SAMPLES_OF_INPUT without an input.
  *
  * @sa vtkTerminationSurface vtkFlowStatus
  */
@@ -265,8 +274,11 @@ private:
   vtkImplicitFlowField(const vtkImplicitFlowField&) = delete;
   void operator=(const vtkImplicitFlowField&) = delete;
 
+  /// What is wrong with a block of composite input, or nothing.
+  std::string CheckBlocks(const vtkFlowInput& input);
   /// Gives the output the samples' geometry and point data.
-  bool SetSamples(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  bool SetSamples(const vtkFlowInput& input, vtkDataSet* field, vtkInformationVector** inputs,
+    vtkInformationVector* outputs);
   /// Leaves of the whole field the piece that is asked for.
   static void CutPiece(vtkInformation* info, vtkDataSet* output);
   /// False where something is wrong, which has been said.

@@ -1,0 +1,377 @@
+// vtkImplicitFlowField over composite data: streamlines from block to block, with the answers that
+// one grid gives; hidden and duplicate cells, arrays, samples and errors of blocks.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowGrid.h"
+#include "ReferenceMessages.h"
+
+#include "vtkFlowStatus.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkTerminationPlane.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+using Grid = vtkSmartPointer<vtkDataSet>;
+
+Vector Shear(const Vector& x)
+{
+  return { { 1.0, 0.25 * x[2], 0.125 } };
+}
+
+/// Cells of width 1 over 0 ... 4 in y and z, and \a cells of them from \a start along x.
+Grid MakeImage(int start, int cells)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(cells + 1, 5, 5);
+  image->SetOrigin(start, 0.0, 0.0);
+  AddVectors(image, Shear);
+  return image;
+}
+
+Grid MakeMoved(const vtkSmartPointer<vtkPointSet>& grid, int start)
+{
+  MovePoints(grid, [start](const Vector& x) { return Vector{ { x[0] + start, x[1], x[2] } }; });
+  AddVectors(grid, Shear);
+  return grid;
+}
+
+Grid MakeStructured(int start, int cells)
+{
+  return MakeMoved(MakeStructuredGrid({ { cells, 4, 4 } }), start);
+}
+
+Grid MakeMesh(MeshKind kind, int start, int cells)
+{
+  return MakeMoved(MakeFlowMesh(kind, { { cells, 4, 4 } }), start);
+}
+
+/// Blocks under a nested tree, with empty ones between them.
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<Grid>& grids)
+{
+  vtkNew<vtkMultiBlockDataSet> inner;
+  auto outer = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  outer->SetBlock(0, vtkNew<vtkUnstructuredGrid>());
+  outer->SetBlock(1, inner);
+  for (std::size_t i = 0; i < grids.size(); ++i)
+  {
+    inner->SetBlock(static_cast<unsigned int>(2 * i + 1), grids[i]);
+  }
+  return outer;
+}
+
+vtkSmartPointer<vtkImplicitFlowField> NewFilter(vtkDataObject* input)
+{
+  vtkNew<vtkTerminationPlane> plane;
+  plane->SetOrigin(0.0, -4.0, -4.0);
+  plane->SetPoint1(0.0, 8.0, -4.0);
+  plane->SetPoint2(0.0, -4.0, 8.0);
+  auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();
+  filter->SetInputDataObject(input);
+  filter->AddTerminationSurface(plane);
+  return filter;
+}
+
+vtkDataSet* Update(vtkImplicitFlowField* filter)
+{
+  filter->Update();
+  return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+double GetValue(vtkDataSet* data, const char* name, vtkIdType id, int component = 0)
+{
+  return data->GetPointData()->GetArray(name)->GetComponent(id, component);
+}
+
+/// Each sample has the answer of the sample of \a whole in its place.
+void CheckSame(vtkDataSet* found, vtkDataSet* whole, Check& check)
+{
+  for (vtkIdType id = 0; id < found->GetNumberOfPoints(); ++id)
+  {
+    const vtkIdType same = whole->FindPoint(found->GetPoint(id));
+    for (const char* name : { "FlowStatus", "TerminationId", "AdvectionTime" })
+    {
+      check.Near(GetValue(found, name, id), GetValue(whole, name, same), 1e-12, name, 1.0);
+    }
+    for (int c = 0; c < 2; ++c)
+    {
+      check.Near(GetValue(found, "TerminationUV", id, c), GetValue(whole, "TerminationUV", same, c),
+        1e-12, "place", 1.0);
+    }
+  }
+}
+
+/// Blocks of any kind and tree give what one image gives.
+void TestTrees(Check& check)
+{
+  auto filter = NewFilter(MakeImage(0, 4));
+  vtkNew<vtkImageData> whole;
+  whole->DeepCopy(Update(filter));
+  vtkNew<vtkPartitionedDataSet> partitions;
+  partitions->SetPartition(0, MakeMesh(MeshKind::Hexahedra, 0, 3));
+  partitions->SetPartition(1, MakeStructured(3, 1));
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  collection->SetPartition(0, 1, MakeImage(0, 1));
+  collection->SetPartition(2, 0, MakeStructured(1, 2));
+  collection->SetPartition(3, 0, MakeImage(3, 1));
+  const std::vector<std::pair<std::string, vtkSmartPointer<vtkDataObject>>> trees = {
+    { "two images", MakeBlocks({ MakeImage(0, 2), MakeImage(2, 2) }) },
+    { "images in another order",
+      MakeBlocks({ MakeImage(3, 1), MakeImage(0, 2), MakeImage(2, 1) }) },
+    { "two meshes",
+      MakeBlocks(
+        { MakeMesh(MeshKind::Tetrahedra6, 0, 2), MakeMesh(MeshKind::Tetrahedra6, 2, 2) }) },
+    { "partitions", partitions }, { "collection", collection }
+  };
+  for (const auto& tree : trees)
+  {
+    check.SetContext(tree.first);
+    filter->SetInputDataObject(tree.second);
+    check.That(MessagesOf(filter).empty(), "no messages");
+    vtkDataSet* output = Update(filter);
+    check.That(vtkUnstructuredGrid::SafeDownCast(output) != nullptr, "one unstructured grid");
+    check.Equal(output->GetNumberOfPoints(), whole->GetNumberOfPoints(), "samples, each once");
+    CheckSame(output, whole, check);
+    check.That(filter->GetReport().Reached.at(0) > 60, "streamlines reach the plane");
+    const vtkIdType all = output->GetNumberOfCells();
+    filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+    filter->SetSampleDimensions(1, 1, 1);
+    output = Update(filter);
+    check.That(vtkImageData::SafeDownCast(output) != nullptr, "an image of samples");
+    check.Near(output->GetPoint(0)[0], 2.0, 0.0, "bounds of all blocks", 1.0);
+    check.Near(GetValue(output, "AdvectionTime", 0), 2.0, 1e-12, "time from the middle");
+    filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
+    // Parts have all cells, once.
+    vtkIdType cells = 0;
+    for (int piece = 0; piece < 3; ++piece)
+    {
+      filter->UpdatePiece(piece, 3, 0);
+      output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+      CheckSame(output, whole, check);
+      cells += output->GetNumberOfCells();
+    }
+    check.Equal(cells, all, "cells of all parts");
+  }
+  check.SetContext("");
+}
+
+void SetGhosts(vtkDataSet* grid, int attributes, unsigned char ghost,
+  const std::function<bool(vtkIdType)>& isGhost)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  const vtkIdType number = grid->GetNumberOfElements(attributes);
+  for (vtkIdType id = 0; id < number; ++id)
+  {
+    ghosts->InsertNextValue(isGhost(id) ? ghost : 0);
+  }
+  grid->GetAttributes(attributes)->AddArray(ghosts);
+}
+
+/// Hidden cells of one block stop streamlines; duplicates of another block's do not.
+void TestGhosts(Check& check)
+{
+  const auto isLast = [](vtkIdType cell) { return cell % 2 == 1; };
+  for (const unsigned char ghost :
+    { vtkDataSetAttributes::HIDDENCELL, vtkDataSetAttributes::REFINEDCELL })
+  {
+    auto first = MakeImage(0, 2);
+    SetGhosts(first, vtkDataObject::CELL, ghost, isLast);
+    auto filter = NewFilter(MakeBlocks({ first, MakeImage(2, 2) }));
+    vtkDataSet* output = Update(filter);
+    check.Equal(output->GetNumberOfCells(), 48, "cells that are not hidden");
+    check.Equal(output->GetNumberOfPoints(), 125, "points of those");
+    check.That(output->GetPointGhostArray() == nullptr && output->GetCellGhostArray() == nullptr,
+      "no ghost arrays");
+    for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+    {
+      const bool isBehind = output->GetPoint(id)[0] > 1.5;
+      check.That(!isBehind || GetValue(output, "FlowStatus", id) == vtkFlowStatus::LEFT_DOMAIN,
+        "hidden cells are a hole");
+    }
+    check.That(filter->GetReport().Reached.at(0) > 20, "streamlines before the hole");
+  }
+  // A block with one layer of the next, as readers of parallel files give them.
+  auto filter = NewFilter(MakeImage(0, 4));
+  vtkNew<vtkImageData> whole;
+  whole->DeepCopy(Update(filter));
+  auto more = MakeImage(0, 3);
+  SetGhosts(more, vtkDataObject::CELL, vtkDataSetAttributes::DUPLICATECELL,
+    [](vtkIdType cell) { return cell % 3 == 2; });
+  filter->SetInputDataObject(MakeBlocks({ more, MakeImage(2, 2) }));
+  vtkDataSet* output = Update(filter);
+  check.Equal(output->GetNumberOfCells(), 64, "cells without duplicates");
+  check.Equal(output->GetNumberOfPoints(), 125, "points without duplicates");
+  CheckSame(output, whole, check);
+  // Points that are hidden in one block may hold anything, and hide nothing of another block.
+  auto hidden = MakeImage(0, 3);
+  SetGhosts(hidden, vtkDataObject::POINT, vtkDataSetAttributes::HIDDENPOINT,
+    [](vtkIdType point) { return point % 4 == 3; });
+  vtkDataArray* vectors = hidden->GetPointData()->GetVectors();
+  for (vtkIdType point = 3; point < hidden->GetNumberOfPoints(); point += 4)
+  {
+    vectors->SetComponent(point, 0, -1.0);
+  }
+  filter->SetInputDataObject(MakeBlocks({ hidden, MakeImage(2, 2) }));
+  output = Update(filter);
+  check.Equal(output->GetNumberOfCells(), 64, "cells without hidden points");
+  CheckSame(output, whole, check);
+}
+
+template <typename Array>
+void AddArray(vtkDataSetAttributes* data, const char* name, vtkIdType number, double first)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(number);
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    array->SetComponent(i, 0, first + static_cast<double>(i));
+  }
+  data->AddArray(array);
+}
+
+/// Arrays that all blocks have are kept, with the first block's values in points of two.
+void TestArrays(Check& check)
+{
+  auto first = MakeImage(0, 2);
+  auto second = MakeImage(2, 2);
+  AddArray<vtkDoubleArray>(first->GetPointData(), "Both", 75, 0.0);
+  AddArray<vtkDoubleArray>(second->GetPointData(), "Both", 75, 1000.0);
+  AddArray<vtkDoubleArray>(first->GetPointData(), "One", 75, 0.0);
+  AddArray<vtkIntArray>(first->GetCellData(), "Number", 32, 0.0);
+  AddArray<vtkIntArray>(second->GetCellData(), "Number", 32, 1000.0);
+  auto filter = NewFilter(MakeBlocks({ first, second }));
+  filter->AddMeanArray("Both");
+  vtkDataSet* output = Update(filter);
+  check.That(output->GetPointData()->GetArray("One") == nullptr, "an array of one block");
+  check.Equal(output->GetNumberOfPoints(), 125, "samples");
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    const double* x = output->GetPoint(id);
+    const bool isFirst = x[0] <= 2.0;
+    const double row = 3.0 * (x[1] + 5.0 * x[2]);
+    check.Equal(GetValue(output, "Both", id), isFirst ? x[0] + row : 1000.0 + x[0] - 2.0 + row,
+      "the value of the first block that has the point");
+  }
+  auto* numbers = vtkIntArray::SafeDownCast(output->GetCellData()->GetArray("Number"));
+  check.That(numbers != nullptr, "a cell array of its type");
+  for (vtkIdType cell = 0; numbers && cell < 64; ++cell)
+  {
+    double bounds[6];
+    output->GetCellBounds(cell, bounds);
+    const double row = 2.0 * (bounds[2] + 4.0 * bounds[4]);
+    check.Equal(static_cast<double>(numbers->GetValue(cell)),
+      bounds[0] < 1.5 ? bounds[0] + row : 998.0 + bounds[0] + row, "its cell's number");
+  }
+  check.Equal(first->GetPointData()->GetNumberOfArrays(), 3, "the input stays as it is");
+}
+
+/// A block alone is the field as it is.
+void TestSingle(Check& check)
+{
+  for (const Grid& grid :
+    { MakeImage(0, 4), MakeStructured(0, 4), MakeMesh(MeshKind::Wedges, 0, 4) })
+  {
+    check.SetContext(std::string("a single ") + grid->GetClassName());
+    auto alone = NewFilter(grid);
+    auto filter = NewFilter(MakeBlocks({ grid }));
+    alone->DomainFacesOn();
+    filter->DomainFacesOn();
+    vtkDataSet* expected = Update(alone);
+    vtkDataSet* output = Update(filter);
+    check.That(vtkUnstructuredGrid::SafeDownCast(output) != nullptr, "an unstructured grid");
+    check.Equal(output->GetNumberOfPoints(), expected->GetNumberOfPoints(), "samples");
+    check.Equal(output->GetNumberOfCells(), expected->GetNumberOfCells(), "cells");
+    CheckSame(output, expected, check);
+    check.Equal(filter->GetReport().Steps, alone->GetReport().Steps, "steps of its own walker");
+  }
+  check.SetContext("");
+}
+
+/// The same bytes for any number of threads.
+void TestThreads(Check& check)
+{
+  std::vector<double> known;
+  for (int threads : { 1, 4 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads },
+      [&]
+      {
+        auto filter = NewFilter(MakeBlocks({ MakeImage(0, 2), MakeImage(2, 2) }));
+        vtkDataSet* output = Update(filter);
+        std::vector<double> found;
+        for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+        {
+          found.insert(found.end(), output->GetPoint(id), output->GetPoint(id) + 3);
+          found.push_back(GetValue(output, "AdvectionTime", id));
+        }
+        check.That(known.empty() || known == found, "places and times");
+        known = found;
+      });
+  }
+}
+
+void TestErrors(Check& check)
+{
+  const auto expect = [&](const std::vector<Grid>& grids, const std::string& part)
+  {
+    auto filter = NewFilter(MakeBlocks(grids));
+    filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+      grids[0]->GetPointData()->GetVectors()->GetName());
+    const std::string found = MessagesOf(filter);
+    check.That(found.find(part) != std::string::npos, "\"" + part + "\" in \"" + found + "\"");
+    auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    check.Equal(output->GetNumberOfPoints(), 0, "empty output after: " + part);
+  };
+  auto other = MakeImage(2, 2);
+  other->GetPointData()->GetVectors()->SetName("Other");
+  expect({ MakeImage(0, 2), other }, "Block 6 (flat index): The field has no array of numbers");
+  auto floats = MakeImage(2, 2);
+  AddVectors(floats, Shear, VTK_FLOAT);
+  expect({ MakeImage(0, 2), floats }, "Block 6 (flat index): The vectors are ");
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  Grid surface = sphere->GetOutput();
+  AddVectors(surface, Shear);
+  expect({ MakeImage(0, 2), surface }, "Block 6 (flat index): Cell 0 is a vtkTriangle");
+  auto filter = NewFilter(vtkNew<vtkMultiBlockDataSet>());
+  check.That(MessagesOf(filter).empty(), "no blocks are no error");
+  check.Equal(Update(filter)->GetNumberOfPoints(), 0, "nothing of no blocks");
+}
+
+}
+
+int TestImplicitFlowFieldBlocks(int, char*[])
+{
+  Check check;
+  TestTrees(check);
+  TestGhosts(check);
+  TestArrays(check);
+  TestSingle(check);
+  TestThreads(check);
+  TestErrors(check);
+  return check.Result();
+}
