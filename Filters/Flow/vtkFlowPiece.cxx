@@ -1,6 +1,7 @@
 #include "vtkFlowPiece.h"
 
 #include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -61,6 +62,7 @@ void vtkFlowPiece::Extract(vtkInformation* info, vtkUnstructuredGrid* grid)
   part->GetCellData()->CopyAllOn();
   part->GetCellData()->CopyAllocate(grid->GetCellData(), last - first);
   part->GetCellData()->CopyData(grid->GetCellData(), 0, last - first, first);
-  part->SetFieldData(grid->GetFieldData());
+  // Not the same object: the grid, copying it from itself, would clear it.
+  part->GetFieldData()->ShallowCopy(grid->GetFieldData());
   grid->ShallowCopy(part);
 }

@@ -1,0 +1,439 @@
+// What is set on vtkImplicitFlowField reaches the streamlines, the output and what is asked of the
+// inputs; ids of surfaces and spheres; pieces of meshes.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowGrid.h"
+#include "ReferenceMessages.h"
+
+#include "vtkFlowStatus.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkTerminationBox.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationPlane.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+Vector Uniform(const Vector&)
+{
+  return { { 0.5, 0.0, 0.0 } };
+}
+
+/// An image over 0 ... 4.
+vtkSmartPointer<vtkImageData> MakeImage(int points, const VectorField& field)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(points, points, points);
+  const double spacing = 4.0 / (points - 1);
+  image->SetSpacing(spacing, spacing, spacing);
+  AddVectors(image, field);
+  return image;
+}
+
+/// Over all of y and z.
+vtkSmartPointer<vtkTerminationPlane> MakePlane(double place)
+{
+  auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
+  plane->SetOrigin(place, 0.0, 0.0);
+  plane->SetPoint1(place, 4.0, 0.0);
+  plane->SetPoint2(place, 0.0, 4.0);
+  return plane;
+}
+
+double GetValue(vtkDataSet* data, const char* name, vtkIdType id)
+{
+  return data->GetPointData()->GetArray(name)->GetComponent(id, 0);
+}
+
+vtkDataSet* Update(vtkImplicitFlowField* filter)
+{
+  filter->Update();
+  return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+/// Limits of time, speed and error, and the least ones of a field without flow.
+void TestLimits(Check& check)
+{
+  vtkNew<vtkImplicitFlowField> filter;
+  check.Equal(filter->GetMaximumNumberOfSteps(), 10000, "default steps");
+  filter->SetInputDataObject(MakeImage(5, Uniform));
+  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->SetMaximumTime(5.0);
+  vtkDataSet* output = Update(filter);
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    const double time = 2.0 * output->GetPoint(id)[0];
+    check.Equal(static_cast<int>(GetValue(output, "FlowStatus", id)),
+      time < 5.0 ? vtkFlowStatus::REACHED_SURFACE : vtkFlowStatus::OUT_OF_TIME, "status by time");
+    check.Near(GetValue(output, "AdvectionTime", id), std::min(5.0, time), 1e-12, "time", 1.0);
+  }
+  filter->SetMaximumError(0.125);
+  filter->SetMinimumSpeed(0.75);
+  Update(filter);
+  check.Equal(filter->GetReport().MaximumError, 0.125, "the error that is set");
+  check.Equal(filter->GetReport().MinimumSpeed, 0.75, "the speed that is set");
+  check.Equal(filter->GetReport().Statuses[vtkFlowStatus::STAGNATED], 100, "all are too slow");
+  filter->SetMaximumError(0.0);
+  filter->SetMinimumSpeed(0.0);
+  filter->SetInputDataObject(MakeImage(5, [](const Vector&) { return Vector{}; }));
+  Update(filter);
+  check.Equal(
+    filter->GetReport().MaximumError, std::numeric_limits<double>::min(), "no flow has no error");
+  check.Equal(filter->GetReport().Statuses[vtkFlowStatus::STAGNATED], 100, "no flow");
+}
+
+/// Methods by the steps that they take, and the arrays of those.
+void TestMethods(Check& check)
+{
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(MakeImage(5,
+    [](const Vector& x) {
+      return Vector{ { 1.0 + x[1] * x[2], x[2] - 2.0, 2.0 - x[1] } };
+    }));
+  filter->DomainFacesOn();
+  vtkIdType evaluations = 0;
+  for (const int integrator : { vtkImplicitFlowField::DORMAND_PRINCE,
+         vtkImplicitFlowField::RUNGE_KUTTA_4, vtkImplicitFlowField::ROSENBROCK })
+  {
+    check.SetContext("integrator " + std::to_string(integrator));
+    const bool isStiff = integrator == vtkImplicitFlowField::ROSENBROCK;
+    filter->SetIntegrator(integrator);
+    filter->KeepStepsOff();
+    check.That(Update(filter)->GetPointData()->GetArray("AdvectionSteps") == nullptr &&
+        Update(filter)->GetPointData()->GetArray("StiffSteps") == nullptr,
+      "no steps unless asked for");
+    filter->KeepStepsOn();
+    vtkDataSet* output = Update(filter);
+    double steps = 0.0;
+    double stiffSteps = 0.0;
+    for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+    {
+      steps += GetValue(output, "AdvectionSteps", id);
+      stiffSteps += GetValue(output, "StiffSteps", id);
+    }
+    const vtkFlowReport& report = filter->GetReport();
+    check.Equal(steps, static_cast<double>(report.Steps), "steps of all samples");
+    check.Equal(stiffSteps, static_cast<double>(report.StiffSteps), "stiff steps of all samples");
+    check.That((isStiff ? stiffSteps : steps) > 100.0, "steps of the method");
+    check.Equal(isStiff ? steps : stiffSteps, 0.0, "steps of others");
+    check.That(evaluations != report.Evaluations, "evaluations of its own");
+    evaluations = report.Evaluations;
+  }
+  check.SetContext("");
+}
+
+std::vector<std::vector<int>> GetSurfaces(vtkDataSet* output)
+{
+  std::vector<std::vector<int>> rows;
+  auto* table = vtkIntArray::SafeDownCast(output->GetFieldData()->GetArray("TerminationSurfaces"));
+  for (vtkIdType i = 0; table && i < table->GetNumberOfTuples(); ++i)
+  {
+    const int* tuple = table->GetPointer(3 * i);
+    rows.emplace_back(tuple, tuple + 3);
+  }
+  return rows;
+}
+
+/// Ids that are free of all parts of others, each once, and what is periodic.
+void TestIds(Check& check)
+{
+  vtkNew<vtkTerminationBox> box;
+  box->SetId(1);
+  vtkNew<vtkTerminationCylinder> cylinder;
+  cylinder->SetId(20);
+  auto same = MakePlane(1.0);
+  same->SetId(20);
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(MakeImage(5, Uniform));
+  auto removed = MakePlane(3.5);
+  filter->AddTerminationSurface(removed);
+  auto first = MakePlane(2.0);
+  filter->AddTerminationSurface(first);
+  filter->AddTerminationSurface(MakePlane(3.0));
+  filter->AddTerminationSurface(box);
+  filter->AddTerminationSurface(cylinder);
+  filter->AddTerminationSurface(same);
+  filter->RemoveTerminationSurface(removed);
+  check.Equal(filter->GetNumberOfTerminationSurfaces(), 5, "surfaces");
+  check.That(filter->GetTerminationSurface(0) == first, "another one is removed");
+  filter->DomainFacesOn();
+  filter->SetDomainFaceId(300);
+  vtkDataSet* output = Update(filter);
+  std::vector<std::vector<int>> expected = { { 0, 0, 0 } };
+  const int next = 1 + box->GetNumberOfParts();
+  expected.push_back({ next, 0, 0 });
+  for (int part = 0; part < box->GetNumberOfParts(); ++part)
+  {
+    expected.push_back({ 1 + part, 0, 0 });
+  }
+  for (int part = 0; part < cylinder->GetNumberOfParts(); ++part)
+  {
+    expected.push_back(
+      { 20 + part, cylinder->IsPeriodic(0, part) ? 1 : 0, cylinder->IsPeriodic(1, part) ? 1 : 0 });
+  }
+  check.Equal(
+    expected[static_cast<std::size_t>(2 + box->GetNumberOfParts())][1], 1, "u goes around");
+  check.Equal(expected[static_cast<std::size_t>(2 + box->GetNumberOfParts())][2], 0, "v does not");
+  for (int face = 0; face < 6; ++face)
+  {
+    expected.push_back({ 300 + face, 0, 0 });
+  }
+  check.That(GetSurfaces(output) == expected, "the table of surfaces");
+  filter->RemoveAllTerminationSurfaces();
+  check.Equal(static_cast<int>(GetValue(Update(filter), "TerminationId", 2)), 300, "a face's id");
+}
+
+vtkIdType CountReached(vtkImplicitFlowField* filter, int id)
+{
+  const auto& reached = filter->GetReport().Reached;
+  return reached.count(id) > 0 ? reached.at(id) : 0;
+}
+
+/// Two sources have spheres of their own; spirals have some too.
+void TestSpheres(Check& check)
+{
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(MakeImage(17,
+    [](const Vector& x) {
+      return Vector{ { (x[0] - 0.7) * (x[0] - 2.1) * (x[0] - 3.3), x[1] - 1.9, x[2] - 1.8 } };
+    }));
+  filter->CriticalPointSpheresOn();
+  filter->SetCriticalPointId(500);
+  vtkDataSet* output = Update(filter);
+  check.Equal(filter->GetReport().Reached.size(), 2, "two spheres");
+  const double low = GetValue(output, "TerminationId", 0);
+  check.That(low == 500.0 || low == 501.0, "an id from the first on");
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    const bool isLow = output->GetPoint(id)[0] < 2.1;
+    check.That(GetValue(output, "FlowStatus", id) != vtkFlowStatus::REACHED_SURFACE ||
+        GetValue(output, "TerminationId", id) == (isLow ? low : 1001.0 - low),
+      "the sphere on its side");
+  }
+  filter->SetInputDataObject(MakeImage(9,
+    [](const Vector& x)
+    {
+      return Vector{ { 1.9 - x[0] + 3.0 * (x[1] - 2.1), 2.1 - x[1] - 3.0 * (x[0] - 1.9),
+        1.8 - x[2] } };
+    }));
+  filter->SetDirectionToForward();
+  Update(filter);
+  check.That(CountReached(filter, 500) > 500, "a spiral sink");
+  filter->SetInputDataObject(MakeImage(9,
+    [](const Vector& x)
+    {
+      return Vector{ { x[0] - 1.9 + 3.0 * (x[1] - 2.1), x[1] - 2.1 - 3.0 * (x[0] - 1.9),
+        x[2] - 1.8 } };
+    }));
+  filter->SetDirectionToBackward();
+  Update(filter);
+  check.That(CountReached(filter, 500) > 500, "a spiral source");
+}
+
+vtkSmartPointer<vtkDoubleArray> MakeArray(
+  vtkDataSet* data, const char* name, const std::function<double(const double*)>& value)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
+  {
+    array->InsertNextValue(value(data->GetPoint(id)));
+  }
+  data->GetPointData()->AddArray(array);
+  return array;
+}
+
+/// Each array has a mean of its own, once; others than of one component have none.
+void TestMeans(Check& check)
+{
+  auto image = MakeImage(5, Uniform);
+  MakeArray(image, "Along", [](const double* x) { return x[0]; });
+  MakeArray(image, "Across", [](const double* x) { return x[1]; });
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(image);
+  filter->AddTerminationSurface(MakePlane(0.0));
+  for (const char* name : { "Along", "Across", "Along" })
+  {
+    filter->AddMeanArray(name);
+  }
+  check.Equal(filter->GetNumberOfMeanArrays(), 2, "arrays that have a mean");
+  vtkDataSet* output = Update(filter);
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    const double* x = output->GetPoint(id);
+    check.Near(GetValue(output, "MeanAlong", id), 0.5 * x[0], 1e-12, "mean along", 1.0);
+    check.Near(GetValue(output, "MeanAcross", id), x[1], 1e-12, "mean across", 1.0);
+  }
+  filter->AddMeanArray(image->GetPointData()->GetVectors()->GetName());
+  check.That(
+    MessagesOf(filter).find("of one component") != std::string::npos, "no mean of vectors");
+}
+
+/// All of the field is asked for, and of other samples the piece.
+void TestRequests(Check& check)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  auto mesh = MakeFlowMesh(MeshKind::Hexahedra, { { 4, 4, 4 } });
+  AddVectors(mesh, Uniform);
+  auto image = MakeImage(5, Uniform);
+  for (vtkDataSet* field : { static_cast<vtkDataSet*>(mesh), static_cast<vtkDataSet*>(image) })
+  {
+    vtkNew<vtkImplicitFlowField> filter;
+    filter->SetInputDataObject(field);
+    filter->AddTerminationSurface(MakePlane(0.0));
+    filter->SetSampleData(mesh);
+    filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+    filter->UpdateInformation();
+    filter->UpdatePiece(1, 3, 0);
+    vtkInformation* asked = filter->GetInputInformation(0, 0);
+    check.Equal(asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()), 1, "pieces of the field");
+    check.Equal(asked->Get(Pipeline::UPDATE_PIECE_NUMBER()), 0, "the piece of the field");
+    vtkInformation* samples = filter->GetInputInformation(1, 0);
+    check.Equal(samples->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()), 3, "pieces of the samples");
+    check.Equal(samples->Get(Pipeline::UPDATE_PIECE_NUMBER()), 1, "the piece of the samples");
+    filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
+    filter->UpdatePiece(1, 3, 0);
+    if (field == image)
+    {
+      int extent[6];
+      filter->GetInputInformation(0, 0)->Get(Pipeline::UPDATE_EXTENT(), extent);
+      check.That(
+        extent[1] - extent[0] == 4 && extent[3] - extent[2] == 4 && extent[5] - extent[4] == 4,
+        "all of an image");
+    }
+  }
+}
+
+/// Pieces of a mesh keep what belongs to its points, cells and all of it.
+void TestPieces(Check& check)
+{
+  auto mesh = MakeFlowMesh(MeshKind::Tetrahedra6, { { 4, 3, 2 } });
+  AddVectors(mesh, Uniform);
+  vtkNew<vtkPoints> floats;
+  floats->SetDataTypeToFloat();
+  floats->DeepCopy(mesh->GetPoints());
+  mesh->SetPoints(floats);
+  vtkNew<vtkIdTypeArray> points;
+  points->SetName("PointNumber");
+  for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
+  {
+    points->InsertNextValue(id);
+  }
+  mesh->GetPointData()->SetGlobalIds(points);
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("CellNumber");
+  for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
+  {
+    cells->InsertNextValue(id);
+  }
+  mesh->GetCellData()->SetGlobalIds(cells);
+  vtkNew<vtkIntArray> note;
+  note->SetName("Note");
+  note->InsertNextValue(9);
+  mesh->GetFieldData()->AddArray(note);
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(mesh);
+  filter->AddTerminationSurface(MakePlane(0.0));
+  vtkIdType next = 0;
+  for (int piece = 0; piece < 5; ++piece)
+  {
+    filter->UpdatePiece(piece, 5, 0);
+    auto* part = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+    check.Equal(part->GetPoints()->GetDataType(), mesh->GetPoints()->GetDataType(), "coordinates");
+    check.That(part->GetFieldData()->GetArray("Note") != nullptr, "field data");
+    auto* pointIds = part->GetPointData()->GetGlobalIds();
+    auto* cellIds = part->GetCellData()->GetGlobalIds();
+    if (!check.That(pointIds && cellIds, "global ids"))
+    {
+      return;
+    }
+    for (vtkIdType id = 0; id < part->GetNumberOfPoints(); ++id)
+    {
+      const double* x = mesh->GetPoint(static_cast<vtkIdType>(pointIds->GetComponent(id, 0)));
+      const Vector expected = { { x[0], x[1], x[2] } };
+      for (int i = 0; i < 3; ++i)
+      {
+        check.Equal(part->GetPoint(id)[i], expected[static_cast<std::size_t>(i)], "its point");
+      }
+    }
+    for (vtkIdType id = 0; id < part->GetNumberOfCells(); ++id)
+    {
+      check.Equal(cellIds->GetComponent(id, 0), static_cast<double>(next), "its cell");
+      double bounds[6];
+      double expected[6];
+      part->GetCellBounds(id, bounds);
+      mesh->GetCellBounds(next++, expected);
+      check.That(std::equal(bounds, bounds + 6, expected), "the cell's place");
+    }
+  }
+  check.Equal(next, mesh->GetNumberOfCells(), "cells of all pieces");
+}
+
+/// Vectors that are not the points', or are too few.
+void TestVectors(Check& check)
+{
+  auto image = MakeImage(3, Uniform);
+  const auto expect = [&](vtkImplicitFlowField* filter, const std::string& part)
+  {
+    const std::string found = MessagesOf(filter);
+    check.That(found.find(part) != std::string::npos, "\"" + part + "\" in \"" + found + "\"");
+    check.Equal(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 0,
+      "empty output");
+  };
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("Cells");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(8);
+  vectors->Fill(1.0);
+  image->GetCellData()->AddArray(vectors);
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(image);
+  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Cells");
+  expect(filter, "\"Cells\" is not a point array");
+  vtkNew<vtkDoubleArray> few;
+  few->SetName("Few");
+  few->SetNumberOfComponents(3);
+  few->SetNumberOfTuples(8);
+  few->Fill(1.0);
+  image->GetPointData()->AddArray(few);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Few");
+  expect(filter, "\"Few\" has 8 vectors for 27 points");
+}
+
+}
+
+int TestImplicitFlowFieldSettings(int, char*[])
+{
+  Check check;
+  TestLimits(check);
+  TestMethods(check);
+  TestIds(check);
+  TestSpheres(check);
+  TestMeans(check);
+  TestRequests(check);
+  TestPieces(check);
+  TestVectors(check);
+  return check.Result();
+}
