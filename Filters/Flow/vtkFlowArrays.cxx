@@ -66,6 +66,17 @@ std::string vtkFlowArrays::Find(vtkDataSet* data)
   {
     return wrong;
   }
+  const auto has = [data](const char* name) { return data->GetPointData()->GetArray(name); };
+  wrong = has(vtkFlowStatus::TimeArray())
+    ? FindArray(data, vtkFlowStatus::TimeArray(), 1, this->Times)
+    : wrong;
+  wrong = wrong.empty() && has(vtkFlowStatus::SideArray())
+    ? FindArray(data, vtkFlowStatus::SideArray(), 1, this->Sides)
+    : wrong;
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
   vtkDataArray* surfaces = data->GetFieldData()->GetArray(vtkFlowStatus::SurfacesArray());
   if (!surfaces || surfaces->GetNumberOfComponents() != 3)
   {

@@ -2,11 +2,15 @@
 #define vtkFlowArrays_h
 
 #include "vtkDoubleArray.h"
+#include "vtkFlowStatus.h"
 #include "vtkIntArray.h"
+#include "vtkSignedCharArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -21,7 +25,8 @@ class vtkDataSet;
 class vtkFlowArrays
 {
 public:
-  /// What is missing or of the wrong shape, or nothing.
+  /// What is missing or of the wrong shape, or nothing. TerminationSide may be missing, and
+  /// AdvectionTime too.
   std::string Find(vtkDataSet* data);
 
   bool IsReached(vtkIdType point) const { return this->Statuses->GetValue(point) == 0; }
@@ -29,6 +34,43 @@ public:
   const double* GetParameters(vtkIdType point) const
   {
     return this->Parameters->GetPointer(2 * point);
+  }
+
+  /// Whether there is what the following two ask for: TerminationSide and AdvectionTime.
+  bool HasSides() const { return this->Sides && this->Times; }
+  /**
+   * Whether time jumps on the surface of the one id of all these samples, the corners of a cell: it
+   * is 0 in the limit on a side that streamlines leave towards the surface, or is 0 at a corner on
+   * the surface, and some streamlines of the other side leave away from it, to come back. Where
+   * they all leave towards it, time is 0 from both sides and does not jump.
+   */
+  template <typename Ids>
+  bool IsAcrossSurface(const Ids* corners, vtkIdType number) const
+  {
+    bool isOn[2] = { false, false };
+    bool isAway[2] = { false, false };
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      const int side = this->Sides->GetValue(corners[i]);
+      const bool isAt = side == 0 && this->Times->GetValue(corners[i]) == 0.0;
+      isOn[0] = isOn[0] || isAt || side < 0;
+      isOn[1] = isOn[1] || isAt || side > 0;
+      isAway[side > 0 ? 1 : 0] = isAway[side > 0 ? 1 : 0] || std::abs(side) == vtkFlowStatus::AWAY;
+    }
+    return (isOn[0] && isAway[1]) || (isOn[1] && isAway[0]);
+  }
+  /// By how much AdvectionTime differs among samples.
+  template <typename Ids>
+  double GetTimeJump(const Ids* corners, vtkIdType number) const
+  {
+    double lowest = VTK_DOUBLE_MAX;
+    double highest = -VTK_DOUBLE_MAX;
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      lowest = std::min(lowest, this->Times->GetValue(corners[i]));
+      highest = std::max(highest, this->Times->GetValue(corners[i]));
+    }
+    return highest - lowest;
   }
 
   /// The ids in use, and whether u and v are periodic there.
@@ -46,6 +88,8 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> Statuses;
   vtkSmartPointer<vtkIntArray> Ids;
   vtkSmartPointer<vtkDoubleArray> Parameters;
+  vtkSmartPointer<vtkDoubleArray> Times;
+  vtkSmartPointer<vtkSignedCharArray> Sides;
   std::map<int, std::array<bool, 2>> Surfaces;
 };
 

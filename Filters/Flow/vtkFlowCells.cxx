@@ -31,9 +31,10 @@ int Unite(int a, int b)
 class Classifier
 {
 public:
-  Classifier(const vtkFlowArrays& arrays, const vtkFlowCells::Continuity& continuity)
+  Classifier(const vtkFlowArrays& arrays, const vtkFlowCells::Limits& limits)
     : Arrays(arrays)
-    , Continuity(continuity)
+    , Limits(limits)
+    , HasTimeLimit(limits.MaximumTimeJump < VTK_DOUBLE_MAX)
   {
   }
 
@@ -51,12 +52,21 @@ public:
     {
       return id == NoAnswer ? vtkFlowCells::WITHOUT_ANSWER : vtkFlowCells::BETWEEN_SURFACES;
     }
+    if (this->Arrays.HasSides() && this->Arrays.IsAcrossSurface(corners, number))
+    {
+      return vtkFlowCells::ACROSS_SURFACE;
+    }
+    if (this->HasTimeLimit &&
+      this->Arrays.GetTimeJump(corners, number) > this->Limits.MaximumTimeJump)
+    {
+      return vtkFlowCells::TIME_JUMP;
+    }
     if (id != this->LastId)
     {
       this->LastId = id;
       this->Periodicity = this->Arrays.GetPeriodicity(id);
-      const auto found = this->Continuity.find(id);
-      this->IsContinued = found == this->Continuity.end() ? std::array<bool, 2>() : found->second;
+      const auto found = this->Limits.Seams.find(id);
+      this->IsContinued = found == this->Limits.Seams.end() ? std::array<bool, 2>() : found->second;
     }
     unsigned char kind = 0;
     for (int direction = 0; direction < 2; ++direction)
@@ -97,7 +107,8 @@ public:
 
 private:
   const vtkFlowArrays& Arrays;
-  const vtkFlowCells::Continuity& Continuity;
+  const vtkFlowCells::Limits& Limits;
+  bool HasTimeLimit;
   int LastId = NoAnswer;
   std::array<bool, 2> Periodicity{};
   std::array<bool, 2> IsContinued{};
@@ -192,7 +203,7 @@ bool GetDimensions(vtkDataSet* data, int dimensions[3])
 }
 
 //------------------------------------------------------------------------------
-bool vtkFlowCells::Find(vtkDataSet* data, const vtkFlowArrays& arrays, const Continuity& continuity,
+bool vtkFlowCells::Find(vtkDataSet* data, const vtkFlowArrays& arrays, const Limits& limits,
   vtkAlgorithm* owner, double start, double end)
 {
   const vtkIdType cells = data->GetNumberOfCells();
@@ -207,11 +218,11 @@ bool vtkFlowCells::Find(vtkDataSet* data, const vtkFlowArrays& arrays, const Con
   const Output output{ data->GetCellGhostArray(), this->CellKinds.data() };
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   vtkSMPThreadLocalObject<vtkIdList> lists;
-  vtkSMPThreadLocal<std::array<vtkIdType, 64>> counts(std::array<vtkIdType, 64>{});
+  vtkSMPThreadLocal<KindCounts> counts(KindCounts{});
   const vtkIdType perPiece = hasRows ? dimensions[0] - 1 : 1;
   const auto classify = [&](vtkIdType first, vtkIdType last)
   {
-    Classifier classifier(arrays, continuity);
+    Classifier classifier(arrays, limits);
     if (hasRows)
     {
       ClassifyRows(classifier, dimensions, first, last, output);
@@ -220,7 +231,7 @@ bool vtkFlowCells::Find(vtkDataSet* data, const vtkFlowArrays& arrays, const Con
     {
       ClassifyCells(classifier, grid, lists.Local(), first, last, output);
     }
-    std::array<vtkIdType, 64>& own = counts.Local();
+    KindCounts& own = counts.Local();
     for (vtkIdType cell = first * perPiece; cell < last * perPiece; ++cell)
     {
       ++own[this->CellKinds[cell]];

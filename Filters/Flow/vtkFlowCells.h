@@ -17,7 +17,8 @@ class vtkFlowArrays;
  * seam
  *
  * A cell whose parameters differ by more than half a period has its corners on both sides of the
- * seam. They are unwrapped by adding a period to those below one half.
+ * seam. They are unwrapped by adding a period to those below one half. What is across a surface
+ * vtkFlowArrays::IsAcrossSurface tells.
  */
 class vtkFlowCells
 {
@@ -32,7 +33,9 @@ public:
     WITHOUT_ANSWER = 4,
     BETWEEN_SURFACES = 8,
     ON_SEAM = 16,
-    LEFT_OUT = WITHOUT_ANSWER | BETWEEN_SURFACES | ON_SEAM,
+    ACROSS_SURFACE = 64,
+    TIME_JUMP = 128,
+    LEFT_OUT = WITHOUT_ANSWER | BETWEEN_SURFACES | ON_SEAM | ACROSS_SURFACE | TIME_JUMP,
     /// Across a seam, and no unwrapping brings the corners within half a period.
     AROUND_POLE = 32
   };
@@ -40,8 +43,16 @@ public:
   /// By id, whether u and v go on over their seams.
   using Continuity = std::map<int, std::array<bool, 2>>;
 
+  /// What can be interpolated over.
+  struct Limits
+  {
+    Continuity Seams;
+    /// Between the times of a cell's corners.
+    double MaximumTimeJump = VTK_DOUBLE_MAX;
+  };
+
   /// Finds the kind of each cell of \a data. False when \a owner was aborted.
-  bool Find(vtkDataSet* data, const vtkFlowArrays& arrays, const Continuity& continuity,
+  bool Find(vtkDataSet* data, const vtkFlowArrays& arrays, const Limits& limits,
     vtkAlgorithm* owner, double start, double end);
 
   unsigned char GetKind(vtkIdType cell) const { return this->CellKinds[cell]; }
@@ -55,7 +66,8 @@ public:
 private:
   std::vector<unsigned char> CellKinds;
   // By kind, cells.
-  std::array<vtkIdType, 64> Counts{};
+  using KindCounts = std::array<vtkIdType, 256>;
+  KindCounts Counts{};
 };
 
 #endif

@@ -87,12 +87,14 @@ vtkFlowExtraction::~vtkFlowExtraction() = default;
 bool vtkFlowExtraction::Prepare(const Request& request, vtkFlowVolume::Report& report)
 {
   vtkDataSet* input = request.Input;
-  const bool isKnown = this->PreparedInput == input && this->PreparedTime == input->GetMTime();
+  const bool isKnown = this->PreparedInput == input && this->PreparedTime == input->GetMTime() &&
+    this->PreparedTimeJump == request.MaximumTimeJump;
   if (!isKnown)
   {
     this->PreparedInput = nullptr;
-    if (!this->Cells.Find(input, *request.Arrays, GetContinuity(input, *request.Arrays),
-          request.Owner, 0.0, PreparationEnd))
+    const vtkFlowCells::Limits limits{ GetContinuity(input, *request.Arrays),
+      request.MaximumTimeJump };
+    if (!this->Cells.Find(input, *request.Arrays, limits, request.Owner, 0.0, PreparationEnd))
     {
       return false;
     }
@@ -100,6 +102,8 @@ bool vtkFlowExtraction::Prepare(const Request& request, vtkFlowVolume::Report& r
     this->Prepared->ShallowCopy(input);
     // It is the same in all cells that are left.
     this->Prepared->GetPointData()->RemoveArray(vtkFlowStatus::StatusArray());
+    // It says nothing between samples.
+    this->Prepared->GetPointData()->RemoveArray(vtkFlowStatus::SideArray());
     if (this->Cells.Count(vtkFlowCells::LEFT_OUT) > 0)
     {
       vtkUnsignedCharArray* before = input->GetCellGhostArray();
@@ -121,12 +125,15 @@ bool vtkFlowExtraction::Prepare(const Request& request, vtkFlowVolume::Report& r
     }
     this->PreparedInput = input;
     this->PreparedTime = input->GetMTime();
+    this->PreparedTimeJump = request.MaximumTimeJump;
     report.Preparations = 1;
   }
   report.Cells = this->Cells.GetNumberOfCells();
   report.CellsWithoutAnswer = this->Cells.Count(vtkFlowCells::WITHOUT_ANSWER);
   report.CellsBetweenSurfaces = this->Cells.Count(vtkFlowCells::BETWEEN_SURFACES);
   report.CellsOnSeams = this->Cells.Count(vtkFlowCells::ON_SEAM);
+  report.CellsAcrossSurfaces = this->Cells.Count(vtkFlowCells::ACROSS_SURFACE);
+  report.CellsWithTimeJumps = this->Cells.Count(vtkFlowCells::TIME_JUMP);
   report.CellsAcrossSeams = this->Cells.Count(vtkFlowCells::ACROSS);
   report.CellsAroundPoles = this->Cells.Count(vtkFlowCells::AROUND_POLE);
   return true;

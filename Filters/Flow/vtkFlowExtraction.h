@@ -19,8 +19,8 @@ class vtkUnstructuredGrid;
  * @brief   the extractions of a vtkFlowVolume, and what they leave between its executions
  *
  * The field is cut by Inflow first, what is left by time. Whatever has not changed since the last
- * execution is not done again: the kinds of the cells depend on the input only, the first
- * extraction on the levels of Inflow too.
+ * execution is not done again: the kinds of the cells depend on the input and the largest jump of
+ * time, the first extraction on the levels of Inflow too.
  */
 class vtkFlowExtraction
 {
@@ -35,6 +35,7 @@ public:
     bool GenerateStreamSurfaces = false;
     bool GenerateTimeSurfaces = false;
     int Precision = 0;
+    double MaximumTimeJump = VTK_DOUBLE_MAX;
     vtkAlgorithm* Owner = nullptr;
   };
 
@@ -83,6 +84,7 @@ private:
   vtkSmartPointer<vtkDataSet> Prepared;
   const vtkDataSet* PreparedInput = nullptr;
   vtkMTimeType PreparedTime = 0;
+  double PreparedTimeJump = VTK_DOUBLE_MAX;
   vtkFlowCells Cells;
   Result ByInflow;
   Result ByTime;

@@ -3,6 +3,7 @@
 #include "vtkAdvection.h"
 #include "vtkFlowBatches.h"
 #include "vtkFlowDispatch.h"
+#include "vtkTerminationSides.h"
 #include "vtkTerminationSurface.h"
 
 #include "vtkAlgorithm.h"
@@ -12,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPThreadLocal.h"
+#include "vtkSignedCharArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -39,6 +41,7 @@ struct vtkFlowRun::Arrays
   vtkIntArray* Id;
   vtkDoubleArray* Parameters;
   vtkDoubleArray* Time;
+  vtkSignedCharArray* Side;
   vtkDoubleArray* MaximumSpeed = nullptr;
   vtkDoubleArray* ArcLength = nullptr;
   vtkDoubleArray* MeanVorticity = nullptr;
@@ -130,6 +133,7 @@ std::string vtkFlowRun::Execute(vtkDataSet* samples)
   arrays.Id = Add<vtkIntArray>(samples, vtkFlowStatus::IdArray(), 1);
   arrays.Parameters = Add<vtkDoubleArray>(samples, vtkFlowStatus::ParametersArray(), 2);
   arrays.Time = Add<vtkDoubleArray>(samples, vtkFlowStatus::TimeArray(), 1);
+  arrays.Side = Add<vtkSignedCharArray>(samples, vtkFlowStatus::SideArray(), 1);
   if (this->Options.HasMaximumSpeed)
   {
     arrays.MaximumSpeed = Add<vtkDoubleArray>(samples, "MaximumSpeed", 1);
@@ -186,6 +190,8 @@ void vtkFlowRun::Follow(const Walker& walker, vtkDataSet* samples, Arrays& array
     double x[3];
     samples->GetPoint(0, x);
   }
+  vtkTerminationSides sides(this->Options);
+  sides.SetNumberOfSamples(number);
   vtkFlowBatches::Run(number, this->Owner, vtkFlowDispatch::BuildingPart, 1.0,
     [&](vtkIdType first, vtkIdType end)
     {
@@ -198,9 +204,11 @@ void vtkFlowRun::Follow(const Walker& walker, vtkDataSet* samples, Arrays& array
         samples->GetPoint(id, x);
         advection.Follow(x, result);
         arrays.Set(id, result);
+        sides.Add(id, x, result);
         report.Add(result);
       }
     });
+  FindSides(walker, samples, sides, arrays);
   this->Report = vtkFlowReport();
   for (const vtkFlowReport& report : reports)
   {
@@ -208,6 +216,35 @@ void vtkFlowRun::Follow(const Walker& walker, vtkDataSet* samples, Arrays& array
   }
   this->Report.MaximumError = this->Options.MaximumError;
   this->Report.MinimumSpeed = this->Options.MinimumSpeed;
+}
+
+//------------------------------------------------------------------------------
+template <typename Walker>
+void vtkFlowRun::FindSides(
+  const Walker& walker, vtkDataSet* samples, const vtkTerminationSides& sides, Arrays& arrays)
+{
+  arrays.Side->Fill(0);
+  const std::vector<vtkIdType> corners = sides.FindCorners(samples, arrays.Id->GetPointer(0));
+  vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      Walker field(walker);
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        const vtkIdType id = corners[static_cast<std::size_t>(i)];
+        double x[3];
+        double p[3];
+        double rate[3];
+        double velocity[3];
+        samples->GetPoint(id, x);
+        if (field.Locate(x, p))
+        {
+          field.GetVelocity(p, rate);
+          field.GetWorldVector(p, rate, velocity);
+          arrays.Side->SetValue(id, sides.GetSide(id, arrays.Id->GetValue(id), x, velocity));
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

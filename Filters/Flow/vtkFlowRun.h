@@ -10,6 +10,7 @@
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataSet;
+class vtkTerminationSides;
 
 /**
  * @class   vtkFlowRun
@@ -38,6 +39,10 @@ private:
   struct Arrays;
   template <typename Walker>
   void Follow(const Walker& walker, vtkDataSet* samples, Arrays& arrays);
+  /// After all samples of \a sides were followed.
+  template <typename Walker>
+  static void FindSides(
+    const Walker& walker, vtkDataSet* samples, const vtkTerminationSides& sides, Arrays& arrays);
   std::string FindArrays(std::vector<vtkDataArray*>& means) const;
   void AddSurfaces(vtkDataSet* samples) const;
 

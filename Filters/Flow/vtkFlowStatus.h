@@ -47,6 +47,22 @@ public:
   static const char* TimeArray() { return "AdvectionTime"; }
   ///@}
 
+  /// Absolute values in TerminationSide: whether the streamline, in the direction it is followed,
+  /// leaves the sample towards the surface, or away from it (or along it).
+  enum Ways
+  {
+    TOWARDS = 1,
+    AWAY = 2
+  };
+  /**
+   * Point array TerminationSide (signed char): on which side of the surface of its id a sample
+   * lies, above 0 where the surface's distance is, and by Ways how the streamline leaves it. Of
+   * samples that reached a surface and are a corner of a cell that this surface passes through; 0
+   * for all others, for those beyond a rim of the surface, on it, and for domain faces. Of several
+   * surfaces of one id the nearest counts.
+   */
+  static const char* SideArray() { return "TerminationSide"; }
+
   /**
    * Field array TerminationSurfaces (int, 3 components), a tuple for each id in use: the id, and
    * whether u and v are periodic with period 1 there.

@@ -319,6 +319,7 @@ int vtkFlowVolume::RequestData(
   request.Time = cutsTime || !usesInflow ? &byTime : nullptr;
   request.GenerateStreamSurfaces = this->GenerateStreamSurfaces;
   request.GenerateTimeSurfaces = this->GenerateTimeSurfaces && cutsTime;
+  request.MaximumTimeJump = this->MaximumTimeJump;
   request.Precision = this->OutputPointsPrecision;
   request.Owner = this;
   if (!this->Extraction->Execute(request, this->LastReport))
@@ -388,6 +389,7 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   this->Intervals.Print(os, indent);
   os << indent << "TimeRange: " << this->TimeRange[0] << " to " << this->TimeRange[1] << "\n";
+  os << indent << "MaximumTimeJump: " << this->MaximumTimeJump << "\n";
   os << indent << "StreamSurfaces:";
   for (const double value : this->StreamSurfaces)
   {
@@ -411,6 +413,8 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << next << "CellsWithoutAnswer: " << report.CellsWithoutAnswer << "\n";
   os << next << "CellsBetweenSurfaces: " << report.CellsBetweenSurfaces << "\n";
   os << next << "CellsOnSeams: " << report.CellsOnSeams << "\n";
+  os << next << "CellsAcrossSurfaces: " << report.CellsAcrossSurfaces << "\n";
+  os << next << "CellsWithTimeJumps: " << report.CellsWithTimeJumps << "\n";
   os << next << "CellsAcrossSeams: " << report.CellsAcrossSeams << "\n";
   os << next << "CellsAroundPoles: " << report.CellsAroundPoles << "\n";
   os << next << "PointsOnSeams: " << report.PointsOnSeams << "\n";

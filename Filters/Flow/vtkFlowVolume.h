@@ -31,16 +31,24 @@ class vtkFlowLevels;
  * not in polyhedra, which are left out there. A cell is taken to lie across a seam where its
  * parameters differ by more than half a period.
  *
- * Input: vtkImageData, rectilinear, structured or unstructured grids with the arrays of
- * vtkFlowStatus, and of vtkInflowMapping where there are intervals or stream surfaces. Without
- * intervals all of Inflow counts (a time volume needs no mapping). Cells of fewer dimensions, cells
- * that are hidden or ghosts, and cells with NaN in Inflow, where it counts, are left out too.
+ * Nor is time where it jumps on a termination surface that streamlines come back to. A cell that
+ * this surface passes through is left out, by TerminationSide, unless streamlines leave both sides
+ * for the surface, as where it is the middle of a source: there time is 0 from both sides. Not
+ * found are surfaces that lie between the corners of a cell without parting them, as a box thinner
+ * than a cell, and the sheets of streamlines that just miss a surface's rim, behind which others
+ * take another turn: for these there is MaximumTimeJump.
  *
- * Output port 0: tetrahedra with the point arrays of the input, its cell arrays, and the cell
- * arrays `IntervalId` (int), the interval of Inflow (0 without), and `TimeIntervalId` (int), the
- * TimeSurfaceId of the surface at the lower end of the cell's times. Stream and time surfaces are
- * faces of tetrahedra, so that no cell lies on both sides of one. Other arrays are as
- * vtkIntervalVolume leaves them.
+ * Input: vtkImageData, rectilinear, structured or unstructured grids with the arrays of
+ * vtkFlowStatus (TerminationSide may be missing), and of vtkInflowMapping where there are intervals
+ * or stream surfaces. Without intervals all of Inflow counts (a time volume needs no mapping).
+ * Cells of fewer dimensions, cells that are hidden or ghosts, and cells with NaN in Inflow, where
+ * it counts, are left out too.
+ *
+ * Output port 0: tetrahedra with the point arrays of the input but TerminationSide, its cell
+ * arrays, and the cell arrays `IntervalId` (int), the interval of Inflow (0 without), and
+ * `TimeIntervalId` (int), the TimeSurfaceId of the surface at the lower end of the cell's times.
+ * Stream and time surfaces are faces of tetrahedra, so that no cell lies on both sides of one.
+ * Other arrays are as vtkIntervalVolume leaves them.
  *
  * Output port 1: triangles of stream surfaces: the bounds of the intervals and StreamSurfaces. Cell
  * arrays `StreamSurfaceId` (int: the place of its value among all of these, ascending), `Inflow`
@@ -84,6 +92,15 @@ public:
    */
   vtkSetVector2Macro(TimeRange, double);
   vtkGetVector2Macro(TimeRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * The most that AdvectionTime may differ between the corners of a cell; other cells are left out.
+   * Default VTK_DOUBLE_MAX: all that are finite. Valid: 0 and above.
+   */
+  vtkSetClampMacro(MaximumTimeJump, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumTimeJump, double);
   ///@}
 
   ///@{
@@ -146,6 +163,10 @@ public:
     vtkIdType CellsWithoutAnswer = 0;
     vtkIdType CellsBetweenSurfaces = 0;
     vtkIdType CellsOnSeams = 0;
+    /// Across their own termination surface, where time jumps, and of the others those where it
+    /// jumps by more than MaximumTimeJump.
+    vtkIdType CellsAcrossSurfaces = 0;
+    vtkIdType CellsWithTimeJumps = 0;
     /// Unwrapped, and those of them whose corners no unwrapping brings within half a period:
     /// parameters in them are wrong.
     vtkIdType CellsAcrossSeams = 0;
@@ -182,6 +203,7 @@ private:
 
   vtkIntervalList Intervals;
   double TimeRange[2] = { 0.0, VTK_DOUBLE_MAX };
+  double MaximumTimeJump = VTK_DOUBLE_MAX;
   std::vector<double> StreamSurfaces;
   std::vector<double> TimeSurfaces;
   bool GenerateStreamSurfaces = false;

@@ -41,9 +41,10 @@ struct vtkAdvectionOptions;
  *
  * Output: the samples, with the point data of their dataset, and the arrays of vtkFlowStatus. By
  * request MaximumSpeed, ArcLength, MeanVorticity and Mean<name> along the path (double; 0 for
- * samples OUTSIDE). The field array TerminationSurfaces tells the ids and what is periodic. Where
- * the samples are the field's own points or port 1's, the output has their type
- * (vtkUnstructuredGrid for composite data); an image of
+ * samples OUTSIDE). Where streamlines come round to a surface again, time jumps on it from 0 to
+ * what that takes, within one id: TerminationSide tells. The field array TerminationSurfaces tells
+ * the ids and what is periodic. Where the samples are the field's own points or port 1's, the
+ * output has their type (vtkUnstructuredGrid for composite data); an image of
  * samples is vtkImageData, so the type of the output follows SampleMode.
  *
  * **Method.** A streamline is followed from cell to cell in the cell's own coordinates, where the

@@ -25,6 +25,25 @@ struct vtkTerminationMesh::Contents
   vtkTriangleEdges Edges;
   vtkTriangleDistance Distance;
   vtkTextureSearch Texture;
+
+  // Whether x, whose foot this is, is not beyond an open border by more than the tolerance.
+  bool IsWithinBorder(
+    const double x[3], int triangle, const vtkTriangleFoot& foot, double tolerance) const
+  {
+    if (!this->Distance.IsOnBorder(triangle, foot))
+    {
+      return true;
+    }
+    const double* normal = this->Distance.GetNormal(triangle, foot);
+    double beyond[3];
+    vtkMath::Subtract(x, foot.Point, beyond);
+    const double away = vtkMath::Dot(beyond, normal);
+    for (int i = 0; i < 3; ++i)
+    {
+      beyond[i] -= away * normal[i];
+    }
+    return vtkMath::Norm(beyond) <= tolerance * this->Triangles.Diagonal;
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -138,24 +157,17 @@ bool vtkTerminationMesh::IsOn(const double x[3]) const
 {
   vtkTriangleFoot foot;
   const int triangle = this->Made->Distance.FindNearest(x, foot);
-  const double diagonal = this->Made->Triangles.Diagonal;
-  if (triangle < 0 || !(std::sqrt(foot.SquaredDistance) <= Nearness * diagonal))
-  {
-    return false;
-  }
-  if (!this->Made->Distance.IsOnBorder(triangle, foot))
-  {
-    return true;
-  }
-  const double* normal = this->Made->Distance.GetNormal(triangle, foot);
-  double beyond[3];
-  vtkMath::Subtract(x, foot.Point, beyond);
-  const double away = vtkMath::Dot(beyond, normal);
-  for (int i = 0; i < 3; ++i)
-  {
-    beyond[i] -= away * normal[i];
-  }
-  return vtkMath::Norm(beyond) <= this->Tolerance * diagonal;
+  return triangle >= 0 &&
+    std::sqrt(foot.SquaredDistance) <= Nearness * this->Made->Triangles.Diagonal &&
+    this->Made->IsWithinBorder(x, triangle, foot, this->Tolerance);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerminationMesh::IsBeside(const double x[3]) const
+{
+  vtkTriangleFoot foot;
+  const int triangle = this->Made->Distance.FindNearest(x, foot);
+  return triangle >= 0 && this->Made->IsWithinBorder(x, triangle, foot, this->Tolerance);
 }
 
 //------------------------------------------------------------------------------

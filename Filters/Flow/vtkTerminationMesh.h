@@ -81,6 +81,7 @@ public:
   std::string Update() override;
   double EvaluateDistance(const double x[3]) const override;
   bool IsOn(const double x[3]) const override;
+  bool IsBeside(const double x[3]) const override;
   void EvaluateParameters(const double x[3], double uv[2]) const override;
   void EvaluateNormal(const double x[3], double normal[3]) const override;
   bool EvaluatePoint(int part, const double uv[2], double x[3]) const override;

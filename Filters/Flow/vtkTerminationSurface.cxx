@@ -10,6 +10,19 @@ bool vtkTerminationSurface::IsOn(const double*) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkTerminationSurface::IsBeside(const double x[3]) const
+{
+  const double distance = this->EvaluateDistance(x);
+  double foot[3];
+  this->EvaluateNormal(x, foot);
+  for (int i = 0; i < 3; ++i)
+  {
+    foot[i] = x[i] - distance * foot[i];
+  }
+  return this->IsOn(foot);
+}
+
+//------------------------------------------------------------------------------
 int vtkTerminationSurface::EvaluatePart(const double*) const
 {
   return 0;

@@ -64,6 +64,10 @@ public:
   /// Whether a point at distance 0 is on the surface. Default true.
   virtual bool IsOn(const double x[3]) const;
 
+  /// Whether \a x, anywhere, is straight above or below the surface and not beyond its rim.
+  /// Default: IsOn of the point as far from \a x as the distance says, along the normal.
+  virtual bool IsBeside(const double x[3]) const;
+
   /// The part that is nearest to \a x. Default 0.
   virtual int EvaluatePart(const double x[3]) const;
 
