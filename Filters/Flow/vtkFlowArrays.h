@@ -31,6 +31,12 @@ public:
 
   bool IsReached(vtkIdType point) const { return this->Statuses->GetValue(point) == 0; }
   int GetId(vtkIdType point) const { return this->Ids->GetValue(point); }
+  /// Whether two samples ended in the same way, on the same surface if on one.
+  bool AreAlike(vtkIdType a, vtkIdType b) const
+  {
+    return this->Statuses->GetValue(a) == this->Statuses->GetValue(b) &&
+      this->GetId(a) == this->GetId(b);
+  }
   const double* GetParameters(vtkIdType point) const
   {
     return this->Parameters->GetPointer(2 * point);

@@ -24,6 +24,11 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
   os << indent << "JacobianEvaluations: " << this->JacobianEvaluations << "\n";
   os << indent << "DistanceEvaluations: " << this->DistanceEvaluations << "\n";
   os << indent << "CellsVisited: " << this->CellsVisited << "\n";
+  for (std::size_t level = 0; level < this->RefinedCells.size(); ++level)
+  {
+    os << indent << "Refinement level " << level + 1 << ": " << this->RefinedCells[level]
+       << " cells, " << this->AddedSamples[level] << " samples added\n";
+  }
   os << indent << "Executions: " << this->Executions << "\n";
   os << indent << "MaximumError: " << this->MaximumError << "\n";
   os << indent << "MinimumSpeed: " << this->MinimumSpeed << "\n";

@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 #include <ostream>
+#include <vector>
 
 struct vtkAdvectionResult;
 
@@ -44,6 +45,9 @@ public:
   vtkIdType DistanceEvaluations = 0;
   /// Cells that streamlines entered.
   vtkIdType CellsVisited = 0;
+  /// By level of refinement: the cells that were mixed, and the samples that were added.
+  std::vector<vtkIdType> RefinedCells;
+  std::vector<vtkIdType> AddedSamples;
   /// How often samples were advected since the filter was made: what else changes does not count.
   vtkIdType Executions = 0;
   /// The error and the speed in use, where those that were set are automatic.

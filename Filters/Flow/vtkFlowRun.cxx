@@ -3,6 +3,7 @@
 #include "vtkAdvection.h"
 #include "vtkFlowBatches.h"
 #include "vtkFlowDispatch.h"
+#include "vtkFlowRefinement.h"
 #include "vtkTerminationSides.h"
 #include "vtkTerminationSurface.h"
 
@@ -15,10 +16,12 @@
 #include "vtkSMPThreadLocal.h"
 #include "vtkSignedCharArray.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <type_traits>
 
 namespace
 {
@@ -37,17 +40,63 @@ Array* Add(vtkDataSet* samples, const std::string& name, int components)
 /// What is kept of the samples; null is not.
 struct vtkFlowRun::Arrays
 {
-  vtkUnsignedCharArray* Status;
-  vtkIntArray* Id;
-  vtkDoubleArray* Parameters;
-  vtkDoubleArray* Time;
-  vtkSignedCharArray* Side;
+  vtkUnsignedCharArray* Status = nullptr;
+  vtkIntArray* Id = nullptr;
+  vtkDoubleArray* Parameters = nullptr;
+  vtkDoubleArray* Time = nullptr;
+  vtkSignedCharArray* Side = nullptr;
   vtkDoubleArray* MaximumSpeed = nullptr;
   vtkDoubleArray* ArcLength = nullptr;
   vtkDoubleArray* MeanVorticity = nullptr;
   std::vector<vtkDoubleArray*> Means;
   vtkIntArray* Steps = nullptr;
   vtkIntArray* StiffSteps = nullptr;
+
+  /// Calls visit(array, name, components) for those that are kept.
+  template <typename Visit>
+  void ForEach(const vtkFlowRun& run, Visit&& visit)
+  {
+    visit(this->Status, vtkFlowStatus::StatusArray(), 1);
+    visit(this->Id, vtkFlowStatus::IdArray(), 1);
+    visit(this->Parameters, vtkFlowStatus::ParametersArray(), 2);
+    visit(this->Time, vtkFlowStatus::TimeArray(), 1);
+    visit(this->Side, vtkFlowStatus::SideArray(), 1);
+    const auto visitIf = [&visit](bool isKept, auto& array, const char* name)
+    {
+      if (isKept)
+      {
+        visit(array, name, 1);
+      }
+    };
+    visitIf(run.Options.HasMaximumSpeed, this->MaximumSpeed, "MaximumSpeed");
+    visitIf(run.Options.HasArcLength, this->ArcLength, "ArcLength");
+    visitIf(run.Options.HasMeanVorticity, this->MeanVorticity, "MeanVorticity");
+    this->Means.resize(run.Means.size());
+    for (std::size_t i = 0; i < this->Means.size(); ++i)
+    {
+      visit(this->Means[i], "Mean" + run.Means[i], 1);
+    }
+    visitIf(run.KeepSteps, this->Steps, "AdvectionSteps");
+    visitIf(run.KeepSteps, this->StiffSteps, "StiffSteps");
+  }
+
+  /// Adds them to samples.
+  void Make(const vtkFlowRun& run, vtkDataSet* samples)
+  {
+    this->ForEach(run,
+      [samples](auto& array, const std::string& name, int components)
+      { array = Add<std::remove_reference_t<decltype(*array)>>(samples, name, components); });
+  }
+  /// Takes those that samples have.
+  void Find(const vtkFlowRun& run, vtkDataSet* samples)
+  {
+    this->ForEach(run,
+      [samples](auto& array, const std::string& name, int)
+      {
+        array = std::remove_reference_t<decltype(*array)>::SafeDownCast(
+          samples->GetPointData()->GetArray(name.c_str()));
+      });
+  }
 
   void Set(vtkIdType id, const vtkAdvectionResult& result)
   {
@@ -129,32 +178,8 @@ std::string vtkFlowRun::Execute(vtkDataSet* samples)
     this->Options.MeanArrays.push_back(static_cast<int>(i));
   }
   Arrays arrays;
-  arrays.Status = Add<vtkUnsignedCharArray>(samples, vtkFlowStatus::StatusArray(), 1);
-  arrays.Id = Add<vtkIntArray>(samples, vtkFlowStatus::IdArray(), 1);
-  arrays.Parameters = Add<vtkDoubleArray>(samples, vtkFlowStatus::ParametersArray(), 2);
-  arrays.Time = Add<vtkDoubleArray>(samples, vtkFlowStatus::TimeArray(), 1);
-  arrays.Side = Add<vtkSignedCharArray>(samples, vtkFlowStatus::SideArray(), 1);
-  if (this->Options.HasMaximumSpeed)
-  {
-    arrays.MaximumSpeed = Add<vtkDoubleArray>(samples, "MaximumSpeed", 1);
-  }
-  if (this->Options.HasArcLength)
-  {
-    arrays.ArcLength = Add<vtkDoubleArray>(samples, "ArcLength", 1);
-  }
-  if (this->Options.HasMeanVorticity)
-  {
-    arrays.MeanVorticity = Add<vtkDoubleArray>(samples, "MeanVorticity", 1);
-  }
-  for (const std::string& mean : this->Means)
-  {
-    arrays.Means.push_back(Add<vtkDoubleArray>(samples, "Mean" + mean, 1));
-  }
-  if (this->KeepSteps)
-  {
-    arrays.Steps = Add<vtkIntArray>(samples, "AdvectionSteps", 1);
-    arrays.StiffSteps = Add<vtkIntArray>(samples, "StiffSteps", 1);
-  }
+  arrays.Make(*this, samples);
+  this->AddSurfaces(samples);
   error = vtkFlowDispatch::Execute(
     this->Field, this->Vectors, means,
     [&](const auto& walker)
@@ -171,17 +196,45 @@ std::string vtkFlowRun::Execute(vtkDataSet* samples)
         this->Options.MinimumSpeed =
           std::max(this->AutomaticSpeed * largestSpeed, std::numeric_limits<double>::min());
       }
-      this->Follow(walker, samples, arrays);
+      this->FollowAll(walker, samples);
     },
     vtkFlowProgress(this->Owner, 0.0, vtkFlowDispatch::BuildingPart));
-  this->AddSurfaces(samples);
   return error;
 }
 
 //------------------------------------------------------------------------------
 template <typename Walker>
-void vtkFlowRun::Follow(const Walker& walker, vtkDataSet* samples, Arrays& arrays)
+void vtkFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
 {
+  this->Report = vtkFlowReport();
+  this->Report.MaximumError = this->Options.MaximumError;
+  this->Report.MinimumSpeed = this->Options.MinimumSpeed;
+  vtkTerminationSides sides(this->Options);
+  bool goesOn = this->Follow(walker, samples, 0, 0, sides);
+  vtkSmartPointer<vtkUnstructuredGrid> grid;
+  if (goesOn && this->RefinementLevels > 0)
+  {
+    grid = vtkFlowRefinement::MakeGrid(samples);
+  }
+  for (int level = 1; goesOn && level <= this->RefinementLevels; ++level)
+  {
+    const vtkIdType before = grid->GetNumberOfPoints();
+    const vtkFlowRefinement::Result refined = vtkFlowRefinement::Refine(grid);
+    grid = refined.Grid;
+    this->Report.RefinedCells.push_back(refined.MixedCells);
+    this->Report.AddedSamples.push_back(grid->GetNumberOfPoints() - before);
+    goesOn = this->Follow(walker, grid, before, level, sides);
+  }
+  this->Refined = goesOn ? grid : nullptr;
+}
+
+//------------------------------------------------------------------------------
+template <typename Walker>
+bool vtkFlowRun::Follow(
+  const Walker& walker, vtkDataSet* samples, vtkIdType first, int level, vtkTerminationSides& sides)
+{
+  Arrays arrays;
+  arrays.Find(*this, samples);
   vtkSMPThreadLocal<vtkFlowReport> reports;
   const vtkIdType number = samples->GetNumberOfPoints();
   if (number > 0)
@@ -190,15 +243,17 @@ void vtkFlowRun::Follow(const Walker& walker, vtkDataSet* samples, Arrays& array
     double x[3];
     samples->GetPoint(0, x);
   }
-  vtkTerminationSides sides(this->Options);
   sides.SetNumberOfSamples(number);
-  vtkFlowBatches::Run(number, this->Owner, vtkFlowDispatch::BuildingPart, 1.0,
-    [&](vtkIdType first, vtkIdType end)
+  constexpr double start = vtkFlowDispatch::BuildingPart;
+  const double part = (1.0 - start) / (this->RefinementLevels + 1.0);
+  const bool isDone = vtkFlowBatches::Run(number - first, this->Owner, start + level * part,
+    start + (level + 1) * part,
+    [&](vtkIdType begin, vtkIdType end)
     {
       vtkAdvection<Walker> advection(walker, this->Options);
       vtkFlowReport& report = reports.Local();
       vtkAdvectionResult result;
-      for (vtkIdType id = first; id < end; ++id)
+      for (vtkIdType id = first + begin; id < first + end; ++id)
       {
         double x[3];
         samples->GetPoint(id, x);
@@ -208,14 +263,15 @@ void vtkFlowRun::Follow(const Walker& walker, vtkDataSet* samples, Arrays& array
         report.Add(result);
       }
     });
-  FindSides(walker, samples, sides, arrays);
-  this->Report = vtkFlowReport();
   for (const vtkFlowReport& report : reports)
   {
     this->Report.Add(report);
   }
-  this->Report.MaximumError = this->Options.MaximumError;
-  this->Report.MinimumSpeed = this->Options.MinimumSpeed;
+  if (isDone)
+  {
+    FindSides(walker, samples, sides, arrays);
+  }
+  return isDone;
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 
 #include "vtkAdvectionOptions.h"
 #include "vtkFlowReport.h"
+#include "vtkSmartPointer.h"
 
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@ class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataSet;
 class vtkTerminationSides;
+class vtkUnstructuredGrid;
 
 /**
  * @class   vtkFlowRun
@@ -27,18 +29,29 @@ public:
   void SetAutomatic(double error, double speed);
   void SetKeepSteps(bool keep) { this->KeepSteps = keep; }
 
+  /// How often mixed cells are refined.
+  void SetRefinementLevels(int levels) { this->RefinementLevels = levels; }
+
   /**
    * Adds the arrays to \a samples. Returns what is wrong; an abort is not. The first part of the
    * progress is building the field.
    */
   std::string Execute(vtkDataSet* samples);
 
+  /// The samples with those of all levels; null without levels, and after an error or an abort.
+  vtkUnstructuredGrid* GetRefined() const { return this->Refined; }
+
   const vtkFlowReport& GetReport() const { return this->Report; }
 
 private:
   struct Arrays;
+  /// All samples, and those of the levels of refinement.
   template <typename Walker>
-  void Follow(const Walker& walker, vtkDataSet* samples, Arrays& arrays);
+  void FollowAll(const Walker& walker, vtkDataSet* samples);
+  /// Those from \a first on. False when the owner was aborted.
+  template <typename Walker>
+  bool Follow(const Walker& walker, vtkDataSet* samples, vtkIdType first, int level,
+    vtkTerminationSides& sides);
   /// After all samples of \a sides were followed.
   template <typename Walker>
   static void FindSides(
@@ -54,6 +67,8 @@ private:
   double AutomaticError = 0.0;
   double AutomaticSpeed = 0.0;
   bool KeepSteps = false;
+  int RefinementLevels = 0;
+  vtkSmartPointer<vtkUnstructuredGrid> Refined;
   vtkFlowReport Report;
 };
 

@@ -10,8 +10,8 @@
 #include "vtkTerminationSurface.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataObjectTypes.h"
 #include "vtkDoubleArray.h"
+#include "vtkExtentTranslator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -190,22 +190,34 @@ int vtkImplicitFlowField::FillInputPortInformation(int port, vtkInformation* inf
 int vtkImplicitFlowField::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataObject* samples =
-    vtkDataObject::GetData(inputs[this->SampleMode == SAMPLES_OF_INPUT ? 1 : 0], 0);
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkDataSet* output = vtkDataSet::GetData(outputs);
-  int type = VTK_IMAGE_DATA;
-  if (this->SampleMode != SAMPLES_OF_IMAGE && samples)
+  vtkSmartPointer<vtkDataSet> made = this->MakeSamples(inputs);
+  if (this->RefinementLevels > 0)
   {
-    type =
-      vtkFlowInput::IsComposite(samples) ? VTK_UNSTRUCTURED_GRID : samples->GetDataObjectType();
+    made = vtkSmartPointer<vtkUnstructuredGrid>::New();
   }
-  if (!output || output->GetDataObjectType() != type)
+  if (!output || output->GetDataObjectType() != made->GetDataObjectType())
   {
-    info->Set(
-      vtkDataObject::DATA_OBJECT(), vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(type)));
+    info->Set(vtkDataObject::DATA_OBJECT(), made);
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> vtkImplicitFlowField::MakeSamples(vtkInformationVector** inputs) const
+{
+  vtkDataObject* samples =
+    vtkDataObject::GetData(inputs[this->SampleMode == SAMPLES_OF_INPUT ? 1 : 0], 0);
+  if (this->SampleMode == SAMPLES_OF_IMAGE || !samples)
+  {
+    return vtkSmartPointer<vtkImageData>::New();
+  }
+  if (vtkFlowInput::IsComposite(samples))
+  {
+    return vtkSmartPointer<vtkUnstructuredGrid>::New();
+  }
+  return vtk::TakeSmartPointer(vtkDataSet::SafeDownCast(samples->NewInstance()));
 }
 
 //------------------------------------------------------------------------------
@@ -213,6 +225,15 @@ int vtkImplicitFlowField::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* info = outputs->GetInformationObject(0);
+  if (this->RefinementLevels > 0)
+  {
+    // Pieces are asked for, and what was asked for before is not handed on to the inputs.
+    info->Remove(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+    info->Remove(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+    info->Remove(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT());
+    info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+    return this->Superclass::RequestInformation(request, inputs, outputs);
+  }
   if (this->SampleMode == SAMPLES_OF_IMAGE)
   {
     const int extent[6] = { 0, this->SampleDimensions[0] - 1, 0, this->SampleDimensions[1] - 1, 0,
@@ -282,7 +303,12 @@ int vtkImplicitFlowField::RequestData(
     return 1;
   }
   vtkAdvectionOptions options;
-  if (!this->SetSamples(input, field, inputs, outputs) || !this->SetOptions(options))
+  vtkSmartPointer<vtkDataSet> samples = output;
+  if (this->RefinementLevels > 0)
+  {
+    samples = this->MakeSamples(inputs);
+  }
+  if (!this->SetSamples(input, field, inputs, outputs, samples) || !this->SetOptions(options))
   {
     output->Initialize();
     return 1;
@@ -303,8 +329,13 @@ int vtkImplicitFlowField::RequestData(
     run.SetAutomatic(this->MaximumError > 0.0 ? 0.0 : AutomaticError,
       this->MinimumSpeed > 0.0 ? 0.0 : AutomaticSpeed);
     run.SetKeepSteps(this->KeepSteps);
-    error = run.Execute(output);
+    run.SetRefinementLevels(this->RefinementLevels);
+    error = run.Execute(samples);
     report = run.GetReport();
+    if (run.GetRefined())
+    {
+      output->ShallowCopy(run.GetRefined());
+    }
   }
   if (!error.empty())
   {
@@ -345,9 +376,8 @@ std::string vtkImplicitFlowField::CheckBlocks(const vtkFlowInput& input)
 
 //------------------------------------------------------------------------------
 bool vtkImplicitFlowField::SetSamples(const vtkFlowInput& input, vtkDataSet* field,
-  vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformationVector** inputs, vtkInformationVector* outputs, vtkDataSet* output)
 {
-  vtkDataSet* output = vtkDataSet::GetData(outputs);
   if (this->SampleMode == SAMPLES_OF_IMAGE)
   {
     double bounds[6];
@@ -369,8 +399,11 @@ bool vtkImplicitFlowField::SetSamples(const vtkFlowInput& input, vtkDataSet* fie
     }
     image->SetOrigin(origin);
     image->SetSpacing(spacing);
-    image->SetExtent(
-      outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+    const int whole[6] = { 0, this->SampleDimensions[0] - 1, 0, this->SampleDimensions[1] - 1, 0,
+      this->SampleDimensions[2] - 1 };
+    int extent[6];
+    this->GetExtent(outputs->GetInformationObject(0), whole, extent);
+    image->SetExtent(extent);
     return true;
   }
   vtkSmartPointer<vtkDataSet> samples;
@@ -396,15 +429,37 @@ bool vtkImplicitFlowField::SetSamples(const vtkFlowInput& input, vtkDataSet* fie
 }
 
 //------------------------------------------------------------------------------
-void vtkImplicitFlowField::CutPiece(vtkInformation* info, vtkDataSet* output)
+void vtkImplicitFlowField::CutPiece(vtkInformation* info, vtkDataSet* output) const
 {
   if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(output))
   {
     vtkFlowPiece::Extract(info, grid);
   }
-  else if (info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()))
+  else if (output->GetExtentType() == VTK_3D_EXTENT)
   {
-    output->Crop(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+    int extent[6];
+    this->GetExtent(info, output->GetInformation()->Get(vtkDataObject::DATA_EXTENT()), extent);
+    output->Crop(extent);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::GetExtent(vtkInformation* info, const int whole[6], int extent[6]) const
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  std::copy_n(whole, 6, extent);
+  if (this->RefinementLevels > 0)
+  {
+    int all[6];
+    std::copy_n(whole, 6, all);
+    vtkNew<vtkExtentTranslator> translator;
+    translator->PieceToExtentThreadSafe(info->Get(Pipeline::UPDATE_PIECE_NUMBER()),
+      info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()), 0, all, extent,
+      vtkExtentTranslator::BLOCK_MODE, 0);
+  }
+  else if (info->Has(Pipeline::UPDATE_EXTENT()))
+  {
+    info->Get(Pipeline::UPDATE_EXTENT(), extent);
   }
 }
 
@@ -546,6 +601,7 @@ void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
   print("ComputeMeanVorticity", this->ComputeMeanVorticity);
   printAll("MeanArrays", this->MeanArrays.data(), this->GetNumberOfMeanArrays());
   print("KeepSteps", this->KeepSteps);
+  print("RefinementLevels", this->RefinementLevels);
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

@@ -44,8 +44,8 @@ struct vtkAdvectionOptions;
  * samples OUTSIDE). Where streamlines come round to a surface again, time jumps on it from 0 to
  * what that takes, within one id: TerminationSide tells. The field array TerminationSurfaces tells
  * the ids and what is periodic. Where the samples are the field's own points or port 1's, the
- * output has their type (vtkUnstructuredGrid for composite data); an image of
- * samples is vtkImageData, so the type of the output follows SampleMode.
+ * output has their type (vtkUnstructuredGrid for composite data); an image of samples is
+ * vtkImageData, so the type of the output follows SampleMode, and RefinementLevels.
  *
  * **Method.** A streamline is followed from cell to cell in the cell's own coordinates, where the
  * interpolated field is smooth: the kinks at faces are never within a step, and the method keeps
@@ -236,6 +236,24 @@ public:
 
   ///@{
   /**
+   * How often cells of the samples whose corners differ in FlowStatus or TerminationId, or that lie
+   * across their surface with a jump in time (as vtkFlowVolume has it), are refined with new
+   * samples: all their edges are halved, and cells beside them are cut so that faces fit. Only new
+   * samples are advected. What is between surfaces gets half as thick with each level, and the new
+   * samples of a level are two to four times those of the level before. Point arrays of the samples
+   * are interpolated, cell arrays copied; hidden cells, polyhedra, quadratic cells, and those of
+   * fewer dimensions stay. Above 0 the output is vtkUnstructuredGrid, of voxels, hexahedra, wedges,
+   * pyramids and tetrahedra. Default 0. Valid: 0 to 6.
+   *
+   * Pieces of the samples are refined each for itself: at their borders cells do not fit, unless
+   * the samples have a layer of ghost cells for each level.
+   */
+  vtkSetClampMacro(RefinementLevels, int, 0, 6);
+  vtkGetMacro(RefinementLevels, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether the steps and the steps of Rosenbrock's method are kept of each sample: point arrays
    * AdvectionSteps, StiffSteps (int). Default off.
    */
@@ -277,11 +295,15 @@ private:
 
   /// What is wrong with a block of composite input, or nothing.
   std::string CheckBlocks(const vtkFlowInput& input);
-  /// Gives the output the samples' geometry and point data.
+  /// A dataset of the type that samples have before they are refined.
+  vtkSmartPointer<vtkDataSet> MakeSamples(vtkInformationVector** inputs) const;
+  /// Gives \a output the samples' geometry and point data.
   bool SetSamples(const vtkFlowInput& input, vtkDataSet* field, vtkInformationVector** inputs,
-    vtkInformationVector* outputs);
+    vtkInformationVector* outputs, vtkDataSet* output);
   /// Leaves of the whole field the piece that is asked for.
-  static void CutPiece(vtkInformation* info, vtkDataSet* output);
+  void CutPiece(vtkInformation* info, vtkDataSet* output) const;
+  /// The part of a whole extent that is asked for; that of a piece where cells are refined.
+  void GetExtent(vtkInformation* info, const int whole[6], int extent[6]) const;
   /// False where something is wrong, which has been said.
   bool SetOptions(vtkAdvectionOptions& options);
   void AddSpheres(vtkDataSet* field, vtkAdvectionOptions& options);
@@ -309,6 +331,7 @@ private:
   bool ComputeMeanVorticity = false;
   std::vector<std::string> MeanArrays;
   bool KeepSteps = false;
+  int RefinementLevels = 0;
   vtkFlowReport Report;
 };
 

@@ -253,7 +253,8 @@ void CompareFlowFilters(const std::string& folder)
       { "ComputeMaximumSpeed", Text(field->GetComputeMaximumSpeed()) },
       { "ComputeArcLength", Text(field->GetComputeArcLength()) },
       { "ComputeMeanVorticity", Text(field->GetComputeMeanVorticity()) }, { "MeanArrays", "" },
-      { "KeepSteps", Text(field->GetKeepSteps()) } });
+      { "KeepSteps", Text(field->GetKeepSteps()) },
+      { "RefinementLevels", Text(field->GetRefinementLevels()) } });
 
   vtkNew<vtkInflowMapping> mapping;
   CompareWithXML(folder + "/InflowMapping.xml", "SourceProxy", "vtkPVInflowMapping", "",
@@ -264,6 +265,7 @@ void CompareFlowFilters(const std::string& folder)
   Check(volume->GetNumberOfIntervals() == 0, "vtkFlowVolume starts without an interval");
   CompareWithXML(folder + "/FlowVolume.xml", "SourceProxy", "vtkFlowVolume", "",
     { { "Intervals", "" }, { "TimeRange", Text(volume->GetTimeRange(), 2) },
+      { "MaximumTimeJump", Text(volume->GetMaximumTimeJump()) },
       { "StreamSurfaces", "" }, { "TimeSurfaces", "" },
       { "GenerateStreamSurfaces", Text(volume->GetGenerateStreamSurfaces()) },
       { "GenerateTimeSurfaces", Text(volume->GetGenerateTimeSurfaces()) },

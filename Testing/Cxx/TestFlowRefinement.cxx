@@ -1,0 +1,479 @@
+// Samples refined where their answers differ: cells fit face to face and fill what they filled, on
+// grids of every kind; what a flow volume leaves out at a separatrix halves with each level, and at
+// a surface that flow comes back to; arrays, threads, pieces, ghosts, progress and abort.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowAnswers.h"
+#include "ReferenceFlowGrid.h"
+#include "ReferenceMessages.h"
+#include "ReferenceProgress.h"
+#include "ReferenceThreads.h"
+
+#include "vtkFlowStatus.h"
+#include "vtkFlowVolume.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkTerminationPlane.h"
+
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTetra.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double Turn = 6.283185307179586;
+
+vtkSmartPointer<vtkTerminationPlane> MakePlane(
+  const Vector& origin, const Vector& u, const Vector& v, int id)
+{
+  auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
+  plane->SetOrigin(origin[0], origin[1], origin[2]);
+  plane->SetPoint1(origin[0] + u[0], origin[1] + u[1], origin[2] + u[2]);
+  plane->SetPoint2(origin[0] + v[0], origin[1] + v[1], origin[2] + v[2]);
+  plane->SetId(id);
+  return plane;
+}
+
+/// Of the saddle (x, -y, 0): at y = 1 and y = -1, with y = height between them.
+Vector Saddle(const Vector& x)
+{
+  return { { x[0], -x[1], 0.0 } };
+}
+void AddPlanes(vtkImplicitFlowField* field)
+{
+  field->AddTerminationSurface(MakePlane({ { -5, 1, -5 } }, { { 10, 0, 0 } }, { { 0, 0, 10 } }, 0));
+  field->AddTerminationSurface(
+    MakePlane({ { -5, -1, -5 } }, { { 10, 0, 0 } }, { { 0, 0, 10 } }, 1));
+}
+
+/// The volume of a cell by the tetrahedra of its middle and its faces, of convex cells exact.
+double GetVolume(vtkCell* cell)
+{
+  double middle[3] = { 0.0, 0.0, 0.0 };
+  for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    cell->GetPoints()->GetPoint(i, x);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      middle[axis] += x[axis] / cell->GetNumberOfPoints();
+    }
+  }
+  double sum = 0.0;
+  for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
+  {
+    vtkPoints* points = cell->GetFace(f)->GetPoints();
+    const bool isPixel = cell->GetFace(f)->GetCellType() == VTK_PIXEL;
+    const int cycle[4] = { 0, 1, isPixel ? 3 : 2, isPixel ? 2 : 3 };
+    for (vtkIdType i = 1; i + 1 < points->GetNumberOfPoints(); ++i)
+    {
+      double x[3][3];
+      points->GetPoint(cycle[0], x[0]);
+      points->GetPoint(cycle[i], x[1]);
+      points->GetPoint(cycle[i + 1], x[2]);
+      sum += std::abs(vtkTetra::ComputeVolume(x[0], x[1], x[2], middle));
+    }
+  }
+  return sum;
+}
+
+/// Faces have two cells but on the sides of the box, no point lies in the middle of an edge, and
+/// the volume is that of the box.
+void CheckMesh(vtkUnstructuredGrid* mesh, double volume, Check& check)
+{
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  std::map<std::vector<vtkIdType>, int> faces;
+  std::map<std::vector<vtkIdType>, bool> isOutside;
+  double sum = 0.0;
+  for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
+  {
+    vtkCell* cell = mesh->GetCell(id);
+    const double own = GetVolume(cell);
+    check.That(own > 0.0, "a cell has a volume");
+    sum += own;
+    if (cell->GetCellType() == VTK_TETRA)
+    {
+      double x[4][3];
+      for (int i = 0; i < 4; ++i)
+      {
+        cell->GetPoints()->GetPoint(i, x[i]);
+      }
+      check.That(vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]) > 0.0, "a tetrahedron's order");
+    }
+    for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
+    {
+      vtkCell* face = cell->GetFace(f);
+      std::vector<vtkIdType> key(face->GetPointIds()->begin(), face->GetPointIds()->end());
+      std::sort(key.begin(), key.end());
+      double range[6];
+      face->GetBounds(range);
+      bool isAtSide = false;
+      for (int side = 0; side < 6; ++side)
+      {
+        isAtSide = isAtSide ||
+          (std::abs(range[side] - bounds[side]) < 1e-9 &&
+            std::abs(range[side ^ 1] - bounds[side]) < 1e-9);
+      }
+      ++faces[key];
+      isOutside[key] = isAtSide;
+    }
+  }
+  for (const auto& face : faces)
+  {
+    check.Equal(face.second, isOutside[face.first] ? 1 : 2, "cells at a face");
+  }
+  check.Near(sum, volume, 1e-10, "volume");
+}
+
+/// Grids of every kind over [-1,1]^3 with the saddle.
+std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeGrids()
+{
+  std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> grids;
+  constexpr int cells = 5;
+  const auto scale = [](const Vector& x) {
+    return Vector{ { 0.4 * x[0] - 1, 0.4 * x[1] - 1, 0.4 * x[2] - 1 } };
+  };
+  grids.emplace_back("image", MakeFlowImage({ { 6, 6, 6 } }, { { -1, 1, -1, 1, -1, 1 } }));
+  auto rectilinear = vtkSmartPointer<vtkRectilinearGrid>::New();
+  vtkNew<vtkDoubleArray> places;
+  for (const double place : { -1.0, -0.5, -0.1, 0.15, 0.6, 1.0 })
+  {
+    places->InsertNextValue(place);
+  }
+  rectilinear->SetDimensions(6, 6, 6);
+  rectilinear->SetXCoordinates(places);
+  rectilinear->SetYCoordinates(places);
+  rectilinear->SetZCoordinates(places);
+  grids.emplace_back("rectilinear", rectilinear);
+  auto structured = MakeStructuredGrid({ { cells, cells, cells } });
+  MovePoints(structured, scale);
+  grids.emplace_back("structured", structured);
+  for (const MeshKind kind : FlowMeshKinds())
+  {
+    auto mesh = MakeFlowMesh(kind, { { cells, cells, cells } });
+    MovePoints(mesh, scale);
+    grids.emplace_back(GetName(kind), mesh);
+  }
+  for (auto& grid : grids)
+  {
+    AddVectors(grid.second, Saddle);
+  }
+  return grids;
+}
+
+void TestGrids(Check& check)
+{
+  for (const auto& grid : MakeGrids())
+  {
+    vtkNew<vtkIntArray> numbers;
+    numbers->SetName("Number");
+    for (vtkIdType id = 0; id < grid.second->GetNumberOfCells(); ++id)
+    {
+      numbers->InsertNextValue(static_cast<int>(id));
+    }
+    grid.second->GetCellData()->AddArray(numbers);
+    vtkNew<vtkImplicitFlowField> field;
+    field->SetInputDataObject(grid.second);
+    AddPlanes(field);
+    vtkIdType before = grid.second->GetNumberOfPoints();
+    const int most = grid.first == "image" || grid.first == "tetrahedra6" ? 3 : 2;
+    for (int levels = 0; levels <= most; ++levels)
+    {
+      check.SetContext(grid.first + ", levels " + std::to_string(levels));
+      field->SetRefinementLevels(levels);
+      check.That(MessagesOf(field).empty(), "no messages");
+      vtkDataSet* output = vtkDataSet::SafeDownCast(field->GetOutputDataObject(0));
+      const vtkFlowReport& report = field->GetReport();
+      check.Equal(
+        static_cast<long long>(report.AddedSamples.size()), levels, "levels in the report");
+      check.Equal(report.Samples, output->GetNumberOfPoints(), "no sample twice");
+      auto* mesh = vtkUnstructuredGrid::SafeDownCast(output);
+      if (levels == 0)
+      {
+        check.That(
+          std::strcmp(output->GetClassName(), grid.second->GetClassName()) == 0, "its type");
+        continue;
+      }
+      check.That(report.RefinedCells.back() > 0, "cells are refined");
+      check.Equal(output->GetNumberOfPoints() - before, report.AddedSamples.back(), "samples");
+      before = output->GetNumberOfPoints();
+      CheckMesh(mesh, 8.0, check);
+      vtkDataArray* vectors = mesh->GetPointData()->GetVectors();
+      for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
+      {
+        double x[3];
+        mesh->GetPoint(id, x);
+        // Where they do not leave the domain first, streamlines end at one of the planes.
+        const auto status =
+          static_cast<int>(mesh->GetPointData()->GetArray("FlowStatus")->GetComponent(id, 0));
+        const double time = std::log(1.0 / std::abs(x[1]));
+        if (std::abs(x[1]) > 1e-6)
+        {
+          check.Equal(status, vtkFlowStatus::REACHED_SURFACE, "reached");
+          check.Near(mesh->GetPointData()->GetArray("AdvectionTime")->GetComponent(id, 0), time,
+            1e-4, "time", 1.0);
+        }
+        const Vector v = Saddle({ { x[0], x[1], x[2] } });
+        for (int i = 0; i < 3; ++i)
+        {
+          check.Near(vectors->GetComponent(id, i), v[i], 1e-12, "vectors", 1.0);
+        }
+      }
+      vtkDataArray* parents = mesh->GetCellData()->GetArray("Number");
+      for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
+      {
+        double bounds[6];
+        double range[6];
+        mesh->GetCellBounds(id, range);
+        grid.second->GetCellBounds(static_cast<vtkIdType>(parents->GetComponent(id, 0)), bounds);
+        for (int side = 0; side < 6; ++side)
+        {
+          const double over =
+            side % 2 == 0 ? bounds[side] - range[side] : range[side] - bounds[side];
+          check.That(over <= 1e-12, "a cell is a part of its parent");
+        }
+      }
+    }
+  }
+}
+
+/// What is left out beside a separatrix that no level has points on.
+void TestSeparatrix(Check& check)
+{
+  constexpr double place = 0.0237;
+  vtkNew<vtkImplicitFlowField> field;
+  auto image = MakeFlowImage({ { 10, 10, 4 } }, { { -1, 1, -1, 1, -0.3, 0.3 } });
+  AddVectors(image, [](const Vector& x) { return Vector{ { x[0], place - x[1], 0.0 } }; });
+  field->SetInputData(image);
+  AddPlanes(field);
+  vtkNew<vtkFlowVolume> volume;
+  volume->SetInputConnection(field->GetOutputPort());
+  volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  double before = 0.0;
+  for (int levels = 0; levels <= 4; ++levels)
+  {
+    check.SetContext("separatrix, level " + std::to_string(levels));
+    field->SetRefinementLevels(levels);
+    volume->Update();
+    vtkDataSet* samples = vtkDataSet::SafeDownCast(field->GetOutputDataObject(0));
+    vtkDataArray* ids = samples->GetPointData()->GetArray("TerminationId");
+    const double width = 2.0 / 9.0 / (1 << levels);
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType cell = 0; cell < samples->GetNumberOfCells(); ++cell)
+    {
+      samples->GetCellPoints(cell, corners);
+      const double id = ids->GetComponent(corners->GetId(0), 0);
+      if (std::any_of(corners->begin(), corners->end(),
+            [&](vtkIdType corner) { return ids->GetComponent(corner, 0) != id; }))
+      {
+        double bounds[6];
+        samples->GetCellBounds(cell, bounds);
+        check.That(std::max(place - bounds[2], bounds[3] - place) <= width, "within a cell");
+      }
+    }
+    // The planes have both sides, and all samples reach one of them.
+    const double leftOut = 2.4 - MeasureVolume(volume->GetOutput());
+    check.That(leftOut > 0.0 && leftOut <= 1.2 * width + 1e-9, "volume left out");
+    check.That(levels == 0 || leftOut < 0.6 * before, "it halves");
+    before = leftOut;
+  }
+}
+
+/// The sector that takes less than 0.9 of a turn, between two radii.
+void TestRotation(Check& check)
+{
+  check.SetContext("rotation");
+  vtkNew<vtkImplicitFlowField> field;
+  auto image = MakeFlowImage({ { 12, 12, 2 } }, { { -1.1, 1.1, -1.1, 1.1, 0.0, 0.2 } });
+  AddVectors(image, [](const Vector& x) { return Vector{ { -x[1], x[0], 0.0 } }; });
+  field->SetInputData(image);
+  field->AddTerminationSurface(MakePlane({ { 0, 0, -1 } }, { { 0, 0, 3 } }, { { 3, 0, 0 } }, 0));
+  vtkNew<vtkFlowVolume> volume;
+  volume->SetInputConnection(field->GetOutputPort());
+  volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  volume->SetTimeRange(0.0, 0.9 * Turn);
+  // Streamlines within the disc never leave.
+  const double exact = 0.2 * 0.9 * 0.5 * Turn * 1.1 * 1.1;
+  double before = 0.0;
+  for (int levels = 0; levels <= 4; ++levels)
+  {
+    field->SetRefinementLevels(levels);
+    volume->Update();
+    vtkUnstructuredGrid* mesh = volume->GetOutput();
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      double bounds[6];
+      mesh->GetCellBounds(cell, bounds);
+      const bool isAcross = bounds[2] < -1e-9 && bounds[3] > 1e-9;
+      check.That(!(isAcross && bounds[0] > -1e-9), "no cell crosses the surface");
+    }
+    const double error = std::abs(MeasureVolume(mesh) - exact) / exact;
+    check.That(levels == 0 || error < 0.65 * before, "converges: " + std::to_string(error));
+    before = error;
+  }
+  check.That(before < 0.03, "close: " + std::to_string(before));
+  check.That(volume->GetReport().CellsAcrossSurfaces > 0, "cells are left out");
+}
+
+vtkSmartPointer<vtkImplicitFlowField> MakeField(int points, int levels)
+{
+  auto image = MakeFlowImage({ { points, points, points } }, { { -1, 1, -1, 1, -1, 1 } });
+  AddVectors(image, Saddle);
+  auto field = vtkSmartPointer<vtkImplicitFlowField>::New();
+  field->SetInputData(image);
+  AddPlanes(field);
+  field->SetRefinementLevels(levels);
+  return field;
+}
+
+void TestThreads(Check& check)
+{
+  check.SetContext("threads");
+  CheckThreads(
+    "refined",
+    []()
+    {
+      auto field = MakeField(8, 2);
+      field->Update();
+      auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      copy->ShallowCopy(field->GetOutputDataObject(0));
+      return std::vector<vtkSmartPointer<vtkUnstructuredGrid>>{ copy };
+    },
+    check);
+}
+
+/// Samples of other datasets, pieces, and what is not refined.
+void TestSamples(Check& check)
+{
+  check.SetContext("image of samples");
+  auto field = MakeField(4, 1);
+  field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+  field->SetSampleDimensions(6, 6, 6);
+  field->Update();
+  CheckMesh(vtkUnstructuredGrid::SafeDownCast(field->GetOutputDataObject(0)), 8.0, check);
+  const vtkIdType whole = field->GetReport().RefinedCells[0];
+  check.Equal(whole, 25, "cells");
+  check.SetContext("pieces");
+  for (const int mode : { vtkImplicitFlowField::SAMPLES_OF_IMAGE,
+         vtkImplicitFlowField::SAMPLES_OF_FIELD, vtkImplicitFlowField::SAMPLES_OF_INPUT })
+  {
+    field->SetSampleMode(mode);
+    auto samples = MakeFlowImage({ { 6, 6, 6 } }, { { -1, 1, -1, 1, -1, 1 } });
+    field->SetSampleData(samples);
+    double volume = 0.0;
+    for (int piece = 0; piece < 3; ++piece)
+    {
+      field->UpdatePiece(piece, 3, 0);
+      auto* mesh = vtkUnstructuredGrid::SafeDownCast(field->GetOutputDataObject(0));
+      check.That(mesh->GetNumberOfCells() > 0, "there are cells");
+      for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+      {
+        volume += GetVolume(mesh->GetCell(cell));
+      }
+    }
+    check.Near(volume, mode == vtkImplicitFlowField::SAMPLES_OF_INPUT ? volume : 8.0, 1e-10, "sum");
+  }
+  check.SetContext("back to none");
+  field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
+  field->SetRefinementLevels(0);
+  field->Update();
+  check.That(vtkImageData::SafeDownCast(field->GetOutputDataObject(0)), "an image again");
+  field->SetRefinementLevels(7);
+  check.Equal(field->GetRefinementLevels(), 6, "clamped");
+  CheckPrinted(Print(field), { "RefinementLevels: 6" }, check);
+}
+
+/// Hidden cells are not refined, duplicates are; ghost types of new points are those of all
+/// corners.
+void TestGhosts(Check& check)
+{
+  check.SetContext("ghosts");
+  auto field = MakeField(6, 1);
+  auto samples = MakeFlowImage({ { 6, 6, 6 } }, { { -1, 1, -1, 1, -1, 1 } });
+  vtkNew<vtkUnsignedCharArray> cells;
+  cells->SetName("vtkGhostType");
+  cells->SetNumberOfValues(samples->GetNumberOfCells());
+  cells->Fill(0);
+  // In the layer that is mixed: two cells far from each other.
+  const vtkIdType hidden = 0 + 5 * 2 + 25 * 0;
+  const vtkIdType duplicate = 4 + 5 * 2 + 25 * 4;
+  cells->SetValue(hidden, vtkDataSetAttributes::HIDDENCELL);
+  cells->SetValue(duplicate, vtkDataSetAttributes::DUPLICATECELL);
+  samples->GetCellData()->AddArray(cells);
+  field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+  field->SetSampleData(samples);
+  field->Update();
+  check.Equal(field->GetReport().RefinedCells[0], 24, "all but the hidden one");
+  auto* mesh = vtkUnstructuredGrid::SafeDownCast(field->GetOutputDataObject(0));
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  vtkIdType counts[2] = { 0, 0 };
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    counts[0] += ghosts->GetValue(cell) == vtkDataSetAttributes::HIDDENCELL ? 1 : 0;
+    counts[1] += ghosts->GetValue(cell) == vtkDataSetAttributes::DUPLICATECELL ? 1 : 0;
+  }
+  check.Equal(counts[0], 1, "the hidden cell is whole");
+  // Six quadrilaterals of four triangles, each with a marked edge.
+  check.Equal(counts[1], 48, "parts of the duplicate");
+}
+
+void TestProgress(Check& check)
+{
+  check.SetContext("progress");
+  auto field = MakeField(8, 2);
+  ProgressWatch watch;
+  Observe(field, watch);
+  field->Update();
+  CheckGrowth(watch, 30, check);
+  check.That(watch.Progress.back() > 0.9, "to the end");
+  auto aborted = MakeField(8, 2);
+  ProgressWatch second;
+  second.AbortAt = 0.5;
+  Observe(aborted, second);
+  aborted->Update();
+  check.Equal(vtkDataSet::SafeDownCast(aborted->GetOutputDataObject(0))->GetNumberOfPoints(), 0,
+    "nothing after an abort in a level");
+  check.SetContext("errors");
+  auto wrong = MakeField(4, 2);
+  wrong->RemoveAllTerminationSurfaces();
+  check.That(!MessagesOf(wrong).empty(), "no surface is told");
+  check.Equal(
+    vtkDataSet::SafeDownCast(wrong->GetOutputDataObject(0))->GetNumberOfPoints(), 0, "no output");
+}
+
+}
+
+int TestFlowRefinement(int, char*[])
+{
+  Check check;
+  TestGrids(check);
+  TestSeparatrix(check);
+  TestRotation(check);
+  TestThreads(check);
+  TestSamples(check);
+  TestGhosts(check);
+  TestProgress(check);
+  return check.Result();
+}
