@@ -57,7 +57,7 @@ public:
     bool isAway[2] = { false, false };
     for (vtkIdType i = 0; i < number; ++i)
     {
-      const int side = this->Sides->GetValue(corners[i]);
+      const auto side = static_cast<int>(this->Sides->GetValue(corners[i]));
       const bool isAt = side == 0 && this->Times->GetValue(corners[i]) == 0.0;
       isOn[0] = isOn[0] || isAt || side < 0;
       isOn[1] = isOn[1] || isAt || side > 0;

@@ -52,8 +52,8 @@ struct Cell
 
   bool IsTetrahedron() const { return this->Shape->Kind == vtkFlowShape::TETRAHEDRON; }
 
-  const vtkIdType* begin() const { return this->Corners.data(); }
-  const vtkIdType* end() const { return this->Corners.data() + this->Shape->NumberOfCorners; }
+  const vtkIdType* Begin() const { return this->Corners.data(); }
+  const vtkIdType* End() const { return this->Corners.data() + this->Shape->NumberOfCorners; }
 
   // Calls visit(face, its corners).
   template <typename Visit>
@@ -110,10 +110,10 @@ public:
       [&](const Cell& cell)
       {
         const auto isOther = [&](vtkIdType corner)
-        { return !arrays.AreAlike(corner, *cell.begin()); };
-        return std::any_of(cell.begin(), cell.end(), isOther) ||
-          (arrays.IsReached(*cell.begin()) && arrays.HasSides() &&
-            arrays.IsAcrossSurface(cell.begin(), cell.end() - cell.begin()));
+        { return !arrays.AreAlike(corner, *cell.Begin()); };
+        return std::any_of(cell.Begin(), cell.End(), isOther) ||
+          (arrays.IsReached(*cell.Begin()) && arrays.HasSides() &&
+            arrays.IsAcrossSurface(cell.Begin(), cell.End() - cell.Begin()));
       });
     std::vector<vtkMarkedEdges::Edge> edges;
     this->ForEachCell(mixed,
@@ -163,7 +163,7 @@ private:
           const auto isHidden = [&](vtkIdType corner) { return blanking.IsPointBlanked(corner); };
           found[static_cast<std::size_t>(id)] = cell.Shape &&
             !(ghosts && (ghosts->GetValue(id) & hidden)) &&
-            std::none_of(cell.begin(), cell.end(), isHidden) && test(cell);
+            std::none_of(cell.Begin(), cell.End(), isHidden) && test(cell);
         }
       });
     return found;
@@ -212,7 +212,7 @@ private:
       {
         const auto isMarked = [&](vtkIdType p) { return isEnd[static_cast<std::size_t>(p)] != 0; };
         bool isCut = false;
-        if (std::count_if(cell.begin(), cell.end(), isMarked) > 1)
+        if (std::count_if(cell.Begin(), cell.End(), isMarked) > 1)
         {
           cell.ForEachFace([&](const Face& corners, std::size_t number)
             { isCut = isCut || this->HasMarkedEdge(corners, number); });
@@ -281,7 +281,7 @@ private:
     for (const vtkIdType id : this->Centres)
     {
       cell.Load(this->Grid, id, this->Ids);
-      this->AddMiddle(cell.begin(), cell.Shape->NumberOfCorners, next++, cut);
+      this->AddMiddle(cell.Begin(), cell.Shape->NumberOfCorners, next++, cut);
     }
   }
 

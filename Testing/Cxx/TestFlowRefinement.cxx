@@ -24,10 +24,12 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRTAnalyticSource.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTetra.h"
-#include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -35,7 +37,6 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <set>
 
 namespace
 {
@@ -380,8 +381,11 @@ void TestSamples(Check& check)
          vtkImplicitFlowField::SAMPLES_OF_FIELD, vtkImplicitFlowField::SAMPLES_OF_INPUT })
   {
     field->SetSampleMode(mode);
-    auto samples = MakeFlowImage({ { 6, 6, 6 } }, { { -1, 1, -1, 1, -1, 1 } });
-    field->SetSampleData(samples);
+    // Four cells of width 1 along each axis, in parts.
+    vtkNew<vtkRTAnalyticSource> samples;
+    samples->SetWholeExtent(-2, 2, -2, 2, -2, 2);
+    field->SetSampleConnection(samples->GetOutputPort());
+    const double expected = mode == vtkImplicitFlowField::SAMPLES_OF_INPUT ? 64.0 : 8.0;
     double volume = 0.0;
     for (int piece = 0; piece < 3; ++piece)
     {
@@ -393,16 +397,89 @@ void TestSamples(Check& check)
         volume += GetVolume(mesh->GetCell(cell));
       }
     }
-    check.Near(volume, mode == vtkImplicitFlowField::SAMPLES_OF_INPUT ? volume : 8.0, 1e-10, "sum");
+    check.Near(volume, expected, 1e-10, "sum");
   }
   check.SetContext("back to none");
   field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
+  field->SetSampleConnection(nullptr);
   field->SetRefinementLevels(0);
   field->Update();
   check.That(vtkImageData::SafeDownCast(field->GetOutputDataObject(0)), "an image again");
   field->SetRefinementLevels(7);
   check.Equal(field->GetRefinementLevels(), 6, "clamped");
   CheckPrinted(Print(field), { "RefinementLevels: 6" }, check);
+}
+
+/// Cells that are not refined are as they were, with others beside them.
+void TestOtherCells(Check& check)
+{
+  for (const MeshKind kind : { MeshKind::Boxes, MeshKind::Honeycomb })
+  {
+    check.SetContext(GetName(kind));
+    auto samples = MakeMesh(kind, { { 3, 3, 1 } });
+    MovePoints(samples,
+      [](const Vector& x) {
+        return Vector{ { 0.3 * x[0] - 0.5, 0.3 * x[1] - 0.5, 0.3 * x[2] } };
+      });
+    auto field = MakeField(6, 2);
+    field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+    field->SetSampleData(samples);
+    check.That(MessagesOf(field).empty(), "no messages");
+    auto* mesh = vtkUnstructuredGrid::SafeDownCast(field->GetOutputDataObject(0));
+    check.Equal(mesh->GetNumberOfCells(), samples->GetNumberOfCells(), "cells");
+    check.Equal(mesh->GetNumberOfPoints(), samples->GetNumberOfPoints(), "points");
+    check.Equal(field->GetReport().RefinedCells[1], 0, "none is refined");
+    check.Near(mesh->GetCell(0)->GetNumberOfFaces(), samples->GetCell(0)->GetNumberOfFaces(), 0.0,
+      "faces", 1.0);
+  }
+  check.SetContext("polyhedra among others");
+  auto samples = MakeMesh(MeshKind::Mixed, { { 4, 4, 2 } });
+  MovePoints(samples,
+    [](const Vector& x) {
+      return Vector{ { 0.3 * x[0] - 0.5, 0.3 * x[1] - 0.5, 0.3 * x[2] } };
+    });
+  auto mixed = MakeField(6, 1);
+  mixed->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+  mixed->SetSampleData(samples);
+  mixed->Update();
+  auto* output = vtkUnstructuredGrid::SafeDownCast(mixed->GetOutputDataObject(0));
+  vtkIdType polyhedra = 0;
+  for (vtkUnstructuredGrid* grid : { samples.GetPointer(), output })
+  {
+    vtkIdType count = 0;
+    double volume = 0.0;
+    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+    {
+      count += grid->GetCellType(cell) == VTK_POLYHEDRON ? 1 : 0;
+      volume += GetVolume(grid->GetCell(cell));
+    }
+    check.That(count > 0 && (grid == samples || count == polyhedra), "polyhedra");
+    check.Near(volume, 32.0 * 0.027, 1e-9, "volume");
+    polyhedra = count;
+  }
+  check.That(output->GetNumberOfCells() > samples->GetNumberOfCells(), "others are refined");
+  check.SetContext("points alone");
+  auto field = MakeField(6, 1);
+  auto flat = MakeFlowImage({ { 5, 5, 2 } }, { { -1, 1, -1, 1, 0, 1 } });
+  flat->SetDimensions(5, 5, 1);
+  field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+  for (const int cells : { 16, 0 })
+  {
+    vtkSmartPointer<vtkDataSet> samples = flat;
+    if (cells == 0)
+    {
+      vtkNew<vtkPolyData> points;
+      vtkNew<vtkPoints> places;
+      places->InsertNextPoint(0.1, 0.2, 0.3);
+      points->SetPoints(places);
+      samples = points;
+    }
+    field->SetSampleData(samples);
+    check.That(MessagesOf(field).empty(), "no messages");
+    auto* mesh = vtkUnstructuredGrid::SafeDownCast(field->GetOutputDataObject(0));
+    check.Equal(mesh->GetNumberOfCells(), cells, "cells");
+    check.Equal(mesh->GetNumberOfPoints(), samples->GetNumberOfPoints(), "points");
+  }
 }
 
 /// Hidden cells are not refined, duplicates are; ghost types of new points are those of all
@@ -473,6 +550,7 @@ int TestFlowRefinement(int, char*[])
   TestRotation(check);
   TestThreads(check);
   TestSamples(check);
+  TestOtherCells(check);
   TestGhosts(check);
   TestProgress(check);
   return check.Result();
