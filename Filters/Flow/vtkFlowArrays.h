@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -57,11 +56,12 @@ public:
     bool isAway[2] = { false, false };
     for (vtkIdType i = 0; i < number; ++i)
     {
-      const auto side = static_cast<int>(this->Sides->GetValue(corners[i]));
+      const signed char side = this->Sides->GetValue(corners[i]);
       const bool isAt = side == 0 && this->Times->GetValue(corners[i]) == 0.0;
       isOn[0] = isOn[0] || isAt || side < 0;
       isOn[1] = isOn[1] || isAt || side > 0;
-      isAway[side > 0 ? 1 : 0] = isAway[side > 0 ? 1 : 0] || std::abs(side) == vtkFlowStatus::AWAY;
+      isAway[side > 0 ? 1 : 0] =
+        isAway[side > 0 ? 1 : 0] || side == vtkFlowStatus::AWAY || side == -vtkFlowStatus::AWAY;
     }
     return (isOn[0] && isAway[1]) || (isOn[1] && isAway[0]);
   }
