@@ -217,6 +217,26 @@ void CheckBlanking(Check& check)
     });
 }
 
+// A cell that is left out has no box; the origin is where one of zeros would be.
+void CheckHiddenAtOrigin(Check& check)
+{
+  check.SetContext("hidden at the origin");
+  auto mesh = MakeFlowMesh(MeshKind::Hexahedra, { { 2, 1, 1 } });
+  auto vectors = AddVectors(mesh, [](const Vector&) { return Vector{ { 1.0, 0.0, 0.0 } }; });
+  mesh->AllocateCellGhostArray();
+  mesh->GetCellGhostArray()->FillValue(0);
+  mesh->GetCellGhostArray()->SetValue(0, vtkDataSetAttributes::HIDDENCELL);
+  WithWalker(mesh, vectors, check,
+    [&](auto walker)
+    {
+      Vector p;
+      const Vector origin = { { 0.0, 0.0, 0.0 } };
+      check.That(!walker.Locate(origin.data(), p.data()), "the hidden cell is not found");
+      const Vector other = { { 1.5, 0.5, 0.5 } };
+      check.That(walker.Locate(other.data(), p.data()) && walker.GetCell() == 1, "the other is");
+    });
+}
+
 void CheckNonFinite(Check& check)
 {
   check.SetContext("not finite");
@@ -366,6 +386,7 @@ int TestFlowWalkerUnstructured(int, char*[])
   CheckApex(check);
   CheckBlocks(check);
   CheckBlanking(check);
+  CheckHiddenAtOrigin(check);
   CheckNonFinite(check);
   CheckArrays(check);
   CheckErrors(check);
