@@ -482,7 +482,7 @@ void TestPieces(Check& check)
       for (vtkIdType id = 0; id < part->GetNumberOfPoints(); ++id)
       {
         const vtkIdType same = whole->FindPoint(part->GetPoint(id));
-        check.Equal(GetValue(part, "AdvectionTime", id), GetValue(whole, "AdvectionTime", same),
+        check.That(GetValue(part, "AdvectionTime", id) == GetValue(whole, "AdvectionTime", same),
           "time in a piece");
       }
     }

@@ -213,6 +213,16 @@ void TestGhosts(Check& check)
     }
     check.That(filter->GetReport().Reached.at(0) > 20, "streamlines before the hole");
   }
+  // Hidden cells may be of types that a field has not.
+  auto mesh = MakeFlowMesh(MeshKind::Hexahedra, { { 2, 4, 4 } });
+  AddVectors(mesh, Shear);
+  const vtkIdType corners[3] = { 0, 1, 2 };
+  mesh->InsertNextCell(VTK_TRIANGLE, 3, corners);
+  SetGhosts(mesh, vtkDataObject::CELL, vtkDataSetAttributes::HIDDENCELL,
+    [](vtkIdType cell) { return cell == 32; });
+  auto mixed = NewFilter(MakeBlocks({ mesh, MakeImage(2, 2) }));
+  check.That(MessagesOf(mixed).empty(), "a hidden triangle");
+  check.Equal(Update(mixed)->GetNumberOfCells(), 64, "cells without the triangle");
   // A block with one layer of the next, as readers of parallel files give them.
   auto filter = NewFilter(MakeImage(0, 4));
   vtkNew<vtkImageData> whole;
