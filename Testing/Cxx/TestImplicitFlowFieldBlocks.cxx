@@ -18,6 +18,7 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
@@ -230,8 +231,11 @@ void TestGhosts(Check& check)
   auto more = MakeImage(0, 3);
   SetGhosts(more, vtkDataObject::CELL, vtkDataSetAttributes::DUPLICATECELL,
     [](vtkIdType cell) { return cell % 3 == 2; });
-  filter->SetInputDataObject(MakeBlocks({ more, MakeImage(2, 2) }));
+  auto next = MakeImage(2, 2);
+  SetGhosts(next, vtkDataObject::CELL, 0, isLast);
+  filter->SetInputDataObject(MakeBlocks({ more, next }));
   vtkDataSet* output = Update(filter);
+  check.That(output->GetCellGhostArray() == nullptr, "no ghosts though both blocks have some");
   check.Equal(output->GetNumberOfCells(), 64, "cells without duplicates");
   check.Equal(output->GetNumberOfPoints(), 125, "points without duplicates");
   CheckSame(output, whole, check);
@@ -269,6 +273,7 @@ void TestArrays(Check& check)
   auto first = MakeImage(0, 2);
   auto second = MakeImage(2, 2);
   AddArray<vtkDoubleArray>(first->GetPointData(), "Both", 75, 0.0);
+  AddArray<vtkDoubleArray>(second->GetPointData(), "Other", 75, 0.0);
   AddArray<vtkDoubleArray>(second->GetPointData(), "Both", 75, 1000.0);
   AddArray<vtkDoubleArray>(first->GetPointData(), "One", 75, 0.0);
   AddArray<vtkIntArray>(first->GetCellData(), "Number", 32, 0.0);
@@ -296,6 +301,26 @@ void TestArrays(Check& check)
     check.Equal(static_cast<double>(numbers->GetValue(cell)),
       bounds[0] < 1.5 ? bounds[0] + row : 998.0 + bounds[0] + row, "its cell's number");
   }
+  auto type = [&](const Grid& one, const Grid& other)
+  {
+    filter->SetInputDataObject(MakeBlocks({ one, other }));
+    filter->RemoveAllMeanArrays();
+    return vtkUnstructuredGrid::SafeDownCast(Update(filter))->GetPoints()->GetDataType();
+  };
+  const auto makeFloats = [](int start)
+  {
+    auto grid = MakeStructured(start, 2);
+    vtkNew<vtkPoints> floats;
+    floats->SetDataTypeToFloat();
+    for (vtkIdType id = 0; id < grid->GetNumberOfPoints(); ++id)
+    {
+      floats->InsertNextPoint(grid->GetPoint(id));
+    }
+    vtkPointSet::SafeDownCast(grid)->SetPoints(floats);
+    return grid;
+  };
+  check.Equal(type(makeFloats(0), makeFloats(2)), VTK_FLOAT, "coordinates of floats");
+  check.Equal(type(makeFloats(0), MakeImage(2, 2)), VTK_DOUBLE, "coordinates of both");
   check.Equal(first->GetPointData()->GetNumberOfArrays(), 3, "the input stays as it is");
 }
 
