@@ -70,6 +70,20 @@ vtkSmartPointer<vtkTable> MakeTable(
   return table;
 }
 
+vtkSmartPointer<vtkTable> MakeTable(const BenchPlot::Series& series)
+{
+  // A line of one point is an error to VTK's charts.
+  const std::size_t copies = series.X.size() == 1 ? 2 : 1;
+  std::vector<double> x;
+  std::vector<double> y;
+  for (std::size_t i = 0; i < copies; ++i)
+  {
+    x.insert(x.end(), series.X.begin(), series.X.end());
+    y.insert(y.end(), series.Y.begin(), series.Y.end());
+  }
+  return MakeTable(series.Label, x, y);
+}
+
 /// The range of the numbers of every series, none negative, widened so that no marker touches the
 /// frame and the legend has room.
 std::array<double, 2> RangeOf(
@@ -128,18 +142,24 @@ void SetRange(vtkAxis* axis, const std::array<double, 2>& range, bool logarithmi
   axis->SetCustomTickPositions(positions, labels);
 }
 
+/// Behind the points of the default.
+void AddRings(vtkChartXY* chart, vtkTable* table, const Look& look)
+{
+  auto ring = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
+  ring->SetInputData(table, 0, 1);
+  ring->SetColor(look.Colour[0], look.Colour[1], look.Colour[2], 70);
+  ring->GetPen()->SetLineType(vtkPen::NO_PEN);
+  ring->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+  ring->SetMarkerSize(30.0f);
+  ring->SetLabel("default");
+}
+
 void AddLine(vtkChartXY* chart, const BenchPlot::Series& series, const Look& look, bool isDefault)
 {
-  auto table = MakeTable(series.Label, series.X, series.Y);
+  auto table = MakeTable(series);
   if (isDefault)
   {
-    auto ring = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
-    ring->SetInputData(table, 0, 1);
-    ring->SetColor(look.Colour[0], look.Colour[1], look.Colour[2], 70);
-    ring->GetPen()->SetLineType(vtkPen::NO_PEN);
-    ring->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-    ring->SetMarkerSize(30.0f);
-    ring->SetLabel("default");
+    AddRings(chart, table, look);
   }
   auto line = vtkPlotLine::SafeDownCast(chart->AddPlot(vtkChart::LINE));
   line->SetInputData(table, 0, 1);
@@ -215,6 +235,10 @@ void FillChart(vtkChartXY* chart, const BenchPlot& plot)
   }
   SetRange(
     chart->GetAxis(vtkAxis::BOTTOM), RangeOf(plot, &BenchPlot::Series::X, plot.LogX), plot.LogX);
+  if (!plot.DefaultPoints.X.empty())
+  {
+    AddRings(chart, MakeTable(plot.DefaultPoints), LookOf(0));
+  }
   for (std::size_t i = 0; i < plot.AllSeries.size(); ++i)
   {
     const BenchPlot::Series& series = plot.AllSeries[i];

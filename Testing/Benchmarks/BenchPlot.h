@@ -38,6 +38,8 @@ struct BenchPlot
   bool Rises = false;
   /// Label of the series whose points are ringed, as the default's.
   std::string DefaultSeries;
+  /// Or the points that are, where a series holds others too.
+  Series DefaultPoints;
   std::vector<std::string> BarLabels;
   /// Bars: height of a dashed line across, such as ratio 1; 0 for none.
   double Reference = 0.0;
