@@ -96,7 +96,7 @@ std::vector<Case> MakeSpeedCases(const BenchOptions& options)
   const int small = options.Pick(64, 64, 12);
   const int large = options.Pick(128, 96, 16);
   const int cells = options.Pick(64, 40, 12);
-  const auto seeds = MakeSeeds(options.Pick(4096, 800, 40), 0.9, options.Seed);
+  const auto seeds = MakeSeeds(options.Pick(2048, 400, 40), 0.9, options.Seed);
   const double face = 0.97;
   const std::array<double, 6> box = { { -face, face, -face, face, -face, face } };
 
@@ -107,15 +107,14 @@ std::vector<Case> MakeSpeedCases(const BenchOptions& options)
     source->Update();
     cases.push_back({ "image-" + std::to_string(points), source->GetOutput(), seeds, box, true });
   }
-  const auto more = MakeSeeds(options.Pick(16384, 800, 40), 0.9, options.Seed);
   const auto source = MakeBeltrami(2);
   const auto lattice = MakeLattice(cells);
   const auto hexahedra = ToHexahedra(lattice);
   MoveAndSample(hexahedra, source, 2.0 / (cells - 1));
-  cases.push_back({ "hexahedra-" + std::to_string(cells), hexahedra, more, box });
+  cases.push_back({ "hexahedra-" + std::to_string(cells), hexahedra, seeds, box });
   const auto tetrahedra = SplitIntoTetrahedra(lattice, 5);
   MoveAndSample(tetrahedra, source, 2.0 / (cells - 1));
-  cases.push_back({ "tetrahedra-" + std::to_string(cells), tetrahedra, more, box });
+  cases.push_back({ "tetrahedra-" + std::to_string(cells), tetrahedra, seeds, box });
   return cases;
 }
 }

@@ -18,13 +18,8 @@
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
-#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
-#include <boost/numeric/odeint/stepper/generation.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace flow
 {
@@ -33,13 +28,6 @@ namespace
 double GetLargestSpeed(const Case& what)
 {
   return what.Field->GetPointData()->GetVectors()->GetMaxNorm();
-}
-
-double Mean(const std::vector<double>& numbers)
-{
-  return numbers.empty()
-    ? 0.0
-    : std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
 }
 
 vtkSmartPointer<vtkAbstractInterpolatedVelocityField> NewInterpolation(int locator)
@@ -115,6 +103,17 @@ Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter)
 }
 
 //------------------------------------------------------------------------------
+double RunOnce(vtkAlgorithm* filter)
+{
+  return TimeOnce(WithThreads(1,
+    [filter]()
+    {
+      filter->Update();
+      return vtkSmartPointer<vtkObjectBase>(filter);
+    }));
+}
+
+//------------------------------------------------------------------------------
 std::string TracerSettings::GetName() const
 {
   return this->Integrator == vtkStreamTracer::RUNGE_KUTTA45
@@ -181,99 +180,5 @@ Answer ReadTracer(const Case& what, vtkStreamTracer* tracer)
     output->GetPoint(points[last], end.Place.data());
   }
   return answer;
-}
-
-//------------------------------------------------------------------------------
-Reference::Reference(const Case& what)
-  : Seeds(what.Seeds)
-  , Interpolation(vtkSmartPointer<vtkCellLocatorInterpolatedVelocityField>::New())
-{
-  vtkNew<vtkStaticCellLocator> prototype;
-  this->Interpolation->SetCellLocatorPrototype(prototype);
-  this->Interpolation->AddDataSet(what.Field);
-  this->Interpolation->SelectVectors(
-    vtkDataObject::FIELD_ASSOCIATION_POINTS, what.Field->GetPointData()->GetVectors()->GetName());
-  this->LongestStep =
-    0.1 * std::sqrt(what.Field->GetCell(0)->GetLength2() / 3.0) / GetLargestSpeed(what);
-}
-
-//------------------------------------------------------------------------------
-Reference::~Reference() = default;
-
-//------------------------------------------------------------------------------
-void Reference::GetVelocity(const double x[3], double v[3]) const
-{
-  double place[4] = { x[0], x[1], x[2], 0.0 };
-  if (this->Interpolation->FunctionValues(place, v) == 0)
-  {
-    std::fill(v, v + 3, 0.0);
-  }
-}
-
-//------------------------------------------------------------------------------
-void Reference::Follow(double x[3], double time) const
-{
-  namespace odeint = boost::numeric::odeint;
-  using State = std::vector<double>;
-  State state(x, x + 3);
-  const double sign = time < 0.0 ? 1.0 : -1.0;
-  const auto rate = [&](const State& at, State& v, double)
-  {
-    this->GetVelocity(at.data(), v.data());
-    std::for_each(v.begin(), v.end(), [sign](double& component) { component *= sign; });
-  };
-  if (std::abs(time) > 0.0)
-  {
-    odeint::integrate_adaptive(odeint::make_controlled(1e-12, 1e-12, this->LongestStep,
-                                 odeint::runge_kutta_fehlberg78<State>()),
-      rate, state, 0.0, std::abs(time), std::min(this->LongestStep, std::abs(time)));
-  }
-  std::copy(state.begin(), state.end(), x);
-}
-
-//------------------------------------------------------------------------------
-Difference Reference::Compare(const Answer& answer, vtkIdType stride) const
-{
-  std::vector<double> aside;
-  std::vector<double> times;
-  for (vtkIdType i = 0; i < this->Seeds->GetNumberOfPoints(); i += stride)
-  {
-    const End& end = answer.Ends[static_cast<std::size_t>(i)];
-    if (!end.HasAnswer)
-    {
-      continue;
-    }
-    double place[3];
-    this->Seeds->GetPoint(i, place);
-    double time = end.Time;
-    this->Follow(place, time);
-    double apart[3];
-    // To the point of the streamline that is closest to the end.
-    for (int iteration = 0; iteration < 4; ++iteration)
-    {
-      double v[3];
-      this->GetVelocity(place, v);
-      double along = 0.0;
-      double square = 0.0;
-      for (int j = 0; j < 3; ++j)
-      {
-        along -= (end.Place[j] - place[j]) * v[j];
-        square += v[j] * v[j];
-      }
-      this->Follow(place, along / square);
-      time += along / square;
-    }
-    for (int j = 0; j < 3; ++j)
-    {
-      apart[j] = end.Place[j] - place[j];
-    }
-    if (!std::isfinite(time))
-    {
-      continue;
-    }
-    aside.push_back(std::sqrt(apart[0] * apart[0] + apart[1] * apart[1] + apart[2] * apart[2]));
-    times.push_back(std::abs(end.Time - time));
-  }
-  return { Mean(aside), Median(aside), Mean(times) };
 }
 }

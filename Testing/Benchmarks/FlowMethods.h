@@ -12,8 +12,6 @@
 #include <string>
 #include <vector>
 
-class vtkCellLocatorInterpolatedVelocityField;
-
 /**
  * The two ways of following streamlines backward, and where they end.
  */
@@ -52,6 +50,9 @@ vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
   const Case& what, int integrator, double tolerance);
 Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter);
 
+/// Wall seconds of an update by one thread.
+double RunOnce(vtkAlgorithm* filter);
+
 /// How vtkStreamTracer is set.
 struct TracerSettings
 {
@@ -80,42 +81,6 @@ struct TracerSettings
  */
 vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSettings& settings);
 Answer ReadTracer(const Case& what, vtkStreamTracer* tracer);
-
-/// How far an answer is from the reference.
-struct Difference
-{
-  /// Mean and median distance of the ends from the streamlines.
-  double Mean = 0.0;
-  double Median = 0.0;
-  /// Mean difference of the time at which a streamline is where it ends.
-  double Time = 0.0;
-};
-
-/**
- * The streamlines by Boost's method of Runge, Kutta and Fehlberg, order 7(8), in steps of at most a
- * tenth of a cell, through VTK's own interpolation, and so not by this project.
- */
-class Reference
-{
-public:
-  explicit Reference(const Case& what);
-  ~Reference();
-  Reference(const Reference&) = delete;
-  void operator=(const Reference&) = delete;
-
-  /// Over every \a stride-th seed with an answer.
-  Difference Compare(const Answer& answer, vtkIdType stride) const;
-
-private:
-  void GetVelocity(const double x[3], double v[3]) const;
-  /// Moves \a x, backward for times above 0.
-  void Follow(double x[3], double time) const;
-
-  vtkSmartPointer<vtkPolyData> Seeds;
-  vtkSmartPointer<vtkCellLocatorInterpolatedVelocityField> Interpolation;
-  /// A tenth of a cell.
-  double LongestStep;
-};
 }
 
 #endif

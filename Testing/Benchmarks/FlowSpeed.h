@@ -20,8 +20,7 @@ namespace flow
  * - `equal-error`: the default of the advection against the peers `streamtracer-RK4` and
  *   `streamtracer-RK45` at the first of their settings, halved or divided by ten each time, of an
  *   error no more than twice that of the advection;
- * - `threads-2`: two threads against one;
- * - `samples`: the field HURRICANE, every point of an image a sample, all threads.
+ * - `threads-2`: two threads against one.
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows);
 

@@ -1,16 +1,10 @@
 #include "FlowTolerances.h"
 
 #include "BenchTiming.h"
-#include "FlowCases.h"
+#include "FlowFields.h"
 #include "FlowMethods.h"
 
-#include "ReferenceFlowMaps.h"
-
-#include "vtkImageData.h"
-
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,159 +13,177 @@ namespace flow
 {
 namespace
 {
-const char* const Norm = "mean distance from the formula";
+const char* const Norm = "mean distance of the ends from the streamlines";
+const char* const Automatic = "automatic";
 constexpr double ClaimedTolerance = 1e-6;
 
-/// A linear field and where it carries a point in a time.
-struct LinearCase
-{
-  std::string Name;
-  vtkSmartPointer<vtkAnalyticFlowSource> Source;
-  std::function<reference::FlowVector(const reference::FlowVector&, double)> Map;
-};
-
-vtkSmartPointer<vtkAnalyticFlowSource> NewSource(int field, int points)
-{
-  auto source = vtkSmartPointer<vtkAnalyticFlowSource>::New();
-  source->SetField(field);
-  source->SetDimensions(points, points, points);
-  return source;
-}
-
-LinearCase MakeSaddle(const std::string& name, const reference::FlowVector& rates, int points)
-{
-  auto source = NewSource(vtkAnalyticFlowSource::SADDLE, points);
-  source->SetSaddleRates(rates[0], rates[1], rates[2]);
-  return { name, source, [rates](const reference::FlowVector& x, double t) {
-            return reference::MapSaddle(x, { { 0.0, 0.0, 0.0 } }, rates, t);
-          } };
-}
-
-std::vector<LinearCase> MakeCases(const BenchOptions& options)
-{
-  const int points = options.Pick(64, 32, 8);
-  std::vector<LinearCase> cases;
-  const reference::FlowVector velocity = { { 1.0, 0.4, -0.3 } };
-  auto uniform = NewSource(vtkAnalyticFlowSource::UNIFORM, points);
-  uniform->SetVelocity(velocity[0], velocity[1], velocity[2]);
-  cases.push_back({ "uniform", uniform, [velocity](const reference::FlowVector& x, double t) {
-                     return reference::MapUniform(x, velocity, t);
-                   } });
-  cases.push_back(MakeSaddle("saddle", { { 1.0, 1.0, -2.0 } }, points));
-  const reference::FlowVector rates = { { -1.0, -0.8, -0.6 } };
-  constexpr double swirl = 3.0;
-  auto spiral = NewSource(vtkAnalyticFlowSource::NODE, points);
-  spiral->SetNodeRates(rates[0], rates[1], rates[2]);
-  spiral->SetSwirl(swirl);
-  cases.push_back(
-    { "spiral", spiral, [rates](const reference::FlowVector& x, double t) {
-       return reference::MapNode(x, { { 0.0, 0.0, 0.0 } }, rates, { { 0.0, 0.0, 1.0 } }, swirl, t);
-     } });
-  for (const auto& ratio : { std::pair<const char*, double>("stiff-1e2", 1e2),
-         std::pair<const char*, double>("stiff-1e4", 1e4),
-         std::pair<const char*, double>("stiff-1e6", 1e6) })
-  {
-    cases.push_back(
-      MakeSaddle(ratio.first, { { -1.0, ratio.second, 0.5 * ratio.second } }, points));
-  }
-  return cases;
-}
-
-struct Errors
-{
-  double Mean = 0.0;
-  /// The share of answers within 10 times the tolerance.
-  double Within = 0.0;
-  /// Samples that have an answer.
-  vtkIdType Answers = 0;
-};
-
-Errors Compare(const Case& what, const LinearCase& linear, const Answer& answer, double largest)
-{
-  Errors errors;
-  vtkIdType within = 0;
-  for (vtkIdType i = 0; i < what.Seeds->GetNumberOfPoints(); ++i)
-  {
-    const End& end = answer.Ends[static_cast<std::size_t>(i)];
-    if (!end.HasAnswer)
-    {
-      continue;
-    }
-    reference::FlowVector start{};
-    what.Seeds->GetPoint(i, start.data());
-    const reference::FlowVector place = linear.Map(start, -end.Time);
-    const double apart =
-      std::hypot(place[0] - end.Place[0], place[1] - end.Place[1], place[2] - end.Place[2]);
-    errors.Mean += apart;
-    ++errors.Answers;
-    within += apart <= 10.0 * largest * end.Time + 1e-13 ? 1 : 0;
-  }
-  const auto answers = static_cast<double>(std::max<vtkIdType>(1, errors.Answers));
-  errors.Mean /= answers;
-  errors.Within = static_cast<double>(within) / answers;
-  return errors;
-}
-
 const std::vector<std::pair<int, const char*>> Integrators = { { vtkImplicitFlowField::AUTOMATIC,
-                                                                 "automatic" },
+                                                                 Automatic },
   { vtkImplicitFlowField::DORMAND_PRINCE, "dormand-prince" },
   { vtkImplicitFlowField::RUNGE_KUTTA_4, "runge-kutta-4" },
   { vtkImplicitFlowField::ROSENBROCK, "rosenbrock" } };
 
-bool IsMethod(const std::string& method)
+/// One integrator at one tolerance.
+struct OwnTrial
 {
-  return std::any_of(Integrators.begin(), Integrators.end(),
-    [&](const std::pair<int, const char*>& integrator) { return method == integrator.second; });
+  vtkSmartPointer<vtkImplicitFlowField> Filter;
+  BenchRow Row;
+};
+
+/// Median times, all trials in turn; a stiff case takes seconds, and is run once.
+void Measure(const FieldCase& field, const BenchOptions& options, std::vector<OwnTrial>& trials)
+{
+  std::vector<BenchWork> works;
+  for (OwnTrial& trial : trials)
+  {
+    trial.Row.Seconds = RunOnce(trial.Filter);
+    works.push_back(WithThreads(1,
+      [filter = trial.Filter]()
+      {
+        filter->Modified();
+        filter->Update();
+        return vtkSmartPointer<vtkObjectBase>(filter);
+      }));
+  }
+  if (field.IsStiff)
+  {
+    return;
+  }
+  const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+  for (std::size_t i = 0; i < trials.size(); ++i)
+  {
+    trials[i].Row.Seconds = seconds[i];
+  }
+}
+
+/// \a error: 0, or that of Difference::Within.
+void SetErrors(const FieldCase& field, const BenchOptions& options, const Answer& answer,
+  double error, BenchRow& row)
+{
+  const auto answers = std::count_if(
+    answer.Ends.begin(), answer.Ends.end(), [](const End& end) { return end.HasAnswer; });
+  row.Counts["answers"] = answers;
+  if (answers > 0)
+  {
+    const vtkIdType stride = field.IsStiff ? 1 : options.Pick(1, 4, 1);
+    const Difference apart = field.Exact.Compare(answer, stride, error);
+    row.Error = apart.Mean;
+    row.ErrorNorm = Norm;
+    row.Counts["time_error"] = apart.Time;
+    if (error > 0.0)
+    {
+      row.Counts["within"] = apart.Within;
+    }
+  }
+}
+
+void AddOwnRows(const FieldCase& field, const BenchOptions& options, BenchRows& rows)
+{
+  const std::vector<double> all = { 1e-3, 1e-4, 1e-5, ClaimedTolerance, 1e-7, 1e-8, 1e-9, 1e-10 };
+  const std::vector<double> some = { 1e-3, ClaimedTolerance, 1e-8, 1e-10 };
+  const std::vector<double> few = { ClaimedTolerance, 1e-9 };
+  const auto tolerances =
+    field.IsStiff ? options.Pick(some, few, few) : options.Pick(all, some, few);
+  std::vector<OwnTrial> trials;
+  for (const auto& integrator : Integrators)
+  {
+    for (const double tolerance : tolerances)
+    {
+      const auto filter = NewAdvection(field.What, integrator.first, tolerance);
+      if (field.IsStiff)
+      {
+        filter->SetMaximumError(tolerance);
+      }
+      trials.push_back({ filter, rows.Make(field.What.Name, integrator.second) });
+      trials.back().Row.Parameter = tolerance;
+    }
+  }
+  Measure(field, options, trials);
+  for (OwnTrial& trial : trials)
+  {
+    BenchRow& row = trial.Row;
+    SetErrors(field, options, ReadAdvection(field.What, trial.Filter),
+      10.0 * trial.Filter->GetMaximumError(), row);
+    const vtkFlowReport& report = trial.Filter->GetReport();
+    row.Counts["samples"] = report.Samples;
+    row.Counts["steps"] = report.Steps;
+    row.Counts["stiff_steps"] = report.StiffSteps;
+    row.Counts["rejected"] = report.RejectedSteps + report.RejectedStiffSteps;
+    row.Counts["evaluations"] = report.Evaluations;
+    rows.Add(row);
+  }
+}
+
+void AddPeerRows(const FieldCase& field, const BenchOptions& options, BenchRows& rows)
+{
+  const auto steps = options.Pick<std::vector<double>>(
+    { 0.5, 0.25, 0.125, 0.0625, 0.03125 }, { 0.5, 0.125 }, { 0.5, 0.25 });
+  const auto errors = options.Pick<std::vector<double>>(
+    { 1e-4, 1e-6, 1e-8, 1e-10, 1e-12 }, { 1e-5, 1e-8 }, { 1e-5, 1e-7 });
+  for (const int integrator : { vtkStreamTracer::RUNGE_KUTTA4, vtkStreamTracer::RUNGE_KUTTA45 })
+  {
+    for (const double parameter : integrator == vtkStreamTracer::RUNGE_KUTTA45 ? errors : steps)
+    {
+      TracerSettings settings;
+      settings.Integrator = integrator;
+      settings.Parameter = parameter;
+      const auto tracer = NewTracer(field.What, settings);
+      BenchRow row = rows.Make(field.What.Name, settings.GetName());
+      row.Parameter = parameter;
+      row.Seconds = RunOnce(tracer);
+      const Answer answer = ReadTracer(field.What, tracer);
+      SetErrors(field, options, answer, 0.0, row);
+      row.Counts["steps"] = answer.Steps;
+      rows.Add(row);
+    }
+  }
+}
+
+/// The plot for such a row, with its default's point where the row is that.
+void AddPoint(const BenchRow& row, bool isOwn, bool isTime, std::vector<BenchPlot>& plots)
+{
+  const double error = isTime ? row.Counts.value("time_error", 0.0) : row.Error.value_or(0.0);
+  // Errors of 0 have no place on the axis.
+  if (!(error > 0.0))
+  {
+    return;
+  }
+  const std::string name = "flow-tolerance-" + row.Case + (isTime ? "-time" : "");
+  auto plot = std::find_if(
+    plots.begin(), plots.end(), [&name](const BenchPlot& other) { return other.Name == name; });
+  if (plot == plots.end())
+  {
+    BenchPlot fresh;
+    fresh.Name = name;
+    fresh.Title =
+      (isTime ? "Time at the end, " : "Place (u,v) of the end, ") + row.Case + ", 1 thread";
+    fresh.XLabel = "run time (s)";
+    fresh.YLabel = isTime ? "mean error of the time (unit of time)"
+                          : "mean distance from the streamline (unit of length)";
+    fresh.LogX = true;
+    fresh.LogY = true;
+    plot = plots.insert(plots.end(), fresh);
+  }
+  plot->AddPoint(
+    isOwn ? row.Method : std::string(Peer) + " " + row.Method, !isOwn, *row.Seconds, error);
+  if (row.Method == Automatic && row.Parameter.get<double>() == ClaimedTolerance &&
+    row.Case.rfind("stiff", 0) != 0)
+  {
+    plot->DefaultPoints.X = { *row.Seconds };
+    plot->DefaultPoints.Y = { error };
+  }
 }
 }
 
 //------------------------------------------------------------------------------
 void AddToleranceRows(const BenchOptions& options, BenchRows& rows)
 {
-  const auto tolerances =
-    options.Pick<std::vector<double>>({ 1e-2, 1e-4, ClaimedTolerance, 1e-8, 1e-10 },
-      { 1e-3, ClaimedTolerance, 1e-9 }, { ClaimedTolerance, 1e-9 });
-  for (const LinearCase& linear : MakeCases(options))
+  for (const FieldCase& field : MakeFieldCases(options))
   {
-    // Explicit methods take a hundred thousand steps there.
-    const bool isStiff = linear.Name.rfind("stiff", 0) == 0;
-    const auto seeds = MakeSeeds(
-      isStiff ? options.Pick(200, 24, 8) : options.Pick(2000, 400, 30), 0.8, options.Seed);
-    linear.Source->Update();
-    constexpr double face = 0.97;
-    const Case what = { linear.Name, linear.Source->GetOutput(), seeds,
-      { { -face, face, -face, face, -face, face } }, true };
-    for (const auto& integrator : Integrators)
+    AddOwnRows(field, options, rows);
+    if (!field.IsStiff)
     {
-      for (const double tolerance : tolerances)
-      {
-        const auto filter = NewAdvection(what, integrator.first, tolerance);
-        filter->SetMaximumError(tolerance);
-        BenchRow row = rows.Make(linear.Name, integrator.second);
-        row.Seconds = TimeOnce(WithThreads(1,
-          [&]()
-          {
-            filter->Update();
-            return vtkSmartPointer<vtkObjectBase>(filter->GetOutputDataObject(0));
-          }));
-        const Errors errors =
-          Compare(what, linear, ReadAdvection(what, filter), filter->GetMaximumError());
-        const vtkFlowReport& report = filter->GetReport();
-        row.Parameter = tolerance;
-        if (errors.Answers > 0)
-        {
-          row.Error = errors.Mean;
-          row.ErrorNorm = Norm;
-        }
-        row.Counts["samples"] = report.Samples;
-        row.Counts["answers"] = errors.Answers;
-        row.Counts["within"] = errors.Within;
-        row.Counts["steps"] = report.Steps;
-        row.Counts["stiff_steps"] = report.StiffSteps;
-        row.Counts["rejected"] = report.RejectedSteps + report.RejectedStiffSteps;
-        row.Counts["evaluations"] = report.Evaluations;
-        rows.Add(row);
-      }
+      AddPeerRows(field, options, rows);
     }
   }
 }
@@ -183,8 +195,8 @@ std::vector<BenchClaim> CheckToleranceClaims(const std::vector<BenchRow>& rows)
     "at a tolerance of 1e-6, 99.9 % of the answers within 10 times of it, automatic", 0.999, rows,
     [](const BenchRow& row) -> std::optional<double>
     {
-      return row.Method == "automatic" && row.Parameter.get<double>() == ClaimedTolerance
-        ? std::optional<double>(row.Counts["within"].get<double>())
+      return row.Method == Automatic && row.Parameter.get<double>() == ClaimedTolerance
+        ? std::optional<double>(row.Counts.value("within", 0.0))
         : std::nullopt;
     }) };
 }
@@ -193,38 +205,19 @@ std::vector<BenchClaim> CheckToleranceClaims(const std::vector<BenchRow>& rows)
 std::vector<BenchPlot> MakeTolerancePlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;
+  const auto isField = [&rows](const std::string& name)
+  {
+    return std::any_of(rows.begin(), rows.end(),
+      [&name](const BenchRow& row) { return row.Case == name && row.Method == Automatic; });
+  };
   for (const BenchRow& row : rows)
   {
-    // Errors of 0 have no place on the axis.
-    if (!IsMethod(row.Method) || !(row.Error.value_or(0.0) > 0.0) || row.Case == "uniform")
+    const bool isOwn = std::any_of(Integrators.begin(), Integrators.end(),
+      [&row](const std::pair<int, const char*>& one) { return row.Method == one.second; });
+    if (isOwn || (isField(row.Case) && (row.Method == "RK4" || row.Method == "RK45")))
     {
-      continue;
-    }
-    const std::string title = "Integrators, " + row.Case + ", 1 thread";
-    if (plots.empty() || plots.back().Title != title)
-    {
-      BenchPlot plot;
-      plot.Name = "flow-tolerance-" + row.Case;
-      plot.Title = title;
-      plot.XLabel = "run time (s)";
-      plot.YLabel = Norm;
-      plot.LogX = true;
-      plot.LogY = true;
-      plot.DefaultSeries = "automatic";
-      plots.push_back(plot);
-    }
-    plots.back().AddPoint(row.Method, false, *row.Seconds, *row.Error);
-  }
-  // A line of one point is an error to VTK's charts.
-  for (BenchPlot& plot : plots)
-  {
-    for (BenchPlot::Series& series : plot.AllSeries)
-    {
-      if (series.X.size() == 1)
-      {
-        series.X.push_back(series.X.front());
-        series.Y.push_back(series.Y.front());
-      }
+      AddPoint(row, isOwn, false, plots);
+      AddPoint(row, isOwn, true, plots);
     }
   }
   return plots;

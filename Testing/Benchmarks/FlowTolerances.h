@@ -9,19 +9,20 @@
 #include <vector>
 
 /**
- * The part of the suite `flow` about errors that formulas tell: fields that interpolation keeps.
+ * The part of the suite `flow` about the error of (u,v,t) by integrator and tolerance.
  */
 namespace flow
 {
 /**
- * Each integrator, which is the method, at each tolerance, which is the parameter, by one thread,
- * against the formula of where the field carries a sample in the time that was found. Cases:
- * `uniform`, `saddle`, `spiral`, and `stiff-<ratio>`, saddles of that ratio of eigenvalues.
+ * The cases of FlowFields, by one thread. Methods: each integrator of vtkImplicitFlowField at each
+ * tolerance, which is the parameter: MaximumError over the largest speed, but in fields that are
+ * stiff MaximumError; and, where the field is not stiff, the peer's `RK4` by step in cells and
+ * `RK45` by MaximumError.
  */
 void AddToleranceRows(const BenchOptions& options, BenchRows& rows);
 
 std::vector<BenchClaim> CheckToleranceClaims(const std::vector<BenchRow>& rows);
-/// Error against run time, a plot for each case.
+/// The errors of (u,v) and of t against run time, two plots for each case.
 std::vector<BenchPlot> MakeTolerancePlots(const std::vector<BenchRow>& rows);
 }
 

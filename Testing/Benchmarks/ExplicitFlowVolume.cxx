@@ -1,0 +1,233 @@
+#include "ExplicitFlowVolume.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkInterpolatedVelocityField.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRungeKutta4.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+}
+
+//------------------------------------------------------------------------------
+ExplicitFlowVolume::ExplicitFlowVolume(
+  vtkImageData* field, const flow::Disc& disc, double time, const Settings& settings)
+  : Field(field)
+  , Inflow(disc)
+  , Time(time)
+  , Options(settings)
+{
+  this->MakePatch();
+  this->Trace();
+  for (int i = 0; i < settings.MostHalvings && this->Refine(); ++i)
+  {
+    this->Trace();
+  }
+}
+
+//------------------------------------------------------------------------------
+void ExplicitFlowVolume::MakePatch()
+{
+  this->Streamlines.push_back({ { { this->Inflow.X, this->Inflow.Y, this->Inflow.Z } } });
+  // Ring k has 6 k points, from the point of that id on.
+  const auto getPoint = [](int ring, int at) -> vtkIdType
+  { return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + at % (6 * ring); };
+  for (int ring = 1; ring <= this->Options.Rings; ++ring)
+  {
+    const double radius = this->Inflow.Radius * ring / this->Options.Rings;
+    for (int at = 0; at < 6 * ring; ++at)
+    {
+      const double angle = Pi * at / (3 * ring);
+      this->Streamlines.push_back({ { { this->Inflow.X, this->Inflow.Y + radius * std::cos(angle),
+        this->Inflow.Z + radius * std::sin(angle) } } });
+      const int sector = at / ring;
+      const int inner = at - sector;
+      this->Patch.push_back(
+        { { getPoint(ring, at), getPoint(ring, at + 1), getPoint(ring - 1, inner) } });
+      if (at % ring != 0)
+      {
+        this->Patch.push_back(
+          { { getPoint(ring - 1, inner - 1), getPoint(ring, at), getPoint(ring - 1, inner) } });
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ExplicitFlowVolume::Trace()
+{
+  vtkNew<vtkInterpolatedVelocityField> field;
+  field->AddDataSet(this->Field);
+  vtkDataArray* vectors = this->Field->GetPointData()->GetVectors();
+  field->SelectVectors(vtkDataObject::FIELD_ASSOCIATION_POINTS, vectors->GetName());
+  vtkNew<vtkRungeKutta4> integrator;
+  integrator->SetFunctionSet(field);
+  const double* spacing = this->Field->GetSpacing();
+  const double halfCell = 0.5 * std::min(std::min(spacing[0], spacing[1]), spacing[2]);
+  const double layer = this->Time / this->Options.Layers;
+  const int steps =
+    std::max(1, static_cast<int>(std::ceil(layer * vectors->GetMaxNorm() / halfCell)));
+  for (std::vector<Vector>& places : this->Streamlines)
+  {
+    while (places.size() <= static_cast<std::size_t>(this->Options.Layers))
+    {
+      Vector place = places.back();
+      for (int step = 0; step < steps; ++step)
+      {
+        double time = layer / steps;
+        double error = 0.0;
+        Vector next;
+        if (integrator->ComputeNextStep(
+              place.data(), next.data(), 0.0, time, 0.0, error, nullptr) != 0)
+        {
+          break;
+        }
+        place = next;
+      }
+      places.push_back(place);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::map<ExplicitFlowVolume::Edge, int> ExplicitFlowVolume::GetEdges() const
+{
+  std::map<Edge, int> edges;
+  for (const Triangle& triangle : this->Patch)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      ++edges[std::minmax(triangle[i], triangle[(i + 1) % 3])];
+    }
+  }
+  return edges;
+}
+
+//------------------------------------------------------------------------------
+bool ExplicitFlowVolume::Refine()
+{
+  if (this->Options.LongestEdge <= 0.0)
+  {
+    return false;
+  }
+  const double longest = this->Options.LongestEdge * this->Options.LongestEdge;
+  std::map<Edge, vtkIdType> middles;
+  for (const auto& edge : this->GetEdges())
+  {
+    const auto& a = this->Streamlines[static_cast<std::size_t>(edge.first.first)];
+    const auto& b = this->Streamlines[static_cast<std::size_t>(edge.first.second)];
+    const bool isLong = !std::equal(a.begin(), a.end(), b.begin(),
+      [longest](const Vector& p, const Vector& q)
+      { return vtkMath::Distance2BetweenPoints(p.data(), q.data()) <= longest; });
+    if (!isLong)
+    {
+      continue;
+    }
+    double y = 0.5 * (a[0][1] + b[0][1]) - this->Inflow.Y;
+    double z = 0.5 * (a[0][2] + b[0][2]) - this->Inflow.Z;
+    const double stretch = edge.second == 1 ? this->Inflow.Radius / std::hypot(y, z) : 1.0;
+    middles[edge.first] = static_cast<vtkIdType>(this->Streamlines.size());
+    this->Streamlines.push_back(
+      { { { this->Inflow.X, this->Inflow.Y + stretch * y, this->Inflow.Z + stretch * z } } });
+  }
+  std::vector<Triangle> parts;
+  for (const Triangle& triangle : this->Patch)
+  {
+    Triangle ofTriangle;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto found = middles.find(std::minmax(triangle[i], triangle[(i + 1) % 3]));
+      ofTriangle[i] = found == middles.end() ? -1 : found->second;
+    }
+    ExplicitFlowVolume::Split(triangle, ofTriangle, parts);
+  }
+  this->Patch.swap(parts);
+  return !middles.empty();
+}
+
+//------------------------------------------------------------------------------
+void ExplicitFlowVolume::Split(
+  const Triangle& triangle, const Triangle& middles, std::vector<Triangle>& parts)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    if (middles[i] >= 0)
+    {
+      // Halved from the corner across; what is left is split by the other edges.
+      if (middles[j] >= 0 && middles[k] >= 0)
+      {
+        parts.push_back(middles);
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+          parts.push_back({ { triangle[corner], middles[corner], middles[(corner + 2) % 3] } });
+        }
+        return;
+      }
+      ExplicitFlowVolume::Split(
+        { { middles[i], triangle[j], triangle[k] } }, { { -1, middles[j], -1 } }, parts);
+      ExplicitFlowVolume::Split(
+        { { triangle[i], middles[i], triangle[k] } }, { { -1, -1, middles[k] } }, parts);
+      return;
+    }
+  }
+  parts.push_back(triangle);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnstructuredGrid> ExplicitFlowVolume::MakeTetrahedra() const
+{
+  const auto places = static_cast<vtkIdType>(this->Options.Layers) + 1;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(this->Streamlines.size()) * places);
+  vtkIdType id = 0;
+  for (const std::vector<Vector>& streamline : this->Streamlines)
+  {
+    for (const Vector& place : streamline)
+    {
+      points->SetPoint(id++, place.data());
+    }
+  }
+  vtkNew<vtkCellArray> cells;
+  for (Triangle triangle : this->Patch)
+  {
+    // By the order of ids alone, so that prisms cut their common faces alike.
+    const int turned = (triangle[0] > triangle[1] ? 1 : 0) + (triangle[1] > triangle[2] ? 1 : 0) +
+      (triangle[0] > triangle[2] ? 1 : 0);
+    std::sort(triangle.begin(), triangle.end());
+    for (vtkIdType layer = 0; layer + 1 < places; ++layer)
+    {
+      vtkIdType low[3];
+      vtkIdType high[3];
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        low[i] = triangle[i] * places + layer;
+        high[i] = low[i] + 1;
+      }
+      vtkIdType tetrahedra[3][4] = { { low[0], low[1], low[2], high[2] },
+        { low[0], low[1], high[2], high[1] }, { low[0], high[1], high[2], high[0] } };
+      for (vtkIdType* tetrahedron : tetrahedra)
+      {
+        if (turned % 2 == 1)
+        {
+          std::swap(tetrahedron[0], tetrahedron[1]);
+        }
+        cells->InsertNextCell(4, tetrahedron);
+      }
+    }
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->SetCells(VTK_TETRA, cells);
+  return grid;
+}

@@ -1,0 +1,247 @@
+#include "FlowExplicit.h"
+
+#include "BenchTiming.h"
+#include "ExplicitFlowVolume.h"
+#include "FlowTubes.h"
+#include "LevelDistance.h"
+#include "SurfaceDistances.h"
+
+#include "vtkCellIterator.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkTetra.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace flow
+{
+namespace
+{
+const char* const Explicit = "explicit";
+const char* const Halved = "explicit-halved";
+const char* const Implicit = "implicit";
+const char* const Again = "implicit-again";
+const char* const BoundaryCount = "boundary_distance";
+
+using Corners = std::vector<std::array<double, 3>>;
+
+/// Calls \a visit with the corners of each cell.
+template <typename Visitor>
+void ForEachCell(vtkDataSet* cells, const Visitor& visit)
+{
+  Corners corners;
+  const auto iterator = vtkSmartPointer<vtkCellIterator>::Take(cells->NewCellIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkPoints* points = iterator->GetPoints();
+    corners.resize(static_cast<std::size_t>(points->GetNumberOfPoints()));
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      points->GetPoint(static_cast<vtkIdType>(i), corners[i].data());
+    }
+    visit(corners);
+  }
+}
+
+/// What is made of a tube, against what it is.
+class TubeErrors
+{
+public:
+  explicit TubeErrors(const Tube& tube)
+    : Exact(tube)
+  {
+  }
+
+  void AddTetrahedra(vtkDataSet* tetrahedra)
+  {
+    this->Tetrahedra += tetrahedra->GetNumberOfCells();
+    ForEachCell(tetrahedra,
+      [this](Corners& x)
+      {
+        const double volume =
+          std::abs(vtkTetra::ComputeVolume(x[0].data(), x[1].data(), x[2].data(), x[3].data()));
+        double center[3];
+        vtkTetra::TetraCenter(x[0].data(), x[1].data(), x[2].data(), x[3].data(), center);
+        this->Volume += volume;
+        if (this->Exact.IsShadow(center) || this->Exact.GetExcess(center) > 0.0)
+        {
+          this->Outside += volume;
+        }
+      });
+  }
+
+  void AddSide(const double a[3], const double b[3], const double c[3])
+  {
+    const double x[3][3] = { { a[0], a[1], a[2] }, { b[0], b[1], b[2] }, { c[0], c[1], c[2] } };
+    this->Sides.AddTriangle(x,
+      [this](const double* point)
+      {
+        return DistanceToLevel([this](const double at[3], double gradient[3])
+          { return this->Exact.GetExcess(at, gradient); },
+          point, 0.0, this->Exact.Inflow.Radius);
+      });
+  }
+
+  void Fill(BenchRow& row) const
+  {
+    const double exact = this->Exact.Volume;
+    row.Error = (this->Outside + std::abs(exact - (this->Volume - this->Outside))) / exact;
+    row.ErrorNorm = "volume outside of the tube and volume missing, of the tube's";
+    row.Counts["tetrahedra"] = this->Tetrahedra;
+    row.Counts["volume_error"] = std::abs(this->Volume - exact) / exact;
+    row.Counts[BoundaryCount] = this->Sides.GetRootMeanSquare();
+  }
+
+private:
+  const Tube& Exact;
+  vtkIdType Tetrahedra = 0;
+  double Volume = 0.0;
+  double Outside = 0.0;
+  SurfaceDistances Sides;
+};
+
+void AddExplicit(const Tube& tube, int rings, bool isHalved, BenchRows& rows)
+{
+  ExplicitFlowVolume::Settings settings;
+  settings.Rings = rings;
+  settings.Layers = 4 * rings;
+  settings.LongestEdge = isHalved ? 1.5 * tube.Inflow.Radius / rings : 0.0;
+  std::unique_ptr<ExplicitFlowVolume> volume;
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra;
+  const auto work = [&]()
+  {
+    volume = std::make_unique<ExplicitFlowVolume>(tube.Field, tube.Inflow, tube.Time, settings);
+    tetrahedra = volume->MakeTetrahedra();
+    return vtkSmartPointer<vtkObjectBase>(tetrahedra);
+  };
+  BenchRow row = rows.Make(tube.Name, isHalved ? Halved : Explicit);
+  row.Parameter = rings;
+  row.Seconds = TimeOnce(WithThreads(1, work));
+  TubeErrors errors(tube);
+  errors.AddTetrahedra(tetrahedra);
+  volume->ForEachSide(
+    [&errors](const std::array<double, 3>& a, const std::array<double, 3>& b,
+      const std::array<double, 3>& c) { errors.AddSide(a.data(), b.data(), c.data()); });
+  errors.Fill(row);
+  row.Counts["streamlines"] = volume->GetNumberOfStreamlines();
+  rows.Add(row);
+}
+
+/// Samples behind the disc's plane, the first of them on it.
+void SetSamples(const Tube& tube, int samples, vtkImplicitFlowField* field)
+{
+  double bounds[6];
+  tube.Field->GetBounds(bounds);
+  bounds[0] = tube.Inflow.X;
+  field->SetInputData(tube.Field);
+  field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+  field->SetSampleBounds(bounds);
+  field->SetSampleDimensions(samples, samples, samples);
+  // Cells across the end need answers behind it.
+  field->SetMaximumTime(1.3 * tube.Time);
+}
+
+void AddImplicit(const Tube& tube, int samples, const BenchOptions& options, BenchRows& rows)
+{
+  DiscVolume pipeline(tube.Inflow);
+  SetSamples(tube, samples, pipeline.Field);
+  pipeline.Volume->SetTimeRange(0.0, tube.Time);
+  const auto work = WithThreads(1,
+    [&pipeline]()
+    {
+      pipeline.Volume->Update();
+      return vtkSmartPointer<vtkObjectBase>(pipeline.Volume->GetOutput());
+    });
+  const auto again = [&pipeline, &work]()
+  {
+    pipeline.Mapping->Modified();
+    return work();
+  };
+  BenchRow row = rows.Make(tube.Name, Implicit);
+  row.Parameter = samples;
+  row.Seconds = TimeOnce(work);
+  const double seconds = MeasureAlternately({ again }, options.GetRepeats()).front();
+  TubeErrors errors(tube);
+  errors.AddTetrahedra(pipeline.Volume->GetOutput());
+  // Not part of the time, as the sides of the explicit volume are not.
+  pipeline.Volume->GenerateStreamSurfacesOn();
+  pipeline.Volume->Update();
+  ForEachCell(vtkDataSet::SafeDownCast(pipeline.Volume->GetOutputDataObject(1)),
+    [&errors](Corners& x) { errors.AddSide(x[0].data(), x[1].data(), x[2].data()); });
+  errors.Fill(row);
+  rows.Add(row);
+  BenchRow changed = row;
+  changed.Method = Again;
+  changed.Seconds = seconds;
+  rows.Add(changed);
+}
+
+/// The plot of that name for such a row, which is made where it is missing.
+BenchPlot& FindPlot(const BenchRow& row, bool isBoundary, std::vector<BenchPlot>& plots)
+{
+  const std::string name = "flow-explicit-" + row.Case + (isBoundary ? "-boundary" : "");
+  const auto found = std::find_if(
+    plots.begin(), plots.end(), [&name](const BenchPlot& plot) { return plot.Name == name; });
+  if (found != plots.end())
+  {
+    return *found;
+  }
+  BenchPlot plot;
+  plot.Name = name;
+  plot.Title = "Stream volume, " + row.Case + ", 1 thread";
+  plot.XLabel = "run time (s)";
+  plot.YLabel =
+    isBoundary ? "boundary, rms distance (unit of length)" : "misplaced volume / volume";
+  plot.LogX = true;
+  plot.LogY = true;
+  plots.push_back(plot);
+  return plots.back();
+}
+}
+
+//------------------------------------------------------------------------------
+void AddExplicitRows(const BenchOptions& options, BenchRows& rows)
+{
+  const auto rings = options.Pick<std::vector<int>>({ 4, 8, 16, 32 }, { 4, 8 }, { 2, 4 });
+  // Halving makes some ten times as many where streamlines part at a stagnation point.
+  const auto halvedRings = options.Pick<std::vector<int>>({ 4, 8, 16 }, { 4 }, { 2 });
+  const auto samples =
+    options.Pick<std::vector<int>>({ 16, 24, 32, 48, 64, 96 }, { 16, 24, 32 }, { 12, 16 });
+  for (const Tube& tube : MakeTubes(options.Pick(128, 64, 24)))
+  {
+    for (const int number : rings)
+    {
+      AddExplicit(tube, number, false, rows);
+    }
+    for (const int number : halvedRings)
+    {
+      AddExplicit(tube, number, true, rows);
+    }
+    for (const int number : samples)
+    {
+      AddImplicit(tube, number, options, rows);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchPlot> MakeExplicitPlots(const std::vector<BenchRow>& rows)
+{
+  std::vector<BenchPlot> plots;
+  for (const BenchRow& row : rows)
+  {
+    const bool isPeer = row.Method == Explicit || row.Method == Halved;
+    if (isPeer || row.Method == Implicit || row.Method == Again)
+    {
+      FindPlot(row, false, plots).AddPoint(row.Method, isPeer, *row.Seconds, *row.Error);
+      FindPlot(row, true, plots)
+        .AddPoint(row.Method, isPeer, *row.Seconds, row.Counts[BoundaryCount].get<double>());
+    }
+  }
+  return plots;
+}
+}

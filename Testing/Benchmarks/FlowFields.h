@@ -1,0 +1,32 @@
+#ifndef FlowFields_h
+#define FlowFields_h
+
+#include "BenchOptions.h"
+#include "FlowCases.h"
+#include "FlowReference.h"
+
+#include <vector>
+
+/**
+ * The fields on which the suite `flow` measures errors.
+ */
+namespace flow
+{
+struct FieldCase
+{
+  Case What;
+  Reference Exact;
+  /// A saddle that explicit methods take a hundred thousand steps in.
+  bool IsStiff = false;
+};
+
+/**
+ * On images over [-1, 1]^3. Linear fields, which interpolation keeps, with formulas as their
+ * references: `uniform`, `rotation` around an axis outside of the image, `saddle`, `spiral`, and
+ * `stiff-<ratio>`, saddles of that ratio of eigenvalues. With TrilinearFlow: `source-sink`, both
+ * outside of the image, `sphere` and `abc`.
+ */
+std::vector<FieldCase> MakeFieldCases(const BenchOptions& options);
+}
+
+#endif

@@ -1,0 +1,155 @@
+#include "FlowReference.h"
+
+#include "BenchTiming.h"
+#include "TrilinearFlow.h"
+
+#include "vtkCell.h"
+#include "vtkCellLocatorInterpolatedVelocityField.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStaticCellLocator.h"
+
+#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+namespace flow
+{
+namespace
+{
+double Mean(const std::vector<double>& numbers)
+{
+  return numbers.empty()
+    ? 0.0
+    : std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
+}
+
+/// Streamlines through VTK's own interpolation.
+class InterpolatedFlow
+{
+public:
+  explicit InterpolatedFlow(const Case& what)
+  {
+    vtkNew<vtkStaticCellLocator> prototype;
+    this->Interpolation->SetCellLocatorPrototype(prototype);
+    this->Interpolation->AddDataSet(what.Field);
+    vtkDataArray* vectors = what.Field->GetPointData()->GetVectors();
+    this->Interpolation->SelectVectors(vtkDataObject::FIELD_ASSOCIATION_POINTS, vectors->GetName());
+    this->LongestStep =
+      0.1 * std::sqrt(what.Field->GetCell(0)->GetLength2() / 3.0) / vectors->GetMaxNorm();
+  }
+
+  void GetVelocity(const double x[3], double v[3]) const
+  {
+    double place[4] = { x[0], x[1], x[2], 0.0 };
+    if (this->Interpolation->FunctionValues(place, v) == 0)
+    {
+      std::fill(v, v + 3, 0.0);
+    }
+  }
+
+  void Follow(double x[3], double time) const
+  {
+    namespace odeint = boost::numeric::odeint;
+    using State = std::vector<double>;
+    State state(x, x + 3);
+    const double sign = time < 0.0 ? -1.0 : 1.0;
+    const auto rate = [&](const State& at, State& v, double)
+    {
+      this->GetVelocity(at.data(), v.data());
+      std::for_each(v.begin(), v.end(), [sign](double& component) { component *= sign; });
+    };
+    if (std::abs(time) > 0.0)
+    {
+      odeint::integrate_adaptive(odeint::make_controlled(1e-12, 1e-12, this->LongestStep,
+                                   odeint::runge_kutta_fehlberg78<State>()),
+        rate, state, 0.0, std::abs(time), std::min(this->LongestStep, std::abs(time)));
+    }
+    std::copy(state.begin(), state.end(), x);
+  }
+
+private:
+  vtkNew<vtkCellLocatorInterpolatedVelocityField> Interpolation;
+  /// A tenth of a cell.
+  double LongestStep;
+};
+
+template <typename Flow>
+Reference MakeReference(vtkPolyData* seeds, const std::shared_ptr<Flow>& field)
+{
+  return Reference(
+    seeds, [field](const double x[3], double v[3]) { field->GetVelocity(x, v); },
+    [field](double x[3], double time) { field->Follow(x, time); });
+}
+}
+
+//------------------------------------------------------------------------------
+Reference::Reference(
+  vtkPolyData* seeds, const VelocityFunction& velocity, const FollowFunction& follow)
+  : Seeds(seeds)
+  , GetVelocity(velocity)
+  , Follow(follow)
+{
+}
+
+//------------------------------------------------------------------------------
+Reference Reference::OfInterpolation(const Case& what)
+{
+  if (vtkImageData* image = vtkImageData::SafeDownCast(what.Field))
+  {
+    return MakeReference(what.Seeds, std::make_shared<TrilinearFlow>(image));
+  }
+  return MakeReference(what.Seeds, std::make_shared<InterpolatedFlow>(what));
+}
+
+//------------------------------------------------------------------------------
+Difference Reference::Compare(const Answer& answer, vtkIdType stride, double error) const
+{
+  // What rounding may do to a place.
+  constexpr double rounding = 1e-13;
+  std::vector<double> aside;
+  std::vector<double> times;
+  std::vector<double> within;
+  for (vtkIdType i = 0; i < this->Seeds->GetNumberOfPoints(); i += stride)
+  {
+    const End& end = answer.Ends[static_cast<std::size_t>(i)];
+    if (!end.HasAnswer)
+    {
+      continue;
+    }
+    double place[3];
+    this->Seeds->GetPoint(i, place);
+    double time = -end.Time;
+    this->Follow(place, time);
+    const double carried = std::sqrt(vtkMath::Distance2BetweenPoints(place, end.Place.data()));
+    // To the point of the streamline that is closest to the end.
+    for (int iteration = 0; iteration < 4; ++iteration)
+    {
+      double v[3];
+      this->GetVelocity(place, v);
+      double apart[3];
+      vtkMath::Subtract(end.Place.data(), place, apart);
+      const double along = vtkMath::Dot(apart, v) / vtkMath::Dot(v, v);
+      this->Follow(place, along);
+      time += along;
+    }
+    if (!std::isfinite(time))
+    {
+      continue;
+    }
+    aside.push_back(std::sqrt(vtkMath::Distance2BetweenPoints(place, end.Place.data())));
+    times.push_back(std::abs(end.Time + time));
+    within.push_back(carried <= error * end.Time + rounding ? 1.0 : 0.0);
+  }
+  return { Mean(aside), Median(aside), Mean(times), Mean(within) };
+}
+}

@@ -1,0 +1,174 @@
+#include "FlowVolumeSpeed.h"
+
+#include "BenchTiming.h"
+
+#include "vtkFlowStatus.h"
+#include "vtkFlowVolume.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkInflowMapping.h"
+
+#include "vtkAnalyticFlowSource.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace flow
+{
+namespace
+{
+const char* const NewMapping = "new-mapping";
+
+/// A field of samples, a mapping, and two volumes of it.
+class Volumes
+{
+public:
+  explicit Volumes(int samples)
+  {
+    const int points = samples / 2;
+    this->Source->SetField(vtkAnalyticFlowSource::HURRICANE);
+    this->Source->SetDimensions(points, points, points);
+    this->Source->Update();
+    this->Field->SetInputConnection(this->Source->GetOutputPort());
+    this->Field->DomainFacesOn();
+    this->Field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+    this->Field->SetSampleDimensions(samples, samples, samples);
+    this->Field->SetMaximumTime(10.0);
+    this->Mapping->SetInputConnection(this->Field->GetOutputPort());
+    for (vtkFlowVolume* volume : { this->Whole.Get(), this->Clipped.Get() })
+    {
+      volume->SetInputConnection(this->Mapping->GetOutputPort());
+      volume->SetNumberOfIntervals(1);
+    }
+    this->ChangeMapping();
+    this->ChangeInterval(this->Whole);
+    this->ChangeInterval(this->Clipped);
+    this->ChangeTimes();
+  }
+
+  /// Stripes of another width than before.
+  void ChangeMapping()
+  {
+    this->IsWide = !this->IsWide;
+    this->Mapping->SetFormula(vtkInflowMapping::ALL,
+      this->IsWide ? "cos(12.566*u)*cos(12.566*v)" : "cos(12.6*u)*cos(12.6*v)");
+  }
+
+  void ChangeInterval(vtkFlowVolume* volume)
+  {
+    this->IsThick = !this->IsThick;
+    volume->SetInterval(0, this->IsThick ? 0.73 : 0.731, 2.0);
+  }
+
+  void ChangeTimes()
+  {
+    this->IsLate = !this->IsLate;
+    this->Clipped->SetTimeRange(0.0, this->IsLate ? 5.0 : 4.9);
+  }
+
+  const vtkNew<vtkImplicitFlowField> Field;
+  const vtkNew<vtkFlowVolume> Whole;
+  const vtkNew<vtkFlowVolume> Clipped;
+
+private:
+  vtkNew<vtkAnalyticFlowSource> Source;
+  vtkNew<vtkInflowMapping> Mapping;
+  bool IsWide = false;
+  bool IsThick = false;
+  bool IsLate = false;
+};
+
+double AddSamples(
+  const std::string& name, Volumes& volumes, const BenchOptions& options, BenchRows& rows)
+{
+  const double seconds = TimeOnce(WithThreads(options.Threads,
+    [&]()
+    {
+      volumes.Field->Update();
+      return vtkSmartPointer<vtkObjectBase>(volumes.Field->GetOutputDataObject(0));
+    }));
+  const vtkFlowReport& report = volumes.Field->GetReport();
+  BenchRow row = rows.Make(name, "samples");
+  row.Parameter = ThreadsParameter(options.Threads);
+  row.Seconds = seconds;
+  row.Counts["samples"] = report.Samples;
+  row.Counts["steps"] = report.Steps + report.StiffSteps;
+  row.Counts["microseconds_per_sample"] = 1e6 * seconds / static_cast<double>(report.Samples);
+  row.Counts["reached"] = static_cast<double>(report.Statuses[vtkFlowStatus::REACHED_SURFACE]) /
+    static_cast<double>(report.Samples);
+  rows.Add(row);
+  return seconds;
+}
+
+/// One thing that changes, and the volume of it.
+struct Change
+{
+  std::string Method;
+  vtkFlowVolume* Volume;
+  std::function<void()> Apply;
+};
+
+void AddChanges(const std::string& name, Volumes& volumes, double advection, int threads,
+  const BenchOptions& options, BenchRows& rows)
+{
+  const Change changes[] = {
+    { NewMapping, volumes.Whole, [&]() { volumes.ChangeMapping(); } },
+    { "new-interval", volumes.Whole, [&]() { volumes.ChangeInterval(volumes.Whole); } },
+    { "new-times", volumes.Clipped, [&]() { volumes.ChangeTimes(); } },
+  };
+  for (const Change& change : changes)
+  {
+    const vtkIdType before = volumes.Field->GetReport().Executions;
+    const auto work = WithThreads(threads,
+      [&change]()
+      {
+        change.Apply();
+        change.Volume->Update();
+        return vtkSmartPointer<vtkObjectBase>(change.Volume->GetOutput());
+      });
+    BenchRow row = rows.Make(name, change.Method);
+    row.Parameter = ThreadsParameter(threads);
+    row.Seconds = MeasureAlternately({ work }, options.GetRepeats()).front();
+    row.Peer = "advection";
+    row.PeerSeconds = advection;
+    const vtkFlowVolume::Report& report = change.Volume->GetReport();
+    row.Counts["tetrahedra"] = change.Volume->GetOutput()->GetNumberOfCells();
+    row.Counts["advections"] = volumes.Field->GetReport().Executions - before;
+    row.Counts["inflow_passes"] = report.InflowPasses;
+    row.Counts["time_passes"] = report.TimePasses;
+    rows.Add(row);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void AddVolumeRows(const BenchOptions& options, BenchRows& rows)
+{
+  const int samples = options.Pick(128, 32, 8);
+  const std::string name = "hurricane-" + std::to_string(samples);
+  Volumes volumes(samples);
+  const double advection = AddSamples(name, volumes, options, rows);
+  for (const int threads : options.GetThreadCounts())
+  {
+    AddChanges(name, volumes, advection, threads, options, rows);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<BenchClaim> CheckVolumeClaims(const std::vector<BenchRow>& rows)
+{
+  return {
+    BenchClaim::AtMost("a new inflow mapping: a new volume in at most 0.5 s", 0.5, rows,
+      [](const BenchRow& row) { return row.Method == NewMapping ? row.Seconds : std::nullopt; }),
+    BenchClaim::AtMost("a new mapping, interval or range of times: 0 advections", 0.0, rows,
+      [](const BenchRow& row) -> std::optional<double>
+      {
+        return row.Counts.contains("advections")
+          ? std::optional<double>(row.Counts["advections"].get<double>())
+          : std::nullopt;
+      }),
+  };
+}
+}

@@ -1,0 +1,197 @@
+// What the rows of the suite flow are measured with: streamlines of interpolated fields, tubes by
+// formulas, the flux through a disc, the explicit flow volume.
+#include "ExplicitFlowVolume.h"
+#include "FlowReference.h"
+#include "FlowTubes.h"
+#include "TetrahedronSums.h"
+#include "TrilinearFlow.h"
+
+#include "ReferenceCheck.h"
+#include "ReferenceFlow.h"
+#include "ReferenceFlowMaps.h"
+
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+using reference::Check;
+using reference::FlowVector;
+
+using Corner = std::array<double, 3>;
+
+constexpr double Pi = 3.14159265358979323846;
+
+vtkSmartPointer<vtkImageData> MakeImage(int points, const reference::FlowFunction& velocity)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(points, points, points);
+  image->SetOrigin(-1.0, -1.0, -1.0);
+  const double spacing = 2.0 / (points - 1);
+  image->SetSpacing(spacing, spacing, spacing);
+  reference::SetVelocity(image, velocity);
+  return image;
+}
+
+void TestTrilinearFlow(Check& check)
+{
+  // |x| has its kink at a face: y grows by the integral of |x|.
+  const TrilinearFlow bent(MakeImage(5,
+    [](const FlowVector& x) {
+      return FlowVector{ { 1.0, std::abs(x[0]), 0.5 } };
+    }));
+  double x[3] = { -0.9, -0.3, -0.4 };
+  bent.Follow(x, 1.5);
+  check.Near(x[0], 0.6, 1e-13, "x over a kink");
+  check.Near(x[1], -0.3 + 0.5 * (0.81 + 0.36), 1e-13, "y over a kink");
+  check.Near(x[2], 0.35, 1e-13, "z over a kink");
+  bent.Follow(x, -1.5);
+  check.Near(x[1], -0.3, 1e-13, "y, and back");
+  bent.Follow(x, 100.0);
+  check.Near(x[0], 1.0, 1e-13, "the last face");
+
+  const FlowVector axis = { { 0.3, -0.2, 1.0 } };
+  const TrilinearFlow turning(MakeImage(7,
+    [&axis](const FlowVector& y) { return reference::Multiply(reference::CrossMatrix(axis), y); }));
+  const FlowVector start = { { 0.4, 0.3, -0.2 } };
+  const double rate = std::sqrt(1.13);
+  const FlowVector end = reference::MapRotation(start, {}, axis, rate, 4.0);
+  double place[3] = { start[0], start[1], start[2] };
+  turning.Follow(place, 4.0);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    check.Near(place[i], end[i], 1e-12, "rotation", 1.0);
+  }
+}
+
+/// An answer that is off by known amounts along the streamline and across it.
+void TestDifference(Check& check)
+{
+  const auto seeds = flow::MakeSeeds(3, 0.1, 1);
+  const flow::Reference exact(
+    seeds, [](const double*, double* v) { std::fill_n(v, 3, 0.0), v[0] = 2.0; },
+    [](double* x, double time) { x[0] += 2.0 * time; });
+  flow::Answer answer;
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    flow::End end;
+    end.HasAnswer = i != 1;
+    end.Time = 0.25;
+    seeds->GetPoint(i, end.Place.data());
+    end.Place[0] -= 0.5 + 0.02;
+    end.Place[1] += i == 0 ? 0.03 : 0.05;
+    answer.Ends.push_back(end);
+  }
+  const flow::Difference apart = exact.Compare(answer, 1, 4.0 * std::hypot(0.02, 0.04));
+  check.Near(apart.Mean, 0.04, 1e-12, "distance from the streamline");
+  check.Near(apart.Time, 0.01, 1e-12, "error of the time");
+  check.Near(apart.Within, 0.5, 0.0, "share within an error");
+}
+
+void TestTubes(Check& check)
+{
+  const auto tubes = flow::MakeTubes(8);
+  const reference::Flow flows[] = { reference::Flow::Linear(
+                                      { 1.0, 0.0, 0.0, 0.0, -0.5, 0.0, 0.0, 0.0, -0.5 }),
+    reference::Flow::RoundSphere(), reference::Flow::RoundSphere() };
+  for (std::size_t i = 0; i < tubes.size(); ++i)
+  {
+    const flow::Tube& tube = tubes[i];
+    check.SetContext(tube.Name);
+    const flow::Disc& disc = tube.Inflow;
+    for (const double radius : { disc.Radius, 0.7 * disc.Radius })
+    {
+      const auto x = flows[i].Follow(
+        { disc.X, disc.Y + radius * std::cos(1.0), disc.Z + radius * std::sin(1.0) }, tube.Time);
+      check.Near(tube.GetExcess(x.data()), radius - disc.Radius, 1e-9, "origin", 1.0);
+      check.That(!tube.IsShadow(x.data()), "no shadow there");
+    }
+  }
+  // The flux through a plane inside of r by Stokes' stream function, and that of the contraction.
+  check.SetContext("volume");
+  check.Near(tubes[0].Volume, 2.0 * Pi * 0.36 * 0.1, 1e-6, "contraction");
+  const auto speed = [](const double x[3])
+  {
+    double v[3];
+    reference::Flow::RoundSphere().Velocity(x, v);
+    return v[0];
+  };
+  const flow::Disc middle = { -2.0, 0.0, 0.0, 1.5 };
+  check.Near(middle.Integrate(speed), Pi * 2.25 * (1.0 - 1.0 / 15.625), 1e-5, "round a sphere");
+}
+
+void CheckMesh(Check& check, const ExplicitFlowVolume& volume, int layers)
+{
+  const auto grid = volume.MakeTetrahedra();
+  check.Near(SumTetrahedra(grid).Inverted, 0.0, 0.0, "inverted tetrahedra");
+  vtkIdType sides = 0;
+  volume.ForEachSide([&sides](const Corner&, const Corner&, const Corner&) { ++sides; });
+  // Prisms that match leave the first and the last layer and the sides.
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(grid);
+  surface->Update();
+  check.Equal(surface->GetOutput()->GetNumberOfCells(),
+    2 * grid->GetNumberOfCells() / (3 * layers) + sides, "faces outside");
+}
+
+void TestExplicitVolume(Check& check)
+{
+  check.SetContext("explicit flow volume");
+  ExplicitFlowVolume::Settings settings;
+  settings.Rings = 5;
+  settings.Layers = 3;
+  const flow::Disc disc = { -0.8, 0.1, -0.1, 0.4 };
+  const auto uniform = MakeImage(5,
+    [](const FlowVector&) {
+      return FlowVector{ { 1.0, 0.25, 0.0 } };
+    });
+  const ExplicitFlowVolume straight(uniform, disc, 1.2, settings);
+  // A regular polygon of 30 corners.
+  check.Near(SumTetrahedra(straight.MakeTetrahedra()).Volume,
+    15.0 * 0.16 * std::sin(Pi / 15.0) * 1.2, 1e-12, "volume");
+  CheckMesh(check, straight, settings.Layers);
+
+  // Opens along z, so that edges on the last layer are up to 1.6 times as long as on the disc.
+  const auto opening = MakeImage(5,
+    [](const FlowVector& x) {
+      return FlowVector{ { -x[0], 0.1 * x[1], 0.9 * x[2] } };
+    });
+  settings.LongestEdge = 0.1;
+  const ExplicitFlowVolume halved(opening, disc, 0.5, settings);
+  check.That(halved.GetNumberOfStreamlines() > straight.GetNumberOfStreamlines(), "edges halved");
+  CheckMesh(check, halved, settings.Layers);
+  double longest = 0.0;
+  halved.ForEachSide(
+    [&](const Corner& a, const Corner& b, const Corner& c)
+    {
+      for (const Corner* corner : { &a, &b })
+      {
+        if ((*corner)[0] == disc.X)
+        {
+          check.Near(std::hypot((*corner)[1] - disc.Y, (*corner)[2] - disc.Z), disc.Radius, 1e-12,
+            "on the circle");
+        }
+      }
+      const Corner& other = std::abs(a[0] - b[0]) < 1e-9 ? a : c;
+      longest = std::max(longest, std::hypot(b[1] - other[1], b[2] - other[2]));
+    });
+  check.That(longest <= settings.LongestEdge, "edges on layers are short");
+}
+}
+
+int main()
+{
+  Check check;
+  TestTrilinearFlow(check);
+  TestDifference(check);
+  TestTubes(check);
+  TestExplicitVolume(check);
+  return check.Result();
+}
