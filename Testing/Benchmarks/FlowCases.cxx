@@ -96,7 +96,7 @@ std::vector<Case> MakeSpeedCases(const BenchOptions& options)
   const int small = options.Pick(64, 64, 12);
   const int large = options.Pick(128, 96, 16);
   const int cells = options.Pick(64, 40, 12);
-  const auto seeds = MakeSeeds(options.Pick(2048, 400, 40), 0.9, options.Seed);
+  const auto seeds = MakeSeeds(options.Pick(2048, 300, 40), 0.9, options.Seed);
   const double face = 0.97;
   const std::array<double, 6> box = { { -face, face, -face, face, -face, face } };
 
