@@ -268,15 +268,24 @@ int vtkImplicitFlowField::RequestUpdateExtent(
   field->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
   field->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
   field->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  if (this->SampleMode == SAMPLES_OF_INPUT && inputs[1]->GetNumberOfInformationObjects() > 0)
+  if (inputs[1]->GetNumberOfInformationObjects() == 0)
   {
-    vtkInformation* samples = inputs[1]->GetInformationObject(0);
+    return 1;
+  }
+  vtkInformation* samples = inputs[1]->GetInformationObject(0);
+  if (this->SampleMode == SAMPLES_OF_INPUT)
+  {
     vtkInformation* output = outputs->GetInformationObject(0);
     for (vtkInformationIntegerKey* key : { Pipeline::UPDATE_PIECE_NUMBER(),
            Pipeline::UPDATE_NUMBER_OF_PIECES(), Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS() })
     {
       samples->CopyEntry(output, key);
     }
+  }
+  else if (samples->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    // The output's, which the pipeline has set, need not be within it.
+    samples->Set(Pipeline::UPDATE_EXTENT(), samples->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
   return 1;
 }
