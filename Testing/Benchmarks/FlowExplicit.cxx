@@ -25,6 +25,8 @@ const char* const Explicit = "explicit";
 const char* const Halved = "explicit-halved";
 const char* const Implicit = "implicit";
 const char* const Again = "implicit-again";
+const char* const Refined = "implicit-refined";
+constexpr int Levels = 2;
 const char* const BoundaryCount = "boundary_distance";
 
 using Corners = std::vector<std::array<double, 3>>;
@@ -145,10 +147,12 @@ void SetSamples(const Tube& tube, int samples, vtkImplicitFlowField* field)
   field->SetMaximumTime(1.3 * tube.Time);
 }
 
-void AddImplicit(const Tube& tube, int samples, const BenchOptions& options, BenchRows& rows)
+void AddImplicit(
+  const Tube& tube, int samples, int levels, const BenchOptions& options, BenchRows& rows)
 {
   DiscVolume pipeline(tube.Inflow);
   SetSamples(tube, samples, pipeline.Field);
+  pipeline.Field->SetRefinementLevels(levels);
   pipeline.Volume->SetTimeRange(0.0, tube.Time);
   const auto work = WithThreads(1,
     [&pipeline]()
@@ -161,9 +165,10 @@ void AddImplicit(const Tube& tube, int samples, const BenchOptions& options, Ben
     pipeline.Mapping->Modified();
     return work();
   };
-  BenchRow row = rows.Make(tube.Name, Implicit);
+  BenchRow row = rows.Make(tube.Name, levels > 0 ? Refined : Implicit);
   row.Parameter = samples;
   row.Seconds = TimeOnce(work);
+  row.Counts["streamlines"] = pipeline.Field->GetReport().Samples;
   const double seconds = MeasureAlternately({ again }, options.GetRepeats()).front();
   TubeErrors errors(tube);
   errors.AddTetrahedra(pipeline.Volume->GetOutput());
@@ -174,6 +179,10 @@ void AddImplicit(const Tube& tube, int samples, const BenchOptions& options, Ben
     [&errors](Corners& x) { errors.AddSide(x[0].data(), x[1].data(), x[2].data()); });
   errors.Fill(row);
   rows.Add(row);
+  if (levels > 0)
+  {
+    return;
+  }
   BenchRow changed = row;
   changed.Method = Again;
   changed.Seconds = seconds;
@@ -211,6 +220,7 @@ void AddExplicitRows(const BenchOptions& options, BenchRows& rows)
   const auto halvedRings = options.Pick<std::vector<int>>({ 4, 8, 16 }, { 4 }, { 2 });
   const auto samples =
     options.Pick<std::vector<int>>({ 16, 24, 32, 48, 64, 96 }, { 16, 24, 32 }, { 12, 16 });
+  const auto refined = options.Pick<std::vector<int>>({ 16, 24, 32, 48 }, { 16, 24 }, { 12 });
   for (const Tube& tube : MakeTubes(options.Pick(128, 64, 24)))
   {
     for (const int number : rings)
@@ -223,7 +233,11 @@ void AddExplicitRows(const BenchOptions& options, BenchRows& rows)
     }
     for (const int number : samples)
     {
-      AddImplicit(tube, number, options, rows);
+      AddImplicit(tube, number, 0, options, rows);
+    }
+    for (const int number : refined)
+    {
+      AddImplicit(tube, number, Levels, options, rows);
     }
   }
 }
@@ -235,7 +249,7 @@ std::vector<BenchPlot> MakeExplicitPlots(const std::vector<BenchRow>& rows)
   for (const BenchRow& row : rows)
   {
     const bool isPeer = row.Method == Explicit || row.Method == Halved;
-    if (isPeer || row.Method == Implicit || row.Method == Again)
+    if (isPeer || row.Method == Implicit || row.Method == Again || row.Method == Refined)
     {
       FindPlot(row, false, plots).AddPoint(row.Method, isPeer, *row.Seconds, *row.Error);
       FindPlot(row, true, plots)

@@ -19,7 +19,9 @@ namespace flow
  *   beyond 1.5 times what they are on the disc; its rings, four layers for each;
  * - `implicit`: DiscVolume, from the field to the volume; samples along each side of a box behind
  *   the disc's plane;
- * - `implicit-again`: the same volume after a change of the inflow mapping. */
+ * - `implicit-again`: the same volume after a change of the inflow mapping;
+ * - `implicit-refined`: as `implicit`, with two levels of refinement.
+ */
 void AddExplicitRows(const BenchOptions& options, BenchRows& rows);
 
 /// Misplaced volume and the boundary's distance against run time, two plots for each case.

@@ -56,7 +56,8 @@ public:
       "in the manner of Max, Becker and Crawfis (1993), the parameter being its rings; "
       "explicit-halved: with edges halved where streamlines part. implicit: vtkImplicitFlowField, "
       "vtkInflowMapping and vtkFlowVolume, the parameter being samples a side; implicit-again: the "
-      "same after a change of the mapping. The error is the volume of tetrahedra whose middle is "
+      "same after a change of the mapping; implicit-refined: with two levels of refinement. The "
+      "error is the volume of tetrahedra whose middle is "
       "outside, and the volume missing, over the tube's; boundary_distance the distance of the "
       "tube's sides, root mean square.",
     };

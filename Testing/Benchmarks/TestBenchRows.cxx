@@ -98,7 +98,8 @@ void CheckMethods(const nlohmann::json& rows)
       { "advection", "RK4", "RK45", "equal-error streamtracer-RK4", "equal-error streamtracer-RK45",
         "threads-2 threads-1", "samples", "new-mapping advection", "new-interval advection",
         "new-times advection", "automatic", "dormand-prince", "runge-kutta-4", "rosenbrock",
-        "conservation", "explicit", "explicit-halved", "implicit", "implicit-again" } },
+        "conservation", "explicit", "explicit-halved", "implicit", "implicit-again",
+        "implicit-refined" } },
   };
   std::map<std::string, std::set<std::string>> seen;
   for (const auto& row : rows)
