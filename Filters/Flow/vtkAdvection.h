@@ -46,8 +46,8 @@ class vtkAdvection
 public:
   /// \a options are to stay as they are.
   vtkAdvection(const Walker& field, const vtkAdvectionOptions& options)
-    : Options(options)
-    , Field(field)
+    : Field(field)
+    , Options(options)
     , Rate(Field, options.IsBackward)
     , Surfaces(options.Surfaces)
     , Integrals(options)
@@ -499,12 +499,12 @@ private:
     return !isLast || this->EndWith(vtkFlowStatus::OUT_OF_TIME);
   }
 
-  const vtkAdvectionOptions& Options;
+  // First, since it is aligned.
   Walker Field;
+  const vtkAdvectionOptions& Options;
   vtkAdvectionRate<Walker> Rate;
   vtkSurfaceCrossing Surfaces;
   vtkPathIntegrals<Walker> Integrals;
-  bool HasIntegrals;
   vtkCellExit<Walker> Exit;
   vtkStepController Controller;
   vtkStiffnessTest Stiffness;
@@ -520,16 +520,17 @@ private:
   vtkAdvectionResult* Result = nullptr;
   double Point[3];
   double PointRate[3];
-  bool HasPointRate = false;
   double Speed = 0.0;
   /// Of the first cell, in world units.
   double Size = 0.0;
   double Time = 0.0;
   /// What the error allows.
   double Step = 0.0;
-  int Crossings = 0;
   vtkIdType CellBefore = -1;
+  int Crossings = 0;
   int ClosedFace = -1;
+  bool HasPointRate = false;
+  bool HasIntegrals;
 };
 
 #endif
