@@ -1,7 +1,8 @@
 #ifndef ReferenceCheck_h
 #define ReferenceCheck_h
 
-#include <string> // for the labels
+#include <string>      // for the labels
+#include <type_traits> // for what Equal refuses
 
 namespace reference
 {
@@ -20,6 +21,11 @@ public:
   bool That(bool condition, const std::string& what);
   /// Expects found == expected.
   bool Equal(long long found, long long expected, const std::string& what);
+  /// Floating point would be cut to whole numbers; Near compares it, exactly with tolerance 0.
+  template <typename Found, typename Expected,
+    typename = std::enable_if_t<std::is_floating_point<Found>::value ||
+      std::is_floating_point<Expected>::value>>
+  bool Equal(Found found, Expected expected, const std::string& what) = delete;
   /// Expects |found - expected| <= tolerance * max(|expected|, scale).
   bool Near(
     double found, double expected, double tolerance, const std::string& what, double scale = 0.0);
