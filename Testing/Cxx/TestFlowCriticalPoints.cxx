@@ -10,6 +10,7 @@
 #include "ReferenceMessages.h"
 #include "ReferenceProgress.h"
 #include "ReferenceRandom.h"
+#include "ReferenceThreads.h"
 #include "ReferenceTransform.h"
 
 #include "vtkAnalyticFlowSource.h"
@@ -989,7 +990,7 @@ void CheckExecution(Check& check)
   check.SetContext("execution");
   auto image = MakeRandomImage();
   std::string expected;
-  for (const char* backend : { "Sequential", "STDThread", "TBB" })
+  for (const char* backend : GetBackends())
   {
     if (!vtkSMPTools::SetBackend(backend))
     {

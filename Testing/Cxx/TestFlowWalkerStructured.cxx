@@ -1,5 +1,6 @@
 // The walker of structured grids against VTK's hexahedra, differences, linear fields and straight
 // lines; seams, blanking, collapsed and folded cells, threads.
+#include "ReferenceThreads.h"
 #include "ReferenceWalker.h"
 
 #include "vtkDataSetAttributes.h"
@@ -427,7 +428,7 @@ void CheckThreads(Check& check)
   auto vectors = AddRandomVectors(grid, 3);
   vtkSMPTools::SetBackend("Sequential");
   const std::vector<double> expected = FindAll(grid, vectors);
-  for (const char* backend : { "STDThread", "TBB" })
+  for (const char* backend : GetBackends())
   {
     for (const int threads : { 1, 2, 8 })
     {

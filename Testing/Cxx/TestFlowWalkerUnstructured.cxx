@@ -1,5 +1,6 @@
 // The walker of unstructured grids against VTK's cells, differences, linear fields and straight
 // lines, over meshes of all its types; turned and mirrored cells, blocks, cracks and errors.
+#include "ReferenceThreads.h"
 #include "ReferenceTransform.h"
 #include "ReferenceWalker.h"
 
@@ -362,7 +363,7 @@ void CheckThreads(Check& check)
   vtkSMPTools::SetBackend("Sequential");
   const std::vector<double> expected = WalkAll(mesh, vectors);
   check.That(expected.size() > 200, "there are cells on the way");
-  for (const char* backend : { "STDThread", "TBB" })
+  for (const char* backend : GetBackends())
   {
     for (const int threads : { 1, 2, 8 })
     {

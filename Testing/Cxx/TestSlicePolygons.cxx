@@ -2,6 +2,7 @@
 // that are covered once, ties, and threads.
 #include "ReferenceCheck.h"
 #include "ReferenceRandom.h"
+#include "ReferenceThreads.h"
 #include "ReferenceUnitSpace.h"
 
 #include "vtkSMPTools.h"
@@ -415,7 +416,7 @@ void CheckThreads(Check& check)
   scene.Crop = scene.Space.Box;
   SetSlabs(scene, random.GetDirection(), 300);
   std::vector<vtkSlicePolygons> results;
-  for (const char* backend : { "Sequential", "STDThread", "TBB" })
+  for (const char* backend : GetBackends())
   {
     for (const int threads : { 1, 2, 8 })
     {

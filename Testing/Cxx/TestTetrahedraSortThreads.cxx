@@ -2,6 +2,7 @@
 #include "ReferenceCheck.h"
 #include "ReferenceSightlines.h"
 #include "ReferenceTetrahedra.h"
+#include "ReferenceThreads.h"
 
 #include "vtkCentroidOrder.h"
 #include "vtkFaceAdjacency.h"
@@ -15,13 +16,6 @@ namespace
 {
 
 using namespace reference;
-
-// ThreadSanitizer sees no locks of libraries that are not built with it.
-#ifdef __SANITIZE_THREAD__
-const std::vector<const char*> Backends = { "Sequential", "STDThread" };
-#else
-const std::vector<const char*> Backends = { "Sequential", "STDThread", "TBB", "OpenMP" };
-#endif
 
 struct Orders
 {
@@ -63,7 +57,7 @@ void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name, Check& ch
   vtkSMPTools::SetBackend("Sequential");
   vtkSMPTools::Initialize(1);
   const Orders expected = ComputeAll(mesh);
-  for (const char* backend : Backends)
+  for (const char* backend : GetBackends())
   {
     vtkSMPTools::SetBackend(backend);
     for (const int threads : { 1, 2, 8 })

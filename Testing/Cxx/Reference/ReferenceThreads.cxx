@@ -8,16 +8,14 @@
 namespace reference
 {
 
-namespace
+const std::vector<const char*>& GetBackends()
 {
-
-// ThreadSanitizer sees no locks of libraries that are not built with it.
 #ifdef __SANITIZE_THREAD__
-const std::vector<const char*> Backends = { "Sequential", "STDThread" };
+  static const std::vector<const char*> backends = { "Sequential", "STDThread" };
 #else
-const std::vector<const char*> Backends = { "Sequential", "STDThread", "TBB", "OpenMP" };
+  static const std::vector<const char*> backends = { "Sequential", "STDThread", "TBB", "OpenMP" };
 #endif
-
+  return backends;
 }
 
 void CheckThreads(const std::string& name,
@@ -31,7 +29,7 @@ void CheckThreads(const std::string& name,
     check.That(grid->GetNumberOfCells() > 0, "there is output");
   }
   int backends = 0;
-  for (const char* backend : Backends)
+  for (const char* backend : GetBackends())
   {
     if (!vtkSMPTools::SetBackend(backend))
     {

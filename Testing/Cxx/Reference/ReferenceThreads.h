@@ -7,12 +7,16 @@
 
 #include <functional> // for what is run
 #include <string>     // for its name
-#include <vector>     // for the outputs
+#include <vector>     // for the outputs and backends
 
 class vtkUnstructuredGrid;
 
 namespace reference
 {
+
+/// Names of the backends of vtkSMPTools to compare: not all are there. Those of libraries that are
+/// not built with ThreadSanitizer are left out under it, since it does not see their locks.
+const std::vector<const char*>& GetBackends();
 
 /// The outputs of \a run are the same bytes for 1, 2 and 8 threads and every backend, and none is
 /// empty.
