@@ -43,27 +43,6 @@ double GetValue(vtkDataSet* data, const char* name, vtkIdType id, int component 
   return GetArray(data, name)->GetComponent(id, component);
 }
 
-/// The plane x = place over 0 ... 4 in y and z, u along y and v along z.
-vtkSmartPointer<vtkTerminationPlane> MakePlane(double place)
-{
-  auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
-  plane->SetOrigin(place, 0.0, 0.0);
-  plane->SetPoint1(place, 4.0, 0.0);
-  plane->SetPoint2(place, 0.0, 4.0);
-  return plane;
-}
-
-/// An image over 0 ... 4.
-vtkSmartPointer<vtkImageData> MakeImage(int points, const VectorField& field)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(points, points, points);
-  const double spacing = 4.0 / (points - 1);
-  image->SetSpacing(spacing, spacing, spacing);
-  AddVectors(image, field);
-  return image;
-}
-
 Vector Shear(const Vector& x)
 {
   return { { 1.0, 0.25 * x[2], 0.0 } };
@@ -89,7 +68,7 @@ void TestGrids(Check& check)
     check.SetContext(grid.first);
     vtkNew<vtkImplicitFlowField> filter;
     filter->SetInputDataObject(grid.second);
-    filter->AddTerminationSurface(MakePlane(0.0));
+    filter->AddTerminationSurface(MakeFlowPlane(0.0));
     filter->ComputeArcLengthOn();
     filter->ComputeMaximumSpeedOn();
     filter->ComputeMeanVorticityOn();
@@ -148,10 +127,10 @@ void TestGrids(Check& check)
 /// Samples on an image of their own, and of another dataset, some outside.
 void TestSamples(Check& check)
 {
-  auto image = MakeImage(5, Shear);
+  auto image = MakeFlowImage(5, Shear);
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputDataObject(image);
-  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->AddTerminationSurface(MakeFlowPlane(0.0));
   filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
   filter->SetSampleDimensions(9, 3, 1);
   filter->Update();
@@ -182,7 +161,7 @@ void TestSamples(Check& check)
   whole->DeepCopy(filter->GetOutputDataObject(0));
   vtkNew<vtkImplicitFlowField> other;
   other->SetInputDataObject(image);
-  other->AddTerminationSurface(MakePlane(0.0));
+  other->AddTerminationSurface(MakeFlowPlane(0.0));
   other->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
   other->SetSampleBounds(-1.0, 5.0, 1.0, 1.0, 0.0, 4.0);
   other->SetSampleDimensions(7, 1, 5);
@@ -219,7 +198,7 @@ void TestSamples(Check& check)
 /// Faces of the grid are surfaces, in directions that leave through all of them.
 void TestDomainFaces(Check& check)
 {
-  auto image = MakeImage(5,
+  auto image = MakeFlowImage(5,
     [](const Vector& x) {
       return Vector{ { x[0] - 2.0, x[1] - 2.0, x[2] - 2.0 } };
     });
@@ -265,7 +244,7 @@ void TestCriticalPoints(Check& check)
   const auto field = [](const Vector& x) {
     return Vector{ { x[0] - 1.9, 2.0 * (x[1] - 2.1), x[2] - 1.8 } };
   };
-  auto image = MakeImage(9, field);
+  auto image = MakeFlowImage(9, field);
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputDataObject(image);
   filter->CriticalPointSpheresOn();
@@ -290,12 +269,12 @@ void TestCriticalPoints(Check& check)
 /// Ids that are set, parts, those that are free.
 void TestIds(Check& check)
 {
-  auto image = MakeImage(5, [](const Vector&) { return Vector{ { 1.0, 0.0, 0.0 } }; });
+  auto image = MakeFlowImage(5, [](const Vector&) { return Vector{ { 1.0, 0.0, 0.0 } }; });
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputDataObject(image);
-  auto first = MakePlane(1.0);
-  auto second = MakePlane(2.0);
-  auto third = MakePlane(3.0);
+  auto first = MakeFlowPlane(1.0);
+  auto second = MakeFlowPlane(2.0);
+  auto third = MakeFlowPlane(3.0);
   second->SetId(0);
   filter->AddTerminationSurface(first);
   filter->AddTerminationSurface(second);
@@ -369,13 +348,13 @@ void TestThreads(Check& check)
 /// NaN in a block of points: told as such where a sample is or comes there, nowhere else.
 void TestNotFinite(Check& check)
 {
-  auto image = MakeImage(9,
+  auto image = MakeFlowImage(9,
     [](const Vector& x) {
       return Vector{ { x[0] >= 1.5 && x[0] <= 2.0 && x[1] <= 1.0 ? NaN : 1.0, 0.0, 0.0 } };
     });
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputDataObject(image);
-  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->AddTerminationSurface(MakeFlowPlane(0.0));
   filter->Update();
   vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
   for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
@@ -396,7 +375,7 @@ void TestNotFinite(Check& check)
 
 void TestErrors(Check& check)
 {
-  auto image = MakeImage(3, Shear);
+  auto image = MakeFlowImage(3, Shear);
   const auto expect = [&](vtkImplicitFlowField* filter, const std::string& part)
   {
     const std::string found = MessagesOf(filter);
@@ -435,7 +414,7 @@ void TestErrors(Check& check)
 
 void TestMeans(Check& check)
 {
-  auto image = MakeImage(5, [](const Vector&) { return Vector{ { 2.0, 0.0, 0.0 } }; });
+  auto image = MakeFlowImage(5, [](const Vector&) { return Vector{ { 2.0, 0.0, 0.0 } }; });
   vtkNew<vtkDoubleArray> scalar;
   scalar->SetName("Heat");
   for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
@@ -445,7 +424,7 @@ void TestMeans(Check& check)
   image->GetPointData()->AddArray(scalar);
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputDataObject(image);
-  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->AddTerminationSurface(MakeFlowPlane(0.0));
   filter->AddMeanArray("Heat");
   filter->Update();
   vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
@@ -467,7 +446,7 @@ void TestPieces(Check& check)
     check.SetContext("pieces of " + grid.first);
     vtkNew<vtkImplicitFlowField> filter;
     filter->SetInputDataObject(grid.second);
-    filter->AddTerminationSurface(MakePlane(0.0));
+    filter->AddTerminationSurface(MakeFlowPlane(0.0));
     filter->Update();
     auto whole = vtk::TakeSmartPointer(
       vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)->NewInstance()));
@@ -498,7 +477,7 @@ void TestBuildingProgress(Check& check)
     check.SetContext("progress of " + grid.first);
     vtkNew<vtkImplicitFlowField> filter;
     filter->SetInputDataObject(grid.second);
-    filter->AddTerminationSurface(MakePlane(0.0));
+    filter->AddTerminationSurface(MakeFlowPlane(0.0));
     ProgressWatch watch;
     Observe(filter, watch);
     filter->Update();
@@ -527,8 +506,8 @@ void TestBuildingProgress(Check& check)
 void TestProgress(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
-  filter->SetInputDataObject(MakeImage(17, Shear));
-  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->SetInputDataObject(MakeFlowImage(17, Shear));
+  filter->AddTerminationSurface(MakeFlowPlane(0.0));
   ProgressWatch watch;
   Observe(filter, watch);
   filter->Update();

@@ -40,27 +40,6 @@ Vector Uniform(const Vector&)
   return { { 0.5, 0.0, 0.0 } };
 }
 
-/// An image over 0 ... 4.
-vtkSmartPointer<vtkImageData> MakeImage(int points, const VectorField& field)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(points, points, points);
-  const double spacing = 4.0 / (points - 1);
-  image->SetSpacing(spacing, spacing, spacing);
-  AddVectors(image, field);
-  return image;
-}
-
-/// Over all of y and z.
-vtkSmartPointer<vtkTerminationPlane> MakePlane(double place)
-{
-  auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
-  plane->SetOrigin(place, 0.0, 0.0);
-  plane->SetPoint1(place, 4.0, 0.0);
-  plane->SetPoint2(place, 0.0, 4.0);
-  return plane;
-}
-
 double GetValue(vtkDataSet* data, const char* name, vtkIdType id)
 {
   return data->GetPointData()->GetArray(name)->GetComponent(id, 0);
@@ -77,8 +56,8 @@ void TestLimits(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
   check.Equal(filter->GetMaximumNumberOfSteps(), 10000, "default steps");
-  filter->SetInputDataObject(MakeImage(5, Uniform));
-  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->SetInputDataObject(MakeFlowImage(5, Uniform));
+  filter->AddTerminationSurface(MakeFlowPlane(0.0));
   filter->SetMaximumTime(5.0);
   vtkDataSet* output = Update(filter);
   for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
@@ -96,7 +75,7 @@ void TestLimits(Check& check)
   check.Equal(filter->GetReport().Statuses[vtkFlowStatus::STAGNATED], 100, "all are too slow");
   filter->SetMaximumError(0.0);
   filter->SetMinimumSpeed(0.0);
-  filter->SetInputDataObject(MakeImage(5, [](const Vector&) { return Vector{}; }));
+  filter->SetInputDataObject(MakeFlowImage(5, [](const Vector&) { return Vector{}; }));
   Update(filter);
   check.That(filter->GetReport().MaximumError == std::numeric_limits<double>::min(),
     "the least error where there is no flow");
@@ -107,7 +86,7 @@ void TestLimits(Check& check)
 void TestMethods(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
-  auto image = MakeImage(5, Uniform);
+  auto image = MakeFlowImage(5, Uniform);
   AddRandomVectors(image, 3);
   filter->SetInputDataObject(image);
   filter->SetMaximumNumberOfSteps(500);
@@ -164,15 +143,15 @@ void TestIds(Check& check)
   box->SetId(1);
   vtkNew<vtkTerminationCylinder> cylinder;
   cylinder->SetId(20);
-  auto same = MakePlane(1.0);
+  auto same = MakeFlowPlane(1.0);
   same->SetId(20);
   vtkNew<vtkImplicitFlowField> filter;
-  filter->SetInputDataObject(MakeImage(5, Uniform));
-  auto removed = MakePlane(3.5);
+  filter->SetInputDataObject(MakeFlowImage(5, Uniform));
+  auto removed = MakeFlowPlane(3.5);
   filter->AddTerminationSurface(removed);
-  auto first = MakePlane(2.0);
+  auto first = MakeFlowPlane(2.0);
   filter->AddTerminationSurface(first);
-  filter->AddTerminationSurface(MakePlane(3.0));
+  filter->AddTerminationSurface(MakeFlowPlane(3.0));
   filter->AddTerminationSurface(box);
   filter->AddTerminationSurface(cylinder);
   filter->AddTerminationSurface(same);
@@ -216,7 +195,7 @@ vtkIdType CountReached(vtkImplicitFlowField* filter, int id)
 void TestSpheres(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
-  filter->SetInputDataObject(MakeImage(17,
+  filter->SetInputDataObject(MakeFlowImage(17,
     [](const Vector& x) {
       return Vector{ { (x[0] - 0.7) * (x[0] - 2.1) * (x[0] - 3.3), x[1] - 1.9, x[2] - 1.8 } };
     }));
@@ -233,7 +212,7 @@ void TestSpheres(Check& check)
         GetValue(output, "TerminationId", id) == (isLow ? low : 1001.0 - low),
       "the sphere on its side");
   }
-  filter->SetInputDataObject(MakeImage(9,
+  filter->SetInputDataObject(MakeFlowImage(9,
     [](const Vector& x)
     {
       return Vector{ { 1.9 - x[0] + 3.0 * (x[1] - 2.1), 2.1 - x[1] - 3.0 * (x[0] - 1.9),
@@ -242,7 +221,7 @@ void TestSpheres(Check& check)
   filter->SetDirectionToForward();
   Update(filter);
   check.That(CountReached(filter, 500) > 500, "a spiral sink");
-  filter->SetInputDataObject(MakeImage(9,
+  filter->SetInputDataObject(MakeFlowImage(9,
     [](const Vector& x)
     {
       return Vector{ { x[0] - 1.9 + 3.0 * (x[1] - 2.1), x[1] - 2.1 - 3.0 * (x[0] - 1.9),
@@ -269,12 +248,12 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(
 /// Each array has a mean of its own, once; others than of one component have none.
 void TestMeans(Check& check)
 {
-  auto image = MakeImage(5, Uniform);
+  auto image = MakeFlowImage(5, Uniform);
   MakeArray(image, "Along", [](const double* x) { return x[0]; });
   MakeArray(image, "Across", [](const double* x) { return x[1]; });
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputDataObject(image);
-  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->AddTerminationSurface(MakeFlowPlane(0.0));
   for (const char* name : { "Along", "Across", "Along" })
   {
     filter->AddMeanArray(name);
@@ -298,12 +277,12 @@ void TestRequests(Check& check)
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   auto mesh = MakeFlowMesh(MeshKind::Hexahedra, { { 4, 4, 4 } });
   AddVectors(mesh, Uniform);
-  auto image = MakeImage(5, Uniform);
+  auto image = MakeFlowImage(5, Uniform);
   for (vtkDataSet* field : { static_cast<vtkDataSet*>(mesh), static_cast<vtkDataSet*>(image) })
   {
     vtkNew<vtkImplicitFlowField> filter;
     filter->SetInputDataObject(field);
-    filter->AddTerminationSurface(MakePlane(0.0));
+    filter->AddTerminationSurface(MakeFlowPlane(0.0));
     filter->SetSampleData(mesh);
     filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
     filter->UpdateInformation();
@@ -359,7 +338,7 @@ void TestPieces(Check& check)
   mesh->GetFieldData()->AddArray(note);
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputDataObject(mesh);
-  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->AddTerminationSurface(MakeFlowPlane(0.0));
   vtkIdType next = 0;
   for (int piece = 0; piece < 5; ++piece)
   {
@@ -398,7 +377,7 @@ void TestPieces(Check& check)
 /// Vectors that are not the points', or are too few.
 void TestVectors(Check& check)
 {
-  auto image = MakeImage(3, Uniform);
+  auto image = MakeFlowImage(3, Uniform);
   const auto expect = [&](vtkImplicitFlowField* filter, const std::string& part)
   {
     const std::string found = MessagesOf(filter);
@@ -414,7 +393,7 @@ void TestVectors(Check& check)
   image->GetCellData()->AddArray(vectors);
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputDataObject(image);
-  filter->AddTerminationSurface(MakePlane(0.0));
+  filter->AddTerminationSurface(MakeFlowPlane(0.0));
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Cells");
   expect(filter, "\"Cells\" is not a point array");
   vtkNew<vtkDoubleArray> few;

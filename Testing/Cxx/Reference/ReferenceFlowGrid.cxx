@@ -1,5 +1,7 @@
 #include "ReferenceFlowGrid.h"
 
+#include "vtkTerminationPlane.h"
+
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -249,6 +251,25 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeFlowGrids()
       "mesh " + std::to_string(static_cast<int>(kind)), MakeFlowMesh(kind, { { 4, 4, 4 } }));
   }
   return grids;
+}
+
+vtkSmartPointer<vtkImageData> MakeFlowImage(int points, const VectorField& field)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(points, points, points);
+  const double spacing = 4.0 / (points - 1);
+  image->SetSpacing(spacing, spacing, spacing);
+  AddVectors(image, field);
+  return image;
+}
+
+vtkSmartPointer<vtkTerminationPlane> MakeFlowPlane(double place)
+{
+  auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
+  plane->SetOrigin(place, 0.0, 0.0);
+  plane->SetPoint1(place, 4.0, 0.0);
+  plane->SetPoint2(place, 0.0, 4.0);
+  return plane;
 }
 
 double GetNorm(const Vector& v)

@@ -15,8 +15,10 @@
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkImageData;
 class vtkPointSet;
 class vtkStructuredGrid;
+class vtkTerminationPlane;
 class vtkUnstructuredGrid;
 
 /**
@@ -62,6 +64,12 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeFlowMesh(
 /// An image, a rectilinear grid, a structured grid that is bent inside, and a mesh of each kind,
 /// all over 0 ... 4 with 5 points along each axis, and their names.
 std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeFlowGrids();
+
+/// An image over 0 ... 4 along each axis, with a field.
+vtkSmartPointer<vtkImageData> MakeFlowImage(int points, const VectorField& field);
+
+/// The plane x = \a place over 0 ... 4 in y and z, u along y and v along z.
+vtkSmartPointer<vtkTerminationPlane> MakeFlowPlane(double place);
 
 /// A place in a cell, as VTK's cell interpolates.
 struct CellSample
