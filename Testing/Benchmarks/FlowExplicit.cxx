@@ -219,8 +219,8 @@ void AddExplicitRows(const BenchOptions& options, BenchRows& rows)
   // Halving makes some ten times as many where streamlines part at a stagnation point.
   const auto halvedRings = options.Pick<std::vector<int>>({ 4, 8, 16 }, { 4 }, { 2 });
   const auto samples =
-    options.Pick<std::vector<int>>({ 16, 24, 32, 48, 64, 96 }, { 16, 24, 32 }, { 12, 16 });
-  const auto refined = options.Pick<std::vector<int>>({ 16, 24, 32, 48 }, { 16, 24 }, { 12 });
+    options.Pick<std::vector<int>>({ 16, 24, 32, 48, 64, 96 }, { 16, 24 }, { 12, 16 });
+  const auto refined = options.Pick<std::vector<int>>({ 16, 24, 32, 48 }, { 16 }, { 12 });
   for (const Tube& tube : MakeTubes(options.Pick(128, 64, 24)))
   {
     for (const int number : rings)

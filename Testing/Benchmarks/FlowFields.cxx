@@ -24,7 +24,7 @@ class CaseList
 public:
   explicit CaseList(const BenchOptions& options)
     : Points(options.Pick(64, 32, 8))
-    , Seeds(MakeSeeds(options.Pick(1000, 400, 30), 0.8, options.Seed))
+    , Seeds(MakeSeeds(options.Pick(1000, 200, 30), 0.8, options.Seed))
     , StiffSeeds(MakeSeeds(options.Pick(60, 24, 8), 0.8, options.Seed))
   {
   }
