@@ -162,6 +162,8 @@ void AddPoint(const BenchRow& row, bool isOwn, bool isTime, std::vector<BenchPlo
                           : "mean distance from the streamline (unit of length)";
     fresh.LogX = true;
     fresh.LogY = true;
+    // The peer ends at the top right, where the legend would be.
+    fresh.Rises = true;
     plot = plots.insert(plots.end(), fresh);
   }
   plot->AddPoint(
