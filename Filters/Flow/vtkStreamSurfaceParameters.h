@@ -69,7 +69,8 @@ public:
   ///@{
   /**
    * The termination surfaces, with the TerminationId of their first part; -1 takes that from the
-   * surface. Automatic ones are vtkImplicitFlowField::GetUsedSurfaceId. Of several with an id the first counts. Default none. Null is no surface.
+   * surface. Automatic ones are vtkImplicitFlowField::GetUsedSurfaceId. Of several with an id the
+   * first counts. Default none. Null is no surface.
    */
   void AddTerminationSurface(vtkTerminationSurface* surface, int id = -1);
   void RemoveAllTerminationSurfaces();

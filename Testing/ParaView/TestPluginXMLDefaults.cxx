@@ -265,8 +265,8 @@ void CompareFlowFilters(const std::string& folder)
   Check(volume->GetNumberOfIntervals() == 0, "vtkFlowVolume starts without an interval");
   CompareWithXML(folder + "/FlowVolume.xml", "SourceProxy", "vtkFlowVolume", "",
     { { "Intervals", "" }, { "TimeRange", Text(volume->GetTimeRange(), 2) },
-      { "MaximumTimeJump", Text(volume->GetMaximumTimeJump()) },
-      { "StreamSurfaces", "" }, { "TimeSurfaces", "" },
+      { "MaximumTimeJump", Text(volume->GetMaximumTimeJump()) }, { "StreamSurfaces", "" },
+      { "TimeSurfaces", "" },
       { "GenerateStreamSurfaces", Text(volume->GetGenerateStreamSurfaces()) },
       { "GenerateTimeSurfaces", Text(volume->GetGenerateTimeSurfaces()) },
       { "GenerateNormals", Text(volume->GetGenerateNormals()) },
