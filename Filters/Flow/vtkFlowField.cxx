@@ -1,11 +1,11 @@
 #include "vtkFlowField.h"
 
+#include "vtkBlanking.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <atomic>
@@ -84,14 +84,12 @@ std::string vtkFlowField::SetArrays(
 //------------------------------------------------------------------------------
 void vtkFlowField::SetBlanking(vtkDataSet* data, const CellPoints& cells)
 {
-  vtkUnsignedCharArray* cellGhosts = data->GetCellGhostArray();
-  vtkUnsignedCharArray* pointGhosts = data->GetPointGhostArray();
-  if (!cellGhosts && !pointGhosts)
+  vtkBlanking blanking;
+  blanking.SetBlanking(data);
+  if (!blanking.HasBlanking())
   {
     return;
   }
-  constexpr unsigned char blanked =
-    vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
   this->Excluded.assign(this->NumberOfCells, 0);
   vtkSMPTools::For(0, this->NumberOfCells,
     [&](vtkIdType first, vtkIdType last)
@@ -99,12 +97,11 @@ void vtkFlowField::SetBlanking(vtkDataSet* data, const CellPoints& cells)
       vtkIdType points[8];
       for (vtkIdType cell = first; cell < last; ++cell)
       {
-        bool isExcluded = cellGhosts && (cellGhosts->GetValue(cell) & blanked);
-        const int number = pointGhosts && !isExcluded ? cells(cell, points) : 0;
+        bool isExcluded = blanking.IsCellHidden(cell);
+        const int number = blanking.PointGhosts && !isExcluded ? cells(cell, points) : 0;
         for (int v = 0; v < number; ++v)
         {
-          isExcluded =
-            isExcluded || (pointGhosts->GetValue(points[v]) & vtkDataSetAttributes::HIDDENPOINT);
+          isExcluded = isExcluded || blanking.IsPointBlanked(points[v]);
         }
         this->Excluded[cell] = isExcluded;
       }

@@ -147,7 +147,6 @@ private:
   template <typename Test>
   std::vector<unsigned char> FindCells(const Test& test) const
   {
-    vtkUnsignedCharArray* ghosts = this->Grid->GetCellGhostArray();
     vtkBlanking blanking;
     blanking.SetBlanking(this->Grid);
     std::vector<unsigned char> found(static_cast<std::size_t>(this->Grid->GetNumberOfCells()), 0);
@@ -155,14 +154,12 @@ private:
     vtkSMPTools::For(0, this->Grid->GetNumberOfCells(),
       [&](vtkIdType first, vtkIdType last)
       {
-        constexpr int hidden = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
         Cell cell;
         for (vtkIdType id = first; id < last; ++id)
         {
           cell.Load(this->Grid, id, lists.Local());
           const auto isHidden = [&](vtkIdType corner) { return blanking.IsPointBlanked(corner); };
-          found[static_cast<std::size_t>(id)] = cell.Shape &&
-            !(ghosts && (ghosts->GetValue(id) & hidden)) &&
+          found[static_cast<std::size_t>(id)] = cell.Shape && !blanking.IsCellHidden(id) &&
             std::none_of(cell.Begin(), cell.End(), isHidden) && test(cell);
         }
       });

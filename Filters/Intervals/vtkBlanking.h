@@ -23,16 +23,25 @@ struct vtkBlanking
   /// Whether the ghost arrays say that a cell does not count.
   bool IsCellBlanked(vtkIdType cell) const
   {
-    constexpr unsigned char blanked = vtkDataSetAttributes::DUPLICATECELL |
-      vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
-    return this->CellGhosts && (this->CellGhosts->GetValue(cell) & blanked);
+    return this->HasCell(cell, vtkDataSetAttributes::DUPLICATECELL | Hidden);
   }
+  /// The same where duplicates of another piece's cells do count.
+  bool IsCellHidden(vtkIdType cell) const { return this->HasCell(cell, Hidden); }
   bool IsPointBlanked(vtkIdType point) const
   {
     return this->PointGhosts &&
       (this->PointGhosts->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT);
   }
   bool HasBlanking() const { return this->CellGhosts || this->PointGhosts; }
+
+private:
+  static constexpr unsigned char Hidden =
+    vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+
+  bool HasCell(vtkIdType cell, unsigned char types) const
+  {
+    return this->CellGhosts && (this->CellGhosts->GetValue(cell) & types);
+  }
 };
 
 #endif
