@@ -41,15 +41,22 @@ std::string vtkSliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window,
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Texture);
   this->Framebuffer->ActivateDrawBuffer(0);
-  // A wide light's buffer has optical depth.
-  const float start = light.IsWide ? 0.0f : 1.0f;
-  window->GetState()->vtkglClearColor(start, start, start, 1.0f);
-  glClear(GL_COLOR_BUFFER_BIT);
-  if (!light.IsWide)
+  // Before it is cleared: OpenGL clears, and draws, only where all attachments are, and that of the
+  // last picture may be smaller.
+  if (light.IsWide)
+  {
+    this->Framebuffer->RemoveDepthAttachment();
+    this->Occlusion.ReleaseGraphicsResources(window);
+  }
+  else
   {
     this->Bytes += this->Occlusion.Prepare(window, this->Framebuffer, this->Size, this->Size);
     vtkSliceOcclusion::Clear(window);
   }
+  // A wide light's buffer has optical depth.
+  const float start = light.IsWide ? 0.0f : 1.0f;
+  window->GetState()->vtkglClearColor(start, start, start, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
   const std::string source = vtkSliceShader::GetLightSource(picture, light);
   vtkShaderProgram* program = nullptr;
   this->Wide.reset();

@@ -9,7 +9,10 @@
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
 #include "vtkShadowedSliceMapper.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -60,6 +63,26 @@ RgbaPicture DrawByMapper(vtkShadowedSliceMapper* mapper, const ShadowScene& scen
   VolumeStage stage(scene.Size);
   SetScene(stage, mapper, scene);
   return stage.Capture();
+}
+
+RgbaPicture ReadWindow(vtkRenderWindow* window)
+{
+  window->Render();
+  const int* size = window->GetSize();
+  RgbaPicture picture(size[0], size[1]);
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  for (int j = 0; j < size[1]; ++j)
+  {
+    for (int i = 0; i < size[0]; ++i)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        picture.At(i, j)[k] = k == 3 ? 1.0 : pixels->GetComponent(j * size[0] + i, k) / 255.0;
+      }
+    }
+  }
+  return picture;
 }
 
 }

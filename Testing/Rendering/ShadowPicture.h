@@ -4,6 +4,7 @@
 #include "RgbaPicture.h"
 #include "ShadowScene.h"
 
+class vtkRenderWindow;
 class vtkShadowedSliceMapper;
 
 namespace reference
@@ -19,6 +20,9 @@ void SetScene(VolumeStage& stage, vtkShadowedSliceMapper* mapper, const ShadowSc
 
 /// The picture by the mapper, configured, in floating point.
 RgbaPicture DrawByMapper(vtkShadowedSliceMapper* mapper, const ShadowScene& scene);
+
+/// Renders once; what the window shows, in bytes, alpha 1.
+RgbaPicture ReadWindow(vtkRenderWindow* window);
 
 }
 

@@ -23,7 +23,6 @@
 #include "vtkRenderer.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkSphereSource.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -41,27 +40,6 @@ ShadowScene SphereScene()
   auto scene = MakeScene(MakeImage(16, MakeSphere(0.15, 0.45)), MakeSoftProperty(0.6, true));
   scene.Size = { { 51, 40 } };
   return scene;
-}
-
-/// What a window shows, alpha 1.
-RgbaPicture ReadWindow(vtkRenderWindow* window)
-{
-  window->Render();
-  const int* size = window->GetSize();
-  RgbaPicture picture(size[0], size[1]);
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  for (int j = 0; j < size[1]; ++j)
-  {
-    for (int i = 0; i < size[0]; ++i)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        picture.At(i, j)[k] = k == 3 ? 1.0 : Byte * pixels->GetComponent(j * size[0] + i, k);
-      }
-    }
-  }
-  return picture;
 }
 
 /// Part of a picture.

@@ -1,0 +1,214 @@
+// A random sequence of changes to one scene of vtkShadowedSliceMapper - lights, buffers, data,
+// camera, window - each picture the same as that of a scene made anew.
+#include "PictureCases.h"
+#include "ReferenceCheck.h"
+#include "ReferenceRandom.h"
+#include "ShadowCases.h"
+#include "ShadowPicture.h"
+#include "VolumeStage.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr int Changes = 300;
+constexpr std::size_t MostLights = 3;
+
+/// Whether anything is brighter than the background.
+bool IsLit(const RgbaPicture& picture)
+{
+  for (std::size_t i = 0; i < picture.Values.size(); ++i)
+  {
+    if (i % 4 != 3 && picture.Values[i] > 0.05)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// What changes, with the mapper and the window that see all of it.
+class ChangingScene
+{
+public:
+  explicit ChangingScene(unsigned seed)
+    : Numbers(seed)
+    , Images{ MakeImage(40, MakeSphere(0.15, 0.45)), MakeImage(70, TwoBoxes),
+      MakeImage({ { 90, 30, 55 } }, { { 0.02, 0.03, 0.01 } }, MakeSphere(0.2, 0.5)) }
+    , Scene(MakeScene(this->Images[0], MakeSoftProperty(0.6, true)))
+    , Stage(this->Scene.Size)
+  {
+    SetScene(this->Stage, this->Mapper, this->Scene);
+  }
+
+  /// One change of any kind; what it is.
+  std::string Change()
+  {
+    const auto& [name, change] = this->Kinds[this->Pick(this->Kinds.size())];
+    change();
+    return name;
+  }
+
+  RgbaPicture DrawChanged()
+  {
+    Configure(this->Mapper, this->Scene);
+    this->Stage.SetCamera(this->Scene.Camera);
+    this->Stage.SetLights(this->Scene.Lights);
+    this->Stage.GetWindow()->SetSize(this->Scene.Size.data());
+    return ReadWindow(this->Stage.GetWindow());
+  }
+
+  RgbaPicture DrawAnew() const
+  {
+    ShadowScene anew = this->Scene;
+    for (vtkSmartPointer<vtkLight>& light : anew.Lights)
+    {
+      auto copy = vtkSmartPointer<vtkLight>::Take(light->ShallowClone());
+      // VTK's copies leave that out.
+      copy->SetShadowAttenuation(light->GetShadowAttenuation());
+      light = copy;
+    }
+    anew.Camera = vtkSmartPointer<vtkCamera>::New();
+    anew.Camera->DeepCopy(this->Scene.Camera);
+    vtkNew<vtkShadowedSliceMapper> mapper;
+    mapper->SetLightBufferSize(this->Mapper->GetLightBufferSize());
+    mapper->SetSliceSpacing(this->Mapper->GetSliceSpacing());
+    VolumeStage stage(anew.Size);
+    SetScene(stage, mapper, anew);
+    return ReadWindow(stage.GetWindow());
+  }
+
+private:
+  std::size_t Pick(std::size_t number)
+  {
+    return std::min(
+      static_cast<std::size_t>(this->Numbers.Get(0.0, static_cast<double>(number))), number - 1);
+  }
+
+  vtkLight* PickLight() { return this->Scene.Lights[this->Pick(this->Scene.Lights.size())]; }
+
+  void Move(double distance)
+  {
+    const Double3 direction = this->Numbers.GetDirection();
+    this->PickLight()->SetPosition(
+      distance * direction[0], distance * direction[1], distance * direction[2]);
+  }
+
+  void Look()
+  {
+    const bool isParallel = this->Scene.Camera->GetParallelProjection() != 0;
+    this->Scene.Camera = LookAt(this->Scene.Image, this->Numbers.GetDirection(), isParallel);
+  }
+
+  Random Numbers;
+  std::array<vtkSmartPointer<vtkImageData>, 3> Images;
+  ShadowScene Scene;
+  vtkNew<vtkShadowedSliceMapper> Mapper;
+  VolumeStage Stage;
+  std::vector<std::pair<std::string, std::function<void()>>> Kinds = {
+    { "size of buffers",
+      [this]
+      {
+        const std::array<int, 4> sizes = { { 0, 64, 200, 500 } };
+        this->Mapper->SetLightBufferSize(sizes[this->Pick(sizes.size())]);
+      } },
+    { "light outside", [this] { this->Move(this->Numbers.Get(1.5, 4.0)); } },
+    { "light inside", [this] { this->Move(this->Numbers.Get(0.0, 0.4)); } },
+    { "kind of light",
+      [this]
+      {
+        vtkLight* light = this->PickLight();
+        light->SetPositional(!light->GetPositional());
+        light->SetConeAngle(180.0);
+      } },
+    { "headlight or not",
+      [this]
+      {
+        vtkLight* light = this->PickLight();
+        light->SetLightType(
+          light->LightTypeIsHeadlight() ? VTK_LIGHT_TYPE_SCENE_LIGHT : VTK_LIGHT_TYPE_HEADLIGHT);
+      } },
+    { "shadow of a light",
+      [this]
+      {
+        vtkLight* light = this->PickLight();
+        light->SetShadowAttenuation(light->GetShadowAttenuation() > 0.0f ? 0.0f : 1.0f);
+      } },
+    { "one more light",
+      [this]
+      {
+        if (this->Scene.Lights.size() < MostLights)
+        {
+          this->Scene.Lights.push_back(MakeDirectionalLight(this->Numbers.GetDirection()));
+        }
+      } },
+    { "one light less",
+      [this]
+      {
+        if (this->Scene.Lights.size() > 1)
+        {
+          this->Scene.Lights.erase(this->Scene.Lights.begin());
+        }
+      } },
+    { "data",
+      [this]
+      {
+        this->Scene.Image = this->Images[this->Pick(this->Images.size())];
+        this->Look();
+      } },
+    { "camera", [this] { this->Look(); } },
+    { "projection",
+      [this] {
+        this->Scene.Camera->SetParallelProjection(!this->Scene.Camera->GetParallelProjection());
+      } },
+    { "size of the window",
+      [this]
+      {
+        this->Scene.Size = { { 24 + static_cast<int>(this->Pick(60)),
+          24 + static_cast<int>(this->Pick(60)) } };
+      } },
+    { "spacing of slices",
+      [this] { this->Mapper->SetSliceSpacing(this->Pick(2) == 0 ? 0.0 : 0.07); } },
+    { "colour of shadows",
+      [this]
+      {
+        this->Scene.TransmissionColor =
+          this->Scene.TransmissionColor ? nullptr : this->Scene.Property->GetRGBTransferFunction();
+      } },
+  };
+};
+
+}
+
+int TestShadowChanges(int, char*[])
+{
+  Check check;
+  ChangingScene scene(17);
+  int seen = 0;
+  std::string name = "nothing";
+  for (int i = 0; i < Changes; ++i)
+  {
+    const RgbaPicture found = scene.DrawChanged();
+    check.Near(ComparePictures(found, scene.DrawAnew()).Max, 0.0, 0.0,
+      "picture " + std::to_string(i) + ", after a change of " + name, 1.0);
+    seen += IsLit(found) ? 1 : 0;
+    name = scene.Change();
+  }
+  check.Equal(seen, Changes, "pictures in which the volume is seen");
+  return check.Result();
+}
