@@ -99,15 +99,21 @@ public:
         constexpr double least = static_cast<double>(std::numeric_limits<T>::min());
         // One above the largest T, which a double holds exactly.
         const double above = std::ldexp(1.0, std::numeric_limits<T>::digits);
-        for (const double reach : { std::ceil(value), std::floor(value) + 1.0 })
+        const double reach = std::ceil(value);
+        if (reach >= above)
         {
-          if (reach >= above)
-          {
-            return thresholds;
-          }
-          thresholds.push_back(
-            reach <= least ? std::numeric_limits<T>::min() : static_cast<T>(reach));
+          return thresholds;
         }
+        constexpr T first = std::numeric_limits<T>::min();
+        thresholds.push_back(reach <= least ? first : static_cast<T>(reach));
+        // The next whole number is found among the T: beyond 2^53 a double plus 1 is rounded back.
+        const double below = std::floor(value);
+        const T whole = below < least ? first : static_cast<T>(below);
+        if (whole == std::numeric_limits<T>::max())
+        {
+          return thresholds;
+        }
+        thresholds.push_back(below < least ? first : static_cast<T>(whole + 1));
       }
       else
       {

@@ -207,6 +207,15 @@ void TestSixtyFourBits(StabilityCatalogue& catalogue)
     RelativeError(VolumeOf(fine, { { 0, shift }, { shift, 2 * shift } }), DomainVolume),
     VolumeBound);
 
+  // Beyond 2^53 the double after a whole number is not the next whole number.
+  const auto base = vtkTypeInt64(1) << 60;
+  auto few = MakeInput<vtkTypeInt64Array>([base](vtkIdType i)
+    { return base + 1024 * (static_cast<vtkTypeInt64>(EvenInteger(i)) / 2 % 3); });
+  const double lowest = std::ldexp(1, 60);
+  catalogue.Measure("int64-tied", "int64 values 2^60 + 0, 1024, 2048, the bounds equal to the ends",
+    "relative error of the domain's volume, by one interval",
+    RelativeError(VolumeOf(few, { { lowest, lowest + 2048 } }), DomainVolume), VolumeBound);
+
   auto ends = [](vtkIdType i) { return static_cast<int>(EvenInteger(i)) % 4 == 0; };
   auto extreme = MakeInput<vtkTypeInt64Array>(
     [&](vtkIdType i)
