@@ -1,6 +1,7 @@
 #include "vtkTerminationCylinder.h"
 
 #include "vtkDiscParameters.h"
+#include "vtkAxialFrame.h"
 #include "vtkFiniteNumbers.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -9,6 +10,15 @@
 #include <cmath>
 
 vtkStandardNewMacro(vtkTerminationCylinder);
+
+//------------------------------------------------------------------------------
+vtkTerminationCylinder::vtkTerminationCylinder()
+  : Frame(std::make_unique<vtkAxialFrame>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkTerminationCylinder::~vtkTerminationCylinder() = default;
 
 //------------------------------------------------------------------------------
 std::string vtkTerminationCylinder::Update()
@@ -29,7 +39,7 @@ std::string vtkTerminationCylinder::Update()
   {
     return "the cylinder's axis has no length: its ends are the same point";
   }
-  this->Frame.SetAxis(axis);
+  this->Frame->SetAxis(axis);
   return {};
 }
 
@@ -37,7 +47,7 @@ std::string vtkTerminationCylinder::Update()
 vtkTerminationCylinder::Place vtkTerminationCylinder::GetPlace(const double x[3]) const
 {
   double p[3];
-  this->Frame.GetComponents(x, this->Point1, p);
+  this->Frame->GetComponents(x, this->Point1, p);
   Place place;
   place.Offset[0] = p[0];
   place.Offset[1] = p[1];
@@ -96,13 +106,13 @@ void vtkTerminationCylinder::EvaluateNormal(const double x[3], double normal[3])
   const double zero[3] = { 0.0, 0.0, 0.0 };
   if (place.Part != WALL)
   {
-    this->Frame.GetPoint(zero, 0.0, 0.0, place.Part == CAP_1 ? -1.0 : 1.0, normal);
+    this->Frame->GetPoint(zero, 0.0, 0.0, place.Part == CAP_1 ? -1.0 : 1.0, normal);
     return;
   }
-  this->Frame.GetPoint(zero, place.Offset[0], place.Offset[1], 0.0, normal);
+  this->Frame->GetPoint(zero, place.Offset[0], place.Offset[1], 0.0, normal);
   if (!(vtkMath::Normalize(normal) > 0.0))
   {
-    std::copy_n(this->Frame.X, 3, normal);
+    std::copy_n(this->Frame->X, 3, normal);
   }
 }
 
@@ -117,7 +127,7 @@ bool vtkTerminationCylinder::EvaluatePoint(int part, const double uv[2], double 
   if (part == WALL)
   {
     const double angle = 2.0 * vtkMath::Pi() * taken[0];
-    this->Frame.GetPoint(this->Point1, this->Radius * std::cos(angle),
+    this->Frame->GetPoint(this->Point1, this->Radius * std::cos(angle),
       this->Radius * std::sin(angle), this->Length * taken[1], x);
     return true;
   }
@@ -126,7 +136,7 @@ bool vtkTerminationCylinder::EvaluatePoint(int part, const double uv[2], double 
   const bool isInside = vtkDiscParameters::ToPoint(taken, a, b);
   if (isInside)
   {
-    this->Frame.GetPoint(
+    this->Frame->GetPoint(
       part == CAP_1 ? this->Point1 : this->Point2, this->Radius * a, this->Radius * b, 0.0, x);
   }
   return isInside;
@@ -143,7 +153,7 @@ void vtkTerminationCylinder::GetBounds(double bounds[6]) const
 {
   for (int i = 0; i < 3; ++i)
   {
-    const double extent = this->Radius * std::hypot(this->Frame.X[i], this->Frame.Y[i]);
+    const double extent = this->Radius * std::hypot(this->Frame->X[i], this->Frame->Y[i]);
     bounds[2 * i] = std::min(this->Point1[i], this->Point2[i]) - extent;
     bounds[2 * i + 1] = std::max(this->Point1[i], this->Point2[i]) + extent;
   }

@@ -1,8 +1,11 @@
 #ifndef vtkTerminationCylinder_h
 #define vtkTerminationCylinder_h
 
-#include "vtkAxialFrame.h" // for the frame
 #include "vtkTerminationSurface.h"
+
+#include <memory> // for the frame
+
+struct vtkAxialFrame;
 
 /**
  * @class   vtkTerminationCylinder
@@ -67,8 +70,8 @@ public:
   void GetBounds(double bounds[6]) const override;
 
 protected:
-  vtkTerminationCylinder() = default;
-  ~vtkTerminationCylinder() override = default;
+  vtkTerminationCylinder();
+  ~vtkTerminationCylinder() override;
 
   double Point1[3] = { 0.0, 0.0, -0.5 };
   double Point2[3] = { 0.0, 0.0, 0.5 };
@@ -93,7 +96,7 @@ private:
   };
   Place GetPlace(const double x[3]) const;
 
-  vtkAxialFrame Frame;
+  const std::unique_ptr<vtkAxialFrame> Frame;
   double Length = 1.0;
 };
 

@@ -1,5 +1,6 @@
 #include "vtkTerminationSphere.h"
 
+#include "vtkAxialFrame.h"
 #include "vtkFiniteNumbers.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -8,6 +9,15 @@
 #include <cmath>
 
 vtkStandardNewMacro(vtkTerminationSphere);
+
+//------------------------------------------------------------------------------
+vtkTerminationSphere::vtkTerminationSphere()
+  : Frame(std::make_unique<vtkAxialFrame>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkTerminationSphere::~vtkTerminationSphere() = default;
 
 //------------------------------------------------------------------------------
 std::string vtkTerminationSphere::Update()
@@ -24,7 +34,7 @@ std::string vtkTerminationSphere::Update()
   {
     return "the sphere's axis is not finite or has no length";
   }
-  this->Frame.SetAxis(this->Axis);
+  this->Frame->SetAxis(this->Axis);
   return {};
 }
 
@@ -38,7 +48,7 @@ double vtkTerminationSphere::EvaluateDistance(const double x[3]) const
 void vtkTerminationSphere::EvaluateParameters(const double x[3], double uv[2]) const
 {
   double p[3];
-  this->Frame.GetComponents(x, this->Center, p);
+  this->Frame->GetComponents(x, this->Center, p);
   uv[0] = vtkAxialFrame::GetTurn(p[0], p[1]);
   uv[1] = 0.5 + std::atan2(p[2], std::hypot(p[0], p[1])) / vtkMath::Pi();
 }
@@ -49,7 +59,7 @@ void vtkTerminationSphere::EvaluateNormal(const double x[3], double normal[3]) c
   vtkMath::Subtract(x, this->Center, normal);
   if (!(vtkMath::Normalize(normal) > 0.0))
   {
-    std::copy_n(this->Frame.Axis, 3, normal);
+    std::copy_n(this->Frame->Axis, 3, normal);
   }
 }
 
@@ -64,7 +74,7 @@ bool vtkTerminationSphere::EvaluatePoint(int part, const double uv[2], double x[
   const double longitude = 2.0 * vtkMath::Pi() * taken[0];
   const double latitude = vtkMath::Pi() * (taken[1] - 0.5);
   const double across = this->Radius * std::cos(latitude);
-  this->Frame.GetPoint(this->Center, across * std::cos(longitude), across * std::sin(longitude),
+  this->Frame->GetPoint(this->Center, across * std::cos(longitude), across * std::sin(longitude),
     this->Radius * std::sin(latitude), x);
   return true;
 }

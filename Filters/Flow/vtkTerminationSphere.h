@@ -1,8 +1,11 @@
 #ifndef vtkTerminationSphere_h
 #define vtkTerminationSphere_h
 
-#include "vtkAxialFrame.h" // for the frame
 #include "vtkTerminationSurface.h"
+
+#include <memory> // for the frame
+
+struct vtkAxialFrame;
 
 /**
  * @class   vtkTerminationSphere
@@ -50,8 +53,8 @@ public:
   void GetBounds(double bounds[6]) const override;
 
 protected:
-  vtkTerminationSphere() = default;
-  ~vtkTerminationSphere() override = default;
+  vtkTerminationSphere();
+  ~vtkTerminationSphere() override;
 
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Radius = 0.5;
@@ -61,7 +64,7 @@ private:
   vtkTerminationSphere(const vtkTerminationSphere&) = delete;
   void operator=(const vtkTerminationSphere&) = delete;
 
-  vtkAxialFrame Frame;
+  const std::unique_ptr<vtkAxialFrame> Frame;
 };
 
 #endif

@@ -1,5 +1,6 @@
 # Installs the build into a fresh folder, builds a small project against that with find_package, and
-# runs it. The build's own libraries are not needed: nothing points at them.
+# runs it: every installed header compiled alone, and VTK found before Interlume and after it. The
+# build's own libraries are not needed: nothing points at them.
 function (run what)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if (NOT status EQUAL 0)
@@ -11,17 +12,26 @@ endfunction ()
 set(prefix "${WORK_DIR}/prefix")
 file(REMOVE_RECURSE "${WORK_DIR}")
 run("installation" "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
-run("configuration of the consumer" "${CMAKE_COMMAND}"
-  -S "${CONSUMER_DIR}" -B "${WORK_DIR}/build" -G "${GENERATOR}"
-  "-DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM}"
-  "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
-  "-DCMAKE_C_COMPILER=${C_COMPILER}"
-  "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
-  "-DSANITIZE=${SANITIZE}"
-  "-DVTK_DIR=${VTK_DIR}"
-  "-DInterlume_DIR=${prefix}/${LIBRARY_DIR}/cmake/Interlume")
-run("build of the consumer" "${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
-run("consumer" "${WORK_DIR}/build/consumer")
+foreach (order IN ITEMS before after)
+  set(build "${WORK_DIR}/build-${order}")
+  string(COMPARE EQUAL "${order}" after vtk_after)
+  run("configuration of the consumer, VTK ${order}" "${CMAKE_COMMAND}"
+    -S "${CONSUMER_DIR}" -B "${build}" -G "${GENERATOR}"
+    "-DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM}"
+    "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
+    "-DCMAKE_C_COMPILER=${C_COMPILER}"
+    "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
+    "-DSANITIZE=${SANITIZE}"
+    "-DVTK_AFTER=${vtk_after}"
+    "-DHEADER_DIR=${prefix}/include/interlume"
+    "-DVTK_DIR=${VTK_DIR}"
+    "-DInterlume_DIR=${prefix}/${LIBRARY_DIR}/cmake/Interlume")
+  run("build of the consumer, VTK ${order}" "${CMAKE_COMMAND}"
+    --build "${build}" --target consumer)
+  run("consumer, VTK ${order}" "${build}/consumer")
+endforeach ()
+run("compilation of each header alone" "${CMAKE_COMMAND}"
+  --build "${WORK_DIR}/build-before" --target headers)
 
 file(GLOB_RECURSE headers "${prefix}/include/*.h")
 file(GLOB_RECURSE package_files "${prefix}/${LIBRARY_DIR}/cmake/*.cmake")
