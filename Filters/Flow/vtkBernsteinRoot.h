@@ -50,8 +50,8 @@ private:
     {
       return b[degree] < 0.0 ? from : None;
     }
-    double left[MaximumDegree + 1];
-    double right[MaximumDegree + 1];
+    double left[MaximumDegree + 1] = {};
+    double right[MaximumDegree + 1] = {};
     for (int i = 0; i <= degree; ++i)
     {
       right[i] = b[i];

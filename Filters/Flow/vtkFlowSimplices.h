@@ -2,8 +2,7 @@
 #define vtkFlowSimplices_h
 
 #include "vtkCellArray.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
+#include "vtkStoredIds.h"
 #include "vtkUnstructuredGrid.h"
 
 /**
@@ -18,34 +17,22 @@ public:
     : Size(size)
     , Number(grid->GetNumberOfCells())
   {
-    vtkCellArray* cells = grid->GetCells();
-    if (this->Number == 0)
+    if (this->Number > 0)
     {
-      return;
-    }
-    if (cells->IsStorage64Bit())
-    {
-      this->Wide = cells->GetConnectivityArray64()->GetPointer(0);
-    }
-    else
-    {
-      this->Narrow = cells->GetConnectivityArray32()->GetPointer(0);
+      this->Ids.Build(grid->GetCells()->GetConnectivityArray());
     }
   }
 
   vtkIdType GetNumber() const { return this->Number; }
   vtkIdType Get(vtkIdType cell, int corner) const
   {
-    const vtkIdType place = cell * this->Size + corner;
-    return this->Narrow ? static_cast<vtkIdType>(this->Narrow[place])
-                        : static_cast<vtkIdType>(this->Wide[place]);
+    return this->Ids.Get(cell * this->Size + corner);
   }
 
 private:
   int Size;
   vtkIdType Number;
-  const vtkTypeInt32* Narrow = nullptr;
-  const vtkTypeInt64* Wide = nullptr;
+  vtkStoredIds Ids;
 };
 
 #endif

@@ -3,10 +3,10 @@
 #include "vtkAlgorithm.h"
 #include "vtkBlanking.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkGridCells.h"
 #include "vtkInformation.h"
 #include "vtkMultilinearCell.h"
 
@@ -87,7 +87,7 @@ std::string vtkFlowVectors::CheckCells(vtkDataSet* data)
       !blanking.IsCellBlanked(cell))
     {
       std::ostringstream what;
-      what << "Cell " << cell << " is a " << vtkCellTypes::GetClassNameFromTypeId(type)
+      what << "Cell " << cell << " is a " << vtkGridCells::GetClassName(type)
            << "; tetrahedra, voxels, hexahedra, wedges and pyramids are needed.";
       return what.str();
     }

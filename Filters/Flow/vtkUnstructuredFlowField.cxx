@@ -3,29 +3,11 @@
 #include "vtkCellArray.h"
 #include "vtkCellPositions.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-
-//------------------------------------------------------------------------------
-void vtkUnstructuredFlowField::Numbers::Build(vtkDataArray* array)
-{
-  // Newer versions of VTK may store offsets of equal cells as a formula.
-  this->Array = array;
-  if (!vtkTypeInt32Array::SafeDownCast(array) && !vtkTypeInt64Array::SafeDownCast(array))
-  {
-    this->Array = vtkSmartPointer<vtkTypeInt64Array>::New();
-    this->Array->DeepCopy(array);
-  }
-  auto* small = vtkTypeInt32Array::SafeDownCast(this->Array);
-  auto* large = vtkTypeInt64Array::SafeDownCast(this->Array);
-  this->Small = small ? small->GetPointer(0) : nullptr;
-  this->Large = large ? large->GetPointer(0) : nullptr;
-}
 
 //------------------------------------------------------------------------------
 std::string vtkUnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
@@ -45,8 +27,8 @@ std::string vtkUnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataAr
   }
   this->Offsets.Build(grid->GetCells()->GetOffsetsArray());
   this->PointIds.Build(grid->GetCells()->GetConnectivityArray());
-  this->TypeArray = grid->GetCellTypesArray();
-  this->Types = grid->GetCellTypesArray()->GetPointer(0);
+  this->TypeArray = vtkGridCells::GetTypes(grid);
+  this->Types = this->TypeArray->GetPointer(0);
   this->Positions.Build(grid->GetPoints()->GetData());
   const auto getPoints = [this](vtkIdType cell, vtkIdType* ids)
   {
@@ -107,8 +89,8 @@ std::string vtkUnstructuredFlowField::FindCellError() const
     {
       continue;
     }
-    const char* name = vtkCellTypes::GetClassNameFromTypeId(this->Types[cell]);
-    const std::string which = "cell " + std::to_string(cell) + " is a " + name + " (type " +
+    const std::string which = "cell " + std::to_string(cell) + " is a " +
+      vtkGridCells::GetClassName(this->Types[cell]) + " (type " +
       std::to_string(this->Types[cell]) + ")";
     return wanted == 0 ? which + "; a field has tetrahedra, voxels, hexahedra, wedges and pyramids"
                        : which + " of " + std::to_string(found) + " points";

@@ -5,9 +5,9 @@
 #include "vtkFaceLinks.h"
 #include "vtkFlowField.h"
 #include "vtkFlowShape.h"
+#include "vtkGridCells.h"
 #include "vtkSmartPointer.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
+#include "vtkStoredIds.h"
 
 class vtkUnstructuredGrid;
 
@@ -120,28 +120,6 @@ public:
   }
 
 private:
-  // Numbers that a cell array has stored.
-  struct Numbers
-  {
-    const vtkTypeInt32* Small = nullptr;
-    const vtkTypeInt64* Large = nullptr;
-    vtkSmartPointer<vtkDataArray> Array;
-
-    void Build(vtkDataArray* array);
-    vtkIdType Get(vtkIdType i) const
-    {
-      return this->Small ? static_cast<vtkIdType>(this->Small[i])
-                         : static_cast<vtkIdType>(this->Large[i]);
-    }
-    void Prefetch(vtkIdType first, vtkIdType last) const
-    {
-      for (const vtkIdType i : { first, last })
-      {
-        this->Small ? vtkPrefetch::Read(this->Small + i) : vtkPrefetch::Read(this->Large + i);
-      }
-    }
-  };
-
   // What corners of VTK's types are in the shape's order.
   struct TypeCorners
   {
@@ -180,13 +158,13 @@ private:
   void FindLinks();
 
   vtkFlowValues Positions;
-  Numbers Offsets;
-  Numbers PointIds;
+  vtkStoredIds Offsets;
+  vtkStoredIds PointIds;
   const unsigned char* Types = nullptr;
   // Where all cells are of one type that type, and how many points each has; else 0.
   int OnlyType = 0;
   int OnlySize = 0;
-  vtkSmartPointer<vtkDataArray> TypeArray;
+  vtkSmartPointer<vtkGridCells::Types> TypeArray;
   vtkCellTree Tree;
   int FacesPerCell = 0;
   // For each face of each cell -1, or 64 times the neighbour, 8 times its face, twice the start and

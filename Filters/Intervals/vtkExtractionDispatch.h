@@ -50,20 +50,6 @@ public:
     return IsSupported(copy) ? copy : MakeCopy(array, VTK_DOUBLE);
   }
 
-  /// The values of an array as an Array: itself, or a copy. (Newer versions of VTK may store
-  /// offsets of equal cells as a formula.)
-  template <typename Array>
-  static vtkSmartPointer<Array> MakeTyped(vtkDataArray* array)
-  {
-    if (Array* same = Array::SafeDownCast(array))
-    {
-      return same;
-    }
-    auto copy = vtkSmartPointer<Array>::New();
-    copy->DeepCopy(array);
-    return copy;
-  }
-
   /// A copy in another type.
   static vtkSmartPointer<vtkDataArray> MakeCopy(vtkDataArray* array, int dataType)
   {

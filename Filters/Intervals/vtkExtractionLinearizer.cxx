@@ -7,13 +7,13 @@
 #include "vtkDataSet.h"
 #include "vtkExtractionArrays.h"
 #include "vtkGenericCell.h"
+#include "vtkGridCells.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -338,7 +338,8 @@ bool vtkExtractionLinearizer::IsNeeded(vtkDataSet* input)
     return true;
   }
   const vtkIdType number = grid->GetNumberOfCells();
-  const unsigned char* types = number > 0 ? grid->GetCellTypesArray()->GetPointer(0) : nullptr;
+  const auto stored = vtkGridCells::GetTypes(grid);
+  const unsigned char* types = stored->GetPointer(0);
   bool isMet[256] = {};
   for (vtkIdType cell = 0; cell < number; ++cell)
   {

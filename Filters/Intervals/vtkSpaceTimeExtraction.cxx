@@ -3,8 +3,8 @@
 #include "vtkCellArray.h"
 #include "vtkCrossingLists.h"
 #include "vtkExtractionCell.h"
-#include "vtkExtractionDispatch.h"
 #include "vtkExtractionScalars.h"
+#include "vtkGridCells.h"
 #include "vtkIsotableCache.h"
 #include "vtkPointData.h"
 #include "vtkSMPThreadLocal.h"
@@ -512,8 +512,8 @@ bool ExtractUnstructured(const vtkExtractionContext& context, const vtkSpaceTime
   const vtkSpaceTimeStep& second, vtkSpaceTimeMesh& mesh, vtkSpaceTimeReport& report)
 {
   vtkCellArray* stored = first.GetUnstructuredGrid()->GetCells();
-  const auto offsets = vtkExtractionDispatch::MakeTyped<Array>(stored->GetOffsetsArray());
-  const auto ids = vtkExtractionDispatch::MakeTyped<Array>(stored->GetConnectivityArray());
+  const auto offsets = vtkGridCells::MakeTyped<Array>(stored->GetOffsetsArray());
+  const auto ids = vtkGridCells::MakeTyped<Array>(stored->GetConnectivityArray());
   const vtkSpaceTimeUnstructured<typename Array::ValueType> cells(
     first, second, offsets->GetPointer(0), ids->GetPointer(0));
   return Extractor<std::decay_t<decltype(cells)>>(
@@ -544,8 +544,7 @@ bool vtkSpaceTimeExtraction::Execute(const vtkExtractionContext& context,
   {
     return true;
   }
-  return vtkTypeInt32Array::SafeDownCast(
-           first.GetUnstructuredGrid()->GetCells()->GetConnectivityArray())
-    ? ExtractUnstructured<vtkTypeInt32Array>(context, first, second, mesh, report)
-    : ExtractUnstructured<vtkTypeInt64Array>(context, first, second, mesh, report);
+  return vtkGridCells::IsNarrow(first.GetUnstructuredGrid()->GetCells()->GetConnectivityArray())
+    ? ExtractUnstructured<vtkGridCells::NarrowIds>(context, first, second, mesh, report)
+    : ExtractUnstructured<vtkGridCells::WideIds>(context, first, second, mesh, report);
 }

@@ -5,6 +5,7 @@
 #include "vtkExtractionDispatch.h"
 #include "vtkExtractionLinearizer.h"
 #include "vtkExtractionScalars.h"
+#include "vtkGridCells.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
@@ -128,7 +129,7 @@ std::string vtkSpaceTimeStep::FindDifference(const vtkSpaceTimeStep& before) con
   vtkUnstructuredGrid* now = this->GetUnstructuredGrid();
   vtkUnstructuredGrid* then = before.GetUnstructuredGrid();
   const bool isSame = this->GetNumberOfCells() == 0 ||
-    (HasSameValues(now->GetCellTypesArray(), then->GetCellTypesArray()) &&
+    (HasSameValues(vtkGridCells::GetStoredTypes(now), vtkGridCells::GetStoredTypes(then)) &&
       HasSameValues(now->GetCells()->GetOffsetsArray(), then->GetCells()->GetOffsetsArray()) &&
       HasSameValues(
         now->GetCells()->GetConnectivityArray(), then->GetCells()->GetConnectivityArray()));

@@ -3,8 +3,9 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellCorners.h"
+#include "vtkGridCells.h"
 #include "vtkPointMarks.h"
-#include "vtkUnsignedCharArray.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ public:
 
   /// \a offsets and \a ids are the arrays of the grid's cells.
   vtkUnstructuredCells(vtkUnstructuredGrid* grid, const Stored* offsets, const Stored* ids)
-    : Types(grid->GetCellTypesArray()->GetPointer(0))
+    : TypeArray(vtkGridCells::GetTypes(grid))
+    , Types(this->TypeArray->GetPointer(0))
     , Offsets(offsets)
     , Ids(ids)
   {
@@ -117,6 +119,7 @@ private:
     }
   }
 
+  vtkSmartPointer<vtkGridCells::Types> TypeArray;
   const unsigned char* Types;
   const Stored* Offsets;
   const Stored* Ids;

@@ -4,12 +4,10 @@
 #include "vtkCornerOrder.h"
 #include "vtkCrossingLists.h"
 #include "vtkExtractionCell.h"
-#include "vtkExtractionDispatch.h"
 #include "vtkExtractionIndex.h"
 #include "vtkExtractionScalars.h"
+#include "vtkGridCells.h"
 #include "vtkPointData.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnstructuredCells.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -560,9 +558,8 @@ template <typename Array>
 bool Extract(
   const vtkExtractionContext& context, vtkUnstructuredGrid* grid, vtkExtractionMesh& mesh)
 {
-  const auto offsets = vtkExtractionDispatch::MakeTyped<Array>(grid->GetCells()->GetOffsetsArray());
-  const auto ids =
-    vtkExtractionDispatch::MakeTyped<Array>(grid->GetCells()->GetConnectivityArray());
+  const auto offsets = vtkGridCells::MakeTyped<Array>(grid->GetCells()->GetOffsetsArray());
+  const auto ids = vtkGridCells::MakeTyped<Array>(grid->GetCells()->GetConnectivityArray());
   using Stored = typename Array::ValueType;
   const Stored* firstOffset = offsets->GetPointer(0);
   const Stored* firstId = ids->GetPointer(0);
@@ -577,7 +574,7 @@ bool vtkUnstructuredExtraction::Execute(
   {
     return true;
   }
-  return vtkTypeInt32Array::SafeDownCast(grid->GetCells()->GetConnectivityArray())
-    ? Extract<vtkTypeInt32Array>(context, grid, mesh)
-    : Extract<vtkTypeInt64Array>(context, grid, mesh);
+  return vtkGridCells::IsNarrow(grid->GetCells()->GetConnectivityArray())
+    ? Extract<vtkGridCells::NarrowIds>(context, grid, mesh)
+    : Extract<vtkGridCells::WideIds>(context, grid, mesh);
 }

@@ -4,12 +4,11 @@
 
 #include "vtkActor.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
-
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <vector>

@@ -7,13 +7,13 @@
 
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 //------------------------------------------------------------------------------
 vtkSliceLightBuffer::vtkSliceLightBuffer(int light)

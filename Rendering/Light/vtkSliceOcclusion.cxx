@@ -5,13 +5,13 @@
 #include "vtkShaderFeatures.h"
 
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 //------------------------------------------------------------------------------
 vtkSliceOcclusion::vtkSliceOcclusion() = default;

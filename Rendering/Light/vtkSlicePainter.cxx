@@ -8,12 +8,12 @@
 
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 
@@ -65,7 +65,7 @@ vtkSlicePainter::~vtkSlicePainter() = default;
 std::string vtkSlicePainter::GetObstacle(vtkOpenGLRenderWindow* window)
 {
   window->MakeCurrent();
-  return GLEW_VERSION_3_2 ? std::string() : std::string("OpenGL is older than 3.2");
+  return vtkHasOpenGL32() ? std::string() : std::string("OpenGL is older than 3.2");
 }
 
 //------------------------------------------------------------------------------

@@ -4,11 +4,11 @@
 #include "vtkSlicePolygons.h"
 
 #include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
-#include "vtk_glew.h"
 
 //------------------------------------------------------------------------------
 vtkSlicePass::vtkSlicePass() = default;

@@ -5,10 +5,10 @@
 #include "vtkVolumeSamples.h"
 
 #include "vtkImageData.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 

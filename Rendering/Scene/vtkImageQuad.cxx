@@ -1,6 +1,7 @@
 #include "vtkImageQuad.h"
 
 #include "InterlumeImageQuadFS.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -8,7 +9,6 @@
 #include "vtkShaderFeatures.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 //------------------------------------------------------------------------------
 vtkImageQuad::vtkImageQuad() = default;

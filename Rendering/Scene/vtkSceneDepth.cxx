@@ -1,10 +1,10 @@
 #include "vtkSceneDepth.h"
 
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <memory>
 

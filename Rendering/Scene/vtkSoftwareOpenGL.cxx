@@ -1,7 +1,7 @@
 #include "vtkSoftwareOpenGL.h"
 
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtk_glew.h"
 
 #include <cstring>
 

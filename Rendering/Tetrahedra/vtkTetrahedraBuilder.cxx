@@ -1,14 +1,18 @@
 #include "vtkTetrahedraBuilder.h"
 
+#include "vtkArrayDispatch.h"
+#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
@@ -28,13 +32,13 @@ enum Marks : unsigned char
   GHOST
 };
 
-// Copies connectivity of one storage width.
+// Copies point ids of one storage width.
 struct CornerCopier
 {
-  template <typename CellState>
-  void operator()(CellState& state, std::vector<std::uint32_t>& corners) const
+  template <typename Array>
+  void operator()(Array* connectivity, std::vector<std::uint32_t>& corners) const
   {
-    const auto* ids = state.GetConnectivity()->GetPointer(0);
+    const auto ids = vtk::DataArrayValueRange(connectivity);
     vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
       [&](vtkIdType first, vtkIdType last)
       {
@@ -130,8 +134,10 @@ std::string vtkTetrahedraBuilder::BuildMesh(vtkUnstructuredGrid* grid,
   {
     if (grid->GetCellType(cell) != VTK_TETRA)
     {
-      const char* type = vtkCellTypes::GetClassNameFromTypeId(grid->GetCellType(cell));
-      return "cell " + std::to_string(cell) + " is a " + type +
+      const auto type =
+        vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(grid->GetCellType(cell)));
+      return "cell " + std::to_string(cell) + " is a " +
+        (type ? type->GetClassName() : "cell of unknown type") +
         ", and only tetrahedra can be drawn; vtkDataSetTriangleFilter, vtkIntervalVolume or "
         "vtkTetrahedralMesher make tetrahedra of it";
     }
@@ -143,7 +149,13 @@ std::string vtkTetrahedraBuilder::BuildMesh(vtkUnstructuredGrid* grid,
 
   const std::vector<unsigned char> isBad = CopyPoints(grid, arrays, mesh);
   mesh.Corners.resize(4 * static_cast<std::size_t>(cells));
-  grid->GetCells()->Visit(CornerCopier(), mesh.Corners);
+  const CornerCopier copier;
+  vtkDataArray* connectivity = grid->GetCells()->GetConnectivityArray();
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(
+        connectivity, copier, mesh.Corners))
+  {
+    copier(connectivity, mesh.Corners);
+  }
 
   vtkUnsignedCharArray* ghosts = vtkUnsignedCharArray::SafeDownCast(
     grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));

@@ -10,6 +10,7 @@
 #include "vtkShaderFeatures.h"
 
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -17,7 +18,6 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +70,7 @@ std::string vtkTetrahedraPainter::GetObstacle(
   vtkOpenGLRenderWindow* window, const vtkTetrahedraPicture& picture) const
 {
   window->MakeCurrent();
-  if (!GLEW_VERSION_3_2)
+  if (!vtkHasOpenGL32())
   {
     return "OpenGL is older than 3.2";
   }

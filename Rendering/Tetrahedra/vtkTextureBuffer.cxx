@@ -1,10 +1,10 @@
 #include "vtkTextureBuffer.h"
 
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
-#include "vtk_glew.h"
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTextureBuffer::Upload(Formats format, const void* data, std::size_t bytes)

@@ -1,9 +1,10 @@
 #include "ExplicitFlowVolume.h"
 
+#include "VelocityInterpolation.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
-#include "vtkInterpolatedVelocityField.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -64,10 +65,8 @@ void ExplicitFlowVolume::MakePatch()
 //------------------------------------------------------------------------------
 void ExplicitFlowVolume::Trace()
 {
-  vtkNew<vtkInterpolatedVelocityField> field;
-  field->AddDataSet(this->Field);
+  const auto field = flow::NewInterpolation(flow::CellSearch::CLOSEST_POINT, this->Field);
   vtkDataArray* vectors = this->Field->GetPointData()->GetVectors();
-  field->SelectVectors(vtkDataObject::FIELD_ASSOCIATION_POINTS, vectors->GetName());
   vtkNew<vtkRungeKutta4> integrator;
   integrator->SetFunctionSet(field);
   const double* spacing = this->Field->GetSpacing();

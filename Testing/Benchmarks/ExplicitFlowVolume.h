@@ -21,7 +21,7 @@
  * which are cut into tetrahedra.
  *
  * Streamlines by vtkRungeKutta4 in equal steps of at most half a cell, through
- * vtkInterpolatedVelocityField; one that leaves the field stays where it was. Where neighbours part
+ * VTK's interpolation; one that leaves the field stays where it was. Where neighbours part
  * further than LongestEdge anywhere, the edge between them is halved on the disc, and a new
  * streamline begins there: from the first layer on, other than there, so that layers meet.
  */

@@ -9,14 +9,10 @@
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellLocatorInterpolatedVelocityField.h"
 #include "vtkDataArray.h"
-#include "vtkInterpolatedVelocityField.h"
-#include "vtkModifiedBSPTree.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,26 +24,6 @@ namespace
 double GetLargestSpeed(const Case& what)
 {
   return what.Field->GetPointData()->GetVectors()->GetMaxNorm();
-}
-
-vtkSmartPointer<vtkAbstractInterpolatedVelocityField> NewInterpolation(int locator)
-{
-  if (locator == TracerSettings::POINT_LOCATOR)
-  {
-    return vtkSmartPointer<vtkInterpolatedVelocityField>::New();
-  }
-  auto field = vtkSmartPointer<vtkCellLocatorInterpolatedVelocityField>::New();
-  vtkSmartPointer<vtkAbstractCellLocator> prototype;
-  if (locator == TracerSettings::BSP_TREE)
-  {
-    prototype = vtkSmartPointer<vtkModifiedBSPTree>::New();
-  }
-  else
-  {
-    prototype = vtkSmartPointer<vtkStaticCellLocator>::New();
-  }
-  field->SetCellLocatorPrototype(prototype);
-  return field;
 }
 }
 
@@ -127,7 +103,7 @@ vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSetting
   auto tracer = vtkSmartPointer<vtkStreamTracer>::New();
   tracer->SetInputData(what.Field);
   tracer->SetSourceData(what.Seeds);
-  tracer->SetInterpolatorPrototype(NewInterpolation(settings.Locator));
+  tracer->SetInterpolatorPrototype(NewInterpolation(settings.Search));
   tracer->SetIntegrationDirectionToBackward();
   tracer->SetIntegratorType(settings.Integrator);
   tracer->SetIntegrationStepUnit(vtkStreamTracer::CELL_LENGTH_UNIT);

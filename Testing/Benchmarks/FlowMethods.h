@@ -2,6 +2,7 @@
 #define FlowMethods_h
 
 #include "FlowCases.h"
+#include "VelocityInterpolation.h"
 
 #include "vtkImplicitFlowField.h"
 #include "vtkSmartPointer.h"
@@ -61,16 +62,7 @@ struct TracerSettings
   /// RUNGE_KUTTA45: MaximumError; the others: the step in lengths of a cell.
   double Parameter = 0.5;
   /// How cells are found where the last one is left.
-  enum Locators
-  {
-    /// vtkInterpolatedVelocityField, as is the default: walks from a close point.
-    POINT_LOCATOR,
-    /// vtkCellLocatorInterpolatedVelocityField with vtkModifiedBSPTree, its default.
-    BSP_TREE,
-    /// The same with vtkStaticCellLocator.
-    STATIC_CELL_LOCATOR
-  };
-  int Locator = POINT_LOCATOR;
+  CellSearch Search = CellSearch::CLOSEST_POINT;
 
   std::string GetName() const;
 };

@@ -2,15 +2,13 @@
 
 #include "BenchTiming.h"
 #include "TrilinearFlow.h"
+#include "VelocityInterpolation.h"
 
 #include "vtkCell.h"
-#include "vtkCellLocatorInterpolatedVelocityField.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkStaticCellLocator.h"
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
@@ -38,14 +36,10 @@ class InterpolatedFlow
 {
 public:
   explicit InterpolatedFlow(const Case& what)
+    : Interpolation(NewInterpolation(CellSearch::STATIC_CELL_LOCATOR, what.Field))
   {
-    vtkNew<vtkStaticCellLocator> prototype;
-    this->Interpolation->SetCellLocatorPrototype(prototype);
-    this->Interpolation->AddDataSet(what.Field);
-    vtkDataArray* vectors = what.Field->GetPointData()->GetVectors();
-    this->Interpolation->SelectVectors(vtkDataObject::FIELD_ASSOCIATION_POINTS, vectors->GetName());
-    this->LongestStep =
-      0.1 * std::sqrt(what.Field->GetCell(0)->GetLength2() / 3.0) / vectors->GetMaxNorm();
+    this->LongestStep = 0.1 * std::sqrt(what.Field->GetCell(0)->GetLength2() / 3.0) /
+      what.Field->GetPointData()->GetVectors()->GetMaxNorm();
   }
 
   void GetVelocity(const double x[3], double v[3]) const
@@ -78,7 +72,7 @@ public:
   }
 
 private:
-  vtkNew<vtkCellLocatorInterpolatedVelocityField> Interpolation;
+  vtkSmartPointer<vtkAbstractInterpolatedVelocityField> Interpolation;
   /// A tenth of a cell.
   double LongestStep;
 };

@@ -121,8 +121,8 @@ private:
   {
     const bool isAdaptive = settings.Integrator == vtkStreamTracer::RUNGE_KUTTA45;
     const int most = this->Options.Pick(isAdaptive ? 10 : 8, isAdaptive ? 8 : 6, 2);
-    settings.Locator =
-      this->What.IsLattice ? TracerSettings::POINT_LOCATOR : TracerSettings::STATIC_CELL_LOCATOR;
+    settings.Search =
+      this->What.IsLattice ? CellSearch::CLOSEST_POINT : CellSearch::STATIC_CELL_LOCATOR;
     settings.Parameter = isAdaptive ? 1e-4 : 0.5;
     Trial trial;
     for (int i = 0; i < most; ++i)
@@ -144,8 +144,8 @@ private:
 
   void AddEqual(const Trial& own, TracerSettings settings, const Trial& other)
   {
-    settings.Locator =
-      this->What.IsLattice ? TracerSettings::POINT_LOCATOR : TracerSettings::STATIC_CELL_LOCATOR;
+    settings.Search =
+      this->What.IsLattice ? CellSearch::CLOSEST_POINT : CellSearch::STATIC_CELL_LOCATOR;
     // What is made of the field first, such as faces and locators, shows with one streamline.
     Case one = this->What;
     one.Seeds = MakeSeeds(1, 0.01, this->Options.Seed);

@@ -1,6 +1,7 @@
 #include "ShadowsError.h"
 
 #include "BenchTiming.h"
+#include "GpuShadows.h"
 #include "ReferenceShadowPicture.h"
 #include "ShadowsMethods.h"
 #include "ShadowsScene.h"

@@ -1,12 +1,12 @@
 #include "ShadowsMethods.h"
 
+#include "GpuShadows.h"
+
 #include "vtkCamera.h"
-#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
-#include "vtkVersion.h"
 #include "vtkVolumeCollection.h"
 #include "vtkVolumeProperty.h"
 
@@ -32,12 +32,6 @@ vtkSmartPointer<vtkGPUVolumeRayCastMapper> NewRayCaster(
 
 const char* const GpuPeer = "gpu";
 const char* const GpuShadowsPeer = "gpu-shadows";
-
-//------------------------------------------------------------------------------
-bool HasGpuShadows()
-{
-  return VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0);
-}
 
 //------------------------------------------------------------------------------
 Method::Method(
@@ -129,21 +123,17 @@ MethodPointer MakeRays(
 MethodPointer MakeShadowRays(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance)
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  if (!HasGpuShadows())
+  {
+    return nullptr;
+  }
   auto mapper = NewRayCaster(scene, sampleDistance);
-  mapper->SetGlobalIlluminationReach(1.0f);
-  mapper->SetVolumetricScatteringBlending(2.0f);
+  CastGpuShadows(mapper);
   reference::ShadowScene shaded = scene;
   shaded.Property = vtkSmartPointer<vtkVolumeProperty>::New();
   shaded.Property->DeepCopy(scene.Property);
   shaded.Property->ShadeOn();
   return std::make_unique<Method>(stage, shaded, mapper);
-#else
-  static_cast<void>(stage);
-  static_cast<void>(scene);
-  static_cast<void>(sampleDistance);
-  return nullptr;
-#endif
 }
 
 //------------------------------------------------------------------------------

@@ -26,8 +26,6 @@ namespace shadows
 /// vtkGPUVolumeRayCastMapper without shadows, and with its volumetric shadows.
 extern const char* const GpuPeer;
 extern const char* const GpuShadowsPeer;
-/// Whether this VTK has the latter: from 9.2 on.
-bool HasGpuShadows();
 
 /**
  * A volume on a stage that it shares with others, one of which is seen at a time: nothing is made
@@ -70,9 +68,8 @@ MethodPointer MakeSlices(reference::VolumeStage& stage, const reference::ShadowS
 
 /**
  * vtkGPUVolumeRayCastMapper, a ray for each pixel, with samples so far apart in voxels. With
- * shadows: shadow rays from each sample through the whole volume (GlobalIlluminationReach 1) and
- * nothing else of its shading (VolumetricScatteringBlending 2). They need Shade, which is switched
- * on. Null where this VTK has none.
+ * shadows as CastGpuShadows sets them: they need Shade, which is switched on. Null where this VTK
+ * has none.
  */
 MethodPointer MakeRays(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance);

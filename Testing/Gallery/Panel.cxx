@@ -2,6 +2,7 @@
 
 #include "Look.h"
 #include "Picture.h"
+#include "VectorArithmetic.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
@@ -20,7 +21,6 @@
 #include "vtkRenderer.h"
 #include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
-#include "vtkVectorOperators.h"
 #include "vtkVolume.h"
 #include "vtkVolumetricPass.h"
 

@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.16)
 include("${CMAKE_CURRENT_LIST_DIR}/ModuleEdges.cmake")
 find_breaches("${SOURCE_DIR}" breaches)
 if (breaches)

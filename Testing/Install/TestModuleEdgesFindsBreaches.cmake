@@ -1,5 +1,6 @@
 # Makes a small tree with one breach of each kind beside lines that are allowed, and expects just
 # the breaches.
+cmake_minimum_required(VERSION 3.16)
 include("${CMAKE_CURRENT_LIST_DIR}/ModuleEdges.cmake")
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(WRITE "${WORK_DIR}/Filters/Isotables/vtkTable.h" "#include \"vtkSMPTools.h\"\n")
@@ -11,7 +12,7 @@ file(WRITE "${WORK_DIR}/Filters/Sources/vtkField.h" "#include \"vtkImageAlgorith
 file(WRITE "${WORK_DIR}/Rendering/Scene/vtkDepth.h" "#include \"vtkRenderer.h\"\n")
 file(WRITE "${WORK_DIR}/Rendering/Light/vtkSweep.h" "#include \"vtkDepth.h\"\n")
 file(WRITE "${WORK_DIR}/Rendering/Tetrahedra/vtkOrder.h" "#include \"vtkDepth.h\"\n")
-file(WRITE "${WORK_DIR}/Rendering/FlowTexture/vtkStripes.h" "#include \"vtkOpenGLTexture.h\"\n")
+file(WRITE "${WORK_DIR}/Rendering/FlowTexture/vtkStripes.h" "#include \"vtkDepth.h\"\n")
 file(WRITE "${WORK_DIR}/Plugin/vtkPanel.cxx" "#include \"vtkPVView.h\"\n")
 find_breaches("${WORK_DIR}" breaches)
 if (breaches)
@@ -29,7 +30,6 @@ set(expected
   "Filters/Intervals/vtkM.cxx: #include \"vtkField.h\""
   "Filters/Meshing/vtkL.cxx: #include \"vtkCut.h\""
   "Filters/Sources/vtkG.cxx: #include \"vtkTable.h\""
-  "Rendering/FlowTexture/vtkR.cxx: #include \"vtkDepth.h\""
   "Rendering/FlowTexture/vtkS.cxx: #include \"vtkSweep.h\""
   "Rendering/FlowTexture/vtkT.cxx: #include \"vtkOrder.h\""
   "Rendering/Light/vtkU.cxx: #include \"vtkStripes.h\""

@@ -17,6 +17,7 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
@@ -25,7 +26,6 @@
 #include "vtkShadowedSliceMapper.h"
 #include "vtkTestErrorObserver.h"
 #include "vtkVolumeProperty.h"
-#include "vtk_glew.h"
 
 #include <cmath>
 #include <limits>

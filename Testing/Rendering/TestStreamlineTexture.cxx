@@ -9,6 +9,7 @@
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -20,8 +21,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
-
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <array>

@@ -14,6 +14,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -23,7 +24,6 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 #include "vtkActor.h"
 #include "vtkCubeSource.h"
 #include "vtkNew.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -14,7 +15,6 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
-#include "vtk_glew.h"
 
 #include <map>
 #include <string>

@@ -1,8 +1,9 @@
 # Installs what a Debian machine lacks. Needs common.sh.
 
+# Where a package's name differs between Debian's versions, the names have | between them.
 build_packages=(
   g++ cmake ninja-build
-  libvtk9-dev libtet1.5-dev libglm-dev libboost-dev libcli11-dev nlohmann-json3-dev
+  libvtk9-dev 'libtet1.5-dev | libtet-dev' libglm-dev libboost-dev libcli11-dev nlohmann-json3-dev
   xvfb xauth libgl1-mesa-dri libglx-mesa0)
 
 # What ParaView's CMake package asks for; its own run-time libraries are read from its package.
@@ -29,23 +30,36 @@ apt_get()
   as_root "${command[@]}" || { as_root apt-get -q update && as_root "${command[@]}"; }
 }
 
+# is_installed PACKAGE: or, of several with | between them, any.
 is_installed()
 {
-  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+  local package
+  for package in ${1//|/ }; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] && return
+  done
+  return 1
 }
 
 # install_packages NAME PACKAGE...: NAME is what the log is called.
 install_packages()
 {
-  local name=$1 package
-  local -a missing=()
+  local name=$1 package missing=
   shift
   command -v apt-get >/dev/null || die "this needs a Debian system; elsewhere install: $*"
   for package in "$@"; do
-    is_installed "$package" || missing+=("$package")
+    is_installed "$package" || missing+="${missing:+, }$package"
   done
-  if [ ${#missing[@]} -gt 0 ]; then
-    say "Installing ${missing[*]}"
-    run_logged "install-$name" apt_get install "${missing[@]}"
+  if [ -n "$missing" ]; then
+    say "Installing $missing"
+    run_logged "install-$name" apt_get satisfy "$missing"
   fi
+}
+
+# Prints the version of a package that apt would install; nothing where there is none, by new package
+# lists too.
+available_version()
+{
+  local -a show=(apt-cache show --no-all-versions "$1")
+  { "${show[@]}" || { as_root apt-get -q update >&2 && "${show[@]}"; }; } 2>/dev/null |
+    sed -n 's/^Version: //p' || true
 }

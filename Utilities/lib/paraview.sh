@@ -2,12 +2,31 @@
 # Needs common.sh and packages.sh.
 
 paraview_root=$build_root/paraview-root
+paraview_stamp=$paraview_root/.unpacked
+# The plugin is built with this ParaView; others come when it knows them.
+paraview_wanted=5.11
+
+# Prints why ParaView's plugin cannot be built on this system; nothing where it can.
+paraview_obstacle()
+{
+  local version
+  [ ! -e "$paraview_stamp" ] || return 0
+  version=$(available_version paraview)
+  case $version in
+    "$paraview_wanted".*) ;;
+    '') printf 'this system has no ParaView; the plugin needs %s' "$paraview_wanted" ;;
+    *) printf 'this system has ParaView %s; the plugin needs %s' \
+      "${version%%[+-]*}" "$paraview_wanted" ;;
+  esac
+}
 
 fetch_paraview()
 {
-  local stamp=$paraview_root/.unpacked packages=$build_root/paraview-packages
+  local packages=$build_root/paraview-packages obstacle
+  obstacle=$(paraview_obstacle)
+  [ -z "$obstacle" ] || die "$obstacle"
   install_packages paraview-build "${paraview_build_packages[@]}"
-  if [ ! -e "$stamp" ]; then
+  if [ ! -e "$paraview_stamp" ]; then
     say "Fetching ParaView into ${paraview_root#"$source_dir"/}"
     rm -rf "$paraview_root" "$packages"
     mkdir -p "$paraview_root" "$packages"
@@ -16,7 +35,7 @@ fetch_paraview()
       apt_get satisfy "$(libraries_of "$packages"/paraview_*.deb)"
     run_logged unpack-paraview unpack_packages "$packages" "$paraview_root"
     rm -rf "$packages"
-    touch "$stamp"
+    touch "$paraview_stamp"
   fi
 }
 

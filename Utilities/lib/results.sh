@@ -2,6 +2,7 @@
 
 result_names=()
 failed_runs=0
+left_out=
 
 # run_tests NAME BUILD_FOLDER CTEST_ARGUMENTS...
 run_tests()
@@ -15,7 +16,14 @@ run_tests()
     --no-tests=error "$@" 2>&1 | tee "$log_dir/test-$name.log" || failed_runs=$((failed_runs + 1))
 }
 
-# Prints ctest's closing lines of every run; fails if one failed.
+# leave_out WHAT WHY: is said at once, and again among the results; nothing fails by it.
+leave_out()
+{
+  say "Left out: $1, since $2"
+  left_out+="$1: left out, since $2"$'\n'
+}
+
+# Prints ctest's closing lines of every run, and what was left out; fails if a run failed.
 report_results()
 {
   local name
@@ -25,6 +33,7 @@ report_results()
     sed -n '/tests passed,/,$p' "$log_dir/test-$name.log" |
       sed -e '/^Label Time Summary/,/^$/d' -e '/^$/d' -e 's/^/  /'
   done
+  printf '%s' "$left_out"
   if [ "$failed_runs" -ne 0 ]; then
     printf '%d of %d test runs failed\n' "$failed_runs" "${#result_names[@]}"
     return 1

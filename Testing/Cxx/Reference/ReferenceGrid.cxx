@@ -3,10 +3,10 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkGridCells.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cstring>
@@ -213,7 +213,7 @@ std::string FindDifference(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
     CompareArrays(
       a->GetCells()->GetConnectivityArray(), b->GetCells()->GetConnectivityArray(), "connectivity"),
     CompareArrays(a->GetCells()->GetOffsetsArray(), b->GetCells()->GetOffsetsArray(), "offsets"),
-    CompareArrays(a->GetCellTypesArray(), b->GetCellTypesArray(), "cell types"),
+    CompareArrays(vtkGridCells::GetTypes(a), vtkGridCells::GetTypes(b), "cell types"),
     CompareAttributes(a->GetPointData(), b->GetPointData(), "point"),
     CompareAttributes(a->GetCellData(), b->GetCellData(), "cell") };
   for (const std::string& difference : parts)

@@ -6,10 +6,10 @@
 #include "ShadowScene.h"
 #include "Stage.h"
 #include "TranslucentBox.h"
+#include "VectorArithmetic.h"
 
 #include "vtkLight.h"
 #include "vtkProjectiveLight.h"
-#include "vtkVectorOperators.h"
 
 #include <array>
 

@@ -2,6 +2,7 @@
 
 #include "Panel.h"
 #include "Stage.h"
+#include "VectorArithmetic.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkConstructiveVolume.h"
@@ -23,7 +24,6 @@
 #include "vtkTransform.h"
 #include "vtkTurbulenceSource.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVectorOperators.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 

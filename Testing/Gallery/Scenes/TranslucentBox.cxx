@@ -3,6 +3,7 @@
 #include "Look.h"
 #include "Panel.h"
 #include "Stage.h"
+#include "VectorArithmetic.h"
 
 #include "vtkActor.h"
 #include "vtkCubeSource.h"
@@ -15,7 +16,6 @@
 #include "vtkShadowedSliceMapper.h"
 #include "vtkSpatialObject.h"
 #include "vtkSpatialPrimitive.h"
-#include "vtkVectorOperators.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
