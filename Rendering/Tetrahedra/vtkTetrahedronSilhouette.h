@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 /**
  * @class   vtkTetrahedronSilhouette
@@ -113,7 +114,7 @@ public:
     }
     const int d = this->Polygon[3];
     value.At = v[a] + this->ThickShare * (v[c] - v[a]);
-    value.Base = this->GetSlope(v, a, c, this->HasFirst ? b : d);
+    value.Base = this->GetSlope(v, a, b, c);
     if (this->HasBend)
     {
       // h is 1 at the corner across.
@@ -200,6 +201,12 @@ private:
       this->Polygon[place] = k;
       place += 2;
     }
+    // The first triangle is the larger one, so that beyond the crease its plane is continued by no
+    // more than its own size: a small one's slopes know nothing of the other side.
+    if (std::abs(this->Areas[this->Polygon[1]]) > std::abs(this->Areas[this->Polygon[3]]))
+    {
+      std::swap(this->Polygon[1], this->Polygon[3]);
+    }
     const int a = this->Polygon[0];
     const int c = this->Polygon[2];
     this->ThickShare = this->Areas[c] / this->Sum;
@@ -217,11 +224,8 @@ private:
       const double area = this->Area(from, to, across);
       this->SetEdge(i, share * area, area);
     }
-    // A triangle without area on one side of the crease is left out.
-    const double first = std::abs(this->Areas[this->Polygon[3]]);
-    const double second = std::abs(this->Areas[this->Polygon[1]]);
-    this->HasFirst = first > 1e-12 * this->Sum;
-    this->HasBend = this->HasFirst && second > 1e-12 * this->Sum;
+    // A triangle without area beyond the crease is left out.
+    this->HasBend = std::abs(this->Areas[this->Polygon[1]]) > 1e-12 * this->Sum;
     this->Crease = { 0.0, 0.0 };
     if (this->HasBend)
     {
@@ -261,7 +265,6 @@ private:
   double Sign = 1.0;
   int Size = 0;
   int Inner = 0;
-  bool HasFirst = true;
   bool HasBend = false;
   std::array<int, 4> Polygon{};
   std::array<Slope, 4> Edges;
