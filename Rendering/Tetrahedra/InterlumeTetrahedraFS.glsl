@@ -7,6 +7,7 @@
 // Sums, or colour times opacity, by blend mode.
 flat in vec4 edgesX;
 flat in vec4 edgesY;
+flat in vec4 edgesOne;
 flat in vec2 thick;
 flat in vec4 depthPlane;
 #ifdef SCALARS
@@ -175,8 +176,8 @@ vec4 evaluate(int piece, float f)
 void main()
 {
   vec2 offset = gl_FragCoord.xy - thick;
-  vec4 shares = 1.0 + edgesX * offset.x + edgesY * offset.y;
-  float lambda = max(0.0, min(min(shares.x, shares.y), min(shares.z, shares.w)));
+  vec4 shares = edgesOne + edgesX * offset.x + edgesY * offset.y;
+  float lambda = clamp(min(min(shares.x, shares.y), min(shares.z, shares.w)), 0.0, 1.0);
   vec3 plane = vec3(1.0, offset);
   bool baseIsBack = depthPlane.w > 0.0;
 

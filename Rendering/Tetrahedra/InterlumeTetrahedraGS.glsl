@@ -37,6 +37,7 @@ uniform samplerBuffer surfacePoints;
 // What the fragments get. Outputs are undefined after a vertex is emitted, so each is kept beside it.
 flat out vec4 edgesX;
 flat out vec4 edgesY;
+flat out vec4 edgesOne;
 flat out vec2 thick;
 flat out vec4 depthPlane;
 #ifdef SCALARS
@@ -63,9 +64,10 @@ flat out mat2x4 texturePlane;
 
 struct Shape
 {
-  // For each edge of the silhouette: lambda = 1 + x * edgesX + y * edgesY from the thick point.
+  // For each edge of the silhouette: lambda = edgesOne + x * edgesX + y * edgesY from the thick point.
   vec4 edgesX;
   vec4 edgesY;
+  vec4 edgesOne;
   vec2 thick;
   // Of a value on the base side: at the thick point, slopes in x and y; to the other side.
   vec4 depthPlane;
@@ -122,11 +124,30 @@ vec2 slopes(vec3 v, vec2 a, vec2 b, vec2 c)
   return area == 0.0 ? vec2(0.0) : slope / area;
 }
 
-void setEdge(int i, vec2 a, vec2 b, float atThick, float inside, float least)
+// Over how many pixels lambda falls to 0 at least, where a silhouette is drawn wider than it is. An edge
+// that the thick point is on, as where two corners coincide, has no slope of its own: the other edges
+// alone would continue the tetrahedron beyond it.
+const float STEEPEST = 1.0 / 1024.0;
+
+// The edge from a to b of a silhouette that turns left, or right with turn < 0, on which the area of
+// thick point, a and b is atThick; less than least is not used.
+void setEdge(int i, vec2 a, vec2 b, float atThick, float turn, float least, bool isWide)
 {
-  bool isUsed = atThick * inside > 0.0 && abs(atThick) > least;
-  shape.edgesX[i] = isUsed ? (a.y - b.y) / atThick : 0.0;
-  shape.edgesY[i] = isUsed ? (b.x - a.x) / atThick : 0.0;
+  vec2 edge = turn > 0.0 ? b - a : a - b;
+  float inside = turn > 0.0 ? atThick : -atThick;
+  float size = length(edge);
+  if (isWide && size > 0.0)
+  {
+    float toThick = max(inside, 0.0) / size;
+    float ramp = max(toThick, STEEPEST);
+    shape.edgesX[i] = -edge.y / (size * ramp);
+    shape.edgesY[i] = edge.x / (size * ramp);
+    shape.edgesOne[i] = 0.5 + 0.5 * toThick / ramp;
+    return;
+  }
+  bool isUsed = inside > least;
+  shape.edgesX[i] = isUsed ? -edge.y / inside : 0.0;
+  shape.edgesY[i] = isUsed ? edge.x / inside : 0.0;
 }
 
 // first is the mesh position of the first corner, from which place and depth are then counted.
@@ -257,6 +278,7 @@ void emit(vec2 pixel)
 {
   edgesX = shape.edgesX;
   edgesY = shape.edgesY;
+  edgesOne = shape.edgesOne;
   thick = shape.thick;
   depthPlane = shape.depthPlane;
 #ifdef SCALARS
@@ -328,6 +350,7 @@ void main()
   vec2 extent = high - low;
   float width = sum / max(extent.x, extent.y);
   float margin = width < THIN && width > THINNEST ? MARGIN : 0.0;
+  shape.edgesOne = vec4(1.0);
   c[0].area = areas.x;
   c[1].area = areas.y;
   c[2].area = areas.z;
@@ -357,11 +380,11 @@ void main()
     shape.edgesX = vec4(0.0);
     shape.edgesY = vec4(0.0);
     setEdge(0, c[0].place, c[1].place, cross2(c[1].place - c[0].place, c[3].place - c[0].place),
-      whole, least);
+      whole, least, margin > 0.0);
     setEdge(1, c[1].place, c[2].place, cross2(c[2].place - c[1].place, c[3].place - c[1].place),
-      whole, least);
+      whole, least, margin > 0.0);
     setEdge(2, c[2].place, c[0].place, cross2(c[0].place - c[2].place, c[3].place - c[2].place),
-      whole, least);
+      whole, least, margin > 0.0);
     // The base side at the thick point.
     vec3 weights = abs(vec3(c[0].area, c[1].area, c[2].area));
     weights /= weights.x + weights.y + weights.z;
@@ -388,6 +411,7 @@ void main()
   Corner base = mixCorners(c[0], c[2], share);
   Corner other = mixCorners(c[1], c[3], otherShare);
   shape.thick = origin + base.place;
+  float turn = cross2(c[2].place - c[0].place, c[3].place - c[1].place);
   for (int i = 0; i < 4; ++i)
   {
     bool isFirst = i == 0 || i == 3;
@@ -395,13 +419,13 @@ void main()
     vec2 to = i == 0 ? c[1].place : i == 1 ? c[2].place : i == 2 ? c[3].place : c[0].place;
     vec2 across = isFirst ? c[2].place : c[0].place;
     float area = cross2(to - from, across - from);
-    setEdge(i, from, to, area * (isFirst ? share : 1.0 - share), area, 1e-6 * sum);
+    setEdge(
+      i, from, to, area * (isFirst ? share : 1.0 - share), turn, 1e-6 * sum, margin > 0.0);
   }
   // A strip: the third corner carries the first triangle's planes, the fourth the second's.
   shape.otherFaces = vec4(c[2].face, c[0].face, c[0].face, c[2].face);
   shape.baseFace = c[3].face;
   setPlanes(base, other, -thickness, c[0], c[2], c[1]);
-  float turn = cross2(c[1].place - c[0].place, c[2].place - c[0].place);
   margin *= turn > 0.0 ? 1.0 : -1.0;
   emit(origin + widen(c[0].place, c[1].place, c[2].place, margin));
   emit(origin + widen(c[3].place, c[0].place, c[1].place, margin));

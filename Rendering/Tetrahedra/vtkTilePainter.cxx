@@ -18,6 +18,41 @@ using Blends = vtkTetrahedraPicture::Blends;
 constexpr float OPAQUE_ENOUGH = 1.0f - 1e-5f;
 /// Flushes between two looks whether the tile is opaque.
 constexpr int LOOK_INTERVAL = 16;
+/// Slopes per pixel of shares and the crease from which a row's single precision does not tell
+/// where in a tile they pass from 0 to 1.
+constexpr double STEEP = 100.0;
+
+bool IsSteep(const vtkTetrahedronSilhouette& shape)
+{
+  double steepest = std::abs(shape.GetCrease().X);
+  for (int e = 0; e < 4; ++e)
+  {
+    steepest = std::max(steepest, std::abs(shape.GetEdge(e).X));
+  }
+  return steepest > STEEP;
+}
+
+// Whether a steep share or the crease passes from 0 to 1 near the centre of one of the pixels of a
+// row, which begins at an offset from the thick point.
+bool HasSteepPixel(const vtkTetrahedronSilhouette& shape, double dx, double dy, int size)
+{
+  const auto isPassed = [&](const vtkTetrahedronSilhouette::Slope& slope, double atThick)
+  {
+    if (!(std::abs(slope.X) > STEEP))
+    {
+      return false;
+    }
+    const double value = atThick + slope.X * dx + slope.Y * dy;
+    const double nearest = std::round(-value / slope.X);
+    return nearest > -1.0 && nearest < size && std::abs(value + nearest * slope.X) < 2.0;
+  };
+  bool isAny = isPassed(shape.GetCrease(), 0.0);
+  for (int e = 0; e < 4; ++e)
+  {
+    isAny = isAny || isPassed(shape.GetEdge(e), 1.0);
+  }
+  return isAny;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -232,6 +267,7 @@ void vtkTilePainter::DrawTetrahedron(std::uint32_t tetrahedron)
     setEnds(Scalars ? 2 : 1, f.DeltaT);
   }
 
+  const bool isSteep = IsSteep(shape);
   const vtkSilhouetteRows rows(shape);
   const int top = rows.GetEnd(this->Bottom, this->Height);
   for (int y = rows.GetBegin(this->Bottom); y < top; ++y)
@@ -240,38 +276,44 @@ void vtkTilePainter::DrawTetrahedron(std::uint32_t tetrahedron)
     int begin = 0;
     int end = 0;
     rows.GetSpan(centre, this->Left, this->Width, begin, end);
-    const int size = end - begin;
-    if (size <= 0)
+    if (begin >= end)
     {
       continue;
     }
-    if (f.Size + size > vtkFragments::CAPACITY || f.NumberOfRuns == vtkFragments::CAPACITY)
-    {
-      this->Flush();
-    }
-    const double dx = this->Left + begin + 0.5 - shape.GetThickX();
     const double dy = centre - shape.GetThickY();
-    for (int e = 0; e < 4; ++e)
+    // Where digits are short every pixel is a row of its own, which begins in double precision.
+    const bool isEach = isSteep &&
+      HasSteepPixel(shape, this->Left + begin + 0.5 - shape.GetThickX(), dy, end - begin);
+    const int size = isEach ? 1 : end - begin;
+    for (int first = begin; first < end; first += size)
     {
-      const vtkTetrahedronSilhouette::Slope& edge = shape.GetEdge(e);
-      row.Shares[e] = static_cast<float>(1.0 + edge.X * dx + edge.Y * dy);
+      if (f.Size + size > vtkFragments::CAPACITY || f.NumberOfRuns == vtkFragments::CAPACITY)
+      {
+        this->Flush();
+      }
+      const double dx = this->Left + first + 0.5 - shape.GetThickX();
+      for (int e = 0; e < 4; ++e)
+      {
+        const vtkTetrahedronSilhouette::Slope& edge = shape.GetEdge(e);
+        row.Shares[e] = static_cast<float>(1.0 + edge.X * dx + edge.Y * dy);
+      }
+      row.Crease = static_cast<float>(crease.X * dx + crease.Y * dy);
+      for (int c = 0; c < channels; ++c)
+      {
+        const vtkTetrahedronSilhouette::Value& value = values[c];
+        row.Values[c] = static_cast<float>(value.At + value.Base.X * dx + value.Base.Y * dy);
+      }
+      row.Slants = &this->Slant[y * SIZE + first];
+      constexpr int withoutColors = channels - (Colors ? 4 : 0);
+      row.Write(f, withoutColors, size);
+      if (Colors)
+      {
+        row.WriteColors(f, withoutColors, base, size);
+      }
+      f.Runs[f.NumberOfRuns++] = { tetrahedron, static_cast<std::uint16_t>(y * SIZE + first),
+        static_cast<std::uint16_t>(f.Size), static_cast<std::uint16_t>(f.Size + size) };
+      f.Size += size;
     }
-    row.Crease = static_cast<float>(crease.X * dx + crease.Y * dy);
-    for (int c = 0; c < channels; ++c)
-    {
-      const vtkTetrahedronSilhouette::Value& value = values[c];
-      row.Values[c] = static_cast<float>(value.At + value.Base.X * dx + value.Base.Y * dy);
-    }
-    row.Slants = &this->Slant[y * SIZE + begin];
-    constexpr int withoutColors = channels - (Colors ? 4 : 0);
-    row.Write(f, withoutColors, size);
-    if (Colors)
-    {
-      row.WriteColors(f, withoutColors, base, size);
-    }
-    f.Runs[f.NumberOfRuns++] = { tetrahedron, static_cast<std::uint16_t>(y * SIZE + begin),
-      static_cast<std::uint16_t>(f.Size), static_cast<std::uint16_t>(f.Size + size) };
-    f.Size += size;
   }
 }
 

@@ -37,6 +37,10 @@ public:
     {
       throw std::invalid_argument("opaque distances for another number of pixels");
     }
+    if (!settings.Wanted.empty() && settings.Wanted.size() != pixels)
+    {
+      throw std::invalid_argument("wanted pixels of another number of pixels");
+    }
     this->ReadTetrahedra(grid);
     const PixelBuckets buckets(this->Tetrahedra, this->Rays, settings.Size);
     vtkSMPTools::For(0, settings.Size[1],
@@ -46,7 +50,10 @@ public:
         {
           for (int i = 0; i < settings.Size[0]; ++i)
           {
-            this->DrawPixel(i, j, buckets);
+            if (settings.Wanted.empty() || settings.Wanted[j * settings.Size[0] + i])
+            {
+              this->DrawPixel(i, j, buckets);
+            }
           }
         }
       });

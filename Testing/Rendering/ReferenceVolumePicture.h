@@ -55,6 +55,9 @@ struct PictureSettings
   /// For each pixel the distance along its line of sight at which something opaque is, rows from
   /// the bottom; empty for nothing opaque.
   std::vector<double> OpaqueDistance;
+  /// For each pixel whether it is wanted, rows from the bottom; the others stay transparent. Empty
+  /// for all.
+  std::vector<bool> Wanted;
 };
 
 /**

@@ -1,0 +1,56 @@
+#ifndef PathComparison_h
+#define PathComparison_h
+
+#include "MapperPicture.h" // for what is drawn
+
+#include <string> // for names
+
+namespace reference
+{
+
+class Check;
+
+/**
+ * @class   PathComparison
+ * @brief   compares both render paths with each other and with the reference
+ *
+ * Every pixel of the software path's picture is compared with the OpenGL path's. The reference
+ * draws a lattice of pixels, and besides every pixel in which the two are more than a thousandth
+ * apart, so that no pixel of the software path is off unless OpenGL is off alike.
+ *
+ * Expected are an error of the software path of 1e-3 at most, and paths that differ by 2/255 at
+ * most but for silhouette pixels: OpenGL rounds corners to 1/256 of a pixel, so that a pixel whose
+ * centre is as near to the edge of a tetrahedron's silhouette can be on its other side. They are
+ * few.
+ */
+class PathComparison
+{
+public:
+  PathComparison(Check& check, double shareOfSilhouettePixels = 5e-4)
+    : Checks(check)
+    , MostSilhouettes(shareOfSilhouettePixels)
+  {
+  }
+
+  /// Compares the pictures of one view.
+  void Compare(const PictureCase& what, const std::string& name);
+  /// Compares those along both directions of each axis, in parallel and in perspective. The camera
+  /// of \a what is set.
+  void CompareAlongAxes(PictureCase what, const std::string& name);
+
+  /// Largest error of the software path so far, and pixels by which the paths differ.
+  double GetLargestError() const { return this->LargestError; }
+  long long GetSilhouettePixels() const { return this->SilhouettePixels; }
+  long long GetPixels() const { return this->Pixels; }
+
+private:
+  Check& Checks;
+  double MostSilhouettes;
+  double LargestError = 0.0;
+  long long SilhouettePixels = 0;
+  long long Pixels = 0;
+};
+
+}
+
+#endif

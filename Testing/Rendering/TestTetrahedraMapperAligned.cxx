@@ -1,0 +1,30 @@
+// Real tetrahedra seen along the axes, where faces are seen edge-on and points coincide: no pixel
+// of either render path is off. TestTetrahedraMapperAlignedData does so with every file.
+#include "DataTetrahedra.h"
+#include "PathComparison.h"
+#include "ReferenceCheck.h"
+
+#include <iostream>
+
+int TestTetrahedraMapperAligned(int, char*[])
+{
+  using namespace reference;
+  Check check;
+  PathComparison comparison(check);
+  const DataTetrahedra cases[] = {
+    { "disk_out_ref.vtu", "AsH3", 0.1327, 0.1848 },
+    { "disk_out_ref.vtu", "Temp", 600.0, 913.0 },
+    { "mug.ex2", "convected", 0.3, 0.6 },
+    { "hydrogen_orbital.vti", "probability_density", 0.6, 0.9 },
+    { "bluntfin.vts", "Density", 2.0, 5.0 },
+    { "post_tets.vtk", "Pressure" },
+  };
+  for (const DataTetrahedra& data : cases)
+  {
+    comparison.CompareAlongAxes(data.Make({ { 160, 160 } }), data.GetName());
+  }
+  std::cout << "largest error of the software path " << comparison.GetLargestError()
+            << ", paths differ in " << comparison.GetSilhouettePixels() << " of "
+            << comparison.GetPixels() << " pixels\n";
+  return check.Result();
+}

@@ -1,0 +1,40 @@
+// Every file of Data/ seen along the axes: the grids whole, all as interval volumes.
+#include "DataTetrahedra.h"
+#include "PathComparison.h"
+#include "ReferenceCheck.h"
+
+#include <iostream>
+
+int TestTetrahedraMapperAlignedData(int, char*[])
+{
+  using namespace reference;
+  Check check;
+  PathComparison comparison(check);
+  const DataTetrahedra cases[] = {
+    { "disk_out_ref.vtu", "Temp" },
+    { "disk_out_ref.vtu", "AsH3", 0.1327, 0.1848 },
+    { "mug.ex2", "convected" },
+    { "mug.ex2", "diffused", 0.2, 0.8 },
+    { "bluntfin.vts", "Density" },
+    { "bluntfin.vts", "Density", 2.0, 5.0 },
+    { "post.vts", "Pressure", 3.4, 4.4 },
+    { "post_tets.vtk", "Pressure" },
+    { "post_tets.vtk", "Pressure", 0.5, 0.9 },
+    { "bonsai.vti", "ImageFile", 235.0, 255.0 },
+    { "brainsmall.vti", "density", 121.0, 182.0 },
+    { "headsq_quarter.vti", "density", 2400.0, 3600.0 },
+    { "hydrogen_orbital.vti", "probability_density", 0.3, 0.6 },
+    { "ironProt.vtk", "scalars", 230.0, 255.0 },
+    { "isabel_pressure_sub100.vti", "pressure", -4600.0, -3600.0 },
+    { "neghip.vti", "SLCImage", 230.0, 255.0 },
+    { "tooth.vti", "density", 247.0, 255.0 },
+  };
+  for (const DataTetrahedra& data : cases)
+  {
+    comparison.CompareAlongAxes(data.Make({ { 120, 120 } }), data.GetName());
+  }
+  std::cout << "largest error of the software path " << comparison.GetLargestError()
+            << ", paths differ in " << comparison.GetSilhouettePixels() << " of "
+            << comparison.GetPixels() << " pixels\n";
+  return check.Result();
+}
