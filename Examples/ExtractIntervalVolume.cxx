@@ -40,7 +40,9 @@ int main(int argc, char* argv[])
   std::cout << tetrahedra->GetNumberOfCells() << " tetrahedra from " << report.CellsWithOutput
             << " of " << report.Cells << " cells\n";
 
+  // Inline, since ParaView 5.11 refuses appended data with the libexpat of Debian 12.
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetDataModeToBinary();
   writer->SetInputData(tetrahedra);
   writer->SetFileName(argv[5]);
   return writer->Write() ? EXIT_SUCCESS : EXIT_FAILURE;

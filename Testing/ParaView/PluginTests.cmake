@@ -17,6 +17,7 @@ get_filename_component(paraview_libraries "${ParaView_DIR}/../.." ABSOLUTE)
 set(plugin_environment
   "INTERLUME_PLUGIN=$<TARGET_FILE:Interlume>"
   "INTERLUME_EXTRACTIONS=${INTERLUME_EXTRACTIONS}"
+  "INTERLUME_DATA=${PROJECT_SOURCE_DIR}/Data"
   "PYTHONPATH=${INTERLUME_PARAVIEW_PYTHON}:${CMAKE_CURRENT_SOURCE_DIR}"
   "PYTHONDONTWRITEBYTECODE=1"
   "LD_LIBRARY_PATH=${paraview_libraries}"
@@ -41,6 +42,7 @@ endfunction ()
 set(script "${CMAKE_CURRENT_SOURCE_DIR}")
 set(batch "${PVBATCH}" --force-offscreen-rendering)
 set(ranks "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} 4)
+plugin_test(TestPluginData "paraview;value" ${batch} "${script}/TestPluginData.py")
 plugin_test(TestPluginNumbers "paraview;value" ${batch} "${script}/TestPluginNumbers.py")
 plugin_test(TestPluginProperties "paraview;value" ${batch} "${script}/TestPluginProperties.py")
 plugin_test(TestPluginSources "paraview;value" ${batch} "${script}/TestPluginSources.py")

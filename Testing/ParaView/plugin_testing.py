@@ -18,6 +18,18 @@ def extractions_path(name):
     return os.path.join(os.environ["INTERLUME_EXTRACTIONS"], name)
 
 
+def data_path(name):
+    """A file in Data/."""
+    return os.path.join(os.environ["INTERLUME_DATA"], name)
+
+
+def manifest_arrays():
+    """The files that the manifest of Data/ lists, each with the names of its point arrays."""
+    with open(data_path("MANIFEST.md"), encoding="utf-8") as manifest:
+        rows = [line.split("|") for line in manifest if line.startswith("| `")]
+    return {row[1].strip(" `"): row[5].replace("`", "").replace(",", " ").split() for row in rows}
+
+
 def open_data(name):
     """The wavelet source, or a reader of a dataset that ExtractionNumbers left, with its data read.
 
