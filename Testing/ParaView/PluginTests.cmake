@@ -7,6 +7,9 @@ if (NOT INTERLUME_EXTRACTIONS)
     "modules write; or set BUILD_TESTING to OFF. Utilities/test does both builds.")
 endif ()
 find_program(PVBATCH pvbatch HINTS "${ParaView_PREFIX_PATH}/bin" REQUIRED)
+find_program(PARAVIEW_CLIENT paraview HINTS "${ParaView_PREFIX_PATH}/bin" REQUIRED)
+find_program(XVFB Xvfb REQUIRED)
+find_program(OPENBOX openbox REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C)
 find_path(INTERLUME_PARAVIEW_PYTHON paraview/simple.py REQUIRED
   HINTS
@@ -17,6 +20,7 @@ get_filename_component(paraview_libraries "${ParaView_DIR}/../.." ABSOLUTE)
 set(plugin_environment
   "INTERLUME_PLUGIN=$<TARGET_FILE:Interlume>"
   "INTERLUME_EXTRACTIONS=${INTERLUME_EXTRACTIONS}"
+  "INTERLUME_CLIENT=${PARAVIEW_CLIENT}"
   "INTERLUME_DATA=${PROJECT_SOURCE_DIR}/Data"
   "PYTHONPATH=${INTERLUME_PARAVIEW_PYTHON}:${CMAKE_CURRENT_SOURCE_DIR}"
   "PYTHONDONTWRITEBYTECODE=1"
@@ -76,3 +80,10 @@ set_tests_properties(TestPluginShadowedSlicesPieces PROPERTIES RUN_SERIAL ON)
 plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
 set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON SKIP_RETURN_CODE 77)
+
+# The client itself, as a newcomer uses it: a test for each session of newcomer_uses.py. Its pictures
+# become the baselines with: ctest -R TestNewcomer, and INTERLUME_WRITE_BASELINES in the environment.
+foreach (session IN ITEMS Open Slices Intervals Time Contours Flow Meshing)
+  plugin_test(TestNewcomer${session} "paraview;image" "${Python3_EXECUTABLE}"
+    "${script}/TestNewcomer.py" ${session} "${CMAKE_CURRENT_BINARY_DIR}/newcomer")
+endforeach ()

@@ -176,7 +176,12 @@ def check_documentation(checks, proxy):
 
 
 def check_menu(checks, group, name):
-    """A source or filter is in the menu Interlume."""
+    """A source is in the menu Interlume, a filter in one of its menus, each with an icon of its own."""
     hints = servermanager.ProxyManager().GetPrototypeProxy(group, name).GetHints()
     menu = hints.FindNestedElementByName("ShowInMenu")
-    checks.that(menu and menu.GetAttribute("category") == "Interlume", f"{name} is in the menu")
+    menus = ["Interlume"]
+    if group == "filters":
+        menus = ["Interlume Intervals", "Interlume Time", "Interlume Flow"]
+    checks.that(menu and menu.GetAttribute("category") in menus, f"{name} is in a menu of Interlume")
+    icon = menu and menu.GetAttribute("icon") or ""
+    checks.that(icon.startswith(":/Interlume/"), f"{name} has an icon: {icon!r}")

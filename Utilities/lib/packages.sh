@@ -1,16 +1,20 @@
 # Installs what a Debian machine lacks. Needs common.sh.
 
-# Where a package's name differs between Debian's versions, the names have | between them.
+# What the modules need besides VTK, or ParaView: the two cannot be installed together. Where a
+# package's name differs between Debian's versions, the names have | between them.
+module_packages=(g++ cmake ninja-build 'libtet1.5-dev | libtet-dev')
+
 build_packages=(
-  g++ cmake ninja-build
-  libvtk9-dev 'libtet1.5-dev | libtet-dev' libglm-dev libboost-dev libcli11-dev nlohmann-json3-dev
+  "${module_packages[@]}"
+  libvtk9-dev libglm-dev libboost-dev libcli11-dev nlohmann-json3-dev
   xvfb xauth libgl1-mesa-dri libglx-mesa0)
 
-# What ParaView's CMake package asks for; its own run-time libraries are read from its package.
+# What ParaView's CMake package asks for, and a window manager for the tests of its client; its own
+# run-time libraries are read from its package.
 paraview_build_packages=(
   qtbase5-dev qttools5-dev qttools5-dev-tools libqt5svg5-dev libqt5opengl5-dev
   libqt5x11extras5-dev libqt5xmlpatterns5-dev qtxmlpatterns5-dev-tools libtool-bin
-  libopenmpi-dev openmpi-bin python3-mpi4py python3-numpy)
+  libopenmpi-dev openmpi-bin python3-mpi4py python3-numpy openbox)
 
 as_root()
 {

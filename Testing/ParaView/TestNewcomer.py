@@ -1,0 +1,102 @@
+"""Drives the real ParaView client as a newcomer would, and looks at what is shown.
+
+Arguments: a session of newcomer_uses.py and the folder for what is written. Every use must show
+something on at least a twentieth of the view, like its baseline, without an error or a warning in the
+log. With INTERLUME_WRITE_BASELINES in the environment the pictures become the baselines.
+"""
+
+import argparse
+import json
+import os
+import re
+import shutil
+
+import numpy
+
+from newcomer_client import play, python
+from newcomer_uses import sessions
+from plugin_pictures import pixels
+from plugin_testing import Checks, data_path
+
+SECONDS = 280  # for a session
+SMALLEST_SHARE = 0.05  # of the picture that differs from the background
+SMALLEST_OUTLINE = 0.01  # what ParaView itself makes of structured data that is only opened
+LARGEST_DIFFERENCE = 8  # of a pixel from the baseline, in steps of 1/255
+LARGEST_SHARE_OFF = 0.002  # of the pixels that may differ more: edges drawn by another driver
+LARGEST_MEAN = 0.25
+COMPLAINT = re.compile(r"ERR\||WARN\||ERROR:|Error:|Warning:|Traceback|Success = *false|critical:|FATAL", re.I)
+
+
+def gestures(folder, uses):
+    """All gestures of a session, what is recorded after each use included."""
+    yield python("import newcomer_record")
+    for use, steps in uses.items():
+        yield from steps
+        yield python(f"newcomer_record.record({folder!r}, {use!r})")
+        yield python("newcomer_record.reset()")
+
+
+def compare(checks, use, drawn, baseline):
+    expected = pixels(baseline)
+    if drawn.shape != expected.shape:
+        checks.that(False, f"{use} has the size of its baseline")
+        return
+    difference = numpy.abs(drawn - expected)
+    off = numpy.mean((difference > LARGEST_DIFFERENCE).any(axis=1))
+    print(f"  from the baseline: mean {difference.mean():.4f}, off {off:.5f}", flush=True)
+    checks.that(off <= LARGEST_SHARE_OFF, f"{use} is like its baseline: {off:.5f} of its pixels are off")
+    checks.that(difference.mean() <= LARGEST_MEAN, f"{use} is like its baseline on the mean")
+
+
+def check_use(checks, folder, use, baselines, write):
+    path = os.path.join(folder, use + ".png")
+    try:
+        with open(os.path.join(folder, use + ".json"), encoding="utf-8") as file:
+            facts = json.load(file)
+        drawn = pixels(path)
+    except FileNotFoundError:
+        checks.that(False, f"{use} came to a picture")
+        return
+    background = numpy.round(255 * numpy.array(facts["background"]))
+    share = numpy.mean((numpy.abs(drawn - background) > 2).any(axis=1))
+    print(f"{use}: {share:.3f} of the view, {facts}", flush=True)
+    outline = use.startswith("open-") and facts["representation"] == "Outline"
+    smallest = SMALLEST_OUTLINE if outline else SMALLEST_SHARE
+    checks.that(share >= smallest, f"{use} shows something: {share:.4f} of the view")
+    checks.that(facts["cells"] > 0, f"{use} has cells")
+    baseline = os.path.join(baselines, use + ".png")
+    if write:
+        shutil.copyfile(path, baseline)
+    elif os.path.isdir(baselines):
+        checks.that(os.path.exists(baseline), f"{use} has a baseline")
+        if os.path.exists(baseline):
+            compare(checks, use, drawn, baseline)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("session", choices=sessions())
+    parser.add_argument("folder")
+    arguments = parser.parse_args()
+    folder = os.path.realpath(arguments.folder)
+    os.makedirs(folder, exist_ok=True)
+    baselines = data_path("Baseline/newcomer")
+    write = bool(os.environ.get("INTERLUME_WRITE_BASELINES"))
+    if write:
+        os.makedirs(baselines, exist_ok=True)
+    uses = sessions()[arguments.session]
+    for use in uses:
+        for name in (use + ".png", use + ".json"):
+            if os.path.exists(os.path.join(folder, name)):
+                os.remove(os.path.join(folder, name))
+    checks = Checks()
+    status, log = play(gestures(folder, uses), folder, arguments.session, SECONDS)
+    checks.equal(status, 0, "exit status of the client")
+    for line in log:
+        checks.that(not COMPLAINT.search(line), "the log has no complaint: " + line)
+    for use in uses:
+        check_use(checks, folder, use, baselines, write)
+    checks.finish()
+
+
+main()

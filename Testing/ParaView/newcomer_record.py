@@ -1,0 +1,55 @@
+"""Runs inside the client, in its Python shell: keeps what the newcomer sees, and empties the pipeline."""
+
+import contextlib
+import json
+import os
+import sys
+import traceback
+
+from paraview import simple
+
+SIZE = [480, 360]
+
+
+@contextlib.contextmanager
+def without_annotations(view):
+    """The view without axes and legends, whose text is drawn a little differently elsewhere."""
+    bars = [bar for bar in view.Representations if "ScalarBar" in bar.GetXMLName()]
+    shown = [(bar, "Visibility", bar.Visibility) for bar in bars]
+    for name in ("OrientationAxesVisibility", "CenterAxesVisibility"):
+        shown.append((view, name, getattr(view, name)))
+    for proxy, name, _ in shown:
+        setattr(proxy, name, 0)
+    yield
+    for proxy, name, visibility in shown:
+        setattr(proxy, name, visibility)
+
+
+def facts(view):
+    """What the active source is and how it is drawn."""
+    source = simple.GetActiveSource()
+    display = simple.GetRepresentation(source, view)
+    return {
+        "source": source.GetXMLLabel(),
+        "cells": source.GetDataInformation().GetNumberOfCells(),
+        "representation": str(display.Representation).strip("'"),
+        "colored by": str(display.ColorArrayName[1]),
+        "background": [float(value) for value in view.Background],
+    }
+
+
+def record(folder, use):
+    """The picture of the active view and its facts, in files named after the use."""
+    try:
+        view = simple.GetActiveView()
+        with without_annotations(view):
+            path = os.path.join(folder, use + ".png")
+            simple.SaveScreenshot(path, view, ImageResolution=SIZE)
+        with open(os.path.join(folder, use + ".json"), "w", encoding="utf-8") as file:
+            json.dump(facts(view), file)
+    except Exception:  # the shell shows it in its window only
+        traceback.print_exc(file=sys.__stderr__)
+
+
+def reset():
+    simple.ResetSession()

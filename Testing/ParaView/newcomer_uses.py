@@ -1,0 +1,67 @@
+"""What a newcomer does first: files opened and filters applied with no setting changed.
+
+A use is a name and the gestures that lead to a picture; a session is the uses that share one client,
+each from an empty pipeline. A gesture is an event of ParaView's own test player: widget, command,
+argument.
+"""
+
+import os
+
+from plugin_testing import data_path, manifest_arrays
+
+MENU_BAR = "pqClientMainWindow/menubar"
+APPLY = ("pqClientMainWindow/propertiesDock/propertiesPanel/Accept", "activate", "")
+
+
+def opened(name):
+    """File, Open, the file, Apply."""
+    return [
+        (MENU_BAR + "/menu_File", "activate", "actionFileOpen"),
+        ("pqClientMainWindow/FileOpenDialog", "filesSelected", os.path.realpath(data_path(name))),
+        APPLY,
+    ]
+
+
+def applied(*filters):
+    """For each filter: Filters, its entry in the alphabetical list, Apply."""
+    menu = MENU_BAR + "/menuFilters/Alphabetical"
+    return [gesture for name in filters for gesture in ((menu, "activate", name), APPLY)]
+
+
+def drawn_as(representation):
+    """The representation chosen in the toolbar."""
+    chooser = "pqClientMainWindow/representationToolbar/displayRepresentation/comboBox"
+    return [(chooser, "activated", representation)]
+
+
+def images():
+    return [name for name in manifest_arrays() if name.endswith(".vti") or name == "ironProt.vtk"]
+
+
+def stem(name):
+    return os.path.splitext(name)[0]
+
+
+def sessions():
+    """Each session's uses, by name; a use is a list of gestures."""
+    return {
+        "Open": {f"open-{stem(name)}": opened(name) for name in manifest_arrays()},
+        "Slices": {
+            f"slices-{stem(name)}": opened(name) + drawn_as("Shadowed Slices") for name in images()
+        },
+        "Intervals": {
+            f"intervals-{stem(name)}": opened(name) + applied("IntervalVolume")
+            for name in ("disk_out_ref.vtu", "mug.ex2", "post_tets.vtk", "neghip.vti")
+        },
+        "Time": {"time-mug": opened("mug.ex2") + applied("TimeVaryingIntervalVolume")},
+        "Contours": {
+            f"contour-{stem(name)}": opened(name) + applied("IsotableContour")
+            for name in ("disk_out_ref.vtu", "tooth.vti")
+        },
+        "Flow": {
+            f"flow-{stem(name)}": opened(name)
+            + applied("ImplicitFlowField", "InflowMapping", "FlowVolume")
+            for name in ("disk_out_ref.vtu", "post.vts")
+        },
+        "Meshing": {"meshing-disk": opened("disk_out_ref.vtu") + applied("TetrahedralMesher")},
+    }
