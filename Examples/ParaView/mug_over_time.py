@@ -1,0 +1,32 @@
+"""Where the heat in a mug has been over all time steps, and where it is at four of the times.
+
+pvbatch mug_over_time.py PLUGIN Data/mug.ex2 PICTURE.png
+"""
+
+import sys
+
+from paraview.simple import *
+
+plugin, data, picture = sys.argv[1:]
+LoadPlugin(plugin, remote=False, ns=globals())
+view = CreateRenderView(ViewSize=[960, 640], OrientationAxesVisibility=0)
+view.UseColorPaletteForBackground = 0
+view.Background = [0.93, 0.93, 0.94]
+
+mug = OpenDataFile(data)
+mug.UpdatePipeline()
+over_time = TimeVaryingIntervalVolume(Input=mug, Scalars=["POINTS", "convected"])
+over_time.Intervals = [0.5, 1.0]
+over_time.GenerateSimplices = 1  # what the time slices are cut from
+
+start, end = mug.TimestepValues[0], mug.TimestepValues[-1]
+for index, share in enumerate((0.2, 0.4, 0.7, 1.0)):
+    at_time = SimplexTimeSlice(Input=OutputPort(over_time, 2), Time=start + share * (end - start))
+    beside = Transform(Input=at_time)
+    beside.Transform.Translate = [4.5 * index, 0, 0]
+    display = Show(beside, view)
+    ColorBy(display, None)
+    display.DiffuseColor = [0.86 - 0.12 * index, 0.36, 0.22 + 0.12 * index]
+
+ResetCamera(view)
+SaveScreenshot(picture, view)
