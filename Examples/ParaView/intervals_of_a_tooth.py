@@ -24,10 +24,10 @@ display.SetScalarBarVisibility(view, False)
 colors = GetColorTransferFunction("IntervalId")
 colors.RGBPoints = [0, 0.84, 0.62, 0.42, 1, 0.42, 0.66, 0.86]
 opacities = GetOpacityTransferFunction("IntervalId")
-opacities.Points = [0, 0.15, 0.5, 0, 1, 0.9, 0.5, 0]
+opacities.Points = [0, 0.25, 0.5, 0, 1, 0.9, 0.5, 0]
 display.IntervalOpacityUnitDistance = 6
 
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [-1, -2, 0.6], [0, 0, 0], [0, 0, 1]
 ResetCamera(view)
-view.GetActiveCamera().Zoom(1.3)
+view.GetActiveCamera().Zoom(1.1)
 SaveScreenshot(picture, view)

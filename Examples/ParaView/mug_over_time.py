@@ -9,7 +9,7 @@ from paraview.simple import *
 
 plugin, data, picture = sys.argv[1:]
 LoadPlugin(plugin, remote=False, ns=globals())
-view = CreateRenderView(ViewSize=[960, 640], OrientationAxesVisibility=0)
+view = CreateRenderView(ViewSize=[960, 480], OrientationAxesVisibility=0)
 view.UseColorPaletteForBackground = 0
 view.Background = [0.93, 0.93, 0.94]
 
@@ -23,10 +23,13 @@ start, end = mug.TimestepValues[0], mug.TimestepValues[-1]
 for index, share in enumerate((0.2, 0.4, 0.7, 1.0)):
     at_time = SimplexTimeSlice(Input=OutputPort(over_time, 2), Time=start + share * (end - start))
     beside = Transform(Input=at_time)
-    beside.Transform.Translate = [4.5 * index, 0, 0]
+    beside.Transform.Translate = [5 * index, 0, 0]
     display = Show(beside, view)
-    ColorBy(display, None)
-    display.DiffuseColor = [0.86 - 0.12 * index, 0.36, 0.22 + 0.12 * index]
+    display.ColorArrayName = [None, ""]
+    display.AmbientColor = display.DiffuseColor = [0.86 - 0.12 * index, 0.36, 0.22 + 0.12 * index]
+    display.Ambient = 0.3
 
+view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.25, -1, 0.6], [0, 0, 0], [0, 0, 1]
 ResetCamera(view)
+view.GetActiveCamera().Zoom(1.5)
 SaveScreenshot(picture, view)

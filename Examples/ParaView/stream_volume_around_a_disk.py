@@ -9,7 +9,7 @@ from paraview.simple import *
 
 plugin, data, picture = sys.argv[1:]
 LoadPlugin(plugin, remote=False, ns=globals())
-view = CreateRenderView(ViewSize=[960, 640], OrientationAxesVisibility=0)
+view = CreateRenderView(ViewSize=[640, 720], OrientationAxesVisibility=0)
 view.UseColorPaletteForBackground = 0
 view.Background = [0.93, 0.93, 0.94]
 
@@ -18,17 +18,20 @@ field = ImplicitFlowField(Input=disk, Vectors=["POINTS", "V"], TerminationSurfac
 lid = field.TerminationSurface  # where gas comes in: a square above the disk, across the axis
 lid.Center, lid.Normal, lid.Lengths = [0, 0, 10.1], [0, 0, 1], [11.5, 11.5]
 field.SampleMode = "Image"
-field.SampleDimensions, field.SampleBounds = [49, 49, 65], [-5.7, 5.7, 0, 5.7, -3.5, 10.1]
+field.SampleDimensions, field.SampleBounds = [65, 33, 77], [-5.7, 5.7, 0, 5.7, -3.5, 10.1]
 field.MaximumTime = 8
 
 distance = InflowMapping(Input=field, Formula="2*sqrt((u-0.5)^2+(v-0.5)^2)")  # from the axis
-bundles = FlowVolume(Input=distance, TimeRange=[0, 7])
+bundles = FlowVolume(Input=distance, TimeRange=[0, 5.5])
 bundles.Intervals = [0.15, 0.25, 0.4, 0.5, 0.65, 0.75]
 colored = ResampleWithDataset(SourceDataArrays=disk, DestinationMesh=bundles, PassCellArrays=1)
 
 display = Show(colored, view)
 ColorBy(display, ("POINTS", "Temp"))
-GetColorTransferFunction("Temp").ApplyPreset("Inferno (matplotlib)", True)
-view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.4, -1, 0.35], [0, 0, 0], [0, 0, 1]
+colors = GetColorTransferFunction("Temp")
+colors.ApplyPreset("Inferno (matplotlib)", True)
+colors.RescaleTransferFunction(0, 950)  # lighter than black where gas is cold, at 293 K
+view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.35, -1, 0.3], [0, 0, 0], [0, 0, 1]
 ResetCamera(view)
+view.GetActiveCamera().Zoom(1.1)
 SaveScreenshot(picture, view)

@@ -81,6 +81,16 @@ plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
 set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON SKIP_RETURN_CODE 77)
 
+# plugin_example(NAME DATA)
+function (plugin_example name data)
+  plugin_test(ParaViewExample_${name} "paraview;image" ${batch} "${script}/TestPluginExample.py"
+    "${PROJECT_SOURCE_DIR}/Examples/ParaView/${name}.py" ${data}
+    "${CMAKE_CURRENT_BINARY_DIR}/${name}.png")
+endfunction ()
+plugin_example(intervals_of_a_tooth tooth.vti)
+plugin_example(mug_over_time mug.ex2)
+plugin_example(stream_volume_around_a_disk disk_out_ref.vtu)
+
 # The client itself, as a newcomer uses it: a test for each session of newcomer_uses.py. Its pictures
 # become the baselines with: ctest -R TestNewcomer, and INTERLUME_WRITE_BASELINES in the environment.
 foreach (session IN ITEMS Open Slices Intervals Time Contours Flow Meshing)
