@@ -81,6 +81,11 @@ plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
 set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON SKIP_RETURN_CODE 77)
 
+file(GLOB server_manager_xml "${PROJECT_SOURCE_DIR}/Plugin/*.xml")
+plugin_test(TestPluginHelp "paraview;value" "${Python3_EXECUTABLE}" "${script}/TestPluginHelp.py"
+  "${PROJECT_BINARY_DIR}/Plugin/paraview_help/Interlume.qch" $<TARGET_FILE:Interlume>
+  ${server_manager_xml})
+
 # plugin_example(NAME DATA)
 function (plugin_example name data)
   plugin_test(ParaViewExample_${name} "paraview;image" ${batch} "${script}/TestPluginExample.py"
