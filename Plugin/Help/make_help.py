@@ -18,7 +18,7 @@ def inline(text):
     """A line of Markdown: code, bold, emphasis, pictures and links. Pictures lie beside the page."""
     text = html.escape(text, quote=False)
     text = re.sub(r"`([^`]+)`", r"<code>\1</code>", text)
-    text = re.sub(r"!\[([^\]]*)\]\((?:[^)]*/)?([^)/]+)\)", r'<img alt="\1" src="\2"/>', text)
+    text = re.sub(r"!\[([^\]]*)\]\((?:[^)]*/)?([^)/]+)\)", r'<img alt="\1" width="720" src="\2"/>', text)
     text = re.sub(r"\[([^\]]+)\]\((https?:[^)]+)\)", r'<a href="\2">\1</a>', text)
     text = re.sub(r"\[([^\]]+)\]\([^)]+\)", r"\1", text)
     text = re.sub(r"\*\*([^*]+)\*\*", r"<b>\1</b>", text)
@@ -53,7 +53,7 @@ def complete(path, pictures):
     name = os.path.basename(path).split(".")[1]
     added = ""
     if os.path.exists(os.path.join(pictures, name + ".png")):
-        added = f'<p><img alt="{name}" src="{name}.png"/></p>'
+        added = f'<p><img alt="{name}" width="720" src="{name}.png"/></p>'
     added += f'<p><a href="guide.html">{TITLE}</a></p>'
     text = text.replace("</h2>", f"</h2>{BEGIN}{added}{END}", 1)
     with open(path, "w", encoding="utf-8") as file:

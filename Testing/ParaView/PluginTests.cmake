@@ -102,3 +102,9 @@ foreach (session IN ITEMS Open Slices Intervals Time Contours Flow Meshing)
   plugin_test(TestNewcomer${session} "paraview;image" "${Python3_EXECUTABLE}"
     "${script}/TestNewcomer.py" ${session} "${CMAKE_CURRENT_BINARY_DIR}/newcomer")
 endforeach ()
+add_custom_target(guide-pictures
+  COMMAND "${CMAKE_COMMAND}" -E env ${plugin_environment} "${Python3_EXECUTABLE}"
+          "${script}/newcomer_guide.py" "${PROJECT_SOURCE_DIR}/Documentation/pictures/guide"
+  DEPENDS Interlume
+  COMMENT "Making the pictures of the guide in the client"
+  VERBATIM)

@@ -1,7 +1,7 @@
 """Makes the pictures of Documentation/guide/paraview.md: the client's window after some of the uses.
 
 Argument: the folder of the pictures, Documentation/pictures/guide. Needs ImageMagick besides what
-TestNewcomer.py needs, and the same environment; the target guide-pictures of the build runs it. The
+TestNewcomer.py needs, and the same environment: ninja guide-pictures in the build of the plugin. The
 pictures are named after the filters, whose help pages show them.
 """
 
@@ -12,29 +12,27 @@ import tempfile
 from newcomer_client import play, python
 from newcomer_uses import applied, drawn_as, opened
 
-SECONDS = 280
-WIDTH = 900
-SHOT = f"import -window root -resize {WIDTH}x -colors 96 -strip -define png:compression-level=9"
-
-
-def shot(path):
-    """The gesture of photographing the whole window, drawn to the end."""
-    code = "import os; from paraview.simple import *; Render(); from newcomer_record import settle; "
-    return python(code + f"settle(); os.system({SHOT + ' ' + path!r})")
+SECONDS = 400
+SHOT = "import -window root -resize 900x +dither -colors 128 -strip"
 
 
 def seen_from_aside():
-    """A camera from which depth is seen."""
-    code = ("from paraview.simple import *; view = GetActiveView(); ResetActiveCameraToPositiveY(); "
-            "camera = view.GetActiveCamera(); camera.Elevation(25); camera.Azimuth(30); ResetCamera(view)")
-    return [python(code)]
+    """A camera that shows depth: the z axis upwards, from the front and a little above."""
+    return python("from paraview.simple import *; view = GetActiveView(); "
+                  "view.CameraPosition, view.CameraFocalPoint = [0.4, -1, 0.5], [0, 0, 0]; "
+                  "view.CameraViewUp = [0, 0, 1]; ResetCamera(view); "
+                  "view.GetActiveCamera().Zoom(1.2); Render(view)")
+
+
+def shot(path):
+    """The whole window in a file. The test player has drawn it by then."""
+    return python(f"import os; os.system({SHOT + ' ' + path!r})")
 
 
 def pictures():
-    """For each picture the gestures before it."""
+    """For each picture what is done before it."""
     disk = opened("disk_out_ref.vtu")
     return {
-        "opened": disk,
         "IntervalVolume": disk + applied("IntervalVolume"),
         "IsotableContour": opened("tooth.vti") + applied("IsotableContour"),
         "ShadowedSlices": opened("tooth.vti") + drawn_as("Shadowed Slices"),
@@ -45,11 +43,12 @@ def pictures():
 
 
 def gestures(folder):
+    yield python("import newcomer_record")
     for name, steps in pictures().items():
         yield from steps
-        yield from seen_from_aside()
+        yield seen_from_aside()
         yield shot(os.path.join(folder, name + ".png"))
-        yield python("import newcomer_record; newcomer_record.reset()")
+        yield python("newcomer_record.reset()")
 
 
 def main():
