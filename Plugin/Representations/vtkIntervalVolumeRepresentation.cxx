@@ -1,11 +1,20 @@
 #include "vtkIntervalVolumeRepresentation.h"
 
+#include "vtkConstantScalars.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkVolumeFunctions.h"
 
-#include "vtkDataObject.h"
-#include "vtkInformation.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPVView.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
 
 #include <cstring>
 
@@ -13,12 +22,16 @@ namespace
 {
 const char* const MAPPER_NAME = "Interlume";
 const char* const AUTOMATIC_DELTA_T = "DeltaT";
+/// More components than these are no colours: they are drawn by the functions.
+constexpr int MOST_COLOR_COMPONENTS = 4;
 }
 
 vtkStandardNewMacro(vtkIntervalVolumeRepresentation);
 
 //------------------------------------------------------------------------------
 vtkIntervalVolumeRepresentation::vtkIntervalVolumeRepresentation()
+  : Functions(std::make_unique<vtkVolumeFunctions>())
+  , Constant(std::make_unique<vtkConstantScalars>())
 {
   this->AddVolumeMapper(MAPPER_NAME, this->Mapper);
   this->vtkUnstructuredGridVolumeRepresentation::SetActiveVolumeMapper(MAPPER_NAME);
@@ -26,6 +39,30 @@ vtkIntervalVolumeRepresentation::vtkIntervalVolumeRepresentation()
 
 //------------------------------------------------------------------------------
 vtkIntervalVolumeRepresentation::~vtkIntervalVolumeRepresentation() = default;
+
+//------------------------------------------------------------------------------
+void vtkIntervalVolumeRepresentation::SetColor(vtkColorTransferFunction* color)
+{
+  this->Functions->SetColor(color);
+}
+
+//------------------------------------------------------------------------------
+void vtkIntervalVolumeRepresentation::SetScalarOpacity(vtkPiecewiseFunction* opacity)
+{
+  this->Functions->SetScalarOpacity(opacity);
+}
+
+//------------------------------------------------------------------------------
+void vtkIntervalVolumeRepresentation::SetOpacity(double opacity)
+{
+  this->Functions->SetOpacity(opacity);
+}
+
+//------------------------------------------------------------------------------
+void vtkIntervalVolumeRepresentation::SetSolidColor(double red, double green, double blue)
+{
+  this->Functions->SetSolidColor(red, green, blue);
+}
 
 //------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetBlendMode(int mode)
@@ -83,15 +120,62 @@ void vtkIntervalVolumeRepresentation::SetDeltaTArrayName(const char* name)
 }
 
 //------------------------------------------------------------------------------
-void vtkIntervalVolumeRepresentation::UpdateMapperParameters()
+vtkAlgorithmOutput* vtkIntervalVolumeRepresentation::GetInternalOutputPort(int port, int connection)
 {
-  this->Superclass::UpdateMapperParameters();
-  vtkInformation* colors = this->GetInputArrayInformation(0);
-  const char* name = colors ? colors->Get(vtkDataObject::FIELD_NAME()) : nullptr;
-  if (!name || !*name)
+  vtkAlgorithmOutput* output = this->Superclass::GetInternalOutputPort(port, connection);
+  auto* partitions = output ? vtkPartitionedDataSet::SafeDownCast(
+                                output->GetProducer()->GetOutputDataObject(output->GetIndex()))
+                            : nullptr;
+  if (!partitions)
   {
-    this->Actor->SetMapper(nullptr);
+    return output;
   }
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  collection->SetPartitionedDataSet(0, partitions);
+  this->Collection->SetOutput(collection);
+  return this->Collection->GetOutputPort();
+}
+
+//------------------------------------------------------------------------------
+int vtkIntervalVolumeRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_RENDER() && this->Actor->GetMapper())
+  {
+    vtkDataArray* scalars = this->FindScalars();
+    this->Functions->Apply(this->Property, scalars != nullptr);
+    if (scalars && scalars->GetNumberOfComponents() > MOST_COLOR_COMPONENTS)
+    {
+      this->Property->SetIndependentComponents(true);
+    }
+    if (!scalars)
+    {
+      this->Mapper->SetInputConnection(
+        this->Constant->Update(this->Mapper->GetDataSetInput())->GetOutputPort());
+      this->Mapper->SetScalarModeToUsePointFieldData();
+      this->Mapper->SelectScalarArray(vtkConstantScalars::GetArrayName());
+      this->LODMapper->SetScalarVisibility(0);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkIntervalVolumeRepresentation::FindScalars()
+{
+  vtkDataSet* grid = this->Mapper->GetDataSetInput();
+  const char* name = this->Mapper->GetArrayName();
+  if (!grid || !name || !*name || this->Mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_FIELD_DATA)
+  {
+    return nullptr;
+  }
+  int isOfCells = 0;
+  return vtkAbstractMapper::GetScalars(grid, this->Mapper->GetScalarMode(),
+    this->Mapper->GetArrayAccessMode(), this->Mapper->GetArrayId(), name, isOfCells);
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,15 @@
 #include "vtkNew.h"                         // for the mapper
 #include "vtkUnstructuredGridVolumeRepresentation.h"
 
+#include <memory> // for what it is made of
+
+class vtkColorTransferFunction;
+class vtkConstantScalars;
+class vtkDataArray;
+class vtkPiecewiseFunction;
 class vtkTimeWeightedTetrahedraMapper;
+class vtkTrivialProducer;
+class vtkVolumeFunctions;
 
 /**
  * @class   vtkIntervalVolumeRepresentation
@@ -14,7 +22,8 @@ class vtkTimeWeightedTetrahedraMapper;
  * Input: a vtkUnstructuredGrid or a composite dataset of them; cells that are no tetrahedra are cut
  * into tetrahedra. Colour and opacity are ParaView's: the array to colour by, of points or cells,
  * with its colour and opacity functions, and the unit distance of the opacity. Without an array to
- * colour by nothing is drawn. The other setters are those of the mapper, with its defaults.
+ * colour by, or where the data lack it, the solid colour is drawn with one opacity (see
+ * vtkVolumeFunctions). The other setters are those of the mapper, with its defaults.
  *
  * With several processes ParaView redistributes the tetrahedra and composites the pictures of the
  * processes in order. That is exact for COMPOSITE_BLEND alone: the other blend modes, and
@@ -27,6 +36,21 @@ public:
   static vtkIntervalVolumeRepresentation* New();
   vtkTypeMacro(vtkIntervalVolumeRepresentation, vtkUnstructuredGridVolumeRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The functions of the array to colour by; all opacities are multiplied by Opacity, 0 to 1,
+   * default 1.
+   */
+  void SetColor(vtkColorTransferFunction* color);
+  void SetScalarOpacity(vtkPiecewiseFunction* opacity);
+  void SetOpacity(double opacity);
+  ///@}
+
+  /**
+   * The colour without an array to colour by. Default white.
+   */
+  void SetSolidColor(double red, double green, double blue);
 
   ///@{
   /**
@@ -48,17 +72,28 @@ public:
    */
   void SetDeltaTArrayName(const char* name);
 
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+  using Superclass::GetInternalOutputPort;
+  /// A partitioned dataset as a collection of one, in which the superclass finds blocks.
+  vtkAlgorithmOutput* GetInternalOutputPort(int port, int connection) override;
+
 protected:
   vtkIntervalVolumeRepresentation();
   ~vtkIntervalVolumeRepresentation() override;
-
-  void UpdateMapperParameters() override;
 
 private:
   vtkIntervalVolumeRepresentation(const vtkIntervalVolumeRepresentation&) = delete;
   void operator=(const vtkIntervalVolumeRepresentation&) = delete;
 
+  /// The array to colour by, null where what the mapper is given lacks it.
+  vtkDataArray* FindScalars();
+
   vtkNew<vtkTimeWeightedTetrahedraMapper> Mapper;
+  vtkNew<vtkTrivialProducer> Collection;
+  std::unique_ptr<vtkVolumeFunctions> Functions;
+  std::unique_ptr<vtkConstantScalars> Constant;
 };
 
 #endif

@@ -1,17 +1,22 @@
 #include "vtkShadowedSliceRepresentation.h"
 
+#include "vtkConstantScalars.h"
+#include "vtkImageBlocks.h"
 #include "vtkImageComponent.h"
 #include "vtkProjectiveLight.h"
 #include "vtkShadowedSliceMapper.h"
+#include "vtkVolumeFunctions.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVLODVolume.h"
 #include "vtkPVRenderView.h"
 #include "vtkTexture.h"
 #include "vtkTrivialProducer.h"
@@ -24,6 +29,8 @@ vtkStandardNewMacro(vtkShadowedSliceRepresentation);
 //------------------------------------------------------------------------------
 vtkShadowedSliceRepresentation::vtkShadowedSliceRepresentation()
   : Component(std::make_unique<vtkImageComponent>())
+  , Functions(std::make_unique<vtkVolumeFunctions>())
+  , Constant(std::make_unique<vtkConstantScalars>())
 {
   this->Mapper->SetMaximumNumberOfShadows(1);
   this->Property->SetInterpolationTypeToLinear();
@@ -34,6 +41,32 @@ vtkShadowedSliceRepresentation::vtkShadowedSliceRepresentation()
 
 //------------------------------------------------------------------------------
 vtkShadowedSliceRepresentation::~vtkShadowedSliceRepresentation() = default;
+
+//------------------------------------------------------------------------------
+void vtkShadowedSliceRepresentation::SetColor(vtkColorTransferFunction* color)
+{
+  this->Functions->SetColor(color);
+  // An opacity array is made with the colours' component, before anything is drawn.
+  this->Property->SetColor(color);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedSliceRepresentation::SetScalarOpacity(vtkPiecewiseFunction* opacity)
+{
+  this->Functions->SetScalarOpacity(opacity);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedSliceRepresentation::SetOpacity(double opacity)
+{
+  this->Functions->SetOpacity(opacity);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowedSliceRepresentation::SetSolidColor(double red, double green, double blue)
+{
+  this->Functions->SetSolidColor(red, green, blue);
+}
 
 //------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetShadows(bool shadows)
@@ -200,7 +233,7 @@ int vtkShadowedSliceRepresentation::RequestData(
     : nullptr;
   if (!input || vtkImageData::SafeDownCast(input))
   {
-    return this->Superclass::RequestData(request, inputVector, outputVector);
+    return this->ShowImage(vtkImageData::SafeDownCast(input), request, inputVector, outputVector);
   }
   std::vector<vtkDataSet*> parts;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
@@ -211,17 +244,20 @@ int vtkShadowedSliceRepresentation::RequestData(
   {
     parts.push_back(vtkDataSet::SafeDownCast(input));
   }
+  const vtkImageBlocks blocks(parts);
   vtkNew<vtkImageData> nothing;
-  vtkImageData* image = nothing;
-  if (parts.size() == 1 && vtkImageData::SafeDownCast(parts[0]))
+  vtkImageData* image = blocks.GetImage() ? blocks.GetImage() : nothing.Get();
+  if (!blocks.GetImage() && !parts.empty())
   {
-    image = vtkImageData::SafeDownCast(parts[0]);
-  }
-  else if (!parts.empty())
-  {
-    vtkErrorMacro("Shadowed Slices draws one image; the input is a "
+    vtkErrorMacro("Shadowed Slices draws images; the input is a "
       << input->GetClassName() << " of " << parts.size() << " datasets, the first a "
       << (parts[0] ? parts[0]->GetClassName() : "null") << ". Resample it to an image.");
+  }
+  else if (blocks.GetNumberLeftOut() > 0)
+  {
+    vtkWarningMacro("Shadowed Slices draws one image, or images that fill a box together; of the "
+      << parts.size() << " datasets of the input " << blocks.GetNumberLeftOut()
+      << " are not drawn. Resample them to one image.");
   }
   vtkNew<vtkInformation> information;
   information->Copy(inputVector[0]->GetInformationObject(0));
@@ -229,13 +265,64 @@ int vtkShadowedSliceRepresentation::RequestData(
   vtkNew<vtkInformationVector> imageVector;
   imageVector->Append(information);
   vtkInformationVector* imageVectors[] = { imageVector };
-  return this->Superclass::RequestData(request, imageVectors, outputVector);
+  return this->ShowImage(image, request, imageVectors, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowedSliceRepresentation::ShowImage(vtkImageData* image, vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The superclass expects both arrays to be there.
+  const bool hasOpacityArray = this->UseSeparateOpacityArray;
+  this->UseSeparateOpacityArray = hasOpacityArray && this->CanCombineArrays(image);
+  if (hasOpacityArray && !this->UseSeparateOpacityArray && image && this->FindColors(image))
+  {
+    vtkWarningMacro("The opacity array '" << this->OpacityArrayName
+                                          << "' is not there, or not of points or cells as the "
+                                             "array to colour by; it is not used.");
+  }
+  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  this->UseSeparateOpacityArray = hasOpacityArray;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkShadowedSliceRepresentation::FindColors(vtkDataSet* data)
+{
+  vtkInformation* array = this->GetInputArrayInformation(0);
+  const char* name = array ? array->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  const int association = name ? array->Get(vtkDataObject::FIELD_ASSOCIATION()) : -1;
+  const bool isOfData = association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
+    association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  return isOfData && *name ? data->GetAttributes(association)->GetArray(name) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowedSliceRepresentation::CanCombineArrays(vtkDataObject* data)
+{
+  auto* image = vtkImageData::SafeDownCast(data);
+  vtkDataArray* colors = image ? this->FindColors(image) : nullptr;
+  const int association = this->OpacityArrayFieldAssociation;
+  if (!colors ||
+    (association != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+      association != vtkDataObject::FIELD_ASSOCIATION_CELLS))
+  {
+    return false;
+  }
+  vtkDataArray* opacities =
+    image->GetAttributes(association)->GetArray(this->OpacityArrayName.c_str());
+  return opacities && opacities->GetNumberOfTuples() == colors->GetNumberOfTuples();
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::UpdateMapperParameters()
 {
+  // Without an array to colour by the superclass has none to combine with that of the opacity.
+  const bool hasOpacityArray = this->UseSeparateOpacityArray;
+  this->UseSeparateOpacityArray = hasOpacityArray && this->CanCombineArrays(this->Cache);
   this->Superclass::UpdateMapperParameters();
+  this->UseSeparateOpacityArray = hasOpacityArray;
+  this->Actor->SetVisibility(this->GetVisibility());
   this->UpdateScalars();
   if (this->LightImage && this->LightImage->GetInputAlgorithm())
   {
@@ -248,17 +335,30 @@ void vtkShadowedSliceRepresentation::UpdateMapperParameters()
 void vtkShadowedSliceRepresentation::UpdateScalars()
 {
   auto* image = vtkImageData::SafeDownCast(this->Mapper->GetInputDataObject(0, 0));
-  int isOfCells = 0;
-  vtkDataArray* scalars = image
-    ? vtkAbstractMapper::GetScalars(image, this->Mapper->GetScalarMode(),
-        this->Mapper->GetArrayAccessMode(), this->Mapper->GetArrayId(),
-        this->Mapper->GetArrayName(), isOfCells)
-    : nullptr;
-  if (!scalars)
+  if (!image)
   {
     return;
   }
-  int components = scalars->GetNumberOfComponents();
+  int isOfCells = 0;
+  const char* name = this->Mapper->GetArrayName();
+  vtkDataArray* scalars =
+    name && *name && this->Mapper->GetScalarMode() != VTK_SCALAR_MODE_USE_FIELD_DATA
+    ? vtkAbstractMapper::GetScalars(image, this->Mapper->GetScalarMode(),
+        this->Mapper->GetArrayAccessMode(), this->Mapper->GetArrayId(), name, isOfCells)
+    : nullptr;
+  this->Functions->Apply(this->Property, scalars != nullptr);
+  if (!scalars)
+  {
+    this->Mapper->SetInputConnection(this->Constant->Update(image)->GetOutputPort());
+    this->Mapper->SetScalarModeToUsePointFieldData();
+    this->Mapper->SelectScalarArray(vtkConstantScalars::GetArrayName());
+  }
+  int components = scalars ? scalars->GetNumberOfComponents() : 1;
+  if (components == 3 || components > 4)
+  {
+    // These can't be drawn as colours and opacity: they are drawn by the functions.
+    this->Property->SetIndependentComponents(true);
+  }
   vtkColorTransferFunction* colors = this->Property->GetRGBTransferFunction(0);
   if (components > 1 && this->Property->GetIndependentComponents())
   {

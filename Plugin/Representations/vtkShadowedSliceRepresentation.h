@@ -6,22 +6,30 @@
 #include "vtkNew.h"          // for the light
 #include "vtkSmartPointer.h" // for the texture
 
-#include <memory> // for the component
+#include <memory> // for what it is made of
 
+class vtkColorTransferFunction;
+class vtkConstantScalars;
+class vtkDataArray;
 class vtkImageComponent;
+class vtkImageData;
+class vtkPiecewiseFunction;
 class vtkProjectiveLight;
 class vtkShadowedSliceMapper;
 class vtkTexture;
+class vtkVolumeFunctions;
 
 /**
  * @class   vtkShadowedSliceRepresentation
  * @brief   shows images in ParaView by vtkShadowedSliceMapper, with a projective light of its own
  *
- * Input: a vtkImageData, or a composite dataset with one; more than one, or none but other data, is
- * an error, and nothing is drawn. Colour and opacity are ParaView's, as those of its Volume: the
+ * Input: a vtkImageData, or a composite dataset of images: those that fill a box together are drawn
+ * as one, else the one with the most samples, with a warning. None but other data is an error, and
+ * nothing is drawn. Colour and opacity are ParaView's, as those of its Volume: the
  * array to colour by, its component or magnitude where it has several, or the components
  * themselves, with its colour and opacity functions, a separate array for opacity, the unit
- * distance of the opacity, shading and cropping. Without an array to colour by nothing is drawn.
+ * distance of the opacity, shading and cropping. Without an array to colour by, or where the image
+ * lacks it, the solid colour is drawn with one opacity (see vtkVolumeFunctions).
  *
  * All lights of the view shine on the volume: the light kit and additional lights. How many of them
  * cast shadows is MaximumNumberOfShadows, here 1 at first. Shading is on at first, unlike that of
@@ -42,6 +50,21 @@ public:
   static vtkShadowedSliceRepresentation* New();
   vtkTypeMacro(vtkShadowedSliceRepresentation, vtkImageVolumeRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The functions of the array to colour by; all opacities are multiplied by Opacity, 0 to 1,
+   * default 1.
+   */
+  void SetColor(vtkColorTransferFunction* color);
+  void SetScalarOpacity(vtkPiecewiseFunction* opacity);
+  void SetOpacity(double opacity);
+  ///@}
+
+  /**
+   * The colour without an array to colour by. Default white.
+   */
+  void SetSolidColor(double red, double green, double blue);
 
   ///@{
   /**
@@ -104,6 +127,12 @@ private:
   vtkShadowedSliceRepresentation(const vtkShadowedSliceRepresentation&) = delete;
   void operator=(const vtkShadowedSliceRepresentation&) = delete;
 
+  int ShowImage(vtkImageData* image, vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
+  /// The array to colour by, null where the dataset lacks it.
+  vtkDataArray* FindColors(vtkDataSet* data);
+  /// Whether there is an array to colour by, and one for opacity that fits it.
+  bool CanCombineArrays(vtkDataObject* data);
   void UpdateScalars();
   void UpdateLight();
 
@@ -111,6 +140,8 @@ private:
   vtkNew<vtkProjectiveLight> Light;
   vtkSmartPointer<vtkTexture> LightImage;
   std::unique_ptr<vtkImageComponent> Component;
+  std::unique_ptr<vtkVolumeFunctions> Functions;
+  std::unique_ptr<vtkConstantScalars> Constant;
   bool ColoredShadows = false;
   bool LightShines = false;
 };

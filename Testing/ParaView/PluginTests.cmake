@@ -70,6 +70,13 @@ set_tests_properties(TestPluginFlowPieces PROPERTIES
   FIXTURES_REQUIRED flow_one_piece RUN_SERIAL ON)
 plugin_test(TestPluginPicture "paraview;image"
   ${batch} "${script}/TestPluginPicture.py" "${CMAKE_CURRENT_BINARY_DIR}/TestPluginPicture.png")
+plugin_test(TestPluginBlankView "paraview;image"
+  ${batch} "${script}/TestPluginBlankView.py" "${CMAKE_CURRENT_BINARY_DIR}")
+plugin_test(TestPluginBlocks "paraview;image" ${batch} "${script}/TestPluginBlocks.py")
+plugin_test(TestPluginIntervalColors "paraview;image"
+  ${batch} "${script}/TestPluginIntervalColors.py")
+plugin_test(TestPluginDisplayChanges "paraview;image"
+  ${batch} "${script}/TestPluginDisplayChanges.py")
 plugin_test(TestPluginRepresentation "paraview;image"
   ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" whole)
 plugin_test(TestPluginShadowedSlices "paraview;image"

@@ -69,7 +69,7 @@ def check_mapper(checks, display):
 
 
 def check_choice(checks):
-    """The representation can be chosen for the filter's output; without an array it draws nothing."""
+    """The representation can be chosen for the filter's output."""
     volume = interval_volume(open_data("wavelet"), "RTData", [(140.0, 180.0)])
     view = simple.CreateView("RenderView")
     display = simple.Show(volume, view)

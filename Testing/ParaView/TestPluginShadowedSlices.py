@@ -109,21 +109,21 @@ def shown_input(display):
 
 
 def check_inputs(checks):
-    """One image in a group is drawn, two are an error, and then nothing is drawn."""
+    """One image in a group is drawn; of two in one place one is, with a warning."""
     wavelet = open_data("wavelet")
     view = simple.CreateView("RenderView")
-    for number, errors in ((1, 0), (2, 1)):
+    for number, warnings in ((1, 0), (2, 1)):
         group = simple.GroupDatasets(Input=[wavelet] * number)
         group.UpdatePipeline()
         display = simple.Show(group, view)
         display.SetRepresentationType(REPRESENTATION)
         simple.ColorBy(display, ["POINTS", "RTData"])
         messages = []
-        active_representation(display).AddObserver("ErrorEvent", lambda _, event: messages.append(event))
+        active_representation(display).AddObserver("WarningEvent", lambda _, event: messages.append(event))
         simple.Render(view)
-        checks.equal(len(messages), errors, f"errors for {number} images")
+        checks.equal(len(messages), warnings, f"warnings for {number} images")
         points = shown_input(display).GetNumberOfPoints()
-        checks.equal(points > 0, errors == 0, f"something is drawn of {number} images")
+        checks.that(points > 0, f"something is drawn of {number} images")
         simple.Hide(group, view)
     simple.Delete(view)
 

@@ -426,7 +426,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;
   Check(mapper->GetDeltaTArrayName() == nullptr, "the mapper takes DeltaT where there is one");
   Check(mapper->GetLayerPriority(3) == 3.0, "the mapper's priorities are the layers' numbers");
-  CompareWithXML(folder + "/IntervalVolumeRepresentation.xml", "RepresentationProxy",
+  CompareWithXML(folder + "/IntervalVolumeRepresentation.xml", "ScalarVolumeRepresentationProxy",
     "vtkIntervalVolumeRepresentation", "Interval",
     { { "IntervalBlendMode", Text(mapper->GetBlendMode()) },
       { "IntervalSortMode", Text(mapper->GetSortMode()) },
@@ -441,7 +441,7 @@ int main(int argc, char* argv[])
   // bright.
   vtkNew<vtkShadowedSliceMapper> slices;
   vtkNew<vtkProjectiveLight> light;
-  CompareWithXML(folder + "/ShadowedSliceRepresentation.xml", "RepresentationProxy",
+  CompareWithXML(folder + "/ShadowedSliceRepresentation.xml", "ScalarVolumeRepresentationProxy",
     "vtkShadowedSliceRepresentation", "",
     { { "Ambient", "0" }, { "Diffuse", "1" }, { "Specular", "0" }, { "SpecularPower", "100" },
       { "ShadowedShade", "1" }, { "Shadows", Text(slices->GetShadows()) },

@@ -1,10 +1,13 @@
-"""What the tests of the plugin's representations share: views and colours as C++ had them, pixels."""
+"""What the tests of the plugin's representations share: views and colours as C++ had them, small data,
+pixels."""
 
 import os
 
 import numpy
 from paraview import simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 from plugin_testing import extractions_path
@@ -68,6 +71,84 @@ class Comparison:
             change = numpy.abs(drawn - shot).mean()
             self.checks.that(change >= SMALLEST_CHANGE, f"{name} differs from {other}: {change}")
         self.seen[name] = drawn
+
+
+BACKGROUND = (0, 0, 0)
+VIEW_SIZE = [300, 300]
+
+
+def plain_view():
+    """A small view with nothing but the data before black."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = VIEW_SIZE
+    view.UseColorPaletteForBackground = False
+    view.Background = BACKGROUND
+    view.OrientationAxesVisibility = False
+    return view
+
+
+def look_at(view):
+    """All that is shown, from the side."""
+    simple.ResetCamera(view)
+    camera = view.GetActiveCamera()
+    camera.Azimuth(25)
+    camera.Elevation(20)
+    simple.ResetCamera(view)
+
+
+def snapshot(view):
+    """The pixels of a view, rendered anew: rows of red, green and blue, 0 to 255."""
+    simple.Render(view)
+    image = view.SMProxy.CaptureWindow(1)
+    return vtk_to_numpy(image.GetPointData().GetScalars())[:, :3].astype(int)
+
+
+def share_shown(shot):
+    """The share of the picture that is not background."""
+    return numpy.mean((shot != BACKGROUND).any(axis=1))
+
+
+def color_by(display, array):
+    """By an array, or None: the solid colour, which ParaView refuses to set where it is set."""
+    if array or display.ColorArrayName.GetArrayName():
+        simple.ColorBy(display, array)
+
+
+def producer(data):
+    """A source of the very dataset, in this process."""
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    source.UpdatePipeline()
+    return source
+
+
+def add_array(data, name, values, of_points=True):
+    array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
+    array.SetName(name)
+    (data.GetPointData() if of_points else data.GetCellData()).AddArray(array)
+
+
+def image(side=9, origin=(0.0, 0.0, 0.0)):
+    """A cube of samples without arrays."""
+    data = vtkImageData()
+    data.SetDimensions(side, side, side)
+    data.SetOrigin(origin)
+    return data
+
+
+def grid(side=5, origin=(0.0, 0.0, 0.0)):
+    """A cube of tetrahedra without arrays."""
+    tetrahedra = vtkDataSetTriangleFilter()
+    tetrahedra.SetInputData(image(side, origin))
+    tetrahedra.Update()
+    copy = vtkUnstructuredGrid()
+    copy.ShallowCopy(tetrahedra.GetOutput())
+    return copy
+
+
+def coordinates(data):
+    """Those of the points."""
+    return numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
 
 
 def picture_path(folder, test, name):

@@ -43,6 +43,13 @@ def open_data(name):
     return source
 
 
+def open_file(name):
+    """A reader of a file in Data/, with its data read."""
+    source = simple.OpenDataFile(data_path(name))
+    source.UpdatePipeline()
+    return source
+
+
 def interval_volume(source, array, intervals, criteria=()):
     """The filter over a point array; intervals are pairs, criteria triples of name and bounds."""
     volume = simple.IntervalVolume(Input=source)

@@ -1,0 +1,61 @@
+#include "vtkColorArrayChoice.h"
+
+#include "vtkDataObject.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMArrayListDomain.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+
+#include <tuple>
+
+namespace
+{
+/// Smaller is better: with a range, no ids, of points, scalars.
+using Rank = std::tuple<bool, bool, bool, bool>;
+
+Rank FindRank(vtkPVArrayInformation* array, int association)
+{
+  const int components = array->GetNumberOfComponents();
+  const double* range = array->GetComponentFiniteRange(components > 1 ? -1 : 0);
+  return Rank(!(range[0] < range[1]), array->GetDataType() == VTK_ID_TYPE,
+    association != vtkDataObject::POINT, components > 1);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkColorArrayChoice::vtkColorArrayChoice(vtkSMPVRepresentationProxy* display)
+{
+  vtkSMProperty* property = display->GetProperty("ColorArrayName");
+  auto* arrays = property ? property->FindDomain<vtkSMArrayListDomain>() : nullptr;
+  const vtkSMPropertyHelper input(display, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  if (!arrays || !source)
+  {
+    return;
+  }
+  vtkPVDataInformation* data = source->GetDataInformation(input.GetOutputPort());
+  Rank best;
+  for (unsigned int i = 0; i < arrays->GetNumberOfStrings(); ++i)
+  {
+    const int association = arrays->GetFieldAssociation(i);
+    if (association != vtkDataObject::POINT && association != vtkDataObject::CELL)
+    {
+      continue;
+    }
+    vtkPVArrayInformation* array = data->GetArrayInformation(arrays->GetString(i), association);
+    if (!array || array->GetDataType() == VTK_STRING || array->GetNumberOfTuples() == 0)
+    {
+      continue;
+    }
+    const Rank rank = FindRank(array, association);
+    if (!this->IsFound() || rank < best)
+    {
+      best = rank;
+      this->Name = arrays->GetString(i);
+      this->Association = association;
+    }
+  }
+}

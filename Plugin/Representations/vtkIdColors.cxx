@@ -1,0 +1,114 @@
+#include "vtkIdColors.h"
+
+#include "vtkVolumeFunctions.h"
+
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMTransferFunctionManager.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+using Color = std::array<double, 3>;
+
+/// Tableau's ten, in an order in which neighbours differ most.
+const std::array<Color, 10> PALETTE{ { { { 0.306, 0.475, 0.655 } }, { { 0.949, 0.557, 0.169 } },
+  { { 0.349, 0.631, 0.310 } }, { { 0.882, 0.341, 0.349 } }, { { 0.463, 0.718, 0.698 } },
+  { { 0.929, 0.788, 0.282 } }, { { 0.690, 0.478, 0.631 } }, { { 0.612, 0.459, 0.373 } },
+  { { 1.000, 0.616, 0.655 } }, { { 0.729, 0.690, 0.675 } } } };
+
+constexpr int MOST_IDS = 100;
+/// How wide the change from one band to the next is.
+constexpr double SEAM = 1e-3;
+
+/// Rows of a position and a colour, as the property RGBPoints has them.
+std::vector<double> MakeBands(int count)
+{
+  std::vector<double> points;
+  for (int id = 0; id < count; ++id)
+  {
+    const Color& color = PALETTE[static_cast<std::size_t>(id) % PALETTE.size()];
+    for (const double end : { id - 0.5 + SEAM, id + 0.5 })
+    {
+      points.push_back(end);
+      points.insert(points.end(), color.begin(), color.end());
+    }
+  }
+  return points;
+}
+
+bool HaveSameColors(const std::vector<double>& points, const std::vector<double>& others)
+{
+  if (points.size() != others.size())
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (i % 4 != 0 && std::abs(points[i] - others[i]) > 1e-6)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether the colours are those of a table that nobody changed, or of fewer ids.
+bool AreFirstColors(vtkSMProxy* colors, const std::vector<double>& points)
+{
+  vtkSMProxy* prototype = colors->GetSessionProxyManager()->GetPrototypeProxy(
+    colors->GetXMLGroup(), colors->GetXMLName());
+  if (prototype &&
+    HaveSameColors(points, vtkSMPropertyHelper(prototype, "RGBPoints").GetDoubleArray()))
+  {
+    return true;
+  }
+  const auto ids = static_cast<int>(points.size() / 8);
+  return ids <= MOST_IDS && HaveSameColors(points, MakeBands(ids));
+}
+
+/// Whether the opacities are the ramp that ParaView begins with.
+bool AreFirstOpacities(const std::vector<double>& points)
+{
+  return points.size() == 8 && points[1] == 0.0 && points[5] == 1.0;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkIdColors::Apply(vtkSMProxy* colors, vtkSMProxy* opacities, int count)
+{
+  const std::vector<double> bands = MakeBands(std::clamp(count, 2, MOST_IDS));
+  vtkSMPropertyHelper points(colors, "RGBPoints");
+  const std::vector<double> before = points.GetDoubleArray();
+  if (before.size() != bands.size() && AreFirstColors(colors, before))
+  {
+    points.Set(bands.data(), static_cast<unsigned int>(bands.size()));
+    vtkSMPropertyHelper(colors, "ColorSpace").Set("RGB");
+    vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode")
+      .Set(vtkSMTransferFunctionManager::NEVER);
+    vtkSMPropertyHelper annotations(colors, "Annotations");
+    annotations.SetNumberOfElements(0);
+    for (int id = 0; id < std::min(count, MOST_IDS); ++id)
+    {
+      const auto row = static_cast<unsigned int>(2 * id);
+      annotations.Set(row, std::to_string(id).c_str());
+      annotations.Set(row + 1, std::to_string(id).c_str());
+    }
+    colors->UpdateVTKObjects();
+  }
+  vtkSMPropertyHelper ramp(opacities, "Points");
+  std::vector<double> flat = ramp.GetDoubleArray();
+  if (AreFirstOpacities(flat))
+  {
+    flat[1] = vtkVolumeFunctions::FLAT_OPACITY;
+    flat[5] = vtkVolumeFunctions::FLAT_OPACITY;
+    ramp.Set(flat.data(), static_cast<unsigned int>(flat.size()));
+    opacities->UpdateVTKObjects();
+  }
+}

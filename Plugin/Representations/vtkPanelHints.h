@@ -1,0 +1,20 @@
+#ifndef vtkPanelHints_h
+#define vtkPanelHints_h
+
+class vtkPVXMLElement;
+class vtkSMProxy;
+
+/**
+ * @class   vtkPanelHints
+ * @brief   hides parts of a display's panel for one of its representations
+ */
+namespace vtkPanelHints
+{
+/**
+ * Hides for the type \a type of \a display what \a hidden names in nested elements: `Group` by
+ * `label`, `Property` by `name`. For other types, and in other displays, all stays as it is.
+ */
+void Hide(vtkSMProxy* display, const char* type, vtkPVXMLElement* hidden);
+}
+
+#endif

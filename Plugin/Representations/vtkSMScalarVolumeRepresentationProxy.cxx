@@ -1,0 +1,177 @@
+#include "vtkSMScalarVolumeRepresentationProxy.h"
+
+#include "vtkColorArrayChoice.h"
+#include "vtkIdColors.h"
+#include "vtkPanelHints.h"
+
+#include "vtkCommand.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyManager.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMUndoStack.h"
+#include "vtkSMUndoStackBuilder.h"
+
+#include <algorithm>
+#include <sstream>
+
+vtkStandardNewMacro(vtkSMScalarVolumeRepresentationProxy);
+
+namespace
+{
+/// Whether a state file, or undo, sets the properties now: what it sets is meant.
+bool IsRestoring(vtkSMProxy* proxy)
+{
+  if (proxy->GetSessionProxyManager()->GetInLoadXMLState())
+  {
+    return true;
+  }
+  vtkSMUndoStackBuilder* builder = vtkSMProxyManager::GetProxyManager()->GetUndoStackBuilder();
+  vtkSMUndoStack* stack = builder ? builder->GetUndoStack() : nullptr;
+  return stack && (stack->GetInUndo() || stack->GetInRedo());
+}
+
+bool HasFunctions(vtkSMProxy* display)
+{
+  return vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy() &&
+    vtkSMPropertyHelper(display, "ScalarOpacityFunction", true).GetAsProxy();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSMScalarVolumeRepresentationProxy::vtkSMScalarVolumeRepresentationProxy() = default;
+
+//------------------------------------------------------------------------------
+vtkSMScalarVolumeRepresentationProxy::~vtkSMScalarVolumeRepresentationProxy() = default;
+
+//------------------------------------------------------------------------------
+void vtkSMScalarVolumeRepresentationProxy::CreateVTKObjects()
+{
+  const bool areCreated = this->ObjectsCreated != 0;
+  this->Superclass::CreateVTKObjects();
+  vtkSMProxy* display = vtkSMPVRepresentationProxy::SafeDownCast(this->GetParentProxy());
+  vtkPVXMLElement* volume =
+    this->GetHints() ? this->GetHints()->FindNestedElementByName("Volume") : nullptr;
+  if (areCreated || !this->ObjectsCreated || !display || !volume)
+  {
+    return;
+  }
+  this->Type = volume->GetAttributeOrEmpty("type");
+  if (vtkPVXMLElement* hidden = this->GetHints()->FindNestedElementByName("Hidden"))
+  {
+    vtkPanelHints::Hide(display, this->Type.c_str(), hidden);
+  }
+  display->AddObserver(
+    vtkCommand::UpdateEvent, this, &vtkSMScalarVolumeRepresentationProxy::FollowDisplay);
+  display->AddObserver(
+    vtkCommand::UpdateDataEvent, this, &vtkSMScalarVolumeRepresentationProxy::FollowDisplay);
+}
+
+//------------------------------------------------------------------------------
+void vtkSMScalarVolumeRepresentationProxy::FollowDisplay()
+{
+  auto* display = vtkSMPVRepresentationProxy::SafeDownCast(this->GetParentProxy());
+  if (this->IsFollowing || !display)
+  {
+    return;
+  }
+  this->IsFollowing = true;
+  const bool isRestoring = IsRestoring(display);
+  const bool wasShown = this->IsShown;
+  this->IsShown = vtkSMPropertyHelper(display, "Representation").GetAsString() == this->Type;
+  bool isColored = display->GetUsingScalarColoring();
+  if (!this->IsShown && wasShown)
+  {
+    this->IsSolidByChoice = !isColored && !this->NeedsArray;
+  }
+  if (this->IsShown && !wasShown)
+  {
+    this->NeedsArray = !isRestoring && !this->IsSolidByChoice;
+  }
+  this->NeedsArray = this->NeedsArray && !isColored;
+  if (this->IsShown && !isRestoring)
+  {
+    if (this->NeedsArray || (isColored && !HasFunctions(display)))
+    {
+      isColored = this->ColorDisplay(display);
+      this->NeedsArray = !isColored;
+    }
+    if (isColored)
+    {
+      this->ColorCategories(display);
+    }
+  }
+  this->IsFollowing = false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSMScalarVolumeRepresentationProxy::ColorDisplay(vtkSMPVRepresentationProxy* display)
+{
+  std::string name;
+  int association = 0;
+  if (display->GetUsingScalarColoring())
+  {
+    const vtkSMPropertyHelper array(display, "ColorArrayName");
+    name = array.GetInputArrayNameToProcess();
+    association = array.GetInputArrayAssociation();
+  }
+  else
+  {
+    const vtkColorArrayChoice choice(display);
+    name = choice.Name;
+    association = choice.Association;
+  }
+  if (name.empty() || !display->SetScalarColoring(name.c_str(), association))
+  {
+    return false;
+  }
+  if (display->GetArrayInformationForColorArray())
+  {
+    display->RescaleTransferFunctionToDataRange(true);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSMScalarVolumeRepresentationProxy::ColorCategories(vtkSMPVRepresentationProxy* display)
+{
+  const std::string name =
+    vtkSMPropertyHelper(display, "ColorArrayName").GetInputArrayNameToProcess();
+  vtkPVXMLElement* categories = this->GetHints()->FindNestedElementByName("Categories");
+  std::istringstream names(categories ? categories->GetAttributeOrEmpty("arrays") : "");
+  bool isCategory = false;
+  for (std::string category; names >> category;)
+  {
+    isCategory = isCategory || category == name;
+  }
+  vtkPVArrayInformation* array = isCategory ? display->GetArrayInformationForColorArray() : nullptr;
+  if (!array || !HasFunctions(display))
+  {
+    return;
+  }
+  const double* range = array->GetComponentFiniteRange(0);
+  const int ids = range[0] <= range[1] ? static_cast<int>(std::clamp(range[1], 0.0, 1e6)) + 1 : 0;
+  vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable").GetAsProxy();
+  if (this->PreparedArray == name && this->PreparedColors == colors && ids <= this->PreparedIds)
+  {
+    return;
+  }
+  this->PreparedArray = name;
+  this->PreparedColors = colors;
+  this->PreparedIds = ids;
+  vtkIdColors::Apply(
+    colors, vtkSMPropertyHelper(display, "ScalarOpacityFunction").GetAsProxy(), ids);
+}
+
+//------------------------------------------------------------------------------
+void vtkSMScalarVolumeRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Type: " << this->Type << "\n";
+  os << indent << "IsShown: " << this->IsShown << "\n";
+  os << indent << "NeedsArray: " << this->NeedsArray << "\n";
+  os << indent << "IsSolidByChoice: " << this->IsSolidByChoice << "\n";
+}

@@ -1,0 +1,64 @@
+#ifndef vtkSMScalarVolumeRepresentationProxy_h
+#define vtkSMScalarVolumeRepresentationProxy_h
+
+#include "InterlumeRepresentationsModule.h" // for the export macro
+#include "vtkSMRepresentationProxy.h"
+
+#include <string> // for the type
+
+class vtkSMPVRepresentationProxy;
+
+/**
+ * @class   vtkSMScalarVolumeRepresentationProxy
+ * @brief   colours a display when a volume of the plugin is switched on in it, as ParaView's Volume
+ *
+ * A subproxy of a display, and one of its representations, the one that the display calls by the
+ * `type` of this proxy's hint Volume. Whenever that is what the display shows:
+ *
+ * - Without an array to colour by it takes one, as ParaView does for its own Volume: from the GUI,
+ *   from Python by method or property, in pvbatch. The first with a range, points before cells,
+ *   scalars before vectors, ids last. Solid Color that was chosen while it is shown is kept, and so
+ *   is what a state file or undo sets. Where the data have no array, the next change looks again.
+ * - By an array that the hint Categories names, with ids 0, 1, ..: each id has a colour of its own,
+ *   all the same opacity, if colours and opacities were the first ones of ParaView.
+ *
+ * What of the display's panel changes no picture of this representation is hidden: the groups and
+ * properties that the hint Hidden names.
+ */
+class INTERLUMEREPRESENTATIONS_EXPORT vtkSMScalarVolumeRepresentationProxy
+  : public vtkSMRepresentationProxy
+{
+public:
+  static vtkSMScalarVolumeRepresentationProxy* New();
+  vtkTypeMacro(vtkSMScalarVolumeRepresentationProxy, vtkSMRepresentationProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkSMScalarVolumeRepresentationProxy();
+  ~vtkSMScalarVolumeRepresentationProxy() override;
+
+  void CreateVTKObjects() override;
+
+private:
+  vtkSMScalarVolumeRepresentationProxy(const vtkSMScalarVolumeRepresentationProxy&) = delete;
+  void operator=(const vtkSMScalarVolumeRepresentationProxy&) = delete;
+
+  /// Called when the display has changed, and when its data have.
+  void FollowDisplay();
+  /// Returns whether the display colours by an array then.
+  bool ColorDisplay(vtkSMPVRepresentationProxy* display);
+  void ColorCategories(vtkSMPVRepresentationProxy* display);
+
+  /// What the display calls this representation.
+  std::string Type;
+  bool IsFollowing = false;
+  bool IsShown = false;
+  bool NeedsArray = false;
+  bool IsSolidByChoice = false;
+  /// The array, its functions and how many ids they were prepared for.
+  std::string PreparedArray;
+  vtkSMProxy* PreparedColors = nullptr;
+  int PreparedIds = 0;
+};
+
+#endif

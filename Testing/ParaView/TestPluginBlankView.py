@@ -1,0 +1,165 @@
+"""A representation of the plugin that is switched on never shows an empty view: it takes an array to
+colour by, or draws the solid colour.
+
+Argument: a folder for a state file.
+"""
+
+import os
+import sys
+
+import numpy
+from paraview import simple
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIdTypeArray, vtkStringArray
+
+from plugin_pictures import (
+    add_array, color_by, coordinates, grid, image, look_at, plain_view, producer, share_shown, snapshot)
+from plugin_testing import Checks, load_plugin, open_data, open_file
+
+SMALLEST_SHARE = 0.05
+KINDS = (("Shadowed Slices", image), ("Interval Volume", grid))
+
+
+def show(data, kind, by_method=True):
+    """The data first as an outline without colours, then in the representation."""
+    view = plain_view()
+    display = simple.Show(producer(data), view)
+    display.SetRepresentationType("Outline")
+    color_by(display, None)
+    if by_method:
+        display.SetRepresentationType(kind)
+    else:
+        display.Representation = kind
+    look_at(view)
+    return view, display
+
+
+def colored_by(display):
+    return (display.ColorArrayName.GetAssociation(), display.ColorArrayName.GetArrayName() or "")
+
+
+def radius(data):
+    points = coordinates(data)
+    return numpy.linalg.norm(points - points.mean(axis=0), axis=1)
+
+
+def check_shown(checks, view, what):
+    share = share_shown(snapshot(view))
+    print(f"{what}: {share:.3f} of the picture")
+    checks.that(share >= SMALLEST_SHARE, f"{what} is shown")
+
+
+def check_switched_on(checks, kind, make):
+    """By the method, which the client uses, and by the property."""
+    for by_method in (True, False):
+        data = make()
+        add_array(data, "radius", radius(data))
+        view, display = show(data, kind, by_method)
+        what = f"{kind}, {'method' if by_method else 'property'}"
+        checks.equal(colored_by(display), ("POINTS", "radius"), f"{what}, array")
+        check_shown(checks, view, what)
+        points = list(display.LookupTable.RGBPoints)
+        checks.close(points[-4], radius(data).max(), 1e-6, f"{what}, the colours have the array's range")
+        simple.Delete(view)
+
+
+def check_choice(checks, kind, make):
+    """Arrays with a range before constant ones and ids, points before cells, scalars before vectors; no
+    strings and no field data."""
+    data = make()
+    count, cells = data.GetNumberOfPoints(), data.GetNumberOfCells()
+    words = vtkStringArray()
+    words.SetName("a words")
+    words.SetNumberOfValues(count)
+    data.GetPointData().AddArray(words)
+    field = vtkFloatArray()
+    field.SetName("a field")
+    field.InsertNextValue(3.0)
+    data.GetFieldData().AddArray(field)
+    add_array(data, "a zero", numpy.zeros(count))
+    view, display = show(data, kind)
+    checks.equal(colored_by(display), ("POINTS", "a zero"), f"{kind}, a constant array alone")
+    check_shown(checks, view, f"{kind}, constant array")
+    simple.Delete(view)
+    ids = vtkIdTypeArray()
+    ids.SetName("b ids")
+    ids.SetNumberOfValues(cells)
+    for i in range(cells):
+        ids.SetValue(i, i)
+    data.GetCellData().AddArray(ids)
+    steps = (("c cells", numpy.arange(cells, dtype=float), False, "CELLS"),
+             ("d vectors", coordinates(data), True, "POINTS"),
+             ("e scalars", radius(data), True, "POINTS"))
+    for name, values, of_points, association in steps:
+        add_array(data, name, values, of_points)
+        view, display = show(data, kind)
+        checks.equal(colored_by(display), (association, name), f"{kind}, best array")
+        check_shown(checks, view, f"{kind}, {name}")
+        simple.Delete(view)
+
+
+def mean_color(shot):
+    return shot[(shot != 0).any(axis=1)].mean(axis=0)
+
+
+def check_solid(checks, kind, make):
+    """Without any array the solid colour is drawn, and where it is chosen."""
+    view, display = show(make(), kind)
+    check_shown(checks, view, f"{kind}, no array")
+    checks.equal(colored_by(display)[1], "", f"{kind}, no array to take")
+    display.DiffuseColor = [1.0, 0.0, 0.0]
+    red, green, blue = mean_color(snapshot(view))
+    checks.that(red > 50 and green == 0 and blue == 0, f"{kind}, the solid colour is red")
+    simple.Delete(view)
+
+    data = make()
+    add_array(data, "radius", radius(data))
+    view, display = show(data, kind)
+    color_by(display, None)
+    display.DiffuseColor = [0.0, 0.0, 1.0]
+    red, green, blue = mean_color(snapshot(view))
+    checks.that(blue > 50 and red == 0 and green == 0, f"{kind}, the solid colour is blue")
+    checks.equal(colored_by(display)[1], "", f"{kind}, Solid Color that was chosen is kept")
+    for missing in (["POINTS", "missing"], ["CELLS", "radius"], ["FIELD", "radius"]):
+        display.ColorArrayName = missing
+        check_shown(checks, view, f"{kind}, by {missing}")
+    simple.Delete(view)
+
+
+def check_state(checks, kind, make, folder):
+    """A state file brings back the array, and the solid colour."""
+    path = os.path.join(folder, f"TestPluginBlankView-{kind.replace(' ', '-')}.pvsm")
+    for solid in (False, True):
+        simple.ResetSession()
+        source = open_data("wavelet") if make is image else open_file("disk_out_ref.vtu")
+        view = plain_view()
+        display = simple.Show(source, view)
+        color_by(display, None)
+        display.SetRepresentationType(kind)
+        if solid:
+            color_by(display, None)
+        look_at(view)
+        before, colors = snapshot(view), colored_by(display)
+        simple.SaveState(path)
+        simple.ResetSession()
+        simple.LoadState(path)
+        view = simple.GetViews(viewtype="RenderView")[0]
+        display = simple.GetRepresentations()[list(simple.GetRepresentations())[0]]
+        after = snapshot(view)
+        checks.equal(colored_by(display), colors, f"{kind}, state, solid {solid}, array")
+        checks.that(share_shown(after) >= SMALLEST_SHARE, f"{kind}, state, solid {solid}, is shown")
+        checks.equal(int(numpy.abs(before - after).max()), 0, f"{kind}, state, solid {solid}, pixels")
+        simple.Delete(view)
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    for kind, make in KINDS:
+        check_switched_on(checks, kind, make)
+        check_choice(checks, kind, make)
+        check_solid(checks, kind, make)
+        check_state(checks, kind, make, sys.argv[1])
+    checks.finish()
+
+
+main()
