@@ -7,6 +7,9 @@
 #include "vtkSMProxy.h"
 
 #include <cstring>
+#include <iterator>
+#include <set>
+#include <sstream>
 #include <string>
 
 namespace
@@ -36,6 +39,25 @@ void HideItem(Item* item, const char* type)
   hints->AddNestedElement(decorator);
   item->SetHints(hints);
 }
+
+/// Hides the properties of a group but those whose names are in \a kept.
+void HideGroup(vtkSMPropertyGroup* group, const char* type, const char* kept)
+{
+  std::istringstream names(kept);
+  const std::set<std::string> exceptions{ std::istream_iterator<std::string>(names), {} };
+  if (exceptions.empty())
+  {
+    HideItem(group, type);
+    return;
+  }
+  for (unsigned int i = 0; i < group->GetNumberOfProperties(); ++i)
+  {
+    if (exceptions.count(group->GetPropertyName(i)) == 0)
+    {
+      HideItem(group->GetProperty(i), type);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -60,7 +82,7 @@ void vtkPanelHints::Hide(vtkSMProxy* display, const char* type, vtkPVXMLElement*
         if (group->GetXMLLabel() &&
           std::strcmp(group->GetXMLLabel(), element->GetAttributeOrEmpty("label")) == 0)
         {
-          HideItem(group, type);
+          HideGroup(group, type, element->GetAttributeOrEmpty("except"));
         }
       }
     }

@@ -11,8 +11,9 @@ class vtkSMProxy;
 namespace vtkPanelHints
 {
 /**
- * Hides for the type \a type of \a display what \a hidden names in nested elements: `Group` by
- * `label`, `Property` by `name`. For other types, and in other displays, all stays as it is.
+ * Hides for the type \a type of \a display what \a hidden names in nested elements: `Property` by
+ * `name`; `Group` by `label`, without the properties that its `except` names. For other types, and
+ * in other displays, all stays as it is.
  */
 void Hide(vtkSMProxy* display, const char* type, vtkPVXMLElement* hidden);
 }

@@ -75,6 +75,7 @@ plugin_test(TestPluginBlankView "paraview;image"
 plugin_test(TestPluginBlocks "paraview;image" ${batch} "${script}/TestPluginBlocks.py")
 plugin_test(TestPluginIntervalColors "paraview;image"
   ${batch} "${script}/TestPluginIntervalColors.py")
+plugin_test(TestPluginPanel "paraview;image" ${batch} "${script}/TestPluginPanel.py")
 plugin_test(TestPluginDisplayChanges "paraview;image"
   ${batch} "${script}/TestPluginDisplayChanges.py")
 plugin_test(TestPluginRepresentation "paraview;image"

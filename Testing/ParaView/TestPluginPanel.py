@@ -1,0 +1,151 @@
+"""Each control that the panel shows for a representation of the plugin changes the picture; what would
+change nothing is hidden."""
+
+import numpy
+from paraview import simple
+
+from plugin_pictures import add_array, coordinates, grid, image, look_at, plain_view, producer, snapshot
+from plugin_testing import Checks, load_plugin
+
+HIDDEN_VISIBILITIES = {"never", "multiblock_inspector"}
+# What is no part of the volume's picture, or chooses how fast it is drawn, or speaks of other data.
+WITHOUT_PICTURE = {
+    "AmbientColor", "AutoAdjustSampleDistances", "ColorArrayName", "CroppingOrigin", "CroppingScale", "DataAxesGrid",
+    "Input", "IntervalAutoAdjustLevelOfDetail", "LookupTable", "MapScalars", "Pickable", "PolarAxes", "Representation",
+    "Selection"}
+# Another value of each, and what must be set first for it to matter.
+LIGHT = {"ProjectiveLight": 1}
+NEARBY = {"Orientation": [0.0, 0.0, 40.0]}
+COMMON = {
+    "Opacity": (0.3, {}), "Orientation": ([10.0, 20.0, 30.0], {}), "Origin": ([3.0, 0.0, 0.0], NEARBY),
+    "Position": ([1.0, 0.0, 0.0], {}), "Scale": ([0.5, 1.0, 1.0], {}), "DiffuseColor": ([1.0, 0.0, 0.0], {"array": None})}
+CASES = {
+    "Interval Volume": (grid, {
+        **COMMON, "IntervalBlendMode": ("Additive", {}), "IntervalOpacityUnitDistance": (20.0, {}),
+        "IntervalDeltaTArrayName": ("value", {}), "IntervalIntegrationMode": ("Average Color", {}),
+        "IntervalRenderPath": ("OpenGL", {}), "IntervalSortMode": ("None", {}),
+        "IntervalLayerArrayName": ("ones", {"IntervalBlendMode": "Priority"}),
+        "IntervalLayerPriorities": (["0", "3"], {"IntervalBlendMode": "Priority"})}),
+    "Shadowed Slices": (image, {
+        **COMMON, "Ambient": (0.7, {}), "Diffuse": (0.2, {}), "Specular": (0.9, {}), "SpecularPower": (2.0, {"Specular": 1.0}),
+        "ColoredShadows": (1, {}), "ImageSampleDistance": (6.0, {}), "LightBufferSize": (16, {}),
+        "LightLookup": ("Nearest", {}), "MaximumNumberOfShadows": (0, {}), "Shadows": (0, {}), "SliceSpacing": (3.0, {}),
+        "ShadowedShade": (0, {}), "ShadowedOpacityUnitDistance": (20.0, {}), "ShadowedUseCropping": (1, {
+            "ShadowedCroppingScale": [0.5, 0.5, 0.5]}),
+        "ShadowedCroppingOrigin": ([2.0, 0.0, 0.0], {"ShadowedUseCropping": 1}),
+        "ShadowedCroppingScale": ([0.5, 0.5, 0.5], {"ShadowedUseCropping": 1}),
+        "ShadowedUseSeparateOpacityArray": (1, {"ShadowedOpacityArrayName": ["POINTS", "other"]}),
+        "ShadowedOpacityArrayName": (["POINTS", "value"], {"ShadowedUseSeparateOpacityArray": 1}),
+        "ShadowedOpacityComponent": (1, {
+            "ShadowedUseSeparateOpacityArray": 1, "ShadowedOpacityArrayName": ["POINTS", "vectors"]}),
+        "ProjectiveLight": (1, {}), "ProjectiveLightColor": ([1.0, 0.0, 0.0], LIGHT),
+        "ProjectiveLightEdgeWidth": (0.9, LIGHT), "ProjectiveLightFocalPoint": ([8.0, 0.0, 0.0], LIGHT),
+        "ProjectiveLightIntensity": (3.0, LIGHT), "ProjectiveLightPosition": ([-9.0, 20.0, 3.0], LIGHT),
+        "ProjectiveLightPositional": ("Point", LIGHT), "ProjectiveLightScreenHeight": (3.0, LIGHT),
+        "ProjectiveLightScreenWidth": (3.0, LIGHT), "ProjectiveLightShadows": (0, {**LIGHT, "ProjectiveLightIntensity": 9.0}),
+        "ProjectiveLightViewUp": ([1.0, 1.0, 0.0], {**LIGHT, "ProjectiveLightScreenWidth": 3.0}),
+        "ProjectiveLightImage": (None, {})})}
+# Takes a texture file; TestPluginShadowedSlices draws with one.
+TESTED_ELSEWHERE = {"ProjectiveLightImage"}
+
+
+def shows(decorator, representation):
+    """Whether a decorator shows its widget for a representation."""
+    kind = decorator.GetAttribute("type")
+    if kind == "CompositeDecorator":
+        expression = decorator.GetNestedElement(0)
+        parts = [shows(expression.GetNestedElement(i), representation)
+                 for i in range(expression.GetNumberOfNestedElements())]
+        return any(parts) if expression.GetAttribute("type") == "or" else all(parts)
+    if kind != "GenericDecorator" or decorator.GetAttribute("property") != "Representation":
+        return True
+    values = decorator.GetAttribute("values")
+    values = values.split() if values else [decorator.GetAttribute("value")]
+    return (representation in values) != (decorator.GetAttribute("inverse") == "1")
+
+
+def is_shown(item, representation):
+    """A property or a group by its hints."""
+    hints = item.GetHints()
+    elements = [hints.GetNestedElement(i) for i in range(hints.GetNumberOfNestedElements())] if hints else []
+    return all(shows(element, representation) for element in elements
+               if element.GetName() == "PropertyWidgetDecorator")
+
+
+def controls(display, representation):
+    """The names of the properties that the panel shows."""
+    proxy = display.SMProxy
+    groups = {}
+    for i in range(proxy.GetNumberOfPropertyGroups()):
+        group = proxy.GetPropertyGroup(i)
+        for j in range(group.GetNumberOfProperties()):
+            groups[group.GetProperty(j)] = group
+    names = set()
+    iterator = proxy.NewPropertyIterator()
+    iterator.Begin()
+    while not iterator.IsAtEnd():
+        item, name = iterator.GetProperty(), iterator.GetKey()
+        group = groups.get(item)
+        visibilities = {item.GetPanelVisibility(), group.GetPanelVisibility() if group else None}
+        if not (item.GetInformationOnly() or item.GetIsInternal() or visibilities & HIDDEN_VISIBILITIES):
+            if is_shown(item, representation) and (group is None or is_shown(group, representation)):
+                names.add(name)
+        iterator.Next()
+    return names
+
+
+def make_data(make):
+    """Two layers that overlap, so that order and priority matter, for the grid; a ball for the image."""
+    data = make(9)
+    points = coordinates(data)
+    distance = numpy.linalg.norm(points - points.mean(axis=0), axis=1)
+    add_array(data, "value", 8.0 - distance)
+    add_array(data, "other", points[:, 0])
+    add_array(data, "vectors", points)
+    cells = data.GetNumberOfCells()
+    add_array(data, "IntervalId", (numpy.arange(cells) % 2).astype(numpy.int32), False)
+    add_array(data, "ones", (numpy.arange(cells) % 3).astype(numpy.int32), False)
+    return data
+
+
+def set_value(display, name, value):
+    if name == "array":
+        simple.ColorBy(display, value)
+    else:
+        setattr(display, name, value)
+
+
+def check_control(checks, source, representation, name, value, first):
+    view = plain_view()
+    display = simple.Show(source, view)
+    display.SetRepresentationType(representation)
+    simple.ColorBy(display, ["POINTS", "value"])
+    for key, setting in first.items():
+        set_value(display, key, setting)
+    look_at(view)
+    before = snapshot(view)
+    set_value(display, name, value)
+    change = numpy.abs(snapshot(view) - before).max()
+    checks.that(change > 0, f"{representation}, {name} changes the picture")
+    checks.that(before.max() > 0, f"{representation}, {name}, something is shown before")
+    simple.Delete(view)
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    for representation, (make, values) in CASES.items():
+        source = producer(make_data(make))
+        view = plain_view()
+        display = simple.Show(source, view)
+        display.SetRepresentationType(representation)
+        shown = controls(display, representation) - WITHOUT_PICTURE
+        simple.Delete(view)
+        checks.equal(sorted(shown - set(values)), [], f"{representation}, controls without effect")
+        checks.equal(sorted(set(values) - shown), [], f"{representation}, controls that are hidden")
+        for name in sorted(shown & set(values) - TESTED_ELSEWHERE):
+            check_control(checks, source, representation, name, *values[name])
+    checks.finish()
+
+
+main()
