@@ -78,6 +78,9 @@ vtkFlowExtraction::vtkFlowExtraction()
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkFlowStatus::InflowArray());
   this->ByTime.Filter->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkFlowStatus::TimeArray());
+  // A part of the flow may well be empty.
+  this->ByInflow.Filter->WarnOnEmptyOutputOff();
+  this->ByTime.Filter->WarnOnEmptyOutputOff();
 }
 
 //------------------------------------------------------------------------------

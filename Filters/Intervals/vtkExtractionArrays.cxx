@@ -443,3 +443,11 @@ int vtkExtractionArrays::CopyCellData(
   }
   return arrays;
 }
+
+void vtkExtractionArrays::ActivateScalars(const char* name, vtkPointData* output)
+{
+  if (name && *name && output->GetArray(name))
+  {
+    output->SetActiveScalars(name);
+  }
+}

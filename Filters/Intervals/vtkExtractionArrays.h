@@ -52,6 +52,10 @@ public:
   static void AddLike(vtkDataSetAttributes* input, vtkAbstractArray* in,
     vtkDataSetAttributes* output, vtkAbstractArray* out);
 
+  /// Makes the array that was processed the active scalars, so that pictures are coloured by it. An
+  /// array without a name (null or empty) has the role already: else it could not have been chosen.
+  static void ActivateScalars(const char* name, vtkPointData* output);
+
   /// The data type that an array of \a dataType is interpolated in.
   static int GetInterpolatedType(int dataType);
 };

@@ -1,8 +1,11 @@
 #include "vtkIntervalVolume.h"
 
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkDataSet.h"
+#include "vtkEmptyResult.h"
 #include "vtkExtraction.h"
+#include "vtkExtractionArrays.h"
 #include "vtkExtractionIndex.h"
 #include "vtkExtractionInput.h"
 #include "vtkInformation.h"
@@ -12,11 +15,30 @@
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <cmath>
+#include <limits>
+#include <sstream>
+
 vtkStandardNewMacro(vtkIntervalVolume);
+
+namespace
+{
+// A whole text as a number, or NaN.
+double ReadNumber(const std::string& text)
+{
+  std::istringstream stream(text);
+  double number;
+  std::string rest;
+  return stream >> number && !(stream >> rest) ? number : std::numeric_limits<double>::quiet_NaN();
+}
+}
 
 vtkIntervalVolume::vtkIntervalVolume()
   : Index(vtkSmartPointer<vtkExtractionIndex>::New())
+  , Empty(std::make_unique<vtkEmptyResult>())
 {
+  // The pipeline runs the filter for each dataset of a composite input, between these two events.
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkIntervalVolume::WarnIfEmpty);
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
@@ -41,8 +63,24 @@ void vtkIntervalVolume::GetInterval(int i, double& lower, double& upper) const
 
 void vtkIntervalVolume::AddCriterion(const char* arrayName, double lower, double upper)
 {
-  this->Criteria.push_back({ arrayName ? arrayName : "", lower, upper });
+  this->Criteria.push_back({ arrayName ? arrayName : "", lower, upper, std::string() });
   this->Modified();
+}
+
+void vtkIntervalVolume::AddCriterionAsText(
+  const char* arrayName, const char* lower, const char* upper)
+{
+  std::string wrong;
+  for (const char* text : { lower, upper })
+  {
+    if (wrong.empty() && (!text || std::isnan(ReadNumber(text))))
+    {
+      wrong = text && *text ? std::string("\"") + text + "\"" : "nothing";
+    }
+  }
+  this->AddCriterion(
+    arrayName, lower ? ReadNumber(lower) : std::nan(""), upper ? ReadNumber(upper) : std::nan(""));
+  this->Criteria.back().WrongText = wrong;
 }
 
 void vtkIntervalVolume::RemoveAllCriteria()
@@ -96,6 +134,11 @@ std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
       input->GetPointData()->GetAbstractArray(criterion.ArrayName.c_str()),
       vtkDataObject::FIELD_ASSOCIATION_POINTS,
       "point array \"" + criterion.ArrayName + "\" of a criterion");
+    if (wrong.empty() && !criterion.WrongText.empty())
+    {
+      wrong = "The criterion on \"" + criterion.ArrayName + "\" has " + criterion.WrongText +
+        " for a bound, which is no number.";
+    }
     if (wrong.empty())
     {
       wrong = vtkExtractionInput::CheckInterval(
@@ -116,6 +159,7 @@ int vtkIntervalVolume::RequestData(
   {
     this->Report = vtkExtractionReport();
     this->Index->BeginExecution();
+    this->Empty->Begin();
     this->IsFirstRun = false;
   }
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
@@ -133,22 +177,29 @@ int vtkIntervalVolume::RequestData(
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);
+    this->Empty->NoteMessage();
     return 1;
   }
   const int passes = 1 + this->GetNumberOfCriteria();
   this->SetProgressShiftScale(0.0, 1.0 / passes);
   vtkNew<vtkUnstructuredGrid> cut;
   vtkNew<vtkUnstructuredGrid> cutBoundary;
-  bool completed =
-    this->ExtractIntervals(input, vtkDataArray::SafeDownCast(array), cut, cutBoundary);
+  vtkDataArray* scalars = vtkDataArray::SafeDownCast(array);
+  this->SetProgressText("Extracting the intervals");
+  bool completed = this->ExtractIntervals(input, scalars, cut, cutBoundary);
+  this->Empty->Add(input, scalars, cut->GetNumberOfCells());
   for (int pass = 1; completed && pass < passes; ++pass)
   {
+    this->SetProgressText(
+      ("Cutting to the criterion on " + this->Criteria[pass - 1].ArrayName).c_str());
     this->SetProgressShiftScale(static_cast<double>(pass) / passes, 1.0 / passes);
-    completed = this->ApplyCriterion(this->Criteria[pass - 1], cut, cutBoundary);
+    completed = this->ApplyCriterion(pass - 1, cut, cutBoundary);
   }
   this->SetProgressShiftScale(0.0, 1.0);
   if (completed)
   {
+    vtkExtractionArrays::ActivateScalars(scalars->GetName(), cut->GetPointData());
+    vtkExtractionArrays::ActivateScalars(scalars->GetName(), cutBoundary->GetPointData());
     output->ShallowCopy(cut);
     boundary->ShallowCopy(cutBoundary);
     this->Report.Passes = passes;
@@ -185,8 +236,9 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
 }
 
 bool vtkIntervalVolume::ApplyCriterion(
-  const Criterion& criterion, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary)
+  int number, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary)
 {
+  const Criterion& criterion = this->Criteria[number];
   vtkNew<vtkUnstructuredGrid> before;
   vtkNew<vtkUnstructuredGrid> boundaryBefore;
   before->ShallowCopy(grid);
@@ -200,12 +252,34 @@ bool vtkIntervalVolume::ApplyCriterion(
   extraction.Owner = this;
   extraction.Values = &values;
   extraction.InputBoundary = this->GenerateBoundaries ? boundaryBefore.GetPointer() : nullptr;
-  const bool completed = extraction.Execute(
-    before, before->GetPointData()->GetArray(criterion.ArrayName.c_str()), grid, boundary, report);
+  vtkDataArray* array = before->GetPointData()->GetArray(criterion.ArrayName.c_str());
+  const bool completed = extraction.Execute(before, array, grid, boundary, report);
+  std::ostringstream words;
+  words << "the criterion on \"" << criterion.ArrayName << "\" from " << criterion.Lower << " to "
+        << criterion.Upper;
+  this->Empty->AddCriterion(
+    number, words.str(), array, before->GetNumberOfCells(), grid->GetNumberOfCells());
   this->Report.CollapsedSimplices += report.CollapsedSimplices;
   this->Report.WorkingBytes = std::max(this->Report.WorkingBytes,
     report.WorkingBytes + 1024 * static_cast<vtkIdType>(before->GetActualMemorySize()));
   return completed;
+}
+
+void vtkIntervalVolume::WarnIfEmpty()
+{
+  if (this->IsFirstRun)
+  {
+    // A composite input without datasets.
+    this->Empty->Begin();
+  }
+  const std::string why =
+    this->Empty->Explain(this, this->GetNumberOfIntervals() == 0 ? "no interval is set." : "",
+      vtkEmptyResult::Describe(this->Intervals.GetAll()));
+  if (this->WarnOnEmptyOutput && !why.empty())
+  {
+    vtkWarningMacro("The output is empty: " << why);
+  }
+  this->Empty->Begin();
 }
 
 void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
@@ -222,6 +296,7 @@ void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepOrigins: " << this->KeepOrigins << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
+  os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

@@ -7,11 +7,13 @@
 #include "vtkSmartPointer.h"          // for the value index
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <memory> // for what an empty output is explained by
 #include <string> // for the criteria
 #include <vector> // for the criteria
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkEmptyResult;
 class vtkExtractionIndex;
 
 /**
@@ -35,7 +37,7 @@ class vtkExtractionIndex;
  * Output port 0: VTK_TETRA cells in a vtkUnstructuredGrid (a composite input gives a composite
  * output of the same structure), with
  * - every point array, interpolated linearly along the grid edge a point lies on; integers come out
- *   as float (8 and 16 bits) or double;
+ *   as float (8 and 16 bits) or double; the scalar is the active one;
  * - every cell array, copied from the cell a tetrahedron comes from;
  * - cell array `IntervalId` (int): the index of the interval.
  *
@@ -54,7 +56,10 @@ class vtkExtractionIndex;
  * intervals share it. The same input gives the same bytes whatever the number of threads.
  *
  * Errors (vtkErrorMacro, empty output): no scalar array of that name, more than one component, a
- * string array, lower > upper, a bound that is not finite.
+ * string array, lower > upper, a bound that is not finite or was given as a word.
+ *
+ * Warning (vtkWarningMacro, once for a composite input): an empty output and why, see
+ * WarnOnEmptyOutput.
  *
  * @sa vtkIsotableContour vtkIntervalTable
  */
@@ -88,9 +93,12 @@ public:
    * Further criteria: the result is also cut to lower <= array <= upper of another point array, one
    * pass of the same algorithm over the tetrahedra for each. The array is named, has one component,
    * and is found in the input's point data. Default none. Of a criterion that is not there the name
-   * is null, and the range leaves its arguments.
+   * is null, and the range leaves its arguments. AddCriterionAsText takes the bounds as they are
+   * typed; a word that is no number is named in the error of the next execution, and the range has
+   * NaN in its place.
    */
   void AddCriterion(const char* arrayName, double lower, double upper);
+  void AddCriterionAsText(const char* arrayName, const char* lower, const char* upper);
   void RemoveAllCriteria();
   int GetNumberOfCriteria() const { return static_cast<int>(this->Criteria.size()); }
   const char* GetCriterionArrayName(int i) const;
@@ -141,6 +149,18 @@ public:
   vtkBooleanMacro(UseValueIndex, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether an execution that gives nothing warns, and says what is wrong and what the data have:
+   * no interval, an interval outside the scalar's range, no three-dimensional cell, a criterion
+   * that leaves nothing, no points. Said once for all datasets of a composite input. Of one piece
+   * of several nothing is said that other pieces may have. Default on.
+   */
+  vtkSetMacro(WarnOnEmptyOutput, bool);
+  vtkGetMacro(WarnOnEmptyOutput, bool);
+  vtkBooleanMacro(WarnOnEmptyOutput, bool);
+  ///@}
+
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
 
@@ -161,6 +181,8 @@ protected:
     std::string ArrayName;
     double Lower;
     double Upper;
+    /// The bounds as they were typed, where one of them is no number.
+    std::string WrongText;
   };
 
   /// Why the intervals or criteria cannot be used, or nothing.
@@ -169,8 +191,10 @@ protected:
   bool ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
     vtkUnstructuredGrid* boundary);
   /// A further pass, over the result of the one before.
-  bool ApplyCriterion(
-    const Criterion& criterion, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
+  bool ApplyCriterion(int number, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
+
+  /// At the end of an execution over all datasets.
+  void WarnIfEmpty();
 
   vtkIntervalList Intervals;
   std::vector<Criterion> Criteria;
@@ -178,10 +202,12 @@ protected:
   bool KeepOrigins = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool UseValueIndex = true;
+  bool WarnOnEmptyOutput = true;
   vtkExtractionReport Report;
   /// Whether the next RequestData is the first of an execution.
   bool IsFirstRun = true;
   vtkSmartPointer<vtkExtractionIndex> Index;
+  std::unique_ptr<vtkEmptyResult> Empty;
 
 private:
   vtkIntervalVolume(const vtkIntervalVolume&) = delete;

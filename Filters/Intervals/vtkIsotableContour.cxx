@@ -1,12 +1,16 @@
 #include "vtkIsotableContour.h"
 
+#include "vtkCommand.h"
 #include "vtkDataSet.h"
+#include "vtkEmptyResult.h"
 #include "vtkExtraction.h"
+#include "vtkExtractionArrays.h"
 #include "vtkExtractionIndex.h"
 #include "vtkExtractionInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkIsotableContour);
@@ -18,7 +22,10 @@ constexpr int MaximumNumberOfContours = 20000;
 
 vtkIsotableContour::vtkIsotableContour()
   : Index(vtkSmartPointer<vtkExtractionIndex>::New())
+  , Empty(std::make_unique<vtkEmptyResult>())
 {
+  // The pipeline runs the filter for each dataset of a composite input, between these two events.
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkIsotableContour::WarnIfEmpty);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
@@ -81,6 +88,7 @@ int vtkIsotableContour::RequestData(
   {
     this->Report = vtkExtractionReport();
     this->Index->BeginExecution();
+    this->Empty->Begin();
     this->IsFirstRun = false;
   }
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
@@ -101,6 +109,7 @@ int vtkIsotableContour::RequestData(
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);
+    this->Empty->NoteMessage();
     return 1;
   }
   const vtkExtractionValues values = vtkExtractionValues::ForContours(this->Values);
@@ -111,10 +120,14 @@ int vtkIsotableContour::RequestData(
   extraction.Index = this->UseValueIndex ? this->Index.GetPointer() : nullptr;
   extraction.IdName = "ContourId";
   extraction.OutputPointsPrecision = this->OutputPointsPrecision;
-  if (!extraction.Execute(input, vtkDataArray::SafeDownCast(array), output, nullptr, report))
+  vtkDataArray* scalars = vtkDataArray::SafeDownCast(array);
+  this->SetProgressText("Extracting the isosurfaces");
+  if (!extraction.Execute(input, scalars, output, nullptr, report))
   {
     output->Initialize();
   }
+  vtkExtractionArrays::ActivateScalars(scalars->GetName(), output->GetPointData());
+  this->Empty->Add(input, scalars, output->GetNumberOfCells());
   report.Passes = 1;
   this->Report.Add(report);
   if (report.LinearizedCells > 0)
@@ -130,6 +143,22 @@ int vtkIsotableContour::RequestData(
   return 1;
 }
 
+void vtkIsotableContour::WarnIfEmpty()
+{
+  if (this->IsFirstRun)
+  {
+    // A composite input without datasets.
+    this->Empty->Begin();
+  }
+  const std::string why = this->Empty->Explain(
+    this, this->Values.empty() ? "no value is set." : "", vtkEmptyResult::Describe(this->Values));
+  if (this->WarnOnEmptyOutput && !why.empty())
+  {
+    vtkWarningMacro("The output is empty: " << why);
+  }
+  this->Empty->Begin();
+}
+
 void vtkIsotableContour::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -140,6 +169,7 @@ void vtkIsotableContour::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
+  os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

@@ -6,8 +6,10 @@
 #include "vtkSmartPointer.h"          // for the value index
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <memory> // for what an empty output is explained by
 #include <vector> // for the values
 
+class vtkEmptyResult;
 class vtkExtractionIndex;
 
 /**
@@ -27,12 +29,15 @@ class vtkExtractionIndex;
  * Output: VTK_TRIANGLE cells in a vtkUnstructuredGrid. A triangle's normal points to the
  * side of lower values.
  * - every point array, interpolated along the grid edge; integers come out as float (8 and 16 bits)
- *   or double;
+ *   or double; the scalar is the active one;
  * - every cell array, copied from the cell a triangle comes from;
  * - cell array `ContourId` (int): the index of the value.
  *
  * A composite input gives a composite output of the same structure. The same input gives the same
  * bytes whatever the number of threads.
+ *
+ * Errors (vtkErrorMacro, empty output): as in vtkIntervalVolume. Warning (vtkWarningMacro, once for
+ * a composite input): an empty output and why, see WarnOnEmptyOutput.
  *
  * The cells' ids are stored in 32 bits where they fit (vtkCellArray::IsStorage64Bit tells).
  *
@@ -81,6 +86,16 @@ public:
   vtkBooleanMacro(UseValueIndex, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether an execution that gives nothing warns, and says what is wrong and what the data have,
+   * as in vtkIntervalVolume. Default on.
+   */
+  vtkSetMacro(WarnOnEmptyOutput, bool);
+  vtkGetMacro(WarnOnEmptyOutput, bool);
+  vtkBooleanMacro(WarnOnEmptyOutput, bool);
+  ///@}
+
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
 
@@ -96,13 +111,18 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  /// At the end of an execution over all datasets.
+  void WarnIfEmpty();
+
   std::vector<double> Values;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool UseValueIndex = true;
+  bool WarnOnEmptyOutput = true;
   vtkExtractionReport Report;
   /// Whether the next RequestData is the first of an execution.
   bool IsFirstRun = true;
   vtkSmartPointer<vtkExtractionIndex> Index;
+  std::unique_ptr<vtkEmptyResult> Empty;
 
 private:
   vtkIsotableContour(const vtkIsotableContour&) = delete;

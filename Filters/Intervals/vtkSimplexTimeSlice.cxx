@@ -2,20 +2,31 @@
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkEmptyResult.h"
 #include "vtkExtractionArrays.h"
 #include "vtkExtractionDispatch.h"
 #include "vtkExtractionInput.h"
 #include "vtkExtractionScalars.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
+#include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSimplexSlicer.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 vtkStandardNewMacro(vtkSimplexTimeSlice);
 
@@ -33,9 +44,47 @@ void FillTime(vtkPointData* points, vtkIdType number, double time)
   // In the place of the array of that name, whatever role it has.
   points->AddArray(times);
 }
+
+void AddTimes(vtkDataObject* leaf, double range[2])
+{
+  vtkDataSet* input = vtkDataSet::SafeDownCast(leaf);
+  vtkDataArray* times = input ? input->GetPointData()->GetArray(TimeName) : nullptr;
+  if (times && times->GetNumberOfComponents() == 1 && times->GetNumberOfTuples() > 0)
+  {
+    double own[2];
+    times->GetFiniteRange(own, 0);
+    range[0] = std::min(range[0], own[0]);
+    range[1] = std::max(range[1], own[1]);
+  }
 }
 
-vtkSimplexTimeSlice::vtkSimplexTimeSlice() = default;
+// The first and the last time of all datasets of an input; turned round where there is none.
+void FindTimes(vtkDataObject* input, double range[2])
+{
+  range[0] = std::numeric_limits<double>::infinity();
+  range[1] = -std::numeric_limits<double>::infinity();
+  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    AddTimes(input, range);
+    return;
+  }
+  const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    AddTimes(at->GetCurrentDataObject(), range);
+  }
+}
+}
+
+vtkSimplexTimeSlice::vtkSimplexTimeSlice()
+  : InputRange{ 0.0, -1.0 }
+  , Empty(std::make_unique<vtkEmptyResult>())
+{
+  // The pipeline runs the filter for each dataset of a composite input, between these two events.
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkSimplexTimeSlice::Begin);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkSimplexTimeSlice::WarnIfEmpty);
+}
 
 vtkSimplexTimeSlice::~vtkSimplexTimeSlice() = default;
 
@@ -43,6 +92,43 @@ int vtkSimplexTimeSlice::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   return 1;
+}
+
+int vtkSimplexTimeSlice::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* output = outputs->GetInformationObject(0);
+  output->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  output->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  if (this->FollowTime)
+  {
+    // Without a range the pipeline would not execute for another time.
+    double range[2];
+    FindTimes(vtkDataObject::GetData(inputs[0]), range);
+    if (range[0] > range[1])
+    {
+      range[0] = -std::numeric_limits<double>::max();
+      range[1] = std::numeric_limits<double>::max();
+    }
+    output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  }
+  return 1;
+}
+
+void vtkSimplexTimeSlice::Begin()
+{
+  this->Empty->Begin();
+  FindTimes(this->GetInputDataObject(0, 0), this->InputRange);
+}
+
+double vtkSimplexTimeSlice::GetTimeOfSlice(vtkInformation* output) const
+{
+  vtkInformationDoubleKey* asked = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  if (!this->FollowTime || !output->Has(asked) || this->InputRange[0] > this->InputRange[1])
+  {
+    return this->Time;
+  }
+  return std::max(this->InputRange[0], std::min(output->Get(asked), this->InputRange[1]));
 }
 
 int vtkSimplexTimeSlice::RequestData(
@@ -54,20 +140,26 @@ int vtkSimplexTimeSlice::RequestData(
   {
     return 1;
   }
+  this->SetProgressText("Cutting the 4-simplices");
+  vtkInformation* outputInformation = outputs->GetInformationObject(0);
+  const double time = this->GetTimeOfSlice(outputInformation);
+  this->TimeOfSlice = time;
   vtkAbstractArray* array = input->GetPointData()->GetAbstractArray(TimeName);
   const std::string wrong = vtkExtractionInput::CheckScalars(
     input, array, vtkDataObject::FIELD_ASSOCIATION_POINTS, "point array \"Time\"");
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);
+    this->Empty->NoteMessage();
     return 1;
   }
-  if (!std::isfinite(this->Time))
+  if (!std::isfinite(time))
   {
-    vtkErrorMacro("The time of the slice is " << this->Time << "; it has to be finite.");
+    vtkErrorMacro("The time of the slice is " << time << "; it has to be finite.");
+    this->Empty->NoteMessage();
     return 1;
   }
-  const vtkExtractionValues values = vtkExtractionValues::ForContours({ this->Time });
+  const vtkExtractionValues values = vtkExtractionValues::ForContours({ time });
   const vtkSmartPointer<vtkDataArray> times =
     vtkExtractionDispatch::MakeContiguous(vtkDataArray::SafeDownCast(array));
   vtkExtractionContext context;
@@ -90,6 +182,7 @@ int vtkSimplexTimeSlice::RequestData(
               << " is no 4-simplex, which is a VTK_POLY_VERTEX of five points: it has type "
               << input->GetCellType(slice.WrongCell) << " and "
               << input->GetCells()->GetCellSize(slice.WrongCell) << " points.");
+    this->Empty->NoteMessage();
     return 1;
   }
   output->SetPoints(
@@ -98,15 +191,45 @@ int vtkSimplexTimeSlice::RequestData(
   this->UpdateProgress(0.85);
   vtkExtractionArrays::InterpolatePointData(
     input->GetPointData(), slice.Points, output->GetPointData());
-  FillTime(output->GetPointData(), output->GetNumberOfPoints(), this->Time);
+  FillTime(output->GetPointData(), output->GetNumberOfPoints(), time);
   this->UpdateProgress(0.95);
   vtkExtractionArrays::CopyCellData(input->GetCellData(), slice.CellIds.GetData(),
     static_cast<vtkIdType>(slice.CellIds.GetSize()), output->GetCellData());
+  this->Empty->Add(input, nullptr, output->GetNumberOfCells());
+  if (this->FollowTime &&
+    outputInformation->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
+  {
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
+      outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()));
+  }
   return 1;
+}
+
+void vtkSimplexTimeSlice::WarnIfEmpty()
+{
+  std::ostringstream why;
+  if (this->InputRange[0] > this->InputRange[1])
+  {
+    why << "the input has no 4-simplices with times. (A time-varying interval volume makes them "
+           "where "
+           "GenerateSimplices is on.)";
+  }
+  else
+  {
+    why << "no 4-simplex has an extent in space at the time " << this->TimeOfSlice
+        << "; their times go from " << this->InputRange[0] << " to " << this->InputRange[1] << ".";
+  }
+  if (this->WarnOnEmptyOutput && this->Empty->IsUnexplained(this))
+  {
+    vtkWarningMacro("The output is empty: " << why.str());
+  }
+  this->Empty->Begin();
 }
 
 void vtkSimplexTimeSlice::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Time: " << this->Time << "\n";
+  os << indent << "FollowTime: " << this->FollowTime << "\n";
+  os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
 }

@@ -4,6 +4,10 @@
 #include "InterlumeIntervalsModule.h" // for the export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <memory> // for what an empty output is explained by
+
+class vtkEmptyResult;
+
 /**
  * @class   vtkSimplexTimeSlice
  * @brief   4-simplices in space and time at one time: tetrahedra
@@ -32,7 +36,14 @@
  * whatever the number of threads.
  *
  * 4-simplices with a time that is NaN or infinite, and ghost, hidden and blanked ones, are left
- * out. A time outside of all 4-simplices gives an empty output without a message.
+ * out.
+ *
+ * In a pipeline with time: where a time is asked for downstream, the slice is at that time, see
+ * FollowTime. The output's information then has a range of times (TIME_RANGE): that of the array
+ * `Time` where the input is there already, else any time.
+ *
+ * Warning (vtkWarningMacro, once for a composite input): an empty output, and why; a time outside
+ * of all 4-simplices is one reason. Of one piece of several nothing is said.
  *
  * Errors (vtkErrorMacro, empty output): no point array `Time` with one component and a value for
  * each point, a cell that is not a VTK_POLY_VERTEX of five points (the message names the first), a
@@ -49,10 +60,31 @@ public:
 
   ///@{
   /**
-   * The time of the slice, in the units of the array `Time`. Default 0. Any finite value.
+   * The time of the slice, in the units of the array `Time`, unless FollowTime finds another.
+   * Default 0. Any finite value.
    */
   vtkSetMacro(Time, double);
   vtkGetMacro(Time, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the slice is at the time that is asked for downstream (UPDATE_TIME_STEP), as in an
+   * animation, where one is asked for. A time before the first or after the last of the array
+   * `Time` is taken as that one. Default on.
+   */
+  vtkSetMacro(FollowTime, bool);
+  vtkGetMacro(FollowTime, bool);
+  vtkBooleanMacro(FollowTime, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether an execution that gives nothing warns, and says why. Default on.
+   */
+  vtkSetMacro(WarnOnEmptyOutput, bool);
+  vtkGetMacro(WarnOnEmptyOutput, bool);
+  vtkBooleanMacro(WarnOnEmptyOutput, bool);
   ///@}
 
 protected:
@@ -60,9 +92,25 @@ protected:
   ~vtkSimplexTimeSlice() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  /// The time to cut at for what is asked of the output.
+  double GetTimeOfSlice(vtkInformation* output) const;
+  ///@{
+  /// Before and after an execution over all datasets.
+  void Begin();
+  void WarnIfEmpty();
+  ///@}
+
   double Time = 0.0;
+  bool FollowTime = true;
+  bool WarnOnEmptyOutput = true;
+  /// The first and last time of the input; turned round where it has none.
+  double InputRange[2];
+  /// The time of the last slice.
+  double TimeOfSlice = 0.0;
+  std::unique_ptr<vtkEmptyResult> Empty;
 
 private:
   vtkSimplexTimeSlice(const vtkSimplexTimeSlice&) = delete;

@@ -3,6 +3,7 @@
 #include "vtkDataObjectTypes.h"
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkEmptyResult.h"
 #include "vtkExtractionInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -253,7 +254,16 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   {
     made[port] = vtkDataObject::GetData(outputs, port);
   }
-  if (!this->Run && (this->GetNumberOfIntervals() == 0 || !this->Begin()))
+  if (!this->Run && this->GetNumberOfIntervals() == 0)
+  {
+    const std::string why = vtkEmptyResult().Explain(this, "no interval is set.", "");
+    if (this->WarnOnEmptyOutput && !why.empty())
+    {
+      vtkWarningMacro("The output is empty: " << why);
+    }
+    return 1;
+  }
+  if (!this->Run && !this->Begin())
   {
     return 1;
   }
@@ -288,7 +298,36 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   {
     vtkWarningMacro(<< warning);
   }
+  const std::string why =
+    result == vtkTimeVaryingRun::DONE ? this->ExplainEmpty(*run) : std::string();
+  if (this->WarnOnEmptyOutput && !why.empty())
+  {
+    vtkWarningMacro("The output is empty: " << why);
+  }
   return 1;
+}
+
+std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(const vtkTimeVaryingRun& run)
+{
+  if (this->Report.Slabs == 0)
+  {
+    // Another warning says that there is no time between the steps.
+    return std::string();
+  }
+  const auto& kinds = this->GenerateBoundary;
+  const bool hasBoundary = std::find(kinds.begin(), kinds.end(), true) != kinds.end();
+  const bool isAsked = this->GenerateTetrahedra || this->GenerateSimplices || hasBoundary;
+  const std::string why = run.GetEmptyResult().Explain(this,
+    isAsked ? "" : "neither tetrahedra, nor boundaries, nor 4-simplices are asked for.",
+    vtkEmptyResult::Describe(this->Intervals.GetAll()) + " at any time");
+  const vtkSpaceTimeReport& report = this->Report;
+  if (why.empty() && this->GenerateTetrahedra && report.Simplices > 0 &&
+    report.FlatSimplices == report.Simplices)
+  {
+    return "all " + std::to_string(report.Simplices) +
+      " 4-simplices are flat along the direction of projection.";
+  }
+  return why;
 }
 
 void vtkTimeVaryingIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
@@ -309,6 +348,7 @@ void vtkTimeVaryingIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

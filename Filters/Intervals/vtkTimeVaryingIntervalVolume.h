@@ -70,7 +70,10 @@ class vtkTimeVaryingRun;
  * Errors (vtkErrorMacro, empty output): fewer than two time steps, steps whose times decrease or
  * are not finite, a step without the scalar array or of another type of grid, number of points or
  * cells, or connectivity than the step before (the message names the step), and those of
- * vtkIntervalVolume.
+ * vtkIntervalVolume. Warning (vtkWarningMacro, once for a composite input): empty outputs and why,
+ * see WarnOnEmptyOutput.
+ *
+ * The scalar is the active one on each output.
  *
  * @sa vtkIntervalVolume vtkSimplexTimeSlice vtkTimeWeightedTetrahedraMapper
  */
@@ -183,6 +186,17 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether an execution that gives nothing warns, and says what is wrong and what the data have,
+   * as in vtkIntervalVolume; also when no output is asked for, or all 4-simplices are flat. Default
+   * on.
+   */
+  vtkSetMacro(WarnOnEmptyOutput, bool);
+  vtkGetMacro(WarnOnEmptyOutput, bool);
+  vtkBooleanMacro(WarnOnEmptyOutput, bool);
+  ///@}
+
   /**
    * What the last execution did.
    */
@@ -210,6 +224,8 @@ protected:
   std::vector<double> GetTimesTaken() const;
   /// Begins an execution. Returns false, after an error, where parameters do not allow it.
   bool Begin();
+  /// Why there is no output after all steps, or nothing.
+  std::string ExplainEmpty(const vtkTimeVaryingRun& run);
 
   vtkIntervalList Intervals;
   int TimeStepRange[2];
@@ -218,6 +234,7 @@ protected:
   bool GenerateSimplices = false;
   std::array<bool, NUMBER_OF_BOUNDARY_KINDS> GenerateBoundary{};
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  bool WarnOnEmptyOutput = true;
   vtkSpaceTimeReport Report;
   /// The times of the input's steps.
   std::vector<double> TimeSteps;

@@ -4,6 +4,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
+#include "vtkExtractionArrays.h"
 #include "vtkExtractionInput.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkSpaceTimeExtraction.h"
@@ -162,6 +163,8 @@ vtkTimeVaryingRun::Results vtkTimeVaryingRun::AddStep(vtkDataObject* input)
         << ". Cells must be the same at all steps.";
     return this->Fail(why.str());
   }
+  this->Owner->SetProgressText(
+    (this->DescribeStep() + " of " + std::to_string(this->Times.size())).c_str());
   const bool hasSlab =
     this->NextStep > 0 && this->Times[this->NextStep] > this->Times[this->NextStep - 1];
   Results result = DONE;
@@ -174,11 +177,25 @@ vtkTimeVaryingRun::Results vtkTimeVaryingRun::AddStep(vtkDataObject* input)
     this->Warn(
       this->DescribeStep() + " has the time of the step before: there is nothing between them.");
   }
+  this->NoteEmptiness();
   this->IsJoined = hasSlab;
   this->Report.Slabs += hasSlab;
   ++this->NextStep;
   this->Report.TimeSteps = this->NextStep;
   return result;
+}
+
+void vtkTimeVaryingRun::NoteEmptiness()
+{
+  if (this->Report.Simplices > 0)
+  {
+    this->Empty.Add(nullptr, nullptr, this->Report.Simplices);
+  }
+  else if (this->NextStep > 0)
+  {
+    // Steps do not stay. Two of them are held in any case.
+    this->Empty.TakeRanges();
+  }
 }
 
 vtkExtractionContext vtkTimeVaryingRun::MakeContext()
@@ -209,6 +226,8 @@ vtkTimeVaryingRun::Results vtkTimeVaryingRun::AddLeafStep(
   {
     return this->Fail(wrong);
   }
+  this->Empty.Add(input, scalars, 0);
+  leaf.ScalarsName = scalars->GetName() ? scalars->GetName() : "";
   auto step = std::make_unique<vtkSpaceTimeStep>(input, scalars, this->Times[this->NextStep]);
   const vtkExtractionContext context = this->MakeContext();
   const double slabs = static_cast<double>(this->Times.size()) - 1.0;
@@ -255,6 +274,7 @@ bool vtkTimeVaryingRun::FillOutputs(
     bytes += leaf->Mesh.GetBytes();
   }
   context.NoteWorkingBytes(bytes);
+  this->Owner->SetProgressText("Making the outputs");
   double filled = 0.0;
   for (std::unique_ptr<Leaf>& leaf : this->Leaves)
   {
@@ -263,6 +283,7 @@ bool vtkTimeVaryingRun::FillOutputs(
     const bool isNeeded = leaf->Before != nullptr;
     leaf->Before.reset();
     const vtkSpaceTimeMesh& mesh = leaf->Mesh;
+    vtkExtractionArrays::ActivateScalars(leaf->ScalarsName.c_str(), mesh.GetArrays());
     vtkUnstructuredGrid* output = tetrahedraLeaves.GetNext(isNeeded);
     if (output && this->Options.Tetrahedra &&
       !vtkSpaceTimeOutput::FillTetrahedra(context, mesh, output, this->Report))

@@ -1,6 +1,7 @@
 #ifndef vtkTimeVaryingRun_h
 #define vtkTimeVaryingRun_h
 
+#include "vtkEmptyResult.h"
 #include "vtkExtractionValues.h"
 #include "vtkSmartPointer.h"
 #include "vtkSpaceTimeMesh.h"
@@ -55,6 +56,9 @@ public:
   /// Warnings, each once.
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
 
+  /// What says why there is nothing, once all steps are taken.
+  const vtkEmptyResult& GetEmptyResult() const { return this->Empty; }
+
   /// The type of the outputs for an input: an unstructured grid, or a composite dataset.
   static const char* GetOutputType(vtkDataObject* input);
   /// Gives a composite output the blocks of its input.
@@ -70,11 +74,14 @@ private:
     }
     std::unique_ptr<vtkSpaceTimeStep> Before;
     vtkSpaceTimeMesh Mesh;
+    // The name of the scalars, empty where they have none.
+    std::string ScalarsName;
   };
 
   vtkExtractionContext MakeContext();
   Results AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number);
   Results Fail(const std::string& why);
+  void NoteEmptiness();
   std::string CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
   std::string DescribeStep() const;
   void Warn(const std::string& what);
@@ -90,6 +97,7 @@ private:
   // Whether the slab before had a duration, so that this one is joined to it.
   bool IsJoined = false;
   std::vector<std::unique_ptr<Leaf>> Leaves;
+  vtkEmptyResult Empty;
   std::string Message;
   std::vector<std::string> Warnings;
 };

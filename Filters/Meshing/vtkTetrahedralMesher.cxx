@@ -4,6 +4,7 @@
 #include "vtkCellData.h"
 #include "vtkCellMesher.h"
 #include "vtkCellType.h"
+#include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -17,6 +18,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointSetMesher.h"
 #include "vtkPoints.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkSurfaceMesher.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -46,7 +48,13 @@ void Measure(const vtkMeshingJob& job, vtkTetrahedralMesherReport& report)
 }
 }
 
-vtkTetrahedralMesher::vtkTetrahedralMesher() = default;
+vtkTetrahedralMesher::vtkTetrahedralMesher()
+{
+  // The pipeline runs the filter for each dataset of a composite input, between these two events.
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkTetrahedralMesher::Begin);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkTetrahedralMesher::WarnIfEmpty);
+}
+
 vtkTetrahedralMesher::~vtkTetrahedralMesher() = default;
 
 void vtkTetrahedralMesher::SetQualityBound(double bound)
@@ -75,6 +83,7 @@ int vtkTetrahedralMesher::RequestData(
   {
     return 1;
   }
+  this->SetProgressText("Making tetrahedra");
   vtkMeshingJob job(input, this->WorkerFileName);
   job.QualityBound = this->QualityBound;
   job.MinimumDihedralAngle = this->MinimumDihedralAngle;
@@ -114,6 +123,7 @@ int vtkTetrahedralMesher::RequestData(
     vtkErrorMacro(<< job.Error);
   }
   this->Report = job.Report;
+  this->IsEmpty = this->IsEmpty && job.Error.empty() && output->GetNumberOfCells() == 0;
   this->Warn();
   return 1;
 }
@@ -214,6 +224,22 @@ void vtkTetrahedralMesher::Warn()
   }
 }
 
+void vtkTetrahedralMesher::WarnIfEmpty()
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* asked = this->GetOutputInformation(0);
+  const bool isPiece = asked->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
+    asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
+  if (this->WarnOnEmptyOutput && this->IsEmpty && !isPiece && !this->GetAbortExecute())
+  {
+    const vtkIdType leftOut = this->Report.CellsLeftOut + this->Report.UnsupportedCells;
+    vtkWarningMacro("The output is empty: "
+      << (leftOut > 0 ? "all " + std::to_string(leftOut) +
+               " cells that might be cut are ghosts, hidden or of a type that is not taken."
+                      : "the input has no points, or cells without volume only."));
+  }
+}
+
 void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -225,6 +251,7 @@ void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FillNestedShells: " << this->FillNestedShells << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "WorkerFileName: " << this->WorkerFileName << "\n";
+  os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

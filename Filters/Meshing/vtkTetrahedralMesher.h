@@ -56,7 +56,8 @@ struct vtkMeshingJob;
  * area; points in one plane; a cell without volume, with faces that are not closed, or that cannot
  * be decomposed; TetGen's own failures. Warnings: tetrahedra that exceed a bound, next to small
  * angles of the input or where PreserveBoundary or MaximumNumberOfAddedPoints leaves no choice;
- * cells of a type that is not taken.
+ * cells of a type that is not taken; an output without tetrahedra and why, once for a composite
+ * input, unless WarnOnEmptyOutput is off or it is one piece of several.
  *
  * TetGen is under the AGPL: this module is optional (INTERLUME_ENABLE_TETGEN).
  *
@@ -154,6 +155,15 @@ public:
   vtkGetMacro(WorkerFileName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * Whether an execution that gives nothing warns, and says why. Default on.
+   */
+  vtkSetMacro(WarnOnEmptyOutput, bool);
+  vtkGetMacro(WarnOnEmptyOutput, bool);
+  vtkBooleanMacro(WarnOnEmptyOutput, bool);
+  ///@}
+
   /**
    * What the last execution did.
    */
@@ -171,6 +181,11 @@ protected:
   /// Turns the mesh of \a job into \a output.
   void TakeOutput(vtkMeshingJob& job, vtkUnstructuredGrid* output);
   void Warn();
+  ///@{
+  /// Before and after an execution over all datasets.
+  void Begin() { this->IsEmpty = true; }
+  void WarnIfEmpty();
+  ///@}
 
   double QualityBound = 0.0;
   double MinimumDihedralAngle = 0.0;
@@ -180,7 +195,10 @@ protected:
   bool FillNestedShells = false;
   double TimeLimit = 600.0;
   std::string WorkerFileName;
+  bool WarnOnEmptyOutput = true;
   vtkTetrahedralMesherReport Report;
+  /// Whether the execution has made no tetrahedron so far, and no error has said why.
+  bool IsEmpty = true;
 
 private:
   vtkTetrahedralMesher(const vtkTetrahedralMesher&) = delete;

@@ -80,6 +80,7 @@ bool TakesValueFromData(vtkXMLDataElement* property)
 {
   return property->GetAttribute("is_internal") ||
     property->FindNestedElementWithName("ArrayRangeDomain") ||
+    property->FindNestedElementWithName("ProposedRangeDomain") ||
     property->FindNestedElementWithName("DataTypeDomain") ||
     property->FindNestedElementWithName("ArrayListDomain") ||
     property->FindNestedElementWithName("BoundsDomain") ||
@@ -325,7 +326,7 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkSimplexTimeSlice> slice;
   CompareWithXML(folder + "/SimplexTimeSlice.xml", "SourceProxy", "vtkSimplexTimeSlice", "",
-    { { "Time", Text(slice->GetTime()) } });
+    { { "Time", Text(slice->GetTime()) }, { "UseAnimationTime", Text(slice->GetFollowTime()) } });
 
   vtkNew<vtkTimeVaryingIntervalVolume> inTime;
   Check(

@@ -1,0 +1,210 @@
+#include "vtkSMProposedRangeDomain.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVTemporalDataInformation.h"
+#include "vtkPVXMLElement.h"
+#include "vtkPropertyPush.h"
+#include "vtkSMOutputPort.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMUncheckedPropertyHelper.h"
+#include "vtkSMVectorProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkSMProposedRangeDomain);
+
+namespace
+{
+// Where ParaView's list of arrays in an input property has them.
+constexpr unsigned int AssociationElement = 3;
+constexpr unsigned int NameElement = 4;
+
+bool HasValues(vtkSMProperty* property, bool useUnchecked, const std::vector<double>& values)
+{
+  vtkSMPropertyHelper helper(property, /*quiet=*/true);
+  helper.SetUseUnchecked(useUnchecked);
+  return !values.empty() && helper.GetDoubleArray() == values;
+}
+}
+
+vtkSMProposedRangeDomain::vtkSMProposedRangeDomain() = default;
+vtkSMProposedRangeDomain::~vtkSMProposedRangeDomain() = default;
+
+int vtkSMProposedRangeDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
+{
+  if (!this->Superclass::ReadXMLAttributes(property, element))
+  {
+    return 0;
+  }
+  element->GetScalarAttribute("all_time_steps", &this->AllTimeSteps);
+  return 1;
+}
+
+unsigned int vtkSMProposedRangeDomain::GetRowSize()
+{
+  // The property has read it after its domains were made.
+  vtkSMVectorProperty* rows = vtkSMVectorProperty::SafeDownCast(this->GetProperty());
+  return rows ? std::max(rows->GetNumberOfElementsPerCommand(), 1) : 1;
+}
+
+vtkSMProposedRangeDomain::Selection vtkSMProposedRangeDomain::GetSelection()
+{
+  Selection selection;
+  vtkSMProperty* input = this->GetRequiredProperty("Input");
+  vtkSMProperty* array = this->GetRequiredProperty("ArraySelection");
+  if (input && array)
+  {
+    vtkSMUncheckedPropertyHelper inputHelper(input);
+    vtkSMUncheckedPropertyHelper arrayHelper(array);
+    if (inputHelper.GetNumberOfElements() > 0 && arrayHelper.GetNumberOfElements() > NameElement)
+    {
+      selection.Producer = vtkSMSourceProxy::SafeDownCast(inputHelper.GetAsProxy());
+      selection.Port = inputHelper.GetOutputPort();
+      selection.Association = arrayHelper.GetAsInt(AssociationElement);
+      const char* name = arrayHelper.GetAsString(NameElement);
+      selection.Name = name ? name : "";
+    }
+  }
+  return selection;
+}
+
+bool vtkSMProposedRangeDomain::FindRange(const Selection& selection, bool overTime, double range[2])
+{
+  selection.Producer->CreateOutputPorts();
+  vtkPVArrayInformation* found = nullptr;
+  if (overTime)
+  {
+    vtkSMOutputPort* port = selection.Producer->GetOutputPort(selection.Port);
+    vtkPVTemporalDataInformation* information = port ? port->GetTemporalDataInformation() : nullptr;
+    found = information
+      ? information->GetArrayInformation(selection.Name.c_str(), selection.Association)
+      : nullptr;
+  }
+  else if (vtkPVDataInformation* information =
+             selection.Producer->GetDataInformation(selection.Port))
+  {
+    found = information->GetArrayInformation(selection.Name.c_str(), selection.Association);
+  }
+  if (!found || found->GetNumberOfComponents() != 1)
+  {
+    return false;
+  }
+  found->GetComponentFiniteRange(0, range);
+  return range[0] <= range[1];
+}
+
+bool vtkSMProposedRangeDomain::CanLookAtAllTimes(const Selection& selection)
+{
+  vtkPVDataInformation* information = selection.Producer->GetDataInformation(selection.Port);
+  const double steps = information ? information->GetNumberOfTimeSteps() : 0;
+  if (steps < 2)
+  {
+    return false;
+  }
+  const double size = steps * information->GetMemorySize();
+  if (size > LargestSeries)
+  {
+    vtkWarningMacro("The values proposed are of the time shown: to look at all "
+      << steps << " time steps would take about " << std::round(size / 1e6) << " GB.");
+    return false;
+  }
+  return true;
+}
+
+void vtkSMProposedRangeDomain::SetRange(const double range[2])
+{
+  this->SetEntries(std::vector<vtkEntry>(this->GetRowSize(), vtkEntry(range[0], range[1])));
+}
+
+std::vector<double> vtkSMProposedRangeDomain::Propose()
+{
+  std::vector<double> values;
+  for (unsigned int i = 0; i < this->GetNumberOfEntries(); ++i)
+  {
+    const double least = this->GetMinimum(i);
+    const double largest = this->GetMaximum(i);
+    const DefaultModes mode = this->GetDefaultMode(i);
+    const double sum = least + largest;
+    const double middle = std::isfinite(sum) ? sum / 2 : least / 2 + largest / 2;
+    values.push_back(mode == MIN ? least : mode == MAX ? largest : middle);
+  }
+  return values;
+}
+
+bool vtkSMProposedRangeDomain::IsAwaitingApply()
+{
+  return vtkPropertyPush::IsPending(this->GetRequiredProperty("ArraySelection"));
+}
+
+void vtkSMProposedRangeDomain::Update(vtkSMProperty*)
+{
+  const Selection selection = this->GetSelection();
+  if (!selection.IsComplete())
+  {
+    return;
+  }
+  const bool isOther = !(selection == this->Known);
+  const std::vector<double> before = this->Propose();
+  if (isOther)
+  {
+    this->Known = selection;
+    this->KnownOverTime[0] = 1.0;
+    this->KnownOverTime[1] = 0.0;
+  }
+  double range[2];
+  if (!this->FindRange(selection, false, range))
+  {
+    this->SetEntries(std::vector<vtkEntry>());
+    return;
+  }
+  if (this->KnownOverTime[0] <= this->KnownOverTime[1])
+  {
+    range[0] = std::min(range[0], this->KnownOverTime[0]);
+    range[1] = std::max(range[1], this->KnownOverTime[1]);
+  }
+  this->SetRange(range);
+  vtkSMProperty* property = this->GetProperty();
+  const bool isPending = this->IsAwaitingApply();
+  if (isOther && property &&
+    (HasValues(property, isPending, this->Proposed) || HasValues(property, isPending, before)))
+  {
+    this->SetDefaultValues(property, isPending);
+    if (!isPending)
+    {
+      vtkPropertyPush::Push(property);
+    }
+  }
+}
+
+int vtkSMProposedRangeDomain::SetDefaultValues(vtkSMProperty* property, bool useUnchecked)
+{
+  const Selection selection = this->GetSelection();
+  double range[2];
+  if (this->AllTimeSteps && selection.IsComplete() && this->CanLookAtAllTimes(selection) &&
+    this->FindRange(selection, true, range))
+  {
+    this->Known = selection;
+    std::copy_n(range, 2, this->KnownOverTime);
+    this->SetRange(range);
+  }
+  const std::vector<double> values = this->Propose();
+  if (values.empty())
+  {
+    return 0;
+  }
+  this->Proposed = values;
+  vtkSMPropertyHelper helper(property);
+  helper.SetUseUnchecked(useUnchecked);
+  helper.Set(values.data(), static_cast<unsigned int>(values.size()));
+  return 1;
+}
+
+void vtkSMProposedRangeDomain::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "AllTimeSteps: " << this->AllTimeSteps << "\n";
+}
