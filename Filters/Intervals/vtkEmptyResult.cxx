@@ -91,6 +91,17 @@ void vtkEmptyResult::Range::Add(vtkDataArray* array)
   }
 }
 
+bool vtkEmptyResult::Enter()
+{
+  const int depth = this->Depth + 1;
+  if (depth == 1)
+  {
+    *this = vtkEmptyResult();
+  }
+  this->Depth = depth;
+  return depth == 1;
+}
+
 void vtkEmptyResult::Add(vtkDataSet* input, vtkDataArray* scalars, vtkIdType simplices)
 {
   this->Simplices += simplices;

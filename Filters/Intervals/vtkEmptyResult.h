@@ -24,8 +24,15 @@ class vtkDataSet;
 class vtkEmptyResult
 {
 public:
-  /// Forgets the execution before.
-  void Begin() { *this = vtkEmptyResult(); }
+  ///@{
+  /**
+   * To be called at each StartEvent and EndEvent of the filter: the pipeline sends a pair for each
+   * dataset of a composite input, within a pair for the whole. Return whether it was that of the
+   * whole. Enter forgets the execution before.
+   */
+  bool Enter();
+  bool Leave() { return --this->Depth == 0; }
+  ///@}
 
   /// Notes a dataset and how many simplices came of it, before criteria. \a scalars may be null.
   void Add(vtkDataSet* input, vtkDataArray* scalars, vtkIdType simplices);
@@ -90,6 +97,7 @@ private:
   vtkIdType Simplices = 0;
   vtkIdType SimplicesLeft = 0;
   bool IsExplained = false;
+  int Depth = 0;
 };
 
 #endif

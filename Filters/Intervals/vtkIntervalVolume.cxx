@@ -37,7 +37,7 @@ vtkIntervalVolume::vtkIntervalVolume()
   : Index(vtkSmartPointer<vtkExtractionIndex>::New())
   , Empty(std::make_unique<vtkEmptyResult>())
 {
-  // The pipeline runs the filter for each dataset of a composite input, between these two events.
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkIntervalVolume::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkIntervalVolume::WarnIfEmpty);
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(
@@ -159,7 +159,6 @@ int vtkIntervalVolume::RequestData(
   {
     this->Report = vtkExtractionReport();
     this->Index->BeginExecution();
-    this->Empty->Begin();
     this->IsFirstRun = false;
   }
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
@@ -265,12 +264,16 @@ bool vtkIntervalVolume::ApplyCriterion(
   return completed;
 }
 
+void vtkIntervalVolume::BeginExecution()
+{
+  this->Empty->Enter();
+}
+
 void vtkIntervalVolume::WarnIfEmpty()
 {
-  if (this->IsFirstRun)
+  if (!this->Empty->Leave())
   {
-    // A composite input without datasets.
-    this->Empty->Begin();
+    return;
   }
   const std::string why =
     this->Empty->Explain(this, this->GetNumberOfIntervals() == 0 ? "no interval is set." : "",
@@ -279,7 +282,6 @@ void vtkIntervalVolume::WarnIfEmpty()
   {
     vtkWarningMacro("The output is empty: " << why);
   }
-  this->Empty->Begin();
 }
 
 void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)

@@ -193,8 +193,11 @@ protected:
   /// A further pass, over the result of the one before.
   bool ApplyCriterion(int number, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
 
-  /// At the end of an execution over all datasets.
+  ///@{
+  /// Around an execution, over one dataset or over all.
+  void BeginExecution();
   void WarnIfEmpty();
+  ///@}
 
   vtkIntervalList Intervals;
   std::vector<Criterion> Criteria;

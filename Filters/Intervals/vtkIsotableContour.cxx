@@ -24,7 +24,7 @@ vtkIsotableContour::vtkIsotableContour()
   : Index(vtkSmartPointer<vtkExtractionIndex>::New())
   , Empty(std::make_unique<vtkEmptyResult>())
 {
-  // The pipeline runs the filter for each dataset of a composite input, between these two events.
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkIsotableContour::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkIsotableContour::WarnIfEmpty);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
@@ -88,7 +88,6 @@ int vtkIsotableContour::RequestData(
   {
     this->Report = vtkExtractionReport();
     this->Index->BeginExecution();
-    this->Empty->Begin();
     this->IsFirstRun = false;
   }
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
@@ -143,12 +142,16 @@ int vtkIsotableContour::RequestData(
   return 1;
 }
 
+void vtkIsotableContour::BeginExecution()
+{
+  this->Empty->Enter();
+}
+
 void vtkIsotableContour::WarnIfEmpty()
 {
-  if (this->IsFirstRun)
+  if (!this->Empty->Leave())
   {
-    // A composite input without datasets.
-    this->Empty->Begin();
+    return;
   }
   const std::string why = this->Empty->Explain(
     this, this->Values.empty() ? "no value is set." : "", vtkEmptyResult::Describe(this->Values));
@@ -156,7 +159,6 @@ void vtkIsotableContour::WarnIfEmpty()
   {
     vtkWarningMacro("The output is empty: " << why);
   }
-  this->Empty->Begin();
 }
 
 void vtkIsotableContour::PrintSelf(ostream& os, vtkIndent indent)

@@ -111,8 +111,11 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// At the end of an execution over all datasets.
+  ///@{
+  /// Around an execution, over one dataset or over all.
+  void BeginExecution();
   void WarnIfEmpty();
+  ///@}
 
   std::vector<double> Values;
   int OutputPointsPrecision = DEFAULT_PRECISION;

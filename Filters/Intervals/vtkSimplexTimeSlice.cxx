@@ -81,8 +81,7 @@ vtkSimplexTimeSlice::vtkSimplexTimeSlice()
   : InputRange{ 0.0, -1.0 }
   , Empty(std::make_unique<vtkEmptyResult>())
 {
-  // The pipeline runs the filter for each dataset of a composite input, between these two events.
-  this->AddObserver(vtkCommand::StartEvent, this, &vtkSimplexTimeSlice::Begin);
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkSimplexTimeSlice::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkSimplexTimeSlice::WarnIfEmpty);
 }
 
@@ -115,10 +114,12 @@ int vtkSimplexTimeSlice::RequestInformation(
   return 1;
 }
 
-void vtkSimplexTimeSlice::Begin()
+void vtkSimplexTimeSlice::BeginExecution()
 {
-  this->Empty->Begin();
-  FindTimes(this->GetInputDataObject(0, 0), this->InputRange);
+  if (this->Empty->Enter())
+  {
+    FindTimes(this->GetInputDataObject(0, 0), this->InputRange);
+  }
 }
 
 double vtkSimplexTimeSlice::GetTimeOfSlice(vtkInformation* output) const
@@ -207,6 +208,10 @@ int vtkSimplexTimeSlice::RequestData(
 
 void vtkSimplexTimeSlice::WarnIfEmpty()
 {
+  if (!this->Empty->Leave())
+  {
+    return;
+  }
   std::ostringstream why;
   if (this->InputRange[0] > this->InputRange[1])
   {
@@ -223,7 +228,6 @@ void vtkSimplexTimeSlice::WarnIfEmpty()
   {
     vtkWarningMacro("The output is empty: " << why.str());
   }
-  this->Empty->Begin();
 }
 
 void vtkSimplexTimeSlice::PrintSelf(ostream& os, vtkIndent indent)

@@ -98,8 +98,8 @@ protected:
   /// The time to cut at for what is asked of the output.
   double GetTimeOfSlice(vtkInformation* output) const;
   ///@{
-  /// Before and after an execution over all datasets.
-  void Begin();
+  /// Around an execution, over one dataset or over all.
+  void BeginExecution();
   void WarnIfEmpty();
   ///@}
 

@@ -50,8 +50,7 @@ void Measure(const vtkMeshingJob& job, vtkTetrahedralMesherReport& report)
 
 vtkTetrahedralMesher::vtkTetrahedralMesher()
 {
-  // The pipeline runs the filter for each dataset of a composite input, between these two events.
-  this->AddObserver(vtkCommand::StartEvent, this, &vtkTetrahedralMesher::Begin);
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkTetrahedralMesher::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkTetrahedralMesher::WarnIfEmpty);
 }
 
@@ -224,8 +223,20 @@ void vtkTetrahedralMesher::Warn()
   }
 }
 
+void vtkTetrahedralMesher::BeginExecution()
+{
+  if (this->Depth++ == 0)
+  {
+    this->IsEmpty = true;
+  }
+}
+
 void vtkTetrahedralMesher::WarnIfEmpty()
 {
+  if (--this->Depth > 0)
+  {
+    return;
+  }
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* asked = this->GetOutputInformation(0);
   const bool isPiece = asked->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&

@@ -182,8 +182,9 @@ protected:
   void TakeOutput(vtkMeshingJob& job, vtkUnstructuredGrid* output);
   void Warn();
   ///@{
-  /// Before and after an execution over all datasets.
-  void Begin() { this->IsEmpty = true; }
+  /// Around an execution, over one dataset or over all: the pipeline sends a pair of events for
+  /// each dataset of a composite input, within a pair for the whole.
+  void BeginExecution();
   void WarnIfEmpty();
   ///@}
 
@@ -199,6 +200,7 @@ protected:
   vtkTetrahedralMesherReport Report;
   /// Whether the execution has made no tetrahedron so far, and no error has said why.
   bool IsEmpty = true;
+  int Depth = 0;
 
 private:
   vtkTetrahedralMesher(const vtkTetrahedralMesher&) = delete;

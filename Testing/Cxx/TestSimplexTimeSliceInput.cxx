@@ -40,11 +40,12 @@ KuhnOptions MakeOptions()
   return options;
 }
 
-/// What the filter says of an input, and the output.
-std::string SliceWatched(vtkSimplexTimeSlice* filter, vtkDataObject* input, double t)
+/// What the filter says of an input, errors alone or warnings alone, and the output.
+std::string SliceWatched(vtkSimplexTimeSlice* filter, vtkDataObject* input, double t,
+  unsigned long event = vtkCommand::ErrorEvent)
 {
   vtkNew<vtkTest::ErrorObserver> watch;
-  const unsigned long filterTag = filter->AddObserver(vtkCommand::ErrorEvent, watch);
+  const unsigned long filterTag = filter->AddObserver(event, watch);
   const unsigned long pipelineTag =
     filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, watch);
   filter->SetInputDataObject(input);
@@ -52,7 +53,7 @@ std::string SliceWatched(vtkSimplexTimeSlice* filter, vtkDataObject* input, doub
   filter->Update();
   filter->RemoveObserver(filterTag);
   filter->GetExecutive()->RemoveObserver(pipelineTag);
-  return watch->GetErrorMessage();
+  return event == vtkCommand::ErrorEvent ? watch->GetErrorMessage() : watch->GetWarningMessage();
 }
 
 struct ErrorCase
@@ -156,14 +157,21 @@ void CheckNothing(Check& check)
     const char* Name;
     vtkUnstructuredGrid* Input;
     double Time;
-  } cases[] = { { "nothing", nothing, 0.5 }, { "no cells", pointsOnly, 0.5 },
-    { "before", grid, -0.001 }, { "after", grid, 1.001 }, { "long before", grid, -1e308 } };
+    std::vector<std::string> Named;
+  } cases[] = { { "nothing", nothing, 0.5, { "no 4-simplices" } },
+    { "no cells", pointsOnly, 0.5, { "0.5" } },
+    { "before", grid, -0.001, { "time -0.001", "from 0 to 1" } },
+    { "after", grid, 1.001, { "time 1.001", "from 0 to 1" } },
+    { "long before", grid, -1e308, { "-1e+308", "from 0 to 1" } } };
   for (const auto& one : cases)
   {
     check.SetContext(one.Name);
     vtkNew<vtkSimplexTimeSlice> filter;
-    const std::string said = SliceWatched(filter, one.Input, one.Time);
-    check.That(said.empty(), "no error: " + said);
+    const std::string said = SliceWatched(filter, one.Input, one.Time, vtkCommand::WarningEvent);
+    for (const std::string& part : one.Named)
+    {
+      check.That(said.find(part) != std::string::npos, "the warning has " + part + ": " + said);
+    }
     check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "points");
     check.Equal(filter->GetOutput()->GetNumberOfCells(), 0, "cells");
   }

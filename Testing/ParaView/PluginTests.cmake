@@ -49,6 +49,11 @@ set(ranks "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} 4)
 plugin_test(TestPluginData "paraview;value" ${batch} "${script}/TestPluginData.py")
 plugin_test(TestPluginNumbers "paraview;value" ${batch} "${script}/TestPluginNumbers.py")
 plugin_test(TestPluginProperties "paraview;value" ${batch} "${script}/TestPluginProperties.py")
+plugin_test(TestPluginIntervals "paraview;value" ${batch} "${script}/TestPluginIntervals.py")
+plugin_test(TestPluginIntervalsInTime "paraview;value"
+  ${batch} "${script}/TestPluginIntervalsInTime.py" "${PROJECT_SOURCE_DIR}/Data/mug.ex2")
+plugin_test(TestPluginIntervalsRandom "paraview;value"
+  ${batch} "${script}/TestPluginIntervalsRandom.py")
 plugin_test(TestPluginSources "paraview;value" ${batch} "${script}/TestPluginSources.py")
 plugin_test(TestPluginComposite "paraview;value" ${batch} "${script}/TestPluginComposite.py")
 plugin_test(TestPluginTimeVarying "paraview;value" ${batch} "${script}/TestPluginTimeVarying.py")

@@ -1,5 +1,6 @@
 """What the tests inside ParaView share: the plugin, the data, simplices as numpy arrays, checks."""
 
+import contextlib
 import os
 import sys
 
@@ -85,6 +86,25 @@ def fetch(proxy, port=0, rank=0):
     return servermanager.Fetch(proxy, rank, idx=port)
 
 
+@contextlib.contextmanager
+def warnings_of(watched):
+    """The warnings of a VTK object, or of the filter of a proxy, while the block runs: a list of texts.
+    They are not printed."""
+    if hasattr(watched, "GetClientSideObject"):
+        watched = watched.GetClientSideObject()
+    said = []
+
+    def note(_caller, _event, text):
+        said.append(text)
+
+    note.CallDataType = "string0"
+    tag = watched.AddObserver("WarningEvent", note)
+    try:
+        yield said
+    finally:
+        watched.RemoveObserver(tag)
+
+
 def output_in_place(proxy, port=0):
     """The output as the filter made it: gathering it would change its structure."""
     proxy.UpdatePipeline()
@@ -157,6 +177,10 @@ class Checks:
         if not condition:
             self.failures += 1
             print("failed:", what, flush=True)
+
+    def said(self, texts, part, what):
+        """One message was given, and it has a part."""
+        self.that(len(texts) == 1 and part in texts[0], f"{what}: {texts!r}, expected one with {part!r}")
 
     def equal(self, value, expected, what):
         self.that(value == expected, f"{what}: {value!r}, expected {expected!r}")

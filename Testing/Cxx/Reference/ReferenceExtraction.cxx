@@ -1,5 +1,7 @@
 #include "ReferenceExtraction.h"
 
+#include "ReferenceMessages.h"
+
 #include "vtkDataSet.h"
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
@@ -30,7 +32,7 @@ Extraction ExtractIntervals(vtkDataSet* data, const std::vector<Interval>& inter
   {
     filter->SetInterval(static_cast<int>(i), intervals[i][0], intervals[i][1]);
   }
-  filter->Update();
+  UpdateWatched(filter);
   return { GetGrid(filter, 0), GetGrid(filter, 1), filter->GetReport() };
 }
 
@@ -44,7 +46,7 @@ ContourExtraction ExtractContours(vtkDataSet* data, const std::vector<double>& v
   {
     filter->SetValue(static_cast<int>(i), values[i]);
   }
-  filter->Update();
+  UpdateWatched(filter);
   return { GetGrid(filter, 0), filter->GetReport() };
 }
 

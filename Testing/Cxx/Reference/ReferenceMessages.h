@@ -11,6 +11,15 @@ namespace reference
 /// The errors of a filter and its executive while it is updated.
 std::string MessagesOf(vtkAlgorithm* filter);
 
+/// The warnings of a filter while it is updated.
+std::string WarningsOf(vtkAlgorithm* filter);
+
+/**
+ * Updates a filter that makes meshes of one dataset. It has to warn of an empty output on port 0,
+ * and of that alone: anything else is printed as VTK's logger prints a warning, which fails a test.
+ */
+void UpdateWatched(vtkAlgorithm* filter);
+
 }
 
 #endif

@@ -1,5 +1,7 @@
 #include "ReferenceSimplexGrid.h"
 
+#include "ReferenceMessages.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
@@ -212,7 +214,7 @@ vtkSmartPointer<vtkUnstructuredGrid> SliceAt(vtkUnstructuredGrid* simplices, dou
   vtkNew<vtkSimplexTimeSlice> filter;
   filter->SetInputData(simplices);
   filter->SetTime(t);
-  filter->Update();
+  UpdateWatched(filter);
   return filter->GetOutput();
 }
 

@@ -1,0 +1,164 @@
+"""Intervals are proposed from the data, for each array anew until somebody sets them; results come
+coloured, in the representation made for them, the first output alone; what is wrong is said."""
+
+import os
+import tempfile
+
+from paraview import servermanager, simple
+
+from plugin_testing import Checks, fetch, interval_volume, load_plugin, open_data, warnings_of
+
+
+def proposal(source, array):
+    lowest, highest = source.PointData.GetArray(array).GetRange()
+    return [(lowest + highest) / 2, highest]
+
+
+def check_reset(checks, source):
+    """The reset button gives a whole row, whatever there was."""
+    volume = interval_volume(source, "Temp", [(400, 500)])
+    intervals = volume.SMProxy.GetProperty("Intervals")
+    expected = proposal(source, "Temp")
+    for before in ([400, 500], [1, 2, 3, 4], []):
+        volume.Intervals = before
+        intervals.ResetToDomainDefaults()
+        checks.equal(list(volume.Intervals), expected, f"reset from {before}")
+        volume.SMProxy.UpdateVTKObjects()
+        checks.that(fetch(volume).GetNumberOfCells() > 0, f"reset from {before} gives tetrahedra")
+    contour = simple.IsotableContour(Input=source)
+    contour.Isosurfaces = [1, 2]
+    contour.SMProxy.GetProperty("ContourValues").ResetToDomainDefaults()
+    middle = proposal(source, contour.ContourBy[1])[0]
+    checks.equal(list(contour.Isosurfaces), [middle], "reset of the contour")
+
+
+def check_new_array(checks, source):
+    """Another array gets values of its own, in a script and in a panel before Apply."""
+    volume = simple.IntervalVolume(Input=source)
+    contour = simple.IsotableContour(Input=source)
+    for array in ("Temp", "Pres"):
+        volume.Scalars = ["POINTS", array]
+        checks.equal(list(volume.Intervals), proposal(source, array), f"proposed for {array}")
+        values = fetch(volume).GetPointData().GetArray(array).GetRange()
+        checks.that(values[0] >= proposal(source, array)[0] * (1 - 1e-6), f"used for {array}")
+        contour.ContourBy = ["POINTS", array]
+        checks.equal(list(contour.Isosurfaces), proposal(source, array)[:1], f"value for {array}")
+    volume.Intervals = [1, 2]
+    volume.Scalars = ["POINTS", "Temp"]
+    checks.equal(list(volume.Intervals), [1, 2], "intervals that were set stay")
+
+    volume = simple.IntervalVolume(Input=source)
+    before = list(volume.Intervals)
+    scalars = volume.SMProxy.GetProperty("SelectInputScalars")
+    intervals = volume.SMProxy.GetProperty("Intervals")
+    scalars.SetUncheckedElement(4, "Temp")
+    shown = [intervals.GetUncheckedElement(i) for i in range(intervals.GetNumberOfUncheckedElements())]
+    checks.equal(shown, proposal(source, "Temp"), "proposed in the panel")
+    checks.equal(list(volume.Intervals), before, "before Apply nothing has changed")
+    scalars.ClearUncheckedElements()
+    intervals.ClearUncheckedElements()
+
+
+def check_display(checks, source):
+    """Coloured by the scalars chosen, as Interval Volume; other outputs wait to be shown."""
+    view = simple.CreateRenderView()
+    controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
+    volume = interval_volume(source, "Temp", [(400, 500)])
+    display = simple.Show(volume, view)
+    checks.equal(display.Representation, "Interval Volume", "representation")
+    checks.equal(list(display.ColorArrayName), ["POINTS", "Temp"], "colours")
+    for port, shown in ((0, True), (1, False)):
+        preferred = controller.ShowInPreferredView(volume.SMProxy, port, view.SMProxy)
+        checks.equal(preferred is not None, shown, f"output {port} is shown after Apply")
+    contour = simple.IsotableContour(Input=source)
+    contour.ContourBy = ["POINTS", "Pres"]
+    checks.equal(list(simple.Show(contour, view).ColorArrayName), ["POINTS", "Pres"], "its colours")
+    simple.Delete(view)
+
+
+def check_said(checks, source):
+    """What is wrong is said, once."""
+    volume = interval_volume(source, "Temp", [(4000, 5000)])
+    with warnings_of(volume) as said:
+        fetch(volume)
+    checks.said(said, "from 293.15 to 913.15", "an interval outside of the range")
+    group = simple.GroupDatasets(Input=[source, source])
+    grouped = interval_volume(group, "Temp", [(4000, 5000)])
+    with warnings_of(grouped) as said:
+        grouped.UpdatePipeline()
+    checks.said(said, "from 293.15 to 913.15", "a group")
+    for name, values, part in (("Intervals", [400, 500, 600], "1 of 2 values"),
+                               ("Criteria", ["AsH3", "0.1"], "2 of 3 values")):
+        volume = interval_volume(source, "Temp", [(400, 500)])
+        fetch(volume)
+        domain = volume.SMProxy.GetProperty(name).FindDomain("vtkSMWholeRowsDomain")
+        with warnings_of(domain) as said:
+            setattr(volume, name, values)
+            fetch(volume)
+        checks.that(said and part in said[-1], f"half a row of {name}: {said}")
+    volume = interval_volume(source, "Temp", [(400, 500)], [("AsH3", "low", 1)])
+    errors = []
+    volume.GetClientSideObject().AddObserver("ErrorEvent", lambda *_: errors.append(1))
+    checks.equal(fetch(volume).GetNumberOfCells(), 0, "tetrahedra where a bound is a word")
+    checks.equal(len(errors), 1, "errors where a bound is a word")
+
+
+def check_animation(checks, source):
+    """Bounds and values follow an animation, one or all."""
+    volume = interval_volume(source, "Temp", [(400, 500)])
+    contour = simple.IsotableContour(Input=source)
+    contour.ContourBy = ["POINTS", "Temp"]
+    scene = simple.GetAnimationScene()
+    scene.PlayMode = "Sequence"
+    scene.NumberOfFrames = 3
+    scene.StartTime, scene.EndTime = 0, 1
+    for proxy, name, index, first, last in (
+            (volume, "Intervals", 1, [450], [800]), (contour, "ContourValues", 0, [400], [600])):
+        track = simple.GetAnimationTrack(name, index, proxy)
+        frames = []
+        for time, values in ((0.0, first), (1.0, last)):
+            frame = simple.CompositeKeyFrame()
+            frame.KeyTime = time
+            frame.KeyValues = values
+            frames.append(frame)
+        track.KeyFrames = frames
+    for time, intervals, value in ((0.0, [400, 450], 400), (0.5, [400, 625], 500), (1.0, [400, 800], 600)):
+        scene.AnimationTime = time
+        checks.equal(list(volume.Intervals), intervals, f"intervals at {time}")
+        checks.equal(list(contour.Isosurfaces), [value], f"value at {time}")
+        highest = fetch(volume).GetPointData().GetArray("Temp").GetRange()[1]
+        checks.close(highest, intervals[1], 1e-6, f"upper end of the values at {time}")
+
+
+def check_state(checks, source):
+    """A state file brings intervals and array back as they were."""
+    volume = interval_volume(source, "Temp", [(400, 500), (600, 700)], [("AsH3", 0.1, 0.2)])
+    simple.RenameSource("saved", volume)
+    expected = fetch(volume).GetNumberOfCells()
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "state.pvsm")
+        simple.SaveState(path)
+        for proxy in list(simple.GetSources().values()):
+            simple.Delete(proxy)
+        simple.LoadState(path)
+    loaded = simple.FindSource("saved")
+    checks.equal(list(loaded.Intervals), [400, 500, 600, 700], "intervals of a state")
+    checks.equal(list(loaded.Scalars), ["POINTS", "Temp"], "scalars of a state")
+    checks.equal(list(loaded.Criteria), ["AsH3", "0.1", "0.2"], "criteria of a state")
+    checks.equal(fetch(loaded).GetNumberOfCells(), expected, "tetrahedra of a state")
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    source = open_data("disk_out_ref")
+    check_reset(checks, source)
+    check_new_array(checks, source)
+    check_display(checks, source)
+    check_said(checks, source)
+    check_animation(checks, source)
+    check_state(checks, source)
+    checks.finish()
+
+
+main()
