@@ -122,6 +122,7 @@ int vtkFlowCriticalPoints::RequestData(
     vtkErrorMacro(<< wrong);
     return 1;
   }
+  this->SetProgressText("Searching cells for critical points");
   vtkZeroSearch search;
   if (!search.Execute(this, input, vectors, VectorSystem()))
   {
@@ -166,6 +167,13 @@ int vtkFlowCriticalPoints::RequestData(
   data->AddArray(jacobians);
   data->AddArray(lengths);
   data->AddArray(cells);
+  if (points->GetNumberOfPoints() == 0)
+  {
+    vtkWarningMacro("The field has no isolated critical point in "
+      << input->GetNumberOfCells() << " cells: " << this->NumberOfZeroCells << " are 0 throughout, "
+      << this->NumberOfDegenerateCells << " have lines or surfaces of zeros, "
+      << this->NumberOfNonFiniteCells << " are not finite.");
+  }
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -27,6 +27,8 @@
  *
  * The same bytes for any number of threads.
  *
+ * Warnings (vtkWarningMacro): no critical point, with how many cells have zeros that are none.
+ *
  * Errors (vtkErrorMacro, empty output): no vectors of that name, or not of three components; cells
  * of other types, two-dimensional grids among them.
  */

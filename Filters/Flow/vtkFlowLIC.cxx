@@ -120,6 +120,7 @@ int vtkFlowLIC::RequestData(
       " is more than 1,000,000 steps of StepLength.";
   }
   output->ShallowCopy(points);
+  this->SetProgressText("Convolving noise along streamlines");
   vtkNew<vtkFloatArray> values;
   if (wrong.empty())
   {
@@ -140,6 +141,17 @@ int vtkFlowLIC::RequestData(
     return 1;
   }
   output->GetPointData()->SetScalars(values);
+  if (this->LastReport.PointsOutside == this->LastReport.Points &&
+    outputs->GetInformationObject(0)->Get(
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1)
+  {
+    double bounds[6];
+    field->GetBounds(bounds);
+    vtkWarningMacro("All " << this->LastReport.Points
+                           << " points lie outside of the field, whose bounds are x " << bounds[0]
+                           << " to " << bounds[1] << ", y " << bounds[2] << " to " << bounds[3]
+                           << ", z " << bounds[4] << " to " << bounds[5] << "; LIC is 0 there.");
+  }
   return 1;
 }
 

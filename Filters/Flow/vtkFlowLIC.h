@@ -41,6 +41,8 @@
  * They end where a step would leave the field, and where the velocity vanishes or turns by more
  * than a right angle in a step. The same output for any number of threads.
  *
+ * Warnings (vtkWarningMacro): all points are outside of the field, but for pieces.
+ *
  * Errors (vtkErrorMacro, empty output): no vectors, or not three components at points; a field that
  * is no such dataset or that has no cells of three dimensions; more than 1,000,000 steps for
  * Length.

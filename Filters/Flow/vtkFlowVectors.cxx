@@ -9,8 +9,28 @@
 #include "vtkGridCells.h"
 #include "vtkInformation.h"
 #include "vtkMultilinearCell.h"
+#include "vtkPointData.h"
 
 #include <sstream>
+
+namespace
+{
+// The point arrays that could be taken.
+std::string DescribeVectors(vtkDataSet* data)
+{
+  std::string names;
+  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetPointData()->GetArray(i);
+    if (array && array->GetNumberOfComponents() == 3 && array->GetName())
+    {
+      names += std::string(names.empty() ? "\"" : ", \"") + array->GetName() + "\"";
+    }
+  }
+  return names.empty() ? "It has no point array of three components."
+                       : "Its point arrays of three components: " + names + ".";
+}
+}
 
 void vtkFlowVectors::FillPortInformation(vtkInformation* info)
 {
@@ -40,7 +60,7 @@ std::string vtkFlowVectors::CheckVectors(
     what << "The field has no "
          << (name ? "array of numbers \"" + std::string(name) + "\""
                   : std::string("active point vectors"))
-         << ".";
+         << ". " << DescribeVectors(data);
   }
   else
   {

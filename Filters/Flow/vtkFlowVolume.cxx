@@ -20,6 +20,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -176,6 +177,45 @@ void FillSurface(const vtkFlowTriangles& triangles, const char* name, vtkUnstruc
   surface->GetCellData()->AddArray(ids);
 }
 
+// Leaves what the mapping gives, or else the time, as the scalars to colour by.
+void ChooseScalars(vtkUnstructuredGrid* output)
+{
+  vtkPointData* data = output->GetPointData();
+  data->SetActiveScalars(data->HasArray(vtkFlowStatus::InflowArray()) ? vtkFlowStatus::InflowArray()
+                                                                      : vtkFlowStatus::TimeArray());
+}
+
+// The lowest and the highest value of an array where samples have reached a surface; lower above
+// higher where there is none.
+vtkFlowLevels::Interval GetReachedRange(
+  vtkDataSet* input, const vtkFlowArrays& arrays, const char* name)
+{
+  vtkFlowLevels::Interval range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
+  vtkDataArray* values = input->GetPointData()->GetArray(name);
+  for (vtkIdType p = 0; values && p < input->GetNumberOfPoints(); ++p)
+  {
+    const double value = values->GetComponent(p, 0);
+    if (arrays.IsReached(p) && std::isfinite(value))
+    {
+      range[0] = std::min(range[0], value);
+      range[1] = std::max(range[1], value);
+    }
+  }
+  return range;
+}
+
+// What lies outside of a range, as "[1, 2]"; empty where it does not.
+std::string DescribeOutside(
+  const vtkFlowLevels::Interval& interval, const vtkFlowLevels::Interval& range)
+{
+  std::ostringstream text;
+  if (interval[1] < range[0] || interval[0] > range[1])
+  {
+    text << "[" << interval[0] << ", " << interval[1] << "]";
+  }
+  return text.str();
+}
+
 void AddNormals(const vtkFlowTriangles& triangles, const char* function, vtkUnstructuredGrid* mesh,
   vtkUnstructuredGrid* surface)
 {
@@ -302,8 +342,12 @@ int vtkFlowVolume::RequestData(
       ? this->Intervals.GetAll()
       : std::vector<vtkFlowLevels::Interval>{ Everything },
     this->StreamSurfaces, -VTK_DOUBLE_MAX);
-  const vtkFlowLevels byTime(
-    { { { this->TimeRange[0], this->TimeRange[1] } } }, this->TimeSurfaces, 0.0);
+  // Without surfaces inside, a range that has all times cuts nothing.
+  const vtkFlowLevels::Interval times = GetReachedRange(input, arrays, vtkFlowStatus::TimeArray());
+  const bool hasAllTimes =
+    this->TimeSurfaces.empty() && this->TimeRange[0] <= 0.0 && this->TimeRange[1] >= times[1];
+  const double end = hasAllTimes ? VTK_DOUBLE_MAX : this->TimeRange[1];
+  const vtkFlowLevels byTime({ { { this->TimeRange[0], end } } }, this->TimeSurfaces, 0.0);
   const std::size_t items = std::max(byInflow.GetItems().size(), byTime.GetItems().size());
   if (items > static_cast<std::size_t>(vtkIntervalList::MaximumNumber))
   {
@@ -312,6 +356,7 @@ int vtkFlowVolume::RequestData(
     return 1;
   }
   vtkFlowExtraction::Request request;
+  this->SetProgressText("Extracting the flow volume");
   request.Input = input;
   request.Arrays = &arrays;
   request.Inflow = usesInflow ? &byInflow : nullptr;
@@ -319,7 +364,7 @@ int vtkFlowVolume::RequestData(
   request.Time = cutsTime || !usesInflow ? &byTime : nullptr;
   request.GenerateStreamSurfaces = this->GenerateStreamSurfaces;
   request.GenerateTimeSurfaces = this->GenerateTimeSurfaces && cutsTime;
-  request.MaximumTimeJump = this->MaximumTimeJump;
+  request.MaximumTimeJump = this->MaximumTimeJump > 0.0 ? this->MaximumTimeJump : VTK_DOUBLE_MAX;
   request.Precision = this->OutputPointsPrecision;
   request.Owner = this;
   if (!this->Extraction->Execute(request, this->LastReport))
@@ -361,8 +406,79 @@ int vtkFlowVolume::RequestData(
   for (vtkUnstructuredGrid* output : { mesh, streamSurfaces, timeSurfaces })
   {
     output->GetFieldData()->PassData(input->GetFieldData());
+    ChooseScalars(output);
+  }
+  if (outputs->GetInformationObject(0)->Get(
+        vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1)
+  {
+    const std::string warning = this->DescribeMissing(input, arrays, mesh);
+    if (!warning.empty())
+    {
+      vtkWarningMacro(<< warning);
+    }
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFlowVolume::DescribeMissing(
+  vtkDataSet* input, const vtkFlowArrays& arrays, vtkUnstructuredGrid* mesh) const
+{
+  std::ostringstream text;
+  const auto name = [&text](const std::string& what, const char* array, const auto& range)
+  {
+    text << what << " outside of the range of " << array << ", [" << range[0] << ", " << range[1]
+         << "]. ";
+  };
+  const vtkFlowLevels::Interval inflow =
+    GetReachedRange(input, arrays, vtkFlowStatus::InflowArray());
+  const vtkFlowLevels::Interval times = GetReachedRange(input, arrays, vtkFlowStatus::TimeArray());
+  const bool hasInflow = inflow[0] <= inflow[1];
+  const bool hasTimes = times[0] <= times[1];
+  for (int i = 0; hasInflow && i < this->GetNumberOfIntervals(); ++i)
+  {
+    const std::string outside = DescribeOutside(this->Intervals.GetAll()[i], inflow);
+    if (!outside.empty())
+    {
+      name("Interval " + std::to_string(i) + ", " + outside + ", is", vtkFlowStatus::InflowArray(),
+        inflow);
+    }
+  }
+  if (hasTimes)
+  {
+    const std::string outside =
+      DescribeOutside({ { this->TimeRange[0], this->TimeRange[1] } }, times);
+    if (!outside.empty())
+    {
+      name("The time range, " + outside + ", is", vtkFlowStatus::TimeArray(), times);
+    }
+  }
+  if (mesh->GetNumberOfCells() == 0 && text.str().empty())
+  {
+    const Report& report = this->LastReport;
+    if (!hasTimes)
+    {
+      text << "None of " << input->GetNumberOfPoints()
+           << " samples reached a termination surface. ";
+    }
+    text << "None of " << report.Cells
+         << " cells has a part of the volume: " << report.CellsWithoutAnswer
+         << " have corners that reached no surface, " << report.CellsBetweenSurfaces
+         << " lie between surfaces, " << report.CellsOnSeams << " on seams, "
+         << report.CellsAcrossSurfaces << " across their surface, " << report.CellsWithTimeJumps
+         << " have jumps in time; cells of fewer than three dimensions have no volume. ";
+  }
+  if (this->GenerateStreamSurfaces && this->GetNumberOfIntervals() == 0 &&
+    this->GetNumberOfStreamSurfaces() == 0)
+  {
+    text << "There is no value for stream surfaces, and no interval whose bounds they are. ";
+  }
+  std::string all = text.str();
+  if (!all.empty())
+  {
+    all.pop_back();
+  }
+  return all;
 }
 
 //------------------------------------------------------------------------------

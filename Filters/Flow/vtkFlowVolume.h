@@ -10,6 +10,7 @@
 #include <vector>
 
 class vtkDataSet;
+class vtkFlowArrays;
 class vtkFlowExtraction;
 class vtkFlowLevels;
 
@@ -59,6 +60,12 @@ class vtkFlowLevels;
  * (float) when GenerateNormals is on: against that gradient, from the tetrahedra; 0 at points of no
  * triangle. All ports have the field arrays of the input.
  *
+ * Inflow, or AdvectionTime where there is none, is left as the active scalars of all ports.
+ *
+ * Warnings (vtkWarningMacro), but for pieces, of which others may have something: an interval or
+ * the time range outside of what the input has, with that range; an empty volume, with what became
+ * of the cells; stream surfaces without a value.
+ *
  * The same output for any number of threads. Between executions the filter holds on to the input's
  * arrays and to the result of each extraction.
  *
@@ -88,7 +95,7 @@ public:
   ///@{
   /**
    * The times that the volume is clipped to. Default 0 to VTK_DOUBLE_MAX, which clips nothing; nor
-   * does a start below 0.
+   * does a start below 0, or without TimeSurfaces an end from the largest time of the input on.
    */
   vtkSetVector2Macro(TimeRange, double);
   vtkGetVector2Macro(TimeRange, double);
@@ -97,7 +104,7 @@ public:
   ///@{
   /**
    * The most that AdvectionTime may differ between the corners of a cell; other cells are left out.
-   * Default VTK_DOUBLE_MAX: all that are finite. Valid: 0 and above.
+   * Default 0: no limit. Valid: 0 and above.
    */
   vtkSetClampMacro(MaximumTimeJump, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumTimeJump, double);
@@ -197,13 +204,16 @@ private:
 
   /// What is wrong with the arrays and the settings, or nothing.
   std::string CheckParameters(vtkDataSet* input, bool usesInflow) const;
+  /// What of the volume is missing, and what the input has; nothing where nothing is missing.
+  std::string DescribeMissing(
+    vtkDataSet* input, const vtkFlowArrays& arrays, vtkUnstructuredGrid* mesh) const;
   /// Port 0, from the last extraction.
   void FillMesh(
     const vtkFlowLevels& byInflow, const vtkFlowLevels& byTime, vtkUnstructuredGrid* mesh) const;
 
   vtkIntervalList Intervals;
   double TimeRange[2] = { 0.0, VTK_DOUBLE_MAX };
-  double MaximumTimeJump = VTK_DOUBLE_MAX;
+  double MaximumTimeJump = 0.0;
   std::vector<double> StreamSurfaces;
   std::vector<double> TimeSurfaces;
   bool GenerateStreamSurfaces = false;

@@ -4,11 +4,13 @@
 #include "vtkFlowInput.h"
 #include "vtkFlowPiece.h"
 #include "vtkFlowRun.h"
+#include "vtkFlowSamples.h"
 #include "vtkFlowStatus.h"
 #include "vtkFlowVectors.h"
 #include "vtkTerminationSphere.h"
 #include "vtkTerminationSurface.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtentTranslator.h"
@@ -247,6 +249,14 @@ int vtkImplicitFlowField::RequestInformation(
   {
     vtkInformation* samples = inputs[port]->GetInformationObject(0);
     info->CopyEntry(samples, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+    if (this->SampleMode == SAMPLES_AUTOMATIC &&
+      samples->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+    {
+      int extent[6];
+      vtkFlowSamples::GetExtent(
+        samples->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), extent);
+      info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+    }
     if (port == 0 && samples->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
     {
       info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
@@ -317,15 +327,18 @@ int vtkImplicitFlowField::RequestData(
   {
     samples = this->MakeSamples(inputs);
   }
-  if (!this->SetSamples(input, field, inputs, outputs, samples) || !this->SetOptions(options))
-  {
-    output->Initialize();
-    return 1;
-  }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* vectors = this->GetInputArrayToProcess(0, field, association);
   std::string error =
     vtkFlowVectors::CheckVectors(field, vectors, association, this->GetInputArrayInformation(0));
+  if (error.empty() &&
+    (!this->SetSamples(input, field, inputs, outputs, samples) ||
+      !this->SetOptions(field, vectors, options)))
+  {
+    output->Initialize();
+    return 1;
+  }
+  this->SetProgressText("Following the streamline of every sample");
   vtkFlowReport report;
   if (error.empty())
   {
@@ -357,7 +370,33 @@ int vtkImplicitFlowField::RequestData(
   }
   this->Report = report;
   this->Report.Executions = executions + 1;
+  this->Finish(outputs->GetInformationObject(0), output);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkImplicitFlowField::Finish(vtkInformation* info, vtkDataSet* output)
+{
+  output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
+  if (!this->Report.Reached.empty() || this->Report.Samples == 0 ||
+    info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+  {
+    return;
+  }
+  std::string ends;
+  for (int status = 0; status < vtkFlowStatus::NUMBER_OF_VALUES; ++status)
+  {
+    const vtkIdType number = this->Report.Statuses[static_cast<std::size_t>(status)];
+    if (number > 0)
+    {
+      ends += std::string(ends.empty() ? "" : ", ") + vtkFlowStatus::GetName(status) + " " +
+        std::to_string(number);
+    }
+  }
+  vtkWarningMacro("None of " << this->Report.Samples << " samples reached a termination surface ("
+                             << ends << "). Put the surface where the flow "
+                             << (this->Direction == BACKWARD ? "comes from" : "goes to")
+                             << ", or follow streamlines in the other direction.");
 }
 
 //------------------------------------------------------------------------------
@@ -427,10 +466,11 @@ bool vtkImplicitFlowField::SetSamples(const vtkFlowInput& input, vtkDataSet* fie
   }
   else
   {
-    samples = input.MakeSamples(field);
+    const bool mayBeFewer = this->SampleMode == SAMPLES_AUTOMATIC;
+    samples = input.MakeSamples(mayBeFewer ? vtkFlowSamples::Make(field).GetPointer() : field);
   }
   output->ShallowCopy(samples);
-  if (this->SampleMode == SAMPLES_OF_FIELD)
+  if (this->SampleMode != SAMPLES_OF_INPUT)
   {
     this->CutPiece(outputs->GetInformationObject(0), output);
   }
@@ -473,7 +513,8 @@ void vtkImplicitFlowField::GetExtent(vtkInformation* info, const int whole[6], i
 }
 
 //------------------------------------------------------------------------------
-bool vtkImplicitFlowField::SetOptions(vtkAdvectionOptions& options)
+bool vtkImplicitFlowField::SetOptions(
+  vtkDataSet* field, vtkDataArray* vectors, vtkAdvectionOptions& options)
 {
   if (this->Surfaces.empty() && !this->DomainFaces && !this->CriticalPointSpheres)
   {
@@ -494,7 +535,8 @@ bool vtkImplicitFlowField::SetOptions(vtkAdvectionOptions& options)
   for (std::size_t i = 0; i < this->Surfaces.size(); ++i)
   {
     vtkTerminationSurface* surface = this->Surfaces[i];
-    const std::string error = surface->Update();
+    std::string error = surface->Place(field, vectors, this->Direction == BACKWARD);
+    error = error.empty() ? surface->Update() : error;
     if (!error.empty())
     {
       vtkErrorMacro(
@@ -529,7 +571,7 @@ bool vtkImplicitFlowField::SetOptions(vtkAdvectionOptions& options)
   options.IsBackward = this->Direction == BACKWARD;
   options.Integrator = this->Integrator;
   options.MaximumError = this->MaximumError;
-  options.MaximumTime = this->MaximumTime;
+  options.MaximumTime = this->MaximumTime > 0.0 ? this->MaximumTime : VTK_DOUBLE_MAX;
   options.MaximumNumberOfSteps = this->MaximumNumberOfSteps;
   options.MinimumSpeed = this->MinimumSpeed;
   options.HasMaximumSpeed = this->ComputeMaximumSpeed;
@@ -552,6 +594,9 @@ void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, vtkAdvectionOptions& op
   vtkNew<vtkFlowCriticalPoints> finder;
   finder->SetInputDataObject(field);
   finder->SetInputArrayToProcess(0, this->GetInputArrayInformation(0));
+  // That a field has no critical points is nothing to warn of here.
+  vtkNew<vtkCallbackCommand> silence;
+  finder->AddObserver(vtkCommand::WarningEvent, silence);
   finder->Update();
   vtkPolyData* points = finder->GetOutput();
   vtkDataArray* types = points->GetPointData()->GetArray("CriticalPointType");

@@ -6,11 +6,11 @@
 #include "vtkFlowReport.h"   // for the report
 #include "vtkSmartPointer.h" // for the surfaces
 
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
+class vtkDataArray;
 class vtkFlowInput;
 class vtkTerminationSurface;
 struct vtkAdvectionOptions;
@@ -61,11 +61,14 @@ struct vtkAdvectionOptions;
  * asked for, whatever the piece; samples are those of the piece. With several ranks each holds the
  * whole field.
  *
- * The same output for any number of threads.
+ * The same output for any number of threads. AdvectionTime is left as the active scalars.
+ *
+ * Warnings (vtkWarningMacro): no sample reached a surface, with how many ended in which way; not
+ * for pieces, of which others may have.
  *
  * Errors (vtkErrorMacro, empty output): no vectors of that name or not of three components; a
- * surface that vtkTerminationSurface::Update finds wrong; no surface and no domain faces; cells of
- * other types, with the block where there are several; SAMPLES_OF_INPUT without an input.
+ * surface that vtkTerminationSurface::Place or Update finds wrong; no surface and no domain faces;
+ * cells of other types, with the block where there are several; SAMPLES_OF_INPUT without an input.
  *
  * @sa vtkTerminationSurface vtkFlowStatus
  */
@@ -122,14 +125,19 @@ public:
   {
     SAMPLES_OF_FIELD = 0,
     SAMPLES_OF_IMAGE = 1,
-    SAMPLES_OF_INPUT = 2
+    SAMPLES_OF_INPUT = 2,
+    SAMPLES_AUTOMATIC = 3
   };
   ///@{
   /**
    * What the samples are: the field's points, those of an image over SampleBounds, or the points of
-   * port 1. Default SAMPLES_OF_FIELD.
+   * port 1. SAMPLES_AUTOMATIC, for a first look in seconds: the field's points where there are no
+   * more than 32768; else every n-th point along the directions of a rectilinear or structured grid
+   * that have most, a coarser image for image data, the voxels of an image over the bounds as
+   * vtkUnstructuredGrid for unstructured grids and composite data, so that fewer than that are
+   * left. The type of the output is that of SAMPLES_OF_FIELD. Default SAMPLES_AUTOMATIC.
    */
-  vtkSetClampMacro(SampleMode, int, SAMPLES_OF_FIELD, SAMPLES_OF_INPUT);
+  vtkSetClampMacro(SampleMode, int, SAMPLES_OF_FIELD, SAMPLES_AUTOMATIC);
   vtkGetMacro(SampleMode, int);
   ///@}
 
@@ -193,12 +201,11 @@ public:
   ///@{
   /**
    * After how much time, and how many steps, rejected ones too, a streamline ends; closed orbits
-   * take all of them. Default no limit of time (VTK_DOUBLE_MAX), 10000 steps: too few only where
-   * the field is stiff, for an explicit method, or for errors of a billionth of the speed. Valid:
-   * above 0; 1 to 1000000000.
+   * take all of them. Default 0, which is no limit of time, 10000 steps: too few only where
+   * the field is stiff, for an explicit method, or for errors of a billionth of the speed. Valid: 0
+   * and above; 1 to 1000000000.
    */
-  vtkSetClampMacro(
-    MaximumTime, double, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+  vtkSetClampMacro(MaximumTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumTime, double);
   vtkSetClampMacro(MaximumNumberOfSteps, int, 1, 1000000000);
   vtkGetMacro(MaximumNumberOfSteps, int);
@@ -304,8 +311,10 @@ private:
   void CutPiece(vtkInformation* info, vtkDataSet* output) const;
   /// The part of a whole extent that is asked for; that of a piece where cells are refined.
   void GetExtent(vtkInformation* info, const int whole[6], int extent[6]) const;
-  /// False where something is wrong, which has been said.
-  bool SetOptions(vtkAdvectionOptions& options);
+  /// Places the surfaces in the field. False where something is wrong, which has been said.
+  bool SetOptions(vtkDataSet* field, vtkDataArray* vectors, vtkAdvectionOptions& options);
+  /// Says so where no sample reached a surface, and makes AdvectionTime the active scalars.
+  void Finish(vtkInformation* info, vtkDataSet* output);
   void AddSpheres(vtkDataSet* field, vtkAdvectionOptions& options);
   /// Adds a surface to the options, and keeps it as long as they last.
   void UseSurface(vtkTerminationSurface* surface, int id, vtkAdvectionOptions& options);
@@ -317,13 +326,13 @@ private:
   bool CriticalPointSpheres = false;
   int CriticalPointId = 2000;
   double CriticalPointRadius = 1.0;
-  int SampleMode = SAMPLES_OF_FIELD;
+  int SampleMode = SAMPLES_AUTOMATIC;
   int SampleDimensions[3] = { 64, 64, 64 };
   double SampleBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   int Direction = BACKWARD;
   int Integrator = AUTOMATIC;
   double MaximumError = 0.0;
-  double MaximumTime = VTK_DOUBLE_MAX;
+  double MaximumTime = 0.0;
   int MaximumNumberOfSteps = 10000;
   double MinimumSpeed = 0.0;
   bool ComputeMaximumSpeed = false;

@@ -15,6 +15,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPThreadLocal.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -280,6 +281,7 @@ int vtkInflowMapping::RequestData(
     return 1;
   }
   const vtkIdType number = input->GetNumberOfPoints();
+  this->SetProgressText("Mapping the inflow to every sample");
   vtkNew<vtkDoubleArray> inflow;
   inflow->SetName(vtkFlowStatus::InflowArray());
   inflow->SetNumberOfValues(number);
@@ -324,8 +326,22 @@ int vtkInflowMapping::RequestData(
     periodic->InsertNextTypedTuple(tuple);
   }
   output->ShallowCopy(input);
-  output->GetPointData()->AddArray(inflow);
+  output->GetPointData()->SetScalars(inflow);
   output->GetFieldData()->AddArray(periodic);
+  if (number > 0 &&
+    !std::any_of(values, values + number, [](double v) { return !std::isnan(v); }) &&
+    outputs->GetInformationObject(0)->Get(
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1)
+  {
+    vtkIdType reached = 0;
+    for (vtkIdType p = 0; p < number; ++p)
+    {
+      reached += arrays.IsReached(p) ? 1 : 0;
+    }
+    vtkWarningMacro("Inflow is not a number at any of "
+      << number << " samples: " << reached << " reached a termination surface"
+      << (reached > 0 ? ", where the mapping has no finite value." : "."));
+  }
   return 1;
 }
 

@@ -25,7 +25,10 @@ class vtkInflowFunction;
  * NaN where the status is not REACHED_SURFACE, the id has no mapping, or the formula is not finite.
  * The field array `InflowPeriodic` (int, 3 components) tells of each id in use whether its mapping
  * is the same on both sides of the seams of u and v: id, u, v (values at 33 places of the seam
- * agree to 1e-6 of the mapping's range).
+ * agree to 1e-6 of the mapping's range). Inflow is left as the active scalars.
+ *
+ * Warnings (vtkWarningMacro): Inflow is NaN everywhere, with how many samples reached a surface;
+ * not for pieces, of which others may have values.
  *
  * Errors (vtkErrorMacro, empty output): no arrays of vtkFlowStatus; a formula that cannot be read
  * (with the parser's message) or gives a vector, an image without points or scalars or of three

@@ -21,6 +21,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamSurfaceWork.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerminationSurface.h"
 
 #include <algorithm>
@@ -244,8 +245,16 @@ int vtkStreamSurfaceParameters::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   if (input->GetNumberOfCells() == 0)
   {
+    if (outputs->GetInformationObject(0)->Get(
+          vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1)
+    {
+      vtkWarningMacro("The input has no triangles. It is to be the output Stream Surfaces of a "
+                      "vtkFlowVolume with GenerateStreamSurfaces on, and with intervals or "
+                      "StreamSurfaces whose values Inflow takes.");
+    }
     return 1;
   }
+  this->SetProgressText("Following the contours of the inflow");
   vtkStreamSurfaceWork work;
   std::string wrong = this->Mapping ? work.Read(input) : "There is no mapping.";
   wrong = wrong.empty() ? this->FindContours(work) : wrong;
@@ -275,6 +284,7 @@ int vtkStreamSurfaceParameters::RequestData(
   AddPointNumbers(made, output->GetPointData());
   output->GetFieldData()->PassData(input->GetFieldData());
   AddContours(work.Contours, output->GetFieldData());
+  output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
   return 1;
 }
 

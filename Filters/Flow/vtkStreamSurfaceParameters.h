@@ -42,7 +42,9 @@ class vtkTerminationSurface;
  * `vtkOriginalPointIds` (vtkIdType: the input's point). Field arrays, by ContourId: `ContourLength`
  * (double, world units, unscaled), `ContourClosed` (int).
  *
- * The same output for any number of threads.
+ * The same output for any number of threads. AdvectionTime is left as the active scalars.
+ *
+ * Warnings (vtkWarningMacro): an input without cells, but for pieces.
  *
  * Errors (vtkErrorMacro, empty output): no mapping; arrays that are missing; a TerminationId in use
  * without a surface; a surface that vtkTerminationSurface::Update finds wrong; cells that are not

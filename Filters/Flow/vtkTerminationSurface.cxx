@@ -4,6 +4,12 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
+std::string vtkTerminationSurface::Place(vtkDataSet*, vtkDataArray*, bool)
+{
+  return {};
+}
+
+//------------------------------------------------------------------------------
 bool vtkTerminationSurface::IsOn(const double*) const
 {
   return true;

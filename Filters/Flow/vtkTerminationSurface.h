@@ -6,6 +6,9 @@
 
 #include <string> // for errors
 
+class vtkDataArray;
+class vtkDataSet;
+
 /**
  * @class   vtkTerminationSurface
  * @brief   where the advection of a sample ends: signed distance, parameters and normal
@@ -23,8 +26,8 @@
  * The Evaluate functions may be called by several threads at once after Update, until a setter is
  * called.
  *
- * @sa vtkTerminationPlane vtkTerminationSphere vtkTerminationCylinder vtkTerminationBox
- * vtkTerminationTube vtkTerminationMesh vtkImplicitFlowField
+ * @sa vtkTerminationInflow vtkTerminationPlane vtkTerminationSphere vtkTerminationCylinder
+ * vtkTerminationBox vtkTerminationTube vtkTerminationMesh vtkImplicitFlowField
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationSurface : public vtkObject
 {
@@ -48,6 +51,14 @@ public:
 
   /// How many ids it takes. Default 1.
   virtual int GetNumberOfParts() const { return 1; }
+
+  /**
+   * Takes what the surface leaves open, its place or its size, from the field that streamlines are
+   * followed in. vtkImplicitFlowField calls it before Update. \a vectors are those at the points of
+   * \a field, \a isBackward says whether streamlines go against them. Returns what is wrong, or
+   * nothing. Default: nothing is open.
+   */
+  virtual std::string Place(vtkDataSet* field, vtkDataArray* vectors, bool isBackward);
 
   /**
    * Makes what the Evaluate functions need. Returns what is wrong with the surface ("the radius is

@@ -103,6 +103,7 @@ int vtkTerminationSurfaceSource::RequestData(
   output->SetPoints(points);
   output->SetPolys(triangles);
   output->GetPointData()->SetTCoords(parameters);
+  output->GetPointData()->SetScalars(parameters);
   output->GetPointData()->SetNormals(normals);
   output->GetCellData()->AddArray(ids);
   return 1;

@@ -17,9 +17,9 @@ class vtkTerminationSurface;
  * parallelogram.
  *
  * Output: triangles with the point arrays `TerminationUV` (double, 2 components), also the active
- * texture coordinates, and `Normals` (double), those of the surface, also the active normals, and
- * the cell array `TerminationId` (int): the surface's id, 0 for -1, plus the part. Triangles are
- * counterclockwise seen from where the normals point.
+ * texture coordinates and scalars, and `Normals` (double), those of the surface, also the active
+ * normals, and the cell array `TerminationId` (int): the surface's id, 0 for -1, plus the part.
+ * Triangles are counterclockwise seen from where the normals point.
  *
  * Errors (vtkErrorMacro, empty output): no surface; what vtkTerminationSurface::Update reports.
  */

@@ -222,6 +222,7 @@ int vtkVortexAxis::RequestData(
     vtkErrorMacro(<< wrong);
     return 1;
   }
+  this->SetProgressText("Searching planes for the vortex");
   vtkCrossFlow flow(this->Axis, this->FrameVelocity);
   flow.PlacePlanes(input, this->NumberOfPlanes);
   vtkZeroSearch search;
@@ -234,6 +235,15 @@ int vtkVortexAxis::RequestData(
         this->UseSeed ? tracker.FindNearest(this->Seed) : tracker.FindStrongest())
   {
     Write(tracker.Follow(start), output);
+  }
+  else
+  {
+    vtkWarningMacro("No plane across the axis ("
+      << this->Axis[0] << ", " << this->Axis[1] << ", " << this->Axis[2] << ") has a vortex: of "
+      << search.GetZeros().size() << " places in " << flow.GetNumberOfPlanes()
+      << " planes where the velocity across the axis is "
+         "0 none turns around it"
+      << (this->MinimumSwirlStrength > 0.0 ? " as strongly as MinimumSwirlStrength." : "."));
   }
   this->UpdateProgress(1.0);
   return 1;

@@ -23,7 +23,8 @@
  * plane, 0 to rounding), `SwirlStrength` (double: the imaginary part of the eigenvalues, radians in
  * a unit of time) and `AxialVelocity` (double: the velocity along Axis), both velocities less
  * FrameVelocity. Where no plane's place is near enough the polyline ends, and another begins where
- * there is one again; a place alone is a vertex. Without a vortex the output is empty.
+ * there is one again; a place alone is a vertex. SwirlStrength is the active scalars. Without a
+ * vortex the output is empty, and a warning (vtkWarningMacro) says how many places were looked at.
  *
  * The same bytes for any number of threads.
  *

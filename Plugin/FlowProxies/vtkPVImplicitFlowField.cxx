@@ -1,14 +1,22 @@
 #include "vtkPVImplicitFlowField.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFlowStatus.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerminationMesh.h"
+#include "vtkTerminationSurfaceSource.h"
 #include "vtkTerminationTube.h"
 
 vtkStandardNewMacro(vtkPVImplicitFlowField);
@@ -16,12 +24,45 @@ vtkStandardNewMacro(vtkPVImplicitFlowField);
 namespace
 {
 constexpr int SurfacesPort = 2;
+// Of the outputs.
+constexpr int DrawingPort = 1;
+
+// Appends the points and triangles of a drawn surface, whose ids are moved to start at \a id.
+void Append(vtkPolyData* drawn, int id, vtkPolyData* output)
+{
+  const vtkIdType before = output->GetNumberOfPoints();
+  vtkIdType number = 0;
+  const vtkIdType* corners = nullptr;
+  const auto cells = vtk::TakeSmartPointer(drawn->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    cells->GetCurrentCell(number, corners);
+    output->GetPolys()->InsertNextCell(
+      { before + corners[0], before + corners[1], before + corners[2] });
+  }
+  vtkPointData* from = drawn->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  for (vtkIdType p = 0; p < drawn->GetNumberOfPoints(); ++p)
+  {
+    output->GetPoints()->InsertNextPoint(drawn->GetPoint(p));
+    to->GetTCoords()->InsertNextTuple(p, from->GetTCoords());
+    to->GetNormals()->InsertNextTuple(p, from->GetNormals());
+  }
+  vtkDataArray* parts = drawn->GetCellData()->GetArray(vtkFlowStatus::IdArray());
+  vtkDataArray* ids = output->GetCellData()->GetArray(vtkFlowStatus::IdArray());
+  const double first = parts->GetNumberOfTuples() > 0 ? parts->GetComponent(0, 0) : 0.0;
+  for (vtkIdType c = 0; c < parts->GetNumberOfTuples(); ++c)
+  {
+    ids->InsertNextTuple1(id + parts->GetComponent(c, 0) - first);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 vtkPVImplicitFlowField::vtkPVImplicitFlowField()
 {
   this->SetNumberOfInputPorts(SurfacesPort + 1);
+  this->SetNumberOfOutputPorts(DrawingPort + 1);
 }
 
 //------------------------------------------------------------------------------
@@ -44,6 +85,29 @@ int vtkPVImplicitFlowField::FillInputPortInformation(int port, vtkInformation* i
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPVImplicitFlowField::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port != DrawingPort)
+  {
+    return this->Superclass::FillOutputPortInformation(port, info);
+  }
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPVImplicitFlowField::RequestDataObject(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (!vtkPolyData::GetData(outputs, DrawingPort))
+  {
+    vtkNew<vtkPolyData> drawing;
+    outputs->GetInformationObject(DrawingPort)->Set(vtkDataObject::DATA_OBJECT(), drawing);
+  }
+  return this->Superclass::RequestDataObject(request, inputs, outputs);
 }
 
 //------------------------------------------------------------------------------
@@ -71,11 +135,47 @@ int vtkPVImplicitFlowField::RequestData(
     this->AddTerminationSurface(surface);
   }
   const int result = this->Superclass::RequestData(request, inputs, outputs);
+  vtkInformation* drawing = outputs->GetInformationObject(DrawingPort);
+  if (drawing->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) == 0)
+  {
+    this->DrawSurfaces(vtkPolyData::GetData(drawing));
+  }
   for (const auto& surface : surfaces)
   {
     this->RemoveTerminationSurface(surface);
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVImplicitFlowField::DrawSurfaces(vtkPolyData* output) const
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> parameters;
+  parameters->SetName(vtkFlowStatus::ParametersArray());
+  parameters->SetNumberOfComponents(2);
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(vtkFlowStatus::IdArray());
+  output->SetPoints(points);
+  output->SetPolys(vtkNew<vtkCellArray>());
+  output->GetPointData()->SetTCoords(parameters);
+  output->GetPointData()->SetScalars(parameters);
+  output->GetPointData()->SetNormals(normals);
+  output->GetCellData()->AddArray(ids);
+  for (int i = 0; i < this->GetNumberOfUsedSurfaces(); ++i)
+  {
+    vtkNew<vtkTerminationSurfaceSource> source;
+    source->SetSurface(this->GetUsedSurface(i));
+    source->Update();
+    if (source->GetOutput()->GetNumberOfPoints() > 0)
+    {
+      Append(source->GetOutput(), this->GetUsedSurfaceId(i), output);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,8 @@
 #include "InterlumeFlowProxiesModule.h" // for the export macro
 #include "vtkImplicitFlowField.h"
 
+class vtkPolyData;
+
 /**
  * @class   vtkPVImplicitFlowField
  * @brief   an implicit flow field whose termination surfaces are inputs of a pipeline too
@@ -12,6 +14,9 @@
  * vtkTerminationMesh, with the dataset's texture coordinates as parameters; each line with two
  * points and more is a vtkTerminationTube. They come after the surfaces that are added, dataset by
  * dataset, lines after polygons. All of each is asked for, whatever the piece.
+ *
+ * Output port 1: vtkPolyData, the surfaces that the execution used as vtkTerminationSurfaceSource
+ * draws them, with their ids; without the faces of the domain, and in the first piece alone.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVImplicitFlowField : public vtkImplicitFlowField
 {
@@ -48,6 +53,8 @@ protected:
   ~vtkPVImplicitFlowField() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -58,6 +65,9 @@ private:
   using SurfaceList = std::vector<vtkSmartPointer<vtkTerminationSurface>>;
   /// Those of port 2.
   SurfaceList MakeSurfaces(vtkInformationVector* inputs) const;
+
+  /// Appends what the surfaces look like.
+  void DrawSurfaces(vtkPolyData* output) const;
 
   double TubeRadius = 0.5;
   bool MeshPeriodicU = false;

@@ -1,7 +1,9 @@
 #include "vtkPVTerminationCylinder.h"
 
+#include "vtkDataSet.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVFieldExtent.h"
 
 vtkStandardNewMacro(vtkPVTerminationCylinder);
 
@@ -31,16 +33,26 @@ void vtkPVTerminationCylinder::SetLength(double length)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkPVTerminationCylinder::Place(vtkDataSet* field, vtkDataArray*, bool)
+{
+  field->GetBounds(this->FieldBounds);
+  this->PlacePoints();
+  return {};
+}
+
+//------------------------------------------------------------------------------
 void vtkPVTerminationCylinder::PlacePoints()
 {
   double axis[3] = { this->Axis[0], this->Axis[1], this->Axis[2] };
   vtkMath::Normalize(axis);
+  double ends[2];
+  vtkPVFieldExtent::GetEnds(this->Length, this->FieldBounds, this->Center, axis, ends);
   double point1[3];
   double point2[3];
   for (int i = 0; i < 3; ++i)
   {
-    point1[i] = this->Center[i] - 0.5 * this->Length * axis[i];
-    point2[i] = this->Center[i] + 0.5 * this->Length * axis[i];
+    point1[i] = this->Center[i] + ends[0] * axis[i];
+    point2[i] = this->Center[i] + ends[1] * axis[i];
   }
   this->SetPoint1(point1);
   this->SetPoint2(point2);

@@ -8,7 +8,8 @@
  * @class   vtkPVTerminationCylinder
  * @brief   a cylinder by what ParaView's cylinder widget gives: its centre, axis and radius
  *
- * Point1 and Point2 of the base class are half of Length before and behind the centre.
+ * Point1 and Point2 of the base class are half of Length before and behind the centre, or where the
+ * field ends along the axis.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVTerminationCylinder : public vtkTerminationCylinder
 {
@@ -29,11 +30,15 @@ public:
 
   ///@{
   /**
-   * From end to end, world units. Default 1. Valid: above 0.
+   * From end to end, world units. 0: from the first to the last place of the field along the axis,
+   * whose middle then need not be Center; 1 where there is no field yet. Default 0. Valid: 0 and
+   * above.
    */
   void SetLength(double length);
   vtkGetMacro(Length, double);
   ///@}
+
+  std::string Place(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
 
 protected:
   vtkPVTerminationCylinder() = default;
@@ -48,7 +53,9 @@ private:
 
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Axis[3] = { 0.0, 0.0, 1.0 };
-  double Length = 1.0;
+  double Length = 0.0;
+  /// Of the field; empty without one.
+  double FieldBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
 };
 
 #endif

@@ -1,7 +1,9 @@
 #include "vtkPVTerminationRectangle.h"
 
+#include "vtkDataSet.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVFieldExtent.h"
 
 vtkStandardNewMacro(vtkPVTerminationRectangle);
 
@@ -39,22 +41,33 @@ void vtkPVTerminationRectangle::SetAngle(double angle)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkPVTerminationRectangle::Place(vtkDataSet* field, vtkDataArray*, bool)
+{
+  field->GetBounds(this->FieldBounds);
+  this->PlaceCorners();
+  return {};
+}
+
+//------------------------------------------------------------------------------
 void vtkPVTerminationRectangle::PlaceCorners()
 {
   // The normal is their cross product, in this order.
   double againstV[3];
   double u[3];
   vtkMath::Perpendiculars(this->Normal, againstV, u, vtkMath::RadiansFromDegrees(this->Angle));
+  const double v[3] = { -againstV[0], -againstV[1], -againstV[2] };
+  double alongU[2];
+  double alongV[2];
+  vtkPVFieldExtent::GetEnds(this->Lengths[0], this->FieldBounds, this->Center, u, alongU);
+  vtkPVFieldExtent::GetEnds(this->Lengths[1], this->FieldBounds, this->Center, v, alongV);
   double origin[3];
   double point1[3];
   double point2[3];
   for (int i = 0; i < 3; ++i)
   {
-    const double alongU = 0.5 * this->Lengths[0] * u[i];
-    const double alongV = -0.5 * this->Lengths[1] * againstV[i];
-    origin[i] = this->Center[i] - alongU - alongV;
-    point1[i] = this->Center[i] + alongU - alongV;
-    point2[i] = this->Center[i] - alongU + alongV;
+    origin[i] = this->Center[i] + alongU[0] * u[i] + alongV[0] * v[i];
+    point1[i] = this->Center[i] + alongU[1] * u[i] + alongV[0] * v[i];
+    point2[i] = this->Center[i] + alongU[0] * u[i] + alongV[1] * v[i];
   }
   this->SetOrigin(origin);
   this->SetPoint1(point1);

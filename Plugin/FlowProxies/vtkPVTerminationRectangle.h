@@ -30,7 +30,10 @@ public:
 
   ///@{
   /**
-   * Of the edges along u and v, world units. Default (1, 1). Valid: above 0.
+   * Of the edges along u and v, world units. 0: from the first to the last place of the field along
+   * that edge, whose middle then need not be Center; 1 where there is no field yet. So a rectangle
+   * is at first as large as the plane that ParaView's widget draws. Default (0, 0). Valid: 0 and
+   * above.
    */
   void SetLengths(double u, double v);
   vtkGetVector2Macro(Lengths, double);
@@ -43,6 +46,8 @@ public:
   void SetAngle(double angle);
   vtkGetMacro(Angle, double);
   ///@}
+
+  std::string Place(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
 
 protected:
   vtkPVTerminationRectangle() = default;
@@ -57,7 +62,9 @@ private:
 
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Normal[3] = { 0.0, 0.0, 1.0 };
-  double Lengths[2] = { 1.0, 1.0 };
+  double Lengths[2] = { 0.0, 0.0 };
+  /// Of the field; empty without one.
+  double FieldBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double Angle = 0.0;
 };
 

@@ -1,0 +1,44 @@
+#include "vtkTerminationInflow.h"
+
+#include "vtkInflowFinder.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkTerminationInflow);
+
+//------------------------------------------------------------------------------
+std::string vtkTerminationInflow::Place(vtkDataSet* field, vtkDataArray* vectors, bool isBackward)
+{
+  vtkInflowFinder finder;
+  if (!finder.Find(field, vectors, !isBackward))
+  {
+    return "there is no flow in the field, and so no place where it enters";
+  }
+  const int axes[2] = { (finder.GetAxis() + 1) % 3, (finder.GetAxis() + 2) % 3 };
+  double corners[3][3];
+  for (auto& corner : corners)
+  {
+    corner[finder.GetAxis()] = finder.GetPosition();
+    for (int i = 0; i < 2; ++i)
+    {
+      corner[axes[i]] = finder.GetMiddle()[i] - this->Size * finder.GetHalfWidth()[i];
+    }
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    corners[1 + i][axes[i]] += 2.0 * this->Size * finder.GetHalfWidth()[i];
+  }
+  // The setters tell nothing where it is placed as before.
+  this->SetOrigin(corners[0]);
+  this->SetPoint1(corners[1]);
+  this->SetPoint2(corners[2]);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkTerminationInflow::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Size: " << this->Size << "\n";
+}

@@ -1,0 +1,57 @@
+#ifndef vtkPVTerminationTube_h
+#define vtkPVTerminationTube_h
+
+#include "InterlumeFlowProxiesModule.h" // for the export macro
+#include "vtkTerminationTube.h"
+
+#include <array>
+#include <vector>
+
+/**
+ * @class   vtkPVTerminationTube
+ * @brief   a tube by what ParaView's line widget gives: where its line starts and ends
+ *
+ * Or by a line of more points, which are taken instead where there are two and more.
+ */
+class INTERLUMEFLOWPROXIES_EXPORT vtkPVTerminationTube : public vtkTerminationTube
+{
+public:
+  static vtkPVTerminationTube* New();
+  vtkTypeMacro(vtkPVTerminationTube, vtkTerminationTube);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * World units. Default (0, 0, -0.5), (0, 0, 0.5). Valid: finite.
+   */
+  void SetStart(double x, double y, double z);
+  vtkGetVector3Macro(Start, double);
+  void SetEnd(double x, double y, double z);
+  vtkGetVector3Macro(End, double);
+  ///@}
+
+  ///@{
+  /**
+   * The points of a line that is not straight. Default none. Valid: finite.
+   */
+  void AddLinePoint(double x, double y, double z);
+  void RemoveAllLinePoints();
+  ///@}
+
+protected:
+  vtkPVTerminationTube();
+  ~vtkPVTerminationTube() override = default;
+
+private:
+  vtkPVTerminationTube(const vtkPVTerminationTube&) = delete;
+  void operator=(const vtkPVTerminationTube&) = delete;
+
+  /// Sets the points of the base class.
+  void PlacePoints();
+
+  double Start[3] = { 0.0, 0.0, -0.5 };
+  double End[3] = { 0.0, 0.0, 0.5 };
+  std::vector<std::array<double, 3>> LinePoints;
+};
+
+#endif
