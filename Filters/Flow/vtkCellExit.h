@@ -187,7 +187,7 @@ private:
       end = std::min(end, isUpper ? 1.0 - last : last);
       if ((isUpper ? 1.0 - high[axis] : low[axis]) <= -this->Slacks[face])
       {
-        double b[vtkDenseOutput::MaximumDegree + 1];
+        double b[vtkDenseOutput::MaximumDegree + 1] = {};
         for (int k = 0; k <= degree; ++k)
         {
           b[k] = isUpper ? 1.0 - points[k][axis] : points[k][axis];
@@ -205,7 +205,7 @@ private:
     double end = std::numeric_limits<double>::infinity();
     for (int face = 0; face < this->NumberOfFaces; ++face)
     {
-      double b[vtkDenseOutput::MaximumDegree + 1];
+      double b[vtkDenseOutput::MaximumDegree + 1] = {};
       double least = std::numeric_limits<double>::infinity();
       for (int k = 0; k <= degree; ++k)
       {

@@ -106,7 +106,7 @@ std::string vtkTerminationTriangles::FindTriangles(
       else
       {
         polygon->Initialize(static_cast<int>(number), ids, data->GetPoints());
-        if (number < 3 || !polygon->Triangulate(cut))
+        if (number < 3 || !polygon->EarCutTriangulation(cut))
         {
           ++this->NumberOfDegenerateTriangles;
           continue;

@@ -30,16 +30,17 @@ uniform float surfaceColumns;
 //VTK::Output::Dec
 //INTERLUME::MEDIUM
 
-// The segment that this fragment stands for, the sample in its middle, and its optical depth.
-vec3 segmentStart;
-vec3 segmentEnd;
-vec3 startInTexture;
-vec3 endInTexture;
-vec3 sampleAt;
-vec3 sightline;
-float sampleExtinction;
-float opticalDepth;
-float opacity;
+// The segment that this fragment stands for, the sample in its middle, and its optical depth. main sets
+// them; compilers that look from top to bottom would say that they are used before.
+vec3 segmentStart = vec3(0.0);
+vec3 segmentEnd = vec3(0.0);
+vec3 startInTexture = vec3(0.0);
+vec3 endInTexture = vec3(0.0);
+vec3 sampleAt = vec3(0.0);
+vec3 sightline = vec3(0.0);
+float sampleExtinction = 0.0;
+float opticalDepth = 0.0;
+float opacity = 0.0;
 
 vec3 colorAt(vec4 texel, int row)
 {
@@ -51,7 +52,7 @@ vec3 colorAt(vec4 texel, int row)
 }
 
 #ifdef TRANSMISSION
-vec3 samplePart;
+vec3 samplePart = vec3(0.0);
 #else
 #define samplePart 1.0
 #endif
@@ -91,14 +92,15 @@ void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
   {
 #ifdef SHADE
     vec3 n = rowNormals[row];
+    float surface = rowSurfaces[row];
     float cosine = -dot(n, l);
-    float incidence = mix(1.0, max(cosine, 0.0), rowSurfaces[row]);
+    float incidence = mix(1.0, max(cosine, 0.0), surface);
     sum += rowShares[row] * rowColors[row] * diffuse * (materials[row].y * incidence);
     if (cosine > 0.0)
     {
       float mirrored = max(-dot(l + 2.0 * cosine * n, sightline), 0.0);
       sum += rowShares[row] * specular *
-        (materials[row].z * rowSurfaces[row] * pow(mirrored, materials[row].w));
+        (materials[row].z * surface * pow(mirrored, materials[row].w));
     }
 #else
     sum += rowShares[row] * rowColors[row] * diffuse * materials[row].y;

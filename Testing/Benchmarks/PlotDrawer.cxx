@@ -76,7 +76,7 @@ void PlotDrawer::Draw(const BenchPlot& plot) const
   caption->GetTextProperty()->SetColor(0.35, 0.35, 0.35);
   caption->GetTextProperty()->SetFontSize(16);
   caption->SetPosition(24.0, 14.0);
-  renderer->AddActor2D(caption);
+  renderer->AddViewProp(caption);
   this->Window->Render();
 
   vtkNew<vtkWindowToImageFilter> picture;

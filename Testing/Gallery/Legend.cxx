@@ -51,7 +51,7 @@ public:
     mapper->SetInputData(this->Data);
     vtkNew<vtkActor2D> actor;
     actor->SetMapper(mapper);
-    overlay->AddActor2D(actor);
+    overlay->AddViewProp(actor);
   }
 
 private:
@@ -100,7 +100,7 @@ void AddText(vtkRenderer* overlay, const std::string& text, double x, double y, 
   SetStyle(style, fontSize, bold);
   style->SetJustification(align == Align::Left ? VTK_TEXT_LEFT : VTK_TEXT_CENTERED);
   actor->SetPosition(x, y);
-  overlay->AddActor2D(actor);
+  overlay->AddViewProp(actor);
 }
 
 void AddColourBar(vtkRenderer* overlay, const std::string& title, vtkScalarsToColors* colours,

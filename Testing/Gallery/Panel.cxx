@@ -2,6 +2,7 @@
 
 #include "Look.h"
 #include "Picture.h"
+#include "SurfacesPass.h"
 #include "VectorArithmetic.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -152,7 +153,9 @@ void Panel::PreparePasses()
     occlusion->SetBias(0.04 * occlusion->GetRadius());
     occlusion->SetKernelSize(48);
     occlusion->BlurOn();
-    passes->AddItem(occlusion);
+    vtkNew<SurfacesPass> surfaces;
+    surfaces->SetDelegatePass(occlusion);
+    passes->AddItem(surfaces);
   }
   else
   {

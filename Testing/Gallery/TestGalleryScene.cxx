@@ -48,6 +48,14 @@ bool IsWithinPixelBounds(vtkImageData* picture, const std::string& baseline)
   return interlume::IsWithin(difference, bounds);
 }
 
+/// The name that VTK's tests have for a second baseline. A scene has one where the grain of
+/// vtkSSAOPass shows: VTK 9.1 rounds how often its noise goes across the window, newer versions do
+/// not.
+std::string GetSecondBaseline(const std::string& baseline)
+{
+  return baseline.substr(0, baseline.rfind('.')) + "_1.png";
+}
+
 bool Matches(const gallery::Scene& scene, vtkTesting* testing)
 {
   const gallery::DisplayHold display;
@@ -60,7 +68,10 @@ bool Matches(const gallery::Scene& scene, vtkTesting* testing)
   writer->SetFileName((std::string(testing->GetTempDirectory()) + "/" + scene.Id + ".png").c_str());
   writer->Write();
   const bool close = testing->RegressionTest(producer, VTK_THRESHOLD) == vtkTesting::PASSED;
-  const bool same = IsWithinPixelBounds(picture, testing->GetValidImageFileName());
+  const std::string baseline = testing->GetValidImageFileName();
+  const std::string second = GetSecondBaseline(baseline);
+  const bool same = IsWithinPixelBounds(picture, baseline) ||
+    (std::ifstream(second) && IsWithinPixelBounds(picture, second));
   return close && same;
 }
 }
