@@ -140,7 +140,9 @@ int vtkFlowLIC::RequestData(
     output->Initialize();
     return 1;
   }
-  output->GetPointData()->SetScalars(values);
+  // SetScalars would remove the scalars that were active before.
+  output->GetPointData()->AddArray(values);
+  output->GetPointData()->SetActiveScalars(values->GetName());
   if (this->LastReport.PointsOutside == this->LastReport.Points &&
     outputs->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1)

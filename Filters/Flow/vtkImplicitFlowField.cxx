@@ -25,6 +25,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 vtkStandardNewMacro(vtkImplicitFlowField);
@@ -37,6 +38,12 @@ constexpr double AutomaticSpeed = 1e-9;
 bool IsEmpty(const double bounds[6])
 {
   return !(bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5]);
+}
+
+int GetAutomaticSteps(vtkIdType cells)
+{
+  constexpr double least = 2000.0;
+  return static_cast<int>(std::max(least, 20.0 * std::cbrt(static_cast<double>(cells))));
 }
 
 /// Where streamlines of a direction end by themselves.
@@ -572,7 +579,9 @@ bool vtkImplicitFlowField::SetOptions(
   options.Integrator = this->Integrator;
   options.MaximumError = this->MaximumError;
   options.MaximumTime = this->MaximumTime > 0.0 ? this->MaximumTime : VTK_DOUBLE_MAX;
-  options.MaximumNumberOfSteps = this->MaximumNumberOfSteps;
+  options.MaximumNumberOfSteps = this->MaximumNumberOfSteps > 0
+    ? this->MaximumNumberOfSteps
+    : GetAutomaticSteps(field->GetNumberOfCells());
   options.MinimumSpeed = this->MinimumSpeed;
   options.HasMaximumSpeed = this->ComputeMaximumSpeed;
   options.HasArcLength = this->ComputeArcLength;

@@ -201,13 +201,14 @@ public:
   ///@{
   /**
    * After how much time, and how many steps, rejected ones too, a streamline ends; closed orbits
-   * take all of them. Default 0, which is no limit of time, 10000 steps: too few only where
+   * take all of them. Default 0 and 0: no limit of time, and automatic, 2000 steps or 20 times the
+   * cube root of the number of the field's cells, whichever is more. That is too few only where
    * the field is stiff, for an explicit method, or for errors of a billionth of the speed. Valid: 0
-   * and above; 1 to 1000000000.
+   * and above; 0 to 1000000000.
    */
   vtkSetClampMacro(MaximumTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumTime, double);
-  vtkSetClampMacro(MaximumNumberOfSteps, int, 1, 1000000000);
+  vtkSetClampMacro(MaximumNumberOfSteps, int, 0, 1000000000);
   vtkGetMacro(MaximumNumberOfSteps, int);
   ///@}
 
@@ -333,7 +334,7 @@ private:
   int Integrator = AUTOMATIC;
   double MaximumError = 0.0;
   double MaximumTime = 0.0;
-  int MaximumNumberOfSteps = 10000;
+  int MaximumNumberOfSteps = 0;
   double MinimumSpeed = 0.0;
   bool ComputeMaximumSpeed = false;
   bool ComputeArcLength = false;

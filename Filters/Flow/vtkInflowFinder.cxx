@@ -175,7 +175,6 @@ bool vtkInflowFinder::Find(vtkDataSet* field, vtkDataArray* vectors, bool isReve
   for (int i = 0; i < 2; ++i)
   {
     const int across = (this->Axis + 1 + i) % 3;
-    double sums[3] = { 0.0, 0.0, 0.0 };
     double low = VTK_DOUBLE_MAX;
     double high = -VTK_DOUBLE_MAX;
     for (const Cell& cell : cells)
@@ -184,22 +183,12 @@ bool vtkInflowFinder::Find(vtkDataSet* field, vtkDataArray* vectors, bool isReve
       if (flow > 0.0 && cell.Low[this->Axis] <= this->Position &&
         cell.High[this->Axis] >= this->Position)
       {
-        const double middle = 0.5 * (cell.Low[across] + cell.High[across]);
-        const double width = cell.High[across] - cell.Low[across];
-        sums[0] += flow;
-        sums[1] += flow * middle;
-        sums[2] += flow * (middle * middle + width * width / 12.0);
         low = std::min(low, cell.Low[across]);
         high = std::max(high, cell.High[across]);
       }
     }
-    // A rectangle's second moment is a third of its half width squared.
-    const double mean = sums[1] / sums[0];
-    const double half = std::sqrt(3.0 * std::max(sums[2] / sums[0] - mean * mean, 0.0));
-    const double begin = std::max(mean - half, low);
-    const double end = std::min(mean + half, high);
-    this->Middle[i] = 0.5 * (begin + end);
-    this->HalfWidth[i] = 0.5 * (end - begin);
+    this->Middle[i] = 0.5 * (low + high);
+    this->HalfWidth[i] = 0.5 * (high - low);
   }
   return true;
 }

@@ -26,9 +26,8 @@ public:
   /// Where the plane is along the axis.
   double GetPosition() const { return this->Position; }
   /**
-   * The middle of the flow through the plane and half the width of it, along the two axes after
-   * GetAxis(): of an even flow through a rectangle those of the rectangle. They do not reach beyond
-   * the cells that it goes through.
+   * The middle and half the width of the cells that the flow goes through there, along the two axes
+   * after GetAxis().
    */
   const double* GetMiddle() const { return this->Middle; }
   const double* GetHalfWidth() const { return this->HalfWidth; }

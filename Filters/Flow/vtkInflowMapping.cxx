@@ -326,7 +326,8 @@ int vtkInflowMapping::RequestData(
     periodic->InsertNextTypedTuple(tuple);
   }
   output->ShallowCopy(input);
-  output->GetPointData()->SetScalars(inflow);
+  output->GetPointData()->AddArray(inflow);
+  output->GetPointData()->SetActiveScalars(vtkFlowStatus::InflowArray());
   output->GetFieldData()->AddArray(periodic);
   if (number > 0 &&
     !std::any_of(values, values + number, [](double v) { return !std::isnan(v); }) &&

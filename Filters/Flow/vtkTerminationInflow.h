@@ -10,8 +10,8 @@
  * The rectangle lies across x, y or z, whichever has the most flow through a plane across it, close
  * to where that flow enters the field: the first plane along the flow of those through which at
  * least a quarter of the most goes (vtkInflowFinder). Where streamlines are followed along the
- * vectors it is where the flow leaves instead, so that streamlines end on it. It lies around the
- * middle of the flow; of an even flow with Size 1 it is all of the cross-section.
+ * vectors it is where the flow leaves instead, so that streamlines end on it. With Size 1 it
+ * has all cells that this flow goes through there.
  *
  * u goes along the axis after the normal's, v along the next one: for a normal along x along y and
  * z. The normal is along the axis, whether the flow is or not.
@@ -28,8 +28,8 @@ public:
 
   ///@{
   /**
-   * The part of the flow's width and height that the rectangle takes. Default 0.5. Valid: 0.001 to
-   * 10.
+   * The part of the flow's width and height that the rectangle takes, around its middle. Default 1.
+   * Valid: 0.001 to 10.
    */
   vtkSetClampMacro(Size, double, 0.001, 10.0);
   vtkGetMacro(Size, double);
@@ -45,7 +45,7 @@ private:
   vtkTerminationInflow(const vtkTerminationInflow&) = delete;
   void operator=(const vtkTerminationInflow&) = delete;
 
-  double Size = 0.5;
+  double Size = 1.0;
 };
 
 #endif
