@@ -306,7 +306,8 @@ std::string vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInflow) c
   if (wrong.empty() && usesInflow)
   {
     wrong = CheckArray(input, vtkFlowStatus::InflowArray(),
-      "; intervals and stream surfaces need the one of vtkInflowMapping.");
+      "; intervals and stream surfaces need the one of vtkInflowMapping. Apply that first, or "
+      "take them out.");
   }
   for (int i = 0; wrong.empty() && i < this->GetNumberOfIntervals(); ++i)
   {

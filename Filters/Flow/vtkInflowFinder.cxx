@@ -18,7 +18,7 @@ namespace
 constexpr int NumberOfSlabs = 32;
 constexpr vtkIdType MostCells = 262144;
 /// Of the most flow through a slab, for a slab to be where flow enters.
-constexpr double LeastShare = 0.25;
+constexpr double LeastShare = 0.4;
 /// Axes with as much flow but for rounding are alike, and the first counts.
 constexpr double Tie = 1e-6;
 

@@ -11,9 +11,9 @@ class vtkDataSet;
  * A cell's flow through planes across an axis is its mean velocity along the axis times its volume
  * over its length there. Summed over the cells that a plane crosses, for the flow along the axis
  * and for that against it, the axis and the sense with the most flow through one of 32 slabs are
- * taken, and of their slabs the first along the flow with a quarter of that: where the flow enters,
- * and no less than a sizeable part of it. Blanked cells and those that are not finite do not count.
- * Of large fields 262,144 cells spread evenly are looked at.
+ * taken, and of their slabs the first along the flow with four tenths of that: where the flow
+ * enters, and no less than a sizeable part of it. Blanked cells and those that are not finite do
+ * not count. Of large fields 262,144 cells spread evenly are looked at.
  */
 class vtkInflowFinder
 {

@@ -216,7 +216,7 @@ void TestRotation(Check& check)
       volume->Update();
       const vtkIdType jumps = volume->GetReport().CellsWithTimeJumps;
       check.That(jumps > 0 && jumps <= expected, "time jumps");
-      volume->SetMaximumTimeJump(0.0);
+      volume->SetMaximumTimeJump(1e-300);
       volume->Update();
       check.Equal(volume->GetOutput()->GetNumberOfCells(), 0, "all times differ in a cell");
     }

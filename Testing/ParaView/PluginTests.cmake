@@ -58,6 +58,7 @@ plugin_test(TestPluginSources "paraview;value" ${batch} "${script}/TestPluginSou
 plugin_test(TestPluginComposite "paraview;value" ${batch} "${script}/TestPluginComposite.py")
 plugin_test(TestPluginTimeVarying "paraview;value" ${batch} "${script}/TestPluginTimeVarying.py")
 plugin_test(TestPluginFlow "paraview;value" ${batch} "${script}/TestPluginFlow.py")
+plugin_test(TestPluginFlowDefaults "paraview;value" ${batch} "${script}/TestPluginFlowDefaults.py")
 plugin_test(TestPluginFlowProperties "paraview;value"
   ${batch} "${script}/TestPluginFlowProperties.py")
 plugin_test(TestPluginOnePiece "paraview;value"

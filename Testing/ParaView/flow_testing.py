@@ -71,6 +71,6 @@ def stream_lic(volume, flow, extraction):
 
 
 def flow_volume(mapping, extraction):
-    volume = simple.FlowVolume(Input=mapping)
+    volume = simple.FlowVolume(Input=mapping, Intervals=[])
     set_properties(volume, extraction["volume"])
     return volume

@@ -1,0 +1,329 @@
+// What flow filters give with no setting: few samples of large fields, scalars to colour by, and a
+// warning that says what the data has where nothing comes out.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowGrid.h"
+
+#include "vtkFlowCriticalPoints.h"
+#include "vtkFlowLIC.h"
+#include "vtkFlowVolume.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkInflowMapping.h"
+#include "vtkStreamSurfaceParameters.h"
+#include "vtkTerminationInflow.h"
+#include "vtkTerminationPlane.h"
+#include "vtkVortexAxis.h"
+
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+Vector Along(const Vector&)
+{
+  return { { 0.5, 0.0, 0.0 } };
+}
+
+/// The warnings of a filter while it is updated.
+std::string WarningsOf(vtkAlgorithm* filter)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->Update();
+  filter->RemoveObserver(observer);
+  return observer->GetWarningMessage();
+}
+
+bool Has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+std::string ScalarsOf(vtkAlgorithm* filter, int port = 0)
+{
+  vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(port));
+  vtkDataArray* scalars = output ? output->GetPointData()->GetScalars() : nullptr;
+  return scalars && scalars->GetName() ? scalars->GetName() : "none";
+}
+
+vtkDataSet* Sample(vtkImplicitFlowField* filter, vtkDataSet* field)
+{
+  filter->SetInputDataObject(field);
+  filter->Update();
+  return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+void CheckBounds(vtkDataSet* samples, vtkDataSet* field, Check& check)
+{
+  double expected[6];
+  double found[6];
+  field->GetBounds(expected);
+  samples->GetBounds(found);
+  for (int i = 0; i < 6; ++i)
+  {
+    check.Near(found[i], expected[i], 1e-12, "bounds of the samples", 4.0);
+  }
+}
+
+/// Every n-th point of large grids, voxels of large unstructured ones, and all points of small
+/// ones.
+void TestSamples(Check& check)
+{
+  vtkNew<vtkTerminationInflow> surface;
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->AddTerminationSurface(surface);
+  check.Equal(filter->GetSampleMode(), vtkImplicitFlowField::SAMPLES_AUTOMATIC, "the default mode");
+  for (const auto& grid : MakeFlowGrids())
+  {
+    check.SetContext(grid.first);
+    AddVectors(grid.second, Along);
+    vtkDataSet* samples = Sample(filter, grid.second);
+    check.That(samples->IsA(grid.second->GetClassName()), "the field's type");
+    check.Equal(samples->GetNumberOfPoints(), grid.second->GetNumberOfPoints(), "its own points");
+  }
+
+  check.SetContext("large image");
+  const auto image = MakeFlowImage(41, Along);
+  auto* thin = vtkImageData::SafeDownCast(Sample(filter, image));
+  check.That(thin != nullptr, "an image");
+  check.That(thin->GetNumberOfPoints() <= 32768 && thin->GetNumberOfPoints() > 8192, "few points");
+  CheckBounds(thin, image, check);
+
+  check.SetContext("large structured grid");
+  const auto structured = MakeStructuredGrid({ { 40, 30, 50 } });
+  MovePoints(structured, MakeBend({ { 40, 30, 50 } }, 0.2));
+  AddVectors(structured, Along);
+  vtkNew<vtkDoubleArray> ids;
+  ids->SetName("Ids");
+  for (vtkIdType p = 0; p < structured->GetNumberOfPoints(); ++p)
+  {
+    ids->InsertNextValue(static_cast<double>(p));
+  }
+  structured->GetPointData()->AddArray(ids);
+  auto* every = vtkStructuredGrid::SafeDownCast(Sample(filter, structured));
+  check.That(every != nullptr, "a structured grid");
+  int dimensions[3];
+  every->GetDimensions(dimensions);
+  // 41 x 31 x 51 = 64821, 41 x 31 x 26 = 33046, 21 x 31 x 26.
+  check.That(dimensions[0] == 21 && dimensions[1] == 31 && dimensions[2] == 26, "every second");
+  CheckBounds(every, structured, check);
+  vtkDataArray* kept = every->GetPointData()->GetArray("Ids");
+  for (vtkIdType p = 0; kept && p < every->GetNumberOfPoints(); ++p)
+  {
+    double x[3];
+    structured->GetPoint(static_cast<vtkIdType>(kept->GetComponent(p, 0)), x);
+    check.That(std::equal(x, x + 3, every->GetPoint(p)), "a point of the field with its values");
+  }
+  check.That(kept != nullptr, "arrays are kept");
+  vtkIdType cells = 0;
+  const vtkIdType whole = every->GetNumberOfCells();
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    filter->UpdatePiece(piece, 3, 0);
+    cells += vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells();
+  }
+  check.Equal(cells, whole, "cells of three pieces");
+  filter->UpdatePiece(0, 1, 0);
+
+  check.SetContext("large rectilinear grid");
+  vtkNew<vtkRectilinearGrid> rectilinear;
+  rectilinear->SetDimensions(34, 34, 34);
+  vtkNew<vtkDoubleArray> places;
+  for (int i = 0; i < 34; ++i)
+  {
+    places->InsertNextValue(i * i);
+  }
+  rectilinear->SetXCoordinates(places);
+  rectilinear->SetYCoordinates(places);
+  rectilinear->SetZCoordinates(places);
+  AddVectors(rectilinear, Along);
+  vtkDataSet* rows = Sample(filter, rectilinear);
+  check.That(rows->IsA("vtkRectilinearGrid"), "a rectilinear grid");
+  check.Equal(rows->GetNumberOfPoints(), 18 * 34 * 34, "every second along x");
+  CheckBounds(rows, rectilinear, check);
+
+  check.SetContext("large mesh");
+  const auto mesh = MakeFlowMesh(FlowMeshKinds().front(), { { 36, 36, 36 } });
+  AddVectors(mesh, Along);
+  vtkDataSet* voxels = Sample(filter, mesh);
+  check.That(voxels->IsA("vtkUnstructuredGrid"), "an unstructured grid");
+  check.That(mesh->GetNumberOfPoints() > 32768 && voxels->GetNumberOfPoints() <= 32768, "fewer");
+  check.Equal(voxels->GetNumberOfCells(), 31 * 31 * 31, "voxels");
+  CheckBounds(voxels, mesh, check);
+}
+
+/// The chain leaves scalars active, and keeps those that were before.
+void TestScalars(Check& check)
+{
+  check.SetContext("scalars");
+  const auto image = MakeFlowImage(9, Along);
+  vtkNew<vtkDoubleArray> before;
+  before->SetName("Before");
+  before->SetNumberOfValues(image->GetNumberOfPoints());
+  before->Fill(1.0);
+  image->GetPointData()->SetScalars(before);
+  vtkNew<vtkTerminationInflow> surface;
+  vtkNew<vtkImplicitFlowField> field;
+  field->SetInputDataObject(image);
+  field->AddTerminationSurface(surface);
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetInputConnection(field->GetOutputPort());
+  vtkNew<vtkFlowVolume> volume;
+  volume->SetInputConnection(mapping->GetOutputPort());
+  volume->GenerateStreamSurfacesOn();
+  volume->SetStreamSurface(0, 0.5);
+  check.That(WarningsOf(volume).empty(), "nothing is missing");
+  vtkNew<vtkStreamSurfaceParameters> texture;
+  texture->SetInputConnection(volume->GetOutputPort(1));
+  texture->SetMapping(mapping);
+  texture->AddTerminationSurface(field->GetUsedSurface(0), field->GetUsedSurfaceId(0));
+  texture->Update();
+  vtkNew<vtkFlowLIC> lic;
+  lic->SetInputData(image);
+  lic->Update();
+  check.That(ScalarsOf(field) == "AdvectionTime", "those of the field");
+  check.That(ScalarsOf(mapping) == "Inflow", "those of the mapping");
+  check.That(ScalarsOf(volume) == "Inflow", "those of the volume");
+  check.That(ScalarsOf(volume, 1) == "Inflow", "those of the stream surfaces");
+  check.That(ScalarsOf(texture) == "AdvectionTime", "those of the texture");
+  check.That(ScalarsOf(lic) == "LIC", "those of the convolution");
+  for (vtkAlgorithm* filter : { static_cast<vtkAlgorithm*>(field.GetPointer()),
+         static_cast<vtkAlgorithm*>(mapping.GetPointer()),
+         static_cast<vtkAlgorithm*>(lic.GetPointer()) })
+  {
+    vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    check.That(output->GetPointData()->HasArray("Before"), "what was active is still there");
+  }
+  check.That(vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0))
+               ->GetPointData()
+               ->HasArray("AdvectionTime"),
+    "and so is the time");
+  // A range with all of the times costs no second extraction.
+  volume->SetTimeRange(0.0, 8.0);
+  volume->Update();
+  check.Equal(volume->GetReport().TimePasses, 0, "nothing is cut by time");
+  volume->SetTimeRange(0.0, 2.0);
+  volume->Update();
+  check.Equal(volume->GetReport().TimePasses, 1, "the end is cut");
+}
+
+/// Nothing comes out, and why.
+void TestWarnings(Check& check)
+{
+  check.SetContext("warnings");
+  const auto image = MakeFlowImage(9, Along);
+  const auto beside = MakeFlowPlane(9.0);
+  vtkNew<vtkImplicitFlowField> field;
+  field->SetInputDataObject(image);
+  field->AddTerminationSurface(beside);
+  check.That(Has(WarningsOf(field),
+               "None of 729 samples reached a termination surface (left domain "
+               "729). Put the surface where the flow comes from"),
+    "no sample");
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetInputConnection(field->GetOutputPort());
+  check.That(
+    Has(WarningsOf(mapping), "not a number at any of 729 samples: 0 reached"), "no inflow");
+  vtkNew<vtkFlowVolume> volume;
+  volume->SetInputConnection(mapping->GetOutputPort());
+  check.That(Has(WarningsOf(volume), "None of 729 samples reached"), "no volume");
+  check.That(Has(WarningsOf(volume), "None") == false, "once an execution");
+
+  field->RemoveAllTerminationSurfaces();
+  field->AddTerminationSurface(MakeFlowPlane(0.0));
+  check.That(WarningsOf(field).empty(), "all samples");
+  volume->SetInterval(0, 2.0, 3.0);
+  check.That(
+    Has(WarningsOf(volume), "Interval 0, [2, 3], is outside of the range of Inflow, [0, 1]."),
+    "an interval beside");
+  volume->SetNumberOfIntervals(0);
+  volume->SetTimeRange(20.0, 30.0);
+  check.That(Has(WarningsOf(volume),
+               "The time range, [20, 30], is outside of the range of AdvectionTime, [0, 8]."),
+    "times beside");
+  volume->SetTimeRange(0.0, 30.0);
+  volume->GenerateStreamSurfacesOn();
+  check.That(Has(WarningsOf(volume), "no value for stream surfaces"), "no stream surface");
+  vtkNew<vtkStreamSurfaceParameters> texture;
+  texture->SetInputData(vtkNew<vtkUnstructuredGrid>());
+  texture->SetMapping(mapping);
+  check.That(Has(WarningsOf(texture), "The input has no triangles."), "no triangles");
+  // A surface has no volume.
+  const auto flat = MakeFlowImage(9, Along);
+  flat->SetDimensions(9, 9, 1);
+  vtkNew<vtkImageData> sheet;
+  sheet->SetDimensions(9, 9, 1);
+  vtkNew<vtkImplicitFlowField> onSheet;
+  onSheet->SetInputDataObject(image);
+  onSheet->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+  onSheet->SetSampleData(sheet);
+  onSheet->AddTerminationSurface(MakeFlowPlane(0.0));
+  vtkNew<vtkFlowVolume> none;
+  none->SetInputConnection(onSheet->GetOutputPort());
+  check.That(
+    Has(WarningsOf(none), "cells of fewer than three dimensions have no volume"), "a surface");
+
+  vtkNew<vtkFlowCriticalPoints> points;
+  points->SetInputData(image);
+  check.That(
+    Has(WarningsOf(points), "no isolated critical point in 512 cells: 0 are 0"), "no point");
+  vtkNew<vtkVortexAxis> axis;
+  axis->SetInputData(image);
+  check.That(Has(WarningsOf(axis), "No plane across the axis (0, 0, 1) has a vortex"), "no vortex");
+  vtkNew<vtkFlowLIC> lic;
+  vtkNew<vtkImageData> away;
+  away->SetDimensions(3, 3, 3);
+  away->SetOrigin(100.0, 0.0, 0.0);
+  lic->SetInputData(away);
+  lic->SetFieldData(image);
+  check.That(Has(WarningsOf(lic), "All 27 points lie outside of the field"), "points outside");
+  // Spheres around critical points are asked for in a field without any.
+  vtkNew<vtkImplicitFlowField> spheres;
+  spheres->SetInputDataObject(image);
+  spheres->AddTerminationSurface(MakeFlowPlane(0.0));
+  spheres->CriticalPointSpheresOn();
+  check.That(WarningsOf(spheres).empty(), "no warning of the search inside");
+}
+
+/// An error names the arrays that could be taken.
+void TestErrors(Check& check)
+{
+  check.SetContext("errors");
+  const auto image = MakeFlowImage(5, Along);
+  image->GetPointData()->SetActiveVectors(nullptr);
+  vtkNew<vtkImplicitFlowField> field;
+  field->SetInputDataObject(image);
+  field->AddTerminationSurface(MakeFlowPlane(0.0));
+  vtkNew<vtkTest::ErrorObserver> observer;
+  field->AddObserver(vtkCommand::ErrorEvent, observer);
+  field->Update();
+  check.That(Has(observer->GetErrorMessage(), "Its point arrays of three components: \""),
+    observer->GetErrorMessage());
+}
+}
+
+int TestFlowDefaults(int, char*[])
+{
+  Check check;
+  TestSamples(check);
+  TestScalars(check);
+  TestWarnings(check);
+  TestErrors(check);
+  return check.Result();
+}

@@ -1,0 +1,175 @@
+// The rectangle where flow enters: across the axis and at the end that the flow enters by, as wide
+// as it, on every kind of grid; where streamlines go forward where it leaves.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowGrid.h"
+#include "ReferenceMessages.h"
+
+#include "vtkFlowStatus.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkTerminationInflow.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+/// Half of one of 32 slabs over 0 ... 4.
+constexpr double Inside = 4.0 / 64.0;
+
+void CheckRectangle(vtkTerminationInflow* surface, int axis, double place, const double low[3],
+  const double high[3], Check& check)
+{
+  check.That(surface->Update().empty(), "the rectangle is right");
+  double bounds[6];
+  surface->GetBounds(bounds);
+  for (int i = 0; i < 3; ++i)
+  {
+    check.Near(bounds[2 * i], i == axis ? place : low[i], 1e-9, "lower bound", 1.0);
+    check.Near(bounds[2 * i + 1], i == axis ? place : high[i], 1e-9, "upper bound", 1.0);
+  }
+  const double* origin = surface->GetOrigin();
+  const double* point1 = surface->GetPoint1();
+  const int next = (axis + 1) % 3;
+  check.Near(
+    point1[next] - origin[next], high[next] - low[next], 1e-9, "u along the next axis", 1.0);
+}
+
+/// Uniform flow along each axis and against it.
+void TestUniform(Check& check)
+{
+  const double low[3] = { 0.0, 0.0, 0.0 };
+  const double high[3] = { 4.0, 4.0, 4.0 };
+  for (const auto& grid : MakeFlowGrids())
+  {
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      const int axis = direction / 2;
+      const double sense = direction % 2 == 0 ? 1.0 : -1.0;
+      check.SetContext(grid.first + ", direction " + std::to_string(direction));
+      const auto vectors = AddVectors(grid.second,
+        [axis, sense](const Vector&)
+        {
+          Vector v{ { 0.01, 0.02, 0.03 } };
+          v[axis] = 2.0 * sense;
+          return v;
+        });
+      vtkNew<vtkTerminationInflow> surface;
+      check.That(surface->Place(grid.second, vectors, true).empty(), "there is a place");
+      CheckRectangle(surface, axis, sense > 0.0 ? Inside : 4.0 - Inside, low, high, check);
+      check.That(surface->Place(grid.second, vectors, false).empty(), "there is a place forward");
+      CheckRectangle(surface, axis, sense > 0.0 ? 4.0 - Inside : Inside, low, high, check);
+    }
+  }
+}
+
+/// A jet through a part of the inlet, a widening flow, and the size of the rectangle.
+void TestParts(Check& check)
+{
+  check.SetContext("jet");
+  const auto image = MakeFlowImage(9,
+    [](const Vector& x) {
+      return Vector{ { 0.0, 0.0, x[0] <= 2.0 ? 1.0 : 0.0 } };
+    });
+  vtkNew<vtkTerminationInflow> surface;
+  surface->Place(image, image->GetPointData()->GetVectors(), true);
+  // The cells from 2 to 2.5 have flow at one side.
+  const double low[3] = { 0.0, 0.0, 0.0 };
+  const double high[3] = { 2.5, 4.0, 4.0 };
+  CheckRectangle(surface, 2, Inside, low, high, check);
+  surface->SetSize(0.5);
+  surface->Place(image, image->GetPointData()->GetVectors(), true);
+  const double halfLow[3] = { 0.625, 1.0, 0.0 };
+  const double halfHigh[3] = { 1.875, 3.0, 4.0 };
+  CheckRectangle(surface, 2, Inside, halfLow, halfHigh, check);
+  check.SetContext("little flow at first");
+  // A tenth of the flow before x = 2, linear in the cell between.
+  const auto widening = MakeFlowImage(33,
+    [](const Vector& x) {
+      return Vector{ { x[0] < 2.0 ? 0.1 : 1.0, 0.0, 0.0 } };
+    });
+  surface->SetSize(1.0);
+  surface->Place(widening, widening->GetPointData()->GetVectors(), true);
+  double bounds[6];
+  surface->GetBounds(bounds);
+  check.That(bounds[0] > 1.8 && bounds[0] < 2.1, "it is where much flows");
+}
+
+/// What has no place, and values that are not finite.
+void TestBad(Check& check)
+{
+  check.SetContext("bad fields");
+  const auto still = MakeFlowImage(5, [](const Vector&) { return Vector{}; });
+  vtkNew<vtkTerminationInflow> surface;
+  check.That(
+    surface->Place(still, still->GetPointData()->GetVectors(), true).find("no flow in the field") !=
+      std::string::npos,
+    "no flow is said");
+  const double notANumber = std::numeric_limits<double>::quiet_NaN();
+  const auto holes = MakeFlowImage(9,
+    [notANumber](const Vector& x) {
+      return Vector{ { x[1] > 3.6 ? notANumber : 1.0, 0.0, 0.0 } };
+    });
+  check.That(
+    surface->Place(holes, holes->GetPointData()->GetVectors(), true).empty(), "NaN is left out");
+  const double low[3] = { 0.0, 0.0, 0.0 };
+  const double high[3] = { 0.0, 3.5, 4.0 };
+  CheckRectangle(surface, 0, Inside, low, high, check);
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(still);
+  filter->AddTerminationSurface(surface);
+  check.That(MessagesOf(filter).find("no flow in the field") != std::string::npos, "the filter's");
+}
+
+/// The filter places it, follows the direction and the field, and executes once for each.
+void TestFilter(Check& check)
+{
+  check.SetContext("filter");
+  const auto image = MakeFlowImage(9, [](const Vector&) { return Vector{ { 0.5, 0.0, 0.0 } }; });
+  vtkNew<vtkTerminationInflow> surface;
+  vtkNew<vtkImplicitFlowField> filter;
+  filter->SetInputDataObject(image);
+  filter->AddTerminationSurface(surface);
+  for (const int direction : { vtkImplicitFlowField::BACKWARD, vtkImplicitFlowField::FORWARD })
+  {
+    filter->SetDirection(direction);
+    filter->Update();
+    const vtkIdType executions = filter->GetReport().Executions;
+    filter->Update();
+    check.Equal(filter->GetReport().Executions, executions, "nothing has changed");
+    vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    const bool isBackward = direction == vtkImplicitFlowField::BACKWARD;
+    for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+    {
+      const double way =
+        isBackward ? output->GetPoint(p)[0] - Inside : 4.0 - Inside - output->GetPoint(p)[0];
+      const double status = output->GetPointData()->GetArray("FlowStatus")->GetComponent(p, 0);
+      check.That((status == vtkFlowStatus::REACHED_SURFACE) == (way > 0.0), "who reaches it");
+      if (way > 0.0)
+      {
+        check.Near(output->GetPointData()->GetArray("AdvectionTime")->GetComponent(p, 0), 2.0 * way,
+          1e-9, "the time", 1.0);
+      }
+    }
+  }
+}
+}
+
+int TestTerminationInflow(int, char*[])
+{
+  Check check;
+  TestUniform(check);
+  TestParts(check);
+  TestBad(check);
+  TestFilter(check);
+  return check.Result();
+}

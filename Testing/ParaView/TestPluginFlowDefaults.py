@@ -1,0 +1,209 @@
+"""Flow filters with no setting changed, on every dataset with vectors: something comes out, coloured, or a
+warning says why not; surfaces are as large as the data, as their widgets draw them."""
+
+import time
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkInteractionWidgets import vtkImplicitPlaneRepresentation
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from plugin_testing import Checks, data_path, fetch, load_plugin
+
+DATA = ("disk_out_ref.vtu", "post.vts", "bluntfin.vts", "AnalyticFlow")
+# Of one filter, in seconds of the processor: a machine that is busy must not fail. Two are meant.
+MOST_SECONDS = 60.0
+
+
+def open_field(name):
+    field = simple.AnalyticFlow() if name == "AnalyticFlow" else simple.OpenDataFile(data_path(name))
+    field.UpdatePipeline()
+    return field
+
+
+def update(proxy):
+    """Updates a filter; its messages."""
+    messages = []
+
+    @calldata_type(VTK_STRING)
+    def keep(caller, event, text):
+        messages.append(text)
+
+    filter_object = proxy.GetClientSideObject()
+    tags = [filter_object.AddObserver(event, keep) for event in ("WarningEvent", "ErrorEvent")]
+    proxy.UpdatePipeline()
+    for tag in tags:
+        filter_object.RemoveObserver(tag)
+    return " ".join(messages)
+
+
+def scalars_of(proxy, port=0):
+    scalars = fetch(proxy, port=port).GetPointData().GetScalars()
+    return scalars.GetName() if scalars else None
+
+
+def check_chain(checks, name):
+    """Implicit Flow Field, Inflow Mapping, Flow Volume: the filters."""
+    proxies = [open_field(name)]
+    for kind, scalars in (
+            ("ImplicitFlowField", "AdvectionTime"), ("InflowMapping", "Inflow"), ("FlowVolume", "Inflow")):
+        proxies.append(getattr(simple, kind)(Input=proxies[-1]))
+        start, wall = time.process_time(), time.time()
+        messages = update(proxies[-1])
+        seconds, wall = time.process_time() - start, time.time() - wall
+        print(f"{name}, {kind}: {wall:.2f} s, of the processor {seconds:.2f} s", flush=True)
+        checks.equal(messages, "", f"{name}, {kind}, messages")
+        checks.that(seconds < MOST_SECONDS, f"{name}, {kind} takes {seconds} s")
+        checks.that(fetch(proxies[-1]).GetNumberOfCells() > 0, f"{name}, {kind} has cells")
+        checks.equal(scalars_of(proxies[-1]), scalars, f"{name}, {kind}, scalars")
+    field, mapping, volume = proxies[1:]
+    status = vtk_to_numpy(fetch(field).GetPointData().GetArray("FlowStatus"))
+    checks.that((status == 0).mean() > 0.3, f"{name}: {(status == 0).mean()} of the samples come from the surface")
+    checks.equal(list(volume.Intervals), [0.375, 0.625], f"{name}, interval at first")
+    low, high = fetch(volume).GetPointData().GetArray("Inflow").GetRange()
+    checks.that(low > 0.375 - 1e-6 and high < 0.625 + 1e-6, f"{name}, Inflow {low} to {high}")
+    times = mapping.PointData["AdvectionTime"].GetRange()
+    checks.that(numpy.allclose(list(volume.TimeRange), times), f"{name}, {list(volume.TimeRange)}, {times}")
+    checks.equal((len(volume.StreamSurfaces), len(volume.TimeSurfaces)), (0, 0), f"{name}, surfaces at first")
+    return proxies
+
+
+def check_place(checks, name, source, field):
+    """The surface is drawn by the second output, inside of the data."""
+    checks.equal(field.TerminationSurface.SMProxy.GetXMLLabel(), "Where the flow enters", "first surface")
+    checks.equal(field.SMProxy.GetOutputPortName(1), "Termination Surfaces", "second output")
+    drawn = numpy.reshape(fetch(field, port=1).GetBounds(), (3, 2))
+    whole = numpy.reshape(source.GetDataInformation().GetBounds(), (3, 2))
+    size = whole[:, 1] - whole[:, 0]
+    checks.that((drawn[:, 0] >= whole[:, 0] - 1e-6 * size).all(), f"{name}, {drawn} in {whole}")
+    checks.that((drawn[:, 1] <= whole[:, 1] + 1e-6 * size).all(), f"{name}, {drawn} in {whole}")
+    extent = (drawn[:, 1] - drawn[:, 0]) / size
+    checks.equal(int((extent == 0).sum()), 1, f"{name}, a rectangle, {extent}")
+    checks.that(sorted(extent)[1] > 0.3, f"{name}, as large as the flow, {extent}")
+
+
+def widget_bounds(bounds, surface):
+    """What ParaView's plane widget draws."""
+    widget = vtkImplicitPlaneRepresentation()
+    widget.SetPlaceFactor(1.0)
+    widget.PlaceWidget(bounds)
+    widget.SetOrigin(list(surface.Center))
+    widget.SetNormal(list(surface.Normal))
+    drawn = vtkPolyData()
+    widget.UpdatePlacement()
+    widget.GetPolyData(drawn)
+    return drawn.GetBounds()
+
+
+def check_widgets(checks, name, source, field):
+    """Surfaces placed by hand are what their widgets draw."""
+    bounds = source.GetDataInformation().GetBounds()
+    middle = [(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)]
+    diagonal = numpy.linalg.norm(numpy.subtract(bounds[1::2], bounds[0::2]))
+
+    def drawn():
+        update(field)
+        return fetch(field, port=1).GetBounds()
+
+    def compare(expected, what):
+        error = numpy.abs(numpy.subtract(drawn(), expected)).max()
+        checks.that(error < 2e-3 * diagonal, f"{name}, {what}: {drawn()}, expected {expected}")
+
+    field.TerminationSurface = "Rectangle"
+    rectangle = field.TerminationSurface
+    checks.that(numpy.allclose(list(rectangle.Center), middle), f"{name}, centre of the rectangle")
+    for normal in ([0, 0, 1], [1, 0, 0], [0, 2, 0]):
+        rectangle.Normal = normal
+        rectangle.Center = [middle[0] + 0.1 * diagonal * (normal[0] > 0), middle[1], middle[2]]
+        compare(widget_bounds(bounds, rectangle), f"rectangle across {normal}")
+    rectangle.Normal, rectangle.Center = [1, 1, 0], middle
+    outer, inner = numpy.reshape(drawn(), (3, 2)), numpy.reshape(widget_bounds(bounds, rectangle), (3, 2))
+    tolerance = 1e-6 * diagonal
+    checks.that((outer[:, 0] <= inner[:, 0] + tolerance).all() and (outer[:, 1] >= inner[:, 1] - tolerance).all(),
+                f"{name}, an oblique rectangle has all of the plane in the data")
+    field.TerminationSurface = "Cylinder"
+    radius = field.TerminationSurface.Radius
+    compare([middle[0] - radius, middle[0] + radius, middle[1] - radius, middle[1] + radius, *bounds[4:]],
+            "cylinder")
+    field.TerminationSurface = "Tube"
+    radius = field.TerminationSurface.Radius
+    compare([middle[0] - radius, middle[0] + radius, middle[1] - radius, middle[1] + radius, *bounds[4:]], "tube")
+    field.TerminationSurface = "Sphere"
+    radius = field.TerminationSurface.Radius
+    compare([middle[i // 2] + (radius if i % 2 else -radius) for i in range(6)], "sphere")
+    field.TerminationSurface = "Box"
+    compare(bounds, "box")
+    field.TerminationSurface = "Parallelogram"
+    compare([*bounds[:4], middle[2], middle[2]], "parallelogram")
+
+
+def check_others(checks, name, source, volume):
+    """Every other flow filter gives something, or says what the data have not."""
+    for kind in ("FlowCriticalPoints", "VortexAxis"):
+        proxy = getattr(simple, kind)(Input=source)
+        messages = update(proxy)
+        points = fetch(proxy).GetNumberOfPoints()
+        print(f"{name}, {kind}: {points} points {messages}", flush=True)
+        checks.that((points > 0) == (messages == ""), f"{name}, {kind}: {points} points, {messages!r}")
+        checks.that(points == 0 or scalars_of(proxy) in ("CriticalPointType", "SwirlStrength"), f"{kind}, scalars")
+    surface = simple.Slice(Input=source)
+    lic = simple.FlowLIC(Input=surface, Field=source)
+    checks.equal(update(lic), "", f"{name}, LIC")
+    checks.equal(scalars_of(lic), "LIC", f"{name}, scalars of LIC")
+    texture = simple.StreamSurfaceParameters(Input=simple.OutputPort(volume, 1))
+    checks.that("GenerateStreamSurfaces" in update(texture), f"{name}, no stream surfaces is said")
+    volume.GenerateStreamSurfaces = True
+    checks.equal(update(texture), "", f"{name}, texture")
+    checks.that(fetch(texture).GetNumberOfCells() > 0, f"{name}, textured triangles")
+    checks.equal(scalars_of(texture), "AdvectionTime", f"{name}, scalars of the texture")
+
+
+def check_empty(checks, mapping, volume):
+    """An empty volume names what the data have."""
+    volume.Intervals = [5, 6]
+    message = update(volume)
+    checks.that("Interval 0, [5, 6], is outside of the range of Inflow, [0" in message, message)
+    volume.Intervals = []
+    mapping.Input.MaximumTime = 1e-6
+    checks.that("None of" in update(mapping.Input) and fetch(mapping.Input).GetNumberOfCells() > 0, "no sample")
+    mapping.Input.MaximumTime = 1e299
+    checks.equal(update(mapping.Input), "", "the largest number is no limit, as before")
+    mapping.Input.MaximumTime = 0
+    checks.equal(update(mapping.Input), "", "nor is 0")
+
+
+def check_panels(checks, field, mapping, volume):
+    """What can be animated, and which outputs are shown."""
+    for proxy, names in (
+            (field, ("MaximumTime",)), (mapping, ("Formula", "Rings")),
+            (volume, ("Intervals", "TimeRange", "StreamSurfaces", "TimeSurfaces", "MaximumTimeJump"))):
+        for name in names:
+            checks.that(proxy.GetProperty(name).SMProperty.GetAnimateable(), f"{name} can be animated")
+    controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
+    for proxy, ports in ((field, 2), (volume, 3)):
+        for port in range(ports):
+            view = controller.GetPreferredViewType(proxy.SMProxy, port)
+            checks.equal(view == "None", port > 0, f"{proxy.SMProxy.GetXMLName()}, output {port} in {view}")
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    for name in DATA:
+        source, field, mapping, volume = check_chain(checks, name)
+        check_place(checks, name, source, field)
+        check_others(checks, name, source, volume)
+        if name == DATA[0]:
+            check_panels(checks, field, mapping, volume)
+            check_empty(checks, mapping, volume)
+        if name in ("disk_out_ref.vtu", "AnalyticFlow"):
+            field.SampleMode = "Image"
+            field.SampleDimensions = [3, 3, 3]
+            check_widgets(checks, name, source, field)
+    checks.finish()
+
+
+main()
