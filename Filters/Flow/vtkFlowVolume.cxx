@@ -185,21 +185,31 @@ void ChooseScalars(vtkUnstructuredGrid* output)
                                                                       : vtkFlowStatus::TimeArray());
 }
 
-// The lowest and the highest value of an array where samples have reached a surface; lower above
-// higher where there is none.
-vtkFlowLevels::Interval GetReachedRange(
-  vtkDataSet* input, const vtkFlowArrays& arrays, const char* name)
+// The lowest and the highest time of samples that have reached a surface; lower above higher where
+// there is none.
+vtkFlowLevels::Interval GetReachedTimes(vtkDataSet* input, const vtkFlowArrays& arrays)
 {
   vtkFlowLevels::Interval range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
-  vtkDataArray* values = input->GetPointData()->GetArray(name);
-  for (vtkIdType p = 0; values && p < input->GetNumberOfPoints(); ++p)
+  vtkDataArray* times = input->GetPointData()->GetArray(vtkFlowStatus::TimeArray());
+  for (vtkIdType p = 0; p < input->GetNumberOfPoints(); ++p)
   {
-    const double value = values->GetComponent(p, 0);
-    if (arrays.IsReached(p) && std::isfinite(value))
+    const double time = times->GetComponent(p, 0);
+    if (arrays.IsReached(p) && std::isfinite(time))
     {
-      range[0] = std::min(range[0], value);
-      range[1] = std::max(range[1], value);
+      range[0] = std::min(range[0], time);
+      range[1] = std::max(range[1], time);
     }
+  }
+  return range;
+}
+
+// The finite values of a point array; lower above higher where there is none.
+vtkFlowLevels::Interval GetFiniteRange(vtkDataSet* input, const char* name)
+{
+  vtkFlowLevels::Interval range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
+  if (vtkDataArray* values = input->GetPointData()->GetArray(name))
+  {
+    values->GetFiniteRange(range.data());
   }
   return range;
 }
@@ -344,7 +354,7 @@ int vtkFlowVolume::RequestData(
       : std::vector<vtkFlowLevels::Interval>{ Everything },
     this->StreamSurfaces, -VTK_DOUBLE_MAX);
   // Without surfaces inside, a range that has all times cuts nothing.
-  const vtkFlowLevels::Interval times = GetReachedRange(input, arrays, vtkFlowStatus::TimeArray());
+  const vtkFlowLevels::Interval times = GetFiniteRange(input, vtkFlowStatus::TimeArray());
   const bool hasAllTimes =
     this->TimeSurfaces.empty() && this->TimeRange[0] <= 0.0 && this->TimeRange[1] >= times[1];
   const double end = hasAllTimes ? VTK_DOUBLE_MAX : this->TimeRange[1];
@@ -431,21 +441,21 @@ std::string vtkFlowVolume::DescribeMissing(
     text << what << " outside of the range of " << array << ", [" << range[0] << ", " << range[1]
          << "]. ";
   };
-  const vtkFlowLevels::Interval inflow =
-    GetReachedRange(input, arrays, vtkFlowStatus::InflowArray());
-  const vtkFlowLevels::Interval times = GetReachedRange(input, arrays, vtkFlowStatus::TimeArray());
-  const bool hasInflow = inflow[0] <= inflow[1];
-  const bool hasTimes = times[0] <= times[1];
-  for (int i = 0; hasInflow && i < this->GetNumberOfIntervals(); ++i)
+  for (int i = 0; i < this->GetNumberOfIntervals(); ++i)
   {
+    // Inflow is NaN where no surface was reached.
+    const vtkFlowLevels::Interval inflow = GetFiniteRange(input, vtkFlowStatus::InflowArray());
     const std::string outside = DescribeOutside(this->Intervals.GetAll()[i], inflow);
-    if (!outside.empty())
+    if (inflow[0] <= inflow[1] && !outside.empty())
     {
       name("Interval " + std::to_string(i) + ", " + outside + ", is", vtkFlowStatus::InflowArray(),
         inflow);
     }
   }
-  if (hasTimes)
+  const bool isEmpty = mesh->GetNumberOfCells() == 0;
+  const vtkFlowLevels::Interval times =
+    isEmpty ? GetReachedTimes(input, arrays) : vtkFlowLevels::Interval{};
+  if (isEmpty && times[0] <= times[1])
   {
     const std::string outside =
       DescribeOutside({ { this->TimeRange[0], this->TimeRange[1] } }, times);
@@ -454,10 +464,10 @@ std::string vtkFlowVolume::DescribeMissing(
       name("The time range, " + outside + ", is", vtkFlowStatus::TimeArray(), times);
     }
   }
-  if (mesh->GetNumberOfCells() == 0 && text.str().empty())
+  if (isEmpty && text.str().empty())
   {
     const Report& report = this->LastReport;
-    if (!hasTimes)
+    if (times[0] > times[1])
     {
       text << "None of " << input->GetNumberOfPoints()
            << " samples reached a termination surface. ";

@@ -542,7 +542,7 @@ bool vtkImplicitFlowField::SetOptions(
   for (std::size_t i = 0; i < this->Surfaces.size(); ++i)
   {
     vtkTerminationSurface* surface = this->Surfaces[i];
-    std::string error = surface->Place(field, vectors, this->Direction == BACKWARD);
+    std::string error = surface->PlaceIn(field, vectors, this->Direction == BACKWARD);
     error = error.empty() ? surface->Update() : error;
     if (!error.empty())
     {

@@ -67,8 +67,9 @@ struct vtkAdvectionOptions;
  * for pieces, of which others may have.
  *
  * Errors (vtkErrorMacro, empty output): no vectors of that name or not of three components; a
- * surface that vtkTerminationSurface::Place or Update finds wrong; no surface and no domain faces;
- * cells of other types, with the block where there are several; SAMPLES_OF_INPUT without an input.
+ * surface that vtkTerminationSurface::PlaceIn or Update finds wrong; no surface and no domain
+ * faces; cells of other types, with the block where there are several; SAMPLES_OF_INPUT without an
+ * input.
  *
  * @sa vtkTerminationSurface vtkFlowStatus
  */

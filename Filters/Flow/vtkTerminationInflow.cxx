@@ -8,7 +8,7 @@
 vtkStandardNewMacro(vtkTerminationInflow);
 
 //------------------------------------------------------------------------------
-std::string vtkTerminationInflow::Place(vtkDataSet* field, vtkDataArray* vectors, bool isBackward)
+std::string vtkTerminationInflow::PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward)
 {
   vtkInflowFinder finder;
   if (!finder.Find(field, vectors, !isBackward))

@@ -16,7 +16,7 @@
  * u goes along the axis after the normal's, v along the next one: for a normal along x along y and
  * z. The normal is along the axis, whether the flow is or not.
  *
- * Origin, Point1 and Point2 are replaced by Place, which vtkImplicitFlowField calls. It reports
+ * Origin, Point1 and Point2 are replaced by PlaceIn, which vtkImplicitFlowField calls. It reports
  * a field without any flow.
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationInflow : public vtkTerminationPlane
@@ -35,7 +35,7 @@ public:
   vtkGetMacro(Size, double);
   ///@}
 
-  std::string Place(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
+  std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
 
 protected:
   vtkTerminationInflow() = default;

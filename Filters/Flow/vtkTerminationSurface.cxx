@@ -4,7 +4,7 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
-std::string vtkTerminationSurface::Place(vtkDataSet*, vtkDataArray*, bool)
+std::string vtkTerminationSurface::PlaceIn(vtkDataSet*, vtkDataArray*, bool)
 {
   return {};
 }

@@ -58,7 +58,7 @@ public:
    * \a field, \a isBackward says whether streamlines go against them. Returns what is wrong, or
    * nothing. Default: nothing is open.
    */
-  virtual std::string Place(vtkDataSet* field, vtkDataArray* vectors, bool isBackward);
+  virtual std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward);
 
   /**
    * Makes what the Evaluate functions need. Returns what is wrong with the surface ("the radius is

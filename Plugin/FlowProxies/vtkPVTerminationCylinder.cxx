@@ -33,7 +33,7 @@ void vtkPVTerminationCylinder::SetLength(double length)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkPVTerminationCylinder::Place(vtkDataSet* field, vtkDataArray*, bool)
+std::string vtkPVTerminationCylinder::PlaceIn(vtkDataSet* field, vtkDataArray*, bool)
 {
   field->GetBounds(this->FieldBounds);
   this->PlacePoints();

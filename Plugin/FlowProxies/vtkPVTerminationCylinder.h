@@ -38,7 +38,7 @@ public:
   vtkGetMacro(Length, double);
   ///@}
 
-  std::string Place(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
+  std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
 
 protected:
   vtkPVTerminationCylinder() = default;

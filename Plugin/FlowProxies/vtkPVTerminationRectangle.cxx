@@ -41,7 +41,7 @@ void vtkPVTerminationRectangle::SetAngle(double angle)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkPVTerminationRectangle::Place(vtkDataSet* field, vtkDataArray*, bool)
+std::string vtkPVTerminationRectangle::PlaceIn(vtkDataSet* field, vtkDataArray*, bool)
 {
   field->GetBounds(this->FieldBounds);
   this->PlaceCorners();

@@ -47,7 +47,7 @@ public:
   vtkGetMacro(Angle, double);
   ///@}
 
-  std::string Place(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
+  std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
 
 protected:
   vtkPVTerminationRectangle() = default;

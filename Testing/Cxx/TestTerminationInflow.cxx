@@ -64,9 +64,9 @@ void TestUniform(Check& check)
           return v;
         });
       vtkNew<vtkTerminationInflow> surface;
-      check.That(surface->Place(grid.second, vectors, true).empty(), "there is a place");
+      check.That(surface->PlaceIn(grid.second, vectors, true).empty(), "there is a place");
       CheckRectangle(surface, axis, sense > 0.0 ? Inside : 4.0 - Inside, low, high, check);
-      check.That(surface->Place(grid.second, vectors, false).empty(), "there is a place forward");
+      check.That(surface->PlaceIn(grid.second, vectors, false).empty(), "there is a place forward");
       CheckRectangle(surface, axis, sense > 0.0 ? 4.0 - Inside : Inside, low, high, check);
     }
   }
@@ -81,13 +81,13 @@ void TestParts(Check& check)
       return Vector{ { 0.0, 0.0, x[0] <= 2.0 ? 1.0 : 0.0 } };
     });
   vtkNew<vtkTerminationInflow> surface;
-  surface->Place(image, image->GetPointData()->GetVectors(), true);
+  surface->PlaceIn(image, image->GetPointData()->GetVectors(), true);
   // The cells from 2 to 2.5 have flow at one side.
   const double low[3] = { 0.0, 0.0, 0.0 };
   const double high[3] = { 2.5, 4.0, 4.0 };
   CheckRectangle(surface, 2, Inside, low, high, check);
   surface->SetSize(0.5);
-  surface->Place(image, image->GetPointData()->GetVectors(), true);
+  surface->PlaceIn(image, image->GetPointData()->GetVectors(), true);
   const double halfLow[3] = { 0.625, 1.0, 0.0 };
   const double halfHigh[3] = { 1.875, 3.0, 4.0 };
   CheckRectangle(surface, 2, Inside, halfLow, halfHigh, check);
@@ -98,7 +98,7 @@ void TestParts(Check& check)
       return Vector{ { x[0] < 2.0 ? 0.1 : 1.0, 0.0, 0.0 } };
     });
   surface->SetSize(1.0);
-  surface->Place(widening, widening->GetPointData()->GetVectors(), true);
+  surface->PlaceIn(widening, widening->GetPointData()->GetVectors(), true);
   double bounds[6];
   surface->GetBounds(bounds);
   check.That(bounds[0] > 1.8 && bounds[0] < 2.1, "it is where much flows");
@@ -110,9 +110,8 @@ void TestBad(Check& check)
   check.SetContext("bad fields");
   const auto still = MakeFlowImage(5, [](const Vector&) { return Vector{}; });
   vtkNew<vtkTerminationInflow> surface;
-  check.That(
-    surface->Place(still, still->GetPointData()->GetVectors(), true).find("no flow in the field") !=
-      std::string::npos,
+  check.That(surface->PlaceIn(still, still->GetPointData()->GetVectors(), true)
+               .find("no flow in the field") != std::string::npos,
     "no flow is said");
   const double notANumber = std::numeric_limits<double>::quiet_NaN();
   const auto holes = MakeFlowImage(9,
@@ -120,7 +119,7 @@ void TestBad(Check& check)
       return Vector{ { x[1] > 3.6 ? notANumber : 1.0, 0.0, 0.0 } };
     });
   check.That(
-    surface->Place(holes, holes->GetPointData()->GetVectors(), true).empty(), "NaN is left out");
+    surface->PlaceIn(holes, holes->GetPointData()->GetVectors(), true).empty(), "NaN is left out");
   const double low[3] = { 0.0, 0.0, 0.0 };
   const double high[3] = { 0.0, 3.5, 4.0 };
   CheckRectangle(surface, 0, Inside, low, high, check);
