@@ -124,30 +124,24 @@ vec2 slopes(vec3 v, vec2 a, vec2 b, vec2 c)
   return area == 0.0 ? vec2(0.0) : slope / area;
 }
 
-// Over how many pixels lambda falls to 0 at least, where a silhouette is drawn wider than it is. An edge
-// that the thick point is on, as where two corners coincide, has no slope of its own: the other edges
-// alone would continue the tetrahedron beyond it.
+// Lambda does not fall to 0 over fewer pixels than this. An edge nearer to the thick point, as where two
+// corners coincide, ends the silhouette like a step. Where it is drawn wider lambda has a ramp there,
+// or else the other edges would continue the tetrahedron. Where it is not, the card's rounding of corners
+// decides, and lambda must not: a pixel would be lost on both sides.
 const float STEEPEST = 1.0 / 1024.0;
 
 // The edge from a to b of a silhouette that turns left, or right with turn < 0, on which the area of
-// thick point, a and b is atThick; less than least is not used.
-void setEdge(int i, vec2 a, vec2 b, float atThick, float turn, float least, bool isWide)
+// thick point, a and b is atThick.
+void setEdge(int i, vec2 a, vec2 b, float atThick, float turn, bool isWide)
 {
   vec2 edge = turn > 0.0 ? b - a : a - b;
-  float inside = turn > 0.0 ? atThick : -atThick;
   float size = length(edge);
-  if (isWide && size > 0.0)
-  {
-    float toThick = max(inside, 0.0) / size;
-    float ramp = max(toThick, STEEPEST);
-    shape.edgesX[i] = -edge.y / (size * ramp);
-    shape.edgesY[i] = edge.x / (size * ramp);
-    shape.edgesOne[i] = 0.5 + 0.5 * toThick / ramp;
-    return;
-  }
-  bool isUsed = inside > least;
-  shape.edgesX[i] = isUsed ? -edge.y / inside : 0.0;
-  shape.edgesY[i] = isUsed ? edge.x / inside : 0.0;
+  float toThick = (turn > 0.0 ? atThick : -atThick) / max(size, 1e-20);
+  bool isUsed = size > 0.0 && (isWide || toThick > STEEPEST);
+  float ramp = max(toThick, STEEPEST);
+  shape.edgesX[i] = isUsed ? -edge.y / (size * ramp) : 0.0;
+  shape.edgesY[i] = isUsed ? edge.x / (size * ramp) : 0.0;
+  shape.edgesOne[i] = isUsed ? 0.5 + 0.5 * max(toThick, 0.0) / ramp : 1.0;
 }
 
 // first is the mesh position of the first corner, from which place and depth are then counted.
@@ -350,7 +344,6 @@ void main()
   vec2 extent = high - low;
   float width = sum / max(extent.x, extent.y);
   float margin = width < THIN && width > THINNEST ? MARGIN : 0.0;
-  shape.edgesOne = vec4(1.0);
   c[0].area = areas.x;
   c[1].area = areas.y;
   c[2].area = areas.z;
@@ -375,16 +368,16 @@ void main()
       swap(sign * c[k].area > sign * c[3].area, c[k], c[3]);
     }
     shape.thick = origin + c[3].place;
-    float least = 1e-6 * sum;
     float whole = cross2(c[1].place - c[0].place, c[2].place - c[0].place);
     shape.edgesX = vec4(0.0);
     shape.edgesY = vec4(0.0);
+    shape.edgesOne = vec4(1.0);
     setEdge(0, c[0].place, c[1].place, cross2(c[1].place - c[0].place, c[3].place - c[0].place),
-      whole, least, margin > 0.0);
+      whole, margin > 0.0);
     setEdge(1, c[1].place, c[2].place, cross2(c[2].place - c[1].place, c[3].place - c[1].place),
-      whole, least, margin > 0.0);
+      whole, margin > 0.0);
     setEdge(2, c[2].place, c[0].place, cross2(c[0].place - c[2].place, c[3].place - c[2].place),
-      whole, least, margin > 0.0);
+      whole, margin > 0.0);
     // The base side at the thick point.
     vec3 weights = abs(vec3(c[0].area, c[1].area, c[2].area));
     weights /= weights.x + weights.y + weights.z;
@@ -420,7 +413,7 @@ void main()
     vec2 across = isFirst ? c[2].place : c[0].place;
     float area = cross2(to - from, across - from);
     setEdge(
-      i, from, to, area * (isFirst ? share : 1.0 - share), turn, 1e-6 * sum, margin > 0.0);
+      i, from, to, area * (isFirst ? share : 1.0 - share), turn, margin > 0.0);
   }
   // A strip: the third corner carries the first triangle's planes, the fourth the second's.
   shape.otherFaces = vec4(c[2].face, c[0].face, c[0].face, c[2].face);
