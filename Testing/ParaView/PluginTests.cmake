@@ -112,7 +112,7 @@ plugin_example(stream_volume_around_a_disk disk_out_ref.vtu)
 
 # The client itself, as a newcomer uses it: a test for each session of newcomer_uses.py. Its pictures
 # become the baselines with: ctest -R TestNewcomer, and INTERLUME_WRITE_BASELINES in the environment.
-foreach (session IN ITEMS Open Slices Intervals Time Contours Flow Meshing)
+foreach (session IN ITEMS Open Scans Images Intervals Time Contours Flow Meshing)
   plugin_test(TestNewcomer${session} "paraview;image" "${Python3_EXECUTABLE}"
     "${script}/TestNewcomer.py" ${session} "${CMAKE_CURRENT_BINARY_DIR}/newcomer")
 endforeach ()

@@ -24,6 +24,9 @@ SMALLEST_OUTLINE = 0.01  # what ParaView itself makes of structured data that is
 LARGEST_DIFFERENCE = 8  # of a pixel from the baseline, in steps of 1/255
 LARGEST_SHARE_OFF = 0.002  # of the pixels that may differ more: edges drawn by another driver
 LARGEST_MEAN = 0.25
+# What the first word of a use's name says about its picture, besides that there is something.
+REPRESENTATIONS = {"intervals": "Interval Volume", "time": "Interval Volume", "slices": "Shadowed Slices"}
+COLORED = ["intervals", "time", "slices", "contour", "flow"]
 COMPLAINT = re.compile(r"ERR\||WARN\||ERROR:|Error:|Warning:|Traceback|Success = *false|critical:|FATAL", re.I)
 
 
@@ -64,6 +67,11 @@ def check_use(checks, folder, use, baselines, write):
     smallest = SMALLEST_OUTLINE if outline else SMALLEST_SHARE
     checks.that(share >= smallest, f"{use} shows something: {share:.4f} of the view")
     checks.that(facts["cells"] > 0, f"{use} has cells")
+    family = use.split("-")[0]
+    if family in REPRESENTATIONS:
+        checks.equal(facts["representation"], REPRESENTATIONS[family], f"representation of {use}")
+    if family in COLORED:
+        checks.that(facts["colored by"], f"{use} is coloured by an array")
     baseline = os.path.join(baselines, use + ".png")
     if write:
         shutil.copyfile(path, baseline)

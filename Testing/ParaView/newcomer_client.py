@@ -7,7 +7,6 @@ import signal
 import subprocess
 from xml.sax.saxutils import quoteattr
 
-SCREEN = "1280x900x24"
 MAXIMIZED = """<openbox_config xmlns="http://openbox.org/3.4/rc"><applications>
 <application class="*" type="normal"><decor>no</decor><maximized>yes</maximized></application>
 </applications></openbox_config>
@@ -32,7 +31,7 @@ def started(command, **options):
 
 
 @contextlib.contextmanager
-def display(folder, log):
+def display(size, folder, log):
     """An X server with a window manager that makes windows as large as the screen; gives its name
     when it takes clients."""
     configuration = os.path.join(folder, "openbox.xml")
@@ -40,7 +39,7 @@ def display(folder, log):
         file.write(MAXIMIZED)
     manager = ["openbox", "--config-file", configuration]
     reading, writing = os.pipe()
-    server = ["Xvfb", "-displayfd", str(writing), "-screen", "0", SCREEN, "-noreset"]
+    server = ["Xvfb", "-displayfd", str(writing), "-screen", "0", size + "x24", "-noreset"]
     with started(server, pass_fds=[writing], stdout=log, stderr=log):
         os.close(writing)
         with os.fdopen(reading) as answer:
@@ -58,8 +57,9 @@ def write_script(path, gestures):
         script.write("</pqevents>\n")
 
 
-def play(gestures, folder, name, seconds):
-    """Plays gestures in a client with the plugin; its exit status and the lines that it printed.
+def play(gestures, folder, name, seconds, size="800x600"):
+    """Plays gestures in a client with the plugin, on a screen of a size; its exit status and the
+    lines that it printed.
 
     The client has a home of its own, so that no setting of an earlier run or user counts.
     """
@@ -72,7 +72,7 @@ def play(gestures, folder, name, seconds):
     command = [os.environ["INTERLUME_CLIENT"], "--dr", "--plugins", "Interlume",
                "--plugin-search-paths", os.path.dirname(plugin), "--test-script=" + script, "--exit"]
     path = os.path.join(folder, name + ".log")
-    with open(path, "w", encoding="utf-8") as log, display(home, subprocess.DEVNULL) as screen:
+    with open(path, "w", encoding="utf-8") as log, display(size, home, subprocess.DEVNULL) as screen:
         environment = {**os.environ, "DISPLAY": screen, "HOME": home, "XDG_RUNTIME_DIR": home,
                        "LIBGL_ALWAYS_SOFTWARE": "1"}
         with started(command, env=environment, cwd=home, stdout=log, stderr=log) as client:

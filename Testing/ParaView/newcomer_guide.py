@@ -55,7 +55,7 @@ def main():
     folder = os.path.realpath(sys.argv[1])
     os.makedirs(folder, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
-        status, log = play(gestures(folder), scratch, "guide", SECONDS)
+        status, log = play(gestures(folder), scratch, "guide", SECONDS, size="1280x900")
     print("\n".join(log))
     sys.exit(0 if status == 0 else 1)
 

@@ -10,6 +10,8 @@ import os
 from plugin_testing import data_path, manifest_arrays
 
 MENU_BAR = "pqClientMainWindow/menubar"
+SCANS = ("bonsai.vti", "brainsmall.vti", "headsq_quarter.vti", "tooth.vti")
+COMPUTED_IMAGES = ("hydrogen_orbital.vti", "ironProt.vtk", "isabel_pressure_sub100.vti", "neghip.vti")
 APPLY = ("pqClientMainWindow/propertiesDock/propertiesPanel/Accept", "activate", "")
 
 
@@ -34,24 +36,23 @@ def drawn_as(representation):
     return [(chooser, "activated", representation)]
 
 
-def images():
-    return [name for name in manifest_arrays() if name.endswith(".vti") or name == "ironProt.vtk"]
-
-
 def stem(name):
     return os.path.splitext(name)[0]
+
+
+def sliced(name):
+    return opened(name) + drawn_as("Shadowed Slices")
 
 
 def sessions():
     """Each session's uses, by name; a use is a list of gestures."""
     return {
         "Open": {f"open-{stem(name)}": opened(name) for name in manifest_arrays()},
-        "Slices": {
-            f"slices-{stem(name)}": opened(name) + drawn_as("Shadowed Slices") for name in images()
-        },
+        "Scans": {f"slices-{stem(name)}": sliced(name) for name in SCANS},
+        "Images": {f"slices-{stem(name)}": sliced(name) for name in COMPUTED_IMAGES},
         "Intervals": {
             f"intervals-{stem(name)}": opened(name) + applied("IntervalVolume")
-            for name in ("disk_out_ref.vtu", "mug.ex2", "post_tets.vtk", "neghip.vti")
+            for name in ("disk_out_ref.vtu", "mug.ex2", "neghip.vti")
         },
         "Time": {"time-mug": opened("mug.ex2") + applied("TimeVaryingIntervalVolume")},
         "Contours": {
