@@ -1,26 +1,45 @@
 #include "vtkColorArrayChoice.h"
 
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMArrayListDomain.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 
+#include <algorithm>
+#include <cstring>
+#include <iterator>
 #include <tuple>
 
 namespace
 {
-/// Smaller is better: with a range, no ids, of points, scalars.
+/// Smaller is better: no ids, with a range, of points, scalars.
 using Rank = std::tuple<bool, bool, bool, bool>;
 
-Rank FindRank(vtkPVArrayInformation* array, int association)
+/// Whether the array numbers the points or cells.
+bool AreIds(vtkPVDataInformation* data, vtkPVArrayInformation* array, int association)
+{
+  vtkPVDataSetAttributesInformation* attributes = data->GetAttributeInformation(association);
+  const int kinds[] = { vtkDataSetAttributes::GLOBALIDS, vtkDataSetAttributes::PEDIGREEIDS };
+  return array->GetDataType() == VTK_ID_TYPE ||
+    std::any_of(std::begin(kinds), std::end(kinds),
+      [&](int kind)
+      {
+        vtkPVArrayInformation* ids = attributes->GetAttributeInformation(kind);
+        return ids && std::strcmp(ids->GetName(), array->GetName()) == 0;
+      });
+}
+
+Rank FindRank(vtkPVDataInformation* data, vtkPVArrayInformation* array, int association)
 {
   const int components = array->GetNumberOfComponents();
   const double* range = array->GetComponentFiniteRange(components > 1 ? -1 : 0);
-  return Rank(!(range[0] < range[1]), array->GetDataType() == VTK_ID_TYPE,
+  return Rank(AreIds(data, array, association), !(range[0] < range[1]),
     association != vtkDataObject::POINT, components > 1);
 }
 }
@@ -50,7 +69,7 @@ vtkColorArrayChoice::vtkColorArrayChoice(vtkSMPVRepresentationProxy* display)
     {
       continue;
     }
-    const Rank rank = FindRank(array, association);
+    const Rank rank = FindRank(data, array, association);
     if (!this->IsFound() || rank < best)
     {
       best = rank;

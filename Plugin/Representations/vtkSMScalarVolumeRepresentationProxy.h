@@ -16,8 +16,8 @@ class vtkSMPVRepresentationProxy;
  * `type` of this proxy's hint Volume. Whenever that is what the display shows:
  *
  * - Without an array to colour by it takes one, as ParaView does for its own Volume: from the GUI,
- *   from Python by method or property, in pvbatch. The first with a range, points before cells,
- *   scalars before vectors, ids last. Solid Color that was chosen while it is shown is kept, and so
+ *   from Python by method or property, in pvbatch. The first by: no ids, with a range, of points,
+ *   scalars. Solid Color that was chosen while it is shown is kept, and so
  *   is what a state file or undo sets. Where the data have no array, the next change looks again.
  * - By an array that the hint Categories names, with ids 0, 1, ..: each id has a colour of its own,
  *   all the same opacity, if colours and opacities were the first ones of ParaView.

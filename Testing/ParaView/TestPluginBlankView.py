@@ -63,8 +63,8 @@ def check_switched_on(checks, kind, make):
 
 
 def check_choice(checks, kind, make):
-    """Arrays with a range before constant ones and ids, points before cells, scalars before vectors; no
-    strings and no field data."""
+    """Ids last, then arrays with a range before constant ones, points before cells, scalars before vectors;
+    no strings and no field data."""
     data = make()
     count, cells = data.GetNumberOfPoints(), data.GetNumberOfCells()
     words = vtkStringArray()
