@@ -111,9 +111,12 @@ void vtkEmptyResult::Add(vtkDataSet* input, vtkDataArray* scalars, vtkIdType sim
     this->Inputs.clear();
     this->Scalars.clear();
   }
-  else if (input && input->GetNumberOfPoints() > 0)
+  else
   {
-    this->Inputs.emplace_back(input);
+    if (input)
+    {
+      this->Inputs.emplace_back(input);
+    }
     if (scalars)
     {
       this->Scalars.emplace_back(scalars);
@@ -122,14 +125,20 @@ void vtkEmptyResult::Add(vtkDataSet* input, vtkDataArray* scalars, vtkIdType sim
   }
 }
 
-void vtkEmptyResult::TakeRanges()
+void vtkEmptyResult::Look()
 {
+  for (vtkDataSet* input : this->Inputs)
+  {
+    this->Cells += input->GetNumberOfCells();
+    this->HasPoints = this->HasPoints || input->GetNumberOfPoints() > 0;
+    this->HasSolidCells = this->HasSolidCells || ::HasSolidCells(input);
+  }
   for (vtkDataArray* scalars : this->Scalars)
   {
     this->Values.Add(scalars);
   }
+  this->Inputs.clear();
   this->Scalars.clear();
-  this->Inputs.resize(std::min<std::size_t>(this->Inputs.size(), 1));
 }
 
 void vtkEmptyResult::AddCriterion(std::size_t number, const std::string& words, vtkDataArray* array,
@@ -155,7 +164,7 @@ bool vtkEmptyResult::IsUnexplained(vtkAlgorithm* owner) const
 }
 
 std::string vtkEmptyResult::Explain(
-  vtkAlgorithm* owner, const std::string& unset, const std::string& sought) const
+  vtkAlgorithm* owner, const std::string& unset, const std::string& sought)
 {
   if (!this->IsSilent(owner))
   {
@@ -169,13 +178,9 @@ std::string vtkEmptyResult::Explain(
   return pieces.Number <= 1 ? this->ExplainByData(sought) : std::string();
 }
 
-std::string vtkEmptyResult::ExplainByData(const std::string& sought) const
+std::string vtkEmptyResult::ExplainByData(const std::string& sought)
 {
   std::ostringstream why;
-  if (this->Inputs.empty() && this->Simplices == 0)
-  {
-    return "the input has no points.";
-  }
   if (!this->Criteria.empty())
   {
     // The last one: what the others had left came to it.
@@ -184,37 +189,30 @@ std::string vtkEmptyResult::ExplainByData(const std::string& sought) const
         << last.Before.Least << " to " << last.Before.Largest << ".";
     return why.str();
   }
-  vtkIdType cells = 0;
-  bool isSolid = false;
-  for (vtkDataSet* input : this->Inputs)
+  this->Look();
+  if (!this->HasPoints)
   {
-    cells += input->GetNumberOfCells();
-    isSolid = isSolid || HasSolidCells(input);
+    return "the input has no points.";
   }
-  if (cells == 0)
+  if (this->Cells == 0)
   {
     return "the input has points but no cells.";
   }
-  if (!isSolid)
+  if (!this->HasSolidCells)
   {
-    why << "none of the input's " << cells
+    why << "none of the input's " << this->Cells
         << " cells is three-dimensional; a surface, lines or points have no such region.";
     return why.str();
   }
-  Range range = this->Values;
-  for (vtkDataArray* scalars : this->Scalars)
-  {
-    range.Add(scalars);
-  }
   const std::string name = "array \"" + this->ScalarsName + "\"";
-  if (range.IsEmpty())
+  if (this->Values.IsEmpty())
   {
     why << "the " << name << " has no finite value.";
   }
   else
   {
     why << "no cell that counts meets " << sought << "; the " << name << " goes from "
-        << range.Least << " to " << range.Largest
+        << this->Values.Least << " to " << this->Values.Largest
         << ". (Blanked, hidden and ghost cells, and those with values that are not finite, do not "
            "count.)";
   }

@@ -34,12 +34,12 @@ public:
   bool Leave() { return --this->Depth == 0; }
   ///@}
 
-  /// Notes a dataset and how many simplices came of it, before criteria. \a scalars may be null.
+  /// Notes a dataset and how many simplices came of it, before criteria. Each may be missing.
   void Add(vtkDataSet* input, vtkDataArray* scalars, vtkIdType simplices);
 
-  /// Looks at the values of all scalars so far, and lets go of them: for inputs that do not stay,
+  /// Looks at the datasets and scalars so far, and lets go of them: for inputs that do not stay,
   /// such as time steps.
-  void TakeRanges();
+  void Look();
 
   /// Notes the simplices before and after a criterion on an array of the points before it; \a words
   /// name it, as in "the criterion on "p" from 1 to 2".
@@ -57,8 +57,7 @@ public:
    * \a unset: the reason when nothing is sought, such as "no interval is set"; else empty.
    * \a sought: what is sought, such as "the interval [1, 2]".
    */
-  std::string Explain(
-    vtkAlgorithm* owner, const std::string& unset, const std::string& sought) const;
+  std::string Explain(vtkAlgorithm* owner, const std::string& unset, const std::string& sought);
 
   /// Whether there is no output, no message has said why, and this is not one piece of several.
   bool IsUnexplained(vtkAlgorithm* owner) const;
@@ -87,12 +86,16 @@ private:
 
   // Whether nothing has been said of an output without anything.
   bool IsSilent(vtkAlgorithm* owner) const;
-  std::string ExplainByData(const std::string& sought) const;
+  std::string ExplainByData(const std::string& sought);
 
   std::vector<vtkSmartPointer<vtkDataSet>> Inputs;
   std::vector<vtkSmartPointer<vtkDataArray>> Scalars;
   std::string ScalarsName;
+  // What has been seen of them.
   Range Values;
+  bool HasPoints = false;
+  bool HasSolidCells = false;
+  vtkIdType Cells = 0;
   std::vector<Criterion> Criteria;
   vtkIdType Simplices = 0;
   vtkIdType SimplicesLeft = 0;

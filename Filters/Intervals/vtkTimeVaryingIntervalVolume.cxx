@@ -307,7 +307,7 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   return 1;
 }
 
-std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(const vtkTimeVaryingRun& run)
+std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(vtkTimeVaryingRun& run)
 {
   if (this->Report.Slabs == 0)
   {

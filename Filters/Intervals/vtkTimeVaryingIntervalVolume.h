@@ -225,7 +225,7 @@ protected:
   /// Begins an execution. Returns false, after an error, where parameters do not allow it.
   bool Begin();
   /// Why there is no output after all steps, or nothing.
-  std::string ExplainEmpty(const vtkTimeVaryingRun& run);
+  std::string ExplainEmpty(vtkTimeVaryingRun& run);
 
   vtkIntervalList Intervals;
   int TimeStepRange[2];

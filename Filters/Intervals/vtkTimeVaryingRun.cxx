@@ -194,7 +194,7 @@ void vtkTimeVaryingRun::NoteEmptiness()
   else if (this->NextStep > 0)
   {
     // Steps do not stay. Two of them are held in any case.
-    this->Empty.TakeRanges();
+    this->Empty.Look();
   }
 }
 
@@ -226,7 +226,8 @@ vtkTimeVaryingRun::Results vtkTimeVaryingRun::AddLeafStep(
   {
     return this->Fail(wrong);
   }
-  this->Empty.Add(input, scalars, 0);
+  // The dataset of the first step may have become that of the second; its cells are the same.
+  this->Empty.Add(this->NextStep == 1 ? input : nullptr, scalars, 0);
   leaf.ScalarsName = scalars->GetName() ? scalars->GetName() : "";
   auto step = std::make_unique<vtkSpaceTimeStep>(input, scalars, this->Times[this->NextStep]);
   const vtkExtractionContext context = this->MakeContext();

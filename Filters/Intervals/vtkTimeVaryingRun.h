@@ -57,7 +57,7 @@ public:
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
 
   /// What says why there is nothing, once all steps are taken.
-  const vtkEmptyResult& GetEmptyResult() const { return this->Empty; }
+  vtkEmptyResult& GetEmptyResult() { return this->Empty; }
 
   /// The type of the outputs for an input: an unstructured grid, or a composite dataset.
   static const char* GetOutputType(vtkDataObject* input);

@@ -16,7 +16,7 @@ def check_proposal(checks, path):
     """The first step of the mug is 0 everywhere; the proposal is not."""
     mug = simple.OpenDataFile(path)
     mug.UpdatePipeline()
-    name = mug.PointVariables[0]
+    name = simple.TimeVaryingIntervalVolume(Input=mug).Scalars[1]
     lowest, highest = mug.PointData.GetArray(name).GetRange()
     checks.equal((lowest, highest), (0.0, 0.0), f"{name} at first")
     reached = [0.0, 0.0]
@@ -101,6 +101,7 @@ def main():
     field = temporal_source("AnalyticField", {"Field": "Wave", "WholeExtent": [0, 15, 0, 7, 0, 7]})
     volume = simple.TimeVaryingIntervalVolume(Input=field)
     volume.GenerateSimplices = 1
+    volume.Boundaries = ["Volume at end"]
     volume.UpdatePipeline()
     check_display(checks, volume)
     check_slice(checks, volume)

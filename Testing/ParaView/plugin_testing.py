@@ -90,7 +90,7 @@ def fetch(proxy, port=0, rank=0):
 def warnings_of(watched):
     """The warnings of a VTK object, or of the filter of a proxy, while the block runs: a list of texts.
     They are not printed."""
-    if hasattr(watched, "GetClientSideObject"):
+    if isinstance(watched, servermanager.Proxy):
         watched = watched.GetClientSideObject()
     said = []
 
