@@ -316,6 +316,8 @@ int vtkImplicitFlowField::RequestData(
   this->Report.Executions = executions;
   this->UsedSurfaces.clear();
   vtkDataSet* output = vtkDataSet::GetData(outputs);
+  // Image data keep their active scalars from one execution to the next.
+  output->Initialize();
   const vtkFlowInput input(vtkDataObject::GetData(inputs[0], 0));
   const std::string wrong = this->CheckBlocks(input);
   if (!wrong.empty())

@@ -272,6 +272,8 @@ int vtkInflowMapping::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkDataSet* output = vtkDataSet::GetData(outputs);
+  // Image data keep their active scalars from one execution to the next.
+  output->Initialize();
   vtkFlowArrays arrays;
   std::string wrong = arrays.Find(input);
   wrong = wrong.empty() ? this->Prepare() : wrong;

@@ -66,6 +66,7 @@ struct Result
 
   explicit Result(vtkDataSet* data)
   {
+    ExpectWarnings(this->Filter);
     this->Filter->SetInputDataObject(data);
     this->Filter->Update();
     this->Output = this->Filter->GetOutput();
@@ -944,6 +945,7 @@ void CheckLeftOut(Check& check)
       form.Data->GetCell(13)->GetPointId(2), vtkDataSetAttributes::HIDDENPOINT);
     form.Data->Modified();
     vtkNew<vtkFlowCriticalPoints> filter;
+    ExpectWarnings(filter);
     filter->SetInputDataObject(form.Data);
     check.That(MessagesOf(filter).empty(), "no error");
     check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "in a cell with a hidden point");
@@ -1007,6 +1009,7 @@ void CheckExecution(Check& check)
     }
   }
   vtkNew<vtkFlowCriticalPoints> filter;
+  ExpectWarnings(filter);
   filter->SetInputData(image);
   ProgressWatch watch;
   Observe(filter, watch);
@@ -1037,6 +1040,7 @@ void CheckErrors(Check& check)
   };
   auto image = MakeImage({ 2, 2, 2 });
   vtkNew<vtkFlowCriticalPoints> filter;
+  ExpectWarnings(filter);
   filter->SetInputData(image);
   expect(filter, "The field has no active point vectors");
   SetVelocity(image, Linear(Generic, { { 0.0, 0.0, 0.0 } }));
@@ -1059,6 +1063,7 @@ void CheckErrors(Check& check)
   auto plane = MakeImage({ 2, 2, 0 });
   SetVelocity(plane, Linear(Generic, { { 0.0, 0.0, 0.0 } }));
   vtkNew<vtkFlowCriticalPoints> other;
+  ExpectWarnings(other);
   other->SetInputData(plane);
   expect(other, "Cell 0 is a vtkPixel");
   auto mesh = MakeMesh(MeshKind::Boxes, { 1, 1, 1 });

@@ -98,6 +98,7 @@ void CheckErrors(Check& check)
     check.SetContext(one.Part);
     auto input = MakeInput(4);
     vtkNew<vtkFlowVolume> volume;
+    ExpectWarnings(volume);
     SetAll(volume);
     one.Spoil(volume, input);
     volume->SetInputData(input);
@@ -110,6 +111,7 @@ void CheckErrors(Check& check)
   }
   check.SetContext("settings");
   vtkNew<vtkFlowVolume> volume;
+  ExpectWarnings(volume);
   vtkNew<vtkTest::ErrorObserver> observer;
   volume->AddObserver(vtkCommand::ErrorEvent, observer);
   volume->SetStreamSurface(-1, 0.5);
@@ -133,6 +135,7 @@ void CheckErrors(Check& check)
     flat->SetDimensions(5, 5, thickness);
     AddFlow(flat, CylinderFlow(0.2), { { { 0, 1, 0 } } });
     vtkNew<vtkFlowVolume> times;
+    ExpectWarnings(times);
     times->SetInputData(flat);
     check.That(MessagesOf(times).empty(), "no error");
     check.Equal(times->GetOutput()->GetNumberOfCells(), 0, "no cells");
@@ -160,6 +163,7 @@ void CheckArrays(Check& check)
   input->GetPointData()->AddArray(heat);
   input->GetCellData()->AddArray(zone);
   vtkNew<vtkFlowVolume> volume;
+  ExpectWarnings(volume);
   volume->SetInputData(input);
   SetAll(volume);
   volume->ParametersAsTextureCoordinatesOn();

@@ -2,6 +2,7 @@
 // again of what has not changed, and no surfaces, normals or copies of points that nobody wants.
 #include "ReferenceCheck.h"
 #include "ReferenceFlowAnswers.h"
+#include "ReferenceMessages.h"
 
 #include "vtkDataArray.h"
 #include "vtkFlowVolume.h"
@@ -72,6 +73,7 @@ int TestFlowVolumePay(int, char*[])
   Check check;
   Watch watch(check);
   vtkFlowVolume* volume = watch.Volume;
+  ExpectWarnings(volume);
   watch.Update("nothing set: tetrahedra only", { 1, 0, 1, 0, 0 });
   volume->GenerateStreamSurfacesOn();
   volume->GenerateTimeSurfacesOn();

@@ -169,6 +169,7 @@ void TestRotation(Check& check)
       }
       check.That(sided > 0, "there are sides");
       vtkNew<vtkFlowVolume> volume;
+      ExpectWarnings(volume);
       volume->SetInputData(samples);
       volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
       volume->Update();

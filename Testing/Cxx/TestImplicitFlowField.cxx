@@ -353,6 +353,7 @@ void TestNotFinite(Check& check)
       return Vector{ { x[0] >= 1.5 && x[0] <= 2.0 && x[1] <= 1.0 ? NaN : 1.0, 0.0, 0.0 } };
     });
   vtkNew<vtkImplicitFlowField> filter;
+  ExpectWarnings(filter);
   filter->SetInputDataObject(image);
   filter->AddTerminationSurface(MakeFlowPlane(0.0));
   filter->Update();
@@ -409,6 +410,8 @@ void TestErrors(Check& check)
   line->SetPoint1(1.0, 0.0, 0.0);
   line->SetPoint2(2.0, 0.0, 0.0);
   filter->AddTerminationSurface(line);
+  filter->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
   expect(filter, "Termination surface 1 (vtkTerminationPlane)");
 }
 

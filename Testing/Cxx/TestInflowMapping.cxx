@@ -86,6 +86,7 @@ double Around(double u)
 void CheckFormulas(Check& check)
 {
   vtkNew<vtkInflowMapping> mapping;
+  ExpectWarnings(mapping);
   CheckValues(
     mapping, "default", check, [](int id, double u, double) { return id ? u : Around(u); });
   mapping->SetFormula(vtkInflowMapping::ALL, "u + 2*v + 10*f");
@@ -107,6 +108,7 @@ void CheckFormulas(Check& check)
 void CheckRings(Check& check)
 {
   vtkNew<vtkInflowMapping> mapping;
+  ExpectWarnings(mapping);
   mapping->AddRing(vtkInflowMapping::ALL, 0.9, 0.4, 0.25, 0.1, 2.0);
   mapping->AddRing(vtkInflowMapping::ALL, 0.1, 0.6, 0.0, 0.3);
   check.Equal(mapping->GetNumberOfRings(vtkInflowMapping::ALL), 2, "rings");
@@ -185,6 +187,7 @@ void CheckImages(Check& check)
     {
       auto image = MakePicture(one.Size, components);
       vtkNew<vtkInflowMapping> mapping;
+      ExpectWarnings(mapping);
       mapping->SetImage(vtkInflowMapping::ALL, image);
       CheckValues(mapping, "image " + std::to_string(components), check,
         [&](int id, double u, double v)
@@ -194,6 +197,7 @@ void CheckImages(Check& check)
   check.SetContext("a changed image");
   auto image = MakePicture({ { 2, 1, 1 } }, 1);
   vtkNew<vtkInflowMapping> mapping;
+  ExpectWarnings(mapping);
   mapping->SetImage(3, image);
   check.That(mapping->GetImage(3) == image, "GetImage");
   check.Near(mapping->Evaluate(3, 1.0, 0.0), 37.0, 1e-15, "before");

@@ -127,6 +127,7 @@ void CheckLinear(Check& check)
     {
       check.SetContext(GetName(kind) + ", " + std::to_string(planes) + " planes");
       vtkNew<vtkVortexAxis> filter;
+      ExpectWarnings(filter);
       filter->SetNumberOfPlanes(planes);
       vtkPolyData* output = Run(filter, mesh);
       if (planes == 1)
@@ -161,6 +162,7 @@ void CheckLinear(Check& check)
   {
     check.SetContext(form.Name);
     vtkNew<vtkVortexAxis> filter;
+    ExpectWarnings(filter);
     filter->SetNumberOfPlanes(form.Data->IsA("vtkUnstructuredGrid") ? 7 : 0);
     vtkPolyData* output = Run(filter, form.Data);
     CheckLine(output, 7, check);
@@ -198,6 +200,7 @@ void CheckLayers(Check& check)
   const Curve line = [](double) { return FlowVector{ { 0.1, 0.2, 0.0 } }; };
   SetVelocity(grid, MakeVortex(line, 1.0, 1e6));
   vtkNew<vtkVortexAxis> filter;
+  ExpectWarnings(filter);
   vtkPolyData* output = Run(filter, grid);
   CheckLine(output, 5, check);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -253,6 +256,7 @@ void CheckDirections(Check& check)
       source->SetCenter(center[0], center[1], center[2]);
       source->Update();
       vtkNew<vtkVortexAxis> filter;
+      ExpectWarnings(filter);
       filter->SetAxis(axis.data());
       vtkPolyData* output = Run(filter, source->GetOutput());
       const double largest = std::max({ std::abs(axis[0]), std::abs(axis[1]), std::abs(axis[2]) });
@@ -321,6 +325,7 @@ void CheckOrder(Check& check)
           return FlowVector{ { factor * v[0], factor * v[1], v[2] } };
         });
       vtkNew<vtkVortexAxis> filter;
+      ExpectWarnings(filter);
       vtkPolyData* output = Run(filter, image);
       CheckLine(output, cells + 1, check);
       errors.push_back(GetError(output, curve.second));
@@ -339,6 +344,7 @@ void CheckOrder(Check& check)
   source->SetDimensions(61, 61, 31);
   source->Update();
   vtkNew<vtkVortexAxis> filter;
+  ExpectWarnings(filter);
   vtkPolyData* output = Run(filter, source->GetOutput());
   CheckLine(output, 31, check);
   const Curve eye = [](double z)
@@ -364,6 +370,7 @@ void CheckChoice(Check& check)
     [&](const FlowVector& x)
     { return MakeVortex(x[0] < 0.0 ? strong : weak, x[0] < 0.0 ? 3.0 : -1.0, 0.15)(x); });
   vtkNew<vtkVortexAxis> filter;
+  ExpectWarnings(filter);
   check.SetContext("the strongest");
   vtkPolyData* output = Run(filter, image);
   CheckLine(output, 33, check);
@@ -387,6 +394,7 @@ void CheckChoice(Check& check)
   SetVelocity(image,
     [&](const FlowVector& x) { return MakeVortex(x[0] < -0.2 ? strong : other, 1.0, 0.15)(x); });
   vtkNew<vtkVortexAxis> wide;
+  ExpectWarnings(wide);
   wide->SetSearchRadius(2.0);
   wide->UseSeedOn();
   for (const double seed : { -0.5, 0.1 })
@@ -406,6 +414,7 @@ void CheckChoice(Check& check)
       return FlowVector{ { v[0] + 4.0, v[1] - 3.0, v[2] + 2.0 } };
     });
   vtkNew<vtkVortexAxis> travelling;
+  ExpectWarnings(travelling);
   output = Run(travelling, image);
   check.Equal(output->GetNumberOfPoints(), 0, "places where nothing is subtracted");
   travelling->SetFrameVelocity(4.0, -3.0, 2.0);
@@ -429,6 +438,7 @@ void CheckBreaks(Check& check)
     });
   check.SetContext("breaks");
   vtkNew<vtkVortexAxis> filter;
+  ExpectWarnings(filter);
   vtkPolyData* output = Run(filter, image);
   check.Equal(output->GetNumberOfLines(), 2, "lines");
   check.Equal(output->GetNumberOfPoints(), 7 + 5, "places");
@@ -454,6 +464,7 @@ void CheckBreaks(Check& check)
   SetVelocity(
     image, [&](const FlowVector& x) { return MakeVortex(jump, x[2] < 0.05 ? 2.0 : 1.0, 5.0)(x); });
   vtkNew<vtkVortexAxis> near;
+  ExpectWarnings(near);
   near->SetSearchRadius(0.05);
   output = Run(near, image);
   CheckLine(output, 11, check);
@@ -481,6 +492,7 @@ void CheckNone(Check& check)
       source->SetNodeRates(1.0, 1.1, 1.2);
       source->Update();
       vtkNew<vtkVortexAxis> filter;
+      ExpectWarnings(filter);
       filter->SetAxis(axis.data());
       filter->SetInputData(source->GetOutput());
       check.That(MessagesOf(filter).empty(), "no error");
@@ -493,6 +505,7 @@ void CheckNone(Check& check)
   source->SetVelocity(0.3, -0.7, 0.9);
   source->Update();
   vtkNew<vtkVortexAxis> filter;
+  ExpectWarnings(filter);
   filter->SetAxis(0.3, -0.7, 0.9);
   SetVelocity(source->GetOutput(),
     [](const FlowVector& x)
@@ -520,6 +533,7 @@ void CheckScales(Check& check)
             speed } };
         });
       vtkNew<vtkVortexAxis> filter;
+      ExpectWarnings(filter);
       vtkPolyData* output = Run(filter, image);
       check.Equal(output->GetNumberOfPoints(), 9, "places");
       check.Near(GetLargest(output, "SwirlStrength"), speed / length, 1e-12, "swirl");
@@ -540,6 +554,7 @@ void CheckExecution(Check& check)
   source->Update();
   std::string expected;
   vtkNew<vtkVortexAxis> filter;
+  ExpectWarnings(filter);
   for (const char* backend : { "Sequential", "STDThread" })
   {
     vtkSMPTools::SetBackend(backend);
@@ -582,6 +597,7 @@ void CheckErrors(Check& check)
   };
   auto image = MakeCube(4);
   vtkNew<vtkVortexAxis> filter;
+  ExpectWarnings(filter);
   filter->SetInputData(image);
   expect(filter, "The field has no active point vectors");
   SetVelocity(image, MakeVortex([](double) { return FlowVector{}; }, 1.0, 5.0));

@@ -20,6 +20,9 @@ std::string WarningsOf(vtkAlgorithm* filter);
  */
 void UpdateWatched(vtkAlgorithm* filter);
 
+/// A filter that may give nothing, as this test means it to: it does not warn of that.
+void ExpectWarnings(vtkAlgorithm* filter);
+
 }
 
 #endif
