@@ -48,12 +48,21 @@ bool IsWithinPixelBounds(vtkImageData* picture, const std::string& baseline)
   return interlume::IsWithin(difference, bounds);
 }
 
-/// The name that VTK's tests have for a second baseline. A scene has one where the grain of
-/// vtkSSAOPass shows: VTK 9.1 rounds how often its noise goes across the window, newer versions do
-/// not.
-std::string GetSecondBaseline(const std::string& baseline)
+/// Against the baseline, then against its alternatives, named `<id>_1.png` and so on as in VTK's
+/// own tests. A scene has one for each combination of VTK and Mesa whose grain shows: of
+/// vtkSSAOPass, where VTK 9.1 rounds how often the noise goes across the window and newer versions
+/// do not, and at the edges of lines that are a texture, by Mesa's choice of its levels.
+bool IsWithinPixelBoundsOfAny(vtkImageData* picture, const std::string& baseline)
 {
-  return baseline.substr(0, baseline.rfind('.')) + "_1.png";
+  bool isWithin = IsWithinPixelBounds(picture, baseline);
+  const std::string stem = baseline.substr(0, baseline.rfind('.'));
+  std::string next = stem + "_1.png";
+  for (int i = 2; !isWithin && std::ifstream(next); ++i)
+  {
+    isWithin = IsWithinPixelBounds(picture, next);
+    next = stem + "_" + std::to_string(i) + ".png";
+  }
+  return isWithin;
 }
 
 bool Matches(const gallery::Scene& scene, vtkTesting* testing)
@@ -68,10 +77,7 @@ bool Matches(const gallery::Scene& scene, vtkTesting* testing)
   writer->SetFileName((std::string(testing->GetTempDirectory()) + "/" + scene.Id + ".png").c_str());
   writer->Write();
   const bool close = testing->RegressionTest(producer, VTK_THRESHOLD) == vtkTesting::PASSED;
-  const std::string baseline = testing->GetValidImageFileName();
-  const std::string second = GetSecondBaseline(baseline);
-  const bool same = IsWithinPixelBounds(picture, baseline) ||
-    (std::ifstream(second) && IsWithinPixelBounds(picture, second));
+  const bool same = IsWithinPixelBoundsOfAny(picture, testing->GetValidImageFileName());
   return close && same;
 }
 }
