@@ -124,11 +124,14 @@ vec2 slopes(vec3 v, vec2 a, vec2 b, vec2 c)
   return area == 0.0 ? vec2(0.0) : slope / area;
 }
 
-// Lambda does not fall to 0 over fewer pixels than this. An edge nearer to the thick point, as where two
-// corners coincide, ends the silhouette like a step. Where it is drawn wider lambda has a ramp there,
-// or else the other edges would continue the tetrahedron. Where it is not, the card's rounding of corners
-// decides, and lambda must not: a pixel would be lost on both sides.
+// Over how many pixels lambda falls to 0 at least, where a silhouette is drawn wider than it is. An edge
+// that the thick point is on, as where two corners coincide, has no slope of its own: the other edges
+// alone would continue the tetrahedron beyond it.
 const float STEEPEST = 1.0 / 1024.0;
+// A pixel's coordinates in single precision do not tell less than this. Where a silhouette is not drawn
+// wider, the card's rounding of corners, on which neighbours agree, then decides alone: with lambda
+// either could leave the pixel to the other.
+const float DIGITS = 1.0 / 32768.0;
 
 // The edge from a to b of a silhouette that turns left, or right with turn < 0, on which the area of
 // thick point, a and b is atThick.
@@ -137,7 +140,7 @@ void setEdge(int i, vec2 a, vec2 b, float atThick, float turn, bool isWide)
   vec2 edge = turn > 0.0 ? b - a : a - b;
   float size = length(edge);
   float toThick = (turn > 0.0 ? atThick : -atThick) / max(size, 1e-20);
-  bool isUsed = size > 0.0 && (isWide || toThick > STEEPEST);
+  bool isUsed = size > 0.0 && (isWide || toThick > DIGITS);
   float ramp = max(toThick, STEEPEST);
   shape.edgesX[i] = isUsed ? -edge.y / (size * ramp) : 0.0;
   shape.edgesY[i] = isUsed ? edge.x / (size * ramp) : 0.0;

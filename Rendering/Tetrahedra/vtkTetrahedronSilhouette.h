@@ -27,6 +27,9 @@
  * silhouette, beyond which h(x, y) > 0 bends it:
  *
  *   base side = affine + bend * max(0, h(x, y))
+ *
+ * The affine function is that of the larger triangle. A thin one, as where a face is seen nearly
+ * edge-on, has slopes without bound, and what is taken of them beyond the crease is rounding.
  */
 class vtkTetrahedronSilhouette
 {
@@ -201,8 +204,7 @@ private:
       this->Polygon[place] = k;
       place += 2;
     }
-    // The first triangle is the larger one, so that beyond the crease its plane is continued by no
-    // more than its own size: a small one's slopes know nothing of the other side.
+    // The first triangle is the larger one: its plane is continued by no more than its own size.
     if (std::abs(this->Areas[this->Polygon[1]]) > std::abs(this->Areas[this->Polygon[3]]))
     {
       std::swap(this->Polygon[1], this->Polygon[3]);

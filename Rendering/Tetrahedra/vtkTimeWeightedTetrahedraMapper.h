@@ -46,6 +46,11 @@ struct vtkTetrahedraArrays;
  * Extinction is the scalar opacity function divided by the property's ScalarOpacityUnitDistance,
  * per unit of length, as in VTK's mappers for unstructured grids; it may exceed 1.
  *
+ * Every pixel of the software path is within 1e-3 of the integral in each channel, in order of
+ * visibility, also where faces are seen edge-on and points coincide on the screen. With OpenGL a
+ * pixel whose centre is within 1/256 pixel of the edge of a tetrahedron's silhouette can be on its
+ * other side, since graphics cards round corners.
+ *
  * Opaque props occlude: a segment that runs into one is cut there. Each tetrahedron with a vertex
  * before the near plane is clipped. Selection (vtkHardwareSelector) finds the first tetrahedron on
  * a line of sight that is not wholly transparent.
