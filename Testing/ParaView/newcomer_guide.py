@@ -13,20 +13,19 @@ from newcomer_client import play, python
 from newcomer_uses import applied, drawn_as, opened
 
 SECONDS = 400
-SHOT = "import -window root -resize 900x +dither -colors 128 -strip"
+SHOT = "import -window root -resize 800x +dither -colors 64 -strip"
 
 
 def seen_from_aside():
     """A camera that shows depth: the z axis upwards, from the front and a little above."""
     return python("from paraview.simple import *; view = GetActiveView(); "
                   "view.CameraPosition, view.CameraFocalPoint = [0.4, -1, 0.5], [0, 0, 0]; "
-                  "view.CameraViewUp = [0, 0, 1]; ResetCamera(view); "
-                  "view.GetActiveCamera().Zoom(1.2); Render(view)")
+                  "view.CameraViewUp = [0, 0, 1]; ResetCamera(view); Render(view)")
 
 
 def shot(path):
     """The whole window in a file. The test player has drawn it by then."""
-    return python(f"import os; os.system({SHOT + ' ' + path!r})")
+    return python(f"import os; os.system({SHOT + ' PNG8:' + path!r})")
 
 
 def pictures():
@@ -35,10 +34,10 @@ def pictures():
     return {
         "IntervalVolume": disk + applied("IntervalVolume"),
         "IsotableContour": opened("tooth.vti") + applied("IsotableContour"),
-        "ShadowedSlices": opened("tooth.vti") + drawn_as("Shadowed Slices"),
+        "ShadowedSlices": opened("bonsai.vti") + drawn_as("Shadowed Slices"),
         "TimeVaryingIntervalVolume": opened("mug.ex2") + applied("TimeVaryingIntervalVolume"),
         "FlowVolume": disk + applied("ImplicitFlowField", "InflowMapping", "FlowVolume"),
-        "TetrahedralMesher": disk + applied("TetrahedralMesher"),
+        "TetrahedralMesher": disk + applied("TetrahedralMesher") + drawn_as("Surface With Edges"),
     }
 
 
@@ -55,7 +54,7 @@ def main():
     folder = os.path.realpath(sys.argv[1])
     os.makedirs(folder, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
-        status, log = play(gestures(folder), scratch, "guide", SECONDS, size="1280x900")
+        status, log = play(gestures(folder), scratch, "guide", SECONDS, size="1200x800")
     print("\n".join(log))
     sys.exit(0 if status == 0 else 1)
 
