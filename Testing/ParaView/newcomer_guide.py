@@ -1,6 +1,6 @@
 """Makes the pictures of Documentation/guide/paraview.md: the client's window after some of the uses.
 
-Argument: the folder of the pictures, Documentation/pictures/guide. Needs ImageMagick besides what
+Arguments: the folder of the pictures, Documentation/pictures/guide, and names to make these only. Needs ImageMagick besides what
 TestNewcomer.py needs, and the same environment: ninja guide-pictures in the build of the plugin. The
 pictures are named after the filters, whose help pages show them.
 """
@@ -16,11 +16,11 @@ SECONDS = 400
 SHOT = "import -window root -resize 800x +dither -colors 64 -strip"
 
 
-def seen_from_aside():
-    """A camera that shows depth: the z axis upwards, from the front and a little above."""
-    return python("from paraview.simple import *; view = GetActiveView(); "
-                  "view.CameraPosition, view.CameraFocalPoint = [0.4, -1, 0.5], [0, 0, 0]; "
-                  "view.CameraViewUp = [0, 0, 1]; ResetCamera(view); Render(view)")
+def seen_from(position, up):
+    """A camera that shows depth, from a direction, over the whole."""
+    return python(f"from paraview.simple import *; view = GetActiveView(); "
+                  f"view.CameraPosition, view.CameraFocalPoint = {position}, [0, 0, 0]; "
+                  f"view.CameraViewUp = {up}; ResetCamera(view); Render(view)")
 
 
 def shot(path):
@@ -41,11 +41,15 @@ def pictures():
     }
 
 
-def gestures(folder):
+def gestures(folder, names):
     yield python("import newcomer_record")
     for name, steps in pictures().items():
+        if names and name not in names:
+            continue
         yield from steps
-        yield seen_from_aside()
+        # The trunk of the bonsai is along y.
+        yield seen_from(*([0.5, 0.3, 1], [0, 1, 0]) if name == "ShadowedSlices" else
+                        ([0.4, -1, 0.5], [0, 0, 1]))
         yield shot(os.path.join(folder, name + ".png"))
         yield python("newcomer_record.reset()")
 
@@ -54,7 +58,7 @@ def main():
     folder = os.path.realpath(sys.argv[1])
     os.makedirs(folder, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
-        status, log = play(gestures(folder), scratch, "guide", SECONDS, size="1200x800")
+        status, log = play(gestures(folder, sys.argv[2:]), scratch, "guide", SECONDS, size="1200x800")
     print("\n".join(log))
     sys.exit(0 if status == 0 else 1)
 
