@@ -137,21 +137,23 @@ bool ReadDepth(vtkRenderer* renderer, const Reader& read)
 //------------------------------------------------------------------------------
 bool vtkSceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
 {
-  return ReadDepth(renderer,
-    [texture](int left, int bottom, int width, int height)
-    {
-      const bool fits = texture->GetHandle() != 0 &&
-        static_cast<int>(texture->GetWidth()) == width &&
-        static_cast<int>(texture->GetHeight()) == height;
-      if (!fits)
-      {
-        texture->AllocateDepth(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
-          vtkTextureObject::Float32);
-      }
-      texture->Activate();
-      glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, left, bottom, width, height);
-      texture->Deactivate();
-    });
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  const bool fits = texture->GetHandle() != 0 && static_cast<int>(texture->GetWidth()) == size[0] &&
+    static_cast<int>(texture->GetHeight()) == size[1];
+  if (!fits)
+  {
+    texture->AllocateDepth(static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]),
+      vtkTextureObject::Float32);
+  }
+  // Not while the depth is bound: newer versions of VTK find that their state is not OpenGL's then.
+  texture->Activate();
+  const bool isRead = ReadDepth(renderer,
+    [](int left, int bottom, int width, int height)
+    { glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, left, bottom, width, height); });
+  texture->Deactivate();
+  return isRead;
 }
 
 //------------------------------------------------------------------------------

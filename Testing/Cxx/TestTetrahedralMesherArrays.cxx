@@ -18,6 +18,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <random>
 

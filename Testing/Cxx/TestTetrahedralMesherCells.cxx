@@ -15,6 +15,7 @@
 #include "vtkTetrahedralMesher.h"
 
 #include <cmath>
+#include <iostream>
 
 namespace
 {

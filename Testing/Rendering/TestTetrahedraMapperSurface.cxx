@@ -11,15 +11,15 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
-#include "vtkThreshold.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -30,6 +30,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <set>
 
 namespace
@@ -328,25 +329,31 @@ void TestSlab(Check& check, int path, bool parallel, const Point3& direction, do
   check.Near(largest, 0.0, cut < 0.0 ? 1e-4 : 1e-3, name, 1.0);
 }
 
-/// The faces with no other points than theirs.
+/// The faces with no other points than theirs, in double as the grid's.
 vtkSmartPointer<vtkUnstructuredGrid> Compact(vtkPolyData* faces)
 {
-  vtkNew<vtkIntArray> all;
-  all->SetName("all");
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->Allocate(faces->GetNumberOfCells());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  std::map<vtkIdType, vtkIdType> newIds;
+  vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < faces->GetNumberOfCells(); ++cell)
   {
-    all->InsertNextValue(1);
+    faces->GetCellPoints(cell, corners);
+    for (vtkIdType& corner : *corners)
+    {
+      const auto place = newIds.emplace(corner, points->GetNumberOfPoints());
+      if (place.second)
+      {
+        points->InsertNextPoint(faces->GetPoint(corner));
+      }
+      corner = place.first->second;
+    }
+    grid->InsertNextCell(faces->GetCellType(cell), corners);
   }
-  faces->GetCellData()->AddArray(all);
-  vtkNew<vtkThreshold> threshold;
-  threshold->SetInputData(faces);
-  threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "all");
-  threshold->SetUpperThreshold(0.5);
-  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
-  // The grid's points are in double, and so must those to be matched be.
-  threshold->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  threshold->Update();
-  return threshold->GetOutput();
+  grid->SetPoints(points);
+  return grid;
 }
 
 void TestFaces(Check& check, int path, bool parallel)
