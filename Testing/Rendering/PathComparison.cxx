@@ -28,8 +28,8 @@ using Place = std::array<double, 2>;
 
 constexpr double SoftwareBound = 1e-3;
 constexpr double PathBound = 2.0 / 255.0;
-/// In pixels. Corners are rounded by half of 1/256, in single precision before.
-constexpr double SilhouetteWidth = 1.0 / 128.0;
+/// In pixels. Corners are rounded to 1/256, and thin silhouettes are drawn wider by this.
+constexpr double SilhouetteWidth = 1.0 / 64.0;
 /// The lattice of the reference: an odd number, so that it meets every phase of a regular mesh.
 constexpr int Stride = 7;
 
