@@ -115,6 +115,7 @@ plugin_example(stream_volume_around_a_disk disk_out_ref.vtu)
 foreach (session IN ITEMS Open Scans Images Intervals Time Contours Flow Meshing)
   plugin_test(TestNewcomer${session} "paraview;image" "${Python3_EXECUTABLE}"
     "${script}/TestNewcomer.py" ${session} "${CMAKE_CURRENT_BINARY_DIR}/newcomer")
+  set_tests_properties(TestNewcomer${session} PROPERTIES TIMEOUT 600)
 endforeach ()
 add_custom_target(guide-pictures
   COMMAND "${CMAKE_COMMAND}" -E env ${plugin_environment} "${Python3_EXECUTABLE}"

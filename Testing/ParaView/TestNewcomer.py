@@ -18,7 +18,7 @@ from newcomer_uses import sessions
 from plugin_pictures import pixels
 from plugin_testing import Checks, data_path
 
-SECONDS = 280  # for a session
+SECONDS = 560  # for a session, on a busy machine; an idle one takes a tenth
 SMALLEST_SHARE = 0.05  # of the picture that differs from the background
 SMALLEST_OUTLINE = 0.01  # what ParaView itself makes of structured data that is only opened
 LARGEST_DIFFERENCE = 8  # of a pixel from the baseline, in steps of 1/255
