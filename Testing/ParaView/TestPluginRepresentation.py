@@ -23,6 +23,8 @@ REPRESENTATION = "Interval Volume"
 WHOLE_BOUNDS = (1, 0.2)
 # Of many thin tetrahedra that overlap, one may begin or end at the very centre of a pixel.
 IN_TIME_BOUNDS = (2, 0.1)
+# One pixel's centre lies on a face that is seen edge-on, to the last digits of the camera.
+ON_EDGE_BOUNDS = (2, 0.2)
 # Cells that straddle the regions of two processes are drawn by one of them.
 DISTRIBUTED_BOUNDS = (24, 0.4)
 DISTRIBUTED_PICTURES = ("by-temperature", "by-interval")
@@ -113,6 +115,8 @@ def can_exchange_data():
 def bounds(picture, distributed):
     if distributed:
         return DISTRIBUTED_BOUNDS
+    if picture["name"] == "extent-in-time":
+        return ON_EDGE_BOUNDS
     return IN_TIME_BOUNDS if "source" in picture else WHOLE_BOUNDS
 
 
