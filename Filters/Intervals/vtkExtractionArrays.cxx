@@ -137,13 +137,13 @@ public:
   {
     if (vtkImageData* image = vtkImageData::SafeDownCast(input))
     {
-      image->GetExtent(this->Extent);
+      const int* extent = image->GetExtent();
       for (int axis = 0; axis < 3; ++axis)
       {
         for (int i = 0; i < dimensions[axis]; ++i)
         {
           this->Axes[axis].push_back(
-            image->GetOrigin()[axis] + (this->Extent[2 * axis] + i) * image->GetSpacing()[axis]);
+            image->GetOrigin()[axis] + (extent[2 * axis] + i) * image->GetSpacing()[axis]);
         }
       }
       this->Turned = image->GetDirectionMatrix()->IsIdentity() ? nullptr : image;
@@ -163,46 +163,40 @@ public:
 
   void GetPoint(const vtkExtractionPoint& point, double x[3]) const
   {
+    if (this->Turned)
+    {
+      this->GetTurnedPoint(point, x);
+      return;
+    }
     const std::array<int, 3> near = this->Rows.GetIjk(point.Near);
-    this->GetGridPoint(near, x);
-    if (point.Near == point.Far)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      return;
+      x[axis] = this->Axes[axis][near[axis]];
     }
-    const int axis = this->Rows.GetAxis(point.Near, point.Far);
-    const int step = point.Near < point.Far ? 1 : -1;
-    if (!this->Turned)
+    if (point.Near != point.Far)
     {
+      const int axis = this->Rows.GetAxis(point.Near, point.Far);
+      const int step = point.Near < point.Far ? 1 : -1;
       x[axis] = Interpolate<double>(x[axis], this->Axes[axis][near[axis] + step], point.Weight);
-      return;
-    }
-    std::array<int, 3> far = near;
-    far[axis] += step;
-    double end[3];
-    this->GetGridPoint(far, end);
-    for (int a = 0; a < 3; ++a)
-    {
-      x[a] = Interpolate<double>(x[a], end[a], point.Weight);
     }
   }
 
 private:
-  void GetGridPoint(const std::array<int, 3>& index, double x[3]) const
+  void GetTurnedPoint(const vtkExtractionPoint& point, double x[3]) const
   {
-    if (this->Turned)
+    this->Turned->GetPoint(point.Near, x);
+    if (point.Near != point.Far)
     {
-      this->Turned->TransformIndexToPhysicalPoint(
-        index[0] + this->Extent[0], index[1] + this->Extent[2], index[2] + this->Extent[4], x);
-      return;
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      x[axis] = this->Axes[axis][index[axis]];
+      double end[3];
+      this->Turned->GetPoint(point.Far, end);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        x[axis] = Interpolate<double>(x[axis], end[axis], point.Weight);
+      }
     }
   }
 
   vtkRowIndex Rows;
-  int Extent[6] = { 0, 0, 0, 0, 0, 0 };
   std::vector<double> Axes[3];
   // The image, where its axes are not those of space.
   vtkImageData* Turned = nullptr;

@@ -500,7 +500,9 @@ void TestBuildingProgress(Check& check)
       auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
       check.Equal(output->GetNumberOfPoints(), 0, "points after an abort");
       check.Equal(filter->GetReport().Executions, 1, "an aborted execution");
-      check.That(watch.Progress.size() == after + 1, "nothing goes on after an abort");
+      // Newer executives tell of the end of an aborted execution too.
+      const std::size_t ends = watch.Progress.back() == 1.0 ? 1 : 0;
+      check.That(watch.Progress.size() - ends == after + 1, "nothing goes on after an abort");
     }
   }
   check.SetContext("");

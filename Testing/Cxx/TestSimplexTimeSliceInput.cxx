@@ -74,17 +74,17 @@ void SetTimes(vtkUnstructuredGrid* grid, vtkAbstractArray* times)
 /// Makes cell 7 one of another type, or one of the first points of its five.
 void BreakCell(vtkUnstructuredGrid* grid, int type, vtkIdType points)
 {
-  vtkNew<vtkUnstructuredGrid> whole;
-  whole->DeepCopy(grid);
-  grid->Reset();
-  grid->SetPoints(whole->GetPoints());
+  vtkNew<vtkUnstructuredGrid> broken;
+  broken->SetPoints(grid->GetPoints());
+  broken->GetPointData()->ShallowCopy(grid->GetPointData());
   vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < whole->GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    whole->GetCellPoints(cell, ids);
+    grid->GetCellPoints(cell, ids);
     ids->SetNumberOfIds(cell == 7 ? points : 5);
-    grid->InsertNextCell(cell == 7 ? type : VTK_POLY_VERTEX, ids);
+    broken->InsertNextCell(cell == 7 ? type : VTK_POLY_VERTEX, ids);
   }
+  grid->ShallowCopy(broken);
 }
 
 void CheckErrors(Check& check)

@@ -203,6 +203,11 @@ void CheckProgress(const TemporalSource& source, Check& check)
     source.Algorithm->Modified();
     source.Algorithm->Update();
     check.Equal(source.GetOutput()->GetNumberOfPoints(), 0, "points after an abort");
+    // Newer executives tell of the end of an aborted execution too.
+    if (watch.Progress.back() == 1.0)
+    {
+      watch.Progress.pop_back();
+    }
     check.That(watch.Progress.back() < at + 0.1, "an abort ends the work");
   }
   source.Algorithm->RemoveAllObservers();
