@@ -495,6 +495,8 @@ void TestBuildingProgress(Check& check)
     {
       watch.Progress.clear();
       watch.AbortAfter = after;
+      // Newer executives leave that to those who have set it.
+      filter->SetAbortExecute(0);
       filter->Modified();
       check.That(MessagesOf(filter).empty(), "an abort is no error");
       auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
