@@ -1,14 +1,20 @@
 # Finds TetGen, built as a library: the header tetgen.h and the library tet.
 #   TetGen_FOUND
+#   TetGen_VERSION   as the header's heading has it
 #   TetGen::TetGen   what to link to
 # On Debian it is the package libtet1.5-dev, later libtet-dev.
 find_path(TetGen_INCLUDE_DIR tetgen.h PATH_SUFFIXES tetgen tetgen1.5)
 find_library(TetGen_LIBRARY NAMES tet tetgen)
 mark_as_advanced(TetGen_INCLUDE_DIR TetGen_LIBRARY)
+if (TetGen_INCLUDE_DIR)
+  file(STRINGS "${TetGen_INCLUDE_DIR}/tetgen.h" TetGen_VERSION REGEX "^// Version [0-9.]+" LIMIT_COUNT 1)
+  string(REGEX REPLACE "^// Version ([0-9.]+).*" "\\1" TetGen_VERSION "${TetGen_VERSION}")
+endif ()
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(TetGen
   REQUIRED_VARS TetGen_LIBRARY TetGen_INCLUDE_DIR
+  VERSION_VAR TetGen_VERSION
   REASON_FAILURE_MESSAGE
     "TetGen's header tetgen.h or its library tet is missing (on Debian: libtet1.5-dev or libtet-dev). Install it, or set INTERLUME_ENABLE_TETGEN to OFF")
 

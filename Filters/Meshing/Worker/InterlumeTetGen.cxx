@@ -13,6 +13,13 @@
 
 namespace
 {
+// From 1.6 on TetGen smooths the points that it was given as well, unless told not to.
+#ifdef INTERLUME_TETGEN_SMOOTHS
+const char* const FixedPoints = "s0";
+#else
+const char* const FixedPoints = "";
+#endif
+
 /// TetGen frees with delete[] what it is given.
 template <typename Value>
 Value* CopyOf(const std::vector<Value>& list)
@@ -69,7 +76,7 @@ vtkTetGenSolution Solve(const vtkTetGenProblem& problem)
   }
   // TetGen draws random numbers: a solution must not depend on the problems before it.
   std::srand(1);
-  std::string switches = problem.Switches;
+  std::string switches = problem.Switches + FixedPoints;
   tetrahedralize(&switches[0], &input, &output);
 
   vtkTetGenSolution solution;
