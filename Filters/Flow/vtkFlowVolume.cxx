@@ -441,10 +441,10 @@ std::string vtkFlowVolume::DescribeMissing(
     text << what << " outside of the range of " << array << ", [" << range[0] << ", " << range[1]
          << "]. ";
   };
+  // Inflow is NaN where no surface was reached.
+  const vtkFlowLevels::Interval inflow = GetFiniteRange(input, vtkFlowStatus::InflowArray());
   for (int i = 0; i < this->GetNumberOfIntervals(); ++i)
   {
-    // Inflow is NaN where no surface was reached.
-    const vtkFlowLevels::Interval inflow = GetFiniteRange(input, vtkFlowStatus::InflowArray());
     const std::string outside = DescribeOutside(this->Intervals.GetAll()[i], inflow);
     if (inflow[0] <= inflow[1] && !outside.empty())
     {

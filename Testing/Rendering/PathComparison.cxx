@@ -195,7 +195,8 @@ void PathComparison::Compare(const PictureCase& what, const std::string& name)
     }
   }
   const double all = static_cast<double>(width) * height;
-  this->Checks.That(static_cast<double>(apart.size()) <= std::max(16.0, this->MostSilhouettes * all),
+  this->Checks.That(
+    static_cast<double>(apart.size()) <= std::max(16.0, this->MostSilhouettes * all),
     name + ": paths differ in " + std::to_string(apart.size()) + " pixels");
   std::cout << name << ": software " << error << place << ", paths differ in " << apart.size()
             << " silhouette pixels\n";
