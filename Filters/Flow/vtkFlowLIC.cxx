@@ -4,6 +4,7 @@
 #include "vtkConvolutionKernel.h"
 #include "vtkFlowBatches.h"
 #include "vtkFlowDispatch.h"
+#include "vtkFlowPiece.h"
 #include "vtkFlowVectors.h"
 #include "vtkLatticeNoise.h"
 
@@ -144,8 +145,7 @@ int vtkFlowLIC::RequestData(
   output->GetPointData()->AddArray(values);
   output->GetPointData()->SetActiveScalars(values->GetName());
   if (this->LastReport.PointsOutside == this->LastReport.Points &&
-    outputs->GetInformationObject(0)->Get(
-      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1)
+    vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
   {
     double bounds[6];
     field->GetBounds(bounds);

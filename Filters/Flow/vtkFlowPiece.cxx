@@ -16,12 +16,12 @@
 void vtkFlowPiece::Extract(vtkInformation* info, vtkUnstructuredGrid* grid)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  const vtkIdType pieces = info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
-  const vtkIdType piece = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
-  if (pieces <= 1)
+  if (IsWhole(info))
   {
     return;
   }
+  const vtkIdType pieces = info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
+  const vtkIdType piece = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
   const vtkIdType first = grid->GetNumberOfCells() * piece / pieces;
   const vtkIdType last = grid->GetNumberOfCells() * (piece + 1) / pieces;
   vtkNew<vtkIdList> corners;
@@ -65,4 +65,10 @@ void vtkFlowPiece::Extract(vtkInformation* info, vtkUnstructuredGrid* grid)
   // Not the same object: the grid, copying it from itself, would clear it.
   part->GetFieldData()->ShallowCopy(grid->GetFieldData());
   grid->ShallowCopy(part);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFlowPiece::IsWhole(vtkInformation* info)
+{
+  return info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1;
 }

@@ -5,12 +5,13 @@
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkFlowArrays.h"
 #include "vtkFlowExtraction.h"
 #include "vtkFlowLevels.h"
 #include "vtkFlowNormals.h"
+#include "vtkFlowPiece.h"
 #include "vtkFlowStatus.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -20,7 +21,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -354,9 +354,8 @@ int vtkFlowVolume::RequestData(
       : std::vector<vtkFlowLevels::Interval>{ Everything },
     this->StreamSurfaces, -VTK_DOUBLE_MAX);
   // Without surfaces inside, a range that has all times cuts nothing.
-  const vtkFlowLevels::Interval times = GetFiniteRange(input, vtkFlowStatus::TimeArray());
-  const bool hasAllTimes =
-    this->TimeSurfaces.empty() && this->TimeRange[0] <= 0.0 && this->TimeRange[1] >= times[1];
+  const bool hasAllTimes = this->TimeSurfaces.empty() && this->TimeRange[0] <= 0.0 &&
+    this->TimeRange[1] >= GetFiniteRange(input, vtkFlowStatus::TimeArray())[1];
   const double end = hasAllTimes ? VTK_DOUBLE_MAX : this->TimeRange[1];
   const vtkFlowLevels byTime({ { { this->TimeRange[0], end } } }, this->TimeSurfaces, 0.0);
   const std::size_t items = std::max(byInflow.GetItems().size(), byTime.GetItems().size());
@@ -419,8 +418,7 @@ int vtkFlowVolume::RequestData(
     output->GetFieldData()->PassData(input->GetFieldData());
     ChooseScalars(output);
   }
-  if (outputs->GetInformationObject(0)->Get(
-        vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1)
+  if (vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
   {
     const std::string warning = this->DescribeMissing(input, arrays, mesh);
     if (!warning.empty())

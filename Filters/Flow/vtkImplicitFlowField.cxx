@@ -387,8 +387,7 @@ int vtkImplicitFlowField::RequestData(
 void vtkImplicitFlowField::Finish(vtkInformation* info, vtkDataSet* output)
 {
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
-  if (!this->Report.Reached.empty() || this->Report.Samples == 0 ||
-    info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+  if (!this->Report.Reached.empty() || this->Report.Samples == 0 || !vtkFlowPiece::IsWhole(info))
   {
     return;
   }

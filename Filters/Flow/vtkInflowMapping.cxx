@@ -5,6 +5,7 @@
 #include "vtkFieldData.h"
 #include "vtkFlowArrays.h"
 #include "vtkFlowBatches.h"
+#include "vtkFlowPiece.h"
 #include "vtkFlowStatus.h"
 #include "vtkImageData.h"
 #include "vtkInflowFunction.h"
@@ -15,7 +16,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -333,8 +333,7 @@ int vtkInflowMapping::RequestData(
   output->GetFieldData()->AddArray(periodic);
   if (number > 0 &&
     !std::any_of(values, values + number, [](double v) { return !std::isnan(v); }) &&
-    outputs->GetInformationObject(0)->Get(
-      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1)
+    vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
   {
     vtkIdType reached = 0;
     for (vtkIdType p = 0; p < number; ++p)

@@ -6,6 +6,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFlowBatches.h"
+#include "vtkFlowPiece.h"
 #include "vtkFlowPointCopies.h"
 #include "vtkFlowStatus.h"
 #include "vtkIdTypeArray.h"
@@ -21,7 +22,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamSurfaceWork.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerminationSurface.h"
 
 #include <algorithm>
@@ -245,8 +245,7 @@ int vtkStreamSurfaceParameters::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   if (input->GetNumberOfCells() == 0)
   {
-    if (outputs->GetInformationObject(0)->Get(
-          vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1)
+    if (vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
     {
       vtkWarningMacro("The input has no triangles. It is to be the output Stream Surfaces of a "
                       "vtkFlowVolume with GenerateStreamSurfaces on, and with intervals or "
