@@ -3,13 +3,13 @@
 #include "vtkClosedSurface.h"
 #include "vtkMeshRefinement.h"
 #include "vtkMeshingJob.h"
+#include "vtkSurfaceCrossings.h"
 #include "vtkSurfaceRegions.h"
 #include "vtkTetrahedronMath.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace
 {
@@ -88,38 +88,22 @@ vtkTetGenProblem MakeProblem(const vtkClosedSurface& surface)
   return problem;
 }
 
-/// Adds the input cells that intersect others to the reason of a failure, where TetGen finds some.
-void NameIntersecting(const vtkClosedSurface& surface, vtkMeshingJob& job)
+/// An error that names the input cells that cross others, or nothing.
+std::string CheckCrossings(const vtkClosedSurface& surface)
 {
-  const std::string reason = job.Error;
-  vtkTetGenProblem problem = MakeProblem(surface);
-  problem.Switches = "pdMJQ";
-  problem.Markers.resize(surface.CellIds.size());
-  std::iota(problem.Markers.begin(), problem.Markers.end(), 1);
-  vtkTetGenSolution solution;
-  const bool isAnswered = job.Solve(problem, solution);
-  job.Error = reason;
-  std::vector<vtkIdType> cells;
-  for (int marker : solution.Markers)
+  constexpr std::size_t most = 8;
+  const std::vector<vtkIdType> cells = vtkSurfaceCrossings::FindCells(surface);
+  if (cells.empty())
   {
-    if (isAnswered && marker > 0 && marker <= static_cast<int>(surface.CellIds.size()))
-    {
-      cells.push_back(surface.CellIds[marker - 1]);
-    }
+    return std::string();
   }
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  if (!cells.empty())
+  std::string error = "The surface intersects itself: " + std::to_string(cells.size()) +
+    " cells are in intersections,";
+  for (std::size_t i = 0; i < std::min(most, cells.size()); ++i)
   {
-    constexpr std::size_t most = 8;
-    job.Error = "The surface intersects itself: " + std::to_string(cells.size()) +
-      " cells are in intersections,";
-    for (std::size_t i = 0; i < std::min(most, cells.size()); ++i)
-    {
-      job.Error += " " + std::to_string(cells[i]);
-    }
-    job.Error += cells.size() > most ? ", ... (" + reason + ")" : ". (" + reason + ")";
+    error += " " + std::to_string(cells[i]);
   }
+  return error + (cells.size() > most ? ", ..." : ".");
 }
 
 void TakeMesh(
@@ -178,6 +162,10 @@ void vtkSurfaceMesher::Execute(vtkMeshingJob& job)
   job.Error = surface.Take(job.Input);
   job.Report.SurfaceTriangles = static_cast<vtkIdType>(surface.CellIds.size());
   job.Report.MergedPoints = surface.Points.NumberOfMerged;
+  if (job.Error.empty())
+  {
+    job.Error = CheckCrossings(surface);
+  }
   if (!job.Error.empty() || job.IsCancelled())
   {
     return;
@@ -198,10 +186,6 @@ void vtkSurfaceMesher::Execute(vtkMeshingJob& job)
   vtkTetGenSolution solution;
   if (!job.Solve(problem, solution))
   {
-    if (!job.Error.empty() && !job.TetGen.IsLate())
-    {
-      NameIntersecting(surface, job);
-    }
     return;
   }
   if (job.IsRefining())
