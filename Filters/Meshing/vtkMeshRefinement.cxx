@@ -13,6 +13,11 @@ constexpr double LeastShape = 1e-6;
 constexpr int MostPasses = 12;
 /// How many passes in a row may fail to come nearer to the bounds: some then go on.
 constexpr int MostStalls = 2;
+/// TetGen 1.6 ends with some tetrahedra just beyond a bound. Where none is further beyond than
+/// this, a pass that failed is followed by one with bounds that are tighter by these parts more.
+constexpr double NearlyHeld = 1.5;
+constexpr double TighterQuality = 0.02;
+constexpr double TighterVolume = 0.1;
 /// Weaker bounds, for large tetrahedra next to angles at which the bound that was set has no end.
 constexpr std::array<double, 2> WeakerBounds{ { 4.0, 16.0 } };
 
@@ -23,6 +28,14 @@ vtkMeshMeasures Measure(const vtkMeshingJob& job, const vtkTetGenSolution& mesh)
   measures.MaximumVolume = job.MaximumVolume;
   measures.Add(mesh.Points, mesh.Tetrahedra);
   return measures;
+}
+
+bool IsNearlyHeld(const vtkMeshMeasures& measures)
+{
+  return (measures.QualityBound <= 0.0 ||
+           measures.LargestRadiusEdgeRatio <= NearlyHeld * measures.QualityBound) &&
+    (measures.MaximumVolume <= 0.0 ||
+      measures.LargestVolume <= NearlyHeld * measures.MaximumVolume);
 }
 
 /// Whether no tetrahedron is tiny or flat beside those of the first mesh and the bounds.
@@ -47,10 +60,12 @@ bool vtkMeshRefinement::Execute(vtkMeshingJob& job, vtkTetGenSolution& mesh)
   for (int pass = 0; pass < MostPasses && best.Excess > 0.0 && current.GetNumberOfPoints() < most;
        ++pass)
   {
+    const int tighter = IsNearlyHeld(best) ? stalls : 0;
     vtkTetGenProblem problem;
     // Of a mesh that it refines, TetGen counts every point.
     problem.Switches = std::string("rMJnQ") + (job.PreserveBoundary ? "Y" : "") +
-      job.GetRefinementSwitches(quality, job.MaximumVolume, most);
+      job.GetRefinementSwitches(quality / (1.0 + TighterQuality * tighter),
+        job.MaximumVolume / (1.0 + TighterVolume * tighter), most);
     problem.Points = current.Points;
     problem.Tetrahedra = current.Tetrahedra;
     problem.Triangles = current.Triangles;

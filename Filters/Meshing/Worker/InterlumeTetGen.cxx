@@ -8,16 +8,19 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 #include <unistd.h>
 
 namespace
 {
-// From 1.6 on TetGen smooths the points that it was given as well, unless told not to.
+// From 1.6 on TetGen, unless told not to, smooths the points that it was given as well (s0), and
+// takes a plate for flat that is thinner than 1e-8 of its length (T).
 #ifdef INTERLUME_TETGEN_SMOOTHS
-const char* const FixedPoints = "s0";
+const char* const SwitchesOfVersion = "s0T1e-14";
 #else
-const char* const FixedPoints = "";
+const char* const SwitchesOfVersion = "";
 #endif
 
 /// TetGen frees with delete[] what it is given.
@@ -76,7 +79,7 @@ vtkTetGenSolution Solve(const vtkTetGenProblem& problem)
   }
   // TetGen draws random numbers: a solution must not depend on the problems before it.
   std::srand(1);
-  std::string switches = problem.Switches + FixedPoints;
+  std::string switches = problem.Switches + SwitchesOfVersion;
   tetrahedralize(&switches[0], &input, &output);
 
   vtkTetGenSolution solution;
@@ -94,6 +97,9 @@ vtkTetGenSolution Solve(const vtkTetGenProblem& problem)
 
 int main()
 {
+  // Of some failures TetGen 1.6 leaves files where it runs.
+  std::error_code ignored;
+  std::filesystem::current_path(std::filesystem::temp_directory_path(ignored), ignored);
   // What TetGen has printed is to be in the file when it crashes.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   vtkTetGenChannel channel(STDIN_FILENO);
