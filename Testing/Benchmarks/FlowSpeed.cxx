@@ -196,8 +196,8 @@ void AddSecondThread(Case what, const BenchOptions& options, BenchRows& rows)
 }
 
 /// The number of rows of equal error on images, or on other grids.
-std::function<std::optional<double>(const BenchRow&)> OfEqualError(
-  bool isImage, const std::function<double(const BenchRow&)>& number)
+template <typename Number>
+std::function<std::optional<double>(const BenchRow&)> OfEqualError(bool isImage, Number number)
 {
   return [isImage, number](const BenchRow& row) -> std::optional<double>
   {

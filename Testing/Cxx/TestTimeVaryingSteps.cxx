@@ -34,12 +34,9 @@ const std::vector<double> Times = { 0, 0.5, 2, 2.25, 3 };
 std::vector<GeometricSimplex> SetOf(
   vtkUnstructuredGrid* grid, const char* kind, const char* fourth, int firstSlab)
 {
-  std::vector<std::string> arrays = { "IntervalId" };
-  if (*kind)
-  {
-    arrays.emplace_back(kind);
-  }
-  arrays.emplace_back("TimeSlab");
+  const std::vector<std::string> arrays = *kind
+    ? std::vector<std::string>{ "IntervalId", kind, "TimeSlab" }
+    : std::vector<std::string>{ "IntervalId", "TimeSlab" };
   std::vector<GeometricSimplex> set = GeometricSet(grid, arrays, fourth);
   for (GeometricSimplex& simplex : set)
   {
