@@ -3,6 +3,7 @@
 #include "MapperPicture.h"
 #include "PictureCases.h"
 #include "ReferenceCheck.h"
+#include "TestWindow.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -268,6 +269,7 @@ void TestPeeling(Check& check, const Scene& scene, int samples, bool isPeeled)
   const std::string name = scene.Name + std::to_string(samples) + " samples, " +
     (isPeeled ? "depth peeling" : "no depth peeling");
   View view(scene, scene.MakeVolume(), Slanted, { { 80, 64 } }, samples);
+  AllowPeelingOfSamples(view.Window);
   view.Window->SetAlphaBitPlanes(1);
   view.Renderer->SetUseDepthPeeling(isPeeled);
   view.Renderer->SetMaximumNumberOfPeels(8);

@@ -1,5 +1,7 @@
 #include "VolumeStage.h"
 
+#include "TestWindow.h"
+
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -45,7 +47,9 @@ VolumeStage::VolumeStage(const std::array<int, 2>& size)
   camera->SetDelegatePass(sequence);
   this->Pass->SetDelegatePass(camera);
   this->Pass->SetColorFormat(vtkTextureObject::Float32);
-  this->Pass->SetDepthFormat(vtkTextureObject::Fixed24);
+  // VTK's ray caster copies the depth to a texture of this format.
+  this->Pass->SetDepthFormat(vtkTextureObject::Fixed32);
+  MuteShaderCompiler(this->Window);
 }
 
 VolumeStage::~VolumeStage()
