@@ -1,19 +1,17 @@
 #include "vtkPVImplicitFlowField.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkFlowStatus.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerminationMesh.h"
 #include "vtkTerminationSurfaceSource.h"
@@ -27,34 +25,23 @@ constexpr int SurfacesPort = 2;
 // Of the outputs.
 constexpr int DrawingPort = 1;
 
-// Appends the points and triangles of a drawn surface, whose ids are moved to start at \a id.
-void Append(vtkPolyData* drawn, int id, vtkPolyData* output)
+// The drawing of \a surface, whose ids start at \a id.
+vtkSmartPointer<vtkPolyData> Draw(vtkTerminationSurface* surface, int id)
 {
-  const vtkIdType before = output->GetNumberOfPoints();
-  vtkIdType number = 0;
-  const vtkIdType* corners = nullptr;
-  const auto cells = vtk::TakeSmartPointer(drawn->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  vtkNew<vtkTerminationSurfaceSource> source;
+  source->SetSurface(surface);
+  source->Update();
+  vtkPolyData* drawing = source->GetOutput();
+  vtkDataArray* ids = drawing->GetCellData()->GetArray(vtkFlowStatus::IdArray());
+  if (ids && ids->GetNumberOfTuples() > 0)
   {
-    cells->GetCurrentCell(number, corners);
-    output->GetPolys()->InsertNextCell(
-      { before + corners[0], before + corners[1], before + corners[2] });
+    const double moved = id - ids->GetComponent(0, 0);
+    for (vtkIdType c = 0; c < ids->GetNumberOfTuples(); ++c)
+    {
+      ids->SetComponent(c, 0, ids->GetComponent(c, 0) + moved);
+    }
   }
-  vtkPointData* from = drawn->GetPointData();
-  vtkPointData* to = output->GetPointData();
-  for (vtkIdType p = 0; p < drawn->GetNumberOfPoints(); ++p)
-  {
-    output->GetPoints()->InsertNextPoint(drawn->GetPoint(p));
-    to->GetTCoords()->InsertNextTuple(p, from->GetTCoords());
-    to->GetNormals()->InsertNextTuple(p, from->GetNormals());
-  }
-  vtkDataArray* parts = drawn->GetCellData()->GetArray(vtkFlowStatus::IdArray());
-  vtkDataArray* ids = output->GetCellData()->GetArray(vtkFlowStatus::IdArray());
-  const double first = parts->GetNumberOfTuples() > 0 ? parts->GetComponent(0, 0) : 0.0;
-  for (vtkIdType c = 0; c < parts->GetNumberOfTuples(); ++c)
-  {
-    ids->InsertNextTuple1(id + parts->GetComponent(c, 0) - first);
-  }
+  return drawing;
 }
 }
 
@@ -150,31 +137,16 @@ int vtkPVImplicitFlowField::RequestData(
 //------------------------------------------------------------------------------
 void vtkPVImplicitFlowField::DrawSurfaces(vtkPolyData* output) const
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> parameters;
-  parameters->SetName(vtkFlowStatus::ParametersArray());
-  parameters->SetNumberOfComponents(2);
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  vtkNew<vtkIntArray> ids;
-  ids->SetName(vtkFlowStatus::IdArray());
-  output->SetPoints(points);
-  output->SetPolys(vtkNew<vtkCellArray>());
-  output->GetPointData()->SetTCoords(parameters);
-  output->GetPointData()->SetScalars(parameters);
-  output->GetPointData()->SetNormals(normals);
-  output->GetCellData()->AddArray(ids);
+  vtkNew<vtkAppendPolyData> drawings;
   for (int i = 0; i < this->GetNumberOfUsedSurfaces(); ++i)
   {
-    vtkNew<vtkTerminationSurfaceSource> source;
-    source->SetSurface(this->GetUsedSurface(i));
-    source->Update();
-    if (source->GetOutput()->GetNumberOfPoints() > 0)
-    {
-      Append(source->GetOutput(), this->GetUsedSurfaceId(i), output);
-    }
+    drawings->AddInputData(Draw(this->GetUsedSurface(i), this->GetUsedSurfaceId(i)));
+  }
+  if (drawings->GetNumberOfInputConnections(0) > 0)
+  {
+    drawings->Update();
+    output->ShallowCopy(drawings->GetOutput());
+    output->GetPointData()->SetActiveScalars(vtkFlowStatus::ParametersArray());
   }
 }
 
