@@ -34,6 +34,20 @@ public:
     return ascending;
   }
 
+  /// Whether putting ids in ascending order takes an odd number of exchanges.
+  bool IsOdd(const vtkIdType* ids, int number) const
+  {
+    bool isOdd = false;
+    for (int a = 0; a < number; ++a)
+    {
+      for (int b = a + 1; b < number; ++b)
+      {
+        isOdd ^= this->IsBefore(ids[b], ids[a]);
+      }
+    }
+    return isOdd;
+  }
+
   /// The rank of each corner; of equal ids, in a degenerate cell, the first corner is the lower.
   void Rank(const vtkIdType* ids, int number, vtkIsotable::Slot* ranks) const;
 

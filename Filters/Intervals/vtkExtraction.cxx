@@ -99,6 +99,7 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   context.Index = this->Index;
   context.Report = &report;
   context.GenerateBoundaries = this->GenerateBoundaries;
+  context.KeepOrientation = this->KeepOrientation;
   context.KeepCellIds =
     input->GetCellData()->GetNumberOfArrays() > 0 || this->InputBoundary || this->KeepOrigins;
   context.SetBlanking(input);
@@ -129,13 +130,17 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
     return false;
   }
   report.Cells = input->GetNumberOfCells();
+  if (!mesh.TiedSimplices.empty())
+  {
+    vtkExtractionCleanup::RemoveOppositeSimplices(mesh);
+  }
+  if (!mesh.TiedTriangles.empty())
+  {
+    vtkExtractionCleanup::SettleTiedTriangles(mesh);
+  }
   if (mesh.Used.GetSize() > 0)
   {
     vtkExtractionCleanup::RemoveUnusedPoints(mesh);
-  }
-  if (this->GenerateBoundaries && report.CollapsedSimplices > 0)
-  {
-    vtkExtractionCleanup::RemoveOppositeTriangles(mesh);
   }
   if (this->InputBoundary)
   {

@@ -24,6 +24,8 @@ public:
   bool GenerateBoundaries = false;
   /// Whether the outputs say what each of their points and cells was made of.
   bool KeepOrigins = false;
+  /// For a further criterion: whether the input's tetrahedra are oriented as they are stored.
+  bool KeepOrientation = false;
   /**
    * For a further criterion: the boundary of the input, as port 1 of the pass before. Its triangles
    * are cut like the tetrahedra they belong to. Null: none.

@@ -2,8 +2,11 @@
 
 #include "vtkCellData.h"
 #include "vtkIdList.h"
+#include "vtkOppositePairs.h"
+#include "vtkTiedFaces.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <atomic>
 #include <map>
 
@@ -11,22 +14,55 @@ namespace
 {
 using Triple = std::array<vtkIdType, 3>;
 
-// Sorts three ids; returns whether it took an odd number of exchanges.
-bool SortTriple(Triple& ids)
+// Faces of a tetrahedron, counterclockwise from outside, by the vertex they leave out.
+constexpr int FacesOutward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+
+// Leaves out the boundary triangles that are marked.
+void RemoveTriangles(vtkExtractionMesh& mesh, const std::vector<bool>& isRemoved)
 {
-  bool odd = false;
-  const auto order = [&](int a, int b)
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < isRemoved.size(); ++t)
   {
-    if (ids[b] < ids[a])
+    if (!isRemoved[t])
     {
-      std::swap(ids[a], ids[b]);
-      odd = !odd;
+      const vtkIdType to = static_cast<vtkIdType>(kept);
+      const vtkIdType from = static_cast<vtkIdType>(t);
+      mesh.Triangles[kept] = mesh.Triangles[t];
+      mesh.TriangleItemIds->SetValue(to, mesh.TriangleItemIds->GetValue(from));
+      mesh.TriangleSides->SetValue(to, mesh.TriangleSides->GetValue(from));
+      if (!mesh.TriangleCellIds.empty())
+      {
+        mesh.TriangleCellIds[kept] = mesh.TriangleCellIds[t];
+      }
+      ++kept;
     }
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  return odd;
+  }
+  mesh.Triangles.resize(kept);
+  mesh.TriangleItemIds->SetNumberOfValues(static_cast<vtkIdType>(kept));
+  mesh.TriangleSides->SetNumberOfValues(static_cast<vtkIdType>(kept));
+  mesh.TriangleCellIds.resize(mesh.TriangleCellIds.empty() ? 0 : kept);
+}
+
+// Marks the points in use anew.
+void MarkUsed(vtkExtractionMesh& mesh)
+{
+  mesh.Used.AllocateZeros(mesh.Points.GetSize());
+  const auto use = [&mesh](vtkIdType id) { mesh.Used[id].store(1, std::memory_order_relaxed); };
+  vtkSMPTools::For(0, mesh.ItemIds->GetNumberOfValues(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType simplex = first; simplex < last; ++simplex)
+      {
+        for (int p = 0; p < 4; ++p)
+        {
+          use(mesh.Simplices.GetId(simplex, p));
+        }
+      }
+    });
+  for (const Triple& triangle : mesh.Triangles)
+  {
+    std::for_each(triangle.begin(), triangle.end(), use);
+  }
 }
 
 void AddTriangle(vtkExtractionMesh& mesh, const Triple& points, int item, int side)
@@ -67,46 +103,94 @@ void vtkExtractionCleanup::RemoveUnusedPoints(vtkExtractionMesh& mesh)
   }
 }
 
-void vtkExtractionCleanup::RemoveOppositeTriangles(vtkExtractionMesh& mesh)
+void vtkExtractionCleanup::RemoveOppositeSimplices(vtkExtractionMesh& mesh)
 {
-  // For each triangle of an interval, the indices that wait for one of opposite orientation.
-  std::map<std::pair<int, Triple>, std::vector<std::size_t>> waiting[2];
-  std::vector<bool> removed(mesh.Triangles.size(), false);
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  using Entry = vtkOppositePairs::Entry<vtkIdType, 5>;
+  std::vector<Entry> entries;
+  for (const vtkIdType simplex : mesh.TiedSimplices)
   {
-    Triple points = mesh.Triangles[t];
-    const bool odd = SortTriple(points);
-    const std::pair<int, Triple> key(mesh.TriangleItemIds->GetValue(t), points);
-    auto& opposite = waiting[!odd][key];
-    if (opposite.empty())
+    Entry entry{ { { mesh.ItemIds->GetValue(simplex) } }, false,
+      static_cast<std::size_t>(simplex) };
+    for (int p = 0; p < 4; ++p)
     {
-      waiting[odd][key].push_back(t);
+      entry.Key[1 + p] = mesh.Simplices.GetId(simplex, p);
     }
-    else
-    {
-      removed[t] = removed[opposite.back()] = true;
-      opposite.pop_back();
-    }
+    entry.IsOdd = vtkOppositePairs::Sort(entry.Key.data() + 1, 4);
+    entries.push_back(entry);
   }
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < removed.size(); ++t)
-  {
-    if (!removed[t])
+  const vtkIdType number = mesh.ItemIds->GetNumberOfValues();
+  std::vector<bool> isRemoved;
+  vtkOppositePairs::Find(entries,
+    [&](std::size_t place)
     {
-      mesh.Triangles[kept] = mesh.Triangles[t];
-      mesh.TriangleItemIds->SetValue(kept, mesh.TriangleItemIds->GetValue(t));
-      mesh.TriangleSides->SetValue(kept, mesh.TriangleSides->GetValue(t));
-      if (!mesh.TriangleCellIds.empty())
+      isRemoved.resize(number, false);
+      isRemoved[place] = true;
+    });
+  if (isRemoved.empty())
+  {
+    return;
+  }
+  vtkIdType kept = 0;
+  for (vtkIdType simplex = 0; simplex < number; ++simplex)
+  {
+    if (!isRemoved[simplex])
+    {
+      mesh.Simplices.Move(simplex, kept);
+      mesh.ItemIds->SetValue(kept, mesh.ItemIds->GetValue(simplex));
+      if (mesh.CellIds.GetSize() > 0)
       {
-        mesh.TriangleCellIds[kept] = mesh.TriangleCellIds[t];
+        mesh.CellIds[kept] = mesh.CellIds[simplex];
       }
       ++kept;
     }
   }
-  mesh.Triangles.resize(kept);
-  mesh.TriangleItemIds->SetNumberOfValues(static_cast<vtkIdType>(kept));
-  mesh.TriangleSides->SetNumberOfValues(static_cast<vtkIdType>(kept));
-  mesh.TriangleCellIds.resize(mesh.TriangleCellIds.empty() ? 0 : kept);
+  mesh.Simplices.Truncate(kept);
+  mesh.ItemIds->SetNumberOfValues(kept);
+  mesh.CellIds.Truncate(mesh.CellIds.GetSize() > 0 ? kept : 0);
+  MarkUsed(mesh);
+}
+
+void vtkExtractionCleanup::SettleTiedTriangles(vtkExtractionMesh& mesh)
+{
+  vtkTiedFaces<3> faces(mesh.Points.GetSize());
+  for (const vtkIdType t : mesh.TiedTriangles)
+  {
+    faces.Add(mesh.TriangleItemIds->GetValue(t), mesh.Triangles[t].data(), t);
+  }
+  std::vector<bool> isRemoved(mesh.Triangles.size(), false);
+  faces.Cancel([&](std::size_t place) { isRemoved[place] = true; });
+  vtkSMPTools::For(0, faces.IsEmpty() ? 0 : mesh.ItemIds->GetNumberOfValues(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType simplex = first; simplex < last; ++simplex)
+      {
+        vtkIdType ids[4];
+        for (int p = 0; p < 4; ++p)
+        {
+          ids[p] = mesh.Simplices.GetId(simplex, p);
+        }
+        for (int f = 0; f < 4 && faces.IsNear(ids, 4); ++f)
+        {
+          const int* face = FacesOutward[f];
+          const Triple points{ { ids[face[0]], ids[face[1]], ids[face[2]] } };
+          faces.Count(mesh.ItemIds->GetValue(simplex), points.data(), simplex);
+        }
+      }
+    });
+  faces.Visit(
+    [&](std::size_t place, bool isFace, vtkIdType simplex)
+    {
+      isRemoved[place] = !isFace;
+      if (isFace && !mesh.TriangleCellIds.empty())
+      {
+        mesh.TriangleCellIds[place] = mesh.CellIds[simplex];
+      }
+    });
+  if (std::find(isRemoved.begin(), isRemoved.end(), true) != isRemoved.end())
+  {
+    RemoveTriangles(mesh, isRemoved);
+    MarkUsed(mesh);
+  }
 }
 
 void vtkExtractionCleanup::CutBoundary(
@@ -121,12 +205,10 @@ void vtkExtractionCleanup::CutBoundary(
   {
     inputBoundary->GetCellPoints(t, ids);
     Triple points{ { ids->GetId(0), ids->GetId(1), ids->GetId(2) } };
-    SortTriple(points);
+    vtkOppositePairs::Sort(points.data(), 3);
     sideOf[{ static_cast<int>(itemIds->GetComponent(t, 0)), points }] =
       static_cast<int>(sides->GetComponent(t, 0));
   }
-  // Faces of a tetrahedron, counterclockwise from outside, by the vertex they leave out.
-  constexpr int faces[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
   for (std::size_t simplex = 0; simplex < mesh.CellIds.GetSize(); ++simplex)
   {
     const vtkIdType cell = mesh.CellIds[simplex];
@@ -134,9 +216,9 @@ void vtkExtractionCleanup::CutBoundary(
     input->GetCellPoints(cell, ids);
     for (int out = 0; out < 4; ++out)
     {
-      Triple whole{ { ids->GetId(faces[out][0]), ids->GetId(faces[out][1]),
-        ids->GetId(faces[out][2]) } };
-      SortTriple(whole);
+      Triple whole{ { ids->GetId(FacesOutward[out][0]), ids->GetId(FacesOutward[out][1]),
+        ids->GetId(FacesOutward[out][2]) } };
+      vtkOppositePairs::Sort(whole.data(), 3);
       const auto side = sideOf.find({ item, whole });
       if (side == sideOf.end())
       {
@@ -152,7 +234,7 @@ void vtkExtractionCleanup::CutBoundary(
         const vtkExtractionPoint& point = mesh.Points[p];
         return point.Near != ids->GetId(out) && point.Far != ids->GetId(out);
       };
-      for (const auto& face : faces)
+      for (const auto& face : FacesOutward)
       {
         if (isOnFace(points[face[0]]) && isOnFace(points[face[1]]) && isOnFace(points[face[2]]))
         {

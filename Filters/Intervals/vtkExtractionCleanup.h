@@ -16,10 +16,19 @@ public:
   static void RemoveUnusedPoints(vtkExtractionMesh& mesh);
 
   /**
-   * Removes pairs of boundary triangles of one interval that have the same points and opposite
-   * orientation: where the interval has no volume, both sides of nothing.
+   * Removes pairs of tetrahedra of one interval that have the same points and opposite orientation,
+   * of the two sides of a face where values equal a bound.
    */
-  static void RemoveOppositeTriangles(vtkExtractionMesh& mesh);
+  static void RemoveOppositeSimplices(vtkExtractionMesh& mesh);
+
+  /**
+   * Settles the triangles of cells where values equal a bound. Pairs of one interval that have the
+   * same points and opposite orientation go: they are both sides of nothing. Of the others those
+   * stay that are faces of the interval's tetrahedra, counted with their orientation, and belong to
+   * the cell of that tetrahedron: where a side of a cell equals a bound, the triangles there come
+   * from the cell beyond, and there may be no cell before it.
+   */
+  static void SettleTiedTriangles(vtkExtractionMesh& mesh);
 
   /**
    * Fills the boundary of \a mesh, which was cut out of the tetrahedra of \a input, with the faces

@@ -48,6 +48,11 @@ struct vtkExtractionMesh
   vtkNew<vtkIntArray> TriangleItemIds;
   vtkNew<vtkIntArray> TriangleSides;
   std::vector<vtkIdType> TriangleCellIds;
+  /// The triangles of cells where values equal a bound, increasing: they may cancel each other, or
+  /// be on a part that has no volume.
+  std::vector<vtkIdType> TiedTriangles;
+  /// The tetrahedra that lie in one face of such a cell.
+  std::vector<vtkIdType> TiedSimplices;
 
   /// Whether simplices differ in their item: with one item they are noted all at once.
   bool HasSeveralItems = false;
@@ -116,6 +121,9 @@ struct vtkExtractionContext : vtkBlanking
   vtkExtractionIndex* Index = nullptr;
   bool GenerateBoundaries = false;
   bool KeepCellIds = false;
+  /// Whether tetrahedra are oriented as their corners are stored, not by their coordinates: those
+  /// that an extraction has made may be inverted, and are then parts of sums that have to stay.
+  bool KeepOrientation = false;
   vtkExtractionReport* Report = nullptr;
 
   int GetSimplexSize() const { return this->Values->GetKind() == vtkIsotable::INTERVAL ? 4 : 3; }

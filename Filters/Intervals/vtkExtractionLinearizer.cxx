@@ -17,6 +17,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -213,14 +214,28 @@ private:
     }
   }
 
+  // Of whole numbers it is their sum that is divided, so that the mean of numbers that equal a bound
+  // equals it too; sums of others might be out of range.
   double GetMean(vtkDataArray* array, const Face& vertices, int component) const
   {
+    constexpr double most = 4503599627370496.0; // 2^52
+    const double number = static_cast<double>(vertices.size());
     double sum = 0.0;
+    double whole = 0.0;
+    double magnitude = 0.0;
+    bool isWhole = true;
+    bool isConstant = true;
+    const double first = array->GetComponent(vertices.front(), component);
     for (vtkIdType vertex : vertices)
     {
-      sum += array->GetComponent(vertex, component) / static_cast<double>(vertices.size());
+      const double value = array->GetComponent(vertex, component);
+      sum += value / number;
+      whole += value;
+      magnitude += std::abs(value);
+      isWhole = isWhole && value == std::floor(value);
+      isConstant = isConstant && value == first;
     }
-    return sum;
+    return isConstant ? first : isWhole && magnitude < most ? whole / number : sum;
   }
 
   void AddPoints()

@@ -46,10 +46,11 @@ vtkExtractionValues vtkExtractionValues::ForIntervals(
   {
     const int lower = result.IndexOf(interval[0]);
     const int upper = result.IndexOf(interval[1]);
-    // The upper value belongs to the interval that begins there, if there is one.
+    // The upper value belongs to the interval that begins there, if there is one of some width.
     const bool isShared = lower != upper &&
       std::any_of(intervals.begin(), intervals.end(),
-        [&interval](const std::array<double, 2>& other) { return other[0] == interval[1]; });
+        [&interval](const std::array<double, 2>& other)
+        { return other[0] == interval[1] && other[0] < other[1]; });
     result.Items.push_back({ lower, upper, static_cast<Code>(2 * lower + 1),
       static_cast<Code>(2 * upper + (isShared ? 1 : 2)), lower == upper });
     result.FlatItem |= lower == upper;

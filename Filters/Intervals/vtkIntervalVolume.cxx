@@ -250,6 +250,7 @@ bool vtkIntervalVolume::ApplyCriterion(
   vtkExtraction extraction;
   extraction.Owner = this;
   extraction.Values = &values;
+  extraction.KeepOrientation = true;
   extraction.InputBoundary = this->GenerateBoundaries ? boundaryBefore.GetPointer() : nullptr;
   vtkDataArray* array = before->GetPointData()->GetArray(criterion.ArrayName.c_str());
   const bool completed = extraction.Execute(before, array, grid, boundary, report);

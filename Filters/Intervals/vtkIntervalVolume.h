@@ -29,10 +29,12 @@ class vtkExtractionIndex;
  *
  * Input: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid with tetrahedra,
  * voxels, hexahedra, wedges, pyramids and convex polyhedra, and composite datasets of them.
- * Quadratic cells are taken by their corners, with a warning. Cells of fewer dimensions, cells with
- * NaN or infinity in the scalar, ghost, hidden and blanked cells are left out and counted in
- * GetReport(). The scalar: SetInputArrayToProcess(0, ...), by default the active point scalars,
- * one component.
+ * Quadratic cells are taken by their corners, with a warning. A polyhedron that has not the faces
+ * of one of the other cells is coned from the mean of its points; where that does not see all of
+ * it, since it or a face of it is concave, its parts overlap, with a warning. Cells of fewer
+ * dimensions, cells with NaN or infinity in the scalar, ghost, hidden and blanked cells are left
+ * out and counted in GetReport(). The scalar: SetInputArrayToProcess(0, ...), by default the active
+ * point scalars, one component.
  *
  * Output port 0: VTK_TETRA cells in a vtkUnstructuredGrid (a composite input gives a composite
  * output of the same structure), with
@@ -47,8 +49,24 @@ class vtkExtractionIndex;
  * those of port 0, with the same ids.
  *
  * Values equal to a bound: f = lower is inside; f = upper is inside unless another interval of
- * this filter begins at that value. So adjacent intervals of one filter tile the domain without gap
- * or overlap, and [a, a] gives the cells where f equals a throughout.
+ * this filter that is not of zero width begins at that value. So adjacent intervals of one filter
+ * tile the domain without gap or overlap. [a, a] is the cells whose corners are all equal to a,
+ * whatever the other intervals are (of a polyhedron that is coned, those of its parts).
+ *
+ * Faces match, whatever the values: counted with their orientation, the faces of an interval's
+ * tetrahedra cancel, but for the triangles of port 1 and those in faces of the domain. (A face of
+ * the domain is one with no cell beyond that is taken.) No two tetrahedra have the same points and
+ * opposite orientation. Each triangle of port 1 is the face of a tetrahedron, with the cell arrays
+ * of its cell; none is there twice, nor turned over as well. Where f equals a bound throughout a
+ * face of the domain there is a triangle if that value is outside, as an upper bound is at which
+ * another interval begins, and none if it is inside. Triangles of [a, a] are of the lower side
+ * where the cell beyond has a value below a, else of the upper one.
+ *
+ * Pieces of a distributed grid: unstructured ones need global ids in the point data, by which
+ * shared faces are cut alike; without them each piece goes by its own ids, and quadrilaterals
+ * between two pieces may be cut both ways. Ghost cells are not needed, and are left out. A face
+ * between two pieces is one of the domain for both: where f equals a bound throughout, a triangle
+ * may be missing there.
  *
  * The cells' ids are stored in 32 bits where they fit (vtkCellArray::IsStorage64Bit tells).
  *
@@ -59,7 +77,9 @@ class vtkExtractionIndex;
  * string array, lower > upper, a bound that is not finite or was given as a word.
  *
  * Warning (vtkWarningMacro, once for a composite input): an empty output and why, see
- * WarnOnEmptyOutput.
+ * WarnOnEmptyOutput. Warnings for each dataset: quadratic cells, concave polyhedra, and images and
+ * rectilinear grids so far from the origin that output points in single precision are off by more
+ * than a hundredth of a cell.
  *
  * @sa vtkIsotableContour vtkIntervalTable
  */
@@ -91,11 +111,12 @@ public:
   ///@{
   /**
    * Further criteria: the result is also cut to lower <= array <= upper of another point array, one
-   * pass of the same algorithm over the tetrahedra for each. The array is named, has one component,
-   * and is found in the input's point data. Default none. Of a criterion that is not there the name
-   * is null, and the range leaves its arguments. AddCriterionAsText takes the bounds as they are
-   * typed; a word that is no number is named in the error of the next execution, and the range has
-   * NaN in its place.
+   * pass of the same algorithm over the tetrahedra for each, which keeps their orientation: parts
+   * of inverted tetrahedra are inverted, so that signed volumes add up. The array is named, has one
+   * component, and is found in the input's point data. Default none. Of a criterion that is not
+   * there the name is null, and the range leaves its arguments. AddCriterionAsText takes the bounds
+   * as they are typed; a word that is no number is named in the error of the next execution, and
+   * the range has NaN in its place.
    */
   void AddCriterion(const char* arrayName, double lower, double upper);
   void AddCriterionAsText(const char* arrayName, const char* lower, const char* upper);

@@ -10,6 +10,7 @@
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -84,6 +85,27 @@ public:
           Set(values[simplex * this->Size + p], points[p]);
         }
       });
+  }
+
+  /// Puts a simplex in the place of another.
+  void Move(vtkIdType from, vtkIdType to)
+  {
+    this->Visit([&](auto* values)
+      { std::copy_n(values + from * this->Size, this->Size, values + to * this->Size); });
+  }
+
+  /// Forgets all but the first \a number simplices.
+  void Truncate(vtkIdType number)
+  {
+    this->Number = number;
+    if (this->Narrow)
+    {
+      this->Narrow->SetNumberOfValues(number * this->Size);
+    }
+    else if (this->Wide)
+    {
+      this->Wide->SetNumberOfValues(number * this->Size);
+    }
   }
 
   /**

@@ -1,5 +1,6 @@
 #include "vtkSimplexSlicer.h"
 
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCornerOrder.h"
 #include "vtkCrossingLists.h"
@@ -9,16 +10,30 @@
 #include "vtkSimplexSliceTable.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace
 {
 using Code = vtkExtractionValues::Code;
 using Slot = vtkIsotable::Slot;
 using Case = vtkSimplexSliceTable::Slice;
-// The ids of a tetrahedron's points in the global order.
-using Face = std::array<vtkIdType, 4>;
+// A tetrahedron with which a 4-simplex begins or ends.
+struct Face
+{
+  // Its points in the global order.
+  std::array<vtkIdType, 4> Ids;
+  vtkIdType Interval;
+  bool Begins;
+  // Where the scalar is the same at all four: whether it is less (-1) or more (1) at the fifth
+  // point.
+  int Side;
+
+  bool operator<(const Face& other) const { return this->Ids < other.Ids; }
+};
+using FaceRange = std::pair<std::vector<Face>::const_iterator, std::vector<Face>::const_iterator>;
 
 constexpr vtkIdType ChunkSize = 4096;
 constexpr int SimplexSize = 5;
@@ -67,8 +82,9 @@ struct Found
   // A bit for each tetrahedron that has not collapsed.
   std::uint8_t Kept;
   bool IsInverted;
-  bool Begins;
-  // Whether another 4-simplex has given the tetrahedron with which this one begins.
+  // Whether the 4-simplex begins or ends there.
+  bool IsFace;
+  // Whether that tetrahedron is left to another 4-simplex.
   bool IsGiven;
 };
 
@@ -78,9 +94,8 @@ struct Chunk
   std::vector<Found> Cases;
   // The points of all cases.
   std::vector<const vtkCrossingLists::Node*> Nodes;
-  // The tetrahedra with which 4-simplices begin, in the order of the cases, and end.
-  std::vector<Face> Begun;
-  std::vector<Face> Ended;
+  // The tetrahedra with which 4-simplices begin and end, in the order of the cases.
+  std::vector<Face> Faces;
   vtkIdType Tetrahedra = 0;
   vtkIdType WrongCell = -1;
 };
@@ -123,6 +138,8 @@ public:
     , Grid(grid)
     , Scalars(vtkExtractionScalars::Make(context.Scalars, *context.Values))
     , Order(grid->GetPointData())
+    , Intervals(grid->GetCellData()->GetArray("IntervalId"))
+    , Field(grid->GetPointData()->GetScalars())
     , Lists(grid->GetNumberOfPoints(), true)
     , Slice(slice)
   {
@@ -158,15 +175,11 @@ public:
       return true;
     }
     this->Codes.Free();
-    if (std::any_of(this->Chunks.begin(), this->Chunks.end(),
-          [](const Chunk& chunk) { return !chunk.Begun.empty(); }))
+    const std::vector<Face> faces = this->GatherFaces();
+    if (std::any_of(faces.begin(), faces.end(), [](const Face& face) { return face.Begins; }) &&
+      !forEachChunk(0.4, 0.5, [&](vtkIdType chunk) { LeaveOutGiven(faces, this->Chunks[chunk]); }))
     {
-      const std::vector<Face> ended = this->GatherEnded();
-      if (!forEachChunk(
-            0.4, 0.5, [&](vtkIdType chunk) { LeaveOutGiven(ended, this->Chunks[chunk]); }))
-      {
-        return false;
-      }
+      return false;
     }
     this->Lists.MakePoints(*this->Scalars, this->Slice.Points);
     this->Allocate();
@@ -194,7 +207,8 @@ private:
       if (meeting != Meeting::None)
       {
         const std::uint16_t position = static_cast<std::uint16_t>(cell - begin);
-        this->CountSimplex(position, this->Sort(ids->GetPointer(0)), meeting, chunk, arena);
+        this->CountSimplex(
+          position, this->Sort(ids->GetPointer(0)), meeting, this->GetInterval(cell), chunk, arena);
       }
     }
   }
@@ -247,8 +261,14 @@ private:
     return simplex;
   }
 
-  void CountSimplex(std::uint16_t position, const Simplex& simplex, Meeting meeting, Chunk& chunk,
-    vtkCrossingLists::Arena& arena)
+  // The interval that a cell belongs to: intervals may overlap, and each has its own slice.
+  vtkIdType GetInterval(vtkIdType cell) const
+  {
+    return this->Intervals ? static_cast<vtkIdType>(this->Intervals->GetComponent(cell, 0)) : 0;
+  }
+
+  void CountSimplex(std::uint16_t position, const Simplex& simplex, Meeting meeting,
+    vtkIdType interval, Chunk& chunk, vtkCrossingLists::Arena& arena)
   {
     // Where a 4-simplex begins, its slice is the limit of those above the value.
     const Code first = meeting == Meeting::Begins ? AboveValue : AtValue;
@@ -283,14 +303,41 @@ private:
         chunk.Nodes.push_back(this->Lists.Enter(points[slot].Owner, points[slot].Key, arena));
       }
     }
+    const bool isFace = meeting != Meeting::Crosses;
     chunk.Cases.push_back({ position, static_cast<std::uint8_t>(above),
-      static_cast<std::uint8_t>(kept), simplex.IsInverted, meeting == Meeting::Begins, false });
-    if (meeting != Meeting::Crosses)
+      static_cast<std::uint8_t>(kept), simplex.IsInverted, isFace, false });
+    if (isFace)
     {
       // All four points are vertices.
-      (meeting == Meeting::Begins ? chunk.Begun : chunk.Ended)
-        .push_back({ { points[0].Owner, points[1].Owner, points[2].Owner, points[3].Owner } });
+      chunk.Faces.push_back(
+        { { { points[0].Owner, points[1].Owner, points[2].Owner, points[3].Owner } }, interval,
+          meeting == Meeting::Begins, this->FindSide(simplex) });
     }
+  }
+
+  int FindSide(const Simplex& simplex) const
+  {
+    double at = 0.0;
+    double fifth = 0.0;
+    bool isFirst = true;
+    for (int v = 0; v < SimplexSize; ++v)
+    {
+      const double value = this->Field ? this->Field->GetComponent(simplex.Ids[v], 0) : 0.0;
+      if (simplex.Codes[v] != AtValue)
+      {
+        fifth = value;
+      }
+      else if (isFirst || value == at)
+      {
+        at = value;
+        isFirst = false;
+      }
+      else
+      {
+        return 0;
+      }
+    }
+    return (fifth > at) - (fifth < at);
   }
 
   static Point FindPoint(const Simplex& simplex, const std::array<Slot, 2>& edge)
@@ -314,28 +361,52 @@ private:
     return this->Slice.WrongCell >= 0;
   }
 
-  // The tetrahedra of all chunks with which 4-simplices end, sorted.
-  std::vector<Face> GatherEnded()
+  // The tetrahedra of all chunks with which 4-simplices begin or end, sorted.
+  std::vector<Face> GatherFaces() const
   {
-    std::vector<Face> ended;
-    for (Chunk& chunk : this->Chunks)
+    std::vector<Face> faces;
+    for (const Chunk& chunk : this->Chunks)
     {
-      ended.insert(ended.end(), chunk.Ended.begin(), chunk.Ended.end());
-      std::vector<Face>().swap(chunk.Ended);
+      faces.insert(faces.end(), chunk.Faces.begin(), chunk.Faces.end());
     }
-    vtkSMPTools::Sort(ended.begin(), ended.end());
-    return ended;
+    vtkSMPTools::Sort(faces.begin(), faces.end());
+    return faces;
   }
 
-  static void LeaveOutGiven(const std::vector<Face>& ended, Chunk& chunk)
+  // Whether an interval has 4-simplices that begin, or that end, with a tetrahedron.
+  static bool Has(const FaceRange& alike, vtkIdType interval, bool begins)
   {
-    auto face = chunk.Begun.begin();
+    return std::any_of(alike.first, alike.second,
+      [=](const Face& face) { return face.Interval == interval && face.Begins == begins; });
+  }
+
+  // Of one interval, what begins is given by what ends. Where one interval goes over into the next,
+  // equal to their common bound throughout, it is the upper one's, as in vtkIntervalVolume.
+  static bool IsGiven(const Face& face, const FaceRange& alike)
+  {
+    if (Has(alike, face.Interval, !face.Begins))
+    {
+      return face.Begins;
+    }
+    return face.Side < 0 &&
+      std::any_of(alike.first, alike.second,
+        [&](const Face& other)
+        {
+          return other.Interval != face.Interval && other.Begins != face.Begins && other.Side > 0 &&
+            !Has(alike, other.Interval, face.Begins);
+        });
+  }
+
+  static void LeaveOutGiven(const std::vector<Face>& faces, Chunk& chunk)
+  {
+    auto face = chunk.Faces.begin();
     for (Found& found : chunk.Cases)
     {
-      if (found.Begins)
+      if (found.IsFace)
       {
-        found.IsGiven = std::binary_search(ended.begin(), ended.end(), *face++);
+        found.IsGiven = IsGiven(*face, std::equal_range(faces.begin(), faces.end(), *face));
         chunk.Tetrahedra -= found.IsGiven;
+        ++face;
       }
     }
   }
@@ -390,6 +461,10 @@ private:
   vtkUnstructuredGrid* Grid;
   std::unique_ptr<vtkExtractionScalars> Scalars;
   vtkCornerOrder Order;
+  // Null where cells have no interval.
+  vtkDataArray* Intervals;
+  // What intervals are of, or null.
+  vtkDataArray* Field;
   vtkExtractionBuffer<Code> Codes;
   vtkCrossingLists Lists;
   std::vector<Chunk> Chunks;

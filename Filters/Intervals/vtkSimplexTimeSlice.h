@@ -30,10 +30,13 @@ class vtkEmptyResult;
  * A tetrahedron has the orientation of its 4-simplex: positive volume where that is positively
  * oriented in (x,y,z,t), det(p1-p0, p2-p0, p3-p0, p4-p0) > 0.
  *
- * At the time of a time step the slice is the interval volume of that step: the faces of
- * 4-simplices that lie in it, each once, whether 4-simplices end there, begin there, or both. A
- * 4-simplex that lies in the slice as a whole gives nothing. The same input gives the same bytes
- * whatever the number of threads.
+ * At the time of a time step the slice is the faces of 4-simplices that lie in it, each once for
+ * each interval (the cell array `IntervalId`, where there is one), whether 4-simplices end there,
+ * begin there, or both. Of vtkTimeVaryingIntervalVolume it is the interval volume of that step, cut
+ * as vtkIntervalVolume cuts it, also where values equal bounds; less the cells, or parts of them,
+ * that are equal to a bound throughout and in the interval at that step only, which no 4-simplex
+ * has. A 4-simplex that lies in the slice as a whole gives nothing. The same input gives the same
+ * bytes whatever the number of threads.
  *
  * 4-simplices with a time that is NaN or infinite, and ghost, hidden and blanked ones, are left
  * out.

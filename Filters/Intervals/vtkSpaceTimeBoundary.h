@@ -1,7 +1,6 @@
 #ifndef vtkSpaceTimeBoundary_h
 #define vtkSpaceTimeBoundary_h
 
-#include "vtkExtractionCell.h"
 #include "vtkSpaceTimeMesh.h"
 #include "vtkSpaceTimeSlots.h"
 #include "vtkTimeVaryingIntervalVolume.h"
@@ -24,19 +23,18 @@ public:
   using Kinds = vtkTimeVaryingIntervalVolume::BoundaryKinds;
 
   /**
-   * Calls visit(kind, slots, number) for each boundary cell that \a mesh wants. \a original tells
-   * where the points lie, \a points which of them are the same: a cell with the same point twice is
-   * left out. Of a positively oriented 4-simplex tetrahedra at a step and triangles come out
-   * oriented as those of vtkIntervalVolume, tetrahedra in time outward.
+   * Calls visit(kind, slots, number) for each boundary cell that \a mesh wants, of a 4-simplex that
+   * has no two slots that are one point. Of a positively oriented 4-simplex tetrahedra at a step
+   * and triangles come out oriented as those of vtkIntervalVolume, tetrahedra in time outward.
    */
   template <typename Visitor>
-  static void ForEach(const vtkSpaceTimeSlots& slots, const Simplex& original,
-    const Simplex& points, const vtkSpaceTimeMesh& mesh, Visitor&& visit)
+  static void ForEach(const vtkSpaceTimeSlots& slots, const Simplex& points,
+    const vtkSpaceTimeMesh& mesh, Visitor&& visit)
   {
-    const unsigned lower = slots.GetPointsOn(vtkSpaceTimeSlots::LOWER, original);
-    const unsigned upper = slots.GetPointsOn(vtkSpaceTimeSlots::UPPER, original);
-    const unsigned start = slots.GetPointsOn(vtkSpaceTimeSlots::START, original);
-    const unsigned end = slots.GetPointsOn(vtkSpaceTimeSlots::END, original);
+    const unsigned lower = slots.GetPointsOn(vtkSpaceTimeSlots::LOWER, points);
+    const unsigned upper = slots.GetPointsOn(vtkSpaceTimeSlots::UPPER, points);
+    const unsigned start = slots.GetPointsOn(vtkSpaceTimeSlots::START, points);
+    const unsigned end = slots.GetPointsOn(vtkSpaceTimeSlots::END, points);
     const auto give = [&](int kind, const int* face, int number)
     {
       Slot ids[4];
@@ -44,7 +42,7 @@ public:
       {
         ids[k] = points[face[k]];
       }
-      if (mesh.IsWanted(kind) && !vtkExtractionCell::IsCollapsed(ids, number))
+      if (mesh.IsWanted(kind))
       {
         visit(kind, ids, number);
       }

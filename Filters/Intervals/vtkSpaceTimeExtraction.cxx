@@ -11,6 +11,7 @@
 #include "vtkFacePlanarity.h"
 #include "vtkSpaceTimeBoundary.h"
 #include "vtkSpaceTimeCells.h"
+#include "vtkSpaceTimeCut.h"
 #include "vtkSpaceTimeMesh.h"
 #include "vtkSpaceTimeReport.h"
 #include "vtkSpaceTimeSlots.h"
@@ -49,30 +50,26 @@ struct Chunk
 {
   std::vector<Found> Cases;
   std::vector<vtkSpaceTimeMesh::BoundaryCell> Boundary;
+  // The 4-simplices above one face of a cell where slots were made one.
+  std::vector<vtkIdType> Tied;
   vtkIdType Simplices = 0;
   vtkExtractionReport Report;
 };
 
 // A case as it is cut in a cell whose corners are not in ascending order, or of which two slots are
-// one point: simplices as the table has them, and with slots that are one point made one.
+// one point.
 struct Cut
 {
-  std::vector<Simplex> Originals;
   std::vector<Simplex> Simplices;
-  // Simplices with a point twice; only their faces may count.
-  std::vector<Simplex> CollapsedOriginals;
-  std::vector<Simplex> Collapsed;
+  // The boundary cells, where slots were made one; else they follow from the simplices.
+  vtkSpaceTimeCut Merged;
+  bool IsMerged = false;
   // The slots in use, increasing.
   std::vector<Slot> Slots;
 
-  void Clear()
+  const std::vector<Simplex>& GetSimplices() const
   {
-    for (auto* list :
-      { &this->Originals, &this->Simplices, &this->CollapsedOriginals, &this->Collapsed })
-    {
-      list->clear();
-    }
-    this->Slots.clear();
+    return this->IsMerged ? this->Merged.GetSimplices() : this->Simplices;
   }
 };
 
@@ -164,6 +161,7 @@ public:
       return false;
     }
     this->TakeBoundary();
+    this->RemoveOppositeSimplices();
     return true;
   }
 
@@ -257,11 +255,12 @@ private:
         key += power * item.GetDigit(codes[v]);
       }
       const vtkIsotableCache::Case& what = place.GetCase(cell.Shape, key);
-      const bool isPlain = cell.IsAscending && !HasEqualPoints(cell, codes, item);
-      if (!isPlain)
+      const bool isPlain = this->MakeCut(cell, codes, item, what, place);
+      if (!isPlain && place.Own.IsMerged)
       {
-        this->MakeCut(cell, codes, item, what, place.Own);
-        chunk.Report.CollapsedSimplices += static_cast<vtkIdType>(place.Own.Collapsed.size());
+        // In another order than the table's there may be more.
+        const std::size_t left = std::min(place.Own.GetSimplices().size(), what.Simplices.size());
+        chunk.Report.CollapsedSimplices += static_cast<vtkIdType>(what.Simplices.size() - left);
       }
       for (const Slot slot : isPlain ? what.Slots : place.Own.Slots)
       {
@@ -269,62 +268,87 @@ private:
         this->Points.Enter(point.first, point.second, arena);
       }
       chunk.Simplices +=
-        static_cast<vtkIdType>((isPlain ? what.Simplices : place.Own.Simplices).size());
+        static_cast<vtkIdType>((isPlain ? what.Simplices : place.Own.GetSimplices()).size());
       chunk.Cases.push_back({ cell.Id, &what, static_cast<int>(number), isPlain });
     }
     chunk.Report.CellsWithOutput += chunk.Simplices != before;
   }
 
-  // Cuts a case in the global order, with slots that are the same point made one, and keeps what
-  // has not collapsed.
-  void MakeCut(const vtkSpaceTimeCell& cell, const Code* codes, const Item& item,
-    const vtkIsotableCache::Case& what, Cut& cut) const
+  // Finds which slots are the same point. Returns false where none are.
+  bool Merge(const vtkSpaceTimeCell& cell, const Code* codes, const Item& item,
+    const vtkIsotableCache::Case& what, Slot* same) const
   {
-    const vtkIsotableCache& table = vtkIsotableCache::Get(cell.Shape);
-    cut.Clear();
-    Slot same[MaximumNumberOfSlots];
-    std::iota(same, same + MaximumNumberOfSlots, Slot(0));
-    if (HasEqualPoints(cell, codes, item))
+    if (!HasEqualPoints(cell, codes, item))
     {
-      vtkExtractionCell::IdentifyAll(
-        table, item, codes, what.Slots, HasEqualCorners(cell),
-        [&](Slot slot) { return this->GetPoint(cell, item, slot); }, same);
+      return false;
     }
-    const auto add = [&](const Simplex& original)
+    std::iota(same, same + MaximumNumberOfSlots, Slot(0));
+    vtkExtractionCell::IdentifyAll(
+      vtkIsotableCache::Get(cell.Shape), item, codes, what.Slots, HasEqualCorners(cell),
+      [&](Slot slot) { return this->GetPoint(cell, item, slot); }, same);
+    return std::any_of(
+      what.Slots.begin(), what.Slots.end(), [same](Slot slot) { return same[slot] != slot; });
+  }
+
+  // Cuts a case in the global order, with slots that are the same point made one, where the table's
+  // own cut does not serve; returns whether it does.
+  bool MakeCut(const vtkSpaceTimeCell& cell, const Code* codes, const Item& item,
+    const vtkIsotableCache::Case& what, Workplace& place) const
+  {
+    Cut& cut = place.Own;
+    Slot same[MaximumNumberOfSlots];
+    cut.IsMerged = this->Merge(cell, codes, item, what, same);
+    if (!cut.IsMerged && cell.IsAscending)
     {
-      Simplex simplex = original;
-      std::for_each(simplex.begin(), simplex.end(), [&same](Slot& slot) { slot = same[slot]; });
-      const bool isCollapsed = vtkExtractionCell::IsCollapsed(simplex.data(), 5);
-      (isCollapsed ? cut.CollapsedOriginals : cut.Originals).push_back(original);
-      (isCollapsed ? cut.Collapsed : cut.Simplices).push_back(simplex);
-    };
+      return true;
+    }
+    const vtkIsotableCache& table = vtkIsotableCache::Get(cell.Shape);
     // The corners at the first step come before those at the second.
     constexpr int most = MaximumNumberOfVertices / 2;
     const int corners = std::min(cell.NumberOfCorners, most);
-    Slot ranks[MaximumNumberOfVertices];
-    this->Order.Rank(cell.Ids, corners, ranks);
+    Slot vertexRanks[MaximumNumberOfVertices];
+    this->Order.Rank(cell.Ids, corners, vertexRanks);
     for (int v = 0; v < corners; ++v)
     {
-      ranks[v + corners] = static_cast<Slot>(ranks[v] + corners);
+      vertexRanks[v + corners] = static_cast<Slot>(vertexRanks[v] + corners);
     }
-    table.Cut(what, table.GetSlotRanks(ranks), add);
-    this->FindSlots(cell, cut);
+    const vtkIsotableCache::RankArray ranks = table.GetSlotRanks(vertexRanks);
+    if (cut.IsMerged)
+    {
+      // The case of a cell that is inside throughout has the digit 1 everywhere.
+      std::uint32_t inside = 0;
+      for (int v = 0; v < 2 * corners; ++v)
+      {
+        inside = 3 * inside + 1;
+      }
+      cut.Merged.Make(table, this->Slots[cell.Shape], item, codes, what,
+        item.IsFlat ? place.GetCase(cell.Shape, inside) : what, ranks, same, this->HasBoundary);
+    }
+    else
+    {
+      cut.Simplices.clear();
+      table.Cut(what, ranks, [&cut](const Simplex& simplex) { cut.Simplices.push_back(simplex); });
+    }
+    this->FindSlots(cut);
+    return false;
   }
 
-  void FindSlots(const vtkSpaceTimeCell& cell, Cut& cut) const
+  void FindSlots(Cut& cut) const
   {
     bool isUsed[MaximumNumberOfSlots] = {};
-    for (const Simplex& simplex : cut.Simplices)
+    for (const Simplex& simplex : cut.GetSimplices())
     {
       std::for_each(simplex.begin(), simplex.end(), [&](Slot slot) { isUsed[slot] = true; });
     }
-    for (std::size_t s = 0; s < cut.Collapsed.size() && this->HasBoundary; ++s)
+    if (cut.IsMerged)
     {
-      vtkSpaceTimeBoundary::ForEach(this->Slots[cell.Shape], cut.CollapsedOriginals[s],
-        cut.Collapsed[s], this->Mesh,
-        [&](int, const Slot* slots, int number)
-        { std::for_each(slots, slots + number, [&](Slot slot) { isUsed[slot] = true; }); });
+      for (const vtkSpaceTimeCut::Side& side : cut.Merged.GetSides())
+      {
+        std::for_each_n(side.Points.begin(), this->Mesh.IsWanted(side.Kind) ? side.Number : 0,
+          [&](Slot slot) { isUsed[slot] = true; });
+      }
     }
+    cut.Slots.clear();
     for (int slot = 0; slot < MaximumNumberOfSlots; ++slot)
     {
       if (isUsed[slot])
@@ -346,7 +370,9 @@ private:
     }
     const vtkSpaceTimeOptions& options = this->Mesh.GetOptions();
     vtkSpaceTimeMesh::Slab& slab = this->Mesh.GetSlab();
-    const bool isNeeded = options.Tetrahedra || options.Simplices;
+    // With values equal to bounds those of the boundary are told by the 4-simplices.
+    const bool isNeeded = options.Tetrahedra || options.Simplices ||
+      (this->HasBoundary && (this->Steps[0]->HasTies() || this->Steps[1]->HasTies()));
     slab.Simplices.Allocate(isNeeded ? simplices : 0);
     slab.Items.Allocate(isNeeded && this->Values.GetItems().size() > 1 ? simplices : 0);
     slab.Flats.Allocate(options.Tetrahedra ? simplices : 0);
@@ -390,7 +416,7 @@ private:
       {
         Code codes[MaximumNumberOfVertices] = {};
         this->ReadCodes(cell, codes);
-        this->MakeCut(cell, codes, item, *found.Case, place.Own);
+        this->MakeCut(cell, codes, item, *found.Case, place);
       }
       vtkIdType ids[MaximumNumberOfSlots];
       for (const Slot slot : found.IsPlain ? found.Case->Slots : place.Own.Slots)
@@ -399,18 +425,19 @@ private:
         ids[slot] = this->Ids[this->Points.GetId(point.first, point.second)];
       }
       const bool isInverted = this->IsInverted(cell);
-      const auto& simplices = found.IsPlain ? found.Case->Simplices : place.Own.Simplices;
-      const auto& originals = found.IsPlain ? found.Case->Simplices : place.Own.Originals;
+      const auto& simplices = found.IsPlain ? found.Case->Simplices : place.Own.GetSimplices();
       this->WriteSimplices(cell, found.Item, simplices, ids, isInverted, next);
+      for (std::size_t s = 0; !found.IsPlain && place.Own.IsMerged && s < simplices.size(); ++s)
+      {
+        if (this->Slots[cell.Shape].IsAboveFace(simplices[s]))
+        {
+          chunk.Tied.push_back(next + static_cast<vtkIdType>(s));
+        }
+      }
       next += static_cast<vtkIdType>(simplices.size());
       if (this->HasBoundary)
       {
-        this->WriteBoundary(cell, found.Item, originals, simplices, ids, isInverted, chunk);
-        if (!found.IsPlain)
-        {
-          this->WriteBoundary(cell, found.Item, place.Own.CollapsedOriginals, place.Own.Collapsed,
-            ids, isInverted, chunk);
-        }
+        this->WriteBoundary(cell, found, place.Own, ids, isInverted, chunk);
       }
     }
   }
@@ -450,25 +477,37 @@ private:
     }
   }
 
-  void WriteBoundary(const vtkSpaceTimeCell& cell, int item, const std::vector<Simplex>& originals,
-    const std::vector<Simplex>& points, const vtkIdType* ids, bool isInverted, Chunk& chunk) const
+  void WriteBoundary(const vtkSpaceTimeCell& cell, const Found& found, const Cut& cut,
+    const vtkIdType* ids, bool isInverted, Chunk& chunk) const
   {
-    for (std::size_t s = 0; s < points.size(); ++s)
+    const bool isMerged = !found.IsPlain && cut.IsMerged;
+    const auto add = [&](int kind, const Slot* slots, int number)
     {
-      vtkSpaceTimeBoundary::ForEach(this->Slots[cell.Shape], originals[s], points[s], this->Mesh,
-        [&](int kind, const Slot* slots, int number)
+      vtkSpaceTimeMesh::BoundaryCell made{ { { -1, -1, -1, -1 } }, kind, found.Item, 0, isMerged };
+      for (int p = 0; p < number; ++p)
+      {
+        made.Ids[p] = ids[slots[p]];
+      }
+      if (isInverted)
+      {
+        std::swap(made.Ids[0], made.Ids[1]);
+      }
+      chunk.Boundary.push_back(made);
+    };
+    if (isMerged)
+    {
+      for (const vtkSpaceTimeCut::Side& side : cut.Merged.GetSides())
+      {
+        if (this->Mesh.IsWanted(side.Kind))
         {
-          vtkSpaceTimeMesh::BoundaryCell made{ { { -1, -1, -1, -1 } }, kind, item, 0 };
-          for (int p = 0; p < number; ++p)
-          {
-            made.Ids[p] = ids[slots[p]];
-          }
-          if (isInverted)
-          {
-            std::swap(made.Ids[0], made.Ids[1]);
-          }
-          chunk.Boundary.push_back(made);
-        });
+          add(side.Kind, side.Points.data(), side.Number);
+        }
+      }
+      return;
+    }
+    for (const Simplex& simplex : found.IsPlain ? found.Case->Simplices : cut.Simplices)
+    {
+      vtkSpaceTimeBoundary::ForEach(this->Slots[cell.Shape], simplex, this->Mesh, add);
     }
   }
 
@@ -479,9 +518,19 @@ private:
     {
       this->Mesh.AddBoundary(chunk.Boundary);
     }
-    if (this->Report.CollapsedSimplices > 0)
+  }
+
+  // A neighbour may have the same 4-simplex above the common face, turned over.
+  void RemoveOppositeSimplices()
+  {
+    std::vector<vtkIdType> tied;
+    for (const Chunk& chunk : this->Chunks)
     {
-      this->Mesh.RemoveOppositeBoundaryCells();
+      tied.insert(tied.end(), chunk.Tied.begin(), chunk.Tied.end());
+    }
+    if (!tied.empty() && this->Mesh.GetSlab().Simplices.GetSize() > 0)
+    {
+      this->Report.Simplices -= this->Mesh.RemoveOppositeSimplices(tied);
     }
   }
 

@@ -3,6 +3,7 @@
 #include "vtkCrossingLists.h"
 #include "vtkExtractionArrays.h"
 #include "vtkSpaceTimeStep.h"
+#include "vtkTiedFaces.h"
 
 #include <algorithm>
 #include <utility>
@@ -75,6 +76,42 @@ vtkSmartPointer<vtkPoints> MakePoints(const vtkSpaceTimeStep& first, const vtkSp
   return made;
 }
 
+bool IsVolume(int kind)
+{
+  return kind == Kinds::VOLUME_AT_START || kind == Kinds::VOLUME_AT_END;
+}
+
+bool IsSurfaceAtStep(int kind)
+{
+  return kind < Kinds::LOWER_SURFACE_IN_TIME;
+}
+
+// One number for an interval at the first or at the last step.
+vtkIdType GetGroup(int item, int kind)
+{
+  const bool isAtEnd = kind == Kinds::VOLUME_AT_END || kind == Kinds::LOWER_SURFACE_AT_END ||
+    kind == Kinds::UPPER_SURFACE_AT_END;
+  return 2 * static_cast<vtkIdType>(item) + isAtEnd;
+}
+
+// Calls visit(face) for the faces of a simplex, outward.
+template <std::size_t Size, typename Visitor>
+void ForEachFace(const std::array<vtkIdType, Size>& simplex, Visitor&& visit)
+{
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    std::array<vtkIdType, Size - 1> face;
+    std::copy_n(simplex.begin(), i, face.begin());
+    std::copy(simplex.begin() + i + 1, simplex.end(), face.begin() + i);
+    // Of a positive tetrahedron the face without an even point is outward, and so of a 4-simplex.
+    if (i % 2 == 1)
+    {
+      std::swap(face[0], face[1]);
+    }
+    visit(face);
+  }
+}
+
 vtkSmartPointer<vtkDoubleArray> MakeTimes(
   const vtkSpaceTimeStep& first, const vtkSpaceTimeStep& second, const PointList& points)
 {
@@ -96,31 +133,20 @@ vtkSmartPointer<vtkDoubleArray> MakeTimes(
     });
   return times;
 }
-
-// The ids of a cell in ascending order, and whether that took an odd number of exchanges.
-std::pair<std::array<vtkIdType, 4>, bool> Sort(std::array<vtkIdType, 4> ids)
-{
-  const int number = ids[3] < 0 ? 3 : 4;
-  bool isOdd = false;
-  for (int end = number; end > 1; --end)
-  {
-    for (int i = 1; i < end; ++i)
-    {
-      if (ids[i] < ids[i - 1])
-      {
-        std::swap(ids[i], ids[i - 1]);
-        isOdd = !isOdd;
-      }
-    }
-  }
-  return { ids, isOdd };
-}
 }
 
-void vtkSpaceTimeMesh::BeginSlab(int number, bool isFirst, bool isLast, bool isJoined)
+void vtkSpaceTimeMesh::BeginSlab(int number, bool isFirst, bool isLast, bool isJoined, bool hasTies)
 {
   this->IsLast = isLast;
   this->WantedKinds = this->Options.Boundaries;
+  this->HasTies = this->HasTies || hasTies;
+  // Surfaces at a step are told from nothing by the volume there.
+  this->WantedKinds[Kinds::VOLUME_AT_START] |= hasTies &&
+    (this->WantedKinds[Kinds::LOWER_SURFACE_AT_START] ||
+      this->WantedKinds[Kinds::UPPER_SURFACE_AT_START]);
+  this->WantedKinds[Kinds::VOLUME_AT_END] |= hasTies &&
+    (this->WantedKinds[Kinds::LOWER_SURFACE_AT_END] ||
+      this->WantedKinds[Kinds::UPPER_SURFACE_AT_END]);
   for (const int kind :
     { Kinds::LOWER_SURFACE_AT_START, Kinds::UPPER_SURFACE_AT_START, Kinds::VOLUME_AT_START })
   {
@@ -133,7 +159,6 @@ void vtkSpaceTimeMesh::BeginSlab(int number, bool isFirst, bool isLast, bool isJ
   }
   this->Slabs.emplace_back();
   this->Slabs.back().Number = number;
-  this->BoundaryBegin = this->Boundary.size();
   if (!isJoined)
   {
     this->EndPoints.clear();
@@ -284,40 +309,120 @@ void vtkSpaceTimeMesh::AddBoundary(const std::vector<BoundaryCell>& cells)
   }
 }
 
-void vtkSpaceTimeMesh::RemoveOppositeBoundaryCells()
+vtkIdType vtkSpaceTimeMesh::RemoveOppositeSimplices(const std::vector<vtkIdType>& tied)
 {
-  struct Entry
-  {
-    std::array<vtkIdType, 6> Key;
-    bool IsOdd;
-    std::size_t Place;
-  };
+  Slab& slab = this->Slabs.back();
+  using Entry = vtkOppositePairs::Entry<vtkIdType, 6>;
   std::vector<Entry> entries;
-  for (std::size_t c = this->BoundaryBegin; c < this->Boundary.size(); ++c)
+  for (const vtkIdType s : tied)
   {
-    const BoundaryCell& cell = this->Boundary[c];
-    const auto sorted = Sort(cell.Ids);
-    entries.push_back({ { { cell.Kind, cell.Item, sorted.first[0], sorted.first[1], sorted.first[2],
-                          sorted.first[3] } },
-      sorted.second, c });
+    const int item = slab.Items.GetSize() > 0 ? slab.Items[s] : 0;
+    Entry entry{ { { item } }, false, static_cast<std::size_t>(s) };
+    std::copy(slab.Simplices[s].begin(), slab.Simplices[s].end(), entry.Key.begin() + 1);
+    entry.IsOdd = vtkOppositePairs::Sort(entry.Key.data() + 1, 5);
+    entries.push_back(entry);
   }
-  std::sort(entries.begin(), entries.end(),
-    [](const Entry& a, const Entry& b)
-    { return a.Key != b.Key ? a.Key < b.Key : a.Place < b.Place; });
-  std::vector<bool> isRemoved(this->Boundary.size() - this->BoundaryBegin, false);
-  for (std::size_t e = 0; e + 1 < entries.size(); ++e)
+  const std::size_t number = slab.Simplices.GetSize();
+  std::vector<bool> isRemoved(number, false);
+  bool isAny = false;
+  vtkOppositePairs::Find(entries, [&](std::size_t place) { isAny = isRemoved[place] = true; });
+  if (!isAny)
   {
-    if (entries[e].Key == entries[e + 1].Key && entries[e].IsOdd != entries[e + 1].IsOdd)
+    return 0;
+  }
+  std::size_t kept = 0;
+  for (std::size_t s = 0; s < number; ++s)
+  {
+    if (!isRemoved[s])
     {
-      isRemoved[entries[e].Place - this->BoundaryBegin] = true;
-      isRemoved[entries[e + 1].Place - this->BoundaryBegin] = true;
-      ++e;
+      slab.Simplices[kept] = slab.Simplices[s];
+      if (slab.Items.GetSize() > 0)
+      {
+        slab.Items[kept] = slab.Items[s];
+      }
+      if (slab.Flats.GetSize() > 0)
+      {
+        slab.Flats[kept] = slab.Flats[s];
+      }
+      ++kept;
     }
   }
-  std::size_t kept = this->BoundaryBegin;
-  for (std::size_t c = this->BoundaryBegin; c < this->Boundary.size(); ++c)
+  slab.Simplices.Truncate(kept);
+  slab.Items.Truncate(slab.Items.GetSize() > 0 ? kept : 0);
+  slab.Flats.Truncate(slab.Flats.GetSize() > 0 ? kept : 0);
+  return static_cast<vtkIdType>(number - kept);
+}
+
+void vtkSpaceTimeMesh::SettleTiedBoundary()
+{
+  if (!this->HasTies || !this->Points)
   {
-    if (!isRemoved[c - this->BoundaryBegin])
+    return;
+  }
+  const std::size_t points = static_cast<std::size_t>(this->Points->GetNumberOfPoints());
+  std::vector<bool> isRemoved(this->Boundary.size(), false);
+  const auto remove = [&isRemoved](std::size_t place) { isRemoved[place] = true; };
+  const auto settle = [&isRemoved](std::size_t place, bool isFace, vtkIdType)
+  { isRemoved[place] = !isFace; };
+  vtkTiedFaces<4> inTime(points);
+  vtkTiedFaces<4> volumes(points);
+  vtkTiedFaces<3> surfaces(points);
+  for (std::size_t c = 0; c < this->Boundary.size(); ++c)
+  {
+    const BoundaryCell& cell = this->Boundary[c];
+    if (!cell.IsTied)
+    {
+      continue;
+    }
+    if (IsVolume(cell.Kind))
+    {
+      volumes.Add(GetGroup(cell.Item, cell.Kind), cell.Ids.data(), c);
+    }
+    else if (IsSurfaceAtStep(cell.Kind))
+    {
+      surfaces.Add(GetGroup(cell.Item, cell.Kind), cell.Ids.data(), c);
+    }
+    else
+    {
+      inTime.Add(cell.Item, cell.Ids.data(), c);
+    }
+  }
+  volumes.Cancel(remove);
+  surfaces.Cancel(remove);
+  inTime.Cancel(remove);
+  for (std::size_t c = 0; c < this->Boundary.size() && !surfaces.IsEmpty(); ++c)
+  {
+    const BoundaryCell& cell = this->Boundary[c];
+    if (IsVolume(cell.Kind) && !isRemoved[c] && surfaces.IsNear(cell.Ids.data(), 4))
+    {
+      ForEachFace(cell.Ids,
+        [&](const std::array<vtkIdType, 3>& face)
+        { surfaces.Count(GetGroup(cell.Item, cell.Kind), face.data(), 0); });
+    }
+  }
+  surfaces.Visit(settle);
+  for (const Slab& slab : this->Slabs)
+  {
+    vtkSMPTools::For(0, inTime.IsEmpty() ? 0 : static_cast<vtkIdType>(slab.Simplices.GetSize()),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType s = first; s < last; ++s)
+        {
+          const Simplex& simplex = slab.Simplices[s];
+          if (inTime.IsNear(simplex.data(), 5))
+          {
+            const int item = slab.Items.GetSize() > 0 ? slab.Items[s] : 0;
+            ForEachFace(simplex,
+              [&](const std::array<vtkIdType, 4>& face) { inTime.Count(item, face.data(), 0); });
+          }
+        }
+      });
+  }
+  inTime.Visit(settle);
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < this->Boundary.size(); ++c)
+  {
+    if (!isRemoved[c] && this->Options.Boundaries[this->Boundary[c].Kind])
     {
       this->Boundary[kept++] = this->Boundary[c];
     }

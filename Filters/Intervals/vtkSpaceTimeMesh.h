@@ -52,6 +52,8 @@ public:
     int Kind;
     int Item;
     int Slab;
+    /// Whether values equal a bound there, so that it may cancel another or be of nothing.
+    bool IsTied;
   };
 
   explicit vtkSpaceTimeMesh(const vtkSpaceTimeOptions& options)
@@ -62,10 +64,12 @@ public:
   const vtkSpaceTimeOptions& GetOptions() const { return this->Options; }
 
   /// Begins a slab. Boundaries at the start and end are in the first and last one only. Points are
-  /// shared with the slab before where that ends at the step at which this one begins.
-  void BeginSlab(int number, bool isFirst, bool isLast, bool isJoined);
+  /// shared with the slab before where that ends at the step at which this one begins. \a hasTies:
+  /// whether a value equals a bound.
+  void BeginSlab(int number, bool isFirst, bool isLast, bool isJoined, bool hasTies);
 
-  /// Whether boundary cells of a kind are asked for and can be in this slab.
+  /// Whether boundary cells of a kind are asked for, or needed to settle others, and can be in this
+  /// slab.
   bool IsWanted(int kind) const { return this->WantedKinds[kind]; }
   bool HasWantedKinds() const;
 
@@ -80,8 +84,17 @@ public:
   /// Adds boundary cells of the slab; their number of the slab is filled in.
   void AddBoundary(const std::vector<BoundaryCell>& cells);
 
-  /// Removes pairs of boundary cells of the slab with the same points and opposite orientation.
-  void RemoveOppositeBoundaryCells();
+  /// Removes pairs of 4-simplices of the slab, out of those in \a tied, that have the same points
+  /// and opposite orientation. Returns how many are removed.
+  vtkIdType RemoveOppositeSimplices(const std::vector<vtkIdType>& tied);
+
+  /**
+   * Settles boundary cells where values equal a bound, once all slabs are there. Pairs with the
+   * same points and opposite orientation go. Of the others tetrahedra in time stay where they are
+   * faces of 4-simplices, counted with their orientation, and triangles where they are faces of the
+   * volume at their step.
+   */
+  void SettleTiedBoundary();
 
   /// The slab begun last.
   Slab& GetSlab() { return this->Slabs.back(); }
@@ -164,11 +177,10 @@ private:
   vtkNew<vtkPointData> Arrays;
   std::vector<std::string> ArraysLeftOut;
   bool IsLast = true;
+  bool HasTies = false;
   std::vector<SharedPoint> EndPoints;
   std::vector<Slab> Slabs;
   std::vector<BoundaryCell> Boundary;
-  // Where those of the last slab begin.
-  std::size_t BoundaryBegin = 0;
 };
 
 #endif

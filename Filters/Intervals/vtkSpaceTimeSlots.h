@@ -54,6 +54,17 @@ public:
    */
   std::uint8_t FindFlat(const Simplex& simplex, unsigned planar) const;
 
+  /// Whether the points of a simplex are all above one face of the cell.
+  bool IsAboveFace(const Simplex& simplex) const
+  {
+    unsigned faces = this->FacesOf[simplex[0]];
+    for (const Slot slot : simplex)
+    {
+      faces &= this->FacesOf[slot];
+    }
+    return faces != 0;
+  }
+
   /// The corners of face f of the cell, as bits; 0 where there is none.
   unsigned GetFace(int f) const { return this->Faces[f]; }
   static constexpr int MaximumNumberOfFaces = 6;

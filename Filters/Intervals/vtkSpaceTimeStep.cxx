@@ -14,6 +14,7 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cstring>
 #include <sstream>
 #include <vector>
@@ -102,7 +103,14 @@ bool vtkSpaceTimeStep::MakeCodes(const vtkExtractionContext& context, double fro
   const auto scalars = vtkExtractionScalars::Make(this->Scalars, *context.Values);
   return context.Run(this->GetNumberOfPoints(), from, to,
     [&](vtkIdType first, vtkIdType last)
-    { scalars->Classify(first, last - first, this->Codes.GetData() + first); });
+    {
+      vtkExtractionValues::Code* codes = this->Codes.GetData() + first;
+      scalars->Classify(first, last - first, codes);
+      if (std::any_of(codes, codes + (last - first), vtkExtractionValues::IsTie))
+      {
+        this->Ties = true;
+      }
+    });
 }
 
 std::string vtkSpaceTimeStep::FindDifference(const vtkSpaceTimeStep& before) const

@@ -7,6 +7,7 @@
 #include "vtkExtractionContext.h"
 #include "vtkSmartPointer.h"
 
+#include <atomic>
 #include <string>
 
 class vtkUnstructuredGrid;
@@ -37,6 +38,8 @@ public:
   /// Returns false when the user aborted.
   bool MakeCodes(const vtkExtractionContext& context, double from, double to);
   const vtkExtractionValues::Code* GetCodes() const { return this->Codes.GetData(); }
+  /// Whether a value equals a bound, once there are codes.
+  bool HasTies() const { return this->Ties; }
 
   std::size_t GetBytes() const { return this->Codes.GetBytes(); }
 
@@ -53,6 +56,7 @@ private:
   bool HasRows;
   int Dimensions[3] = { 0, 0, 0 };
   vtkExtractionBuffer<vtkExtractionValues::Code> Codes;
+  std::atomic<bool> Ties{ false };
 };
 
 #endif

@@ -5,8 +5,11 @@
 #include "vtkExtractionIndex.h"
 #include "vtkExtractionKernels.h"
 #include "vtkExtractionScalars.h"
+#include "vtkMergedCut.h"
 #include "vtkRowIndex.h"
 #include "vtkSMPThreadLocal.h"
+
+#include <numeric>
 
 namespace
 {
@@ -46,6 +49,13 @@ std::vector<SlotPlace> FindSlotPlaces(const vtkIsotable& table)
     }
   }
   return places;
+}
+
+// The order of slots in rows, where a cell's vertices ascend.
+vtkIsotable::RankArray FindRanks(const vtkIsotable& table)
+{
+  constexpr Slot ascending[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+  return table.GetSlotRanks(ascending);
 }
 
 // The codes of one row of grid points.
@@ -101,6 +111,7 @@ public:
     , Mesh(mesh)
     , Table(vtkIsotable::Get(context.Values->GetKind(), vtkIsotable::HEXAHEDRON))
     , Places(FindSlotPlaces(Table))
+    , Ranks(FindRanks(Table))
     , Orientation(context.Input)
     , Rows(dimensions)
     , Nx(dimensions[0])
@@ -125,10 +136,21 @@ public:
     const bool written = this->Context.Run(rows, 0.4, 0.8,
       [this](vtkIdType first, vtkIdType last) { this->ProcessRows<true>(first, last); });
     this->GatherReport();
+    this->GatherTied(this->Mesh.TiedTriangles, &Local::TiedTriangles);
+    this->GatherTied(this->Mesh.TiedSimplices, &Local::TiedSimplices);
     return written;
   }
 
 private:
+  // How a cell is cut where values equal isovalues: it follows from the interval and from how each
+  // corner's value compares with both of its bounds. Cells that are alike follow each other.
+  struct TiedCase
+  {
+    std::uint64_t Key = 0;
+    bool IsMerged = false;
+    vtkMergedCut Cut;
+  };
+
   // Buffers and counts of a thread.
   struct Local
   {
@@ -138,6 +160,9 @@ private:
     std::vector<Code> Keys;
     std::vector<std::uint8_t> Gave;
     std::vector<vtkExtractionIndex::Span> Spans;
+    std::vector<TiedCase> TiedCases;
+    std::vector<vtkIdType> TiedTriangles;
+    std::vector<vtkIdType> TiedSimplices;
     vtkExtractionReport Report;
     bool HasTies = false;
   };
@@ -333,6 +358,16 @@ private:
       bytes += static_cast<std::size_t>(this->Nx) * bytesOfColumn;
     }
     this->Context.NoteWorkingBytes(bytes);
+  }
+
+  // Gathers what threads have noted, in ascending order.
+  void GatherTied(std::vector<vtkIdType>& all, std::vector<vtkIdType> Local::*noted)
+  {
+    for (const Local& local : this->Locals)
+    {
+      all.insert(all.end(), (local.*noted).begin(), (local.*noted).end());
+    }
+    vtkSMPTools::Sort(all.begin(), all.end());
   }
 
   void WriteCrossings(vtkIdType a, vtkIdType b, Code codeA, Code codeB, vtkExtractionPoint*& out)
@@ -604,15 +639,13 @@ private:
         }
         const vtkIsotable::Case& found = this->Table.GetCase(key);
         const RowCount before = place;
-        if (hasTies && this->HasEqualPoints(around, i, what))
-        {
+        const bool isTied = hasTies && this->HasEqualPoints(around, i, what) &&
           this->ProcessTies<Write>(local, around, i, item, found, place);
-        }
-        else if (Write)
+        if (!isTied && Write)
         {
           this->WriteCell(around, i, item, found, place);
         }
-        else
+        else if (!isTied)
         {
           place.Simplices += found.Simplices.size();
           place.Triangles += this->Context.GenerateBoundaries ? found.Boundary.size() : 0;
@@ -706,63 +739,91 @@ private:
       isInverted, item, slots[3], around.FirstCell + i);
   }
 
-  // Where values equal isovalues: slots that are one point are made one, and simplices that lose a
-  // point so are left out.
+  TiedCase& FindTiedCase(
+    Local& local, int item, const Code* codes, const vtkIsotable::Case& found) const
+  {
+    const auto& what = this->Values.GetItems()[item];
+    const int lower = 2 * what.Lower + 1;
+    const int upper = 2 * what.Upper + 1;
+    std::uint64_t key = static_cast<std::uint64_t>(item) + 1;
+    for (int v = 0; v < 8; ++v)
+    {
+      const int code = codes[v];
+      key = 8 * key +
+        static_cast<unsigned>((code >= lower) + (code > lower) + (code >= upper) + (code > upper));
+    }
+    constexpr int bits = 10;
+    local.TiedCases.resize(std::size_t(1) << bits);
+    TiedCase& tied = local.TiedCases[(key * 0x9E3779B97F4A7C15u) >> (64 - bits)];
+    if (tied.Key != key)
+    {
+      Slot same[vtkIsotable::MaximumNumberOfSlots];
+      std::iota(same, same + vtkIsotable::MaximumNumberOfSlots, Slot(0));
+      for (const Slot slot : found.Slots)
+      {
+        same[slot] = vtkExtractionCell::Identify(this->Table, what, codes, slot);
+      }
+      tied.Key = key;
+      tied.IsMerged = vtkMergedCut::IsNeeded(found, same);
+      if (tied.IsMerged)
+      {
+        tied.Cut.Make(
+          this->Table, what, codes, found, this->Ranks, same, this->Context.GenerateBoundaries);
+      }
+    }
+    return tied;
+  }
+
+  // Where values equal isovalues: slots that are one point are made one before the case is cut.
+  // Returns false where none are.
   template <bool Write>
-  void ProcessTies(Local& local, const Around& around, vtkIdType i, int item,
+  bool ProcessTies(Local& local, const Around& around, vtkIdType i, int item,
     const vtkIsotable::Case& found, RowCount& place)
   {
     const auto& what = this->Values.GetItems()[item];
     Code codes[8];
     this->GetCodes(around, i, codes);
-    Slot same[vtkIsotable::MaximumNumberOfSlots] = {};
+    TiedCase& tied = this->FindTiedCase(local, item, codes, found);
+    if (!tied.IsMerged)
+    {
+      return false;
+    }
+    const auto& simplices = tied.Cut.GetSimplices();
+    const auto& triangles = tied.Cut.GetTriangles();
+    const std::size_t number = triangles.size();
+    if (!Write)
+    {
+      local.Report.CollapsedSimplices += tied.Cut.GetNumberCollapsed();
+      place.Simplices += static_cast<vtkIdType>(simplices.size());
+      place.Triangles += static_cast<vtkIdType>(number);
+      return true;
+    }
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
-    for (const Slot slot : found.Slots)
+    const auto use = [&](Slot slot)
     {
-      same[slot] = vtkExtractionCell::Identify(this->Table, what, codes, slot);
-      if (Write)
-      {
-        ids[slot] = this->GetId(around, i, what, codes, same[slot]);
-      }
-    }
-    const auto isCollapsed = [&same](const std::array<Slot, 4>& slots, bool hasFour)
-    {
-      const Slot points[4] = { same[slots[0]], same[slots[1]], same[slots[2]], same[slots[3]] };
-      return vtkExtractionCell::IsCollapsed(points, hasFour ? 4 : 3);
+      ids[slot] = this->GetId(around, i, what, codes, slot);
+      this->Use(ids[slot]);
     };
-    const bool isInverted = Write && this->IsInverted(around, i);
-    for (const vtkIsotable::Simplex& simplex : found.Simplices)
+    const bool isInverted = this->IsInverted(around, i);
+    for (const vtkIsotable::Simplex& simplex : simplices)
     {
-      if (isCollapsed(simplex, this->SimplexSize == 4))
+      std::for_each_n(simplex.begin(), this->SimplexSize, use);
+      if (this->SimplexSize == 4 && tied.Cut.IsInFace(this->Table, simplex))
       {
-        local.Report.CollapsedSimplices += !Write;
-        continue;
-      }
-      if (Write)
-      {
-        std::for_each_n(
-          simplex.begin(), this->SimplexSize, [&](Slot slot) { this->Use(ids[slot]); });
-        this->Mesh.Simplices.Write(place.Simplices, &simplex, 1, ids, isInverted);
-        this->Mesh.NoteSimplices(place.Simplices, 1, item, around.FirstCell + i);
-      }
-      ++place.Simplices;
-    }
-    for (const vtkIsotable::Triangle& triangle : found.Boundary)
-    {
-      if (!this->Context.GenerateBoundaries || isCollapsed(triangle, false))
-      {
-        continue;
-      }
-      if (Write)
-      {
-        std::for_each_n(triangle.begin(), 3, [&](Slot slot) { this->Use(ids[slot]); });
-        this->WriteTriangle(around, i, item, triangle, ids, isInverted, place);
-      }
-      else
-      {
-        ++place.Triangles;
+        local.TiedSimplices.push_back(place.Simplices + (&simplex - simplices.data()));
       }
     }
+    this->Mesh.Simplices.Write(
+      place.Simplices, simplices.data(), simplices.size(), ids, isInverted);
+    this->Mesh.NoteSimplices(place.Simplices, simplices.size(), item, around.FirstCell + i);
+    place.Simplices += static_cast<vtkIdType>(simplices.size());
+    for (std::size_t t = 0; t < number; ++t)
+    {
+      std::for_each_n(triangles[t].begin(), 3, use);
+      local.TiedTriangles.push_back(place.Triangles);
+      this->WriteTriangle(around, i, item, triangles[t], ids, isInverted, place);
+    }
+    return true;
   }
 
   const vtkExtractionContext& Context;
@@ -771,6 +832,7 @@ private:
   vtkExtractionMesh& Mesh;
   const vtkIsotable& Table;
   std::vector<SlotPlace> Places;
+  vtkIsotable::RankArray Ranks;
   vtkCellOrientation Orientation;
   vtkRowIndex Rows;
   vtkIdType Nx;

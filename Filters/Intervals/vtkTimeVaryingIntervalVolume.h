@@ -60,18 +60,28 @@ class vtkTimeVaryingRun;
  * arrays, cell arrays `IntervalId`, `TimeSlab`. Ready for a writer, and for vtkSimplexTimeSlice.
  * Points that two slabs share are one point.
  *
- * Values equal to a bound, and the identity of points: as in vtkIntervalVolume. The same input
- * gives the same bytes whatever the number of threads.
+ * Values equal to a bound, and the identity of points: as in vtkIntervalVolume, one dimension up.
+ * [a, a] is the cells whose corners are all equal to a at both steps of a slab. Counted with their
+ * orientation the faces of an interval's 4-simplices cancel over all slabs, but for the surfaces in
+ * time and the volumes at start and end of port 1, and those in side walls of the domain. Surfaces
+ * in time are such faces, each once, never turned over as well; volumes and surfaces at start and
+ * end are the outputs of vtkIntervalVolume at that step, of parts too that are in the interval at
+ * that step only. The same input gives the same bytes whatever the number of threads.
  *
  * Cells with NaN or infinity at one of the two steps, ghost, hidden and blanked cells are left out
  * of that slab and counted in GetReport(). A slab of no duration (two steps of equal time) is left
  * out with a warning.
  *
+ * A source that writes each step into the memory of the one before is found out by that memory and
+ * the time of its change (of the scalars by the memory alone); the execution then begins anew and
+ * copies every step.
+ *
  * Errors (vtkErrorMacro, empty output): fewer than two time steps, steps whose times decrease or
  * are not finite, a step without the scalar array or of another type of grid, number of points or
  * cells, or connectivity than the step before (the message names the step), and those of
  * vtkIntervalVolume. Warning (vtkWarningMacro, once for a composite input): empty outputs and why,
- * see WarnOnEmptyOutput.
+ * see WarnOnEmptyOutput; concave polyhedra and points that single precision spoils, as in
+ * vtkIntervalVolume.
  *
  * The scalar is the active one on each output.
  *

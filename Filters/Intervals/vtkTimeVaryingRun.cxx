@@ -247,11 +247,15 @@ vtkTimeVaryingRun::Results vtkTimeVaryingRun::AddLeafStep(
   }
   if (leaf.Before && step->GetTime() > leaf.Before->GetTime())
   {
-    leaf.Mesh.BeginSlab(this->NextStep - 1, this->NextStep == 1,
-      this->NextStep + 1 == static_cast<int>(this->Times.size()), this->IsJoined);
     this->Report.Cells += step->GetNumberOfInputCells();
-    if (!leaf.Before->MakeCodes(context, 0.0, 0.05) || !step->MakeCodes(context, 0.05, 0.1) ||
-      !vtkSpaceTimeExtraction::Execute(context, *leaf.Before, *step, leaf.Mesh, this->Report))
+    if (!leaf.Before->MakeCodes(context, 0.0, 0.05) || !step->MakeCodes(context, 0.05, 0.1))
+    {
+      return ABORTED;
+    }
+    leaf.Mesh.BeginSlab(this->NextStep - 1, this->NextStep == 1,
+      this->NextStep + 1 == static_cast<int>(this->Times.size()), this->IsJoined,
+      leaf.Before->HasTies() || step->HasTies());
+    if (!vtkSpaceTimeExtraction::Execute(context, *leaf.Before, *step, leaf.Mesh, this->Report))
     {
       return ABORTED;
     }
@@ -283,6 +287,7 @@ bool vtkTimeVaryingRun::FillOutputs(
     this->Owner->SetProgressShiftScale(ExtractionShare + filled++ * share, share);
     const bool isNeeded = leaf->Before != nullptr;
     leaf->Before.reset();
+    leaf->Mesh.SettleTiedBoundary();
     const vtkSpaceTimeMesh& mesh = leaf->Mesh;
     vtkExtractionArrays::ActivateScalars(leaf->ScalarsName.c_str(), mesh.GetArrays());
     vtkUnstructuredGrid* output = tetrahedraLeaves.GetNext(isNeeded);

@@ -7,6 +7,7 @@
 #include "vtkExtractionIndex.h"
 #include "vtkExtractionScalars.h"
 #include "vtkGridCells.h"
+#include "vtkMergedCut.h"
 #include "vtkPointData.h"
 #include "vtkUnstructuredCells.h"
 #include "vtkUnstructuredGrid.h"
@@ -39,6 +40,8 @@ struct Found
   std::uint16_t Item;
   // Whether the table's own cut serves: corners in ascending order, no two slots one point.
   bool IsPlain;
+  // Whether slots were made one.
+  bool IsMerged;
   bool IsInverted;
 };
 
@@ -52,6 +55,8 @@ struct Chunk
   std::vector<CutSize> Cuts;
   std::vector<vtkIsotable::Simplex> CutSimplices;
   std::vector<vtkIsotable::Triangle> CutTriangles;
+  std::vector<vtkIdType> TiedTriangles;
+  std::vector<vtkIdType> TiedSimplices;
   vtkIdType Simplices = 0;
   vtkIdType Triangles = 0;
   vtkExtractionReport Report;
@@ -74,6 +79,8 @@ struct Cell
   vtkIdType Ids[8];
   Code Codes[8];
   bool IsAscending;
+  // Whether turning it has exchanged left and right; only told of tetrahedra.
+  bool IsReflected;
 };
 
 // A case as it is cut in a cell.
@@ -159,7 +166,7 @@ public:
     this->Codes.Free();
     this->Marks.Free();
     this->Allocate();
-    return this->Context.Run(chunks, 0.5, 0.8,
+    const bool written = this->Context.Run(chunks, 0.5, 0.8,
       [this](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType chunk = first; chunk < last; ++chunk)
@@ -167,6 +174,14 @@ public:
           this->WriteChunk(chunk);
         }
       });
+    for (const Chunk& chunk : this->Chunks)
+    {
+      this->Mesh.TiedTriangles.insert(
+        this->Mesh.TiedTriangles.end(), chunk.TiedTriangles.begin(), chunk.TiedTriangles.end());
+      this->Mesh.TiedSimplices.insert(
+        this->Mesh.TiedSimplices.end(), chunk.TiedSimplices.begin(), chunk.TiedSimplices.end());
+    }
+    return written;
   }
 
 private:
@@ -219,8 +234,13 @@ private:
     cell.NumberOfCorners = corners.NumberOfCorners;
     this->Cells.GetIds(id, corners, cell.Ids);
     cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
+    cell.IsReflected = false;
     if (!cell.IsAscending)
     {
+      if (cell.Shape == vtkIsotable::TETRAHEDRON)
+      {
+        cell.IsReflected = this->Order.IsOdd(cell.Ids, cell.NumberOfCorners);
+      }
       this->Order.Turn(cell.Shape, cell.Ids);
       cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
     }
@@ -294,6 +314,7 @@ private:
     const vtkIdType end = std::min(begin + ChunkSize, this->NumberOfCells);
     std::uint16_t near[ChunkSize];
     int numberNear = 0;
+    vtkMergedCut merged;
     for (vtkIdType first = begin; first < end; first += vtkExtractionIndex::RunLength)
     {
       if (!this->Context.Index ||
@@ -309,7 +330,7 @@ private:
     for (int c = 0; c < numberNear; ++c)
     {
       this->Read(begin + near[c], cell);
-      this->CountCell(cell, near[c], chunk, arena);
+      this->CountCell(cell, near[c], chunk, arena, merged);
     }
   }
 
@@ -335,7 +356,8 @@ private:
       });
   }
 
-  void CountCell(Cell& cell, vtkIdType position, Chunk& chunk, vtkCrossingLists::Arena& arena)
+  void CountCell(Cell& cell, vtkIdType position, Chunk& chunk, vtkCrossingLists::Arena& arena,
+    vtkMergedCut& merged)
   {
     Code least = std::numeric_limits<Code>::max();
     Code greatest = 0;
@@ -345,7 +367,9 @@ private:
       least = std::min(least, cell.Codes[v]);
       greatest = std::max(greatest, cell.Codes[v]);
     }
-    const bool isInverted = this->Orientation.IsInverted(cell.Shape, cell.Ids);
+    const bool isInverted = this->Context.KeepOrientation
+      ? cell.IsReflected
+      : this->Orientation.IsInverted(cell.Shape, cell.Ids);
     const vtkIdType before = chunk.Simplices;
     const int base = this->Values.GetBase();
     const auto& items = this->Values.GetItems();
@@ -361,11 +385,14 @@ private:
       {
         key += power * item.GetDigit(cell.Codes[v]);
       }
-      const bool isPlain = cell.IsAscending && !this->HasEqualPoints(cell, item);
       const vtkIsotable::Case& what = this->Tables[cell.Shape]->GetCase(key);
+      Slot same[vtkIsotable::MaximumNumberOfSlots];
+      const bool isMerged = this->Merge(cell, item, what, same);
+      const bool isPlain = cell.IsAscending && !isMerged;
       Slot slots[vtkIsotable::MaximumNumberOfSlots];
-      const Cut cut =
-        isPlain ? this->GetTableCut(what) : this->MakeCut(cell, item, what, chunk, slots);
+      const Cut cut = isPlain
+        ? this->GetTableCut(what)
+        : this->MakeCut(cell, item, what, isMerged ? same : nullptr, merged, chunk, slots);
       for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
       {
         vtkIdType owner;
@@ -379,57 +406,62 @@ private:
       chunk.Simplices += static_cast<vtkIdType>(cut.NumberOfSimplices);
       chunk.Triangles += static_cast<vtkIdType>(cut.NumberOfTriangles);
       chunk.Cases.push_back({ static_cast<std::uint16_t>(position), static_cast<std::uint16_t>(key),
-        static_cast<std::uint16_t>(number), isPlain, isInverted });
+        static_cast<std::uint16_t>(number), isPlain, isMerged, isInverted });
     }
     chunk.Report.CellsWithOutput += chunk.Simplices != before;
   }
 
-  // Cuts a case in the global order, with slots that are the same point made one, and keeps what
-  // has not collapsed.
-  Cut MakeCut(const Cell& cell, const Item& item, const vtkIsotable::Case& what, Chunk& chunk,
-    Slot* slots) const
+  // Finds which slots are the same point. Returns false where none are.
+  bool Merge(const Cell& cell, const Item& item, const vtkIsotable::Case& what, Slot* same) const
+  {
+    if (!this->HasEqualPoints(cell, item))
+    {
+      return false;
+    }
+    std::iota(same, same + vtkIsotable::MaximumNumberOfSlots, Slot(0));
+    vtkExtractionCell::IdentifyAll(
+      *this->Tables[cell.Shape], item, cell.Codes, what.Slots,
+      vtkExtractionCell::IsCollapsed(cell.Ids, cell.NumberOfCorners),
+      [&](Slot slot)
+      {
+        vtkIdType owner;
+        const vtkCrossingKey key = this->GetPoint(cell, item, slot, owner);
+        return std::make_pair(owner, key);
+      },
+      same);
+    return vtkMergedCut::IsNeeded(what, same);
+  }
+
+  // Cuts a case in the global order, and keeps the cut; \a same tells which slots are the same
+  // point, where there are such.
+  Cut MakeCut(const Cell& cell, const Item& item, const vtkIsotable::Case& what, const Slot* same,
+    vtkMergedCut& merged, Chunk& chunk, Slot* slots) const
   {
     const vtkIsotable& table = *this->Tables[cell.Shape];
     const std::size_t firstSimplex = chunk.CutSimplices.size();
     const std::size_t firstTriangle = chunk.CutTriangles.size();
-    Slot same[vtkIsotable::MaximumNumberOfSlots];
-    std::iota(same, same + vtkIsotable::MaximumNumberOfSlots, Slot(0));
-    const bool hasEqualPoints = this->HasEqualPoints(cell, item);
-    if (hasEqualPoints)
-    {
-      vtkExtractionCell::IdentifyAll(
-        table, item, cell.Codes, what.Slots,
-        vtkExtractionCell::IsCollapsed(cell.Ids, cell.NumberOfCorners),
-        [&](Slot slot)
-        {
-          vtkIdType owner;
-          const vtkCrossingKey key = this->GetPoint(cell, item, slot, owner);
-          return std::make_pair(owner, key);
-        },
-        same);
-    }
-    const auto simplex = [&](const vtkIsotable::Simplex& s)
-    {
-      const vtkIsotable::Simplex points{ { same[s[0]], same[s[1]], same[s[2]],
-        this->SimplexSize == 4 ? same[s[3]] : Slot(0) } };
-      if (hasEqualPoints && vtkExtractionCell::IsCollapsed(points.data(), this->SimplexSize))
-      {
-        ++chunk.Report.CollapsedSimplices;
-        return;
-      }
-      chunk.CutSimplices.push_back(points);
-    };
+    Slot vertexRanks[8];
+    this->Order.Rank(cell.Ids, cell.NumberOfCorners, vertexRanks);
+    const vtkIsotable::RankArray ranks = table.GetSlotRanks(vertexRanks);
+    const auto simplex = [&](const vtkIsotable::Simplex& s) { chunk.CutSimplices.push_back(s); };
     const auto boundary = [&](const vtkIsotable::Triangle& t)
     {
-      const vtkIsotable::Triangle points{ { same[t[0]], same[t[1]], same[t[2]], t[3] } };
-      if (this->Context.GenerateBoundaries && !vtkExtractionCell::IsCollapsed(points.data(), 3))
+      if (this->Context.GenerateBoundaries)
       {
-        chunk.CutTriangles.push_back(points);
+        chunk.CutTriangles.push_back(t);
       }
     };
-    Slot ranks[8];
-    this->Order.Rank(cell.Ids, cell.NumberOfCorners, ranks);
-    table.Cut(what, table.GetSlotRanks(ranks), simplex, boundary);
+    if (same)
+    {
+      merged.Make(table, item, cell.Codes, what, ranks, same, this->Context.GenerateBoundaries);
+      std::for_each(merged.GetSimplices().begin(), merged.GetSimplices().end(), simplex);
+      std::for_each(merged.GetTriangles().begin(), merged.GetTriangles().end(), boundary);
+      chunk.Report.CollapsedSimplices += merged.GetNumberCollapsed();
+    }
+    else
+    {
+      table.Cut(what, ranks, simplex, boundary);
+    }
     chunk.Cuts.push_back({ static_cast<std::uint8_t>(chunk.CutSimplices.size() - firstSimplex),
       static_cast<std::uint8_t>(chunk.CutTriangles.size() - firstTriangle) });
     return this->GetOwnCut(chunk, chunk.Cuts.back(), firstSimplex, firstTriangle, slots);
@@ -464,7 +496,7 @@ private:
 
   void WriteChunk(vtkIdType number)
   {
-    const Chunk& chunk = this->Chunks[number];
+    Chunk& chunk = this->Chunks[number];
     vtkIdType simplex = chunk.Simplices;
     vtkIdType triangle = chunk.Triangles;
     auto own = chunk.Cuts.begin();
@@ -473,6 +505,7 @@ private:
     auto node = chunk.Nodes.begin();
     Slot slots[vtkIsotable::MaximumNumberOfSlots];
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
+    vtkMergedCut merged;
     Cell cell{};
     cell.Id = -1;
     for (const Found& found : chunk.Cases)
@@ -502,7 +535,28 @@ private:
         }
         this->FindIds(cell, this->Values.GetItems()[found.Item], cut, ids);
       }
+      if (found.IsMerged)
+      {
+        this->NoteTied(shape, cut, simplex, triangle, merged, chunk);
+      }
       this->WriteCut(id, found, cut, ids, simplex, triangle);
+    }
+  }
+
+  // Notes what a cell where slots were made one has to be compared with its neighbours for.
+  void NoteTied(vtkIsotable::Shapes shape, const Cut& cut, vtkIdType simplex, vtkIdType triangle,
+    vtkMergedCut& merged, Chunk& chunk) const
+  {
+    for (std::size_t t = 0; t < cut.NumberOfTriangles; ++t)
+    {
+      chunk.TiedTriangles.push_back(triangle + static_cast<vtkIdType>(t));
+    }
+    for (std::size_t s = 0; this->SimplexSize == 4 && s < cut.NumberOfSimplices; ++s)
+    {
+      if (merged.IsInFace(*this->Tables[shape], cut.Simplices[s]))
+      {
+        chunk.TiedSimplices.push_back(simplex + static_cast<vtkIdType>(s));
+      }
     }
   }
 

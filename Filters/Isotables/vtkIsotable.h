@@ -80,6 +80,7 @@ public:
   vtkIsotable(const vtkIsotable&) = delete;
   void operator=(const vtkIsotable&) = delete;
 
+  Kinds GetKind() const { return this->Kind; }
   int GetNumberOfVertices() const { return this->NumberOfVertices; }
   int GetNumberOfEdges() const { return this->NumberOfEdges; }
   int GetNumberOfCases() const { return static_cast<int>(this->Cases.size()); }
@@ -110,58 +111,105 @@ public:
   void Cut(const Case& what, const RankArray& ranks, SimplexVisitor&& simplex,
     BoundaryVisitor&& boundary) const
   {
+    this->CutNamed(
+      what, ranks, [](Slot slot) { return slot; }, simplex, boundary);
+  }
+
+  /**
+   * The same where slots are one point: \a same has for each slot the one that it goes by. Slots
+   * are made one before anything is cut, so that a piece without volume leaves less; what is
+   * visited may still have a slot twice.
+   */
+  template <typename SimplexVisitor, typename BoundaryVisitor>
+  void CutMerged(const Case& what, const RankArray& ranks, const Slot* same,
+    SimplexVisitor&& simplex, BoundaryVisitor&& boundary) const
+  {
+    this->CutNamed(
+      what, ranks, [same](Slot slot) { return same[slot]; }, simplex, boundary);
+  }
+
+  /**
+   * Cuts the faces of the pieces of an interval's case alone: calls triangle(a, b, c, slots,
+   * number) for each triangle, outward, with the slots of the face that it is a part of.
+   */
+  template <typename Visitor>
+  void CutSides(const Case& what, const RankArray& ranks, Visitor&& triangle) const
+  {
     for (const Slot* at = what.Pieces.data(); at != what.Pieces.data() + what.Pieces.size();)
     {
-      at = this->Kind == CONTOUR ? CutPolygon(at, ranks, simplex)
-                                 : CutSolid(at, ranks, simplex, boundary);
+      at += 1 + at[0];
+      for (int faces = *at++; faces > 0; --faces)
+      {
+        const int number = at[1];
+        const Slot* slots = at + 2;
+        at = slots + number;
+        PullPolygon(
+          slots, number, ranks, [](Slot slot) { return slot; },
+          [&](Slot a, Slot b, Slot c) { triangle(a, b, c, slots, number); });
+      }
     }
   }
 
 private:
-  static Slot First(const Slot* slots, int number, const RankArray& ranks)
+  template <typename Name, typename SimplexVisitor, typename BoundaryVisitor>
+  void CutNamed(const Case& what, const RankArray& ranks, const Name& name,
+    SimplexVisitor&& simplex, BoundaryVisitor&& boundary) const
   {
-    Slot first = slots[0];
+    for (const Slot* at = what.Pieces.data(); at != what.Pieces.data() + what.Pieces.size();)
+    {
+      at = this->Kind == CONTOUR ? CutPolygon(at, ranks, name, simplex)
+                                 : CutSolid(at, ranks, name, simplex, boundary);
+    }
+  }
+
+  template <typename Name>
+  static Slot First(const Slot* slots, int number, const RankArray& ranks, const Name& name)
+  {
+    Slot first = name(slots[0]);
     for (int i = 1; i < number; ++i)
     {
-      first = ranks[slots[i]] < ranks[first] ? slots[i] : first;
+      const Slot slot = name(slots[i]);
+      first = ranks[slot] < ranks[first] ? slot : first;
     }
     return first;
   }
 
   // Calls fan(a, b, c) for the triangles of a polygon coned from its first point.
-  template <typename Fan>
-  static void PullPolygon(const Slot* slots, int number, const RankArray& ranks, Fan&& fan)
+  template <typename Name, typename Fan>
+  static void PullPolygon(
+    const Slot* slots, int number, const RankArray& ranks, const Name& name, Fan&& fan)
   {
     int start = 0;
     for (int i = 1; i < number; ++i)
     {
-      start = ranks[slots[i]] < ranks[slots[start]] ? i : start;
+      start = ranks[name(slots[i])] < ranks[name(slots[start])] ? i : start;
     }
     int b = start + 1 == number ? 0 : start + 1;
     for (int i = 2; i < number; ++i)
     {
       const int c = b + 1 == number ? 0 : b + 1;
-      fan(slots[start], slots[b], slots[c]);
+      fan(name(slots[start]), name(slots[b]), name(slots[c]));
       b = c;
     }
   }
 
-  template <typename SimplexVisitor>
-  static const Slot* CutPolygon(const Slot* at, const RankArray& ranks, SimplexVisitor&& simplex)
+  template <typename Name, typename SimplexVisitor>
+  static const Slot* CutPolygon(
+    const Slot* at, const RankArray& ranks, const Name& name, SimplexVisitor&& simplex)
   {
     const int number = at[0];
-    PullPolygon(at + 1, number, ranks,
+    PullPolygon(at + 1, number, ranks, name,
       [&simplex](Slot a, Slot b, Slot c) {
         simplex(Simplex{ { a, b, c, 0 } });
       });
     return at + 1 + number;
   }
 
-  template <typename SimplexVisitor, typename BoundaryVisitor>
-  static const Slot* CutSolid(
-    const Slot* at, const RankArray& ranks, SimplexVisitor&& simplex, BoundaryVisitor&& boundary)
+  template <typename Name, typename SimplexVisitor, typename BoundaryVisitor>
+  static const Slot* CutSolid(const Slot* at, const RankArray& ranks, const Name& name,
+    SimplexVisitor&& simplex, BoundaryVisitor&& boundary)
   {
-    const Slot apex = First(at + 1, at[0], ranks);
+    const Slot apex = First(at + 1, at[0], ranks, name);
     at += 1 + at[0];
     int faces = *at++;
     while (faces-- > 0)
@@ -173,13 +221,13 @@ private:
       bool holdsApex = false;
       for (int i = 0; i < number; ++i)
       {
-        holdsApex |= slots[i] == apex;
+        holdsApex |= name(slots[i]) == apex;
       }
       if (holdsApex && side == NoSide)
       {
         continue;
       }
-      PullPolygon(slots, number, ranks,
+      PullPolygon(slots, number, ranks, name,
         [&](Slot a, Slot b, Slot c)
         {
           if (!holdsApex)

@@ -78,7 +78,7 @@ std::unique_ptr<const vtkIsotableCache::Case> vtkIsotableCache::MakeCase(std::ui
   slots.ForEach([&made](int slot) { made->Slots.push_back(static_cast<Slot>(slot)); });
   // Enough for most cases.
   made->Simplices.reserve(64);
-  this->CutPieces(*made->Pieces, origin.Symmetry, this->Ascending,
+  this->Cut(*made, this->Ascending,
     [&made](const Simplex& simplex) { made->Simplices.push_back(simplex); });
   made->Simplices.shrink_to_fit();
   this->Bytes.fetch_add(

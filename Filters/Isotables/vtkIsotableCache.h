@@ -90,7 +90,31 @@ public:
   template <typename Visitor>
   void Cut(const Case& what, const RankArray& ranks, Visitor&& simplex) const
   {
-    this->CutPieces(*what.Pieces, what.Symmetry, ranks, simplex);
+    this->CutPieces(
+      *what.Pieces, what.Symmetry, ranks, [](Slot slot) { return slot; }, simplex);
+  }
+
+  /// The same where slots are one point, as vtkIsotable::CutMerged does it.
+  template <typename Visitor>
+  void CutMerged(
+    const Case& what, const RankArray& ranks, const Slot* same, Visitor&& simplex) const
+  {
+    this->CutPieces(
+      *what.Pieces, what.Symmetry, ranks, [same](Slot slot) { return same[slot]; }, simplex);
+  }
+
+  /**
+   * Cuts the solids of a case whose slots all have a bit of \a sides in common, see
+   * vtkIsotablePieces::PullSides.
+   */
+  template <typename SolidVisitor, typename PolygonVisitor>
+  void CutSides(const Case& what, const RankArray& ranks, const Slot* same,
+    const std::uint8_t* sides, SolidVisitor&& solid, PolygonVisitor&& polygon) const
+  {
+    const LabelArray labels = this->MakeLabels(
+      *what.Pieces, what.Symmetry, ranks, [same](Slot slot) { return same[slot]; }, sides);
+    what.Pieces->PullSides(
+      labels.data(), this->Symmetries.Get()[what.Symmetry].Reverses, solid, polygon);
   }
 
   ///@{
@@ -179,17 +203,29 @@ private:
     std::array<Shard, NumberOfShards> Shards;
   };
 
-  template <typename Visitor>
-  void CutPieces(const Kind& pieces, int symmetry, const RankArray& ranks, Visitor&& simplex) const
+  using LabelArray = std::array<vtkIsotablePieces::Label, MaximumNumberOfSlots>;
+
+  // \a sides may be null.
+  template <typename Rename>
+  LabelArray MakeLabels(const Kind& pieces, int symmetry, const RankArray& ranks,
+    const Rename& rename, const std::uint8_t* sides) const
   {
     const vtkIsotableSymmetries::Symmetry& moved = this->Symmetries.Get()[symmetry];
-    std::array<vtkIsotablePieces::Label, MaximumNumberOfSlots> labels;
+    LabelArray labels;
     for (const Slot slot : pieces.GetSlots())
     {
-      const Slot name = moved.Slots[slot];
-      labels[slot] = { ranks[name], name };
+      const Slot name = rename(moved.Slots[slot]);
+      labels[slot] = { ranks[name], name, sides ? sides[moved.Slots[slot]] : std::uint8_t(0) };
     }
-    pieces.Pull(labels.data(), moved.Reverses, simplex);
+    return labels;
+  }
+
+  template <typename Rename, typename Visitor>
+  void CutPieces(const Kind& pieces, int symmetry, const RankArray& ranks, const Rename& rename,
+    Visitor&& simplex) const
+  {
+    const LabelArray labels = this->MakeLabels(pieces, symmetry, ranks, rename, nullptr);
+    pieces.Pull(labels.data(), this->Symmetries.Get()[symmetry].Reverses, simplex);
   }
 
   const Case& FindCase(std::uint32_t key, std::uint64_t& misses);

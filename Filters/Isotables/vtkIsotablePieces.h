@@ -7,6 +7,7 @@
 #include <array>   // for the simplices
 #include <cstddef> // for the size
 #include <cstdint> // for the slots
+#include <utility> // for exchanges
 #include <vector>  // for the lists
 
 /**
@@ -27,12 +28,13 @@ public:
   /// The slots of a 4-simplex.
   using Simplex = std::array<Slot, 5>;
 
-  /// What a point of the pieces has in a cut: its place in the order, the least first, and the name
-  /// it goes by in the simplices.
+  /// What a point of the pieces has in a cut: its place in the order, the least first, the name it
+  /// goes by in the simplices, and bits for the sides that it is on.
   struct Label
   {
     std::uint16_t Rank;
     Slot Name;
+    std::uint8_t Sides;
   };
 
   /// For the patch of a lifted cell with that many vertices and edges before it was lifted, and
@@ -44,7 +46,9 @@ public:
 
   /**
    * Calls visit(const Simplex&) for every simplex of the cut. \a labels has one entry for each slot
-   * in use; ranks must be distinct. Simplices have the orientation of the patch (see
+   * in use; ranks of different names must be distinct. Slots of one name are one point: they are
+   * made one before anything is cut, so that a piece without hypervolume leaves less; what is
+   * visited may still have a name twice. Simplices have the orientation of the patch (see
    * vtkIsotablePatch::IsPositive), or the opposite one if \a reverse.
    */
   template <typename Visitor>
@@ -62,7 +66,7 @@ public:
       {
         points = { points.End, this->Solids[solid].PointsEnd };
         const Slot first = this->FindFirst(points, labels);
-        if (first == apex)
+        if (labels[first].Name == labels[apex].Name)
         {
           polygon = this->Solids[solid].PolygonsEnd;
           points.End = this->Polygons[polygon - 1];
@@ -72,7 +76,7 @@ public:
         {
           points = { points.End, this->Polygons[polygon] };
           const std::uint32_t start = this->FindFirstPlace(points, labels);
-          if (this->Points[start] == first)
+          if (labels[this->Points[start]].Name == labels[first].Name)
           {
             continue;
           }
@@ -89,6 +93,60 @@ public:
             before = labels[this->Points[at]].Name;
             simplex[3 - second] = before;
             visit(static_cast<const Simplex&>(simplex));
+          }
+        }
+      }
+    }
+  }
+
+  /**
+   * Cuts the solids whose points are all on one side as Pull() does. Calls solid(sides, points) for
+   * each of their tetrahedra, outward as the face of a simplex of Pull() that leaves out its last
+   * point, and polygon(sides, sidesOfPolygon, points) for the triangles around such a solid,
+   * outward from it. \a sides are those that all points of the solid are on.
+   */
+  template <typename SolidVisitor, typename PolygonVisitor>
+  void PullSides(
+    const Label* labels, bool reverse, SolidVisitor&& solid, PolygonVisitor&& polygon) const
+  {
+    std::uint32_t s = 0;
+    std::uint32_t p = 0;
+    Range points{ 0, 0 };
+    for (const Piece& piece : this->Pieces)
+    {
+      points.End = piece.PointsEnd;
+      for (; s < piece.SolidsEnd; ++s)
+      {
+        points = { points.End, this->Solids[s].PointsEnd };
+        const std::uint8_t sides = this->FindSides(points, labels);
+        const Slot first = labels[this->FindFirst(points, labels)].Name;
+        if (sides == 0)
+        {
+          p = this->Solids[s].PolygonsEnd;
+          points.End = this->Polygons[p - 1];
+          continue;
+        }
+        for (; p < this->Solids[s].PolygonsEnd; ++p)
+        {
+          points = { points.End, this->Polygons[p] };
+          const std::uint8_t sidesOfPolygon = this->FindSides(points, labels);
+          const std::uint32_t start = this->FindFirstPlace(points, labels);
+          const Slot name = labels[this->Points[start]].Name;
+          std::uint32_t at = this->GetNext(points, start);
+          for (std::uint32_t i = points.Begin + 2; i < points.End; ++i)
+          {
+            Slot b = labels[this->Points[at]].Name;
+            at = this->GetNext(points, at);
+            Slot c = labels[this->Points[at]].Name;
+            if (reverse)
+            {
+              std::swap(b, c);
+            }
+            if (name != first)
+            {
+              solid(sides, std::array<Slot, 4>{ { name, b, c, first } });
+            }
+            polygon(sides, sidesOfPolygon, std::array<Slot, 3>{ { name, c, b } });
           }
         }
       }
@@ -130,6 +188,16 @@ private:
   Slot FindFirst(const Range& range, const Label* labels) const
   {
     return this->Points[this->FindFirstPlace(range, labels)];
+  }
+
+  std::uint8_t FindSides(const Range& range, const Label* labels) const
+  {
+    unsigned sides = labels[this->Points[range.Begin]].Sides;
+    for (std::uint32_t i = range.Begin + 1; i < range.End; ++i)
+    {
+      sides &= labels[this->Points[i]].Sides;
+    }
+    return static_cast<std::uint8_t>(sides);
   }
 
   static std::uint32_t GetNext(const Range& range, std::uint32_t at)

@@ -32,8 +32,9 @@ struct FillingCounts
  * a part of the domain's side walls; each cell of port 1 is what its kind says, and is there once;
  * - the triangles of port 1 are the boundary of its tetrahedra at the first and last step, but for
  * the side walls;
- * - interval i's upper boundary is interval i+1's lower one;
- * and, when no value equals a bound inside the range (\a generic):
+ * - interval i's upper boundary is interval i+1's lower one, but for cells of interval i on walls
+ * and at the first and last step, where values equal its bound and nothing lies beyond; and, when
+ * no value equals a bound inside the range (\a generic):
  * - every face of the 4-simplices is used once, or twice with opposite orientation;
  * - every cell of port 1 is a face of one 4-simplex, or of one tetrahedron at a step.
  *

@@ -28,7 +28,8 @@ struct TilingCounts
  * - the signed volumes add up to the domain's to 1e-12;
  * - the boundary of the tetrahedra of an interval is its triangles on port 1 and a part of the
  *   domain's boundary; the parts of all intervals cover that boundary;
- * - interval i's upper triangles are interval i+1's lower ones with the other side up;
+ * - interval i's upper triangles are interval i+1's lower ones with the other side up, but for
+ * those of interval i in faces of the domain, where values equal its bound and no cell lies beyond;
  * - inside the domain the triangles of an interval are closed, and none is there twice;
  * - the scalar is between the bounds on each tetrahedron and equal to the bound on each triangle;
  * and, when no value equals a bound inside the range (\a generic):

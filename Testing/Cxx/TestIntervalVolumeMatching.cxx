@@ -1,0 +1,138 @@
+// What is promised where values equal bounds, to the letter: faces match with their orientation,
+// port 1 has what bounds tetrahedra, [a, a] is the cells equal to a throughout, adjacent intervals
+// tile, criteria keep signed volumes. On every volume of 8 bits, and on small whole numbers in
+// every kind of cell.
+#include "DataFiles.h"
+#include "ReferenceCheck.h"
+#include "ReferenceExtraction.h"
+#include "ReferenceField.h"
+#include "ReferenceGrid.h"
+#include "ReferenceMatching.h"
+#include "ReferenceMesh.h"
+#include "ReferenceTransform.h"
+#include "ReferenceVolume.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkIntervalVolume.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace
+{
+
+using namespace reference;
+
+void CheckVolume(const std::string& file, Check& check)
+{
+  check.SetContext(file);
+  const auto crop = CropVolume(*interlume::ReadData(file), 16, 0);
+  const std::vector<double> bounds = GetQuantiles(*crop);
+  CheckMatchingTiling(crop, bounds, check);
+  const double low = bounds[0];
+  const double middle = bounds[1];
+  const double high = bounds.back();
+  CheckMatching(crop,
+    { { low, low }, { middle, middle }, { low, middle }, { middle, high }, { low + 0.5, high } },
+    check);
+  CheckMatching(crop, { { low, middle }, { middle, high }, { middle, middle } }, check,
+    { { crop->GetPointData()->GetScalars()->GetName(), middle, high } });
+}
+
+void CheckKind(MeshKind kind, Check& check)
+{
+  for (int values : { 2, 3, 5 })
+  {
+    for (unsigned int seed = 3; seed <= 6; ++seed)
+    {
+      check.SetContext(
+        GetName(kind) + ", " + std::to_string(values) + " values, seed " + std::to_string(seed));
+      auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
+      AddIntegerField(mesh, values, seed + 100, "g");
+      AddIntegerField(mesh, values, seed);
+      std::vector<double> bounds;
+      for (int value = 0; value < values; ++value)
+      {
+        bounds.push_back(value);
+      }
+      CheckMatchingTiling(mesh, bounds, check);
+      const double high = values - 1.0;
+      CheckMatching(
+        mesh, { { 0, 0 }, { 1, 1 }, { 0, 1 }, { 1, high }, { 0.5, 1 }, { 0.5, 1.5 } }, check);
+      CheckMatching(mesh, { { 0, 1 }, { 1, high } }, check, { { "g", 0.5, 1 } });
+    }
+  }
+}
+
+/// One tetrahedron, the example of a triangle that bounds nothing.
+void CheckTetrahedron(Check& check)
+{
+  check.SetContext("tetrahedron 1 1 1 0");
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  points->InsertNextPoint(1, 0, 0);
+  points->InsertNextPoint(0, 1, 0);
+  points->InsertNextPoint(0, 0, 1);
+  grid->SetPoints(points);
+  constexpr vtkIdType corners[] = { 0, 1, 2, 3 };
+  grid->InsertNextCell(VTK_TETRA, 4, corners);
+  vtkDoubleArray* f = AddIntegerField(grid, 1, 1);
+  for (vtkIdType p = 0; p < 4; ++p)
+  {
+    f->SetValue(p, p < 3 ? 1 : 0);
+  }
+  const Extraction found = ExtractIntervals(grid, { { 0, 1 }, { 1, 2 } });
+  check.Equal(found.Volume->GetNumberOfCells(), 1, "tetrahedra");
+  check.Equal(static_cast<long long>(BoundaryOf(found.Surface, 0, 1).size()), 1,
+    "upper triangles of [0,1], to which 1 does not belong");
+  check.Equal(found.Surface->GetNumberOfCells(), 1, "triangles in all");
+  const Extraction alone = ExtractIntervals(grid, { { 0, 1 } });
+  check.Equal(alone.Surface->GetNumberOfCells(), 0, "triangles of [0,1] alone, to which 1 belongs");
+}
+
+/// A criterion that keeps all keeps the signed volume, of inverted tetrahedra too.
+void CheckCriterion(Check& check)
+{
+  check.SetContext("criterion that keeps all");
+  for (bool isWhole : { false, true })
+  {
+    auto mesh = TurnCells(MakeMesh(MeshKind::Hexahedra, { 8, 8, 8 }), 2);
+    isWhole ? AddIntegerField(mesh, 4, 5) : AddRandomField(mesh, 5);
+    const double upper = isWhole ? 2 : 0.5;
+    vtkNew<vtkIntervalVolume> filter;
+    filter->SetInputData(mesh);
+    filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    filter->SetInterval(0, 0, upper);
+    filter->Update();
+    const TetrahedraVolume before = MeasureTetrahedra(filter->GetOutput());
+    check.That(before.Inverted > 0, "there are inverted tetrahedra");
+    filter->AddCriterion("f", -1, upper + 1);
+    filter->Update();
+    const TetrahedraVolume after = MeasureTetrahedra(filter->GetOutput());
+    check.Equal(after.Inverted, before.Inverted, "inverted tetrahedra");
+    check.Near(static_cast<double>(after.Sum), static_cast<double>(before.Sum), 1e-14,
+      "sum of the signed volumes");
+  }
+}
+
+}
+
+int TestIntervalVolumeMatching(int, char*[])
+{
+  Check check;
+  for (const char* file :
+    { "bonsai.vti", "brainsmall.vti", "ironProt.vtk", "neghip.vti", "tooth.vti" })
+  {
+    CheckVolume(file, check);
+  }
+  for (MeshKind kind : AllMeshKinds())
+  {
+    CheckKind(kind, check);
+  }
+  CheckTetrahedron(check);
+  CheckCriterion(check);
+  return check.Result();
+}
