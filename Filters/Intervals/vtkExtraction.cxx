@@ -113,8 +113,10 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
     linear = this->Index ? &this->Index->GetLinearGrid(input) : &ownLinear;
     if (!linear->Grid)
     {
-      linear->Grid = vtkExtractionLinearizer::Execute(input, linear->CellIds);
+      linear->Grid =
+        vtkExtractionLinearizer::Execute(input, linear->CellIds, linear->NumberOfConcave);
     }
+    report.ConcavePolyhedra = linear->NumberOfConcave;
     context.Input = linear->Grid;
     context.SetBlanking(linear->Grid);
     vtkDataArray* carried = linear->Grid->GetPointData()->GetArray(scalars->GetName());

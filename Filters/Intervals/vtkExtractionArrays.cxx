@@ -225,7 +225,9 @@ void FillRowPoints(vtkDataSet* input, const PointList& points, OutArray* out)
     });
 }
 
-int ChoosePointType(vtkDataSet* input, int precision)
+}
+
+int vtkExtractionArrays::ChoosePointType(vtkDataSet* input, int precision)
 {
   if (precision == vtkAlgorithm::DEFAULT_PRECISION)
   {
@@ -237,8 +239,6 @@ int ChoosePointType(vtkDataSet* input, int precision)
     return grid && grid->GetXCoordinates()->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT;
   }
   return precision == vtkAlgorithm::DOUBLE_PRECISION ? VTK_DOUBLE : VTK_FLOAT;
-}
-
 }
 
 bool vtkExtractionArrays::IsCarried(vtkDataSetAttributes* attributes, vtkAbstractArray* array)

@@ -20,6 +20,9 @@ class vtkPoints;
 class vtkExtractionArrays
 {
 public:
+  /// The type of output points for a precision of vtkAlgorithm: VTK_FLOAT or VTK_DOUBLE.
+  static int ChoosePointType(vtkDataSet* input, int precision);
+
   /// \a precision as in vtkAlgorithm.
   static vtkSmartPointer<vtkPoints> MakePoints(
     vtkDataSet* input, const vtkExtractionBuffer<vtkExtractionPoint>& points, int precision);

@@ -37,6 +37,7 @@ public:
   {
     vtkSmartPointer<vtkUnstructuredGrid> Grid;
     std::vector<vtkIdType> CellIds;
+    vtkIdType NumberOfConcave = 0;
     vtkMTimeType InputTime = 0;
     int LastUse = 0;
   };

@@ -5,10 +5,31 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkExtractionArrays.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkRectilinearGrid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
+
+namespace
+{
+// The least distance of two coordinates that follow each other and differ; 0 where there is none.
+double FindLeastStep(vtkDataArray* coordinates)
+{
+  double least = 0.0;
+  for (vtkIdType i = 1; i < coordinates->GetNumberOfTuples(); ++i)
+  {
+    const double step =
+      std::abs(coordinates->GetComponent(i, 0) - coordinates->GetComponent(i - 1, 0));
+    least = step > 0.0 && (least == 0.0 || step < least) ? step : least;
+  }
+  return least;
+}
+}
 
 std::string vtkExtractionInput::CheckScalars(
   vtkDataSet* input, vtkAbstractArray* array, int association, const std::string& wanted)
@@ -67,6 +88,57 @@ std::string vtkExtractionInput::CheckIntervals(const std::vector<std::array<doub
     }
   }
   return std::string();
+}
+
+std::string vtkExtractionInput::CheckPrecision(vtkDataSet* input, int precision)
+{
+  double sizes[3] = { 0.0, 0.0, 0.0 };
+  if (vtkImageData* image = vtkImageData::SafeDownCast(input))
+  {
+    image->GetSpacing(sizes);
+  }
+  else if (vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input))
+  {
+    vtkDataArray* axes[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+      grid->GetZCoordinates() };
+    std::transform(axes, axes + 3, sizes, FindLeastStep);
+  }
+  double size = 0.0;
+  for (const double one : sizes)
+  {
+    size = one != 0.0 && (size == 0.0 || std::abs(one) < size) ? std::abs(one) : size;
+  }
+  if (size == 0.0 || vtkExtractionArrays::ChoosePointType(input, precision) != VTK_FLOAT)
+  {
+    return std::string();
+  }
+  double bounds[6];
+  input->GetBounds(bounds);
+  double farthest = 0.0;
+  for (const double bound : bounds)
+  {
+    farthest = std::max(farthest, std::abs(bound));
+  }
+  constexpr double share = 0.01;
+  const double rounding = 0.5 * farthest * std::numeric_limits<float>::epsilon();
+  if (rounding <= share * size)
+  {
+    return std::string();
+  }
+  std::ostringstream what;
+  what << "Points in single precision are off by up to " << rounding << ", and cells are " << size
+       << " wide: they lie as far as " << farthest
+       << " from the origin. Set OutputPointsPrecision to double, or move the origin.";
+  return what.str();
+}
+
+std::string vtkExtractionInput::CheckPolyhedra(vtkIdType numberOfConcave)
+{
+  return numberOfConcave == 0 ? std::string()
+                              : std::to_string(numberOfConcave) +
+      " polyhedra are not seen whole from the mean of their points, since they or their faces are "
+      "concave: the parts that they are cut into overlap, and volumes come out too large. Cut them "
+      "into convex cells before.";
 }
 
 std::string vtkExtractionInput::DescribeArrayToProcess(vtkAlgorithm* owner)

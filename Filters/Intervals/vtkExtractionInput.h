@@ -1,6 +1,8 @@
 #ifndef vtkExtractionInput_h
 #define vtkExtractionInput_h
 
+#include "vtkType.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -28,6 +30,16 @@ public:
 
   /// The same of the first interval of a list that is none, by its index.
   static std::string CheckIntervals(const std::vector<std::array<double, 2>>& intervals);
+
+  ///@{
+  /**
+   * What is not right with an extraction that goes on, in words, or nothing: points that single
+   * precision moves by more than a hundredth of a cell, as of an image far from the origin;
+   * polyhedra that are cut into parts that overlap.
+   */
+  static std::string CheckPrecision(vtkDataSet* input, int precision);
+  static std::string CheckPolyhedra(vtkIdType numberOfConcave);
+  ///@}
 
   /// The array that input 0 of \a owner is set to process, in words.
   static std::string DescribeArrayToProcess(vtkAlgorithm* owner);

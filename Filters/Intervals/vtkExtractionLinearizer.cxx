@@ -11,12 +11,16 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <utility>
+#include <functional>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -57,6 +61,8 @@ public:
     this->AddPoints();
     return this->Output.GetPointer();
   }
+
+  vtkIdType GetNumberOfConcave() const { return this->NumberOfConcave; }
 
 private:
   std::vector<Face> GetFaces(vtkIdType cell, int type)
@@ -195,6 +201,7 @@ private:
     const vtkIdType center =
       this->Input->GetNumberOfPoints() + static_cast<vtkIdType>(this->Centers.size());
     this->Centers.emplace_back(vertices.begin(), vertices.end());
+    this->NumberOfConcave += !this->IsSeenWhole(faces, this->Centers.back());
     for (const Face& face : faces)
     {
       if (face.size() == 4)
@@ -202,20 +209,114 @@ private:
         this->AddCell(cell, VTK_PYRAMID, { face[0], face[1], face[2], face[3], center });
         continue;
       }
-      const auto lowest = std::min_element(face.begin(), face.end(),
-        [this](vtkIdType a, vtkIdType b) { return this->GetOrder(a) < this->GetOrder(b); });
-      const std::size_t start = lowest - face.begin();
-      for (std::size_t i = 1; i + 1 < face.size(); ++i)
+      this->ForEachTriangle(face,
+        [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+          this->AddCell(cell, VTK_TETRA, { a, b, c, center });
+        });
+    }
+  }
+
+  // The fan of a face from its first point in the order.
+  template <typename Visitor>
+  void ForEachTriangle(const Face& face, Visitor&& visit) const
+  {
+    const auto lowest = std::min_element(face.begin(), face.end(),
+      [this](vtkIdType a, vtkIdType b) { return this->GetOrder(a) < this->GetOrder(b); });
+    const std::size_t start = lowest - face.begin();
+    for (std::size_t i = 1; i + 1 < face.size(); ++i)
+    {
+      visit(*lowest, face[(start + i) % face.size()], face[(start + i + 1) % face.size()]);
+    }
+  }
+
+  // Turns faces until all are outward, or all inward: two have a common edge in opposite
+  // directions.
+  static void Orient(std::vector<Face>& faces)
+  {
+    std::map<std::pair<vtkIdType, vtkIdType>, std::vector<std::size_t>> facesOf;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      for (std::size_t i = 0; i < faces[f].size(); ++i)
       {
-        this->AddCell(cell, VTK_TETRA,
-          { *lowest, face[(start + i) % face.size()], face[(start + i + 1) % face.size()],
-            center });
+        facesOf[std::minmax({ faces[f][i], faces[f][(i + 1) % faces[f].size()] })].push_back(f);
+      }
+    }
+    const auto hasEdge = [](const Face& face, vtkIdType a, vtkIdType b)
+    {
+      const auto at = std::find(face.begin(), face.end(), a);
+      return at != face.end() && (at + 1 == face.end() ? face.front() : at[1]) == b;
+    };
+    std::vector<bool> isMet(faces.size(), false);
+    std::vector<std::size_t> next = { 0 };
+    isMet[0] = true;
+    while (!next.empty())
+    {
+      const Face face = faces[next.back()];
+      next.pop_back();
+      for (std::size_t i = 0; i < face.size(); ++i)
+      {
+        const vtkIdType a = face[i];
+        const vtkIdType b = face[(i + 1) % face.size()];
+        for (const std::size_t other : facesOf[std::minmax({ a, b })])
+        {
+          if (!isMet[other])
+          {
+            if (hasEdge(faces[other], a, b))
+            {
+              std::reverse(faces[other].begin(), faces[other].end());
+            }
+            isMet[other] = true;
+            next.push_back(other);
+          }
+        }
       }
     }
   }
 
-  // Of whole numbers it is their sum that is divided, so that the mean of numbers that equal a bound
-  // equals it too; sums of others might be out of range.
+  // Whether the mean of its vertices sees every part of a polyhedron from inside.
+  bool IsSeenWhole(std::vector<Face> faces, const Face& vertices) const
+  {
+    const std::array<double, 3> center = this->GetMeanPoint(vertices);
+    Orient(faces);
+    double inside = 0.0;
+    double outside = 0.0;
+    for (const Face& face : faces)
+    {
+      this->ForEachTriangle(face,
+        [&](vtkIdType a, vtkIdType b, vtkIdType c)
+        {
+          double sides[3][3];
+          const vtkIdType ids[3] = { a, b, c };
+          for (int i = 0; i < 3; ++i)
+          {
+            this->Input->GetPoint(ids[i], sides[i]);
+            std::transform(sides[i], sides[i] + 3, center.begin(), sides[i], std::minus<>());
+          }
+          const double volume = vtkMath::Determinant3x3(sides[0], sides[1], sides[2]);
+          (volume > 0.0 ? inside : outside) += std::abs(volume);
+        });
+    }
+    constexpr double rounding = 1e-6;
+    return std::min(inside, outside) <= rounding * (inside + outside);
+  }
+
+  std::array<double, 3> GetMeanPoint(const Face& vertices) const
+  {
+    std::array<double, 3> mean{};
+    for (const vtkIdType vertex : vertices)
+    {
+      double x[3];
+      this->Input->GetPoint(vertex, x);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        mean[axis] += x[axis] / static_cast<double>(vertices.size());
+      }
+    }
+    return mean;
+  }
+
+  // Of whole numbers it is their sum that is divided, so that the mean of numbers that equal a
+  // bound equals it too; sums of others might be out of range.
   double GetMean(vtkDataArray* array, const Face& vertices, int component) const
   {
     constexpr double most = 4503599627370496.0; // 2^52
@@ -255,18 +356,7 @@ private:
     }
     for (vtkIdType p = before; p < after; ++p)
     {
-      const Face& vertices = this->Centers[p - before];
-      double mean[3] = { 0.0, 0.0, 0.0 };
-      for (vtkIdType vertex : vertices)
-      {
-        double x[3];
-        this->Input->GetPoint(vertex, x);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          mean[axis] += x[axis] / static_cast<double>(vertices.size());
-        }
-      }
-      points->SetPoint(p, mean);
+      points->SetPoint(p, this->GetMeanPoint(this->Centers[p - before]).data());
     }
     this->Output->SetPoints(points);
     this->AddPointData(before, after);
@@ -342,6 +432,7 @@ private:
   vtkNew<vtkGenericCell> Generic;
   // The vertices of each coned polyhedron.
   std::vector<Face> Centers;
+  vtkIdType NumberOfConcave = 0;
 };
 }
 
@@ -371,9 +462,11 @@ bool vtkExtractionLinearizer::IsNeeded(vtkDataSet* input)
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> vtkExtractionLinearizer::Execute(
-  vtkDataSet* input, std::vector<vtkIdType>& cellIds)
+  vtkDataSet* input, std::vector<vtkIdType>& cellIds, vtkIdType& numberOfConcave)
 {
-  vtkSmartPointer<vtkUnstructuredGrid> linear = Linearizer(input, cellIds).Execute();
+  Linearizer linearizer(input, cellIds);
+  vtkSmartPointer<vtkUnstructuredGrid> linear = linearizer.Execute();
+  numberOfConcave = linearizer.GetNumberOfConcave();
   if (vtkUnsignedCharArray* ghosts = input->GetCellGhostArray())
   {
     vtkNew<vtkUnsignedCharArray> linearGhosts;

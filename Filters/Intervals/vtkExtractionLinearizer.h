@@ -29,8 +29,10 @@ public:
   static bool IsNeeded(vtkDataSet* input);
 
   /// \a cellIds: the input cell of each cell made; it has the ghost level of that cell.
+  /// \a numberOfConcave: the coned polyhedra that are not seen whole from the mean of their
+  /// vertices, whose parts overlap.
   static vtkSmartPointer<vtkUnstructuredGrid> Execute(
-    vtkDataSet* input, std::vector<vtkIdType>& cellIds);
+    vtkDataSet* input, std::vector<vtkIdType>& cellIds, vtkIdType& numberOfConcave);
 };
 
 #endif

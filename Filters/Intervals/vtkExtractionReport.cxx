@@ -12,6 +12,7 @@ void vtkExtractionReport::Add(const vtkExtractionReport& other)
   this->NonFiniteCells += other.NonFiniteCells;
   this->BlankedCells += other.BlankedCells;
   this->LinearizedCells += other.LinearizedCells;
+  this->ConcavePolyhedra += other.ConcavePolyhedra;
   this->UnsupportedCells += other.UnsupportedCells;
   this->CollapsedSimplices += other.CollapsedSimplices;
   this->ArraysInterpolated = std::max(this->ArraysInterpolated, other.ArraysInterpolated);
@@ -29,6 +30,7 @@ void vtkExtractionReport::Print(ostream& os, vtkIndent indent) const
   os << indent << "NonFiniteCells: " << this->NonFiniteCells << "\n";
   os << indent << "BlankedCells: " << this->BlankedCells << "\n";
   os << indent << "LinearizedCells: " << this->LinearizedCells << "\n";
+  os << indent << "ConcavePolyhedra: " << this->ConcavePolyhedra << "\n";
   os << indent << "UnsupportedCells: " << this->UnsupportedCells << "\n";
   os << indent << "CollapsedSimplices: " << this->CollapsedSimplices << "\n";
   os << indent << "ArraysInterpolated: " << this->ArraysInterpolated << "\n";

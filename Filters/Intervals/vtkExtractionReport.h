@@ -31,9 +31,13 @@ struct INTERLUMEINTERVALS_EXPORT vtkExtractionReport
   vtkIdType BlankedCells = 0;
   /// Quadratic and higher cells taken as their linear counterpart.
   vtkIdType LinearizedCells = 0;
+  /// Polyhedra that are coned and that the mean of their points does not see whole: their parts
+  /// overlap.
+  vtkIdType ConcavePolyhedra = 0;
   /// Cells of a type that has no three-dimensional linear counterpart.
   vtkIdType UnsupportedCells = 0;
-  /// Simplices not emitted because two of their points are the same point.
+  /// Simplices of the tables' cases not emitted since values equal a bound, or corners of a cell
+  /// are one point: they have no volume.
   vtkIdType CollapsedSimplices = 0;
   /// Point arrays interpolated (coordinates not counted) and cell arrays copied.
   int ArraysInterpolated = 0;

@@ -231,6 +231,14 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
     vtkWarningMacro(<< report.UnsupportedCells
                     << " cells have no linear counterpart and are left out.");
   }
+  for (const std::string& warning : { vtkExtractionInput::CheckPolyhedra(report.ConcavePolyhedra),
+         vtkExtractionInput::CheckPrecision(input, this->OutputPointsPrecision) })
+  {
+    if (!warning.empty())
+    {
+      vtkWarningMacro(<< warning);
+    }
+  }
   return completed;
 }
 

@@ -139,6 +139,14 @@ int vtkIsotableContour::RequestData(
     vtkWarningMacro(<< report.UnsupportedCells
                     << " cells have no linear counterpart and are left out.");
   }
+  for (const std::string& warning : { vtkExtractionInput::CheckPolyhedra(report.ConcavePolyhedra),
+         vtkExtractionInput::CheckPrecision(input, this->OutputPointsPrecision) })
+  {
+    if (!warning.empty())
+    {
+      vtkWarningMacro(<< warning);
+    }
+  }
   return 1;
 }
 

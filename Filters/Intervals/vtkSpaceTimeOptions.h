@@ -20,6 +20,8 @@ public:
   bool Simplices = false;
   std::array<bool, NumberOfBoundaries> Boundaries{};
   int Precision = vtkAlgorithm::DEFAULT_PRECISION;
+  /// Whether steps are copied, since the input writes each over the one before.
+  bool CopiesSteps = false;
 
   /// The direction of projection in (x,y,z,t), not zero.
   void SetDirection(const double direction[4])

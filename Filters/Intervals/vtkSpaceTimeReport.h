@@ -11,7 +11,7 @@
  * @brief   what the last execution of vtkTimeVaryingIntervalVolume did
  *
  * A plain value object. The counts of cells are summed over the slabs. CollapsedSimplices counts
- * 4-simplices two points of which are the same point.
+ * 4-simplices.
  *
  * @sa vtkTimeVaryingIntervalVolume
  */

@@ -59,6 +59,31 @@ bool HasSameFrame(vtkImageData* a, vtkImageData* b)
       b->GetDirectionMatrix()->GetData());
 }
 
+// The scalars, the other point arrays and the coordinates.
+std::vector<vtkDataArray*> GetArrays(vtkDataSet* input, vtkDataArray* scalars)
+{
+  std::vector<vtkDataArray*> arrays = { scalars };
+  for (int a = 0; a < input->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = input->GetPointData()->GetArray(a);
+    if (array && array != scalars)
+    {
+      arrays.push_back(array);
+    }
+  }
+  vtkPointSet* set = vtkPointSet::SafeDownCast(input);
+  if (set && set->GetPoints())
+  {
+    arrays.push_back(set->GetPoints()->GetData());
+  }
+  return arrays;
+}
+
+const void* GetMemory(vtkDataArray* array)
+{
+  return array->HasStandardMemoryLayout() ? array->GetVoidPointer(0) : array;
+}
+
 std::string DescribeChange(const char* what, vtkIdType before, vtkIdType now)
 {
   std::ostringstream words;
@@ -67,15 +92,38 @@ std::string DescribeChange(const char* what, vtkIdType before, vtkIdType now)
 }
 }
 
-vtkSpaceTimeStep::vtkSpaceTimeStep(vtkDataSet* input, vtkDataArray* scalars, double time)
+vtkSpaceTimeStep::vtkSpaceTimeStep(
+  vtkDataSet* input, vtkDataArray* scalars, double time, bool isCopied)
   : Time(time)
   , NumberOfInputCells(input->GetNumberOfCells())
 {
+  vtkSmartPointer<vtkDataSet> copy;
+  if (isCopied)
+  {
+    copy.TakeReference(input->NewInstance());
+    copy->DeepCopy(input);
+    for (int a = 0; a < input->GetPointData()->GetNumberOfArrays(); ++a)
+    {
+      if (input->GetPointData()->GetAbstractArray(a) == scalars)
+      {
+        scalars = copy->GetPointData()->GetArray(a);
+        break;
+      }
+    }
+    input = copy;
+  }
+  else
+  {
+    for (vtkDataArray* array : GetArrays(input, scalars))
+    {
+      this->Sources.push_back({ array, array->GetMTime() });
+    }
+  }
   this->HasRows = vtkExtractionArrays::GetRowDimensions(input, this->Dimensions);
   if (!this->HasRows && vtkExtractionLinearizer::IsNeeded(input))
   {
     std::vector<vtkIdType> cellIds;
-    this->Grid = vtkExtractionLinearizer::Execute(input, cellIds);
+    this->Grid = vtkExtractionLinearizer::Execute(input, cellIds, this->NumberOfConcave);
     vtkDataArray* carried = this->Grid->GetPointData()->GetArray(scalars->GetName());
     scalars = carried ? carried : scalars;
   }
@@ -110,6 +158,21 @@ bool vtkSpaceTimeStep::MakeCodes(const vtkExtractionContext& context, double fro
       {
         this->Ties = true;
       }
+    });
+}
+
+bool vtkSpaceTimeStep::IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const
+{
+  const std::vector<vtkDataArray*> arrays = GetArrays(next, scalars);
+  return std::any_of(arrays.begin(), arrays.end(),
+    [this, scalars](vtkDataArray* array)
+    {
+      const void* memory = GetMemory(array);
+      const auto source = std::find_if(this->Sources.begin(), this->Sources.end(),
+        [memory](const Source& one) { return GetMemory(one.Array) == memory; });
+      // Not all who write over scalars say so, and steps that differ have scalars that differ.
+      return source != this->Sources.end() &&
+        (array == scalars || array->GetMTime() > source->Time);
     });
 }
 

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <string>
+#include <vector>
 
 class vtkUnstructuredGrid;
 
@@ -19,8 +20,9 @@ class vtkUnstructuredGrid;
 class vtkSpaceTimeStep : public vtkBlanking
 {
 public:
-  /// Keeps the arrays of \a input, not the object; polyhedra are made cells that have tables.
-  vtkSpaceTimeStep(vtkDataSet* input, vtkDataArray* scalars, double time);
+  /// Keeps the arrays of \a input, not the object, or copies of them where \a isCopied; polyhedra
+  /// are made cells that have tables.
+  vtkSpaceTimeStep(vtkDataSet* input, vtkDataArray* scalars, double time, bool isCopied);
 
   vtkDataSet* GetGrid() const { return this->Grid; }
   vtkDataArray* GetScalars() const { return this->Scalars; }
@@ -33,6 +35,8 @@ public:
 
   /// The cells before polyhedra were cut.
   vtkIdType GetNumberOfInputCells() const { return this->NumberOfInputCells; }
+  /// Of these, polyhedra that are cut into parts that overlap.
+  vtkIdType GetNumberOfConcave() const { return this->NumberOfConcave; }
 
   /// The codes of all points; made at the first call, while progress goes from \a from to \a to.
   /// Returns false when the user aborted.
@@ -43,20 +47,37 @@ public:
 
   std::size_t GetBytes() const { return this->Codes.GetBytes(); }
 
+  /**
+   * Whether the next step has been written over this one: its scalars are in the same memory, or
+   * its points or another array are and have changed since.
+   */
+  bool IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const;
+
   /// How the cells of two steps differ, in words, or nothing.
   std::string FindDifference(const vtkSpaceTimeStep& before) const;
   /// Whether the points of two steps are in the same places.
   bool HasSamePoints(const vtkSpaceTimeStep& other) const;
 
 private:
+  // An array that the step was read from, held so that its memory is not another's, and when it had
+  // changed last.
+  struct Source
+  {
+    vtkSmartPointer<vtkDataArray> Array;
+    vtkMTimeType Time;
+  };
+
   vtkSmartPointer<vtkDataSet> Grid;
   vtkSmartPointer<vtkDataArray> Scalars;
   double Time;
   vtkIdType NumberOfInputCells;
+  vtkIdType NumberOfConcave = 0;
   bool HasRows;
   int Dimensions[3] = { 0, 0, 0 };
   vtkExtractionBuffer<vtkExtractionValues::Code> Codes;
   std::atomic<bool> Ties{ false };
+  // Empty where the step is a copy.
+  std::vector<Source> Sources;
 };
 
 #endif

@@ -218,7 +218,7 @@ int vtkTimeVaryingIntervalVolume::RequestUpdateExtent(
   return 1;
 }
 
-bool vtkTimeVaryingIntervalVolume::Begin()
+bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
 {
   this->Report = vtkSpaceTimeReport();
   const std::vector<double> times = this->GetTimesTaken();
@@ -236,6 +236,7 @@ bool vtkTimeVaryingIntervalVolume::Begin()
   options.Simplices = this->GenerateSimplices;
   options.Boundaries = this->GenerateBoundary;
   options.Precision = this->OutputPointsPrecision;
+  options.CopiesSteps = copiesSteps;
   options.SetDirection(this->ProjectionDirection);
   this->Run = std::make_unique<vtkTimeVaryingRun>(
     this,
@@ -263,11 +264,18 @@ int vtkTimeVaryingIntervalVolume::RequestData(
     }
     return 1;
   }
-  if (!this->Run && !this->Begin())
+  if (!this->Run && !this->Begin(false))
   {
     return 1;
   }
   const vtkTimeVaryingRun::Results result = this->Run->AddStep(input);
+  if (result == vtkTimeVaryingRun::OVERWRITTEN)
+  {
+    // The values of the step before are lost: its time is asked for again.
+    this->Begin(true);
+    request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
+    return 1;
+  }
   if (result == vtkTimeVaryingRun::DONE && !this->Run->IsFinished() && !this->GetAbortExecute())
   {
     request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);

@@ -232,8 +232,9 @@ protected:
   int GetFirstStep() const;
   /// The times of the steps in the range.
   std::vector<double> GetTimesTaken() const;
-  /// Begins an execution. Returns false, after an error, where parameters do not allow it.
-  bool Begin();
+  /// Begins an execution, in which steps are copied or not. Returns false, after an error, where
+  /// parameters do not allow it.
+  bool Begin(bool copiesSteps);
   /// Why there is no output after all steps, or nothing.
   std::string ExplainEmpty(vtkTimeVaryingRun& run);
 

@@ -229,7 +229,25 @@ vtkTimeVaryingRun::Results vtkTimeVaryingRun::AddLeafStep(
   // The dataset of the first step may have become that of the second; its cells are the same.
   this->Empty.Add(this->NextStep == 1 ? input : nullptr, scalars, 0);
   leaf.ScalarsName = scalars->GetName() ? scalars->GetName() : "";
-  auto step = std::make_unique<vtkSpaceTimeStep>(input, scalars, this->Times[this->NextStep]);
+  if (leaf.Before && leaf.Before->IsOverwritten(input, scalars))
+  {
+    return OVERWRITTEN;
+  }
+  auto step = std::make_unique<vtkSpaceTimeStep>(
+    input, scalars, this->Times[this->NextStep], this->Options.CopiesSteps);
+  if (this->NextStep == 0)
+  {
+    this->Report.ConcavePolyhedra += step->GetNumberOfConcave();
+    for (const std::string& warning :
+      { vtkExtractionInput::CheckPolyhedra(step->GetNumberOfConcave()),
+        vtkExtractionInput::CheckPrecision(input, this->Options.Precision) })
+    {
+      if (!warning.empty())
+      {
+        this->Warn(warning);
+      }
+    }
+  }
   const vtkExtractionContext context = this->MakeContext();
   const double slabs = static_cast<double>(this->Times.size()) - 1.0;
   const double leaves = static_cast<double>(this->Leaves.size());

@@ -30,7 +30,9 @@ public:
   {
     DONE,
     ABORTED,
-    FAILED
+    FAILED,
+    /// The input writes each step over the one before: it has to be begun anew, with copies.
+    OVERWRITTEN
   };
 
   /// Gives the array of a dataset that is to be processed, and its association.

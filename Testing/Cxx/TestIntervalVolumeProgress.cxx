@@ -21,8 +21,8 @@ void CheckPrint(Check& check)
 {
   const std::vector<std::string> report = { "Cells", "CellsVisited", "CellsWithOutput",
     "LowerDimensionalCells", "NonFiniteCells", "BlankedCells", "LinearizedCells",
-    "UnsupportedCells", "CollapsedSimplices", "ArraysInterpolated", "ArraysCopied", "Passes",
-    "WorkingBytes" };
+    "ConcavePolyhedra", "UnsupportedCells", "CollapsedSimplices", "ArraysInterpolated",
+    "ArraysCopied", "Passes", "WorkingBytes" };
   vtkNew<vtkIntervalVolume> volume;
   volume->SetInterval(0, 1.25, 2.5);
   volume->SetInterval(1, 3.125, 4.75);
