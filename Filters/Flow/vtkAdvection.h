@@ -7,6 +7,7 @@
 #include "vtkCellExit.h"
 #include "vtkDenseOutput.h"
 #include "vtkDormandPrinceStep.h"
+#include "vtkFaceExtent.h"
 #include "vtkImplicitFlowField.h" // for the integrators
 #include "vtkPathIntegrals.h"
 #include "vtkRosenbrockStep.h"
@@ -36,6 +37,11 @@
  * Faces crossed without time going on, as at edges and corners, are at most 64 in a row, and none
  * of them back: then a step is taken where the streamline stands. A streamline has stagnated where
  * its speed is below the least or 0, and by vtkStagnationTest.
+ *
+ * A streamline that ends where the field ends, whether it leaves, stagnates or begins there, has
+ * reached a surface that is as near as ArrivalTolerance times the width of the face, and as the
+ * face is from flat: else rounding, and the triangles of a mesh of the field's own faces, would
+ * decide.
  *
  * One object serves one thread. Nothing is allocated but by the constructor, if the result is used
  * again.
@@ -117,7 +123,63 @@ private:
       this->Surfaces.GetResult(surface, x, *this->Result);
       return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
     }
+    if (this->Surfaces.GetClearance() <= this->Size && this->ArrivesAtOuterFace(1e-9))
+    {
+      return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
+    }
     return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
+  }
+
+  /// Whether the streamline, where it stands, is at a surface as it is at the end of the field:
+  /// within \a most, in widths of the cell, of a face that has no neighbour.
+  bool ArrivesAtOuterFace(double most)
+  {
+    for (int face = 0; face < this->Field.GetNumberOfFaces(); ++face)
+    {
+      if (this->Field.GetFaceDistance(face, this->Point) <= most &&
+        !this->Field.HasNeighbor(face) && this->Arrives(face))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The same at one such face.
+  bool Arrives(int face)
+  {
+    if (this->Surfaces.IsEmpty() || !(this->Options.ArrivalTolerance > 0.0))
+    {
+      return false;
+    }
+    const vtkFaceExtent extent = this->Field.GetFaceExtent(face);
+    const double tolerance = this->Options.ArrivalTolerance * extent.Width + 1.01 * extent.Bend;
+    double x[3];
+    this->Field.GetPosition(this->Point, x);
+    double direction[3] = { 0.0, 0.0, 0.0 };
+    if (this->HasPointRate && this->Speed > 0.0)
+    {
+      this->Field.GetWorldVector(this->Point, this->PointRate, direction);
+      for (double& component : direction)
+      {
+        component /= this->Speed;
+      }
+    }
+    const int surface = this->Surfaces.FindNear(x, tolerance, extent.Normal, direction);
+    if (surface < 0)
+    {
+      return false;
+    }
+    this->Surfaces.GetResult(surface, x, *this->Result);
+    this->Result->Nearness = tolerance;
+    return true;
+  }
+
+  bool Stagnate()
+  {
+    const bool arrives = this->Options.ArrivalTolerance > 0.0 &&
+      this->ArrivesAtOuterFace(this->Options.ArrivalTolerance);
+    return this->EndWith(arrives ? vtkFlowStatus::REACHED_SURFACE : vtkFlowStatus::STAGNATED);
   }
 
   bool EndWith(int status)
@@ -183,7 +245,7 @@ private:
       }
       if (this->Speed < this->Options.MinimumSpeed || this->Speed == 0.0)
       {
-        return this->EndWith(vtkFlowStatus::STAGNATED);
+        return this->Stagnate();
       }
       const bool isHeld = this->Crossings >= MostCrossings;
       this->Exit.Approach(this->Field, this->Point, this->PointRate, isHeld);
@@ -225,6 +287,10 @@ private:
 
   bool Leave(int face)
   {
+    if (this->Arrives(face))
+    {
+      return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
+    }
     const int domainFace = this->Options.HasDomainFaces ? this->Field.GetDomainFace(face) : -1;
     if (domainFace < 0)
     {
@@ -249,7 +315,7 @@ private:
       this->Field.GetPosition(this->Point, x);
       if (this->Stagnation.Look(x, this->Time, this->Options.MaximumError))
       {
-        return this->EndWith(vtkFlowStatus::STAGNATED);
+        return this->Stagnate();
       }
     }
     switch (this->Options.Integrator)

@@ -30,6 +30,7 @@ struct vtkAdvectionOptions
   double MaximumTime = VTK_DOUBLE_MAX;
   int MaximumNumberOfSteps = 10000;
   double MinimumSpeed = 0.0;
+  double ArrivalTolerance = 0.01;
   /// Extras; arrays by their numbers in the walker.
   bool HasMaximumSpeed = false;
   bool HasArcLength = false;
@@ -59,6 +60,8 @@ struct vtkAdvectionResult
   int Evaluations = 0;
   int JacobianEvaluations = 0;
   int DistanceEvaluations = 0;
+  /// Where it did not meet its surface, but ended at the end of the field as near as this.
+  double Nearness = 0.0;
   int Cells = 0;
 };
 

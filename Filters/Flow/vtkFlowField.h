@@ -6,6 +6,8 @@
 #include "vtkFlowValues.h"
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -50,6 +52,15 @@ public:
   vtkIdType GetNumberOfNonFiniteVectors() const { return this->NumberOfNonFiniteVectors; }
   /// Of the dataset: lower and upper of x, y, z.
   const double* GetBounds() const { return this->Bounds; }
+  double GetLargestCoordinate() const
+  {
+    double largest = 0.0;
+    for (const double bound : this->Bounds)
+    {
+      largest = std::max(largest, std::abs(bound));
+    }
+    return largest;
+  }
   vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
 
 protected:

@@ -15,6 +15,7 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
   {
     os << indent << "Reached surface " << surface.first << ": " << surface.second << "\n";
   }
+  os << indent << "ReachedWithinTolerance: " << this->ReachedWithinTolerance << "\n";
   os << indent << "Steps: " << this->Steps << "\n";
   os << indent << "RejectedSteps: " << this->RejectedSteps << "\n";
   os << indent << "StiffSteps: " << this->StiffSteps << "\n";
@@ -46,6 +47,7 @@ void vtkFlowReport::Add(const vtkFlowReport& other)
   {
     this->Reached[surface.first] += surface.second;
   }
+  this->ReachedWithinTolerance += other.ReachedWithinTolerance;
   this->Steps += other.Steps;
   this->RejectedSteps += other.RejectedSteps;
   this->StiffSteps += other.StiffSteps;
@@ -65,6 +67,7 @@ void vtkFlowReport::Add(const vtkAdvectionResult& result)
   if (result.Status == vtkFlowStatus::REACHED_SURFACE)
   {
     ++this->Reached[result.Id];
+    this->ReachedWithinTolerance += result.Nearness > 0.0 ? 1 : 0;
   }
   this->Steps += result.Steps;
   this->RejectedSteps += result.RejectedSteps;

@@ -32,6 +32,8 @@ public:
   std::array<vtkIdType, vtkFlowStatus::NUMBER_OF_VALUES> Statuses{};
   /// Samples that reached a surface, by TerminationId.
   std::map<int, vtkIdType> Reached;
+  /// Those of them that ended at the end of the field within ArrivalTolerance of their surface.
+  vtkIdType ReachedWithinTolerance = 0;
   /// Accepted and rejected steps of the explicit method, and of Rosenbrock's.
   vtkIdType Steps = 0;
   vtkIdType RejectedSteps = 0;

@@ -16,7 +16,8 @@ class INTERLUMEFLOW_EXPORT vtkFlowStatus
 public:
   enum Values
   {
-    /// It reached a termination surface, or is on one (time 0).
+    /// It reached a termination surface, or is on one (time 0), or ended at the end of the field
+    /// within a tolerance of one.
     REACHED_SURFACE = 0,
     /// It left the field's domain, or came to a blanked cell.
     LEFT_DOMAIN = 1,

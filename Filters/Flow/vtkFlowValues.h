@@ -6,6 +6,7 @@
 #include "vtkPrefetch.h"
 #include "vtkSmartPointer.h"
 
+#include <cfloat>
 #include <cstddef>
 
 /**
@@ -22,6 +23,9 @@ public:
   void Build(vtkDataArray* array);
 
   vtkIdType GetNumber() const { return this->Array->GetNumberOfTuples(); }
+
+  /// What rounding may have done to numbers as large as \a size; 0 for doubles.
+  double GetRounding(double size) const { return this->Floats ? FLT_EPSILON * size : 0.0; }
 
   /// Tuple \a i of an array with N components.
   template <int N>

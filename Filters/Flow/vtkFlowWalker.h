@@ -1,6 +1,7 @@
 #ifndef vtkFlowWalker_h
 #define vtkFlowWalker_h
 
+#include "vtkFaceExtent.h"
 #include "vtkType.h"
 
 /**
@@ -47,9 +48,11 @@
  * of, or that the velocity leaves at once; crossing on leads to the right one. Folded cells may
  * send a streamline to and fro over a face without time passing: who walks limits the crossings at
  * one time.
+ * - `bool HasNeighbor(int face) const`: whether Cross would find one. `vtkFaceExtent
+ * GetFaceExtent(int face) const`: the face in world units.
  * - `int GetDomainFace(int face) const`: 0 to 5 for a face on the outside of a structured grid,
- * else -1; `void GetDomainParameters(int face, const double p[3], double uv[2]) const` of it, in
- * the order of the other two axes, held to 0 ... 1.
+ * else -1; `void GetDomainParameters(int face, const double p[3], double uv[2]) const` of it, in the order of the other two axes, held to 0
+ * ... 1.
  * - `double Interpolate(int array, const double p[3]) const`: of a point array added to the field.
  *
  * `FacesAreAffine` (static constexpr bool): whether face distances are affine in p, so that a dense
@@ -64,6 +67,8 @@ struct vtkFlowWalker
   bool IsAffine() const { return true; }
   double GetLongestWorldVector(const double*) const { return 0.0; }
   bool IsBox() const { return false; }
+  bool HasNeighbor(int) const { return true; }
+  vtkFaceExtent GetFaceExtent(int) const { return {}; }
   void Prefetch(int, int) const {}
 };
 

@@ -584,6 +584,7 @@ bool vtkImplicitFlowField::SetOptions(
     ? this->MaximumNumberOfSteps
     : GetAutomaticSteps(field->GetNumberOfCells());
   options.MinimumSpeed = this->MinimumSpeed;
+  options.ArrivalTolerance = this->ArrivalTolerance;
   options.HasMaximumSpeed = this->ComputeMaximumSpeed;
   options.HasArcLength = this->ComputeArcLength;
   options.HasMeanVorticity = this->ComputeMeanVorticity;
@@ -660,6 +661,7 @@ void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
   print("MaximumTime", this->MaximumTime);
   print("MaximumNumberOfSteps", this->MaximumNumberOfSteps);
   print("MinimumSpeed", this->MinimumSpeed);
+  print("ArrivalTolerance", this->ArrivalTolerance);
   print("ComputeMaximumSpeed", this->ComputeMaximumSpeed);
   print("ComputeArcLength", this->ComputeArcLength);
   print("ComputeMeanVorticity", this->ComputeMeanVorticity);

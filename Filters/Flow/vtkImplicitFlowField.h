@@ -224,6 +224,19 @@ public:
 
   ///@{
   /**
+   * How near to a surface a streamline has reached it that ends where the field ends, because it
+   * leaves or stagnates there, or is on the outer faces of cells to begin with: in widths of the
+   * cell's face, and as far as the face is from flat on top of it (a mesh of the field's own faces
+   * has triangles where those are bilinear), and less for a surface across the face. Without it
+   * rounding decides whether a surface on the skin of the field is met. 0: only what is met.
+   * Default 0.01. Valid: 0 to 1.
+   */
+  vtkSetClampMacro(ArrivalTolerance, double, 0.0, 1.0);
+  vtkGetMacro(ArrivalTolerance, double);
+  ///@}
+
+  ///@{
+  /**
    * What else is kept of a path: its largest speed (MaximumSpeed), its length (ArcLength), the mean
    * over time of the vorticity's magnitude (MeanVorticity), and the mean over time of any point
    * array of the field with one component (Mean and its name). Default off, none.
@@ -337,6 +350,7 @@ private:
   double MaximumTime = 0.0;
   int MaximumNumberOfSteps = 0;
   double MinimumSpeed = 0.0;
+  double ArrivalTolerance = 0.01;
   bool ComputeMaximumSpeed = false;
   bool ComputeArcLength = false;
   bool ComputeMeanVorticity = false;

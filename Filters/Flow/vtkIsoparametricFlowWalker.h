@@ -81,6 +81,26 @@ public:
     return true;
   }
 
+  bool HasNeighbor(int face) const
+  {
+    typename Field::Place place = this->Stand;
+    double p[3] = { 0.0, 0.0, 0.0 };
+    return this->Shared->Cross(place, face, p);
+  }
+  vtkFaceExtent GetFaceExtent(int face) const
+  {
+    const vtkFlowShape::Face& own = this->Cell.GetFace(face);
+    const vtkFlowShape& shape = vtkFlowShape::Of(this->Cell.GetShape());
+    double corners[4][3];
+    for (int i = 0; i < own.NumberOfCorners; ++i)
+    {
+      this->Cell.GetPosition(shape.Corners[own.Corners[i]], corners[i]);
+    }
+    vtkFaceExtent extent = vtkFaceExtent::Of(corners, own.NumberOfCorners);
+    extent.Bend += this->Shared->GetRounding();
+    return extent;
+  }
+
   double Interpolate(int array, const double p[3]) const
   {
     vtkTrilinear values;

@@ -116,6 +116,26 @@ public:
     return true;
   }
 
+  bool HasNeighbor(int face) const
+  {
+    typename Field::Place place = this->Stand;
+    return this->Shared->Step(place, face);
+  }
+  vtkFaceExtent GetFaceExtent(int face) const
+  {
+    const int axis = face >> 1;
+    double corners[4][3];
+    for (int i = 0; i < 4; ++i)
+    {
+      double p[3];
+      p[axis] = face & 1;
+      p[(axis + 1) % 3] = i == 1 || i == 2 ? 1.0 : 0.0;
+      p[(axis + 2) % 3] = i >> 1;
+      this->GetPosition(p, corners[i]);
+    }
+    return vtkFaceExtent::Of(corners, 4);
+  }
+
   int GetDomainFace(int face) const
   {
     return this->Shared->IsOutside(this->Stand, face) ? face : -1;

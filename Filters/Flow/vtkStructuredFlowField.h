@@ -38,6 +38,8 @@ public:
     }
   }
   const vtkCellTree& GetTree() const { return this->Tree; }
+  /// How far from where they were meant points of floats may be; 0 for doubles.
+  double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
 
   /// The positions and vectors that the neighbour has and the cell has not.
   void Prefetch(const Place& place, int face) const

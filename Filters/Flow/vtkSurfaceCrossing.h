@@ -2,11 +2,14 @@
 #define vtkSurfaceCrossing_h
 
 #include "vtkAdvectionOptions.h"
+#include "vtkAdvectionVector.h"
 #include "vtkBracketedRoot.h"
 #include "vtkTerminationSurface.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 /**
@@ -20,8 +23,8 @@
  * piece, by the least distance (golden section).
  *
  * A point within Tolerance of a surface, relative to the coordinates, is on it where a streamline
- * begins and where a step ends. Whether a streamline that touches a surface to within that has
- * reached it depends on rounding, and is the same in each run.
+ * begins and where a step ends; FindNear is for where the field ends. Whether a streamline that
+ * touches a surface to within that has reached it depends on rounding, and is the same in each run.
  */
 class vtkSurfaceCrossing
 {
@@ -107,6 +110,51 @@ public:
     return isThere && this->Surfaces[i].Shape->IsOn(x) ? root : None;
   }
 
+  /// No surface is nearer than this to where the streamline stands.
+  double GetClearance() const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const State& state : this->States)
+    {
+      least = std::min(least, state.Clearance);
+    }
+    return least;
+  }
+
+  /**
+   * The surface nearest to \a x, where a streamline going into \a direction ends at a face; -1
+   * where none is as near as \a tolerance. Of length 1 both vectors, or 0. A surface that lies
+   * across the face and along the direction is reached by no small displacement of either, and so
+   * has less of the tolerance, down to none.
+   */
+  int FindNear(const double x[3], double tolerance, const double faceNormal[3],
+    const double direction[3]) const
+  {
+    int nearest = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < this->States.size(); ++i)
+    {
+      const vtkTerminationSurface* shape = this->Surfaces[i].Shape;
+      // A mesh may know its own points less well than that.
+      if (this->States[i].Clearance > tolerance + FLT_EPSILON * this->GetSize(x))
+      {
+        continue;
+      }
+      const double gap = shape->EvaluateGap(x);
+      double normal[3];
+      shape->EvaluateNormal(x, normal);
+      const double part = 2.0 *
+        std::max(std::abs(vtkAdvectionVector::Dot(normal, faceNormal)),
+          std::abs(vtkAdvectionVector::Dot(normal, direction)));
+      if (gap < least && gap <= std::min(1.0, part) * tolerance)
+      {
+        least = gap;
+        nearest = static_cast<int>(i);
+      }
+    }
+    return nearest;
+  }
+
   void GetResult(int surface, const double x[3], vtkAdvectionResult& result) const
   {
     const vtkAdvectionOptions::Surface& found = this->Surfaces[static_cast<std::size_t>(surface)];
@@ -143,10 +191,12 @@ private:
     }
   };
 
-  double GetTolerance(const double x[3]) const
+  /// The largest of the coordinates and the cell's size.
+  double GetSize(const double x[3]) const
   {
-    return Tolerance * std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), this->Size });
+    return std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), this->Size });
   }
+  double GetTolerance(const double x[3]) const { return Tolerance * this->GetSize(x); }
 
   double Evaluate(std::size_t surface, const double x[3])
   {

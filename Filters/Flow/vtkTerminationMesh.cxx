@@ -2,6 +2,7 @@
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTerminationTriangles.h"
 #include "vtkTextureSearch.h"
@@ -9,6 +10,7 @@
 #include "vtkTriangleEdges.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 vtkStandardNewMacro(vtkTerminationMesh);
@@ -25,6 +27,8 @@ struct vtkTerminationMesh::Contents
   vtkTriangleEdges Edges;
   vtkTriangleDistance Distance;
   vtkTextureSearch Texture;
+  /// How far from where they were meant the points may be.
+  double Rounding = 0.0;
 
   // Whether x, whose foot this is, is not beyond an open border by more than the tolerance.
   bool IsWithinBorder(
@@ -139,6 +143,13 @@ std::string vtkTerminationMesh::Update()
   }
   made->Distance.Build(&made->Triangles, made->Edges);
   made->Texture.Build(&made->Triangles, isPeriodic);
+  if (this->Mesh->GetPoints()->GetDataType() == VTK_FLOAT)
+  {
+    for (const double bound : made->Triangles.Bounds)
+    {
+      made->Rounding = std::max(made->Rounding, FLT_EPSILON * std::abs(bound));
+    }
+  }
   this->Made = std::move(made);
   this->UpdateTime.Modified();
   return {};
@@ -203,6 +214,15 @@ bool vtkTerminationMesh::EvaluatePoint(int part, const double uv[2], double x[3]
 {
   double taken[2];
   return this->TakeParameters(part, uv, taken) && this->Made->Texture.FindPoint(taken, x);
+}
+
+//------------------------------------------------------------------------------
+double vtkTerminationMesh::EvaluateGap(const double x[3]) const
+{
+  vtkTriangleFoot foot;
+  const int triangle = this->Made->Distance.FindNearest(x, foot);
+  return triangle < 0 ? VTK_DOUBLE_MAX
+                      : std::max(0.0, std::sqrt(foot.SquaredDistance) - this->Made->Rounding);
 }
 
 //------------------------------------------------------------------------------

@@ -85,6 +85,7 @@ public:
   void EvaluateParameters(const double x[3], double uv[2]) const override;
   void EvaluateNormal(const double x[3], double normal[3]) const override;
   bool EvaluatePoint(int part, const double uv[2], double x[3]) const override;
+  double EvaluateGap(const double x[3]) const override;
   bool IsPeriodic(int direction, int part = 0) const override;
   void GetBounds(double bounds[6]) const override;
 

@@ -107,9 +107,10 @@ void vtkTerminationSides::Add(vtkIdType sample, const double x[3], const vtkAdve
     return;
   }
   const double least = std::numeric_limits<float>::min();
-  this->Distances[static_cast<std::size_t>(sample)] = result.Time > 0.0
-    ? static_cast<float>(std::copysign(std::max(least, std::abs(distance)), distance))
-    : 0.0F;
+  // Rounding may have put a sample on the field's skin behind the surface that is there.
+  const bool isOff = result.Time > 0.0 && std::abs(distance) > result.Nearness;
+  this->Distances[static_cast<std::size_t>(sample)] =
+    isOff ? static_cast<float>(std::copysign(std::max(least, std::abs(distance)), distance)) : 0.0F;
 }
 
 //------------------------------------------------------------------------------

@@ -1,5 +1,7 @@
 #include "vtkTerminationSurface.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,6 +40,17 @@ int vtkTerminationSurface::EvaluatePart(const double*) const
 bool vtkTerminationSurface::IsPeriodic(int, int) const
 {
   return false;
+}
+
+//------------------------------------------------------------------------------
+double vtkTerminationSurface::EvaluateGap(const double x[3]) const
+{
+  double uv[2];
+  double nearest[3];
+  this->EvaluateParameters(x, uv);
+  return this->EvaluatePoint(this->EvaluatePart(x), uv, nearest)
+    ? std::sqrt(vtkMath::Distance2BetweenPoints(x, nearest))
+    : std::abs(this->EvaluateDistance(x));
 }
 
 //------------------------------------------------------------------------------

@@ -98,6 +98,13 @@ public:
   /// Whether \a direction of a part, 0 for u and 1 for v, is periodic with period 1. Default false.
   virtual bool IsPeriodic(int direction, int part = 0) const;
 
+  /**
+   * How far the nearest point of the surface is, its rim counted, less what rounding of the
+   * surface's own numbers may be. Default: the distance from the point that EvaluateParameters
+   * finds.
+   */
+  virtual double EvaluateGap(const double x[3]) const;
+
   /// Lower and upper of x, y, z; empty (lower above upper) for a surface without bounds.
   virtual void GetBounds(double bounds[6]) const = 0;
 

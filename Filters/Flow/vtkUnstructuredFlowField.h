@@ -77,6 +77,8 @@ public:
       });
   }
   const vtkCellTree& GetTree() const { return this->Tree; }
+  /// How far from where they were meant points of floats may be; 0 for doubles.
+  double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
 
   /// Round 0: the neighbour's list of points; round 1: their positions and vectors.
   void Prefetch(const Place& place, int face, int round) const

@@ -35,9 +35,11 @@ vtkFlowReport MakeReport()
   result.JacobianEvaluations = 16;
   result.DistanceEvaluations = 17;
   result.Cells = 18;
+  result.Nearness = 0.5;
   vtkFlowReport report;
   report.Add(result);
   result.StiffSteps = 0;
+  result.Nearness = 0.0;
   report.Add(result);
   vtkAdvectionResult left;
   left.Status = vtkFlowStatus::LEFT_DOMAIN;
@@ -51,10 +53,11 @@ void CheckLines(const vtkFlowReport& report, int times, Check& check)
   { return name + ": " + std::to_string(number * times) + "\n"; };
   CheckPrinted(Print(report),
     { line("Samples", 3), line("Samples, reached surface", 2), line("Samples, left domain", 1),
-      line("Samples, stagnated", 0), line("Reached surface 7", 2), line("\nSteps", 22),
-      line("\nRejectedSteps", 24), line("\nStiffSteps", 13), line("RejectedStiffSteps", 28),
-      line("StiffSamples", 1), line("\nEvaluations", 30), line("JacobianEvaluations", 32),
-      line("DistanceEvaluations", 34), line("CellsVisited", 36) },
+      line("Samples, stagnated", 0), line("Reached surface 7", 2),
+      line("ReachedWithinTolerance", 1), line("\nSteps", 22), line("\nRejectedSteps", 24),
+      line("\nStiffSteps", 13), line("RejectedStiffSteps", 28), line("StiffSamples", 1),
+      line("\nEvaluations", 30), line("JacobianEvaluations", 32), line("DistanceEvaluations", 34),
+      line("CellsVisited", 36) },
     check);
   check.Equal(report.Reached.size(), 1, "surfaces reached");
 }

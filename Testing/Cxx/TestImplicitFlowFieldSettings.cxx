@@ -56,6 +56,7 @@ void TestLimits(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
   check.Equal(filter->GetMaximumNumberOfSteps(), 0, "default steps");
+  check.That(filter->GetArrivalTolerance() == 0.01, "default tolerance");
   filter->SetInputDataObject(MakeFlowImage(5, Uniform));
   filter->AddTerminationSurface(MakeFlowPlane(0.0));
   filter->SetMaximumTime(5.0);

@@ -254,6 +254,7 @@ void CompareFlowFilters(const std::string& folder)
       { "MaximumTime", Text(field->GetMaximumTime()) },
       { "MaximumNumberOfSteps", Text(field->GetMaximumNumberOfSteps()) },
       { "MinimumSpeed", Text(field->GetMinimumSpeed()) },
+      { "ArrivalTolerance", Text(field->GetArrivalTolerance()) },
       { "ComputeMaximumSpeed", Text(field->GetComputeMaximumSpeed()) },
       { "ComputeArcLength", Text(field->GetComputeArcLength()) },
       { "ComputeMeanVorticity", Text(field->GetComputeMeanVorticity()) }, { "MeanArrays", "" },
