@@ -39,8 +39,8 @@
  * its speed is below the least or 0, and by vtkStagnationTest.
  *
  * A streamline that ends where the field ends, whether it leaves, stagnates or begins there, has
- * reached a surface that is as near as ArrivalTolerance times the width of the face, and as the
- * face is from flat: else rounding, and the triangles of a mesh of the field's own faces, would
+ * reached a surface that is as near as ArrivalTolerance times the width of the cell there, and as
+ * the face is from flat: else rounding, and the triangles of a mesh of the field's own faces, would
  * decide.
  *
  * One object serves one thread. Nothing is allocated but by the constructor, if the result is used

@@ -8,11 +8,12 @@
 
 /**
  * @class   vtkFaceExtent
- * @brief   how wide a cell's face is, how far it is from flat, and where it looks to
+ * @brief   how wide a cell is at one of its faces, how far the face is from flat, where it looks to
  *
- * What is near to a face is near by its width, that of its narrow side: a triangle's least height,
- * a quadrilateral's area over its longest edge. A quadrilateral's bilinear form is nowhere further
- * than Bend from the triangles that either diagonal cuts it into.
+ * What is near to a face is near by the cell's width there: the narrow side of the face, which is a
+ * triangle's least height or a quadrilateral's area over its longest edge, or the height of the
+ * cell above the face, whichever is less. A quadrilateral's bilinear form is nowhere further than
+ * Bend from the triangles that either diagonal cuts it into.
  */
 struct vtkFaceExtent
 {
@@ -21,8 +22,10 @@ struct vtkFaceExtent
   /// Of length 1, to either side; 0 for a face without an area.
   double Normal[3] = { 0.0, 0.0, 0.0 };
 
-  /// Of three or four corners in cyclic order.
-  static vtkFaceExtent Of(const double (*corners)[3], int number)
+  /**
+   * Of three or four corners of a face in cyclic order, and any number of corners of its cell.
+   */
+  static vtkFaceExtent Of(const double (*corners)[3], int number, const double (*cell)[3], int size)
   {
     vtkFaceExtent extent;
     double longest = 0.0;
@@ -37,7 +40,14 @@ struct vtkFaceExtent
     vtkMath::Subtract(corners[number - 1], corners[1], across[1]);
     vtkMath::Cross(across[0], across[1], extent.Normal);
     const double area = vtkMath::Normalize(extent.Normal) * (number == 4 ? 0.5 : 1.0);
-    extent.Width = longest > 0.0 ? area / std::sqrt(longest) : 0.0;
+    double height = 0.0;
+    for (int i = 0; i < size; ++i)
+    {
+      double above[3];
+      vtkMath::Subtract(cell[i], corners[0], above);
+      height = std::max(height, std::abs(vtkMath::Dot(above, extent.Normal)));
+    }
+    extent.Width = longest > 0.0 ? std::min(area / std::sqrt(longest), height) : 0.0;
     if (number == 4)
     {
       double squared = 0.0;

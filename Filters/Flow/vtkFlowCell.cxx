@@ -224,6 +224,24 @@ bool vtkFlowCell::FindPlaceFrom(const double start[3], const double x[3], double
 }
 
 //------------------------------------------------------------------------------
+vtkFaceExtent vtkFlowCell::GetFaceExtent(int face) const
+{
+  const vtkFlowShape& shape = vtkFlowShape::Of(this->Shape);
+  double all[8][3];
+  for (int i = 0; i < shape.NumberOfCorners; ++i)
+  {
+    this->GetPosition(shape.Corners[i], all[i]);
+  }
+  const vtkFlowShape::Face& own = shape.Faces[face];
+  double corners[4][3];
+  for (int i = 0; i < own.NumberOfCorners; ++i)
+  {
+    std::copy_n(all[own.Corners[i]], 3, corners[i]);
+  }
+  return vtkFaceExtent::Of(corners, own.NumberOfCorners, all, shape.NumberOfCorners);
+}
+
+//------------------------------------------------------------------------------
 double vtkFlowCell::GetDistance(const double p[3]) const
 {
   double least = this->GetFace(0).GetDistance(p);

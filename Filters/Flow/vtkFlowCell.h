@@ -2,6 +2,7 @@
 #define vtkFlowCell_h
 
 #include "InterlumeFlowModule.h" // for the export macro
+#include "vtkFaceExtent.h"
 #include "vtkFlowFrame.h"
 #include "vtkFlowShape.h"
 
@@ -37,6 +38,8 @@ public:
   {
     return vtkFlowShape::Of(this->Shape).Faces[face];
   }
+  /// In world units.
+  vtkFaceExtent GetFaceExtent(int face) const;
   int GetNumberOfFaces() const { return vtkFlowShape::Of(this->Shape).NumberOfFaces; }
   bool IsFinite() const { return this->HasFiniteVectors; }
 

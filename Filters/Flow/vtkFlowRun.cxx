@@ -1,6 +1,7 @@
 #include "vtkFlowRun.h"
 
 #include "vtkAdvection.h"
+#include "vtkBoundaryPatches.h"
 #include "vtkFlowBatches.h"
 #include "vtkFlowDispatch.h"
 #include "vtkFlowRefinement.h"
@@ -179,7 +180,6 @@ std::string vtkFlowRun::Execute(vtkDataSet* samples)
   }
   Arrays arrays;
   arrays.Make(*this, samples);
-  this->AddSurfaces(samples);
   error = vtkFlowDispatch::Execute(
     this->Field, this->Vectors, means,
     [&](const auto& walker)
@@ -196,7 +196,25 @@ std::string vtkFlowRun::Execute(vtkDataSet* samples)
         this->Options.MinimumSpeed =
           std::max(this->AutomaticSpeed * largestSpeed, std::numeric_limits<double>::min());
       }
-      this->FollowAll(walker, samples);
+      auto own = walker;
+      int domainFaces = 6;
+      vtkBoundaryPatches patches;
+      if constexpr (std::is_same_v<decltype(own), vtkUnstructuredFlowWalker>)
+      {
+        if (this->Options.HasDomainFaces)
+        {
+          const vtkUnstructuredFlowField& field = walker.GetField();
+          patches.Build(
+            field.GetOuterFaces(),
+            [&field](vtkIdType face, vtkIdType* points)
+            { return field.GetFacePoints(face, points); },
+            field.GetPositions());
+          own.SetPatches(&patches);
+          domainFaces = patches.GetNumberOfPatches();
+        }
+      }
+      this->AddSurfaces(samples, this->Options.HasDomainFaces ? domainFaces : 0);
+      this->FollowAll(own, samples);
     },
     vtkFlowProgress(this->Owner, 0.0, vtkFlowDispatch::BuildingPart));
   return error;
@@ -304,7 +322,7 @@ void vtkFlowRun::FindSides(
 }
 
 //------------------------------------------------------------------------------
-void vtkFlowRun::AddSurfaces(vtkDataSet* samples) const
+void vtkFlowRun::AddSurfaces(vtkDataSet* samples, int domainFaces) const
 {
   vtkNew<vtkIntArray> table;
   table->SetName(vtkFlowStatus::SurfacesArray());
@@ -326,7 +344,7 @@ void vtkFlowRun::AddSurfaces(vtkDataSet* samples) const
         surface.Id + part, surface.Shape->IsPeriodic(0, part), surface.Shape->IsPeriodic(1, part));
     }
   }
-  for (int face = 0; this->Options.HasDomainFaces && face < 6; ++face)
+  for (int face = 0; face < domainFaces; ++face)
   {
     add(this->Options.DomainFaceId + face, false, false);
   }

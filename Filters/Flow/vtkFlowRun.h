@@ -57,7 +57,7 @@ private:
   static void FindSides(
     const Walker& walker, vtkDataSet* samples, const vtkTerminationSides& sides, Arrays& arrays);
   std::string FindArrays(std::vector<vtkDataArray*>& means) const;
-  void AddSurfaces(vtkDataSet* samples) const;
+  void AddSurfaces(vtkDataSet* samples, int domainFaces) const;
 
   vtkAlgorithm* Owner;
   vtkAdvectionOptions Options;

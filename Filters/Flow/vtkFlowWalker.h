@@ -50,8 +50,9 @@
  * one time.
  * - `bool HasNeighbor(int face) const`: whether Cross would find one. `vtkFaceExtent
  * GetFaceExtent(int face) const`: the face in world units.
- * - `int GetDomainFace(int face) const`: 0 to 5 for a face on the outside of a structured grid,
- * else -1; `void GetDomainParameters(int face, const double p[3], double uv[2]) const` of it, in the order of the other two axes, held to 0
+ * - `int GetDomainFace(int face) const`: 0 to 5 for a face on the outside of a structured grid, the
+ * number of its patch for one of an unstructured grid, else -1; `void GetDomainParameters(int face,
+ * const double p[3], double uv[2]) const` of it, in the order of the other two axes, held to 0
  * ... 1.
  * - `double Interpolate(int array, const double p[3]) const`: of a point array added to the field.
  *

@@ -94,10 +94,13 @@ public:
 
   ///@{
   /**
-   * Whether the six faces of a field on an image, a rectilinear or a structured grid are surfaces
-   * too, where streamlines leave the domain. Their ids are DomainFaceId + 0 ... 5 for -i, +i, -j,
-   * +j, -k, +k; (u,v) are the other two directions in parts of the grid's points. Elsewhere no
-   * difference. Default off, 1000.
+   * Whether the outer faces of the field are surfaces too, where streamlines leave the domain. Of
+   * an image, a rectilinear or a structured grid these are six, with the ids DomainFaceId + 0 ... 5
+   * for -i, +i, -j, +j, -k, +k; (u,v) are the other two directions in parts of the grid's points.
+   * Of an unstructured grid, and of several blocks, they are the patches that edges sharper than
+   * 30 degrees bound, with the ids DomainFaceId + 0, 1, ... by their first cell; (u,v) are the two
+   * of x, y, z that the patch looks along less, in parts of its bounds. TerminationSurfaces has
+   * their ids. Default off, 1000.
    */
   vtkSetMacro(DomainFaces, bool);
   vtkGetMacro(DomainFaces, bool);
@@ -226,10 +229,11 @@ public:
   /**
    * How near to a surface a streamline has reached it that ends where the field ends, because it
    * leaves or stagnates there, or is on the outer faces of cells to begin with: in widths of the
-   * cell's face, and as far as the face is from flat on top of it (a mesh of the field's own faces
-   * has triangles where those are bilinear), and less for a surface across the face. Without it
-   * rounding decides whether a surface on the skin of the field is met. 0: only what is met.
-   * Default 0.01. Valid: 0 to 1.
+   * cell there, the narrow side of its face or its height. Added is how far the face is from flat (a
+   * mesh of the field's own faces has triangles where those are bilinear), and what rounding of
+   * coordinates that are floats may be; a surface across the face has less. Without it rounding
+   * decides whether a surface on the skin of the field is met. 0: only what is met. Default 0.01.
+   * Valid: 0 to 1.
    */
   vtkSetClampMacro(ArrivalTolerance, double, 0.0, 1.0);
   vtkGetMacro(ArrivalTolerance, double);

@@ -89,14 +89,7 @@ public:
   }
   vtkFaceExtent GetFaceExtent(int face) const
   {
-    const vtkFlowShape::Face& own = this->Cell.GetFace(face);
-    const vtkFlowShape& shape = vtkFlowShape::Of(this->Cell.GetShape());
-    double corners[4][3];
-    for (int i = 0; i < own.NumberOfCorners; ++i)
-    {
-      this->Cell.GetPosition(shape.Corners[own.Corners[i]], corners[i]);
-    }
-    vtkFaceExtent extent = vtkFaceExtent::Of(corners, own.NumberOfCorners);
+    vtkFaceExtent extent = this->Cell.GetFaceExtent(face);
     extent.Bend += this->Shared->GetRounding();
     return extent;
   }

@@ -124,16 +124,22 @@ public:
   vtkFaceExtent GetFaceExtent(int face) const
   {
     const int axis = face >> 1;
+    double frame[9];
+    this->Shared->GetFrame(this->Stand, frame);
+    // From one corner, that the frame's columns go out from.
     double corners[4][3];
-    for (int i = 0; i < 4; ++i)
+    double opposite[3];
+    for (int i = 0; i < 3; ++i)
     {
-      double p[3];
-      p[axis] = face & 1;
-      p[(axis + 1) % 3] = i == 1 || i == 2 ? 1.0 : 0.0;
-      p[(axis + 2) % 3] = i >> 1;
-      this->GetPosition(p, corners[i]);
+      const double u = frame[3 * i + (axis + 1) % 3];
+      const double v = frame[3 * i + (axis + 2) % 3];
+      corners[0][i] = 0.0;
+      corners[1][i] = u;
+      corners[2][i] = u + v;
+      corners[3][i] = v;
+      opposite[i] = frame[3 * i + axis];
     }
-    return vtkFaceExtent::Of(corners, 4);
+    return vtkFaceExtent::Of(corners, 4, &opposite, 1);
   }
 
   int GetDomainFace(int face) const

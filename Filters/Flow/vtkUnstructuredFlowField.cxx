@@ -128,6 +128,36 @@ void vtkUnstructuredFlowField::FillFaces(vtkIdType cell, vtkFaceLinks::Block& fa
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkIdType> vtkUnstructuredFlowField::GetOuterFaces() const
+{
+  std::vector<vtkIdType> faces;
+  for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    const int number = this->IsCellIncluded(cell)
+      ? vtkFlowShape::Of(GetCorners(this->Types[cell]).Shape).NumberOfFaces
+      : 0;
+    for (int face = 0; face < number; ++face)
+    {
+      if (this->Links[cell * this->FacesPerCell + face] < 0)
+      {
+        faces.push_back(8 * cell + face);
+      }
+    }
+  }
+  return faces;
+}
+
+//------------------------------------------------------------------------------
+int vtkUnstructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) const
+{
+  vtkFaceLinks::Block faces;
+  this->FillFaces(face / 8, faces);
+  const auto number = static_cast<int>(face % 8);
+  std::copy_n(faces.Points[number], faces.Corners[number], points);
+  return faces.Corners[number];
+}
+
+//------------------------------------------------------------------------------
 void vtkUnstructuredFlowField::FindLinks()
 {
   this->FacesPerCell = 4;

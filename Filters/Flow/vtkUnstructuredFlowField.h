@@ -80,6 +80,12 @@ public:
   /// How far from where they were meant points of floats may be; 0 for doubles.
   double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
 
+  /// The faces without a neighbour, eight times their cell and their number there, ascending; and
+  /// the points of one in cyclic order, of which it returns the number.
+  std::vector<vtkIdType> GetOuterFaces() const;
+  int GetFacePoints(vtkIdType face, vtkIdType* points) const;
+  const vtkFlowValues& GetPositions() const { return this->Positions; }
+
   /// Round 0: the neighbour's list of points; round 1: their positions and vectors.
   void Prefetch(const Place& place, int face, int round) const
   {
