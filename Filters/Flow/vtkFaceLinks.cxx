@@ -1,16 +1,22 @@
 #include "vtkFaceLinks.h"
 
+#include "vtkFaceExtent.h"
 #include "vtkFaceTurn.h"
 
+#include "vtkMath.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cfloat>
+#include <cmath>
+#include <limits>
 
 namespace
 {
 using FillBlock = vtkFaceLinks::FillBlock;
+using CellPoints = vtkFaceLinks::CellPoints;
 using SetLink = vtkFaceLinks::SetLink;
 
 // What else a face has than its least point: the points after it, which all that are the same face
@@ -117,50 +123,211 @@ void MatchAny(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill
   match(numberOfBlocks, facesPerBlock, fill, numberOfPoints, setLink);
 }
 
-// Each point's first one at its coordinates, of the points of these blocks of one face.
-bool FindCoincident(vtkIdType number, const FillBlock& fill, const vtkFlowValues& positions,
-  std::vector<vtkIdType>& firsts)
+/// A face by its coordinates.
+struct Place
 {
-  std::vector<vtkIdType> ids;
-  vtkFaceLinks::Block block;
-  for (vtkIdType i = 0; i < number; ++i)
+  /// Along a line that is askew to grids, on which faces in the same place are beside each other.
+  double Along;
+  double Middle[3];
+  double Width;
+  double Tolerance;
+  vtkIdType Face;
+
+  bool operator<(const Place& other) const
   {
-    fill(i, block);
-    ids.insert(ids.end(), block.Points[0], block.Points[0] + block.Corners[0]);
+    return this->Along < other.Along || (this->Along == other.Along && this->Face < other.Face);
   }
-  vtkSMPTools::Sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  using Place = std::pair<std::array<double, 3>, vtkIdType>;
-  std::vector<Place> places(ids.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType i = first; i < last; ++i)
+};
+
+/// Another place with the same corners.
+struct Partner
+{
+  vtkIdType Place = -1;
+  vtkFaceLinks::Link Link = { -1, 0, false };
+  double Gap = 0.0;
+};
+
+/// Matches faces, one to a block, by the coordinates of their corners.
+class CoordinateMatch
+{
+public:
+  CoordinateMatch(vtkIdType number, const FillBlock& fill, const CellPoints& cells,
+    const vtkFlowValues& positions)
+    : Fill(fill)
+    , Cells(cells)
+    , Positions(positions)
+    , Places(number)
+  {
+    vtkSMPTools::For(0, number,
+      [this](vtkIdType first, vtkIdType last)
       {
-        positions.Get<3>(ids[i], places[i].first.data());
-        places[i].second = ids[i];
+        for (vtkIdType face = first; face < last; ++face)
+        {
+          this->SetPlace(face);
+        }
+      });
+    vtkSMPTools::Sort(this->Places.begin(), this->Places.end());
+  }
+
+  vtkFaceLinks::Joins SetLinks(const SetLink& setLink) const
+  {
+    const auto number = static_cast<vtkIdType>(this->Places.size());
+    std::vector<Partner> partners(number);
+    vtkSMPTools::For(0, number,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          partners[i] = this->FindPartner(i);
+        }
+      });
+    vtkFaceLinks::Joins joins;
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      const Partner& partner = partners[i];
+      if (partner.Place >= 0 && partners[partner.Place].Place == i)
+      {
+        setLink(this->Places[i].Face, partner.Link);
+        const double width = std::min(this->Places[i].Width, this->Places[partner.Place].Width);
+        joins.Number += partner.Gap > 0.0 && partner.Place > i ? 1 : 0;
+        joins.LargestGap =
+          partner.Gap > 0.0 ? std::max(joins.LargestGap, partner.Gap / width) : joins.LargestGap;
       }
-    });
-  vtkSMPTools::Sort(places.begin(), places.end());
-  const auto isSame = [](const Place& a, const Place& b) { return a.first == b.first; };
-  if (std::adjacent_find(places.begin(), places.end(), isSame) == places.end())
-  {
-    return false;
+    }
+    return joins;
   }
-  firsts.resize(positions.GetNumber());
-  for (std::size_t i = 0; i < places.size(); ++i)
+
+private:
+  int GetCorners(vtkIdType face, double (*corners)[3]) const
   {
-    const bool isRepeated = i > 0 && isSame(places[i - 1], places[i]);
-    firsts[places[i].second] = isRepeated ? firsts[places[i - 1].second] : places[i].second;
+    vtkFaceLinks::Block block;
+    this->Fill(face, block);
+    for (int i = 0; i < block.Corners[0]; ++i)
+    {
+      this->Positions.Get<3>(block.Points[0][i], corners[i]);
+    }
+    return block.Corners[0];
   }
-  return true;
-}
+
+  void SetPlace(vtkIdType face)
+  {
+    constexpr double line[3] = { 0.5345224838248488, 0.6480740698407860, 0.5424859237103562 };
+    double corners[4][3];
+    const int number = this->GetCorners(face, corners);
+    Place& place = this->Places[face];
+    place.Face = face;
+    place.Along = 0.0;
+    vtkIdType points[8];
+    double cell[8][3];
+    const int size = this->Cells(face, points);
+    for (int i = 0; i < size; ++i)
+    {
+      this->Positions.Get<3>(points[i], cell[i]);
+    }
+    place.Width = vtkFaceExtent::Of(corners, number, cell, size).Width;
+    double largest = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double lower = corners[0][axis];
+      double upper = lower;
+      for (int i = 1; i < number; ++i)
+      {
+        lower = std::min(lower, corners[i][axis]);
+        upper = std::max(upper, corners[i][axis]);
+      }
+      largest = std::max({ largest, -lower, upper });
+      // Of the same corners in any order the same.
+      place.Middle[axis] = 0.5 * lower + 0.5 * upper;
+      place.Along += line[axis] * place.Middle[axis];
+    }
+    const double rounding =
+      64.0 * DBL_EPSILON * largest + 4.0 * this->Positions.GetRounding(largest);
+    place.Tolerance = std::min(vtkFaceLinks::Tolerance * place.Width + rounding, 0.1 * place.Width);
+  }
+
+  /// The only other place with the same corners.
+  Partner FindPartner(vtkIdType i) const
+  {
+    double own[4][3];
+    const int number = this->GetCorners(this->Places[i].Face, own);
+    Partner found;
+    bool isOnly = true;
+    const auto look = [&](vtkIdType j)
+    {
+      const Place& place = this->Places[i];
+      const Place& other = this->Places[j];
+      const double tolerance = std::min(place.Tolerance, other.Tolerance);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        if (std::abs(place.Middle[axis] - other.Middle[axis]) > tolerance)
+        {
+          return;
+        }
+      }
+      double corners[4][3];
+      Partner candidate;
+      candidate.Place = j;
+      if (this->GetCorners(other.Face, corners) == number)
+      {
+        candidate.Gap = std::numeric_limits<double>::infinity();
+        // Neighbors have their corners in opposite order, but for cells turned inside out.
+        for (const bool isReversed : { true, false })
+        {
+          for (int start = 0; start < number; ++start)
+          {
+            const double gap = GetGap(own, corners, number, start, isReversed);
+            if (gap < candidate.Gap)
+            {
+              candidate.Gap = gap;
+              candidate.Link = { other.Face, start, isReversed };
+            }
+          }
+        }
+        if (candidate.Gap <= tolerance)
+        {
+          isOnly = found.Place < 0;
+          found = candidate;
+        }
+      }
+    };
+    const auto last = static_cast<vtkIdType>(this->Places.size());
+    const double reach = 2.0 * this->Places[i].Tolerance;
+    for (vtkIdType j = i + 1; j < last && this->Places[j].Along - this->Places[i].Along <= reach;
+         ++j)
+    {
+      look(j);
+    }
+    for (vtkIdType j = i - 1; j >= 0 && this->Places[i].Along - this->Places[j].Along <= reach; --j)
+    {
+      look(j);
+    }
+    return isOnly ? found : Partner();
+  }
+
+  static double GetGap(
+    const double (*own)[3], const double (*other)[3], int number, int start, bool isReversed)
+  {
+    double squared = 0.0;
+    for (int i = 0; i < number; ++i)
+    {
+      const int corner = (start + (isReversed ? number - i : i)) % number;
+      squared = std::max(squared, vtkMath::Distance2BetweenPoints(other[i], own[corner]));
+    }
+    return std::sqrt(squared);
+  }
+
+  const FillBlock& Fill;
+  const CellPoints& Cells;
+  const vtkFlowValues& Positions;
+  std::vector<Place> Places;
+};
 
 }
 
 //------------------------------------------------------------------------------
-void vtkFaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
-  const vtkFlowValues& positions, const SetLink& setLink)
+vtkFaceLinks::Joins vtkFaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock,
+  const FillBlock& fill, const CellPoints& cells, const vtkFlowValues& positions,
+  const SetLink& setLink)
 {
   std::vector<unsigned char> isLinked(numberOfBlocks * facesPerBlock, 0);
   MatchAny(numberOfBlocks, facesPerBlock, fill, positions.GetNumber(),
@@ -195,21 +362,12 @@ void vtkFaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillB
     one.Corners[0] = all.Corners[face];
     std::copy(all.Points[face], all.Points[face] + 4, one.Points[0]);
   };
-  const auto number = static_cast<vtkIdType>(single.size());
-  std::vector<vtkIdType> firsts;
-  if (!FindCoincident(number, fillSingle, positions, firsts))
-  {
-    return;
-  }
-  MatchAny(
-    number, 1,
-    [&](vtkIdType i, Block& one)
-    {
-      fillSingle(i, one);
-      std::transform(one.Points[0], one.Points[0] + one.Corners[0], one.Points[0],
-        [&](vtkIdType id) { return firsts[id]; });
-    },
-    positions.GetNumber(),
+  const FillBlock fillOne = fillSingle;
+  const CellPoints cellsOfOne = [&](vtkIdType i, vtkIdType* points)
+  { return cells(single[i], points); };
+  const CoordinateMatch match(
+    static_cast<vtkIdType>(single.size()), fillOne, cellsOfOne, positions);
+  return match.SetLinks(
     [&](vtkIdType i, const Link& link) {
       setLink(single[i], { single[link.Face], link.Start, link.IsReversed });
     });

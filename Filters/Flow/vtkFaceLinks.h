@@ -14,8 +14,11 @@
  *
  * Faces are the same that have the same points, or points at the same coordinates, in the same
  * cyclic order: a grid that is closed on itself, or put together of blocks, goes on over the seam.
- * Points at the same coordinates are looked for among the faces that match none by their ids. Faces
- * of three or more cells match none. A quadrilateral does not match two triangles.
+ * Coordinates are the same within Tolerance of the narrower cell's width (vtkFaceExtent) and what
+ * rounding may have done to them, of which no more than a tenth of the width counts: the last angle
+ * of a closed grid is rarely the first one to the last bit. They are compared of the faces that
+ * match none by their points' ids. Faces of three or more cells match none. A quadrilateral does
+ * not match two triangles.
  *
  * Coordinates (u,v) are those of vtkFlowShape::Face.
  */
@@ -23,6 +26,15 @@ class INTERLUMEFLOW_EXPORT vtkFaceLinks
 {
 public:
   static constexpr int MaximumPerBlock = 6;
+  static constexpr double Tolerance = 1e-3;
+
+  /// Pairs of faces whose coordinates are not the same to the last bit, and how far apart corners
+  /// of such are at most, in widths of the cell.
+  struct Joins
+  {
+    vtkIdType Number = 0;
+    double LargestGap = 0.0;
+  };
 
   /// Faces that are asked for together, such as those of a cell; 0 corners: no face.
   struct Block
@@ -32,6 +44,9 @@ public:
   };
   /// Fills a block; by several threads.
   using FillBlock = std::function<void(vtkIdType number, Block& block)>;
+
+  /// The points of a face's cell; returns how many.
+  using CellPoints = std::function<int(vtkIdType face, vtkIdType* points)>;
 
   /// Another face, and how its corners lie: corner i is corner \a Start + i, or - i, of this one.
   struct Link
@@ -44,11 +59,14 @@ public:
   using SetLink = std::function<void(vtkIdType face, const Link& link)>;
 
   /**
+   * \a cells: eight points at most of the cell of a face, by which its width is known. Asked for
+   * those faces only that match none by their points' ids, by several threads.
+   *
    * Face i of block b has the number b times \a facesPerBlock + i. \a positions are those of the
    * points.
    */
-  static void Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
-    const vtkFlowValues& positions, const SetLink& setLink);
+  static Joins Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
+    const CellPoints& cells, const vtkFlowValues& positions, const SetLink& setLink);
 
   /// (u,v) in a face of three or four corners becomes (u,v) in the linked one.
   static void Map(int corners, int start, bool isReversed, double uv[2])

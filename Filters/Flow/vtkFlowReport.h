@@ -52,6 +52,13 @@ public:
   std::vector<vtkIdType> AddedSamples;
   /// How often samples were advected since the filter was made: what else changes does not count.
   vtkIdType Executions = 0;
+  /// Pairs of cells' faces that are one face within a tolerance only, and how far apart corners of
+  /// such are at most, in widths of the cell.
+  vtkIdType JoinedFaces = 0;
+  double LargestJoinedGap = 0.0;
+  /// Outer faces with a cell beyond them that has no face that fits, and the cell of the first.
+  vtkIdType OpenInterfaces = 0;
+  vtkIdType FirstOpenCell = -1;
   /// The error and the speed in use, where those that were set are automatic.
   double MaximumError = 0.0;
   double MinimumSpeed = 0.0;

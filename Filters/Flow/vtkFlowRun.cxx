@@ -5,6 +5,7 @@
 #include "vtkFlowBatches.h"
 #include "vtkFlowDispatch.h"
 #include "vtkFlowRefinement.h"
+#include "vtkOpenInterfaces.h"
 #include "vtkTerminationSides.h"
 #include "vtkTerminationSurface.h"
 
@@ -227,6 +228,7 @@ void vtkFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
   this->Report = vtkFlowReport();
   this->Report.MaximumError = this->Options.MaximumError;
   this->Report.MinimumSpeed = this->Options.MinimumSpeed;
+  this->Describe(walker.GetField());
   vtkTerminationSides sides(this->Options);
   bool goesOn = this->Follow(walker, samples, 0, 0, sides);
   vtkSmartPointer<vtkUnstructuredGrid> grid;
@@ -244,6 +246,21 @@ void vtkFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
     goesOn = this->Follow(walker, grid, before, level, sides);
   }
   this->Refined = goesOn ? grid : nullptr;
+}
+
+//------------------------------------------------------------------------------
+template <typename FieldType>
+void vtkFlowRun::Describe(const FieldType& field)
+{
+  if constexpr (std::is_same_v<FieldType, vtkStructuredFlowField> ||
+    std::is_same_v<FieldType, vtkUnstructuredFlowField>)
+  {
+    this->Report.JoinedFaces = field.GetJoins().Number;
+    this->Report.LargestJoinedGap = field.GetJoins().LargestGap;
+    const vtkOpenInterfaces open = vtkOpenInterfaces::Find(field);
+    this->Report.OpenInterfaces = open.Number;
+    this->Report.FirstOpenCell = open.FirstCell;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -48,6 +48,9 @@ private:
   /// All samples, and those of the levels of refinement.
   template <typename Walker>
   void FollowAll(const Walker& walker, vtkDataSet* samples);
+  /// What the report has of the field.
+  template <typename FieldType>
+  void Describe(const FieldType& field);
   /// Those from \a first on. False when the owner was aborted.
   template <typename Walker>
   bool Follow(const Walker& walker, vtkDataSet* samples, vtkIdType first, int level,

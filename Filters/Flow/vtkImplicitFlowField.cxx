@@ -387,7 +387,20 @@ int vtkImplicitFlowField::RequestData(
 void vtkImplicitFlowField::Finish(vtkInformation* info, vtkDataSet* output)
 {
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
-  if (!this->Report.Reached.empty() || this->Report.Samples == 0 || !vtkFlowPiece::IsWhole(info))
+  if (this->Report.Samples == 0 || !vtkFlowPiece::IsWhole(info))
+  {
+    return;
+  }
+  if (this->Report.OpenInterfaces > 0)
+  {
+    vtkWarningMacro("Streamlines end at " << this->Report.OpenInterfaces
+                                          << " faces of cells with another cell beyond them, the "
+                                             "first of cell "
+                                          << this->Report.FirstOpenCell
+                                          << ", as if they left the domain: that cell has no face "
+                                             "with the same corners.");
+  }
+  if (!this->Report.Reached.empty())
   {
     return;
   }

@@ -33,11 +33,16 @@ struct vtkAdvectionOptions;
  * for duplicates of pieces. Input port 1, optional: the samples of SAMPLES_OF_INPUT.
  *
  * **Blocks.** Port 0 takes composite datasets too, as vtkMultiBlockDataSet, of any of these: one
- * field, streamlines going from block to block where faces have the same corners, to the last bit.
- * Blocks are merged for that to one vtkUnstructuredGrid, without hidden and duplicate cells; points
- * in the same place become one, with the values of the first block. Every block needs the vectors,
- * by one name and type; other arrays are kept where all have them. SAMPLES_OF_FIELD gives that
- * grid. Where faces do not fit, as between levels of AMR, the field ends.
+ * field, streamlines going from block to block where faces have the same corners. Blocks are merged
+ * for that to one vtkUnstructuredGrid, without hidden and duplicate cells; points in the same
+ * place, to the last bit, become one, with the values of the first block. Every block needs the
+ * vectors, by one name and type; other arrays are kept where all have them. SAMPLES_OF_FIELD gives
+ * that grid. Where faces do not fit, as between levels of AMR, the field ends.
+ *
+ * **Seams.** Faces of two cells that have the same corners within a thousandth of the cell's width
+ * there, and what rounding of the coordinates may be, are one face: between blocks, and where a grid
+ * is closed on itself and its last angle is not quite its first. The report has how many are joined
+ * so, and by how much. A sample in such a gap is OUTSIDE.
  *
  * Output: the samples, with the point data of their dataset, and the arrays of vtkFlowStatus. By
  * request MaximumSpeed, ArcLength, MeanVorticity and Mean<name> along the path (double; 0 for
@@ -63,8 +68,8 @@ struct vtkAdvectionOptions;
  *
  * The same output for any number of threads. AdvectionTime is left as the active scalars.
  *
- * Warnings (vtkWarningMacro): no sample reached a surface, with how many ended in which way; not
- * for pieces, of which others may have.
+ * Warnings (vtkWarningMacro), but not for pieces: no sample reached a surface, with how many ended
+ * in which way; faces that have a cell beyond them without a face that fits, with their number.
  *
  * Errors (vtkErrorMacro, empty output): no vectors of that name or not of three components; a
  * surface that vtkTerminationSurface::PlaceIn or Update finds wrong; no surface and no domain

@@ -65,6 +65,16 @@ std::vector<vtkIdType> vtkStructuredFlowField::GetOutsideFaces() const
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkIdType> vtkStructuredFlowField::GetOuterFaces() const
+{
+  std::vector<vtkIdType> faces = this->GetOutsideFaces();
+  const auto isSeam = [this](vtkIdType face)
+  { return this->FindSeam(face / 8, static_cast<int>(face % 8)) != nullptr; };
+  faces.erase(std::remove_if(faces.begin(), faces.end(), isSeam), faces.end());
+  return faces;
+}
+
+//------------------------------------------------------------------------------
 int vtkStructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) const
 {
   const Place place = this->GetPlace(face / 8);
@@ -81,10 +91,19 @@ void vtkStructuredFlowField::FindSeams()
 {
   const std::vector<vtkIdType> faces = this->GetOutsideFaces();
   std::vector<vtkFaceLinks::Link> links(faces.size(), vtkFaceLinks::Link{ -1, 0, false });
-  vtkFaceLinks::Find(
+  this->Joins = vtkFaceLinks::Find(
     static_cast<vtkIdType>(faces.size()), 1,
     [&](vtkIdType i, vtkFaceLinks::Block& block)
     { block.Corners[0] = this->GetFacePoints(faces[i], block.Points[0]); },
+    [&](vtkIdType i, vtkIdType* points)
+    {
+      const Place place = this->GetPlace(faces[i] / 8);
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        points[corner] = this->GetCorner(place, corner);
+      }
+      return 8;
+    },
     this->Positions, [&](vtkIdType i, const vtkFaceLinks::Link& link) { links[i] = link; });
   this->Seams.clear();
   for (std::size_t i = 0; i < faces.size(); ++i)

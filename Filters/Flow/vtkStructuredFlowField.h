@@ -12,8 +12,8 @@ class vtkStructuredGrid;
  * @class   vtkStructuredFlowField
  * @brief   a field on a structured grid of hexahedra
  *
- * Where faces on the outside have the same coordinates, as along the cut of an O- or C-grid, the
- * grid goes on from one to the other.
+ * Where faces on the outside have the same coordinates (vtkFaceLinks), as along the cut of an O- or
+ * C-grid, the grid goes on from one to the other.
  *
  * Errors of Build: those of the arrays; a grid without cells of dimension 3; a point of the field
  * that is not finite.
@@ -62,6 +62,12 @@ public:
     }
     return !this->Seams.empty() && this->IsOutside(place, face) && this->CrossSeam(place, face, p);
   }
+  /// The faces on the outside that are no seam, eight times their cell and their number there,
+  /// ascending.
+  std::vector<vtkIdType> GetOuterFaces() const;
+  /// Of the seams, each pair once.
+  const vtkFaceLinks::Joins& GetJoins() const { return this->Joins; }
+
   /// Whether a streamline leaves the grid there.
   bool IsDomainFace(const Place& place, int face) const
   {
@@ -87,6 +93,7 @@ private:
   vtkCellTree Tree;
   // By ascending face.
   std::vector<Seam> Seams;
+  vtkFaceLinks::Joins Joins;
 };
 
 #endif

@@ -170,9 +170,11 @@ void vtkUnstructuredFlowField::FindLinks()
     }
   }
   this->Links.assign(this->GetNumberOfCells() * this->FacesPerCell, -1);
-  vtkFaceLinks::Find(
+  this->Joins = vtkFaceLinks::Find(
     this->GetNumberOfCells(), this->FacesPerCell,
     [this](vtkIdType cell, vtkFaceLinks::Block& faces) { this->FillFaces(cell, faces); },
+    [this](vtkIdType face, vtkIdType* points)
+    { return this->GetCellPoints(face / this->FacesPerCell, points); },
     this->Positions,
     [this](vtkIdType face, const vtkFaceLinks::Link& link)
     {

@@ -84,6 +84,8 @@ public:
   /// the points of one in cyclic order, of which it returns the number.
   std::vector<vtkIdType> GetOuterFaces() const;
   int GetFacePoints(vtkIdType face, vtkIdType* points) const;
+  /// Of the links.
+  const vtkFaceLinks::Joins& GetJoins() const { return this->Joins; }
   const vtkFlowValues& GetPositions() const { return this->Positions; }
 
   /// Round 0: the neighbour's list of points; round 1: their positions and vectors.
@@ -178,6 +180,7 @@ private:
   // For each face of each cell -1, or 64 times the neighbour, 8 times its face, twice the start and
   // whether it is reversed.
   std::vector<vtkIdType> Links;
+  vtkFaceLinks::Joins Joins;
 };
 
 #endif

@@ -1,0 +1,242 @@
+// Seams whose points are the same but for rounding, or a small gap: grids that are closed on
+// themselves and rings of blocks, against a spiral whose end is known; what is joined is counted,
+// and faces that have a cell beyond them which they do not match are.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowGrid.h"
+#include "ReferenceMessages.h"
+#include "ReferenceSkin.h"
+
+#include "vtkFlowStatus.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkTerminationMesh.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkDataArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double Pi = 3.14159265358979324;
+/// Cells outward, around and along; the widths are 0.25, 0.26 and more, and 0.25.
+constexpr int Outward = 4;
+constexpr int Around = 24;
+constexpr int Along = 3;
+constexpr double Growth = 0.1;
+
+/// Around z, and outwards. Cells interpolate it without an error.
+Vector Spiral(const Vector& x)
+{
+  return { { Growth * x[0] - x[1], x[0] + Growth * x[1], 0.0 } };
+}
+
+/// When a streamline leaves the polygon around radius 2, in double precision.
+double Trace(const Vector& start)
+{
+  const double inner = 2.0 * std::cos(Pi / Around);
+  const double radius = std::hypot(start[0], start[1]);
+  const double angle = std::atan2(start[1], start[0]);
+  const auto room = [&](double time)
+  {
+    const double part = (angle + time) * Around / (2.0 * Pi);
+    const double beside = (part - std::floor(part) - 0.5) * 2.0 * Pi / Around;
+    return inner - radius * std::exp(Growth * time) * std::cos(beside);
+  };
+  double from = std::max(0.0, std::log(inner / radius) / Growth);
+  double to = from;
+  while (room(to) > 0.0)
+  {
+    from = to;
+    to += 0.002;
+  }
+  for (int i = 0; i < 60; ++i)
+  {
+    const double middle = 0.5 * (from + to);
+    (room(middle) > 0.0 ? from : to) = middle;
+  }
+  return from;
+}
+
+/// Cells \a first to \a last of a ring around, computed as a user would: the last angle is 2 pi,
+/// and \a gap more.
+vtkSmartPointer<vtkStructuredGrid> MakePart(int first, int last, double gap = 0.0)
+{
+  auto part = MakeStructuredGrid({ { Outward, last - first, Along } });
+  const double begin = first * (2.0 * Pi / Around);
+  MovePoints(part,
+    [=](const Vector& x)
+    {
+      const double radius = 1.0 + x[0] / Outward;
+      const double end = x[1] == last - first ? gap / radius : 0.0;
+      const double angle = begin + x[1] * 2.0 * Pi / Around + end;
+      return Vector{ { radius * std::cos(angle), radius * std::sin(angle), 0.25 * x[2] } };
+    });
+  AddVectors(part, Spiral);
+  return part;
+}
+
+vtkSmartPointer<vtkPolyData> MakeSamples(int number)
+{
+  Random random(5);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int i = 0; i < number; ++i)
+  {
+    const double radius = random.Get(1.01, 1.95);
+    const double angle = random.Get(0.01, 2.0 * Pi - 0.01);
+    points->InsertNextPoint(
+      radius * std::cos(angle), radius * std::sin(angle), random.Get(0.01, 0.74));
+  }
+  auto samples = vtkSmartPointer<vtkPolyData>::New();
+  samples->SetPoints(points);
+  return samples;
+}
+
+/// Follows samples to the mesh of the ring's outside, or of no use without one.
+vtkSmartPointer<vtkImplicitFlowField> MakeFilter(vtkDataObject* field, int number)
+{
+  auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();
+  vtkNew<vtkTerminationMesh> outside;
+  outside->SetMesh(MakeSkin(MakePart(0, Around),
+    [](const Vector& middle) { return std::hypot(middle[0], middle[1]) > 1.95; }));
+  filter->AddTerminationSurface(outside);
+  filter->SetInputDataObject(field);
+  filter->SetSampleData(MakeSamples(number));
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+  filter->SetDirectionToForward();
+  return filter;
+}
+
+/// \a gap: between the points of a seam; \a least and \a most: how many faces are joined over it.
+void CheckClosed(const std::string& name, vtkDataObject* field, int number, double gap, int least,
+  int most, Check& check)
+{
+  check.SetContext(name);
+  auto filter = MakeFilter(field, number);
+  const std::string warnings = WarningsOf(filter);
+  check.That(warnings.empty(), "no warning: " + warnings);
+  const vtkFlowReport& report = filter->GetReport();
+  check.Equal(report.Statuses[vtkFlowStatus::REACHED_SURFACE], number, "samples that get there");
+  check.That(report.JoinedFaces >= least && report.JoinedFaces <= most,
+    "faces joined within the tolerance: " + std::to_string(report.JoinedFaces));
+  check.That(report.LargestJoinedGap <= 5.0 * gap + 1e-14 && report.LargestJoinedGap >= 3.0 * gap,
+    "gap of " + std::to_string(report.LargestJoinedGap));
+  check.Equal(report.OpenInterfaces, 0, "faces that do not match");
+  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  double latest = 0.0;
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    Vector x;
+    output->GetPoint(id, x.data());
+    latest = std::max(latest,
+      std::abs(output->GetPointData()->GetArray("AdvectionTime")->GetComponent(id, 0) - Trace(x)));
+  }
+  check.That(latest < 1e-4 + 20.0 * gap, "latest by " + std::to_string(latest));
+  check.SetContext("");
+}
+
+vtkSmartPointer<vtkStructuredGrid> WithFloats(vtkStructuredGrid* grid)
+{
+  vtkNew<vtkPoints> floats;
+  floats->SetDataTypeToFloat();
+  floats->DeepCopy(grid->GetPoints());
+  auto copy = vtkSmartPointer<vtkStructuredGrid>::New();
+  copy->ShallowCopy(grid);
+  copy->SetPoints(floats);
+  return copy;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> WithoutOrder(vtkDataSet* grid)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(grid);
+  append->Update();
+  return append->GetOutput();
+}
+
+void TestClosed(Check& check)
+{
+  const int seam = Outward * Along;
+  auto ring = MakePart(0, Around);
+  check.That(ring->GetPoint((Outward + 1) * Around)[1] != 0.0, "the last angle is not the first");
+  CheckClosed("ring", ring, 10000, 0.0, seam, seam, check);
+  CheckClosed("mesh of a ring", WithoutOrder(ring), 1000, 0.0, seam, seam, check);
+  CheckClosed(
+    "ring of floats", WithFloats(MakePart(0, Around, 1e-6)), 1000, 1e-6, seam, seam, check);
+  CheckClosed("ring with a gap", MakePart(0, Around, -1e-4), 1000, 1e-4, seam, seam, check);
+  CheckClosed("ring with a bend", MakePart(0, Around, 1e-6), 1000, 1e-6, seam, seam, check);
+  auto closed = MakeRing({ { Outward, Around, Along } });
+  MovePoints(closed, [](const Vector& x) { return Vector{ { x[0], x[1], 0.25 * x[2] } }; });
+  AddVectors(closed, Spiral);
+  CheckClosed("a ring that is closed", closed, 100, 0.0, 0, 0, check);
+}
+
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<vtkStructuredGrid*>& parts)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (vtkStructuredGrid* part : parts)
+  {
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), part);
+  }
+  return blocks;
+}
+
+void TestBlocks(Check& check)
+{
+  auto first = MakePart(0, 7);
+  auto second = MakePart(7, 16);
+  auto third = MakePart(16, Around);
+  // Rounding leaves some of the faces between blocks the same, but not those at 2 pi.
+  const int seam = Outward * Along;
+  CheckClosed("blocks", MakeBlocks({ first, second, third }), 10000, 0.0, seam, 3 * seam, check);
+  CheckClosed("blocks with a gap", MakeBlocks({ MakePart(0, 7, 1e-5), second, third }), 1000, 1e-5,
+    2 * seam, 3 * seam, check);
+}
+
+/// Faces that do not fit: streamlines end there, and a warning says how many there are.
+void TestOpen(Check& check)
+{
+  auto coarse = MakeStructuredGrid({ { Outward, 8, 1 } });
+  MovePoints(coarse,
+    [](const Vector& x)
+    {
+      const double radius = 1.0 + x[0] / Outward;
+      const double angle = (16.0 + x[1]) * 2.0 * Pi / Around;
+      return Vector{ { radius * std::cos(angle), radius * std::sin(angle), 0.75 * x[2] } };
+    });
+  AddVectors(coarse, Spiral);
+  auto first = MakePart(0, 16);
+  auto filter = MakeFilter(MakeBlocks({ first, coarse }), 500);
+  const std::string warnings = WarningsOf(filter);
+  // Two interfaces, of as many faces on the fine side and a third of them on the coarse one.
+  check.That(warnings.find("at 32 faces") != std::string::npos, "a warning: " + warnings);
+  check.Equal(filter->GetReport().OpenInterfaces, 2 * (Outward * Along + Outward), "open faces");
+  check.That(filter->GetReport().Statuses[vtkFlowStatus::LEFT_DOMAIN] > 100, "streamlines end");
+  auto apart = MakeFilter(MakePart(0, Around, -1e-3), 500);
+  check.That(
+    WarningsOf(apart).find("faces of cells") != std::string::npos, "a gap that is too wide");
+  check.Equal(apart->GetReport().JoinedFaces, 0, "faces are joined over");
+}
+
+}
+
+int TestFlowSeams(int, char*[])
+{
+  Check check;
+  TestClosed(check);
+  TestBlocks(check);
+  TestOpen(check);
+  return check.Result();
+}
