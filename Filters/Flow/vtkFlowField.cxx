@@ -1,6 +1,7 @@
 #include "vtkFlowField.h"
 
 #include "vtkBlanking.h"
+#include "vtkSpeedScale.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -48,7 +49,7 @@ double GetLength(const double v[3])
 
 struct Sums
 {
-  double Speed = 0.0;
+  vtkSpeedScale Speeds;
   vtkIdType NonFinite = 0;
 };
 
@@ -145,7 +146,7 @@ void vtkFlowField::Measure(const CellPoints& cells, bool hasOtherPoints)
         this->GetVector(point, v);
         if (std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]))
         {
-          sum.Speed = std::max(sum.Speed, GetLength(v));
+          sum.Speeds.Add(GetLength(v));
         }
         else
         {
@@ -153,11 +154,13 @@ void vtkFlowField::Measure(const CellPoints& cells, bool hasOtherPoints)
         }
       }
     });
-  this->MaximumSpeed = 0.0;
-  this->NumberOfNonFiniteVectors = 0;
+  Sums all;
   for (const Sums& sum : sums)
   {
-    this->MaximumSpeed = std::max(this->MaximumSpeed, sum.Speed);
-    this->NumberOfNonFiniteVectors += sum.NonFinite;
+    all.Speeds.Add(sum.Speeds);
+    all.NonFinite += sum.NonFinite;
   }
+  this->MaximumSpeed = all.Speeds.GetLargest();
+  this->SpeedScale = all.Speeds.GetScale(this->NumberOfFillValues);
+  this->NumberOfNonFiniteVectors = all.NonFinite;
 }

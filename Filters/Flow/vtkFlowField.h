@@ -48,6 +48,9 @@ public:
 
   /// The largest length of a finite vector in a point of the field's cells; 0 without one.
   double GetMaximumSpeed() const { return this->MaximumSpeed; }
+  /// The same without fill values, and in how many points those are (vtkSpeedScale).
+  double GetSpeedScale() const { return this->SpeedScale; }
+  vtkIdType GetNumberOfFillValues() const { return this->NumberOfFillValues; }
   /// Points of the field's cells whose vector is not finite.
   vtkIdType GetNumberOfNonFiniteVectors() const { return this->NumberOfNonFiniteVectors; }
   /// Of the dataset: lower and upper of x, y, z.
@@ -92,6 +95,8 @@ private:
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   vtkIdType NumberOfCells = 0;
   double MaximumSpeed = 0.0;
+  double SpeedScale = 0.0;
+  vtkIdType NumberOfFillValues = 0;
   vtkIdType NumberOfNonFiniteVectors = 0;
 };
 

@@ -163,7 +163,7 @@ void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* value
 {
   Report& report = this->LastReport;
   const double minimumSpeed = std::max(
-    RelativeMinimumSpeed * walker.GetField().GetMaximumSpeed(), std::numeric_limits<double>::min());
+    RelativeMinimumSpeed * walker.GetField().GetSpeedScale(), std::numeric_limits<double>::min());
   const vtkLatticeNoise noise(report.NoiseScale, this->Seed);
   const vtkConvolutionKernel kernel(
     this->Kernel == HANN, report.Steps, report.StepLength, report.NoiseScale);

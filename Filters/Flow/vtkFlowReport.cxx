@@ -33,6 +33,8 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
   os << indent << "Executions: " << this->Executions << "\n";
   os << indent << "MaximumError: " << this->MaximumError << "\n";
   os << indent << "MinimumSpeed: " << this->MinimumSpeed << "\n";
+  os << indent << "MaximumSpeed: " << this->MaximumSpeed << "\n";
+  os << indent << "FillValues: " << this->FillValues << "\n";
   os << indent << "JoinedFaces: " << this->JoinedFaces << "\n";
   os << indent << "LargestJoinedGap: " << this->LargestJoinedGap << "\n";
   os << indent << "OpenInterfaces: " << this->OpenInterfaces << "\n";

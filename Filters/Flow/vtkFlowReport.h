@@ -52,6 +52,10 @@ public:
   std::vector<vtkIdType> AddedSamples;
   /// How often samples were advected since the filter was made: what else changes does not count.
   vtkIdType Executions = 0;
+  /// The largest speed at a point of the field, and how many points have speeds that automatic
+  /// values leave aside as fill values.
+  double MaximumSpeed = 0.0;
+  vtkIdType FillValues = 0;
   /// Pairs of cells' faces that are one face within a tolerance only, and how far apart corners of
   /// such are at most, in widths of the cell.
   vtkIdType JoinedFaces = 0;

@@ -185,17 +185,17 @@ std::string vtkFlowRun::Execute(vtkDataSet* samples)
     this->Field, this->Vectors, means,
     [&](const auto& walker)
     {
-      const double largestSpeed = walker.GetField().GetMaximumSpeed();
+      const double speed = walker.GetField().GetSpeedScale();
       if (this->AutomaticError > 0.0)
       {
         // A field that is 0 throughout has no error.
         this->Options.MaximumError =
-          std::max(this->AutomaticError * largestSpeed, std::numeric_limits<double>::min());
+          std::max(this->AutomaticError * speed, std::numeric_limits<double>::min());
       }
       if (this->AutomaticSpeed > 0.0)
       {
         this->Options.MinimumSpeed =
-          std::max(this->AutomaticSpeed * largestSpeed, std::numeric_limits<double>::min());
+          std::max(this->AutomaticSpeed * speed, std::numeric_limits<double>::min());
       }
       auto own = walker;
       int domainFaces = 6;
@@ -252,6 +252,8 @@ void vtkFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
 template <typename FieldType>
 void vtkFlowRun::Describe(const FieldType& field)
 {
+  this->Report.MaximumSpeed = field.GetMaximumSpeed();
+  this->Report.FillValues = field.GetNumberOfFillValues();
   if constexpr (std::is_same_v<FieldType, vtkStructuredFlowField> ||
     std::is_same_v<FieldType, vtkUnstructuredFlowField>)
   {

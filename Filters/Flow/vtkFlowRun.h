@@ -25,7 +25,8 @@ public:
 
   /// The field, its vectors, and the names of the arrays that have a mean.
   void SetField(vtkDataSet* field, vtkDataArray* vectors, const std::vector<std::string>& means);
-  /// Error and minimum speed in parts of the field's largest speed; 0: those of the options.
+  /// Error and minimum speed in parts of the field's speed (vtkSpeedScale); 0: those of the
+  /// options.
   void SetAutomatic(double error, double speed);
   void SetKeepSteps(bool keep) { this->KeepSteps = keep; }
 

@@ -400,6 +400,14 @@ void vtkImplicitFlowField::Finish(vtkInformation* info, vtkDataSet* output)
                                           << ", as if they left the domain: that cell has no face "
                                              "with the same corners.");
   }
+  if (this->Report.FillValues > 0 && !(this->MaximumError > 0.0 && this->MinimumSpeed > 0.0))
+  {
+    vtkWarningMacro("The speeds at " << this->Report.FillValues << " points, to "
+                                     << this->Report.MaximumSpeed
+                                     << ", are a thousand times as large as all others, and do not "
+                                        "count for the automatic error and least speed. Hide the "
+                                        "points where they are fill values.");
+  }
   if (!this->Report.Reached.empty())
   {
     return;

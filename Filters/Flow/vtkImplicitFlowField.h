@@ -68,8 +68,13 @@ struct vtkAdvectionOptions;
  *
  * The same output for any number of threads. AdvectionTime is left as the active scalars.
  *
+ * **Walls.** Where walls do not slip a streamline beside them gets ever slower, and ends by
+ * MinimumSpeed, or by the error that it may make there: close to a wall an answer is no better than
+ * that. Samples on the wall stagnate at once. A wall that is a termination surface is reached.
+ *
  * Warnings (vtkWarningMacro), but not for pieces: no sample reached a surface, with how many ended
- * in which way; faces that have a cell beyond them without a face that fits, with their number.
+ * in which way; faces that have a cell beyond them without a face that fits, with their number;
+ * speeds that are a thousand times as large as all others, with their number.
  *
  * Errors (vtkErrorMacro, empty output): no vectors of that name or not of three components; a
  * surface that vtkTerminationSurface::PlaceIn or Update finds wrong; no surface and no domain
@@ -201,7 +206,8 @@ public:
   ///@{
   /**
    * Largest local error, world units per unit of time. 0: a millionth of the largest speed of the
-   * field. Default 0. Valid: 0 and above.
+   * field that is no fill value: no more than a point in a hundred has one, at least about a
+   * thousand times as large as all others. Default 0. Valid: 0 and above.
    */
   vtkSetClampMacro(MaximumError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumError, double);
@@ -224,7 +230,7 @@ public:
   ///@{
   /**
    * The speed below which a streamline ends, world units per unit of time. 0: 1e-9 of the field's
-   * largest speed. Default 0. Valid: 0 and above.
+   * largest speed that is no fill value. Default 0. Valid: 0 and above.
    */
   vtkSetClampMacro(MinimumSpeed, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumSpeed, double);
