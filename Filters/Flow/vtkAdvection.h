@@ -98,6 +98,7 @@ private:
     this->Crossings = 0;
     this->CellBefore = -1;
     this->ClosedFace = -1;
+    this->FaceLeft = -1;
   }
 
   /// False where the streamline ends at its start.
@@ -175,11 +176,14 @@ private:
     return true;
   }
 
-  bool Stagnate()
+  /// Whether it was at a surface that it ended, at the end of the field.
+  bool ArrivesAtEnd()
   {
-    const bool arrives = this->Options.ArrivalTolerance > 0.0 &&
-      this->ArrivesAtOuterFace(this->Options.ArrivalTolerance);
-    return this->EndWith(arrives ? vtkFlowStatus::REACHED_SURFACE : vtkFlowStatus::STAGNATED);
+    if (this->Result->Status == vtkFlowStatus::STAGNATED)
+    {
+      return this->ArrivesAtOuterFace(this->Options.ArrivalTolerance);
+    }
+    return this->FaceLeft >= 0 && this->Arrives(this->FaceLeft);
   }
 
   bool EndWith(int status)
@@ -191,6 +195,10 @@ private:
   void End()
   {
     vtkAdvectionResult& result = *this->Result;
+    if (this->ArrivesAtEnd())
+    {
+      result.Status = vtkFlowStatus::REACHED_SURFACE;
+    }
     result.Time = this->Time;
     result.Evaluations = this->Rate.Evaluations;
     result.JacobianEvaluations = this->Rate.JacobianEvaluations;
@@ -245,7 +253,7 @@ private:
       }
       if (this->Speed < this->Options.MinimumSpeed || this->Speed == 0.0)
       {
-        return this->Stagnate();
+        return this->EndWith(vtkFlowStatus::STAGNATED);
       }
       const bool isHeld = this->Crossings >= MostCrossings;
       this->Exit.Approach(this->Field, this->Point, this->PointRate, isHeld);
@@ -287,10 +295,7 @@ private:
 
   bool Leave(int face)
   {
-    if (this->Arrives(face))
-    {
-      return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
-    }
+    this->FaceLeft = face;
     const int domainFace = this->Options.HasDomainFaces ? this->Field.GetDomainFace(face) : -1;
     if (domainFace < 0)
     {
@@ -315,7 +320,7 @@ private:
       this->Field.GetPosition(this->Point, x);
       if (this->Stagnation.Look(x, this->Time, this->Options.MaximumError))
       {
-        return this->Stagnate();
+        return this->EndWith(vtkFlowStatus::STAGNATED);
       }
     }
     switch (this->Options.Integrator)
@@ -595,6 +600,8 @@ private:
   vtkIdType CellBefore = -1;
   int Crossings = 0;
   int ClosedFace = -1;
+  /// By which it left the field.
+  int FaceLeft = -1;
   bool HasPointRate = false;
   bool HasIntegrals;
 };
