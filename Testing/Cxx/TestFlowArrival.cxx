@@ -228,7 +228,8 @@ void TestRounding(Check& check)
                     grid, [](const Vector&) { return true; }, VTK_FLOAT),
         3));
     Update(filter);
-    check.Equal(filter->GetReport().Reached.at(3), 1000, "samples that reached a skin of floats");
+    check.Equal(filter->GetReport().Statuses[vtkFlowStatus::REACHED_SURFACE], 1000,
+      "samples that reached a skin of floats");
     filter->SetArrivalTolerance(0.0);
     Update(filter);
     check.That(filter->GetReport().Statuses[vtkFlowStatus::LEFT_DOMAIN] > 100,
@@ -300,7 +301,8 @@ void TestWall(Check& check)
   auto filter = MakeFilter(image, nullptr);
   filter->AddTerminationSurface(wall);
   Update(filter);
-  check.Equal(filter->GetReport().Reached.at(0), 125, "samples that reached the wall");
+  check.Equal(filter->GetReport().Statuses[vtkFlowStatus::REACHED_SURFACE], 125,
+    "samples that reached the wall");
   filter->SetArrivalTolerance(0.0);
   ExpectWarnings(filter);
   Update(filter);
