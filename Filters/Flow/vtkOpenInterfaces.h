@@ -7,6 +7,7 @@
 #include "vtkSMPTools.h"
 
 #include <atomic>
+#include <cfloat>
 #include <vector>
 
 /**
@@ -63,24 +64,25 @@ private:
     field.GetPoints(place, cell.GetPoints());
     cell.SetPoints(field.GetShape(place));
     double x[3];
-    GetPlaceBeyond(cell, static_cast<int>(face % 8), x);
-    return field.GetTree().Visit(x,
-      [&](vtkIdType other)
-      {
-        const typename Field::Place there = field.GetPlace(other);
-        const int shape = field.GetShape(there);
-        field.GetPoints(there, cell.GetPoints());
-        if (other == own || !cell.IsInBox(shape, x))
+    return GetPlaceBeyond(cell, static_cast<int>(face % 8), x) &&
+      field.GetTree().Visit(x,
+        [&](vtkIdType other)
         {
-          return false;
-        }
-        cell.SetPoints(shape);
-        double p[3];
-        return cell.FindPlace(x, false, p) && cell.GetDistance(p) >= -1e-9;
-      });
+          const typename Field::Place there = field.GetPlace(other);
+          const int shape = field.GetShape(there);
+          field.GetPoints(there, cell.GetPoints());
+          if (other == own || !cell.IsInBox(shape, x))
+          {
+            return false;
+          }
+          cell.SetPoints(shape);
+          double p[3];
+          return cell.FindPlace(x, false, p) && cell.GetDistance(p) >= -1e-9;
+        });
   }
 
-  static void GetPlaceBeyond(const vtkFlowCell& cell, int face, double x[3])
+  /// False where the face has collapsed, and nothing leaves by it.
+  static bool GetPlaceBeyond(const vtkFlowCell& cell, int face, double x[3])
   {
     const vtkFlowShape& shape = vtkFlowShape::Of(cell.GetShape());
     const vtkFlowShape::Face& own = shape.Faces[face];
@@ -103,6 +105,7 @@ private:
     {
       x[axis] = middle[axis] + step * extent.Width * extent.Normal[axis];
     }
+    return Step * extent.Width > 64.0 * DBL_EPSILON * vtkMath::Norm(middle);
   }
 };
 

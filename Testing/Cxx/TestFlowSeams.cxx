@@ -224,6 +224,18 @@ void TestOpen(Check& check)
   check.That(warnings.find("at 32 faces") != std::string::npos, "a warning: " + warnings);
   check.Equal(filter->GetReport().OpenInterfaces, 2 * (Outward * Along + Outward), "open faces");
   check.That(filter->GetReport().Statuses[vtkFlowStatus::LEFT_DOMAIN] > 100, "streamlines end");
+  // Around an axis cells have faces that have collapsed, and cells beyond those.
+  auto wedges = MakePart(0, Around);
+  MovePoints(wedges,
+    [](const Vector& x)
+    {
+      const double radius = std::hypot(x[0], x[1]);
+      const double scale = radius < 1.0 + 1e-9 ? 0.0 : 1.0;
+      return Vector{ { scale * x[0], scale * x[1], x[2] } };
+    });
+  auto axis = MakeFilter(wedges, 500);
+  const std::string nothing = WarningsOf(axis);
+  check.That(nothing.empty(), "nothing is said of collapsed faces: " + nothing);
   auto apart = MakeFilter(MakePart(0, Around, -1e-3), 500);
   check.That(
     WarningsOf(apart).find("faces of cells") != std::string::npos, "a gap that is too wide");
