@@ -40,9 +40,9 @@ struct vtkAdvectionOptions;
  * that grid. Where faces do not fit, as between levels of AMR, the field ends.
  *
  * **Seams.** Faces of two cells that have the same corners within a thousandth of the cell's width
- * there, and what rounding of the coordinates may be, are one face: between blocks, and where a grid
- * is closed on itself and its last angle is not quite its first. The report has how many are joined
- * so, and by how much. A sample in such a gap is OUTSIDE.
+ * there, and what rounding of the coordinates may be, are one face: between blocks, and where a
+ * grid is closed on itself and its last angle is not quite its first. The report has how many are
+ * joined so, and by how much. A sample in such a gap is OUTSIDE.
  *
  * Output: the samples, with the point data of their dataset, and the arrays of vtkFlowStatus. By
  * request MaximumSpeed, ArcLength, MeanVorticity and Mean<name> along the path (double; 0 for
@@ -68,9 +68,10 @@ struct vtkAdvectionOptions;
  *
  * The same output for any number of threads. AdvectionTime is left as the active scalars.
  *
- * **Walls.** Where walls do not slip a streamline beside them gets ever slower, and ends by
- * MinimumSpeed, or by the error that it may make there: close to a wall an answer is no better than
- * that. Samples on the wall stagnate at once. A wall that is a termination surface is reached.
+ * **Walls.** Where walls do not slip, samples on them stagnate at once, and streamlines that come
+ * close get ever slower and stagnate by MinimumSpeed: 39 in a hundred samples of the flow past a
+ * post on a plate, against the vectors. Closer to a wall than the error that is allowed a
+ * streamline may also come to a surface beside it. A wall that is a termination surface is reached.
  *
  * Warnings (vtkWarningMacro), but not for pieces: no sample reached a surface, with how many ended
  * in which way; faces that have a cell beyond them without a face that fits, with their number;
@@ -240,8 +241,8 @@ public:
   /**
    * How near to a surface a streamline has reached it that ends where the field ends, because it
    * leaves or stagnates there, or is on the outer faces of cells to begin with: in widths of the
-   * cell there, the narrow side of its face or its height. Added is how far the face is from flat (a
-   * mesh of the field's own faces has triangles where those are bilinear), and what rounding of
+   * cell there, the narrow side of its face or its height. Added is how far the face is from flat
+   * (a mesh of the field's own faces has triangles where those are bilinear), and what rounding of
    * coordinates that are floats may be; a surface across the face has less. Without it rounding
    * decides whether a surface on the skin of the field is met. 0: only what is met. Default 0.01.
    * Valid: 0 to 1.

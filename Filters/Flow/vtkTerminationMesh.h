@@ -26,6 +26,9 @@ class vtkPolyData;
  * false at such jumps: it asks for a nearest point within 1e-6 of the mesh's diagonal, and for one
  * that is not beyond a border. The normal at an edge or a vertex is the angle-weighted one.
  *
+ * A mesh of a field's own faces has triangles where the faces of cells are bilinear: which of both
+ * a streamline meets first is left to vtkImplicitFlowField::SetArrivalTolerance, not to Tolerance.
+ *
  * Update reports: no dataset, no triangle with an area, no texture coordinates or not two of them,
  * points or texture coordinates that are not finite, points that are not there, and a mesh that has
  * one side only. Triangles lower than Tolerance are left out and counted.
