@@ -5,6 +5,7 @@
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkMultilinearCell.h"
+#include "vtkSpeedScale.h"
 #include "vtkNew.h"
 
 #include <algorithm>
@@ -28,6 +29,8 @@ struct Cell
   std::array<double, 3> High;
   /// What flows through planes across each axis.
   std::array<double, 3> Flow;
+  /// The largest at a corner.
+  double Speed = 0.0;
 };
 
 Cell Measure(const vtkMultilinearCell& loaded, bool isReversed)
@@ -36,6 +39,11 @@ Cell Measure(const vtkMultilinearCell& loaded, bool isReversed)
   const int* corners = nullptr;
   const int number = vtkMultilinearCell::GetCorners(loaded.GetShape(), corners);
   const double volume = std::abs(loaded.GetVolume());
+  for (int i = 0; i < number; ++i)
+  {
+    const auto& v = loaded.GetVectors()[corners[i]];
+    cell.Speed = std::max(cell.Speed, std::hypot(v[0], v[1], v[2]));
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
     double low = loaded.GetPositions()[corners[0]][axis];
@@ -67,6 +75,7 @@ vtkIdType Pick(vtkIdType group, vtkIdType stride, vtkIdType cells)
 std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isReversed)
 {
   std::vector<Cell> cells;
+  vtkSpeedScale speeds;
   vtkBlanking blanking;
   blanking.SetBlanking(field);
   const vtkIdType number = field->GetNumberOfCells();
@@ -85,7 +94,17 @@ std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isRev
     if (loaded.IsFinite())
     {
       cells.push_back(Measure(loaded, isReversed));
+      speeds.Add(cells.back().Speed);
     }
+  }
+  // Fill values would be all of the flow.
+  vtkIdType fillValues = 0;
+  const double largest = speeds.GetScale(fillValues);
+  if (fillValues > 0)
+  {
+    cells.erase(std::remove_if(cells.begin(), cells.end(),
+                  [largest](const Cell& cell) { return cell.Speed > largest; }),
+      cells.end());
   }
   return cells;
 }

@@ -7,6 +7,7 @@
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkSpeedScale.h"
+#include "vtkTerminationInflow.h"
 #include "vtkTerminationPlane.h"
 
 #include "vtkDataArray.h"
@@ -112,6 +113,27 @@ void TestField(Check& check)
   check.That(WarningsOf(filter).empty(), "nothing is said where nothing is automatic");
 }
 
+/// A surface that is placed by the flow is not drawn to a fill value.
+void TestInflow(Check& check)
+{
+  auto image = MakeFlowImage(17,
+    [](const Vector& x) {
+      return Vector{ { 2.0 + std::sin(x[1]), 0.1, 0.0 } };
+    });
+  vtkDataArray* vectors = image->GetPointData()->GetVectors();
+  double places[2][6];
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkTerminationInflow> inflow;
+    check.That(
+      inflow->PlaceIn(image, vectors, true).empty() && inflow->Update().empty(), "a place");
+    inflow->GetBounds(places[i]);
+    vectors->SetTuple3(image->GetNumberOfPoints() / 2, 0.0, 1e30, 0.0);
+  }
+  check.That(places[0][0] == places[1][0] && places[0][1] == places[1][1], "across the flow");
+  check.That(places[1][1] < 1.0, "where it enters");
+}
+
 }
 
 int TestFlowFillValues(int, char*[])
@@ -119,5 +141,6 @@ int TestFlowFillValues(int, char*[])
   Check check;
   TestScale(check);
   TestField(check);
+  TestInflow(check);
   return check.Result();
 }
