@@ -10,6 +10,7 @@
 #include "vtkFaceExtent.h"
 #include "vtkImplicitFlowField.h" // for the integrators
 #include "vtkPathIntegrals.h"
+#include "vtkRecurrenceTest.h"
 #include "vtkRosenbrockStep.h"
 #include "vtkRungeKutta4Step.h"
 #include "vtkStagnationTest.h"
@@ -36,7 +37,8 @@
  *
  * Faces crossed without time going on, as at edges and corners, are at most 64 in a row, and none
  * of them back: then a step is taken where the streamline stands. A streamline has stagnated where
- * its speed is below the least or 0, and by vtkStagnationTest.
+ * its speed is below the least or 0, and by vtkStagnationTest. It is on a closed orbit by
+ * vtkRecurrenceTest.
  *
  * A streamline that ends where the field ends, whether it leaves, stagnates or begins there, has
  * reached a surface that is as near as ArrivalTolerance times the width of the cell there, and as
@@ -92,6 +94,7 @@ private:
     this->Rate.JacobianEvaluations = 0;
     this->Controller = vtkStepController();
     this->Stiffness = vtkStiffnessTest();
+    this->Recurrence = vtkRecurrenceTest();
     this->Time = 0.0;
     this->Step = 0.0;
     this->HasPointRate = false;
@@ -290,7 +293,48 @@ private:
     this->CellBefore = from;
     this->HasPointRate = false;
     ++this->Result->Cells;
+    if (this->Recurrence.IsDue(this->Result->Cells, from, this->Field.GetCell()))
+    {
+      this->LookForReturn(from);
+    }
     return true;
+  }
+
+  int GetNumberOfSteps() const
+  {
+    const vtkAdvectionResult& result = *this->Result;
+    return result.Steps + result.RejectedSteps + result.StiffSteps + result.RejectedStiffSteps;
+  }
+
+  void LookForReturn(vtkIdType from)
+  {
+    double x[3];
+    this->Field.GetPosition(this->Point, x);
+    this->Recurrence.Enter(this->Result->Cells, from, this->Field.GetCell(), x,
+      { static_cast<double>(this->GetNumberOfSteps()), this->Time },
+      { static_cast<double>(this->Options.MaximumNumberOfSteps), this->Options.MaximumTime });
+  }
+
+  /// How far the streamline is from ends; it has taken a step within the cell.
+  void WatchForReturn(double end)
+  {
+    double p[3];
+    double x[3];
+    this->Dense.GetPoint(end, p);
+    this->Field.GetPosition(p, x);
+    double limit = std::numeric_limits<double>::infinity();
+    for (int face = 0; this->Options.HasDomainFaces && face < this->Field.GetNumberOfFaces();
+         ++face)
+    {
+      // What leaves the domain ends too: an orbit stays a cell away from there.
+      limit = this->Field.GetDomainFace(face) >= 0 ? 0.0 : limit;
+    }
+    for (int i = 0; this->Options.HasDomainFaces && i < 3; ++i)
+    {
+      const double unit[3] = { i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0 };
+      limit = std::min(limit, 0.1 * this->GetWorldLength(p, unit));
+    }
+    this->Recurrence.Watch(x, this->Surfaces.GetLeastDistance(x), end * this->GetReach(), limit);
   }
 
   bool Leave(int face)
@@ -308,9 +352,11 @@ private:
 
   bool TakeStep()
   {
-    const vtkAdvectionResult& result = *this->Result;
-    if (result.Steps + result.RejectedSteps + result.StiffSteps + result.RejectedStiffSteps >=
-      this->Options.MaximumNumberOfSteps)
+    if (this->Recurrence.IsClosed())
+    {
+      return this->EndWith(vtkFlowStatus::CLOSED_ORBIT);
+    }
+    if (this->GetNumberOfSteps() >= this->Options.MaximumNumberOfSteps)
     {
       return this->EndWith(vtkFlowStatus::OUT_OF_STEPS);
     }
@@ -464,6 +510,10 @@ private:
     {
       this->Integrals.Add(this->Field, this->Dense, end, h);
     }
+    if (this->Recurrence.IsWatching())
+    {
+      this->WatchForReturn(end);
+    }
     this->Stagnation.Add(this->Speed * end * h);
     if (end * h * this->Exit.GetFastest() > vtkCellExit<Walker>::Tolerance)
     {
@@ -580,6 +630,7 @@ private:
   vtkStepController Controller;
   vtkStiffnessTest Stiffness;
   vtkStagnationTest Stagnation;
+  vtkRecurrenceTest Recurrence;
   vtkDormandPrinceStep DormandPrince;
   vtkRungeKutta4Step RungeKutta4;
   vtkRosenbrockStep Rosenbrock;

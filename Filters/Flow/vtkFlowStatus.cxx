@@ -19,6 +19,8 @@ const char* vtkFlowStatus::GetName(int status)
       return "outside";
     case NOT_FINITE:
       return "not finite";
+    case CLOSED_ORBIT:
+      return "closed orbit";
     default:
       return nullptr;
   }

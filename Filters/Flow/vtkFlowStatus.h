@@ -31,7 +31,9 @@ public:
     OUTSIDE = 5,
     /// The field is not finite at the sample or where it came.
     NOT_FINITE = 6,
-    NUMBER_OF_VALUES = 7
+    /// It goes round and round, and would until its steps are used up.
+    CLOSED_ORBIT = 7,
+    NUMBER_OF_VALUES = 8
   };
 
   /// In small letters, "reached surface"; null for a number that is none.

@@ -216,11 +216,13 @@ public:
 
   ///@{
   /**
-   * After how much time, and how many steps, rejected ones too, a streamline ends; closed orbits
-   * take all of them. Default 0 and 0: no limit of time, and automatic, 2000 steps or 20 times the
-   * cube root of the number of the field's cells, whichever is more. That is too few only where
-   * the field is stiff, for an explicit method, or for errors of a billionth of the speed. Valid: 0
-   * and above; 0 to 1000000000.
+   * After how much time, and how many steps, rejected ones too, a streamline ends. Closed orbits
+   * are found before (vtkFlowStatus::CLOSED_ORBIT), once they cannot come to a surface with the
+   * steps that are left, but not those within one cell of the field, nor those that the time ends
+   * first. Default 0 and 0: no limit of time, and automatic, 2000 steps or 20 times the cube root
+   * of the number of the field's cells, whichever is more. That is too few only where the field is
+   * stiff, for an explicit method, or for errors of a billionth of the speed. Valid: 0 and above; 0
+   * to 1000000000.
    */
   vtkSetClampMacro(MaximumTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumTime, double);

@@ -162,6 +162,17 @@ public:
     found.Shape->EvaluateParameters(x, result.Parameters);
   }
 
+  /// From any surface; infinite without one.
+  double GetLeastDistance(const double x[3])
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < this->Surfaces.size(); ++i)
+    {
+      least = std::min(least, std::abs(this->Evaluate(i, x)));
+    }
+    return least;
+  }
+
   bool IsEmpty() const { return this->States.empty(); }
   int GetNumberOfEvaluations() const { return this->Evaluations; }
 
