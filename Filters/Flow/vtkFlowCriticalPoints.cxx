@@ -5,6 +5,7 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFlowAbort.h"
 #include "vtkFlowVectors.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -126,7 +127,7 @@ int vtkFlowCriticalPoints::RequestData(
   vtkZeroSearch search;
   if (!search.Execute(this, input, vectors, VectorSystem()))
   {
-    return 1;
+    return vtkFlowAbort::Leave(outputs);
   }
   this->NumberOfZeroCells = search.GetCounts().ZeroCells;
   this->NumberOfDegenerateCells = search.GetCounts().DegenerateCells;

@@ -110,6 +110,14 @@ void vtkFlowField::SetBlanking(vtkDataSet* data, const CellPoints& cells)
 }
 
 //------------------------------------------------------------------------------
+void vtkFlowField::ExcludeFlat(vtkIdType cell)
+{
+  this->Excluded.resize(static_cast<std::size_t>(this->NumberOfCells), 0);
+  this->Excluded[static_cast<std::size_t>(cell)] = 1;
+  ++this->NumberOfFlatCells;
+}
+
+//------------------------------------------------------------------------------
 void vtkFlowField::Measure(const CellPoints& cells, bool hasOtherPoints)
 {
   // Points that do not count may have any vectors.

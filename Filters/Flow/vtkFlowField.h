@@ -65,6 +65,8 @@ public:
     return largest;
   }
   vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
+  /// Cells of fewer than three dimensions, which are not part of the field.
+  vtkIdType GetNumberOfFlatCells() const { return this->NumberOfFlatCells; }
 
 protected:
   vtkFlowField() = default;
@@ -78,11 +80,17 @@ protected:
     vtkDataSet* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
   /// Finds the excluded cells.
   void SetBlanking(vtkDataSet* data, const CellPoints& cells);
+  /// Leaves out a cell of fewer dimensions.
+  void ExcludeFlat(vtkIdType cell);
   /// Finds speed and not finite vectors. \a hasOtherPoints: whether there are points that no cell
   /// of the field has.
   void Measure(const CellPoints& cells, bool hasOtherPoints);
 
-  static std::string GetErrorWithoutCells() { return "the field has no three-dimensional cells"; }
+  static std::string GetErrorWithoutCells()
+  {
+    return "the field has no three-dimensional cells. Flow in a plane needs two layers of points: "
+           "append an image to itself along the third axis, extrude other grids";
+  }
 
 private:
   vtkFlowField(const vtkFlowField&) = delete;
@@ -94,6 +102,7 @@ private:
   std::vector<unsigned char> Excluded;
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   vtkIdType NumberOfCells = 0;
+  vtkIdType NumberOfFlatCells = 0;
   double MaximumSpeed = 0.0;
   double SpeedScale = 0.0;
   vtkIdType NumberOfFillValues = 0;

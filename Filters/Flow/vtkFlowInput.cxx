@@ -1,11 +1,29 @@
 #include "vtkFlowInput.h"
 
 #include "vtkFlowMerge.h"
+#include "vtkMultilinearCell.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace
+{
+bool HasVolume(vtkDataSet* data)
+{
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    if (!vtkMultilinearCell::IsFlat(data->GetCellType(cell)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkFlowInput::vtkFlowInput(vtkDataObject* input)
@@ -21,6 +39,13 @@ vtkFlowInput::vtkFlowInput(vtkDataObject* input)
       {
         this->Blocks.push_back({ leaf, leaves->GetCurrentFlatIndex() });
       }
+    }
+    // Patches of a boundary, beside the blocks that they are of.
+    const auto firstFlat = std::stable_partition(this->Blocks.begin(), this->Blocks.end(),
+      [](const Block& block) { return HasVolume(block.Data); });
+    if (firstFlat != this->Blocks.begin())
+    {
+      this->Blocks.erase(firstFlat, this->Blocks.end());
     }
   }
 }

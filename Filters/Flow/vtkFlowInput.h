@@ -13,7 +13,8 @@ class vtkDataSet;
  * @brief   the field that a dataset, or a composite dataset, is
  *
  * A dataset is the field itself, and so is the only block of a composite one; several blocks are
- * one grid by vtkFlowMerge. A block is a leaf with cells.
+ * one grid by vtkFlowMerge. A block is a leaf with cells; leaves without cells of three dimensions
+ * are none where others have some.
  */
 class vtkFlowInput
 {

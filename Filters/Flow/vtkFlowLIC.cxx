@@ -3,6 +3,7 @@
 #include "vtkArcWalk.h"
 #include "vtkConvolutionKernel.h"
 #include "vtkFlowBatches.h"
+#include "vtkFlowAbort.h"
 #include "vtkFlowDispatch.h"
 #include "vtkFlowPiece.h"
 #include "vtkFlowVectors.h"
@@ -139,7 +140,7 @@ int vtkFlowLIC::RequestData(
   if (!wrong.empty() || this->GetAbortExecute())
   {
     output->Initialize();
-    return 1;
+    return this->GetAbortExecute() ? vtkFlowAbort::Leave(outputs) : 1;
   }
   // SetScalars would remove the scalars that were active before.
   output->GetPointData()->AddArray(values);

@@ -4,6 +4,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -144,6 +145,36 @@ bool HasFloats(vtkDataSet* data)
   return points && points->GetPoints() && points->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
+/// Makes arrays that all parts have, but of different types of numbers, doubles.
+void UniteTypes(std::vector<vtkSmartPointer<vtkDataSet>>& parts, int attributes)
+{
+  vtkDataSetAttributes* first = parts[0]->GetAttributes(attributes);
+  for (int i = 0; i < first->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = first->GetArray(i);
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    const auto find = [&](vtkDataSet* part)
+    {
+      vtkDataArray* own =
+        name.empty() ? nullptr : part->GetAttributes(attributes)->GetArray(name.c_str());
+      return own && own->GetNumberOfComponents() == array->GetNumberOfComponents() ? own : nullptr;
+    };
+    const bool isCommon = std::all_of(parts.begin(), parts.end(), find);
+    if (!isCommon || name == vtkDataSetAttributes::GhostArrayName() ||
+      std::all_of(parts.begin(), parts.end(),
+        [&](vtkDataSet* part) { return find(part)->GetDataType() == array->GetDataType(); }))
+    {
+      continue;
+    }
+    for (vtkDataSet* part : parts)
+    {
+      vtkNew<vtkDoubleArray> doubles;
+      doubles->DeepCopy(find(part));
+      part->GetAttributes(attributes)->AddArray(doubles);
+    }
+  }
+}
+
 /// The tuples of \a ids, of each part, one after another.
 void CopyArrays(const std::vector<Part>& parts, int attributes, std::vector<vtkIdType> Part::*ids,
   vtkIdType number, vtkDataSetAttributes* to)
@@ -171,9 +202,17 @@ void CopyArrays(const std::vector<Part>& parts, int attributes, std::vector<vtkI
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> vtkFlowMerge::Merge(const std::vector<vtkDataSet*>& datasets)
 {
+  std::vector<vtkSmartPointer<vtkDataSet>> united;
+  for (vtkDataSet* data : datasets)
+  {
+    united.push_back(vtk::TakeSmartPointer(data->NewInstance()));
+    united.back()->ShallowCopy(data);
+  }
+  UniteTypes(united, vtkDataObject::POINT);
+  UniteTypes(united, vtkDataObject::CELL);
   std::vector<Part> parts;
   vtkIdType cells = 0;
-  for (vtkDataSet* data : datasets)
+  for (vtkDataSet* data : united)
   {
     parts.push_back(MakePart(data));
     cells += static_cast<vtkIdType>(parts.back().Cells.size());

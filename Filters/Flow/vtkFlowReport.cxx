@@ -25,6 +25,7 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
   os << indent << "JacobianEvaluations: " << this->JacobianEvaluations << "\n";
   os << indent << "DistanceEvaluations: " << this->DistanceEvaluations << "\n";
   os << indent << "CellsVisited: " << this->CellsVisited << "\n";
+  os << indent << "CellsOfFewerDimensions: " << this->CellsOfFewerDimensions << "\n";
   for (std::size_t level = 0; level < this->RefinedCells.size(); ++level)
   {
     os << indent << "Refinement level " << level + 1 << ": " << this->RefinedCells[level]

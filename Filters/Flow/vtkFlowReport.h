@@ -47,6 +47,8 @@ public:
   vtkIdType DistanceEvaluations = 0;
   /// Cells that streamlines entered.
   vtkIdType CellsVisited = 0;
+  /// Cells of the field that are not part of it, having fewer than three dimensions.
+  vtkIdType CellsOfFewerDimensions = 0;
   /// By level of refinement: the cells that were mixed, and the samples that were added.
   std::vector<vtkIdType> RefinedCells;
   std::vector<vtkIdType> AddedSamples;

@@ -247,6 +247,7 @@ void vtkFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
   }
   this->Refined = goesOn ? grid : nullptr;
 }
+  this->Report.CellsOfFewerDimensions = walker.GetField().GetNumberOfFlatCells();
 
 //------------------------------------------------------------------------------
 template <typename FieldType>

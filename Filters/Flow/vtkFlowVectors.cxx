@@ -2,6 +2,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkBlanking.h"
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -15,6 +16,13 @@
 
 namespace
 {
+std::string DescribeCellArray(vtkDataArray* array)
+{
+  return "Array \"" + std::string(array->GetName() ? array->GetName() : "(unnamed)") +
+    "\" is not a point array: it is in the cells; vectors are needed at the points. Apply "
+    "vtkCellDataToPointData (Cell Data to Point Data) first.";
+}
+
 // The point arrays that could be taken.
 std::string DescribeVectors(vtkDataSet* data)
 {
@@ -57,6 +65,12 @@ std::string vtkFlowVectors::CheckVectors(
   {
     const char* name =
       asked->Has(vtkDataObject::FIELD_NAME()) ? asked->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+    vtkDataArray* inCells =
+      name ? data->GetCellData()->GetArray(name) : data->GetCellData()->GetVectors();
+    if (inCells)
+    {
+      return DescribeCellArray(inCells);
+    }
     what << "The field has no "
          << (name ? "array of numbers \"" + std::string(name) + "\""
                   : std::string("active point vectors"))
@@ -65,7 +79,11 @@ std::string vtkFlowVectors::CheckVectors(
   else
   {
     const std::string name = vectors->GetName() ? vectors->GetName() : "(unnamed)";
-    if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+    if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+    {
+      what << DescribeCellArray(vectors);
+    }
+    else if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
     {
       what << "Array \"" << name << "\" is not a point array; vectors are needed at the points.";
     }
@@ -83,13 +101,10 @@ std::string vtkFlowVectors::CheckVectors(
   return what.str();
 }
 
-std::string vtkFlowVectors::CompareArrays(vtkDataArray* first, vtkDataArray* other)
+std::string vtkFlowVectors::CompareNames(vtkDataArray* first, vtkDataArray* other)
 {
   const auto describe = [](vtkDataArray* array)
-  {
-    return "\"" + std::string(array->GetName() ? array->GetName() : "") + "\" of " +
-      array->GetDataTypeAsString();
-  };
+  { return "\"" + std::string(array->GetName() ? array->GetName() : "") + "\""; };
   return describe(first) == describe(other)
     ? std::string()
     : "The vectors are " + describe(other) + ", in the first block " + describe(first) + ".";
@@ -99,12 +114,14 @@ std::string vtkFlowVectors::CheckCells(vtkDataSet* data)
 {
   vtkBlanking blanking;
   blanking.SetBlanking(data);
+  bool isFlat = data->GetNumberOfCells() > 0;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     // Datasets give hidden cells the empty type.
     const int type = data->GetCellType(cell);
-    if (vtkMultilinearCell::GetShape(type) == vtkMultilinearCell::NONE && type != VTK_EMPTY_CELL &&
-      !blanking.IsCellBlanked(cell))
+    const bool isKnown = vtkMultilinearCell::GetShape(type) != vtkMultilinearCell::NONE;
+    isFlat = isFlat && !isKnown && type != VTK_EMPTY_CELL;
+    if (!isKnown && !blanking.IsCellBlanked(cell) && !vtkMultilinearCell::IsFlat(type))
     {
       std::ostringstream what;
       what << "Cell " << cell << " is a " << vtkGridCells::GetClassName(type)
@@ -112,5 +129,7 @@ std::string vtkFlowVectors::CheckCells(vtkDataSet* data)
       return what.str();
     }
   }
-  return std::string();
+  return isFlat ? "The field has no three-dimensional cells. Flow in a plane needs two layers of "
+                  "points: append an image to itself along the third axis, extrude other grids."
+                : std::string();
 }

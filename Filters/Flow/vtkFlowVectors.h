@@ -29,8 +29,8 @@ public:
   static std::string CheckVectors(
     vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked);
 
-  /// Why two arrays of blocks cannot be one: their names, or their types; nothing if they can.
-  static std::string CompareArrays(vtkDataArray* first, vtkDataArray* other);
+  /// Why two arrays of blocks cannot be one: their names; nothing if they can.
+  static std::string CompareNames(vtkDataArray* first, vtkDataArray* other);
 
 private:
   static std::string CheckCells(vtkDataSet* data);

@@ -8,6 +8,7 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkFlowArrays.h"
+#include "vtkFlowAbort.h"
 #include "vtkFlowExtraction.h"
 #include "vtkFlowLevels.h"
 #include "vtkFlowNormals.h"
@@ -379,7 +380,7 @@ int vtkFlowVolume::RequestData(
   request.Owner = this;
   if (!this->Extraction->Execute(request, this->LastReport))
   {
-    return 1;
+    return vtkFlowAbort::Leave(outputs);
   }
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputs, 0);
   this->FillMesh(byInflow, byTime, mesh);

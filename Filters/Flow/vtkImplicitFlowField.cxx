@@ -1,5 +1,6 @@
 #include "vtkImplicitFlowField.h"
 
+#include "vtkFlowAbort.h"
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowInput.h"
 #include "vtkFlowPiece.h"
@@ -375,7 +376,7 @@ int vtkImplicitFlowField::RequestData(
   if (!error.empty() || this->GetAbortExecute())
   {
     output->Initialize();
-    return 1;
+    return this->GetAbortExecute() ? vtkFlowAbort::Leave(outputs) : 1;
   }
   this->Report = report;
   this->Report.Executions = executions + 1;
@@ -441,7 +442,7 @@ std::string vtkImplicitFlowField::CheckBlocks(const vtkFlowInput& input)
     first = first ? first : vectors;
     if (wrong.empty())
     {
-      wrong = vtkFlowVectors::CompareArrays(first, vectors);
+      wrong = vtkFlowVectors::CompareNames(first, vectors);
     }
     if (!wrong.empty())
     {

@@ -29,15 +29,18 @@ struct vtkAdvectionOptions;
  * vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges and pyramids; vectors in the points
  * (SetInputArrayToProcess(0,
  * ...), by default the active vectors), three components, any numbers. Between points they are
- * interpolated as in VTK's cells. Ghost, hidden and blanked cells are not part of the field, but
- * for duplicates of pieces. Input port 1, optional: the samples of SAMPLES_OF_INPUT.
+ * interpolated as in VTK's cells. Cells of fewer dimensions are not part of the field and are
+ * counted; where there are no others, as in a plane, the error says how to make some. Ghost, hidden
+ * and blanked cells are not part of the field, but for duplicates of pieces. Input port 1,
+ * optional: the samples of SAMPLES_OF_INPUT.
  *
  * **Blocks.** Port 0 takes composite datasets too, as vtkMultiBlockDataSet, of any of these: one
  * field, streamlines going from block to block where faces have the same corners. Blocks are merged
  * for that to one vtkUnstructuredGrid, without hidden and duplicate cells; points in the same
  * place, to the last bit, become one, with the values of the first block. Every block needs the
- * vectors, by one name and type; other arrays are kept where all have them. SAMPLES_OF_FIELD gives
- * that grid. Where faces do not fit, as between levels of AMR, the field ends.
+ * vectors, by one name; other arrays are kept where all have them. Numbers of different types
+ * become doubles. SAMPLES_OF_FIELD gives that grid. Where faces do not fit, as between levels of
+ * AMR, the field ends.
  *
  * **Seams.** Faces of two cells that have the same corners within a thousandth of the cell's width
  * there, and what rounding of the coordinates may be, are one face: between blocks, and where a

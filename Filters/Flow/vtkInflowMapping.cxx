@@ -4,6 +4,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFlowArrays.h"
+#include "vtkFlowAbort.h"
 #include "vtkFlowBatches.h"
 #include "vtkFlowPiece.h"
 #include "vtkFlowStatus.h"
@@ -314,7 +315,7 @@ int vtkInflowMapping::RequestData(
   };
   if (!vtkFlowBatches::Run(number, this, 0.0, 1.0, map))
   {
-    return 1;
+    return vtkFlowAbort::Leave(outputs);
   }
   vtkNew<vtkIntArray> periodic;
   periodic->SetName(vtkFlowStatus::InflowPeriodicArray());

@@ -3,8 +3,10 @@
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,6 +114,16 @@ int vtkMultilinearCell::GetEdges(Shapes shape, const int (*&edges)[2])
       edges = BoxEdges;
       return 12;
   }
+}
+
+bool vtkMultilinearCell::IsFlat(int cellType)
+{
+  if (cellType == VTK_EMPTY_CELL)
+  {
+    return true;
+  }
+  const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(cellType));
+  return cell && cell->GetCellDimension() < 3;
 }
 
 void vtkMultilinearCell::Interpolate(const Values& values, const double p[3], double value[3])

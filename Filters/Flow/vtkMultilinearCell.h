@@ -33,6 +33,8 @@ public:
 
   /// NONE for other types.
   static Shapes GetShape(int cellType);
+  /// Whether cells of the type have no volume, as triangles, or are none.
+  static bool IsFlat(int cellType);
 
   /// Values at p, and their derivatives, d value[i] / d p[j] at [3 i + j].
   static void Interpolate(const Values& values, const double p[3], double value[3]);

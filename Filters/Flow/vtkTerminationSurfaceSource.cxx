@@ -3,6 +3,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFlowAbort.h"
 #include "vtkFlowStatus.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
@@ -83,7 +84,7 @@ int vtkTerminationSurfaceSource::RequestData(
     };
     if (!grid.Execute(isAborted))
     {
-      return 1;
+      return vtkFlowAbort::Leave(outputs);
     }
     const vtkIdType offset = points->GetNumberOfPoints();
     for (const vtkTerminationGrid::Point& point : grid.Points)

@@ -3,11 +3,13 @@
 #include "vtkCellArray.h"
 #include "vtkCellPositions.h"
 #include "vtkCellType.h"
+#include "vtkMultilinearCell.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 
 //------------------------------------------------------------------------------
 std::string vtkUnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
@@ -41,7 +43,9 @@ std::string vtkUnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataAr
     return static_cast<int>(number);
   };
   this->SetBlanking(grid, getPoints);
-  error = this->FindCellError();
+  this->ExcludeFlatCells();
+  error = this->GetNumberOfFlatCells() == this->GetNumberOfCells() ? GetErrorWithoutCells()
+                                                                   : this->FindCellError();
   if (!error.empty() || !progress.Reach(0.1))
   {
     return error;
@@ -64,6 +68,24 @@ std::string vtkUnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataAr
     }
   }
   return error;
+}
+
+//------------------------------------------------------------------------------
+void vtkUnstructuredFlowField::ExcludeFlatCells()
+{
+  std::array<bool, 256> isFlat{};
+  for (int type = 0; type < 256; ++type)
+  {
+    isFlat[static_cast<std::size_t>(type)] =
+      GetCorners(type).Number == 0 && vtkMultilinearCell::IsFlat(type);
+  }
+  for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    if (isFlat[this->Types[cell]] && this->IsCellIncluded(cell))
+    {
+      this->ExcludeFlat(cell);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

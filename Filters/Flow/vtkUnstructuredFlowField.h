@@ -19,6 +19,8 @@ class vtkUnstructuredGrid;
  * quadrilateral and two triangles, is where the field ends. Memory: a number for each face, beside
  * the grid.
  *
+ * Cells of fewer dimensions are not part of the field.
+ *
  * Errors of Build: those of the arrays; a grid without cells; a cell of another type, or with
  * another number of points; a point of a cell that is not finite.
  */
@@ -161,6 +163,7 @@ private:
     }
   }
 
+  void ExcludeFlatCells();
   void FindOnlyType();
   std::string FindCellError() const;
   int GetCellPoints(vtkIdType cell, vtkIdType* points) const;

@@ -6,6 +6,7 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFlowAbort.h"
 #include "vtkFlowVectors.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -228,7 +229,7 @@ int vtkVortexAxis::RequestData(
   vtkZeroSearch search;
   if (!search.Execute(this, input, vectors, flow))
   {
-    return 1;
+    return vtkFlowAbort::Leave(outputs);
   }
   const Tracker tracker(flow, search.GetZeros(), this->MinimumSwirlStrength, this->SearchRadius);
   if (const Vortex* start =

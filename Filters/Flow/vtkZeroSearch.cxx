@@ -57,7 +57,8 @@ public:
     vtkIdList* ids = this->Ids.Local();
     for (vtkIdType cell = first; cell < last; ++cell)
     {
-      if (this->Blanking.IsCellBlanked(cell) || this->Data->GetCellType(cell) == VTK_EMPTY_CELL)
+      if (this->Blanking.IsCellBlanked(cell) ||
+        vtkMultilinearCell::GetShape(this->Data->GetCellType(cell)) == vtkMultilinearCell::NONE)
       {
         continue;
       }

@@ -216,8 +216,8 @@ public:
 
   ///@{
   /**
-   * A, B, C of ABC, and its period in units of length. Default (sqrt 3, sqrt 2, 1), 2. Valid
-   * period: 1e-12 to 1e12.
+   * A, B, C of ABC, and its period in units of length. Default (1, 1, 1), 2. Valid period: 1e-12
+   * to 1e12.
    */
   void SetAmplitudes(double a, double b, double c) { this->SetVector(this->Amplitudes, a, b, c); }
   vtkGetVector3Macro(Amplitudes, double);

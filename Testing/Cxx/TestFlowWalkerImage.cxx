@@ -316,7 +316,9 @@ void CheckErrors(Check& check)
   for (int axis = 0; axis < 3; ++axis)
   {
     auto plane = MakeBox(axis == 0 ? 0 : 3, axis == 1 ? 0 : 3, axis == 2 ? 0 : 3);
-    expect(plane, AddRandomVectors(plane, 1), {}, "the field has no three-dimensional cells");
+    expect(plane, AddRandomVectors(plane, 1), {},
+      "the field has no three-dimensional cells. Flow in a plane needs two layers of points: "
+      "append an image to itself along the third axis, extrude other grids");
   }
   auto image = MakeBox(2, 2, 2);
   auto vectors = AddRandomVectors(image, 1);

@@ -319,10 +319,7 @@ void CheckErrors(Check& check)
   auto mesh = MakeFlowMesh(MeshKind::Tetrahedra5, { { 2, 2, 2 } });
   const vtkIdType triangle[3] = { 0, 1, 2 };
   mesh->InsertNextCell(VTK_TRIANGLE, 3, triangle);
-  check.That(find(mesh) ==
-      "cell 40 is a vtkTriangle (type 5); a field has tetrahedra, voxels, hexahedra, wedges and "
-      "pyramids",
-    find(mesh));
+  check.That(find(mesh).empty(), "cells of fewer dimensions are left out: " + find(mesh));
   auto short4 = MakeFlowMesh(MeshKind::Hexahedra, { { 1, 1, 1 } });
   short4->InsertNextCell(VTK_HEXAHEDRON, 3, triangle);
   check.That(find(short4) == "cell 1 is a vtkHexahedron (type 12) of 3 points", find(short4));
@@ -330,7 +327,7 @@ void CheckErrors(Check& check)
   broken->GetPoints()->SetPoint(26, 0.0, 0.0, std::nan(""));
   check.That(find(broken) == "point 26 is not finite", find(broken));
   vtkNew<vtkUnstructuredGrid> empty;
-  check.That(find(empty) == "the field has no three-dimensional cells", find(empty));
+  check.That(find(empty).find("the field has no three-dimensional cells. ") == 0, find(empty));
 }
 
 // Where lines through a mesh go, with a field built by threads.

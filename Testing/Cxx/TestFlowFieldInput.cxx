@@ -1,0 +1,238 @@
+// What fields of flow filters may be: grids with triangles on their boundary, blocks of floats and
+// of doubles, blocks beside patches; what is said of planar fields and of arrays in the cells; and
+// that an aborted filter executes again.
+#include "ReferenceCheck.h"
+#include "ReferenceFlowGrid.h"
+#include "ReferenceMessages.h"
+#include "ReferenceProgress.h"
+
+#include "vtkFlowCriticalPoints.h"
+#include "vtkFlowLIC.h"
+#include "vtkFlowVolume.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkInflowMapping.h"
+#include "vtkTerminationPlane.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <functional>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+Vector Shear(const Vector& x)
+{
+  return { { 1.0, 0.25 * x[2], 0.125 } };
+}
+
+vtkSmartPointer<vtkImplicitFlowField> NewFilter(vtkDataObject* input)
+{
+  auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();
+  filter->SetInputDataObject(input);
+  filter->AddTerminationSurface(MakeFlowPlane(0.0));
+  return filter;
+}
+
+void Expect(vtkAlgorithm* filter, const std::string& part, Check& check)
+{
+  const std::string found = MessagesOf(filter);
+  check.That(found.find(part) != std::string::npos, "\"" + part + "\" in \"" + found + "\"");
+}
+
+vtkSmartPointer<vtkImageData> MakeBlock(int start, int type)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(3, 5, 5);
+  image->SetOrigin(start, 0.0, 0.0);
+  AddVectors(image, Shear, type);
+  return image;
+}
+
+double GetTimes(vtkImplicitFlowField* filter)
+{
+  vtkDataArray* times = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))
+                          ->GetPointData()
+                          ->GetArray("AdvectionTime");
+  double sum = 0.0;
+  for (vtkIdType id = 0; times && id < times->GetNumberOfTuples(); ++id)
+  {
+    sum += times->GetComponent(id, 0);
+  }
+  return sum;
+}
+
+void TestBoundary(Check& check)
+{
+  check.SetContext("boundary triangles");
+  const auto grid = MakeFlowMesh(MeshKind::Tetrahedra6, { { 4, 4, 4 } });
+  AddVectors(grid, Shear);
+  auto whole = NewFilter(grid);
+  check.That(MessagesOf(whole).empty(), "tetrahedra alone");
+  vtkNew<vtkUnstructuredGrid> both;
+  both->DeepCopy(grid);
+  vtkNew<vtkIdList> corners;
+  const vtkIdType tetrahedra = grid->GetNumberOfCells();
+  for (vtkIdType cell = 0; cell < tetrahedra; ++cell)
+  {
+    grid->GetCellPoints(cell, corners);
+    corners->SetNumberOfIds(3);
+    both->InsertNextCell(VTK_TRIANGLE, corners);
+  }
+  auto filter = NewFilter(both);
+  check.That(MessagesOf(filter).empty(), "no error");
+  check.Equal(filter->GetReport().CellsOfFewerDimensions, tetrahedra, "counted");
+  check.Equal(whole->GetReport().CellsOfFewerDimensions, 0, "none without");
+  check.Near(GetTimes(filter), GetTimes(whole), 1e-12, "the same answers");
+  vtkNew<vtkFlowVolume> volume;
+  volume->SetInputConnection(filter->GetOutputPort());
+  check.That(MessagesOf(volume).empty(), "a volume of it");
+  check.That(volume->GetOutput()->GetNumberOfCells() > 0, "with tetrahedra");
+  vtkNew<vtkFlowCriticalPoints> points;
+  points->SetInputData(both);
+  const std::string none = WarningsOf(points);
+  check.That(none.find("no isolated critical point") != std::string::npos, "critical points too");
+  // As a block of its own, with or without vectors.
+  vtkNew<vtkPolyData> patch;
+  patch->SetPoints(grid->GetPoints());
+  patch->AllocateEstimate(1, 3);
+  patch->InsertNextCell(VTK_TRIANGLE, 3, corners->GetPointer(0));
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, patch);
+  blocks->SetBlock(1, grid);
+  auto composite = NewFilter(blocks);
+  const std::string wrong = MessagesOf(composite);
+  check.That(wrong.empty(), "a patch is no block of the field: " + wrong);
+  check.Near(GetTimes(composite), GetTimes(whole), 1e-12, "the same answers of the block");
+}
+
+void TestTypes(Check& check)
+{
+  check.SetContext("types of blocks");
+  double known = 0.0;
+  for (const int type : { VTK_DOUBLE, VTK_FLOAT })
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, MakeBlock(0, VTK_DOUBLE));
+    blocks->SetBlock(1, MakeBlock(2, type));
+    auto filter = NewFilter(blocks);
+    filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
+    check.That(MessagesOf(filter).empty(), "no error");
+    auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    check.Equal(output->GetNumberOfPoints(), 125, "samples of both");
+    check.Equal(output->GetPointData()->GetVectors()->GetDataType(), VTK_DOUBLE, "vectors");
+    check.That(type == VTK_DOUBLE || std::abs(GetTimes(filter) - known) < 1e-6, "the same");
+    known = GetTimes(filter);
+    check.That(known > 100.0, "times");
+  }
+}
+
+void TestPlane(Check& check)
+{
+  check.SetContext("plane");
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 5, 1);
+  AddVectors(image, Shear);
+  vtkNew<vtkUnstructuredGrid> quads;
+  vtkNew<vtkPoints> points;
+  for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
+  {
+    points->InsertNextPoint(image->GetPoint(id));
+  }
+  quads->SetPoints(points);
+  const vtkIdType corners[4] = { 0, 1, 6, 5 };
+  quads->InsertNextCell(VTK_QUAD, 4, corners);
+  AddVectors(quads, Shear);
+  for (vtkDataSet* data : std::initializer_list<vtkDataSet*>{ image, quads })
+  {
+    Expect(NewFilter(data), "Flow in a plane needs two layers of points", check);
+    vtkNew<vtkFlowCriticalPoints> critical;
+    critical->SetInputData(data);
+    Expect(critical, "Flow in a plane needs two layers of points", check);
+  }
+}
+
+void TestCellArray(Check& check)
+{
+  check.SetContext("array in the cells");
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 5, 5);
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("Wind");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(image->GetNumberOfCells());
+  vectors->Fill(1.0);
+  image->GetCellData()->SetVectors(vectors);
+  const std::string part = "\"Wind\" is not a point array: it is in the cells";
+  Expect(NewFilter(image), part, check);
+  auto named = NewFilter(image);
+  named->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wind");
+  Expect(named, part, check);
+  named->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Wind");
+  Expect(named, part, check);
+}
+
+void TestAbort(Check& check)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(9, 9, 9);
+  AddVectors(image, Shear);
+  auto field = NewFilter(image);
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetInputConnection(field->GetOutputPort());
+  vtkNew<vtkFlowVolume> volume;
+  volume->SetInputConnection(mapping->GetOutputPort());
+  volume->SetInterval(0, 0.2, 0.7);
+  volume->SetTimeRange(0.5, 2.5);
+  vtkNew<vtkFlowLIC> lic;
+  lic->SetInputData(image);
+  vtkAlgorithm* const filters[] = { field, mapping, volume, lic };
+  for (vtkAlgorithm* filter : filters)
+  {
+    check.SetContext(std::string("abort of ") + filter->GetClassName());
+    const auto count = [filter]()
+    {
+      auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+      return output->GetNumberOfPoints();
+    };
+    filter->Update();
+    const vtkIdType whole = count();
+    check.That(whole > 0, "there is output");
+    ProgressWatch watch;
+    Observe(filter, watch);
+    watch.AbortAt = 0.0;
+    filter->Modified();
+    filter->Update();
+    check.Equal(count(), 0, "nothing after an abort");
+    watch.AbortAt = 2.0;
+    filter->SetAbortExecute(0);
+    filter->Update();
+    check.Equal(count(), whole, "all once it is taken back");
+    filter->RemoveAllObservers();
+  }
+}
+
+}
+
+int TestFlowFieldInput(int, char*[])
+{
+  Check check;
+  TestBoundary(check);
+  TestTypes(check);
+  TestPlane(check);
+  TestCellArray(check);
+  TestAbort(check);
+  return check.Result();
+}
