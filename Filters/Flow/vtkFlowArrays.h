@@ -29,6 +29,7 @@ public:
   std::string Find(vtkDataSet* data);
 
   bool IsReached(vtkIdType point) const { return this->Statuses->GetValue(point) == 0; }
+  int GetStatus(vtkIdType point) const { return this->Statuses->GetValue(point); }
   int GetId(vtkIdType point) const { return this->Ids->GetValue(point); }
   /// Whether two samples ended in the same way, on the same surface if on one.
   bool AreAlike(vtkIdType a, vtkIdType b) const
@@ -40,6 +41,8 @@ public:
   {
     return this->Parameters->GetPointer(2 * point);
   }
+
+  double GetTime(vtkIdType point) const { return this->Times->GetValue(point); }
 
   /// Whether there is what the following two ask for: TerminationSide and AdvectionTime.
   bool HasSides() const { return this->Sides && this->Times; }

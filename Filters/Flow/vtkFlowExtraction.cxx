@@ -10,6 +10,7 @@
 #include "vtkIntArray.h"
 #include "vtkIntervalVolume.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -63,11 +64,12 @@ vtkSmartPointer<vtkIntArray> Rename(
   return renamed;
 }
 
-void RemoveOrigins(vtkUnstructuredGrid* mesh)
+// That of the points of the input's extraction, where they are of an unstructured grid instead.
+int GetPrecision(const vtkFlowExtraction::Request& request)
 {
-  mesh->GetPointData()->RemoveArray("OriginPoints");
-  mesh->GetPointData()->RemoveArray("OriginWeight");
-  mesh->GetCellData()->RemoveArray("OriginCell");
+  const bool hasOwnPoints = vtkPointSet::SafeDownCast(request.Input) ||
+    request.Precision != vtkAlgorithm::DEFAULT_PRECISION;
+  return hasOwnPoints ? request.Precision : static_cast<int>(vtkAlgorithm::SINGLE_PRECISION);
 }
 }
 
@@ -126,6 +128,7 @@ bool vtkFlowExtraction::Prepare(const Request& request, vtkFlowVolume::Report& r
         });
       this->Prepared->GetCellData()->AddArray(ghosts);
     }
+    this->NumberOfCutCells = this->Cuts.Prepare(input, *request.Arrays, this->Cells, limits);
     this->PreparedInput = input;
     this->PreparedTime = input->GetMTime();
     this->PreparedTimeJump = request.MaximumTimeJump;
@@ -137,6 +140,7 @@ bool vtkFlowExtraction::Prepare(const Request& request, vtkFlowVolume::Report& r
   report.CellsOnSeams = this->Cells.Count(vtkFlowCells::ON_SEAM);
   report.CellsAcrossSurfaces = this->Cells.Count(vtkFlowCells::ACROSS_SURFACE);
   report.CellsWithTimeJumps = this->Cells.Count(vtkFlowCells::TIME_JUMP);
+  report.CellsCut = this->NumberOfCutCells;
   report.CellsAcrossSeams = this->Cells.Count(vtkFlowCells::ACROSS);
   report.CellsAroundPoles = this->Cells.Count(vtkFlowCells::AROUND_POLE);
   return true;
@@ -144,7 +148,7 @@ bool vtkFlowExtraction::Prepare(const Request& request, vtkFlowVolume::Report& r
 
 //------------------------------------------------------------------------------
 bool vtkFlowExtraction::Run(const Request& request, Result& result, vtkDataSet* input,
-  const vtkFlowLevels& levels, bool unwrap, double start, double end, int& passes)
+  const vtkFlowLevels& levels, bool isFirst, double start, double end, int& passes)
 {
   vtkIntervalVolume* filter = result.Filter;
   filter->SetInputDataObject(input);
@@ -173,8 +177,22 @@ bool vtkFlowExtraction::Run(const Request& request, Result& result, vtkDataSet* 
   result.Mesh->ShallowCopy(filter->GetOutput());
   result.Boundary = vtkSmartPointer<vtkUnstructuredGrid>::New();
   result.Boundary->ShallowCopy(filter->GetOutput(1));
-  result.PointsOnSeams =
-    unwrap ? vtkFlowSeams::Unwrap(this->Cells, *request.Arrays, result.Mesh, result.Boundary) : 0;
+  result.PointsOnSeams = isFirst && this->Cells.Count(vtkFlowCells::ACROSS) > 0
+    ? vtkFlowSeams::Unwrap(this->Cells, *request.Arrays, result.Mesh, result.Boundary)
+    : 0;
+  result.CutTriangles = vtkFlowTriangles();
+  if (isFirst && !this->Cuts.IsEmpty())
+  {
+    vtkFlowCuts::Request cut;
+    cut.Scalars =
+      &result == &this->ByInflow ? vtkFlowStatus::InflowArray() : vtkFlowStatus::TimeArray();
+    cut.Levels = &levels;
+    cut.Precision = GetPrecision(request);
+    cut.GenerateTriangles = filter->GetGenerateBoundaries();
+    result.Mesh = this->Cuts.Join(cut, result.Mesh);
+    result.CutTriangles = this->Cuts.GetTriangles();
+    result.PointsOnSeams += this->Cuts.GetPointsOnSeams();
+  }
   return true;
 }
 
@@ -183,6 +201,7 @@ void vtkFlowExtraction::TakeTriangles(
   Result& result, const vtkFlowLevels& levels, bool isFinal, vtkFlowTriangles& triangles)
 {
   triangles.Take(result.Boundary, levels);
+  triangles.Append(result.CutTriangles);
   // Only values equal to a bound leave loose ones, and cutting drops them anyway.
   if (isFinal && result.Filter->GetReport().CollapsedSimplices > 0)
   {
@@ -197,7 +216,7 @@ bool vtkFlowExtraction::Execute(const Request& request, vtkFlowVolume::Report& r
   {
     return false;
   }
-  const bool isAcross = report.CellsAcrossSeams > 0;
+  const bool hasOrigins = report.CellsAcrossSeams > 0 || report.CellsCut > 0;
   this->StreamTriangles = vtkFlowTriangles();
   this->TimeTriangles = vtkFlowTriangles();
   this->InflowItems = nullptr;
@@ -205,9 +224,9 @@ bool vtkFlowExtraction::Execute(const Request& request, vtkFlowVolume::Report& r
   if (request.Inflow)
   {
     this->ByInflow.Filter->SetGenerateBoundaries(request.GenerateStreamSurfaces);
-    this->ByInflow.Filter->SetKeepOrigins(isAcross);
-    if (!this->Run(request, this->ByInflow, this->Prepared, *request.Inflow, isAcross,
-          PreparationEnd, request.Time ? InflowEnd : TimeEnd, report.InflowPasses))
+    this->ByInflow.Filter->SetKeepOrigins(hasOrigins);
+    if (!this->Run(request, this->ByInflow, this->Prepared, *request.Inflow, true, PreparationEnd,
+          request.Time ? InflowEnd : TimeEnd, report.InflowPasses))
     {
       return false;
     }
@@ -215,7 +234,7 @@ bool vtkFlowExtraction::Execute(const Request& request, vtkFlowVolume::Report& r
     {
       this->Between = vtkSmartPointer<vtkUnstructuredGrid>::New();
       this->Between->ShallowCopy(this->ByInflow.Mesh);
-      RemoveOrigins(this->Between);
+      vtkFlowCuts::RemoveOrigins(this->Between);
       const auto items = Rename(this->Between, "IntervalId", ItemArray());
       this->Between->GetCellData()->RemoveArray("IntervalId");
       this->Between->GetCellData()->AddArray(items);
@@ -234,12 +253,12 @@ bool vtkFlowExtraction::Execute(const Request& request, vtkFlowVolume::Report& r
     return true;
   }
   const bool cutsTriangles = request.Inflow && request.GenerateStreamSurfaces;
-  const bool unwraps = isAcross && !request.Inflow;
+  const bool isFirst = !request.Inflow;
   this->ByTime.Filter->SetGenerateBoundaries(request.GenerateTimeSurfaces);
-  this->ByTime.Filter->SetKeepOrigins(cutsTriangles || unwraps);
+  this->ByTime.Filter->SetKeepOrigins(cutsTriangles || (isFirst && hasOrigins));
   vtkDataSet* const input =
     request.Inflow ? static_cast<vtkDataSet*>(this->Between) : this->Prepared.GetPointer();
-  if (!this->Run(request, this->ByTime, input, *request.Time, unwraps,
+  if (!this->Run(request, this->ByTime, input, *request.Time, isFirst,
         request.Inflow ? InflowEnd : PreparationEnd, TimeEnd, report.TimePasses))
   {
     return false;
@@ -256,7 +275,7 @@ bool vtkFlowExtraction::Execute(const Request& request, vtkFlowVolume::Report& r
   }
   this->Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
   this->Mesh->ShallowCopy(this->ByTime.Mesh);
-  RemoveOrigins(this->Mesh);
+  vtkFlowCuts::RemoveOrigins(this->Mesh);
   this->TimeItems = Rename(this->Mesh, "IntervalId", "TimeIntervalId");
   this->InflowItems = request.Inflow
     ? vtkIntArray::SafeDownCast(this->Mesh->GetCellData()->GetArray(ItemArray()))

@@ -2,6 +2,7 @@
 #define vtkFlowExtraction_h
 
 #include "vtkFlowCells.h"
+#include "vtkFlowCuts.h"
 #include "vtkFlowTriangles.h"
 #include "vtkFlowVolume.h"
 #include "vtkNew.h"
@@ -61,20 +62,23 @@ public:
   static const char* ItemArray() { return "InflowItem"; }
 
 private:
-  /// The outputs of one extraction, unwrapped where that is asked for.
+  /// The outputs of one extraction, unwrapped and with cells that are cut.
   struct Result
   {
     vtkNew<vtkIntervalVolume> Filter;
     vtkSmartPointer<vtkUnstructuredGrid> Mesh;
     vtkSmartPointer<vtkUnstructuredGrid> Boundary;
+    /// Of cells that are cut, by the points of Mesh.
+    vtkFlowTriangles CutTriangles;
     vtkMTimeType UpdateTime = 0;
     vtkIdType PointsOnSeams = 0;
   };
 
   bool Prepare(const Request& request, vtkFlowVolume::Report& report);
-  /// One extraction; the progress of the owner goes from \a start to \a end.
+  /// One extraction; the progress of the owner goes from \a start to \a end. \a isFirst: it is
+  /// that of the input's cells, with parameters to unwrap and cells to cut.
   bool Run(const Request& request, Result& result, vtkDataSet* input, const vtkFlowLevels& levels,
-    bool unwrap, double start, double end, int& passes);
+    bool isFirst, double start, double end, int& passes);
 
   /// The surfaces of one extraction; \a isFinal: they are not cut by another.
   static void TakeTriangles(
@@ -86,6 +90,8 @@ private:
   vtkMTimeType PreparedTime = 0;
   double PreparedTimeJump = VTK_DOUBLE_MAX;
   vtkFlowCells Cells;
+  vtkFlowCuts Cuts;
+  vtkIdType NumberOfCutCells = 0;
   Result ByInflow;
   Result ByTime;
   // What the second extraction starts from: the first one's tetrahedra, without its origins.

@@ -1,5 +1,6 @@
 #include "vtkFlowRefinement.h"
 
+#include "vtkBeyondSamples.h"
 #include "vtkBlanking.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -106,9 +107,16 @@ public:
   // The number of mixed cells, whose edges are marked.
   vtkIdType Mark(const vtkFlowArrays& arrays)
   {
+    const vtkBeyondSamples beyond(this->Grid);
     const std::vector<unsigned char> mixed = this->FindCells(
       [&](const Cell& cell)
       {
+        // A flow volume cuts these at their surface.
+        if (!beyond.IsEmpty() &&
+          beyond.GetParts(arrays, cell.Begin(), cell.End() - cell.Begin()).IsResolved)
+        {
+          return false;
+        }
         const auto isOther = [&](vtkIdType corner)
         { return !arrays.AreAlike(corner, *cell.Begin()); };
         return std::any_of(cell.Begin(), cell.End(), isOther) ||

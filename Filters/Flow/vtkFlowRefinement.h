@@ -12,12 +12,13 @@ class vtkUnstructuredGrid;
  * @brief   cells of an implicit flow field cut where their corners cannot be interpolated between
  *
  * Cells are mixed whose corners differ in status or id, or lie across their surface
- * (vtkFlowArrays::IsAcrossSurface). All edges of mixed cells are marked. Tetrahedra with marked
- * edges are cut by vtkMarkedBisection. Any other cell with a marked edge gets a point in the middle
- * of its corners, each of its quadrilaterals with a marked edge one in the middle of its own. Such
- * a quadrilateral becomes four triangles and, with the cell's point, four tetrahedra; other faces
- * make a pyramid or a tetrahedron. The tetrahedra are cut by their marked edges. So cells fit face
- * to face where they did before.
+ * (vtkFlowArrays::IsAcrossSurface), but for those that a surface alone is the reason for
+ * (vtkBeyondSamples): a flow volume cuts these there. All edges of mixed cells are marked.
+ * Tetrahedra with marked edges are cut by vtkMarkedBisection. Any other cell with a marked edge
+ * gets a point in the middle of its corners, each of its quadrilaterals with a marked edge one in
+ * the middle of its own. Such a quadrilateral becomes four triangles and, with the cell's point,
+ * four tetrahedra; other faces make a pyramid or a tetrahedron. The tetrahedra are cut by their
+ * marked edges. So cells fit face to face where they did before.
  *
  * New points are in the order of marked edges, of quadrilaterals by their ids, and of cells. Point
  * arrays are interpolated to them, ghost types are what all corners share; new cells have the cell

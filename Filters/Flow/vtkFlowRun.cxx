@@ -1,7 +1,11 @@
 #include "vtkFlowRun.h"
 
 #include "vtkAdvection.h"
+#include "vtkBeyondCorners.h"
+#include "vtkBeyondSamples.h"
+#include "vtkBeyondTrace.h"
 #include "vtkBoundaryPatches.h"
+#include "vtkFlowArrays.h"
 #include "vtkFlowBatches.h"
 #include "vtkFlowDispatch.h"
 #include "vtkFlowRefinement.h"
@@ -12,6 +16,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -28,13 +33,13 @@
 namespace
 {
 template <typename Array>
-Array* Add(vtkDataSet* samples, const std::string& name, int components)
+Array* Add(vtkFieldData* data, const std::string& name, int components, vtkIdType number)
 {
   vtkNew<Array> array;
   array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(samples->GetNumberOfPoints());
-  samples->GetPointData()->AddArray(array);
+  array->SetNumberOfTuples(number);
+  data->AddArray(array);
   return array;
 }
 }
@@ -87,7 +92,20 @@ struct vtkFlowRun::Arrays
   {
     this->ForEach(run,
       [samples](auto& array, const std::string& name, int components)
-      { array = Add<std::remove_reference_t<decltype(*array)>>(samples, name, components); });
+      {
+        array = Add<std::remove_reference_t<decltype(*array)>>(
+          samples->GetPointData(), name, components, samples->GetNumberOfPoints());
+      });
+  }
+  /// Adds those of the samples beyond to field data.
+  void MakeBeyond(const vtkFlowRun& run, vtkFieldData* data, vtkIdType number)
+  {
+    this->ForEach(run,
+      [data, number](auto& array, const std::string& name, int components)
+      {
+        array = Add<std::remove_reference_t<decltype(*array)>>(
+          data, vtkBeyondSamples::GetName(name), components, number);
+      });
   }
   /// Takes those that samples have.
   void Find(const vtkFlowRun& run, vtkDataSet* samples)
@@ -238,6 +256,7 @@ void vtkFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
   }
   for (int level = 1; goesOn && level <= this->RefinementLevels; ++level)
   {
+    this->FindBeyond(walker, grid);
     const vtkIdType before = grid->GetNumberOfPoints();
     const vtkFlowRefinement::Result refined = vtkFlowRefinement::Refine(grid);
     grid = refined.Grid;
@@ -245,9 +264,12 @@ void vtkFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
     this->Report.AddedSamples.push_back(grid->GetNumberOfPoints() - before);
     goesOn = this->Follow(walker, grid, before, level, sides);
   }
+  if (goesOn)
+  {
+    this->FindBeyond(walker, grid ? grid.GetPointer() : samples);
+  }
   this->Refined = goesOn ? grid : nullptr;
 }
-  this->Report.CellsOfFewerDimensions = walker.GetField().GetNumberOfFlatCells();
 
 //------------------------------------------------------------------------------
 template <typename FieldType>
@@ -255,6 +277,7 @@ void vtkFlowRun::Describe(const FieldType& field)
 {
   this->Report.MaximumSpeed = field.GetMaximumSpeed();
   this->Report.FillValues = field.GetNumberOfFillValues();
+  this->Report.CellsOfFewerDimensions = field.GetNumberOfFlatCells();
   if constexpr (std::is_same_v<FieldType, vtkStructuredFlowField> ||
     std::is_same_v<FieldType, vtkUnstructuredFlowField>)
   {
@@ -339,6 +362,60 @@ void vtkFlowRun::FindSides(
         }
       }
     });
+}
+
+//------------------------------------------------------------------------------
+template <typename Walker>
+void vtkFlowRun::FindBeyond(const Walker& walker, vtkDataSet* samples) const
+{
+  vtkFieldData* data = samples->GetFieldData();
+  vtkBeyondSamples::Remove(data);
+  vtkFlowArrays known;
+  if (!known.Find(samples).empty())
+  {
+    return;
+  }
+  using Answer = typename vtkBeyondTrace<Walker>::Answer;
+  const std::vector<vtkBeyondCorners::Corner> corners =
+    vtkBeyondCorners::Find(samples, known, this->Options);
+  std::vector<Answer> answers(corners.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      vtkBeyondTrace<Walker> trace(walker, this->Options);
+      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+      {
+        double x[3];
+        samples->GetPoint(corners[i].Sample, x);
+        answers[i] = trace.Find(corners[i], x);
+      }
+    });
+  const auto number = static_cast<vtkIdType>(corners.size());
+  if (number == 0)
+  {
+    return;
+  }
+  using Beyond = vtkBeyondSamples;
+  auto* points = Add<vtkIdTypeArray>(data, Beyond::GetName(Beyond::Point), 1, number);
+  auto* positions = Add<vtkDoubleArray>(data, Beyond::GetName(Beyond::Position), 3, number);
+  auto* distances = Add<vtkDoubleArray>(data, Beyond::GetName(Beyond::Distance), 1, number);
+  auto* normals = Add<vtkDoubleArray>(data, Beyond::GetName(Beyond::Normal), 3, number);
+  auto* surfaces = Add<vtkIntArray>(data, Beyond::GetName(Beyond::Surface), 1, number);
+  Arrays arrays;
+  arrays.MakeBeyond(*this, data, number);
+  for (vtkIdType row = 0; row < number; ++row)
+  {
+    const auto i = static_cast<std::size_t>(row);
+    points->SetValue(row, corners[i].Sample);
+    positions->SetTuple(row, samples->GetPoint(corners[i].Sample));
+    distances->SetValue(row, std::abs(corners[i].Distance));
+    normals->SetTuple(row, answers[i].Normal);
+    surfaces->SetValue(row, answers[i].IsStill ? -1 : corners[i].Surface);
+    arrays.Set(row, answers[i].Beyond);
+    arrays.Side->SetValue(row, answers[i].Side);
+  }
+  // The id tells whether something is reached.
+  data->RemoveArray(Beyond::GetName(vtkFlowStatus::StatusArray()).c_str());
 }
 
 //------------------------------------------------------------------------------

@@ -60,6 +60,9 @@ private:
   template <typename Walker>
   static void FindSides(
     const Walker& walker, vtkDataSet* samples, const vtkTerminationSides& sides, Arrays& arrays);
+  /// What samples beside surfaces would have on the other side; after their sides.
+  template <typename Walker>
+  void FindBeyond(const Walker& walker, vtkDataSet* samples) const;
   std::string FindArrays(std::vector<vtkDataArray*>& means) const;
   void AddSurfaces(vtkDataSet* samples, int domainFaces) const;
 

@@ -71,6 +71,21 @@ public:
    * whether u and v are periodic with period 1 there.
    */
   static const char* SurfacesArray() { return "TerminationSurfaces"; }
+  /**
+   * What the names of field arrays begin with that have a tuple for each sample beside a surface
+   * that passes through a cell of the samples and can be cut there. BeyondSampleId (vtkIdType):
+   * its point. BeyondSamplePosition (double, 3 components): where that is. BeyondSampleDistance
+   * (double), BeyondSampleNormal (double, 3 components): from the surface, and its normal there.
+   * BeyondSampleSurface (int): the number of the surface among those in use, -1 for samples that
+   * stand still on it. BeyondTerminationSide as TerminationSide, but of samples without an answer
+   * too, and 0 on the surface. BeyondTerminationId, BeyondTerminationUV, BeyondAdvectionTime and so
+   * on: what the sample would have if the answers of the surface's other side went on to it. On the
+   * side of TOWARDS that is where the streamline comes to when it goes on through the surface, id
+   * -1 where it reaches nothing or where nothing behind has an answer. On the side of AWAY it is
+   * where the streamline comes from, with a time below 0. Filters that change points leave them of
+   * no use, which is found out by the positions.
+   */
+  static const char* BeyondPrefix() { return "Beyond"; }
   /// Point array of vtkInflowMapping (double, one component): NaN where there is none.
   static const char* InflowArray() { return "Inflow"; }
   /// Field array of vtkInflowMapping (int, 3 components): an id, and whether its mapping goes on

@@ -276,3 +276,22 @@ void vtkFlowTriangles::Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* aft
   this->Triangles = std::move(parts);
   this->Surfaces = std::move(surfaces);
 }
+
+//------------------------------------------------------------------------------
+void vtkFlowTriangles::Renumber(const std::vector<vtkIdType>& ids)
+{
+  for (Triangle& triangle : this->Triangles)
+  {
+    for (vtkIdType& p : triangle)
+    {
+      p = ids[static_cast<std::size_t>(p)];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFlowTriangles::Append(const vtkFlowTriangles& other)
+{
+  this->Triangles.insert(this->Triangles.end(), other.Triangles.begin(), other.Triangles.end());
+  this->Surfaces.insert(this->Surfaces.end(), other.Surfaces.begin(), other.Surfaces.end());
+}

@@ -38,6 +38,11 @@ public:
    */
   void Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* after);
 
+  /// Gives the points of the triangles other ids.
+  void Renumber(const std::vector<vtkIdType>& ids);
+  /// Adds those of another.
+  void Append(const vtkFlowTriangles& other);
+
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
   /// Of each triangle, as in vtkFlowLevels::GetSurface.
   const std::vector<int>& GetSurfaces() const { return this->Surfaces; }

@@ -1,5 +1,6 @@
 #include "vtkFlowVolume.h"
 
+#include "vtkBeyondSamples.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -7,8 +8,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkFlowArrays.h"
 #include "vtkFlowAbort.h"
+#include "vtkFlowArrays.h"
 #include "vtkFlowExtraction.h"
 #include "vtkFlowLevels.h"
 #include "vtkFlowNormals.h"
@@ -417,6 +418,8 @@ int vtkFlowVolume::RequestData(
   for (vtkUnstructuredGrid* output : { mesh, streamSurfaces, timeSurfaces })
   {
     output->GetFieldData()->PassData(input->GetFieldData());
+    // Of other points.
+    vtkBeyondSamples::Remove(output->GetFieldData());
     ChooseScalars(output);
   }
   if (vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
@@ -541,6 +544,7 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << next << "CellsOnSeams: " << report.CellsOnSeams << "\n";
   os << next << "CellsAcrossSurfaces: " << report.CellsAcrossSurfaces << "\n";
   os << next << "CellsWithTimeJumps: " << report.CellsWithTimeJumps << "\n";
+  os << next << "CellsCut: " << report.CellsCut << "\n";
   os << next << "CellsAcrossSeams: " << report.CellsAcrossSeams << "\n";
   os << next << "CellsAroundPoles: " << report.CellsAroundPoles << "\n";
   os << next << "PointsOnSeams: " << report.PointsOnSeams << "\n";

@@ -32,12 +32,24 @@ class vtkFlowLevels;
  * not in polyhedra, which are left out there. A cell is taken to lie across a seam where its
  * parameters differ by more than half a period.
  *
- * Nor is time where it jumps on a termination surface that streamlines come back to. A cell that
- * this surface passes through is left out, by TerminationSide, unless streamlines leave both sides
- * for the surface, as where it is the middle of a source: there time is 0 from both sides. Not
- * found are surfaces that lie between the corners of a cell without parting them, as a box thinner
- * than a cell, and the sheets of streamlines that just miss a surface's rim, behind which others
- * take another turn: for these there is MaximumTimeJump.
+ * Nor is time where it jumps on a termination surface that streamlines come back to, by
+ * TerminationSide; where streamlines leave both sides for the surface, as where it is the middle of
+ * a source, time is 0 from both sides and does not jump.
+ *
+ * **Cut at the surface** are such cells, and those whose corners have different answers, or none,
+ * only because a termination surface passes through them: each side is extracted by itself up to
+ * the surface, where time is 0 or what it is behind. Values go on to the surface as the streamlines
+ * do that vtkImplicitFlowField has followed for that (vtkFlowStatus::BeyondPrefix); where these
+ * leave the field or just miss the surface they stay those of a corner, off by up to what they
+ * change in a cell. The surface is where the distance and its gradients at the corners have it, to
+ * fourth order along an edge, and flat between edges: of a ball of radius 4.3 cells 1.1 % of the
+ * volume are missing, beside a plane nothing. Left out are cells that hold the rim of a surface, or
+ * two surfaces, or whose corners on one side differ too, as at separatrices: what RefinementLevels
+ * of vtkImplicitFlowField are for. So are all where Inflow is not vtkInflowMapping's.
+ *
+ * Not found are surfaces that lie between the corners of a cell without parting them, as a box
+ * thinner than a cell, and the sheets of streamlines that just miss a surface's rim, behind which
+ * others take another turn: for these there is MaximumTimeJump.
  *
  * Input: vtkImageData, rectilinear, structured or unstructured grids with the arrays of
  * vtkFlowStatus (TerminationSide may be missing), and of vtkInflowMapping where there are intervals
@@ -174,6 +186,9 @@ public:
     /// jumps by more than MaximumTimeJump.
     vtkIdType CellsAcrossSurfaces = 0;
     vtkIdType CellsWithTimeJumps = 0;
+    /// Of those without an answer, between surfaces and across one: cut at the surface that passes
+    /// through them.
+    vtkIdType CellsCut = 0;
     /// Unwrapped, and those of them whose corners no unwrapping brings within half a period:
     /// parameters in them are wrong.
     vtkIdType CellsAcrossSeams = 0;

@@ -50,7 +50,10 @@ struct vtkAdvectionOptions;
  * Output: the samples, with the point data of their dataset, and the arrays of vtkFlowStatus. By
  * request MaximumSpeed, ArcLength, MeanVorticity and Mean<name> along the path (double; 0 for
  * samples OUTSIDE). Where streamlines come round to a surface again, time jumps on it from 0 to
- * what that takes, within one id: TerminationSide tells. The field array TerminationSurfaces tells
+ * what that takes, within one id: TerminationSide tells. What samples beside a surface would have
+ * on its other side is in field arrays (vtkFlowStatus::BeyondPrefix): two short streamlines and one
+ * as long as a sample's for each of them, of which there are as many as cells that surfaces pass
+ * through. The field array TerminationSurfaces tells
  * the ids and what is periodic. Where the samples are the field's own points or port 1's, the
  * output has their type (vtkUnstructuredGrid for composite data); an image of samples is
  * vtkImageData, so the type of the output follows SampleMode, and RefinementLevels.
@@ -281,12 +284,13 @@ public:
   /**
    * How often cells of the samples whose corners differ in FlowStatus or TerminationId, or that lie
    * across their surface with a jump in time (as vtkFlowVolume has it), are refined with new
-   * samples: all their edges are halved, and cells beside them are cut so that faces fit. Only new
-   * samples are advected. What is between surfaces gets half as thick with each level, and the new
-   * samples of a level are two to four times those of the level before. Point arrays of the samples
-   * are interpolated, cell arrays copied; hidden cells, polyhedra, quadratic cells, and those of
-   * fewer dimensions stay. Above 0 the output is vtkUnstructuredGrid, of voxels, hexahedra, wedges,
-   * pyramids and tetrahedra. Default 0. Valid: 0 to 6.
+   * samples, but for those that vtkFlowVolume cuts at their surface: all their edges are halved,
+   * and cells beside them are cut so that faces fit. Only new samples are advected. What is between
+   * surfaces gets half as thick with each level, and the new samples of a level are two to four
+   * times those of the level before. Point arrays of the samples are interpolated, cell arrays
+   * copied; hidden cells, polyhedra, quadratic cells, and those of fewer dimensions stay. Above 0
+   * the output is vtkUnstructuredGrid, of voxels, hexahedra, wedges, pyramids and tetrahedra.
+   * Default 0. Valid: 0 to 6.
    *
    * Pieces of the samples are refined each for itself: at their borders cells do not fit, unless
    * the samples have a layer of ghost cells for each level.

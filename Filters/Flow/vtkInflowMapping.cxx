@@ -1,10 +1,11 @@
 #include "vtkInflowMapping.h"
 
+#include "vtkBeyondSamples.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFlowArrays.h"
 #include "vtkFlowAbort.h"
+#include "vtkFlowArrays.h"
 #include "vtkFlowBatches.h"
 #include "vtkFlowPiece.h"
 #include "vtkFlowStatus.h"
@@ -332,6 +333,7 @@ int vtkInflowMapping::RequestData(
   output->GetPointData()->AddArray(inflow);
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::InflowArray());
   output->GetFieldData()->AddArray(periodic);
+  this->MapBeyond(arrays, output);
   if (number > 0 &&
     !std::any_of(values, values + number, [](double v) { return !std::isnan(v); }) &&
     vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
@@ -346,6 +348,33 @@ int vtkInflowMapping::RequestData(
       << (reached > 0 ? ", where the mapping has no finite value." : "."));
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkInflowMapping::MapBeyond(const vtkFlowArrays& arrays, vtkDataSet* output)
+{
+  vtkFieldData* data = output->GetFieldData();
+  const auto get = [data](const char* name)
+  { return data->GetArray(vtkBeyondSamples::GetName(name).c_str()); };
+  vtkDataArray* ids = get(vtkFlowStatus::IdArray());
+  vtkDataArray* parameters = get(vtkFlowStatus::ParametersArray());
+  if (vtkBeyondSamples(output).IsEmpty())
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> inflow;
+  inflow->SetName(vtkBeyondSamples::GetName(vtkFlowStatus::InflowArray()).c_str());
+  inflow->SetNumberOfValues(ids->GetNumberOfTuples());
+  for (vtkIdType row = 0; row < ids->GetNumberOfTuples(); ++row)
+  {
+    const int id = static_cast<int>(ids->GetComponent(row, 0));
+    const std::array<bool, 2> periodicity = arrays.GetPeriodicity(id);
+    inflow->SetValue(row,
+      id < 0 ? NotANumber
+             : this->Evaluate(id, parameters->GetComponent(row, 0),
+                 parameters->GetComponent(row, 1), periodicity[0], periodicity[1]));
+  }
+  data->AddArray(inflow);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+class vtkFlowArrays;
 class vtkImageData;
 class vtkInflowEvaluator;
 class vtkInflowFunction;
@@ -115,6 +116,8 @@ private:
   vtkInflowFunction* Take(int id, int kind);
   /// Reads what has changed. What is wrong with the mappings, or nothing.
   const std::string& Prepare();
+  /// Gives the field arrays of samples beside surfaces theirs, where there are such.
+  void MapBeyond(const vtkFlowArrays& arrays, vtkDataSet* output);
 
   std::map<int, std::shared_ptr<vtkInflowFunction>> Mappings;
   std::string Problem;

@@ -143,7 +143,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkFlowVolume* filter, vtkDa
   const vtkFlowVolume::Report& report = filter->GetReport();
   this->Report.FlowCells += report.Cells;
   this->Report.FlowCellsLeftOut += report.CellsWithoutAnswer + report.CellsBetweenSurfaces +
-    report.CellsOnSeams + report.CellsAcrossSurfaces + report.CellsWithTimeJumps;
+    report.CellsOnSeams + report.CellsAcrossSurfaces + report.CellsWithTimeJumps - report.CellsCut;
   this->Report.InflowPasses += report.InflowPasses;
   this->Report.TimePasses += report.TimePasses;
   return tetrahedra;
