@@ -22,8 +22,8 @@ uniform mat4 unitFromClip;
 uniform vec4 materials[ROWS];
 uniform vec3 ambient;
 #ifdef SHADE
-// The change from voxel to voxel, in columns, from which on there is a surface.
-uniform float surfaceColumns;
+// The change from voxel to voxel, in columns of each row, from which on there is a surface.
+uniform vec4 surfaceColumns;
 #endif
 #endif
 
@@ -45,7 +45,7 @@ float opacity = 0.0;
 vec3 colorAt(vec4 texel, int row)
 {
 #ifdef RGB
-  return texel.rgb * colorColumnScale.rgb + colorColumnOffset.rgb;
+  return (texel.rgb - colorColumnOrigin.rgb) * colorColumnScale.rgb;
 #else
   return lookUpColor(colors, texel, row);
 #endif
@@ -177,15 +177,18 @@ void main()
 #if ROWS == 1
     vec3 difference =
       vec3(differences[0].OPACITY_OF, differences[1].OPACITY_OF, differences[2].OPACITY_OF);
-    float scale = columnScale.OPACITY_OF;
+    float scale = abs(columnScale.OPACITY_OF);
+    float value = texel.OPACITY_OF;
 #else
     vec3 difference = vec3(differences[0][row], differences[1][row], differences[2][row]);
-    float scale = columnScale[row];
+    float scale = abs(columnScale[row]);
+    float value = texel[row];
 #endif
-    float change = 0.5 * max(max(abs(difference.x), abs(difference.y)), abs(difference.z)) * abs(scale);
+    float change = 0.5 * max(max(abs(difference.x), abs(difference.y)), abs(difference.z)) * scale;
     bool isFlat = change == 0.0;
-    rowNormals[row] = isFlat ? vec3(0.0) : -normalize(gradientOf(difference));
-    rowSurfaces[row] = min(change / surfaceColumns, 1.0);
+    rowNormals[row] = isFlat ? vec3(0.0) : -gradientOf(difference);
+    // A change by a millionth of the value is rounding.
+    rowSurfaces[row] = min(change / max(surfaceColumns[row], 1e-6 * abs(value) * scale), 1.0);
 #endif
     color += rowShares[row] * rowColors[row] * ambient * materials[row].x;
   }

@@ -4,8 +4,12 @@
 uniform sampler3D volume;
 uniform sampler2D extinctions;
 uniform mat4 textureFromUnit;
+// A texel less the origin, times the scale, is a column.
 uniform vec4 columnScale;
-uniform vec4 columnOffset;
+uniform vec4 columnOrigin;
+#ifdef BENDS
+uniform sampler2D bends;
+#endif
 uniform vec3 boxLower;
 uniform vec3 boxUpper;
 // World units in one of unit space.
@@ -27,7 +31,7 @@ uniform sampler2D transmissions;
 #endif
 #if defined(TRANSMISSION) || defined(COLOR)
 uniform vec4 colorColumnScale;
-uniform vec4 colorColumnOffset;
+uniform vec4 colorColumnOrigin;
 #endif
 #if defined(GRADIENT_OPACITY) || defined(SHADE)
 uniform vec3 voxel;
@@ -87,23 +91,81 @@ void cutToMatter(vec3 x, vec3 d, vec3 p, vec3 inverse, inout float lower, inout 
 #endif
 }
 
-// A texel has its column's value and the next one's.
+#ifdef BENDS
+vec4 bendAt(int texel)
+{
+  return texelFetch(bends, ivec2(texel & (COLUMNS - 1), texel / COLUMNS), 0);
+}
+
+// Between two columns, in the list of so many pieces that begins at that texel: see
+// vtkTransferColumns.
+float lookUpBends(int first, int pieces, float share)
+{
+  // The first piece that ends after the share.
+  int low = first + 1;
+  int high = first + pieces;
+  while (low < high)
+  {
+    int middle = (low + high) / 2;
+    bool isBefore = bendAt(middle).y > share;
+    high = isBefore ? middle : high;
+    low = isBefore ? low : middle + 1;
+  }
+  vec4 piece = bendAt(low);
+  return mix(piece.z, piece.w, clamp((share - piece.x) / (piece.y - piece.x), 0.0, 1.0));
+}
+#endif
+
+// A texel has its column's value and the next one's, or minus the place and the size of the list of
+// bends between them.
 float lookUp(sampler2D table, float column, int row)
 {
   float place = clamp(column, 0.0, float(COLUMNS - 1));
   int first = int(place);
+  float share = place - float(first);
   vec2 values = texelFetch(table, ivec2(first, row), 0).rg;
-  return mix(values.x, values.y, place - float(first));
+#ifdef BENDS
+  if (values.x < 0.0)
+  {
+    return lookUpBends(int(-values.x), int(values.y), share);
+  }
+#endif
+  return mix(values.x, values.y, share);
 }
 
+#if defined(BENDS) && (defined(TRANSMISSION) || defined(COLOR))
+vec3 lookUpColorBends(int first, float share)
+{
+  int low = first + 1;
+  int high = first + int(bendAt(first).x);
+  while (low < high)
+  {
+    int middle = (low + high) / 2;
+    bool isBefore = bendAt(middle + 1).x > share;
+    high = isBefore ? middle : high;
+    low = isBefore ? low : middle + 1;
+  }
+  vec4 left = bendAt(low);
+  vec4 right = bendAt(low + 1);
+  return mix(left.yzw, right.yzw, clamp((share - left.x) / max(right.x - left.x, 1e-30), 0.0, 1.0));
+}
+#endif
+
 #if defined(TRANSMISSION) || defined(COLOR)
+// A texel's fourth is the place of the bends between its column and the next one, or 0.
 vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 {
   float column =
-    clamp(texel[row] * colorColumnScale[row] + colorColumnOffset[row], 0.0, float(COLUMNS - 1));
+    clamp((texel[row] - colorColumnOrigin[row]) * colorColumnScale[row], 0.0, float(COLUMNS - 1));
   int first = min(int(column), COLUMNS - 2);
-  return mix(texelFetch(table, ivec2(first, row), 0).rgb,
-    texelFetch(table, ivec2(first + 1, row), 0).rgb, column - float(first));
+  vec4 color = texelFetch(table, ivec2(first, row), 0);
+#ifdef BENDS
+  if (color.a > 0.0)
+  {
+    return lookUpColorBends(int(color.a), column - float(first));
+  }
+#endif
+  return mix(color.rgb, texelFetch(table, ivec2(first + 1, row), 0).rgb, column - float(first));
 }
 #endif
 
@@ -148,10 +210,18 @@ void differencesAt(vec3 p, vec4 here, out vec4 differences[3])
   }
 }
 
-// The gradient in unit space of one component, from its differences.
+// The length of v, and its direction, where squares of its components may be below all numbers.
+float lengthOf(vec3 v)
+{
+  float size = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  return size > 0.0 ? size * length(v / size) : 0.0;
+}
+
+// The direction in unit space of the gradient of one component, from its differences.
 vec3 gradientOf(vec3 difference)
 {
-  return (0.5 * difference / voxel) * mat3(textureFromUnit);
+  float size = max(max(abs(difference.x), abs(difference.y)), abs(difference.z));
+  return normalize((difference / size / voxel) * mat3(textureFromUnit));
 }
 #endif
 
@@ -177,7 +247,7 @@ float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 #endif
   float share;
   texel = texelAt(p, share);
-  vec4 columns = texel * columnScale + columnOffset;
+  vec4 columns = (texel - columnOrigin) * columnScale;
 #if ROWS == 1
   parts.x = lookUp(extinctions, columns.OPACITY_OF, 0) * (share * worldLength);
 #else
@@ -200,7 +270,7 @@ float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
       vec3 difference = vec3(differences[0][row], differences[1][row], differences[2][row]);
 #endif
       float factor = lookUp(
-        gradientOpacities, length(difference * gradientSteps) * gradientColumnScale[row], row);
+        gradientOpacities, lengthOf(difference * gradientSteps) * gradientColumnScale[row], row);
       float opacity = 1.0 - exp(-parts[row] * unitDistances[row]);
       parts[row] = -log(max(1.0 - opacity * factor, 1e-30)) / unitDistances[row];
     }

@@ -1,7 +1,6 @@
 #include "vtkMaterialTable.h"
 
 #include "vtkColorTransferFunction.h"
-#include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 #include "vtkVolumeSamples.h"
@@ -13,15 +12,12 @@
 
 namespace
 {
-constexpr int Columns = vtkMaterialTable::Columns;
-/// Columns, and the gaps between them.
-constexpr int Places = 2 * Columns - 1;
-/// Powers of two up to Places.
-constexpr int Levels = 13;
-static_assert((1 << Levels) > Places && (1 << (Levels - 1)) <= Places, "one row of each width");
-/// Texels are rounded, and graphics cards interpolate with 8 bits: values closer to a column, in
-/// columns, are taken to be on it.
+using Range = vtkTransferColumns::Range;
+
+/// Texels are rounded: scalars closer to a function's point are taken to be on it, in widths of a
+/// column, and relative to what the texel is of.
 constexpr double OnColumn = 1e-3;
+constexpr double OnTexel = 1.0 / (1 << 21);
 
 /// The component's range where that is wide enough to be told apart in texels, else a wider one.
 /// Differences of its ends are finite.
@@ -34,15 +30,6 @@ std::array<double, 2> FindTableRange(const vtkVolumeSamples& samples, int compon
   return { { lower, upper - lower < scale / 65536.0 ? lower + scale / 256.0 : upper } };
 }
 
-/// Where \a value lies in a row, in columns, 0 to Columns - 1.
-double FindColumn(const std::array<double, 2>& range, double value)
-{
-  const double part = (value - range[0]) / (range[1] - range[0]);
-  const double column = std::clamp(part, 0.0, 1.0) * (Columns - 1);
-  const double nearest = std::round(column);
-  return std::abs(column - nearest) < OnColumn ? nearest : column;
-}
-
 double FindExtinction(double opacity, double unitDistance)
 {
   const double clamped = std::isfinite(opacity) ? std::clamp(opacity, 0.0, 1.0) : 0.0;
@@ -50,46 +37,38 @@ double FindExtinction(double opacity, double unitDistance)
   return std::min(depth / unitDistance, static_cast<double>(std::numeric_limits<float>::max()));
 }
 
-/// The values of a function, or a ramp to \a last where it has no points, as in VTK.
-std::vector<double> Sample(
-  vtkPiecewiseFunction* function, const std::array<double, 2>& range, double last)
+/// The function, or a ramp over the range where it has no points, as in VTK.
+template <typename Function>
+vtkTransferNodes GetNodes(Function* function, const Range& range, double last)
 {
-  std::vector<double> values(Columns);
-  if (function->GetSize() > 0)
-  {
-    function->GetTable(range[0], range[1], Columns, values.data());
-    return values;
-  }
-  for (int i = 0; i < Columns; ++i)
-  {
-    values[static_cast<std::size_t>(i)] = last * i / (Columns - 1);
-  }
-  return values;
+  return function && function->GetSize() > 0 ? vtkTransferNodes(function)
+                                             : vtkTransferNodes(range, 0.0, last);
 }
 
-/// Red, green, blue of each column.
-std::vector<double> SampleColors(
-  vtkVolumeProperty* property, int component, const std::array<double, 2>& range)
+vtkTransferNodes GetColorNodes(vtkVolumeProperty* property, int component, const Range& range)
 {
-  std::vector<double> colors(3 * Columns);
-  if (property->GetColorChannels(component) == 3 &&
-    property->GetRGBTransferFunction(component)->GetSize() > 0)
+  if (property->GetColorChannels(component) == 3)
   {
-    property->GetRGBTransferFunction(component)->GetTable(
-      range[0], range[1], Columns, colors.data());
-    return colors;
+    return GetNodes(property->GetRGBTransferFunction(component), range, 1.0);
   }
-  vtkNew<vtkPiecewiseFunction> none;
-  const std::vector<double> grays =
-    Sample(property->GetColorChannels(component) == 1 ? property->GetGrayTransferFunction(component)
-                                                      : none.Get(),
-      range, 1.0);
-  for (std::size_t i = 0; i < colors.size(); ++i)
-  {
-    colors[i] = grays[i / 3];
-  }
-  return colors;
+  return GetNodes(property->GetColorChannels(component) == 1
+      ? property->GetGrayTransferFunction(component)
+      : static_cast<vtkPiecewiseFunction*>(nullptr),
+    range, 1.0);
 }
+
+double Keep(double value)
+{
+  return value;
+}
+
+double ClampToOne(double value)
+{
+  return std::clamp(value, 0.0, 1.0);
+}
+
+const vtkTransferColumns::Mapping Kept{ Keep, Keep };
+const vtkTransferColumns::Mapping Clamped{ ClampToOne, Keep };
 }
 
 //------------------------------------------------------------------------------
@@ -126,60 +105,75 @@ std::string vtkMaterialTable::Build(vtkVolumeProperty* property, const vtkVolume
   this->Rows = rows;
   for (int row = 0; row < rows; ++row)
   {
-    this->OpacityRange[row] = FindTableRange(samples, this->GetOpacityComponent(row));
-    this->ColorRange[row] =
-      this->Kind == COLOR_OPACITY ? FindTableRange(samples, 0) : this->OpacityRange[row];
-    this->GradientRange[row] = 0.25 * (this->OpacityRange[row][1] - this->OpacityRange[row][0]);
-    this->BuildRow(property, row);
+    this->BuildRow(property, samples, row, transmission);
   }
   this->BuildGradientOpacity(property);
-  this->BuildTransmission(transmission);
   return std::string();
 }
 
 //------------------------------------------------------------------------------
-void vtkMaterialTable::BuildRow(vtkVolumeProperty* property, int row)
+double vtkMaterialTable::GetExtinction(int row, double opacity) const
 {
-  vtkPiecewiseFunction* function = property->GetScalarOpacity(row);
-  const double unit = property->GetScalarOpacityUnitDistance(row);
-  const double weight = this->Rows > 1 ? property->GetComponentWeight(row) : 1.0;
-  const std::vector<double> opacities = Sample(function, this->OpacityRange[row], 0.5);
-  const std::vector<double> colors = this->Kind == RGB_OPACITY
-    ? std::vector<double>(3 * Columns, 1.0)
-    : SampleColors(property, row, this->ColorRange[row]);
+  return this->Weight[row] * FindExtinction(opacity, this->UnitDistance[row]);
+}
 
-  std::vector<float> largest(Places, 0.0F);
-  for (std::size_t i = 0; i < Columns; ++i)
-  {
-    const auto extinction = static_cast<float>(weight * FindExtinction(opacities[i], unit));
-    for (std::size_t channel = 0; channel < 3; ++channel)
-    {
-      this->Colors.push_back(static_cast<float>(colors[3 * i + channel]));
-    }
-    this->Colors.push_back(extinction);
-    largest[2 * i] = extinction;
-  }
-  for (int node = 0; node < function->GetSize(); ++node)
-  {
-    std::array<double, 4> point{};
-    function->GetNodeValue(node, point.data());
-    if (point[0] >= this->OpacityRange[row][0] && point[0] <= this->OpacityRange[row][1])
-    {
-      const double column = FindColumn(this->OpacityRange[row], point[0]);
-      const auto place = static_cast<std::size_t>(std::floor(column) + std::ceil(column));
-      largest[place] =
-        std::max(largest[place], static_cast<float>(weight * FindExtinction(point[1], unit)));
-    }
-  }
+//------------------------------------------------------------------------------
+void vtkMaterialTable::BuildRow(vtkVolumeProperty* property, const vtkVolumeSamples& samples,
+  int row, vtkColorTransferFunction* transmission)
+{
+  const int component = this->GetOpacityComponent(row);
+  this->UnitDistance[row] = property->GetScalarOpacityUnitDistance(row);
+  this->Weight[row] = this->Rows > 1 ? property->GetComponentWeight(row) : 1.0;
+  this->Offset[row] = samples.Offset[component];
+  this->ScalarRange[row] = FindTableRange(samples, component);
+  this->Opacities[row] = GetNodes(property->GetScalarOpacity(row), this->ScalarRange[row], 0.5);
+  this->OpacityRange[row] = this->Opacities[row].Limit(this->ScalarRange[row]);
+  const double unit = this->UnitDistance[row];
+  const double weight = this->Weight[row];
+  const vtkTransferColumns::Mapping mapping{ [&](double opacity)
+    { return this->GetExtinction(row, opacity); },
+    [=](double extinction)
+    { return weight > 0.0 ? -std::expm1(-extinction / weight * unit) : 0.0; } };
+  const vtkTransferColumns extinctions(
+    this->Opacities[row], vtkTransferColumns::ONE, this->OpacityRange[row], mapping, this->Bends);
+  this->ExtinctionBends.insert(
+    this->ExtinctionBends.end(), extinctions.Bends.begin(), extinctions.Bends.end());
 
-  for (int level = 0; level < Levels; ++level)
+  const Range scalars =
+    this->Kind == COLOR_OPACITY ? FindTableRange(samples, 0) : this->ScalarRange[row];
+  const vtkTransferNodes colors = this->Kind == RGB_OPACITY ? vtkTransferNodes(scalars, 1.0, 1.0)
+                                                            : GetColorNodes(property, row, scalars);
+  this->ColorRange[row] = colors.Limit(scalars);
+  if (transmission)
   {
-    const std::size_t width = std::size_t(1) << level;
-    this->Largest.insert(this->Largest.end(), largest.begin(), largest.end());
-    for (std::size_t i = 0; i + width < Places; ++i)
+    // Both have the columns of one range. Without points it is black.
+    const vtkTransferNodes transmissions = transmission->GetSize() > 0
+      ? vtkTransferNodes(transmission)
+      : vtkTransferNodes(this->ColorRange[row], 0.0, 0.0);
+    const Range range = transmissions.Limit(scalars);
+    this->ColorRange[row] = { { std::min(this->ColorRange[row][0], range[0]),
+      std::max(this->ColorRange[row][1], range[1]) } };
+    vtkTransferColumns columns(
+      transmissions, vtkTransferColumns::THREE, this->ColorRange[row], Clamped, this->Bends);
+    for (const vtkTransferColumns::Value& value : columns.Values)
     {
-      largest[i] = std::max(largest[i], largest[i + width]);
+      for (const double channel : value)
+      {
+        this->Transmission.push_back(static_cast<float>(channel));
+      }
     }
+    this->TransmissionBends = std::move(columns.Bends);
+  }
+  const vtkTransferColumns columns(
+    colors, vtkTransferColumns::THREE, this->ColorRange[row], Kept, this->Bends);
+  this->ColorBends.insert(this->ColorBends.end(), columns.Bends.begin(), columns.Bends.end());
+  for (std::size_t i = 0; i < columns.Values.size(); ++i)
+  {
+    for (const double channel : columns.Values[i])
+    {
+      this->Colors.push_back(static_cast<float>(channel));
+    }
+    this->Colors.push_back(static_cast<float>(extinctions.Values[i][0]));
   }
 }
 
@@ -188,42 +182,31 @@ void vtkMaterialTable::BuildGradientOpacity(vtkVolumeProperty* property)
 {
   bool any = false;
   std::vector<float> values;
+  std::vector<int> bends;
   for (int row = 0; row < this->Rows; ++row)
   {
-    std::vector<double> opacities(Columns, 1.0);
+    const std::array<double, 2>& scalars = this->ScalarRange[row];
+    Range range{ { 0.0, 0.25 * (scalars[1] - scalars[0]) } };
+    vtkTransferNodes nodes(range, 1.0, 1.0);
     // Asking for a function that is not there would make one. One that is disabled is 1.
     if (property->HasGradientOpacity(row))
     {
-      opacities =
-        Sample(property->GetGradientOpacity(row), { { 0.0, this->GradientRange[row] } }, 0.5);
+      nodes = GetNodes(property->GetGradientOpacity(row), range, 0.5);
+      range[1] = nodes.Limit(range)[1];
     }
-    for (const double opacity : opacities)
+    this->GradientRange[row] = range[1];
+    const vtkTransferColumns columns(nodes, vtkTransferColumns::ONE, range, Clamped, this->Bends);
+    for (const vtkTransferColumns::Value& value : columns.Values)
     {
-      values.push_back(static_cast<float>(std::clamp(opacity, 0.0, 1.0)));
+      values.push_back(static_cast<float>(value[0]));
       any = any || values.back() < 1.0F;
     }
+    bends.insert(bends.end(), columns.Bends.begin(), columns.Bends.end());
   }
-  if (any)
+  if (any || std::any_of(bends.begin(), bends.end(), [](int first) { return first > 0; }))
   {
     this->GradientOpacity = std::move(values);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMaterialTable::BuildTransmission(vtkColorTransferFunction* transmission)
-{
-  if (!transmission)
-  {
-    return;
-  }
-  std::vector<double> colors(3 * Columns, 0.0);
-  if (transmission->GetSize() > 0)
-  {
-    transmission->GetTable(this->ColorRange[0][0], this->ColorRange[0][1], Columns, colors.data());
-  }
-  for (const double color : colors)
-  {
-    this->Transmission.push_back(static_cast<float>(std::clamp(color, 0.0, 1.0)));
+    this->GradientOpacityBends = std::move(bends);
   }
 }
 
@@ -234,15 +217,11 @@ double vtkMaterialTable::GetLargestExtinction(int row, double lower, double uppe
   {
     return 0.0;
   }
-  const auto first =
-    static_cast<std::size_t>(2.0 * std::floor(FindColumn(this->OpacityRange[row], lower)));
-  const auto last =
-    static_cast<std::size_t>(2.0 * std::ceil(FindColumn(this->OpacityRange[row], upper)));
-  std::size_t level = 0;
-  while ((std::size_t(2) << level) <= last - first + 1)
-  {
-    ++level;
-  }
-  const float* largest = &this->Largest[(static_cast<std::size_t>(row) * Levels + level) * Places];
-  return std::max(largest[first], largest[last + 1 - (std::size_t(1) << level)]);
+  const Range& range = this->OpacityRange[row];
+  const double column = OnColumn * (range[1] - range[0]) / (Columns - 1);
+  const auto near = [&](double value)
+  { return std::max(column, OnTexel * std::abs(value - this->Offset[row])); };
+  const double largest =
+    this->Opacities[row].GetLargest({ { lower, upper } }, { { near(lower), near(upper) } });
+  return static_cast<float>(this->GetExtinction(row, largest));
 }

@@ -2,6 +2,7 @@
 #define vtkMaterialTable_h
 
 #include "InterlumeLightModule.h" // for the export macro
+#include "vtkTransferColumns.h"   // for the number of columns
 #include <array>
 #include <string>
 #include <vector>
@@ -14,15 +15,16 @@ class vtkVolumeSamples;
  * @class   vtkMaterialTable
  * @brief   colour, extinction and gradient opacity by scalar, as textures have them
  *
- * A row is the functions of one component, sampled at Columns places over the component's range,
- * ends included; where its values are all equal, over a range from there on. A function without
- * points is a ramp over the range, colours from 0 to 1 and opacities from 0 to 0.5, as in VTK. Of
+ * A row is the functions of one component, sampled at Columns places, ends included, over that part
+ * of the component's range in which the function changes, so that a value far beyond all others
+ * does not make it coarse. What is beyond has the values of the ends. Where a function bends
+ * between two columns, as at its points, steps and peaks, there is a list of bends (see
+ * vtkTransferColumns).
+ *
+ * Where all values of a component are equal, its range is from there on. A function without points
+ * is a ramp over the range, colours from 0 to 1 and opacities from 0 to 0.5, as in VTK. Of
  * components that are not independent the functions, the unit distance and the gradient opacity are
  * those of index 0. Weights count for two and more independent components only, as in VTK.
- *
- * What lies between two columns is interpolated: a peak narrower than that is lower in the picture
- * or missed, but never hides a block, as GetLargestExtinction looks at the points of the function
- * too.
  *
  * **Gradient opacity** is by the magnitude that vtkGPUVolumeRayCastMapper looks up: the length of
  * the gradient by central differences per unit of length of the image, times the mean of its three
@@ -35,7 +37,7 @@ class vtkVolumeSamples;
 class INTERLUMELIGHT_EXPORT vtkMaterialTable
 {
 public:
-  static constexpr int Columns = 4096;
+  static constexpr int Columns = vtkTransferColumns::Columns;
 
   /// What a voxel's components mean.
   enum Kinds
@@ -57,9 +59,9 @@ public:
   std::string Build(vtkVolumeProperty* property, const vtkVolumeSamples& samples,
     vtkColorTransferFunction* transmission);
 
-  /// The largest extinction per world unit in [lower, upper] of \a row's opacity function, from the
-  /// table's samples in and next to it and the function's points between those. A scalar closer to
-  /// a sample than a thousandth of their distance counts as on it. 0 where lower > upper.
+  /// The largest extinction per world unit in [lower, upper] of \a row's opacity function. What is
+  /// within rounding of a point of the function, or within a thousandth of a column's width, counts
+  /// as on it. 0 where lower > upper.
   double GetLargestExtinction(int row, double lower, double upper) const;
 
   /// The component that \a row's opacity is of.
@@ -70,28 +72,43 @@ public:
 
   Kinds Kind = INDEPENDENT;
   int Rows = 0;
-  /// Scalars of the first and last column of a row for the colour, and for the opacity; they differ
-  /// for COLOR_OPACITY only. Never equal, and their difference is finite.
+  /// Of the scalar that a row's opacity is of. Never equal, and their difference is finite.
+  std::array<std::array<double, 2>, 4> ScalarRange{};
+  /// Scalars of the first and last column of a row for the colour (and the transmission), and for
+  /// the opacity. Never equal, and their difference is finite.
   std::array<std::array<double, 2>, 4> ColorRange{};
   std::array<std::array<double, 2>, 4> OpacityRange{};
   /// Red, green, blue, and extinction per world unit (-ln(1 - opacity) / unit distance, at most
   /// LargestOpticalDepth / unit distance), times the component's weight. White for RGB_OPACITY.
   std::vector<float> Colors;
   static constexpr double LargestOpticalDepth = 69.0;
-  /// Gradient opacity over the magnitude m, 0 to GradientRange[row], a quarter of the range; 1 for
-  /// rows without such a function or with DisableGradientOpacity, empty where all are 1.
+  /// Gradient opacity over the magnitude m, 0 to GradientRange[row], a quarter of the range or the
+  /// function's last point where that is before; 1 for rows without such a function or with
+  /// DisableGradientOpacity, empty where all are 1.
   std::vector<float> GradientOpacity;
   std::array<double, 4> GradientRange{ { 1.0, 1.0, 1.0, 1.0 } };
   /// RGB of light let through, by row 0's colour range; empty without it.
   std::vector<float> Transmission;
+  /// For each column of the tables above the first texel of its list in Bends, or 0.
+  std::vector<int> ColorBends;
+  std::vector<int> ExtinctionBends;
+  std::vector<int> GradientOpacityBends;
+  std::vector<int> TransmissionBends;
+  /// Texels of four floats; empty where no function bends between columns.
+  std::vector<float> Bends;
 
 private:
-  void BuildRow(vtkVolumeProperty* property, int row);
+  void BuildRow(vtkVolumeProperty* property, const vtkVolumeSamples& samples, int row,
+    vtkColorTransferFunction* transmission);
   void BuildGradientOpacity(vtkVolumeProperty* property);
-  void BuildTransmission(vtkColorTransferFunction* transmission);
 
-  /// Largest extinctions of 1, 2, 4, ... successive columns and gaps between them, by row.
-  std::vector<float> Largest;
+  double GetExtinction(int row, double opacity) const;
+
+  std::array<vtkTransferNodes, 4> Opacities;
+  std::array<double, 4> UnitDistance{ { 1.0, 1.0, 1.0, 1.0 } };
+  std::array<double, 4> Weight{ { 1.0, 1.0, 1.0, 1.0 } };
+  /// Of the opacity's component: what texels are rounded relative to.
+  std::array<double, 4> Offset{};
 };
 
 #endif

@@ -38,6 +38,7 @@ std::string GetMediumFeatures(const Picture& picture)
                                                              : " OPACITY_OF=a";
   features += picture.Samples.Mask.empty() ? "" : " MASK";
   features += material.GradientOpacity.empty() ? "" : " GRADIENT_OPACITY";
+  features += material.Bends.empty() ? "" : " BENDS";
   features += picture.Matter.HasCropping ? " CROPPING" : "";
   if (!picture.Matter.ClippingPlanes.empty())
   {
@@ -105,17 +106,17 @@ void SetFrame(vtkShaderProgram* program, const std::string& name, const std::arr
   program->SetUniformMatrix3x3(name.c_str(), columns);
 }
 
-// Scale and offset from a texel to the column of its value in a row of the range.
+// From a texel to the column of its value in a row of the range: less the origin, times the scale.
 struct Columns
 {
   std::array<double, 4> Scale{ { 0.0, 0.0, 0.0, 0.0 } };
-  std::array<double, 4> Offset{ { 0.0, 0.0, 0.0, 0.0 } };
+  std::array<double, 4> Origin{ { 0.0, 0.0, 0.0, 0.0 } };
 
   void Set(const vtkVolumeSamples& samples, int component, const std::array<double, 2>& range)
   {
     const double columns = (vtkMaterialTable::Columns - 1) / (range[1] - range[0]);
     this->Scale[component] = samples.Scale[component] * columns;
-    this->Offset[component] = (samples.Offset[component] - range[0]) * columns;
+    this->Origin[component] = (range[0] - samples.Offset[component]) / samples.Scale[component];
   }
 };
 
@@ -143,7 +144,7 @@ Columns GetColorColumns(const Picture& picture)
     for (int c = 0; c < 3; ++c)
     {
       columns.Scale[c] = isByte ? 1.0 : samples.Scale[c];
-      columns.Offset[c] = isByte ? 0.0 : samples.Offset[c];
+      columns.Origin[c] = isByte ? 0.0 : -samples.Offset[c] / samples.Scale[c];
     }
     return columns;
   }
@@ -175,12 +176,12 @@ void SetMediumUniforms(vtkShaderProgram* program, const Picture& picture, const 
       picture.Material.OpacityRange[row]);
   }
   SetVector(program, "columnScale", columns.Scale);
-  SetVector(program, "columnOffset", columns.Offset);
+  SetVector(program, "columnOrigin", columns.Origin);
   if (program->IsUniformUsed("colorColumnScale"))
   {
     const Columns colors = GetColorColumns(picture);
     SetVector(program, "colorColumnScale", colors.Scale);
-    SetVector(program, "colorColumnOffset", colors.Offset);
+    SetVector(program, "colorColumnOrigin", colors.Origin);
   }
   if (program->IsUniformUsed("voxel"))
   {
@@ -417,10 +418,17 @@ void vtkSliceShader::SetEyeUniforms(
   }
   if (picture.IsShaded)
   {
-    // A change by a millionth of the range is rounding.
-    program->SetUniformf("surfaceColumns",
-      static_cast<float>(
-        std::max(picture.SurfaceGradient, 1e-6) * (vtkMaterialTable::Columns - 1)));
+    std::array<double, 4> columns{};
+    for (int row = 0; row < picture.Material.Rows; ++row)
+    {
+      const std::array<double, 2>& scalars = picture.Material.ScalarRange[row];
+      const std::array<double, 2>& range = picture.Material.OpacityRange[row];
+      // A change by a millionth of the range is rounding.
+      columns[row] = (vtkMaterialTable::Columns - 1) *
+        std::max(
+          picture.SurfaceGradient * ((scalars[1] - scalars[0]) / (range[1] - range[0])), 1e-6);
+    }
+    SetVector(program, "surfaceColumns", columns);
   }
   program->SetUniform4fv("materials", picture.Material.Rows, materials.data());
   const std::array<double, 3> none{ { 0.0, 0.0, 0.0 } };

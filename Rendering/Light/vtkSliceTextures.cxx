@@ -45,33 +45,54 @@ int GetType(vtkVolumeSamples::Formats format)
   }
 }
 
-// A texture of one sample for each column and row of a table, or none where the table is empty.
-void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
-  const std::vector<float>& table, int rows, int components)
+// A texture of so many columns, or none where there are no texels.
+void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int columns,
+  const std::vector<float>& texels, int components)
 {
-  if (table.empty())
+  if (texels.empty())
   {
     texture->ReleaseGraphicsResources(window);
     return;
   }
+  const std::size_t rows =
+    texels.size() / (static_cast<std::size_t>(columns) * static_cast<std::size_t>(components));
   texture->SetContext(window);
   SetSampling(texture, false);
-  texture->Create2DFromRaw(vtkMaterialTable::Columns, static_cast<unsigned int>(rows), components,
-    VTK_FLOAT, const_cast<float*>(table.data()));
+  texture->Create2DFromRaw(static_cast<unsigned int>(columns), static_cast<unsigned int>(rows),
+    components, VTK_FLOAT, const_cast<float*>(texels.data()));
 }
 
-// Each value and the next of its row, so that one look finds both that it lies between.
-std::vector<float> MakePairs(const std::vector<float>& table)
+// One value of each column, at \a first and further ones, and the next of its row, so that one look
+// finds both that it lies between. Where there are bends between them, minus the texel of their
+// list is in place of the first.
+std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first, std::size_t stride,
+  const std::vector<int>& places, const std::vector<float>& bends)
 {
   std::vector<float> pairs;
-  pairs.reserve(2 * table.size());
-  for (std::size_t i = 0; i < table.size(); ++i)
+  pairs.reserve(2 * places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
     const bool isLast = (i + 1) % vtkMaterialTable::Columns == 0;
-    pairs.push_back(table[i]);
-    pairs.push_back(table[isLast ? i : i + 1]);
+    const std::size_t at = first + stride * i;
+    const auto list = static_cast<std::size_t>(places[i]);
+    pairs.push_back(list > 0 ? -static_cast<float>(list) : table[at]);
+    pairs.push_back(list > 0 ? bends[4 * list] : table[isLast ? at : at + stride]);
   }
   return pairs;
+}
+
+// Red, green, blue of each column, of \a stride values, and the texel of its list of bends.
+std::vector<float> MakeColors(
+  const std::vector<float>& table, std::size_t stride, const std::vector<int>& bends)
+{
+  std::vector<float> colors;
+  colors.reserve(4 * bends.size());
+  for (std::size_t i = 0; i < bends.size(); ++i)
+  {
+    colors.insert(colors.end(), &table[stride * i], &table[stride * i] + 3);
+    colors.push_back(static_cast<float>(bends[i]));
+  }
+  return colors;
 }
 }
 
@@ -91,9 +112,10 @@ vtkIdType vtkSliceTextures::GetBytes(const vtkVolumeSamples& samples)
 //------------------------------------------------------------------------------
 vtkIdType vtkSliceTextures::GetBytes(const vtkMaterialTable& material)
 {
-  // Extinctions are a texture of their own, in pairs.
-  const std::size_t values = material.Colors.size() + 2 * (material.Colors.size() / 4) +
-    2 * material.GradientOpacity.size() + material.Transmission.size();
+  // Colours and their bends, pairs of extinctions and of gradient opacities, the bends themselves.
+  const std::size_t values = 4 * material.ColorBends.size() + 2 * material.ExtinctionBends.size() +
+    2 * material.GradientOpacityBends.size() + 4 * material.TransmissionBends.size() +
+    material.Bends.size();
   return static_cast<vtkIdType>(sizeof(float)) * static_cast<vtkIdType>(values);
 }
 
@@ -144,17 +166,19 @@ std::string vtkSliceTextures::Upload(
   vtkOpenGLRenderWindow* window, const vtkMaterialTable& material)
 {
   ForgetErrors();
-  std::vector<float> extinctions;
-  extinctions.reserve(material.Colors.size() / 4);
-  for (std::size_t i = 3; i < material.Colors.size(); i += 4)
-  {
-    extinctions.push_back(material.Colors[i]);
-  }
-  UploadTable(window, this->Colors, material.Colors, material.Rows, 4);
-  UploadTable(window, this->Extinctions, MakePairs(extinctions), material.Rows, 2);
+  constexpr int columns = vtkMaterialTable::Columns;
   UploadTable(
-    window, this->GradientOpacities, MakePairs(material.GradientOpacity), material.Rows, 2);
-  UploadTable(window, this->Transmissions, material.Transmission, 1, 3);
+    window, this->Colors, columns, MakeColors(material.Colors, 4, material.ColorBends), 4);
+  UploadTable(window, this->Extinctions, columns,
+    MakePairs(material.Colors, 3, 4, material.ExtinctionBends, material.Bends), 2);
+  UploadTable(window, this->GradientOpacities, columns,
+    MakePairs(material.GradientOpacity, 0, 1, material.GradientOpacityBends, material.Bends), 2);
+  UploadTable(window, this->Transmissions, columns,
+    MakeColors(material.Transmission, 3, material.TransmissionBends), 4);
+  std::vector<float> bends = material.Bends;
+  const std::size_t row = 4 * columns;
+  bends.resize((bends.size() + row - 1) / row * row, 0.0F);
+  UploadTable(window, this->Bends, columns, bends, 4);
   return glGetError() == GL_NO_ERROR
     ? std::string()
     : std::string("the graphics card has no memory for the transfer functions");
@@ -216,6 +240,7 @@ void vtkSliceTextures::Activate(vtkShaderProgram* program)
   activate(this->Colors, "colors");
   activate(this->GradientOpacities, "gradientOpacities");
   activate(this->Transmissions, "transmissions");
+  activate(this->Bends, "bends");
 }
 
 //------------------------------------------------------------------------------
@@ -231,8 +256,9 @@ void vtkSliceTextures::Deactivate()
 //------------------------------------------------------------------------------
 void vtkSliceTextures::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkTextureObject* texture : { this->Volume.Get(), this->Mask.Get(), this->Colors.Get(),
-         this->Extinctions.Get(), this->GradientOpacities.Get(), this->Transmissions.Get() })
+  for (vtkTextureObject* texture :
+    { this->Volume.Get(), this->Mask.Get(), this->Colors.Get(), this->Extinctions.Get(),
+      this->GradientOpacities.Get(), this->Transmissions.Get(), this->Bends.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

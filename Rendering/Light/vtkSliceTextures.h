@@ -69,6 +69,7 @@ private:
   vtkNew<vtkTextureObject> Extinctions;
   vtkNew<vtkTextureObject> GradientOpacities;
   vtkNew<vtkTextureObject> Transmissions;
+  vtkNew<vtkTextureObject> Bends;
   std::map<vtkProjectiveLight*, Screen> Screens;
   std::vector<vtkTextureObject*> Active;
 };

@@ -1,4 +1,5 @@
-// Colour, extinction, gradient opacity and transmission of every column against the functions;
+// Colour, extinction, gradient opacity and transmission of every column, and of all between them,
+// against the functions;
 // largest extinctions against brute force; extremes; wrong properties.
 #include "ReferenceCheck.h"
 
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace
@@ -60,6 +62,143 @@ float ValueOf(
   return table.Colors[4 * (row * Columns + column) + channel];
 }
 
+/// What a shader finds of a table at a scalar: three channels of texels of \a stride values, or
+/// one.
+std::array<double, 3> LookUp(const vtkMaterialTable& table, const std::vector<float>& values,
+  const std::vector<int>& bends, std::size_t first, std::size_t stride, const Range& range,
+  double x)
+{
+  const std::size_t channels = stride > 1 && first == 0 ? 3 : 1;
+  const double column =
+    std::clamp((x - range[0]) / (range[1] - range[0]) * (Columns - 1), 0.0, Columns - 1.0);
+  const std::size_t left = std::min(static_cast<std::size_t>(column), Columns - 2);
+  const double share = column - static_cast<double>(left);
+  std::array<double, 3> result{};
+  if (bends[left] > 0)
+  {
+    const float* list = &table.Bends[4 * static_cast<std::size_t>(bends[left])];
+    const auto pieces = static_cast<std::size_t>(list[0]);
+    // Of one channel pieces, of three nodes.
+    const std::size_t end = channels == 1 ? 1 : 4;
+    std::size_t piece = 1;
+    while (piece < pieces && list[4 * piece + end] <= share)
+    {
+      ++piece;
+    }
+    const float* a = &list[4 * piece];
+    const double inside = std::clamp((share - a[0]) / std::max(a[end] - a[0], 1e-30F), 0.0, 1.0);
+    for (std::size_t c = 0; c < channels; ++c)
+    {
+      const double first = channels == 1 ? a[2] : a[1 + c];
+      const double last = channels == 1 ? a[3] : a[5 + c];
+      result[c] = first + inside * (last - first);
+    }
+    return result;
+  }
+  for (std::size_t c = 0; c < channels; ++c)
+  {
+    const double a = values[first + stride * left + c];
+    result[c] = a + share * (values[first + stride * (left + 1) + c] - a);
+  }
+  return result;
+}
+
+/// Functions with peaks, steps and curves, over a range that one value makes 1e7 wide.
+void CheckBends(Check& check)
+{
+  const vtkVolumeSamples samples = MakeSamples({ { { -50.0, 1e7 } } });
+  std::mt19937 random(3);
+  const auto uniform = [&]() { return random() / static_cast<double>(random.max()); };
+  const auto measure =
+    [&](const std::string& name, vtkPiecewiseFunction* opacity, vtkColorTransferFunction* color)
+  {
+    check.SetContext(name);
+    vtkNew<vtkVolumeProperty> property;
+    property->SetScalarOpacity(opacity);
+    property->SetColor(color);
+    vtkMaterialTable table;
+    check.That(table.Build(property, samples, color).empty(), "no error");
+    check.That(table.OpacityRange[0][1] < 400.0, "not the range of the data");
+    std::vector<double> places = { -50.0, 1e7, 1e3 };
+    for (int i = 0; i < 20000; ++i)
+    {
+      places.push_back(-20.0 + 320.0 * uniform());
+    }
+    double opacityError = 0.0;
+    double colorError = 0.0;
+    double transmissionError = 0.0;
+    double below = 0.0;
+    for (const double x : places)
+    {
+      const double expected =
+        std::min(-std::log1p(-std::clamp(opacity->GetValue(x), 0.0, 1.0)), 69.0);
+      const double found =
+        LookUp(table, table.Colors, table.ExtinctionBends, 3, 4, table.OpacityRange[0], x)[0];
+      opacityError = std::max(opacityError, std::abs(std::exp(-found) - std::exp(-expected)));
+      below = std::max(below, expected - table.GetLargestExtinction(0, x - 1e-3, x + 1e-3));
+      std::array<double, 3> rgb{};
+      color->GetColor(x, rgb.data());
+      const auto hue = LookUp(table, table.Colors, table.ColorBends, 0, 4, table.ColorRange[0], x);
+      const auto passed =
+        LookUp(table, table.Transmission, table.TransmissionBends, 0, 3, table.ColorRange[0], x);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        colorError = std::max(colorError, std::abs(hue[c] - rgb[c]));
+        transmissionError = std::max(transmissionError, std::abs(passed[c] - rgb[c]));
+      }
+    }
+    check.Near(opacityError, 0.0, 2e-3, "opacity", 1.0);
+    check.Near(colorError, 0.0, 2e-3, "colour", 1.0);
+    check.Near(transmissionError, 0.0, 2e-3, "transmission", 1.0);
+    check.That(below < 1e-4, "the largest is not below");
+  };
+  vtkNew<vtkPiecewiseFunction> opacity;
+  vtkNew<vtkColorTransferFunction> color;
+  color->AddRGBPoint(0.0, 0.1, 0.9, 0.3);
+  color->AddRGBPoint(130.0, 0.8, 0.2, 0.1);
+  color->AddRGBPoint(255.0, 0.2, 0.3, 1.0);
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(255.0, 1.0);
+  measure("a ramp", opacity, color);
+  for (int peak = 0; peak < 500; ++peak)
+  {
+    opacity->AddPoint(20.0 + 0.01 * peak, peak % 2 == 0 ? 0.0 : 0.1 + 0.8 * uniform());
+  }
+  measure("500 nodes", opacity, color);
+  for (const double sharpness : { 0.0, 0.4, 1.0 })
+  {
+    for (const double midpoint : { 0.5, 0.2 })
+    {
+      opacity->RemoveAllPoints();
+      opacity->AddPoint(0.0, 0.05, midpoint, sharpness);
+      opacity->AddPoint(101.0, 0.9, midpoint, sharpness);
+      opacity->AddPoint(255.0, 0.1);
+      color->RemoveAllPoints();
+      color->AddRGBPoint(3.0, 0.1, 0.9, 0.3, midpoint, sharpness);
+      color->AddRGBPoint(130.0, 0.8, 0.2, 0.1, midpoint, sharpness);
+      color->AddRGBPoint(255.0, 0.2, 0.3, 1.0);
+      for (const int space : { VTK_CTF_RGB, VTK_CTF_HSV, VTK_CTF_LAB, VTK_CTF_STEP })
+      {
+        color->SetColorSpace(space);
+        measure("sharpness " + std::to_string(sharpness) + ", midpoint " +
+            std::to_string(midpoint) + ", space " + std::to_string(space),
+          opacity, color);
+      }
+    }
+  }
+  color->SetColorSpaceToRGB();
+  color->SetScaleToLog10();
+  opacity->ClampingOff();
+  color->ClampingOff();
+  measure("a logarithmic scale, ends that are not clamped", opacity, color);
+  opacity->ClampingOn();
+  color->ClampingOn();
+  color->UseBelowRangeColorOn();
+  color->UseAboveRangeColorOn();
+  color->SetAboveRangeColor(0.0, 1.0, 0.0);
+  measure("colours beyond the range", opacity, color);
+}
+
 /// -ln(1 - opacity) per unit distance of a linear opacity, for unit distances of all sizes.
 void CheckExtinction(Check& check)
 {
@@ -76,7 +215,8 @@ void CheckExtinction(Check& check)
     vtkMaterialTable table;
     check.That(table.Build(property, samples, nullptr).empty(), "no error");
     check.That(table.Kind == vtkMaterialTable::INDEPENDENT && table.Rows == 1, "one row");
-    check.That(table.ColorRange[0] == Range{ { -2.0, 3.0 } }, "range of the colours");
+    // Those of the property by default are of 0 to 1024.
+    check.That(table.ColorRange[0] == Range{ { 0.0, 3.0 } }, "range of the colours");
     check.That(table.OpacityRange[0] == Range{ { -2.0, 3.0 } }, "range of the opacity");
     check.Equal(static_cast<long long>(table.Colors.size()), 4 * Columns, "values");
     for (std::size_t i = 0; i < Columns; ++i)
@@ -345,6 +485,7 @@ int TestMaterialTable(int, char*[])
 {
   Check check;
   CheckExtinction(check);
+  CheckBends(check);
   CheckColors(check);
   CheckDependent(check);
   CheckGradientOpacity(check);

@@ -1,0 +1,188 @@
+// Transfer functions of vtkShadowedSliceMapper that are finer than the range of the data: one voxel
+// far beyond all others, peaks and steps as narrow as a unit of 16 bits, curved functions.
+#include "PictureCases.h"
+#include "ReferenceCheck.h"
+#include "ReferenceShadowPicture.h"
+#include "ShadowCases.h"
+#include "ShadowComparison.h"
+#include "ShadowPicture.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkUnsignedShortArray.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr int Cells = 24;
+
+void ToShorts(vtkImageData* image)
+{
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  vtkNew<vtkUnsignedShortArray> shorts;
+  shorts->SetName("f");
+  for (vtkIdType id = 0; id < values->GetNumberOfTuples(); ++id)
+  {
+    shorts->InsertNextValue(static_cast<unsigned short>(std::lround(values->GetComponent(id, 0))));
+  }
+  image->GetPointData()->SetScalars(shorts);
+}
+
+/// A ball of values from 0 to 255, the middle of which is level.
+ShadowScene BallScene(bool shade)
+{
+  const Field ball = MakeSphere(0.1, 0.45);
+  auto scene = MakeScene(MakeImage(Cells, [&](const Double3& x) { return 255.0 * ball(x); }),
+    MakeProperty({ { 0.0, { { 0.2, 0.3, 0.9 } }, 0.0 }, { 100.0, { { 0.9, 0.2, 0.2 } }, 0.1 },
+                   { 255.0, { { 0.9, 0.7, 0.4 } }, 0.5 } },
+      0.1));
+  scene.Property->SetShade(shade ? 1 : 0);
+  scene.Property->SetAmbient(0.2);
+  scene.Size = { { 48, 48 } };
+  return scene;
+}
+
+/// One voxel that no function tells from its neighbours changes nothing.
+void TestOutlier(Check& check)
+{
+  for (bool shade : { false, true })
+  {
+    for (double outlier : { 65535.0, 1e7, 1e30 })
+    {
+      auto scene = BallScene(shade);
+      if (outlier == 65535.0)
+      {
+        ToShorts(scene.Image);
+      }
+      vtkNew<vtkShadowedSliceMapper> without;
+      const RgbaPicture expected = DrawByMapper(without, scene);
+      vtkDataArray* values = scene.Image->GetPointData()->GetScalars();
+      values->SetComponent(values->GetNumberOfTuples() / 2, 0, outlier);
+      values->Modified();
+      scene.Image->Modified();
+      const std::string name =
+        "a voxel of " + std::to_string(outlier) + (shade ? ", shaded" : ", not shaded");
+      vtkNew<vtkShadowedSliceMapper> with;
+      const RgbaPicture found = DrawByMapper(with, scene);
+      if (!shade)
+      {
+        ExpectAlike(check, name, found, expected, { 1e-4, 1e-5 });
+      }
+      ExpectReference(check, name + ", reference", scene, { 6e-3, 2e-4 });
+    }
+  }
+}
+
+/// Values of 16 bits from 30000 to 30012 along a diagonal, of 65536 in the range; those that are
+/// not near them are cropped.
+ShadowScene GentleScene(vtkVolumeProperty* property)
+{
+  auto scene = MakeScene(MakeImage(Cells,
+                           [](const Double3& x)
+                           {
+                             const bool isEnd = x[0] == 0.0 && x[1] == 0.0;
+                             return isEnd ? 65535.0 * std::floor(x[2] + 0.5)
+                                          : 30000.0 + 6.0 * (x[0] + 1.0 - x[2]);
+                           }),
+    property);
+  scene.CroppingFlags = VTK_CROP_SUBVOLUME;
+  scene.CroppingPlanes = { { -0.44, 0.5, -0.44, 0.5, -0.5, 0.5 } };
+  scene.Size = { { 48, 48 } };
+  return scene;
+}
+
+/// Both with thin slabs, since it is not their thickness that is looked at.
+void ExpectThin(
+  Check& check, const std::string& name, const ShadowScene& scene, const PictureBound& bound)
+{
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  mapper->SetSliceSpacing(0.002);
+  ExpectAlike(check, name, DrawByMapper(mapper, scene), MakeShadowPicture(scene, 8), bound);
+}
+
+void TestPeaks(Check& check)
+{
+  const Double3 red = { { 0.9, 0.2, 0.1 } };
+  const Double3 blue = { { 0.1, 0.3, 0.9 } };
+  std::vector<FunctionNode> nodes = { { 0.0, blue, 0.0 } };
+  for (double peak : { 30002.5, 30005.0, 30009.25 })
+  {
+    nodes.push_back({ peak - 0.5, blue, 0.0 });
+    nodes.push_back({ peak, red, 0.7 });
+    nodes.push_back({ peak + 0.5, blue, 0.0 });
+  }
+  nodes.push_back({ 65535.0, blue, 0.0 });
+  auto scene = GentleScene(MakeProperty(nodes, 0.1));
+  scene.Shadows = false;
+  ExpectThin(check, "peaks in floats", scene, { 5e-3, 2e-4 });
+  ToShorts(scene.Image);
+  ExpectThin(check, "peaks in 16 bits", scene, { 5e-3, 5e-4 });
+}
+
+void TestSteps(Check& check)
+{
+  const Double3 red = { { 0.9, 0.2, 0.1 } };
+  const Double3 blue = { { 0.1, 0.3, 0.9 } };
+  constexpr double edge = 1e-3;
+  auto scene = GentleScene(MakeProperty(
+    { { 0.0, blue, 0.0 }, { 30003.5 - edge, blue, 0.0 }, { 30003.5 + edge, blue, 0.3 },
+      { 30006.4 - edge, blue, 0.3 }, { 30006.4 + edge, red, 0.3 }, { 30008.25 - edge, red, 0.3 },
+      { 30008.25 + edge, red, 0.0 }, { 65535.0, red, 0.0 } },
+    0.1));
+  scene.Shadows = false;
+  ExpectThin(check, "steps in floats", scene, { 1e-2, 4e-4 });
+  ToShorts(scene.Image);
+  ExpectThin(check, "steps in 16 bits", scene, { 1e-2, 4e-4 });
+
+  // Two values that are next to each other, each level over half of the volume.
+  auto halves = GentleScene(MakeProperty({ { 0.0, blue, 0.0 }, { 30006.5 - edge, blue, 0.02 },
+                                           { 30006.5 + edge, red, 0.3 }, { 65535.0, red, 0.3 } },
+    0.1));
+  halves.Image = MakeImage(Cells,
+    [](const Double3& x)
+    {
+      const bool isEnd = x[0] == 0.0 && x[1] == 0.0;
+      return isEnd ? 65535.0 * std::floor(x[2] + 0.5) : 30006.0 + (x[0] > 0.5 ? 1.0 : 0.0);
+    });
+  ToShorts(halves.Image);
+  halves.Shadows = false;
+  ExpectThin(check, "neighbours of 16 bits", halves, { 1e-2, 2e-4 });
+}
+
+/// Opacity of gradients, light through matter and functions that end in nothing, beside an outlier.
+void TestOthers(Check& check)
+{
+  auto scene = BallScene(false);
+  scene.TransmissionColor = vtkSmartPointer<vtkColorTransferFunction>::New();
+  scene.TransmissionColor->AddRGBPoint(0.0, 0.1, 0.5, 0.9);
+  scene.TransmissionColor->AddRGBPoint(255.0, 0.8, 0.2, 0.5);
+  vtkNew<vtkPiecewiseFunction> gradients;
+  gradients->AddPoint(0.0, 0.0);
+  gradients->AddPoint(20.0, 1.0);
+  scene.Property->SetGradientOpacity(gradients);
+  scene.Property->GetScalarOpacity()->ClampingOff();
+  scene.Image->GetPointData()->GetScalars()->SetComponent(0, 0, 1e7);
+  ExpectReference(check, "an outlier with gradients, transmission and ends", scene, { 3e-3, 2e-4 });
+}
+
+}
+
+int TestShadowFunctions(int, char*[])
+{
+  Check check;
+  TestOutlier(check);
+  TestPeaks(check);
+  TestSteps(check);
+  TestOthers(check);
+  return check.Result();
+}
