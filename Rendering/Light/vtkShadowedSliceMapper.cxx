@@ -1,5 +1,6 @@
 #include "vtkShadowedSliceMapper.h"
 
+#include "vtkDepthPeels.h"
 #include "vtkSliceRenderer.h"
 
 #include "vtkColorTransferFunction.h"
@@ -16,7 +17,8 @@ vtkStandardNewMacro(vtkShadowedSliceMapper);
 
 //------------------------------------------------------------------------------
 vtkShadowedSliceMapper::vtkShadowedSliceMapper()
-  : Renderer(std::make_unique<vtkSliceRenderer>())
+  : Peels(std::make_unique<vtkDepthPeels>())
+  , Renderer(std::make_unique<vtkSliceRenderer>())
 {
 }
 
@@ -89,6 +91,15 @@ std::string vtkShadowedSliceMapper::FindScalars(
 //------------------------------------------------------------------------------
 void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
+  if (this->Peels->Defer(this, renderer, volume))
+  {
+    return;
+  }
+  if (this->Peels->TakeNews())
+  {
+    vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
+                       "translucent polygons, as without it");
+  }
   auto* image = vtkImageData::SafeDownCast(this->GetInput());
   int width = 0;
   int height = 0;

@@ -12,6 +12,7 @@
 #include <vector> // for warnings
 
 class vtkDataArray;
+class vtkDepthPeels;
 class vtkImageData;
 class vtkLight;
 class vtkSliceRenderer;
@@ -83,7 +84,9 @@ class vtkSliceRenderer;
  *
  * Cropping by region flags and clipping planes cut the matter exactly along the ray where the flags
  * are those of the subvolume, sample by sample otherwise. Opaque props occlude by depth, within a
- * slab too. BlendMode: composite only.
+ * slab too. Translucent polygons are behind the volume wherever they are: UseDepthPeelingForVolumes
+ * is not supported, is warned of once, and draws the picture that is drawn without it. BlendMode:
+ * composite only.
  *
  * Errors (vtkErrorMacro; the picture of the frame before stays where there is one): no scalars, a
  * blend mode or number of components that is not supported, a volume larger than the graphics
@@ -261,6 +264,7 @@ private:
   vtkMTimeType ErrorTime = 0;
   std::string ErrorText;
   vtkMTimeType WarningTime = 0;
+  std::unique_ptr<vtkDepthPeels> Peels;
   std::unique_ptr<vtkSliceRenderer> Renderer;
 };
 

@@ -1,5 +1,6 @@
 #include "vtkTimeWeightedTetrahedraMapper.h"
 
+#include "vtkDepthPeels.h"
 #include "vtkTetrahedraRenderer.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -30,6 +31,7 @@ vtkStandardNewMacro(vtkTimeWeightedTetrahedraMapper);
 //------------------------------------------------------------------------------
 vtkTimeWeightedTetrahedraMapper::vtkTimeWeightedTetrahedraMapper()
   : BoundaryProperty(vtkSmartPointer<vtkProperty>::New())
+  , Peels(std::make_unique<vtkDepthPeels>())
   , Renderer(std::make_unique<vtkTetrahedraRenderer>())
 {
   this->SetNumberOfInputPorts(2);
@@ -217,6 +219,15 @@ std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
 //------------------------------------------------------------------------------
 void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
+  if (this->Peels->Defer(this, renderer, volume))
+  {
+    return;
+  }
+  if (this->Peels->TakeNews())
+  {
+    vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
+                       "translucent polygons, as without it");
+  }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
   int width = 0;
   int height = 0;

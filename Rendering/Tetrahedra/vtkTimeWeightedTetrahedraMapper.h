@@ -10,6 +10,7 @@
 #include <memory> // for what is kept from picture to picture
 #include <string> // for array names
 
+class vtkDepthPeels;
 class vtkPolyData;
 class vtkProperty;
 class vtkTetrahedraRenderer;
@@ -53,7 +54,9 @@ struct vtkTetrahedraArrays;
  *
  * Opaque props occlude: a segment that runs into one is cut there. Each tetrahedron with a vertex
  * before the near plane is clipped. Selection (vtkHardwareSelector) finds the first tetrahedron on
- * a line of sight that is not wholly transparent.
+ * a line of sight that is not wholly transparent. Translucent polygons other than boundary
+ * triangles are behind the volume wherever they are: UseDepthPeelingForVolumes is not supported, is
+ * warned of once, and draws the picture that is drawn without it.
  *
  * Errors (vtkErrorMacro, nothing drawn): cells that are no tetrahedra, missing scalars, an array
  * for Dt or layers that is named and missing, a wrong number of components. Tetrahedra with NaN or
@@ -265,6 +268,7 @@ private:
   vtkTimeWeightedTetrahedraMapper(const vtkTimeWeightedTetrahedraMapper&) = delete;
   void operator=(const vtkTimeWeightedTetrahedraMapper&) = delete;
 
+  std::unique_ptr<vtkDepthPeels> Peels;
   std::unique_ptr<vtkTetrahedraRenderer> Renderer;
   /// Of the input and the mapper when the last error was given.
   vtkMTimeType ErrorTime = 0;

@@ -1,0 +1,95 @@
+#include "vtkDepthPeels.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkCommand.h"
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+namespace
+{
+bool IsPeeled(vtkVolume* volume)
+{
+  vtkInformation* keys = volume->GetPropertyKeys();
+  const int passes = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses())
+    ? keys->Length(vtkOpenGLRenderPass::RenderPasses())
+    : 0;
+  for (int i = 0; i < passes; ++i)
+  {
+    if (vtkDualDepthPeelingPass::SafeDownCast(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Draws the volume when the picture ends.
+class EndCommand : public vtkCommand
+{
+public:
+  static EndCommand* New();
+  vtkTypeMacro(EndCommand, vtkCommand);
+
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    auto* renderer = vtkRenderer::SafeDownCast(caller);
+    if (this->Mapper && this->Volume && renderer)
+    {
+      this->Mapper->Render(renderer, this->Volume);
+    }
+  }
+
+  vtkWeakPointer<vtkAbstractVolumeMapper> Mapper;
+  vtkWeakPointer<vtkVolume> Volume;
+};
+vtkStandardNewMacro(EndCommand);
+}
+
+//------------------------------------------------------------------------------
+vtkDepthPeels::~vtkDepthPeels()
+{
+  this->Forget();
+}
+
+//------------------------------------------------------------------------------
+void vtkDepthPeels::Forget()
+{
+  if (this->Renderer && this->Tag > 0)
+  {
+    this->Renderer->RemoveObserver(this->Tag);
+  }
+  this->Tag = 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDepthPeels::Defer(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  // One command for all peels of a picture, and none where there were none.
+  this->Forget();
+  if (!IsPeeled(volume))
+  {
+    return false;
+  }
+  vtkNew<EndCommand> command;
+  command->Mapper = mapper;
+  command->Volume = volume;
+  this->Renderer = renderer;
+  this->Tag = renderer->AddObserver(vtkCommand::EndEvent, command);
+  this->IsNews = !this->WasTaken;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDepthPeels::TakeNews()
+{
+  const bool isNews = this->IsNews;
+  this->WasTaken = this->WasTaken || isNews;
+  this->IsNews = false;
+  return isNews;
+}
