@@ -225,11 +225,11 @@ void main()
   bool isCut = false;
 #endif
 #ifdef OPAQUE
-  // Cut where an opaque surface is.
+  // Cut where an opaque surface is, or the far plane.
   float buffered = texelFetch(opaqueDepth, min(pixelStride * ivec2(gl_FragCoord.xy) + pixelStride / 2,
     textureSize(opaqueDepth, 0) - 1), 0).r;
   float wall = depthOfBuffer.x + depthOfBuffer.y * buffered;
-  if (buffered < 1.0 && depths.y < wall)
+  if (depths.y < wall)
   {
     if (depths.x <= wall)
     {

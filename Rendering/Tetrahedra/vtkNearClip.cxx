@@ -26,23 +26,6 @@ double GetSide(const Point& a, const Point& b, const Point& c, const Point& p)
 }
 
 //------------------------------------------------------------------------------
-bool vtkNearClip::MayCut(const vtkTetrahedraView& view)
-{
-  // Mesh coordinates are between -1 and 1; a little more for rounding.
-  const double limit = 1.0 + 1e-9;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const double point[3] = { corner & 1 ? limit : -limit, corner & 2 ? limit : -limit,
-      corner & 4 ? limit : -limit };
-    if (-view.GetEyePoint(point)[2] < view.GetNear())
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
 void vtkNearClip::Append(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
   const vtkTetrahedraView& view, const std::vector<std::uint32_t>* order)
 {
@@ -51,7 +34,7 @@ void vtkNearClip::Append(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
   this->Points = mesh.Points.size() / 3;
   this->Tetrahedra = mesh.GetNumberOfTetrahedra();
   this->Wholes.clear();
-  if (!MayCut(view))
+  if (view.GetReach()[0] >= view.GetNear())
   {
     return;
   }

@@ -52,7 +52,6 @@ private:
   };
   using Part = std::array<Corner, 4>;
 
-  static bool MayCut(const vtkTetrahedraView& view);
   void Cut(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, const vtkTetrahedraView& view,
     std::uint32_t tetrahedron);
   static void Sort(

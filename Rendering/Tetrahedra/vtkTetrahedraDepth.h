@@ -15,12 +15,12 @@ class vtkTetrahedraDepth
 {
 public:
   /**
-   * Reads the scene's depth, for every \a stride-th pixel. Returns false where it could not be
-   * read.
+   * Reads the scene's depth, for every \a stride-th pixel; where nothing is drawn, that of the far
+   * plane if \a isCutByFarPlane.
    */
-  bool Read(vtkRenderer* renderer, const vtkTetrahedraView& view, int stride);
+  void Read(vtkRenderer* renderer, const vtkTetrahedraView& view, int stride, bool isCutByFarPlane);
 
-  /// Depths as vtkTetrahedraView has them, for each of its pixels; empty where nothing is drawn.
+  /// Depths as vtkTetrahedraView has them, for each of its pixels; empty where nothing cuts.
   const std::vector<float>& GetDepths() const { return this->Depths; }
 
 private:

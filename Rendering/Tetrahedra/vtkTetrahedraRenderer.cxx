@@ -12,12 +12,14 @@
 #include "vtkHardwareSelector.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSMPTools.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <atomic>
 
 using Mapper = vtkTimeWeightedTetrahedraMapper;
 
@@ -365,8 +367,8 @@ std::string vtkTetrahedraRenderer::DrawWithOpenGL(vtkRenderer* renderer, vtkVolu
   changes.Colors = !isSameCut || resources.ColorVersion != this->ColorVersion;
   changes.Order = !isSameCut || resources.OrderVersion != this->OrderVersion;
   changes.Surface = !isSameCut || resources.BoundaryVersion != this->BoundaryVersion;
-  std::string error = resources.Painter.Draw(
-    renderer, this->Picture, changes, vtkOpaqueProps::MayOcclude(renderer, volume), report);
+  std::string error = resources.Painter.Draw(renderer, this->Picture, changes,
+    vtkOpaqueProps::MayOcclude(renderer, volume) || this->IsCutByFarPlane(), report);
   resources.MeshVersion = this->MeshVersion;
   resources.ColorVersion = this->ColorVersion;
   resources.OrderVersion = this->OrderVersion;
@@ -491,8 +493,33 @@ void vtkTetrahedraRenderer::UpdateBoundary(
 //------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::ReadDepth(vtkRenderer* renderer)
 {
-  this->Depth.Read(renderer, this->Picture.View, this->Picture.PixelStride);
+  this->Depth.Read(
+    renderer, this->Picture.View, this->Picture.PixelStride, this->IsCutByFarPlane());
   this->Picture.Opaque = this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetrahedraRenderer::IsCutByFarPlane() const
+{
+  const vtkTetrahedraView& view = this->Picture.View;
+  if (view.GetReach()[1] <= view.GetFar())
+  {
+    return false;
+  }
+  std::atomic<bool> isBeyond{ false };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Mesh.Points.size() / 3),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last && !isBeyond; ++p)
+      {
+        if (-view.GetEyePoint(&this->Mesh.Points[3 * static_cast<std::size_t>(p)])[2] >
+          view.GetFar())
+        {
+          isBeyond = true;
+        }
+      }
+    });
+  return isBeyond;
 }
 
 //------------------------------------------------------------------------------

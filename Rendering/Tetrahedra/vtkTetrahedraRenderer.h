@@ -86,6 +86,8 @@ private:
   void DrawSelection(
     vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void ReadDepth(vtkRenderer* renderer);
+  /// Whether a point of the mesh is beyond the far plane.
+  bool IsCutByFarPlane() const;
   void UpdateBoundary(
     vtkRenderer* renderer, const Request& request, vtkTetrahedraRenderReport& report);
   std::string GetFeatures() const;

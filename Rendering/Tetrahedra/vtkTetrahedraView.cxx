@@ -73,6 +73,7 @@ std::string vtkTetrahedraView::Set(
   double range[2];
   camera->GetClippingRange(range);
   this->Near = range[0] / this->Unit;
+  this->Far = range[1] / this->Unit;
   const double p22 = p->GetElement(2, 2);
   const double p23 = p->GetElement(2, 3);
   if (this->Parallel)
@@ -84,6 +85,16 @@ std::string vtkTetrahedraView::Set(
     this->DepthOfBuffer = { { (p22 - 1.0) * this->Unit / p23, 2.0 * this->Unit / p23 } };
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> vtkTetrahedraView::GetReach() const
+{
+  // Mesh coordinates are between -1 and 1; a little more for rounding.
+  const double limit = 1.0 + 1e-9;
+  const double* row = &this->EyeFromMesh[8];
+  const double reach = limit * (std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
+  return { { -row[3] - reach, -row[3] + reach } };
 }
 
 //------------------------------------------------------------------------------
@@ -144,5 +155,6 @@ bool vtkTetrahedraView::operator==(const vtkTetrahedraView& other) const
 {
   return this->Width == other.Width && this->Height == other.Height &&
     this->Parallel == other.Parallel && this->Unit == other.Unit && this->Near == other.Near &&
-    this->EyeFromMesh == other.EyeFromMesh && this->GetPixelsFromEye() == other.GetPixelsFromEye();
+    this->Far == other.Far && this->EyeFromMesh == other.EyeFromMesh &&
+    this->GetPixelsFromEye() == other.GetPixelsFromEye();
 }

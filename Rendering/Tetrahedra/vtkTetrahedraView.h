@@ -72,6 +72,10 @@ public:
   }
   /// Where the near plane is, on the axis; points with -z less than it are before it.
   double GetNear() const { return this->Near; }
+  /// Where the far plane is; points with -z more than it are beyond it.
+  double GetFar() const { return this->Far; }
+  /// The smallest and largest -z in the box that the coordinates of meshes are in.
+  std::array<double, 2> GetReach() const;
 
   /// Length of a line of sight between two depths, over the length between them along the axis.
   double GetSlant(double x, double y) const;
@@ -105,6 +109,7 @@ private:
   bool Parallel = false;
   double Unit = 1.0;
   double Near = 0.0;
+  double Far = 0.0;
   std::array<double, 12> EyeFromMesh{};
   double ScaleX = 1.0;
   double ShiftX = 0.0;

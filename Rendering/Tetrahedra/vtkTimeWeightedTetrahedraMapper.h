@@ -52,8 +52,8 @@ struct vtkTetrahedraArrays;
  * pixel whose centre is within 1/256 pixel of the edge of a tetrahedron's silhouette can be on its
  * other side, since graphics cards round corners.
  *
- * Opaque props occlude: a segment that runs into one is cut there. Each tetrahedron with a vertex
- * before the near plane is clipped. Selection (vtkHardwareSelector) finds the first tetrahedron on
+ * Opaque props occlude: a segment that runs into one is cut there, and so is one that runs into the
+ * far plane. Each tetrahedron with a vertex before the near plane is clipped. Selection (vtkHardwareSelector) finds the first tetrahedron on
  * a line of sight that is not wholly transparent. Translucent polygons other than boundary
  * triangles are behind the volume wherever they are: UseDepthPeelingForVolumes is not supported, is
  * warned of once, and draws the picture that is drawn without it.

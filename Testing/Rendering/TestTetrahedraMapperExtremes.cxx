@@ -1,0 +1,184 @@
+// The far plane, transfer functions of many nodes, and meshes of tetrahedra as thin as numbers are.
+#include "MapperPicture.h"
+#include "PictureCases.h"
+#include "ReferenceCheck.h"
+#include "VolumeStage.h"
+
+#include "vtkCamera.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <iostream>
+#include <random>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr Point3 Slanted = { { 0.3, -0.4, -1.0 } };
+
+/// How many pixels are more than a thousandth off, and by how much at most.
+struct Misses
+{
+  int Pixels = 0;
+  double Largest = 0.0;
+};
+
+Misses Compare(const RgbaPicture& found, const RgbaPicture& expected)
+{
+  Misses misses;
+  for (int j = 0; j < expected.Height; ++j)
+  {
+    for (int i = 0; i < expected.Width; ++i)
+    {
+      double error = 0.0;
+      for (int k = 0; k < 4; ++k)
+      {
+        const double difference = std::abs(found.At(i, j)[k] - expected.At(i, j)[k]);
+        error = difference <= error ? error : difference;
+      }
+      misses.Pixels += error > 1e-3 ? 1 : 0;
+      misses.Largest = std::max(misses.Largest, error);
+    }
+  }
+  return misses;
+}
+
+/// Both paths against the reference: largest errors and pixels beyond 1e-3 that pass.
+void Expect(Check& check, const std::string& name, const PictureCase& what, const Misses& software,
+  const Misses& opengl)
+{
+  const RgbaPicture expected = DrawByReference(what);
+  check.That(LargestAlpha(expected) > 0.05, name + ": something is seen");
+  for (const int path : AllRenderPaths())
+  {
+    const Misses found = Compare(DrawByPath(path, what), expected);
+    const std::string of = name + ", " + GetPathName(path);
+    std::cout << of << ": " << found.Pixels << " pixels to " << found.Largest << std::endl;
+    const Misses& bound =
+      path == vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH ? software : opengl;
+    check.That(found.Pixels <= bound.Pixels, of + ": pixels");
+    check.Near(found.Largest, 0.0, bound.Largest, of + ": largest error", 1.0);
+  }
+}
+
+PictureCase MakeCase(vtkUnstructuredGrid* grid, vtkVolumeProperty* property, bool parallel)
+{
+  PictureCase what;
+  what.Grid = grid;
+  what.Property = property;
+  what.Camera = LookAt(grid, Slanted, parallel);
+  what.Settings.Size = { { 96, 96 } };
+  return what;
+}
+
+/// As an opaque plane across the axis, but that nothing is drawn there.
+void TestFarPlane(Check& check)
+{
+  for (bool parallel : { true, false })
+  {
+    PictureCase what = MakeCase(MakeCube(4), MakeRamp(0.5, 3.0), parallel);
+    double range[2];
+    what.Camera->GetClippingRange(range);
+    const double far = 0.6 * range[0] + 0.4 * range[1];
+    what.Camera->SetClippingRange(range[0], far);
+    const PixelRays rays(what.Camera, what.Settings.Size);
+    for (int j = 0; j < what.Settings.Size[1]; ++j)
+    {
+      for (int i = 0; i < what.Settings.Size[0]; ++i)
+      {
+        what.Settings.OpaqueDistance.push_back(
+          far * static_cast<double>(rays.Get(i, j).DistancePerDepth));
+      }
+    }
+    Expect(check, std::string("far plane, ") + (parallel ? "parallel" : "perspective"), what,
+      { 0, 1e-3 }, { 2, 0.1 });
+  }
+}
+
+void TestNodes(Check& check)
+{
+  std::mt19937 random(5);
+  const auto uniform = [&]() { return random() / static_cast<double>(random.max()); };
+  for (int nodes : { 50, 500, 2000 })
+  {
+    std::vector<FunctionNode> points;
+    for (int i = 0; i < nodes; ++i)
+    {
+      points.push_back({ 0.1 + 0.9 * i / (nodes - 1.0), { { uniform(), uniform(), uniform() } },
+        8.0 * uniform() });
+    }
+    for (bool parallel : { true, false })
+    {
+      Expect(check, std::to_string(nodes) + (parallel ? " nodes, parallel" : " nodes, perspective"),
+        MakeCase(MakeCube(4), MakeProperty(points), parallel), { 0, 1e-3 }, { 2, 0.1 });
+    }
+  }
+}
+
+void TestSquashed(Check& check)
+{
+  for (double height : { 1e-3, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9 })
+  {
+    auto grid = MakeCube(4);
+    MovePoints(grid, { { 0.0, 0.0, 0.0 } }, 1.0, { { 1.0, 1.0, height } });
+    Expect(check, "squashed to " + std::to_string(height * 1e9) + "e-9",
+      MakeCase(grid, MakeRamp(0.5, 3.0, height), true), { 0, 1e-3 }, { 2, 0.1 });
+  }
+}
+
+/// Needles around an axis, seen along it.
+void TestNeedles(Check& check)
+{
+  for (int needles : { 200, 2000 })
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->InsertNextPoint(0.0, 0.0, 0.0);
+    points->InsertNextPoint(0.0, 0.0, 1.0);
+    for (int i = 0; i < needles; ++i)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * i / needles;
+      points->InsertNextPoint(0.5 * std::cos(angle), 0.5 * std::sin(angle), 0.5);
+    }
+    vtkNew<vtkUnstructuredGrid> grid;
+    grid->SetPoints(points);
+    for (vtkIdType i = 0; i < needles; ++i)
+    {
+      const vtkIdType ids[4] = { 0, 1, 2 + i, 2 + (i + 1) % needles };
+      grid->InsertNextCell(VTK_TETRA, 4, ids);
+    }
+    AddLinear(grid, "f", 0.2, { { 0.3, 0.2, 0.5 } });
+    grid->GetPointData()->SetActiveScalars("f");
+    for (bool parallel : { true, false })
+    {
+      PictureCase what = MakeCase(grid, MakeRamp(0.5, 3.0), parallel);
+      what.Camera = LookAt(grid, { { 0.0, 0.0, -1.0 } }, parallel);
+      Expect(check,
+        std::to_string(needles) + (parallel ? " needles, parallel" : " needles, perspective"), what,
+        { 0, 1e-3 }, { 2, 0.1 });
+    }
+  }
+}
+
+}
+
+int TestTetrahedraMapperExtremes(int, char*[])
+{
+  Check check;
+  TestFarPlane(check);
+  TestNodes(check);
+  TestSquashed(check);
+  TestNeedles(check);
+  return check.Result();
+}
