@@ -12,9 +12,10 @@
 namespace
 {
 /// Lines of sight pass this far from the pixels' centres. Regular meshes in regular views have
-/// edges and faces through the centres, where rounding alone would choose between neighbours.
-constexpr double HAIR_X = 2.3e-7;
-constexpr double HAIR_Y = 3.7e-7;
+/// edges and faces through the centres, where rounding alone would choose between neighbours. The
+/// less, the thinner meshes that are seen from the side may be.
+constexpr double HAIR_X = 2.3e-9;
+constexpr double HAIR_Y = 3.7e-9;
 }
 
 //------------------------------------------------------------------------------
