@@ -117,18 +117,25 @@ float lookUpBends(int first, int pieces, float share)
 #endif
 
 // A texel has its column's value and the next one's, or minus the place and the size of the list of
-// bends between them.
+// bends between them; then what makes a share of the way a share of the edge.
 float lookUp(sampler2D table, float column, int row)
 {
   float place = clamp(column, 0.0, float(COLUMNS - 1));
   int first = int(place);
   float share = place - float(first);
+#ifdef EDGES
+  vec4 values = texelFetch(table, ivec2(first, row), 0);
+#else
   vec2 values = texelFetch(table, ivec2(first, row), 0).rg;
+#endif
 #ifdef BENDS
   if (values.x < 0.0)
   {
     return lookUpBends(int(-values.x), int(values.y), share);
   }
+#endif
+#ifdef EDGES
+  share = clamp(share * values.z + values.w, 0.0, 1.0);
 #endif
   return mix(values.x, values.y, share);
 }
@@ -152,20 +159,28 @@ vec3 lookUpColorBends(int first, float share)
 #endif
 
 #if defined(TRANSMISSION) || defined(COLOR)
-// A texel's fourth is the place of the bends between its column and the next one, or 0.
+// A texel's fourth is the place of the bends between its column and the next one, minus both ends of
+// the edge there, or 0.
 vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 {
   float column =
     clamp((texel[row] - colorColumnOrigin[row]) * colorColumnScale[row], 0.0, float(COLUMNS - 1));
   int first = min(int(column), COLUMNS - 2);
+  float share = column - float(first);
   vec4 color = texelFetch(table, ivec2(first, row), 0);
 #ifdef BENDS
   if (color.a > 0.0)
   {
-    return lookUpColorBends(int(color.a), column - float(first));
+    return lookUpColorBends(int(color.a), share);
   }
 #endif
-  return mix(color.rgb, texelFetch(table, ivec2(first + 1, row), 0).rgb, column - float(first));
+#ifdef EDGES
+  float places = float(EDGE_PLACES);
+  float from = floor(-color.a / (places + 1.0));
+  float to = -color.a - from * (places + 1.0);
+  share = color.a < 0.0 ? clamp((share * places - from) / max(to - from, 0.01), 0.0, 1.0) : share;
+#endif
+  return mix(color.rgb, texelFetch(table, ivec2(first + 1, row), 0).rgb, share);
 }
 #endif
 

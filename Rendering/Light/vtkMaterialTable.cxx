@@ -138,6 +138,8 @@ void vtkMaterialTable::BuildRow(vtkVolumeProperty* property, const vtkVolumeSamp
     this->Opacities[row], vtkTransferColumns::ONE, this->OpacityRange[row], mapping, this->Bends);
   this->ExtinctionBends.insert(
     this->ExtinctionBends.end(), extinctions.Bends.begin(), extinctions.Bends.end());
+  this->ExtinctionEdges.insert(
+    this->ExtinctionEdges.end(), extinctions.Edges.begin(), extinctions.Edges.end());
 
   const Range scalars =
     this->Kind == COLOR_OPACITY ? FindTableRange(samples, 0) : this->ScalarRange[row];
@@ -163,10 +165,12 @@ void vtkMaterialTable::BuildRow(vtkVolumeProperty* property, const vtkVolumeSamp
       }
     }
     this->TransmissionBends = std::move(columns.Bends);
+    this->TransmissionEdges = std::move(columns.Edges);
   }
   const vtkTransferColumns columns(
     colors, vtkTransferColumns::THREE, this->ColorRange[row], Kept, this->Bends);
   this->ColorBends.insert(this->ColorBends.end(), columns.Bends.begin(), columns.Bends.end());
+  this->ColorEdges.insert(this->ColorEdges.end(), columns.Edges.begin(), columns.Edges.end());
   for (std::size_t i = 0; i < columns.Values.size(); ++i)
   {
     for (const double channel : columns.Values[i])
@@ -183,6 +187,7 @@ void vtkMaterialTable::BuildGradientOpacity(vtkVolumeProperty* property)
   bool any = false;
   std::vector<float> values;
   std::vector<int> bends;
+  std::vector<std::array<float, 2>> edges;
   for (int row = 0; row < this->Rows; ++row)
   {
     const std::array<double, 2>& scalars = this->ScalarRange[row];
@@ -202,12 +207,26 @@ void vtkMaterialTable::BuildGradientOpacity(vtkVolumeProperty* property)
       any = any || values.back() < 1.0F;
     }
     bends.insert(bends.end(), columns.Bends.begin(), columns.Bends.end());
+    edges.insert(edges.end(), columns.Edges.begin(), columns.Edges.end());
   }
   if (any || std::any_of(bends.begin(), bends.end(), [](int first) { return first > 0; }))
   {
     this->GradientOpacity = std::move(values);
     this->GradientOpacityBends = std::move(bends);
+    this->GradientOpacityEdges = std::move(edges);
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkMaterialTable::HasEdges() const
+{
+  const auto isAny = [](const std::vector<std::array<float, 2>>& edges)
+  {
+    return std::any_of(edges.begin(), edges.end(),
+      [](const std::array<float, 2>& edge) { return edge[0] > 0.0F || edge[1] < 1.0F; });
+  };
+  return isAny(this->ColorEdges) || isAny(this->ExtinctionEdges) ||
+    isAny(this->GradientOpacityEdges) || isAny(this->TransmissionEdges);
 }
 
 //------------------------------------------------------------------------------

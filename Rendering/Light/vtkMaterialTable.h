@@ -94,8 +94,15 @@ public:
   std::vector<int> ExtinctionBends;
   std::vector<int> GradientOpacityBends;
   std::vector<int> TransmissionBends;
-  /// Texels of four floats; empty where no function bends between columns.
+  /// Texels of four floats; empty where no function has a list.
   std::vector<float> Bends;
+  /// For each column of the tables where its edge begins and ends.
+  std::vector<std::array<float, 2>> ColorEdges;
+  std::vector<std::array<float, 2>> ExtinctionEdges;
+  std::vector<std::array<float, 2>> GradientOpacityEdges;
+  std::vector<std::array<float, 2>> TransmissionEdges;
+  /// Whether there are any.
+  bool HasEdges() const;
 
 private:
   void BuildRow(vtkVolumeProperty* property, const vtkVolumeSamples& samples, int row,

@@ -39,6 +39,9 @@ std::string GetMediumFeatures(const Picture& picture)
   features += picture.Samples.Mask.empty() ? "" : " MASK";
   features += material.GradientOpacity.empty() ? "" : " GRADIENT_OPACITY";
   features += material.Bends.empty() ? "" : " BENDS";
+  features += material.HasEdges()
+    ? " EDGES EDGE_PLACES=" + std::to_string(vtkTransferColumns::EdgePlaces)
+    : "";
   features += picture.Matter.HasCropping ? " CROPPING" : "";
   if (!picture.Matter.ClippingPlanes.empty())
   {

@@ -11,6 +11,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -58,18 +59,23 @@ void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int c
     texels.size() / (static_cast<std::size_t>(columns) * static_cast<std::size_t>(components));
   texture->SetContext(window);
   SetSampling(texture, false);
+  // Else it keeps the number of channels of the table before.
+  texture->ResetFormatAndType();
   texture->Create2DFromRaw(static_cast<unsigned int>(columns), static_cast<unsigned int>(rows),
     components, VTK_FLOAT, const_cast<float*>(texels.data()));
 }
 
+using Edges = std::vector<std::array<float, 2>>;
+
 // One value of each column, at \a first and further ones, and the next of its row, so that one look
 // finds both that it lies between. Where there are bends between them, minus the texel of their
-// list is in place of the first.
+// list and the number of its pieces are in their place. With edges there are two more: a share of
+// the way times the third, plus the fourth, is the share of the edge.
 std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first, std::size_t stride,
-  const std::vector<int>& places, const std::vector<float>& bends)
+  const std::vector<int>& places, const std::vector<float>& bends, const Edges* edges)
 {
   std::vector<float> pairs;
-  pairs.reserve(2 * places.size());
+  pairs.reserve((edges ? 4 : 2) * places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     const bool isLast = (i + 1) % vtkMaterialTable::Columns == 0;
@@ -77,20 +83,34 @@ std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first,
     const auto list = static_cast<std::size_t>(places[i]);
     pairs.push_back(list > 0 ? -static_cast<float>(list) : table[at]);
     pairs.push_back(list > 0 ? bends[4 * list] : table[isLast ? at : at + stride]);
+    if (edges)
+    {
+      // A step is as narrow as single precision tells places apart.
+      constexpr float narrowest = 1e-5F;
+      const std::array<float, 2>& edge = (*edges)[i];
+      const float slope = 1.0F / std::max(edge[1] - edge[0], narrowest);
+      pairs.push_back(slope);
+      pairs.push_back(-edge[0] * slope);
+    }
   }
   return pairs;
 }
 
-// Red, green, blue of each column, of \a stride values, and the texel of its list of bends.
-std::vector<float> MakeColors(
-  const std::vector<float>& table, std::size_t stride, const std::vector<int>& bends)
+// Red, green, blue of each column, of \a stride values, and the texel of its list of bends, or
+// minus the two places of an edge.
+std::vector<float> MakeColors(const std::vector<float>& table, std::size_t stride,
+  const std::vector<int>& bends, const Edges& edges)
 {
   std::vector<float> colors;
   colors.reserve(4 * bends.size());
   for (std::size_t i = 0; i < bends.size(); ++i)
   {
+    constexpr int places = vtkTransferColumns::EdgePlaces;
+    const bool isEdge = edges[i][0] > 0.0F || edges[i][1] < 1.0F;
+    const float edge =
+      std::round(edges[i][0] * places) * (places + 1) + std::round(edges[i][1] * places);
     colors.insert(colors.end(), &table[stride * i], &table[stride * i] + 3);
-    colors.push_back(static_cast<float>(bends[i]));
+    colors.push_back(isEdge ? -edge : static_cast<float>(bends[i]));
   }
   return colors;
 }
@@ -113,9 +133,10 @@ vtkIdType vtkSliceTextures::GetBytes(const vtkVolumeSamples& samples)
 vtkIdType vtkSliceTextures::GetBytes(const vtkMaterialTable& material)
 {
   // Colours and their bends, pairs of extinctions and of gradient opacities, the bends themselves.
-  const std::size_t values = 4 * material.ColorBends.size() + 2 * material.ExtinctionBends.size() +
-    2 * material.GradientOpacityBends.size() + 4 * material.TransmissionBends.size() +
-    material.Bends.size();
+  const std::size_t pair = material.HasEdges() ? 4 : 2;
+  const std::size_t values = 4 * material.ColorBends.size() +
+    pair * (material.ExtinctionBends.size() + material.GradientOpacityBends.size()) +
+    4 * material.TransmissionBends.size() + material.Bends.size();
   return static_cast<vtkIdType>(sizeof(float)) * static_cast<vtkIdType>(values);
 }
 
@@ -167,14 +188,21 @@ std::string vtkSliceTextures::Upload(
 {
   ForgetErrors();
   constexpr int columns = vtkMaterialTable::Columns;
-  UploadTable(
-    window, this->Colors, columns, MakeColors(material.Colors, 4, material.ColorBends), 4);
+  const bool hasEdges = material.HasEdges();
+  const int pair = hasEdges ? 4 : 2;
+  UploadTable(window, this->Colors, columns,
+    MakeColors(material.Colors, 4, material.ColorBends, material.ColorEdges), 4);
   UploadTable(window, this->Extinctions, columns,
-    MakePairs(material.Colors, 3, 4, material.ExtinctionBends, material.Bends), 2);
+    MakePairs(material.Colors, 3, 4, material.ExtinctionBends, material.Bends,
+      hasEdges ? &material.ExtinctionEdges : nullptr),
+    pair);
   UploadTable(window, this->GradientOpacities, columns,
-    MakePairs(material.GradientOpacity, 0, 1, material.GradientOpacityBends, material.Bends), 2);
+    MakePairs(material.GradientOpacity, 0, 1, material.GradientOpacityBends, material.Bends,
+      hasEdges ? &material.GradientOpacityEdges : nullptr),
+    pair);
   UploadTable(window, this->Transmissions, columns,
-    MakeColors(material.Transmission, 3, material.TransmissionBends), 4);
+    MakeColors(material.Transmission, 3, material.TransmissionBends, material.TransmissionEdges),
+    4);
   std::vector<float> bends = material.Bends;
   const std::size_t row = 4 * columns;
   bends.resize((bends.size() + row - 1) / row * row, 0.0F);

@@ -84,9 +84,47 @@ public:
       { return this->IsClose(place.Y, Mix(first, last, place.Share), Straight); });
   }
 
+  /// Finds where an edge begins and ends, before and after which the values are those of the ends;
+  /// false where there is more than an edge.
+  bool FindEdge(std::array<float, 2>& edge) const
+  {
+    const Value& first = this->Places.front().Y;
+    const Value& last = this->Places.back().Y;
+    std::size_t begin = 0;
+    while (
+      begin + 1 < this->Places.size() && this->IsClose(this->Places[begin + 1].Y, first, Straight))
+    {
+      ++begin;
+    }
+    std::size_t end = this->Places.size() - 1;
+    while (end > 0 && this->IsClose(this->Places[end - 1].Y, last, Straight))
+    {
+      --end;
+    }
+    const double from = this->Places[begin].Share;
+    const double to = this->Places[end].Share;
+    const auto isEdge = [&](const Place& place)
+    {
+      const double share = std::clamp((place.Share - from) / (to - from), 0.0, 1.0);
+      return this->IsClose(place.Y, Mix(first, last, share), Straight);
+    };
+    // A step has two values at one place.
+    const bool isFound =
+      from < to ? std::all_of(this->Places.begin(), this->Places.end(), isEdge) : end == begin + 1;
+    edge = { { isFound ? Round(from) : 0.0F, isFound ? Round(to) : 1.0F } };
+    return isFound;
+  }
+
   const std::vector<Place>& GetPlaces() const { return this->Places; }
 
 private:
+  /// To a place of which two fit into a number of single precision.
+  static float Round(double share)
+  {
+    constexpr double places = vtkTransferColumns::EdgePlaces;
+    return static_cast<float>(std::round(share * places) / places);
+  }
+
   /// Channels of one value are mapped once.
   static Value Apply(const std::function<double(double)>& map, const Value& y)
   {
@@ -153,6 +191,7 @@ int Append(const std::vector<Place>& places, bool isOne, std::vector<float>& ben
 vtkTransferColumns::vtkTransferColumns(const vtkTransferNodes& nodes, Channels channels,
   const Range& range, const Mapping& mapping, std::vector<float>& bends)
   : Bends(Columns, 0)
+  , Edges(Columns, { { 0.0F, 1.0F } })
 {
   const double width = (range[1] - range[0]) / (Columns - 1);
   const auto& all = nodes.GetNodes();
@@ -187,7 +226,7 @@ vtkTransferColumns::vtkTransferColumns(const vtkTransferNodes& nodes, Channels c
       way.Add({ std::min((next->X - x) / (end - x), 1.0), next->Y });
     }
     way.Add({ 1.0, evaluate(end) });
-    if (!way.IsStraight())
+    if (!way.IsStraight() && !way.FindEdge(this->Edges[static_cast<std::size_t>(i)]))
     {
       this->Bends[static_cast<std::size_t>(i)] = Append(way.GetPlaces(), channels == ONE, bends);
     }

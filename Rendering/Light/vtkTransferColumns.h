@@ -4,6 +4,7 @@
 #include "InterlumeLightModule.h" // for the export macro
 #include "vtkTransferNodes.h"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -12,10 +13,11 @@
  * @brief   a transfer function at even places, and where it bends between two of them
  *
  * Most functions are straight between most columns, where two values are all that a shader needs.
- * Where they are not - a step, a peak, a steep edge, however narrow - the list of bends has the
- * function's nodes between the two columns, which a shader searches: so steps and peaks are where
- * they are, in single precision over the range. Straight is what is within 1e-3 of the largest
- * value: a slow bend needs no list, and shaders of functions without lists have no search.
+ * Where they go from the one to the other in a part of the way, a step or a steep edge, the part is
+ * kept as well; where there is more between them, such as a peak, a list of bends has the
+ * function's nodes there, which a shader searches. So steps and peaks are where they are, however
+ * narrow, in single precision over the range. What is within 1e-3 of the largest value is equal: a
+ * slow bend needs neither, and shaders of functions without edges or lists have no word of them.
  *
  * A list is texels of four floats, the first of them the number of pieces. Of one channel, there
  * follow the pieces: the shares of the way from column to column, from 0 to 1, at which each begins
@@ -25,6 +27,8 @@
 struct vtkTransferColumns
 {
   static constexpr int Columns = 4096;
+  /// Edges begin and end at a multiple of one over so many.
+  static constexpr int EdgePlaces = 4095;
   using Range = vtkTransferNodes::Range;
   using Value = vtkTransferNodes::Value;
 
@@ -53,6 +57,9 @@ struct vtkTransferColumns
   /// For each column the first texel of the list that is for the way to the next one; 0 where that
   /// is straight.
   std::vector<int> Bends;
+  /// For each column where its edge begins and ends, as shares of the way; 0 and 1 where it has
+  /// none.
+  std::vector<std::array<float, 2>> Edges;
 };
 
 #endif

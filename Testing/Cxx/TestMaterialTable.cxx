@@ -65,8 +65,8 @@ float ValueOf(
 /// What a shader finds of a table at a scalar: three channels of texels of \a stride values, or
 /// one.
 std::array<double, 3> LookUp(const vtkMaterialTable& table, const std::vector<float>& values,
-  const std::vector<int>& bends, std::size_t first, std::size_t stride, const Range& range,
-  double x)
+  const std::vector<int>& bends, const std::vector<std::array<float, 2>>& edges, std::size_t first,
+  std::size_t stride, const Range& range, double x)
 {
   const std::size_t channels = stride > 1 && first == 0 ? 3 : 1;
   const double column =
@@ -95,10 +95,13 @@ std::array<double, 3> LookUp(const vtkMaterialTable& table, const std::vector<fl
     }
     return result;
   }
+  const std::array<float, 2>& edge = edges[left];
+  const double inside =
+    std::clamp((share - edge[0]) / std::max(edge[1] - edge[0], 1e-5F), 0.0, 1.0);
   for (std::size_t c = 0; c < channels; ++c)
   {
     const double a = values[first + stride * left + c];
-    result[c] = a + share * (values[first + stride * (left + 1) + c] - a);
+    result[c] = a + inside * (values[first + stride * (left + 1) + c] - a);
   }
   return result;
 }
@@ -132,15 +135,16 @@ void CheckBends(Check& check)
     {
       const double expected =
         std::min(-std::log1p(-std::clamp(opacity->GetValue(x), 0.0, 1.0)), 69.0);
-      const double found =
-        LookUp(table, table.Colors, table.ExtinctionBends, 3, 4, table.OpacityRange[0], x)[0];
+      const double found = LookUp(table, table.Colors, table.ExtinctionBends, table.ExtinctionEdges,
+        3, 4, table.OpacityRange[0], x)[0];
       opacityError = std::max(opacityError, std::abs(std::exp(-found) - std::exp(-expected)));
       below = std::max(below, expected - table.GetLargestExtinction(0, x - 1e-3, x + 1e-3));
       std::array<double, 3> rgb{};
       color->GetColor(x, rgb.data());
-      const auto hue = LookUp(table, table.Colors, table.ColorBends, 0, 4, table.ColorRange[0], x);
-      const auto passed =
-        LookUp(table, table.Transmission, table.TransmissionBends, 0, 3, table.ColorRange[0], x);
+      const auto hue = LookUp(
+        table, table.Colors, table.ColorBends, table.ColorEdges, 0, 4, table.ColorRange[0], x);
+      const auto passed = LookUp(table, table.Transmission, table.TransmissionBends,
+        table.TransmissionEdges, 0, 3, table.ColorRange[0], x);
       for (std::size_t c = 0; c < 3; ++c)
       {
         colorError = std::max(colorError, std::abs(hue[c] - rgb[c]));
