@@ -10,6 +10,8 @@ using Value = vtkTransferNodes::Value;
 
 /// Shares of the largest value: what needs no list, and how close lists are.
 constexpr double Straight = 1e-3;
+/// The same within an edge, over the whole way.
+constexpr double Curved = 1e-2;
 constexpr double Tolerance = 1e-4;
 /// Straight pieces are halved this often at most.
 constexpr int Depth = 12;
@@ -103,10 +105,19 @@ public:
     }
     const double from = this->Places[begin].Share;
     const double to = this->Places[end].Share;
+    // What is off within the edge counts by its part of the way; what is beyond its ends is none.
+    const double tolerance = std::max(Straight, Curved / std::max(to - from, Curved));
     const auto isEdge = [&](const Place& place)
     {
       const double share = std::clamp((place.Share - from) / (to - from), 0.0, 1.0);
-      return this->IsClose(place.Y, Mix(first, last, share), Straight);
+      Value within = place.Y;
+      for (std::size_t i = 0; i < within.size(); ++i)
+      {
+        within[i] = std::clamp(within[i], std::min(first[i], last[i]), std::max(first[i], last[i]));
+      }
+      const bool isInside = place.Share > from && place.Share < to;
+      return this->IsClose(place.Y, within, Straight) &&
+        this->IsClose(place.Y, Mix(first, last, share), isInside ? tolerance : Straight);
     };
     // A step has two values at one place.
     const bool isFound =

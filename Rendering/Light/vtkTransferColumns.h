@@ -16,8 +16,9 @@
  * Where they go from the one to the other in a part of the way, a step or a steep edge, the part is
  * kept as well; where there is more between them, such as a peak, a list of bends has the
  * function's nodes there, which a shader searches. So steps and peaks are where they are, however
- * narrow, in single precision over the range. What is within 1e-3 of the largest value is equal: a
- * slow bend needs neither, and shaders of functions without edges or lists have no word of them.
+ * narrow, in single precision over the range. What is within 1e-3 of the largest value is equal,
+ * and within an edge what is off by 1e-2 of it, averaged over the way: a slow bend needs neither,
+ * and shaders of functions without edges or lists have no word of them.
  *
  * A list is texels of four floats, the first of them the number of pieces. Of one channel, there
  * follow the pieces: the shares of the way from column to column, from 0 to 1, at which each begins
