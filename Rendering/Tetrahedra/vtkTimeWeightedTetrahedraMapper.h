@@ -59,10 +59,11 @@ struct vtkTetrahedraArrays;
  * a pixel at the corner of a squashed mesh (to 0.78). The software path has none of that.
  *
  * Opaque props occlude: a segment that runs into one is cut there, and so is one that runs into the
- * far plane. Each tetrahedron with a vertex before the near plane is clipped. Selection (vtkHardwareSelector) finds the first tetrahedron on
- * a line of sight that is not wholly transparent. Translucent polygons other than boundary
- * triangles are behind the volume wherever they are: UseDepthPeelingForVolumes is not supported, is
- * warned of once, and draws the picture that is drawn without it.
+ * far plane. Each tetrahedron with a vertex before the near plane is clipped. Selection
+ * (vtkHardwareSelector) finds the first tetrahedron on a line of sight that is not wholly
+ * transparent. Translucent polygons other than boundary triangles are behind the volume wherever
+ * they are: UseDepthPeelingForVolumes is not supported, is warned of once, and draws the picture
+ * that is drawn without it.
  *
  * Errors (vtkErrorMacro, nothing drawn): cells that are no tetrahedra, missing scalars, an array
  * for Dt or layers that is named and missing, a wrong number of components. Tetrahedra with NaN or
