@@ -41,6 +41,10 @@ vec3 sightline = vec3(0.0);
 float sampleExtinction = 0.0;
 float opticalDepth = 0.0;
 float opacity = 0.0;
+#ifdef THICK
+// Whether matter begins within the segment.
+bool isFront = false;
+#endif
 
 vec3 colorAt(vec4 texel, int row)
 {
@@ -119,8 +123,9 @@ void main()
 #else
   sightline = eyeDirection;
 #endif
-  float upper = 0.5 * sliceSpacing / max(abs(dot(sightline, sliceNormal)), 1e-6);
-  float lower = -upper;
+  float across = sliceSpacing / max(abs(dot(sightline, sliceNormal)), 1e-6);
+  float lower = -4.0;
+  float upper = 4.0;
 #ifdef NEAR_PLANE
   lower = max(
     lower, -(dot(nearPlane.xyz, place) + nearPlane.w) / dot(nearPlane.xyz, sightline));
@@ -137,6 +142,12 @@ void main()
   vec3 p = placeInTexture(place);
   vec3 q = mat3(textureFromUnit) * sightline;
   cutToMatter(place, sightline, p, inverseOf(q), lower, upper);
+#ifdef THICK
+  float matterStart = lower;
+  float matterEnd = upper;
+#endif
+  lower = max(lower, -0.5 * across);
+  upper = min(upper, 0.5 * across);
   if (!(upper > lower))
   {
     discard;
@@ -147,11 +158,28 @@ void main()
   vec4 texel;
   vec4 parts;
   sampleExtinction = extinctionsAt(sampleAt, sampleInTexture, texel, parts);
+#ifdef THIN
+  // What is not marked by its depth is drawn as thick matter next.
+  if (sampleExtinction * (upper - lower) > LEAST_DEPTH)
+  {
+    discard;
+  }
+  if (!(sampleExtinction > 0.0))
+  {
+    gl_FragData[0] = vec4(0.0);
+    return;
+  }
+#else
   if (!(sampleExtinction > 0.0))
   {
     discard;
   }
+#endif
   opticalDepth = sampleExtinction * (upper - lower);
+#ifdef THICK
+  opticalDepth = depthOfSlab(place, sightline, p, q, across, matterStart, matterEnd,
+    sampleExtinction, lower, upper, isFront);
+#endif
   opacity = opticalDepth < 0.05
     ? opticalDepth *
       (1.0 - opticalDepth * (0.5 - opticalDepth * (1.0 / 6.0 - opticalDepth / 24.0)))

@@ -29,6 +29,13 @@ uniform float strength_INDEX;
 uniform mat3 frame_INDEX;
 #else
 uniform mat4 bufferFromUnit_INDEX;
+#ifdef THICK
+// The buffer as it was some slabs before, up to layerEntrance along the slices' normal.
+uniform sampler2D layer_INDEX;
+uniform float layerEntrance_INDEX;
+// A voxel along the light.
+uniform float voxelLength_INDEX;
+#endif
 #endif
 #endif
 
@@ -91,6 +98,113 @@ float getPath_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
   return max(-lower, 0.0);
 }
 
+#if defined(THICK) && !defined(WIDE_INDEX)
+// The four texels around a place in a map, and its share of the way between them.
+void getTexels_INDEX(sampler2D map, vec2 uv, out LIGHT texels[4], out vec2 part)
+{
+  ivec2 size = textureSize(map, 0);
+  vec2 at = uv * vec2(size) - 0.5;
+  ivec2 first = ivec2(floor(at));
+  part = at - vec2(first);
+#ifdef NEAREST_LIGHT
+  part = step(0.5, part);
+#endif
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 texel = clamp(first + ivec2(i & 1, i >> 1), ivec2(0), size - 1);
+    texels[i] = texelFetch(map, texel, 0).CHANNELS;
+  }
+}
+
+LIGHT interpolate_INDEX(LIGHT texels[4], vec2 part)
+{
+  return mix(mix(texels[0], texels[1], part.x), mix(texels[2], texels[3], part.x), part.y);
+}
+
+// The optical depth that light along l meets from the layer on to x, in steps that grow away from x,
+// and whether extinctions jump on the way.
+LIGHT getNearDepth_INDEX(vec3 x, vec3 l, inout bool isHard)
+{
+  float whole =
+    max((dot(x, sliceNormal) - layerEntrance_INDEX) / max(dot(l, sliceNormal), 1e-6), 0.0);
+  float lower = -whole;
+  float upper = 0.0;
+  vec3 p = placeInTexture(x);
+  vec3 q = mat3(textureFromUnit) * l;
+  cutToMatter(x, l, p, inverseOf(q), lower, upper);
+  float way = max(-lower, 0.0);
+  int steps = clamp(int(ceil(way / voxelLength_INDEX)), 1, 8);
+  Place here = placeAt(x, p);
+  LIGHT depth = LIGHT(0.0);
+  float from = 0.0;
+  for (int i = 1; i <= steps; ++i)
+  {
+    float share = float(i) / float(steps);
+    float to = way * 0.5 * share * (1.0 + share);
+    Place there = placeAt(x - l * to, p - q * to);
+    depth += meanExtinction(here, there) * (to - from) * (0.5 * (here.Part + there.Part));
+    isHard = isHard || jumps(here, there);
+    here = there;
+    from = to;
+  }
+  isHard = isHard || (way < 0.99 * whole && extinctionOf(here) > 0.0);
+  return depth;
+}
+
+// Beside sharp surfaces texels of the buffer are of light rays that have or have not met the surface,
+// whatever this fragment's has: there the buffer is asked for the light that has come as far as to
+// the layer, and from there on the fragment's own ray is followed. False where all around is even.
+bool findTransmittance_INDEX(vec3 l, out LIGHT result)
+{
+  // Too little to be seen.
+  const float least = 0.02;
+  // Where the eye sees the segment on the average.
+  float seen = opticalDepth < 0.05 ? 0.5 - opticalDepth / 12.0
+                                   : 1.0 / opticalDepth - (1.0 - opacity) / opacity;
+  vec4 b = bufferFromUnit_INDEX * vec4(mix(segmentStart, segmentEnd, seen), 1.0);
+  vec2 uv = b.xy / b.w * 0.5 + 0.5;
+  vec2 part;
+  LIGHT texels[4];
+  getTexels_INDEX(buffer_INDEX, uv, texels, part);
+  LIGHT layer[4];
+  getTexels_INDEX(layer_INDEX, uv, layer, part);
+  LIGHT darkest = LIGHT(2.0);
+  LIGHT lightest = LIGHT(0.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    LIGHT through = texels[i] / max(layer[i], LIGHT(1e-6));
+    darkest = min(darkest, through);
+    lightest = max(lightest, through);
+  }
+  LIGHT far = interpolate_INDEX(layer, part);
+  bool isUneven = isFront || largestOf((lightest - darkest) * far) > least;
+  bool isHard = isFront;
+
+  // Where matter begins by its values, that is known to some hundredths of a voxel: one place is
+  // before it and one well behind. Else two of Gauss within what can be seen.
+  float size = distance(segmentStart, segmentEnd);
+  float reach = min(size, 3.0 / sampleExtinction);
+  float ahead = isFront ? -0.15 * voxelLength_INDEX : 0.2113 * reach;
+  float behind = isFront ? 0.35 * voxelLength_INDEX : 0.7887 * reach;
+  LIGHT first = LIGHT(0.0);
+  LIGHT last = LIGHT(0.0);
+  // A loop, which holds the code once.
+  int places = isUneven && largestOf(far) > least ? 2 : 0;
+  for (int i = 0; i < places; ++i)
+  {
+    first = last;
+    last = getNearDepth_INDEX(
+      segmentStart + sightline * (i == 0 ? ahead : behind), l, isHard);
+  }
+  float start = max(ahead, 0.0);
+  LIGHT slope = (last - first) / (behind - start);
+  first = max(first - slope * start, LIGHT(0.0));
+  last = max(first + slope * size, LIGHT(0.0));
+  result = far * meanOfProduct(first, last);
+  return places > 0 && isHard;
+}
+#endif
+
 // The transmittance from the light: up to the slab from the buffer, within it the mean over what the
 // eye sees of the segment.
 LIGHT getTransmittance_INDEX(vec3 l)
@@ -104,6 +218,13 @@ LIGHT getTransmittance_INDEX(vec3 l)
   p.xy /= abs(p.x) + abs(p.y) + max(p.z, 0.0);
   vec2 uv = vec2(p.x + p.y, p.x - p.y) * 0.5 + 0.5;
 #else
+#ifdef THICK
+  LIGHT found;
+  if (findTransmittance_INDEX(l, found))
+  {
+    return found;
+  }
+#endif
   vec4 b = bufferFromUnit_INDEX * vec4(sampleAt, 1.0);
   vec2 uv = b.xy / b.w * 0.5 + 0.5;
 #endif

@@ -3,6 +3,9 @@
 
 uniform sampler3D volume;
 uniform sampler2D extinctions;
+#ifdef THICK
+uniform sampler2D extinctionSums;
+#endif
 uniform mat4 textureFromUnit;
 // A texel less the origin, times the scale, is a column.
 uniform vec4 columnScale;
@@ -158,6 +161,20 @@ vec3 lookUpColorBends(int first, float share)
 }
 #endif
 
+#ifdef THICK
+// The extinction at a column, and the sum of extinctions from the first column to it.
+vec2 lookUpSum(float column, int row)
+{
+  float place = clamp(column, 0.0, float(COLUMNS - 1));
+  int first = int(place);
+  vec2 sums = texelFetch(extinctionSums, ivec2(first, row), 0).rg;
+  float extinction = lookUp(extinctions, column, row);
+  // What is beyond the columns has the extinction of their ends.
+  float sum = mix(sums.x, sums.y, place - float(first)) + extinction * (column - place);
+  return vec2(extinction, sum);
+}
+#endif
+
 #if defined(TRANSMISSION) || defined(COLOR)
 // A texel's fourth is the place of the bends between its column and the next one, minus both ends of
 // the edge there, or 0.
@@ -293,3 +310,159 @@ float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 #endif
   return dot(parts, vec4(1.0));
 }
+
+#ifdef THICK
+#ifdef TRANSMISSION
+float largestOf(vec3 light)
+{
+  return max(max(light.r, light.g), light.b);
+}
+#else
+float largestOf(float light)
+{
+  return light;
+}
+#endif
+
+#if ROWS == 1
+#define VALUES float
+#else
+#define VALUES vec4
+#endif
+
+// A place between which and another values change evenly: columns of each row's opacities, the
+// extinctions there and their sums up to there, and the share of matter.
+struct Place
+{
+  VALUES Columns;
+  VALUES Extinctions;
+  VALUES Sums;
+  float Share;
+  LIGHT Part;
+};
+
+Place placeOf(VALUES columns, float share, LIGHT part)
+{
+  Place place;
+  place.Columns = columns;
+  place.Share = share;
+  place.Part = part;
+#if ROWS == 1
+  vec2 found = lookUpSum(columns, 0);
+  place.Extinctions = found.x;
+  place.Sums = found.y;
+#else
+  place.Extinctions = vec4(0.0);
+  place.Sums = vec4(0.0);
+  for (int row = 0; row < ROWS; ++row)
+  {
+    vec2 found = lookUpSum(columns[row], row);
+    place.Extinctions[row] = found.x;
+    place.Sums[row] = found.y;
+  }
+#endif
+  return place;
+}
+
+float extinctionOf(Place place)
+{
+#if ROWS == 1
+  return place.Extinctions * place.Share;
+#else
+  return dot(place.Extinctions, vec4(1.0)) * place.Share;
+#endif
+}
+
+// The place x, which is p in the texture. Opacity by gradients is part of the share.
+Place placeAt(vec3 x, vec3 p)
+{
+  float share;
+  vec4 texel = texelAt(p, share);
+#ifdef CROPPING
+  share = isCropped(x) ? 0.0 : share;
+#endif
+  vec4 columns = (texel - columnOrigin) * columnScale;
+#if ROWS == 1
+  Place place = placeOf(columns.OPACITY_OF, share * worldLength, PART(texel));
+#else
+  Place place = placeOf(columns, share * worldLength, PART(texel));
+#endif
+#ifdef GRADIENT_OPACITY
+  float whole = extinctionOf(place);
+  vec4 parts;
+  float left = extinctionsAt(x, p, texel, parts);
+  place.Share *= whole > 0.0 ? left / whole : 0.0;
+#endif
+  return place;
+}
+
+Place placeBetween(Place a, Place b, float part)
+{
+  return placeOf(mix(a.Columns, b.Columns, part), mix(a.Share, b.Share, part), a.Part);
+}
+
+// The mean extinction on the way from one place to another.
+float meanExtinction(Place a, Place b)
+{
+  VALUES change = b.Columns - a.Columns;
+  VALUES level = 0.5 * (a.Extinctions + b.Extinctions);
+  float share = 0.5 * (a.Share + b.Share);
+  // Sums up to nearly the same column have no digits for their difference.
+#if ROWS == 1
+  return share * (abs(change) < 0.5 ? level : (b.Sums - a.Sums) / change);
+#else
+  float sum = 0.0;
+  for (int row = 0; row < ROWS; ++row)
+  {
+    sum += abs(change[row]) < 0.5 ? level[row] : (b.Sums[row] - a.Sums[row]) / change[row];
+  }
+  return share * sum;
+#endif
+}
+
+// Whether extinctions jump on the way: in the middle they are far from the mean of both ends.
+bool jumps(Place a, Place b)
+{
+  float first = extinctionOf(a);
+  float last = extinctionOf(b);
+  float middle = extinctionOf(placeBetween(a, b, 0.5));
+  return abs(middle - 0.5 * (first + last)) > 0.35 * max(first, last);
+}
+
+// The optical depth of a slab's matter, between lower and upper on x + s d, p and q in the texture,
+// whose sample in the middle has an extinction. Slabs are across long, matter is from start to end.
+// Where extinctions jump to nothing on the way to the next slab's sample that slab shows nothing of
+// what is there; then lower or upper moves to where the matter begins or ends. isFront is
+// set where extinctions jump before the sample.
+float depthOfSlab(vec3 x, vec3 d, vec3 p, vec3 q, float across, float start, float end,
+  float extinction, inout float lower, inout float upper, inout bool isFront)
+{
+  float middle = 0.5 * (lower + upper);
+  float size = 0.5 * (upper - lower);
+  Place here = placeAt(x + d * middle, p + q * middle);
+  vec2 borders = vec2(lower, upper);
+  float depth = 0.0;
+  for (int i = 0; i < 2; ++i)
+  {
+    float sign = i == 0 ? -1.0 : 1.0;
+    float last = i == 0 ? start : end;
+    float next = 0.5 * (borders[i] + sign * min(sign * borders[i] + across, sign * last));
+    float way = abs(next - middle);
+    Place there = placeAt(x + d * next, p + q * next);
+    float share = extinction * size;
+    if (abs(last - borders[i]) > 0.01 * across && jumps(here, there))
+    {
+      bool isLeft = extinctionOf(there) > 0.05 * extinction;
+      share = isLeft ? meanExtinction(here, placeBetween(here, there, size / way)) * size
+                     : meanExtinction(here, there) * way;
+      float reach = isLeft ? size : min(share / extinction, way);
+      borders[i] = middle + sign * reach;
+      isFront = isFront || i == 0;
+    }
+    depth += share;
+  }
+  lower = borders.x;
+  upper = borders.y;
+  return max(depth, 1e-6);
+}
+#endif

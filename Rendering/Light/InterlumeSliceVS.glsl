@@ -1,12 +1,20 @@
 //VTK::System::Dec
+//INTERLUME::FEATURES
 
 // A point of a slice, in unit space, as the eye or a light sees it.
 in vec3 placeIn;
 uniform mat4 clipFromUnit;
 out vec3 place;
+#ifdef MARKED
+// In clip coordinates, of the whole slice: nearer from slice to slice.
+uniform float sliceDepth;
+#endif
 
 void main()
 {
   place = placeIn;
   gl_Position = clipFromUnit * vec4(placeIn, 1.0);
+#ifdef MARKED
+  gl_Position.z = sliceDepth * gl_Position.w;
+#endif
 }

@@ -173,6 +173,8 @@ void vtkLightFit::FitPlane(const vtkLightSource& source, vtkSlicePlan::ShadowedL
   light.IsWide = false;
   light.BufferSize = this->GetSize(texels);
   light.BufferFromUnit = {};
+  light.TexelSize = 0.0;
+  light.VoxelLength = vtkSlicePlan::GetVoxelSpacing(this->Space, window.Axis);
 
   const double inner = 1.0 - 2.0 * Border / light.BufferSize;
   const double widest =
@@ -188,6 +190,7 @@ void vtkLightFit::FitPlane(const vtkLightSource& source, vtkSlicePlan::ShadowedL
     const double center = 0.5 * (window.Range[i][0] + window.Range[i][1]);
     const double half = 0.5 * std::max(window.Range[i][1] - window.Range[i][0], narrowest * widest);
     const double scale = inner / (half * depth);
+    light.TexelSize = std::max(light.TexelSize, 2.0 / (scale * light.BufferSize));
     if (window.IsPerspective)
     {
       setRow(i, Combine(scale, window.Across[i], -scale * center, window.Axis), 0.0);

@@ -31,8 +31,18 @@ class vtkSliceRenderer;
  * A slice stands for the slab of matter around it. Along the eye's ray through it, of length l
  * within the volume, the slab has transmittance exp(-tau l); a light loses exp(-tau m) along its
  * own ray of length m. Inside the slab both fall exponentially, and their product is integrated
- * exactly for constant tau, so that a homogeneous medium is exact at any spacing and opaque
- * surfaces do not darken as slices get thicker.
+ * exactly for constant tau, and opaque surfaces do not darken as slices get thicker. What a buffer
+ * has between its texels is interpolated: a homogeneous cube, lit aslant, is off by 0.09 at slices
+ * of 4 voxels and by 0.18 at 17; at the default of half a voxel by 0.01 and less.
+ *
+ * **Sharp surfaces** lie within a slab, and texels of a buffer around a place beside them have met
+ * them or not, whatever the place's own ray has. Where a slab's optical depth is above 0.15 the
+ * place in the slab is found where opacity begins to jump, and light is asked for where it was some
+ * slabs before and followed to that place along its own ray. An opaque cube is off by 0.004 in the
+ * mean and a plate with a jump of opacity by 2.2 % (rms) or less for light from 0 to 60 degrees;
+ * single pixels at edges by more. Ramps of opacity over a voxel or more, and sheets and shells one
+ * voxel thick, are looked up in the buffer as before: off by 0.01 in the mean. This takes 1.4 to
+ * 1.9 times the time where there is such matter, and nothing elsewhere.
  *
  * **Extinction** tau = -ln(1 - opacity) / ScalarOpacityUnitDistance per unit of length, the opacity
  * from the property's scalar opacity function, times its gradient opacity function of the
@@ -63,7 +73,14 @@ class vtkSliceRenderer;
  * both sides take two sweeps, and so does a positional light inside the volume.
  *
  * One buffer of two dimensions for each light: four bytes of transmittance for each sample, twelve
- * with TransmissionColor, and two that spare what lies behind opaque matter.
+ * with TransmissionColor, two that spare what lies behind opaque matter, and two layers of the
+ * former for slabs of an optical depth above 0.15.
+ *
+ * A positional light inside the volume, or as close that rays run along the slices, has two sweeps
+ * and its rays are followed in steps: it takes 4 to 9 times the time without shadows, where others
+ * take 1.1 to 2; lights on both sides of the volume take about 2.8 times. Where a light nears the
+ * volume so that one sweep becomes two, the picture's brightness makes a step of the size of the
+ * slices' error, which can be four times the change from one frame to the next.
  *
  * **Input**: vtkImageData, point or cell scalars by ScalarMode, ArrayName, ArrayId as in VTK's
  * other mappers, of any type and of
@@ -135,7 +152,7 @@ public:
   ///@{
   /**
    * Columns and rows of the buffer of each light. 0, the default: as many as the volume has voxels
-   * across, seen from the light; sharp surfaces under oblique light want two to three times that.
+   * across, seen from the light.
    * Valid: 0, and 16 to 8192, up to what the graphics card can do.
    */
   void SetLightBufferSize(int size);

@@ -15,10 +15,18 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 //------------------------------------------------------------------------------
 vtkSliceLightBuffer::vtkSliceLightBuffer(int light)
   : Light(light)
 {
+  for (vtkSmartPointer<vtkTextureObject>& layer : this->Layers)
+  {
+    layer = vtkSmartPointer<vtkTextureObject>::New();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -28,7 +36,7 @@ vtkSliceLightBuffer::~vtkSliceLightBuffer() = default;
 std::string vtkSliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window,
   const vtkSlicePicture& picture, const vtkSlicePlan::Sweep& sweep,
   const vtkSlicePlan::ShadowedLight& light, vtkSliceTextures& textures,
-  vtkOpenGLBufferObject* vertices)
+  vtkOpenGLBufferObject* vertices, bool hasLayers)
 {
   this->Size = light.BufferSize;
   this->Bytes = vtkFloatTarget::Allocate(window, this->Texture, this->Size, this->Size,
@@ -50,13 +58,38 @@ std::string vtkSliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window,
   }
   else
   {
-    this->Bytes += this->Occlusion.Prepare(window, this->Framebuffer, this->Size, this->Size);
+    this->Bytes +=
+      this->Occlusion.Prepare(window, this->Framebuffer, this->Size, this->Size, false);
     vtkSliceOcclusion::Clear(window);
   }
   // A wide light's buffer has optical depth.
   const float start = light.IsWide ? 0.0f : 1.0f;
   window->GetState()->vtkglClearColor(start, start, start, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    vtkSmartPointer<vtkTextureObject>& layer = this->Layers[i];
+    if (light.IsWide || !hasLayers)
+    {
+      layer->ReleaseGraphicsResources(window);
+      continue;
+    }
+    const vtkIdType bytes = vtkFloatTarget::Allocate(
+      window, layer, this->Size, this->Size, picture.GetLightChannels(), false);
+    if (bytes == 0)
+    {
+      return "the graphics card has no memory for the layers of a light";
+    }
+    this->Bytes += bytes;
+    this->LayerSlabs[i] = 0;
+    this->CopyTo(layer);
+  }
+  // Texels on all sides of a place are free of the surface there, seen up to 60 degrees aslant.
+  constexpr double texels = 1.5;
+  constexpr double most = 64.0;
+  this->Period = static_cast<int>(
+    std::ceil(std::min(std::max(texels * light.TexelSize / sweep.Spacing, 1.0), most)));
+  this->IsLayerSet = false;
   const std::string source = vtkSliceShader::GetLightSource(picture, light);
   vtkShaderProgram* program = nullptr;
   this->Wide.reset();
@@ -81,6 +114,42 @@ std::string vtkSliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window,
   textures.Activate(program);
   vtkSliceShader::SetLightUniforms(program, picture, sweep, light);
   return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkSliceLightBuffer::CopyTo(vtkTextureObject* layer)
+{
+  const bool wasActive = layer->GetTextureUnit() >= 0;
+  layer->Activate();
+  glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, this->Size, this->Size);
+  if (!wasActive)
+  {
+    layer->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSliceLightBuffer::KeepLayer(int slab, bool isEmpty)
+{
+  const std::array<int, 2> before = this->LayerSlabs;
+  if (isEmpty)
+  {
+    // What comes through all before the slab comes through the slab.
+    for (int& layer : this->LayerSlabs)
+    {
+      layer += layer == slab ? 1 : 0;
+    }
+  }
+  else if (slab - this->LayerSlabs[1] >= this->Period)
+  {
+    std::swap(this->Layers[0], this->Layers[1]);
+    this->LayerSlabs = { { this->LayerSlabs[1], slab } };
+    this->Framebuffer->Bind(GL_READ_FRAMEBUFFER);
+    this->CopyTo(this->Layers[1]);
+  }
+  const bool isChanged = !this->IsLayerSet || this->LayerSlabs != before;
+  this->IsLayerSet = true;
+  return isChanged;
 }
 
 //------------------------------------------------------------------------------
@@ -139,6 +208,10 @@ std::vector<float> vtkSliceLightBuffer::Read(
 void vtkSliceLightBuffer::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
+  for (vtkTextureObject* layer : this->Layers)
+  {
+    layer->ReleaseGraphicsResources(window);
+  }
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Slices.ReleaseGraphicsResources();
   this->Occlusion.ReleaseGraphicsResources(window);

@@ -6,8 +6,11 @@
 #include "vtkSlicePlan.h"
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
 #include "vtkType.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,7 +21,7 @@ class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkSlicePicture;
 class vtkSliceTextures;
-class vtkTextureObject;
+
 class vtkWindow;
 
 /**
@@ -42,12 +45,22 @@ public:
   void SetUnused() { this->Bytes = 0; }
 
   /**
-   * Makes it ready for a sweep: all light passes. \a light is this buffer's in the sweep. Returns
-   * what is wrong, or nothing.
+   * Makes it ready for a sweep: all light passes. \a light is this buffer's in the sweep;
+   * \a hasLayers says that GetLayer is asked for. Returns what is wrong, or nothing.
    */
   std::string Prepare(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
     const vtkSlicePlan::Sweep& sweep, const vtkSlicePlan::ShadowedLight& light,
-    vtkSliceTextures& textures, vtkOpenGLBufferObject* vertices);
+    vtkSliceTextures& textures, vtkOpenGLBufferObject* vertices, bool hasLayers);
+
+  ///@{
+  /// The buffer as it was some slabs before, and the first slab that is not in it. Not of wide
+  /// lights.
+  vtkTextureObject* GetLayer() const { return this->Layers[0]; }
+  int GetLayerSlab() const { return this->LayerSlabs[0]; }
+  ///@}
+  /// Before a slab is drawn, or passed over as empty: keeps the buffer where the last layer is old
+  /// enough. Returns whether the layer is another one.
+  bool KeepLayer(int slab, bool isEmpty);
 
   /// Takes what a slab lets through.
   void Draw(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep,
@@ -62,10 +75,18 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  void CopyTo(vtkTextureObject* layer);
+
   int Light;
   int Size = 0;
   vtkIdType Bytes = 0;
   vtkNew<vtkTextureObject> Texture;
+  /// The older and the newer one.
+  std::array<vtkSmartPointer<vtkTextureObject>, 2> Layers;
+  std::array<int, 2> LayerSlabs{ { 0, 0 } };
+  bool IsLayerSet = false;
+  /// Slabs from layer to layer.
+  int Period = 1;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSlicePass Slices;
   vtkSliceOcclusion Occlusion;

@@ -20,14 +20,14 @@ vtkSliceOcclusion::vtkSliceOcclusion() = default;
 vtkSliceOcclusion::~vtkSliceOcclusion() = default;
 
 //------------------------------------------------------------------------------
-vtkIdType vtkSliceOcclusion::Prepare(
-  vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer, int width, int height)
+vtkIdType vtkSliceOcclusion::Prepare(vtkOpenGLRenderWindow* window,
+  vtkOpenGLFramebufferObject* framebuffer, int width, int height, bool hasDepths)
 {
   this->Depth->SetContext(window);
   if (!vtkFloatTarget::Fits(this->Depth, width, height))
   {
     this->Depth->AllocateDepth(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
-      vtkTextureObject::Fixed16);
+      hasDepths ? vtkTextureObject::Fixed24 : vtkTextureObject::Fixed16);
   }
   this->Framebuffer->SetContext(window);
   this->Framebuffer->Bind();
@@ -35,7 +35,7 @@ vtkIdType vtkSliceOcclusion::Prepare(
   this->Framebuffer->DeactivateDrawBuffers();
   framebuffer->Bind();
   framebuffer->AddDepthAttachment(this->Depth);
-  return static_cast<vtkIdType>(2) * width * height;
+  return static_cast<vtkIdType>(hasDepths ? 4 : 2) * width * height;
 }
 
 //------------------------------------------------------------------------------

@@ -24,15 +24,15 @@ class vtkSliceOcclusion
 {
 public:
   /// Slabs between two looks at the buffer.
-  static constexpr int Interval = 16;
+  static constexpr int Interval = 4;
 
   vtkSliceOcclusion();
   ~vtkSliceOcclusion();
 
-  /// Makes the depth buffer fit and attaches it to \a framebuffer, which is bound then. Returns its
-  /// bytes.
-  vtkIdType Prepare(
-    vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer, int width, int height);
+  /// Makes the depth buffer fit and attaches it to \a framebuffer, which is bound then. The same
+  /// \a hasDepths each time: slices draw depths of their own, one for each slab. Returns its bytes.
+  vtkIdType Prepare(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
+    int width, int height, bool hasDepths);
 
   /// Clears the depth of the framebuffer that is bound: nothing is opaque.
   static void Clear(vtkOpenGLRenderWindow* window);

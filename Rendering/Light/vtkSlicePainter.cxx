@@ -10,6 +10,7 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -34,6 +35,7 @@ struct ScopedState
     , Cull(state, GL_CULL_FACE)
     , Scissor(state, GL_SCISSOR_TEST)
     , DepthMask(state)
+    , DepthFunc(state)
     , BlendFunction(state)
     , Viewport(state)
     , ClearColor(state)
@@ -43,12 +45,14 @@ struct ScopedState
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
     state->vtkglDepthMask(GL_FALSE);
+    state->vtkglDepthFunc(GL_LESS);
   }
   vtkOpenGLState::ScopedglEnableDisable DepthTest;
   vtkOpenGLState::ScopedglEnableDisable Blend;
   vtkOpenGLState::ScopedglEnableDisable Cull;
   vtkOpenGLState::ScopedglEnableDisable Scissor;
   vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
   vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
   vtkOpenGLState::ScopedglViewport Viewport;
   vtkOpenGLState::ScopedglClearColor ClearColor;
@@ -104,7 +108,8 @@ std::string vtkSlicePainter::PrepareImage(
   }
   this->ImageFramebuffer->SetContext(window);
   ++report.ImageBuffers;
-  report.ImageBufferBytes += this->Occlusion.Prepare(window, this->ImageFramebuffer, width, height);
+  report.ImageBufferBytes +=
+    this->Occlusion.Prepare(window, this->ImageFramebuffer, width, height, true);
   this->ImageFramebuffer->Bind();
   this->ImageFramebuffer->AddColorAttachment(0, this->Image);
   this->ImageFramebuffer->ActivateDrawBuffer(0);
@@ -130,13 +135,16 @@ vtkSliceLightBuffer& vtkSlicePainter::GetLightBuffer(int light)
 
 //------------------------------------------------------------------------------
 std::string vtkSlicePainter::PrepareLights(
-  vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, const Sweep& sweep)
+  vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, std::size_t sweepIndex)
 {
+  const Sweep& sweep = picture.Plan.Sweeps[sweepIndex];
+  const bool hasLayers = vtkSliceShader::HasThickPart(picture, sweepIndex);
   for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
   {
     // A light of several sweeps has its buffer in each in turn.
-    std::string error = this->GetLightBuffer(light.Light)
-                          .Prepare(window, picture, sweep, light, this->Textures, this->Vertices);
+    std::string error =
+      this->GetLightBuffer(light.Light)
+        .Prepare(window, picture, sweep, light, this->Textures, this->Vertices, hasLayers);
     if (!error.empty())
     {
       return error;
@@ -209,9 +217,10 @@ std::string vtkSlicePainter::Draw(vtkRenderer* renderer, const vtkSlicePicture& 
 
 //------------------------------------------------------------------------------
 void vtkSlicePainter::ActivateTextures(vtkOpenGLRenderWindow* window,
-  const vtkSlicePicture& picture, std::size_t sweepIndex, vtkShadowedSliceReport& report)
+  const vtkSlicePicture& picture, std::size_t sweepIndex, vtkShaderProgram* program,
+  vtkShadowedSliceReport& report)
 {
-  vtkShaderProgram* program = this->Eye.GetProgram();
+  window->GetShaderCache()->ReadyShaderProgram(program);
   const auto activate = [&](vtkTextureObject* texture, const std::string& name)
   {
     texture->Activate();
@@ -269,6 +278,32 @@ void vtkSlicePainter::ClearSweep(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkSlicePainter::PrepareEye(vtkOpenGLRenderWindow* window,
+  const vtkSlicePicture& picture, std::size_t sweepIndex, vtkShadowedSliceReport& report)
+{
+  this->HasThickPart = vtkSliceShader::HasThickPart(picture, sweepIndex);
+  const auto prepare = [&](vtkSlicePass& pass, vtkSliceShader::Parts part)
+  {
+    const std::string source =
+      vtkSliceShader::GetEyeSource(picture, sweepIndex, this->HasOpaqueDepth, part);
+    std::string error = pass.Prepare(window, source, this->Vertices, this->HasThickPart);
+    if (error.empty())
+    {
+      this->ActivateTextures(window, picture, sweepIndex, pass.GetProgram(), report);
+      vtkSliceShader::SetEyeUniforms(pass.GetProgram(), picture, sweepIndex, this->HasOpaqueDepth);
+    }
+    return error;
+  };
+  std::string error =
+    prepare(this->Eye, this->HasThickPart ? vtkSliceShader::THIN : vtkSliceShader::ALL);
+  if (error.empty() && this->HasThickPart)
+  {
+    error = prepare(this->ThickEye, vtkSliceShader::THICK);
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
   const vtkSlicePicture& picture, std::size_t sweepIndex, const std::function<bool()>& isAborted,
   vtkShadowedSliceReport& report)
@@ -286,23 +321,24 @@ std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
     static_cast<vtkIdType>(this->Polygons.GetVertices().size());
   this->Vertices->Upload(this->Polygons.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
 
-  std::string error = this->PrepareLights(window, picture, sweep);
+  std::string error = this->PrepareLights(window, picture, sweepIndex);
   if (error.empty())
   {
-    error = this->Eye.Prepare(window,
-      vtkSliceShader::GetEyeSource(picture, sweepIndex, this->HasOpaqueDepth), this->Vertices);
+    error = this->PrepareEye(window, picture, sweepIndex, report);
   }
   if (!error.empty())
   {
     this->DeactivateTextures();
     return error;
   }
-  this->ActivateTextures(window, picture, sweepIndex, report);
-  vtkSliceShader::SetEyeUniforms(this->Eye.GetProgram(), picture, sweepIndex, this->HasOpaqueDepth);
   this->ClearSweep(window, picture, sweepIndex);
   int drawn = 0;
   for (int slab = 0; slab < sweep.Slabs && !isAborted(); ++slab)
   {
+    if (this->HasThickPart)
+    {
+      this->KeepLayers(window, sweep, slab);
+    }
     if (this->Polygons.IsEmpty(slab))
     {
       continue;
@@ -330,6 +366,32 @@ std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
 }
 
 //------------------------------------------------------------------------------
+void vtkSlicePainter::KeepLayers(vtkOpenGLRenderWindow* window, const Sweep& sweep, int slab)
+{
+  const bool isEmpty = this->Polygons.IsEmpty(slab);
+  for (std::size_t i = 0; i < sweep.Lights.size(); ++i)
+  {
+    vtkSliceLightBuffer& buffer = this->GetLightBuffer(sweep.Lights[i].Light);
+    if (sweep.Lights[i].IsWide || !buffer.KeepLayer(slab, isEmpty))
+    {
+      continue;
+    }
+    const std::string suffix = "_" + std::to_string(i);
+    vtkTextureObject* layer = buffer.GetLayer();
+    layer->Activate();
+    if (std::find(this->Active.begin(), this->Active.end(), layer) == this->Active.end())
+    {
+      this->Active.push_back(layer);
+    }
+    vtkShaderProgram* program = this->ThickEye.GetProgram();
+    window->GetShaderCache()->ReadyShaderProgram(program);
+    program->SetUniformi(("layer" + suffix).c_str(), layer->GetTextureUnit());
+    program->SetUniformf(("layerEntrance" + suffix).c_str(),
+      static_cast<float>(sweep.First + buffer.GetLayerSlab() * sweep.Spacing));
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSlicePainter::DrawEyeSlab(
   vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, const Sweep& sweep, int slab)
 {
@@ -339,18 +401,33 @@ void vtkSlicePainter::DrawEyeSlab(
   if (sweep.IsFrontToBack)
   {
     state->vtkglBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    state->vtkglEnable(GL_DEPTH_TEST);
   }
   else
   {
     state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  if (sweep.IsFrontToBack || this->HasThickPart)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
   }
   // What is left of a slab may lie behind the near plane while its middle is before it.
   if (picture.IsCutByNearPlane)
   {
     glEnable(GL_DEPTH_CLAMP);
   }
-  this->Eye.Draw(window, this->Polygons, slab, sweep.First + slab * sweep.Spacing);
+  const double entrance = sweep.First + slab * sweep.Spacing;
+  if (this->HasThickPart)
+  {
+    // What the first leaves out it does not mark by its depth, and the second draws that alone.
+    state->vtkglDepthMask(GL_TRUE);
+    this->Eye.Draw(window, this->Polygons, slab, entrance);
+    state->vtkglDepthMask(GL_FALSE);
+    this->ThickEye.Draw(window, this->Polygons, slab, entrance);
+  }
+  else
+  {
+    this->Eye.Draw(window, this->Polygons, slab, entrance);
+  }
   if (picture.IsCutByNearPlane)
   {
     glDisable(GL_DEPTH_CLAMP);
@@ -440,6 +517,7 @@ void vtkSlicePainter::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Lights.clear();
   this->Eye.ReleaseGraphicsResources();
+  this->ThickEye.ReleaseGraphicsResources();
   this->Vertices->ReleaseGraphicsResources();
   this->Quad.ReleaseGraphicsResources(window);
   this->SumQuad.ReleaseGraphicsResources(window);

@@ -21,6 +21,7 @@
 class vtkOpenGLBufferObject;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkWindow;
@@ -66,16 +67,20 @@ private:
   std::string PrepareImage(
     vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, vtkShadowedSliceReport& report);
   vtkSliceLightBuffer& GetLightBuffer(int light);
-  std::string PrepareLights(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
-    const vtkSlicePlan::Sweep& sweep);
+  std::string PrepareLights(
+    vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, std::size_t sweepIndex);
   void ReleaseUnusedLights(vtkWindow* window);
   std::string DrawSweep(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
     std::size_t sweepIndex, const std::function<bool()>& isAborted, vtkShadowedSliceReport& report);
-  void ActivateTextures(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
+  std::string PrepareEye(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
     std::size_t sweepIndex, vtkShadowedSliceReport& report);
+  void ActivateTextures(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
+    std::size_t sweepIndex, vtkShaderProgram* program, vtkShadowedSliceReport& report);
   void DeactivateTextures();
   void ClearSweep(
     vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, std::size_t sweepIndex);
+  /// Before a slab is drawn, or passed over as empty.
+  void KeepLayers(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep, int slab);
   void DrawEyeSlab(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
     const vtkSlicePlan::Sweep& sweep, int slab);
   /// Returns the passes it took.
@@ -89,7 +94,10 @@ private:
   vtkNew<vtkTextureObject> Image;
   vtkNew<vtkTextureObject> SweepImage;
   vtkNew<vtkTextureObject> OpaqueDepth;
+  /// All matter, or all that is thin where the thick has a program of its own.
   vtkSlicePass Eye;
+  vtkSlicePass ThickEye;
+  bool HasThickPart = false;
   vtkSliceOcclusion Occlusion;
   std::vector<std::unique_ptr<vtkSliceLightBuffer>> Lights;
   std::vector<vtkTextureObject*> Active;

@@ -1,6 +1,7 @@
 #include "vtkSlicePass.h"
 
 #include "InterlumeSliceVS.h"
+#include "vtkShaderFeatures.h"
 #include "vtkSlicePolygons.h"
 
 #include "vtkOpenGLBufferObject.h"
@@ -17,11 +18,12 @@ vtkSlicePass::vtkSlicePass() = default;
 vtkSlicePass::~vtkSlicePass() = default;
 
 //------------------------------------------------------------------------------
-std::string vtkSlicePass::Prepare(
-  vtkOpenGLRenderWindow* window, const std::string& source, vtkOpenGLBufferObject* vertices)
+std::string vtkSlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
+  vtkOpenGLBufferObject* vertices, bool isMarked)
 {
-  this->Program =
-    window->GetShaderCache()->ReadyShaderProgram(InterlumeSliceVS, source.c_str(), "");
+  const std::string places = vtkShaderFeatures::Insert(InterlumeSliceVS, isMarked ? "MARKED" : "");
+  this->IsMarked = isMarked;
+  this->Program = window->GetShaderCache()->ReadyShaderProgram(places.c_str(), source.c_str(), "");
   if (!this->Program)
   {
     return "the shaders of slices cannot be compiled";
@@ -40,6 +42,11 @@ void vtkSlicePass::Draw(
 {
   window->GetShaderCache()->ReadyShaderProgram(this->Program);
   this->Program->SetUniformf("sliceEntrance", static_cast<float>(entrance));
+  if (this->IsMarked)
+  {
+    const double share = (slab + 1.0) / (polygons.GetNumberOfSlabs() + 2.0);
+    this->Program->SetUniformf("sliceDepth", static_cast<float>(1.0 - 2.0 * share));
+  }
   this->Vertices->Bind();
   const std::vector<std::size_t>& starts = polygons.GetStarts();
   glDrawArrays(GL_TRIANGLES, static_cast<GLint>(starts[slab]),

@@ -21,10 +21,12 @@ public:
   vtkSlicePass();
   ~vtkSlicePass();
 
-  /// Compiles the fragments' source, for triangles in \a vertices. Returns what is wrong, or
-  /// nothing.
-  std::string Prepare(
-    vtkOpenGLRenderWindow* window, const std::string& source, vtkOpenGLBufferObject* vertices);
+  /**
+   * Compiles the fragments' source, for triangles in \a vertices. Slices that are \a isMarked have
+   * one depth each, nearer from slab to slab. Returns what is wrong, or nothing.
+   */
+  std::string Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
+    vtkOpenGLBufferObject* vertices, bool isMarked = false);
   vtkShaderProgram* GetProgram() const { return this->Program; }
 
   /// Draws the triangles of a slab that begins at \a entrance into the framebuffer that is bound.
@@ -35,6 +37,7 @@ public:
 
 private:
   vtkShaderProgram* Program = nullptr;
+  bool IsMarked = false;
   vtkNew<vtkOpenGLVertexArrayObject> Vertices;
 };
 

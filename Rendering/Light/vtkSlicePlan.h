@@ -58,6 +58,10 @@ public:
     /// Not wide: rows of the matrix from unit space to clip coordinates of the buffer, -1 to 1
     /// after division by the fourth, which is above 0 in front of the light.
     std::array<double, 16> BufferFromUnit{};
+    /// Not wide: the longer edge of a texel where it is largest in the volume, and the length of a
+    /// voxel along the light.
+    double TexelSize = 0.0;
+    double VoxelLength = 0.0;
     /// Wide: rows are two directions in the slices' plane and the sweep's normal.
     std::array<double, 9> Frame{};
   };

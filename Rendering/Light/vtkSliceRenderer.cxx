@@ -5,6 +5,7 @@
 #include "vtkProjectiveLight.h"
 #include "vtkSliceEye.h"
 #include "vtkSlicePainter.h"
+#include "vtkSliceShader.h"
 #include "vtkSoftwareOpenGL.h"
 
 #include "vtkColorTransferFunction.h"
@@ -210,12 +211,14 @@ std::string vtkSliceRenderer::Upload(
   const vtkIdType pixels = static_cast<vtkIdType>(picture.Size[0]) * picture.Size[1];
   bytes +=
     pixels * static_cast<vtkIdType>(sizeof(float)) * (picture.Plan.Sweeps.size() > 1 ? 9 : 5);
-  for (const vtkSlicePlan::Sweep& sweep : picture.Plan.Sweeps)
+  for (std::size_t sweep = 0; sweep < picture.Plan.Sweeps.size(); ++sweep)
   {
-    for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
+    // With two layers of each buffer.
+    const int buffers = vtkSliceShader::HasThickPart(picture, sweep) ? 3 : 1;
+    for (const vtkSlicePlan::ShadowedLight& light : picture.Plan.Sweeps[sweep].Lights)
     {
       bytes += static_cast<vtkIdType>(sizeof(float)) * light.BufferSize * light.BufferSize *
-        picture.GetLightChannels();
+        picture.GetLightChannels() * (light.IsWide ? 1 : buffers);
     }
   }
   if (request.MaximumTextureMemory > 0 && bytes > request.MaximumTextureMemory)

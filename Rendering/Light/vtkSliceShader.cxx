@@ -14,6 +14,9 @@
 
 namespace
 {
+// The optical depth of a slab from which on it counts as thick: thinner ones show no steps.
+constexpr double LeastDepth = 0.15;
+
 using Picture = vtkSlicePicture;
 using Sweep = vtkSlicePlan::Sweep;
 using ShadowedLight = vtkSlicePlan::ShadowedLight;
@@ -275,6 +278,11 @@ void SetLight(vtkShaderProgram* program, const vtkLightSource& light, const Shad
     else
     {
       SetMatrix(program, "bufferFromUnit" + number, shadow->BufferFromUnit);
+      if (isUsed("voxelLength"))
+      {
+        program->SetUniformf(
+          ("voxelLength" + number).c_str(), static_cast<float>(shadow->VoxelLength));
+      }
     }
   }
 }
@@ -303,10 +311,29 @@ std::vector<int> vtkSliceShader::GetLightsOf(const vtkSlicePicture& picture, std
 }
 
 //------------------------------------------------------------------------------
+bool vtkSliceShader::HasThickPart(const vtkSlicePicture& picture, std::size_t sweep)
+{
+  const vtkMaterialTable& material = picture.Material;
+  double extinction = 0.0;
+  for (int row = 0; row < material.Rows; ++row)
+  {
+    const std::array<double, 2>& range = material.OpacityRange[row];
+    extinction += material.GetLargestExtinction(row, range[0], range[1]);
+  }
+  const vtkSlicePlan::Sweep& planned = picture.Plan.Sweeps[sweep];
+  return extinction * planned.Spacing * picture.Space.Radius > LeastDepth &&
+    std::any_of(planned.Lights.begin(), planned.Lights.end(),
+      [](const ShadowedLight& light) { return !light.IsWide; });
+}
+
+//------------------------------------------------------------------------------
 std::string vtkSliceShader::GetEyeSource(
-  const vtkSlicePicture& picture, std::size_t sweep, bool isOccluded)
+  const vtkSlicePicture& picture, std::size_t sweep, bool isOccluded, Parts part)
 {
   std::string features = GetMediumFeatures(picture);
+  features += part == ALL ? "" : part == THIN ? " THIN" : " THICK";
+  features += part == ALL ? "" : " LEAST_DEPTH=" + std::to_string(LeastDepth);
+  features += picture.IsSmoothLookup ? "" : " NEAREST_LIGHT";
   features += picture.Eye.IsParallel ? "" : " PERSPECTIVE";
   features += picture.IsCutByNearPlane ? " NEAR_PLANE" : "";
   features += isOccluded ? " OPAQUE" : "";

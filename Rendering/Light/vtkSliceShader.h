@@ -16,12 +16,24 @@ class vtkShaderProgram;
 class vtkSliceShader
 {
 public:
+  /// Fragments of a slab: all, or those of thin and of thick matter, which is drawn after the
+  /// other.
+  enum Parts
+  {
+    ALL,
+    THIN,
+    THICK
+  };
+  /// Whether thick matter is drawn by itself in a sweep: where there is some, and a light seen
+  /// through a plane casts shadows in it.
+  static bool HasThickPart(const vtkSlicePicture& picture, std::size_t sweep);
+
   /**
    * Source of the picture's fragments in a sweep. The first sweep has all lights without shadows
    * and the ambient light as well.
    */
   static std::string GetEyeSource(
-    const vtkSlicePicture& picture, std::size_t sweep, bool isOccluded);
+    const vtkSlicePicture& picture, std::size_t sweep, bool isOccluded, Parts part);
   /// Source of the fragments of a light's buffer, different for each light, which so keeps its
   /// uniforms from slab to slab.
   static std::string GetLightSource(

@@ -114,6 +114,43 @@ std::vector<float> MakeColors(const std::vector<float>& table, std::size_t strid
   }
   return colors;
 }
+
+// From a column's value to the next one's, the mean.
+double GetMean(const vtkMaterialTable& material, std::size_t i, double value, double next)
+{
+  const auto list = static_cast<std::size_t>(material.ExtinctionBends[i]);
+  if (list == 0)
+  {
+    const std::array<float, 2>& edge = material.ExtinctionEdges[i];
+    return value * edge[0] + 0.5 * (value + next) * (edge[1] - edge[0]) + next * (1.0 - edge[1]);
+  }
+  double mean = 0.0;
+  const auto pieces = static_cast<std::size_t>(material.Bends[4 * list]);
+  for (std::size_t piece = list + 1; piece <= list + pieces; ++piece)
+  {
+    const float* ends = &material.Bends[4 * piece];
+    mean += 0.5 * (static_cast<double>(ends[1]) - ends[0]) * (ends[2] + ends[3]);
+  }
+  return mean;
+}
+
+// The sum of extinctions from the first column to each, and to the next one.
+std::vector<float> MakeSums(const vtkMaterialTable& material)
+{
+  std::vector<float> sums;
+  sums.reserve(2 * material.ExtinctionBends.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < material.ExtinctionBends.size(); ++i)
+  {
+    const bool isLast = (i + 1) % vtkMaterialTable::Columns == 0;
+    const double next = isLast
+      ? 0.0
+      : sum + GetMean(material, i, material.Colors[4 * i + 3], material.Colors[4 * i + 7]);
+    sums.insert(sums.end(), { static_cast<float>(sum), static_cast<float>(isLast ? sum : next) });
+    sum = next;
+  }
+  return sums;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -207,6 +244,9 @@ std::string vtkSliceTextures::Upload(
   const std::size_t row = 4 * columns;
   bends.resize((bends.size() + row - 1) / row * row, 0.0F);
   UploadTable(window, this->Bends, columns, bends, 4);
+  // The sums are for thick matter: Activate sends them where a shader asks for them.
+  this->ExtinctionSums->ReleaseGraphicsResources(window);
+  this->SumTexels = MakeSums(material);
   return glGetError() == GL_NO_ERROR
     ? std::string()
     : std::string("the graphics card has no memory for the transfer functions");
@@ -253,6 +293,12 @@ void vtkSliceTextures::KeepScreens(
 //------------------------------------------------------------------------------
 void vtkSliceTextures::Activate(vtkShaderProgram* program)
 {
+  if (!this->SumTexels.empty() && program->IsUniformUsed("extinctionSums"))
+  {
+    UploadTable(this->Extinctions->GetContext(), this->ExtinctionSums, vtkMaterialTable::Columns,
+      this->SumTexels, 2);
+    this->SumTexels.clear();
+  }
   const auto activate = [&](vtkTextureObject* texture, const char* name)
   {
     if (texture->GetHandle() && program->IsUniformUsed(name))
@@ -265,6 +311,7 @@ void vtkSliceTextures::Activate(vtkShaderProgram* program)
   activate(this->Volume, "volume");
   activate(this->Mask, "mask");
   activate(this->Extinctions, "extinctions");
+  activate(this->ExtinctionSums, "extinctionSums");
   activate(this->Colors, "colors");
   activate(this->GradientOpacities, "gradientOpacities");
   activate(this->Transmissions, "transmissions");
@@ -284,9 +331,9 @@ void vtkSliceTextures::Deactivate()
 //------------------------------------------------------------------------------
 void vtkSliceTextures::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkTextureObject* texture :
-    { this->Volume.Get(), this->Mask.Get(), this->Colors.Get(), this->Extinctions.Get(),
-      this->GradientOpacities.Get(), this->Transmissions.Get(), this->Bends.Get() })
+  for (vtkTextureObject* texture : { this->Volume.Get(), this->Mask.Get(), this->Colors.Get(),
+         this->Extinctions.Get(), this->ExtinctionSums.Get(), this->GradientOpacities.Get(),
+         this->Transmissions.Get(), this->Bends.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

@@ -67,9 +67,12 @@ private:
   vtkNew<vtkTextureObject> Mask;
   vtkNew<vtkTextureObject> Colors;
   vtkNew<vtkTextureObject> Extinctions;
+  vtkNew<vtkTextureObject> ExtinctionSums;
   vtkNew<vtkTextureObject> GradientOpacities;
   vtkNew<vtkTextureObject> Transmissions;
   vtkNew<vtkTextureObject> Bends;
+  /// What ExtinctionSums has yet to get.
+  std::vector<float> SumTexels;
   std::map<vtkProjectiveLight*, Screen> Screens;
   std::vector<vtkTextureObject*> Active;
 };
