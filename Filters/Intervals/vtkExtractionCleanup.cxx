@@ -130,8 +130,10 @@ void vtkExtractionCleanup::RemoveOppositeSimplices(vtkExtractionMesh& mesh)
   {
     return;
   }
-  vtkIdType kept = 0;
-  for (vtkIdType simplex = 0; simplex < number; ++simplex)
+  // Those before the first stay where they are.
+  vtkIdType kept =
+    static_cast<vtkIdType>(std::find(isRemoved.begin(), isRemoved.end(), true) - isRemoved.begin());
+  for (vtkIdType simplex = kept; simplex < number; ++simplex)
   {
     if (!isRemoved[simplex])
     {

@@ -752,7 +752,7 @@ private:
       key = 8 * key +
         static_cast<unsigned>((code >= lower) + (code > lower) + (code >= upper) + (code > upper));
     }
-    constexpr int bits = 10;
+    constexpr int bits = 12;
     local.TiedCases.resize(std::size_t(1) << bits);
     TiedCase& tied = local.TiedCases[(key * 0x9E3779B97F4A7C15u) >> (64 - bits)];
     if (tied.Key != key)
