@@ -169,7 +169,6 @@ void TestHill(Check& check)
   field->AddTerminationSurface(plane);
   field->Update();
   const vtkFlowReport& report = field->GetReport();
-  report.Print(std::cout, vtkIndent());
   const vtkIdType closed = report.Statuses[vtkFlowStatus::CLOSED_ORBIT];
   const vtkIdType out = report.Statuses[vtkFlowStatus::OUT_OF_STEPS];
   check.That(closed > 1000, "closed orbits: " + std::to_string(closed));
