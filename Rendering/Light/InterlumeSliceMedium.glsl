@@ -426,7 +426,7 @@ bool jumps(Place a, Place b)
   float first = extinctionOf(a);
   float last = extinctionOf(b);
   float middle = extinctionOf(placeBetween(a, b, 0.5));
-  return abs(middle - 0.5 * (first + last)) > 0.35 * max(first, last);
+  return abs(middle - 0.5 * (first + last)) > 0.45 * max(first, last);
 }
 
 // The optical depth of a slab's matter, between lower and upper on x + s d, p and q in the texture,

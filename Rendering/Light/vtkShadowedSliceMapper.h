@@ -39,7 +39,7 @@ class vtkSliceRenderer;
  * them or not, whatever the place's own ray has. Where a slab's optical depth is above 0.15 the
  * place in the slab is found where opacity begins to jump, and light is asked for where it was some
  * slabs before and followed to that place along its own ray. An opaque cube is off by 0.004 in the
- * mean and a plate with a jump of opacity by 2.2 % (rms) or less for light from 0 to 60 degrees;
+ * mean and a plate with a jump of opacity by 2.3 % (rms) or less for light from 0 to 60 degrees;
  * single pixels at edges by more. Ramps of opacity over a voxel or more, and sheets and shells one
  * voxel thick, are looked up in the buffer as before: off by 0.01 in the mean. This takes 1.4 to
  * 1.9 times the time where there is such matter, and nothing elsewhere.
