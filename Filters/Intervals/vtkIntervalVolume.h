@@ -31,10 +31,10 @@ class vtkExtractionIndex;
  * voxels, hexahedra, wedges, pyramids and convex polyhedra, and composite datasets of them.
  * Quadratic cells are taken by their corners, with a warning. A polyhedron that has not the faces
  * of one of the other cells is coned from the mean of its points; where that does not see all of
- * it, since it or a face of it is concave, its parts overlap, with a warning. Cells of fewer
- * dimensions, cells with NaN or infinity in the scalar, ghost, hidden and blanked cells are left
- * out and counted in GetReport(). The scalar: SetInputArrayToProcess(0, ...), by default the active
- * point scalars, one component.
+ * it, since it or a face of it is concave, its parts overlap, with a warning (10.17 instead of 7
+ * for a U of seven cubes). Cells of fewer dimensions, cells with NaN or infinity in the scalar,
+ * ghost, hidden and blanked cells are left out and counted in GetReport(). The scalar:
+ * SetInputArrayToProcess(0, ...), by default the active point scalars, one component.
  *
  * Output port 0: VTK_TETRA cells in a vtkUnstructuredGrid (a composite input gives a composite
  * output of the same structure), with
