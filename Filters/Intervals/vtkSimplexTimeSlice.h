@@ -42,8 +42,8 @@ class vtkEmptyResult;
  * no other interval begins: the slabs before and after may then cut a cell otherwise, and the slice
  * has the parts of both. (Of single cells with random values 0, 1, 2 the slice of [0, 1] is too
  * large for 6 hexahedra of 60, 8 pairs of wedges, 13 sets of six pyramids, by 0.1 to 0.3 of the
- * box in the first of each; for no tetrahedra.) An interval that begins at that bound, or a bound between the
- * values, avoids it.
+ * box in the first of each; for no tetrahedra.) An interval that begins at that bound, or a bound
+ * between the values, avoids it.
  *
  * 4-simplices with a time that is NaN or infinite, and ghost, hidden and blanked ones, are left
  * out.

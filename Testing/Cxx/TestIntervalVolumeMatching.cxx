@@ -62,6 +62,8 @@ void CheckKind(MeshKind kind, Check& check)
       CheckMatching(
         mesh, { { 0, 0 }, { 1, 1 }, { 0, 1 }, { 1, high }, { 0.5, 1 }, { 0.5, 1.5 } }, check);
       CheckMatching(mesh, { { 0, 1 }, { 1, high } }, check, { { "g", 0.5, 1 } });
+      // Upper bounds at which no other interval begins.
+      CheckMatching(mesh, { { 0, 1 }, { 0.5, 2 } }, check);
     }
   }
 }
