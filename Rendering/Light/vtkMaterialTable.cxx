@@ -17,6 +17,8 @@ using Range = vtkTransferColumns::Range;
 /// Texels are rounded: scalars closer to a function's point are taken to be on it, in widths of a
 /// column, and relative to what the texel is of.
 constexpr double OnColumn = 1e-3;
+/// A ramp as narrow as this, of the range, is a step.
+constexpr double StepWidth = 1e-3;
 constexpr double OnTexel = 1.0 / (1 << 21);
 
 /// The component's range where that is wide enough to be told apart in texels, else a wider one.
@@ -227,6 +229,18 @@ bool vtkMaterialTable::HasEdges() const
   };
   return isAny(this->ColorEdges) || isAny(this->ExtinctionEdges) ||
     isAny(this->GradientOpacityEdges) || isAny(this->TransmissionEdges);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMaterialTable::HasSharpOpacity() const
+{
+  bool isSharp = this->GradientOpacity.empty();
+  for (int row = 0; row < this->Rows; ++row)
+  {
+    const Range& range = this->ScalarRange[row];
+    isSharp = isSharp && this->Opacities[row].IsStepwise(range, StepWidth * (range[1] - range[0]));
+  }
+  return isSharp;
 }
 
 //------------------------------------------------------------------------------

@@ -64,6 +64,10 @@ public:
   /// as on it. 0 where lower > upper.
   double GetLargestExtinction(int row, double lower, double upper) const;
 
+  /// Whether opacity changes by steps alone, within a thousandth of the scalar's range, in all rows
+  /// and whatever the gradient.
+  bool HasSharpOpacity() const;
+
   /// The component that \a row's opacity is of.
   int GetOpacityComponent(int row) const
   {

@@ -37,13 +37,14 @@ class vtkSliceRenderer;
  * by 0.015 at 4 voxels and by 0.074 at 17; one of 0.05 a voxel by 0.0002, 0.0016 and 0.011.
  *
  * **Sharp surfaces** lie within a slab, and texels of a buffer around a place beside them have met
- * them or not, whatever the place's own ray has. Where a slab's optical depth is above 0.15 the
- * place in the slab is found where opacity begins to jump, and light is asked for where it was some
- * slabs before and followed to that place along its own ray. An opaque cube is off by 0.004 in the
- * mean and a plate with a jump of opacity by 2.3 % (rms) or less for light from 0 to 60 degrees;
- * single pixels at edges by more. Ramps of opacity over a voxel or more, and sheets and shells one
- * voxel thick, are looked up in the buffer as before: off by 0.01 in the mean. This takes 1.4 to
- * 1.9 times the time where there is such matter, and nothing elsewhere.
+ * them or not, whatever the place's own ray has. Where opacity changes by steps alone, and not with
+ * the gradient, and a slab's optical depth is above 0.15, the place in the slab is found where
+ * opacity begins to jump, and light is asked for where it was some slabs before and followed to
+ * that place along its own ray. An opaque cube is off by 0.004 in the mean and a plate with a jump
+ * of opacity by 2.3 % (rms) or less for light from 0 to 60 degrees; single pixels at edges by more.
+ * Ramps of opacity, steep ones too, and sheets and shells one voxel thick are looked up in the
+ * buffer: off by 0.01 in the mean. This takes 1.4 to 1.9 times the time where there is such matter,
+ * and nothing elsewhere.
  *
  * **Extinction** tau = -ln(1 - opacity) / ScalarOpacityUnitDistance per unit of length, the opacity
  * from the property's scalar opacity function, times its gradient opacity function of the
@@ -75,7 +76,7 @@ class vtkSliceRenderer;
  *
  * One buffer of two dimensions for each light: four bytes of transmittance for each sample, twelve
  * with TransmissionColor, two that spare what lies behind opaque matter, and two layers of the
- * former for slabs of an optical depth above 0.15.
+ * former where surfaces are sharp.
  *
  * A positional light inside the volume, or as close that rays run along the slices, has two sweeps
  * and its rays are followed in steps: it takes 4 to 9 times the time without shadows, where others
@@ -153,7 +154,8 @@ public:
   ///@{
   /**
    * Columns and rows of the buffer of each light. 0, the default: as many as the volume has voxels
-   * across, seen from the light.
+   * across, seen from the light; steep ramps of opacity under oblique light want two to three times
+   * that.
    * Valid: 0, and 16 to 8192, up to what the graphics card can do.
    */
   void SetLightBufferSize(int size);

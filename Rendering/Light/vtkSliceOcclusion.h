@@ -23,8 +23,9 @@ class vtkWindow;
 class vtkSliceOcclusion
 {
 public:
-  /// Slabs between two looks at the buffer.
-  static constexpr int Interval = 4;
+  /// Slabs between two looks at the buffer; thick ones cost more to draw.
+  static constexpr int Interval = 16;
+  static constexpr int ThickInterval = 4;
 
   vtkSliceOcclusion();
   ~vtkSliceOcclusion();

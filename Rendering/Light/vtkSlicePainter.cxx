@@ -332,6 +332,8 @@ std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
     return error;
   }
   this->ClearSweep(window, picture, sweepIndex);
+  const int interval =
+    this->HasThickPart ? vtkSliceOcclusion::ThickInterval : vtkSliceOcclusion::Interval;
   int drawn = 0;
   for (int slab = 0; slab < sweep.Slabs && !isAborted(); ++slab)
   {
@@ -351,7 +353,7 @@ std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
       ++report.LightPasses;
     }
     ++drawn;
-    if (drawn % vtkSliceOcclusion::Interval == 0)
+    if (drawn % interval == 0)
     {
       report.OcclusionPasses += this->MarkOccluded(window, sweep);
     }

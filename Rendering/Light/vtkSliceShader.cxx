@@ -314,6 +314,11 @@ std::vector<int> vtkSliceShader::GetLightsOf(const vtkSlicePicture& picture, std
 bool vtkSliceShader::HasThickPart(const vtkSlicePicture& picture, std::size_t sweep)
 {
   const vtkMaterialTable& material = picture.Material;
+  // On a ramp that is steep some slabs would see a jump and others none, which shows as stripes.
+  if (!material.HasSharpOpacity())
+  {
+    return false;
+  }
   double extinction = 0.0;
   for (int row = 0; row < material.Rows; ++row)
   {

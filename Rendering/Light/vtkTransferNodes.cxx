@@ -213,6 +213,14 @@ vtkTransferNodes::Range vtkTransferNodes::Limit(const Range& range) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkTransferNodes::IsStepwise(const Range& range, double width) const
+{
+  const auto isRamp = [&](const Node& a, const Node& b)
+  { return a.Y[0] != b.Y[0] && std::min(b.X, range[1]) - std::max(a.X, range[0]) > width; };
+  return std::adjacent_find(this->Nodes.begin(), this->Nodes.end(), isRamp) == this->Nodes.end();
+}
+
+//------------------------------------------------------------------------------
 vtkTransferNodes::Value vtkTransferNodes::Evaluate(double x) const
 {
   const auto right = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), x,

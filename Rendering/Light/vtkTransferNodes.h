@@ -47,6 +47,10 @@ public:
   /// the function's own ends well inside it; all of \a range where the function is level there.
   Range Limit(const Range& range) const;
 
+  /// Whether the first channel changes by steps alone in \a range, none of them wider than \a
+  /// width.
+  bool IsStepwise(const Range& range, double width) const;
+
   /// The value at \a x: to the right of a step there.
   Value Evaluate(double x) const;
 

@@ -117,16 +117,14 @@ void TestBuffers(Check& check)
       check.Equal(report.LightBuffers, lights, name + ": buffers");
       check.Equal(report.LightBufferSize, 64, name + ": size");
       check.Equal(report.LightChannels, channels, name + ": channels");
-      // Floats of transmittance, as it is and in two layers, and two bytes of depth for what is
-      // opaque.
-      check.Equal(
-        report.LightBufferBytes, lights * 64 * 64 * (12 * channels + 2), name + ": bytes");
+      // Floats of transmittance, and two bytes of depth for what is opaque.
+      check.Equal(report.LightBufferBytes, lights * 64 * 64 * (4 * channels + 2), name + ": bytes");
     }
     const Report automatic = GetReport(scene);
     check.That(automatic.LightBufferSize >= 20 && automatic.LightBufferSize <= 64,
       "as many samples as voxels are across");
     check.That(automatic.LightBufferBytes <=
-        4 * (12 * channels + 2) * automatic.LightBufferSize * automatic.LightBufferSize,
+        4 * (4 * channels + 2) * automatic.LightBufferSize * automatic.LightBufferSize,
       "bytes of buffers of the size that is reported");
   }
 }
