@@ -280,6 +280,7 @@ private:
     Orient(faces);
     double inside = 0.0;
     double outside = 0.0;
+    double size = 0.0;
     for (const Face& face : faces)
     {
       this->ForEachTriangle(face,
@@ -294,10 +295,13 @@ private:
           }
           const double volume = vtkMath::Determinant3x3(sides[0], sides[1], sides[2]);
           (volume > 0.0 ? inside : outside) += std::abs(volume);
+          size += vtkMath::Norm(sides[0]) * vtkMath::Norm(sides[1]) * vtkMath::Norm(sides[2]);
         });
     }
     constexpr double rounding = 1e-6;
-    return std::min(inside, outside) <= rounding * (inside + outside);
+    // A flat polyhedron has volumes of rounding alone.
+    constexpr double flat = 1e-12;
+    return std::min(inside, outside) <= std::max(rounding * (inside + outside), flat * size);
   }
 
   std::array<double, 3> GetMeanPoint(const Face& vertices) const
