@@ -1,5 +1,7 @@
 #include "vtkTransferColumns.h"
 
+#include "vtkTransferMath.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,6 +9,8 @@
 namespace
 {
 using Value = vtkTransferNodes::Value;
+using vtkTransferMath::GetDistance;
+using vtkTransferMath::Mix;
 
 /// Shares of the largest value: what needs no list, and how close lists are.
 constexpr double Straight = 1e-3;
@@ -22,21 +26,6 @@ struct Place
   double Share;
   Value Y;
 };
-
-Value Mix(const Value& a, const Value& b, double share)
-{
-  Value mixed;
-  for (std::size_t i = 0; i < mixed.size(); ++i)
-  {
-    mixed[i] = a[i] + share * (b[i] - a[i]);
-  }
-  return mixed;
-}
-
-double GetDistance(const Value& a, const Value& b)
-{
-  return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) });
-}
 
 /// One way from column to column, as mapped nodes.
 class Way

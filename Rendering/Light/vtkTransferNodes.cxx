@@ -1,5 +1,7 @@
 #include "vtkTransferNodes.h"
 
+#include "vtkTransferMath.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 
@@ -10,6 +12,8 @@
 namespace
 {
 using Value = vtkTransferNodes::Value;
+using vtkTransferMath::GetDistance;
+using vtkTransferMath::Mix;
 using Node = vtkTransferNodes::Node;
 
 /// A curve is halved this often at most.
@@ -17,21 +21,6 @@ constexpr int Depth = 16;
 constexpr double Tolerance = 1e-5;
 /// Where a curve's limits at its ends are taken, as a share of it.
 constexpr double AtEnd = 1e-9;
-
-Value Mix(const Value& a, const Value& b, double share)
-{
-  Value mixed;
-  for (std::size_t i = 0; i < mixed.size(); ++i)
-  {
-    mixed[i] = a[i] + share * (b[i] - a[i]);
-  }
-  return mixed;
-}
-
-double GetDistance(const Value& a, const Value& b)
-{
-  return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) });
-}
 
 double GetSize(const Value& value)
 {
