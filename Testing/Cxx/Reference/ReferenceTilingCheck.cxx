@@ -20,6 +20,17 @@ namespace reference
 namespace
 {
 
+/// The face as it is used more often than the other way round.
+Triangle Turned(const FaceUse& use)
+{
+  Triangle triangle = use.Key;
+  if (use.Net() < 0)
+  {
+    std::swap(triangle[1], triangle[2]);
+  }
+  return triangle;
+}
+
 constexpr double VolumeTolerance = 1e-12;
 
 /// What is left of a list of uses when those of a second list are taken away; both sorted by key.
@@ -120,12 +131,7 @@ private:
       {
         continue;
       }
-      Triangle triangle = left.Key;
-      if (left.Net() < 0)
-      {
-        std::swap(triangle[1], triangle[2]);
-      }
-      const auto points = this->PointsOf(triangle);
+      const auto points = this->PointsOf(Turned(left));
       const int face = this->Generic ? -1 : this->Boundary.Find(points);
       alone += face < 0;
       if (face >= 0)
@@ -223,12 +229,7 @@ private:
       {
         continue;
       }
-      Triangle triangle = left.Key;
-      if (left.Net() < 0)
-      {
-        std::swap(triangle[1], triangle[2]);
-      }
-      const auto points = this->PointsOf(triangle);
+      const auto points = this->PointsOf(Turned(left));
       const int face = this->Boundary.Find(points);
       if (face < 0)
       {
