@@ -355,10 +355,11 @@ int vtkFlowVolume::RequestData(
       ? this->Intervals.GetAll()
       : std::vector<vtkFlowLevels::Interval>{ Everything },
     this->StreamSurfaces, -VTK_DOUBLE_MAX);
-  // Without surfaces inside, a range that has all times cuts nothing.
-  const bool hasAllTimes = this->TimeSurfaces.empty() && this->TimeRange[0] <= 0.0 &&
+  // A range up to the last sample's time has later ones too: cells that are cut at a surface have
+  // corners beyond it.
+  const bool hasLastTime = this->TimeRange[1] < VTK_DOUBLE_MAX &&
     this->TimeRange[1] >= GetFiniteRange(input, vtkFlowStatus::TimeArray())[1];
-  const double end = hasAllTimes ? VTK_DOUBLE_MAX : this->TimeRange[1];
+  const double end = hasLastTime ? VTK_DOUBLE_MAX : this->TimeRange[1];
   const vtkFlowLevels byTime({ { { this->TimeRange[0], end } } }, this->TimeSurfaces, 0.0);
   const std::size_t items = std::max(byInflow.GetItems().size(), byTime.GetItems().size());
   if (items > static_cast<std::size_t>(vtkIntervalList::MaximumNumber))

@@ -1,5 +1,7 @@
 """The samples of an implicit flow field are split over the ranks of a parallel run, and each has the
-answer that one process gives it; so have the tetrahedra of flow volumes their sizes.
+answer that one process gives it; so have the tetrahedra of flow volumes their sizes, but for cells that
+are cut at a termination surface: the neighbours that a corner beyond it is continued from may be in
+another piece.
 
 Arguments: `write` or `compare`, and the file of what one process wrote.
 """
@@ -17,6 +19,7 @@ from plugin_testing import Checks, extractions_path, fetch, load_plugin, simplic
 ARRAYS = ("FlowStatus", "TerminationId", "TerminationUV", "AdvectionTime", "Inflow")
 RASTER = 1.7e-3  # of places: an image that is fetched from a process has six digits of its origin
 TOLERANCE = 1e-12  # of a sum of sizes, whose order differs
+CUTS = 4e-3  # of the same, with cells that are cut between two pieces; 2.4e-3 was seen
 
 
 def pipelines():
@@ -69,7 +72,8 @@ def main():
         checks.equal(sorted(found), sorted(expected.files), "what is compared")
         for name in found:
             if name.endswith("size"):
-                checks.close(found[name], expected[name], TOLERANCE, name)
+                whole = name.startswith("0, ")
+                checks.close(found[name], expected[name], TOLERANCE if whole else CUTS, name)
             else:
                 checks.that(numpy.array_equal(found[name], expected[name]), f"{name}, samples")
     checks.finish()
