@@ -78,9 +78,10 @@ class vtkFlowLevels;
  * the time range outside of what the input has, with that range; an empty volume, with what became
  * of the cells; stream surfaces without a value.
  *
- * The same output for any number of threads. In pieces, cells that are cut at a surface may go on to
- * it from other neighbours than in the whole: volumes differ by up to 0.24 % in the tests. Between executions the filter holds on to the input's
- * arrays and to the result of each extraction.
+ * The same output for any number of threads. In pieces, cells that are cut at a surface may go on
+ * to it from other neighbours than in the whole: volumes differ by up to 0.24 % in the tests.
+ * Between executions the filter holds on to the input's arrays and to the result of each
+ * extraction.
  *
  * Errors (vtkErrorMacro, empty outputs): arrays that are missing or of the wrong shape, lower >
  * upper, start > end, bounds that are not finite, more than 10000 intervals between surfaces.
