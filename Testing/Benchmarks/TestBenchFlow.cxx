@@ -1,14 +1,14 @@
 // What the rows of the suite flow are measured with: streamlines of interpolated fields, tubes by
 // formulas, the flux through a disc, the explicit flow volume.
-#include "ExplicitFlowVolume.h"
-#include "FlowReference.h"
-#include "FlowTubes.h"
-#include "TetrahedronSums.h"
-#include "TrilinearFlow.h"
+#include "Benchmarks/Flow/ExplicitFlowVolume.h"
+#include "Benchmarks/Flow/FlowReference.h"
+#include "Benchmarks/Flow/FlowTubes.h"
+#include "Benchmarks/Flow/TrilinearFlow.h"
+#include "Benchmarks/Measures/TetrahedronSums.h"
 
+#include "Flows/ReferenceFlow.h"
+#include "Flows/ReferenceFlowMaps.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlow.h"
-#include "ReferenceFlowMaps.h"
 
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkImageData.h"

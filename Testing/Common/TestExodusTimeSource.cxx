@@ -1,8 +1,8 @@
 // The real time-varying set: its steps as the pipeline hands them out, and the time that its fields
 // spend between values, which adjacent intervals share out without gap or overlap.
 
-#include "DataFiles.h"
-#include "ExodusTimeSource.h"
+#include "Inputs/DataFiles.h"
+#include "Inputs/ExodusTimeSource.h"
 #include "ReferenceCheck.h"
 
 #include "vtkCellData.h"

@@ -1,8 +1,8 @@
 // Velocities against formulas and properties written anew, the Jacobian against differences,
 // divergence, flow maps against integration, obstacles; parts, threads, progress and abort;
 // settings.
+#include "Flows/ReferenceFlowMaps.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlowMaps.h"
 #include "ReferenceImageSource.h"
 #include "ReferenceProgress.h"
 #include "ReferenceRandom.h"

@@ -2,8 +2,8 @@
 // points, once each; random cells against Newton's method from many places; the sum of indices in
 // random fields; types by constructed eigenvalues; scales; zeros that are not isolated; blanked
 // cells and NaN; threads, progress, abort, errors.
+#include "Flows/ReferenceFlowMaps.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlowMaps.h"
 #include "ReferenceLattice.h"
 #include "ReferenceMesh.h"
 #include "ReferenceMeshBuilder.h"

@@ -1,8 +1,8 @@
 // Samples refined where their answers differ: cells fit face to face and fill what they filled, on
 // grids of every kind; what a flow volume leaves out at a separatrix halves with each level, and at
 // a surface that flow comes back to; arrays, threads, pieces, ghosts, progress and abort.
+#include "Flows/ReferenceFlowAnswers.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlowAnswers.h"
 #include "ReferenceFlowGrid.h"
 #include "ReferenceMessages.h"
 #include "ReferenceProgress.h"

@@ -1,8 +1,8 @@
 // Cells that a termination surface passes through, cut there: what a flow volume has beside planes,
 // spheres and in balls against formulas, of streamlines that end there and of those that come back,
 // with times and parameters up to the surface, fitting to the cells beside them.
+#include "Flows/ReferenceFlowAnswers.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlowAnswers.h"
 #include "ReferenceFlowGrid.h"
 #include "ReferenceMessages.h"
 #include "ReferenceThreads.h"

@@ -1,7 +1,7 @@
 // What a flow volume is given and gives: errors, arrays and their types, settings, progress and
 // abort, and the same bytes for any number of threads.
+#include "Flows/ReferenceFlowAnswers.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlowAnswers.h"
 #include "ReferenceGrid.h"
 #include "ReferenceMessages.h"
 #include "ReferenceProgress.h"

@@ -1,8 +1,8 @@
 // The mesh of a flow volume: tetrahedra fit face to face, intervals in Inflow and time fill it
 // without gap or overlap, stream and time surfaces are faces of it, each once and whole, and face
 // against the gradient, as normals do.
+#include "Flows/ReferenceFlowAnswers.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlowAnswers.h"
 #include "ReferenceGrid.h"
 #include "ReferenceMesh.h"
 

@@ -1,7 +1,7 @@
 // A flow volume does what is asked of it and no more: no extraction by what cuts nothing, none
 // again of what has not changed, and no surfaces, normals or copies of points that nobody wants.
+#include "Flows/ReferenceFlowAnswers.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlowAnswers.h"
 #include "ReferenceMessages.h"
 
 #include "vtkDataArray.h"

@@ -1,8 +1,8 @@
 // Nothing is interpolated where an implicit flow field jumps: across a separatrix, from samples
 // with an answer to those without, and over seams that the mapping does not continue over; over
 // seams that it does volumes are whole and parameters unwrapped.
+#include "Flows/ReferenceFlowAnswers.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlowAnswers.h"
 #include "ReferenceGrid.h"
 #include "ReferenceLattice.h"
 #include "ReferenceMesh.h"

@@ -1,8 +1,8 @@
 // Stream volumes, stream surfaces and time surfaces of flows with known streamlines: volumes,
 // areas and fluxes against formulas, with errors that fall with the square of the spacing, on every
 // kind of grid.
+#include "Flows/ReferenceFlowAnswers.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlowAnswers.h"
 #include "ReferenceGrid.h"
 #include "ReferenceLattice.h"
 

@@ -1,7 +1,7 @@
 // A scalar on termination surfaces at every sample: formulas, rings and images against their
 // definitions, NaN where there is none, what is periodic, wrong settings, and threads.
+#include "Flows/ReferenceFlowAnswers.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlowAnswers.h"
 #include "ReferenceLattice.h"
 #include "ReferenceMessages.h"
 #include "ReferenceProgress.h"

@@ -2,7 +2,7 @@
 // port 1 has what bounds tetrahedra, [a, a] is the cells equal to a throughout, adjacent intervals
 // tile, criteria keep signed volumes. On every volume of 8 bits, and on small whole numbers in
 // every kind of cell.
-#include "DataFiles.h"
+#include "Inputs/DataFiles.h"
 #include "ReferenceCheck.h"
 #include "ReferenceExtraction.h"
 #include "ReferenceField.h"

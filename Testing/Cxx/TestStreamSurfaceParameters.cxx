@@ -1,7 +1,7 @@
 // Texture coordinates of stream surfaces: lengths along inflow contours against formulas, closed,
 // open and several of them, over seams; triangles never run back; start points, scales and errors.
 #include "ReferenceCheck.h"
-#include "ReferenceFlowAnswers.h"
+#include "Flows/ReferenceFlowAnswers.h"
 #include "ReferenceMeshBuilder.h"
 #include "ReferenceMessages.h"
 #include "ReferenceProgress.h"

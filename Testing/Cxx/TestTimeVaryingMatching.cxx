@@ -1,7 +1,7 @@
 // What is promised where values equal bounds, in time and at slices: 4-simplices match with the
 // orientation of their faces over all slabs, boundaries have what bounds them, and the slice at a
 // step is made of the interval volume of that step, each tetrahedron once.
-#include "DataFiles.h"
+#include "Inputs/DataFiles.h"
 #include "ReferenceCheck.h"
 #include "ReferenceMatching.h"
 #include "ReferenceTimeSteps.h"

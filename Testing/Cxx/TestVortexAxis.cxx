@@ -1,8 +1,8 @@
 // Straight, tilted and curved axes on all kinds of grids, exact or to second order; several
 // vortices, the seed, the frame of reference, breaks; no vortex; planes; threads, progress, abort,
 // errors.
+#include "Flows/ReferenceFlowMaps.h"
 #include "ReferenceCheck.h"
-#include "ReferenceFlowMaps.h"
 #include "ReferenceLattice.h"
 #include "ReferenceMesh.h"
 #include "ReferenceMessages.h"

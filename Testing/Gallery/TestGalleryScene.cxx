@@ -3,10 +3,10 @@
 // for results, -V baseline. The picture is left in the folder for results as `<id>.png`: look at
 // it, and copy it over the baseline where a change is meant.
 
-#include "Picture.h"
-#include "PixelDifference.h"
-#include "Scene.h"
-#include "Stage.h"
+#include "Gallery/Picture.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
+#include "Common/PixelDifference.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"

@@ -1,6 +1,7 @@
 # find_breaches(ROOT OUTPUT): lists the lines under ROOT that cross an edge between modules that
 # Documentation/architecture.md does not have, each as "file: line".
 #   - ParaView's headers only in Plugin/
+#   - the programs below Utilities/ know no test
 #   - a rendering module knows no module under Filters/; Scene <- Tetrahedra, Light, FlowTexture, which do
 #     not know each other
 #   - Isotables knows no pipeline and no dataset; Isotables <- Intervals <- Flow; Sources and Meshing on VTK
@@ -41,9 +42,11 @@ function (find_breaches root output)
   set(breaches)
   # vtkSMPTools and its like are VTK's: after vtkSM, ParaView's have a capital and a small letter.
   set(paraview "(vtkPV[A-Z]|vtkSM[A-Z][a-z]|vtkSI[A-Z][a-z]|vtkClientServer|pq[A-Z])[A-Za-z0-9]*\\.h")
-  foreach (folder IN ITEMS Filters Rendering Testing Examples)
+  foreach (folder IN ITEMS Filters Rendering Testing Examples Utilities)
     forbid("${root}" ${folder} "${paraview}")
   endforeach ()
+  header_pattern(tests "${root}/Testing")
+  forbid("${root}" Utilities "${tests}")
 
   set(pipeline "vtk[A-Za-z0-9]*(Algorithm|Executive|Information|InformationVector|Pipeline)\\.h")
   set(datasets "vtk[A-Za-z0-9]*(DataSet|DataObject|Grid|ImageData|PolyData)\\.h")

@@ -7,10 +7,10 @@ set(interlume_version_files
   # what an unstructured grid's cells are stored in
   Filters/Intervals/vtkGridCells.h
   # peers that the benchmarks compare with
-  Testing/Benchmarks/GpuShadows.h
-  Testing/Benchmarks/VelocityInterpolation.cxx
+  Utilities/Benchmarks/Flow/VelocityInterpolation.cxx
+  Utilities/Benchmarks/Shadows/GpuShadows.h
   # the arithmetic of small vectors
-  Testing/Gallery/VectorArithmetic.h)
+  Utilities/Gallery/VectorArithmetic.h)
 
 function (find_version_tests root output)
   set(found)

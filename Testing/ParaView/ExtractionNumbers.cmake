@@ -9,7 +9,7 @@ add_executable(ExtractionNumbers
   ExtractionNumbers.cxx ExtractionMeasures.cxx FlowExtraction.cxx FlowNumbers.cxx PieceWriter.cxx
   TimeVaryingExtraction.cxx TimeVaryingNumbers.cxx)
 target_link_libraries(ExtractionNumbers PRIVATE
-  InterlumeTestingCommon Interlume::InterlumeFlow Interlume::InterlumeIntervals
+  InterlumeInputs Interlume::InterlumeFlow Interlume::InterlumeIntervals
   Interlume::InterlumeSources VTK::ImagingCore VTK::IOLegacy VTK::IOXML nlohmann_json::nlohmann_json)
 set(extractions_folder "${CMAKE_BINARY_DIR}/Testing/Extractions")
 file(MAKE_DIRECTORY "${extractions_folder}")
@@ -19,7 +19,7 @@ add_test(NAME TestExtractionNumbers COMMAND ExtractionNumbers "${extractions_fol
 function (picture_program name)
   add_executable(${name} ${name}.cxx FlowExtraction.cxx PictureStage.cxx TimeVaryingExtraction.cxx)
   target_link_libraries(${name} PRIVATE
-    InterlumeTestingCommon Interlume::InterlumeFlow Interlume::InterlumeIntervals
+    InterlumeInputs Interlume::InterlumeFlow Interlume::InterlumeIntervals
     Interlume::InterlumeLight
     Interlume::InterlumeSources Interlume::InterlumeTetrahedra VTK::IOImage VTK::RenderingCore
     VTK::RenderingOpenGL2 VTK::RenderingVolume nlohmann_json::nlohmann_json)

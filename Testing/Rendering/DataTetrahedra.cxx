@@ -1,7 +1,7 @@
 #include "DataTetrahedra.h"
 
-#include "DataFiles.h"
-#include "ExodusTimeSource.h"
+#include "Inputs/DataFiles.h"
+#include "Inputs/ExodusTimeSource.h"
 #include "PictureCases.h"
 
 #include "vtkDataArray.h"

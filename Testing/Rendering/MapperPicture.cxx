@@ -1,6 +1,6 @@
 #include "MapperPicture.h"
 
-#include "VolumeStage.h"
+#include "Pictures/VolumeStage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,7 +1,7 @@
 #ifndef MapperPicture_h
 #define MapperPicture_h
 
-#include "ReferenceVolumePicture.h" // for the settings
+#include "Pictures/ReferenceVolumePicture.h" // for the settings
 
 #include "vtkSmartPointer.h" // for what is drawn
 

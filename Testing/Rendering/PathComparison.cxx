@@ -1,8 +1,8 @@
 #include "PathComparison.h"
 
 #include "PictureCases.h"
+#include "Pictures/ReferenceRay.h"
 #include "ReferenceCheck.h"
-#include "ReferenceRay.h"
 
 #include "vtkCamera.h"
 #include "vtkIdList.h"

@@ -1,8 +1,8 @@
 #ifndef PictureCases_h
 #define PictureCases_h
 
-#include "ReferenceRay.h"    // for lines of sight
-#include "vtkSmartPointer.h" // for what is made
+#include "Pictures/ReferenceRay.h" // for lines of sight
+#include "vtkSmartPointer.h"       // for what is made
 
 #include <array>  // for vectors
 #include <string> // for names

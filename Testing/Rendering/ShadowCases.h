@@ -1,7 +1,7 @@
 #ifndef ShadowCases_h
 #define ShadowCases_h
 
-#include "ShadowScene.h"
+#include "Pictures/ShadowScene.h"
 
 #include <functional>
 

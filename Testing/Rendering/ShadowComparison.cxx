@@ -1,6 +1,6 @@
 #include "ShadowComparison.h"
 
-#include "ReferenceShadowPicture.h"
+#include "Pictures/ReferenceShadowPicture.h"
 #include "ShadowPicture.h"
 
 #include "vtkNew.h"

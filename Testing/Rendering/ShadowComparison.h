@@ -1,8 +1,8 @@
 #ifndef ShadowComparison_h
 #define ShadowComparison_h
 
+#include "Pictures/RgbaPicture.h"
 #include "ReferenceCheck.h"
-#include "RgbaPicture.h"
 
 #include <string>
 

@@ -1,8 +1,8 @@
 #ifndef ShadowPicture_h
 #define ShadowPicture_h
 
-#include "RgbaPicture.h"
-#include "ShadowScene.h"
+#include "Pictures/RgbaPicture.h"
+#include "Pictures/ShadowScene.h"
 
 class vtkRenderWindow;
 class vtkShadowedSliceMapper;

@@ -1,8 +1,8 @@
 // The reference against closed forms: slabs, linear extinction, two slabs, order, every blend mode.
 #include "PictureCases.h"
+#include "Pictures/ReferenceIntegral.h"
+#include "Pictures/ReferenceVolumePicture.h"
 #include "ReferenceCheck.h"
-#include "ReferenceIntegral.h"
-#include "ReferenceVolumePicture.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"

@@ -1,11 +1,11 @@
 // The reference of pictures with shadows, checked by itself: closed forms of homogeneous and linear
 // media, lights and gradients by their formulas, and by halving its steps.
 #include "PictureCases.h"
+#include "Pictures/ReferenceLightSource.h"
+#include "Pictures/ReferenceMedium.h"
+#include "Pictures/ReferenceShadow.h"
+#include "Pictures/ReferenceShadowPicture.h"
 #include "ReferenceCheck.h"
-#include "ReferenceLightSource.h"
-#include "ReferenceMedium.h"
-#include "ReferenceShadow.h"
-#include "ReferenceShadowPicture.h"
 #include "ShadowCases.h"
 
 #include "vtkActor.h"

@@ -1,11 +1,11 @@
 // Extremes of vtkShadowedSliceMapper, each by its name: places of lights, shapes and sizes of
 // volumes, materials, values that are no numbers, textures and memory.
+#include "Pages/StabilityCase.h"
 #include "PictureCases.h"
-#include "ReferenceShadowPicture.h"
+#include "Pictures/ReferenceShadowPicture.h"
+#include "Pictures/VolumeStage.h"
 #include "ShadowCases.h"
 #include "ShadowPicture.h"
-#include "StabilityCase.h"
-#include "VolumeStage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,8 +1,8 @@
 // Transfer functions of vtkShadowedSliceMapper that are finer than the range of the data: one voxel
 // far beyond all others, peaks and steps as narrow as a unit of 16 bits, curved functions.
 #include "PictureCases.h"
+#include "Pictures/ReferenceShadowPicture.h"
 #include "ReferenceCheck.h"
-#include "ReferenceShadowPicture.h"
 #include "ShadowCases.h"
 #include "ShadowComparison.h"
 #include "ShadowPicture.h"

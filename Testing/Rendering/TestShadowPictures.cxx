@@ -1,11 +1,11 @@
 // Whole pictures of vtkShadowedSliceMapper against marching in double: volumes, scalar types and
 // components, materials, what cuts them, cameras and the mapper's own values. A light along
 // (1, -1, -1) shines in all of them.
-#include "DataFiles.h"
+#include "Inputs/DataFiles.h"
 #include "PictureCases.h"
-#include "ReferenceRay.h"
+#include "Pictures/ReferenceRay.h"
 #include "ShadowCases.h"
-#include "ReferenceShadowPicture.h"
+#include "Pictures/ReferenceShadowPicture.h"
 #include "ShadowComparison.h"
 #include "ShadowPicture.h"
 

@@ -2,8 +2,8 @@
 // cube, and plates whose opacity jumps between two voxels, under light and view from 0 to 60
 // degrees.
 #include "PictureCases.h"
+#include "Pictures/ReferenceRay.h"
 #include "ReferenceCheck.h"
-#include "ReferenceRay.h"
 #include "ShadowCases.h"
 #include "ShadowPicture.h"
 

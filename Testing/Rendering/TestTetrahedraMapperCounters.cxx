@@ -1,8 +1,8 @@
 // Pay for use: what a picture did not need was not done, by the report of both render paths.
 #include "MapperPicture.h"
 #include "PictureCases.h"
+#include "Pictures/VolumeStage.h"
 #include "ReferenceCheck.h"
-#include "VolumeStage.h"
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"

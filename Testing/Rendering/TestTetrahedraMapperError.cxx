@@ -2,8 +2,8 @@
 // linear fields: regular and thin tetrahedra, small, large and far meshes, faint and dense ones.
 // The error of VTK's mapper stands in the same row.
 #include "MapperPicture.h"
+#include "Pages/StabilityCase.h"
 #include "PictureCases.h"
-#include "StabilityCase.h"
 
 #include "vtkCamera.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"

@@ -1,9 +1,9 @@
 // Input that cannot be drawn, in whole or in part: what is said, what is left out, what is seen.
 #include "MapperPicture.h"
+#include "Pages/StabilityCase.h"
 #include "PictureCases.h"
+#include "Pictures/VolumeStage.h"
 #include "ReferenceMesh.h"
-#include "StabilityCase.h"
-#include "VolumeStage.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"

@@ -2,9 +2,9 @@
 // between two halves of a slab as the formula has it, textures, points matched by their place.
 #include "MapperPicture.h"
 #include "PictureCases.h"
+#include "Pictures/ReferenceRay.h"
+#include "Pictures/VolumeStage.h"
 #include "ReferenceCheck.h"
-#include "ReferenceRay.h"
-#include "VolumeStage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

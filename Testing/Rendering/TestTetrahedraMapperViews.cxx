@@ -2,8 +2,8 @@
 // multisampling; level of detail. Pictures are compared with those of fresh mappers.
 #include "MapperPicture.h"
 #include "PictureCases.h"
+#include "Pictures/TestWindow.h"
 #include "ReferenceCheck.h"
-#include "TestWindow.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,5 +1,5 @@
 // The stability helper itself: what is reported is what is gathered, and what is wrong fails.
-#include "StabilityCase.h"
+#include "Pages/StabilityCase.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,5 +1,6 @@
 // Extreme geometry and topology: cells without volume, inverted, with repeated points, alone, far
 // away, tiny, or with coordinates that are no numbers.
+#include "Pages/StabilityCase.h"
 #include "ReferenceExtraction.h"
 #include "ReferenceField.h"
 #include "ReferenceGrid.h"
@@ -8,7 +9,6 @@
 #include "ReferenceMeshBuilder.h"
 #include "ReferenceTransform.h"
 #include "ReferenceVolume.h"
-#include "StabilityCase.h"
 
 #include "vtkImageData.h"
 #include "vtkUnstructuredGrid.h"

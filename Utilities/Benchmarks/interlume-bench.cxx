@@ -1,10 +1,10 @@
 // Measures Interlume against VTK's own filters; see --help.
-#include "BenchMachine.h"
-#include "BenchResults.h"
-#include "BenchSuites.h"
-#include "PlotDrawer.h"
-#include "ReportPage.h"
-#include "StabilityCase.h"
+#include "Benchmarks/Report/PlotDrawer.h"
+#include "Benchmarks/Report/ReportPage.h"
+#include "Benchmarks/Results/BenchMachine.h"
+#include "Benchmarks/Results/BenchResults.h"
+#include "Benchmarks/Suites/BenchSuites.h"
+#include "Pages/StabilityCase.h"
 
 #include "vtkSMPTools.h"
 

@@ -1,4 +1,4 @@
-#include "ReferenceFlow.h"
+#include "Flows/ReferenceFlow.h"
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>

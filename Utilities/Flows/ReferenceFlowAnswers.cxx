@@ -1,4 +1,4 @@
-#include "ReferenceFlowAnswers.h"
+#include "Flows/ReferenceFlowAnswers.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"

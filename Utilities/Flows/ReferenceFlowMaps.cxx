@@ -1,4 +1,4 @@
-#include "ReferenceFlowMaps.h"
+#include "Flows/ReferenceFlowMaps.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"

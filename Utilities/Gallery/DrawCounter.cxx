@@ -1,8 +1,8 @@
-#include "DrawCounter.h"
+#include "Gallery/DrawCounter.h"
 
-#include "Panel.h"
-#include "SceneReport.h"
-#include "Volumes.h"
+#include "Gallery/Panel.h"
+#include "Gallery/SceneReport.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"

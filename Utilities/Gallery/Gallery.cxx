@@ -1,9 +1,9 @@
 // interlume-gallery: draws the pictures of the gallery and the page that shows them.
 
-#include "IndexPage.h"
-#include "Picture.h"
-#include "Scene.h"
-#include "Stage.h"
+#include "Gallery/IndexPage.h"
+#include "Gallery/Picture.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"

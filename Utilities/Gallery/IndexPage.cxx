@@ -1,8 +1,8 @@
-#include "IndexPage.h"
+#include "Gallery/IndexPage.h"
 
-#include "DataManifest.h"
-#include "HtmlText.h"
-#include "Scene.h"
+#include "Gallery/Scene.h"
+#include "Inputs/DataManifest.h"
+#include "Pages/HtmlText.h"
 
 #include "vtkVersion.h"
 

@@ -1,7 +1,7 @@
 #ifndef IndexPage_h
 #define IndexPage_h
 
-#include "SceneReport.h"
+#include "Gallery/SceneReport.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "Legend.h"
+#include "Gallery/Legend.h"
 
-#include "Look.h"
+#include "Gallery/Look.h"
 
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"

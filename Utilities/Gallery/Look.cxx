@@ -1,4 +1,4 @@
-#include "Look.h"
+#include "Gallery/Look.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkLight.h"

@@ -1,9 +1,9 @@
-#include "Panel.h"
+#include "Gallery/Panel.h"
 
-#include "Look.h"
-#include "Picture.h"
-#include "SurfacesPass.h"
-#include "VectorArithmetic.h"
+#include "Gallery/Look.h"
+#include "Gallery/Picture.h"
+#include "Gallery/SurfacesPass.h"
+#include "Gallery/VectorArithmetic.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"

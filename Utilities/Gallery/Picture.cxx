@@ -1,4 +1,4 @@
-#include "Picture.h"
+#include "Gallery/Picture.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"

@@ -1,6 +1,6 @@
-#include "Props.h"
+#include "Gallery/Props.h"
 
-#include "Look.h"
+#include "Gallery/Look.h"
 
 #include "vtkActor.h"
 #include "vtkArrayCalculator.h"

@@ -1,4 +1,4 @@
-#include "Scene.h"
+#include "Gallery/Scene.h"
 
 #include <algorithm>
 #include <cstdlib>

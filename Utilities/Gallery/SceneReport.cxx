@@ -1,4 +1,4 @@
-#include "SceneReport.h"
+#include "Gallery/SceneReport.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
-#include "Stage.h"
+#include "Gallery/Stage.h"
 
-#include "DrawCounter.h"
-#include "Look.h"
-#include "Picture.h"
-#include "Scene.h"
-#include "Stopwatch.h"
+#include "Gallery/DrawCounter.h"
+#include "Gallery/Look.h"
+#include "Gallery/Picture.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stopwatch.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkFlowVolume.h"

@@ -1,9 +1,9 @@
 #ifndef Stage_h
 #define Stage_h
 
-#include "Legend.h"
-#include "Panel.h"
-#include "SceneReport.h"
+#include "Gallery/Legend.h"
+#include "Gallery/Panel.h"
+#include "Gallery/SceneReport.h"
 
 #include "vtkSmartPointer.h"
 

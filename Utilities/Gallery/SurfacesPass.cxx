@@ -1,4 +1,4 @@
-#include "SurfacesPass.h"
+#include "Gallery/SurfacesPass.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"

@@ -1,4 +1,4 @@
-#include "TimeBoundary.h"
+#include "Gallery/TimeBoundary.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

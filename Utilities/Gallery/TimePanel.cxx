@@ -1,9 +1,9 @@
-#include "TimePanel.h"
+#include "Gallery/TimePanel.h"
 
-#include "Look.h"
-#include "Panel.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkColorTransferFunction.h"

@@ -1,4 +1,4 @@
-#include "Volumes.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"

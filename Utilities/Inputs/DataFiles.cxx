@@ -1,4 +1,4 @@
-#include "DataFiles.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetReader.h"

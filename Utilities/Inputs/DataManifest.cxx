@@ -1,6 +1,6 @@
-#include "DataManifest.h"
+#include "Inputs/DataManifest.h"
 
-#include "DataFiles.h"
+#include "Inputs/DataFiles.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "ExodusTimeSource.h"
+#include "Inputs/ExodusTimeSource.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObject.h"

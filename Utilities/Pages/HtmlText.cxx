@@ -1,4 +1,4 @@
-#include "HtmlText.h"
+#include "Pages/HtmlText.h"
 
 namespace html
 {

@@ -1,4 +1,4 @@
-#include "StabilityCase.h"
+#include "Pages/StabilityCase.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "HypercubePlate.h"
+#include "Pictures/HypercubePlate.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkImageDataToPointSet.h"

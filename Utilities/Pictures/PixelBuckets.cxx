@@ -1,4 +1,4 @@
-#include "PixelBuckets.h"
+#include "Pictures/PixelBuckets.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #ifndef PixelBuckets_h
 #define PixelBuckets_h
 
-#include "ReferenceRay.h"         // for projections
-#include "ReferenceTetrahedron.h" // for tetrahedra
+#include "Pictures/ReferenceRay.h"         // for projections
+#include "Pictures/ReferenceTetrahedron.h" // for tetrahedra
 
 #include <cstdint>
 #include <vector>

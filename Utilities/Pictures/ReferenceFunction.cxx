@@ -1,4 +1,4 @@
-#include "ReferenceFunction.h"
+#include "Pictures/ReferenceFunction.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"

@@ -1,4 +1,4 @@
-#include "ReferenceImage.h"
+#include "Pictures/ReferenceImage.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,4 +1,4 @@
-#include "ReferenceIntegral.h"
+#include "Pictures/ReferenceIntegral.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "ReferenceLightSource.h"
+#include "Pictures/ReferenceLightSource.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

@@ -1,7 +1,7 @@
 #ifndef ReferenceLightSource_h
 #define ReferenceLightSource_h
 
-#include "ReferenceImage.h" // for points
+#include "Pictures/ReferenceImage.h" // for points
 
 #include <array>
 

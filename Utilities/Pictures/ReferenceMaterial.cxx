@@ -1,4 +1,4 @@
-#include "ReferenceMaterial.h"
+#include "Pictures/ReferenceMaterial.h"
 
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"

@@ -1,10 +1,10 @@
 #ifndef ReferenceMaterial_h
 #define ReferenceMaterial_h
 
-#include "ReferenceFunction.h"    // for the transfer functions
-#include "ReferenceIntegral.h"    // for the parts
-#include "ReferenceTetrahedron.h" // for barycentric coordinates
-#include "vtkType.h"              // for vtkIdType
+#include "Pictures/ReferenceFunction.h"    // for the transfer functions
+#include "Pictures/ReferenceIntegral.h"    // for the parts
+#include "Pictures/ReferenceTetrahedron.h" // for barycentric coordinates
+#include "vtkType.h"                       // for vtkIdType
 
 #include <array>
 #include <string>

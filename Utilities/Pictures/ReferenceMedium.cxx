@@ -1,6 +1,6 @@
-#include "ReferenceMedium.h"
+#include "Pictures/ReferenceMedium.h"
 
-#include "ShadowScene.h"
+#include "Pictures/ShadowScene.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"

@@ -1,8 +1,8 @@
 #ifndef ReferenceMedium_h
 #define ReferenceMedium_h
 
-#include "ReferenceFunction.h" // for the transfer functions
-#include "ReferenceImage.h"    // for the values
+#include "Pictures/ReferenceFunction.h" // for the transfer functions
+#include "Pictures/ReferenceImage.h"    // for the values
 
 #include "vtkSmartPointer.h" // for the planes
 

@@ -1,4 +1,4 @@
-#include "ReferenceRay.h"
+#include "Pictures/ReferenceRay.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"

@@ -1,4 +1,4 @@
-#include "ReferenceShadow.h"
+#include "Pictures/ReferenceShadow.h"
 
 namespace reference
 {

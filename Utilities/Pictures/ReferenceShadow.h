@@ -1,7 +1,7 @@
 #ifndef ReferenceShadow_h
 #define ReferenceShadow_h
 
-#include "ReferenceMedium.h"
+#include "Pictures/ReferenceMedium.h"
 
 namespace reference
 {

@@ -1,10 +1,10 @@
-#include "ReferenceShadowPicture.h"
+#include "Pictures/ReferenceShadowPicture.h"
 
-#include "ReferenceLightSource.h"
-#include "ReferenceMedium.h"
-#include "ReferenceRay.h"
-#include "ReferenceShadow.h"
-#include "ShadowScene.h"
+#include "Pictures/ReferenceLightSource.h"
+#include "Pictures/ReferenceMedium.h"
+#include "Pictures/ReferenceRay.h"
+#include "Pictures/ReferenceShadow.h"
+#include "Pictures/ShadowScene.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"

@@ -1,7 +1,7 @@
 #ifndef ReferenceShadowPicture_h
 #define ReferenceShadowPicture_h
 
-#include "RgbaPicture.h" // for the picture
+#include "Pictures/RgbaPicture.h" // for the picture
 
 namespace reference
 {

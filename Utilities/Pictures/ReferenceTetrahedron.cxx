@@ -1,4 +1,4 @@
-#include "ReferenceTetrahedron.h"
+#include "Pictures/ReferenceTetrahedron.h"
 
 #include <algorithm>
 #include <cmath>

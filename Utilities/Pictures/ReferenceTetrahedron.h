@@ -1,7 +1,7 @@
 #ifndef ReferenceTetrahedron_h
 #define ReferenceTetrahedron_h
 
-#include "ReferenceRay.h" // for lines of sight
+#include "Pictures/ReferenceRay.h" // for lines of sight
 
 #include <array>    // for corners
 #include <optional> // for segments

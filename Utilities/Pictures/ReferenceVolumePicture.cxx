@@ -1,7 +1,7 @@
-#include "ReferenceVolumePicture.h"
+#include "Pictures/ReferenceVolumePicture.h"
 
-#include "PixelBuckets.h"
-#include "ReferenceRay.h"
+#include "Pictures/PixelBuckets.h"
+#include "Pictures/ReferenceRay.h"
 
 #include "vtkCell.h"
 #include "vtkCellData.h"

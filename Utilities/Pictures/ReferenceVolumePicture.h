@@ -1,8 +1,8 @@
 #ifndef ReferenceVolumePicture_h
 #define ReferenceVolumePicture_h
 
-#include "ReferenceMaterial.h" // for the arrays
-#include "RgbaPicture.h"       // for the picture
+#include "Pictures/ReferenceMaterial.h" // for the arrays
+#include "Pictures/RgbaPicture.h"       // for the picture
 
 #include <array>  // for the size
 #include <map>    // for priorities

@@ -1,4 +1,4 @@
-#include "RgbaPicture.h"
+#include "Pictures/RgbaPicture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #ifndef ShadowScene_h
 #define ShadowScene_h
 
-#include "ReferenceImage.h" // for the array
+#include "Pictures/ReferenceImage.h" // for the array
 
 // Whole types, so that a scene can be copied.
 #include "vtkActor.h"

@@ -1,6 +1,6 @@
-#include "VolumeStage.h"
+#include "Pictures/VolumeStage.h"
 
-#include "TestWindow.h"
+#include "Pictures/TestWindow.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"

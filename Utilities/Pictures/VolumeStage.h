@@ -1,7 +1,7 @@
 #ifndef VolumeStage_h
 #define VolumeStage_h
 
-#include "RgbaPicture.h" // for pictures
+#include "Pictures/RgbaPicture.h" // for pictures
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h" // for lights

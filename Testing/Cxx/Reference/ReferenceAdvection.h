@@ -1,7 +1,7 @@
 #ifndef ReferenceAdvection_h
 #define ReferenceAdvection_h
 
-#include "ReferenceFlow.h"
+#include "Flows/ReferenceFlow.h"
 #include "ReferenceSurfaces.h"
 #include "ReferenceWalkers.h"
 

@@ -1,7 +1,7 @@
 #ifndef ReferenceSurfaces_h
 #define ReferenceSurfaces_h
 
-#include "ReferenceFlow.h"
+#include "Flows/ReferenceFlow.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"

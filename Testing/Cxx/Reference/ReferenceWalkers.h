@@ -1,7 +1,7 @@
 #ifndef ReferenceWalkers_h
 #define ReferenceWalkers_h
 
-#include "ReferenceFlow.h"
+#include "Flows/ReferenceFlow.h"
 
 #include "vtkFlowWalker.h"
 

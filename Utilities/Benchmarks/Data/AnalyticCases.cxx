@@ -1,4 +1,4 @@
-#include "AnalyticCases.h"
+#include "Benchmarks/Data/AnalyticCases.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"

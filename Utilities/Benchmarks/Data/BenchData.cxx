@@ -1,6 +1,6 @@
-#include "BenchData.h"
+#include "Benchmarks/Data/BenchData.h"
 
-#include "DataFiles.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellType.h"

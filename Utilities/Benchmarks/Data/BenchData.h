@@ -1,7 +1,7 @@
 #ifndef BenchData_h
 #define BenchData_h
 
-#include "BenchOptions.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 #include "vtkDataSet.h"
 #include "vtkImageData.h"

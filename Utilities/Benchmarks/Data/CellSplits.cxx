@@ -1,4 +1,4 @@
-#include "CellSplits.h"
+#include "Benchmarks/Data/CellSplits.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

@@ -1,4 +1,4 @@
-#include "KeptTimeSteps.h"
+#include "Benchmarks/Data/KeptTimeSteps.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -1,6 +1,6 @@
-#include "MovingFields.h"
+#include "Benchmarks/Data/MovingFields.h"
 
-#include "LevelDistance.h"
+#include "Benchmarks/Measures/LevelDistance.h"
 
 #include "vtkMath.h"
 

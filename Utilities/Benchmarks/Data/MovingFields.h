@@ -1,7 +1,7 @@
 #ifndef MovingFields_h
 #define MovingFields_h
 
-#include "BenchOptions.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkSmartPointer.h"

@@ -1,6 +1,6 @@
-#include "ExplicitFlowVolume.h"
+#include "Benchmarks/Flow/ExplicitFlowVolume.h"
 
-#include "VelocityInterpolation.h"
+#include "Benchmarks/Flow/VelocityInterpolation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

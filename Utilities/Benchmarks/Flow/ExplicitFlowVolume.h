@@ -1,7 +1,7 @@
 #ifndef ExplicitFlowVolume_h
 #define ExplicitFlowVolume_h
 
-#include "FlowDisc.h"
+#include "Benchmarks/Flow/FlowDisc.h"
 
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"

@@ -1,7 +1,7 @@
-#include "FlowCases.h"
+#include "Benchmarks/Flow/FlowCases.h"
 
-#include "BenchData.h"
-#include "CellSplits.h"
+#include "Benchmarks/Data/BenchData.h"
+#include "Benchmarks/Data/CellSplits.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"

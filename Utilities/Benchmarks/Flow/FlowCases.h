@@ -1,7 +1,7 @@
 #ifndef FlowCases_h
 #define FlowCases_h
 
-#include "BenchOptions.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkDataSet.h"

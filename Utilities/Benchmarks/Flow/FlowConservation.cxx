@@ -1,9 +1,9 @@
-#include "FlowConservation.h"
+#include "Benchmarks/Flow/FlowConservation.h"
 
-#include "BenchTiming.h"
-#include "FlowDisc.h"
+#include "Benchmarks/Flow/FlowDisc.h"
+#include "Benchmarks/Measures/BenchTiming.h"
 
-#include "ReferenceFlowAnswers.h"
+#include "Flows/ReferenceFlowAnswers.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkFlowVolume.h"

@@ -1,9 +1,9 @@
 #ifndef FlowConservation_h
 #define FlowConservation_h
 
-#include "BenchClaim.h"
-#include "BenchOptions.h"
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchClaim.h"
+#include "Benchmarks/Results/BenchRow.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "FlowDisc.h"
+#include "Benchmarks/Flow/FlowDisc.h"
 
 #include "vtkTerminationPlane.h"
 

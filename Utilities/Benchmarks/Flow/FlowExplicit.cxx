@@ -1,10 +1,10 @@
-#include "FlowExplicit.h"
+#include "Benchmarks/Flow/FlowExplicit.h"
 
-#include "BenchTiming.h"
-#include "ExplicitFlowVolume.h"
-#include "FlowTubes.h"
-#include "LevelDistance.h"
-#include "SurfaceDistances.h"
+#include "Benchmarks/Flow/ExplicitFlowVolume.h"
+#include "Benchmarks/Flow/FlowTubes.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/LevelDistance.h"
+#include "Benchmarks/Measures/SurfaceDistances.h"
 
 #include "vtkCellIterator.h"
 #include "vtkNew.h"

@@ -1,9 +1,9 @@
 #ifndef FlowExplicit_h
 #define FlowExplicit_h
 
-#include "BenchOptions.h"
-#include "BenchPlot.h"
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchPlot.h"
+#include "Benchmarks/Results/BenchRow.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "FlowFields.h"
+#include "Benchmarks/Flow/FlowFields.h"
 
-#include "ReferenceFlowMaps.h"
+#include "Flows/ReferenceFlowMaps.h"
 
 #include "vtkImageData.h"
 

@@ -1,9 +1,9 @@
 #ifndef FlowFields_h
 #define FlowFields_h
 
-#include "BenchOptions.h"
-#include "FlowCases.h"
-#include "FlowReference.h"
+#include "Benchmarks/Flow/FlowCases.h"
+#include "Benchmarks/Flow/FlowReference.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #ifndef FlowMethods_h
 #define FlowMethods_h
 
-#include "FlowCases.h"
-#include "VelocityInterpolation.h"
+#include "Benchmarks/Flow/FlowCases.h"
+#include "Benchmarks/Flow/VelocityInterpolation.h"
 
 #include "vtkImplicitFlowField.h"
 #include "vtkSmartPointer.h"

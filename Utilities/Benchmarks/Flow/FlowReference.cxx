@@ -1,8 +1,8 @@
-#include "FlowReference.h"
+#include "Benchmarks/Flow/FlowReference.h"
 
-#include "BenchTiming.h"
-#include "TrilinearFlow.h"
-#include "VelocityInterpolation.h"
+#include "Benchmarks/Flow/TrilinearFlow.h"
+#include "Benchmarks/Flow/VelocityInterpolation.h"
+#include "Benchmarks/Measures/BenchTiming.h"
 
 #include "vtkCell.h"
 #include "vtkDataArray.h"

@@ -1,8 +1,8 @@
 #ifndef FlowReference_h
 #define FlowReference_h
 
-#include "FlowCases.h"
-#include "FlowMethods.h"
+#include "Benchmarks/Flow/FlowCases.h"
+#include "Benchmarks/Flow/FlowMethods.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"

@@ -1,10 +1,10 @@
-#include "FlowSpeed.h"
+#include "Benchmarks/Flow/FlowSpeed.h"
 
-#include "BenchTiming.h"
-#include "FlowCases.h"
-#include "FlowMethods.h"
-#include "FlowReference.h"
-#include "SecondThread.h"
+#include "Benchmarks/Flow/FlowCases.h"
+#include "Benchmarks/Flow/FlowMethods.h"
+#include "Benchmarks/Flow/FlowReference.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/SecondThread.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"

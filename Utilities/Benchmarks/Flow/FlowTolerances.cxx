@@ -1,8 +1,8 @@
-#include "FlowTolerances.h"
+#include "Benchmarks/Flow/FlowTolerances.h"
 
-#include "BenchTiming.h"
-#include "FlowFields.h"
-#include "FlowMethods.h"
+#include "Benchmarks/Flow/FlowFields.h"
+#include "Benchmarks/Flow/FlowMethods.h"
+#include "Benchmarks/Measures/BenchTiming.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
-#include "FlowTubes.h"
+#include "Benchmarks/Flow/FlowTubes.h"
 
-#include "ReferenceFlow.h"
-#include "ReferenceFlowMaps.h"
+#include "Flows/ReferenceFlow.h"
+#include "Flows/ReferenceFlowMaps.h"
 
 #include <algorithm>
 #include <cmath>

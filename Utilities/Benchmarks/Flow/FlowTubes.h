@@ -1,7 +1,7 @@
 #ifndef FlowTubes_h
 #define FlowTubes_h
 
-#include "FlowDisc.h"
+#include "Benchmarks/Flow/FlowDisc.h"
 
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"

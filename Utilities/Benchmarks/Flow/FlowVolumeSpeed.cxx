@@ -1,6 +1,6 @@
-#include "FlowVolumeSpeed.h"
+#include "Benchmarks/Flow/FlowVolumeSpeed.h"
 
-#include "BenchTiming.h"
+#include "Benchmarks/Measures/BenchTiming.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkFlowVolume.h"

@@ -1,9 +1,9 @@
-#include "BenchSuites.h"
-#include "FlowConservation.h"
-#include "FlowExplicit.h"
-#include "FlowSpeed.h"
-#include "FlowTolerances.h"
-#include "FlowVolumeSpeed.h"
+#include "Benchmarks/Flow/FlowConservation.h"
+#include "Benchmarks/Flow/FlowExplicit.h"
+#include "Benchmarks/Flow/FlowSpeed.h"
+#include "Benchmarks/Flow/FlowTolerances.h"
+#include "Benchmarks/Flow/FlowVolumeSpeed.h"
+#include "Benchmarks/Suites/BenchSuites.h"
 
 #include <utility>
 

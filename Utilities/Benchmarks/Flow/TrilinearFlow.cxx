@@ -1,4 +1,4 @@
-#include "TrilinearFlow.h"
+#include "Benchmarks/Flow/TrilinearFlow.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

@@ -1,4 +1,4 @@
-#include "VelocityInterpolation.h"
+#include "Benchmarks/Flow/VelocityInterpolation.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"

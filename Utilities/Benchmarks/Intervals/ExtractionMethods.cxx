@@ -1,4 +1,4 @@
-#include "ExtractionMethods.h"
+#include "Benchmarks/Intervals/ExtractionMethods.h"
 
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"

@@ -1,13 +1,13 @@
-#include "IntervalError.h"
+#include "Benchmarks/Intervals/IntervalError.h"
 
-#include "AnalyticCases.h"
-#include "BenchData.h"
-#include "BenchTiming.h"
-#include "CellSplits.h"
-#include "ExtractionMethods.h"
-#include "SurfaceDistances.h"
-#include "TetrahedronSums.h"
-#include "TrilinearRegion.h"
+#include "Benchmarks/Data/AnalyticCases.h"
+#include "Benchmarks/Data/BenchData.h"
+#include "Benchmarks/Data/CellSplits.h"
+#include "Benchmarks/Intervals/ExtractionMethods.h"
+#include "Benchmarks/Intervals/TrilinearRegion.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/SurfaceDistances.h"
+#include "Benchmarks/Measures/TetrahedronSums.h"
 
 #include "vtkIntervalVolume.h"
 

@@ -1,9 +1,9 @@
-#include "IntervalMemory.h"
+#include "Benchmarks/Intervals/IntervalMemory.h"
 
-#include "BenchData.h"
-#include "BenchTiming.h"
-#include "ExtractionMethods.h"
-#include "ResidentMemory.h"
+#include "Benchmarks/Data/BenchData.h"
+#include "Benchmarks/Intervals/ExtractionMethods.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/ResidentMemory.h"
 
 #include "vtkIntervalVolume.h"
 

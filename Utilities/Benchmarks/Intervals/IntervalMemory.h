@@ -1,7 +1,7 @@
 #ifndef IntervalMemory_h
 #define IntervalMemory_h
 
-#include "BenchOptions.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 #include <nlohmann/json.hpp>
 

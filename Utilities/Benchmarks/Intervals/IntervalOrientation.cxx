@@ -1,8 +1,8 @@
-#include "IntervalOrientation.h"
+#include "Benchmarks/Intervals/IntervalOrientation.h"
 
-#include "BenchData.h"
-#include "ExtractionMethods.h"
-#include "TetrahedronSums.h"
+#include "Benchmarks/Data/BenchData.h"
+#include "Benchmarks/Intervals/ExtractionMethods.h"
+#include "Benchmarks/Measures/TetrahedronSums.h"
 
 #include "vtkIntervalVolume.h"
 

@@ -1,8 +1,8 @@
 #ifndef IntervalOrientation_h
 #define IntervalOrientation_h
 
-#include "BenchOptions.h"
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchRow.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 namespace interval
 {

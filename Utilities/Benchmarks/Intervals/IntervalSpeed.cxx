@@ -1,9 +1,9 @@
-#include "IntervalSpeed.h"
+#include "Benchmarks/Intervals/IntervalSpeed.h"
 
-#include "BenchData.h"
-#include "BenchTiming.h"
-#include "ExtractionMethods.h"
-#include "SecondThread.h"
+#include "Benchmarks/Data/BenchData.h"
+#include "Benchmarks/Intervals/ExtractionMethods.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/SecondThread.h"
 
 #include "vtkIntervalVolume.h"
 

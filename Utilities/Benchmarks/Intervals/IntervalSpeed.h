@@ -1,8 +1,8 @@
 #ifndef IntervalSpeed_h
 #define IntervalSpeed_h
 
-#include "BenchOptions.h"
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchRow.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 /**
  * The parts of the suite `interval` about run time.

@@ -1,8 +1,8 @@
-#include "BenchData.h"
-#include "BenchSuites.h"
-#include "BenchTiming.h"
-#include "ExtractionMethods.h"
-#include "SpeedPlots.h"
+#include "Benchmarks/Data/BenchData.h"
+#include "Benchmarks/Intervals/ExtractionMethods.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Results/SpeedPlots.h"
+#include "Benchmarks/Suites/BenchSuites.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"

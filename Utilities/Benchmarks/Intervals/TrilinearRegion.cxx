@@ -1,6 +1,6 @@
-#include "TrilinearRegion.h"
+#include "Benchmarks/Intervals/TrilinearRegion.h"
 
-#include "LevelDistance.h"
+#include "Benchmarks/Measures/LevelDistance.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

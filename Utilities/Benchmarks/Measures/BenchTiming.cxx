@@ -1,4 +1,4 @@
-#include "BenchTiming.h"
+#include "Benchmarks/Measures/BenchTiming.h"
 
 #include "vtkSMPTools.h"
 

@@ -1,4 +1,4 @@
-#include "PowerFit.h"
+#include "Benchmarks/Measures/PowerFit.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "ResidentMemory.h"
+#include "Benchmarks/Measures/ResidentMemory.h"
 
 #include <fstream>
 #include <string>

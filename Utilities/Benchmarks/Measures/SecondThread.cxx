@@ -1,4 +1,4 @@
-#include "SecondThread.h"
+#include "Benchmarks/Measures/SecondThread.h"
 
 #include <vector>
 

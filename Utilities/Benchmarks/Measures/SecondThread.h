@@ -1,9 +1,9 @@
 #ifndef SecondThread_h
 #define SecondThread_h
 
-#include "BenchOptions.h"
-#include "BenchRow.h"
-#include "BenchTiming.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Results/BenchRow.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 /**
  * Fills in the seconds of \a work by two threads, and by one as the peer `threads-1`.

@@ -1,4 +1,4 @@
-#include "SurfaceDistances.h"
+#include "Benchmarks/Measures/SurfaceDistances.h"
 
 #include "vtkTriangle.h"
 

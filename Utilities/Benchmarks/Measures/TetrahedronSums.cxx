@@ -1,4 +1,4 @@
-#include "TetrahedronSums.h"
+#include "Benchmarks/Measures/TetrahedronSums.h"
 
 #include "vtkCellType.h"
 #include "vtkIdList.h"

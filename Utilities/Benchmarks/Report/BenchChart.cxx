@@ -1,6 +1,6 @@
-#include "BenchChart.h"
+#include "Benchmarks/Report/BenchChart.h"
 
-#include "BenchPlot.h"
+#include "Benchmarks/Results/BenchPlot.h"
 
 #include "vtkAxis.h"
 #include "vtkBrush.h"

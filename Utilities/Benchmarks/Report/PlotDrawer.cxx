@@ -1,6 +1,6 @@
-#include "PlotDrawer.h"
+#include "Benchmarks/Report/PlotDrawer.h"
 
-#include "BenchChart.h"
+#include "Benchmarks/Report/BenchChart.h"
 
 #include "vtkChartXY.h"
 #include "vtkContextActor.h"

@@ -1,7 +1,7 @@
 #ifndef PlotDrawer_h
 #define PlotDrawer_h
 
-#include "BenchPlot.h"
+#include "Benchmarks/Results/BenchPlot.h"
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"

@@ -1,8 +1,8 @@
-#include "ReportPage.h"
+#include "Benchmarks/Report/ReportPage.h"
 
-#include "BenchMachine.h"
-#include "HtmlText.h"
-#include "ReportTables.h"
+#include "Benchmarks/Report/ReportTables.h"
+#include "Benchmarks/Results/BenchMachine.h"
+#include "Pages/HtmlText.h"
 
 #include <algorithm>
 #include <fstream>

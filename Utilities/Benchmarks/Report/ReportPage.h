@@ -1,9 +1,9 @@
 #ifndef ReportPage_h
 #define ReportPage_h
 
-#include "BenchResults.h"
-#include "BenchSuite.h"
-#include "StabilityCase.h"
+#include "Benchmarks/Results/BenchResults.h"
+#include "Benchmarks/Suites/BenchSuite.h"
+#include "Pages/StabilityCase.h"
 
 #include <string>
 #include <vector>

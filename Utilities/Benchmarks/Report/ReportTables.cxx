@@ -1,6 +1,6 @@
-#include "ReportTables.h"
+#include "Benchmarks/Report/ReportTables.h"
 
-#include "HtmlText.h"
+#include "Pages/HtmlText.h"
 
 #include <cmath>
 #include <iomanip>

@@ -1,9 +1,9 @@
 #ifndef ReportTables_h
 #define ReportTables_h
 
-#include "BenchClaim.h"
-#include "BenchRow.h"
-#include "StabilityCase.h"
+#include "Benchmarks/Results/BenchClaim.h"
+#include "Benchmarks/Results/BenchRow.h"
+#include "Pages/StabilityCase.h"
 
 #include <string>
 #include <vector>

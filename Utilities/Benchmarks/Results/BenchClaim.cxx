@@ -1,6 +1,6 @@
-#include "BenchClaim.h"
+#include "Benchmarks/Results/BenchClaim.h"
 
-#include "BenchTiming.h"
+#include "Benchmarks/Measures/BenchTiming.h"
 
 namespace
 {

@@ -1,7 +1,7 @@
 #ifndef BenchClaim_h
 #define BenchClaim_h
 
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchRow.h"
 
 #include <functional>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "BenchMachine.h"
+#include "Benchmarks/Results/BenchMachine.h"
 
 #include "vtkSMPTools.h"
 

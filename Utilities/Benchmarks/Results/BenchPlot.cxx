@@ -1,4 +1,4 @@
-#include "BenchPlot.h"
+#include "Benchmarks/Results/BenchPlot.h"
 
 #include <algorithm>
 

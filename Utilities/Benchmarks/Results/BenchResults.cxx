@@ -1,6 +1,6 @@
-#include "BenchResults.h"
+#include "Benchmarks/Results/BenchResults.h"
 
-#include "BenchMachine.h"
+#include "Benchmarks/Results/BenchMachine.h"
 
 #include "vtkVersion.h"
 

@@ -1,7 +1,7 @@
 #ifndef BenchResults_h
 #define BenchResults_h
 
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchRow.h"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchRow.h"
 
 #include <iostream>
 

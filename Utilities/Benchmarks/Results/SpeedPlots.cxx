@@ -1,4 +1,4 @@
-#include "SpeedPlots.h"
+#include "Benchmarks/Results/SpeedPlots.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #ifndef SpeedPlots_h
 #define SpeedPlots_h
 
-#include "BenchPlot.h"
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchPlot.h"
+#include "Benchmarks/Results/BenchRow.h"
 
 #include <string>
 #include <vector>

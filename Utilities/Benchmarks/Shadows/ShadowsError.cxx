@@ -1,10 +1,10 @@
-#include "ShadowsError.h"
+#include "Benchmarks/Shadows/ShadowsError.h"
 
-#include "BenchTiming.h"
-#include "GpuShadows.h"
-#include "ReferenceShadowPicture.h"
-#include "ShadowsMethods.h"
-#include "ShadowsScene.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Shadows/GpuShadows.h"
+#include "Benchmarks/Shadows/ShadowsMethods.h"
+#include "Benchmarks/Shadows/ShadowsScene.h"
+#include "Pictures/ReferenceShadowPicture.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"

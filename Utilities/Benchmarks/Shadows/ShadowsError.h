@@ -1,10 +1,10 @@
 #ifndef ShadowsError_h
 #define ShadowsError_h
 
-#include "BenchClaim.h"
-#include "BenchOptions.h"
-#include "BenchPlot.h"
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchClaim.h"
+#include "Benchmarks/Results/BenchPlot.h"
+#include "Benchmarks/Results/BenchRow.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "ShadowsMethods.h"
+#include "Benchmarks/Shadows/ShadowsMethods.h"
 
-#include "GpuShadows.h"
+#include "Benchmarks/Shadows/GpuShadows.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"

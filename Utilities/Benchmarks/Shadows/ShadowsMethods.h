@@ -1,10 +1,10 @@
 #ifndef ShadowsMethods_h
 #define ShadowsMethods_h
 
-#include "BenchRow.h"
-#include "BenchTiming.h"
-#include "ShadowScene.h"
-#include "VolumeStage.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Results/BenchRow.h"
+#include "Pictures/ShadowScene.h"
+#include "Pictures/VolumeStage.h"
 
 #include "vtkShadowedSliceMapper.h"
 #include "vtkNew.h"

@@ -1,6 +1,6 @@
-#include "ShadowsScene.h"
+#include "Benchmarks/Shadows/ShadowsScene.h"
 
-#include "DataFiles.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkConstructiveModels.h"
 #include "vtkConstructiveVolume.h"

@@ -1,7 +1,7 @@
 #ifndef ShadowsScene_h
 #define ShadowsScene_h
 
-#include "ShadowScene.h"
+#include "Pictures/ShadowScene.h"
 
 #include <string>
 

@@ -1,8 +1,8 @@
-#include "ShadowsSpeed.h"
+#include "Benchmarks/Shadows/ShadowsSpeed.h"
 
-#include "BenchTiming.h"
-#include "ShadowsMethods.h"
-#include "ShadowsScene.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Shadows/ShadowsMethods.h"
+#include "Benchmarks/Shadows/ShadowsScene.h"
 
 #include "vtkImageData.h"
 #include "vtkVolumeProperty.h"

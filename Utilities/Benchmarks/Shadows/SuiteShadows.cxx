@@ -1,6 +1,6 @@
-#include "BenchSuites.h"
-#include "ShadowsError.h"
-#include "ShadowsSpeed.h"
+#include "Benchmarks/Shadows/ShadowsError.h"
+#include "Benchmarks/Shadows/ShadowsSpeed.h"
+#include "Benchmarks/Suites/BenchSuites.h"
 
 #include <utility>
 

@@ -1,8 +1,8 @@
-#include "Interval4dCases.h"
+#include "Benchmarks/SpaceTime/Interval4dCases.h"
 
-#include "BenchData.h"
-#include "DataFiles.h"
-#include "ExodusTimeSource.h"
+#include "Benchmarks/Data/BenchData.h"
+#include "Inputs/DataFiles.h"
+#include "Inputs/ExodusTimeSource.h"
 
 #include "vtkTimeVaryingIntervalVolume.h"
 

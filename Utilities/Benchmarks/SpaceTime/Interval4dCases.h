@@ -1,8 +1,8 @@
 #ifndef Interval4dCases_h
 #define Interval4dCases_h
 
-#include "BenchOptions.h"
-#include "KeptTimeSteps.h"
+#include "Benchmarks/Data/KeptTimeSteps.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 #include "vtkSmartPointer.h"
 

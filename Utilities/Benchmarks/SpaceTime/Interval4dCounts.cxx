@@ -1,8 +1,8 @@
-#include "Interval4dCounts.h"
+#include "Benchmarks/SpaceTime/Interval4dCounts.h"
 
-#include "CellSplits.h"
-#include "ExtractionMethods.h"
-#include "Interval4dCases.h"
+#include "Benchmarks/Data/CellSplits.h"
+#include "Benchmarks/Intervals/ExtractionMethods.h"
+#include "Benchmarks/SpaceTime/Interval4dCases.h"
 
 #include "vtkTimeVaryingIntervalVolume.h"
 

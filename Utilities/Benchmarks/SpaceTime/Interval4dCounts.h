@@ -1,9 +1,9 @@
 #ifndef Interval4dCounts_h
 #define Interval4dCounts_h
 
-#include "BenchClaim.h"
-#include "BenchOptions.h"
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchClaim.h"
+#include "Benchmarks/Results/BenchRow.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 #include <vector>
 

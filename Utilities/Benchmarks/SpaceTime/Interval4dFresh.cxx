@@ -1,8 +1,8 @@
-#include "Interval4dFresh.h"
+#include "Benchmarks/SpaceTime/Interval4dFresh.h"
 
-#include "BenchTiming.h"
-#include "Interval4dCases.h"
-#include "ResidentMemory.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/ResidentMemory.h"
+#include "Benchmarks/SpaceTime/Interval4dCases.h"
 
 #include "vtkIsotableCache.h"
 #include "vtkTimeVaryingIntervalVolume.h"

@@ -1,8 +1,8 @@
-#include "Interval4dSpeed.h"
+#include "Benchmarks/SpaceTime/Interval4dSpeed.h"
 
-#include "BenchTiming.h"
-#include "Interval4dCases.h"
-#include "SecondThread.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/SecondThread.h"
+#include "Benchmarks/SpaceTime/Interval4dCases.h"
 
 #include "vtkTimeVaryingIntervalVolume.h"
 

@@ -1,7 +1,7 @@
-#include "Interval4dThroughput.h"
+#include "Benchmarks/SpaceTime/Interval4dThroughput.h"
 
-#include "BenchTiming.h"
-#include "Interval4dCases.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/SpaceTime/Interval4dCases.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkTimeVaryingIntervalVolume.h"

@@ -1,9 +1,9 @@
 #ifndef Interval4dThroughput_h
 #define Interval4dThroughput_h
 
-#include "BenchOptions.h"
-#include "BenchPlot.h"
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchPlot.h"
+#include "Benchmarks/Results/BenchRow.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 #include <vector>
 

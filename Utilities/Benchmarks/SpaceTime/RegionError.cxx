@@ -1,7 +1,7 @@
-#include "RegionError.h"
+#include "Benchmarks/SpaceTime/RegionError.h"
 
-#include "SurfaceDistances.h"
-#include "TetrahedronSums.h"
+#include "Benchmarks/Measures/SurfaceDistances.h"
+#include "Benchmarks/Measures/TetrahedronSums.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdList.h"

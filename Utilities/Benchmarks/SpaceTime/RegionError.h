@@ -1,7 +1,7 @@
 #ifndef RegionError_h
 #define RegionError_h
 
-#include "MovingFields.h"
+#include "Benchmarks/Data/MovingFields.h"
 
 class vtkUnstructuredGrid;
 

@@ -1,10 +1,10 @@
-#include "BenchSuites.h"
-#include "Interval4dCases.h"
-#include "Interval4dCounts.h"
-#include "Interval4dError.h"
-#include "Interval4dFresh.h"
-#include "Interval4dSpeed.h"
-#include "Interval4dThroughput.h"
+#include "Benchmarks/SpaceTime/Interval4dCases.h"
+#include "Benchmarks/SpaceTime/Interval4dCounts.h"
+#include "Benchmarks/SpaceTime/Interval4dError.h"
+#include "Benchmarks/SpaceTime/Interval4dFresh.h"
+#include "Benchmarks/SpaceTime/Interval4dSpeed.h"
+#include "Benchmarks/SpaceTime/Interval4dThroughput.h"
+#include "Benchmarks/Suites/BenchSuites.h"
 
 #include <utility>
 

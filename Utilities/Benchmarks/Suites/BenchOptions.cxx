@@ -1,4 +1,4 @@
-#include "BenchOptions.h"
+#include "Benchmarks/Suites/BenchOptions.h"
 
 int BenchOptions::GetRepeats() const
 {

@@ -1,4 +1,4 @@
-#include "BenchSuite.h"
+#include "Benchmarks/Suites/BenchSuite.h"
 
 #include <array>
 #include <cstdio>

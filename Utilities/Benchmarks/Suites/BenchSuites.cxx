@@ -1,4 +1,4 @@
-#include "BenchSuites.h"
+#include "Benchmarks/Suites/BenchSuites.h"
 
 std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites()
 {

@@ -1,7 +1,7 @@
 #ifndef BenchSuites_h
 #define BenchSuites_h
 
-#include "BenchSuite.h"
+#include "Benchmarks/Suites/BenchSuite.h"
 
 #include <memory>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "HypercubeTable.h"
+#include "Benchmarks/Tables/HypercubeTable.h"
 
 #include "vtkIsotablePatch.h"
 #include "vtkIsotablePolytope.h"

@@ -1,5 +1,5 @@
-#include "BenchSuites.h"
-#include "HypercubeTable.h"
+#include "Benchmarks/Suites/BenchSuites.h"
+#include "Benchmarks/Tables/HypercubeTable.h"
 
 #include "vtkIsotableCache.h"
 #include "vtkIsotableOrder.h"

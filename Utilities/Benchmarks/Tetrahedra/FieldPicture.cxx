@@ -1,7 +1,7 @@
-#include "FieldPicture.h"
+#include "Benchmarks/Tetrahedra/FieldPicture.h"
 
-#include "ReferenceFunction.h"
-#include "ReferenceRay.h"
+#include "Pictures/ReferenceFunction.h"
+#include "Pictures/ReferenceRay.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"

@@ -1,7 +1,7 @@
 #ifndef FieldPicture_h
 #define FieldPicture_h
 
-#include "RgbaPicture.h"
+#include "Pictures/RgbaPicture.h"
 
 #include "vtkCamera.h"
 #include "vtkVolumeProperty.h"

@@ -1,6 +1,6 @@
-#include "BenchSuites.h"
-#include "TetrahedraError.h"
-#include "TetrahedraSpeed.h"
+#include "Benchmarks/Suites/BenchSuites.h"
+#include "Benchmarks/Tetrahedra/TetrahedraError.h"
+#include "Benchmarks/Tetrahedra/TetrahedraSpeed.h"
 
 namespace
 {

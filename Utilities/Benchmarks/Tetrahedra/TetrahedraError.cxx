@@ -1,9 +1,9 @@
-#include "TetrahedraError.h"
+#include "Benchmarks/Tetrahedra/TetrahedraError.h"
 
-#include "BenchTiming.h"
-#include "FieldPicture.h"
-#include "TetrahedraMethods.h"
-#include "TetrahedraScene.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Tetrahedra/FieldPicture.h"
+#include "Benchmarks/Tetrahedra/TetrahedraMethods.h"
+#include "Benchmarks/Tetrahedra/TetrahedraScene.h"
 
 #include "vtkNew.h"
 #include "vtkProjectedTetrahedraMapper.h"

@@ -1,4 +1,4 @@
-#include "TetrahedraMethods.h"
+#include "Benchmarks/Tetrahedra/TetrahedraMethods.h"
 
 namespace tetrahedra
 {

@@ -1,7 +1,7 @@
 #ifndef TetrahedraMethods_h
 #define TetrahedraMethods_h
 
-#include "BenchRow.h"
+#include "Benchmarks/Results/BenchRow.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"

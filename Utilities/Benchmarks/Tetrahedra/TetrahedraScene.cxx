@@ -1,7 +1,7 @@
-#include "TetrahedraScene.h"
+#include "Benchmarks/Tetrahedra/TetrahedraScene.h"
 
-#include "AnalyticCases.h"
-#include "CellSplits.h"
+#include "Benchmarks/Data/AnalyticCases.h"
+#include "Benchmarks/Data/CellSplits.h"
 
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"

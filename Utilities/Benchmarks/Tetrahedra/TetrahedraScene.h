@@ -1,8 +1,8 @@
 #ifndef TetrahedraScene_h
 #define TetrahedraScene_h
 
-#include "BenchTiming.h"
-#include "VolumeStage.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Pictures/VolumeStage.h"
 
 #include "vtkCamera.h"
 #include "vtkSmartPointer.h"

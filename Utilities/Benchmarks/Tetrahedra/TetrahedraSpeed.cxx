@@ -1,10 +1,10 @@
-#include "TetrahedraSpeed.h"
+#include "Benchmarks/Tetrahedra/TetrahedraSpeed.h"
 
-#include "BenchTiming.h"
-#include "PowerFit.h"
-#include "SpeedPlots.h"
-#include "TetrahedraMethods.h"
-#include "TetrahedraScene.h"
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/PowerFit.h"
+#include "Benchmarks/Results/SpeedPlots.h"
+#include "Benchmarks/Tetrahedra/TetrahedraMethods.h"
+#include "Benchmarks/Tetrahedra/TetrahedraScene.h"
 
 #include "vtkNew.h"
 #include "vtkProjectedTetrahedraMapper.h"

@@ -1,14 +1,14 @@
 // Gas that comes down on a hot spinning disk: nested stream surfaces.
 
-#include "DataFiles.h"
-#include "FlowScene.h"
-#include "FlowTextures.h"
-#include "Look.h"
-#include "Props.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "TexturedSurface.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/FlowScene.h"
+#include "Gallery/Scenes/Flow/FlowTextures.h"
+#include "Gallery/Scenes/Flow/TexturedSurface.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkActor.h"
 #include "vtkColorTransferFunction.h"

@@ -1,13 +1,13 @@
 // Liquid oxygen that parts around a post on a plate, with textured time surfaces.
 
-#include "DataFiles.h"
-#include "FlowScene.h"
-#include "FlowTextures.h"
-#include "Look.h"
-#include "Props.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/FlowScene.h"
+#include "Gallery/Scenes/Flow/FlowTextures.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkActor.h"
 #include "vtkAppendFilter.h"

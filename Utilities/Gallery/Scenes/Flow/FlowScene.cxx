@@ -1,7 +1,7 @@
-#include "FlowScene.h"
+#include "Gallery/Scenes/Flow/FlowScene.h"
 
-#include "Props.h"
-#include "Volumes.h"
+#include "Gallery/Props.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"

@@ -1,6 +1,6 @@
-#include "FlowTextures.h"
+#include "Gallery/Scenes/Flow/FlowTextures.h"
 
-#include "Look.h"
+#include "Gallery/Look.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"

@@ -1,10 +1,10 @@
 // A flow volume with one of its two boundary surfaces highlighted.
 
-#include "FlowScene.h"
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/FlowScene.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkFlowVolume.h"

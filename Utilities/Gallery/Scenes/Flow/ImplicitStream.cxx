@@ -1,10 +1,10 @@
 // An implicit stream surface beside the stream volume that it bounds.
 
-#include "FlowScene.h"
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/FlowScene.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkAnalyticFlowSource.h"

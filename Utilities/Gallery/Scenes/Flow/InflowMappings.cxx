@@ -1,12 +1,12 @@
 // Two mappings on the inflow, a function and a painted image, each with its stream volume.
 
-#include "FlowScene.h"
-#include "FlowTextures.h"
-#include "Look.h"
-#include "Props.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/FlowScene.h"
+#include "Gallery/Scenes/Flow/FlowTextures.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkAnalyticFlowSource.h"

@@ -1,11 +1,11 @@
 // A stream surface with line integral convolution on it, inside a translucent volume.
 
-#include "Look.h"
-#include "Props.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "TexturedSurface.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/TexturedSurface.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkLinearSubdivisionFilter.h"

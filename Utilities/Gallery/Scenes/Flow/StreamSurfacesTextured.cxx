@@ -1,9 +1,9 @@
 // Streamlines and timelines on a stream surface, and nested surfaces with textures of their own.
 
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "TexturedSurface.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/TexturedSurface.h"
+#include "Gallery/Stage.h"
 
 #include "vtkActor.h"
 #include "vtkDataSet.h"

@@ -1,9 +1,9 @@
 // Streamlines by a texture that is not averaged: more lines the nearer the surface is.
 
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "TexturedSurface.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/TexturedSurface.h"
+#include "Gallery/Stage.h"
 
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"

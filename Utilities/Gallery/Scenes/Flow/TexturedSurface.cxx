@@ -1,7 +1,7 @@
-#include "TexturedSurface.h"
+#include "Gallery/Scenes/Flow/TexturedSurface.h"
 
-#include "FlowScene.h"
-#include "Props.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scenes/Flow/FlowScene.h"
 
 #include "vtkActor.h"
 #include "vtkAnalyticFlowSource.h"

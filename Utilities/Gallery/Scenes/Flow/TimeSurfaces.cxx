@@ -1,11 +1,11 @@
 // A flow volume between two time surfaces with a grid that the flow carries.
 
-#include "FlowScene.h"
-#include "FlowTextures.h"
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/FlowScene.h"
+#include "Gallery/Scenes/Flow/FlowTextures.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkAnalyticFlowSource.h"

@@ -1,8 +1,8 @@
-#include "BluntFin.h"
+#include "Gallery/Scenes/Intervals/BluntFin.h"
 
-#include "DataFiles.h"
-#include "Look.h"
-#include "Props.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"

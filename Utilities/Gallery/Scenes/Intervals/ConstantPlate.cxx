@@ -1,12 +1,12 @@
 // A plate of constant hypercubes without and with its extent in time.
 
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
 
-#include "HypercubePlate.h"
-#include "VolumeStage.h"
+#include "Pictures/HypercubePlate.h"
+#include "Pictures/VolumeStage.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCamera.h"

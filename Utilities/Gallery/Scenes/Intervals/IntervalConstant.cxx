@@ -1,11 +1,11 @@
 // Four intervals of one field, each of one colour, in one mesh.
 
-#include "DataFiles.h"
-#include "Look.h"
-#include "Props.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"

@@ -1,11 +1,11 @@
 // Adjacent intervals of one field, shown in turn.
 
-#include "DataFiles.h"
-#include "Look.h"
-#include "Props.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkExtractVOI.h"
 #include "vtkImageData.h"

@@ -1,10 +1,10 @@
 // Two attributes: a range of the first, a range of the second, and both at once.
 
-#include "DataFiles.h"
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"

@@ -1,11 +1,11 @@
 // Colour by value within one interval of a curvilinear grid, from two sides.
 
-#include "BluntFin.h"
-#include "Look.h"
-#include "Props.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Intervals/BluntFin.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkColorTransferFunction.h"

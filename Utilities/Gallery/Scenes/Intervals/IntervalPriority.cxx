@@ -1,10 +1,10 @@
 // Intervals painted by priority, and by its reverse.
 
-#include "DataFiles.h"
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkDataSet.h"
 #include "vtkIntervalVolume.h"

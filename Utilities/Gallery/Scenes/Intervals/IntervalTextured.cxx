@@ -1,10 +1,10 @@
 // The boundary of an interval volume as a textured stream surface.
 
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "TexturedSurface.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/TexturedSurface.h"
+#include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkDataSet.h"

@@ -1,10 +1,10 @@
 // Extracted by one array, coloured by another.
 
-#include "BluntFin.h"
-#include "Look.h"
-#include "Props.h"
-#include "Scene.h"
-#include "Stage.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Intervals/BluntFin.h"
+#include "Gallery/Stage.h"
 
 #include "vtkActor.h"
 #include "vtkColorTransferFunction.h"

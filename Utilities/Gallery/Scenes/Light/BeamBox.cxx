@@ -1,11 +1,11 @@
 // A beam of light through a translucent box.
 
-#include "LightScreens.h"
-#include "Panel.h"
-#include "Scene.h"
-#include "ShadowScene.h"
-#include "Stage.h"
-#include "TranslucentBox.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Scenes/Light/TranslucentBox.h"
+#include "Gallery/Stage.h"
 
 #include "vtkLight.h"
 #include "vtkProjectiveLight.h"

@@ -1,12 +1,12 @@
 // Three beams of light through a translucent cube.
 
-#include "LightScreens.h"
-#include "Panel.h"
-#include "Scene.h"
-#include "ShadowScene.h"
-#include "Stage.h"
-#include "TranslucentBox.h"
-#include "VectorArithmetic.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Scenes/Light/TranslucentBox.h"
+#include "Gallery/Stage.h"
+#include "Gallery/VectorArithmetic.h"
 
 #include "vtkLight.h"
 #include "vtkProjectiveLight.h"

@@ -1,7 +1,7 @@
-#include "Bonsai.h"
+#include "Gallery/Scenes/Light/Bonsai.h"
 
-#include "DataFiles.h"
-#include "ShadowScene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkExtractVOI.h"

@@ -1,9 +1,9 @@
 // A scanned bonsai, without and with shadows.
 
-#include "Bonsai.h"
-#include "Scene.h"
-#include "ShadowScene.h"
-#include "Stage.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/Bonsai.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Stage.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

@@ -1,9 +1,9 @@
 // The head and brain of a scan, without and with shadows, and both close up.
 
-#include "DataFiles.h"
-#include "Scene.h"
-#include "ShadowScene.h"
-#include "Stage.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Stage.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"

@@ -1,8 +1,8 @@
 // The shadow of a sphere on a sphere, without and with shadows.
 
-#include "Scene.h"
-#include "ShadowScene.h"
-#include "Stage.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Stage.h"
 
 #include "vtkConstructiveModels.h"
 #include "vtkImageData.h"

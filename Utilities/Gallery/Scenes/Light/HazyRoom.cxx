@@ -1,9 +1,9 @@
-#include "HazyRoom.h"
+#include "Gallery/Scenes/Light/HazyRoom.h"
 
-#include "Look.h"
-#include "Panel.h"
-#include "Room.h"
-#include "Stage.h"
+#include "Gallery/Look.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scenes/Light/Room.h"
+#include "Gallery/Stage.h"
 
 #include "vtkConstructiveModels.h"
 #include "vtkImageData.h"

@@ -1,7 +1,7 @@
 #ifndef HazyRoom_h
 #define HazyRoom_h
 
-#include "ShadowScene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
 
 namespace gallery
 {

@@ -1,8 +1,8 @@
-#include "LightScreens.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
 
-#include "Panel.h"
-#include "ShadowScene.h"
-#include "Stage.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Stage.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

@@ -1,9 +1,9 @@
 // Stripes of light on a cube.
 
-#include "LightScreens.h"
-#include "Panel.h"
-#include "Scene.h"
-#include "ShadowScene.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

@@ -1,7 +1,7 @@
-#include "Protein.h"
+#include "Gallery/Scenes/Light/Protein.h"
 
-#include "DataFiles.h"
-#include "ShadowScene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Inputs/DataFiles.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"

@@ -1,9 +1,9 @@
 // A protein, without and with shadows.
 
-#include "Protein.h"
-#include "Scene.h"
-#include "ShadowScene.h"
-#include "Stage.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/Protein.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Stage.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

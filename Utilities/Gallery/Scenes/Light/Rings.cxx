@@ -1,9 +1,9 @@
 // Seven tori, their shadows on each other and on a plate.
 
-#include "Panel.h"
-#include "Scene.h"
-#include "ShadowScene.h"
-#include "Stage.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Stage.h"
 
 #include "vtkConstructiveModels.h"
 #include "vtkImageData.h"

@@ -1,9 +1,9 @@
 // A robot of boxes and its shadow.
 
-#include "Panel.h"
-#include "Scene.h"
-#include "ShadowScene.h"
-#include "Stage.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Stage.h"
 
 #include "vtkConstructiveModels.h"
 #include "vtkImageData.h"

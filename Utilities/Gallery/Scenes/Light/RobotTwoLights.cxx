@@ -1,10 +1,10 @@
 // A robot in the light of one and of two lamps.
 
-#include "LightScreens.h"
-#include "Panel.h"
-#include "Scene.h"
-#include "ShadowScene.h"
-#include "Stage.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Stage.h"
 
 #include "vtkConstructiveModels.h"
 #include "vtkImageData.h"

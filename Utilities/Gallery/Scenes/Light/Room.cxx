@@ -1,6 +1,6 @@
-#include "Room.h"
+#include "Gallery/Scenes/Light/Room.h"
 
-#include "ShadowScene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
 
 #include "vtkConstructiveModels.h"
 #include "vtkImageData.h"

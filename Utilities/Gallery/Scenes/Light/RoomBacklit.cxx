@@ -1,10 +1,10 @@
 // A room with the sun in its window.
 
-#include "HazyRoom.h"
-#include "LightScreens.h"
-#include "Panel.h"
-#include "Scene.h"
-#include "ShadowScene.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/HazyRoom.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
 
 #include "vtkActor.h"
 #include "vtkConstructiveModels.h"

@@ -1,10 +1,10 @@
 // A robot, rings and smoke in a room.
 
-#include "Panel.h"
-#include "Room.h"
-#include "Scene.h"
-#include "ShadowScene.h"
-#include "Stage.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/Room.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Stage.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

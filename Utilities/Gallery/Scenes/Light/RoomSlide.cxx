@@ -1,8 +1,8 @@
 // A slide on the wall of a hazy room.
 
-#include "LightScreens.h"
-#include "HazyRoom.h"
-#include "Scene.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
+#include "Gallery/Scenes/Light/HazyRoom.h"
+#include "Gallery/Scene.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

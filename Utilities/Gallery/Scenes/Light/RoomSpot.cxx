@@ -1,9 +1,9 @@
 // A spot of light in a room with thin smoke.
 
-#include "HazyRoom.h"
-#include "LightScreens.h"
-#include "Scene.h"
-#include "ShadowScene.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/HazyRoom.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

@@ -1,8 +1,8 @@
-#include "ShadowScene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
 
-#include "Panel.h"
-#include "Stage.h"
-#include "VectorArithmetic.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Stage.h"
+#include "Gallery/VectorArithmetic.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkConstructiveVolume.h"

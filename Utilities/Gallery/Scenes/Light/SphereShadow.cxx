@@ -1,8 +1,8 @@
 // The fuzzy sphere of equation 2.7 over a plate, without and with shadows.
 
-#include "Scene.h"
-#include "ShadowScene.h"
-#include "Stage.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Stage.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"

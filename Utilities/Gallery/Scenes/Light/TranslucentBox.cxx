@@ -1,9 +1,9 @@
-#include "TranslucentBox.h"
+#include "Gallery/Scenes/Light/TranslucentBox.h"
 
-#include "Look.h"
-#include "Panel.h"
-#include "Stage.h"
-#include "VectorArithmetic.h"
+#include "Gallery/Look.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Stage.h"
+#include "Gallery/VectorArithmetic.h"
 
 #include "vtkActor.h"
 #include "vtkCubeSource.h"

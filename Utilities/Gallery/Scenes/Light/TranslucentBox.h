@@ -1,7 +1,7 @@
 #ifndef TranslucentBox_h
 #define TranslucentBox_h
 
-#include "ShadowScene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
 
 #include "vtkVector.h"
 

@@ -1,9 +1,9 @@
-#include "DeltaWing.h"
+#include "Gallery/Scenes/SpaceTime/DeltaWing.h"
 
-#include "Look.h"
-#include "Props.h"
-#include "Stage.h"
-#include "TimeBoundary.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Stage.h"
+#include "Gallery/TimeBoundary.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"

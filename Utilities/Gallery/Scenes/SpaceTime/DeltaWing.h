@@ -1,7 +1,7 @@
 #ifndef DeltaWing_h
 #define DeltaWing_h
 
-#include "Volumes.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkColor.h"
 #include "vtkSmartPointer.h"

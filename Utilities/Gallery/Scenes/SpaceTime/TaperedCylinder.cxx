@@ -1,6 +1,6 @@
-#include "TaperedCylinder.h"
+#include "Gallery/Scenes/SpaceTime/TaperedCylinder.h"
 
-#include "Props.h"
+#include "Gallery/Props.h"
 
 #include "vtkActor.h"
 #include "vtkPolyData.h"

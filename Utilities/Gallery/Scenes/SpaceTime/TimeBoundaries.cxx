@@ -1,12 +1,12 @@
 // A time-varying interval volume with each of its four isosurfaces at the ends highlighted.
 
-#include "Look.h"
-#include "Props.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "TimeBoundary.h"
-#include "Volumes.h"
-#include "Wave.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/SpaceTime/Wave.h"
+#include "Gallery/Stage.h"
+#include "Gallery/TimeBoundary.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkAnalyticFieldSource.h"

@@ -1,9 +1,9 @@
 // The wake of a tapered cylinder between two time steps, coloured by time.
 
-#include "Scene.h"
-#include "Stage.h"
-#include "TaperedCylinder.h"
-#include "TimePanel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/SpaceTime/TaperedCylinder.h"
+#include "Gallery/Stage.h"
+#include "Gallery/TimePanel.h"
 
 #include "vtkActor.h"
 #include "vtkTaperedCylinderSource.h"

@@ -1,9 +1,9 @@
 // The vortices above a delta wing between two time steps, coloured by time.
 
-#include "DeltaWing.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "TimePanel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/SpaceTime/DeltaWing.h"
+#include "Gallery/Stage.h"
+#include "Gallery/TimePanel.h"
 
 #include "vtkActor.h"
 #include "vtkDeltaWingSource.h"

@@ -1,9 +1,9 @@
 // The interval volumes at the first and at the last time of a time-varying interval volume.
 
-#include "DeltaWing.h"
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/SpaceTime/DeltaWing.h"
+#include "Gallery/Stage.h"
 
 #include "vtkTimeVaryingIntervalVolume.h"
 

@@ -1,9 +1,9 @@
 // Two isosurfaces over all times between two steps.
 
-#include "DeltaWing.h"
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/SpaceTime/DeltaWing.h"
+#include "Gallery/Stage.h"
 
 #include "vtkTimeVaryingIntervalVolume.h"
 

@@ -1,13 +1,13 @@
 // A hot front that spreads in a mug, over many time steps.
 
-#include "DataFiles.h"
-#include "ExodusTimeSource.h"
-#include "Look.h"
-#include "Props.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "TimePanel.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
+#include "Gallery/TimePanel.h"
+#include "Gallery/Volumes.h"
+#include "Inputs/DataFiles.h"
+#include "Inputs/ExodusTimeSource.h"
 
 #include "vtkActor.h"
 #include "vtkColorTransferFunction.h"

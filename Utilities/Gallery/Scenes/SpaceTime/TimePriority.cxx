@@ -1,11 +1,11 @@
 // The interval volumes at two times in one view, each over the other once.
 
-#include "Look.h"
-#include "Scene.h"
-#include "Stage.h"
-#include "TaperedCylinder.h"
-#include "TimeBoundary.h"
-#include "Volumes.h"
+#include "Gallery/Look.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/SpaceTime/TaperedCylinder.h"
+#include "Gallery/Stage.h"
+#include "Gallery/TimeBoundary.h"
+#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkNew.h"

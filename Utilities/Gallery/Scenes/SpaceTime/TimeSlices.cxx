@@ -1,9 +1,9 @@
 // Slices of 4-simplices at two time steps and midway.
 
-#include "Look.h"
-#include "Props.h"
-#include "Scene.h"
-#include "Stage.h"
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
 
 #include "vtkActor.h"
 #include "vtkAnalyticFieldSource.h"

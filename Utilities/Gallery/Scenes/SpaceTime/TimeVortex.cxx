@@ -1,8 +1,8 @@
 // Vortex tubes over two and over three time steps, coloured by time.
 
-#include "Scene.h"
-#include "Stage.h"
-#include "TimePanel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
+#include "Gallery/TimePanel.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkNew.h"

@@ -1,4 +1,4 @@
-#include "Wave.h"
+#include "Gallery/Scenes/SpaceTime/Wave.h"
 
 #include "vtkAnalyticFieldSource.h"
 

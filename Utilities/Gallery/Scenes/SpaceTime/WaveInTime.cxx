@@ -1,9 +1,9 @@
 // A travelling wave between two time steps, coloured by time.
 
-#include "Scene.h"
-#include "Stage.h"
-#include "TimePanel.h"
-#include "Wave.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/SpaceTime/Wave.h"
+#include "Gallery/Stage.h"
+#include "Gallery/TimePanel.h"
 
 #include "vtkAnalyticFieldSource.h"
 
