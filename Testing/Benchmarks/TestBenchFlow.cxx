@@ -8,7 +8,7 @@
 
 #include "Flows/ReferenceFlow.h"
 #include "Flows/ReferenceFlowMaps.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkImageData.h"

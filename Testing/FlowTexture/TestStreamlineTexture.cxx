@@ -1,6 +1,6 @@
 // vtkStreamlineTexture: what its levels hold, how many lines are seen at which distance, that they
 // never average, grids, colours, uploads.
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkStreamlineTexture.h"
 

@@ -6,7 +6,7 @@
 #include "Gallery/Picture.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
-#include "Common/PixelDifference.h"
+#include "Pictures/PixelDifference.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"

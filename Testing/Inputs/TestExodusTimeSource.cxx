@@ -3,7 +3,7 @@
 
 #include "Inputs/DataFiles.h"
 #include "Inputs/ExodusTimeSource.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

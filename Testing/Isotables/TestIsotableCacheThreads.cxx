@@ -1,7 +1,7 @@
 // The same cases, simplex by simplex, however many threads ask and in whichever order; and counts
 // of all threads that add up.
 
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkIsotableCache.h"
 #include "vtkIsotablePolytope.h"

@@ -2,7 +2,7 @@
 // order; what it leaves on a face depends on that face alone; and threads may ask for the same case
 // at once.
 
-#include "ReferenceIsotable.h"
+#include "Reference/Intervals/ReferenceIsotable.h"
 
 #include "vtkIsotable.h"
 

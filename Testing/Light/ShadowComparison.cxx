@@ -1,7 +1,7 @@
-#include "ShadowComparison.h"
+#include "Light/ShadowComparison.h"
 
 #include "Pictures/ReferenceShadowPicture.h"
-#include "ShadowPicture.h"
+#include "Pictures/ShadowPicture.h"
 
 #include "vtkNew.h"
 #include "vtkShadowedSliceMapper.h"

@@ -2,7 +2,7 @@
 #define ShadowComparison_h
 
 #include "Pictures/RgbaPicture.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include <string>
 

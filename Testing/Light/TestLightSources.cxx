@@ -1,5 +1,5 @@
 // The lights of a renderer in unit space, against the places that VTK gives them.
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"

@@ -1,7 +1,7 @@
 // Colour, extinction, gradient opacity and transmission of every column, and of all between them,
 // against the functions;
 // largest extinctions against brute force; extremes; wrong properties.
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"

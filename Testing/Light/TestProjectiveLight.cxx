@@ -1,5 +1,5 @@
 // A projective light: its values, where its rays pass the screen, and the screen's colours.
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

@@ -1,11 +1,11 @@
 // A random sequence of changes to one scene of vtkShadowedSliceMapper - lights, buffers, data,
 // camera, window - each picture the same as that of a scene made anew.
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceCheck.h"
-#include "ReferenceRandom.h"
-#include "ShadowCases.h"
-#include "ShadowPicture.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"

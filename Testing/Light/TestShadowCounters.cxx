@@ -1,9 +1,9 @@
 // What vtkShadowedSliceMapper reports of its work: nothing for shadows that nobody casts, one
 // buffer a light, sweeps by where lights are, nothing drawn of what is empty, nothing sent twice.
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceCheck.h"
-#include "ShadowCases.h"
-#include "ShadowPicture.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,11 +1,11 @@
 // Extremes of vtkShadowedSliceMapper, each by its name: places of lights, shapes and sizes of
 // volumes, materials, values that are no numbers, textures and memory.
 #include "Pages/StabilityCase.h"
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/ReferenceShadowPicture.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
-#include "ShadowCases.h"
-#include "ShadowPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,11 +1,11 @@
 // Transfer functions of vtkShadowedSliceMapper that are finer than the range of the data: one voxel
 // far beyond all others, peaks and steps as narrow as a unit of 16 bits, curved functions.
-#include "PictureCases.h"
+#include "Light/ShadowComparison.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/ReferenceShadowPicture.h"
-#include "ReferenceCheck.h"
-#include "ShadowCases.h"
-#include "ShadowComparison.h"
-#include "ShadowPicture.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"

@@ -1,9 +1,9 @@
 // Whole pictures of vtkShadowedSliceMapper against marching in double: kinds of lights, where they
 // are, and several of them. Two boxes, of which one is in the other's shadow for most lights.
-#include "PictureCases.h"
-#include "ShadowCases.h"
-#include "ShadowComparison.h"
-#include "ShadowPicture.h"
+#include "Light/ShadowComparison.h"
+#include "Pictures/PictureCases.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

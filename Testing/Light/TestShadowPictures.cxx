@@ -2,12 +2,12 @@
 // components, materials, what cuts them, cameras and the mapper's own values. A light along
 // (1, -1, -1) shines in all of them.
 #include "Inputs/DataFiles.h"
-#include "PictureCases.h"
+#include "Light/ShadowComparison.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/ReferenceRay.h"
-#include "ShadowCases.h"
 #include "Pictures/ReferenceShadowPicture.h"
-#include "ShadowComparison.h"
-#include "ShadowPicture.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,9 +1,9 @@
 // vtkHardwareSelector finds a volume in slices where a line of sight meets it, and a prop before
 // it.
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceCheck.h"
-#include "ShadowCases.h"
-#include "ShadowPicture.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,10 +1,10 @@
 // Settings of vtkShadowedSliceMapper that no reference has: how much of a surface a gradient makes,
 // and what is given up where time is short.
+#include "Light/ShadowComparison.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceCheck.h"
-#include "ShadowCases.h"
-#include "ShadowComparison.h"
-#include "ShadowPicture.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"

@@ -1,10 +1,10 @@
 // vtkShadowedSliceMapper in windows: several viewports and windows, targets of bytes and floats,
 // stereo, backgrounds, what is drawn after it, what changes from picture to picture.
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceCheck.h"
-#include "ShadowCases.h"
-#include "ShadowPicture.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

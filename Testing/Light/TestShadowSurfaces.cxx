@@ -1,11 +1,11 @@
 // Sharp surfaces in vtkShadowedSliceMapper against closed forms, at its own settings: an opaque
 // cube, and plates whose opacity jumps between two voxels, under light and view from 0 to 60
 // degrees.
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/ReferenceRay.h"
-#include "ReferenceCheck.h"
-#include "ShadowCases.h"
-#include "ShadowPicture.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

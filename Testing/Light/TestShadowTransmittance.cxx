@@ -1,13 +1,13 @@
 // The law of Beer and Lambert in vtkShadowedSliceMapper: what its light buffers hold against
 // analytic transmittances, by slice spacing and by the angle between view and light.
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/ReferenceMedium.h"
 #include "Pictures/ReferenceShadow.h"
 #include "Pictures/ReferenceShadowPicture.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceCheck.h"
-#include "ShadowCases.h"
-#include "ShadowPicture.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

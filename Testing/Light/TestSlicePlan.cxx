@@ -1,8 +1,8 @@
 // Which sweeps of slices there are, and what each light's buffer holds: for eyes, lights and boxes
 // at random, against normals tried one by one.
-#include "ReferenceCheck.h"
-#include "ReferenceRandom.h"
-#include "ReferenceUnitSpace.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Light/ReferenceUnitSpace.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"

@@ -1,9 +1,9 @@
 // The polygons of slices against the same planes clipped to each block by itself: areas, points
 // that are covered once, ties, and threads.
-#include "ReferenceCheck.h"
-#include "ReferenceRandom.h"
-#include "ReferenceThreads.h"
-#include "ReferenceUnitSpace.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Light/ReferenceUnitSpace.h"
 
 #include "vtkSMPTools.h"
 #include "vtkSlicePolygons.h"

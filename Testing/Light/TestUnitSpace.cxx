@@ -1,6 +1,6 @@
 // The unit space of images of any place, size and turn, against the image's own points.
-#include "ReferenceCheck.h"
-#include "ReferenceRandom.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"

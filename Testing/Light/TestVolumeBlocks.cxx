@@ -1,6 +1,6 @@
 // Blocks with something to see, and blocks around it, are visible; blocks whose values and those
 // between them have no opacity are not; the borders are where the samples are.
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkDataArray.h"
 #include "vtkMaterialTable.h"

@@ -1,7 +1,7 @@
 // Values of every type and layout come back from their texels within the texel's own rounding;
 // voxels that are not finite are masked and counted; wrong input is named; the same bytes for any
 // number of threads.
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkBitArray.h"
 #include "vtkDataArray.h"

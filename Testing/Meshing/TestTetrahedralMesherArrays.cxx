@@ -1,8 +1,8 @@
 // Point arrays at new points: linear functions come out to rounding, values stay within the range
 // of those given, and points of the input keep theirs.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceMeshing.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceMeshing.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -1,6 +1,6 @@
 // The quality bound and the maximum volume are held, and the boundary is kept when asked.
-#include "ReferenceCheck.h"
-#include "ReferenceMeshing.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceMeshing.h"
 
 #include "vtkCommand.h"
 #include "vtkNew.h"

@@ -1,11 +1,11 @@
 // The cells of grids: concave polyhedra with concave faces that are not planar, beside every other
 // cell, become positive tetrahedra that fit together and fill what the cells fill.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceMesh.h"
-#include "ReferenceMeshBuilder.h"
-#include "ReferenceMeshing.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceMeshBuilder.h"
+#include "Reference/Meshes/ReferenceMeshing.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,10 +1,10 @@
 // vtkIntervalVolume takes what the mesher makes: adjacent intervals tile the mesh, of surfaces and
 // of concave polyhedra, and the volume of each is that of the linear field's slab.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceMeshing.h"
-#include "ReferenceTilingCheck.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceTilingCheck.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceMeshing.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"

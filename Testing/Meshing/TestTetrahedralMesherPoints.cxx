@@ -1,7 +1,7 @@
 // Points alone: Delaunay tetrahedra of the convex hull, refined where a bound is set.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceMeshing.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceMeshing.h"
 
 #include "vtkCommand.h"
 #include "vtkDataArray.h"

@@ -1,9 +1,9 @@
 // Progress, abort while TetGen works, repeatability, and PrintSelf.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceGrid.h"
-#include "ReferenceMeshing.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMeshing.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

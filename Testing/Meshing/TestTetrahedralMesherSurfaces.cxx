@@ -1,6 +1,6 @@
 // Closed surfaces: the tetrahedra fill the space within, to rounding, shells within shells too.
-#include "ReferenceCheck.h"
-#include "ReferenceMeshing.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceMeshing.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

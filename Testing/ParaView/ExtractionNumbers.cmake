@@ -6,8 +6,10 @@ find_package(VTK 9.1 REQUIRED
 find_package(nlohmann_json REQUIRED)
 
 add_executable(ExtractionNumbers
-  ExtractionNumbers.cxx ExtractionMeasures.cxx FlowExtraction.cxx FlowNumbers.cxx PieceWriter.cxx
-  TimeVaryingExtraction.cxx TimeVaryingNumbers.cxx)
+  Extractions/ExtractionMeasures.cxx Extractions/ExtractionNumbers.cxx
+  Extractions/FlowExtraction.cxx Extractions/FlowNumbers.cxx Extractions/PieceWriter.cxx
+  Extractions/TimeVaryingExtraction.cxx Extractions/TimeVaryingNumbers.cxx)
+target_include_directories(ExtractionNumbers PRIVATE "${PROJECT_SOURCE_DIR}/Testing")
 target_link_libraries(ExtractionNumbers PRIVATE
   InterlumeInputs Interlume::InterlumeFlow Interlume::InterlumeIntervals
   Interlume::InterlumeSources VTK::ImagingCore VTK::IOLegacy VTK::IOXML nlohmann_json::nlohmann_json)
@@ -17,7 +19,9 @@ add_test(NAME TestExtractionNumbers COMMAND ExtractionNumbers "${extractions_fol
 
 # picture_program(NAME): one that writes pictures, run as the test Test<NAME>
 function (picture_program name)
-  add_executable(${name} ${name}.cxx FlowExtraction.cxx PictureStage.cxx TimeVaryingExtraction.cxx)
+  add_executable(${name} Extractions/${name}.cxx Extractions/FlowExtraction.cxx
+    Extractions/PictureStage.cxx Extractions/TimeVaryingExtraction.cxx)
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing")
   target_link_libraries(${name} PRIVATE
     InterlumeInputs Interlume::InterlumeFlow Interlume::InterlumeIntervals
     Interlume::InterlumeLight

@@ -1,6 +1,6 @@
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 
-#include "ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceMesh.h"
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"

@@ -1,4 +1,4 @@
-#include "PixelDifference.h"
+#include "Pictures/PixelDifference.h"
 
 #include "vtkImageData.h"
 

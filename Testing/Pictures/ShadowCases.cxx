@@ -1,6 +1,6 @@
-#include "ShadowCases.h"
+#include "Pictures/ShadowCases.h"
 
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,4 +1,4 @@
-#include "ShadowPicture.h"
+#include "Pictures/ShadowPicture.h"
 
 #include "Pictures/VolumeStage.h"
 

@@ -1,8 +1,8 @@
 // The reference against closed forms: slabs, linear extinction, two slabs, order, every blend mode.
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/ReferenceIntegral.h"
 #include "Pictures/ReferenceVolumePicture.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"

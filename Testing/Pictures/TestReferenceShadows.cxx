@@ -1,12 +1,12 @@
 // The reference of pictures with shadows, checked by itself: closed forms of homogeneous and linear
 // media, lights and gradients by their formulas, and by halving its steps.
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/ReferenceLightSource.h"
 #include "Pictures/ReferenceMedium.h"
 #include "Pictures/ReferenceShadow.h"
 #include "Pictures/ReferenceShadowPicture.h"
-#include "ReferenceCheck.h"
-#include "ShadowCases.h"
+#include "Pictures/ShadowCases.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

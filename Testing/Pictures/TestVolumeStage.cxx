@@ -1,9 +1,9 @@
 // Pictures in floating point of VTK's mappers, against the reference within what each of them
 // rounds.
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/ReferenceVolumePicture.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkNew.h"

@@ -1,6 +1,6 @@
 // A picture of two pixels over a viewport: stretched by interpolation, a share of it, and colour
 // with transmittance.
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"

@@ -1,10 +1,10 @@
 // UseDepthPeelingForVolumes: neither mapper can draw between two peels, so each draws the picture
 // that it draws without, and says so once.
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceCheck.h"
-#include "ShadowCases.h"
-#include "ShadowPicture.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,9 +1,9 @@
 // Each field against its formula, written again here; regions of known volume; the tetrahedra and
 // tubes that the header tells of the vortices.
-#include "ReferenceCheck.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceField.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkConnectivityFilter.h"

@@ -2,10 +2,10 @@
 // divergence, flow maps against integration, obstacles; parts, threads, progress and abort;
 // settings.
 #include "Flows/ReferenceFlowMaps.h"
-#include "ReferenceCheck.h"
-#include "ReferenceImageSource.h"
-#include "ReferenceProgress.h"
-#include "ReferenceRandom.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Meshes/ReferenceImageSource.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkDataArray.h"

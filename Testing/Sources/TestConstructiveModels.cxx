@@ -1,7 +1,7 @@
 // The documented bounds of the models; volumes of those made of boxes, spheres and tori; what is
 // where, and of which colour; the source that samples them.
-#include "ReferenceCheck.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
 
 #include "vtkConstructiveModelSource.h"
 #include "vtkConstructiveModels.h"

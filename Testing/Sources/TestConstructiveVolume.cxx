@@ -1,9 +1,9 @@
 // The arrays of every mode against the root's samples; equation 2.7; subsamples; colours beside an
 // object; parts, threads, progress, abort; the box of a root; what is refused.
-#include "ReferenceCheck.h"
-#include "ReferenceImageSource.h"
-#include "ReferenceMessages.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Meshes/ReferenceImageSource.h"
 
 #include "vtkConstructiveModels.h"
 #include "vtkConstructiveVolume.h"

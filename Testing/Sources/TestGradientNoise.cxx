@@ -1,6 +1,6 @@
 // Values of the published implementation; zeros, period, mean, bound and smoothness of the noise;
 // sums of octaves against their formula; seeds.
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkGradientNoise.h"
 #include "vtkMinimalStandardRandomSequence.h"

@@ -1,8 +1,8 @@
 // Implicit functions: the inside, the edge's width in units of length, limits. Images: trilinear
 // values of a linear field in any direction and extent, the range, NaN, colours. What is refused.
-#include "ReferenceCheck.h"
-#include "ReferenceImageSource.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Meshes/ReferenceImageSource.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"

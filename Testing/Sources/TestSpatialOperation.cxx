@@ -1,8 +1,8 @@
 // Every operation against its definition at random points, for soft and hard operands, from left to
 // right, with and without operands that are far away; bounds; operands that are refused.
-#include "ReferenceCheck.h"
-#include "ReferenceImageSource.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Meshes/ReferenceImageSource.h"
 
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"

@@ -1,8 +1,8 @@
 // Every shape against its definition, soft and hard, moved and turned; equation 2.7; volumes whose
 // error halves with the spacing; tiny and huge sizes; sizes that are refused.
-#include "ReferenceCheck.h"
-#include "ReferenceImageSource.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Meshes/ReferenceImageSource.h"
 
 #include "vtkConstructiveVolume.h"
 #include "vtkFloatArray.h"

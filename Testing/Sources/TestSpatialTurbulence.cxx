@@ -1,8 +1,8 @@
 // Every mode against its definition with the operand and the noise themselves; bounds; seeds;
 // frequencies of zero; what is refused.
-#include "ReferenceCheck.h"
-#include "ReferenceImageSource.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Meshes/ReferenceImageSource.h"
 
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"

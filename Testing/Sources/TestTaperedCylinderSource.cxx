@@ -1,8 +1,8 @@
 // The wake and the grid against their formulas, written again here; the seam, the orientation of
 // the cells, the tetrahedra that the header tells.
-#include "ReferenceCheck.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceTemporalSource.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/SpaceTime/ReferenceTemporalSource.h"
 
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"

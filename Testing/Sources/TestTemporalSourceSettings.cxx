@@ -1,7 +1,7 @@
 // Setters clamp or refuse what is not valid and mark only real changes, PrintSelf prints every
 // public value, progress is told and an abort leaves an empty output.
-#include "ReferenceCheck.h"
-#include "ReferenceTemporalSource.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/SpaceTime/ReferenceTemporalSource.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkCallbackCommand.h"

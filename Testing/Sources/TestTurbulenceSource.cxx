@@ -1,8 +1,8 @@
 // Values against the formula, with every sum, falloff and envelope; seeds; parts, threads, progress
 // and abort; settings.
-#include "ReferenceCheck.h"
-#include "ReferenceImageSource.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Meshes/ReferenceImageSource.h"
 
 #include "vtkDataArray.h"
 #include "vtkGradientNoise.h"

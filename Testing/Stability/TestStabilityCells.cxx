@@ -1,14 +1,14 @@
 // Extreme geometry and topology: cells without volume, inverted, with repeated points, alone, far
 // away, tiny, or with coordinates that are no numbers.
 #include "Pages/StabilityCase.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceField.h"
-#include "ReferenceGrid.h"
-#include "ReferenceLattice.h"
-#include "ReferenceMesh.h"
-#include "ReferenceMeshBuilder.h"
-#include "ReferenceTransform.h"
-#include "ReferenceVolume.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceMeshBuilder.h"
+#include "Reference/Meshes/ReferenceTransform.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkImageData.h"
 #include "vtkUnstructuredGrid.h"

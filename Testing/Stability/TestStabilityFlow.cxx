@@ -1,6 +1,6 @@
 // Streamlines of extreme fields: each ends with a status, in steps that are bounded.
 #include "Pages/StabilityCase.h"
-#include "ReferenceAdvection.h"
+#include "Reference/Flow/ReferenceAdvection.h"
 
 #include "vtkImplicitFlowField.h" // for the integrators
 #include "vtkMath.h"

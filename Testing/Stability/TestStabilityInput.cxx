@@ -1,9 +1,9 @@
 // Wrong input and wrong settings: an error that names the array and the value, an empty output, no
 // crash, and the filter works again once they are right.
 #include "Pages/StabilityCase.h"
-#include "ReferenceField.h"
-#include "ReferenceMesh.h"
-#include "ReferenceMessages.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -2,8 +2,8 @@
 // an empty output, and the process lives on, though TetGen throws, crashes or never ends. Where
 // there is one: positive tetrahedra that fill the volume.
 #include "Pages/StabilityCase.h"
-#include "ReferenceMeshBuilder.h"
-#include "ReferenceMeshing.h"
+#include "Reference/Meshes/ReferenceMeshBuilder.h"
+#include "Reference/Meshes/ReferenceMeshing.h"
 
 #include "vtkCellArray.h"
 #include "vtkCommand.h"

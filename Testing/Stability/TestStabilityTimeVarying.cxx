@@ -1,10 +1,10 @@
 // Extreme times, values that change by much from step to step, and grids that move too far.
 #include "Pages/StabilityCase.h"
-#include "ReferenceMesh.h"
-#include "ReferenceSimplices.h"
-#include "ReferenceSpaceTime.h"
-#include "ReferenceTemporal.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/SpaceTime/ReferenceSimplices.h"
+#include "Reference/SpaceTime/ReferenceSpaceTime.h"
+#include "Reference/SpaceTime/ReferenceTemporal.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -1,10 +1,10 @@
 // Extreme values of the scalar and the bounds.
 #include "Pages/StabilityCase.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceField.h"
-#include "ReferenceGrid.h"
-#include "ReferenceMesh.h"
-#include "ReferenceVolume.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"

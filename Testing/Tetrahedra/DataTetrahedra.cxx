@@ -1,8 +1,8 @@
-#include "DataTetrahedra.h"
+#include "Tetrahedra/DataTetrahedra.h"
 
 #include "Inputs/DataFiles.h"
 #include "Inputs/ExodusTimeSource.h"
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -1,7 +1,7 @@
 #ifndef DataTetrahedra_h
 #define DataTetrahedra_h
 
-#include "MapperPicture.h" // for what is drawn
+#include "Tetrahedra/MapperPicture.h" // for what is drawn
 
 #include <array>  // for sizes
 #include <string> // for names

@@ -1,4 +1,4 @@
-#include "MapperPicture.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "Pictures/VolumeStage.h"
 

@@ -1,8 +1,8 @@
-#include "PathComparison.h"
+#include "Tetrahedra/PathComparison.h"
 
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/ReferenceRay.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkIdList.h"

@@ -1,7 +1,7 @@
 #ifndef PathComparison_h
 #define PathComparison_h
 
-#include "MapperPicture.h" // for what is drawn
+#include "Tetrahedra/MapperPicture.h" // for what is drawn
 
 #include <string> // for names
 

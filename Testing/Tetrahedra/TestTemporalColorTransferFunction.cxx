@@ -1,7 +1,7 @@
 // The nodes for two, three and n steps, what is refused, and the colours in a picture.
-#include "MapperPicture.h"
-#include "PictureCases.h"
-#include "ReferenceCheck.h"
+#include "Pictures/PictureCases.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"

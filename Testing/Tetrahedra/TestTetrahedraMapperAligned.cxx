@@ -1,8 +1,8 @@
 // Real tetrahedra seen along the axes, where faces are seen edge-on and points coincide: no pixel
 // of either render path is off. TestTetrahedraMapperAlignedData does so with every file.
-#include "DataTetrahedra.h"
-#include "PathComparison.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/DataTetrahedra.h"
+#include "Tetrahedra/PathComparison.h"
 
 #include <iostream>
 

@@ -1,7 +1,7 @@
 // Every file of Data/ seen along the axes: the grids whole, all as interval volumes.
-#include "DataTetrahedra.h"
-#include "PathComparison.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/DataTetrahedra.h"
+#include "Tetrahedra/PathComparison.h"
 
 #include <iostream>
 

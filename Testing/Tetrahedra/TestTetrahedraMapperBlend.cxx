@@ -1,8 +1,8 @@
 // Every blend mode, kind of array and clip of both render paths against the reference.
-#include "MapperPicture.h"
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,8 +1,8 @@
 // Pay for use: what a picture did not need was not done, by the report of both render paths.
-#include "MapperPicture.h"
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"

@@ -1,9 +1,9 @@
 // The largest channel error of both render paths against the reference, in a float framebuffer, on
 // linear fields: regular and thin tetrahedra, small, large and far meshes, faint and dense ones.
 // The error of VTK's mapper stands in the same row.
-#include "MapperPicture.h"
 #include "Pages/StabilityCase.h"
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"

@@ -1,9 +1,9 @@
 // The far plane, transfer functions of many nodes, and meshes of tetrahedra as thin as numbers are:
 // the software path is right in all of them, and OpenGL as far as vtkTimeWeightedTetrahedraMapper.h
 // says.
-#include "MapperPicture.h"
-#include "PictureCases.h"
-#include "ReferenceCheck.h"
+#include "Pictures/PictureCases.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"
 #include "vtkCellType.h"

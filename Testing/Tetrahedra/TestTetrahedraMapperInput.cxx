@@ -1,9 +1,9 @@
 // Input that cannot be drawn, in whole or in part: what is said, what is left out, what is seen.
-#include "MapperPicture.h"
 #include "Pages/StabilityCase.h"
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"

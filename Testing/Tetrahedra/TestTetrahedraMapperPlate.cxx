@@ -1,10 +1,10 @@
 // A plate of constant hypercubes, projected along time: with its extent in time it is a slab of
 // constant extinction, 1 - exp(-tau duration length) from everywhere (figure 3.19 of the source);
 // without, the overlap of the tetrahedra shows (figure 3.14).
-#include "MapperPicture.h"
-#include "PictureCases.h"
 #include "Pictures/HypercubePlate.h"
-#include "ReferenceCheck.h"
+#include "Pictures/PictureCases.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCamera.h"

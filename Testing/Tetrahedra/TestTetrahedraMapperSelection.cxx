@@ -1,8 +1,8 @@
 // vtkHardwareSelector finds the input's cell ids: of well separated tetrahedra, with some left out,
 // transparent, hidden or cut by the near plane, with and without multisampling.
-#include "MapperPicture.h"
-#include "PictureCases.h"
-#include "ReferenceCheck.h"
+#include "Pictures/PictureCases.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

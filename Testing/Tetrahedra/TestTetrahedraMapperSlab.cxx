@@ -1,8 +1,8 @@
 // A slab of constant extinction is 1 - exp(-tau d), uniform where d is; a finer mesh of the same
 // field gives the same picture.
-#include "MapperPicture.h"
-#include "PictureCases.h"
-#include "ReferenceCheck.h"
+#include "Pictures/PictureCases.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "vtkCamera.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"

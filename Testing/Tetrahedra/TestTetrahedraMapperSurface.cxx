@@ -1,10 +1,10 @@
 // Boundary triangles in the volume: opaque ones as vtkPolyDataMapper draws them, a translucent face
 // between two halves of a slab as the formula has it, textures, points matched by their place.
-#include "MapperPicture.h"
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/ReferenceRay.h"
 #include "Pictures/VolumeStage.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,10 +1,10 @@
 // Meshes at random whose points coincide on the screen, or nearly so, whose faces are seen edge-on
 // and whose tetrahedra are nearly flat; and one mapper through a sequence of changes at random.
-#include "MapperPicture.h"
-#include "PathComparison.h"
-#include "PictureCases.h"
-#include "ReferenceCheck.h"
-#include "ReferenceRandom.h"
+#include "Pictures/PictureCases.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/PathComparison.h"
 
 #include "vtkCamera.h"
 #include "vtkCellType.h"

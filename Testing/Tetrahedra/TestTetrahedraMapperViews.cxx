@@ -1,9 +1,9 @@
 // One mapper in several windows and renderers, resized, released and drawn again; depth peeling and
 // multisampling; level of detail. Pictures are compared with those of fresh mappers.
-#include "MapperPicture.h"
-#include "PictureCases.h"
+#include "Pictures/PictureCases.h"
 #include "Pictures/TestWindow.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Tetrahedra/MapperPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -1,6 +1,6 @@
 // The adjacency of tetrahedra, against a map of their faces.
-#include "ReferenceCheck.h"
-#include "ReferenceTetrahedra.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "vtkFaceAdjacency.h"
 

@@ -1,7 +1,7 @@
 // The order by centroids, against a stable sort of the same distances.
-#include "ReferenceCheck.h"
-#include "ReferenceSightlines.h"
-#include "ReferenceTetrahedra.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Tetrahedra/ReferenceSightlines.h"
+#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "vtkCentroidOrder.h"
 #include "vtkRadixOrder.h"

@@ -1,7 +1,7 @@
 // The visibility order of convex meshes along lines of sight, each intersected with all tetrahedra.
-#include "ReferenceCheck.h"
-#include "ReferenceSightlines.h"
-#include "ReferenceTetrahedra.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Tetrahedra/ReferenceSightlines.h"
+#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "vtkVisibilityOrder.h"
 

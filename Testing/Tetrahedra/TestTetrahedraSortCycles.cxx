@@ -1,7 +1,7 @@
 // Cycles of visibility: found, counted, and put out whole.
-#include "ReferenceCheck.h"
-#include "ReferenceSightlines.h"
-#include "ReferenceTetrahedra.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Tetrahedra/ReferenceSightlines.h"
+#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "vtkVisibilityOrder.h"
 

@@ -1,8 +1,8 @@
 // The visibility order where signs are 0: eyes on points, edges and planes of faces; and of meshes
 // that are not manifold.
-#include "ReferenceCheck.h"
-#include "ReferenceSightlines.h"
-#include "ReferenceTetrahedra.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Tetrahedra/ReferenceSightlines.h"
+#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "vtkVisibilityOrder.h"
 

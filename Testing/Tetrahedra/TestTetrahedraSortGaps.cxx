@@ -1,8 +1,8 @@
 // The visibility order of meshes with gaps along lines of sight, each intersected with all
 // tetrahedra.
-#include "ReferenceCheck.h"
-#include "ReferenceSightlines.h"
-#include "ReferenceTetrahedra.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Tetrahedra/ReferenceSightlines.h"
+#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "vtkVisibilityOrder.h"
 

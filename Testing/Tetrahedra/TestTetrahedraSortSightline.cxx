@@ -1,7 +1,7 @@
 // Which pixels' lines of sight pass a triangle, and what the places where one enters and leaves a
 // mesh say about order.
-#include "ReferenceCheck.h"
-#include "ReferenceSightlines.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Tetrahedra/ReferenceSightlines.h"
 
 #include "vtkFaceRaster.h"
 #include "vtkPictureProjection.h"

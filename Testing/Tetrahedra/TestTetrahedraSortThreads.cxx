@@ -1,8 +1,8 @@
 // The same orders for 1, 2 and 8 threads and every backend.
-#include "ReferenceCheck.h"
-#include "ReferenceSightlines.h"
-#include "ReferenceTetrahedra.h"
-#include "ReferenceThreads.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Tetrahedra/ReferenceSightlines.h"
+#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "vtkCentroidOrder.h"
 #include "vtkFaceAdjacency.h"

@@ -1,6 +1,6 @@
 // What is kept of paths besides their ends: speeds, lengths and means against exact ones.
-#include "ReferenceAdvection.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Flow/ReferenceAdvection.h"
 
 #include "vtkImplicitFlowField.h" // for the integrators
 #include "vtkMath.h"

@@ -1,7 +1,7 @@
 // Errors of streamlines against exact ones and those of a method of order 8(7): how they fall with
 // the step, and what they are at one tolerance.
-#include "ReferenceAdvection.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Flow/ReferenceAdvection.h"
 
 #include "vtkAdvectionRate.h"
 #include "vtkDormandPrinceStep.h"

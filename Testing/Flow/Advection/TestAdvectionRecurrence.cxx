@@ -1,9 +1,9 @@
 // Closed orbits end by coming back, long before the steps are used up; spirals, inward, outward and
 // along an axis, arrive where they would have arrived however slowly they get there, and so do
 // streamlines beside an orbit that repels them.
-#include "ReferenceAdvection.h"
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Flow/ReferenceAdvection.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

@@ -1,6 +1,6 @@
 // How streamlines end where they reach no surface: every status, and limits to the last digit.
-#include "ReferenceAdvection.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Flow/ReferenceAdvection.h"
 
 #include "vtkAdvection.h"
 #include "vtkMath.h"

@@ -1,6 +1,6 @@
 // Where streamlines meet termination surfaces: ids, parameters and times against exact ones.
-#include "ReferenceAdvection.h"
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Flow/ReferenceAdvection.h"
 
 #include "vtkImplicitFlowField.h" // for the integrators
 #include "vtkMath.h"

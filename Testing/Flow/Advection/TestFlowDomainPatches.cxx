@@ -1,7 +1,7 @@
 // Domain faces of unstructured grids and of several blocks: patches between sharp edges, their ids
 // and places, against a flow whose streamlines are known.
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

@@ -1,10 +1,10 @@
 // Seams whose points are the same but for rounding, or a small gap: grids that are closed on
 // themselves and rings of blocks, against a spiral whose end is known; what is joined is counted,
 // and faces that have a cell beyond them which they do not match are.
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
-#include "ReferenceMessages.h"
-#include "ReferenceSkin.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Reference/Flow/ReferenceSkin.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

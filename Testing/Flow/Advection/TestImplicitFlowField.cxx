@@ -1,10 +1,10 @@
 // vtkImplicitFlowField over grids of every kind: where and when samples end, what is kept of them,
 // samples of their own, domain faces, spheres around critical points, threads, parts, errors.
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
-#include "ReferenceMessages.h"
-#include "ReferenceProgress.h"
-#include "ReferenceRandom.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

@@ -1,8 +1,8 @@
 // vtkImplicitFlowField over composite data: streamlines from block to block, with the answers that
 // one grid gives; hidden and duplicate cells, arrays, samples and errors of blocks.
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
-#include "ReferenceMessages.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

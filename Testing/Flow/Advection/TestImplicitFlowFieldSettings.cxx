@@ -1,8 +1,8 @@
 // What is set on vtkImplicitFlowField reaches the streamlines, the output and what is asked of the
 // inputs; ids of surfaces and spheres; pieces of meshes.
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
-#include "ReferenceMessages.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

@@ -1,10 +1,10 @@
 // vtkFlowLIC: values against quadrature by brute force, contrast, coherence along streamlines,
 // where streamlines end, points outside and at rest, kinds of datasets, threads, errors.
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
-#include "ReferenceMessages.h"
-#include "ReferenceProgress.h"
-#include "ReferenceRandom.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowLIC.h"
 

@@ -1,6 +1,6 @@
 // The order that all faces of the same points share: the same for each way to go around a face,
 // with points that come twice too, and links lead from corner to corner.
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkFaceTurn.h"
 

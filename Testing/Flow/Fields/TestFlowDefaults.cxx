@@ -1,8 +1,8 @@
 // What flow filters give with no setting: few samples of large fields, scalars to colour by, and a
 // warning that says what the data has where nothing comes out.
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
-#include "ReferenceMessages.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowLIC.h"

@@ -1,10 +1,10 @@
 // What fields of flow filters may be: grids with triangles on their boundary, blocks of floats and
 // of doubles, blocks beside patches; what is said of planar fields and of arrays in the cells; and
 // that an aborted filter executes again.
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
-#include "ReferenceMessages.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowLIC.h"

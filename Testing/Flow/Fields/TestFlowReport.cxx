@@ -1,6 +1,6 @@
 // vtkFlowReport: what a sample adds, what another report adds, and what is printed.
-#include "ReferenceCheck.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
 
 #include "vtkAdvectionOptions.h"
 #include "vtkFlowReport.h"

@@ -1,7 +1,7 @@
 // The walkers of images and rectilinear grids against VTK's cells, differences, linear fields and
 // straight lines; the field's sums, blanking, array types and errors.
-#include "ReferenceLattice.h"
-#include "ReferenceWalker.h"
+#include "Reference/Flow/ReferenceWalker.h"
+#include "Reference/Meshes/ReferenceLattice.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"

@@ -1,7 +1,7 @@
 // The walker of structured grids against VTK's hexahedra, differences, linear fields and straight
 // lines; seams, blanking, collapsed and folded cells, threads.
-#include "ReferenceThreads.h"
-#include "ReferenceWalker.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Flow/ReferenceWalker.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFlowDispatch.h"

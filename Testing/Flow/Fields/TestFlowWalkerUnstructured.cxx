@@ -1,8 +1,8 @@
 // The walker of unstructured grids against VTK's cells, differences, linear fields and straight
 // lines, over meshes of all its types; turned and mirrored cells, blocks, cracks and errors.
-#include "ReferenceThreads.h"
-#include "ReferenceTransform.h"
-#include "ReferenceWalker.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Flow/ReferenceWalker.h"
+#include "Reference/Meshes/ReferenceTransform.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"

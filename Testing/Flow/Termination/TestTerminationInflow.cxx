@@ -1,8 +1,8 @@
 // The rectangle where flow enters: across the axis and at the end that the flow enters by, as wide
 // as it, on every kind of grid; where streamlines go forward where it leaves.
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
-#include "ReferenceMessages.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

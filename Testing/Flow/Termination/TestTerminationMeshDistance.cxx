@@ -1,9 +1,9 @@
 // The signed distance of meshes against all triangles and the winding number: sharp edges, tips,
 // concave solids, closed grids; seams, open borders and jumps; all scales.
-#include "ReferenceCheck.h"
-#include "ReferenceRandom.h"
-#include "ReferenceTermination.h"
-#include "ReferenceTerminationMesh.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Flow/ReferenceTermination.h"
+#include "Reference/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

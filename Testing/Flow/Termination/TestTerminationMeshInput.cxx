@@ -1,7 +1,7 @@
 // Meshes that are turned wrongly, doubled, degenerate or of one side, and what cannot be used.
-#include "ReferenceCheck.h"
-#include "ReferenceTermination.h"
-#include "ReferenceTerminationMesh.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Flow/ReferenceTermination.h"
+#include "Reference/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

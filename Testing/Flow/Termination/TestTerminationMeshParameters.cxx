@@ -1,9 +1,9 @@
 // Texture coordinates of meshes as parameters: of a point and back, over seams with and without
 // points on both sides, with gaps; strips and polygons; IsOn of a half cylinder.
-#include "ReferenceCheck.h"
-#include "ReferenceRandom.h"
-#include "ReferenceTermination.h"
-#include "ReferenceTerminationMesh.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Flow/ReferenceTermination.h"
+#include "Reference/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"

@@ -1,7 +1,7 @@
 // Plane, sphere, cylinder and box against formulas and samples, at all scales and far from the
 // origin; where they end, where their parameters go around.
-#include "ReferenceCheck.h"
-#include "ReferenceTermination.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Flow/ReferenceTermination.h"
 
 #include "vtkNew.h"
 #include "vtkTerminationBox.h"

@@ -1,8 +1,8 @@
 // What Update says of settings that cannot be used; ids, bounds and what is printed.
-#include "ReferenceCheck.h"
-#include "ReferenceProgress.h"
-#include "ReferenceTermination.h"
-#include "ReferenceTerminationMesh.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Flow/ReferenceTermination.h"
+#include "Reference/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

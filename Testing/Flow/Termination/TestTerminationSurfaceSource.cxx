@@ -1,10 +1,10 @@
 // Surfaces drawn: points on them with their parameters and normals, areas and rims against
 // formulas, triangles turned outward, ids; gaps, messages, progress, threads.
-#include "ReferenceCheck.h"
-#include "ReferenceMessages.h"
-#include "ReferenceProgress.h"
-#include "ReferenceTermination.h"
-#include "ReferenceTerminationMesh.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Flow/ReferenceTermination.h"
+#include "Reference/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,7 +1,7 @@
 // Evaluation by many threads at once gives what one thread gives, to the bit.
-#include "ReferenceCheck.h"
-#include "ReferenceTermination.h"
-#include "ReferenceTerminationMesh.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Flow/ReferenceTermination.h"
+#include "Reference/Flow/ReferenceTerminationMesh.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

@@ -1,8 +1,8 @@
 // Tubes around straight, bent, knotted and closed lines: distance, angle and length without jumps,
 // round ends, messages.
-#include "ReferenceCheck.h"
-#include "ReferenceRandom.h"
-#include "ReferenceTermination.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Flow/ReferenceTermination.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"

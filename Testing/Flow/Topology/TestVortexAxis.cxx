@@ -2,11 +2,11 @@
 // vortices, the seed, the frame of reference, breaks; no vortex; planes; threads, progress, abort,
 // errors.
 #include "Flows/ReferenceFlowMaps.h"
-#include "ReferenceCheck.h"
-#include "ReferenceLattice.h"
-#include "ReferenceMesh.h"
-#include "ReferenceMessages.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkDataArray.h"

@@ -2,10 +2,10 @@
 // spheres and in balls against formulas, of streamlines that end there and of those that come back,
 // with times and parameters up to the surface, fitting to the cells beside them.
 #include "Flows/ReferenceFlowAnswers.h"
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
-#include "ReferenceMessages.h"
-#include "ReferenceThreads.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"

@@ -1,11 +1,11 @@
 // What a flow volume is given and gives: errors, arrays and their types, settings, progress and
 // abort, and the same bytes for any number of threads.
 #include "Flows/ReferenceFlowAnswers.h"
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceMessages.h"
-#include "ReferenceProgress.h"
-#include "ReferenceThreads.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Meshes/ReferenceGrid.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"

@@ -2,9 +2,9 @@
 // without gap or overlap, stream and time surfaces are faces of it, each once and whole, and face
 // against the gradient, as normals do.
 #include "Flows/ReferenceFlowAnswers.h"
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceMesh.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkFlowVolume.h"

@@ -1,8 +1,8 @@
 // A flow volume does what is asked of it and no more: no extraction by what cuts nothing, none
 // again of what has not changed, and no surfaces, normals or copies of points that nobody wants.
 #include "Flows/ReferenceFlowAnswers.h"
-#include "ReferenceCheck.h"
-#include "ReferenceMessages.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
 
 #include "vtkDataArray.h"
 #include "vtkFlowVolume.h"

@@ -1,9 +1,9 @@
 // Flow that comes round to its termination surface again: on which side samples lie and how they
 // leave, which cells a flow volume leaves out for it and which not, and the limit of time jumps.
 #include "Flows/ReferenceFlowAnswers.h"
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
-#include "ReferenceMessages.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkFlowVolume.h"

@@ -2,10 +2,10 @@
 // with an answer to those without, and over seams that the mapping does not continue over; over
 // seams that it does volumes are whole and parameters unwrapped.
 #include "Flows/ReferenceFlowAnswers.h"
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceLattice.h"
-#include "ReferenceMesh.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

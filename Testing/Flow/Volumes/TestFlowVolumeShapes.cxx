@@ -2,9 +2,9 @@
 // areas and fluxes against formulas, with errors that fall with the square of the spacing, on every
 // kind of grid.
 #include "Flows/ReferenceFlowAnswers.h"
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceLattice.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceLattice.h"
 
 #include "vtkFlowVolume.h"
 #include "vtkImageData.h"

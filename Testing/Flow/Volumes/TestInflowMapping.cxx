@@ -1,11 +1,11 @@
 // A scalar on termination surfaces at every sample: formulas, rings and images against their
 // definitions, NaN where there is none, what is periodic, wrong settings, and threads.
 #include "Flows/ReferenceFlowAnswers.h"
-#include "ReferenceCheck.h"
-#include "ReferenceLattice.h"
-#include "ReferenceMessages.h"
-#include "ReferenceProgress.h"
-#include "ReferenceThreads.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Meshes/ReferenceLattice.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

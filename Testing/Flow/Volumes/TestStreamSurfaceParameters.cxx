@@ -1,12 +1,12 @@
 // Texture coordinates of stream surfaces: lengths along inflow contours against formulas, closed,
 // open and several of them, over seams; triangles never run back; start points, scales and errors.
-#include "ReferenceCheck.h"
 #include "Flows/ReferenceFlowAnswers.h"
-#include "ReferenceMeshBuilder.h"
-#include "ReferenceMessages.h"
-#include "ReferenceProgress.h"
-#include "ReferenceContourSurfaces.h"
-#include "ReferenceThreads.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Flow/ReferenceContourSurfaces.h"
+#include "Reference/Meshes/ReferenceMeshBuilder.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"

@@ -1,8 +1,8 @@
 // Arrays that are linear in space and time come out exact, cell arrays are copied, Time is the time
 // of the slice whatever type it had, and 4-simplices read from a file give the same bytes.
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceSimplexGrid.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/SpaceTime/ReferenceSimplexGrid.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

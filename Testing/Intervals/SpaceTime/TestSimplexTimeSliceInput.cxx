@@ -1,10 +1,10 @@
 // Wrong input: an error that says what and where, an empty output, and the filter works once it is
 // right. Ghosts and 4-simplices without a finite time are left out; a time outside, or nothing at
 // all, gives nothing and no error. Composite input gives composite output.
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceSimplexGrid.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/SpaceTime/ReferenceSimplexGrid.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

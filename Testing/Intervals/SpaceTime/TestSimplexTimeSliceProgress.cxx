@@ -1,8 +1,8 @@
 // Progress is told and never runs backwards, an abort leaves a valid output, and PrintSelf prints
 // the time.
-#include "ReferenceCheck.h"
-#include "ReferenceProgress.h"
-#include "ReferenceSimplexGrid.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/SpaceTime/ReferenceSimplexGrid.h"
 
 #include "vtkCellType.h"
 #include "vtkNew.h"

@@ -1,8 +1,8 @@
 // Times that are 1e9 or 1e-9 apart, or near 1e9, give the slice that times 1 apart give.
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceSimplexGrid.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/SpaceTime/ReferenceSimplexGrid.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"

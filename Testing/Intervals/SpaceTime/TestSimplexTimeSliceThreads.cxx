@@ -1,7 +1,7 @@
 // The same bytes for any number of threads, between the levels of a grid and at one of them.
-#include "ReferenceCheck.h"
-#include "ReferenceSimplexGrid.h"
-#include "ReferenceThreads.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/SpaceTime/ReferenceSimplexGrid.h"
 
 #include "vtkUnstructuredGrid.h"
 

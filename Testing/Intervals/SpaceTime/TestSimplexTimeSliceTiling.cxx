@@ -1,12 +1,12 @@
 // The slices of a triangulated region of space and time have no cracks and no overlap: at any time,
 // and at the region's own time levels, where each tetrahedron is there once, also beside holes.
 // Pieces with global ids fit together.
-#include "ReferenceBoundary.h"
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceMesh.h"
-#include "ReferenceSimplexGrid.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceBoundary.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/SpaceTime/ReferenceSimplexGrid.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdTypeArray.h"

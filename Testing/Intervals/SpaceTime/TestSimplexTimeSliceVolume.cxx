@@ -1,8 +1,8 @@
 // The slice of a random 4-simplex has the volume that its M-spline gives, the orientation of the
 // simplex, and covers the slice once; the integral over time is the hypervolume.
-#include "ReferenceCheck.h"
-#include "ReferenceSimplexGrid.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/SpaceTime/ReferenceSimplexGrid.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"

@@ -1,9 +1,9 @@
 // Point arrays of every type are interpolated in space and time, at thick points too; the arrays
 // that the filter makes have the documented names, types and values; precision of the points.
-#include "ReferenceCheck.h"
-#include "ReferenceSimplices.h"
-#include "ReferenceTemporal.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/SpaceTime/ReferenceSimplices.h"
+#include "Reference/SpaceTime/ReferenceTemporal.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"

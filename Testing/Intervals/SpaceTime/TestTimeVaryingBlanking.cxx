@@ -1,9 +1,9 @@
 // Ghost, hidden and blanked cells, cells of hidden points, and cells with NaN or infinity at a step
 // are left out of the slabs that the step ends and counted; everything else stays.
-#include "ReferenceCheck.h"
-#include "ReferenceLattice.h"
-#include "ReferenceSimplices.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/SpaceTime/ReferenceSimplices.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

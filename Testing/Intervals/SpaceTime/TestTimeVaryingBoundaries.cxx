@@ -1,11 +1,11 @@
 // The boundaries at the first and last step are the interval volume and its surfaces of that step;
 // each kind is made only when it is asked for.
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceSimplices.h"
-#include "ReferenceTemporal.h"
-#include "ReferenceTimeVarying.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/SpaceTime/ReferenceSimplices.h"
+#include "Reference/SpaceTime/ReferenceTemporal.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -1,11 +1,11 @@
 // Composite steps give composite outputs of the same structure, empty leaves included, with the
 // same simplices as the leaves one by one.
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceLattice.h"
-#include "ReferenceMesh.h"
-#include "ReferenceTemporal.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/SpaceTime/ReferenceTemporal.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"

@@ -1,10 +1,10 @@
 // The sum of DeltaT over the tetrahedra that hold a point of space is the time that the function is
 // in the interval there.
-#include "ReferenceCheck.h"
-#include "ReferenceMesh.h"
-#include "ReferenceSimplices.h"
-#include "ReferenceSpaceTime.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/SpaceTime/ReferenceSimplices.h"
+#include "Reference/SpaceTime/ReferenceSpaceTime.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkDataSet.h"
 #include "vtkUnstructuredGrid.h"

@@ -1,12 +1,12 @@
 // Wrong steps and wrong settings: an error that says what and names the step, outputs that are
 // empty, and the filter works again once they are right.
-#include "ReferenceCheck.h"
-#include "ReferenceLattice.h"
-#include "ReferenceMesh.h"
-#include "ReferenceMessages.h"
-#include "ReferenceTemporal.h"
-#include "ReferenceTimeVarying.h"
-#include "ReferenceTransform.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceTransform.h"
+#include "Reference/SpaceTime/ReferenceTemporal.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

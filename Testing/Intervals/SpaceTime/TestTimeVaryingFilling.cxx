@@ -1,6 +1,6 @@
 // Adjacent intervals fill the domain in space and time without cracks, on every grid, standing and
 // moving, over several slabs: independent random values, so that none equals a bound.
-#include "ReferenceFilling.h"
+#include "Reference/SpaceTime/ReferenceFilling.h"
 
 #include "vtkDataSet.h"
 #include "vtkPointSet.h"

@@ -1,9 +1,9 @@
 // The same lattice as image, rectilinear, structured and unstructured grid gives the same
 // 4-simplices, tetrahedra and boundaries.
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceLattice.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

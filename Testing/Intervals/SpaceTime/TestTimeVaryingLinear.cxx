@@ -1,9 +1,9 @@
 // Functions linear in space and time: the hypervolume is exact on every grid, standing and moving,
 // along every direction of projection. On tetrahedra also functions linear in each.
-#include "ReferenceCheck.h"
-#include "ReferenceSimplices.h"
-#include "ReferenceSpaceTime.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/SpaceTime/ReferenceSimplices.h"
+#include "Reference/SpaceTime/ReferenceSpaceTime.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkDataSet.h"
 #include "vtkPointSet.h"

@@ -2,9 +2,9 @@
 // orientation of their faces over all slabs, boundaries have what bounds them, and the slice at a
 // step is made of the interval volume of that step, each tetrahedron once.
 #include "Inputs/DataFiles.h"
-#include "ReferenceCheck.h"
-#include "ReferenceMatching.h"
-#include "ReferenceTimeSteps.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceMatching.h"
+#include "Reference/SpaceTime/ReferenceTimeSteps.h"
 
 #include "vtkDataSet.h"
 #include "vtkImageData.h"

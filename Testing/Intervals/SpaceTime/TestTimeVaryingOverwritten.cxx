@@ -1,9 +1,9 @@
 // A source that writes every step into the same array gives what one with an array a step gives,
 // whether it says that the array has changed or not.
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceMesh.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"

@@ -1,11 +1,11 @@
 // Progress is told and never runs backwards, an abort leaves empty outputs, and PrintSelf prints
 // every public value.
-#include "ReferenceCheck.h"
-#include "ReferenceLattice.h"
-#include "ReferenceMesh.h"
-#include "ReferenceProgress.h"
-#include "ReferenceTemporal.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/SpaceTime/ReferenceTemporal.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"

@@ -1,9 +1,9 @@
 // A 4-simplex projected to space and cut into tetrahedra, against exact arithmetic: its class, the
 // number of tetrahedra, its hypervolume, and how long it lasts at points of space.
-#include "ReferenceCheck.h"
-#include "ReferenceExact.h"
-#include "ReferenceSpaceTime.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExact.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/SpaceTime/ReferenceSpaceTime.h"
 
 #include "vtkSimplexProjection.h"
 

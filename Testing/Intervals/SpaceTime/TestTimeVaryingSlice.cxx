@@ -1,11 +1,11 @@
 // Slices of the 4-simplices: at a time step the interval volume of that step; between steps exact
 // for functions linear in space and time, and of second order in the step for a smooth one.
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceMesh.h"
-#include "ReferenceSimplexGrid.h"
-#include "ReferenceTimeVarying.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/SpaceTime/ReferenceSimplexGrid.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkDataSet.h"
 #include "vtkPointSet.h"

@@ -1,11 +1,11 @@
 // Time steps through the pipeline: two are alive at most, each is asked for once, slabs one by one
 // are those of all together, and changes of the steps are seen.
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
-#include "ReferenceMesh.h"
-#include "ReferenceSimplices.h"
-#include "ReferenceTemporal.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/SpaceTime/ReferenceSimplices.h"
+#include "Reference/SpaceTime/ReferenceTemporal.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,8 +1,8 @@
 // Every 4-simplex by itself: the tetrahedra it is cut into have its hypervolume, share one thick
 // point, and are as many as its class says. Also the classes that occur along time and across it.
-#include "ReferenceCheck.h"
-#include "ReferenceSimplices.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/SpaceTime/ReferenceSimplices.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -1,7 +1,7 @@
 // The same bytes for 1, 2 and 8 threads and every backend.
-#include "ReferenceCheck.h"
-#include "ReferenceThreads.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkDataSet.h"
 #include "vtkUnstructuredGrid.h"

@@ -1,10 +1,10 @@
 // Values equal to the bounds, whole cells and slabs of them: adjacent intervals still fill the
 // domain in space and time, and each part of it once.
-#include "ReferenceFilling.h"
-#include "ReferenceMesh.h"
-#include "ReferenceSimplices.h"
-#include "ReferenceSpaceTime.h"
-#include "ReferenceTimeVarying.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/SpaceTime/ReferenceFilling.h"
+#include "Reference/SpaceTime/ReferenceSimplices.h"
+#include "Reference/SpaceTime/ReferenceSpaceTime.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkUnstructuredGrid.h"
 

@@ -1,9 +1,9 @@
 // An execution that gives nothing says why, with what the data have: once for a whole composite
 // input, and not for one dataset or piece of several. The scalar is the active one on what is made.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceMesh.h"
-#include "ReferenceMessages.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceMesh.h"
 
 #include "vtkCellType.h"
 #include "vtkCommand.h"

@@ -1,9 +1,9 @@
 // Point arrays of every type are interpolated, never truncated; cell arrays are copied; the arrays
 // the filters make have the documented names and values; the scalar may be of any type.
-#include "ReferenceCheck.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceField.h"
-#include "ReferenceLattice.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceLattice.h"
 
 #include "vtkCellData.h"
 #include "vtkImageData.h"

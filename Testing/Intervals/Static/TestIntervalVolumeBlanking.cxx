@@ -1,10 +1,10 @@
 // Ghost, hidden and blanked cells, cells of hidden points, and cells with NaN or infinity are left
 // out and counted; everything else stays.
-#include "ReferenceCheck.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceField.h"
-#include "ReferenceLattice.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"

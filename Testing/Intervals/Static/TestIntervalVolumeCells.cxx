@@ -1,10 +1,10 @@
 // Cells of every other kind: quadratic ones are taken by their corners with a warning, those of
 // fewer dimensions and of types without a linear counterpart are left out and counted.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceMesh.h"
-#include "ReferenceMeshBuilder.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceMeshBuilder.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkExplicitStructuredGrid.h"
 #include "vtkIntervalVolume.h"

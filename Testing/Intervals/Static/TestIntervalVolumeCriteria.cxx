@@ -1,11 +1,11 @@
 // Criteria on further arrays: the volume where all hold, for linear functions and for any values on
 // tetrahedra; the order of criteria does not matter; several intervals still tile.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceGrid.h"
-#include "ReferenceMesh.h"
-#include "ReferenceTransform.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceTransform.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkCellData.h"
 #include "vtkIntervalVolume.h"

@@ -1,10 +1,10 @@
 // The same lattice as image, rectilinear, structured and unstructured grid gives the same simplices
 // bit for bit.
-#include "ReferenceCheck.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceField.h"
-#include "ReferenceGrid.h"
-#include "ReferenceLattice.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceLattice.h"
 
 #include "vtkImageData.h"
 #include "vtkUnstructuredGrid.h"

@@ -1,10 +1,10 @@
 // Changed intervals and contour values over the same input give the bytes of a fresh filter and
 // visit fewer cells; a changed input is noticed.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceGrid.h"
-#include "ReferenceLattice.h"
-#include "ReferenceMesh.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"

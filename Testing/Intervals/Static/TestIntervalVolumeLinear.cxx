@@ -1,10 +1,10 @@
 // Volumes of linear functions of position: the formula for a box, and clipping in long double for
 // everything else, with intervals inside, across and outside the range.
-#include "ReferenceCheck.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceMesh.h"
-#include "ReferenceTransform.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceTransform.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

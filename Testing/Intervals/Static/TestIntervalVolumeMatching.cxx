@@ -3,14 +3,14 @@
 // tile, criteria keep signed volumes. On every volume of 8 bits, and on small whole numbers in
 // every kind of cell.
 #include "Inputs/DataFiles.h"
-#include "ReferenceCheck.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceField.h"
-#include "ReferenceGrid.h"
-#include "ReferenceMatching.h"
-#include "ReferenceMesh.h"
-#include "ReferenceTransform.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Intervals/ReferenceMatching.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceTransform.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

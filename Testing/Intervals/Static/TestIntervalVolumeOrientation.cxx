@@ -1,9 +1,9 @@
 // How many tetrahedra come out inverted on cells that are not simplices, and how much volume they
 // hold: with random values, the worst case, and with a smooth field. Volumes stay exact.
-#include "ReferenceExtraction.h"
-#include "ReferenceCheck.h"
-#include "ReferenceMesh.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkUnstructuredGrid.h"

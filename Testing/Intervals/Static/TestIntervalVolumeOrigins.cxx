@@ -1,9 +1,9 @@
 // What an interval volume says of where its points and cells come from: points on the edges named,
 // at the weights told; cells, and boundary triangles, inside the cells named; and no such arrays
 // where they are not asked for.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceLattice.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceLattice.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

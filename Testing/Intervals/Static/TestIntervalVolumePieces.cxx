@@ -1,6 +1,6 @@
 // The pieces of an image asked for through the pipeline give together the simplices of the whole.
-#include "ReferenceCheck.h"
-#include "ReferenceGrid.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
 
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"

@@ -1,10 +1,10 @@
 // Progress is told and never runs backwards, an abort leaves a valid output, and PrintSelf prints
 // every public value.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceLattice.h"
-#include "ReferenceMesh.h"
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
 
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"

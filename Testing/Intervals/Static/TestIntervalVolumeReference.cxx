@@ -1,10 +1,10 @@
 // The reference implementations themselves: the meshes are conforming and fill the volume they
 // should, and clipping agrees with the formula for a box cut by a plane.
-#include "ReferenceBoundary.h"
-#include "ReferenceCheck.h"
-#include "ReferenceMesh.h"
-#include "ReferenceTransform.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceBoundary.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceTransform.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkUnstructuredGrid.h"
 

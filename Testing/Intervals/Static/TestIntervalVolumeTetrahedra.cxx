@@ -1,10 +1,10 @@
 // On tetrahedra the region is piecewise linear, so clipping in long double gives its volume for any
 // values, and no tetrahedron may come out inverted.
-#include "ReferenceCheck.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceMesh.h"
-#include "ReferenceTransform.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceTransform.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkUnstructuredGrid.h"
 

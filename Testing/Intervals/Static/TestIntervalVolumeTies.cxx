@@ -1,9 +1,9 @@
 // Adjacent intervals tile the domain where many values equal a bound: edges, faces and whole cells
 // are flat, and simplices collapse.
-#include "ReferenceField.h"
-#include "ReferenceMesh.h"
-#include "ReferenceTilingCheck.h"
-#include "ReferenceTransform.h"
+#include "Reference/Intervals/ReferenceTilingCheck.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceTransform.h"
 
 #include "vtkUnstructuredGrid.h"
 

@@ -1,8 +1,8 @@
 // Adjacent intervals tile the domain: independent random values, so that none equals a bound.
-#include "ReferenceField.h"
-#include "ReferenceMesh.h"
-#include "ReferenceTilingCheck.h"
-#include "ReferenceTransform.h"
+#include "Reference/Intervals/ReferenceTilingCheck.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceTransform.h"
 
 #include "vtkUnstructuredGrid.h"
 

@@ -1,11 +1,11 @@
 // What goes on, but not as it should, is said with the way out: polyhedra that are not seen whole
 // from their middle, and images that single precision collapses.
-#include "ReferenceCheck.h"
-#include "ReferenceField.h"
-#include "ReferenceMesh.h"
-#include "ReferenceMessages.h"
-#include "ReferenceTimeVarying.h"
-#include "ReferenceVolume.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"

@@ -1,12 +1,12 @@
 // The contour at an interval's bound is the interval's boundary, triangle by triangle; several
 // values in one pass are the values one by one.
-#include "ReferenceBoundary.h"
-#include "ReferenceCheck.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceField.h"
-#include "ReferenceGrid.h"
-#include "ReferenceMesh.h"
-#include "ReferenceTransform.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceBoundary.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceTransform.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

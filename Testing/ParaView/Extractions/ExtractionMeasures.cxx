@@ -1,4 +1,4 @@
-#include "ExtractionMeasures.h"
+#include "ParaView/Extractions/ExtractionMeasures.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,6 +1,6 @@
-#include "FlowExtraction.h"
+#include "ParaView/Extractions/FlowExtraction.h"
 
-#include "PropertySetters.h"
+#include "ParaView/Extractions/PropertySetters.h"
 #include "vtkAnalyticFlowSource.h"
 #include "vtkFlowLIC.h"
 #include "vtkFlowVolume.h"

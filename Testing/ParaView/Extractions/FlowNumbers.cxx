@@ -1,7 +1,7 @@
-#include "FlowNumbers.h"
+#include "ParaView/Extractions/FlowNumbers.h"
 
-#include "ExtractionMeasures.h"
-#include "FlowExtraction.h"
+#include "ParaView/Extractions/ExtractionMeasures.h"
+#include "ParaView/Extractions/FlowExtraction.h"
 #include "vtkAnalyticFlowSource.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

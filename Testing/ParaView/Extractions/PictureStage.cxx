@@ -1,4 +1,4 @@
-#include "PictureStage.h"
+#include "ParaView/Extractions/PictureStage.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"

@@ -1,4 +1,4 @@
-#include "PieceWriter.h"
+#include "ParaView/Extractions/PieceWriter.h"
 
 #include "vtkCell.h"
 #include "vtkCellData.h"

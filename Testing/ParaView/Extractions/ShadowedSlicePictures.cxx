@@ -2,8 +2,8 @@
 // pictures (which source, how it was drawn, under which lights, from where), each picture as
 // `<name>.png`, and the image on the projective light's screen. ParaView is asked the same and must
 // draw the same.
-#include "PictureStage.h"
-#include "TimeVaryingExtraction.h"
+#include "ParaView/Extractions/PictureStage.h"
+#include "ParaView/Extractions/TimeVaryingExtraction.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAnalyticFieldSource.h"

@@ -1,6 +1,6 @@
-#include "TimeVaryingExtraction.h"
+#include "ParaView/Extractions/TimeVaryingExtraction.h"
 
-#include "PropertySetters.h"
+#include "ParaView/Extractions/PropertySetters.h"
 #include "vtkAnalyticFieldSource.h"
 #include "vtkTaperedCylinderSource.h"
 #include "vtkTimeVaryingIntervalVolume.h"

@@ -1,7 +1,7 @@
-#include "TimeVaryingNumbers.h"
+#include "ParaView/Extractions/TimeVaryingNumbers.h"
 
-#include "ExtractionMeasures.h"
-#include "TimeVaryingExtraction.h"
+#include "ParaView/Extractions/ExtractionMeasures.h"
+#include "ParaView/Extractions/TimeVaryingExtraction.h"
 #include "vtkAnalyticFieldSource.h"
 #include "vtkNew.h"
 #include "vtkSimplexTimeSlice.h"

@@ -1,4 +1,4 @@
-#include "ReferenceCheck.h"
+#include "Reference/Checks/ReferenceCheck.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ReferenceExact.h"
+#include "Reference/Checks/ReferenceExact.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "ReferenceMessages.h"
+#include "Reference/Checks/ReferenceMessages.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"

@@ -1,6 +1,6 @@
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceProgress.h"
 
-#include "ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceGrid.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"

@@ -1,7 +1,7 @@
 #ifndef ReferenceProgress_h
 #define ReferenceProgress_h
 
-#include "ReferenceCheck.h" // for the result
+#include "Reference/Checks/ReferenceCheck.h" // for the result
 
 #include <cstddef> // for numbers of events
 #include <string>  // for what is printed

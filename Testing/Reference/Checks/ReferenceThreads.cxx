@@ -1,6 +1,6 @@
-#include "ReferenceThreads.h"
+#include "Reference/Checks/ReferenceThreads.h"
 
-#include "ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceGrid.h"
 
 #include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"

@@ -1,7 +1,7 @@
 #ifndef ReferenceThreads_h
 #define ReferenceThreads_h
 
-#include "ReferenceCheck.h" // for the result
+#include "Reference/Checks/ReferenceCheck.h" // for the result
 
 #include "vtkSmartPointer.h" // for the outputs
 

@@ -1,4 +1,4 @@
-#include "ReferenceAdvection.h"
+#include "Reference/Flow/ReferenceAdvection.h"
 
 #include "vtkAdvection.h"
 #include "vtkMath.h"

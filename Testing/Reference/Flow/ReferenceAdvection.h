@@ -2,8 +2,8 @@
 #define ReferenceAdvection_h
 
 #include "Flows/ReferenceFlow.h"
-#include "ReferenceSurfaces.h"
-#include "ReferenceWalkers.h"
+#include "Reference/Flow/ReferenceSurfaces.h"
+#include "Reference/Flow/ReferenceWalkers.h"
 
 #include "vtkAdvectionOptions.h"
 

@@ -1,4 +1,4 @@
-#include "ReferenceContourSurfaces.h"
+#include "Reference/Flow/ReferenceContourSurfaces.h"
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"

@@ -1,4 +1,4 @@
-#include "ReferenceFlowGrid.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkTerminationPlane.h"
 

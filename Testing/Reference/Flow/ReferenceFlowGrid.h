@@ -1,8 +1,8 @@
 #ifndef ReferenceFlowGrid_h
 #define ReferenceFlowGrid_h
 
-#include "ReferenceMesh.h"   // for the kinds
-#include "ReferenceRandom.h" // for the samples
+#include "Reference/Checks/ReferenceRandom.h" // for the samples
+#include "Reference/Meshes/ReferenceMesh.h"   // for the kinds
 
 #include "vtkSmartPointer.h" // for the grids
 #include "vtkType.h"         // for ids

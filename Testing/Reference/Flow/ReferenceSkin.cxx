@@ -1,4 +1,4 @@
-#include "ReferenceSkin.h"
+#include "Reference/Flow/ReferenceSkin.h"
 
 #include "vtkCell.h"
 #include "vtkCellArray.h"

@@ -1,7 +1,7 @@
 #ifndef ReferenceSkin_h
 #define ReferenceSkin_h
 
-#include "ReferenceFlowGrid.h" // for vectors
+#include "Reference/Flow/ReferenceFlowGrid.h" // for vectors
 
 #include "vtkSmartPointer.h" // for the mesh
 

@@ -1,4 +1,4 @@
-#include "ReferenceSurfaces.h"
+#include "Reference/Flow/ReferenceSurfaces.h"
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"

@@ -1,6 +1,6 @@
-#include "ReferenceTermination.h"
+#include "Reference/Flow/ReferenceTermination.h"
 
-#include "ReferenceRandom.h"
+#include "Reference/Checks/ReferenceRandom.h"
 
 #include "vtkTerminationSurface.h"
 

@@ -1,7 +1,7 @@
 #ifndef ReferenceTermination_h
 #define ReferenceTermination_h
 
-#include "ReferenceCheck.h" // for the result
+#include "Reference/Checks/ReferenceCheck.h" // for the result
 
 #include <array>
 #include <functional>

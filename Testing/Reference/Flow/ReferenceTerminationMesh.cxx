@@ -1,6 +1,6 @@
-#include "ReferenceTerminationMesh.h"
+#include "Reference/Flow/ReferenceTerminationMesh.h"
 
-#include "ReferenceRandom.h"
+#include "Reference/Checks/ReferenceRandom.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

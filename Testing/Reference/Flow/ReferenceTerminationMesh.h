@@ -1,7 +1,7 @@
 #ifndef ReferenceTerminationMesh_h
 #define ReferenceTerminationMesh_h
 
-#include "ReferenceTermination.h" // for points
+#include "Reference/Flow/ReferenceTermination.h" // for points
 
 #include "vtkSmartPointer.h" // for the dataset
 

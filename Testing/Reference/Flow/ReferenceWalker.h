@@ -1,8 +1,8 @@
 #ifndef ReferenceWalker_h
 #define ReferenceWalker_h
 
-#include "ReferenceCheck.h"
-#include "ReferenceFlowGrid.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

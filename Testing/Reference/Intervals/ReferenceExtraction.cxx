@@ -1,6 +1,6 @@
-#include "ReferenceExtraction.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
 
-#include "ReferenceMessages.h"
+#include "Reference/Checks/ReferenceMessages.h"
 
 #include "vtkDataSet.h"
 #include "vtkIntervalVolume.h"

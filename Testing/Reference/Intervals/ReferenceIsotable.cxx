@@ -1,4 +1,4 @@
-#include "ReferenceIsotable.h"
+#include "Reference/Intervals/ReferenceIsotable.h"
 
 #include "vtkIsotablePatch.h"
 #include "vtkIsotableTriangulation.h"

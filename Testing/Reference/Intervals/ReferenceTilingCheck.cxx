@@ -1,9 +1,9 @@
-#include "ReferenceTilingCheck.h"
+#include "Reference/Intervals/ReferenceTilingCheck.h"
 
-#include "ReferenceBoundary.h"
-#include "ReferenceExtraction.h"
-#include "ReferenceGrid.h"
-#include "ReferenceVolume.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceBoundary.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

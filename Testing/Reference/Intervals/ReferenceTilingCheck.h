@@ -1,7 +1,7 @@
 #ifndef ReferenceTilingCheck_h
 #define ReferenceTilingCheck_h
 
-#include "ReferenceCheck.h" // for the result
+#include "Reference/Checks/ReferenceCheck.h" // for the result
 
 #include <vector> // for the bounds
 

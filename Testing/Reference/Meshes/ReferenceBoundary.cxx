@@ -1,4 +1,4 @@
-#include "ReferenceBoundary.h"
+#include "Reference/Meshes/ReferenceBoundary.h"
 
 #include "vtkCell.h"
 #include "vtkDataSet.h"

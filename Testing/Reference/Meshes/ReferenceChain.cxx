@@ -1,4 +1,4 @@
-#include "ReferenceChain.h"
+#include "Reference/Meshes/ReferenceChain.h"
 
 #include <map>
 #include <set>

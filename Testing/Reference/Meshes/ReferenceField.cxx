@@ -1,4 +1,4 @@
-#include "ReferenceField.h"
+#include "Reference/Meshes/ReferenceField.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"

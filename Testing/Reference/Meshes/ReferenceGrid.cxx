@@ -1,4 +1,4 @@
-#include "ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceGrid.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,7 +1,7 @@
 #ifndef ReferenceGrid_h
 #define ReferenceGrid_h
 
-#include "ReferenceChain.h" // for the simplices
+#include "Reference/Meshes/ReferenceChain.h" // for the simplices
 
 #include <string> // for differences
 #include <vector> // for the lists

@@ -1,6 +1,6 @@
-#include "ReferenceImageSource.h"
+#include "Reference/Meshes/ReferenceImageSource.h"
 
-#include "ReferenceProgress.h"
+#include "Reference/Checks/ReferenceProgress.h"
 
 #include "vtkCommand.h"
 #include "vtkDataArray.h"

@@ -1,7 +1,7 @@
 #ifndef ReferenceImageSource_h
 #define ReferenceImageSource_h
 
-#include "ReferenceCheck.h" // for the result
+#include "Reference/Checks/ReferenceCheck.h" // for the result
 
 #include <functional> // for what fails
 #include <string>     // for bytes and messages

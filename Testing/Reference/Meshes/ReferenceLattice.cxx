@@ -1,6 +1,6 @@
-#include "ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceLattice.h"
 
-#include "ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -1,7 +1,7 @@
-#include "ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceMesh.h"
 
-#include "ReferenceMeshBuilder.h"
-#include "ReferenceTiling.h"
+#include "Reference/Meshes/ReferenceMeshBuilder.h"
+#include "Reference/Meshes/ReferenceTiling.h"
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include "ReferenceMeshBuilder.h"
+#include "Reference/Meshes/ReferenceMeshBuilder.h"
 
 #include <set>
 

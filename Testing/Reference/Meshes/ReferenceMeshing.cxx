@@ -1,8 +1,8 @@
-#include "ReferenceMeshing.h"
+#include "Reference/Meshes/ReferenceMeshing.h"
 
-#include "ReferenceField.h"
-#include "ReferenceMeshBuilder.h"
-#include "ReferenceVolume.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceMeshBuilder.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

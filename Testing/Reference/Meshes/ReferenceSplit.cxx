@@ -1,4 +1,4 @@
-#include "ReferenceSplit.h"
+#include "Reference/Meshes/ReferenceSplit.h"
 
 #include "vtkCell.h"
 #include "vtkCellType.h"

@@ -1,6 +1,6 @@
-#include "ReferenceTiling.h"
+#include "Reference/Meshes/ReferenceTiling.h"
 
-#include "ReferenceMeshBuilder.h"
+#include "Reference/Meshes/ReferenceMeshBuilder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ReferenceTransform.h"
+#include "Reference/Meshes/ReferenceTransform.h"
 
 #include "vtkCellType.h"
 #include "vtkIdList.h"

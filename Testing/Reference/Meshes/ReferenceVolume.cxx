@@ -1,6 +1,6 @@
-#include "ReferenceVolume.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
-#include "ReferenceSplit.h"
+#include "Reference/Meshes/ReferenceSplit.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,7 +1,7 @@
 #ifndef ReferenceVolume_h
 #define ReferenceVolume_h
 
-#include "ReferenceField.h" // for linear functions
+#include "Reference/Meshes/ReferenceField.h" // for linear functions
 
 #include <array>  // for points
 #include <vector> // for the bounds

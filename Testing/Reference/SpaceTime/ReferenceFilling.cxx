@@ -1,10 +1,10 @@
-#include "ReferenceFilling.h"
+#include "Reference/SpaceTime/ReferenceFilling.h"
 
-#include "ReferenceGrid.h"
-#include "ReferenceSimplices.h"
-#include "ReferenceSpaceTime.h"
-#include "ReferenceTimeVarying.h"
-#include "ReferenceWalls.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/SpaceTime/ReferenceSimplices.h"
+#include "Reference/SpaceTime/ReferenceSpaceTime.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
+#include "Reference/SpaceTime/ReferenceWalls.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

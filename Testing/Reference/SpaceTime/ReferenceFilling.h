@@ -1,8 +1,8 @@
 #ifndef ReferenceFilling_h
 #define ReferenceFilling_h
 
-#include "ReferenceCheck.h"     // for the result
-#include "ReferenceTimeSteps.h" // for the steps
+#include "Reference/Checks/ReferenceCheck.h"        // for the result
+#include "Reference/SpaceTime/ReferenceTimeSteps.h" // for the steps
 
 #include <string> // for names
 #include <vector> // for the bounds

@@ -1,6 +1,6 @@
-#include "ReferenceSimplexGrid.h"
+#include "Reference/SpaceTime/ReferenceSimplexGrid.h"
 
-#include "ReferenceMessages.h"
+#include "Reference/Checks/ReferenceMessages.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

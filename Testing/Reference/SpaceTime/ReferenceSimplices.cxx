@@ -1,8 +1,8 @@
-#include "ReferenceSimplices.h"
+#include "Reference/SpaceTime/ReferenceSimplices.h"
 
-#include "ReferenceGrid.h"
-#include "ReferenceSpaceTime.h"
-#include "ReferenceVolume.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/SpaceTime/ReferenceSpaceTime.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"

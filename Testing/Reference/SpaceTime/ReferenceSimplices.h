@@ -1,7 +1,7 @@
 #ifndef ReferenceSimplices_h
 #define ReferenceSimplices_h
 
-#include "ReferenceChain.h" // for the faces
+#include "Reference/Meshes/ReferenceChain.h" // for the faces
 
 #include <array>  // for points
 #include <vector> // for the lists

@@ -1,7 +1,7 @@
-#include "ReferenceSpaceTime.h"
+#include "Reference/SpaceTime/ReferenceSpaceTime.h"
 
-#include "ReferenceSplit.h"
-#include "ReferenceVolume.h"
+#include "Reference/Meshes/ReferenceSplit.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -1,7 +1,7 @@
 #ifndef ReferenceSpaceTime_h
 #define ReferenceSpaceTime_h
 
-#include "ReferenceTimeSteps.h" // for the steps
+#include "Reference/SpaceTime/ReferenceTimeSteps.h" // for the steps
 
 #include <array>  // for points
 #include <vector> // for values

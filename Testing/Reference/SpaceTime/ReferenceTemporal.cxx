@@ -1,4 +1,4 @@
-#include "ReferenceTemporal.h"
+#include "Reference/SpaceTime/ReferenceTemporal.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCompositeDataIterator.h"

@@ -1,7 +1,7 @@
 #ifndef ReferenceTemporal_h
 #define ReferenceTemporal_h
 
-#include "ReferenceTimeSteps.h" // for the steps
+#include "Reference/SpaceTime/ReferenceTimeSteps.h" // for the steps
 
 #include "vtkAlgorithm.h"
 

@@ -1,4 +1,4 @@
-#include "ReferenceTemporalSource.h"
+#include "Reference/SpaceTime/ReferenceTemporalSource.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkDataSet.h"

@@ -1,9 +1,9 @@
-#include "ReferenceTimeSteps.h"
+#include "Reference/SpaceTime/ReferenceTimeSteps.h"
 
-#include "ReferenceLattice.h"
-#include "ReferenceMesh.h"
-#include "ReferenceTransform.h"
-#include "ReferenceVolume.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceTransform.h"
+#include "Reference/Meshes/ReferenceVolume.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"

@@ -1,4 +1,4 @@
-#include "ReferenceTimeVarying.h"
+#include "Reference/SpaceTime/ReferenceTimeVarying.h"
 
 #include "vtkUnstructuredGrid.h"
 

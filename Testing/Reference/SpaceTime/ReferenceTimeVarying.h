@@ -1,9 +1,9 @@
 #ifndef ReferenceTimeVarying_h
 #define ReferenceTimeVarying_h
 
-#include "ReferenceExtraction.h" // for the intervals
-#include "ReferenceTemporal.h"   // for the source
-#include "ReferenceTimeSteps.h"  // for the steps
+#include "Reference/Intervals/ReferenceExtraction.h" // for the intervals
+#include "Reference/SpaceTime/ReferenceTemporal.h"   // for the source
+#include "Reference/SpaceTime/ReferenceTimeSteps.h"  // for the steps
 
 #include "vtkNew.h"                       // for the pipeline
 #include "vtkSpaceTimeReport.h"           // for the report

@@ -1,4 +1,4 @@
-#include "ReferenceWalls.h"
+#include "Reference/SpaceTime/ReferenceWalls.h"
 
 #include "vtkDataSet.h"
 

@@ -1,8 +1,8 @@
 #ifndef ReferenceWalls_h
 #define ReferenceWalls_h
 
-#include "ReferenceBoundary.h"  // for domains that are no box
-#include "ReferenceTimeSteps.h" // for the steps
+#include "Reference/Meshes/ReferenceBoundary.h"     // for domains that are no box
+#include "Reference/SpaceTime/ReferenceTimeSteps.h" // for the steps
 
 #include <array>  // for boxes
 #include <memory> // for the boundary

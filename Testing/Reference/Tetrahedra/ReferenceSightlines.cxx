@@ -1,4 +1,4 @@
-#include "ReferenceSightlines.h"
+#include "Reference/Tetrahedra/ReferenceSightlines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ReferenceTetrahedra.h"
+#include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "vtkCellArray.h"
 #include "vtkDelaunay3D.h"

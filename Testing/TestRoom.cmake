@@ -1,0 +1,80 @@
+# interlume_test_room(ROOM
+#   [TESTS FILE...]            tests of values; label value and quick
+#   [DRAWN FILE...]            tests that draw and so need a display; label value
+#   [QUICK_DRAWN FILE...]      the same, with the label quick as well
+#   [SOURCES FILE...]          what tests of this room share
+#   [PRIVATE_HEADERS FOLDER...] modules, as Filters/Flow, whose private headers are tested
+#   [LIBRARIES TARGET...])
+# Makes the program Interlume<ROOM>Tests and a CTest test of each file, named as the file, which has to
+# hold a function of that name. The room's folder may have folders; names of files are there once.
+# An error or warning that a test expects is caught by an observer; any other message of VTK's logger
+# fails the test.
+set(interlume_test_components
+  CommonSystem FiltersCore FiltersGeneral FiltersSources ImagingCore IOXML RenderingCore
+  RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 TestingCore)
+
+# A macro, since find_package's targets have the scope of the folder that asks for them.
+macro (interlume_test_room room)
+  find_package(VTK 9.1 REQUIRED COMPONENTS ${interlume_test_components})
+  interlume_add_test_room(${room} ${ARGN})
+endmacro ()
+
+function (interlume_add_test_room room)
+  cmake_parse_arguments(PARSE_ARGV 1 arg ""
+    "" "TESTS;DRAWN;QUICK_DRAWN;SOURCES;PRIVATE_HEADERS;LIBRARIES")
+  set(program Interlume${room}Tests)
+  set(files ${arg_TESTS} ${arg_DRAWN} ${arg_QUICK_DRAWN})
+  set(drawn ${arg_DRAWN} ${arg_QUICK_DRAWN})
+  set(names)
+  foreach (file IN LISTS files)
+    get_filename_component(name "${file}" NAME)
+    list(APPEND names ${name})
+  endforeach ()
+  set(DISABLE_FLOATING_POINT_EXCEPTIONS ON)
+  include("${VTK_DIR}/vtkTestingDriver.cmake")
+  # The driver alone: it names functions by the files it is given, folders and all.
+  create_test_sourcelist(sources ${program}.cxx ${names} EXTRA_INCLUDE vtkTestDriver.h)
+  list(GET sources 0 driver)
+  add_executable(${program} ${driver} ${files} ${arg_SOURCES})
+  list(TRANSFORM arg_PRIVATE_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/")
+  target_include_directories(${program} PRIVATE ${arg_PRIVATE_HEADERS})
+  target_link_libraries(${program} PRIVATE
+    ${arg_LIBRARIES} InterlumeInputs InterlumeReference VTK::CommonSystem VTK::FiltersCore
+    VTK::FiltersGeneral VTK::FiltersSources VTK::ImagingCore VTK::IOXML VTK::TestingCore)
+  if (drawn)
+    # OpenGL: one of the loaders, see vtkOpenGLFunctions.h.
+    target_link_libraries(${program} PRIVATE
+      InterlumePages InterlumePictures Interlume::InterlumeScene VTK::RenderingCore
+      VTK::RenderingOpenGL2 VTK::RenderingVolume VTK::RenderingVolumeOpenGL2
+      "$<$<TARGET_EXISTS:VTK::glad>:VTK::glad>"
+      "$<$<TARGET_EXISTS:VTK::glew>:VTK::glew;VTK::opengl>")
+    vtk_module_autoinit(TARGETS ${program}
+      MODULES VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingVolumeOpenGL2)
+  endif ()
+
+  foreach (file IN LISTS files)
+    get_filename_component(test "${file}" NAME_WE)
+    add_test(NAME ${test} COMMAND ${program} ${test})
+    set(labels value)
+    if (NOT file IN_LIST arg_DRAWN)
+      list(APPEND labels quick)
+    endif ()
+    set_tests_properties(${test} PROPERTIES
+      LABELS "${labels}"
+      FAIL_REGULAR_EXPRESSION " ERR\\|; WARN\\|;FATL\\|"
+      TIMEOUT 300)
+    # What OpenGL's driver keeps cannot be told from a leak, since it is unloaded before leaks are
+    # looked for.
+    if (INTERLUME_SANITIZE AND file IN_LIST drawn)
+      set_property(TEST ${test} APPEND PROPERTY
+        ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0:detect_odr_violation=0")
+    endif ()
+  endforeach ()
+endfunction ()
+
+# interlume_stability_tests(TEST...): these report their cases for the catalogue of stability.
+function (interlume_stability_tests)
+  set_tests_properties(${ARGN} PROPERTIES LABELS "value;stability")
+  set_property(TEST ${ARGN} APPEND PROPERTY
+    ENVIRONMENT "INTERLUME_STABILITY_DIR=${CMAKE_BINARY_DIR}/Testing/Stability")
+endfunction ()
