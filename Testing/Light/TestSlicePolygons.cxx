@@ -1,13 +1,14 @@
 // The polygons of slices against the same planes clipped to each block by itself: areas, points
 // that are covered once, ties, and threads.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Checks/ReferenceRandom.h"
-#include "Reference/Checks/ReferenceThreads.h"
 #include "Reference/Light/ReferenceUnitSpace.h"
 
-#include "vtkSMPTools.h"
 #include "vtkSlicePolygons.h"
 #include "vtkUnitVector.h"
+
+#include <utility>
 
 namespace
 {
@@ -415,28 +416,24 @@ void CheckThreads(Check& check)
   }
   scene.Crop = scene.Space.Box;
   SetSlabs(scene, random.GetDirection(), 300);
-  std::vector<vtkSlicePolygons> results;
-  for (const char* backend : GetBackends())
+  vtkSlicePolygons polygons;
+  const auto build = [&]()
   {
-    for (const int threads : { 1, 2, 8 })
-    {
-      vtkSMPTools::SetBackend(backend);
-      vtkSMPTools::Initialize(threads);
-      results.emplace_back();
-      results.back().Build(
-        scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, scene.Margin);
-      check.That(!results.back().GetVertices().empty() &&
-          results.back().GetVertices() == results.front().GetVertices() &&
-          results.back().GetStarts() == results.front().GetStarts(),
-        std::to_string(threads) + " threads of " + backend);
-    }
-  }
+    polygons.Build(
+      scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, scene.Margin);
+  };
+  const auto get = [&]()
+  {
+    build();
+    check.That(!polygons.GetVertices().empty(), "there are triangles");
+    return std::make_pair(polygons.GetVertices(), polygons.GetStarts());
+  };
+  CheckSame("polygons", get, check);
   // Nothing is left of what was there before.
   scene.Visible.assign(512, 0);
-  results[0].Build(
-    scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, scene.Margin);
-  check.That(results[0].GetVertices().empty() && results[0].GetNumberOfSlabs() == 300 &&
-      results[0].IsEmpty(0),
+  build();
+  check.That(
+    polygons.GetVertices().empty() && polygons.GetNumberOfSlabs() == 300 && polygons.IsEmpty(0),
     "no triangles where nothing is visible");
 }
 }

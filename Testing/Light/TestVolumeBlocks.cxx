@@ -1,12 +1,12 @@
 // Blocks with something to see, and blocks around it, are visible; blocks whose values and those
 // between them have no opacity are not; the borders are where the samples are.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExecution.h"
 
 #include "vtkDataArray.h"
 #include "vtkMaterialTable.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolumeBlocks.h"
 #include "vtkVolumeProperty.h"
@@ -315,33 +315,26 @@ void CheckThreads(Check& check)
   volume.Value = MakeSparse(volume.Samples, VTK_FLOAT, 6);
   const auto property = MakeProperty(volume);
   const auto array = MakeArray(volume);
-  std::vector<std::vector<bool>> results;
-  for (const char* backend : { "Sequential", "STDThread" })
+  const auto classify = [&]()
   {
-    for (const int threads : { 1, 4 })
+    vtkVolumeSamples samples;
+    samples.Build(array, volume.Samples, false);
+    vtkMaterialTable material;
+    material.Build(property, samples, nullptr);
+    vtkVolumeBlocks blocks;
+    blocks.Build(samples);
+    blocks.Classify(material);
+    std::vector<bool> result;
+    result.reserve(static_cast<std::size_t>(blocks.GetNumberOfBlocks()));
+    for (int b = 0; b < blocks.GetNumberOfBlocks(); ++b)
     {
-      vtkSMPTools::SetBackend(backend);
-      vtkSMPTools::Initialize(threads);
-      vtkVolumeSamples samples;
-      samples.Build(array, volume.Samples, false);
-      vtkMaterialTable material;
-      material.Build(property, samples, nullptr);
-      vtkVolumeBlocks blocks;
-      blocks.Build(samples);
-      blocks.Classify(material);
-      std::vector<bool> result;
-      result.reserve(static_cast<std::size_t>(blocks.GetNumberOfBlocks()));
-      for (int b = 0; b < blocks.GetNumberOfBlocks(); ++b)
-      {
-        result.push_back(
-          blocks.IsVisible(b % blocks.GetSize()[0], b / blocks.GetSize()[0] % blocks.GetSize()[1],
-            b / blocks.GetSize()[0] / blocks.GetSize()[1]));
-      }
-      results.push_back(result);
-      check.SetContext(std::string(backend) + ", " + std::to_string(threads) + " threads");
-      check.That(result == results[0], "the same blocks");
+      result.push_back(
+        blocks.IsVisible(b % blocks.GetSize()[0], b / blocks.GetSize()[0] % blocks.GetSize()[1],
+          b / blocks.GetSize()[0] / blocks.GetSize()[1]));
     }
-  }
+    return result;
+  };
+  CheckSame(volume.Name, classify, check);
   CheckCase(volume, check);
 }
 }

@@ -2,6 +2,7 @@
 // voxels that are not finite are masked and counted; wrong input is named; the same bytes for any
 // number of threads.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExecution.h"
 
 #include "vtkBitArray.h"
 #include "vtkDataArray.h"
@@ -298,24 +299,20 @@ void CheckThreads(Check& check)
   check.That(expected.Build(array, size, false).empty(), "no error");
   check.That(
     !std::signbit(expected.Range[0][0]) && !std::signbit(expected.Range[1][1]), "zero has no sign");
-  for (const char* backend : { "Sequential", "STDThread" })
+  const auto compare = [&]()
   {
-    vtkSMPTools::SetBackend(backend);
-    for (const int threads : { 1, 4 })
-    {
-      check.SetContext(std::string(backend) + ", " + std::to_string(threads) + " threads");
-      vtkSMPTools::Initialize(threads);
-      vtkVolumeSamples samples;
-      check.That(samples.Build(array, size, false).empty(), "no error");
-      check.That(samples.Texels == expected.Texels && samples.Mask == expected.Mask &&
-          samples.NonFinite == expected.NonFinite,
-        "the same texels");
-      check.That(samples.Range == expected.Range && samples.Offset == expected.Offset &&
-          samples.Scale == expected.Scale,
-        "the same range");
-    }
-  }
+    vtkVolumeSamples samples;
+    check.That(samples.Build(array, size, false).empty(), "no error");
+    check.That(samples.Texels == expected.Texels && samples.Mask == expected.Mask &&
+        samples.NonFinite == expected.NonFinite,
+      "the same texels");
+    check.That(samples.Range == expected.Range && samples.Offset == expected.Offset &&
+        samples.Scale == expected.Scale,
+      "the same range");
+  };
+  ForThreads("samples", compare, check);
 }
+
 }
 
 int TestVolumeSamples(int, char*[])

@@ -1,10 +1,11 @@
 // Setters clamp or refuse what is not valid and mark only real changes, PrintSelf prints every
 // public value, progress is told and an abort leaves an empty output.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
 #include "Reference/SpaceTime/ReferenceTemporalSource.h"
 
 #include "vtkAnalyticFieldSource.h"
-#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkDeltaWingSource.h"
 #include "vtkNew.h"
@@ -12,7 +13,6 @@
 #include "vtkTaperedCylinderSource.h"
 #include "vtkTestErrorObserver.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <sstream>
@@ -170,36 +170,19 @@ void CheckPrinted(vtkObject* source, const std::vector<std::string>& names, Chec
   }
 }
 
-struct Watch
-{
-  std::vector<double> Progress;
-  double AbortAt = 2.0;
-};
-
-void OnProgress(vtkObject* caller, unsigned long, void* client, void* data)
-{
-  auto* watch = static_cast<Watch*>(client);
-  watch->Progress.push_back(*static_cast<double*>(data));
-  vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(watch->Progress.back() >= watch->AbortAt);
-}
-
 void CheckProgress(const TemporalSource& source, Check& check)
 {
   check.SetContext(source.Name);
-  Watch watch;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(OnProgress);
-  command->SetClientData(&watch);
-  source.Algorithm->AddObserver(vtkCommand::ProgressEvent, command);
+  ProgressWatch watch;
+  Observe(source.Algorithm, watch);
   source.Algorithm->Update();
-  check.That(watch.Progress.size() >= 10, "progress is told at least ten times");
-  check.That(std::is_sorted(watch.Progress.begin(), watch.Progress.end()) &&
-      watch.Progress.front() >= 0.0 && watch.Progress.back() == 1.0,
-    "progress grows to 1");
+  CheckGrowth(watch, 10, check);
+  check.That(watch.Progress.back() == 1.0, "progress grows to 1");
   for (double at : { 0.0, 0.6 })
   {
-    watch = Watch();
+    watch = ProgressWatch();
     watch.AbortAt = at;
+    source.Algorithm->SetAbortExecute(0);
     source.Algorithm->Modified();
     source.Algorithm->Update();
     check.Equal(source.GetOutput()->GetNumberOfPoints(), 0, "points after an abort");

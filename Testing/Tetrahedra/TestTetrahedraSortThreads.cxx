@@ -1,12 +1,11 @@
 // The same orders for 1, 2 and 8 threads and every backend.
 #include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Tetrahedra/ReferenceSightlines.h"
 #include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "vtkCentroidOrder.h"
 #include "vtkFaceAdjacency.h"
-#include "vtkSMPTools.h"
 #include "vtkVisibilityOrder.h"
 
 #include <string>
@@ -54,19 +53,8 @@ Orders ComputeAll(const vtkTetrahedraMesh& mesh)
 
 void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name, Check& check)
 {
-  vtkSMPTools::SetBackend("Sequential");
-  vtkSMPTools::Initialize(1);
-  const Orders expected = ComputeAll(mesh);
-  for (const char* backend : GetBackends())
-  {
-    vtkSMPTools::SetBackend(backend);
-    for (const int threads : { 1, 2, 8 })
-    {
-      check.SetContext(name + ", " + backend + ", " + std::to_string(threads) + " threads");
-      vtkSMPTools::Initialize(threads);
-      check.That(ComputeAll(mesh) == expected, "the same");
-    }
-  }
+  CheckSame(
+    name, [&mesh]() { return ComputeAll(mesh); }, check);
 }
 }
 

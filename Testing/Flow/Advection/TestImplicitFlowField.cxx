@@ -1,6 +1,7 @@
 // vtkImplicitFlowField over grids of every kind: where and when samples end, what is kept of them,
 // samples of their own, domain faces, spheres around critical points, threads, parts, errors.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Checks/ReferenceMessages.h"
 #include "Reference/Checks/ReferenceProgress.h"
 #include "Reference/Checks/ReferenceRandom.h"
@@ -377,24 +378,17 @@ void TestNotFinite(Check& check)
 void TestErrors(Check& check)
 {
   auto image = MakeFlowImage(3, Shear);
-  const auto expect = [&](vtkImplicitFlowField* filter, const std::string& part)
-  {
-    const std::string found = MessagesOf(filter);
-    check.That(found.find(part) != std::string::npos, "\"" + part + "\" in \"" + found + "\"");
-    auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-    check.Equal(output->GetNumberOfPoints(), 0, "empty output after: " + part);
-  };
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputDataObject(image);
-  expect(filter, "nothing to end at");
+  CheckError(filter, "nothing to end at", check);
   vtkNew<vtkTerminationSphere> sphere;
   sphere->SetRadius(1.0);
   filter->AddTerminationSurface(sphere);
   filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
-  expect(filter, "nothing is connected");
+  CheckError(filter, "nothing is connected", check);
   filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
   filter->AddMeanArray("Missing");
-  expect(filter, "\"Missing\"");
+  CheckError(filter, "\"Missing\"", check);
   filter->RemoveAllMeanArrays();
   vtkNew<vtkDoubleArray> scalar;
   scalar->SetName("Scalar");
@@ -402,9 +396,9 @@ void TestErrors(Check& check)
   scalar->Fill(0.5);
   image->GetPointData()->AddArray(scalar);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Scalar");
-  expect(filter, "\"Scalar\" has 1 components; three are needed");
+  CheckError(filter, "\"Scalar\" has 1 components; three are needed", check);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Nowhere");
-  expect(filter, "no array of numbers \"Nowhere\"");
+  CheckError(filter, "no array of numbers \"Nowhere\"", check);
   vtkNew<vtkTerminationPlane> line;
   line->SetOrigin(0.0, 0.0, 0.0);
   line->SetPoint1(1.0, 0.0, 0.0);
@@ -412,7 +406,7 @@ void TestErrors(Check& check)
   filter->AddTerminationSurface(line);
   filter->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
-  expect(filter, "Termination surface 1 (vtkTerminationPlane)");
+  CheckError(filter, "Termination surface 1 (vtkTerminationPlane)", check);
 }
 
 void TestMeans(Check& check)
@@ -515,16 +509,12 @@ void TestProgress(Check& check)
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputDataObject(MakeFlowImage(17, Shear));
   filter->AddTerminationSurface(MakeFlowPlane(0.0));
-  ProgressWatch watch;
-  Observe(filter, watch);
-  filter->Update();
-  CheckGrowth(watch, 5, check);
-  watch.Progress.clear();
-  watch.AbortAt = 0.4;
-  filter->Modified();
-  filter->Update();
-  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  check.Equal(output->GetNumberOfPoints(), 0, "nothing after an abort");
+  const auto update = [&filter]()
+  {
+    filter->Update();
+    return GetBytes(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)));
+  };
+  CheckAborts(filter, 5, { 0.4 }, update, check);
   CheckPrinted(Print(filter),
     { "MaximumTime", "NumberOfTerminationSurfaces: 1", "Samples, stagnated: 0" }, check);
 }

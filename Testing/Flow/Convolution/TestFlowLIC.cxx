@@ -1,10 +1,12 @@
 // vtkFlowLIC: values against quadrature by brute force, contrast, coherence along streamlines,
 // where streamlines end, points outside and at rest, kinds of datasets, threads, errors.
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Checks/ReferenceMessages.h"
 #include "Reference/Checks/ReferenceProgress.h"
 #include "Reference/Checks/ReferenceRandom.h"
 #include "Reference/Flow/ReferenceFlowGrid.h"
+#include "Reference/Meshes/ReferenceImageSource.h"
 
 #include "vtkFlowLIC.h"
 
@@ -583,47 +585,39 @@ void TestThreads(Check& check)
   }
 }
 
-void CheckError(Check& check, vtkFlowLIC* filter, const std::string& expected)
-{
-  const std::string message = MessagesOf(filter);
-  check.That(message.find(expected) != std::string::npos, expected + " in " + message);
-  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  check.That(!output || output->GetNumberOfPoints() == 0, "empty output");
-}
-
 void TestErrors(Check& check)
 {
   check.SetContext("errors: ");
   vtkNew<vtkFlowLIC> filter;
   filter->SetInputData(MakePoints(MakePlaces(3, 1.0)));
-  CheckError(check, filter, "no active point vectors");
+  CheckError(filter, "no active point vectors", check);
   const vtkSmartPointer<vtkImageData> image = MakeImage(3, Uniform);
   filter->SetFieldData(image);
   check.That(MessagesOf(filter).empty(), "a field");
   filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "wind");
-  CheckError(check, filter, "\"wind\"");
+  CheckError(filter, "\"wind\"", check);
   vtkNew<vtkDoubleArray> wind;
   wind->SetName("wind");
   wind->SetNumberOfComponents(2);
   wind->SetNumberOfTuples(27);
   wind->Fill(1.0);
   image->GetPointData()->AddArray(wind);
-  CheckError(check, filter, "has 2 components");
+  CheckError(filter, "has 2 components", check);
   vtkNew<vtkFlowLIC> surface;
   auto points = MakePoints(MakePlaces(3, 1.0));
   AddVectors(points, Uniform);
   surface->SetInputData(points);
-  CheckError(check, surface, "vtkPolyData");
+  CheckError(surface, "vtkPolyData", check);
   vtkNew<vtkFlowLIC> flat;
   vtkNew<vtkImageData> plane;
   plane->SetDimensions(4, 4, 1);
   AddVectors(plane, Uniform);
   flat->SetInputData(plane);
-  CheckError(check, flat, "three-dimensional");
+  CheckError(flat, "three-dimensional", check);
   vtkNew<vtkFlowLIC> slow;
   slow->SetInputData(MakeImage(3, Uniform));
   slow->SetStepLength(1e-9);
-  CheckError(check, slow, "1,000,000 steps");
+  CheckError(slow, "1,000,000 steps", check);
   vtkNew<vtkFlowLIC> empty;
   vtkNew<vtkImageData> nothing;
   empty->SetInputData(nothing);
@@ -635,16 +629,12 @@ void TestProgress(Check& check)
   check.SetContext("progress: ");
   vtkNew<vtkFlowLIC> filter;
   filter->SetInputData(MakeImage(9, Rotation));
-  ProgressWatch watch;
-  Observe(filter, watch);
-  filter->Update();
-  CheckGrowth(watch, 5, check);
-  watch.Progress.clear();
-  watch.AbortAt = 0.4;
-  filter->Modified();
-  filter->Update();
-  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  check.Equal(output->GetNumberOfPoints(), 0, "nothing after an abort");
+  const auto update = [&filter]()
+  {
+    filter->Update();
+    return GetBytes(vtkImageData::SafeDownCast(filter->GetOutputDataObject(0)));
+  };
+  CheckAborts(filter, 5, { 0.4 }, update, check);
   CheckPrinted(Print(filter), { "Kernel: Hann", "NoiseScale: 0", "Contrast: 0.2" }, check);
 }
 

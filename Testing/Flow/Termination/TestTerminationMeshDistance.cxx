@@ -243,12 +243,7 @@ void CheckSheets(Check& check)
 int TestTerminationMeshDistance(int, char*[])
 {
   Check check;
-  std::vector<SurfaceScale> scales(4);
-  scales[1].Size = 1e-9;
-  scales[2].Size = 1e9;
-  scales[3].Center = { { 1e6, -1e6, 2e6 } };
-  scales[3].Rounding = 2e-9;
-  for (const SurfaceScale& scale : scales)
+  for (const SurfaceScale& scale : MakeSurfaceScales())
   {
     CheckClosed(MakeTetrahedron(), scale, false, "tetrahedron", check);
     CheckClosed(MakeStar(), scale, false, "star", check);

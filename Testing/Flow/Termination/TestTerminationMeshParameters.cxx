@@ -200,12 +200,7 @@ int TestTerminationMeshParameters(int, char*[])
   Check check;
   const int columns = 20;
   const TexturedMesh mesh = MakeGridMesh(columns, 6, OnCylinder);
-  std::vector<SurfaceScale> scales(4);
-  scales[1].Size = 1e-9;
-  scales[2].Size = 1e9;
-  scales[3].Center = { { 1e6, -1e6, 2e6 } };
-  scales[3].Rounding = 2e-9;
-  for (const SurfaceScale& scale : scales)
+  for (const SurfaceScale& scale : MakeSurfaceScales())
   {
     CheckCylinder(mesh, columns, 0.0, scale, "points on both sides of the seam", check);
     CheckCylinder(

@@ -1,6 +1,8 @@
 // Surfaces drawn: points on them with their parameters and normals, areas and rims against
 // formulas, triangles turned outward, ids; gaps, messages, progress, threads.
+#include "Flows/ReferenceFlowMaps.h"
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Checks/ReferenceMessages.h"
 #include "Reference/Checks/ReferenceProgress.h"
 #include "Reference/Flow/ReferenceTermination.h"
@@ -12,7 +14,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkTerminationBox.h"
 #include "vtkTerminationCylinder.h"
 #include "vtkTerminationMesh.h"
@@ -177,15 +178,12 @@ void CheckProgressOfSource(Check& check)
   vtkNew<vtkTerminationBox> box;
   vtkNew<vtkTerminationSurfaceSource> source;
   source->SetSurface(box);
-  ProgressWatch watch;
-  Observe(source, watch);
-  source->Update();
-  CheckGrowth(watch, 50, check);
-  watch.Progress.clear();
-  watch.AbortAt = 0.5;
-  source->Modified();
-  source->Update();
-  check.Equal(source->GetOutput()->GetNumberOfCells(), 0, "an abort leaves nothing");
+  const auto update = [&]()
+  {
+    source->Update();
+    return GetBytes(source->GetOutput());
+  };
+  CheckAborts(source, 50, { 0.5 }, update, check);
 }
 
 void CheckThreadsOfSource(Check& check)
@@ -193,36 +191,30 @@ void CheckThreadsOfSource(Check& check)
   check.SetContext("threads");
   vtkNew<vtkTerminationCylinder> cylinder;
   cylinder->CappedOn();
-  std::vector<double> expected;
-  for (const char* backend : { "Sequential", "STDThread" })
+  const auto sample = [&]()
   {
-    for (int threads : { 1, 2, 8 })
+    vtkNew<vtkTerminationSurfaceSource> source;
+    source->SetSurface(cylinder);
+    source->Update();
+    vtkPolyData* output = source->GetOutput();
+    std::vector<double> found;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
-      vtkSMPTools::SetBackend(backend);
-      vtkSMPTools::Initialize(threads);
-      vtkNew<vtkTerminationSurfaceSource> source;
-      source->SetSurface(cylinder);
-      source->Update();
-      vtkPolyData* output = source->GetOutput();
-      std::vector<double> found;
-      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-      {
-        const Vector x = PointOf(output, i);
-        const double* uv = output->GetPointData()->GetTCoords()->GetTuple(i);
-        found.insert(found.end(), x.begin(), x.end());
-        found.insert(found.end(), uv, uv + 2);
-      }
-      vtkNew<vtkIdList> cell;
-      for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
-      {
-        output->GetCellPoints(i, cell);
-        found.insert(found.end(), cell->begin(), cell->end());
-      }
-      expected = expected.empty() ? found : expected;
-      check.That(found.size() > 10000 && found == expected,
-        std::string(backend) + " " + std::to_string(threads) + " threads");
+      const Vector x = PointOf(output, i);
+      const double* uv = output->GetPointData()->GetTCoords()->GetTuple(i);
+      found.insert(found.end(), x.begin(), x.end());
+      found.insert(found.end(), uv, uv + 2);
     }
-  }
+    vtkNew<vtkIdList> cell;
+    for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+    {
+      output->GetCellPoints(i, cell);
+      found.insert(found.end(), cell->begin(), cell->end());
+    }
+    check.That(found.size() > 10000, "there is output");
+    return found;
+  };
+  CheckSame("threads", sample, check);
 }
 
 }

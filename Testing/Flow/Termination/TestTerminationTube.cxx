@@ -313,12 +313,7 @@ void CheckMessages(Check& check)
 int TestTerminationTube(int, char*[])
 {
   Check check;
-  std::vector<SurfaceScale> scales(4);
-  scales[1].Size = 1e-9;
-  scales[2].Size = 1e9;
-  scales[3].Center = { { 1e6, -1e6, 2e6 } };
-  scales[3].Rounding = 2e-9;
-  for (const SurfaceScale& scale : scales)
+  for (const SurfaceScale& scale : MakeSurfaceScales())
   {
     CheckTube(MakeLine(OnHelix, 24, false), 0.12, scale, "helix", check);
     CheckTube(MakeLine(OnRing, 60, true), 0.08, scale, "ring", check);

@@ -3,6 +3,7 @@
 // errors.
 #include "Flows/ReferenceFlowMaps.h"
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Checks/ReferenceMessages.h"
 #include "Reference/Checks/ReferenceProgress.h"
 #include "Reference/Meshes/ReferenceLattice.h"
@@ -16,7 +17,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVortexAxis.h"
 
@@ -552,72 +552,47 @@ void CheckExecution(Check& check)
   vtkNew<vtkAnalyticFlowSource> source;
   source->SetDimensions(30, 31, 32);
   source->Update();
-  std::string expected;
   vtkNew<vtkVortexAxis> filter;
   ExpectWarnings(filter);
-  for (const char* backend : { "Sequential", "STDThread" })
+  const auto update = [&]() { return GetBytes(Run(filter, source->GetOutput())); };
+  const auto find = [&]()
   {
-    vtkSMPTools::SetBackend(backend);
-    for (const int threads : { 1, 2, 8 })
-    {
-      vtkSMPTools::Initialize(threads);
-      filter->Modified();
-      const std::string bytes = GetBytes(Run(filter, source->GetOutput()));
-      expected = expected.empty() ? bytes : expected;
-      check.That(!bytes.empty() && bytes == expected, "the same bytes for any number of threads");
-    }
-  }
-  ProgressWatch watch;
-  Observe(filter, watch);
-  filter->Modified();
-  filter->Update();
-  CheckGrowth(watch, 5, check);
-  for (const double at : { 0.0, 0.5 })
-  {
-    watch.AbortAt = at;
     filter->Modified();
-    filter->Update();
-    check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "points after an abort");
-    watch.AbortAt = 2;
-    filter->SetAbortExecute(0);
-    filter->Modified();
-    filter->Update();
-    check.That(GetBytes(filter->GetOutput()) == expected, "the same once it is taken back");
-  }
+    const std::string bytes = update();
+    check.That(!bytes.empty(), "there is an axis");
+    return bytes;
+  };
+  CheckSame("execution", find, check);
+  CheckAborts(filter, 5, { 0.0, 0.5 }, update, check);
 }
 
 void CheckErrors(Check& check)
 {
   check.SetContext("errors");
-  const auto expect = [&check](vtkVortexAxis* filter, const std::string& message)
-  {
-    const std::string found = MessagesOf(filter);
-    check.That(found.find(message) != std::string::npos, message + " in: " + found);
-    check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "points with an error");
-  };
   auto image = MakeCube(4);
   vtkNew<vtkVortexAxis> filter;
   ExpectWarnings(filter);
   filter->SetInputData(image);
-  expect(filter, "The field has no active point vectors");
+  CheckError(filter, "The field has no active point vectors", check);
   SetVelocity(image, MakeVortex([](double) { return FlowVector{}; }, 1.0, 5.0));
   filter->SetAxis(0.0, 0.0, 0.0);
-  expect(filter, "Axis 0 0 0 is no direction");
+  CheckError(filter, "Axis 0 0 0 is no direction", check);
   filter->SetAxis(0.0, std::nan(""), 1.0);
-  expect(filter, "Axis 0 nan 1 is not finite");
+  CheckError(filter, "Axis 0 nan 1 is not finite", check);
   filter->SetAxis(0.0, 0.0, 2.0);
   filter->SetSeed(0.0, 0.0, HUGE_VAL);
-  expect(filter, "Seed 0 0 inf is not finite");
+  CheckError(filter, "Seed 0 0 inf is not finite", check);
   filter->SetSeed(0.0, 0.0, 0.0);
   filter->SetFrameVelocity(0.0, std::nan(""), 0.0);
-  expect(filter, "FrameVelocity 0 nan 0 is not finite");
+  CheckError(filter, "FrameVelocity 0 nan 0 is not finite", check);
   filter->SetFrameVelocity(0.0, 0.0, 0.0);
   check.That(MessagesOf(filter).empty(), "no error");
   check.Equal(filter->GetOutput()->GetNumberOfPoints(), 5, "places");
   auto flat = MakeImage({ 2, 2, 0 });
   SetVelocity(flat, MakeVortex([](double) { return FlowVector{}; }, 1.0, 5.0));
   filter->SetInputData(flat);
-  expect(filter, "The field has no three-dimensional cells. Flow in a plane needs two layers");
+  CheckError(
+    filter, "The field has no three-dimensional cells. Flow in a plane needs two layers", check);
   vtkNew<vtkUnstructuredGrid> empty;
   filter->SetInputData(empty);
   check.That(MessagesOf(filter).empty(), "nothing in an empty grid is no error");

@@ -2,6 +2,7 @@
 // definitions, NaN where there is none, what is periodic, wrong settings, and threads.
 #include "Flows/ReferenceFlowAnswers.h"
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Checks/ReferenceMessages.h"
 #include "Reference/Checks/ReferenceProgress.h"
 #include "Reference/Checks/ReferenceThreads.h"
@@ -256,44 +257,38 @@ void CheckPeriodic(Check& check)
 void CheckErrors(Check& check)
 {
   check.SetContext("errors");
-  const auto expect = [&](vtkInflowMapping* mapping, const std::string& part)
-  {
-    const std::string message = MessagesOf(mapping);
-    check.That(message.find(part) != std::string::npos, "tells of " + part + ", not " + message);
-    check.That(mapping->GetOutput()->GetNumberOfPoints() == 0, "the output is empty");
-  };
   for (const char* name : { "FlowStatus", "TerminationId", "TerminationUV" })
   {
     auto samples = MakeSamples();
     samples->GetPointData()->RemoveArray(name);
     vtkNew<vtkInflowMapping> mapping;
     mapping->SetInputData(samples);
-    expect(mapping, name);
+    CheckError(mapping, name, check);
   }
   vtkNew<vtkInflowMapping> mapping;
   auto samples = MakeSamples();
   samples->GetFieldData()->RemoveArray("TerminationSurfaces");
   mapping->SetInputData(samples);
-  expect(mapping, "TerminationSurfaces");
+  CheckError(mapping, "TerminationSurfaces", check);
   samples = MakeSamples();
   samples->GetPointData()->GetArray("TerminationId")->SetNumberOfTuples(3);
   mapping->SetInputData(samples);
-  expect(mapping, "3 tuples");
+  CheckError(mapping, "3 tuples", check);
   mapping->SetInputData(MakeSamples());
   mapping->SetFormula(4, "u + w");
-  expect(mapping, "'w'");
+  CheckError(mapping, "'w'", check);
   check.That(std::isnan(mapping->Evaluate(0, 0.5, 0.5)), "NaN with a wrong formula");
   mapping->SetFormula(4, "u*iHat");
-  expect(mapping, "vector");
+  CheckError(mapping, "vector", check);
   mapping->SetFormula(4, "");
-  expect(mapping, "empty");
+  CheckError(mapping, "empty", check);
   mapping->SetImage(4, MakePicture({ { 2, 3, 4 } }, 1));
-  expect(mapping, "2 x 3 x 4");
+  CheckError(mapping, "2 x 3 x 4", check);
   vtkNew<vtkImageData> empty;
   mapping->SetImage(4, empty);
-  expect(mapping, "no points");
+  CheckError(mapping, "no points", check);
   empty->SetDimensions(2, 2, 1);
-  expect(mapping, "no active scalars");
+  CheckError(mapping, "no active scalars", check);
   mapping->RemoveMapping(4);
   check.That(MessagesOf(mapping).empty(), "nothing wrong is left");
 

@@ -29,12 +29,12 @@ void OnProgress(vtkObject* caller, unsigned long, void* client, void* data)
 
 }
 
-void Observe(vtkAlgorithm* filter, ProgressWatch& watch)
+unsigned long Observe(vtkAlgorithm* filter, ProgressWatch& watch)
 {
   vtkNew<vtkCallbackCommand> command;
   command->SetCallback(OnProgress);
   command->SetClientData(&watch);
-  filter->AddObserver(vtkCommand::ProgressEvent, command);
+  return filter->AddObserver(vtkCommand::ProgressEvent, command);
 }
 
 void CheckGrowth(const ProgressWatch& watch, std::size_t times, Check& check)

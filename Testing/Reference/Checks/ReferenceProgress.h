@@ -25,8 +25,8 @@ struct ProgressWatch
   std::size_t AbortAfter = 1000000;
 };
 
-/// \a watch is kept by the caller for as long as the filter.
-void Observe(vtkAlgorithm* filter, ProgressWatch& watch);
+/// \a watch is kept by the caller for as long as the filter. The observer's tag.
+unsigned long Observe(vtkAlgorithm* filter, ProgressWatch& watch);
 
 /// Progress was told at least \a times times, never ran backwards and was between 0 and 1.
 void CheckGrowth(const ProgressWatch& watch, std::size_t times, Check& check);

@@ -1,5 +1,6 @@
 #include "Reference/Checks/ReferenceThreads.h"
 
+#include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Meshes/ReferenceGrid.h"
 
 #include "vtkSMPTools.h"
@@ -28,27 +29,16 @@ void CheckThreads(const std::string& name,
   {
     check.That(grid->GetNumberOfCells() > 0, "there is output");
   }
-  int backends = 0;
-  for (const char* backend : GetBackends())
+  const auto compare = [&]()
   {
-    if (!vtkSMPTools::SetBackend(backend))
+    const auto found = run();
+    for (size_t i = 0; i < expected.size(); ++i)
     {
-      continue;
+      const std::string difference = FindDifference(found[i], expected[i]);
+      check.That(difference.empty(), difference);
     }
-    ++backends;
-    for (int threads : { 1, 2, 8 })
-    {
-      check.SetContext(name + ", " + backend + ", " + std::to_string(threads) + " threads");
-      vtkSMPTools::Initialize(threads);
-      const auto found = run();
-      for (size_t i = 0; i < expected.size(); ++i)
-      {
-        const std::string difference = FindDifference(found[i], expected[i]);
-        check.That(difference.empty(), difference);
-      }
-    }
-  }
-  check.That(backends >= 2, "there is a backend with threads");
+  };
+  ForThreads(name, compare, check);
 }
 
 }

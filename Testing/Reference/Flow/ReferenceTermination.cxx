@@ -23,6 +23,16 @@ double Difference(const vtkTerminationSurface* surface, int direction, int part,
 
 }
 
+std::vector<SurfaceScale> MakeSurfaceScales()
+{
+  std::vector<SurfaceScale> scales(4);
+  scales[1].Size = 1e-9;
+  scales[2].Size = 1e9;
+  scales[3].Center = { { 1e6, -1e6, 2e6 } };
+  scales[3].Rounding = 2e-9;
+  return scales;
+}
+
 Vector Added(const Vector& a, const Vector& b, double scale)
 {
   return { { a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2] } };

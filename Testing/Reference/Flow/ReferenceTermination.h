@@ -31,6 +31,9 @@ struct SurfaceScale
   double Rounding = 1e-12;
 };
 
+/// Of size 1, very small, very large, and far from the origin.
+std::vector<SurfaceScale> MakeSurfaceScales();
+
 /// Places around a surface.
 std::vector<Vector> PointsAround(const SurfaceScale& scale, int number, unsigned seed);
 

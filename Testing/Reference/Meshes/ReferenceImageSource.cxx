@@ -1,8 +1,7 @@
 #include "Reference/Meshes/ReferenceImageSource.h"
 
-#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Checks/ReferenceExecution.h"
 
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
@@ -75,25 +74,12 @@ void CheckNumbersOfThreads(vtkImageAlgorithm* source, Check& check)
 
 void CheckAbort(vtkImageAlgorithm* source, Check& check)
 {
-  ProgressWatch watch;
-  Observe(source, watch);
-  source->Modified();
-  source->UpdateWholeExtent();
-  const std::string whole = GetBytes(source->GetOutput());
-  CheckGrowth(watch, 5, check);
-  for (double at : { 0.0, 0.3, 0.6 })
+  const auto update = [source]()
   {
-    watch.AbortAt = at;
-    source->Modified();
     source->UpdateWholeExtent();
-    check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "points after an abort");
-    watch.AbortAt = 2;
-    source->SetAbortExecute(0);
-    source->Modified();
-    source->UpdateWholeExtent();
-    check.That(GetBytes(source->GetOutput()) == whole, "the output after an abort is taken back");
-  }
-  source->RemoveObservers(vtkCommand::ProgressEvent);
+    return GetBytes(source->GetOutput());
+  };
+  CheckAborts(source, 5, { 0.0, 0.3, 0.6 }, update, check);
 }
 
 }
