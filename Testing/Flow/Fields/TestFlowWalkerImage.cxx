@@ -52,7 +52,7 @@ void CheckGrid(
 {
   check.SetContext(name);
   auto vectors = AddRandomVectors(data, 3);
-  std::string error = vtkFlowDispatch::Execute(data, vectors, {},
+  WithWalker(data, vectors, check,
     [&](const auto& walker)
     {
       CheckPlaces(walker, data, vectors, 3, 1e-11, check, !isTurned && unit >= 1.0);
@@ -63,15 +63,7 @@ void CheckGrid(
         CheckLines(walker, data, 20, unit, check);
       }
     });
-  check.That(error.empty(), error);
-  auto linear = AddVectors(data,
-    [unit](const Vector& x) {
-      return GetLinearVector({ { x[0] / unit, x[1] / unit, x[2] / unit } });
-    });
-  error = vtkFlowDispatch::Execute(data, linear, {},
-    [&](const auto& walker)
-    { CheckLinear(walker, data, linear, unit, isTurned ? 1e-11 : 1e-12, check); });
-  check.That(error.empty(), error);
+  CheckLinearField(data, unit, isTurned ? 1e-11 : 1e-12, check);
 }
 
 void CheckGrids(Check& check)
@@ -102,18 +94,10 @@ void CheckGrids(Check& check)
 void CheckCorners(Check& check)
 {
   auto image = MakeBox(4, 4, 4);
-  auto vectors = AddRandomVectors(image, 5);
-  const Vector lines[][2] = { { { { 0.5, 0.5, 0.5 } }, { { 1, 1, 1 } } },
-    { { { 3.5, 0.5, 2.5 } }, { { -1, 1, -1 } } }, { { { 0.5, 0.5, 2 } }, { { 1, 1, 0 } } },
-    { { { 0.25, 3, 2 } }, { { 1, 0, 0 } } }, { { { 2, 2, 2 } }, { { -1, -1, 1 } } } };
-  vtkFlowDispatch::Execute(image, vectors, {},
-    [&](const auto& walker)
-    {
-      for (const auto& line : lines)
-      {
-        check.SetContext("line from " + std::to_string(line[0][0]));
-        CheckLine(walker, image, line[0], line[1], 1.0, check);
-      }
+  CheckCornerLines("", image, check);
+  WithWalker(image, image->GetPointData()->GetVectors(), check,
+    [&](const auto& walker) {
+      CheckLine(walker, image, { { 2, 2, 2 } }, { { -1, -1, 1 } }, 1.0, check);
     });
 }
 
@@ -152,43 +136,22 @@ void CheckBlanking(Check& check)
   auto image = vtkSmartPointer<vtkUniformGrid>::New();
   image->SetDimensions(5, 4, 4);
   image->AllocateCellGhostArray();
-  auto* ghosts = image->GetCellGhostArray();
-  // i = 2 is hidden, but for one cell that is another piece's.
-  for (vtkIdType cell = 0; cell < image->GetNumberOfCells(); ++cell)
-  {
-    ghosts->SetValue(cell, cell % 4 == 2 ? vtkDataSetAttributes::HIDDENCELL : 0);
-  }
-  const vtkIdType duplicate = 2 + 4 * (1 + 3 * 1);
-  ghosts->SetValue(duplicate, vtkDataSetAttributes::DUPLICATECELL);
+  HideRow(image->GetCellGhostArray());
   auto vectors = AddRandomVectors(image, 5);
-  const std::string error = vtkFlowDispatch::Execute(image, vectors, {},
+  WithWalker(image, vectors, check,
     [&](auto walker)
     {
+      const auto stopped = CheckHiddenRow(walker, check);
+      check.Equal(stopped.Stand.GetDomainFace(stopped.EndFace), -1, "which is no domain face");
+      check.Equal(stopped.Stand.GetCell(), 1, "the walker stays");
       Vector p;
-      const Vector hidden = { { 2.5, 0.5, 0.5 } };
-      check.That(!walker.Locate(hidden.data(), p.data()), "a hidden cell is not found");
-      const Vector edge = { { 2.0, 0.5, 0.5 } };
-      check.That(walker.Locate(edge.data(), p.data()) && walker.GetCell() == 1 && p[0] == 1.0,
-        "a point on its face is in the neighbour");
       const Vector far = { { 3.0, 0.5, 0.5 } };
       check.That(walker.Locate(far.data(), p.data()) && walker.GetCell() == 3 && p[0] == 0.0,
-        "and on the other side");
+        "a point on its other face is in that neighbour");
       const Vector corner = { { 2.0, 1.0, 1.0 } };
       check.That(walker.Locate(corner.data(), p.data()), "a corner is in a cell of the field");
       check.Near(GetNorm(Subtract(PositionOf(walker, p), corner)), 0.0, 1e-15, "at its place", 1.0);
-
-      LineWalk<std::decay_t<decltype(walker)>> stopped(
-        walker, { { 0.5, 0.5, 0.5 } }, { { 1, 0, 0 } });
-      check.That(stopped.Run(10.0) && stopped.HasEnded, "a line stops at a hidden cell");
-      check.Near(stopped.Time, 1.5, 1e-12, "at its face");
-      check.Equal(stopped.Stand.GetDomainFace(stopped.EndFace), -1, "which is no domain face");
-      check.Equal(stopped.Stand.GetCell(), 1, "the walker stays");
-      LineWalk<std::decay_t<decltype(walker)>> through(
-        walker, { { 0.5, 1.5, 1.5 } }, { { 1, 0, 0 } });
-      check.That(through.Run(10.0) && through.HasEnded, "a line goes through a duplicate cell");
-      check.Near(through.Time, 3.5, 1e-12, "to the side");
     });
-  check.That(error.empty(), error);
 
   check.SetContext("hidden points");
   auto points = vtkSmartPointer<vtkUniformGrid>::New();

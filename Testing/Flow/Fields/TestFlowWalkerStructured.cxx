@@ -1,11 +1,11 @@
 // The walker of structured grids against VTK's hexahedra, differences, linear fields and straight
 // lines; seams, blanking, collapsed and folded cells, threads.
-#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Flow/ReferenceWalker.h"
 
-#include "vtkDataSetAttributes.h"
 #include "vtkFlowDispatch.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 
@@ -22,13 +22,6 @@ vtkSmartPointer<vtkStructuredGrid> MakeCurved(double bend, const VectorField& pl
   MovePoints(grid, MakeBend(Cells, bend));
   MovePoints(grid, place);
   return grid;
-}
-
-template <typename Function>
-void WithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
-{
-  const std::string error = vtkFlowDispatch::Execute(data, vectors, {}, function);
-  check.That(error.empty(), error);
 }
 
 // \a isBox: the grid fills its bounds.
@@ -48,12 +41,7 @@ void CheckGrid(const std::string& name, vtkStructuredGrid* grid, double unit, do
         CheckLines(walker, grid, 20, unit, check);
       }
     });
-  auto linear = AddVectors(grid,
-    [unit](const Vector& x) {
-      return GetLinearVector({ { x[0] / unit, x[1] / unit, x[2] / unit } });
-    });
-  WithWalker(grid, linear, check,
-    [&](const auto& walker) { CheckLinear(walker, grid, linear, unit, tolerance, check); });
+  CheckLinearField(grid, unit, tolerance, check);
 }
 
 void CheckGrids(Check& check)
@@ -94,18 +82,10 @@ void CheckGrids(Check& check)
 void CheckCorners(Check& check)
 {
   auto grid = MakeStructuredGrid({ { 4, 4, 4 } });
-  auto vectors = AddRandomVectors(grid, 5);
-  const Vector lines[][2] = { { { { 0.5, 0.5, 0.5 } }, { { 1, 1, 1 } } },
-    { { { 3.5, 0.5, 2.5 } }, { { -1, 1, -1 } } }, { { { 0.5, 0.5, 2 } }, { { 1, 1, 0 } } },
-    { { { 0.25, 3, 2 } }, { { 1, 0, 0 } } }, { { { 2, 2, 2 } }, { { -1, -1, 1 } } } };
-  WithWalker(grid, vectors, check,
-    [&](const auto& walker)
-    {
-      for (const auto& line : lines)
-      {
-        check.SetContext("line from " + std::to_string(line[0][0]));
-        CheckLine(walker, grid, line[0], line[1], 1.0, check);
-      }
+  CheckCornerLines("", grid, check);
+  WithWalker(grid, grid->GetPointData()->GetVectors(), check,
+    [&](const auto& walker) {
+      CheckLine(walker, grid, { { 2, 2, 2 } }, { { -1, -1, 1 } }, 1.0, check);
     });
 }
 
@@ -199,29 +179,8 @@ void CheckBlanking(Check& check)
   auto grid = MakeStructuredGrid({ { 4, 3, 3 } });
   auto vectors = AddRandomVectors(grid, 5);
   grid->AllocateCellGhostArray();
-  auto* ghosts = grid->GetCellGhostArray();
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-  {
-    ghosts->SetValue(cell, cell % 4 == 2 ? vtkDataSetAttributes::HIDDENCELL : 0);
-  }
-  ghosts->SetValue(2 + 4 * (1 + 3 * 1), vtkDataSetAttributes::DUPLICATECELL);
-  WithWalker(grid, vectors, check,
-    [&](auto walker)
-    {
-      using Walk = LineWalk<std::decay_t<decltype(walker)>>;
-      Vector p;
-      const Vector hidden = { { 2.5, 0.5, 0.5 } };
-      check.That(!walker.Locate(hidden.data(), p.data()), "a hidden cell is not found");
-      const Vector edge = { { 2.0, 0.5, 0.5 } };
-      check.That(walker.Locate(edge.data(), p.data()) && walker.GetCell() == 1 && p[0] == 1.0,
-        "a point on its face is in the neighbour");
-      Walk stopped(walker, { { 0.5, 0.5, 0.5 } }, { { 1, 0, 0 } });
-      check.That(stopped.Run(10.0) && stopped.HasEnded, "a line stops at a hidden cell");
-      check.Near(stopped.Time, 1.5, 1e-12, "at its face");
-      Walk through(walker, { { 0.5, 1.5, 1.5 } }, { { 1, 0, 0 } });
-      check.That(through.Run(10.0) && through.HasEnded, "a line goes through a duplicate cell");
-      check.Near(through.Time, 3.5, 1e-12, "to the side");
-    });
+  HideRow(grid->GetCellGhostArray());
+  WithWalker(grid, vectors, check, [&](const auto& walker) { CheckHiddenRow(walker, check); });
 }
 
 // A wedge of revolution: at i = 0 all cells around end in the axis, where j has no meaning.
@@ -426,20 +385,8 @@ void CheckThreads(Check& check)
 {
   auto grid = MakeCurved(0.35, [](const Vector& x) { return x; });
   auto vectors = AddRandomVectors(grid, 3);
-  vtkSMPTools::SetBackend("Sequential");
-  const std::vector<double> expected = FindAll(grid, vectors);
-  for (const char* backend : GetBackends())
-  {
-    for (const int threads : { 1, 2, 8 })
-    {
-      check.SetContext(backend + (", " + std::to_string(threads)) + " threads");
-      if (vtkSMPTools::SetBackend(backend))
-      {
-        vtkSMPTools::Initialize(threads);
-        check.That(FindAll(grid, vectors) == expected, "the same cells, places and velocities");
-      }
-    }
-  }
+  CheckSame(
+    "cells, places and velocities", [&]() { return FindAll(grid, vectors); }, check);
 }
 
 }

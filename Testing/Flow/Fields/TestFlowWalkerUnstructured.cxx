@@ -1,6 +1,6 @@
 // The walker of unstructured grids against VTK's cells, differences, linear fields and straight
 // lines, over meshes of all its types; turned and mirrored cells, blocks, cracks and errors.
-#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Flow/ReferenceWalker.h"
 #include "Reference/Meshes/ReferenceTransform.h"
 
@@ -10,7 +10,6 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 
 namespace
 {
@@ -18,13 +17,6 @@ namespace
 using namespace reference;
 
 const std::array<int, 3> Cells = { { 3, 4, 3 } };
-
-template <typename Function>
-void WithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
-{
-  const std::string error = vtkFlowDispatch::Execute(data, vectors, {}, function);
-  check.That(error.empty(), error);
-}
 
 void CheckMesh(
   const std::string& name, vtkUnstructuredGrid* mesh, double unit, double tolerance, Check& check)
@@ -39,12 +31,7 @@ void CheckMesh(
       CheckPoints(walker, mesh, check);
       CheckLines(walker, mesh, 12, unit, check);
     });
-  auto linear = AddVectors(mesh,
-    [unit](const Vector& x) {
-      return GetLinearVector({ { x[0] / unit, x[1] / unit, x[2] / unit } });
-    });
-  WithWalker(mesh, linear, check,
-    [&](const auto& walker) { CheckLinear(walker, mesh, linear, unit, tolerance, check); });
+  CheckLinearField(mesh, unit, tolerance, check);
 }
 
 void CheckMeshes(Check& check)
@@ -74,23 +61,9 @@ void CheckMeshes(Check& check)
 // Through corners, edges, apexes and along faces.
 void CheckCorners(Check& check)
 {
-  const std::array<int, 3> cells = { { 4, 4, 4 } };
-  const Vector lines[][2] = { { { { 0.5, 0.5, 0.5 } }, { { 1, 1, 1 } } },
-    { { { 3.5, 0.5, 2.5 } }, { { -1, 1, -1 } } }, { { { 0.5, 0.5, 2 } }, { { 1, 1, 0 } } },
-    { { { 0.25, 3, 2 } }, { { 1, 0, 0 } } }, { { { 0.25, 2.5, 1.5 } }, { { 1, 0, 0 } } } };
   for (const MeshKind kind : FlowMeshKinds())
   {
-    auto mesh = MakeFlowMesh(kind, cells);
-    auto vectors = AddRandomVectors(mesh, 5);
-    WithWalker(mesh, vectors, check,
-      [&](const auto& walker)
-      {
-        for (const auto& line : lines)
-        {
-          check.SetContext(GetName(kind) + ", line from " + std::to_string(line[0][0]));
-          CheckLine(walker, mesh, line[0], line[1], 1.0, check);
-        }
-      });
+    CheckCornerLines(GetName(kind) + ", ", MakeFlowMesh(kind, { { 4, 4, 4 } }), check);
   }
 }
 
@@ -191,30 +164,13 @@ void CheckBlanking(Check& check)
   const double infinite[3] = { 0.0, std::numeric_limits<double>::infinity(), 0.0 };
   vectors->SetTuple(mesh->GetNumberOfPoints() - 1, infinite);
   mesh->AllocateCellGhostArray();
-  auto* ghosts = mesh->GetCellGhostArray();
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    ghosts->SetValue(cell, cell % 4 == 2 ? vtkDataSetAttributes::HIDDENCELL : 0);
-  }
-  ghosts->SetValue(2 + 4 * (1 + 3 * 1), vtkDataSetAttributes::DUPLICATECELL);
+  HideRow(mesh->GetCellGhostArray());
   WithWalker(mesh, vectors, check,
-    [&](auto walker)
+    [&](const auto& walker)
     {
-      using Walk = LineWalk<std::decay_t<decltype(walker)>>;
       check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 0, "vectors of no cell");
       check.Near(walker.GetField().GetMaximumSpeed(), 3.0, 1e-15, "largest speed");
-      Vector p;
-      const Vector hidden = { { 2.5, 0.5, 0.5 } };
-      check.That(!walker.Locate(hidden.data(), p.data()), "a hidden cell is not found");
-      const Vector edge = { { 2.0, 0.5, 0.5 } };
-      check.That(walker.Locate(edge.data(), p.data()) && walker.GetCell() == 1 && p[0] == 1.0,
-        "a point on its face is in the neighbour");
-      Walk stopped(walker, { { 0.5, 0.5, 0.5 } }, { { 1, 0, 0 } });
-      check.That(stopped.Run(10.0) && stopped.HasEnded, "a line stops at a hidden cell");
-      check.Near(stopped.Time, 1.5, 1e-12, "at its face");
-      Walk through(walker, { { 0.5, 1.5, 1.5 } }, { { 1, 0, 0 } });
-      check.That(through.Run(10.0) && through.HasEnded, "a line goes through a duplicate cell");
-      check.Near(through.Time, 3.5, 1e-12, "to the side");
+      CheckHiddenRow(walker, check);
     });
 }
 
@@ -357,21 +313,9 @@ void CheckThreads(Check& check)
   auto mesh = MakeFlowMesh(MeshKind::Mixed, Cells, false);
   MovePoints(mesh, MakeBend(Cells, 0.25));
   auto vectors = AddRandomVectors(mesh, 3);
-  vtkSMPTools::SetBackend("Sequential");
-  const std::vector<double> expected = WalkAll(mesh, vectors);
-  check.That(expected.size() > 200, "there are cells on the way");
-  for (const char* backend : GetBackends())
-  {
-    for (const int threads : { 1, 2, 8 })
-    {
-      check.SetContext(backend + (", " + std::to_string(threads)) + " threads");
-      if (vtkSMPTools::SetBackend(backend))
-      {
-        vtkSMPTools::Initialize(threads);
-        check.That(WalkAll(mesh, vectors) == expected, "the same walks");
-      }
-    }
-  }
+  check.That(WalkAll(mesh, vectors).size() > 200, "there are cells on the way");
+  CheckSame(
+    "walks", [&]() { return WalkAll(mesh, vectors); }, check);
 }
 
 }

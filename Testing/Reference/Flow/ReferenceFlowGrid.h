@@ -87,6 +87,11 @@ CellSample SampleCell(vtkDataSet* data, vtkDataArray* vectors, vtkIdType cell, R
 /// The length of a vector.
 double GetNorm(const Vector& v);
 
+inline Vector Subtract(const Vector& a, const Vector& b)
+{
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+}
+
 }
 
 #endif

@@ -6,6 +6,9 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFlowDispatch.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -19,9 +22,12 @@
 namespace reference
 {
 
-inline Vector Subtract(const Vector& a, const Vector& b)
+/// Calls \a function with a walker through \a vectors; an error is one of the test.
+template <typename Function>
+void WithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
 {
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+  const std::string error = vtkFlowDispatch::Execute(data, vectors, {}, function);
+  check.That(error.empty(), error);
 }
 
 template <typename Walker>
@@ -498,6 +504,67 @@ void CheckPoints(Walker walker, vtkDataSet* data, Check& check)
     check.That(other.Locate(rounded.data(), again.data()), "a point rounded outward is found");
     check.Near(GetDifference(PositionOf(other, again), x, extent), 0.0, 1e-12, "there", 1.0);
   }
+}
+
+/// A field linear in x / unit comes out as it is.
+inline void CheckLinearField(vtkDataSet* data, double unit, double tolerance, Check& check)
+{
+  auto linear = AddVectors(data,
+    [unit](const Vector& x) {
+      return GetLinearVector({ { x[0] / unit, x[1] / unit, x[2] / unit } });
+    });
+  WithWalker(data, linear, check,
+    [&](const auto& walker) { CheckLinear(walker, data, linear, unit, tolerance, check); });
+}
+
+/// Lines through corners and edges and along faces of 4 x 4 x 4 boxes of size 1; \a name is put
+/// before what the context tells of the line.
+inline void CheckCornerLines(const std::string& name, vtkDataSet* data, Check& check)
+{
+  const Vector lines[][2] = { { { { 0.5, 0.5, 0.5 } }, { { 1, 1, 1 } } },
+    { { { 3.5, 0.5, 2.5 } }, { { -1, 1, -1 } } }, { { { 0.5, 0.5, 2 } }, { { 1, 1, 0 } } },
+    { { { 0.25, 3, 2 } }, { { 1, 0, 0 } } }, { { { 0.25, 2.5, 1.5 } }, { { 1, 0, 0 } } } };
+  auto vectors = AddRandomVectors(data, 5);
+  WithWalker(data, vectors, check,
+    [&](const auto& walker)
+    {
+      for (const auto& line : lines)
+      {
+        check.SetContext(name + "line from " + std::to_string(line[0][0]));
+        CheckLine(walker, data, line[0], line[1], 1.0, check);
+      }
+    });
+}
+
+/// Of 4 x 3 x 3 boxes of size 1 hides those with i = 2 but for the one in the middle, which is
+/// another piece's.
+inline void HideRow(vtkUnsignedCharArray* ghosts)
+{
+  for (vtkIdType cell = 0; cell < ghosts->GetNumberOfTuples(); ++cell)
+  {
+    ghosts->SetValue(cell, cell % 4 == 2 ? vtkDataSetAttributes::HIDDENCELL : 0);
+  }
+  ghosts->SetValue(2 + 4 * (1 + 3 * 1), vtkDataSetAttributes::DUPLICATECELL);
+}
+
+/// What a walker does at hidden and duplicate cells of HideRow(). The walk that a hidden cell
+/// stops.
+template <typename Walker>
+LineWalk<Walker> CheckHiddenRow(Walker walker, Check& check)
+{
+  Vector p;
+  const Vector hidden = { { 2.5, 0.5, 0.5 } };
+  check.That(!walker.Locate(hidden.data(), p.data()), "a hidden cell is not found");
+  const Vector edge = { { 2.0, 0.5, 0.5 } };
+  check.That(walker.Locate(edge.data(), p.data()) && walker.GetCell() == 1 && p[0] == 1.0,
+    "a point on its face is in the neighbour");
+  LineWalk<Walker> through(walker, { { 0.5, 1.5, 1.5 } }, { { 1, 0, 0 } });
+  check.That(through.Run(10.0) && through.HasEnded, "a line goes through a duplicate cell");
+  check.Near(through.Time, 3.5, 1e-12, "to the side");
+  LineWalk<Walker> stopped(walker, { { 0.5, 0.5, 0.5 } }, { { 1, 0, 0 } });
+  check.That(stopped.Run(10.0) && stopped.HasEnded, "a line stops at a hidden cell");
+  check.Near(stopped.Time, 1.5, 1e-12, "at its face");
+  return stopped;
 }
 
 }
