@@ -1,0 +1,187 @@
+// Zeros that are not isolated; blanked cells and NaN; threads, progress, abort, errors.
+#include "Flows/ReferenceFlowMaps.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExecution.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Flow/ReferenceCriticalPoints.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFlowCriticalPoints.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+void CheckLeftOut(Check& check)
+{
+  check.SetContext("left out");
+  const auto make = []()
+  {
+    auto mesh = MakeMesh(MeshKind::Hexahedra, { 3, 4, 2 });
+    SetVelocity(mesh, LinearField(GenericMatrix, ZeroPlaces[0]));
+    return mesh;
+  };
+  const CriticalPoints whole(make());
+  const vtkIdType cell = whole.GetCell(0);
+  for (const unsigned char mark : { vtkDataSetAttributes::HIDDENCELL,
+         vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::REFINEDCELL })
+  {
+    auto mesh = make();
+    mesh->AllocateCellGhostArray()->SetValue(cell, mark);
+    check.Equal(CriticalPoints(mesh).GetNumber(), 0, "in a cell that is left out");
+    mesh->GetCellGhostArray()->SetValue(cell, 0);
+    mesh->GetCellGhostArray()->SetValue(cell + 1, mark);
+    mesh->Modified();
+    check.Equal(CriticalPoints(mesh).GetNumber(), 1, "beside one");
+  }
+  auto mesh = make();
+  vtkIdType corner = mesh->GetCell(cell)->GetPointId(3);
+  mesh->AllocatePointGhostArray()->SetValue(corner, vtkDataSetAttributes::HIDDENPOINT);
+  check.Equal(CriticalPoints(mesh).GetNumber(), 0, "in a cell with a hidden point");
+  auto image = MakeImage({ 3, 3, 3 });
+  FlowVector inside;
+  image->GetCell(13)->GetPoints()->GetPoint(0, inside.data());
+  inside = { { inside[0] + 0.03, inside[1] + 0.1, inside[2] + 0.2 } };
+  SetVelocity(image, LinearField(GenericMatrix, inside));
+  check.Equal(CriticalPoints(image).GetNumber(), 1, "in an image");
+  image->AllocateCellGhostArray()->SetValue(13, vtkDataSetAttributes::HIDDENCELL);
+  check.Equal(CriticalPoints(image).GetNumber(), 0, "in a blanked cell of an image");
+
+  for (const LatticeForm& form : FormsOf(MakeImage({ 3, 3, 3 })))
+  {
+    check.SetContext("hidden points, " + form.Name);
+    SetVelocity(form.Data, LinearField(GenericMatrix, inside));
+    check.Equal(CriticalPoints(form.Data).GetNumber(), 1, "critical points");
+    form.Data->AllocatePointGhostArray()->SetValue(
+      form.Data->GetCell(13)->GetPointId(2), vtkDataSetAttributes::HIDDENPOINT);
+    form.Data->Modified();
+    vtkNew<vtkFlowCriticalPoints> filter;
+    ExpectWarnings(filter);
+    filter->SetInputDataObject(form.Data);
+    check.That(MessagesOf(filter).empty(), "no error");
+    check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "in a cell with a hidden point");
+  }
+  check.SetContext("left out");
+  for (const double value : { std::nan(""), HUGE_VAL })
+  {
+    mesh = make();
+    corner = mesh->GetCell(cell)->GetPointId(0);
+    mesh->GetPointData()->GetVectors()->SetComponent(corner, 2, value);
+    vtkNew<vtkIdList> cells;
+    mesh->GetPointCells(corner, cells);
+    const CriticalPoints result(mesh);
+    check.Equal(result.GetNumber(), 0, "in a cell that is not finite");
+    check.Equal(
+      result.Filter->GetNumberOfNonFiniteCells(), cells->GetNumberOfIds(), "cells with such");
+  }
+  check.SetContext("an empty cell");
+  mesh = make();
+  // In the last cell, whose points a reader might still hold.
+  SetVelocity(mesh, LinearField(GenericMatrix, { { 2.3, 3.4, 1.6 } }));
+  mesh->InsertNextCell(VTK_EMPTY_CELL, 0, &corner);
+  check.Equal(CriticalPoints(mesh).GetNumber(), 1, "critical points");
+  check.SetContext("left out");
+  mesh = make();
+  SetVelocity(mesh, [](const FlowVector&) { return FlowVector{}; });
+  const CriticalPoints zero(mesh);
+  check.Equal(zero.GetNumber(), 0, "in a field that is 0");
+  check.Equal(zero.Filter->GetNumberOfZeroCells(), 24, "cells that are 0");
+  CheckPrinted(Print(const_cast<vtkFlowCriticalPoints*>(zero.Filter.GetPointer())),
+    { "NumberOfZeroCells: 24", "NumberOfDegenerateCells: 0", "NumberOfNonFiniteCells: 0" }, check);
+}
+
+vtkSmartPointer<vtkImageData> MakeRandomImage()
+{
+  Random random(53);
+  auto image = MakeImage({ 12, 11, 10 });
+  SetVelocity(image, [&random](const FlowVector&) { return random.GetPoint(1.0); });
+  return image;
+}
+
+void CheckExecution(Check& check)
+{
+  check.SetContext("execution");
+  auto image = MakeRandomImage();
+  const auto find = [&]()
+  {
+    const CriticalPoints result(image);
+    check.That(result.GetNumber() > 20, "there are critical points");
+    return GetBytes(result.Output);
+  };
+  CheckSame("execution", find, check);
+  vtkNew<vtkFlowCriticalPoints> filter;
+  ExpectWarnings(filter);
+  filter->SetInputData(image);
+  const auto update = [&filter]()
+  {
+    filter->Update();
+    return GetBytes(filter->GetOutput());
+  };
+  CheckAborts(filter, 5, { 0.0, 0.5 }, update, check);
+}
+
+void CheckErrors(Check& check)
+{
+  check.SetContext("errors");
+  auto image = MakeImage({ 2, 2, 2 });
+  vtkNew<vtkFlowCriticalPoints> filter;
+  ExpectWarnings(filter);
+  filter->SetInputData(image);
+  CheckError(filter, "The field has no active point vectors", check);
+  SetVelocity(image, LinearField(GenericMatrix, { { 0.0, 0.0, 0.0 } }));
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wind");
+  CheckError(filter, "The field has no array of numbers \"Wind\"", check);
+  vtkNew<vtkFloatArray> wind;
+  wind->SetName("Wind");
+  wind->SetNumberOfComponents(2);
+  wind->SetNumberOfTuples(27);
+  image->GetPointData()->AddArray(wind);
+  filter->Modified();
+  CheckError(filter, "Array \"Wind\" has 2 components; three are needed", check);
+  vtkNew<vtkFloatArray> inCells;
+  inCells->SetName("Wind");
+  inCells->SetNumberOfComponents(3);
+  inCells->SetNumberOfTuples(8);
+  image->GetCellData()->AddArray(inCells);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Wind");
+  CheckError(filter, "Array \"Wind\" is not a point array", check);
+  auto plane = MakeImage({ 2, 2, 0 });
+  SetVelocity(plane, LinearField(GenericMatrix, { { 0.0, 0.0, 0.0 } }));
+  vtkNew<vtkFlowCriticalPoints> other;
+  ExpectWarnings(other);
+  other->SetInputData(plane);
+  CheckError(
+    other, "The field has no three-dimensional cells. Flow in a plane needs two layers", check);
+  auto mesh = MakeMesh(MeshKind::Boxes, { 1, 1, 1 });
+  SetVelocity(mesh, LinearField(GenericMatrix, { { 0.0, 0.0, 0.0 } }));
+  other->SetInputData(mesh);
+  CheckError(other, "Cell 0 is a vtkPolyhedron", check);
+  vtkNew<vtkUnstructuredGrid> empty;
+  other->SetInputData(empty);
+  check.That(MessagesOf(other).empty(), "nothing in an empty grid is no error");
+}
+
+}
+
+int TestFlowCriticalPointRuns(int, char*[])
+{
+  Check check;
+  CheckLeftOut(check);
+  CheckExecution(check);
+  CheckErrors(check);
+  return check.Result();
+}
