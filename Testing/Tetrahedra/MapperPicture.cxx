@@ -1,5 +1,6 @@
 #include "Tetrahedra/MapperPicture.h"
 
+#include "Pictures/PictureCases.h"
 #include "Pictures/VolumeStage.h"
 
 #include "vtkActor.h"
@@ -60,6 +61,17 @@ RgbaPicture Draw(vtkUnstructuredGridVolumeMapper* mapper, const PictureCase& wha
   return stage.Capture();
 }
 
+}
+
+PictureCase MakeCase(
+  vtkUnstructuredGrid* grid, vtkVolumeProperty* property, const Point3& direction, bool parallel)
+{
+  PictureCase what;
+  what.Grid = grid;
+  what.Property = property;
+  what.Camera = LookAt(grid, direction, parallel);
+  what.Settings.Size = { { 96, 96 } };
+  return what;
 }
 
 void Configure(vtkTimeWeightedTetrahedraMapper* mapper, const PictureCase& what)

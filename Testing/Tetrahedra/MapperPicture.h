@@ -5,6 +5,7 @@
 
 #include "vtkSmartPointer.h" // for what is drawn
 
+#include <array>  // for directions
 #include <string> // for names
 #include <vector> // for actors
 
@@ -29,6 +30,10 @@ struct PictureCase
   /// Opaque; the reference knows them by Settings.OpaqueDistance.
   std::vector<vtkSmartPointer<vtkActor>> Actors;
 };
+
+/// \a grid seen from \a direction, in 96 x 96 pixels.
+PictureCase MakeCase(vtkUnstructuredGrid* grid, vtkVolumeProperty* property,
+  const std::array<double, 3>& direction, bool parallel);
 
 /// Gives a mapper the grid and the settings: arrays, blend and integration mode, priorities.
 void Configure(vtkTimeWeightedTetrahedraMapper* mapper, const PictureCase& what);

@@ -75,22 +75,12 @@ void Expect(Check& check, const std::string& name, const PictureCase& what, cons
   }
 }
 
-PictureCase MakeCase(vtkUnstructuredGrid* grid, vtkVolumeProperty* property, bool parallel)
-{
-  PictureCase what;
-  what.Grid = grid;
-  what.Property = property;
-  what.Camera = LookAt(grid, Slanted, parallel);
-  what.Settings.Size = { { 96, 96 } };
-  return what;
-}
-
 /// As an opaque plane across the axis, but that nothing is drawn there.
 void TestFarPlane(Check& check)
 {
   for (bool parallel : { true, false })
   {
-    PictureCase what = MakeCase(MakeCube(4), MakeRamp(0.5, 3.0), parallel);
+    PictureCase what = MakeCase(MakeCube(4), MakeRamp(0.5, 3.0), Slanted, parallel);
     double range[2];
     what.Camera->GetClippingRange(range);
     const double far = 0.6 * range[0] + 0.4 * range[1];
@@ -124,7 +114,7 @@ void TestNodes(Check& check)
     for (bool parallel : { true, false })
     {
       Expect(check, std::to_string(nodes) + (parallel ? " nodes, parallel" : " nodes, perspective"),
-        MakeCase(MakeCube(4), MakeProperty(points), parallel), { 0, 1e-3 }, { 2, 0.1 });
+        MakeCase(MakeCube(4), MakeProperty(points), Slanted, parallel), { 0, 1e-3 }, { 2, 0.1 });
     }
   }
 }
@@ -139,9 +129,9 @@ void TestSquashed(Check& check)
     name << "squashed to " << height;
     auto grid = MakeCube(4);
     MovePoints(grid, { { 0.0, 0.0, 0.0 } }, 1.0, { { 1.0, 1.0, height } });
-    Expect(
-      check, name.str(), MakeCase(grid, MakeRamp(0.5, 3.0, height), true), { 0, 1e-3 }, { 1, 0.8 });
-    PictureCase side = MakeCase(grid, MakeRamp(0.5, 3.0), true);
+    Expect(check, name.str(), MakeCase(grid, MakeRamp(0.5, 3.0, height), Slanted, true),
+      { 0, 1e-3 }, { 1, 0.8 });
+    PictureCase side = MakeCase(grid, MakeRamp(0.5, 3.0), Slanted, true);
     side.Camera = LookAt(grid, { { 0.0, 1.0, 0.0 } }, true);
     side.Settings.Size = { { 97, 97 } };
     // A line of sight passes its pixel's centre by 4e-9 of the pixel. OpenGL has 1/256.
@@ -176,7 +166,7 @@ void TestNeedles(Check& check)
     grid->GetPointData()->SetActiveScalars("f");
     for (bool parallel : { true, false })
     {
-      PictureCase what = MakeCase(grid, MakeRamp(0.5, 3.0), parallel);
+      PictureCase what = MakeCase(grid, MakeRamp(0.5, 3.0), Slanted, parallel);
       what.Camera = LookAt(grid, { { 0.0, 0.0, -1.0 } }, parallel);
       Expect(check,
         std::to_string(needles) + (parallel ? " needles, parallel" : " needles, perspective"), what,

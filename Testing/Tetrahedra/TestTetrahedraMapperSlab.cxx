@@ -20,17 +20,6 @@ using namespace reference;
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
 constexpr Point3 FaceOn = { { 0.0, 0.0, 1.0 } };
 
-PictureCase MakeCase(
-  vtkUnstructuredGrid* grid, vtkVolumeProperty* property, const Point3& direction, bool parallel)
-{
-  PictureCase what;
-  what.Grid = grid;
-  what.Property = property;
-  what.Camera = LookAt(grid, direction, parallel);
-  what.Settings.Size = { { 96, 96 } };
-  return what;
-}
-
 /// Seen face-on in parallel, every pixel of the slab is the same.
 void TestUniform(Check& check, int path, vtkUnstructuredGrid* grid, double extinction, int pixels)
 {
