@@ -8,8 +8,8 @@ namespace vtkRealEigenvalues
 {
 /**
  * Three complex numbers, real part first, by descending real part; of a pair the one with the
- * positive imaginary part first. By the QR method with double shifts on the balanced matrix: the
- * error is a few roundings of the matrix's norm. NaN for a matrix that is not finite.
+ * positive imaginary part first. By Eigen's QR method on the balanced matrix: the error is a few
+ * roundings of the matrix's norm. NaN for a matrix that is not finite.
  */
 void Compute(const double matrix[9], double eigenvalues[6]);
 }

@@ -1,0 +1,15 @@
+# Libraries of headers alone that modules use inside: nothing of them is in installed headers or in what
+# the package exports. Any version of Debian 12 or later does, and none is asked for: Eigen 5 says that
+# it is not compatible with 3.4.
+find_package(Boost CONFIG REQUIRED)
+find_package(Eigen3 CONFIG REQUIRED)
+
+# interlume_use_headers(MODULE LIBRARY...): the libraries' targets, such as Eigen3::Eigen.
+function (interlume_use_headers module)
+  foreach (library IN LISTS ARGN)
+    vtk_module_include("${module}"
+      SYSTEM PRIVATE "$<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>")
+  endforeach ()
+  # Of Eigen only what has its licence, MPL 2.
+  vtk_module_definitions("${module}" PRIVATE EIGEN_MPL2_ONLY)
+endfunction ()
