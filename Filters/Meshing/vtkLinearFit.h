@@ -3,7 +3,7 @@
 
 #include "vtkTetrahedra.h"
 
-#include <array>
+#include <Eigen/Core>
 
 /**
  * @class   vtkLinearFit
@@ -12,14 +12,15 @@
 class vtkLinearFit
 {
 public:
-  /// Fits the values of the points of \a mesh that have a source, where finite.
+  /// Fits the values of the points of \a mesh that have a source, where finite. Across a plane that
+  /// all of them lie in, the function is constant.
   vtkLinearFit(const vtkTetrahedra& mesh, const std::vector<double>& values);
 
   double operator()(const double* point) const;
 
 private:
-  std::array<double, 3> Center{ { 0.0, 0.0, 0.0 } };
-  std::array<double, 3> Gradient{ { 0.0, 0.0, 0.0 } };
+  Eigen::Vector3d Center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d Gradient = Eigen::Vector3d::Zero();
   double Constant = 0.0;
 };
 
