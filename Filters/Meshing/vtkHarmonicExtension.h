@@ -3,6 +3,9 @@
 
 #include "vtkType.h"
 
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
 #include <functional>
 #include <vector>
 
@@ -22,7 +25,7 @@ struct vtkTetrahedra;
  * within the range of those given. A given value that is not finite counts as the linear part
  * there.
  *
- * Solved by conjugate gradients with a diagonal preconditioner, in one fixed order of operations.
+ * Solved by Eigen's conjugate gradients with a diagonal preconditioner, by one thread.
  */
 class vtkHarmonicExtension
 {
@@ -38,17 +41,28 @@ public:
   void Extend(std::vector<double>& values) const;
 
 private:
-  void Multiply(const std::vector<double>& x, std::vector<double>& product) const;
-  void Solve(const std::vector<double>& right, std::vector<double>& x) const;
+  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor, Eigen::Index>;
+
+  /// The solver's own, with a look at what happens around it.
+  struct Preconditioner : Eigen::DiagonalPreconditioner<double>
+  {
+    std::function<void()> BeforeStep;
+
+    template <typename Right>
+    auto solve(const Eigen::MatrixBase<Right>& right) const
+    {
+      this->BeforeStep();
+      return Eigen::DiagonalPreconditioner<double>::solve(right);
+    }
+  };
 
   const vtkTetrahedra& Mesh;
   std::vector<vtkIdType> Unknowns; ///< points
   std::vector<vtkIdType> Rows;     ///< of a point, its row in the matrix; -1 for none
-  // The matrix in compressed rows, with columns for all points.
-  std::vector<vtkIdType> Starts;
-  std::vector<vtkIdType> Columns;
-  std::vector<double> Entries;
-  std::vector<double> Diagonal;
+  // Rows are those of unknown values; columns are the same, and all points.
+  Matrix Stiffness;
+  Matrix Coupling;
+  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper, Preconditioner> Solver;
 };
 
 #endif
