@@ -219,14 +219,13 @@ void vtkAnalyticFlowSource::EvaluateJacobian(const double x[3], double jacobian[
   vtkDualNumber relative[3];
   for (int i = 0; i < 3; ++i)
   {
-    relative[i].Value = x[i] - this->Center[i];
-    relative[i].Derivatives[i] = 1.0;
+    relative[i] = vtkDualNumber(x[i] - this->Center[i], 3, i);
   }
   vtkDualNumber velocity[3];
   this->Visit([&](const auto& flow) { flow(relative, velocity); });
   for (int i = 0; i < 3; ++i)
   {
-    std::copy_n(velocity[i].Derivatives, 3, jacobian + 3 * i);
+    std::copy_n(velocity[i].derivatives().data(), 3, jacobian + 3 * i);
   }
 }
 

@@ -12,6 +12,12 @@
  */
 namespace vtkElementaryFlows
 {
+// For numbers that are not dual.
+using std::cos;
+using std::sin;
+using std::sqrt;
+using std::tanh;
+
 using Vector = std::array<double, 3>;
 
 template <typename Number>
@@ -102,14 +108,14 @@ private:
     if (this->IsSoftened)
     {
       const Number sum = r2 + core2;
-      return this->Strength / (sum * vtkDualMath::Sqrt(sum));
+      return this->Strength / (sum * sqrt(sum));
     }
     const double charge = this->Strength / (16.0 * std::atan(1.0));
     if (vtkDualMath::GetValue(r2) < core2)
     {
       return Number(charge / (core2 * this->CoreRadius));
     }
-    return charge / (r2 * vtkDualMath::Sqrt(r2));
+    return charge / (r2 * sqrt(r2));
   }
 };
 
@@ -130,8 +136,7 @@ struct Sphere
       Fill({ { 0.0, 0.0, 0.0 } }, v);
       return;
     }
-    const Number part =
-      0.5 * this->Radius * this->Radius * this->Radius / (r2 * vtkDualMath::Sqrt(r2));
+    const Number part = 0.5 * this->Radius * this->Radius * this->Radius / (r2 * sqrt(r2));
     const Number along = 3.0 * part / r2 * Dot(this->Velocity, x);
     for (int i = 0; i < 3; ++i)
     {
@@ -200,8 +205,8 @@ struct Beltrami
     {
       const int j = (i + 1) % 3;
       const int k = (i + 2) % 3;
-      v[i] = this->Amplitudes[i] * vtkDualMath::Sin(this->WaveNumber * x[k]) +
-        this->Amplitudes[k] * vtkDualMath::Cos(this->WaveNumber * x[j]);
+      v[i] = this->Amplitudes[i] * sin(this->WaveNumber * x[k]) +
+        this->Amplitudes[k] * cos(this->WaveNumber * x[j]);
     }
   }
 };
@@ -217,7 +222,7 @@ struct Shear
   template <typename Number>
   void operator()(const Number x[3], Number v[3]) const
   {
-    const Number profile = vtkDualMath::Tanh(Dot(this->Normal, x) / this->Thickness);
+    const Number profile = tanh(Dot(this->Normal, x) / this->Thickness);
     for (int i = 0; i < 3; ++i)
     {
       v[i] = this->Velocity[i] * profile;

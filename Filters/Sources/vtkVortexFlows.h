@@ -12,6 +12,10 @@
  */
 namespace vtkVortexFlows
 {
+// For numbers that are not dual.
+using std::cos;
+using std::sin;
+
 /**
  * An axis that leans and bends with height, and what that makes of a vortex around a straight one:
  * coordinates are shifted with height, and the vertical velocity goes along the axis. That keeps a
@@ -37,7 +41,7 @@ struct BentAxis
     const Number part = this->GetPart(x[2]);
     for (int i = 0; i < 2; ++i)
     {
-      beside[i] = x[i] - this->Tilt[i] * (part - 0.5) - this->Bend[i] * vtkDualMath::Sin(Pi * part);
+      beside[i] = x[i] - this->Tilt[i] * (part - 0.5) - this->Bend[i] * sin(Pi * part);
     }
   }
 
@@ -48,7 +52,7 @@ struct BentAxis
   {
     Number beside[2];
     this->Shift(x, beside);
-    const Number bend = Pi * vtkDualMath::Cos(Pi * this->GetPart(x[2]));
+    const Number bend = Pi * cos(Pi * this->GetPart(x[2]));
     const Number turned[2] = { -beside[1], beside[0] };
     for (int i = 0; i < 2; ++i)
     {
@@ -80,11 +84,10 @@ struct Hurricane
     const Number sum = M + s;
     const double strongest = GetSlope((M * M + 2.0 * M * E) / (2.0 * M + E));
     const double inflow = 0.5 * BentAxis::Pi * this->Updraft / (this->Axis.Height * strongest);
-    const Number radial = -inflow * vtkDualMath::Cos(BentAxis::Pi * part) * (s - E) / (sum * sum);
+    const Number radial = -inflow * cos(BentAxis::Pi * part) * (s - E) / (sum * sum);
     const Number swirl =
       2.0 * this->MaximumWind / this->EyeRadius / ((1.0 + s) * (1.0 + part * part));
-    const Number rise =
-      this->Updraft / strongest * vtkDualMath::Sin(BentAxis::Pi * part) * GetSlope(s);
+    const Number rise = this->Updraft / strongest * sin(BentAxis::Pi * part) * GetSlope(s);
     this->Axis.Compose(x, radial, swirl, rise, v);
   }
 
