@@ -184,9 +184,9 @@ std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
     arrays.ScalarsAreOfCells ? grid->GetNumberOfCells() : grid->GetNumberOfPoints();
   if (arrays.Scalars->GetNumberOfTuples() != expected)
   {
-    return std::string("the array ") + arrays.Scalars->GetName() + " has " +
-      std::to_string(arrays.Scalars->GetNumberOfTuples()) + " tuples instead of " +
-      std::to_string(expected);
+    const std::string name = arrays.Scalars->GetName() ? arrays.Scalars->GetName() : "without name";
+    return "the array " + name + " has " + std::to_string(arrays.Scalars->GetNumberOfTuples()) +
+      " tuples instead of " + std::to_string(expected);
   }
   if (!this->HasDeltaTArrayName)
   {

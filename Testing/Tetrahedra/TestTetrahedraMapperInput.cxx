@@ -281,6 +281,16 @@ void TestErrors(Table& table)
     [](PictureCase& what) { what.Settings.Arrays.Scalars = "absent"; });
   table.Refused("scalars-none", "no scalars", { "scalars" },
     [](PictureCase& what) { what.Grid->GetPointData()->Initialize(); });
+  table.Refused("scalars-short-unnamed", "scalars without name, one value short",
+    { "without name", "124 tuples", "125" },
+    [](PictureCase& what)
+    {
+      vtkNew<vtkDoubleArray> array;
+      array->SetNumberOfTuples(what.Grid->GetNumberOfPoints() - 1);
+      array->Fill(0.5);
+      what.Grid->GetPointData()->Initialize();
+      what.Grid->GetPointData()->SetScalars(array);
+    });
   table.Refused("delta-t-missing", "no array of the name of the extent in time", { "absent" },
     [](PictureCase& what) { what.Settings.Arrays.DeltaT = "absent"; });
   table.Refused("delta-t-vector", "an extent in time of three components", { "vector" },
