@@ -67,7 +67,7 @@ struct INTERLUMETETRAHEDRA_EXPORT vtkTetrahedraRenderReport
   int TetrahedronStride = 1;
   /// Control points of the transfer functions, after reduction to straight pieces.
   int ControlPoints = 0;
-  /// Seconds of this picture.
+  /// Seconds of this picture, until the graphics card was done where AutoAdjustLevelOfDetail is on.
   double Seconds = 0.0;
 
   void Print(ostream& os, vtkIndent indent) const;

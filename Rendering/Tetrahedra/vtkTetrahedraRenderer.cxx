@@ -2,6 +2,7 @@
 
 #include "vtkImageQuad.h"
 #include "vtkOpaqueProps.h"
+#include "vtkOpenGLFunctions.h"
 #include "vtkSoftwareOpenGL.h"
 #include "vtkTetrahedraPainter.h"
 #include "vtkTetrahedraSelection.h"
@@ -346,6 +347,11 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
     this->DrawInSoftware(renderer, *resources, report);
   }
   this->Clip.Remove(this->Mesh, this->Fields);
+  if (request.AdjustsLevelOfDetail && report.RenderPath == Mapper::OPENGL_PATH)
+  {
+    // OpenGL takes commands and draws later; the level is chosen by when it is done.
+    glFinish();
+  }
   report.Seconds = vtkTimerLog::GetUniversalTime() - start;
   this->LevelOfDetail.Measured(level, report.Seconds);
   report.MemoryBytes = this->GetMemoryBytes();
