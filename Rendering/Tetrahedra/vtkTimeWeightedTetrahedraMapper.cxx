@@ -292,6 +292,6 @@ void vtkTimeWeightedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->BoundaryProperty->PrintSelf(os, indent.GetNextIndent());
   os << indent << "BoundaryTexture: " << this->BoundaryTexture.Get() << "\n";
   os << indent << "AutoAdjustLevelOfDetail: " << this->AutoAdjustLevelOfDetail << "\n";
-  os << indent << "RenderReport:\n";
+  os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

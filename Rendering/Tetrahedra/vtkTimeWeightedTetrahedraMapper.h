@@ -67,7 +67,7 @@ struct vtkTetrahedraArrays;
  *
  * Errors (vtkErrorMacro, nothing drawn): cells that are no tetrahedra, missing scalars, an array
  * for Dt or layers that is named and missing, a wrong number of components. Tetrahedra with NaN or
- * infinity are left out and counted in GetRenderReport().
+ * infinity are left out and counted in GetReport().
  */
 class INTERLUMETETRAHEDRA_EXPORT vtkTimeWeightedTetrahedraMapper
   : public vtkUnstructuredGridVolumeMapper
@@ -244,7 +244,7 @@ public:
   /**
    * What the last picture took.
    */
-  const vtkTetrahedraRenderReport& GetRenderReport() const { return this->Report; }
+  const vtkTetrahedraRenderReport& GetReport() const { return this->Report; }
 
   vtkMTimeType GetMTime() override;
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;

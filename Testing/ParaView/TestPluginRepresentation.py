@@ -67,7 +67,7 @@ def check_mapper(checks, display):
     display.IntervalLayerArrayName = "TimeSlab"
     text = str(display.GetClientSideObject().GetActiveRepresentation())
     for line in ("RenderPath: 0", "AutoAdjustLevelOfDetail: 0", "LayerArrayName: TimeSlab"):
-        checks.that(f" {line}\n" in text.split("RenderReport:")[0], f"the mapper has {line}")
+        checks.that(f" {line}\n" in text.split("Report:")[0], f"the mapper has {line}")
 
 
 def check_choice(checks):

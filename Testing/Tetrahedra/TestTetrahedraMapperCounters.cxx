@@ -53,7 +53,7 @@ public:
     this->Stage.SetVolume(this->Drawer, this->What.Property);
     this->Stage.SetCamera(this->What.Camera);
     this->Stage.Render();
-    return this->Drawer->GetRenderReport();
+    return this->Drawer->GetReport();
   }
 
   /// Draws with the settings.
@@ -105,7 +105,7 @@ void ExpectNothingSent(Check& check, const Report& report, const std::string& wh
 void TestReasons(Check& check, int path, bool parallel)
 {
   Scene scene(path, parallel);
-  check.That(scene.Drawer->GetRenderReport().PathReason.empty(), "no reason before a picture");
+  check.That(scene.Drawer->GetReport().PathReason.empty(), "no reason before a picture");
   const Report report = scene.Draw(Blend::Composite);
   check.Equal(report.RenderPath, path, scene.Name + ": path");
   check.That(!report.PathReason.empty(), scene.Name + ": a reason of the path");

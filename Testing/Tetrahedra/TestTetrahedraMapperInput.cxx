@@ -117,7 +117,7 @@ public:
     {
       this->Others.Messages.push_back("OpenGL error " + std::to_string(code));
     }
-    outcome.Report = this->Drawer->GetRenderReport();
+    outcome.Report = this->Drawer->GetReport();
     outcome.Errors = this->Errors.Messages;
     outcome.Others = this->Others.Messages;
     return outcome;

@@ -239,7 +239,7 @@ void TestNearPlane(Check& check, int path, bool parallel, int samples)
   picker.Renderer->GetActiveCamera()->SetClippingRange(eye[2] - 0.05, eye[2] + 10.0);
   Expect(check, picker, {}, "cut by the near plane");
   check.Equal(
-    picker.Drawer->GetRenderReport().TetrahedraClipped, Cells, picker.Name + ": all are cut");
+    picker.Drawer->GetReport().TetrahedraClipped, Cells, picker.Name + ": all are cut");
 }
 
 }

@@ -189,7 +189,7 @@ void TestOpaque(Check& check, int path, bool parallel)
   Surface surface(path, sides, 1.0);
   const std::string name = GetName(path, parallel) + ", opaque sides";
   const RgbaPicture found = DrawByMapper(surface.Drawer, what);
-  check.Equal(surface.Drawer->GetRenderReport().BoundaryTriangles, sides->GetNumberOfCells(),
+  check.Equal(surface.Drawer->GetReport().BoundaryTriangles, sides->GetNumberOfCells(),
     name + ": triangles");
   ExpectInside(check, what.Grid, what.Camera, found,
     DrawTriangles(sides, what.Camera, FaceColor, nullptr), name);
@@ -290,9 +290,9 @@ void TestSlab(Check& check, int path, bool parallel, const Point3& direction, do
   const RgbaPicture found = DrawByMapper(surface.Drawer, what);
   const std::string name =
     GetName(path, parallel) + ", " + kind + ", opacity " + std::to_string(opacity);
-  check.Equal(surface.Drawer->GetRenderReport().BoundaryTriangles, faces->GetNumberOfCells(),
+  check.Equal(surface.Drawer->GetReport().BoundaryTriangles, faces->GetNumberOfCells(),
     name + ": triangles");
-  check.Equal(surface.Drawer->GetRenderReport().UnmatchedTriangles, 0, name + ": unmatched");
+  check.Equal(surface.Drawer->GetReport().UnmatchedTriangles, 0, name + ": unmatched");
   const PixelRays rays(what.Camera, Size);
   int inside = 0;
   double largest = 0.0;
@@ -391,8 +391,8 @@ void TestUnmatched(Check& check, int path)
   Surface surface(path, sides, 0.5);
   DrawByMapper(surface.Drawer, what);
   const std::string name = GetPathName(path);
-  check.Equal(surface.Drawer->GetRenderReport().BoundaryTriangles, matched, name + ": matched");
-  check.Equal(surface.Drawer->GetRenderReport().UnmatchedTriangles, 1, name + ": unmatched");
+  check.Equal(surface.Drawer->GetReport().BoundaryTriangles, matched, name + ": matched");
+  check.Equal(surface.Drawer->GetReport().UnmatchedTriangles, 1, name + ": unmatched");
 
   auto compact = Compact(sides);
   double x[3];
@@ -409,8 +409,8 @@ void TestUnmatched(Check& check, int path)
   }
   Surface other(path, compact, 0.5);
   DrawByMapper(other.Drawer, what);
-  const vtkIdType found = other.Drawer->GetRenderReport().BoundaryTriangles;
-  const vtkIdType unmatched = other.Drawer->GetRenderReport().UnmatchedTriangles;
+  const vtkIdType found = other.Drawer->GetReport().BoundaryTriangles;
+  const vtkIdType unmatched = other.Drawer->GetReport().UnmatchedTriangles;
   check.Equal(found + unmatched, compact->GetNumberOfCells(), name + ": all are counted");
   check.That(moved > 1 && unmatched >= moved && unmatched <= moved + 1,
     name + ": those at the moved point are unmatched");
@@ -497,7 +497,7 @@ void TestOtherModes(Check& check, int path)
     Surface surface(path, sides, 0.5);
     const RgbaPicture found = DrawByMapper(surface.Drawer, what);
     const std::string name = GetPathName(path) + ", blend " + std::to_string(static_cast<int>(how));
-    check.Equal(surface.Drawer->GetRenderReport().BoundaryTriangles, 0, name + ": triangles");
+    check.Equal(surface.Drawer->GetReport().BoundaryTriangles, 0, name + ": triangles");
     check.Near(
       ComparePictures(found, DrawByPath(path, what)).Max, 0.0, 1e-6, name + ": picture", 1.0);
     check.That(LargestAlpha(found) > 0.1, name + ": something is seen");

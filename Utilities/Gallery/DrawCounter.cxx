@@ -100,7 +100,7 @@ void AddVolumeReports(const Panel& panel, SceneReport& report)
     }
     else
     {
-      report.AddVolume(GetMapper(volume)->GetRenderReport());
+      report.AddVolume(GetMapper(volume)->GetReport());
     }
   }
 }
