@@ -18,7 +18,7 @@
  */
 struct INTERLUMETETRAHEDRA_EXPORT vtkTetrahedraRenderReport
 {
-  /// What was used: vtkTimeWeightedTetrahedraMapper::RenderPaths, BlendModes, SortModes, each
+  /// What was used: vtkTetrahedraSettings::RenderPaths, BlendModes, SortModes, each
   /// resolved from its automatic choice, and why.
   int RenderPath = 0;
   int BlendMode = 0;

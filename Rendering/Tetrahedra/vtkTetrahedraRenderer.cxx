@@ -6,23 +6,26 @@
 #include "vtkSoftwareOpenGL.h"
 #include "vtkTetrahedraPainter.h"
 #include "vtkTetrahedraSelection.h"
-#include "vtkTimeWeightedTetrahedraMapper.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
+#include "vtkTexture.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridVolumeMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <atomic>
 
-using Mapper = vtkTimeWeightedTetrahedraMapper;
+using Settings = vtkTetrahedraSettings;
+using Mapper = vtkUnstructuredGridVolumeMapper;
 
 namespace
 {
@@ -35,11 +38,11 @@ vtkTetrahedraPicture::Blends GetBlend(int mode)
   {
     case Mapper::MAXIMUM_INTENSITY_BLEND:
       return vtkTetrahedraPicture::MAXIMUM;
-    case Mapper::ADDITIVE_BLEND:
+    case Settings::ADDITIVE_BLEND:
       return vtkTetrahedraPicture::ADDITIVE;
-    case Mapper::PRIORITY_BLEND:
+    case Settings::PRIORITY_BLEND:
       return vtkTetrahedraPicture::PRIORITY;
-    case Mapper::OPTICAL_DEPTH_BLEND:
+    case Settings::OPTICAL_DEPTH_BLEND:
       return vtkTetrahedraPicture::OPTICAL_DEPTH;
     default:
       return vtkTetrahedraPicture::COMPOSITE;
@@ -166,10 +169,10 @@ void vtkTetrahedraRenderer::ChooseBlend(const Request& request, vtkTetrahedraRen
 {
   report.BlendMode = request.Blend;
   report.BlendReason = "as asked for";
-  if (request.Blend == Mapper::AUTOMATIC_BLEND)
+  if (request.Blend == Settings::AUTOMATIC_BLEND)
   {
     const bool hasTime = request.Arrays.DeltaT != nullptr;
-    report.BlendMode = hasTime ? static_cast<int>(Mapper::OPTICAL_DEPTH_BLEND)
+    report.BlendMode = hasTime ? static_cast<int>(Settings::OPTICAL_DEPTH_BLEND)
                                : static_cast<int>(Mapper::COMPOSITE_BLEND);
     report.BlendReason = hasTime ? "with an extent in time tetrahedra overlap and have no order"
                                  : "without an extent in time tetrahedra have an order";
@@ -180,12 +183,12 @@ void vtkTetrahedraRenderer::ChooseBlend(const Request& request, vtkTetrahedraRen
 void vtkTetrahedraRenderer::ChoosePath(
   const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraRenderReport& report)
 {
-  report.RenderPath = request.Path;
+  report.RenderPath = request.Settings.RenderPath;
   report.PathReason = "as asked for";
-  if (request.Path == Mapper::AUTOMATIC_PATH)
+  if (request.Settings.RenderPath == Settings::AUTOMATIC_PATH)
   {
     const bool isSoftware = vtkSoftwareOpenGL::IsUsed(window);
-    report.RenderPath = isSoftware ? Mapper::SOFTWARE_PATH : Mapper::OPENGL_PATH;
+    report.RenderPath = isSoftware ? Settings::SOFTWARE_PATH : Settings::OPENGL_PATH;
     report.PathReason =
       isSoftware ? "OpenGL is itself software here" : "OpenGL runs on a graphics card";
   }
@@ -194,14 +197,14 @@ void vtkTetrahedraRenderer::ChoosePath(
 //------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraRenderReport& report)
 {
-  report.SortMode = Mapper::NO_SORT;
+  report.SortMode = Settings::NO_SORT;
   if (report.BlendMode != Mapper::COMPOSITE_BLEND)
   {
     report.SortReason = "the blend mode needs no order";
   }
-  else if (request.Sort != Mapper::AUTOMATIC_SORT)
+  else if (request.Settings.SortMode != Settings::AUTOMATIC_SORT)
   {
-    report.SortMode = request.Sort;
+    report.SortMode = request.Settings.SortMode;
     report.SortReason = "as asked for";
   }
   else if (!this->Picture.Surface && this->HasOneColor)
@@ -210,17 +213,17 @@ void vtkTetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraRend
   }
   else if (request.Arrays.DeltaT)
   {
-    report.SortMode = Mapper::CENTROID_SORT;
+    report.SortMode = Settings::CENTROID_SORT;
     report.SortReason = "with an extent in time tetrahedra overlap";
   }
   else if (this->Mesh.GetNumberOfTetrahedra() > MPVONC_LIMIT)
   {
-    report.SortMode = Mapper::CENTROID_SORT;
+    report.SortMode = Settings::CENTROID_SORT;
     report.SortReason = "more than " + std::to_string(MPVONC_LIMIT) + " tetrahedra";
   }
   else
   {
-    report.SortMode = Mapper::MPVONC_SORT;
+    report.SortMode = Settings::MPVONC_SORT;
     report.SortReason = "colours differ and tetrahedra are few enough";
   }
 }
@@ -231,22 +234,22 @@ const std::vector<std::uint32_t>* vtkTetrahedraRenderer::UpdateOrder(
 {
   const std::vector<std::uint32_t>* order = nullptr;
   report.Passes = 1;
-  if (report.BlendMode == Mapper::PRIORITY_BLEND)
+  if (report.BlendMode == Settings::PRIORITY_BLEND)
   {
-    order = this->Order.ComputeLayers(this->Fields.Layers, request.Priorities);
+    order = this->Order.ComputeLayers(this->Fields.Layers, request.Settings.LayerPriorities);
     report.Layers = this->Order.GetNumberOfLayers();
     report.Passes = report.Layers;
   }
   else
   {
-    const auto kind = report.SortMode == Mapper::CENTROID_SORT ? vtkTetrahedraOrder::CENTROID
-      : report.SortMode == Mapper::MPVONC_SORT                 ? vtkTetrahedraOrder::VISIBILITY
-                                                               : vtkTetrahedraOrder::NONE;
+    const auto kind = report.SortMode == Settings::CENTROID_SORT ? vtkTetrahedraOrder::CENTROID
+      : report.SortMode == Settings::MPVONC_SORT                 ? vtkTetrahedraOrder::VISIBILITY
+                                                                 : vtkTetrahedraOrder::NONE;
     order = this->Order.Compute(kind, this->Mesh, this->Picture.View);
     report.Sorted = this->Order.WasComputed();
   }
   this->OrderVersion += this->Order.WasComputed() ? 1 : 0;
-  if (report.SortMode == Mapper::MPVONC_SORT)
+  if (report.SortMode == Settings::MPVONC_SORT)
   {
     report.Cycles = this->Order.GetCycles();
     report.Gaps = this->Order.GetGaps();
@@ -283,7 +286,7 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
     this->LevelOfDetail.Reset();
     this->LevelConditions = conditions;
   }
-  const int level = request.AdjustsLevelOfDetail && !renderer->GetSelector()
+  const int level = request.Settings.AutoAdjustLevelOfDetail && !renderer->GetSelector()
     ? this->LevelOfDetail.Choose(
         volume->GetAllocatedRenderTime(), this->Mesh.GetNumberOfTetrahedra())
     : 0;
@@ -316,7 +319,7 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
   this->Picture.Pieces = &this->Pieces;
   this->Picture.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : order;
   this->Picture.Blend = GetBlend(report.BlendMode);
-  this->Picture.IsExact = request.IsExact;
+  this->Picture.IsExact = request.Settings.IntegrationMode == Settings::LINEAR_SEGMENT;
   std::unique_ptr<WindowResources>& resources = this->Windows[window];
   if (!resources)
   {
@@ -329,7 +332,7 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
     this->Clip.Remove(this->Mesh, this->Fields);
     return {};
   }
-  if (report.RenderPath == Mapper::OPENGL_PATH)
+  if (report.RenderPath == Settings::OPENGL_PATH)
   {
     std::string obstacle = resources->Painter.GetObstacle(window, this->Picture);
     if (obstacle.empty())
@@ -338,16 +341,16 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
     }
     if (!obstacle.empty())
     {
-      report.RenderPath = Mapper::SOFTWARE_PATH;
+      report.RenderPath = Settings::SOFTWARE_PATH;
       report.PathReason = obstacle;
     }
   }
-  if (report.RenderPath == Mapper::SOFTWARE_PATH)
+  if (report.RenderPath == Settings::SOFTWARE_PATH)
   {
     this->DrawInSoftware(renderer, *resources, report);
   }
   this->Clip.Remove(this->Mesh, this->Fields);
-  if (request.AdjustsLevelOfDetail && report.RenderPath == Mapper::OPENGL_PATH)
+  if (request.Settings.AutoAdjustLevelOfDetail && report.RenderPath == Settings::OPENGL_PATH)
   {
     // OpenGL takes commands and draws later; the level is chosen by when it is done.
     glFinish();
@@ -488,8 +491,8 @@ void vtkTetrahedraRenderer::UpdateBoundary(
   if (this->BoundaryCounts.Triangles > 0)
   {
     const vtkBoundaryShading before = this->Shading;
-    this->Shading.Set(
-      renderer, this->Picture.View, request.BoundaryProperty, request.BoundaryTexture);
+    this->Shading.Set(renderer, this->Picture.View, request.Settings.BoundaryProperty,
+      request.Settings.BoundaryTexture);
     this->SurfaceVersion += before == this->Shading ? 0 : 1;
     this->BoundaryVersion += before.HasSameImage(this->Shading) ? 0 : 1;
     this->Picture.Surface = &this->Shading;

@@ -10,6 +10,7 @@
 #include "vtkTetrahedraOrder.h"
 #include "vtkTetrahedraPicture.h"
 #include "vtkTetrahedraRenderReport.h"
+#include "vtkTetrahedraSettings.h"
 #include "vtkTileRasterizer.h"
 #include "vtkType.h"
 
@@ -22,9 +23,7 @@
 class vtkDataSet;
 class vtkHardwareSelector;
 class vtkOpenGLRenderWindow;
-class vtkProperty;
 class vtkRenderer;
-class vtkTexture;
 class vtkUnstructuredGrid;
 class vtkVolume;
 class vtkVolumeProperty;
@@ -40,20 +39,19 @@ public:
   vtkTetrahedraRenderer();
   ~vtkTetrahedraRenderer();
 
-  /// What is asked for, in the words of vtkTimeWeightedTetrahedraMapper.
+  /// What is asked for: the settings of the mapper, its blend mode, and what it has found.
   struct Request
   {
+    explicit Request(const vtkTetrahedraSettings& settings)
+      : Settings(settings)
+    {
+    }
+
+    const vtkTetrahedraSettings& Settings;
+    int Blend = 0;
     vtkUnstructuredGrid* Grid = nullptr;
     vtkTetrahedraArrays Arrays;
-    int Blend = 0;
-    int Sort = 0;
-    int Path = 0;
-    bool IsExact = true;
-    bool AdjustsLevelOfDetail = true;
-    std::map<int, double> Priorities;
     vtkDataSet* Boundary = nullptr;
-    vtkProperty* BoundaryProperty = nullptr;
-    vtkTexture* BoundaryTexture = nullptr;
   };
 
   /**

@@ -30,12 +30,12 @@ vtkStandardNewMacro(vtkTimeWeightedTetrahedraMapper);
 
 //------------------------------------------------------------------------------
 vtkTimeWeightedTetrahedraMapper::vtkTimeWeightedTetrahedraMapper()
-  : BoundaryProperty(vtkSmartPointer<vtkProperty>::New())
-  , Peels(std::make_unique<vtkDepthPeels>())
+  : Peels(std::make_unique<vtkDepthPeels>())
   , Renderer(std::make_unique<vtkTetrahedraRenderer>())
 {
   this->SetNumberOfInputPorts(2);
   this->BlendMode = AUTOMATIC_BLEND;
+  this->BoundaryProperty = vtkSmartPointer<vtkProperty>::New();
   this->BoundaryProperty->SetOpacity(0.5);
 }
 
@@ -239,18 +239,11 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   {
     return;
   }
-  vtkTetrahedraRenderer::Request request;
+  vtkTetrahedraRenderer::Request request(*this);
   request.Grid = grid;
   request.Blend = this->BlendMode;
-  request.Sort = this->SortMode;
-  request.Path = this->RenderPath;
-  request.IsExact = this->IntegrationMode == LINEAR_SEGMENT;
-  request.AdjustsLevelOfDetail = this->AutoAdjustLevelOfDetail;
-  request.Priorities = this->LayerPriorities;
   request.Boundary = vtkDataSet::SafeDownCast(
     this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0) : nullptr);
-  request.BoundaryProperty = this->BoundaryProperty;
-  request.BoundaryTexture = this->BoundaryTexture;
   std::string error = this->FindArrays(grid, request.Arrays);
   if (error.empty())
   {
