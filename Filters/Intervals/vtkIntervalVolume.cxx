@@ -40,26 +40,9 @@ vtkIntervalVolume::vtkIntervalVolume()
   this->AddObserver(vtkCommand::StartEvent, this, &vtkIntervalVolume::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkIntervalVolume::WarnIfEmpty);
   this->SetNumberOfOutputPorts(2);
-  this->SetInputArrayToProcess(
-    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
 vtkIntervalVolume::~vtkIntervalVolume() = default;
-
-void vtkIntervalVolume::SetNumberOfIntervals(int number)
-{
-  this->Intervals.SetNumber(number, this);
-}
-
-void vtkIntervalVolume::SetInterval(int i, double lower, double upper)
-{
-  this->Intervals.Set(i, lower, upper, this);
-}
-
-void vtkIntervalVolume::GetInterval(int i, double& lower, double& upper) const
-{
-  this->Intervals.Get(i, lower, upper);
-}
 
 void vtkIntervalVolume::AddCriterion(const char* arrayName, double lower, double upper)
 {
@@ -123,7 +106,7 @@ int vtkIntervalVolume::ComputePipelineMTime(vtkInformation* request, vtkInformat
 
 std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
 {
-  std::string wrongInterval = vtkExtractionInput::CheckIntervals(this->Intervals.GetAll());
+  std::string wrongInterval = vtkExtractionInput::CheckIntervals(this->GetIntervals());
   if (!wrongInterval.empty())
   {
     return wrongInterval;
@@ -209,14 +192,14 @@ int vtkIntervalVolume::RequestData(
 bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars,
   vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
 {
-  const vtkExtractionValues values = vtkExtractionValues::ForIntervals(this->Intervals.GetAll());
+  const vtkExtractionValues values = vtkExtractionValues::ForIntervals(this->GetIntervals());
   vtkExtractionReport report;
   vtkExtraction extraction;
   extraction.Owner = this;
   extraction.Values = &values;
   extraction.Index = this->UseValueIndex ? this->Index.GetPointer() : nullptr;
   extraction.IdName = "IntervalId";
-  extraction.OutputPointsPrecision = this->OutputPointsPrecision;
+  extraction.OutputPointsPrecision = this->GetOutputPointsPrecision();
   extraction.GenerateBoundaries = this->GenerateBoundaries;
   extraction.KeepOrigins = this->KeepOrigins && this->Criteria.empty();
   const bool completed = extraction.Execute(input, scalars, output, boundary, report);
@@ -232,7 +215,7 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
                     << " cells have no linear counterpart and are left out.");
   }
   for (const std::string& warning : { vtkExtractionInput::CheckPolyhedra(report.ConcavePolyhedra),
-         vtkExtractionInput::CheckPrecision(input, this->OutputPointsPrecision) })
+         vtkExtractionInput::CheckPrecision(input, this->GetOutputPointsPrecision()) })
   {
     if (!warning.empty())
     {
@@ -284,19 +267,14 @@ void vtkIntervalVolume::WarnIfEmpty()
   {
     return;
   }
-  const std::string why =
+  this->WarnOfEmptyOutput(
     this->Empty->Explain(this, this->GetNumberOfIntervals() == 0 ? "no interval is set." : "",
-      vtkEmptyResult::Describe(this->Intervals.GetAll()));
-  if (this->WarnOnEmptyOutput && !why.empty())
-  {
-    vtkWarningMacro("The output is empty: " << why);
-  }
+      vtkEmptyResult::Describe(this->GetIntervals())));
 }
 
 void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  this->Intervals.Print(os, indent);
   os << indent << "Criteria: " << this->Criteria.size() << "\n";
   for (const Criterion& criterion : this->Criteria)
   {
@@ -305,9 +283,7 @@ void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "GenerateBoundaries: " << this->GenerateBoundaries << "\n";
   os << indent << "KeepOrigins: " << this->KeepOrigins << "\n";
-  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
-  os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

@@ -3,9 +3,8 @@
 
 #include "InterlumeIntervalsModule.h" // for the export macro
 #include "vtkExtractionReport.h"      // for the report
-#include "vtkIntervalList.h"          // for the intervals
-#include "vtkSmartPointer.h"          // for the value index
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkIntervalAlgorithm.h"
+#include "vtkSmartPointer.h" // for the value index
 
 #include <memory> // for what an empty output is explained by
 #include <string> // for the criteria
@@ -77,17 +76,17 @@ class vtkExtractionIndex;
  * string array, lower > upper, a bound that is not finite or was given as a word.
  *
  * Warning (vtkWarningMacro, once for a composite input): an empty output and why, see
- * WarnOnEmptyOutput. Warnings for each dataset: quadratic cells, concave polyhedra, and images and
+ * WarnOnEmptyOutput; a criterion that leaves nothing is a reason too. Warnings for each dataset: quadratic cells, concave polyhedra, and images and
  * rectilinear grids so far from the origin that output points in single precision are off by more
  * than a hundredth of a cell.
  *
  * @sa vtkIsotableContour vtkIntervalTable
  */
-class INTERLUMEINTERVALS_EXPORT vtkIntervalVolume : public vtkUnstructuredGridAlgorithm
+class INTERLUMEINTERVALS_EXPORT vtkIntervalVolume : public vtkIntervalAlgorithm
 {
 public:
   static vtkIntervalVolume* New();
-  vtkTypeMacro(vtkIntervalVolume, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkIntervalVolume, vtkIntervalAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum BoundarySides
@@ -95,18 +94,6 @@ public:
     LOWER_SIDE = 0,
     UPPER_SIDE = 1
   };
-
-  ///@{
-  /**
-   * The intervals, in the units of the scalar: lower <= upper, both finite. They may touch, overlap
-   * or leave gaps. Default none, which gives an empty output. Valid number: 0 to 10000. SetInterval
-   * adds intervals where there are fewer; GetInterval leaves its arguments where there is none.
-   */
-  void SetNumberOfIntervals(int number);
-  int GetNumberOfIntervals() const { return this->Intervals.GetNumber(); }
-  void SetInterval(int i, double lower, double upper);
-  void GetInterval(int i, double& lower, double& upper) const;
-  ///@}
 
   ///@{
   /**
@@ -152,15 +139,6 @@ public:
 
   ///@{
   /**
-   * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input's points;
-   * float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default DEFAULT_PRECISION.
-   */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
-  vtkGetMacro(OutputPointsPrecision, int);
-  ///@}
-
-  ///@{
-  /**
    * Whether an index of value ranges is kept between executions, so that changed intervals visit
    * only the cells near them. It is built when the intervals change for the first time over the
    * same input. Default on.
@@ -168,18 +146,6 @@ public:
   vtkSetMacro(UseValueIndex, bool);
   vtkGetMacro(UseValueIndex, bool);
   vtkBooleanMacro(UseValueIndex, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether an execution that gives nothing warns, and says what is wrong and what the data have:
-   * no interval, an interval outside the scalar's range, no three-dimensional cell, a criterion
-   * that leaves nothing, no points. Said once for all datasets of a composite input. Of one piece
-   * of several nothing is said that other pieces may have. Default on.
-   */
-  vtkSetMacro(WarnOnEmptyOutput, bool);
-  vtkGetMacro(WarnOnEmptyOutput, bool);
-  vtkBooleanMacro(WarnOnEmptyOutput, bool);
   ///@}
 
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
@@ -220,13 +186,10 @@ protected:
   void WarnIfEmpty();
   ///@}
 
-  vtkIntervalList Intervals;
   std::vector<Criterion> Criteria;
   bool GenerateBoundaries = false;
   bool KeepOrigins = false;
-  int OutputPointsPrecision = DEFAULT_PRECISION;
   bool UseValueIndex = true;
-  bool WarnOnEmptyOutput = true;
   vtkExtractionReport Report;
   /// Whether the next RequestData is the first of an execution.
   bool IsFirstRun = true;

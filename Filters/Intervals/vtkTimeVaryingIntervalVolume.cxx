@@ -29,26 +29,9 @@ vtkTimeVaryingIntervalVolume::vtkTimeVaryingIntervalVolume()
   , ProjectionDirection{ 0.0, 0.0, 0.0, 1.0 }
 {
   this->SetNumberOfOutputPorts(NumberOfPorts);
-  this->SetInputArrayToProcess(
-    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
 vtkTimeVaryingIntervalVolume::~vtkTimeVaryingIntervalVolume() = default;
-
-void vtkTimeVaryingIntervalVolume::SetNumberOfIntervals(int number)
-{
-  this->Intervals.SetNumber(number, this);
-}
-
-void vtkTimeVaryingIntervalVolume::SetInterval(int i, double lower, double upper)
-{
-  this->Intervals.Set(i, lower, upper, this);
-}
-
-void vtkTimeVaryingIntervalVolume::GetInterval(int i, double& lower, double& upper) const
-{
-  this->Intervals.Get(i, lower, upper);
-}
 
 void vtkTimeVaryingIntervalVolume::SetGenerateBoundary(int kind, bool on)
 {
@@ -223,7 +206,7 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
   this->Report = vtkSpaceTimeReport();
   const std::vector<double> times = this->GetTimesTaken();
   for (const std::string& wrong : { this->CheckTimes(times), this->CheckDirection(),
-         vtkExtractionInput::CheckIntervals(this->Intervals.GetAll()) })
+         vtkExtractionInput::CheckIntervals(this->GetIntervals()) })
   {
     if (!wrong.empty())
     {
@@ -235,14 +218,14 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
   options.Tetrahedra = this->GenerateTetrahedra;
   options.Simplices = this->GenerateSimplices;
   options.Boundaries = this->GenerateBoundary;
-  options.Precision = this->OutputPointsPrecision;
+  options.Precision = this->GetOutputPointsPrecision();
   options.CopiesSteps = copiesSteps;
   options.SetDirection(this->ProjectionDirection);
   this->Run = std::make_unique<vtkTimeVaryingRun>(
     this,
     [this](vtkDataSet* input, int& association)
     { return this->GetInputAbstractArrayToProcess(0, input, association); },
-    this->Intervals.GetAll(), options, this->GetFirstStep(), times, this->Report);
+    this->GetIntervals(), options, this->GetFirstStep(), times, this->Report);
   return true;
 }
 
@@ -257,11 +240,7 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   }
   if (!this->Run && this->GetNumberOfIntervals() == 0)
   {
-    const std::string why = vtkEmptyResult().Explain(this, "no interval is set.", "");
-    if (this->WarnOnEmptyOutput && !why.empty())
-    {
-      vtkWarningMacro("The output is empty: " << why);
-    }
+    this->WarnOfEmptyOutput(vtkEmptyResult().Explain(this, "no interval is set.", ""));
     return 1;
   }
   if (!this->Run && !this->Begin(false))
@@ -306,11 +285,9 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   {
     vtkWarningMacro(<< warning);
   }
-  const std::string why =
-    result == vtkTimeVaryingRun::DONE ? this->ExplainEmpty(*run) : std::string();
-  if (this->WarnOnEmptyOutput && !why.empty())
+  if (result == vtkTimeVaryingRun::DONE)
   {
-    vtkWarningMacro("The output is empty: " << why);
+    this->WarnOfEmptyOutput(this->ExplainEmpty(*run));
   }
   return 1;
 }
@@ -327,7 +304,7 @@ std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(vtkTimeVaryingRun& run)
   const bool isAsked = this->GenerateTetrahedra || this->GenerateSimplices || hasBoundary;
   const std::string why = run.GetEmptyResult().Explain(this,
     isAsked ? "" : "neither tetrahedra, nor boundaries, nor 4-simplices are asked for.",
-    vtkEmptyResult::Describe(this->Intervals.GetAll()) + " at any time");
+    vtkEmptyResult::Describe(this->GetIntervals()) + " at any time");
   const vtkSpaceTimeReport& report = this->Report;
   if (why.empty() && this->GenerateTetrahedra && report.Simplices > 0 &&
     report.FlatSimplices == report.Simplices)
@@ -341,7 +318,6 @@ std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(vtkTimeVaryingRun& run)
 void vtkTimeVaryingIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  this->Intervals.Print(os, indent);
   os << indent << "TimeStepRange: " << this->TimeStepRange[0] << " to " << this->TimeStepRange[1]
      << "\n";
   os << indent << "ProjectionDirection: " << this->ProjectionDirection[0] << " "
@@ -355,8 +331,6 @@ void vtkTimeVaryingIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << on;
   }
   os << "\n";
-  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
-  os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

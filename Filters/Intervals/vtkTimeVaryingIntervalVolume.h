@@ -2,9 +2,8 @@
 #define vtkTimeVaryingIntervalVolume_h
 
 #include "InterlumeIntervalsModule.h" // for the export macro
-#include "vtkIntervalList.h"          // for the intervals
-#include "vtkSpaceTimeReport.h"       // for the report
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkIntervalAlgorithm.h"
+#include "vtkSpaceTimeReport.h" // for the report
 
 #include <array>  // for the flags
 #include <memory> // for the state between time steps
@@ -80,18 +79,18 @@ class vtkTimeVaryingRun;
  * are not finite, a step without the scalar array or of another type of grid, number of points or
  * cells, or connectivity than the step before (the message names the step), and those of
  * vtkIntervalVolume. Warning (vtkWarningMacro, once for a composite input): empty outputs and why,
- * see WarnOnEmptyOutput; concave polyhedra and points that single precision spoils, as in
+ * see WarnOnEmptyOutput, also when no output is asked for or all 4-simplices are flat; concave polyhedra and points that single precision spoils, as in
  * vtkIntervalVolume.
  *
  * The scalar is the active one on each output.
  *
  * @sa vtkIntervalVolume vtkSimplexTimeSlice vtkTimeWeightedTetrahedraMapper
  */
-class INTERLUMEINTERVALS_EXPORT vtkTimeVaryingIntervalVolume : public vtkUnstructuredGridAlgorithm
+class INTERLUMEINTERVALS_EXPORT vtkTimeVaryingIntervalVolume : public vtkIntervalAlgorithm
 {
 public:
   static vtkTimeVaryingIntervalVolume* New();
-  vtkTypeMacro(vtkTimeVaryingIntervalVolume, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkTimeVaryingIntervalVolume, vtkIntervalAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What a cell of port 1 is a part of: f equals the lower or upper bound at the start or the end
@@ -123,17 +122,6 @@ public:
     CLASS_4 = 40,
     CLASS_5 = 50
   };
-
-  ///@{
-  /**
-   * The intervals, as in vtkIntervalVolume. Default none, which gives an empty output. Valid
-   * number: 0 to 10000.
-   */
-  void SetNumberOfIntervals(int number);
-  int GetNumberOfIntervals() const { return this->Intervals.GetNumber(); }
-  void SetInterval(int i, double lower, double upper);
-  void GetInterval(int i, double& lower, double& upper) const;
-  ///@}
 
   ///@{
   /**
@@ -187,26 +175,6 @@ public:
   vtkBooleanMacro(GenerateBoundaries, bool);
   ///@}
 
-  ///@{
-  /**
-   * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input's points;
-   * float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default DEFAULT_PRECISION.
-   */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
-  vtkGetMacro(OutputPointsPrecision, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether an execution that gives nothing warns, and says what is wrong and what the data have,
-   * as in vtkIntervalVolume; also when no output is asked for, or all 4-simplices are flat. Default
-   * on.
-   */
-  vtkSetMacro(WarnOnEmptyOutput, bool);
-  vtkGetMacro(WarnOnEmptyOutput, bool);
-  vtkBooleanMacro(WarnOnEmptyOutput, bool);
-  ///@}
-
   /**
    * What the last execution did.
    */
@@ -238,14 +206,11 @@ protected:
   /// Why there is no output after all steps, or nothing.
   std::string ExplainEmpty(vtkTimeVaryingRun& run);
 
-  vtkIntervalList Intervals;
   int TimeStepRange[2];
   double ProjectionDirection[4];
   bool GenerateTetrahedra = true;
   bool GenerateSimplices = false;
   std::array<bool, NUMBER_OF_BOUNDARY_KINDS> GenerateBoundary{};
-  int OutputPointsPrecision = DEFAULT_PRECISION;
-  bool WarnOnEmptyOutput = true;
   vtkSpaceTimeReport Report;
   /// The times of the input's steps.
   std::vector<double> TimeSteps;

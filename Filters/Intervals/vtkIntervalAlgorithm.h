@@ -1,0 +1,77 @@
+#ifndef vtkIntervalAlgorithm_h
+#define vtkIntervalAlgorithm_h
+
+#include "InterlumeIntervalsModule.h" // for the export macro
+#include "vtkIntervalList.h"          // for the intervals
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <string> // for why an output is empty
+
+/**
+ * @class   vtkIntervalAlgorithm
+ * @brief   what filters of intervals of a scalar have in common: the intervals, and how they answer
+ *
+ * The scalar is SetInputArrayToProcess(0, ...), by default the active point scalars.
+ *
+ * @sa vtkIntervalVolume vtkTimeVaryingIntervalVolume
+ */
+class INTERLUMEINTERVALS_EXPORT vtkIntervalAlgorithm : public vtkUnstructuredGridAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkIntervalAlgorithm, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The intervals, in the units of the scalar: lower <= upper, both finite. They may touch, overlap
+   * or leave gaps. Default none, which gives an empty output. Valid number: 0 to 10000. SetInterval
+   * adds intervals where there are fewer; GetInterval leaves its arguments where there is none.
+   */
+  void SetNumberOfIntervals(int number);
+  int GetNumberOfIntervals() const { return this->Intervals.GetNumber(); }
+  void SetInterval(int i, double lower, double upper);
+  void GetInterval(int i, double& lower, double& upper) const;
+  ///@}
+
+  ///@{
+  /**
+   * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input's points;
+   * float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default DEFAULT_PRECISION.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether an execution that gives nothing warns, and says what is wrong and what the data have:
+   * no interval, an interval outside the scalar's range, no three-dimensional cell, no points, and
+   * what else a filter names. Said once for all datasets of a composite input. Of one piece of
+   * several nothing is said that other pieces may have. Default on.
+   */
+  vtkSetMacro(WarnOnEmptyOutput, bool);
+  vtkGetMacro(WarnOnEmptyOutput, bool);
+  vtkBooleanMacro(WarnOnEmptyOutput, bool);
+  ///@}
+
+protected:
+  vtkIntervalAlgorithm();
+  ~vtkIntervalAlgorithm() override = default;
+
+  const std::vector<vtkIntervalList::Interval>& GetIntervals() const
+  {
+    return this->Intervals.GetAll();
+  }
+  /// Warns that the output is empty, where there is a reason, and a warning is wanted.
+  void WarnOfEmptyOutput(const std::string& why);
+
+private:
+  vtkIntervalAlgorithm(const vtkIntervalAlgorithm&) = delete;
+  void operator=(const vtkIntervalAlgorithm&) = delete;
+
+  vtkIntervalList Intervals;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+  bool WarnOnEmptyOutput = true;
+};
+
+#endif
