@@ -76,9 +76,9 @@ class vtkExtractionIndex;
  * string array, lower > upper, a bound that is not finite or was given as a word.
  *
  * Warning (vtkWarningMacro, once for a composite input): an empty output and why, see
- * WarnOnEmptyOutput; a criterion that leaves nothing is a reason too. Warnings for each dataset: quadratic cells, concave polyhedra, and images and
- * rectilinear grids so far from the origin that output points in single precision are off by more
- * than a hundredth of a cell.
+ * WarnOnEmptyOutput; a criterion that leaves nothing is a reason too. Warnings for each dataset:
+ * quadratic cells, concave polyhedra, and images and rectilinear grids so far from the origin that
+ * output points in single precision are off by more than a hundredth of a cell.
  *
  * @sa vtkIsotableContour vtkIntervalTable
  */
@@ -163,6 +163,10 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+private:
+  vtkIntervalVolume(const vtkIntervalVolume&) = delete;
+  void operator=(const vtkIntervalVolume&) = delete;
+
   struct Criterion
   {
     std::string ArrayName;
@@ -195,10 +199,6 @@ protected:
   bool IsFirstRun = true;
   vtkSmartPointer<vtkExtractionIndex> Index;
   std::unique_ptr<vtkEmptyResult> Empty;
-
-private:
-  vtkIntervalVolume(const vtkIntervalVolume&) = delete;
-  void operator=(const vtkIntervalVolume&) = delete;
 };
 
 #endif

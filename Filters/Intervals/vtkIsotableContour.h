@@ -117,6 +117,10 @@ protected:
   void WarnIfEmpty();
   ///@}
 
+private:
+  vtkIsotableContour(const vtkIsotableContour&) = delete;
+  void operator=(const vtkIsotableContour&) = delete;
+
   std::vector<double> Values;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool UseValueIndex = true;
@@ -126,10 +130,6 @@ protected:
   bool IsFirstRun = true;
   vtkSmartPointer<vtkExtractionIndex> Index;
   std::unique_ptr<vtkEmptyResult> Empty;
-
-private:
-  vtkIsotableContour(const vtkIsotableContour&) = delete;
-  void operator=(const vtkIsotableContour&) = delete;
 };
 
 #endif

@@ -113,6 +113,10 @@ protected:
   void WarnIfEmpty();
   ///@}
 
+private:
+  vtkSimplexTimeSlice(const vtkSimplexTimeSlice&) = delete;
+  void operator=(const vtkSimplexTimeSlice&) = delete;
+
   double Time = 0.0;
   bool FollowTime = true;
   bool WarnOnEmptyOutput = true;
@@ -121,10 +125,6 @@ protected:
   /// The time of the last slice.
   double TimeOfSlice = 0.0;
   std::unique_ptr<vtkEmptyResult> Empty;
-
-private:
-  vtkSimplexTimeSlice(const vtkSimplexTimeSlice&) = delete;
-  void operator=(const vtkSimplexTimeSlice&) = delete;
 };
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "vtkSpaceTimeMesh.h"
 #include "vtkSpaceTimeSlots.h"
-#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkSpaceTimeSettings.h"
 
 #include <utility>
 
@@ -20,7 +20,7 @@ class vtkSpaceTimeBoundary
 public:
   using Slot = vtkSpaceTimeSlots::Slot;
   using Simplex = vtkSpaceTimeSlots::Simplex;
-  using Kinds = vtkTimeVaryingIntervalVolume::BoundaryKinds;
+  using Kinds = vtkSpaceTimeSettings::BoundaryKinds;
 
   /**
    * Calls visit(kind, slots, number) for each boundary cell that \a mesh wants, of a 4-simplex that

@@ -2,13 +2,13 @@
 
 #include "vtkExtractionCell.h"
 #include "vtkOppositePairs.h"
-#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkSpaceTimeSettings.h"
 
 #include <algorithm>
 
 namespace
 {
-using Kinds = vtkTimeVaryingIntervalVolume::BoundaryKinds;
+using Kinds = vtkSpaceTimeSettings::BoundaryKinds;
 using Sides = vtkSpaceTimeSlots::Sides;
 using Slot = vtkIsotableCache::Slot;
 using SideArray = std::array<std::uint8_t, vtkIsotableCache::MaximumNumberOfSlots>;

@@ -24,7 +24,7 @@ public:
   using Slot = vtkIsotableCache::Slot;
   using Simplex = vtkIsotableCache::Simplex;
 
-  /// A cell of a boundary; see vtkTimeVaryingIntervalVolume::BoundaryKinds.
+  /// A cell of a boundary; see vtkSpaceTimeSettings::BoundaryKinds.
   struct Side
   {
     std::array<Slot, 4> Points;

@@ -371,13 +371,15 @@ private:
     const vtkSpaceTimeOptions& options = this->Mesh.GetOptions();
     vtkSpaceTimeMesh::Slab& slab = this->Mesh.GetSlab();
     // With values equal to bounds those of the boundary are told by the 4-simplices.
-    const bool isNeeded = options.Tetrahedra || options.Simplices ||
+    const bool isNeeded = options.Settings.GenerateTetrahedra ||
+      options.Settings.GenerateSimplices ||
       (this->HasBoundary && (this->Steps[0]->HasTies() || this->Steps[1]->HasTies()));
     slab.Simplices.Allocate(isNeeded ? simplices : 0);
     slab.Items.Allocate(isNeeded && this->Values.GetItems().size() > 1 ? simplices : 0);
-    slab.Flats.Allocate(options.Tetrahedra ? simplices : 0);
+    slab.Flats.Allocate(options.Settings.GenerateTetrahedra ? simplices : 0);
     this->Report.Simplices += simplices;
-    this->MarksFlat = options.Tetrahedra && options.IsAlongTime() && this->Planarity.IsStatic();
+    this->MarksFlat =
+      options.Settings.GenerateTetrahedra && options.IsAlongTime() && this->Planarity.IsStatic();
   }
 
   void NoteReport(std::size_t bytes)

@@ -10,7 +10,7 @@
 
 namespace
 {
-using Kinds = vtkTimeVaryingIntervalVolume::BoundaryKinds;
+using Kinds = vtkSpaceTimeSettings::BoundaryKinds;
 using PointList = vtkExtractionBuffer<vtkExtractionPoint>;
 
 vtkIdType GetOwner(const vtkExtractionPoint& point)
@@ -138,7 +138,7 @@ vtkSmartPointer<vtkDoubleArray> MakeTimes(
 void vtkSpaceTimeMesh::BeginSlab(int number, bool isFirst, bool isLast, bool isJoined, bool hasTies)
 {
   this->IsLast = isLast;
-  this->WantedKinds = this->Options.Boundaries;
+  this->WantedKinds = this->Options.Settings.GenerateBoundary;
   this->HasTies = this->HasTies || hasTies;
   // Surfaces at a step are told from nothing by the volume there.
   this->WantedKinds[Kinds::VOLUME_AT_START] |= hasTies &&
@@ -422,7 +422,7 @@ void vtkSpaceTimeMesh::SettleTiedBoundary()
   std::size_t kept = 0;
   for (std::size_t c = 0; c < this->Boundary.size(); ++c)
   {
-    if (!isRemoved[c] && this->Options.Boundaries[this->Boundary[c].Kind])
+    if (!isRemoved[c] && this->Options.Settings.GenerateBoundary[this->Boundary[c].Kind])
     {
       this->Boundary[kept++] = this->Boundary[c];
     }

@@ -168,7 +168,7 @@ private:
   void FindCoordinates();
 
   vtkSpaceTimeOptions Options;
-  std::array<bool, vtkSpaceTimeOptions::NumberOfBoundaries> WantedKinds{};
+  std::array<bool, vtkSpaceTimeSettings::NUMBER_OF_BOUNDARY_KINDS> WantedKinds{};
   vtkSmartPointer<vtkPoints> Points;
   // The coordinates, in the one type or the other.
   const float* Floats = nullptr;

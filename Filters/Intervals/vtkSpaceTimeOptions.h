@@ -1,31 +1,24 @@
 #ifndef vtkSpaceTimeOptions_h
 #define vtkSpaceTimeOptions_h
 
-#include "vtkAlgorithm.h"
-#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkSpaceTimeSettings.h"
 
 #include <array>
 #include <cmath>
 
 /**
  * @class   vtkSpaceTimeOptions
- * @brief   what a filter wants made of 4-simplices
+ * @brief   the settings of one execution, and the projection that they stand for
  */
 class vtkSpaceTimeOptions
 {
 public:
-  static constexpr int NumberOfBoundaries = vtkTimeVaryingIntervalVolume::NUMBER_OF_BOUNDARY_KINDS;
-
-  bool Tetrahedra = true;
-  bool Simplices = false;
-  std::array<bool, NumberOfBoundaries> Boundaries{};
-  int Precision = vtkAlgorithm::DEFAULT_PRECISION;
-  /// Whether steps are copied, since the input writes each over the one before.
-  bool CopiesSteps = false;
-
-  /// The direction of projection in (x,y,z,t), not zero.
-  void SetDirection(const double direction[4])
+  vtkSpaceTimeOptions(const vtkSpaceTimeSettings& settings, int precision, bool copiesSteps)
+    : Settings(settings)
+    , Precision(precision)
+    , CopiesSteps(copiesSteps)
   {
+    const double* direction = settings.ProjectionDirection;
     double length = 0.0;
     for (int axis = 0; axis < 4; ++axis)
     {
@@ -38,6 +31,12 @@ public:
       this->Direction[axis] = direction[axis] / length;
     }
   }
+
+  /// Their direction of projection is not zero.
+  const vtkSpaceTimeSettings Settings;
+  const int Precision;
+  /// Whether steps are copied, since the input writes each over the one before.
+  const bool CopiesSteps;
 
   bool IsAlongTime() const { return this->Direction[3] == 1.0; }
 

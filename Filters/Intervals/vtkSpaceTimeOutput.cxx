@@ -23,9 +23,8 @@ using Slab = vtkSpaceTimeMesh::Slab;
 constexpr int NumberOfPoints = vtkSimplexProjection::NumberOfPoints;
 
 constexpr unsigned char ClassNames[vtkSimplexProjection::NumberOfClasses] = {
-  vtkTimeVaryingIntervalVolume::CLASS_1, vtkTimeVaryingIntervalVolume::CLASS_2,
-  vtkTimeVaryingIntervalVolume::CLASS_3A, vtkTimeVaryingIntervalVolume::CLASS_3B,
-  vtkTimeVaryingIntervalVolume::CLASS_4, vtkTimeVaryingIntervalVolume::CLASS_5
+  vtkSpaceTimeSettings::CLASS_1, vtkSpaceTimeSettings::CLASS_2, vtkSpaceTimeSettings::CLASS_3A,
+  vtkSpaceTimeSettings::CLASS_3B, vtkSpaceTimeSettings::CLASS_4, vtkSpaceTimeSettings::CLASS_5
 };
 
 template <typename Array>

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <string>
 
@@ -25,8 +24,6 @@ constexpr int NumberOfPorts = 3;
 }
 
 vtkTimeVaryingIntervalVolume::vtkTimeVaryingIntervalVolume()
-  : TimeStepRange{ 0, std::numeric_limits<int>::max() }
-  , ProjectionDirection{ 0.0, 0.0, 0.0, 1.0 }
 {
   this->SetNumberOfOutputPorts(NumberOfPorts);
 }
@@ -214,13 +211,7 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
       return false;
     }
   }
-  vtkSpaceTimeOptions options;
-  options.Tetrahedra = this->GenerateTetrahedra;
-  options.Simplices = this->GenerateSimplices;
-  options.Boundaries = this->GenerateBoundary;
-  options.Precision = this->GetOutputPointsPrecision();
-  options.CopiesSteps = copiesSteps;
-  options.SetDirection(this->ProjectionDirection);
+  const vtkSpaceTimeOptions options(*this, this->GetOutputPointsPrecision(), copiesSteps);
   this->Run = std::make_unique<vtkTimeVaryingRun>(
     this,
     [this](vtkDataSet* input, int& association)

@@ -3,9 +3,9 @@
 
 #include "InterlumeIntervalsModule.h" // for the export macro
 #include "vtkIntervalAlgorithm.h"
-#include "vtkSpaceTimeReport.h" // for the report
+#include "vtkSpaceTimeReport.h"   // for the report
+#include "vtkSpaceTimeSettings.h" // for what is set
 
-#include <array>  // for the flags
 #include <memory> // for the state between time steps
 #include <string> // for messages
 #include <vector> // for the time steps
@@ -79,49 +79,44 @@ class vtkTimeVaryingRun;
  * are not finite, a step without the scalar array or of another type of grid, number of points or
  * cells, or connectivity than the step before (the message names the step), and those of
  * vtkIntervalVolume. Warning (vtkWarningMacro, once for a composite input): empty outputs and why,
- * see WarnOnEmptyOutput, also when no output is asked for or all 4-simplices are flat; concave polyhedra and points that single precision spoils, as in
- * vtkIntervalVolume.
+ * see WarnOnEmptyOutput, also when no output is asked for or all 4-simplices are flat; concave
+ * polyhedra and points that single precision spoils, as in vtkIntervalVolume.
  *
  * The scalar is the active one on each output.
  *
  * @sa vtkIntervalVolume vtkSimplexTimeSlice vtkTimeWeightedTetrahedraMapper
  */
-class INTERLUMEINTERVALS_EXPORT vtkTimeVaryingIntervalVolume : public vtkIntervalAlgorithm
+class INTERLUMEINTERVALS_EXPORT vtkTimeVaryingIntervalVolume
+  : public vtkIntervalAlgorithm
+  , private vtkSpaceTimeSettings
 {
 public:
   static vtkTimeVaryingIntervalVolume* New();
   vtkTypeMacro(vtkTimeVaryingIntervalVolume, vtkIntervalAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What a cell of port 1 is a part of: f equals the lower or upper bound at the start or the end
-  /// (triangles) or at any time (tetrahedra); f is in the interval at the start or the end
-  /// (tetrahedra).
-  enum BoundaryKinds
-  {
-    LOWER_SURFACE_AT_START = 0,
-    UPPER_SURFACE_AT_START = 1,
-    LOWER_SURFACE_AT_END = 2,
-    UPPER_SURFACE_AT_END = 3,
-    LOWER_SURFACE_IN_TIME = 4,
-    UPPER_SURFACE_IN_TIME = 5,
-    VOLUME_AT_START = 6,
-    VOLUME_AT_END = 7,
-    NUMBER_OF_BOUNDARY_KINDS = 8
-  };
-
-  /// How the five projected points of a 4-simplex lie (figures 3.12 and 3.15 of the source), and in
-  /// how many tetrahedra: no point inside the hull (6), one inside (4), four in a plane, the thick
-  /// point within (4), or one of them inside the triangle of the others (3), three in a line (2),
-  /// two in one place (1).
-  enum SimplexClasses
-  {
-    CLASS_1 = 10,
-    CLASS_2 = 20,
-    CLASS_3A = 31,
-    CLASS_3B = 32,
-    CLASS_4 = 40,
-    CLASS_5 = 50
-  };
+  ///@{
+  /**
+   * The kinds and classes, as vtkSpaceTimeSettings has them.
+   */
+  using vtkSpaceTimeSettings::BoundaryKinds;
+  using vtkSpaceTimeSettings::CLASS_1;
+  using vtkSpaceTimeSettings::CLASS_2;
+  using vtkSpaceTimeSettings::CLASS_3A;
+  using vtkSpaceTimeSettings::CLASS_3B;
+  using vtkSpaceTimeSettings::CLASS_4;
+  using vtkSpaceTimeSettings::CLASS_5;
+  using vtkSpaceTimeSettings::LOWER_SURFACE_AT_END;
+  using vtkSpaceTimeSettings::LOWER_SURFACE_AT_START;
+  using vtkSpaceTimeSettings::LOWER_SURFACE_IN_TIME;
+  using vtkSpaceTimeSettings::NUMBER_OF_BOUNDARY_KINDS;
+  using vtkSpaceTimeSettings::SimplexClasses;
+  using vtkSpaceTimeSettings::UPPER_SURFACE_AT_END;
+  using vtkSpaceTimeSettings::UPPER_SURFACE_AT_START;
+  using vtkSpaceTimeSettings::UPPER_SURFACE_IN_TIME;
+  using vtkSpaceTimeSettings::VOLUME_AT_END;
+  using vtkSpaceTimeSettings::VOLUME_AT_START;
+  ///@}
 
   ///@{
   /**
@@ -206,11 +201,10 @@ protected:
   /// Why there is no output after all steps, or nothing.
   std::string ExplainEmpty(vtkTimeVaryingRun& run);
 
-  int TimeStepRange[2];
-  double ProjectionDirection[4];
-  bool GenerateTetrahedra = true;
-  bool GenerateSimplices = false;
-  std::array<bool, NUMBER_OF_BOUNDARY_KINDS> GenerateBoundary{};
+private:
+  vtkTimeVaryingIntervalVolume(const vtkTimeVaryingIntervalVolume&) = delete;
+  void operator=(const vtkTimeVaryingIntervalVolume&) = delete;
+
   vtkSpaceTimeReport Report;
   /// The times of the input's steps.
   std::vector<double> TimeSteps;
@@ -218,10 +212,6 @@ protected:
   std::unique_ptr<vtkTimeVaryingRun> Run;
   /// Whether an execution was begun anew since the input changed meanwhile.
   bool IsRestarted = false;
-
-private:
-  vtkTimeVaryingIntervalVolume(const vtkTimeVaryingIntervalVolume&) = delete;
-  void operator=(const vtkTimeVaryingIntervalVolume&) = delete;
 };
 
 #endif

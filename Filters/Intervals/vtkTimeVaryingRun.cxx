@@ -288,7 +288,7 @@ bool vtkTimeVaryingRun::FillOutputs(
   OutputLeaves tetrahedraLeaves(tetrahedra);
   OutputLeaves boundaryLeaves(boundary);
   OutputLeaves simplexLeaves(simplices);
-  const auto& kinds = this->Options.Boundaries;
+  const auto& kinds = this->Options.Settings.GenerateBoundary;
   const bool hasBoundary = std::find(kinds.begin(), kinds.end(), true) != kinds.end();
   const vtkExtractionContext context = this->MakeContext();
   std::size_t bytes = 0;
@@ -309,7 +309,7 @@ bool vtkTimeVaryingRun::FillOutputs(
     const vtkSpaceTimeMesh& mesh = leaf->Mesh;
     vtkExtractionArrays::ActivateScalars(leaf->ScalarsName.c_str(), mesh.GetArrays());
     vtkUnstructuredGrid* output = tetrahedraLeaves.GetNext(isNeeded);
-    if (output && this->Options.Tetrahedra &&
+    if (output && this->Options.Settings.GenerateTetrahedra &&
       !vtkSpaceTimeOutput::FillTetrahedra(context, mesh, output, this->Report))
     {
       return false;
@@ -320,7 +320,7 @@ bool vtkTimeVaryingRun::FillOutputs(
       vtkSpaceTimeOutput::FillBoundary(mesh, output, this->Report);
     }
     output = simplexLeaves.GetNext(isNeeded);
-    if (output && this->Options.Simplices)
+    if (output && this->Options.Settings.GenerateSimplices)
     {
       vtkSpaceTimeOutput::FillSimplices(mesh, output);
     }
