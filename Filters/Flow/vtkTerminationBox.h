@@ -43,11 +43,11 @@ protected:
   vtkTerminationBox() = default;
   ~vtkTerminationBox() override = default;
 
-  double Bounds[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
-
 private:
   vtkTerminationBox(const vtkTerminationBox&) = delete;
   void operator=(const vtkTerminationBox&) = delete;
+
+  double Bounds[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
 };
 
 #endif

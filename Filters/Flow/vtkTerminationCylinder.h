@@ -73,11 +73,6 @@ protected:
   vtkTerminationCylinder();
   ~vtkTerminationCylinder() override;
 
-  double Point1[3] = { 0.0, 0.0, -0.5 };
-  double Point2[3] = { 0.0, 0.0, 0.5 };
-  double Radius = 0.5;
-  bool Capped = false;
-
 private:
   vtkTerminationCylinder(const vtkTerminationCylinder&) = delete;
   void operator=(const vtkTerminationCylinder&) = delete;
@@ -98,6 +93,11 @@ private:
 
   const std::unique_ptr<vtkAxialFrame> Frame;
   double Length = 1.0;
+
+  double Point1[3] = { 0.0, 0.0, -0.5 };
+  double Point2[3] = { 0.0, 0.0, 0.5 };
+  double Radius = 0.5;
+  bool Capped = false;
 };
 
 #endif

@@ -99,11 +99,6 @@ protected:
   vtkTerminationMesh();
   ~vtkTerminationMesh() override;
 
-  vtkSmartPointer<vtkPolyData> Mesh;
-  bool PeriodicU = false;
-  bool PeriodicV = false;
-  double Tolerance = 1e-9;
-
 private:
   vtkTerminationMesh(const vtkTerminationMesh&) = delete;
   void operator=(const vtkTerminationMesh&) = delete;
@@ -112,6 +107,11 @@ private:
   struct Contents;
   std::unique_ptr<Contents> Made;
   vtkTimeStamp UpdateTime;
+
+  vtkSmartPointer<vtkPolyData> Mesh;
+  bool PeriodicU = false;
+  bool PeriodicV = false;
+  double Tolerance = 1e-9;
 };
 
 #endif

@@ -57,11 +57,6 @@ protected:
   vtkTerminationPlane() = default;
   ~vtkTerminationPlane() override = default;
 
-  double Origin[3] = { -0.5, -0.5, 0.0 };
-  double Point1[3] = { 0.5, -0.5, 0.0 };
-  double Point2[3] = { -0.5, 0.5, 0.0 };
-  bool Unbounded = false;
-
 private:
   vtkTerminationPlane(const vtkTerminationPlane&) = delete;
   void operator=(const vtkTerminationPlane&) = delete;
@@ -72,6 +67,11 @@ private:
   double Normal[3] = { 0.0, 0.0, 1.0 };
   /// Gradients of u and v.
   double Gradients[2][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } };
+
+  double Origin[3] = { -0.5, -0.5, 0.0 };
+  double Point1[3] = { 0.5, -0.5, 0.0 };
+  double Point2[3] = { -0.5, 0.5, 0.0 };
+  bool Unbounded = false;
 };
 
 #endif

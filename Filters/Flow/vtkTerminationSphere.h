@@ -56,15 +56,15 @@ protected:
   vtkTerminationSphere();
   ~vtkTerminationSphere() override;
 
-  double Center[3] = { 0.0, 0.0, 0.0 };
-  double Radius = 0.5;
-  double Axis[3] = { 0.0, 0.0, 1.0 };
-
 private:
   vtkTerminationSphere(const vtkTerminationSphere&) = delete;
   void operator=(const vtkTerminationSphere&) = delete;
 
   const std::unique_ptr<vtkAxialFrame> Frame;
+
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  double Radius = 0.5;
+  double Axis[3] = { 0.0, 0.0, 1.0 };
 };
 
 #endif

@@ -117,11 +117,11 @@ protected:
   /// part.
   bool TakeParameters(int part, const double uv[2], double taken[2]) const;
 
-  int Id = -1;
-
 private:
   vtkTerminationSurface(const vtkTerminationSurface&) = delete;
   void operator=(const vtkTerminationSurface&) = delete;
+
+  int Id = -1;
 };
 
 #endif

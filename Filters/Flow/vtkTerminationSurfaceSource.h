@@ -57,13 +57,13 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  vtkSmartPointer<vtkTerminationSurface> Surface;
-  int ResolutionU = 32;
-  int ResolutionV = 32;
-
 private:
   vtkTerminationSurfaceSource(const vtkTerminationSurfaceSource&) = delete;
   void operator=(const vtkTerminationSurfaceSource&) = delete;
+
+  vtkSmartPointer<vtkTerminationSurface> Surface;
+  int ResolutionU = 32;
+  int ResolutionV = 32;
 };
 
 #endif

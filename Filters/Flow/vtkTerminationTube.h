@@ -105,16 +105,16 @@ protected:
   vtkTerminationTube();
   ~vtkTerminationTube() override;
 
-  std::vector<std::array<double, 3>> Points;
-  vtkSmartPointer<vtkPolyData> Line;
-  double Radius = 0.5;
-  bool Capped = false;
-
 private:
   vtkTerminationTube(const vtkTerminationTube&) = delete;
   void operator=(const vtkTerminationTube&) = delete;
 
   std::unique_ptr<vtkTubeAxis> Axis;
+
+  std::vector<std::array<double, 3>> Points;
+  vtkSmartPointer<vtkPolyData> Line;
+  double Radius = 0.5;
+  bool Capped = false;
 };
 
 #endif

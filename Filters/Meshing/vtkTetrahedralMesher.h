@@ -188,6 +188,10 @@ protected:
   void WarnIfEmpty();
   ///@}
 
+private:
+  vtkTetrahedralMesher(const vtkTetrahedralMesher&) = delete;
+  void operator=(const vtkTetrahedralMesher&) = delete;
+
   double QualityBound = 0.0;
   double MinimumDihedralAngle = 0.0;
   double MaximumVolume = 0.0;
@@ -201,10 +205,6 @@ protected:
   /// Whether the execution has made no tetrahedron so far, and no error has said why.
   bool IsEmpty = true;
   int Depth = 0;
-
-private:
-  vtkTetrahedralMesher(const vtkTetrahedralMesher&) = delete;
-  void operator=(const vtkTetrahedralMesher&) = delete;
 };
 
 #endif

@@ -107,6 +107,13 @@ protected:
 
   vtkFieldSampler::Field GetFieldAtTime(double t) const override;
 
+private:
+  vtkAnalyticFieldSource(const vtkAnalyticFieldSource&) = delete;
+  void operator=(const vtkAnalyticFieldSource&) = delete;
+
+  void SetNumber(double& member, double value);
+  void SetVector(double (&member)[3], double x, double y, double z);
+
   int Field = VORTEX;
   double Constant = 0.0;
   double Gradient[3] = { 1.0, 0.0, 0.0 };
@@ -115,13 +122,6 @@ protected:
   double Velocity[3] = { 0.1, 0.0, 0.0 };
   double Radius = 0.4;
   double Growth = 0.1;
-
-private:
-  vtkAnalyticFieldSource(const vtkAnalyticFieldSource&) = delete;
-  void operator=(const vtkAnalyticFieldSource&) = delete;
-
-  void SetNumber(double& member, double value);
-  void SetVector(double (&member)[3], double x, double y, double z);
 };
 
 #endif

@@ -276,6 +276,22 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+private:
+  vtkAnalyticFlowSource(const vtkAnalyticFlowSource&) = delete;
+  void operator=(const vtkAnalyticFlowSource&) = delete;
+
+  void SetNumber(double& member, double value);
+  void SetLength(double& member, double value);
+  void SetVector(double (&member)[3], double x, double y, double z);
+  void SetVector(double (&member)[2], double x, double y);
+
+  /// Calls \a visit with the formula of the field.
+  template <typename Visitor>
+  void Visit(const Visitor& visit) const;
+
+  /// Whether x is inside the sphere or the cylinder.
+  bool IsInside(const double x[3]) const;
+
   int Field = HURRICANE;
   int OutputScalarType = VTK_DOUBLE;
   double Center[3] = { 0.0, 0.0, 0.0 };
@@ -302,22 +318,6 @@ protected:
   double Updraft = 0.3;
   double Circulation = 1.0;
   double Strain = 0.5;
-
-private:
-  vtkAnalyticFlowSource(const vtkAnalyticFlowSource&) = delete;
-  void operator=(const vtkAnalyticFlowSource&) = delete;
-
-  void SetNumber(double& member, double value);
-  void SetLength(double& member, double value);
-  void SetVector(double (&member)[3], double x, double y, double z);
-  void SetVector(double (&member)[2], double x, double y);
-
-  /// Calls \a visit with the formula of the field.
-  template <typename Visitor>
-  void Visit(const Visitor& visit) const;
-
-  /// Whether x is inside the sphere or the cylinder.
-  bool IsInside(const double x[3]) const;
 };
 
 #endif

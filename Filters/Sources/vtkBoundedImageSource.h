@@ -49,6 +49,9 @@ protected:
   vtkBoundedImageSource();
   ~vtkBoundedImageSource() override = default;
 
+  double GetLowerBound(int axis) const { return this->Bounds[2 * axis]; }
+  double GetUpperBound(int axis) const { return this->Bounds[2 * axis + 1]; }
+
   /// Tells the pipeline where the image is, and that any part of it can be made.
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -58,12 +61,12 @@ protected:
   /// Gives an image the extent, and the lattice's origin and spacing.
   void Place(vtkImageData* image, const int extent[6]) const;
 
-  int WholeExtent[6] = { 0, 63, 0, 63, 0, 63 };
-  double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
-
 private:
   vtkBoundedImageSource(const vtkBoundedImageSource&) = delete;
   void operator=(const vtkBoundedImageSource&) = delete;
+
+  int WholeExtent[6] = { 0, 63, 0, 63, 0, 63 };
+  double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
 };
 
 #endif

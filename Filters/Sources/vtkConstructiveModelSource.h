@@ -41,12 +41,12 @@ protected:
   vtkConstructiveModelSource();
   ~vtkConstructiveModelSource() override = default;
 
-  int Model = vtkConstructiveModels::ROBOT;
-  int Resolution = 128;
-
 private:
   vtkConstructiveModelSource(const vtkConstructiveModelSource&) = delete;
   void operator=(const vtkConstructiveModelSource&) = delete;
+
+  int Model = vtkConstructiveModels::ROBOT;
+  int Resolution = 128;
 };
 
 #endif

@@ -212,8 +212,8 @@ int vtkConstructiveVolume::RequestData(
   std::copy_n(part, 6, extent);
   for (int axis = 0; axis < 3 && this->OutputMode != DENSITY; ++axis)
   {
-    extent[2 * axis] = std::max(part[2 * axis] - 1, this->WholeExtent[2 * axis]);
-    extent[2 * axis + 1] = std::min(part[2 * axis + 1] + 1, this->WholeExtent[2 * axis + 1]);
+    extent[2 * axis] = std::max(part[2 * axis] - 1, this->GetWholeExtent()[2 * axis]);
+    extent[2 * axis + 1] = std::min(part[2 * axis + 1] + 1, this->GetWholeExtent()[2 * axis + 1]);
   }
   this->Place(image, extent);
   vtkSmartPointer<vtkDataArray> values = vtk::TakeSmartPointer(

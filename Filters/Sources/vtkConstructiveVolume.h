@@ -98,16 +98,16 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  vtkSmartPointer<vtkSpatialObject> Root;
-  int OutputMode = DENSITY;
-  int NumberOfSubsamples = 1;
-
 private:
   vtkConstructiveVolume(const vtkConstructiveVolume&) = delete;
   void operator=(const vtkConstructiveVolume&) = delete;
 
   /// Makes the values of an extent. False when the execution was aborted.
   bool Sample(const int extent[6], vtkDataArray* values);
+
+  vtkSmartPointer<vtkSpatialObject> Root;
+  int OutputMode = DENSITY;
+  int NumberOfSubsamples = 1;
 };
 
 #endif

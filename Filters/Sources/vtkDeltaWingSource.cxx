@@ -57,7 +57,7 @@ void vtkDeltaWingSource::GetPosition(const int ijk[3], double x[3]) const
   double way[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    way[axis] = static_cast<double>(ijk[axis]) / (this->Dimensions[axis] - 1);
+    way[axis] = static_cast<double>(ijk[axis]) / (this->GetDimension(axis) - 1);
   }
   x[0] = 0.1 + 1.1 * way[0];
   const double halfSpan = this->GetHalfSpan() * x[0];

@@ -84,12 +84,6 @@ protected:
 
   vtkFieldSampler::Field GetFieldAtTime(double t) const override;
 
-  double SweepAngle = 65.0;
-  double BreakdownPosition = 0.55;
-  double BreakdownAmplitude = 0.06;
-  double BreakdownFrequency = 0.2;
-  double SpiralFrequency = 0.15;
-
 private:
   vtkDeltaWingSource(const vtkDeltaWingSource&) = delete;
   void operator=(const vtkDeltaWingSource&) = delete;
@@ -98,6 +92,12 @@ private:
   void SetNumber(double& member, double value, double lower, double upper);
   /// Half of the span at x = 1.
   double GetHalfSpan() const;
+
+  double SweepAngle = 65.0;
+  double BreakdownPosition = 0.55;
+  double BreakdownAmplitude = 0.06;
+  double BreakdownFrequency = 0.2;
+  double SpiralFrequency = 0.15;
 };
 
 #endif

@@ -180,8 +180,8 @@ bool vtkSpatialImage::EvaluateLocally(const double (*points)[3], int number, Sam
         color[c] += weights[corner] * this->Colors[3 * corners[corner] + c];
       }
     }
-    samples[i].Density = this->Density * std::max(0.0, std::min(density, 1.0));
-    std::copy_n(this->Colors.empty() ? this->Color : color, 3, samples[i].Color);
+    samples[i].Density = this->GetDensity() * std::max(0.0, std::min(density, 1.0));
+    std::copy_n(this->Colors.empty() ? this->GetLeafColor() : color, 3, samples[i].Color);
     isAny = isAny || samples[i].Density > 0.0;
   }
   return isAny;

@@ -62,10 +62,6 @@ protected:
   std::string Prepare(double bounds[6]) override;
   bool EvaluateLocally(const double (*points)[3], int number, Sample* samples) const override;
 
-  vtkSmartPointer<vtkImageData> Image;
-  double ScalarRange[2] = { 0.0, 1.0 };
-  std::string ColorArrayName;
-
 private:
   vtkSpatialImage(const vtkSpatialImage&) = delete;
   void operator=(const vtkSpatialImage&) = delete;
@@ -80,6 +76,10 @@ private:
   /// Densities before they are clamped, and colours, for each point.
   std::vector<float> Densities;
   std::vector<float> Colors;
+
+  vtkSmartPointer<vtkImageData> Image;
+  double ScalarRange[2] = { 0.0, 1.0 };
+  std::string ColorArrayName;
 };
 
 #endif

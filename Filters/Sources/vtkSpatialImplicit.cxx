@@ -74,7 +74,7 @@ double vtkSpatialImplicit::GetProfile(const double x[3]) const
     }
   }
   const double value = this->Function->FunctionValue(x);
-  if (this->EdgeWidth == 0.0)
+  if (this->GetEdgeWidth() == 0.0)
   {
     return this->GetEdgeProfile(value);
   }
@@ -84,7 +84,7 @@ double vtkSpatialImplicit::GetProfile(const double x[3]) const
   const double steepness = vtkMath::Norm(gradient);
   // Where there is no gradient only the sign is known.
   return this->GetEdgeProfile(
-    steepness > 0.0 ? value / steepness : std::copysign(this->EdgeWidth, value));
+    steepness > 0.0 ? value / steepness : std::copysign(this->GetEdgeWidth(), value));
 }
 
 void vtkSpatialImplicit::PrintSelf(ostream& os, vtkIndent indent)

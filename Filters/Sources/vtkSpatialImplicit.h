@@ -50,12 +50,12 @@ protected:
   std::string Prepare(double bounds[6]) override;
   double GetProfile(const double x[3]) const override;
 
-  vtkSmartPointer<vtkImplicitFunction> Function;
-  double Limits[6];
-
 private:
   vtkSpatialImplicit(const vtkSpatialImplicit&) = delete;
   void operator=(const vtkSpatialImplicit&) = delete;
+
+  vtkSmartPointer<vtkImplicitFunction> Function;
+  double Limits[6];
 };
 
 #endif

@@ -21,7 +21,7 @@ public:
    * What the density is multiplied with. Default 1. Valid: 0 to 1; clamped, NaN changes nothing.
    */
   void SetDensity(double density);
-  vtkGetMacro(Density, double);
+  double GetDensity() const { return this->Density; }
   ///@}
 
   ///@{
@@ -36,12 +36,14 @@ protected:
   vtkSpatialLeaf() = default;
   ~vtkSpatialLeaf() override = default;
 
-  double Density = 1.0;
-  double Color[3] = { 1.0, 1.0, 1.0 };
+  const double* GetLeafColor() const { return this->Color; }
 
 private:
   vtkSpatialLeaf(const vtkSpatialLeaf&) = delete;
   void operator=(const vtkSpatialLeaf&) = delete;
+
+  double Density = 1.0;
+  double Color[3] = { 1.0, 1.0, 1.0 };
 };
 
 #endif

@@ -81,8 +81,6 @@ protected:
   std::string Prepare(double bounds[6]) override;
   bool EvaluateLocally(const double (*points)[3], int number, Sample* samples) const override;
 
-  int Operation = UNION;
-
 private:
   vtkSpatialOperation(const vtkSpatialOperation&) = delete;
   void operator=(const vtkSpatialOperation&) = delete;
@@ -91,6 +89,8 @@ private:
   void Combine(Sample& a, const Sample& b) const;
 
   std::vector<vtkSmartPointer<vtkSpatialObject>> Operands;
+
+  int Operation = UNION;
 };
 
 #endif

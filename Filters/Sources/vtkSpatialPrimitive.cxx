@@ -122,7 +122,7 @@ std::string vtkSpatialPrimitive::Prepare(double bounds[6])
     default:
       break;
   }
-  const double edge = this->Shape == FUZZY_SPHERE ? 0.0 : 0.5 * this->EdgeWidth;
+  const double edge = this->Shape == FUZZY_SPHERE ? 0.0 : 0.5 * this->GetEdgeWidth();
   for (int axis = 0; axis < 3; ++axis)
   {
     bounds[2 * axis] = this->Center[axis] - half[axis] - edge;

@@ -95,6 +95,12 @@ protected:
   std::string Prepare(double bounds[6]) override;
   double GetProfile(const double x[3]) const override;
 
+private:
+  vtkSpatialPrimitive(const vtkSpatialPrimitive&) = delete;
+  void operator=(const vtkSpatialPrimitive&) = delete;
+
+  void SetSize(double& member, double size, const char* name);
+
   int Shape = SPHERE;
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Radius = 0.5;
@@ -102,12 +108,6 @@ protected:
   double TubeRadius = 0.1;
   double Height = 1.0;
   double Lengths[3] = { 1.0, 1.0, 1.0 };
-
-private:
-  vtkSpatialPrimitive(const vtkSpatialPrimitive&) = delete;
-  void operator=(const vtkSpatialPrimitive&) = delete;
-
-  void SetSize(double& member, double size, const char* name);
 };
 
 #endif

@@ -37,8 +37,8 @@ bool vtkSpatialSolid::EvaluateLocally(const double (*points)[3], int number, Sam
   bool isAny = false;
   for (int i = 0; i < number; ++i)
   {
-    samples[i].Density = this->Density * this->GetProfile(points[i]);
-    std::copy_n(this->Color, 3, samples[i].Color);
+    samples[i].Density = this->GetDensity() * this->GetProfile(points[i]);
+    std::copy_n(this->GetLeafColor(), 3, samples[i].Color);
     isAny = isAny || samples[i].Density > 0.0;
   }
   return isAny;

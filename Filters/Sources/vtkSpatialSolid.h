@@ -26,7 +26,7 @@ public:
    * Valid: finite, 0 or more; other values are an error and change nothing.
    */
   void SetEdgeWidth(double width);
-  vtkGetMacro(EdgeWidth, double);
+  double GetEdgeWidth() const { return this->EdgeWidth; }
   ///@}
 
 protected:
@@ -41,11 +41,11 @@ protected:
   /// The density for a distance from the surface, before it is multiplied.
   double GetEdgeProfile(double distance) const;
 
-  double EdgeWidth = 0.0;
-
 private:
   vtkSpatialSolid(const vtkSpatialSolid&) = delete;
   void operator=(const vtkSpatialSolid&) = delete;
+
+  double EdgeWidth = 0.0;
 };
 
 #endif

@@ -121,14 +121,6 @@ protected:
   std::string Prepare(double bounds[6]) override;
   bool EvaluateLocally(const double (*points)[3], int number, Sample* samples) const override;
 
-  int Mode = DISPLACEMENT;
-  int Sum = vtkGradientNoise::TURBULENCE;
-  int NumberOfOctaves = 4;
-  double Frequency[3] = { 4.0, 4.0, 4.0 };
-  double Amplitude = 0.1;
-  double Gain = 1.0;
-  int Seed = 0;
-
 private:
   vtkSpatialTurbulence(const vtkSpatialTurbulence&) = delete;
   void operator=(const vtkSpatialTurbulence&) = delete;
@@ -140,6 +132,14 @@ private:
 
   vtkSmartPointer<vtkSpatialObject> Operand;
   vtkGradientNoise Noises[3];
+
+  int Mode = DISPLACEMENT;
+  int Sum = vtkGradientNoise::TURBULENCE;
+  int NumberOfOctaves = 4;
+  double Frequency[3] = { 4.0, 4.0, 4.0 };
+  double Amplitude = 0.1;
+  double Gain = 1.0;
+  int Seed = 0;
 };
 
 #endif

@@ -65,14 +65,14 @@ double vtkTaperedCylinderSource::GetGridRadius() const
 
 void vtkTaperedCylinderSource::GetPosition(const int ijk[3], double x[3]) const
 {
-  const double height = static_cast<double>(ijk[2]) / (this->Dimensions[2] - 1);
+  const double height = static_cast<double>(ijk[2]) / (this->GetDimension(2) - 1);
   const double wall = (1.0 - height) * this->Radii[0] + height * this->Radii[1];
-  const double outward = static_cast<double>(ijk[0]) / (this->Dimensions[0] - 1);
+  const double outward = static_cast<double>(ijk[0]) / (this->GetDimension(0) - 1);
   const double radius = wall +
     (this->GetGridRadius() - wall) * std::expm1(Clustering * outward) / std::expm1(Clustering);
   // The last point around is the first one, to the bit.
   const double around =
-    static_cast<double>(ijk[1] % (this->Dimensions[1] - 1)) / (this->Dimensions[1] - 1);
+    static_cast<double>(ijk[1] % (this->GetDimension(1) - 1)) / (this->GetDimension(1) - 1);
   const double turn = 2.0 * vtkMath::Pi() * around;
   const double angle = turn - vtkMath::Pi() + ClusteringAround * std::sin(turn);
   x[0] = radius * std::cos(angle);

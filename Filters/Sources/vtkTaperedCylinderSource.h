@@ -96,12 +96,6 @@ protected:
 
   vtkFieldSampler::Field GetFieldAtTime(double t) const override;
 
-  double Radii[2] = { 0.5, 0.3 };
-  double Height = 12.0;
-  double OuterRadius = 9.0;
-  double Speed = 1.0;
-  double StrouhalNumber = 0.2;
-
 private:
   vtkTaperedCylinderSource(const vtkTaperedCylinderSource&) = delete;
   void operator=(const vtkTaperedCylinderSource&) = delete;
@@ -110,6 +104,12 @@ private:
   void SetNumber(double& member, double value, double lower, double upper);
   /// The outer radius that is taken.
   double GetGridRadius() const;
+
+  double Radii[2] = { 0.5, 0.3 };
+  double Height = 12.0;
+  double OuterRadius = 9.0;
+  double Speed = 1.0;
+  double StrouhalNumber = 0.2;
 };
 
 #endif

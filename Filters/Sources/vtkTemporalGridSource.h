@@ -58,18 +58,20 @@ protected:
   vtkTemporalGridSource(const char* arrayName, int i, int j, int k);
   ~vtkTemporalGridSource() override = default;
 
+  int GetDimension(int axis) const { return this->Dimensions[axis]; }
+
   /// The field at time \a t, for many positions. It is called by several threads at once.
   virtual vtkFieldSampler::Field GetFieldAtTime(double t) const = 0;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int Dimensions[3];
-  vtkFieldSampler Sampler;
-
 private:
   vtkTemporalGridSource(const vtkTemporalGridSource&) = delete;
   void operator=(const vtkTemporalGridSource&) = delete;
+
+  int Dimensions[3];
+  vtkFieldSampler Sampler;
 };
 
 #endif

@@ -15,7 +15,7 @@ int vtkTemporalImageSource::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Superclass::RequestInformation(request, inputs, outputs);
-  this->Sampler.Announce(outputs->GetInformationObject(0), this->WholeExtent);
+  this->Sampler.Announce(outputs->GetInformationObject(0), this->GetWholeExtent());
   return 1;
 }
 

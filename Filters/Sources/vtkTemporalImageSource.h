@@ -72,11 +72,11 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  vtkFieldSampler Sampler;
-
 private:
   vtkTemporalImageSource(const vtkTemporalImageSource&) = delete;
   void operator=(const vtkTemporalImageSource&) = delete;
+
+  vtkFieldSampler Sampler;
 };
 
 #endif

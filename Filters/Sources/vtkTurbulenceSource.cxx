@@ -68,8 +68,8 @@ void vtkTurbulenceSource::SetTopFraction(double fraction)
 
 double vtkTurbulenceSource::GetFalloffFactor(const double x[3]) const
 {
-  const double lower = this->Bounds[2 * this->VerticalAxis];
-  const double upper = this->Bounds[2 * this->VerticalAxis + 1];
+  const double lower = this->GetLowerBound(this->VerticalAxis);
+  const double upper = this->GetUpperBound(this->VerticalAxis);
   const double height = (x[this->VerticalAxis] - lower) / (upper - lower);
   switch (this->Falloff)
   {
@@ -91,8 +91,8 @@ double vtkTurbulenceSource::GetEnvelopeFactor(const double x[3]) const
   double r2 = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double lower = this->Bounds[2 * axis];
-    const double upper = this->Bounds[2 * axis + 1];
+    const double lower = this->GetLowerBound(axis);
+    const double upper = this->GetUpperBound(axis);
     const double offset = (2.0 * x[axis] - lower - upper) / (upper - lower);
     r2 += offset * offset;
   }

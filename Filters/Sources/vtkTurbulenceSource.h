@@ -148,6 +148,14 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+private:
+  vtkTurbulenceSource(const vtkTurbulenceSource&) = delete;
+  void operator=(const vtkTurbulenceSource&) = delete;
+
+  double Evaluate(const vtkGradientNoise& noise, const double x[3]) const;
+  double GetFalloffFactor(const double x[3]) const;
+  double GetEnvelopeFactor(const double x[3]) const;
+
   int Sum = vtkGradientNoise::TURBULENCE;
   int NumberOfOctaves = 5;
   double Frequency = 2.0;
@@ -158,14 +166,6 @@ protected:
   int VerticalAxis = 2;
   double TopFraction = 0.1;
   int Envelope = NO_ENVELOPE;
-
-private:
-  vtkTurbulenceSource(const vtkTurbulenceSource&) = delete;
-  void operator=(const vtkTurbulenceSource&) = delete;
-
-  double Evaluate(const vtkGradientNoise& noise, const double x[3]) const;
-  double GetFalloffFactor(const double x[3]) const;
-  double GetEnvelopeFactor(const double x[3]) const;
 };
 
 #endif
