@@ -8,7 +8,7 @@
 #include "vtkDenseOutput.h"
 #include "vtkDormandPrinceStep.h"
 #include "vtkFaceExtent.h"
-#include "vtkImplicitFlowField.h" // for the integrators
+#include "vtkFlowIntegrator.h"
 #include "vtkPathIntegrals.h"
 #include "vtkRecurrenceTest.h"
 #include "vtkRosenbrockStep.h"
@@ -371,11 +371,11 @@ private:
     }
     switch (this->Options.Integrator)
     {
-      case vtkImplicitFlowField::DORMAND_PRINCE:
+      case vtkFlowIntegrator::DORMAND_PRINCE:
         return this->TakeStepBy(this->DormandPrince);
-      case vtkImplicitFlowField::RUNGE_KUTTA_4:
+      case vtkFlowIntegrator::RUNGE_KUTTA_4:
         return this->TakeStepBy(this->RungeKutta4);
-      case vtkImplicitFlowField::ROSENBROCK:
+      case vtkFlowIntegrator::ROSENBROCK:
         return this->TakeStepBy(this->Rosenbrock);
       default:
         return this->Stiffness.IsStiff() ? this->TakeStepBy(this->Rosenbrock)

@@ -3,8 +3,9 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkDataSetAlgorithm.h"
-#include "vtkFlowReport.h"   // for the report
-#include "vtkSmartPointer.h" // for the surfaces
+#include "vtkFlowIntegrator.h" // for the integrators
+#include "vtkFlowReport.h"     // for the report
+#include "vtkSmartPointer.h"   // for the surfaces
 
 #include <string>
 #include <utility>
@@ -194,10 +195,10 @@ public:
 
   enum Integrators
   {
-    AUTOMATIC = 0,
-    DORMAND_PRINCE = 1,
-    RUNGE_KUTTA_4 = 2,
-    ROSENBROCK = 3
+    AUTOMATIC = vtkFlowIntegrator::AUTOMATIC,
+    DORMAND_PRINCE = vtkFlowIntegrator::DORMAND_PRINCE,
+    RUNGE_KUTTA_4 = vtkFlowIntegrator::RUNGE_KUTTA_4,
+    ROSENBROCK = vtkFlowIntegrator::ROSENBROCK
   };
   ///@{
   /**

@@ -3,7 +3,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkExprTkFunctionParser.h"
-#include "vtkInflowMapping.h"
+#include "vtkInflowKind.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
@@ -55,9 +55,9 @@ std::string vtkInflowFunction::Prepare()
 {
   switch (this->Kind)
   {
-    case vtkInflowMapping::FORMULA:
+    case vtkInflowKind::FORMULA:
       return this->CheckFormula();
-    case vtkInflowMapping::IMAGE:
+    case vtkInflowKind::IMAGE:
       return this->ReadImage();
     default:
       return {};
@@ -125,7 +125,7 @@ std::string vtkInflowFunction::ReadImage()
 vtkInflowEvaluator::vtkInflowEvaluator(const vtkInflowFunction* function)
   : Function(function)
 {
-  if (function && function->Kind == vtkInflowMapping::FORMULA)
+  if (function && function->Kind == vtkInflowKind::FORMULA)
   {
     this->Parser = MakeParser(function->Formula);
   }
@@ -158,15 +158,15 @@ double vtkInflowEvaluator::Evaluate(double u, double v)
     }
   }
   double value = NotANumber;
-  switch (this->Function ? this->Function->Kind : vtkInflowMapping::NONE)
+  switch (this->Function ? this->Function->Kind : vtkInflowKind::NONE)
   {
-    case vtkInflowMapping::FORMULA:
+    case vtkInflowKind::FORMULA:
       value = this->EvaluateFormula(uv);
       break;
-    case vtkInflowMapping::RINGS:
+    case vtkInflowKind::RINGS:
       value = this->EvaluateRings(uv);
       break;
-    case vtkInflowMapping::IMAGE:
+    case vtkInflowKind::IMAGE:
       value = this->EvaluateImage(uv);
       break;
     default:

@@ -24,7 +24,7 @@ public:
     double Amplitude;
   };
 
-  /// One of vtkInflowMapping::Kinds.
+  /// One of vtkInflowKind::Values.
   int Kind = 0;
   std::string Formula;
   std::vector<Ring> Rings;

@@ -3,6 +3,7 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkDataSetAlgorithm.h"
+#include "vtkInflowKind.h" // for the kinds
 
 #include <map>
 #include <memory>
@@ -46,10 +47,10 @@ public:
 
   enum Kinds
   {
-    NONE = 0,
-    FORMULA = 1,
-    RINGS = 2,
-    IMAGE = 3
+    NONE = vtkInflowKind::NONE,
+    FORMULA = vtkInflowKind::FORMULA,
+    RINGS = vtkInflowKind::RINGS,
+    IMAGE = vtkInflowKind::IMAGE
   };
 
   /// The id of the mapping for all ids that have none of their own.

@@ -2,6 +2,7 @@
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Flow/ReferenceAdvection.h"
 
+#include "vtkFlowIntegrator.h"
 #include "vtkAdvection.h"
 #include "vtkMath.h"
 
@@ -135,8 +136,8 @@ void TestStagnation(Check& check)
   const Flow node = Flow::Linear({ -1, 0, 0, 0, -1, 0, 0, 0, -1 }, { 2.3, 2.4, 2.6 });
   const Lattice lattice = Cubes(4);
   const LatticeWalker<> walker(node, lattice);
-  for (int integrator = vtkImplicitFlowField::AUTOMATIC;
-       integrator <= vtkImplicitFlowField::ROSENBROCK; ++integrator)
+  for (int integrator = vtkFlowIntegrator::AUTOMATIC; integrator <= vtkFlowIntegrator::ROSENBROCK;
+       ++integrator)
   {
     vtkAdvectionOptions options = ForwardOptions();
     options.Integrator = integrator;
@@ -171,8 +172,8 @@ void TestLimits(Check& check)
   Lattice lattice = Cubes(8);
   lattice.Origin = { -4, -4, -4 };
   const LatticeWalker<> walker(flow, lattice);
-  for (int integrator = vtkImplicitFlowField::AUTOMATIC;
-       integrator <= vtkImplicitFlowField::ROSENBROCK; ++integrator)
+  for (int integrator = vtkFlowIntegrator::AUTOMATIC; integrator <= vtkFlowIntegrator::ROSENBROCK;
+       ++integrator)
   {
     vtkAdvectionOptions options = ForwardOptions();
     options.Integrator = integrator;
@@ -232,8 +233,8 @@ void TestNotFinite(Check& check)
     std::fill(gradient, gradient + 9, 0.0);
     gradient[0] = 1.0 / ((2.0 - x[0]) * (2.0 - x[0]));
   };
-  for (int integrator = vtkImplicitFlowField::AUTOMATIC;
-       integrator <= vtkImplicitFlowField::ROSENBROCK; ++integrator)
+  for (int integrator = vtkFlowIntegrator::AUTOMATIC; integrator <= vtkFlowIntegrator::ROSENBROCK;
+       ++integrator)
   {
     options.Integrator = integrator;
     result = Advect(SpaceWalker(wall), options, { 0, 0, 0 });

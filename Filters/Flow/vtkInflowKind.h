@@ -1,0 +1,22 @@
+#ifndef vtkInflowKind_h
+#define vtkInflowKind_h
+
+/**
+ * @class   vtkInflowKind
+ * @brief   what a mapping of vtkInflowMapping is given by
+ *
+ * @sa vtkInflowMapping
+ */
+class vtkInflowKind
+{
+public:
+  enum Values
+  {
+    NONE = 0,
+    FORMULA = 1,
+    RINGS = 2,
+    IMAGE = 3
+  };
+};
+
+#endif
