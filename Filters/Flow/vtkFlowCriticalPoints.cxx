@@ -107,9 +107,7 @@ int vtkFlowCriticalPoints::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->NumberOfZeroCells = 0;
-  this->NumberOfDegenerateCells = 0;
-  this->NumberOfNonFiniteCells = 0;
+  this->Report = vtkFlowCriticalPointsReport();
   if (!input || input->GetNumberOfCells() == 0)
   {
     return 1;
@@ -129,9 +127,9 @@ int vtkFlowCriticalPoints::RequestData(
   {
     return vtkFlowAbort::Leave(outputs);
   }
-  this->NumberOfZeroCells = search.GetCounts().ZeroCells;
-  this->NumberOfDegenerateCells = search.GetCounts().DegenerateCells;
-  this->NumberOfNonFiniteCells = search.GetCounts().NonFiniteCells;
+  this->Report.ZeroCells = search.GetCounts().ZeroCells;
+  this->Report.DegenerateCells = search.GetCounts().DegenerateCells;
+  this->Report.NonFiniteCells = search.GetCounts().NonFiniteCells;
 
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -171,9 +169,9 @@ int vtkFlowCriticalPoints::RequestData(
   if (points->GetNumberOfPoints() == 0)
   {
     vtkWarningMacro("The field has no isolated critical point in "
-      << input->GetNumberOfCells() << " cells: " << this->NumberOfZeroCells << " are 0 throughout, "
-      << this->NumberOfDegenerateCells << " have lines or surfaces of zeros, "
-      << this->NumberOfNonFiniteCells << " are not finite.");
+      << input->GetNumberOfCells() << " cells: " << this->Report.ZeroCells << " are 0 throughout, "
+      << this->Report.DegenerateCells << " have lines or surfaces of zeros, "
+      << this->Report.NonFiniteCells << " are not finite.");
   }
   this->UpdateProgress(1.0);
   return 1;
@@ -182,7 +180,6 @@ int vtkFlowCriticalPoints::RequestData(
 void vtkFlowCriticalPoints::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfZeroCells: " << this->NumberOfZeroCells << "\n";
-  os << indent << "NumberOfDegenerateCells: " << this->NumberOfDegenerateCells << "\n";
-  os << indent << "NumberOfNonFiniteCells: " << this->NumberOfNonFiniteCells << "\n";
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
 }

@@ -1,7 +1,8 @@
 #ifndef vtkFlowCriticalPoints_h
 #define vtkFlowCriticalPoints_h
 
-#include "InterlumeFlowModule.h" // for the export macro
+#include "InterlumeFlowModule.h"         // for the export macro
+#include "vtkFlowCriticalPointsReport.h" // for the report
 #include "vtkPolyDataAlgorithm.h"
 
 /**
@@ -61,11 +62,8 @@ public:
   };
   static const char* GetTypeName(int type);
 
-  /// Cells of the last execution that are 0 throughout, that have zeros which are not isolated, and
-  /// that are not finite.
-  vtkIdType GetNumberOfZeroCells() const { return this->NumberOfZeroCells; }
-  vtkIdType GetNumberOfDegenerateCells() const { return this->NumberOfDegenerateCells; }
-  vtkIdType GetNumberOfNonFiniteCells() const { return this->NumberOfNonFiniteCells; }
+  /// What the last execution did.
+  const vtkFlowCriticalPointsReport& GetReport() const { return this->Report; }
 
 protected:
   vtkFlowCriticalPoints();
@@ -78,9 +76,7 @@ private:
   vtkFlowCriticalPoints(const vtkFlowCriticalPoints&) = delete;
   void operator=(const vtkFlowCriticalPoints&) = delete;
 
-  vtkIdType NumberOfZeroCells = 0;
-  vtkIdType NumberOfDegenerateCells = 0;
-  vtkIdType NumberOfNonFiniteCells = 0;
+  vtkFlowCriticalPointsReport Report;
 };
 
 #endif

@@ -89,7 +89,7 @@ vtkFlowExtraction::vtkFlowExtraction()
 vtkFlowExtraction::~vtkFlowExtraction() = default;
 
 //------------------------------------------------------------------------------
-bool vtkFlowExtraction::Prepare(const Request& request, vtkFlowVolume::Report& report)
+bool vtkFlowExtraction::Prepare(const Request& request, vtkFlowVolumeReport& report)
 {
   vtkDataSet* input = request.Input;
   const bool isKnown = this->PreparedInput == input && this->PreparedTime == input->GetMTime() &&
@@ -210,7 +210,7 @@ void vtkFlowExtraction::TakeTriangles(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFlowExtraction::Execute(const Request& request, vtkFlowVolume::Report& report)
+bool vtkFlowExtraction::Execute(const Request& request, vtkFlowVolumeReport& report)
 {
   if (!this->Prepare(request, report))
   {

@@ -4,7 +4,7 @@
 #include "vtkFlowCells.h"
 #include "vtkFlowCuts.h"
 #include "vtkFlowTriangles.h"
-#include "vtkFlowVolume.h"
+#include "vtkFlowVolumeReport.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -44,7 +44,7 @@ public:
   ~vtkFlowExtraction();
 
   /// False when the owner was aborted.
-  bool Execute(const Request& request, vtkFlowVolume::Report& report);
+  bool Execute(const Request& request, vtkFlowVolumeReport& report);
 
   ///@{
   /**
@@ -74,7 +74,7 @@ private:
     vtkIdType PointsOnSeams = 0;
   };
 
-  bool Prepare(const Request& request, vtkFlowVolume::Report& report);
+  bool Prepare(const Request& request, vtkFlowVolumeReport& report);
   /// One extraction; the progress of the owner goes from \a start to \a end. \a isFirst: it is
   /// that of the input's cells, with parameters to unwrap and cells to cut.
   bool Run(const Request& request, Result& result, vtkDataSet* input, const vtkFlowLevels& levels,

@@ -79,7 +79,7 @@ int vtkFlowLIC::RequestUpdateExtent(
 //------------------------------------------------------------------------------
 bool vtkFlowLIC::FindSteps(vtkDataSet* points)
 {
-  Report& report = this->LastReport;
+  vtkFlowLICReport& report = this->Report;
   report.NoiseScale = this->NoiseScale;
   if (report.NoiseScale == 0.0)
   {
@@ -103,7 +103,7 @@ bool vtkFlowLIC::FindSteps(vtkDataSet* points)
 int vtkFlowLIC::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->LastReport = Report();
+  this->Report = vtkFlowLICReport();
   vtkDataSet* points = vtkDataSet::GetData(inputs[0]);
   vtkDataSet* field =
     inputs[1]->GetNumberOfInformationObjects() > 0 ? vtkDataSet::GetData(inputs[1]) : points;
@@ -118,7 +118,7 @@ int vtkFlowLIC::RequestData(
     vtkFlowVectors::CheckVectors(field, vectors, association, this->GetInputArrayInformation(0));
   if (wrong.empty() && !this->FindSteps(points))
   {
-    wrong = "Length " + std::to_string(this->LastReport.Length) +
+    wrong = "Length " + std::to_string(this->Report.Length) +
       " is more than 1,000,000 steps of StepLength.";
   }
   output->ShallowCopy(points);
@@ -145,12 +145,12 @@ int vtkFlowLIC::RequestData(
   // SetScalars would remove the scalars that were active before.
   output->GetPointData()->AddArray(values);
   output->GetPointData()->SetActiveScalars(values->GetName());
-  if (this->LastReport.PointsOutside == this->LastReport.Points &&
+  if (this->Report.PointsOutside == this->Report.Points &&
     vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
   {
     double bounds[6];
     field->GetBounds(bounds);
-    vtkWarningMacro("All " << this->LastReport.Points
+    vtkWarningMacro("All " << this->Report.Points
                            << " points lie outside of the field, whose bounds are x " << bounds[0]
                            << " to " << bounds[1] << ", y " << bounds[2] << " to " << bounds[3]
                            << ", z " << bounds[4] << " to " << bounds[5] << "; LIC is 0 there.");
@@ -162,14 +162,14 @@ int vtkFlowLIC::RequestData(
 template <typename Walker>
 void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* values)
 {
-  Report& report = this->LastReport;
+  vtkFlowLICReport& report = this->Report;
   const double minimumSpeed = std::max(
     RelativeMinimumSpeed * walker.GetField().GetSpeedScale(), std::numeric_limits<double>::min());
   const vtkLatticeNoise noise(report.NoiseScale, this->Seed);
   const vtkConvolutionKernel kernel(
     this->Kernel == HANN, report.Steps, report.StepLength, report.NoiseScale);
   const double contrast = this->Contrast;
-  vtkSMPThreadLocal<Report> counts;
+  vtkSMPThreadLocal<vtkFlowLICReport> counts;
   double first[3];
   // What the dataset makes at the first call is there for threads.
   points->GetPoint(0, first);
@@ -177,7 +177,7 @@ void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* value
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkArcWalk<Walker> walk(walker, minimumSpeed);
-      Report& count = counts.Local();
+      vtkFlowLICReport& count = counts.Local();
       for (vtkIdType id = begin; id < end; ++id)
       {
         double x[3];
@@ -212,7 +212,7 @@ void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* value
       }
     });
   report.Points = points->GetNumberOfPoints();
-  for (const Report& count : counts)
+  for (const vtkFlowLICReport& count : counts)
   {
     report.PointsOutside += count.PointsOutside;
     report.PointsAtRest += count.PointsAtRest;
@@ -232,8 +232,6 @@ void vtkFlowLIC::PrintSelf(ostream& os, vtkIndent indent)
   print("StepLength", this->StepLength);
   print("Seed", this->Seed);
   print("Contrast", this->Contrast);
-  print("Points", this->LastReport.Points);
-  print("PointsOutside", this->LastReport.PointsOutside);
-  print("PointsAtRest", this->LastReport.PointsAtRest);
-  print("PointsWithShortLines", this->LastReport.PointsWithShortLines);
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
 }

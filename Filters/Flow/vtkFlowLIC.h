@@ -3,6 +3,7 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkDataSetAlgorithm.h"
+#include "vtkFlowLICReport.h" // for the report
 
 /**
  * @class   vtkFlowLIC
@@ -120,23 +121,8 @@ public:
   vtkGetMacro(Contrast, double);
   ///@}
 
-  /// Of the last execution.
-  struct Report
-  {
-    vtkIdType Points = 0;
-    /// Outside of the field: 0.
-    vtkIdType PointsOutside = 0;
-    /// Inside, at a velocity that is not finite, or less than 1e-9 of the largest.
-    vtkIdType PointsAtRest = 0;
-    /// Others whose streamline ends before Length on one side or on both.
-    vtkIdType PointsWithShortLines = 0;
-    /// Each way, of a full streamline, and what was taken for the values of 0 above.
-    int Steps = 0;
-    double StepLength = 0.0;
-    double Length = 0.0;
-    double NoiseScale = 0.0;
-  };
-  const Report& GetReport() const { return this->LastReport; }
+  /// What the last execution did.
+  const vtkFlowLICReport& GetReport() const { return this->Report; }
 
 protected:
   vtkFlowLIC();
@@ -161,7 +147,7 @@ private:
   double StepLength = 0.0;
   int Seed = 0;
   double Contrast = 0.2;
-  Report LastReport;
+  vtkFlowLICReport Report;
 };
 
 #endif

@@ -336,7 +336,7 @@ std::string vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInflow) c
 int vtkFlowVolume::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->LastReport = Report();
+  this->Report = vtkFlowVolumeReport();
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   if (input->GetNumberOfPoints() == 0)
   {
@@ -380,7 +380,7 @@ int vtkFlowVolume::RequestData(
   request.MaximumTimeJump = this->MaximumTimeJump > 0.0 ? this->MaximumTimeJump : VTK_DOUBLE_MAX;
   request.Precision = this->OutputPointsPrecision;
   request.Owner = this;
-  if (!this->Extraction->Execute(request, this->LastReport))
+  if (!this->Extraction->Execute(request, this->Report))
   {
     return vtkFlowAbort::Leave(outputs);
   }
@@ -403,7 +403,7 @@ int vtkFlowVolume::RequestData(
     if (this->GenerateNormals)
     {
       AddNormals(triangles, vtkFlowStatus::InflowArray(), mesh, streamSurfaces);
-      ++this->LastReport.NormalPasses;
+      ++this->Report.NormalPasses;
     }
   }
   if (request.GenerateTimeSurfaces)
@@ -413,7 +413,7 @@ int vtkFlowVolume::RequestData(
     if (this->GenerateNormals)
     {
       AddNormals(triangles, vtkFlowStatus::TimeArray(), mesh, timeSurfaces);
-      ++this->LastReport.NormalPasses;
+      ++this->Report.NormalPasses;
     }
   }
   for (vtkUnstructuredGrid* output : { mesh, streamSurfaces, timeSurfaces })
@@ -469,7 +469,7 @@ std::string vtkFlowVolume::DescribeMissing(
   }
   if (isEmpty && text.str().empty())
   {
-    const Report& report = this->LastReport;
+    const vtkFlowVolumeReport& report = this->Report;
     if (times[0] > times[1])
     {
       text << "None of " << input->GetNumberOfPoints()
@@ -536,22 +536,6 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ParametersAsTextureCoordinates: " << this->ParametersAsTextureCoordinates
      << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
-  const Report& report = this->LastReport;
   os << indent << "Report:\n";
-  const vtkIndent next = indent.GetNextIndent();
-  os << next << "Cells: " << report.Cells << "\n";
-  os << next << "CellsWithoutAnswer: " << report.CellsWithoutAnswer << "\n";
-  os << next << "CellsBetweenSurfaces: " << report.CellsBetweenSurfaces << "\n";
-  os << next << "CellsOnSeams: " << report.CellsOnSeams << "\n";
-  os << next << "CellsAcrossSurfaces: " << report.CellsAcrossSurfaces << "\n";
-  os << next << "CellsWithTimeJumps: " << report.CellsWithTimeJumps << "\n";
-  os << next << "CellsCut: " << report.CellsCut << "\n";
-  os << next << "CellsAcrossSeams: " << report.CellsAcrossSeams << "\n";
-  os << next << "CellsAroundPoles: " << report.CellsAroundPoles << "\n";
-  os << next << "PointsOnSeams: " << report.PointsOnSeams << "\n";
-  os << next << "Preparations: " << report.Preparations << "\n";
-  os << next << "InflowPasses: " << report.InflowPasses << "\n";
-  os << next << "TimePasses: " << report.TimePasses << "\n";
-  os << next << "SurfaceCuts: " << report.SurfaceCuts << "\n";
-  os << next << "NormalPasses: " << report.NormalPasses << "\n";
+  this->Report.Print(os, indent.GetNextIndent());
 }

@@ -140,7 +140,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkFlowVolume* filter, vtkDa
       this->Report.Features.insert(port == 1 ? "stream-surfaces" : "time-surfaces");
     }
   }
-  const vtkFlowVolume::Report& report = filter->GetReport();
+  const vtkFlowVolumeReport& report = filter->GetReport();
   this->Report.FlowCells += report.Cells;
   this->Report.FlowCellsLeftOut += report.CellsWithoutAnswer + report.CellsBetweenSurfaces +
     report.CellsOnSeams + report.CellsAcrossSurfaces + report.CellsWithTimeJumps - report.CellsCut;

@@ -535,7 +535,7 @@ void TestDefaults(Check& check)
   vtkNew<vtkFlowLIC> filter;
   filter->SetInputData(MakeImage(5, Uniform));
   filter->Update();
-  const vtkFlowLIC::Report& report = filter->GetReport();
+  const vtkFlowLICReport& report = filter->GetReport();
   const double scale = 4.0 * std::sqrt(3.0) / 128.0;
   check.Near(report.NoiseScale, scale, 1e-12, "scale");
   check.Near(report.Length, 10.0 * scale, 1e-12, "length");

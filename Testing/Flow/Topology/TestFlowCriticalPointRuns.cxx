@@ -86,7 +86,7 @@ void CheckLeftOut(Check& check)
     const CriticalPoints result(mesh);
     check.Equal(result.GetNumber(), 0, "in a cell that is not finite");
     check.Equal(
-      result.Filter->GetNumberOfNonFiniteCells(), cells->GetNumberOfIds(), "cells with such");
+      result.Filter->GetReport().NonFiniteCells, cells->GetNumberOfIds(), "cells with such");
   }
   check.SetContext("an empty cell");
   mesh = make();
@@ -99,7 +99,7 @@ void CheckLeftOut(Check& check)
   SetVelocity(mesh, [](const FlowVector&) { return FlowVector{}; });
   const CriticalPoints zero(mesh);
   check.Equal(zero.GetNumber(), 0, "in a field that is 0");
-  check.Equal(zero.Filter->GetNumberOfZeroCells(), 24, "cells that are 0");
+  check.Equal(zero.Filter->GetReport().ZeroCells, 24, "cells that are 0");
   CheckPrinted(Print(const_cast<vtkFlowCriticalPoints*>(zero.Filter.GetPointer())),
     { "NumberOfZeroCells: 24", "NumberOfDegenerateCells: 0", "NumberOfNonFiniteCells: 0" }, check);
 }

@@ -81,8 +81,8 @@ void CheckLinear(
       check.That(isThere != 1 || data->GetCellType(lower) == VTK_VOXEL, "no cell before has it");
     }
   }
-  check.Equal(result.Filter->GetNumberOfZeroCells() + result.Filter->GetNumberOfDegenerateCells() +
-      result.Filter->GetNumberOfNonFiniteCells(),
+  check.Equal(result.Filter->GetReport().ZeroCells + result.Filter->GetNumberOfDegenerateCells() +
+      result.Filter->GetReport().NonFiniteCells,
     0, "cells that are not right");
 }
 

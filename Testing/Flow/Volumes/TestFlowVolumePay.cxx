@@ -43,7 +43,7 @@ public:
   {
     this->Expect.SetContext(name);
     this->Volume->Update();
-    const vtkFlowVolume::Report& report = this->Volume->GetReport();
+    const vtkFlowVolumeReport& report = this->Volume->GetReport();
     this->Expect.Equal(report.Preparations, costs.Preparations, "preparations");
     this->Expect.Equal(report.InflowPasses, costs.InflowPasses, "passes by Inflow");
     this->Expect.Equal(report.TimePasses, costs.TimePasses, "passes by time");

@@ -133,7 +133,7 @@ void AddChanges(const std::string& name, Volumes& volumes, double advection, int
     row.Seconds = MeasureAlternately({ work }, options.GetRepeats()).front();
     row.Peer = "advection";
     row.PeerSeconds = advection;
-    const vtkFlowVolume::Report& report = change.Volume->GetReport();
+    const vtkFlowVolumeReport& report = change.Volume->GetReport();
     row.Counts["tetrahedra"] = change.Volume->GetOutput()->GetNumberOfCells();
     row.Counts["advections"] = volumes.Field->GetReport().Executions - before;
     row.Counts["inflow_passes"] = report.InflowPasses;

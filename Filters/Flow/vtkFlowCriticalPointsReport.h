@@ -1,0 +1,26 @@
+#ifndef vtkFlowCriticalPointsReport_h
+#define vtkFlowCriticalPointsReport_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkIndent.h"
+#include "vtkType.h"
+
+#include <ostream>
+
+/**
+ * @class   vtkFlowCriticalPointsReport
+ * @brief   which cells an execution of vtkFlowCriticalPoints could not search
+ *
+ * @sa vtkFlowCriticalPoints
+ */
+struct INTERLUMEFLOW_EXPORT vtkFlowCriticalPointsReport
+{
+  /// Cells that are 0 throughout, that have zeros which are not isolated, and that are not finite.
+  vtkIdType ZeroCells = 0;
+  vtkIdType DegenerateCells = 0;
+  vtkIdType NonFiniteCells = 0;
+
+  void Print(std::ostream& os, vtkIndent indent) const;
+};
+
+#endif
