@@ -276,6 +276,7 @@ int vtkInflowMapping::RequestData(
   vtkDataSet* output = vtkDataSet::GetData(outputs);
   // Image data keep their active scalars from one execution to the next.
   output->Initialize();
+  this->Report = vtkInflowMappingReport();
   vtkFlowArrays arrays;
   std::string wrong = arrays.Find(input);
   wrong = wrong.empty() ? this->Prepare() : wrong;
@@ -328,7 +329,10 @@ int vtkInflowMapping::RequestData(
     const int tuple[3] = { surface.first, this->IsContinued(surface.first, 0, isU, isV),
       this->IsContinued(surface.first, 1, isU, isV) };
     periodic->InsertNextTypedTuple(tuple);
+    this->Report.ContinuedSeams += tuple[1] + tuple[2];
   }
+  this->Report.Samples = number;
+  this->Report.Ids = periodic->GetNumberOfTuples();
   output->ShallowCopy(input);
   output->GetPointData()->AddArray(inflow);
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::InflowArray());
@@ -405,4 +409,6 @@ void vtkInflowMapping::PrintSelf(ostream& os, vtkIndent indent)
         os << ": image\n";
     }
   }
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
 }

@@ -3,7 +3,8 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkDataSetAlgorithm.h"
-#include "vtkInflowKind.h" // for the kinds
+#include "vtkInflowMappingReport.h" // for the report
+#include "vtkInflowKind.h"          // for the kinds
 
 #include <map>
 #include <memory>
@@ -100,6 +101,9 @@ public:
   /// That of the images too.
   vtkMTimeType GetMTime() override;
 
+  /// What the last execution did.
+  const vtkInflowMappingReport& GetReport() const { return this->Report; }
+
 protected:
   vtkInflowMapping();
   ~vtkInflowMapping() override;
@@ -125,6 +129,7 @@ private:
   vtkMTimeType PreparedTime = 0;
   // Those of Evaluate.
   std::map<const vtkInflowFunction*, std::shared_ptr<vtkInflowEvaluator>> Evaluators;
+  vtkInflowMappingReport Report;
 };
 
 #endif

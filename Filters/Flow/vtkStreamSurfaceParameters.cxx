@@ -243,6 +243,7 @@ int vtkStreamSurfaceParameters::RequestData(
 {
   vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
+  this->Report = vtkStreamSurfaceParametersReport();
   if (input->GetNumberOfCells() == 0)
   {
     if (vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
@@ -283,6 +284,10 @@ int vtkStreamSurfaceParameters::RequestData(
   AddPointNumbers(made, output->GetPointData());
   output->GetFieldData()->PassData(input->GetFieldData());
   AddContours(work.Contours, output->GetFieldData());
+  this->Report.Contours = static_cast<vtkIdType>(work.Contours.size());
+  this->Report.ClosedContours = std::count_if(work.Contours.begin(), work.Contours.end(),
+    [](const auto& contour) { return contour.IsClosed; });
+  this->Report.AddedPoints = output->GetNumberOfPoints() - input->GetNumberOfPoints();
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
   return 1;
 }
@@ -313,4 +318,6 @@ void vtkStreamSurfaceParameters::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LengthScale: " << this->LengthScale << "\n";
   os << indent << "TimeScale: " << this->TimeScale << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
 }

@@ -3,7 +3,8 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // for what is asked
+#include "vtkStreamSurfaceParametersReport.h" // for the report
+#include "vtkSmartPointer.h"                  // for what is asked
 
 #include <array>
 #include <string>
@@ -113,6 +114,9 @@ public:
   /// That of the mapping and the surfaces too.
   vtkMTimeType GetMTime() override;
 
+  /// What the last execution did.
+  const vtkStreamSurfaceParametersReport& GetReport() const { return this->Report; }
+
 protected:
   vtkStreamSurfaceParameters();
   ~vtkStreamSurfaceParameters() override;
@@ -143,6 +147,7 @@ private:
   double LengthScale = 1.0;
   double TimeScale = 1.0;
   int Resolution = 256;
+  vtkStreamSurfaceParametersReport Report;
 };
 
 #endif

@@ -206,6 +206,7 @@ int vtkVortexAxis::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
+  this->Report = vtkVortexAxisReport();
   if (!input || input->GetNumberOfCells() == 0)
   {
     return 1;
@@ -231,17 +232,20 @@ int vtkVortexAxis::RequestData(
   {
     return vtkFlowAbort::Leave(outputs);
   }
+  this->Report.Planes = flow.GetNumberOfPlanes();
+  this->Report.Places = static_cast<vtkIdType>(search.GetZeros().size());
   const Tracker tracker(flow, search.GetZeros(), this->MinimumSwirlStrength, this->SearchRadius);
   if (const Vortex* start =
         this->UseSeed ? tracker.FindNearest(this->Seed) : tracker.FindStrongest())
   {
     Write(tracker.Follow(start), output);
+    this->Report.PointsOnAxis = output->GetNumberOfPoints();
   }
   else
   {
     vtkWarningMacro("No plane across the axis ("
       << this->Axis[0] << ", " << this->Axis[1] << ", " << this->Axis[2] << ") has a vortex: of "
-      << search.GetZeros().size() << " places in " << flow.GetNumberOfPlanes()
+      << this->Report.Places << " places in " << this->Report.Planes
       << " planes where the velocity across the axis is "
          "0 none turns around it"
       << (this->MinimumSwirlStrength > 0.0 ? " as strongly as MinimumSwirlStrength." : "."));
@@ -260,4 +264,6 @@ void vtkVortexAxis::PrintSelf(ostream& os, vtkIndent indent)
   PrintVector(os, indent, "FrameVelocity", this->FrameVelocity);
   os << indent << "SearchRadius: " << this->SearchRadius << "\n";
   os << indent << "MinimumSwirlStrength: " << this->MinimumSwirlStrength << "\n";
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
 }

@@ -3,6 +3,7 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkVortexAxisReport.h" // for the report
 
 /**
  * @class   vtkVortexAxis
@@ -97,6 +98,9 @@ public:
   vtkGetMacro(MinimumSwirlStrength, double);
   ///@}
 
+  /// What the last execution did.
+  const vtkVortexAxisReport& GetReport() const { return this->Report; }
+
 protected:
   vtkVortexAxis();
   ~vtkVortexAxis() override;
@@ -115,6 +119,7 @@ private:
   double FrameVelocity[3] = { 0.0, 0.0, 0.0 };
   double SearchRadius = 0.0;
   double MinimumSwirlStrength = 0.0;
+  vtkVortexAxisReport Report;
 };
 
 #endif

@@ -119,6 +119,7 @@ void vtkSimplexTimeSlice::BeginExecution()
   if (this->Empty->Enter())
   {
     FindTimes(this->GetInputDataObject(0, 0), this->InputRange);
+    this->Report = vtkSimplexTimeSliceReport();
   }
 }
 
@@ -144,7 +145,8 @@ int vtkSimplexTimeSlice::RequestData(
   this->SetProgressText("Cutting the 4-simplices");
   vtkInformation* outputInformation = outputs->GetInformationObject(0);
   const double time = this->GetTimeOfSlice(outputInformation);
-  this->TimeOfSlice = time;
+  this->Report.Time = time;
+  this->Report.Simplices += input->GetNumberOfCells();
   vtkAbstractArray* array = input->GetPointData()->GetAbstractArray(TimeName);
   const std::string wrong = vtkExtractionInput::CheckScalars(
     input, array, vtkDataObject::FIELD_ASSOCIATION_POINTS, "point array \"Time\"");
@@ -197,6 +199,7 @@ int vtkSimplexTimeSlice::RequestData(
   vtkExtractionArrays::CopyCellData(input->GetCellData(), slice.CellIds.GetData(),
     static_cast<vtkIdType>(slice.CellIds.GetSize()), output->GetCellData());
   this->Empty->Add(input, nullptr, output->GetNumberOfCells());
+  this->Report.Tetrahedra += output->GetNumberOfCells();
   if (this->FollowTime &&
     outputInformation->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
   {
@@ -221,7 +224,7 @@ void vtkSimplexTimeSlice::WarnIfEmpty()
   }
   else
   {
-    why << "no 4-simplex has an extent in space at the time " << this->TimeOfSlice
+    why << "no 4-simplex has an extent in space at the time " << this->Report.Time
         << "; their times go from " << this->InputRange[0] << " to " << this->InputRange[1] << ".";
   }
   if (this->WarnOnEmptyOutput && this->Empty->IsUnexplained(this))
@@ -236,4 +239,6 @@ void vtkSimplexTimeSlice::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Time: " << this->Time << "\n";
   os << indent << "FollowTime: " << this->FollowTime << "\n";
   os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
 }

@@ -3,6 +3,7 @@
 
 #include "InterlumeIntervalsModule.h" // for the export macro
 #include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkSimplexTimeSliceReport.h" // for the report
 
 #include <memory> // for what an empty output is explained by
 
@@ -97,6 +98,9 @@ public:
   vtkBooleanMacro(WarnOnEmptyOutput, bool);
   ///@}
 
+  /// What the last execution did.
+  const vtkSimplexTimeSliceReport& GetReport() const { return this->Report; }
+
 protected:
   vtkSimplexTimeSlice();
   ~vtkSimplexTimeSlice() override;
@@ -122,9 +126,8 @@ private:
   bool WarnOnEmptyOutput = true;
   /// The first and last time of the input; turned round where it has none.
   double InputRange[2];
-  /// The time of the last slice.
-  double TimeOfSlice = 0.0;
   std::unique_ptr<vtkEmptyResult> Empty;
+  vtkSimplexTimeSliceReport Report;
 };
 
 #endif

@@ -1,0 +1,27 @@
+#ifndef vtkInflowMappingReport_h
+#define vtkInflowMappingReport_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkIndent.h"
+#include "vtkType.h"
+
+#include <ostream>
+
+/**
+ * @class   vtkInflowMappingReport
+ * @brief   what an execution of vtkInflowMapping mapped
+ *
+ * @sa vtkInflowMapping
+ */
+struct INTERLUMEFLOW_EXPORT vtkInflowMappingReport
+{
+  /// Samples, and the ids in use.
+  vtkIdType Samples = 0;
+  vtkIdType Ids = 0;
+  /// Seams of u and v that the mappings go on over.
+  vtkIdType ContinuedSeams = 0;
+
+  void Print(std::ostream& os, vtkIndent indent) const;
+};
+
+#endif

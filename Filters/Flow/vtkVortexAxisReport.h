@@ -1,0 +1,27 @@
+#ifndef vtkVortexAxisReport_h
+#define vtkVortexAxisReport_h
+
+#include "InterlumeFlowModule.h" // for the export macro
+#include "vtkIndent.h"
+#include "vtkType.h"
+
+#include <ostream>
+
+/**
+ * @class   vtkVortexAxisReport
+ * @brief   where an execution of vtkVortexAxis looked for the vortex
+ *
+ * @sa vtkVortexAxis
+ */
+struct INTERLUMEFLOW_EXPORT vtkVortexAxisReport
+{
+  /// Planes across Axis, and places in them where the velocity across Axis is 0.
+  int Planes = 0;
+  vtkIdType Places = 0;
+  /// Those of one vortex: the points of the line.
+  vtkIdType PointsOnAxis = 0;
+
+  void Print(std::ostream& os, vtkIndent indent) const;
+};
+
+#endif
