@@ -172,7 +172,8 @@ void vtkIsotableContour::WarnIfEmpty()
 void vtkIsotableContour::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Values: " << this->Values.size() << "\n";
+  os << indent << "NumberOfContours: " << this->Values.size() << "\n";
+  os << indent << "Values:\n";
   for (double value : this->Values)
   {
     os << indent.GetNextIndent() << value << "\n";

@@ -277,9 +277,10 @@ void vtkTimeWeightedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "DeltaTArrayName: " << (this->HasDeltaTArrayName ? this->DeltaTArrayName.c_str() : "(none)")
      << "\n";
   os << indent << "LayerArrayName: " << this->LayerArrayName << "\n";
+  os << indent << "LayerPriorities: " << this->LayerPriorities.size() << "\n";
   for (const auto& layer : this->LayerPriorities)
   {
-    os << indent << "LayerPriority " << layer.first << ": " << layer.second << "\n";
+    os << indent.GetNextIndent() << "LayerPriority " << layer.first << ": " << layer.second << "\n";
   }
   os << indent << "BoundaryProperty:\n";
   this->BoundaryProperty->PrintSelf(os, indent.GetNextIndent());

@@ -1,0 +1,238 @@
+// Every value that a public class can be told and asked for stands in what PrintSelf writes. Which
+// these are is read from the headers, so that a new setter, or a new class, is not forgotten.
+#include "vtkAnalyticFieldSource.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkConstructiveModelSource.h"
+#include "vtkConstructiveVolume.h"
+#include "vtkDeltaWingSource.h"
+#include "vtkFlowCriticalPoints.h"
+#include "vtkFlowLIC.h"
+#include "vtkFlowVolume.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkInflowMapping.h"
+#include "vtkIntervalVolume.h"
+#include "vtkIsotableContour.h"
+#include "vtkProjectiveLight.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkSimplexTimeSlice.h"
+#include "vtkSpatialImage.h"
+#include "vtkSpatialImplicit.h"
+#include "vtkSpatialOperation.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkSpatialTurbulence.h"
+#include "vtkStreamSurfaceParameters.h"
+#include "vtkStreamlineTexture.h"
+#include "vtkTaperedCylinderSource.h"
+#include "vtkTemporalColorTransferFunction.h"
+#include "vtkTerminationBox.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationInflow.h"
+#include "vtkTerminationMesh.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTerminationSphere.h"
+#include "vtkTerminationSurfaceSource.h"
+#include "vtkTerminationTube.h"
+#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkTurbulenceSource.h"
+#include "vtkVortexAxis.h"
+#ifdef INTERLUME_HAS_MESHING
+#include "vtkTetrahedralMesher.h"
+#endif
+
+#include "vtkIndent.h"
+#include "vtkObject.h"
+#include "vtkSmartPointer.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+template <typename Class>
+vtkSmartPointer<vtkObject> Make()
+{
+  return vtkSmartPointer<Class>::New();
+}
+
+/// One of each public class.
+std::vector<vtkSmartPointer<vtkObject>> MakeAll()
+{
+  std::vector<vtkSmartPointer<vtkObject>> all = {
+    Make<vtkAnalyticFieldSource>(),
+    Make<vtkAnalyticFlowSource>(),
+    Make<vtkConstructiveModelSource>(),
+    Make<vtkConstructiveVolume>(),
+    Make<vtkDeltaWingSource>(),
+    Make<vtkFlowCriticalPoints>(),
+    Make<vtkFlowLIC>(),
+    Make<vtkFlowVolume>(),
+    Make<vtkImplicitFlowField>(),
+    Make<vtkInflowMapping>(),
+    Make<vtkIntervalVolume>(),
+    Make<vtkIsotableContour>(),
+    Make<vtkProjectiveLight>(),
+    Make<vtkShadowedSliceMapper>(),
+    Make<vtkSimplexTimeSlice>(),
+    Make<vtkSpatialImage>(),
+    Make<vtkSpatialImplicit>(),
+    Make<vtkSpatialOperation>(),
+    Make<vtkSpatialPrimitive>(),
+    Make<vtkSpatialTurbulence>(),
+    Make<vtkStreamSurfaceParameters>(),
+    Make<vtkStreamlineTexture>(),
+    Make<vtkTaperedCylinderSource>(),
+    Make<vtkTemporalColorTransferFunction>(),
+    Make<vtkTerminationBox>(),
+    Make<vtkTerminationCylinder>(),
+    Make<vtkTerminationInflow>(),
+    Make<vtkTerminationMesh>(),
+    Make<vtkTerminationPlane>(),
+    Make<vtkTerminationSphere>(),
+    Make<vtkTerminationSurfaceSource>(),
+    Make<vtkTerminationTube>(),
+    Make<vtkTimeVaryingIntervalVolume>(),
+    Make<vtkTimeWeightedTetrahedraMapper>(),
+    Make<vtkTurbulenceSource>(),
+    Make<vtkVortexAxis>(),
+  };
+#ifdef INTERLUME_HAS_MESHING
+  all.push_back(Make<vtkTetrahedralMesher>());
+#endif
+  return all;
+}
+
+std::string Print(vtkObject* object)
+{
+  std::ostringstream text;
+  object->PrintSelf(text, vtkIndent());
+  return text.str();
+}
+
+/// Values that are no state to print: what an id or a layer has is printed for those that have one.
+const std::set<std::string> NotPrinted = { "vtkInflowMapping::Formula", "vtkInflowMapping::Image" };
+
+/// The text of each header of a module by the name of its class, without comments.
+std::map<std::string, std::string> ReadHeaders(const fs::path& source)
+{
+  const std::regex comment(R"(/\*[\s\S]*?\*/|//[^\n]*)");
+  std::map<std::string, std::string> headers;
+  for (const char* part : { "Filters", "Rendering" })
+  {
+    for (const auto& module : fs::directory_iterator(source / part))
+    {
+      for (const auto& entry : fs::directory_iterator(module.path()))
+      {
+        if (entry.path().extension() == ".h")
+        {
+          std::ifstream file(entry.path());
+          std::stringstream text;
+          text << file.rdbuf();
+          headers[entry.path().stem().string()] = std::regex_replace(text.str(), comment, "");
+        }
+      }
+    }
+  }
+  return headers;
+}
+
+std::set<std::string> FindAll(const std::string& text, const std::string& pattern)
+{
+  const std::regex expression(pattern);
+  std::set<std::string> found;
+  for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
+  {
+    found.insert((*i)[1]);
+  }
+  return found;
+}
+
+/// What can be set and asked for, by a class or by those of the project that it is derived from.
+std::set<std::string> FindValues(
+  const std::map<std::string, std::string>& headers, const std::string& name)
+{
+  const auto header = headers.find(name);
+  if (header == headers.end())
+  {
+    return {};
+  }
+  const std::string& text = header->second;
+  std::set<std::string> values = FindAll(text, R"(vtkSet\w*Macro\((\w+),)");
+  const std::set<std::string> asked = FindAll(text, R"(\bGet(\w+)\()");
+  for (const std::string& value : FindAll(text, R"(void Set(\w+)\()"))
+  {
+    if (asked.count(value) > 0)
+    {
+      values.insert(value);
+    }
+  }
+  for (const std::string& base : FindAll(text, R"(public (vtk\w+))"))
+  {
+    values.merge(FindValues(headers, base));
+  }
+  return values;
+}
+
+/// Whether a line begins with the value's name, in the singular or the plural. A number of things
+/// may stand before them as `Things: 3`.
+bool IsPrinted(const std::string& text, const std::string& value)
+{
+  const std::string prefix = "NumberOf";
+  const std::string name =
+    value.compare(0, prefix.size(), prefix) == 0 ? value.substr(prefix.size()) : value;
+  const std::string stem = name.back() == 'y' ? name.substr(0, name.size() - 1) + "ie" : name;
+  return std::regex_search(
+    text, std::regex("(^|\n) *(" + prefix + ")?(" + name + "|" + stem + "s):"));
+}
+
+}
+
+int main(int, char* argv[])
+{
+  const auto headers = ReadHeaders(argv[1]);
+  int failed = 0;
+  int checked = 0;
+  const auto expect = [&](bool isRight, const std::string& what)
+  {
+    ++checked;
+    failed += isRight ? 0 : 1;
+    if (!isRight)
+    {
+      std::cerr << what << "\n";
+    }
+  };
+  std::set<std::string> made;
+#ifndef INTERLUME_HAS_MESHING
+  made.insert("vtkTetrahedralMesher");
+#endif
+  for (const auto& object : MakeAll())
+  {
+    const std::string name = object->GetClassName();
+    made.insert(name);
+    const std::string text = Print(object);
+    for (const std::string& value : FindValues(headers, name))
+    {
+      expect(IsPrinted(text, value) || NotPrinted.count(name + "::" + value) > 0,
+        name + " does not print " + value);
+    }
+  }
+  for (const auto& header : headers)
+  {
+    const std::string& name = header.first;
+    const bool isPublic = header.second.find("_EXPORT " + name) != std::string::npos;
+    const bool hasNew = header.second.find("static " + name + "* New();") != std::string::npos;
+    expect(!isPublic || !hasNew || made.count(name) > 0, name + " is not among those of this test");
+  }
+  std::cout << checked << " checks, " << failed << " failed\n";
+  return failed == 0 && checked > 200 ? 0 : 1;
+}
