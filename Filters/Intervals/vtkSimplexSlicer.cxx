@@ -8,6 +8,7 @@
 #include "vtkIdList.h"
 #include "vtkPointData.h"
 #include "vtkSimplexSliceTable.h"
+#include "vtkSpaceTimeSettings.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -20,20 +21,7 @@ namespace
 using Code = vtkExtractionValues::Code;
 using Slot = vtkIsotable::Slot;
 using Case = vtkSimplexSliceTable::Slice;
-// A tetrahedron with which a 4-simplex begins or ends.
-struct Face
-{
-  // Its points in the global order.
-  std::array<vtkIdType, 4> Ids;
-  vtkIdType Interval;
-  bool Begins;
-  // Where the scalar is the same at all four: whether it is less (-1) or more (1) at the fifth
-  // point.
-  int Side;
-
-  bool operator<(const Face& other) const { return this->Ids < other.Ids; }
-};
-using FaceRange = std::pair<std::vector<Face>::const_iterator, std::vector<Face>::const_iterator>;
+using Parts = vtkSpaceTimeSettings::PartsAtStep;
 
 constexpr vtkIdType ChunkSize = 4096;
 constexpr int SimplexSize = 5;
@@ -49,8 +37,22 @@ enum class Meeting
   // It crosses with one vertex below and four at the value.
   Ends,
   // Four vertices are at the value and one is above.
-  Begins
+  Begins,
+  // All are at the value: a tetrahedron whose last point is there twice.
+  Lies
 };
+
+// A tetrahedron at the value.
+struct Face
+{
+  // Its points in the global order.
+  std::array<vtkIdType, 4> Ids;
+  vtkIdType Interval;
+  Meeting How;
+
+  bool operator<(const Face& other) const { return this->Ids < other.Ids; }
+};
+using FaceRange = std::pair<std::vector<Face>::const_iterator, std::vector<Face>::const_iterator>;
 
 // A 4-simplex, its vertices in the global order.
 struct Simplex
@@ -82,7 +84,7 @@ struct Found
   // A bit for each tetrahedron that has not collapsed.
   std::uint8_t Kept;
   bool IsInverted;
-  // Whether the 4-simplex begins or ends there.
+  // Whether the tetrahedron is a face of the 4-simplex, or all of it.
   bool IsFace;
   // Whether that tetrahedron is left to another 4-simplex.
   bool IsGiven;
@@ -94,7 +96,7 @@ struct Chunk
   std::vector<Found> Cases;
   // The points of all cases.
   std::vector<const vtkCrossingLists::Node*> Nodes;
-  // The tetrahedra with which 4-simplices begin and end, in the order of the cases.
+  // The tetrahedra at the value, in the order of the cases.
   std::vector<Face> Faces;
   vtkIdType Tetrahedra = 0;
   vtkIdType WrongCell = -1;
@@ -139,7 +141,7 @@ public:
     , Scalars(vtkExtractionScalars::Make(context.Scalars, *context.Values))
     , Order(grid->GetPointData())
     , Intervals(grid->GetCellData()->GetArray("IntervalId"))
-    , Field(grid->GetPointData()->GetScalars())
+    , AtStep(grid->GetCellData()->GetArray("AtStep"))
     , Lists(grid->GetNumberOfPoints(), true)
     , Slice(slice)
   {
@@ -176,7 +178,8 @@ public:
     }
     this->Codes.Free();
     const std::vector<Face> faces = this->GatherFaces();
-    if (std::any_of(faces.begin(), faces.end(), [](const Face& face) { return face.Begins; }) &&
+    if (std::any_of(
+          faces.begin(), faces.end(), [](const Face& face) { return face.How != Meeting::Ends; }) &&
       !forEachChunk(0.4, 0.5, [&](vtkIdType chunk) { LeaveOutGiven(faces, this->Chunks[chunk]); }))
     {
       return false;
@@ -203,12 +206,12 @@ private:
         return;
       }
       const Meeting meeting =
-        this->IsBlanked(cell, ids) ? Meeting::None : this->Meet(ids->GetPointer(0));
+        this->IsBlanked(cell, ids) ? Meeting::None : this->Meet(cell, ids->GetPointer(0));
       if (meeting != Meeting::None)
       {
         const std::uint16_t position = static_cast<std::uint16_t>(cell - begin);
-        this->CountSimplex(
-          position, this->Sort(ids->GetPointer(0)), meeting, this->GetInterval(cell), chunk, arena);
+        this->CountSimplex(position, this->Sort(ids->GetPointer(0), meeting), meeting,
+          this->GetInterval(cell), chunk, arena);
       }
     }
   }
@@ -221,7 +224,7 @@ private:
           [this](vtkIdType point) { return this->Context.IsPointBlanked(point); }));
   }
 
-  Meeting Meet(const vtkIdType* ids) const
+  Meeting Meet(vtkIdType cell, const vtkIdType* ids) const
   {
     Code least = AboveValue;
     Code greatest = 0;
@@ -237,14 +240,25 @@ private:
     {
       return Meeting::None;
     }
+    if (numberAt == SimplexSize)
+    {
+      return this->GetPart(cell) == Parts::TETRAHEDRON_AT_STEP ? Meeting::Lies : Meeting::None;
+    }
     if (numberAt == SimplexSize - 1)
     {
-      return least < AtValue ? Meeting::Ends : Meeting::Begins;
+      const Meeting meeting = least < AtValue ? Meeting::Ends : Meeting::Begins;
+      return this->GetPart(cell) == Parts::FACES_AT_STEP ? meeting : Meeting::None;
     }
     return least < AtValue ? Meeting::Crosses : Meeting::None;
   }
 
-  Simplex Sort(const vtkIdType* ids) const
+  int GetPart(vtkIdType cell) const
+  {
+    return this->AtStep ? static_cast<int>(this->AtStep->GetComponent(cell, 0))
+                        : Parts::FACES_AT_STEP;
+  }
+
+  Simplex Sort(const vtkIdType* ids, Meeting meeting) const
   {
     Slot ranks[SimplexSize];
     this->Order.Rank(ids, SimplexSize, ranks);
@@ -257,6 +271,11 @@ private:
       {
         simplex.IsInverted ^= ranks[before] > ranks[v];
       }
+    }
+    if (meeting == Meeting::Lies)
+    {
+      // As if a 4-simplex began with the tetrahedron.
+      simplex.Codes[ranks[SimplexSize - 1]] = AboveValue;
     }
     return simplex;
   }
@@ -271,7 +290,8 @@ private:
     vtkIdType interval, Chunk& chunk, vtkCrossingLists::Arena& arena)
   {
     // Where a 4-simplex begins, its slice is the limit of those above the value.
-    const Code first = meeting == Meeting::Begins ? AboveValue : AtValue;
+    const Code first =
+      meeting == Meeting::Begins || meeting == Meeting::Lies ? AboveValue : AtValue;
     unsigned int above = 0;
     for (int v = 0; v < SimplexSize; ++v)
     {
@@ -311,33 +331,8 @@ private:
       // All four points are vertices.
       chunk.Faces.push_back(
         { { { points[0].Owner, points[1].Owner, points[2].Owner, points[3].Owner } }, interval,
-          meeting == Meeting::Begins, this->FindSide(simplex) });
+          meeting });
     }
-  }
-
-  int FindSide(const Simplex& simplex) const
-  {
-    double at = 0.0;
-    double fifth = 0.0;
-    bool isFirst = true;
-    for (int v = 0; v < SimplexSize; ++v)
-    {
-      const double value = this->Field ? this->Field->GetComponent(simplex.Ids[v], 0) : 0.0;
-      if (simplex.Codes[v] != AtValue)
-      {
-        fifth = value;
-      }
-      else if (isFirst || value == at)
-      {
-        at = value;
-        isFirst = false;
-      }
-      else
-      {
-        return 0;
-      }
-    }
-    return (fifth > at) - (fifth < at);
   }
 
   static Point FindPoint(const Simplex& simplex, const std::array<Slot, 2>& edge)
@@ -361,7 +356,7 @@ private:
     return this->Slice.WrongCell >= 0;
   }
 
-  // The tetrahedra of all chunks with which 4-simplices begin or end, sorted.
+  // The tetrahedra at the value of all chunks, sorted.
   std::vector<Face> GatherFaces() const
   {
     std::vector<Face> faces;
@@ -373,28 +368,12 @@ private:
     return faces;
   }
 
-  // Whether an interval has 4-simplices that begin, or that end, with a tetrahedron.
-  static bool Has(const FaceRange& alike, vtkIdType interval, bool begins)
-  {
-    return std::any_of(alike.first, alike.second,
-      [=](const Face& face) { return face.Interval == interval && face.Begins == begins; });
-  }
-
-  // Of one interval, what begins is given by what ends. Where one interval goes over into the next,
-  // equal to their common bound throughout, it is the upper one's, as in vtkIntervalVolume.
+  // Of one interval, what begins is given by what ends, and a tetrahedron by either.
   static bool IsGiven(const Face& face, const FaceRange& alike)
   {
-    if (Has(alike, face.Interval, !face.Begins))
-    {
-      return face.Begins;
-    }
-    return face.Side < 0 &&
-      std::any_of(alike.first, alike.second,
-        [&](const Face& other)
-        {
-          return other.Interval != face.Interval && other.Begins != face.Begins && other.Side > 0 &&
-            !Has(alike, other.Interval, face.Begins);
-        });
+    return std::any_of(alike.first, alike.second,
+      [&face](const Face& other)
+      { return other.Interval == face.Interval && other.How < face.How; });
   }
 
   static void LeaveOutGiven(const std::vector<Face>& faces, Chunk& chunk)
@@ -463,8 +442,8 @@ private:
   vtkCornerOrder Order;
   // Null where cells have no interval.
   vtkDataArray* Intervals;
-  // What intervals are of, or null.
-  vtkDataArray* Field;
+  // Null where all faces count.
+  vtkDataArray* AtStep;
   vtkExtractionBuffer<Code> Codes;
   vtkCrossingLists Lists;
   std::vector<Chunk> Chunks;

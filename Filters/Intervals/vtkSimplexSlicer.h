@@ -13,8 +13,8 @@ class vtkUnstructuredGrid;
  * crossing at the end of its edge is that vertex: the slice is the limit of those below the value,
  * less what has collapsed there. That misses a 4-simplex that begins at the value with four of its
  * vertices; the tetrahedron of these is added, unless a 4-simplex of the same interval that ends
- * there has given it. A tetrahedron in which one interval goes over into the next, equal to their
- * common bound throughout, is the upper one's; the point data's scalars tell.
+ * there has given it. The cell array AtStep tells of 4-simplices that give nothing there, and of
+ * tetrahedra, which are added likewise.
  *
  * Points are numbered as by vtkUnstructuredExtraction: the bytes depend on the grid alone.
  */

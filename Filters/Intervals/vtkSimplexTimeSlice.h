@@ -33,18 +33,12 @@ class vtkEmptyResult;
  *
  * At the time of a time step the slice is the faces of 4-simplices that lie in it, each once for
  * each interval (the cell array `IntervalId`, where there is one), whether 4-simplices end there,
- * begin there, or both. Of vtkTimeVaryingIntervalVolume it is the interval volume of that step, cut
- * as vtkIntervalVolume cuts it, also where values equal bounds; less the cells, or parts of them,
- * that are equal to a bound throughout and in the interval at that step only, which no 4-simplex
- * has. A 4-simplex that lies in the slice as a whole gives nothing. The same input gives the same
- * bytes whatever the number of threads.
- *
- * Not so where corners of hexahedra, wedges or pyramids equal, at a step, an upper bound at which
- * no other interval begins: the slabs before and after may then cut a cell otherwise, and the slice
- * has the parts of both. (Of single cells with random values 0, 1, 2 the slice of [0, 1] is too
- * large for 6 hexahedra of 60, 8 pairs of wedges, 13 sets of six pyramids, by 0.1 to 0.3 of the
- * box in the first of each; for no tetrahedra.) An interval that begins at that bound, or a bound
- * between the values, avoids it.
+ * begin there, or both. A 4-simplex that lies in the slice as a whole gives nothing. Where there is
+ * the cell array `AtStep` (see vtkTimeVaryingIntervalVolume::PartsAtStep) it tells of 4-simplices
+ * whose faces do not count, and of tetrahedra at a step, that are in the slice as they are. So of
+ * vtkTimeVaryingIntervalVolume the slice at a step is the interval volume of that step, tetrahedron
+ * by tetrahedron, whatever values equal bounds. The same input gives the same bytes whatever the
+ * number of threads.
  *
  * 4-simplices with a time that is NaN or infinite, and ghost, hidden and blanked ones, are left
  * out.

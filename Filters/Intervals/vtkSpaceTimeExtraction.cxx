@@ -50,6 +50,8 @@ struct Chunk
 {
   std::vector<Found> Cases;
   std::vector<vtkSpaceTimeMesh::BoundaryCell> Boundary;
+  // The volume at the two steps of cells where slots were made one.
+  std::vector<vtkSpaceTimeMesh::BoundaryCell> StepVolume;
   // The 4-simplices above one face of a cell where slots were made one.
   std::vector<vtkIdType> Tied;
   vtkIdType Simplices = 0;
@@ -322,7 +324,8 @@ private:
         inside = 3 * inside + 1;
       }
       cut.Merged.Make(table, this->Slots[cell.Shape], item, codes, what,
-        item.IsFlat ? place.GetCase(cell.Shape, inside) : what, ranks, same, this->HasBoundary);
+        item.IsFlat ? place.GetCase(cell.Shape, inside) : what, ranks, same,
+        this->HasBoundary || this->Mesh.GetOptions().Simplices);
     }
     else
     {
@@ -344,7 +347,7 @@ private:
     {
       for (const vtkSpaceTimeCut::Side& side : cut.Merged.GetSides())
       {
-        std::for_each_n(side.Points.begin(), this->Mesh.IsWanted(side.Kind) ? side.Number : 0,
+        std::for_each_n(side.Points.begin(), this->Mesh.IsWantedOfTied(side.Kind) ? side.Number : 0,
           [&](Slot slot) { isUsed[slot] = true; });
       }
     }
@@ -377,6 +380,7 @@ private:
     slab.Simplices.Allocate(isNeeded ? simplices : 0);
     slab.Items.Allocate(isNeeded && this->Values.GetItems().size() > 1 ? simplices : 0);
     slab.Flats.Allocate(options.Settings.GenerateTetrahedra ? simplices : 0);
+    slab.Ties.Allocate(options.Settings.GenerateSimplices ? simplices : 0);
     this->Report.Simplices += simplices;
     this->MarksFlat =
       options.Settings.GenerateTetrahedra && options.IsAlongTime() && this->Planarity.IsStatic();
@@ -428,8 +432,9 @@ private:
       }
       const bool isInverted = this->IsInverted(cell);
       const auto& simplices = found.IsPlain ? found.Case->Simplices : place.Own.GetSimplices();
-      this->WriteSimplices(cell, found.Item, simplices, ids, isInverted, next);
-      for (std::size_t s = 0; !found.IsPlain && place.Own.IsMerged && s < simplices.size(); ++s)
+      const bool isMerged = !found.IsPlain && place.Own.IsMerged;
+      this->WriteSimplices(cell, found.Item, simplices, ids, isInverted, isMerged, next);
+      for (std::size_t s = 0; isMerged && s < simplices.size(); ++s)
       {
         if (this->Slots[cell.Shape].IsAboveFace(simplices[s]))
         {
@@ -437,7 +442,7 @@ private:
         }
       }
       next += static_cast<vtkIdType>(simplices.size());
-      if (this->HasBoundary)
+      if (this->HasBoundary || (isMerged && this->Mesh.GetOptions().Simplices))
       {
         this->WriteBoundary(cell, found, place.Own, ids, isInverted, chunk);
       }
@@ -451,7 +456,7 @@ private:
   }
 
   void WriteSimplices(const vtkSpaceTimeCell& cell, int item, const std::vector<Simplex>& simplices,
-    const vtkIdType* ids, bool isInverted, vtkIdType next)
+    const vtkIdType* ids, bool isInverted, bool isTied, vtkIdType next)
   {
     vtkSpaceTimeMesh::Slab& slab = this->Mesh.GetSlab();
     const vtkSpaceTimeSlots& slots = this->Slots[cell.Shape];
@@ -476,6 +481,10 @@ private:
       {
         slab.Flats[next] = this->MarksFlat ? slots.FindFlat(turned, planar) : std::uint8_t(0);
       }
+      if (slab.Ties.GetSize() > 0)
+      {
+        slab.Ties[next] = isTied;
+      }
     }
   }
 
@@ -483,7 +492,7 @@ private:
     const vtkIdType* ids, bool isInverted, Chunk& chunk) const
   {
     const bool isMerged = !found.IsPlain && cut.IsMerged;
-    const auto add = [&](int kind, const Slot* slots, int number)
+    const auto make = [&](int kind, const Slot* slots, int number)
     {
       vtkSpaceTimeMesh::BoundaryCell made{ { { -1, -1, -1, -1 } }, kind, found.Item, 0, isMerged };
       for (int p = 0; p < number; ++p)
@@ -494,19 +503,31 @@ private:
       {
         std::swap(made.Ids[0], made.Ids[1]);
       }
-      chunk.Boundary.push_back(made);
+      return made;
     };
     if (isMerged)
     {
+      const bool hasSteps = this->Mesh.GetOptions().Simplices;
       for (const vtkSpaceTimeCut::Side& side : cut.Merged.GetSides())
       {
+        if (!this->Mesh.IsWantedOfTied(side.Kind))
+        {
+          continue;
+        }
+        const auto made = make(side.Kind, side.Points.data(), side.Number);
         if (this->Mesh.IsWanted(side.Kind))
         {
-          add(side.Kind, side.Points.data(), side.Number);
+          chunk.Boundary.push_back(made);
+        }
+        if (hasSteps && vtkSpaceTimeMesh::IsVolume(side.Kind))
+        {
+          chunk.StepVolume.push_back(made);
         }
       }
       return;
     }
+    const auto add = [&](int kind, const Slot* slots, int number)
+    { chunk.Boundary.push_back(make(kind, slots, number)); };
     for (const Simplex& simplex : found.IsPlain ? found.Case->Simplices : cut.Simplices)
     {
       vtkSpaceTimeBoundary::ForEach(this->Slots[cell.Shape], simplex, this->Mesh, add);
@@ -519,6 +540,7 @@ private:
     for (const Chunk& chunk : this->Chunks)
     {
       this->Mesh.AddBoundary(chunk.Boundary);
+      this->Mesh.AddStepVolume(chunk.StepVolume);
     }
   }
 

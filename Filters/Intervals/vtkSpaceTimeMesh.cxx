@@ -76,11 +76,6 @@ vtkSmartPointer<vtkPoints> MakePoints(const vtkSpaceTimeStep& first, const vtkSp
   return made;
 }
 
-bool IsVolume(int kind)
-{
-  return kind == Kinds::VOLUME_AT_START || kind == Kinds::VOLUME_AT_END;
-}
-
 bool IsSurfaceAtStep(int kind)
 {
   return kind < Kinds::LOWER_SURFACE_IN_TIME;
@@ -109,6 +104,16 @@ void ForEachFace(const std::array<vtkIdType, Size>& simplex, Visitor&& visit)
       std::swap(face[0], face[1]);
     }
     visit(face);
+  }
+}
+
+void AppendCells(const std::vector<vtkSpaceTimeMesh::BoundaryCell>& cells, int slab,
+  std::vector<vtkSpaceTimeMesh::BoundaryCell>& all)
+{
+  for (vtkSpaceTimeMesh::BoundaryCell cell : cells)
+  {
+    cell.Slab = slab;
+    all.push_back(cell);
   }
 }
 
@@ -302,11 +307,12 @@ void vtkSpaceTimeMesh::AppendArrays(vtkPointData* more)
 
 void vtkSpaceTimeMesh::AddBoundary(const std::vector<BoundaryCell>& cells)
 {
-  for (BoundaryCell cell : cells)
-  {
-    cell.Slab = this->Slabs.back().Number;
-    this->Boundary.push_back(cell);
-  }
+  AppendCells(cells, this->Slabs.back().Number, this->Boundary);
+}
+
+void vtkSpaceTimeMesh::AddStepVolume(const std::vector<BoundaryCell>& cells)
+{
+  AppendCells(cells, this->Slabs.back().Number, this->StepVolume);
 }
 
 vtkIdType vtkSpaceTimeMesh::RemoveOppositeSimplices(const std::vector<vtkIdType>& tied)
@@ -344,12 +350,17 @@ vtkIdType vtkSpaceTimeMesh::RemoveOppositeSimplices(const std::vector<vtkIdType>
       {
         slab.Flats[kept] = slab.Flats[s];
       }
+      if (slab.Ties.GetSize() > 0)
+      {
+        slab.Ties[kept] = slab.Ties[s];
+      }
       ++kept;
     }
   }
   slab.Simplices.Truncate(kept);
   slab.Items.Truncate(slab.Items.GetSize() > 0 ? kept : 0);
   slab.Flats.Truncate(slab.Flats.GetSize() > 0 ? kept : 0);
+  slab.Ties.Truncate(slab.Ties.GetSize() > 0 ? kept : 0);
   return static_cast<vtkIdType>(number - kept);
 }
 
@@ -438,13 +449,47 @@ void vtkSpaceTimeMesh::FindCoordinates()
   this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
 }
 
+void vtkSpaceTimeMesh::SettleStepVolume()
+{
+  using Entry = vtkOppositePairs::Entry<vtkIdType, 5>;
+  std::vector<Entry> entries(this->StepVolume.size());
+  for (std::size_t c = 0; c < entries.size(); ++c)
+  {
+    Entry& entry = entries[c];
+    entry.Key[0] = this->StepVolume[c].Item;
+    std::copy_n(this->StepVolume[c].Ids.begin(), 4, entry.Key.begin() + 1);
+    entry.IsOdd = vtkOppositePairs::Sort(entry.Key.data() + 1, 4);
+    entry.Place = c;
+  }
+  vtkSMPTools::Sort(entries.begin(), entries.end());
+  std::vector<bool> isKept(entries.size(), false);
+  for (auto first = entries.begin(); first != entries.end();)
+  {
+    const auto last = std::find_if(
+      first, entries.end(), [first](const Entry& entry) { return entry.Key != first->Key; });
+    isKept[first->Place] =
+      std::all_of(first, last, [first](const Entry& entry) { return entry.IsOdd == first->IsOdd; });
+    first = last;
+  }
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < isKept.size(); ++c)
+  {
+    if (isKept[c])
+    {
+      this->StepVolume[kept++] = this->StepVolume[c];
+    }
+  }
+  this->StepVolume.resize(kept);
+}
+
 std::size_t vtkSpaceTimeMesh::GetBytes() const
 {
   std::size_t bytes = this->EndPoints.capacity() * sizeof(SharedPoint) +
-    this->Boundary.capacity() * sizeof(BoundaryCell);
+    (this->Boundary.capacity() + this->StepVolume.capacity()) * sizeof(BoundaryCell);
   for (const Slab& slab : this->Slabs)
   {
-    bytes += slab.Simplices.GetBytes() + slab.Items.GetBytes() + slab.Flats.GetBytes();
+    bytes += slab.Simplices.GetBytes() + slab.Items.GetBytes() + slab.Flats.GetBytes() +
+      slab.Ties.GetBytes();
   }
   return bytes;
 }

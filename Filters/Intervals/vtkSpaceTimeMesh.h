@@ -43,6 +43,8 @@ public:
     /// For each which of its sides are known to be flat, see vtkSimplexProjection; empty where no
     /// projection is asked for.
     vtkExtractionBuffer<std::uint8_t> Flats;
+    /// Of each whether values equal a bound in its cell; empty where 4-simplices are not asked for.
+    vtkExtractionBuffer<std::uint8_t> Ties;
   };
 
   /// A triangle, with a last id of -1, or a tetrahedron on the boundary.
@@ -72,6 +74,16 @@ public:
   /// slab.
   bool IsWanted(int kind) const { return this->WantedKinds[kind]; }
   bool HasWantedKinds() const;
+  /// The same of a cell where values equal a bound, of which the volume at both steps is needed.
+  bool IsWantedOfTied(int kind) const
+  {
+    return this->IsWanted(kind) || (this->Options.Simplices && IsVolume(kind));
+  }
+  static bool IsVolume(int kind)
+  {
+    return kind == vtkTimeVaryingIntervalVolume::VOLUME_AT_START ||
+      kind == vtkTimeVaryingIntervalVolume::VOLUME_AT_END;
+  }
 
   /**
    * Takes over the points of the slab and gives the id of each. \a points and \a lists as
@@ -84,6 +96,9 @@ public:
   /// Adds boundary cells of the slab; their number of the slab is filled in.
   void AddBoundary(const std::vector<BoundaryCell>& cells);
 
+  /// Adds parts of the volume at the two steps of the slab, of cells where values equal a bound.
+  void AddStepVolume(const std::vector<BoundaryCell>& cells);
+
   /// Removes pairs of 4-simplices of the slab, out of those in \a tied, that have the same points
   /// and opposite orientation. Returns how many are removed.
   vtkIdType RemoveOppositeSimplices(const std::vector<vtkIdType>& tied);
@@ -95,6 +110,10 @@ public:
    * volume at their step.
    */
   void SettleTiedBoundary();
+
+  /// Leaves each part of the volume at a step once, where two slabs have it, and takes away pairs
+  /// of opposite orientation.
+  void SettleStepVolume();
 
   /// The slab begun last.
   Slab& GetSlab() { return this->Slabs.back(); }
@@ -109,6 +128,7 @@ public:
   vtkPointData* GetArrays() const { return this->Arrays; }
   const std::vector<Slab>& GetSlabs() const { return this->Slabs; }
   const std::vector<BoundaryCell>& GetBoundary() const { return this->Boundary; }
+  const std::vector<BoundaryCell>& GetStepVolume() const { return this->StepVolume; }
 
   /// The names of point arrays that were left out since a step lacks them.
   const std::vector<std::string>& GetArraysLeftOut() const { return this->ArraysLeftOut; }
@@ -181,6 +201,7 @@ private:
   std::vector<SharedPoint> EndPoints;
   std::vector<Slab> Slabs;
   std::vector<BoundaryCell> Boundary;
+  std::vector<BoundaryCell> StepVolume;
 };
 
 #endif

@@ -398,10 +398,12 @@ void vtkSpaceTimeOutput::FillSimplices(const vtkSpaceTimeMesh& mesh, vtkUnstruct
   {
     number += static_cast<vtkIdType>(slab.Simplices.GetSize());
   }
+  number += static_cast<vtkIdType>(mesh.GetStepVolume().size());
   vtkSimplexList list;
   list.Allocate(number, NumberOfPoints, mesh.GetPoints()->GetNumberOfPoints());
   auto* items = AddCellArray<vtkIntArray>(output, "IntervalId", number);
   auto* slabs = AddCellArray<vtkIntArray>(output, "TimeSlab", number);
+  auto* atStep = AddCellArray<vtkUnsignedCharArray>(output, "AtStep", number);
   vtkIdType next = 0;
   for (const Slab& slab : mesh.GetSlabs())
   {
@@ -410,7 +412,19 @@ void vtkSpaceTimeOutput::FillSimplices(const vtkSpaceTimeMesh& mesh, vtkUnstruct
       list.Write(next, slab.Simplices[s].data());
       items->SetValue(next, GetItem(slab, static_cast<vtkIdType>(s)));
       slabs->SetValue(next, slab.Number);
+      atStep->SetValue(next,
+        slab.Ties[s] ? vtkSpaceTimeSettings::NOTHING_AT_STEP
+                     : vtkSpaceTimeSettings::FACES_AT_STEP);
     }
+  }
+  for (const vtkSpaceTimeMesh::BoundaryCell& cell : mesh.GetStepVolume())
+  {
+    const vtkIdType ids[NumberOfPoints] = { cell.Ids[0], cell.Ids[1], cell.Ids[2], cell.Ids[3],
+      cell.Ids[3] };
+    list.Write(next, ids);
+    items->SetValue(next, cell.Item);
+    slabs->SetValue(next, cell.Slab);
+    atStep->SetValue(next++, vtkSpaceTimeSettings::TETRAHEDRON_AT_STEP);
   }
   output->SetCells(VTK_POLY_VERTEX, list.MakeCells());
 }

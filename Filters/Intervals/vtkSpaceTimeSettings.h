@@ -45,6 +45,15 @@ struct vtkSpaceTimeSettings
     CLASS_5 = 50
   };
 
+  /// What a cell of port 2 is of the interval volume at a time step: its faces there, nothing, or
+  /// all that it is, a tetrahedron there whose last point it has twice.
+  enum PartsAtStep
+  {
+    FACES_AT_STEP = 0,
+    NOTHING_AT_STEP = 1,
+    TETRAHEDRON_AT_STEP = 2
+  };
+
   int TimeStepRange[2] = { 0, std::numeric_limits<int>::max() };
   double ProjectionDirection[4] = { 0.0, 0.0, 0.0, 1.0 };
   bool GenerateTetrahedra = true;

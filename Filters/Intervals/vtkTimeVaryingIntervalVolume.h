@@ -56,8 +56,10 @@ class vtkTimeVaryingRun;
  *
  * Output port 2, made only when GenerateSimplices is on: the 4-simplices as VTK_POLY_VERTEX cells
  * of five points, positively oriented in (x,y,z,t), with point array `Time` and all other point
- * arrays, cell arrays `IntervalId`, `TimeSlab`. Ready for a writer, and for vtkSimplexTimeSlice.
- * Points that two slabs share are one point.
+ * arrays, cell arrays `IntervalId`, `TimeSlab`, `AtStep` (unsigned char, see PartsAtStep). Ready
+ * for a writer, and for vtkSimplexTimeSlice. Points that two slabs share are one point. Where
+ * values equal bounds, faces of 4-simplices are not all of the interval volume at a step, nor all
+ * in it: it is there as cells of its own, without hypervolume.
  *
  * Values equal to a bound, and the identity of points: as in vtkIntervalVolume, one dimension up.
  * [a, a] is the cells whose corners are all equal to a at both steps of a slab. Counted with their
@@ -106,11 +108,15 @@ public:
   using vtkSpaceTimeSettings::CLASS_3B;
   using vtkSpaceTimeSettings::CLASS_4;
   using vtkSpaceTimeSettings::CLASS_5;
+  using vtkSpaceTimeSettings::FACES_AT_STEP;
   using vtkSpaceTimeSettings::LOWER_SURFACE_AT_END;
   using vtkSpaceTimeSettings::LOWER_SURFACE_AT_START;
   using vtkSpaceTimeSettings::LOWER_SURFACE_IN_TIME;
+  using vtkSpaceTimeSettings::NOTHING_AT_STEP;
   using vtkSpaceTimeSettings::NUMBER_OF_BOUNDARY_KINDS;
+  using vtkSpaceTimeSettings::PartsAtStep;
   using vtkSpaceTimeSettings::SimplexClasses;
+  using vtkSpaceTimeSettings::TETRAHEDRON_AT_STEP;
   using vtkSpaceTimeSettings::UPPER_SURFACE_AT_END;
   using vtkSpaceTimeSettings::UPPER_SURFACE_AT_START;
   using vtkSpaceTimeSettings::UPPER_SURFACE_IN_TIME;

@@ -306,6 +306,7 @@ bool vtkTimeVaryingRun::FillOutputs(
     const bool isNeeded = leaf->Before != nullptr;
     leaf->Before.reset();
     leaf->Mesh.SettleTiedBoundary();
+    leaf->Mesh.SettleStepVolume();
     const vtkSpaceTimeMesh& mesh = leaf->Mesh;
     vtkExtractionArrays::ActivateScalars(leaf->ScalarsName.c_str(), mesh.GetArrays());
     vtkUnstructuredGrid* output = tetrahedraLeaves.GetNext(isNeeded);

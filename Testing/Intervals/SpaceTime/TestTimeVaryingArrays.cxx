@@ -160,6 +160,7 @@ void CheckNames(const TimeVaryingExtraction& found, Check& check)
   check.That(!found.Simplices->GetPointData()->HasArray("DeltaT"), "no DeltaT of 4-simplices");
   CheckCellArray<vtkUnsignedCharArray>(
     found.Tetrahedra, "SimplexClass", { 10, 20, 31, 32, 40, 50 }, check);
+  CheckCellArray<vtkUnsignedCharArray>(found.Simplices, "AtStep", { 0, 1, 2 }, check);
   CheckCellArray<vtkIntArray>(found.Boundaries, "BoundaryKind", { 0, 1, 2, 3, 4, 5, 6, 7 }, check);
   double range[2];
   found.Tetrahedra->GetPointData()->GetArray("DeltaT")->GetRange(range);

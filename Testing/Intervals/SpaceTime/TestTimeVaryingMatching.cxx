@@ -1,6 +1,7 @@
 // What is promised where values equal bounds, in time and at slices: 4-simplices match with the
 // orientation of their faces over all slabs, boundaries have what bounds them, and the slice at a
-// step is made of the interval volume of that step, each tetrahedron once.
+// step is the interval volume of that step, tetrahedron by tetrahedron. Upper bounds are shared, so
+// that a value equal to one is outside, and not shared, so that it is inside.
 #include "Inputs/DataFiles.h"
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Intervals/ReferenceMatching.h"
@@ -29,6 +30,13 @@ void CheckVolume(const std::string& file, Check& check)
     { { bounds[0], bounds[1] }, { bounds[1], bounds.back() }, { bounds[1], bounds[1] },
       { bounds[0], bounds[0] } },
     check);
+  check.SetContext(file + ", upper bounds that are not shared");
+  std::vector<Interval> closed;
+  for (size_t i = 0; i + 1 < bounds.size(); i += 2)
+  {
+    closed.push_back({ bounds[i], bounds[i + 1] });
+  }
+  CheckMatchingInTime(steps, closed, check);
 }
 
 void CheckGrid(const SpaceTimeGrid& grid, Check& check)
@@ -37,12 +45,15 @@ void CheckGrid(const SpaceTimeGrid& grid, Check& check)
   {
     for (unsigned int seed = 1; seed <= 3; ++seed)
     {
-      check.SetContext(
-        grid.Name + ", " + std::to_string(values) + " values, seed " + std::to_string(seed));
+      const std::string name =
+        grid.Name + ", " + std::to_string(values) + " values, seed " + std::to_string(seed);
+      check.SetContext(name);
       const TimeSteps steps = RepeatGrid(grid.Data, { 0, 1, 2.5, 3 });
       AddIntegerTimeField(steps, values, seed);
       CheckMatchingInTime(
         steps, { { 0, 1 }, { 1, values - 1.0 }, { 0, 0 }, { 1, 1 }, { 0.5, 1 } }, check);
+      check.SetContext(name + ", upper bounds that are not shared");
+      CheckMatchingInTime(steps, { { 0, 1 }, { 0.5, 1 }, { 1, 1 }, { 1.5, 2 } }, check);
     }
   }
 }

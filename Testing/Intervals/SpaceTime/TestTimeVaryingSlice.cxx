@@ -1,5 +1,6 @@
-// Slices of the 4-simplices: at a time step the interval volume of that step; between steps exact
-// for functions linear in space and time, and of second order in the step for a smooth one.
+// Slices of the 4-simplices: at a time step the interval volume of that step, whatever values equal
+// bounds; adjacent intervals tile the domain at steps, close to them and between; exact between
+// steps for functions linear in space and time, and of second order in the step for a smooth one.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Meshes/ReferenceGrid.h"
 #include "Reference/Meshes/ReferenceMesh.h"
@@ -44,10 +45,9 @@ void CheckSteps(const TimeSteps& steps, Check& check)
   }
 }
 
-/// With ties the cuts may differ: the volumes are the same.
-void CheckTies(const TimeSteps& steps, Check& check)
+/// Values equal to bounds, shared or not: the volume of each slice is that of the step.
+void CheckTies(const TimeSteps& steps, const std::vector<Interval>& intervals, Check& check)
 {
-  const std::vector<Interval> intervals = { { 0, 1 }, { 1, 1.5 }, { 1.5, 2 } };
   const auto simplices = SimplicesOf(steps, intervals);
   for (const TimeStep& step : steps)
   {
@@ -59,6 +59,18 @@ void CheckTies(const TimeSteps& steps, Check& check)
         static_cast<double>(MeasureInterval(expected.Volume, i).Sum), 1e-12,
         "volume of interval " + std::to_string(i) + " at time " + std::to_string(step.Time), 1);
     }
+  }
+}
+
+/// Intervals that hold all values tile the domain at any time.
+void CheckTiling(const TimeSteps& steps, const std::vector<Interval>& intervals, Check& check)
+{
+  const auto simplices = SimplicesOf(steps, intervals);
+  const double domain = static_cast<double>(MeshVolume(GetDataSet(steps.front())));
+  for (const double time : { 1.0, 1.000001, 1.25, 1.499999, 1.5, 1.500001, 3.999999, 4.0 })
+  {
+    check.Near(static_cast<double>(MeasureTetrahedra(SliceAt(simplices, time)).Sum) / domain, 1,
+      1e-12, "sum of the volumes over the domain's at time " + std::to_string(time));
   }
 }
 
@@ -94,8 +106,14 @@ void CheckGrid(const SpaceTimeGrid& grid, Check& check)
   TimeSteps steps = RepeatGrid(grid.Data, Times);
   AddRandomTimeField(steps, 6);
   CheckSteps(steps, check);
-  AddIntegerTimeField(steps, 3, 2);
-  CheckTies(steps, check);
+  for (const int values : { 2, 3 })
+  {
+    check.SetContext(grid.Name + ", " + std::to_string(values) + " values");
+    AddIntegerTimeField(steps, values, 2);
+    CheckTies(steps, { { 0, 1 }, { 1, 1.5 }, { 1.5, 2 } }, check);
+    CheckTies(steps, { { 0, 1 }, { 0.5, 1 }, { 1.5, 2 } }, check);
+    CheckTiling(steps, { { 0, 1 }, { 1, 2 } }, check);
+  }
   if (canMove)
   {
     check.SetContext(grid.Name + ", moving, at steps");

@@ -56,15 +56,14 @@ void CheckMatchingTiling(vtkDataSet* data, const std::vector<double>& bounds, Ch
 /**
  * Extracts intervals in space and time from a grid that does not move and fills its box, and checks
  * for each interval:
- * - no two 4-simplices have the same points and opposite orientation, and none lies in one step;
+ * - no two 4-simplices have the same points and opposite orientation, but for those that lie in one
+ * step, of which AtStep says that they are nothing there;
  * - a face of the 4-simplices cancels, or is a surface in time or a volume at the first or last
  * step of port 1, or lies in a wall of the box;
  * - surfaces in time are such faces, once, turned as those are;
  * - the volume at the first and last step is the interval volume of that step, and the surfaces
  *   there are its port 1;
- * - the slice at each step is made of tetrahedra of the interval volume of that step, each once;
- * what it lacks is equal to a bound there throughout, and in the interval at no time near; and its
- *   volume is the limit of slices before, or after, or larger.
+ * - the slice at each step is the interval volume of that step, tetrahedron by tetrahedron.
  */
 void CheckMatchingInTime(
   const TimeSteps& steps, const std::vector<Interval>& intervals, Check& check);

@@ -51,7 +51,9 @@ void ForEachSimplex(vtkUnstructuredGrid* grid, int interval, const char* array, 
     vtkIdType count;
     const vtkIdType* ids;
     grid->GetCellPoints(cell, count, ids);
-    if (count == static_cast<vtkIdType>(N) &&
+    // Tetrahedra at a step, which have their last point twice, are no 4-simplices.
+    const bool isTetrahedronAtStep = N == 5 && count == 5 && ids[3] == ids[4];
+    if (count == static_cast<vtkIdType>(N) && !isTetrahedronAtStep &&
       (interval == Any || intervals->GetComponent(cell, 0) == interval) &&
       (number == Any || numbers->GetComponent(cell, 0) == number))
     {
