@@ -134,7 +134,7 @@ bool vtkExtraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstruc
   report.Cells = input->GetNumberOfCells();
   if (!mesh.TiedSimplices.empty())
   {
-    vtkExtractionCleanup::RemoveOppositeSimplices(mesh);
+    vtkExtractionCleanup::RemoveOppositeSimplices(mesh, context.GetSimplexSize());
   }
   if (!mesh.TiedTriangles.empty())
   {

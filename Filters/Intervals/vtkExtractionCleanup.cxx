@@ -43,8 +43,8 @@ void RemoveTriangles(vtkExtractionMesh& mesh, const std::vector<bool>& isRemoved
   mesh.TriangleCellIds.resize(mesh.TriangleCellIds.empty() ? 0 : kept);
 }
 
-// Marks the points in use anew.
-void MarkUsed(vtkExtractionMesh& mesh)
+// Marks the points in use anew; simplices have \a size.
+void MarkUsed(vtkExtractionMesh& mesh, int size)
 {
   mesh.Used.AllocateZeros(mesh.Points.GetSize());
   const auto use = [&mesh](vtkIdType id) { mesh.Used[id].store(1, std::memory_order_relaxed); };
@@ -53,7 +53,7 @@ void MarkUsed(vtkExtractionMesh& mesh)
     {
       for (vtkIdType simplex = first; simplex < last; ++simplex)
       {
-        for (int p = 0; p < 4; ++p)
+        for (int p = 0; p < size; ++p)
         {
           use(mesh.Simplices.GetId(simplex, p));
         }
@@ -103,7 +103,7 @@ void vtkExtractionCleanup::RemoveUnusedPoints(vtkExtractionMesh& mesh)
   }
 }
 
-void vtkExtractionCleanup::RemoveOppositeSimplices(vtkExtractionMesh& mesh)
+void vtkExtractionCleanup::RemoveOppositeSimplices(vtkExtractionMesh& mesh, int size)
 {
   using Entry = vtkOppositePairs::Entry<vtkIdType, 5>;
   std::vector<Entry> entries;
@@ -111,11 +111,11 @@ void vtkExtractionCleanup::RemoveOppositeSimplices(vtkExtractionMesh& mesh)
   {
     Entry entry{ { { mesh.ItemIds->GetValue(simplex) } }, false,
       static_cast<std::size_t>(simplex) };
-    for (int p = 0; p < 4; ++p)
+    for (int p = 0; p < size; ++p)
     {
       entry.Key[1 + p] = mesh.Simplices.GetId(simplex, p);
     }
-    entry.IsOdd = vtkOppositePairs::Sort(entry.Key.data() + 1, 4);
+    entry.IsOdd = vtkOppositePairs::Sort(entry.Key.data() + 1, size);
     entries.push_back(entry);
   }
   const vtkIdType number = mesh.ItemIds->GetNumberOfValues();
@@ -149,7 +149,7 @@ void vtkExtractionCleanup::RemoveOppositeSimplices(vtkExtractionMesh& mesh)
   mesh.Simplices.Truncate(kept);
   mesh.ItemIds->SetNumberOfValues(kept);
   mesh.CellIds.Truncate(mesh.CellIds.GetSize() > 0 ? kept : 0);
-  MarkUsed(mesh);
+  MarkUsed(mesh, size);
 }
 
 void vtkExtractionCleanup::SettleTiedTriangles(vtkExtractionMesh& mesh)
@@ -191,7 +191,7 @@ void vtkExtractionCleanup::SettleTiedTriangles(vtkExtractionMesh& mesh)
   if (std::find(isRemoved.begin(), isRemoved.end(), true) != isRemoved.end())
   {
     RemoveTriangles(mesh, isRemoved);
-    MarkUsed(mesh);
+    MarkUsed(mesh, 4);
   }
 }
 

@@ -16,10 +16,10 @@ public:
   static void RemoveUnusedPoints(vtkExtractionMesh& mesh);
 
   /**
-   * Removes pairs of tetrahedra of one interval that have the same points and opposite orientation,
-   * of the two sides of a face where values equal a bound.
+   * Removes pairs of simplices of \a size points of one interval or contour that have the same
+   * points and opposite orientation, of the two sides of a face where values equal a bound.
    */
-  static void RemoveOppositeSimplices(vtkExtractionMesh& mesh);
+  static void RemoveOppositeSimplices(vtkExtractionMesh& mesh, int size);
 
   /**
    * Settles the triangles of cells where values equal a bound. Pairs of one interval that have the

@@ -51,7 +51,7 @@ struct vtkExtractionMesh
   /// The triangles of cells where values equal a bound, increasing: they may cancel each other, or
   /// be on a part that has no volume.
   std::vector<vtkIdType> TiedTriangles;
-  /// The tetrahedra that lie in one face of such a cell.
+  /// The tetrahedra, or triangles of contours, that lie in one face of such a cell.
   std::vector<vtkIdType> TiedSimplices;
 
   /// Whether simplices differ in their item: with one item they are noted all at once.

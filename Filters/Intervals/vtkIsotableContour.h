@@ -21,7 +21,9 @@ class vtkExtractionIndex;
  * (P. Bhaniramka, R. Wenger, R. Crawfis, "Isosurface construction in any dimension using convex
  * hulls", IEEE TVCG 10(2), 2004). A vertex is positive when f >= v. Facets with more than three
  * points are cut in one global order of the grid's point ids, so that any two cells agree on the
- * edge they share: the surface has no cracks, in mixed meshes too.
+ * edge they share: the surface has no cracks, in mixed meshes too. No triangle is there turned over
+ * as well: a face of two cells that equals v throughout, lower values on both sides, has none. In a
+ * face of the domain it has.
  *
  * Input: any dataset or composite dataset (as vtkIntervalVolume).
  * The scalar: SetInputArrayToProcess(0, ...), by default the active point scalars, one component.

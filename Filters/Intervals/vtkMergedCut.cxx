@@ -18,6 +18,18 @@ int GetKeyInside(int vertices)
   }
   return key;
 }
+
+// A contour's table has no case from which faces could be read.
+const vtkIsotable& GetTableOfIntervals(int vertices)
+{
+  int shape = 0;
+  while (vtkIsotable::Get(vtkIsotable::INTERVAL, static_cast<vtkIsotable::Shapes>(shape))
+           .GetNumberOfVertices() != vertices)
+  {
+    ++shape;
+  }
+  return vtkIsotable::Get(vtkIsotable::INTERVAL, static_cast<vtkIsotable::Shapes>(shape));
+}
 }
 
 bool vtkMergedCut::IsNeeded(const vtkIsotable::Case& what, const Slot* same)
@@ -64,6 +76,10 @@ void vtkMergedCut::Make(const vtkIsotable& table, const Item& item, const Code* 
       vtkOppositePairs::Remove<4>(this->Simplices);
       vtkOppositePairs::Remove<3>(this->Triangles);
     }
+    else
+    {
+      vtkOppositePairs::Remove<3>(this->Simplices);
+    }
   }
   // In another order than the table's there may be more.
   const std::size_t left = std::min(this->Simplices.size(), what.Simplices.size());
@@ -96,7 +112,8 @@ void vtkMergedCut::FindFaces(const vtkIsotable& table)
   const int edges = table.GetNumberOfEdges();
   this->TableOfFaces = &table;
   this->Faces.clear();
-  table.CutSides(table.GetCase(GetKeyInside(vertices)), vtkIsotable::RankArray{},
+  const vtkIsotable& ofIntervals = GetTableOfIntervals(vertices);
+  ofIntervals.CutSides(ofIntervals.GetCase(GetKeyInside(vertices)), vtkIsotable::RankArray{},
     [this](Slot, Slot, Slot, const Slot* polygon, int number)
     {
       unsigned face = 0;

@@ -40,16 +40,18 @@ public:
 
   const std::vector<Simplex>& GetSimplices() const { return this->Simplices; }
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
-  /// Whether the points of a tetrahedron are all in one face of the cell. The neighbour there may
-  /// have the same one turned over.
+  /// Whether the points of a tetrahedron, or of a contour's triangle, are all in one face of the
+  /// cell. The neighbour there may have the same one turned over.
   bool IsInFace(const vtkIsotable& table, const Simplex& simplex)
   {
     if (this->TableOfFaces != &table)
     {
       this->FindFaces(table);
     }
+    // The fourth slot of a triangle is unused.
+    const Slot last = simplex[table.GetKind() == vtkIsotable::INTERVAL ? 3 : 2];
     return (this->FacesOf[simplex[0]] & this->FacesOf[simplex[1]] & this->FacesOf[simplex[2]] &
-             this->FacesOf[simplex[3]]) != 0;
+             this->FacesOf[last]) != 0;
   }
   /// How many fewer simplices there are than in the case.
   vtkIdType GetNumberCollapsed() const { return this->NumberCollapsed; }

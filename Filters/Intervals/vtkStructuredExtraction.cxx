@@ -808,7 +808,7 @@ private:
     for (const vtkIsotable::Simplex& simplex : simplices)
     {
       std::for_each_n(simplex.begin(), this->SimplexSize, use);
-      if (this->SimplexSize == 4 && tied.Cut.IsInFace(this->Table, simplex))
+      if (tied.Cut.IsInFace(this->Table, simplex))
       {
         local.TiedSimplices.push_back(place.Simplices + (&simplex - simplices.data()));
       }

@@ -551,7 +551,7 @@ private:
     {
       chunk.TiedTriangles.push_back(triangle + static_cast<vtkIdType>(t));
     }
-    for (std::size_t s = 0; this->SimplexSize == 4 && s < cut.NumberOfSimplices; ++s)
+    for (std::size_t s = 0; s < cut.NumberOfSimplices; ++s)
     {
       if (merged.IsInFace(*this->Tables[shape], cut.Simplices[s]))
       {

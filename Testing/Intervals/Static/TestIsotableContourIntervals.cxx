@@ -34,8 +34,7 @@ std::vector<GeometricSimplex> Having(const std::vector<GeometricSimplex>& set, d
   return result;
 }
 
-/// The net use of each triangle: where a face with the isovalue has lower values on both sides, the
-/// contour has it twice, once with each side up, and the interval not at all.
+/// The net use of each triangle.
 std::map<GeometricSimplex, double> Net(const std::vector<GeometricSimplex>& set, double sign = 1)
 {
   std::map<GeometricSimplex, double> net;

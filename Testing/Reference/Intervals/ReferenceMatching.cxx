@@ -94,6 +94,23 @@ long long CountOpposite(const std::vector<std::array<vtkIdType, N>>& simplices)
     [](const SimplexUse<N>& use) { return use.Plus > 0 && use.Minus > 0; });
 }
 
+/// Triangles or tetrahedra by the places of their points, sorted.
+template <size_t N>
+std::vector<GeometricSimplex> PlacesOf(
+  vtkUnstructuredGrid* grid, const std::vector<std::array<vtkIdType, N>>& cells)
+{
+  vtkNew<vtkUnstructuredGrid> part;
+  part->SetPoints(grid->GetPoints());
+  part->Allocate(static_cast<vtkIdType>(cells.size()));
+  for (const auto& cell : cells)
+  {
+    part->InsertNextCell(N == 3 ? VTK_TRIANGLE : VTK_TETRA, N, cell.data());
+  }
+  std::vector<GeometricSimplex> places = GeometricSet(part);
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
 template <size_t N>
 using Net = std::map<std::array<vtkIdType, N>, int>;
 
@@ -481,25 +498,9 @@ private:
   void CheckSame(vtkUnstructuredGrid* expected, const std::vector<std::array<vtkIdType, N>>& cells,
     int i, int kind, const std::string& name)
   {
-    this->Test.That(this->PlacesOf(expected, cells) ==
-        this->PlacesOf(this->Found.Boundaries, BoundaryCellsOf<N>(this->Found.Boundaries, i, kind)),
+    this->Test.That(PlacesOf(expected, cells) ==
+        PlacesOf(this->Found.Boundaries, BoundaryCellsOf<N>(this->Found.Boundaries, i, kind)),
       name + "kind " + std::to_string(kind) + " is that of vtkIntervalVolume");
-  }
-
-  template <size_t N>
-  std::vector<GeometricSimplex> PlacesOf(
-    vtkUnstructuredGrid* grid, const std::vector<std::array<vtkIdType, N>>& cells) const
-  {
-    vtkNew<vtkUnstructuredGrid> part;
-    part->SetPoints(grid->GetPoints());
-    part->Allocate(static_cast<vtkIdType>(cells.size()));
-    for (const auto& cell : cells)
-    {
-      part->InsertNextCell(N == 3 ? VTK_TRIANGLE : VTK_TETRA, N, cell.data());
-    }
-    std::vector<GeometricSimplex> places = GeometricSet(part);
-    std::sort(places.begin(), places.end());
-    return places;
   }
 
   void CheckEnd(const Extraction& expected, int i, int end, const std::string& name)
@@ -594,6 +595,33 @@ void CheckMatchingTiling(vtkDataSet* data, const std::vector<double>& bounds, Ch
   checker.Run();
   const double domain = static_cast<double>(MeshVolume(data));
   check.Near(checker.GetVolume(), domain, 1e-12, "sum of the signed volumes");
+}
+
+void CheckMatchingContour(vtkDataSet* data, double value, Check& check)
+{
+  const std::string name = "contour of " + std::to_string(value) + ": ";
+  const Skin domain(data);
+  const auto inside = [&domain](vtkUnstructuredGrid* grid, std::vector<Triangle> triangles)
+  {
+    const auto end = std::remove_if(triangles.begin(), triangles.end(),
+      [&](const Triangle& triangle) { return domain.Holds(grid, triangle); });
+    triangles.erase(end, triangles.end());
+    return PlacesOf(grid, triangles);
+  };
+  const auto contour = ExtractContours(data, { value }).Surface;
+  const std::vector<Triangle> triangles = TrianglesOf(contour);
+  const auto uses = CountUses(Oriented(triangles));
+  check.Equal(static_cast<long long>(triangles.size() - uses.size()), 0,
+    name + "triangles there twice or both ways round");
+  const auto edges = CountUses(EdgesOf(triangles));
+  check.Equal(
+    std::count_if(edges.begin(), edges.end(),
+      [&](const EdgeUse& edge) { return edge.Net() != 0 && !domain.Holds(contour, edge.Key); }),
+    0, name + "edges inside that do not cancel");
+  const double greatest = data->GetPointData()->GetScalars()->GetRange()[1];
+  const auto above = ExtractIntervals(data, { { value, greatest + 1 } }).Surface;
+  check.That(inside(contour, triangles) == inside(above, BoundaryOf(above, 0, 0)),
+    name + "it bounds the interval above, triangle by triangle");
 }
 
 void CheckMatchingInTime(

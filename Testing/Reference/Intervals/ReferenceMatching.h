@@ -54,6 +54,13 @@ void CheckMatching(vtkDataSet* data, const std::vector<Interval>& intervals, Che
 void CheckMatchingTiling(vtkDataSet* data, const std::vector<double>& bounds, Check& check);
 
 /**
+ * Extracts the contour of a value of the active scalars, which some exceed, and checks that no
+ * triangle is there twice or both ways round, that its edges cancel but in faces of the domain, and
+ * that its triangles inside are those that bound the interval above.
+ */
+void CheckMatchingContour(vtkDataSet* data, double value, Check& check);
+
+/**
  * Extracts intervals in space and time from a grid that does not move and fills its box, and checks
  * for each interval:
  * - no two 4-simplices have the same points and opposite orientation, but for those that lie in one

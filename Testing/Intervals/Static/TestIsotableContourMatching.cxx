@@ -1,0 +1,84 @@
+// What is promised of contours where values equal the isovalue: no triangle is there twice or
+// turned over as well, edges match, and the contour bounds the interval above. On every volume of 8
+// bits, and on small whole numbers in every kind of cell.
+#include "Inputs/DataFiles.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Intervals/ReferenceExtraction.h"
+#include "Reference/Meshes/ReferenceField.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Intervals/ReferenceMatching.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceTransform.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace
+{
+
+using namespace reference;
+
+void CheckVolume(const std::string& file, Check& check)
+{
+  check.SetContext(file);
+  const auto crop = CropVolume(*interlume::ReadData(file), 16, 0);
+  const std::vector<double> bounds = GetQuantiles(*crop);
+  for (size_t i = 1; i < bounds.size(); ++i)
+  {
+    CheckMatchingContour(crop, bounds[i], check);
+  }
+}
+
+void CheckKind(MeshKind kind, Check& check)
+{
+  for (int values : { 2, 3, 5 })
+  {
+    for (unsigned int seed = 3; seed <= 6; ++seed)
+    {
+      check.SetContext(
+        GetName(kind) + ", " + std::to_string(values) + " values, seed " + std::to_string(seed));
+      auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
+      AddIntegerField(mesh, values, seed);
+      for (int value = 1; value < values; ++value)
+      {
+        CheckMatchingContour(mesh, value, check);
+      }
+    }
+  }
+}
+
+/// Two voxels with a common face at the value and all else below: there is nothing.
+void CheckPlateau(Check& check)
+{
+  check.SetContext("plateau");
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 2, 2);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
+  {
+    image->GetPointData()->GetScalars()->SetComponent(p, 0, p % 3 == 1 ? 7 : 3);
+  }
+  check.Equal(ExtractContours(image, { 7, 5 }).Surface->GetNumberOfCells(), 4,
+    "triangles of 5, on both sides of the plateau at 7");
+}
+
+}
+
+int TestIsotableContourMatching(int, char*[])
+{
+  Check check;
+  for (const char* file :
+    { "bonsai.vti", "brainsmall.vti", "ironProt.vtk", "neghip.vti", "tooth.vti" })
+  {
+    CheckVolume(file, check);
+  }
+  for (MeshKind kind : AllMeshKinds())
+  {
+    CheckKind(kind, check);
+  }
+  CheckPlateau(check);
+  return check.Result();
+}
