@@ -1,6 +1,6 @@
 // A random sequence of changes to one scene of vtkShadowedSliceMapper - lights, buffers, data,
 // camera, window - each picture the same as that of a scene made anew.
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 #include "Pictures/ShadowCases.h"
 #include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"

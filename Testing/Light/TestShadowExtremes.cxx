@@ -1,7 +1,7 @@
 // Extremes of vtkShadowedSliceMapper, each by its name: places of lights, shapes and sizes of
 // volumes, materials, values that are no numbers, textures and memory.
 #include "Pages/StabilityCase.h"
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 #include "Pictures/ReferenceShadowPicture.h"
 #include "Pictures/ShadowCases.h"
 #include "Pictures/ShadowPicture.h"

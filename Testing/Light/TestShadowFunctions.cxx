@@ -1,7 +1,7 @@
 // Transfer functions of vtkShadowedSliceMapper that are finer than the range of the data: one voxel
 // far beyond all others, peaks and steps as narrow as a unit of 16 bits, curved functions.
 #include "Light/ShadowComparison.h"
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 #include "Pictures/ReferenceShadowPicture.h"
 #include "Pictures/ShadowCases.h"
 #include "Pictures/ShadowPicture.h"

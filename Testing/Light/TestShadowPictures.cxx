@@ -3,7 +3,7 @@
 // (1, -1, -1) shines in all of them.
 #include "Inputs/DataFiles.h"
 #include "Light/ShadowComparison.h"
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 #include "Pictures/ReferenceRay.h"
 #include "Pictures/ReferenceShadowPicture.h"
 #include "Pictures/ShadowCases.h"

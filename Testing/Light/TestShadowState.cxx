@@ -1,6 +1,6 @@
 // vtkShadowedSliceMapper in windows: several viewports and windows, targets of bytes and floats,
 // stereo, backgrounds, what is drawn after it, what changes from picture to picture.
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 #include "Pictures/ShadowCases.h"
 #include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"

@@ -1,6 +1,6 @@
 // The law of Beer and Lambert in vtkShadowedSliceMapper: what its light buffers hold against
 // analytic transmittances, by slice spacing and by the angle between view and light.
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 #include "Pictures/ReferenceMedium.h"
 #include "Pictures/ReferenceShadow.h"
 #include "Pictures/ReferenceShadowPicture.h"

@@ -1,24 +1,20 @@
 #ifndef PictureCases_h
 #define PictureCases_h
 
-#include "Pictures/ReferenceRay.h" // for lines of sight
-#include "vtkSmartPointer.h"       // for what is made
+#include "Pictures/PictureSettings.h" // for points
+#include "Pictures/ReferenceRay.h"    // for lines of sight
 
 #include <array>  // for vectors
 #include <string> // for names
 #include <vector> // for nodes
 
-class vtkCamera;
 class vtkUnstructuredGrid;
-class vtkVolumeProperty;
 
 /**
  * What pictures of tetrahedra are tested on.
  */
 namespace reference
 {
-
-using Point3 = std::array<double, 3>;
 
 /// The unit cube in cells^3 boxes of five tetrahedra, points in double, with the scalars `f` =
 /// 0.1 + 0.5 x + 0.3 y + 0.1 z: from 0.1 to 1.
@@ -43,31 +39,9 @@ void AddLinear(
 /// axis of the bounds.
 void AddSlabs(vtkUnstructuredGrid* grid, const std::string& name, int axis, int slabs);
 
-/// A camera that looks along \a direction at the middle of the grid, which fills most of a square
-/// picture, its clipping range around the grid.
-vtkSmartPointer<vtkCamera> LookAt(
-  vtkUnstructuredGrid* grid, const Point3& direction, bool parallel);
-/// The same at the middle of a sphere.
-vtkSmartPointer<vtkCamera> LookAt(
-  const Point3& middle, double radius, const Point3& direction, bool parallel);
-
 /// The length of a line of sight within the bounds of a grid.
 double BoxChord(vtkUnstructuredGrid* grid, const Ray& ray);
 
-/// A node of both transfer functions: position, colour, opacity.
-struct FunctionNode
-{
-  double X;
-  Point3 Color;
-  double Opacity;
-};
-
-/// A property with straight transfer functions, not shaded.
-vtkSmartPointer<vtkVolumeProperty> MakeProperty(
-  const std::vector<FunctionNode>& nodes, double unitDistance = 1.0);
-
-/// From blue at 0 to yellow at 1, with an opacity that rises from low to high.
-vtkSmartPointer<vtkVolumeProperty> MakeRamp(double low, double high, double unitDistance = 1.0);
 
 }
 

@@ -1,6 +1,6 @@
 // The reference of pictures with shadows, checked by itself: closed forms of homogeneous and linear
 // media, lights and gradients by their formulas, and by halving its steps.
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 #include "Pictures/ReferenceLightSource.h"
 #include "Pictures/ReferenceMedium.h"
 #include "Pictures/ReferenceShadow.h"

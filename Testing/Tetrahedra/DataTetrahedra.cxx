@@ -2,7 +2,7 @@
 
 #include "Inputs/DataFiles.h"
 #include "Inputs/ExodusTimeSource.h"
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -1,6 +1,6 @@
 #include "Tetrahedra/MapperPicture.h"
 
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 #include "Pictures/VolumeStage.h"
 
 #include "vtkActor.h"

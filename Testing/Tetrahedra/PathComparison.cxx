@@ -1,6 +1,6 @@
 #include "Tetrahedra/PathComparison.h"
 
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 #include "Pictures/ReferenceRay.h"
 #include "Reference/Checks/ReferenceCheck.h"
 

@@ -1,6 +1,6 @@
 // vtkHardwareSelector finds the input's cell ids: of well separated tetrahedra, with some left out,
 // transparent, hidden or cut by the near plane, with and without multisampling.
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperPicture.h"
 

@@ -25,6 +25,13 @@ struct Case
 Case MakeBonsai(int stepXY, int stepZ);
 
 /**
+ * CT of a head, headsq_quarter.vti, and of a tooth, tooth.vti, with such ramps: `head-<size>` and
+ * `tooth-<size>`. Throw as MakeBonsai.
+ */
+Case MakeHead();
+Case MakeTooth();
+
+/**
  * The sphere of equation 2.7 of C. Zhang (dissertation, Ohio State 2006) on points^3 points of a
  * cube: haze, of optical depth 6 through the middle if it were homogeneous. Shade is on.
  * `sphere-<points>`.
@@ -43,6 +50,12 @@ Case MakeRings(int points);
  * with Shade on.
  */
 Case MakeScattering(const Case& from);
+
+/**
+ * The same with a step of opacity in the middle of the ramp between the first two points, level
+ * from there on. `<name>, step`.
+ */
+Case MakeStepped(const Case& from);
 
 using Lights = std::vector<vtkSmartPointer<vtkLight>>;
 

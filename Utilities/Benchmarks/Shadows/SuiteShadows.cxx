@@ -1,5 +1,6 @@
 #include "Benchmarks/Shadows/ShadowsError.h"
 #include "Benchmarks/Shadows/ShadowsSpeed.h"
+#include "Benchmarks/Shadows/ShadowsSurfaces.h"
 #include "Benchmarks/Suites/BenchSuites.h"
 
 #include <utility>
@@ -38,7 +39,12 @@ public:
       "same mapper's own picture with slices at an eighth of the default distance and a buffer of "
       "512^2, or samples every quarter of a voxel. equal-error: the "
       "time of the default, and the time of gpu-shadows where a straight line between its points "
-      "in the log-log plot has the same error."
+      "in the log-log plot has the same error.",
+      "surfaces: sharp ones, at the mapper's own settings. Cube and plates against closed forms, "
+      "all "
+      "else by scattered light against the ray marcher; the difference of a pixel's red, over the "
+      "pixels that show anything: mean, p95, largest, rms over the mean of what is expected; "
+      "brightness is the picture's mean over that, less 1."
     };
   }
 
@@ -46,6 +52,7 @@ public:
   {
     shadows::AddSpeedRows(options, rows);
     shadows::AddErrorRows(options, rows);
+    shadows::AddSurfaceRows(options, rows);
   }
 
   std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override

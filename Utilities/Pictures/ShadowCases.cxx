@@ -1,6 +1,6 @@
 #include "Pictures/ShadowCases.h"
 
-#include "Pictures/PictureCases.h"
+#include "Pictures/PictureSettings.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

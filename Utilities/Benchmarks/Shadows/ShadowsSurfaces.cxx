@@ -1,0 +1,110 @@
+#include "Benchmarks/Shadows/ShadowsSurfaces.h"
+
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Pictures/ReferenceShadowPicture.h"
+#include "Benchmarks/Shadows/ShadowsMethods.h"
+#include "Benchmarks/Shadows/ShadowsScene.h"
+#include "Pictures/SurfaceCases.h"
+
+#include "vtkImageData.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shadows
+{
+namespace
+{
+using reference::Double3;
+using reference::RgbaPicture;
+using reference::SurfaceErrors;
+
+/// A scene, and how far a picture of it is off.
+struct Surface
+{
+  std::string Name;
+  reference::ShadowScene Scene;
+  std::function<SurfaceErrors(const RgbaPicture&)> Measure;
+};
+
+Surface MakeClosed(const std::string& name, const reference::SurfaceCase& from)
+{
+  return { name, from.Scene, [expected = from.Expected](const RgbaPicture& found) {
+            return reference::MeasureSurface(found, expected);
+          } };
+}
+
+/// The marcher does not end its steps where opacity jumps, so that it needs shorter ones.
+Surface MakeMarched(const std::string& name, const reference::ShadowScene& scene, int refinement)
+{
+  return { name, scene,
+    [scene, refinement](const RgbaPicture& found)
+    { return reference::MeasureSurface(found, reference::MakeShadowPicture(scene, refinement)); } };
+}
+
+std::vector<Surface> MakeSurfaces(const BenchOptions& options)
+{
+  const int cells = options.Pick(32, 24, 8);
+  const int refinement = options.Pick(4, 2, 1);
+  const auto angles =
+    options.Pick<std::vector<double>>({ 0.0, 20.0, 40.0, 50.0, 60.0 }, { 0.0, 50.0 }, { 50.0 });
+  const Double3 tilted = { { 0.2, 0.35, 1.0 } };
+  std::vector<Surface> surfaces = { MakeClosed("cube", reference::MakeOpaqueCube(cells)) };
+  for (const double angle : angles)
+  {
+    surfaces.push_back(MakeClosed("plate, light at " + std::to_string(static_cast<int>(angle)),
+      reference::MakePlate(cells, tilted, angle, 30.0, 120.0)));
+  }
+  surfaces.push_back(MakeMarched("ball of two steps", reference::MakeStepBall(cells), refinement));
+  surfaces.push_back(MakeMarched("shell of one voxel", reference::MakeShell(cells), refinement));
+  surfaces.push_back(MakeMarched("sheet of one voxel", reference::MakeSheet(cells), refinement));
+  const int step = options.Pick(2, 8, 16);
+  std::vector<Case> scans = { MakeBonsai(step, step) };
+  if (options.Size != BenchOptions::TINY)
+  {
+    scans.push_back(MakeHead());
+    scans.push_back(MakeTooth());
+  }
+  const int pixels = options.Pick(128, 48, 16);
+  for (const Case& scan : scans)
+  {
+    for (const Case& one : { MakeScattering(scan), MakeScattering(MakeStepped(scan)) })
+    {
+      surfaces.push_back(MakeMarched(one.Name, one.Scene, options.Pick(2, 1, 1)));
+      surfaces.back().Scene.Size = { { pixels, pixels } };
+    }
+  }
+  return surfaces;
+}
+}
+
+//------------------------------------------------------------------------------
+void AddSurfaceRows(const BenchOptions& options, BenchRows& rows)
+{
+  for (const Surface& surface : MakeSurfaces(options))
+  {
+    reference::VolumeStage stage(surface.Scene.Size);
+    reference::ShadowScene unshadowed = surface.Scene;
+    unshadowed.Shadows = false;
+    const MethodPointer on = MakeSlices(stage, surface.Scene);
+    const MethodPointer off = MakeSlices(stage, unshadowed);
+    const std::vector<double> seconds = MeasureAlternately(
+      { on->GetFrame(options.Threads), off->GetFrame(options.Threads) }, options.GetRepeats());
+    const SurfaceErrors errors = surface.Measure(on->Capture());
+    BenchRow row = rows.Make(surface.Name, "surfaces");
+    row.Error = errors.Mean;
+    row.ErrorNorm = "red difference, mean over what is seen";
+    row.Seconds = seconds[0];
+    row.Peer = "shadows-off";
+    row.PeerSeconds = seconds[1];
+    AddReport(on->GetSlices()->GetRenderReport(), row);
+    row.Counts["p95"] = errors.P95;
+    row.Counts["largest"] = errors.Max;
+    row.Counts["rms"] = errors.Rms;
+    row.Counts["brightness"] = errors.Bias;
+    rows.Add(row);
+  }
+}
+}
