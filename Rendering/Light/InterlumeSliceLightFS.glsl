@@ -4,11 +4,10 @@
 // What a light loses in one slab: its transmittance, which the buffer is multiplied by. A wide light's
 // buffer has optical depth instead, times the ray's cosine with the normal: along the slices that
 // changes evenly, where the transmittance of longer and longer rays cannot be interpolated.
-#ifdef WIDE
-in vec2 texCoord;
-uniform mat3 frame;
-#else
+// The place is in unit space, or in a wide light's buffer, 0 to 1.
 in vec3 place;
+#ifdef WIDE
+uniform mat3 frame;
 #endif
 #ifdef POSITIONAL
 uniform vec3 position;
@@ -23,7 +22,7 @@ void main()
 {
 #ifdef WIDE
   // Octahedral map of the half space that the light shines into.
-  vec2 corner = texCoord * 2.0 - 1.0;
+  vec2 corner = place.xy * 2.0 - 1.0;
   vec2 across = vec2(corner.x + corner.y, corner.x - corner.y) * 0.5;
   vec3 l = normalize(frame * vec3(across, max(1.0 - abs(across.x) - abs(across.y), 1e-6)));
   vec3 x = position;

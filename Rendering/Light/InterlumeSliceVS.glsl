@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// A point of a slice, in unit space, as the eye or a light sees it.
+// A point of a slice, in unit space, as the eye or a light sees it, or a place in a wide light's buffer.
 in vec3 placeIn;
 uniform mat4 clipFromUnit;
 out vec3 place;

@@ -2,13 +2,13 @@
 
 #include "vtkFloatTarget.h"
 #include "vtkSlicePicture.h"
+#include "vtkSlicePolygons.h"
 #include "vtkSliceShader.h"
 #include "vtkSliceTextures.h"
 
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLFunctions.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -51,17 +51,8 @@ std::string vtkSliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window,
   this->Framebuffer->ActivateDrawBuffer(0);
   // Before it is cleared: OpenGL clears, and draws, only where all attachments are, and that of the
   // last picture may be smaller.
-  if (light.IsWide)
-  {
-    this->Framebuffer->RemoveDepthAttachment();
-    this->Occlusion.ReleaseGraphicsResources(window);
-  }
-  else
-  {
-    this->Bytes +=
-      this->Occlusion.Prepare(window, this->Framebuffer, this->Size, this->Size, false);
-    vtkSliceOcclusion::Clear(window);
-  }
+  this->Bytes += this->Occlusion.Prepare(window, this->Framebuffer, this->Size, this->Size, false);
+  vtkSliceOcclusion::Clear(window);
   // A wide light's buffer has optical depth.
   const float start = light.IsWide ? 0.0f : 1.0f;
   window->GetState()->vtkglClearColor(start, start, start, 1.0f);
@@ -91,26 +82,20 @@ std::string vtkSliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window,
     std::ceil(std::min(std::max(texels * light.TexelSize / sweep.Spacing, 1.0), most)));
   this->IsLayerSet = false;
   const std::string source = vtkSliceShader::GetLightSource(picture, light);
-  vtkShaderProgram* program = nullptr;
-  this->Wide.reset();
-  if (light.IsWide)
+  this->IsWide = light.IsWide;
+  if (this->IsWide)
   {
-    this->Wide = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
-    program = this->Wide->Program;
+    this->Tiles.Build(sweep, light, picture.Lights[light.Light].Position, picture.Blocks,
+      picture.Space, picture.Matter.Box);
+    this->TileVertices->Upload(this->Tiles.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
   }
-  else
+  std::string error =
+    this->Slices.Prepare(window, source, this->IsWide ? this->TileVertices.Get() : vertices);
+  if (!error.empty())
   {
-    std::string error = this->Slices.Prepare(window, source, vertices);
-    if (!error.empty())
-    {
-      return error;
-    }
-    program = this->Slices.GetProgram();
+    return error;
   }
-  if (!program)
-  {
-    return "the shaders of a light cannot be compiled";
-  }
+  vtkShaderProgram* program = this->Slices.GetProgram();
   textures.Activate(program);
   vtkSliceShader::SetLightUniforms(program, picture, sweep, light);
   return {};
@@ -153,42 +138,44 @@ bool vtkSliceLightBuffer::KeepLayer(int slab, bool isEmpty)
 }
 
 //------------------------------------------------------------------------------
-void vtkSliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep,
+bool vtkSliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep,
   const vtkSlicePolygons& polygons, int slab)
 {
+  const std::vector<std::size_t>& starts =
+    this->IsWide ? this->Tiles.GetStarts() : polygons.GetStarts();
+  if (starts[slab] == starts[slab + 1])
+  {
+    return false;
+  }
   vtkOpenGLState* state = window->GetState();
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
   state->vtkglViewport(0, 0, this->Size, this->Size);
-  const double entrance = sweep.First + slab * sweep.Spacing;
-  if (!this->Wide)
+  if (this->IsWide)
+  {
+    state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  }
+  else
   {
     state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-    state->vtkglEnable(GL_DEPTH_TEST);
-    this->Slices.Draw(window, polygons, slab, entrance);
-    state->vtkglDisable(GL_DEPTH_TEST);
-    return;
   }
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  window->GetShaderCache()->ReadyShaderProgram(this->Wide->Program);
-  this->Wide->Program->SetUniformf("sliceEntrance", static_cast<float>(entrance));
-  this->Wide->Render();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  this->Slices.Draw(window, starts, slab, sweep.First + slab * sweep.Spacing);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkSliceLightBuffer::MarkOccluded(vtkOpenGLRenderWindow* window)
+void vtkSliceLightBuffer::MarkOccluded(vtkOpenGLRenderWindow* window)
 {
-  if (!this->Wide)
-  {
-    this->Occlusion.Mark(window, this->Texture, true);
-  }
-  return !this->Wide;
+  this->Occlusion.Mark(window, this->Texture,
+    this->IsWide ? vtkSliceOcclusion::DEPTH : vtkSliceOcclusion::TRANSMITTANCE);
 }
 
 //------------------------------------------------------------------------------
 std::vector<float> vtkSliceLightBuffer::Read(
   vtkOpenGLRenderWindow* window, int& size, int& channels)
 {
-  if (!this->IsUsed() || this->Wide)
+  if (!this->IsUsed() || this->IsWide)
   {
     return {};
   }
@@ -215,8 +202,5 @@ void vtkSliceLightBuffer::ReleaseGraphicsResources(vtkWindow* window)
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Slices.ReleaseGraphicsResources();
   this->Occlusion.ReleaseGraphicsResources(window);
-  if (this->Wide)
-  {
-    this->Wide->ReleaseGraphicsResources(window);
-  }
+  this->TileVertices->ReleaseGraphicsResources();
 }

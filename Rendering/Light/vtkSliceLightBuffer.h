@@ -1,6 +1,7 @@
 #ifndef vtkSliceLightBuffer_h
 #define vtkSliceLightBuffer_h
 
+#include "vtkLightTiles.h"
 #include "vtkSliceOcclusion.h"
 #include "vtkSlicePass.h"
 #include "vtkSlicePlan.h"
@@ -11,18 +12,16 @@
 #include "vtkType.h"
 
 #include <array>
-#include <memory>
 #include <string>
 #include <vector>
 
 class vtkOpenGLBufferObject;
 class vtkOpenGLFramebufferObject;
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
-class vtkSlicePicture;
+class vtkSlicePolygons;
 class vtkSliceTextures;
-
 class vtkWindow;
+struct vtkSlicePicture;
 
 /**
  * @class   vtkSliceLightBuffer
@@ -62,12 +61,12 @@ public:
   /// enough. Returns whether the layer is another one.
   bool KeepLayer(int slab, bool isEmpty);
 
-  /// Takes what a slab lets through.
-  void Draw(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep,
+  /// Takes what a slab lets through. Returns whether there is matter for the light to meet.
+  bool Draw(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep,
     const vtkSlicePolygons& polygons, int slab);
 
-  /// Spares what lies behind opaque matter from now on. Returns whether it can.
-  bool MarkOccluded(vtkOpenGLRenderWindow* window);
+  /// Spares what lies behind opaque matter from now on.
+  void MarkOccluded(vtkOpenGLRenderWindow* window);
 
   /// The texels, \a size times \a size; empty for a light inside the volume.
   std::vector<float> Read(vtkOpenGLRenderWindow* window, int& size, int& channels);
@@ -90,8 +89,10 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSlicePass Slices;
   vtkSliceOcclusion Occlusion;
-  /// Instead of slices for a wide light.
-  std::unique_ptr<vtkOpenGLQuadHelper> Wide;
+  /// Of a wide light, instead of the slices' triangles.
+  vtkLightTiles Tiles;
+  vtkNew<vtkOpenGLBufferObject> TileVertices;
+  bool IsWide = false;
 };
 
 #endif

@@ -50,12 +50,16 @@ void vtkSliceOcclusion::Clear(vtkOpenGLRenderWindow* window)
 
 //------------------------------------------------------------------------------
 void vtkSliceOcclusion::Mark(
-  vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, bool isOfLight)
+  vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, Contents contents)
 {
-  if (!this->Quad)
+  std::string features = contents == OPACITY ? "OPACITY"
+    : contents == TRANSMITTANCE              ? "TRANSMITTANCE"
+                                             : "DEPTH";
+  features += buffer->GetComponents() == 1 ? " CHANNELS=rrr" : " CHANNELS=rgb";
+  if (!this->Quad || features != this->QuadFeatures)
   {
-    const std::string source =
-      vtkShaderFeatures::Insert(InterlumeSliceOcclusionFS, isOfLight ? "TRANSMITTANCE" : "");
+    this->QuadFeatures = features;
+    const std::string source = vtkShaderFeatures::Insert(InterlumeSliceOcclusionFS, features);
     this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
   }
   else

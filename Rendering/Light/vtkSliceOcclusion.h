@@ -5,6 +5,7 @@
 #include "vtkType.h"
 
 #include <memory>
+#include <string>
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
@@ -27,6 +28,17 @@ public:
   static constexpr int Interval = 16;
   static constexpr int ThickInterval = 4;
 
+  /// What a buffer holds.
+  enum Contents
+  {
+    /// In the fourth channel: the picture's.
+    OPACITY,
+    /// A light's.
+    TRANSMITTANCE,
+    /// Optical depth times the cosine with the normal, in a half space: a wide light's.
+    DEPTH
+  };
+
   vtkSliceOcclusion();
   ~vtkSliceOcclusion();
 
@@ -38,8 +50,8 @@ public:
   /// Clears the depth of the framebuffer that is bound: nothing is opaque.
   static void Clear(vtkOpenGLRenderWindow* window);
 
-  /// Looks at \a buffer, which is of a light, with transmittance, or of the picture, with opacity.
-  void Mark(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, bool isOfLight);
+  /// Looks at \a buffer.
+  void Mark(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, Contents contents);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -47,6 +59,7 @@ private:
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::string QuadFeatures;
 };
 
 #endif

@@ -85,7 +85,7 @@ std::string vtkSlicePainter::PrepareImage(
   }
   report.ImageBuffers = 1;
   report.ImageBufferBytes = bytes;
-  if (picture.Plan.Sweeps.size() > 1)
+  if (picture.Plan.HasFurtherPictures())
   {
     bytes = vtkFloatTarget::Allocate(window, this->SweepImage, width, height, 4, false);
     if (bytes == 0)
@@ -199,6 +199,10 @@ std::string vtkSlicePainter::Draw(vtkRenderer* renderer, const vtkSlicePicture& 
     for (std::size_t i = 0; i < picture.Plan.Sweeps.size() && error.empty(); ++i)
     {
       error = this->DrawSweep(window, picture, i, isAborted, report);
+      if (error.empty() && picture.Plan.IsLastOfPicture(i) && !picture.Plan.IsOfFirstPicture(i))
+      {
+        this->AddSweep(window, picture);
+      }
     }
   }
   state->PopFramebufferBindings();
@@ -263,18 +267,31 @@ void vtkSlicePainter::DeactivateTextures()
 }
 
 //------------------------------------------------------------------------------
-void vtkSlicePainter::ClearSweep(
-  vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, std::size_t sweepIndex)
+void vtkSlicePainter::BeginSweep(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
+  std::size_t sweepIndex, vtkShadowedSliceReport& report)
 {
   vtkOpenGLState* state = window->GetState();
   this->ImageFramebuffer->Bind();
   this->ImageFramebuffer->AddColorAttachment(
-    0, sweepIndex == 0 ? this->Image.Get() : this->SweepImage.Get());
+    0, picture.Plan.IsOfFirstPicture(sweepIndex) ? this->Image.Get() : this->SweepImage.Get());
   this->ImageFramebuffer->ActivateDrawBuffer(0);
   state->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+  vtkSliceOcclusion::Clear(window);
+  if (picture.Plan.Sweeps[sweepIndex].IsBehind)
+  {
+    this->MarkPicture(window);
+    ++report.OcclusionPasses;
+    return;
+  }
   state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  vtkSliceOcclusion::Clear(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkSlicePainter::MarkPicture(vtkOpenGLRenderWindow* window)
+{
+  this->Occlusion.Mark(window, this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0),
+    vtkSliceOcclusion::OPACITY);
 }
 
 //------------------------------------------------------------------------------
@@ -314,7 +331,7 @@ std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
   report.Slices += sweep.Slabs;
   if (this->Polygons.GetVertices().empty())
   {
-    this->ClearSweep(window, picture, sweepIndex);
+    this->BeginSweep(window, picture, sweepIndex, report);
     return {};
   }
   report.TriangleBytes += static_cast<vtkIdType>(sizeof(float)) *
@@ -331,7 +348,7 @@ std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
     this->DeactivateTextures();
     return error;
   }
-  this->ClearSweep(window, picture, sweepIndex);
+  this->BeginSweep(window, picture, sweepIndex, report);
   const int interval =
     this->HasThickPart ? vtkSliceOcclusion::ThickInterval : vtkSliceOcclusion::Interval;
   int drawn = 0;
@@ -349,8 +366,8 @@ std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
     ++report.EyePasses;
     for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
     {
-      this->GetLightBuffer(light.Light).Draw(window, sweep, this->Polygons, slab);
-      ++report.LightPasses;
+      report.LightPasses +=
+        this->GetLightBuffer(light.Light).Draw(window, sweep, this->Polygons, slab) ? 1 : 0;
     }
     ++drawn;
     if (drawn % interval == 0)
@@ -360,10 +377,6 @@ std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
   }
   this->DeactivateTextures();
   report.SlicesDrawn += drawn;
-  if (sweepIndex > 0)
-  {
-    this->AddSweep(window, picture);
-  }
   return {};
 }
 
@@ -422,13 +435,13 @@ void vtkSlicePainter::DrawEyeSlab(
   {
     // What the first leaves out it does not mark by its depth, and the second draws that alone.
     state->vtkglDepthMask(GL_TRUE);
-    this->Eye.Draw(window, this->Polygons, slab, entrance);
+    this->Eye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
     state->vtkglDepthMask(GL_FALSE);
-    this->ThickEye.Draw(window, this->Polygons, slab, entrance);
+    this->ThickEye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
   }
   else
   {
-    this->Eye.Draw(window, this->Polygons, slab, entrance);
+    this->Eye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
   }
   if (picture.IsCutByNearPlane)
   {
@@ -443,13 +456,13 @@ int vtkSlicePainter::MarkOccluded(vtkOpenGLRenderWindow* window, const Sweep& sw
   int passes = 0;
   if (sweep.IsFrontToBack)
   {
-    this->Occlusion.Mark(
-      window, this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0), false);
+    this->MarkPicture(window);
     ++passes;
   }
   for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
   {
-    passes += this->GetLightBuffer(light.Light).MarkOccluded(window) ? 1 : 0;
+    this->GetLightBuffer(light.Light).MarkOccluded(window);
+    ++passes;
   }
   return passes;
 }

@@ -77,8 +77,11 @@ private:
   void ActivateTextures(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
     std::size_t sweepIndex, vtkShaderProgram* program, vtkShadowedSliceReport& report);
   void DeactivateTextures();
-  void ClearSweep(
-    vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, std::size_t sweepIndex);
+  /// Attaches the sweep's picture, cleared or with what is before the sweep.
+  void BeginSweep(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
+    std::size_t sweepIndex, vtkShadowedSliceReport& report);
+  /// Spares what lies behind the opaque part of the picture from now on.
+  void MarkPicture(vtkOpenGLRenderWindow* window);
   /// Before a slab is drawn, or passed over as empty.
   void KeepLayers(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep, int slab);
   void DrawEyeSlab(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,

@@ -2,7 +2,6 @@
 
 #include "InterlumeSliceVS.h"
 #include "vtkShaderFeatures.h"
-#include "vtkSlicePolygons.h"
 
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFunctions.h"
@@ -38,17 +37,16 @@ std::string vtkSlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::stri
 
 //------------------------------------------------------------------------------
 void vtkSlicePass::Draw(
-  vtkOpenGLRenderWindow* window, const vtkSlicePolygons& polygons, int slab, double entrance)
+  vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts, int slab, double entrance)
 {
   window->GetShaderCache()->ReadyShaderProgram(this->Program);
   this->Program->SetUniformf("sliceEntrance", static_cast<float>(entrance));
   if (this->IsMarked)
   {
-    const double share = (slab + 1.0) / (polygons.GetNumberOfSlabs() + 2.0);
+    const double share = (slab + 1.0) / (static_cast<double>(starts.size()) + 1.0);
     this->Program->SetUniformf("sliceDepth", static_cast<float>(1.0 - 2.0 * share));
   }
   this->Vertices->Bind();
-  const std::vector<std::size_t>& starts = polygons.GetStarts();
   glDrawArrays(GL_TRIANGLES, static_cast<GLint>(starts[slab]),
     static_cast<GLsizei>(starts[slab + 1] - starts[slab]));
   this->Vertices->Release();

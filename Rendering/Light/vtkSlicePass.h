@@ -3,13 +3,14 @@
 
 #include "vtkNew.h"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
-class vtkSlicePolygons;
 
 /**
  * @class   vtkSlicePass
@@ -30,8 +31,9 @@ public:
   vtkShaderProgram* GetProgram() const { return this->Program; }
 
   /// Draws the triangles of a slab that begins at \a entrance into the framebuffer that is bound.
-  void Draw(
-    vtkOpenGLRenderWindow* window, const vtkSlicePolygons& polygons, int slab, double entrance);
+  /// \a starts are the first vertex of each slab, and their number.
+  void Draw(vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts, int slab,
+    double entrance);
 
   void ReleaseGraphicsResources();
 

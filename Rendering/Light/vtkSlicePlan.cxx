@@ -102,6 +102,54 @@ void AddWide(const vtkSliceView& view, const vtkLightSource& source, int index,
   }
 }
 
+bool IsWide(const vtkSlicePlan::ShadowedLight& light)
+{
+  return light.IsWide;
+}
+
+// Of the half spaces of one light that are sweeps of their own the farther one from the eye comes
+// second, behind the other.
+void PairHalves(std::vector<vtkSlicePlan::Sweep>& sweeps)
+{
+  for (std::size_t i = 1; i < sweeps.size(); ++i)
+  {
+    vtkSlicePlan::Sweep& first = sweeps[i - 1];
+    vtkSlicePlan::Sweep& second = sweeps[i];
+    if (first.Lights.size() == 1 && second.Lights.size() == 1 && IsWide(first.Lights[0]) &&
+      IsWide(second.Lights[0]) && first.Lights[0].Light == second.Lights[0].Light)
+    {
+      if (first.IsFrontToBack)
+      {
+        std::swap(first, second);
+      }
+      second.IsBehind = true;
+    }
+  }
+}
+
+// Whether what lies before the sweep's first light must be drawn: for its opacity, or for light
+// that comes from elsewhere.
+bool IsWhole(const std::vector<vtkSlicePlan::Sweep>& sweeps, std::size_t index)
+{
+  const vtkSlicePlan::Sweep& sweep = sweeps[index];
+  const bool isHalf = sweep.IsBehind || (index + 1 < sweeps.size() && sweeps[index + 1].IsBehind);
+  return !isHalf &&
+    (index == 0 || sweep.IsFrontToBack ||
+      !std::all_of(sweep.Lights.begin(), sweep.Lights.end(), IsWide));
+}
+
+// Where the first of the sweep's lights is along its normal.
+double GetFirstLight(const vtkSlicePlan::Sweep& sweep, const std::vector<vtkLightSource>& lights)
+{
+  double first = VTK_DOUBLE_MAX;
+  for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
+  {
+    first =
+      std::min(first, Dot(lights[static_cast<std::size_t>(light.Light)].Position, sweep.Normal));
+  }
+  return first;
+}
+
 // A line of sight along the thick side of long voxels needs no more slices for being cut obliquely.
 double GetAutomaticSpacing(
   const vtkUnitSpace& space, const Vector& normal, const Vector& direction, double factor)
@@ -111,10 +159,10 @@ double GetAutomaticSpacing(
   return factor * std::max(vtkSlicePlan::GetVoxelSpacing(space, normal), seen);
 }
 
-void SetSlabs(vtkSlicePlan::Sweep& sweep, const vtkBoxCorners& corners, const vtkUnitSpace& space,
-  const Vector& direction, const vtkSlicePlan::Settings& settings)
+// Slabs from the first place to the second one along the normal.
+void SetSlabs(vtkSlicePlan::Sweep& sweep, const std::array<double, 2>& range,
+  const vtkUnitSpace& space, const Vector& direction, const vtkSlicePlan::Settings& settings)
 {
-  const std::array<double, 2> range = corners.GetRange(sweep.Normal);
   const double extent = range[1] - range[0];
   const double spacing = settings.Spacing > 0.0
     ? settings.Spacing
@@ -186,9 +234,16 @@ void vtkSlicePlan::Make(const Eye& eye, const std::vector<vtkLightSource>& light
     sweep.Normal = normal.Turn(view.Direction);
     this->Sweeps.push_back(sweep);
   }
-  for (Sweep& sweep : this->Sweeps)
+  PairHalves(this->Sweeps);
+  for (std::size_t i = 0; i < this->Sweeps.size(); ++i)
   {
-    SetSlabs(sweep, corners, space, view.Direction, settings);
+    Sweep& sweep = this->Sweeps[i];
+    std::array<double, 2> range = corners.GetRange(sweep.Normal);
+    if (!IsWhole(this->Sweeps, i))
+    {
+      range[0] = std::max(range[0], GetFirstLight(sweep, lights));
+    }
+    SetSlabs(sweep, range, space, view.Direction, settings);
   }
 }
 

@@ -25,7 +25,11 @@ class vtkUnitSpace;
  * these angles; lights that no normal serves together have sweeps of their own. A positional light
  * that no normal gives a cosine of at least WideCosine, as one in whose plane some of the volume
  * lies, is *wide*: it shines along the normal on one side of that plane, and against it on the
- * other, and takes part in one sweep for each side on which there is something of the volume.
+ * other, and takes part in one sweep for each side on which there is something of the volume. Where
+ * it has both sweeps for itself they are halves of one picture, cut at the light: first from there
+ * to the eye, then away from the eye, behind what is drawn. Else a sweep from back to front begins
+ * at its first light if all are wide: it adds no opacity to the picture, and before that light it
+ * has no colour.
  *
  * A small change of eye or light changes normals by little, except where it changes the number of
  * sweeps, their sides, or the lights that share one, as where light and view are perpendicular.
@@ -70,6 +74,8 @@ public:
   {
     std::array<double, 3> Normal{ { 0.0, 0.0, -1.0 } };
     bool IsFrontToBack = true;
+    /// Whether its slabs lie behind all of the sweep before, in the same picture.
+    bool IsBehind = false;
     /// Slab i is First + i Spacing <= x.Normal <= First + (i + 1) Spacing.
     double First = 0.0;
     double Spacing = 0.0;
@@ -99,6 +105,20 @@ public:
     const std::array<std::array<double, 2>, 3>& box, const Settings& settings);
 
   std::vector<Sweep> Sweeps;
+
+  /// Whether the sweep is of the first picture, which has the opacity and all light that casts no
+  /// shadows; other pictures' colours are added to it.
+  bool IsOfFirstPicture(std::size_t sweep) const
+  {
+    return sweep == 0 || (sweep == 1 && this->Sweeps[1].IsBehind);
+  }
+  /// Whether the sweep is the last one of its picture.
+  bool IsLastOfPicture(std::size_t sweep) const
+  {
+    return sweep + 1 == this->Sweeps.size() || !this->Sweeps[sweep + 1].IsBehind;
+  }
+  /// Whether there is more than one picture.
+  bool HasFurtherPictures() const { return !this->IsOfFirstPicture(this->Sweeps.size() - 1); }
 
   /// Least cosines between a sweep's normal and the rays of the eye and of lights, and the least of
   /// a light that is not wide.

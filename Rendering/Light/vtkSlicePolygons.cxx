@@ -157,19 +157,7 @@ void vtkSlicePolygons::Build(const vtkSlicePlan::Sweep& sweep, const vtkVolumeBl
 {
   const std::array<std::vector<double>, 3> borders{ { blocks.GetBorders(0), blocks.GetBorders(1),
     blocks.GetBorders(2) } };
-  const std::array<int, 3>& size = blocks.GetSize();
-  std::vector<unsigned char> visible;
-  for (int k = 0; k < size[2]; ++k)
-  {
-    for (int j = 0; j < size[1]; ++j)
-    {
-      for (int i = 0; i < size[0]; ++i)
-      {
-        visible.push_back(blocks.IsVisible(i, j, k) ? 1 : 0);
-      }
-    }
-  }
-  this->Build(sweep, borders, visible, space, box, margin);
+  this->Build(sweep, borders, blocks.GetVisible(), space, box, margin);
 }
 
 void vtkSlicePolygons::Build(const vtkSlicePlan::Sweep& sweep,

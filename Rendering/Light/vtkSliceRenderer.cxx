@@ -210,7 +210,7 @@ std::string vtkSliceRenderer::Upload(
   vtkIdType bytes = report.TextureBytes;
   const vtkIdType pixels = static_cast<vtkIdType>(picture.Size[0]) * picture.Size[1];
   bytes +=
-    pixels * static_cast<vtkIdType>(sizeof(float)) * (picture.Plan.Sweeps.size() > 1 ? 9 : 5);
+    pixels * static_cast<vtkIdType>(sizeof(float)) * (picture.Plan.HasFurtherPictures() ? 9 : 5);
   for (std::size_t sweep = 0; sweep < picture.Plan.Sweeps.size(); ++sweep)
   {
     // With two layers of each buffer.

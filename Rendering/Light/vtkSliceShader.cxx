@@ -300,7 +300,7 @@ std::vector<int> vtkSliceShader::GetLightsOf(const vtkSlicePicture& picture, std
   {
     lights.push_back(light.Light);
   }
-  for (std::size_t i = 0; sweep == 0 && i < picture.Lights.size(); ++i)
+  for (std::size_t i = 0; picture.Plan.IsOfFirstPicture(sweep) && i < picture.Lights.size(); ++i)
   {
     if (!(picture.Lights[i].ShadowStrength > 0.0))
     {
@@ -467,7 +467,7 @@ void vtkSliceShader::SetEyeUniforms(
   }
   program->SetUniform4fv("materials", picture.Material.Rows, materials.data());
   const std::array<double, 3> none{ { 0.0, 0.0, 0.0 } };
-  SetVector(program, "ambient", sweep == 0 ? picture.Ambient : none);
+  SetVector(program, "ambient", picture.Plan.IsOfFirstPicture(sweep) ? picture.Ambient : none);
   int number = 0;
   for (int light : GetLightsOf(picture, sweep))
   {
@@ -485,6 +485,9 @@ void vtkSliceShader::SetLightUniforms(vtkShaderProgram* program, const vtkSliceP
   if (light.IsWide)
   {
     SetFrame(program, "frame", light.Frame);
+    // From a place in the buffer.
+    SetMatrix(program, "clipFromUnit",
+      { { 2.0, 0.0, 0.0, -1.0, 0.0, 2.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0 } });
   }
   else
   {

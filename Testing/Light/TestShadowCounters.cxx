@@ -153,6 +153,36 @@ void TestSweeps(Check& check)
   sweeps("light inside", 2, 1);
 }
 
+/// A light inside the volume has halves of one sweep: no slice is drawn twice, and the light's
+/// buffer is drawn once for each that has matter for the light.
+void TestInside(Check& check)
+{
+  auto scene = SphereScene();
+  scene.Camera = LookAt(scene.Image, { { 0.0, 0.0, -1.0 } }, true);
+  scene.Lights = { MakePositionalLight({ { 0.05, 0.1, 0.07 } }) };
+  scene.Shadows = false;
+  const Report without = GetReport(scene);
+  scene.Shadows = true;
+  const Report with = GetReport(scene);
+  check.Equal(with.Sweeps, 2, "light inside: sweeps");
+  check.That(with.Slices <= without.Slices + 1,
+    "light inside: " + std::to_string(with.Slices) + " slices for " +
+      std::to_string(without.Slices));
+  check.That(with.EyePasses <= without.EyePasses + 1,
+    "light inside: " + std::to_string(with.EyePasses) + " passes over the picture for " +
+      std::to_string(without.EyePasses));
+  check.That(with.LightPasses <= with.EyePasses, "light inside: passes over the light's buffer");
+  check.Equal(with.ImageBuffers, without.ImageBuffers, "light inside: buffers of the picture");
+
+  // Beside the light's half the blocks are empty.
+  const auto layer = [](const Double3& x) { return x[2] < 0.2 ? 1.0 : 0.0; };
+  scene.Image = MakeImage(64, layer);
+  scene.Lights = { MakePositionalLight({ { 0.0, 0.0, 0.1 } }) };
+  const Report half = GetReport(scene);
+  check.That(half.SlicesDrawn < 0.5 * half.Slices, "light inside: empty slices are left out");
+  check.That(half.LightPasses <= half.SlicesDrawn, "light inside: and those of its buffer");
+}
+
 void TestBlocks(Check& check)
 {
   // Two balls in opposite corners, with nothing between.
@@ -242,6 +272,7 @@ int TestShadowCounters(int, char*[])
   TestNoShadows(check);
   TestBuffers(check);
   TestSweeps(check);
+  TestInside(check);
   TestBlocks(check);
   TestUploads(check);
   TestLightKit(check);

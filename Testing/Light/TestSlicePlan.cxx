@@ -142,9 +142,11 @@ std::vector<Vector> GetNormals(const Vector& around)
   return normals;
 }
 
-void CheckSlabs(
-  Check& check, const Sweep& sweep, const vtkUnitSpace& space, const std::array<Vector, 8>& corners)
+void CheckSlabs(Check& check, const vtkSlicePlan& plan, std::size_t index,
+  const std::vector<vtkLightSource>& lights, const vtkUnitSpace& space,
+  const std::array<Vector, 8>& corners)
 {
+  const Sweep& sweep = plan.Sweeps[index];
   double lower = VTK_DOUBLE_MAX;
   double upper = -VTK_DOUBLE_MAX;
   for (const Vector& corner : corners)
@@ -152,8 +154,34 @@ void CheckSlabs(
     lower = std::min(lower, Dot(corner, sweep.Normal));
     upper = std::max(upper, Dot(corner, sweep.Normal));
   }
+  // Only before all of its lights a sweep may leave matter out, and only where another one draws
+  // it or nothing of it is seen.
+  const bool isFirstHalf = !plan.IsLastOfPicture(index);
+  const bool isHalf = isFirstHalf || sweep.IsBehind;
+  if (isHalf || (index > 0 && !sweep.IsFrontToBack))
+  {
+    double first = VTK_DOUBLE_MAX;
+    for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
+    {
+      const Vector& position = lights[static_cast<std::size_t>(light.Light)].Position;
+      first = std::min(first, light.IsWide ? Dot(position, sweep.Normal) : lower);
+    }
+    lower = std::max(lower, first);
+  }
+  if (isFirstHalf)
+  {
+    const Sweep& second = plan.Sweeps[index + 1];
+    check.That(!sweep.IsFrontToBack && second.IsFrontToBack && second.IsBehind && !sweep.IsBehind,
+      "from the light to the eye, then away from it");
+    check.That(second.Normal == Scale(-1.0, sweep.Normal), "halves of one set of slices");
+    check.Near(second.First, -sweep.First, 1e-9, "which meet at the light");
+    check.That(sweep.Lights.size() == 1 && second.Lights.size() == 1 &&
+        sweep.Lights[0].Light == second.Lights[0].Light,
+      "halves have one light");
+  }
+  check.That(!sweep.IsBehind || index > 0, "the first sweep is behind nothing");
   check.Near(Length(sweep.Normal), 1.0, 1e-12, "length of the normal");
-  check.Near(sweep.First, lower, 1e-12, "the first slab starts at the lowest corner", 1.0);
+  check.Near(sweep.First, lower, 1e-12, "the first slab starts at the lowest corner or light", 1.0);
   check.Near(sweep.First + sweep.Slabs * sweep.Spacing, upper, 1e-12, "the last ends", 1.0);
   const double voxel = vtkSlicePlan::GetVoxelSpacing(space, sweep.Normal);
   // No line within a voxel is longer than its sides together.
@@ -216,9 +244,10 @@ void CheckSweeps(Check& check, const vtkSlicePlan& plan, const Eye& eye,
   const std::array<Vector, 8> corners = GetCorners(space, space.Box);
   std::vector<int> narrow(lights.size());
   std::vector<std::vector<Vector>> wide(lights.size());
-  for (const Sweep& sweep : plan.Sweeps)
+  for (std::size_t index = 0; index < plan.Sweeps.size(); ++index)
   {
-    CheckSlabs(check, sweep, space, corners);
+    const Sweep& sweep = plan.Sweeps[index];
+    CheckSlabs(check, plan, index, lights, space, corners);
     check.That(static_cast<int>(sweep.Lights.size()) <= most, "lights of a sweep");
     const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
     check.That(sign * Dot(eye.Direction, sweep.Normal) > 0.0, "the eye's side");
@@ -519,6 +548,35 @@ void CheckCounts(Check& check)
   }
 }
 
+// A light inside the volume has as many slabs as one outside of it has.
+void CheckHalves(Check& check)
+{
+  check.SetContext("halves");
+  const vtkUnitSpace space = MakeCube();
+  const Eye eye = MakePerspective({ { 0.0, 0.0, 4.0 } }, { { 0.0, 0.0, -1.0 } }, 0.27);
+  const auto count = [&](const std::vector<vtkLightSource>& lights)
+  {
+    int slabs = 0;
+    for (const Sweep& sweep : Plan(eye, lights, space).Sweeps)
+    {
+      slabs += sweep.Slabs;
+    }
+    return slabs;
+  };
+  const int whole = count({});
+  const vtkLightSource inside = MakePositional({ { 0.1, 0.2, 0.3 } });
+  check.That(count({ inside }) <= whole + 1, "a light inside: slabs of one sweep");
+  const vtkSlicePlan plan = Plan(eye, { inside }, space);
+  check.That(plan.IsOfFirstPicture(0) && plan.IsOfFirstPicture(1) && !plan.HasFurtherPictures(),
+    "a light inside: one picture");
+  // The eye's half of a light that shares the other one.
+  const vtkLightSource far = MakePositional({ { 0.0, 0.0, -0.2 } });
+  check.That(count({ inside, far }) < 1.8 * whole, "two lights inside: less than two sweeps");
+  const vtkSlicePlan two = Plan(eye, { inside, far }, space);
+  check.That(two.HasFurtherPictures() && two.Sweeps[0].IsFrontToBack && !two.Sweeps[1].IsBehind,
+    "two lights inside: two pictures, of which the first is whole");
+}
+
 void CheckSettings(Check& check)
 {
   const vtkUnitSpace space = MakeUnitSpace({ { 101, 201, 3 } }, { { 1.0, 1.0, 50.0 } });
@@ -656,6 +714,7 @@ int TestSlicePlan(int, char*[])
   CheckHalfVector(check);
   CheckContinuity(check);
   CheckCounts(check);
+  CheckHalves(check);
   CheckSettings(check);
   CheckScreens(check);
   CheckOctahedralMap(check);

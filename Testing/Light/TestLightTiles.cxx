@@ -1,0 +1,199 @@
+// The tiles of a wide light's buffer against rays at random: where a ray meets a visible block
+// within a slab one tile has its texel, and what sees nothing is left out.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/Light/ReferenceUnitSpace.h"
+
+#include "vtkLightTiles.h"
+#include "vtkSMPTools.h"
+#include "vtkUnitVector.h"
+
+namespace
+{
+
+using namespace reference;
+using namespace vtkUnitVector;
+
+struct Scene
+{
+  vtkUnitSpace Space;
+  std::array<std::vector<double>, 3> Borders;
+  std::vector<unsigned char> Visible;
+  vtkSlicePlan::Sweep Sweep;
+  vtkSlicePlan::ShadowedLight Light;
+  Vector Position{};
+};
+
+// \a share of the blocks is visible; the light is at \a distance from the middle.
+Scene MakeScene(Random& random, double share, double distance)
+{
+  Scene scene;
+  const std::array<int, 3> size{ { 61, 49, 33 } };
+  scene.Space = MakeUnitSpace(size, { { 1.0, 1.3, random.Get(0.5, 2.0) } }, random.Get(-0.4, 0.4));
+  std::size_t blocks = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (int cell = 0; cell < size[axis] - 1; cell += 9)
+    {
+      scene.Borders[axis].push_back((cell + 0.5) / (size[axis] - 1));
+    }
+    scene.Borders[axis].push_back((size[axis] - 1.5) / (size[axis] - 1));
+    blocks *= scene.Borders[axis].size() - 1;
+  }
+  for (std::size_t i = 0; i < blocks; ++i)
+  {
+    scene.Visible.push_back(random.Get(0.0, 1.0) < share ? 1 : 0);
+  }
+  scene.Position = Scale(distance, random.GetDirection());
+  scene.Sweep.Normal = random.GetDirection();
+  // The volume is in the sphere of radius 1.
+  scene.Sweep.First = Dot(scene.Position, scene.Sweep.Normal);
+  scene.Sweep.Slabs = 40;
+  scene.Sweep.Spacing = std::max(1.0 - scene.Sweep.First, 0.0) / scene.Sweep.Slabs;
+  const Vector first = Perpendicular(scene.Sweep.Normal, random.GetDirection());
+  const std::array<Vector, 3> axes{ { first, Cross(scene.Sweep.Normal, first),
+    scene.Sweep.Normal } };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    std::copy(axes[i].begin(), axes[i].end(), scene.Light.Frame.begin() + 3 * i);
+  }
+  scene.Light.IsWide = true;
+  scene.Light.BufferSize = random.Get(0.0, 1.0) < 0.3 ? 100 : 160;
+  return scene;
+}
+
+bool IsVisible(const Scene& scene, const Vector& point)
+{
+  const Vector texture = TransformPoint(scene.Space.TextureFromUnit, point);
+  std::size_t block = 0;
+  for (std::size_t axis = 3; axis-- > 0;)
+  {
+    if (!(texture[axis] > scene.Space.Box[axis][0] && texture[axis] < scene.Space.Box[axis][1]))
+    {
+      return false;
+    }
+    const std::vector<double>& borders = scene.Borders[axis];
+    std::size_t place = 0;
+    while (place + 2 < borders.size() && borders[place + 1] <= texture[axis])
+    {
+      ++place;
+    }
+    block = block * (borders.size() - 1) + place;
+  }
+  return scene.Visible[block] != 0;
+}
+
+// The tiles of a slab around a place in the buffer.
+int CountCover(const vtkLightTiles& tiles, std::size_t slab, const std::array<double, 2>& place)
+{
+  int cover = 0;
+  // Two triangles of six corners are a rectangle: the first and the third are opposite.
+  for (std::size_t v = tiles.GetStarts()[slab]; v < tiles.GetStarts()[slab + 1]; v += 6)
+  {
+    const float* lower = tiles.GetVertices().data() + 3 * v;
+    const float* upper = lower + 6;
+    cover +=
+      place[0] > lower[0] && place[0] < upper[0] && place[1] > lower[1] && place[1] < upper[1] ? 1
+                                                                                               : 0;
+  }
+  return cover;
+}
+
+double GetArea(const vtkLightTiles& tiles)
+{
+  double area = 0.0;
+  for (std::size_t v = 0; v < tiles.GetVertices().size() / 3; v += 6)
+  {
+    const float* lower = tiles.GetVertices().data() + 3 * v;
+    area += (lower[6] - lower[0]) * (lower[7] - lower[1]);
+  }
+  return area / (static_cast<double>(tiles.GetStarts().size()) - 1.0);
+}
+
+vtkLightTiles Find(const Scene& scene)
+{
+  vtkLightTiles tiles;
+  tiles.Build(scene.Sweep, scene.Light, scene.Position, scene.Borders, scene.Visible, scene.Space,
+    scene.Space.Box);
+  return tiles;
+}
+
+void CheckRays(Check& check, const Scene& scene, Random& random)
+{
+  const vtkLightTiles tiles = Find(scene);
+  check.Equal(static_cast<long long>(tiles.GetStarts().size()), scene.Sweep.Slabs + 1, "slabs");
+  for (int number = 0; number < 1500; ++number)
+  {
+    // Many along the slices.
+    Vector across = random.GetDirection();
+    across = Combine(1.0, across, -Dot(across, scene.Sweep.Normal), scene.Sweep.Normal);
+    const double slope = number % 2 ? random.Get(0.0, 2.0) : std::exp(random.Get(-9.0, 0.0));
+    const Vector ray = Combine(1.0, across, slope, scene.Sweep.Normal);
+    const std::array<double, 2> place = vtkSlicePlan::GetBufferPlace(scene.Light.Frame, ray);
+    const auto slab = static_cast<std::size_t>(random.Get(0.0, scene.Sweep.Slabs - 1e-3));
+    const double lower = scene.Sweep.First + static_cast<double>(slab) * scene.Sweep.Spacing;
+    const double apex = Dot(scene.Position, scene.Sweep.Normal);
+    bool meets = false;
+    for (int i = 0; i < 100 && !meets; ++i)
+    {
+      const double height = lower + random.Get(0.0, 1.0) * scene.Sweep.Spacing - apex;
+      const double length = height / Dot(ray, scene.Sweep.Normal);
+      meets = length > 0.0 && length * Length(ray) < 4.0 &&
+        IsVisible(scene, Combine(1.0, scene.Position, length, ray));
+    }
+    const int cover = CountCover(tiles, slab, place);
+    check.That(cover <= 1, "no texel is in two tiles");
+    check.That(!meets || cover == 1, "a ray that meets a visible block has a tile");
+  }
+}
+
+// What is beside the volume and what is empty has no tile.
+void CheckAreas(Check& check)
+{
+  Random random(3);
+  check.SetContext("areas");
+  check.Near(GetArea(Find(MakeScene(random, 0.0, 0.1))), 0.0, 0.0, "nothing is visible");
+  const double whole = GetArea(Find(MakeScene(random, 1.1, 0.1)));
+  const double some = GetArea(Find(MakeScene(random, 0.03, 0.1)));
+  check.That(whole > 0.3 && whole < 0.85, "all is visible: " + std::to_string(whole));
+  check.That(some < 0.4 * whole, "a thirtieth is visible: " + std::to_string(some));
+}
+
+void CheckThreads(Check& check)
+{
+  Random random(4);
+  const Scene scene = MakeScene(random, 0.3, 0.2);
+  std::vector<vtkLightTiles> results;
+  for (const char* backend : GetBackends())
+  {
+    for (const int threads : { 1, 4 })
+    {
+      vtkSMPTools::SetBackend(backend);
+      vtkSMPTools::Initialize(threads);
+      results.push_back(Find(scene));
+      check.That(!results.back().GetVertices().empty() &&
+          results.back().GetVertices() == results.front().GetVertices() &&
+          results.back().GetStarts() == results.front().GetStarts(),
+        std::to_string(threads) + " threads of " + backend);
+    }
+  }
+}
+
+}
+
+int TestLightTiles(int, char*[])
+{
+  Check check;
+  Random random(8);
+  for (int i = 0; i < 60; ++i)
+  {
+    check.SetContext("scene " + std::to_string(i));
+    CheckRays(check,
+      MakeScene(random, i % 3 ? random.Get(0.0, 0.3) : 0.9, random.Get(0.0, i % 2 ? 0.4 : 1.2)),
+      random);
+  }
+  CheckAreas(check);
+  CheckThreads(check);
+  return check.Result();
+}
