@@ -98,7 +98,7 @@ float getPath_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
   return max(-lower, 0.0);
 }
 
-#if defined(THICK) && !defined(WIDE_INDEX)
+#if defined(THICK) || defined(WIDE_INDEX)
 // The four texels around a place in a map, and its share of the way between them.
 void getTexels_INDEX(sampler2D map, vec2 uv, out LIGHT texels[4], out vec2 part)
 {
@@ -121,6 +121,8 @@ LIGHT interpolate_INDEX(LIGHT texels[4], vec2 part)
   return mix(mix(texels[0], texels[1], part.x), mix(texels[2], texels[3], part.x), part.y);
 }
 
+#endif
+#if defined(THICK) && !defined(WIDE_INDEX)
 // The optical depth that light along l meets from the layer on to x, in steps that grow away from x,
 // and whether extinctions jump on the way.
 LIGHT getNearDepth_INDEX(vec3 x, vec3 l, inout bool isHard)
@@ -229,9 +231,16 @@ LIGHT getTransmittance_INDEX(vec3 l)
   vec2 uv = b.xy / b.w * 0.5 + 0.5;
 #endif
   vec3 inverse = inverseOf(mat3(textureFromUnit) * l);
-  LIGHT outside = textureLod(buffer_INDEX, uv, 0.0).CHANNELS;
 #ifdef WIDE_INDEX
-  outside = exp(-outside / max(dot(l, sliceNormal), 1e-6));
+  // Beside the edge of a shadow the mean of depths would be as dark as the shadow.
+  LIGHT texels[4];
+  vec2 part;
+  getTexels_INDEX(buffer_INDEX, uv, texels, part);
+  for (int i = 0; i < 4; ++i)
+  {
+    texels[i] = exp(-texels[i] / max(dot(l, sliceNormal), 1e-6));
+  }
+  LIGHT outside = interpolate_INDEX(texels, part);
   float path = getPath_INDEX(sampleAt, placeInTexture(sampleAt), l, inverse);
   if (path > 1.5 * sliceSpacing)
   {
@@ -248,6 +257,8 @@ LIGHT getTransmittance_INDEX(vec3 l)
     }
     return outside * exp(-depth);
   }
+#else
+  LIGHT outside = textureLod(buffer_INDEX, uv, 0.0).CHANNELS;
 #endif
   LIGHT first = sampleExtinction * getPath_INDEX(segmentStart, startInTexture, l, inverse) * samplePart;
   LIGHT last = sampleExtinction * getPath_INDEX(segmentEnd, endInTexture, l, inverse) * samplePart;
