@@ -325,7 +325,7 @@ private:
       }
       cut.Merged.Make(table, this->Slots[cell.Shape], item, codes, what,
         item.IsFlat ? place.GetCase(cell.Shape, inside) : what, ranks, same,
-        this->HasBoundary || this->Mesh.GetOptions().Simplices);
+        this->HasBoundary || this->Mesh.GetOptions().Settings.GenerateSimplices);
     }
     else
     {
@@ -442,7 +442,7 @@ private:
         }
       }
       next += static_cast<vtkIdType>(simplices.size());
-      if (this->HasBoundary || (isMerged && this->Mesh.GetOptions().Simplices))
+      if (this->HasBoundary || (isMerged && this->Mesh.GetOptions().Settings.GenerateSimplices))
       {
         this->WriteBoundary(cell, found, place.Own, ids, isInverted, chunk);
       }
@@ -507,7 +507,7 @@ private:
     };
     if (isMerged)
     {
-      const bool hasSteps = this->Mesh.GetOptions().Simplices;
+      const bool hasSteps = this->Mesh.GetOptions().Settings.GenerateSimplices;
       for (const vtkSpaceTimeCut::Side& side : cut.Merged.GetSides())
       {
         if (!this->Mesh.IsWantedOfTied(side.Kind))

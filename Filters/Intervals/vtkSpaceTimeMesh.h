@@ -77,12 +77,12 @@ public:
   /// The same of a cell where values equal a bound, of which the volume at both steps is needed.
   bool IsWantedOfTied(int kind) const
   {
-    return this->IsWanted(kind) || (this->Options.Simplices && IsVolume(kind));
+    return this->IsWanted(kind) || (this->Options.Settings.GenerateSimplices && IsVolume(kind));
   }
   static bool IsVolume(int kind)
   {
-    return kind == vtkTimeVaryingIntervalVolume::VOLUME_AT_START ||
-      kind == vtkTimeVaryingIntervalVolume::VOLUME_AT_END;
+    return kind == vtkSpaceTimeSettings::VOLUME_AT_START ||
+      kind == vtkSpaceTimeSettings::VOLUME_AT_END;
   }
 
   /**

@@ -413,8 +413,7 @@ void vtkSpaceTimeOutput::FillSimplices(const vtkSpaceTimeMesh& mesh, vtkUnstruct
       items->SetValue(next, GetItem(slab, static_cast<vtkIdType>(s)));
       slabs->SetValue(next, slab.Number);
       atStep->SetValue(next,
-        slab.Ties[s] ? vtkSpaceTimeSettings::NOTHING_AT_STEP
-                     : vtkSpaceTimeSettings::FACES_AT_STEP);
+        slab.Ties[s] ? vtkSpaceTimeSettings::NOTHING_AT_STEP : vtkSpaceTimeSettings::FACES_AT_STEP);
     }
   }
   for (const vtkSpaceTimeMesh::BoundaryCell& cell : mesh.GetStepVolume())
