@@ -115,15 +115,15 @@ std::string vtkTetrahedraPainter::GetFeatures(
 }
 
 //------------------------------------------------------------------------------
-void vtkTetrahedraPainter::Upload(
+void vtkTetrahedraPainter::Upload(vtkOpenGLRenderWindow* window,
   const vtkTetrahedraPicture& picture, const Changes& changes, vtkTetrahedraRenderReport& report)
 {
   const vtkTetrahedraMesh& mesh = *picture.Mesh;
   const vtkTetrahedraFields& fields = *picture.Fields;
   vtkIdType bytes = 0;
   const auto upload =
-    [&bytes](vtkTextureBuffer& buffer, vtkTextureBuffer::Formats format, const auto& values)
-  { bytes += buffer.Upload(format, values.data(), values.size() * sizeof(values[0])); };
+    [&](vtkTextureBuffer& buffer, vtkTextureBuffer::Formats format, const auto& values)
+  { bytes += buffer.Upload(window, format, values.data(), values.size() * sizeof(values[0])); };
   if (changes.Mesh || !this->Points.IsAllocated())
   {
     upload(this->Corners, vtkTextureBuffer::UINT4, mesh.Corners);
@@ -151,7 +151,7 @@ void vtkTetrahedraPainter::Upload(
 }
 
 //------------------------------------------------------------------------------
-void vtkTetrahedraPainter::UploadSurface(
+void vtkTetrahedraPainter::UploadSurface(vtkOpenGLRenderWindow* window,
   const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report)
 {
   const vtkTetrahedraFields& fields = *picture.Fields;
@@ -167,10 +167,10 @@ void vtkTetrahedraPainter::UploadSurface(
       { has ? fields.TextureCoordinates[p][0] : 0.0f, has ? fields.TextureCoordinates[p][1] : 0.0f,
         0.0f, 0.0f });
   }
-  report.UploadedStaticBytes +=
-    this->Faces.Upload(vtkTextureBuffer::INT, faces.data(), faces.size() * sizeof(std::int32_t));
+  report.UploadedStaticBytes += this->Faces.Upload(
+    window, vtkTextureBuffer::INT, faces.data(), faces.size() * sizeof(std::int32_t));
   report.UploadedStaticBytes += this->SurfacePoints.Upload(
-    vtkTextureBuffer::FLOAT4, points.data(), points.size() * sizeof(float));
+    window, vtkTextureBuffer::FLOAT4, points.data(), points.size() * sizeof(float));
   const vtkBoundaryShading& shading = *picture.Surface;
   if (!shading.GetImage().empty())
   {
@@ -344,15 +344,15 @@ void vtkTetrahedraPainter::Resolve(vtkOpenGLRenderWindow* window,
       vtkShaderFeatures::Insert(InterlumeResolveFS, "LARGEST_SCALAR"),
       [&](vtkShaderProgram* program)
       {
-        this->Pieces.Activate(window, program, "pieces");
-        this->Starts.Activate(window, program, "starts");
-        this->Buckets.Activate(window, program, "buckets");
+        this->Pieces.Activate(program, "pieces");
+        this->Starts.Activate(program, "starts");
+        this->Buckets.Activate(program, "buckets");
         program->SetUniformf(
           "opacityOfExtinction", static_cast<float>(1.0 / picture.ExtinctionUnit));
       });
-    this->Pieces.Deactivate(window);
-    this->Starts.Deactivate(window);
-    this->Buckets.Deactivate(window);
+    this->Pieces.Deactivate();
+    this->Starts.Deactivate();
+    this->Buckets.Deactivate();
     return;
   }
   if (!isResolved && IsDepthSum(picture))
@@ -371,11 +371,11 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   const vtkTetrahedraFields& fields = *picture.Fields;
-  this->Upload(picture, changes, report);
+  this->Upload(window, picture, changes, report);
   if (picture.Surface && (changes.Surface || changes.Mesh || !this->Faces.IsAllocated()))
   {
     this->SurfaceTexture->SetContext(window);
-    this->UploadSurface(picture, report);
+    this->UploadSurface(window, picture, report);
   }
   if (picture.Order && (changes.Order || !this->Order))
   {
@@ -449,7 +449,7 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
       std::vector<vtkTextureBuffer*> active;
       const auto activate = [&](vtkTextureBuffer& buffer, const char* name)
       {
-        buffer.Activate(window, program, name);
+        buffer.Activate(program, name);
         active.push_back(&buffer);
       };
       activate(this->Points, "points");
@@ -496,7 +496,7 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
       }
       for (vtkTextureBuffer* buffer : active)
       {
-        buffer->Deactivate(window);
+        buffer->Deactivate();
       }
       if (hasLayers)
       {
@@ -530,7 +530,7 @@ void vtkTetrahedraPainter::ReleaseGraphicsResources(vtkWindow* window)
     { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs, &this->Colors, &this->Faces,
       &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets })
   {
-    buffer->Release();
+    buffer->Release(window);
   }
   if (this->Order)
   {

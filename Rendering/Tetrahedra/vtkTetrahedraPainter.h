@@ -58,9 +58,10 @@ public:
 
 private:
   std::string GetFeatures(const vtkTetrahedraPicture& picture, bool hasOpaque) const;
-  void Upload(
-    const vtkTetrahedraPicture& picture, const Changes& changes, vtkTetrahedraRenderReport& report);
-  void UploadSurface(const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report);
+  void Upload(vtkOpenGLRenderWindow* window, const vtkTetrahedraPicture& picture,
+    const Changes& changes, vtkTetrahedraRenderReport& report);
+  void UploadSurface(vtkOpenGLRenderWindow* window, const vtkTetrahedraPicture& picture,
+    vtkTetrahedraRenderReport& report);
   void UploadOrder(const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report);
   bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);
   void SetUniforms(vtkShaderProgram* program, const vtkTetrahedraPicture& picture, bool hasOpaque);

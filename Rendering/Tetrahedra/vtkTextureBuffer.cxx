@@ -1,61 +1,65 @@
 #include "vtkTextureBuffer.h"
 
-#include "vtkOpenGLFunctions.h"
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureUnitManager.h"
+#include "vtkTextureObject.h"
 
 //------------------------------------------------------------------------------
-vtkIdType vtkTextureBuffer::Upload(Formats format, const void* data, std::size_t bytes)
+vtkTextureBuffer::vtkTextureBuffer() = default;
+
+//------------------------------------------------------------------------------
+vtkTextureBuffer::~vtkTextureBuffer()
 {
-  if (!this->Buffer)
+  vtkOpenGLRenderWindow* window = this->Texture->GetContext();
+  if (this->IsAllocated() && window)
   {
-    glGenBuffers(1, &this->Buffer);
-    glGenTextures(1, &this->Texture);
+    window->MakeCurrent();
+    this->Release(window);
   }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTextureBuffer::Upload(
+  vtkOpenGLRenderWindow* window, Formats format, const void* data, std::size_t bytes)
+{
+  static const int types[] = { VTK_FLOAT, VTK_FLOAT, VTK_INT, VTK_UNSIGNED_INT };
+  static const int components[] = { 1, 4, 1, 4 };
   // A buffer of no bytes cannot be sampled.
-  const std::size_t size = bytes ? bytes : 16;
-  glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
-  glBufferData(
-    GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(size), bytes ? data : nullptr, GL_STATIC_DRAW);
-  static const GLenum internal[] = { GL_R32F, GL_RGBA32F, GL_R32I, GL_RGBA32UI };
-  glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
-  glTexBuffer(GL_TEXTURE_BUFFER, internal[format], this->Buffer);
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
-  glBindBuffer(GL_TEXTURE_BUFFER, 0);
-  this->Bytes = size;
+  static const char nothing[16] = {};
+  this->Bytes = bytes ? bytes : sizeof(nothing);
+  this->Buffer->Upload(bytes ? static_cast<const char*>(data) : nothing, this->Bytes,
+    vtkOpenGLBufferObject::TextureBuffer);
+  this->Buffer->Release();
+  this->Texture->SetContext(window);
+  if (types[format] != VTK_FLOAT)
+  {
+    // CreateTextureBuffer() itself has no format for integers that stay integers.
+    this->Texture->GetInternalFormat(types[format], components[format], true);
+  }
+  this->Texture->CreateTextureBuffer(
+    static_cast<unsigned int>(this->Bytes / (4 * components[format])), components[format],
+    types[format], this->Buffer);
   return static_cast<vtkIdType>(bytes);
 }
 
 //------------------------------------------------------------------------------
-void vtkTextureBuffer::Activate(
-  vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* name)
+void vtkTextureBuffer::Activate(vtkShaderProgram* program, const char* name)
 {
-  this->Unit = window->GetState()->GetTextureUnitManager()->Allocate();
-  window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + this->Unit);
-  glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
-  program->SetUniformi(name, this->Unit);
+  this->Texture->Activate();
+  program->SetUniformi(name, this->Texture->GetTextureUnit());
 }
 
 //------------------------------------------------------------------------------
-void vtkTextureBuffer::Deactivate(vtkOpenGLRenderWindow* window)
+void vtkTextureBuffer::Deactivate()
 {
-  window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + this->Unit);
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
-  window->GetState()->GetTextureUnitManager()->Free(this->Unit);
-  this->Unit = -1;
+  this->Texture->Deactivate();
 }
 
 //------------------------------------------------------------------------------
-void vtkTextureBuffer::Release()
+void vtkTextureBuffer::Release(vtkWindow* window)
 {
-  if (this->Buffer)
-  {
-    glDeleteTextures(1, &this->Texture);
-    glDeleteBuffers(1, &this->Buffer);
-  }
-  this->Buffer = 0;
-  this->Texture = 0;
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Buffer->ReleaseGraphicsResources();
   this->Bytes = 0;
 }

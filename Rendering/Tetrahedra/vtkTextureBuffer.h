@@ -1,12 +1,16 @@
 #ifndef vtkTextureBuffer_h
 #define vtkTextureBuffer_h
 
+#include "vtkNew.h"
 #include "vtkType.h"
 
 #include <cstddef>
 
+class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
 
 /**
  * @class   vtkTextureBuffer
@@ -23,33 +27,33 @@ public:
     UINT4
   };
 
-  vtkTextureBuffer() = default;
-  ~vtkTextureBuffer() = default;
+  vtkTextureBuffer();
+  ~vtkTextureBuffer();
   vtkTextureBuffer(const vtkTextureBuffer&) = delete;
   vtkTextureBuffer& operator=(const vtkTextureBuffer&) = delete;
 
   /**
    * Replaces all of it. Returns the bytes sent.
    */
-  vtkIdType Upload(Formats format, const void* data, std::size_t bytes);
+  vtkIdType Upload(
+    vtkOpenGLRenderWindow* window, Formats format, const void* data, std::size_t bytes);
 
   /**
    * Binds it to a texture unit and gives that to the sampler \a name; Deactivate() frees the unit.
    */
-  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* name);
-  void Deactivate(vtkOpenGLRenderWindow* window);
+  void Activate(vtkShaderProgram* program, const char* name);
+  void Deactivate();
 
-  /// With the context current.
-  void Release();
+  /// With the context current, as the destructor makes it.
+  void Release(vtkWindow* window);
 
   std::size_t GetBytes() const { return this->Bytes; }
-  bool IsAllocated() const { return this->Buffer != 0; }
+  bool IsAllocated() const { return this->Bytes != 0; }
 
 private:
-  unsigned int Buffer = 0;
-  unsigned int Texture = 0;
+  vtkNew<vtkOpenGLBufferObject> Buffer;
+  vtkNew<vtkTextureObject> Texture;
   std::size_t Bytes = 0;
-  int Unit = -1;
 };
 
 #endif
