@@ -198,6 +198,6 @@ void vtkShadowedSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfaceGradient: " << this->SurfaceGradient << "\n";
   os << indent << "TransmissionColor: " << this->TransmissionColor.Get() << "\n";
   os << indent << "MaximumTextureMemory: " << this->MaximumTextureMemory << "\n";
-  os << indent << "RenderReport:\n";
+  os << indent << "Report:\n";
   this->RenderReport.Print(os, indent.GetNextIndent());
 }

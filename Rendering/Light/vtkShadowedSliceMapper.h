@@ -236,7 +236,7 @@ public:
   /**
    * What the last picture took.
    */
-  const vtkShadowedSliceReport& GetRenderReport() const { return this->RenderReport; }
+  const vtkShadowedSliceReport& GetReport() const { return this->RenderReport; }
 
   /**
    * The transmittance of the whole volume along each ray of a light, as its buffer holds it after

@@ -39,7 +39,7 @@ Report GetReport(const ShadowScene& scene)
 {
   vtkNew<vtkShadowedSliceMapper> mapper;
   DrawByMapper(mapper, scene);
-  return mapper->GetRenderReport();
+  return mapper->GetReport();
 }
 
 void ExpectNoShadows(Check& check, const Report& report, const std::string& what)
@@ -69,7 +69,7 @@ void TestNoShadows(Check& check)
     scene.Shadows = false;
     vtkNew<vtkShadowedSliceMapper> off;
     const RgbaPicture picture = DrawByMapper(off, scene);
-    ExpectNoShadows(check, off->GetRenderReport(), "shadows off");
+    ExpectNoShadows(check, off->GetReport(), "shadows off");
     scene.Shadows = true;
     for (vtkLight* light : scene.Lights)
     {
@@ -78,7 +78,7 @@ void TestNoShadows(Check& check)
     vtkNew<vtkShadowedSliceMapper> none;
     const PictureError error = ComparePictures(DrawByMapper(none, scene), picture);
     check.Near(error.Max, 0.0, 0.0, "the same without shadow attenuation");
-    ExpectNoShadows(check, none->GetRenderReport(), "no shadow attenuation");
+    ExpectNoShadows(check, none->GetReport(), "no shadow attenuation");
     for (vtkLight* light : scene.Lights)
     {
       light->SetShadowAttenuation(1.0);
@@ -110,7 +110,7 @@ void TestBuffers(Check& check)
       vtkNew<vtkShadowedSliceMapper> mapper;
       mapper->SetLightBufferSize(64);
       DrawByMapper(mapper, scene);
-      const Report& report = mapper->GetRenderReport();
+      const Report& report = mapper->GetReport();
       const std::string name =
         std::to_string(lights) + " lights, " + std::to_string(channels) + " channels";
       check.Equal(report.ShadowedLights, lights, name + ": shadows");
@@ -203,7 +203,7 @@ void TestBlocks(Check& check)
   scene.Image->GetPointData()->GetScalars()->Modified();
   vtkNew<vtkShadowedSliceMapper> mapper;
   const RgbaPicture picture = DrawByMapper(mapper, scene);
-  const Report& none = mapper->GetRenderReport();
+  const Report& none = mapper->GetReport();
   check.Equal(none.BlocksDrawn, 0, "nothing to see: blocks");
   check.Equal(none.SlicesDrawn, 0, "nothing to see: slices");
   check.Equal(none.LightPasses, 0, "nothing to see: light passes");
@@ -217,17 +217,17 @@ void TestUploads(Check& check)
   VolumeStage stage(scene.Size);
   SetScene(stage, mapper, scene);
   stage.Render();
-  const Report first = mapper->GetRenderReport();
+  const Report first = mapper->GetReport();
   check.That(first.UploadedBytes > 21 * 21 * 21, "the volume is sent");
   check.That(first.TextureBytes > 21 * 21 * 21, "what is sent is kept");
   // Slices are sent for each view and light, textures are not.
   const auto expectNothing = [&](const std::string& name, bool isSame = true)
   {
     stage.Render();
-    const vtkIdType sent = mapper->GetRenderReport().UploadedBytes;
+    const vtkIdType sent = mapper->GetReport().UploadedBytes;
     check.That(isSame ? sent == 0 : sent < first.TextureBytes / 10,
       name + ": " + std::to_string(sent) + " bytes are sent");
-    check.Equal(mapper->GetRenderReport().TextureBytes, first.TextureBytes, name + ": kept");
+    check.Equal(mapper->GetReport().TextureBytes, first.TextureBytes, name + ": kept");
   };
   expectNothing("the same again");
   scene.Camera->Azimuth(20.0);
@@ -236,14 +236,14 @@ void TestUploads(Check& check)
   expectNothing("another light", false);
   scene.Property->GetRGBTransferFunction()->AddRGBPoint(0.5, 0.0, 1.0, 0.0);
   stage.Render();
-  const vtkIdType colors = mapper->GetRenderReport().UploadedBytes;
+  const vtkIdType colors = mapper->GetReport().UploadedBytes;
   check.That(colors > 0 && colors < first.UploadedBytes, "other colours: the functions alone");
   expectNothing("other colours, again");
   scene.Image->GetPointData()->GetScalars()->SetComponent(0, 0, 0.5);
   scene.Image->GetPointData()->GetScalars()->Modified();
   scene.Image->Modified();
   stage.Render();
-  check.That(mapper->GetRenderReport().UploadedBytes > 21 * 21 * 21, "other values are sent");
+  check.That(mapper->GetReport().UploadedBytes > 21 * 21 * 21, "other values are sent");
   expectNothing("other values, again");
 }
 
@@ -259,9 +259,9 @@ void TestLightKit(Check& check)
   vtkNew<vtkLightKit> kit;
   kit->AddLightsToRenderer(stage.GetRenderer());
   stage.Render();
-  check.Equal(mapper->GetRenderReport().Lights,
-    stage.GetRenderer()->GetLights()->GetNumberOfItems(), "lights of a kit");
-  check.Equal(mapper->GetRenderReport().LightBuffers, 1, "buffers of a kit");
+  check.Equal(mapper->GetReport().Lights, stage.GetRenderer()->GetLights()->GetNumberOfItems(),
+    "lights of a kit");
+  check.Equal(mapper->GetReport().LightBuffers, 1, "buffers of a kit");
 }
 
 }

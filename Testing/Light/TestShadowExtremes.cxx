@@ -226,7 +226,7 @@ void TestManySlices(ShadowTable& table)
       table.Catalogue.Measure("slices-4096-depth-" + depth + (alongZ < 0.0 ? "-front" : "-back"),
         "4,096 slices of a total optical depth of " + depth,
         "alpha and light of the closed form, as a share of alpha",
-        mapper->GetRenderReport().Slices >= 4096 ? error / alpha : std::nan(""), 1e-3);
+        mapper->GetReport().Slices >= 4096 ? error / alpha : std::nan(""), 1e-3);
     }
   }
 }
@@ -266,8 +266,8 @@ void TestNan(ShadowTable& table)
   table.Measure(
     "nan", "a quarter of the voxels are NaN or infinite", found, MakeShadowPicture(scene), 0.03);
   table.Catalogue.Check("nan-counted", "voxels that are NaN or infinite", "all are counted",
-    std::to_string(mapper->GetRenderReport().NonFiniteVoxels) + " of " + std::to_string(count),
-    mapper->GetRenderReport().NonFiniteVoxels == count);
+    std::to_string(mapper->GetReport().NonFiniteVoxels) + " of " + std::to_string(count),
+    mapper->GetReport().NonFiniteVoxels == count);
   table.Catalogue.Check("nan-warned", "voxels that are NaN or infinite", "one warning",
     std::to_string(warnings) + " pictures of three with a warning", warnings == 1);
   values->Fill(std::nan(""));

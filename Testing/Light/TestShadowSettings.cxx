@@ -81,7 +81,7 @@ vtkShadowedSliceReport DrawAtRate(VolumeStage& stage, vtkShadowedSliceMapper* ma
   // The first picture at a rate tells how long it takes.
   stage.GetWindow()->Render();
   stage.GetWindow()->Render();
-  return mapper->GetRenderReport();
+  return mapper->GetReport();
 }
 
 /// Coarser while there is no time, as before when there is, and never what was set.

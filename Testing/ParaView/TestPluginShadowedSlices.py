@@ -152,7 +152,7 @@ def check_mapper(checks, display):
     display.ImageSampleDistance = 3.0
     text = str(active_representation(display))
     for line in ("LightBufferSize: 777", "LightLookup: 0", "ImageSampleDistance: 3"):
-        checks.that(f" {line}\n" in text.split("RenderReport:")[0], f"the mapper has {line}")
+        checks.that(f" {line}\n" in text.split("Report:")[0], f"the mapper has {line}")
 
 
 def check_documentation(checks, display):

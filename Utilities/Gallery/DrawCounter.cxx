@@ -96,7 +96,7 @@ void AddVolumeReports(const Panel& panel, SceneReport& report)
   {
     if (auto* sliced = vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper()))
     {
-      report.AddVolume(sliced->GetRenderReport());
+      report.AddVolume(sliced->GetReport());
     }
     else
     {

@@ -57,7 +57,7 @@ double GetDefaultSpacing(reference::VolumeStage& stage, const reference::ShadowS
 {
   const MethodPointer method = MakeSlices(stage, scene);
   method->Capture();
-  return method->GetSlices()->GetRenderReport().SliceSpacing;
+  return method->GetSlices()->GetReport().SliceSpacing;
 }
 
 std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
@@ -123,7 +123,7 @@ void AddRowsOf(Setting& setting, const std::string& name, const Limits& limits, 
   row.Seconds = setting.Seconds;
   if (vtkShadowedSliceMapper* slices = setting.Drawn->GetSlices())
   {
-    AddReport(slices->GetRenderReport(), row);
+    AddReport(slices->GetReport(), row);
   }
   const auto add = [&](const char* norm, const reference::RgbaPicture& limit)
   {

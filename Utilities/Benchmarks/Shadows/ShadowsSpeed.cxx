@@ -121,7 +121,7 @@ struct RowMaker
     row.Seconds = turn.Seconds;
     row.Peer = peer->Name;
     row.PeerSeconds = peer->Seconds;
-    AddReport(turn.Drawn->GetSlices()->GetRenderReport(), row);
+    AddReport(turn.Drawn->GetSlices()->GetReport(), row);
     if (row.Peer == Off)
     {
       row.Counts["over_off"] = turn.Seconds / peer->Seconds;
