@@ -1,6 +1,7 @@
 #ifndef vtkMeshingJob_h
 #define vtkMeshingJob_h
 
+#include "vtkMeshingSettings.h"
 #include "vtkTetGenProcess.h"
 #include "vtkTetrahedra.h"
 #include "vtkTetrahedralMesherReport.h"
@@ -14,22 +15,17 @@ class vtkDataSet;
  * One execution of vtkTetrahedralMesher: what is asked, the means, and what comes out. A mesher
  * fills Mesh, or Error with the reason why not; both stay empty when it was cancelled.
  */
-struct vtkMeshingJob
+struct vtkMeshingJob : vtkMeshingSettings
 {
-  vtkMeshingJob(vtkDataSet* input, const std::string& program)
-    : Input(input)
-    , TetGen(program)
+  vtkMeshingJob(const vtkMeshingSettings& settings, vtkDataSet* input)
+    : vtkMeshingSettings(settings)
+    , Input(input)
+    , TetGen(settings.WorkerFileName)
   {
+    this->TetGen.TimeLimit = settings.TimeLimit;
   }
 
   vtkDataSet* Input;
-  double QualityBound = 0.0;
-  double MinimumDihedralAngle = 0.0;
-  double MaximumVolume = 0.0;
-  int MaximumNumberOfAddedPoints = 0;
-  bool PreserveBoundary = false;
-  bool FillNestedShells = false;
-
   std::function<void(double)> SetProgress;
   std::function<bool()> IsCancelled;
   vtkTetGenProcess TetGen;

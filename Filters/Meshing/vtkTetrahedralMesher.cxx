@@ -83,13 +83,7 @@ int vtkTetrahedralMesher::RequestData(
     return 1;
   }
   this->SetProgressText("Making tetrahedra");
-  vtkMeshingJob job(input, this->WorkerFileName);
-  job.QualityBound = this->QualityBound;
-  job.MinimumDihedralAngle = this->MinimumDihedralAngle;
-  job.MaximumVolume = this->MaximumVolume;
-  job.MaximumNumberOfAddedPoints = this->MaximumNumberOfAddedPoints;
-  job.PreserveBoundary = this->PreserveBoundary;
-  job.FillNestedShells = this->FillNestedShells;
+  vtkMeshingJob job(*this, input);
   double progress = 0.0;
   job.SetProgress = [this, &progress](double value)
   {
@@ -97,7 +91,6 @@ int vtkTetrahedralMesher::RequestData(
     this->UpdateProgress(value);
   };
   job.IsCancelled = [this]() { return this->GetAbortExecute() != 0; };
-  job.TetGen.TimeLimit = this->TimeLimit;
   // Observers of progress are asked while TetGen works: one of them may abort.
   job.TetGen.IsCancelled = [this, &progress]()
   {

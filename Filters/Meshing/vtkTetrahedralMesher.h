@@ -2,6 +2,7 @@
 #define vtkTetrahedralMesher_h
 
 #include "InterlumeMeshingModule.h"     // for the export macro
+#include "vtkMeshingSettings.h"         // for what is set
 #include "vtkTetrahedralMesherReport.h" // for the report
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -63,7 +64,9 @@ struct vtkMeshingJob;
  *
  * @sa vtkIntervalVolume vtkDelaunay3D
  */
-class INTERLUMEMESHING_EXPORT vtkTetrahedralMesher : public vtkUnstructuredGridAlgorithm
+class INTERLUMEMESHING_EXPORT vtkTetrahedralMesher
+  : public vtkUnstructuredGridAlgorithm
+  , private vtkMeshingSettings
 {
 public:
   static vtkTetrahedralMesher* New();
@@ -192,14 +195,6 @@ private:
   vtkTetrahedralMesher(const vtkTetrahedralMesher&) = delete;
   void operator=(const vtkTetrahedralMesher&) = delete;
 
-  double QualityBound = 0.0;
-  double MinimumDihedralAngle = 0.0;
-  double MaximumVolume = 0.0;
-  int MaximumNumberOfAddedPoints = 2000000;
-  bool PreserveBoundary = false;
-  bool FillNestedShells = false;
-  double TimeLimit = 600.0;
-  std::string WorkerFileName;
   bool WarnOnEmptyOutput = true;
   vtkTetrahedralMesherReport Report;
   /// Whether the execution has made no tetrahedron so far, and no error has said why.
