@@ -1,6 +1,6 @@
 // The slices of a triangulated region of space and time have no cracks and no overlap: at any time,
-// and at the region's own time levels, where each tetrahedron is there once, also beside holes.
-// Pieces with global ids fit together.
+// and at the region's own time levels, where each tetrahedron is there once, also beside holes, and
+// where the cell array AtStep tells which there are. Pieces with global ids fit together.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Meshes/ReferenceBoundary.h"
 #include "Reference/Meshes/ReferenceGrid.h"
@@ -9,9 +9,12 @@
 #include "Reference/SpaceTime/ReferenceSimplexGrid.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -193,6 +196,41 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePiece(
   return piece;
 }
 
+/// A region with the tetrahedra of a level as cells, some of them twice as faces too, and the rest
+/// of the faces there said to be nothing.
+void CheckAtStep(Check& check)
+{
+  using Filter = vtkTimeVaryingIntervalVolume;
+  KuhnOptions options;
+  options.MovedInSpace = 0.15;
+  auto grid = MakeKuhnGrid(options);
+  const double level = 1.0;
+  auto faces = FacesAt(grid, level);
+  const auto before = GeometricSet(SliceAt(grid, 1.4));
+  vtkNew<vtkUnsignedCharArray> atStep;
+  atStep->SetName("AtStep");
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    atStep->InsertNextValue(cell % 3 == 0 ? Filter::FACES_AT_STEP : Filter::NOTHING_AT_STEP);
+  }
+  check.SetContext("AtStep");
+  grid->GetCellData()->AddArray(atStep);
+  const vtkIdType some = SliceAt(grid, level)->GetNumberOfCells();
+  check.That(0 < some && some < faces->GetNumberOfCells(), "some faces count");
+  for (const Tetrahedron& face : TetrahedraOf(faces))
+  {
+    const SimplexIds ids = { { face[0], face[1], face[2], face[3], face[3] } };
+    grid->InsertNextCell(VTK_POLY_VERTEX, 5, ids.data());
+    atStep->InsertNextValue(Filter::TETRAHEDRON_AT_STEP);
+  }
+  check.That(GeometricSet(SliceAt(grid, level)) == GeometricSet(faces),
+    "at the level the tetrahedra, each once");
+  check.That(GeometricSet(SliceAt(grid, 1.4)) == before, "elsewhere the slice is as it was");
+  grid->GetCellData()->RemoveArray("AtStep");
+  check.That(GeometricSet(SliceAt(grid, level)) == GeometricSet(faces),
+    "without the array all faces count, and what lies in the slice gives nothing");
+}
+
 void CheckPieces(Check& check)
 {
   KuhnOptions options;
@@ -231,6 +269,7 @@ int TestSimplexTimeSliceTiling(int, char*[])
     CheckHoles(seed, 0.7, check);
     CheckHoles(seed, 0.3, check);
   }
+  CheckAtStep(check);
   CheckPieces(check);
   return check.Result();
 }
