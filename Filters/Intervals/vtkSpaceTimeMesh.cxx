@@ -117,6 +117,50 @@ void AppendCells(const std::vector<vtkSpaceTimeMesh::BoundaryCell>& cells, int s
   }
 }
 
+using Entry = vtkOppositePairs::Entry<vtkIdType, 6>;
+
+// A 4-simplex of a slab, to be compared with others of its interval.
+Entry MakeEntry(const vtkSpaceTimeMesh::Slab& slab, std::size_t s, std::size_t place)
+{
+  const int item = slab.Items.GetSize() > 0 ? slab.Items[s] : 0;
+  Entry entry{ { { item } }, false, place };
+  std::copy(slab.Simplices[s].begin(), slab.Simplices[s].end(), entry.Key.begin() + 1);
+  entry.IsOdd = vtkOppositePairs::Sort(entry.Key.data() + 1, 5);
+  return entry;
+}
+
+// Leaves out the 4-simplices that are marked; returns how many.
+vtkIdType RemoveMarked(vtkSpaceTimeMesh::Slab& slab, const std::vector<bool>& isRemoved)
+{
+  const std::size_t number = slab.Simplices.GetSize();
+  std::size_t kept = 0;
+  for (std::size_t s = 0; s < number; ++s)
+  {
+    if (!isRemoved[s])
+    {
+      slab.Simplices[kept] = slab.Simplices[s];
+      if (slab.Items.GetSize() > 0)
+      {
+        slab.Items[kept] = slab.Items[s];
+      }
+      if (slab.Flats.GetSize() > 0)
+      {
+        slab.Flats[kept] = slab.Flats[s];
+      }
+      if (slab.Ties.GetSize() > 0)
+      {
+        slab.Ties[kept] = slab.Ties[s];
+      }
+      ++kept;
+    }
+  }
+  slab.Simplices.Truncate(kept);
+  slab.Items.Truncate(slab.Items.GetSize() > 0 ? kept : 0);
+  slab.Flats.Truncate(slab.Flats.GetSize() > 0 ? kept : 0);
+  slab.Ties.Truncate(slab.Ties.GetSize() > 0 ? kept : 0);
+  return static_cast<vtkIdType>(number - kept);
+}
+
 vtkSmartPointer<vtkDoubleArray> MakeTimes(
   const vtkSpaceTimeStep& first, const vtkSpaceTimeStep& second, const PointList& points)
 {
@@ -318,50 +362,55 @@ void vtkSpaceTimeMesh::AddStepVolume(const std::vector<BoundaryCell>& cells)
 vtkIdType vtkSpaceTimeMesh::RemoveOppositeSimplices(const std::vector<vtkIdType>& tied)
 {
   Slab& slab = this->Slabs.back();
-  using Entry = vtkOppositePairs::Entry<vtkIdType, 6>;
   std::vector<Entry> entries;
   for (const vtkIdType s : tied)
   {
-    const int item = slab.Items.GetSize() > 0 ? slab.Items[s] : 0;
-    Entry entry{ { { item } }, false, static_cast<std::size_t>(s) };
-    std::copy(slab.Simplices[s].begin(), slab.Simplices[s].end(), entry.Key.begin() + 1);
-    entry.IsOdd = vtkOppositePairs::Sort(entry.Key.data() + 1, 5);
-    entries.push_back(entry);
+    entries.push_back(MakeEntry(slab, s, s));
   }
-  const std::size_t number = slab.Simplices.GetSize();
-  std::vector<bool> isRemoved(number, false);
+  std::vector<bool> isRemoved(slab.Simplices.GetSize(), false);
   bool isAny = false;
   vtkOppositePairs::Find(entries, [&](std::size_t place) { isAny = isRemoved[place] = true; });
-  if (!isAny)
+  return isAny ? RemoveMarked(slab, isRemoved) : 0;
+}
+
+vtkIdType vtkSpaceTimeMesh::RemoveOppositeAtSteps()
+{
+  std::vector<Entry> entries;
+  std::size_t first = 0;
+  for (const Slab& slab : this->Slabs)
   {
-    return 0;
-  }
-  std::size_t kept = 0;
-  for (std::size_t s = 0; s < number; ++s)
-  {
-    if (!isRemoved[s])
+    for (std::size_t s = 0; s < slab.Ties.GetSize(); ++s)
     {
-      slab.Simplices[kept] = slab.Simplices[s];
-      if (slab.Items.GetSize() > 0)
+      if (slab.Ties[s] && this->IsAtOneTime(slab.Simplices[s]))
       {
-        slab.Items[kept] = slab.Items[s];
+        entries.push_back(MakeEntry(slab, s, first + s));
       }
-      if (slab.Flats.GetSize() > 0)
-      {
-        slab.Flats[kept] = slab.Flats[s];
-      }
-      if (slab.Ties.GetSize() > 0)
-      {
-        slab.Ties[kept] = slab.Ties[s];
-      }
-      ++kept;
     }
+    first += slab.Simplices.GetSize();
   }
-  slab.Simplices.Truncate(kept);
-  slab.Items.Truncate(slab.Items.GetSize() > 0 ? kept : 0);
-  slab.Flats.Truncate(slab.Flats.GetSize() > 0 ? kept : 0);
-  slab.Ties.Truncate(slab.Ties.GetSize() > 0 ? kept : 0);
-  return static_cast<vtkIdType>(number - kept);
+  std::vector<bool> isRemoved;
+  vtkOppositePairs::Find(entries,
+    [&](std::size_t place)
+    {
+      isRemoved.resize(first, false);
+      isRemoved[place] = true;
+    });
+  vtkIdType removed = 0;
+  auto begin = isRemoved.begin();
+  for (std::size_t k = 0; k < this->Slabs.size() && !isRemoved.empty(); ++k)
+  {
+    const auto end = begin + static_cast<std::ptrdiff_t>(this->Slabs[k].Simplices.GetSize());
+    removed += RemoveMarked(this->Slabs[k], { begin, end });
+    begin = end;
+  }
+  return removed;
+}
+
+bool vtkSpaceTimeMesh::IsAtOneTime(const Simplex& simplex) const
+{
+  const double time = this->Times->GetValue(simplex[0]);
+  return std::all_of(simplex.begin(), simplex.end(),
+    [this, time](vtkIdType id) { return this->Times->GetValue(id) == time; });
 }
 
 void vtkSpaceTimeMesh::SettleTiedBoundary()
@@ -451,11 +500,11 @@ void vtkSpaceTimeMesh::FindCoordinates()
 
 void vtkSpaceTimeMesh::SettleStepVolume()
 {
-  using Entry = vtkOppositePairs::Entry<vtkIdType, 5>;
-  std::vector<Entry> entries(this->StepVolume.size());
+  using TetrahedronEntry = vtkOppositePairs::Entry<vtkIdType, 5>;
+  std::vector<TetrahedronEntry> entries(this->StepVolume.size());
   for (std::size_t c = 0; c < entries.size(); ++c)
   {
-    Entry& entry = entries[c];
+    TetrahedronEntry& entry = entries[c];
     entry.Key[0] = this->StepVolume[c].Item;
     std::copy_n(this->StepVolume[c].Ids.begin(), 4, entry.Key.begin() + 1);
     entry.IsOdd = vtkOppositePairs::Sort(entry.Key.data() + 1, 4);
@@ -465,10 +514,10 @@ void vtkSpaceTimeMesh::SettleStepVolume()
   std::vector<bool> isKept(entries.size(), false);
   for (auto first = entries.begin(); first != entries.end();)
   {
-    const auto last = std::find_if(
-      first, entries.end(), [first](const Entry& entry) { return entry.Key != first->Key; });
-    isKept[first->Place] =
-      std::all_of(first, last, [first](const Entry& entry) { return entry.IsOdd == first->IsOdd; });
+    const auto last = std::find_if(first, entries.end(),
+      [first](const TetrahedronEntry& entry) { return entry.Key != first->Key; });
+    isKept[first->Place] = std::all_of(
+      first, last, [first](const TetrahedronEntry& entry) { return entry.IsOdd == first->IsOdd; });
     first = last;
   }
   std::size_t kept = 0;

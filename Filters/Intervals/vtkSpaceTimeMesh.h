@@ -103,6 +103,10 @@ public:
   /// and opposite orientation. Returns how many are removed.
   vtkIdType RemoveOppositeSimplices(const std::vector<vtkIdType>& tied);
 
+  /// The same of 4-simplices that lie in a step, of the slab before it and the one after; only
+  /// where 4-simplices are asked for.
+  vtkIdType RemoveOppositeAtSteps();
+
   /**
    * Settles boundary cells where values equal a bound, once all slabs are there. Pairs with the
    * same points and opposite orientation go. Of the others tetrahedra in time stay where they are
@@ -185,6 +189,7 @@ private:
   void AppendPoints(const vtkSpaceTimeStep& first, const vtkSpaceTimeStep& second,
     const vtkExtractionBuffer<vtkExtractionPoint>& points, bool isStatic);
   void AppendArrays(vtkPointData* more);
+  bool IsAtOneTime(const Simplex& simplex) const;
   void FindCoordinates();
 
   vtkSpaceTimeOptions Options;

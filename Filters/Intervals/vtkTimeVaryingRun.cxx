@@ -307,6 +307,7 @@ bool vtkTimeVaryingRun::FillOutputs(
     leaf->Before.reset();
     leaf->Mesh.SettleTiedBoundary();
     leaf->Mesh.SettleStepVolume();
+    this->Report.Simplices -= leaf->Mesh.RemoveOppositeAtSteps();
     const vtkSpaceTimeMesh& mesh = leaf->Mesh;
     vtkExtractionArrays::ActivateScalars(leaf->ScalarsName.c_str(), mesh.GetArrays());
     vtkUnstructuredGrid* output = tetrahedraLeaves.GetNext(isNeeded);

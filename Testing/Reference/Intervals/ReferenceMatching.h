@@ -63,8 +63,8 @@ void CheckMatchingContour(vtkDataSet* data, double value, Check& check);
 /**
  * Extracts intervals in space and time from a grid that does not move and fills its box, and checks
  * for each interval:
- * - no two 4-simplices have the same points and opposite orientation, but for those that lie in one
- * step, of which AtStep says that they are nothing there;
+ * - no two 4-simplices have the same points and opposite orientation;
+ * - of those that lie in one step, AtStep says that they are nothing there;
  * - a face of the 4-simplices cancels, or is a surface in time or a volume at the first or last
  * step of port 1, or lies in a wall of the box;
  * - surfaces in time are such faces, once, turned as those are;
