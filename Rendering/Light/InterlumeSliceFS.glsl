@@ -158,6 +158,14 @@ void main()
   vec4 texel;
   vec4 parts;
   sampleExtinction = extinctionsAt(sampleAt, sampleInTexture, texel, parts);
+#ifdef EMPTY
+  // What is not marked by its depth is drawn next.
+  if (sampleExtinction > 0.0)
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(0.0);
+#else
 #ifdef THIN
   // What is not marked by its depth is drawn as thick matter next.
   if (sampleExtinction * (upper - lower) > LEAST_DEPTH)
@@ -228,4 +236,5 @@ void main()
   }
 #endif
   gl_FragData[0] = vec4(color * opacity, opacity);
+#endif
 }

@@ -244,6 +244,22 @@ bool vtkMaterialTable::HasSharpOpacity() const
 }
 
 //------------------------------------------------------------------------------
+double vtkMaterialTable::GetSmallestExtinction() const
+{
+  double smallest = 0.0;
+  for (int row = 0; row < this->Rows; ++row)
+  {
+    const double extinction =
+      this->GetExtinction(row, this->Opacities[row].GetSmallestAboveZero(this->ScalarRange[row]));
+    if (extinction > 0.0 && (smallest == 0.0 || extinction < smallest))
+    {
+      smallest = extinction;
+    }
+  }
+  return smallest;
+}
+
+//------------------------------------------------------------------------------
 double vtkMaterialTable::GetLargestExtinction(int row, double lower, double upper) const
 {
   if (!(lower <= upper))

@@ -68,6 +68,10 @@ public:
   /// and whatever the gradient.
   bool HasSharpOpacity() const;
 
+  /// The smallest extinction above 0 per world unit that opacities of that kind have, 0 where all
+  /// is transparent.
+  double GetSmallestExtinction() const;
+
   /// The component that \a row's opacity is of.
   int GetOpacityComponent(int row) const
   {

@@ -299,6 +299,7 @@ std::string vtkSlicePainter::PrepareEye(vtkOpenGLRenderWindow* window,
   const vtkSlicePicture& picture, std::size_t sweepIndex, vtkShadowedSliceReport& report)
 {
   this->HasThickPart = vtkSliceShader::HasThickPart(picture, sweepIndex);
+  this->HasThinPart = vtkSliceShader::HasThinPart(picture, sweepIndex);
   const auto prepare = [&](vtkSlicePass& pass, vtkSliceShader::Parts part)
   {
     const std::string source =
@@ -311,8 +312,10 @@ std::string vtkSlicePainter::PrepareEye(vtkOpenGLRenderWindow* window,
     }
     return error;
   };
-  std::string error =
-    prepare(this->Eye, this->HasThickPart ? vtkSliceShader::THIN : vtkSliceShader::ALL);
+  std::string error = prepare(this->Eye,
+    !this->HasThickPart   ? vtkSliceShader::ALL
+      : this->HasThinPart ? vtkSliceShader::THIN
+                          : vtkSliceShader::EMPTY);
   if (error.empty() && this->HasThickPart)
   {
     error = prepare(this->ThickEye, vtkSliceShader::THICK);
@@ -435,7 +438,10 @@ void vtkSlicePainter::DrawEyeSlab(
   {
     // What the first leaves out it does not mark by its depth, and the second draws that alone.
     state->vtkglDepthMask(GL_TRUE);
+    const GLboolean hasColor = this->HasThinPart ? GL_TRUE : GL_FALSE;
+    state->vtkglColorMask(hasColor, hasColor, hasColor, hasColor);
     this->Eye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglDepthMask(GL_FALSE);
     this->ThickEye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
   }

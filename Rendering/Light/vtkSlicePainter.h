@@ -97,10 +97,11 @@ private:
   vtkNew<vtkTextureObject> Image;
   vtkNew<vtkTextureObject> SweepImage;
   vtkNew<vtkTextureObject> OpaqueDepth;
-  /// All matter, or all that is thin where the thick has a program of its own.
+  /// All matter, or all that is thin, or none, where the thick has a program of its own.
   vtkSlicePass Eye;
   vtkSlicePass ThickEye;
   bool HasThickPart = false;
+  bool HasThinPart = true;
   vtkSliceOcclusion Occlusion;
   std::vector<std::unique_ptr<vtkSliceLightBuffer>> Lights;
   std::vector<vtkTextureObject*> Active;

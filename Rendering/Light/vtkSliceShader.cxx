@@ -11,6 +11,7 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <array>
 
 namespace
 {
@@ -78,6 +79,16 @@ std::string GetLightFeatures(const vtkLightSource& light, const ShadowedLight* s
   add(shadow != nullptr, "SHADOW");
   add(shadow && shadow->IsWide, "WIDE");
   return features;
+}
+
+// Of such lights' sources and what calls them.
+std::string GetEyeSource(
+  const std::string& features, const std::string& lights, const std::string& calls)
+{
+  std::string source = Replace(InterlumeSliceFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
+  source = Replace(source, "//INTERLUME::LIGHTS", lights);
+  source = Replace(source, "//INTERLUME::SHINE", calls);
+  return vtkShaderFeatures::Insert(source, features);
 }
 
 void SetVector(vtkShaderProgram* program, const std::string& name, const std::array<double, 3>& v)
@@ -332,17 +343,31 @@ bool vtkSliceShader::HasThickPart(const vtkSlicePicture& picture, std::size_t sw
 }
 
 //------------------------------------------------------------------------------
+bool vtkSliceShader::HasThinPart(const vtkSlicePicture& picture, std::size_t sweep)
+{
+  return !HasThickPart(picture, sweep) ||
+    picture.Material.GetSmallestExtinction() * picture.Plan.Sweeps[sweep].Spacing *
+      picture.Space.Radius <=
+    LeastDepth;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkSliceShader::GetEyeSource(
   const vtkSlicePicture& picture, std::size_t sweep, bool isOccluded, Parts part)
 {
   std::string features = GetMediumFeatures(picture);
-  features += part == ALL ? "" : part == THIN ? " THIN" : " THICK";
+  const std::array<const char*, 4> names{ { "", " THIN", " EMPTY", " THICK" } };
+  features += names[part];
   features += part == ALL ? "" : " LEAST_DEPTH=" + std::to_string(LeastDepth);
   features += picture.IsSmoothLookup ? "" : " NEAREST_LIGHT";
   features += picture.Eye.IsParallel ? "" : " PERSPECTIVE";
   features += picture.IsCutByNearPlane ? " NEAR_PLANE" : "";
   features += isOccluded ? " OPAQUE" : "";
   features += picture.Material.Kind == vtkMaterialTable::RGB_OPACITY ? " RGB" : "";
+  if (part == EMPTY)
+  {
+    return ::GetEyeSource(features, "", "");
+  }
   features += picture.IsLit() ? " LIT" : "";
   features += picture.IsShaded ? " SHADE" : "";
   features += HasTransmission(picture) ? " TRANSMISSION" : "";
@@ -357,10 +382,7 @@ std::string vtkSliceShader::GetEyeSource(
     calls += "shine_" + std::to_string(number) + "(color);\n";
     ++number;
   }
-  std::string source = Replace(InterlumeSliceFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
-  source = Replace(source, "//INTERLUME::LIGHTS", lights);
-  source = Replace(source, "//INTERLUME::SHINE", calls);
-  return vtkShaderFeatures::Insert(source, features);
+  return ::GetEyeSource(features, lights, calls);
 }
 
 //------------------------------------------------------------------------------

@@ -16,17 +16,20 @@ class vtkShaderProgram;
 class vtkSliceShader
 {
 public:
-  /// Fragments of a slab: all, or those of thin and of thick matter, which is drawn after the
-  /// other.
+  /// Fragments of a slab: all; or those of thin matter and of none, or of none alone, which need no
+  /// light, and then those of thick matter.
   enum Parts
   {
     ALL,
     THIN,
+    EMPTY,
     THICK
   };
   /// Whether thick matter is drawn by itself in a sweep: where there is some, and a light seen
   /// through a plane casts shadows in it.
   static bool HasThickPart(const vtkSlicePicture& picture, std::size_t sweep);
+  /// Whether there is thin matter too: where some opacity above 0 makes whole slabs thin.
+  static bool HasThinPart(const vtkSlicePicture& picture, std::size_t sweep);
 
   /**
    * Source of the picture's fragments in a sweep. The first sweep has all lights without shadows

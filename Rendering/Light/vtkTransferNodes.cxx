@@ -210,6 +210,24 @@ bool vtkTransferNodes::IsStepwise(const Range& range, double width) const
 }
 
 //------------------------------------------------------------------------------
+double vtkTransferNodes::GetSmallestAboveZero(const Range& range) const
+{
+  double smallest = 0.0;
+  const auto add = [&](double value)
+  { smallest = value > 0.0 && (smallest == 0.0 || value < smallest) ? value : smallest; };
+  add(this->Evaluate(range[0])[0]);
+  add(this->Evaluate(range[1])[0]);
+  for (const Node& node : this->Nodes)
+  {
+    if (node.X >= range[0] && node.X <= range[1])
+    {
+      add(node.Y[0]);
+    }
+  }
+  return smallest;
+}
+
+//------------------------------------------------------------------------------
 vtkTransferNodes::Value vtkTransferNodes::Evaluate(double x) const
 {
   const auto right = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), x,

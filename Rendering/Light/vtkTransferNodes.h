@@ -51,6 +51,10 @@ public:
   /// width.
   bool IsStepwise(const Range& range, double width) const;
 
+  /// The smallest value above 0 of the first channel at the nodes in \a range and at its ends; 0
+  /// where there is none.
+  double GetSmallestAboveZero(const Range& range) const;
+
   /// The value at \a x: to the right of a step there.
   Value Evaluate(double x) const;
 
