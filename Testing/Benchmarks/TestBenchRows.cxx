@@ -93,7 +93,7 @@ void CheckMethods(const nlohmann::json& rows)
     // Rows against gpu-shadows need VTK 9.2.
     { "shadows",
       { "shadows shadows-off", "shadows, both sides shadows-off", "shadows-off gpu",
-        "unlit no-lights", "spacing", "buffer" } },
+        "unlit no-lights", "spacing", "buffer", "surfaces shadows-off" } },
     { "flow",
       { "advection", "RK4", "RK45", "equal-error streamtracer-RK4", "equal-error streamtracer-RK45",
         "threads-2 threads-1", "samples", "new-mapping advection", "new-interval advection",

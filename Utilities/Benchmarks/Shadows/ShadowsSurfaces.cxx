@@ -8,6 +8,7 @@
 
 #include "vtkImageData.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -67,13 +68,13 @@ std::vector<Surface> MakeSurfaces(const BenchOptions& options)
     scans.push_back(MakeHead());
     scans.push_back(MakeTooth());
   }
-  const int pixels = options.Pick(128, 48, 16);
+  const int pixels = options.Pick(64, 48, 16);
   for (const Case& scan : scans)
   {
-    for (const Case& one : { MakeScattering(scan), MakeScattering(MakeStepped(scan)) })
+    for (Case one : { MakeScattering(scan), MakeScattering(MakeStepped(scan)) })
     {
+      one.Scene.Size = { { pixels, pixels } };
       surfaces.push_back(MakeMarched(one.Name, one.Scene, options.Pick(2, 1, 1)));
-      surfaces.back().Scene.Size = { { pixels, pixels } };
     }
   }
   return surfaces;
@@ -83,16 +84,19 @@ std::vector<Surface> MakeSurfaces(const BenchOptions& options)
 //------------------------------------------------------------------------------
 void AddSurfaceRows(const BenchOptions& options, BenchRows& rows)
 {
+  const int pixels = options.Pick(512, 192, 32);
+  const std::array<int, 2> size = { { pixels, pixels } };
   for (const Surface& surface : MakeSurfaces(options))
   {
-    reference::VolumeStage stage(surface.Scene.Size);
+    reference::VolumeStage stage(size);
     reference::ShadowScene unshadowed = surface.Scene;
     unshadowed.Shadows = false;
     const MethodPointer on = MakeSlices(stage, surface.Scene);
     const MethodPointer off = MakeSlices(stage, unshadowed);
     const std::vector<double> seconds = MeasureAlternately(
       { on->GetFrame(options.Threads), off->GetFrame(options.Threads) }, options.GetRepeats());
-    const SurfaceErrors errors = surface.Measure(on->Capture());
+    reference::VolumeStage small(surface.Scene.Size);
+    const SurfaceErrors errors = surface.Measure(MakeSlices(small, surface.Scene)->Capture());
     BenchRow row = rows.Make(surface.Name, "surfaces");
     row.Error = errors.Mean;
     row.ErrorNorm = "red difference, mean over what is seen";

@@ -15,7 +15,8 @@ namespace shadows
  * a sheet of one voxel and three CT volumes, with ramps and with steps of opacity, by scattered
  * light, against the ray marcher. The error is the mean difference of a pixel's red, over the
  * pixels that show anything; p95, largest and rms are of the same, rms over the mean of what is
- * expected, and brightness is the picture's mean over that, less 1. The peer is `shadows-off`.
+ * expected, and brightness is the picture's mean over that, less 1. Seconds are those of a frame of
+ * 512^2; the peer is `shadows-off`.
  */
 void AddSurfaceRows(const BenchOptions& options, BenchRows& rows);
 }
