@@ -210,7 +210,8 @@ void vtkLightFit::FitPlane(const vtkLightSource& source, vtkSlicePlan::ShadowedL
   }
 }
 
-void vtkLightFit::FitHalfSpace(const Vector& normal, vtkSlicePlan::ShadowedLight& light) const
+void vtkLightFit::FitHalfSpace(
+  const Vector& normal, const Vector& position, vtkSlicePlan::ShadowedLight& light) const
 {
   const Vector first = Perpendicular(normal, { { 1.0, 0.0, 0.0 } });
   const std::array<Vector, 3> axes{ { first, Cross(normal, first), normal } };
@@ -219,11 +220,15 @@ void vtkLightFit::FitHalfSpace(const Vector& normal, vtkSlicePlan::ShadowedLight
   {
     std::copy(axes[i].begin(), axes[i].end(), light.Frame.begin() + 3 * i);
     const std::array<double, 2> range = this->Corners.GetRange(axes[i]);
-    texels =
-      std::max(texels, (range[1] - range[0]) / vtkSlicePlan::GetVoxelSpacing(this->Space, axes[i]));
+    const double place = Dot(position, axes[i]);
+    const double farthest = std::max(range[1] - place, i < 2 ? place - range[0] : 0.0);
+    // Near a face few rays go as far, and texels have their price.
+    const double outside = std::max({ range[0] - place, place - range[1], 0.0 });
+    const double reach = std::min(farthest, 0.7 * (range[1] - range[0]) + 2.0 * outside);
+    texels = std::max(texels, reach / vtkSlicePlan::GetVoxelSpacing(this->Space, axes[i]));
   }
   light.IsWide = true;
   light.BufferFromUnit = {};
-  // Half a turn around a light in the box's middle.
-  light.BufferSize = this->GetSize(vtkMath::Pi() / 2.0 * texels);
+  // Half a turn around the light.
+  light.BufferSize = this->GetSize(vtkMath::Pi() * texels);
 }

@@ -32,7 +32,8 @@ public:
     const vtkSlicePlan::Settings& settings);
 
   void FitPlane(const vtkLightSource& source, vtkSlicePlan::ShadowedLight& light) const;
-  void FitHalfSpace(const Vector& normal, vtkSlicePlan::ShadowedLight& light) const;
+  void FitHalfSpace(
+    const Vector& normal, const Vector& position, vtkSlicePlan::ShadowedLight& light) const;
 
 private:
   /// A plane's axes and the rectangle in it; places are in tangents for positional lights.

@@ -79,11 +79,13 @@ class vtkSliceRenderer;
  * with TransmissionColor, two that spare what lies behind opaque matter, and two layers of the
  * former where surfaces are sharp.
  *
- * A positional light inside the volume, or as close that rays run along the slices, has two sweeps
- * and its rays are followed in steps: it takes 4 to 9 times the time without shadows, where others
- * take 1.1 to 2; lights on both sides of the volume take about 2.8 times. Where a light nears the
- * volume so that one sweep becomes two, the picture's brightness makes a step of the size of the
- * slices' error, which can be four times the change from one frame to the next.
+ * A positional light inside the volume, or as close that rays run along the slices, has two sweeps,
+ * which are halves of one picture where it is alone, and its rays are followed in steps: it takes
+ * 1.8 to 3.6 times the time without shadows, where others take 1.1 to 2; lights on both sides of
+ * the volume take about 2.8 times. These are of pictures of 512^2 pixels; small pictures of large
+ * volumes, where the light's buffer has more samples than the picture, cost more. Where a light
+ * nears the volume so that one sweep becomes two, the picture's brightness makes a step of the size
+ * of the slices' error: 3.3 % in the mean on seven nearly opaque rings in 64^3 samples.
  *
  * **Input**: vtkImageData, point or cell scalars by ScalarMode, ArrayName, ArrayId as in VTK's
  * other mappers, of any type and of

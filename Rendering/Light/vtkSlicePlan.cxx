@@ -97,7 +97,7 @@ void AddWide(const vtkSliceView& view, const vtkLightSource& source, int index,
     }
     vtkSlicePlan::ShadowedLight light;
     light.Light = index;
-    fit.FitHalfSpace(side, light);
+    fit.FitHalfSpace(side, source.Position, light);
     sweeps[static_cast<std::size_t>(sweep)].Lights.push_back(light);
   }
 }
