@@ -81,7 +81,7 @@ void CheckLinear(
       check.That(isThere != 1 || data->GetCellType(lower) == VTK_VOXEL, "no cell before has it");
     }
   }
-  check.Equal(result.Filter->GetReport().ZeroCells + result.Filter->GetNumberOfDegenerateCells() +
+  check.Equal(result.Filter->GetReport().ZeroCells + result.Filter->GetReport().DegenerateCells +
       result.Filter->GetReport().NonFiniteCells,
     0, "cells that are not right");
 }
