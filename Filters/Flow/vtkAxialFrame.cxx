@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-//------------------------------------------------------------------------------
 void vtkAxialFrame::SetAxis(const double axis[3])
 {
   double a[3] = { axis[0], axis[1], axis[2] };
@@ -17,7 +16,6 @@ void vtkAxialFrame::SetAxis(const double axis[3])
   this->SetAxis(a, x);
 }
 
-//------------------------------------------------------------------------------
 void vtkAxialFrame::SetAxis(const double axis[3], const double x[3])
 {
   std::copy_n(axis, 3, this->Axis);
@@ -25,7 +23,6 @@ void vtkAxialFrame::SetAxis(const double axis[3], const double x[3])
   vtkMath::Cross(this->Axis, this->X, this->Y);
 }
 
-//------------------------------------------------------------------------------
 void vtkAxialFrame::GetComponents(
   const double x[3], const double origin[3], double components[3]) const
 {
@@ -35,7 +32,6 @@ void vtkAxialFrame::GetComponents(
   components[2] = vtkMath::Dot(p, this->Axis);
 }
 
-//------------------------------------------------------------------------------
 void vtkAxialFrame::GetPoint(
   const double origin[3], double a, double b, double c, double x[3]) const
 {
@@ -45,7 +41,6 @@ void vtkAxialFrame::GetPoint(
   }
 }
 
-//------------------------------------------------------------------------------
 double vtkAxialFrame::GetTurn(double x, double y)
 {
   const double turn = std::atan2(y, x) / (2.0 * vtkMath::Pi());

@@ -170,7 +170,6 @@ bool IsBefore(const vtkBeyondCorners::Corner& a, const vtkBeyondCorners::Corner&
 }
 }
 
-//------------------------------------------------------------------------------
 std::vector<vtkBeyondCorners::Corner> vtkBeyondCorners::Find(
   vtkDataSet* samples, const vtkFlowArrays& arrays, const vtkAdvectionOptions& options)
 {

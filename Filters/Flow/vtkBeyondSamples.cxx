@@ -19,7 +19,6 @@ vtkDataArray* Find(vtkDataSet* data, const char* name, int components, vtkIdType
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkBeyondSamples::Remove(vtkFieldData* data)
 {
   const std::string prefix = vtkFlowStatus::BeyondPrefix();
@@ -33,7 +32,6 @@ void vtkBeyondSamples::Remove(vtkFieldData* data)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkBeyondSamples::vtkBeyondSamples(vtkDataSet* data)
 {
   this->Points = Find(data, Point, 1, -1);
@@ -77,38 +75,32 @@ vtkBeyondSamples::vtkBeyondSamples(vtkDataSet* data)
   this->RowOfPoint = std::move(rows);
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkBeyondSamples::GetPoint(vtkIdType row) const
 {
   return static_cast<vtkIdType>(this->Points->GetComponent(row, 0));
 }
 
-//------------------------------------------------------------------------------
 double vtkBeyondSamples::GetDistance(vtkIdType row) const
 {
   return std::abs(this->Distances->GetComponent(row, 0));
 }
 
-//------------------------------------------------------------------------------
 int vtkBeyondSamples::GetSide(vtkIdType row) const
 {
   const double side = this->Sides->GetComponent(row, 0);
   return side > 0.0 ? 1 : (side < 0.0 ? -1 : 0);
 }
 
-//------------------------------------------------------------------------------
 bool vtkBeyondSamples::IsAway(vtkIdType row) const
 {
   return std::abs(this->Sides->GetComponent(row, 0)) == vtkFlowStatus::AWAY;
 }
 
-//------------------------------------------------------------------------------
 int vtkBeyondSamples::GetId(vtkIdType row) const
 {
   return static_cast<int>(this->Ids->GetComponent(row, 0));
 }
 
-//------------------------------------------------------------------------------
 double vtkBeyondSamples::GetNearTime(const vtkFlowArrays& arrays, vtkIdType row) const
 {
   if (this->IsAway(row))
@@ -118,7 +110,6 @@ double vtkBeyondSamples::GetNearTime(const vtkFlowArrays& arrays, vtkIdType row)
   return arrays.IsReached(this->GetPoint(row)) ? arrays.GetTime(this->GetPoint(row)) : 0.0;
 }
 
-//------------------------------------------------------------------------------
 vtkBeyondSamples::Parts vtkBeyondSamples::GetParts(
   const vtkFlowArrays& arrays, const vtkIdType* corners, vtkIdType number) const
 {
@@ -166,7 +157,6 @@ vtkBeyondSamples::Parts vtkBeyondSamples::GetParts(
   return sides == 2 || (sides == 1 && isOn) ? parts : Parts();
 }
 
-//------------------------------------------------------------------------------
 vtkBeyondSamples::Roles vtkBeyondSamples::GetRole(
   const vtkFlowArrays& arrays, vtkIdType corner, const Part& part) const
 {

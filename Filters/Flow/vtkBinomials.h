@@ -43,7 +43,6 @@ private:
   }
 };
 
-//------------------------------------------------------------------------------
 inline const vtkBinomials& vtkBinomials::Get()
 {
   static constexpr vtkBinomials binomials = Make();

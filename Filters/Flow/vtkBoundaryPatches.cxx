@@ -52,7 +52,6 @@ int GetCorners(const vtkBoundaryPatches::FacePoints& getPoints, const vtkFlowVal
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkBoundaryPatches::Build(
   const std::vector<vtkIdType>& faces, const FacePoints& getPoints, const vtkFlowValues& positions)
 {
@@ -103,7 +102,6 @@ void vtkBoundaryPatches::Build(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkBoundaryPatches::Number(const std::vector<int>& firsts)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -125,7 +123,6 @@ void vtkBoundaryPatches::Number(const std::vector<int>& firsts)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkBoundaryPatches::Add(std::size_t index, const double (*corners)[3], int number)
 {
   Patch& patch = this->Patches[this->PatchIds[index]];
@@ -145,7 +142,6 @@ void vtkBoundaryPatches::Add(std::size_t index, const double (*corners)[3], int 
   }
 }
 
-//------------------------------------------------------------------------------
 int vtkBoundaryPatches::Find(vtkIdType face) const
 {
   const auto found = std::lower_bound(this->Faces.begin(), this->Faces.end(), face);
@@ -154,7 +150,6 @@ int vtkBoundaryPatches::Find(vtkIdType face) const
     : -1;
 }
 
-//------------------------------------------------------------------------------
 void vtkBoundaryPatches::GetParameters(int patch, const double x[3], double uv[2]) const
 {
   const Patch& own = this->Patches[static_cast<std::size_t>(patch)];

@@ -3,7 +3,6 @@
 #include <numeric>
 #include <tuple>
 
-//------------------------------------------------------------------------------
 void vtkBoxTree::Build(const std::vector<Box>& boxes)
 {
   this->Nodes.clear();
@@ -16,7 +15,6 @@ void vtkBoxTree::Build(const std::vector<Box>& boxes)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkBoxTree::BuildNode(std::size_t node, int first, int last, const std::vector<Box>& boxes)
 {
   Box bounds = boxes[this->Items[first]];

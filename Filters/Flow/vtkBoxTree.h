@@ -51,7 +51,6 @@ private:
   std::vector<int> Items;
 };
 
-//------------------------------------------------------------------------------
 inline double vtkBoxTree::GetSquaredDistance(const Box& box, const double x[3])
 {
   double sum = 0.0;
@@ -63,7 +62,6 @@ inline double vtkBoxTree::GetSquaredDistance(const Box& box, const double x[3])
   return sum;
 }
 
-//------------------------------------------------------------------------------
 template <typename Visitor>
 void vtkBoxTree::VisitNear(const double x[3], double squaredLimit, const Visitor& visit) const
 {

@@ -7,14 +7,12 @@
 #include <cmath>
 #include <utility>
 
-//------------------------------------------------------------------------------
 vtkCellPositions::vtkCellPositions(const vtkFlowValues& positions, CellPoints getPoints)
   : Positions(positions)
   , GetPoints(std::move(getPoints))
 {
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkCellPositions::FindPoint(vtkIdType cell) const
 {
   vtkIdType points[8];
@@ -31,7 +29,6 @@ vtkIdType vtkCellPositions::FindPoint(vtkIdType cell) const
   return -1;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkCellPositions::FindError(vtkIdType numberOfCells) const
 {
   std::atomic<vtkIdType> worst(numberOfCells);
@@ -54,7 +51,6 @@ std::string vtkCellPositions::FindError(vtkIdType numberOfCells) const
     : "point " + std::to_string(this->FindPoint(worst)) + " is not finite";
 }
 
-//------------------------------------------------------------------------------
 void vtkCellPositions::Build(vtkIdType numberOfCells, vtkCellTree& tree) const
 {
   tree.Build(numberOfCells,

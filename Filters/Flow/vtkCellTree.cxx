@@ -37,7 +37,6 @@ std::uint64_t GetCode(const double box[6], const double all[6])
 
 }
 
-//------------------------------------------------------------------------------
 void vtkCellTree::Box::Clear()
 {
   for (int i = 0; i < 6; ++i)
@@ -46,7 +45,6 @@ void vtkCellTree::Box::Clear()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkCellTree::Box::Add(const double bounds[6])
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -56,7 +54,6 @@ void vtkCellTree::Box::Add(const double bounds[6])
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkCellTree::Box::Inflate()
 {
   double width = 0.0;
@@ -74,7 +71,6 @@ void vtkCellTree::Box::Inflate()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkCellTree::Build(vtkIdType numberOfCells, const CellBox& getBox)
 {
   this->Cells.clear();

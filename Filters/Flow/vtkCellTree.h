@@ -57,7 +57,6 @@ private:
   std::vector<std::vector<Box>> Levels;
 };
 
-//------------------------------------------------------------------------------
 template <typename Visitor>
 bool vtkCellTree::Visit(const double x[3], Visitor&& visit) const
 {

@@ -161,7 +161,6 @@ vtkContourArc MakeOpenArc(Line line, const std::vector<Position>& startPoints)
 }
 }
 
-//------------------------------------------------------------------------------
 std::vector<vtkContourArc> vtkContourArc::Measure(vtkLevelContours::Contour contour,
   const vtkTerminationSurface& surface, int part, const std::array<bool, 2>& isPeriodic,
   const std::vector<Position>& startPoints)

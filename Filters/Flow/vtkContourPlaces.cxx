@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-//------------------------------------------------------------------------------
 vtkContourPlaces::vtkContourPlaces(std::vector<Curve> curves, std::array<bool, 2> isPeriodic)
   : Curves(std::move(curves))
   , IsPeriodic(isPeriodic)
@@ -30,20 +29,17 @@ vtkContourPlaces::vtkContourPlaces(std::vector<Curve> curves, std::array<bool, 2
   }
 }
 
-//------------------------------------------------------------------------------
 int vtkContourPlaces::GetBin(double parameter)
 {
   return static_cast<int>(std::floor(parameter * NumberOfBins));
 }
 
-//------------------------------------------------------------------------------
 int vtkContourPlaces::WrapBin(int bin, int direction) const
 {
   return this->IsPeriodic[direction] ? (bin % NumberOfBins + NumberOfBins) % NumberOfBins
                                      : std::max(0, std::min(bin, NumberOfBins - 1));
 }
 
-//------------------------------------------------------------------------------
 void vtkContourPlaces::Compare(
   const Parameters& place, int curve, int segment, Nearest& nearest) const
 {
@@ -76,7 +72,6 @@ void vtkContourPlaces::Compare(
   }
 }
 
-//------------------------------------------------------------------------------
 vtkContourPlaces::Place vtkContourPlaces::Find(const Parameters& place) const
 {
   Nearest nearest;
@@ -121,7 +116,6 @@ vtkContourPlaces::Place vtkContourPlaces::Find(const Parameters& place) const
   return nearest.Best;
 }
 
-//------------------------------------------------------------------------------
 vtkContourPlaces::Place vtkContourPlaces::Find(const Parameters& place, int curve) const
 {
   Nearest nearest;

@@ -66,7 +66,6 @@ double GetCovariance(const Correlation& correlation, double d)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkConvolutionKernel::vtkConvolutionKernel(bool isHann, int steps, double step, double scale)
 {
   for (int j = 0; j <= steps; ++j)
@@ -111,7 +110,6 @@ vtkConvolutionKernel::vtkConvolutionKernel(bool isHann, int steps, double step, 
   }
 }
 
-//------------------------------------------------------------------------------
 double vtkConvolutionKernel::GetDeviation(int back, int front) const
 {
   const int size = this->Reach + 1;

@@ -324,7 +324,6 @@ private:
 
 }
 
-//------------------------------------------------------------------------------
 vtkFaceLinks::Joins vtkFaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock,
   const FillBlock& fill, const CellPoints& cells, const vtkFlowValues& positions,
   const SetLink& setLink)

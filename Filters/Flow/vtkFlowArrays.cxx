@@ -40,7 +40,6 @@ std::string FindArray(
 }
 }
 
-//------------------------------------------------------------------------------
 std::map<int, std::array<bool, 2>> vtkFlowArrays::ReadFlags(vtkDataSet* data, const char* name)
 {
   std::map<int, std::array<bool, 2>> periodicity;
@@ -55,7 +54,6 @@ std::map<int, std::array<bool, 2>> vtkFlowArrays::ReadFlags(vtkDataSet* data, co
   return periodicity;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkFlowArrays::Find(vtkDataSet* data)
 {
   std::string wrong = FindArray(data, vtkFlowStatus::StatusArray(), 1, this->Statuses);
@@ -87,7 +85,6 @@ std::string vtkFlowArrays::Find(vtkDataSet* data)
   return {};
 }
 
-//------------------------------------------------------------------------------
 std::array<bool, 2> vtkFlowArrays::GetPeriodicity(int id) const
 {
   const auto found = this->Surfaces.find(id);

@@ -1,6 +1,5 @@
 #include "vtkFlowCell.h"
 
-//------------------------------------------------------------------------------
 bool vtkFlowCell::IsInBox(int shape, const double x[3]) const
 {
   const auto& c = this->Points.C;
@@ -23,7 +22,6 @@ bool vtkFlowCell::IsInBox(int shape, const double x[3]) const
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowCell::EvaluateSecondDerivatives(
   const vtkTrilinear& polynomial, const double p[3], double second[3][3][3]) const
 {
@@ -60,7 +58,6 @@ void vtkFlowCell::EvaluateSecondDerivatives(
 }
 
 // With J = dx/dp and r = J^-1 v: dr/dp_j = J^-1 (dv/dp_j - dJ/dp_j r).
-//------------------------------------------------------------------------------
 void vtkFlowCell::GetJacobian(const double p[3], double jacobian[9]) const
 {
   double columns[3][4];
@@ -93,7 +90,6 @@ void vtkFlowCell::GetJacobian(const double p[3], double jacobian[9]) const
 
 // A column of dx/dp is bilinear in the other coordinates, in a pyramid in VTK's, so that it is
 // longest at corners.
-//------------------------------------------------------------------------------
 double vtkFlowCell::GetLongestWorldVector(const double d[3]) const
 {
   const auto& c = this->Points.C;
@@ -122,7 +118,6 @@ double vtkFlowCell::GetLongestWorldVector(const double d[3]) const
   return sum;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowCell::GetVelocityGradient(const double p[3], double gradient[9]) const
 {
   double frame[3][4];
@@ -148,7 +143,6 @@ void vtkFlowCell::GetVelocityGradient(const double p[3], double gradient[9]) con
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkFlowCell::FindPlace(const double x[3], bool fromSeveral, double p[3]) const
 {
   const vtkFlowShape& shape = vtkFlowShape::Of(this->Shape);
@@ -176,7 +170,6 @@ bool vtkFlowCell::FindPlace(const double x[3], bool fromSeveral, double p[3]) co
   return hasPlace;
 }
 
-//------------------------------------------------------------------------------
 bool vtkFlowCell::FindPlaceFrom(const double start[3], const double x[3], double p[3]) const
 {
   constexpr int maximumIterations = 40;
@@ -223,7 +216,6 @@ bool vtkFlowCell::FindPlaceFrom(const double start[3], const double x[3], double
   return false;
 }
 
-//------------------------------------------------------------------------------
 vtkFaceExtent vtkFlowCell::GetFaceExtent(int face) const
 {
   const vtkFlowShape& shape = vtkFlowShape::Of(this->Shape);
@@ -241,7 +233,6 @@ vtkFaceExtent vtkFlowCell::GetFaceExtent(int face) const
   return vtkFaceExtent::Of(corners, own.NumberOfCorners, all, shape.NumberOfCorners);
 }
 
-//------------------------------------------------------------------------------
 double vtkFlowCell::GetDistance(const double p[3]) const
 {
   double least = this->GetFace(0).GetDistance(p);
@@ -252,7 +243,6 @@ double vtkFlowCell::GetDistance(const double p[3]) const
   return least;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowCell::Clamp(double p[3]) const
 {
   for (int face = 0; face < this->GetNumberOfFaces(); ++face)

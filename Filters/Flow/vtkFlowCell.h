@@ -167,7 +167,6 @@ private:
   vtkTrilinear Vectors = {};
 };
 
-//------------------------------------------------------------------------------
 inline void vtkFlowCell::SetPoints(int shape)
 {
   this->Shape = shape;
@@ -202,7 +201,6 @@ inline void vtkFlowCell::SetPoints(int shape)
   }
 }
 
-//------------------------------------------------------------------------------
 inline void vtkFlowCell::SetVectors()
 {
   auto& c = this->Vectors.C;

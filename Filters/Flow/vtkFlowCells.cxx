@@ -202,7 +202,6 @@ bool GetDimensions(vtkDataSet* data, int dimensions[3])
 }
 }
 
-//------------------------------------------------------------------------------
 bool vtkFlowCells::Find(vtkDataSet* data, const vtkFlowArrays& arrays, const Limits& limits,
   vtkAlgorithm* owner, double start, double end)
 {
@@ -251,7 +250,6 @@ bool vtkFlowCells::Find(vtkDataSet* data, const vtkFlowArrays& arrays, const Lim
   return true;
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkFlowCells::Count(unsigned char kinds) const
 {
   vtkIdType sum = 0;

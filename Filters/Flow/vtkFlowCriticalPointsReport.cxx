@@ -1,6 +1,5 @@
 #include "vtkFlowCriticalPointsReport.h"
 
-//------------------------------------------------------------------------------
 void vtkFlowCriticalPointsReport::Print(std::ostream& os, vtkIndent indent) const
 {
   os << indent << "ZeroCells: " << this->ZeroCells << "\n";

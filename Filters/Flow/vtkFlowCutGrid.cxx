@@ -35,7 +35,6 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, int components, vtkI
 }
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkFlowCutGrid::Take(const Point& point)
 {
   // Of what is known the side does not matter.
@@ -49,7 +48,6 @@ vtkIdType vtkFlowCutGrid::Take(const Point& point)
   return added.first->second;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowCutGrid::FindCells(vtkDataSet* input, const vtkBeyondSamples& beyond,
   const vtkFlowArrays& arrays, const vtkFlowCells& cells, vtkIdType& numberOfCells)
 {
@@ -91,7 +89,6 @@ void vtkFlowCutGrid::FindCells(vtkDataSet* input, const vtkBeyondSamples& beyond
   }
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> vtkFlowCutGrid::Make(vtkDataSet* input,
   const vtkFlowArrays& arrays, const vtkFlowCells& cells, vtkIdType& numberOfCells)
 {
@@ -129,7 +126,6 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkFlowCutGrid::Make(vtkDataSet* input,
   return grid;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowCutGrid::AddPoints(vtkDataSet* input, const vtkBeyondSamples& beyond,
   const vtkFlowArrays& arrays, vtkUnstructuredGrid* grid) const
 {
@@ -162,7 +158,6 @@ void vtkFlowCutGrid::AddPoints(vtkDataSet* input, const vtkBeyondSamples& beyond
   grid->SetPoints(points);
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowCutGrid::SetValues(vtkDataSet* input, const vtkBeyondSamples& beyond,
   const vtkFlowArrays& arrays, vtkPointData* to) const
 {

@@ -182,7 +182,6 @@ struct vtkFlowCuts::Origins
   std::vector<bool> IsKnown;
 };
 
-//------------------------------------------------------------------------------
 void vtkFlowCuts::RemoveOrigins(vtkUnstructuredGrid* mesh)
 {
   mesh->GetPointData()->RemoveArray("OriginPoints");
@@ -190,7 +189,6 @@ void vtkFlowCuts::RemoveOrigins(vtkUnstructuredGrid* mesh)
   mesh->GetCellData()->RemoveArray("OriginCell");
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkFlowCuts::Prepare(vtkDataSet* input, const vtkFlowArrays& arrays,
   const vtkFlowCells& cells, const vtkFlowCells::Limits& limits)
 {
@@ -216,7 +214,6 @@ vtkIdType vtkFlowCuts::Prepare(vtkDataSet* input, const vtkFlowArrays& arrays,
   return number;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> vtkFlowCuts::Extract(const Request& request, Origins& origins)
 {
   vtkNew<vtkIntervalVolume> byLevels;
@@ -284,7 +281,6 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkFlowCuts::Extract(const Request& request
   return cut;
 }
 
-//------------------------------------------------------------------------------
 std::vector<vtkIdType> vtkFlowCuts::FindIds(
   vtkUnstructuredGrid* mesh, const Origins& origins, std::vector<vtkIdType>& added)
 {
@@ -331,7 +327,6 @@ std::vector<vtkIdType> vtkFlowCuts::FindIds(
   return ids;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> vtkFlowCuts::Join(
   const Request& request, vtkUnstructuredGrid* mesh)
 {

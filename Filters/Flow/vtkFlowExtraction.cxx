@@ -73,7 +73,6 @@ int GetPrecision(const vtkFlowExtraction::Request& request)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkFlowExtraction::vtkFlowExtraction()
 {
   this->ByInflow.Filter->SetInputArrayToProcess(
@@ -85,10 +84,8 @@ vtkFlowExtraction::vtkFlowExtraction()
   this->ByTime.Filter->WarnOnEmptyOutputOff();
 }
 
-//------------------------------------------------------------------------------
 vtkFlowExtraction::~vtkFlowExtraction() = default;
 
-//------------------------------------------------------------------------------
 bool vtkFlowExtraction::Prepare(const Request& request, vtkFlowVolumeReport& report)
 {
   vtkDataSet* input = request.Input;
@@ -146,7 +143,6 @@ bool vtkFlowExtraction::Prepare(const Request& request, vtkFlowVolumeReport& rep
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkFlowExtraction::Run(const Request& request, Result& result, vtkDataSet* input,
   const vtkFlowLevels& levels, bool isFirst, double start, double end, int& passes)
 {
@@ -196,7 +192,6 @@ bool vtkFlowExtraction::Run(const Request& request, Result& result, vtkDataSet* 
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowExtraction::TakeTriangles(
   Result& result, const vtkFlowLevels& levels, bool isFinal, vtkFlowTriangles& triangles)
 {
@@ -209,7 +204,6 @@ void vtkFlowExtraction::TakeTriangles(
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkFlowExtraction::Execute(const Request& request, vtkFlowVolumeReport& report)
 {
   if (!this->Prepare(request, report))

@@ -55,7 +55,6 @@ struct Sums
 
 }
 
-//------------------------------------------------------------------------------
 std::string vtkFlowField::SetArrays(
   vtkDataSet* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
 {
@@ -82,7 +81,6 @@ std::string vtkFlowField::SetArrays(
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowField::SetBlanking(vtkDataSet* data, const CellPoints& cells)
 {
   vtkBlanking blanking;
@@ -109,7 +107,6 @@ void vtkFlowField::SetBlanking(vtkDataSet* data, const CellPoints& cells)
     });
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowField::ExcludeFlat(vtkIdType cell)
 {
   this->Excluded.resize(static_cast<std::size_t>(this->NumberOfCells), 0);
@@ -117,7 +114,6 @@ void vtkFlowField::ExcludeFlat(vtkIdType cell)
   ++this->NumberOfFlatCells;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowField::Measure(const CellPoints& cells, bool hasOtherPoints)
 {
   // Points that do not count may have any vectors.

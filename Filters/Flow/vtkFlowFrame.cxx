@@ -5,7 +5,6 @@
 
 // Gram and Schmidt's method on columns of length 1, the most independent first; R of Q R is then
 // solved backward.
-//------------------------------------------------------------------------------
 void vtkFlowFrame::InvertSingular(const double columns[3][4], double inverse[3][3])
 {
   // How much of a column's length the others must leave for it to count.

@@ -25,7 +25,6 @@ bool HasVolume(vtkDataSet* data)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkFlowInput::vtkFlowInput(vtkDataObject* input)
   : Whole(vtkDataSet::SafeDownCast(input))
 {
@@ -50,13 +49,11 @@ vtkFlowInput::vtkFlowInput(vtkDataObject* input)
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkFlowInput::IsComposite(vtkDataObject* input)
 {
   return vtkCompositeDataSet::SafeDownCast(input) != nullptr;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataSet> vtkFlowInput::MakeField() const
 {
   if (this->Blocks.empty())
@@ -75,7 +72,6 @@ vtkSmartPointer<vtkDataSet> vtkFlowInput::MakeField() const
   return vtkFlowMerge::Merge(parts);
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataSet> vtkFlowInput::MakeSamples(vtkDataSet* field) const
 {
   if (this->Blocks.empty() || vtkUnstructuredGrid::SafeDownCast(field))

@@ -32,7 +32,6 @@ constexpr double MostSteps = 1e6;
 constexpr double RelativeMinimumSpeed = 1e-9;
 }
 
-//------------------------------------------------------------------------------
 vtkFlowLIC::vtkFlowLIC()
 {
   this->SetNumberOfInputPorts(2);
@@ -40,13 +39,11 @@ vtkFlowLIC::vtkFlowLIC()
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowLIC::SetFieldData(vtkDataSet* field)
 {
   this->SetInputDataInternal(1, field);
 }
 
-//------------------------------------------------------------------------------
 int vtkFlowLIC::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
@@ -57,7 +54,6 @@ int vtkFlowLIC::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkFlowLIC::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -76,7 +72,6 @@ int vtkFlowLIC::RequestUpdateExtent(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 bool vtkFlowLIC::FindSteps(vtkDataSet* points)
 {
   vtkFlowLICReport& report = this->Report;
@@ -99,7 +94,6 @@ bool vtkFlowLIC::FindSteps(vtkDataSet* points)
   return true;
 }
 
-//------------------------------------------------------------------------------
 int vtkFlowLIC::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -158,7 +152,6 @@ int vtkFlowLIC::RequestData(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 template <typename Walker>
 void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* values)
 {
@@ -220,7 +213,6 @@ void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* value
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowLIC::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

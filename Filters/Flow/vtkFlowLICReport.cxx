@@ -1,6 +1,5 @@
 #include "vtkFlowLICReport.h"
 
-//------------------------------------------------------------------------------
 void vtkFlowLICReport::Print(std::ostream& os, vtkIndent indent) const
 {
   os << indent << "Points: " << this->Points << "\n";

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <iterator>
 
-//------------------------------------------------------------------------------
 vtkFlowLevels::vtkFlowLevels(
   const std::vector<Interval>& intervals, const std::vector<double>& values, double lowest)
   : Values(values)
@@ -47,7 +46,6 @@ vtkFlowLevels::vtkFlowLevels(
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkFlowLevels::HasSharedSurfaces() const
 {
   std::vector<int> uses(this->Values.size(), 0);
@@ -64,7 +62,6 @@ bool vtkFlowLevels::HasSharedSurfaces() const
   return false;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowLevels::SetItems(vtkIntervalVolume* filter) const
 {
   filter->SetNumberOfIntervals(static_cast<int>(this->Items.size()));

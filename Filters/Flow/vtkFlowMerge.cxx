@@ -199,7 +199,6 @@ void CopyArrays(const std::vector<Part>& parts, int attributes, std::vector<vtkI
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> vtkFlowMerge::Merge(const std::vector<vtkDataSet*>& datasets)
 {
   std::vector<vtkSmartPointer<vtkDataSet>> united;

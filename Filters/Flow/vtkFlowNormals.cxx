@@ -115,7 +115,6 @@ Vector GetWeightedGradient(const Vector corners[4], const double values[4])
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkFloatArray> vtkFlowNormals::Compute(vtkUnstructuredGrid* mesh,
   vtkDataArray* function, const std::vector<vtkFlowTriangles::Triangle>& triangles)
 {

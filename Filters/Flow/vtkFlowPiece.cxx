@@ -12,7 +12,6 @@
 
 #include <vector>
 
-//------------------------------------------------------------------------------
 void vtkFlowPiece::Extract(vtkInformation* info, vtkUnstructuredGrid* grid)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -67,7 +66,6 @@ void vtkFlowPiece::Extract(vtkInformation* info, vtkUnstructuredGrid* grid)
   grid->ShallowCopy(part);
 }
 
-//------------------------------------------------------------------------------
 bool vtkFlowPiece::IsWhole(vtkInformation* info)
 {
   return info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1;

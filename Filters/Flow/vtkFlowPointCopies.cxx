@@ -5,7 +5,6 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
-//------------------------------------------------------------------------------
 void vtkFlowPointCopies::Append(
   vtkPointSet* input, const std::vector<vtkIdType>& sources, vtkPoints* points, vtkPointData* data)
 {

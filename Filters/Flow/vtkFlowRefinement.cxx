@@ -438,7 +438,6 @@ int GetTypeByCorners(vtkIdType corners, bool isAligned)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> vtkFlowRefinement::MakeGrid(vtkDataSet* data)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -479,7 +478,6 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkFlowRefinement::MakeGrid(vtkDataSet* dat
   return grid;
 }
 
-//------------------------------------------------------------------------------
 vtkFlowRefinement::Result vtkFlowRefinement::Refine(vtkUnstructuredGrid* grid)
 {
   Result result;

@@ -2,7 +2,6 @@
 
 #include "vtkAdvectionOptions.h"
 
-//------------------------------------------------------------------------------
 void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
 {
   os << indent << "Samples: " << this->Samples << "\n";
@@ -41,7 +40,6 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
   os << indent << "OpenInterfaces: " << this->OpenInterfaces << "\n";
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowReport::Add(const vtkFlowReport& other)
 {
   this->Samples += other.Samples;
@@ -65,7 +63,6 @@ void vtkFlowReport::Add(const vtkFlowReport& other)
   this->CellsVisited += other.CellsVisited;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowReport::Add(const vtkAdvectionResult& result)
 {
   ++this->Samples;

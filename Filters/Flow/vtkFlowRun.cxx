@@ -146,14 +146,12 @@ struct vtkFlowRun::Arrays
   }
 };
 
-//------------------------------------------------------------------------------
 vtkFlowRun::vtkFlowRun(vtkAlgorithm* owner, const vtkAdvectionOptions& options)
   : Owner(owner)
   , Options(options)
 {
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowRun::SetField(
   vtkDataSet* field, vtkDataArray* vectors, const std::vector<std::string>& means)
 {
@@ -162,14 +160,12 @@ void vtkFlowRun::SetField(
   this->Means = means;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowRun::SetAutomatic(double error, double speed)
 {
   this->AutomaticError = error;
   this->AutomaticSpeed = speed;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
 {
   for (const std::string& mean : this->Means)
@@ -184,7 +180,6 @@ std::string vtkFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
   return {};
 }
 
-//------------------------------------------------------------------------------
 std::string vtkFlowRun::Execute(vtkDataSet* samples)
 {
   std::vector<vtkDataArray*> means;
@@ -239,7 +234,6 @@ std::string vtkFlowRun::Execute(vtkDataSet* samples)
   return error;
 }
 
-//------------------------------------------------------------------------------
 template <typename Walker>
 void vtkFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
 {
@@ -271,7 +265,6 @@ void vtkFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
   this->Refined = goesOn ? grid : nullptr;
 }
 
-//------------------------------------------------------------------------------
 template <typename FieldType>
 void vtkFlowRun::Describe(const FieldType& field)
 {
@@ -289,7 +282,6 @@ void vtkFlowRun::Describe(const FieldType& field)
   }
 }
 
-//------------------------------------------------------------------------------
 template <typename Walker>
 bool vtkFlowRun::Follow(
   const Walker& walker, vtkDataSet* samples, vtkIdType first, int level, vtkTerminationSides& sides)
@@ -335,7 +327,6 @@ bool vtkFlowRun::Follow(
   return isDone;
 }
 
-//------------------------------------------------------------------------------
 template <typename Walker>
 void vtkFlowRun::FindSides(
   const Walker& walker, vtkDataSet* samples, const vtkTerminationSides& sides, Arrays& arrays)
@@ -364,7 +355,6 @@ void vtkFlowRun::FindSides(
     });
 }
 
-//------------------------------------------------------------------------------
 template <typename Walker>
 void vtkFlowRun::FindBeyond(const Walker& walker, vtkDataSet* samples) const
 {
@@ -418,7 +408,6 @@ void vtkFlowRun::FindBeyond(const Walker& walker, vtkDataSet* samples) const
   data->RemoveArray(Beyond::GetName(vtkFlowStatus::StatusArray()).c_str());
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowRun::AddSurfaces(vtkDataSet* samples, int domainFaces) const
 {
   vtkNew<vtkIntArray> table;

@@ -222,7 +222,6 @@ vtkSmartPointer<vtkDataSet> MakeVoxels(vtkDataSet* field)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowSamples::GetExtent(const int field[6], int samples[6])
 {
   std::copy_n(field, 6, samples);
@@ -239,7 +238,6 @@ void vtkFlowSamples::GetExtent(const int field[6], int samples[6])
   }
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataSet> vtkFlowSamples::Make(vtkDataSet* field)
 {
   if (field->GetNumberOfPoints() <= MostPoints)

@@ -162,7 +162,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkFlowSeams::Unwrap(const vtkFlowCells& cells, const vtkFlowArrays& arrays,
   vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* boundary)
 {

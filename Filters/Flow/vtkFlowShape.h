@@ -192,7 +192,6 @@ private:
   static constexpr vtkFlowShape MakePyramid();
 };
 
-//------------------------------------------------------------------------------
 constexpr vtkFlowShape vtkFlowShape::MakeHexahedron()
 {
   vtkFlowShape shape;
@@ -211,7 +210,6 @@ constexpr vtkFlowShape vtkFlowShape::MakeHexahedron()
   return shape;
 }
 
-//------------------------------------------------------------------------------
 constexpr vtkFlowShape vtkFlowShape::MakeTetrahedron()
 {
   vtkFlowShape shape;
@@ -228,7 +226,6 @@ constexpr vtkFlowShape vtkFlowShape::MakeTetrahedron()
   return shape;
 }
 
-//------------------------------------------------------------------------------
 constexpr vtkFlowShape vtkFlowShape::MakeWedge()
 {
   vtkFlowShape shape;
@@ -248,7 +245,6 @@ constexpr vtkFlowShape vtkFlowShape::MakeWedge()
   return shape;
 }
 
-//------------------------------------------------------------------------------
 constexpr vtkFlowShape vtkFlowShape::MakePyramid()
 {
   vtkFlowShape shape;
@@ -267,7 +263,6 @@ constexpr vtkFlowShape vtkFlowShape::MakePyramid()
   return shape;
 }
 
-//------------------------------------------------------------------------------
 inline const vtkFlowShape& vtkFlowShape::Of(int kind)
 {
   static constexpr vtkFlowShape shapes[4] = { MakeHexahedron(), MakeTetrahedron(), MakeWedge(),

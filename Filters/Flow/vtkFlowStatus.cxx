@@ -1,6 +1,5 @@
 #include "vtkFlowStatus.h"
 
-//------------------------------------------------------------------------------
 const char* vtkFlowStatus::GetName(int status)
 {
   switch (status)

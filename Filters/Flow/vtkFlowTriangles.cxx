@@ -65,7 +65,6 @@ std::vector<vtkIdType> FindFirsts(
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowTriangles::Take(vtkUnstructuredGrid* boundary, const vtkFlowLevels& levels)
 {
   const vtkFlowSimplices simplices(boundary, 3);
@@ -92,7 +91,6 @@ void vtkFlowTriangles::Take(vtkUnstructuredGrid* boundary, const vtkFlowLevels& 
   }
 }
 
-//------------------------------------------------------------------------------
 template <typename Keep>
 void vtkFlowTriangles::Filter(const Keep& keep)
 {
@@ -111,7 +109,6 @@ void vtkFlowTriangles::Filter(const Keep& keep)
   this->Surfaces.resize(kept);
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowTriangles::RemoveCopies(vtkIdType numberOfPoints)
 {
   const vtkFlowTriangleIndex index(this->Triangles, numberOfPoints);
@@ -124,14 +121,12 @@ void vtkFlowTriangles::RemoveCopies(vtkIdType numberOfPoints)
     });
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowTriangles::RemoveLoose(vtkUnstructuredGrid* mesh)
 {
   const std::vector<vtkIdType> owners = this->FindOwners(mesh);
   this->Filter([&](vtkIdType t) { return owners[t] >= 0; });
 }
 
-//------------------------------------------------------------------------------
 std::vector<vtkIdType> vtkFlowTriangles::FindOwners(vtkUnstructuredGrid* before) const
 {
   const vtkFlowTriangleIndex index(this->Triangles, before->GetNumberOfPoints());
@@ -191,7 +186,6 @@ std::vector<vtkIdType> vtkFlowTriangles::FindOwners(vtkUnstructuredGrid* before)
   return found;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowTriangles::Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* after)
 {
   const vtkIdType number = static_cast<vtkIdType>(this->Triangles.size());
@@ -277,7 +271,6 @@ void vtkFlowTriangles::Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* aft
   this->Surfaces = std::move(surfaces);
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowTriangles::Renumber(const std::vector<vtkIdType>& ids)
 {
   for (Triangle& triangle : this->Triangles)
@@ -289,7 +282,6 @@ void vtkFlowTriangles::Renumber(const std::vector<vtkIdType>& ids)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowTriangles::Append(const vtkFlowTriangles& other)
 {
   this->Triangles.insert(this->Triangles.end(), other.Triangles.begin(), other.Triangles.end());

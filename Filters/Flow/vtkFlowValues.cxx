@@ -33,7 +33,6 @@ vtkSmartPointer<vtkDataArray> MakeCopy(vtkDataArray* array)
 
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowValues::Refer(vtkDataArray* array)
 {
   this->Array = array;
@@ -43,7 +42,6 @@ void vtkFlowValues::Refer(vtkDataArray* array)
   this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowValues::Build(vtkDataArray* array)
 {
   this->Refer(array);

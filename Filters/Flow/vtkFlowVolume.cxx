@@ -236,71 +236,59 @@ void AddNormals(const vtkFlowTriangles& triangles, const char* function, vtkUnst
 }
 }
 
-//------------------------------------------------------------------------------
 vtkFlowVolume::vtkFlowVolume()
   : Extraction(std::make_unique<vtkFlowExtraction>())
 {
   this->SetNumberOfOutputPorts(3);
 }
 
-//------------------------------------------------------------------------------
 vtkFlowVolume::~vtkFlowVolume() = default;
 
-//------------------------------------------------------------------------------
 void vtkFlowVolume::SetNumberOfIntervals(int number)
 {
   this->Intervals.SetNumber(number, this);
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowVolume::SetInterval(int i, double lower, double upper)
 {
   this->Intervals.Set(i, lower, upper, this);
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowVolume::GetInterval(int i, double& lower, double& upper) const
 {
   this->Intervals.Get(i, lower, upper);
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowVolume::SetNumberOfStreamSurfaces(int number)
 {
   SetNumberOf(this->StreamSurfaces, number, this);
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowVolume::SetStreamSurface(int i, double value)
 {
   SetValue(this->StreamSurfaces, i, value, this);
 }
 
-//------------------------------------------------------------------------------
 double vtkFlowVolume::GetStreamSurface(int i) const
 {
   return GetValue(this->StreamSurfaces, i);
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowVolume::SetNumberOfTimeSurfaces(int number)
 {
   SetNumberOf(this->TimeSurfaces, number, this);
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowVolume::SetTimeSurface(int i, double time)
 {
   SetValue(this->TimeSurfaces, i, time, this);
 }
 
-//------------------------------------------------------------------------------
 double vtkFlowVolume::GetTimeSurface(int i) const
 {
   return GetValue(this->TimeSurfaces, i);
 }
 
-//------------------------------------------------------------------------------
 int vtkFlowVolume::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
@@ -310,7 +298,6 @@ int vtkFlowVolume::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInflow) const
 {
   std::string wrong =
@@ -332,7 +319,6 @@ std::string vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInflow) c
   return wrong.empty() ? CheckSurfaces("Time", this->TimeSurfaces) : wrong;
 }
 
-//------------------------------------------------------------------------------
 int vtkFlowVolume::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -434,7 +420,6 @@ int vtkFlowVolume::RequestData(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkFlowVolume::DescribeMissing(
   vtkDataSet* input, const vtkFlowArrays& arrays, vtkUnstructuredGrid* mesh) const
 {
@@ -495,7 +480,6 @@ std::string vtkFlowVolume::DescribeMissing(
   return all;
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowVolume::FillMesh(
   const vtkFlowLevels& byInflow, const vtkFlowLevels& byTime, vtkUnstructuredGrid* mesh) const
 {
@@ -513,7 +497,6 @@ void vtkFlowVolume::FillMesh(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -1,6 +1,5 @@
 #include "vtkFlowVolumeReport.h"
 
-//------------------------------------------------------------------------------
 void vtkFlowVolumeReport::Print(std::ostream& os, vtkIndent indent) const
 {
   os << indent << "Cells: " << this->Cells << "\n";

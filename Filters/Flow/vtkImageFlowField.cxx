@@ -6,7 +6,6 @@
 #include <cfloat>
 #include <cmath>
 
-//------------------------------------------------------------------------------
 std::string vtkImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
   const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress)
 {
@@ -56,7 +55,6 @@ std::string vtkImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
   return {};
 }
 
-//------------------------------------------------------------------------------
 bool vtkImageFlowField::Locate(const double x[3], Place& place, double p[3]) const
 {
   const double d[3] = { x[0] - this->Origin[0], x[1] - this->Origin[1], x[2] - this->Origin[2] };

@@ -56,7 +56,6 @@ bool IsEnd(int type, bool isBackward)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkImplicitFlowField::vtkImplicitFlowField()
 {
   this->SetNumberOfInputPorts(2);
@@ -64,10 +63,8 @@ vtkImplicitFlowField::vtkImplicitFlowField()
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
 }
 
-//------------------------------------------------------------------------------
 vtkImplicitFlowField::~vtkImplicitFlowField() = default;
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::AddTerminationSurface(vtkTerminationSurface* surface)
 {
   if (surface)
@@ -77,7 +74,6 @@ void vtkImplicitFlowField::AddTerminationSurface(vtkTerminationSurface* surface)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::RemoveTerminationSurface(vtkTerminationSurface* surface)
 {
   const auto found = std::find(this->Surfaces.begin(), this->Surfaces.end(), surface);
@@ -88,7 +84,6 @@ void vtkImplicitFlowField::RemoveTerminationSurface(vtkTerminationSurface* surfa
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::RemoveAllTerminationSurfaces()
 {
   if (!this->Surfaces.empty())
@@ -98,7 +93,6 @@ void vtkImplicitFlowField::RemoveAllTerminationSurfaces()
   }
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationSurface* vtkImplicitFlowField::GetTerminationSurface(int i) const
 {
   return i >= 0 && i < this->GetNumberOfTerminationSurfaces()
@@ -106,7 +100,6 @@ vtkTerminationSurface* vtkImplicitFlowField::GetTerminationSurface(int i) const
     : nullptr;
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationSurface* vtkImplicitFlowField::GetUsedSurface(int i) const
 {
   return i >= 0 && i < this->GetNumberOfUsedSurfaces()
@@ -114,7 +107,6 @@ vtkTerminationSurface* vtkImplicitFlowField::GetUsedSurface(int i) const
     : nullptr;
 }
 
-//------------------------------------------------------------------------------
 int vtkImplicitFlowField::GetUsedSurfaceId(int i) const
 {
   return i >= 0 && i < this->GetNumberOfUsedSurfaces()
@@ -122,7 +114,6 @@ int vtkImplicitFlowField::GetUsedSurfaceId(int i) const
     : -1;
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::SetSampleDimensions(int x, int y, int z)
 {
   constexpr int most = 100000;
@@ -135,13 +126,11 @@ void vtkImplicitFlowField::SetSampleDimensions(int x, int y, int z)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::SetSampleData(vtkDataSet* data)
 {
   this->SetInputDataInternal(1, data);
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::AddMeanArray(const char* name)
 {
   if (name && *name &&
@@ -152,7 +141,6 @@ void vtkImplicitFlowField::AddMeanArray(const char* name)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::RemoveAllMeanArrays()
 {
   if (!this->MeanArrays.empty())
@@ -162,7 +150,6 @@ void vtkImplicitFlowField::RemoveAllMeanArrays()
   }
 }
 
-//------------------------------------------------------------------------------
 const char* vtkImplicitFlowField::GetMeanArrayName(int i) const
 {
   return i >= 0 && i < this->GetNumberOfMeanArrays()
@@ -170,7 +157,6 @@ const char* vtkImplicitFlowField::GetMeanArrayName(int i) const
     : nullptr;
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkImplicitFlowField::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -181,7 +167,6 @@ vtkMTimeType vtkImplicitFlowField::GetMTime()
   return time;
 }
 
-//------------------------------------------------------------------------------
 int vtkImplicitFlowField::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
@@ -196,7 +181,6 @@ int vtkImplicitFlowField::FillInputPortInformation(int port, vtkInformation* inf
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkImplicitFlowField::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -214,7 +198,6 @@ int vtkImplicitFlowField::RequestDataObject(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataSet> vtkImplicitFlowField::MakeSamples(vtkInformationVector** inputs) const
 {
   vtkDataObject* samples =
@@ -230,7 +213,6 @@ vtkSmartPointer<vtkDataSet> vtkImplicitFlowField::MakeSamples(vtkInformationVect
   return vtk::TakeSmartPointer(vtkDataSet::SafeDownCast(samples->NewInstance()));
 }
 
-//------------------------------------------------------------------------------
 int vtkImplicitFlowField::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -273,7 +255,6 @@ int vtkImplicitFlowField::RequestInformation(
   return this->Superclass::RequestInformation(request, inputs, outputs);
 }
 
-//------------------------------------------------------------------------------
 int vtkImplicitFlowField::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -308,7 +289,6 @@ int vtkImplicitFlowField::RequestUpdateExtent(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkImplicitFlowField::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -384,7 +364,6 @@ int vtkImplicitFlowField::RequestData(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::Finish(vtkInformation* info, vtkDataSet* output)
 {
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
@@ -429,7 +408,6 @@ void vtkImplicitFlowField::Finish(vtkInformation* info, vtkDataSet* output)
                              << ", or follow streamlines in the other direction.");
 }
 
-//------------------------------------------------------------------------------
 std::string vtkImplicitFlowField::CheckBlocks(const vtkFlowInput& input)
 {
   vtkDataArray* first = nullptr;
@@ -452,7 +430,6 @@ std::string vtkImplicitFlowField::CheckBlocks(const vtkFlowInput& input)
   return {};
 }
 
-//------------------------------------------------------------------------------
 bool vtkImplicitFlowField::SetSamples(const vtkFlowInput& input, vtkDataSet* field,
   vtkInformationVector** inputs, vtkInformationVector* outputs, vtkDataSet* output)
 {
@@ -507,7 +484,6 @@ bool vtkImplicitFlowField::SetSamples(const vtkFlowInput& input, vtkDataSet* fie
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::CutPiece(vtkInformation* info, vtkDataSet* output) const
 {
   if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(output))
@@ -522,7 +498,6 @@ void vtkImplicitFlowField::CutPiece(vtkInformation* info, vtkDataSet* output) co
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::GetExtent(vtkInformation* info, const int whole[6], int extent[6]) const
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -542,7 +517,6 @@ void vtkImplicitFlowField::GetExtent(vtkInformation* info, const int whole[6], i
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkImplicitFlowField::SetOptions(
   vtkDataSet* field, vtkDataArray* vectors, vtkAdvectionOptions& options)
 {
@@ -613,7 +587,6 @@ bool vtkImplicitFlowField::SetOptions(
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::UseSurface(
   vtkTerminationSurface* surface, int id, vtkAdvectionOptions& options)
 {
@@ -621,7 +594,6 @@ void vtkImplicitFlowField::UseSurface(
   this->UsedSurfaces.emplace_back(surface, id);
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, vtkAdvectionOptions& options)
 {
   vtkNew<vtkFlowCriticalPoints> finder;
@@ -648,7 +620,6 @@ void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, vtkAdvectionOptions& op
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -2,7 +2,6 @@
 
 #include "vtkDataSet.h"
 
-//------------------------------------------------------------------------------
 std::string vtkIndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3],
   vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress)
 {
@@ -49,7 +48,6 @@ std::string vtkIndexedFlowField::BuildIndices(vtkDataSet* data, const int points
   return {};
 }
 
-//------------------------------------------------------------------------------
 bool vtkIndexedFlowField::Find(
   const double q[3], const double slack[3], Place& place, double p[3]) const
 {
@@ -68,7 +66,6 @@ bool vtkIndexedFlowField::Find(
   return this->IsCellIncluded(place.Cell) || this->Settle(slack, place, p);
 }
 
-//------------------------------------------------------------------------------
 bool vtkIndexedFlowField::Settle(const double slack[3], Place& place, double p[3]) const
 {
   // Across one face before two, and two before three.

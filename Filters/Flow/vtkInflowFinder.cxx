@@ -166,7 +166,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 bool vtkInflowFinder::Find(vtkDataSet* field, vtkDataArray* vectors, bool isReversed)
 {
   const std::vector<Cell> cells = ReadCells(field, vectors, isReversed);

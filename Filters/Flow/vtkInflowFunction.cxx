@@ -50,7 +50,6 @@ vtkSmartPointer<vtkExprTkFunctionParser> MakeParser(const std::string& formula)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkInflowFunction::Prepare()
 {
   switch (this->Kind)
@@ -64,7 +63,6 @@ std::string vtkInflowFunction::Prepare()
   }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkInflowFunction::CheckFormula() const
 {
   if (this->Formula.empty())
@@ -86,7 +84,6 @@ std::string vtkInflowFunction::CheckFormula() const
   return isScalar ? std::string() : start + "gives a vector, not a number.";
 }
 
-//------------------------------------------------------------------------------
 std::string vtkInflowFunction::ReadImage()
 {
   int dimensions[3];
@@ -121,7 +118,6 @@ std::string vtkInflowFunction::ReadImage()
   return {};
 }
 
-//------------------------------------------------------------------------------
 vtkInflowEvaluator::vtkInflowEvaluator(const vtkInflowFunction* function)
   : Function(function)
 {
@@ -131,10 +127,8 @@ vtkInflowEvaluator::vtkInflowEvaluator(const vtkInflowFunction* function)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkInflowEvaluator::~vtkInflowEvaluator() = default;
 
-//------------------------------------------------------------------------------
 void vtkInflowEvaluator::SetSurface(int id, bool isPeriodicU, bool isPeriodicV)
 {
   this->IsPeriodic[0] = isPeriodicU;
@@ -145,7 +139,6 @@ void vtkInflowEvaluator::SetSurface(int id, bool isPeriodicU, bool isPeriodicV)
   }
 }
 
-//------------------------------------------------------------------------------
 double vtkInflowEvaluator::Evaluate(double u, double v)
 {
   double uv[2] = { u, v };
@@ -175,7 +168,6 @@ double vtkInflowEvaluator::Evaluate(double u, double v)
   return std::isfinite(value) ? value : NotANumber;
 }
 
-//------------------------------------------------------------------------------
 double vtkInflowEvaluator::EvaluateFormula(const double uv[2])
 {
   this->Parser->SetScalarVariableValue(VARIABLE_U, uv[0]);
@@ -183,7 +175,6 @@ double vtkInflowEvaluator::EvaluateFormula(const double uv[2])
   return this->Parser->GetScalarResult();
 }
 
-//------------------------------------------------------------------------------
 double vtkInflowEvaluator::EvaluateRings(const double uv[2]) const
 {
   double sum = 0.0;
@@ -201,7 +192,6 @@ double vtkInflowEvaluator::EvaluateRings(const double uv[2]) const
   return sum;
 }
 
-//------------------------------------------------------------------------------
 double vtkInflowEvaluator::EvaluateImage(const double uv[2]) const
 {
   const int* size = this->Function->Size;

@@ -43,23 +43,19 @@ vtkInflowEvaluator& GetEvaluator(EvaluatorMap& evaluators, const vtkInflowFuncti
 }
 }
 
-//------------------------------------------------------------------------------
 vtkInflowMapping::vtkInflowMapping()
 {
   this->SetFormula(ALL, "u");
 }
 
-//------------------------------------------------------------------------------
 vtkInflowMapping::~vtkInflowMapping() = default;
 
-//------------------------------------------------------------------------------
 int vtkInflowMapping::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
 
-//------------------------------------------------------------------------------
 vtkInflowFunction* vtkInflowMapping::Take(int id, int kind)
 {
   if (id < ALL)
@@ -77,7 +73,6 @@ vtkInflowFunction* vtkInflowMapping::Take(int id, int kind)
   return mapping.get();
 }
 
-//------------------------------------------------------------------------------
 void vtkInflowMapping::SetFormula(int id, const char* formula)
 {
   if (!formula)
@@ -96,7 +91,6 @@ void vtkInflowMapping::SetFormula(int id, const char* formula)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkInflowMapping::AddRing(
   int id, double centerU, double centerV, double radius, double width, double amplitude)
 {
@@ -113,7 +107,6 @@ void vtkInflowMapping::AddRing(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkInflowMapping::SetImage(int id, vtkImageData* image)
 {
   if (!image)
@@ -129,7 +122,6 @@ void vtkInflowMapping::SetImage(int id, vtkImageData* image)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkInflowMapping::RemoveMapping(int id)
 {
   if (this->Mappings.erase(id) > 0)
@@ -138,7 +130,6 @@ void vtkInflowMapping::RemoveMapping(int id)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkInflowMapping::RemoveAllMappings()
 {
   if (!this->Mappings.empty())
@@ -148,32 +139,27 @@ void vtkInflowMapping::RemoveAllMappings()
   }
 }
 
-//------------------------------------------------------------------------------
 int vtkInflowMapping::GetKind(int id) const
 {
   const auto found = this->Mappings.find(id);
   return found == this->Mappings.end() ? static_cast<int>(NONE) : found->second->Kind;
 }
 
-//------------------------------------------------------------------------------
 const char* vtkInflowMapping::GetFormula(int id) const
 {
   return this->GetKind(id) == FORMULA ? this->Mappings.at(id)->Formula.c_str() : nullptr;
 }
 
-//------------------------------------------------------------------------------
 int vtkInflowMapping::GetNumberOfRings(int id) const
 {
   return this->GetKind(id) == RINGS ? static_cast<int>(this->Mappings.at(id)->Rings.size()) : 0;
 }
 
-//------------------------------------------------------------------------------
 vtkImageData* vtkInflowMapping::GetImage(int id) const
 {
   return this->GetKind(id) == IMAGE ? this->Mappings.at(id)->Image.GetPointer() : nullptr;
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkInflowMapping::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -187,7 +173,6 @@ vtkMTimeType vtkInflowMapping::GetMTime()
   return time;
 }
 
-//------------------------------------------------------------------------------
 const vtkInflowFunction* vtkInflowMapping::Find(int id) const
 {
   auto found = this->Mappings.find(id);
@@ -195,7 +180,6 @@ const vtkInflowFunction* vtkInflowMapping::Find(int id) const
   return found == this->Mappings.end() ? nullptr : found->second.get();
 }
 
-//------------------------------------------------------------------------------
 const std::string& vtkInflowMapping::Prepare()
 {
   if (this->PreparedTime != this->GetMTime())
@@ -217,7 +201,6 @@ const std::string& vtkInflowMapping::Prepare()
   return this->Problem;
 }
 
-//------------------------------------------------------------------------------
 double vtkInflowMapping::Evaluate(int id, double u, double v, bool isPeriodicU, bool isPeriodicV)
 {
   if (!this->Prepare().empty())
@@ -229,7 +212,6 @@ double vtkInflowMapping::Evaluate(int id, double u, double v, bool isPeriodicU, 
   return evaluator.Evaluate(u, v);
 }
 
-//------------------------------------------------------------------------------
 bool vtkInflowMapping::IsContinued(int id, int direction, bool isPeriodicU, bool isPeriodicV)
 {
   constexpr int places = 33;
@@ -268,7 +250,6 @@ bool vtkInflowMapping::IsContinued(int id, int direction, bool isPeriodicU, bool
   return largestJump <= tolerance * std::max(highest - lowest, 0.0);
 }
 
-//------------------------------------------------------------------------------
 int vtkInflowMapping::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -354,7 +335,6 @@ int vtkInflowMapping::RequestData(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 void vtkInflowMapping::MapBeyond(const vtkFlowArrays& arrays, vtkDataSet* output)
 {
   vtkFieldData* data = output->GetFieldData();
@@ -381,7 +361,6 @@ void vtkInflowMapping::MapBeyond(const vtkFlowArrays& arrays, vtkDataSet* output
   data->AddArray(inflow);
 }
 
-//------------------------------------------------------------------------------
 void vtkInflowMapping::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

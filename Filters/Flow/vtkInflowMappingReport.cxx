@@ -1,6 +1,5 @@
 #include "vtkInflowMappingReport.h"
 
-//------------------------------------------------------------------------------
 void vtkInflowMappingReport::Print(std::ostream& os, vtkIndent indent) const
 {
   os << indent << "Samples: " << this->Samples << "\n";

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-//------------------------------------------------------------------------------
 vtkLevelContours::vtkLevelContours(
   Function function, int resolution, std::array<bool, 2> isPeriodic)
   : Evaluate(std::move(function))
@@ -22,7 +21,6 @@ vtkLevelContours::vtkLevelContours(
   }
 }
 
-//------------------------------------------------------------------------------
 double vtkLevelContours::GetValue(int i, int j) const
 {
   // The same on both sides of a seam.
@@ -31,7 +29,6 @@ double vtkLevelContours::GetValue(int i, int j) const
   return this->Values[static_cast<std::size_t>(j) * (this->Resolution + 1) + i];
 }
 
-//------------------------------------------------------------------------------
 int vtkLevelContours::GetIndex(Edge edge) const
 {
   edge.I = this->IsPeriodic[0] && edge.I == this->Resolution ? 0 : edge.I;
@@ -39,14 +36,12 @@ int vtkLevelContours::GetIndex(Edge edge) const
   return 2 * (edge.J * (this->Resolution + 1) + edge.I) + edge.Direction;
 }
 
-//------------------------------------------------------------------------------
 vtkLevelContours::Edge vtkLevelContours::GetEdge(int index) const
 {
   const int node = index / 2;
   return { node % (this->Resolution + 1), node / (this->Resolution + 1), index % 2 };
 }
 
-//------------------------------------------------------------------------------
 vtkLevelContours::Parameters vtkLevelContours::GetCrossing(Edge edge, double level) const
 {
   const auto getPlace = [&](double along)
@@ -101,7 +96,6 @@ vtkLevelContours::Parameters vtkLevelContours::GetCrossing(Edge edge, double lev
   return getPlace(along);
 }
 
-//------------------------------------------------------------------------------
 void vtkLevelContours::FollowSquare(int i, int j, double level, std::vector<int>& next) const
 {
   // Corners and the edges between them, counterclockwise.
@@ -142,7 +136,6 @@ void vtkLevelContours::FollowSquare(int i, int j, double level, std::vector<int>
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<int> vtkLevelContours::FindNext(double level) const
 {
   std::vector<int> next(2 * this->Values.size(), -1);
@@ -156,7 +149,6 @@ std::vector<int> vtkLevelContours::FindNext(double level) const
   return next;
 }
 
-//------------------------------------------------------------------------------
 std::vector<vtkLevelContours::Contour> vtkLevelContours::Follow(double level) const
 {
   std::vector<int> next = this->FindNext(level);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <numeric>
 
-//------------------------------------------------------------------------------
 void vtkMarkedEdges::Build(std::vector<Edge> edges, vtkPoints* points)
 {
   std::sort(edges.begin(), edges.end());
@@ -40,7 +39,6 @@ void vtkMarkedEdges::Build(std::vector<Edge> edges, vtkPoints* points)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkMarkedEdges::Find(vtkIdType a, vtkIdType b) const
 {
   const Edge edge = Make(a, b);

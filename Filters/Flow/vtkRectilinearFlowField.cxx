@@ -6,7 +6,6 @@
 #include <cfloat>
 #include <cmath>
 
-//------------------------------------------------------------------------------
 std::string vtkRectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
   const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress)
 {
@@ -42,7 +41,6 @@ std::string vtkRectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArra
   return {};
 }
 
-//------------------------------------------------------------------------------
 bool vtkRectilinearFlowField::Locate(const double x[3], Place& place, double p[3]) const
 {
   double q[3];

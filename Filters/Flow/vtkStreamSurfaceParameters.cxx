@@ -82,13 +82,10 @@ void AddContours(const std::vector<vtkStreamSurfaceWork::Contour>& contours, vtk
 }
 }
 
-//------------------------------------------------------------------------------
 vtkStreamSurfaceParameters::vtkStreamSurfaceParameters() = default;
 
-//------------------------------------------------------------------------------
 vtkStreamSurfaceParameters::~vtkStreamSurfaceParameters() = default;
 
-//------------------------------------------------------------------------------
 void vtkStreamSurfaceParameters::SetMapping(vtkInflowMapping* mapping)
 {
   if (this->Mapping != mapping)
@@ -98,13 +95,11 @@ void vtkStreamSurfaceParameters::SetMapping(vtkInflowMapping* mapping)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkInflowMapping* vtkStreamSurfaceParameters::GetMapping() const
 {
   return this->Mapping;
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamSurfaceParameters::AddTerminationSurface(vtkTerminationSurface* surface, int id)
 {
   if (surface)
@@ -114,7 +109,6 @@ void vtkStreamSurfaceParameters::AddTerminationSurface(vtkTerminationSurface* su
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamSurfaceParameters::RemoveAllTerminationSurfaces()
 {
   if (!this->Surfaces.empty())
@@ -124,21 +118,18 @@ void vtkStreamSurfaceParameters::RemoveAllTerminationSurfaces()
   }
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationSurface* vtkStreamSurfaceParameters::GetTerminationSurface(int i) const
 {
   return i >= 0 && i < this->GetNumberOfTerminationSurfaces() ? this->Surfaces[i].Shape.GetPointer()
                                                               : nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamSurfaceParameters::AddStartPoint(double x, double y, double z)
 {
   this->StartPoints.push_back({ { x, y, z } });
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamSurfaceParameters::RemoveAllStartPoints()
 {
   if (!this->StartPoints.empty())
@@ -148,7 +139,6 @@ void vtkStreamSurfaceParameters::RemoveAllStartPoints()
   }
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkStreamSurfaceParameters::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -160,7 +150,6 @@ vtkMTimeType vtkStreamSurfaceParameters::GetMTime()
   return time;
 }
 
-//------------------------------------------------------------------------------
 int vtkStreamSurfaceParameters::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -168,7 +157,6 @@ int vtkStreamSurfaceParameters::FillInputPortInformation(int, vtkInformation* in
   return 1;
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationSurface* vtkStreamSurfaceParameters::FindSurface(int id, int& part) const
 {
   for (const Surface& surface : this->Surfaces)
@@ -183,7 +171,6 @@ vtkTerminationSurface* vtkStreamSurfaceParameters::FindSurface(int id, int& part
   return nullptr;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkStreamSurfaceParameters::FindContours(vtkStreamSurfaceWork& work) const
 {
   // Levels of one id after each other: its mapping is sampled once.
@@ -237,7 +224,6 @@ std::string vtkStreamSurfaceParameters::FindContours(vtkStreamSurfaceWork& work)
   return {};
 }
 
-//------------------------------------------------------------------------------
 int vtkStreamSurfaceParameters::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -292,7 +278,6 @@ int vtkStreamSurfaceParameters::RequestData(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamSurfaceParameters::FillTexture(const std::vector<double>& lengths,
   const std::vector<vtkIdType>& sources, vtkDataArray* times, vtkPolyData* output) const
 {
@@ -308,7 +293,6 @@ void vtkStreamSurfaceParameters::FillTexture(const std::vector<double>& lengths,
   output->GetPointData()->SetTCoords(texture);
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamSurfaceParameters::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -1,6 +1,5 @@
 #include "vtkStreamSurfaceParametersReport.h"
 
-//------------------------------------------------------------------------------
 void vtkStreamSurfaceParametersReport::Print(std::ostream& os, vtkIndent indent) const
 {
   os << indent << "Contours: " << this->Contours << "\n";

@@ -34,7 +34,6 @@ std::string GetTriangles(vtkPointSet* input, std::vector<vtkStreamSurfaceWork::T
 }
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkStreamSurfaceWork::Points::Add(vtkIdType source, int contour, double length)
 {
   this->Sources.push_back(source);
@@ -43,13 +42,11 @@ vtkIdType vtkStreamSurfaceWork::Points::Add(vtkIdType source, int contour, doubl
   return static_cast<vtkIdType>(this->Sources.size()) - 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkStreamSurfaceWork::GetContourId(int level, int curve) const
 {
   return curve < 0 ? -1 : this->Levels[level].FirstContour + curve;
 }
 
-//------------------------------------------------------------------------------
 vtkContourPlaces::Place vtkStreamSurfaceWork::FindPlace(int level, vtkIdType point, int curve) const
 {
   const double* uv = this->Arrays.GetParameters(point);
@@ -58,7 +55,6 @@ vtkContourPlaces::Place vtkStreamSurfaceWork::FindPlace(int level, vtkIdType poi
   return curve < 0 ? places.Find(place) : places.Find(place, curve);
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamSurfaceWork::FindPlace(vtkIdType point)
 {
   if (this->LevelOfPoint[point] >= 0)
@@ -67,7 +63,6 @@ void vtkStreamSurfaceWork::FindPlace(vtkIdType point)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamSurfaceWork::FindLevels(vtkDataArray* values, vtkIdType numberOfPoints)
 {
   std::map<std::pair<int, double>, int> known;
@@ -92,7 +87,6 @@ void vtkStreamSurfaceWork::FindLevels(vtkDataArray* values, vtkIdType numberOfPo
   }
 }
 
-//------------------------------------------------------------------------------
 std::array<vtkStreamSurfaceWork::Corner, 3> vtkStreamSurfaceWork::Unwrap(std::size_t t) const
 {
   const Triangle& triangle = this->Triangles[t];
@@ -128,7 +122,6 @@ std::array<vtkStreamSurfaceWork::Corner, 3> vtkStreamSurfaceWork::Unwrap(std::si
   return corners;
 }
 
-//------------------------------------------------------------------------------
 vtkStreamSurfaceWork::Points vtkStreamSurfaceWork::MakeTriangles(vtkCellArray* cells) const
 {
   Points made;
@@ -165,7 +158,6 @@ vtkStreamSurfaceWork::Points vtkStreamSurfaceWork::MakeTriangles(vtkCellArray* c
   return made;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkStreamSurfaceWork::Read(vtkPointSet* input)
 {
   std::string wrong = this->Arrays.Find(input);

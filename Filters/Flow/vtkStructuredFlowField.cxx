@@ -4,7 +4,6 @@
 #include "vtkPoints.h"
 #include "vtkStructuredGrid.h"
 
-//------------------------------------------------------------------------------
 std::string vtkStructuredFlowField::Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
   const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress)
 {
@@ -38,7 +37,6 @@ std::string vtkStructuredFlowField::Build(vtkStructuredGrid* grid, vtkDataArray*
   return error;
 }
 
-//------------------------------------------------------------------------------
 std::vector<vtkIdType> vtkStructuredFlowField::GetOutsideFaces() const
 {
   std::vector<vtkIdType> faces;
@@ -64,7 +62,6 @@ std::vector<vtkIdType> vtkStructuredFlowField::GetOutsideFaces() const
   return faces;
 }
 
-//------------------------------------------------------------------------------
 std::vector<vtkIdType> vtkStructuredFlowField::GetOuterFaces() const
 {
   std::vector<vtkIdType> faces = this->GetOutsideFaces();
@@ -74,7 +71,6 @@ std::vector<vtkIdType> vtkStructuredFlowField::GetOuterFaces() const
   return faces;
 }
 
-//------------------------------------------------------------------------------
 int vtkStructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) const
 {
   const Place place = this->GetPlace(face / 8);
@@ -86,7 +82,6 @@ int vtkStructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) con
   return 4;
 }
 
-//------------------------------------------------------------------------------
 void vtkStructuredFlowField::FindSeams()
 {
   const std::vector<vtkIdType> faces = this->GetOutsideFaces();
@@ -116,7 +111,6 @@ void vtkStructuredFlowField::FindSeams()
   }
 }
 
-//------------------------------------------------------------------------------
 const vtkStructuredFlowField::Seam* vtkStructuredFlowField::FindSeam(vtkIdType cell, int face) const
 {
   const vtkIdType wanted = 8 * cell + face;
@@ -125,7 +119,6 @@ const vtkStructuredFlowField::Seam* vtkStructuredFlowField::FindSeam(vtkIdType c
   return found != this->Seams.end() && found->Face == wanted ? &*found : nullptr;
 }
 
-//------------------------------------------------------------------------------
 bool vtkStructuredFlowField::CrossSeam(Place& place, int face, double p[3]) const
 {
   const Seam* seam = this->FindSeam(place.Cell, face);

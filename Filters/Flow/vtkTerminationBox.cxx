@@ -18,7 +18,6 @@ void GetAxesOfPart(int part, int axes[2])
 }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTerminationBox::Update()
 {
   if (!vtkFiniteNumbers::AreFinite(this->Bounds, 6))
@@ -35,7 +34,6 @@ std::string vtkTerminationBox::Update()
   return {};
 }
 
-//------------------------------------------------------------------------------
 double vtkTerminationBox::EvaluateDistance(const double x[3]) const
 {
   double outside[3];
@@ -49,7 +47,6 @@ double vtkTerminationBox::EvaluateDistance(const double x[3]) const
   return nearest > 0.0 ? std::hypot(outside[0], outside[1], outside[2]) : nearest;
 }
 
-//------------------------------------------------------------------------------
 int vtkTerminationBox::EvaluatePart(const double x[3]) const
 {
   double distances[6];
@@ -61,7 +58,6 @@ int vtkTerminationBox::EvaluatePart(const double x[3]) const
   return static_cast<int>(std::max_element(distances, distances + 6) - distances);
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationBox::EvaluateParameters(const double x[3], double uv[2]) const
 {
   int axes[2];
@@ -73,7 +69,6 @@ void vtkTerminationBox::EvaluateParameters(const double x[3], double uv[2]) cons
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationBox::EvaluateNormal(const double x[3], double normal[3]) const
 {
   const int part = this->EvaluatePart(x);
@@ -81,7 +76,6 @@ void vtkTerminationBox::EvaluateNormal(const double x[3], double normal[3]) cons
   normal[part / 2] = part % 2 == 0 ? -1.0 : 1.0;
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationBox::EvaluatePoint(int part, const double uv[2], double x[3]) const
 {
   double taken[2];
@@ -100,13 +94,11 @@ bool vtkTerminationBox::EvaluatePoint(int part, const double uv[2], double x[3])
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationBox::GetBounds(double bounds[6]) const
 {
   std::copy_n(this->Bounds, 6, bounds);
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationBox::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

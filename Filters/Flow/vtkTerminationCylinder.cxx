@@ -11,16 +11,13 @@
 
 vtkStandardNewMacro(vtkTerminationCylinder);
 
-//------------------------------------------------------------------------------
 vtkTerminationCylinder::vtkTerminationCylinder()
   : Frame(std::make_unique<vtkAxialFrame>())
 {
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationCylinder::~vtkTerminationCylinder() = default;
 
-//------------------------------------------------------------------------------
 std::string vtkTerminationCylinder::Update()
 {
   if (!vtkFiniteNumbers::AreFinite(this->Point1, 3) ||
@@ -43,7 +40,6 @@ std::string vtkTerminationCylinder::Update()
   return {};
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationCylinder::Place vtkTerminationCylinder::GetPlace(const double x[3]) const
 {
   double p[3];
@@ -62,7 +58,6 @@ vtkTerminationCylinder::Place vtkTerminationCylinder::GetPlace(const double x[3]
   return place;
 }
 
-//------------------------------------------------------------------------------
 double vtkTerminationCylinder::EvaluateDistance(const double x[3]) const
 {
   const Place place = this->GetPlace(x);
@@ -74,19 +69,16 @@ double vtkTerminationCylinder::EvaluateDistance(const double x[3]) const
                                              : std::max(place.Wall, place.End);
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationCylinder::IsOn(const double x[3]) const
 {
   return this->Capped || this->GetPlace(x).End <= BorderTolerance * this->Length;
 }
 
-//------------------------------------------------------------------------------
 int vtkTerminationCylinder::EvaluatePart(const double x[3]) const
 {
   return this->GetPlace(x).Part;
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationCylinder::EvaluateParameters(const double x[3], double uv[2]) const
 {
   const Place place = this->GetPlace(x);
@@ -99,7 +91,6 @@ void vtkTerminationCylinder::EvaluateParameters(const double x[3], double uv[2])
   vtkDiscParameters::FromPoint(place.Offset[0] / this->Radius, place.Offset[1] / this->Radius, uv);
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationCylinder::EvaluateNormal(const double x[3], double normal[3]) const
 {
   const Place place = this->GetPlace(x);
@@ -116,7 +107,6 @@ void vtkTerminationCylinder::EvaluateNormal(const double x[3], double normal[3])
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationCylinder::EvaluatePoint(int part, const double uv[2], double x[3]) const
 {
   double taken[2];
@@ -142,13 +132,11 @@ bool vtkTerminationCylinder::EvaluatePoint(int part, const double uv[2], double 
   return isInside;
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationCylinder::IsPeriodic(int direction, int part) const
 {
   return direction == 0 && part == WALL;
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationCylinder::GetBounds(double bounds[6]) const
 {
   for (int i = 0; i < 3; ++i)
@@ -159,7 +147,6 @@ void vtkTerminationCylinder::GetBounds(double bounds[6]) const
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationCylinder::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -19,7 +19,6 @@ constexpr double Flatness = 1e-12;
 constexpr int NumberOfBatches = 32;
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationGrid::vtkTerminationGrid(
   const vtkTerminationSurface* surface, int part, int columns, int rows)
   : Surface(surface)
@@ -29,7 +28,6 @@ vtkTerminationGrid::vtkTerminationGrid(
 {
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationGrid::FillPoint(Point& point) const
 {
   const double* x = point.Position;
@@ -43,7 +41,6 @@ void vtkTerminationGrid::FillPoint(Point& point) const
   this->Surface->EvaluateNormal(x, point.Normal);
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationGrid::MakeNode(int i, int j)
 {
   Node& node = this->At(i, j);
@@ -57,7 +54,6 @@ void vtkTerminationGrid::MakeNode(int i, int j)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationGrid::MakeCrossings(int i, int j)
 {
   Node& node = this->At(i, j);
@@ -92,7 +88,6 @@ void vtkTerminationGrid::MakeCrossings(int i, int j)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
 {
   const Point& first = this->Points[a];
@@ -119,7 +114,6 @@ void vtkTerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   this->Triangles.push_back({ { a, b, c } });
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationGrid::CutCell(int i, int j)
 {
   // Around the cell: corners that are there, and crossings of its sides.
@@ -154,7 +148,6 @@ void vtkTerminationGrid::CutCell(int i, int j)
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationGrid::Execute(const std::function<bool(double)>& isAborted)
 {
   this->Nodes.resize((this->Columns + 1) * static_cast<std::size_t>(this->Rows + 1));

@@ -7,7 +7,6 @@
 
 vtkStandardNewMacro(vtkTerminationInflow);
 
-//------------------------------------------------------------------------------
 std::string vtkTerminationInflow::PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward)
 {
   vtkInflowFinder finder;
@@ -36,7 +35,6 @@ std::string vtkTerminationInflow::PlaceIn(vtkDataSet* field, vtkDataArray* vecto
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationInflow::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

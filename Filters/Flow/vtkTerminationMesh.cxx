@@ -50,16 +50,13 @@ struct vtkTerminationMesh::Contents
   }
 };
 
-//------------------------------------------------------------------------------
 vtkTerminationMesh::vtkTerminationMesh()
   : Made(new Contents)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationMesh::~vtkTerminationMesh() = default;
 
-//------------------------------------------------------------------------------
 void vtkTerminationMesh::SetMesh(vtkPolyData* mesh)
 {
   if (this->Mesh != mesh)
@@ -69,13 +66,11 @@ void vtkTerminationMesh::SetMesh(vtkPolyData* mesh)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkPolyData* vtkTerminationMesh::GetMesh() const
 {
   return this->Mesh;
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationMesh::SetTolerance(double tolerance)
 {
   const double clamped = std::max(1e-15, std::min(tolerance, 0.1));
@@ -86,38 +81,32 @@ void vtkTerminationMesh::SetTolerance(double tolerance)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkTerminationMesh::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
   return this->Mesh ? std::max(own, this->Mesh->GetMTime()) : own;
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkTerminationMesh::GetNumberOfTriangles() const
 {
   return static_cast<vtkIdType>(this->Made->Triangles.Triangles.size());
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkTerminationMesh::GetNumberOfDegenerateTriangles() const
 {
   return this->Made->Triangles.NumberOfDegenerateTriangles;
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkTerminationMesh::GetNumberOfBorderEdges() const
 {
   return this->Made->Edges.NumberOfBorderEdges;
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkTerminationMesh::GetNumberOfBranchingEdges() const
 {
   return this->Made->Edges.NumberOfBranchingEdges;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTerminationMesh::Update()
 {
   if (this->UpdateTime > this->GetMTime())
@@ -155,7 +144,6 @@ std::string vtkTerminationMesh::Update()
   return {};
 }
 
-//------------------------------------------------------------------------------
 double vtkTerminationMesh::EvaluateDistance(const double x[3]) const
 {
   vtkTriangleFoot foot;
@@ -163,7 +151,6 @@ double vtkTerminationMesh::EvaluateDistance(const double x[3]) const
   return triangle < 0 ? VTK_DOUBLE_MAX : this->Made->Distance.GetSignedDistance(triangle, foot, x);
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationMesh::IsOn(const double x[3]) const
 {
   vtkTriangleFoot foot;
@@ -173,7 +160,6 @@ bool vtkTerminationMesh::IsOn(const double x[3]) const
     this->Made->IsWithinBorder(x, triangle, foot, this->Tolerance);
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationMesh::IsBeside(const double x[3]) const
 {
   vtkTriangleFoot foot;
@@ -181,7 +167,6 @@ bool vtkTerminationMesh::IsBeside(const double x[3]) const
   return triangle >= 0 && this->Made->IsWithinBorder(x, triangle, foot, this->Tolerance);
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationMesh::EvaluateParameters(const double x[3], double uv[2]) const
 {
   std::fill_n(uv, 2, 0.0);
@@ -200,7 +185,6 @@ void vtkTerminationMesh::EvaluateParameters(const double x[3], double uv[2]) con
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationMesh::EvaluateNormal(const double x[3], double normal[3]) const
 {
   vtkTriangleFoot foot;
@@ -209,14 +193,12 @@ void vtkTerminationMesh::EvaluateNormal(const double x[3], double normal[3]) con
   std::copy_n(triangle < 0 ? axis : this->Made->Distance.GetNormal(triangle, foot), 3, normal);
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationMesh::EvaluatePoint(int part, const double uv[2], double x[3]) const
 {
   double taken[2];
   return this->TakeParameters(part, uv, taken) && this->Made->Texture.FindPoint(taken, x);
 }
 
-//------------------------------------------------------------------------------
 double vtkTerminationMesh::EvaluateGap(const double x[3]) const
 {
   vtkTriangleFoot foot;
@@ -225,13 +207,11 @@ double vtkTerminationMesh::EvaluateGap(const double x[3]) const
                       : std::max(0.0, std::sqrt(foot.SquaredDistance) - this->Made->Rounding);
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationMesh::IsPeriodic(int direction, int) const
 {
   return direction == 0 ? this->PeriodicU : this->PeriodicV;
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationMesh::GetBounds(double bounds[6]) const
 {
   vtkMath::UninitializeBounds(bounds);
@@ -241,7 +221,6 @@ void vtkTerminationMesh::GetBounds(double bounds[6]) const
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationMesh::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -9,7 +9,6 @@
 
 vtkStandardNewMacro(vtkTerminationPlane);
 
-//------------------------------------------------------------------------------
 std::string vtkTerminationPlane::Update()
 {
   for (const double* point : { this->Origin, this->Point1, this->Point2 })
@@ -47,7 +46,6 @@ std::string vtkTerminationPlane::Update()
   return {};
 }
 
-//------------------------------------------------------------------------------
 double vtkTerminationPlane::EvaluateDistance(const double x[3]) const
 {
   double p[3];
@@ -55,7 +53,6 @@ double vtkTerminationPlane::EvaluateDistance(const double x[3]) const
   return vtkMath::Dot(p, this->Normal);
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationPlane::GetFoot(const double x[3], double uv[2]) const
 {
   double p[3];
@@ -64,7 +61,6 @@ void vtkTerminationPlane::GetFoot(const double x[3], double uv[2]) const
   uv[1] = vtkMath::Dot(p, this->Gradients[1]);
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationPlane::IsOn(const double x[3]) const
 {
   double uv[2];
@@ -73,7 +69,6 @@ bool vtkTerminationPlane::IsOn(const double x[3]) const
     std::all_of(uv, uv + 2, [](double w) { return std::abs(w - 0.5) <= 0.5 + BorderTolerance; });
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationPlane::EvaluateParameters(const double x[3], double uv[2]) const
 {
   this->GetFoot(x, uv);
@@ -83,13 +78,11 @@ void vtkTerminationPlane::EvaluateParameters(const double x[3], double uv[2]) co
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationPlane::EvaluateNormal(const double*, double normal[3]) const
 {
   std::copy_n(this->Normal, 3, normal);
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationPlane::EvaluatePoint(int part, const double uv[2], double x[3]) const
 {
   double taken[2] = { uv[0], uv[1] };
@@ -103,7 +96,6 @@ bool vtkTerminationPlane::EvaluatePoint(int part, const double uv[2], double x[3
   return isThere;
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationPlane::GetBounds(double bounds[6]) const
 {
   vtkMath::UninitializeBounds(bounds);
@@ -116,7 +108,6 @@ void vtkTerminationPlane::GetBounds(double bounds[6]) const
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationPlane::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

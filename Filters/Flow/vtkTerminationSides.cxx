@@ -56,7 +56,6 @@ struct Gap
 };
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationSides::vtkTerminationSides(const vtkAdvectionOptions& options)
   : IsBackward(options.IsBackward)
 {
@@ -69,13 +68,11 @@ vtkTerminationSides::vtkTerminationSides(const vtkAdvectionOptions& options)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationSides::SetNumberOfSamples(vtkIdType number)
 {
   this->Distances.resize(static_cast<std::size_t>(number), None);
 }
 
-//------------------------------------------------------------------------------
 const vtkTerminationSurface* vtkTerminationSides::FindNearest(
   int id, const double x[3], double& distance) const
 {
@@ -98,7 +95,6 @@ const vtkTerminationSurface* vtkTerminationSides::FindNearest(
   return nearest;
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationSides::Add(vtkIdType sample, const double x[3], const vtkAdvectionResult& result)
 {
   double distance = 0.0;
@@ -113,7 +109,6 @@ void vtkTerminationSides::Add(vtkIdType sample, const double x[3], const vtkAdve
     isOff ? static_cast<float>(std::copysign(std::max(least, std::abs(distance)), distance)) : 0.0F;
 }
 
-//------------------------------------------------------------------------------
 std::vector<vtkIdType> vtkTerminationSides::FindCorners(vtkDataSet* samples, const int* ids) const
 {
   const vtkIdType cells = this->Surfaces.empty() ? 0 : samples->GetNumberOfCells();
@@ -157,7 +152,6 @@ std::vector<vtkIdType> vtkTerminationSides::FindCorners(vtkDataSet* samples, con
   return all;
 }
 
-//------------------------------------------------------------------------------
 signed char vtkTerminationSides::GetSide(
   vtkIdType sample, int id, const double x[3], const double velocity[3]) const
 {

@@ -10,16 +10,13 @@
 
 vtkStandardNewMacro(vtkTerminationSphere);
 
-//------------------------------------------------------------------------------
 vtkTerminationSphere::vtkTerminationSphere()
   : Frame(std::make_unique<vtkAxialFrame>())
 {
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationSphere::~vtkTerminationSphere() = default;
 
-//------------------------------------------------------------------------------
 std::string vtkTerminationSphere::Update()
 {
   if (!vtkFiniteNumbers::AreFinite(this->Center, 3))
@@ -38,13 +35,11 @@ std::string vtkTerminationSphere::Update()
   return {};
 }
 
-//------------------------------------------------------------------------------
 double vtkTerminationSphere::EvaluateDistance(const double x[3]) const
 {
   return std::sqrt(vtkMath::Distance2BetweenPoints(x, this->Center)) - this->Radius;
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationSphere::EvaluateParameters(const double x[3], double uv[2]) const
 {
   double p[3];
@@ -53,7 +48,6 @@ void vtkTerminationSphere::EvaluateParameters(const double x[3], double uv[2]) c
   uv[1] = 0.5 + std::atan2(p[2], std::hypot(p[0], p[1])) / vtkMath::Pi();
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationSphere::EvaluateNormal(const double x[3], double normal[3]) const
 {
   vtkMath::Subtract(x, this->Center, normal);
@@ -63,7 +57,6 @@ void vtkTerminationSphere::EvaluateNormal(const double x[3], double normal[3]) c
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationSphere::EvaluatePoint(int part, const double uv[2], double x[3]) const
 {
   double taken[2];
@@ -79,13 +72,11 @@ bool vtkTerminationSphere::EvaluatePoint(int part, const double uv[2], double x[
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationSphere::IsPeriodic(int direction, int) const
 {
   return direction == 0;
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationSphere::GetBounds(double bounds[6]) const
 {
   for (int i = 0; i < 3; ++i)
@@ -95,7 +86,6 @@ void vtkTerminationSphere::GetBounds(double bounds[6]) const
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationSphere::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -5,19 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-//------------------------------------------------------------------------------
 std::string vtkTerminationSurface::PlaceIn(vtkDataSet*, vtkDataArray*, bool)
 {
   return {};
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationSurface::IsOn(const double*) const
 {
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationSurface::IsBeside(const double x[3]) const
 {
   const double distance = this->EvaluateDistance(x);
@@ -30,19 +27,16 @@ bool vtkTerminationSurface::IsBeside(const double x[3]) const
   return this->IsOn(foot);
 }
 
-//------------------------------------------------------------------------------
 int vtkTerminationSurface::EvaluatePart(const double*) const
 {
   return 0;
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationSurface::IsPeriodic(int, int) const
 {
   return false;
 }
 
-//------------------------------------------------------------------------------
 double vtkTerminationSurface::EvaluateGap(const double x[3]) const
 {
   double uv[2];
@@ -53,7 +47,6 @@ double vtkTerminationSurface::EvaluateGap(const double x[3]) const
     : std::abs(this->EvaluateDistance(x));
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationSurface::TakeParameters(int part, const double uv[2], double taken[2]) const
 {
   if (part < 0 || part >= this->GetNumberOfParts())
@@ -74,7 +67,6 @@ bool vtkTerminationSurface::TakeParameters(int part, const double uv[2], double 
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -19,16 +19,13 @@
 
 vtkStandardNewMacro(vtkTerminationSurfaceSource);
 
-//------------------------------------------------------------------------------
 vtkTerminationSurfaceSource::vtkTerminationSurfaceSource()
 {
   this->SetNumberOfInputPorts(0);
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationSurfaceSource::~vtkTerminationSurfaceSource() = default;
 
-//------------------------------------------------------------------------------
 void vtkTerminationSurfaceSource::SetSurface(vtkTerminationSurface* surface)
 {
   if (this->Surface != surface)
@@ -38,20 +35,17 @@ void vtkTerminationSurfaceSource::SetSurface(vtkTerminationSurface* surface)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationSurface* vtkTerminationSurfaceSource::GetSurface() const
 {
   return this->Surface;
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkTerminationSurfaceSource::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
   return this->Surface ? std::max(own, this->Surface->GetMTime()) : own;
 }
 
-//------------------------------------------------------------------------------
 int vtkTerminationSurfaceSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
@@ -110,7 +104,6 @@ int vtkTerminationSurfaceSource::RequestData(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationSurfaceSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -61,7 +61,6 @@ std::string CheckTexture(vtkPolyData* data)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTerminationTriangles::FindTriangles(
   vtkPolyData* data, std::vector<Polygon>& polygons)
 {
@@ -122,7 +121,6 @@ std::string vtkTerminationTriangles::FindTriangles(
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationTriangles::Weld(
   vtkPolyData* data, const std::vector<bool>& isUsed, double tolerance)
 {
@@ -192,7 +190,6 @@ void vtkTerminationTriangles::Weld(
   }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTerminationTriangles::Take(
   vtkPolyData* data, double tolerance, const bool isPeriodic[2])
 {

@@ -13,23 +13,19 @@
 
 vtkStandardNewMacro(vtkTerminationTube);
 
-//------------------------------------------------------------------------------
 vtkTerminationTube::vtkTerminationTube()
   : Axis(new vtkTubeAxis)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkTerminationTube::~vtkTerminationTube() = default;
 
-//------------------------------------------------------------------------------
 void vtkTerminationTube::AddPoint(double x, double y, double z)
 {
   this->Points.push_back({ { x, y, z } });
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationTube::RemoveAllPoints()
 {
   if (!this->Points.empty())
@@ -39,7 +35,6 @@ void vtkTerminationTube::RemoveAllPoints()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationTube::GetPoint(int i, double x[3]) const
 {
   if (i >= 0 && i < this->GetNumberOfPoints())
@@ -48,7 +43,6 @@ void vtkTerminationTube::GetPoint(int i, double x[3]) const
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationTube::SetLine(vtkPolyData* line)
 {
   if (this->Line != line)
@@ -58,26 +52,22 @@ void vtkTerminationTube::SetLine(vtkPolyData* line)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkPolyData* vtkTerminationTube::GetLine() const
 {
   return this->Line;
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkTerminationTube::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
   return this->Line ? std::max(own, this->Line->GetMTime()) : own;
 }
 
-//------------------------------------------------------------------------------
 int vtkTerminationTube::GetNumberOfParts() const
 {
   return this->Capped && !this->Axis->IsClosed() ? 3 : 1;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTerminationTube::Update()
 {
   if (!vtkFiniteNumbers::IsSize(this->Radius))
@@ -109,7 +99,6 @@ std::string vtkTerminationTube::Update()
   return this->Axis->Build(points);
 }
 
-//------------------------------------------------------------------------------
 double vtkTerminationTube::EvaluateDistance(const double x[3]) const
 {
   if (this->Axis->IsEmpty())
@@ -120,7 +109,6 @@ double vtkTerminationTube::EvaluateDistance(const double x[3]) const
   return std::sqrt(vtkMath::Distance2BetweenPoints(x, foot.Nearest)) - this->Radius;
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationTube::IsOn(const double x[3]) const
 {
   return !this->Axis->IsEmpty() &&
@@ -128,7 +116,6 @@ bool vtkTerminationTube::IsOn(const double x[3]) const
       std::abs(this->Axis->GetFoot(x).Beyond) <= BorderTolerance * this->Axis->GetLength());
 }
 
-//------------------------------------------------------------------------------
 int vtkTerminationTube::EvaluatePart(const double x[3]) const
 {
   const double beyond =
@@ -136,7 +123,6 @@ int vtkTerminationTube::EvaluatePart(const double x[3]) const
   return beyond < 0.0 ? CAP_1 : (beyond > 0.0 ? CAP_2 : TUBE);
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationTube::EvaluateParameters(const double x[3], double uv[2]) const
 {
   std::fill_n(uv, 2, 0.0);
@@ -157,7 +143,6 @@ void vtkTerminationTube::EvaluateParameters(const double x[3], double uv[2]) con
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationTube::EvaluateNormal(const double x[3], double normal[3]) const
 {
   vtkAxialFrame frame;
@@ -174,7 +159,6 @@ void vtkTerminationTube::EvaluateNormal(const double x[3], double normal[3]) con
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationTube::EvaluatePoint(int part, const double uv[2], double x[3]) const
 {
   double taken[2];
@@ -201,13 +185,11 @@ bool vtkTerminationTube::EvaluatePoint(int part, const double uv[2], double x[3]
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkTerminationTube::IsPeriodic(int direction, int part) const
 {
   return part == TUBE && (direction == 0 || this->Axis->IsClosed());
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationTube::GetBounds(double bounds[6]) const
 {
   this->Axis->GetBounds(bounds);
@@ -217,7 +199,6 @@ void vtkTerminationTube::GetBounds(double bounds[6]) const
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTerminationTube::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

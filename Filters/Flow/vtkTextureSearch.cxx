@@ -34,7 +34,6 @@ struct Flat
 };
 }
 
-//------------------------------------------------------------------------------
 void vtkTextureSearch::Build(const vtkTerminationTriangles* mesh, const bool isPeriodic[2])
 {
   this->Mesh = mesh;
@@ -56,7 +55,6 @@ void vtkTextureSearch::Build(const vtkTerminationTriangles* mesh, const bool isP
   this->Tree.Build(boxes);
 }
 
-//------------------------------------------------------------------------------
 bool vtkTextureSearch::FindPoint(const double uv[2], double x[3]) const
 {
   const double tolerance = vtkTerminationSurface::BorderTolerance;

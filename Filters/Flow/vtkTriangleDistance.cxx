@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-//------------------------------------------------------------------------------
 void vtkTriangleDistance::Build(const vtkTerminationTriangles* mesh, const vtkTriangleEdges& edges)
 {
   this->Mesh = mesh;
@@ -64,7 +63,6 @@ void vtkTriangleDistance::Build(const vtkTerminationTriangles* mesh, const vtkTr
   this->Tree.Build(boxes);
 }
 
-//------------------------------------------------------------------------------
 int vtkTriangleDistance::FindNearest(const double x[3], vtkTriangleFoot& foot) const
 {
   int nearest = -1;
@@ -83,7 +81,6 @@ int vtkTriangleDistance::FindNearest(const double x[3], vtkTriangleFoot& foot) c
   return nearest;
 }
 
-//------------------------------------------------------------------------------
 const double* vtkTriangleDistance::GetNormal(int triangle, const vtkTriangleFoot& foot) const
 {
   const double* normal = this->FaceNormals[triangle].data();
@@ -102,7 +99,6 @@ const double* vtkTriangleDistance::GetNormal(int triangle, const vtkTriangleFoot
   return vtkMath::Norm(candidate) > 0.5 ? candidate : normal;
 }
 
-//------------------------------------------------------------------------------
 bool vtkTriangleDistance::IsOnBorder(int triangle, const vtkTriangleFoot& foot) const
 {
   if (foot.IsEdge())
@@ -115,7 +111,6 @@ bool vtkTriangleDistance::IsOnBorder(int triangle, const vtkTriangleFoot& foot) 
                            .Corners[foot.Feature - vtkTriangleFoot::FIRST_CORNER]];
 }
 
-//------------------------------------------------------------------------------
 double vtkTriangleDistance::GetSignedDistance(
   int triangle, const vtkTriangleFoot& foot, const double x[3]) const
 {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <tuple>
 
-//------------------------------------------------------------------------------
 void vtkTriangleEdges::Connect(const vtkTerminationTriangles& mesh)
 {
   struct HalfEdge
@@ -46,7 +45,6 @@ void vtkTriangleEdges::Connect(const vtkTerminationTriangles& mesh)
     std::count_if(this->Faces.begin(), this->Faces.end(), [](int faces) { return faces > 2; });
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTriangleEdges::OrientPart(
   const vtkTerminationTriangles& mesh, int first, std::vector<signed char>& turns) const
 {
@@ -115,7 +113,6 @@ std::string vtkTriangleEdges::OrientPart(
   return {};
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTriangleEdges::Orient(vtkTerminationTriangles& mesh)
 {
   const int number = static_cast<int>(mesh.Triangles.size());

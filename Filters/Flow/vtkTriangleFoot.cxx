@@ -63,7 +63,6 @@ Choice Choose(const double x[3], const double a[3], const double b[3], const dou
 }
 }
 
-//------------------------------------------------------------------------------
 vtkTriangleFoot::vtkTriangleFoot(
   const double x[3], const double a[3], const double b[3], const double c[3])
 {

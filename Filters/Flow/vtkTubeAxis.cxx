@@ -32,7 +32,6 @@ void Rotate(const double from[3], const double to[3], const double v[3], double 
 }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTubeAxis::Build(const std::vector<Point>& points)
 {
   this->Segments.clear();
@@ -121,7 +120,6 @@ std::string vtkTubeAxis::Build(const std::vector<Point>& points)
   return {};
 }
 
-//------------------------------------------------------------------------------
 int vtkTubeAxis::FindNearest(const double x[3], double& along) const
 {
   int nearest = 0;
@@ -149,7 +147,6 @@ int vtkTubeAxis::FindNearest(const double x[3], double& along) const
   return nearest;
 }
 
-//------------------------------------------------------------------------------
 vtkTubeAxis::Foot vtkTubeAxis::GetFoot(const double x[3]) const
 {
   double along;
@@ -168,7 +165,6 @@ vtkTubeAxis::Foot vtkTubeAxis::GetFoot(const double x[3]) const
   return foot;
 }
 
-//------------------------------------------------------------------------------
 void vtkTubeAxis::GetPlanes(
   const Segment& segment, const double x[3], double across[3], double& start, double& end)
 {
@@ -182,7 +178,6 @@ void vtkTubeAxis::GetPlanes(
   end = segment.Length - along - vtkMath::Dot(w, segment.EndTilt);
 }
 
-//------------------------------------------------------------------------------
 int vtkTubeAxis::GetNeighbor(int segment, int step) const
 {
   const int number = static_cast<int>(this->Segments.size());
@@ -194,7 +189,6 @@ int vtkTubeAxis::GetNeighbor(int segment, int step) const
   return neighbor < 0 || neighbor >= number ? segment : neighbor;
 }
 
-//------------------------------------------------------------------------------
 void vtkTubeAxis::GetParameters(const double x[3], double uv[2]) const
 {
   double along;
@@ -221,7 +215,6 @@ void vtkTubeAxis::GetParameters(const double x[3], double uv[2]) const
   uv[0] = uv[0] < 1.0 ? uv[0] : 0.0;
 }
 
-//------------------------------------------------------------------------------
 void vtkTubeAxis::GetPoint(const double uv[2], double radius, double x[3]) const
 {
   const double distance = uv[1] * this->Length;
@@ -251,13 +244,11 @@ void vtkTubeAxis::GetPoint(const double uv[2], double radius, double x[3]) const
   segment.Frame.GetPoint(segment.Start, rho * std::cos(angle), rho * std::sin(angle), along, x);
 }
 
-//------------------------------------------------------------------------------
 const vtkAxialFrame& vtkTubeAxis::GetEndFrame(bool isLast) const
 {
   return isLast ? this->Segments.back().Frame : this->Segments.front().Frame;
 }
 
-//------------------------------------------------------------------------------
 void vtkTubeAxis::GetBounds(double bounds[6]) const
 {
   vtkMath::UninitializeBounds(bounds);

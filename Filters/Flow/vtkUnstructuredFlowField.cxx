@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 
-//------------------------------------------------------------------------------
 std::string vtkUnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
   const std::vector<vtkDataArray*>& arrays, const vtkFlowProgress& progress)
 {
@@ -70,7 +69,6 @@ std::string vtkUnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataAr
   return error;
 }
 
-//------------------------------------------------------------------------------
 void vtkUnstructuredFlowField::ExcludeFlatCells()
 {
   std::array<bool, 256> isFlat{};
@@ -88,7 +86,6 @@ void vtkUnstructuredFlowField::ExcludeFlatCells()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkUnstructuredFlowField::FindOnlyType()
 {
   const vtkIdType number = this->GetNumberOfCells();
@@ -100,7 +97,6 @@ void vtkUnstructuredFlowField::FindOnlyType()
   this->OnlySize = isOnly ? size : 0;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkUnstructuredFlowField::FindCellError() const
 {
   for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
@@ -120,7 +116,6 @@ std::string vtkUnstructuredFlowField::FindCellError() const
   return {};
 }
 
-//------------------------------------------------------------------------------
 int vtkUnstructuredFlowField::GetCellPoints(vtkIdType cell, vtkIdType* points) const
 {
   if (!this->IsCellIncluded(cell))
@@ -132,7 +127,6 @@ int vtkUnstructuredFlowField::GetCellPoints(vtkIdType cell, vtkIdType* points) c
   return GetCorners(place.Type).Number;
 }
 
-//------------------------------------------------------------------------------
 void vtkUnstructuredFlowField::FillFaces(vtkIdType cell, vtkFaceLinks::Block& faces) const
 {
   vtkIdType points[8];
@@ -149,7 +143,6 @@ void vtkUnstructuredFlowField::FillFaces(vtkIdType cell, vtkFaceLinks::Block& fa
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<vtkIdType> vtkUnstructuredFlowField::GetOuterFaces() const
 {
   std::vector<vtkIdType> faces;
@@ -169,7 +162,6 @@ std::vector<vtkIdType> vtkUnstructuredFlowField::GetOuterFaces() const
   return faces;
 }
 
-//------------------------------------------------------------------------------
 int vtkUnstructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) const
 {
   vtkFaceLinks::Block faces;
@@ -179,7 +171,6 @@ int vtkUnstructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) c
   return faces.Corners[number];
 }
 
-//------------------------------------------------------------------------------
 void vtkUnstructuredFlowField::FindLinks()
 {
   this->FacesPerCell = 4;

@@ -1,6 +1,5 @@
 #include "vtkVortexAxisReport.h"
 
-//------------------------------------------------------------------------------
 void vtkVortexAxisReport::Print(std::ostream& os, vtkIndent indent) const
 {
   os << indent << "Planes: " << this->Planes << "\n";

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-//------------------------------------------------------------------------------
 void vtkPVFieldExtent::GetEnds(double length, const double bounds[6], const double center[3],
   const double along[3], double ends[2])
 {

@@ -45,23 +45,19 @@ vtkSmartPointer<vtkPolyData> Draw(vtkTerminationSurface* surface, int id)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkPVImplicitFlowField::vtkPVImplicitFlowField()
 {
   this->SetNumberOfInputPorts(SurfacesPort + 1);
   this->SetNumberOfOutputPorts(DrawingPort + 1);
 }
 
-//------------------------------------------------------------------------------
 vtkPVImplicitFlowField::~vtkPVImplicitFlowField() = default;
 
-//------------------------------------------------------------------------------
 void vtkPVImplicitFlowField::RemoveAllSurfaceInputs()
 {
   this->SetInputConnection(SurfacesPort, nullptr);
 }
 
-//------------------------------------------------------------------------------
 int vtkPVImplicitFlowField::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port != SurfacesPort)
@@ -74,7 +70,6 @@ int vtkPVImplicitFlowField::FillInputPortInformation(int port, vtkInformation* i
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkPVImplicitFlowField::FillOutputPortInformation(int port, vtkInformation* info)
 {
   if (port != DrawingPort)
@@ -85,7 +80,6 @@ int vtkPVImplicitFlowField::FillOutputPortInformation(int port, vtkInformation* 
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkPVImplicitFlowField::RequestDataObject(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -97,7 +91,6 @@ int vtkPVImplicitFlowField::RequestDataObject(
   return this->Superclass::RequestDataObject(request, inputs, outputs);
 }
 
-//------------------------------------------------------------------------------
 int vtkPVImplicitFlowField::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -112,7 +105,6 @@ int vtkPVImplicitFlowField::RequestUpdateExtent(
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 
-//------------------------------------------------------------------------------
 int vtkPVImplicitFlowField::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -134,7 +126,6 @@ int vtkPVImplicitFlowField::RequestData(
   return result;
 }
 
-//------------------------------------------------------------------------------
 void vtkPVImplicitFlowField::DrawSurfaces(vtkPolyData* output) const
 {
   vtkNew<vtkAppendPolyData> drawings;
@@ -150,7 +141,6 @@ void vtkPVImplicitFlowField::DrawSurfaces(vtkPolyData* output) const
   }
 }
 
-//------------------------------------------------------------------------------
 vtkPVImplicitFlowField::SurfaceList vtkPVImplicitFlowField::MakeSurfaces(
   vtkInformationVector* inputs) const
 {
@@ -183,7 +173,6 @@ vtkPVImplicitFlowField::SurfaceList vtkPVImplicitFlowField::MakeSurfaces(
   return surfaces;
 }
 
-//------------------------------------------------------------------------------
 void vtkPVImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

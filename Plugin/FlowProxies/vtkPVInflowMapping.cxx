@@ -13,37 +13,31 @@ namespace
 constexpr int ImagePort = 1;
 }
 
-//------------------------------------------------------------------------------
 vtkPVInflowMapping::vtkPVInflowMapping()
 {
   this->SetNumberOfInputPorts(ImagePort + 1);
 }
 
-//------------------------------------------------------------------------------
 vtkPVInflowMapping::~vtkPVInflowMapping() = default;
 
-//------------------------------------------------------------------------------
 void vtkPVInflowMapping::SetCommonFormula(const char* formula)
 {
   this->CommonFormula = formula ? formula : "";
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVInflowMapping::AddFormula(int id, const char* formula)
 {
   this->Formulas[id] = formula ? formula : "";
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVInflowMapping::RemoveAllFormulas()
 {
   this->Formulas.clear();
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVInflowMapping::AddRingOf(
   int id, double centerU, double centerV, double radius, double width, double amplitude)
 {
@@ -51,14 +45,12 @@ void vtkPVInflowMapping::AddRingOf(
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVInflowMapping::RemoveAllRings()
 {
   this->Rings.clear();
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 int vtkPVInflowMapping::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port != ImagePort)
@@ -70,7 +62,6 @@ int vtkPVInflowMapping::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkPVInflowMapping::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -90,7 +81,6 @@ int vtkPVInflowMapping::RequestUpdateExtent(
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 
-//------------------------------------------------------------------------------
 int vtkPVInflowMapping::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -114,7 +104,6 @@ int vtkPVInflowMapping::RequestData(
   return this->Superclass::RequestData(request, inputs, outputs);
 }
 
-//------------------------------------------------------------------------------
 void vtkPVInflowMapping::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -27,13 +27,10 @@ Filter* FindUpstream(vtkAlgorithm* algorithm)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkPVStreamSurfaceParameters::vtkPVStreamSurfaceParameters() = default;
 
-//------------------------------------------------------------------------------
 vtkPVStreamSurfaceParameters::~vtkPVStreamSurfaceParameters() = default;
 
-//------------------------------------------------------------------------------
 int vtkPVStreamSurfaceParameters::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {

@@ -4,7 +4,6 @@
 
 vtkStandardNewMacro(vtkPVTerminationBox);
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationBox::SetPosition(double x, double y, double z)
 {
   this->Position[0] = x;
@@ -13,7 +12,6 @@ void vtkPVTerminationBox::SetPosition(double x, double y, double z)
   this->PlaceFaces();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationBox::SetLengths(double x, double y, double z)
 {
   this->Lengths[0] = x;
@@ -22,7 +20,6 @@ void vtkPVTerminationBox::SetLengths(double x, double y, double z)
   this->PlaceFaces();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationBox::PlaceFaces()
 {
   double bounds[6];
@@ -34,7 +31,6 @@ void vtkPVTerminationBox::PlaceFaces()
   this->SetBounds(bounds);
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationBox::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -7,7 +7,6 @@
 
 vtkStandardNewMacro(vtkPVTerminationCylinder);
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationCylinder::SetCenter(double x, double y, double z)
 {
   this->Center[0] = x;
@@ -16,7 +15,6 @@ void vtkPVTerminationCylinder::SetCenter(double x, double y, double z)
   this->PlacePoints();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationCylinder::SetAxis(double x, double y, double z)
 {
   this->Axis[0] = x;
@@ -25,14 +23,12 @@ void vtkPVTerminationCylinder::SetAxis(double x, double y, double z)
   this->PlacePoints();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationCylinder::SetLength(double length)
 {
   this->Length = length;
   this->PlacePoints();
 }
 
-//------------------------------------------------------------------------------
 std::string vtkPVTerminationCylinder::PlaceIn(vtkDataSet* field, vtkDataArray*, bool)
 {
   field->GetBounds(this->FieldBounds);
@@ -40,7 +36,6 @@ std::string vtkPVTerminationCylinder::PlaceIn(vtkDataSet* field, vtkDataArray*, 
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationCylinder::PlacePoints()
 {
   double axis[3] = { this->Axis[0], this->Axis[1], this->Axis[2] };
@@ -58,7 +53,6 @@ void vtkPVTerminationCylinder::PlacePoints()
   this->SetPoint2(point2);
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationCylinder::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

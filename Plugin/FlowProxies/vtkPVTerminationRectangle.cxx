@@ -7,7 +7,6 @@
 
 vtkStandardNewMacro(vtkPVTerminationRectangle);
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationRectangle::SetCenter(double x, double y, double z)
 {
   this->Center[0] = x;
@@ -16,7 +15,6 @@ void vtkPVTerminationRectangle::SetCenter(double x, double y, double z)
   this->PlaceCorners();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationRectangle::SetNormal(double x, double y, double z)
 {
   this->Normal[0] = x;
@@ -25,7 +23,6 @@ void vtkPVTerminationRectangle::SetNormal(double x, double y, double z)
   this->PlaceCorners();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationRectangle::SetLengths(double u, double v)
 {
   this->Lengths[0] = u;
@@ -33,14 +30,12 @@ void vtkPVTerminationRectangle::SetLengths(double u, double v)
   this->PlaceCorners();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationRectangle::SetAngle(double angle)
 {
   this->Angle = angle;
   this->PlaceCorners();
 }
 
-//------------------------------------------------------------------------------
 std::string vtkPVTerminationRectangle::PlaceIn(vtkDataSet* field, vtkDataArray*, bool)
 {
   field->GetBounds(this->FieldBounds);
@@ -48,7 +43,6 @@ std::string vtkPVTerminationRectangle::PlaceIn(vtkDataSet* field, vtkDataArray*,
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationRectangle::PlaceCorners()
 {
   // The normal is their cross product, in this order.
@@ -74,7 +68,6 @@ void vtkPVTerminationRectangle::PlaceCorners()
   this->SetPoint2(point2);
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationRectangle::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -4,13 +4,11 @@
 
 vtkStandardNewMacro(vtkPVTerminationTube);
 
-//------------------------------------------------------------------------------
 vtkPVTerminationTube::vtkPVTerminationTube()
 {
   this->PlacePoints();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationTube::SetStart(double x, double y, double z)
 {
   this->Start[0] = x;
@@ -19,7 +17,6 @@ void vtkPVTerminationTube::SetStart(double x, double y, double z)
   this->PlacePoints();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationTube::SetEnd(double x, double y, double z)
 {
   this->End[0] = x;
@@ -28,21 +25,18 @@ void vtkPVTerminationTube::SetEnd(double x, double y, double z)
   this->PlacePoints();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationTube::AddLinePoint(double x, double y, double z)
 {
   this->LinePoints.push_back({ { x, y, z } });
   this->PlacePoints();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationTube::RemoveAllLinePoints()
 {
   this->LinePoints.clear();
   this->PlacePoints();
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationTube::PlacePoints()
 {
   this->RemoveAllPoints();
@@ -58,7 +52,6 @@ void vtkPVTerminationTube::PlacePoints()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkPVTerminationTube::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -44,7 +44,6 @@ Rank FindRank(vtkPVDataInformation* data, vtkPVArrayInformation* array, int asso
 }
 }
 
-//------------------------------------------------------------------------------
 vtkColorArrayChoice::vtkColorArrayChoice(vtkSMPVRepresentationProxy* display)
 {
   vtkSMProperty* property = display->GetProperty("ColorArrayName");

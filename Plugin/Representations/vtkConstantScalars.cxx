@@ -6,19 +6,15 @@
 #include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 
-//------------------------------------------------------------------------------
 vtkConstantScalars::vtkConstantScalars() = default;
 
-//------------------------------------------------------------------------------
 vtkConstantScalars::~vtkConstantScalars() = default;
 
-//------------------------------------------------------------------------------
 const char* vtkConstantScalars::GetArrayName()
 {
   return "InterlumeConstant";
 }
 
-//------------------------------------------------------------------------------
 vtkTrivialProducer* vtkConstantScalars::Update(vtkDataSet* data)
 {
   if (this->Made == data && this->MadeTime == data->GetMTime())

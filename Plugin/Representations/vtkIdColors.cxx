@@ -80,7 +80,6 @@ bool AreFirstOpacities(const std::vector<double>& points)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkIdColors::Apply(vtkSMProxy* colors, vtkSMProxy* opacities, int count)
 {
   const std::vector<double> bands = MakeBands(std::clamp(count, 2, MOST_IDS));

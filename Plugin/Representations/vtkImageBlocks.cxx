@@ -196,7 +196,6 @@ vtkSmartPointer<vtkImageData> Join(const Images& images)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkImageBlocks::vtkImageBlocks(const std::vector<vtkDataSet*>& parts)
 {
   Images images;
@@ -223,5 +222,4 @@ vtkImageBlocks::vtkImageBlocks(const std::vector<vtkDataSet*>& parts)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkImageBlocks::~vtkImageBlocks() = default;

@@ -11,13 +11,10 @@
 #include <cmath>
 #include <tuple>
 
-//------------------------------------------------------------------------------
 vtkImageComponent::vtkImageComponent() = default;
 
-//------------------------------------------------------------------------------
 vtkImageComponent::~vtkImageComponent() = default;
 
-//------------------------------------------------------------------------------
 bool vtkImageComponent::Key::operator==(const Key& other) const
 {
   const auto all = [](const Key& key)
@@ -25,7 +22,6 @@ bool vtkImageComponent::Key::operator==(const Key& other) const
   return all(*this) == all(other);
 }
 
-//------------------------------------------------------------------------------
 vtkTrivialProducer* vtkImageComponent::Update(
   vtkImageData* image, vtkDataArray* array, bool isOfPoints, int component)
 {

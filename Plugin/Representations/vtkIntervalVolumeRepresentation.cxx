@@ -28,7 +28,6 @@ constexpr int MOST_COLOR_COMPONENTS = 4;
 
 vtkStandardNewMacro(vtkIntervalVolumeRepresentation);
 
-//------------------------------------------------------------------------------
 vtkIntervalVolumeRepresentation::vtkIntervalVolumeRepresentation()
   : Functions(std::make_unique<vtkVolumeFunctions>())
   , Constant(std::make_unique<vtkConstantScalars>())
@@ -37,89 +36,74 @@ vtkIntervalVolumeRepresentation::vtkIntervalVolumeRepresentation()
   this->vtkUnstructuredGridVolumeRepresentation::SetActiveVolumeMapper(MAPPER_NAME);
 }
 
-//------------------------------------------------------------------------------
 vtkIntervalVolumeRepresentation::~vtkIntervalVolumeRepresentation() = default;
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetColor(vtkColorTransferFunction* color)
 {
   this->Functions->SetColor(color);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetScalarOpacity(vtkPiecewiseFunction* opacity)
 {
   this->Functions->SetScalarOpacity(opacity);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetOpacity(double opacity)
 {
   this->Functions->SetOpacity(opacity);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetSolidColor(double red, double green, double blue)
 {
   this->Functions->SetSolidColor(red, green, blue);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetBlendMode(int mode)
 {
   this->Mapper->SetBlendMode(mode);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetIntegrationMode(int mode)
 {
   this->Mapper->SetIntegrationMode(mode);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetSortMode(int mode)
 {
   this->Mapper->SetSortMode(mode);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetRenderPath(int path)
 {
   this->Mapper->SetRenderPath(path);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetAutoAdjustLevelOfDetail(bool adjust)
 {
   this->Mapper->SetAutoAdjustLevelOfDetail(adjust);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetLayerArrayName(const char* name)
 {
   this->Mapper->SetLayerArrayName(name);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::AddLayerPriority(int layer, double priority)
 {
   this->Mapper->SetLayerPriority(layer, priority);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::RemoveAllLayerPriorities()
 {
   this->Mapper->RemoveAllLayerPriorities();
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::SetDeltaTArrayName(const char* name)
 {
   const bool isAutomatic = name && std::strcmp(name, AUTOMATIC_DELTA_T) == 0;
   this->Mapper->SetDeltaTArrayName(isAutomatic ? nullptr : name ? name : "");
 }
 
-//------------------------------------------------------------------------------
 vtkAlgorithmOutput* vtkIntervalVolumeRepresentation::GetInternalOutputPort(int port, int connection)
 {
   vtkAlgorithmOutput* output = this->Superclass::GetInternalOutputPort(port, connection);
@@ -136,7 +120,6 @@ vtkAlgorithmOutput* vtkIntervalVolumeRepresentation::GetInternalOutputPort(int p
   return this->Collection->GetOutputPort();
 }
 
-//------------------------------------------------------------------------------
 int vtkIntervalVolumeRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
@@ -164,7 +147,6 @@ int vtkIntervalVolumeRepresentation::ProcessViewRequest(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 vtkDataArray* vtkIntervalVolumeRepresentation::FindScalars()
 {
   vtkDataSet* grid = this->Mapper->GetDataSetInput();
@@ -178,7 +160,6 @@ vtkDataArray* vtkIntervalVolumeRepresentation::FindScalars()
     this->Mapper->GetArrayAccessMode(), this->Mapper->GetArrayId(), name, isOfCells);
 }
 
-//------------------------------------------------------------------------------
 void vtkIntervalVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -60,7 +60,6 @@ void HideGroup(vtkSMPropertyGroup* group, const char* type, const char* kept)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkPanelHints::Hide(vtkSMProxy* display, const char* type, vtkPVXMLElement* hidden)
 {
   for (unsigned int i = 0; i < hidden->GetNumberOfNestedElements(); ++i)

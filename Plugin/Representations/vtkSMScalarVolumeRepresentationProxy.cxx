@@ -41,13 +41,10 @@ bool HasFunctions(vtkSMProxy* display)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSMScalarVolumeRepresentationProxy::vtkSMScalarVolumeRepresentationProxy() = default;
 
-//------------------------------------------------------------------------------
 vtkSMScalarVolumeRepresentationProxy::~vtkSMScalarVolumeRepresentationProxy() = default;
 
-//------------------------------------------------------------------------------
 void vtkSMScalarVolumeRepresentationProxy::CreateVTKObjects()
 {
   const bool areCreated = this->ObjectsCreated != 0;
@@ -70,7 +67,6 @@ void vtkSMScalarVolumeRepresentationProxy::CreateVTKObjects()
     vtkCommand::UpdateDataEvent, this, &vtkSMScalarVolumeRepresentationProxy::FollowDisplay);
 }
 
-//------------------------------------------------------------------------------
 void vtkSMScalarVolumeRepresentationProxy::FollowDisplay()
 {
   auto* display = vtkSMPVRepresentationProxy::SafeDownCast(this->GetParentProxy());
@@ -107,7 +103,6 @@ void vtkSMScalarVolumeRepresentationProxy::FollowDisplay()
   this->IsFollowing = false;
 }
 
-//------------------------------------------------------------------------------
 bool vtkSMScalarVolumeRepresentationProxy::ColorDisplay(vtkSMPVRepresentationProxy* display)
 {
   std::string name;
@@ -135,7 +130,6 @@ bool vtkSMScalarVolumeRepresentationProxy::ColorDisplay(vtkSMPVRepresentationPro
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkSMScalarVolumeRepresentationProxy::ColorCategories(vtkSMPVRepresentationProxy* display)
 {
   const std::string name =
@@ -166,7 +160,6 @@ void vtkSMScalarVolumeRepresentationProxy::ColorCategories(vtkSMPVRepresentation
     colors, vtkSMPropertyHelper(display, "ScalarOpacityFunction").GetAsProxy(), ids);
 }
 
-//------------------------------------------------------------------------------
 void vtkSMScalarVolumeRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -26,7 +26,6 @@
 
 vtkStandardNewMacro(vtkShadowedSliceRepresentation);
 
-//------------------------------------------------------------------------------
 vtkShadowedSliceRepresentation::vtkShadowedSliceRepresentation()
   : Component(std::make_unique<vtkImageComponent>())
   , Functions(std::make_unique<vtkVolumeFunctions>())
@@ -39,10 +38,8 @@ vtkShadowedSliceRepresentation::vtkShadowedSliceRepresentation()
   this->UpdateLight();
 }
 
-//------------------------------------------------------------------------------
 vtkShadowedSliceRepresentation::~vtkShadowedSliceRepresentation() = default;
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetColor(vtkColorTransferFunction* color)
 {
   this->Functions->SetColor(color);
@@ -50,159 +47,133 @@ void vtkShadowedSliceRepresentation::SetColor(vtkColorTransferFunction* color)
   this->Property->SetColor(color);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetScalarOpacity(vtkPiecewiseFunction* opacity)
 {
   this->Functions->SetScalarOpacity(opacity);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetOpacity(double opacity)
 {
   this->Functions->SetOpacity(opacity);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetSolidColor(double red, double green, double blue)
 {
   this->Functions->SetSolidColor(red, green, blue);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetShadows(bool shadows)
 {
   this->Mapper->SetShadows(shadows);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetMaximumNumberOfShadows(int number)
 {
   this->Mapper->SetMaximumNumberOfShadows(number);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetSliceSpacing(double spacing)
 {
   this->Mapper->SetSliceSpacing(spacing);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetLightBufferSize(int size)
 {
   this->Mapper->SetLightBufferSize(size);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetLightLookup(int lookup)
 {
   this->Mapper->SetLightLookup(lookup);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetImageSampleDistance(double distance)
 {
   this->Mapper->SetImageSampleDistance(distance);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetAutoAdjustSampleDistances(bool adjust)
 {
   this->Mapper->SetAutoAdjustSampleDistances(adjust);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetColoredShadows(bool colored)
 {
   this->ColoredShadows = colored;
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLight(bool shines)
 {
   this->LightShines = shines;
   this->UpdateLight();
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLightPositional(bool positional)
 {
   this->Light->SetPositional(positional);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLightPosition(double x, double y, double z)
 {
   this->Light->SetPosition(x, y, z);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLightFocalPoint(double x, double y, double z)
 {
   this->Light->SetFocalPoint(x, y, z);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLightViewUp(double x, double y, double z)
 {
   this->Light->SetViewUp(x, y, z);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLightScreenWidth(double width)
 {
   this->Light->SetScreenSize(width, this->Light->GetScreenSize()[1]);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLightScreenHeight(double height)
 {
   this->Light->SetScreenSize(this->Light->GetScreenSize()[0], height);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLightEdgeWidth(double width)
 {
   this->Light->SetEdgeWidth(width);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLightColor(double red, double green, double blue)
 {
   this->Light->SetColor(red, green, blue);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLightIntensity(double intensity)
 {
   this->Light->SetIntensity(intensity);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLightImage(vtkTexture* texture)
 {
   this->LightImage = texture;
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetProjectiveLightShadows(bool shadows)
 {
   this->Light->SetShadowAttenuation(shadows ? 1.0f : 0.0f);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::SetVisibility(bool visible)
 {
   this->Superclass::SetVisibility(visible);
   this->UpdateLight();
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::UpdateLight()
 {
   this->Light->SetSwitch(this->LightShines && this->GetVisibility());
 }
 
-//------------------------------------------------------------------------------
 bool vtkShadowedSliceRepresentation::AddToView(vtkView* view)
 {
   if (!this->Superclass::AddToView(view))
@@ -213,7 +184,6 @@ bool vtkShadowedSliceRepresentation::AddToView(vtkView* view)
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkShadowedSliceRepresentation::RemoveFromView(vtkView* view)
 {
   if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
@@ -223,7 +193,6 @@ bool vtkShadowedSliceRepresentation::RemoveFromView(vtkView* view)
   return this->Superclass::RemoveFromView(view);
 }
 
-//------------------------------------------------------------------------------
 int vtkShadowedSliceRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -268,7 +237,6 @@ int vtkShadowedSliceRepresentation::RequestData(
   return this->ShowImage(image, request, imageVectors, outputVector);
 }
 
-//------------------------------------------------------------------------------
 int vtkShadowedSliceRepresentation::ShowImage(vtkImageData* image, vtkInformation* request,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -286,7 +254,6 @@ int vtkShadowedSliceRepresentation::ShowImage(vtkImageData* image, vtkInformatio
   return result;
 }
 
-//------------------------------------------------------------------------------
 vtkDataArray* vtkShadowedSliceRepresentation::FindColors(vtkDataSet* data)
 {
   vtkInformation* array = this->GetInputArrayInformation(0);
@@ -297,7 +264,6 @@ vtkDataArray* vtkShadowedSliceRepresentation::FindColors(vtkDataSet* data)
   return isOfData && *name ? data->GetAttributes(association)->GetArray(name) : nullptr;
 }
 
-//------------------------------------------------------------------------------
 bool vtkShadowedSliceRepresentation::CanCombineArrays(vtkDataObject* data)
 {
   auto* image = vtkImageData::SafeDownCast(data);
@@ -314,7 +280,6 @@ bool vtkShadowedSliceRepresentation::CanCombineArrays(vtkDataObject* data)
   return opacities && opacities->GetNumberOfTuples() == colors->GetNumberOfTuples();
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::UpdateMapperParameters()
 {
   // Without an array to colour by the superclass has none to combine with that of the opacity.
@@ -331,7 +296,6 @@ void vtkShadowedSliceRepresentation::UpdateMapperParameters()
   this->Light->SetImage(this->LightImage ? this->LightImage->GetInput() : nullptr);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::UpdateScalars()
 {
   auto* image = vtkImageData::SafeDownCast(this->Mapper->GetInputDataObject(0, 0));
@@ -372,7 +336,6 @@ void vtkShadowedSliceRepresentation::UpdateScalars()
   this->Mapper->SetTransmissionColor(isTinted ? colors : nullptr);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -36,31 +36,25 @@ void SetConstant(vtkPiecewiseFunction* function, double value)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkVolumeFunctions::vtkVolumeFunctions() = default;
 
-//------------------------------------------------------------------------------
 vtkVolumeFunctions::~vtkVolumeFunctions() = default;
 
-//------------------------------------------------------------------------------
 void vtkVolumeFunctions::SetColor(vtkColorTransferFunction* color)
 {
   this->Color = color;
 }
 
-//------------------------------------------------------------------------------
 void vtkVolumeFunctions::SetScalarOpacity(vtkPiecewiseFunction* opacity)
 {
   this->ScalarOpacity = opacity;
 }
 
-//------------------------------------------------------------------------------
 void vtkVolumeFunctions::SetOpacity(double opacity)
 {
   this->Opacity = std::clamp(opacity, 0.0, 1.0);
 }
 
-//------------------------------------------------------------------------------
 void vtkVolumeFunctions::SetSolidColor(double red, double green, double blue)
 {
   this->SolidColor[0] = red;
@@ -68,7 +62,6 @@ void vtkVolumeFunctions::SetSolidColor(double red, double green, double blue)
   this->SolidColor[2] = blue;
 }
 
-//------------------------------------------------------------------------------
 void vtkVolumeFunctions::Apply(vtkVolumeProperty* property, bool hasArray)
 {
   SetConstant(this->Flat, FLAT_OPACITY * this->Opacity);
@@ -92,7 +85,6 @@ void vtkVolumeFunctions::Apply(vtkVolumeProperty* property, bool hasArray)
   property->SetScalarOpacity(this->Flat);
 }
 
-//------------------------------------------------------------------------------
 vtkPiecewiseFunction* vtkVolumeFunctions::GetShownOpacity()
 {
   vtkPiecewiseFunction* source = this->ScalarOpacity;

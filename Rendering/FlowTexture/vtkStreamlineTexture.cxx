@@ -21,7 +21,6 @@ constexpr int MostLines = 4096;
 constexpr const char* TimelinesName = "timelines";
 }
 
-//------------------------------------------------------------------------------
 vtkStreamlineTexture::vtkStreamlineTexture()
 {
   this->RepeatOn();
@@ -29,7 +28,6 @@ vtkStreamlineTexture::vtkStreamlineTexture()
   this->MipmapOn();
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamlineTexture::SetNumberOfLines(int number)
 {
   if (number < 1 || number > MostLines || (number & (number - 1)) != 0)
@@ -45,7 +43,6 @@ void vtkStreamlineTexture::SetNumberOfLines(int number)
   }
 }
 
-//------------------------------------------------------------------------------
 int vtkStreamlineTexture::GetNumberOfLevels() const
 {
   vtkStripePyramid pyramid;
@@ -53,13 +50,11 @@ int vtkStreamlineTexture::GetNumberOfLevels() const
   return pyramid.GetNumberOfLevels();
 }
 
-//------------------------------------------------------------------------------
 int vtkStreamlineTexture::IsTranslucent()
 {
   return this->BackgroundColor[3] < 1.0 ? 1 : 0;
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamlineTexture::AddTo(
   vtkActor* actor, vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines)
 {
@@ -73,13 +68,11 @@ void vtkStreamlineTexture::AddTo(
   actor->SetTexture(streamlines ? streamlines : timelines);
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamlineTexture::Render(vtkRenderer* renderer)
 {
   this->Load(renderer);
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamlineTexture::Load(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -107,7 +100,6 @@ void vtkStreamlineTexture::Load(vtkRenderer* renderer)
   this->TextureObject->Activate();
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamlineTexture::Upload()
 {
   vtkStripePyramid pyramid;
@@ -160,7 +152,6 @@ void vtkStreamlineTexture::Upload()
   ++this->NumberOfUploads;
 }
 
-//------------------------------------------------------------------------------
 void vtkStreamlineTexture::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-//------------------------------------------------------------------------------
 int vtkStripePyramid::GetNumberOfLevels() const
 {
   int levels = 1;
@@ -14,7 +13,6 @@ int vtkStripePyramid::GetNumberOfLevels() const
   return levels;
 }
 
-//------------------------------------------------------------------------------
 double vtkStripePyramid::GetCoverage(int texel) const
 {
   // Of the half lines at both ends of the period.
@@ -24,7 +22,6 @@ double vtkStripePyramid::GetCoverage(int texel) const
   return std::min(left + right, 1.0);
 }
 
-//------------------------------------------------------------------------------
 std::vector<unsigned char> vtkStripePyramid::GetTexels(int level) const
 {
   // A background that cannot be seen has the colour of lines, which their edges then keep.

@@ -73,7 +73,6 @@ const vtkTransferColumns::Mapping Kept{ Keep, Keep };
 const vtkTransferColumns::Mapping Clamped{ ClampToOne, Keep };
 }
 
-//------------------------------------------------------------------------------
 std::string vtkMaterialTable::Build(vtkVolumeProperty* property, const vtkVolumeSamples& samples,
   vtkColorTransferFunction* transmission)
 {
@@ -113,13 +112,11 @@ std::string vtkMaterialTable::Build(vtkVolumeProperty* property, const vtkVolume
   return std::string();
 }
 
-//------------------------------------------------------------------------------
 double vtkMaterialTable::GetExtinction(int row, double opacity) const
 {
   return this->Weight[row] * FindExtinction(opacity, this->UnitDistance[row]);
 }
 
-//------------------------------------------------------------------------------
 void vtkMaterialTable::BuildRow(vtkVolumeProperty* property, const vtkVolumeSamples& samples,
   int row, vtkColorTransferFunction* transmission)
 {
@@ -183,7 +180,6 @@ void vtkMaterialTable::BuildRow(vtkVolumeProperty* property, const vtkVolumeSamp
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkMaterialTable::BuildGradientOpacity(vtkVolumeProperty* property)
 {
   bool any = false;
@@ -219,7 +215,6 @@ void vtkMaterialTable::BuildGradientOpacity(vtkVolumeProperty* property)
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkMaterialTable::HasEdges() const
 {
   const auto isAny = [](const std::vector<std::array<float, 2>>& edges)
@@ -231,7 +226,6 @@ bool vtkMaterialTable::HasEdges() const
     isAny(this->GradientOpacityEdges) || isAny(this->TransmissionEdges);
 }
 
-//------------------------------------------------------------------------------
 bool vtkMaterialTable::HasSharpOpacity() const
 {
   bool isSharp = this->GradientOpacity.empty();
@@ -243,7 +237,6 @@ bool vtkMaterialTable::HasSharpOpacity() const
   return isSharp;
 }
 
-//------------------------------------------------------------------------------
 double vtkMaterialTable::GetSmallestExtinction() const
 {
   double smallest = 0.0;
@@ -259,7 +252,6 @@ double vtkMaterialTable::GetSmallestExtinction() const
   return smallest;
 }
 
-//------------------------------------------------------------------------------
 double vtkMaterialTable::GetLargestExtinction(int row, double lower, double upper) const
 {
   if (!(lower <= upper))

@@ -15,17 +15,14 @@
 
 vtkStandardNewMacro(vtkShadowedSliceMapper);
 
-//------------------------------------------------------------------------------
 vtkShadowedSliceMapper::vtkShadowedSliceMapper()
   : Peels(std::make_unique<vtkDepthPeels>())
   , Renderer(std::make_unique<vtkSliceRenderer>())
 {
 }
 
-//------------------------------------------------------------------------------
 vtkShadowedSliceMapper::~vtkShadowedSliceMapper() = default;
 
-//------------------------------------------------------------------------------
 int vtkShadowedSliceMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port != 0)
@@ -36,7 +33,6 @@ int vtkShadowedSliceMapper::FillInputPortInformation(int port, vtkInformation* i
   return 1;
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceMapper::SetLightBufferSize(int size)
 {
   const int clamped = size <= 0 ? 0 : std::min(std::max(size, 16), 8192);
@@ -47,7 +43,6 @@ void vtkShadowedSliceMapper::SetLightBufferSize(int size)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceMapper::SetTransmissionColor(vtkColorTransferFunction* function)
 {
   if (function != this->TransmissionColor)
@@ -57,14 +52,12 @@ void vtkShadowedSliceMapper::SetTransmissionColor(vtkColorTransferFunction* func
   }
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkShadowedSliceMapper::GetMTime()
 {
   const vtkMTimeType time = this->Superclass::GetMTime();
   return this->TransmissionColor ? std::max(time, this->TransmissionColor->GetMTime()) : time;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkShadowedSliceMapper::FindScalars(
   vtkImageData* image, vtkDataArray*& scalars, bool& isOfCells)
 {
@@ -88,7 +81,6 @@ std::string vtkShadowedSliceMapper::FindScalars(
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   if (this->Peels->Defer(this, renderer, volume))
@@ -143,7 +135,6 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   this->Complain(image, request.Scalars, error, warnings);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceMapper::Complain(vtkImageData* image, vtkDataArray* scalars,
   const std::string& error, const std::vector<std::string>& warnings)
 {
@@ -170,21 +161,18 @@ void vtkShadowedSliceMapper::Complain(vtkImageData* image, vtkDataArray* scalars
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkShadowedSliceMapper::ReadLightBuffer(
   vtkRenderer* renderer, vtkLight* light, vtkImageData* image)
 {
   return renderer && light && image && this->Renderer->ReadLightBuffer(renderer, light, image);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Renderer->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -1,6 +1,5 @@
 #include "vtkShadowedSliceReport.h"
 
-//------------------------------------------------------------------------------
 void vtkShadowedSliceReport::Print(ostream& os, vtkIndent indent) const
 {
   os << indent << "Lights: " << this->Lights << "\n";

@@ -22,7 +22,6 @@ std::array<double, 4> Multiply(const Matrix& m, const std::array<double, 4>& v)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSlicePlan::Eye vtkSliceEye::Get(vtkRenderer* renderer, const vtkUnitSpace& space)
 {
   vtkCamera* camera = renderer->GetActiveCamera();

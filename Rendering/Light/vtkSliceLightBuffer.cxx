@@ -19,7 +19,6 @@
 #include <cmath>
 #include <utility>
 
-//------------------------------------------------------------------------------
 vtkSliceLightBuffer::vtkSliceLightBuffer(int light)
   : Light(light)
 {
@@ -29,10 +28,8 @@ vtkSliceLightBuffer::vtkSliceLightBuffer(int light)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkSliceLightBuffer::~vtkSliceLightBuffer() = default;
 
-//------------------------------------------------------------------------------
 std::string vtkSliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window,
   const vtkSlicePicture& picture, const vtkSlicePlan::Sweep& sweep,
   const vtkSlicePlan::ShadowedLight& light, vtkSliceTextures& textures,
@@ -101,7 +98,6 @@ std::string vtkSliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window,
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceLightBuffer::CopyTo(vtkTextureObject* layer)
 {
   const bool wasActive = layer->GetTextureUnit() >= 0;
@@ -113,7 +109,6 @@ void vtkSliceLightBuffer::CopyTo(vtkTextureObject* layer)
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkSliceLightBuffer::KeepLayer(int slab, bool isEmpty)
 {
   const std::array<int, 2> before = this->LayerSlabs;
@@ -137,7 +132,6 @@ bool vtkSliceLightBuffer::KeepLayer(int slab, bool isEmpty)
   return isChanged;
 }
 
-//------------------------------------------------------------------------------
 bool vtkSliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const vtkSlicePlan::Sweep& sweep,
   const vtkSlicePolygons& polygons, int slab)
 {
@@ -164,14 +158,12 @@ bool vtkSliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const vtkSlicePlan
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceLightBuffer::MarkOccluded(vtkOpenGLRenderWindow* window)
 {
   this->Occlusion.Mark(window, this->Texture,
     this->IsWide ? vtkSliceOcclusion::DEPTH : vtkSliceOcclusion::TRANSMITTANCE);
 }
 
-//------------------------------------------------------------------------------
 std::vector<float> vtkSliceLightBuffer::Read(
   vtkOpenGLRenderWindow* window, int& size, int& channels)
 {
@@ -191,7 +183,6 @@ std::vector<float> vtkSliceLightBuffer::Read(
   return texels;
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceLightBuffer::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);

@@ -11,14 +11,12 @@
 
 #include <algorithm>
 
-//------------------------------------------------------------------------------
 void vtkSliceMatter::SetWhole(const vtkUnitSpace& space)
 {
   this->Box = space.Box;
   this->HasCropping = false;
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceMatter::Crop(vtkImageData* image, bool isOfCells, const vtkUnitSpace& space,
   const std::array<double, 6>& croppingPlanes, int flags)
 {
@@ -51,7 +49,6 @@ void vtkSliceMatter::Crop(vtkImageData* image, bool isOfCells, const vtkUnitSpac
   }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSliceMatter::Clip(vtkPlaneCollection* planes, const vtkUnitSpace& space)
 {
   this->ClippingPlanes.clear();

@@ -13,13 +13,10 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-//------------------------------------------------------------------------------
 vtkSliceOcclusion::vtkSliceOcclusion() = default;
 
-//------------------------------------------------------------------------------
 vtkSliceOcclusion::~vtkSliceOcclusion() = default;
 
-//------------------------------------------------------------------------------
 vtkIdType vtkSliceOcclusion::Prepare(vtkOpenGLRenderWindow* window,
   vtkOpenGLFramebufferObject* framebuffer, int width, int height, bool hasDepths)
 {
@@ -38,7 +35,6 @@ vtkIdType vtkSliceOcclusion::Prepare(vtkOpenGLRenderWindow* window,
   return static_cast<vtkIdType>(hasDepths ? 4 : 2) * width * height;
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceOcclusion::Clear(vtkOpenGLRenderWindow* window)
 {
   vtkOpenGLState* state = window->GetState();
@@ -48,7 +44,6 @@ void vtkSliceOcclusion::Clear(vtkOpenGLRenderWindow* window)
   state->vtkglDepthMask(GL_FALSE);
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceOcclusion::Mark(
   vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, Contents contents)
 {
@@ -85,7 +80,6 @@ void vtkSliceOcclusion::Mark(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceOcclusion::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Depth->ReleaseGraphicsResources(window);

@@ -59,20 +59,16 @@ struct ScopedState
 };
 }
 
-//------------------------------------------------------------------------------
 vtkSlicePainter::vtkSlicePainter() = default;
 
-//------------------------------------------------------------------------------
 vtkSlicePainter::~vtkSlicePainter() = default;
 
-//------------------------------------------------------------------------------
 std::string vtkSlicePainter::GetObstacle(vtkOpenGLRenderWindow* window)
 {
   window->MakeCurrent();
   return vtkHasOpenGL32() ? std::string() : std::string("OpenGL is older than 3.2");
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSlicePainter::PrepareImage(
   vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, vtkShadowedSliceReport& report)
 {
@@ -119,7 +115,6 @@ std::string vtkSlicePainter::PrepareImage(
     : std::string("a framebuffer of floats cannot be drawn to");
 }
 
-//------------------------------------------------------------------------------
 vtkSliceLightBuffer& vtkSlicePainter::GetLightBuffer(int light)
 {
   const auto found = std::find_if(this->Lights.begin(), this->Lights.end(),
@@ -133,7 +128,6 @@ vtkSliceLightBuffer& vtkSlicePainter::GetLightBuffer(int light)
   return *this->Lights.back();
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSlicePainter::PrepareLights(
   vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, std::size_t sweepIndex)
 {
@@ -153,7 +147,6 @@ std::string vtkSlicePainter::PrepareLights(
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePainter::ReleaseUnusedLights(vtkWindow* window)
 {
   for (const std::unique_ptr<vtkSliceLightBuffer>& buffer : this->Lights)
@@ -169,7 +162,6 @@ void vtkSlicePainter::ReleaseUnusedLights(vtkWindow* window)
     this->Lights.end());
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSlicePainter::Draw(vtkRenderer* renderer, const vtkSlicePicture& picture,
   const std::function<bool()>& isAborted, vtkShadowedSliceReport& report)
 {
@@ -219,7 +211,6 @@ std::string vtkSlicePainter::Draw(vtkRenderer* renderer, const vtkSlicePicture& 
   return error;
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePainter::ActivateTextures(vtkOpenGLRenderWindow* window,
   const vtkSlicePicture& picture, std::size_t sweepIndex, vtkShaderProgram* program,
   vtkShadowedSliceReport& report)
@@ -255,7 +246,6 @@ void vtkSlicePainter::ActivateTextures(vtkOpenGLRenderWindow* window,
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePainter::DeactivateTextures()
 {
   this->Textures.Deactivate();
@@ -266,7 +256,6 @@ void vtkSlicePainter::DeactivateTextures()
   this->Active.clear();
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePainter::BeginSweep(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture,
   std::size_t sweepIndex, vtkShadowedSliceReport& report)
 {
@@ -287,14 +276,12 @@ void vtkSlicePainter::BeginSweep(vtkOpenGLRenderWindow* window, const vtkSlicePi
   glClear(GL_COLOR_BUFFER_BIT);
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePainter::MarkPicture(vtkOpenGLRenderWindow* window)
 {
   this->Occlusion.Mark(window, this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0),
     vtkSliceOcclusion::OPACITY);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSlicePainter::PrepareEye(vtkOpenGLRenderWindow* window,
   const vtkSlicePicture& picture, std::size_t sweepIndex, vtkShadowedSliceReport& report)
 {
@@ -323,7 +310,6 @@ std::string vtkSlicePainter::PrepareEye(vtkOpenGLRenderWindow* window,
   return error;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
   const vtkSlicePicture& picture, std::size_t sweepIndex, const std::function<bool()>& isAborted,
   vtkShadowedSliceReport& report)
@@ -383,7 +369,6 @@ std::string vtkSlicePainter::DrawSweep(vtkOpenGLRenderWindow* window,
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePainter::KeepLayers(vtkOpenGLRenderWindow* window, const Sweep& sweep, int slab)
 {
   const bool isEmpty = this->Polygons.IsEmpty(slab);
@@ -409,7 +394,6 @@ void vtkSlicePainter::KeepLayers(vtkOpenGLRenderWindow* window, const Sweep& swe
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePainter::DrawEyeSlab(
   vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture, const Sweep& sweep, int slab)
 {
@@ -456,7 +440,6 @@ void vtkSlicePainter::DrawEyeSlab(
   state->vtkglDisable(GL_DEPTH_TEST);
 }
 
-//------------------------------------------------------------------------------
 int vtkSlicePainter::MarkOccluded(vtkOpenGLRenderWindow* window, const Sweep& sweep)
 {
   int passes = 0;
@@ -473,7 +456,6 @@ int vtkSlicePainter::MarkOccluded(vtkOpenGLRenderWindow* window, const Sweep& sw
   return passes;
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePainter::AddSweep(vtkOpenGLRenderWindow* window, const vtkSlicePicture& picture)
 {
   // Every sweep has the same opacity; the colours are those of different lights.
@@ -484,7 +466,6 @@ void vtkSlicePainter::AddSweep(vtkOpenGLRenderWindow* window, const vtkSlicePict
   this->SumQuad.Draw(window, this->SweepImage, "SUM");
 }
 
-//------------------------------------------------------------------------------
 bool vtkSlicePainter::Show(vtkOpenGLRenderWindow* window)
 {
   if (this->HasImage)
@@ -494,7 +475,6 @@ bool vtkSlicePainter::Show(vtkOpenGLRenderWindow* window)
   return this->HasImage;
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePainter::ShowSelection(
   vtkOpenGLRenderWindow* window, const std::array<float, 3>& color)
 {
@@ -506,7 +486,6 @@ void vtkSlicePainter::ShowSelection(
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<float> vtkSlicePainter::ReadLightBuffer(
   vtkOpenGLRenderWindow* window, int light, int& size, int& channels)
 {
@@ -520,7 +499,6 @@ std::vector<float> vtkSlicePainter::ReadLightBuffer(
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->HasImage = false;

@@ -10,13 +10,10 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 
-//------------------------------------------------------------------------------
 vtkSlicePass::vtkSlicePass() = default;
 
-//------------------------------------------------------------------------------
 vtkSlicePass::~vtkSlicePass() = default;
 
-//------------------------------------------------------------------------------
 std::string vtkSlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
   vtkOpenGLBufferObject* vertices, bool isMarked)
 {
@@ -35,7 +32,6 @@ std::string vtkSlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::stri
   return isAdded ? "" : "the triangles of slices cannot be drawn";
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePass::Draw(
   vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts, int slab, double entrance)
 {
@@ -52,7 +48,6 @@ void vtkSlicePass::Draw(
   this->Vertices->Release();
 }
 
-//------------------------------------------------------------------------------
 void vtkSlicePass::ReleaseGraphicsResources()
 {
   this->Vertices->ReleaseGraphicsResources();

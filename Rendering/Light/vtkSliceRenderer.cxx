@@ -92,13 +92,10 @@ constexpr double AUTOMATIC_SPACING = 0.5;
 constexpr std::array<double, 5> COARSENESSES{ { 1.0, 1.5, 2.0, 3.0, 4.0 } };
 }
 
-//------------------------------------------------------------------------------
 vtkSliceRenderer::vtkSliceRenderer() = default;
 
-//------------------------------------------------------------------------------
 vtkSliceRenderer::~vtkSliceRenderer() = default;
 
-//------------------------------------------------------------------------------
 std::string vtkSliceRenderer::UpdateSamples(const Request& request, bool isSoftware)
 {
   const vtkMTimeType time = std::max(request.Image->GetMTime(), request.Scalars->GetMTime());
@@ -127,7 +124,6 @@ std::string vtkSliceRenderer::UpdateSamples(const Request& request, bool isSoftw
   return error;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSliceRenderer::UpdateMaterial(vtkVolume* volume, const Request& request)
 {
   vtkVolumeProperty* property = volume->GetProperty();
@@ -152,7 +148,6 @@ std::string vtkSliceRenderer::UpdateMaterial(vtkVolume* volume, const Request& r
   return error;
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceRenderer::UpdateShading(vtkVolume* volume)
 {
   vtkVolumeProperty* property = volume->GetProperty();
@@ -177,7 +172,6 @@ void vtkSliceRenderer::UpdateShading(vtkVolume* volume)
   picture.Ambient = isBlack ? Vector{ { 1.0, 1.0, 1.0 } } : ambient;
 }
 
-//------------------------------------------------------------------------------
 double vtkSliceRenderer::ChooseCoarseness(vtkVolume* volume, const Request& request)
 {
   if (!request.AdjustsSampleDistances)
@@ -197,7 +191,6 @@ double vtkSliceRenderer::ChooseCoarseness(vtkVolume* volume, const Request& requ
   return COARSENESSES.back();
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSliceRenderer::Upload(
   vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report)
 {
@@ -252,7 +245,6 @@ std::string vtkSliceRenderer::Upload(
   return error;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume,
   const Request& request, std::vector<std::string>& warnings, vtkShadowedSliceReport& report)
 {
@@ -333,7 +325,6 @@ std::string vtkSliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume,
   return this->Upload(renderer, request, report);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSliceRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
   const Request& request, std::vector<std::string>& warnings, vtkShadowedSliceReport& report)
 {
@@ -367,7 +358,6 @@ std::string vtkSliceRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
   return error;
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceRenderer::ShowLast(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -378,7 +368,6 @@ void vtkSliceRenderer::ShowLast(vtkRenderer* renderer)
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkSliceRenderer::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkImageData* image)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -436,7 +425,6 @@ bool vtkSliceRenderer::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, v
   return false;
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceRenderer::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (auto& resources : this->Windows)

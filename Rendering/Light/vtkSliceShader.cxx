@@ -299,7 +299,6 @@ void SetLight(vtkShaderProgram* program, const vtkLightSource& light, const Shad
 }
 }
 
-//------------------------------------------------------------------------------
 std::vector<int> vtkSliceShader::GetLightsOf(const vtkSlicePicture& picture, std::size_t sweep)
 {
   std::vector<int> lights;
@@ -321,7 +320,6 @@ std::vector<int> vtkSliceShader::GetLightsOf(const vtkSlicePicture& picture, std
   return lights;
 }
 
-//------------------------------------------------------------------------------
 bool vtkSliceShader::HasThickPart(const vtkSlicePicture& picture, std::size_t sweep)
 {
   const vtkMaterialTable& material = picture.Material;
@@ -342,7 +340,6 @@ bool vtkSliceShader::HasThickPart(const vtkSlicePicture& picture, std::size_t sw
       [](const ShadowedLight& light) { return !light.IsWide; });
 }
 
-//------------------------------------------------------------------------------
 bool vtkSliceShader::HasThinPart(const vtkSlicePicture& picture, std::size_t sweep)
 {
   return !HasThickPart(picture, sweep) ||
@@ -351,7 +348,6 @@ bool vtkSliceShader::HasThinPart(const vtkSlicePicture& picture, std::size_t swe
     LeastDepth;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSliceShader::GetEyeSource(
   const vtkSlicePicture& picture, std::size_t sweep, bool isOccluded, Parts part)
 {
@@ -385,7 +381,6 @@ std::string vtkSliceShader::GetEyeSource(
   return ::GetEyeSource(features, lights, calls);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSliceShader::GetLightSource(
   const vtkSlicePicture& picture, const vtkSlicePlan::ShadowedLight& light)
 {
@@ -400,7 +395,6 @@ std::string vtkSliceShader::GetLightSource(
   return vtkShaderFeatures::Insert(source, features);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSliceShader::GetNames(const vtkSlicePicture& picture, bool isOccluded)
 {
   const vtkMaterialTable& material = picture.Material;
@@ -437,7 +431,6 @@ std::string vtkSliceShader::GetNames(const vtkSlicePicture& picture, bool isOccl
   return names;
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceShader::SetEyeUniforms(
   vtkShaderProgram* program, const vtkSlicePicture& picture, std::size_t sweep, bool isOccluded)
 {
@@ -498,7 +491,6 @@ void vtkSliceShader::SetEyeUniforms(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceShader::SetLightUniforms(vtkShaderProgram* program, const vtkSlicePicture& picture,
   const vtkSlicePlan::Sweep& sweep, const vtkSlicePlan::ShadowedLight& light)
 {

@@ -153,20 +153,16 @@ std::vector<float> MakeSums(const vtkMaterialTable& material)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSliceTextures::vtkSliceTextures() = default;
 
-//------------------------------------------------------------------------------
 vtkSliceTextures::~vtkSliceTextures() = default;
 
-//------------------------------------------------------------------------------
 vtkIdType vtkSliceTextures::GetBytes(const vtkVolumeSamples& samples)
 {
   const std::size_t bytes = samples.Texels.size() + samples.Mask.size() * sizeof(samples.Mask[0]);
   return static_cast<vtkIdType>(bytes);
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkSliceTextures::GetBytes(const vtkMaterialTable& material)
 {
   // Colours and their bends, pairs of extinctions and of gradient opacities, the bends themselves.
@@ -177,7 +173,6 @@ vtkIdType vtkSliceTextures::GetBytes(const vtkMaterialTable& material)
   return static_cast<vtkIdType>(sizeof(float)) * static_cast<vtkIdType>(values);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSliceTextures::Upload(vtkOpenGLRenderWindow* window, const vtkVolumeSamples& samples)
 {
   GLint limit = 0;
@@ -219,7 +214,6 @@ std::string vtkSliceTextures::Upload(vtkOpenGLRenderWindow* window, const vtkVol
   return {};
 }
 
-//------------------------------------------------------------------------------
 std::string vtkSliceTextures::Upload(
   vtkOpenGLRenderWindow* window, const vtkMaterialTable& material)
 {
@@ -252,7 +246,6 @@ std::string vtkSliceTextures::Upload(
     : std::string("the graphics card has no memory for the transfer functions");
 }
 
-//------------------------------------------------------------------------------
 vtkTextureObject* vtkSliceTextures::GetScreen(
   vtkOpenGLRenderWindow* window, vtkProjectiveLight* light, vtkIdType& bytes)
 {
@@ -272,7 +265,6 @@ vtkTextureObject* vtkSliceTextures::GetScreen(
   return screen.Texture;
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceTextures::KeepScreens(
   const std::vector<vtkProjectiveLight*>& lights, vtkWindow* window)
 {
@@ -290,7 +282,6 @@ void vtkSliceTextures::KeepScreens(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceTextures::Activate(vtkShaderProgram* program)
 {
   if (!this->SumTexels.empty() && program->IsUniformUsed("extinctionSums"))
@@ -318,7 +309,6 @@ void vtkSliceTextures::Activate(vtkShaderProgram* program)
   activate(this->Bends, "bends");
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceTextures::Deactivate()
 {
   for (vtkTextureObject* texture : this->Active)
@@ -328,7 +318,6 @@ void vtkSliceTextures::Deactivate()
   this->Active.clear();
 }
 
-//------------------------------------------------------------------------------
 void vtkSliceTextures::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (vtkTextureObject* texture : { this->Volume.Get(), this->Mask.Get(), this->Colors.Get(),

@@ -187,7 +187,6 @@ int Append(const std::vector<Place>& places, bool isOne, std::vector<float>& ben
 }
 }
 
-//------------------------------------------------------------------------------
 vtkTransferColumns::vtkTransferColumns(const vtkTransferNodes& nodes, Channels channels,
   const Range& range, const Mapping& mapping, std::vector<float>& bends)
   : Bends(Columns, 0)

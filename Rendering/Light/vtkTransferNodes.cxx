@@ -34,7 +34,6 @@ double GetBeyond(double x, double sign)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkTransferNodes::Add(double x, const Value& y)
 {
   if (this->Nodes.empty() || this->Nodes.back().X != x || this->Nodes.back().Y != y)
@@ -43,7 +42,6 @@ void vtkTransferNodes::Add(double x, const Value& y)
   }
 }
 
-//------------------------------------------------------------------------------
 template <typename Function>
 void vtkTransferNodes::AddCurve(
   const Function& function, const Node& a, const Node& b, double scale, int depth)
@@ -66,7 +64,6 @@ void vtkTransferNodes::AddCurve(
   this->AddCurve(function, half, b, scale, depth - 1);
 }
 
-//------------------------------------------------------------------------------
 template <typename Function>
 void vtkTransferNodes::AddSegment(const Function& function, const Node& a, const Node& b,
   double midpoint, double sharpness, Curve curve)
@@ -103,7 +100,6 @@ void vtkTransferNodes::AddSegment(const Function& function, const Node& a, const
   this->Add(b.X, b.Y);
 }
 
-//------------------------------------------------------------------------------
 template <std::size_t Channels, typename Transfer, typename Function>
 void vtkTransferNodes::AddFunction(Transfer* transfer, const Function& function, Curve curve)
 {
@@ -129,7 +125,6 @@ void vtkTransferNodes::AddFunction(Transfer* transfer, const Function& function,
   this->FindLargest();
 }
 
-//------------------------------------------------------------------------------
 vtkTransferNodes::vtkTransferNodes(vtkPiecewiseFunction* function)
 {
   const auto evaluate = [function](double x)
@@ -140,7 +135,6 @@ vtkTransferNodes::vtkTransferNodes(vtkPiecewiseFunction* function)
   this->AddFunction<1>(function, evaluate, function->GetUseLogScale() ? LOGARITHMIC : STRAIGHT);
 }
 
-//------------------------------------------------------------------------------
 vtkTransferNodes::vtkTransferNodes(vtkColorTransferFunction* function)
 {
   const auto evaluate = [function](double x)
@@ -155,7 +149,6 @@ vtkTransferNodes::vtkTransferNodes(vtkColorTransferFunction* function)
                                                  : STRAIGHT);
 }
 
-//------------------------------------------------------------------------------
 vtkTransferNodes::vtkTransferNodes(const Range& range, double first, double last)
 {
   this->Nodes = { { range[0], { { first, first, first } } },
@@ -163,7 +156,6 @@ vtkTransferNodes::vtkTransferNodes(const Range& range, double first, double last
   this->FindLargest();
 }
 
-//------------------------------------------------------------------------------
 void vtkTransferNodes::FindLargest()
 {
   std::vector<double> largest;
@@ -183,7 +175,6 @@ void vtkTransferNodes::FindLargest()
   }
 }
 
-//------------------------------------------------------------------------------
 vtkTransferNodes::Range vtkTransferNodes::Limit(const Range& range) const
 {
   const Node& first = this->Nodes.front();
@@ -201,7 +192,6 @@ vtkTransferNodes::Range vtkTransferNodes::Limit(const Range& range) const
   return part[1] - part[0] > least * size && std::isfinite(part[1] - part[0]) ? part : range;
 }
 
-//------------------------------------------------------------------------------
 bool vtkTransferNodes::IsStepwise(const Range& range, double width) const
 {
   const auto isRamp = [&](const Node& a, const Node& b)
@@ -209,7 +199,6 @@ bool vtkTransferNodes::IsStepwise(const Range& range, double width) const
   return std::adjacent_find(this->Nodes.begin(), this->Nodes.end(), isRamp) == this->Nodes.end();
 }
 
-//------------------------------------------------------------------------------
 double vtkTransferNodes::GetSmallestAboveZero(const Range& range) const
 {
   double smallest = 0.0;
@@ -227,7 +216,6 @@ double vtkTransferNodes::GetSmallestAboveZero(const Range& range) const
   return smallest;
 }
 
-//------------------------------------------------------------------------------
 vtkTransferNodes::Value vtkTransferNodes::Evaluate(double x) const
 {
   const auto right = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), x,
@@ -241,7 +229,6 @@ vtkTransferNodes::Value vtkTransferNodes::Evaluate(double x) const
                                     : Mix(left.Y, right->Y, (x - left.X) / (right->X - left.X));
 }
 
-//------------------------------------------------------------------------------
 double vtkTransferNodes::GetLargest(const Range& range, const Range& near) const
 {
   const auto begin = std::lower_bound(this->Nodes.begin(), this->Nodes.end(), range[0] - near[0],

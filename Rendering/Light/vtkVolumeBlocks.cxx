@@ -65,7 +65,6 @@ void FindRanges(const vtkVolumeSamples& samples, const Box& box, std::array<doub
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkVolumeBlocks::Build(const vtkVolumeSamples& samples)
 {
   this->Samples = samples.Size;
@@ -114,7 +113,6 @@ void vtkVolumeBlocks::Build(const vtkVolumeSamples& samples)
     });
 }
 
-//------------------------------------------------------------------------------
 void vtkVolumeBlocks::Classify(const vtkMaterialTable& material)
 {
   this->NumberVisible = 0;
@@ -133,7 +131,6 @@ void vtkVolumeBlocks::Classify(const vtkMaterialTable& material)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<double> vtkVolumeBlocks::GetBorders(int axis) const
 {
   const int samples = this->Samples[axis];

@@ -151,7 +151,6 @@ double FindScale(const std::array<double, 2>& range, double offset)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkVolumeSamples::Build(
   vtkDataArray* array, const std::array<int, 3>& size, bool widens)
 {

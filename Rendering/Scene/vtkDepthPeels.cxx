@@ -51,13 +51,11 @@ public:
 vtkStandardNewMacro(EndCommand);
 }
 
-//------------------------------------------------------------------------------
 vtkDepthPeels::~vtkDepthPeels()
 {
   this->Forget();
 }
 
-//------------------------------------------------------------------------------
 void vtkDepthPeels::Forget()
 {
   if (this->Renderer && this->Tag > 0)
@@ -67,7 +65,6 @@ void vtkDepthPeels::Forget()
   this->Tag = 0;
 }
 
-//------------------------------------------------------------------------------
 bool vtkDepthPeels::Defer(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   // One command for all peels of a picture, and none where there were none.
@@ -85,7 +82,6 @@ bool vtkDepthPeels::Defer(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkDepthPeels::TakeNews()
 {
   const bool isNews = this->IsNews;

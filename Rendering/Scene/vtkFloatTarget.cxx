@@ -3,14 +3,12 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
 
-//------------------------------------------------------------------------------
 bool vtkFloatTarget::Fits(vtkTextureObject* texture, int width, int height)
 {
   return texture->GetHandle() != 0 && static_cast<int>(texture->GetWidth()) == width &&
     static_cast<int>(texture->GetHeight()) == height;
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkFloatTarget::Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   int width, int height, int channels, bool isSmooth)
 {

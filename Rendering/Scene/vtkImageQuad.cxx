@@ -10,13 +10,10 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-//------------------------------------------------------------------------------
 vtkImageQuad::vtkImageQuad() = default;
 
-//------------------------------------------------------------------------------
 vtkImageQuad::~vtkImageQuad() = default;
 
-//------------------------------------------------------------------------------
 vtkIdType vtkImageQuad::Upload(vtkOpenGLRenderWindow* window, int width, int height,
   const std::vector<float>& colors, bool isSmooth)
 {
@@ -32,14 +29,12 @@ vtkIdType vtkImageQuad::Upload(vtkOpenGLRenderWindow* window, int width, int hei
   return static_cast<vtkIdType>(bytes);
 }
 
-//------------------------------------------------------------------------------
 void vtkImageQuad::Draw(
   vtkOpenGLRenderWindow* window, const std::string& features, const Share& share)
 {
   this->Draw(window, this->Texture, features, share);
 }
 
-//------------------------------------------------------------------------------
 void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   const std::string& features, const Share& share)
 {
@@ -51,14 +46,12 @@ void vtkImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture
     features.find("SELECTION") != std::string::npos);
 }
 
-//------------------------------------------------------------------------------
 void vtkImageQuad::DrawWith(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
   this->Render(window, texture, fragmentShader, setUniforms, false);
 }
 
-//------------------------------------------------------------------------------
 void vtkImageQuad::Render(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setUniforms,
   bool usesDepth)
@@ -103,7 +96,6 @@ void vtkImageQuad::Render(vtkOpenGLRenderWindow* window, vtkTextureObject* textu
   texture->Deactivate();
 }
 
-//------------------------------------------------------------------------------
 void vtkImageQuad::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);

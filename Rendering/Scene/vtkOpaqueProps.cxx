@@ -3,7 +3,6 @@
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
-//------------------------------------------------------------------------------
 bool vtkOpaqueProps::MayOcclude(vtkRenderer* renderer, vtkProp* volume)
 {
   // What another renderer left in the depth buffer counts too.

@@ -134,7 +134,6 @@ bool ReadDepth(vtkRenderer* renderer, const Reader& read)
 }
 }
 
-//------------------------------------------------------------------------------
 bool vtkSceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
 {
   int size[2];
@@ -156,7 +155,6 @@ bool vtkSceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
   return isRead;
 }
 
-//------------------------------------------------------------------------------
 bool vtkSceneDepth::Read(
   vtkRenderer* renderer, std::vector<float>& depths, std::array<int, 2>& size)
 {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <sstream>
 
-//------------------------------------------------------------------------------
 std::string vtkShaderFeatures::Insert(const std::string& source, const std::string& features)
 {
   static const std::string mark = "//INTERLUME::FEATURES";

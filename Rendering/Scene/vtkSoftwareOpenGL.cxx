@@ -5,7 +5,6 @@
 
 #include <cstring>
 
-//------------------------------------------------------------------------------
 bool vtkSoftwareOpenGL::IsUsed(vtkOpenGLRenderWindow* window)
 {
   window->MakeCurrent();

@@ -111,7 +111,6 @@ void AddNormal(const vtkTetrahedraMesh& mesh, const Ids& ids, vtkTetrahedraField
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkBoundaryFaces::Clear(vtkTetrahedraFields& fields)
 {
   fields.Faces.clear();
@@ -119,7 +118,6 @@ void vtkBoundaryFaces::Clear(vtkTetrahedraFields& fields)
   fields.TextureCoordinates.clear();
 }
 
-//------------------------------------------------------------------------------
 vtkBoundaryFaces::Counts vtkBoundaryFaces::Build(vtkDataSet* triangles, vtkUnstructuredGrid* grid,
   const vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields)
 {

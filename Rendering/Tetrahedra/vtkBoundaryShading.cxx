@@ -36,7 +36,6 @@ std::array<float, 3> ToFloat(const double v[3])
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkBoundaryShading::Set(
   vtkRenderer* renderer, const vtkTetrahedraView& view, vtkProperty* property, vtkTexture* texture)
 {
@@ -99,7 +98,6 @@ void vtkBoundaryShading::Set(
   this->SetImage(texture);
 }
 
-//------------------------------------------------------------------------------
 void vtkBoundaryShading::SetImage(vtkTexture* texture)
 {
   vtkImageData* input = texture ? texture->GetInput() : nullptr;
@@ -151,7 +149,6 @@ void vtkBoundaryShading::SetImage(vtkTexture* texture)
   this->Image = image;
 }
 
-//------------------------------------------------------------------------------
 vtkBoundaryShading::Color vtkBoundaryShading::Sample(double u, double v) const
 {
   // Bilinear between the centres of pixels.
@@ -183,7 +180,6 @@ vtkBoundaryShading::Color vtkBoundaryShading::Sample(double u, double v) const
   return color;
 }
 
-//------------------------------------------------------------------------------
 vtkBoundaryShading::Color vtkBoundaryShading::Shade(const std::array<double, 3>& eye,
   const std::array<double, 3>& normal, const std::array<double, 2>& textureCoordinates) const
 {
@@ -247,7 +243,6 @@ vtkBoundaryShading::Color vtkBoundaryShading::Shade(const std::array<double, 3>&
   return color;
 }
 
-//------------------------------------------------------------------------------
 bool vtkBoundaryShading::operator==(const vtkBoundaryShading& other) const
 {
   const auto isSame = [](const Light& a, const Light& b)

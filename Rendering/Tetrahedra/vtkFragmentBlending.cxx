@@ -71,7 +71,6 @@ void ForEachColor(
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentBlending::Composite(
   const vtkFragments& f, const vtkTetrahedraPicture& picture, Pixel* pixels)
 {
@@ -88,7 +87,6 @@ void vtkFragmentBlending::Composite(
     });
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentBlending::CompositeWithSurface(const vtkFragments& f,
   const vtkTetrahedraPicture& picture, const vtkSurfaceFragments& surface, Pixel* pixels)
 {
@@ -109,7 +107,6 @@ void vtkFragmentBlending::CompositeWithSurface(const vtkFragments& f,
     });
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentBlending::Sum(
   const vtkFragments& f, const vtkTetrahedraPicture& picture, Pixel* pixels)
 {
@@ -125,7 +122,6 @@ void vtkFragmentBlending::Sum(
     });
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentBlending::LargestScalar(const vtkFragments& f, Pixel* pixels)
 {
   ForEachSegment(f,
@@ -136,7 +132,6 @@ void vtkFragmentBlending::LargestScalar(const vtkFragments& f, Pixel* pixels)
     });
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentBlending::LargestColor(
   const vtkFragments& f, const vtkTetrahedraFields& fields, float unit, Pixel* pixels)
 {
@@ -158,7 +153,6 @@ void vtkFragmentBlending::LargestColor(
     });
 }
 
-//------------------------------------------------------------------------------
 vtkFragmentBlending::Pixel vtkFragmentBlending::Resolve(const Pixel& sum)
 {
   if (!(sum[3] > 0.0f))

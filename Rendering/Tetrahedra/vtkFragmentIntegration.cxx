@@ -209,7 +209,6 @@ void MakePieceWeights(Fragments& f)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentIntegration::FinishPerspective(vtkFragments& f, const Channels& channels)
 {
   MakePerspectiveLengths(f);
@@ -235,7 +234,6 @@ void vtkFragmentIntegration::FinishPerspective(vtkFragments& f, const Channels& 
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentIntegration::CutAt(
   vtkFragments& f, const Channels& channels, bool isParallel, const float* opaque)
 {
@@ -331,7 +329,6 @@ void LookUpMany(float* scalars, float* extinctions, std::int32_t* found, int siz
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentIntegration::LookUp(vtkFragments& f, const vtkTransferPieces& pieces)
 {
   const int number = pieces.GetNumberOfPieces();
@@ -358,7 +355,6 @@ void vtkFragmentIntegration::LookUp(vtkFragments& f, const vtkTransferPieces& pi
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentIntegration::TakeExtinction(vtkFragments& f)
 {
   for (int end = 0; end < 2; ++end)
@@ -370,7 +366,6 @@ void vtkFragmentIntegration::TakeExtinction(vtkFragments& f)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentIntegration::TakeExtinction(vtkFragments& f, const vtkFragments::Color* cells)
 {
   for (int run = 0; run < f.NumberOfRuns; ++run)
@@ -383,7 +378,6 @@ void vtkFragmentIntegration::TakeExtinction(vtkFragments& f, const vtkFragments:
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentIntegration::Integrate(
   vtkFragments& f, bool hasDeltaT, bool isExact, Results results)
 {
@@ -483,7 +477,6 @@ void AverageBent(const vtkFragments& f, int i, int piece, int end, const vtkTran
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentIntegration::FinishPieces(
   vtkFragments& f, const vtkTransferPieces& pieces, bool hasDeltaT, bool isExact, Results results)
 {

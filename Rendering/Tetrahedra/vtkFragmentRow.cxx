@@ -76,13 +76,11 @@ void WriteGroups(const vtkFragmentRow& row, float* lengths, int at, int channels
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentRow::Write(vtkFragments& fragments, int channels, int size) const
 {
   WriteGroups(*this, &fragments.Length[fragments.Size], fragments.Size, channels, size);
 }
 
-//------------------------------------------------------------------------------
 void vtkFragmentRow::WriteColors(vtkFragments& fragments, int channel, int base, int size) const
 {
   for (int i = 0; i < size; ++i)

@@ -25,7 +25,6 @@ double GetSide(const Point& a, const Point& b, const Point& c, const Point& p)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkNearClip::Append(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
   const vtkTetrahedraView& view, const std::vector<std::uint32_t>* order)
 {
@@ -72,7 +71,6 @@ void vtkNearClip::Append(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkNearClip::Cut(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
   const vtkTetrahedraView& view, std::uint32_t tetrahedron)
 {
@@ -125,7 +123,6 @@ void vtkNearClip::Cut(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields,
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkNearClip::Sort(
   const vtkTetrahedraMesh& mesh, const vtkTetrahedraView& view, std::vector<Part>& parts)
 {
@@ -157,7 +154,6 @@ void vtkNearClip::Sort(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkNearClip::AppendPart(
   vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, std::uint32_t tetrahedron, const Part& part)
 {
@@ -195,7 +191,6 @@ void vtkNearClip::AppendPart(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkNearClip::AppendPoint(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields, std::uint32_t a,
   std::uint32_t b, double share)
 {
@@ -232,7 +227,6 @@ void vtkNearClip::AppendPoint(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fiel
   append(fields.TextureCoordinates);
 }
 
-//------------------------------------------------------------------------------
 void vtkNearClip::Remove(vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields)
 {
   if (!this->Active)

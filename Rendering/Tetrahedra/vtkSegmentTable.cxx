@@ -44,7 +44,6 @@ double ComputeFrontShare(double depth, double delta)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSegmentTable::vtkSegmentTable()
   : Values(static_cast<std::size_t>(COLUMNS) * ROWS)
 {
@@ -62,7 +61,6 @@ vtkSegmentTable::vtkSegmentTable()
   }
 }
 
-//------------------------------------------------------------------------------
 const vtkSegmentTable& vtkSegmentTable::Get()
 {
   static const vtkSegmentTable table;

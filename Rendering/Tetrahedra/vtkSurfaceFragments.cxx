@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-//------------------------------------------------------------------------------
 void vtkSurfaceFragments::SetTetrahedron(std::uint32_t tetrahedron)
 {
   this->Tetrahedron = tetrahedron;
@@ -42,7 +41,6 @@ void vtkSurfaceFragments::SetTetrahedron(std::uint32_t tetrahedron)
   }
 }
 
-//------------------------------------------------------------------------------
 double vtkSurfaceFragments::Locate(double x, double y, int& edge) const
 {
   const double dx = x - this->Shape.GetThickX();
@@ -63,7 +61,6 @@ double vtkSurfaceFragments::Locate(double x, double y, int& edge) const
   return std::max(0.0, std::min(least, 1.0));
 }
 
-//------------------------------------------------------------------------------
 void vtkSurfaceFragments::Compute(
   const vtkFragments& fragments, int left, int bottom, const float* opaque)
 {

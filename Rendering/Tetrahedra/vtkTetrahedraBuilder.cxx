@@ -119,7 +119,6 @@ std::vector<unsigned char> CopyPoints(
 }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraBuilder::BuildMesh(vtkUnstructuredGrid* grid,
   const vtkTetrahedraArrays& arrays, vtkTetrahedraMesh& mesh, Counts& counts)
 {
@@ -205,7 +204,6 @@ std::string vtkTetrahedraBuilder::BuildMesh(vtkUnstructuredGrid* grid,
   return {};
 }
 
-//------------------------------------------------------------------------------
 int vtkTetrahedraBuilder::GetColoringComponent(vtkDataArray* scalars, vtkVolumeProperty* property)
 {
   if (scalars->GetNumberOfComponents() == 1 || !property->GetIndependentComponents() ||
@@ -276,7 +274,6 @@ std::array<float, 4> GetColor(
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraBuilder::BuildFields(
   const vtkTetrahedraArrays& arrays, const vtkTetrahedraMesh& mesh, vtkTetrahedraFields& fields)
 {
@@ -304,7 +301,6 @@ void vtkTetrahedraBuilder::BuildFields(
   }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraBuilder::BuildColors(const vtkTetrahedraArrays& arrays,
   const vtkTetrahedraMesh& mesh, vtkVolumeProperty* property, double unit,
   vtkTetrahedraFields& fields)

@@ -6,7 +6,6 @@
 #include <array>
 #include <limits>
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraDepth::Read(
   vtkRenderer* renderer, const vtkTetrahedraView& view, int stride, bool isCutByFarPlane)
 {

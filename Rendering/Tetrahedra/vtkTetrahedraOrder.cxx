@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraOrder::Reset()
 {
   this->Kind = NONE;
@@ -10,7 +9,6 @@ void vtkTetrahedraOrder::Reset()
   this->Visibility.reset();
 }
 
-//------------------------------------------------------------------------------
 const std::vector<std::uint32_t>* vtkTetrahedraOrder::Compute(
   Kinds kind, const vtkTetrahedraMesh& mesh, const vtkTetrahedraView& view)
 {
@@ -40,7 +38,6 @@ const std::vector<std::uint32_t>* vtkTetrahedraOrder::Compute(
   return &this->Order;
 }
 
-//------------------------------------------------------------------------------
 const std::vector<std::uint32_t>* vtkTetrahedraOrder::ComputeLayers(
   const std::vector<int>& layers, const std::map<int, double>& priorities)
 {
@@ -85,19 +82,16 @@ const std::vector<std::uint32_t>* vtkTetrahedraOrder::ComputeLayers(
   return &this->Order;
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkTetrahedraOrder::GetCycles() const
 {
   return this->Visibility ? this->Visibility->GetNumberOfTetrahedraInCycles() : 0;
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkTetrahedraOrder::GetGaps() const
 {
   return this->Visibility ? this->Visibility->GetNumberOfGapRelations() : 0;
 }
 
-//------------------------------------------------------------------------------
 std::size_t vtkTetrahedraOrder::GetBytes() const
 {
   return this->Order.capacity() * sizeof(std::uint32_t) + this->Centroid.GetBytes() +

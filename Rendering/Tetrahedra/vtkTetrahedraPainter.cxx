@@ -59,13 +59,10 @@ bool IsDepthSum(const Picture& picture)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkTetrahedraPainter::vtkTetrahedraPainter() = default;
 
-//------------------------------------------------------------------------------
 vtkTetrahedraPainter::~vtkTetrahedraPainter() = default;
 
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraPainter::GetObstacle(
   vtkOpenGLRenderWindow* window, const vtkTetrahedraPicture& picture) const
 {
@@ -86,7 +83,6 @@ std::string vtkTetrahedraPainter::GetObstacle(
   return {};
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraPainter::GetFeatures(
   const vtkTetrahedraPicture& picture, bool hasOpaque) const
 {
@@ -114,7 +110,6 @@ std::string vtkTetrahedraPainter::GetFeatures(
   return features;
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraPainter::Upload(vtkOpenGLRenderWindow* window,
   const vtkTetrahedraPicture& picture, const Changes& changes, vtkTetrahedraRenderReport& report)
 {
@@ -150,7 +145,6 @@ void vtkTetrahedraPainter::Upload(vtkOpenGLRenderWindow* window,
   report.UploadedStaticBytes = bytes;
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraPainter::UploadSurface(vtkOpenGLRenderWindow* window,
   const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report)
 {
@@ -189,7 +183,6 @@ void vtkTetrahedraPainter::UploadSurface(vtkOpenGLRenderWindow* window,
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraPainter::SetSurfaceUniforms(
   vtkShaderProgram* program, const vtkTetrahedraPicture& picture)
 {
@@ -217,7 +210,6 @@ void vtkTetrahedraPainter::SetSurfaceUniforms(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraPainter::UploadOrder(
   const vtkTetrahedraPicture& picture, vtkTetrahedraRenderReport& report)
 {
@@ -236,7 +228,6 @@ void vtkTetrahedraPainter::UploadOrder(
   report.UploadedOrderBytes = static_cast<vtkIdType>(bytes);
 }
 
-//------------------------------------------------------------------------------
 bool vtkTetrahedraPainter::PrepareTarget(
   vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers)
 {
@@ -253,7 +244,6 @@ bool vtkTetrahedraPainter::PrepareTarget(
   return vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, status);
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraPainter::SetUniforms(
   vtkShaderProgram* program, const vtkTetrahedraPicture& picture, bool hasOpaque)
 {
@@ -306,7 +296,6 @@ void vtkTetrahedraPainter::SetUniforms(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraPainter::DrawRange(vtkOpenGLRenderWindow* window,
   const vtkTetrahedraPicture& picture, std::size_t first, std::size_t number)
 {
@@ -332,7 +321,6 @@ void vtkTetrahedraPainter::DrawRange(vtkOpenGLRenderWindow* window,
   state->vtkglBlendEquation(GL_FUNC_ADD);
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraPainter::Resolve(vtkOpenGLRenderWindow* window,
   const vtkTetrahedraPicture& picture, vtkTextureObject* texture, bool isResolved)
 {
@@ -364,7 +352,6 @@ void vtkTetrahedraPainter::Resolve(vtkOpenGLRenderWindow* window,
   this->Quad.Draw(window, texture, picture.Blend == Picture::ADDITIVE ? "SATURATE" : "");
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedraPicture& picture,
   const Changes& changes, bool hasOpaque, vtkTetrahedraRenderReport& report)
 {
@@ -523,7 +510,6 @@ std::string vtkTetrahedraPainter::Draw(vtkRenderer* renderer, const vtkTetrahedr
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (vtkTextureBuffer* buffer :

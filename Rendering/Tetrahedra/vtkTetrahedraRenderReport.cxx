@@ -1,6 +1,5 @@
 #include "vtkTetrahedraRenderReport.h"
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraRenderReport::Print(ostream& os, vtkIndent indent) const
 {
   os << indent << "RenderPath: " << this->RenderPath << " (" << this->PathReason << ")\n";

@@ -88,13 +88,10 @@ struct vtkTetrahedraRenderer::WindowResources
   vtkIdType NumberDrawn = 0;
 };
 
-//------------------------------------------------------------------------------
 vtkTetrahedraRenderer::vtkTetrahedraRenderer() = default;
 
-//------------------------------------------------------------------------------
 vtkTetrahedraRenderer::~vtkTetrahedraRenderer() = default;
 
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraRenderer::UpdateMesh(const Request& request)
 {
   const MeshKey& before = this->MeshState;
@@ -124,7 +121,6 @@ std::string vtkTetrahedraRenderer::UpdateMesh(const Request& request)
   return error;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraRenderer::UpdateColors(
   const Request& request, vtkVolumeProperty* property, double unit)
 {
@@ -151,7 +147,6 @@ std::string vtkTetrahedraRenderer::UpdateColors(
   return {};
 }
 
-//------------------------------------------------------------------------------
 bool vtkTetrahedraRenderer::FindOneColor() const
 {
   if (this->Fields.Kind == vtkTetrahedraFields::SCALARS)
@@ -164,7 +159,6 @@ bool vtkTetrahedraRenderer::FindOneColor() const
     { return std::equal(color.begin(), color.begin() + 3, colors[0].begin()); });
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::ChooseBlend(const Request& request, vtkTetrahedraRenderReport& report)
 {
   report.BlendMode = request.Blend;
@@ -179,7 +173,6 @@ void vtkTetrahedraRenderer::ChooseBlend(const Request& request, vtkTetrahedraRen
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::ChoosePath(
   const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraRenderReport& report)
 {
@@ -194,7 +187,6 @@ void vtkTetrahedraRenderer::ChoosePath(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraRenderReport& report)
 {
   report.SortMode = Settings::NO_SORT;
@@ -228,7 +220,6 @@ void vtkTetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraRend
   }
 }
 
-//------------------------------------------------------------------------------
 const std::vector<std::uint32_t>* vtkTetrahedraRenderer::UpdateOrder(
   const Request& request, vtkTetrahedraRenderReport& report)
 {
@@ -258,7 +249,6 @@ const std::vector<std::uint32_t>* vtkTetrahedraRenderer::UpdateOrder(
   return order;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
   const Request& request, vtkTetrahedraRenderReport& report)
 {
@@ -361,7 +351,6 @@ std::string vtkTetrahedraRenderer::Render(vtkRenderer* renderer, vtkVolume* volu
   return {};
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraRenderer::DrawWithOpenGL(vtkRenderer* renderer, vtkVolume* volume,
   WindowResources& resources, vtkTetrahedraRenderReport& report)
 {
@@ -389,7 +378,6 @@ std::string vtkTetrahedraRenderer::DrawWithOpenGL(vtkRenderer* renderer, vtkVolu
   return error;
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::DrawInSoftware(
   vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraRenderReport& report)
 {
@@ -419,7 +407,6 @@ void vtkTetrahedraRenderer::DrawInSoftware(
   resources.Quad.Draw(window);
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::Select(
   vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
 {
@@ -432,7 +419,6 @@ void vtkTetrahedraRenderer::Select(
   selector->EndRenderProp();
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::DrawSelection(
   vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
 {
@@ -458,7 +444,6 @@ void vtkTetrahedraRenderer::DrawSelection(
   resources.Drawn = DrawnState();
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::UpdateBoundary(
   vtkRenderer* renderer, const Request& request, vtkTetrahedraRenderReport& report)
 {
@@ -499,7 +484,6 @@ void vtkTetrahedraRenderer::UpdateBoundary(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::ReadDepth(vtkRenderer* renderer)
 {
   this->Depth.Read(
@@ -507,7 +491,6 @@ void vtkTetrahedraRenderer::ReadDepth(vtkRenderer* renderer)
   this->Picture.Opaque = this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
 }
 
-//------------------------------------------------------------------------------
 bool vtkTetrahedraRenderer::IsCutByFarPlane() const
 {
   const vtkTetrahedraView& view = this->Picture.View;
@@ -531,7 +514,6 @@ bool vtkTetrahedraRenderer::IsCutByFarPlane() const
   return isBeyond;
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkTetrahedraRenderer::GetMemoryBytes() const
 {
   std::size_t bytes = this->Order.GetBytes() + this->Rasterizer.GetBytes();
@@ -547,7 +529,6 @@ vtkIdType vtkTetrahedraRenderer::GetMemoryBytes() const
   return static_cast<vtkIdType>(bytes);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraRenderer::GetFeatures() const
 {
   const vtkTetrahedraPicture& picture = this->Picture;
@@ -561,7 +542,6 @@ std::string vtkTetrahedraRenderer::GetFeatures() const
   return features + (picture.IsExact ? " exact" : " average");
 }
 
-//------------------------------------------------------------------------------
 void vtkTetrahedraRenderer::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (auto& resources : this->Windows)

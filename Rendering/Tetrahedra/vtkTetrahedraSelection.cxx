@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-//------------------------------------------------------------------------------
 bool vtkTetrahedraSelection::IsDrawn(vtkHardwareSelector* selector)
 {
   const int pass = selector->GetCurrentPass();
@@ -12,7 +11,6 @@ bool vtkTetrahedraSelection::IsDrawn(vtkHardwareSelector* selector)
     pass != vtkHardwareSelector::POINT_ID_HIGH24;
 }
 
-//------------------------------------------------------------------------------
 std::vector<float> vtkTetrahedraSelection::MakeImage(vtkHardwareSelector* selector,
   const vtkTetrahedraView& view, const std::vector<vtkIdType>& cells,
   const std::vector<float>& depths)

@@ -18,7 +18,6 @@ constexpr double HAIR_X = 2.3e-9;
 constexpr double HAIR_Y = 3.7e-9;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTetrahedraView::Set(
   vtkRenderer* renderer, vtkVolume* volume, const vtkTetrahedraMesh& mesh, int stride)
 {
@@ -88,7 +87,6 @@ std::string vtkTetrahedraView::Set(
   return {};
 }
 
-//------------------------------------------------------------------------------
 std::array<double, 2> vtkTetrahedraView::GetReach() const
 {
   // Mesh coordinates are between -1 and 1; a little more for rounding.
@@ -98,7 +96,6 @@ std::array<double, 2> vtkTetrahedraView::GetReach() const
   return { { -row[3] - reach, -row[3] + reach } };
 }
 
-//------------------------------------------------------------------------------
 double vtkTetrahedraView::GetSlant(double x, double y) const
 {
   if (this->Parallel)
@@ -111,7 +108,6 @@ double vtkTetrahedraView::GetSlant(double x, double y) const
   return std::sqrt(eye[0] * eye[0] + eye[1] * eye[1] + 1.0);
 }
 
-//------------------------------------------------------------------------------
 vtkViewRays vtkTetrahedraView::GetRays() const
 {
   vtkNew<vtkMatrix4x4> matrix;
@@ -151,7 +147,6 @@ vtkViewRays vtkTetrahedraView::GetRays() const
   return rays;
 }
 
-//------------------------------------------------------------------------------
 bool vtkTetrahedraView::operator==(const vtkTetrahedraView& other) const
 {
   return this->Width == other.Width && this->Height == other.Height &&

@@ -5,10 +5,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-//------------------------------------------------------------------------------
 vtkTextureBuffer::vtkTextureBuffer() = default;
 
-//------------------------------------------------------------------------------
 vtkTextureBuffer::~vtkTextureBuffer()
 {
   vtkOpenGLRenderWindow* window = this->Texture->GetContext();
@@ -19,7 +17,6 @@ vtkTextureBuffer::~vtkTextureBuffer()
   }
 }
 
-//------------------------------------------------------------------------------
 vtkIdType vtkTextureBuffer::Upload(
   vtkOpenGLRenderWindow* window, Formats format, const void* data, std::size_t bytes)
 {
@@ -43,20 +40,17 @@ vtkIdType vtkTextureBuffer::Upload(
   return static_cast<vtkIdType>(bytes);
 }
 
-//------------------------------------------------------------------------------
 void vtkTextureBuffer::Activate(vtkShaderProgram* program, const char* name)
 {
   this->Texture->Activate();
   program->SetUniformi(name, this->Texture->GetTextureUnit());
 }
 
-//------------------------------------------------------------------------------
 void vtkTextureBuffer::Deactivate()
 {
   this->Texture->Deactivate();
 }
 
-//------------------------------------------------------------------------------
 void vtkTextureBuffer::Release(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);

@@ -11,7 +11,6 @@ namespace
 constexpr std::size_t CHUNK = 1 << 16;
 }
 
-//------------------------------------------------------------------------------
 void vtkTileBins::ProjectPoints(const vtkTetrahedraPicture& picture)
 {
   const vtkTetrahedraMesh& mesh = *picture.Mesh;
@@ -34,7 +33,6 @@ void vtkTileBins::ProjectPoints(const vtkTetrahedraPicture& picture)
     });
 }
 
-//------------------------------------------------------------------------------
 vtkTileBins::Range vtkTileBins::GetRange(
   const vtkTetrahedraPicture& picture, std::uint32_t tetrahedron) const
 {
@@ -62,7 +60,6 @@ vtkTileBins::Range vtkTileBins::GetRange(
   return { { tile(left), tile(right), tile(bottom), tile(top) } };
 }
 
-//------------------------------------------------------------------------------
 void vtkTileBins::Fill(const vtkTetrahedraPicture& picture)
 {
   this->Columns = (picture.View.GetWidth() + SIZE - 1) / SIZE;
@@ -147,7 +144,6 @@ void vtkTileBins::Fill(const vtkTetrahedraPicture& picture)
     });
 }
 
-//------------------------------------------------------------------------------
 std::size_t vtkTileBins::GetBytes() const
 {
   return this->Points.capacity() * sizeof(Point) + this->Ranges.capacity() * sizeof(Range) +

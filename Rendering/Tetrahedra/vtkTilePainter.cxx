@@ -55,7 +55,6 @@ bool HasSteepPixel(const vtkTetrahedronSilhouette& shape, double dx, double dy, 
 }
 }
 
-//------------------------------------------------------------------------------
 vtkTilePainter::vtkTilePainter(const vtkTetrahedraPicture& picture, const vtkTileBins& bins)
   : Picture(picture)
   , Bins(bins)
@@ -86,7 +85,6 @@ vtkTilePainter::vtkTilePainter(const vtkTetrahedraPicture& picture, const vtkTil
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTilePainter::Draw(int tile)
 {
   this->Begin(tile);
@@ -106,7 +104,6 @@ void vtkTilePainter::Draw(int tile)
   this->Finish();
 }
 
-//------------------------------------------------------------------------------
 void vtkTilePainter::Begin(int tile)
 {
   const vtkTetrahedraView& view = this->Picture.View;
@@ -141,7 +138,6 @@ void vtkTilePainter::Begin(int tile)
   }
 }
 
-//------------------------------------------------------------------------------
 template <bool Scalars, bool Colors, bool DeltaT>
 void vtkTilePainter::DrawTetrahedra(int tile)
 {
@@ -169,7 +165,6 @@ void vtkTilePainter::DrawTetrahedra(int tile)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTilePainter::FetchAhead(const std::uint32_t* t, const std::uint32_t* end) const
 {
   // In order of visibility neither corners nor points are neighbours in memory.
@@ -191,7 +186,6 @@ void vtkTilePainter::FetchAhead(const std::uint32_t* t, const std::uint32_t* end
 #endif
 }
 
-//------------------------------------------------------------------------------
 template <bool Scalars, bool Colors, bool DeltaT>
 void vtkTilePainter::DrawTetrahedron(std::uint32_t tetrahedron)
 {
@@ -317,49 +311,42 @@ void vtkTilePainter::DrawTetrahedron(std::uint32_t tetrahedron)
   }
 }
 
-//------------------------------------------------------------------------------
 INTERLUME_CLONES
 void vtkTilePainter::DrawScalars(int tile)
 {
   this->DrawTetrahedra<true, false, false>(tile);
 }
 
-//------------------------------------------------------------------------------
 INTERLUME_CLONES
 void vtkTilePainter::DrawScalarsInTime(int tile)
 {
   this->DrawTetrahedra<true, false, true>(tile);
 }
 
-//------------------------------------------------------------------------------
 INTERLUME_CLONES
 void vtkTilePainter::DrawColors(int tile)
 {
   this->DrawTetrahedra<false, true, false>(tile);
 }
 
-//------------------------------------------------------------------------------
 INTERLUME_CLONES
 void vtkTilePainter::DrawColorsInTime(int tile)
 {
   this->DrawTetrahedra<false, true, true>(tile);
 }
 
-//------------------------------------------------------------------------------
 INTERLUME_CLONES
 void vtkTilePainter::DrawCells(int tile)
 {
   this->DrawTetrahedra<false, false, false>(tile);
 }
 
-//------------------------------------------------------------------------------
 INTERLUME_CLONES
 void vtkTilePainter::DrawCellsInTime(int tile)
 {
   this->DrawTetrahedra<false, false, true>(tile);
 }
 
-//------------------------------------------------------------------------------
 void vtkTilePainter::Flush()
 {
   vtkFragments& f = this->Fragments;
@@ -377,7 +364,6 @@ void vtkTilePainter::Flush()
   f.NumberOfRuns = 0;
 }
 
-//------------------------------------------------------------------------------
 void vtkTilePainter::IntegrateAndBlend()
 {
   vtkFragments& f = this->Fragments;
@@ -454,7 +440,6 @@ void vtkTilePainter::IntegrateAndBlend()
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkTilePainter::IsOpaque() const
 {
   for (int y = 0; y < this->Height; ++y)
@@ -470,7 +455,6 @@ bool vtkTilePainter::IsOpaque() const
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkTilePainter::ResolveLayer()
 {
   this->Flush();
@@ -487,7 +471,6 @@ void vtkTilePainter::ResolveLayer()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTilePainter::Finish()
 {
   if (this->Picture.Blend == Blends::PRIORITY)

@@ -8,13 +8,11 @@
 #include <algorithm>
 #include <memory>
 
-//------------------------------------------------------------------------------
 void vtkTileRasterizer::Prepare(const vtkTetrahedraPicture& picture)
 {
   this->Bins.Fill(picture);
 }
 
-//------------------------------------------------------------------------------
 void vtkTileRasterizer::DrawTiles(const vtkTetrahedraPicture& picture)
 {
   const auto width = static_cast<std::size_t>(picture.View.GetWidth());
@@ -56,7 +54,6 @@ void vtkTileRasterizer::DrawTiles(const vtkTetrahedraPicture& picture)
     });
 }
 
-//------------------------------------------------------------------------------
 std::size_t vtkTileRasterizer::GetBytes() const
 {
   return this->Bins.GetBytes() + this->Colors.capacity() * sizeof(float);

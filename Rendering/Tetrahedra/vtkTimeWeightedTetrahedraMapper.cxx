@@ -28,7 +28,6 @@ const char* const DELTA_T = "DeltaT";
 
 vtkStandardNewMacro(vtkTimeWeightedTetrahedraMapper);
 
-//------------------------------------------------------------------------------
 vtkTimeWeightedTetrahedraMapper::vtkTimeWeightedTetrahedraMapper()
   : Peels(std::make_unique<vtkDepthPeels>())
   , Renderer(std::make_unique<vtkTetrahedraRenderer>())
@@ -39,10 +38,8 @@ vtkTimeWeightedTetrahedraMapper::vtkTimeWeightedTetrahedraMapper()
   this->BoundaryProperty->SetOpacity(0.5);
 }
 
-//------------------------------------------------------------------------------
 vtkTimeWeightedTetrahedraMapper::~vtkTimeWeightedTetrahedraMapper() = default;
 
-//------------------------------------------------------------------------------
 int vtkTimeWeightedTetrahedraMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
@@ -57,7 +54,6 @@ int vtkTimeWeightedTetrahedraMapper::FillInputPortInformation(int port, vtkInfor
   return 1;
 }
 
-//------------------------------------------------------------------------------
 void vtkTimeWeightedTetrahedraMapper::SetDeltaTArrayName(const char* name)
 {
   const std::string text = name ? name : "";
@@ -69,13 +65,11 @@ void vtkTimeWeightedTetrahedraMapper::SetDeltaTArrayName(const char* name)
   }
 }
 
-//------------------------------------------------------------------------------
 const char* vtkTimeWeightedTetrahedraMapper::GetDeltaTArrayName() const
 {
   return this->HasDeltaTArrayName ? this->DeltaTArrayName.c_str() : nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkTimeWeightedTetrahedraMapper::SetLayerArrayName(const char* name)
 {
   const std::string text = name ? name : "";
@@ -86,13 +80,11 @@ void vtkTimeWeightedTetrahedraMapper::SetLayerArrayName(const char* name)
   }
 }
 
-//------------------------------------------------------------------------------
 const char* vtkTimeWeightedTetrahedraMapper::GetLayerArrayName() const
 {
   return this->LayerArrayName.c_str();
 }
 
-//------------------------------------------------------------------------------
 void vtkTimeWeightedTetrahedraMapper::SetLayerPriority(int layer, double priority)
 {
   const auto found = this->LayerPriorities.find(layer);
@@ -103,14 +95,12 @@ void vtkTimeWeightedTetrahedraMapper::SetLayerPriority(int layer, double priorit
   }
 }
 
-//------------------------------------------------------------------------------
 double vtkTimeWeightedTetrahedraMapper::GetLayerPriority(int layer) const
 {
   const auto found = this->LayerPriorities.find(layer);
   return found == this->LayerPriorities.end() ? layer : found->second;
 }
 
-//------------------------------------------------------------------------------
 void vtkTimeWeightedTetrahedraMapper::RemoveAllLayerPriorities()
 {
   if (!this->LayerPriorities.empty())
@@ -120,13 +110,11 @@ void vtkTimeWeightedTetrahedraMapper::RemoveAllLayerPriorities()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTimeWeightedTetrahedraMapper::SetBoundaryData(vtkDataSet* triangles)
 {
   this->SetInputDataInternal(1, triangles);
 }
 
-//------------------------------------------------------------------------------
 void vtkTimeWeightedTetrahedraMapper::SetBoundaryProperty(vtkProperty* property)
 {
   if (property && property != this->BoundaryProperty)
@@ -136,13 +124,11 @@ void vtkTimeWeightedTetrahedraMapper::SetBoundaryProperty(vtkProperty* property)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkProperty* vtkTimeWeightedTetrahedraMapper::GetBoundaryProperty() const
 {
   return this->BoundaryProperty;
 }
 
-//------------------------------------------------------------------------------
 void vtkTimeWeightedTetrahedraMapper::SetBoundaryTexture(vtkTexture* texture)
 {
   if (texture != this->BoundaryTexture)
@@ -152,20 +138,17 @@ void vtkTimeWeightedTetrahedraMapper::SetBoundaryTexture(vtkTexture* texture)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkTexture* vtkTimeWeightedTetrahedraMapper::GetBoundaryTexture() const
 {
   return this->BoundaryTexture;
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkTimeWeightedTetrahedraMapper::GetMTime()
 {
   vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->BoundaryProperty->GetMTime());
   return this->BoundaryTexture ? std::max(time, this->BoundaryTexture->GetMTime()) : time;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
   vtkUnstructuredGrid* grid, vtkTetrahedraArrays& arrays)
 {
@@ -216,7 +199,6 @@ std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   if (this->Peels->Defer(this, renderer, volume))
@@ -259,14 +241,12 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkTimeWeightedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Renderer->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-//------------------------------------------------------------------------------
 void vtkTimeWeightedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

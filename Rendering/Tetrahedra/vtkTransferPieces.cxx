@@ -109,7 +109,6 @@ bool IsClose(const Value& value, const Value& straight)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkTransferPieces::Build(
   vtkVolumeProperty* property, int component, const double range[2], double unit)
 {
@@ -168,7 +167,6 @@ void vtkTransferPieces::Build(
   this->SetNodes(kept);
 }
 
-//------------------------------------------------------------------------------
 void vtkTransferPieces::SetNodes(const std::vector<Node>& nodes)
 {
   this->Pieces.clear();
@@ -206,7 +204,6 @@ void vtkTransferPieces::SetNodes(const std::vector<Node>& nodes)
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkTransferPieces::HasOneColor() const
 {
   const Sample& first = this->Pieces[0].Value;

@@ -11,7 +11,6 @@
 namespace reference
 {
 
-//------------------------------------------------------------------------------
 Flow Flow::Uniform(const Place& velocity)
 {
   Flow flow;
@@ -21,7 +20,6 @@ Flow Flow::Uniform(const Place& velocity)
   return flow;
 }
 
-//------------------------------------------------------------------------------
 Flow Flow::Linear(const std::array<double, 9>& matrix, const Place& center)
 {
   Flow flow;
@@ -38,13 +36,11 @@ Flow Flow::Linear(const std::array<double, 9>& matrix, const Place& center)
   return flow;
 }
 
-//------------------------------------------------------------------------------
 Flow Flow::Rotation(double rate)
 {
   return Flow::Linear({ 0, -rate, 0, rate, 0, 0, 0, 0, 0 });
 }
 
-//------------------------------------------------------------------------------
 Flow Flow::RoundSphere()
 {
   Flow flow;
@@ -75,7 +71,6 @@ Flow Flow::RoundSphere()
   return flow;
 }
 
-//------------------------------------------------------------------------------
 Flow Flow::Beltrami(double a, double b, double c)
 {
   Flow flow;
@@ -94,7 +89,6 @@ Flow Flow::Beltrami(double a, double b, double c)
   return flow;
 }
 
-//------------------------------------------------------------------------------
 Flow Flow::ShearLayer(double thickness, const Place& drift)
 {
   Flow flow;
@@ -113,7 +107,6 @@ Flow Flow::ShearLayer(double thickness, const Place& drift)
   return flow;
 }
 
-//------------------------------------------------------------------------------
 Flow Flow::Times(double factor) const
 {
   Flow flow = *this;
@@ -130,7 +123,6 @@ Flow Flow::Times(double factor) const
   return flow;
 }
 
-//------------------------------------------------------------------------------
 Place Flow::Follow(const Place& start, double time) const
 {
   namespace odeint = boost::numeric::odeint;

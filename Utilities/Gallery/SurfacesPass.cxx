@@ -12,7 +12,6 @@ namespace gallery
 {
 vtkStandardNewMacro(SurfacesPass);
 
-//------------------------------------------------------------------------------
 void SurfacesPass::Render(const vtkRenderState* state)
 {
   vtkProp** const props = state->GetPropArray();
@@ -27,7 +26,6 @@ void SurfacesPass::Render(const vtkRenderState* state)
   this->NumberOfRenderedProps = this->Delegate->GetNumberOfRenderedProps();
 }
 
-//------------------------------------------------------------------------------
 void SurfacesPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Delegate->ReleaseGraphicsResources(window);

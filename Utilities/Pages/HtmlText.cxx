@@ -2,7 +2,6 @@
 
 namespace html
 {
-//------------------------------------------------------------------------------
 std::string Escaped(const std::string& text)
 {
   std::string escaped;

@@ -66,7 +66,6 @@ StabilityCase FromJson(const nlohmann::json& json)
 }
 }
 
-//------------------------------------------------------------------------------
 StabilityCatalogue::StabilityCatalogue(const std::string& test, int argc, char* argv[])
   : Test(test)
   , Folder(FolderFor(argc, argv))
@@ -77,7 +76,6 @@ StabilityCatalogue::StabilityCatalogue(const std::string& test, int argc, char* 
   }
 }
 
-//------------------------------------------------------------------------------
 bool StabilityCatalogue::Measure(const std::string& name, const std::string& extreme,
   const std::string& expected, double measured, double bound)
 {
@@ -91,7 +89,6 @@ bool StabilityCatalogue::Measure(const std::string& name, const std::string& ext
   return this->Report(std::move(oneCase));
 }
 
-//------------------------------------------------------------------------------
 bool StabilityCatalogue::Check(const std::string& name, const std::string& extreme,
   const std::string& expected, const std::string& measured, bool passed)
 {
@@ -104,7 +101,6 @@ bool StabilityCatalogue::Check(const std::string& name, const std::string& extre
   return this->Report(std::move(oneCase));
 }
 
-//------------------------------------------------------------------------------
 bool StabilityCatalogue::Report(StabilityCase oneCase)
 {
   oneCase.Test = this->Test;
@@ -120,7 +116,6 @@ bool StabilityCatalogue::Report(StabilityCase oneCase)
   return this->Cases.back().Passed;
 }
 
-//------------------------------------------------------------------------------
 void StabilityCatalogue::Write() const
 {
   if (this->Folder.empty())
@@ -143,7 +138,6 @@ void StabilityCatalogue::Write() const
   }
 }
 
-//------------------------------------------------------------------------------
 int StabilityCatalogue::GetExitCode() const
 {
   const bool passed = !this->Cases.empty() &&
@@ -152,7 +146,6 @@ int StabilityCatalogue::GetExitCode() const
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-//------------------------------------------------------------------------------
 std::vector<StabilityCase> StabilityCatalogue::Gather(const std::string& folder)
 {
   std::vector<std::filesystem::path> paths;

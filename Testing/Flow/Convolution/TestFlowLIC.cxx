@@ -37,7 +37,6 @@ using namespace reference;
 constexpr double Pi = 3.14159265358979324;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-//------------------------------------------------------------------------------
 // The noise, written down again.
 
 double GetLatticeValue(int seed, const std::int64_t index[3])
@@ -89,7 +88,6 @@ double GetNoise(const Vector& x, double scale, int seed)
   return sum;
 }
 
-//------------------------------------------------------------------------------
 /// What the filter is asked for.
 struct Setting
 {
@@ -241,7 +239,6 @@ Vector Rotation(const Vector& x)
   return { { -3.0 * x[1], 3.0 * x[0], 0.0 } };
 }
 
-//------------------------------------------------------------------------------
 /// Values at points, through streamlines known by formula, against quadrature.
 void TestValues(Check& check, const std::string& name, const VectorField& field,
   const std::function<Vector(const Vector&, double)>& line)

@@ -230,7 +230,6 @@ Setters<vtkFlowVolume> VolumeSetters()
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkAlgorithm> MakeFlow(const json& extraction)
 {
   using Source = vtkAnalyticFlowSource;
@@ -248,7 +247,6 @@ vtkSmartPointer<vtkAlgorithm> MakeFlow(const json& extraction)
   return source;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkTerminationSurface> MakeTerminationSurface(const json& surface)
 {
   using Maker = vtkSmartPointer<vtkTerminationSurface> (*)(const json&);
@@ -261,7 +259,6 @@ vtkSmartPointer<vtkTerminationSurface> MakeTerminationSurface(const json& surfac
   return made;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkAlgorithm> MakeSurfaceMesh(const json& surface)
 {
   const auto source = vtkSmartPointer<vtkTerminationSurfaceSource>::New();
@@ -269,7 +266,6 @@ vtkSmartPointer<vtkAlgorithm> MakeSurfaceMesh(const json& surface)
   return source;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkAlgorithm> MakeVortexAxis(const json& extraction)
 {
   using Axis = vtkVortexAxis;
@@ -282,7 +278,6 @@ vtkSmartPointer<vtkAlgorithm> MakeVortexAxis(const json& extraction)
   return axis;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImplicitFlowField> MakeFlowField(const json& extraction)
 {
   auto field = vtkSmartPointer<vtkImplicitFlowField>::New();
@@ -311,7 +306,6 @@ vtkSmartPointer<vtkImplicitFlowField> MakeFlowField(const json& extraction)
   return field;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkInflowMapping> MakeInflowMapping(const json& extraction)
 {
   auto mapping = vtkSmartPointer<vtkInflowMapping>::New();
@@ -329,7 +323,6 @@ vtkSmartPointer<vtkInflowMapping> MakeInflowMapping(const json& extraction)
   return mapping;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkFlowVolume> MakeFlowVolume(const json& extraction)
 {
   auto volume = vtkSmartPointer<vtkFlowVolume>::New();
@@ -339,7 +332,6 @@ vtkSmartPointer<vtkFlowVolume> MakeFlowVolume(const json& extraction)
   return volume;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkStreamSurfaceParameters> MakeStreamSurfaceParameters(
   const json& extraction, vtkFlowVolume* volume)
 {
@@ -363,7 +355,6 @@ vtkSmartPointer<vtkStreamSurfaceParameters> MakeStreamSurfaceParameters(
   return parameters;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkFlowLIC> MakeFlowLIC(const json& extraction, vtkFlowVolume* volume)
 {
   auto lic = vtkSmartPointer<vtkFlowLIC>::New();

@@ -24,27 +24,23 @@ vtkAdvectionResult AdvectIn(
 
 }
 
-//------------------------------------------------------------------------------
 vtkAdvectionResult Advect(const SpaceWalker& field, const vtkAdvectionOptions& options, Place start)
 {
   return AdvectIn(field, options, start);
 }
 
-//------------------------------------------------------------------------------
 vtkAdvectionResult Advect(
   const LatticeWalker<>& field, const vtkAdvectionOptions& options, Place start)
 {
   return AdvectIn(field, options, start);
 }
 
-//------------------------------------------------------------------------------
 vtkAdvectionResult Advect(
   const LatticeWalker<true>& field, const vtkAdvectionOptions& options, Place start)
 {
   return AdvectIn(field, options, start);
 }
 
-//------------------------------------------------------------------------------
 KeepingOptions ForwardOptions()
 {
   KeepingOptions options;
@@ -52,7 +48,6 @@ KeepingOptions ForwardOptions()
   return options;
 }
 
-//------------------------------------------------------------------------------
 KeepingOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces)
 {
   KeepingOptions options = ForwardOptions();
@@ -66,19 +61,16 @@ KeepingOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>
   return options;
 }
 
-//------------------------------------------------------------------------------
 int NumberOfSteps(const vtkAdvectionResult& result)
 {
   return result.Steps + result.RejectedSteps + result.StiffSteps + result.RejectedStiffSteps;
 }
 
-//------------------------------------------------------------------------------
 double Distance(const double a[3], const Place& b)
 {
   return std::sqrt(vtkMath::Distance2BetweenPoints(a, b.data()));
 }
 
-//------------------------------------------------------------------------------
 std::string Describe(const vtkAdvectionResult& result)
 {
   std::ostringstream text;

@@ -11,7 +11,6 @@ namespace reference
 
 vtkStandardNewMacro(FormulaSurface);
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<FormulaSurface> FormulaSurface::Plane(
   const Place& normal, double offset, int j, int k)
 {
@@ -26,7 +25,6 @@ vtkSmartPointer<FormulaSurface> FormulaSurface::Plane(
   return plane;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<FormulaSurface> FormulaSurface::Sphere(const Place& center, double radius)
 {
   auto sphere = vtkSmartPointer<FormulaSurface>::New();
@@ -43,7 +41,6 @@ vtkSmartPointer<FormulaSurface> FormulaSurface::Sphere(const Place& center, doub
   return sphere;
 }
 
-//------------------------------------------------------------------------------
 void FormulaSurface::EvaluateNormal(const double x[3], double normal[3]) const
 {
   // By central differences: no test asks for more.
@@ -59,13 +56,11 @@ void FormulaSurface::EvaluateNormal(const double x[3], double normal[3]) const
   vtkMath::Normalize(normal);
 }
 
-//------------------------------------------------------------------------------
 bool FormulaSurface::EvaluatePoint(int, const double*, double*) const
 {
   return false;
 }
 
-//------------------------------------------------------------------------------
 void FormulaSurface::GetBounds(double bounds[6]) const
 {
   const double none[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };

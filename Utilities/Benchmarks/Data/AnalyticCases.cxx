@@ -7,7 +7,6 @@
 
 #include <cmath>
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> AnalyticCase::Sample(int points) const
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -28,7 +27,6 @@ vtkSmartPointer<vtkImageData> AnalyticCase::Sample(int points) const
   return image;
 }
 
-//------------------------------------------------------------------------------
 std::vector<AnalyticCase> MakeAnalyticCases()
 {
   const double pi = vtkMath::Pi();

@@ -79,7 +79,6 @@ const CellShape& ShapeOf(int cellType)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& name)
 {
   vtkDataArray* array = from->GetPointData()->GetArray(name.c_str());
@@ -93,7 +92,6 @@ vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& na
   return data;
 }
 
-//------------------------------------------------------------------------------
 BenchData MakeWavelet(int points)
 {
   // The source scales its field to its extent: every size has the same waves.
@@ -110,13 +108,11 @@ BenchData MakeWavelet(int points)
   return data;
 }
 
-//------------------------------------------------------------------------------
 int WaveletPoints(const BenchOptions& options)
 {
   return options.Pick(97, 41, 13);
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchData> MakeSpeedCases(const BenchOptions& options)
 {
   std::vector<BenchData> cases;
@@ -139,7 +135,6 @@ std::vector<BenchData> MakeSpeedCases(const BenchOptions& options)
   return cases;
 }
 
-//------------------------------------------------------------------------------
 BenchData MakeSpeedCase(const std::string& name, const BenchOptions& options)
 {
   const BenchData wavelet = MakeWavelet(WaveletPoints(options));
@@ -157,7 +152,6 @@ BenchData MakeSpeedCase(const std::string& name, const BenchOptions& options)
   throw std::runtime_error("no case " + name);
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> ToHexahedra(vtkDataSet* data)
 {
   vtkNew<vtkAppendFilter> append;
@@ -185,7 +179,6 @@ vtkSmartPointer<vtkUnstructuredGrid> ToHexahedra(vtkDataSet* data)
   return grid;
 }
 
-//------------------------------------------------------------------------------
 BenchData MakeRandomCells(int cellType, int numberOfCells, unsigned int seed)
 {
   const CellShape& shape = ShapeOf(cellType);

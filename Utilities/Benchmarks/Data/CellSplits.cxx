@@ -165,7 +165,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> SplitIntoTetrahedra(vtkImageData* image, int pieces)
 {
   if (pieces != 5 && pieces != 6 && pieces != 24)

@@ -10,13 +10,11 @@
 
 vtkStandardNewMacro(KeptTimeSteps);
 
-//------------------------------------------------------------------------------
 KeptTimeSteps::KeptTimeSteps()
 {
   this->SetNumberOfInputPorts(0);
 }
 
-//------------------------------------------------------------------------------
 void KeptTimeSteps::AddStepsOf(vtkAlgorithm* source)
 {
   source->UpdateInformation();
@@ -31,7 +29,6 @@ void KeptTimeSteps::AddStepsOf(vtkAlgorithm* source)
   }
 }
 
-//------------------------------------------------------------------------------
 void KeptTimeSteps::AddStep(double time, vtkDataObject* data)
 {
   auto kept = vtk::TakeSmartPointer(data->NewInstance());
@@ -41,7 +38,6 @@ void KeptTimeSteps::AddStep(double time, vtkDataObject* data)
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 int KeptTimeSteps::RequestDataObject(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
@@ -54,7 +50,6 @@ int KeptTimeSteps::RequestDataObject(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int KeptTimeSteps::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
@@ -67,7 +62,6 @@ int KeptTimeSteps::RequestInformation(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int KeptTimeSteps::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {

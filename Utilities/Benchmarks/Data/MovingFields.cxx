@@ -68,7 +68,6 @@ MovingField MakeLinear(const BenchOptions& options)
 }
 }
 
-//------------------------------------------------------------------------------
 double MovingField::GetDistance(const double point[3], double bound, double time) const
 {
   const auto evaluate = [this, time](const double at[3], double gradient[3])
@@ -88,7 +87,6 @@ double MovingField::GetDistance(const double point[3], double bound, double time
   return DistanceToLevel(evaluate, point, bound, 1.0);
 }
 
-//------------------------------------------------------------------------------
 std::vector<MovingField> MakeMovingFields(const BenchOptions& options)
 {
   return { MakeWave(options), MakeBall(options), MakeLinear(options) };

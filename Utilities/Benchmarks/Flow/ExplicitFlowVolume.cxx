@@ -18,7 +18,6 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 }
 
-//------------------------------------------------------------------------------
 ExplicitFlowVolume::ExplicitFlowVolume(
   vtkImageData* field, const flow::Disc& disc, double time, const Settings& settings)
   : Field(field)
@@ -34,7 +33,6 @@ ExplicitFlowVolume::ExplicitFlowVolume(
   }
 }
 
-//------------------------------------------------------------------------------
 void ExplicitFlowVolume::MakePatch()
 {
   this->Streamlines.push_back({ { { this->Inflow.X, this->Inflow.Y, this->Inflow.Z } } });
@@ -62,7 +60,6 @@ void ExplicitFlowVolume::MakePatch()
   }
 }
 
-//------------------------------------------------------------------------------
 void ExplicitFlowVolume::Trace()
 {
   const auto field = flow::NewInterpolation(flow::CellSearch::CLOSEST_POINT, this->Field);
@@ -96,7 +93,6 @@ void ExplicitFlowVolume::Trace()
   }
 }
 
-//------------------------------------------------------------------------------
 std::map<ExplicitFlowVolume::Edge, int> ExplicitFlowVolume::GetEdges() const
 {
   std::map<Edge, int> edges;
@@ -110,7 +106,6 @@ std::map<ExplicitFlowVolume::Edge, int> ExplicitFlowVolume::GetEdges() const
   return edges;
 }
 
-//------------------------------------------------------------------------------
 bool ExplicitFlowVolume::Refine()
 {
   if (this->Options.LongestEdge <= 0.0)
@@ -152,7 +147,6 @@ bool ExplicitFlowVolume::Refine()
   return !middles.empty();
 }
 
-//------------------------------------------------------------------------------
 void ExplicitFlowVolume::Split(
   const Triangle& triangle, const Triangle& middles, std::vector<Triangle>& parts)
 {
@@ -182,7 +176,6 @@ void ExplicitFlowVolume::Split(
   parts.push_back(triangle);
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> ExplicitFlowVolume::MakeTetrahedra() const
 {
   const auto places = static_cast<vtkIdType>(this->Options.Layers) + 1;

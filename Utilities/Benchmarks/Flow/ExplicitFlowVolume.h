@@ -74,7 +74,6 @@ private:
   std::vector<std::vector<Vector>> Streamlines;
 };
 
-//------------------------------------------------------------------------------
 template <typename Visitor>
 void ExplicitFlowVolume::ForEachSide(const Visitor& visit) const
 {

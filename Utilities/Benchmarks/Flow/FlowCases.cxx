@@ -62,7 +62,6 @@ vtkSmartPointer<vtkImageData> MakeLattice(int points)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkAnalyticFlowSource> MakeBeltrami(int points)
 {
   auto source = vtkSmartPointer<vtkAnalyticFlowSource>::New();
@@ -71,7 +70,6 @@ vtkSmartPointer<vtkAnalyticFlowSource> MakeBeltrami(int points)
   return source;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeSeeds(int number, double half, unsigned int seed)
 {
   std::mt19937 generator(seed);
@@ -90,7 +88,6 @@ vtkSmartPointer<vtkPolyData> MakeSeeds(int number, double half, unsigned int see
   return seeds;
 }
 
-//------------------------------------------------------------------------------
 std::vector<Case> MakeSpeedCases(const BenchOptions& options)
 {
   const int small = options.Pick(64, 64, 12);

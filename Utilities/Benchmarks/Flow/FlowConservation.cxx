@@ -94,7 +94,6 @@ void AddCase(const Conserved& what, const BenchOptions& options, BenchRows& rows
 }
 }
 
-//------------------------------------------------------------------------------
 void AddConservationRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const Conserved& what : MakeCases(options.Pick(64, 32, 16)))
@@ -103,7 +102,6 @@ void AddConservationRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> CheckConservationClaims(const std::vector<BenchRow>& rows)
 {
   return { BenchClaim::AtMost("flux through the time surfaces of a stream volume constant to 1 %",

@@ -6,7 +6,6 @@
 
 namespace flow
 {
-//------------------------------------------------------------------------------
 double Disc::Integrate(const std::function<double(const double x[3])>& function) const
 {
   constexpr double pi = 3.14159265358979323846;
@@ -27,7 +26,6 @@ double Disc::Integrate(const std::function<double(const double x[3])>& function)
   return sum * 2.0 * pi / sectors * this->Radius / rings;
 }
 
-//------------------------------------------------------------------------------
 DiscVolume::DiscVolume(const Disc& disc)
 {
   // (u,v) are y and z from the centre.

@@ -212,7 +212,6 @@ BenchPlot& FindPlot(const BenchRow& row, bool isBoundary, std::vector<BenchPlot>
 }
 }
 
-//------------------------------------------------------------------------------
 void AddExplicitRows(const BenchOptions& options, BenchRows& rows)
 {
   const auto rings = options.Pick<std::vector<int>>({ 4, 8, 16, 32 }, { 4, 8 }, { 2, 4 });
@@ -242,7 +241,6 @@ void AddExplicitRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeExplicitPlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;

@@ -119,7 +119,6 @@ void AddOtherFields(CaseList& cases)
 }
 }
 
-//------------------------------------------------------------------------------
 std::vector<FieldCase> MakeFieldCases(const BenchOptions& options)
 {
   CaseList cases(options);

@@ -29,7 +29,6 @@ double GetLargestSpeed(const Case& what)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
   const Case& what, int integrator, double tolerance)
 {
@@ -53,7 +52,6 @@ vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
   return filter;
 }
 
-//------------------------------------------------------------------------------
 Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter)
 {
   vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
@@ -83,7 +81,6 @@ Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter)
   return answer;
 }
 
-//------------------------------------------------------------------------------
 double RunOnce(vtkAlgorithm* filter)
 {
   return TimeOnce(WithThreads(1,
@@ -94,7 +91,6 @@ double RunOnce(vtkAlgorithm* filter)
     }));
 }
 
-//------------------------------------------------------------------------------
 std::string TracerSettings::GetName() const
 {
   return this->Integrator == vtkStreamTracer::RUNGE_KUTTA45
@@ -102,7 +98,6 @@ std::string TracerSettings::GetName() const
     : (this->Integrator == vtkStreamTracer::RUNGE_KUTTA4 ? "RK4" : "RK2");
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSettings& settings)
 {
   auto tracer = vtkSmartPointer<vtkStreamTracer>::New();
@@ -130,7 +125,6 @@ vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSetting
   return tracer;
 }
 
-//------------------------------------------------------------------------------
 Answer ReadTracer(const Case& what, vtkStreamTracer* tracer)
 {
   vtkPolyData* output = tracer->GetOutput();

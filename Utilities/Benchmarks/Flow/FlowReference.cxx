@@ -86,7 +86,6 @@ Reference MakeReference(vtkPolyData* seeds, const std::shared_ptr<Flow>& field)
 }
 }
 
-//------------------------------------------------------------------------------
 Reference::Reference(
   vtkPolyData* seeds, const VelocityFunction& velocity, const FollowFunction& follow)
   : Seeds(seeds)
@@ -95,7 +94,6 @@ Reference::Reference(
 {
 }
 
-//------------------------------------------------------------------------------
 Reference Reference::OfInterpolation(const Case& what)
 {
   if (vtkImageData* image = vtkImageData::SafeDownCast(what.Field))
@@ -105,7 +103,6 @@ Reference Reference::OfInterpolation(const Case& what)
   return MakeReference(what.Seeds, std::make_shared<InterpolatedFlow>(what));
 }
 
-//------------------------------------------------------------------------------
 Difference Reference::Compare(const Answer& answer, vtkIdType stride, double error) const
 {
   // What rounding may do to a place.

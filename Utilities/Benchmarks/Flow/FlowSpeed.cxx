@@ -210,7 +210,6 @@ std::function<std::optional<double>(const BenchRow&)> OfEqualError(bool isImage,
 }
 }
 
-//------------------------------------------------------------------------------
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<Case> cases = MakeSpeedCases(options);
@@ -221,7 +220,6 @@ void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
   AddSecondThread(cases.front(), options, rows);
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
 {
   const auto ratio = [](const BenchRow& row) { return *row.GetRatio(); };
@@ -246,7 +244,6 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
   };
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;

@@ -177,7 +177,6 @@ void AddPoint(const BenchRow& row, bool isOwn, bool isTime, std::vector<BenchPlo
 }
 }
 
-//------------------------------------------------------------------------------
 void AddToleranceRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const FieldCase& field : MakeFieldCases(options))
@@ -190,7 +189,6 @@ void AddToleranceRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> CheckToleranceClaims(const std::vector<BenchRow>& rows)
 {
   return { BenchClaim::AtLeast(
@@ -203,7 +201,6 @@ std::vector<BenchClaim> CheckToleranceClaims(const std::vector<BenchRow>& rows)
     }) };
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeTolerancePlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;

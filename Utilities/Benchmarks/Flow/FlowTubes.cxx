@@ -103,14 +103,12 @@ Tube MakeRoundSphere(const std::string& name, const Disc& inflow, double time, i
 }
 }
 
-//------------------------------------------------------------------------------
 double Tube::GetExcess(const double x[3]) const
 {
   const std::array<double, 2> origin = this->Origin(x);
   return std::hypot(origin[0] - this->Inflow.Y, origin[1] - this->Inflow.Z) - this->Inflow.Radius;
 }
 
-//------------------------------------------------------------------------------
 double Tube::GetExcess(const double x[3], double gradient[3]) const
 {
   constexpr double step = 1e-5;
@@ -125,7 +123,6 @@ double Tube::GetExcess(const double x[3], double gradient[3]) const
   return this->GetExcess(x);
 }
 
-//------------------------------------------------------------------------------
 std::vector<Tube> MakeTubes(int points)
 {
   return { MakeContraction(points), MakeRoundSphere("beside", { -2.2, 1.0, 0.0, 0.5 }, 3.5, points),

@@ -143,7 +143,6 @@ void AddChanges(const std::string& name, Volumes& volumes, double advection, int
 }
 }
 
-//------------------------------------------------------------------------------
 void AddVolumeRows(const BenchOptions& options, BenchRows& rows)
 {
   const int samples = options.Pick(128, 32, 8);
@@ -156,7 +155,6 @@ void AddVolumeRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> CheckVolumeClaims(const std::vector<BenchRow>& rows)
 {
   return {

@@ -101,7 +101,6 @@ public:
 };
 }
 
-//------------------------------------------------------------------------------
 std::unique_ptr<BenchSuite> MakeFlowSuite()
 {
   return std::make_unique<SuiteFlow>();

@@ -75,13 +75,11 @@ Exit FindExit(
 }
 }
 
-//------------------------------------------------------------------------------
 TrilinearFlow::TrilinearFlow(vtkImageData* image)
   : Image(image)
 {
 }
 
-//------------------------------------------------------------------------------
 TrilinearFlow::Vector TrilinearFlow::ToLattice(const double x[3]) const
 {
   const double* origin = this->Image->GetOrigin();
@@ -94,7 +92,6 @@ TrilinearFlow::Vector TrilinearFlow::ToLattice(const double x[3]) const
   return p;
 }
 
-//------------------------------------------------------------------------------
 void TrilinearFlow::ToWorld(const Vector& p, double x[3]) const
 {
   const double* origin = this->Image->GetOrigin();
@@ -105,7 +102,6 @@ void TrilinearFlow::ToWorld(const Vector& p, double x[3]) const
   }
 }
 
-//------------------------------------------------------------------------------
 bool TrilinearFlow::Load(Cell& cell) const
 {
   const int* points = this->Image->GetDimensions();
@@ -134,7 +130,6 @@ bool TrilinearFlow::Load(Cell& cell) const
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool TrilinearFlow::Locate(const Vector& p, Cell& cell) const
 {
   const int* points = this->Image->GetDimensions();
@@ -149,7 +144,6 @@ bool TrilinearFlow::Locate(const Vector& p, Cell& cell) const
   return this->Load(cell);
 }
 
-//------------------------------------------------------------------------------
 void TrilinearFlow::GetVelocity(const double x[3], double v[3]) const
 {
   const Vector p = this->ToLattice(x);
@@ -161,7 +155,6 @@ void TrilinearFlow::GetVelocity(const double x[3], double v[3]) const
   }
 }
 
-//------------------------------------------------------------------------------
 void TrilinearFlow::Follow(double x[3], double time) const
 {
   constexpr double longest = 0.05;

@@ -44,13 +44,11 @@ Interpolation NewComposite(flow::CellSearch search)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkAbstractInterpolatedVelocityField> flow::NewInterpolation(CellSearch search)
 {
   return NewComposite(search);
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkAbstractInterpolatedVelocityField> flow::NewInterpolation(
   CellSearch search, vtkDataSet* field)
 {

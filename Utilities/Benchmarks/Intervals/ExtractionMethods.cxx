@@ -12,7 +12,6 @@
 
 namespace methods
 {
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkIntervalVolume> NewIntervalVolume(vtkDataSet* data, double lower, double upper)
 {
   auto filter = vtkSmartPointer<vtkIntervalVolume>::New();
@@ -22,7 +21,6 @@ vtkSmartPointer<vtkIntervalVolume> NewIntervalVolume(vtkDataSet* data, double lo
   return filter;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> IntervalVolume(vtkDataSet* data, double lower, double upper)
 {
   auto filter = NewIntervalVolume(data, lower, upper);
@@ -30,7 +28,6 @@ vtkSmartPointer<vtkUnstructuredGrid> IntervalVolume(vtkDataSet* data, double low
   return filter->GetOutput();
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> ClipTwice(
   vtkDataSet* data, double lower, double upper, int precision)
 {
@@ -47,7 +44,6 @@ vtkSmartPointer<vtkUnstructuredGrid> ClipTwice(
   return below->GetOutput();
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> ToTetrahedra(vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkDataSetTriangleFilter> filter;
@@ -57,7 +53,6 @@ vtkSmartPointer<vtkUnstructuredGrid> ToTetrahedra(vtkUnstructuredGrid* grid)
   return filter->GetOutput();
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> IsotableContour(vtkDataSet* data, double value)
 {
   vtkNew<vtkIsotableContour> filter;
@@ -68,7 +63,6 @@ vtkSmartPointer<vtkUnstructuredGrid> IsotableContour(vtkDataSet* data, double va
   return filter->GetOutput();
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> Contour3DLinearGrid(
   vtkUnstructuredGrid* grid, double value, bool mergePoints)
 {
@@ -82,7 +76,6 @@ vtkSmartPointer<vtkPolyData> Contour3DLinearGrid(
   return vtkPolyData::SafeDownCast(filter->GetOutput());
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> FlyingEdges(vtkImageData* image, double value)
 {
   vtkNew<vtkFlyingEdges3D> filter;

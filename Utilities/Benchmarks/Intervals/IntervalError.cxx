@@ -204,7 +204,6 @@ BenchPlot MakeErrorPlot(const std::string& theCase, const char* norm, const std:
 }
 }
 
-//------------------------------------------------------------------------------
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<int> resolutions =
@@ -218,7 +217,6 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;

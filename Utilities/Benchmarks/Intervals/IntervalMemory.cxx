@@ -25,7 +25,6 @@ void UseOnce()
 }
 }
 
-//------------------------------------------------------------------------------
 nlohmann::ordered_json MeasureMemory(
   const std::string& theCase, bool asHexahedra, const BenchOptions& options)
 {
@@ -56,7 +55,6 @@ nlohmann::ordered_json MeasureMemory(
   return json;
 }
 
-//------------------------------------------------------------------------------
 nlohmann::ordered_json MeasureFirstUse(int cellType, const BenchOptions& options)
 {
   const BenchData data = MakeRandomCells(cellType, options.Pick(2000, 2000, 50), options.Seed);

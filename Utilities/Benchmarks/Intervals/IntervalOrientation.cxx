@@ -29,7 +29,6 @@ void AddOrientationRow(const BenchData& data, BenchRows& rows)
 }
 }
 
-//------------------------------------------------------------------------------
 void AddOrientationRows(const BenchOptions& options, BenchRows& rows)
 {
   const int cells = options.Pick(100000, 20000, 500);

@@ -104,7 +104,6 @@ void AddReExtractionRow(const BenchData& data, const std::string& place,
 }
 }
 
-//------------------------------------------------------------------------------
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const BenchData& data : MakeSpeedCases(options))
@@ -116,7 +115,6 @@ void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 void AddThreadRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const BenchData& data : MakeSpeedCases(options))
@@ -130,7 +128,6 @@ void AddThreadRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 void AddReExtractionRows(const BenchOptions& options, BenchRows& rows)
 {
   const BenchData data = MakeWavelet(WaveletPoints(options));

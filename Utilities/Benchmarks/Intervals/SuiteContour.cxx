@@ -25,7 +25,6 @@ public:
   std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override;
 };
 
-//------------------------------------------------------------------------------
 std::vector<std::string> SuiteContour::GetDescription() const
 {
   return {
@@ -124,7 +123,6 @@ void AddImageRows(const BenchData& data, const BenchOptions& options, BenchRows&
   }
 }
 
-//------------------------------------------------------------------------------
 void SuiteContour::Run(const BenchOptions& options, BenchRows& rows) const
 {
   for (const BenchData& data : MakeSpeedCases(options))
@@ -134,7 +132,6 @@ void SuiteContour::Run(const BenchOptions& options, BenchRows& rows) const
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> SuiteContour::MakePlots(const std::vector<BenchRow>& rows) const
 {
   std::vector<BenchPlot> plots = MakeRatioPlots("contour", OnHexahedra, rows);
@@ -145,7 +142,6 @@ std::vector<BenchPlot> SuiteContour::MakePlots(const std::vector<BenchRow>& rows
   return plots;
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> SuiteContour::CheckClaims(const std::vector<BenchRow>& rows) const
 {
   return { BenchClaim::AtLeast("hexahedra, 1 thread: no slower than contour3dlinear", 1.0, rows,
@@ -157,7 +153,6 @@ std::vector<BenchClaim> SuiteContour::CheckClaims(const std::vector<BenchRow>& r
 }
 }
 
-//------------------------------------------------------------------------------
 std::unique_ptr<BenchSuite> MakeContourSuite()
 {
   return std::make_unique<SuiteContour>();

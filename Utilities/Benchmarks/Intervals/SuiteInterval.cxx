@@ -35,7 +35,6 @@ private:
   void AddFirstUseRows(const BenchOptions& options, BenchRows& rows) const;
 };
 
-//------------------------------------------------------------------------------
 std::vector<std::string> SuiteInterval::GetDescription() const
 {
   return {
@@ -61,7 +60,6 @@ std::vector<std::string> SuiteInterval::GetDescription() const
   };
 }
 
-//------------------------------------------------------------------------------
 void SuiteInterval::Run(const BenchOptions& options, BenchRows& rows) const
 {
   interval::AddSpeedRows(options, rows);
@@ -73,7 +71,6 @@ void SuiteInterval::Run(const BenchOptions& options, BenchRows& rows) const
   interval::AddErrorRows(options, rows);
 }
 
-//------------------------------------------------------------------------------
 void SuiteInterval::AddMemoryRows(const BenchOptions& options, BenchRows& rows) const
 {
   for (const BenchData& data : MakeSpeedCases(options))
@@ -99,7 +96,6 @@ void SuiteInterval::AddMemoryRows(const BenchOptions& options, BenchRows& rows) 
   }
 }
 
-//------------------------------------------------------------------------------
 void SuiteInterval::AddFirstUseRows(const BenchOptions& options, BenchRows& rows) const
 {
   for (int type : { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON })
@@ -121,7 +117,6 @@ void SuiteInterval::AddFirstUseRows(const BenchOptions& options, BenchRows& rows
   }
 }
 
-//------------------------------------------------------------------------------
 nlohmann::ordered_json SuiteInterval::RunTask(
   const std::string& task, const BenchOptions& options) const
 {
@@ -139,7 +134,6 @@ nlohmann::ordered_json SuiteInterval::RunTask(
   return this->BenchSuite::RunTask(task, options);
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> SuiteInterval::CheckClaims(const std::vector<BenchRow>& rows) const
 {
   auto secondThread = [](const BenchRow& row)
@@ -153,7 +147,6 @@ std::vector<BenchClaim> SuiteInterval::CheckClaims(const std::vector<BenchRow>& 
       CountOf("memory", "peak_share")) };
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> SuiteInterval::MakePlots(const std::vector<BenchRow>& rows) const
 {
   std::vector<BenchPlot> plots = MakeRatioPlots("interval", "interval-volume", rows);
@@ -169,7 +162,6 @@ std::vector<BenchPlot> SuiteInterval::MakePlots(const std::vector<BenchRow>& row
 }
 }
 
-//------------------------------------------------------------------------------
 std::unique_ptr<BenchSuite> MakeIntervalSuite()
 {
   return std::make_unique<SuiteInterval>();

@@ -102,7 +102,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 TrilinearRegion::TrilinearRegion(vtkImageData* image)
 {
   image->GetDimensions(this->Dimensions.data());
@@ -116,7 +115,6 @@ TrilinearRegion::TrilinearRegion(vtkImageData* image)
   }
 }
 
-//------------------------------------------------------------------------------
 TrilinearRegion::Corners TrilinearRegion::GetCorners(int i, int j, int k) const
 {
   const std::size_t row = this->Dimensions[0];
@@ -130,7 +128,6 @@ TrilinearRegion::Corners TrilinearRegion::GetCorners(int i, int j, int k) const
   return corners;
 }
 
-//------------------------------------------------------------------------------
 double TrilinearRegion::GetVolume(double lower, double upper, int depth) const
 {
   const Square whole = { 0.0, 0.0, 1.0 };
@@ -161,7 +158,6 @@ double TrilinearRegion::GetVolume(double lower, double upper, int depth) const
   return cells * this->Spacing[0] * this->Spacing[1] * this->Spacing[2];
 }
 
-//------------------------------------------------------------------------------
 double TrilinearRegion::Evaluate(const double point[3], double gradient[3]) const
 {
   int cell[3];
@@ -183,7 +179,6 @@ double TrilinearRegion::Evaluate(const double point[3], double gradient[3]) cons
   return (1.0 - r[2]) * bottom(r[0], r[1]) + r[2] * top(r[0], r[1]);
 }
 
-//------------------------------------------------------------------------------
 double TrilinearRegion::GetDistance(const double point[3], double value) const
 {
   return DistanceToLevel([this](const double at[3], double gradient[3])
@@ -191,7 +186,6 @@ double TrilinearRegion::GetDistance(const double point[3], double value) const
     point, value, this->Spacing[0]);
 }
 
-//------------------------------------------------------------------------------
 bool TrilinearRegion::IsOnBox(const double a[3], const double b[3], const double c[3]) const
 {
   for (int axis = 0; axis < 3; ++axis)

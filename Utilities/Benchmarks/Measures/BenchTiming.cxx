@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 
-//------------------------------------------------------------------------------
 double TimeOnce(const BenchWork& work)
 {
   const auto begin = std::chrono::steady_clock::now();
@@ -14,7 +13,6 @@ double TimeOnce(const BenchWork& work)
   return std::chrono::duration<double>(end - begin).count();
 }
 
-//------------------------------------------------------------------------------
 std::vector<double> MeasureAlternately(const std::vector<BenchWork>& works, int repeats)
 {
   for (const BenchWork& work : works)
@@ -37,7 +35,6 @@ std::vector<double> MeasureAlternately(const std::vector<BenchWork>& works, int 
   return medians;
 }
 
-//------------------------------------------------------------------------------
 BenchWork WithThreads(int threads, const BenchWork& work)
 {
   return [threads, work]()
@@ -47,13 +44,11 @@ BenchWork WithThreads(int threads, const BenchWork& work)
   };
 }
 
-//------------------------------------------------------------------------------
 std::string ThreadsParameter(int threads)
 {
   return std::to_string(threads) + (threads == 1 ? " thread" : " threads");
 }
 
-//------------------------------------------------------------------------------
 double Median(std::vector<double> numbers)
 {
   if (numbers.empty())

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 
-//------------------------------------------------------------------------------
 double FitExponent(const std::vector<double>& x, const std::vector<double>& y)
 {
   const auto n = static_cast<double>(x.size());

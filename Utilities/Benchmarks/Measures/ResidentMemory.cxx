@@ -24,19 +24,16 @@ std::optional<long> StatusKib(const std::string& name)
 }
 }
 
-//------------------------------------------------------------------------------
 std::optional<long> ResidentKib()
 {
   return StatusKib("VmRSS");
 }
 
-//------------------------------------------------------------------------------
 std::optional<long> PeakResidentKib()
 {
   return StatusKib("VmHWM");
 }
 
-//------------------------------------------------------------------------------
 void ForgetPeakMemory()
 {
 #ifdef __GLIBC__

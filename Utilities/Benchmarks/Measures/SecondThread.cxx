@@ -2,7 +2,6 @@
 
 #include <vector>
 
-//------------------------------------------------------------------------------
 void MeasureSecondThread(const BenchWork& work, const BenchOptions& options, BenchRow& row)
 {
   // Cheap, and the more runs, the less another process on the machine matters.

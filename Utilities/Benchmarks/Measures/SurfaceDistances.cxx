@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-//------------------------------------------------------------------------------
 void SurfaceDistances::AddTriangle(
   const double x[3][3], const std::function<double(const double point[3])>& distance)
 {
@@ -23,7 +22,6 @@ void SurfaceDistances::AddTriangle(
   this->Area += area;
 }
 
-//------------------------------------------------------------------------------
 double SurfaceDistances::GetRootMeanSquare() const
 {
   return this->Area > 0.0 ? std::sqrt(this->SquareIntegral / this->Area) : 0.0;

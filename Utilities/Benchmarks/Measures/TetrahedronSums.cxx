@@ -9,19 +9,16 @@
 #include <algorithm>
 #include <cmath>
 
-//------------------------------------------------------------------------------
 double TetrahedronSums::GetInvertedShare() const
 {
   return this->Tetrahedra > 0 ? static_cast<double>(this->Inverted) / this->Tetrahedra : 0.0;
 }
 
-//------------------------------------------------------------------------------
 double TetrahedronSums::GetInvertedVolumeShare() const
 {
   return this->AbsoluteVolume > 0.0 ? this->InvertedVolume / this->AbsoluteVolume : 0.0;
 }
 
-//------------------------------------------------------------------------------
 TetrahedronSums SumTetrahedra(vtkUnstructuredGrid* grid)
 {
   TetrahedronSums sums;

@@ -214,7 +214,6 @@ void AddBars(vtkChartXY* chart, const BenchPlot& plot)
 }
 }
 
-//------------------------------------------------------------------------------
 void FillChart(vtkChartXY* chart, const BenchPlot& plot)
 {
   chart->SetTitle(plot.Title);

@@ -24,7 +24,6 @@ const int CaptionHeight = 44;
 const int RightMargin = 28;
 }
 
-//------------------------------------------------------------------------------
 PlotDrawer::PlotDrawer(const std::string& folder, const std::string& caption)
   : Folder(folder)
   , Caption(caption)
@@ -40,7 +39,6 @@ PlotDrawer::PlotDrawer(const std::string& folder, const std::string& caption)
   std::filesystem::create_directories(folder);
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::string> PlotDrawer::Draw(const std::vector<BenchPlot>& plots) const
 {
   std::vector<std::string> names;
@@ -55,7 +53,6 @@ std::vector<std::string> PlotDrawer::Draw(const std::vector<BenchPlot>& plots) c
   return names;
 }
 
-//------------------------------------------------------------------------------
 void PlotDrawer::Draw(const BenchPlot& plot) const
 {
   vtkNew<vtkRenderer> renderer;

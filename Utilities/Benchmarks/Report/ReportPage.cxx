@@ -30,13 +30,11 @@ td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: 
 )";
 }
 
-//------------------------------------------------------------------------------
 ReportPage::ReportPage(const BenchResults& results)
   : Results(results)
 {
 }
 
-//------------------------------------------------------------------------------
 void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<std::string>& plots)
 {
   const std::string name = suite.GetName();
@@ -58,7 +56,6 @@ void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<std::string
   this->Body += text.str();
 }
 
-//------------------------------------------------------------------------------
 void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
 {
   const auto passed = std::count_if(
@@ -77,7 +74,6 @@ void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
   this->Body += text.str();
 }
 
-//------------------------------------------------------------------------------
 void ReportPage::Write(const std::string& path) const
 {
   std::set<std::string> named;

@@ -122,7 +122,6 @@ std::string Verdict(bool isGood, const std::string& text)
 
 namespace html
 {
-//------------------------------------------------------------------------------
 std::string TableOf(const std::vector<BenchClaim>& claims)
 {
   if (claims.empty())
@@ -147,7 +146,6 @@ std::string TableOf(const std::vector<BenchClaim>& claims)
   return html.str();
 }
 
-//------------------------------------------------------------------------------
 std::string TablesOf(const std::vector<BenchRow>& rows)
 {
   std::string html;
@@ -165,7 +163,6 @@ std::string TablesOf(const std::vector<BenchRow>& rows)
   return table.empty() ? html : html + TableOf(table);
 }
 
-//------------------------------------------------------------------------------
 std::string TableOf(const std::vector<StabilityCase>& cases)
 {
   if (cases.empty())

@@ -21,7 +21,6 @@ BenchClaim MakeClaim(const std::string& text, const std::vector<BenchRow>& rows,
 }
 }
 
-//------------------------------------------------------------------------------
 BenchClaim BenchClaim::AtLeast(const std::string& text, double bound,
   const std::vector<BenchRow>& rows,
   const std::function<std::optional<double>(const BenchRow&)>& number)
@@ -29,7 +28,6 @@ BenchClaim BenchClaim::AtLeast(const std::string& text, double bound,
   return MakeClaim(text, rows, number, [bound](double measured) { return measured >= bound; });
 }
 
-//------------------------------------------------------------------------------
 BenchClaim BenchClaim::AtMost(const std::string& text, double bound,
   const std::vector<BenchRow>& rows,
   const std::function<std::optional<double>(const BenchRow&)>& number)
@@ -37,7 +35,6 @@ BenchClaim BenchClaim::AtMost(const std::string& text, double bound,
   return MakeClaim(text, rows, number, [bound](double measured) { return measured <= bound; });
 }
 
-//------------------------------------------------------------------------------
 std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
   const std::string& method, const std::string& peer)
 {
@@ -49,7 +46,6 @@ std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
   };
 }
 
-//------------------------------------------------------------------------------
 std::function<std::optional<double>(const BenchRow&)> CountOf(
   const std::string& method, const std::string& count)
 {

@@ -38,7 +38,6 @@ std::string ProcessorName(vtksys::SystemInformation& information)
 }
 }
 
-//------------------------------------------------------------------------------
 nlohmann::ordered_json DescribeMachine()
 {
   vtksys::SystemInformation information;
@@ -57,7 +56,6 @@ nlohmann::ordered_json DescribeMachine()
   return machine;
 }
 
-//------------------------------------------------------------------------------
 std::string MachineInOneLine(const nlohmann::ordered_json& machine, const std::string& vtk)
 {
   std::ostringstream line;

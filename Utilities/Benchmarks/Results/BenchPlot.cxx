@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-//------------------------------------------------------------------------------
 void BenchPlot::AddPoint(const std::string& label, bool isPeer, double x, double y)
 {
   auto found = std::find_if(this->AllSeries.begin(), this->AllSeries.end(),

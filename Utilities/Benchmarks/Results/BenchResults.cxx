@@ -9,7 +9,6 @@
 #include <iterator>
 #include <stdexcept>
 
-//------------------------------------------------------------------------------
 BenchResults BenchResults::Here()
 {
   BenchResults results;
@@ -18,7 +17,6 @@ BenchResults BenchResults::Here()
   return results;
 }
 
-//------------------------------------------------------------------------------
 BenchResults BenchResults::Read(const std::string& path)
 {
   std::ifstream file(path);
@@ -44,7 +42,6 @@ BenchResults BenchResults::Read(const std::string& path)
   }
 }
 
-//------------------------------------------------------------------------------
 void BenchResults::Write(const std::string& path) const
 {
   nlohmann::ordered_json json;
@@ -63,7 +60,6 @@ void BenchResults::Write(const std::string& path) const
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchRow> BenchResults::RowsOf(const std::string& suite) const
 {
   std::vector<BenchRow> rows;

@@ -53,7 +53,6 @@ std::ostream& operator<<(std::ostream& os, const BenchRow& row)
 }
 }
 
-//------------------------------------------------------------------------------
 std::optional<double> BenchRow::GetRatio() const
 {
   if (this->Seconds && this->PeerSeconds && *this->Seconds > 0.0)
@@ -63,7 +62,6 @@ std::optional<double> BenchRow::GetRatio() const
   return std::nullopt;
 }
 
-//------------------------------------------------------------------------------
 nlohmann::ordered_json BenchRow::ToJson() const
 {
   nlohmann::ordered_json json;
@@ -87,7 +85,6 @@ nlohmann::ordered_json BenchRow::ToJson() const
   return json;
 }
 
-//------------------------------------------------------------------------------
 BenchRow BenchRow::FromJson(const nlohmann::ordered_json& json)
 {
   BenchRow row;
@@ -110,13 +107,11 @@ BenchRow BenchRow::FromJson(const nlohmann::ordered_json& json)
   return row;
 }
 
-//------------------------------------------------------------------------------
 BenchRows::BenchRows(const std::string& suite)
   : Suite(suite)
 {
 }
 
-//------------------------------------------------------------------------------
 BenchRow BenchRows::Make(const std::string& theCase, const std::string& method) const
 {
   BenchRow row;
@@ -126,7 +121,6 @@ BenchRow BenchRows::Make(const std::string& theCase, const std::string& method) 
   return row;
 }
 
-//------------------------------------------------------------------------------
 void BenchRows::Add(BenchRow row)
 {
   std::cout << row << std::endl;

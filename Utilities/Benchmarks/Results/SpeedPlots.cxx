@@ -18,7 +18,6 @@ std::vector<std::string> PeersOf(const std::string& method, const std::vector<Be
 }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeRatioPlots(
   const std::string& suite, const std::string& method, const std::vector<BenchRow>& rows)
 {
@@ -49,7 +48,6 @@ std::vector<BenchPlot> MakeRatioPlots(
   return plots;
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeReExtractionPlots(
   const std::string& suite, const std::vector<BenchRow>& rows)
 {

@@ -226,7 +226,6 @@ void AddEqualErrorRow(const std::string& name, const char* norm, BenchRows& rows
 }
 }
 
-//------------------------------------------------------------------------------
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<Case> cases = MakeCases(options);
@@ -243,7 +242,6 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> CheckErrorClaims(const std::vector<BenchRow>& rows)
 {
   const auto ratio = [](const BenchRow& row)
@@ -253,7 +251,6 @@ std::vector<BenchClaim> CheckErrorClaims(const std::vector<BenchRow>& rows)
     ratio) };
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;

@@ -33,7 +33,6 @@ vtkSmartPointer<vtkGPUVolumeRayCastMapper> NewRayCaster(
 const char* const GpuPeer = "gpu";
 const char* const GpuShadowsPeer = "gpu-shadows";
 
-//------------------------------------------------------------------------------
 Method::Method(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, vtkVolumeMapper* mapper)
   : Stage(stage)
@@ -46,13 +45,11 @@ Method::Method(
   stage.GetRenderer()->AddVolume(this->Volume);
 }
 
-//------------------------------------------------------------------------------
 Method::~Method()
 {
   this->Stage.GetRenderer()->RemoveVolume(this->Volume);
 }
 
-//------------------------------------------------------------------------------
 void Method::Show(vtkCamera* camera)
 {
   vtkVolumeCollection* volumes = this->Stage.GetRenderer()->GetVolumes();
@@ -66,7 +63,6 @@ void Method::Show(vtkCamera* camera)
   this->Stage.SetCamera(camera);
 }
 
-//------------------------------------------------------------------------------
 BenchWork Method::GetFrame(int threads)
 {
   return WithThreads(threads,
@@ -81,7 +77,6 @@ BenchWork Method::GetFrame(int threads)
     });
 }
 
-//------------------------------------------------------------------------------
 reference::RgbaPicture Method::Capture()
 {
   this->Show(this->Scene.Camera);
@@ -91,13 +86,11 @@ reference::RgbaPicture Method::Capture()
   return this->Stage.Capture();
 }
 
-//------------------------------------------------------------------------------
 vtkShadowedSliceMapper* Method::GetSlices()
 {
   return vtkShadowedSliceMapper::SafeDownCast(this->Mapper);
 }
 
-//------------------------------------------------------------------------------
 MethodPointer MakeSlices(reference::VolumeStage& stage, const reference::ShadowScene& scene,
   const std::function<void(vtkShadowedSliceMapper*)>& set)
 {
@@ -112,14 +105,12 @@ MethodPointer MakeSlices(reference::VolumeStage& stage, const reference::ShadowS
   return std::make_unique<Method>(stage, scene, mapper);
 }
 
-//------------------------------------------------------------------------------
 MethodPointer MakeRays(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance)
 {
   return std::make_unique<Method>(stage, scene, NewRayCaster(scene, sampleDistance));
 }
 
-//------------------------------------------------------------------------------
 MethodPointer MakeShadowRays(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance)
 {
@@ -136,7 +127,6 @@ MethodPointer MakeShadowRays(
   return std::make_unique<Method>(stage, shaded, mapper);
 }
 
-//------------------------------------------------------------------------------
 void AddReport(const vtkShadowedSliceReport& report, BenchRow& row)
 {
   row.Counts["lights"] = report.Lights;

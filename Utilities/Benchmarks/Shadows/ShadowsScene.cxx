@@ -128,7 +128,6 @@ vtkSmartPointer<vtkLight> MakeLight(
 }
 }
 
-//------------------------------------------------------------------------------
 Case MakeBonsai(int stepXY, int stepZ)
 {
   auto whole = interlume::ReadData("bonsai.vti");
@@ -155,7 +154,6 @@ Case MakeBonsai(int stepXY, int stepZ)
   return made;
 }
 
-//------------------------------------------------------------------------------
 Case MakeHead()
 {
   const vtkSmartPointer<vtkImageData> image =
@@ -170,7 +168,6 @@ Case MakeHead()
   return made;
 }
 
-//------------------------------------------------------------------------------
 Case MakeTooth()
 {
   const vtkSmartPointer<vtkImageData> image =
@@ -186,7 +183,6 @@ Case MakeTooth()
   return made;
 }
 
-//------------------------------------------------------------------------------
 Case MakeSphere(int points)
 {
   Case made;
@@ -199,7 +195,6 @@ Case MakeSphere(int points)
   return made;
 }
 
-//------------------------------------------------------------------------------
 Case MakeRings(int points)
 {
   Case made;
@@ -212,7 +207,6 @@ Case MakeRings(int points)
   return made;
 }
 
-//------------------------------------------------------------------------------
 Case MakeScattering(const Case& from)
 {
   Case made = from;
@@ -225,7 +219,6 @@ Case MakeScattering(const Case& from)
   return made;
 }
 
-//------------------------------------------------------------------------------
 Case MakeStepped(const Case& from)
 {
   Case made = from;
@@ -245,7 +238,6 @@ Case MakeStepped(const Case& from)
   return made;
 }
 
-//------------------------------------------------------------------------------
 Lights MakeLights(const reference::ShadowScene& scene, int number)
 {
   const double directions[4][3] = { { 0.6, 0.55, -0.6 }, { 0.7, -0.6, -0.4 }, { 0.8, 0.1, -0.6 },
@@ -259,7 +251,6 @@ Lights MakeLights(const reference::ShadowScene& scene, int number)
   return lights;
 }
 
-//------------------------------------------------------------------------------
 Lights MakeLightsOnBothSides(const reference::ShadowScene& scene)
 {
   Lights lights = MakeLights(scene, 2);

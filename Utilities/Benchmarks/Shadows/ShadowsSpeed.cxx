@@ -203,7 +203,6 @@ std::optional<double> OverOneBuffer(const BenchRow& row)
 }
 }
 
-//------------------------------------------------------------------------------
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<Case> cases = MakeCases(options);
@@ -214,7 +213,6 @@ void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
 {
   const auto overNoLights = [](const BenchRow& row) -> std::optional<double>
@@ -233,7 +231,6 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
   };
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
 {
   BenchPlot plot;

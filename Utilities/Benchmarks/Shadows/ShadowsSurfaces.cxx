@@ -81,7 +81,6 @@ std::vector<Surface> MakeSurfaces(const BenchOptions& options)
 }
 }
 
-//------------------------------------------------------------------------------
 void AddSurfaceRows(const BenchOptions& options, BenchRows& rows)
 {
   const int pixels = options.Pick(512, 192, 32);

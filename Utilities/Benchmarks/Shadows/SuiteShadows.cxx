@@ -77,7 +77,6 @@ public:
 };
 }
 
-//------------------------------------------------------------------------------
 std::unique_ptr<BenchSuite> MakeShadowsSuite()
 {
   return std::make_unique<SuiteShadows>();

@@ -92,13 +92,11 @@ Case ReadMug()
 }
 }
 
-//------------------------------------------------------------------------------
 vtkIdType Case::GetNumberOfCells() const
 {
   return this->Steps->GetStep(0)->GetNumberOfElements(vtkDataObject::CELL);
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkTimeVaryingIntervalVolume> Case::NewFilter() const
 {
   auto filter = vtkSmartPointer<vtkTimeVaryingIntervalVolume>::New();
@@ -108,7 +106,6 @@ vtkSmartPointer<vtkTimeVaryingIntervalVolume> Case::NewFilter() const
   return filter;
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::string> GetCaseNames(const BenchOptions& options)
 {
   auto names = options.Pick<std::vector<std::string>>(
@@ -123,7 +120,6 @@ std::vector<std::string> GetCaseNames(const BenchOptions& options)
   return names;
 }
 
-//------------------------------------------------------------------------------
 Case MakeCase(const std::string& name, const BenchOptions& options)
 {
   const bool isTiny = options.Size == BenchOptions::TINY;

@@ -110,7 +110,6 @@ std::function<std::optional<double>(const BenchRow&)> HexahedraOverTetrahedra(
 }
 }
 
-//------------------------------------------------------------------------------
 void AddCountRows(const BenchOptions& options, BenchRows& rows)
 {
   // Ten million tetrahedra are too many for a quick look.
@@ -123,7 +122,6 @@ void AddCountRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> CheckCountClaims(const std::vector<BenchRow>& rows)
 {
   return { BenchClaim::AtMost("hexahedra along t: no tetrahedra of class 2", 0.0, rows,

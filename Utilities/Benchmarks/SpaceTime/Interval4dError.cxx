@@ -270,7 +270,6 @@ void AddOrderRow(const std::string& field, const char* method, BenchRows& rows)
 }
 }
 
-//------------------------------------------------------------------------------
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {
   const auto numbersOfSlabs =
@@ -284,7 +283,6 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> CheckErrorClaims(const std::vector<BenchRow>& rows)
 {
   const auto linear = [](const BenchRow& row)
@@ -294,7 +292,6 @@ std::vector<BenchClaim> CheckErrorClaims(const std::vector<BenchRow>& rows)
     BenchClaim::AtMost("slice of a linear field: no error but rounding", 1e-12, rows, linear) };
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;

@@ -113,7 +113,6 @@ nlohmann::ordered_json MeasureLaterSlabs(const std::string& theCase, const Bench
 }
 }
 
-//------------------------------------------------------------------------------
 void AddFreshRows(const BenchOptions& options, const TaskRunner& runTask, BenchRows& rows)
 {
   std::vector<BenchRow> laterSlabs;
@@ -144,7 +143,6 @@ void AddFreshRows(const BenchOptions& options, const TaskRunner& runTask, BenchR
   }
 }
 
-//------------------------------------------------------------------------------
 std::optional<nlohmann::ordered_json> RunFreshTask(
   const std::string& task, const BenchOptions& options)
 {
@@ -162,7 +160,6 @@ std::optional<nlohmann::ordered_json> RunFreshTask(
   return std::nullopt;
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> CheckFreshClaims(const std::vector<BenchRow>& rows)
 {
   const auto cold = [](const BenchRow& row)
@@ -176,7 +173,6 @@ std::vector<BenchClaim> CheckFreshClaims(const std::vector<BenchRow>& rows)
       CountOf("memory", "peak_share")) };
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeFreshPlots(const std::vector<BenchRow>& rows)
 {
   BenchPlot plot;

@@ -54,7 +54,6 @@ void AddWarmRows(const Case& what, const BenchOptions& options, BenchRows& rows)
 }
 }
 
-//------------------------------------------------------------------------------
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const std::string& name : GetCaseNames(options))
@@ -63,7 +62,6 @@ void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
 {
   const auto secondThread = [](const BenchRow& row)

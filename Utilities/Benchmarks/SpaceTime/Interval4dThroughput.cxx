@@ -69,7 +69,6 @@ void AddRow(const Case& what, double share, const BenchOptions& options, BenchRo
 }
 }
 
-//------------------------------------------------------------------------------
 void AddThroughputRows(const BenchOptions& options, BenchRows& rows)
 {
   const auto sizes = options.Pick<std::vector<int>>({ 32, 64, 96, 128 }, { 32, 64 }, { 12, 16 });
@@ -91,7 +90,6 @@ void AddThroughputRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeThroughputPlots(const std::vector<BenchRow>& rows)
 {
   BenchPlot plot;

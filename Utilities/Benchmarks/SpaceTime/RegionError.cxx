@@ -22,7 +22,6 @@ bool IsAt(double value, double bound)
 }
 }
 
-//------------------------------------------------------------------------------
 RegionError MeasureRegion(const MovingField& field, double time, vtkUnstructuredGrid* tetrahedra)
 {
   vtkDataArray* values = tetrahedra->GetPointData()->GetArray(field.Source->GetArrayName());

@@ -92,7 +92,6 @@ public:
 };
 }
 
-//------------------------------------------------------------------------------
 std::unique_ptr<BenchSuite> MakeInterval4dSuite()
 {
   return std::make_unique<SuiteInterval4d>();

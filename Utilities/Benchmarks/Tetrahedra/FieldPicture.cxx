@@ -28,7 +28,6 @@ std::array<double, 2> Chord(const reference::Ray& ray, double low, double high)
 }
 }
 
-//------------------------------------------------------------------------------
 reference::RgbaPicture IntegrateField(const std::function<double(double, double, double)>& field,
   double low, double high, vtkVolumeProperty* property, vtkCamera* camera,
   const std::array<int, 2>& size, int steps)

@@ -53,7 +53,6 @@ public:
 };
 }
 
-//------------------------------------------------------------------------------
 std::unique_ptr<BenchSuite> MakeTetrahedraSuite()
 {
   return std::make_unique<SuiteTetrahedra>();

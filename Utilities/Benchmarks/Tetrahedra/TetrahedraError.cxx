@@ -178,7 +178,6 @@ void AddStrideRows(Theatre& theatre, const RenderPath& path, int cubes,
 }
 }
 
-//------------------------------------------------------------------------------
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<int> resolutions =
@@ -195,7 +194,6 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
 {
   BenchPlot finer;

@@ -9,7 +9,6 @@ using Mapper = vtkTimeWeightedTetrahedraMapper;
 
 const char* const Peer = "projectedtetrahedra";
 
-//------------------------------------------------------------------------------
 const std::vector<RenderPath>& AllRenderPaths()
 {
   static const std::vector<RenderPath> paths = { { "opengl", Mapper::OPENGL_PATH },
@@ -17,7 +16,6 @@ const std::vector<RenderPath>& AllRenderPaths()
   return paths;
 }
 
-//------------------------------------------------------------------------------
 const std::vector<RenderMode>& AllRenderModes()
 {
   static const std::vector<RenderMode> modes = {
@@ -41,19 +39,16 @@ const std::vector<RenderMode>& AllRenderModes()
   return modes;
 }
 
-//------------------------------------------------------------------------------
 const RenderMode& GetDefaultMode()
 {
   return AllRenderModes()[0];
 }
 
-//------------------------------------------------------------------------------
 const RenderMode& GetUnsortedMode()
 {
   return AllRenderModes()[1];
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<Mapper> NewMapper(
   vtkUnstructuredGrid* grid, const RenderPath& path, const RenderMode& mode)
 {
@@ -67,7 +62,6 @@ vtkSmartPointer<Mapper> NewMapper(
   return mapper;
 }
 
-//------------------------------------------------------------------------------
 void AddReport(const vtkTetrahedraRenderReport& report, BenchRow& row)
 {
   row.Counts["tetrahedra"] = report.Tetrahedra;

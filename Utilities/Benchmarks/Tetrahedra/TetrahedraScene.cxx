@@ -28,25 +28,21 @@ const AnalyticCase& GetGyroid()
 }
 }
 
-//------------------------------------------------------------------------------
 double GetField(double x, double y, double z)
 {
   return GetGyroid().Field(x, y, z);
 }
 
-//------------------------------------------------------------------------------
 double GetLow()
 {
   return GetGyroid().Low;
 }
 
-//------------------------------------------------------------------------------
 double GetHigh()
 {
   return GetGyroid().High;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(int cubes)
 {
   auto grid = SplitIntoTetrahedra(GetGyroid().Sample(cubes + 1), 5);
@@ -63,7 +59,6 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(int cubes)
   return grid;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkVolumeProperty> MakeProperty()
 {
   vtkNew<vtkColorTransferFunction> color;
@@ -82,7 +77,6 @@ vtkSmartPointer<vtkVolumeProperty> MakeProperty()
   return property;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkCamera> MakeCamera()
 {
   const double middle = 0.5 * (GetLow() + GetHigh());
@@ -95,7 +89,6 @@ vtkSmartPointer<vtkCamera> MakeCamera()
   return camera;
 }
 
-//------------------------------------------------------------------------------
 Theatre::Theatre(int pixels)
   : Size({ { pixels, pixels } })
   , Stage(this->Size)
@@ -104,7 +97,6 @@ Theatre::Theatre(int pixels)
 {
 }
 
-//------------------------------------------------------------------------------
 BenchWork Theatre::FrameOf(vtkUnstructuredGridVolumeMapper* mapper)
 {
   return [this, mapper]()
@@ -119,7 +111,6 @@ BenchWork Theatre::FrameOf(vtkUnstructuredGridVolumeMapper* mapper)
   };
 }
 
-//------------------------------------------------------------------------------
 reference::RgbaPicture Theatre::Capture(vtkUnstructuredGridVolumeMapper* mapper)
 {
   this->Stage.SetVolume(mapper, this->Property);
@@ -127,7 +118,6 @@ reference::RgbaPicture Theatre::Capture(vtkUnstructuredGridVolumeMapper* mapper)
   return this->Stage.Capture();
 }
 
-//------------------------------------------------------------------------------
 reference::RgbaPicture Theatre::CaptureApart(vtkUnstructuredGridVolumeMapper* mapper) const
 {
   reference::VolumeStage stage(this->Size);

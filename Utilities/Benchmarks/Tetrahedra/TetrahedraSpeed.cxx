@@ -194,7 +194,6 @@ void AddClaims(
 }
 }
 
-//------------------------------------------------------------------------------
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const SpeedCase& what : MakeSpeedCases(options))
@@ -212,7 +211,6 @@ void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
   AddExponentRow(AllRenderPaths()[0].Name, GetDefaultMode().Name, measured, true, rows);
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
 {
   constexpr double some = 2.5e5;
@@ -236,7 +234,6 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
   return claims;
 }
 
-//------------------------------------------------------------------------------
 std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchRow> speed;
