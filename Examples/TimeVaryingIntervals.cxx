@@ -121,7 +121,7 @@ int main(int argc, char* argv[])
     std::cerr << "nothing of " << argv[2] << " lies in that interval at any time\n";
     return EXIT_FAILURE;
   }
-  const vtkSpaceTimeReport& report = interval->GetReport();
+  const vtkTimeVaryingReport& report = interval->GetReport();
   std::cout << tetrahedra->GetNumberOfCells() << " tetrahedra of " << report.Simplices
             << " 4-simplices between " << report.TimeSteps << " steps\n";
 

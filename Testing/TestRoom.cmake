@@ -3,7 +3,7 @@
 #   [DRAWN FILE...]            tests that draw and so need a display; label value
 #   [QUICK_DRAWN FILE...]      the same, with the label quick as well
 #   [SOURCES FILE...]          what tests of this room share
-#   [PRIVATE_HEADERS FOLDER...] modules, as Filters/Flow, whose private headers are tested
+#   [PRIVATE_PARTS MODULE...]  modules, as InterlumeFlow, whose private parts are tested
 #   [LIBRARIES TARGET...])
 # Makes the program Interlume<ROOM>Tests and a CTest test of each file, named as the file, which has to
 # hold a function of that name. The room's folder may have folders; names of files are there once.
@@ -21,7 +21,7 @@ endmacro ()
 
 function (interlume_add_test_room room)
   cmake_parse_arguments(PARSE_ARGV 1 arg ""
-    "" "TESTS;DRAWN;QUICK_DRAWN;SOURCES;PRIVATE_HEADERS;LIBRARIES")
+    "" "TESTS;DRAWN;QUICK_DRAWN;SOURCES;PRIVATE_PARTS;LIBRARIES")
   set(program Interlume${room}Tests)
   set(files ${arg_TESTS} ${arg_DRAWN} ${arg_QUICK_DRAWN})
   set(drawn ${arg_DRAWN} ${arg_QUICK_DRAWN})
@@ -36,13 +36,12 @@ function (interlume_add_test_room room)
   create_test_sourcelist(sources ${program}.cxx ${names} EXTRA_INCLUDE vtkTestDriver.h)
   list(GET sources 0 driver)
   add_executable(${program} ${driver} ${files} ${arg_SOURCES})
-  list(TRANSFORM arg_PRIVATE_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/")
-  target_include_directories(${program} PRIVATE ${arg_PRIVATE_HEADERS})
+  list(TRANSFORM arg_PRIVATE_PARTS APPEND Private)
   target_link_libraries(${program} PRIVATE
-    ${arg_LIBRARIES} InterlumeInputs InterlumeReference VTK::CommonSystem VTK::FiltersCore
+    ${arg_LIBRARIES} ${arg_PRIVATE_PARTS} InterlumeInputs InterlumeReference VTK::CommonSystem VTK::FiltersCore
     VTK::FiltersGeneral VTK::FiltersSources VTK::ImagingCore VTK::IOXML VTK::TestingCore)
   if (drawn)
-    # OpenGL: one of the loaders, see vtkOpenGLFunctions.h.
+    # OpenGL: one of the loaders, see OpenGLFunctions.h.
     target_link_libraries(${program} PRIVATE
       InterlumePages InterlumePictures Interlume::InterlumeScene VTK::RenderingCore
       VTK::RenderingOpenGL2 VTK::RenderingVolume VTK::RenderingVolumeOpenGL2

@@ -1,12 +1,15 @@
 #include "vtkFlowCriticalPoints.h"
 
+#include "Common/AbortCheck.h"
+#include "Fields/FieldVectors.h"
+#include "Numerics/RealEigenvalues.h"
+#include "Topology/ZeroSearch.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkFlowAbort.h"
-#include "vtkFlowVectors.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -16,8 +19,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRealEigenvalues.h"
-#include "vtkZeroSearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,17 +29,17 @@ vtkStandardNewMacro(vtkFlowCriticalPoints);
 namespace
 {
 // The vectors themselves.
-class VectorSystem : public vtkZeroSearch::Systems
+class VectorSystem : public interlume::ZeroSearch::Systems
 {
 public:
-  void GetRange(const vtkMultilinearCell&, int& first, int& last) const override
+  void GetRange(const interlume::MultilinearCell&, int& first, int& last) const override
   {
     first = 0;
     last = 1;
   }
 
-  void Evaluate(
-    const vtkMultilinearCell& cell, int, vtkMultilinearCell::Values& values) const override
+  void Evaluate(const interlume::MultilinearCell& cell, int,
+    interlume::MultilinearCell::Values& values) const override
   {
     std::copy_n(&cell.GetVectors()[0][0], 24, &values[0][0]);
   }
@@ -115,17 +116,17 @@ int vtkFlowCriticalPoints::RequestData(
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* vectors = this->GetInputArrayToProcess(0, inputs, association);
   const std::string wrong =
-    vtkFlowVectors::Check(input, vectors, association, this->GetInputArrayInformation(0));
+    interlume::FieldVectors::Check(input, vectors, association, this->GetInputArrayInformation(0));
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);
     return 1;
   }
   this->SetProgressText("Searching cells for critical points");
-  vtkZeroSearch search;
+  interlume::ZeroSearch search;
   if (!search.Execute(this, input, vectors, VectorSystem()))
   {
-    return vtkFlowAbort::Leave(outputs);
+    return interlume::AbortCheck::Leave(outputs);
   }
   this->Report.ZeroCells = search.GetCounts().ZeroCells;
   this->Report.DegenerateCells = search.GetCounts().DegenerateCells;
@@ -146,12 +147,12 @@ int vtkFlowCriticalPoints::RequestData(
   lengths->SetName("CellLength");
   vtkNew<vtkIdTypeArray> cells;
   cells->SetName("CellId");
-  for (const vtkZeroSearch::Zero& zero : search.GetZeros())
+  for (const interlume::ZeroSearch::Zero& zero : search.GetZeros())
   {
     const vtkIdType point = points->InsertNextPoint(zero.Position);
     vertices->InsertNextCell(1, &point);
     double values[6];
-    vtkRealEigenvalues::Compute(zero.Gradient, values);
+    interlume::RealEigenvalues::Compute(zero.Gradient, values);
     types->InsertNextValue(zero.IsDegenerate ? DEGENERATE : Classify(values));
     eigenvalues->InsertNextTuple(values);
     jacobians->InsertNextTuple(zero.Gradient);

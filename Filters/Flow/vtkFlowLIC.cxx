@@ -1,13 +1,13 @@
 #include "vtkFlowLIC.h"
 
-#include "vtkArcWalk.h"
-#include "vtkConvolutionKernel.h"
-#include "vtkFlowBatches.h"
-#include "vtkFlowAbort.h"
-#include "vtkFlowDispatch.h"
-#include "vtkFlowPiece.h"
-#include "vtkFlowVectors.h"
-#include "vtkLatticeNoise.h"
+#include "Common/AbortCheck.h"
+#include "Common/Batches.h"
+#include "Convolution/ArcWalk.h"
+#include "Convolution/ConvolutionKernel.h"
+#include "Convolution/LatticeNoise.h"
+#include "Fields/FieldDispatch.h"
+#include "Fields/FieldVectors.h"
+#include "Samples/OutputPiece.h"
 
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
@@ -108,8 +108,8 @@ int vtkFlowLIC::RequestData(
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* vectors = this->GetInputArrayToProcess(0, field, association);
-  std::string wrong =
-    vtkFlowVectors::CheckVectors(field, vectors, association, this->GetInputArrayInformation(0));
+  std::string wrong = interlume::FieldVectors::CheckVectors(
+    field, vectors, association, this->GetInputArrayInformation(0));
   if (wrong.empty() && !this->FindSteps(points))
   {
     wrong = "Length " + std::to_string(this->Report.Length) +
@@ -122,10 +122,10 @@ int vtkFlowLIC::RequestData(
   {
     values->SetName("LIC");
     values->SetNumberOfValues(points->GetNumberOfPoints());
-    wrong = vtkFlowDispatch::Execute(
+    wrong = interlume::FieldDispatch::Execute(
       field, vectors, {},
       [&](const auto& walker) { this->Convolve(walker, points, values->GetPointer(0)); },
-      vtkFlowProgress(this, 0.0, vtkFlowDispatch::BuildingPart));
+      interlume::StageProgress(this, 0.0, interlume::FieldDispatch::BuildingPart));
   }
   if (!wrong.empty())
   {
@@ -134,13 +134,13 @@ int vtkFlowLIC::RequestData(
   if (!wrong.empty() || this->GetAbortExecute())
   {
     output->Initialize();
-    return this->GetAbortExecute() ? vtkFlowAbort::Leave(outputs) : 1;
+    return this->GetAbortExecute() ? interlume::AbortCheck::Leave(outputs) : 1;
   }
   // SetScalars would remove the scalars that were active before.
   output->GetPointData()->AddArray(values);
   output->GetPointData()->SetActiveScalars(values->GetName());
   if (this->Report.PointsOutside == this->Report.Points &&
-    vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
+    interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
   {
     double bounds[6];
     field->GetBounds(bounds);
@@ -158,18 +158,19 @@ void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* value
   vtkFlowLICReport& report = this->Report;
   const double minimumSpeed = std::max(
     RelativeMinimumSpeed * walker.GetField().GetSpeedScale(), std::numeric_limits<double>::min());
-  const vtkLatticeNoise noise(report.NoiseScale, this->Seed);
-  const vtkConvolutionKernel kernel(
+  const interlume::LatticeNoise noise(report.NoiseScale, this->Seed);
+  const interlume::ConvolutionKernel kernel(
     this->Kernel == HANN, report.Steps, report.StepLength, report.NoiseScale);
   const double contrast = this->Contrast;
   vtkSMPThreadLocal<vtkFlowLICReport> counts;
   double first[3];
   // What the dataset makes at the first call is there for threads.
   points->GetPoint(0, first);
-  vtkFlowBatches::Run(points->GetNumberOfPoints(), this, vtkFlowDispatch::BuildingPart, 1.0,
+  interlume::Batches::Run(points->GetNumberOfPoints(), this, interlume::FieldDispatch::BuildingPart,
+    1.0,
     [&](vtkIdType begin, vtkIdType end)
     {
-      vtkArcWalk<Walker> walk(walker, minimumSpeed);
+      interlume::ArcWalk<Walker> walk(walker, minimumSpeed);
       vtkFlowLICReport& count = counts.Local();
       for (vtkIdType id = begin; id < end; ++id)
       {

@@ -1,6 +1,6 @@
 #include "vtkFlowReport.h"
 
-#include "vtkAdvectionOptions.h"
+#include "Advection/AdvectionOptions.h"
 
 void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
 {
@@ -63,7 +63,7 @@ void vtkFlowReport::Add(const vtkFlowReport& other)
   this->CellsVisited += other.CellsVisited;
 }
 
-void vtkFlowReport::Add(const vtkAdvectionResult& result)
+void vtkFlowReport::Add(const interlume::AdvectionResult& result)
 {
   ++this->Samples;
   ++this->Statuses[static_cast<std::size_t>(result.Status)];

@@ -11,7 +11,10 @@
 #include <ostream>
 #include <vector>
 
-struct vtkAdvectionResult;
+namespace interlume
+{
+struct AdvectionResult;
+}
 
 /**
  * @class   vtkFlowReport
@@ -25,7 +28,7 @@ public:
   void Print(std::ostream& os, vtkIndent indent) const;
   void Add(const vtkFlowReport& other);
   /// One sample more.
-  void Add(const vtkAdvectionResult& result);
+  void Add(const interlume::AdvectionResult& result);
 
   vtkIdType Samples = 0;
   /// By vtkFlowStatus.

@@ -1,6 +1,13 @@
 #include "vtkFlowVolume.h"
 
-#include "vtkBeyondSamples.h"
+#include "Common/AbortCheck.h"
+#include "Samples/BeyondSamples.h"
+#include "Samples/ImplicitFlowArrays.h"
+#include "Samples/OutputPiece.h"
+#include "Volumes/LevelSetNormals.h"
+#include "Volumes/SurfaceLevels.h"
+#include "Volumes/VolumeExtraction.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -8,12 +15,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkFlowAbort.h"
-#include "vtkFlowArrays.h"
-#include "vtkFlowExtraction.h"
-#include "vtkFlowLevels.h"
-#include "vtkFlowNormals.h"
-#include "vtkFlowPiece.h"
 #include "vtkFlowStatus.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -35,7 +36,7 @@ vtkStandardNewMacro(vtkFlowVolume);
 
 namespace
 {
-constexpr vtkFlowLevels::Interval Everything{ { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX } };
+constexpr interlume::SurfaceLevels::Interval Everything{ { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX } };
 
 void SetNumberOf(std::vector<double>& values, int number, vtkObject* owner)
 {
@@ -155,8 +156,8 @@ void RestorePointArrays(vtkUnstructuredGrid* mesh)
   mesh->GetPointData()->AddArray(ids);
 }
 
-void FillSurface(const vtkFlowTriangles& triangles, const char* name, vtkUnstructuredGrid* mesh,
-  vtkUnstructuredGrid* surface)
+void FillSurface(const interlume::SurfaceTriangles& triangles, const char* name,
+  vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* surface)
 {
   vtkNew<vtkCellArray> cells;
   const vtkIdType number = static_cast<vtkIdType>(triangles.GetTriangles().size());
@@ -189,9 +190,10 @@ void ChooseScalars(vtkUnstructuredGrid* output)
 
 // The lowest and the highest time of samples that have reached a surface; lower above higher where
 // there is none.
-vtkFlowLevels::Interval GetReachedTimes(vtkDataSet* input, const vtkFlowArrays& arrays)
+interlume::SurfaceLevels::Interval GetReachedTimes(
+  vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays)
 {
-  vtkFlowLevels::Interval range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
+  interlume::SurfaceLevels::Interval range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
   vtkDataArray* times = input->GetPointData()->GetArray(vtkFlowStatus::TimeArray());
   for (vtkIdType p = 0; p < input->GetNumberOfPoints(); ++p)
   {
@@ -206,9 +208,9 @@ vtkFlowLevels::Interval GetReachedTimes(vtkDataSet* input, const vtkFlowArrays& 
 }
 
 // The finite values of a point array; lower above higher where there is none.
-vtkFlowLevels::Interval GetFiniteRange(vtkDataSet* input, const char* name)
+interlume::SurfaceLevels::Interval GetFiniteRange(vtkDataSet* input, const char* name)
 {
-  vtkFlowLevels::Interval range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
+  interlume::SurfaceLevels::Interval range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
   if (vtkDataArray* values = input->GetPointData()->GetArray(name))
   {
     values->GetFiniteRange(range.data());
@@ -217,8 +219,8 @@ vtkFlowLevels::Interval GetFiniteRange(vtkDataSet* input, const char* name)
 }
 
 // What lies outside of a range, as "[1, 2]"; empty where it does not.
-std::string DescribeOutside(
-  const vtkFlowLevels::Interval& interval, const vtkFlowLevels::Interval& range)
+std::string DescribeOutside(const interlume::SurfaceLevels::Interval& interval,
+  const interlume::SurfaceLevels::Interval& range)
 {
   std::ostringstream text;
   if (interval[1] < range[0] || interval[0] > range[1])
@@ -228,16 +230,16 @@ std::string DescribeOutside(
   return text.str();
 }
 
-void AddNormals(const vtkFlowTriangles& triangles, const char* function, vtkUnstructuredGrid* mesh,
-  vtkUnstructuredGrid* surface)
+void AddNormals(const interlume::SurfaceTriangles& triangles, const char* function,
+  vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* surface)
 {
-  surface->GetPointData()->SetNormals(vtkFlowNormals::Compute(
+  surface->GetPointData()->SetNormals(interlume::LevelSetNormals::Compute(
     mesh, mesh->GetPointData()->GetArray(function), triangles.GetTriangles()));
 }
 }
 
 vtkFlowVolume::vtkFlowVolume()
-  : Extraction(std::make_unique<vtkFlowExtraction>())
+  : Extraction(std::make_unique<interlume::VolumeExtraction>())
 {
   this->SetNumberOfOutputPorts(3);
 }
@@ -329,7 +331,7 @@ int vtkFlowVolume::RequestData(
     return 1;
   }
   const bool usesInflow = this->GetNumberOfIntervals() > 0 || this->GetNumberOfStreamSurfaces() > 0;
-  vtkFlowArrays arrays;
+  interlume::ImplicitFlowArrays arrays;
   std::string wrong = arrays.Find(input);
   wrong = wrong.empty() ? this->CheckParameters(input, usesInflow) : wrong;
   if (!wrong.empty())
@@ -337,16 +339,17 @@ int vtkFlowVolume::RequestData(
     vtkErrorMacro(<< wrong);
     return 1;
   }
-  const vtkFlowLevels byInflow(this->GetNumberOfIntervals() > 0
+  const interlume::SurfaceLevels byInflow(this->GetNumberOfIntervals() > 0
       ? this->Intervals.GetAll()
-      : std::vector<vtkFlowLevels::Interval>{ Everything },
+      : std::vector<interlume::SurfaceLevels::Interval>{ Everything },
     this->StreamSurfaces, -VTK_DOUBLE_MAX);
   // A range up to the last sample's time has later ones too: cells that are cut at a surface have
   // corners beyond it.
   const bool hasLastTime = this->TimeRange[1] < VTK_DOUBLE_MAX &&
     this->TimeRange[1] >= GetFiniteRange(input, vtkFlowStatus::TimeArray())[1];
   const double end = hasLastTime ? VTK_DOUBLE_MAX : this->TimeRange[1];
-  const vtkFlowLevels byTime({ { { this->TimeRange[0], end } } }, this->TimeSurfaces, 0.0);
+  const interlume::SurfaceLevels byTime(
+    { { { this->TimeRange[0], end } } }, this->TimeSurfaces, 0.0);
   const std::size_t items = std::max(byInflow.GetItems().size(), byTime.GetItems().size());
   if (items > static_cast<std::size_t>(vtkIntervalList::MaximumNumber))
   {
@@ -354,7 +357,7 @@ int vtkFlowVolume::RequestData(
                                << vtkIntervalList::MaximumNumber << " are the most.");
     return 1;
   }
-  vtkFlowExtraction::Request request;
+  interlume::VolumeExtraction::Request request;
   this->SetProgressText("Extracting the flow volume");
   request.Input = input;
   request.Arrays = &arrays;
@@ -368,7 +371,7 @@ int vtkFlowVolume::RequestData(
   request.Owner = this;
   if (!this->Extraction->Execute(request, this->Report))
   {
-    return vtkFlowAbort::Leave(outputs);
+    return interlume::AbortCheck::Leave(outputs);
   }
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputs, 0);
   this->FillMesh(byInflow, byTime, mesh);
@@ -377,7 +380,7 @@ int vtkFlowVolume::RequestData(
   vtkUnstructuredGrid* timeSurfaces = vtkUnstructuredGrid::GetData(outputs, 2);
   if (request.GenerateStreamSurfaces && request.Inflow)
   {
-    const vtkFlowTriangles& triangles = this->Extraction->GetStreamTriangles();
+    const interlume::SurfaceTriangles& triangles = this->Extraction->GetStreamTriangles();
     FillSurface(triangles, "StreamSurfaceId", mesh, streamSurfaces);
     vtkNew<vtkDoubleArray> values;
     values->SetName(vtkFlowStatus::InflowArray());
@@ -394,7 +397,7 @@ int vtkFlowVolume::RequestData(
   }
   if (request.GenerateTimeSurfaces)
   {
-    const vtkFlowTriangles& triangles = this->Extraction->GetTimeTriangles();
+    const interlume::SurfaceTriangles& triangles = this->Extraction->GetTimeTriangles();
     FillSurface(triangles, "TimeSurfaceId", mesh, timeSurfaces);
     if (this->GenerateNormals)
     {
@@ -406,10 +409,10 @@ int vtkFlowVolume::RequestData(
   {
     output->GetFieldData()->PassData(input->GetFieldData());
     // Of other points.
-    vtkBeyondSamples::Remove(output->GetFieldData());
+    interlume::BeyondSamples::Remove(output->GetFieldData());
     ChooseScalars(output);
   }
-  if (vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
+  if (interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
   {
     const std::string warning = this->DescribeMissing(input, arrays, mesh);
     if (!warning.empty())
@@ -421,7 +424,7 @@ int vtkFlowVolume::RequestData(
 }
 
 std::string vtkFlowVolume::DescribeMissing(
-  vtkDataSet* input, const vtkFlowArrays& arrays, vtkUnstructuredGrid* mesh) const
+  vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays, vtkUnstructuredGrid* mesh) const
 {
   std::ostringstream text;
   const auto name = [&text](const std::string& what, const char* array, const auto& range)
@@ -430,7 +433,8 @@ std::string vtkFlowVolume::DescribeMissing(
          << "]. ";
   };
   // Inflow is NaN where no surface was reached.
-  const vtkFlowLevels::Interval inflow = GetFiniteRange(input, vtkFlowStatus::InflowArray());
+  const interlume::SurfaceLevels::Interval inflow =
+    GetFiniteRange(input, vtkFlowStatus::InflowArray());
   for (int i = 0; i < this->GetNumberOfIntervals(); ++i)
   {
     const std::string outside = DescribeOutside(this->Intervals.GetAll()[i], inflow);
@@ -441,8 +445,8 @@ std::string vtkFlowVolume::DescribeMissing(
     }
   }
   const bool isEmpty = mesh->GetNumberOfCells() == 0;
-  const vtkFlowLevels::Interval times =
-    isEmpty ? GetReachedTimes(input, arrays) : vtkFlowLevels::Interval{};
+  const interlume::SurfaceLevels::Interval times =
+    isEmpty ? GetReachedTimes(input, arrays) : interlume::SurfaceLevels::Interval{};
   if (isEmpty && times[0] <= times[1])
   {
     const std::string outside =
@@ -480,8 +484,8 @@ std::string vtkFlowVolume::DescribeMissing(
   return all;
 }
 
-void vtkFlowVolume::FillMesh(
-  const vtkFlowLevels& byInflow, const vtkFlowLevels& byTime, vtkUnstructuredGrid* mesh) const
+void vtkFlowVolume::FillMesh(const interlume::SurfaceLevels& byInflow,
+  const interlume::SurfaceLevels& byTime, vtkUnstructuredGrid* mesh) const
 {
   mesh->ShallowCopy(this->Extraction->GetMesh());
   vtkIntArray* const inflowItems = this->Extraction->GetInflowItems();
@@ -489,7 +493,7 @@ void vtkFlowVolume::FillMesh(
     [&](int item) { return inflowItems ? byInflow.GetInterval(item) : 0; });
   AddIds(mesh, "TimeIntervalId", this->Extraction->GetTimeItems(),
     [&](int item) { return byTime.GetSurface(item, vtkIntervalVolume::LOWER_SIDE); });
-  mesh->GetCellData()->RemoveArray(vtkFlowExtraction::ItemArray());
+  mesh->GetCellData()->RemoveArray(interlume::VolumeExtraction::ItemArray());
   RestorePointArrays(mesh);
   if (this->ParametersAsTextureCoordinates)
   {

@@ -11,9 +11,13 @@
 #include <vector>
 
 class vtkDataSet;
-class vtkFlowArrays;
-class vtkFlowExtraction;
-class vtkFlowLevels;
+
+namespace interlume
+{
+class ImplicitFlowArrays;
+class SurfaceLevels;
+class VolumeExtraction;
+}
 
 /**
  * @class   vtkFlowVolume
@@ -193,11 +197,11 @@ private:
   /// What is wrong with the arrays and the settings, or nothing.
   std::string CheckParameters(vtkDataSet* input, bool usesInflow) const;
   /// What of the volume is missing, and what the input has; nothing where nothing is missing.
-  std::string DescribeMissing(
-    vtkDataSet* input, const vtkFlowArrays& arrays, vtkUnstructuredGrid* mesh) const;
+  std::string DescribeMissing(vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays,
+    vtkUnstructuredGrid* mesh) const;
   /// Port 0, from the last extraction.
-  void FillMesh(
-    const vtkFlowLevels& byInflow, const vtkFlowLevels& byTime, vtkUnstructuredGrid* mesh) const;
+  void FillMesh(const interlume::SurfaceLevels& byInflow, const interlume::SurfaceLevels& byTime,
+    vtkUnstructuredGrid* mesh) const;
 
   vtkIntervalList Intervals;
   double TimeRange[2] = { 0.0, VTK_DOUBLE_MAX };
@@ -210,7 +214,7 @@ private:
   bool ParametersAsTextureCoordinates = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   vtkFlowVolumeReport Report;
-  std::unique_ptr<vtkFlowExtraction> Extraction;
+  std::unique_ptr<interlume::VolumeExtraction> Extraction;
 };
 
 #endif

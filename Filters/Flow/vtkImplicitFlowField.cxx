@@ -1,20 +1,18 @@
 #include "vtkImplicitFlowField.h"
 
-#include "vtkFlowAbort.h"
-#include "vtkFlowCriticalPoints.h"
-#include "vtkFlowInput.h"
-#include "vtkFlowPiece.h"
-#include "vtkFlowRun.h"
-#include "vtkFlowSamples.h"
-#include "vtkFlowStatus.h"
-#include "vtkFlowVectors.h"
-#include "vtkTerminationSphere.h"
-#include "vtkTerminationSurface.h"
+#include "Common/AbortCheck.h"
+#include "Fields/FieldInput.h"
+#include "Fields/FieldVectors.h"
+#include "Samples/ImplicitFlowRun.h"
+#include "Samples/OutputPiece.h"
+#include "Samples/SampleGrid.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtentTranslator.h"
+#include "vtkFlowCriticalPoints.h"
+#include "vtkFlowStatus.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -23,6 +21,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTerminationSphere.h"
+#include "vtkTerminationSurface.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -206,7 +206,7 @@ vtkSmartPointer<vtkDataSet> vtkImplicitFlowField::MakeSamples(vtkInformationVect
   {
     return vtkSmartPointer<vtkImageData>::New();
   }
-  if (vtkFlowInput::IsComposite(samples))
+  if (interlume::FieldInput::IsComposite(samples))
   {
     return vtkSmartPointer<vtkUnstructuredGrid>::New();
   }
@@ -243,7 +243,7 @@ int vtkImplicitFlowField::RequestInformation(
       samples->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
     {
       int extent[6];
-      vtkFlowSamples::GetExtent(
+      interlume::SampleGrid::GetExtent(
         samples->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), extent);
       info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
     }
@@ -299,7 +299,7 @@ int vtkImplicitFlowField::RequestData(
   vtkDataSet* output = vtkDataSet::GetData(outputs);
   // Image data keep their active scalars from one execution to the next.
   output->Initialize();
-  const vtkFlowInput input(vtkDataObject::GetData(inputs[0], 0));
+  const interlume::FieldInput input(vtkDataObject::GetData(inputs[0], 0));
   const std::string wrong = this->CheckBlocks(input);
   if (!wrong.empty())
   {
@@ -311,7 +311,7 @@ int vtkImplicitFlowField::RequestData(
   {
     return 1;
   }
-  vtkAdvectionOptions options;
+  interlume::AdvectionOptions options;
   vtkSmartPointer<vtkDataSet> samples = output;
   if (this->RefinementLevels > 0)
   {
@@ -319,8 +319,8 @@ int vtkImplicitFlowField::RequestData(
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* vectors = this->GetInputArrayToProcess(0, field, association);
-  std::string error =
-    vtkFlowVectors::CheckVectors(field, vectors, association, this->GetInputArrayInformation(0));
+  std::string error = interlume::FieldVectors::CheckVectors(
+    field, vectors, association, this->GetInputArrayInformation(0));
   if (error.empty() &&
     (!this->SetSamples(input, field, inputs, outputs, samples) ||
       !this->SetOptions(field, vectors, options)))
@@ -336,7 +336,7 @@ int vtkImplicitFlowField::RequestData(
     {
       this->AddSpheres(field, options);
     }
-    vtkFlowRun run(this, options);
+    interlume::ImplicitFlowRun run(this, options);
     run.SetField(field, vectors, this->MeanArrays);
     run.SetAutomatic(this->MaximumError > 0.0 ? 0.0 : AutomaticError,
       this->MinimumSpeed > 0.0 ? 0.0 : AutomaticSpeed);
@@ -356,7 +356,7 @@ int vtkImplicitFlowField::RequestData(
   if (!error.empty() || this->GetAbortExecute())
   {
     output->Initialize();
-    return this->GetAbortExecute() ? vtkFlowAbort::Leave(outputs) : 1;
+    return this->GetAbortExecute() ? interlume::AbortCheck::Leave(outputs) : 1;
   }
   this->Report = report;
   this->Report.Executions = executions + 1;
@@ -367,7 +367,7 @@ int vtkImplicitFlowField::RequestData(
 void vtkImplicitFlowField::Finish(vtkInformation* info, vtkDataSet* output)
 {
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
-  if (this->Report.Samples == 0 || !vtkFlowPiece::IsWhole(info))
+  if (this->Report.Samples == 0 || !interlume::OutputPiece::IsWhole(info))
   {
     return;
   }
@@ -408,19 +408,19 @@ void vtkImplicitFlowField::Finish(vtkInformation* info, vtkDataSet* output)
                              << ", or follow streamlines in the other direction.");
 }
 
-std::string vtkImplicitFlowField::CheckBlocks(const vtkFlowInput& input)
+std::string vtkImplicitFlowField::CheckBlocks(const interlume::FieldInput& input)
 {
   vtkDataArray* first = nullptr;
-  for (const vtkFlowInput::Block& block : input.GetBlocks())
+  for (const interlume::FieldInput::Block& block : input.GetBlocks())
   {
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
     vtkDataArray* vectors = this->GetInputArrayToProcess(0, block.Data, association);
-    std::string wrong =
-      vtkFlowVectors::Check(block.Data, vectors, association, this->GetInputArrayInformation(0));
+    std::string wrong = interlume::FieldVectors::Check(
+      block.Data, vectors, association, this->GetInputArrayInformation(0));
     first = first ? first : vectors;
     if (wrong.empty())
     {
-      wrong = vtkFlowVectors::CompareNames(first, vectors);
+      wrong = interlume::FieldVectors::CompareNames(first, vectors);
     }
     if (!wrong.empty())
     {
@@ -430,7 +430,7 @@ std::string vtkImplicitFlowField::CheckBlocks(const vtkFlowInput& input)
   return {};
 }
 
-bool vtkImplicitFlowField::SetSamples(const vtkFlowInput& input, vtkDataSet* field,
+bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDataSet* field,
   vtkInformationVector** inputs, vtkInformationVector* outputs, vtkDataSet* output)
 {
   if (this->SampleMode == SAMPLES_OF_IMAGE)
@@ -474,7 +474,8 @@ bool vtkImplicitFlowField::SetSamples(const vtkFlowInput& input, vtkDataSet* fie
   else
   {
     const bool mayBeFewer = this->SampleMode == SAMPLES_AUTOMATIC;
-    samples = input.MakeSamples(mayBeFewer ? vtkFlowSamples::Make(field).GetPointer() : field);
+    samples =
+      input.MakeSamples(mayBeFewer ? interlume::SampleGrid::Make(field).GetPointer() : field);
   }
   output->ShallowCopy(samples);
   if (this->SampleMode != SAMPLES_OF_INPUT)
@@ -488,7 +489,7 @@ void vtkImplicitFlowField::CutPiece(vtkInformation* info, vtkDataSet* output) co
 {
   if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(output))
   {
-    vtkFlowPiece::Extract(info, grid);
+    interlume::OutputPiece::Extract(info, grid);
   }
   else if (output->GetExtentType() == VTK_3D_EXTENT)
   {
@@ -518,7 +519,7 @@ void vtkImplicitFlowField::GetExtent(vtkInformation* info, const int whole[6], i
 }
 
 bool vtkImplicitFlowField::SetOptions(
-  vtkDataSet* field, vtkDataArray* vectors, vtkAdvectionOptions& options)
+  vtkDataSet* field, vtkDataArray* vectors, interlume::AdvectionOptions& options)
 {
   if (this->Surfaces.empty() && !this->DomainFaces && !this->CriticalPointSpheres)
   {
@@ -588,13 +589,13 @@ bool vtkImplicitFlowField::SetOptions(
 }
 
 void vtkImplicitFlowField::UseSurface(
-  vtkTerminationSurface* surface, int id, vtkAdvectionOptions& options)
+  vtkTerminationSurface* surface, int id, interlume::AdvectionOptions& options)
 {
   options.Surfaces.push_back({ surface, id });
   this->UsedSurfaces.emplace_back(surface, id);
 }
 
-void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, vtkAdvectionOptions& options)
+void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, interlume::AdvectionOptions& options)
 {
   vtkNew<vtkFlowCriticalPoints> finder;
   finder->SetInputDataObject(field);

@@ -12,9 +12,13 @@
 #include <vector>
 
 class vtkDataArray;
-class vtkFlowInput;
 class vtkTerminationSurface;
-struct vtkAdvectionOptions;
+
+namespace interlume
+{
+class FieldInput;
+struct AdvectionOptions;
+}
 
 /**
  * @class   vtkImplicitFlowField
@@ -342,23 +346,23 @@ private:
   void operator=(const vtkImplicitFlowField&) = delete;
 
   /// What is wrong with a block of composite input, or nothing.
-  std::string CheckBlocks(const vtkFlowInput& input);
+  std::string CheckBlocks(const interlume::FieldInput& input);
   /// A dataset of the type that samples have before they are refined.
   vtkSmartPointer<vtkDataSet> MakeSamples(vtkInformationVector** inputs) const;
   /// Gives \a output the samples' geometry and point data.
-  bool SetSamples(const vtkFlowInput& input, vtkDataSet* field, vtkInformationVector** inputs,
-    vtkInformationVector* outputs, vtkDataSet* output);
+  bool SetSamples(const interlume::FieldInput& input, vtkDataSet* field,
+    vtkInformationVector** inputs, vtkInformationVector* outputs, vtkDataSet* output);
   /// Leaves of the whole field the piece that is asked for.
   void CutPiece(vtkInformation* info, vtkDataSet* output) const;
   /// The part of a whole extent that is asked for; that of a piece where cells are refined.
   void GetExtent(vtkInformation* info, const int whole[6], int extent[6]) const;
   /// Places the surfaces in the field. False where something is wrong, which has been said.
-  bool SetOptions(vtkDataSet* field, vtkDataArray* vectors, vtkAdvectionOptions& options);
+  bool SetOptions(vtkDataSet* field, vtkDataArray* vectors, interlume::AdvectionOptions& options);
   /// Says so where no sample reached a surface, and makes AdvectionTime the active scalars.
   void Finish(vtkInformation* info, vtkDataSet* output);
-  void AddSpheres(vtkDataSet* field, vtkAdvectionOptions& options);
+  void AddSpheres(vtkDataSet* field, interlume::AdvectionOptions& options);
   /// Adds a surface to the options, and keeps it as long as they last.
-  void UseSurface(vtkTerminationSurface* surface, int id, vtkAdvectionOptions& options);
+  void UseSurface(vtkTerminationSurface* surface, int id, interlume::AdvectionOptions& options);
 
   std::vector<vtkSmartPointer<vtkTerminationSurface>> Surfaces;
   std::vector<std::pair<vtkSmartPointer<vtkTerminationSurface>, int>> UsedSurfaces;

@@ -1,16 +1,17 @@
 #include "vtkInflowMapping.h"
 
-#include "vtkBeyondSamples.h"
+#include "Common/AbortCheck.h"
+#include "Common/Batches.h"
+#include "Samples/BeyondSamples.h"
+#include "Samples/ImplicitFlowArrays.h"
+#include "Samples/InflowFunction.h"
+#include "Samples/OutputPiece.h"
+
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFlowAbort.h"
-#include "vtkFlowArrays.h"
-#include "vtkFlowBatches.h"
-#include "vtkFlowPiece.h"
 #include "vtkFlowStatus.h"
 #include "vtkImageData.h"
-#include "vtkInflowFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -30,14 +31,16 @@ namespace
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 // One thread's evaluators.
-using EvaluatorMap = std::map<const vtkInflowFunction*, std::shared_ptr<vtkInflowEvaluator>>;
+using EvaluatorMap =
+  std::map<const interlume::InflowFunction*, std::shared_ptr<interlume::InflowEvaluator>>;
 
-vtkInflowEvaluator& GetEvaluator(EvaluatorMap& evaluators, const vtkInflowFunction* function)
+interlume::InflowEvaluator& GetEvaluator(
+  EvaluatorMap& evaluators, const interlume::InflowFunction* function)
 {
   auto& evaluator = evaluators[function];
   if (!evaluator)
   {
-    evaluator = std::make_shared<vtkInflowEvaluator>(function);
+    evaluator = std::make_shared<interlume::InflowEvaluator>(function);
   }
   return *evaluator;
 }
@@ -56,17 +59,17 @@ int vtkInflowMapping::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-vtkInflowFunction* vtkInflowMapping::Take(int id, int kind)
+interlume::InflowFunction* vtkInflowMapping::Take(int id, int kind)
 {
   if (id < ALL)
   {
     vtkErrorMacro("The id " << id << " of a mapping is below 0.");
     return nullptr;
   }
-  std::shared_ptr<vtkInflowFunction>& mapping = this->Mappings[id];
+  std::shared_ptr<interlume::InflowFunction>& mapping = this->Mappings[id];
   if (!mapping || mapping->Kind != kind)
   {
-    mapping = std::make_shared<vtkInflowFunction>();
+    mapping = std::make_shared<interlume::InflowFunction>();
     mapping->Kind = kind;
   }
   this->Modified();
@@ -85,7 +88,7 @@ void vtkInflowMapping::SetFormula(int id, const char* formula)
   {
     return;
   }
-  if (vtkInflowFunction* mapping = this->Take(id, FORMULA))
+  if (interlume::InflowFunction* mapping = this->Take(id, FORMULA))
   {
     mapping->Formula = formula;
   }
@@ -101,7 +104,7 @@ void vtkInflowMapping::AddRing(
                                   << " has a width that is not above 0, or is not finite.");
     return;
   }
-  if (vtkInflowFunction* mapping = this->Take(id, RINGS))
+  if (interlume::InflowFunction* mapping = this->Take(id, RINGS))
   {
     mapping->Rings.push_back({ { centerU, centerV }, radius, width, amplitude });
   }
@@ -115,7 +118,7 @@ void vtkInflowMapping::SetImage(int id, vtkImageData* image)
   }
   else if (this->GetImage(id) != image)
   {
-    if (vtkInflowFunction* mapping = this->Take(id, IMAGE))
+    if (interlume::InflowFunction* mapping = this->Take(id, IMAGE))
     {
       mapping->Image = image;
     }
@@ -173,7 +176,7 @@ vtkMTimeType vtkInflowMapping::GetMTime()
   return time;
 }
 
-const vtkInflowFunction* vtkInflowMapping::Find(int id) const
+const interlume::InflowFunction* vtkInflowMapping::Find(int id) const
 {
   auto found = this->Mappings.find(id);
   found = found == this->Mappings.end() ? this->Mappings.find(ALL) : found;
@@ -207,7 +210,7 @@ double vtkInflowMapping::Evaluate(int id, double u, double v, bool isPeriodicU, 
   {
     return NotANumber;
   }
-  vtkInflowEvaluator& evaluator = GetEvaluator(this->Evaluators, this->Find(id));
+  interlume::InflowEvaluator& evaluator = GetEvaluator(this->Evaluators, this->Find(id));
   evaluator.SetSurface(id, isPeriodicU, isPeriodicV);
   return evaluator.Evaluate(u, v);
 }
@@ -258,7 +261,7 @@ int vtkInflowMapping::RequestData(
   // Image data keep their active scalars from one execution to the next.
   output->Initialize();
   this->Report = vtkInflowMappingReport();
-  vtkFlowArrays arrays;
+  interlume::ImplicitFlowArrays arrays;
   std::string wrong = arrays.Find(input);
   wrong = wrong.empty() ? this->Prepare() : wrong;
   if (!wrong.empty())
@@ -276,7 +279,7 @@ int vtkInflowMapping::RequestData(
   const auto map = [&](vtkIdType first, vtkIdType last)
   {
     EvaluatorMap& evaluators = threads.Local();
-    vtkInflowEvaluator* evaluator = nullptr;
+    interlume::InflowEvaluator* evaluator = nullptr;
     int id = ALL;
     for (vtkIdType p = first; p < last; ++p)
     {
@@ -296,9 +299,9 @@ int vtkInflowMapping::RequestData(
       values[p] = evaluator->Evaluate(uv[0], uv[1]);
     }
   };
-  if (!vtkFlowBatches::Run(number, this, 0.0, 1.0, map))
+  if (!interlume::Batches::Run(number, this, 0.0, 1.0, map))
   {
-    return vtkFlowAbort::Leave(outputs);
+    return interlume::AbortCheck::Leave(outputs);
   }
   vtkNew<vtkIntArray> periodic;
   periodic->SetName(vtkFlowStatus::InflowPeriodicArray());
@@ -321,7 +324,7 @@ int vtkInflowMapping::RequestData(
   this->MapBeyond(arrays, output);
   if (number > 0 &&
     !std::any_of(values, values + number, [](double v) { return !std::isnan(v); }) &&
-    vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
+    interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
   {
     vtkIdType reached = 0;
     for (vtkIdType p = 0; p < number; ++p)
@@ -335,19 +338,19 @@ int vtkInflowMapping::RequestData(
   return 1;
 }
 
-void vtkInflowMapping::MapBeyond(const vtkFlowArrays& arrays, vtkDataSet* output)
+void vtkInflowMapping::MapBeyond(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output)
 {
   vtkFieldData* data = output->GetFieldData();
   const auto get = [data](const char* name)
-  { return data->GetArray(vtkBeyondSamples::GetName(name).c_str()); };
+  { return data->GetArray(interlume::BeyondSamples::GetName(name).c_str()); };
   vtkDataArray* ids = get(vtkFlowStatus::IdArray());
   vtkDataArray* parameters = get(vtkFlowStatus::ParametersArray());
-  if (vtkBeyondSamples(output).IsEmpty())
+  if (interlume::BeyondSamples(output).IsEmpty())
   {
     return;
   }
   vtkNew<vtkDoubleArray> inflow;
-  inflow->SetName(vtkBeyondSamples::GetName(vtkFlowStatus::InflowArray()).c_str());
+  inflow->SetName(interlume::BeyondSamples::GetName(vtkFlowStatus::InflowArray()).c_str());
   inflow->SetNumberOfValues(ids->GetNumberOfTuples());
   for (vtkIdType row = 0; row < ids->GetNumberOfTuples(); ++row)
   {

@@ -3,17 +3,21 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkDataSetAlgorithm.h"
-#include "vtkInflowMappingReport.h" // for the report
 #include "vtkInflowKind.h"          // for the kinds
+#include "vtkInflowMappingReport.h" // for the report
 
 #include <map>
 #include <memory>
 #include <string>
 
-class vtkFlowArrays;
 class vtkImageData;
-class vtkInflowEvaluator;
-class vtkInflowFunction;
+
+namespace interlume
+{
+class ImplicitFlowArrays;
+class InflowEvaluator;
+class InflowFunction;
+}
 
 /**
  * @class   vtkInflowMapping
@@ -116,19 +120,20 @@ private:
   void operator=(const vtkInflowMapping&) = delete;
 
   /// The mapping that counts for an id; null without one.
-  const vtkInflowFunction* Find(int id) const;
+  const interlume::InflowFunction* Find(int id) const;
   /// The mapping of an id itself, of \a kind, empty where it was of another; null for a wrong id.
-  vtkInflowFunction* Take(int id, int kind);
+  interlume::InflowFunction* Take(int id, int kind);
   /// Reads what has changed. What is wrong with the mappings, or nothing.
   const std::string& Prepare();
   /// Gives the field arrays of samples beside surfaces theirs, where there are such.
-  void MapBeyond(const vtkFlowArrays& arrays, vtkDataSet* output);
+  void MapBeyond(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output);
 
-  std::map<int, std::shared_ptr<vtkInflowFunction>> Mappings;
+  std::map<int, std::shared_ptr<interlume::InflowFunction>> Mappings;
   std::string Problem;
   vtkMTimeType PreparedTime = 0;
   // Those of Evaluate.
-  std::map<const vtkInflowFunction*, std::shared_ptr<vtkInflowEvaluator>> Evaluators;
+  std::map<const interlume::InflowFunction*, std::shared_ptr<interlume::InflowEvaluator>>
+    Evaluators;
   vtkInflowMappingReport Report;
 };
 

@@ -1,27 +1,28 @@
 #include "vtkStreamSurfaceParameters.h"
 
+#include "Common/Batches.h"
+#include "Fields/PointCopies.h"
+#include "Samples/OutputPiece.h"
+#include "Surfaces/ContourArc.h"
+#include "Surfaces/LevelContours.h"
+#include "Surfaces/StreamSurfaceTriangles.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkContourArc.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFlowBatches.h"
-#include "vtkFlowPiece.h"
-#include "vtkFlowPointCopies.h"
 #include "vtkFlowStatus.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInflowMapping.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkLevelContours.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStreamSurfaceWork.h"
 #include "vtkTerminationSurface.h"
 
 #include <algorithm>
@@ -36,7 +37,8 @@ namespace
 constexpr double ContoursEnd = 0.3;
 constexpr double PlacesEnd = 0.8;
 
-void FillPoints(vtkPointSet* input, const vtkStreamSurfaceWork::Points& made, vtkPolyData* output)
+void FillPoints(
+  vtkPointSet* input, const interlume::StreamSurfaceTriangles::Points& made, vtkPolyData* output)
 {
   const vtkIdType before = input->GetNumberOfPoints();
   if (before == static_cast<vtkIdType>(made.Sources.size()))
@@ -46,12 +48,12 @@ void FillPoints(vtkPointSet* input, const vtkStreamSurfaceWork::Points& made, vt
     return;
   }
   vtkNew<vtkPoints> points;
-  vtkFlowPointCopies::Append(
+  interlume::PointCopies::Append(
     input, { made.Sources.begin() + before, made.Sources.end() }, points, output->GetPointData());
   output->SetPoints(points);
 }
 
-void AddPointNumbers(const vtkStreamSurfaceWork::Points& made, vtkPointData* output)
+void AddPointNumbers(const interlume::StreamSurfaceTriangles::Points& made, vtkPointData* output)
 {
   vtkNew<vtkIntArray> contours;
   contours->SetName("ContourId");
@@ -66,13 +68,14 @@ void AddPointNumbers(const vtkStreamSurfaceWork::Points& made, vtkPointData* out
   output->AddArray(sources);
 }
 
-void AddContours(const std::vector<vtkStreamSurfaceWork::Contour>& contours, vtkFieldData* output)
+void AddContours(
+  const std::vector<interlume::StreamSurfaceTriangles::Contour>& contours, vtkFieldData* output)
 {
   vtkNew<vtkDoubleArray> lengths;
   lengths->SetName("ContourLength");
   vtkNew<vtkIntArray> closed;
   closed->SetName("ContourClosed");
-  for (const vtkStreamSurfaceWork::Contour& contour : contours)
+  for (const interlume::StreamSurfaceTriangles::Contour& contour : contours)
   {
     lengths->InsertNextValue(contour.Length);
     closed->InsertNextValue(contour.IsClosed);
@@ -171,21 +174,22 @@ vtkTerminationSurface* vtkStreamSurfaceParameters::FindSurface(int id, int& part
   return nullptr;
 }
 
-std::string vtkStreamSurfaceParameters::FindContours(vtkStreamSurfaceWork& work) const
+std::string vtkStreamSurfaceParameters::FindContours(interlume::StreamSurfaceTriangles& work) const
 {
   // Levels of one id after each other: its mapping is sampled once.
-  std::vector<vtkStreamSurfaceWork::Level*> order;
-  for (vtkStreamSurfaceWork::Level& level : work.Levels)
+  std::vector<interlume::StreamSurfaceTriangles::Level*> order;
+  for (interlume::StreamSurfaceTriangles::Level& level : work.Levels)
   {
     order.push_back(&level);
   }
   std::sort(order.begin(), order.end(),
-    [](const vtkStreamSurfaceWork::Level* a, const vtkStreamSurfaceWork::Level* b)
+    [](const interlume::StreamSurfaceTriangles::Level* a,
+      const interlume::StreamSurfaceTriangles::Level* b)
     { return std::make_pair(a->Id, a->Value) < std::make_pair(b->Id, b->Value); });
   int id = -1;
-  std::unique_ptr<vtkLevelContours> follower;
+  std::unique_ptr<interlume::LevelContours> follower;
   std::array<bool, 2> isJoined{};
-  for (vtkStreamSurfaceWork::Level* level : order)
+  for (interlume::StreamSurfaceTriangles::Level* level : order)
   {
     int part = 0;
     vtkTerminationSurface* surface = this->FindSurface(level->Id, part);
@@ -204,22 +208,23 @@ std::string vtkStreamSurfaceParameters::FindContours(vtkStreamSurfaceWork& work)
       const std::array<bool, 2> isPeriodic = work.GetArrays().GetPeriodicity(id);
       isJoined = { { this->Mapping->IsContinued(id, 0, isPeriodic[0], isPeriodic[1]),
         this->Mapping->IsContinued(id, 1, isPeriodic[0], isPeriodic[1]) } };
-      follower = std::make_unique<vtkLevelContours>([this, id, isPeriodic](double u, double v)
-        { return this->Mapping->Evaluate(id, u, v, isPeriodic[0], isPeriodic[1]); },
-        this->Resolution, isJoined);
+      follower =
+        std::make_unique<interlume::LevelContours>([this, id, isPeriodic](double u, double v)
+          { return this->Mapping->Evaluate(id, u, v, isPeriodic[0], isPeriodic[1]); },
+          this->Resolution, isJoined);
     }
     level->FirstContour = static_cast<int>(work.Contours.size());
-    std::vector<vtkContourPlaces::Curve> curves;
-    for (vtkLevelContours::Contour& contour : follower->Follow(level->Value))
+    std::vector<interlume::ContourPlaces::Curve> curves;
+    for (interlume::LevelContours::Contour& contour : follower->Follow(level->Value))
     {
-      for (vtkContourArc& arc :
-        vtkContourArc::Measure(std::move(contour), *surface, part, isJoined, this->StartPoints))
+      for (interlume::ContourArc& arc : interlume::ContourArc::Measure(
+             std::move(contour), *surface, part, isJoined, this->StartPoints))
       {
         work.Contours.push_back({ arc.GetLength(), arc.IsClosed });
         curves.push_back(std::move(arc.Curve));
       }
     }
-    level->Places = std::make_unique<vtkContourPlaces>(std::move(curves), isJoined);
+    level->Places = std::make_unique<interlume::ContourPlaces>(std::move(curves), isJoined);
   }
   return {};
 }
@@ -232,7 +237,7 @@ int vtkStreamSurfaceParameters::RequestData(
   this->Report = vtkStreamSurfaceParametersReport();
   if (input->GetNumberOfCells() == 0)
   {
-    if (vtkFlowPiece::IsWhole(outputs->GetInformationObject(0)))
+    if (interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
     {
       vtkWarningMacro("The input has no triangles. It is to be the output Stream Surfaces of a "
                       "vtkFlowVolume with GenerateStreamSurfaces on, and with intervals or "
@@ -241,7 +246,7 @@ int vtkStreamSurfaceParameters::RequestData(
     return 1;
   }
   this->SetProgressText("Following the contours of the inflow");
-  vtkStreamSurfaceWork work;
+  interlume::StreamSurfaceTriangles work;
   std::string wrong = this->Mapping ? work.Read(input) : "There is no mapping.";
   wrong = wrong.empty() ? this->FindContours(work) : wrong;
   if (!wrong.empty())
@@ -256,12 +261,13 @@ int vtkStreamSurfaceParameters::RequestData(
       work.FindPlace(p);
     }
   };
-  if (!vtkFlowBatches::Run(input->GetNumberOfPoints(), this, ContoursEnd, PlacesEnd, findPlaces))
+  if (!interlume::Batches::Run(
+        input->GetNumberOfPoints(), this, ContoursEnd, PlacesEnd, findPlaces))
   {
     return 1;
   }
   vtkNew<vtkCellArray> cells;
-  const vtkStreamSurfaceWork::Points made = work.MakeTriangles(cells);
+  const interlume::StreamSurfaceTriangles::Points made = work.MakeTriangles(cells);
   FillPoints(input, made, output);
   output->SetPolys(cells);
   output->GetCellData()->ShallowCopy(input->GetCellData());

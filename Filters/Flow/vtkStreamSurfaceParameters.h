@@ -3,8 +3,8 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkStreamSurfaceParametersReport.h" // for the report
 #include "vtkSmartPointer.h"                  // for what is asked
+#include "vtkStreamSurfaceParametersReport.h" // for the report
 
 #include <array>
 #include <string>
@@ -12,8 +12,12 @@
 
 class vtkDataArray;
 class vtkInflowMapping;
-class vtkStreamSurfaceWork;
 class vtkTerminationSurface;
+
+namespace interlume
+{
+class StreamSurfaceTriangles;
+}
 
 /**
  * @class   vtkStreamSurfaceParameters
@@ -137,7 +141,7 @@ private:
   /// The surface that an id is a part of, and the part; null without.
   vtkTerminationSurface* FindSurface(int id, int& part) const;
   /// Follows the contours of all levels in use. What is wrong, or nothing.
-  std::string FindContours(vtkStreamSurfaceWork& work) const;
+  std::string FindContours(interlume::StreamSurfaceTriangles& work) const;
   void FillTexture(const std::vector<double>& lengths, const std::vector<vtkIdType>& sources,
     vtkDataArray* times, vtkPolyData* output) const;
 

@@ -1,6 +1,7 @@
 #include "vtkTerminationBox.h"
 
-#include "vtkFiniteNumbers.h"
+#include "Common/FiniteNumbers.h"
+
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ void GetAxesOfPart(int part, int axes[2])
 
 std::string vtkTerminationBox::Update()
 {
-  if (!vtkFiniteNumbers::AreFinite(this->Bounds, 6))
+  if (!interlume::FiniteNumbers::AreFinite(this->Bounds, 6))
   {
     return "a bound of the box is not finite";
   }

@@ -1,8 +1,9 @@
 #include "vtkTerminationCylinder.h"
 
-#include "vtkDiscParameters.h"
-#include "vtkAxialFrame.h"
-#include "vtkFiniteNumbers.h"
+#include "Common/FiniteNumbers.h"
+#include "Termination/AxialFrame.h"
+#include "Termination/DiscParameters.h"
+
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
@@ -12,7 +13,7 @@
 vtkStandardNewMacro(vtkTerminationCylinder);
 
 vtkTerminationCylinder::vtkTerminationCylinder()
-  : Frame(std::make_unique<vtkAxialFrame>())
+  : Frame(std::make_unique<interlume::AxialFrame>())
 {
 }
 
@@ -20,19 +21,19 @@ vtkTerminationCylinder::~vtkTerminationCylinder() = default;
 
 std::string vtkTerminationCylinder::Update()
 {
-  if (!vtkFiniteNumbers::AreFinite(this->Point1, 3) ||
-    !vtkFiniteNumbers::AreFinite(this->Point2, 3))
+  if (!interlume::FiniteNumbers::AreFinite(this->Point1, 3) ||
+    !interlume::FiniteNumbers::AreFinite(this->Point2, 3))
   {
     return "an end of the cylinder's axis is not finite";
   }
-  if (!vtkFiniteNumbers::IsSize(this->Radius))
+  if (!interlume::FiniteNumbers::IsSize(this->Radius))
   {
     return "the cylinder's radius is not finite and above 0";
   }
   double axis[3];
   vtkMath::Subtract(this->Point2, this->Point1, axis);
   this->Length = vtkMath::Norm(axis);
-  if (!vtkFiniteNumbers::IsSize(this->Length))
+  if (!interlume::FiniteNumbers::IsSize(this->Length))
   {
     return "the cylinder's axis has no length: its ends are the same point";
   }
@@ -84,11 +85,12 @@ void vtkTerminationCylinder::EvaluateParameters(const double x[3], double uv[2])
   const Place place = this->GetPlace(x);
   if (place.Part == WALL)
   {
-    uv[0] = vtkAxialFrame::GetTurn(place.Offset[0], place.Offset[1]);
+    uv[0] = interlume::AxialFrame::GetTurn(place.Offset[0], place.Offset[1]);
     uv[1] = std::max(0.0, std::min(place.Along / this->Length, 1.0));
     return;
   }
-  vtkDiscParameters::FromPoint(place.Offset[0] / this->Radius, place.Offset[1] / this->Radius, uv);
+  interlume::DiscParameters::FromPoint(
+    place.Offset[0] / this->Radius, place.Offset[1] / this->Radius, uv);
 }
 
 void vtkTerminationCylinder::EvaluateNormal(const double x[3], double normal[3]) const
@@ -123,7 +125,7 @@ bool vtkTerminationCylinder::EvaluatePoint(int part, const double uv[2], double 
   }
   double a;
   double b;
-  const bool isInside = vtkDiscParameters::ToPoint(taken, a, b);
+  const bool isInside = interlume::DiscParameters::ToPoint(taken, a, b);
   if (isInside)
   {
     this->Frame->GetPoint(

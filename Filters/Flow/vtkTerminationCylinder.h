@@ -5,7 +5,10 @@
 
 #include <memory> // for the frame
 
-struct vtkAxialFrame;
+namespace interlume
+{
+struct AxialFrame;
+}
 
 /**
  * @class   vtkTerminationCylinder
@@ -91,7 +94,7 @@ private:
   };
   Place GetPlace(const double x[3]) const;
 
-  const std::unique_ptr<vtkAxialFrame> Frame;
+  const std::unique_ptr<interlume::AxialFrame> Frame;
   double Length = 1.0;
 
   double Point1[3] = { 0.0, 0.0, -0.5 };

@@ -1,6 +1,7 @@
 #include "vtkTerminationInflow.h"
 
-#include "vtkInflowFinder.h"
+#include "Termination/InflowFinder.h"
+
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ vtkStandardNewMacro(vtkTerminationInflow);
 
 std::string vtkTerminationInflow::PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward)
 {
-  vtkInflowFinder finder;
+  interlume::InflowFinder finder;
   if (!finder.Find(field, vectors, !isBackward))
   {
     return "there is no flow in the field, and so no place where it enters";

@@ -9,9 +9,9 @@
  *
  * The rectangle lies across x, y or z, whichever has the most flow through a plane across it, close
  * to where that flow enters the field: the first plane along the flow of those through which at
- * least four tenths of the most goes (vtkInflowFinder). Where streamlines are followed along the
- * vectors it is where the flow leaves instead, so that streamlines end on it. With Size 1 it
- * has all cells that this flow goes through there.
+ * least four tenths of the most goes (interlume::InflowFinder). Where streamlines are followed
+ * along the vectors it is where the flow leaves instead, so that streamlines end on it. With Size 1
+ * it has all cells that this flow goes through there.
  *
  * u goes along the axis after the normal's, v along the next one: for a normal along x along y and
  * z. The normal is along the axis, whether the flow is or not.

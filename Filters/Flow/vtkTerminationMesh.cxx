@@ -1,13 +1,14 @@
 #include "vtkTerminationMesh.h"
 
+#include "Termination/TerminationTriangles.h"
+#include "Termination/TextureSearch.h"
+#include "Termination/TriangleDistance.h"
+#include "Termination/TriangleEdges.h"
+
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTerminationTriangles.h"
-#include "vtkTextureSearch.h"
-#include "vtkTriangleDistance.h"
-#include "vtkTriangleEdges.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -23,16 +24,16 @@ constexpr double Nearness = 1e-6;
 
 struct vtkTerminationMesh::Contents
 {
-  vtkTerminationTriangles Triangles;
-  vtkTriangleEdges Edges;
-  vtkTriangleDistance Distance;
-  vtkTextureSearch Texture;
+  interlume::TerminationTriangles Triangles;
+  interlume::TriangleEdges Edges;
+  interlume::TriangleDistance Distance;
+  interlume::TextureSearch Texture;
   /// How far from where they were meant the points may be.
   double Rounding = 0.0;
 
   // Whether x, whose foot this is, is not beyond an open border by more than the tolerance.
-  bool IsWithinBorder(
-    const double x[3], int triangle, const vtkTriangleFoot& foot, double tolerance) const
+  bool IsWithinBorder(const double x[3], int triangle, const interlume::ClosestTrianglePoint& foot,
+    double tolerance) const
   {
     if (!this->Distance.IsOnBorder(triangle, foot))
     {
@@ -146,14 +147,14 @@ std::string vtkTerminationMesh::Update()
 
 double vtkTerminationMesh::EvaluateDistance(const double x[3]) const
 {
-  vtkTriangleFoot foot;
+  interlume::ClosestTrianglePoint foot;
   const int triangle = this->Made->Distance.FindNearest(x, foot);
   return triangle < 0 ? VTK_DOUBLE_MAX : this->Made->Distance.GetSignedDistance(triangle, foot, x);
 }
 
 bool vtkTerminationMesh::IsOn(const double x[3]) const
 {
-  vtkTriangleFoot foot;
+  interlume::ClosestTrianglePoint foot;
   const int triangle = this->Made->Distance.FindNearest(x, foot);
   return triangle >= 0 &&
     std::sqrt(foot.SquaredDistance) <= Nearness * this->Made->Triangles.Diagonal &&
@@ -162,7 +163,7 @@ bool vtkTerminationMesh::IsOn(const double x[3]) const
 
 bool vtkTerminationMesh::IsBeside(const double x[3]) const
 {
-  vtkTriangleFoot foot;
+  interlume::ClosestTrianglePoint foot;
   const int triangle = this->Made->Distance.FindNearest(x, foot);
   return triangle >= 0 && this->Made->IsWithinBorder(x, triangle, foot, this->Tolerance);
 }
@@ -170,7 +171,7 @@ bool vtkTerminationMesh::IsBeside(const double x[3]) const
 void vtkTerminationMesh::EvaluateParameters(const double x[3], double uv[2]) const
 {
   std::fill_n(uv, 2, 0.0);
-  vtkTriangleFoot foot;
+  interlume::ClosestTrianglePoint foot;
   const int triangle = this->Made->Distance.FindNearest(x, foot);
   for (int i = 0; i < 2 && triangle >= 0; ++i)
   {
@@ -187,7 +188,7 @@ void vtkTerminationMesh::EvaluateParameters(const double x[3], double uv[2]) con
 
 void vtkTerminationMesh::EvaluateNormal(const double x[3], double normal[3]) const
 {
-  vtkTriangleFoot foot;
+  interlume::ClosestTrianglePoint foot;
   const int triangle = this->Made->Distance.FindNearest(x, foot);
   const double axis[3] = { 0.0, 0.0, 1.0 };
   std::copy_n(triangle < 0 ? axis : this->Made->Distance.GetNormal(triangle, foot), 3, normal);
@@ -201,7 +202,7 @@ bool vtkTerminationMesh::EvaluatePoint(int part, const double uv[2], double x[3]
 
 double vtkTerminationMesh::EvaluateGap(const double x[3]) const
 {
-  vtkTriangleFoot foot;
+  interlume::ClosestTrianglePoint foot;
   const int triangle = this->Made->Distance.FindNearest(x, foot);
   return triangle < 0 ? VTK_DOUBLE_MAX
                       : std::max(0.0, std::sqrt(foot.SquaredDistance) - this->Made->Rounding);

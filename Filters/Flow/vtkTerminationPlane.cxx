@@ -1,6 +1,7 @@
 #include "vtkTerminationPlane.h"
 
-#include "vtkFiniteNumbers.h"
+#include "Common/FiniteNumbers.h"
+
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
@@ -13,7 +14,7 @@ std::string vtkTerminationPlane::Update()
 {
   for (const double* point : { this->Origin, this->Point1, this->Point2 })
   {
-    if (!vtkFiniteNumbers::AreFinite(point, 3))
+    if (!interlume::FiniteNumbers::AreFinite(point, 3))
     {
       return "a corner of the plane is not finite";
     }
@@ -25,7 +26,7 @@ std::string vtkTerminationPlane::Update()
   for (int i = 0; i < 2; ++i)
   {
     lengths[i] = vtkMath::Normalize(edges[i]);
-    if (!vtkFiniteNumbers::IsSize(lengths[i]))
+    if (!interlume::FiniteNumbers::IsSize(lengths[i]))
     {
       return i == 0 ? "the plane's edge from Origin to Point1 has no length"
                     : "the plane's edge from Origin to Point2 has no length";

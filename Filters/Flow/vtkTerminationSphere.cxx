@@ -1,7 +1,8 @@
 #include "vtkTerminationSphere.h"
 
-#include "vtkAxialFrame.h"
-#include "vtkFiniteNumbers.h"
+#include "Common/FiniteNumbers.h"
+#include "Termination/AxialFrame.h"
+
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
@@ -11,7 +12,7 @@
 vtkStandardNewMacro(vtkTerminationSphere);
 
 vtkTerminationSphere::vtkTerminationSphere()
-  : Frame(std::make_unique<vtkAxialFrame>())
+  : Frame(std::make_unique<interlume::AxialFrame>())
 {
 }
 
@@ -19,15 +20,15 @@ vtkTerminationSphere::~vtkTerminationSphere() = default;
 
 std::string vtkTerminationSphere::Update()
 {
-  if (!vtkFiniteNumbers::AreFinite(this->Center, 3))
+  if (!interlume::FiniteNumbers::AreFinite(this->Center, 3))
   {
     return "the sphere's centre is not finite";
   }
-  if (!vtkFiniteNumbers::IsSize(this->Radius))
+  if (!interlume::FiniteNumbers::IsSize(this->Radius))
   {
     return "the sphere's radius is not finite and above 0";
   }
-  if (!vtkFiniteNumbers::IsSize(vtkMath::Norm(this->Axis)))
+  if (!interlume::FiniteNumbers::IsSize(vtkMath::Norm(this->Axis)))
   {
     return "the sphere's axis is not finite or has no length";
   }
@@ -44,7 +45,7 @@ void vtkTerminationSphere::EvaluateParameters(const double x[3], double uv[2]) c
 {
   double p[3];
   this->Frame->GetComponents(x, this->Center, p);
-  uv[0] = vtkAxialFrame::GetTurn(p[0], p[1]);
+  uv[0] = interlume::AxialFrame::GetTurn(p[0], p[1]);
   uv[1] = 0.5 + std::atan2(p[2], std::hypot(p[0], p[1])) / vtkMath::Pi();
 }
 

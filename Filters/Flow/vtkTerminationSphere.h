@@ -5,7 +5,10 @@
 
 #include <memory> // for the frame
 
-struct vtkAxialFrame;
+namespace interlume
+{
+struct AxialFrame;
+}
 
 /**
  * @class   vtkTerminationSphere
@@ -60,7 +63,7 @@ private:
   vtkTerminationSphere(const vtkTerminationSphere&) = delete;
   void operator=(const vtkTerminationSphere&) = delete;
 
-  const std::unique_ptr<vtkAxialFrame> Frame;
+  const std::unique_ptr<interlume::AxialFrame> Frame;
 
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Radius = 0.5;

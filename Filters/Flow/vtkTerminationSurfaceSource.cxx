@@ -1,9 +1,11 @@
 #include "vtkTerminationSurfaceSource.h"
 
+#include "Common/AbortCheck.h"
+#include "Termination/TerminationGrid.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkFlowAbort.h"
 #include "vtkFlowStatus.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
@@ -12,7 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTerminationGrid.h"
 #include "vtkTerminationSurface.h"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ int vtkTerminationSurfaceSource::RequestData(
   const int parts = this->Surface->GetNumberOfParts();
   for (int part = 0; part < parts; ++part)
   {
-    vtkTerminationGrid grid(this->Surface, part, this->ResolutionU, this->ResolutionV);
+    interlume::TerminationGrid grid(this->Surface, part, this->ResolutionU, this->ResolutionV);
     const auto isAborted = [this, part, parts](double done)
     {
       this->UpdateProgress((part + done) / parts);
@@ -78,10 +79,10 @@ int vtkTerminationSurfaceSource::RequestData(
     };
     if (!grid.Execute(isAborted))
     {
-      return vtkFlowAbort::Leave(outputs);
+      return interlume::AbortCheck::Leave(outputs);
     }
     const vtkIdType offset = points->GetNumberOfPoints();
-    for (const vtkTerminationGrid::Point& point : grid.Points)
+    for (const interlume::TerminationGrid::Point& point : grid.Points)
     {
       points->InsertNextPoint(point.Position);
       parameters->InsertNextTuple(point.Parameters);

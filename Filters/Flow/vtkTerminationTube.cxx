@@ -1,12 +1,13 @@
 #include "vtkTerminationTube.h"
 
+#include "Common/FiniteNumbers.h"
+#include "Termination/DiscParameters.h"
+#include "Termination/TubeAxis.h"
+
 #include "vtkCellArray.h"
-#include "vtkDiscParameters.h"
-#include "vtkFiniteNumbers.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkTubeAxis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@
 vtkStandardNewMacro(vtkTerminationTube);
 
 vtkTerminationTube::vtkTerminationTube()
-  : Axis(new vtkTubeAxis)
+  : Axis(new interlume::TubeAxis)
 {
 }
 
@@ -70,7 +71,7 @@ int vtkTerminationTube::GetNumberOfParts() const
 
 std::string vtkTerminationTube::Update()
 {
-  if (!vtkFiniteNumbers::IsSize(this->Radius))
+  if (!interlume::FiniteNumbers::IsSize(this->Radius))
   {
     return "the tube's radius is not finite and above 0";
   }
@@ -105,7 +106,7 @@ double vtkTerminationTube::EvaluateDistance(const double x[3]) const
   {
     return VTK_DOUBLE_MAX;
   }
-  const vtkTubeAxis::Foot foot = this->Axis->GetFoot(x);
+  const interlume::TubeAxis::Foot foot = this->Axis->GetFoot(x);
   return std::sqrt(vtkMath::Distance2BetweenPoints(x, foot.Nearest)) - this->Radius;
 }
 
@@ -135,7 +136,7 @@ void vtkTerminationTube::EvaluateParameters(const double x[3], double uv[2]) con
     const double across = std::hypot(p[0], p[1]);
     const double angle = std::atan2(across, std::abs(p[2]));
     const double scale = across > 0.0 ? 2.0 * angle / (vtkMath::Pi() * across) : 0.0;
-    vtkDiscParameters::FromPoint(scale * p[0], scale * p[1], uv);
+    interlume::DiscParameters::FromPoint(scale * p[0], scale * p[1], uv);
   }
   else if (!this->Axis->IsEmpty())
   {
@@ -145,7 +146,7 @@ void vtkTerminationTube::EvaluateParameters(const double x[3], double uv[2]) con
 
 void vtkTerminationTube::EvaluateNormal(const double x[3], double normal[3]) const
 {
-  vtkAxialFrame frame;
+  interlume::AxialFrame frame;
   std::copy_n(frame.X, 3, normal);
   if (this->Axis->IsEmpty())
   {
@@ -173,7 +174,7 @@ bool vtkTerminationTube::EvaluatePoint(int part, const double uv[2], double x[3]
   }
   double a;
   double b;
-  if (!vtkDiscParameters::ToPoint(taken, a, b))
+  if (!interlume::DiscParameters::ToPoint(taken, a, b))
   {
     return false;
   }

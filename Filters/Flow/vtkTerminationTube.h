@@ -9,7 +9,11 @@
 #include <vector>
 
 class vtkPolyData;
-class vtkTubeAxis;
+
+namespace interlume
+{
+class TubeAxis;
+}
 
 /**
  * @class   vtkTerminationTube
@@ -109,7 +113,7 @@ private:
   vtkTerminationTube(const vtkTerminationTube&) = delete;
   void operator=(const vtkTerminationTube&) = delete;
 
-  std::unique_ptr<vtkTubeAxis> Axis;
+  std::unique_ptr<interlume::TubeAxis> Axis;
 
   std::vector<std::array<double, 3>> Points;
   vtkSmartPointer<vtkPolyData> Line;

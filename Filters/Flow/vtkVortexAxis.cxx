@@ -1,13 +1,14 @@
 #include "vtkVortexAxis.h"
 
+#include "Common/AbortCheck.h"
+#include "Fields/FieldVectors.h"
+#include "Termination/CrossFlow.h"
+
 #include "vtkCellArray.h"
-#include "vtkCrossFlow.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkFlowAbort.h"
-#include "vtkFlowVectors.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -27,19 +28,19 @@ vtkStandardNewMacro(vtkVortexAxis);
 
 namespace
 {
-using Vortex = vtkCrossFlow::Vortex;
+using Vortex = interlume::CrossFlow::Vortex;
 
 // The vortices of all planes, those of one plane together.
 class Tracker
 {
 public:
-  Tracker(const vtkCrossFlow& flow, const std::vector<vtkZeroSearch::Zero>& zeros,
+  Tracker(const interlume::CrossFlow& flow, const std::vector<interlume::ZeroSearch::Zero>& zeros,
     double minimumSwirlStrength, double radius)
     : Flow(flow)
     , Radius(radius)
     , Planes(flow.GetNumberOfPlanes())
   {
-    for (const vtkZeroSearch::Zero& zero : zeros)
+    for (const interlume::ZeroSearch::Zero& zero : zeros)
     {
       const Vortex vortex = flow.MakeVortex(zero);
       if (vortex.SwirlStrength > 0.0 && vortex.SwirlStrength >= minimumSwirlStrength)
@@ -128,7 +129,7 @@ private:
     return next;
   }
 
-  const vtkCrossFlow& Flow;
+  const interlume::CrossFlow& Flow;
   double Radius;
   std::vector<std::vector<Vortex>> Planes;
 };
@@ -197,7 +198,7 @@ vtkVortexAxis::~vtkVortexAxis() = default;
 
 int vtkVortexAxis::FillInputPortInformation(int, vtkInformation* info)
 {
-  vtkFlowVectors::FillPortInformation(info);
+  interlume::FieldVectors::FillPortInformation(info);
   return 1;
 }
 
@@ -217,7 +218,7 @@ int vtkVortexAxis::RequestData(
   wrong = wrong.empty() ? CheckVector("Seed", this->Seed, false) : wrong;
   wrong = wrong.empty() ? CheckVector("FrameVelocity", this->FrameVelocity, false) : wrong;
   wrong = wrong.empty()
-    ? vtkFlowVectors::Check(input, vectors, association, this->GetInputArrayInformation(0))
+    ? interlume::FieldVectors::Check(input, vectors, association, this->GetInputArrayInformation(0))
     : wrong;
   if (!wrong.empty())
   {
@@ -225,12 +226,12 @@ int vtkVortexAxis::RequestData(
     return 1;
   }
   this->SetProgressText("Searching planes for the vortex");
-  vtkCrossFlow flow(this->Axis, this->FrameVelocity);
+  interlume::CrossFlow flow(this->Axis, this->FrameVelocity);
   flow.PlacePlanes(input, this->NumberOfPlanes);
-  vtkZeroSearch search;
+  interlume::ZeroSearch search;
   if (!search.Execute(this, input, vectors, flow))
   {
-    return vtkFlowAbort::Leave(outputs);
+    return interlume::AbortCheck::Leave(outputs);
   }
   this->Report.Planes = flow.GetNumberOfPlanes();
   this->Report.Places = static_cast<vtkIdType>(search.GetZeros().size());

@@ -1,8 +1,8 @@
 #ifndef vtkExtractionReport_h
 #define vtkExtractionReport_h
 
-#include "vtkIndent.h"
 #include "InterlumeIntervalsModule.h" // for the export macro
+#include "vtkIndent.h"
 #include "vtkType.h"
 
 /**

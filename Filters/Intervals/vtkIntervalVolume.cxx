@@ -1,13 +1,14 @@
 #include "vtkIntervalVolume.h"
 
+#include "Static/EmptyResult.h"
+#include "Static/Extraction.h"
+#include "Static/ExtractionArrays.h"
+#include "Static/ExtractionIndex.h"
+#include "Static/ExtractionInput.h"
+
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
-#include "vtkEmptyResult.h"
-#include "vtkExtraction.h"
-#include "vtkExtractionArrays.h"
-#include "vtkExtractionIndex.h"
-#include "vtkExtractionInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -34,8 +35,8 @@ double ReadNumber(const std::string& text)
 }
 
 vtkIntervalVolume::vtkIntervalVolume()
-  : Index(vtkSmartPointer<vtkExtractionIndex>::New())
-  , Empty(std::make_unique<vtkEmptyResult>())
+  : Index(vtkSmartPointer<interlume::ExtractionIndex>::New())
+  , Empty(std::make_unique<interlume::EmptyResult>())
 {
   this->AddObserver(vtkCommand::StartEvent, this, &vtkIntervalVolume::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkIntervalVolume::WarnIfEmpty);
@@ -106,14 +107,14 @@ int vtkIntervalVolume::ComputePipelineMTime(vtkInformation* request, vtkInformat
 
 std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
 {
-  std::string wrongInterval = vtkExtractionInput::CheckIntervals(this->GetIntervals());
+  std::string wrongInterval = interlume::ExtractionInput::CheckIntervals(this->GetIntervals());
   if (!wrongInterval.empty())
   {
     return wrongInterval;
   }
   for (const Criterion& criterion : this->Criteria)
   {
-    std::string wrong = vtkExtractionInput::CheckScalars(input,
+    std::string wrong = interlume::ExtractionInput::CheckScalars(input,
       input->GetPointData()->GetAbstractArray(criterion.ArrayName.c_str()),
       vtkDataObject::FIELD_ASSOCIATION_POINTS,
       "point array \"" + criterion.ArrayName + "\" of a criterion");
@@ -124,7 +125,7 @@ std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
     }
     if (wrong.empty())
     {
-      wrong = vtkExtractionInput::CheckInterval(
+      wrong = interlume::ExtractionInput::CheckInterval(
         "The criterion on \"" + criterion.ArrayName + "\"", criterion.Lower, criterion.Upper);
     }
     if (!wrong.empty())
@@ -153,8 +154,8 @@ int vtkIntervalVolume::RequestData(
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkAbstractArray* array = this->GetInputAbstractArrayToProcess(0, inputs, association);
-  std::string wrong = vtkExtractionInput::CheckScalars(
-    input, array, association, vtkExtractionInput::DescribeArrayToProcess(this));
+  std::string wrong = interlume::ExtractionInput::CheckScalars(
+    input, array, association, interlume::ExtractionInput::DescribeArrayToProcess(this));
   wrong = wrong.empty() ? this->CheckParameters(input) : wrong;
   if (!wrong.empty())
   {
@@ -180,8 +181,8 @@ int vtkIntervalVolume::RequestData(
   this->SetProgressShiftScale(0.0, 1.0);
   if (completed)
   {
-    vtkExtractionArrays::ActivateScalars(scalars->GetName(), cut->GetPointData());
-    vtkExtractionArrays::ActivateScalars(scalars->GetName(), cutBoundary->GetPointData());
+    interlume::ExtractionArrays::ActivateScalars(scalars->GetName(), cut->GetPointData());
+    interlume::ExtractionArrays::ActivateScalars(scalars->GetName(), cutBoundary->GetPointData());
     output->ShallowCopy(cut);
     boundary->ShallowCopy(cutBoundary);
     this->Report.Passes = passes;
@@ -192,9 +193,10 @@ int vtkIntervalVolume::RequestData(
 bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars,
   vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
 {
-  const vtkExtractionValues values = vtkExtractionValues::ForIntervals(this->GetIntervals());
+  const interlume::ExtractionValues values =
+    interlume::ExtractionValues::ForIntervals(this->GetIntervals());
   vtkExtractionReport report;
-  vtkExtraction extraction;
+  interlume::Extraction extraction;
   extraction.Owner = this;
   extraction.Values = &values;
   extraction.Index = this->UseValueIndex ? this->Index.GetPointer() : nullptr;
@@ -214,8 +216,9 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
     vtkWarningMacro(<< report.UnsupportedCells
                     << " cells have no linear counterpart and are left out.");
   }
-  for (const std::string& warning : { vtkExtractionInput::CheckPolyhedra(report.ConcavePolyhedra),
-         vtkExtractionInput::CheckPrecision(input, this->GetOutputPointsPrecision()) })
+  for (const std::string& warning :
+    { interlume::ExtractionInput::CheckPolyhedra(report.ConcavePolyhedra),
+      interlume::ExtractionInput::CheckPrecision(input, this->GetOutputPointsPrecision()) })
   {
     if (!warning.empty())
     {
@@ -235,10 +238,10 @@ bool vtkIntervalVolume::ApplyCriterion(
   boundaryBefore->ShallowCopy(boundary);
   grid->Initialize();
   boundary->Initialize();
-  const vtkExtractionValues values =
-    vtkExtractionValues::ForIntervals({ { { criterion.Lower, criterion.Upper } } });
+  const interlume::ExtractionValues values =
+    interlume::ExtractionValues::ForIntervals({ { { criterion.Lower, criterion.Upper } } });
   vtkExtractionReport report;
-  vtkExtraction extraction;
+  interlume::Extraction extraction;
   extraction.Owner = this;
   extraction.Values = &values;
   extraction.KeepOrientation = true;
@@ -269,7 +272,7 @@ void vtkIntervalVolume::WarnIfEmpty()
   }
   this->WarnOfEmptyOutput(
     this->Empty->Explain(this, this->GetNumberOfIntervals() == 0 ? "no interval is set." : "",
-      vtkEmptyResult::Describe(this->GetIntervals())));
+      interlume::EmptyResult::Describe(this->GetIntervals())));
 }
 
 void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)

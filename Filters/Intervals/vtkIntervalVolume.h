@@ -12,8 +12,12 @@
 
 class vtkDataArray;
 class vtkDataSet;
-class vtkEmptyResult;
-class vtkExtractionIndex;
+
+namespace interlume
+{
+class EmptyResult;
+class ExtractionIndex;
+}
 
 /**
  * @class   vtkIntervalVolume
@@ -197,8 +201,8 @@ private:
   vtkExtractionReport Report;
   /// Whether the next RequestData is the first of an execution.
   bool IsFirstRun = true;
-  vtkSmartPointer<vtkExtractionIndex> Index;
-  std::unique_ptr<vtkEmptyResult> Empty;
+  vtkSmartPointer<interlume::ExtractionIndex> Index;
+  std::unique_ptr<interlume::EmptyResult> Empty;
 };
 
 #endif

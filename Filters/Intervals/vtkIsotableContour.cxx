@@ -1,12 +1,13 @@
 #include "vtkIsotableContour.h"
 
+#include "Static/EmptyResult.h"
+#include "Static/Extraction.h"
+#include "Static/ExtractionArrays.h"
+#include "Static/ExtractionIndex.h"
+#include "Static/ExtractionInput.h"
+
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
-#include "vtkEmptyResult.h"
-#include "vtkExtraction.h"
-#include "vtkExtractionArrays.h"
-#include "vtkExtractionIndex.h"
-#include "vtkExtractionInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -21,8 +22,8 @@ constexpr int MaximumNumberOfContours = 20000;
 }
 
 vtkIsotableContour::vtkIsotableContour()
-  : Index(vtkSmartPointer<vtkExtractionIndex>::New())
-  , Empty(std::make_unique<vtkEmptyResult>())
+  : Index(vtkSmartPointer<interlume::ExtractionIndex>::New())
+  , Empty(std::make_unique<interlume::EmptyResult>())
 {
   this->AddObserver(vtkCommand::StartEvent, this, &vtkIsotableContour::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkIsotableContour::WarnIfEmpty);
@@ -98,11 +99,11 @@ int vtkIsotableContour::RequestData(
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkAbstractArray* array = this->GetInputAbstractArrayToProcess(0, inputs, association);
-  std::string wrong = vtkExtractionInput::CheckScalars(
-    input, array, association, vtkExtractionInput::DescribeArrayToProcess(this));
+  std::string wrong = interlume::ExtractionInput::CheckScalars(
+    input, array, association, interlume::ExtractionInput::DescribeArrayToProcess(this));
   for (std::size_t i = 0; wrong.empty() && i < this->Values.size(); ++i)
   {
-    wrong = vtkExtractionInput::CheckInterval(
+    wrong = interlume::ExtractionInput::CheckInterval(
       "Value " + std::to_string(i), this->Values[i], this->Values[i]);
   }
   if (!wrong.empty())
@@ -111,9 +112,9 @@ int vtkIsotableContour::RequestData(
     this->Empty->NoteMessage();
     return 1;
   }
-  const vtkExtractionValues values = vtkExtractionValues::ForContours(this->Values);
+  const interlume::ExtractionValues values = interlume::ExtractionValues::ForContours(this->Values);
   vtkExtractionReport report;
-  vtkExtraction extraction;
+  interlume::Extraction extraction;
   extraction.Owner = this;
   extraction.Values = &values;
   extraction.Index = this->UseValueIndex ? this->Index.GetPointer() : nullptr;
@@ -125,7 +126,7 @@ int vtkIsotableContour::RequestData(
   {
     output->Initialize();
   }
-  vtkExtractionArrays::ActivateScalars(scalars->GetName(), output->GetPointData());
+  interlume::ExtractionArrays::ActivateScalars(scalars->GetName(), output->GetPointData());
   this->Empty->Add(input, scalars, output->GetNumberOfCells());
   report.Passes = 1;
   this->Report.Add(report);
@@ -139,8 +140,9 @@ int vtkIsotableContour::RequestData(
     vtkWarningMacro(<< report.UnsupportedCells
                     << " cells have no linear counterpart and are left out.");
   }
-  for (const std::string& warning : { vtkExtractionInput::CheckPolyhedra(report.ConcavePolyhedra),
-         vtkExtractionInput::CheckPrecision(input, this->OutputPointsPrecision) })
+  for (const std::string& warning :
+    { interlume::ExtractionInput::CheckPolyhedra(report.ConcavePolyhedra),
+      interlume::ExtractionInput::CheckPrecision(input, this->OutputPointsPrecision) })
   {
     if (!warning.empty())
     {
@@ -161,8 +163,8 @@ void vtkIsotableContour::WarnIfEmpty()
   {
     return;
   }
-  const std::string why = this->Empty->Explain(
-    this, this->Values.empty() ? "no value is set." : "", vtkEmptyResult::Describe(this->Values));
+  const std::string why = this->Empty->Explain(this, this->Values.empty() ? "no value is set." : "",
+    interlume::EmptyResult::Describe(this->Values));
   if (this->WarnOnEmptyOutput && !why.empty())
   {
     vtkWarningMacro("The output is empty: " << why);

@@ -1,16 +1,19 @@
 #ifndef vtkIsotableContour_h
 #define vtkIsotableContour_h
 
-#include "vtkExtractionReport.h"      // for the report
 #include "InterlumeIntervalsModule.h" // for the export macro
+#include "vtkExtractionReport.h"      // for the report
 #include "vtkSmartPointer.h"          // for the value index
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <memory> // for what an empty output is explained by
 #include <vector> // for the values
 
-class vtkEmptyResult;
-class vtkExtractionIndex;
+namespace interlume
+{
+class EmptyResult;
+class ExtractionIndex;
+}
 
 /**
  * @class   vtkIsotableContour
@@ -130,8 +133,8 @@ private:
   vtkExtractionReport Report;
   /// Whether the next RequestData is the first of an execution.
   bool IsFirstRun = true;
-  vtkSmartPointer<vtkExtractionIndex> Index;
-  std::unique_ptr<vtkEmptyResult> Empty;
+  vtkSmartPointer<interlume::ExtractionIndex> Index;
+  std::unique_ptr<interlume::EmptyResult> Empty;
 };
 
 #endif

@@ -1,16 +1,18 @@
 #include "vtkSimplexTimeSlice.h"
 
+#include "Static/EmptyResult.h"
+#include "Static/ExtractionArrays.h"
+#include "Static/ExtractionDispatch.h"
+#include "Static/ExtractionInput.h"
+#include "Static/ExtractionScalars.h"
+#include "TimeVarying/SimplexSlicer.h"
+
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkEmptyResult.h"
-#include "vtkExtractionArrays.h"
-#include "vtkExtractionDispatch.h"
-#include "vtkExtractionInput.h"
-#include "vtkExtractionScalars.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
 #include "vtkInformationDoubleVectorKey.h"
@@ -18,7 +20,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSimplexSlicer.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
@@ -79,7 +80,7 @@ void FindTimes(vtkDataObject* input, double range[2])
 
 vtkSimplexTimeSlice::vtkSimplexTimeSlice()
   : InputRange{ 0.0, -1.0 }
-  , Empty(std::make_unique<vtkEmptyResult>())
+  , Empty(std::make_unique<interlume::EmptyResult>())
 {
   this->AddObserver(vtkCommand::StartEvent, this, &vtkSimplexTimeSlice::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkSimplexTimeSlice::WarnIfEmpty);
@@ -148,7 +149,7 @@ int vtkSimplexTimeSlice::RequestData(
   this->Report.Time = time;
   this->Report.Simplices += input->GetNumberOfCells();
   vtkAbstractArray* array = input->GetPointData()->GetAbstractArray(TimeName);
-  const std::string wrong = vtkExtractionInput::CheckScalars(
+  const std::string wrong = interlume::ExtractionInput::CheckScalars(
     input, array, vtkDataObject::FIELD_ASSOCIATION_POINTS, "point array \"Time\"");
   if (!wrong.empty())
   {
@@ -162,10 +163,10 @@ int vtkSimplexTimeSlice::RequestData(
     this->Empty->NoteMessage();
     return 1;
   }
-  const vtkExtractionValues values = vtkExtractionValues::ForContours({ time });
+  const interlume::ExtractionValues values = interlume::ExtractionValues::ForContours({ time });
   const vtkSmartPointer<vtkDataArray> times =
-    vtkExtractionDispatch::MakeContiguous(vtkDataArray::SafeDownCast(array));
-  vtkExtractionContext context;
+    interlume::ExtractionDispatch::MakeContiguous(vtkDataArray::SafeDownCast(array));
+  interlume::ExtractionContext context;
   context.Owner = this;
   context.Values = &values;
   context.Input = input;
@@ -173,8 +174,8 @@ int vtkSimplexTimeSlice::RequestData(
   context.KeepCellIds = input->GetCellData()->GetNumberOfArrays() > 0;
   context.CellGhosts = input->GetCellGhostArray();
   context.PointGhosts = input->GetPointGhostArray();
-  vtkSimplexSlicer::Slice slice;
-  if (!vtkSimplexSlicer::Execute(context, input, slice))
+  interlume::SimplexSlicer::Slice slice;
+  if (!interlume::SimplexSlicer::Execute(context, input, slice))
   {
     return 1;
   }
@@ -189,14 +190,14 @@ int vtkSimplexTimeSlice::RequestData(
     return 1;
   }
   output->SetPoints(
-    vtkExtractionArrays::MakePoints(input, slice.Points, vtkAlgorithm::DEFAULT_PRECISION));
+    interlume::ExtractionArrays::MakePoints(input, slice.Points, vtkAlgorithm::DEFAULT_PRECISION));
   output->SetCells(VTK_TETRA, slice.Tetrahedra.MakeCells());
   this->UpdateProgress(0.85);
-  vtkExtractionArrays::InterpolatePointData(
+  interlume::ExtractionArrays::InterpolatePointData(
     input->GetPointData(), slice.Points, output->GetPointData());
   FillTime(output->GetPointData(), output->GetNumberOfPoints(), time);
   this->UpdateProgress(0.95);
-  vtkExtractionArrays::CopyCellData(input->GetCellData(), slice.CellIds.GetData(),
+  interlume::ExtractionArrays::CopyCellData(input->GetCellData(), slice.CellIds.GetData(),
     static_cast<vtkIdType>(slice.CellIds.GetSize()), output->GetCellData());
   this->Empty->Add(input, nullptr, output->GetNumberOfCells());
   this->Report.Tetrahedra += output->GetNumberOfCells();

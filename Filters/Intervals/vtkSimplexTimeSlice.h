@@ -1,13 +1,16 @@
 #ifndef vtkSimplexTimeSlice_h
 #define vtkSimplexTimeSlice_h
 
-#include "InterlumeIntervalsModule.h" // for the export macro
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "InterlumeIntervalsModule.h"  // for the export macro
 #include "vtkSimplexTimeSliceReport.h" // for the report
+#include "vtkUnstructuredGridAlgorithm.h"
 
 #include <memory> // for what an empty output is explained by
 
-class vtkEmptyResult;
+namespace interlume
+{
+class EmptyResult;
+}
 
 /**
  * @class   vtkSimplexTimeSlice
@@ -120,7 +123,7 @@ private:
   bool WarnOnEmptyOutput = true;
   /// The first and last time of the input; turned round where it has none.
   double InputRange[2];
-  std::unique_ptr<vtkEmptyResult> Empty;
+  std::unique_ptr<interlume::EmptyResult> Empty;
   vtkSimplexTimeSliceReport Report;
 };
 

@@ -1,15 +1,16 @@
 #include "vtkTimeVaryingIntervalVolume.h"
 
+#include "Static/EmptyResult.h"
+#include "Static/ExtractionInput.h"
+#include "TimeVarying/TimeVaryingRun.h"
+
 #include "vtkDataObjectTypes.h"
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
-#include "vtkEmptyResult.h"
-#include "vtkExtractionInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTimeVaryingRun.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +89,7 @@ int vtkTimeVaryingIntervalVolume::RequestDataObject(
   {
     return 0;
   }
-  const char* wanted = vtkTimeVaryingRun::GetOutputType(input);
+  const char* wanted = interlume::TimeVaryingRun::GetOutputType(input);
   for (int port = 0; port < NumberOfPorts; ++port)
   {
     vtkInformation* info = outputs->GetInformationObject(port);
@@ -200,10 +201,10 @@ int vtkTimeVaryingIntervalVolume::RequestUpdateExtent(
 
 bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
 {
-  this->Report = vtkSpaceTimeReport();
+  this->Report = vtkTimeVaryingReport();
   const std::vector<double> times = this->GetTimesTaken();
   for (const std::string& wrong : { this->CheckTimes(times), this->CheckDirection(),
-         vtkExtractionInput::CheckIntervals(this->GetIntervals()) })
+         interlume::ExtractionInput::CheckIntervals(this->GetIntervals()) })
   {
     if (!wrong.empty())
     {
@@ -211,8 +212,8 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
       return false;
     }
   }
-  const vtkSpaceTimeOptions options(*this, this->GetOutputPointsPrecision(), copiesSteps);
-  this->Run = std::make_unique<vtkTimeVaryingRun>(
+  const interlume::TimeVaryingOptions options(*this, this->GetOutputPointsPrecision(), copiesSteps);
+  this->Run = std::make_unique<interlume::TimeVaryingRun>(
     this,
     [this](vtkDataSet* input, int& association)
     { return this->GetInputAbstractArrayToProcess(0, input, association); },
@@ -231,38 +232,39 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   }
   if (!this->Run && this->GetNumberOfIntervals() == 0)
   {
-    this->WarnOfEmptyOutput(vtkEmptyResult().Explain(this, "no interval is set.", ""));
+    this->WarnOfEmptyOutput(interlume::EmptyResult().Explain(this, "no interval is set.", ""));
     return 1;
   }
   if (!this->Run && !this->Begin(false))
   {
     return 1;
   }
-  const vtkTimeVaryingRun::Results result = this->Run->AddStep(input);
-  if (result == vtkTimeVaryingRun::OVERWRITTEN)
+  const interlume::TimeVaryingRun::Results result = this->Run->AddStep(input);
+  if (result == interlume::TimeVaryingRun::OVERWRITTEN)
   {
     // The values of the step before are lost: its time is asked for again.
     this->Begin(true);
     request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
     return 1;
   }
-  if (result == vtkTimeVaryingRun::DONE && !this->Run->IsFinished() && !this->GetAbortExecute())
+  if (result == interlume::TimeVaryingRun::DONE && !this->Run->IsFinished() &&
+    !this->GetAbortExecute())
   {
     request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
     return 1;
   }
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
-  const std::unique_ptr<vtkTimeVaryingRun> run = std::move(this->Run);
+  const std::unique_ptr<interlume::TimeVaryingRun> run = std::move(this->Run);
   this->IsRestarted = false;
-  if (result == vtkTimeVaryingRun::FAILED)
+  if (result == interlume::TimeVaryingRun::FAILED)
   {
     vtkErrorMacro(<< run->GetMessage());
   }
-  else if (result == vtkTimeVaryingRun::DONE && run->IsFinished())
+  else if (result == interlume::TimeVaryingRun::DONE && run->IsFinished())
   {
     for (vtkDataObject* output : made)
     {
-      vtkTimeVaryingRun::CopyStructure(input, output);
+      interlume::TimeVaryingRun::CopyStructure(input, output);
     }
     if (!run->FillOutputs(made[0], made[1], made[2]))
     {
@@ -276,14 +278,14 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   {
     vtkWarningMacro(<< warning);
   }
-  if (result == vtkTimeVaryingRun::DONE)
+  if (result == interlume::TimeVaryingRun::DONE)
   {
     this->WarnOfEmptyOutput(this->ExplainEmpty(*run));
   }
   return 1;
 }
 
-std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(vtkTimeVaryingRun& run)
+std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(interlume::TimeVaryingRun& run)
 {
   if (this->Report.Slabs == 0)
   {
@@ -295,8 +297,8 @@ std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(vtkTimeVaryingRun& run)
   const bool isAsked = this->GenerateTetrahedra || this->GenerateSimplices || hasBoundary;
   const std::string why = run.GetEmptyResult().Explain(this,
     isAsked ? "" : "neither tetrahedra, nor boundaries, nor 4-simplices are asked for.",
-    vtkEmptyResult::Describe(this->GetIntervals()) + " at any time");
-  const vtkSpaceTimeReport& report = this->Report;
+    interlume::EmptyResult::Describe(this->GetIntervals()) + " at any time");
+  const vtkTimeVaryingReport& report = this->Report;
   if (why.empty() && this->GenerateTetrahedra && report.Simplices > 0 &&
     report.FlatSimplices == report.Simplices)
   {

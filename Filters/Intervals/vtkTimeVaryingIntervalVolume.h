@@ -3,14 +3,17 @@
 
 #include "InterlumeIntervalsModule.h" // for the export macro
 #include "vtkIntervalAlgorithm.h"
-#include "vtkSpaceTimeReport.h"   // for the report
-#include "vtkSpaceTimeSettings.h" // for what is set
+#include "vtkTimeVaryingReport.h"   // for the report
+#include "vtkTimeVaryingSettings.h" // for what is set
 
 #include <memory> // for the state between time steps
 #include <string> // for messages
 #include <vector> // for the time steps
 
-class vtkTimeVaryingRun;
+namespace interlume
+{
+class TimeVaryingRun;
+}
 
 /**
  * @class   vtkTimeVaryingIntervalVolume
@@ -90,7 +93,7 @@ class vtkTimeVaryingRun;
  */
 class INTERLUMEINTERVALS_EXPORT vtkTimeVaryingIntervalVolume
   : public vtkIntervalAlgorithm
-  , private vtkSpaceTimeSettings
+  , private vtkTimeVaryingSettings
 {
 public:
   static vtkTimeVaryingIntervalVolume* New();
@@ -99,29 +102,29 @@ public:
 
   ///@{
   /**
-   * The kinds and classes, as vtkSpaceTimeSettings has them.
+   * The kinds and classes, as vtkTimeVaryingSettings has them.
    */
-  using vtkSpaceTimeSettings::BoundaryKinds;
-  using vtkSpaceTimeSettings::CLASS_1;
-  using vtkSpaceTimeSettings::CLASS_2;
-  using vtkSpaceTimeSettings::CLASS_3A;
-  using vtkSpaceTimeSettings::CLASS_3B;
-  using vtkSpaceTimeSettings::CLASS_4;
-  using vtkSpaceTimeSettings::CLASS_5;
-  using vtkSpaceTimeSettings::FACES_AT_STEP;
-  using vtkSpaceTimeSettings::LOWER_SURFACE_AT_END;
-  using vtkSpaceTimeSettings::LOWER_SURFACE_AT_START;
-  using vtkSpaceTimeSettings::LOWER_SURFACE_IN_TIME;
-  using vtkSpaceTimeSettings::NOTHING_AT_STEP;
-  using vtkSpaceTimeSettings::NUMBER_OF_BOUNDARY_KINDS;
-  using vtkSpaceTimeSettings::PartsAtStep;
-  using vtkSpaceTimeSettings::SimplexClasses;
-  using vtkSpaceTimeSettings::TETRAHEDRON_AT_STEP;
-  using vtkSpaceTimeSettings::UPPER_SURFACE_AT_END;
-  using vtkSpaceTimeSettings::UPPER_SURFACE_AT_START;
-  using vtkSpaceTimeSettings::UPPER_SURFACE_IN_TIME;
-  using vtkSpaceTimeSettings::VOLUME_AT_END;
-  using vtkSpaceTimeSettings::VOLUME_AT_START;
+  using vtkTimeVaryingSettings::BoundaryKinds;
+  using vtkTimeVaryingSettings::CLASS_1;
+  using vtkTimeVaryingSettings::CLASS_2;
+  using vtkTimeVaryingSettings::CLASS_3A;
+  using vtkTimeVaryingSettings::CLASS_3B;
+  using vtkTimeVaryingSettings::CLASS_4;
+  using vtkTimeVaryingSettings::CLASS_5;
+  using vtkTimeVaryingSettings::FACES_AT_STEP;
+  using vtkTimeVaryingSettings::LOWER_SURFACE_AT_END;
+  using vtkTimeVaryingSettings::LOWER_SURFACE_AT_START;
+  using vtkTimeVaryingSettings::LOWER_SURFACE_IN_TIME;
+  using vtkTimeVaryingSettings::NOTHING_AT_STEP;
+  using vtkTimeVaryingSettings::NUMBER_OF_BOUNDARY_KINDS;
+  using vtkTimeVaryingSettings::PartsAtStep;
+  using vtkTimeVaryingSettings::SimplexClasses;
+  using vtkTimeVaryingSettings::TETRAHEDRON_AT_STEP;
+  using vtkTimeVaryingSettings::UPPER_SURFACE_AT_END;
+  using vtkTimeVaryingSettings::UPPER_SURFACE_AT_START;
+  using vtkTimeVaryingSettings::UPPER_SURFACE_IN_TIME;
+  using vtkTimeVaryingSettings::VOLUME_AT_END;
+  using vtkTimeVaryingSettings::VOLUME_AT_START;
   ///@}
 
   ///@{
@@ -179,7 +182,7 @@ public:
   /**
    * What the last execution did.
    */
-  const vtkSpaceTimeReport& GetReport() const { return this->Report; }
+  const vtkTimeVaryingReport& GetReport() const { return this->Report; }
 
 protected:
   vtkTimeVaryingIntervalVolume();
@@ -205,17 +208,17 @@ protected:
   /// parameters do not allow it.
   bool Begin(bool copiesSteps);
   /// Why there is no output after all steps, or nothing.
-  std::string ExplainEmpty(vtkTimeVaryingRun& run);
+  std::string ExplainEmpty(interlume::TimeVaryingRun& run);
 
 private:
   vtkTimeVaryingIntervalVolume(const vtkTimeVaryingIntervalVolume&) = delete;
   void operator=(const vtkTimeVaryingIntervalVolume&) = delete;
 
-  vtkSpaceTimeReport Report;
+  vtkTimeVaryingReport Report;
   /// The times of the input's steps.
   std::vector<double> TimeSteps;
   /// What is kept from one time step to the next; null between executions.
-  std::unique_ptr<vtkTimeVaryingRun> Run;
+  std::unique_ptr<interlume::TimeVaryingRun> Run;
   /// Whether an execution was begun anew since the input changed meanwhile.
   bool IsRestarted = false;
 };

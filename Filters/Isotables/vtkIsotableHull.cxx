@@ -1,6 +1,6 @@
 #include "vtkIsotableHull.h"
 
-#include "vtkIsotableAlgebra.h"
+#include "Combinatorics/IsotableAlgebra.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 namespace
 {
-using namespace vtkIsotableAlgebra;
+using namespace interlume::IsotableAlgebra;
 using Point = vtkIsotableHull::Point;
 using Normal = vtkIsotableHull::Normal;
 

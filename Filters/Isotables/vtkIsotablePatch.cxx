@@ -1,6 +1,6 @@
 #include "vtkIsotablePatch.h"
 
-#include "vtkIsotableAlgebra.h"
+#include "Combinatorics/IsotableAlgebra.h"
 
 #include <algorithm>
 
@@ -59,9 +59,9 @@ std::vector<vtkIsotablePointSet> vtkIsotablePatch::GetFacesOf(const vtkIsotableP
 
 bool vtkIsotablePatch::IsPositive(const Facet& facet, const PointList& simplex) const
 {
-  using namespace vtkIsotableAlgebra;
+  using namespace interlume::IsotableAlgebra;
   const int dimension = this->Cell.Dimension;
-  vtkIsotableAlgebra::Normal rows[MaximumDimension];
+  interlume::IsotableAlgebra::Normal rows[MaximumDimension];
   int columns[MaximumDimension];
   const Point origin = this->Cell.Midpoint(simplex[0]);
   for (int i = 1; i < dimension; ++i)

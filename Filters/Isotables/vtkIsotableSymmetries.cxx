@@ -1,6 +1,7 @@
 #include "vtkIsotableSymmetries.h"
 
-#include "vtkIsotableAlgebra.h"
+#include "Combinatorics/IsotableAlgebra.h"
+
 #include "vtkIsotablePointSet.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 
 namespace
 {
-using namespace vtkIsotableAlgebra;
+using namespace interlume::IsotableAlgebra;
 using Slot = vtkIsotableSymmetries::Slot;
 using Permutation = std::vector<int>;
 

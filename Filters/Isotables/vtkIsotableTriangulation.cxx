@@ -1,6 +1,6 @@
 #include "vtkIsotableTriangulation.h"
 
-#include "vtkIsotableAlgebra.h"
+#include "Combinatorics/IsotableAlgebra.h"
 
 #include <algorithm>
 #include <map>
@@ -102,14 +102,16 @@ private:
   std::int64_t GetOrientation(const PointList& face, int point) const
   {
     const std::vector<int>& pivots = this->Affine.GetPivots();
-    const vtkIsotableAlgebra::Point origin = this->Cell.Midpoint(face[0]);
-    vtkIsotableAlgebra::Normal rows[vtkIsotableAlgebra::MaximumDimension];
+    const interlume::IsotableAlgebra::Point origin = this->Cell.Midpoint(face[0]);
+    interlume::IsotableAlgebra::Normal rows[interlume::IsotableAlgebra::MaximumDimension];
     for (std::size_t i = 1; i < face.size(); ++i)
     {
-      rows[i - 1] = vtkIsotableAlgebra::Difference(this->Cell.Midpoint(face[i]), origin);
+      rows[i - 1] = interlume::IsotableAlgebra::Difference(this->Cell.Midpoint(face[i]), origin);
     }
-    rows[face.size() - 1] = vtkIsotableAlgebra::Difference(this->Cell.Midpoint(point), origin);
-    return vtkIsotableAlgebra::Determinant(rows, pivots.data(), static_cast<int>(pivots.size()));
+    rows[face.size() - 1] =
+      interlume::IsotableAlgebra::Difference(this->Cell.Midpoint(point), origin);
+    return interlume::IsotableAlgebra::Determinant(
+      rows, pivots.data(), static_cast<int>(pivots.size()));
   }
 
   void JoinVisible(int point)
@@ -146,7 +148,7 @@ private:
   }
 
   const vtkIsotablePolytope& Cell;
-  vtkIsotableAlgebra::Span Affine;
+  interlume::IsotableAlgebra::Span Affine;
 };
 }
 

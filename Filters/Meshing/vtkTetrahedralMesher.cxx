@@ -1,8 +1,14 @@
 #include "vtkTetrahedralMesher.h"
 
+#include "Interpolation/MeshedArrays.h"
+#include "Mesh/MeshMeasures.h"
+#include "Meshers/CellMesher.h"
+#include "Meshers/PointSetMesher.h"
+#include "Meshers/SurfaceMesher.h"
+#include "TetGen/MeshingJob.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellMesher.h"
 #include "vtkCellType.h"
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
@@ -11,15 +17,10 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkMeshMeasures.h"
-#include "vtkMeshedArrays.h"
-#include "vtkMeshingJob.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointSetMesher.h"
 #include "vtkPoints.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkSurfaceMesher.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -32,9 +33,9 @@ namespace
 constexpr double LeastQualityBound = 1.0;
 constexpr double LargestQualityBound = 1000.0;
 
-void Measure(const vtkMeshingJob& job, vtkTetrahedralMesherReport& report)
+void Measure(const interlume::MeshingJob& job, vtkTetrahedralMesherReport& report)
 {
-  vtkMeshMeasures measures;
+  interlume::MeshMeasures measures;
   // Cells are not refined.
   measures.QualityBound = job.Mesh.Cells.empty() ? job.QualityBound : 0.0;
   measures.MaximumVolume = job.Mesh.Cells.empty() ? job.MaximumVolume : 0.0;
@@ -83,7 +84,7 @@ int vtkTetrahedralMesher::RequestData(
     return 1;
   }
   this->SetProgressText("Making tetrahedra");
-  vtkMeshingJob job(*this, input);
+  interlume::MeshingJob job(*this, input);
   double progress = 0.0;
   job.SetProgress = [this, &progress](double value)
   {
@@ -120,31 +121,32 @@ int vtkTetrahedralMesher::RequestData(
   return 1;
 }
 
-void vtkTetrahedralMesher::Mesh(vtkMeshingJob& job)
+void vtkTetrahedralMesher::Mesh(interlume::MeshingJob& job)
 {
   int dimension = 0;
   const vtkIdType cells = job.Input->GetNumberOfCells();
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    dimension = std::max(dimension, vtkMeshingJob::GetDimension(job.Input->GetCellType(cell)));
+    dimension =
+      std::max(dimension, interlume::MeshingJob::GetDimension(job.Input->GetCellType(cell)));
   }
   if (dimension == 3)
   {
-    vtkCellMesher::Execute(job);
+    interlume::CellMesher::Execute(job);
   }
   else if (dimension == 2)
   {
-    vtkSurfaceMesher::Execute(job);
+    interlume::SurfaceMesher::Execute(job);
   }
   else
   {
-    vtkPointSetMesher::Execute(job);
+    interlume::PointSetMesher::Execute(job);
   }
 }
 
-void vtkTetrahedralMesher::TakeOutput(vtkMeshingJob& job, vtkUnstructuredGrid* output)
+void vtkTetrahedralMesher::TakeOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output)
 {
-  const vtkTetrahedra& mesh = job.Mesh;
+  const interlume::Tetrahedra& mesh = job.Mesh;
   const auto tetrahedra = static_cast<vtkIdType>(mesh.Tetrahedra.size() / 4);
   if (tetrahedra == 0)
   {
@@ -170,13 +172,13 @@ void vtkTetrahedralMesher::TakeOutput(vtkMeshingJob& job, vtkUnstructuredGrid* o
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   grid->SetCells(VTK_TETRA, cells);
-  if (!vtkMeshedArrays::InterpolatePointData(job.Input, mesh, job.IsCancelled, grid))
+  if (!interlume::MeshedArrays::InterpolatePointData(job.Input, mesh, job.IsCancelled, grid))
   {
     return;
   }
   if (!mesh.Cells.empty())
   {
-    vtkMeshedArrays::CopyCellData(job.Input, mesh, grid);
+    interlume::MeshedArrays::CopyCellData(job.Input, mesh, grid);
   }
   if (!mesh.Regions.empty())
   {
@@ -186,7 +188,7 @@ void vtkTetrahedralMesher::TakeOutput(vtkMeshingJob& job, vtkUnstructuredGrid* o
     std::copy(mesh.Regions.begin(), mesh.Regions.end(), regions->GetPointer(0));
     grid->GetCellData()->AddArray(regions);
   }
-  for (const vtkMeshedPoint& origin : mesh.Origins)
+  for (const interlume::MeshedPoint& origin : mesh.Origins)
   {
     job.Report.AddedPoints += origin.NumberOfSources != 1;
   }

@@ -8,7 +8,10 @@
 
 #include <string> // for the worker's name
 
-struct vtkMeshingJob;
+namespace interlume
+{
+struct MeshingJob;
+}
 
 /**
  * @class   vtkTetrahedralMesher
@@ -180,9 +183,9 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /// Runs the mesher that the input asks for.
-  void Mesh(vtkMeshingJob& job);
+  void Mesh(interlume::MeshingJob& job);
   /// Turns the mesh of \a job into \a output.
-  void TakeOutput(vtkMeshingJob& job, vtkUnstructuredGrid* output);
+  void TakeOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output);
   void Warn();
   ///@{
   /// Around an execution, over one dataset or over all: the pipeline sends a pair of events for

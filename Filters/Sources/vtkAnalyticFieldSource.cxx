@@ -1,9 +1,10 @@
 #include "vtkAnalyticFieldSource.h"
 
-#include "vtkClampedValue.h"
-#include "vtkElementaryFields.h"
+#include "Analytic/ElementaryFields.h"
+#include "Sampling/ClampedValue.h"
+#include "Vortices/VortexTubes.h"
+
 #include "vtkObjectFactory.h"
-#include "vtkVortexTubes.h"
 
 vtkStandardNewMacro(vtkAnalyticFieldSource);
 
@@ -12,7 +13,7 @@ namespace
 constexpr double Limit = 1e6;
 
 // base + rate * time
-vtkElementaryFields::Vector Advance(const double base[3], const double rate[3], double time)
+interlume::ElementaryFields::Vector Advance(const double base[3], const double rate[3], double time)
 {
   return { { base[0] + rate[0] * time, base[1] + rate[1] * time, base[2] + rate[2] * time } };
 }
@@ -32,7 +33,7 @@ const char* vtkAnalyticFieldSource::GetFieldName(int field)
 
 void vtkAnalyticFieldSource::SetVector(double (&member)[3], double x, double y, double z)
 {
-  if (vtkClampedValue::Assign(member, { x, y, z }, -Limit, Limit))
+  if (interlume::ClampedValue::Assign(member, { x, y, z }, -Limit, Limit))
   {
     this->Modified();
   }
@@ -40,7 +41,7 @@ void vtkAnalyticFieldSource::SetVector(double (&member)[3], double x, double y, 
 
 void vtkAnalyticFieldSource::SetNumber(double& member, double value)
 {
-  if (vtkClampedValue::Assign(member, value, -Limit, Limit))
+  if (interlume::ClampedValue::Assign(member, value, -Limit, Limit))
   {
     this->Modified();
   }
@@ -51,17 +52,17 @@ vtkFieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) const
   switch (this->Field)
   {
     case WAVE:
-      return vtkElementaryFields::Wave{ t };
+      return interlume::ElementaryFields::Wave{ t };
     case LINEAR:
-      return vtkElementaryFields::Linear{ t, this->Constant,
+      return interlume::ElementaryFields::Linear{ t, this->Constant,
         { { this->Gradient[0], this->Gradient[1], this->Gradient[2] } }, this->Rate };
     case BALL:
-      return vtkElementaryFields::Ball{ Advance(this->Center, this->Velocity, t),
+      return interlume::ElementaryFields::Ball{ Advance(this->Center, this->Velocity, t),
         this->Radius + this->Growth * t };
     case GYROID:
-      return vtkElementaryFields::Gyroid{ Advance(this->Center, this->Velocity, t) };
+      return interlume::ElementaryFields::Gyroid{ Advance(this->Center, this->Velocity, t) };
     default:
-      return vtkVortexTubes(t);
+      return interlume::VortexTubes(t);
   }
 }
 

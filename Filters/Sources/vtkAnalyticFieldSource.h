@@ -21,7 +21,7 @@
  *     B sin(k s + a + w t) e1 + (B/2) cos(1.6 (k s + a + w t)) e2
  *   around that line; e1, e2 are vtkMath::Perpendiculars of its direction at angle 0. A stand-in
  * for the vorticity magnitude of turbulence (ibid., figures 3.23 and 3.25), for bounds -1 to 1 and
- *   times 0 to 2; the constants are in the table of vtkVortexTubes.cxx. On 128^3 points the
+ *   times 0 to 2; the constants are in the table of interlume::VortexTubes.cxx. On 128^3 points the
  * interval 0.5 to 0.8 gives 78,000, 62,000 and 72,000 tetrahedra at times 0, 1 and 2. Six tubes
  * stay, three fade, two appear. In a unit of time they go four points, of five across a tube.
  * - LINEAR: f = Constant + Gradient . x + Rate t.

@@ -1,10 +1,12 @@
 #include "vtkAnalyticFlowSource.h"
 
-#include "vtkBatchedRows.h"
-#include "vtkClampedValue.h"
+#include "Analytic/ElementaryFlows.h"
+#include "Analytic/VortexFlows.h"
+#include "Sampling/BatchedRows.h"
+#include "Sampling/ClampedValue.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkElementaryFlows.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -14,7 +16,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVortexFlows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ vtkStandardNewMacro(vtkAnalyticFlowSource);
 
 namespace
 {
-using Vector = vtkElementaryFlows::Vector;
+using Vector = interlume::ElementaryFlows::Vector;
 
 constexpr double Limit = 1e12;
 constexpr double LeastLength = 1e-12;
@@ -44,13 +45,13 @@ Vector GetDirection(const double v[3])
 {
   const double largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
   const Vector scaled = { { v[0] / largest, v[1] / largest, v[2] / largest } };
-  return Scale(scaled, 1.0 / std::sqrt(vtkElementaryFlows::SquaredLength(scaled.data())));
+  return Scale(scaled, 1.0 / std::sqrt(interlume::ElementaryFlows::SquaredLength(scaled.data())));
 }
 
 // The parts of a vector along a direction and across it.
 Vector GetPartAlong(const Vector& direction, const double v[3])
 {
-  return Scale(direction, vtkElementaryFlows::Dot(direction, v));
+  return Scale(direction, interlume::ElementaryFlows::Dot(direction, v));
 }
 
 Vector GetPartAcross(const Vector& direction, const double v[3])
@@ -86,7 +87,7 @@ const char* vtkAnalyticFlowSource::GetInsideName(int inside)
 
 void vtkAnalyticFlowSource::SetNumber(double& member, double value)
 {
-  if (vtkClampedValue::Assign(member, value, -Limit, Limit))
+  if (interlume::ClampedValue::Assign(member, value, -Limit, Limit))
   {
     this->Modified();
   }
@@ -94,7 +95,7 @@ void vtkAnalyticFlowSource::SetNumber(double& member, double value)
 
 void vtkAnalyticFlowSource::SetLength(double& member, double value)
 {
-  if (vtkClampedValue::Assign(member, value, LeastLength, Limit))
+  if (interlume::ClampedValue::Assign(member, value, LeastLength, Limit))
   {
     this->Modified();
   }
@@ -102,7 +103,7 @@ void vtkAnalyticFlowSource::SetLength(double& member, double value)
 
 void vtkAnalyticFlowSource::SetVector(double (&member)[3], double x, double y, double z)
 {
-  if (vtkClampedValue::Assign(member, { x, y, z }, -Limit, Limit))
+  if (interlume::ClampedValue::Assign(member, { x, y, z }, -Limit, Limit))
   {
     this->Modified();
   }
@@ -110,7 +111,7 @@ void vtkAnalyticFlowSource::SetVector(double (&member)[3], double x, double y, d
 
 void vtkAnalyticFlowSource::SetVector(double (&member)[2], double x, double y)
 {
-  if (vtkClampedValue::Assign(member, { x, y }, -Limit, Limit))
+  if (interlume::ClampedValue::Assign(member, { x, y }, -Limit, Limit))
   {
     this->Modified();
   }
@@ -140,9 +141,9 @@ void vtkAnalyticFlowSource::SetOutputScalarType(int type)
 template <typename Visitor>
 void vtkAnalyticFlowSource::Visit(const Visitor& visit) const
 {
-  using namespace vtkElementaryFlows;
+  using namespace interlume::ElementaryFlows;
   const Vector axis = GetDirection(this->Axis);
-  const vtkVortexFlows::BentAxis bentAxis = { this->Height,
+  const interlume::VortexFlows::BentAxis bentAxis = { this->Height,
     { { this->AxisTilt[0], this->AxisTilt[1] } }, { { this->AxisBend[0], this->AxisBend[1] } } };
   const Vector zero = { { 0.0, 0.0, 0.0 } };
   switch (this->Field)
@@ -172,15 +173,15 @@ void vtkAnalyticFlowSource::Visit(const Visitor& visit) const
     }
     case ABC:
       return visit(Beltrami{
-        MakeVector(this->Amplitudes), 2.0 * vtkVortexFlows::BentAxis::Pi / this->Period });
+        MakeVector(this->Amplitudes), 2.0 * interlume::VortexFlows::BentAxis::Pi / this->Period });
     case SHEAR:
       return visit(Shear{ GetPartAcross(axis, this->Velocity), axis, this->Thickness });
     case HURRICANE:
-      return visit(
-        vtkVortexFlows::Hurricane{ bentAxis, this->MaximumWind, this->EyeRadius, this->Updraft });
+      return visit(interlume::VortexFlows::Hurricane{
+        bentAxis, this->MaximumWind, this->EyeRadius, this->Updraft });
     default:
-      return visit(
-        vtkVortexFlows::Tornado{ bentAxis, this->Circulation, this->CoreRadius, this->Strain });
+      return visit(interlume::VortexFlows::Tornado{
+        bentAxis, this->Circulation, this->CoreRadius, this->Strain });
   }
 }
 
@@ -190,10 +191,10 @@ bool vtkAnalyticFlowSource::IsInside(const double x[3]) const
     x[2] - this->Center[2] };
   if (this->Field == SPHERE)
   {
-    return vtkElementaryFlows::Sphere{ {}, this->Radius }.IsInside(relative);
+    return interlume::ElementaryFlows::Sphere{ {}, this->Radius }.IsInside(relative);
   }
   return this->Field == CYLINDER &&
-    vtkElementaryFlows::Cylinder{ {}, {}, GetDirection(this->Axis), this->Radius }.IsInside(
+    interlume::ElementaryFlows::Cylinder{ {}, {}, GetDirection(this->Axis), this->Radius }.IsInside(
       relative);
 }
 
@@ -216,12 +217,12 @@ void vtkAnalyticFlowSource::EvaluateJacobian(const double x[3], double jacobian[
     std::fill_n(jacobian, 9, std::numeric_limits<double>::quiet_NaN());
     return;
   }
-  vtkDualNumber relative[3];
+  interlume::DualNumber relative[3];
   for (int i = 0; i < 3; ++i)
   {
-    relative[i] = vtkDualNumber(x[i] - this->Center[i], 3, i);
+    relative[i] = interlume::DualNumber(x[i] - this->Center[i], 3, i);
   }
-  vtkDualNumber velocity[3];
+  interlume::DualNumber velocity[3];
   this->Visit([&](const auto& flow) { flow(relative, velocity); });
   for (int i = 0; i < 3; ++i)
   {
@@ -277,7 +278,7 @@ int vtkAnalyticFlowSource::RequestData(
       }
     }
   };
-  if (!vtkBatchedRows::Run(rows, this, makeRows))
+  if (!interlume::BatchedRows::Run(rows, this, makeRows))
   {
     image->Initialize();
     return 1;

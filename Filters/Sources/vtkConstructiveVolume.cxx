@@ -1,15 +1,16 @@
 #include "vtkConstructiveVolume.h"
 
-#include "vtkBatchedRows.h"
-#include "vtkColorDilation.h"
+#include "Sampling/BatchedRows.h"
+#include "Sampling/ColorDilation.h"
+#include "Sampling/PartPrinter.h"
+#include "Sampling/SpatialSampler.h"
+
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartPrinter.h"
 #include "vtkPointData.h"
-#include "vtkSpatialSampler.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -45,8 +46,8 @@ void Store(const vtkSpatialObject::Sample& sample, int numberOfComponents, Value
 
 // The values of all rows of an extent, by threads.
 template <typename Value>
-bool SampleRows(const vtkSpatialSampler& sampler, const int extent[6], int numberOfComponents,
-  Value* values, vtkAlgorithm* owner)
+bool SampleRows(const interlume::SpatialSampler& sampler, const int extent[6],
+  int numberOfComponents, Value* values, vtkAlgorithm* owner)
 {
   const int length = extent[1] - extent[0] + 1;
   const vtkIdType rowsOfLayer = extent[3] - extent[2] + 1;
@@ -71,13 +72,14 @@ bool SampleRows(const vtkSpatialSampler& sampler, const int extent[6], int numbe
     }
   };
   const bool isColored = numberOfComponents > 1;
-  if (!vtkBatchedRows::Run(rows, owner, makeRows, 0.0, isColored ? 1.0 - DilationShare : 1.0))
+  if (!interlume::BatchedRows::Run(
+        rows, owner, makeRows, 0.0, isColored ? 1.0 - DilationShare : 1.0))
   {
     return false;
   }
   const auto dilate = [&](vtkIdType first, vtkIdType last)
-  { vtkColorDilation::DilateRows(values, extent, first, last); };
-  return !isColored || vtkBatchedRows::Run(rows, owner, dilate, 1.0 - DilationShare, 1.0);
+  { interlume::ColorDilation::DilateRows(values, extent, first, last); };
+  return !isColored || interlume::BatchedRows::Run(rows, owner, dilate, 1.0 - DilationShare, 1.0);
 }
 }
 
@@ -180,7 +182,7 @@ bool vtkConstructiveVolume::Sample(const int extent[6], vtkDataArray* values)
   double origin[3];
   double spacing[3];
   this->GetLattice(origin, spacing);
-  const vtkSpatialSampler sampler(this->Root, origin, spacing, this->NumberOfSubsamples);
+  const interlume::SpatialSampler sampler(this->Root, origin, spacing, this->NumberOfSubsamples);
   const int components = values->GetNumberOfComponents();
   values->SetNumberOfTuples(static_cast<vtkIdType>(extent[1] - extent[0] + 1) *
     (extent[3] - extent[2] + 1) * (extent[5] - extent[4] + 1));
@@ -236,5 +238,5 @@ void vtkConstructiveVolume::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "OutputMode: " << GetOutputModeName(this->OutputMode) << "\n";
   os << indent << "NumberOfSubsamples: " << this->NumberOfSubsamples << "\n";
-  vtkPartPrinter::Print(os, indent, "Root", this->Root);
+  interlume::PartPrinter::Print(os, indent, "Root", this->Root);
 }

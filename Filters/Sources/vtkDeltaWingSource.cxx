@@ -1,7 +1,8 @@
 #include "vtkDeltaWingSource.h"
 
-#include "vtkBreakdownVortex.h"
-#include "vtkClampedValue.h"
+#include "Sampling/ClampedValue.h"
+#include "Vortices/BreakdownVortex.h"
+
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
@@ -16,7 +17,7 @@ vtkDeltaWingSource::vtkDeltaWingSource()
 
 void vtkDeltaWingSource::SetNumber(double& member, double value, double lower, double upper)
 {
-  if (vtkClampedValue::Assign(member, value, lower, upper))
+  if (interlume::ClampedValue::Assign(member, value, lower, upper))
   {
     this->Modified();
   }
@@ -70,8 +71,10 @@ vtkFieldSampler::Field vtkDeltaWingSource::GetFieldAtTime(double t) const
   const double twoPi = 2.0 * vtkMath::Pi();
   const double swing = this->BreakdownAmplitude * std::sin(twoPi * this->BreakdownFrequency * t);
   const double phase = twoPi * this->SpiralFrequency * t;
-  const vtkBreakdownVortex right(1.0, this->GetHalfSpan(), this->BreakdownPosition + swing, phase);
-  const vtkBreakdownVortex left(-1.0, this->GetHalfSpan(), this->BreakdownPosition - swing, phase);
+  const interlume::BreakdownVortex right(
+    1.0, this->GetHalfSpan(), this->BreakdownPosition + swing, phase);
+  const interlume::BreakdownVortex left(
+    -1.0, this->GetHalfSpan(), this->BreakdownPosition - swing, phase);
   return [right, left](const double x[3]) { return right(x) + left(x); };
 }
 

@@ -1,7 +1,8 @@
 #include "vtkFieldSampler.h"
 
+#include "Sampling/BatchedRows.h"
+
 #include "vtkAlgorithm.h"
-#include "vtkBatchedRows.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
@@ -111,7 +112,7 @@ bool vtkFieldSampler::Sample(vtkDataSet* output, const int extent[6], double tim
       }
     }
   };
-  if (!vtkBatchedRows::Run(rows, owner, sampleRows))
+  if (!interlume::BatchedRows::Run(rows, owner, sampleRows))
   {
     return false;
   }

@@ -1,11 +1,12 @@
 #include "vtkSpatialImage.h"
 
+#include "Sampling/PartPrinter.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartPrinter.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -192,5 +193,5 @@ void vtkSpatialImage::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ScalarRange: " << this->ScalarRange[0] << " " << this->ScalarRange[1] << "\n";
   os << indent << "ColorArrayName: " << this->ColorArrayName << "\n";
-  vtkPartPrinter::Print(os, indent, "Image", this->Image);
+  interlume::PartPrinter::Print(os, indent, "Image", this->Image);
 }

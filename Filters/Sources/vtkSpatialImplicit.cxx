@@ -1,9 +1,10 @@
 #include "vtkSpatialImplicit.h"
 
+#include "Sampling/PartPrinter.h"
+
 #include "vtkImplicitFunction.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartPrinter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,5 +97,5 @@ void vtkSpatialImplicit::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << limit;
   }
   os << "\n";
-  vtkPartPrinter::Print(os, indent, "Function", this->Function);
+  interlume::PartPrinter::Print(os, indent, "Function", this->Function);
 }

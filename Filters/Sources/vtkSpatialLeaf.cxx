@@ -1,10 +1,10 @@
 #include "vtkSpatialLeaf.h"
 
-#include "vtkClampedValue.h"
+#include "Sampling/ClampedValue.h"
 
 void vtkSpatialLeaf::SetDensity(double density)
 {
-  if (vtkClampedValue::Assign(this->Density, density, 0.0, 1.0))
+  if (interlume::ClampedValue::Assign(this->Density, density, 0.0, 1.0))
   {
     this->Modified();
   }
@@ -12,7 +12,7 @@ void vtkSpatialLeaf::SetDensity(double density)
 
 void vtkSpatialLeaf::SetColor(double red, double green, double blue)
 {
-  if (vtkClampedValue::Assign(this->Color, { red, green, blue }, 0.0, 1.0))
+  if (interlume::ClampedValue::Assign(this->Color, { red, green, blue }, 0.0, 1.0))
   {
     this->Modified();
   }

@@ -1,9 +1,10 @@
 #include "vtkSpatialObject.h"
 
+#include "Sampling/PartPrinter.h"
+
 #include "vtkLinearTransform.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPartPrinter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -219,5 +220,5 @@ bool vtkSpatialObject::EvaluateSpan(const double (*points)[3], int number, Sampl
 void vtkSpatialObject::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  vtkPartPrinter::Print(os, indent, "Transform", this->Transform);
+  interlume::PartPrinter::Print(os, indent, "Transform", this->Transform);
 }

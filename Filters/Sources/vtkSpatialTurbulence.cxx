@@ -1,8 +1,9 @@
 #include "vtkSpatialTurbulence.h"
 
-#include "vtkClampedValue.h"
+#include "Sampling/ClampedValue.h"
+#include "Sampling/PartPrinter.h"
+
 #include "vtkObjectFactory.h"
-#include "vtkPartPrinter.h"
 
 #include <algorithm>
 #include <climits>
@@ -47,7 +48,7 @@ vtkSpatialObject* vtkSpatialTurbulence::GetOperand() const
 
 void vtkSpatialTurbulence::SetFrequency(double x, double y, double z)
 {
-  if (vtkClampedValue::Assign(this->Frequency, { x, y, z }, 0.0, Limit))
+  if (interlume::ClampedValue::Assign(this->Frequency, { x, y, z }, 0.0, Limit))
   {
     this->Modified();
   }
@@ -55,7 +56,7 @@ void vtkSpatialTurbulence::SetFrequency(double x, double y, double z)
 
 void vtkSpatialTurbulence::SetAmplitude(double amplitude)
 {
-  if (vtkClampedValue::Assign(this->Amplitude, amplitude, -Limit, Limit))
+  if (interlume::ClampedValue::Assign(this->Amplitude, amplitude, -Limit, Limit))
   {
     this->Modified();
   }
@@ -63,7 +64,7 @@ void vtkSpatialTurbulence::SetAmplitude(double amplitude)
 
 void vtkSpatialTurbulence::SetGain(double gain)
 {
-  if (vtkClampedValue::Assign(this->Gain, gain, 0.0, Limit))
+  if (interlume::ClampedValue::Assign(this->Gain, gain, 0.0, Limit))
   {
     this->Modified();
   }
@@ -183,5 +184,5 @@ void vtkSpatialTurbulence::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Amplitude: " << this->Amplitude << "\n";
   os << indent << "Gain: " << this->Gain << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
-  vtkPartPrinter::Print(os, indent, "Operand", this->Operand);
+  interlume::PartPrinter::Print(os, indent, "Operand", this->Operand);
 }

@@ -1,9 +1,10 @@
 #include "vtkTaperedCylinderSource.h"
 
-#include "vtkClampedValue.h"
+#include "Sampling/ClampedValue.h"
+#include "Vortices/VortexStreet.h"
+
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkVortexStreet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ vtkTaperedCylinderSource::vtkTaperedCylinderSource()
 
 void vtkTaperedCylinderSource::SetNumber(double& member, double value, double lower, double upper)
 {
-  if (vtkClampedValue::Assign(member, value, lower, upper))
+  if (interlume::ClampedValue::Assign(member, value, lower, upper))
   {
     this->Modified();
   }
@@ -32,7 +33,7 @@ void vtkTaperedCylinderSource::SetNumber(double& member, double value, double lo
 
 void vtkTaperedCylinderSource::SetRadii(double bottom, double top)
 {
-  if (vtkClampedValue::Assign(this->Radii, { bottom, top }, 0.05, 50.0))
+  if (interlume::ClampedValue::Assign(this->Radii, { bottom, top }, 0.05, 50.0))
   {
     this->Modified();
   }
@@ -82,8 +83,8 @@ void vtkTaperedCylinderSource::GetPosition(const int ijk[3], double x[3]) const
 
 vtkFieldSampler::Field vtkTaperedCylinderSource::GetFieldAtTime(double t) const
 {
-  const vtkVortexStreet street({ { { this->Radii[0], this->Radii[1] } }, this->Height,
-                                 this->GetGridRadius(), this->Speed, this->StrouhalNumber },
+  const interlume::VortexStreet street({ { { this->Radii[0], this->Radii[1] } }, this->Height,
+                                         this->GetGridRadius(), this->Speed, this->StrouhalNumber },
     t);
   return [street](const double x[3]) { return 1.0 - street(x); };
 }

@@ -1,7 +1,8 @@
 #include "vtkTurbulenceSource.h"
 
-#include "vtkBatchedRows.h"
-#include "vtkClampedValue.h"
+#include "Sampling/BatchedRows.h"
+#include "Sampling/ClampedValue.h"
+
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -36,7 +37,7 @@ const char* vtkTurbulenceSource::GetEnvelopeName(int envelope)
 
 void vtkTurbulenceSource::SetFrequency(double frequency)
 {
-  if (vtkClampedValue::Assign(this->Frequency, frequency, 0.0, Limit))
+  if (interlume::ClampedValue::Assign(this->Frequency, frequency, 0.0, Limit))
   {
     this->Modified();
   }
@@ -44,7 +45,7 @@ void vtkTurbulenceSource::SetFrequency(double frequency)
 
 void vtkTurbulenceSource::SetAmplitude(double amplitude)
 {
-  if (vtkClampedValue::Assign(this->Amplitude, amplitude, -Limit, Limit))
+  if (interlume::ClampedValue::Assign(this->Amplitude, amplitude, -Limit, Limit))
   {
     this->Modified();
   }
@@ -52,7 +53,7 @@ void vtkTurbulenceSource::SetAmplitude(double amplitude)
 
 void vtkTurbulenceSource::SetOffset(double offset)
 {
-  if (vtkClampedValue::Assign(this->Offset, offset, -Limit, Limit))
+  if (interlume::ClampedValue::Assign(this->Offset, offset, -Limit, Limit))
   {
     this->Modified();
   }
@@ -60,7 +61,7 @@ void vtkTurbulenceSource::SetOffset(double offset)
 
 void vtkTurbulenceSource::SetTopFraction(double fraction)
 {
-  if (vtkClampedValue::Assign(this->TopFraction, fraction, LeastTopFraction, 1.0))
+  if (interlume::ClampedValue::Assign(this->TopFraction, fraction, LeastTopFraction, 1.0))
   {
     this->Modified();
   }
@@ -155,7 +156,7 @@ int vtkTurbulenceSource::RequestData(
       }
     }
   };
-  if (!vtkBatchedRows::Run(rows, this, makeRows))
+  if (!interlume::BatchedRows::Run(rows, this, makeRows))
   {
     image->Initialize();
     return 1;

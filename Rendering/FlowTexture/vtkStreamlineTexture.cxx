@@ -1,10 +1,10 @@
 #include "vtkStreamlineTexture.h"
 
-#include "vtkStripePyramid.h"
+#include "Loader/OpenGLFunctions.h"
+#include "Stripes/StripePyramid.h"
 
 #include "vtkActor.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -45,7 +45,7 @@ void vtkStreamlineTexture::SetNumberOfLines(int number)
 
 int vtkStreamlineTexture::GetNumberOfLevels() const
 {
-  vtkStripePyramid pyramid;
+  interlume::StripePyramid pyramid;
   pyramid.NumberOfLines = this->NumberOfLines;
   return pyramid.GetNumberOfLevels();
 }
@@ -102,7 +102,7 @@ void vtkStreamlineTexture::Load(vtkRenderer* renderer)
 
 void vtkStreamlineTexture::Upload()
 {
-  vtkStripePyramid pyramid;
+  interlume::StripePyramid pyramid;
   pyramid.NumberOfLines = this->NumberOfLines;
   pyramid.TexelsPerLine = this->TexelsPerLine;
   pyramid.LineWidth = this->LineWidth;

@@ -101,7 +101,7 @@ vec4 bendAt(int texel)
 }
 
 // Between two columns, in the list of so many pieces that begins at that texel: see
-// vtkTransferColumns.
+// TransferColumns.
 float lookUpBends(int first, int pieces, float share)
 {
   // The first piece that ends after the share.

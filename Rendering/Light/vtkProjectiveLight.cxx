@@ -1,11 +1,12 @@
 #include "vtkProjectiveLight.h"
 
+#include "Space/UnitVector.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkUnitVector.h"
 
 vtkStandardNewMacro(vtkProjectiveLight);
 
@@ -113,7 +114,7 @@ bool vtkProjectiveLight::GetScreenMatrix(vtkMatrix4x4* matrix)
 bool vtkProjectiveLight::GetScreenMatrix(const double position[3], const double focalPoint[3],
   const double viewUp[3], double scale, vtkMatrix4x4* matrix) const
 {
-  using namespace vtkUnitVector;
+  using namespace interlume::UnitVector;
   const Vector origin{ { position[0], position[1], position[2] } };
   const Vector axis =
     Combine(1.0, { { focalPoint[0], focalPoint[1], focalPoint[2] } }, -1.0, origin);

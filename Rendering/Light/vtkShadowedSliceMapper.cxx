@@ -1,10 +1,10 @@
 #include "vtkShadowedSliceMapper.h"
 
-#include "vtkDepthPeels.h"
-#include "vtkSliceRenderer.h"
+#include "Draw/SliceRenderer.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkDepthPeels.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkShadowedSliceMapper);
 
 vtkShadowedSliceMapper::vtkShadowedSliceMapper()
   : Peels(std::make_unique<vtkDepthPeels>())
-  , Renderer(std::make_unique<vtkSliceRenderer>())
+  , Renderer(std::make_unique<interlume::SliceRenderer>())
 {
 }
 
@@ -103,7 +103,7 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     return;
   }
-  vtkSliceRenderer::Request request;
+  interlume::SliceRenderer::Request request;
   request.Image = image;
   request.Transmission = this->TransmissionColor;
   request.ClippingPlanes = this->ClippingPlanes;

@@ -15,7 +15,11 @@ class vtkDataArray;
 class vtkDepthPeels;
 class vtkImageData;
 class vtkLight;
-class vtkSliceRenderer;
+
+namespace interlume
+{
+class SliceRenderer;
+}
 
 /**
  * @class   vtkShadowedSliceMapper
@@ -288,7 +292,7 @@ private:
   std::string ErrorText;
   vtkMTimeType WarningTime = 0;
   std::unique_ptr<vtkDepthPeels> Peels;
-  std::unique_ptr<vtkSliceRenderer> Renderer;
+  std::unique_ptr<interlume::SliceRenderer> Renderer;
 };
 
 #endif

@@ -1,7 +1,8 @@
 #include "vtkImageQuad.h"
 
+#include "Loader/OpenGLFunctions.h"
+
 #include "InterlumeImageQuadFS.h"
-#include "vtkOpenGLFunctions.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"

@@ -1,6 +1,7 @@
 #include "vtkSceneDepth.h"
 
-#include "vtkOpenGLFunctions.h"
+#include "Loader/OpenGLFunctions.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"

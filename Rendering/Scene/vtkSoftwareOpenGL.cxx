@@ -1,6 +1,7 @@
 #include "vtkSoftwareOpenGL.h"
 
-#include "vtkOpenGLFunctions.h"
+#include "Loader/OpenGLFunctions.h"
+
 #include "vtkOpenGLRenderWindow.h"
 
 #include <cstring>

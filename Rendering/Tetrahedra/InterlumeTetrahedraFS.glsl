@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// One segment of a line of sight; see vtkFragmentIntegration, whose words are used here.
+// One segment of a line of sight; see FragmentIntegration, whose words are used here.
 //VTK::Output::Dec
 
 // Sums, or colour times opacity, by blend mode.
@@ -41,7 +41,7 @@ uniform float opacityOfExtinction;
 #endif
 
 #ifdef SURFACE
-// Boundary triangles: see vtkBoundaryShading.
+// Boundary triangles: see BoundaryShading.
 flat in float baseFace;
 flat in vec4 otherFaces;
 flat in mat3x4 normalPlane;

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// From a tetrahedron to its silhouette: see vtkTetrahedronSilhouette, whose words are used here.
+// From a tetrahedron to its silhouette: see TetrahedronSilhouette, whose words are used here.
 layout(points) in;
 layout(triangle_strip, max_vertices = 4) out;
 

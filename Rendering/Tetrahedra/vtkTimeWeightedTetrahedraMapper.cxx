@@ -1,12 +1,12 @@
 #include "vtkTimeWeightedTetrahedraMapper.h"
 
-#include "vtkDepthPeels.h"
-#include "vtkTetrahedraRenderer.h"
+#include "Draw/TetrahedraRenderer.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDepthPeels.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -30,7 +30,7 @@ vtkStandardNewMacro(vtkTimeWeightedTetrahedraMapper);
 
 vtkTimeWeightedTetrahedraMapper::vtkTimeWeightedTetrahedraMapper()
   : Peels(std::make_unique<vtkDepthPeels>())
-  , Renderer(std::make_unique<vtkTetrahedraRenderer>())
+  , Renderer(std::make_unique<interlume::TetrahedraRenderer>())
 {
   this->SetNumberOfInputPorts(2);
   this->BlendMode = AUTOMATIC_BLEND;
@@ -150,7 +150,7 @@ vtkMTimeType vtkTimeWeightedTetrahedraMapper::GetMTime()
 }
 
 std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
-  vtkUnstructuredGrid* grid, vtkTetrahedraArrays& arrays)
+  vtkUnstructuredGrid* grid, interlume::TetrahedraArrays& arrays)
 {
   int cellFlag = 0;
   arrays.Scalars = vtkAbstractMapper::GetScalars(
@@ -216,12 +216,12 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   int left = 0;
   int bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  this->Report = vtkTetrahedraRenderReport();
+  this->Report = vtkTetrahedraReport();
   if (!grid || grid->GetNumberOfCells() == 0 || width <= 0 || height <= 0)
   {
     return;
   }
-  vtkTetrahedraRenderer::Request request(*this);
+  interlume::TetrahedraRenderer::Request request(*this);
   request.Grid = grid;
   request.Blend = this->BlendMode;
   request.Boundary = vtkDataSet::SafeDownCast(

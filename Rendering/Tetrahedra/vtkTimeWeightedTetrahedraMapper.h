@@ -2,7 +2,7 @@
 #define vtkTimeWeightedTetrahedraMapper_h
 
 #include "InterlumeTetrahedraModule.h" // for the export macro
-#include "vtkTetrahedraRenderReport.h" // for the report
+#include "vtkTetrahedraReport.h"       // for the report
 #include "vtkTetrahedraSettings.h"     // for what is set
 #include "vtkUnstructuredGridVolumeMapper.h"
 
@@ -11,9 +11,13 @@
 
 class vtkDepthPeels;
 class vtkPolyData;
-class vtkTetrahedraRenderer;
 class vtkUnstructuredGrid;
-struct vtkTetrahedraArrays;
+
+namespace interlume
+{
+class TetrahedraRenderer;
+struct TetrahedraArrays;
+}
 
 /**
  * @class   vtkTimeWeightedTetrahedraMapper
@@ -204,7 +208,7 @@ public:
   /**
    * What the last picture took.
    */
-  const vtkTetrahedraRenderReport& GetReport() const { return this->Report; }
+  const vtkTetrahedraReport& GetReport() const { return this->Report; }
 
   vtkMTimeType GetMTime() override;
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
@@ -221,11 +225,11 @@ private:
   void operator=(const vtkTimeWeightedTetrahedraMapper&) = delete;
 
   /// The arrays to be read; returns what is wrong, or nothing.
-  std::string FindArrays(vtkUnstructuredGrid* grid, vtkTetrahedraArrays& arrays);
+  std::string FindArrays(vtkUnstructuredGrid* grid, interlume::TetrahedraArrays& arrays);
 
-  vtkTetrahedraRenderReport Report;
+  vtkTetrahedraReport Report;
   std::unique_ptr<vtkDepthPeels> Peels;
-  std::unique_ptr<vtkTetrahedraRenderer> Renderer;
+  std::unique_ptr<interlume::TetrahedraRenderer> Renderer;
   /// Of the input and the mapper when the last error was given.
   vtkMTimeType ErrorTime = 0;
 };

@@ -9,7 +9,7 @@
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
-#include "vtkOpenGLFunctions.h"
+#include "Loader/OpenGLFunctions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"

@@ -3,9 +3,9 @@
 # such differences, one for each concern, are left out:
 set(interlume_version_files
   # how OpenGL is loaded
-  Rendering/Scene/vtkOpenGLFunctions.h
+  Rendering/Scene/Loader/OpenGLFunctions.h
   # what an unstructured grid's cells are stored in
-  Filters/Intervals/vtkGridCells.h
+  Filters/Common/GridCells.h
   # peers that the benchmarks compare with
   Utilities/Benchmarks/Flow/VelocityInterpolation.cxx
   Utilities/Benchmarks/Shadows/GpuShadows.h

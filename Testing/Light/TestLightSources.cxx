@@ -4,13 +4,13 @@
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
-#include "vtkLightSources.h"
+#include "Lights/LightSources.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkProjectiveLight.h"
-#include "vtkUnitSpace.h"
-#include "vtkUnitVector.h"
+#include "Space/UnitSpace.h"
+#include "Space/UnitVector.h"
 
 #include <limits>
 
@@ -18,18 +18,18 @@ namespace
 {
 
 using namespace reference;
-using namespace vtkUnitVector;
+using namespace interlume::UnitVector;
 
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 // A volume of half size 5 about (100, 0, 0).
-vtkUnitSpace MakeSpace()
+interlume::UnitSpace MakeSpace()
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(11, 11, 11);
   image->SetOrigin(95.0, -5.0, -5.0);
   vtkNew<vtkMatrix4x4> matrix;
-  vtkUnitSpace space;
+  interlume::UnitSpace space;
   space.Set(image, true, matrix);
   return space;
 }
@@ -37,8 +37,8 @@ vtkUnitSpace MakeSpace()
 struct Scene
 {
   vtkNew<vtkOpenGLRenderer> Renderer;
-  vtkUnitSpace Space = MakeSpace();
-  vtkLightSources::Settings Settings;
+  interlume::UnitSpace Space = MakeSpace();
+  interlume::LightSources::Settings Settings;
   std::vector<std::string> Errors;
 
   Scene()
@@ -62,10 +62,11 @@ struct Scene
   {
     return this->Add(type, isPositional, vtkNew<vtkLight>());
   }
-  std::vector<vtkLightSource> Gather()
+  std::vector<interlume::LightSource> Gather()
   {
     this->Errors.clear();
-    return vtkLightSources::Gather(this->Renderer, this->Space, this->Settings, this->Errors);
+    return interlume::LightSources::Gather(
+      this->Renderer, this->Space, this->Settings, this->Errors);
   }
 };
 
@@ -89,13 +90,13 @@ void CheckPlaces(Check& check)
         scene.Renderer->SetLightFollowCamera(follows);
         vtkLight* light = scene.Add(type, isPositional);
         const vtkMTimeType time = light->GetMTime();
-        const vtkLightSource source = scene.Gather().at(0);
+        const interlume::LightSource source = scene.Gather().at(0);
         check.That(light->GetMTime() == time, "the light is as it was");
         if (follows)
         {
           scene.Renderer->UpdateLightsGeometryToFollowCamera();
         }
-        const vtkLightSource after = scene.Gather().at(0);
+        const interlume::LightSource after = scene.Gather().at(0);
         Vector position;
         Vector focalPoint;
         light->GetTransformedPosition(position.data());
@@ -104,7 +105,7 @@ void CheckPlaces(Check& check)
         const Vector direction = Normalize(axis, axis);
         const Vector unit =
           Scale(1.0 / scene.Space.Radius, Combine(1.0, position, -1.0, { { 100.0, 0.0, 0.0 } }));
-        for (const vtkLightSource& found : { source, after })
+        for (const interlume::LightSource& found : { source, after })
         {
           check.That(found.Light == light && !found.Projective, "the light itself");
           check.That(found.IsPositional == isPositional, "positional");
@@ -128,7 +129,7 @@ void CheckValues(Check& check)
   light->SetConeAngle(60.0);
   light->SetExponent(3.0);
   light->SetAttenuationValues(0.3, 0.04, 0.005);
-  vtkLightSource source = scene.Gather().at(0);
+  interlume::LightSource source = scene.Gather().at(0);
   CheckVector(check, source.Ambient, { { 0.05, 0.1, 0.15 } }, "ambient");
   CheckVector(check, source.Diffuse, { { 0.2, 0.25, 0.3 } }, "diffuse");
   CheckVector(check, source.Specular, { { 0.35, 0.4, 0.45 } }, "specular");
@@ -170,7 +171,7 @@ void CheckShadows(Check& check)
   lights[4]->SetAmbientColor(1.0, 1.0, 1.0);
   const auto isAs = [&](const std::vector<double>& expected, const std::string& what)
   {
-    const std::vector<vtkLightSource> sources = scene.Gather();
+    const std::vector<interlume::LightSource> sources = scene.Gather();
     check.Equal(static_cast<long long>(sources.size()), 5, what);
     for (std::size_t i = 0; i < sources.size(); ++i)
     {
@@ -210,7 +211,7 @@ void CheckProjective(Check& check)
     vtkNew<vtkProjectiveLight> light;
     light->SetScreenSize(3.0, 2.0);
     scene.Add(type, true, light);
-    const vtkLightSource source = scene.Gather().at(0);
+    const interlume::LightSource source = scene.Gather().at(0);
     check.That(source.Projective == light, "a projective light");
     scene.Renderer->UpdateLightsGeometryToFollowCamera();
     vtkNew<vtkMatrix4x4> world;

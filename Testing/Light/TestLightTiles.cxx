@@ -5,23 +5,23 @@
 #include "Reference/Checks/ReferenceThreads.h"
 #include "Reference/Light/ReferenceUnitSpace.h"
 
-#include "vtkLightTiles.h"
+#include "Plan/LightTiles.h"
 #include "vtkSMPTools.h"
-#include "vtkUnitVector.h"
+#include "Space/UnitVector.h"
 
 namespace
 {
 
 using namespace reference;
-using namespace vtkUnitVector;
+using namespace interlume::UnitVector;
 
 struct Scene
 {
-  vtkUnitSpace Space;
+  interlume::UnitSpace Space;
   std::array<std::vector<double>, 3> Borders;
   std::vector<unsigned char> Visible;
-  vtkSlicePlan::Sweep Sweep;
-  vtkSlicePlan::ShadowedLight Light;
+  interlume::SlicePlan::Sweep Sweep;
+  interlume::SlicePlan::ShadowedLight Light;
   Vector Position{};
 };
 
@@ -85,7 +85,8 @@ bool IsVisible(const Scene& scene, const Vector& point)
 }
 
 // The tiles of a slab around a place in the buffer.
-int CountCover(const vtkLightTiles& tiles, std::size_t slab, const std::array<double, 2>& place)
+int CountCover(
+  const interlume::LightTiles& tiles, std::size_t slab, const std::array<double, 2>& place)
 {
   int cover = 0;
   // Two triangles of six corners are a rectangle: the first and the third are opposite.
@@ -100,7 +101,7 @@ int CountCover(const vtkLightTiles& tiles, std::size_t slab, const std::array<do
   return cover;
 }
 
-double GetArea(const vtkLightTiles& tiles)
+double GetArea(const interlume::LightTiles& tiles)
 {
   double area = 0.0;
   for (std::size_t v = 0; v < tiles.GetVertices().size() / 3; v += 6)
@@ -111,9 +112,9 @@ double GetArea(const vtkLightTiles& tiles)
   return area / (static_cast<double>(tiles.GetStarts().size()) - 1.0);
 }
 
-vtkLightTiles Find(const Scene& scene)
+interlume::LightTiles Find(const Scene& scene)
 {
-  vtkLightTiles tiles;
+  interlume::LightTiles tiles;
   tiles.Build(scene.Sweep, scene.Light, scene.Position, scene.Borders, scene.Visible, scene.Space,
     scene.Space.Box);
   return tiles;
@@ -121,7 +122,7 @@ vtkLightTiles Find(const Scene& scene)
 
 void CheckRays(Check& check, const Scene& scene, Random& random)
 {
-  const vtkLightTiles tiles = Find(scene);
+  const interlume::LightTiles tiles = Find(scene);
   check.Equal(static_cast<long long>(tiles.GetStarts().size()), scene.Sweep.Slabs + 1, "slabs");
   for (int number = 0; number < 1500; ++number)
   {
@@ -130,7 +131,8 @@ void CheckRays(Check& check, const Scene& scene, Random& random)
     across = Combine(1.0, across, -Dot(across, scene.Sweep.Normal), scene.Sweep.Normal);
     const double slope = number % 2 ? random.Get(0.0, 2.0) : std::exp(random.Get(-9.0, 0.0));
     const Vector ray = Combine(1.0, across, slope, scene.Sweep.Normal);
-    const std::array<double, 2> place = vtkSlicePlan::GetBufferPlace(scene.Light.Frame, ray);
+    const std::array<double, 2> place =
+      interlume::SlicePlan::GetBufferPlace(scene.Light.Frame, ray);
     const auto slab = static_cast<std::size_t>(random.Get(0.0, scene.Sweep.Slabs - 1e-3));
     const double lower = scene.Sweep.First + static_cast<double>(slab) * scene.Sweep.Spacing;
     const double apex = Dot(scene.Position, scene.Sweep.Normal);
@@ -164,7 +166,7 @@ void CheckThreads(Check& check)
 {
   Random random(4);
   const Scene scene = MakeScene(random, 0.3, 0.2);
-  std::vector<vtkLightTiles> results;
+  std::vector<interlume::LightTiles> results;
   for (const char* backend : GetBackends())
   {
     for (const int threads : { 1, 4 })

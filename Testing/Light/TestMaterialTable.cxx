@@ -5,12 +5,12 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
-#include "vtkMaterialTable.h"
+#include "Volume/MaterialTable.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
-#include "vtkVolumeSamples.h"
+#include "Volume/VolumeSamples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,11 +24,11 @@ namespace
 
 using namespace reference;
 
-constexpr std::size_t Columns = vtkMaterialTable::Columns;
+constexpr std::size_t Columns = interlume::MaterialTable::Columns;
 using Range = std::array<double, 2>;
 
 /// Voxels with the lower values, then the upper ones.
-vtkVolumeSamples MakeSamples(const std::vector<Range>& ranges)
+interlume::VolumeSamples MakeSamples(const std::vector<Range>& ranges)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetNumberOfComponents(static_cast<int>(ranges.size()));
@@ -38,7 +38,7 @@ vtkVolumeSamples MakeSamples(const std::vector<Range>& ranges)
     array->SetComponent(0, static_cast<int>(c), ranges[c][0]);
     array->SetComponent(1, static_cast<int>(c), ranges[c][1]);
   }
-  vtkVolumeSamples samples;
+  interlume::VolumeSamples samples;
   samples.Build(array, { { 2, 1, 1 } }, false);
   return samples;
 }
@@ -57,16 +57,17 @@ double ScalarOf(const Range& range, std::size_t column)
 }
 
 float ValueOf(
-  const vtkMaterialTable& table, std::size_t row, std::size_t column, std::size_t channel)
+  const interlume::MaterialTable& table, std::size_t row, std::size_t column, std::size_t channel)
 {
   return table.Colors[4 * (row * Columns + column) + channel];
 }
 
 /// What a shader finds of a table at a scalar: three channels of texels of \a stride values, or
 /// one.
-std::array<double, 3> LookUp(const vtkMaterialTable& table, const std::vector<float>& values,
-  const std::vector<int>& bends, const std::vector<std::array<float, 2>>& edges, std::size_t first,
-  std::size_t stride, const Range& range, double x)
+std::array<double, 3> LookUp(const interlume::MaterialTable& table,
+  const std::vector<float>& values, const std::vector<int>& bends,
+  const std::vector<std::array<float, 2>>& edges, std::size_t first, std::size_t stride,
+  const Range& range, double x)
 {
   const std::size_t channels = stride > 1 && first == 0 ? 3 : 1;
   const double column =
@@ -109,7 +110,7 @@ std::array<double, 3> LookUp(const vtkMaterialTable& table, const std::vector<fl
 /// Functions with peaks, steps and curves, over a range that one value makes 1e7 wide.
 void CheckBends(Check& check)
 {
-  const vtkVolumeSamples samples = MakeSamples({ { { -50.0, 1e7 } } });
+  const interlume::VolumeSamples samples = MakeSamples({ { { -50.0, 1e7 } } });
   std::mt19937 random(3);
   const auto uniform = [&]() { return random() / static_cast<double>(random.max()); };
   const auto measure =
@@ -119,7 +120,7 @@ void CheckBends(Check& check)
     vtkNew<vtkVolumeProperty> property;
     property->SetScalarOpacity(opacity);
     property->SetColor(color);
-    vtkMaterialTable table;
+    interlume::MaterialTable table;
     check.That(table.Build(property, samples, color).empty(), "no error");
     check.That(table.OpacityRange[0][1] < 400.0, "not the range of the data");
     std::vector<double> places = { -50.0, 1e7, 1e3 };
@@ -206,7 +207,7 @@ void CheckBends(Check& check)
 /// -ln(1 - opacity) per unit distance of a linear opacity, for unit distances of all sizes.
 void CheckExtinction(Check& check)
 {
-  const vtkVolumeSamples samples = MakeSamples({ { { -2.0, 3.0 } } });
+  const interlume::VolumeSamples samples = MakeSamples({ { { -2.0, 3.0 } } });
   for (const double unit : { 1e-6, 0.25, 1.0, 1e6 })
   {
     check.SetContext("unit distance " + std::to_string(unit));
@@ -216,9 +217,9 @@ void CheckExtinction(Check& check)
     property->SetScalarOpacityUnitDistance(unit);
     // Counts for several components only.
     property->SetComponentWeight(0, 0.5);
-    vtkMaterialTable table;
+    interlume::MaterialTable table;
     check.That(table.Build(property, samples, nullptr).empty(), "no error");
-    check.That(table.Kind == vtkMaterialTable::INDEPENDENT && table.Rows == 1, "one row");
+    check.That(table.Kind == interlume::MaterialTable::INDEPENDENT && table.Rows == 1, "one row");
     // Those of the property by default are of 0 to 1024.
     check.That(table.ColorRange[0] == Range{ { 0.0, 3.0 } }, "range of the colours");
     check.That(table.OpacityRange[0] == Range{ { -2.0, 3.0 } }, "range of the opacity");
@@ -237,7 +238,7 @@ void CheckExtinction(Check& check)
 void CheckColors(Check& check)
 {
   check.SetContext("RGB and gray");
-  const vtkVolumeSamples samples = MakeSamples({ { { 0.0, 10.0 } }, { { 100.0, 300.0 } } });
+  const interlume::VolumeSamples samples = MakeSamples({ { { 0.0, 10.0 } }, { { 100.0, 300.0 } } });
   vtkNew<vtkVolumeProperty> property;
   vtkNew<vtkColorTransferFunction> colors;
   colors->AddRGBPoint(0.0, 0.0, 1.0, 0.5);
@@ -250,7 +251,7 @@ void CheckColors(Check& check)
   property->SetScalarOpacity(1, opacity);
   property->SetComponentWeight(1, 0.25);
   property->SetScalarOpacityUnitDistance(1, 2.0);
-  vtkMaterialTable table;
+  interlume::MaterialTable table;
   check.That(table.Build(property, samples, nullptr).empty(), "no error");
   check.Equal(table.Rows, 2, "rows");
   check.That(table.OpacityRange[1] == Range{ { 100.0, 300.0 } }, "range of the second");
@@ -293,11 +294,11 @@ void CheckDependent(Check& check)
   property->SetComponentWeight(0, 0.5);
 
   check.SetContext("colour and opacity");
-  vtkMaterialTable table;
+  interlume::MaterialTable table;
   check.That(
     table.Build(property, MakeSamples({ { { 0.0, 1.0 } }, { { 0.0, 255.0 } } }), nullptr).empty(),
     "no error");
-  check.That(table.Kind == vtkMaterialTable::COLOR_OPACITY && table.Rows == 1, "one row");
+  check.That(table.Kind == interlume::MaterialTable::COLOR_OPACITY && table.Rows == 1, "one row");
   check.That(table.ColorRange[0] == Range{ { 0.0, 1.0 } }, "range of the colours");
   check.That(table.OpacityRange[0] == Range{ { 0.0, 255.0 } }, "range of the opacity");
   check.Equal(table.GetOpacityComponent(0), 1, "the opacity's component");
@@ -310,10 +311,10 @@ void CheckDependent(Check& check)
   bytes->SetNumberOfTuples(2);
   bytes->FillValue(255);
   bytes->SetComponent(0, 3, 0);
-  vtkVolumeSamples samples;
+  interlume::VolumeSamples samples;
   check.That(samples.Build(bytes, { { 2, 1, 1 } }, false).empty(), "samples");
   check.That(table.Build(property, samples, nullptr).empty(), "no error");
-  check.That(table.Kind == vtkMaterialTable::RGB_OPACITY && table.Rows == 1, "one row");
+  check.That(table.Kind == interlume::MaterialTable::RGB_OPACITY && table.Rows == 1, "one row");
   check.That(table.OpacityRange[0] == Range{ { 0.0, 255.0 } }, "0 to 255");
   check.Equal(table.GetOpacityComponent(0), 3, "the opacity's component");
   check.Near(ValueOf(table, 0, Columns - 1, 3), std::log(2.0), 1e-6, "extinction");
@@ -323,9 +324,9 @@ void CheckDependent(Check& check)
 void CheckGradientOpacity(Check& check)
 {
   check.SetContext("gradient opacity");
-  const vtkVolumeSamples samples = MakeSamples({ { { 0.0, 80.0 } }, { { 0.0, 8.0 } } });
+  const interlume::VolumeSamples samples = MakeSamples({ { { 0.0, 80.0 } }, { { 0.0, 8.0 } } });
   vtkNew<vtkVolumeProperty> property;
-  vtkMaterialTable table;
+  interlume::MaterialTable table;
   check.That(table.Build(property, samples, nullptr).empty(), "no error");
   check.That(table.GradientOpacity.empty(), "none is none");
   check.That(!property->HasGradientOpacity(0), "none is made");
@@ -353,7 +354,7 @@ void CheckTransmission(Check& check)
   check.SetContext("transmission");
   vtkNew<vtkVolumeProperty> property;
   vtkNew<vtkColorTransferFunction> transmission;
-  vtkMaterialTable table;
+  interlume::MaterialTable table;
   check.That(
     table.Build(property, MakeSamples({ { { 0.0, 4.0 } } }), transmission).empty(), "no error");
   check.That(table.Transmission == std::vector<float>(3 * Columns, 0.0F), "no points: black");
@@ -369,7 +370,7 @@ void CheckTransmission(Check& check)
     check.Near(table.Transmission[first + 1], 0.5, 1e-6, "green", 1.0);
     check.Near(table.Transmission[first + 2], 1.0 - part, 1e-6, "blue", 1.0);
   }
-  const vtkVolumeSamples two = MakeSamples({ { { 0.0, 4.0 } }, { { 0.0, 1.0 } } });
+  const interlume::VolumeSamples two = MakeSamples({ { { 0.0, 4.0 } }, { { 0.0, 1.0 } } });
   check.That(!table.Build(property, two, transmission).empty(), "not for independent components");
   property->IndependentComponentsOff();
   check.That(table.Build(property, two, transmission).empty(), "for colour and opacity");
@@ -398,7 +399,7 @@ void CheckLargest(Check& check)
   }
   vtkNew<vtkVolumeProperty> property;
   property->SetScalarOpacity(function);
-  vtkMaterialTable table;
+  interlume::MaterialTable table;
   check.That(table.Build(property, MakeSamples({ range }), nullptr).empty(), "no error");
   const auto extinction = [&](double x) { return -std::log1p(-function->GetValue(x)); };
   const auto brute = [&](double lower, double upper)
@@ -449,8 +450,8 @@ void CheckExtremes(Check& check)
     vtkNew<vtkVolumeProperty> property;
     const auto opacity = MakeRamp(range[0] - 1.0, 0.5, range[0] + 1.0, 0.5);
     property->SetScalarOpacity(opacity);
-    const vtkVolumeSamples samples = MakeSamples({ range });
-    vtkMaterialTable table;
+    const interlume::VolumeSamples samples = MakeSamples({ range });
+    interlume::MaterialTable table;
     check.That(table.Build(property, samples, nullptr).empty(), "no error");
     const double width = table.OpacityRange[0][1] - table.OpacityRange[0][0];
     check.That(width > 0.0 && std::isfinite(width), "a finite range");
@@ -468,9 +469,9 @@ void CheckExtremes(Check& check)
 void CheckErrors(Check& check)
 {
   check.SetContext("errors");
-  vtkMaterialTable table;
+  interlume::MaterialTable table;
   vtkNew<vtkVolumeProperty> property;
-  const vtkVolumeSamples one = MakeSamples({ { { 0.0, 1.0 } } });
+  const interlume::VolumeSamples one = MakeSamples({ { { 0.0, 1.0 } } });
   property->SetScalarOpacityUnitDistance(0.0);
   check.That(table.Build(property, one, nullptr).find("is 0") != std::string::npos, "distance 0");
   property->SetScalarOpacityUnitDistance(1.0);

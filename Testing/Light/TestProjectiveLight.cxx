@@ -8,7 +8,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkProjectiveLight.h"
-#include "vtkUnitVector.h"
+#include "Space/UnitVector.h"
 
 #include <limits>
 #include <sstream>
@@ -17,7 +17,7 @@ namespace
 {
 
 using namespace reference;
-using namespace vtkUnitVector;
+using namespace interlume::UnitVector;
 
 const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 const double Infinity = std::numeric_limits<double>::infinity();

@@ -7,25 +7,25 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkProjectiveLight.h"
-#include "vtkSlicePlan.h"
-#include "vtkUnitVector.h"
+#include "Plan/SlicePlan.h"
+#include "Space/UnitVector.h"
 
 namespace
 {
 
 using namespace reference;
-using namespace vtkUnitVector;
+using namespace interlume::UnitVector;
 
 using Box = std::array<std::array<double, 2>, 3>;
-using Eye = vtkSlicePlan::Eye;
-using Sweep = vtkSlicePlan::Sweep;
+using Eye = interlume::SlicePlan::Eye;
+using Sweep = interlume::SlicePlan::Sweep;
 
-vtkUnitSpace MakeCube()
+interlume::UnitSpace MakeCube()
 {
   return MakeUnitSpace({ { 65, 65, 65 } }, { { 1.0, 1.0, 1.0 } });
 }
 
-std::array<Vector, 8> GetCorners(const vtkUnitSpace& space, const Box& box)
+std::array<Vector, 8> GetCorners(const interlume::UnitSpace& space, const Box& box)
 {
   std::array<Vector, 8> corners;
   std::size_t corner = 0;
@@ -76,31 +76,32 @@ Eye MakePerspective(const Vector& position, const Vector& direction, double tang
   return eye;
 }
 
-vtkLightSource MakeDirectional(const Vector& direction)
+interlume::LightSource MakeDirectional(const Vector& direction)
 {
-  vtkLightSource light;
+  interlume::LightSource light;
   light.Direction = direction;
   light.ShadowStrength = 1.0;
   return light;
 }
 
-vtkLightSource MakePositional(const Vector& position)
+interlume::LightSource MakePositional(const Vector& position)
 {
-  vtkLightSource light = MakeDirectional({ { 0.0, 0.0, -1.0 } });
+  interlume::LightSource light = MakeDirectional({ { 0.0, 0.0, -1.0 } });
   light.IsPositional = true;
   light.Position = position;
   return light;
 }
 
-vtkSlicePlan Plan(const Eye& eye, const std::vector<vtkLightSource>& lights,
-  const vtkUnitSpace& space, const vtkSlicePlan::Settings& settings = {})
+interlume::SlicePlan Plan(const Eye& eye, const std::vector<interlume::LightSource>& lights,
+  const interlume::UnitSpace& space, const interlume::SlicePlan::Settings& settings = {})
 {
-  vtkSlicePlan plan;
+  interlume::SlicePlan plan;
   plan.Make(eye, lights, space, space.Box, settings);
   return plan;
 }
 
-std::vector<Vector> GetRays(const vtkLightSource& light, const std::array<Vector, 8>& corners)
+std::vector<Vector> GetRays(
+  const interlume::LightSource& light, const std::array<Vector, 8>& corners)
 {
   if (!light.IsPositional)
   {
@@ -142,8 +143,8 @@ std::vector<Vector> GetNormals(const Vector& around)
   return normals;
 }
 
-void CheckSlabs(Check& check, const vtkSlicePlan& plan, std::size_t index,
-  const std::vector<vtkLightSource>& lights, const vtkUnitSpace& space,
+void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t index,
+  const std::vector<interlume::LightSource>& lights, const interlume::UnitSpace& space,
   const std::array<Vector, 8>& corners)
 {
   const Sweep& sweep = plan.Sweeps[index];
@@ -161,7 +162,7 @@ void CheckSlabs(Check& check, const vtkSlicePlan& plan, std::size_t index,
   if (isHalf || (index > 0 && !sweep.IsFrontToBack))
   {
     double first = VTK_DOUBLE_MAX;
-    for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
+    for (const interlume::SlicePlan::ShadowedLight& light : sweep.Lights)
     {
       const Vector& position = lights[static_cast<std::size_t>(light.Light)].Position;
       first = std::min(first, light.IsWide ? Dot(position, sweep.Normal) : lower);
@@ -183,7 +184,7 @@ void CheckSlabs(Check& check, const vtkSlicePlan& plan, std::size_t index,
   check.Near(Length(sweep.Normal), 1.0, 1e-12, "length of the normal");
   check.Near(sweep.First, lower, 1e-12, "the first slab starts at the lowest corner or light", 1.0);
   check.Near(sweep.First + sweep.Slabs * sweep.Spacing, upper, 1e-12, "the last ends", 1.0);
-  const double voxel = vtkSlicePlan::GetVoxelSpacing(space, sweep.Normal);
+  const double voxel = interlume::SlicePlan::GetVoxelSpacing(space, sweep.Normal);
   // No line within a voxel is longer than its sides together.
   double longest = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -198,7 +199,7 @@ void CheckSlabs(Check& check, const vtkSlicePlan& plan, std::size_t index,
 }
 
 // All corners are inside of the buffer's border and reach it.
-void CheckBuffer(Check& check, const vtkSlicePlan::ShadowedLight& light,
+void CheckBuffer(Check& check, const interlume::SlicePlan::ShadowedLight& light,
   const std::array<Vector, 8>& corners, double distance)
 {
   const double border = 1.0 - 4.0 / light.BufferSize;
@@ -224,7 +225,7 @@ void CheckBuffer(Check& check, const vtkSlicePlan::ShadowedLight& light,
   }
 }
 
-void CheckFrame(Check& check, const vtkSlicePlan::ShadowedLight& light, const Sweep& sweep)
+void CheckFrame(Check& check, const interlume::SlicePlan::ShadowedLight& light, const Sweep& sweep)
 {
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -238,8 +239,8 @@ void CheckFrame(Check& check, const vtkSlicePlan::ShadowedLight& light, const Sw
 }
 
 // Whatever the plan: the eye's side, each light once for all of the volume, buffers, slabs.
-void CheckSweeps(Check& check, const vtkSlicePlan& plan, const Eye& eye,
-  const std::vector<vtkLightSource>& lights, const vtkUnitSpace& space, int most)
+void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Eye& eye,
+  const std::vector<interlume::LightSource>& lights, const interlume::UnitSpace& space, int most)
 {
   const std::array<Vector, 8> corners = GetCorners(space, space.Box);
   std::vector<int> narrow(lights.size());
@@ -251,10 +252,10 @@ void CheckSweeps(Check& check, const vtkSlicePlan& plan, const Eye& eye,
     check.That(static_cast<int>(sweep.Lights.size()) <= most, "lights of a sweep");
     const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
     check.That(sign * Dot(eye.Direction, sweep.Normal) > 0.0, "the eye's side");
-    for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
+    for (const interlume::SlicePlan::ShadowedLight& light : sweep.Lights)
     {
       const auto index = static_cast<std::size_t>(light.Light);
-      const vtkLightSource& source = lights[index];
+      const interlume::LightSource& source = lights[index];
       if (light.IsWide)
       {
         wide[index].push_back(sweep.Normal);
@@ -264,13 +265,13 @@ void CheckSweeps(Check& check, const vtkSlicePlan& plan, const Eye& eye,
       ++narrow[index];
       const std::vector<Vector> rays = GetRays(source, corners);
       // A directional one has no other choice, and the eye next to the volume leaves it little.
-      const double least = source.IsPositional ? vtkSlicePlan::WideCosine - 1e-9 : 0.05;
+      const double least = source.IsPositional ? interlume::SlicePlan::WideCosine - 1e-9 : 0.05;
       check.That(
         GetLeast(rays, sweep.Normal) >= least, "the least cosine of a light that is not wide");
       if (std::count_if(sweep.Lights.begin(), sweep.Lights.end(),
-            [](const vtkSlicePlan::ShadowedLight& other) { return !other.IsWide; }) > 1)
+            [](const interlume::SlicePlan::ShadowedLight& other) { return !other.IsWide; }) > 1)
       {
-        check.That(GetLeast(rays, sweep.Normal) >= vtkSlicePlan::LightCosine - 1e-9,
+        check.That(GetLeast(rays, sweep.Normal) >= interlume::SlicePlan::LightCosine - 1e-9,
           "rays of lights that share a sweep");
       }
       CheckBuffer(check, light, corners, source.IsPositional ? Length(source.Position) : 0.0);
@@ -308,16 +309,16 @@ void CheckSweeps(Check& check, const vtkSlicePlan& plan, const Eye& eye,
 }
 
 // Cosines that are promised are there if any normal has them.
-void CheckAngles(Check& check, const vtkSlicePlan& plan, const std::vector<Vector>& eyeRays,
-  const vtkLightSource& light, const std::array<Vector, 8>& corners)
+void CheckAngles(Check& check, const interlume::SlicePlan& plan, const std::vector<Vector>& eyeRays,
+  const interlume::LightSource& light, const std::array<Vector, 8>& corners)
 {
   const Sweep& sweep = plan.Sweeps.front();
   const std::vector<Vector> rays = GetRays(light, corners);
   const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
   const auto isGood = [&](const Vector& normal, double side, double tolerance)
   {
-    return GetLeast(eyeRays, normal, side) >= vtkSlicePlan::EyeCosine - tolerance &&
-      GetLeast(rays, normal) >= vtkSlicePlan::LightCosine - tolerance;
+    return GetLeast(eyeRays, normal, side) >= interlume::SlicePlan::EyeCosine - tolerance &&
+      GetLeast(rays, normal) >= interlume::SlicePlan::LightCosine - tolerance;
   };
   if (!sweep.Lights.front().IsWide && isGood(sweep.Normal, sign, 1e-9))
   {
@@ -331,7 +332,7 @@ void CheckAngles(Check& check, const vtkSlicePlan& plan, const std::vector<Vecto
     "there is a normal of which all angles are good");
 }
 
-vtkUnitSpace MakeRandomSpace(Random& random)
+interlume::UnitSpace MakeRandomSpace(Random& random)
 {
   std::array<int, 3> size;
   Vector spacing;
@@ -354,16 +355,16 @@ void CheckRandomLight(Check& check)
   for (int i = 0; i < 4000; ++i)
   {
     check.SetContext("one light, case " + std::to_string(i));
-    const vtkUnitSpace space = MakeRandomSpace(random);
+    const interlume::UnitSpace space = MakeRandomSpace(random);
     const std::array<Vector, 8> corners = GetCorners(space, space.Box);
     const Vector view = random.GetDirection();
     const bool isParallel = i % 3 == 0;
     const Vector position = Combine(-random.Get(1.1, 10.0), view, 0.2, random.GetDirection());
     const Eye eye = isParallel ? MakeParallel(view) : MakePerspective(position, view, 0.0);
-    const vtkLightSource light = i % 2
+    const interlume::LightSource light = i % 2
       ? MakeDirectional(random.GetDirection())
       : MakePositional(Scale(GetRandomDistance(random), random.GetDirection()));
-    const vtkSlicePlan plan = Plan(eye, { light }, space);
+    const interlume::SlicePlan plan = Plan(eye, { light }, space);
     CheckSweeps(check, plan, eye, { light }, space, 4);
     std::vector<Vector> rays = { view };
     if (!isParallel)
@@ -381,12 +382,12 @@ void CheckRandomLights(Check& check)
   for (int i = 0; i < 2000; ++i)
   {
     check.SetContext("many lights, case " + std::to_string(i));
-    const vtkUnitSpace space = MakeRandomSpace(random);
+    const interlume::UnitSpace space = MakeRandomSpace(random);
     const Vector view = random.GetDirection();
     const double tangent = random.Get(0.05, 1.0);
     const Vector position = Combine(1.0, random.GetPoint(0.2), -random.Get(0.0, 3.0), view);
     const Eye eye = i % 4 == 0 ? MakeParallel(view) : MakePerspective(position, view, tangent);
-    std::vector<vtkLightSource> lights;
+    std::vector<interlume::LightSource> lights;
     for (int number = i % 9; number > 0; --number)
     {
       lights.push_back(random.Get(0.0, 1.0) < 0.5
@@ -394,9 +395,9 @@ void CheckRandomLights(Check& check)
           : MakePositional(Scale(GetRandomDistance(random), random.GetDirection())));
       lights.back().ShadowStrength = number % 4 == 0 ? 0.0 : 0.7;
     }
-    vtkSlicePlan::Settings settings;
+    interlume::SlicePlan::Settings settings;
     settings.LightsOfSweep = 1 + i % 4;
-    const vtkSlicePlan plan = Plan(eye, lights, space, settings);
+    const interlume::SlicePlan plan = Plan(eye, lights, space, settings);
     CheckSweeps(check, plan, eye, lights, space, settings.LightsOfSweep);
     for (int sample = 0; sample < 50 && !eye.IsParallel; ++sample)
     {
@@ -423,7 +424,7 @@ void CheckRandomLights(Check& check)
 
 void CheckHalfVector(Check& check)
 {
-  const vtkUnitSpace space = MakeCube();
+  const interlume::UnitSpace space = MakeCube();
   Random random(5);
   for (int i = 0; i < 500; ++i)
   {
@@ -445,7 +446,7 @@ void CheckHalfVector(Check& check)
 // for the change of side at 90 degrees.
 void CheckContinuity(Check& check)
 {
-  const vtkUnitSpace space = MakeCube();
+  const interlume::UnitSpace space = MakeCube();
   const Vector view{ { 0.0, 0.0, -1.0 } };
   for (const bool isPositional : { false, true })
   {
@@ -484,7 +485,7 @@ void CheckContinuity(Check& check)
 struct Case
 {
   std::string Name;
-  std::vector<vtkLightSource> Lights;
+  std::vector<interlume::LightSource> Lights;
   int Sweeps;
   int FrontToBack;
   int Wide;
@@ -493,14 +494,14 @@ struct Case
 void CheckCounts(Check& check)
 {
   check.SetContext("");
-  const vtkUnitSpace space = MakeCube();
+  const interlume::UnitSpace space = MakeCube();
   const double side = space.UnitFromTexture[0] / 2.0;
   const Vector eye{ { 0.0, 0.0, 4.0 } };
-  const vtkLightSource front = MakeDirectional({ { 0.0, 0.0, -1.0 } });
-  const vtkLightSource back = MakeDirectional({ { 0.0, 0.0, 1.0 } });
-  const vtkLightSource oblique = MakeDirectional({ { 0.6, 0.0, -0.8 } });
-  const vtkLightSource behindSide = MakeDirectional({ { 0.995037, 0.0, 0.0995037 } });
-  vtkLightSource none = front;
+  const interlume::LightSource front = MakeDirectional({ { 0.0, 0.0, -1.0 } });
+  const interlume::LightSource back = MakeDirectional({ { 0.0, 0.0, 1.0 } });
+  const interlume::LightSource oblique = MakeDirectional({ { 0.6, 0.0, -0.8 } });
+  const interlume::LightSource behindSide = MakeDirectional({ { 0.995037, 0.0, 0.0995037 } });
+  interlume::LightSource none = front;
   none.ShadowStrength = 0.0;
   const std::vector<Case> cases = {
     { "no lights", {}, 1, 1, 0 },
@@ -530,14 +531,14 @@ void CheckCounts(Check& check)
   for (const Case& one : cases)
   {
     const Eye view = MakePerspective(eye, { { 0.0, 0.0, -1.0 } }, 0.27);
-    const vtkSlicePlan plan = Plan(view, one.Lights, space);
+    const interlume::SlicePlan plan = Plan(view, one.Lights, space);
     CheckSweeps(check, plan, view, one.Lights, space, 4);
     int frontToBack = 0;
     int wide = 0;
     for (const Sweep& sweep : plan.Sweeps)
     {
       frontToBack += sweep.IsFrontToBack ? 1 : 0;
-      for (const vtkSlicePlan::ShadowedLight& light : sweep.Lights)
+      for (const interlume::SlicePlan::ShadowedLight& light : sweep.Lights)
       {
         wide += light.IsWide ? 1 : 0;
       }
@@ -552,9 +553,9 @@ void CheckCounts(Check& check)
 void CheckHalves(Check& check)
 {
   check.SetContext("halves");
-  const vtkUnitSpace space = MakeCube();
+  const interlume::UnitSpace space = MakeCube();
   const Eye eye = MakePerspective({ { 0.0, 0.0, 4.0 } }, { { 0.0, 0.0, -1.0 } }, 0.27);
-  const auto count = [&](const std::vector<vtkLightSource>& lights)
+  const auto count = [&](const std::vector<interlume::LightSource>& lights)
   {
     int slabs = 0;
     for (const Sweep& sweep : Plan(eye, lights, space).Sweeps)
@@ -564,25 +565,25 @@ void CheckHalves(Check& check)
     return slabs;
   };
   const int whole = count({});
-  const vtkLightSource inside = MakePositional({ { 0.1, 0.2, 0.3 } });
+  const interlume::LightSource inside = MakePositional({ { 0.1, 0.2, 0.3 } });
   check.That(count({ inside }) <= whole + 1, "a light inside: slabs of one sweep");
-  const vtkSlicePlan plan = Plan(eye, { inside }, space);
+  const interlume::SlicePlan plan = Plan(eye, { inside }, space);
   check.That(plan.IsOfFirstPicture(0) && plan.IsOfFirstPicture(1) && !plan.HasFurtherPictures(),
     "a light inside: one picture");
   // The eye's half of a light that shares the other one.
-  const vtkLightSource far = MakePositional({ { 0.0, 0.0, -0.2 } });
+  const interlume::LightSource far = MakePositional({ { 0.0, 0.0, -0.2 } });
   check.That(count({ inside, far }) < 1.8 * whole, "two lights inside: less than two sweeps");
-  const vtkSlicePlan two = Plan(eye, { inside, far }, space);
+  const interlume::SlicePlan two = Plan(eye, { inside, far }, space);
   check.That(two.HasFurtherPictures() && two.Sweeps[0].IsFrontToBack && !two.Sweeps[1].IsBehind,
     "two lights inside: two pictures, of which the first is whole");
 }
 
 void CheckSettings(Check& check)
 {
-  const vtkUnitSpace space = MakeUnitSpace({ { 101, 201, 3 } }, { { 1.0, 1.0, 50.0 } });
+  const interlume::UnitSpace space = MakeUnitSpace({ { 101, 201, 3 } }, { { 1.0, 1.0, 50.0 } });
   const Eye eye = MakeParallel({ { 0.0, 0.0, -1.0 } });
-  const std::vector<vtkLightSource> lights = { MakeDirectional({ { 0.0, 0.0, -1.0 } }) };
-  vtkSlicePlan::Settings settings;
+  const std::vector<interlume::LightSource> lights = { MakeDirectional({ { 0.0, 0.0, -1.0 } }) };
+  interlume::SlicePlan::Settings settings;
   const auto make = [&] { return Plan(eye, lights, space, settings).Sweeps.front(); };
   check.Equal(make().Slabs, 2, "one slab for each voxel along the normal");
   check.Equal(make().Lights[0].BufferSize, 208, "200 voxels across, and the border");
@@ -621,7 +622,7 @@ void CheckSettings(Check& check)
   {
     const Vector n = random.GetDirection();
     const Vector a{ { n[0] / voxel[0], n[1] / voxel[1], n[2] / voxel[2] } };
-    check.Near(vtkSlicePlan::GetVoxelSpacing(space, n), 1.0 / std::sqrt(Dot(a, a)), 1e-12,
+    check.Near(interlume::SlicePlan::GetVoxelSpacing(space, n), 1.0 / std::sqrt(Dot(a, a)), 1e-12,
       "a voxel's length along a normal");
   }
 }
@@ -629,7 +630,7 @@ void CheckSettings(Check& check)
 // The screen's corners are at the buffer's border where the screen is smaller than the box.
 void CheckScreens(Check& check)
 {
-  const vtkUnitSpace space = MakeCube();
+  const interlume::UnitSpace space = MakeCube();
   const Eye eye = MakeParallel({ { 0.0, 0.0, -1.0 } });
   for (const bool isPositional : { false, true })
   {
@@ -639,8 +640,8 @@ void CheckScreens(Check& check)
     projective->SetPosition(2.0, 0.5, 2.0);
     projective->SetFocalPoint(0.1, 0.0, 0.0);
     projective->SetViewUp(0.3, 1.0, 0.0);
-    vtkLightSource light = isPositional ? MakePositional({ { 2.0, 0.5, 2.0 } })
-                                        : MakeDirectional({ { 0.0, 0.0, -1.0 } });
+    interlume::LightSource light = isPositional ? MakePositional({ { 2.0, 0.5, 2.0 } })
+                                                : MakeDirectional({ { 0.0, 0.0, -1.0 } });
     light.Projective = projective;
     light.Direction = Normalize({ { -1.9, -0.5, -2.0 } }, {});
     const auto make = [&](double width, double height)
@@ -651,7 +652,7 @@ void CheckScreens(Check& check)
       std::copy_n(matrix->GetData(), 16, light.ScreenFromUnit.begin());
       return Plan(eye, { light }, space).Sweeps[0].Lights[0];
     };
-    const vtkSlicePlan::ShadowedLight cut = make(0.3, 0.2);
+    const interlume::SlicePlan::ShadowedLight cut = make(0.3, 0.2);
     const double border = 1.0 - 4.0 / cut.BufferSize;
     const Vector up = Perpendicular(light.Direction, { { 0.3, 1.0, 0.0 } });
     const Vector right = Cross(light.Direction, up);
@@ -692,8 +693,8 @@ void CheckOctahedralMap(Check& check)
     direction = Normalize(
       Combine(along < 0.0 ? -1.0 : 1.0, direction, i % 5 ? 0.0 : -std::abs(along), normal), normal);
     const std::array<double, 2> place =
-      vtkSlicePlan::GetBufferPlace(frame, Scale(random.Get(0.1, 10.0), direction));
-    const Vector back = vtkSlicePlan::GetBufferDirection(frame, place);
+      interlume::SlicePlan::GetBufferPlace(frame, Scale(random.Get(0.1, 10.0), direction));
+    const Vector back = interlume::SlicePlan::GetBufferDirection(frame, place);
     for (const double coordinate : place)
     {
       check.That(coordinate > -1e-12 && coordinate < 1.0 + 1e-12, "inside of the buffer");

@@ -5,8 +5,8 @@
 #include "Reference/Checks/ReferenceRandom.h"
 #include "Reference/Light/ReferenceUnitSpace.h"
 
-#include "vtkSlicePolygons.h"
-#include "vtkUnitVector.h"
+#include "Plan/SlicePolygons.h"
+#include "Space/UnitVector.h"
 
 #include <utility>
 
@@ -14,22 +14,22 @@ namespace
 {
 
 using namespace reference;
-using namespace vtkUnitVector;
+using namespace interlume::UnitVector;
 
 using Box = std::array<std::array<double, 2>, 3>;
 using Polygon = std::vector<Vector>;
 
 struct Scene
 {
-  vtkUnitSpace Space;
+  interlume::UnitSpace Space;
   std::array<std::vector<double>, 3> Borders;
   std::vector<unsigned char> Visible;
   Box Crop{};
   double Margin = 0.0;
-  vtkSlicePlan::Sweep Sweep;
+  interlume::SlicePlan::Sweep Sweep;
 };
 
-// As vtkVolumeBlocks has them, between the centres of the outermost texels.
+// As interlume::VolumeBlocks has them, between the centres of the outermost texels.
 std::vector<double> MakeBorders(int size, int block)
 {
   std::vector<double> borders;
@@ -169,7 +169,8 @@ using Point = std::array<double, 2>;
 using Triangle = std::array<Point, 3>;
 
 // Of the slab's triangles, in the plane. Equal vertices stay equal.
-std::vector<Triangle> GetTriangles(const Scene& scene, const vtkSlicePolygons& polygons, int slab)
+std::vector<Triangle> GetTriangles(
+  const Scene& scene, const interlume::SlicePolygons& polygons, int slab)
 {
   const std::array<Vector, 2> axes = GetAxes(scene.Sweep.Normal);
   const std::vector<float>& vertices = polygons.GetVertices();
@@ -224,7 +225,7 @@ double GetDepth(const Box& block, const Vector& texture)
 // on common faces too, and outside not at all.
 void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
 {
-  vtkSlicePolygons polygons;
+  interlume::SlicePolygons polygons;
   polygons.Build(scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, scene.Margin);
   check.Equal(polygons.GetNumberOfSlabs(), scene.Sweep.Slabs, "slabs");
   check.That(polygons.GetVertices().size() == 3 * polygons.GetStarts().back(), "vertices");
@@ -344,9 +345,9 @@ void CheckRandom(Check& check)
 }
 
 // Unit space of which all coordinates of block borders are exact.
-vtkUnitSpace MakeExactSpace()
+interlume::UnitSpace MakeExactSpace()
 {
-  vtkUnitSpace space;
+  interlume::UnitSpace space;
   space.Size.fill(8);
   space.UnitFromTexture = { { 1.0, 0.0, 0.0, -0.5, 0.0, 1.0, 0.0, -0.5, 0.0, 0.0, 1.0, -0.5, 0.0,
     0.0, 0.0, 1.0 } };
@@ -394,7 +395,7 @@ void CheckTies(Check& check)
   SetSlabs(scene, { { 0.0, 0.0, 1.0 } }, 2);
   scene.Sweep.First -= 0.5 * scene.Sweep.Spacing;
   scene.Sweep.Slabs = 3;
-  vtkSlicePolygons polygons;
+  interlume::SlicePolygons polygons;
   polygons.Build(scene.Sweep, scene.Borders, scene.Visible, scene.Space, scene.Crop, 0.0);
   check.That(!polygons.IsEmpty(0) && !polygons.IsEmpty(1) && polygons.IsEmpty(2),
     "a block owns its lower face");
@@ -416,7 +417,7 @@ void CheckThreads(Check& check)
   }
   scene.Crop = scene.Space.Box;
   SetSlabs(scene, random.GetDirection(), 300);
-  vtkSlicePolygons polygons;
+  interlume::SlicePolygons polygons;
   const auto build = [&]()
   {
     polygons.Build(

@@ -5,8 +5,8 @@
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkUnitSpace.h"
-#include "vtkUnitVector.h"
+#include "Space/UnitSpace.h"
+#include "Space/UnitVector.h"
 
 #include <limits>
 
@@ -14,7 +14,7 @@ namespace
 {
 
 using namespace reference;
-using namespace vtkUnitVector;
+using namespace interlume::UnitVector;
 
 // A turn about an axis at random; mirrored if wanted.
 std::array<double, 9> MakeTurn(Random& random, bool isMirrored)
@@ -29,7 +29,7 @@ struct Scene
 {
   vtkNew<vtkImageData> Image;
   vtkNew<vtkMatrix4x4> Matrix;
-  vtkUnitSpace Space;
+  interlume::UnitSpace Space;
   std::array<int, 6> Extent{};
   bool IsOfCells = false;
 
@@ -65,7 +65,7 @@ void CheckNear(Check& check, const Vector& found, const Vector& expected, double
 // \a far is how far off the origin the volume is, in its size.
 void CheckPoints(Check& check, Scene& scene, Random& random, double far)
 {
-  const vtkUnitSpace& space = scene.Space;
+  const interlume::UnitSpace& space = scene.Space;
   // Digits that are lost in the world's own coordinates.
   const double tolerance = 1e-12 + 1e-14 * far;
   const double size =
@@ -162,7 +162,7 @@ void CheckSizes(Check& check)
   check.SetContext("");
   vtkNew<vtkImageData> image;
   vtkNew<vtkMatrix4x4> matrix;
-  vtkUnitSpace space;
+  interlume::UnitSpace space;
   image->SetExtent(5, 8, 0, 0, -1, 0);
   space.Set(image, false, matrix);
   check.That(space.Size == std::array<int, 3>{ { 4, 1, 2 } }, "texels of points");
@@ -177,7 +177,7 @@ void CheckErrors(Check& check)
 {
   vtkNew<vtkImageData> image;
   vtkNew<vtkMatrix4x4> matrix;
-  vtkUnitSpace space;
+  interlume::UnitSpace space;
   const auto hasError = [&] { return !space.Set(image, false, matrix).empty(); };
   check.That(hasError(), "an image without samples");
   image->SetDimensions(3, 4, 5);

@@ -4,13 +4,13 @@
 #include "Reference/Checks/ReferenceExecution.h"
 
 #include "vtkDataArray.h"
-#include "vtkMaterialTable.h"
+#include "Volume/MaterialTable.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkSmartPointer.h"
-#include "vtkVolumeBlocks.h"
+#include "Volume/VolumeBlocks.h"
 #include "vtkVolumeProperty.h"
-#include "vtkVolumeSamples.h"
+#include "Volume/VolumeSamples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +94,7 @@ bool MeetsBand(
     }
   }
   const double full = FullOf(volume.Type);
-  const double margin = wide ? 2.0 * full / vtkMaterialTable::Columns : 0.0;
+  const double margin = wide ? 2.0 * full / interlume::MaterialTable::Columns : 0.0;
   return lower <= upper && upper > Band[0] * full - margin && lower < Band[1] * full + margin;
 }
 
@@ -120,11 +120,11 @@ void CheckCase(const Case& volume, Check& check)
   check.SetContext(volume.Name);
   const auto array = MakeArray(volume);
   const auto property = MakeProperty(volume);
-  vtkVolumeSamples samples;
+  interlume::VolumeSamples samples;
   check.That(samples.Build(array, volume.Samples, false).empty(), "samples");
-  vtkMaterialTable material;
+  interlume::MaterialTable material;
   check.That(material.Build(property, samples, nullptr).empty(), "materials");
-  vtkVolumeBlocks blocks;
+  interlume::VolumeBlocks blocks;
   blocks.Build(samples);
   check.Equal(blocks.GetNumberVisible(), 0, "none before they are classified");
   blocks.Classify(material);
@@ -290,9 +290,9 @@ void CheckBorders(Check& check)
     Case volume;
     volume.Samples = size;
     volume.Value = [](const Place&, int) { return 0.0; };
-    vtkVolumeSamples samples;
+    interlume::VolumeSamples samples;
     samples.Build(MakeArray(volume), size, false);
-    vtkVolumeBlocks blocks;
+    interlume::VolumeBlocks blocks;
     blocks.Build(samples);
     return blocks.GetBorders(axis);
   };
@@ -317,11 +317,11 @@ void CheckThreads(Check& check)
   const auto array = MakeArray(volume);
   const auto classify = [&]()
   {
-    vtkVolumeSamples samples;
+    interlume::VolumeSamples samples;
     samples.Build(array, volume.Samples, false);
-    vtkMaterialTable material;
+    interlume::MaterialTable material;
     material.Build(property, samples, nullptr);
-    vtkVolumeBlocks blocks;
+    interlume::VolumeBlocks blocks;
     blocks.Build(samples);
     blocks.Classify(material);
     std::vector<bool> result;

@@ -13,7 +13,7 @@
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkShortArray.h"
 #include "vtkSmartPointer.h"
-#include "vtkVolumeSamples.h"
+#include "Volume/VolumeSamples.h"
 
 #include <cmath>
 #include <cstdint>
@@ -31,14 +31,14 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 using Size = std::array<int, 3>;
 
-double GetTexel(const vtkVolumeSamples& samples, vtkIdType index)
+double GetTexel(const interlume::VolumeSamples& samples, vtkIdType index)
 {
   const unsigned char* texels = samples.Texels.data();
-  if (samples.Format == vtkVolumeSamples::UNORM8)
+  if (samples.Format == interlume::VolumeSamples::UNORM8)
   {
     return texels[index] / 255.0;
   }
-  if (samples.Format == vtkVolumeSamples::UNORM16)
+  if (samples.Format == interlume::VolumeSamples::UNORM16)
   {
     std::uint16_t texel = 0;
     std::memcpy(&texel, texels + 2 * index, sizeof(texel));
@@ -51,7 +51,7 @@ double GetTexel(const vtkVolumeSamples& samples, vtkIdType index)
 
 /// Values come back within \a tolerance, and are all of a size that single precision can square.
 void CheckValues(
-  vtkDataArray* array, const vtkVolumeSamples& samples, double tolerance, Check& check)
+  vtkDataArray* array, const interlume::VolumeSamples& samples, double tolerance, Check& check)
 {
   const int components = array->GetNumberOfComponents();
   for (vtkIdType voxel = 0; voxel < array->GetNumberOfTuples(); ++voxel)
@@ -72,32 +72,32 @@ struct Type
   double Lowest;
   double Highest;
   int Id;
-  vtkVolumeSamples::Formats Format;
+  interlume::VolumeSamples::Formats Format;
 };
 
-const Type Types[] = { { VTK_CHAR_MIN, VTK_CHAR_MAX, VTK_CHAR, vtkVolumeSamples::UNORM8 },
-  { -128, 127, VTK_SIGNED_CHAR, vtkVolumeSamples::UNORM8 },
-  { 0, 255, VTK_UNSIGNED_CHAR, vtkVolumeSamples::UNORM8 },
-  { 0, 1, VTK_BIT, vtkVolumeSamples::UNORM8 },
-  { -32768, 32767, VTK_SHORT, vtkVolumeSamples::UNORM16 },
-  { 0, 65535, VTK_UNSIGNED_SHORT, vtkVolumeSamples::UNORM16 },
-  { -2147483648.0, 2147483647.0, VTK_INT, vtkVolumeSamples::FLOAT32 },
-  { 0, 4294967295.0, VTK_UNSIGNED_INT, vtkVolumeSamples::FLOAT32 },
-  { -1e18, 1e18, VTK_LONG, vtkVolumeSamples::FLOAT32 },
-  { 0, 1e19, VTK_UNSIGNED_LONG, vtkVolumeSamples::FLOAT32 },
-  { -1e18, 1e18, VTK_LONG_LONG, vtkVolumeSamples::FLOAT32 },
-  { 0, 1e19, VTK_UNSIGNED_LONG_LONG, vtkVolumeSamples::FLOAT32 },
-  { 1000000000.0, 1000000100.0, VTK_ID_TYPE, vtkVolumeSamples::FLOAT32 },
-  { -3.4e38, 3.4e38, VTK_FLOAT, vtkVolumeSamples::FLOAT32 },
-  { 16777215.0, 16777217.0, VTK_FLOAT, vtkVolumeSamples::FLOAT32 },
-  { 0.001, 0.7, VTK_FLOAT, vtkVolumeSamples::FLOAT32 },
-  { -3.5, -3.25, VTK_FLOAT, vtkVolumeSamples::FLOAT32 },
-  { -1.0, 1.0, VTK_DOUBLE, vtkVolumeSamples::FLOAT32 },
-  { 1e9, 1e9 + 1e-3, VTK_DOUBLE, vtkVolumeSamples::FLOAT32 },
-  { -1e9 - 1e-3, -1e9, VTK_DOUBLE, vtkVolumeSamples::FLOAT32 },
-  { 1e-300, 3e-300, VTK_DOUBLE, vtkVolumeSamples::FLOAT32 },
-  { -1e308, 1e308, VTK_DOUBLE, vtkVolumeSamples::FLOAT32 },
-  { 1.1e308, 1.7e308, VTK_DOUBLE, vtkVolumeSamples::FLOAT32 } };
+const Type Types[] = { { VTK_CHAR_MIN, VTK_CHAR_MAX, VTK_CHAR, interlume::VolumeSamples::UNORM8 },
+  { -128, 127, VTK_SIGNED_CHAR, interlume::VolumeSamples::UNORM8 },
+  { 0, 255, VTK_UNSIGNED_CHAR, interlume::VolumeSamples::UNORM8 },
+  { 0, 1, VTK_BIT, interlume::VolumeSamples::UNORM8 },
+  { -32768, 32767, VTK_SHORT, interlume::VolumeSamples::UNORM16 },
+  { 0, 65535, VTK_UNSIGNED_SHORT, interlume::VolumeSamples::UNORM16 },
+  { -2147483648.0, 2147483647.0, VTK_INT, interlume::VolumeSamples::FLOAT32 },
+  { 0, 4294967295.0, VTK_UNSIGNED_INT, interlume::VolumeSamples::FLOAT32 },
+  { -1e18, 1e18, VTK_LONG, interlume::VolumeSamples::FLOAT32 },
+  { 0, 1e19, VTK_UNSIGNED_LONG, interlume::VolumeSamples::FLOAT32 },
+  { -1e18, 1e18, VTK_LONG_LONG, interlume::VolumeSamples::FLOAT32 },
+  { 0, 1e19, VTK_UNSIGNED_LONG_LONG, interlume::VolumeSamples::FLOAT32 },
+  { 1000000000.0, 1000000100.0, VTK_ID_TYPE, interlume::VolumeSamples::FLOAT32 },
+  { -3.4e38, 3.4e38, VTK_FLOAT, interlume::VolumeSamples::FLOAT32 },
+  { 16777215.0, 16777217.0, VTK_FLOAT, interlume::VolumeSamples::FLOAT32 },
+  { 0.001, 0.7, VTK_FLOAT, interlume::VolumeSamples::FLOAT32 },
+  { -3.5, -3.25, VTK_FLOAT, interlume::VolumeSamples::FLOAT32 },
+  { -1.0, 1.0, VTK_DOUBLE, interlume::VolumeSamples::FLOAT32 },
+  { 1e9, 1e9 + 1e-3, VTK_DOUBLE, interlume::VolumeSamples::FLOAT32 },
+  { -1e9 - 1e-3, -1e9, VTK_DOUBLE, interlume::VolumeSamples::FLOAT32 },
+  { 1e-300, 3e-300, VTK_DOUBLE, interlume::VolumeSamples::FLOAT32 },
+  { -1e308, 1e308, VTK_DOUBLE, interlume::VolumeSamples::FLOAT32 },
+  { 1.1e308, 1.7e308, VTK_DOUBLE, interlume::VolumeSamples::FLOAT32 } };
 
 /// Lowest and highest value, and others between them.
 void Fill(vtkDataArray* array, const Type& type, vtkIdType voxels, int components)
@@ -124,17 +124,18 @@ void CheckType(vtkDataArray* array, const Type& type, int components, bool widen
     (widens ? ", wide" : ""));
   const Size size{ { 5, 4, 3 } };
   Fill(array, type, 60, components);
-  vtkVolumeSamples samples;
+  interlume::VolumeSamples samples;
   check.That(samples.Build(array, size, widens).empty(), "no error");
-  const bool wider = widens && type.Format == vtkVolumeSamples::UNORM8;
-  check.Equal(samples.Format, wider ? vtkVolumeSamples::UNORM16 : type.Format, "the format");
+  const bool wider = widens && type.Format == interlume::VolumeSamples::UNORM8;
+  check.Equal(
+    samples.Format, wider ? interlume::VolumeSamples::UNORM16 : type.Format, "the format");
   check.Equal(samples.Components, components, "components");
   check.That(samples.Size == size && samples.Mask.empty() && samples.NonFinite == 0, "no mask");
   check.Equal(static_cast<long long>(samples.Texels.size()),
     60 * components *
-      (samples.Format == vtkVolumeSamples::UNORM8       ? 1
-          : samples.Format == vtkVolumeSamples::UNORM16 ? 2
-                                                        : 4),
+      (samples.Format == interlume::VolumeSamples::UNORM8       ? 1
+          : samples.Format == interlume::VolumeSamples::UNORM16 ? 2
+                                                                : 4),
     "bytes");
   for (int c = 0; c < components; ++c)
   {
@@ -144,9 +145,10 @@ void CheckType(vtkDataArray* array, const Type& type, int components, bool widen
   const double largest = std::max(std::abs(type.Lowest), std::abs(type.Highest));
   const double extent = std::min(type.Highest - type.Lowest, std::numeric_limits<double>::max());
   CheckValues(array, samples,
-    type.Id == VTK_FLOAT                         ? 0.0
-      : type.Format != vtkVolumeSamples::FLOAT32 ? 1e-10
-                                                 : std::ldexp(extent, -23) + 1e-15 * largest,
+    type.Id == VTK_FLOAT ? 0.0
+      : type.Format != interlume::VolumeSamples::FLOAT32
+      ? 1e-10
+      : std::ldexp(extent, -23) + 1e-15 * largest,
     check);
 }
 
@@ -201,7 +203,7 @@ void CheckNonFinite(Check& check)
     {
       array->SetComponent(i / 2, i % 2, values[static_cast<std::size_t>(i)]);
     }
-    vtkVolumeSamples samples;
+    interlume::VolumeSamples samples;
     check.That(samples.Build(array, { { 3, 2, 1 } }, false).empty(), "no error");
     check.Equal(samples.NonFinite, 3, "voxels, not values");
     check.That(samples.Mask == mask, "the mask");
@@ -220,7 +222,7 @@ void CheckNonFinite(Check& check)
   vtkNew<vtkFloatArray> none;
   none->SetNumberOfTuples(8);
   none->FillValue(std::numeric_limits<float>::quiet_NaN());
-  vtkVolumeSamples samples;
+  interlume::VolumeSamples samples;
   check.That(samples.Build(none, { { 2, 2, 2 } }, false).empty(), "no error");
   check.Equal(samples.NonFinite, 8, "all");
   check.That(samples.Range[0] == std::array<double, 2>{ { 0.0, 0.0 } }, "a range of zeros");
@@ -230,7 +232,7 @@ void CheckNonFinite(Check& check)
 void CheckExtremes(Check& check)
 {
   vtkNew<vtkDoubleArray> array;
-  vtkVolumeSamples samples;
+  interlume::VolumeSamples samples;
   for (const double value :
     { 0.0, 0.1, -7.0, 1e9 + 0.3, 1e-300, 5e-324, -1.7e308, 1.7e308, 12345678901.0 })
   {
@@ -256,7 +258,7 @@ void CheckExtremes(Check& check)
 void CheckErrors(Check& check)
 {
   check.SetContext("errors");
-  vtkVolumeSamples samples;
+  interlume::VolumeSamples samples;
   const auto fails = [&](vtkDataArray* array, const Size& size, const std::string& word)
   {
     vtkNew<vtkShortArray> before;
@@ -293,7 +295,7 @@ void CheckThreads(Check& check)
     array->SetComponent(voxel, 1, voxel % 1001 == 0 ? NaN : voxel % 3 == 0 ? -value : value);
   }
   const Size size{ { 60, 60, 50 } };
-  vtkVolumeSamples expected;
+  interlume::VolumeSamples expected;
   vtkSMPTools::SetBackend("Sequential");
   vtkSMPTools::Initialize(1);
   check.That(expected.Build(array, size, false).empty(), "no error");
@@ -301,7 +303,7 @@ void CheckThreads(Check& check)
     !std::signbit(expected.Range[0][0]) && !std::signbit(expected.Range[1][1]), "zero has no sign");
   const auto compare = [&]()
   {
-    vtkVolumeSamples samples;
+    interlume::VolumeSamples samples;
     check.That(samples.Build(array, size, false).empty(), "no error");
     check.That(samples.Texels == expected.Texels && samples.Mask == expected.Mask &&
         samples.NonFinite == expected.NonFinite,

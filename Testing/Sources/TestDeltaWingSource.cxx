@@ -2,7 +2,7 @@
 // cells, the tetrahedra that the header tells.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/SpaceTime/ReferenceTemporalSource.h"
+#include "Reference/TimeVarying/ReferenceTemporalSource.h"
 
 #include "vtkDeltaWingSource.h"
 #include "vtkMath.h"

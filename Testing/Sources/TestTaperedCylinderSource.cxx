@@ -2,7 +2,7 @@
 // the cells, the tetrahedra that the header tells.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Intervals/ReferenceExtraction.h"
-#include "Reference/SpaceTime/ReferenceTemporalSource.h"
+#include "Reference/TimeVarying/ReferenceTemporalSource.h"
 
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"

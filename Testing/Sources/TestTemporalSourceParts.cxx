@@ -1,7 +1,7 @@
 // Pieces and parts of the extent have the values and points of the whole, float is double rounded,
 // and the bytes are the same for any number of threads.
 #include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/SpaceTime/ReferenceTemporalSource.h"
+#include "Reference/TimeVarying/ReferenceTemporalSource.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -2,7 +2,7 @@
 // public value, progress is told and an abort leaves an empty output.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceProgress.h"
-#include "Reference/SpaceTime/ReferenceTemporalSource.h"
+#include "Reference/TimeVarying/ReferenceTemporalSource.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkCommand.h"

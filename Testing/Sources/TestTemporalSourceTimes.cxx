@@ -1,7 +1,7 @@
 // Time steps are told to the pipeline, any time is answered with the field at that time, and what
 // cannot be answered is an error with an empty output.
 #include "Reference/Checks/ReferenceCheck.h"
-#include "Reference/SpaceTime/ReferenceTemporalSource.h"
+#include "Reference/TimeVarying/ReferenceTemporalSource.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"

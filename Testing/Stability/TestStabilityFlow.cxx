@@ -73,7 +73,7 @@ void TestStiff(StabilityCatalogue& catalogue)
     const Place end = { 3.0, std::sin(3.0) + decay, decay };
     for (const auto& method : methods)
     {
-      vtkAdvectionOptions options = ForwardOptions();
+      interlume::AdvectionOptions options = ForwardOptions();
       options.Integrator = method.Integrator;
       options.MaximumTime = time;
       options.MaximumNumberOfSteps = 100000;
@@ -108,7 +108,7 @@ void TestStiff(StabilityCatalogue& catalogue)
     }
   }
   // A field that is not stiff is left to the explicit method.
-  vtkAdvectionOptions options = ForwardOptions();
+  interlume::AdvectionOptions options = ForwardOptions();
   options.MaximumTime = 50.0;
   options.MaximumError = 1e-2;
   const Flow flow = Flow::Beltrami(1.0, 0.7, 0.43);
@@ -153,7 +153,7 @@ void TestNodes(StabilityCatalogue& catalogue)
   for (double turn : { 0.0, 1.0, 100.0, 1e4 })
   {
     const Flow flow = Flow::Linear({ -1, -turn, 0, turn, -1, 0, 0, 0, -1 }, { 0.1, 0.07, 0.05 });
-    vtkAdvectionOptions options = ForwardOptions();
+    interlume::AdvectionOptions options = ForwardOptions();
     options.MinimumSpeed = 1e-4;
     options.MaximumError = 1e-6 * std::max(1.0, turn);
     for (bool isLattice : { false, true })
@@ -180,7 +180,7 @@ void TestScales(StabilityCatalogue& catalogue)
   for (double speed : { 1e-12, 1e-6, 1e6, 1e12 })
   {
     const Flow flow = Flow::Rotation(1.0).Times(speed);
-    vtkAdvectionOptions options = ForwardOptions();
+    interlume::AdvectionOptions options = ForwardOptions();
     options.Surfaces.push_back({ surface, 3 });
     options.MaximumError = 1e-9 * speed;
     const auto result = Advect(LatticeWalker<>(flow, lattice), options, { 0, -2, 0.5 });
@@ -189,7 +189,7 @@ void TestScales(StabilityCatalogue& catalogue)
       result.Id == 3 ? result.Time * speed / (vtkMath::Pi() / 6.0) - 1.0 : std::nan(""), 1e-7);
   }
   const Flow slow = Flow::Uniform({ 1e-290, 0, 0 });
-  vtkAdvectionOptions options = ForwardOptions();
+  interlume::AdvectionOptions options = ForwardOptions();
   options.Surfaces.push_back({ surface, 3 });
   options.MaximumError = 1e-296;
   const auto late = Advect(LatticeWalker<>(slow, lattice), options, { 0, 0, 0 });
@@ -210,7 +210,7 @@ void TestScales(StabilityCatalogue& catalogue)
 void TestFields(StabilityCatalogue& catalogue)
 {
   Lattice lattice = Cubes({ 0.25, 0.25, 0.25 }, 32);
-  vtkAdvectionOptions options = ForwardOptions();
+  interlume::AdvectionOptions options = ForwardOptions();
   options.MaximumTime = 30.0;
   // NaN in a block of cells in the midst.
   lattice.IsFinite = [](const auto& cell)

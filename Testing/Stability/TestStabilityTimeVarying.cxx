@@ -1,10 +1,10 @@
 // Extreme times, values that change by much from step to step, and grids that move too far.
 #include "Pages/StabilityCase.h"
 #include "Reference/Meshes/ReferenceMesh.h"
-#include "Reference/SpaceTime/ReferenceSimplices.h"
-#include "Reference/SpaceTime/ReferenceSpaceTime.h"
-#include "Reference/SpaceTime/ReferenceTemporal.h"
-#include "Reference/SpaceTime/ReferenceTimeVarying.h"
+#include "Reference/TimeVarying/ReferenceSimplices.h"
+#include "Reference/TimeVarying/ReferenceSpaceTime.h"
+#include "Reference/TimeVarying/ReferenceTemporal.h"
+#include "Reference/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -25,7 +25,7 @@ namespace
 
 using namespace reference;
 using Mapper = vtkTimeWeightedTetrahedraMapper;
-using Report = vtkTetrahedraRenderReport;
+using Report = vtkTetrahedraReport;
 
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
 constexpr Point3 Red = { { 1.0, 0.1, 0.0 } };

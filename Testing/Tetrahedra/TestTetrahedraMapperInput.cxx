@@ -14,7 +14,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
-#include "vtkOpenGLFunctions.h"
+#include "Loader/OpenGLFunctions.h"
 #include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -85,7 +85,7 @@ PictureCase MakeCase(int cells = 4)
 struct Outcome
 {
   RgbaPicture Picture;
-  vtkTetrahedraRenderReport Report;
+  vtkTetrahedraReport Report;
   /// Of the mapper, and of all others: VTK's output window and OpenGL.
   std::vector<std::string> Errors;
   std::vector<std::string> Others;

@@ -38,7 +38,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePlate(
   interval->SetNumberOfIntervals(1);
   interval->SetInterval(0, -1.0, 1.0);
   interval->Update();
-  const vtkSpaceTimeReport& report = interval->GetReport();
+  const vtkTimeVaryingReport& report = interval->GetReport();
   check.Equal(report.CellsWithOutput, CELLS * CELLS * (steps - 1), "hypercubes");
   check.That(report.Simplices >= 22 * CELLS * CELLS * (steps - 1), "hypercubes are cut");
   return interval->GetOutput();

@@ -7,7 +7,7 @@
 #include "vtkActor.h"
 #include "vtkCubeSource.h"
 #include "vtkNew.h"
-#include "vtkOpenGLFunctions.h"
+#include "Loader/OpenGLFunctions.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"

@@ -11,7 +11,7 @@
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkOpenGLFunctions.h"
+#include "Loader/OpenGLFunctions.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"

@@ -2,7 +2,7 @@
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
-#include "vtkFaceAdjacency.h"
+#include "Order/FaceAdjacency.h"
 
 #include <algorithm>
 #include <map>
@@ -14,7 +14,7 @@ namespace
 using namespace reference;
 using Ids = std::array<std::uint32_t, 3>;
 
-std::map<Ids, std::vector<std::uint32_t>> MapFaces(const vtkTetrahedraMesh& mesh)
+std::map<Ids, std::vector<std::uint32_t>> MapFaces(const interlume::TetrahedraMesh& mesh)
 {
   std::map<Ids, std::vector<std::uint32_t>> faces;
   for (std::uint32_t face = 0; face < 4 * mesh.GetNumberOfTetrahedra(); ++face)
@@ -35,7 +35,7 @@ std::map<Ids, std::vector<std::uint32_t>> MapFaces(const vtkTetrahedraMesh& mesh
 }
 
 // Pieces, by visiting one after the other.
-std::uint32_t CountPieces(const vtkFaceAdjacency& adjacency, std::uint32_t number)
+std::uint32_t CountPieces(const interlume::FaceAdjacency& adjacency, std::uint32_t number)
 {
   std::vector<bool> seen(number, false);
   std::uint32_t pieces = 0;
@@ -47,7 +47,7 @@ std::uint32_t CountPieces(const vtkFaceAdjacency& adjacency, std::uint32_t numbe
     {
       const std::uint32_t t = open.back();
       open.pop_back();
-      if (t == vtkFaceAdjacency::None || seen[t])
+      if (t == interlume::FaceAdjacency::None || seen[t])
       {
         continue;
       }
@@ -61,12 +61,12 @@ std::uint32_t CountPieces(const vtkFaceAdjacency& adjacency, std::uint32_t numbe
   return pieces;
 }
 
-void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name, Check& check)
+void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name, Check& check)
 {
   check.SetContext(name);
-  vtkFaceAdjacency adjacency;
+  interlume::FaceAdjacency adjacency;
   check.That(adjacency.Build(mesh), "built");
-  std::vector<std::uint32_t> twins(mesh.Corners.size(), vtkFaceAdjacency::None);
+  std::vector<std::uint32_t> twins(mesh.Corners.size(), interlume::FaceAdjacency::None);
   std::vector<std::uint32_t> boundary;
   std::uint32_t nonManifold = 0;
   for (const auto& face : MapFaces(mesh))
@@ -91,9 +91,9 @@ void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name, Check& ch
 }
 
 // A fan of tetrahedra about one edge, and about one point that all of many have.
-vtkTetrahedraMesh MakeFan(int number)
+interlume::TetrahedraMesh MakeFan(int number)
 {
-  vtkTetrahedraMesh mesh;
+  interlume::TetrahedraMesh mesh;
   mesh.Points.assign(3 * static_cast<std::size_t>(number + 2), 0.0);
   for (int i = 0; i < number; ++i)
   {
@@ -107,8 +107,8 @@ void CheckCounts(Check& check)
 {
   CubeMesh form;
   form.Cubes = 5;
-  vtkTetrahedraMesh mesh = MakeCubes(form);
-  vtkFaceAdjacency adjacency;
+  interlume::TetrahedraMesh mesh = MakeCubes(form);
+  interlume::FaceAdjacency adjacency;
   adjacency.Build(mesh);
   check.SetContext("a cube of 5 x 5 x 5 cubes");
   check.Equal(adjacency.GetBoundaryFaces().size(), 6 * 25 * 2, "boundary faces");
@@ -117,7 +117,7 @@ void CheckCounts(Check& check)
   // A third tetrahedron on an inner face takes that face's match away.
   const std::uint32_t inner = static_cast<std::uint32_t>(
     std::find_if(adjacency.GetTwins().begin(), adjacency.GetTwins().end(),
-      [](std::uint32_t twin) { return twin != vtkFaceAdjacency::None; }) -
+      [](std::uint32_t twin) { return twin != interlume::FaceAdjacency::None; }) -
     adjacency.GetTwins().begin());
   for (std::uint32_t k = 0; k < 4; ++k)
   {
@@ -136,13 +136,13 @@ void CheckCounts(Check& check)
 int TestTetrahedraSortAdjacency(int, char*[])
 {
   Check check;
-  CheckMesh(vtkTetrahedraMesh(), "empty", check);
+  CheckMesh(interlume::TetrahedraMesh(), "empty", check);
   CubeMesh form;
   for (const int pieces : { 5, 6 })
   {
     form.Pieces = pieces;
     form.Cubes = 14;
-    const vtkTetrahedraMesh mesh = Shuffle(MakeCubes(form), 5);
+    const interlume::TetrahedraMesh mesh = Shuffle(MakeCubes(form), 5);
     CheckMesh(mesh, std::to_string(pieces) + " tetrahedra of a cube", check);
     CheckMesh(Separate(mesh), "without shared points", check);
   }
@@ -152,11 +152,11 @@ int TestTetrahedraSortAdjacency(int, char*[])
     CheckMesh(MakeCubes(form), shape.Name, check);
   }
   CheckMesh(MakeFan(50000), "a fan", check);
-  vtkTetrahedraMesh twice = MakeFan(1000);
+  interlume::TetrahedraMesh twice = MakeFan(1000);
   twice.Corners.insert(twice.Corners.end(), twice.Corners.begin(), twice.Corners.begin() + 2000);
   CheckMesh(twice, "tetrahedra that are there twice", check);
   // Many faces of one lowest id, each three times.
-  vtkTetrahedraMesh thrice = MakeFan(50000);
+  interlume::TetrahedraMesh thrice = MakeFan(50000);
   const std::vector<std::uint32_t> once = thrice.Corners;
   thrice.Corners.insert(thrice.Corners.end(), once.begin(), once.end());
   thrice.Corners.insert(thrice.Corners.end(), once.begin(), once.end());

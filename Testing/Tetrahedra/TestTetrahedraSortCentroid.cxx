@@ -3,8 +3,8 @@
 #include "Reference/Tetrahedra/ReferenceSightlines.h"
 #include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
-#include "vtkCentroidOrder.h"
-#include "vtkRadixOrder.h"
+#include "Order/CentroidOrder.h"
+#include "Order/RadixOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ std::vector<std::uint32_t> SortStably(const std::vector<Key>& keys)
 void CheckRadix(Check& check)
 {
   std::mt19937 random(7);
-  vtkRadixOrder radix;
+  interlume::RadixOrder radix;
   for (const std::uint32_t number : { 0u, 1u, 2u, 1000u, 16384u, 300000u, 17u })
   {
     // Few different keys, one digit, two, all bits; from 0 on and from elsewhere.
@@ -56,15 +56,16 @@ void CheckFloatKeys(Check& check)
     std::numeric_limits<float>::max(), std::numeric_limits<float>::infinity() };
   for (std::size_t i = 1; i < values.size(); ++i)
   {
-    check.That(vtkRadixOrder::MakeKey(values[i - 1]) < vtkRadixOrder::MakeKey(values[i]),
+    check.That(
+      interlume::RadixOrder::MakeKey(values[i - 1]) < interlume::RadixOrder::MakeKey(values[i]),
       "keys sort as floats do");
   }
-  check.That(
-    vtkRadixOrder::MakeKey(-0.0f) == vtkRadixOrder::MakeKey(0.0f), "0 and -0 have the same key");
+  check.That(interlume::RadixOrder::MakeKey(-0.0f) == interlume::RadixOrder::MakeKey(0.0f),
+    "0 and -0 have the same key");
 }
 
 // The sum of corners, less four times the eye: squared, and along the direction.
-std::vector<double> Measure(const vtkTetrahedraMesh& mesh, const vtkViewpoint& view)
+std::vector<double> Measure(const interlume::TetrahedraMesh& mesh, const interlume::Viewpoint& view)
 {
   std::vector<double> measures;
   for (std::uint32_t t = 0; t < mesh.GetNumberOfTetrahedra(); ++t)
@@ -90,12 +91,12 @@ void CheckLattice(Check& check)
 {
   CubeMesh form;
   form.Cubes = 16;
-  const vtkTetrahedraMesh mesh = Shuffle(MakeCubes(form), 3);
-  vtkCentroidOrder centroids;
+  const interlume::TetrahedraMesh mesh = Shuffle(MakeCubes(form), 3);
+  interlume::CentroidOrder centroids;
   std::vector<std::uint32_t> order;
   for (const bool isParallel : { false, true })
   {
-    vtkViewpoint view;
+    interlume::Viewpoint view;
     view.IsParallel = isParallel;
     view.Direction = { { 0.5, -0.25, 0.75 } };
     for (const double distance : { 0.0, 0.125, 1.0, 8.0 })
@@ -115,12 +116,12 @@ void CheckPrecision(Check& check)
   CubeMesh form;
   form.Cubes = 12;
   form.Jitter = 0.2;
-  const vtkTetrahedraMesh mesh = MakeCubes(form);
-  vtkCentroidOrder centroids;
+  const interlume::TetrahedraMesh mesh = MakeCubes(form);
+  interlume::CentroidOrder centroids;
   std::vector<std::uint32_t> order;
   for (const double distance : { 0.001, 0.3, 0.9, 2.0, 1e3, 1e6 })
   {
-    vtkViewpoint view;
+    interlume::Viewpoint view;
     view.Eye = { { 0.6 * distance, 0.0, 0.8 * distance } };
     centroids.Compute(mesh, view, order);
     check.That(
@@ -139,13 +140,13 @@ void CheckPrecision(Check& check)
 
 void CheckSmall(Check& check)
 {
-  vtkCentroidOrder centroids;
+  interlume::CentroidOrder centroids;
   std::vector<std::uint32_t> order(5);
-  centroids.Compute(vtkTetrahedraMesh(), vtkViewpoint(), order);
+  centroids.Compute(interlume::TetrahedraMesh(), interlume::Viewpoint(), order);
   check.That(order.empty(), "nothing of an empty mesh");
-  vtkTetrahedraMesh mesh;
+  interlume::TetrahedraMesh mesh;
   Append(mesh, { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } });
-  centroids.Compute(mesh, vtkViewpoint(), order);
+  centroids.Compute(mesh, interlume::Viewpoint(), order);
   check.That(order == std::vector<std::uint32_t>{ 0 }, "one tetrahedron");
   check.That(centroids.GetBytes() > 0, "bytes are counted");
 }

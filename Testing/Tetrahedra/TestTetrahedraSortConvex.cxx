@@ -3,7 +3,7 @@
 #include "Reference/Tetrahedra/ReferenceSightlines.h"
 #include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
-#include "vtkVisibilityOrder.h"
+#include "Order/VisibilityOrder.h"
 
 #include <iostream>
 
@@ -20,11 +20,11 @@ struct Tally
   long long Pairs = 0;
 };
 
-void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name, int lines, bool mayBeCyclic,
-  Tally& tally, Check& check)
+void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name, int lines,
+  bool mayBeCyclic, Tally& tally, Check& check)
 {
   const Sightlines sightlines(mesh);
-  vtkVisibilityOrder visibility;
+  interlume::VisibilityOrder visibility;
   check.That(visibility.Build(mesh), "built");
   std::vector<std::uint32_t> order;
   std::vector<std::uint32_t> orderOfFaces;
@@ -50,7 +50,7 @@ void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name, int lines
     tally.Pairs += errors.Pairs;
 
     // Shared faces alone are enough, and give the same.
-    vtkViewRays facesOnly = view.Rays;
+    interlume::ViewRays facesOnly = view.Rays;
     facesOnly.Width = 0;
     visibility.Compute(mesh, facesOnly, orderOfFaces);
     check.That(order == orderOfFaces, "the same without a picture");
@@ -86,7 +86,7 @@ int TestTetrahedraSortConvex(int, char*[])
   for (unsigned int seed = 1; seed <= 6; ++seed)
   {
     form.Pieces = seed % 2 ? 5 : 6;
-    vtkTetrahedraMesh mesh = MakeCubes(form);
+    interlume::TetrahedraMesh mesh = MakeCubes(form);
     Distort(mesh, 0.02 * seed, 10, seed);
     CheckMesh(mesh, "distorted, " + std::to_string(seed), 100, true, tally, check);
   }

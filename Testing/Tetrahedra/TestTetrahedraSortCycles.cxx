@@ -3,7 +3,7 @@
 #include "Reference/Tetrahedra/ReferenceSightlines.h"
 #include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
-#include "vtkVisibilityOrder.h"
+#include "Order/VisibilityOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,19 +47,19 @@ std::array<Point, 4> MakeLid(double z)
 
 void CheckSticks(Check& check)
 {
-  vtkTetrahedraMesh mesh;
+  interlume::TetrahedraMesh mesh;
   Append(mesh, MakeStick(0));
   const std::uint32_t behind = Append(mesh, MakeLid(-0.4));
   Append(mesh, MakeStick(1));
   const std::uint32_t before = Append(mesh, MakeLid(0.4));
   Append(mesh, MakeStick(2));
-  vtkVisibilityOrder visibility;
+  interlume::VisibilityOrder visibility;
   visibility.Build(mesh);
   std::vector<std::uint32_t> order;
   for (const bool isParallel : { false, true })
   {
     check.SetContext(isParallel ? "sticks in parallel" : "sticks in perspective");
-    vtkViewRays rays =
+    interlume::ViewRays rays =
       LookAt({ { 0.0, 0.0, 4.0 } }, { { 0.0, 0.0, 0.0 } }, isParallel ? 1.0 : 0.3, 400, isParallel);
     visibility.Compute(mesh, rays, order);
     check.Equal(visibility.GetNumberOfTetrahedraInCycles(), 3, "tetrahedra in cycles");
@@ -85,7 +85,8 @@ void CheckSticks(Check& check)
 }
 
 // Relations over shared faces: for each tetrahedron those in front of it.
-std::vector<std::vector<std::uint32_t>> Relate(const vtkTetrahedraMesh& mesh, const Point& eye)
+std::vector<std::vector<std::uint32_t>> Relate(
+  const interlume::TetrahedraMesh& mesh, const Point& eye)
 {
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> faces;
   std::vector<std::vector<std::uint32_t>> inFront(mesh.GetNumberOfTetrahedra());
@@ -199,16 +200,16 @@ void CheckDistorted(Check& check)
   long long found = 0;
   for (unsigned int seed = 1; seed <= 12; ++seed)
   {
-    vtkTetrahedraMesh mesh = MakeCubes(form);
+    interlume::TetrahedraMesh mesh = MakeCubes(form);
     Distort(mesh, 0.15, 20, seed);
-    vtkVisibilityOrder visibility;
+    interlume::VisibilityOrder visibility;
     visibility.Build(mesh);
     std::vector<std::uint32_t> order;
     for (const Point& eye :
       { Point{ { 1.3, 1.1, 1.7 } }, Point{ { -0.8, 0.3, 0.2 } }, Point{ { 0.01, 0.02, 0.03 } } })
     {
       check.SetContext("distorted, seed " + std::to_string(seed));
-      vtkViewRays rays;
+      interlume::ViewRays rays;
       rays.Viewpoint.Eye = eye;
       visibility.Compute(mesh, rays, order);
       const auto inFront = Relate(mesh, eye);

@@ -4,7 +4,7 @@
 #include "Reference/Tetrahedra/ReferenceSightlines.h"
 #include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
-#include "vtkVisibilityOrder.h"
+#include "Order/VisibilityOrder.h"
 
 #include <algorithm>
 
@@ -18,9 +18,10 @@ const std::array<Point, 4> Corner = { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0,
   { { 0, 0, 1 } } } };
 
 // An order of a mesh without cycles, right along all lines of sight that are tried.
-void CheckOrder(const vtkTetrahedraMesh& mesh, const vtkViewRays& rays, Check& check)
+void CheckOrder(
+  const interlume::TetrahedraMesh& mesh, const interlume::ViewRays& rays, Check& check)
 {
-  vtkVisibilityOrder visibility;
+  interlume::VisibilityOrder visibility;
   visibility.Build(mesh);
   std::vector<std::uint32_t> order;
   visibility.Compute(mesh, rays, order);
@@ -42,13 +43,13 @@ void CheckEyes(Check& check)
   for (const int pieces : { 5, 6 })
   {
     form.Pieces = pieces;
-    const vtkTetrahedraMesh whole = MakeCubes(form);
-    const vtkTetrahedraMesh separate = Separate(whole);
+    const interlume::TetrahedraMesh whole = MakeCubes(form);
+    const interlume::TetrahedraMesh separate = Separate(whole);
     for (const Point& eye : eyes)
     {
       for (const int pixels : { 64, 65 })
       {
-        const vtkViewRays rays = LookAt(eye, { { -0.5, -0.5, -0.5 } }, 1.0, pixels, false);
+        const interlume::ViewRays rays = LookAt(eye, { { -0.5, -0.5, -0.5 } }, 1.0, pixels, false);
         check.SetContext("eye at " + std::to_string(eye[0]) + ", " + std::to_string(eye[1]) + ", " +
           std::to_string(eye[2]) + ", " + std::to_string(pieces) + " of a cube");
         CheckOrder(whole, rays, check);
@@ -63,7 +64,7 @@ void CheckEyes(Check& check)
     for (const Point& direction :
       { Point{ { 1, 0, 0 } }, Point{ { 1, 1, 0 } }, Point{ { 1, 1, 1 } }, Point{ { -1, 2, 0 } } })
     {
-      const vtkViewRays rays = LookAt({ { 0, 0, 0 } }, direction, 0.9, 64, true);
+      const interlume::ViewRays rays = LookAt({ { 0, 0, 0 } }, direction, 0.9, 64, true);
       check.SetContext("parallel along " + std::to_string(direction[0]) + ", " +
         std::to_string(direction[1]) + ", " + std::to_string(direction[2]));
       CheckOrder(whole, rays, check);
@@ -77,7 +78,7 @@ void CheckTurned(Check& check)
 {
   CubeMesh form;
   form.Cubes = 8;
-  vtkTetrahedraMesh mesh = MakeCubes(form);
+  interlume::TetrahedraMesh mesh = MakeCubes(form);
   // Rows of a rotation, far from any multiple of 2^-k.
   const double turn[3][3] = { { 0.36, 0.48, -0.8 }, { -0.8, 0.6, 0.0 }, { 0.48, 0.64, 0.6 } };
   const auto rotate = [&](const Point& p)
@@ -106,10 +107,11 @@ void CheckTurned(Check& check)
 
 void CheckSmall(Check& check)
 {
-  vtkVisibilityOrder visibility;
+  interlume::VisibilityOrder visibility;
   std::vector<std::uint32_t> order(3);
-  const vtkViewRays rays = LookAt({ { 0.2, 0.2, 5.0 } }, { { 0.2, 0.2, 0.0 } }, 0.3, 50, false);
-  vtkTetrahedraMesh mesh;
+  const interlume::ViewRays rays =
+    LookAt({ { 0.2, 0.2, 5.0 } }, { { 0.2, 0.2, 0.0 } }, 0.3, 50, false);
+  interlume::TetrahedraMesh mesh;
   check.SetContext("empty");
   check.That(visibility.Build(mesh), "built");
   visibility.Compute(mesh, rays, order);
@@ -121,7 +123,7 @@ void CheckSmall(Check& check)
   check.That(order == std::vector<std::uint32_t>{ 0 }, "one tetrahedron");
 
   // Three axes in a plane give no picture, and no pixels give none.
-  vtkViewRays flat = rays;
+  interlume::ViewRays flat = rays;
   flat.Up = flat.Right;
   visibility.Compute(mesh, flat, order);
   check.That(order == std::vector<std::uint32_t>{ 0 }, "a picture without area");
@@ -133,10 +135,10 @@ void CheckBroken(Check& check)
 {
   CubeMesh form;
   form.Cubes = 4;
-  const vtkTetrahedraMesh cubes = MakeCubes(form);
-  std::vector<std::pair<std::string, vtkTetrahedraMesh>> meshes;
+  const interlume::TetrahedraMesh cubes = MakeCubes(form);
+  std::vector<std::pair<std::string, interlume::TetrahedraMesh>> meshes;
 
-  vtkTetrahedraMesh mesh = cubes;
+  interlume::TetrahedraMesh mesh = cubes;
   mesh.Corners.insert(mesh.Corners.end(), cubes.Corners.begin(), cubes.Corners.begin() + 120);
   meshes.emplace_back("tetrahedra that are there twice", mesh);
 
@@ -160,7 +162,7 @@ void CheckBroken(Check& check)
 
   for (const auto& broken : meshes)
   {
-    vtkVisibilityOrder visibility;
+    interlume::VisibilityOrder visibility;
     visibility.Build(broken.second);
     for (const View& view : GetViews(60, { { 0.3, 0.2, 0.1 } }))
     {
@@ -177,7 +179,7 @@ void CheckBroken(Check& check)
 void CheckTwins(Check& check)
 {
   check.SetContext("two alike among others");
-  vtkTetrahedraMesh mesh;
+  interlume::TetrahedraMesh mesh;
   const auto append = [&](double z)
   {
     std::array<Point, 4> corners = Corner;
@@ -194,7 +196,7 @@ void CheckTwins(Check& check)
   }
   const std::uint32_t back = append(-2.0);
   const std::uint32_t front = append(2.0);
-  vtkVisibilityOrder visibility;
+  interlume::VisibilityOrder visibility;
   visibility.Build(mesh);
   std::vector<std::uint32_t> order;
   visibility.Compute(

@@ -4,7 +4,7 @@
 #include "Reference/Tetrahedra/ReferenceSightlines.h"
 #include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
-#include "vtkVisibilityOrder.h"
+#include "Order/VisibilityOrder.h"
 
 #include <iostream>
 
@@ -24,11 +24,11 @@ struct Tally
   long long WrongByFacesAlone = 0;
 };
 
-void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name,
+void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name,
   const std::array<double, 3>& hole, int lines, bool mayBeCyclic, Tally& tally, Check& check)
 {
   const Sightlines sightlines(mesh);
-  vtkVisibilityOrder visibility;
+  interlume::VisibilityOrder visibility;
   check.That(visibility.Build(mesh), "built");
   std::vector<std::uint32_t> order;
   for (const View& view : GetViews(160, hole))
@@ -51,7 +51,7 @@ void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name,
     tally.RandomPairs += errors.Pairs;
     tally.RandomWrong += errors.Wrong;
 
-    vtkViewRays facesOnly = view.Rays;
+    interlume::ViewRays facesOnly = view.Rays;
     facesOnly.Height = 0;
     visibility.Compute(mesh, facesOnly, order);
     check.Equal(visibility.GetNumberOfGapRelations(), 0, "relations without a picture");
@@ -60,16 +60,16 @@ void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name,
 }
 
 // Two slabs that touch, cut differently: no point of one is a point of the other.
-vtkTetrahedraMesh MakeTouchingSlabs()
+interlume::TetrahedraMesh MakeTouchingSlabs()
 {
   CubeMesh form;
   form.Cubes = 8;
   form.IsIn = [](const std::array<double, 3>& p) { return p[2] < 0.0; };
-  vtkTetrahedraMesh mesh = MakeCubes(form);
+  interlume::TetrahedraMesh mesh = MakeCubes(form);
   form.Cubes = 10;
   form.Pieces = 5;
   form.IsIn = [](const std::array<double, 3>& p) { return p[2] > 0.0; };
-  const vtkTetrahedraMesh other = MakeCubes(form);
+  const interlume::TetrahedraMesh other = MakeCubes(form);
   const std::uint32_t points = static_cast<std::uint32_t>(mesh.Points.size() / 3);
   mesh.Points.insert(mesh.Points.end(), other.Points.begin(), other.Points.end());
   for (const std::uint32_t corner : other.Corners)
@@ -101,7 +101,7 @@ int TestTetrahedraSortGaps(int, char*[])
   form.Pieces = 6;
   form.Cubes = 30;
   form.IsIn = GetShapes()[0].IsIn;
-  const vtkTetrahedraMesh large = MakeCubes(form);
+  const interlume::TetrahedraMesh large = MakeCubes(form);
   CheckMesh(large, std::to_string(large.GetNumberOfTetrahedra()) + " tetrahedra",
     GetShapes()[0].Hole, 30, false, tally, check);
 

@@ -3,9 +3,9 @@
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Tetrahedra/ReferenceSightlines.h"
 
-#include "vtkFaceRaster.h"
-#include "vtkPictureProjection.h"
-#include "vtkSightline.h"
+#include "Order/FaceRaster.h"
+#include "View/FrameProjection.h"
+#include "Order/Sightline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,16 +15,16 @@ namespace
 {
 
 using namespace reference;
-using Event = vtkSightline::Event;
-using Relation = vtkSightline::Relation;
+using Event = interlume::Sightline::Event;
+using Relation = interlume::Sightline::Relation;
 
 // Triangles that cover a square, with corners, edges and diagonals through pixel centres.
-void CheckCover(const vtkViewRays& rays, const std::string& name, Check& check)
+void CheckCover(const interlume::ViewRays& rays, const std::string& name, Check& check)
 {
   check.SetContext(name);
   constexpr int n = 8;
   constexpr double depth = 3.0;
-  const vtkPictureProjection projection(rays);
+  const interlume::FrameProjection projection(rays);
   check.That(projection.IsValid(), "a picture");
   std::vector<int> visits(static_cast<std::size_t>(rays.Width) * rays.Height, 0);
   int fronts = 0;
@@ -33,7 +33,7 @@ void CheckCover(const vtkViewRays& rays, const std::string& name, Check& check)
   const auto draw = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c)
   {
     const std::array<std::uint32_t, 3> ids = { { a, b, c } };
-    std::array<vtkTriple, 3> corners;
+    std::array<interlume::Triple, 3> corners;
     for (int i = 0; i < 3; ++i)
     {
       // A lattice over the picture, through the centres of pixels 2, 6, 10 ...
@@ -44,7 +44,7 @@ void CheckCover(const vtkViewRays& rays, const std::string& name, Check& check)
       const double scale = projection.IsParallel() ? 1.0 : depth;
       corners[i] = { { x * scale, y * scale, depth } };
     }
-    const vtkFaceRaster raster(projection, corners, ids);
+    const interlume::FaceRaster raster(projection, corners, ids);
     for (int row = raster.GetRows().First; row <= raster.GetRows().Last; ++row)
     {
       raster.VisitRow(row,
@@ -85,7 +85,7 @@ void CheckRaster(Check& check)
 {
   for (const bool isParallel : { false, true })
   {
-    vtkViewRays rays = LookAt({ { 0, 0, 0 } }, { { 0, 0, -1 } }, 1.0, 64, isParallel);
+    interlume::ViewRays rays = LookAt({ { 0, 0, 0 } }, { { 0, 0, -1 } }, 1.0, 64, isParallel);
     const std::string name = isParallel ? "parallel" : "perspective";
     CheckCover(rays, name, check);
     rays.Width = 37;
@@ -95,11 +95,12 @@ void CheckRaster(Check& check)
   }
 
   check.SetContext("through the eye's plane");
-  const vtkPictureProjection projection(LookAt({ { 0, 0, 0 } }, { { 0, 0, -1 } }, 1.0, 40, false));
+  const interlume::FrameProjection projection(
+    LookAt({ { 0, 0, 0 } }, { { 0, 0, -1 } }, 1.0, 40, false));
   int visits = 0;
   double least = 1.0;
   // A floor half a unit below the eye, from far behind it to far before it: half of the picture.
-  const vtkFaceRaster floor(projection,
+  const interlume::FaceRaster floor(projection,
     { { { { 0.0, -0.5, -1e4 } }, { { 1e5, -0.5, 1e4 } }, { { -1e5, -0.5, 1e4 } } } },
     { { 5, 3, 4 } });
   for (int row = floor.GetRows().First; row <= floor.GetRows().Last; ++row)
@@ -132,7 +133,7 @@ void Expect(std::vector<Event> events, const std::vector<Relation>& expected,
   {
     std::vector<Event> line = events;
     std::vector<Relation> found;
-    vtkSightline::Relate(line.data(), line.data() + line.size(), 1e-9, found);
+    interlume::Sightline::Relate(line.data(), line.data() + line.size(), 1e-9, found);
     std::sort(found.begin(), found.end());
     check.That(found == expected, what);
   } while (std::next_permutation(events.begin(), events.end()));
@@ -174,7 +175,7 @@ void CheckRelations(Check& check)
     }
   }
   std::vector<Relation> found;
-  vtkSightline::Relate(many.data(), many.data() + many.size(), 1e-9, found);
+  interlume::Sightline::Relate(many.data(), many.data() + many.size(), 1e-9, found);
   check.That(found == expected, "many gaps");
 }
 }

@@ -4,9 +4,9 @@
 #include "Reference/Tetrahedra/ReferenceSightlines.h"
 #include "Reference/Tetrahedra/ReferenceTetrahedra.h"
 
-#include "vtkCentroidOrder.h"
-#include "vtkFaceAdjacency.h"
-#include "vtkVisibilityOrder.h"
+#include "Order/CentroidOrder.h"
+#include "Order/FaceAdjacency.h"
+#include "Order/VisibilityOrder.h"
 
 #include <string>
 #include <vector>
@@ -30,11 +30,11 @@ struct Orders
   }
 };
 
-Orders ComputeAll(const vtkTetrahedraMesh& mesh)
+Orders ComputeAll(const interlume::TetrahedraMesh& mesh)
 {
   Orders all;
-  vtkCentroidOrder centroids;
-  vtkVisibilityOrder visibility;
+  interlume::CentroidOrder centroids;
+  interlume::VisibilityOrder visibility;
   visibility.Build(mesh);
   all.Twins = visibility.GetAdjacency().GetTwins();
   all.Boundary = visibility.GetAdjacency().GetBoundaryFaces();
@@ -51,7 +51,7 @@ Orders ComputeAll(const vtkTetrahedraMesh& mesh)
   return all;
 }
 
-void CheckMesh(const vtkTetrahedraMesh& mesh, const std::string& name, Check& check)
+void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name, Check& check)
 {
   CheckSame(
     name, [&mesh]() { return ComputeAll(mesh); }, check);
@@ -68,7 +68,7 @@ int TestTetrahedraSortThreads(int, char*[])
   // Cycles, and as many open faces as there can be.
   form.Cubes = 8;
   form.Pieces = 5;
-  vtkTetrahedraMesh mesh = MakeCubes(form);
+  interlume::TetrahedraMesh mesh = MakeCubes(form);
   Distort(mesh, 0.1, 20, 1);
   CheckMesh(mesh, "distorted", check);
   CheckMesh(Separate(mesh), "no shared points", check);

@@ -13,7 +13,7 @@ const char* GetName(const std::vector<const char*>& names, int mode)
   return names.at(static_cast<std::size_t>(mode));
 }
 
-nlohmann::json ToJson(const vtkTetrahedraRenderReport& volume)
+nlohmann::json ToJson(const vtkTetrahedraReport& volume)
 {
   return { { "path", GetName({ "opengl", "software" }, volume.RenderPath) },
     { "blend",
@@ -50,7 +50,7 @@ nlohmann::json ToJson(const vtkShadowedSliceReport& volume)
 }
 }
 
-void SceneReport::AddVolume(const vtkTetrahedraRenderReport& volume)
+void SceneReport::AddVolume(const vtkTetrahedraReport& volume)
 {
   this->Features.insert("volumes");
   this->Passes += volume.Passes;
@@ -76,7 +76,7 @@ nlohmann::json ToJson(const SceneReport& report)
 {
   const vtkExtractionReport& extraction = report.Extraction;
   nlohmann::json volumes = nlohmann::json::array();
-  for (const vtkTetrahedraRenderReport& volume : report.Volumes)
+  for (const vtkTetrahedraReport& volume : report.Volumes)
   {
     volumes.push_back(ToJson(volume));
   }

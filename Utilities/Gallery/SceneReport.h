@@ -3,7 +3,7 @@
 
 #include "vtkExtractionReport.h"
 #include "vtkShadowedSliceReport.h"
-#include "vtkTetrahedraRenderReport.h"
+#include "vtkTetrahedraReport.h"
 #include "vtkType.h"
 
 #include <set>
@@ -67,10 +67,10 @@ struct SceneReport
   int Buffers = 0;
   vtkIdType Bytes = 0;
   /// What each volume took; its passes, buffers and bytes are in the sums above.
-  std::vector<vtkTetrahedraRenderReport> Volumes;
+  std::vector<vtkTetrahedraReport> Volumes;
   std::vector<vtkShadowedSliceReport> SlicedVolumes;
 
-  void AddVolume(const vtkTetrahedraRenderReport& volume);
+  void AddVolume(const vtkTetrahedraReport& volume);
   void AddVolume(const vtkShadowedSliceReport& volume);
 };
 

@@ -105,7 +105,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(
 {
   filter->SetInputConnection(source->GetOutputPort());
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = this->Run(filter);
-  const vtkSpaceTimeReport& report = filter->GetReport();
+  const vtkTimeVaryingReport& report = filter->GetReport();
   this->Report.Intervals += filter->GetNumberOfIntervals();
   this->Report.Slabs = std::max(this->Report.Slabs, report.Slabs);
   this->Report.Simplices += report.Simplices;

@@ -1,7 +1,7 @@
 #ifndef TestWindow_h
 #define TestWindow_h
 
-#include "vtkOpenGLFunctions.h"
+#include "Loader/OpenGLFunctions.h"
 
 #include "vtkOpenGLRenderWindow.h"
 

@@ -1,7 +1,7 @@
 // Runs TetGen for vtkTetrahedralMesher: reads problems from the socket at standard input and
 // answers there until it is closed. TetGen may stop, crash or never end; then only this program
 // does.
-#include "vtkTetGenChannel.h"
+#include "TetGen/TetGenChannel.h"
 
 #include <tetgen.h>
 
@@ -57,7 +57,7 @@ void AddFacets(const std::vector<int>& triangles, const std::vector<int>& marker
   }
 }
 
-vtkTetGenSolution Solve(const vtkTetGenProblem& problem)
+interlume::TetGenSolution Solve(const interlume::TetGenProblem& problem)
 {
   tetgenio input;
   tetgenio output;
@@ -82,7 +82,7 @@ vtkTetGenSolution Solve(const vtkTetGenProblem& problem)
   std::string switches = problem.Switches + SwitchesOfVersion;
   tetrahedralize(&switches[0], &input, &output);
 
-  vtkTetGenSolution solution;
+  interlume::TetGenSolution solution;
   solution.Points = ListOf(output.pointlist, output.numberofpoints, 3);
   solution.Tetrahedra = ListOf(output.tetrahedronlist, output.numberoftetrahedra, 4);
   solution.Neighbors = ListOf(output.neighborlist, output.numberoftetrahedra, 4);
@@ -102,11 +102,11 @@ int main()
   std::filesystem::current_path(std::filesystem::temp_directory_path(ignored), ignored);
   // What TetGen has printed is to be in the file when it crashes.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-  vtkTetGenChannel channel(STDIN_FILENO);
-  vtkTetGenProblem problem;
+  interlume::TetGenChannel channel(STDIN_FILENO);
+  interlume::TetGenProblem problem;
   while (channel.Receive(problem))
   {
-    vtkTetGenSolution solution;
+    interlume::TetGenSolution solution;
     try
     {
       solution = Solve(problem);

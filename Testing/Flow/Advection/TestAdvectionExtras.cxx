@@ -39,8 +39,8 @@ Flow WithArrays(Flow flow)
   return flow;
 }
 
-std::vector<vtkAdvectionResult> AdvectInAll(
-  const Flow& flow, const vtkAdvectionOptions& options, const Place& start)
+std::vector<interlume::AdvectionResult> AdvectInAll(
+  const Flow& flow, const interlume::AdvectionOptions& options, const Place& start)
 {
   return { Advect(SpaceWalker(flow), options, start),
     Advect(LatticeWalker<>(flow, Cells), options, start) };

@@ -3,11 +3,11 @@
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Flow/ReferenceAdvection.h"
 
-#include "vtkAdvectionRate.h"
-#include "vtkDormandPrinceStep.h"
+#include "Advection/AdvectionRate.h"
+#include "Advection/DormandPrinceStep.h"
 #include "vtkImplicitFlowField.h" // for the integrators
-#include "vtkRosenbrockStep.h"
-#include "vtkRungeKutta4Step.h"
+#include "Advection/RosenbrockStep.h"
+#include "Advection/RungeKutta4Step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +37,8 @@ enum Walkers
 };
 const char* const WalkerNames[NumberOfWalkers] = { "space", "cubes", "curved cubes" };
 
-vtkAdvectionResult AdvectIn(
-  int walker, const Flow& flow, const Lattice& lattice, const vtkAdvectionOptions& options, Place x)
+interlume::AdvectionResult AdvectIn(int walker, const Flow& flow, const Lattice& lattice,
+  const interlume::AdvectionOptions& options, Place x)
 {
   switch (walker)
   {
@@ -151,13 +151,13 @@ void TestStep(Check& check, const char* name, double endOrder, double denseOrder
     double sums[3] = {};
     for (const Place& start : RandomPlaces(20, { 0, 0, 0 }, { 6, 6, 6 }))
     {
-      vtkAdvectionRate<SpaceWalker> rate(walker, false);
+      interlume::AdvectionRate<SpaceWalker> rate(walker, false);
       double first[3];
       rate(start.data(), first);
       Method method;
       check.That(method.Take(rate, start.data(), first, h), "a step");
       sums[0] += std::pow(Distance(method.End, flow.Follow(start, h)), 2.0);
-      vtkDenseOutput dense;
+      interlume::DenseOutput dense;
       method.GetDenseOutput(dense);
       for (double theta : { 0.2, 0.45, 0.6, 0.85 })
       {
@@ -165,7 +165,7 @@ void TestStep(Check& check, const char* name, double endOrder, double denseOrder
         dense.GetPoint(theta, p);
         sums[1] += std::pow(Distance(p, flow.Follow(start, theta * h)), 2.0);
       }
-      sums[2] += std::pow(vtkAdvectionVector::Length(method.Error), 2.0);
+      sums[2] += std::pow(interlume::AdvectionVector::Length(method.Error), 2.0);
       double p[3];
       dense.GetPoint(1.0, p);
       check.That(Distance(p, { method.End[0], method.End[1], method.End[2] }) <= 1e-14,
@@ -210,7 +210,7 @@ void TestSlopes(Check& check)
           double squares = 0.0;
           for (std::size_t i = 0; i < ends.size(); ++i)
           {
-            const vtkAdvectionResult result =
+            const interlume::AdvectionResult result =
               AdvectIn(walker, scene.Field, Cells, options, scene.Starts[i]);
             check.Equal(result.Status, vtkFlowStatus::OUT_OF_TIME, scene.Name);
             check.That(result.StiffSteps ==
@@ -252,7 +252,7 @@ void TestKinks(Check& check)
     options.MaximumError = 1e-13;
     for (const Place& start : starts)
     {
-      const vtkAdvectionResult result = AdvectIn(Cubes, flow, lattice, options, start);
+      const interlume::AdvectionResult result = AdvectIn(Cubes, flow, lattice, options, start);
       ends.push_back({ result.Position[0], result.Position[1], result.Position[2] });
     }
     options.Integrator = method.Integrator;
@@ -265,7 +265,8 @@ void TestKinks(Check& check)
       double squares = 0.0;
       for (std::size_t i = 0; i < ends.size(); ++i)
       {
-        const vtkAdvectionResult result = AdvectIn(Cubes, flow, lattice, options, starts[i]);
+        const interlume::AdvectionResult result =
+          AdvectIn(Cubes, flow, lattice, options, starts[i]);
         number += NumberOfSteps(result);
         squares += std::pow(Distance(result.Position, ends[i]), 2.0);
       }
@@ -317,7 +318,8 @@ void TestTolerance(Check& check)
       int answers = 0;
       for (const Place& start : RandomPlaces(700, one.Low, one.High))
       {
-        const vtkAdvectionResult result = AdvectIn(walker, one.Field, Cells, options, start);
+        const interlume::AdvectionResult result =
+          AdvectIn(walker, one.Field, Cells, options, start);
         if (result.Status != vtkFlowStatus::REACHED_SURFACE || answers == 500)
         {
           continue;
@@ -350,9 +352,9 @@ void TestTolerance(Check& check)
 int TestAdvectionOrder(int, char*[])
 {
   Check check;
-  TestStep<vtkDormandPrinceStep>(check, "Dormand and Prince", 6.0, 5.0);
-  TestStep<vtkRungeKutta4Step>(check, "Runge-Kutta 4", 5.0, 5.0);
-  TestStep<vtkRosenbrockStep>(check, "Rosenbrock", 5.0, 4.0);
+  TestStep<interlume::DormandPrinceStep>(check, "Dormand and Prince", 6.0, 5.0);
+  TestStep<interlume::RungeKutta4Step>(check, "Runge-Kutta 4", 5.0, 5.0);
+  TestStep<interlume::RosenbrockStep>(check, "Rosenbrock", 5.0, 4.0);
   TestSlopes(check);
   TestKinks(check);
   TestTolerance(check);

@@ -3,7 +3,7 @@
 #include "Reference/Flow/ReferenceAdvection.h"
 
 #include "vtkFlowIntegrator.h"
-#include "vtkAdvection.h"
+#include "Advection/Advection.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ void TestLeaving(Check& check)
   check.Equal(left.Cells, 6, "cells entered");
   // A cell that is missing.
   lattice.IsCell = [](const auto& cell) { return cell[0] != 2; };
-  vtkAdvectionOptions options = ForwardOptions();
+  interlume::AdvectionOptions options = ForwardOptions();
   options.HasDomainFaces = true;
   left = Advect(LatticeWalker<>(flow, lattice), options, { 0.5, 0.5, 0.5 });
   check.Equal(left.Status, vtkFlowStatus::LEFT_DOMAIN, "a hole is no face of the domain");
@@ -73,7 +73,7 @@ void TestLeaving(Check& check)
 void TestEdges(Check& check)
 {
   Lattice lattice = Cubes(8);
-  vtkAdvectionOptions options = ForwardOptions();
+  interlume::AdvectionOptions options = ForwardOptions();
   options.MaximumTime = 50.0;
   for (const Place& velocity :
     { Place{ 1, 1, 1 }, Place{ 1, 1, 0 }, Place{ 1, 0, 0 }, Place{ 1, -1, 1 }, Place{ -1, -1, -1 },
@@ -139,7 +139,7 @@ void TestStagnation(Check& check)
   for (int integrator = vtkFlowIntegrator::AUTOMATIC; integrator <= vtkFlowIntegrator::ROSENBROCK;
        ++integrator)
   {
-    vtkAdvectionOptions options = ForwardOptions();
+    interlume::AdvectionOptions options = ForwardOptions();
     options.Integrator = integrator;
     options.MinimumSpeed = 1e-3;
     auto result = Advect(walker, options, { 0.3, 0.4, 0.6 });
@@ -158,7 +158,7 @@ void TestStagnation(Check& check)
     check.That(origin.Status == vtkFlowStatus::STAGNATED && NumberOfSteps(origin) < 1000,
       "a node at the origin: " + Describe(origin));
   }
-  vtkAdvectionOptions options = ForwardOptions();
+  interlume::AdvectionOptions options = ForwardOptions();
   const Flow zero = Flow::Uniform({ 0, 0, 0 });
   const auto still = Advect(LatticeWalker<>(zero, lattice), options, { 1, 2, 3 });
   check.That(still.Status == vtkFlowStatus::STAGNATED && still.Time == 0.0 &&
@@ -175,7 +175,7 @@ void TestLimits(Check& check)
   for (int integrator = vtkFlowIntegrator::AUTOMATIC; integrator <= vtkFlowIntegrator::ROSENBROCK;
        ++integrator)
   {
-    vtkAdvectionOptions options = ForwardOptions();
+    interlume::AdvectionOptions options = ForwardOptions();
     options.Integrator = integrator;
     options.MaximumError = 1e-9;
     for (double time : { 0.1, 1.0 / 3.0, 2.0, 7.7 })
@@ -208,7 +208,7 @@ void TestNotFinite(Check& check)
   const Flow flow = Flow::Uniform({ 1, 0, 0 });
   Lattice lattice = Cubes(4);
   lattice.IsFinite = [](const auto& cell) { return cell[0] != 2; };
-  vtkAdvectionOptions options = ForwardOptions();
+  interlume::AdvectionOptions options = ForwardOptions();
   auto result = Advect(LatticeWalker<>(flow, lattice), options, { 0.5, 0.5, 0.5 });
   check.Equal(result.Status, vtkFlowStatus::NOT_FINITE, "a cell that is not finite");
   check.Near(result.Time, 1.5, 1e-14, "time to there");
@@ -264,33 +264,36 @@ void TestRoots(Check& check)
       }
       powers = next;
     }
-    vtkDenseOutput dense;
+    interlume::DenseOutput dense;
     dense.Degree = static_cast<int>(powers.size()) - 1;
     for (std::size_t i = 0; i < powers.size(); ++i)
     {
       dense.Coefficients[i][0] = powers[i];
     }
-    double points[vtkDenseOutput::MaximumDegree + 1][3];
+    double points[interlume::DenseOutput::MaximumDegree + 1][3];
     dense.GetControlPoints(points);
     std::vector<double> bernstein;
     for (int i = 0; i <= dense.Degree; ++i)
     {
       bernstein.push_back(points[i][0]);
     }
-    return vtkBernsteinRoot::Find(bernstein.data(), dense.Degree);
+    return interlume::BernsteinRoot::Find(bernstein.data(), dense.Degree);
   };
   check.Near(product({ 0.3 }, 1.0), 0.3, 1e-15, "one root");
   check.Near(product({ 0.3, 0.301, 2.0, 3.0 }, 1.0), 0.3, 1e-12, "two roots close together");
-  check.Near(product({ 0.7, 0.2, 0.9, 1.5, -1.0 }, -1.0), vtkBernsteinRoot::None, 2.0, "any");
+  check.Near(
+    product({ 0.7, 0.2, 0.9, 1.5, -1.0 }, -1.0), interlume::BernsteinRoot::None, 2.0, "any");
   check.Near(product({ 0.2, 0.7, 0.9, 1.5, 2.0 }, 1.0), 0.2, 1e-13, "the first of three");
   check.Near(product({ 1e-9, 0.5 }, 1.0), 1e-9, 1e-15, "a root near the start", 1e-9);
   check.Near(product({ 0.999999, 3.0 }, 1.0), 0.999999, 1e-14, "a root near the end");
   check.That(product({ 1.001, 3.0 }, 1.0) > 1.0, "a root beyond the end");
   check.That(product({ -0.001, -3.0 }, 1.0) > 1.0, "roots before the start");
   const double above[3] = { 1.0, -0.1, 1.0 };
-  check.That(vtkBernsteinRoot::Find(above, 2) > 1.0, "a control point below 0, the curve above");
+  check.That(
+    interlume::BernsteinRoot::Find(above, 2) > 1.0, "a control point below 0, the curve above");
   const double dip[3] = { 1.0, -1.1, 1.0 };
-  check.Near(vtkBernsteinRoot::Find(dip, 2), (4.2 - std::sqrt(0.84)) / 8.4, 1e-14, "in and out");
+  check.Near(
+    interlume::BernsteinRoot::Find(dip, 2), (4.2 - std::sqrt(0.84)) / 8.4, 1e-14, "in and out");
   for (double power : { 1.0, 3.0, 9.0 })
   {
     int calls = 0;
@@ -299,18 +302,18 @@ void TestRoots(Check& check)
       ++calls;
       return std::pow(x, power) - 0.3;
     };
-    check.Near(vtkBracketedRoot::Find(function, 0.0, -0.3, 2.0, std::pow(2.0, power) - 0.3),
+    check.Near(interlume::BracketedRoot::Find(function, 0.0, -0.3, 2.0, std::pow(2.0, power) - 0.3),
       std::pow(0.3, 1.0 / power), 1e-14, "a root of a power");
     check.That(calls < 40, std::to_string(calls) + " evaluations");
   }
   auto jump = [](double x) { return x < 0.625 ? 1.0 : -2.0; };
-  check.Near(vtkBracketedRoot::Find(jump, 0.0, 1.0, 1.0, -2.0), 0.625, 1e-15, "a jump");
+  check.Near(interlume::BracketedRoot::Find(jump, 0.0, 1.0, 1.0, -2.0), 0.625, 1e-15, "a jump");
 }
 
 /// Fifteen steps at the edge of stability are stiff, six small ones are no more.
 void TestStiffness(Check& check)
 {
-  vtkStiffnessTest test;
+  interlume::StiffnessTest test;
   const auto add = [&test](int number, double stiffness)
   {
     for (int i = 0; i < number; ++i)
@@ -333,11 +336,11 @@ void TestReuse(Check& check)
   const Flow flow = Flow::Beltrami(1.0, 0.7, 0.43);
   const Lattice lattice = Cubes(6);
   const auto sphere = FormulaSurface::Sphere({ 3, 3, 3 }, 0.5);
-  vtkAdvectionOptions options = ForwardOptions();
+  interlume::AdvectionOptions options = ForwardOptions();
   options.Surfaces.push_back({ sphere, 4 });
   options.MaximumTime = 20.0;
-  vtkAdvection<LatticeWalker<>> advection(LatticeWalker<>(flow, lattice), options);
-  vtkAdvectionResult result;
+  interlume::Advection<LatticeWalker<>> advection(LatticeWalker<>(flow, lattice), options);
+  interlume::AdvectionResult result;
   for (int i = 0; i < 200; ++i)
   {
     const Place start = { 0.03 * i, 6.0 - 0.029 * i, 1.0 + 0.02 * i };

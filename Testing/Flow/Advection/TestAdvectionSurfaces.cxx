@@ -26,8 +26,8 @@ const Lattice Cells = []
   return lattice;
 }();
 
-std::vector<vtkAdvectionResult> AdvectInAll(
-  const Flow& flow, const vtkAdvectionOptions& options, const Place& start)
+std::vector<interlume::AdvectionResult> AdvectInAll(
+  const Flow& flow, const interlume::AdvectionOptions& options, const Place& start)
 {
   return { Advect(SpaceWalker(flow), options, start),
     Advect(LatticeWalker<>(flow, Cells), options, start),
@@ -42,8 +42,8 @@ struct Answer
   double Time;
 };
 
-void Expect(Check& check, const vtkAdvectionResult& result, const Answer& answer, double tolerance,
-  const std::string& what)
+void Expect(Check& check, const interlume::AdvectionResult& result, const Answer& answer,
+  double tolerance, const std::string& what)
 {
   check.Equal(result.Status, vtkFlowStatus::REACHED_SURFACE, what + ": " + Describe(result));
   check.Equal(result.Id, answer.Id, what + ", id");
@@ -215,7 +215,7 @@ void TestSmallSpheres(Check& check)
     hits += isHit;
     const double expected = isHit ? along - std::sqrt(radius * radius - away * away) : 0.0;
     const auto results = i % 2 == 0
-      ? std::vector<vtkAdvectionResult>{ Advect(SpaceWalker(flow), options, { 0, 0, 0 }) }
+      ? std::vector<interlume::AdvectionResult>{ Advect(SpaceWalker(flow), options, { 0, 0, 0 }) }
       : AdvectInAll(flow, options, { 0, 0, 0 });
     for (const auto& result : results)
     {
@@ -344,7 +344,7 @@ void TestBoundary(Check& check)
     return Advect(box, options, { 0, 0, 0 });
   };
   const Surface outside = FormulaSurface::Plane({ 1, 0, 0 }, 1.1, 1, 2);
-  const vtkAdvectionResult left = advect(outside, false);
+  const interlume::AdvectionResult left = advect(outside, false);
   check.Equal(left.Status, vtkFlowStatus::LEFT_DOMAIN, "a surface outside: " + Describe(left));
   check.That(left.Id == -1 && left.Parameters[0] == 0.0 && left.Parameters[1] == 0.0,
     "no id and no parameters");

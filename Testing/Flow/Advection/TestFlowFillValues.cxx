@@ -6,7 +6,7 @@
 
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"
-#include "vtkSpeedScale.h"
+#include "Fields/SpeedScale.h"
 #include "vtkTerminationInflow.h"
 #include "vtkTerminationPlane.h"
 
@@ -29,8 +29,8 @@ using namespace reference;
 void CheckScale(const std::string& name, int number, const std::function<double(int)>& speed,
   double scale, int fillValues, Check& check)
 {
-  vtkSpeedScale first;
-  vtkSpeedScale second;
+  interlume::SpeedScale first;
+  interlume::SpeedScale second;
   for (int i = 0; i < number; ++i)
   {
     (i % 3 == 0 ? first : second).Add(speed(i));

@@ -2,7 +2,7 @@
 // with points that come twice too, and links lead from corner to corner.
 #include "Reference/Checks/ReferenceCheck.h"
 
-#include "vtkFaceTurn.h"
+#include "Fields/FaceTurn.h"
 
 #include <algorithm>
 #include <string>
@@ -41,12 +41,14 @@ void CheckFace(Check& check, const Face& face, const std::string& name)
   for (const Face& one : turns)
   {
     Face ordered(face.size());
-    const vtkFaceTurn from = vtkFaceTurn::Order(one.data(), corners, ordered.data());
+    const interlume::FaceTurn from =
+      interlume::FaceTurn::Order(one.data(), corners, ordered.data());
     check.That(ordered == wanted, name + ": the smallest order");
     for (const Face& other : turns)
     {
-      const vtkFaceTurn to = vtkFaceTurn::Order(other.data(), corners, ordered.data());
-      const vtkFaceLinks::Link link = vtkFaceTurn::GetLink(from, to, 7);
+      const interlume::FaceTurn to =
+        interlume::FaceTurn::Order(other.data(), corners, ordered.data());
+      const interlume::FaceLinks::Link link = interlume::FaceTurn::GetLink(from, to, 7);
       check.Equal(link.Face, static_cast<vtkIdType>(7), name + ": the other face");
       for (int i = 0; i < corners; ++i)
       {

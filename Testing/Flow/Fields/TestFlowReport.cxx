@@ -2,7 +2,7 @@
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceProgress.h"
 
-#include "vtkAdvectionOptions.h"
+#include "Advection/AdvectionOptions.h"
 #include "vtkFlowReport.h"
 
 #include <sstream>
@@ -24,7 +24,7 @@ std::string Print(const vtkFlowReport& report)
 /// Two samples that reached a surface, one that did not, no two numbers alike.
 vtkFlowReport MakeReport()
 {
-  vtkAdvectionResult result;
+  interlume::AdvectionResult result;
   result.Status = vtkFlowStatus::REACHED_SURFACE;
   result.Id = 7;
   result.Steps = 11;
@@ -41,7 +41,7 @@ vtkFlowReport MakeReport()
   result.StiffSteps = 0;
   result.Nearness = 0.0;
   report.Add(result);
-  vtkAdvectionResult left;
+  interlume::AdvectionResult left;
   left.Status = vtkFlowStatus::LEFT_DOMAIN;
   report.Add(left);
   return report;

@@ -5,7 +5,7 @@
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkFlowDispatch.h"
+#include "Fields/FieldDispatch.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -106,7 +106,7 @@ void CheckDomainFaces(Check& check)
   check.SetContext("domain faces");
   auto image = MakeBox(4, 2, 3);
   auto vectors = AddRandomVectors(image, 5);
-  vtkFlowDispatch::Execute(image, vectors, {},
+  interlume::FieldDispatch::Execute(image, vectors, {},
     [&](auto walker)
     {
       const Vector x = { { 3.5, 0.25, 1.75 } };
@@ -163,7 +163,7 @@ void CheckBlanking(Check& check)
       return Vector{ { isHidden ? std::nan("") : 3.0, 0.0, isHidden ? 7.0 : 4.0 } };
     });
   points->BlankPoint(0);
-  vtkFlowDispatch::Execute(points, outlier, {},
+  interlume::FieldDispatch::Execute(points, outlier, {},
     [&](auto walker)
     {
       Vector p;
@@ -185,7 +185,7 @@ void CheckNonFinite(Check& check)
       return Vector{ { x[0] == 0.0 && x[1] == 0.0 && x[2] == 0.0 ? std::nan("") : 1e200,
         x[0] == 4.0 && x[1] == 4.0 && x[2] == 4.0 ? infinity : 1e200, 0.0 } };
     });
-  vtkFlowDispatch::Execute(image, vectors, {},
+  interlume::FieldDispatch::Execute(image, vectors, {},
     [&](auto walker)
     {
       check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 2, "vectors");
@@ -230,7 +230,7 @@ void CheckTypes(Check& check)
     }
     for (vtkDataArray* array : { vectors.Get(), static_cast<vtkDataArray*>(columns.Get()) })
     {
-      const std::string error = vtkFlowDispatch::Execute(image, array, { values },
+      const std::string error = interlume::FieldDispatch::Execute(image, array, { values },
         [&](auto walker)
         {
           const Vector x = { { 0.25, 1.5, 2.75 } };
@@ -260,7 +260,7 @@ void CheckLargeIntegers(Check& check)
       return Vector{ { 16777217.0, 0.0, 0.0 } };
     },
     VTK_INT);
-  vtkFlowDispatch::Execute(image, vectors, {},
+  interlume::FieldDispatch::Execute(image, vectors, {},
     [&](const auto& walker)
     { check.Equal(std::llround(walker.GetField().GetMaximumSpeed()), 16777217, "largest speed"); });
 }
@@ -272,8 +272,8 @@ void CheckErrors(Check& check)
                         const std::vector<vtkDataArray*>& arrays, const std::string& text)
   {
     bool isCalled = false;
-    const std::string error =
-      vtkFlowDispatch::Execute(data, vectors, arrays, [&](const auto&) { isCalled = true; });
+    const std::string error = interlume::FieldDispatch::Execute(
+      data, vectors, arrays, [&](const auto&) { isCalled = true; });
     check.That(!isCalled && error == text, "expected \"" + text + "\", found \"" + error + "\"");
   };
   for (int axis = 0; axis < 3; ++axis)

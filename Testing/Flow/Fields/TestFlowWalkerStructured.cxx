@@ -3,7 +3,7 @@
 #include "Reference/Checks/ReferenceExecution.h"
 #include "Reference/Flow/ReferenceWalker.h"
 
-#include "vtkFlowDispatch.h"
+#include "Fields/FieldDispatch.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -348,7 +348,8 @@ void CheckErrors(Check& check)
   check.SetContext("errors");
   auto grid = MakeStructuredGrid({ { 3, 3, 3 } });
   auto vectors = AddRandomVectors(grid, 1);
-  const auto find = [&] { return vtkFlowDispatch::Execute(grid, vectors, {}, [](const auto&) {}); };
+  const auto find = [&]
+  { return interlume::FieldDispatch::Execute(grid, vectors, {}, [](const auto&) {}); };
   grid->GetPoints()->SetPoint(63, 0.0, std::nan(""), 0.0);
   check.That(find() == "point 63 is not finite", find());
   grid->GetPoints()->SetNumberOfPoints(60);
@@ -361,7 +362,7 @@ void CheckErrors(Check& check)
 std::vector<double> FindAll(vtkDataSet* data, vtkDataArray* vectors)
 {
   std::vector<double> all(7 * data->GetNumberOfPoints());
-  vtkFlowDispatch::Execute(data, vectors, {},
+  interlume::FieldDispatch::Execute(data, vectors, {},
     [&](const auto& prototype)
     {
       vtkSMPTools::For(0, data->GetNumberOfPoints(), 7,

@@ -6,7 +6,7 @@
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkFlowDispatch.h"
+#include "Fields/FieldDispatch.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -241,7 +241,7 @@ void CheckArrays(Check& check)
     }
     Random random(37);
     const std::string error =
-      vtkFlowDispatch::Execute(mesh, vectors, { parts[0], parts[1], parts[2] },
+      interlume::FieldDispatch::Execute(mesh, vectors, { parts[0], parts[1], parts[2] },
         [&](auto walker)
         {
           for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
@@ -265,7 +265,7 @@ void CheckErrors(Check& check)
   const auto find = [](vtkUnstructuredGrid* mesh)
   {
     auto vectors = AddRandomVectors(mesh, 1);
-    return vtkFlowDispatch::Execute(mesh, vectors, {}, [](const auto&) {});
+    return interlume::FieldDispatch::Execute(mesh, vectors, {}, [](const auto&) {});
   };
   auto boxes = MakeMesh(MeshKind::Boxes, { { 2, 2, 2 } });
   check.That(find(boxes) ==
@@ -290,7 +290,7 @@ void CheckErrors(Check& check)
 std::vector<double> WalkAll(vtkUnstructuredGrid* mesh, vtkDataArray* vectors)
 {
   std::vector<double> all;
-  vtkFlowDispatch::Execute(mesh, vectors, {},
+  interlume::FieldDispatch::Execute(mesh, vectors, {},
     [&](const auto& walker)
     {
       Random random(41);

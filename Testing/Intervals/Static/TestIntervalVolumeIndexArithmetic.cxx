@@ -1,10 +1,10 @@
 // The index arithmetic of the extraction on grids with more than 2^31 points, where 32 bits would
 // wrap.
 
-#include "vtkCrossingKey.h"
+#include "Static/CrossingKey.h"
 #include "vtkIdList.h"
-#include "vtkRowIndex.h"
-#include "vtkSimplexList.h"
+#include "Grid/RowIndex.h"
+#include "Output/SimplexList.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -28,7 +28,7 @@ bool TestRows()
   for (int n = 2; n < 200; ++n)
   {
     const int dimensions[3] = { n, n + 1, 2000000000 };
-    const vtkRowIndex rows(dimensions);
+    const interlume::RowIndex rows(dimensions);
     for (std::int64_t row : { std::int64_t(n), std::int64_t(49) * n, (std::int64_t(1) << 32) + n })
     {
       for (std::int64_t i : { 0, n - 1 })
@@ -46,12 +46,12 @@ bool TestRows()
 bool TestSimplexList()
 {
   constexpr vtkIdType most = (vtkIdType(1) << 31) - 1;
-  bool passed = Expect(vtkSimplexList::AreIdsNarrow(most, most), "the last narrow ids");
-  passed &= Expect(!vtkSimplexList::AreIdsNarrow(most + 1, 4), "a point id beyond 32 bits");
-  passed &= Expect(!vtkSimplexList::AreIdsNarrow(4, most + 1), "an offset beyond 32 bits");
+  bool passed = Expect(interlume::SimplexList::AreIdsNarrow(most, most), "the last narrow ids");
+  passed &= Expect(!interlume::SimplexList::AreIdsNarrow(most + 1, 4), "a point id beyond 32 bits");
+  passed &= Expect(!interlume::SimplexList::AreIdsNarrow(4, most + 1), "an offset beyond 32 bits");
   for (const vtkIdType points : { vtkIdType(100), vtkIdType(1) << 40 })
   {
-    vtkSimplexList list;
+    interlume::SimplexList list;
     list.Allocate(2, 4, points);
     const vtkIdType ids[5] = { points - 1, points - 2, points - 3, points - 4, points - 5 };
     const vtkIsotable::Simplex simplices[2] = { { { 0, 1, 2, 3 } }, { { 4, 3, 2, 1 } } };
@@ -76,7 +76,7 @@ bool TestSimplexList()
 int TestIntervalVolumeIndexArithmetic(int, char*[])
 {
   const int dimensions[3] = { 2500, 2600, 2700 };
-  const vtkRowIndex rows(dimensions);
+  const interlume::RowIndex rows(dimensions);
   const vtkIdType i = 2498;
   const vtkIdType j = 2598;
   const vtkIdType k = 2698;
@@ -98,11 +98,12 @@ int TestIntervalVolumeIndexArithmetic(int, char*[])
         rows.GetAxis(point + rows.GetStep(axis), point) == axis,
       "the axis of an edge");
   }
-  const vtkCrossingKey key(point, 54321);
+  const interlume::CrossingKey key(point, 54321);
   passed &= Expect(key.GetFar() == point && key.GetValue() == 54321, "crossing key");
-  passed &= Expect(vtkCrossingKey(point, 65535) < vtkCrossingKey(point + 1, 0), "order of keys");
+  passed &= Expect(
+    interlume::CrossingKey(point, 65535) < interlume::CrossingKey(point + 1, 0), "order of keys");
   const int thin[3] = { 5, 1, 3 };
-  passed &= Expect(vtkRowIndex(thin).GetAxis(5, 10) == 2, "an axis with one point");
+  passed &= Expect(interlume::RowIndex(thin).GetAxis(5, 10) == 2, "an axis with one point");
   passed &= TestRows();
   passed &= TestSimplexList();
   return passed ? EXIT_SUCCESS : EXIT_FAILURE;

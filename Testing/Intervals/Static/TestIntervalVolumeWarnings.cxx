@@ -5,7 +5,7 @@
 #include "Reference/Meshes/ReferenceField.h"
 #include "Reference/Meshes/ReferenceMesh.h"
 #include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/SpaceTime/ReferenceTimeVarying.h"
+#include "Reference/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"

@@ -1,6 +1,6 @@
 #include "Reference/Flow/ReferenceAdvection.h"
 
-#include "vtkAdvection.h"
+#include "Advection/Advection.h"
 #include "vtkMath.h"
 
 #include <cmath>
@@ -13,30 +13,31 @@ namespace
 {
 
 template <typename Walker>
-vtkAdvectionResult AdvectIn(
-  const Walker& field, const vtkAdvectionOptions& options, const Place& start)
+interlume::AdvectionResult AdvectIn(
+  const Walker& field, const interlume::AdvectionOptions& options, const Place& start)
 {
-  vtkAdvection<Walker> advection(field, options);
-  vtkAdvectionResult result;
+  interlume::Advection<Walker> advection(field, options);
+  interlume::AdvectionResult result;
   advection.Follow(start.data(), result);
   return result;
 }
 
 }
 
-vtkAdvectionResult Advect(const SpaceWalker& field, const vtkAdvectionOptions& options, Place start)
+interlume::AdvectionResult Advect(
+  const SpaceWalker& field, const interlume::AdvectionOptions& options, Place start)
 {
   return AdvectIn(field, options, start);
 }
 
-vtkAdvectionResult Advect(
-  const LatticeWalker<>& field, const vtkAdvectionOptions& options, Place start)
+interlume::AdvectionResult Advect(
+  const LatticeWalker<>& field, const interlume::AdvectionOptions& options, Place start)
 {
   return AdvectIn(field, options, start);
 }
 
-vtkAdvectionResult Advect(
-  const LatticeWalker<true>& field, const vtkAdvectionOptions& options, Place start)
+interlume::AdvectionResult Advect(
+  const LatticeWalker<true>& field, const interlume::AdvectionOptions& options, Place start)
 {
   return AdvectIn(field, options, start);
 }
@@ -61,7 +62,7 @@ KeepingOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>
   return options;
 }
 
-int NumberOfSteps(const vtkAdvectionResult& result)
+int NumberOfSteps(const interlume::AdvectionResult& result)
 {
   return result.Steps + result.RejectedSteps + result.StiffSteps + result.RejectedStiffSteps;
 }
@@ -71,7 +72,7 @@ double Distance(const double a[3], const Place& b)
   return std::sqrt(vtkMath::Distance2BetweenPoints(a, b.data()));
 }
 
-std::string Describe(const vtkAdvectionResult& result)
+std::string Describe(const interlume::AdvectionResult& result)
 {
   std::ostringstream text;
   text << vtkFlowStatus::GetName(result.Status) << " " << result.Id << " at ("

@@ -5,7 +5,7 @@
 #include "Reference/Flow/ReferenceSurfaces.h"
 #include "Reference/Flow/ReferenceWalkers.h"
 
-#include "vtkAdvectionOptions.h"
+#include "Advection/AdvectionOptions.h"
 
 #include <string>
 
@@ -13,17 +13,17 @@ namespace reference
 {
 
 ///@{
-/// One streamline by vtkAdvection. All of space, a box, or a lattice.
-vtkAdvectionResult Advect(
-  const SpaceWalker& field, const vtkAdvectionOptions& options, Place start);
-vtkAdvectionResult Advect(
-  const LatticeWalker<>& field, const vtkAdvectionOptions& options, Place start);
-vtkAdvectionResult Advect(
-  const LatticeWalker<true>& field, const vtkAdvectionOptions& options, Place start);
+/// One streamline by interlume::Advection. All of space, a box, or a lattice.
+interlume::AdvectionResult Advect(
+  const SpaceWalker& field, const interlume::AdvectionOptions& options, Place start);
+interlume::AdvectionResult Advect(
+  const LatticeWalker<>& field, const interlume::AdvectionOptions& options, Place start);
+interlume::AdvectionResult Advect(
+  const LatticeWalker<true>& field, const interlume::AdvectionOptions& options, Place start);
 ///@}
 
 /// Options that keep their surfaces.
-struct KeepingOptions : vtkAdvectionOptions
+struct KeepingOptions : interlume::AdvectionOptions
 {
   std::vector<vtkSmartPointer<FormulaSurface>> Kept;
 };
@@ -33,10 +33,10 @@ KeepingOptions ForwardOptions();
 KeepingOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces);
 
 /// Accepted and rejected ones, of either method.
-int NumberOfSteps(const vtkAdvectionResult& result);
+int NumberOfSteps(const interlume::AdvectionResult& result);
 double Distance(const double a[3], const Place& b);
 /// "reached surface 10 at (u, v), time t after n steps".
-std::string Describe(const vtkAdvectionResult& result);
+std::string Describe(const interlume::AdvectionResult& result);
 
 }
 

@@ -7,7 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkFlowDispatch.h"
+#include "Fields/FieldDispatch.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace reference
 template <typename Function>
 void WithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
 {
-  const std::string error = vtkFlowDispatch::Execute(data, vectors, {}, function);
+  const std::string error = interlume::FieldDispatch::Execute(data, vectors, {}, function);
   check.That(error.empty(), error);
 }
 

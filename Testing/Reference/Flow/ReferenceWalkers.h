@@ -3,7 +3,7 @@
 
 #include "Flows/ReferenceFlow.h"
 
-#include "vtkFlowWalker.h"
+#include "Fields/CellWalker.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ namespace reference
  * @class   SpaceWalker
  * @brief   a flow in one cell, which is all of space or a box: p = x
  */
-class SpaceWalker : public vtkFlowWalker
+class SpaceWalker : public interlume::CellWalker
 {
 public:
   explicit SpaceWalker(const Flow& flow)
@@ -108,7 +108,7 @@ struct Lattice
  * With \a curved distances from faces are p (2 - p) / 2 instead of p and so on: smooth, not affine.
  */
 template <bool IsCurved = false>
-class LatticeWalker : public vtkFlowWalker
+class LatticeWalker : public interlume::CellWalker
 {
 public:
   static constexpr bool FacesAreAffine = !IsCurved;

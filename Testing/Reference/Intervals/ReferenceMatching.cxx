@@ -6,9 +6,9 @@
 #include "Reference/Meshes/ReferenceGrid.h"
 #include "Reference/Meshes/ReferenceSplit.h"
 #include "Reference/Meshes/ReferenceVolume.h"
-#include "Reference/SpaceTime/ReferenceSimplexGrid.h"
-#include "Reference/SpaceTime/ReferenceSimplices.h"
-#include "Reference/SpaceTime/ReferenceTimeVarying.h"
+#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+#include "Reference/TimeVarying/ReferenceSimplices.h"
+#include "Reference/TimeVarying/ReferenceTimeVarying.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

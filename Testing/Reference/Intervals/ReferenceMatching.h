@@ -1,9 +1,9 @@
 #ifndef ReferenceMatching_h
 #define ReferenceMatching_h
 
-#include "Reference/Checks/ReferenceCheck.h"         // for the result
-#include "Reference/Intervals/ReferenceExtraction.h" // for the intervals
-#include "Reference/SpaceTime/ReferenceTimeSteps.h"  // for the steps
+#include "Reference/Checks/ReferenceCheck.h"          // for the result
+#include "Reference/Intervals/ReferenceExtraction.h"  // for the intervals
+#include "Reference/TimeVarying/ReferenceTimeSteps.h" // for the steps
 
 #include <string> // for criteria
 #include <vector> // for the intervals

@@ -4,7 +4,7 @@
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkUnitSpace.h"
+#include "Space/UnitSpace.h"
 
 #include <array>
 
@@ -12,7 +12,7 @@ namespace reference
 {
 
 /// The space of the cells of an image of \a size points that a matrix shears x by y.
-inline vtkUnitSpace MakeUnitSpace(
+inline interlume::UnitSpace MakeUnitSpace(
   const std::array<int, 3>& size, const std::array<double, 3>& spacing, double shear = 0.0)
 {
   vtkNew<vtkImageData> image;
@@ -20,7 +20,7 @@ inline vtkUnitSpace MakeUnitSpace(
   image->SetSpacing(spacing.data());
   vtkNew<vtkMatrix4x4> matrix;
   matrix->SetElement(0, 1, shear);
-  vtkUnitSpace space;
+  interlume::UnitSpace space;
   space.Set(image, true, matrix);
   return space;
 }

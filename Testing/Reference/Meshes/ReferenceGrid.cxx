@@ -3,7 +3,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkGridCells.h"
+#include "Common/GridCells.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
@@ -213,7 +213,8 @@ std::string FindDifference(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
     CompareArrays(
       a->GetCells()->GetConnectivityArray(), b->GetCells()->GetConnectivityArray(), "connectivity"),
     CompareArrays(a->GetCells()->GetOffsetsArray(), b->GetCells()->GetOffsetsArray(), "offsets"),
-    CompareArrays(vtkGridCells::GetTypes(a), vtkGridCells::GetTypes(b), "cell types"),
+    CompareArrays(
+      interlume::GridCells::GetTypes(a), interlume::GridCells::GetTypes(b), "cell types"),
     CompareAttributes(a->GetPointData(), b->GetPointData(), "point"),
     CompareAttributes(a->GetCellData(), b->GetCellData(), "cell") };
   for (const std::string& difference : parts)

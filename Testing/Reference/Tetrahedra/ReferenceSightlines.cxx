@@ -47,10 +47,10 @@ std::vector<std::uint32_t> GetRanks(const std::vector<std::uint32_t>& order)
 }
 }
 
-vtkViewRays LookAt(const std::array<double, 3>& eye, const std::array<double, 3>& target,
+interlume::ViewRays LookAt(const std::array<double, 3>& eye, const std::array<double, 3>& target,
   double halfSize, int pixels, bool isParallel)
 {
-  vtkViewRays rays;
+  interlume::ViewRays rays;
   rays.Viewpoint.IsParallel = isParallel;
   rays.Viewpoint.Eye = eye;
   rays.Viewpoint.Direction = Normalize(Combine(target, -1.0, eye));
@@ -93,7 +93,7 @@ std::vector<View> GetViews(int pixels, const std::array<double, 3>& hole)
   return views;
 }
 
-Sightlines::Sightlines(const vtkTetrahedraMesh& mesh)
+Sightlines::Sightlines(const interlume::TetrahedraMesh& mesh)
 {
   for (std::uint32_t t = 0; t < mesh.GetNumberOfTetrahedra(); ++t)
   {
@@ -113,7 +113,7 @@ Sightlines::Sightlines(const vtkTetrahedraMesh& mesh)
   }
 }
 
-void Sightlines::CheckLine(const vtkViewRays& rays, double x, double y,
+void Sightlines::CheckLine(const interlume::ViewRays& rays, double x, double y,
   const std::vector<std::uint32_t>& ranks, OrderErrors& errors) const
 {
   const bool isParallel = rays.Viewpoint.IsParallel;
@@ -164,7 +164,7 @@ void Sightlines::CheckLine(const vtkViewRays& rays, double x, double y,
   }
 }
 
-OrderErrors Sightlines::CheckPixels(const vtkViewRays& rays,
+OrderErrors Sightlines::CheckPixels(const interlume::ViewRays& rays,
   const std::vector<std::uint32_t>& frontToBack, int number, unsigned int seed) const
 {
   const std::vector<std::uint32_t> ranks = GetRanks(frontToBack);
@@ -180,7 +180,7 @@ OrderErrors Sightlines::CheckPixels(const vtkViewRays& rays,
   return errors;
 }
 
-OrderErrors Sightlines::CheckRandom(const vtkViewRays& rays,
+OrderErrors Sightlines::CheckRandom(const interlume::ViewRays& rays,
   const std::vector<std::uint32_t>& frontToBack, int number, unsigned int seed) const
 {
   const std::vector<std::uint32_t> ranks = GetRanks(frontToBack);

@@ -1,8 +1,8 @@
 #ifndef ReferenceSightlines_h
 #define ReferenceSightlines_h
 
-#include "vtkTetrahedraMesh.h"
-#include "vtkViewRays.h"
+#include "Mesh/TetrahedraMesh.h"
+#include "View/ViewRays.h"
 
 #include <array>
 #include <string>
@@ -15,10 +15,10 @@ namespace reference
 struct View
 {
   std::string Name;
-  vtkViewRays Rays;
+  interlume::ViewRays Rays;
 };
 /// A view from \a eye toward \a target, or in parallel along that line.
-vtkViewRays LookAt(const std::array<double, 3>& eye, const std::array<double, 3>& target,
+interlume::ViewRays LookAt(const std::array<double, 3>& eye, const std::array<double, 3>& target,
   double halfSize, int pixels, bool isParallel);
 /// Views of the cube [-0.5, 0.5]^3 from outside, within, and along its axes; \a hole: one more
 /// place to look from.
@@ -41,14 +41,14 @@ struct OrderErrors
 class Sightlines
 {
 public:
-  explicit Sightlines(const vtkTetrahedraMesh& mesh);
+  explicit Sightlines(const interlume::TetrahedraMesh& mesh);
 
   /// Along the lines of sight through \a number pixel centres, the middle one and random ones.
-  OrderErrors CheckPixels(const vtkViewRays& rays, const std::vector<std::uint32_t>& frontToBack,
-    int number, unsigned int seed) const;
+  OrderErrors CheckPixels(const interlume::ViewRays& rays,
+    const std::vector<std::uint32_t>& frontToBack, int number, unsigned int seed) const;
   /// Along \a number random lines of sight in the picture.
-  OrderErrors CheckRandom(const vtkViewRays& rays, const std::vector<std::uint32_t>& frontToBack,
-    int number, unsigned int seed) const;
+  OrderErrors CheckRandom(const interlume::ViewRays& rays,
+    const std::vector<std::uint32_t>& frontToBack, int number, unsigned int seed) const;
 
 private:
   struct Plane
@@ -57,7 +57,7 @@ private:
     double Offset;
   };
 
-  void CheckLine(const vtkViewRays& rays, double x, double y,
+  void CheckLine(const interlume::ViewRays& rays, double x, double y,
     const std::vector<std::uint32_t>& ranks, OrderErrors& errors) const;
 
   // Four for each tetrahedron, with the outward unit normal.

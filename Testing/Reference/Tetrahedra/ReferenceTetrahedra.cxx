@@ -19,7 +19,7 @@ namespace
 {
 using Point = std::array<double, 3>;
 
-double GetVolume(const vtkTetrahedraMesh& mesh, const std::uint32_t* corners)
+double GetVolume(const interlume::TetrahedraMesh& mesh, const std::uint32_t* corners)
 {
   double e[3][3];
   for (int i = 0; i < 3; ++i)
@@ -35,7 +35,7 @@ double GetVolume(const vtkTetrahedraMesh& mesh, const std::uint32_t* corners)
     6.0;
 }
 
-void AppendSix(vtkTetrahedraMesh& mesh, const std::uint32_t* cube)
+void AppendSix(interlume::TetrahedraMesh& mesh, const std::uint32_t* cube)
 {
   int axes[3] = { 1, 2, 4 };
   do
@@ -50,7 +50,7 @@ void AppendSix(vtkTetrahedraMesh& mesh, const std::uint32_t* cube)
   } while (std::next_permutation(axes, axes + 3));
 }
 
-void AppendFive(vtkTetrahedraMesh& mesh, const std::uint32_t* cube, bool isOdd)
+void AppendFive(interlume::TetrahedraMesh& mesh, const std::uint32_t* cube, bool isOdd)
 {
   static constexpr int pieces[5][4] = { { 0, 1, 2, 4 }, { 3, 1, 2, 7 }, { 5, 1, 4, 7 },
     { 6, 2, 4, 7 }, { 1, 2, 4, 7 } };
@@ -64,10 +64,10 @@ void AppendFive(vtkTetrahedraMesh& mesh, const std::uint32_t* cube, bool isOdd)
 }
 }
 
-vtkTetrahedraMesh MakeCubes(const CubeMesh& form)
+interlume::TetrahedraMesh MakeCubes(const CubeMesh& form)
 {
   const int n = form.Cubes;
-  vtkTetrahedraMesh mesh;
+  interlume::TetrahedraMesh mesh;
   std::mt19937 random(form.Seed);
   std::uniform_real_distribution<double> shift(-form.Jitter / n, form.Jitter / n);
   for (int k = 0; k <= n; ++k)
@@ -117,7 +117,7 @@ vtkTetrahedraMesh MakeCubes(const CubeMesh& form)
   return mesh;
 }
 
-void Distort(vtkTetrahedraMesh& mesh, double reach, int rounds, unsigned int seed)
+void Distort(interlume::TetrahedraMesh& mesh, double reach, int rounds, unsigned int seed)
 {
   std::vector<std::vector<std::uint32_t>> users(mesh.Points.size() / 3);
   for (std::uint32_t i = 0; i < mesh.Corners.size(); ++i)
@@ -160,7 +160,7 @@ void Distort(vtkTetrahedraMesh& mesh, double reach, int rounds, unsigned int see
   }
 }
 
-vtkTetrahedraMesh MakeDelaunay(int points, unsigned int seed)
+interlume::TetrahedraMesh MakeDelaunay(int points, unsigned int seed)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(-0.5, 0.5);
@@ -179,7 +179,7 @@ vtkTetrahedraMesh MakeDelaunay(int points, unsigned int seed)
   delaunay->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   delaunay->Update();
 
-  vtkTetrahedraMesh mesh;
+  interlume::TetrahedraMesh mesh;
   vtkUnstructuredGrid* grid = delaunay->GetOutput();
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
   {
@@ -202,9 +202,9 @@ vtkTetrahedraMesh MakeDelaunay(int points, unsigned int seed)
   return mesh;
 }
 
-vtkTetrahedraMesh Separate(const vtkTetrahedraMesh& mesh)
+interlume::TetrahedraMesh Separate(const interlume::TetrahedraMesh& mesh)
 {
-  vtkTetrahedraMesh separate;
+  interlume::TetrahedraMesh separate;
   for (const std::uint32_t corner : mesh.Corners)
   {
     const double* p = mesh.GetPoint(corner);
@@ -214,7 +214,7 @@ vtkTetrahedraMesh Separate(const vtkTetrahedraMesh& mesh)
   return separate;
 }
 
-std::uint32_t Append(vtkTetrahedraMesh& mesh, const std::array<Point, 4>& corners)
+std::uint32_t Append(interlume::TetrahedraMesh& mesh, const std::array<Point, 4>& corners)
 {
   for (const Point& corner : corners)
   {
@@ -224,13 +224,13 @@ std::uint32_t Append(vtkTetrahedraMesh& mesh, const std::array<Point, 4>& corner
   return mesh.GetNumberOfTetrahedra() - 1;
 }
 
-vtkTetrahedraMesh Shuffle(const vtkTetrahedraMesh& mesh, unsigned int seed)
+interlume::TetrahedraMesh Shuffle(const interlume::TetrahedraMesh& mesh, unsigned int seed)
 {
   std::mt19937 random(seed);
   std::vector<std::uint32_t> sequence(mesh.GetNumberOfTetrahedra());
   std::iota(sequence.begin(), sequence.end(), 0);
   std::shuffle(sequence.begin(), sequence.end(), random);
-  vtkTetrahedraMesh shuffled;
+  interlume::TetrahedraMesh shuffled;
   shuffled.Points = mesh.Points;
   for (const std::uint32_t t : sequence)
   {

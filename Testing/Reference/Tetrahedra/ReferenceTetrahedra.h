@@ -1,7 +1,7 @@
 #ifndef ReferenceTetrahedra_h
 #define ReferenceTetrahedra_h
 
-#include "vtkTetrahedraMesh.h"
+#include "Mesh/TetrahedraMesh.h"
 
 #include <array>      // for points
 #include <functional> // for shapes
@@ -24,22 +24,23 @@ struct CubeMesh
   std::function<bool(const std::array<double, 3>&)> IsIn;
 };
 
-vtkTetrahedraMesh MakeCubes(const CubeMesh& form);
+interlume::TetrahedraMesh MakeCubes(const CubeMesh& form);
 
 /// Moves points within [-0.5, 0.5]^3, \a rounds times each and as far as \a reach along each axis
 /// at once, wherever no tetrahedron turns inside out: a valid mesh of long and thin tetrahedra.
-void Distort(vtkTetrahedraMesh& mesh, double reach, int rounds, unsigned int seed);
+void Distort(interlume::TetrahedraMesh& mesh, double reach, int rounds, unsigned int seed);
 
 /// The Delaunay tetrahedra of random points in a cube, as vtkDelaunay3D has them: its outside is
 /// not quite convex.
-vtkTetrahedraMesh MakeDelaunay(int points, unsigned int seed);
+interlume::TetrahedraMesh MakeDelaunay(int points, unsigned int seed);
 
 /// The same tetrahedra, each with four points of its own.
-vtkTetrahedraMesh Separate(const vtkTetrahedraMesh& mesh);
+interlume::TetrahedraMesh Separate(const interlume::TetrahedraMesh& mesh);
 /// Appends a tetrahedron with four points of its own; returns its number.
-std::uint32_t Append(vtkTetrahedraMesh& mesh, const std::array<std::array<double, 3>, 4>& corners);
+std::uint32_t Append(
+  interlume::TetrahedraMesh& mesh, const std::array<std::array<double, 3>, 4>& corners);
 /// The same tetrahedra in another sequence and with other corners first.
-vtkTetrahedraMesh Shuffle(const vtkTetrahedraMesh& mesh, unsigned int seed);
+interlume::TetrahedraMesh Shuffle(const interlume::TetrahedraMesh& mesh, unsigned int seed);
 
 /// Shapes that are not convex, or of several pieces, by name.
 struct Shape

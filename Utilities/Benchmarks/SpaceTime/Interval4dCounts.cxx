@@ -57,7 +57,7 @@ void AddRow(const Case& what, const char* method, BenchRows& rows)
 {
   auto filter = what.NewFilter();
   filter->Update();
-  const vtkSpaceTimeReport& report = filter->GetReport();
+  const vtkTimeVaryingReport& report = filter->GetReport();
   BenchRow row = rows.Make(what.Name, method);
   row.Counts["3_simplices"] = methods::IntervalVolume(
     vtkDataSet::SafeDownCast(what.Steps->GetStep(0)), what.Lower, what.Upper)

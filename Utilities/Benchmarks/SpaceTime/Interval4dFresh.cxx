@@ -38,7 +38,7 @@ struct TableCounts
 /// The counts of the last execution of \a filter, before which the tables held \a before.
 nlohmann::ordered_json CountLookups(vtkTimeVaryingIntervalVolume* filter, const TableCounts& before)
 {
-  const vtkSpaceTimeReport& report = filter->GetReport();
+  const vtkTimeVaryingReport& report = filter->GetReport();
   const TableCounts after = TableCounts::Get();
   const auto lookups = static_cast<double>(report.TableLookups);
   nlohmann::ordered_json json;

@@ -27,7 +27,7 @@ void AddWarmRows(const Case& what, const BenchOptions& options, BenchRows& rows)
   const BenchWork work = Extraction(what);
   auto filter = what.NewFilter();
   filter->Update();
-  const vtkSpaceTimeReport& report = filter->GetReport();
+  const vtkTimeVaryingReport& report = filter->GetReport();
   for (int threads : options.GetThreadCounts())
   {
     BenchRow row = rows.Make(what.Name, "warm");

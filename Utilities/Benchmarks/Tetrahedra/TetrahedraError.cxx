@@ -164,7 +164,7 @@ void AddStrideRows(Theatre& theatre, const RenderPath& path, int cubes,
     }
     const double seconds = MeasureAlternately({ frame }, options.GetRepeats())[0];
     const auto error = reference::ComparePictures(theatre.Capture(mapper), expected);
-    const vtkTetrahedraRenderReport& report = mapper->GetReport();
+    const vtkTetrahedraReport& report = mapper->GetReport();
     if (seen.emplace(report.PixelStride, report.TetrahedronStride).second)
     {
       BenchRow row = MakeRow(rows, std::string(path.Name) + ", level of detail", grid, error);

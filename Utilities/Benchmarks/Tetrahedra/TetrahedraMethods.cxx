@@ -62,7 +62,7 @@ vtkSmartPointer<Mapper> NewMapper(
   return mapper;
 }
 
-void AddReport(const vtkTetrahedraRenderReport& report, BenchRow& row)
+void AddReport(const vtkTetrahedraReport& report, BenchRow& row)
 {
   row.Counts["tetrahedra"] = report.Tetrahedra;
   row.Counts["drawn"] = report.TetrahedraDrawn;

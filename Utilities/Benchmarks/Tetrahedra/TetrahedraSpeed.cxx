@@ -90,7 +90,7 @@ void AddRows(const SpeedCase& what, const BenchOptions& options, BenchRows& rows
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
     const Entry& entry = entries[i];
-    const vtkTetrahedraRenderReport& report = entry.Mapper->GetReport();
+    const vtkTetrahedraReport& report = entry.Mapper->GetReport();
     BenchRow row = rows.Make(what.Name, entry.Path->Name);
     row.Parameter = entry.Mode->Name;
     row.Seconds = seconds[i];

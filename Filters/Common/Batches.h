@@ -1,0 +1,46 @@
+#ifndef interlume_Batches_h
+#define interlume_Batches_h
+
+#include "vtkAlgorithm.h"
+#include "vtkSMPTools.h"
+#include "vtkType.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+/**
+ * Threads over numbered things, in a few batches between which progress is told.
+ */
+namespace Batches
+{
+constexpr vtkIdType NumberOfBatches = 16;
+
+/**
+ * Calls \a work(first, last) for all of [0, number) by threads; the progress of \a owner goes from
+ * \a start to \a end. False when its execution was aborted. A null owner: no progress, no abort.
+ */
+template <typename Work>
+bool Run(vtkIdType number, vtkAlgorithm* owner, double start, double end, const Work& work)
+{
+  const vtkIdType batches = owner ? std::min(number, NumberOfBatches) : 1;
+  for (vtkIdType batch = 0; batch < batches; ++batch)
+  {
+    if (owner)
+    {
+      owner->UpdateProgress(start + (end - start) * static_cast<double>(batch) / batches);
+      if (owner->GetAbortExecute())
+      {
+        return false;
+      }
+    }
+    vtkSMPTools::For(batch * number / batches, (batch + 1) * number / batches, work);
+  }
+  return true;
+}
+}
+
+}
+
+#endif

@@ -1,0 +1,52 @@
+#ifndef interlume_Blanking_h
+#define interlume_Blanking_h
+
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace interlume
+{
+
+/**
+ * @class   Blanking
+ * @brief   which cells and points of a dataset do not count, by its ghost arrays
+ */
+struct Blanking
+{
+  vtkUnsignedCharArray* CellGhosts = nullptr;
+  vtkUnsignedCharArray* PointGhosts = nullptr;
+
+  void SetBlanking(vtkDataSet* data)
+  {
+    this->CellGhosts = data->GetCellGhostArray();
+    this->PointGhosts = data->GetPointGhostArray();
+  }
+
+  /// Whether the ghost arrays say that a cell does not count.
+  bool IsCellBlanked(vtkIdType cell) const
+  {
+    return this->HasCell(cell, vtkDataSetAttributes::DUPLICATECELL | Hidden);
+  }
+  /// The same where duplicates of another piece's cells do count.
+  bool IsCellHidden(vtkIdType cell) const { return this->HasCell(cell, Hidden); }
+  bool IsPointBlanked(vtkIdType point) const
+  {
+    return this->PointGhosts &&
+      (this->PointGhosts->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT);
+  }
+  bool HasBlanking() const { return this->CellGhosts || this->PointGhosts; }
+
+private:
+  static constexpr unsigned char Hidden =
+    vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+
+  bool HasCell(vtkIdType cell, unsigned char types) const
+  {
+    return this->CellGhosts && (this->CellGhosts->GetValue(cell) & types);
+  }
+};
+
+}
+
+#endif

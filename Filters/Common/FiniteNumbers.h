@@ -1,0 +1,29 @@
+#ifndef interlume_FiniteNumbers_h
+#define interlume_FiniteNumbers_h
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+/**
+ * For settings that a setter takes as they are.
+ */
+namespace FiniteNumbers
+{
+inline bool AreFinite(const double* values, int number)
+{
+  return std::all_of(values, values + number, [](double value) { return std::isfinite(value); });
+}
+
+/// Whether a radius or a length can be used.
+inline bool IsSize(double value)
+{
+  return std::isfinite(value) && value > 0.0;
+}
+}
+
+}
+
+#endif

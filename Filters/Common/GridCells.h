@@ -1,0 +1,81 @@
+#ifndef interlume_GridCells_h
+#define interlume_GridCells_h
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCell.h"
+#include "vtkDataArray.h"
+#include "vtkGenericCell.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVersion.h"
+
+#include <string>
+
+namespace interlume
+{
+
+/**
+ * @class   GridCells
+ * @brief   gives what an unstructured grid's cells are stored in as arrays in memory
+ *
+ * What differs between VTK's versions is known here alone:
+ * - types of cells: up to 9.5 always an array, vtkUnstructuredGrid::GetCellTypesArray; from 9.6 on
+ *   GetCellTypes, which may be a formula, as SetCells makes it where all cells are of one type;
+ * - offsets and point ids: up to 9.5 a vtkTypeInt32Array or vtkTypeInt64Array; later a
+ *   vtkAOSDataArrayTemplate of either, any array, or for offsets of equal cells a formula.
+ */
+class GridCells
+{
+public:
+  using Types = vtkAOSDataArrayTemplate<unsigned char>;
+  using NarrowIds = vtkAOSDataArrayTemplate<vtkTypeInt32>;
+  using WideIds = vtkAOSDataArrayTemplate<vtkTypeInt64>;
+
+  /// The array of cell types, possibly a formula; null where there are no cells.
+  static vtkDataArray* GetStoredTypes(vtkUnstructuredGrid* grid)
+  {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+    return grid->GetCellTypes();
+#else
+    return grid->GetCellTypesArray();
+#endif
+  }
+
+  /// The type of each cell: the grid's own array, or a copy where that is a formula.
+  static vtkSmartPointer<Types> GetTypes(vtkUnstructuredGrid* grid)
+  {
+    vtkDataArray* stored = GetStoredTypes(grid);
+    return stored ? MakeTyped<Types>(stored) : vtkSmartPointer<Types>::New();
+  }
+
+  /// Offsets or point ids, or the types of cells, as an Array: themselves, or a copy.
+  template <typename Array>
+  static vtkSmartPointer<Array> MakeTyped(vtkDataArray* array)
+  {
+    if (Array* same = Array::FastDownCast(array))
+    {
+      return same;
+    }
+    auto copy = vtkSmartPointer<Array>::New();
+    copy->DeepCopy(array);
+    return copy;
+  }
+
+  /// Whether ids are stored in 32 bits.
+  static bool IsNarrow(vtkDataArray* ids)
+  {
+    return NarrowIds::FastDownCast(ids) != nullptr;
+  }
+
+  /// The name of the class of a type of cells, such as vtkTetra.
+  static std::string GetClassName(int type)
+  {
+    const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+    return cell ? cell->GetClassName() : "cell of unknown type";
+  }
+};
+
+}
+
+#endif

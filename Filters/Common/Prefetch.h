@@ -1,0 +1,25 @@
+#ifndef interlume_Prefetch_h
+#define interlume_Prefetch_h
+
+namespace interlume
+{
+
+/**
+ * @class   Prefetch
+ * @brief   asks for memory that is read soon; nothing with compilers that have no word for it
+ */
+struct Prefetch
+{
+  static void Read([[maybe_unused]] const void* address)
+  {
+#if defined(__GNUC__)
+    __builtin_prefetch(address);
+    // Without it GCC takes functions that do no more than this for ones that do nothing.
+    __asm__ volatile("");
+#endif
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,665 @@
+#ifndef interlume_Advection_h
+#define interlume_Advection_h
+
+#include "Advection/AdvectionOptions.h"
+#include "Advection/AdvectionRate.h"
+#include "Advection/AdvectionVector.h"
+#include "Advection/DormandPrinceStep.h"
+#include "Advection/PathIntegrals.h"
+#include "Advection/RecurrenceTest.h"
+#include "Advection/RosenbrockStep.h"
+#include "Advection/RungeKutta4Step.h"
+#include "Advection/StagnationTest.h"
+#include "Advection/StepController.h"
+#include "Advection/StiffnessTest.h"
+#include "Advection/SurfaceCrossing.h"
+#include "Cells/CellExit.h"
+#include "Cells/FaceExtent.h"
+#include "Numerics/DenseOutput.h"
+
+#include "vtkFlowIntegrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace interlume
+{
+
+/**
+ * @class   Advection
+ * @brief   follows streamlines of a walker's field, one after another, each to its end
+ *
+ * The walker is as CellWalker has it, the method as vtkImplicitFlowField has it. Steps are taken
+ * in the cell's coordinates, dp/dt = velocity or its negative. A step may end a little outside of
+ * the cell; it is accepted when its error, as a vector of world space, is at most MaximumError
+ * times the step (or times what rounding leaves of the speed), and then cut by its dense output
+ * where it leaves the cell. Where it meets a surface the step is taken once more to there. The
+ * first step is from the time through the cell and
+ * the bend of the streamline; from then on the step goes on from cell to cell as a time.
+ *
+ * Faces crossed without time going on, as at edges and corners, are at most 64 in a row, and none
+ * of them back: then a step is taken where the streamline stands. A streamline has stagnated where
+ * its speed is below the least or 0, and by StagnationTest. It is on a closed orbit by
+ * RecurrenceTest.
+ *
+ * A streamline that ends where the field ends, whether it leaves, stagnates or begins there, has
+ * reached a surface that is as near as ArrivalTolerance times the width of the cell there, and as
+ * the face is from flat: else rounding, and the triangles of a mesh of the field's own faces, would
+ * decide.
+ *
+ * One object serves one thread. Nothing is allocated but by the constructor, if the result is used
+ * again.
+ */
+template <typename Walker>
+class Advection
+{
+public:
+  /// \a options are to stay as they are.
+  Advection(const Walker& field, const AdvectionOptions& options)
+    : Field(field)
+    , Options(options)
+    , Rate(Field, options.IsBackward)
+    , Surfaces(options.Surfaces)
+    , Integrals(options)
+    , HasIntegrals(!this->Integrals.IsEmpty())
+  {
+  }
+  Advection(const Advection&) = delete;
+  void operator=(const Advection&) = delete;
+
+  void Follow(const double x[3], AdvectionResult& result)
+  {
+    this->Reset(result);
+    if (this->Begin(x))
+    {
+      bool goesOn = true;
+      while (goesOn)
+      {
+        goesOn = this->Enter() && this->TakeStep();
+      }
+    }
+    this->End();
+  }
+
+private:
+  static constexpr int MostCrossings = 64;
+  static constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+
+  void Reset(AdvectionResult& result)
+  {
+    std::vector<double> means = std::move(result.Means);
+    means.assign(this->Options.MeanArrays.size(), 0.0);
+    result = AdvectionResult();
+    result.Means = std::move(means);
+    this->Result = &result;
+    this->Rate.Evaluations = 0;
+    this->Rate.JacobianEvaluations = 0;
+    this->Controller = StepController();
+    this->Stiffness = StiffnessTest();
+    this->Recurrence = RecurrenceTest();
+    this->Time = 0.0;
+    this->Step = 0.0;
+    this->HasPointRate = false;
+    this->Crossings = 0;
+    this->CellBefore = -1;
+    this->ClosedFace = -1;
+    this->FaceLeft = -1;
+  }
+
+  /// False where the streamline ends at its start.
+  bool Begin(const double x[3])
+  {
+    std::copy(x, x + 3, this->Result->Position);
+    if (!this->Field.Locate(x, this->Point))
+    {
+      return this->EndWith(vtkFlowStatus::OUTSIDE);
+    }
+    this->Result->Cells = 1;
+    this->Integrals.Begin();
+    this->Stagnation.Begin(x);
+    this->Size = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double unit[3] = { i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0 };
+      this->Size = std::max(this->Size, this->GetWorldLength(this->Point, unit));
+    }
+    const int surface = this->Surfaces.Begin(x, this->Size);
+    if (surface >= 0)
+    {
+      this->Surfaces.GetResult(surface, x, *this->Result);
+      return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
+    }
+    if (this->Surfaces.GetClearance() <= this->Size && this->ArrivesAtOuterFace(1e-9))
+    {
+      return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
+    }
+    return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
+  }
+
+  /// Whether the streamline, where it stands, is at a surface as it is at the end of the field:
+  /// within \a most, in widths of the cell, of a face that has no neighbour.
+  bool ArrivesAtOuterFace(double most)
+  {
+    for (int face = 0; face < this->Field.GetNumberOfFaces(); ++face)
+    {
+      if (this->Field.GetFaceDistance(face, this->Point) <= most &&
+        !this->Field.HasNeighbor(face) && this->Arrives(face))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The same at one such face.
+  bool Arrives(int face)
+  {
+    if (this->Surfaces.IsEmpty() || !(this->Options.ArrivalTolerance > 0.0))
+    {
+      return false;
+    }
+    const FaceExtent extent = this->Field.GetFaceExtent(face);
+    const double tolerance = this->Options.ArrivalTolerance * extent.Width + 1.01 * extent.Bend;
+    double x[3];
+    this->Field.GetPosition(this->Point, x);
+    double direction[3] = { 0.0, 0.0, 0.0 };
+    if (this->HasPointRate && this->Speed > 0.0)
+    {
+      this->Field.GetWorldVector(this->Point, this->PointRate, direction);
+      for (double& component : direction)
+      {
+        component /= this->Speed;
+      }
+    }
+    const int surface = this->Surfaces.FindNear(x, tolerance, extent.Normal, direction);
+    if (surface < 0)
+    {
+      return false;
+    }
+    this->Surfaces.GetResult(surface, x, *this->Result);
+    this->Result->Nearness = tolerance;
+    return true;
+  }
+
+  /// Whether it was at a surface that it ended, at the end of the field.
+  bool ArrivesAtEnd()
+  {
+    if (this->Result->Status == vtkFlowStatus::STAGNATED)
+    {
+      return this->ArrivesAtOuterFace(this->Options.ArrivalTolerance);
+    }
+    return this->FaceLeft >= 0 && this->Arrives(this->FaceLeft);
+  }
+
+  bool EndWith(int status)
+  {
+    this->Result->Status = status;
+    return false;
+  }
+
+  void End()
+  {
+    AdvectionResult& result = *this->Result;
+    if (this->ArrivesAtEnd())
+    {
+      result.Status = vtkFlowStatus::REACHED_SURFACE;
+    }
+    result.Time = this->Time;
+    result.Evaluations = this->Rate.Evaluations;
+    result.JacobianEvaluations = this->Rate.JacobianEvaluations;
+    if (result.Status == vtkFlowStatus::OUTSIDE)
+    {
+      return;
+    }
+    if (this->Time > 0.0)
+    {
+      this->Field.GetPosition(this->Point, result.Position);
+    }
+    result.DistanceEvaluations = this->Surfaces.GetNumberOfEvaluations();
+    if (this->HasIntegrals)
+    {
+      this->Integrals.End(this->Field, this->Point, result);
+    }
+  }
+
+  double GetWorldLength(const double p[3], const double d[3]) const
+  {
+    double world[3];
+    this->Field.GetWorldVector(p, d, world);
+    return AdvectionVector::Length(world);
+  }
+
+  /// Into the cell that the streamline goes on in, with the rate there. False where it ends.
+  bool Enter()
+  {
+    unsigned int closed = 0;
+    int way = -1;
+    const auto close = [&](int face)
+    {
+      closed |= 1U << face;
+      way = way < 0 ? face : way;
+    };
+    if (this->ClosedFace >= 0)
+    {
+      close(this->ClosedFace);
+      this->ClosedFace = -1;
+    }
+    while (true)
+    {
+      if (!this->HasPointRate)
+      {
+        this->Rate(this->Point, this->PointRate);
+        this->HasPointRate = true;
+      }
+      this->Speed = this->GetWorldLength(this->Point, this->PointRate);
+      if (!std::isfinite(this->Speed))
+      {
+        return this->EndWith(vtkFlowStatus::NOT_FINITE);
+      }
+      if (this->Speed < this->Options.MinimumSpeed || this->Speed == 0.0)
+      {
+        return this->EndWith(vtkFlowStatus::STAGNATED);
+      }
+      const bool isHeld = this->Crossings >= MostCrossings;
+      this->Exit.Approach(this->Field, this->Point, this->PointRate, isHeld);
+      const int face = isHeld ? -1 : this->Exit.GetFaceToCross(closed);
+      if (face < 0)
+      {
+        return way < 0 || this->Leave(way);
+      }
+      if (!this->Cross(face))
+      {
+        close(face);
+        continue;
+      }
+      closed = 0;
+      way = -1;
+      if (!this->Field.IsFinite())
+      {
+        return this->EndWith(vtkFlowStatus::NOT_FINITE);
+      }
+    }
+  }
+
+  /// Into the neighbour; false where there is none.
+  bool Cross(int face)
+  {
+    const vtkIdType from = this->Field.GetCell();
+    if (!this->Field.Cross(face, this->Point))
+    {
+      return false;
+    }
+    // Back and forth is for ever: rounding, or a field that meets itself in the face.
+    this->Crossings =
+      this->Field.GetCell() == this->CellBefore ? MostCrossings : this->Crossings + 1;
+    this->CellBefore = from;
+    this->HasPointRate = false;
+    ++this->Result->Cells;
+    if (this->Recurrence.IsDue(this->Result->Cells, from, this->Field.GetCell()))
+    {
+      this->LookForReturn(from);
+    }
+    return true;
+  }
+
+  int GetNumberOfSteps() const
+  {
+    const AdvectionResult& result = *this->Result;
+    return result.Steps + result.RejectedSteps + result.StiffSteps + result.RejectedStiffSteps;
+  }
+
+  void LookForReturn(vtkIdType from)
+  {
+    double x[3];
+    this->Field.GetPosition(this->Point, x);
+    this->Recurrence.Enter(this->Result->Cells, from, this->Field.GetCell(), x,
+      { static_cast<double>(this->GetNumberOfSteps()), this->Time },
+      { static_cast<double>(this->Options.MaximumNumberOfSteps), this->Options.MaximumTime });
+  }
+
+  /// How far the streamline is from ends; it has taken a step within the cell.
+  void WatchForReturn(double end)
+  {
+    double p[3];
+    double x[3];
+    this->Dense.GetPoint(end, p);
+    this->Field.GetPosition(p, x);
+    double limit = std::numeric_limits<double>::infinity();
+    for (int face = 0; this->Options.HasDomainFaces && face < this->Field.GetNumberOfFaces();
+         ++face)
+    {
+      // What leaves the domain ends too: an orbit stays a cell away from there.
+      limit = this->Field.GetDomainFace(face) >= 0 ? 0.0 : limit;
+    }
+    for (int i = 0; this->Options.HasDomainFaces && i < 3; ++i)
+    {
+      const double unit[3] = { i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0 };
+      limit = std::min(limit, 0.1 * this->GetWorldLength(p, unit));
+    }
+    this->Recurrence.Watch(x, this->Surfaces.GetLeastDistance(x), end * this->GetReach(), limit);
+  }
+
+  bool Leave(int face)
+  {
+    this->FaceLeft = face;
+    const int domainFace = this->Options.HasDomainFaces ? this->Field.GetDomainFace(face) : -1;
+    if (domainFace < 0)
+    {
+      return this->EndWith(vtkFlowStatus::LEFT_DOMAIN);
+    }
+    this->Result->Id = this->Options.DomainFaceId + domainFace;
+    this->Field.GetDomainParameters(face, this->Point, this->Result->Parameters);
+    return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
+  }
+
+  bool TakeStep()
+  {
+    if (this->Recurrence.IsClosed())
+    {
+      return this->EndWith(vtkFlowStatus::CLOSED_ORBIT);
+    }
+    if (this->GetNumberOfSteps() >= this->Options.MaximumNumberOfSteps)
+    {
+      return this->EndWith(vtkFlowStatus::OUT_OF_STEPS);
+    }
+    if (this->Stagnation.IsDue())
+    {
+      double x[3];
+      this->Field.GetPosition(this->Point, x);
+      if (this->Stagnation.Look(x, this->Time, this->Options.MaximumError))
+      {
+        return this->EndWith(vtkFlowStatus::STAGNATED);
+      }
+    }
+    switch (this->Options.Integrator)
+    {
+      case vtkFlowIntegrator::DORMAND_PRINCE:
+        return this->TakeStepBy(this->DormandPrince);
+      case vtkFlowIntegrator::RUNGE_KUTTA_4:
+        return this->TakeStepBy(this->RungeKutta4);
+      case vtkFlowIntegrator::ROSENBROCK:
+        return this->TakeStepBy(this->Rosenbrock);
+      default:
+        return this->Stiffness.IsStiff() ? this->TakeStepBy(this->Rosenbrock)
+                                         : this->TakeStepBy(this->DormandPrince);
+    }
+  }
+
+  /// Before the first step.
+  double GuessStep(double largestError, int order)
+  {
+    const double fastest = AdvectionVector::Largest(this->PointRate);
+    double step = this->Exit.GetTimeLimit();
+    if (!std::isfinite(step))
+    {
+      step = std::max(1.0, AdvectionVector::Largest(this->Point)) / fastest;
+    }
+    const double probe = 0.01 * step;
+    double ahead[3];
+    double change[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      ahead[i] = this->Point[i] + probe * this->PointRate[i];
+    }
+    this->Rate(ahead, change);
+    for (int i = 0; i < 3; ++i)
+    {
+      change[i] -= this->PointRate[i];
+    }
+    // The relative change of the rate per unit of time, as if the error were of its powers.
+    const double bend = this->GetWorldLength(this->Point, change) / probe / this->Speed;
+    const double scaled = std::pow(largestError / this->Speed, 1.0 / order);
+    return bend * step > scaled ? scaled / bend : (bend >= 0.0 ? step : probe);
+  }
+
+  /**
+   * The error of a step less what the field itself takes away. In a direction in which errors decay
+   * as exp(-t / d) those of all steps add up to e / (1 - exp(-h / d)), not to e t / h: by 1 -
+   * exp(-z) ~ z / (1 + z), and over the time t, to (h + d) / (t + d) of that. t is the time through
+   * a cell, or since the start.
+   */
+  template <typename Method>
+  double GetLastingError(const Method& method, double h) const
+  {
+    double error[3];
+    this->Field.GetWorldVector(this->Point, method.Error, error);
+    double direction[3];
+    const double damping = method.GetDamping(direction);
+    const double transit =
+      this->Exit.GetFastest() > 0.0 ? 1.0 / this->Exit.GetFastest() : this->Size / this->Speed;
+    const double time = std::min(transit, this->Time + h);
+    if (damping > 0.1 && time > h)
+    {
+      double axis[3];
+      this->Field.GetWorldVector(this->Point, direction, axis);
+      const double part = AdvectionVector::Dot(error, axis) / AdvectionVector::Dot(axis, axis);
+      const double lost = 1.0 - (1.0 + damping) / (1.0 + damping * (time / h));
+      for (int i = 0; i < 3; ++i)
+      {
+        error[i] -= part * lost * axis[i];
+      }
+    }
+    return AdvectionVector::Length(error);
+  }
+
+  void PrefetchAhead(int round) const
+  {
+    if (this->Exit.GetFaceAhead() >= 0)
+    {
+      this->Field.Prefetch(this->Exit.GetFaceAhead(), round);
+    }
+  }
+
+  /// One step, accepted or not. False where the streamline ends.
+  template <typename Method>
+  bool TakeStepBy(Method& method)
+  {
+    constexpr bool isStiff = std::is_same_v<Method, RosenbrockStep>;
+    const double largestError = std::max(this->Options.MaximumError, 64.0 * Epsilon * this->Speed);
+    if (this->Step == 0.0)
+    {
+      this->Step = this->GuessStep(largestError, Method::ErrorOrder);
+    }
+    const double remaining = this->Options.MaximumTime - this->Time;
+    double h = std::min(this->Step, this->Exit.GetTimeLimit());
+    const bool isLast = h >= remaining;
+    h = isLast ? remaining : h;
+
+    this->PrefetchAhead(0);
+    const bool isTaken = method.Take(this->Rate, this->Point, this->PointRate, h);
+    this->PrefetchAhead(1);
+    const double ratio = isTaken ? this->GetLastingError(method, h) / h / largestError
+                                 : std::numeric_limits<double>::infinity();
+    // A step that rounding all but loses is no better when it is shorter.
+    const double way = h * AdvectionVector::Largest(this->PointRate);
+    const bool isTiny = way <= 4.0 * Epsilon * AdvectionVector::Largest(this->Point) ||
+      way < 1.0 / std::numeric_limits<double>::max();
+    if (!(ratio <= 1.0) && !(isTaken && isTiny))
+    {
+      ++(isStiff ? this->Result->RejectedStiffSteps : this->Result->RejectedSteps);
+      this->Step = h * this->Controller.Reject(ratio, Method::ErrorOrder);
+      return !isTiny || this->EndWith(vtkFlowStatus::NOT_FINITE);
+    }
+
+    method.GetDenseOutput(this->Dense);
+    this->Dense.GetControlPoints(this->Controls);
+    int face = -1;
+    bool isFar = false;
+    const double exit = this->Exit.Find(this->Field, this->Dense, this->Controls, face, isFar);
+    if (isFar && face >= 0 && !isTiny)
+    {
+      ++(isStiff ? this->Result->RejectedStiffSteps : this->Result->RejectedSteps);
+      this->Step = h * std::min(0.9, std::max(0.1, 1.1 * exit));
+      return true;
+    }
+    ++(isStiff ? this->Result->StiffSteps : this->Result->Steps);
+    const double factor = this->Controller.Accept(ratio, Method::ErrorOrder);
+    const double next = std::min(h * factor, std::numeric_limits<double>::max());
+    // A step that was short for the cell's sake says nothing against a longer one.
+    this->Step = ratio < 1e-3 ? std::max(this->Step, next) : next;
+    if constexpr (!std::is_same_v<Method, RungeKutta4Step>)
+    {
+      this->Stiffness.Add(method.GetStiffness());
+    }
+
+    const double end = face >= 0 ? exit : 1.0;
+    if (this->MeetsSurface(method, end, h))
+    {
+      return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
+    }
+    if (this->HasIntegrals)
+    {
+      this->Integrals.Add(this->Field, this->Dense, end, h);
+    }
+    if (this->Recurrence.IsWatching())
+    {
+      this->WatchForReturn(end);
+    }
+    this->Stagnation.Add(this->Speed * end * h);
+    if (end * h * this->Exit.GetFastest() > CellExit<Walker>::Tolerance)
+    {
+      this->Crossings = 0;
+      this->CellBefore = -1;
+    }
+    if (face >= 0)
+    {
+      this->Time += end * h;
+      this->Dense.GetPoint(end, this->Point);
+      this->HasPointRate = false;
+      return this->GoThrough(face);
+    }
+    return this->GoOn(method, h, isLast);
+  }
+
+  /// No part of the step goes farther than its share of this, whatever the rounding.
+  double GetReach() const
+  {
+    constexpr double margin = 1.01;
+    double slopes[DenseOutput::MaximumDegree][3];
+    const int number = this->Dense.GetSlopes(this->Controls, slopes);
+    if (this->Field.IsAffine())
+    {
+      for (int j = 0; j < number; ++j)
+      {
+        this->Field.GetWorldVector(this->Point, slopes[j], slopes[j]);
+      }
+      return margin * AdvectionVector::LargestLength(slopes, number);
+    }
+    double largest[3] = { 0.0, 0.0, 0.0 };
+    for (int j = 0; j < number; ++j)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        largest[i] = std::max(largest[i], std::abs(slopes[j][i]));
+      }
+    }
+    return margin * this->Field.GetLongestWorldVector(largest);
+  }
+
+  /// To the first surface that the step meets, if it does.
+  template <typename Method>
+  bool MeetsSurface(Method& method, double end, double h)
+  {
+    if (this->Surfaces.IsEmpty())
+    {
+      return false;
+    }
+    auto place = [this](double theta, double x[3])
+    {
+      double p[3];
+      this->Dense.GetPoint(theta, p);
+      this->Field.GetPosition(p, x);
+    };
+    int surface = -1;
+    double theta = this->Surfaces.Find(place, end, this->GetReach(), surface);
+    if (surface < 0)
+    {
+      return false;
+    }
+    // A step that ends there has the error that is controlled, which a dense output need not have.
+    const DenseOutput found = this->Dense;
+    const double shorter = theta * h * (1.0 + SurfaceCrossing::Margin);
+    if (theta < 1.0 && method.Take(this->Rate, this->Point, this->PointRate, shorter))
+    {
+      method.GetDenseOutput(this->Dense);
+      const double refined = this->Surfaces.Refine(place, surface);
+      theta = refined <= 1.0 ? refined : theta;
+      h = refined <= 1.0 ? shorter : h;
+      this->Dense = refined <= 1.0 ? this->Dense : found;
+    }
+    if (this->HasIntegrals)
+    {
+      this->Integrals.Add(this->Field, this->Dense, theta, h);
+    }
+    this->Time = std::min(this->Options.MaximumTime, this->Time + theta * h);
+    this->Dense.GetPoint(theta, this->Point);
+    double x[3];
+    this->Field.GetPosition(this->Point, x);
+    this->Surfaces.GetResult(surface, x, *this->Result);
+    return true;
+  }
+
+  bool GoThrough(int face)
+  {
+    if (!this->Cross(face))
+    {
+      // At an edge there may be another way.
+      this->ClosedFace = face;
+      return true;
+    }
+    return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
+  }
+
+  /// To the end of a step within the cell.
+  template <typename Method>
+  bool GoOn(const Method& method, double h, bool isLast)
+  {
+    std::copy(method.End, method.End + 3, this->Point);
+    this->HasPointRate = Method::HasEndRate;
+    std::copy(method.EndRate, method.EndRate + 3, this->PointRate);
+    this->Time = isLast ? this->Options.MaximumTime : this->Time + h;
+    return !isLast || this->EndWith(vtkFlowStatus::OUT_OF_TIME);
+  }
+
+  // First, since it is aligned.
+  Walker Field;
+  const AdvectionOptions& Options;
+  AdvectionRate<Walker> Rate;
+  SurfaceCrossing Surfaces;
+  PathIntegrals<Walker> Integrals;
+  CellExit<Walker> Exit;
+  StepController Controller;
+  StiffnessTest Stiffness;
+  StagnationTest Stagnation;
+  RecurrenceTest Recurrence;
+  DormandPrinceStep DormandPrince;
+  RungeKutta4Step RungeKutta4;
+  RosenbrockStep Rosenbrock;
+  DenseOutput Dense;
+  /// Of Dense, while it is the whole step's.
+  double Controls[DenseOutput::MaximumDegree + 1][3];
+
+  /// The streamline that is followed.
+  AdvectionResult* Result = nullptr;
+  double Point[3];
+  double PointRate[3];
+  double Speed = 0.0;
+  /// Of the first cell, in world units.
+  double Size = 0.0;
+  double Time = 0.0;
+  /// What the error allows.
+  double Step = 0.0;
+  vtkIdType CellBefore = -1;
+  int Crossings = 0;
+  int ClosedFace = -1;
+  /// By which it left the field.
+  int FaceLeft = -1;
+  bool HasPointRate = false;
+  bool HasIntegrals;
+};
+
+}
+
+#endif

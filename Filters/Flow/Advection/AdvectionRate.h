@@ -1,0 +1,54 @@
+#ifndef interlume_AdvectionRate_h
+#define interlume_AdvectionRate_h
+
+#include <cmath>
+
+namespace interlume
+{
+
+/**
+ * @class   AdvectionRate
+ * @brief   the right-hand side dp/dt of a streamline in a walker's cell, with its direction,
+ * counted
+ */
+template <typename Walker>
+class AdvectionRate
+{
+public:
+  AdvectionRate(const Walker& field, bool isBackward)
+    : Field(field)
+    , Sign(isBackward ? -1.0 : 1.0)
+  {
+  }
+
+  void operator()(const double p[3], double rate[3])
+  {
+    this->Field.GetVelocity(p, rate);
+    for (int i = 0; i < 3; ++i)
+    {
+      rate[i] *= this->Sign;
+    }
+    ++this->Evaluations;
+  }
+
+  void GetJacobian(const double p[3], double jacobian[9])
+  {
+    this->Field.GetJacobian(p, jacobian);
+    for (int i = 0; i < 9; ++i)
+    {
+      jacobian[i] *= this->Sign;
+    }
+    ++this->JacobianEvaluations;
+  }
+
+  int Evaluations = 0;
+  int JacobianEvaluations = 0;
+
+private:
+  const Walker& Field;
+  double Sign;
+};
+
+}
+
+#endif

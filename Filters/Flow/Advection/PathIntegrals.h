@@ -1,0 +1,143 @@
+#ifndef interlume_PathIntegrals_h
+#define interlume_PathIntegrals_h
+
+#include "Advection/AdvectionOptions.h"
+#include "Advection/AdvectionVector.h"
+#include "Numerics/DenseOutput.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   PathIntegrals
+ * @brief   what else is kept of a streamline: largest speed, length, and means over time
+ *
+ * By Gauss's rule of four points over each step's dense output; the speed at its ends and middle.
+ * Means of a streamline of no time are the values where it is.
+ */
+template <typename Walker>
+class PathIntegrals
+{
+public:
+  explicit PathIntegrals(const AdvectionOptions& options)
+    : Options(options)
+    , Sums(options.MeanArrays.size())
+  {
+  }
+
+  bool IsEmpty() const
+  {
+    return !this->Options.HasMaximumSpeed && !this->Options.HasArcLength && !this->HasMeans();
+  }
+
+  void Begin()
+  {
+    this->Time = 0.0;
+    this->Length = 0.0;
+    this->Speed = 0.0;
+    this->Vorticity = 0.0;
+    std::fill(this->Sums.begin(), this->Sums.end(), 0.0);
+  }
+
+  /// A step from theta = 0 to \a end; \a h: its time from 0 to 1.
+  void Add(const Walker& field, const DenseOutput& dense, double end, double h)
+  {
+    if (this->Options.HasMaximumSpeed)
+    {
+      for (double theta : { 0.0, 0.5 * end, end })
+      {
+        double p[3];
+        double rate[3];
+        dense.GetPoint(theta, p);
+        field.GetVelocity(p, rate);
+        this->Speed = std::max(this->Speed, PathIntegrals::GetLength(field, p, rate));
+      }
+    }
+    if (!this->Options.HasArcLength && !this->HasMeans())
+    {
+      return;
+    }
+    static constexpr double nodes[] = { 0.06943184420297371, 0.33000947820757187,
+      0.66999052179242813, 0.93056815579702629 };
+    static constexpr double weights[] = { 0.17392742256872693, 0.32607257743127307,
+      0.32607257743127307, 0.17392742256872693 };
+    for (int i = 0; i < 4; ++i)
+    {
+      double p[3];
+      dense.GetPoint(end * nodes[i], p);
+      if (this->Options.HasArcLength)
+      {
+        double slope[3];
+        dense.GetDerivative(end * nodes[i], slope);
+        this->Length += end * weights[i] * PathIntegrals::GetLength(field, p, slope);
+      }
+      this->AddMeans(field, p, end * h * weights[i]);
+    }
+    this->Time += end * h;
+  }
+
+  /// \a p: where the streamline ends.
+  void End(const Walker& field, const double p[3], AdvectionResult& result)
+  {
+    if (this->Time == 0.0)
+    {
+      this->Begin();
+      this->AddMeans(field, p, 1.0);
+      this->Time = 1.0;
+      if (this->Options.HasMaximumSpeed)
+      {
+        double rate[3];
+        field.GetVelocity(p, rate);
+        this->Speed = PathIntegrals::GetLength(field, p, rate);
+      }
+    }
+    result.MaximumSpeed = this->Speed;
+    result.ArcLength = this->Length;
+    result.MeanVorticity = this->Vorticity / this->Time;
+    for (std::size_t i = 0; i < this->Sums.size(); ++i)
+    {
+      result.Means[i] = this->Sums[i] / this->Time;
+    }
+  }
+
+private:
+  bool HasMeans() const { return this->Options.HasMeanVorticity || !this->Sums.empty(); }
+
+  static double GetLength(const Walker& field, const double p[3], const double d[3])
+  {
+    double world[3];
+    field.GetWorldVector(p, d, world);
+    return AdvectionVector::Length(world);
+  }
+
+  void AddMeans(const Walker& field, const double p[3], double weight)
+  {
+    if (this->Options.HasMeanVorticity)
+    {
+      double gradient[9];
+      field.GetVelocityGradient(p, gradient);
+      const double curl[3] = { gradient[7] - gradient[5], gradient[2] - gradient[6],
+        gradient[3] - gradient[1] };
+      this->Vorticity += weight * AdvectionVector::Length(curl);
+    }
+    for (std::size_t i = 0; i < this->Sums.size(); ++i)
+    {
+      this->Sums[i] += weight * field.Interpolate(this->Options.MeanArrays[i], p);
+    }
+  }
+
+  const AdvectionOptions& Options;
+  std::vector<double> Sums;
+  double Time = 0.0;
+  double Length = 0.0;
+  double Speed = 0.0;
+  double Vorticity = 0.0;
+};
+
+}
+
+#endif

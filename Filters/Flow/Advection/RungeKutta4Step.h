@@ -1,0 +1,111 @@
+#ifndef interlume_RungeKutta4Step_h
+#define interlume_RungeKutta4Step_h
+
+#include "Advection/AdvectionVector.h"
+#include "Numerics/DenseOutput.h"
+
+namespace interlume
+{
+
+/**
+ * @class   RungeKutta4Step
+ * @brief   two half steps of the classical Runge-Kutta method, their error by one whole step
+ *
+ * The adaptive method of order 4 in C. Zhang's dissertation (Ohio State 2006): Richardson's
+ * estimate (E. Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential Equations I",
+ * section II.4). The two half steps count, not extrapolated. Dense output: the polynomial of degree
+ * 5 through places and rates at the start, the middle and the end.
+ */
+class RungeKutta4Step
+{
+public:
+  /// The error per unit of time falls by this power of the step.
+  static constexpr int ErrorOrder = 4;
+  static constexpr bool HasEndRate = true;
+
+  double End[3];
+  double EndRate[3];
+  double Error[3];
+
+  /// \a first: the rate at \a p. False where a rate is not finite.
+  template <typename Rate>
+  bool Take(Rate& rate, const double p[3], const double first[3], double h)
+  {
+    this->Step = h;
+    double whole[3];
+    RungeKutta4Step::TakeOne(rate, p, first, h, whole);
+    RungeKutta4Step::TakeOne(rate, p, first, 0.5 * h, this->Middle);
+    rate(this->Middle, this->MiddleRate);
+    RungeKutta4Step::TakeOne(rate, this->Middle, this->MiddleRate, 0.5 * h, this->End);
+    rate(this->End, this->EndRate);
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Start[i] = p[i];
+      this->StartRate[i] = first[i];
+      this->Error[i] = (this->End[i] - whole[i]) / 15.0;
+    }
+    return AdvectionVector::IsFinite(this->Error) && AdvectionVector::IsFinite(this->EndRate);
+  }
+
+  void GetDenseOutput(DenseOutput& dense) const
+  {
+    dense.Degree = 5;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double start = this->Step * this->StartRate[i];
+      // What the tangent at the start leaves of places and slopes.
+      const double end = this->End[i] - this->Start[i] - start;
+      const double endSlope = this->Step * this->EndRate[i] - start;
+      const double middle = this->Middle[i] - this->Start[i] - 0.5 * start;
+      const double middleSlope = this->Step * this->MiddleRate[i] - start;
+      dense.Coefficients[0][i] = this->Start[i];
+      dense.Coefficients[1][i] = start;
+      dense.Coefficients[2][i] = 7.0 * end - endSlope + 16.0 * middle - 8.0 * middleSlope;
+      dense.Coefficients[3][i] = -34.0 * end + 5.0 * endSlope - 32.0 * middle + 32.0 * middleSlope;
+      dense.Coefficients[4][i] = 52.0 * end - 8.0 * endSlope + 16.0 * middle - 40.0 * middleSlope;
+      dense.Coefficients[5][i] = -24.0 * end + 4.0 * endSlope + 16.0 * middleSlope;
+    }
+  }
+
+  /// Not known.
+  double GetDamping(double*) const { return 0.0; }
+
+private:
+  template <typename Rate>
+  static void TakeOne(Rate& rate, const double p[3], const double first[3], double h, double end[3])
+  {
+    double at[3];
+    double k2[3];
+    double k3[3];
+    double k4[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      at[i] = p[i] + 0.5 * h * first[i];
+    }
+    rate(at, k2);
+    for (int i = 0; i < 3; ++i)
+    {
+      at[i] = p[i] + 0.5 * h * k2[i];
+    }
+    rate(at, k3);
+    for (int i = 0; i < 3; ++i)
+    {
+      at[i] = p[i] + h * k3[i];
+    }
+    rate(at, k4);
+    for (int i = 0; i < 3; ++i)
+    {
+      end[i] = p[i] + h / 6.0 * (first[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
+    }
+  }
+
+  double Step;
+  double Start[3];
+  double StartRate[3];
+  double Middle[3];
+  double MiddleRate[3];
+};
+
+}
+
+#endif

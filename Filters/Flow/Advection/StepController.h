@@ -1,0 +1,57 @@
+#ifndef interlume_StepController_h
+#define interlume_StepController_h
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+/**
+ * @class   StepController
+ * @brief   the next step from the error of the last
+ *
+ * Proportional-integral control with the constants of Hairer and Wanner's programs (E. Hairer, S.
+ * P. Norsett and G. Wanner, "Solving Ordinary Differential Equations" I, section II.4, and II,
+ * section IV.2), for an error per unit of time.
+ */
+class StepController
+{
+public:
+  /// What the step is multiplied by, 0.2 to 5, after an error of \a ratio of the largest, <= 1.
+  double Accept(double ratio, int order)
+  {
+    const bool wasRejected = this->WasRejected;
+    this->WasRejected = false;
+    double factor = Largest;
+    if (ratio > 1e-5)
+    {
+      factor = Safety * std::pow(ratio, -1.0 / order + 0.75 * Integral) *
+        std::pow(this->Previous, Integral);
+      factor = std::min(Largest, std::max(Smallest, factor));
+    }
+    this->Previous = std::max(ratio, 1e-4);
+    return wasRejected ? std::min(factor, 1.0) : factor;
+  }
+
+  /// The same, below 1, after one above the largest. NaN and infinity: the smallest.
+  double Reject(double ratio, int order)
+  {
+    this->WasRejected = true;
+    const double factor = Safety * std::pow(ratio, -1.0 / order);
+    return factor > Smallest ? std::min(factor, Safety) : Smallest;
+  }
+
+private:
+  static constexpr double Safety = 0.9;
+  static constexpr double Integral = 0.04;
+  static constexpr double Smallest = 0.2;
+  static constexpr double Largest = 5.0;
+
+  double Previous = 1e-4;
+  bool WasRejected = false;
+};
+
+}
+
+#endif

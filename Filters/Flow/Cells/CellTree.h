@@ -1,0 +1,109 @@
+#ifndef interlume_CellTree_h
+#define interlume_CellTree_h
+
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   CellTree
+ * @brief   which cells' boxes hold a point
+ *
+ * A bounding volume hierarchy over cells in Morton order of their boxes' centres: leaves of eight
+ * cells, four children to a node. Built by all threads, read by any number, the same always.
+ */
+class CellTree
+{
+public:
+  /// Lower and upper of x, y, z of a cell; false for a cell to leave out.
+  using CellBox = std::function<bool(vtkIdType cell, double box[6])>;
+
+  void Build(vtkIdType numberOfCells, const CellBox& getBox);
+
+  /**
+   * Calls visit(cell) for the cells of leaves whose box holds \a x, a superset of the cells that
+   * hold it, in an order of the tree's, until it returns true. Whether it did. Boxes are a little
+   * larger than their cells, by more than the rounding of x.
+   */
+  template <typename Visitor>
+  bool Visit(const double x[3], Visitor&& visit) const;
+
+private:
+  static constexpr int LeafSize = 8;
+  static constexpr int Arity = 4;
+  // A tree over all 2^63 cells is that high.
+  static constexpr int MaximumHeight = 32;
+
+  struct Box
+  {
+    double Bounds[6];
+
+    void Clear();
+    void Add(const double bounds[6]);
+    void Inflate();
+    bool Holds(const double x[3]) const
+    {
+      return x[0] >= this->Bounds[0] && x[0] <= this->Bounds[1] && x[1] >= this->Bounds[2] &&
+        x[1] <= this->Bounds[3] && x[2] >= this->Bounds[4] && x[2] <= this->Bounds[5];
+    }
+  };
+
+  std::vector<vtkIdType> Cells;
+  // Leaves first, the root last.
+  std::vector<std::vector<Box>> Levels;
+};
+
+template <typename Visitor>
+bool CellTree::Visit(const double x[3], Visitor&& visit) const
+{
+  if (this->Cells.empty())
+  {
+    return false;
+  }
+  struct Node
+  {
+    int Level;
+    std::size_t Number;
+  };
+  Node stack[MaximumHeight * Arity];
+  int height = 0;
+  stack[height++] = { static_cast<int>(this->Levels.size()) - 1, 0 };
+  while (height > 0)
+  {
+    const Node node = stack[--height];
+    if (!this->Levels[node.Level][node.Number].Holds(x))
+    {
+      continue;
+    }
+    if (node.Level > 0)
+    {
+      const std::size_t first = node.Number * Arity;
+      for (std::size_t child = std::min(first + Arity, this->Levels[node.Level - 1].size());
+           child > first; --child)
+      {
+        stack[height++] = { node.Level - 1, child - 1 };
+      }
+      continue;
+    }
+    const std::size_t first = node.Number * LeafSize;
+    const std::size_t last = std::min(first + LeafSize, this->Cells.size());
+    for (std::size_t i = first; i < last; ++i)
+    {
+      if (visit(this->Cells[i]))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}
+
+#endif

@@ -1,0 +1,229 @@
+#ifndef interlume_InterpolatedCell_h
+#define interlume_InterpolatedCell_h
+
+#include "Cells/CellShape.h"
+#include "Cells/FaceExtent.h"
+#include "Cells/InverseJacobian.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+namespace interlume
+{
+
+/**
+ * @class   InterpolatedCell
+ * @brief   position, velocity and their derivatives in a cell of any shape of CellShape
+ *
+ * With x(p) and v(p) the cell's interpolation, dp/dt = (dx/dp)^-1 v. Where x(p) is linear up to the
+ * rounding of the corners, as in tetrahedra, voxels and parallelepipeds, the inverse is applied to
+ * the coefficients of v once; elsewhere at each p.
+ */
+class InterpolatedCell
+{
+public:
+  ///@{
+  /// The values in the shape's corners, for the caller to fill, and then to say so. Positions go
+  /// first.
+  Trilinear& GetPoints() { return this->Points; }
+  Trilinear& GetVectors() { return this->Vectors; }
+  void SetPoints(int shape);
+  void SetVectors();
+  ///@}
+
+  /// Whether \a x is in the box, a little larger, of positions in corners not yet said to be set.
+  bool IsInBox(int shape, const double x[3]) const;
+
+  int GetShape() const { return this->Shape; }
+  const CellShape::Face& GetFace(int face) const { return CellShape::Of(this->Shape).Faces[face]; }
+  /// In world units.
+  FaceExtent GetFaceExtent(int face) const;
+  int GetNumberOfFaces() const { return CellShape::Of(this->Shape).NumberOfFaces; }
+  bool IsFinite() const { return this->HasFiniteVectors; }
+
+  void GetVelocity(const double p[3], double rate[3]) const
+  {
+    switch (this->Form)
+    {
+      case LINEAR:
+        this->Vectors.EvaluateLinear(p, rate);
+        return;
+      case AFFINE:
+        this->Vectors.Evaluate(p, rate);
+        return;
+      default:
+        double inverse[3][3];
+        this->GetInverse(p, inverse);
+        double velocity[3];
+        this->Evaluate(this->Vectors, p, velocity);
+        InverseJacobian::Multiply(inverse, velocity, rate);
+    }
+  }
+
+  void GetJacobian(const double p[3], double jacobian[9]) const;
+
+  void GetPosition(const double p[3], double x[3]) const { this->Evaluate(this->Points, p, x); }
+
+  void GetWorldVector(const double p[3], const double d[3], double w[3]) const
+  {
+    double columns[3][4];
+    this->EvaluateDerivatives(this->Points, p, columns);
+    InverseJacobian::Combine(columns, d, w);
+  }
+
+  /// Whether the above is the same throughout the cell; else a bound of its length anywhere in the
+  /// cell, for changes by -d to d.
+  bool IsAffine() const { return this->Form != CURVED; }
+  double GetLongestWorldVector(const double d[3]) const;
+
+  void GetVelocityGradient(const double p[3], double gradient[9]) const;
+
+  /// The value at p of a polynomial that Fit has made for the cell's shape.
+  void Evaluate(const Trilinear& polynomial, const double p[3], double value[3]) const
+  {
+    if (this->Shape == CellShape::PYRAMID)
+    {
+      double r;
+      double s;
+      const double w = GetPyramidRatios(p, r, s);
+      const double product = w * r * s;
+      const auto& c = polynomial.C;
+      for (int i = 0; i < 3; ++i)
+      {
+        value[i] = c[0][i] + p[0] * c[1][i] + p[1] * c[2][i] + p[2] * c[4][i] + product * c[3][i];
+      }
+      return;
+    }
+    polynomial.Evaluate(p, value);
+  }
+
+  /**
+   * p of x by Newton's method from the cell's centre, or, slower, from several starts. False where
+   * none converges. p may be outside of the cell.
+   */
+  bool FindPlace(const double x[3], bool fromSeveral, double p[3]) const;
+
+  /// The least of all faces' distances.
+  double GetDistance(const double p[3]) const;
+  /// From slightly beyond faces onto them.
+  void Clamp(double p[3]) const;
+
+private:
+  enum Forms
+  {
+    LINEAR,
+    AFFINE,
+    CURVED
+  };
+
+  // 1 - z, and VTK's coordinates of a pyramid.
+  static double GetPyramidRatios(const double p[3], double& r, double& s)
+  {
+    const double w = 1.0 - p[2];
+    const double divisor = std::max(w, 1e-100);
+    r = std::min(std::max(p[0] / divisor, -1.0), 2.0);
+    s = std::min(std::max(p[1] / divisor, -1.0), 2.0);
+    return w;
+  }
+
+  void EvaluateDerivatives(
+    const Trilinear& polynomial, const double p[3], double columns[3][4]) const
+  {
+    if (this->Shape == CellShape::PYRAMID)
+    {
+      double r;
+      double s;
+      GetPyramidRatios(p, r, s);
+      const auto& c = polynomial.C;
+      for (int i = 0; i < 4; ++i)
+      {
+        columns[0][i] = c[1][i] + s * c[3][i];
+        columns[1][i] = c[2][i] + r * c[3][i];
+        columns[2][i] = c[4][i] + r * s * c[3][i];
+      }
+      return;
+    }
+    polynomial.EvaluateDerivatives(p, columns);
+  }
+
+  void GetInverse(const double p[3], double inverse[3][3]) const
+  {
+    double columns[3][4];
+    this->EvaluateDerivatives(this->Points, p, columns);
+    InverseJacobian::Invert(columns, inverse);
+  }
+
+  void EvaluateSecondDerivatives(
+    const Trilinear& polynomial, const double p[3], double second[3][3][3]) const;
+  bool FindPlaceFrom(const double start[3], const double x[3], double p[3]) const;
+
+  int Shape = CellShape::HEXAHEDRON;
+  Forms Form = CURVED;
+  bool HasFiniteVectors = false;
+  Trilinear Points = {};
+  // Coefficients of v, or of dp/dt where x(p) is linear.
+  Trilinear Vectors = {};
+};
+
+inline void InterpolatedCell::SetPoints(int shape)
+{
+  this->Shape = shape;
+  CellShape::Fit(shape, this->Points);
+  if (shape == CellShape::TETRAHEDRON)
+  {
+    this->Form = LINEAR;
+    return;
+  }
+  this->Form = CURVED;
+  if (shape == CellShape::PYRAMID)
+  {
+    return;
+  }
+  auto& c = this->Points.C;
+  double size = 0.0;
+  double bend = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    size = std::max(
+      { size, std::abs(c[0][i]), std::abs(c[1][i]), std::abs(c[2][i]), std::abs(c[4][i]) });
+    bend = std::max(
+      { bend, std::abs(c[3][i]), std::abs(c[5][i]), std::abs(c[6][i]), std::abs(c[7][i]) });
+  }
+  if (bend <= 8.0 * DBL_EPSILON * size)
+  {
+    this->Form = AFFINE;
+    for (const int row : { 3, 5, 6, 7 })
+    {
+      this->Points.Clear(row);
+    }
+  }
+}
+
+inline void InterpolatedCell::SetVectors()
+{
+  auto& c = this->Vectors.C;
+  double check = 0.0;
+  const int corners = CellShape::Of(this->Shape).NumberOfCorners;
+  for (int corner = 0; corner < corners; ++corner)
+  {
+    // NaN where a number is not finite.
+    check += 0.0 * c[corner][0] + 0.0 * c[corner][1] + 0.0 * c[corner][2];
+  }
+  this->HasFiniteVectors = check == 0.0;
+  CellShape::Fit(this->Shape, this->Vectors);
+  if (this->Form != CURVED)
+  {
+    const double anywhere[3] = { 0.0, 0.0, 0.0 };
+    double inverse[3][3];
+    this->GetInverse(anywhere, inverse);
+    for (auto& row : c)
+    {
+      InverseJacobian::Multiply(inverse, row, row);
+    }
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,87 @@
+#include "Cells/InverseJacobian.h"
+
+#include <cmath>
+#include <utility>
+
+namespace interlume
+{
+
+// Gram and Schmidt's method on columns of length 1, the most independent first; R of Q R is then
+// solved backward.
+void InverseJacobian::InvertSingular(const double columns[3][4], double inverse[3][3])
+{
+  // How much of a column's length the others must leave for it to count.
+  constexpr double leastPart = 1e-10;
+  int order[3] = { 0, 1, 2 };
+  double rest[3][3];
+  double length[3];
+  for (int j = 0; j < 3; ++j)
+  {
+    length[j] = std::hypot(columns[j][0], columns[j][1], columns[j][2]);
+    for (int i = 0; i < 3; ++i)
+    {
+      inverse[j][i] = 0.0;
+      rest[j][i] = length[j] > 0.0 ? columns[j][i] / length[j] : 0.0;
+    }
+  }
+  double q[3][3];
+  double r[3][3];
+  int rank = 0;
+  for (; rank < 3; ++rank)
+  {
+    int best = rank;
+    for (int k = rank + 1; k < 3; ++k)
+    {
+      const double* candidate = rest[order[k]];
+      const double* leader = rest[order[best]];
+      best = Dot(candidate, candidate) > Dot(leader, leader) ? k : best;
+    }
+    std::swap(order[rank], order[best]);
+    for (int m = 0; m < rank; ++m)
+    {
+      std::swap(r[m][rank], r[m][best]);
+    }
+    const double* pivot = rest[order[rank]];
+    const double size = std::sqrt(Dot(pivot, pivot));
+    if (!(size > leastPart))
+    {
+      break;
+    }
+    r[rank][rank] = size;
+    for (int i = 0; i < 3; ++i)
+    {
+      q[rank][i] = pivot[i] / size;
+    }
+    for (int k = rank + 1; k < 3; ++k)
+    {
+      double* other = rest[order[k]];
+      r[rank][k] = Dot(q[rank], other);
+      for (int i = 0; i < 3; ++i)
+      {
+        other[i] -= r[rank][k] * q[rank][i];
+      }
+    }
+  }
+  for (int m = rank - 1; m >= 0; --m)
+  {
+    double* row = inverse[order[m]];
+    for (int i = 0; i < 3; ++i)
+    {
+      double sum = q[m][i];
+      for (int k = m + 1; k < rank; ++k)
+      {
+        sum -= r[m][k] * inverse[order[k]][i];
+      }
+      row[i] = sum / r[m][m];
+    }
+  }
+  for (int m = 0; m < rank; ++m)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      inverse[order[m]][i] /= length[order[m]];
+    }
+  }
+}
+
+}

@@ -1,0 +1,119 @@
+#ifndef interlume_ArcWalk_h
+#define interlume_ArcWalk_h
+
+#include "vtkMath.h"
+#include "vtkType.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+/**
+ * @class   ArcWalk
+ * @brief   follows a streamline by arc length, in fixed steps of the classical Runge-Kutta method
+ *
+ * dx/ds = +-v / |v|, in world space. A walk ends where a step would leave the field, or need a
+ * velocity that is not finite or not above MinimumSpeed, or where the direction turns by more than
+ * a right angle in a step, as at a sink.
+ */
+template <typename Walker>
+class ArcWalk
+{
+public:
+  ArcWalk(const Walker& walker, double minimumSpeed)
+    : Field(walker)
+    , MinimumSpeed(minimumSpeed)
+  {
+  }
+
+  /// Whether \a x is in the field.
+  bool IsInside(const double x[3])
+  {
+    double p[3];
+    return this->Field.Locate(x, p);
+  }
+
+  /// Stands at \a x.
+  void Begin(const double x[3])
+  {
+    std::copy_n(x, 3, this->Position);
+    this->HasDirection = this->GetDirection(x, this->Direction);
+  }
+  /// Whether there is a way to go.
+  bool CanGo() const { return this->HasDirection; }
+
+  /// Goes by \a step, against the flow where it is negative. False, and stays, at the end.
+  bool Go(double step)
+  {
+    if (!this->HasDirection)
+    {
+      return false;
+    }
+    double sum[3];
+    double rate[3];
+    std::copy_n(this->Direction, 3, rate);
+    std::copy_n(this->Direction, 3, sum);
+    constexpr double places[3] = { 0.5, 0.5, 1.0 };
+    constexpr double weights[3] = { 2.0, 2.0, 1.0 };
+    for (int stage = 0; stage < 3; ++stage)
+    {
+      double x[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        x[i] = this->Position[i] + places[stage] * step * rate[i];
+      }
+      if (!this->GoesOn(x, rate))
+      {
+        return false;
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        sum[i] += weights[stage] * rate[i];
+      }
+    }
+    double end[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      end[i] = this->Position[i] + step * sum[i] / 6.0;
+    }
+    if (!this->GoesOn(end, rate))
+    {
+      return false;
+    }
+    std::copy_n(end, 3, this->Position);
+    std::copy_n(rate, 3, this->Direction);
+    return true;
+  }
+
+  const double* GetPosition() const { return this->Position; }
+
+private:
+  bool GoesOn(const double x[3], double direction[3])
+  {
+    return this->GetDirection(x, direction) && vtkMath::Dot(direction, this->Direction) >= 0.0;
+  }
+
+  bool GetDirection(const double x[3], double direction[3])
+  {
+    double p[3];
+    if (!this->Field.Locate(x, p) || !this->Field.IsFinite())
+    {
+      return false;
+    }
+    double rate[3];
+    this->Field.GetVelocity(p, rate);
+    this->Field.GetWorldVector(p, rate, direction);
+    return vtkMath::Normalize(direction) > this->MinimumSpeed;
+  }
+
+  Walker Field;
+  double MinimumSpeed;
+  double Position[3] = { 0.0, 0.0, 0.0 };
+  double Direction[3] = { 0.0, 0.0, 0.0 };
+  bool HasDirection = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,40 @@
+#ifndef interlume_CellPositions_h
+#define interlume_CellPositions_h
+
+#include "Cells/CellTree.h"
+#include "Fields/ArrayRows.h"
+
+#include <functional>
+#include <string>
+
+namespace interlume
+{
+
+/**
+ * @class   CellPositions
+ * @brief   where the points of cells are: whether they are finite, and a tree of the cells' boxes
+ *
+ * \a positions must outlive it.
+ */
+class CellPositions
+{
+public:
+  /// The points of a cell, at most eight; 0 for a cell to leave out.
+  using CellPoints = std::function<int(vtkIdType cell, vtkIdType* points)>;
+
+  CellPositions(const ArrayRows& positions, CellPoints getPoints);
+
+  /// Names the first point of the first cell that is not finite; nothing without one.
+  std::string FindError(vtkIdType numberOfCells) const;
+  void Build(vtkIdType numberOfCells, CellTree& tree) const;
+
+private:
+  vtkIdType FindPoint(vtkIdType cell) const;
+
+  const ArrayRows& Positions;
+  CellPoints GetPoints;
+};
+
+}
+
+#endif

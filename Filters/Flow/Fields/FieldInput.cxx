@@ -1,0 +1,87 @@
+#include "Fields/FieldInput.h"
+
+#include "Cells/MultilinearCell.h"
+#include "Fields/MergedDataSets.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+namespace
+{
+bool HasVolume(vtkDataSet* data)
+{
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    if (!MultilinearCell::IsFlat(data->GetCellType(cell)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+FieldInput::FieldInput(vtkDataObject* input)
+  : Whole(vtkDataSet::SafeDownCast(input))
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    const auto leaves = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      auto* leaf = vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject());
+      if (leaf && leaf->GetNumberOfCells() > 0)
+      {
+        this->Blocks.push_back({ leaf, leaves->GetCurrentFlatIndex() });
+      }
+    }
+    // Patches of a boundary, beside the blocks that they are of.
+    const auto firstFlat = std::stable_partition(this->Blocks.begin(), this->Blocks.end(),
+      [](const Block& block) { return HasVolume(block.Data); });
+    if (firstFlat != this->Blocks.begin())
+    {
+      this->Blocks.erase(firstFlat, this->Blocks.end());
+    }
+  }
+}
+
+bool FieldInput::IsComposite(vtkDataObject* input)
+{
+  return vtkCompositeDataSet::SafeDownCast(input) != nullptr;
+}
+
+vtkSmartPointer<vtkDataSet> FieldInput::MakeField() const
+{
+  if (this->Blocks.empty())
+  {
+    return this->Whole;
+  }
+  std::vector<vtkDataSet*> parts;
+  for (const Block& block : this->Blocks)
+  {
+    parts.push_back(block.Data);
+  }
+  if (parts.size() == 1)
+  {
+    return parts[0];
+  }
+  return MergedDataSets::Merge(parts);
+}
+
+vtkSmartPointer<vtkDataSet> FieldInput::MakeSamples(vtkDataSet* field) const
+{
+  if (this->Blocks.empty() || vtkUnstructuredGrid::SafeDownCast(field))
+  {
+    return field;
+  }
+  return MergedDataSets::Merge({ field });
+}
+
+}

@@ -1,0 +1,55 @@
+#ifndef interlume_FieldInput_h
+#define interlume_FieldInput_h
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSet;
+
+namespace interlume
+{
+
+/**
+ * @class   FieldInput
+ * @brief   the field that a dataset, or a composite dataset, is
+ *
+ * A dataset is the field itself, and so is the only block of a composite one; several blocks are
+ * one grid by MergedDataSets. A block is a leaf with cells; leaves without cells of three
+ * dimensions are none where others have some.
+ */
+class FieldInput
+{
+public:
+  struct Block
+  {
+    vtkDataSet* Data;
+    /// As vtkCompositeDataIterator counts.
+    unsigned int FlatIndex;
+  };
+
+  explicit FieldInput(vtkDataObject* input);
+
+  /// Empty for a dataset, which is none.
+  const std::vector<Block>& GetBlocks() const { return this->Blocks; }
+
+  /// Null without an input, or without a block. Merges blocks when it is called.
+  vtkSmartPointer<vtkDataSet> MakeField() const;
+  /**
+   * The dataset whose points are the samples: \a field, or for composite input, whose type is not
+   * known before it is there, a vtkUnstructuredGrid of the same.
+   */
+  vtkSmartPointer<vtkDataSet> MakeSamples(vtkDataSet* field) const;
+
+  /// Whether samples will be a vtkUnstructuredGrid, whatever the blocks are.
+  static bool IsComposite(vtkDataObject* input);
+
+private:
+  vtkDataSet* Whole;
+  std::vector<Block> Blocks;
+};
+
+}
+
+#endif

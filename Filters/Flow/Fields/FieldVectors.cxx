@@ -1,0 +1,141 @@
+#include "Fields/FieldVectors.h"
+
+#include "Cells/MultilinearCell.h"
+#include "Common/Blanking.h"
+#include "Common/GridCells.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+
+#include <sstream>
+
+namespace interlume
+{
+
+namespace
+{
+std::string DescribeCellArray(vtkDataArray* array)
+{
+  return "Array \"" + std::string(array->GetName() ? array->GetName() : "(unnamed)") +
+    "\" is not a point array: it is in the cells; vectors are needed at the points. Apply "
+    "vtkCellDataToPointData (Cell Data to Point Data) first.";
+}
+
+// The point arrays that could be taken.
+std::string DescribeVectors(vtkDataSet* data)
+{
+  std::string names;
+  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetPointData()->GetArray(i);
+    if (array && array->GetNumberOfComponents() == 3 && array->GetName())
+    {
+      names += std::string(names.empty() ? "\"" : ", \"") + array->GetName() + "\"";
+    }
+  }
+  return names.empty() ? "It has no point array of three components."
+                       : "Its point arrays of three components: " + names + ".";
+}
+}
+
+void FieldVectors::FillPortInformation(vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  for (const char* type :
+    { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid", "vtkUnstructuredGrid" })
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+  }
+}
+
+std::string FieldVectors::Check(
+  vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked)
+{
+  const std::string wrong = CheckVectors(data, vectors, association, asked);
+  return wrong.empty() ? CheckCells(data) : wrong;
+}
+
+std::string FieldVectors::CheckVectors(
+  vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked)
+{
+  std::ostringstream what;
+  if (!vectors)
+  {
+    const char* name =
+      asked->Has(vtkDataObject::FIELD_NAME()) ? asked->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+    vtkDataArray* inCells =
+      name ? data->GetCellData()->GetArray(name) : data->GetCellData()->GetVectors();
+    if (inCells)
+    {
+      return DescribeCellArray(inCells);
+    }
+    what << "The field has no "
+         << (name ? "array of numbers \"" + std::string(name) + "\""
+                  : std::string("active point vectors"))
+         << ". " << DescribeVectors(data);
+  }
+  else
+  {
+    const std::string name = vectors->GetName() ? vectors->GetName() : "(unnamed)";
+    if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+    {
+      what << DescribeCellArray(vectors);
+    }
+    else if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+    {
+      what << "Array \"" << name << "\" is not a point array; vectors are needed at the points.";
+    }
+    else if (vectors->GetNumberOfComponents() != 3)
+    {
+      what << "Array \"" << name << "\" has " << vectors->GetNumberOfComponents()
+           << " components; three are needed.";
+    }
+    else if (vectors->GetNumberOfTuples() != data->GetNumberOfPoints())
+    {
+      what << "Array \"" << name << "\" has " << vectors->GetNumberOfTuples() << " vectors for "
+           << data->GetNumberOfPoints() << " points.";
+    }
+  }
+  return what.str();
+}
+
+std::string FieldVectors::CompareNames(vtkDataArray* first, vtkDataArray* other)
+{
+  const auto describe = [](vtkDataArray* array)
+  { return "\"" + std::string(array->GetName() ? array->GetName() : "") + "\""; };
+  return describe(first) == describe(other)
+    ? std::string()
+    : "The vectors are " + describe(other) + ", in the first block " + describe(first) + ".";
+}
+
+std::string FieldVectors::CheckCells(vtkDataSet* data)
+{
+  Blanking blanking;
+  blanking.SetBlanking(data);
+  bool isFlat = data->GetNumberOfCells() > 0;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    // Datasets give hidden cells the empty type.
+    const int type = data->GetCellType(cell);
+    const bool isKnown = MultilinearCell::GetShape(type) != MultilinearCell::NONE;
+    isFlat = isFlat && !isKnown && type != VTK_EMPTY_CELL;
+    if (!isKnown && !blanking.IsCellBlanked(cell) && !MultilinearCell::IsFlat(type))
+    {
+      std::ostringstream what;
+      what << "Cell " << cell << " is a " << GridCells::GetClassName(type)
+           << "; tetrahedra, voxels, hexahedra, wedges and pyramids are needed.";
+      return what.str();
+    }
+  }
+  return isFlat ? "The field has no three-dimensional cells. Flow in a plane needs two layers of "
+                  "points: append an image to itself along the third axis, extrude other grids."
+                : std::string();
+}
+
+}

@@ -1,0 +1,175 @@
+#include "Fields/FlowField.h"
+
+#include "Common/Blanking.h"
+#include "Fields/SpeedScale.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+
+std::string GetName(vtkDataArray* array)
+{
+  return array->GetName() ? "\"" + std::string(array->GetName()) + "\"" : "without a name";
+}
+
+std::string FindError(vtkDataSet* data, vtkDataArray* array, const char* what, int components)
+{
+  if (!array)
+  {
+    return std::string("there is no array of ") + what;
+  }
+  if (array->GetNumberOfComponents() != components)
+  {
+    return "the array " + GetName(array) + " has " +
+      std::to_string(array->GetNumberOfComponents()) + " components, not " +
+      std::to_string(components);
+  }
+  if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    return "the array " + GetName(array) + " has " + std::to_string(array->GetNumberOfTuples()) +
+      " tuples for " + std::to_string(data->GetNumberOfPoints()) + " points";
+  }
+  return {};
+}
+
+// The plain sum of squares is fast, but overflows and underflows.
+double GetLength(const double v[3])
+{
+  const double squared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  return std::isnormal(squared) ? std::sqrt(squared) : std::hypot(v[0], v[1], v[2]);
+}
+
+struct Sums
+{
+  interlume::SpeedScale Speeds;
+  vtkIdType NonFinite = 0;
+};
+
+}
+
+std::string FlowField::SetArrays(
+  vtkDataSet* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays)
+{
+  std::string error = FindError(data, vectors, "vectors", 3);
+  for (vtkDataArray* array : arrays)
+  {
+    if (error.empty())
+    {
+      error = FindError(data, array, "numbers", 1);
+    }
+  }
+  if (!error.empty())
+  {
+    return error;
+  }
+  this->Vectors.Build(vectors);
+  this->Arrays.resize(arrays.size());
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+  {
+    this->Arrays[i].Build(arrays[i]);
+  }
+  this->NumberOfCells = data->GetNumberOfCells();
+  data->GetBounds(this->Bounds);
+  return {};
+}
+
+void FlowField::SetBlanking(vtkDataSet* data, const CellPoints& cells)
+{
+  Blanking blanking;
+  blanking.SetBlanking(data);
+  if (!blanking.HasBlanking())
+  {
+    return;
+  }
+  this->Excluded.assign(this->NumberOfCells, 0);
+  vtkSMPTools::For(0, this->NumberOfCells,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      vtkIdType points[8];
+      for (vtkIdType cell = first; cell < last; ++cell)
+      {
+        bool isExcluded = blanking.IsCellHidden(cell);
+        const int number = blanking.PointGhosts && !isExcluded ? cells(cell, points) : 0;
+        for (int v = 0; v < number; ++v)
+        {
+          isExcluded = isExcluded || blanking.IsPointBlanked(points[v]);
+        }
+        this->Excluded[cell] = isExcluded;
+      }
+    });
+}
+
+void FlowField::ExcludeFlat(vtkIdType cell)
+{
+  this->Excluded.resize(static_cast<std::size_t>(this->NumberOfCells), 0);
+  this->Excluded[static_cast<std::size_t>(cell)] = 1;
+  ++this->NumberOfFlatCells;
+}
+
+void FlowField::Measure(const CellPoints& cells, bool hasOtherPoints)
+{
+  // Points that do not count may have any vectors.
+  const bool isPart = hasOtherPoints || !this->Excluded.empty();
+  std::vector<std::atomic<bool>> isUsed(isPart ? this->Vectors.GetNumber() : 0);
+  if (isPart)
+  {
+    vtkSMPTools::For(0, this->NumberOfCells,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        vtkIdType points[8];
+        for (vtkIdType cell = first; cell < last; ++cell)
+        {
+          const int number = this->IsCellIncluded(cell) ? cells(cell, points) : 0;
+          for (int v = 0; v < number; ++v)
+          {
+            isUsed[points[v]].store(true, std::memory_order_relaxed);
+          }
+        }
+      });
+  }
+  vtkSMPThreadLocal<Sums> sums;
+  vtkSMPTools::For(0, this->Vectors.GetNumber(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      Sums& sum = sums.Local();
+      for (vtkIdType point = first; point < last; ++point)
+      {
+        if (isPart && !isUsed[point].load(std::memory_order_relaxed))
+        {
+          continue;
+        }
+        double v[3];
+        this->GetVector(point, v);
+        if (std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]))
+        {
+          sum.Speeds.Add(GetLength(v));
+        }
+        else
+        {
+          ++sum.NonFinite;
+        }
+      }
+    });
+  Sums all;
+  for (const Sums& sum : sums)
+  {
+    all.Speeds.Add(sum.Speeds);
+    all.NonFinite += sum.NonFinite;
+  }
+  this->MaximumSpeed = all.Speeds.GetLargest();
+  this->SpeedScale = all.Speeds.GetScale(this->NumberOfFillValues);
+  this->NumberOfNonFiniteVectors = all.NonFinite;
+}
+
+}

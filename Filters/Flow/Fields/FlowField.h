@@ -1,0 +1,117 @@
+#ifndef interlume_FlowField_h
+#define interlume_FlowField_h
+
+#include "Common/StageProgress.h"
+#include "Fields/ArrayRows.h"
+
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataSet;
+
+namespace interlume
+{
+
+/**
+ * @class   FlowField
+ * @brief   what walkers share: the vectors, further point arrays, and which cells are the field's
+ *
+ * Constant once it is built, and read by any number of threads. A class for each kind of dataset
+ * adds the geometry, and `std::string Build(dataset, vectors, arrays, progress)`, which returns
+ * what is wrong with the field, or nothing. Once its progress is aborted nothing is wrong, but the
+ * field is of no use. The arrays may be of any type; they are kept for as long as the field.
+ *
+ * Cells that are hidden or refined, or that have a hidden point, are not part of the field.
+ * Duplicates of another piece's cells are.
+ */
+class FlowField
+{
+public:
+  bool IsCellIncluded(vtkIdType cell) const
+  {
+    return this->Excluded.empty() || !this->Excluded[cell];
+  }
+
+  void GetVector(vtkIdType point, double vector[3]) const { this->Vectors.Get<3>(point, vector); }
+  void PrefetchVector(vtkIdType point) const { this->Vectors.Prefetch<3>(point); }
+  /// Of the point array with this number.
+  double GetValue(int array, vtkIdType point) const
+  {
+    double value;
+    this->Arrays[array].Get<1>(point, &value);
+    return value;
+  }
+  int GetNumberOfArrays() const { return static_cast<int>(this->Arrays.size()); }
+
+  /// The largest length of a finite vector in a point of the field's cells; 0 without one.
+  double GetMaximumSpeed() const { return this->MaximumSpeed; }
+  /// The same without fill values, and in how many points those are (SpeedScale).
+  double GetSpeedScale() const { return this->SpeedScale; }
+  vtkIdType GetNumberOfFillValues() const { return this->NumberOfFillValues; }
+  /// Points of the field's cells whose vector is not finite.
+  vtkIdType GetNumberOfNonFiniteVectors() const { return this->NumberOfNonFiniteVectors; }
+  /// Of the dataset: lower and upper of x, y, z.
+  const double* GetBounds() const { return this->Bounds; }
+  double GetLargestCoordinate() const
+  {
+    double largest = 0.0;
+    for (const double bound : this->Bounds)
+    {
+      largest = std::max(largest, std::abs(bound));
+    }
+    return largest;
+  }
+  vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
+  /// Cells of fewer than three dimensions, which are not part of the field.
+  vtkIdType GetNumberOfFlatCells() const { return this->NumberOfFlatCells; }
+
+protected:
+  FlowField() = default;
+  ~FlowField() = default;
+
+  /// The points of a cell, at most eight; returns how many.
+  using CellPoints = std::function<int(vtkIdType cell, vtkIdType* points)>;
+
+  /// Returns what is wrong with the arrays, or nothing.
+  std::string SetArrays(
+    vtkDataSet* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
+  /// Finds the excluded cells.
+  void SetBlanking(vtkDataSet* data, const CellPoints& cells);
+  /// Leaves out a cell of fewer dimensions.
+  void ExcludeFlat(vtkIdType cell);
+  /// Finds speed and not finite vectors. \a hasOtherPoints: whether there are points that no cell
+  /// of the field has.
+  void Measure(const CellPoints& cells, bool hasOtherPoints);
+
+  static std::string GetErrorWithoutCells()
+  {
+    return "the field has no three-dimensional cells. Flow in a plane needs two layers of points: "
+           "append an image to itself along the third axis, extrude other grids";
+  }
+
+private:
+  FlowField(const FlowField&) = delete;
+  void operator=(const FlowField&) = delete;
+
+  ArrayRows Vectors;
+  std::vector<ArrayRows> Arrays;
+  // Empty where none is.
+  std::vector<unsigned char> Excluded;
+  double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  vtkIdType NumberOfCells = 0;
+  vtkIdType NumberOfFlatCells = 0;
+  double MaximumSpeed = 0.0;
+  double SpeedScale = 0.0;
+  vtkIdType NumberOfFillValues = 0;
+  vtkIdType NumberOfNonFiniteVectors = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,73 @@
+#include "Fields/ImageFlowField.h"
+
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+
+#include <cfloat>
+#include <cmath>
+
+namespace interlume
+{
+
+std::string ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress)
+{
+  int points[3];
+  image->GetDimensions(points);
+  std::string error = this->BuildIndices(image, points, vectors, arrays, progress);
+  if (!error.empty())
+  {
+    return error;
+  }
+  vtkMatrix4x4* matrix = image->GetIndexToPhysicalMatrix();
+  const int* extent = image->GetExtent();
+  double columns[3][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Origin[i] = matrix->GetElement(i, 3);
+    for (int j = 0; j < 3; ++j)
+    {
+      this->Axes[i][j] = matrix->GetElement(i, j);
+      columns[j][i] = this->Axes[i][j];
+      this->Origin[i] += this->Axes[i][j] * extent[2 * j];
+    }
+  }
+  // By the cross products of columns: spacings of any size have an inverse.
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* b = columns[(i + 1) % 3];
+    const double* c = columns[(i + 2) % 3];
+    const double normal[3] = { b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2],
+      b[0] * c[1] - b[1] * c[0] };
+    const double* a = columns[i];
+    const double volume = a[0] * normal[0] + a[1] * normal[1] + a[2] * normal[2];
+    const double* bounds = this->GetBounds();
+    double rounding = 0.0;
+    for (int j = 0; j < 3; ++j)
+    {
+      this->Inverse[i][j] = normal[j] / volume;
+      rounding += std::abs(this->Inverse[i][j]) *
+        std::max(std::abs(bounds[2 * j]), std::abs(bounds[2 * j + 1]));
+    }
+    if (!std::isfinite(rounding))
+    {
+      return "the image's spacing and direction matrix have no inverse";
+    }
+    this->Slack[i] = 1e-12 + 8.0 * DBL_EPSILON * rounding;
+  }
+  return {};
+}
+
+bool ImageFlowField::Locate(const double x[3], Place& place, double p[3]) const
+{
+  const double d[3] = { x[0] - this->Origin[0], x[1] - this->Origin[1], x[2] - this->Origin[2] };
+  double q[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* row = this->Inverse[i];
+    q[i] = row[0] * d[0] + row[1] * d[1] + row[2] * d[2];
+  }
+  return this->Find(q, this->Slack, place, p);
+}
+
+}

@@ -1,0 +1,60 @@
+#ifndef interlume_ImageFlowField_h
+#define interlume_ImageFlowField_h
+
+#include "Fields/IndexedFlowField.h"
+
+class vtkImageData;
+
+namespace interlume
+{
+
+/**
+ * @class   ImageFlowField
+ * @brief   a field on an image, turned or not
+ *
+ * Errors of Build: those of the arrays; an image without cells of dimension 3; a spacing or
+ * direction matrix that has no inverse.
+ */
+class ImageFlowField : public IndexedFlowField
+{
+public:
+  ImageFlowField() = default;
+
+  std::string Build(vtkImageData* image, vtkDataArray* vectors,
+    const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {});
+
+  bool Locate(const double x[3], Place& place, double p[3]) const;
+
+  void GetPosition(const Place& place, const double p[3], double x[3]) const
+  {
+    const double q[3] = { place.Index[0] + p[0], place.Index[1] + p[1], place.Index[2] + p[2] };
+    for (int i = 0; i < 3; ++i)
+    {
+      const double* row = this->Axes[i];
+      x[i] = this->Origin[i] + (row[0] * q[0] + row[1] * q[1] + row[2] * q[2]);
+    }
+  }
+
+  /// d of p to x, at [3 i + j].
+  void GetFrame(const Place&, double frame[9]) const { Copy(this->Axes, frame); }
+  void GetInverse(const Place&, double inverse[9]) const { Copy(this->Inverse, inverse); }
+
+private:
+  static void Copy(const double from[3][3], double to[9])
+  {
+    for (int i = 0; i < 9; ++i)
+    {
+      to[i] = from[i / 3][i % 3];
+    }
+  }
+
+  // Of the first point; cells along x, y, z.
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  double Axes[3][3] = {};
+  double Inverse[3][3] = {};
+  double Slack[3] = { 0.0, 0.0, 0.0 };
+};
+
+}
+
+#endif

@@ -1,0 +1,105 @@
+#include "Fields/IndexedFlowField.h"
+
+#include "vtkDataSet.h"
+
+namespace interlume
+{
+
+std::string IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3],
+  vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays, const StageProgress& progress)
+{
+  if (points[0] < 2 || points[1] < 2 || points[2] < 2)
+  {
+    return GetErrorWithoutCells();
+  }
+  const vtkIdType number = static_cast<vtkIdType>(points[0]) * points[1] * points[2];
+  std::string error = data->GetNumberOfPoints() == number ? this->SetArrays(data, vectors, arrays)
+                                                          : "the grid has " +
+      std::to_string(data->GetNumberOfPoints()) + " points of " + std::to_string(number);
+  if (!error.empty())
+  {
+    return error;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Cells[axis] = points[axis] - 1;
+    if (axis > 0)
+    {
+      this->CellStrides[axis] = this->CellStrides[axis - 1] * this->Cells[axis - 1];
+      this->PointStrides[axis] = this->PointStrides[axis - 1] * points[axis - 1];
+    }
+  }
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    this->CornerOffsets[corner] = (corner & 1) * this->PointStrides[0] +
+      (corner >> 1 & 1) * this->PointStrides[1] + (corner >> 2) * this->PointStrides[2];
+  }
+  const auto getPoints = [this](vtkIdType cell, vtkIdType* ids)
+  {
+    const Place place = this->GetPlace(cell);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      ids[corner] = this->GetCorner(place, corner);
+    }
+    return 8;
+  };
+  this->SetBlanking(data, getPoints);
+  if (progress.Reach(0.5))
+  {
+    this->Measure(getPoints, false);
+  }
+  return {};
+}
+
+bool IndexedFlowField::Find(
+  const double q[3], const double slack[3], Place& place, double p[3]) const
+{
+  int index[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(q[axis] >= -slack[axis] && q[axis] <= this->Cells[axis] + slack[axis]))
+    {
+      return false;
+    }
+    const double inside = std::min(std::max(q[axis], 0.0), static_cast<double>(this->Cells[axis]));
+    index[axis] = std::min(static_cast<int>(inside), this->Cells[axis] - 1);
+    p[axis] = inside - index[axis];
+  }
+  place = this->GetPlace(index);
+  return this->IsCellIncluded(place.Cell) || this->Settle(slack, place, p);
+}
+
+bool IndexedFlowField::Settle(const double slack[3], Place& place, double p[3]) const
+{
+  // Across one face before two, and two before three.
+  constexpr int combinations[7] = { 1, 2, 4, 3, 5, 6, 7 };
+  for (const int axes : combinations)
+  {
+    int index[3];
+    double moved[3];
+    bool exists = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = place.Index[axis];
+      moved[axis] = p[axis];
+      if (axes >> axis & 1)
+      {
+        const bool isUp = p[axis] > 0.5;
+        exists = exists && (isUp ? 1.0 - p[axis] : p[axis]) <= slack[axis];
+        index[axis] += isUp ? 1 : -1;
+        moved[axis] = isUp ? 0.0 : 1.0;
+        exists = exists && index[axis] >= 0 && index[axis] < this->Cells[axis];
+      }
+    }
+    const Place neighbor = exists ? this->GetPlace(index) : place;
+    if (exists && this->IsCellIncluded(neighbor.Cell))
+    {
+      place = neighbor;
+      std::copy(moved, moved + 3, p);
+      return true;
+    }
+  }
+  return false;
+}
+
+}

@@ -1,0 +1,168 @@
+#ifndef interlume_IndexedFlowField_h
+#define interlume_IndexedFlowField_h
+
+#include "Cells/Trilinear.h"
+#include "Fields/FlowField.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+/**
+ * @class   IndexedFlowField
+ * @brief   fields whose cells have the indices (i, j, k): images, rectilinear and structured grids
+ *
+ * p of a cell is in [0,1]^3 along i, j and k. Faces 0 to 5 are -i, +i, -j, +j, -k, +k. Indices
+ * count from 0, whatever the extent.
+ */
+class IndexedFlowField : public FlowField
+{
+public:
+  /// A cell, and its first corner.
+  struct Place
+  {
+    vtkIdType Cell = 0;
+    vtkIdType Point = 0;
+    int Index[3] = { 0, 0, 0 };
+  };
+
+  Place GetPlace(const int index[3]) const
+  {
+    Place place;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      place.Index[axis] = index[axis];
+      place.Cell += index[axis] * this->CellStrides[axis];
+      place.Point += index[axis] * this->PointStrides[axis];
+    }
+    return place;
+  }
+
+  Place GetPlace(vtkIdType cell) const
+  {
+    const int index[3] = { static_cast<int>(cell % this->Cells[0]),
+      static_cast<int>(cell / this->CellStrides[1] % this->Cells[1]),
+      static_cast<int>(cell / this->CellStrides[2]) };
+    return this->GetPlace(index);
+  }
+
+  /// Whether a face is on the outside of the grid.
+  bool IsOutside(const Place& place, int face) const
+  {
+    const int axis = face >> 1;
+    return place.Index[axis] == (face & 1 ? this->Cells[axis] - 1 : 0);
+  }
+
+  /// To the cell beyond a face; false, and no change, where none is part of the field.
+  bool Step(Place& place, int face) const
+  {
+    if (this->IsOutside(place, face))
+    {
+      return false;
+    }
+    const int axis = face >> 1;
+    const int way = face & 1 ? 1 : -1;
+    const vtkIdType cell = place.Cell + way * this->CellStrides[axis];
+    if (!this->IsCellIncluded(cell))
+    {
+      return false;
+    }
+    place.Cell = cell;
+    place.Point += way * this->PointStrides[axis];
+    place.Index[axis] += way;
+    return true;
+  }
+
+  /// The vectors that the neighbour has and the cell has not.
+  void Prefetch(const Place& place, int face) const
+  {
+    this->ForEachCornerBeyond(
+      place, face, [this](vtkIdType point) { this->PrefetchVector(point); });
+  }
+
+  /// The corners of [0,1]^3, x fastest.
+  vtkIdType GetCorner(const Place& place, int corner) const
+  {
+    return place.Point + this->CornerOffsets[corner];
+  }
+  void GetVectors(const Place& place, Trilinear& vectors) const
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      this->GetVector(this->GetCorner(place, corner), vectors.C[corner]);
+      vectors.C[corner][3] = 0.0;
+    }
+  }
+  /// In the first column; the others become 0.
+  void GetValues(int array, const Place& place, Trilinear& values) const
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      values.Clear(corner);
+      values.C[corner][0] = this->GetValue(array, this->GetCorner(place, corner));
+    }
+  }
+
+  /// The place on a face in parts of the grid.
+  void GetParameters(const Place& place, int face, const double p[3], double uv[2]) const
+  {
+    int direction = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (axis != face >> 1)
+      {
+        const double part = (place.Index[axis] + p[axis]) / this->Cells[axis];
+        uv[direction++] = std::min(std::max(part, 0.0), 1.0);
+      }
+    }
+  }
+
+protected:
+  IndexedFlowField() = default;
+  ~IndexedFlowField() = default;
+
+  /// Numbers of points, arrays and blanking, all but the geometry; an error or nothing.
+  std::string BuildIndices(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
+    const std::vector<vtkDataArray*>& arrays, const StageProgress& progress);
+
+  /**
+   * The cell that \a q, in cells along each axis, is in, and the place there. Up to \a slack beyond
+   * the grid's faces counts as on them. From a cell that is not the field's to one that is and that
+   * shares the place.
+   */
+  bool Find(const double q[3], const double slack[3], Place& place, double p[3]) const;
+
+  /// Calls visit(point) for those corners of a face's neighbour that are not on the face.
+  template <typename Visitor>
+  void ForEachCornerBeyond(const Place& place, int face, Visitor&& visit) const
+  {
+    if (this->IsOutside(place, face))
+    {
+      return;
+    }
+    const int axis = face >> 1;
+    const int way = face & 1;
+    const vtkIdType neighbor = place.Point + (way ? 1 : -1) * this->PointStrides[axis];
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      if ((corner >> axis & 1) == way)
+      {
+        visit(neighbor + this->CornerOffsets[corner]);
+      }
+    }
+  }
+
+  int Cells[3] = { 0, 0, 0 };
+  vtkIdType CellStrides[3] = { 1, 0, 0 };
+  vtkIdType PointStrides[3] = { 1, 0, 0 };
+
+private:
+  bool Settle(const double slack[3], Place& place, double p[3]) const;
+
+  vtkIdType CornerOffsets[8] = { 0, 0, 0, 0, 0, 0, 0, 0 };
+};
+
+}
+
+#endif

@@ -1,0 +1,64 @@
+#include "Fields/RectilinearFlowField.h"
+
+#include "vtkDataArray.h"
+#include "vtkRectilinearGrid.h"
+
+#include <cfloat>
+#include <cmath>
+
+namespace interlume
+{
+
+std::string RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress)
+{
+  int points[3];
+  grid->GetDimensions(points);
+  std::string error = this->BuildIndices(grid, points, vectors, arrays, progress);
+  if (!error.empty())
+  {
+    return error;
+  }
+  vtkDataArray* const coordinates[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+    grid->GetZCoordinates() };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!coordinates[axis] || coordinates[axis]->GetNumberOfTuples() < points[axis])
+    {
+      return std::string("there are too few coordinates along ") + "xyz"[axis];
+    }
+    std::vector<double>& values = this->Coordinates[axis];
+    values.resize(points[axis]);
+    for (int i = 0; i < points[axis]; ++i)
+    {
+      values[i] = coordinates[axis]->GetTuple1(i);
+      const double step = i > 0 ? values[i] - values[i - 1] : 0.0;
+      if (!std::isfinite(values[i]) || (i > 0 && !(step * (values[1] - values[0]) > 0.0)))
+      {
+        return std::string("the coordinates along ") + "xyz"[axis] +
+          " neither ascend nor descend to number " + std::to_string(i);
+      }
+    }
+    this->Magnitude[axis] = std::max(std::abs(values.front()), std::abs(values.back()));
+  }
+  return {};
+}
+
+bool RectilinearFlowField::Locate(const double x[3], Place& place, double p[3]) const
+{
+  double q[3];
+  double slack[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double>& values = this->Coordinates[axis];
+    const bool isAscending = values[1] > values[0];
+    const auto next = std::upper_bound(values.begin() + 1, values.end() - 1, x[axis],
+      [isAscending](double a, double b) { return isAscending ? a < b : a > b; });
+    const double width = *next - *(next - 1);
+    q[axis] = static_cast<double>(next - 1 - values.begin()) + (x[axis] - *(next - 1)) / width;
+    slack[axis] = 1e-12 + 8.0 * DBL_EPSILON * this->Magnitude[axis] / std::abs(width);
+  }
+  return this->Find(q, slack, place, p);
+}
+
+}

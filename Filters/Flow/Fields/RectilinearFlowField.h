@@ -1,0 +1,72 @@
+#ifndef interlume_RectilinearFlowField_h
+#define interlume_RectilinearFlowField_h
+
+#include "Fields/IndexedFlowField.h"
+
+class vtkRectilinearGrid;
+
+namespace interlume
+{
+
+/**
+ * @class   RectilinearFlowField
+ * @brief   a field on a rectilinear grid
+ *
+ * Errors of Build: those of the arrays; a grid without cells of dimension 3; coordinates that
+ * neither ascend nor descend from each point to the next.
+ */
+class RectilinearFlowField : public IndexedFlowField
+{
+public:
+  RectilinearFlowField() = default;
+
+  std::string Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
+    const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {});
+
+  bool Locate(const double x[3], Place& place, double p[3]) const;
+
+  void GetPosition(const Place& place, const double p[3], double x[3]) const
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // Both ends come out as they are, so that neighbours agree.
+      const double* ends = this->GetEnds(place, axis);
+      x[axis] = (1.0 - p[axis]) * ends[0] + p[axis] * ends[1];
+    }
+  }
+
+  /// d of p to x, at [3 i + j].
+  void GetFrame(const Place& place, double frame[9]) const
+  {
+    for (int i = 0; i < 9; ++i)
+    {
+      frame[i] = i % 4 ? 0.0 : this->GetWidth(place, i / 4);
+    }
+  }
+  void GetInverse(const Place& place, double inverse[9]) const
+  {
+    for (int i = 0; i < 9; ++i)
+    {
+      inverse[i] = i % 4 ? 0.0 : 1.0 / this->GetWidth(place, i / 4);
+    }
+  }
+
+private:
+  const double* GetEnds(const Place& place, int axis) const
+  {
+    return this->Coordinates[axis].data() + place.Index[axis];
+  }
+  double GetWidth(const Place& place, int axis) const
+  {
+    const double* ends = this->GetEnds(place, axis);
+    return ends[1] - ends[0];
+  }
+
+  std::vector<double> Coordinates[3];
+  // Largest coordinates, which x is rounded by.
+  double Magnitude[3] = { 0.0, 0.0, 0.0 };
+};
+
+}
+
+#endif

@@ -1,0 +1,94 @@
+#ifndef interlume_SpeedScale_h
+#define interlume_SpeedScale_h
+
+#include "vtkType.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace interlume
+{
+
+/**
+ * @class   SpeedScale
+ * @brief   the largest of many speeds, and the largest of those that are no fill values
+ *
+ * A fill value, such as 1e30 where nothing was measured, is alone at the top: no more than one
+ * speed in a hundred is (one of less than a hundred), and from all others it is apart by about a
+ * thousand, with nothing in between. Speeds that grow so large by and by are no such values. Speeds
+ * of 0 do not count. The same in any order of speeds.
+ */
+class SpeedScale
+{
+public:
+  /// One that is finite.
+  void Add(double speed)
+  {
+    if (speed > 0.0)
+    {
+      const auto power = static_cast<std::size_t>(std::ilogb(speed) + Offset);
+      ++this->Numbers[power];
+      this->Largest[power] = std::max(this->Largest[power], speed);
+    }
+  }
+  void Add(const SpeedScale& other)
+  {
+    for (std::size_t power = 0; power < Powers; ++power)
+    {
+      this->Numbers[power] += other.Numbers[power];
+      this->Largest[power] = std::max(this->Largest[power], other.Largest[power]);
+    }
+  }
+
+  /// Of all; 0 without one.
+  double GetLargest() const
+  {
+    return *std::max_element(this->Largest.begin(), this->Largest.end());
+  }
+
+  /// Of those that are no fill values, and how many are.
+  double GetScale(vtkIdType& beyond) const
+  {
+    vtkIdType number = 0;
+    for (const vtkIdType one : this->Numbers)
+    {
+      number += one;
+    }
+    const vtkIdType most = number < LeastNumber ? 0 : std::max<vtkIdType>(number / 100, 1);
+    beyond = 0;
+    vtkIdType above = 0;
+    double scale = this->GetLargest();
+    std::size_t last = Powers;
+    for (std::size_t power = Powers; power-- > 0 && above <= most;)
+    {
+      if (this->Numbers[power] == 0)
+      {
+        continue;
+      }
+      if (last < Powers && last - power > Gap)
+      {
+        beyond = above;
+        scale = this->Largest[power];
+      }
+      above += this->Numbers[power];
+      last = power;
+    }
+    return scale;
+  }
+
+private:
+  /// Powers of 2, those of numbers that are not normal among them.
+  static constexpr int Offset = 1080;
+  static constexpr std::size_t Powers = 2112;
+  static constexpr std::size_t Gap = 10;
+  /// Of fewer speeds none is a fill value.
+  static constexpr vtkIdType LeastNumber = 8;
+
+  std::array<vtkIdType, Powers> Numbers{};
+  std::array<double, Powers> Largest{};
+};
+
+}
+
+#endif

@@ -1,0 +1,142 @@
+#include "Fields/StructuredFlowField.h"
+
+#include "Fields/CellPositions.h"
+
+#include "vtkPoints.h"
+#include "vtkStructuredGrid.h"
+
+namespace interlume
+{
+
+std::string StructuredFlowField::Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress)
+{
+  int points[3];
+  grid->GetDimensions(points);
+  std::string error = this->BuildIndices(grid, points, vectors, arrays, progress.GetPart(0.0, 0.2));
+  if (!error.empty() || !progress.Reach(0.2))
+  {
+    return error;
+  }
+  this->Positions.Build(grid->GetPoints()->GetData());
+  const CellPositions positions(this->Positions,
+    [this](vtkIdType cell, vtkIdType* ids)
+    {
+      const Place place = this->GetPlace(cell);
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        ids[corner] = this->GetCorner(place, corner);
+      }
+      return this->IsCellIncluded(cell) ? 8 : 0;
+    });
+  error = positions.FindError(this->GetNumberOfCells());
+  if (error.empty() && progress.Reach(0.3))
+  {
+    positions.Build(this->GetNumberOfCells(), this->Tree);
+    if (progress.Reach(0.9))
+    {
+      this->FindSeams();
+    }
+  }
+  return error;
+}
+
+std::vector<vtkIdType> StructuredFlowField::GetOutsideFaces() const
+{
+  std::vector<vtkIdType> faces;
+  for (int face = 0; face < 6; ++face)
+  {
+    const int axis = face >> 1;
+    const int across[2] = { (axis + 1) % 3, (axis + 2) % 3 };
+    int index[3];
+    index[axis] = face & 1 ? this->Cells[axis] - 1 : 0;
+    for (index[across[1]] = 0; index[across[1]] < this->Cells[across[1]]; ++index[across[1]])
+    {
+      for (index[across[0]] = 0; index[across[0]] < this->Cells[across[0]]; ++index[across[0]])
+      {
+        const vtkIdType cell = this->GetPlace(index).Cell;
+        if (this->IsCellIncluded(cell))
+        {
+          faces.push_back(8 * cell + face);
+        }
+      }
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+std::vector<vtkIdType> StructuredFlowField::GetOuterFaces() const
+{
+  std::vector<vtkIdType> faces = this->GetOutsideFaces();
+  const auto isSeam = [this](vtkIdType face)
+  { return this->FindSeam(face / 8, static_cast<int>(face % 8)) != nullptr; };
+  faces.erase(std::remove_if(faces.begin(), faces.end(), isSeam), faces.end());
+  return faces;
+}
+
+int StructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) const
+{
+  const Place place = this->GetPlace(face / 8);
+  const int* corners = CellShape::Of(CellShape::HEXAHEDRON).Faces[face % 8].Corners;
+  for (int i = 0; i < 4; ++i)
+  {
+    points[i] = this->GetCorner(place, corners[i]);
+  }
+  return 4;
+}
+
+void StructuredFlowField::FindSeams()
+{
+  const std::vector<vtkIdType> faces = this->GetOutsideFaces();
+  std::vector<FaceLinks::Link> links(faces.size(), FaceLinks::Link{ -1, 0, false });
+  this->Joins = FaceLinks::Find(
+    static_cast<vtkIdType>(faces.size()), 1,
+    [&](vtkIdType i, FaceLinks::Block& block)
+    { block.Corners[0] = this->GetFacePoints(faces[i], block.Points[0]); },
+    [&](vtkIdType i, vtkIdType* points)
+    {
+      const Place place = this->GetPlace(faces[i] / 8);
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        points[corner] = this->GetCorner(place, corner);
+      }
+      return 8;
+    },
+    this->Positions, [&](vtkIdType i, const FaceLinks::Link& link) { links[i] = link; });
+  this->Seams.clear();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (links[i].Face >= 0)
+    {
+      this->Seams.push_back({ faces[i], links[i] });
+      this->Seams.back().Link.Face = faces[links[i].Face];
+    }
+  }
+}
+
+const StructuredFlowField::Seam* StructuredFlowField::FindSeam(vtkIdType cell, int face) const
+{
+  const vtkIdType wanted = 8 * cell + face;
+  const auto found = std::lower_bound(this->Seams.begin(), this->Seams.end(), wanted,
+    [](const Seam& seam, vtkIdType value) { return seam.Face < value; });
+  return found != this->Seams.end() && found->Face == wanted ? &*found : nullptr;
+}
+
+bool StructuredFlowField::CrossSeam(Place& place, int face, double p[3]) const
+{
+  const Seam* seam = this->FindSeam(place.Cell, face);
+  if (!seam)
+  {
+    return false;
+  }
+  const auto& faces = CellShape::Of(CellShape::HEXAHEDRON).Faces;
+  double uv[2];
+  faces[face].GetParameters(p, uv);
+  FaceLinks::Map(4, seam->Link.Start, seam->Link.IsReversed, uv);
+  faces[seam->Link.Face % 8].GetPlace(uv, p);
+  place = this->GetPlace(seam->Link.Face / 8);
+  return true;
+}
+
+}

@@ -1,0 +1,104 @@
+#ifndef interlume_StructuredFlowField_h
+#define interlume_StructuredFlowField_h
+
+#include "Cells/CellShape.h"
+#include "Cells/CellTree.h"
+#include "Fields/FaceLinks.h"
+#include "Fields/IndexedFlowField.h"
+
+class vtkStructuredGrid;
+
+namespace interlume
+{
+
+/**
+ * @class   StructuredFlowField
+ * @brief   a field on a structured grid of hexahedra
+ *
+ * Where faces on the outside have the same coordinates (FaceLinks), as along the cut of an O- or
+ * C-grid, the grid goes on from one to the other.
+ *
+ * Errors of Build: those of the arrays; a grid without cells of dimension 3; a point of the field
+ * that is not finite.
+ */
+class StructuredFlowField : public IndexedFlowField
+{
+public:
+  StructuredFlowField() = default;
+
+  using IndexedFlowField::GetPlace;
+
+  std::string Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
+    const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {});
+
+  int GetShape(const Place&) const { return CellShape::HEXAHEDRON; }
+  void GetPoints(const Place& place, Trilinear& points) const
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      this->Positions.Get<3>(this->GetCorner(place, corner), points.C[corner]);
+      points.C[corner][3] = 0.0;
+    }
+  }
+  const CellTree& GetTree() const { return this->Tree; }
+  /// How far from where they were meant points of floats may be; 0 for doubles.
+  double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
+
+  /// The positions and vectors that the neighbour has and the cell has not.
+  void Prefetch(const Place& place, int face) const
+  {
+    this->ForEachCornerBeyond(place, face,
+      [this](vtkIdType point)
+      {
+        this->Positions.Prefetch<3>(point);
+        this->PrefetchVector(point);
+      });
+  }
+
+  /// Through a face into the neighbour; false, and no change, where there is none.
+  bool Cross(Place& place, int face, double p[3]) const
+  {
+    if (this->Step(place, face))
+    {
+      p[face >> 1] = face & 1 ? 0.0 : 1.0;
+      return true;
+    }
+    return !this->Seams.empty() && this->IsOutside(place, face) && this->CrossSeam(place, face, p);
+  }
+  /// The faces on the outside that are no seam, eight times their cell and their number there,
+  /// ascending.
+  std::vector<vtkIdType> GetOuterFaces() const;
+  /// Of the seams, each pair once.
+  const FaceLinks::Joins& GetJoins() const { return this->Joins; }
+
+  /// Whether a streamline leaves the grid there.
+  bool IsDomainFace(const Place& place, int face) const
+  {
+    return this->IsOutside(place, face) &&
+      (this->Seams.empty() || !this->FindSeam(place.Cell, face));
+  }
+
+private:
+  // A face is eight times its cell, and its number there.
+  struct Seam
+  {
+    vtkIdType Face;
+    FaceLinks::Link Link;
+  };
+
+  std::vector<vtkIdType> GetOutsideFaces() const;
+  int GetFacePoints(vtkIdType face, vtkIdType* points) const;
+  void FindSeams();
+  const Seam* FindSeam(vtkIdType cell, int face) const;
+  bool CrossSeam(Place& place, int face, double p[3]) const;
+
+  ArrayRows Positions;
+  CellTree Tree;
+  // By ascending face.
+  std::vector<Seam> Seams;
+  FaceLinks::Joins Joins;
+};
+
+}
+
+#endif

@@ -1,0 +1,38 @@
+#ifndef interlume_StructuredWalker_h
+#define interlume_StructuredWalker_h
+
+#include "Fields/IsoparametricWalker.h"
+#include "Fields/StructuredFlowField.h"
+
+namespace interlume
+{
+
+/**
+ * @class   StructuredWalker
+ * @brief   the walker of structured grids: neighbours by index, and over the cut of O- and C-grids
+ */
+class StructuredWalker : public IsoparametricWalker<StructuredFlowField>
+{
+public:
+  using IsoparametricWalker::IsoparametricWalker;
+
+  void Prefetch(int face, int round) const
+  {
+    if (round == 0)
+    {
+      this->Shared->Prefetch(this->Stand, face);
+    }
+  }
+  int GetDomainFace(int face) const
+  {
+    return this->Shared->IsDomainFace(this->Stand, face) ? face : -1;
+  }
+  void GetDomainParameters(int face, const double p[3], double uv[2]) const
+  {
+    this->Shared->GetParameters(this->Stand, face, p, uv);
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,204 @@
+#include "Fields/UnstructuredFlowField.h"
+
+#include "Cells/MultilinearCell.h"
+#include "Fields/CellPositions.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+
+namespace interlume
+{
+
+std::string UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress)
+{
+  static_assert(VTK_TETRA == FirstType && VTK_VOXEL == FirstType + 1 &&
+      VTK_HEXAHEDRON == FirstType + 2 && VTK_WEDGE == FirstType + 3 && VTK_PYRAMID == FirstType + 4,
+    "the types are in this order");
+  if (grid->GetNumberOfCells() == 0 || !grid->GetPoints())
+  {
+    return GetErrorWithoutCells();
+  }
+  std::string error = this->SetArrays(grid, vectors, arrays);
+  if (!error.empty())
+  {
+    return error;
+  }
+  this->Offsets.Build(grid->GetCells()->GetOffsetsArray());
+  this->PointIds.Build(grid->GetCells()->GetConnectivityArray());
+  this->TypeArray = GridCells::GetTypes(grid);
+  this->Types = this->TypeArray->GetPointer(0);
+  this->Positions.Build(grid->GetPoints()->GetData());
+  const auto getPoints = [this](vtkIdType cell, vtkIdType* ids)
+  {
+    const vtkIdType first = this->Offsets.Get(cell);
+    const vtkIdType number = std::min<vtkIdType>(this->Offsets.Get(cell + 1) - first, 8);
+    for (vtkIdType v = 0; v < number; ++v)
+    {
+      ids[v] = this->PointIds.Get(first + v);
+    }
+    return static_cast<int>(number);
+  };
+  this->SetBlanking(grid, getPoints);
+  this->ExcludeFlatCells();
+  error = this->GetNumberOfFlatCells() == this->GetNumberOfCells() ? GetErrorWithoutCells()
+                                                                   : this->FindCellError();
+  if (!error.empty() || !progress.Reach(0.1))
+  {
+    return error;
+  }
+  this->FindOnlyType();
+  this->Measure(getPoints, true);
+  if (!progress.Reach(0.2))
+  {
+    return {};
+  }
+  const CellPositions positions(this->Positions,
+    [this](vtkIdType cell, vtkIdType* ids) { return this->GetCellPoints(cell, ids); });
+  error = positions.FindError(this->GetNumberOfCells());
+  if (error.empty() && progress.Reach(0.3))
+  {
+    positions.Build(this->GetNumberOfCells(), this->Tree);
+    if (progress.Reach(0.6))
+    {
+      this->FindLinks();
+    }
+  }
+  return error;
+}
+
+void UnstructuredFlowField::ExcludeFlatCells()
+{
+  std::array<bool, 256> isFlat{};
+  for (int type = 0; type < 256; ++type)
+  {
+    isFlat[static_cast<std::size_t>(type)] =
+      GetCorners(type).Number == 0 && MultilinearCell::IsFlat(type);
+  }
+  for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    if (isFlat[this->Types[cell]] && this->IsCellIncluded(cell))
+    {
+      this->ExcludeFlat(cell);
+    }
+  }
+}
+
+void UnstructuredFlowField::FindOnlyType()
+{
+  const vtkIdType number = this->GetNumberOfCells();
+  const int size = GetCorners(this->Types[0]).Number;
+  const bool isOnly = std::all_of(this->Types, this->Types + number,
+                        [this](unsigned char type) { return type == this->Types[0]; }) &&
+    this->Offsets.Get(number) == number * size;
+  this->OnlyType = isOnly ? this->Types[0] : 0;
+  this->OnlySize = isOnly ? size : 0;
+}
+
+std::string UnstructuredFlowField::FindCellError() const
+{
+  for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    const int wanted = GetCorners(this->Types[cell]).Number;
+    const vtkIdType found = this->Offsets.Get(cell + 1) - this->Offsets.Get(cell);
+    if (!this->IsCellIncluded(cell) || (wanted > 0 && found == wanted))
+    {
+      continue;
+    }
+    const std::string which = "cell " + std::to_string(cell) + " is a " +
+      GridCells::GetClassName(this->Types[cell]) + " (type " + std::to_string(this->Types[cell]) +
+      ")";
+    return wanted == 0 ? which + "; a field has tetrahedra, voxels, hexahedra, wedges and pyramids"
+                       : which + " of " + std::to_string(found) + " points";
+  }
+  return {};
+}
+
+int UnstructuredFlowField::GetCellPoints(vtkIdType cell, vtkIdType* points) const
+{
+  if (!this->IsCellIncluded(cell))
+  {
+    return 0;
+  }
+  const Place place = this->GetPlace(cell);
+  this->ForEachCorner(place, [points](int corner, vtkIdType point) { points[corner] = point; });
+  return GetCorners(place.Type).Number;
+}
+
+void UnstructuredFlowField::FillFaces(vtkIdType cell, FaceLinks::Block& faces) const
+{
+  vtkIdType points[8];
+  const bool isIncluded = this->GetCellPoints(cell, points) > 0;
+  const CellShape& shape = CellShape::Of(GetCorners(this->Types[cell]).Shape);
+  const int number = isIncluded ? shape.NumberOfFaces : 0;
+  for (int i = 0; i < this->FacesPerCell; ++i)
+  {
+    faces.Corners[i] = i < number ? shape.Faces[i].NumberOfCorners : 0;
+    for (int corner = 0; corner < faces.Corners[i]; ++corner)
+    {
+      faces.Points[i][corner] = points[shape.Faces[i].Corners[corner]];
+    }
+  }
+}
+
+std::vector<vtkIdType> UnstructuredFlowField::GetOuterFaces() const
+{
+  std::vector<vtkIdType> faces;
+  for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    const int number = this->IsCellIncluded(cell)
+      ? CellShape::Of(GetCorners(this->Types[cell]).Shape).NumberOfFaces
+      : 0;
+    for (int face = 0; face < number; ++face)
+    {
+      if (this->Links[cell * this->FacesPerCell + face] < 0)
+      {
+        faces.push_back(8 * cell + face);
+      }
+    }
+  }
+  return faces;
+}
+
+int UnstructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) const
+{
+  FaceLinks::Block faces;
+  this->FillFaces(face / 8, faces);
+  const auto number = static_cast<int>(face % 8);
+  std::copy_n(faces.Points[number], faces.Corners[number], points);
+  return faces.Corners[number];
+}
+
+void UnstructuredFlowField::FindLinks()
+{
+  this->FacesPerCell = 4;
+  for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    if (this->IsCellIncluded(cell))
+    {
+      const int shape = GetCorners(this->Types[cell]).Shape;
+      this->FacesPerCell = std::max(this->FacesPerCell, CellShape::Of(shape).NumberOfFaces);
+    }
+  }
+  this->Links.assign(this->GetNumberOfCells() * this->FacesPerCell, -1);
+  this->Joins = FaceLinks::Find(
+    this->GetNumberOfCells(), this->FacesPerCell,
+    [this](vtkIdType cell, FaceLinks::Block& faces) { this->FillFaces(cell, faces); },
+    [this](vtkIdType face, vtkIdType* points)
+    { return this->GetCellPoints(face / this->FacesPerCell, points); },
+    this->Positions,
+    [this](vtkIdType face, const FaceLinks::Link& link)
+    {
+      const vtkIdType cell = link.Face / this->FacesPerCell;
+      const vtkIdType number = link.Face % this->FacesPerCell;
+      this->Links[face] = 64 * cell + 8 * number + 2 * link.Start + (link.IsReversed ? 1 : 0);
+    });
+}
+
+}

@@ -1,0 +1,194 @@
+#ifndef interlume_UnstructuredFlowField_h
+#define interlume_UnstructuredFlowField_h
+
+#include "Cells/CellShape.h"
+#include "Cells/CellTree.h"
+#include "Common/GridCells.h"
+#include "Common/StoredIds.h"
+#include "Fields/FaceLinks.h"
+#include "Fields/FlowField.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkUnstructuredGrid;
+
+namespace interlume
+{
+
+/**
+ * @class   UnstructuredFlowField
+ * @brief   a field on tetrahedra, voxels, hexahedra, wedges and pyramids
+ *
+ * Streamlines go from face to face by FaceLinks. A face without a link, as between a
+ * quadrilateral and two triangles, is where the field ends. Memory: a number for each face, beside
+ * the grid.
+ *
+ * Cells of fewer dimensions are not part of the field.
+ *
+ * Errors of Build: those of the arrays; a grid without cells; a cell of another type, or with
+ * another number of points; a point of a cell that is not finite.
+ */
+class UnstructuredFlowField : public FlowField
+{
+public:
+  /// A cell, its first point in the list of points, and its VTK type.
+  struct Place
+  {
+    vtkIdType Cell = 0;
+    vtkIdType First = 0;
+    int Type = 0;
+  };
+
+  UnstructuredFlowField() = default;
+
+  std::string Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
+    const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {});
+
+  Place GetPlace(vtkIdType cell) const
+  {
+    Place place;
+    place.Cell = cell;
+    place.First = this->OnlyType ? cell * this->OnlySize : this->Offsets.Get(cell);
+    place.Type = this->OnlyType ? this->OnlyType : this->Types[cell];
+    return place;
+  }
+  int GetShape(const Place& place) const { return GetCorners(place.Type).Shape; }
+
+  void GetPoints(const Place& place, Trilinear& points) const
+  {
+    this->ForEachCorner(place,
+      [&](int corner, vtkIdType point)
+      {
+        this->Positions.Get<3>(point, points.C[corner]);
+        points.C[corner][3] = 0.0;
+      });
+  }
+  void GetVectors(const Place& place, Trilinear& vectors) const
+  {
+    this->ForEachCorner(place,
+      [&](int corner, vtkIdType point)
+      {
+        this->GetVector(point, vectors.C[corner]);
+        vectors.C[corner][3] = 0.0;
+      });
+  }
+  /// In the first column; the others become 0.
+  void GetValues(int array, const Place& place, Trilinear& values) const
+  {
+    this->ForEachCorner(place,
+      [&](int corner, vtkIdType point)
+      {
+        values.Clear(corner);
+        values.C[corner][0] = this->GetValue(array, point);
+      });
+  }
+  const CellTree& GetTree() const { return this->Tree; }
+  /// How far from where they were meant points of floats may be; 0 for doubles.
+  double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
+
+  /// The faces without a neighbour, eight times their cell and their number there, ascending; and
+  /// the points of one in cyclic order, of which it returns the number.
+  std::vector<vtkIdType> GetOuterFaces() const;
+  int GetFacePoints(vtkIdType face, vtkIdType* points) const;
+  /// Of the links.
+  const FaceLinks::Joins& GetJoins() const { return this->Joins; }
+  const ArrayRows& GetPositions() const { return this->Positions; }
+
+  /// Round 0: the neighbour's list of points; round 1: their positions and vectors.
+  void Prefetch(const Place& place, int face, int round) const
+  {
+    const vtkIdType link = this->Links[place.Cell * this->FacesPerCell + face];
+    if (link < 0)
+    {
+      return;
+    }
+    const Place neighbor = this->GetPlace(link >> 6);
+    if (round == 0)
+    {
+      this->PointIds.Prefetch(
+        neighbor.First, neighbor.First + GetCorners(neighbor.Type).Number - 1);
+      return;
+    }
+    this->ForEachCorner(neighbor,
+      [this](int, vtkIdType point)
+      {
+        this->Positions.Prefetch<3>(point);
+        this->PrefetchVector(point);
+      });
+    interlume::Prefetch::Read(this->Links.data() + neighbor.Cell * this->FacesPerCell);
+  }
+
+  /// Through a face into the neighbour; false, and no change, where there is none.
+  bool Cross(Place& place, int face, double p[3]) const
+  {
+    const vtkIdType link = this->Links[place.Cell * this->FacesPerCell + face];
+    if (link < 0)
+    {
+      return false;
+    }
+    const CellShape::Face& from = CellShape::Of(this->GetShape(place)).Faces[face];
+    double uv[2];
+    from.GetParameters(p, uv);
+    FaceLinks::Map(from.NumberOfCorners, link >> 1 & 3, link & 1, uv);
+    place = this->GetPlace(link >> 6);
+    CellShape::Of(this->GetShape(place)).Faces[link >> 3 & 7].GetPlace(uv, p);
+    return true;
+  }
+
+private:
+  // What corners of VTK's types are in the shape's order.
+  struct TypeCorners
+  {
+    int Shape;
+    int Number;
+    int Order[8];
+  };
+  // Without corners for other types.
+  static const TypeCorners& GetCorners(int type)
+  {
+    static constexpr TypeCorners none = { CellShape::TETRAHEDRON, 0, {} };
+    static constexpr TypeCorners known[5] = { { CellShape::TETRAHEDRON, 4, { 0, 1, 2, 3 } },
+      { CellShape::HEXAHEDRON, 8, { 0, 1, 2, 3, 4, 5, 6, 7 } },
+      { CellShape::HEXAHEDRON, 8, { 0, 1, 3, 2, 4, 5, 7, 6 } },
+      { CellShape::WEDGE, 6, { 0, 1, 2, 3, 4, 5 } }, { CellShape::PYRAMID, 5, { 0, 1, 2, 3, 4 } } };
+    return type >= FirstType && type < FirstType + 5 ? known[type - FirstType] : none;
+  }
+  // VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID follow each other.
+  static constexpr int FirstType = 10;
+
+  template <typename Visitor>
+  void ForEachCorner(const Place& place, Visitor&& visit) const
+  {
+    const TypeCorners& corners = GetCorners(place.Type);
+    for (int corner = 0; corner < corners.Number; ++corner)
+    {
+      visit(corner, this->PointIds.Get(place.First + corners.Order[corner]));
+    }
+  }
+
+  void ExcludeFlatCells();
+  void FindOnlyType();
+  std::string FindCellError() const;
+  int GetCellPoints(vtkIdType cell, vtkIdType* points) const;
+  void FillFaces(vtkIdType cell, FaceLinks::Block& faces) const;
+  void FindLinks();
+
+  ArrayRows Positions;
+  StoredIds Offsets;
+  StoredIds PointIds;
+  const unsigned char* Types = nullptr;
+  // Where all cells are of one type that type, and how many points each has; else 0.
+  int OnlyType = 0;
+  int OnlySize = 0;
+  vtkSmartPointer<GridCells::Types> TypeArray;
+  CellTree Tree;
+  int FacesPerCell = 0;
+  // For each face of each cell -1, or 64 times the neighbour, 8 times its face, twice the start and
+  // whether it is reversed.
+  std::vector<vtkIdType> Links;
+  FaceLinks::Joins Joins;
+};
+
+}
+
+#endif

@@ -1,0 +1,44 @@
+#ifndef interlume_UnstructuredWalker_h
+#define interlume_UnstructuredWalker_h
+
+#include "Fields/BoundaryPatches.h"
+#include "Fields/IsoparametricWalker.h"
+#include "Fields/UnstructuredFlowField.h"
+
+namespace interlume
+{
+
+/**
+ * @class   UnstructuredWalker
+ * @brief   the walker of unstructured grids: neighbours by the points that faces share
+ *
+ * The place on a face is carried over exactly, by the face's own coordinates. Domain faces are the
+ * patches of the boundary.
+ */
+class UnstructuredWalker : public IsoparametricWalker<UnstructuredFlowField>
+{
+public:
+  using IsoparametricWalker::IsoparametricWalker;
+
+  void Prefetch(int face, int round) const { this->Shared->Prefetch(this->Stand, face, round); }
+
+  /// Patches that stay where they are; without them there are no domain faces.
+  void SetPatches(const BoundaryPatches* patches) { this->Patches = patches; }
+  int GetDomainFace(int face) const
+  {
+    return this->Patches ? this->Patches->Find(8 * this->GetCell() + face) : -1;
+  }
+  void GetDomainParameters(int face, const double p[3], double uv[2]) const
+  {
+    double x[3];
+    this->GetPosition(p, x);
+    this->Patches->GetParameters(this->GetDomainFace(face), x, uv);
+  }
+
+private:
+  const BoundaryPatches* Patches = nullptr;
+};
+
+}
+
+#endif

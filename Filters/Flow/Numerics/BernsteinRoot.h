@@ -1,0 +1,151 @@
+#ifndef interlume_BernsteinRoot_h
+#define interlume_BernsteinRoot_h
+
+#include "Numerics/Binomials.h"
+
+#include <cmath>
+
+namespace interlume
+{
+
+/**
+ * @class   BernsteinRoot
+ * @brief   where a polynomial in Bernstein's form first falls below 0 in [0, 1]
+ *
+ * It is cut in halves until its coefficients change sign once, which is one root (Descartes' rule),
+ * or not at all, which is none (J. M. Lane and R. F. Riesenfeld, "Bounds on a polynomial", BIT 21,
+ * 1981). So no pair of roots is missed, unless it is closer than rounding tells apart.
+ */
+class BernsteinRoot
+{
+public:
+  static constexpr int MaximumDegree = Binomials::MaximumDegree;
+  /// What Find returns where there is none.
+  static constexpr double None = 2.0;
+
+  /// The first of [0, 1] at which the polynomial falls below 0, from 0 or above at 0.
+  static double Find(const double* coefficients, int degree)
+  {
+    return BernsteinRoot::FindIn(coefficients, degree, 0.0, 1.0, 44);
+  }
+
+private:
+  static double FindIn(const double* b, int degree, double from, double width, int depth)
+  {
+    int changes = 0;
+    for (int i = 1; i <= degree; ++i)
+    {
+      changes += (b[i - 1] < 0.0) != (b[i] < 0.0);
+    }
+    if (b[0] < 0.0)
+    {
+      return from;
+    }
+    if (changes == 0)
+    {
+      return None;
+    }
+    if (changes == 1)
+    {
+      return from + width * BernsteinRoot::FindOnly(b, degree);
+    }
+    if (depth == 0)
+    {
+      return b[degree] < 0.0 ? from : None;
+    }
+    double left[MaximumDegree + 1] = {};
+    double right[MaximumDegree + 1] = {};
+    for (int i = 0; i <= degree; ++i)
+    {
+      right[i] = b[i];
+    }
+    left[0] = b[0];
+    for (int level = 1; level <= degree; ++level)
+    {
+      for (int i = 0; i <= degree - level; ++i)
+      {
+        right[i] = 0.5 * (right[i] + right[i + 1]);
+      }
+      left[level] = right[0];
+    }
+    const double root = BernsteinRoot::FindIn(left, degree, from, 0.5 * width, depth - 1);
+    return root != None
+      ? root
+      : BernsteinRoot::FindIn(right, degree, from + 0.5 * width, 0.5 * width, depth - 1);
+  }
+
+  /// The one root of a polynomial that is above 0 at 0 and below at 1: Newton's method in a
+  /// bracket, by powers of theta.
+  static double FindOnly(const double* b, int degree)
+  {
+    double powers[MaximumDegree + 1];
+    BernsteinRoot::GetPowers(b, degree, powers);
+    // No half of a second derivative is larger.
+    double bend = 0.0;
+    for (int k = 2; k <= degree; ++k)
+    {
+      bend += 0.5 * k * (k - 1) * std::abs(powers[k]);
+    }
+    double low = 0.0;
+    double high = 1.0;
+    double theta = BernsteinRoot::GuessOnly(powers[0], powers[1], b[degree]);
+    for (int iteration = 0; iteration < 100; ++iteration)
+    {
+      double value = powers[degree];
+      double slope = 0.0;
+      for (int i = degree - 1; i >= 0; --i)
+      {
+        slope = slope * theta + value;
+        value = value * theta + powers[i];
+      }
+      (value < 0.0 ? high : low) = theta;
+      double next = theta - value / slope;
+      const bool isNewton = next > low && next < high;
+      if (!isNewton)
+      {
+        next = value == 0.0 ? theta : 0.5 * (low + high);
+      }
+      // What Newton's method leaves is at most bend / slope times the square of its way.
+      const double way = next - theta;
+      if ((isNewton && bend * (way * way) <= 1e-14 * std::abs(slope)) || std::abs(way) <= 2e-16 ||
+        next == low || next == high)
+      {
+        return next;
+      }
+      theta = next;
+    }
+    return theta;
+  }
+
+  /// The root of the parabola with this value and slope at 0, and this value at 1.
+  static double GuessOnly(double start, double slope, double end)
+  {
+    const double bend = end - start - slope;
+    const double square = slope * slope - 4.0 * bend * start;
+    const double divisor = std::sqrt(square) - slope;
+    const double theta = 2.0 * start / divisor;
+    return theta > 0.0 && theta < 1.0 ? theta : start / (start - end);
+  }
+
+  static void GetPowers(const double* b, int degree, double* powers)
+  {
+    double differences[MaximumDegree + 1];
+    for (int i = 0; i <= degree; ++i)
+    {
+      differences[i] = b[i];
+    }
+    const double* binomials = Binomials::Get().Choose[degree];
+    for (int k = 0; k <= degree; ++k)
+    {
+      powers[k] = binomials[k] * differences[0];
+      for (int i = 0; i < degree - k; ++i)
+      {
+        differences[i] = differences[i + 1] - differences[i];
+      }
+    }
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,220 @@
+#include "Samples/BeyondCorners.h"
+
+#include "Common/Blanking.h"
+#include "Samples/ImplicitFlowArrays.h"
+
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPThreadLocalObject.h"
+#include "vtkSMPTools.h"
+#include "vtkTerminationSurface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+namespace interlume
+{
+
+namespace
+{
+constexpr int MostCorners = 8;
+// Of a cell's diagonal.
+constexpr double OnSurface = 1e-9;
+
+// One cell at a time, for one thread.
+class CellSearch
+{
+public:
+  CellSearch(vtkDataSet* samples, const ImplicitFlowArrays& arrays, const AdvectionOptions& options)
+    : Samples(samples)
+    , Arrays(arrays)
+    , Options(options)
+  {
+    this->Blanking.SetBlanking(samples);
+  }
+
+  void Search(vtkIdType cell, vtkIdList* ids, std::vector<BeyondCorners::Corner>& found)
+  {
+    if (!this->Load(cell, ids) || !this->IsMixed())
+    {
+      return;
+    }
+    for (std::size_t s = 0; s < this->Options.Surfaces.size(); ++s)
+    {
+      if (this->IsReachedHere(this->Options.Surfaces[s]) && this->IsCrossedBy(s))
+      {
+        this->AddCorners(static_cast<int>(s), found);
+      }
+    }
+  }
+
+private:
+  bool Load(vtkIdType cell, vtkIdList* ids)
+  {
+    switch (this->Samples->GetCellType(cell))
+    {
+      case VTK_TETRA:
+      case VTK_VOXEL:
+      case VTK_HEXAHEDRON:
+      case VTK_WEDGE:
+      case VTK_PYRAMID:
+        break;
+      default:
+        return false;
+    }
+    this->Samples->GetCellPoints(cell, ids);
+    this->Number = static_cast<int>(ids->GetNumberOfIds());
+    std::copy(ids->begin(), ids->end(), this->Ids.begin());
+    return !this->Blanking.IsCellHidden(cell) &&
+      std::none_of(
+        ids->begin(), ids->end(), [this](vtkIdType p) { return this->Blanking.IsPointBlanked(p); });
+  }
+
+  bool IsMixed() const
+  {
+    for (int i = 1; i < this->Number; ++i)
+    {
+      if (!this->Arrays.AreAlike(this->Ids[i], this->Ids[0]))
+      {
+        return true;
+      }
+    }
+    return this->Arrays.IsReached(this->Ids[0]) && this->Arrays.HasSides() &&
+      this->Arrays.IsAcrossSurface(this->Ids.data(), this->Number);
+  }
+
+  static bool HasId(const AdvectionOptions::Surface& surface, int id)
+  {
+    return id >= surface.Id && id < surface.Id + surface.Shape->GetNumberOfParts();
+  }
+  bool IsReachedHere(const AdvectionOptions::Surface& surface) const
+  {
+    return std::any_of(this->Ids.begin(), this->Ids.begin() + this->Number,
+      [&](vtkIdType p)
+      { return this->Arrays.IsReached(p) && HasId(surface, this->Arrays.GetId(p)); });
+  }
+
+  bool IsCrossedBy(std::size_t s)
+  {
+    const AdvectionOptions::Surface& surface = this->Options.Surfaces[s];
+    double above = VTK_DOUBLE_MAX;
+    double below = VTK_DOUBLE_MAX;
+    double lower[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
+    double upper[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+    double x[MostCorners][3];
+    bool isLeft = false;
+    for (int i = 0; i < this->Number; ++i)
+    {
+      const vtkIdType id = this->Ids[i];
+      this->Samples->GetPoint(id, x[i]);
+      const bool isOn = this->Arrays.IsReached(id) && HasId(surface, this->Arrays.GetId(id)) &&
+        this->Arrays.GetTime(id) == 0.0;
+      const double distance = isOn ? 0.0 : surface.Shape->EvaluateDistance(x[i]);
+      this->Distances[i] = distance;
+      above = distance >= 0.0 ? std::min(above, distance) : above;
+      below = distance <= 0.0 ? std::min(below, -distance) : below;
+      isLeft = isLeft || distance != 0.0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        lower[axis] = std::min(lower[axis], x[i][axis]);
+        upper[axis] = std::max(upper[axis], x[i][axis]);
+      }
+    }
+    this->Length = std::sqrt(vtkMath::Distance2BetweenPoints(lower, upper));
+    bool isCrossed = isLeft && above + below <= this->Length;
+    for (int i = 0; i < this->Number && isCrossed; ++i)
+    {
+      // What stagnates on the surface ends for a reason of its own.
+      isCrossed = std::abs(this->Distances[i]) > OnSurface * this->Length
+        ? surface.Shape->IsBeside(x[i])
+        : this->Arrays.GetStatus(this->Ids[i]) != vtkFlowStatus::STAGNATED;
+    }
+    return isCrossed;
+  }
+
+  void AddCorners(int surface, std::vector<BeyondCorners::Corner>& found) const
+  {
+    for (int i = 0; i < this->Number; ++i)
+    {
+      BeyondCorners::Corner corner;
+      corner.Sample = this->Ids[i];
+      corner.Surface = surface;
+      corner.Distance = this->Distances[i];
+      corner.Length = this->Length;
+      for (int j = 0; j < this->Number; ++j)
+      {
+        corner.IsOtherReached = corner.IsOtherReached ||
+          (this->Distances[j] * this->Distances[i] <= 0.0 && j != i &&
+            this->Arrays.IsReached(this->Ids[j]));
+      }
+      found.push_back(corner);
+    }
+  }
+
+  vtkDataSet* Samples;
+  const ImplicitFlowArrays& Arrays;
+  const AdvectionOptions& Options;
+  interlume::Blanking Blanking;
+  int Number = 0;
+  std::array<vtkIdType, MostCorners> Ids{};
+  std::array<double, MostCorners> Distances{};
+  double Length = 0.0;
+};
+
+// The nearest surface first.
+bool IsBefore(const BeyondCorners::Corner& a, const BeyondCorners::Corner& b)
+{
+  return std::make_tuple(a.Sample, std::abs(a.Distance), a.Surface) <
+    std::make_tuple(b.Sample, std::abs(b.Distance), b.Surface);
+}
+}
+
+std::vector<BeyondCorners::Corner> BeyondCorners::Find(
+  vtkDataSet* samples, const ImplicitFlowArrays& arrays, const AdvectionOptions& options)
+{
+  const vtkIdType cells = options.Surfaces.empty() ? 0 : samples->GetNumberOfCells();
+  vtkSMPThreadLocalObject<vtkIdList> lists;
+  vtkSMPThreadLocal<std::vector<Corner>> threads;
+  if (cells > 0)
+  {
+    // What the dataset makes at the first call is there for threads.
+    samples->GetCellPoints(0, lists.Local());
+    samples->GetCellType(0);
+  }
+  vtkSMPTools::For(0, cells,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      CellSearch search(samples, arrays, options);
+      for (vtkIdType cell = first; cell < last; ++cell)
+      {
+        search.Search(cell, lists.Local(), threads.Local());
+      }
+    });
+  std::vector<Corner> all;
+  for (const std::vector<Corner>& own : threads)
+  {
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::sort(all.begin(), all.end(), IsBefore);
+  std::vector<Corner> found;
+  for (const Corner& corner : all)
+  {
+    if (found.empty() || found.back().Sample != corner.Sample)
+    {
+      found.push_back(corner);
+    }
+    else if (found.back().Surface == corner.Surface)
+    {
+      found.back().Length = std::max(found.back().Length, corner.Length);
+      found.back().IsOtherReached = found.back().IsOtherReached || corner.IsOtherReached;
+    }
+  }
+  return found;
+}
+
+}

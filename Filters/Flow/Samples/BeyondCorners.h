@@ -1,0 +1,50 @@
+#ifndef interlume_BeyondCorners_h
+#define interlume_BeyondCorners_h
+
+#include "Advection/AdvectionOptions.h"
+
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkDataSet;
+
+namespace interlume
+{
+
+class ImplicitFlowArrays;
+
+/**
+ * @class   BeyondCorners
+ * @brief   samples that are corners of cells a termination surface passes through, answers
+ * differing
+ *
+ * Of the cells whose corners differ in status or id, or lie across their surface, those that a
+ * surface which a corner has reached passes through: its distance changes sign there, two corners
+ * on different sides are together no further from it than the cell's diagonal, and all are beside
+ * it, so that its rim is not in the cell. A corner on the surface has reached it.
+ */
+class BeyondCorners
+{
+public:
+  struct Corner
+  {
+    vtkIdType Sample = -1;
+    /// Its number in the options.
+    int Surface = -1;
+    /// Signed; 0 where the sample is on the surface.
+    double Distance = 0.0;
+    /// The longest diagonal of these cells.
+    double Length = 0.0;
+    /// Whether samples on the other side have an answer.
+    bool IsOtherReached = false;
+  };
+
+  /// Ascending by sample, each once: with the nearest surface. \a options are to stay as they are.
+  static std::vector<Corner> Find(
+    vtkDataSet* samples, const ImplicitFlowArrays& arrays, const AdvectionOptions& options);
+};
+
+}
+
+#endif

@@ -1,0 +1,116 @@
+#ifndef interlume_BeyondSamples_h
+#define interlume_BeyondSamples_h
+
+#include "vtkDataArray.h"
+#include "vtkFlowStatus.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+class vtkFieldData;
+
+namespace interlume
+{
+
+class ImplicitFlowArrays;
+
+/**
+ * @class   BeyondSamples
+ * @brief   what samples beside a termination surface would have if they lay on its other side
+ *
+ * Reads the field arrays that vtkFlowStatus::BeyondPrefix describes, and says with them which parts
+ * of a cell that a surface passes through have one answer: the part above the surface, where its
+ * distance is, and the part below.
+ *
+ * Arrays whose places are not those of the dataset's points are of another dataset, and none.
+ */
+class BeyondSamples
+{
+public:
+  static constexpr const char* Point = "SampleId";
+  static constexpr const char* Position = "SamplePosition";
+  static constexpr const char* Distance = "SampleDistance";
+  static constexpr const char* Normal = "SampleNormal";
+  static constexpr const char* Surface = "SampleSurface";
+
+  /// The name of the array that says this of samples.
+  static std::string GetName(const std::string& name)
+  {
+    return vtkFlowStatus::BeyondPrefix() + name;
+  }
+  /// Removes all of them.
+  static void Remove(vtkFieldData* data);
+
+  explicit BeyondSamples(vtkDataSet* data);
+
+  bool IsEmpty() const { return this->RowOfPoint.empty(); }
+  vtkIdType GetNumber() const { return this->Number; }
+
+  /// What lies on one side of the surface in a cell.
+  struct Part
+  {
+    /// 1 above and -1 below; 0 for no part.
+    int Side = 0;
+    /// That of all samples there.
+    int Id = -1;
+    /// Whether streamlines leave for the surface from all of them, or from none.
+    bool IsNear = false;
+    bool IsFar = false;
+  };
+  struct Parts
+  {
+    Part All[2];
+    /// Whether no part is missing that samples have answers in.
+    bool IsResolved = false;
+  };
+  /// Of a cell with these corners.
+  Parts GetParts(
+    const ImplicitFlowArrays& arrays, const vtkIdType* corners, vtkIdType number) const;
+
+  /// How a corner of a cell takes part in a part of it.
+  enum Roles
+  {
+    /// With its own answer; with what it would have beyond; with neither, being beyond.
+    OWN,
+    KNOWN,
+    UNKNOWN
+  };
+  Roles GetRole(const ImplicitFlowArrays& arrays, vtkIdType corner, const Part& part) const;
+
+  /// The row of a point in the arrays, -1 without one.
+  vtkIdType GetRow(vtkIdType point) const
+  {
+    return this->RowOfPoint[static_cast<std::size_t>(point)];
+  }
+  vtkIdType GetPoint(vtkIdType row) const;
+  /// From the surface, 0 and above.
+  double GetDistance(vtkIdType row) const;
+  /// 1 above, -1 below, 0 on the surface.
+  int GetSide(vtkIdType row) const;
+  /// Whether the streamline leaves away from the surface.
+  bool IsAway(vtkIdType row) const;
+  /// What the sample would have; -1 where that is not known.
+  int GetId(vtkIdType row) const;
+  /// The time that the streamline takes to the surface, below 0 where it comes from there; 0 where
+  /// that is not known.
+  double GetNearTime(const ImplicitFlowArrays& arrays, vtkIdType row) const;
+  void GetNormal(vtkIdType row, double normal[3]) const { this->Normals->GetTuple(row, normal); }
+
+private:
+  vtkIdType Number = 0;
+  vtkSmartPointer<vtkDataArray> Points;
+  vtkSmartPointer<vtkDataArray> Distances;
+  vtkSmartPointer<vtkDataArray> Normals;
+  vtkSmartPointer<vtkDataArray> Surfaces;
+  vtkSmartPointer<vtkDataArray> Sides;
+  vtkSmartPointer<vtkDataArray> Ids;
+  vtkSmartPointer<vtkDataArray> Times;
+  std::vector<vtkIdType> RowOfPoint;
+};
+
+}
+
+#endif

@@ -1,0 +1,443 @@
+#include "Samples/ImplicitFlowRun.h"
+
+#include "Advection/Advection.h"
+#include "Common/Batches.h"
+#include "Fields/BoundaryPatches.h"
+#include "Fields/FieldDispatch.h"
+#include "Fields/OpenInterfaces.h"
+#include "Samples/BeyondCorners.h"
+#include "Samples/BeyondSamples.h"
+#include "Samples/BeyondTrace.h"
+#include "Samples/CellRefinement.h"
+#include "Samples/ImplicitFlowArrays.h"
+#include "Samples/TerminationSides.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSignedCharArray.h"
+#include "vtkTerminationSurface.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <type_traits>
+
+namespace interlume
+{
+
+namespace
+{
+template <typename Array>
+Array* Add(vtkFieldData* data, const std::string& name, int components, vtkIdType number)
+{
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(number);
+  data->AddArray(array);
+  return array;
+}
+}
+
+/// What is kept of the samples; null is not.
+struct ImplicitFlowRun::Arrays
+{
+  vtkUnsignedCharArray* Status = nullptr;
+  vtkIntArray* Id = nullptr;
+  vtkDoubleArray* Parameters = nullptr;
+  vtkDoubleArray* Time = nullptr;
+  vtkSignedCharArray* Side = nullptr;
+  vtkDoubleArray* MaximumSpeed = nullptr;
+  vtkDoubleArray* ArcLength = nullptr;
+  vtkDoubleArray* MeanVorticity = nullptr;
+  std::vector<vtkDoubleArray*> Means;
+  vtkIntArray* Steps = nullptr;
+  vtkIntArray* StiffSteps = nullptr;
+
+  /// Calls visit(array, name, components) for those that are kept.
+  template <typename Visit>
+  void ForEach(const ImplicitFlowRun& run, Visit&& visit)
+  {
+    visit(this->Status, vtkFlowStatus::StatusArray(), 1);
+    visit(this->Id, vtkFlowStatus::IdArray(), 1);
+    visit(this->Parameters, vtkFlowStatus::ParametersArray(), 2);
+    visit(this->Time, vtkFlowStatus::TimeArray(), 1);
+    visit(this->Side, vtkFlowStatus::SideArray(), 1);
+    const auto visitIf = [&visit](bool isKept, auto& array, const char* name)
+    {
+      if (isKept)
+      {
+        visit(array, name, 1);
+      }
+    };
+    visitIf(run.Options.HasMaximumSpeed, this->MaximumSpeed, "MaximumSpeed");
+    visitIf(run.Options.HasArcLength, this->ArcLength, "ArcLength");
+    visitIf(run.Options.HasMeanVorticity, this->MeanVorticity, "MeanVorticity");
+    this->Means.resize(run.Means.size());
+    for (std::size_t i = 0; i < this->Means.size(); ++i)
+    {
+      visit(this->Means[i], "Mean" + run.Means[i], 1);
+    }
+    visitIf(run.KeepSteps, this->Steps, "AdvectionSteps");
+    visitIf(run.KeepSteps, this->StiffSteps, "StiffSteps");
+  }
+
+  /// Adds them to samples.
+  void Make(const ImplicitFlowRun& run, vtkDataSet* samples)
+  {
+    this->ForEach(run,
+      [samples](auto& array, const std::string& name, int components)
+      {
+        array = Add<std::remove_reference_t<decltype(*array)>>(
+          samples->GetPointData(), name, components, samples->GetNumberOfPoints());
+      });
+  }
+  /// Adds those of the samples beyond to field data.
+  void MakeBeyond(const ImplicitFlowRun& run, vtkFieldData* data, vtkIdType number)
+  {
+    this->ForEach(run,
+      [data, number](auto& array, const std::string& name, int components)
+      {
+        array = Add<std::remove_reference_t<decltype(*array)>>(
+          data, BeyondSamples::GetName(name), components, number);
+      });
+  }
+  /// Takes those that samples have.
+  void Find(const ImplicitFlowRun& run, vtkDataSet* samples)
+  {
+    this->ForEach(run,
+      [samples](auto& array, const std::string& name, int)
+      {
+        array = std::remove_reference_t<decltype(*array)>::SafeDownCast(
+          samples->GetPointData()->GetArray(name.c_str()));
+      });
+  }
+
+  void Set(vtkIdType id, const AdvectionResult& result)
+  {
+    this->Status->SetValue(id, static_cast<unsigned char>(result.Status));
+    this->Id->SetValue(id, result.Id);
+    this->Parameters->SetTypedTuple(id, result.Parameters);
+    this->Time->SetValue(id, result.Time);
+    const auto set = [id](vtkDoubleArray* array, double value)
+    {
+      if (array)
+      {
+        array->SetValue(id, value);
+      }
+    };
+    set(this->MaximumSpeed, result.MaximumSpeed);
+    set(this->ArcLength, result.ArcLength);
+    set(this->MeanVorticity, result.MeanVorticity);
+    for (std::size_t i = 0; i < this->Means.size(); ++i)
+    {
+      this->Means[i]->SetValue(id, i < result.Means.size() ? result.Means[i] : 0.0);
+    }
+    if (this->Steps)
+    {
+      this->Steps->SetValue(id, result.Steps);
+      this->StiffSteps->SetValue(id, result.StiffSteps);
+    }
+  }
+};
+
+ImplicitFlowRun::ImplicitFlowRun(vtkAlgorithm* owner, const AdvectionOptions& options)
+  : Owner(owner)
+  , Options(options)
+{
+}
+
+void ImplicitFlowRun::SetField(
+  vtkDataSet* field, vtkDataArray* vectors, const std::vector<std::string>& means)
+{
+  this->Field = field;
+  this->Vectors = vectors;
+  this->Means = means;
+}
+
+void ImplicitFlowRun::SetAutomatic(double error, double speed)
+{
+  this->AutomaticError = error;
+  this->AutomaticSpeed = speed;
+}
+
+std::string ImplicitFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
+{
+  for (const std::string& mean : this->Means)
+  {
+    vtkDataArray* array = this->Field->GetPointData()->GetArray(mean.c_str());
+    if (!array || array->GetNumberOfComponents() != 1)
+    {
+      return "The field has no point array \"" + mean + "\" of one component to take the mean of.";
+    }
+    means.push_back(array);
+  }
+  return {};
+}
+
+std::string ImplicitFlowRun::Execute(vtkDataSet* samples)
+{
+  std::vector<vtkDataArray*> means;
+  std::string error = this->FindArrays(means);
+  if (!error.empty())
+  {
+    return error;
+  }
+  for (std::size_t i = 0; i < means.size(); ++i)
+  {
+    this->Options.MeanArrays.push_back(static_cast<int>(i));
+  }
+  Arrays arrays;
+  arrays.Make(*this, samples);
+  error = FieldDispatch::Execute(
+    this->Field, this->Vectors, means,
+    [&](const auto& walker)
+    {
+      const double speed = walker.GetField().GetSpeedScale();
+      if (this->AutomaticError > 0.0)
+      {
+        // A field that is 0 throughout has no error.
+        this->Options.MaximumError =
+          std::max(this->AutomaticError * speed, std::numeric_limits<double>::min());
+      }
+      if (this->AutomaticSpeed > 0.0)
+      {
+        this->Options.MinimumSpeed =
+          std::max(this->AutomaticSpeed * speed, std::numeric_limits<double>::min());
+      }
+      auto own = walker;
+      int domainFaces = 6;
+      BoundaryPatches patches;
+      if constexpr (std::is_same_v<decltype(own), UnstructuredWalker>)
+      {
+        if (this->Options.HasDomainFaces)
+        {
+          const UnstructuredFlowField& field = walker.GetField();
+          patches.Build(
+            field.GetOuterFaces(),
+            [&field](vtkIdType face, vtkIdType* points)
+            { return field.GetFacePoints(face, points); },
+            field.GetPositions());
+          own.SetPatches(&patches);
+          domainFaces = patches.GetNumberOfPatches();
+        }
+      }
+      this->AddSurfaces(samples, this->Options.HasDomainFaces ? domainFaces : 0);
+      this->FollowAll(own, samples);
+    },
+    StageProgress(this->Owner, 0.0, FieldDispatch::BuildingPart));
+  return error;
+}
+
+template <typename Walker>
+void ImplicitFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
+{
+  this->Report = vtkFlowReport();
+  this->Report.MaximumError = this->Options.MaximumError;
+  this->Report.MinimumSpeed = this->Options.MinimumSpeed;
+  this->Describe(walker.GetField());
+  TerminationSides sides(this->Options);
+  bool goesOn = this->Follow(walker, samples, 0, 0, sides);
+  vtkSmartPointer<vtkUnstructuredGrid> grid;
+  if (goesOn && this->RefinementLevels > 0)
+  {
+    grid = CellRefinement::MakeGrid(samples);
+  }
+  for (int level = 1; goesOn && level <= this->RefinementLevels; ++level)
+  {
+    this->FindBeyond(walker, grid);
+    const vtkIdType before = grid->GetNumberOfPoints();
+    const CellRefinement::Result refined = CellRefinement::Refine(grid);
+    grid = refined.Grid;
+    this->Report.RefinedCells.push_back(refined.MixedCells);
+    this->Report.AddedSamples.push_back(grid->GetNumberOfPoints() - before);
+    goesOn = this->Follow(walker, grid, before, level, sides);
+  }
+  if (goesOn)
+  {
+    this->FindBeyond(walker, grid ? grid.GetPointer() : samples);
+  }
+  this->Refined = goesOn ? grid : nullptr;
+}
+
+template <typename FieldType>
+void ImplicitFlowRun::Describe(const FieldType& field)
+{
+  this->Report.MaximumSpeed = field.GetMaximumSpeed();
+  this->Report.FillValues = field.GetNumberOfFillValues();
+  this->Report.CellsOfFewerDimensions = field.GetNumberOfFlatCells();
+  if constexpr (std::is_same_v<FieldType, StructuredFlowField> ||
+    std::is_same_v<FieldType, UnstructuredFlowField>)
+  {
+    this->Report.JoinedFaces = field.GetJoins().Number;
+    this->Report.LargestJoinedGap = field.GetJoins().LargestGap;
+    const interlume::OpenInterfaces open = interlume::OpenInterfaces::Find(field);
+    this->Report.OpenInterfaces = open.Number;
+    this->Report.FirstOpenCell = open.FirstCell;
+  }
+}
+
+template <typename Walker>
+bool ImplicitFlowRun::Follow(
+  const Walker& walker, vtkDataSet* samples, vtkIdType first, int level, TerminationSides& sides)
+{
+  Arrays arrays;
+  arrays.Find(*this, samples);
+  vtkSMPThreadLocal<vtkFlowReport> reports;
+  const vtkIdType number = samples->GetNumberOfPoints();
+  if (number > 0)
+  {
+    // What the dataset makes at the first call is there for threads.
+    double x[3];
+    samples->GetPoint(0, x);
+  }
+  sides.SetNumberOfSamples(number);
+  constexpr double start = FieldDispatch::BuildingPart;
+  const double part = (1.0 - start) / (this->RefinementLevels + 1.0);
+  const bool isDone =
+    Batches::Run(number - first, this->Owner, start + level * part, start + (level + 1) * part,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        Advection<Walker> advection(walker, this->Options);
+        vtkFlowReport& report = reports.Local();
+        AdvectionResult result;
+        for (vtkIdType id = first + begin; id < first + end; ++id)
+        {
+          double x[3];
+          samples->GetPoint(id, x);
+          advection.Follow(x, result);
+          arrays.Set(id, result);
+          sides.Add(id, x, result);
+          report.Add(result);
+        }
+      });
+  for (const vtkFlowReport& report : reports)
+  {
+    this->Report.Add(report);
+  }
+  if (isDone)
+  {
+    FindSides(walker, samples, sides, arrays);
+  }
+  return isDone;
+}
+
+template <typename Walker>
+void ImplicitFlowRun::FindSides(
+  const Walker& walker, vtkDataSet* samples, const TerminationSides& sides, Arrays& arrays)
+{
+  arrays.Side->Fill(0);
+  const std::vector<vtkIdType> corners = sides.FindCorners(samples, arrays.Id->GetPointer(0));
+  vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      Walker field(walker);
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        const vtkIdType id = corners[static_cast<std::size_t>(i)];
+        double x[3];
+        double p[3];
+        double rate[3];
+        double velocity[3];
+        samples->GetPoint(id, x);
+        if (field.Locate(x, p))
+        {
+          field.GetVelocity(p, rate);
+          field.GetWorldVector(p, rate, velocity);
+          arrays.Side->SetValue(id, sides.GetSide(id, arrays.Id->GetValue(id), x, velocity));
+        }
+      }
+    });
+}
+
+template <typename Walker>
+void ImplicitFlowRun::FindBeyond(const Walker& walker, vtkDataSet* samples) const
+{
+  vtkFieldData* data = samples->GetFieldData();
+  BeyondSamples::Remove(data);
+  ImplicitFlowArrays known;
+  if (!known.Find(samples).empty())
+  {
+    return;
+  }
+  using Answer = typename BeyondTrace<Walker>::Answer;
+  const std::vector<BeyondCorners::Corner> corners =
+    BeyondCorners::Find(samples, known, this->Options);
+  std::vector<Answer> answers(corners.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      BeyondTrace<Walker> trace(walker, this->Options);
+      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+      {
+        double x[3];
+        samples->GetPoint(corners[i].Sample, x);
+        answers[i] = trace.Find(corners[i], x);
+      }
+    });
+  const auto number = static_cast<vtkIdType>(corners.size());
+  if (number == 0)
+  {
+    return;
+  }
+  using Beyond = BeyondSamples;
+  auto* points = Add<vtkIdTypeArray>(data, Beyond::GetName(Beyond::Point), 1, number);
+  auto* positions = Add<vtkDoubleArray>(data, Beyond::GetName(Beyond::Position), 3, number);
+  auto* distances = Add<vtkDoubleArray>(data, Beyond::GetName(Beyond::Distance), 1, number);
+  auto* normals = Add<vtkDoubleArray>(data, Beyond::GetName(Beyond::Normal), 3, number);
+  auto* surfaces = Add<vtkIntArray>(data, Beyond::GetName(Beyond::Surface), 1, number);
+  Arrays arrays;
+  arrays.MakeBeyond(*this, data, number);
+  for (vtkIdType row = 0; row < number; ++row)
+  {
+    const auto i = static_cast<std::size_t>(row);
+    points->SetValue(row, corners[i].Sample);
+    positions->SetTuple(row, samples->GetPoint(corners[i].Sample));
+    distances->SetValue(row, std::abs(corners[i].Distance));
+    normals->SetTuple(row, answers[i].Normal);
+    surfaces->SetValue(row, answers[i].IsStill ? -1 : corners[i].Surface);
+    arrays.Set(row, answers[i].Beyond);
+    arrays.Side->SetValue(row, answers[i].Side);
+  }
+  // The id tells whether something is reached.
+  data->RemoveArray(Beyond::GetName(vtkFlowStatus::StatusArray()).c_str());
+}
+
+void ImplicitFlowRun::AddSurfaces(vtkDataSet* samples, int domainFaces) const
+{
+  vtkNew<vtkIntArray> table;
+  table->SetName(vtkFlowStatus::SurfacesArray());
+  table->SetNumberOfComponents(3);
+  std::set<int> known;
+  const auto add = [&](int id, bool isPeriodicU, bool isPeriodicV)
+  {
+    if (known.insert(id).second)
+    {
+      const int tuple[3] = { id, isPeriodicU ? 1 : 0, isPeriodicV ? 1 : 0 };
+      table->InsertNextTypedTuple(tuple);
+    }
+  };
+  for (const AdvectionOptions::Surface& surface : this->Options.Surfaces)
+  {
+    for (int part = 0; part < surface.Shape->GetNumberOfParts(); ++part)
+    {
+      add(
+        surface.Id + part, surface.Shape->IsPeriodic(0, part), surface.Shape->IsPeriodic(1, part));
+    }
+  }
+  for (int face = 0; face < domainFaces; ++face)
+  {
+    add(this->Options.DomainFaceId + face, false, false);
+  }
+  samples->GetFieldData()->AddArray(table);
+}
+
+}

@@ -1,0 +1,224 @@
+#include "Samples/InflowFunction.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkExprTkFunctionParser.h"
+#include "vtkInflowKind.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace interlume
+{
+
+namespace
+{
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+// Places of the variables in a parser.
+enum Variables
+{
+  VARIABLE_U,
+  VARIABLE_V,
+  VARIABLE_F
+};
+
+// The first message of a parser, without where in VTK's source it comes from.
+void KeepMessage(vtkObject*, unsigned long, void* client, void* data)
+{
+  auto* message = static_cast<std::string*>(client);
+  if (!message->empty())
+  {
+    return;
+  }
+  const std::string text = static_cast<const char*>(data);
+  const std::size_t start = text.find("Msg: ");
+  *message = start == std::string::npos ? text : text.substr(start + 5);
+  message->resize(std::min(message->find_first_of("\t\n"), message->size()));
+}
+
+vtkSmartPointer<vtkExprTkFunctionParser> MakeParser(const std::string& formula)
+{
+  auto parser = vtkSmartPointer<vtkExprTkFunctionParser>::New();
+  parser->SetScalarVariableValue("u", 0.0);
+  parser->SetScalarVariableValue("v", 0.0);
+  parser->SetScalarVariableValue("f", 0.0);
+  parser->ReplaceInvalidValuesOn();
+  parser->SetReplacementValue(NotANumber);
+  parser->SetFunction(formula.c_str());
+  return parser;
+}
+}
+
+std::string InflowFunction::Prepare()
+{
+  switch (this->Kind)
+  {
+    case vtkInflowKind::FORMULA:
+      return this->CheckFormula();
+    case vtkInflowKind::IMAGE:
+      return this->ReadImage();
+    default:
+      return {};
+  }
+}
+
+std::string InflowFunction::CheckFormula() const
+{
+  if (this->Formula.empty())
+  {
+    return "The formula is empty.";
+  }
+  const auto parser = MakeParser(this->Formula);
+  std::string message;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(KeepMessage);
+  command->SetClientData(&message);
+  parser->AddObserver(vtkCommand::ErrorEvent, command);
+  const bool isScalar = parser->IsScalarResult();
+  const std::string start = "The formula \"" + this->Formula + "\" ";
+  if (!message.empty())
+  {
+    return start + "cannot be read: " + message;
+  }
+  return isScalar ? std::string() : start + "gives a vector, not a number.";
+}
+
+std::string InflowFunction::ReadImage()
+{
+  int dimensions[3];
+  this->Image->GetDimensions(dimensions);
+  vtkDataArray* array = this->Image->GetPointData()->GetScalars();
+  if (this->Image->GetNumberOfPoints() < 1)
+  {
+    return "The image has no points.";
+  }
+  if (std::count_if(dimensions, dimensions + 3, [](int size) { return size > 1; }) > 2)
+  {
+    return "The image has three dimensions, " + std::to_string(dimensions[0]) + " x " +
+      std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) + "; two are needed.";
+  }
+  if (!array || array->GetNumberOfTuples() != this->Image->GetNumberOfPoints())
+  {
+    return "The image has no active scalars in its points.";
+  }
+  // A plane of any two axes; rows of length 1 are left out by their size.
+  this->Size[0] = dimensions[0] > 1 || dimensions[2] == 1 ? dimensions[0] : dimensions[1];
+  this->Size[1] = static_cast<int>(this->Image->GetNumberOfPoints() / this->Size[0]);
+  const vtkIdType number = array->GetNumberOfTuples();
+  const bool isColor =
+    array->GetDataType() == VTK_UNSIGNED_CHAR && array->GetNumberOfComponents() >= 3;
+  this->Values.resize(number);
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    this->Values[i] = isColor ? 0.30 * array->GetComponent(i, 0) +
+        0.59 * array->GetComponent(i, 1) + 0.11 * array->GetComponent(i, 2)
+                              : array->GetComponent(i, 0);
+  }
+  return {};
+}
+
+InflowEvaluator::InflowEvaluator(const InflowFunction* function)
+  : Function(function)
+{
+  if (function && function->Kind == vtkInflowKind::FORMULA)
+  {
+    this->Parser = MakeParser(function->Formula);
+  }
+}
+
+InflowEvaluator::~InflowEvaluator() = default;
+
+void InflowEvaluator::SetSurface(int id, bool isPeriodicU, bool isPeriodicV)
+{
+  this->IsPeriodic[0] = isPeriodicU;
+  this->IsPeriodic[1] = isPeriodicV;
+  if (this->Parser)
+  {
+    this->Parser->SetScalarVariableValue(VARIABLE_F, id);
+  }
+}
+
+double InflowEvaluator::Evaluate(double u, double v)
+{
+  double uv[2] = { u, v };
+  for (int direction = 0; direction < 2; ++direction)
+  {
+    // 1 stays 1: a mapping may have another value there than at 0.
+    if (this->IsPeriodic[direction] && !(uv[direction] >= 0.0 && uv[direction] <= 1.0))
+    {
+      uv[direction] -= std::floor(uv[direction]);
+    }
+  }
+  double value = NotANumber;
+  switch (this->Function ? this->Function->Kind : vtkInflowKind::NONE)
+  {
+    case vtkInflowKind::FORMULA:
+      value = this->EvaluateFormula(uv);
+      break;
+    case vtkInflowKind::RINGS:
+      value = this->EvaluateRings(uv);
+      break;
+    case vtkInflowKind::IMAGE:
+      value = this->EvaluateImage(uv);
+      break;
+    default:
+      break;
+  }
+  return std::isfinite(value) ? value : NotANumber;
+}
+
+double InflowEvaluator::EvaluateFormula(const double uv[2])
+{
+  this->Parser->SetScalarVariableValue(VARIABLE_U, uv[0]);
+  this->Parser->SetScalarVariableValue(VARIABLE_V, uv[1]);
+  return this->Parser->GetScalarResult();
+}
+
+double InflowEvaluator::EvaluateRings(const double uv[2]) const
+{
+  double sum = 0.0;
+  for (const InflowFunction::Ring& ring : this->Function->Rings)
+  {
+    double way[2];
+    for (int direction = 0; direction < 2; ++direction)
+    {
+      way[direction] = uv[direction] - ring.Center[direction];
+      way[direction] -= this->IsPeriodic[direction] ? std::round(way[direction]) : 0.0;
+    }
+    const double place = (std::hypot(way[0], way[1]) - ring.Radius) / ring.Width;
+    sum += ring.Amplitude * std::exp(-place * place);
+  }
+  return sum;
+}
+
+double InflowEvaluator::EvaluateImage(const double uv[2]) const
+{
+  const int* size = this->Function->Size;
+  int first[2];
+  int second[2];
+  double weight[2];
+  for (int direction = 0; direction < 2; ++direction)
+  {
+    if (!std::isfinite(uv[direction]))
+    {
+      return NotANumber;
+    }
+    const double place = std::max(0.0, std::min(uv[direction], 1.0)) * (size[direction] - 1);
+    first[direction] = static_cast<int>(place);
+    second[direction] = std::min(first[direction] + 1, size[direction] - 1);
+    weight[direction] = place - first[direction];
+  }
+  const auto row = [&](int j)
+  {
+    const double* values = this->Function->Values.data() + static_cast<std::size_t>(j) * size[0];
+    return values[first[0]] + weight[0] * (values[second[0]] - values[first[0]]);
+  };
+  const double lower = row(first[1]);
+  return lower + weight[1] * (row(second[1]) - lower);
+}
+
+}

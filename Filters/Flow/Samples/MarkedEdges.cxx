@@ -1,0 +1,59 @@
+#include "Samples/MarkedEdges.h"
+
+#include "vtkMath.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace interlume
+{
+
+void MarkedEdges::Build(std::vector<Edge> edges, vtkPoints* points)
+{
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  this->Edges = std::move(edges);
+
+  this->Starts.assign(static_cast<std::size_t>(points->GetNumberOfPoints()) + 1, 0);
+  std::vector<double> lengths;
+  lengths.reserve(this->Edges.size());
+  for (const Edge& edge : this->Edges)
+  {
+    ++this->Starts[static_cast<std::size_t>(edge[0]) + 1];
+    double a[3];
+    double b[3];
+    points->GetPoint(edge[0], a);
+    points->GetPoint(edge[1], b);
+    const double length = vtkMath::Distance2BetweenPoints(a, b);
+    // NaN has no place in an order.
+    lengths.push_back(length > 0.0 ? length : 0.0);
+  }
+  std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+
+  std::vector<std::size_t> order(this->Edges.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&lengths](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
+  this->Ranks.resize(order.size());
+  for (std::size_t rank = 0; rank < order.size(); ++rank)
+  {
+    this->Ranks[order[rank]] = static_cast<vtkIdType>(rank);
+  }
+}
+
+vtkIdType MarkedEdges::Find(vtkIdType a, vtkIdType b) const
+{
+  const Edge edge = Make(a, b);
+  if (static_cast<std::size_t>(edge[1]) + 1 >= this->Starts.size())
+  {
+    return -1;
+  }
+  const auto place = static_cast<std::size_t>(edge[0]);
+  const auto first = this->Edges.begin() + this->Starts[place];
+  const auto last = this->Edges.begin() + this->Starts[place + 1];
+  const auto found = std::lower_bound(first, last, edge);
+  return found != last && *found == edge ? found - this->Edges.begin() : -1;
+}
+
+}

@@ -1,0 +1,77 @@
+#include "Samples/OutputPiece.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <vector>
+
+namespace interlume
+{
+
+void OutputPiece::Extract(vtkInformation* info, vtkUnstructuredGrid* grid)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (IsWhole(info))
+  {
+    return;
+  }
+  const vtkIdType pieces = info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
+  const vtkIdType piece = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
+  const vtkIdType first = grid->GetNumberOfCells() * piece / pieces;
+  const vtkIdType last = grid->GetNumberOfCells() * (piece + 1) / pieces;
+  vtkNew<vtkIdList> corners;
+  std::vector<vtkIdType> places(static_cast<std::size_t>(grid->GetNumberOfPoints()), -1);
+  for (vtkIdType cell = first; cell < last; ++cell)
+  {
+    grid->GetCellPoints(cell, corners);
+    for (const vtkIdType corner : *corners)
+    {
+      places[static_cast<std::size_t>(corner)] = 0;
+    }
+  }
+  vtkNew<vtkIdList> kept;
+  vtkNew<vtkIdList> rows;
+  for (vtkIdType point = 0; point < grid->GetNumberOfPoints(); ++point)
+  {
+    vtkIdType& place = places[static_cast<std::size_t>(point)];
+    place = place == 0 ? rows->InsertNextId(kept->InsertNextId(point)) : -1;
+  }
+  vtkNew<vtkUnstructuredGrid> part;
+  vtkNew<vtkPoints> points;
+  points->SetDataType(grid->GetPoints()->GetDataType());
+  grid->GetPoints()->GetPoints(kept, points);
+  part->SetPoints(points);
+  part->GetPointData()->CopyAllOn();
+  part->GetPointData()->CopyAllocate(grid->GetPointData(), kept->GetNumberOfIds());
+  part->GetPointData()->CopyData(grid->GetPointData(), kept, rows);
+  part->AllocateEstimate(last - first, 8);
+  for (vtkIdType cell = first; cell < last; ++cell)
+  {
+    grid->GetCellPoints(cell, corners);
+    for (vtkIdType& corner : *corners)
+    {
+      corner = places[static_cast<std::size_t>(corner)];
+    }
+    part->InsertNextCell(grid->GetCellType(cell), corners);
+  }
+  part->GetCellData()->CopyAllOn();
+  part->GetCellData()->CopyAllocate(grid->GetCellData(), last - first);
+  part->GetCellData()->CopyData(grid->GetCellData(), 0, last - first, first);
+  // Not the same object: the grid, copying it from itself, would clear it.
+  part->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  grid->ShallowCopy(part);
+}
+
+bool OutputPiece::IsWhole(vtkInformation* info)
+{
+  return info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1;
+}
+
+}

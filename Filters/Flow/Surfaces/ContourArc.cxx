@@ -1,0 +1,204 @@
+#include "Surfaces/ContourArc.h"
+
+#include "vtkMath.h"
+#include "vtkTerminationSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace interlume
+{
+
+namespace
+{
+using Parameters = LevelContours::Parameters;
+using Position = ContourArc::Position;
+
+// Points of a contour, where they are in the world, and whether they are anywhere.
+struct Line
+{
+  std::vector<Parameters> Points;
+  std::vector<Position> Positions;
+  std::vector<bool> AreThere;
+};
+
+// A place on a line: a segment, and how far along it.
+struct Place
+{
+  std::size_t Segment = 0;
+  double Along = 0.0;
+};
+
+Line Locate(std::vector<Parameters> points, const vtkTerminationSurface& surface, int part,
+  const std::array<bool, 2>& isPeriodic)
+{
+  Line line;
+  for (const Parameters& point : points)
+  {
+    Parameters inside = point;
+    for (int direction = 0; direction < 2; ++direction)
+    {
+      inside[direction] -= isPeriodic[direction] ? std::floor(inside[direction]) : 0.0;
+    }
+    Position position{};
+    line.AreThere.push_back(surface.EvaluatePoint(part, inside.data(), position.data()));
+    line.Positions.push_back(position);
+  }
+  line.Points = std::move(points);
+  return line;
+}
+
+// A closed line from another of its points on; the last stays a copy of the first.
+void Rotate(Line& line, std::size_t first)
+{
+  const std::size_t segments = line.Points.size() - 1;
+  Line rotated;
+  for (std::size_t i = 0; i <= segments; ++i)
+  {
+    const std::size_t from = (first + i) % segments;
+    Parameters point = line.Points[from];
+    for (int direction = 0; direction < 2 && first + i >= segments; ++direction)
+    {
+      point[direction] += line.Points.back()[direction] - line.Points.front()[direction];
+    }
+    rotated.Points.push_back(point);
+    rotated.Positions.push_back(line.Positions[from]);
+    rotated.AreThere.push_back(line.AreThere[from]);
+  }
+  line = std::move(rotated);
+}
+
+// The place of a line, all of whose points are there, that is nearest to any of some positions.
+Place FindNearest(const Line& line, const std::vector<Position>& positions)
+{
+  Place nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Position& position : positions)
+  {
+    for (std::size_t s = 0; s + 1 < line.Positions.size(); ++s)
+    {
+      Position step;
+      Position way;
+      vtkMath::Subtract(line.Positions[s + 1], line.Positions[s], step);
+      vtkMath::Subtract(position, line.Positions[s], way);
+      const double length2 = vtkMath::Dot(step, step);
+      double along = length2 > 0.0 ? vtkMath::Dot(way, step) / length2 : 0.0;
+      along = std::max(0.0, std::min(along, 1.0));
+      double distance2 = 0.0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        distance2 += std::pow(way[axis] - along * step[axis], 2);
+      }
+      if (distance2 < least)
+      {
+        least = distance2;
+        nearest = { s, along };
+      }
+    }
+  }
+  return nearest;
+}
+
+// A closed line from a place on; that becomes a point.
+void StartAt(Line& line, const Place& place)
+{
+  Rotate(line, place.Segment);
+  Parameters point;
+  Position position;
+  for (int direction = 0; direction < 2; ++direction)
+  {
+    point[direction] = line.Points[0][direction] +
+      place.Along * (line.Points[1][direction] - line.Points[0][direction]);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    position[axis] =
+      line.Positions[0][axis] + place.Along * (line.Positions[1][axis] - line.Positions[0][axis]);
+  }
+  Parameters end = point;
+  for (int direction = 0; direction < 2; ++direction)
+  {
+    end[direction] += line.Points.back()[direction] - line.Points.front()[direction];
+  }
+  line.Points.front() = point;
+  line.Positions.front() = position;
+  line.Points.push_back(end);
+  line.Positions.push_back(position);
+}
+
+ContourArc MakeArc(Line line, bool isClosed)
+{
+  ContourArc arc;
+  arc.IsClosed = isClosed;
+  double length = 0.0;
+  for (std::size_t i = 0; i < line.Points.size(); ++i)
+  {
+    length += i == 0 ? 0.0
+                     : std::sqrt(vtkMath::Distance2BetweenPoints(
+                         line.Positions[i - 1].data(), line.Positions[i].data()));
+    arc.Curve.Lengths.push_back(length);
+  }
+  arc.Curve.Points = std::move(line.Points);
+  return arc;
+}
+
+// The open arc of a line, from the end on whose side the start points are.
+ContourArc MakeOpenArc(Line line, const std::vector<Position>& startPoints)
+{
+  if (!startPoints.empty())
+  {
+    const ContourArc arc = MakeArc(line, false);
+    const Place place = FindNearest(line, startPoints);
+    const std::vector<double>& lengths = arc.Curve.Lengths;
+    const double at =
+      lengths[place.Segment] + place.Along * (lengths[place.Segment + 1] - lengths[place.Segment]);
+    if (at > 0.5 * arc.GetLength())
+    {
+      std::reverse(line.Points.begin(), line.Points.end());
+      std::reverse(line.Positions.begin(), line.Positions.end());
+    }
+  }
+  return MakeArc(std::move(line), false);
+}
+}
+
+std::vector<ContourArc> ContourArc::Measure(LevelContours::Contour contour,
+  const vtkTerminationSurface& surface, int part, const std::array<bool, 2>& isPeriodic,
+  const std::vector<Position>& startPoints)
+{
+  Line line = Locate(std::move(contour.Points), surface, part, isPeriodic);
+  const auto gap = std::find(line.AreThere.begin(), line.AreThere.end(), false);
+  if (contour.IsClosed && gap == line.AreThere.end())
+  {
+    if (!startPoints.empty())
+    {
+      StartAt(line, FindNearest(line, startPoints));
+    }
+    return { MakeArc(std::move(line), true) };
+  }
+  if (contour.IsClosed)
+  {
+    Rotate(line, (gap - line.AreThere.begin()) % (line.Points.size() - 1));
+  }
+  std::vector<ContourArc> arcs;
+  Line run;
+  for (std::size_t i = 0; i <= line.Points.size(); ++i)
+  {
+    if (i < line.Points.size() && line.AreThere[i])
+    {
+      run.Points.push_back(line.Points[i]);
+      run.Positions.push_back(line.Positions[i]);
+      continue;
+    }
+    if (run.Points.size() > 1)
+    {
+      arcs.push_back(MakeOpenArc(run, startPoints));
+    }
+    run = Line();
+  }
+  return arcs;
+}
+
+}

@@ -1,0 +1,191 @@
+#include "Surfaces/StreamSurfaceTriangles.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFlowStatus.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace interlume
+{
+
+namespace
+{
+// The triangles of a dataset; what is wrong with it, or nothing.
+std::string GetTriangles(
+  vtkPointSet* input, std::vector<StreamSurfaceTriangles::Triangle>& triangles)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    input->GetCellPoints(cell, ids);
+    if (ids->GetNumberOfIds() != 3)
+    {
+      return "Cell " + std::to_string(cell) + " has " + std::to_string(ids->GetNumberOfIds()) +
+        " points; triangles are needed.";
+    }
+    triangles.push_back({ { ids->GetId(0), ids->GetId(1), ids->GetId(2) } });
+  }
+  return {};
+}
+}
+
+vtkIdType StreamSurfaceTriangles::Points::Add(vtkIdType source, int contour, double length)
+{
+  this->Sources.push_back(source);
+  this->Contours.push_back(contour);
+  this->Lengths.push_back(length);
+  return static_cast<vtkIdType>(this->Sources.size()) - 1;
+}
+
+int StreamSurfaceTriangles::GetContourId(int level, int curve) const
+{
+  return curve < 0 ? -1 : this->Levels[level].FirstContour + curve;
+}
+
+ContourPlaces::Place StreamSurfaceTriangles::FindPlace(int level, vtkIdType point, int curve) const
+{
+  const double* uv = this->Arrays.GetParameters(point);
+  const ContourPlaces::Parameters place{ { uv[0], uv[1] } };
+  const ContourPlaces& places = *this->Levels[level].Places;
+  return curve < 0 ? places.Find(place) : places.Find(place, curve);
+}
+
+void StreamSurfaceTriangles::FindPlace(vtkIdType point)
+{
+  if (this->LevelOfPoint[point] >= 0)
+  {
+    this->Places[point] = this->FindPlace(this->LevelOfPoint[point], point, -1);
+  }
+}
+
+void StreamSurfaceTriangles::FindLevels(vtkDataArray* values, vtkIdType numberOfPoints)
+{
+  std::map<std::pair<int, double>, int> known;
+  this->LevelOfPoint.assign(numberOfPoints, -1);
+  for (const Triangle& triangle : this->Triangles)
+  {
+    const vtkIdType t = static_cast<vtkIdType>(this->LevelOfTriangle.size());
+    const std::pair<int, double> key(this->Arrays.GetId(triangle[0]), values->GetComponent(t, 0));
+    const auto found = known.insert({ key, static_cast<int>(this->Levels.size()) });
+    const int level = found.first->second;
+    if (found.second)
+    {
+      this->Levels.emplace_back();
+      this->Levels.back().Id = key.first;
+      this->Levels.back().Value = key.second;
+    }
+    this->LevelOfTriangle.push_back(level);
+    for (const vtkIdType p : triangle)
+    {
+      this->LevelOfPoint[p] = this->LevelOfPoint[p] < 0 ? level : this->LevelOfPoint[p];
+    }
+  }
+}
+
+std::array<StreamSurfaceTriangles::Corner, 3> StreamSurfaceTriangles::Unwrap(std::size_t t) const
+{
+  const Triangle& triangle = this->Triangles[t];
+  const int level = this->LevelOfTriangle[t];
+  std::array<Corner, 3> corners;
+  for (int c = 0; c < 3; ++c)
+  {
+    corners[c].Place = this->LevelOfPoint[triangle[c]] == level
+      ? this->Places[triangle[c]]
+      : this->FindPlace(level, triangle[c], -1);
+  }
+  // The contour of two corners, else of the first.
+  const int curve = corners[1].Place.Curve == corners[2].Place.Curve ? corners[1].Place.Curve
+                                                                     : corners[0].Place.Curve;
+  if (curve < 0)
+  {
+    return corners;
+  }
+  double greatest = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    if (corners[c].Place.Curve != curve)
+    {
+      corners[c].Place = this->FindPlace(level, triangle[c], curve);
+    }
+    greatest = std::max(greatest, corners[c].Place.Length);
+  }
+  const Contour& contour = this->Contours[this->GetContourId(level, curve)];
+  for (Corner& corner : corners)
+  {
+    corner.IsShifted = contour.IsClosed && corner.Place.Length < greatest - 0.5 * contour.Length;
+  }
+  return corners;
+}
+
+StreamSurfaceTriangles::Points StreamSurfaceTriangles::MakeTriangles(vtkCellArray* cells) const
+{
+  Points made;
+  for (std::size_t p = 0; p < this->Places.size(); ++p)
+  {
+    made.Add(static_cast<vtkIdType>(p),
+      this->GetContourId(this->LevelOfPoint[p], this->Places[p].Curve), this->Places[p].Length);
+  }
+  std::map<std::tuple<vtkIdType, int, bool>, vtkIdType> copies;
+  cells->AllocateEstimate(static_cast<vtkIdType>(this->Triangles.size()), 3);
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    Triangle ids = this->Triangles[t];
+    const std::array<Corner, 3> corners = this->Unwrap(t);
+    for (int c = 0; c < 3; ++c)
+    {
+      const int contour = this->GetContourId(this->LevelOfTriangle[t], corners[c].Place.Curve);
+      if (contour == made.Contours[ids[c]] && !corners[c].IsShifted)
+      {
+        continue;
+      }
+      const auto key = std::make_tuple(ids[c], contour, corners[c].IsShifted);
+      auto copy = copies.find(key);
+      if (copy == copies.end())
+      {
+        const double shift = corners[c].IsShifted ? this->Contours[contour].Length : 0.0;
+        copy =
+          copies.insert({ key, made.Add(ids[c], contour, corners[c].Place.Length + shift) }).first;
+      }
+      ids[c] = copy->second;
+    }
+    cells->InsertNextCell(3, ids.data());
+  }
+  return made;
+}
+
+std::string StreamSurfaceTriangles::Read(vtkPointSet* input)
+{
+  std::string wrong = this->Arrays.Find(input);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  if (!input->GetPointData()->GetArray(vtkFlowStatus::TimeArray()))
+  {
+    return std::string("The point array \"") + vtkFlowStatus::TimeArray() + "\" is missing.";
+  }
+  vtkDataArray* values = input->GetCellData()->GetArray(vtkFlowStatus::InflowArray());
+  if (!values)
+  {
+    return std::string("The cell array \"") + vtkFlowStatus::InflowArray() +
+      "\" is missing: the input is no stream surface of vtkFlowVolume.";
+  }
+  std::string wrongCell = GetTriangles(input, this->Triangles);
+  if (wrongCell.empty())
+  {
+    this->FindLevels(values, input->GetNumberOfPoints());
+    this->Places.resize(input->GetNumberOfPoints());
+  }
+  return wrongCell;
+}
+
+}

@@ -1,0 +1,102 @@
+#ifndef interlume_StreamSurfaceTriangles_h
+#define interlume_StreamSurfaceTriangles_h
+
+#include "Samples/ImplicitFlowArrays.h"
+#include "Surfaces/ContourPlaces.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkCellArray;
+class vtkPointSet;
+
+namespace interlume
+{
+
+/**
+ * @class   StreamSurfaceTriangles
+ * @brief   the triangles of a stream surface, the contours they belong to, and their places there
+ */
+class StreamSurfaceTriangles
+{
+public:
+  using Triangle = std::array<vtkIdType, 3>;
+
+  /// The contours of one value on the surface of one id.
+  struct Level
+  {
+    int Id = 0;
+    double Value = 0.0;
+    /// Its contours have this ContourId and the next.
+    int FirstContour = 0;
+    std::unique_ptr<ContourPlaces> Places;
+  };
+
+  struct Contour
+  {
+    double Length;
+    bool IsClosed;
+  };
+
+  /// The points of an output: those of the input, and copies.
+  struct Points
+  {
+    std::vector<vtkIdType> Sources;
+    std::vector<int> Contours;
+    std::vector<double> Lengths;
+
+    vtkIdType Add(vtkIdType source, int contour, double length);
+  };
+
+  /// Takes the triangles, the arrays and the levels in use. What is wrong with them, or nothing.
+  std::string Read(vtkPointSet* input);
+
+  vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->LevelOfPoint.size()); }
+  const ImplicitFlowArrays& GetArrays() const { return this->Arrays; }
+
+  /// Finds the place of a point on the contours of its level, by threads.
+  void FindPlace(vtkIdType point);
+
+  /**
+   * Gives triangles their points, with copies so that the corners of each are on one contour and
+   * none on the far side of its start: a point stands for its own place, copies for the same a
+   * whole length on, or on another contour.
+   */
+  Points MakeTriangles(vtkCellArray* cells) const;
+
+  /// To be given contours between Read and FindPlace.
+  std::vector<Level> Levels;
+  /// By ContourId.
+  std::vector<Contour> Contours;
+
+private:
+  struct Corner
+  {
+    ContourPlaces::Place Place;
+    // Whether a whole length of the contour is added.
+    bool IsShifted = false;
+  };
+
+  void FindLevels(vtkDataArray* values, vtkIdType numberOfPoints);
+  int GetContourId(int level, int curve) const;
+  /// On a curve of a level; -1: on any.
+  ContourPlaces::Place FindPlace(int level, vtkIdType point, int curve) const;
+  /// The corners of a triangle on one contour, unwrapped.
+  std::array<Corner, 3> Unwrap(std::size_t triangle) const;
+
+  ImplicitFlowArrays Arrays;
+  std::vector<Triangle> Triangles;
+  // Of each triangle, and of each point by the first of its triangles, or -1.
+  std::vector<int> LevelOfTriangle;
+  std::vector<int> LevelOfPoint;
+  // Of each point, on the contours of its level.
+  std::vector<ContourPlaces::Place> Places;
+};
+
+}
+
+#endif

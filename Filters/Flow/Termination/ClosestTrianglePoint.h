@@ -1,0 +1,38 @@
+#ifndef interlume_ClosestTrianglePoint_h
+#define interlume_ClosestTrianglePoint_h
+
+namespace interlume
+{
+
+/**
+ * @class   ClosestTrianglePoint
+ * @brief   the point of a triangle that is nearest to a point, and what of the triangle it is on
+ *
+ * C. Ericson, "Real-Time Collision Detection", 2005, section 5.1.5.
+ */
+struct ClosestTrianglePoint
+{
+  /// The corners and edges are numbered so that corner i is FIRST_CORNER + i, and the edge from
+  /// corner i to the next FIRST_EDGE + i.
+  enum Features
+  {
+    FACE = 0,
+    FIRST_CORNER = 1,
+    FIRST_EDGE = 4
+  };
+
+  ClosestTrianglePoint() = default;
+  ClosestTrianglePoint(const double x[3], const double a[3], const double b[3], const double c[3]);
+
+  bool IsCorner() const { return this->Feature >= FIRST_CORNER && this->Feature < FIRST_EDGE; }
+  bool IsEdge() const { return this->Feature >= FIRST_EDGE; }
+
+  int Feature = FACE;
+  double Weights[3] = { 0.0, 0.0, 0.0 };
+  double Point[3] = { 0.0, 0.0, 0.0 };
+  double SquaredDistance = 0.0;
+};
+
+}
+
+#endif

@@ -1,0 +1,40 @@
+#ifndef interlume_DiscParameters_h
+#define interlume_DiscParameters_h
+
+#include "vtkTerminationSurface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+/**
+ * Parameters of the unit disc without a pole or a seam: u = (x + 1) / 2, v = (y + 1) / 2.
+ */
+namespace DiscParameters
+{
+/// Of a point, taken radially to the rim where it is outside.
+inline void FromPoint(double x, double y, double uv[2])
+{
+  const double scale = 0.5 / std::max(1.0, std::hypot(x, y));
+  uv[0] = 0.5 + scale * x;
+  uv[1] = 0.5 + scale * y;
+}
+
+/// The point of parameters; false for those outside of the disc.
+inline bool ToPoint(const double uv[2], double& x, double& y)
+{
+  x = 2.0 * uv[0] - 1.0;
+  y = 2.0 * uv[1] - 1.0;
+  const double radius = std::hypot(x, y);
+  const double scale = 1.0 / std::max(1.0, radius);
+  x *= scale;
+  y *= scale;
+  return radius <= 1.0 + vtkTerminationSurface::BorderTolerance;
+}
+}
+
+}
+
+#endif

@@ -1,0 +1,218 @@
+#include "Termination/InflowFinder.h"
+
+#include "Cells/MultilinearCell.h"
+#include "Common/Blanking.h"
+#include "Fields/SpeedScale.h"
+
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace interlume
+{
+
+namespace
+{
+constexpr int NumberOfSlabs = 32;
+constexpr vtkIdType MostCells = 262144;
+/// Of the most flow through a slab, for a slab to be where flow enters.
+constexpr double LeastShare = 0.4;
+/// Axes with as much flow but for rounding are alike, and the first counts.
+constexpr double Tie = 1e-6;
+
+struct Cell
+{
+  std::array<double, 3> Low;
+  std::array<double, 3> High;
+  /// What flows through planes across each axis.
+  std::array<double, 3> Flow;
+  /// The largest at a corner.
+  double Speed = 0.0;
+};
+
+Cell Measure(const MultilinearCell& loaded, bool isReversed)
+{
+  Cell cell;
+  const int* corners = nullptr;
+  const int number = MultilinearCell::GetCorners(loaded.GetShape(), corners);
+  const double volume = std::abs(loaded.GetVolume());
+  for (int i = 0; i < number; ++i)
+  {
+    const auto& v = loaded.GetVectors()[corners[i]];
+    cell.Speed = std::max(cell.Speed, std::hypot(v[0], v[1], v[2]));
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double low = loaded.GetPositions()[corners[0]][axis];
+    double high = low;
+    double velocity = 0.0;
+    for (int i = 0; i < number; ++i)
+    {
+      const double place = loaded.GetPositions()[corners[i]][axis];
+      low = std::min(low, place);
+      high = std::max(high, place);
+      velocity += loaded.GetVectors()[corners[i]][axis] / number;
+    }
+    cell.Low[axis] = low;
+    cell.High[axis] = high;
+    const double flow = high > low ? velocity * volume / (high - low) : 0.0;
+    cell.Flow[axis] = isReversed ? -flow : flow;
+  }
+  return cell;
+}
+
+/// One cell out of every \a stride, none preferred by its place in a row.
+vtkIdType Pick(vtkIdType group, vtkIdType stride, vtkIdType cells)
+{
+  const std::uint64_t hash = static_cast<std::uint64_t>(group) * 0x9e3779b97f4a7c15ull;
+  const vtkIdType offset = static_cast<vtkIdType>((hash >> 33) % stride);
+  return std::min(group * stride + offset, cells - 1);
+}
+
+std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isReversed)
+{
+  std::vector<Cell> cells;
+  SpeedScale speeds;
+  Blanking blanking;
+  blanking.SetBlanking(field);
+  const vtkIdType number = field->GetNumberOfCells();
+  const vtkIdType stride = std::max<vtkIdType>(1, (number + MostCells - 1) / MostCells);
+  MultilinearCell loaded;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType group = 0; group * stride < number; ++group)
+  {
+    const vtkIdType id = Pick(group, stride, number);
+    if (blanking.IsCellBlanked(id) ||
+      MultilinearCell::GetShape(field->GetCellType(id)) == MultilinearCell::NONE)
+    {
+      continue;
+    }
+    loaded.Load(field, vectors, id, ids);
+    if (loaded.IsFinite())
+    {
+      cells.push_back(Measure(loaded, isReversed));
+      speeds.Add(cells.back().Speed);
+    }
+  }
+  // Fill values would be all of the flow.
+  vtkIdType fillValues = 0;
+  const double largest = speeds.GetScale(fillValues);
+  if (fillValues > 0)
+  {
+    cells.erase(std::remove_if(cells.begin(), cells.end(),
+                  [largest](const Cell& cell) { return cell.Speed > largest; }),
+      cells.end());
+  }
+  return cells;
+}
+
+/// The flow along an axis and against it, by slabs.
+class Profile
+{
+public:
+  Profile(const std::vector<Cell>& cells, int axis)
+    : Low(VTK_DOUBLE_MAX)
+    , High(-VTK_DOUBLE_MAX)
+  {
+    for (const Cell& cell : cells)
+    {
+      this->Low = std::min(this->Low, cell.Low[axis]);
+      this->High = std::max(this->High, cell.High[axis]);
+    }
+    const double width = (this->High - this->Low) / NumberOfSlabs;
+    for (const Cell& cell : cells)
+    {
+      std::array<double, NumberOfSlabs>& flows = this->Flows[cell.Flow[axis] > 0.0 ? 0 : 1];
+      for (int slab = this->GetSlab(cell.Low[axis]); slab <= this->GetSlab(cell.High[axis]); ++slab)
+      {
+        const double begin = std::max(cell.Low[axis], this->Low + slab * width);
+        const double end = std::min(cell.High[axis], this->Low + (slab + 1) * width);
+        flows[slab] += std::abs(cell.Flow[axis]) * std::max(end - begin, 0.0) / width;
+      }
+    }
+  }
+
+  double GetMost(int sense) const
+  {
+    return *std::max_element(this->Flows[sense].begin(), this->Flows[sense].end());
+  }
+
+  /// The middle of the first slab along the flow with enough of it.
+  double FindEntry(int sense) const
+  {
+    const double least = LeastShare * this->GetMost(sense);
+    int slab = sense == 0 ? 0 : NumberOfSlabs - 1;
+    while (this->Flows[sense][slab] < least)
+    {
+      slab += sense == 0 ? 1 : -1;
+    }
+    return this->Low + (slab + 0.5) / NumberOfSlabs * (this->High - this->Low);
+  }
+
+private:
+  int GetSlab(double place) const
+  {
+    const double part = (place - this->Low) / (this->High - this->Low);
+    return part > 0.0 ? std::min(static_cast<int>(part * NumberOfSlabs), NumberOfSlabs - 1) : 0;
+  }
+
+  double Low;
+  double High;
+  /// By sense: along the axis, and against it.
+  std::array<std::array<double, NumberOfSlabs>, 2> Flows{};
+};
+}
+
+bool InflowFinder::Find(vtkDataSet* field, vtkDataArray* vectors, bool isReversed)
+{
+  const std::vector<Cell> cells = ReadCells(field, vectors, isReversed);
+  double most = 0.0;
+  int sense = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Profile profile(cells, axis);
+    for (int either = 0; either < 2; ++either)
+    {
+      const double flow = profile.GetMost(either);
+      if (flow > most * (1.0 + Tie))
+      {
+        most = flow;
+        sense = either;
+        this->Axis = axis;
+        this->Position = profile.FindEntry(either);
+      }
+    }
+  }
+  if (!(most > 0.0))
+  {
+    return false;
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    const int across = (this->Axis + 1 + i) % 3;
+    double low = VTK_DOUBLE_MAX;
+    double high = -VTK_DOUBLE_MAX;
+    for (const Cell& cell : cells)
+    {
+      const double flow = sense == 0 ? cell.Flow[this->Axis] : -cell.Flow[this->Axis];
+      if (flow > 0.0 && cell.Low[this->Axis] <= this->Position &&
+        cell.High[this->Axis] >= this->Position)
+      {
+        low = std::min(low, cell.Low[across]);
+        high = std::max(high, cell.High[across]);
+      }
+    }
+    this->Middle[i] = 0.5 * (low + high);
+    this->HalfWidth[i] = 0.5 * (high - low);
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,207 @@
+#include "Termination/TerminationGrid.h"
+
+#include "vtkMath.h"
+#include "vtkSMPTools.h"
+#include "vtkTerminationSurface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+// Halvings of a line from a node that is there to one that is not.
+constexpr int Halvings = 40;
+// How far inside of the part, in parameters, a normal is taken that an edge shares with another.
+constexpr double Inset = 1e-6;
+// The sine of its angles below which a triangle is a line, as at the pole of a sphere.
+constexpr double Flatness = 1e-12;
+// How often an abort is seen.
+constexpr int NumberOfBatches = 32;
+}
+
+TerminationGrid::TerminationGrid(
+  const vtkTerminationSurface* surface, int part, int columns, int rows)
+  : Surface(surface)
+  , Part(part)
+  , Columns(columns)
+  , Rows(rows)
+{
+}
+
+void TerminationGrid::FillPoint(Point& point) const
+{
+  const double* x = point.Position;
+  double inner[3];
+  if (this->Surface->EvaluatePart(x) != this->Part)
+  {
+    const double uv[2] = { point.Parameters[0] + Inset * (0.5 - point.Parameters[0]),
+      point.Parameters[1] + Inset * (0.5 - point.Parameters[1]) };
+    x = this->Surface->EvaluatePoint(this->Part, uv, inner) ? inner : x;
+  }
+  this->Surface->EvaluateNormal(x, point.Normal);
+}
+
+void TerminationGrid::MakeNode(int i, int j)
+{
+  Node& node = this->At(i, j);
+  node = {};
+  node.Self.Parameters[0] = static_cast<double>(i) / this->Columns;
+  node.Self.Parameters[1] = static_cast<double>(j) / this->Rows;
+  node.IsThere = this->Surface->EvaluatePoint(this->Part, node.Self.Parameters, node.Self.Position);
+  if (node.IsThere)
+  {
+    this->FillPoint(node.Self);
+  }
+}
+
+void TerminationGrid::MakeCrossings(int i, int j)
+{
+  Node& node = this->At(i, j);
+  for (int direction = 0; direction < 2; ++direction)
+  {
+    const int nextI = i + (direction == 0 ? 1 : 0);
+    const int nextJ = j + (direction == 1 ? 1 : 0);
+    if (nextI > this->Columns || nextJ > this->Rows ||
+      this->At(nextI, nextJ).IsThere == node.IsThere)
+    {
+      continue;
+    }
+    const Node& next = this->At(nextI, nextJ);
+    Point inside = node.IsThere ? node.Self : next.Self;
+    double outside = (node.IsThere ? next : node).Self.Parameters[direction];
+    for (int step = 0; step < Halvings; ++step)
+    {
+      Point middle = inside;
+      middle.Parameters[direction] = 0.5 * (inside.Parameters[direction] + outside);
+      if (this->Surface->EvaluatePoint(this->Part, middle.Parameters, middle.Position))
+      {
+        inside = middle;
+      }
+      else
+      {
+        outside = middle.Parameters[direction];
+      }
+    }
+    this->FillPoint(inside);
+    node.Crossings[direction] = inside;
+    node.HasCrossing[direction] = true;
+  }
+}
+
+void TerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
+{
+  const Point& first = this->Points[a];
+  const Point& second = this->Points[b];
+  const Point& third = this->Points[c];
+  double sides[2][3];
+  double cross[3];
+  vtkMath::Subtract(second.Position, first.Position, sides[0]);
+  vtkMath::Subtract(third.Position, first.Position, sides[1]);
+  vtkMath::Cross(sides[0], sides[1], cross);
+  const double longest =
+    std::max({ vtkMath::Dot(sides[0], sides[0]), vtkMath::Dot(sides[1], sides[1]),
+      vtkMath::Distance2BetweenPoints(second.Position, third.Position) });
+  if (!(vtkMath::Norm(cross) > Flatness * longest))
+  {
+    return;
+  }
+  const double facing = vtkMath::Dot(cross, first.Normal) + vtkMath::Dot(cross, second.Normal) +
+    vtkMath::Dot(cross, third.Normal);
+  if (facing < 0.0)
+  {
+    std::swap(b, c);
+  }
+  this->Triangles.push_back({ { a, b, c } });
+}
+
+void TerminationGrid::CutCell(int i, int j)
+{
+  // Around the cell: corners that are there, and crossings of its sides.
+  std::vector<vtkIdType> polygon;
+  const auto addNode = [this, &polygon](int column, int row)
+  {
+    const Node& node = this->At(column, row);
+    if (node.IsThere)
+    {
+      polygon.push_back(node.Ids[0]);
+    }
+  };
+  const auto addCrossing = [this, &polygon](int column, int row, int direction)
+  {
+    const Node& node = this->At(column, row);
+    if (node.HasCrossing[direction])
+    {
+      polygon.push_back(node.Ids[1 + direction]);
+    }
+  };
+  addNode(i, j);
+  addCrossing(i, j, 0);
+  addNode(i + 1, j);
+  addCrossing(i + 1, j, 1);
+  addNode(i + 1, j + 1);
+  addCrossing(i, j + 1, 0);
+  addNode(i, j + 1);
+  addCrossing(i, j, 1);
+  for (std::size_t k = 2; k < polygon.size(); ++k)
+  {
+    this->AddTriangle(polygon[0], polygon[k - 1], polygon[k]);
+  }
+}
+
+bool TerminationGrid::Execute(const std::function<bool(double)>& isAborted)
+{
+  this->Nodes.resize((this->Columns + 1) * static_cast<std::size_t>(this->Rows + 1));
+  using Method = void (TerminationGrid::*)(int, int);
+  const Method methods[2] = { &TerminationGrid::MakeNode, &TerminationGrid::MakeCrossings };
+  const int rows = this->Rows + 1;
+  for (int pass = 0; pass < 2; ++pass)
+  {
+    for (int batch = 0; batch < NumberOfBatches; ++batch)
+    {
+      if (isAborted((pass + static_cast<double>(batch) / NumberOfBatches) / 2.0))
+      {
+        return false;
+      }
+      const auto makeRows = [this, &methods, pass](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType j = first; j < last; ++j)
+        {
+          for (int i = 0; i <= this->Columns; ++i)
+          {
+            (this->*methods[pass])(i, static_cast<int>(j));
+          }
+        }
+      };
+      const vtkIdType first = static_cast<vtkIdType>(batch) * rows / NumberOfBatches;
+      const vtkIdType last = static_cast<vtkIdType>(batch + 1) * rows / NumberOfBatches;
+      vtkSMPTools::For(first, last, makeRows);
+    }
+  }
+  const auto addPoint = [this](const Point& point)
+  {
+    this->Points.push_back(point);
+    return static_cast<vtkIdType>(this->Points.size()) - 1;
+  };
+  for (Node& node : this->Nodes)
+  {
+    node.Ids[0] = node.IsThere ? addPoint(node.Self) : -1;
+    for (int direction = 0; direction < 2; ++direction)
+    {
+      node.Ids[1 + direction] =
+        node.HasCrossing[direction] ? addPoint(node.Crossings[direction]) : -1;
+    }
+  }
+  for (int j = 0; j < this->Rows; ++j)
+  {
+    for (int i = 0; i < this->Columns; ++i)
+    {
+      this->CutCell(i, j);
+    }
+  }
+  return true;
+}
+
+}

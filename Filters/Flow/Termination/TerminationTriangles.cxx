@@ -1,0 +1,253 @@
+#include "Termination/TerminationTriangles.h"
+
+#include "Common/FiniteNumbers.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+namespace interlume
+{
+
+namespace
+{
+using Triple = std::array<std::int64_t, 3>;
+
+struct TripleHash
+{
+  std::size_t operator()(const Triple& triple) const
+  {
+    std::uint64_t hash = 0;
+    for (std::int64_t value : triple)
+    {
+      hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15ull;
+      hash ^= hash >> 29;
+    }
+    return hash;
+  }
+};
+
+// A point or a cell, for messages.
+std::string Name(const char* what, vtkIdType id)
+{
+  return std::string(what) + " " + std::to_string(id) + " of the mesh";
+}
+
+std::string CheckTexture(vtkPolyData* data)
+{
+  vtkDataArray* texture = data->GetPointData()->GetTCoords();
+  if (!texture)
+  {
+    return "the mesh has no texture coordinates: no array is set as its points' TCoords";
+  }
+  const std::string name = texture->GetName() ? texture->GetName() : "";
+  if (texture->GetNumberOfComponents() != 2)
+  {
+    return "the mesh's texture coordinates \"" + name + "\" have " +
+      std::to_string(texture->GetNumberOfComponents()) + " components, not 2";
+  }
+  if (texture->GetNumberOfTuples() < data->GetNumberOfPoints())
+  {
+    return "the mesh's texture coordinates \"" + name +
+      "\" have fewer tuples than there are points";
+  }
+  return {};
+}
+}
+
+std::string TerminationTriangles::FindTriangles(vtkPolyData* data, std::vector<Polygon>& polygons)
+{
+  vtkNew<vtkPolygon> polygon;
+  vtkNew<vtkIdList> cut;
+  vtkIdType cellId = data->GetNumberOfVerts() + data->GetNumberOfLines();
+  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
+  {
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell, ++cellId)
+    {
+      vtkIdType number;
+      const vtkIdType* ids;
+      cells->GetCellAtId(cell, number, ids);
+      for (vtkIdType i = 0; i < number; ++i)
+      {
+        if (ids[i] < 0 || ids[i] >= data->GetNumberOfPoints())
+        {
+          return Name("cell", cellId) + " has point " + std::to_string(ids[i]) +
+            ", which is not there";
+        }
+        if (!FiniteNumbers::AreFinite(data->GetPoint(ids[i]), 3))
+        {
+          return Name("point", ids[i]) + " is not finite";
+        }
+        if (!FiniteNumbers::AreFinite(data->GetPointData()->GetTCoords()->GetTuple(ids[i]), 2))
+        {
+          return "the texture coordinates of " + Name("point", ids[i]) + " are not finite";
+        }
+      }
+      if (cells == data->GetStrips())
+      {
+        for (vtkIdType i = 0; i + 2 < number; ++i)
+        {
+          const vtkIdType odd = i % 2;
+          polygons.push_back({ { ids[i], ids[i + 1 + odd], ids[i + 2 - odd] } });
+        }
+      }
+      else if (number == 3)
+      {
+        polygons.push_back({ { ids[0], ids[1], ids[2] } });
+      }
+      else
+      {
+        polygon->Initialize(static_cast<int>(number), ids, data->GetPoints());
+        if (number < 3 || !polygon->EarCutTriangulation(cut))
+        {
+          ++this->NumberOfDegenerateTriangles;
+          continue;
+        }
+        for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
+        {
+          polygons.push_back(
+            { { ids[cut->GetId(i)], ids[cut->GetId(i + 1)], ids[cut->GetId(i + 2)] } });
+        }
+      }
+    }
+  }
+  return {};
+}
+
+void TerminationTriangles::Weld(
+  vtkPolyData* data, const std::vector<bool>& isUsed, double tolerance)
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  const vtkIdType number = data->GetNumberOfPoints();
+  double x[3];
+  bool isFirst = true;
+  for (vtkIdType id = 0; id < number; ++id)
+  {
+    if (isUsed[id])
+    {
+      data->GetPoint(id, x);
+      for (int i = 0; i < 3; ++i)
+      {
+        this->Bounds[2 * i] = isFirst ? x[i] : std::min(this->Bounds[2 * i], x[i]);
+        this->Bounds[2 * i + 1] = isFirst ? x[i] : std::max(this->Bounds[2 * i + 1], x[i]);
+      }
+      isFirst = false;
+    }
+  }
+  this->Diagonal = std::hypot(this->Bounds[1] - this->Bounds[0], this->Bounds[3] - this->Bounds[2],
+    this->Bounds[5] - this->Bounds[4]);
+  // Vertices by the cell of a grid, which is twice as wide as the reach: those near a point are in
+  // its cell and in the neighbours on its side.
+  const double reach = tolerance * this->Diagonal;
+  std::unordered_map<Triple, std::vector<int>, TripleHash> grid;
+  this->VertexIds.assign(number, -1);
+  for (vtkIdType id = 0; id < number && reach > 0.0; ++id)
+  {
+    if (!isUsed[id])
+    {
+      continue;
+    }
+    data->GetPoint(id, x);
+    Triple home;
+    int sides[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      const double place = (x[i] - this->Bounds[2 * i]) / (2.0 * reach);
+      home[i] = static_cast<std::int64_t>(std::floor(place));
+      sides[i] = place - std::floor(place) < 0.5 ? -1 : 1;
+    }
+    int found = -1;
+    for (int neighbor = 0; neighbor < 8; ++neighbor)
+    {
+      const auto cell = grid.find(Triple{ { home[0] + (neighbor & 1 ? sides[0] : 0),
+        home[1] + (neighbor & 2 ? sides[1] : 0), home[2] + (neighbor & 4 ? sides[2] : 0) } });
+      if (cell == grid.end())
+      {
+        continue;
+      }
+      for (int vertex : cell->second)
+      {
+        const double* y = this->Vertices[vertex].data();
+        const bool isNear = std::sqrt(vtkMath::Distance2BetweenPoints(x, y)) <= reach;
+        found = isNear && (found < 0 || vertex < found) ? vertex : found;
+      }
+    }
+    if (found < 0)
+    {
+      found = static_cast<int>(this->Vertices.size());
+      this->Vertices.push_back({ { x[0], x[1], x[2] } });
+      this->PointIds.push_back(id);
+      grid[home].push_back(found);
+    }
+    this->VertexIds[id] = found;
+  }
+}
+
+std::string TerminationTriangles::Take(
+  vtkPolyData* data, double tolerance, const bool isPeriodic[2])
+{
+  *this = TerminationTriangles();
+  std::string wrong = CheckTexture(data);
+  std::vector<Polygon> polygons;
+  wrong = wrong.empty() ? this->FindTriangles(data, polygons) : wrong;
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  std::vector<bool> isUsed(data->GetNumberOfPoints(), false);
+  for (const Polygon& polygon : polygons)
+  {
+    for (vtkIdType id : polygon)
+    {
+      isUsed[id] = true;
+    }
+  }
+  this->Weld(data, isUsed, tolerance);
+  vtkDataArray* texture = data->GetPointData()->GetTCoords();
+  for (const Polygon& polygon : polygons)
+  {
+    Triangle triangle;
+    const double* corners[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      triangle.Corners[i] = this->VertexIds[polygon[i]];
+      if (triangle.Corners[i] < 0)
+      {
+        return "the mesh has no size: all its points are in one place";
+      }
+      corners[i] = this->Vertices[triangle.Corners[i]].data();
+      texture->GetTuple(polygon[i], triangle.Texture[i]);
+      for (int j = 0; j < 2; ++j)
+      {
+        const double turns = std::round(triangle.Texture[0][j] - triangle.Texture[i][j]);
+        triangle.Texture[i][j] += isPeriodic[j] ? turns : 0.0;
+      }
+    }
+    double edges[2][3];
+    double normal[3];
+    vtkMath::Subtract(corners[1], corners[0], edges[0]);
+    vtkMath::Subtract(corners[2], corners[0], edges[1]);
+    vtkMath::Cross(edges[0], edges[1], normal);
+    const double longest = std::sqrt(std::max({ vtkMath::Dot(edges[0], edges[0]),
+      vtkMath::Dot(edges[1], edges[1]), vtkMath::Distance2BetweenPoints(corners[1], corners[2]) }));
+    if (!(vtkMath::Norm(normal) > longest * tolerance * this->Diagonal))
+    {
+      ++this->NumberOfDegenerateTriangles;
+      continue;
+    }
+    this->Triangles.push_back(triangle);
+  }
+  return this->Triangles.empty() ? "the mesh has no triangle with an area" : std::string();
+}
+
+}

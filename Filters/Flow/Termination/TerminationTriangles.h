@@ -1,0 +1,66 @@
+#ifndef interlume_TerminationTriangles_h
+#define interlume_TerminationTriangles_h
+
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace interlume
+{
+
+/**
+ * @class   TerminationTriangles
+ * @brief   the polygons and strips of a dataset as triangles with texture coordinates
+ *
+ * Points nearer to each other than the tolerance are one vertex, known by the first of them, so
+ * that a seam of the texture is no border of the surface. Each corner keeps the texture coordinates
+ * of its own point.
+ */
+class TerminationTriangles
+{
+public:
+  /**
+   * Takes the dataset; \a tolerance in parts of the bounds' diagonal. In a periodic direction the
+   * coordinates of a triangle are brought within a half of its first corner's. Returns what is
+   * wrong.
+   */
+  std::string Take(vtkPolyData* data, double tolerance, const bool isPeriodic[2]);
+
+  const double* GetCorner(int triangle, int corner) const
+  {
+    return this->Vertices[this->Triangles[triangle].Corners[corner]].data();
+  }
+
+  struct Triangle
+  {
+    int Corners[3];
+    double Texture[3][2];
+  };
+  std::vector<Triangle> Triangles;
+  std::vector<std::array<double, 3>> Vertices;
+  /// The point that stands for each vertex.
+  std::vector<vtkIdType> PointIds;
+  /// Of the points in use.
+  double Bounds[6];
+  double Diagonal = 0.0;
+  /// Those without area, and polygons that cannot be cut into triangles.
+  vtkIdType NumberOfDegenerateTriangles = 0;
+
+private:
+  using Polygon = std::array<vtkIdType, 3>;
+
+  std::string FindTriangles(vtkPolyData* data, std::vector<Polygon>& polygons);
+  void Weld(vtkPolyData* data, const std::vector<bool>& isUsed, double tolerance);
+
+  /// The vertex of each point, -1 for those not in use.
+  std::vector<int> VertexIds;
+};
+
+}
+
+#endif

@@ -1,0 +1,97 @@
+#include "Termination/TextureSearch.h"
+
+#include "Termination/ClosestTrianglePoint.h"
+
+#include "vtkMath.h"
+#include "vtkTerminationSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace interlume
+{
+
+namespace
+{
+// The triangle in the plane of its texture.
+struct Flat
+{
+  explicit Flat(const TerminationTriangles::Triangle& triangle)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Corners[i][0] = triangle.Texture[i][0];
+      this->Corners[i][1] = triangle.Texture[i][1];
+      this->Corners[i][2] = 0.0;
+    }
+  }
+
+  bool HasArea() const
+  {
+    const auto& c = this->Corners;
+    return std::abs((c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) -
+             (c[2][0] - c[0][0]) * (c[1][1] - c[0][1])) > std::numeric_limits<double>::min();
+  }
+
+  double Corners[3][3];
+};
+}
+
+void TextureSearch::Build(const TerminationTriangles* mesh, const bool isPeriodic[2])
+{
+  this->Mesh = mesh;
+  std::copy_n(isPeriodic, 2, this->IsPeriodic);
+  std::vector<BoxTree::Box> boxes;
+  for (const auto& triangle : mesh->Triangles)
+  {
+    const Flat flat(triangle);
+    BoxTree::Box box;
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto range =
+        std::minmax({ flat.Corners[0][i], flat.Corners[1][i], flat.Corners[2][i] });
+      box.Lower[i] = range.first;
+      box.Upper[i] = range.second;
+    }
+    boxes.push_back(box);
+  }
+  this->Tree.Build(boxes);
+}
+
+bool TextureSearch::FindPoint(const double uv[2], double x[3]) const
+{
+  const double tolerance = vtkTerminationSurface::BorderTolerance;
+  double limit = tolerance * tolerance;
+  bool isFound = false;
+  // Triangles across a seam go on beyond 0 and 1, on either side of it.
+  const int reach[2] = { this->IsPeriodic[0] ? 1 : 0, this->IsPeriodic[1] ? 1 : 0 };
+  for (int i = -reach[0]; i <= reach[0]; ++i)
+  {
+    for (int j = -reach[1]; j <= reach[1]; ++j)
+    {
+      const double target[3] = { uv[0] + i, uv[1] + j, 0.0 };
+      this->Tree.VisitNear(target, limit,
+        [this, x, &target, &limit, &isFound](int item, double& squaredLimit)
+        {
+          const Flat flat(this->Mesh->Triangles[item]);
+          const ClosestTrianglePoint foot(
+            target, flat.Corners[0], flat.Corners[1], flat.Corners[2]);
+          if (flat.HasArea() && foot.SquaredDistance < squaredLimit)
+          {
+            squaredLimit = limit = foot.SquaredDistance;
+            isFound = true;
+            for (int axis = 0; axis < 3; ++axis)
+            {
+              const double origin = this->Mesh->GetCorner(item, 0)[axis];
+              x[axis] = origin + foot.Weights[1] * (this->Mesh->GetCorner(item, 1)[axis] - origin) +
+                foot.Weights[2] * (this->Mesh->GetCorner(item, 2)[axis] - origin);
+            }
+          }
+        });
+    }
+  }
+  return isFound;
+}
+
+}

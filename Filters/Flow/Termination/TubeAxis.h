@@ -1,0 +1,98 @@
+#ifndef interlume_TubeAxis_h
+#define interlume_TubeAxis_h
+
+#include "Termination/AxialFrame.h"
+#include "Termination/BoxTree.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   TubeAxis
+ * @brief   a polyline with an angle around it and a place along it that jump nowhere
+ *
+ * Each segment has a frame, turned from one to the next by the smallest rotation (the
+ * rotation-minimising frame of a polyline). Around a bend the segments meet in the plane that
+ * bisects it. The frames of two segments mirror each other there, so that the angle is the same on
+ * both sides; the place along a segment is the part of the way from bisecting plane to bisecting
+ * plane, which has no jump at the inside of the bend and no halt at its outside, as the arc length
+ * of the nearest point has.
+ *
+ * A closed line has the rotation between the last and the first frame spread over its length.
+ */
+class TubeAxis
+{
+public:
+  using Point = std::array<double, 3>;
+
+  /**
+   * Takes a polyline; it is closed when its last point is the first. Points in the same place as
+   * the one before are left out. Returns what is wrong: a point that is not finite, fewer than two
+   * places, a line that turns back on itself.
+   */
+  std::string Build(const std::vector<Point>& points);
+
+  bool IsEmpty() const { return this->Segments.empty(); }
+  bool IsClosed() const { return this->Closed; }
+  double GetLength() const { return this->Length; }
+
+  /// The nearest point of the line, and by how much \a x is beyond an end there: negative beyond
+  /// the first, positive beyond the last, else 0.
+  struct Foot
+  {
+    double Nearest[3];
+    double Beyond;
+  };
+  Foot GetFoot(const double x[3]) const;
+
+  /// u in turns, 0 to below 1, v by length 0 to 1 (to below 1 on a closed line).
+  void GetParameters(const double x[3], double uv[2]) const;
+
+  /// The point with these parameters, at a distance from the line.
+  void GetPoint(const double uv[2], double radius, double x[3]) const;
+
+  /// The frames at the two ends, and the ends.
+  const AxialFrame& GetEndFrame(bool isLast) const;
+  const double* GetEnd(bool isLast) const { return isLast ? this->LastPoint : this->FirstPoint; }
+
+  /// Lower and upper of x, y, z.
+  void GetBounds(double bounds[6]) const;
+
+private:
+  struct Segment
+  {
+    double Start[3];
+    double Length;
+    /// Along the line, of its start.
+    double Distance;
+    AxialFrame Frame;
+    /// The bisecting planes at start and end lie at - w . Tilt and Length - w . Tilt along the
+    /// segment, w across it.
+    double StartTilt[3];
+    double EndTilt[3];
+  };
+
+  /// Of the nearest segment, with the nearest point's place along it.
+  int FindNearest(const double x[3], double& along) const;
+  /// Where a point is between the bisecting planes: distances along the segment from both.
+  static void GetPlanes(
+    const Segment& segment, const double x[3], double across[3], double& start, double& end);
+  int GetNeighbor(int segment, int step) const;
+
+  std::vector<Segment> Segments;
+  BoxTree Tree;
+  bool Closed = false;
+  double Length = 0.0;
+  double FirstPoint[3] = { 0.0, 0.0, 0.0 };
+  double LastPoint[3] = { 0.0, 0.0, 0.0 };
+  /// Turns by which a closed line's frame is off after one round.
+  double Twist = 0.0;
+};
+
+}
+
+#endif

@@ -1,0 +1,44 @@
+#ifndef interlume_SimplexPoints_h
+#define interlume_SimplexPoints_h
+
+#include "Common/StoredIds.h"
+
+#include "vtkCellArray.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace interlume
+{
+
+/**
+ * @class   SimplexPoints
+ * @brief   the points of cells that all have the same number of them, read by threads
+ */
+class SimplexPoints
+{
+public:
+  /// Cells of \a size points each. The grid is kept by the caller.
+  SimplexPoints(vtkUnstructuredGrid* grid, int size)
+    : Size(size)
+    , Number(grid->GetNumberOfCells())
+  {
+    if (this->Number > 0)
+    {
+      this->Ids.Build(grid->GetCells()->GetConnectivityArray());
+    }
+  }
+
+  vtkIdType GetNumber() const { return this->Number; }
+  vtkIdType Get(vtkIdType cell, int corner) const
+  {
+    return this->Ids.Get(cell * this->Size + corner);
+  }
+
+private:
+  int Size;
+  vtkIdType Number;
+  StoredIds Ids;
+};
+
+}
+
+#endif

@@ -1,0 +1,393 @@
+#include "Volumes/SurfaceCuts.h"
+
+#include "Numerics/BracketedRoot.h"
+#include "Volumes/ParameterSeams.h"
+#include "Volumes/SimplexPoints.h"
+#include "Volumes/SurfaceLevels.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkFlowStatus.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntervalVolume.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace interlume
+{
+
+namespace
+{
+constexpr const char* LevelItems = "LevelItem";
+
+// What makes a point of an extraction the same as another: its edge, its place there, and its
+// parameters, which differ where they are unwrapped.
+using Key = std::tuple<vtkIdType, vtkIdType, double, double, double>;
+
+// The origins of a mesh's points, and their parameters.
+class Keys
+{
+public:
+  explicit Keys(vtkUnstructuredGrid* mesh)
+    : Ends(vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetArray("OriginPoints")))
+    , Weights(vtkDoubleArray::SafeDownCast(mesh->GetPointData()->GetArray("OriginWeight")))
+    , Parameters(mesh->GetPointData()->GetArray(vtkFlowStatus::ParametersArray()))
+  {
+  }
+  vtkIdType GetEnd(vtkIdType point, int end) const
+  {
+    return this->Ends->GetTypedComponent(point, end);
+  }
+  bool IsEdge(vtkIdType point) const { return this->GetEnd(point, 0) != this->GetEnd(point, 1); }
+  Key Make(vtkIdType point, vtkIdType first, vtkIdType second) const
+  {
+    return { first, second, this->Weights->GetValue(point),
+      this->Parameters->GetComponent(point, 0), this->Parameters->GetComponent(point, 1) };
+  }
+
+private:
+  vtkSmartPointer<vtkIdTypeArray> Ends;
+  vtkSmartPointer<vtkDoubleArray> Weights;
+  vtkSmartPointer<vtkDataArray> Parameters;
+};
+
+void Rename(vtkUnstructuredGrid* mesh, const char* before, const char* after)
+{
+  vtkDataArray* array = mesh->GetCellData()->GetArray(before);
+  vtkSmartPointer<vtkDataArray> renamed = vtk::TakeSmartPointer(array->NewInstance());
+  renamed->ShallowCopy(array);
+  renamed->SetName(after);
+  mesh->GetCellData()->RemoveArray(before);
+  mesh->GetCellData()->AddArray(renamed);
+}
+
+// Arrays of \a first, and after its tuples those \a ids of the arrays of the same names.
+void Append(vtkDataSetAttributes* first, vtkIdType number, vtkDataSetAttributes* second,
+  const std::vector<vtkIdType>& ids, vtkDataSetAttributes* all)
+{
+  const auto added = static_cast<vtkIdType>(ids.size());
+  all->CopyAllOn();
+  all->CopyAllocate(number > 0 ? first : second, number + added);
+  all->CopyData(first, 0, number, 0);
+  for (int a = 0; a < all->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = all->GetAbstractArray(a);
+    vtkAbstractArray* other =
+      array->GetName() ? second->GetAbstractArray(array->GetName()) : nullptr;
+    array->SetNumberOfTuples(number + added);
+    for (vtkIdType i = 0; i < added; ++i)
+    {
+      if (other)
+      {
+        array->SetTuple(number + i, ids[static_cast<std::size_t>(i)], other);
+      }
+      else if (auto* numbers = vtkDataArray::SafeDownCast(array))
+      {
+        std::vector<double> zero(static_cast<std::size_t>(numbers->GetNumberOfComponents()), 0.0);
+        numbers->SetTuple(number + i, zero.data());
+      }
+    }
+  }
+}
+
+// Where the distance is 0 on the edge from \a a, where it is above, to \a b, by its gradients.
+double FindPlace(vtkUnstructuredGrid* whole, vtkIdType a, vtkIdType b)
+{
+  vtkDataArray* gaps = whole->GetPointData()->GetArray(interlume::CutGrid::GapArray());
+  vtkDataArray* gradients = whole->GetPointData()->GetArray(interlume::CutGrid::GradientArray());
+  double start[3];
+  double end[3];
+  whole->GetPoint(a, start);
+  whole->GetPoint(b, end);
+  const double way[3] = { end[0] - start[0], end[1] - start[1], end[2] - start[2] };
+  double slope[2];
+  double gradient[3];
+  gradients->GetTuple(a, gradient);
+  slope[0] = vtkMath::Dot(gradient, way);
+  gradients->GetTuple(b, gradient);
+  slope[1] = vtkMath::Dot(gradient, way);
+  const double above = gaps->GetComponent(a, 0);
+  const double below = gaps->GetComponent(b, 0);
+  // Hermite's cubic.
+  const auto distance = [&](double s)
+  {
+    const double r = 1.0 - s;
+    return r * r * ((1.0 + 2.0 * s) * above + s * slope[0]) +
+      s * s * ((1.0 + 2.0 * r) * below - r * slope[1]);
+  };
+  return BracketedRoot::Find(distance, 0.0, above, 1.0, below);
+}
+
+// Moves the points on the surface, which lie where the distance is 0 if it is linear along edges,
+// to where it is, and makes the near time 0 there, whatever is interpolated between the sides.
+void CorrectPoints(vtkUnstructuredGrid* whole, vtkUnstructuredGrid* cut)
+{
+  const Keys keys(cut);
+  vtkPointData* from = whole->GetPointData();
+  vtkPointData* to = cut->GetPointData();
+  vtkDataArray* gaps = from->GetArray(interlume::CutGrid::GapArray());
+  vtkDataArray* times = to->GetArray(vtkFlowStatus::TimeArray());
+  vtkDataArray* nearTimes = to->GetArray(interlume::CutGrid::NearTimeArray());
+  std::vector<std::pair<vtkDataArray*, vtkDataArray*>> arrays{ { whole->GetPoints()->GetData(),
+    cut->GetPoints()->GetData() } };
+  for (int i = 0; i < to->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = to->GetArray(i);
+    vtkDataArray* before = array && array->GetName() ? from->GetArray(array->GetName()) : nullptr;
+    if (before && before->GetNumberOfComponents() == array->GetNumberOfComponents())
+    {
+      arrays.emplace_back(before, array);
+    }
+  }
+  for (vtkIdType p = 0; p < cut->GetNumberOfPoints(); ++p)
+  {
+    if (!keys.IsEdge(p))
+    {
+      continue;
+    }
+    vtkIdType a = keys.GetEnd(p, 0);
+    vtkIdType b = keys.GetEnd(p, 1);
+    if (gaps->GetComponent(a, 0) < 0.0)
+    {
+      std::swap(a, b);
+    }
+    const double place = FindPlace(whole, a, b);
+    for (const auto& array : arrays)
+    {
+      for (int c = 0; c < array.second->GetNumberOfComponents(); ++c)
+      {
+        const double start = array.first->GetComponent(a, c);
+        const double end = array.first->GetComponent(b, c);
+        array.second->SetComponent(p, c, start + place * (end - start));
+      }
+    }
+    times->SetComponent(p, 0, times->GetComponent(p, 0) - nearTimes->GetComponent(p, 0));
+  }
+}
+}
+
+/// Of each point of the cut mesh, the key in the input where it has one.
+struct SurfaceCuts::Origins
+{
+  std::vector<Key> Known;
+  std::vector<bool> IsKnown;
+};
+
+void SurfaceCuts::RemoveOrigins(vtkUnstructuredGrid* mesh)
+{
+  mesh->GetPointData()->RemoveArray("OriginPoints");
+  mesh->GetPointData()->RemoveArray("OriginWeight");
+  mesh->GetCellData()->RemoveArray("OriginCell");
+}
+
+vtkIdType SurfaceCuts::Prepare(vtkDataSet* input, const ImplicitFlowArrays& arrays,
+  const InterpolableCells& cells, const InterpolableCells::Limits& limits)
+{
+  vtkIdType number = 0;
+  this->Grid = this->CutGrid.Make(input, arrays, cells, number);
+  if (!this->Grid)
+  {
+    return 0;
+  }
+  this->Arrays = ImplicitFlowArrays();
+  this->Arrays.Find(this->Grid);
+  this->Cells.Find(this->Grid, this->Arrays, limits, nullptr, 0.0, 1.0);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType cell = 0; cell < this->Grid->GetNumberOfCells(); ++cell)
+  {
+    const bool isOut = this->Cells.GetKind(cell) & InterpolableCells::LEFT_OUT;
+    ghosts->InsertNextValue(
+      static_cast<unsigned char>(isOut ? vtkDataSetAttributes::HIDDENCELL : 0));
+  }
+  this->Grid->GetCellData()->AddArray(ghosts);
+  this->Grid->GetPointData()->RemoveArray(vtkFlowStatus::StatusArray());
+  return number;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> SurfaceCuts::Extract(const Request& request, Origins& origins)
+{
+  vtkNew<vtkIntervalVolume> byLevels;
+  byLevels->SetInputData(this->Grid);
+  byLevels->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, request.Scalars);
+  byLevels->SetOutputPointsPrecision(request.Precision);
+  byLevels->SetGenerateBoundaries(request.GenerateTriangles);
+  byLevels->KeepOriginsOn();
+  byLevels->WarnOnEmptyOutputOff();
+  request.Levels->SetItems(byLevels);
+  byLevels->Update();
+  vtkNew<vtkUnstructuredGrid> whole;
+  whole->ShallowCopy(byLevels->GetOutput());
+  vtkNew<vtkUnstructuredGrid> boundary;
+  boundary->ShallowCopy(byLevels->GetOutput(1));
+  if (whole->GetNumberOfCells() == 0)
+  {
+    return nullptr;
+  }
+  this->PointsOnSeams = this->Cells.Count(InterpolableCells::ACROSS) > 0
+    ? ParameterSeams::Unwrap(this->Cells, this->Arrays, whole, boundary)
+    : 0;
+  if (request.GenerateTriangles)
+  {
+    this->Triangles.Take(boundary, *request.Levels);
+  }
+  const Keys keys(whole);
+  RemoveOrigins(whole);
+  Rename(whole, "IntervalId", LevelItems);
+  vtkNew<vtkIntervalVolume> byGap;
+  byGap->SetInputData(whole);
+  byGap->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, interlume::CutGrid::GapArray());
+  byGap->SetInterval(0, 0.0, VTK_DOUBLE_MAX);
+  byGap->KeepOriginsOn();
+  byGap->WarnOnEmptyOutputOff();
+  byGap->Update();
+  auto cut = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  cut->ShallowCopy(byGap->GetOutput());
+  this->Triangles.Cut(whole, cut);
+  if (cut->GetNumberOfCells() == 0)
+  {
+    return nullptr;
+  }
+  CorrectPoints(whole, cut);
+  const Keys ends(cut);
+  for (vtkIdType p = 0; p < cut->GetNumberOfPoints(); ++p)
+  {
+    const vtkIdType point = ends.GetEnd(p, 0);
+    const vtkIdType first = this->CutGrid.GetInputPoint(keys.GetEnd(point, 0));
+    const vtkIdType second = this->CutGrid.GetInputPoint(keys.GetEnd(point, 1));
+    const bool isKnown = !ends.IsEdge(p) && first >= 0 && second >= 0;
+    origins.IsKnown.push_back(isKnown);
+    origins.Known.push_back(isKnown ? keys.Make(point, first, second) : Key());
+  }
+  RemoveOrigins(cut);
+  for (const char* name : { interlume::CutGrid::GapArray(), interlume::CutGrid::GradientArray(),
+         interlume::CutGrid::NearTimeArray(), interlume::CutGrid::IdArray() })
+  {
+    cut->GetPointData()->RemoveArray(name);
+  }
+  cut->GetCellData()->RemoveArray("IntervalId");
+  Rename(cut, LevelItems, "IntervalId");
+  return cut;
+}
+
+std::vector<vtkIdType> SurfaceCuts::FindIds(
+  vtkUnstructuredGrid* mesh, const Origins& origins, std::vector<vtkIdType>& added)
+{
+  const vtkIdType before = mesh->GetNumberOfPoints();
+  std::map<Key, vtkIdType> known;
+  for (std::size_t p = 0; p < origins.Known.size(); ++p)
+  {
+    if (origins.IsKnown[p])
+    {
+      known.emplace(origins.Known[p], -1);
+    }
+  }
+  if (before > 0)
+  {
+    std::vector<vtkIdType> ends;
+    for (const auto& entry : known)
+    {
+      ends.push_back(std::get<0>(entry.first));
+    }
+    const Keys keys(mesh);
+    for (vtkIdType p = before - 1; p >= 0; --p)
+    {
+      const vtkIdType first = keys.GetEnd(p, 0);
+      if (std::binary_search(ends.begin(), ends.end(), first))
+      {
+        const auto found = known.find(keys.Make(p, first, keys.GetEnd(p, 1)));
+        if (found != known.end())
+        {
+          found->second = p;
+        }
+      }
+    }
+  }
+  std::vector<vtkIdType> ids(origins.Known.size());
+  for (std::size_t p = 0; p < ids.size(); ++p)
+  {
+    const vtkIdType same = origins.IsKnown[p] ? known[origins.Known[p]] : -1;
+    ids[p] = same >= 0 ? same : before + static_cast<vtkIdType>(added.size());
+    if (same < 0)
+    {
+      added.push_back(static_cast<vtkIdType>(p));
+    }
+  }
+  return ids;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> SurfaceCuts::Join(
+  const Request& request, vtkUnstructuredGrid* mesh)
+{
+  this->Triangles = SurfaceTriangles();
+  this->PointsOnSeams = 0;
+  Origins origins;
+  const vtkSmartPointer<vtkUnstructuredGrid> cut = this->Extract(request, origins);
+  if (!cut)
+  {
+    return mesh;
+  }
+  const vtkIdType before = mesh->GetNumberOfPoints();
+  std::vector<vtkIdType> added;
+  const std::vector<vtkIdType> ids = FindIds(mesh, origins, added);
+  auto joined = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  vtkUnstructuredGrid* const like = before > 0 ? mesh : cut.GetPointer();
+  points->SetDataType(like->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(before + static_cast<vtkIdType>(added.size()));
+  for (vtkIdType p = 0; p < points->GetNumberOfPoints(); ++p)
+  {
+    points->SetPoint(p,
+      p < before ? mesh->GetPoint(p) : cut->GetPoint(added[static_cast<std::size_t>(p - before)]));
+  }
+  joined->SetPoints(points);
+  Append(mesh->GetPointData(), before, cut->GetPointData(), added, joined->GetPointData());
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType numberOfCells = mesh->GetNumberOfCells() + cut->GetNumberOfCells();
+  if (std::max(points->GetNumberOfPoints(), 4 * numberOfCells) <= VTK_INT_MAX)
+  {
+    cells->Use32BitStorage();
+  }
+  cells->AllocateExact(numberOfCells, 4 * numberOfCells);
+  const auto add = [&cells](vtkUnstructuredGrid* grid, const auto& getId)
+  {
+    const SimplexPoints simplices(grid, 4);
+    for (vtkIdType t = 0; t < simplices.GetNumber(); ++t)
+    {
+      std::array<vtkIdType, 4> corners{};
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        corners[static_cast<std::size_t>(corner)] = getId(simplices.Get(t, corner));
+      }
+      cells->InsertNextCell(4, corners.data());
+    }
+  };
+  add(mesh, [](vtkIdType p) { return p; });
+  add(cut, [&ids](vtkIdType p) { return ids[static_cast<std::size_t>(p)]; });
+  joined->SetCells(VTK_TETRA, cells);
+  std::vector<vtkIdType> tetrahedra(static_cast<std::size_t>(cut->GetNumberOfCells()));
+  std::iota(tetrahedra.begin(), tetrahedra.end(), 0);
+  Append(mesh->GetCellData(), mesh->GetNumberOfCells(), cut->GetCellData(), tetrahedra,
+    joined->GetCellData());
+  RemoveOrigins(joined);
+  joined->GetFieldData()->ShallowCopy(mesh->GetFieldData());
+  this->Triangles.Renumber(ids);
+  return joined;
+}
+
+}

@@ -1,0 +1,80 @@
+#ifndef interlume_TriangleIndex_h
+#define interlume_TriangleIndex_h
+
+#include "vtkType.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   TriangleIndex
+ * @brief   triangles by their points, whatever the order of these
+ */
+class TriangleIndex
+{
+public:
+  using Triangle = std::array<vtkIdType, 3>;
+
+  TriangleIndex(const std::vector<Triangle>& triangles, vtkIdType numberOfPoints)
+    : Firsts(numberOfPoints + 1, 0)
+    , Entries(triangles.size())
+  {
+    for (const Triangle& triangle : triangles)
+    {
+      ++this->Firsts[*std::min_element(triangle.begin(), triangle.end())];
+    }
+    vtkIdType sum = 0;
+    for (vtkIdType& first : this->Firsts)
+    {
+      sum += std::exchange(first, sum);
+    }
+    std::vector<vtkIdType> next(this->Firsts);
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+    {
+      const Triangle sorted = Sort(triangles[t]);
+      this->Entries[next[sorted[0]]++] = { sorted[1], sorted[2], static_cast<vtkIdType>(t) };
+    }
+  }
+
+  /// Calls \a visit with each triangle of these points, in ascending order.
+  template <typename Visitor>
+  void ForEach(const Triangle& triangle, Visitor&& visit) const
+  {
+    const Triangle sorted = Sort(triangle);
+    for (vtkIdType e = this->Firsts[sorted[0]]; e < this->Firsts[sorted[0] + 1]; ++e)
+    {
+      const Entry& entry = this->Entries[e];
+      if (entry.Middle == sorted[1] && entry.Last == sorted[2])
+      {
+        visit(entry.Index);
+      }
+    }
+  }
+
+private:
+  struct Entry
+  {
+    vtkIdType Middle;
+    vtkIdType Last;
+    vtkIdType Index;
+  };
+
+  static Triangle Sort(Triangle triangle)
+  {
+    std::sort(triangle.begin(), triangle.end());
+    return triangle;
+  }
+
+  // By least point, where its entries begin.
+  std::vector<vtkIdType> Firsts;
+  std::vector<Entry> Entries;
+};
+
+}
+
+#endif

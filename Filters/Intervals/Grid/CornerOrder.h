@@ -1,0 +1,75 @@
+#ifndef interlume_CornerOrder_h
+#define interlume_CornerOrder_h
+
+#include "vtkIsotable.h"
+#include "vtkType.h"
+
+class vtkPointData;
+
+namespace interlume
+{
+
+/**
+ * @class   CornerOrder
+ * @brief   the one order of a grid's points by which cells that share a face cut it alike
+ *
+ * That of the global point ids where there are any, so that distributed pieces of a grid agree, and
+ * of the point ids otherwise.
+ */
+class CornerOrder
+{
+public:
+  /// \a points is kept by the caller.
+  explicit CornerOrder(vtkPointData* points);
+
+  bool IsBefore(vtkIdType a, vtkIdType b) const
+  {
+    return this->GlobalIds ? this->GlobalIds[a] < this->GlobalIds[b] : a < b;
+  }
+
+  bool IsAscending(const vtkIdType* ids, int number) const
+  {
+    bool ascending = true;
+    for (int v = 1; v < number; ++v)
+    {
+      ascending &= this->IsBefore(ids[v - 1], ids[v]);
+    }
+    return ascending;
+  }
+
+  /// Whether putting ids in ascending order takes an odd number of exchanges.
+  bool IsOdd(const vtkIdType* ids, int number) const
+  {
+    bool isOdd = false;
+    for (int a = 0; a < number; ++a)
+    {
+      for (int b = a + 1; b < number; ++b)
+      {
+        isOdd ^= this->IsBefore(ids[b], ids[a]);
+      }
+    }
+    return isOdd;
+  }
+
+  /// The rank of each corner; of equal ids, in a degenerate cell, the first corner is the lower.
+  void Rank(const vtkIdType* ids, int number, vtkIsotable::Slot* ranks) const;
+
+  /**
+   * Turns a cell by a symmetry of its shape so that its first corners are in ascending order: most
+   * cells of most meshes then have their corners in the order of the table's own cut. It may be a
+   * reflection: the orientation is to be taken from the coordinates.
+   */
+  void Turn(vtkIsotable::Shapes shape, vtkIdType* ids) const;
+
+private:
+  void TurnPyramid(vtkIdType* ids) const;
+  void TurnWedge(vtkIdType* ids) const;
+  void TurnHexahedron(vtkIdType* ids) const;
+
+  // One for each point, or null.
+  const vtkIdType* GlobalIds;
+};
+
+}
+
+#endif

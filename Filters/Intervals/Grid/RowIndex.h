@@ -1,0 +1,99 @@
+#ifndef interlume_RowIndex_h
+#define interlume_RowIndex_h
+
+#include "vtkType.h"
+
+#include <algorithm>
+#include <array>
+
+namespace interlume
+{
+
+/**
+ * @class   RowIndex
+ * @brief   index arithmetic of a grid of rows, in 64 bits throughout
+ *
+ * Points are numbered along i, then j, then k. A row of points is numbered j + k nj; a row of cells
+ * among cells only, j + k (nj - 1).
+ */
+class RowIndex
+{
+public:
+  explicit RowIndex(const int dimensions[3])
+    : Ni(dimensions[0])
+    , Nj(dimensions[1])
+    , Nk(dimensions[2])
+    , InverseNi(1.0 / static_cast<double>(std::max(dimensions[0], 1)))
+    , InverseNj(1.0 / static_cast<double>(std::max(dimensions[1], 1)))
+  {
+  }
+
+  vtkIdType GetNumberOfRows() const { return this->Nj * this->Nk; }
+  vtkIdType GetRow(vtkIdType j, vtkIdType k) const { return j + k * this->Nj; }
+  vtkIdType GetJ(vtkIdType row) const { return row - this->GetK(row) * this->Nj; }
+  vtkIdType GetK(vtkIdType row) const { return Divide(row, this->Nj, this->InverseNj); }
+  vtkIdType GetFirstPoint(vtkIdType row) const { return row * this->Ni; }
+
+  /// Whether cells begin at a row of points.
+  bool HasCells(vtkIdType j, vtkIdType k) const { return j + 1 < this->Nj && k + 1 < this->Nk; }
+
+  /// The row of cells at a row of points; for the last rows of points that of the cells before
+  /// them.
+  vtkIdType GetCellRow(vtkIdType j, vtkIdType k) const
+  {
+    return std::min(j, this->Nj - 2) + std::min(k, this->Nk - 2) * (this->Nj - 1);
+  }
+  vtkIdType GetFirstCell(vtkIdType j, vtkIdType k) const
+  {
+    return this->GetCellRow(j, k) * (this->Ni - 1);
+  }
+
+  /// From a point to its neighbour along an axis.
+  vtkIdType GetStep(int axis) const
+  {
+    return axis == 0 ? 1 : axis == 1 ? this->Ni : this->Ni * this->Nj;
+  }
+
+  /// Vertex 0 ... 7, in the order of VTK_VOXEL, of the cell whose vertex 0 is \a point.
+  vtkIdType GetVertex(vtkIdType point, int vertex) const
+  {
+    return point + (vertex & 1) + ((vertex >> 1) & 1) * this->GetStep(1) +
+      (vertex >> 2) * this->GetStep(2);
+  }
+
+  std::array<int, 3> GetIjk(vtkIdType point) const
+  {
+    const vtkIdType row = Divide(point, this->Ni, this->InverseNi);
+    return { { static_cast<int>(point - row * this->Ni), static_cast<int>(this->GetJ(row)),
+      static_cast<int>(this->GetK(row)) } };
+  }
+
+  /// The axis along which two neighbours differ, 0 for equal points.
+  int GetAxis(vtkIdType a, vtkIdType b) const
+  {
+    const vtkIdType step = a < b ? b - a : a - b;
+    // An axis with one point has no neighbours; its step may be that of the next.
+    return this->Nk > 1 && step == this->GetStep(2) ? 2
+      : this->Nj > 1 && step == this->GetStep(1)    ? 1
+                                                    : 0;
+  }
+
+private:
+  // a / b for 0 <= a < 2^51; a division of 64-bit integers takes several times as long. The product
+  // may come out below an integer that it should be, never a whole step above one.
+  static vtkIdType Divide(vtkIdType a, vtkIdType b, double inverse)
+  {
+    const vtkIdType near = static_cast<vtkIdType>(static_cast<double>(a) * inverse);
+    return near + (a - near * b >= b);
+  }
+
+  vtkIdType Ni;
+  vtkIdType Nj;
+  vtkIdType Nk;
+  double InverseNi;
+  double InverseNj;
+};
+
+}
+
+#endif

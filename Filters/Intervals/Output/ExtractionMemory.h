@@ -1,0 +1,39 @@
+#ifndef interlume_ExtractionMemory_h
+#define interlume_ExtractionMemory_h
+
+#include <cstddef>
+
+class vtkDataArray;
+
+namespace interlume
+{
+
+/**
+ * @class   ExtractionMemory
+ * @brief   advice on memory that is about to be used; it changes nothing but the time
+ *
+ * Most of the time of a large extraction would go into page faults, one for each 4 KiB of output.
+ */
+class ExtractionMemory
+{
+public:
+  /// Asks for large pages within [memory, memory + bytes), where the system has them; to be called
+  /// before the first access. No effect on small blocks, nor on the values.
+  static void PreferLargePages(void* memory, std::size_t bytes);
+  /// The same for the values of an array, once it has its size.
+  static void PreferLargePages(vtkDataArray* array);
+
+  /// Has a line of the cache loaded for reading.
+  static void Prefetch(const void* memory)
+  {
+#if defined(__GNUC__)
+    __builtin_prefetch(memory);
+#else
+    static_cast<void>(memory);
+#endif
+  }
+};
+
+}
+
+#endif

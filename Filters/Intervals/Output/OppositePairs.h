@@ -1,0 +1,143 @@
+#ifndef interlume_OppositePairs_h
+#define interlume_OppositePairs_h
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   OppositePairs
+ * @brief   simplices with the same points and opposite orientation, which cancel
+ */
+class OppositePairs
+{
+public:
+  /// A simplex by its ids in ascending order; what else tells simplices apart is among them.
+  template <typename Id, std::size_t Size>
+  struct Entry
+  {
+    std::array<Id, Size> Key;
+    /// Whether sorting took an odd number of exchanges.
+    bool IsOdd;
+    std::size_t Place;
+
+    bool operator<(const Entry& other) const
+    {
+      return this->Key != other.Key ? this->Key < other.Key : this->Place < other.Place;
+    }
+  };
+
+  /// Sorts \a number ids; returns whether it took an odd number of exchanges.
+  template <typename Id>
+  static bool Sort(Id* ids, int number)
+  {
+    bool isOdd = false;
+    for (int end = number; end > 1; --end)
+    {
+      for (int i = 1; i < end; ++i)
+      {
+        if (ids[i] < ids[i - 1])
+        {
+          std::swap(ids[i], ids[i - 1]);
+          isOdd = !isOdd;
+        }
+      }
+    }
+    return isOdd;
+  }
+
+  /// Calls remove(place) for both of each pair. Of simplices that are there several times those in
+  /// the first places go. Sorts the entries.
+  template <typename Id, std::size_t Size, typename Remover>
+  static void Find(std::vector<Entry<Id, Size>>& entries, Remover&& remove)
+  {
+    std::sort(entries.begin(), entries.end());
+    for (auto first = entries.begin(); first != entries.end();)
+    {
+      const auto last = std::find_if(
+        first, entries.end(), [first](const auto& entry) { return entry.Key != first->Key; });
+      const auto odd = std::count_if(first, last, [](const auto& entry) { return entry.IsOdd; });
+      auto left = std::min(odd, last - first - odd);
+      std::array<decltype(left), 2> pairs{ { left, left } };
+      for (; first != last; ++first)
+      {
+        if (pairs[first->IsOdd]-- > 0)
+        {
+          remove(first->Place);
+        }
+      }
+    }
+  }
+
+  /// Removes the pairs from a list of simplices, of which the first \a Size ids are the points.
+  template <std::size_t Size, typename Simplex>
+  static void Remove(std::vector<Simplex>& simplices)
+  {
+    using Id = typename Simplex::value_type;
+    if (!MayHaveEqual<Size>(simplices))
+    {
+      return;
+    }
+    std::vector<Entry<Id, Size>> entries(simplices.size());
+    for (std::size_t s = 0; s < simplices.size(); ++s)
+    {
+      std::copy_n(simplices[s].begin(), Size, entries[s].Key.begin());
+      entries[s].IsOdd = Sort(entries[s].Key.data(), static_cast<int>(Size));
+      entries[s].Place = s;
+    }
+    std::vector<bool> isRemoved;
+    Find(entries,
+      [&](std::size_t place)
+      {
+        isRemoved.resize(simplices.size(), false);
+        isRemoved[place] = true;
+      });
+    if (!isRemoved.empty())
+    {
+      std::size_t kept = 0;
+      for (std::size_t s = 0; s < simplices.size(); ++s)
+      {
+        if (!isRemoved[s])
+        {
+          simplices[kept++] = simplices[s];
+        }
+      }
+      simplices.resize(kept);
+    }
+  }
+
+private:
+  // Whether two simplices may have the same points: quick, since of most lists none have.
+  template <std::size_t Size, typename Simplex>
+  static bool MayHaveEqual(const std::vector<Simplex>& simplices)
+  {
+    constexpr std::size_t most = 256;
+    const std::size_t number = simplices.size();
+    if (number > most)
+    {
+      return true;
+    }
+    std::array<std::uint64_t, most> marks;
+    for (std::size_t s = 0; s < number; ++s)
+    {
+      marks[s] = 0;
+      for (std::size_t p = 0; p < Size; ++p)
+      {
+        marks[s] |= std::uint64_t(1) << (static_cast<unsigned>(simplices[s][p]) & 63u);
+      }
+    }
+    const auto end = marks.begin() + static_cast<std::ptrdiff_t>(number);
+    std::sort(marks.begin(), end);
+    return std::adjacent_find(marks.begin(), end) != end;
+  }
+};
+
+}
+
+#endif

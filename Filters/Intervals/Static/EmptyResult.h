@@ -1,0 +1,111 @@
+#ifndef interlume_EmptyResult_h
+#define interlume_EmptyResult_h
+
+#include "vtkIntervalList.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkDataSet;
+
+namespace interlume
+{
+
+/**
+ * @class   EmptyResult
+ * @brief   says why an execution gave nothing
+ *
+ * Follows one execution over all datasets of a composite input, so that it is said once for the
+ * whole, and not for a dataset beside others that gave something. Costs nothing where there is
+ * output: the ranges of values are looked at when the execution has ended without any.
+ */
+class EmptyResult
+{
+public:
+  ///@{
+  /**
+   * To be called at each StartEvent and EndEvent of the filter: the pipeline sends a pair for each
+   * dataset of a composite input, within a pair for the whole. Return whether it was that of the
+   * whole. Enter forgets the execution before.
+   */
+  bool Enter();
+  bool Leave() { return --this->Depth == 0; }
+  ///@}
+
+  /// Notes a dataset and how many simplices came of it, before criteria. Each may be missing.
+  void Add(vtkDataSet* input, vtkDataArray* scalars, vtkIdType simplices);
+
+  /// Looks at the datasets and scalars so far, and lets go of them: for inputs that do not stay,
+  /// such as time steps.
+  void Look();
+
+  /// Notes the simplices before and after a criterion on an array of the points before it; \a words
+  /// name it, as in "the criterion on "p" from 1 to 2".
+  void AddCriterion(std::size_t number, const std::string& words, vtkDataArray* array,
+    vtkIdType before, vtkIdType after);
+
+  /// Notes that a message has said what is wrong.
+  void NoteMessage() { this->IsExplained = true; }
+
+  /**
+   * Why there is no output, or nothing where there is some, where a message has said it, or where
+   * the user has aborted. A piece of a larger whole may well be empty: it gives no reason that lies
+   * in the data, and the first piece alone gives the others.
+   *
+   * \a unset: the reason when nothing is sought, such as "no interval is set"; else empty.
+   * \a sought: what is sought, such as "the interval [1, 2]".
+   */
+  std::string Explain(vtkAlgorithm* owner, const std::string& unset, const std::string& sought);
+
+  /// Whether there is no output, no message has said why, and this is not one piece of several.
+  bool IsUnexplained(vtkAlgorithm* owner) const;
+
+  /// Intervals as words: "the interval [1, 2]", or "the intervals [1, 2], [3, 4]".
+  static std::string Describe(const std::vector<vtkIntervalList::Interval>& intervals);
+  /// The same for single values: "the value 1".
+  static std::string Describe(const std::vector<double>& values);
+
+private:
+  struct Range
+  {
+    double Least = std::numeric_limits<double>::infinity();
+    double Largest = -std::numeric_limits<double>::infinity();
+
+    bool IsEmpty() const { return !(this->Least <= this->Largest); }
+    void Add(vtkDataArray* array);
+  };
+
+  // What a criterion left nothing of.
+  struct Criterion
+  {
+    std::string Words;
+    Range Before;
+  };
+
+  // Whether nothing has been said of an output without anything.
+  bool IsSilent(vtkAlgorithm* owner) const;
+  std::string ExplainByData(const std::string& sought);
+
+  std::vector<vtkSmartPointer<vtkDataSet>> Inputs;
+  std::vector<vtkSmartPointer<vtkDataArray>> Scalars;
+  std::string ScalarsName;
+  // What has been seen of them.
+  Range Values;
+  bool HasPoints = false;
+  bool HasSolidCells = false;
+  vtkIdType Cells = 0;
+  std::vector<Criterion> Criteria;
+  vtkIdType Simplices = 0;
+  vtkIdType SimplicesLeft = 0;
+  bool IsExplained = false;
+  int Depth = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,219 @@
+#include "Static/Extraction.h"
+
+#include "Static/ExtractionArrays.h"
+#include "Static/ExtractionCleanup.h"
+#include "Static/ExtractionDispatch.h"
+#include "Static/ExtractionIndex.h"
+#include "Static/ExtractionLinearizer.h"
+#include "Static/StructuredExtraction.h"
+#include "Static/UnstructuredExtraction.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+namespace
+{
+void AddNamed(vtkDataSetAttributes* attributes, vtkDataArray* array, const char* name)
+{
+  array->SetName(name);
+  attributes->AddArray(array);
+}
+
+void MapIds(const std::vector<vtkIdType>& map, vtkIdType* ids, std::size_t number)
+{
+  std::transform(ids, ids + number, ids, [&map](vtkIdType id) { return map[id]; });
+}
+
+void AddPointOrigins(const ExtractionBuffer<ExtractionPoint>& points, vtkPointData* output)
+{
+  const vtkIdType number = static_cast<vtkIdType>(points.GetSize());
+  vtkNew<vtkIdTypeArray> ends;
+  ends->SetNumberOfComponents(2);
+  ends->SetNumberOfTuples(number);
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetNumberOfValues(number);
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        ends->SetValue(2 * p, points[p].Near);
+        ends->SetValue(2 * p + 1, points[p].Far);
+        weights->SetValue(p, points[p].Near == points[p].Far ? 0.0 : points[p].Weight);
+      }
+    });
+  AddNamed(output, ends, "OriginPoints");
+  AddNamed(output, weights, "OriginWeight");
+}
+
+void AddCellOrigins(const vtkIdType* cells, std::size_t number, vtkCellData* output)
+{
+  vtkNew<vtkIdTypeArray> origins;
+  origins->SetNumberOfValues(static_cast<vtkIdType>(number));
+  std::copy_n(cells, number, origins->GetPointer(0));
+  AddNamed(output, origins, "OriginCell");
+}
+}
+
+bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh)
+{
+  int dimensions[3];
+  const bool hasRows = ExtractionArrays::GetRowDimensions(context.Input, dimensions);
+  const vtkIdType cells = context.Input->GetNumberOfCells();
+  const bool isFlat = hasRows && *std::min_element(dimensions, dimensions + 3) < 2;
+  if (cells == 0 || isFlat)
+  {
+    context.Report->LowerDimensionalCells += cells;
+    return true;
+  }
+  if (context.Index)
+  {
+    if (context.Index->Select(context.Input, context.Scalars, hasRows ? dimensions : nullptr))
+    {
+      context.Index->Activate(*context.Values);
+    }
+    else
+    {
+      context.Index = nullptr;
+    }
+  }
+  return hasRows ? StructuredExtraction::Execute(context, dimensions, mesh)
+                 : UnstructuredExtraction::Execute(
+                     context, vtkUnstructuredGrid::SafeDownCast(context.Input), mesh);
+}
+
+bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
+  vtkUnstructuredGrid* boundary, vtkExtractionReport& report)
+{
+  ExtractionContext context;
+  context.Owner = this->Owner;
+  context.Values = this->Values;
+  context.Input = input;
+  context.Index = this->Index;
+  context.Report = &report;
+  context.GenerateBoundaries = this->GenerateBoundaries;
+  context.KeepOrientation = this->KeepOrientation;
+  context.KeepCellIds =
+    input->GetCellData()->GetNumberOfArrays() > 0 || this->InputBoundary || this->KeepOrigins;
+  context.SetBlanking(input);
+
+  int dimensions[3];
+  ExtractionIndex::LinearGrid ownLinear;
+  ExtractionIndex::LinearGrid* linear = nullptr;
+  if (!ExtractionArrays::GetRowDimensions(input, dimensions) &&
+    ExtractionLinearizer::IsNeeded(input))
+  {
+    linear = this->Index ? &this->Index->GetLinearGrid(input) : &ownLinear;
+    if (!linear->Grid)
+    {
+      linear->Grid = ExtractionLinearizer::Execute(input, linear->CellIds, linear->NumberOfConcave);
+    }
+    report.ConcavePolyhedra = linear->NumberOfConcave;
+    context.Input = linear->Grid;
+    context.SetBlanking(linear->Grid);
+    vtkDataArray* carried = linear->Grid->GetPointData()->GetArray(scalars->GetName());
+    scalars = carried ? carried : scalars;
+  }
+  const vtkSmartPointer<vtkDataArray> contiguous = ExtractionDispatch::MakeContiguous(scalars);
+  context.Scalars = contiguous;
+
+  ExtractionMesh mesh;
+  mesh.HasSeveralItems = this->Values->GetItems().size() > 1;
+  if (!this->ExtractMesh(context, mesh))
+  {
+    return false;
+  }
+  report.Cells = input->GetNumberOfCells();
+  if (!mesh.TiedSimplices.empty())
+  {
+    ExtractionCleanup::RemoveOppositeSimplices(mesh, context.GetSimplexSize());
+  }
+  if (!mesh.TiedTriangles.empty())
+  {
+    ExtractionCleanup::SettleTiedTriangles(mesh);
+  }
+  if (mesh.Used.GetSize() > 0)
+  {
+    ExtractionCleanup::RemoveUnusedPoints(mesh);
+  }
+  if (this->InputBoundary)
+  {
+    ExtractionCleanup::CutBoundary(context.Input, this->InputBoundary, mesh);
+  }
+  if (linear)
+  {
+    MapIds(linear->CellIds, mesh.CellIds.GetData(), mesh.CellIds.GetSize());
+    MapIds(linear->CellIds, mesh.TriangleCellIds.data(), mesh.TriangleCellIds.size());
+  }
+  this->FillOutput(context, mesh, input, output);
+  if (boundary && (this->GenerateBoundaries || this->InputBoundary))
+  {
+    this->FillBoundary(mesh, input, output, boundary);
+  }
+  const int origins = this->KeepOrigins ? 1 : 0;
+  report.ArraysInterpolated = output->GetPointData()->GetNumberOfArrays() - 2 * origins;
+  report.ArraysCopied =
+    output->GetCellData()->GetNumberOfArrays() - (this->IdName ? 1 : 0) - origins;
+  return true;
+}
+
+void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& mesh,
+  vtkDataSet* original, vtkUnstructuredGrid* output) const
+{
+  output->SetPoints(
+    ExtractionArrays::MakePoints(context.Input, mesh.Points, this->OutputPointsPrecision));
+  this->Owner->UpdateProgress(0.85);
+  output->SetCells(
+    context.GetSimplexSize() == 4 ? VTK_TETRA : VTK_TRIANGLE, mesh.Simplices.MakeCells());
+  ExtractionArrays::InterpolatePointData(
+    context.Input->GetPointData(), mesh.Points, output->GetPointData());
+  this->Owner->UpdateProgress(0.95);
+  ExtractionArrays::CopyCellData(original->GetCellData(), mesh.CellIds.GetData(),
+    static_cast<vtkIdType>(mesh.CellIds.GetSize()), output->GetCellData());
+  if (this->IdName)
+  {
+    AddNamed(output->GetCellData(), mesh.ItemIds, this->IdName);
+  }
+  if (this->KeepOrigins)
+  {
+    AddPointOrigins(mesh.Points, output->GetPointData());
+    AddCellOrigins(mesh.CellIds.GetData(), mesh.CellIds.GetSize(), output->GetCellData());
+  }
+}
+
+void Extraction::FillBoundary(const ExtractionMesh& mesh, vtkDataSet* original,
+  vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary) const
+{
+  boundary->SetPoints(output->GetPoints());
+  boundary->GetPointData()->ShallowCopy(output->GetPointData());
+  const vtkIdType number = static_cast<vtkIdType>(mesh.Triangles.size());
+  SimplexList triangles;
+  triangles.Allocate(number, 3, output->GetNumberOfPoints());
+  for (vtkIdType t = 0; t < number; ++t)
+  {
+    triangles.Write(t, mesh.Triangles[t].data());
+  }
+  boundary->SetCells(VTK_TRIANGLE, triangles.MakeCells());
+  ExtractionArrays::CopyCellData(original->GetCellData(), mesh.TriangleCellIds.data(),
+    static_cast<vtkIdType>(mesh.TriangleCellIds.size()), boundary->GetCellData());
+  AddNamed(boundary->GetCellData(), mesh.TriangleItemIds, "IntervalId");
+  AddNamed(boundary->GetCellData(), mesh.TriangleSides, "BoundarySide");
+  if (this->KeepOrigins)
+  {
+    AddCellOrigins(
+      mesh.TriangleCellIds.data(), mesh.TriangleCellIds.size(), boundary->GetCellData());
+  }
+}
+
+}

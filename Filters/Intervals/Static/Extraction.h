@@ -1,0 +1,52 @@
+#ifndef interlume_Extraction_h
+#define interlume_Extraction_h
+
+#include "Static/ExtractionContext.h"
+
+class vtkUnstructuredGrid;
+
+namespace interlume
+{
+
+/**
+ * @class   Extraction
+ * @brief   one pass of contouring or interval extraction over one dataset
+ *
+ * Chooses the way for the kind of grid, then gives the mesh its arrays.
+ */
+class Extraction
+{
+public:
+  vtkAlgorithm* Owner = nullptr;
+  const ExtractionValues* Values = nullptr;
+  /// Null: no index.
+  ExtractionIndex* Index = nullptr;
+  /// Name of the cell array of item indices; null: none.
+  const char* IdName = nullptr;
+  int OutputPointsPrecision = vtkAlgorithm::DEFAULT_PRECISION;
+  bool GenerateBoundaries = false;
+  /// Whether the outputs say what each of their points and cells was made of.
+  bool KeepOrigins = false;
+  /// For a further criterion: whether the input's tetrahedra are oriented as they are stored.
+  bool KeepOrientation = false;
+  /**
+   * For a further criterion: the boundary of the input, as port 1 of the pass before. Its triangles
+   * are cut like the tetrahedra they belong to. Null: none.
+   */
+  vtkUnstructuredGrid* InputBoundary = nullptr;
+
+  /// \a boundary may be null. Returns false when the user aborted; then the outputs are empty.
+  bool Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
+    vtkUnstructuredGrid* boundary, vtkExtractionReport& report);
+
+private:
+  bool ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh);
+  void FillOutput(const ExtractionContext& context, ExtractionMesh& mesh, vtkDataSet* original,
+    vtkUnstructuredGrid* output) const;
+  void FillBoundary(const ExtractionMesh& mesh, vtkDataSet* original, vtkUnstructuredGrid* output,
+    vtkUnstructuredGrid* boundary) const;
+};
+
+}
+
+#endif

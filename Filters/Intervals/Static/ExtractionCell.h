@@ -1,0 +1,90 @@
+#ifndef interlume_ExtractionCell_h
+#define interlume_ExtractionCell_h
+
+#include "Static/ExtractionValues.h"
+
+#include "vtkIsotable.h"
+
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   ExtractionCell
+ * @brief   the slots of one cell that are the same point because a value equals an isovalue
+ *
+ * A crossing at an end of its edge is the grid point there; in an interval of zero width the upper
+ * crossing is the lower one.
+ */
+class ExtractionCell
+{
+public:
+  using Code = ExtractionValues::Code;
+  using Slot = vtkIsotable::Slot;
+
+  /// \a table: a vtkIsotable or vtkIsotableCache.
+  template <typename Table>
+  static Slot Identify(
+    const Table& table, const ExtractionValues::Item& item, const Code* codes, Slot slot)
+  {
+    const int n = table.GetNumberOfVertices();
+    const int m = table.GetNumberOfEdges();
+    if (slot < n)
+    {
+      return slot;
+    }
+    const int kind = (slot - n) / m;
+    const auto& edge = table.GetEdge(slot - n - kind * m);
+    const int tie = 2 * (kind == 0 ? item.Lower : item.Upper) + 1;
+    for (Slot end : edge)
+    {
+      if (codes[end] == tie)
+      {
+        return end;
+      }
+    }
+    return kind == 1 && item.IsFlat ? static_cast<Slot>(slot - m) : slot;
+  }
+
+  /**
+   * For each of \a slots the first slot that is the same point. Where corners of the cell may be
+   * one point, getPoint(slot) tells by an equal result which slots are.
+   */
+  template <typename Table, typename GetPoint>
+  static void IdentifyAll(const Table& table, const ExtractionValues::Item& item, const Code* codes,
+    const std::vector<Slot>& slots, bool hasEqualCorners, GetPoint&& getPoint, Slot* same)
+  {
+    for (const Slot slot : slots)
+    {
+      same[slot] = Identify(table, item, codes, slot);
+      for (Slot earlier = 0; hasEqualCorners && earlier < same[slot]; ++earlier)
+      {
+        if (getPoint(earlier) == getPoint(same[slot]))
+        {
+          same[slot] = earlier;
+        }
+      }
+    }
+  }
+
+  template <typename Id>
+  static bool IsCollapsed(const Id* ids, int number)
+  {
+    for (int i = 0; i < number; ++i)
+    {
+      for (int j = i + 1; j < number; ++j)
+      {
+        if (ids[i] == ids[j])
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+};
+
+}
+
+#endif

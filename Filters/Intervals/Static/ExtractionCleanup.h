@@ -1,0 +1,46 @@
+#ifndef interlume_ExtractionCleanup_h
+#define interlume_ExtractionCleanup_h
+
+#include "Static/ExtractionContext.h"
+
+class vtkUnstructuredGrid;
+
+namespace interlume
+{
+
+/**
+ * @class   ExtractionCleanup
+ * @brief   what has to be set right in a mesh in rare cases, and costs nothing in the others
+ */
+class ExtractionCleanup
+{
+public:
+  /// Removes points that nothing uses; the others keep their order.
+  static void RemoveUnusedPoints(ExtractionMesh& mesh);
+
+  /**
+   * Removes pairs of simplices of \a size points of one interval or contour that have the same
+   * points and opposite orientation, of the two sides of a face where values equal a bound.
+   */
+  static void RemoveOppositeSimplices(ExtractionMesh& mesh, int size);
+
+  /**
+   * Settles the triangles of cells where values equal a bound. Pairs of one interval that have the
+   * same points and opposite orientation go: they are both sides of nothing. Of the others those
+   * stay that are faces of the interval's tetrahedra, counted with their orientation, and belong to
+   * the cell of that tetrahedron: where a side of a cell equals a bound, the triangles there come
+   * from the cell beyond, and there may be no cell before it.
+   */
+  static void SettleTiedTriangles(ExtractionMesh& mesh);
+
+  /**
+   * Fills the boundary of \a mesh, which was cut out of the tetrahedra of \a input, with the faces
+   * that lie in triangles of \a inputBoundary.
+   */
+  static void CutBoundary(
+    vtkDataSet* input, vtkUnstructuredGrid* inputBoundary, ExtractionMesh& mesh);
+};
+
+}
+
+#endif

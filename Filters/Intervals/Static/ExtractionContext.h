@@ -1,0 +1,167 @@
+#ifndef interlume_ExtractionContext_h
+#define interlume_ExtractionContext_h
+
+#include "Common/Blanking.h"
+#include "Output/ExtractionBuffer.h"
+#include "Output/SimplexList.h"
+#include "Static/ExtractionValues.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkExtractionReport.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <vector>
+
+namespace interlume
+{
+
+class ExtractionIndex;
+
+/**
+ * What an output point is made of: a grid point when Near equals Far, else the point at Weight of
+ * the way from Near to Far, Weight <= 1/2 since Near is the end nearer the isovalue.
+ */
+struct ExtractionPoint
+{
+  vtkIdType Near;
+  vtkIdType Far;
+  double Weight;
+};
+
+/**
+ * The result of an extraction before arrays are interpolated.
+ */
+struct ExtractionMesh
+{
+  ExtractionBuffer<ExtractionPoint> Points;
+  /// Tetrahedra of intervals or triangles of contours, in the order of the input's cells.
+  SimplexList Simplices;
+  vtkNew<vtkIntArray> ItemIds;
+  /// The input cell of each simplex; only when the input has cell arrays.
+  ExtractionBuffer<vtkIdType> CellIds;
+
+  /// Boundary triangles of intervals, when asked for.
+  std::vector<std::array<vtkIdType, 3>> Triangles;
+  vtkNew<vtkIntArray> TriangleItemIds;
+  vtkNew<vtkIntArray> TriangleSides;
+  std::vector<vtkIdType> TriangleCellIds;
+  /// The triangles of cells where values equal a bound, increasing: they may cancel each other, or
+  /// be on a part that has no volume.
+  std::vector<vtkIdType> TiedTriangles;
+  /// The tetrahedra, or triangles of contours, that lie in one face of such a cell.
+  std::vector<vtkIdType> TiedSimplices;
+
+  /// Whether simplices differ in their item: with one item they are noted all at once.
+  bool HasSeveralItems = false;
+
+  /// Makes room for simplices of \a size points and, without boundaries, 0 triangles.
+  void Allocate(vtkIdType simplices, int size, vtkIdType triangles, bool keepCellIds)
+  {
+    this->Simplices.Allocate(simplices, size, static_cast<vtkIdType>(this->Points.GetSize()));
+    this->ItemIds->SetNumberOfValues(simplices);
+    ExtractionMemory::PreferLargePages(this->ItemIds);
+    if (!this->HasSeveralItems)
+    {
+      vtkSMPTools::Fill(this->ItemIds->GetPointer(0), this->ItemIds->GetPointer(0) + simplices, 0);
+    }
+    this->Triangles.resize(triangles);
+    this->TriangleItemIds->SetNumberOfValues(triangles);
+    this->TriangleSides->SetNumberOfValues(triangles);
+    if (keepCellIds)
+    {
+      this->CellIds.Allocate(simplices);
+      this->TriangleCellIds.resize(triangles);
+    }
+  }
+
+  /// Writes what all simplices of one case have in common.
+  void NoteSimplices(vtkIdType first, std::size_t number, int item, vtkIdType cell)
+  {
+    if (this->HasSeveralItems)
+    {
+      std::fill_n(this->ItemIds->GetPointer(first), number, item);
+    }
+    if (this->CellIds.GetSize() > 0)
+    {
+      std::fill_n(this->CellIds.GetData() + first, number, cell);
+    }
+  }
+
+  /// Writes a boundary triangle; its ids in the order for a right-handed cell.
+  void WriteTriangle(vtkIdType triangle, const std::array<vtkIdType, 3>& ids, bool isInverted,
+    int item, int side, vtkIdType cell)
+  {
+    this->Triangles[triangle] =
+      isInverted ? std::array<vtkIdType, 3>{ { ids[1], ids[0], ids[2] } } : ids;
+    this->TriangleItemIds->SetValue(triangle, item);
+    this->TriangleSides->SetValue(triangle, side);
+    if (!this->TriangleCellIds.empty())
+    {
+      this->TriangleCellIds[triangle] = cell;
+    }
+  }
+
+  /// One mark for each point, set where a simplex uses it; only where there may be other points.
+  ExtractionBuffer<std::atomic<unsigned char>> Used;
+};
+
+/**
+ * @class   ExtractionContext
+ * @brief   what every part of one extraction needs to know
+ */
+struct ExtractionContext : Blanking
+{
+  vtkAlgorithm* Owner = nullptr;
+  const ExtractionValues* Values = nullptr;
+  vtkDataSet* Input = nullptr;
+  vtkDataArray* Scalars = nullptr;
+  ExtractionIndex* Index = nullptr;
+  bool GenerateBoundaries = false;
+  bool KeepCellIds = false;
+  /// Whether tetrahedra are oriented as their corners are stored, not by their coordinates: those
+  /// that an extraction has made may be inverted, and are then parts of sums that have to stay.
+  bool KeepOrientation = false;
+  vtkExtractionReport* Report = nullptr;
+
+  int GetSimplexSize() const { return this->Values->GetKind() == vtkIsotable::INTERVAL ? 4 : 3; }
+
+  /**
+   * Runs \a work(first, last) over [0, number) on all threads, in a few batches between which
+   * progress goes from \a from to \a to. Returns false when the user aborted.
+   */
+  template <typename Work>
+  bool Run(vtkIdType number, double from, double to, Work&& work) const
+  {
+    constexpr vtkIdType batches = 8;
+    const vtkIdType step = std::max<vtkIdType>((number + batches - 1) / batches, 1);
+    for (vtkIdType first = 0; first < number; first += step)
+    {
+      const vtkIdType last = std::min(first + step, number);
+      vtkSMPTools::For(first, last, work);
+      this->Owner->UpdateProgress(from + (to - from) * last / number);
+      if (this->Owner->GetAbortExecute())
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Notes that \a bytes of working memory are held at this moment.
+  void NoteWorkingBytes(std::size_t bytes) const
+  {
+    this->Report->WorkingBytes =
+      std::max(this->Report->WorkingBytes, static_cast<vtkIdType>(bytes));
+  }
+};
+
+}
+
+#endif

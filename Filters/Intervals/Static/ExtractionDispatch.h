@@ -1,0 +1,68 @@
+#ifndef interlume_ExtractionDispatch_h
+#define interlume_ExtractionDispatch_h
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayMeta.h"
+#include "vtkSmartPointer.h"
+
+namespace interlume
+{
+
+/**
+ * @class   ExtractionDispatch
+ * @brief   calls a function with the values of a one-component array in their own type
+ *
+ * \a scalars must hold its values one after the other in memory; MakeContiguous copies other
+ * layouts.
+ */
+class ExtractionDispatch
+{
+public:
+  template <typename Function>
+  static bool Execute(vtkDataArray* scalars, Function&& function)
+  {
+    bool result = false;
+    vtkArrayDispatch::Dispatch::Execute(scalars,
+      [&](auto* array)
+      {
+        using T = vtk::GetAPIType<std::decay_t<decltype(*array)>>;
+        if (auto* contiguous = vtkAOSDataArrayTemplate<T>::FastDownCast(array))
+        {
+          result = function(static_cast<const T*>(contiguous->GetPointer(0)));
+        }
+      });
+    return result;
+  }
+
+  /// Whether Execute can read the array as it is.
+  static bool IsSupported(vtkDataArray* scalars)
+  {
+    return Execute(scalars, [](const auto*) { return true; });
+  }
+
+  /// The array with its values in rows in memory, as itself or as a copy.
+  static vtkSmartPointer<vtkDataArray> MakeContiguous(vtkDataArray* array)
+  {
+    if (IsSupported(array))
+    {
+      return array;
+    }
+    vtkSmartPointer<vtkDataArray> copy = MakeCopy(array, array->GetDataType());
+    return IsSupported(copy) ? copy : MakeCopy(array, VTK_DOUBLE);
+  }
+
+  /// A copy in another type.
+  static vtkSmartPointer<vtkDataArray> MakeCopy(vtkDataArray* array, int dataType)
+  {
+    vtkSmartPointer<vtkDataArray> copy;
+    copy.TakeReference(vtkDataArray::CreateDataArray(dataType));
+    copy->DeepCopy(array);
+    return copy;
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,240 @@
+#include "Static/ExtractionIndex.h"
+
+#include "Static/ExtractionDispatch.h"
+#include "Static/ExtractionValues.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPThreadLocalObject.h"
+#include "vtkSMPTools.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace interlume
+{
+
+vtkStandardNewMacro(ExtractionIndex);
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+template <typename T>
+void Extend(std::array<double, 2>& range, T value)
+{
+  const double number = static_cast<double>(value);
+  if (std::isfinite(number))
+  {
+    range[0] = std::min(range[0], number);
+    range[1] = std::max(range[1], number);
+  }
+}
+
+// A 64-bit integer may round when it becomes a double: one step outward keeps the range safe.
+template <typename T>
+std::array<double, 2> Widen(const std::array<double, 2>& range)
+{
+  if (sizeof(T) < sizeof(double) || std::is_floating_point<T>::value)
+  {
+    return range;
+  }
+  return { { std::nextafter(range[0], -Infinity), std::nextafter(range[1], Infinity) } };
+}
+}
+
+constexpr vtkIdType ExtractionIndex::BlockSize[3];
+
+ExtractionIndex::ExtractionIndex() = default;
+
+ExtractionIndex::~ExtractionIndex() = default;
+
+void ExtractionIndex::BeginExecution()
+{
+  const auto forget = [this](auto& kept)
+  {
+    for (auto entry = kept.begin(); entry != kept.end();)
+    {
+      entry = entry->second.LastUse < this->Execution ? kept.erase(entry) : std::next(entry);
+    }
+  };
+  forget(this->Known);
+  forget(this->LinearGrids);
+  ++this->Execution;
+}
+
+ExtractionIndex::LinearGrid& ExtractionIndex::GetLinearGrid(vtkDataSet* input)
+{
+  LinearGrid& kept = this->LinearGrids[input];
+  if (kept.InputTime != input->GetMTime())
+  {
+    kept = LinearGrid();
+    kept.InputTime = input->GetMTime();
+  }
+  kept.LastUse = this->Execution;
+  return kept;
+}
+
+bool ExtractionIndex::Select(vtkDataSet* input, vtkDataArray* scalars, const int* dimensions)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Cells[axis] = dimensions ? dimensions[axis] - 1 : 0;
+    this->Blocks[axis] = (this->Cells[axis] + BlockSize[axis] - 1) / BlockSize[axis];
+  }
+  vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(input);
+  const vtkMTimeType cellTime = grid ? grid->GetCells()->GetMTime() : 0;
+  Ranges& ranges = this->Known[scalars];
+  this->Selected = &ranges;
+  ranges.LastUse = this->Execution;
+  if (ranges.ScalarTime != scalars->GetMTime() || ranges.CellTime != cellTime ||
+    ranges.Cells != this->Cells)
+  {
+    ranges = Ranges();
+    ranges.ScalarTime = scalars->GetMTime();
+    ranges.CellTime = cellTime;
+    ranges.Cells = this->Cells;
+    ranges.LastUse = this->Execution;
+    return false;
+  }
+  if (ranges.Blocks.empty())
+  {
+    ExtractionDispatch::Execute(scalars,
+      [&](const auto* data)
+      {
+        if (dimensions)
+        {
+          this->BuildStructured(data, ranges);
+        }
+        else
+        {
+          this->BuildRuns(input, data, ranges);
+        }
+        return true;
+      });
+  }
+  return true;
+}
+
+template <typename T>
+void ExtractionIndex::BuildStructured(const T* scalars, Ranges& ranges) const
+{
+  const vtkIdType nx = this->Cells[0] + 1;
+  const vtkIdType ny = this->Cells[1] + 1;
+  ranges.Blocks.resize(this->Blocks[0] * this->Blocks[1] * this->Blocks[2]);
+  vtkSMPTools::For(0, this->Blocks[1] * this->Blocks[2],
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType row = first; row < last; ++row)
+      {
+        const vtkIdType j0 = (row % this->Blocks[1]) * BlockSize[1];
+        const vtkIdType k0 = (row / this->Blocks[1]) * BlockSize[2];
+        const vtkIdType j1 = std::min(j0 + BlockSize[1], this->Cells[1]);
+        const vtkIdType k1 = std::min(k0 + BlockSize[2], this->Cells[2]);
+        for (vtkIdType block = 0; block < this->Blocks[0]; ++block)
+        {
+          const vtkIdType i0 = block * BlockSize[0];
+          const vtkIdType i1 = std::min(i0 + BlockSize[0], this->Cells[0]);
+          std::array<double, 2> range{ { Infinity, -Infinity } };
+          for (vtkIdType k = k0; k <= k1; ++k)
+          {
+            for (vtkIdType j = j0; j <= j1; ++j)
+            {
+              const T* values = scalars + (j + k * ny) * nx;
+              for (vtkIdType i = i0; i <= i1; ++i)
+              {
+                Extend(range, values[i]);
+              }
+            }
+          }
+          ranges.Blocks[row * this->Blocks[0] + block] = Widen<T>(range);
+        }
+      }
+    });
+}
+
+template <typename T>
+void ExtractionIndex::BuildRuns(vtkDataSet* input, const T* scalars, Ranges& ranges) const
+{
+  const vtkIdType cells = input->GetNumberOfCells();
+  ranges.Blocks.resize((cells + RunLength - 1) / RunLength);
+  vtkSMPThreadLocalObject<vtkIdList> lists;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ranges.Blocks.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      vtkIdList* points = lists.Local();
+      for (vtkIdType run = first; run < last; ++run)
+      {
+        std::array<double, 2> range{ { Infinity, -Infinity } };
+        const vtkIdType end = std::min((run + 1) * RunLength, cells);
+        for (vtkIdType cell = run * RunLength; cell < end; ++cell)
+        {
+          input->GetCellPoints(cell, points);
+          for (vtkIdType p = 0; p < points->GetNumberOfIds(); ++p)
+          {
+            Extend(range, scalars[points->GetId(p)]);
+          }
+        }
+        ranges.Blocks[run] = Widen<T>(range);
+      }
+    });
+}
+
+void ExtractionIndex::Activate(const ExtractionValues& values)
+{
+  const auto& blocks = this->Selected->Blocks;
+  this->Active.resize(blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    this->Active[b] = values.Overlaps(blocks[b][0], blocks[b][1]);
+  }
+  this->ActiveRows.clear();
+  for (std::size_t b = 0; this->Blocks[0] > 0 && b < blocks.size(); b += this->Blocks[0])
+  {
+    const auto row = this->Active.begin() + b;
+    this->ActiveRows.push_back(std::find(row, row + this->Blocks[0], 1) != row + this->Blocks[0]);
+  }
+}
+
+bool ExtractionIndex::IsRowActive(vtkIdType cellRow) const
+{
+  const vtkIdType j = (cellRow % this->Cells[1]) / BlockSize[1];
+  const vtkIdType k = (cellRow / this->Cells[1]) / BlockSize[2];
+  return this->ActiveRows[j + k * this->Blocks[1]] != 0;
+}
+
+void ExtractionIndex::GetActiveSpans(vtkIdType cellRow, std::vector<Span>& spans) const
+{
+  const vtkIdType j = (cellRow % this->Cells[1]) / BlockSize[1];
+  const vtkIdType k = (cellRow / this->Cells[1]) / BlockSize[2];
+  const unsigned char* row = this->Active.data() + (j + k * this->Blocks[1]) * this->Blocks[0];
+  for (vtkIdType block = 0; block < this->Blocks[0]; ++block)
+  {
+    const vtkIdType first = block * BlockSize[0];
+    const vtkIdType last = std::min(first + BlockSize[0], this->Cells[0]);
+    if (row[block] && !spans.empty() && spans.back()[1] == first)
+    {
+      spans.back()[1] = last;
+    }
+    else if (row[block])
+    {
+      spans.push_back({ { first, last } });
+    }
+  }
+}
+
+std::size_t ExtractionIndex::GetBytes() const
+{
+  std::size_t bytes = 0;
+  for (const auto& known : this->Known)
+  {
+    bytes += known.second.Blocks.capacity() * sizeof(std::array<double, 2>);
+  }
+  return bytes;
+}
+
+}

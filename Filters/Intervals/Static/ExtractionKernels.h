@@ -1,0 +1,159 @@
+#ifndef interlume_ExtractionKernels_h
+#define interlume_ExtractionKernels_h
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#if defined(_MSC_VER)
+#define INTERLUME_RESTRICT __restrict
+#else
+#define INTERLUME_RESTRICT __restrict__
+#endif
+
+namespace interlume
+{
+
+/**
+ * The inner loops over rows, written so that compilers make vector code of them: no aliasing,
+ * 16-bit arithmetic throughout, no branches.
+ */
+namespace ExtractionKernels
+{
+using Code = std::uint16_t;
+
+/// The number of thresholds that each value reaches.
+template <int N, typename T>
+void Classify(const T* INTERLUME_RESTRICT values, std::int64_t number, const T* thresholds,
+  Code* INTERLUME_RESTRICT codes)
+{
+  T t[N];
+  std::copy_n(thresholds, N, t);
+  for (std::int64_t i = 0; i < number; ++i)
+  {
+    Code code = 0;
+    for (int k = 0; k < N; ++k)
+    {
+      code = static_cast<Code>(code + static_cast<Code>(values[i] >= t[k]));
+    }
+    codes[i] = code;
+  }
+}
+
+/**
+ * \a first: the first place whose code is not that at 0, \a last: the last whose code is not that
+ * at \a number - 1. Where all are equal, number and -1.
+ */
+inline void FindEnds(
+  const Code* codes, std::int64_t number, std::int64_t& first, std::int64_t& last)
+{
+  // Four codes at a time.
+  constexpr std::int64_t step = sizeof(std::uint64_t) / sizeof(Code);
+  constexpr std::uint64_t ones = 0x0001000100010001;
+  const auto equals = [codes](std::int64_t at, std::uint64_t pattern)
+  {
+    std::uint64_t four;
+    std::memcpy(&four, codes + at, sizeof(four));
+    return four == pattern;
+  };
+  first = 0;
+  while (first + step <= number && equals(first, codes[0] * ones))
+  {
+    first += step;
+  }
+  while (first < number && codes[first] == codes[0])
+  {
+    ++first;
+  }
+  last = first < number ? number - 1 : -1;
+  while (last + 1 >= step && equals(last + 1 - step, codes[number - 1] * ones))
+  {
+    last -= step;
+  }
+  while (last >= 0 && codes[last] == codes[number - 1])
+  {
+    --last;
+  }
+}
+
+/// The least and the greatest code, and all codes or-ed.
+inline void Summarize(const Code* INTERLUME_RESTRICT codes, std::int64_t number, Code& least,
+  Code& greatest, Code& bits)
+{
+  Code low = codes[0];
+  Code high = codes[0];
+  Code all = 0;
+  for (std::int64_t i = 0; i < number; ++i)
+  {
+    low = std::min(low, codes[i]);
+    high = std::max(high, codes[i]);
+    all = static_cast<Code>(all | codes[i]);
+  }
+  least = low;
+  greatest = high;
+  bits = all;
+}
+
+/// ExtractionValues::CountCrossings for finite ends.
+inline Code CountCrossings(Code a, Code b)
+{
+  const Code low = std::min(a, b);
+  const Code end = static_cast<Code>(std::max(a, b) >> 1);
+  const Code begin = static_cast<Code>((low >> 1) + (low & 1));
+  return static_cast<Code>(end - std::min(end, begin));
+}
+
+/**
+ * What each grid point of a row owns: \a first points of its own, in all \a second with the
+ * crossings along i, \a third with those along j, \a all with those along k. On entry \a first is
+ * filled.
+ */
+inline void CountOwned(const Code* INTERLUME_RESTRICT here, const Code* INTERLUME_RESTRICT along,
+  const Code* INTERLUME_RESTRICT above, std::int64_t number, const Code* INTERLUME_RESTRICT first,
+  Code* INTERLUME_RESTRICT second, Code* INTERLUME_RESTRICT third, Code* INTERLUME_RESTRICT all)
+{
+  for (std::int64_t i = 0; i + 1 < number; ++i)
+  {
+    second[i] = static_cast<Code>(first[i] + CountCrossings(here[i], here[i + 1]));
+  }
+  second[number - 1] = first[number - 1];
+  for (std::int64_t i = 0; i < number; ++i)
+  {
+    third[i] = static_cast<Code>(second[i] + CountCrossings(here[i], along[i]));
+    all[i] = static_cast<Code>(third[i] + CountCrossings(here[i], above[i]));
+  }
+}
+
+/// The digits of a column of four grid points in base \a Base, as one number.
+template <int Base>
+void FillColumns(const Code* INTERLUME_RESTRICT a, const Code* INTERLUME_RESTRICT b,
+  const Code* INTERLUME_RESTRICT c, const Code* INTERLUME_RESTRICT d, Code first, Code second,
+  std::int64_t number, Code* INTERLUME_RESTRICT columns)
+{
+  constexpr Code square = Base * Base;
+  const auto digit = [first, second](Code code) {
+    return static_cast<Code>(static_cast<Code>(code >= first) + static_cast<Code>(code >= second));
+  };
+  for (std::int64_t i = 0; i < number; ++i)
+  {
+    columns[i] = static_cast<Code>(digit(a[i]) + static_cast<Code>(square * digit(b[i])) +
+      static_cast<Code>(square * square * digit(c[i])) +
+      static_cast<Code>(square * square * square * digit(d[i])));
+  }
+}
+
+/// The keys of cells from the columns on their two sides.
+template <int Base>
+void FillKeys(
+  const Code* INTERLUME_RESTRICT columns, std::int64_t number, Code* INTERLUME_RESTRICT keys)
+{
+  for (std::int64_t i = 0; i < number; ++i)
+  {
+    keys[i] = static_cast<Code>(columns[i] + Base * columns[i + 1]);
+  }
+}
+}
+
+}
+
+#endif

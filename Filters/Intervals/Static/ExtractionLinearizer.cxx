@@ -1,0 +1,491 @@
+#include "Static/ExtractionLinearizer.h"
+
+#include "Common/GridCells.h"
+#include "Grid/CellCorners.h"
+#include "Static/ExtractionArrays.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <utility>
+#include <functional>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace interlume
+{
+
+namespace
+{
+using Face = std::vector<vtkIdType>;
+
+class Linearizer
+{
+public:
+  Linearizer(vtkDataSet* input, std::vector<vtkIdType>& cellIds)
+    : Input(input)
+    , CellIds(cellIds)
+    , GlobalIds(vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds()))
+  {
+  }
+
+  vtkSmartPointer<vtkUnstructuredGrid> Execute()
+  {
+    const vtkIdType cells = this->Input->GetNumberOfCells();
+    this->Output->Allocate(cells);
+    vtkNew<vtkIdList> points;
+    for (vtkIdType cell = 0; cell < cells; ++cell)
+    {
+      const int type = this->Input->GetCellType(cell);
+      if (CellCorners::Of(type).Kind == CellCorners::POLYHEDRAL)
+      {
+        this->AddPolyhedron(cell, this->GetFaces(cell, type));
+      }
+      else
+      {
+        this->Input->GetCellPoints(cell, points);
+        this->AddCell(cell, type, Face(points->begin(), points->end()));
+      }
+    }
+    this->AddPoints();
+    return this->Output.GetPointer();
+  }
+
+  vtkIdType GetNumberOfConcave() const { return this->NumberOfConcave; }
+
+private:
+  std::vector<Face> GetFaces(vtkIdType cell, int type)
+  {
+    std::vector<Face> faces;
+    vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(this->Input);
+    if (type == VTK_POLYHEDRON && grid)
+    {
+      vtkNew<vtkIdList> stream;
+      grid->GetFaceStream(cell, stream);
+      vtkIdType at = 1;
+      for (vtkIdType f = 0; f < stream->GetId(0); ++f)
+      {
+        const vtkIdType* first = stream->GetPointer(at + 1);
+        faces.emplace_back(first, first + stream->GetId(at));
+        at += 1 + stream->GetId(at);
+      }
+    }
+    else
+    {
+      this->Input->GetCell(cell, this->Generic);
+      for (int f = 0; f < this->Generic->GetNumberOfFaces(); ++f)
+      {
+        vtkIdList* ids = this->Generic->GetFace(f)->GetPointIds();
+        faces.emplace_back(ids->begin(), ids->end());
+      }
+    }
+    faces.erase(
+      std::remove_if(faces.begin(), faces.end(), [](const Face& face) { return face.size() < 3; }),
+      faces.end());
+    return faces;
+  }
+
+  void AddCell(vtkIdType cell, int type, const Face& points)
+  {
+    this->Output->InsertNextCell(type, static_cast<vtkIdType>(points.size()), points.data());
+    this->CellIds.push_back(cell);
+  }
+
+  // The one neighbour of a point, along edges of faces, that is not on a face; -1 if there are
+  // more.
+  static vtkIdType GetNeighborOff(
+    const std::map<vtkIdType, std::set<vtkIdType>>& neighbors, vtkIdType point, const Face& face)
+  {
+    vtkIdType found = -1;
+    for (vtkIdType other : neighbors.at(point))
+    {
+      if (std::find(face.begin(), face.end(), other) == face.end())
+      {
+        if (found >= 0)
+        {
+          return -1;
+        }
+        found = other;
+      }
+    }
+    return found;
+  }
+
+  // The polyhedron as a cell with a table, or no points.
+  static Face Recognize(const std::vector<Face>& faces, int& type)
+  {
+    std::map<vtkIdType, std::set<vtkIdType>> neighbors;
+    int triangles = 0;
+    int quadrilaterals = 0;
+    for (const Face& face : faces)
+    {
+      triangles += face.size() == 3;
+      quadrilaterals += face.size() == 4;
+      for (std::size_t i = 0; i < face.size(); ++i)
+      {
+        const vtkIdType a = face[i];
+        const vtkIdType b = face[(i + 1) % face.size()];
+        neighbors[a].insert(b);
+        neighbors[b].insert(a);
+      }
+    }
+    struct Pattern
+    {
+      int Points, Triangles, Quadrilaterals, Type;
+      std::size_t Base;
+    };
+    static const Pattern patterns[] = { { 4, 4, 0, VTK_TETRA, 3 }, { 5, 4, 1, VTK_PYRAMID, 4 },
+      { 6, 2, 3, VTK_WEDGE, 3 }, { 8, 0, 6, VTK_HEXAHEDRON, 4 } };
+    for (const Pattern& pattern : patterns)
+    {
+      if (pattern.Points != static_cast<int>(neighbors.size()) || pattern.Triangles != triangles ||
+        pattern.Quadrilaterals != quadrilaterals ||
+        triangles + quadrilaterals != static_cast<int>(faces.size()))
+      {
+        continue;
+      }
+      type = pattern.Type;
+      Face points = *std::find_if(faces.begin(), faces.end(),
+        [&pattern](const Face& face) { return face.size() == pattern.Base; });
+      const Face base = points;
+      for (vtkIdType point : base)
+      {
+        const vtkIdType above = GetNeighborOff(neighbors, point, base);
+        if (above < 0)
+        {
+          return {};
+        }
+        points.push_back(above);
+      }
+      // A tetrahedron and a pyramid have one point above all.
+      points.resize(pattern.Points);
+      return points;
+    }
+    return {};
+  }
+
+  vtkIdType GetOrder(vtkIdType point) const
+  {
+    return this->GlobalIds ? this->GlobalIds->GetValue(point) : point;
+  }
+
+  void AddPolyhedron(vtkIdType cell, const std::vector<Face>& faces)
+  {
+    int type = VTK_EMPTY_CELL;
+    const Face known = Recognize(faces, type);
+    if (!known.empty())
+    {
+      this->AddCell(cell, type, known);
+      return;
+    }
+    std::set<vtkIdType> vertices;
+    for (const Face& face : faces)
+    {
+      vertices.insert(face.begin(), face.end());
+    }
+    if (vertices.empty())
+    {
+      return;
+    }
+    const vtkIdType center =
+      this->Input->GetNumberOfPoints() + static_cast<vtkIdType>(this->Centers.size());
+    this->Centers.emplace_back(vertices.begin(), vertices.end());
+    this->NumberOfConcave += !this->IsSeenWhole(faces, this->Centers.back());
+    for (const Face& face : faces)
+    {
+      if (face.size() == 4)
+      {
+        this->AddCell(cell, VTK_PYRAMID, { face[0], face[1], face[2], face[3], center });
+        continue;
+      }
+      this->ForEachTriangle(face,
+        [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+          this->AddCell(cell, VTK_TETRA, { a, b, c, center });
+        });
+    }
+  }
+
+  // The fan of a face from its first point in the order.
+  template <typename Visitor>
+  void ForEachTriangle(const Face& face, Visitor&& visit) const
+  {
+    const auto lowest = std::min_element(face.begin(), face.end(),
+      [this](vtkIdType a, vtkIdType b) { return this->GetOrder(a) < this->GetOrder(b); });
+    const std::size_t start = lowest - face.begin();
+    for (std::size_t i = 1; i + 1 < face.size(); ++i)
+    {
+      visit(*lowest, face[(start + i) % face.size()], face[(start + i + 1) % face.size()]);
+    }
+  }
+
+  // Turns faces until all are outward, or all inward: two have a common edge in opposite
+  // directions.
+  static void Orient(std::vector<Face>& faces)
+  {
+    std::map<std::pair<vtkIdType, vtkIdType>, std::vector<std::size_t>> facesOf;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      for (std::size_t i = 0; i < faces[f].size(); ++i)
+      {
+        facesOf[std::minmax({ faces[f][i], faces[f][(i + 1) % faces[f].size()] })].push_back(f);
+      }
+    }
+    const auto hasEdge = [](const Face& face, vtkIdType a, vtkIdType b)
+    {
+      const auto at = std::find(face.begin(), face.end(), a);
+      return at != face.end() && (at + 1 == face.end() ? face.front() : at[1]) == b;
+    };
+    std::vector<bool> isMet(faces.size(), false);
+    std::vector<std::size_t> next = { 0 };
+    isMet[0] = true;
+    while (!next.empty())
+    {
+      const Face face = faces[next.back()];
+      next.pop_back();
+      for (std::size_t i = 0; i < face.size(); ++i)
+      {
+        const vtkIdType a = face[i];
+        const vtkIdType b = face[(i + 1) % face.size()];
+        for (const std::size_t other : facesOf[std::minmax({ a, b })])
+        {
+          if (!isMet[other])
+          {
+            if (hasEdge(faces[other], a, b))
+            {
+              std::reverse(faces[other].begin(), faces[other].end());
+            }
+            isMet[other] = true;
+            next.push_back(other);
+          }
+        }
+      }
+    }
+  }
+
+  // Whether the mean of its vertices sees every part of a polyhedron from inside.
+  bool IsSeenWhole(std::vector<Face> faces, const Face& vertices) const
+  {
+    const std::array<double, 3> center = this->GetMeanPoint(vertices);
+    Orient(faces);
+    double inside = 0.0;
+    double outside = 0.0;
+    double size = 0.0;
+    for (const Face& face : faces)
+    {
+      this->ForEachTriangle(face,
+        [&](vtkIdType a, vtkIdType b, vtkIdType c)
+        {
+          double sides[3][3];
+          const vtkIdType ids[3] = { a, b, c };
+          for (int i = 0; i < 3; ++i)
+          {
+            this->Input->GetPoint(ids[i], sides[i]);
+            std::transform(sides[i], sides[i] + 3, center.begin(), sides[i], std::minus<>());
+          }
+          const double volume = vtkMath::Determinant3x3(sides[0], sides[1], sides[2]);
+          (volume > 0.0 ? inside : outside) += std::abs(volume);
+          size += vtkMath::Norm(sides[0]) * vtkMath::Norm(sides[1]) * vtkMath::Norm(sides[2]);
+        });
+    }
+    constexpr double rounding = 1e-6;
+    // A flat polyhedron has volumes of rounding alone.
+    constexpr double flat = 1e-12;
+    return std::min(inside, outside) <= std::max(rounding * (inside + outside), flat * size);
+  }
+
+  std::array<double, 3> GetMeanPoint(const Face& vertices) const
+  {
+    std::array<double, 3> mean{};
+    for (const vtkIdType vertex : vertices)
+    {
+      double x[3];
+      this->Input->GetPoint(vertex, x);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        mean[axis] += x[axis] / static_cast<double>(vertices.size());
+      }
+    }
+    return mean;
+  }
+
+  // Of whole numbers it is their sum that is divided, so that the mean of numbers that equal a
+  // bound equals it too; sums of others might be out of range.
+  double GetMean(vtkDataArray* array, const Face& vertices, int component) const
+  {
+    constexpr double most = 4503599627370496.0; // 2^52
+    const double number = static_cast<double>(vertices.size());
+    double sum = 0.0;
+    double whole = 0.0;
+    double magnitude = 0.0;
+    bool isWhole = true;
+    bool isConstant = true;
+    const double first = array->GetComponent(vertices.front(), component);
+    for (vtkIdType vertex : vertices)
+    {
+      const double value = array->GetComponent(vertex, component);
+      sum += value / number;
+      whole += value;
+      magnitude += std::abs(value);
+      isWhole = isWhole && value == std::floor(value);
+      isConstant = isConstant && value == first;
+    }
+    return isConstant ? first : isWhole && magnitude < most ? whole / number : sum;
+  }
+
+  void AddPoints()
+  {
+    const vtkIdType before = this->Input->GetNumberOfPoints();
+    const vtkIdType after = before + static_cast<vtkIdType>(this->Centers.size());
+    vtkNew<vtkPoints> points;
+    vtkPointSet* set = vtkPointSet::SafeDownCast(this->Input);
+    points->SetDataType(
+      set && set->GetPoints()->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
+    points->SetNumberOfPoints(after);
+    for (vtkIdType p = 0; p < before; ++p)
+    {
+      double x[3];
+      this->Input->GetPoint(p, x);
+      points->SetPoint(p, x);
+    }
+    for (vtkIdType p = before; p < after; ++p)
+    {
+      points->SetPoint(p, this->GetMeanPoint(this->Centers[p - before]).data());
+    }
+    this->Output->SetPoints(points);
+    this->AddPointData(before, after);
+  }
+
+  void AddPointData(vtkIdType before, vtkIdType after)
+  {
+    vtkPointData* from = this->Input->GetPointData();
+    vtkPointData* to = this->Output->GetPointData();
+    if (this->Centers.empty())
+    {
+      to->ShallowCopy(from);
+      return;
+    }
+    // The centres stand for points of the inside; a grid point keeps its exact values.
+    ExtractionBuffer<ExtractionPoint> same;
+    same.Allocate(after);
+    for (vtkIdType p = 0; p < after; ++p)
+    {
+      const vtkIdType source = p < before ? p : this->Centers[p - before].front();
+      same[p] = { source, source, 0.0 };
+    }
+    ExtractionArrays::InterpolatePointData(from, same, to);
+    for (int a = 0; a < to->GetNumberOfArrays(); ++a)
+    {
+      vtkDataArray* array = to->GetArray(a);
+      vtkDataArray* source =
+        array ? vtkDataArray::SafeDownCast(from->GetAbstractArray(array->GetName())) : nullptr;
+      for (vtkIdType p = before; source && p < after; ++p)
+      {
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+        {
+          array->SetComponent(p, c, this->GetMean(source, this->Centers[p - before], c));
+        }
+      }
+    }
+    this->AddOrder(before, after);
+    if (vtkUnsignedCharArray* ghosts = this->Input->GetPointGhostArray())
+    {
+      vtkNew<vtkUnsignedCharArray> copy;
+      copy->DeepCopy(ghosts);
+      copy->Resize(after);
+      copy->SetNumberOfValues(after);
+      std::fill_n(copy->GetPointer(before), after - before, static_cast<unsigned char>(0));
+      to->AddArray(copy);
+    }
+  }
+
+  // A centre comes after all points in the order, as its id does.
+  void AddOrder(vtkIdType before, vtkIdType after)
+  {
+    if (!this->GlobalIds)
+    {
+      return;
+    }
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName(this->GlobalIds->GetName());
+    ids->SetNumberOfValues(after);
+    vtkIdType highest = 0;
+    for (vtkIdType p = 0; p < before; ++p)
+    {
+      ids->SetValue(p, this->GlobalIds->GetValue(p));
+      highest = std::max(highest, this->GlobalIds->GetValue(p));
+    }
+    std::iota(ids->GetPointer(before), ids->GetPointer(before) + (after - before), highest + 1);
+    this->Output->GetPointData()->SetGlobalIds(ids);
+  }
+
+  vtkDataSet* Input;
+  std::vector<vtkIdType>& CellIds;
+  vtkIdTypeArray* GlobalIds;
+  vtkNew<vtkUnstructuredGrid> Output;
+  vtkNew<vtkGenericCell> Generic;
+  // The vertices of each coned polyhedron.
+  std::vector<Face> Centers;
+  vtkIdType NumberOfConcave = 0;
+};
+}
+
+bool ExtractionLinearizer::IsNeeded(vtkDataSet* input)
+{
+  vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(input);
+  if (!grid)
+  {
+    return true;
+  }
+  const vtkIdType number = grid->GetNumberOfCells();
+  const auto stored = GridCells::GetTypes(grid);
+  const unsigned char* types = stored->GetPointer(0);
+  bool isMet[256] = {};
+  for (vtkIdType cell = 0; cell < number; ++cell)
+  {
+    isMet[types[cell]] = true;
+  }
+  for (int type = 0; type < 256; ++type)
+  {
+    if (isMet[type] && CellCorners::Of(type).Kind == CellCorners::POLYHEDRAL)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> ExtractionLinearizer::Execute(
+  vtkDataSet* input, std::vector<vtkIdType>& cellIds, vtkIdType& numberOfConcave)
+{
+  Linearizer linearizer(input, cellIds);
+  vtkSmartPointer<vtkUnstructuredGrid> linear = linearizer.Execute();
+  numberOfConcave = linearizer.GetNumberOfConcave();
+  if (vtkUnsignedCharArray* ghosts = input->GetCellGhostArray())
+  {
+    vtkNew<vtkUnsignedCharArray> linearGhosts;
+    linearGhosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType cell : cellIds)
+    {
+      linearGhosts->InsertNextValue(ghosts->GetValue(cell));
+    }
+    linear->GetCellData()->AddArray(linearGhosts);
+  }
+  return linear;
+}
+
+}

@@ -1,0 +1,192 @@
+#include "Static/ExtractionScalars.h"
+
+#include "Static/ExtractionDispatch.h"
+#include "Static/ExtractionKernels.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace interlume
+{
+
+namespace
+{
+using Code = ExtractionValues::Code;
+
+template <typename T>
+class Typed : public ExtractionScalars
+{
+public:
+  Typed(const T* data, const ExtractionValues& values)
+    : Typed(data, nullptr, std::numeric_limits<vtkIdType>::max(), values)
+  {
+  }
+
+  Typed(const T* data, const T* second, vtkIdType split, const ExtractionValues& values)
+    : Data(data)
+    , Second(second)
+    , Split(split)
+    , Values(values)
+    , Thresholds(values.GetThresholds<T>())
+  {
+    for (const double value : values.GetValues())
+    {
+      this->Isovalues.push_back(static_cast<Real>(value));
+    }
+  }
+
+  bool Classify(vtkIdType first, vtkIdType number, Code* codes) const override
+  {
+    const T* f = this->Data + first;
+    switch (this->Thresholds.size())
+    {
+      case 2:
+        ExtractionKernels::Classify<2>(f, number, this->Thresholds.data(), codes);
+        break;
+      case 4:
+        ExtractionKernels::Classify<4>(f, number, this->Thresholds.data(), codes);
+        break;
+      default:
+        std::fill(codes, codes + number, Code(0));
+        for (const T threshold : this->Thresholds)
+        {
+          for (vtkIdType i = 0; i < number; ++i)
+          {
+            codes[i] = static_cast<Code>(codes[i] + (f[i] >= threshold));
+          }
+        }
+    }
+    return this->MarkNonFinite(f, number, codes);
+  }
+
+  void Place(ExtractionPoint* points, vtkIdType number) const override
+  {
+    for (vtkIdType p = 0; p < number; ++p)
+    {
+      ExtractionPoint& point = points[p];
+      if (point.Near != point.Far)
+      {
+        this->Place(point, this->Isovalues[static_cast<std::size_t>(point.Weight)]);
+      }
+    }
+  }
+
+private:
+  // 64-bit integers need the 64-bit mantissa of long double, where it has one.
+  using Real = typename std::conditional<std::is_integral<T>::value && sizeof(T) == 8, long double,
+    double>::type;
+
+  T GetValue(vtkIdType point) const
+  {
+    return point < this->Split ? this->Data[point] : this->Second[point - this->Split];
+  }
+
+  static bool IsHalvingExact(T value)
+  {
+    return std::is_integral<T>::value || sizeof(T) < sizeof(double) ||
+      std::abs(static_cast<double>(value)) > 1e-290;
+  }
+
+  void Place(ExtractionPoint& point, Real value) const
+  {
+    const T a = this->GetValue(point.Near);
+    const T b = this->GetValue(point.Far);
+    // Halved, since the range may be the whole of the type's.
+    const Real half = IsHalvingExact(a) && IsHalvingExact(b) ? Real(0.5) : Real(1.0);
+    // Signed distances in value from the isovalue to the ends.
+    const Real toA = value * half - static_cast<Real>(a) * half;
+    const Real toB = static_cast<Real>(b) * half - value * half;
+    // Which end is nearer is a coin's throw: no branch.
+    const bool isNearA = std::abs(toA) <= std::abs(toB);
+    const vtkIdType near = isNearA ? point.Near : point.Far;
+    point.Far = isNearA ? point.Far : point.Near;
+    point.Near = near;
+    point.Weight = static_cast<double>((isNearA ? toA : toB) / (toA + toB));
+  }
+
+  bool MarkNonFinite(const T* f, vtkIdType number, Code* codes) const
+  {
+    if constexpr (std::is_floating_point<T>::value)
+    {
+      int nonFinite = 0;
+      for (vtkIdType i = 0; i < number; ++i)
+      {
+        nonFinite |= !(std::abs(f[i]) <= std::numeric_limits<T>::max());
+      }
+      if (nonFinite)
+      {
+        for (vtkIdType i = 0; i < number; ++i)
+        {
+          if (!std::isfinite(f[i]))
+          {
+            codes[i] = this->Values.GetNonFiniteCode();
+          }
+        }
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const T* Data;
+  const T* Second;
+  vtkIdType Split;
+  const ExtractionValues& Values;
+  std::vector<T> Thresholds;
+  std::vector<Real> Isovalues;
+};
+
+// Two arrays of different types, as double.
+class Converted : public Typed<double>
+{
+public:
+  Converted(vtkSmartPointer<vtkDataArray> first, vtkSmartPointer<vtkDataArray> second,
+    vtkIdType split, const ExtractionValues& values)
+    : Typed<double>(static_cast<const double*>(first->GetVoidPointer(0)),
+        static_cast<const double*>(second->GetVoidPointer(0)), split, values)
+    , Arrays{ first, second }
+  {
+  }
+
+private:
+  vtkSmartPointer<vtkDataArray> Arrays[2];
+};
+}
+
+std::unique_ptr<ExtractionScalars> ExtractionScalars::Make(
+  vtkDataArray* scalars, const ExtractionValues& values)
+{
+  std::unique_ptr<ExtractionScalars> made;
+  ExtractionDispatch::Execute(scalars,
+    [&](const auto* data)
+    {
+      using T = std::decay_t<decltype(*data)>;
+      made = std::make_unique<Typed<T>>(data, values);
+      return true;
+    });
+  return made;
+}
+
+std::unique_ptr<ExtractionScalars> ExtractionScalars::MakePair(
+  vtkDataArray* first, vtkDataArray* second, vtkIdType split, const ExtractionValues& values)
+{
+  if (first->GetDataType() != second->GetDataType())
+  {
+    return std::make_unique<Converted>(ExtractionDispatch::MakeCopy(first, VTK_DOUBLE),
+      ExtractionDispatch::MakeCopy(second, VTK_DOUBLE), split, values);
+  }
+  std::unique_ptr<ExtractionScalars> made;
+  ExtractionDispatch::Execute(first,
+    [&](const auto* data)
+    {
+      using T = std::decay_t<decltype(*data)>;
+      made = std::make_unique<Typed<T>>(
+        data, static_cast<const T*>(second->GetVoidPointer(0)), split, values);
+      return true;
+    });
+  return made;
+}
+
+}

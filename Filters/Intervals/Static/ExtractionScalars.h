@@ -1,0 +1,48 @@
+#ifndef interlume_ExtractionScalars_h
+#define interlume_ExtractionScalars_h
+
+#include "Static/ExtractionContext.h"
+
+#include <memory>
+
+namespace interlume
+{
+
+/**
+ * @class   ExtractionScalars
+ * @brief   codes and edge weights from scalars of any type
+ *
+ * All that an extraction needs of the scalars; the rest of it does not depend on their type.
+ */
+class ExtractionScalars
+{
+public:
+  using Code = ExtractionValues::Code;
+
+  /// \a scalars are as ExtractionDispatch::MakeContiguous gives them; they and \a values must
+  /// outlive the result.
+  static std::unique_ptr<ExtractionScalars> Make(
+    vtkDataArray* scalars, const ExtractionValues& values);
+
+  /**
+   * The same for two grids of \a split points each: ids from \a split on are points of the second.
+   * Only crossings are placed. Arrays of different types are taken as double.
+   */
+  static std::unique_ptr<ExtractionScalars> MakePair(
+    vtkDataArray* first, vtkDataArray* second, vtkIdType split, const ExtractionValues& values);
+
+  virtual ~ExtractionScalars() = default;
+
+  /// The codes of points first ... first + number - 1. Returns whether all are finite.
+  virtual bool Classify(vtkIdType first, vtkIdType number, Code* codes) const = 0;
+
+  /**
+   * Puts crossings in their places. On entry Near < Far are the ends of the edge and Weight is the
+   * number of the isovalue that crosses it; where Near equals Far nothing is done.
+   */
+  virtual void Place(ExtractionPoint* points, vtkIdType number) const = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,147 @@
+#include "Static/MergedCut.h"
+
+#include "Output/OppositePairs.h"
+#include "Static/ExtractionCell.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace interlume
+{
+
+namespace
+{
+// The key of an interval's case where all vertices are inside.
+int GetKeyInside(int vertices)
+{
+  int key = 0;
+  for (int v = 0; v < vertices; ++v)
+  {
+    key = 3 * key + 1;
+  }
+  return key;
+}
+
+// A contour's table has no case from which faces could be read.
+const vtkIsotable& GetTableOfIntervals(int vertices)
+{
+  int shape = 0;
+  while (vtkIsotable::Get(vtkIsotable::INTERVAL, static_cast<vtkIsotable::Shapes>(shape))
+           .GetNumberOfVertices() != vertices)
+  {
+    ++shape;
+  }
+  return vtkIsotable::Get(vtkIsotable::INTERVAL, static_cast<vtkIsotable::Shapes>(shape));
+}
+}
+
+bool MergedCut::IsNeeded(const vtkIsotable::Case& what, const Slot* same)
+{
+  return std::any_of(
+    what.Slots.begin(), what.Slots.end(), [same](Slot slot) { return same[slot] != slot; });
+}
+
+void MergedCut::Make(const vtkIsotable& table, const Item& item, const Code* codes,
+  const vtkIsotable::Case& what, const vtkIsotable::RankArray& ranks, const Slot* same,
+  bool hasSides)
+{
+  this->Simplices.clear();
+  this->Triangles.clear();
+  const Code* const end = codes + table.GetNumberOfVertices();
+  if (item.IsFlat && std::any_of(codes, end, [&item](Code code) { return code != item.First; }))
+  {
+    if (hasSides)
+    {
+      this->AddSides(table, item, codes, ranks, same);
+    }
+  }
+  else
+  {
+    const int size = table.GetKind() == vtkIsotable::INTERVAL ? 4 : 3;
+    table.CutMerged(
+      what, ranks, same,
+      [this, size](const Simplex& simplex)
+      {
+        if (!ExtractionCell::IsCollapsed(simplex.data(), size))
+        {
+          this->Simplices.push_back(simplex);
+        }
+      },
+      [this, hasSides](const Triangle& triangle)
+      {
+        if (hasSides && !ExtractionCell::IsCollapsed(triangle.data(), 3))
+        {
+          this->Triangles.push_back(triangle);
+        }
+      });
+    if (size == 4)
+    {
+      OppositePairs::Remove<4>(this->Simplices);
+      OppositePairs::Remove<3>(this->Triangles);
+    }
+    else
+    {
+      OppositePairs::Remove<3>(this->Simplices);
+    }
+  }
+  // In another order than the table's there may be more.
+  const std::size_t left = std::min(this->Simplices.size(), what.Simplices.size());
+  this->NumberCollapsed = static_cast<vtkIdType>(what.Simplices.size() - left);
+}
+
+void MergedCut::AddSides(const vtkIsotable& table, const Item& item, const Code* codes,
+  const vtkIsotable::RankArray& ranks, const Slot* same)
+{
+  const int vertices = table.GetNumberOfVertices();
+  const Code tie = item.First;
+  const Slot side = *std::min_element(codes, codes + vertices) < tie ? 0 : 1;
+  table.CutSides(table.GetCase(GetKeyInside(vertices)), ranks,
+    [&](Slot a, Slot b, Slot c, const Slot* polygon, int number)
+    {
+      if (std::all_of(polygon, polygon + number, [&](Slot vertex) { return codes[vertex] == tie; }))
+      {
+        const Triangle triangle{ { same[b], same[a], same[c], side } };
+        if (!ExtractionCell::IsCollapsed(triangle.data(), 3))
+        {
+          this->Triangles.push_back(triangle);
+        }
+      }
+    });
+}
+
+void MergedCut::FindFaces(const vtkIsotable& table)
+{
+  const int vertices = table.GetNumberOfVertices();
+  const int edges = table.GetNumberOfEdges();
+  this->TableOfFaces = &table;
+  this->Faces.clear();
+  const vtkIsotable& ofIntervals = GetTableOfIntervals(vertices);
+  ofIntervals.CutSides(ofIntervals.GetCase(GetKeyInside(vertices)), vtkIsotable::RankArray{},
+    [this](Slot, Slot, Slot, const Slot* polygon, int number)
+    {
+      unsigned face = 0;
+      std::for_each(polygon, polygon + number, [&face](Slot vertex) { face |= 1u << vertex; });
+      // A face is visited once for each of its triangles.
+      if (this->Faces.empty() || this->Faces.back() != face)
+      {
+        this->Faces.push_back(face);
+      }
+    });
+  for (int slot = 0; slot < vertices + 2 * edges; ++slot)
+  {
+    unsigned support = 1u << slot;
+    if (slot >= vertices)
+    {
+      const auto& ends = table.GetEdge((slot - vertices) % edges);
+      support = (1u << ends[0]) | (1u << ends[1]);
+    }
+    unsigned faces = 0;
+    for (std::size_t f = 0; f < this->Faces.size(); ++f)
+    {
+      faces |= (support & ~this->Faces[f]) == 0 ? 1u << f : 0u;
+    }
+    this->FacesOf[slot] = static_cast<std::uint8_t>(faces);
+  }
+}
+
+}

@@ -1,0 +1,100 @@
+#ifndef interlume_PointMarks_h
+#define interlume_PointMarks_h
+
+#include "Output/ExtractionBuffer.h"
+#include "Static/ExtractionValues.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace interlume
+{
+
+/**
+ * @class   PointMarks
+ * @brief   one byte for each point, of which the union over a cell tells whether it matters
+ *
+ * The codes are grouped into at most seven ranges, with one bit each; the eighth bit stands for
+ * NaN and infinities. The ranges are single codes for up to three isovalues; with more of them a
+ * cell may be called near that is not, never the other way round.
+ */
+class PointMarks
+{
+public:
+  using Code = ExtractionValues::Code;
+  using Mark = std::uint8_t;
+
+  PointMarks(const ExtractionValues& values, vtkIdType points)
+    : NonFinite(values.GetNonFiniteCode())
+  {
+    while ((this->NonFinite - 1) >> this->Shift >= NumberOfRanges)
+    {
+      ++this->Shift;
+    }
+    for (int all = 1; all < NonFiniteMark; ++all)
+    {
+      int first = 0;
+      int last = 0;
+      while (!((all >> first) & 1))
+      {
+        ++first;
+      }
+      while (all >> (last + 1))
+      {
+        ++last;
+      }
+      const Code least = static_cast<Code>(first << this->Shift);
+      const Code greatest = static_cast<Code>(
+        std::min(((last + 1) << this->Shift) - 1, static_cast<int>(this->NonFinite) - 1));
+      const auto& items = values.GetItems();
+      this->Near[all] = std::any_of(items.begin(), items.end(),
+        [&](const ExtractionValues::Item& item)
+        { return !values.IsOutside(item, least, greatest); });
+    }
+    this->Marks.Allocate(points);
+  }
+
+  void Fill(const Code* codes, vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType p = first; p < last; ++p)
+    {
+      this->Marks[p] = this->GetMark(codes[p]);
+    }
+  }
+
+  /// The union of the marks of each point at two time steps.
+  void Fill(const Code* codes, const Code* codesAfter, vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType p = first; p < last; ++p)
+    {
+      this->Marks[p] = static_cast<Mark>(this->GetMark(codes[p]) | this->GetMark(codesAfter[p]));
+    }
+  }
+
+  const Mark* GetData() const { return this->Marks.GetData(); }
+  void Free() { this->Marks.Free(); }
+  std::size_t GetBytes() const { return this->Marks.GetBytes(); }
+
+  /// Of all corners' marks or-ed:
+  static bool IsNonFinite(Mark all) { return all & NonFiniteMark; }
+  bool IsNear(Mark all) const { return this->Near[all]; }
+
+private:
+  static constexpr int NumberOfRanges = 7;
+  static constexpr Mark NonFiniteMark = 1 << NumberOfRanges;
+
+  Mark GetMark(Code code) const
+  {
+    return code == this->NonFinite ? NonFiniteMark : static_cast<Mark>(1u << (code >> this->Shift));
+  }
+
+  Code NonFinite;
+  int Shift = 0;
+  std::array<bool, 256> Near{};
+  ExtractionBuffer<Mark> Marks;
+};
+
+}
+
+#endif

@@ -1,0 +1,859 @@
+#include "Static/StructuredExtraction.h"
+
+#include "Grid/CellOrientation.h"
+#include "Grid/RowIndex.h"
+#include "Static/ExtractionCell.h"
+#include "Static/ExtractionIndex.h"
+#include "Static/ExtractionKernels.h"
+#include "Static/ExtractionScalars.h"
+#include "Static/MergedCut.h"
+
+#include "vtkSMPThreadLocal.h"
+
+#include <numeric>
+
+namespace interlume
+{
+
+namespace
+{
+using Code = ExtractionValues::Code;
+using Slot = vtkIsotable::Slot;
+
+// Where a slot of the hexahedron's table is in the rows around a cell.
+struct SlotPlace
+{
+  Slot Row;       // of the owner: 0 (j,k), 1 (j+1,k), 2 (j,k+1), 3 (j+1,k+1)
+  Slot Column;    // of the owner: 0 or 1
+  Slot Direction; // 0: the grid point itself, 1, 2, 3: the edge along i, j, k
+  Slot Kind;      // 0: lower, 1: upper isovalue
+  Slot Ends[2];   // vertices of the cell
+};
+
+std::vector<SlotPlace> FindSlotPlaces(const vtkIsotable& table)
+{
+  std::vector<SlotPlace> places;
+  const auto add = [&places](int a, int b, int direction, int kind)
+  {
+    places.push_back(
+      { static_cast<Slot>(a >> 1), static_cast<Slot>(a & 1), static_cast<Slot>(direction),
+        static_cast<Slot>(kind), { static_cast<Slot>(a), static_cast<Slot>(b) } });
+  };
+  for (int v = 0; v < 8; ++v)
+  {
+    add(v, v, 0, 0);
+  }
+  for (int kind = 0; kind < 2; ++kind)
+  {
+    for (int e = 0; e < table.GetNumberOfEdges(); ++e)
+    {
+      const int a = table.GetEdge(e)[0];
+      const int b = table.GetEdge(e)[1];
+      add(a, b, b - a == 1 ? 1 : b - a == 2 ? 2 : 3, kind);
+    }
+  }
+  return places;
+}
+
+// The order of slots in rows, where a cell's vertices ascend.
+vtkIsotable::RankArray FindRanks(const vtkIsotable& table)
+{
+  constexpr Slot ascending[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+  return table.GetSlotRanks(ascending);
+}
+
+// The codes of one row of grid points.
+struct CodeRow
+{
+  vtkIdType Row = -1;
+  Code Minimum = 0;
+  Code Maximum = 0;
+  bool HasTies = false;
+  bool IsFinite = true;
+  // The codes before First are that of the first point, those after Last that of the last point.
+  std::int64_t First = 0;
+  std::int64_t Last = 0;
+  std::vector<Code> Codes;
+};
+
+// Columns [First, Last) of a row.
+struct ColumnRange
+{
+  std::int64_t First;
+  std::int64_t Last;
+};
+
+// Where the output points that a row of grid points owns begin, relative to the row's first: those
+// of a grid point at Starts, of its edge along i, j, k by Offsets[0], [1], [2] further on.
+struct OwnerRow
+{
+  vtkIdType Row = -1;
+  vtkIdType Total = 0;
+  // Only these columns own points; elsewhere the arrays mean nothing.
+  ColumnRange Range = { 0, 0 };
+  std::vector<std::uint32_t> Starts;
+  std::array<std::vector<Code>, 3> Offsets;
+  std::vector<Code> Counts;
+};
+
+// What the counting pass finds in a row: points owned, simplices and boundary triangles of its
+// cells; after summing, where the row's begin.
+struct RowCount
+{
+  vtkIdType Points = 0;
+  vtkIdType Simplices = 0;
+  vtkIdType Triangles = 0;
+};
+
+class Extractor
+{
+public:
+  Extractor(const ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh)
+    : Context(context)
+    , Values(*context.Values)
+    , Scalars(ExtractionScalars::Make(context.Scalars, *context.Values))
+    , Mesh(mesh)
+    , Table(vtkIsotable::Get(context.Values->GetKind(), vtkIsotable::HEXAHEDRON))
+    , Places(FindSlotPlaces(Table))
+    , Ranks(FindRanks(Table))
+    , Orientation(context.Input)
+    , Rows(dimensions)
+    , Nx(dimensions[0])
+    , Ny(dimensions[1])
+    , Nz(dimensions[2])
+    , SimplexSize(context.GetSimplexSize())
+  {
+  }
+
+  bool Execute()
+  {
+    const vtkIdType rows = this->Rows.GetNumberOfRows();
+    this->Offsets.assign(rows + 1, RowCount());
+    this->Columns.assign(rows, { 0, 0 });
+    const bool counted = this->Context.Run(rows, 0.0, 0.4,
+      [this](vtkIdType first, vtkIdType last) { this->ProcessRows<false>(first, last); });
+    if (!counted)
+    {
+      return false;
+    }
+    this->Allocate();
+    const bool written = this->Context.Run(rows, 0.4, 0.8,
+      [this](vtkIdType first, vtkIdType last) { this->ProcessRows<true>(first, last); });
+    this->GatherReport();
+    this->GatherTied(this->Mesh.TiedTriangles, &Local::TiedTriangles);
+    this->GatherTied(this->Mesh.TiedSimplices, &Local::TiedSimplices);
+    return written;
+  }
+
+private:
+  // How a cell is cut where values equal isovalues: it follows from the interval and from how each
+  // corner's value compares with both of its bounds. Cells that are alike follow each other.
+  struct TiedCase
+  {
+    std::uint64_t Key = 0;
+    bool IsMerged = false;
+    MergedCut Cut;
+  };
+
+  // Buffers and counts of a thread.
+  struct Local
+  {
+    std::array<std::array<CodeRow, 3>, 3> Codes;
+    std::array<std::array<OwnerRow, 2>, 2> Owners;
+    std::vector<Code> Columns;
+    std::vector<Code> Keys;
+    std::vector<std::uint8_t> Gave;
+    std::vector<ExtractionIndex::Span> Spans;
+    std::vector<TiedCase> TiedCases;
+    std::vector<vtkIdType> TiedTriangles;
+    std::vector<vtkIdType> TiedSimplices;
+    vtkExtractionReport Report;
+    bool HasTies = false;
+  };
+
+  // A row of cells goes by the number of its first row of grid points.
+  const CodeRow& GetCodes(Local& local, vtkIdType j, vtkIdType k) const
+  {
+    CodeRow& row = local.Codes[k % 3][j % 3];
+    const vtkIdType number = this->Rows.GetRow(j, k);
+    if (row.Row != number)
+    {
+      row.Row = number;
+      row.Codes.resize(this->Nx);
+      row.IsFinite =
+        this->Scalars->Classify(this->Rows.GetFirstPoint(number), this->Nx, row.Codes.data());
+      ExtractionKernels::FindEnds(row.Codes.data(), this->Nx, row.First, row.Last);
+      // What lies between, and one of the equal codes at either end.
+      const vtkIdType begin = row.First - 1;
+      const vtkIdType end = std::max(std::min<vtkIdType>(row.Last + 2, this->Nx), begin + 1);
+      Code ties;
+      ExtractionKernels::Summarize(
+        row.Codes.data() + begin, end - begin, row.Minimum, row.Maximum, ties);
+      row.HasTies = ExtractionValues::IsTie(ties);
+    }
+    return row;
+  }
+
+  // The columns of points between which all that differs lies: outside of them the codes of all
+  // rows are one and the same, and no output.
+  template <std::size_t Number>
+  ColumnRange GetRange(const std::array<const CodeRow*, Number>& rows) const
+  {
+    const Code front = rows[0]->Codes.front();
+    const Code back = rows[0]->Codes.back();
+    bool isFrontEmpty = !this->Values.IsPoint(front);
+    bool isBackEmpty = !this->Values.IsPoint(back);
+    ColumnRange range{ this->Nx, -1 };
+    for (const CodeRow* row : rows)
+    {
+      isFrontEmpty &= row->Codes.front() == front;
+      isBackEmpty &= row->Codes.back() == back;
+      range.First = std::min(range.First, row->First);
+      range.Last = std::max(range.Last, row->Last);
+    }
+    range.First = isFrontEmpty ? range.First - 1 : 0;
+    range.Last = isBackEmpty ? std::min<std::int64_t>(range.Last + 2, this->Nx) : this->Nx;
+    return range.First < range.Last ? range : ColumnRange{ 0, 0 };
+  }
+
+  const OwnerRow& GetOwners(Local& local, vtkIdType j, vtkIdType k) const
+  {
+    OwnerRow& owners = local.Owners[k & 1][j & 1];
+    if (owners.Row == this->Rows.GetRow(j, k))
+    {
+      return owners;
+    }
+    owners.Row = this->Rows.GetRow(j, k);
+    owners.Total = 0;
+    const CodeRow& here = this->GetCodes(local, j, k);
+    const CodeRow& along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k) : here;
+    const CodeRow& above = k + 1 < this->Nz ? this->GetCodes(local, j, k + 1) : here;
+    owners.Range = this->GetRange<3>({ { &here, &along, &above } });
+    if (owners.Range.First == owners.Range.Last)
+    {
+      return owners;
+    }
+    owners.Starts.resize(this->Nx + 1);
+    owners.Counts.resize(this->Nx + 1);
+    for (auto& offsets : owners.Offsets)
+    {
+      offsets.resize(this->Nx);
+    }
+    this->CountOwned(here, along, above, owners);
+    std::uint32_t total = 0;
+    for (vtkIdType i = owners.Range.First; i < owners.Range.Last; ++i)
+    {
+      owners.Starts[i] = total;
+      total += owners.Counts[i];
+    }
+    owners.Total = total;
+    return owners;
+  }
+
+  void CountOwned(
+    const CodeRow& here, const CodeRow& along, const CodeRow& above, OwnerRow& owners) const
+  {
+    const vtkIdType begin = owners.Range.First;
+    const vtkIdType number = owners.Range.Last - begin;
+    const Code* c = here.Codes.data() + begin;
+    const Code* alongJ = along.Codes.data() + begin;
+    const Code* alongK = above.Codes.data() + begin;
+    Code* first = owners.Offsets[0].data() + begin;
+    Code* second = owners.Offsets[1].data() + begin;
+    Code* third = owners.Offsets[2].data() + begin;
+    Code* all = owners.Counts.data() + begin;
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      first[i] = this->Values.IsPoint(c[i]);
+    }
+    if (here.IsFinite && along.IsFinite && above.IsFinite)
+    {
+      ExtractionKernels::CountOwned(c, alongJ, alongK, number, first, second, third, all);
+      return;
+    }
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      const Code next = i + 1 < number ? c[i + 1] : c[i];
+      second[i] = static_cast<Code>(first[i] + this->Values.CountCrossings(c[i], next));
+      third[i] = static_cast<Code>(second[i] + this->Values.CountCrossings(c[i], alongJ[i]));
+      all[i] = static_cast<Code>(third[i] + this->Values.CountCrossings(c[i], alongK[i]));
+    }
+  }
+
+  template <bool Write>
+  void ProcessRows(vtkIdType first, vtkIdType last)
+  {
+    Local& local = this->Locals.Local();
+    for (vtkIdType row = first; row < last; ++row)
+    {
+      const vtkIdType j = this->Rows.GetJ(row);
+      const vtkIdType k = this->Rows.GetK(row);
+      const ExtractionIndex* index = this->Context.Index;
+      if (index && !index->IsRowActive(this->Rows.GetCellRow(j, k)))
+      {
+        continue;
+      }
+      RowCount place;
+      if (Write)
+      {
+        place = this->Offsets[row];
+        this->WritePoints(local, row);
+      }
+      else
+      {
+        const CodeRow& codes = this->GetCodes(local, j, k);
+        place.Points = this->GetOwners(local, j, k).Total;
+        local.HasTies |= codes.HasTies || !codes.IsFinite;
+      }
+      if (this->Rows.HasCells(j, k))
+      {
+        this->ProcessCells<Write>(local, row, place);
+      }
+      if (!Write)
+      {
+        this->Offsets[row + 1] = place;
+      }
+    }
+  }
+
+  // Makes the counts of rows the places where they begin, and room for all.
+  void Allocate()
+  {
+    RowCount total;
+    for (RowCount& count : this->Offsets)
+    {
+      total.Points += count.Points;
+      total.Simplices += count.Simplices;
+      total.Triangles += count.Triangles;
+      count = total;
+    }
+    this->Mesh.Points.Allocate(total.Points);
+    this->Mesh.Allocate(
+      total.Simplices, this->SimplexSize, total.Triangles, this->Context.KeepCellIds);
+    // A point is in the output unless its cells are blanked or its simplices have collapsed.
+    const bool hasTies = std::any_of(
+      this->Locals.begin(), this->Locals.end(), [](const Local& local) { return local.HasTies; });
+    this->MarksUsed = hasTies || this->Context.HasBlanking() || this->Values.HasFlatItem();
+    if (this->MarksUsed)
+    {
+      this->Mesh.Used.AllocateZeros(total.Points);
+    }
+  }
+
+  void Use(vtkIdType point)
+  {
+    if (this->MarksUsed)
+    {
+      this->Mesh.Used[point].store(1, std::memory_order_relaxed);
+    }
+  }
+
+  void GatherReport()
+  {
+    std::size_t bytes = this->Offsets.capacity() * sizeof(RowCount) +
+      this->Columns.capacity() * sizeof(this->Columns[0]) + this->Mesh.Points.GetBytes() +
+      this->Mesh.Used.GetBytes();
+    // Nine rows of codes; four of starts, three offsets and counts; columns, keys and marks.
+    constexpr std::size_t bytesOfColumn =
+      9 * sizeof(Code) + 4 * (sizeof(std::uint32_t) + 4 * sizeof(Code)) + 5;
+    for (const Local& local : this->Locals)
+    {
+      this->Context.Report->Add(local.Report);
+      bytes += static_cast<std::size_t>(this->Nx) * bytesOfColumn;
+    }
+    this->Context.NoteWorkingBytes(bytes);
+  }
+
+  // Gathers what threads have noted, in ascending order.
+  void GatherTied(std::vector<vtkIdType>& all, std::vector<vtkIdType> Local::*noted)
+  {
+    for (const Local& local : this->Locals)
+    {
+      all.insert(all.end(), (local.*noted).begin(), (local.*noted).end());
+    }
+    vtkSMPTools::Sort(all.begin(), all.end());
+  }
+
+  void WriteCrossings(vtkIdType a, vtkIdType b, Code codeA, Code codeB, ExtractionPoint*& out)
+  {
+    const int first = ExtractionValues::GetFirstCrossing(codeA, codeB);
+    const int number = this->Values.CountCrossings(codeA, codeB);
+    for (int k = first; k < first + number; ++k)
+    {
+      *out++ = { a, b, static_cast<double>(k) };
+    }
+  }
+
+  void WritePoints(Local& local, vtkIdType row)
+  {
+    if (this->Offsets[row].Points == this->Offsets[row + 1].Points)
+    {
+      return;
+    }
+    const vtkIdType j = this->Rows.GetJ(row);
+    const vtkIdType k = this->Rows.GetK(row);
+    const OwnerRow& owners = this->GetOwners(local, j, k);
+    ExtractionPoint* const begin = this->Mesh.Points.GetData() + this->Offsets[row].Points;
+    ExtractionPoint* out = begin;
+    const Code* here = this->GetCodes(local, j, k).Codes.data();
+    const Code* along = j + 1 < this->Ny ? this->GetCodes(local, j + 1, k).Codes.data() : here;
+    const Code* above = k + 1 < this->Nz ? this->GetCodes(local, j, k + 1).Codes.data() : here;
+    for (vtkIdType i = owners.Range.First; i < owners.Range.Last; ++i)
+    {
+      if (owners.Counts[i] == 0)
+      {
+        continue;
+      }
+      const vtkIdType id = this->Rows.GetFirstPoint(row) + i;
+      if (this->Values.IsPoint(here[i]))
+      {
+        *out++ = { id, id, 0.0 };
+      }
+      if (i + 1 < this->Nx)
+      {
+        this->WriteCrossings(id, id + 1, here[i], here[i + 1], out);
+      }
+      this->WriteCrossings(id, id + this->Rows.GetStep(1), here[i], along[i], out);
+      this->WriteCrossings(id, id + this->Rows.GetStep(2), here[i], above[i], out);
+    }
+    this->Scalars->Place(begin, out - begin);
+  }
+
+  // Where the ids of a slot's points begin and how they go on along a row of cells.
+  struct SlotRow
+  {
+    vtkIdType First;
+    const std::uint32_t* Starts;
+    const Code* Offsets;
+  };
+
+  // The rows around a row of cells, in the order of SlotPlace::Row.
+  struct Around
+  {
+    vtkIdType J;
+    vtkIdType K;
+    vtkIdType FirstPoint; // of the cell at column 0
+    vtkIdType FirstCell;
+    const Code* Codes[4];
+    SlotRow Slots[vtkIsotable::MaximumNumberOfSlots];
+    bool HasTies = false;
+    bool IsFinite = true;
+  };
+
+  template <bool Write>
+  void ProcessCells(Local& local, vtkIdType row, RowCount& place)
+  {
+    const RowCount& here = this->Offsets[row];
+    const RowCount& next = this->Offsets[row + 1];
+    if (Write && here.Simplices == next.Simplices && here.Triangles == next.Triangles)
+    {
+      return;
+    }
+    local.Spans.clear();
+    if (Write)
+    {
+      local.Spans.push_back({ this->Columns[row][0], this->Columns[row][1] });
+    }
+    else if (this->Context.Index)
+    {
+      this->Context.Index->GetActiveSpans(
+        this->Rows.GetCellRow(this->Rows.GetJ(row), this->Rows.GetK(row)), local.Spans);
+    }
+    else
+    {
+      local.Spans.push_back({ 0, this->Nx - 1 });
+    }
+    this->ProcessRow<Write>(local, row, place);
+    if (!Write)
+    {
+      const auto gives = [](std::uint8_t mark) { return mark != 0; };
+      const auto first = std::find_if(local.Gave.begin(), local.Gave.end(), gives);
+      const auto last = std::find_if(local.Gave.rbegin(), local.Gave.rend(), gives);
+      this->Columns[row] = { first - local.Gave.begin(),
+        std::max<vtkIdType>(first - local.Gave.begin(), local.Gave.rend() - last) };
+    }
+  }
+
+  template <bool Write>
+  void ProcessRow(Local& local, vtkIdType row, RowCount& place)
+  {
+    Around around;
+    around.J = this->Rows.GetJ(row);
+    around.K = this->Rows.GetK(row);
+    around.FirstPoint = this->Rows.GetFirstPoint(row);
+    around.FirstCell = this->Rows.GetFirstCell(around.J, around.K);
+    Code minimum = std::numeric_limits<Code>::max();
+    Code maximum = 0;
+    std::array<const CodeRow*, 4> rows;
+    for (int r = 0; r < 4; ++r)
+    {
+      const vtkIdType j = around.J + (r & 1);
+      const vtkIdType k = around.K + (r >> 1);
+      const CodeRow& codes = this->GetCodes(local, j, k);
+      around.Codes[r] = codes.Codes.data();
+      around.HasTies |= codes.HasTies;
+      around.IsFinite &= codes.IsFinite;
+      minimum = std::min(minimum, codes.Minimum);
+      maximum = std::max(maximum, codes.Maximum);
+      rows[r] = &codes;
+    }
+    // After all codes: the owners' rows reach further, and only now may the codes' places change.
+    if (Write)
+    {
+      this->FindSlotRows(local, around);
+    }
+    local.Gave.clear();
+    if (!Write)
+    {
+      this->CountInput(local, around);
+      const ColumnRange range = this->GetRange(rows);
+      if (range.First == range.Last)
+      {
+        return;
+      }
+      this->Trim(range, local.Spans);
+      local.Gave.assign(this->Nx, 0);
+    }
+    const auto& items = this->Values.GetItems();
+    for (std::size_t item = 0; item < items.size(); ++item)
+    {
+      if (!this->Values.IsOutside(items[item], minimum, maximum) || !around.IsFinite)
+      {
+        this->ProcessItem<Write>(local, around, static_cast<int>(item), place);
+      }
+    }
+    if (!Write)
+    {
+      local.Report.CellsWithOutput += std::count(local.Gave.begin(), local.Gave.end(), 1);
+    }
+  }
+
+  void FindSlotRows(Local& local, Around& around) const
+  {
+    const OwnerRow* owners[4];
+    vtkIdType firsts[4];
+    for (int r = 0; r < 4; ++r)
+    {
+      const vtkIdType j = around.J + (r & 1);
+      const vtkIdType k = around.K + (r >> 1);
+      owners[r] = &this->GetOwners(local, j, k);
+      firsts[r] = this->Offsets[this->Rows.GetRow(j, k)].Points;
+    }
+    for (std::size_t slot = 0; slot < this->Places.size(); ++slot)
+    {
+      const SlotPlace& at = this->Places[slot];
+      const OwnerRow& owner = *owners[at.Row];
+      // A row that owns nothing has no arrays, and its slots no points.
+      const vtkIdType column = owner.Starts.empty() ? 0 : at.Column;
+      around.Slots[slot] = { firsts[at.Row], owner.Starts.data() + column,
+        at.Direction == 0 ? nullptr : owner.Offsets[at.Direction - 1].data() + column };
+    }
+  }
+
+  // Leaves the cells between the columns of points in range.
+  static void Trim(const ColumnRange& range, std::vector<ExtractionIndex::Span>& spans)
+  {
+    for (auto& span : spans)
+    {
+      span[0] = std::max<vtkIdType>(span[0], range.First);
+      span[1] = std::max<vtkIdType>(span[0], std::min<vtkIdType>(span[1], range.Last - 1));
+    }
+  }
+
+  bool IsFinite(const Around& around, vtkIdType i) const
+  {
+    const Code nonFinite = this->Values.GetNonFiniteCode();
+    for (const Code* codes : around.Codes)
+    {
+      if (codes[i] == nonFinite || codes[i + 1] == nonFinite)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool IsBlanked(const Around& around, vtkIdType i) const
+  {
+    if (this->Context.IsCellBlanked(around.FirstCell + i))
+    {
+      return true;
+    }
+    for (int v = 0; this->Context.PointGhosts && v < 8; ++v)
+    {
+      if (this->Context.IsPointBlanked(this->Rows.GetVertex(around.FirstPoint + i, v)))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void CountInput(Local& local, const Around& around) const
+  {
+    for (const auto& span : local.Spans)
+    {
+      local.Report.CellsVisited += span[1] - span[0];
+      for (vtkIdType i = span[0]; i < span[1] && this->Context.HasBlanking(); ++i)
+      {
+        local.Report.BlankedCells += this->IsBlanked(around, i);
+      }
+      for (vtkIdType i = span[0]; i < span[1] && !around.IsFinite; ++i)
+      {
+        local.Report.NonFiniteCells += !this->IsFinite(around, i) && !this->IsBlanked(around, i);
+      }
+    }
+  }
+
+  template <int Base>
+  void FillKeys(Local& local, const Around& around, const ExtractionValues::Item& item) const
+  {
+    local.Columns.resize(this->Nx);
+    local.Keys.resize(this->Nx);
+    for (const auto& span : local.Spans)
+    {
+      const vtkIdType first = span[0];
+      const vtkIdType number = span[1] - first;
+      Code* columns = local.Columns.data() + first;
+      ExtractionKernels::FillColumns<Base>(around.Codes[0] + first, around.Codes[1] + first,
+        around.Codes[2] + first, around.Codes[3] + first, item.First, item.Second, number + 1,
+        columns);
+      ExtractionKernels::FillKeys<Base>(columns, number, local.Keys.data() + first);
+    }
+  }
+
+  template <bool Write>
+  void ProcessItem(Local& local, const Around& around, int item, RowCount& place)
+  {
+    const auto& what = this->Values.GetItems()[item];
+    this->Values.GetBase() == 3 ? this->FillKeys<3>(local, around, what)
+                                : this->FillKeys<2>(local, around, what);
+    const Code last = static_cast<Code>(this->Table.GetNumberOfCases() - 1);
+    const bool isSimple = around.IsFinite && !this->Context.HasBlanking();
+    const bool hasTies = around.HasTies || what.IsFlat;
+    for (const auto& span : local.Spans)
+    {
+      for (vtkIdType i = span[0]; i < span[1]; ++i)
+      {
+        const Code key = local.Keys[i];
+        if (key == 0 || key == last ||
+          (!isSimple && (!this->IsFinite(around, i) || this->IsBlanked(around, i))))
+        {
+          continue;
+        }
+        const vtkIsotable::Case& found = this->Table.GetCase(key);
+        const RowCount before = place;
+        const bool isTied = hasTies && this->HasEqualPoints(around, i, what) &&
+          this->ProcessTies<Write>(local, around, i, item, found, place);
+        if (!isTied && Write)
+        {
+          this->WriteCell(around, i, item, found, place);
+        }
+        else if (!isTied)
+        {
+          place.Simplices += found.Simplices.size();
+          place.Triangles += this->Context.GenerateBoundaries ? found.Boundary.size() : 0;
+        }
+        if (!Write && place.Simplices != before.Simplices)
+        {
+          local.Gave[i] = 1;
+        }
+        else if (!Write && place.Triangles != before.Triangles)
+        {
+          local.Gave[i] = std::max<std::uint8_t>(local.Gave[i], 2);
+        }
+      }
+    }
+  }
+
+  bool HasEqualPoints(const Around& around, vtkIdType i, const ExtractionValues::Item& item) const
+  {
+    Code ties = item.IsFlat;
+    for (const Code* codes : around.Codes)
+    {
+      ties |= codes[i] | codes[i + 1];
+    }
+    return ExtractionValues::IsTie(ties);
+  }
+
+  // The output id of a slot.
+  vtkIdType GetId(const Around& around, vtkIdType i, const ExtractionValues::Item& item,
+    const Code* codes, Slot slot) const
+  {
+    const SlotPlace& at = this->Places[slot];
+    const SlotRow& row = around.Slots[slot];
+    vtkIdType id = row.First + row.Starts[i];
+    if (at.Direction != 0)
+    {
+      id += row.Offsets[i] + (at.Kind == 0 ? item.Lower : item.Upper) -
+        ExtractionValues::GetFirstCrossing(codes[at.Ends[0]], codes[at.Ends[1]]);
+    }
+    return id;
+  }
+
+  void GetCodes(const Around& around, vtkIdType i, Code* codes) const
+  {
+    for (int v = 0; v < 8; ++v)
+    {
+      codes[v] = around.Codes[v >> 1][i + (v & 1)];
+    }
+  }
+
+  bool IsInverted(const Around& around, vtkIdType i) const
+  {
+    if (!this->Orientation.IsPerCell())
+    {
+      return this->Orientation.AreAllInverted();
+    }
+    vtkIdType vertices[8];
+    for (int v = 0; v < 8; ++v)
+    {
+      vertices[v] = this->Rows.GetVertex(around.FirstPoint + i, v);
+    }
+    return this->Orientation.IsInverted(vtkIsotable::HEXAHEDRON, vertices);
+  }
+
+  void WriteCell(
+    const Around& around, vtkIdType i, int item, const vtkIsotable::Case& found, RowCount& place)
+  {
+    Code codes[8];
+    this->GetCodes(around, i, codes);
+    vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
+    for (const Slot slot : found.Slots)
+    {
+      ids[slot] = this->GetId(around, i, this->Values.GetItems()[item], codes, slot);
+      this->Use(ids[slot]);
+    }
+    const bool isInverted = this->IsInverted(around, i);
+    const std::size_t number = found.Simplices.size();
+    this->Mesh.Simplices.Write(place.Simplices, found.Simplices.data(), number, ids, isInverted);
+    this->Mesh.NoteSimplices(place.Simplices, number, item, around.FirstCell + i);
+    place.Simplices += static_cast<vtkIdType>(number);
+    for (std::size_t t = 0; this->Context.GenerateBoundaries && t < found.Boundary.size(); ++t)
+    {
+      this->WriteTriangle(around, i, item, found.Boundary[t], ids, isInverted, place);
+    }
+  }
+
+  void WriteTriangle(const Around& around, vtkIdType i, int item,
+    const vtkIsotable::Triangle& slots, const vtkIdType* ids, bool isInverted, RowCount& place)
+  {
+    this->Mesh.WriteTriangle(place.Triangles++, { { ids[slots[0]], ids[slots[1]], ids[slots[2]] } },
+      isInverted, item, slots[3], around.FirstCell + i);
+  }
+
+  TiedCase& FindTiedCase(
+    Local& local, int item, const Code* codes, const vtkIsotable::Case& found) const
+  {
+    const auto& what = this->Values.GetItems()[item];
+    const int lower = 2 * what.Lower + 1;
+    const int upper = 2 * what.Upper + 1;
+    std::uint64_t key = static_cast<std::uint64_t>(item) + 1;
+    for (int v = 0; v < 8; ++v)
+    {
+      const int code = codes[v];
+      key = 8 * key +
+        static_cast<unsigned>((code >= lower) + (code > lower) + (code >= upper) + (code > upper));
+    }
+    constexpr int bits = 12;
+    local.TiedCases.resize(std::size_t(1) << bits);
+    TiedCase& tied = local.TiedCases[(key * 0x9E3779B97F4A7C15u) >> (64 - bits)];
+    if (tied.Key != key)
+    {
+      Slot same[vtkIsotable::MaximumNumberOfSlots];
+      std::iota(same, same + vtkIsotable::MaximumNumberOfSlots, Slot(0));
+      for (const Slot slot : found.Slots)
+      {
+        same[slot] = ExtractionCell::Identify(this->Table, what, codes, slot);
+      }
+      tied.Key = key;
+      tied.IsMerged = MergedCut::IsNeeded(found, same);
+      if (tied.IsMerged)
+      {
+        tied.Cut.Make(
+          this->Table, what, codes, found, this->Ranks, same, this->Context.GenerateBoundaries);
+      }
+    }
+    return tied;
+  }
+
+  // Where values equal isovalues: slots that are one point are made one before the case is cut.
+  // Returns false where none are.
+  template <bool Write>
+  bool ProcessTies(Local& local, const Around& around, vtkIdType i, int item,
+    const vtkIsotable::Case& found, RowCount& place)
+  {
+    const auto& what = this->Values.GetItems()[item];
+    Code codes[8];
+    this->GetCodes(around, i, codes);
+    TiedCase& tied = this->FindTiedCase(local, item, codes, found);
+    if (!tied.IsMerged)
+    {
+      return false;
+    }
+    const auto& simplices = tied.Cut.GetSimplices();
+    const auto& triangles = tied.Cut.GetTriangles();
+    const std::size_t number = triangles.size();
+    if (!Write)
+    {
+      local.Report.CollapsedSimplices += tied.Cut.GetNumberCollapsed();
+      place.Simplices += static_cast<vtkIdType>(simplices.size());
+      place.Triangles += static_cast<vtkIdType>(number);
+      return true;
+    }
+    vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
+    const auto use = [&](Slot slot)
+    {
+      ids[slot] = this->GetId(around, i, what, codes, slot);
+      this->Use(ids[slot]);
+    };
+    const bool isInverted = this->IsInverted(around, i);
+    for (const vtkIsotable::Simplex& simplex : simplices)
+    {
+      std::for_each_n(simplex.begin(), this->SimplexSize, use);
+      if (tied.Cut.IsInFace(this->Table, simplex))
+      {
+        local.TiedSimplices.push_back(place.Simplices + (&simplex - simplices.data()));
+      }
+    }
+    this->Mesh.Simplices.Write(
+      place.Simplices, simplices.data(), simplices.size(), ids, isInverted);
+    this->Mesh.NoteSimplices(place.Simplices, simplices.size(), item, around.FirstCell + i);
+    place.Simplices += static_cast<vtkIdType>(simplices.size());
+    for (std::size_t t = 0; t < number; ++t)
+    {
+      std::for_each_n(triangles[t].begin(), 3, use);
+      local.TiedTriangles.push_back(place.Triangles);
+      this->WriteTriangle(around, i, item, triangles[t], ids, isInverted, place);
+    }
+    return true;
+  }
+
+  const ExtractionContext& Context;
+  const ExtractionValues& Values;
+  std::unique_ptr<ExtractionScalars> Scalars;
+  ExtractionMesh& Mesh;
+  const vtkIsotable& Table;
+  std::vector<SlotPlace> Places;
+  vtkIsotable::RankArray Ranks;
+  CellOrientation Orientation;
+  RowIndex Rows;
+  vtkIdType Nx;
+  vtkIdType Ny;
+  vtkIdType Nz;
+  int SimplexSize;
+  std::vector<RowCount> Offsets;
+  // The columns [first, last) of a row of cells that give output.
+  std::vector<std::array<vtkIdType, 2>> Columns;
+  bool MarksUsed = false;
+  vtkSMPThreadLocal<Local> Locals;
+};
+}
+
+bool StructuredExtraction::Execute(
+  const ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh)
+{
+  return Extractor(context, dimensions, mesh).Execute();
+}
+
+}

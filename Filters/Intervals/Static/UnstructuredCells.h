@@ -1,0 +1,137 @@
+#ifndef interlume_UnstructuredCells_h
+#define interlume_UnstructuredCells_h
+
+#include "Common/GridCells.h"
+#include "Grid/CellCorners.h"
+#include "Static/PointMarks.h"
+
+#include "vtkCellArray.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   UnstructuredCells
+ * @brief   the corners of an unstructured grid's cells, read from its arrays
+ *
+ * \a Stored is the type of the cell array's numbers.
+ */
+template <typename Stored>
+class UnstructuredCells
+{
+public:
+  using Mark = PointMarks::Mark;
+
+  /// \a offsets and \a ids are the arrays of the grid's cells.
+  UnstructuredCells(vtkUnstructuredGrid* grid, const Stored* offsets, const Stored* ids)
+    : TypeArray(GridCells::GetTypes(grid))
+    , Types(this->TypeArray->GetPointer(0))
+    , Offsets(offsets)
+    , Ids(ids)
+  {
+    for (int type = 0; type < 256; ++type)
+    {
+      this->CornersOfType.push_back(CellCorners::Of(type));
+    }
+    // Cells of one type and of the least size that it has lie at equal distances.
+    const vtkIdType cells = grid->GetNumberOfCells();
+    const CellCorners& first = this->GetCorners(0);
+    const bool isUniform = first.Kind == CellCorners::LINEAR &&
+      grid->GetCells()->GetNumberOfConnectivityIds() == cells * first.NumberOfCorners &&
+      std::all_of(this->Types, this->Types + cells,
+        [this](unsigned char type) { return type == this->Types[0]; });
+    this->Stride = isUniform ? first.NumberOfCorners : 0;
+  }
+
+  /// Whether all cells are of one linear type, that of cell 0.
+  bool IsUniform() const { return this->Stride > 0; }
+
+  const CellCorners& GetCorners(vtkIdType cell) const
+  {
+    return this->CornersOfType[this->Types[cell]];
+  }
+
+  /// The marks of all corners of a cell, or-ed.
+  Mark GetMarks(vtkIdType cell, int corners, const Mark* marks) const
+  {
+    const Stored* ids = this->GetFirst(cell);
+    unsigned all = 0;
+    for (int v = 0; v < corners; ++v)
+    {
+      all |= marks[ids[v]];
+    }
+    return static_cast<Mark>(all);
+  }
+
+  /// The same for the cells first ... last - 1 of a uniform grid; calls visit(cell, all).
+  template <typename Visitor>
+  void ForEachMarks(vtkIdType first, vtkIdType last, const Mark* marks, Visitor&& visit) const
+  {
+    switch (this->Stride)
+    {
+      case 4:
+        return this->template UniteAll<4>(first, last, marks, visit);
+      case 5:
+        return this->template UniteAll<5>(first, last, marks, visit);
+      case 6:
+        return this->template UniteAll<6>(first, last, marks, visit);
+      default:
+        return this->template UniteAll<8>(first, last, marks, visit);
+    }
+  }
+
+  /// The corners of a cell in the order of its table.
+  void GetIds(vtkIdType cell, const CellCorners& corners, vtkIdType* ids) const
+  {
+    const Stored* from = this->GetFirst(cell);
+    for (int v = 0; v < corners.NumberOfCorners; ++v)
+    {
+      ids[v] = from[v];
+    }
+    if (corners.Turned)
+    {
+      std::swap(ids[2], ids[3]);
+      std::swap(ids[6], ids[7]);
+    }
+  }
+
+private:
+  const Stored* GetFirst(vtkIdType cell) const
+  {
+    return this->Ids +
+      (this->Stride > 0 ? cell * this->Stride : static_cast<vtkIdType>(this->Offsets[cell]));
+  }
+
+  template <int Number, typename Visitor>
+  void UniteAll(vtkIdType first, vtkIdType last, const Mark* marks, Visitor&& visit) const
+  {
+    const Stored* ids = this->Ids + first * Number;
+    for (vtkIdType cell = first; cell < last; ++cell, ids += Number)
+    {
+      unsigned all = marks[ids[0]];
+      for (int v = 1; v < Number; ++v)
+      {
+        all |= marks[ids[v]];
+      }
+      visit(cell, static_cast<Mark>(all));
+    }
+  }
+
+  vtkSmartPointer<GridCells::Types> TypeArray;
+  const unsigned char* Types;
+  const Stored* Offsets;
+  const Stored* Ids;
+  // The number of corners of all cells of a uniform grid, else 0.
+  int Stride = 0;
+  std::vector<CellCorners> CornersOfType;
+};
+
+}
+
+#endif

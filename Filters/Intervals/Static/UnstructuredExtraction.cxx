@@ -1,0 +1,639 @@
+#include "Static/UnstructuredExtraction.h"
+
+#include "Common/GridCells.h"
+#include "Grid/CellOrientation.h"
+#include "Grid/CornerOrder.h"
+#include "Static/CrossingLists.h"
+#include "Static/ExtractionCell.h"
+#include "Static/ExtractionIndex.h"
+#include "Static/ExtractionScalars.h"
+#include "Static/MergedCut.h"
+#include "Static/UnstructuredCells.h"
+
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+namespace interlume
+{
+
+namespace
+{
+using Code = ExtractionValues::Code;
+using Slot = vtkIsotable::Slot;
+using Item = ExtractionValues::Item;
+
+constexpr vtkIdType ChunkSize = 256 * ExtractionIndex::RunLength;
+
+// How much a cut of its own left.
+struct CutSize
+{
+  std::uint8_t Simplices;
+  std::uint8_t Triangles;
+};
+
+// A case met in a chunk of cells.
+struct Found
+{
+  // The cell, from the chunk's first on.
+  std::uint16_t Position;
+  std::uint16_t Key;
+  std::uint16_t Item;
+  // Whether the table's own cut serves: corners in ascending order, no two slots one point.
+  bool IsPlain;
+  // Whether slots were made one.
+  bool IsMerged;
+  bool IsInverted;
+};
+
+// What the counting pass leaves of a chunk of cells for the writing pass.
+struct Chunk
+{
+  std::vector<Found> Cases;
+  // The points of all cases, where nodes are kept.
+  std::vector<const CrossingLists::Node*> Nodes;
+  // The cuts of cases for which that of the table does not serve, one after the other.
+  std::vector<CutSize> Cuts;
+  std::vector<vtkIsotable::Simplex> CutSimplices;
+  std::vector<vtkIsotable::Triangle> CutTriangles;
+  std::vector<vtkIdType> TiedTriangles;
+  std::vector<vtkIdType> TiedSimplices;
+  vtkIdType Simplices = 0;
+  vtkIdType Triangles = 0;
+  vtkExtractionReport Report;
+
+  std::size_t GetBytes() const
+  {
+    return this->Cases.capacity() * sizeof(Found) + this->Nodes.capacity() * sizeof(void*) +
+      this->Cuts.capacity() * sizeof(CutSize) +
+      this->CutSimplices.capacity() * sizeof(vtkIsotable::Simplex) +
+      this->CutTriangles.capacity() * sizeof(vtkIsotable::Triangle);
+  }
+};
+
+// A cell near an item, its corners in the order of its table.
+struct Cell
+{
+  vtkIdType Id;
+  vtkIsotable::Shapes Shape;
+  int NumberOfCorners;
+  vtkIdType Ids[8];
+  Code Codes[8];
+  bool IsAscending;
+  // Whether turning it has exchanged left and right; only told of tetrahedra.
+  bool IsReflected;
+};
+
+// A case as it is cut in a cell.
+struct Cut
+{
+  const vtkIsotable::Simplex* Simplices;
+  std::size_t NumberOfSimplices;
+  const vtkIsotable::Triangle* Triangles;
+  std::size_t NumberOfTriangles;
+  const Slot* Slots;
+  std::size_t NumberOfSlots;
+};
+
+// The ends of the edge of a slot, and which isovalue crosses it.
+struct SlotEnds
+{
+  Slot A;
+  Slot B;
+  bool IsUpper;
+};
+
+template <typename Stored>
+class Extractor
+{
+public:
+  Extractor(const ExtractionContext& context, vtkUnstructuredGrid* grid, const Stored* offsets,
+    const Stored* ids, ExtractionMesh& mesh)
+    : Context(context)
+    , Values(*context.Values)
+    , Scalars(ExtractionScalars::Make(context.Scalars, *context.Values))
+    , Cells(grid, offsets, ids)
+    , Order(grid->GetPointData())
+    , Orientation(grid)
+    , Mesh(mesh)
+    , NumberOfPoints(grid->GetNumberOfPoints())
+    , NumberOfCells(grid->GetNumberOfCells())
+    , SimplexSize(context.GetSimplexSize())
+    , Marks(*context.Values, grid->GetNumberOfPoints())
+    , KeepsNodes(context.Values->GetKind() == vtkIsotable::CONTOUR)
+    , Points(grid->GetNumberOfPoints(), KeepsNodes)
+  {
+    for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+    {
+      this->Tables[shape] =
+        &vtkIsotable::Get(this->Values.GetKind(), static_cast<vtkIsotable::Shapes>(shape));
+      const vtkIsotable& table = *this->Tables[shape];
+      const int n = table.GetNumberOfVertices();
+      const int m = table.GetNumberOfEdges();
+      for (int slot = n; slot < n + 2 * m; ++slot)
+      {
+        const auto& edge = table.GetEdge((slot - n) % m);
+        this->Ends[shape][slot] = { edge[0], edge[1], slot >= n + m };
+      }
+    }
+  }
+
+  bool Execute()
+  {
+    const vtkIdType chunks = (this->NumberOfCells + ChunkSize - 1) / ChunkSize;
+    this->Codes.Allocate(this->NumberOfPoints);
+    this->Chunks.resize(chunks);
+    const bool counted =
+      this->Context.Run(this->NumberOfPoints, 0.0, 0.05,
+        [this](vtkIdType first, vtkIdType last)
+        {
+          this->Scalars->Classify(first, last - first, this->Codes.GetData() + first);
+          this->Marks.Fill(this->Codes.GetData(), first, last);
+        }) &&
+      this->Context.Run(chunks, 0.05, 0.4,
+        [this](vtkIdType first, vtkIdType last)
+        {
+          for (vtkIdType chunk = first; chunk < last; ++chunk)
+          {
+            this->CountChunk(chunk);
+          }
+        });
+    if (!counted)
+    {
+      return false;
+    }
+    this->Points.MakePoints(*this->Scalars, this->Mesh.Points);
+    this->NoteWorkingBytes();
+    this->Codes.Free();
+    this->Marks.Free();
+    this->Allocate();
+    const bool written = this->Context.Run(chunks, 0.5, 0.8,
+      [this](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType chunk = first; chunk < last; ++chunk)
+        {
+          this->WriteChunk(chunk);
+        }
+      });
+    for (const Chunk& chunk : this->Chunks)
+    {
+      this->Mesh.TiedTriangles.insert(
+        this->Mesh.TiedTriangles.end(), chunk.TiedTriangles.begin(), chunk.TiedTriangles.end());
+      this->Mesh.TiedSimplices.insert(
+        this->Mesh.TiedSimplices.end(), chunk.TiedSimplices.begin(), chunk.TiedSimplices.end());
+    }
+    return written;
+  }
+
+private:
+  bool IsBlanked(vtkIdType id, const CellCorners& corners) const
+  {
+    if (this->Context.IsCellBlanked(id))
+    {
+      return true;
+    }
+    vtkIdType ids[8];
+    this->Cells.GetIds(id, corners, ids);
+    return this->Context.PointGhosts &&
+      std::any_of(ids, ids + corners.NumberOfCorners,
+        [this](vtkIdType point) { return this->Context.IsPointBlanked(point); });
+  }
+
+  // Whether a cell is near an item and can give output; if it cannot, the reason is counted.
+  bool Accept(vtkIdType id, vtkExtractionReport& report) const
+  {
+    const CellCorners& corners = this->Cells.GetCorners(id);
+    if (!corners.HasTable())
+    {
+      (corners.Kind == CellCorners::LOWER_DIMENSIONAL ? report.LowerDimensionalCells
+                                                      : report.UnsupportedCells) += 1;
+      return false;
+    }
+    if (this->Context.HasBlanking() && this->IsBlanked(id, corners))
+    {
+      ++report.BlankedCells;
+      return false;
+    }
+    const PointMarks::Mark marks =
+      this->Cells.GetMarks(id, corners.NumberOfCorners, this->Marks.GetData());
+    if (PointMarks::IsNonFinite(marks))
+    {
+      ++report.NonFiniteCells;
+      return false;
+    }
+    report.LinearizedCells += corners.Kind == CellCorners::HIGHER_ORDER;
+    return this->Marks.IsNear(marks);
+  }
+
+  // Reads a cell but for its codes; one whose corners do not ascend is turned until most of them
+  // do.
+  void Read(vtkIdType id, Cell& cell) const
+  {
+    const CellCorners& corners = this->Cells.GetCorners(id);
+    cell.Id = id;
+    cell.Shape = corners.Shape;
+    cell.NumberOfCorners = corners.NumberOfCorners;
+    this->Cells.GetIds(id, corners, cell.Ids);
+    cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
+    cell.IsReflected = false;
+    if (!cell.IsAscending)
+    {
+      if (cell.Shape == vtkIsotable::TETRAHEDRON)
+      {
+        cell.IsReflected = this->Order.IsOdd(cell.Ids, cell.NumberOfCorners);
+      }
+      this->Order.Turn(cell.Shape, cell.Ids);
+      cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
+    }
+  }
+
+  // Whether two slots of a cell may be one point: by a value equal to an isovalue, or since two
+  // corners are one point.
+  bool HasEqualPoints(const Cell& cell, const Item& item) const
+  {
+    Code ties = item.IsFlat;
+    for (int v = 0; v < cell.NumberOfCorners; ++v)
+    {
+      ties |= cell.Codes[v];
+    }
+    return ExtractionValues::IsTie(ties) ||
+      (!cell.IsAscending && ExtractionCell::IsCollapsed(cell.Ids, cell.NumberOfCorners));
+  }
+
+  Cut GetTableCut(const vtkIsotable::Case& what) const
+  {
+    return { what.Simplices.data(), what.Simplices.size(), what.Boundary.data(),
+      this->Context.GenerateBoundaries ? what.Boundary.size() : 0, what.Slots.data(),
+      what.Slots.size() };
+  }
+
+  // A cut that was kept. Only the points of simplices that keep all their points are used; their
+  // slots are put into \a slots.
+  Cut GetOwnCut(const Chunk& chunk, CutSize size, std::size_t firstSimplex,
+    std::size_t firstTriangle, Slot* slots) const
+  {
+    Cut cut{ chunk.CutSimplices.data() + firstSimplex, size.Simplices,
+      chunk.CutTriangles.data() + firstTriangle, size.Triangles, slots, 0 };
+    std::uint32_t used = 0;
+    const auto use = [&](Slot slot)
+    {
+      slots[cut.NumberOfSlots] = slot;
+      cut.NumberOfSlots += !((used >> slot) & 1);
+      used |= std::uint32_t(1) << slot;
+    };
+    for (std::size_t s = 0; s < cut.NumberOfSimplices; ++s)
+    {
+      std::for_each_n(cut.Simplices[s].begin(), this->SimplexSize, use);
+    }
+    for (std::size_t t = 0; t < cut.NumberOfTriangles; ++t)
+    {
+      std::for_each_n(cut.Triangles[t].begin(), 3, use);
+    }
+    return cut;
+  }
+
+  // The point of a slot: its owner and its key there.
+  CrossingKey GetPoint(const Cell& cell, const Item& item, Slot slot, vtkIdType& owner) const
+  {
+    if (slot < cell.NumberOfCorners)
+    {
+      owner = cell.Ids[slot];
+      return {};
+    }
+    const SlotEnds& ends = this->Ends[cell.Shape][slot];
+    const vtkIdType a = cell.Ids[ends.A];
+    const vtkIdType b = cell.Ids[ends.B];
+    owner = std::min(a, b);
+    return { std::max(a, b), ends.IsUpper ? item.Upper : item.Lower };
+  }
+
+  void CountChunk(vtkIdType number)
+  {
+    Chunk& chunk = this->Chunks[number];
+    CrossingLists::Arena& arena = this->Points.GetArena();
+    const vtkIdType begin = number * ChunkSize;
+    const vtkIdType end = std::min(begin + ChunkSize, this->NumberOfCells);
+    std::uint16_t near[ChunkSize];
+    int numberNear = 0;
+    MergedCut merged;
+    for (vtkIdType first = begin; first < end; first += ExtractionIndex::RunLength)
+    {
+      if (!this->Context.Index ||
+        this->Context.Index->IsRunActive(first / ExtractionIndex::RunLength))
+      {
+        const vtkIdType last = std::min(first + ExtractionIndex::RunLength, end);
+        chunk.Report.CellsVisited += last - first;
+        this->FindNear(first, last, begin, near, numberNear, chunk.Report);
+      }
+    }
+    chunk.Cases.reserve(numberNear);
+    Cell cell{};
+    for (int c = 0; c < numberNear; ++c)
+    {
+      this->Read(begin + near[c], cell);
+      this->CountCell(cell, near[c], chunk, arena, merged);
+    }
+  }
+
+  // Appends the cells first ... last - 1 that are near an item, by their distance from begin.
+  void FindNear(vtkIdType first, vtkIdType last, vtkIdType begin, std::uint16_t* near,
+    int& numberNear, vtkExtractionReport& report) const
+  {
+    if (!this->Cells.IsUniform() || this->Context.HasBlanking())
+    {
+      for (vtkIdType id = first; id < last; ++id)
+      {
+        near[numberNear] = static_cast<std::uint16_t>(id - begin);
+        numberNear += this->Accept(id, report);
+      }
+      return;
+    }
+    this->Cells.ForEachMarks(first, last, this->Marks.GetData(),
+      [&](vtkIdType id, PointMarks::Mark marks)
+      {
+        near[numberNear] = static_cast<std::uint16_t>(id - begin);
+        numberNear += this->Marks.IsNear(marks);
+        report.NonFiniteCells += PointMarks::IsNonFinite(marks);
+      });
+  }
+
+  void CountCell(
+    Cell& cell, vtkIdType position, Chunk& chunk, CrossingLists::Arena& arena, MergedCut& merged)
+  {
+    Code least = std::numeric_limits<Code>::max();
+    Code greatest = 0;
+    for (int v = 0; v < cell.NumberOfCorners; ++v)
+    {
+      cell.Codes[v] = this->Codes[cell.Ids[v]];
+      least = std::min(least, cell.Codes[v]);
+      greatest = std::max(greatest, cell.Codes[v]);
+    }
+    const bool isInverted = this->Context.KeepOrientation
+      ? cell.IsReflected
+      : this->Orientation.IsInverted(cell.Shape, cell.Ids);
+    const vtkIdType before = chunk.Simplices;
+    const int base = this->Values.GetBase();
+    const auto& items = this->Values.GetItems();
+    for (std::size_t number = 0; number < items.size(); ++number)
+    {
+      const Item& item = items[number];
+      if (this->Values.IsOutside(item, least, greatest))
+      {
+        continue;
+      }
+      int key = 0;
+      for (int v = 0, power = 1; v < cell.NumberOfCorners; ++v, power *= base)
+      {
+        key += power * item.GetDigit(cell.Codes[v]);
+      }
+      const vtkIsotable::Case& what = this->Tables[cell.Shape]->GetCase(key);
+      Slot same[vtkIsotable::MaximumNumberOfSlots];
+      const bool isMerged = this->Merge(cell, item, what, same);
+      const bool isPlain = cell.IsAscending && !isMerged;
+      Slot slots[vtkIsotable::MaximumNumberOfSlots];
+      const Cut cut = isPlain
+        ? this->GetTableCut(what)
+        : this->MakeCut(cell, item, what, isMerged ? same : nullptr, merged, chunk, slots);
+      for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
+      {
+        vtkIdType owner;
+        const CrossingKey point = this->GetPoint(cell, item, cut.Slots[s], owner);
+        const CrossingLists::Node* node = this->Points.Enter(owner, point, arena);
+        if (this->KeepsNodes)
+        {
+          chunk.Nodes.push_back(node);
+        }
+      }
+      chunk.Simplices += static_cast<vtkIdType>(cut.NumberOfSimplices);
+      chunk.Triangles += static_cast<vtkIdType>(cut.NumberOfTriangles);
+      chunk.Cases.push_back({ static_cast<std::uint16_t>(position), static_cast<std::uint16_t>(key),
+        static_cast<std::uint16_t>(number), isPlain, isMerged, isInverted });
+    }
+    chunk.Report.CellsWithOutput += chunk.Simplices != before;
+  }
+
+  // Finds which slots are the same point. Returns false where none are.
+  bool Merge(const Cell& cell, const Item& item, const vtkIsotable::Case& what, Slot* same) const
+  {
+    if (!this->HasEqualPoints(cell, item))
+    {
+      return false;
+    }
+    std::iota(same, same + vtkIsotable::MaximumNumberOfSlots, Slot(0));
+    ExtractionCell::IdentifyAll(
+      *this->Tables[cell.Shape], item, cell.Codes, what.Slots,
+      ExtractionCell::IsCollapsed(cell.Ids, cell.NumberOfCorners),
+      [&](Slot slot)
+      {
+        vtkIdType owner;
+        const CrossingKey key = this->GetPoint(cell, item, slot, owner);
+        return std::make_pair(owner, key);
+      },
+      same);
+    return MergedCut::IsNeeded(what, same);
+  }
+
+  // Cuts a case in the global order, and keeps the cut; \a same tells which slots are the same
+  // point, where there are such.
+  Cut MakeCut(const Cell& cell, const Item& item, const vtkIsotable::Case& what, const Slot* same,
+    MergedCut& merged, Chunk& chunk, Slot* slots) const
+  {
+    const vtkIsotable& table = *this->Tables[cell.Shape];
+    const std::size_t firstSimplex = chunk.CutSimplices.size();
+    const std::size_t firstTriangle = chunk.CutTriangles.size();
+    Slot vertexRanks[8];
+    this->Order.Rank(cell.Ids, cell.NumberOfCorners, vertexRanks);
+    const vtkIsotable::RankArray ranks = table.GetSlotRanks(vertexRanks);
+    const auto simplex = [&](const vtkIsotable::Simplex& s) { chunk.CutSimplices.push_back(s); };
+    const auto boundary = [&](const vtkIsotable::Triangle& t)
+    {
+      if (this->Context.GenerateBoundaries)
+      {
+        chunk.CutTriangles.push_back(t);
+      }
+    };
+    if (same)
+    {
+      merged.Make(table, item, cell.Codes, what, ranks, same, this->Context.GenerateBoundaries);
+      std::for_each(merged.GetSimplices().begin(), merged.GetSimplices().end(), simplex);
+      std::for_each(merged.GetTriangles().begin(), merged.GetTriangles().end(), boundary);
+      chunk.Report.CollapsedSimplices += merged.GetNumberCollapsed();
+    }
+    else
+    {
+      table.Cut(what, ranks, simplex, boundary);
+    }
+    chunk.Cuts.push_back({ static_cast<std::uint8_t>(chunk.CutSimplices.size() - firstSimplex),
+      static_cast<std::uint8_t>(chunk.CutTriangles.size() - firstTriangle) });
+    return this->GetOwnCut(chunk, chunk.Cuts.back(), firstSimplex, firstTriangle, slots);
+  }
+
+  // Makes the counts of chunks the places where they begin, and room for all.
+  void Allocate()
+  {
+    vtkIdType simplices = 0;
+    vtkIdType triangles = 0;
+    for (Chunk& chunk : this->Chunks)
+    {
+      std::swap(chunk.Simplices, simplices);
+      std::swap(chunk.Triangles, triangles);
+      simplices += chunk.Simplices;
+      triangles += chunk.Triangles;
+      this->Context.Report->Add(chunk.Report);
+    }
+    this->Mesh.Allocate(simplices, this->SimplexSize, triangles, this->Context.KeepCellIds);
+  }
+
+  void NoteWorkingBytes() const
+  {
+    std::size_t bytes = this->Codes.GetBytes() + this->Marks.GetBytes() + this->Points.GetBytes() +
+      this->Mesh.Points.GetBytes();
+    for (const Chunk& chunk : this->Chunks)
+    {
+      bytes += chunk.GetBytes();
+    }
+    this->Context.NoteWorkingBytes(bytes);
+  }
+
+  void WriteChunk(vtkIdType number)
+  {
+    Chunk& chunk = this->Chunks[number];
+    vtkIdType simplex = chunk.Simplices;
+    vtkIdType triangle = chunk.Triangles;
+    auto own = chunk.Cuts.begin();
+    std::size_t ownSimplex = 0;
+    std::size_t ownTriangle = 0;
+    auto node = chunk.Nodes.begin();
+    Slot slots[vtkIsotable::MaximumNumberOfSlots];
+    vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
+    MergedCut merged;
+    Cell cell{};
+    cell.Id = -1;
+    for (const Found& found : chunk.Cases)
+    {
+      const vtkIdType id = number * ChunkSize + found.Position;
+      const vtkIsotable::Shapes shape = this->Cells.GetCorners(id).Shape;
+      const Cut cut = found.IsPlain ? this->GetTableCut(this->Tables[shape]->GetCase(found.Key))
+                                    : this->GetOwnCut(chunk, *own, ownSimplex, ownTriangle, slots);
+      if (!found.IsPlain)
+      {
+        ownSimplex += own->Simplices;
+        ownTriangle += own->Triangles;
+        ++own;
+      }
+      if (this->KeepsNodes)
+      {
+        for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
+        {
+          ids[cut.Slots[s]] = (*node++)->Id;
+        }
+      }
+      else
+      {
+        if (id != cell.Id)
+        {
+          this->Read(id, cell);
+        }
+        this->FindIds(cell, this->Values.GetItems()[found.Item], cut, ids);
+      }
+      if (found.IsMerged)
+      {
+        this->NoteTied(shape, cut, simplex, triangle, merged, chunk);
+      }
+      this->WriteCut(id, found, cut, ids, simplex, triangle);
+    }
+  }
+
+  // Notes what a cell where slots were made one has to be compared with its neighbours for.
+  void NoteTied(vtkIsotable::Shapes shape, const Cut& cut, vtkIdType simplex, vtkIdType triangle,
+    MergedCut& merged, Chunk& chunk) const
+  {
+    for (std::size_t t = 0; t < cut.NumberOfTriangles; ++t)
+    {
+      chunk.TiedTriangles.push_back(triangle + static_cast<vtkIdType>(t));
+    }
+    for (std::size_t s = 0; s < cut.NumberOfSimplices; ++s)
+    {
+      if (merged.IsInFace(*this->Tables[shape], cut.Simplices[s]))
+      {
+        chunk.TiedSimplices.push_back(simplex + static_cast<vtkIdType>(s));
+      }
+    }
+  }
+
+  // The output ids of a cut's points, by slot.
+  void FindIds(const Cell& cell, const Item& item, const Cut& cut, vtkIdType* ids) const
+  {
+    for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
+    {
+      vtkIdType owner;
+      const CrossingKey key = this->GetPoint(cell, item, cut.Slots[s], owner);
+      ids[cut.Slots[s]] = this->Points.GetId(owner, key);
+    }
+  }
+
+  void WriteCut(vtkIdType cell, const Found& found, const Cut& cut, const vtkIdType* ids,
+    vtkIdType& simplex, vtkIdType& triangle)
+  {
+    this->Mesh.Simplices.Write(
+      simplex, cut.Simplices, cut.NumberOfSimplices, ids, found.IsInverted);
+    this->Mesh.NoteSimplices(simplex, cut.NumberOfSimplices, found.Item, cell);
+    simplex += static_cast<vtkIdType>(cut.NumberOfSimplices);
+    for (std::size_t t = 0; t < cut.NumberOfTriangles; ++t, ++triangle)
+    {
+      const vtkIsotable::Triangle& points = cut.Triangles[t];
+      this->Mesh.WriteTriangle(triangle, { { ids[points[0]], ids[points[1]], ids[points[2]] } },
+        found.IsInverted, found.Item, points[3], cell);
+    }
+  }
+
+  const ExtractionContext& Context;
+  const ExtractionValues& Values;
+  std::unique_ptr<ExtractionScalars> Scalars;
+  UnstructuredCells<Stored> Cells;
+  CornerOrder Order;
+  CellOrientation Orientation;
+  ExtractionMesh& Mesh;
+  vtkIdType NumberOfPoints;
+  vtkIdType NumberOfCells;
+  int SimplexSize;
+  const vtkIsotable* Tables[vtkIsotable::NUMBER_OF_SHAPES];
+  SlotEnds Ends[vtkIsotable::NUMBER_OF_SHAPES][vtkIsotable::MaximumNumberOfSlots];
+
+  ExtractionBuffer<Code> Codes;
+  PointMarks Marks;
+  // A contour is small beside its grid: it is quicker to note the points of its cells than to look
+  // them up once more. For the tetrahedra of an interval that would take too much memory.
+  bool KeepsNodes;
+  CrossingLists Points;
+  std::vector<Chunk> Chunks;
+};
+
+template <typename Array>
+bool Extract(const ExtractionContext& context, vtkUnstructuredGrid* grid, ExtractionMesh& mesh)
+{
+  const auto offsets = GridCells::MakeTyped<Array>(grid->GetCells()->GetOffsetsArray());
+  const auto ids = GridCells::MakeTyped<Array>(grid->GetCells()->GetConnectivityArray());
+  using Stored = typename Array::ValueType;
+  const Stored* firstOffset = offsets->GetPointer(0);
+  const Stored* firstId = ids->GetPointer(0);
+  return Extractor<Stored>(context, grid, firstOffset, firstId, mesh).Execute();
+}
+}
+
+bool UnstructuredExtraction::Execute(
+  const ExtractionContext& context, vtkUnstructuredGrid* grid, ExtractionMesh& mesh)
+{
+  if (grid->GetNumberOfCells() == 0)
+  {
+    return true;
+  }
+  return GridCells::IsNarrow(grid->GetCells()->GetConnectivityArray())
+    ? Extract<GridCells::NarrowIds>(context, grid, mesh)
+    : Extract<GridCells::WideIds>(context, grid, mesh);
+}
+
+}

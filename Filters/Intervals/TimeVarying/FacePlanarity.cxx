@@ -1,0 +1,57 @@
+#include "TimeVarying/FacePlanarity.h"
+
+#include "vtkMath.h"
+#include "vtkStructuredGrid.h"
+
+#include <cmath>
+
+namespace interlume
+{
+
+FacePlanarity::FacePlanarity(const TimeStep& first, const TimeStep& second)
+  : Grid(first.GetGrid())
+  , Static(first.HasSamePoints(second))
+  , Flat(!vtkPointSet::SafeDownCast(first.GetGrid()))
+{
+}
+
+unsigned FacePlanarity::GetPlanar(const TimeVaryingCell& cell, const TimeVaryingSlots& slots) const
+{
+  if (this->Flat)
+  {
+    return (1u << TimeVaryingSlots::MaximumNumberOfFaces) - 1;
+  }
+  unsigned planar = 0;
+  for (int f = 0; f < TimeVaryingSlots::MaximumNumberOfFaces; ++f)
+  {
+    planar |= this->IsPlanar(cell, slots.GetFace(f)) ? 1u << f : 0u;
+  }
+  return planar;
+}
+
+bool FacePlanarity::IsPlanar(const TimeVaryingCell& cell, unsigned corners) const
+{
+  double x[4][3];
+  int number = 0;
+  for (int v = 0; v < cell.NumberOfCorners; ++v)
+  {
+    if ((corners >> v) & 1)
+    {
+      this->Grid->GetPoint(cell.Ids[v], x[number++]);
+    }
+  }
+  if (number < 4)
+  {
+    return true;
+  }
+  for (int k = 1; k < 4; ++k)
+  {
+    vtkMath::Subtract(x[k], x[0], x[k]);
+  }
+  // What is left of a volume by rounding alone.
+  constexpr double small = 1e-13;
+  const double size = vtkMath::Norm(x[1]) * vtkMath::Norm(x[2]) * vtkMath::Norm(x[3]);
+  return std::abs(vtkMath::Determinant3x3(x[1], x[2], x[3])) <= small * size;
+}
+
+}

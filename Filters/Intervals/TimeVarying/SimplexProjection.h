@@ -1,0 +1,114 @@
+#ifndef interlume_SimplexProjection_h
+#define interlume_SimplexProjection_h
+
+#include <array>
+#include <cstdint>
+
+namespace interlume
+{
+
+/**
+ * @class   SimplexProjection
+ * @brief   a 4-simplex projected along its fourth coordinate, and cut into tetrahedra
+ *
+ * Five points in space have one affine dependency, sum lambda_i x_i = 0, sum lambda_i = 0. Its
+ * positive and its negative part are two faces of the simplex that meet in one point, the thick
+ * point (Radon). There the simplex is thickest: by |sum lambda_i t_i| / L, where L is the sum of
+ * the positive lambda_i. The projection is the union of the tetrahedra of the thick point with the
+ * three points that are left when one of the positive and one of the negative points is taken away,
+ * and the thickness is linear in each, zero at the three. The numbers of positive, negative and
+ * zero lambda_i are the classes of the source: (3,2,0) is 1, (4,1,0) is 2, (2,2,1) is 3a, (3,1,1)
+ * is 3b, (2,1,2) is 4, (1,1,3) is 5.
+ *
+ * lambda_i is the volume of the tetrahedron without point i. One that is below 2^-44 of L, or of L
+ * times the share that the thickness has of the simplex's extent in time, counts as zero: leaving
+ * out a part of that size keeps the sum of volume times thickness to 1e-12. Where double precision
+ * would lose too many digits, long double is used.
+ */
+class SimplexProjection
+{
+public:
+  /// x, y, z and the coordinate that is projected along.
+  using Point = std::array<double, 4>;
+
+  enum Counts
+  {
+    NumberOfPoints = 5,
+    NumberOfClasses = 6
+  };
+
+  SimplexProjection() = default;
+
+  /// Bit i of \a flat is set where points other than i are known to lie in a plane.
+  SimplexProjection(const std::array<Point, NumberOfPoints>& points, unsigned flat);
+
+  /// Whether it has no volume in space or no thickness; then it has no tetrahedra.
+  bool IsFlat() const { return this->Thickness == 0.0; }
+
+  /// Whether (p1 - p0, p2 - p0, p3 - p0, p4 - p0) have a negative determinant.
+  bool IsInverted() const { return this->Inverted; }
+
+  /// 0 ... 5 for the classes 1, 2, 3a, 3b, 4, 5. Not for a flat one.
+  int GetClass() const;
+
+  int GetNumberOfTetrahedra() const { return this->Count(1) * this->Count(-1); }
+
+  /// How long the simplex lasts at its thick point.
+  double GetThickness() const { return this->Thickness; }
+
+  /// The mean of a value over the thickness at the thick point is the sum of these times the values
+  /// at the points.
+  const std::array<double, NumberOfPoints>& GetWeights() const { return this->Weights; }
+
+  /// The sign of each lambda.
+  const std::array<std::int8_t, NumberOfPoints>& GetSigns() const { return this->Signs; }
+
+  /// The place of the thick point from those of the points: exactly one of them where it is one.
+  void GetThickPoint(const double* const points[NumberOfPoints], double x[3]) const;
+
+  /**
+   * Calls visit(a, b, c) for each tetrahedron of the points a, b, c and the thick point. Its volume
+   * has the sign of the determinant of the simplex.
+   */
+  template <typename Visitor>
+  void ForEachTetrahedron(Visitor&& visit) const
+  {
+    for (int i = 0; i < NumberOfPoints; ++i)
+    {
+      for (int j = 0; j<NumberOfPoints&& this->Signs[i]> 0; ++j)
+      {
+        if (this->Signs[j] >= 0)
+        {
+          continue;
+        }
+        int rest[3];
+        for (int k = 0, n = 0; k < NumberOfPoints; ++k)
+        {
+          if (k != i && k != j)
+          {
+            rest[n++] = k;
+          }
+        }
+        // With p_i for the thick point the tetrahedron is that without p_j, whose sign is
+        // (-1)^j lambda_j, but for the place that p_i has in the order.
+        const bool isPositive = (i + j + (j < i ? 1 : 0)) % 2 == 0;
+        isPositive != this->Inverted ? visit(rest[0], rest[1], rest[2])
+                                     : visit(rest[1], rest[0], rest[2]);
+      }
+    }
+  }
+
+private:
+  int Count(int sign) const;
+  template <typename Real>
+  bool Compute(const std::array<Point, NumberOfPoints>& points, unsigned flat);
+
+  std::array<double, NumberOfPoints> Weights{};
+  double Thickness = 0.0;
+  std::array<std::int8_t, NumberOfPoints> Signs{};
+  bool Inverted = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,114 @@
+#include "TimeVarying/SimplexSliceTable.h"
+
+#include <utility>
+
+namespace interlume
+{
+
+namespace
+{
+using Slice = SimplexSliceTable::Slice;
+using Slot = SimplexSliceTable::Slot;
+
+constexpr int NumberOfVertices = 5;
+constexpr unsigned int NumberOfCases = 1u << NumberOfVertices;
+
+// The vertices of one side before those of the other, both in ascending order.
+struct Sides
+{
+  std::array<Slot, NumberOfVertices> Vertices{};
+  int NumberOfFirst = 0;
+  // Whether this is an odd permutation of the vertices.
+  bool IsOdd = false;
+};
+
+Sides Part(unsigned int first)
+{
+  Sides sides;
+  int number = 0;
+  int passed = 0;
+  for (int v = 0; v < NumberOfVertices; ++v)
+  {
+    if ((first >> v) & 1)
+    {
+      sides.Vertices[number++] = static_cast<Slot>(v);
+      sides.IsOdd ^= (passed & 1) != 0;
+    }
+    else
+    {
+      ++passed;
+    }
+  }
+  sides.NumberOfFirst = number;
+  for (int v = 0; v < NumberOfVertices; ++v)
+  {
+    if (!((first >> v) & 1))
+    {
+      sides.Vertices[number++] = static_cast<Slot>(v);
+    }
+  }
+  return sides;
+}
+
+Slice Make(unsigned int above)
+{
+  unsigned int first = above;
+  Sides sides = Part(first);
+  if (sides.NumberOfFirst > 2)
+  {
+    first = ~above & (NumberOfCases - 1);
+    sides = Part(first);
+  }
+  Slice slice;
+  if (sides.NumberOfFirst == 0)
+  {
+    return slice;
+  }
+  const int rows = sides.NumberOfFirst;
+  const int columns = NumberOfVertices - rows;
+  for (int row = 0; row < rows; ++row)
+  {
+    for (int column = 0; column < columns; ++column)
+    {
+      slice.Edges[slice.NumberOfSlots++] = { { sides.Vertices[row],
+        sides.Vertices[rows + column] } };
+    }
+  }
+  // The first tetrahedron of a prism is positive where its edge is below; the slice of one vertex,
+  // with its edges in order, where that is above. Tetrahedra next to each other on the staircase
+  // differ in one point in the same place: they alternate.
+  const bool isFirstInverted = sides.IsOdd != ((first == above) == (rows == 2));
+  slice.NumberOfTetrahedra = rows == 1 ? 1 : columns;
+  for (int t = 0; t < slice.NumberOfTetrahedra; ++t)
+  {
+    // Along the first row to where the staircase turns, and along the last to its end.
+    const int turn = columns - 1 - t;
+    vtkIsotable::Simplex& points = slice.Tetrahedra[t];
+    for (int p = 0; p < 4; ++p)
+    {
+      points[p] = static_cast<Slot>(p <= turn ? p : columns + p - 1);
+    }
+    if (isFirstInverted != ((t & 1) != 0))
+    {
+      std::swap(points[0], points[1]);
+    }
+  }
+  return slice;
+}
+}
+
+const SimplexSliceTable::Slice& SimplexSliceTable::Get(unsigned int above)
+{
+  static const std::array<Slice, NumberOfCases> table = []
+  {
+    std::array<Slice, NumberOfCases> made;
+    for (unsigned int key = 0; key < NumberOfCases; ++key)
+    {
+      made[key] = Make(key);
+    }
+    return made;
+  }();
+  return table[above];
+}
+
+}

@@ -1,0 +1,232 @@
+#include "TimeVarying/TimeStep.h"
+
+#include "Common/GridCells.h"
+#include "Static/ExtractionArrays.h"
+#include "Static/ExtractionDispatch.h"
+#include "Static/ExtractionLinearizer.h"
+#include "Static/ExtractionScalars.h"
+
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cstring>
+#include <sstream>
+#include <vector>
+
+namespace interlume
+{
+
+namespace
+{
+bool HasSameValues(vtkDataArray* a, vtkDataArray* b)
+{
+  if (a == b)
+  {
+    return true;
+  }
+  if (a->GetNumberOfValues() != b->GetNumberOfValues())
+  {
+    return false;
+  }
+  if (a->GetDataType() == b->GetDataType() && a->HasStandardMemoryLayout() &&
+    b->HasStandardMemoryLayout())
+  {
+    return std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+             static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) == 0;
+  }
+  for (vtkIdType tuple = 0; tuple < a->GetNumberOfTuples(); ++tuple)
+  {
+    for (int c = 0; c < a->GetNumberOfComponents(); ++c)
+    {
+      if (a->GetComponent(tuple, c) != b->GetComponent(tuple, c))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool HasSameFrame(vtkImageData* a, vtkImageData* b)
+{
+  return std::equal(a->GetOrigin(), a->GetOrigin() + 3, b->GetOrigin()) &&
+    std::equal(a->GetSpacing(), a->GetSpacing() + 3, b->GetSpacing()) &&
+    std::equal(a->GetExtent(), a->GetExtent() + 6, b->GetExtent()) &&
+    std::equal(a->GetDirectionMatrix()->GetData(), a->GetDirectionMatrix()->GetData() + 9,
+      b->GetDirectionMatrix()->GetData());
+}
+
+// The scalars, the other point arrays and the coordinates.
+std::vector<vtkDataArray*> GetArrays(vtkDataSet* input, vtkDataArray* scalars)
+{
+  std::vector<vtkDataArray*> arrays = { scalars };
+  for (int a = 0; a < input->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = input->GetPointData()->GetArray(a);
+    if (array && array != scalars)
+    {
+      arrays.push_back(array);
+    }
+  }
+  vtkPointSet* set = vtkPointSet::SafeDownCast(input);
+  if (set && set->GetPoints())
+  {
+    arrays.push_back(set->GetPoints()->GetData());
+  }
+  return arrays;
+}
+
+const void* GetMemory(vtkDataArray* array)
+{
+  return array->HasStandardMemoryLayout() ? array->GetVoidPointer(0) : array;
+}
+
+std::string DescribeChange(const char* what, vtkIdType before, vtkIdType now)
+{
+  std::ostringstream words;
+  words << "its number of " << what << " is " << now << ", before it was " << before;
+  return words.str();
+}
+}
+
+TimeStep::TimeStep(vtkDataSet* input, vtkDataArray* scalars, double time, bool isCopied)
+  : Time(time)
+  , NumberOfInputCells(input->GetNumberOfCells())
+{
+  vtkSmartPointer<vtkDataSet> copy;
+  if (isCopied)
+  {
+    copy.TakeReference(input->NewInstance());
+    copy->DeepCopy(input);
+    for (int a = 0; a < input->GetPointData()->GetNumberOfArrays(); ++a)
+    {
+      if (input->GetPointData()->GetAbstractArray(a) == scalars)
+      {
+        scalars = copy->GetPointData()->GetArray(a);
+        break;
+      }
+    }
+    input = copy;
+  }
+  else
+  {
+    for (vtkDataArray* array : GetArrays(input, scalars))
+    {
+      this->Sources.push_back({ array, array->GetMTime() });
+    }
+  }
+  this->HasRows = ExtractionArrays::GetRowDimensions(input, this->Dimensions);
+  if (!this->HasRows && ExtractionLinearizer::IsNeeded(input))
+  {
+    std::vector<vtkIdType> cellIds;
+    this->Grid = ExtractionLinearizer::Execute(input, cellIds, this->NumberOfConcave);
+    vtkDataArray* carried = this->Grid->GetPointData()->GetArray(scalars->GetName());
+    scalars = carried ? carried : scalars;
+  }
+  else
+  {
+    this->Grid.TakeReference(input->NewInstance());
+    this->Grid->ShallowCopy(input);
+  }
+  this->Scalars = ExtractionDispatch::MakeContiguous(scalars);
+  this->SetBlanking(this->Grid);
+}
+
+vtkUnstructuredGrid* TimeStep::GetUnstructuredGrid() const
+{
+  return vtkUnstructuredGrid::SafeDownCast(this->Grid);
+}
+
+bool TimeStep::MakeCodes(const ExtractionContext& context, double from, double to)
+{
+  if (this->Codes.GetSize() > 0)
+  {
+    return true;
+  }
+  this->Codes.Allocate(this->GetNumberOfPoints());
+  const auto scalars = ExtractionScalars::Make(this->Scalars, *context.Values);
+  return context.Run(this->GetNumberOfPoints(), from, to,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      ExtractionValues::Code* codes = this->Codes.GetData() + first;
+      scalars->Classify(first, last - first, codes);
+      if (std::any_of(codes, codes + (last - first), ExtractionValues::IsTie))
+      {
+        this->Ties = true;
+      }
+    });
+}
+
+bool TimeStep::IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const
+{
+  const std::vector<vtkDataArray*> arrays = GetArrays(next, scalars);
+  return std::any_of(arrays.begin(), arrays.end(),
+    [this, scalars](vtkDataArray* array)
+    {
+      const void* memory = GetMemory(array);
+      const auto source = std::find_if(this->Sources.begin(), this->Sources.end(),
+        [memory](const Source& one) { return GetMemory(one.Array) == memory; });
+      // Not all who write over scalars say so, and steps that differ have scalars that differ.
+      return source != this->Sources.end() &&
+        (array == scalars || array->GetMTime() > source->Time);
+    });
+}
+
+std::string TimeStep::FindDifference(const TimeStep& before) const
+{
+  if (std::strcmp(this->Grid->GetClassName(), before.Grid->GetClassName()) != 0)
+  {
+    return std::string("it is a ") + this->Grid->GetClassName() + ", before it was a " +
+      before.Grid->GetClassName();
+  }
+  if (this->GetNumberOfPoints() != before.GetNumberOfPoints())
+  {
+    return DescribeChange("points", before.GetNumberOfPoints(), this->GetNumberOfPoints());
+  }
+  if (this->GetNumberOfCells() != before.GetNumberOfCells())
+  {
+    return DescribeChange("cells", before.GetNumberOfCells(), this->GetNumberOfCells());
+  }
+  if (this->HasRows)
+  {
+    return std::equal(this->Dimensions, this->Dimensions + 3, before.Dimensions)
+      ? std::string()
+      : std::string("its dimensions have changed");
+  }
+  vtkUnstructuredGrid* now = this->GetUnstructuredGrid();
+  vtkUnstructuredGrid* then = before.GetUnstructuredGrid();
+  const bool isSame = this->GetNumberOfCells() == 0 ||
+    (HasSameValues(GridCells::GetStoredTypes(now), GridCells::GetStoredTypes(then)) &&
+      HasSameValues(now->GetCells()->GetOffsetsArray(), then->GetCells()->GetOffsetsArray()) &&
+      HasSameValues(
+        now->GetCells()->GetConnectivityArray(), then->GetCells()->GetConnectivityArray()));
+  return isSame ? std::string() : std::string("its cells have other points or types");
+}
+
+bool TimeStep::HasSamePoints(const TimeStep& other) const
+{
+  if (vtkPointSet* set = vtkPointSet::SafeDownCast(this->Grid))
+  {
+    vtkPoints* points = set->GetPoints();
+    vtkPoints* otherPoints = vtkPointSet::SafeDownCast(other.Grid)->GetPoints();
+    return points == otherPoints || HasSameValues(points->GetData(), otherPoints->GetData());
+  }
+  if (vtkImageData* image = vtkImageData::SafeDownCast(this->Grid))
+  {
+    return HasSameFrame(image, vtkImageData::SafeDownCast(other.Grid));
+  }
+  vtkRectilinearGrid* a = vtkRectilinearGrid::SafeDownCast(this->Grid);
+  vtkRectilinearGrid* b = vtkRectilinearGrid::SafeDownCast(other.Grid);
+  return HasSameValues(a->GetXCoordinates(), b->GetXCoordinates()) &&
+    HasSameValues(a->GetYCoordinates(), b->GetYCoordinates()) &&
+    HasSameValues(a->GetZCoordinates(), b->GetZCoordinates());
+}
+
+}

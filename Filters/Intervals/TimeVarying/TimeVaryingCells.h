@@ -1,0 +1,246 @@
+#ifndef interlume_TimeVaryingCells_h
+#define interlume_TimeVaryingCells_h
+
+#include "Grid/CellOrientation.h"
+#include "Grid/CornerOrder.h"
+#include "Grid/RowIndex.h"
+#include "Static/PointMarks.h"
+#include "Static/UnstructuredCells.h"
+#include "TimeVarying/TimeStep.h"
+
+#include "vtkExtractionReport.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace interlume
+{
+
+/// A cell of a slab, its corners in the order of its table.
+struct TimeVaryingCell
+{
+  vtkIdType Id = -1;
+  vtkIsotable::Shapes Shape = vtkIsotable::HEXAHEDRON;
+  int NumberOfCorners = 8;
+  vtkIdType Ids[8] = {};
+  /// Whether the corners are in ascending order, for which the table has its cut.
+  bool IsAscending = true;
+};
+
+/**
+ * What the cells of rows and unstructured cells have in common: which of them are left out.
+ */
+class TimeVaryingCellsBase
+{
+protected:
+  TimeVaryingCellsBase(const TimeStep& first, const TimeStep& second)
+    : Steps{ &first, &second }
+  {
+  }
+
+  bool HasBlanking() const
+  {
+    return this->Steps[0]->HasBlanking() || this->Steps[1]->HasBlanking();
+  }
+
+  /// Whether a cell is left out at either step.
+  bool IsBlanked(const TimeVaryingCell& cell) const
+  {
+    return std::any_of(this->Steps, this->Steps + 2,
+      [&cell](const TimeStep* step)
+      {
+        return step->IsCellBlanked(cell.Id) ||
+          std::any_of(cell.Ids, cell.Ids + cell.NumberOfCorners,
+            [step](vtkIdType point) { return step->IsPointBlanked(point); });
+      });
+  }
+
+  const TimeStep* Steps[2];
+};
+
+/**
+ * @class   TimeVaryingRows
+ * @brief   the hexahedra of image data, rectilinear and structured grids
+ */
+class TimeVaryingRows : public TimeVaryingCellsBase
+{
+public:
+  TimeVaryingRows(const TimeStep& first, const TimeStep& second)
+    : TimeVaryingCellsBase(first, second)
+    , Rows(first.GetDimensions())
+    , CellsInRow(first.GetDimensions()[0] - 1)
+    , RowsInLayer(first.GetDimensions()[1] - 1)
+  {
+  }
+
+  void Read(vtkIdType id, TimeVaryingCell& cell) const
+  {
+    const vtkIdType row = id / this->CellsInRow;
+    const vtkIdType point = this->Rows.GetFirstPoint(
+                              this->Rows.GetRow(row % this->RowsInLayer, row / this->RowsInLayer)) +
+      id % this->CellsInRow;
+    cell.Id = id;
+    for (int v = 0; v < 8; ++v)
+    {
+      cell.Ids[v] = this->Rows.GetVertex(point, v);
+    }
+  }
+
+  /// Appends the cells first ... last - 1 that \a marks has near an item.
+  void FindNear(vtkIdType first, vtkIdType last, const PointMarks& marks,
+    std::vector<vtkIdType>& near, vtkExtractionReport& report) const
+  {
+    TimeVaryingCell cell;
+    while (first < last)
+    {
+      this->Read(first, cell);
+      const vtkIdType inRow = this->CellsInRow - first % this->CellsInRow;
+      const vtkIdType end = std::min(last, first + inRow);
+      const PointMarks::Mark* corners[8];
+      for (int v = 0; v < 8; ++v)
+      {
+        corners[v] = marks.GetData() + cell.Ids[v];
+      }
+      for (vtkIdType i = 0; i < end - first; ++i)
+      {
+        PointMarks::Mark all = 0;
+        for (const PointMarks::Mark* corner : corners)
+        {
+          all = static_cast<PointMarks::Mark>(all | corner[i]);
+        }
+        if (marks.IsNear(all) || PointMarks::IsNonFinite(all) || this->HasBlanking())
+        {
+          this->Sort(first + i, all, marks, near, report);
+        }
+      }
+      first = end;
+    }
+  }
+
+private:
+  void Sort(vtkIdType id, PointMarks::Mark all, const PointMarks& marks,
+    std::vector<vtkIdType>& near, vtkExtractionReport& report) const
+  {
+    TimeVaryingCell cell;
+    this->Read(id, cell);
+    if (this->HasBlanking() && this->IsBlanked(cell))
+    {
+      ++report.BlankedCells;
+    }
+    else if (PointMarks::IsNonFinite(all))
+    {
+      ++report.NonFiniteCells;
+    }
+    else if (marks.IsNear(all))
+    {
+      near.push_back(id);
+    }
+  }
+
+  RowIndex Rows;
+  vtkIdType CellsInRow;
+  vtkIdType RowsInLayer;
+};
+
+/**
+ * @class   TimeVaryingUnstructured
+ * @brief   the cells of an unstructured grid
+ *
+ * \a Stored is the type of the cell array's numbers.
+ */
+template <typename Stored>
+class TimeVaryingUnstructured : public TimeVaryingCellsBase
+{
+public:
+  TimeVaryingUnstructured(
+    const TimeStep& first, const TimeStep& second, const Stored* offsets, const Stored* ids)
+    : TimeVaryingCellsBase(first, second)
+    , Cells(first.GetUnstructuredGrid(), offsets, ids)
+    , Order(first.GetGrid()->GetPointData())
+  {
+  }
+
+  const CornerOrder& GetOrder() const { return this->Order; }
+
+  void Read(vtkIdType id, TimeVaryingCell& cell) const
+  {
+    this->ReadAsStored(id, cell);
+    cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
+    if (!cell.IsAscending)
+    {
+      this->Order.Turn(cell.Shape, cell.Ids);
+      cell.IsAscending = this->Order.IsAscending(cell.Ids, cell.NumberOfCorners);
+    }
+  }
+
+  void FindNear(vtkIdType first, vtkIdType last, const PointMarks& marks,
+    std::vector<vtkIdType>& near, vtkExtractionReport& report) const
+  {
+    if (this->Cells.IsUniform() && !this->HasBlanking())
+    {
+      this->Cells.ForEachMarks(first, last, marks.GetData(),
+        [&](vtkIdType id, PointMarks::Mark all)
+        {
+          report.NonFiniteCells += PointMarks::IsNonFinite(all);
+          if (marks.IsNear(all))
+          {
+            near.push_back(id);
+          }
+        });
+      return;
+    }
+    for (vtkIdType id = first; id < last; ++id)
+    {
+      if (this->IsNear(id, marks, report))
+      {
+        near.push_back(id);
+      }
+    }
+  }
+
+private:
+  void ReadAsStored(vtkIdType id, TimeVaryingCell& cell) const
+  {
+    const CellCorners& corners = this->Cells.GetCorners(id);
+    cell.Id = id;
+    cell.Shape = corners.Shape;
+    cell.NumberOfCorners = corners.NumberOfCorners;
+    this->Cells.GetIds(id, corners, cell.Ids);
+  }
+
+  bool IsNear(vtkIdType id, const PointMarks& marks, vtkExtractionReport& report) const
+  {
+    const CellCorners& corners = this->Cells.GetCorners(id);
+    vtkIdType* reason = nullptr;
+    PointMarks::Mark all = 0;
+    if (corners.HasTable())
+    {
+      TimeVaryingCell cell;
+      this->ReadAsStored(id, cell);
+      all = this->Cells.GetMarks(id, corners.NumberOfCorners, marks.GetData());
+      reason = this->HasBlanking() && this->IsBlanked(cell) ? &report.BlankedCells
+        : PointMarks::IsNonFinite(all)                      ? &report.NonFiniteCells
+                                                            : nullptr;
+    }
+    else
+    {
+      reason = corners.Kind == CellCorners::LOWER_DIMENSIONAL ? &report.LowerDimensionalCells
+                                                              : &report.UnsupportedCells;
+    }
+    if (reason)
+    {
+      ++*reason;
+      return false;
+    }
+    report.LinearizedCells += corners.Kind == CellCorners::HIGHER_ORDER;
+    return marks.IsNear(all);
+  }
+
+  UnstructuredCells<Stored> Cells;
+  CornerOrder Order;
+};
+
+}
+
+#endif

@@ -1,0 +1,62 @@
+#ifndef interlume_TimeVaryingCut_h
+#define interlume_TimeVaryingCut_h
+
+#include "Static/ExtractionValues.h"
+#include "TimeVarying/TimeVaryingSlots.h"
+
+#include "vtkIsotableCache.h"
+
+#include <array>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   TimeVaryingCut
+ * @brief   a case between two steps as it is cut in a cell of which slots are the same point
+ *
+ * What MergedCut is for a cell of one step, with all kinds of boundary cells: the sides of the
+ * pieces are cut by themselves, since a piece without hypervolume has sides too. The volume and its
+ * surfaces at a step are those of that step alone, as vtkIntervalVolume has them.
+ */
+class TimeVaryingCut
+{
+public:
+  using Code = ExtractionValues::Code;
+  using Item = ExtractionValues::Item;
+  using Slot = vtkIsotableCache::Slot;
+  using Simplex = vtkIsotableCache::Simplex;
+
+  /// A cell of a boundary; see vtkTimeVaryingSettings::BoundaryKinds.
+  struct Side
+  {
+    std::array<Slot, 4> Points;
+    int Number;
+    int Kind;
+  };
+
+  /// Cuts in the order of \a ranks; \a same has for each slot the one that it goes by. \a inside is
+  /// the case where all corners are in the interval.
+  void Make(const vtkIsotableCache& table, const TimeVaryingSlots& slots, const Item& item,
+    const Code* codes, const vtkIsotableCache::Case& what, const vtkIsotableCache::Case& inside,
+    const vtkIsotableCache::RankArray& ranks, const Slot* same, bool hasSides);
+
+  const std::vector<Simplex>& GetSimplices() const { return this->Simplices; }
+  const std::vector<Side>& GetSides() const { return this->Sides; }
+
+private:
+  void AddSides(const vtkIsotableCache& table, const TimeVaryingSlots& slots,
+    const vtkIsotableCache::Case& what, const vtkIsotableCache::RankArray& ranks, const Slot* same);
+  void AddFlatSides(const vtkIsotableCache& table, const TimeVaryingSlots& slots, const Item& item,
+    const Code* codes, const vtkIsotableCache::Case& inside,
+    const vtkIsotableCache::RankArray& ranks, const Slot* same);
+  void Add(int kind, int number, const Slot* points, bool isTurned);
+
+  std::vector<Simplex> Simplices;
+  std::vector<Side> Sides;
+};
+
+}
+
+#endif

@@ -1,0 +1,548 @@
+#include "TimeVarying/TimeVaryingMesh.h"
+
+#include "Output/TiedFaces.h"
+#include "Static/CrossingLists.h"
+#include "Static/ExtractionArrays.h"
+#include "TimeVarying/TimeStep.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace interlume
+{
+
+namespace
+{
+using Kinds = vtkTimeVaryingSettings::BoundaryKinds;
+using PointList = ExtractionBuffer<ExtractionPoint>;
+
+vtkIdType GetOwner(const ExtractionPoint& point)
+{
+  return std::min(point.Near, point.Far);
+}
+
+// Points of two steps as points of the first, where all stay in place.
+PointList Fold(const PointList& points, vtkIdType split)
+{
+  const auto fold = [split](vtkIdType id) { return id < split ? id : id - split; };
+  PointList folded;
+  folded.Allocate(points.GetSize());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(points.GetSize()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        folded[p] = { fold(points[p].Near), fold(points[p].Far), points[p].Weight };
+      }
+    });
+  return folded;
+}
+
+// The places of points that move.
+void InterpolatePoints(
+  vtkDataSet* first, vtkDataSet* second, const PointList& points, vtkPoints* places)
+{
+  const vtkIdType split = first->GetNumberOfPoints();
+  const auto getPoint = [&](vtkIdType id, double x[3])
+  { id < split ? first->GetPoint(id, x) : second->GetPoint(id - split, x); };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(points.GetSize()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType p = begin; p < end; ++p)
+      {
+        double near[3];
+        double far[3];
+        getPoint(points[p].Near, near);
+        getPoint(points[p].Far, far);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          near[axis] += points[p].Weight * (far[axis] - near[axis]);
+        }
+        places->SetPoint(p, near);
+      }
+    });
+}
+
+vtkSmartPointer<vtkPoints> MakePoints(const TimeStep& first, const TimeStep& second,
+  const PointList& points, int precision, bool isStatic)
+{
+  if (isStatic)
+  {
+    return ExtractionArrays::MakePoints(
+      first.GetGrid(), Fold(points, first.GetNumberOfPoints()), precision);
+  }
+  // Empty, but of the type that is asked for.
+  vtkSmartPointer<vtkPoints> made =
+    ExtractionArrays::MakePoints(first.GetGrid(), PointList(), precision);
+  made->SetNumberOfPoints(static_cast<vtkIdType>(points.GetSize()));
+  InterpolatePoints(first.GetGrid(), second.GetGrid(), points, made);
+  return made;
+}
+
+bool IsSurfaceAtStep(int kind)
+{
+  return kind < Kinds::LOWER_SURFACE_IN_TIME;
+}
+
+// One number for an interval at the first or at the last step.
+vtkIdType GetGroup(int item, int kind)
+{
+  const bool isAtEnd = kind == Kinds::VOLUME_AT_END || kind == Kinds::LOWER_SURFACE_AT_END ||
+    kind == Kinds::UPPER_SURFACE_AT_END;
+  return 2 * static_cast<vtkIdType>(item) + isAtEnd;
+}
+
+// Calls visit(face) for the faces of a simplex, outward.
+template <std::size_t Size, typename Visitor>
+void ForEachFace(const std::array<vtkIdType, Size>& simplex, Visitor&& visit)
+{
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    std::array<vtkIdType, Size - 1> face;
+    std::copy_n(simplex.begin(), i, face.begin());
+    std::copy(simplex.begin() + i + 1, simplex.end(), face.begin() + i);
+    // Of a positive tetrahedron the face without an even point is outward, and so of a 4-simplex.
+    if (i % 2 == 1)
+    {
+      std::swap(face[0], face[1]);
+    }
+    visit(face);
+  }
+}
+
+void AppendCells(const std::vector<TimeVaryingMesh::BoundaryCell>& cells, int slab,
+  std::vector<TimeVaryingMesh::BoundaryCell>& all)
+{
+  for (TimeVaryingMesh::BoundaryCell cell : cells)
+  {
+    cell.Slab = slab;
+    all.push_back(cell);
+  }
+}
+
+using Entry = OppositePairs::Entry<vtkIdType, 6>;
+
+// A 4-simplex of a slab, to be compared with others of its interval.
+Entry MakeEntry(const TimeVaryingMesh::Slab& slab, std::size_t s, std::size_t place)
+{
+  const int item = slab.Items.GetSize() > 0 ? slab.Items[s] : 0;
+  Entry entry{ { { item } }, false, place };
+  std::copy(slab.Simplices[s].begin(), slab.Simplices[s].end(), entry.Key.begin() + 1);
+  entry.IsOdd = OppositePairs::Sort(entry.Key.data() + 1, 5);
+  return entry;
+}
+
+// Leaves out the 4-simplices that are marked; returns how many.
+vtkIdType RemoveMarked(TimeVaryingMesh::Slab& slab, const std::vector<bool>& isRemoved)
+{
+  const std::size_t number = slab.Simplices.GetSize();
+  std::size_t kept = 0;
+  for (std::size_t s = 0; s < number; ++s)
+  {
+    if (!isRemoved[s])
+    {
+      slab.Simplices[kept] = slab.Simplices[s];
+      if (slab.Items.GetSize() > 0)
+      {
+        slab.Items[kept] = slab.Items[s];
+      }
+      if (slab.Flats.GetSize() > 0)
+      {
+        slab.Flats[kept] = slab.Flats[s];
+      }
+      if (slab.Ties.GetSize() > 0)
+      {
+        slab.Ties[kept] = slab.Ties[s];
+      }
+      ++kept;
+    }
+  }
+  slab.Simplices.Truncate(kept);
+  slab.Items.Truncate(slab.Items.GetSize() > 0 ? kept : 0);
+  slab.Flats.Truncate(slab.Flats.GetSize() > 0 ? kept : 0);
+  slab.Ties.Truncate(slab.Ties.GetSize() > 0 ? kept : 0);
+  return static_cast<vtkIdType>(number - kept);
+}
+
+vtkSmartPointer<vtkDoubleArray> MakeTimes(
+  const TimeStep& first, const TimeStep& second, const PointList& points)
+{
+  const vtkIdType split = first.GetNumberOfPoints();
+  const double begin = first.GetTime();
+  const double end = second.GetTime();
+  auto times = vtkSmartPointer<vtkDoubleArray>::New();
+  times->SetName("Time");
+  times->SetNumberOfValues(static_cast<vtkIdType>(points.GetSize()));
+  vtkSMPTools::For(0, static_cast<vtkIdType>(points.GetSize()),
+    [&](vtkIdType firstPoint, vtkIdType lastPoint)
+    {
+      for (vtkIdType p = firstPoint; p < lastPoint; ++p)
+      {
+        const double near = points[p].Near < split ? begin : end;
+        const double far = points[p].Far < split ? begin : end;
+        times->SetValue(p, near + points[p].Weight * (far - near));
+      }
+    });
+  return times;
+}
+}
+
+void TimeVaryingMesh::BeginSlab(int number, bool isFirst, bool isLast, bool isJoined, bool hasTies)
+{
+  this->IsLast = isLast;
+  this->WantedKinds = this->Options.Settings.GenerateBoundary;
+  this->HasTies = this->HasTies || hasTies;
+  // Surfaces at a step are told from nothing by the volume there.
+  this->WantedKinds[Kinds::VOLUME_AT_START] |= hasTies &&
+    (this->WantedKinds[Kinds::LOWER_SURFACE_AT_START] ||
+      this->WantedKinds[Kinds::UPPER_SURFACE_AT_START]);
+  this->WantedKinds[Kinds::VOLUME_AT_END] |= hasTies &&
+    (this->WantedKinds[Kinds::LOWER_SURFACE_AT_END] ||
+      this->WantedKinds[Kinds::UPPER_SURFACE_AT_END]);
+  for (const int kind :
+    { Kinds::LOWER_SURFACE_AT_START, Kinds::UPPER_SURFACE_AT_START, Kinds::VOLUME_AT_START })
+  {
+    this->WantedKinds[kind] = this->WantedKinds[kind] && isFirst;
+  }
+  for (const int kind :
+    { Kinds::LOWER_SURFACE_AT_END, Kinds::UPPER_SURFACE_AT_END, Kinds::VOLUME_AT_END })
+  {
+    this->WantedKinds[kind] = this->WantedKinds[kind] && isLast;
+  }
+  this->Slabs.emplace_back();
+  this->Slabs.back().Number = number;
+  if (!isJoined)
+  {
+    this->EndPoints.clear();
+  }
+}
+
+bool TimeVaryingMesh::HasWantedKinds() const
+{
+  return std::find(this->WantedKinds.begin(), this->WantedKinds.end(), true) !=
+    this->WantedKinds.end();
+}
+
+ExtractionBuffer<vtkIdType> TimeVaryingMesh::AddPoints(const TimeStep& first,
+  const TimeStep& second, const PointList& points, const CrossingLists& lists, bool isStatic)
+{
+  const vtkIdType split = first.GetNumberOfPoints();
+  const vtkIdType number = static_cast<vtkIdType>(points.GetSize());
+  const vtkIdType before = this->Points ? this->Points->GetNumberOfPoints() : 0;
+  ExtractionBuffer<vtkIdType> ids;
+  ids.Allocate(number);
+  PointList added;
+  added.Allocate(number);
+  // Points are sorted by owner: those that the slab before may have come first.
+  vtkIdType unshared = 0;
+  vtkIdType numberShared = 0;
+  auto shared = this->EndPoints.begin();
+  for (; unshared < number && shared != this->EndPoints.end(); ++unshared)
+  {
+    const SharedPoint point{ GetOwner(points[unshared]), lists.GetKey(unshared), 0 };
+    shared = std::find_if(shared, this->EndPoints.end(),
+      [&point](const SharedPoint& other) { return !other.IsBefore(point); });
+    if (shared != this->EndPoints.end() && !point.IsBefore(*shared))
+    {
+      ids[unshared] = shared->Id;
+      ++numberShared;
+    }
+    else
+    {
+      const vtkIdType place = unshared - numberShared;
+      ids[unshared] = before + place;
+      added[place] = points[unshared];
+    }
+  }
+  vtkSMPTools::For(unshared, number,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType p = begin; p < end; ++p)
+      {
+        ids[p] = before + p - numberShared;
+        added[p - numberShared] = points[p];
+      }
+    });
+  added.Truncate(number - numberShared);
+  this->FindEndPoints(points, lists, split, ids);
+  this->AppendPoints(first, second, added, isStatic);
+  return ids;
+}
+
+void TimeVaryingMesh::FindEndPoints(const PointList& points, const CrossingLists& lists,
+  vtkIdType split, const ExtractionBuffer<vtkIdType>& ids)
+{
+  this->EndPoints.clear();
+  if (this->IsLast)
+  {
+    return;
+  }
+  const ExtractionPoint* const end = points.GetData() + points.GetSize();
+  const ExtractionPoint* const begin = std::partition_point(points.GetData(), end,
+    [split](const ExtractionPoint& point) { return GetOwner(point) < split; });
+  this->EndPoints.reserve(end - begin);
+  for (const ExtractionPoint* point = begin; point != end; ++point)
+  {
+    // As the next slab will name it.
+    const vtkIdType p = point - points.GetData();
+    const CrossingKey key = lists.GetKey(p);
+    const bool isGridPoint = key == CrossingKey();
+    this->EndPoints.push_back({ GetOwner(*point) - split,
+      isGridPoint ? key : CrossingKey(key.GetFar() - split, key.GetValue()), ids[p] });
+  }
+}
+
+void TimeVaryingMesh::AppendPoints(
+  const TimeStep& first, const TimeStep& second, const PointList& points, bool isStatic)
+{
+  const vtkSmartPointer<vtkPoints> places =
+    MakePoints(first, second, points, this->Options.Precision, isStatic);
+  const vtkSmartPointer<vtkDoubleArray> times = MakeTimes(first, second, points);
+  vtkNew<vtkPointData> arrays;
+  vtkPointData* from = first.GetGrid()->GetPointData();
+  vtkPointData* to = second.GetGrid()->GetPointData();
+  ExtractionArrays::InterpolatePointData(from, to, first.GetNumberOfPoints(), points, arrays);
+  for (const char* own : { "Time", "DeltaT" })
+  {
+    arrays->RemoveArray(own);
+  }
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(a);
+    if (array->GetName() && ExtractionArrays::IsCarried(from, array) &&
+      !arrays->HasArray(array->GetName()))
+    {
+      this->ArraysLeftOut.emplace_back(array->GetName());
+    }
+  }
+  if (!this->Points)
+  {
+    this->Points = places;
+    this->Times = times;
+    this->Arrays->ShallowCopy(arrays);
+    this->FindCoordinates();
+    return;
+  }
+  const vtkIdType before = this->Points->GetNumberOfPoints();
+  const vtkIdType number = places->GetNumberOfPoints();
+  this->Points->GetData()->InsertTuples(before, number, 0, places->GetData());
+  this->Points->Modified();
+  this->FindCoordinates();
+  this->Times->InsertTuples(before, number, 0, times);
+  this->AppendArrays(arrays);
+}
+
+void TimeVaryingMesh::AppendArrays(vtkPointData* more)
+{
+  const vtkIdType before = this->Points->GetNumberOfPoints() - more->GetNumberOfTuples();
+  for (int a = this->Arrays->GetNumberOfArrays() - 1; a >= 0; --a)
+  {
+    vtkAbstractArray* array = this->Arrays->GetAbstractArray(a);
+    vtkAbstractArray* added = more->GetAbstractArray(array->GetName());
+    if (ExtractionArrays::IsAlike(array, added))
+    {
+      array->InsertTuples(before, added->GetNumberOfTuples(), 0, added);
+    }
+    else
+    {
+      this->ArraysLeftOut.emplace_back(array->GetName() ? array->GetName() : "");
+      this->Arrays->RemoveArray(a);
+    }
+  }
+}
+
+void TimeVaryingMesh::AddBoundary(const std::vector<BoundaryCell>& cells)
+{
+  AppendCells(cells, this->Slabs.back().Number, this->Boundary);
+}
+
+void TimeVaryingMesh::AddStepVolume(const std::vector<BoundaryCell>& cells)
+{
+  AppendCells(cells, this->Slabs.back().Number, this->StepVolume);
+}
+
+vtkIdType TimeVaryingMesh::RemoveOppositeSimplices(const std::vector<vtkIdType>& tied)
+{
+  Slab& slab = this->Slabs.back();
+  std::vector<Entry> entries;
+  for (const vtkIdType s : tied)
+  {
+    entries.push_back(MakeEntry(slab, s, s));
+  }
+  std::vector<bool> isRemoved(slab.Simplices.GetSize(), false);
+  bool isAny = false;
+  OppositePairs::Find(entries, [&](std::size_t place) { isAny = isRemoved[place] = true; });
+  return isAny ? RemoveMarked(slab, isRemoved) : 0;
+}
+
+vtkIdType TimeVaryingMesh::RemoveOppositeAtSteps()
+{
+  std::vector<Entry> entries;
+  std::size_t first = 0;
+  for (const Slab& slab : this->Slabs)
+  {
+    for (std::size_t s = 0; s < slab.Ties.GetSize(); ++s)
+    {
+      if (slab.Ties[s] && this->IsAtOneTime(slab.Simplices[s]))
+      {
+        entries.push_back(MakeEntry(slab, s, first + s));
+      }
+    }
+    first += slab.Simplices.GetSize();
+  }
+  std::vector<bool> isRemoved;
+  OppositePairs::Find(entries,
+    [&](std::size_t place)
+    {
+      isRemoved.resize(first, false);
+      isRemoved[place] = true;
+    });
+  vtkIdType removed = 0;
+  auto begin = isRemoved.begin();
+  for (std::size_t k = 0; k < this->Slabs.size() && !isRemoved.empty(); ++k)
+  {
+    const auto end = begin + static_cast<std::ptrdiff_t>(this->Slabs[k].Simplices.GetSize());
+    removed += RemoveMarked(this->Slabs[k], { begin, end });
+    begin = end;
+  }
+  return removed;
+}
+
+bool TimeVaryingMesh::IsAtOneTime(const Simplex& simplex) const
+{
+  const double time = this->Times->GetValue(simplex[0]);
+  return std::all_of(simplex.begin(), simplex.end(),
+    [this, time](vtkIdType id) { return this->Times->GetValue(id) == time; });
+}
+
+void TimeVaryingMesh::SettleTiedBoundary()
+{
+  if (!this->HasTies || !this->Points)
+  {
+    return;
+  }
+  const std::size_t points = static_cast<std::size_t>(this->Points->GetNumberOfPoints());
+  std::vector<bool> isRemoved(this->Boundary.size(), false);
+  const auto remove = [&isRemoved](std::size_t place) { isRemoved[place] = true; };
+  const auto settle = [&isRemoved](std::size_t place, bool isFace, vtkIdType)
+  { isRemoved[place] = !isFace; };
+  TiedFaces<4> inTime(points);
+  TiedFaces<4> volumes(points);
+  TiedFaces<3> surfaces(points);
+  for (std::size_t c = 0; c < this->Boundary.size(); ++c)
+  {
+    const BoundaryCell& cell = this->Boundary[c];
+    if (!cell.IsTied)
+    {
+      continue;
+    }
+    if (IsVolume(cell.Kind))
+    {
+      volumes.Add(GetGroup(cell.Item, cell.Kind), cell.Ids.data(), c);
+    }
+    else if (IsSurfaceAtStep(cell.Kind))
+    {
+      surfaces.Add(GetGroup(cell.Item, cell.Kind), cell.Ids.data(), c);
+    }
+    else
+    {
+      inTime.Add(cell.Item, cell.Ids.data(), c);
+    }
+  }
+  volumes.Cancel(remove);
+  surfaces.Cancel(remove);
+  inTime.Cancel(remove);
+  for (std::size_t c = 0; c < this->Boundary.size() && !surfaces.IsEmpty(); ++c)
+  {
+    const BoundaryCell& cell = this->Boundary[c];
+    if (IsVolume(cell.Kind) && !isRemoved[c] && surfaces.IsNear(cell.Ids.data(), 4))
+    {
+      ForEachFace(cell.Ids,
+        [&](const std::array<vtkIdType, 3>& face)
+        { surfaces.Count(GetGroup(cell.Item, cell.Kind), face.data(), 0); });
+    }
+  }
+  surfaces.Visit(settle);
+  for (const Slab& slab : this->Slabs)
+  {
+    vtkSMPTools::For(0, inTime.IsEmpty() ? 0 : static_cast<vtkIdType>(slab.Simplices.GetSize()),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType s = first; s < last; ++s)
+        {
+          const Simplex& simplex = slab.Simplices[s];
+          if (inTime.IsNear(simplex.data(), 5))
+          {
+            const int item = slab.Items.GetSize() > 0 ? slab.Items[s] : 0;
+            ForEachFace(simplex,
+              [&](const std::array<vtkIdType, 4>& face) { inTime.Count(item, face.data(), 0); });
+          }
+        }
+      });
+  }
+  inTime.Visit(settle);
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < this->Boundary.size(); ++c)
+  {
+    if (!isRemoved[c] && this->Options.Settings.GenerateBoundary[this->Boundary[c].Kind])
+    {
+      this->Boundary[kept++] = this->Boundary[c];
+    }
+  }
+  this->Boundary.resize(kept);
+}
+
+void TimeVaryingMesh::FindCoordinates()
+{
+  vtkFloatArray* floats = vtkFloatArray::SafeDownCast(this->Points->GetData());
+  vtkDoubleArray* doubles = vtkDoubleArray::SafeDownCast(this->Points->GetData());
+  this->Floats = floats ? floats->GetPointer(0) : nullptr;
+  this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
+}
+
+void TimeVaryingMesh::SettleStepVolume()
+{
+  using TetrahedronEntry = OppositePairs::Entry<vtkIdType, 5>;
+  std::vector<TetrahedronEntry> entries(this->StepVolume.size());
+  for (std::size_t c = 0; c < entries.size(); ++c)
+  {
+    TetrahedronEntry& entry = entries[c];
+    entry.Key[0] = this->StepVolume[c].Item;
+    std::copy_n(this->StepVolume[c].Ids.begin(), 4, entry.Key.begin() + 1);
+    entry.IsOdd = OppositePairs::Sort(entry.Key.data() + 1, 4);
+    entry.Place = c;
+  }
+  vtkSMPTools::Sort(entries.begin(), entries.end());
+  std::vector<bool> isKept(entries.size(), false);
+  for (auto first = entries.begin(); first != entries.end();)
+  {
+    const auto last = std::find_if(first, entries.end(),
+      [first](const TetrahedronEntry& entry) { return entry.Key != first->Key; });
+    isKept[first->Place] = std::all_of(
+      first, last, [first](const TetrahedronEntry& entry) { return entry.IsOdd == first->IsOdd; });
+    first = last;
+  }
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < isKept.size(); ++c)
+  {
+    if (isKept[c])
+    {
+      this->StepVolume[kept++] = this->StepVolume[c];
+    }
+  }
+  this->StepVolume.resize(kept);
+}
+
+std::size_t TimeVaryingMesh::GetBytes() const
+{
+  std::size_t bytes = this->EndPoints.capacity() * sizeof(SharedPoint) +
+    (this->Boundary.capacity() + this->StepVolume.capacity()) * sizeof(BoundaryCell);
+  for (const Slab& slab : this->Slabs)
+  {
+    bytes += slab.Simplices.GetBytes() + slab.Items.GetBytes() + slab.Flats.GetBytes() +
+      slab.Ties.GetBytes();
+  }
+  return bytes;
+}
+
+}

@@ -1,0 +1,217 @@
+#ifndef interlume_TimeVaryingMesh_h
+#define interlume_TimeVaryingMesh_h
+
+#include "Output/ExtractionBuffer.h"
+#include "Static/CrossingKey.h"
+#include "Static/ExtractionContext.h"
+#include "TimeVarying/SimplexProjection.h"
+#include "TimeVarying/TimeVaryingOptions.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace interlume
+{
+
+class CrossingLists;
+class TimeStep;
+
+/**
+ * @class   TimeVaryingMesh
+ * @brief   the 4-simplices of one dataset over all slabs, their points and their boundary
+ *
+ * A point is a place in space, a time, and the arrays of the input. Points that a slab shares with
+ * the one before it are found by walking along both lists, which are sorted alike.
+ */
+class TimeVaryingMesh
+{
+public:
+  using Simplex = std::array<vtkIdType, 5>;
+
+  /// The 4-simplices of one slab.
+  struct Slab
+  {
+    int Number = 0;
+    ExtractionBuffer<Simplex> Simplices;
+    /// The interval of each; empty where there is only one.
+    ExtractionBuffer<int> Items;
+    /// For each which of its sides are known to be flat, see SimplexProjection; empty where no
+    /// projection is asked for.
+    ExtractionBuffer<std::uint8_t> Flats;
+    /// Of each whether values equal a bound in its cell; empty where 4-simplices are not asked for.
+    ExtractionBuffer<std::uint8_t> Ties;
+  };
+
+  /// A triangle, with a last id of -1, or a tetrahedron on the boundary.
+  struct BoundaryCell
+  {
+    std::array<vtkIdType, 4> Ids;
+    int Kind;
+    int Item;
+    int Slab;
+    /// Whether values equal a bound there, so that it may cancel another or be of nothing.
+    bool IsTied;
+  };
+
+  explicit TimeVaryingMesh(const TimeVaryingOptions& options)
+    : Options(options)
+  {
+  }
+
+  const TimeVaryingOptions& GetOptions() const { return this->Options; }
+
+  /// Begins a slab. Boundaries at the start and end are in the first and last one only. Points are
+  /// shared with the slab before where that ends at the step at which this one begins. \a hasTies:
+  /// whether a value equals a bound.
+  void BeginSlab(int number, bool isFirst, bool isLast, bool isJoined, bool hasTies);
+
+  /// Whether boundary cells of a kind are asked for, or needed to settle others, and can be in this
+  /// slab.
+  bool IsWanted(int kind) const { return this->WantedKinds[kind]; }
+  bool HasWantedKinds() const;
+  /// The same of a cell where values equal a bound, of which the volume at both steps is needed.
+  bool IsWantedOfTied(int kind) const
+  {
+    return this->IsWanted(kind) || (this->Options.Settings.GenerateSimplices && IsVolume(kind));
+  }
+  static bool IsVolume(int kind)
+  {
+    return kind == vtkTimeVaryingSettings::VOLUME_AT_START ||
+      kind == vtkTimeVaryingSettings::VOLUME_AT_END;
+  }
+
+  /**
+   * Takes over the points of the slab and gives the id of each. \a points and \a lists as
+   * CrossingLists makes them; \a isStatic where those of the grid stay in place.
+   */
+  ExtractionBuffer<vtkIdType> AddPoints(const TimeStep& first, const TimeStep& second,
+    const ExtractionBuffer<ExtractionPoint>& points, const CrossingLists& lists, bool isStatic);
+
+  /// Adds boundary cells of the slab; their number of the slab is filled in.
+  void AddBoundary(const std::vector<BoundaryCell>& cells);
+
+  /// Adds parts of the volume at the two steps of the slab, of cells where values equal a bound.
+  void AddStepVolume(const std::vector<BoundaryCell>& cells);
+
+  /// Removes pairs of 4-simplices of the slab, out of those in \a tied, that have the same points
+  /// and opposite orientation. Returns how many are removed.
+  vtkIdType RemoveOppositeSimplices(const std::vector<vtkIdType>& tied);
+
+  /// The same of 4-simplices that lie in a step, of the slab before it and the one after; only
+  /// where 4-simplices are asked for.
+  vtkIdType RemoveOppositeAtSteps();
+
+  /**
+   * Settles boundary cells where values equal a bound, once all slabs are there. Pairs with the
+   * same points and opposite orientation go. Of the others tetrahedra in time stay where they are
+   * faces of 4-simplices, counted with their orientation, and triangles where they are faces of the
+   * volume at their step.
+   */
+  void SettleTiedBoundary();
+
+  /// Leaves each part of the volume at a step once, where two slabs have it, and takes away pairs
+  /// of opposite orientation.
+  void SettleStepVolume();
+
+  /// The slab begun last.
+  Slab& GetSlab() { return this->Slabs.back(); }
+
+  ///@{
+  /**
+   * Null where there is nothing.
+   */
+  vtkPoints* GetPoints() const { return this->Points; }
+  vtkDoubleArray* GetTimes() const { return this->Times; }
+  ///@}
+  vtkPointData* GetArrays() const { return this->Arrays; }
+  const std::vector<Slab>& GetSlabs() const { return this->Slabs; }
+  const std::vector<BoundaryCell>& GetBoundary() const { return this->Boundary; }
+  const std::vector<BoundaryCell>& GetStepVolume() const { return this->StepVolume; }
+
+  /// The names of point arrays that were left out since a step lacks them.
+  const std::vector<std::string>& GetArraysLeftOut() const { return this->ArraysLeftOut; }
+
+  std::size_t GetBytes() const;
+
+  /// A point as it is projected, the coordinate along the projection last.
+  SimplexProjection::Point GetProjected(vtkIdType id) const
+  {
+    SimplexProjection::Point x;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      x[axis] = this->Floats ? static_cast<double>(this->Floats[3 * id + axis])
+                             : this->Doubles[3 * id + axis];
+    }
+    x[3] = this->Times->GetValue(id);
+    if (!this->Options.IsAlongTime())
+    {
+      this->Options.Project(x.data());
+    }
+    return x;
+  }
+
+  /// The corners of a simplex as they are projected.
+  using Corners = std::array<SimplexProjection::Point, SimplexProjection::NumberOfPoints>;
+  Corners GetProjected(const Simplex& simplex) const
+  {
+    Corners corners;
+    for (int p = 0; p < SimplexProjection::NumberOfPoints; ++p)
+    {
+      corners[p] = this->GetProjected(simplex[p]);
+    }
+    return corners;
+  }
+
+private:
+  // A point at the end of a slab: what makes it, and its id.
+  struct SharedPoint
+  {
+    vtkIdType Owner;
+    CrossingKey Key;
+    vtkIdType Id;
+
+    bool IsBefore(const SharedPoint& other) const
+    {
+      return this->Owner < other.Owner || (this->Owner == other.Owner && this->Key < other.Key);
+    }
+  };
+
+  // Notes the points at the second step, for the next slab.
+  void FindEndPoints(const ExtractionBuffer<ExtractionPoint>& points, const CrossingLists& lists,
+    vtkIdType split, const ExtractionBuffer<vtkIdType>& ids);
+
+  void AppendPoints(const TimeStep& first, const TimeStep& second,
+    const ExtractionBuffer<ExtractionPoint>& points, bool isStatic);
+  void AppendArrays(vtkPointData* more);
+  bool IsAtOneTime(const Simplex& simplex) const;
+  void FindCoordinates();
+
+  TimeVaryingOptions Options;
+  std::array<bool, vtkTimeVaryingSettings::NUMBER_OF_BOUNDARY_KINDS> WantedKinds{};
+  vtkSmartPointer<vtkPoints> Points;
+  // The coordinates, in the one type or the other.
+  const float* Floats = nullptr;
+  const double* Doubles = nullptr;
+  vtkSmartPointer<vtkDoubleArray> Times;
+  vtkNew<vtkPointData> Arrays;
+  std::vector<std::string> ArraysLeftOut;
+  bool IsLast = true;
+  bool HasTies = false;
+  std::vector<SharedPoint> EndPoints;
+  std::vector<Slab> Slabs;
+  std::vector<BoundaryCell> Boundary;
+  std::vector<BoundaryCell> StepVolume;
+};
+
+}
+
+#endif

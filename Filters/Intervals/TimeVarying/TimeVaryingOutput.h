@@ -1,0 +1,35 @@
+#ifndef interlume_TimeVaryingOutput_h
+#define interlume_TimeVaryingOutput_h
+
+class vtkUnstructuredGrid;
+struct vtkTimeVaryingReport;
+
+namespace interlume
+{
+
+class TimeVaryingMesh;
+struct ExtractionContext;
+
+/**
+ * @class   TimeVaryingOutput
+ * @brief   makes the outputs of a finished mesh of 4-simplices
+ *
+ * The counts of what is made are added to the report.
+ */
+class TimeVaryingOutput
+{
+public:
+  /// The tetrahedra of all projections, with the points of the mesh and one thick point for each
+  /// 4-simplex after them. Returns false when the user aborted.
+  static bool FillTetrahedra(const ExtractionContext& context, const TimeVaryingMesh& mesh,
+    vtkUnstructuredGrid* output, vtkTimeVaryingReport& report);
+  /// The boundary, with the points of the mesh.
+  static void FillBoundary(
+    const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output, vtkTimeVaryingReport& report);
+  /// The 4-simplices, with the points of the mesh.
+  static void FillSimplices(const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output);
+};
+
+}
+
+#endif

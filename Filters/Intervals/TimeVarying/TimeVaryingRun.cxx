@@ -1,0 +1,344 @@
+#include "TimeVarying/TimeVaryingRun.h"
+
+#include "Static/ExtractionArrays.h"
+#include "Static/ExtractionInput.h"
+#include "TimeVarying/TimeVaryingExtraction.h"
+#include "TimeVarying/TimeVaryingOutput.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkTimeVaryingReport.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace interlume
+{
+
+namespace
+{
+// The part of the progress until the outputs are made.
+constexpr double ExtractionShare = 0.7;
+
+// The datasets of an input, with null for blocks that are none.
+std::vector<vtkDataSet*> GetLeaves(vtkDataObject* input)
+{
+  std::vector<vtkDataSet*> leaves;
+  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    leaves.push_back(vtkDataSet::SafeDownCast(input));
+    return leaves;
+  }
+  const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  at->SkipEmptyNodesOff();
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    leaves.push_back(vtkDataSet::SafeDownCast(at->GetCurrentDataObject()));
+  }
+  return leaves;
+}
+
+// The output's datasets for those of an input, made where there are meshes.
+class OutputLeaves
+{
+public:
+  explicit OutputLeaves(vtkDataObject* output)
+    : Single(vtkUnstructuredGrid::SafeDownCast(output))
+    , Composite(vtkCompositeDataSet::SafeDownCast(output))
+  {
+    if (this->Composite)
+    {
+      this->At.TakeReference(this->Composite->NewIterator());
+      this->At->SkipEmptyNodesOff();
+      this->At->InitTraversal();
+    }
+  }
+
+  // The next dataset; null where \a isNeeded is not set.
+  vtkUnstructuredGrid* GetNext(bool isNeeded)
+  {
+    if (!this->Composite)
+    {
+      return this->Single;
+    }
+    vtkUnstructuredGrid* made = nullptr;
+    if (isNeeded && !this->At->IsDoneWithTraversal())
+    {
+      vtkNew<vtkUnstructuredGrid> grid;
+      this->Composite->SetDataSet(this->At, grid);
+      made = grid;
+    }
+    this->At->GoToNextItem();
+    return made;
+  }
+
+private:
+  vtkUnstructuredGrid* Single;
+  vtkCompositeDataSet* Composite;
+  vtkSmartPointer<vtkCompositeDataIterator> At;
+};
+}
+
+TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
+  const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
+  int firstStep, const std::vector<double>& times, vtkTimeVaryingReport& report)
+  : Owner(owner)
+  , FindArray(findArray)
+  , Values(ExtractionValues::ForIntervals(intervals))
+  , Options(options)
+  , FirstStep(firstStep)
+  , Times(times)
+  , Report(report)
+{
+}
+
+const char* TimeVaryingRun::GetOutputType(vtkDataObject* input)
+{
+  if (vtkDataObjectTree::SafeDownCast(input))
+  {
+    return input->GetClassName();
+  }
+  // Levels of images cannot hold unstructured grids.
+  return vtkCompositeDataSet::SafeDownCast(input) ? "vtkMultiBlockDataSet" : "vtkUnstructuredGrid";
+}
+
+void TimeVaryingRun::CopyStructure(vtkDataObject* input, vtkDataObject* output)
+{
+  if (vtkDataObjectTree* tree = vtkDataObjectTree::SafeDownCast(input))
+  {
+    vtkDataObjectTree::SafeDownCast(output)->CopyStructure(tree);
+  }
+  else if (vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::SafeDownCast(output))
+  {
+    blocks->SetNumberOfBlocks(static_cast<unsigned int>(GetLeaves(input).size()));
+  }
+}
+
+std::string TimeVaryingRun::DescribeStep() const
+{
+  std::ostringstream words;
+  words << "Time step " << this->FirstStep + this->NextStep << " (time "
+        << this->Times[this->NextStep] << ")";
+  return words.str();
+}
+
+TimeVaryingRun::Results TimeVaryingRun::Fail(const std::string& why)
+{
+  this->Message = this->DescribeStep() + ": " + why;
+  return FAILED;
+}
+
+void TimeVaryingRun::Warn(const std::string& what)
+{
+  if (std::find(this->Warnings.begin(), this->Warnings.end(), what) == this->Warnings.end())
+  {
+    this->Warnings.push_back(what);
+  }
+}
+
+std::string TimeVaryingRun::CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkAbstractArray* array = this->FindArray(input, association);
+  scalars = vtkDataArray::SafeDownCast(array);
+  return ExtractionInput::CheckScalars(
+    input, array, association, ExtractionInput::DescribeArrayToProcess(this->Owner));
+}
+
+TimeVaryingRun::Results TimeVaryingRun::AddStep(vtkDataObject* input)
+{
+  const std::vector<vtkDataSet*> leaves = GetLeaves(input);
+  if (this->NextStep == 0)
+  {
+    for (std::size_t number = 0; number < leaves.size(); ++number)
+    {
+      this->Leaves.push_back(std::make_unique<Leaf>(this->Options));
+    }
+  }
+  if (leaves.size() != this->Leaves.size())
+  {
+    std::ostringstream why;
+    why << "its number of blocks is " << leaves.size() << ", before it was " << this->Leaves.size()
+        << ". Cells must be the same at all steps.";
+    return this->Fail(why.str());
+  }
+  this->Owner->SetProgressText(
+    (this->DescribeStep() + " of " + std::to_string(this->Times.size())).c_str());
+  const bool hasSlab =
+    this->NextStep > 0 && this->Times[this->NextStep] > this->Times[this->NextStep - 1];
+  Results result = DONE;
+  for (std::size_t number = 0; number < leaves.size() && result == DONE; ++number)
+  {
+    result = this->AddLeafStep(leaves[number], *this->Leaves[number], number);
+  }
+  if (this->NextStep > 0 && !hasSlab)
+  {
+    this->Warn(
+      this->DescribeStep() + " has the time of the step before: there is nothing between them.");
+  }
+  this->NoteEmptiness();
+  this->IsJoined = hasSlab;
+  this->Report.Slabs += hasSlab;
+  ++this->NextStep;
+  this->Report.TimeSteps = this->NextStep;
+  return result;
+}
+
+void TimeVaryingRun::NoteEmptiness()
+{
+  if (this->Report.Simplices > 0)
+  {
+    this->Empty.Add(nullptr, nullptr, this->Report.Simplices);
+  }
+  else if (this->NextStep > 0)
+  {
+    // Steps do not stay. Two of them are held in any case.
+    this->Empty.Look();
+  }
+}
+
+ExtractionContext TimeVaryingRun::MakeContext()
+{
+  ExtractionContext context;
+  context.Owner = this->Owner;
+  context.Values = &this->Values;
+  context.Report = &this->Report;
+  return context;
+}
+
+TimeVaryingRun::Results TimeVaryingRun::AddLeafStep(
+  vtkDataSet* input, Leaf& leaf, std::size_t number)
+{
+  const bool isEmpty = !input || input->GetNumberOfPoints() == 0;
+  if (this->NextStep > 0 && isEmpty != !leaf.Before)
+  {
+    return this->Fail("a dataset has points that has none before, or the other way round. Cells "
+                      "must be the same at all steps.");
+  }
+  if (isEmpty)
+  {
+    return DONE;
+  }
+  vtkDataArray* scalars = nullptr;
+  const std::string wrong = this->CheckScalars(input, scalars);
+  if (!wrong.empty())
+  {
+    return this->Fail(wrong);
+  }
+  // The dataset of the first step may have become that of the second; its cells are the same.
+  this->Empty.Add(this->NextStep == 1 ? input : nullptr, scalars, 0);
+  leaf.ScalarsName = scalars->GetName() ? scalars->GetName() : "";
+  if (leaf.Before && leaf.Before->IsOverwritten(input, scalars))
+  {
+    return OVERWRITTEN;
+  }
+  auto step = std::make_unique<TimeStep>(
+    input, scalars, this->Times[this->NextStep], this->Options.CopiesSteps);
+  if (this->NextStep == 0)
+  {
+    this->Report.ConcavePolyhedra += step->GetNumberOfConcave();
+    for (const std::string& warning : { ExtractionInput::CheckPolyhedra(step->GetNumberOfConcave()),
+           ExtractionInput::CheckPrecision(input, this->Options.Precision) })
+    {
+      if (!warning.empty())
+      {
+        this->Warn(warning);
+      }
+    }
+  }
+  const ExtractionContext context = this->MakeContext();
+  const double slabs = static_cast<double>(this->Times.size()) - 1.0;
+  const double leaves = static_cast<double>(this->Leaves.size());
+  const double slab = std::max(this->NextStep - 1, 0);
+  this->Owner->SetProgressShiftScale(
+    ExtractionShare * (slab + static_cast<double>(number) / leaves) / slabs,
+    ExtractionShare / (slabs * leaves));
+  if (leaf.Before)
+  {
+    const std::string difference = step->FindDifference(*leaf.Before);
+    if (!difference.empty())
+    {
+      return this->Fail(difference + ". Cells must be the same at all steps.");
+    }
+  }
+  if (leaf.Before && step->GetTime() > leaf.Before->GetTime())
+  {
+    this->Report.Cells += step->GetNumberOfInputCells();
+    if (!leaf.Before->MakeCodes(context, 0.0, 0.05) || !step->MakeCodes(context, 0.05, 0.1))
+    {
+      return ABORTED;
+    }
+    leaf.Mesh.BeginSlab(this->NextStep - 1, this->NextStep == 1,
+      this->NextStep + 1 == static_cast<int>(this->Times.size()), this->IsJoined,
+      leaf.Before->HasTies() || step->HasTies());
+    if (!TimeVaryingExtraction::Execute(context, *leaf.Before, *step, leaf.Mesh, this->Report))
+    {
+      return ABORTED;
+    }
+  }
+  leaf.Before = std::move(step);
+  return DONE;
+}
+
+bool TimeVaryingRun::FillOutputs(
+  vtkDataObject* tetrahedra, vtkDataObject* boundary, vtkDataObject* simplices)
+{
+  OutputLeaves tetrahedraLeaves(tetrahedra);
+  OutputLeaves boundaryLeaves(boundary);
+  OutputLeaves simplexLeaves(simplices);
+  const auto& kinds = this->Options.Settings.GenerateBoundary;
+  const bool hasBoundary = std::find(kinds.begin(), kinds.end(), true) != kinds.end();
+  const ExtractionContext context = this->MakeContext();
+  std::size_t bytes = 0;
+  for (std::unique_ptr<Leaf>& leaf : this->Leaves)
+  {
+    bytes += leaf->Mesh.GetBytes();
+  }
+  context.NoteWorkingBytes(bytes);
+  this->Owner->SetProgressText("Making the outputs");
+  double filled = 0.0;
+  for (std::unique_ptr<Leaf>& leaf : this->Leaves)
+  {
+    const double share = (1.0 - ExtractionShare) / static_cast<double>(this->Leaves.size());
+    this->Owner->SetProgressShiftScale(ExtractionShare + filled++ * share, share);
+    const bool isNeeded = leaf->Before != nullptr;
+    leaf->Before.reset();
+    leaf->Mesh.SettleTiedBoundary();
+    leaf->Mesh.SettleStepVolume();
+    this->Report.Simplices -= leaf->Mesh.RemoveOppositeAtSteps();
+    const TimeVaryingMesh& mesh = leaf->Mesh;
+    ExtractionArrays::ActivateScalars(leaf->ScalarsName.c_str(), mesh.GetArrays());
+    vtkUnstructuredGrid* output = tetrahedraLeaves.GetNext(isNeeded);
+    if (output && this->Options.Settings.GenerateTetrahedra &&
+      !TimeVaryingOutput::FillTetrahedra(context, mesh, output, this->Report))
+    {
+      return false;
+    }
+    output = boundaryLeaves.GetNext(isNeeded);
+    if (output && hasBoundary)
+    {
+      TimeVaryingOutput::FillBoundary(mesh, output, this->Report);
+    }
+    output = simplexLeaves.GetNext(isNeeded);
+    if (output && this->Options.Settings.GenerateSimplices)
+    {
+      TimeVaryingOutput::FillSimplices(mesh, output);
+    }
+    this->Report.ArraysInterpolated =
+      std::max(this->Report.ArraysInterpolated, mesh.GetArrays()->GetNumberOfArrays());
+    for (const std::string& name : mesh.GetArraysLeftOut())
+    {
+      this->Warn("Point array \"" + name +
+        "\" is left out: it is not at all steps, or has the name of an array that is made here.");
+    }
+    leaf.reset();
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,113 @@
+#ifndef interlume_TimeVaryingRun_h
+#define interlume_TimeVaryingRun_h
+
+#include "Static/EmptyResult.h"
+#include "Static/ExtractionValues.h"
+#include "TimeVarying/TimeStep.h"
+#include "TimeVarying/TimeVaryingMesh.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkAbstractArray;
+class vtkAlgorithm;
+class vtkDataObject;
+struct vtkTimeVaryingReport;
+
+namespace interlume
+{
+
+/**
+ * @class   TimeVaryingRun
+ * @brief   one execution of vtkTimeVaryingIntervalVolume, step by step
+ *
+ * Holds a mesh and the step before for each dataset of the input.
+ */
+class TimeVaryingRun
+{
+public:
+  enum Results
+  {
+    DONE,
+    ABORTED,
+    FAILED,
+    /// The input writes each step over the one before: it has to be begun anew, with copies.
+    OVERWRITTEN
+  };
+
+  /// Gives the array of a dataset that is to be processed, and its association.
+  using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet*, int&)>;
+
+  /// \a times are those of the steps to be taken, of which the first is step \a firstStep of the
+  /// input.
+  TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
+    const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
+    int firstStep, const std::vector<double>& times, vtkTimeVaryingReport& report);
+
+  bool IsFinished() const { return this->NextStep == static_cast<int>(this->Times.size()); }
+  double GetNextTime() const { return this->Times[this->NextStep]; }
+
+  /// Takes the next step. Where it fails GetMessage says why.
+  Results AddStep(vtkDataObject* input);
+  const std::string& GetMessage() const { return this->Message; }
+
+  /// Fills unstructured grids or composite datasets of the input's structure. Returns false when
+  /// the user aborted.
+  bool FillOutputs(vtkDataObject* tetrahedra, vtkDataObject* boundary, vtkDataObject* simplices);
+
+  /// Warnings, each once.
+  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
+
+  /// What says why there is nothing, once all steps are taken.
+  EmptyResult& GetEmptyResult() { return this->Empty; }
+
+  /// The type of the outputs for an input: an unstructured grid, or a composite dataset.
+  static const char* GetOutputType(vtkDataObject* input);
+  /// Gives a composite output the blocks of its input.
+  static void CopyStructure(vtkDataObject* input, vtkDataObject* output);
+
+private:
+  // What is kept of one dataset of the input.
+  struct Leaf
+  {
+    explicit Leaf(const TimeVaryingOptions& options)
+      : Mesh(options)
+    {
+    }
+    std::unique_ptr<TimeStep> Before;
+    TimeVaryingMesh Mesh;
+    // The name of the scalars, empty where they have none.
+    std::string ScalarsName;
+  };
+
+  ExtractionContext MakeContext();
+  Results AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number);
+  Results Fail(const std::string& why);
+  void NoteEmptiness();
+  std::string CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
+  std::string DescribeStep() const;
+  void Warn(const std::string& what);
+
+  vtkAlgorithm* Owner;
+  ArrayFinder FindArray;
+  ExtractionValues Values;
+  TimeVaryingOptions Options;
+  int FirstStep;
+  std::vector<double> Times;
+  vtkTimeVaryingReport& Report;
+  int NextStep = 0;
+  // Whether the slab before had a duration, so that this one is joined to it.
+  bool IsJoined = false;
+  std::vector<std::unique_ptr<Leaf>> Leaves;
+  EmptyResult Empty;
+  std::string Message;
+  std::vector<std::string> Warnings;
+};
+
+}
+
+#endif

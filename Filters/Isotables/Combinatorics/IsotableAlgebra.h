@@ -1,0 +1,144 @@
+#ifndef interlume_IsotableAlgebra_h
+#define interlume_IsotableAlgebra_h
+
+#include "vtkIsotableHull.h" // for points and normals
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * Exact integer algebra shared by the hull and the triangulations. Not installed.
+ */
+namespace IsotableAlgebra
+{
+using Point = vtkIsotableHull::Point;
+using Normal = vtkIsotableHull::Normal;
+constexpr int MaximumDimension = vtkIsotablePolytope::MaximumDimension;
+
+/// Determinant of the n x n matrix whose rows are \a m, over the columns listed.
+inline std::int64_t Determinant(const Normal* m, const int* columns, int n)
+{
+  if (n == 1)
+  {
+    return m[0][columns[0]];
+  }
+  if (n == 2)
+  {
+    return m[0][columns[0]] * m[1][columns[1]] - m[0][columns[1]] * m[1][columns[0]];
+  }
+  std::int64_t sum = 0;
+  int rest[MaximumDimension];
+  for (int skip = 0; skip < n; ++skip)
+  {
+    if (m[0][columns[skip]] == 0)
+    {
+      continue;
+    }
+    std::copy(columns, columns + skip, rest);
+    std::copy(columns + skip + 1, columns + n, rest + skip);
+    const std::int64_t minor = m[0][columns[skip]] * Determinant(m + 1, rest, n - 1);
+    sum += (skip & 1) ? -minor : minor;
+  }
+  return sum;
+}
+
+inline std::int64_t Dot(int dimension, const Normal& n, const Point& p)
+{
+  std::int64_t sum = 0;
+  for (int axis = 0; axis < dimension; ++axis)
+  {
+    sum += n[axis] * p[axis];
+  }
+  return sum;
+}
+
+inline Normal Difference(const Point& a, const Point& b)
+{
+  Normal d{};
+  for (int axis = 0; axis < MaximumDimension; ++axis)
+  {
+    d[axis] = a[axis] - b[axis];
+  }
+  return d;
+}
+
+/// Generalised cross product: orthogonal to the first dimension - 1 rows, with a positive
+/// determinant as the last row below them.
+inline Normal CrossProduct(int dimension, const std::array<Normal, MaximumDimension - 1>& rows)
+{
+  Normal normal{};
+  int columns[MaximumDimension];
+  for (int axis = 0; axis < dimension; ++axis)
+  {
+    for (int i = 0, n = 0; i < dimension; ++i)
+    {
+      if (i != axis)
+      {
+        columns[n++] = i;
+      }
+    }
+    const std::int64_t cofactor = Determinant(rows.data(), columns, dimension - 1);
+    normal[axis] = ((dimension - 1 + axis) & 1) ? -cofactor : cofactor;
+  }
+  return normal;
+}
+
+/// The affine span of points inserted one by one. It maps one to one onto the pivot columns: the
+/// minor of its rows there is not zero. A further row is outside of it when a minor with one more
+/// column is not zero; minors of coordinates up to MaximumCoordinate fit in 64 bits.
+class Span
+{
+public:
+  explicit Span(int dimension)
+    : Dimension(dimension)
+  {
+  }
+
+  /// Returns whether \a p was outside the span of the points before it.
+  bool Insert(const Point& p)
+  {
+    if (this->IsEmpty)
+    {
+      this->Origin = p;
+      this->IsEmpty = false;
+      return true;
+    }
+    const std::size_t rank = this->Pivots.size();
+    if (static_cast<int>(rank) == this->Dimension)
+    {
+      return false;
+    }
+    this->Rows[rank] = Difference(p, this->Origin);
+    this->Pivots.push_back(0);
+    for (int axis = 0; axis < this->Dimension; ++axis)
+    {
+      this->Pivots[rank] = axis;
+      if (std::find(this->Pivots.begin(), this->Pivots.end() - 1, axis) == this->Pivots.end() - 1 &&
+        Determinant(this->Rows.data(), this->Pivots.data(), static_cast<int>(rank) + 1) != 0)
+      {
+        return true;
+      }
+    }
+    this->Pivots.pop_back();
+    return false;
+  }
+
+  const std::vector<int>& GetPivots() const { return this->Pivots; }
+
+private:
+  int Dimension;
+  bool IsEmpty = true;
+  Point Origin{};
+  std::array<Normal, MaximumDimension> Rows{};
+  std::vector<int> Pivots;
+};
+}
+
+}
+
+#endif
+// VTK-HeaderTest-Exclude: IsotableAlgebra.h

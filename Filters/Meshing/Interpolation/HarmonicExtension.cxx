@@ -1,0 +1,157 @@
+#include "Interpolation/HarmonicExtension.h"
+
+#include "Interpolation/LinearFit.h"
+#include "Mesh/Tetrahedra.h"
+#include "Mesh/TetrahedronMath.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+/// The residual at which the iteration ends, in parts of the first one.
+constexpr double Tolerance = 1e-12;
+constexpr int MaximumNumberOfIterations = 5000;
+
+using Eigen::Index;
+
+/// The integrals of grad(i) . grad(j) over a tetrahedron, of its four linear basis functions.
+std::array<std::array<double, 4>, 4> ElementStiffness(const std::array<const double*, 4>& x)
+{
+  using namespace TetrahedronMath;
+  // The outward area vector of the triangle opposite each point, times two.
+  std::array<Vector, 4> areas;
+  for (int i = 0; i < 4; ++i)
+  {
+    const double* a = x[(i + 1) % 4];
+    const double* b = x[(i + 2) % 4];
+    const double* c = x[(i + 3) % 4];
+    areas[i] = Cross(Difference(b, a), Difference(c, a));
+    if (i % 2 != 0)
+    {
+      areas[i] = { { -areas[i][0], -areas[i][1], -areas[i][2] } };
+    }
+  }
+  const double determinant = Determinant(x[0], x[1], x[2], x[3]);
+  std::array<std::array<double, 4>, 4> matrix;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      matrix[i][j] = Dot(areas[i], areas[j]) / (6.0 * determinant);
+    }
+  }
+  return matrix;
+}
+
+/// Thrown out of the solver, which has no other way to be stopped.
+struct Cancelled
+{
+};
+}
+
+HarmonicExtension::HarmonicExtension(const interlume::Tetrahedra& mesh)
+  : Mesh(mesh)
+  , Rows(mesh.Origins.size(), -1)
+{
+  for (std::size_t p = 0; p < mesh.Origins.size(); ++p)
+  {
+    if (mesh.Origins[p].NumberOfSources == 0)
+    {
+      this->Rows[p] = static_cast<vtkIdType>(this->Unknowns.size());
+      this->Unknowns.push_back(static_cast<vtkIdType>(p));
+    }
+  }
+  using Entry = Eigen::Triplet<double, Index>;
+  std::vector<Entry> unknown;
+  std::vector<Entry> known;
+  for (std::size_t t = 0; t < mesh.Tetrahedra.size(); t += 4)
+  {
+    const vtkIdType* points = &mesh.Tetrahedra[t];
+    if (std::all_of(points, points + 4, [this](vtkIdType p) { return this->Rows[p] < 0; }))
+    {
+      continue;
+    }
+    const auto matrix = ElementStiffness({ { &mesh.Points[3 * points[0]],
+      &mesh.Points[3 * points[1]], &mesh.Points[3 * points[2]], &mesh.Points[3 * points[3]] } });
+    for (int i = 0; i < 4; ++i)
+    {
+      const Index row = this->Rows[points[i]];
+      for (int j = 0; row >= 0 && j < 4; ++j)
+      {
+        const Index column = this->Rows[points[j]];
+        column >= 0 ? unknown.emplace_back(row, column, matrix[i][j])
+                    : known.emplace_back(row, points[j], matrix[i][j]);
+      }
+    }
+  }
+  const auto rows = static_cast<Index>(this->Unknowns.size());
+  this->Stiffness.resize(rows, rows);
+  this->Stiffness.setFromTriplets(unknown.begin(), unknown.end());
+  this->Coupling.resize(rows, static_cast<Index>(mesh.Origins.size()));
+  this->Coupling.setFromTriplets(known.begin(), known.end());
+  this->Solver.setTolerance(Tolerance);
+  this->Solver.setMaxIterations(MaximumNumberOfIterations);
+  this->Solver.compute(this->Stiffness);
+  this->Solver.preconditioner().BeforeStep = [this]()
+  {
+    if (this->IsCancelled && this->IsCancelled())
+    {
+      throw Cancelled();
+    }
+  };
+}
+
+void HarmonicExtension::Extend(std::vector<double>& values) const
+{
+  if (this->Unknowns.empty())
+  {
+    return;
+  }
+  const LinearFit fit(this->Mesh, values);
+  double lowest = VTK_DOUBLE_MAX;
+  double highest = -VTK_DOUBLE_MAX;
+  double largest = 0.0;
+  Eigen::VectorXd rest = Eigen::VectorXd::Zero(static_cast<Index>(values.size()));
+  for (std::size_t p = 0; p < values.size(); ++p)
+  {
+    if (this->Rows[p] < 0 && std::isfinite(values[p]))
+    {
+      lowest = std::min(lowest, values[p]);
+      highest = std::max(highest, values[p]);
+      double& own = rest[static_cast<Index>(p)];
+      own = values[p] - fit(&this->Mesh.Points[3 * p]);
+      largest = std::max(largest, std::abs(own));
+    }
+  }
+  // In parts of the largest, so that no product overflows.
+  if (largest > 0.0)
+  {
+    rest /= largest;
+  }
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(this->Stiffness.rows());
+  try
+  {
+    // Flat tetrahedra make it infinite.
+    if (this->Stiffness.coeffs().allFinite())
+    {
+      x = this->Solver.solve(-(this->Coupling * rest));
+    }
+  }
+  catch (const Cancelled&)
+  {
+    return;
+  }
+  for (std::size_t row = 0; row < this->Unknowns.size(); ++row)
+  {
+    const vtkIdType p = this->Unknowns[row];
+    const double value = largest * x[static_cast<Index>(row)] + fit(&this->Mesh.Points[3 * p]);
+    values[p] = std::max(lowest, std::min(value, highest));
+  }
+}
+
+}

@@ -1,0 +1,38 @@
+#ifndef interlume_DistinctPoints_h
+#define interlume_DistinctPoints_h
+
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+
+namespace interlume
+{
+
+/**
+ * @class   DistinctPoints
+ * @brief   points of a dataset, each place once
+ *
+ * Of points with equal coordinates the one of lowest id stands for all; nothing is taken for equal
+ * that is not. The distinct points keep the order of their ids.
+ */
+class DistinctPoints
+{
+public:
+  /**
+   * Takes the points marked in \a isUsed. Returns what is wrong: a point that is not finite, or
+   * more points than TetGen can number.
+   */
+  std::string Take(vtkDataSet* input, const std::vector<bool>& isUsed);
+
+  std::vector<double> Coordinates;  ///< three a distinct point
+  std::vector<vtkIdType> SourceIds; ///< the input point of each distinct point
+  std::vector<int> Indices;         ///< of each input point; -1 for one that is not used
+  vtkIdType NumberOfMerged = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef interlume_Tetrahedra_h
+#define interlume_Tetrahedra_h
+
+#include "vtkType.h"
+
+#include <array>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * Where the values of a point of the mesh come from: a weighted sum over up to four points of the
+ * input. A point of the input itself has one, with weight 1.
+ */
+struct MeshedPoint
+{
+  std::array<vtkIdType, 4> Sources{ { 0, 0, 0, 0 } };
+  std::array<double, 4> Weights{ { 1.0, 0.0, 0.0, 0.0 } };
+  /// How many sources count; 0 where the values are those of the harmonic function.
+  int NumberOfSources = 0;
+};
+
+/**
+ * A mesh before it becomes a vtkUnstructuredGrid.
+ */
+struct Tetrahedra
+{
+  std::vector<double> Points; ///< three a point
+  std::vector<MeshedPoint> Origins;
+  std::vector<vtkIdType> Tetrahedra; ///< four a tetrahedron
+  std::vector<vtkIdType> Cells;      ///< the input cell of each tetrahedron, where there is one
+  std::vector<int> Regions;          ///< the region of each tetrahedron, where there are some
+
+  /// Drops the points that no tetrahedron has; the others keep their order.
+  void RemoveUnusedPoints();
+};
+
+}
+
+#endif

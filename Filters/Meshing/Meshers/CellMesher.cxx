@@ -1,0 +1,120 @@
+#include "Meshers/CellMesher.h"
+
+#include "Shells/CellDecomposition.h"
+#include "Shells/CellShell.h"
+#include "Shells/FaceTriangulation.h"
+#include "TetGen/MeshingJob.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+namespace
+{
+FaceTriangulation MakeTriangulation(vtkDataSet* input)
+{
+  vtkIdTypeArray* globalIds = vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds());
+  return FaceTriangulation(
+    [input](vtkIdType p)
+    {
+      FaceTriangulation::Point x;
+      input->GetPoint(p, x.data());
+      return x;
+    },
+    [globalIds](vtkIdType a, vtkIdType b)
+    {
+      const vtkIdType first = globalIds ? globalIds->GetValue(a) : a;
+      const vtkIdType second = globalIds ? globalIds->GetValue(b) : b;
+      return first < second || (first == second && a < b);
+    });
+}
+
+/// The input's points, which come first in the mesh.
+void TakePoints(vtkDataSet* input, interlume::Tetrahedra& mesh)
+{
+  const vtkIdType number = input->GetNumberOfPoints();
+  mesh.Points.resize(3 * number);
+  mesh.Origins.resize(number);
+  for (vtkIdType p = 0; p < number; ++p)
+  {
+    input->GetPoint(p, &mesh.Points[3 * p]);
+    mesh.Origins[p].NumberOfSources = 1;
+    mesh.Origins[p].Sources[0] = p;
+  }
+}
+
+void AddCell(vtkIdType cell, const CellShell& shell, const CellDecomposition& decomposition,
+  interlume::Tetrahedra& mesh)
+{
+  const int given = static_cast<int>(shell.PointIds.size());
+  const auto firstNew = static_cast<vtkIdType>(mesh.Origins.size());
+  mesh.Points.insert(
+    mesh.Points.end(), decomposition.NewPoints.begin(), decomposition.NewPoints.end());
+  mesh.Origins.resize(mesh.Points.size() / 3);
+  for (const auto& tetrahedron : decomposition.Tetrahedra)
+  {
+    for (int point : tetrahedron)
+    {
+      mesh.Tetrahedra.push_back(point < given ? shell.PointIds[point] : firstNew + point - given);
+    }
+    mesh.Cells.push_back(cell);
+  }
+}
+}
+
+void CellMesher::Execute(MeshingJob& job)
+{
+  vtkDataSet* input = job.Input;
+  const FaceTriangulation triangulation = MakeTriangulation(input);
+  vtkUnsignedCharArray* ghosts = input->GetCellGhostArray();
+  constexpr unsigned char leftOut =
+    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  TakePoints(input, job.Mesh);
+  const vtkIdType number = input->GetNumberOfCells();
+  for (vtkIdType cell = 0; cell < number; ++cell)
+  {
+    if (cell % 256 == 0)
+    {
+      job.SetProgress(0.9 * static_cast<double>(cell) / static_cast<double>(number));
+    }
+    if (job.IsCancelled())
+    {
+      return;
+    }
+    const int type = input->GetCellType(cell);
+    if (!CellShell::IsSupported(type))
+    {
+      vtkIdType& count =
+        MeshingJob::GetDimension(type) == 3 ? job.Report.UnsupportedCells : job.Report.CellsLeftOut;
+      ++count;
+      continue;
+    }
+    if (ghosts && (ghosts->GetValue(cell) & leftOut))
+    {
+      ++job.Report.CellsLeftOut;
+      continue;
+    }
+    ++job.Report.Cells;
+    CellShell shell;
+    std::string wrong = shell.Take(input, cell, triangulation);
+    CellDecomposition decomposition(shell);
+    wrong = wrong.empty() ? decomposition.Execute(job) : wrong;
+    if (!wrong.empty())
+    {
+      job.Error = "Cell " + std::to_string(cell) + " cannot be decomposed: " + wrong + ".";
+      return;
+    }
+    AddCell(cell, shell, decomposition, job.Mesh);
+  }
+  job.Mesh.RemoveUnusedPoints();
+}
+
+}

@@ -1,0 +1,101 @@
+#include "Meshers/PointSetMesher.h"
+
+#include "Mesh/DistinctPoints.h"
+#include "Mesh/TetrahedronMath.h"
+#include "Refinement/MeshRefinement.h"
+#include "Refinement/TetrahedronWalk.h"
+#include "TetGen/MeshingJob.h"
+
+#include "vtkDataSet.h"
+
+namespace interlume
+{
+
+namespace
+{
+/// Whether all points lie exactly in one plane.
+bool IsFlat(const std::vector<double>& x)
+{
+  using namespace TetrahedronMath;
+  // The first triangle with an area, then a point off its plane.
+  const double* a = x.data();
+  std::size_t p = 6;
+  Vector normal{ { 0.0, 0.0, 0.0 } };
+  for (; p < x.size() && Dot(normal, normal) == 0.0; p += 3)
+  {
+    normal = Cross(Difference(&x[3], a), Difference(&x[p], a));
+  }
+  for (; p < x.size(); p += 3)
+  {
+    if (Dot(normal, Difference(&x[p], a)) != 0.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void TakeMesh(const TetGenSolution& solution, const TetGenSolution& coarse,
+  const std::vector<vtkIdType>& sourceIds, interlume::Tetrahedra& mesh)
+{
+  mesh.Points = solution.Points;
+  mesh.Origins.resize(solution.GetNumberOfPoints());
+  TetrahedronWalk walk(coarse);
+  for (std::size_t p = 0; p < mesh.Origins.size(); ++p)
+  {
+    MeshedPoint& origin = mesh.Origins[p];
+    if (p < sourceIds.size())
+    {
+      origin.NumberOfSources = 1;
+      origin.Sources[0] = sourceIds[p];
+      continue;
+    }
+    const int tetrahedron = walk.Find(&mesh.Points[3 * p], origin.Weights);
+    origin.NumberOfSources = 4;
+    for (int i = 0; i < 4; ++i)
+    {
+      origin.Sources[i] = sourceIds[coarse.Tetrahedra[4 * tetrahedron + i]];
+    }
+  }
+  mesh.Tetrahedra.assign(solution.Tetrahedra.begin(), solution.Tetrahedra.end());
+  mesh.RemoveUnusedPoints();
+}
+}
+
+void PointSetMesher::Execute(MeshingJob& job)
+{
+  DistinctPoints points;
+  job.Error = points.Take(job.Input, std::vector<bool>(job.Input->GetNumberOfPoints(), true));
+  job.Report.MergedPoints = points.NumberOfMerged;
+  if (!job.Error.empty() || job.IsCancelled())
+  {
+    return;
+  }
+  if (points.SourceIds.size() < 4 || IsFlat(points.Coordinates))
+  {
+    job.Error = "The " + std::to_string(points.SourceIds.size()) +
+      " distinct points lie in a plane: there is no tetrahedron.";
+    return;
+  }
+  job.SetProgress(0.1);
+  TetGenProblem problem;
+  problem.Switches = "MJnQ";
+  problem.Points = points.Coordinates;
+  TetGenSolution coarse;
+  if (!job.Solve(problem, coarse))
+  {
+    return;
+  }
+  TetGenSolution refined = coarse;
+  if (job.IsRefining())
+  {
+    job.SetProgress(0.3);
+    if (!MeshRefinement::Execute(job, refined))
+    {
+      return;
+    }
+  }
+  TakeMesh(refined, coarse, points.SourceIds, job.Mesh);
+}
+
+}

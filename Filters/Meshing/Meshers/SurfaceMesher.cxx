@@ -1,0 +1,208 @@
+#include "Meshers/SurfaceMesher.h"
+
+#include "Mesh/TetrahedronMath.h"
+#include "Refinement/MeshRefinement.h"
+#include "Surfaces/ClosedSurface.h"
+#include "Surfaces/SurfaceCrossings.h"
+#include "Surfaces/SurfaceRegions.h"
+#include "TetGen/MeshingJob.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace interlume
+{
+
+namespace
+{
+/// The bound that TetGen reaches most surely, before a stricter one.
+constexpr double FirstQualityBound = 2.0;
+
+/// A point in a triangle as a weighted sum of its corners: by the areas opposite them, projected
+/// along the triangle's normal. A weight is negative where the point is outside.
+MeshedPoint PlaceInTriangle(const ClosedSurface& surface, int triangle, const double* x)
+{
+  using namespace TetrahedronMath;
+  const int* corners = &surface.Triangles[3 * triangle];
+  const double* a = &surface.Points.Coordinates[3 * corners[0]];
+  const double* b = &surface.Points.Coordinates[3 * corners[1]];
+  const double* c = &surface.Points.Coordinates[3 * corners[2]];
+  const Vector normal = Cross(Difference(b, a), Difference(c, a));
+  const double area = Dot(normal, normal);
+  const double beta = Dot(normal, Cross(Difference(x, a), Difference(c, a))) / area;
+  const double gamma = Dot(normal, Cross(Difference(b, a), Difference(x, a))) / area;
+  MeshedPoint point;
+  point.NumberOfSources = 3;
+  for (int i = 0; i < 3; ++i)
+  {
+    point.Sources[i] = surface.Points.SourceIds[corners[i]];
+  }
+  point.Weights = { { 1.0 - beta - gamma, beta, gamma, 0.0 } };
+  return point;
+}
+
+/// The same in the triangle of a patch that the point lies in.
+MeshedPoint PlaceInPatch(
+  const ClosedSurface& surface, const std::vector<int>& triangles, const double* x)
+{
+  MeshedPoint best;
+  double bestWeight = -std::numeric_limits<double>::infinity();
+  for (int triangle : triangles)
+  {
+    const MeshedPoint point = PlaceInTriangle(surface, triangle, x);
+    const double least = *std::min_element(point.Weights.begin(), point.Weights.begin() + 3);
+    if (least > bestWeight)
+    {
+      best = point;
+      bestWeight = least;
+    }
+  }
+  return best;
+}
+
+/// Every patch has to have triangles in the solution.
+std::string CheckPatches(const ClosedSurface& surface, const TetGenSolution& solution)
+{
+  std::vector<bool> isMet(surface.NumberOfPatches, false);
+  for (int marker : solution.Markers)
+  {
+    if (marker > 0 && marker <= surface.NumberOfPatches)
+    {
+      isMet[marker - 1] = true;
+    }
+  }
+  for (std::size_t i = 0; i < surface.CellIds.size(); ++i)
+  {
+    if (!isMet[surface.Patches[i]])
+    {
+      return "TetGen failed: cell " + std::to_string(surface.CellIds[i]) +
+        " of the surface is missing in its mesh.";
+    }
+  }
+  return std::string();
+}
+
+TetGenProblem MakeProblem(const ClosedSurface& surface)
+{
+  TetGenProblem problem;
+  problem.Points = surface.Points.Coordinates;
+  problem.Triangles = surface.Triangles;
+  return problem;
+}
+
+/// An error that names the input cells that cross others, or nothing.
+std::string CheckCrossings(const ClosedSurface& surface)
+{
+  constexpr std::size_t most = 8;
+  const std::vector<vtkIdType> cells = SurfaceCrossings::FindCells(surface);
+  if (cells.empty())
+  {
+    return std::string();
+  }
+  std::string error = "The surface intersects itself: " + std::to_string(cells.size()) +
+    " cells are in intersections,";
+  for (std::size_t i = 0; i < std::min(most, cells.size()); ++i)
+  {
+    error += " " + std::to_string(cells[i]);
+  }
+  return error + (cells.size() > most ? ", ..." : ".");
+}
+
+void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, MeshingJob& job)
+{
+  interlume::Tetrahedra& mesh = job.Mesh;
+  mesh.Points = solution.Points;
+  mesh.Origins.resize(solution.GetNumberOfPoints());
+  const int given = static_cast<int>(surface.Points.SourceIds.size());
+  for (int p = 0; p < given; ++p)
+  {
+    mesh.Origins[p].NumberOfSources = 1;
+    mesh.Origins[p].Sources[0] = surface.Points.SourceIds[p];
+  }
+  std::vector<std::vector<int>> triangles(surface.NumberOfPatches);
+  std::vector<vtkIdType> firstCells(surface.NumberOfPatches, std::numeric_limits<vtkIdType>::max());
+  for (std::size_t t = 0; t < surface.Patches.size(); ++t)
+  {
+    const int patch = surface.Patches[t];
+    triangles[patch].push_back(static_cast<int>(t));
+    firstCells[patch] = std::min(firstCells[patch], surface.CellIds[t]);
+  }
+  // A point on the edge of several patches has the same values in each: the first is as good.
+  std::vector<int> patches(solution.GetNumberOfPoints(), std::numeric_limits<int>::max());
+  for (std::size_t i = 0; i < solution.Triangles.size(); ++i)
+  {
+    int& patch = patches[solution.Triangles[i]];
+    patch = std::min(patch, solution.Markers[i / 3] - 1);
+  }
+  for (int p = given; p < solution.GetNumberOfPoints(); ++p)
+  {
+    if (patches[p] >= 0 && patches[p] < surface.NumberOfPatches)
+    {
+      mesh.Origins[p] = PlaceInPatch(surface, triangles[patches[p]], &solution.Points[3 * p]);
+    }
+  }
+  const SurfaceRegions regions(solution, firstCells, job.FillNestedShells);
+  for (int t = 0; t < solution.GetNumberOfTetrahedra(); ++t)
+  {
+    const int region = regions(t);
+    if (region >= 0)
+    {
+      mesh.Tetrahedra.insert(
+        mesh.Tetrahedra.end(), &solution.Tetrahedra[4 * t], &solution.Tetrahedra[4 * t] + 4);
+      mesh.Regions.push_back(region);
+    }
+  }
+  job.Report.Regions = regions.GetNumberOfRegions();
+  mesh.RemoveUnusedPoints();
+}
+}
+
+void SurfaceMesher::Execute(MeshingJob& job)
+{
+  ClosedSurface surface;
+  job.Error = surface.Take(job.Input);
+  job.Report.SurfaceTriangles = static_cast<vtkIdType>(surface.CellIds.size());
+  job.Report.MergedPoints = surface.Points.NumberOfMerged;
+  if (job.Error.empty())
+  {
+    job.Error = CheckCrossings(surface);
+  }
+  if (!job.Error.empty() || job.IsCancelled())
+  {
+    return;
+  }
+  job.SetProgress(0.1);
+  TetGenProblem problem = MakeProblem(surface);
+  // The triangles of a patch are one facet; preserved, each stays.
+  problem.Switches = job.PreserveBoundary ? "pYMJnQ" : "pM0/1JnQ";
+  if (job.IsRefining())
+  {
+    problem.Switches += job.GetRefinementSwitches(
+      std::max(job.QualityBound, FirstQualityBound), 0.0, job.MaximumNumberOfAddedPoints);
+  }
+  for (int patch : surface.Patches)
+  {
+    problem.Markers.push_back(patch + 1);
+  }
+  TetGenSolution solution;
+  if (!job.Solve(problem, solution))
+  {
+    return;
+  }
+  if (job.IsRefining())
+  {
+    job.SetProgress(0.3);
+    if (!MeshRefinement::Execute(job, solution))
+    {
+      return;
+    }
+  }
+  job.Error = CheckPatches(surface, solution);
+  if (job.Error.empty())
+  {
+    TakeMesh(surface, solution, job);
+  }
+}
+
+}

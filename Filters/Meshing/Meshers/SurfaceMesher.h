@@ -1,0 +1,21 @@
+#ifndef interlume_SurfaceMesher_h
+#define interlume_SurfaceMesher_h
+
+namespace interlume
+{
+
+struct MeshingJob;
+
+/**
+ * @class   SurfaceMesher
+ * @brief   fills closed surfaces with tetrahedra
+ */
+class SurfaceMesher
+{
+public:
+  static void Execute(MeshingJob& job);
+};
+
+}
+
+#endif

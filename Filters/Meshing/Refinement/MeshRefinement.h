@@ -1,0 +1,30 @@
+#ifndef interlume_MeshRefinement_h
+#define interlume_MeshRefinement_h
+
+namespace interlume
+{
+
+struct MeshingJob;
+struct TetGenSolution;
+
+/**
+ * @class   MeshRefinement
+ * @brief   refines a mesh until the bounds hold
+ *
+ * TetGen's own improvement of a refined mesh can undo what the refinement reached, and a strict
+ * bound is reached better from a mesh that holds a weaker one. So the mesh goes through TetGen
+ * several times. The result is the mesh nearest to its bounds, see MeshMeasures::Excess. A pass
+ * that makes tiny or flat tetrahedra, as next to small angles, is dropped, and so is one in which
+ * TetGen fails; then weaker bounds on the shape are tried, as long as tetrahedra are too large.
+ */
+class MeshRefinement
+{
+public:
+  /// Refines \a mesh. Returns false when cancelled, or with an error of the job when the time is
+  /// up.
+  static bool Execute(MeshingJob& job, TetGenSolution& mesh);
+};
+
+}
+
+#endif

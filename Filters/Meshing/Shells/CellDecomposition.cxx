@@ -1,0 +1,255 @@
+#include "Shells/CellDecomposition.h"
+
+#include "Mesh/TetrahedronMath.h"
+#include "Shells/CellShell.h"
+#include "TetGen/MeshingJob.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace interlume
+{
+
+namespace
+{
+using TetrahedronMath::Cross;
+using TetrahedronMath::Difference;
+using TetrahedronMath::Dot;
+using TetrahedronMath::PolarSine;
+using TetrahedronMath::Vector;
+
+/// Below these a tetrahedron is taken for flat, or for nearly so.
+constexpr double Flat = 1e-12;
+constexpr double NearlyFlat = 1e-8;
+/// Steps of the search for a place inside.
+constexpr int CenterSteps = 1000;
+}
+
+CellDecomposition::CellDecomposition(const CellShell& shell)
+  : Shell(shell)
+{
+}
+
+std::string CellDecomposition::Execute(MeshingJob& job)
+{
+  if (this->Shell.Triangles.empty() || this->TakeFromPoint())
+  {
+    return std::string();
+  }
+  if (!(this->Shell.Volume > 0.0))
+  {
+    return "it has no volume";
+  }
+  const bool isTaken = this->TakeFromTetGen(job);
+  if (job.IsCancelled())
+  {
+    this->Tetrahedra.clear();
+    return std::string();
+  }
+  if (isTaken)
+  {
+    ++job.Report.CellsByTetGen;
+    job.Error.clear();
+    return std::string();
+  }
+  if (this->TakeFromCenter())
+  {
+    ++job.Report.CellsConed;
+    job.Error.clear();
+    return std::string();
+  }
+  const std::string failure = job.Error.empty() ? "TetGen's tetrahedra do not fit it" : job.Error;
+  job.Error.clear();
+  return failure + ", and no point inside sees all its faces";
+}
+
+bool CellDecomposition::TakeFromPoint()
+{
+  const int points = static_cast<int>(this->Shell.PointIds.size());
+  for (int apex = 0; apex < points; ++apex)
+  {
+    const auto touches = [apex](const CellShell::Triangle& triangle)
+    {
+      return std::find(triangle.Points.begin(), triangle.Points.end(), apex) !=
+        triangle.Points.end();
+    };
+    std::vector<int> faces;
+    for (const auto& triangle : this->Shell.Triangles)
+    {
+      if (touches(triangle))
+      {
+        faces.push_back(triangle.Face);
+      }
+    }
+    this->Tetrahedra.clear();
+    bool isGood = true;
+    for (const auto& triangle : this->Shell.Triangles)
+    {
+      if (touches(triangle))
+      {
+        continue;
+      }
+      const auto& p = triangle.Points;
+      // A face of the apex has to be a fan from it: the rest would be flat.
+      isGood = isGood && std::find(faces.begin(), faces.end(), triangle.Face) == faces.end() &&
+        PolarSine(this->Shell.GetPoint(apex), this->Shell.GetPoint(p[0]),
+          this->Shell.GetPoint(p[1]), this->Shell.GetPoint(p[2])) > Flat;
+      this->Tetrahedra.push_back({ { apex, p[0], p[1], p[2] } });
+    }
+    if (isGood && !this->Tetrahedra.empty())
+    {
+      return true;
+    }
+  }
+  this->Tetrahedra.clear();
+  return false;
+}
+
+bool CellDecomposition::HasShell(
+  const std::vector<int>& tetrahedra, const std::vector<int>& neighbors) const
+{
+  std::vector<std::array<int, 3>> outside;
+  for (std::size_t i = 0; i < tetrahedra.size(); ++i)
+  {
+    if (neighbors[i] < 0)
+    {
+      const int* t = &tetrahedra[i - i % 4];
+      outside.push_back({ { t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4] } });
+      std::sort(outside.back().begin(), outside.back().end());
+    }
+  }
+  std::vector<std::array<int, 3>> expected;
+  for (const auto& triangle : this->Shell.Triangles)
+  {
+    expected.push_back(triangle.Points);
+    std::sort(expected.back().begin(), expected.back().end());
+  }
+  std::sort(outside.begin(), outside.end());
+  std::sort(expected.begin(), expected.end());
+  return outside == expected;
+}
+
+bool CellDecomposition::TakeFromTetGen(MeshingJob& job)
+{
+  TetGenProblem problem;
+  problem.Switches = "pYMJnQ";
+  problem.Points = this->Shell.Points;
+  for (const auto& triangle : this->Shell.Triangles)
+  {
+    problem.Triangles.insert(
+      problem.Triangles.end(), triangle.Points.begin(), triangle.Points.end());
+    problem.Markers.push_back(static_cast<int>(problem.Markers.size()) + 1);
+  }
+  TetGenSolution solution;
+  if (!job.Solve(problem, solution) || !this->HasShell(solution.Tetrahedra, solution.Neighbors))
+  {
+    return false;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < solution.Tetrahedra.size(); i += 4)
+  {
+    const int* t = &solution.Tetrahedra[i];
+    this->Tetrahedra.push_back({ { t[0], t[1], t[2], t[3] } });
+    least = std::min(least,
+      PolarSine(&solution.Points[3 * t[0]], &solution.Points[3 * t[1]], &solution.Points[3 * t[2]],
+        &solution.Points[3 * t[3]]));
+  }
+  Vector center;
+  if (least < NearlyFlat && this->FindCenter(center) && this->GetLeastShape(center.data()) > least)
+  {
+    this->Tetrahedra.clear();
+    return false;
+  }
+  this->NewPoints.assign(
+    solution.Points.begin() + static_cast<std::ptrdiff_t>(problem.Points.size()),
+    solution.Points.end());
+  if (!(least > 0.0))
+  {
+    this->Tetrahedra.clear();
+    this->NewPoints.clear();
+    return false;
+  }
+  return true;
+}
+
+double CellDecomposition::GetLeastShape(const double* apex) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& triangle : this->Shell.Triangles)
+  {
+    const auto& p = triangle.Points;
+    least = std::min(least,
+      PolarSine(
+        apex, this->Shell.GetPoint(p[0]), this->Shell.GetPoint(p[1]), this->Shell.GetPoint(p[2])));
+  }
+  return least;
+}
+
+bool CellDecomposition::FindCenter(std::array<double, 3>& center) const
+{
+  // From the mean of the points, away from the triangle that lies nearest or farthest on the wrong
+  // side, by ever smaller steps: S. Agmon, "The relaxation method for linear inequalities",
+  // Canadian Journal of Mathematics 6, 1954.
+  const auto number = static_cast<double>(this->Shell.PointIds.size());
+  center = { { 0.0, 0.0, 0.0 } };
+  for (std::size_t i = 0; i < this->Shell.Points.size(); ++i)
+  {
+    center[i % 3] += this->Shell.Points[i] / number;
+  }
+  double step = 0.1 * std::cbrt(this->Shell.Volume);
+  std::array<double, 3> best = center;
+  double bestShape = this->GetLeastShape(center.data());
+  for (int i = 0; i < CenterSteps; ++i)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    Vector inward{ { 0.0, 0.0, 0.0 } };
+    for (const auto& triangle : this->Shell.Triangles)
+    {
+      const double* a = this->Shell.GetPoint(triangle.Points[0]);
+      const Vector normal = Cross(Difference(this->Shell.GetPoint(triangle.Points[1]), a),
+        Difference(this->Shell.GetPoint(triangle.Points[2]), a));
+      const double length = std::sqrt(Dot(normal, normal));
+      const double distance = -Dot(normal, Difference(center.data(), a)) / length;
+      if (distance < nearest)
+      {
+        nearest = distance;
+        inward = { { -normal[0] / length, -normal[1] / length, -normal[2] / length } };
+      }
+    }
+    const double move = nearest < 0.0 ? step - nearest : step;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      center[axis] += move * inward[axis];
+    }
+    step *= 0.98;
+    const double shape = this->GetLeastShape(center.data());
+    if (shape > bestShape)
+    {
+      bestShape = shape;
+      best = center;
+    }
+  }
+  center = best;
+  return bestShape > 0.0;
+}
+
+bool CellDecomposition::TakeFromCenter()
+{
+  std::array<double, 3> center;
+  if (!this->FindCenter(center))
+  {
+    return false;
+  }
+  const int apex = static_cast<int>(this->Shell.PointIds.size());
+  this->NewPoints.assign(center.begin(), center.end());
+  this->Tetrahedra.clear();
+  for (const auto& triangle : this->Shell.Triangles)
+  {
+    const auto& p = triangle.Points;
+    this->Tetrahedra.push_back({ { apex, p[0], p[1], p[2] } });
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,55 @@
+#ifndef interlume_CellShell_h
+#define interlume_CellShell_h
+
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+class vtkGenericCell;
+
+namespace interlume
+{
+
+class FaceTriangulation;
+
+/**
+ * @class   CellShell
+ * @brief   the triangles around one cell of three dimensions
+ *
+ * Two equal triangles of a collapsed cell cancel. The others are closed, each edge belongs to two
+ * of them, and they are oriented so that the volume within is positive.
+ */
+class CellShell
+{
+public:
+  struct Triangle
+  {
+    std::array<int, 3> Points; ///< indices into PointIds
+    int Face;                  ///< the face of the cell it is a part of
+  };
+
+  /// Whether cells of a type are taken: linear and of three dimensions.
+  static bool IsSupported(int type);
+
+  /// Takes a cell, and returns what is wrong with it or nothing. A cell that collapses entirely
+  /// has no triangles, and nothing is wrong.
+  std::string Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation& triangulation);
+
+  std::vector<vtkIdType> PointIds; ///< ascending in the grid's order of points
+  std::vector<double> Points;      ///< three a point
+  std::vector<Triangle> Triangles;
+  double Volume = 0.0;
+
+  const double* GetPoint(int i) const { return &this->Points[3 * i]; }
+
+private:
+  std::string Orient();
+  double MeasureVolume() const;
+};
+
+}
+
+#endif

@@ -1,0 +1,248 @@
+#include "Shells/FaceTriangulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+using Flat = std::array<double, 2>;
+
+/// Twice the signed area of a triangle in the plane.
+double Area(const Flat& a, const Flat& b, const Flat& c)
+{
+  return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+}
+
+double SquaredLength(const Flat& a, const Flat& b)
+{
+  return (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
+}
+
+/// Below this the area of a triangle, in parts of its longest edge squared, is rounding.
+constexpr double Flatness = 1e-12;
+/// The fan is taken where its worst triangle is at least this part of the best worst one.
+constexpr double FanTolerance = 0.1;
+/// Larger polygons are cut by ears, which takes less time.
+constexpr std::size_t MostPointsForBest = 128;
+
+/// 0 for no area, the larger the better shaped; negative when inverted.
+double Shape(const Flat& a, const Flat& b, const Flat& c)
+{
+  const double longest =
+    std::max({ SquaredLength(a, b), SquaredLength(b, c), SquaredLength(c, a) });
+  const double shape = longest > 0.0 ? Area(a, b, c) / longest : 0.0;
+  return std::abs(shape) > Flatness ? shape : 0.0;
+}
+
+/// The points without the coordinate along which the polygon is widest, counterclockwise.
+std::vector<Flat> Project(const std::vector<FaceTriangulation::Point>& points)
+{
+  std::array<double, 3> normal{ { 0.0, 0.0, 0.0 } };
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto& a = points[i];
+    const auto& b = points[(i + 1) % points.size()];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int u = (axis + 1) % 3;
+      const int v = (axis + 2) % 3;
+      // Relative to one point, so that a place far from the origin costs no digits.
+      normal[axis] += (a[u] - points[0][u]) * (b[v] - points[0][v]) -
+        (a[v] - points[0][v]) * (b[u] - points[0][u]);
+    }
+  }
+  int main = 0;
+  for (int axis = 1; axis < 3; ++axis)
+  {
+    main = std::abs(normal[axis]) > std::abs(normal[main]) ? axis : main;
+  }
+  int u = (main + 1) % 3;
+  int v = (main + 2) % 3;
+  if (normal[main] < 0.0)
+  {
+    std::swap(u, v);
+  }
+  std::vector<Flat> flat;
+  flat.reserve(points.size());
+  for (const auto& point : points)
+  {
+    flat.push_back({ { point[u], point[v] } });
+  }
+  return flat;
+}
+
+using Corners = std::array<std::size_t, 3>;
+
+/// The least shape of the triangles of the fan from the first point.
+double GetFanShape(const std::vector<Flat>& flat)
+{
+  double least = 1.0;
+  for (std::size_t i = 1; i + 1 < flat.size(); ++i)
+  {
+    least = std::min(least, Shape(flat[0], flat[i], flat[i + 1]));
+  }
+  return least;
+}
+
+/**
+ * The triangulation whose least shape is largest, by dynamic programming over the parts of the
+ * polygon between two of its points (G. T. Klincsek, "Minimal triangulations of polygonal domains",
+ * Annals of Discrete Mathematics 9, 1980). Triangles that are all positive cover a simple polygon
+ * once, so no diagonal has to be looked at. Returns the least shape.
+ */
+double FindBest(const std::vector<Flat>& flat, std::vector<Corners>& triangles)
+{
+  const std::size_t n = flat.size();
+  struct Part
+  {
+    double Shape = 1.0;
+    std::size_t Apex = 0;
+  };
+  std::vector<Part> parts(n * n);
+  for (std::size_t length = 2; length < n; ++length)
+  {
+    for (std::size_t i = 0; i + length < n; ++i)
+    {
+      const std::size_t j = i + length;
+      Part& part = parts[i * n + j];
+      part.Shape = -1.0;
+      for (std::size_t k = i + 1; k < j; ++k)
+      {
+        const double shape = std::min(
+          { parts[i * n + k].Shape, parts[k * n + j].Shape, Shape(flat[i], flat[k], flat[j]) });
+        if (shape > part.Shape)
+        {
+          part = { shape, k };
+        }
+      }
+    }
+  }
+  std::vector<std::array<std::size_t, 2>> stack = { { { 0, n - 1 } } };
+  while (!stack.empty())
+  {
+    const auto ends = stack.back();
+    stack.pop_back();
+    if (ends[1] - ends[0] > 1)
+    {
+      const std::size_t apex = parts[ends[0] * n + ends[1]].Apex;
+      triangles.push_back({ { ends[0], apex, ends[1] } });
+      stack.push_back({ { ends[0], apex } });
+      stack.push_back({ { apex, ends[1] } });
+    }
+  }
+  return parts[n - 1].Shape;
+}
+
+/// Cuts one ear after another, the best-shaped first. Returns the least shape.
+double CutEars(const std::vector<Flat>& flat, std::vector<Corners>& ears)
+{
+  double least = 1.0;
+  std::vector<std::size_t> ring(flat.size());
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    ring[i] = i;
+  }
+  while (ring.size() > 2)
+  {
+    std::size_t best = ring.size();
+    double bestShape = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      const std::size_t a = ring[(i + ring.size() - 1) % ring.size()];
+      const std::size_t b = ring[i];
+      const std::size_t c = ring[(i + 1) % ring.size()];
+      const double shape = Shape(flat[a], flat[b], flat[c]);
+      const bool isEar = shape > bestShape &&
+        std::none_of(ring.begin(), ring.end(),
+          [&](std::size_t p)
+          {
+            return p != a && p != b && p != c && Shape(flat[a], flat[b], flat[p]) >= 0.0 &&
+              Shape(flat[b], flat[c], flat[p]) >= 0.0 && Shape(flat[c], flat[a], flat[p]) >= 0.0;
+          });
+      if (isEar)
+      {
+        best = i;
+        bestShape = shape;
+      }
+    }
+    if (best == ring.size())
+    {
+      return 0.0;
+    }
+    least = std::min(least, bestShape);
+    ears.push_back({ { ring[(best + ring.size() - 1) % ring.size()], ring[best],
+      ring[(best + 1) % ring.size()] } });
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+  return least;
+}
+}
+
+FaceTriangulation::FaceTriangulation(std::function<Point(vtkIdType)> getPoint, Order isBefore)
+  : GetPoint(std::move(getPoint))
+  , IsBefore(std::move(isBefore))
+{
+}
+
+bool FaceTriangulation::Triangulate(
+  std::vector<vtkIdType> polygon, std::vector<Triangle>& triangles) const
+{
+  polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+  while (polygon.size() > 1 && polygon.front() == polygon.back())
+  {
+    polygon.pop_back();
+  }
+  if (polygon.size() < 3)
+  {
+    return true;
+  }
+  // The same start and direction from either side.
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end(), this->IsBefore),
+    polygon.end());
+  const bool isReversed = this->IsBefore(polygon.back(), polygon[1]);
+  if (isReversed)
+  {
+    std::reverse(polygon.begin() + 1, polygon.end());
+  }
+  const auto append = [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+    triangles.push_back(isReversed ? Triangle{ { a, c, b } } : Triangle{ { a, b, c } });
+  };
+  if (polygon.size() == 3)
+  {
+    append(polygon[0], polygon[1], polygon[2]);
+    return true;
+  }
+  std::vector<Point> points;
+  points.reserve(polygon.size());
+  for (vtkIdType id : polygon)
+  {
+    points.push_back(this->GetPoint(id));
+  }
+  const std::vector<Flat> flat = Project(points);
+  std::vector<Corners> best;
+  const double shape =
+    flat.size() <= MostPointsForBest ? FindBest(flat, best) : CutEars(flat, best);
+  const double fanShape = GetFanShape(flat);
+  if (fanShape > 0.0 && fanShape >= FanTolerance * shape)
+  {
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    {
+      append(polygon[0], polygon[i], polygon[i + 1]);
+    }
+    return true;
+  }
+  if (!(shape > 0.0))
+  {
+    return false;
+  }
+  for (const Corners& corners : best)
+  {
+    append(polygon[corners[0]], polygon[corners[1]], polygon[corners[2]]);
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,52 @@
+#ifndef interlume_FaceTriangulation_h
+#define interlume_FaceTriangulation_h
+
+#include "vtkType.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   FaceTriangulation
+ * @brief   cuts a polygon into triangles, the same whichever cell asks
+ *
+ * The triangles depend on the cyclic sequence of the points, their places and their order alone:
+ * not on where the list starts, nor on its direction. So two cells agree on the face they share.
+ *
+ * All is measured in the projection along the polygon's main axis. Taken is the fan from the point
+ * of lowest order, if its worst triangle is not much worse than can be; otherwise, as for concave
+ * polygons and those with points on a line, the triangles whose worst one is best. (A needle
+ * between three points nearly on a line would, in a face that is not planar, stand up against the
+ * next face.)
+ */
+class FaceTriangulation
+{
+public:
+  using Triangle = std::array<vtkIdType, 3>;
+  using Point = std::array<double, 3>;
+  using Order = std::function<bool(vtkIdType, vtkIdType)>;
+
+  /// \a getPoint: the place of a point. \a isBefore: the strict order of the points.
+  FaceTriangulation(std::function<Point(vtkIdType)> getPoint, Order isBefore);
+
+  /**
+   * Appends the triangles of \a polygon, oriented as it is. Repeated points next to each other
+   * count once, and what is left with fewer than three gives nothing. Returns false, with nothing
+   * appended, where the polygon meets itself or has no area.
+   */
+  bool Triangulate(std::vector<vtkIdType> polygon, std::vector<Triangle>& triangles) const;
+
+  const Order& GetOrder() const { return this->IsBefore; }
+
+private:
+  std::function<Point(vtkIdType)> GetPoint;
+  Order IsBefore;
+};
+
+}
+
+#endif

@@ -1,0 +1,262 @@
+#include "Surfaces/ClosedSurface.h"
+
+#include "Mesh/TetrahedronMath.h"
+#include "Shells/FaceTriangulation.h"
+
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace interlume
+{
+
+namespace
+{
+using Polygon = std::vector<vtkIdType>;
+
+/// How far from a plane, in parts of its coordinates, a point is still in it.
+constexpr double Flatness = 1e-15;
+
+/// The polygons of a cell of two dimensions; none for a cell of another kind.
+std::vector<Polygon> PolygonsOf(int type, vtkIdList* ids)
+{
+  const Polygon points(ids->begin(), ids->end());
+  switch (type)
+  {
+    case VTK_TRIANGLE:
+    case VTK_QUAD:
+    case VTK_POLYGON:
+      return { points };
+    case VTK_PIXEL:
+      return { { points[0], points[1], points[3], points[2] } };
+    case VTK_TRIANGLE_STRIP:
+    {
+      std::vector<Polygon> triangles;
+      for (std::size_t i = 0; i + 2 < points.size(); ++i)
+      {
+        triangles.push_back(i % 2 == 0 ? Polygon{ points[i], points[i + 1], points[i + 2] }
+                                       : Polygon{ points[i + 1], points[i], points[i + 2] });
+      }
+      return triangles;
+    }
+    default:
+      return {};
+  }
+}
+
+std::array<int, 3> Sorted(const int* triangle)
+{
+  std::array<int, 3> sorted{ { triangle[0], triangle[1], triangle[2] } };
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+}
+
+std::string ClosedSurface::Take(vtkDataSet* input)
+{
+  vtkNew<vtkIdList> ids;
+  std::vector<bool> isUsed(input->GetNumberOfPoints(), false);
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    input->GetCellPoints(cell, ids);
+    for (const Polygon& polygon : PolygonsOf(input->GetCellType(cell), ids))
+    {
+      for (vtkIdType point : polygon)
+      {
+        if (point < 0 || point >= input->GetNumberOfPoints())
+        {
+          return "Cell " + std::to_string(cell) + " has point " + std::to_string(point) +
+            ", which is not there.";
+        }
+        isUsed[point] = true;
+      }
+    }
+  }
+  std::string wrong = this->Points.Take(input, isUsed);
+  wrong = wrong.empty() ? this->AddPolygons(input) : wrong;
+  if (wrong.empty())
+  {
+    this->DropRepeated();
+    wrong = this->CheckAreas();
+  }
+  return wrong.empty() ? this->ConnectEdges() : wrong;
+}
+
+std::string ClosedSurface::AddPolygons(vtkDataSet* input)
+{
+  const std::vector<double>& x = this->Points.Coordinates;
+  const FaceTriangulation triangulation(
+    [&x](vtkIdType p) {
+      return FaceTriangulation::Point{ { x[3 * p], x[3 * p + 1], x[3 * p + 2] } };
+    },
+    [](vtkIdType a, vtkIdType b) { return a < b; });
+  vtkNew<vtkIdList> ids;
+  std::vector<FaceTriangulation::Triangle> triangles;
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    input->GetCellPoints(cell, ids);
+    for (Polygon polygon : PolygonsOf(input->GetCellType(cell), ids))
+    {
+      for (vtkIdType& point : polygon)
+      {
+        point = this->Points.Indices[point];
+      }
+      triangles.clear();
+      if (!triangulation.Triangulate(polygon, triangles))
+      {
+        return "The polygon of cell " + std::to_string(cell) + " meets itself or has no area.";
+      }
+      for (const auto& triangle : triangles)
+      {
+        if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
+        {
+          this->Triangles.insert(this->Triangles.end(), triangle.begin(), triangle.end());
+          this->CellIds.push_back(cell);
+        }
+      }
+    }
+  }
+  return this->CellIds.empty() ? "The surface has no triangle." : std::string();
+}
+
+void ClosedSurface::DropRepeated()
+{
+  std::vector<std::size_t> order(this->CellIds.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [this](std::size_t a, std::size_t b)
+    { return Sorted(&this->Triangles[3 * a]) < Sorted(&this->Triangles[3 * b]); });
+  std::vector<bool> isRepeated(order.size(), false);
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    isRepeated[order[i]] =
+      Sorted(&this->Triangles[3 * order[i]]) == Sorted(&this->Triangles[3 * order[i - 1]]);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    if (!isRepeated[i])
+    {
+      std::copy_n(&this->Triangles[3 * i], 3, &this->Triangles[3 * kept]);
+      this->CellIds[kept] = this->CellIds[i];
+      ++kept;
+    }
+  }
+  this->Triangles.resize(3 * kept);
+  this->CellIds.resize(kept);
+}
+
+std::string ClosedSurface::CheckAreas() const
+{
+  using namespace TetrahedronMath;
+  for (std::size_t i = 0; i < this->CellIds.size(); ++i)
+  {
+    const double* a = &this->Points.Coordinates[3 * this->Triangles[3 * i]];
+    const Vector normal =
+      Cross(Difference(&this->Points.Coordinates[3 * this->Triangles[3 * i + 1]], a),
+        Difference(&this->Points.Coordinates[3 * this->Triangles[3 * i + 2]], a));
+    if (normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 0.0)
+    {
+      return "Cell " + std::to_string(this->CellIds[i]) +
+        " has a triangle without area: its points lie on a line.";
+    }
+  }
+  return std::string();
+}
+
+bool ClosedSurface::AreCoplanar(std::size_t triangle, std::size_t other) const
+{
+  using namespace TetrahedronMath;
+  const auto point = [this](std::size_t t, int i)
+  { return &this->Points.Coordinates[3 * this->Triangles[3 * t + i]]; };
+  const double* a = point(triangle, 0);
+  const Vector normal = Cross(Difference(point(triangle, 1), a), Difference(point(triangle, 2), a));
+  const double length = std::sqrt(Dot(normal, normal));
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* x = point(other, i);
+    const double size = std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), std::abs(a[0]),
+      std::abs(a[1]), std::abs(a[2]) });
+    if (std::abs(Dot(normal, Difference(x, a))) > Flatness * length * size)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string ClosedSurface::ConnectEdges()
+{
+  struct Edge
+  {
+    int From, To;
+    std::size_t Triangle;
+  };
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+  {
+    const int a = this->Triangles[i];
+    const int b = this->Triangles[i % 3 == 2 ? i - 2 : i + 1];
+    edges.push_back({ std::min(a, b), std::max(a, b), i / 3 });
+  }
+  std::sort(edges.begin(), edges.end(),
+    [](const Edge& a, const Edge& b)
+    { return std::tie(a.From, a.To, a.Triangle) < std::tie(b.From, b.To, b.Triangle); });
+  std::vector<std::vector<std::size_t>> neighbors(this->CellIds.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < edges.size(); i = next)
+  {
+    next = i + 1;
+    while (
+      next < edges.size() && edges[next].From == edges[i].From && edges[next].To == edges[i].To)
+    {
+      ++next;
+    }
+    if (next == i + 1)
+    {
+      return "The surface is open: the edge from point " +
+        std::to_string(this->Points.SourceIds[edges[i].From]) + " to point " +
+        std::to_string(this->Points.SourceIds[edges[i].To]) + " belongs to cell " +
+        std::to_string(this->CellIds[edges[i].Triangle]) + " alone.";
+    }
+    if (next == i + 2)
+    {
+      neighbors[edges[i].Triangle].push_back(edges[i + 1].Triangle);
+      neighbors[edges[i + 1].Triangle].push_back(edges[i].Triangle);
+    }
+  }
+  this->Patches.assign(this->CellIds.size(), -1);
+  std::vector<std::size_t> stack;
+  for (std::size_t first = 0; first < this->Patches.size(); ++first)
+  {
+    if (this->Patches[first] >= 0)
+    {
+      continue;
+    }
+    this->Patches[first] = this->NumberOfPatches++;
+    stack.push_back(first);
+    while (!stack.empty())
+    {
+      const std::size_t triangle = stack.back();
+      stack.pop_back();
+      for (std::size_t other : neighbors[triangle])
+      {
+        // All against the first, so that a gently curved surface is not one plane.
+        if (this->Patches[other] < 0 && this->AreCoplanar(first, other))
+        {
+          this->Patches[other] = this->Patches[first];
+          stack.push_back(other);
+        }
+      }
+    }
+  }
+  return std::string();
+}
+
+}

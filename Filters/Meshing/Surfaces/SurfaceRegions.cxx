@@ -1,0 +1,156 @@
+#include "Surfaces/SurfaceRegions.h"
+
+#include "TetGen/TetGenProblem.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <queue>
+
+namespace interlume
+{
+
+namespace
+{
+using Triple = std::array<int, 3>;
+
+Triple Sorted(int a, int b, int c)
+{
+  Triple triple{ { a, b, c } };
+  std::sort(triple.begin(), triple.end());
+  return triple;
+}
+
+struct Wall
+{
+  Triple Points;
+  int Marker;
+};
+
+/// The triangles on facets, found by their points.
+class Walls
+{
+public:
+  explicit Walls(const TetGenSolution& solution)
+  {
+    for (std::size_t i = 0; i < solution.Markers.size(); ++i)
+    {
+      const int* points = &solution.Triangles[3 * i];
+      this->List.push_back({ Sorted(points[0], points[1], points[2]), solution.Markers[i] });
+    }
+    std::sort(this->List.begin(), this->List.end(),
+      [](const Wall& a, const Wall& b) { return a.Points < b.Points; });
+  }
+
+  /// The marker of the facet that has the triangle opposite corner \a i; 0 for none.
+  int Find(const int* tetrahedron, int i) const
+  {
+    const Triple points =
+      Sorted(tetrahedron[(i + 1) % 4], tetrahedron[(i + 2) % 4], tetrahedron[(i + 3) % 4]);
+    const auto found = std::lower_bound(this->List.begin(), this->List.end(), points,
+      [](const Wall& wall, const Triple& key) { return wall.Points < key; });
+    return found != this->List.end() && found->Points == points ? found->Marker : 0;
+  }
+
+private:
+  std::vector<Wall> List;
+};
+
+struct Region
+{
+  int Depth = std::numeric_limits<int>::max();
+  vtkIdType FirstCell = std::numeric_limits<vtkIdType>::max();
+  std::vector<int> Beyond; ///< regions on the other side of its facets
+};
+}
+
+SurfaceRegions::SurfaceRegions(
+  const TetGenSolution& solution, const std::vector<vtkIdType>& cellIds, bool fillNestedShells)
+  : Regions(solution.GetNumberOfTetrahedra(), -1)
+{
+  const Walls walls(solution);
+  std::vector<Region> regions;
+  std::vector<std::array<int, 2>> crossings; // a region and a tetrahedron beyond one of its facets
+  std::vector<int> stack;
+  std::queue<int> outermost;
+  for (int seed = 0; seed < solution.GetNumberOfTetrahedra(); ++seed)
+  {
+    if (this->Regions[seed] >= 0)
+    {
+      continue;
+    }
+    const int number = static_cast<int>(regions.size());
+    regions.emplace_back();
+    this->Regions[seed] = number;
+    stack.push_back(seed);
+    while (!stack.empty())
+    {
+      const int tetrahedron = stack.back();
+      stack.pop_back();
+      for (int i = 0; i < 4; ++i)
+      {
+        const int neighbor = solution.Neighbors[4 * tetrahedron + i];
+        const int marker = walls.Find(&solution.Tetrahedra[4 * tetrahedron], i);
+        if (marker > 0 && marker <= static_cast<int>(cellIds.size()))
+        {
+          regions[number].FirstCell = std::min(regions[number].FirstCell, cellIds[marker - 1]);
+        }
+        if (neighbor < 0)
+        {
+          regions[number].Depth = 1;
+        }
+        else if (marker != 0)
+        {
+          crossings.push_back({ { number, neighbor } });
+        }
+        else if (this->Regions[neighbor] < 0)
+        {
+          this->Regions[neighbor] = number;
+          stack.push_back(neighbor);
+        }
+      }
+    }
+    if (regions[number].Depth == 1)
+    {
+      outermost.push(number);
+    }
+  }
+  for (const auto& crossing : crossings)
+  {
+    regions[crossing[0]].Beyond.push_back(this->Regions[crossing[1]]);
+  }
+  while (!outermost.empty())
+  {
+    const Region region = regions[outermost.front()];
+    outermost.pop();
+    for (int beyond : region.Beyond)
+    {
+      if (regions[beyond].Depth > region.Depth + 1)
+      {
+        regions[beyond].Depth = region.Depth + 1;
+        outermost.push(beyond);
+      }
+    }
+  }
+  std::vector<int> kept;
+  for (std::size_t r = 0; r < regions.size(); ++r)
+  {
+    if (fillNestedShells || regions[r].Depth % 2 == 1)
+    {
+      kept.push_back(static_cast<int>(r));
+    }
+  }
+  std::stable_sort(kept.begin(), kept.end(),
+    [&regions](int a, int b)
+    {
+      return regions[a].FirstCell < regions[b].FirstCell ||
+        (regions[a].FirstCell == regions[b].FirstCell && regions[a].Depth < regions[b].Depth);
+    });
+  this->Numbers.assign(regions.size(), -1);
+  for (int region : kept)
+  {
+    this->Numbers[region] = this->NumberOfRegions++;
+  }
+}
+
+}

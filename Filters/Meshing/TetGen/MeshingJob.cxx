@@ -1,0 +1,66 @@
+#include "TetGen/MeshingJob.h"
+
+#include "vtkCell.h"
+#include "vtkGenericCell.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace interlume
+{
+
+std::string MeshingJob::GetRefinementSwitches(double quality, double volume, int points) const
+{
+  std::ostringstream switches;
+  switches.imbue(std::locale::classic());
+  switches << std::setprecision(17) << std::fixed;
+  if (quality > 0.0)
+  {
+    switches << "q" << quality << "/" << this->MinimumDihedralAngle;
+  }
+  if (volume > 0.0)
+  {
+    switches << "a" << volume;
+  }
+  switches << "S" << points;
+  return switches.str();
+}
+
+int MeshingJob::GetDimension(int cellType)
+{
+  static const std::array<int, VTK_NUMBER_OF_CELL_TYPES> dimensions = []()
+  {
+    std::array<int, VTK_NUMBER_OF_CELL_TYPES> list{};
+    for (int type = 0; type < VTK_NUMBER_OF_CELL_TYPES; ++type)
+    {
+      const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+      list[type] = cell ? cell->GetCellDimension() : 0;
+    }
+    return list;
+  }();
+  return cellType >= 0 && cellType < VTK_NUMBER_OF_CELL_TYPES ? dimensions[cellType] : 0;
+}
+
+bool MeshingJob::Solve(const TetGenProblem& problem, TetGenSolution& solution)
+{
+  ++this->Report.TetGenCalls;
+  if (!this->TetGen.Solve(problem, solution))
+  {
+    this->Error = this->TetGen.GetFailure();
+    return false;
+  }
+  // Every mesher relies on this: the points of the problem come first, where they were.
+  if (solution.Points.size() < problem.Points.size() ||
+    !std::equal(problem.Points.begin(), problem.Points.end(), solution.Points.begin()))
+  {
+    this->Error = "TetGen failed: it moved or dropped points of the input";
+    return false;
+  }
+  return true;
+}
+
+}

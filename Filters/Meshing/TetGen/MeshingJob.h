@@ -1,0 +1,55 @@
+#ifndef interlume_MeshingJob_h
+#define interlume_MeshingJob_h
+
+#include "Mesh/Tetrahedra.h"
+#include "TetGen/TetGenProcess.h"
+
+#include "vtkMeshingSettings.h"
+#include "vtkTetrahedralMesherReport.h"
+
+#include <functional>
+#include <string>
+
+class vtkDataSet;
+
+namespace interlume
+{
+
+/**
+ * One execution of vtkTetrahedralMesher: what is asked, the means, and what comes out. A mesher
+ * fills Mesh, or Error with the reason why not; both stay empty when it was cancelled.
+ */
+struct MeshingJob : vtkMeshingSettings
+{
+  MeshingJob(const vtkMeshingSettings& settings, vtkDataSet* input)
+    : vtkMeshingSettings(settings)
+    , Input(input)
+    , TetGen(settings.WorkerFileName)
+  {
+    this->TetGen.TimeLimit = settings.TimeLimit;
+  }
+
+  vtkDataSet* Input;
+  std::function<void(double)> SetProgress;
+  std::function<bool()> IsCancelled;
+  TetGenProcess TetGen;
+
+  Tetrahedra Mesh;
+  vtkTetrahedralMesherReport Report;
+  std::string Error;
+
+  /// Whether the mesh is to be refined.
+  bool IsRefining() const { return this->QualityBound > 0.0 || this->MaximumVolume > 0.0; }
+  /// TetGen's switches to refine a mesh to bounds, 0 for none, by at most \a points new ones.
+  std::string GetRefinementSwitches(double quality, double volume, int points) const;
+
+  /// The dimension of cells of a type; 0 for a type that is not known.
+  static int GetDimension(int cellType);
+
+  /// Runs TetGen, counted. Returns false with Error set, or cancelled.
+  bool Solve(const TetGenProblem& problem, TetGenSolution& solution);
+};
+
+}
+
+#endif

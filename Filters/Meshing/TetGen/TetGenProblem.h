@@ -1,0 +1,44 @@
+#ifndef interlume_TetGenProblem_h
+#define interlume_TetGenProblem_h
+
+#include <string>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * What TetGen is asked: its switches and a list of points, alone (Delaunay), with triangles (a
+ * piecewise linear complex) or with tetrahedra (to refine; the triangles are faces of them on the
+ * facets). Indices start at 0.
+ */
+struct TetGenProblem
+{
+  std::string Switches;
+  std::vector<double> Points;  ///< three a point
+  std::vector<int> Triangles;  ///< three a triangle
+  std::vector<int> Markers;    ///< one a triangle, above 0: coplanar ones of one are one facet
+  std::vector<int> Tetrahedra; ///< four a tetrahedron
+};
+
+/**
+ * What TetGen answers. The points of the problem come first, in their order.
+ */
+struct TetGenSolution
+{
+  /// 0, or the number that TetGen threw: 1 memory, 2 internal, 3 self-intersection, 4 small
+  /// feature, 5 close facets, 10 input; -1 anything else.
+  int Code = 0;
+  std::vector<double> Points;
+  std::vector<int> Tetrahedra; ///< four a tetrahedron, positively oriented
+  std::vector<int> Neighbors;  ///< four a tetrahedron, opposite its points; -1 outside
+  std::vector<int> Triangles;  ///< three a triangle on a facet of the problem
+  std::vector<int> Markers;    ///< the marker of each of these triangles
+
+  int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 3); }
+  int GetNumberOfTetrahedra() const { return static_cast<int>(this->Tetrahedra.size() / 4); }
+};
+
+}
+
+#endif

@@ -1,0 +1,241 @@
+#include "TetGen/TetGenProcess.h"
+
+#include "TetGen/TetGenChannel.h"
+
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <sstream>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace interlume
+{
+
+namespace
+{
+/// Of what TetGen printed, the last bytes that a message repeats.
+constexpr long OutputTail = 400;
+
+/// The path of the worker beside the library that this code is in.
+std::string FindProgram()
+{
+  Dl_info info;
+  if (::dladdr(reinterpret_cast<const void*>(&FindProgram), &info) == 0 || !info.dli_fname)
+  {
+    return std::string();
+  }
+  const std::string library = info.dli_fname;
+  const std::size_t slash = library.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : library.substr(0, slash);
+  return folder + "/" + INTERLUME_TETGEN_PROGRAM;
+}
+
+std::string Describe(int code)
+{
+  switch (code)
+  {
+    case 1:
+      return "it ran out of memory";
+    case 2:
+      return "it met an internal error";
+    case 3:
+      return "two facets intersect";
+    case 4:
+      return "points or facets are too close to each other";
+    case 5:
+      return "two facets nearly coincide";
+    case 10:
+      return "it took the input for wrong";
+    default:
+      return "it threw " + std::to_string(code);
+  }
+}
+}
+
+TetGenProcess::TetGenProcess(const std::string& program)
+  : Program(program.empty() ? FindProgram() : program)
+{
+}
+
+TetGenProcess::~TetGenProcess()
+{
+  this->Stop();
+}
+
+bool TetGenProcess::Spawn(int workerSocket, int outputFile)
+{
+  posix_spawn_file_actions_t actions;
+  if (::posix_spawn_file_actions_init(&actions) != 0)
+  {
+    return false;
+  }
+  std::string program = this->Program;
+  std::array<char*, 2> arguments{ { &program[0], nullptr } };
+  const int error = ::posix_spawn_file_actions_adddup2(&actions, workerSocket, STDIN_FILENO) ||
+      ::posix_spawn_file_actions_adddup2(&actions, outputFile, STDOUT_FILENO) ||
+      ::posix_spawn_file_actions_adddup2(&actions, outputFile, STDERR_FILENO)
+    ? ENOMEM
+    : ::posix_spawn(&this->Process, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (error != 0)
+  {
+    this->Process = -1;
+    this->Failure = "cannot start " + this->Program + ": " + std::strerror(error);
+  }
+  return error == 0;
+}
+
+bool TetGenProcess::Start()
+{
+  std::array<int, 2> sockets{ { -1, -1 } };
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0)
+  {
+    this->Failure = std::string("cannot make a socket: ") + std::strerror(errno);
+    return false;
+  }
+  this->Socket = sockets[0];
+  this->Output = std::tmpfile();
+  bool started = false;
+  if (!this->Output)
+  {
+    this->Failure = std::string("cannot make a temporary file: ") + std::strerror(errno);
+  }
+  else
+  {
+    ::fcntl(::fileno(this->Output), F_SETFD, FD_CLOEXEC);
+    started = this->Spawn(sockets[1], ::fileno(this->Output));
+  }
+  ::close(sockets[1]);
+  if (!started)
+  {
+    this->Stop();
+  }
+  return started;
+}
+
+std::string TetGenProcess::Stop()
+{
+  std::string ending;
+  if (this->Socket >= 0)
+  {
+    ::close(this->Socket);
+    this->Socket = -1;
+  }
+  if (this->Process > 0)
+  {
+    // A worker that crashed is over already, and its own signal is told.
+    int status = 0;
+    pid_t ended = ::waitpid(this->Process, &status, WNOHANG);
+    if (ended == 0)
+    {
+      ::kill(this->Process, SIGKILL);
+      do
+      {
+        ended = ::waitpid(this->Process, &status, 0);
+      } while (ended < 0 && errno == EINTR);
+    }
+    if (ended == this->Process && WIFSIGNALED(status) && WTERMSIG(status) != SIGKILL)
+    {
+      ending = "it crashed with signal " + std::to_string(WTERMSIG(status));
+    }
+    else if (ended == this->Process && WIFEXITED(status))
+    {
+      ending = "it ended with exit code " + std::to_string(WEXITSTATUS(status));
+    }
+    this->Process = -1;
+  }
+  if (this->Output)
+  {
+    std::fclose(this->Output);
+    this->Output = nullptr;
+  }
+  return ending;
+}
+
+std::string TetGenProcess::GetLastOutput() const
+{
+  std::string text;
+  if (this->Output && std::fseek(this->Output, 0, SEEK_END) == 0)
+  {
+    const long size = std::ftell(this->Output);
+    const long start = size > OutputTail ? size - OutputTail : 0;
+    text.resize(static_cast<std::size_t>(size - start));
+    std::fseek(this->Output, start, SEEK_SET);
+    text.resize(std::fread(&text[0], 1, text.size(), this->Output));
+  }
+  // One line of what can be printed.
+  std::string line;
+  for (char c : text)
+  {
+    const bool isPrintable = std::isgraph(static_cast<unsigned char>(c)) != 0;
+    if (isPrintable)
+    {
+      line += c;
+    }
+    else if (!line.empty() && line.back() != ' ')
+    {
+      line += ' ';
+    }
+  }
+  return line.empty() ? line : "; it said: " + line;
+}
+
+bool TetGenProcess::Solve(const TetGenProblem& problem, TetGenSolution& solution)
+{
+  using Clock = std::chrono::steady_clock;
+  this->Failure.clear();
+  this->Late = false;
+  if (this->Socket < 0 && !this->Start())
+  {
+    return false;
+  }
+  const Clock::time_point start = Clock::now();
+  bool cancelled = false;
+  const auto patience = [&]()
+  {
+    cancelled = this->IsCancelled && this->IsCancelled();
+    this->Late = this->TimeLimit > 0.0 &&
+      std::chrono::duration<double>(Clock::now() - start).count() > this->TimeLimit;
+    return !cancelled && !this->Late;
+  };
+  TetGenChannel channel(this->Socket, patience);
+  const bool answered = channel.Send(problem) && channel.Receive(solution);
+  if (answered && solution.Code == 0)
+  {
+    return true;
+  }
+  const std::string said = this->GetLastOutput();
+  const std::string ending = this->Stop();
+  if (cancelled)
+  {
+    return false;
+  }
+  std::ostringstream failure;
+  failure << "TetGen failed: ";
+  if (this->Late)
+  {
+    failure << "it was not done after " << this->TimeLimit << " s";
+  }
+  else if (answered)
+  {
+    failure << Describe(solution.Code);
+  }
+  else
+  {
+    failure << (ending.empty() ? "it gave no answer that makes sense" : ending);
+  }
+  failure << said;
+  this->Failure = failure.str();
+  return false;
+}
+
+}

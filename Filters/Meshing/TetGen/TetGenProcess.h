@@ -1,0 +1,66 @@
+#ifndef interlume_TetGenProcess_h
+#define interlume_TetGenProcess_h
+
+#include "TetGen/TetGenProblem.h"
+
+#include <cstdio>
+#include <functional>
+#include <string>
+
+#include <sys/types.h>
+
+namespace interlume
+{
+
+/**
+ * @class   TetGenProcess
+ * @brief   TetGen in a process of its own
+ *
+ * TetGen 1.5 throws from functions whose destructors then free memory twice, has assertions, can
+ * recurse without end and can fail to terminate. So it runs in a small program, started at the
+ * first problem and kept for the next ones; after a failure a new one is started. TetGen's
+ * predicates and random numbers have global state: there it is private. The program is started with
+ * posix_spawn, so that this is safe in a process with threads. No signal reaches the caller's
+ * process, and what TetGen prints goes to a temporary file.
+ */
+class TetGenProcess
+{
+public:
+  /// \a program: path of the worker; empty for the one beside this module's library.
+  explicit TetGenProcess(const std::string& program);
+  ~TetGenProcess();
+  TetGenProcess(const TetGenProcess&) = delete;
+  void operator=(const TetGenProcess&) = delete;
+
+  /// Asked some ten times a second while TetGen works; true ends it.
+  std::function<bool()> IsCancelled;
+  /// The longest time for one problem, in seconds; 0 for none.
+  double TimeLimit = 0.0;
+
+  /**
+   * Runs TetGen. False when there is no solution; GetFailure() says why, or is empty if it was
+   * cancelled.
+   */
+  bool Solve(const TetGenProblem& problem, TetGenSolution& solution);
+  const std::string& GetFailure() const { return this->Failure; }
+  /// Whether the last problem took longer than TimeLimit.
+  bool IsLate() const { return this->Late; }
+
+private:
+  bool Start();
+  bool Spawn(int workerSocket, int outputFile);
+  /// Ends the worker, and says how it ended.
+  std::string Stop();
+  std::string GetLastOutput() const;
+
+  std::string Program;
+  std::string Failure;
+  bool Late = false;
+  pid_t Process = -1;
+  int Socket = -1;
+  std::FILE* Output = nullptr;
+};
+
+}
+
+#endif

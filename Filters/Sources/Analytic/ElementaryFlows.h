@@ -1,0 +1,239 @@
+#ifndef interlume_ElementaryFlows_h
+#define interlume_ElementaryFlows_h
+
+#include "Analytic/DualNumber.h"
+
+#include <array>
+#include <cmath>
+
+namespace interlume
+{
+
+/**
+ * The formulas of vtkAnalyticFlowSource that are not vortices: velocities at x, relative to the
+ * centre, of numbers of any kind. Directions are of length 1.
+ */
+namespace ElementaryFlows
+{
+// For numbers that are not dual.
+using std::cos;
+using std::sin;
+using std::sqrt;
+using std::tanh;
+
+using Vector = std::array<double, 3>;
+
+template <typename Number>
+Number Dot(const Vector& a, const Number x[3])
+{
+  return a[0] * x[0] + a[1] * x[1] + a[2] * x[2];
+}
+
+template <typename Number>
+Number SquaredLength(const Number x[3])
+{
+  return x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+}
+
+template <typename Number>
+void Fill(const Vector& value, Number v[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    v[i] = value[i];
+  }
+}
+
+struct Uniform
+{
+  Vector Velocity;
+
+  template <typename Number>
+  void operator()(const Number*, Number v[3]) const
+  {
+    Fill(this->Velocity, v);
+  }
+};
+
+/// Rates along the three axes, and a rotation.
+struct Linear
+{
+  Vector Rates;
+  Vector AngularVelocity;
+
+  template <typename Number>
+  void operator()(const Number x[3], Number v[3]) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      v[i] =
+        this->Rates[i] * x[i] + this->AngularVelocity[j] * x[k] - this->AngularVelocity[k] * x[j];
+    }
+  }
+};
+
+/// A source at -Separation / 2, a sink at +Separation / 2.
+struct Pair
+{
+  double Strength;
+  Vector Separation;
+  double CoreRadius;
+  /// Whether the cores' charges are smeared (Plummer) rather than balls.
+  bool IsSoftened;
+
+  template <typename Number>
+  void operator()(const Number x[3], Number v[3]) const
+  {
+    Fill({ { 0.0, 0.0, 0.0 } }, v);
+    for (const double sign : { 1.0, -1.0 })
+    {
+      Number d[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        d[i] = x[i] + 0.5 * sign * this->Separation[i];
+      }
+      const Number factor = this->GetFactor(SquaredLength(d));
+      for (int i = 0; i < 3; ++i)
+      {
+        v[i] = v[i] + sign * factor * d[i];
+      }
+    }
+  }
+
+private:
+  // Velocity over distance.
+  template <typename Number>
+  Number GetFactor(const Number& r2) const
+  {
+    const double core2 = this->CoreRadius * this->CoreRadius;
+    if (this->IsSoftened)
+    {
+      const Number sum = r2 + core2;
+      return this->Strength / (sum * sqrt(sum));
+    }
+    const double charge = this->Strength / (16.0 * std::atan(1.0));
+    if (DualMath::GetValue(r2) < core2)
+    {
+      return Number(charge / (core2 * this->CoreRadius));
+    }
+    return charge / (r2 * sqrt(r2));
+  }
+};
+
+/// Potential flow around a sphere, 0 inside.
+struct Sphere
+{
+  Vector Velocity;
+  double Radius;
+
+  bool IsInside(const double x[3]) const { return SquaredLength(x) < this->Radius * this->Radius; }
+
+  template <typename Number>
+  void operator()(const Number x[3], Number v[3]) const
+  {
+    const Number r2 = SquaredLength(x);
+    if (DualMath::GetValue(r2) < this->Radius * this->Radius)
+    {
+      Fill({ { 0.0, 0.0, 0.0 } }, v);
+      return;
+    }
+    const Number part = 0.5 * this->Radius * this->Radius * this->Radius / (r2 * sqrt(r2));
+    const Number along = 3.0 * part / r2 * Dot(this->Velocity, x);
+    for (int i = 0; i < 3; ++i)
+    {
+      v[i] = this->Velocity[i] * (1.0 + part) - along * x[i];
+    }
+  }
+};
+
+/// Potential flow around an endless cylinder, 0 inside.
+struct Cylinder
+{
+  /// Across the axis, and along it.
+  Vector Across;
+  Vector Along;
+  Vector Axis;
+  double Radius;
+
+  bool IsInside(const double x[3]) const
+  {
+    double radial[3];
+    this->GetRadial(x, radial);
+    return SquaredLength(radial) < this->Radius * this->Radius;
+  }
+
+  template <typename Number>
+  void operator()(const Number x[3], Number v[3]) const
+  {
+    Number radial[3];
+    this->GetRadial(x, radial);
+    const Number r2 = SquaredLength(radial);
+    if (DualMath::GetValue(r2) < this->Radius * this->Radius)
+    {
+      Fill({ { 0.0, 0.0, 0.0 } }, v);
+      return;
+    }
+    const Number part = this->Radius * this->Radius / r2;
+    const Number along = 2.0 * part / r2 * Dot(this->Across, radial);
+    for (int i = 0; i < 3; ++i)
+    {
+      v[i] = this->Across[i] * (1.0 + part) - along * radial[i] + this->Along[i];
+    }
+  }
+
+private:
+  template <typename Number>
+  void GetRadial(const Number x[3], Number radial[3]) const
+  {
+    const Number height = Dot(this->Axis, x);
+    for (int i = 0; i < 3; ++i)
+    {
+      radial[i] = x[i] - height * this->Axis[i];
+    }
+  }
+};
+
+/// The flow of Arnold, Beltrami and Childress.
+struct Beltrami
+{
+  Vector Amplitudes;
+  double WaveNumber;
+
+  template <typename Number>
+  void operator()(const Number x[3], Number v[3]) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      v[i] = this->Amplitudes[i] * sin(this->WaveNumber * x[k]) +
+        this->Amplitudes[k] * cos(this->WaveNumber * x[j]);
+    }
+  }
+};
+
+/// Two streams of opposite direction and the layer between them.
+struct Shear
+{
+  /// Across the normal.
+  Vector Velocity;
+  Vector Normal;
+  double Thickness;
+
+  template <typename Number>
+  void operator()(const Number x[3], Number v[3]) const
+  {
+    const Number profile = tanh(Dot(this->Normal, x) / this->Thickness);
+    for (int i = 0; i < 3; ++i)
+    {
+      v[i] = this->Velocity[i] * profile;
+    }
+  }
+};
+}
+
+}
+
+#endif

@@ -1,0 +1,48 @@
+#ifndef interlume_ClampedValue_h
+#define interlume_ClampedValue_h
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace interlume
+{
+
+/**
+ * For setters of numbers.
+ */
+namespace ClampedValue
+{
+/**
+ * Gives \a members the \a values, each clamped to lower ... upper; NaN leaves a member as it is.
+ * True when something changed.
+ */
+template <std::size_t Size>
+bool Assign(double (&members)[Size], const double (&values)[Size], double lower, double upper)
+{
+  bool isChanged = false;
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    const double value = std::max(lower, std::min(values[i], upper));
+    if (!std::isnan(values[i]) && value != members[i])
+    {
+      members[i] = value;
+      isChanged = true;
+    }
+  }
+  return isChanged;
+}
+
+/// The same for one value.
+inline bool Assign(double& member, double value, double lower, double upper)
+{
+  double members[1] = { member };
+  const bool isChanged = Assign(members, { value }, lower, upper);
+  member = members[0];
+  return isChanged;
+}
+}
+
+}
+
+#endif

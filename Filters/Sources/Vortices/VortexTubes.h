@@ -1,0 +1,43 @@
+#ifndef interlume_VortexTubes_h
+#define interlume_VortexTubes_h
+
+#include <array>
+
+namespace interlume
+{
+
+/**
+ * @class   VortexTubes
+ * @brief   vorticity magnitude of bent tubes that drift, bend, grow and fade, at one time
+ *
+ * The formula is in vtkAnalyticFieldSource; the tubes' constants are in the table of the .cxx.
+ */
+class VortexTubes
+{
+public:
+  static constexpr int NumberOfTubes = 11;
+
+  explicit VortexTubes(double time);
+
+  double operator()(const double x[3]) const;
+
+private:
+  /// A tube at that time.
+  struct State
+  {
+    std::array<double, 3> Center;
+    std::array<double, 3> Along;
+    std::array<double, 3> Across[2];
+    double HalfLength;
+    double Radius;
+    double Bend;
+    double WaveNumber;
+    double Phase;
+    double Strength;
+  };
+  std::array<State, NumberOfTubes> Tubes;
+};
+
+}
+
+#endif

@@ -1,0 +1,52 @@
+#include "Stripes/StripePyramid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+int StripePyramid::GetNumberOfLevels() const
+{
+  int levels = 1;
+  while (this->NumberOfLines >> levels > 0)
+  {
+    ++levels;
+  }
+  return levels;
+}
+
+double StripePyramid::GetCoverage(int texel) const
+{
+  // Of the half lines at both ends of the period.
+  const double half = 0.5 * this->LineWidth * this->TexelsPerLine;
+  const double left = std::clamp(half - texel, 0.0, 1.0);
+  const double right = std::clamp(half - (this->TexelsPerLine - 1 - texel), 0.0, 1.0);
+  return std::min(left + right, 1.0);
+}
+
+std::vector<unsigned char> StripePyramid::GetTexels(int level) const
+{
+  // A background that cannot be seen has the colour of lines, which their edges then keep.
+  Color background = this->Background;
+  if (background[3] <= 0.0)
+  {
+    std::copy(this->Line.begin(), this->Line.begin() + 3, background.begin());
+  }
+  std::vector<unsigned char> texels;
+  texels.reserve(4 * static_cast<std::size_t>(this->GetLength(level)));
+  for (int i = 0; i < this->GetLength(level); ++i)
+  {
+    const double coverage = this->GetCoverage(i % this->TexelsPerLine);
+    for (std::size_t channel = 0; channel < 4; ++channel)
+    {
+      const double value =
+        background[channel] + coverage * (this->Line[channel] - background[channel]);
+      texels.push_back(
+        static_cast<unsigned char>(std::lround(255.0 * std::clamp(value, 0.0, 1.0))));
+    }
+  }
+  return texels;
+}
+
+}

@@ -1,0 +1,200 @@
+#include "Draw/SliceLightBuffer.h"
+
+#include "Draw/SliceFrame.h"
+#include "Draw/SliceShader.h"
+#include "Draw/SliceTextures.h"
+#include "Loader/OpenGLFunctions.h"
+#include "Plan/SlicePolygons.h"
+
+#include "vtkFloatTarget.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace interlume
+{
+
+SliceLightBuffer::SliceLightBuffer(int light)
+  : Light(light)
+{
+  for (vtkSmartPointer<vtkTextureObject>& layer : this->Layers)
+  {
+    layer = vtkSmartPointer<vtkTextureObject>::New();
+  }
+}
+
+SliceLightBuffer::~SliceLightBuffer() = default;
+
+std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+  const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, SliceTextures& textures,
+  vtkOpenGLBufferObject* vertices, bool hasLayers)
+{
+  this->Size = light.BufferSize;
+  this->Bytes = vtkFloatTarget::Allocate(window, this->Texture, this->Size, this->Size,
+    picture.GetLightChannels(), picture.IsSmoothLookup);
+  if (this->Bytes == 0)
+  {
+    return "the graphics card has no memory for the buffer of a light";
+  }
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Texture);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  // Before it is cleared: OpenGL clears, and draws, only where all attachments are, and that of the
+  // last picture may be smaller.
+  this->Bytes += this->Occlusion.Prepare(window, this->Framebuffer, this->Size, this->Size, false);
+  SliceOcclusion::Clear(window);
+  // A wide light's buffer has optical depth.
+  const float start = light.IsWide ? 0.0f : 1.0f;
+  window->GetState()->vtkglClearColor(start, start, start, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    vtkSmartPointer<vtkTextureObject>& layer = this->Layers[i];
+    if (light.IsWide || !hasLayers)
+    {
+      layer->ReleaseGraphicsResources(window);
+      continue;
+    }
+    const vtkIdType bytes = vtkFloatTarget::Allocate(
+      window, layer, this->Size, this->Size, picture.GetLightChannels(), false);
+    if (bytes == 0)
+    {
+      return "the graphics card has no memory for the layers of a light";
+    }
+    this->Bytes += bytes;
+    this->LayerSlabs[i] = 0;
+    this->CopyTo(layer);
+  }
+  // Texels on all sides of a place are free of the surface there, seen up to 60 degrees aslant.
+  constexpr double texels = 1.5;
+  constexpr double most = 64.0;
+  this->Period = static_cast<int>(
+    std::ceil(std::min(std::max(texels * light.TexelSize / sweep.Spacing, 1.0), most)));
+  this->IsLayerSet = false;
+  const std::string source = SliceShader::GetLightSource(picture, light);
+  this->IsWide = light.IsWide;
+  if (this->IsWide)
+  {
+    this->Tiles.Build(sweep, light, picture.Lights[light.Light].Position, picture.Blocks,
+      picture.Space, picture.Matter.Box);
+    this->TileVertices->Upload(this->Tiles.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+  }
+  std::string error =
+    this->Slices.Prepare(window, source, this->IsWide ? this->TileVertices.Get() : vertices);
+  if (!error.empty())
+  {
+    return error;
+  }
+  vtkShaderProgram* program = this->Slices.GetProgram();
+  textures.Activate(program);
+  SliceShader::SetLightUniforms(program, picture, sweep, light);
+  return {};
+}
+
+void SliceLightBuffer::CopyTo(vtkTextureObject* layer)
+{
+  const bool wasActive = layer->GetTextureUnit() >= 0;
+  layer->Activate();
+  glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, this->Size, this->Size);
+  if (!wasActive)
+  {
+    layer->Deactivate();
+  }
+}
+
+bool SliceLightBuffer::KeepLayer(int slab, bool isEmpty)
+{
+  const std::array<int, 2> before = this->LayerSlabs;
+  if (isEmpty)
+  {
+    // What comes through all before the slab comes through the slab.
+    for (int& layer : this->LayerSlabs)
+    {
+      layer += layer == slab ? 1 : 0;
+    }
+  }
+  else if (slab - this->LayerSlabs[1] >= this->Period)
+  {
+    std::swap(this->Layers[0], this->Layers[1]);
+    this->LayerSlabs = { { this->LayerSlabs[1], slab } };
+    this->Framebuffer->Bind(GL_READ_FRAMEBUFFER);
+    this->CopyTo(this->Layers[1]);
+  }
+  const bool isChanged = !this->IsLayerSet || this->LayerSlabs != before;
+  this->IsLayerSet = true;
+  return isChanged;
+}
+
+bool SliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+  const SlicePolygons& polygons, int slab)
+{
+  const std::vector<std::size_t>& starts =
+    this->IsWide ? this->Tiles.GetStarts() : polygons.GetStarts();
+  if (starts[slab] == starts[slab + 1])
+  {
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  state->vtkglViewport(0, 0, this->Size, this->Size);
+  if (this->IsWide)
+  {
+    state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  }
+  else
+  {
+    state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+  }
+  state->vtkglEnable(GL_DEPTH_TEST);
+  this->Slices.Draw(window, starts, slab, sweep.First + slab * sweep.Spacing);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  return true;
+}
+
+void SliceLightBuffer::MarkOccluded(vtkOpenGLRenderWindow* window)
+{
+  this->Occlusion.Mark(
+    window, this->Texture, this->IsWide ? SliceOcclusion::DEPTH : SliceOcclusion::TRANSMITTANCE);
+}
+
+std::vector<float> SliceLightBuffer::Read(vtkOpenGLRenderWindow* window, int& size, int& channels)
+{
+  if (!this->IsUsed() || this->IsWide)
+  {
+    return {};
+  }
+  window->MakeCurrent();
+  size = this->Size;
+  channels = this->Texture->GetComponents();
+  std::vector<float> texels(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) *
+    static_cast<std::size_t>(channels));
+  this->Texture->Activate();
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTexImage(GL_TEXTURE_2D, 0, channels == 1 ? GL_RED : GL_RGB, GL_FLOAT, texels.data());
+  this->Texture->Deactivate();
+  return texels;
+}
+
+void SliceLightBuffer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  for (vtkTextureObject* layer : this->Layers)
+  {
+    layer->ReleaseGraphicsResources(window);
+  }
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->Slices.ReleaseGraphicsResources();
+  this->Occlusion.ReleaseGraphicsResources(window);
+  this->TileVertices->ReleaseGraphicsResources();
+}
+
+}

@@ -1,0 +1,104 @@
+#ifndef interlume_SliceLightBuffer_h
+#define interlume_SliceLightBuffer_h
+
+#include "Draw/SliceOcclusion.h"
+#include "Draw/SlicePass.h"
+#include "Plan/LightTiles.h"
+#include "Plan/SlicePlan.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkWindow;
+
+namespace interlume
+{
+
+class SlicePolygons;
+class SliceTextures;
+struct SliceFrame;
+
+/**
+ * @class   SliceLightBuffer
+ * @brief   the transmittance from one light to a slice
+ *
+ * A wide light's buffer holds optical depth times the cosine between ray and normal.
+ */
+class SliceLightBuffer
+{
+public:
+  /// \a light is the light's index in the picture's list.
+  explicit SliceLightBuffer(int light);
+  ~SliceLightBuffer();
+
+  int GetLight() const { return this->Light; }
+  vtkTextureObject* GetTexture() const { return this->Texture; }
+  vtkIdType GetBytes() const { return this->Bytes; }
+  /// Whether a sweep of the picture uses it.
+  bool IsUsed() const { return this->Bytes > 0; }
+  void SetUnused() { this->Bytes = 0; }
+
+  /**
+   * Makes it ready for a sweep: all light passes. \a light is this buffer's in the sweep;
+   * \a hasLayers says that GetLayer is asked for. Returns what is wrong, or nothing.
+   */
+  std::string Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+    const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, SliceTextures& textures,
+    vtkOpenGLBufferObject* vertices, bool hasLayers);
+
+  ///@{
+  /// The buffer as it was some slabs before, and the first slab that is not in it. Not of wide
+  /// lights.
+  vtkTextureObject* GetLayer() const { return this->Layers[0]; }
+  int GetLayerSlab() const { return this->LayerSlabs[0]; }
+  ///@}
+  /// Before a slab is drawn, or passed over as empty: keeps the buffer where the last layer is old
+  /// enough. Returns whether the layer is another one.
+  bool KeepLayer(int slab, bool isEmpty);
+
+  /// Takes what a slab lets through. Returns whether there is matter for the light to meet.
+  bool Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+    const SlicePolygons& polygons, int slab);
+
+  /// Spares what lies behind opaque matter from now on.
+  void MarkOccluded(vtkOpenGLRenderWindow* window);
+
+  /// The texels, \a size times \a size; empty for a light inside the volume.
+  std::vector<float> Read(vtkOpenGLRenderWindow* window, int& size, int& channels);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void CopyTo(vtkTextureObject* layer);
+
+  int Light;
+  int Size = 0;
+  vtkIdType Bytes = 0;
+  vtkNew<vtkTextureObject> Texture;
+  /// The older and the newer one.
+  std::array<vtkSmartPointer<vtkTextureObject>, 2> Layers;
+  std::array<int, 2> LayerSlabs{ { 0, 0 } };
+  bool IsLayerSet = false;
+  /// Slabs from layer to layer.
+  int Period = 1;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  SlicePass Slices;
+  SliceOcclusion Occlusion;
+  /// Of a wide light, instead of the slices' triangles.
+  LightTiles Tiles;
+  vtkNew<vtkOpenGLBufferObject> TileVertices;
+  bool IsWide = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef interlume_SlicePass_h
+#define interlume_SlicePass_h
+
+#include "vtkNew.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkShaderProgram;
+
+namespace interlume
+{
+
+/**
+ * @class   SlicePass
+ * @brief   a program over the triangles of slices
+ */
+class SlicePass
+{
+public:
+  SlicePass();
+  ~SlicePass();
+
+  /**
+   * Compiles the fragments' source, for triangles in \a vertices. Slices that are \a isMarked have
+   * one depth each, nearer from slab to slab. Returns what is wrong, or nothing.
+   */
+  std::string Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
+    vtkOpenGLBufferObject* vertices, bool isMarked = false);
+  vtkShaderProgram* GetProgram() const { return this->Program; }
+
+  /// Draws the triangles of a slab that begins at \a entrance into the framebuffer that is bound.
+  /// \a starts are the first vertex of each slab, and their number.
+  void Draw(vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts, int slab,
+    double entrance);
+
+  void ReleaseGraphicsResources();
+
+private:
+  vtkShaderProgram* Program = nullptr;
+  bool IsMarked = false;
+  vtkNew<vtkOpenGLVertexArrayObject> Vertices;
+};
+
+}
+
+#endif

@@ -1,0 +1,527 @@
+#include "Draw/SliceRasterizer.h"
+
+#include "Draw/SliceShader.h"
+#include "Loader/OpenGLFunctions.h"
+
+#include "InterlumeSliceSelectionFS.h"
+#include "vtkFloatTarget.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkProjectiveLight.h"
+#include "vtkRenderer.h"
+#include "vtkSceneDepth.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+namespace
+{
+using Sweep = SlicePlan::Sweep;
+
+// Rays of eye and light make at least this cosine with a slice's normal where blocks at the edge of
+// the volume have to be enlarged for it.
+constexpr double LEAST_COSINE = 0.35;
+
+// The state that drawing of slices changes, as it was at the end of the block.
+struct ScopedState
+{
+  explicit ScopedState(vtkOpenGLState* state)
+    : DepthTest(state, GL_DEPTH_TEST)
+    , Blend(state, GL_BLEND)
+    , Cull(state, GL_CULL_FACE)
+    , Scissor(state, GL_SCISSOR_TEST)
+    , DepthMask(state)
+    , DepthFunc(state)
+    , BlendFunction(state)
+    , Viewport(state)
+    , ClearColor(state)
+  {
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglDepthFunc(GL_LESS);
+  }
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable Cull;
+  vtkOpenGLState::ScopedglEnableDisable Scissor;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglClearColor ClearColor;
+};
+}
+
+SliceRasterizer::SliceRasterizer() = default;
+
+SliceRasterizer::~SliceRasterizer() = default;
+
+std::string SliceRasterizer::GetObstacle(vtkOpenGLRenderWindow* window)
+{
+  window->MakeCurrent();
+  return HasOpenGL32() ? std::string() : std::string("OpenGL is older than 3.2");
+}
+
+std::string SliceRasterizer::PrepareImage(
+  vtkOpenGLRenderWindow* window, const SliceFrame& picture, vtkShadowedSliceReport& report)
+{
+  const int width = picture.Size[0];
+  const int height = picture.Size[1];
+  vtkIdType bytes = vtkFloatTarget::Allocate(window, this->Image, width, height, 4, true);
+  if (bytes == 0)
+  {
+    return "the graphics card has no memory for a picture of floats";
+  }
+  report.ImageBuffers = 1;
+  report.ImageBufferBytes = bytes;
+  if (picture.Plan.HasFurtherPictures())
+  {
+    bytes = vtkFloatTarget::Allocate(window, this->SweepImage, width, height, 4, false);
+    if (bytes == 0)
+    {
+      return "the graphics card has no memory for a second picture of floats";
+    }
+    ++report.ImageBuffers;
+    report.ImageBufferBytes += bytes;
+  }
+  else
+  {
+    this->SweepImage->ReleaseGraphicsResources(window);
+  }
+  if (this->HasOpaqueDepth)
+  {
+    ++report.ImageBuffers;
+    report.ImageBufferBytes += static_cast<vtkIdType>(sizeof(float)) *
+      static_cast<vtkIdType>(this->OpaqueDepth->GetWidth()) *
+      static_cast<vtkIdType>(this->OpaqueDepth->GetHeight());
+  }
+  this->ImageFramebuffer->SetContext(window);
+  ++report.ImageBuffers;
+  report.ImageBufferBytes +=
+    this->Occlusion.Prepare(window, this->ImageFramebuffer, width, height, true);
+  this->ImageFramebuffer->Bind();
+  this->ImageFramebuffer->AddColorAttachment(0, this->Image);
+  this->ImageFramebuffer->ActivateDrawBuffer(0);
+  const char* status = nullptr;
+  return vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, status)
+    ? std::string()
+    : std::string("a framebuffer of floats cannot be drawn to");
+}
+
+SliceLightBuffer& SliceRasterizer::GetLightBuffer(int light)
+{
+  const auto found = std::find_if(this->Lights.begin(), this->Lights.end(),
+    [light](const std::unique_ptr<SliceLightBuffer>& buffer)
+    { return buffer->GetLight() == light; });
+  if (found != this->Lights.end())
+  {
+    return **found;
+  }
+  this->Lights.push_back(std::make_unique<SliceLightBuffer>(light));
+  return *this->Lights.back();
+}
+
+std::string SliceRasterizer::PrepareLights(
+  vtkOpenGLRenderWindow* window, const SliceFrame& picture, std::size_t sweepIndex)
+{
+  const Sweep& sweep = picture.Plan.Sweeps[sweepIndex];
+  const bool hasLayers = SliceShader::HasThickPart(picture, sweepIndex);
+  for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+  {
+    // A light of several sweeps has its buffer in each in turn.
+    std::string error =
+      this->GetLightBuffer(light.Light)
+        .Prepare(window, picture, sweep, light, this->Textures, this->Vertices, hasLayers);
+    if (!error.empty())
+    {
+      return error;
+    }
+  }
+  return {};
+}
+
+void SliceRasterizer::ReleaseUnusedLights(vtkWindow* window)
+{
+  for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
+  {
+    if (!buffer->IsUsed())
+    {
+      buffer->ReleaseGraphicsResources(window);
+    }
+  }
+  this->Lights.erase(
+    std::remove_if(this->Lights.begin(), this->Lights.end(),
+      [](const std::unique_ptr<SliceLightBuffer>& buffer) { return !buffer->IsUsed(); }),
+    this->Lights.end());
+}
+
+std::string SliceRasterizer::Draw(vtkRenderer* renderer, const SliceFrame& picture,
+  const std::function<bool()>& isAborted, vtkShadowedSliceReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  this->HasOpaqueDepth = false;
+  if (picture.MayBeOccluded)
+  {
+    this->OpaqueDepth->SetContext(window);
+    this->HasOpaqueDepth = vtkSceneDepth::CopyTo(renderer, this->OpaqueDepth);
+  }
+  else
+  {
+    this->OpaqueDepth->ReleaseGraphicsResources(window);
+  }
+  report.Features = SliceShader::GetNames(picture, this->HasOpaqueDepth);
+  for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
+  {
+    buffer->SetUnused();
+  }
+  this->HasImage = false;
+  std::string error;
+  state->PushFramebufferBindings();
+  {
+    const ScopedState scoped(state);
+    error = this->PrepareImage(window, picture, report);
+    for (std::size_t i = 0; i < picture.Plan.Sweeps.size() && error.empty(); ++i)
+    {
+      error = this->DrawSweep(window, picture, i, isAborted, report);
+      if (error.empty() && picture.Plan.IsLastOfPicture(i) && !picture.Plan.IsOfFirstPicture(i))
+      {
+        this->AddSweep(window, picture);
+      }
+    }
+  }
+  state->PopFramebufferBindings();
+  this->ReleaseUnusedLights(window);
+  for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
+  {
+    ++report.LightBuffers;
+    report.LightBufferBytes += buffer->GetBytes();
+    report.LightBufferSize =
+      std::max(report.LightBufferSize, static_cast<int>(buffer->GetTexture()->GetWidth()));
+    report.LightChannels = buffer->GetTexture()->GetComponents();
+  }
+  this->HasImage = error.empty();
+  return error;
+}
+
+void SliceRasterizer::ActivateTextures(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+  std::size_t sweepIndex, vtkShaderProgram* program, vtkShadowedSliceReport& report)
+{
+  window->GetShaderCache()->ReadyShaderProgram(program);
+  const auto activate = [&](vtkTextureObject* texture, const std::string& name)
+  {
+    texture->Activate();
+    program->SetUniformi(name.c_str(), texture->GetTextureUnit());
+    this->Active.push_back(texture);
+  };
+  this->Textures.Activate(program);
+  if (this->HasOpaqueDepth)
+  {
+    activate(this->OpaqueDepth, "opaqueDepth");
+  }
+  const std::size_t shadowed = picture.Plan.Sweeps[sweepIndex].Lights.size();
+  std::size_t number = 0;
+  for (int light : SliceShader::GetLightsOf(picture, sweepIndex))
+  {
+    const std::string suffix = "_" + std::to_string(number);
+    if (number < shadowed)
+    {
+      activate(this->GetLightBuffer(light).GetTexture(), "buffer" + suffix);
+    }
+    vtkProjectiveLight* projective = picture.Lights[light].Projective;
+    if (projective && projective->GetImage())
+    {
+      activate(
+        this->Textures.GetScreen(window, projective, report.UploadedBytes), "image" + suffix);
+    }
+    ++number;
+  }
+}
+
+void SliceRasterizer::DeactivateTextures()
+{
+  this->Textures.Deactivate();
+  for (vtkTextureObject* texture : this->Active)
+  {
+    texture->Deactivate();
+  }
+  this->Active.clear();
+}
+
+void SliceRasterizer::BeginSweep(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+  std::size_t sweepIndex, vtkShadowedSliceReport& report)
+{
+  vtkOpenGLState* state = window->GetState();
+  this->ImageFramebuffer->Bind();
+  this->ImageFramebuffer->AddColorAttachment(
+    0, picture.Plan.IsOfFirstPicture(sweepIndex) ? this->Image.Get() : this->SweepImage.Get());
+  this->ImageFramebuffer->ActivateDrawBuffer(0);
+  state->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+  SliceOcclusion::Clear(window);
+  if (picture.Plan.Sweeps[sweepIndex].IsBehind)
+  {
+    this->MarkPicture(window);
+    ++report.OcclusionPasses;
+    return;
+  }
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void SliceRasterizer::MarkPicture(vtkOpenGLRenderWindow* window)
+{
+  this->Occlusion.Mark(
+    window, this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0), SliceOcclusion::OPACITY);
+}
+
+std::string SliceRasterizer::PrepareEye(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+  std::size_t sweepIndex, vtkShadowedSliceReport& report)
+{
+  this->HasThickPart = SliceShader::HasThickPart(picture, sweepIndex);
+  this->HasThinPart = SliceShader::HasThinPart(picture, sweepIndex);
+  const auto prepare = [&](SlicePass& pass, SliceShader::Parts part)
+  {
+    const std::string source =
+      SliceShader::GetEyeSource(picture, sweepIndex, this->HasOpaqueDepth, part);
+    std::string error = pass.Prepare(window, source, this->Vertices, this->HasThickPart);
+    if (error.empty())
+    {
+      this->ActivateTextures(window, picture, sweepIndex, pass.GetProgram(), report);
+      SliceShader::SetEyeUniforms(pass.GetProgram(), picture, sweepIndex, this->HasOpaqueDepth);
+    }
+    return error;
+  };
+  std::string error = prepare(this->Eye,
+    !this->HasThickPart   ? SliceShader::ALL
+      : this->HasThinPart ? SliceShader::THIN
+                          : SliceShader::EMPTY);
+  if (error.empty() && this->HasThickPart)
+  {
+    error = prepare(this->ThickEye, SliceShader::THICK);
+  }
+  return error;
+}
+
+std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+  std::size_t sweepIndex, const std::function<bool()>& isAborted, vtkShadowedSliceReport& report)
+{
+  const Sweep& sweep = picture.Plan.Sweeps[sweepIndex];
+  this->Polygons.Build(
+    sweep, picture.Blocks, picture.Space, picture.Matter.Box, 0.5 * sweep.Spacing / LEAST_COSINE);
+  report.Slices += sweep.Slabs;
+  if (this->Polygons.GetVertices().empty())
+  {
+    this->BeginSweep(window, picture, sweepIndex, report);
+    return {};
+  }
+  report.TriangleBytes += static_cast<vtkIdType>(sizeof(float)) *
+    static_cast<vtkIdType>(this->Polygons.GetVertices().size());
+  this->Vertices->Upload(this->Polygons.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+
+  std::string error = this->PrepareLights(window, picture, sweepIndex);
+  if (error.empty())
+  {
+    error = this->PrepareEye(window, picture, sweepIndex, report);
+  }
+  if (!error.empty())
+  {
+    this->DeactivateTextures();
+    return error;
+  }
+  this->BeginSweep(window, picture, sweepIndex, report);
+  const int interval =
+    this->HasThickPart ? SliceOcclusion::ThickInterval : SliceOcclusion::Interval;
+  int drawn = 0;
+  for (int slab = 0; slab < sweep.Slabs && !isAborted(); ++slab)
+  {
+    if (this->HasThickPart)
+    {
+      this->KeepLayers(window, sweep, slab);
+    }
+    if (this->Polygons.IsEmpty(slab))
+    {
+      continue;
+    }
+    this->DrawEyeSlab(window, picture, sweep, slab);
+    ++report.EyePasses;
+    for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+    {
+      report.LightPasses +=
+        this->GetLightBuffer(light.Light).Draw(window, sweep, this->Polygons, slab) ? 1 : 0;
+    }
+    ++drawn;
+    if (drawn % interval == 0)
+    {
+      report.OcclusionPasses += this->MarkOccluded(window, sweep);
+    }
+  }
+  this->DeactivateTextures();
+  report.SlicesDrawn += drawn;
+  return {};
+}
+
+void SliceRasterizer::KeepLayers(vtkOpenGLRenderWindow* window, const Sweep& sweep, int slab)
+{
+  const bool isEmpty = this->Polygons.IsEmpty(slab);
+  for (std::size_t i = 0; i < sweep.Lights.size(); ++i)
+  {
+    SliceLightBuffer& buffer = this->GetLightBuffer(sweep.Lights[i].Light);
+    if (sweep.Lights[i].IsWide || !buffer.KeepLayer(slab, isEmpty))
+    {
+      continue;
+    }
+    const std::string suffix = "_" + std::to_string(i);
+    vtkTextureObject* layer = buffer.GetLayer();
+    layer->Activate();
+    if (std::find(this->Active.begin(), this->Active.end(), layer) == this->Active.end())
+    {
+      this->Active.push_back(layer);
+    }
+    vtkShaderProgram* program = this->ThickEye.GetProgram();
+    window->GetShaderCache()->ReadyShaderProgram(program);
+    program->SetUniformi(("layer" + suffix).c_str(), layer->GetTextureUnit());
+    program->SetUniformf(("layerEntrance" + suffix).c_str(),
+      static_cast<float>(sweep.First + buffer.GetLayerSlab() * sweep.Spacing));
+  }
+}
+
+void SliceRasterizer::DrawEyeSlab(
+  vtkOpenGLRenderWindow* window, const SliceFrame& picture, const Sweep& sweep, int slab)
+{
+  vtkOpenGLState* state = window->GetState();
+  this->ImageFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  state->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+  if (sweep.IsFrontToBack)
+  {
+    state->vtkglBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  }
+  else
+  {
+    state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  if (sweep.IsFrontToBack || this->HasThickPart)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+  }
+  // What is left of a slab may lie behind the near plane while its middle is before it.
+  if (picture.IsCutByNearPlane)
+  {
+    glEnable(GL_DEPTH_CLAMP);
+  }
+  const double entrance = sweep.First + slab * sweep.Spacing;
+  if (this->HasThickPart)
+  {
+    // What the first leaves out it does not mark by its depth, and the second draws that alone.
+    state->vtkglDepthMask(GL_TRUE);
+    const GLboolean hasColor = this->HasThinPart ? GL_TRUE : GL_FALSE;
+    state->vtkglColorMask(hasColor, hasColor, hasColor, hasColor);
+    this->Eye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglDepthMask(GL_FALSE);
+    this->ThickEye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
+  }
+  else
+  {
+    this->Eye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
+  }
+  if (picture.IsCutByNearPlane)
+  {
+    glDisable(GL_DEPTH_CLAMP);
+  }
+  state->vtkglDisable(GL_DEPTH_TEST);
+}
+
+int SliceRasterizer::MarkOccluded(vtkOpenGLRenderWindow* window, const Sweep& sweep)
+{
+  int passes = 0;
+  if (sweep.IsFrontToBack)
+  {
+    this->MarkPicture(window);
+    ++passes;
+  }
+  for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+  {
+    this->GetLightBuffer(light.Light).MarkOccluded(window);
+    ++passes;
+  }
+  return passes;
+}
+
+void SliceRasterizer::AddSweep(vtkOpenGLRenderWindow* window, const SliceFrame& picture)
+{
+  // Every sweep has the same opacity; the colours are those of different lights.
+  this->ImageFramebuffer->Bind();
+  this->ImageFramebuffer->AddColorAttachment(0, this->Image);
+  this->ImageFramebuffer->ActivateDrawBuffer(0);
+  window->GetState()->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+  this->SumQuad.Draw(window, this->SweepImage, "SUM");
+}
+
+bool SliceRasterizer::Show(vtkOpenGLRenderWindow* window)
+{
+  if (this->HasImage)
+  {
+    this->Quad.Draw(window, this->Image);
+  }
+  return this->HasImage;
+}
+
+void SliceRasterizer::ShowSelection(
+  vtkOpenGLRenderWindow* window, const std::array<float, 3>& color)
+{
+  if (this->HasImage)
+  {
+    this->SelectionQuad.DrawWith(window, this->Image, InterlumeSliceSelectionFS,
+      [&color](vtkShaderProgram* program)
+      { program->SetUniform3f("selectionColor", color.data()); });
+  }
+}
+
+std::vector<float> SliceRasterizer::ReadLightBuffer(
+  vtkOpenGLRenderWindow* window, int light, int& size, int& channels)
+{
+  for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
+  {
+    if (buffer->GetLight() == light)
+    {
+      return buffer->Read(window, size, channels);
+    }
+  }
+  return {};
+}
+
+void SliceRasterizer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->HasImage = false;
+  this->Textures.ReleaseGraphicsResources(window);
+  for (vtkTextureObject* texture :
+    { this->Image.Get(), this->SweepImage.Get(), this->OpaqueDepth.Get() })
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->ImageFramebuffer->ReleaseGraphicsResources(window);
+  this->Occlusion.ReleaseGraphicsResources(window);
+  for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
+  {
+    buffer->ReleaseGraphicsResources(window);
+  }
+  this->Lights.clear();
+  this->Eye.ReleaseGraphicsResources();
+  this->ThickEye.ReleaseGraphicsResources();
+  this->Vertices->ReleaseGraphicsResources();
+  this->Quad.ReleaseGraphicsResources(window);
+  this->SumQuad.ReleaseGraphicsResources(window);
+  this->SelectionQuad.ReleaseGraphicsResources(window);
+}
+
+}

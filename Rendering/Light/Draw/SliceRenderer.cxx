@@ -1,0 +1,449 @@
+#include "Draw/SliceRenderer.h"
+
+#include "Draw/SliceRasterizer.h"
+#include "Draw/SliceShader.h"
+#include "Lights/LightSources.h"
+#include "Loader/OpenGLFunctions.h"
+#include "Plan/UnitSpaceCamera.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpaqueProps.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
+#include "vtkProjectiveLight.h"
+#include "vtkRenderer.h"
+#include "vtkSoftwareOpenGL.h"
+#include "vtkTimerLog.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+struct SliceRenderer::WindowResources
+{
+  SliceRasterizer Painter;
+  int SamplesVersion = 0;
+  int MaterialVersion = 0;
+};
+
+namespace
+{
+using Vector = std::array<double, 3>;
+using Matrix = std::array<double, 16>;
+
+// Clip coordinates have z + w >= 0 behind the near plane.
+void FindNearPlane(SliceFrame& picture)
+{
+  const Matrix& clip = picture.Eye.ClipFromUnit;
+  double length = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    picture.NearPlane[i] = clip[8 + i] + clip[12 + i];
+    length += i < 3 ? picture.NearPlane[i] * picture.NearPlane[i] : 0.0;
+  }
+  length = std::sqrt(length);
+  for (double& value : picture.NearPlane)
+  {
+    value /= length;
+  }
+  // The volume lies in the sphere of radius 1 around 0.
+  picture.IsCutByNearPlane = picture.NearPlane[3] < 1.0;
+}
+
+// The prop as a whole: in passes that ask for it, for its process and for its only block.
+void ShowSelection(
+  vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window, SliceRasterizer& painter)
+{
+  std::array<float, 3> color{ { 0.0f, 0.0f, 0.0f } };
+  selector->BeginRenderProp();
+  switch (selector->GetCurrentPass())
+  {
+    case vtkHardwareSelector::ACTOR_PASS:
+      std::copy_n(selector->GetPropColorValue(), 3, color.begin());
+      painter.ShowSelection(window, color);
+      break;
+    case vtkHardwareSelector::PROCESS_PASS:
+      vtkHardwareSelector::Convert(selector->GetProcessID() + 1, color.data());
+      painter.ShowSelection(window, color);
+      break;
+    case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
+      vtkHardwareSelector::Convert(1, color.data());
+      painter.ShowSelection(window, color);
+      break;
+    default:
+      break;
+  }
+  selector->EndRenderProp();
+}
+
+// Slices for each voxel along their normal, inverted.
+constexpr double AUTOMATIC_SPACING = 0.5;
+
+// How much coarser than asked for pictures may be.
+constexpr std::array<double, 5> COARSENESSES{ { 1.0, 1.5, 2.0, 3.0, 4.0 } };
+}
+
+SliceRenderer::SliceRenderer() = default;
+
+SliceRenderer::~SliceRenderer() = default;
+
+std::string SliceRenderer::UpdateSamples(const Request& request, bool isSoftware)
+{
+  const vtkMTimeType time = std::max(request.Image->GetMTime(), request.Scalars->GetMTime());
+  if (this->Scalars == request.Scalars && this->SamplesTime == time &&
+    this->IsWidened == isSoftware)
+  {
+    return {};
+  }
+  this->Scalars = nullptr;
+  this->MaterialOwner = nullptr;
+  std::array<int, 3> size{};
+  const int* dimensions = request.Image->GetDimensions();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    size[axis] = request.IsOfCells ? std::max(dimensions[axis] - 1, 1) : dimensions[axis];
+  }
+  std::string error = this->Picture.Samples.Build(request.Scalars, size, isSoftware);
+  if (error.empty())
+  {
+    this->Picture.Blocks.Build(this->Picture.Samples);
+    this->Scalars = request.Scalars;
+    this->SamplesTime = time;
+    this->IsWidened = isSoftware;
+    ++this->SamplesVersion;
+  }
+  return error;
+}
+
+std::string SliceRenderer::UpdateMaterial(vtkVolume* volume, const Request& request)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  const vtkMTimeType time = property->GetMTime();
+  const vtkMTimeType transmissionTime = request.Transmission ? request.Transmission->GetMTime() : 0;
+  if (this->MaterialOwner == property && this->MaterialTime == time &&
+    this->TransmissionTime == transmissionTime)
+  {
+    return {};
+  }
+  this->MaterialOwner = nullptr;
+  std::string error =
+    this->Picture.Material.Build(property, this->Picture.Samples, request.Transmission);
+  if (error.empty())
+  {
+    this->Picture.Blocks.Classify(this->Picture.Material);
+    this->MaterialOwner = property;
+    this->MaterialTime = time;
+    this->TransmissionTime = transmissionTime;
+    ++this->MaterialVersion;
+  }
+  return error;
+}
+
+void SliceRenderer::UpdateShading(vtkVolume* volume)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  SliceFrame& picture = this->Picture;
+  picture.IsShaded = property->GetShade() != 0;
+  for (int row = 0; row < picture.Material.Rows; ++row)
+  {
+    picture.Materials[row] = { { static_cast<float>(property->GetAmbient(row)),
+      static_cast<float>(property->GetDiffuse(row)), static_cast<float>(property->GetSpecular(row)),
+      static_cast<float>(property->GetSpecularPower(row)) } };
+    picture.UnitDistances[row] = property->GetScalarOpacityUnitDistance(row);
+  }
+  Vector ambient{ { 0.0, 0.0, 0.0 } };
+  for (const LightSource& light : picture.Lights)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      ambient[i] += light.Ambient[i];
+    }
+  }
+  const bool isBlack = ambient[0] + ambient[1] + ambient[2] == 0.0;
+  picture.Ambient = isBlack ? Vector{ { 1.0, 1.0, 1.0 } } : ambient;
+}
+
+double SliceRenderer::ChooseCoarseness(vtkVolume* volume, const Request& request)
+{
+  if (!request.AdjustsSampleDistances)
+  {
+    return 1.0;
+  }
+  // Slices and pixels along both edges.
+  const double full = this->LastSeconds * std::pow(this->LastCoarseness, 3.0);
+  const double allocated = volume->GetAllocatedRenderTime();
+  for (double coarseness : COARSENESSES)
+  {
+    if (full <= allocated * std::pow(coarseness, 3.0))
+    {
+      return coarseness;
+    }
+  }
+  return COARSENESSES.back();
+}
+
+std::string SliceRenderer::Upload(
+  vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  WindowResources& resources = *this->Windows[window];
+  const SliceFrame& picture = this->Picture;
+  const vtkIdType samples = SliceTextures::GetBytes(picture.Samples);
+  const vtkIdType tables = SliceTextures::GetBytes(picture.Material);
+  report.TextureBytes = samples + tables;
+  vtkIdType bytes = report.TextureBytes;
+  const vtkIdType pixels = static_cast<vtkIdType>(picture.Size[0]) * picture.Size[1];
+  bytes +=
+    pixels * static_cast<vtkIdType>(sizeof(float)) * (picture.Plan.HasFurtherPictures() ? 9 : 5);
+  for (std::size_t sweep = 0; sweep < picture.Plan.Sweeps.size(); ++sweep)
+  {
+    // With two layers of each buffer.
+    const int buffers = SliceShader::HasThickPart(picture, sweep) ? 3 : 1;
+    for (const SlicePlan::ShadowedLight& light : picture.Plan.Sweeps[sweep].Lights)
+    {
+      bytes += static_cast<vtkIdType>(sizeof(float)) * light.BufferSize * light.BufferSize *
+        picture.GetLightChannels() * (light.IsWide ? 1 : buffers);
+    }
+  }
+  if (request.MaximumTextureMemory > 0 && bytes > request.MaximumTextureMemory)
+  {
+    return "textures and buffers of the picture take " + std::to_string(bytes) +
+      " bytes, and MaximumTextureMemory is " + std::to_string(request.MaximumTextureMemory);
+  }
+  SliceTextures& textures = resources.Painter.GetTextures();
+  std::string error;
+  if (resources.SamplesVersion != this->SamplesVersion)
+  {
+    error = textures.Upload(window, picture.Samples);
+    resources.SamplesVersion = error.empty() ? this->SamplesVersion : 0;
+    report.UploadedBytes += samples;
+  }
+  if (error.empty() && resources.MaterialVersion != this->MaterialVersion)
+  {
+    error = textures.Upload(window, picture.Material);
+    resources.MaterialVersion = error.empty() ? this->MaterialVersion : 0;
+    report.UploadedBytes += tables;
+  }
+  std::vector<vtkProjectiveLight*> screens;
+  for (const LightSource& light : picture.Lights)
+  {
+    if (light.Projective && light.Projective->GetImage())
+    {
+      screens.push_back(light.Projective);
+    }
+  }
+  textures.KeepScreens(screens, window);
+  return error;
+}
+
+std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+  std::vector<std::string>& warnings, vtkShadowedSliceReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    return "the render window is not an OpenGL one";
+  }
+  std::string error = SliceRasterizer::GetObstacle(window);
+  if (error.empty())
+  {
+    error = this->UpdateSamples(request, vtkSoftwareOpenGL::IsUsed(window));
+  }
+  if (error.empty())
+  {
+    error = this->UpdateMaterial(volume, request);
+  }
+  SliceFrame& picture = this->Picture;
+  if (error.empty())
+  {
+    error = picture.Space.Set(request.Image, request.IsOfCells, volume->GetMatrix());
+  }
+  if (error.empty())
+  {
+    picture.Matter.SetWhole(picture.Space);
+    if (request.Cropping)
+    {
+      picture.Matter.Crop(request.Image, request.IsOfCells, picture.Space, request.CroppingPlanes,
+        request.CroppingFlags);
+    }
+    error = picture.Matter.Clip(request.ClippingPlanes, picture.Space);
+  }
+  if (!error.empty())
+  {
+    return error;
+  }
+  request.Image->GetSpacing(picture.Spacing.data());
+  const double coarseness = this->ChooseCoarseness(volume, request);
+  report.ImageSampleDistance = request.ImageSampleDistance * coarseness;
+  int width = 0;
+  int height = 0;
+  int left = 0;
+  int bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  const auto toPixels = [&report](int size)
+  { return std::max(static_cast<int>(std::lround(size / report.ImageSampleDistance)), 1); };
+  picture.Size = { { toPixels(width), toPixels(height) } };
+  picture.Eye = UnitSpaceCamera::Get(renderer, picture.Space);
+  FindNearPlane(picture);
+  picture.Lights = LightSources::Gather(renderer, picture.Space,
+    { request.Shadows && !renderer->GetSelector(), request.MaximumNumberOfShadows }, warnings);
+  this->UpdateShading(volume);
+  picture.SurfaceGradient = request.SurfaceGradient;
+  picture.IsSmoothLookup = request.IsSmoothLookup;
+  picture.MayBeOccluded = vtkOpaqueProps::MayOcclude(renderer, volume);
+
+  SlicePlan::Settings settings;
+  settings.Spacing = request.SliceSpacing / picture.Space.Radius;
+  settings.AutomaticFactor = AUTOMATIC_SPACING * coarseness;
+  settings.BufferSize = request.LightBufferSize;
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  settings.LargestBufferSize = std::min(settings.LargestBufferSize, static_cast<int>(limit));
+  picture.Plan.Make(picture.Eye, picture.Lights, picture.Space, picture.Matter.Box, settings);
+
+  report.Lights = picture.IsLit() ? static_cast<int>(picture.Lights.size()) : 0;
+  report.ShadowedLights = static_cast<int>(std::count_if(picture.Lights.begin(),
+    picture.Lights.end(), [](const LightSource& light) { return light.ShadowStrength > 0.0; }));
+  report.Sweeps = static_cast<int>(picture.Plan.Sweeps.size());
+  report.FrontToBackSweeps = static_cast<int>(std::count_if(picture.Plan.Sweeps.begin(),
+    picture.Plan.Sweeps.end(), [](const SlicePlan::Sweep& sweep) { return sweep.IsFrontToBack; }));
+  report.SliceSpacing = picture.Plan.Sweeps[0].Spacing * picture.Space.Radius;
+  report.Blocks = picture.Blocks.GetNumberOfBlocks();
+  report.BlocksDrawn = picture.Blocks.GetNumberVisible();
+  report.NonFiniteVoxels = picture.Samples.NonFinite;
+  this->LastCoarseness = coarseness;
+  return this->Upload(renderer, request, report);
+}
+
+std::string SliceRenderer::Render(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+  std::vector<std::string>& warnings, vtkShadowedSliceReport& report)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  std::unique_ptr<WindowResources>& resources = this->Windows[window];
+  if (!resources)
+  {
+    resources = std::make_unique<WindowResources>();
+  }
+  std::string error = this->Update(renderer, volume, request, warnings, report);
+  if (error.empty())
+  {
+    const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
+    error = resources->Painter.Draw(renderer, this->Picture, isAborted, report);
+  }
+  if (window && renderer->GetSelector())
+  {
+    ShowSelection(renderer->GetSelector(), window, resources->Painter);
+  }
+  else if (window)
+  {
+    resources->Painter.Show(window);
+  }
+  if (error.empty() && request.AdjustsSampleDistances)
+  {
+    glFinish();
+    this->LastSeconds = vtkTimerLog::GetUniversalTime() - start;
+  }
+  report.Seconds = vtkTimerLog::GetUniversalTime() - start;
+  return error;
+}
+
+void SliceRenderer::ShowLast(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const auto resources = this->Windows.find(window);
+  if (window && resources != this->Windows.end())
+  {
+    resources->second->Painter.Show(window);
+  }
+}
+
+bool SliceRenderer::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkImageData* image)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const auto resources = this->Windows.find(window);
+  if (resources == this->Windows.end())
+  {
+    return false;
+  }
+  const UnitSpace& space = this->Picture.Space;
+  for (const SlicePlan::Sweep& sweep : this->Picture.Plan.Sweeps)
+  {
+    for (const SlicePlan::ShadowedLight& shadowed : sweep.Lights)
+    {
+      if (this->Picture.Lights[shadowed.Light].Light != light)
+      {
+        continue;
+      }
+      int size = 0;
+      int channels = 0;
+      const std::vector<float> texels =
+        resources->second->Painter.ReadLightBuffer(window, shadowed.Light, size, channels);
+      if (texels.empty())
+      {
+        return false;
+      }
+      image->Initialize();
+      image->SetDimensions(size, size, 1);
+      vtkNew<vtkFloatArray> values;
+      values->SetName("Transmittance");
+      values->SetNumberOfComponents(channels);
+      values->SetNumberOfTuples(static_cast<vtkIdType>(size) * size);
+      std::copy(texels.begin(), texels.end(), values->GetPointer(0));
+      image->GetPointData()->SetScalars(values);
+
+      // Clip coordinates to texture coordinates, after the way from world to unit space.
+      const Matrix texture{ { 0.5, 0.0, 0.0, 0.5, 0.0, 0.5, 0.0, 0.5, 0.0, 0.0, 0.5, 0.5, 0.0, 0.0,
+        0.0, 1.0 } };
+      Matrix unit{};
+      for (int i = 0; i < 3; ++i)
+      {
+        unit[5 * i] = 1.0 / space.Radius;
+        unit[4 * i + 3] = -space.Center[i] / space.Radius;
+      }
+      unit[15] = 1.0;
+      vtkNew<vtkDoubleArray> matrix;
+      matrix->SetName("BufferFromWorld");
+      matrix->SetNumberOfTuples(16);
+      Matrix product{};
+      vtkMatrix4x4::Multiply4x4(shadowed.BufferFromUnit.data(), unit.data(), product.data());
+      vtkMatrix4x4::Multiply4x4(texture.data(), product.data(), matrix->GetPointer(0));
+      image->GetFieldData()->AddArray(matrix);
+      return true;
+    }
+  }
+  return false;
+}
+
+void SliceRenderer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& resources : this->Windows)
+  {
+    if (!window || resources.first == window)
+    {
+      resources.second->Painter.ReleaseGraphicsResources(resources.first);
+    }
+  }
+  if (window)
+  {
+    this->Windows.erase(window);
+  }
+  else
+  {
+    this->Windows.clear();
+  }
+}
+
+}

@@ -1,0 +1,105 @@
+#ifndef interlume_SliceRenderer_h
+#define interlume_SliceRenderer_h
+
+#include "Draw/SliceFrame.h"
+
+#include "vtkShadowedSliceReport.h"
+#include "vtkType.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkColorTransferFunction;
+class vtkDataArray;
+class vtkImageData;
+class vtkLight;
+class vtkPlaneCollection;
+class vtkRenderer;
+class vtkVolume;
+class vtkWindow;
+
+namespace interlume
+{
+
+class SliceRasterizer;
+
+/**
+ * @class   SliceRenderer
+ * @brief   makes what is new of a picture of slices, plans it and has it drawn
+ */
+class SliceRenderer
+{
+public:
+  /// What the mapper wants.
+  struct Request
+  {
+    vtkImageData* Image = nullptr;
+    vtkDataArray* Scalars = nullptr;
+    bool IsOfCells = false;
+    vtkColorTransferFunction* Transmission = nullptr;
+    vtkPlaneCollection* ClippingPlanes = nullptr;
+    bool Cropping = false;
+    std::array<double, 6> CroppingPlanes{};
+    int CroppingFlags = 0;
+    bool Shadows = true;
+    int MaximumNumberOfShadows = 16;
+    double SliceSpacing = 0.0;
+    int LightBufferSize = 0;
+    bool IsSmoothLookup = true;
+    double ImageSampleDistance = 1.0;
+    bool AdjustsSampleDistances = true;
+    double SurfaceGradient = 0.0;
+    vtkIdType MaximumTextureMemory = 0;
+  };
+
+  SliceRenderer();
+  ~SliceRenderer();
+
+  /**
+   * Draws. Returns what is wrong, or nothing; \a warnings gets what is left out of the picture.
+   * Where something is wrong the last picture of the window is shown again.
+   */
+  std::string Render(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+    std::vector<std::string>& warnings, vtkShadowedSliceReport& report);
+
+  /// Shows the last picture of the renderer's window again, if there is one.
+  void ShowLast(vtkRenderer* renderer);
+
+  /// See vtkShadowedSliceMapper::ReadLightBuffer.
+  bool ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkImageData* image);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  struct WindowResources;
+
+  std::string Update(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+    std::vector<std::string>& warnings, vtkShadowedSliceReport& report);
+  std::string UpdateSamples(const Request& request, bool isSoftware);
+  std::string UpdateMaterial(vtkVolume* volume, const Request& request);
+  void UpdateShading(vtkVolume* volume);
+  double ChooseCoarseness(vtkVolume* volume, const Request& request);
+  std::string Upload(vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report);
+
+  SliceFrame Picture;
+  /// What the samples and the material were made of.
+  vtkDataArray* Scalars = nullptr;
+  vtkMTimeType SamplesTime = 0;
+  bool IsWidened = false;
+  vtkMTimeType MaterialTime = 0;
+  vtkMTimeType TransmissionTime = 0;
+  const void* MaterialOwner = nullptr;
+  int SamplesVersion = 0;
+  int MaterialVersion = 0;
+  std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
+  /// Seconds of the last picture, and how coarse it was.
+  double LastSeconds = 0.0;
+  double LastCoarseness = 1.0;
+};
+
+}
+
+#endif

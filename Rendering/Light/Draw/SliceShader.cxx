@@ -1,0 +1,521 @@
+#include "Draw/SliceShader.h"
+
+#include "InterlumeSliceFS.h"
+#include "InterlumeSliceLight.h"
+#include "InterlumeSliceLightFS.h"
+#include "InterlumeSliceMedium.h"
+#include "vtkMatrix4x4.h"
+#include "vtkProjectiveLight.h"
+#include "vtkShaderFeatures.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <array>
+
+namespace interlume
+{
+
+namespace
+{
+// The optical depth of a slab from which on it counts as thick: thinner ones show no steps.
+constexpr double LeastDepth = 0.15;
+
+using Picture = SliceFrame;
+using Sweep = SlicePlan::Sweep;
+using ShadowedLight = SlicePlan::ShadowedLight;
+
+std::string Replace(std::string text, const std::string& mark, const std::string& by)
+{
+  for (std::size_t place = text.find(mark); place != std::string::npos;
+       place = text.find(mark, place + by.size()))
+  {
+    text.replace(place, mark.size(), by);
+  }
+  return text;
+}
+
+std::string GetMediumFeatures(const Picture& picture)
+{
+  const MaterialTable& material = picture.Material;
+  std::string features =
+    "COLUMNS=" + std::to_string(MaterialTable::Columns) + " ROWS=" + std::to_string(material.Rows);
+  features += material.Kind == MaterialTable::INDEPENDENT ? " OPACITY_OF=r"
+    : material.Kind == MaterialTable::COLOR_OPACITY       ? " OPACITY_OF=g"
+                                                          : " OPACITY_OF=a";
+  features += picture.Samples.Mask.empty() ? "" : " MASK";
+  features += material.GradientOpacity.empty() ? "" : " GRADIENT_OPACITY";
+  features += material.Bends.empty() ? "" : " BENDS";
+  features +=
+    material.HasEdges() ? " EDGES EDGE_PLACES=" + std::to_string(TransferColumns::EdgePlaces) : "";
+  features += picture.Matter.HasCropping ? " CROPPING" : "";
+  if (!picture.Matter.ClippingPlanes.empty())
+  {
+    features += " CLIPPING_PLANES=" + std::to_string(picture.Matter.ClippingPlanes.size());
+  }
+  return features;
+}
+
+// Light has colours of its own inside the matter.
+bool HasTransmission(const Picture& picture)
+{
+  return picture.GetLightChannels() > 1 && picture.HasShadows();
+}
+
+const ShadowedLight* FindShadow(const Sweep& sweep, int light)
+{
+  const auto found = std::find_if(sweep.Lights.begin(), sweep.Lights.end(),
+    [light](const ShadowedLight& shadowed) { return shadowed.Light == light; });
+  return found == sweep.Lights.end() ? nullptr : &*found;
+}
+
+std::string GetLightFeatures(const LightSource& light, const ShadowedLight* shadow, int number)
+{
+  std::string features;
+  const auto add = [&](bool has, const char* name)
+  { features += has ? std::string(" ") + name + "_" + std::to_string(number) : std::string(); };
+  add(light.IsPositional, "POSITIONAL");
+  add(light.ConeCosine > -1.0, "CONE");
+  add(light.Projective != nullptr, "SCREEN");
+  add(light.Projective && light.Projective->GetImage(), "IMAGE");
+  add(shadow != nullptr, "SHADOW");
+  add(shadow && shadow->IsWide, "WIDE");
+  return features;
+}
+
+// Of such lights' sources and what calls them.
+std::string GetEyeSource(
+  const std::string& features, const std::string& lights, const std::string& calls)
+{
+  std::string source = Replace(InterlumeSliceFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
+  source = Replace(source, "//INTERLUME::LIGHTS", lights);
+  source = Replace(source, "//INTERLUME::SHINE", calls);
+  return vtkShaderFeatures::Insert(source, features);
+}
+
+void SetVector(vtkShaderProgram* program, const std::string& name, const std::array<double, 3>& v)
+{
+  program->SetUniform3f(name.c_str(), v.data());
+}
+
+void SetVector(vtkShaderProgram* program, const std::string& name, const std::array<double, 4>& v)
+{
+  const float values[4] = { static_cast<float>(v[0]), static_cast<float>(v[1]),
+    static_cast<float>(v[2]), static_cast<float>(v[3]) };
+  program->SetUniform4f(name.c_str(), values);
+}
+
+// From rows in double precision to columns in single.
+void SetMatrix(
+  vtkShaderProgram* program, const std::string& name, const std::array<double, 16>& rows)
+{
+  float columns[16];
+  for (int i = 0; i < 16; ++i)
+  {
+    columns[4 * (i % 4) + i / 4] = static_cast<float>(rows[i]);
+  }
+  program->SetUniformMatrix4x4(name.c_str(), columns);
+}
+
+void SetFrame(vtkShaderProgram* program, const std::string& name, const std::array<double, 9>& axes)
+{
+  float columns[9];
+  std::transform(axes.begin(), axes.end(), std::begin(columns),
+    [](double value) { return static_cast<float>(value); });
+  program->SetUniformMatrix3x3(name.c_str(), columns);
+}
+
+// From a texel to the column of its value in a row of the range: less the origin, times the scale.
+struct Columns
+{
+  std::array<double, 4> Scale{ { 0.0, 0.0, 0.0, 0.0 } };
+  std::array<double, 4> Origin{ { 0.0, 0.0, 0.0, 0.0 } };
+
+  void Set(const VolumeSamples& samples, int component, const std::array<double, 2>& range)
+  {
+    const double columns = (MaterialTable::Columns - 1) / (range[1] - range[0]);
+    this->Scale[component] = samples.Scale[component] * columns;
+    this->Origin[component] = (range[0] - samples.Offset[component]) / samples.Scale[component];
+  }
+};
+
+int GetOpacityComponent(const MaterialTable& material, int row)
+{
+  switch (material.Kind)
+  {
+    case MaterialTable::COLOR_OPACITY:
+      return 1;
+    case MaterialTable::RGB_OPACITY:
+      return 3;
+    default:
+      return row;
+  }
+}
+
+Columns GetColorColumns(const Picture& picture)
+{
+  const VolumeSamples& samples = picture.Samples;
+  Columns columns;
+  if (picture.Material.Kind == MaterialTable::RGB_OPACITY)
+  {
+    // Bytes are colours as texels; all else is a colour as it is.
+    const bool isByte = samples.Scale[0] == 255.0 && samples.Offset[0] == 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      columns.Scale[c] = isByte ? 1.0 : samples.Scale[c];
+      columns.Origin[c] = isByte ? 0.0 : -samples.Offset[c] / samples.Scale[c];
+    }
+    return columns;
+  }
+  for (int row = 0; row < picture.Material.Rows; ++row)
+  {
+    columns.Set(samples, row, picture.Material.ColorRange[row]);
+  }
+  return columns;
+}
+
+void SetMediumUniforms(vtkShaderProgram* program, const Picture& picture, const Sweep& sweep)
+{
+  const UnitSpace& space = picture.Space;
+  SetMatrix(program, "textureFromUnit", space.TextureFromUnit);
+  program->SetUniformf("worldLength", static_cast<float>(space.Radius));
+  SetVector(program, "boxLower",
+    std::array<double, 3>{
+      { picture.Matter.Box[0][0], picture.Matter.Box[1][0], picture.Matter.Box[2][0] } });
+  SetVector(program, "boxUpper",
+    std::array<double, 3>{
+      { picture.Matter.Box[0][1], picture.Matter.Box[1][1], picture.Matter.Box[2][1] } });
+  SetVector(program, "sliceNormal", sweep.Normal);
+  program->SetUniformf("sliceSpacing", static_cast<float>(sweep.Spacing));
+
+  Columns columns;
+  for (int row = 0; row < picture.Material.Rows; ++row)
+  {
+    columns.Set(picture.Samples, GetOpacityComponent(picture.Material, row),
+      picture.Material.OpacityRange[row]);
+  }
+  SetVector(program, "columnScale", columns.Scale);
+  SetVector(program, "columnOrigin", columns.Origin);
+  if (program->IsUniformUsed("colorColumnScale"))
+  {
+    const Columns colors = GetColorColumns(picture);
+    SetVector(program, "colorColumnScale", colors.Scale);
+    SetVector(program, "colorColumnOrigin", colors.Origin);
+  }
+  if (program->IsUniformUsed("voxel"))
+  {
+    SetVector(program, "voxel",
+      std::array<double, 3>{ { 1.0 / space.Size[0], 1.0 / space.Size[1], 1.0 / space.Size[2] } });
+  }
+  if (!picture.Material.GradientOpacity.empty())
+  {
+    std::array<double, 4> scale{};
+    std::array<double, 4> distances{ { 1.0, 1.0, 1.0, 1.0 } };
+    for (int row = 0; row < picture.Material.Rows; ++row)
+    {
+      const int component = GetOpacityComponent(picture.Material, row);
+      scale[row] = picture.Samples.Scale[component] * (MaterialTable::Columns - 1) /
+        picture.Material.GradientRange[row];
+      distances[row] = picture.UnitDistances[row] / space.Radius;
+    }
+    const std::array<double, 3>& spacing = picture.Spacing;
+    const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
+    SetVector(program, "gradientSteps",
+      std::array<double, 3>{
+        { 0.5 * mean / spacing[0], 0.5 * mean / spacing[1], 0.5 * mean / spacing[2] } });
+    SetVector(program, "gradientColumnScale", scale);
+    SetVector(program, "unitDistances", distances);
+  }
+  if (!picture.Matter.ClippingPlanes.empty())
+  {
+    std::vector<float> planes;
+    for (const auto& plane : picture.Matter.ClippingPlanes)
+    {
+      planes.insert(planes.end(), plane.begin(), plane.end());
+    }
+    program->SetUniform4fv(
+      "clippingPlanes", static_cast<int>(picture.Matter.ClippingPlanes.size()), planes.data());
+  }
+  if (picture.Matter.HasCropping)
+  {
+    SetVector(program, "croppingLower", picture.Matter.CroppingLower);
+    SetVector(program, "croppingUpper", picture.Matter.CroppingUpper);
+    program->SetUniformi("croppingFlags", picture.Matter.CroppingFlags);
+    SetMatrix(program, "volumeFromUnit", space.VolumeFromUnit);
+  }
+}
+
+void SetLight(vtkShaderProgram* program, const LightSource& light, const ShadowedLight* shadow,
+  const std::string& number)
+{
+  SetVector(program, "diffuse" + number, light.Diffuse);
+  const auto isUsed = [&](const std::string& name)
+  { return program->IsUniformUsed((name + number).c_str()); };
+  if (isUsed("specular"))
+  {
+    SetVector(program, "specular" + number, light.Specular);
+  }
+  if (isUsed("position"))
+  {
+    SetVector(program, "position" + number, light.Position);
+  }
+  if (isUsed("attenuation"))
+  {
+    SetVector(program, "attenuation" + number, light.Attenuation);
+  }
+  if (isUsed("direction"))
+  {
+    SetVector(program, "direction" + number, light.Direction);
+  }
+  if (isUsed("cone"))
+  {
+    const float cone[2] = { static_cast<float>(light.ConeCosine),
+      static_cast<float>(light.Exponent) };
+    program->SetUniform2f(("cone" + number).c_str(), cone);
+  }
+  if (light.Projective)
+  {
+    SetMatrix(program, "screenFromUnit" + number, light.ScreenFromUnit);
+    program->SetUniformf(
+      ("edgeWidth" + number).c_str(), static_cast<float>(light.Projective->GetEdgeWidth()));
+    program->SetUniformf(
+      ("screenOpacity" + number).c_str(), static_cast<float>(light.Projective->GetScreenOpacity()));
+  }
+  if (shadow)
+  {
+    program->SetUniformf(("strength" + number).c_str(), static_cast<float>(light.ShadowStrength));
+    if (shadow->IsWide)
+    {
+      SetFrame(program, "frame" + number, shadow->Frame);
+    }
+    else
+    {
+      SetMatrix(program, "bufferFromUnit" + number, shadow->BufferFromUnit);
+      if (isUsed("voxelLength"))
+      {
+        program->SetUniformf(
+          ("voxelLength" + number).c_str(), static_cast<float>(shadow->VoxelLength));
+      }
+    }
+  }
+}
+}
+
+std::vector<int> SliceShader::GetLightsOf(const SliceFrame& picture, std::size_t sweep)
+{
+  std::vector<int> lights;
+  if (!picture.IsLit())
+  {
+    return lights;
+  }
+  for (const ShadowedLight& light : picture.Plan.Sweeps[sweep].Lights)
+  {
+    lights.push_back(light.Light);
+  }
+  for (std::size_t i = 0; picture.Plan.IsOfFirstPicture(sweep) && i < picture.Lights.size(); ++i)
+  {
+    if (!(picture.Lights[i].ShadowStrength > 0.0))
+    {
+      lights.push_back(static_cast<int>(i));
+    }
+  }
+  return lights;
+}
+
+bool SliceShader::HasThickPart(const SliceFrame& picture, std::size_t sweep)
+{
+  const MaterialTable& material = picture.Material;
+  // On a ramp that is steep some slabs would see a jump and others none, which shows as stripes.
+  if (!material.HasSharpOpacity())
+  {
+    return false;
+  }
+  double extinction = 0.0;
+  for (int row = 0; row < material.Rows; ++row)
+  {
+    const std::array<double, 2>& range = material.OpacityRange[row];
+    extinction += material.GetLargestExtinction(row, range[0], range[1]);
+  }
+  const SlicePlan::Sweep& planned = picture.Plan.Sweeps[sweep];
+  return extinction * planned.Spacing * picture.Space.Radius > LeastDepth &&
+    std::any_of(planned.Lights.begin(), planned.Lights.end(),
+      [](const ShadowedLight& light) { return !light.IsWide; });
+}
+
+bool SliceShader::HasThinPart(const SliceFrame& picture, std::size_t sweep)
+{
+  return !HasThickPart(picture, sweep) ||
+    picture.Material.GetSmallestExtinction() * picture.Plan.Sweeps[sweep].Spacing *
+      picture.Space.Radius <=
+    LeastDepth;
+}
+
+std::string SliceShader::GetEyeSource(
+  const SliceFrame& picture, std::size_t sweep, bool isOccluded, Parts part)
+{
+  std::string features = GetMediumFeatures(picture);
+  const std::array<const char*, 4> names{ { "", " THIN", " EMPTY", " THICK" } };
+  features += names[part];
+  features += part == ALL ? "" : " LEAST_DEPTH=" + std::to_string(LeastDepth);
+  features += picture.IsSmoothLookup ? "" : " NEAREST_LIGHT";
+  features += picture.Eye.IsParallel ? "" : " PERSPECTIVE";
+  features += picture.IsCutByNearPlane ? " NEAR_PLANE" : "";
+  features += isOccluded ? " OPAQUE" : "";
+  features += picture.Material.Kind == MaterialTable::RGB_OPACITY ? " RGB" : "";
+  if (part == EMPTY)
+  {
+    return ::GetEyeSource(features, "", "");
+  }
+  features += picture.IsLit() ? " LIT" : "";
+  features += picture.IsShaded ? " SHADE" : "";
+  features += HasTransmission(picture) ? " TRANSMISSION" : "";
+  std::string lights;
+  std::string calls;
+  int number = 0;
+  for (int light : GetLightsOf(picture, sweep))
+  {
+    features += GetLightFeatures(
+      picture.Lights[light], FindShadow(picture.Plan.Sweeps[sweep], light), number);
+    lights += Replace(InterlumeSliceLight, "INDEX", std::to_string(number));
+    calls += "shine_" + std::to_string(number) + "(color);\n";
+    ++number;
+  }
+  return ::GetEyeSource(features, lights, calls);
+}
+
+std::string SliceShader::GetLightSource(
+  const SliceFrame& picture, const SlicePlan::ShadowedLight& light)
+{
+  std::string features = GetMediumFeatures(picture);
+  features += HasTransmission(picture) ? " TRANSMISSION" : "";
+  features += light.IsWide ? " WIDE" : "";
+  features += picture.Lights[light.Light].IsPositional ? " POSITIONAL" : "";
+  // Equal sources would share one program, and its uniforms.
+  features += " LIGHT_NUMBER=" + std::to_string(light.Light);
+  const std::string source =
+    Replace(InterlumeSliceLightFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
+  return vtkShaderFeatures::Insert(source, features);
+}
+
+std::string SliceShader::GetNames(const SliceFrame& picture, bool isOccluded)
+{
+  const MaterialTable& material = picture.Material;
+  std::string names = material.Kind == MaterialTable::RGB_OPACITY ? "rgb-opacity"
+    : material.Kind == MaterialTable::COLOR_OPACITY               ? "color-opacity"
+                                                                  : "scalar";
+  names += material.Rows > 1 ? "-" + std::to_string(material.Rows) : std::string();
+  const auto add = [&names](bool has, const char* name)
+  { names += has ? std::string(" ") + name : std::string(); };
+  add(picture.Eye.IsParallel, "parallel");
+  add(!picture.Eye.IsParallel, "perspective");
+  add(!picture.Samples.Mask.empty(), "mask");
+  add(!material.GradientOpacity.empty(), "gradient-opacity");
+  add(picture.Matter.HasCropping, "cropping");
+  add(!picture.Matter.ClippingPlanes.empty(), "clipping-planes");
+  add(picture.IsCutByNearPlane, "near-plane");
+  add(isOccluded, "opaque");
+  add(picture.IsShaded, "shade");
+  add(picture.HasShadows(), "shadow");
+  add(HasTransmission(picture), "transmission");
+  bool isWide = false;
+  for (const Sweep& sweep : picture.Plan.Sweeps)
+  {
+    isWide = isWide ||
+      std::any_of(sweep.Lights.begin(), sweep.Lights.end(),
+        [](const ShadowedLight& light) { return light.IsWide; });
+  }
+  add(isWide, "shadow-wide");
+  const auto has = [&picture](auto&& test)
+  { return picture.IsLit() && std::any_of(picture.Lights.begin(), picture.Lights.end(), test); };
+  add(has([](const LightSource& light) { return light.IsPositional; }), "positional");
+  add(has([](const LightSource& light) { return light.ConeCosine > -1.0; }), "cone");
+  add(has([](const LightSource& light) { return light.Projective != nullptr; }), "screen");
+  return names;
+}
+
+void SliceShader::SetEyeUniforms(
+  vtkShaderProgram* program, const SliceFrame& picture, std::size_t sweep, bool isOccluded)
+{
+  SetMediumUniforms(program, picture, picture.Plan.Sweeps[sweep]);
+  SetMatrix(program, "clipFromUnit", picture.Eye.ClipFromUnit);
+  if (picture.Eye.IsParallel)
+  {
+    SetVector(program, "eyeDirection", picture.Eye.Direction);
+  }
+  else
+  {
+    SetVector(program, "eyePosition", picture.Eye.Position);
+  }
+  if (picture.IsCutByNearPlane)
+  {
+    SetVector(program, "nearPlane", picture.NearPlane);
+  }
+  if (isOccluded)
+  {
+    const float size[2] = { static_cast<float>(picture.Size[0]),
+      static_cast<float>(picture.Size[1]) };
+    program->SetUniform2f("imageSize", size);
+    std::array<double, 16> inverse{};
+    vtkMatrix4x4::Invert(picture.Eye.ClipFromUnit.data(), inverse.data());
+    SetMatrix(program, "unitFromClip", inverse);
+  }
+  if (!picture.IsLit())
+  {
+    return;
+  }
+  std::vector<float> materials;
+  for (int row = 0; row < picture.Material.Rows; ++row)
+  {
+    materials.insert(materials.end(), picture.Materials[row].begin(), picture.Materials[row].end());
+  }
+  if (picture.IsShaded)
+  {
+    std::array<double, 4> columns{};
+    for (int row = 0; row < picture.Material.Rows; ++row)
+    {
+      const std::array<double, 2>& scalars = picture.Material.ScalarRange[row];
+      const std::array<double, 2>& range = picture.Material.OpacityRange[row];
+      // A change by a millionth of the range is rounding.
+      columns[row] = (MaterialTable::Columns - 1) *
+        std::max(
+          picture.SurfaceGradient * ((scalars[1] - scalars[0]) / (range[1] - range[0])), 1e-6);
+    }
+    SetVector(program, "surfaceColumns", columns);
+  }
+  program->SetUniform4fv("materials", picture.Material.Rows, materials.data());
+  const std::array<double, 3> none{ { 0.0, 0.0, 0.0 } };
+  SetVector(program, "ambient", picture.Plan.IsOfFirstPicture(sweep) ? picture.Ambient : none);
+  int number = 0;
+  for (int light : GetLightsOf(picture, sweep))
+  {
+    SetLight(program, picture.Lights[light], FindShadow(picture.Plan.Sweeps[sweep], light),
+      "_" + std::to_string(number++));
+  }
+}
+
+void SliceShader::SetLightUniforms(vtkShaderProgram* program, const SliceFrame& picture,
+  const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light)
+{
+  SetMediumUniforms(program, picture, sweep);
+  const LightSource& source = picture.Lights[light.Light];
+  if (light.IsWide)
+  {
+    SetFrame(program, "frame", light.Frame);
+    // From a place in the buffer.
+    SetMatrix(program, "clipFromUnit",
+      { { 2.0, 0.0, 0.0, -1.0, 0.0, 2.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0 } });
+  }
+  else
+  {
+    SetMatrix(program, "clipFromUnit", light.BufferFromUnit);
+  }
+  if (source.IsPositional)
+  {
+    SetVector(program, "position", source.Position);
+  }
+  else
+  {
+    SetVector(program, "direction", source.Direction);
+  }
+}
+
+}

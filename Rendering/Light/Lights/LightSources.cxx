@@ -1,0 +1,220 @@
+#include "Lights/LightSources.h"
+
+#include "Space/UnitSpace.h"
+#include "Space/UnitVector.h"
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkProjectiveLight.h"
+#include "vtkRenderer.h"
+
+namespace interlume
+{
+
+namespace
+{
+
+using namespace UnitVector;
+
+// Where a light is, in world coordinates.
+struct Place
+{
+  double Position[3];
+  double FocalPoint[3];
+  /// From the light's own coordinates; null if they are the world's.
+  vtkMatrix4x4* Transform = nullptr;
+};
+
+void TransformPoint(vtkMatrix4x4* transform, const double point[3], double result[3])
+{
+  const double from[4] = { point[0], point[1], point[2], 1.0 };
+  double to[4];
+  transform->MultiplyPoint(from, to);
+  std::copy_n(to, 3, result);
+}
+
+// What vtkRenderer::UpdateLightsGeometryToFollowCamera makes of the light, without changing it.
+Place FindPlace(vtkLight* light, vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetLightFollowCamera() && renderer->IsActiveCameraCreated()
+    ? renderer->GetActiveCamera()
+    : nullptr;
+  Place place;
+  place.Transform = light->GetTransformMatrix();
+  light->GetPosition(place.Position);
+  light->GetFocalPoint(place.FocalPoint);
+  if (camera && light->LightTypeIsHeadlight())
+  {
+    camera->GetPosition(place.Position);
+    camera->GetFocalPoint(place.FocalPoint);
+    place.Transform = nullptr;
+  }
+  else if (camera && light->LightTypeIsCameraLight())
+  {
+    place.Transform = camera->GetCameraLightTransformMatrix();
+  }
+  if (place.Transform)
+  {
+    TransformPoint(place.Transform, place.Position, place.Position);
+    TransformPoint(place.Transform, place.FocalPoint, place.FocalPoint);
+  }
+  return place;
+}
+
+bool IsFinite(const Vector& a)
+{
+  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+
+bool IsBlack(const Vector& color)
+{
+  return color[0] == 0.0 && color[1] == 0.0 && color[2] == 0.0;
+}
+
+Vector GetColor(const double* color, double intensity)
+{
+  return { { color[0] * intensity, color[1] * intensity, color[2] * intensity } };
+}
+
+double GetBrightness(const LightSource& source)
+{
+  return *std::max_element(source.Diffuse.begin(), source.Diffuse.end());
+}
+
+// Fills what a projective light has more; returns what is wrong, or nothing.
+std::string SetScreen(
+  LightSource& source, const Place& place, const Vector& focalPoint, const UnitSpace& space)
+{
+  double viewUp[3];
+  source.Projective->GetViewUp(viewUp);
+  if (place.Transform)
+  {
+    const double from[4] = { viewUp[0], viewUp[1], viewUp[2], 0.0 };
+    double to[4];
+    place.Transform->MultiplyPoint(from, to);
+    std::copy_n(to, 3, viewUp);
+  }
+  vtkNew<vtkMatrix4x4> matrix;
+  if (!source.Projective->GetScreenMatrix(
+        source.Position.data(), focalPoint.data(), viewUp, 1.0 / space.Radius, matrix))
+  {
+    return "the matrix of its screen is not finite";
+  }
+  std::copy_n(matrix->GetData(), 16, source.ScreenFromUnit.begin());
+  return source.Projective->GetImageError();
+}
+
+// Returns what is wrong, or nothing.
+std::string SetSource(
+  LightSource& source, vtkLight* light, vtkRenderer* renderer, const UnitSpace& space)
+{
+  source.Light = light;
+  source.Projective = vtkProjectiveLight::SafeDownCast(light);
+  source.IsPositional = light->GetPositional() != 0;
+  source.Ambient = GetColor(light->GetAmbientColor(), light->GetIntensity());
+  source.Diffuse = GetColor(light->GetDiffuseColor(), light->GetIntensity());
+  source.Specular = GetColor(light->GetSpecularColor(), light->GetIntensity());
+  if (!IsFinite(source.Ambient) || !IsFinite(source.Diffuse) || !IsFinite(source.Specular))
+  {
+    return "its colour or intensity is not finite";
+  }
+
+  const Place place = FindPlace(light, renderer);
+  source.Position = space.ToUnit(place.Position);
+  const Vector focalPoint = space.ToUnit(place.FocalPoint);
+  // In world coordinates, which have all digits of it.
+  const Vector axis{ { place.FocalPoint[0] - place.Position[0],
+    place.FocalPoint[1] - place.Position[1], place.FocalPoint[2] - place.Position[2] } };
+  if (!IsFinite(source.Position) || !IsFinite(axis) || !std::isfinite(Length(axis)))
+  {
+    return "its position or focal point is not finite";
+  }
+  const double angle = light->GetConeAngle();
+  const bool hasCone = source.IsPositional && angle < 90.0;
+  if (IsBlack(axis) && (!source.IsPositional || hasCone || source.Projective))
+  {
+    return "its position and focal point are the same";
+  }
+  source.Direction = Normalize(axis, source.Direction);
+
+  if (!std::isfinite(angle) || !std::isfinite(light->GetExponent()))
+  {
+    return "its cone angle or exponent is not finite";
+  }
+  if (hasCone)
+  {
+    source.ConeCosine = std::cos(vtkMath::RadiansFromDegrees(std::max(angle, 0.0)));
+    source.Exponent = light->GetExponent();
+  }
+  if (source.IsPositional)
+  {
+    const double* world = light->GetAttenuationValues();
+    const Vector attenuation{ { world[0], world[1] * space.Radius,
+      world[2] * space.Radius * space.Radius } };
+    if (!IsFinite(attenuation))
+    {
+      return "its attenuation is not finite";
+    }
+    source.Attenuation = attenuation;
+  }
+  return source.Projective ? SetScreen(source, place, focalPoint, space) : "";
+}
+
+}
+
+std::vector<LightSource> LightSources::Gather(vtkRenderer* renderer, const UnitSpace& space,
+  const Settings& settings, std::vector<std::string>& errors)
+{
+  std::vector<LightSource> sources;
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  for (int index = 0; vtkLight* light = lights->GetNextLight(iterator); ++index)
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    LightSource source;
+    const std::string error = SetSource(source, light, renderer, space);
+    if (!error.empty())
+    {
+      errors.push_back("Light " + std::to_string(index) + " is left out: " + error + ".");
+      continue;
+    }
+    const bool shines = !IsBlack(source.Diffuse) || !IsBlack(source.Specular);
+    if (!shines && IsBlack(source.Ambient))
+    {
+      continue;
+    }
+    if (settings.Shadows && shines)
+    {
+      const double strength = light->GetShadowAttenuation();
+      source.ShadowStrength = strength > 0.0 ? std::min(strength, 1.0) : 0.0;
+    }
+    sources.push_back(source);
+  }
+
+  std::vector<std::size_t> shadowed;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    if (sources[i].ShadowStrength > 0.0)
+    {
+      shadowed.push_back(i);
+    }
+  }
+  std::stable_sort(shadowed.begin(), shadowed.end(),
+    [&](std::size_t a, std::size_t b)
+    { return GetBrightness(sources[a]) > GetBrightness(sources[b]); });
+  const auto most = static_cast<std::size_t>(std::max(settings.MaximumNumberOfShadows, 0));
+  for (std::size_t i = most; i < shadowed.size(); ++i)
+  {
+    sources[shadowed[i]].ShadowStrength = 0.0;
+  }
+  return sources;
+}
+
+}

@@ -1,0 +1,238 @@
+#include "Plan/LightFit.h"
+
+#include "Plan/SliceNormal.h"
+#include "Space/UnitSpace.h"
+
+namespace interlume
+{
+
+namespace
+{
+
+using namespace UnitVector;
+
+// Behind this cosine a perspective window has no bound.
+constexpr double SmallestDepth = 1e-3;
+
+constexpr int SmallestBuffer = 16;
+constexpr int SmallestAutomatic = 64;
+constexpr int LargestAutomatic = 2048;
+constexpr int Multiple = 16;
+
+Vector GetRow(const Matrix& matrix, std::size_t row)
+{
+  return { { matrix[4 * row], matrix[4 * row + 1], matrix[4 * row + 2] } };
+}
+
+}
+
+LightFit::LightFit(
+  const BoxCorners& corners, const UnitSpace& space, const SlicePlan::Settings& settings)
+  : Corners(corners)
+  , Space(space)
+  , Settings(settings)
+  , Center(corners.GetCenter())
+{
+}
+
+double LightFit::GetArea(const Window& window)
+{
+  return (window.Range[0][1] - window.Range[0][0]) * (window.Range[1][1] - window.Range[1][0]);
+}
+
+// Fills the window's range from the box; false where some of it is beside or behind the light.
+bool LightFit::Bound(Window& window) const
+{
+  window.Range = { { { { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } },
+    { { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } } } };
+  for (const Vector& corner : this->Corners.Get())
+  {
+    const Vector offset = Combine(1.0, corner, -1.0, window.Origin);
+    const double depth = Dot(offset, window.Axis);
+    if (window.IsPerspective && depth <= SmallestDepth * Length(offset))
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const double place = Dot(offset, window.Across[i]) / (window.IsPerspective ? depth : 1.0);
+      window.Range[i][0] = std::min(window.Range[i][0], place);
+      window.Range[i][1] = std::max(window.Range[i][1], place);
+    }
+  }
+  return true;
+}
+
+LightFit::Window LightFit::FitBox(const LightSource& source) const
+{
+  Window window;
+  const Vector toCenter = Combine(1.0, this->Center, -1.0, source.Position);
+  const double distance = Length(toCenter);
+  window.IsPerspective = source.IsPositional && distance < FarDistance;
+  window.Axis = source.IsPositional ? Normalize(toCenter, source.Direction) : source.Direction;
+  if (window.IsPerspective)
+  {
+    window.Origin = source.Position;
+    SliceNormal axis;
+    axis.Add(this->Corners.GetRays(source.Position), 1.0, 1.0);
+    if (axis.FindBest() > 0.0)
+    {
+      window.Axis = axis.GetBest();
+    }
+  }
+
+  Window best;
+  const std::array<Vector, 8>& corners = this->Corners.Get();
+  for (std::size_t edge = 0; edge < 3; ++edge)
+  {
+    const Vector along = Combine(1.0, corners[std::size_t(1) << edge], -1.0, corners[0]);
+    window.Across[0] = Perpendicular(window.Axis, along);
+    window.Across[1] = Cross(window.Axis, window.Across[0]);
+    this->Bound(window);
+    if (edge == 0 || GetArea(window) < GetArea(best))
+    {
+      best = window;
+    }
+  }
+  return best;
+}
+
+// The part of the screen through which light reaches the box; false where it has none.
+bool LightFit::FitScreen(const LightSource& source, Window& window) const
+{
+  const Matrix& screen = source.ScreenFromUnit;
+  window.IsPerspective = source.IsPositional;
+  window.Origin = source.IsPositional ? source.Position : Vector{ { 0.0, 0.0, 0.0 } };
+  window.Axis = source.Direction;
+  std::array<std::array<double, 2>, 2> edges;
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const Vector depth = source.IsPositional ? GetRow(screen, 3) : Vector{ { 0.0, 0.0, 0.0 } };
+    const Vector across = Combine(1.0, GetRow(screen, i), -0.5, depth);
+    const double length = Length(across);
+    window.Across[i] = Normalize(across, source.Direction);
+    if (source.IsPositional)
+    {
+      const double half = 0.5 * Length(depth) / length;
+      edges[i] = { { -half, half } };
+    }
+    else
+    {
+      const double constant = screen[4 * i + 3];
+      edges[i] = { { -constant / length, (1.0 - constant) / length } };
+    }
+  }
+  if (!this->Bound(window))
+  {
+    window.Range = edges;
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    window.Range[i][0] = std::max(window.Range[i][0], edges[i][0]);
+    window.Range[i][1] = std::min(window.Range[i][1], edges[i][1]);
+  }
+  return window.Range[0][0] < window.Range[0][1] && window.Range[1][0] < window.Range[1][1];
+}
+
+int LightFit::GetSize(double texels) const
+{
+  if (this->Settings.BufferSize > 0)
+  {
+    return std::max(
+      std::min(this->Settings.BufferSize, this->Settings.LargestBufferSize), SmallestBuffer);
+  }
+  const double bounded =
+    std::min(std::max(texels + 2.0 * Border, double(SmallestAutomatic)), double(LargestAutomatic));
+  const int rounded = static_cast<int>(std::ceil(bounded / Multiple)) * Multiple;
+  return std::max(std::min(rounded, this->Settings.LargestBufferSize), SmallestBuffer);
+}
+
+void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light) const
+{
+  Window window = this->FitBox(source);
+  Window screen;
+  if (source.Projective && this->FitScreen(source, screen) && GetArea(screen) < GetArea(window))
+  {
+    window = screen;
+  }
+
+  // The depth that is 1 in the matrix, and that of the box's middle.
+  double depth = 1.0;
+  double middle = 1.0;
+  if (window.IsPerspective)
+  {
+    middle = std::abs(Dot(Combine(1.0, this->Center, -1.0, window.Origin), window.Axis));
+    depth = this->Corners.GetRange(window.Axis)[1] - Dot(window.Origin, window.Axis);
+    depth = depth > 0.0 ? depth : 1.0;
+  }
+
+  double texels = 0.0;
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const double extent = middle * (window.Range[i][1] - window.Range[i][0]);
+    texels = std::max(texels, extent / SlicePlan::GetVoxelSpacing(this->Space, window.Across[i]));
+  }
+  light.IsWide = false;
+  light.BufferSize = this->GetSize(texels);
+  light.BufferFromUnit = {};
+  light.TexelSize = 0.0;
+  light.VoxelLength = SlicePlan::GetVoxelSpacing(this->Space, window.Axis);
+
+  const double inner = 1.0 - 2.0 * Border / light.BufferSize;
+  const double widest =
+    std::max(window.Range[0][1] - window.Range[0][0], window.Range[1][1] - window.Range[1][0]);
+  constexpr double narrowest = 1e-6;
+  const auto setRow = [&](std::size_t row, const Vector& a, double constant)
+  {
+    std::copy(a.begin(), a.end(), light.BufferFromUnit.begin() + 4 * row);
+    light.BufferFromUnit[4 * row + 3] = constant - Dot(a, window.Origin);
+  };
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const double center = 0.5 * (window.Range[i][0] + window.Range[i][1]);
+    const double half = 0.5 * std::max(window.Range[i][1] - window.Range[i][0], narrowest * widest);
+    const double scale = inner / (half * depth);
+    light.TexelSize = std::max(light.TexelSize, 2.0 / (scale * light.BufferSize));
+    if (window.IsPerspective)
+    {
+      setRow(i, Combine(scale, window.Across[i], -scale * center, window.Axis), 0.0);
+    }
+    else
+    {
+      setRow(i, Scale(scale, window.Across[i]), -scale * center);
+    }
+  }
+  if (window.IsPerspective)
+  {
+    setRow(3, Scale(1.0 / depth, window.Axis), 0.0);
+  }
+  else
+  {
+    light.BufferFromUnit[15] = 1.0;
+  }
+}
+
+void LightFit::FitHalfSpace(
+  const Vector& normal, const Vector& position, SlicePlan::ShadowedLight& light) const
+{
+  const Vector first = Perpendicular(normal, { { 1.0, 0.0, 0.0 } });
+  const std::array<Vector, 3> axes{ { first, Cross(normal, first), normal } };
+  double texels = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    std::copy(axes[i].begin(), axes[i].end(), light.Frame.begin() + 3 * i);
+    const std::array<double, 2> range = this->Corners.GetRange(axes[i]);
+    const double place = Dot(position, axes[i]);
+    const double farthest = std::max(range[1] - place, i < 2 ? place - range[0] : 0.0);
+    // Near a face few rays go as far, and texels have their price.
+    const double outside = std::max({ range[0] - place, place - range[1], 0.0 });
+    const double reach = std::min(farthest, 0.7 * (range[1] - range[0]) + 2.0 * outside);
+    texels = std::max(texels, reach / SlicePlan::GetVoxelSpacing(this->Space, axes[i]));
+  }
+  light.IsWide = true;
+  light.BufferFromUnit = {};
+  // Half a turn around the light.
+  light.BufferSize = this->GetSize(vtkMath::Pi() * texels);
+}
+
+}

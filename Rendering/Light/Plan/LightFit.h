@@ -1,0 +1,65 @@
+#ifndef interlume_LightFit_h
+#define interlume_LightFit_h
+
+#include "Plan/SlicePlan.h"
+#include "Space/BoxCorners.h"
+
+#include <array>
+
+namespace interlume
+{
+
+class UnitSpace;
+
+/**
+ * @class   LightFit
+ * @brief   the buffer of a light: its size, and where in it a point is
+ *
+ * A plane's buffer is a rectangle as small as three of its orientations, along the box's edges, let
+ * it be around the box, with a border of Border texels, so that interpolation at its edge reads
+ * what was drawn. That of a projective light is its screen where that is smaller. A wide light's
+ * buffer is the octahedral map of a half space.
+ */
+class LightFit
+{
+public:
+  using Vector = UnitVector::Vector;
+
+  /// Texels on each side.
+  static constexpr int Border = 2;
+  /// Positional lights from this distance on are fitted as directional ones: single precision sees
+  /// no difference.
+  static constexpr double FarDistance = 1e8;
+
+  LightFit(const BoxCorners& corners, const UnitSpace& space, const SlicePlan::Settings& settings);
+
+  void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light) const;
+  void FitHalfSpace(
+    const Vector& normal, const Vector& position, SlicePlan::ShadowedLight& light) const;
+
+private:
+  /// A plane's axes and the rectangle in it; places are in tangents for positional lights.
+  struct Window
+  {
+    bool IsPerspective = false;
+    Vector Origin{ { 0.0, 0.0, 0.0 } };
+    Vector Axis{ { 0.0, 0.0, 1.0 } };
+    std::array<Vector, 2> Across{};
+    std::array<std::array<double, 2>, 2> Range{};
+  };
+
+  static double GetArea(const Window& window);
+  bool Bound(Window& window) const;
+  Window FitBox(const LightSource& source) const;
+  bool FitScreen(const LightSource& source, Window& window) const;
+  int GetSize(double texels) const;
+
+  const BoxCorners& Corners;
+  const UnitSpace& Space;
+  const SlicePlan::Settings& Settings;
+  const Vector Center;
+};
+
+}
+
+#endif

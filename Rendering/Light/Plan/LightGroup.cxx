@@ -1,0 +1,98 @@
+#include "Plan/LightGroup.h"
+
+#include "Plan/LightFit.h"
+#include "Plan/SliceNormal.h"
+
+namespace interlume
+{
+
+namespace
+{
+
+// Light that is perpendicular to the view but for rounding goes with it.
+constexpr double Perpendicularity = 1e-9;
+// Sums of directions below this have none.
+constexpr double Nothing = 1e-9;
+
+}
+
+using namespace UnitVector;
+
+LightGroup::Caster::Caster(int index, const LightSource& source, const BoxCorners& corners)
+  : Light(index)
+  , Direction(source.Direction)
+  , Rays({ source.Direction })
+{
+  if (source.IsPositional)
+  {
+    const Vector toCenter = Combine(1.0, corners.GetCenter(), -1.0, source.Position);
+    this->Direction = Normalize(toCenter, source.Direction);
+    this->Rays = Length(toCenter) < LightFit::FarDistance ? corners.GetRays(source.Position)
+                                                          : std::vector<Vector>{ this->Direction };
+  }
+}
+
+LightGroup::LightGroup(const ViewRange& view, const Caster& caster, double side)
+  : Side(side)
+  , Casters({ caster })
+{
+  this->FindNormal(view);
+}
+
+LightGroup LightGroup::Make(const ViewRange& view, const Caster& caster)
+{
+  const double side = Dot(view.Direction, caster.Direction) >= -Perpendicularity ? 1.0 : -1.0;
+  LightGroup own(view, caster, side);
+  if (own.Ratio >= 1.0)
+  {
+    return own;
+  }
+  LightGroup other(view, caster, -side);
+  return other.Ratio > own.Ratio ? other : own;
+}
+
+bool LightGroup::Join(const ViewRange& view, const Caster& caster, std::size_t most)
+{
+  if (this->Casters.size() >= most)
+  {
+    return false;
+  }
+  LightGroup joined = *this;
+  joined.Casters.push_back(caster);
+  joined.FindNormal(view);
+  if (joined.Ratio < 1.0)
+  {
+    return false;
+  }
+  *this = joined;
+  return true;
+}
+
+double LightGroup::GetLightCosine() const
+{
+  SliceNormal rays;
+  for (const Caster& caster : this->Casters)
+  {
+    rays.Add(caster.Rays, 1.0, 1.0);
+  }
+  return rays.GetRatio(this->Normal);
+}
+
+void LightGroup::FindNormal(const ViewRange& view)
+{
+  SliceNormal normal;
+  normal.Add(view.Rays, this->Side, SlicePlan::EyeCosine);
+  Vector sum{ { 0.0, 0.0, 0.0 } };
+  for (const Caster& caster : this->Casters)
+  {
+    normal.Add(caster.Rays, 1.0, SlicePlan::LightCosine);
+    sum = Combine(1.0, sum, 1.0, caster.Direction);
+  }
+  this->Ratio = normal.FindBest();
+  const Vector along = Scale(this->Side, view.Direction);
+  const Vector average = Length(sum) > Nothing ? Normalize(sum, along) : along;
+  const Vector half = Combine(1.0, along, 1.0, average);
+  this->Normal = normal.Turn(Length(half) > Nothing ? Normalize(half, along) : along);
+}
+
+}

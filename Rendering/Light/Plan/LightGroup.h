@@ -1,0 +1,62 @@
+#ifndef interlume_LightGroup_h
+#define interlume_LightGroup_h
+
+#include "Plan/ViewRange.h"
+#include "Space/BoxCorners.h"
+
+namespace interlume
+{
+
+/**
+ * @class   LightGroup
+ * @brief   lights that share the slices of a sweep
+ */
+class LightGroup
+{
+public:
+  using Vector = BoxCorners::Vector;
+
+  /// A light that casts shadows.
+  struct Caster
+  {
+    Caster(int index, const LightSource& source, const BoxCorners& corners);
+
+    /// In the list of lights.
+    int Light;
+    /// To the box's middle from positional lights.
+    Vector Direction;
+    /// Through the box's corners.
+    std::vector<Vector> Rays;
+  };
+
+  /// One light, on its own side of the view, unless only the other has a normal that serves both.
+  static LightGroup Make(const ViewRange& view, const Caster& caster);
+
+  /// Takes the light into the group if it stays below \a most and a normal serves all.
+  bool Join(const ViewRange& view, const Caster& caster, std::size_t most);
+
+  /// Whether light goes with the view, from front to back.
+  bool IsFrontToBack() const { return this->Side > 0.0; }
+  const std::vector<Caster>& GetCasters() const { return this->Casters; }
+  /// The half vector of the view, or its opposite, and the average of lights (2.3.4), turned as far
+  /// as rays need it.
+  const Vector& GetNormal() const { return this->Normal; }
+  /// The least cosine between the normal and a light's ray.
+  double GetLightCosine() const;
+
+private:
+  LightGroup(const ViewRange& view, const Caster& caster, double side);
+
+  void FindNormal(const ViewRange& view);
+
+  /// 1 along the view, -1 against it.
+  double Side;
+  std::vector<Caster> Casters;
+  Vector Normal;
+  /// Of SliceNormal.
+  double Ratio = 0.0;
+};
+
+}
+
+#endif

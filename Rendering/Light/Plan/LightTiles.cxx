@@ -1,0 +1,236 @@
+#include "Plan/LightTiles.h"
+
+#include "Space/UnitSpace.h"
+#include "Space/UnitVector.h"
+#include "Volume/VolumeBlocks.h"
+
+#include "vtkSMPTools.h"
+
+#include <numeric>
+
+namespace interlume
+{
+
+namespace
+{
+
+using namespace UnitVector;
+
+using Box = std::array<std::array<double, 2>, 3>;
+
+// Rays are cut to the box in single precision.
+constexpr double Margin = 1e-5;
+// Rays along the slices meet them that far away, in heights of a slab above the light, or farther.
+constexpr double SmallestSlope = 1e-9;
+
+// How many visible blocks there are in a range of blocks, from sums over all blocks before.
+class BlockCounts
+{
+public:
+  BlockCounts(const std::array<std::vector<double>, 3>& borders,
+    const std::vector<unsigned char>& visible, const Box& box)
+    : Borders(borders)
+    , Matter(box)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->Size[axis] = borders[axis].size() - 1;
+    }
+    this->Sums.assign((this->Size[0] + 1) * (this->Size[1] + 1) * (this->Size[2] + 1), 0);
+    for (std::size_t k = 0; k < this->Size[2]; ++k)
+    {
+      for (std::size_t j = 0; j < this->Size[1]; ++j)
+      {
+        int row = 0;
+        for (std::size_t i = 0; i < this->Size[0]; ++i)
+        {
+          row += visible[(k * this->Size[1] + j) * this->Size[0] + i];
+          this->Sums[this->GetIndex(i + 1, j + 1, k + 1)] =
+            row + this->Get(i + 1, j, k + 1) + this->Get(i + 1, j + 1, k) - this->Get(i + 1, j, k);
+        }
+      }
+    }
+  }
+
+  bool Meets(const Box& part) const
+  {
+    std::size_t first[3];
+    std::size_t end[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double lower = std::max(part[axis][0], this->Matter[axis][0]) - Margin;
+      const double upper = std::min(part[axis][1], this->Matter[axis][1]) + Margin;
+      if (!(lower <= upper))
+      {
+        return false;
+      }
+      first[axis] = this->Find(axis, lower);
+      end[axis] = this->Find(axis, upper) + 1;
+    }
+    const auto getLayer = [&](std::size_t k)
+    {
+      return this->Get(end[0], end[1], k) - this->Get(first[0], end[1], k) -
+        this->Get(end[0], first[1], k) + this->Get(first[0], first[1], k);
+    };
+    return getLayer(end[2]) > getLayer(first[2]);
+  }
+
+private:
+  std::size_t GetIndex(std::size_t i, std::size_t j, std::size_t k) const
+  {
+    return (k * (this->Size[1] + 1) + j) * (this->Size[0] + 1) + i;
+  }
+  int Get(std::size_t i, std::size_t j, std::size_t k) const
+  {
+    return this->Sums[this->GetIndex(i, j, k)];
+  }
+  // The first and last blocks reach as far as one likes.
+  std::size_t Find(std::size_t axis, double place) const
+  {
+    const std::vector<double>& borders = this->Borders[axis];
+    const auto above = std::upper_bound(borders.begin() + 1, borders.end() - 1, place);
+    return static_cast<std::size_t>(above - borders.begin()) - 1;
+  }
+
+  const std::array<std::vector<double>, 3>& Borders;
+  const Box& Matter;
+  std::array<std::size_t, 3> Size{};
+  std::vector<int> Sums;
+};
+
+// Pyramids of directions around a light, in texture coordinates.
+class Pyramids
+{
+public:
+  Pyramids(const SlicePlan::ShadowedLight& light, const Vector& normal, const Vector& position,
+    const UnitSpace& space)
+    : Number(static_cast<std::size_t>(std::max(light.BufferSize / LightTiles::TileSize, 1)))
+    , Apex(TransformPoint(space.TextureFromUnit, position))
+    , Upwards(TransformVector(space.TextureFromUnit, normal))
+  {
+    for (std::size_t j = 0; j <= this->Number; ++j)
+    {
+      for (std::size_t i = 0; i <= this->Number; ++i)
+      {
+        const Vector direction =
+          SlicePlan::GetBufferDirection(light.Frame, { { this->GetPlace(i), this->GetPlace(j) } });
+        const double slope = Dot(direction, normal);
+        const Vector across = Combine(1.0, direction, -slope, normal);
+        this->Across.push_back(TransformVector(
+          space.TextureFromUnit, Scale(1.0 / std::max(slope, SmallestSlope), across)));
+      }
+    }
+  }
+
+  std::size_t GetNumber() const { return this->Number; }
+  /// Of a tile's edge in the buffer.
+  double GetPlace(std::size_t i) const
+  {
+    return static_cast<double>(i) / static_cast<double>(this->Number);
+  }
+  /// Around the part of tile i, j between two heights above the light. Its edges are straight in
+  /// every plane of slices: what bends the map runs along the diagonals of tiles.
+  Box Bound(std::size_t i, std::size_t j, const std::array<double, 2>& heights) const
+  {
+    Box box;
+    box.fill({ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } });
+    for (const std::size_t corner :
+      { std::size_t(0), std::size_t(1), this->Number + 1, this->Number + 2 })
+    {
+      const Vector& across = this->Across[j * (this->Number + 1) + i + corner];
+      for (const double height : heights)
+      {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          const double place = this->Apex[axis] + height * (this->Upwards[axis] + across[axis]);
+          box[axis][0] = std::min(box[axis][0], place);
+          box[axis][1] = std::max(box[axis][1], place);
+        }
+      }
+    }
+    return box;
+  }
+
+private:
+  const std::size_t Number;
+  const Vector Apex;
+  const Vector Upwards;
+  // Of the tiles' corners, at a height of 1.
+  std::vector<Vector> Across;
+};
+
+void AddRectangle(
+  const std::array<double, 2>& x, const std::array<double, 2>& y, std::vector<float>& vertices)
+{
+  for (const auto& [i, j] : { std::array<std::size_t, 2>{ { 0, 0 } }, { { 1, 0 } }, { { 1, 1 } },
+         { { 0, 0 } }, { { 1, 1 } }, { { 0, 1 } } })
+  {
+    vertices.insert(vertices.end(), { static_cast<float>(x[i]), static_cast<float>(y[j]), 0.0f });
+  }
+}
+
+void AddTiles(const Pyramids& pyramids, const BlockCounts& blocks,
+  const std::array<double, 2>& heights, std::vector<float>& vertices)
+{
+  const std::size_t number = pyramids.GetNumber();
+  for (std::size_t j = 0; j < number; ++j)
+  {
+    std::size_t first = 0;
+    for (std::size_t i = 0; i <= number; ++i)
+    {
+      if (i < number && blocks.Meets(pyramids.Bound(i, j, heights)))
+      {
+        continue;
+      }
+      if (i > first)
+      {
+        AddRectangle({ { pyramids.GetPlace(first), pyramids.GetPlace(i) } },
+          { { pyramids.GetPlace(j), pyramids.GetPlace(j + 1) } }, vertices);
+      }
+      first = i + 1;
+    }
+  }
+}
+
+}
+
+void LightTiles::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
+  const Vector& position, const VolumeBlocks& blocks, const UnitSpace& space, const Box& box)
+{
+  this->Build(sweep, light, position,
+    { { blocks.GetBorders(0), blocks.GetBorders(1), blocks.GetBorders(2) } }, blocks.GetVisible(),
+    space, box);
+}
+
+void LightTiles::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
+  const Vector& position, const std::array<std::vector<double>, 3>& borders,
+  const std::vector<unsigned char>& visible, const UnitSpace& space, const Box& box)
+{
+  const BlockCounts counts(borders, visible, box);
+  const Pyramids pyramids(light, sweep.Normal, position, space);
+  const double apex = Dot(position, sweep.Normal);
+  std::vector<std::vector<float>> parts(static_cast<std::size_t>(sweep.Slabs));
+  vtkSMPTools::For(0, sweep.Slabs,
+    [&](vtkIdType first, vtkIdType end)
+    {
+      for (vtkIdType slab = first; slab < end; ++slab)
+      {
+        const double lower = sweep.First + static_cast<double>(slab) * sweep.Spacing - apex;
+        const double upper = lower + sweep.Spacing;
+        if (upper > 0.0)
+        {
+          AddTiles(pyramids, counts, { { std::max(lower, 0.0), upper } },
+            parts[static_cast<std::size_t>(slab)]);
+        }
+      }
+    });
+  this->Vertices.clear();
+  this->Starts.assign(1, 0);
+  for (const std::vector<float>& part : parts)
+  {
+    this->Vertices.insert(this->Vertices.end(), part.begin(), part.end());
+    this->Starts.push_back(this->Vertices.size() / 3);
+  }
+}
+
+}

@@ -1,0 +1,58 @@
+#ifndef interlume_LightTiles_h
+#define interlume_LightTiles_h
+
+#include "Plan/SlicePlan.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace interlume
+{
+
+class UnitSpace;
+class VolumeBlocks;
+
+/**
+ * @class   LightTiles
+ * @brief   which directions of a wide light can meet matter in a slab
+ *
+ * The light's buffer is cut into squares of about TileSize texels along an edge, whose directions
+ * form a pyramid. A slab's tiles are those of which the pyramid's part in the slab has a bounding
+ * box, in texture coordinates, that meets a visible block inside the box of the matter. Neighbours
+ * in a row are one rectangle. No texel is in two.
+ */
+class LightTiles
+{
+public:
+  static constexpr int TileSize = 16;
+
+  /**
+   * Finds the tiles of all slabs of a light at \a position, in unit space, whose buffer is wide.
+   * \a box is that of the matter in texture coordinates. Threaded over slabs; the same tiles for
+   * any number of threads.
+   */
+  void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
+    const std::array<double, 3>& position, const VolumeBlocks& blocks, const UnitSpace& space,
+    const std::array<std::array<double, 2>, 3>& box);
+
+  /// The same with block borders along each axis, in texture coordinates, one more than blocks, and
+  /// which blocks are visible, x fastest; the first and last blocks reach to the box.
+  void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
+    const std::array<double, 3>& position, const std::array<std::vector<double>, 3>& borders,
+    const std::vector<unsigned char>& visible, const UnitSpace& space,
+    const std::array<std::array<double, 2>, 3>& box);
+
+  /// Corners x, y, 0 of triangles, 0 to 1 across the buffer, slab after slab.
+  const std::vector<float>& GetVertices() const { return this->Vertices; }
+  /// The first vertex of a slab; one more than slabs.
+  const std::vector<std::size_t>& GetStarts() const { return this->Starts; }
+
+private:
+  std::vector<float> Vertices;
+  std::vector<std::size_t> Starts = { 0 };
+};
+
+}
+
+#endif

@@ -1,0 +1,52 @@
+#ifndef interlume_SliceNormal_h
+#define interlume_SliceNormal_h
+
+#include "Space/UnitVector.h"
+
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   SliceNormal
+ * @brief   a direction that makes small enough angles with rays
+ *
+ * Of the normals n of length 1 the best one has the greatest m = min d_k.n / c_k over all rays d_k,
+ * with c_k the cosine wanted. It is along the point nearest to 0 of the convex hull of all d_k /
+ * c_k, and m is that point's distance (the two problems are dual). All rays have their cosines if m
+ * >= 1.
+ */
+class SliceNormal
+{
+public:
+  using Vector = UnitVector::Vector;
+
+  /// Wants a normal that makes \a cosine, above 0, or more with \a ray, of length 1.
+  void Add(const Vector& ray, double cosine);
+  void Add(const std::vector<Vector>& rays, double sign, double cosine);
+
+  /// m of the best normal; 0 if every normal is perpendicular to some ray or goes against it.
+  double FindBest();
+  /// The best normal after FindBest; not defined where that was 0.
+  const Vector& GetBest() const { return this->Best; }
+
+  /// m of this normal.
+  double GetRatio(const Vector& normal) const;
+
+  /// \a preferred turned towards the best normal as far as the rays need it, which is not at all
+  /// where they have their cosines already; the best normal where they cannot have them, and
+  /// \a preferred where there is no best. After FindBest. Continuous in the rays and in \a
+  /// preferred.
+  Vector Turn(const Vector& preferred) const;
+
+private:
+  /// d_k / c_k
+  std::vector<Vector> Rays;
+  Vector Best{ { 0.0, 0.0, 0.0 } };
+  double BestRatio = 0.0;
+};
+
+}
+
+#endif

@@ -1,0 +1,286 @@
+#include "Plan/SlicePlan.h"
+
+#include "Plan/LightFit.h"
+#include "Plan/LightGroup.h"
+#include "Plan/SliceNormal.h"
+#include "Plan/ViewRange.h"
+#include "Space/BoxCorners.h"
+#include "Space/UnitSpace.h"
+#include "Space/UnitVector.h"
+
+namespace interlume
+{
+
+namespace
+{
+
+using namespace UnitVector;
+
+// Less than this of the volume behind a light is none.
+constexpr double Nothing = 1e-9;
+
+// Puts a light into a group that has a normal for it, one of its own side first.
+void AddLight(
+  const ViewRange& view, const LightGroup& own, std::size_t most, std::vector<LightGroup>& groups)
+{
+  for (const bool isOwnSide : { true, false })
+  {
+    for (LightGroup& group : groups)
+    {
+      const bool isSameSide = group.IsFrontToBack() == own.IsFrontToBack();
+      if (isSameSide == isOwnSide && group.Join(view, own.GetCasters().front(), most))
+      {
+        return;
+      }
+    }
+  }
+  groups.push_back(own);
+}
+
+// A sweep with room that goes along \a normal, or -1.
+int FindSweep(const std::vector<SlicePlan::Sweep>& sweeps, const Vector& normal, std::size_t most)
+{
+  for (std::size_t i = 0; i < sweeps.size(); ++i)
+  {
+    if (sweeps[i].Normal == normal && sweeps[i].Lights.size() < most)
+    {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+// Adds a wide light to the sweeps along and against the normal that needs the fewest new ones.
+void AddWide(const ViewRange& view, const LightSource& source, int index, const BoxCorners& corners,
+  std::size_t most, const LightFit& fit, std::vector<SlicePlan::Sweep>& sweeps)
+{
+  std::vector<Vector> normals;
+  normals.reserve(sweeps.size() + 1);
+  for (const SlicePlan::Sweep& sweep : sweeps)
+  {
+    normals.push_back(sweep.Normal);
+  }
+  normals.push_back(view.Direction);
+
+  const auto getSides = [&](const Vector& normal)
+  {
+    const std::array<double, 2> range = corners.GetRange(normal);
+    const double light = Dot(source.Position, normal);
+    std::vector<Vector> sides;
+    if (range[1] > light + Nothing)
+    {
+      sides.push_back(normal);
+    }
+    if (range[0] < light - Nothing)
+    {
+      sides.push_back(Scale(-1.0, normal));
+    }
+    return sides;
+  };
+  const auto countNew = [&](const Vector& normal)
+  {
+    const std::vector<Vector> sides = getSides(normal);
+    return std::count_if(sides.begin(), sides.end(),
+      [&](const Vector& side) { return FindSweep(sweeps, side, most) < 0; });
+  };
+  const Vector normal = *std::min_element(normals.begin(), normals.end(),
+    [&](const Vector& a, const Vector& b) { return countNew(a) < countNew(b); });
+
+  for (const Vector& side : getSides(normal))
+  {
+    int sweep = FindSweep(sweeps, side, most);
+    if (sweep < 0)
+    {
+      sweep = static_cast<int>(sweeps.size());
+      sweeps.emplace_back();
+      sweeps.back().Normal = side;
+      sweeps.back().IsFrontToBack = Dot(side, view.Direction) > 0.0;
+    }
+    SlicePlan::ShadowedLight light;
+    light.Light = index;
+    fit.FitHalfSpace(side, source.Position, light);
+    sweeps[static_cast<std::size_t>(sweep)].Lights.push_back(light);
+  }
+}
+
+bool IsWide(const SlicePlan::ShadowedLight& light)
+{
+  return light.IsWide;
+}
+
+// Of the half spaces of one light that are sweeps of their own the farther one from the eye comes
+// second, behind the other.
+void PairHalves(std::vector<SlicePlan::Sweep>& sweeps)
+{
+  for (std::size_t i = 1; i < sweeps.size(); ++i)
+  {
+    SlicePlan::Sweep& first = sweeps[i - 1];
+    SlicePlan::Sweep& second = sweeps[i];
+    if (first.Lights.size() == 1 && second.Lights.size() == 1 && IsWide(first.Lights[0]) &&
+      IsWide(second.Lights[0]) && first.Lights[0].Light == second.Lights[0].Light)
+    {
+      if (first.IsFrontToBack)
+      {
+        std::swap(first, second);
+      }
+      second.IsBehind = true;
+    }
+  }
+}
+
+// Whether what lies before the sweep's first light must be drawn: for its opacity, or for light
+// that comes from elsewhere.
+bool IsWhole(const std::vector<SlicePlan::Sweep>& sweeps, std::size_t index)
+{
+  const SlicePlan::Sweep& sweep = sweeps[index];
+  const bool isHalf = sweep.IsBehind || (index + 1 < sweeps.size() && sweeps[index + 1].IsBehind);
+  return !isHalf &&
+    (index == 0 || sweep.IsFrontToBack ||
+      !std::all_of(sweep.Lights.begin(), sweep.Lights.end(), IsWide));
+}
+
+// Where the first of the sweep's lights is along its normal.
+double GetFirstLight(const SlicePlan::Sweep& sweep, const std::vector<LightSource>& lights)
+{
+  double first = VTK_DOUBLE_MAX;
+  for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+  {
+    first =
+      std::min(first, Dot(lights[static_cast<std::size_t>(light.Light)].Position, sweep.Normal));
+  }
+  return first;
+}
+
+// A line of sight along the thick side of long voxels needs no more slices for being cut obliquely.
+double GetAutomaticSpacing(
+  const UnitSpace& space, const Vector& normal, const Vector& direction, double factor)
+{
+  const double seen =
+    SlicePlan::GetVoxelSpacing(space, direction) * std::abs(Dot(direction, normal));
+  return factor * std::max(SlicePlan::GetVoxelSpacing(space, normal), seen);
+}
+
+// Slabs from the first place to the second one along the normal.
+void SetSlabs(SlicePlan::Sweep& sweep, const std::array<double, 2>& range, const UnitSpace& space,
+  const Vector& direction, const SlicePlan::Settings& settings)
+{
+  const double extent = range[1] - range[0];
+  const double spacing = settings.Spacing > 0.0
+    ? settings.Spacing
+    : GetAutomaticSpacing(space, sweep.Normal, direction, settings.AutomaticFactor);
+  // Rounding adds no slab.
+  constexpr double rounding = 1e-9;
+  const double slabs = std::ceil(extent / spacing * (1.0 - rounding));
+  const int most = std::max(settings.MaximumNumberOfSlabs, 1);
+  sweep.Slabs = slabs < most ? std::max(static_cast<int>(slabs), 1) : most;
+  sweep.First = range[0];
+  sweep.Spacing = extent / sweep.Slabs;
+}
+
+}
+
+void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights, const UnitSpace& space,
+  const std::array<std::array<double, 2>, 3>& box, const Settings& settings)
+{
+  const BoxCorners corners(space, box);
+  const ViewRange view(eye, corners);
+  const LightFit fit(corners, space, settings);
+  const auto most = static_cast<std::size_t>(std::max(settings.LightsOfSweep, 1));
+
+  std::vector<LightGroup> groups;
+  std::vector<int> wide;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    if (lights[i].ShadowStrength > 0.0)
+    {
+      const LightGroup::Caster caster(static_cast<int>(i), lights[i], corners);
+      const LightGroup own = LightGroup::Make(view, caster);
+      if (lights[i].IsPositional && own.GetLightCosine() < WideCosine)
+      {
+        wide.push_back(caster.Light);
+      }
+      else
+      {
+        AddLight(view, own, most, groups);
+      }
+    }
+  }
+
+  this->Sweeps.clear();
+  for (const LightGroup& group : groups)
+  {
+    Sweep sweep;
+    sweep.Normal = group.GetNormal();
+    sweep.IsFrontToBack = group.IsFrontToBack();
+    for (const LightGroup::Caster& caster : group.GetCasters())
+    {
+      ShadowedLight light;
+      light.Light = caster.Light;
+      fit.FitPlane(lights[static_cast<std::size_t>(caster.Light)], light);
+      sweep.Lights.push_back(light);
+    }
+    this->Sweeps.push_back(sweep);
+  }
+  for (const int light : wide)
+  {
+    AddWide(view, lights[static_cast<std::size_t>(light)], light, corners, most, fit, this->Sweeps);
+  }
+  if (this->Sweeps.empty())
+  {
+    SliceNormal normal;
+    normal.Add(view.Rays, 1.0, EyeCosine);
+    normal.FindBest();
+    Sweep sweep;
+    sweep.Normal = normal.Turn(view.Direction);
+    this->Sweeps.push_back(sweep);
+  }
+  PairHalves(this->Sweeps);
+  for (std::size_t i = 0; i < this->Sweeps.size(); ++i)
+  {
+    Sweep& sweep = this->Sweeps[i];
+    std::array<double, 2> range = corners.GetRange(sweep.Normal);
+    if (!IsWhole(this->Sweeps, i))
+    {
+      range[0] = std::max(range[0], GetFirstLight(sweep, lights));
+    }
+    SetSlabs(sweep, range, space, view.Direction, settings);
+  }
+}
+
+double SlicePlan::GetVoxelSpacing(const UnitSpace& space, const std::array<double, 3>& normal)
+{
+  Vector texels = TransformVector(space.TextureFromUnit, normal);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    texels[axis] *= space.Size[axis];
+  }
+  return 1.0 / Length(texels);
+}
+
+std::array<double, 2> SlicePlan::GetBufferPlace(
+  const std::array<double, 9>& frame, const std::array<double, 3>& direction)
+{
+  double along[3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    along[i] = vtkMath::Dot(frame.data() + 3 * i, direction.data());
+  }
+  const double size = std::abs(along[0]) + std::abs(along[1]) + along[2];
+  const double x = along[0] / size;
+  const double y = along[1] / size;
+  return { { 0.5 * (x + y) + 0.5, 0.5 * (x - y) + 0.5 } };
+}
+
+std::array<double, 3> SlicePlan::GetBufferDirection(
+  const std::array<double, 9>& frame, const std::array<double, 2>& place)
+{
+  const double x = place[0] + place[1] - 1.0;
+  const double y = place[0] - place[1];
+  const double z = 1.0 - std::abs(x) - std::abs(y);
+  const Vector across =
+    Combine(x, { { frame[0], frame[1], frame[2] } }, y, { { frame[3], frame[4], frame[5] } });
+  const Vector normal{ { frame[6], frame[7], frame[8] } };
+  return Normalize(Combine(1.0, across, z, normal), normal);
+}
+
+}

@@ -1,0 +1,217 @@
+#include "Plan/SlicePolygons.h"
+
+#include "Plan/BoxCutTable.h"
+#include "Space/UnitSpace.h"
+#include "Space/UnitVector.h"
+#include "Volume/BlockLattice.h"
+#include "Volume/VolumeBlocks.h"
+
+#include "vtkSMPTools.h"
+
+namespace interlume
+{
+
+namespace
+{
+
+using namespace UnitVector;
+
+using Block = std::array<int, 3>;
+using Point = std::array<float, 3>;
+
+// Planes across a lattice of blocks.
+class Cutter
+{
+public:
+  Cutter(const BlockLattice& lattice, const UnitSpace& space, const Vector& normal)
+    : Lattice(lattice)
+    , Space(space)
+    , Constant(Dot(normal,
+        { { space.UnitFromTexture[3], space.UnitFromTexture[7], space.UnitFromTexture[11] } }))
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      Vector column;
+      for (std::size_t row = 0; row < 3; ++row)
+      {
+        column[row] = space.UnitFromTexture[4 * row + axis];
+      }
+      for (const double border : lattice.GetBorders(axis))
+      {
+        this->Heights[axis].push_back(Dot(normal, column) * border);
+      }
+    }
+  }
+
+  // Lowest and highest place of a block along the normal.
+  std::array<double, 2> GetRange(const Block& block) const
+  {
+    std::array<double, 2> range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
+    for (unsigned corner = 0; corner < 8; ++corner)
+    {
+      const double height = this->GetHeight(block, corner, 0.0);
+      range[0] = std::min(range[0], height);
+      range[1] = std::max(range[1], height);
+    }
+    return range;
+  }
+
+  // Appends the triangles of the plane at \a place inside the block.
+  void Cut(const Block& block, double place, std::vector<float>& vertices) const
+  {
+    std::array<double, 8> heights;
+    unsigned above = 0;
+    for (unsigned corner = 0; corner < 8; ++corner)
+    {
+      heights[corner] = this->GetHeight(block, corner, place);
+      above |= heights[corner] > 0.0 ? 1u << corner : 0u;
+    }
+    std::array<Point, 6> points;
+    std::size_t number = 0;
+    for (const int edge : this->Table.GetEdges(above))
+    {
+      const Point point = this->GetPoint(block, BoxCutTable::GetEdge(edge), heights);
+      if (number == 0 || point != points[number - 1])
+      {
+        points[number++] = point;
+      }
+    }
+    if (number > 1 && points[number - 1] == points[0])
+    {
+      --number;
+    }
+    for (std::size_t i = 2; i < number; ++i)
+    {
+      for (const std::size_t corner : { std::size_t(0), i - 1, i })
+      {
+        vertices.insert(vertices.end(), points[corner].begin(), points[corner].end());
+      }
+    }
+  }
+
+private:
+  // Above the plane. All blocks add in the same order: sums are equal where corners are, and grow
+  // along an axis for all others alike, so that no face is cut twice.
+  double GetHeight(const Block& block, unsigned corner, double place) const
+  {
+    std::array<double, 3> heights;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto border = static_cast<std::size_t>(block[axis]) + (corner >> axis & 1u);
+      heights[axis] = this->Heights[axis][border];
+    }
+    return heights[0] + heights[1] + heights[2] + (this->Constant - place);
+  }
+
+  // Where the plane cuts an edge, from its lower end on, whichever block asks.
+  Point GetPoint(
+    const Block& block, const BoxCutTable::Edge& edge, const std::array<double, 8>& heights) const
+  {
+    Vector texture;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto border = static_cast<std::size_t>(block[axis]) + (edge.Start >> axis & 1u);
+      texture[axis] = this->Lattice.GetBorders(axis)[border];
+    }
+    const auto axis = static_cast<std::size_t>(edge.Axis);
+    const double start = heights[edge.Start];
+    const double end = heights[edge.Start | 1u << edge.Axis];
+    const double length =
+      this->Lattice.GetBorders(axis)[static_cast<std::size_t>(block[axis]) + 1] - texture[axis];
+    texture[axis] += start / (start - end) * length;
+    const Vector unit = TransformPoint(this->Space.UnitFromTexture, texture);
+    return { { static_cast<float>(unit[0]), static_cast<float>(unit[1]),
+      static_cast<float>(unit[2]) } };
+  }
+
+  const BlockLattice& Lattice;
+  const UnitSpace& Space;
+  const double Constant;
+  /// Along the normal, of each axis' borders.
+  std::array<std::vector<double>, 3> Heights;
+  const BoxCutTable Table;
+};
+
+// The blocks that each slab's plane may cut, in the order of blocks.
+std::vector<std::vector<Block>> Distribute(
+  const std::vector<Block>& blocks, const Cutter& cutter, const SlicePlan::Sweep& sweep)
+{
+  std::vector<std::vector<Block>> slabs(static_cast<std::size_t>(sweep.Slabs));
+  const auto toSlab = [&](double place)
+  {
+    const double slab = (place - sweep.First) / sweep.Spacing - 0.5;
+    return static_cast<int>(std::max(std::min(slab, double(sweep.Slabs)), -1.0));
+  };
+  for (const Block& block : blocks)
+  {
+    const std::array<double, 2> range = cutter.GetRange(block);
+    const int last = std::min(toSlab(range[1]) + 1, sweep.Slabs - 1);
+    for (int slab = std::max(toSlab(range[0]) - 1, 0); slab <= last; ++slab)
+    {
+      slabs[static_cast<std::size_t>(slab)].push_back(block);
+    }
+  }
+  return slabs;
+}
+
+}
+
+void SlicePolygons::Build(const SlicePlan::Sweep& sweep, const VolumeBlocks& blocks,
+  const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box, double margin)
+{
+  const std::array<std::vector<double>, 3> borders{ { blocks.GetBorders(0), blocks.GetBorders(1),
+    blocks.GetBorders(2) } };
+  this->Build(sweep, borders, blocks.GetVisible(), space, box, margin);
+}
+
+void SlicePolygons::Build(const SlicePlan::Sweep& sweep,
+  const std::array<std::vector<double>, 3>& borders, const std::vector<unsigned char>& visible,
+  const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box, double margin)
+{
+  // A border moved by this in texture coordinates is moved by the margin across its face.
+  std::array<double, 3> margins;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double* row = space.TextureFromUnit.data() + 4 * axis;
+    margins[axis] = margin * Length({ { row[0], row[1], row[2] } });
+  }
+  BlockLattice lattice(borders, visible);
+  lattice.Crop(box, margins);
+  lattice.Join();
+
+  const Cutter cutter(lattice, space, sweep.Normal);
+  const std::vector<std::vector<Block>> blocks = Distribute(lattice.GetVisible(), cutter, sweep);
+  std::vector<std::vector<float>> parts(blocks.size());
+  vtkSMPTools::For(0, sweep.Slabs,
+    [&](vtkIdType first, vtkIdType end)
+    {
+      for (vtkIdType slab = first; slab < end; ++slab)
+      {
+        const auto index = static_cast<std::size_t>(slab);
+        const double place = sweep.First + (static_cast<double>(slab) + 0.5) * sweep.Spacing;
+        for (const Block& block : blocks[index])
+        {
+          cutter.Cut(block, place, parts[index]);
+        }
+      }
+    });
+
+  this->Starts.assign(1, 0);
+  for (const std::vector<float>& part : parts)
+  {
+    this->Starts.push_back(this->Starts.back() + part.size() / 3);
+  }
+  this->Vertices.resize(3 * this->Starts.back());
+  vtkSMPTools::For(0, sweep.Slabs,
+    [&](vtkIdType first, vtkIdType end)
+    {
+      for (vtkIdType slab = first; slab < end; ++slab)
+      {
+        const auto index = static_cast<std::size_t>(slab);
+        std::copy(parts[index].begin(), parts[index].end(),
+          this->Vertices.begin() + static_cast<std::ptrdiff_t>(3 * this->Starts[index]));
+      }
+    });
+}
+
+}

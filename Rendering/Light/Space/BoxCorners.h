@@ -1,0 +1,40 @@
+#ifndef interlume_BoxCorners_h
+#define interlume_BoxCorners_h
+
+#include "Space/UnitVector.h"
+
+#include <array>
+#include <vector>
+
+namespace interlume
+{
+
+class UnitSpace;
+
+/**
+ * @class   BoxCorners
+ * @brief   the corners of what can be seen of the volume, in unit space
+ */
+class BoxCorners
+{
+public:
+  using Vector = UnitVector::Vector;
+
+  /// \a box in texture coordinates.
+  BoxCorners(const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box);
+
+  /// Upper along axis a where bit a of the index is set.
+  const std::array<Vector, 8>& Get() const { return this->Corners; }
+  Vector GetCenter() const;
+  /// Smallest and largest place along \a normal.
+  std::array<double, 2> GetRange(const Vector& normal) const;
+  /// Directions, of length 1, from a point through all corners but itself.
+  std::vector<Vector> GetRays(const Vector& from) const;
+
+private:
+  std::array<Vector, 8> Corners;
+};
+
+}
+
+#endif

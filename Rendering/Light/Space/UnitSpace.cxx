@@ -1,0 +1,177 @@
+#include "Space/UnitSpace.h"
+
+#include "Space/UnitVector.h"
+
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+
+namespace interlume
+{
+
+namespace
+{
+
+using namespace UnitVector;
+
+// Columns of the linear part.
+Vector GetColumn(const Matrix& matrix, std::size_t column)
+{
+  return { { matrix[column], matrix[4 + column], matrix[8 + column] } };
+}
+
+Matrix MakeAffine(const double linear[9], const Vector& translation)
+{
+  Matrix matrix{};
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    std::copy(linear + 3 * row, linear + 3 * row + 3, matrix.begin() + 4 * row);
+    matrix[4 * row + 3] = translation[row];
+  }
+  matrix[15] = 1.0;
+  return matrix;
+}
+
+// \a from takes 0 at \a middle and goes with the linear part of \a to.
+Matrix MakeCentered(const Matrix& to, const Vector& middle)
+{
+  Matrix matrix = to;
+  const Vector moved = TransformVector(to, middle);
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    matrix[4 * row + 3] = -moved[row];
+  }
+  return matrix;
+}
+
+bool IsFinite(const Matrix& matrix)
+{
+  return std::all_of(
+    matrix.begin(), matrix.end(), [](double value) { return std::isfinite(value); });
+}
+
+}
+
+std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  Vector first;
+  Vector middle;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int points = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    if (points < 1)
+    {
+      return "the image has no samples";
+    }
+    const bool isFlat = points == 1;
+    const int size = isOfCells && !isFlat ? points - 1 : points;
+    const double half = 0.5 / size;
+    this->Size[axis] = size;
+    // The index of texture coordinate 0.
+    first[axis] = extent[2 * axis] - (isOfCells && !isFlat ? 0.0 : 0.5);
+    this->Box[axis] = isOfCells || isFlat ? std::array<double, 2>{ { 0.0, 1.0 } }
+                                          : std::array<double, 2>{ { half, 1.0 - half } };
+    middle[axis] = 0.5;
+  }
+
+  Matrix volumeFromIndex;
+  std::copy_n(image->GetIndexToPhysicalMatrix()->GetData(), 16, volumeFromIndex.begin());
+  Matrix worldFromIndex;
+  vtkMatrix4x4::Multiply4x4(
+    worldFromVolume->GetData(), volumeFromIndex.data(), worldFromIndex.data());
+  if (!IsFinite(worldFromIndex) || !IsFinite(volumeFromIndex))
+  {
+    return "the matrix of the volume or its image is not finite";
+  }
+  const double* last = worldFromVolume->GetData() + 12;
+  if (last[0] != 0.0 || last[1] != 0.0 || last[2] != 0.0 || last[3] != 1.0)
+  {
+    return "the matrix of the volume is not affine";
+  }
+
+  Matrix worldFromTexture = worldFromIndex;
+  Matrix volumeFromTexture = volumeFromIndex;
+  Vector index;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    index[axis] = first[axis] + middle[axis] * this->Size[axis];
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      worldFromTexture[4 * row + axis] *= this->Size[axis];
+      volumeFromTexture[4 * row + axis] *= this->Size[axis];
+    }
+  }
+
+  // From the middle on, so that nothing cancels far from the origin.
+  this->Center = TransformPoint(worldFromIndex, index);
+  this->Radius = 0.0;
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    Vector offset;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      offset[axis] = this->Box[axis][corner >> axis & 1u] - middle[axis];
+    }
+    this->Radius = std::max(this->Radius, Length(TransformVector(worldFromTexture, offset)));
+  }
+  if (!std::isfinite(this->Radius) || !(this->Radius > 0.0) || !std::isfinite(1.0 / this->Radius))
+  {
+    return "the volume's size is 0 or not finite";
+  }
+
+  double linear[9];
+  double columns[3];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Vector column = Scale(1.0 / this->Radius, GetColumn(worldFromTexture, axis));
+    columns[axis] = Length(column);
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      linear[3 * row + axis] = column[row];
+    }
+  }
+  double directions[9];
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    directions[i] = columns[i % 3] > 0.0 ? linear[i] / columns[i % 3] : 0.0;
+  }
+  constexpr double flattest = 1e-12;
+  if (!(std::abs(vtkMatrix3x3::Determinant(directions)) > flattest))
+  {
+    return "the matrix of the volume or its image is singular";
+  }
+  double inverse[9];
+  vtkMatrix3x3::Invert(directions, inverse);
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    inverse[i] /= columns[i / 3];
+  }
+
+  const Vector none{ { 0.0, 0.0, 0.0 } };
+  this->UnitFromTexture = MakeCentered(MakeAffine(linear, none), middle);
+  this->TextureFromUnit = MakeAffine(inverse, middle);
+  const Vector center = TransformPoint(volumeFromIndex, index);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Vector column =
+      TransformVector(volumeFromTexture, GetColumn(this->TextureFromUnit, axis));
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      linear[3 * row + axis] = column[row];
+    }
+  }
+  this->VolumeFromUnit = MakeAffine(linear, center);
+  const bool isFinite = IsFinite(this->TextureFromUnit) && IsFinite(this->UnitFromTexture) &&
+    IsFinite(this->VolumeFromUnit);
+  return isFinite ? "" : "the matrix of the volume or its image is not finite";
+}
+
+std::array<double, 3> UnitSpace::ToUnit(const double world[3]) const
+{
+  return { { (world[0] - this->Center[0]) / this->Radius,
+    (world[1] - this->Center[1]) / this->Radius, (world[2] - this->Center[2]) / this->Radius } };
+}
+
+}

@@ -1,0 +1,49 @@
+#ifndef interlume_UnitSpace_h
+#define interlume_UnitSpace_h
+
+#include <array>
+#include <string>
+
+class vtkImageData;
+class vtkMatrix4x4;
+
+namespace interlume
+{
+
+/**
+ * @class   UnitSpace
+ * @brief   coordinates of size 1 around the volume
+ *
+ * World coordinates moved and scaled alike in all directions so that the volume's corners lie on or
+ * in the sphere of radius 1 around 0: x_world = Center + Radius x_unit. Whatever the volume's size
+ * and place, single precision suffices from there. Texture coordinates are 0 to 1 over the texels,
+ * whose centres are half a texel inside.
+ */
+class UnitSpace
+{
+public:
+  /**
+   * From the image's index-to-physical matrix and \a worldFromVolume, the matrix of the vtkVolume;
+   * \a isOfCells if the samples are cells'. Returns what is wrong (a matrix that is singular or not
+   * finite), or nothing.
+   */
+  std::string Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume);
+
+  std::array<double, 3> ToUnit(const double world[3]) const;
+
+  std::array<double, 3> Center{ { 0.0, 0.0, 0.0 } };
+  double Radius = 1.0;
+  /// Texels along x, y, z.
+  std::array<int, 3> Size{ { 0, 0, 0 } };
+  /// Rows of affine matrices.
+  std::array<double, 16> TextureFromUnit{};
+  std::array<double, 16> UnitFromTexture{};
+  /// From unit coordinates to the volume's own, for cropping planes.
+  std::array<double, 16> VolumeFromUnit{};
+  /// The box that has matter, in texture coordinates: lower and upper of each axis.
+  std::array<std::array<double, 2>, 3> Box{};
+};
+
+}
+
+#endif

@@ -1,0 +1,40 @@
+#ifndef interlume_TransferMath_h
+#define interlume_TransferMath_h
+
+#include "Volume/TransferNodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace interlume
+{
+
+/**
+ * Arithmetic of a transfer function's values.
+ */
+namespace TransferMath
+{
+
+inline TransferNodes::Value Mix(
+  const TransferNodes::Value& a, const TransferNodes::Value& b, double share)
+{
+  TransferNodes::Value mixed;
+  for (std::size_t i = 0; i < mixed.size(); ++i)
+  {
+    mixed[i] = a[i] + share * (b[i] - a[i]);
+  }
+  return mixed;
+}
+
+/// The largest difference of a channel.
+inline double GetDistance(const TransferNodes::Value& a, const TransferNodes::Value& b)
+{
+  return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) });
+}
+
+}
+
+}
+
+#endif

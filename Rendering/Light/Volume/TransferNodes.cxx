@@ -1,0 +1,265 @@
+#include "Volume/TransferNodes.h"
+
+#include "Volume/TransferMath.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace interlume
+{
+
+namespace
+{
+using Value = TransferNodes::Value;
+using TransferMath::GetDistance;
+using TransferMath::Mix;
+using Node = TransferNodes::Node;
+
+/// A curve is halved this often at most.
+constexpr int Depth = 16;
+constexpr double Tolerance = 1e-5;
+/// Where a curve's limits at its ends are taken, as a share of it.
+constexpr double AtEnd = 1e-9;
+
+double GetSize(const Value& value)
+{
+  return GetDistance(value, Value{});
+}
+
+/// A place from which on, or before which, no node is.
+double GetBeyond(double x, double sign)
+{
+  return x + sign * std::max(std::abs(x), 1.0);
+}
+}
+
+void TransferNodes::Add(double x, const Value& y)
+{
+  if (this->Nodes.empty() || this->Nodes.back().X != x || this->Nodes.back().Y != y)
+  {
+    this->Nodes.push_back({ x, y });
+  }
+}
+
+template <typename Function>
+void TransferNodes::AddCurve(
+  const Function& function, const Node& a, const Node& b, double scale, int depth)
+{
+  const auto isStraight = [&](double share)
+  {
+    return GetDistance(function(a.X + share * (b.X - a.X)), Mix(a.Y, b.Y, share)) <=
+      Tolerance * scale;
+  };
+  const double middle = a.X + 0.5 * (b.X - a.X);
+  if (depth == 0 || !(middle > a.X && middle < b.X) ||
+    (isStraight(0.5) && isStraight(0.25) && isStraight(0.75) && isStraight(0.03) &&
+      isStraight(0.97)))
+  {
+    this->Add(b.X, b.Y);
+    return;
+  }
+  const Node half{ middle, function(middle) };
+  this->AddCurve(function, a, half, scale, depth - 1);
+  this->AddCurve(function, half, b, scale, depth - 1);
+}
+
+template <typename Function>
+void TransferNodes::AddSegment(const Function& function, const Node& a, const Node& b,
+  double midpoint, double sharpness, Curve curve)
+{
+  // As VTK's functions have them.
+  constexpr double leastMidpoint = 0.00001;
+  constexpr double straight = 0.01;
+  constexpr double step = 0.99;
+  const double share = std::clamp(midpoint, leastMidpoint, 1.0 - leastMidpoint);
+  const double middle = curve == LOGARITHMIC && a.X > 0.0 ? a.X * std::pow(b.X / a.X, share)
+                                                          : a.X + share * (b.X - a.X);
+  if (sharpness > step)
+  {
+    this->Add(middle, a.Y);
+    this->Add(middle, b.Y);
+  }
+  else if (b.X > a.X && (curve != STRAIGHT || sharpness >= straight))
+  {
+    const double scale = std::max(GetSize(a.Y), GetSize(b.Y));
+    const Node first{ a.X, function(a.X + AtEnd * (b.X - a.X)) };
+    const Node bend{ middle, function(middle) };
+    const Node last{ b.X, function(b.X - AtEnd * (b.X - a.X)) };
+    const auto snap = [&](const Node& limit, const Node& node)
+    { return GetDistance(limit.Y, node.Y) <= Tolerance * scale ? node : limit; };
+    const Node from = snap(first, a);
+    this->Add(from.X, from.Y);
+    this->AddCurve(function, from, bend, scale, Depth);
+    this->AddCurve(function, bend, snap(last, b), scale, Depth);
+  }
+  else if (share != 0.5)
+  {
+    this->Add(middle, Mix(a.Y, b.Y, 0.5));
+  }
+  this->Add(b.X, b.Y);
+}
+
+template <std::size_t Channels, typename Transfer, typename Function>
+void TransferNodes::AddFunction(Transfer* transfer, const Function& function, Curve curve)
+{
+  // Place, channels, midpoint and sharpness.
+  std::array<double, Channels + 3> point{};
+  const auto get = [&](int i)
+  {
+    transfer->GetNodeValue(i, point.data());
+    return Node{ point[0], { { point[1], point[(Channels + 1) / 2], point[Channels] } } };
+  };
+  Node node = get(0);
+  this->Add(node.X, function(GetBeyond(node.X, -1.0)));
+  this->Add(node.X, node.Y);
+  for (int i = 1; i < transfer->GetSize(); ++i)
+  {
+    const double midpoint = point[Channels + 1];
+    const double sharpness = point[Channels + 2];
+    const Node next = get(i);
+    this->AddSegment(function, node, next, midpoint, sharpness, curve);
+    node = next;
+  }
+  this->Add(node.X, function(GetBeyond(node.X, 1.0)));
+  this->FindLargest();
+}
+
+TransferNodes::TransferNodes(vtkPiecewiseFunction* function)
+{
+  const auto evaluate = [function](double x)
+  {
+    const double value = function->GetValue(x);
+    return Value{ { value, value, value } };
+  };
+  this->AddFunction<1>(function, evaluate, function->GetUseLogScale() ? LOGARITHMIC : STRAIGHT);
+}
+
+TransferNodes::TransferNodes(vtkColorTransferFunction* function)
+{
+  const auto evaluate = [function](double x)
+  {
+    Value value{};
+    function->GetColor(x, value.data());
+    return value;
+  };
+  this->AddFunction<3>(function, evaluate,
+    function->GetScale() != VTK_CTF_LINEAR       ? LOGARITHMIC
+      : function->GetColorSpace() != VTK_CTF_RGB ? CURVED
+                                                 : STRAIGHT);
+}
+
+TransferNodes::TransferNodes(const Range& range, double first, double last)
+{
+  this->Nodes = { { range[0], { { first, first, first } } },
+    { range[1], { { last, last, last } } } };
+  this->FindLargest();
+}
+
+void TransferNodes::FindLargest()
+{
+  std::vector<double> largest;
+  for (const Node& node : this->Nodes)
+  {
+    largest.push_back(node.Y[0]);
+  }
+  for (std::size_t width = 1; !largest.empty(); width *= 2)
+  {
+    std::vector<double> wider(largest.size() > width ? largest.size() - width : 0);
+    for (std::size_t i = 0; i < wider.size(); ++i)
+    {
+      wider[i] = std::max(largest[i], largest[i + width]);
+    }
+    this->Largest.push_back(std::move(largest));
+    largest = std::move(wider);
+  }
+}
+
+TransferNodes::Range TransferNodes::Limit(const Range& range) const
+{
+  const Node& first = this->Nodes.front();
+  const Node& last = this->Nodes.back();
+  const double width = last.X > first.X ? last.X - first.X : range[1] - range[0];
+  const auto isStep = [&](std::size_t i)
+  { return i + 1 < this->Nodes.size() && this->Nodes[i].X == this->Nodes[i + 1].X; };
+  constexpr double margin = 1.0 / 64.0;
+  const double lower = first.X - (isStep(0) ? margin * width : 0.0);
+  const double upper = last.X + (isStep(this->Nodes.size() - 2) ? margin * width : 0.0);
+  const Range part{ { std::max(range[0], lower), std::min(range[1], upper) } };
+  // Texels are single precision: scales beyond these places would overflow there.
+  constexpr double least = 1e-33;
+  const double size = std::max(std::abs(range[0]), std::abs(range[1]));
+  return part[1] - part[0] > least * size && std::isfinite(part[1] - part[0]) ? part : range;
+}
+
+bool TransferNodes::IsStepwise(const Range& range, double width) const
+{
+  const auto isRamp = [&](const Node& a, const Node& b)
+  { return a.Y[0] != b.Y[0] && std::min(b.X, range[1]) - std::max(a.X, range[0]) > width; };
+  return std::adjacent_find(this->Nodes.begin(), this->Nodes.end(), isRamp) == this->Nodes.end();
+}
+
+double TransferNodes::GetSmallestAboveZero(const Range& range) const
+{
+  double smallest = 0.0;
+  const auto add = [&](double value)
+  { smallest = value > 0.0 && (smallest == 0.0 || value < smallest) ? value : smallest; };
+  add(this->Evaluate(range[0])[0]);
+  add(this->Evaluate(range[1])[0]);
+  for (const Node& node : this->Nodes)
+  {
+    if (node.X >= range[0] && node.X <= range[1])
+    {
+      add(node.Y[0]);
+    }
+  }
+  return smallest;
+}
+
+TransferNodes::Value TransferNodes::Evaluate(double x) const
+{
+  const auto right = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), x,
+    [](double place, const Node& node) { return place < node.X; });
+  if (right == this->Nodes.begin())
+  {
+    return right->Y;
+  }
+  const Node& left = *(right - 1);
+  return right == this->Nodes.end() ? left.Y
+                                    : Mix(left.Y, right->Y, (x - left.X) / (right->X - left.X));
+}
+
+double TransferNodes::GetLargest(const Range& range, const Range& near) const
+{
+  const auto begin = std::lower_bound(this->Nodes.begin(), this->Nodes.end(), range[0] - near[0],
+    [](const Node& node, double place) { return node.X < place; });
+  const auto end = std::upper_bound(begin, this->Nodes.end(), range[1] + near[1],
+    [](double place, const Node& node) { return place < node.X; });
+  double largest = 0.0;
+  if (begin < end)
+  {
+    const auto first = static_cast<std::size_t>(begin - this->Nodes.begin());
+    const auto count = static_cast<std::size_t>(end - begin);
+    std::size_t level = 0;
+    while ((std::size_t(2) << level) <= count)
+    {
+      ++level;
+    }
+    largest = std::max(
+      this->Largest[level][first], this->Largest[level][first + count - (std::size_t(1) << level)]);
+  }
+  if (begin == end || begin->X > range[0] + near[0])
+  {
+    largest = std::max(largest, this->Evaluate(range[0])[0]);
+  }
+  if (begin == end || (end - 1)->X < range[1] - near[1])
+  {
+    largest = std::max(largest, this->Evaluate(range[1])[0]);
+  }
+  return largest;
+}
+
+}

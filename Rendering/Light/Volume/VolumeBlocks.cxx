@@ -1,0 +1,153 @@
+#include "Volume/VolumeBlocks.h"
+
+#include "Volume/MaterialTable.h"
+#include "Volume/VolumeSamples.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace interlume
+{
+
+namespace
+{
+/// First and last sample of a box along each axis.
+struct Box
+{
+  std::array<int, 3> First;
+  std::array<int, 3> Last;
+};
+
+/// The ranges of the texels in \a box, voxels that are not finite left out, as values.
+template <typename Texel>
+void FindRanges(const VolumeSamples& samples, const Box& box, std::array<double, 2>* ranges)
+{
+  const auto* texels = reinterpret_cast<const Texel*>(samples.Texels.data());
+  const auto components = static_cast<std::size_t>(samples.Components);
+  const auto columns = static_cast<std::size_t>(samples.Size[0]);
+  const auto rows = static_cast<std::size_t>(samples.Size[1]);
+  std::array<Texel, 4> lower{};
+  std::array<Texel, 4> upper{};
+  bool any = false;
+  for (int k = box.First[2]; k <= box.Last[2]; ++k)
+  {
+    for (int j = box.First[1]; j <= box.Last[1]; ++j)
+    {
+      const std::size_t row =
+        (static_cast<std::size_t>(k) * rows + static_cast<std::size_t>(j)) * columns;
+      for (int i = box.First[0]; i <= box.Last[0]; ++i)
+      {
+        const std::size_t voxel = row + static_cast<std::size_t>(i);
+        if (!samples.Mask.empty() && samples.Mask[voxel] == 0)
+        {
+          continue;
+        }
+        for (std::size_t c = 0; c < components; ++c)
+        {
+          const Texel texel = texels[voxel * components + c];
+          lower[c] = any ? std::min(lower[c], texel) : texel;
+          upper[c] = any ? std::max(upper[c], texel) : texel;
+        }
+        any = true;
+      }
+    }
+  }
+  const double whole = std::numeric_limits<Texel>::is_integer
+    ? static_cast<double>(std::numeric_limits<Texel>::max())
+    : 1.0;
+  for (std::size_t c = 0; c < components; ++c)
+  {
+    const double step = samples.Scale[c] / whole;
+    ranges[c] = any
+      ? std::array<double, 2>{ { samples.Offset[c] + step * static_cast<double>(lower[c]),
+          samples.Offset[c] + step * static_cast<double>(upper[c]) } }
+      : std::array<double, 2>{ { 1.0, 0.0 } };
+  }
+}
+}
+
+void VolumeBlocks::Build(const VolumeSamples& samples)
+{
+  this->Samples = samples.Size;
+  this->Components = samples.Components;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int cells = std::max(samples.Size[axis] - 1, 1);
+    this->Size[axis] = samples.Components > 0 ? (cells + BlockSize - 1) / BlockSize : 0;
+  }
+  const int blocks = this->GetNumberOfBlocks();
+  this->Ranges.assign(
+    static_cast<std::size_t>(blocks) * static_cast<std::size_t>(this->Components), {});
+  this->Visible.assign(static_cast<std::size_t>(blocks), 0);
+  this->NumberVisible = 0;
+
+  vtkSMPTools::For(0, blocks, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType block = begin; block < end; ++block)
+      {
+        const std::array<vtkIdType, 3> place{ { block % this->Size[0],
+          block / this->Size[0] % this->Size[1], block / this->Size[0] / this->Size[1] } };
+        Box box{};
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const int first = static_cast<int>(place[axis]) * BlockSize;
+          box.First[axis] = std::max(first - 1, 0);
+          box.Last[axis] = std::min(first + BlockSize + 1, this->Samples[axis] - 1);
+        }
+        std::array<double, 2>* ranges =
+          &this
+             ->Ranges[static_cast<std::size_t>(block) * static_cast<std::size_t>(this->Components)];
+        switch (samples.Format)
+        {
+          case VolumeSamples::UNORM8:
+            FindRanges<std::uint8_t>(samples, box, ranges);
+            break;
+          case VolumeSamples::UNORM16:
+            FindRanges<std::uint16_t>(samples, box, ranges);
+            break;
+          case VolumeSamples::FLOAT32:
+            FindRanges<float>(samples, box, ranges);
+            break;
+        }
+      }
+    });
+}
+
+void VolumeBlocks::Classify(const MaterialTable& material)
+{
+  this->NumberVisible = 0;
+  for (std::size_t block = 0; block < this->Visible.size(); ++block)
+  {
+    bool visible = false;
+    for (int row = 0; row < material.Rows && !visible; ++row)
+    {
+      const std::array<double, 2>& range =
+        this->Ranges[block * static_cast<std::size_t>(this->Components) +
+          static_cast<std::size_t>(material.GetOpacityComponent(row))];
+      visible = material.GetLargestExtinction(row, range[0], range[1]) > 0.0;
+    }
+    this->Visible[block] = visible ? 1 : 0;
+    this->NumberVisible += visible ? 1 : 0;
+  }
+}
+
+std::vector<double> VolumeBlocks::GetBorders(int axis) const
+{
+  const int samples = this->Samples[axis];
+  if (samples < 2)
+  {
+    return { 0.0, 1.0 };
+  }
+  std::vector<double> borders;
+  for (int block = 0; block <= this->Size[axis]; ++block)
+  {
+    borders.push_back((std::min(block * BlockSize, samples - 1) + 0.5) / samples);
+  }
+  return borders;
+}
+
+}

@@ -1,0 +1,58 @@
+#ifndef interlume_VolumeBlocks_h
+#define interlume_VolumeBlocks_h
+
+#include <array>
+#include <vector>
+
+namespace interlume
+{
+
+class MaterialTable;
+class VolumeSamples;
+
+/**
+ * @class   VolumeBlocks
+ * @brief   the ranges of values of small blocks of a volume, and which of them can be seen
+ *
+ * The box of the samples' centres is cut into blocks of BlockSize cells along each axis, the last
+ * ones smaller. A block's range is that of all samples that interpolation inside it reads, and of a
+ * further one on each side for gradients.
+ */
+class VolumeBlocks
+{
+public:
+  /// Cells of a block along an axis.
+  static constexpr int BlockSize = 16;
+
+  /// Finds the ranges. Threaded.
+  void Build(const VolumeSamples& samples);
+
+  /// Marks the blocks whose range has an extinction above 0 somewhere.
+  void Classify(const MaterialTable& material);
+
+  const std::array<int, 3>& GetSize() const { return this->Size; }
+  int GetNumberOfBlocks() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
+  int GetNumberVisible() const { return this->NumberVisible; }
+  bool IsVisible(int i, int j, int k) const
+  {
+    const auto row = static_cast<std::size_t>(k) * this->Size[1] + j;
+    return this->Visible[row * this->Size[0] + i] != 0;
+  }
+  /// Whether each is visible, x fastest.
+  const std::vector<unsigned char>& GetVisible() const { return this->Visible; }
+  /// Where block borders lie along \a axis, in texture coordinates 0 to 1: one more than blocks.
+  std::vector<double> GetBorders(int axis) const;
+
+private:
+  std::array<int, 3> Size{ { 0, 0, 0 } };
+  std::array<int, 3> Samples{ { 0, 0, 0 } };
+  int Components = 0;
+  /// Lower and upper of each component of each block.
+  std::vector<std::array<double, 2>> Ranges;
+  std::vector<unsigned char> Visible;
+  int NumberVisible = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,240 @@
+#include "Volume/VolumeSamples.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayAccessor.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+#include "vtkSOADataArrayTemplate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <new>
+
+namespace interlume
+{
+
+namespace
+{
+constexpr vtkIdType Grain = 1 << 16;
+constexpr int LargestComponents = 4;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+using StructuresOfArrays = vtkTypeList::Create<vtkSOADataArrayTemplate<char>,
+  vtkSOADataArrayTemplate<signed char>, vtkSOADataArrayTemplate<unsigned char>,
+  vtkSOADataArrayTemplate<short>, vtkSOADataArrayTemplate<unsigned short>,
+  vtkSOADataArrayTemplate<int>, vtkSOADataArrayTemplate<unsigned int>,
+  vtkSOADataArrayTemplate<long>, vtkSOADataArrayTemplate<unsigned long>,
+  vtkSOADataArrayTemplate<long long>, vtkSOADataArrayTemplate<unsigned long long>,
+  vtkSOADataArrayTemplate<float>, vtkSOADataArrayTemplate<double>>;
+
+/// Calls \a function with the array in its own type, or as a vtkDataArray if it has one of its own.
+template <typename Function>
+void Dispatch(vtkDataArray* array, Function&& function)
+{
+  if (!vtkArrayDispatch::Dispatch::Execute(array, function) &&
+    !vtkArrayDispatch::DispatchByArray<StructuresOfArrays>::Execute(array, function))
+  {
+    function(array);
+  }
+}
+
+/// The finite values of the components of a voxel: whether all are.
+template <typename Array>
+bool GetVoxel(const vtkDataArrayAccessor<Array>& values, vtkIdType voxel, int components,
+  std::array<double, LargestComponents>& value)
+{
+  bool finite = true;
+  for (int c = 0; c < components; ++c)
+  {
+    value[c] = static_cast<double>(values.Get(voxel, c));
+    finite = finite && std::isfinite(value[c]);
+  }
+  return finite;
+}
+
+struct Extent
+{
+  std::array<std::array<double, 2>, LargestComponents> Range;
+  vtkIdType NonFinite = 0;
+
+  Extent() { this->Range.fill({ { Infinity, -Infinity } }); }
+
+  void Add(double value, int component)
+  {
+    if (std::isfinite(value))
+    {
+      this->Range[component][0] = std::min(this->Range[component][0], value);
+      this->Range[component][1] = std::max(this->Range[component][1], value);
+    }
+  }
+};
+
+template <typename Array>
+void AddExtent(Array* array, vtkIdType begin, vtkIdType end, Extent& extent)
+{
+  const vtkDataArrayAccessor<Array> values(array);
+  const int components = array->GetNumberOfComponents();
+  std::array<double, LargestComponents> value{};
+  for (vtkIdType voxel = begin; voxel < end; ++voxel)
+  {
+    extent.NonFinite += GetVoxel(values, voxel, components, value) ? 0 : 1;
+    for (int c = 0; c < components; ++c)
+    {
+      extent.Add(value[c], c);
+    }
+  }
+}
+
+Extent FindExtent(vtkDataArray* array, vtkIdType voxels)
+{
+  vtkSMPThreadLocal<Extent> parts;
+  vtkSMPTools::For(0, voxels, Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    { Dispatch(array, [&](auto* values) { AddExtent(values, begin, end, parts.Local()); }); });
+  Extent whole;
+  for (const Extent& part : parts)
+  {
+    whole.NonFinite += part.NonFinite;
+    for (int c = 0; c < LargestComponents; ++c)
+    {
+      whole.Add(part.Range[c][0], c);
+      whole.Add(part.Range[c][1], c);
+    }
+  }
+  return whole;
+}
+
+/// Writes the texels (value - Offset) times \a factors, and the mask where there is one.
+template <typename Texel, typename Array>
+void WriteTexels(Array* array, vtkIdType begin, vtkIdType end,
+  const std::array<double, LargestComponents>& factors, VolumeSamples& samples)
+{
+  const vtkDataArrayAccessor<Array> values(array);
+  const int components = samples.Components;
+  auto* texels = reinterpret_cast<Texel*>(samples.Texels.data());
+  std::array<double, LargestComponents> value{};
+  for (vtkIdType voxel = begin; voxel < end; ++voxel)
+  {
+    const bool finite = GetVoxel(values, voxel, components, value);
+    for (int c = 0; c < components; ++c)
+    {
+      texels[voxel * components + c] =
+        finite ? static_cast<Texel>((value[c] - samples.Offset[c]) * factors[c]) : Texel(0);
+    }
+    if (!samples.Mask.empty())
+    {
+      samples.Mask[static_cast<std::size_t>(voxel)] = finite ? 65535 : 0;
+    }
+  }
+}
+
+/// 0 where the smallest is no farther from it than the largest is from the smallest, else their
+/// middle. A float less such a middle has no more digits than a float, so that it is exact.
+double FindOffset(const std::array<double, 2>& range)
+{
+  const double least = std::max({ range[0], -range[1], 0.0 });
+  if (least == 0.0 || least <= range[1] - range[0])
+  {
+    return 0.0;
+  }
+  return range[0] + 0.5 * (range[1] - range[0]);
+}
+
+/// The power of two next to the largest value less the offset.
+double FindScale(const std::array<double, 2>& range, double offset)
+{
+  // Below it, quotients of scales and ranges leave the doubles.
+  constexpr int leastExponent = -1000;
+  double largest = std::max(std::abs(range[0] - offset), std::abs(range[1] - offset));
+  largest = largest > 0.0 ? largest : std::abs(offset);
+  return largest > 0.0 ? std::ldexp(1.0, std::max(std::ilogb(largest), leastExponent)) : 1.0;
+}
+}
+
+std::string VolumeSamples::Build(vtkDataArray* array, const std::array<int, 3>& size, bool widens)
+{
+  *this = VolumeSamples();
+  if (!array || size[0] < 1 || size[1] < 1 || size[2] < 1)
+  {
+    return "the volume has no values";
+  }
+  const std::string name = array->GetName() ? array->GetName() : "(no name)";
+  const int components = array->GetNumberOfComponents();
+  if (components < 1 || components > LargestComponents)
+  {
+    return "array " + name + " has " + std::to_string(components) +
+      " components; one to four can be drawn";
+  }
+  const vtkIdType voxels = static_cast<vtkIdType>(size[0]) * size[1] * size[2];
+  if (array->GetNumberOfTuples() < voxels)
+  {
+    return "array " + name + " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+      std::to_string(voxels) + " voxels";
+  }
+
+  const Extent extent = FindExtent(array, voxels);
+  // Types of up to 16 bits are integers; one of a single bit has size 0.
+  const int typeBytes = std::max(vtkDataArray::GetDataTypeSize(array->GetDataType()), 1);
+  const double lowest = vtkDataArray::GetDataTypeMin(array->GetDataType());
+  this->Format = typeBytes > 2 ? FLOAT32 : typeBytes == 1 && !widens ? UNORM8 : UNORM16;
+  for (int c = 0; c < components; ++c)
+  {
+    const bool any = extent.Range[c][0] <= extent.Range[c][1];
+    // The sum turns -0, which depends on the order of the values, into 0.
+    this->Range[c] = any
+      ? std::array<double, 2>{ { extent.Range[c][0] + 0.0, extent.Range[c][1] + 0.0 } }
+      : std::array<double, 2>{ { 0.0, 0.0 } };
+    this->Offset[c] = this->Format == FLOAT32 ? FindOffset(this->Range[c]) : lowest;
+    this->Scale[c] = this->Format == FLOAT32 ? FindScale(this->Range[c], this->Offset[c])
+                                             : (1 << (8 * typeBytes)) - 1;
+  }
+
+  const std::size_t bytes = this->Format == UNORM8 ? 1 : this->Format == UNORM16 ? 2 : 4;
+  try
+  {
+    this->Texels.resize(static_cast<std::size_t>(voxels * components) * bytes);
+    this->Mask.resize(extent.NonFinite > 0 ? static_cast<std::size_t>(voxels) : 0);
+  }
+  catch (const std::bad_alloc&)
+  {
+    *this = VolumeSamples();
+    return "array " + name + " does not fit into memory a second time";
+  }
+  this->Size = size;
+  this->Components = components;
+  this->NonFinite = extent.NonFinite;
+
+  // 257 times a byte is the same part of 65535 as the byte is of 255.
+  const double integerFactor = typeBytes == 1 && this->Format == UNORM16 ? 257.0 : 1.0;
+  std::array<double, LargestComponents> factors{};
+  for (int c = 0; c < components; ++c)
+  {
+    factors[c] = this->Format == FLOAT32 ? 1.0 / this->Scale[c] : integerFactor;
+  }
+  vtkSMPTools::For(0, voxels, Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Dispatch(array,
+        [&](auto* values)
+        {
+          switch (this->Format)
+          {
+            case UNORM8:
+              WriteTexels<std::uint8_t>(values, begin, end, factors, *this);
+              break;
+            case UNORM16:
+              WriteTexels<std::uint16_t>(values, begin, end, factors, *this);
+              break;
+            case FLOAT32:
+              WriteTexels<float>(values, begin, end, factors, *this);
+              break;
+          }
+        });
+    });
+  return std::string();
+}
+
+}

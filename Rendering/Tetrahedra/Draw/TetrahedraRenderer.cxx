@@ -1,0 +1,567 @@
+#include "Draw/TetrahedraRenderer.h"
+
+#include "Loader/OpenGLFunctions.h"
+#include "OpenGL/OpenGLRasterizer.h"
+#include "OpenGL/TetrahedraSelection.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkHardwareSelector.h"
+#include "vtkImageQuad.h"
+#include "vtkOpaqueProps.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+#include "vtkSoftwareOpenGL.h"
+#include "vtkTexture.h"
+#include "vtkTimerLog.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridVolumeMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace interlume
+{
+
+using Settings = vtkTetrahedraSettings;
+using Mapper = vtkUnstructuredGridVolumeMapper;
+
+namespace
+{
+/// Beyond this MPVONC takes longer than drawing.
+constexpr std::uint32_t MPVONC_LIMIT = 1000000;
+
+TetrahedraFrame::Blends GetBlend(int mode)
+{
+  switch (mode)
+  {
+    case Mapper::MAXIMUM_INTENSITY_BLEND:
+      return TetrahedraFrame::MAXIMUM;
+    case Settings::ADDITIVE_BLEND:
+      return TetrahedraFrame::ADDITIVE;
+    case Settings::PRIORITY_BLEND:
+      return TetrahedraFrame::PRIORITY;
+    case Settings::OPTICAL_DEPTH_BLEND:
+      return TetrahedraFrame::OPTICAL_DEPTH;
+    default:
+      return TetrahedraFrame::COMPOSITE;
+  }
+}
+}
+
+/// All that a picture of the software path is made of.
+struct TetrahedraRenderer::DrawnState
+{
+  TetrahedraView View;
+  int MeshVersion = 0;
+  int ColorVersion = 0;
+  int OrderVersion = 0;
+  int SurfaceVersion = 0;
+  TetrahedraFrame::Blends Blend = TetrahedraFrame::SELECTION;
+  bool IsExact = false;
+  int PixelStride = 0;
+  std::uint32_t TetrahedronStride = 0;
+  std::vector<float> Opaque;
+
+  bool operator==(const DrawnState& other) const
+  {
+    return this->View == other.View && this->MeshVersion == other.MeshVersion &&
+      this->ColorVersion == other.ColorVersion && this->OrderVersion == other.OrderVersion &&
+      this->SurfaceVersion == other.SurfaceVersion && this->Blend == other.Blend &&
+      this->IsExact == other.IsExact && this->PixelStride == other.PixelStride &&
+      this->TetrahedronStride == other.TetrahedronStride && this->Opaque == other.Opaque;
+  }
+};
+
+struct TetrahedraRenderer::WindowResources
+{
+  vtkImageQuad Quad;
+  OpenGLRasterizer Painter;
+  int MeshVersion = 0;
+  int ColorVersion = 0;
+  int OrderVersion = 0;
+  int BoundaryVersion = 0;
+  bool WasClipped = false;
+  TetrahedraView ClipView;
+  DrawnState Drawn;
+  vtkIdType NumberDrawn = 0;
+};
+
+TetrahedraRenderer::TetrahedraRenderer() = default;
+
+TetrahedraRenderer::~TetrahedraRenderer() = default;
+
+std::string TetrahedraRenderer::UpdateMesh(const Request& request)
+{
+  const MeshKey& before = this->MeshState;
+  const TetrahedraArrays& arrays = request.Arrays;
+  const bool isSame = before.Grid == request.Grid && before.Time == request.Grid->GetMTime() &&
+    before.Arrays.Scalars == arrays.Scalars &&
+    before.Arrays.ScalarsAreOfCells == arrays.ScalarsAreOfCells &&
+    before.Arrays.DeltaT == arrays.DeltaT && before.Arrays.Layers == arrays.Layers;
+  if (isSame)
+  {
+    return {};
+  }
+  this->MeshState = MeshKey();
+  this->Property = nullptr;
+  this->Boundary = nullptr;
+  BoundaryFaces::Clear(this->Fields);
+  this->Order.Reset();
+  this->LevelOfDetail.Reset();
+  std::string error = TetrahedraBuilder::BuildMesh(request.Grid, arrays, this->Mesh, this->Counts);
+  if (error.empty())
+  {
+    TetrahedraBuilder::BuildFields(arrays, this->Mesh, this->Fields);
+    this->MeshState = { request.Grid, request.Grid->GetMTime(), arrays };
+    ++this->MeshVersion;
+  }
+  return error;
+}
+
+std::string TetrahedraRenderer::UpdateColors(
+  const Request& request, vtkVolumeProperty* property, double unit)
+{
+  if (this->Property == property && this->PropertyTime == property->GetMTime() &&
+    this->ColorUnit == unit)
+  {
+    return {};
+  }
+  std::string error =
+    TetrahedraBuilder::BuildColors(request.Arrays, this->Mesh, property, unit, this->Fields);
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (this->Fields.Kind == TetrahedraFields::SCALARS)
+  {
+    this->Pieces.Build(property, 0, this->Fields.Range, unit);
+  }
+  this->Property = property;
+  this->PropertyTime = property->GetMTime();
+  this->ColorUnit = unit;
+  this->HasOneColor = this->FindOneColor();
+  ++this->ColorVersion;
+  return {};
+}
+
+bool TetrahedraRenderer::FindOneColor() const
+{
+  if (this->Fields.Kind == TetrahedraFields::SCALARS)
+  {
+    return this->Pieces.HasOneColor();
+  }
+  const auto& colors = this->Fields.Colors;
+  return std::all_of(colors.begin(), colors.end(),
+    [&colors](const std::array<float, 4>& color)
+    { return std::equal(color.begin(), color.begin() + 3, colors[0].begin()); });
+}
+
+void TetrahedraRenderer::ChooseBlend(const Request& request, vtkTetrahedraReport& report)
+{
+  report.BlendMode = request.Blend;
+  report.BlendReason = "as asked for";
+  if (request.Blend == Settings::AUTOMATIC_BLEND)
+  {
+    const bool hasTime = request.Arrays.DeltaT != nullptr;
+    report.BlendMode = hasTime ? static_cast<int>(Settings::OPTICAL_DEPTH_BLEND)
+                               : static_cast<int>(Mapper::COMPOSITE_BLEND);
+    report.BlendReason = hasTime ? "with an extent in time tetrahedra overlap and have no order"
+                                 : "without an extent in time tetrahedra have an order";
+  }
+}
+
+void TetrahedraRenderer::ChoosePath(
+  const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report)
+{
+  report.RenderPath = request.Settings.RenderPath;
+  report.PathReason = "as asked for";
+  if (request.Settings.RenderPath == Settings::AUTOMATIC_PATH)
+  {
+    const bool isSoftware = vtkSoftwareOpenGL::IsUsed(window);
+    report.RenderPath = isSoftware ? Settings::SOFTWARE_PATH : Settings::OPENGL_PATH;
+    report.PathReason =
+      isSoftware ? "OpenGL is itself software here" : "OpenGL runs on a graphics card";
+  }
+}
+
+void TetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraReport& report)
+{
+  report.SortMode = Settings::NO_SORT;
+  if (report.BlendMode != Mapper::COMPOSITE_BLEND)
+  {
+    report.SortReason = "the blend mode needs no order";
+  }
+  else if (request.Settings.SortMode != Settings::AUTOMATIC_SORT)
+  {
+    report.SortMode = request.Settings.SortMode;
+    report.SortReason = "as asked for";
+  }
+  else if (!this->Picture.Surface && this->HasOneColor)
+  {
+    report.SortReason = "all is of one colour";
+  }
+  else if (request.Arrays.DeltaT)
+  {
+    report.SortMode = Settings::CENTROID_SORT;
+    report.SortReason = "with an extent in time tetrahedra overlap";
+  }
+  else if (this->Mesh.GetNumberOfTetrahedra() > MPVONC_LIMIT)
+  {
+    report.SortMode = Settings::CENTROID_SORT;
+    report.SortReason = "more than " + std::to_string(MPVONC_LIMIT) + " tetrahedra";
+  }
+  else
+  {
+    report.SortMode = Settings::MPVONC_SORT;
+    report.SortReason = "colours differ and tetrahedra are few enough";
+  }
+}
+
+const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
+  const Request& request, vtkTetrahedraReport& report)
+{
+  const std::vector<std::uint32_t>* order = nullptr;
+  report.Passes = 1;
+  if (report.BlendMode == Settings::PRIORITY_BLEND)
+  {
+    order = this->Order.ComputeLayers(this->Fields.Layers, request.Settings.LayerPriorities);
+    report.Layers = this->Order.GetNumberOfLayers();
+    report.Passes = report.Layers;
+  }
+  else
+  {
+    const auto kind = report.SortMode == Settings::CENTROID_SORT ? TetrahedraOrder::CENTROID
+      : report.SortMode == Settings::MPVONC_SORT                 ? TetrahedraOrder::VISIBILITY
+                                                                 : TetrahedraOrder::NONE;
+    order = this->Order.Compute(kind, this->Mesh, this->Picture.View);
+    report.Sorted = this->Order.WasComputed();
+  }
+  this->OrderVersion += this->Order.WasComputed() ? 1 : 0;
+  if (report.SortMode == Settings::MPVONC_SORT)
+  {
+    report.Cycles = this->Order.GetCycles();
+    report.Gaps = this->Order.GetGaps();
+  }
+  report.HasAdjacency = this->Order.HasAdjacency();
+  return order;
+}
+
+std::string TetrahedraRenderer::Render(
+  vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    return "the render window is not an OpenGL one";
+  }
+  std::string error = this->UpdateMesh(request);
+  report.Tetrahedra = request.Grid->GetNumberOfCells();
+  report.FlatTetrahedra = this->Counts.Flat;
+  report.NonFiniteTetrahedra = this->Counts.NonFinite;
+  if (!error.empty() || this->Mesh.Corners.empty())
+  {
+    return error;
+  }
+  this->ChooseBlend(request, report);
+  this->ChoosePath(request, window, report);
+
+  const std::array<int, 3> conditions{ { report.RenderPath, renderer->GetSize()[0],
+    renderer->GetSize()[1] } };
+  if (conditions != this->LevelConditions)
+  {
+    this->LevelOfDetail.Reset();
+    this->LevelConditions = conditions;
+  }
+  const int level = request.Settings.AutoAdjustLevelOfDetail && !renderer->GetSelector()
+    ? this->LevelOfDetail.Choose(
+        volume->GetAllocatedRenderTime(), this->Mesh.GetNumberOfTetrahedra())
+    : 0;
+  report.PixelStride = interlume::LevelOfDetail::GetPixelStride(level);
+  this->Picture.TetrahedronStride = interlume::LevelOfDetail::GetTetrahedronStride(level);
+  report.TetrahedronStride = static_cast<int>(this->Picture.TetrahedronStride);
+  error = this->Picture.View.Set(renderer, volume, this->Mesh, report.PixelStride);
+  if (!error.empty())
+  {
+    return error;
+  }
+  vtkVolumeProperty* property = volume->GetProperty();
+  this->Picture.ExtinctionUnit =
+    this->Picture.View.GetUnit() / property->GetScalarOpacityUnitDistance();
+  error = this->UpdateColors(request, property, this->Picture.ExtinctionUnit);
+  if (!error.empty())
+  {
+    return error;
+  }
+  report.ControlPoints =
+    this->Fields.Kind == TetrahedraFields::SCALARS ? this->Pieces.GetNumberOfPieces() + 1 : 0;
+  this->UpdateBoundary(renderer, request, report);
+  this->ChooseSort(request, report);
+  const std::vector<std::uint32_t>* order = this->UpdateOrder(request, report);
+  this->Clip.Append(this->Mesh, this->Fields, this->Picture.View, order);
+  report.TetrahedraClipped = this->Clip.GetNumberClipped();
+
+  this->Picture.Mesh = &this->Mesh;
+  this->Picture.Fields = &this->Fields;
+  this->Picture.Pieces = &this->Pieces;
+  this->Picture.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : order;
+  this->Picture.Blend = GetBlend(report.BlendMode);
+  this->Picture.IsExact = request.Settings.IntegrationMode == Settings::LINEAR_SEGMENT;
+  std::unique_ptr<WindowResources>& resources = this->Windows[window];
+  if (!resources)
+  {
+    resources = std::make_unique<WindowResources>();
+  }
+  this->Picture.PixelStride = report.PixelStride;
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    this->Select(renderer, selector, *resources);
+    this->Clip.Remove(this->Mesh, this->Fields);
+    return {};
+  }
+  if (report.RenderPath == Settings::OPENGL_PATH)
+  {
+    std::string obstacle = resources->Painter.GetObstacle(window, this->Picture);
+    if (obstacle.empty())
+    {
+      obstacle = this->DrawWithOpenGL(renderer, volume, *resources, report);
+    }
+    if (!obstacle.empty())
+    {
+      report.RenderPath = Settings::SOFTWARE_PATH;
+      report.PathReason = obstacle;
+    }
+  }
+  if (report.RenderPath == Settings::SOFTWARE_PATH)
+  {
+    this->DrawInSoftware(renderer, *resources, report);
+  }
+  this->Clip.Remove(this->Mesh, this->Fields);
+  if (request.Settings.AutoAdjustLevelOfDetail && report.RenderPath == Settings::OPENGL_PATH)
+  {
+    // OpenGL takes commands and draws later; the level is chosen by when it is done.
+    glFinish();
+  }
+  report.Seconds = vtkTimerLog::GetUniversalTime() - start;
+  this->LevelOfDetail.Measured(level, report.Seconds);
+  report.MemoryBytes = this->GetMemoryBytes();
+  return {};
+}
+
+std::string TetrahedraRenderer::DrawWithOpenGL(
+  vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, vtkTetrahedraReport& report)
+{
+  // Parts cut at the near plane are in the mesh for this view only.
+  const bool isClipped = this->Clip.IsActive();
+  const bool isSameCut = isClipped == resources.WasClipped &&
+    (!isClipped ||
+      (resources.ClipView == this->Picture.View && resources.OrderVersion == this->OrderVersion &&
+        resources.BoundaryVersion == this->BoundaryVersion));
+  OpenGLRasterizer::Changes changes;
+  changes.Mesh = !isSameCut || resources.MeshVersion != this->MeshVersion;
+  changes.Colors = !isSameCut || resources.ColorVersion != this->ColorVersion;
+  changes.Order = !isSameCut || resources.OrderVersion != this->OrderVersion;
+  changes.Surface = !isSameCut || resources.BoundaryVersion != this->BoundaryVersion;
+  std::string error = resources.Painter.Draw(renderer, this->Picture, changes,
+    vtkOpaqueProps::MayOcclude(renderer, volume) || this->IsCutByFarPlane(), report);
+  resources.MeshVersion = this->MeshVersion;
+  resources.ColorVersion = this->ColorVersion;
+  resources.OrderVersion = this->OrderVersion;
+  resources.BoundaryVersion = this->BoundaryVersion;
+  resources.WasClipped = isClipped;
+  resources.ClipView = this->Picture.View;
+  report.TetrahedraDrawn = static_cast<vtkIdType>(
+    this->Picture.Order ? this->Picture.Order->size() : this->Mesh.GetNumberOfTetrahedra());
+  return error;
+}
+
+void TetrahedraRenderer::DrawInSoftware(
+  vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraReport& report)
+{
+  this->ReadDepth(renderer);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  report.Features = this->GetFeatures();
+  const DrawnState state = { this->Picture.View, this->MeshVersion, this->ColorVersion,
+    this->OrderVersion, this->SurfaceVersion, this->Picture.Blend, this->Picture.IsExact,
+    this->Picture.PixelStride, this->Picture.TetrahedronStride, this->Depth.GetDepths() };
+  // A still view of a still scene keeps its picture.
+  if (!(resources.Drawn == state))
+  {
+    const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
+    if (!this->Rasterizer.Draw(this->Picture, isAborted))
+    {
+      return;
+    }
+    report.UploadedImageBytes = resources.Quad.Upload(window, this->Picture.View.GetWidth(),
+      this->Picture.View.GetHeight(), this->Rasterizer.GetColors());
+    resources.Drawn = state;
+    resources.NumberDrawn = this->Rasterizer.GetNumberDrawn();
+  }
+  report.TetrahedraDrawn = resources.NumberDrawn;
+  report.Buffers = 1;
+  report.BufferBytes =
+    16 * static_cast<vtkIdType>(this->Picture.View.GetWidth()) * this->Picture.View.GetHeight();
+  resources.Quad.Draw(window);
+}
+
+void TetrahedraRenderer::Select(
+  vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
+{
+  selector->BeginRenderProp();
+  selector->UpdateMaximumCellId(this->MeshState.Grid->GetNumberOfCells());
+  if (TetrahedraSelection::IsDrawn(selector))
+  {
+    this->DrawSelection(renderer, selector, resources);
+  }
+  selector->EndRenderProp();
+}
+
+void TetrahedraRenderer::DrawSelection(
+  vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
+{
+  // Ids are drawn once for each pass; neither order nor colour matters, so both paths draw them so.
+  this->Picture.Blend = TetrahedraFrame::SELECTION;
+  this->Picture.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : nullptr;
+  this->ReadDepth(renderer);
+  this->Rasterizer.Draw(this->Picture, []() { return false; });
+  std::vector<vtkIdType> cells;
+  cells.reserve(this->Rasterizer.GetTetrahedra().size());
+  for (std::uint32_t tetrahedron : this->Rasterizer.GetTetrahedra())
+  {
+    const std::uint32_t whole = tetrahedron ? this->Clip.GetWhole(tetrahedron - 1) : 0;
+    const vtkIdType cell =
+      this->Mesh.Cells.empty() ? static_cast<vtkIdType>(whole) : this->Mesh.Cells[whole];
+    cells.push_back(tetrahedron ? cell + 1 : 0);
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const TetrahedraView& view = this->Picture.View;
+  resources.Quad.Upload(window, view.GetWidth(), view.GetHeight(),
+    TetrahedraSelection::MakeImage(selector, view, cells, this->Rasterizer.GetDepths()), false);
+  resources.Quad.Draw(window, "SELECTION");
+  resources.Drawn = DrawnState();
+}
+
+void TetrahedraRenderer::UpdateBoundary(
+  vtkRenderer* renderer, const Request& request, vtkTetrahedraReport& report)
+{
+  this->Picture.Surface = nullptr;
+  if (!request.Boundary)
+  {
+    if (this->Boundary)
+    {
+      BoundaryFaces::Clear(this->Fields);
+      this->Boundary = nullptr;
+      ++this->SurfaceVersion;
+    }
+    return;
+  }
+  if (report.BlendMode != Mapper::COMPOSITE_BLEND)
+  {
+    return;
+  }
+  if (this->Boundary != request.Boundary || this->BoundaryTime != request.Boundary->GetMTime())
+  {
+    this->Boundary = request.Boundary;
+    this->BoundaryTime = request.Boundary->GetMTime();
+    this->BoundaryCounts =
+      BoundaryFaces::Build(request.Boundary, request.Grid, this->Mesh, this->Fields);
+    ++this->SurfaceVersion;
+    ++this->BoundaryVersion;
+  }
+  report.BoundaryTriangles = this->BoundaryCounts.Triangles;
+  report.UnmatchedTriangles = this->BoundaryCounts.Unmatched;
+  if (this->BoundaryCounts.Triangles > 0)
+  {
+    const BoundaryShading before = this->Shading;
+    this->Shading.Set(renderer, this->Picture.View, request.Settings.BoundaryProperty,
+      request.Settings.BoundaryTexture);
+    this->SurfaceVersion += before == this->Shading ? 0 : 1;
+    this->BoundaryVersion += before.HasSameImage(this->Shading) ? 0 : 1;
+    this->Picture.Surface = &this->Shading;
+  }
+}
+
+void TetrahedraRenderer::ReadDepth(vtkRenderer* renderer)
+{
+  this->Depth.Read(
+    renderer, this->Picture.View, this->Picture.PixelStride, this->IsCutByFarPlane());
+  this->Picture.Opaque = this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
+}
+
+bool TetrahedraRenderer::IsCutByFarPlane() const
+{
+  const TetrahedraView& view = this->Picture.View;
+  if (view.GetReach()[1] <= view.GetFar())
+  {
+    return false;
+  }
+  std::atomic<bool> isBeyond{ false };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Mesh.Points.size() / 3),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last && !isBeyond; ++p)
+      {
+        if (-view.GetEyePoint(&this->Mesh.Points[3 * static_cast<std::size_t>(p)])[2] >
+          view.GetFar())
+        {
+          isBeyond = true;
+        }
+      }
+    });
+  return isBeyond;
+}
+
+vtkIdType TetrahedraRenderer::GetMemoryBytes() const
+{
+  std::size_t bytes = this->Order.GetBytes() + this->Rasterizer.GetBytes();
+  const auto add = [&bytes](const auto& values) { bytes += values.capacity() * sizeof(values[0]); };
+  add(this->Mesh.Points);
+  add(this->Mesh.Corners);
+  add(this->Mesh.Cells);
+  add(this->Fields.Scalars);
+  add(this->Fields.Colors);
+  add(this->Fields.DeltaT);
+  add(this->Fields.Layers);
+  add(this->Fields.Normals);
+  return static_cast<vtkIdType>(bytes);
+}
+
+std::string TetrahedraRenderer::GetFeatures() const
+{
+  const TetrahedraFrame& picture = this->Picture;
+  std::string features = this->Fields.Kind == TetrahedraFields::SCALARS ? "scalars"
+    : this->Fields.Kind == TetrahedraFields::POINT_COLORS               ? "point-colors"
+                                                                        : "cell-colors";
+  features += picture.View.IsParallel() ? " parallel" : " perspective";
+  features += this->Fields.DeltaT.empty() ? "" : " delta-t";
+  features += picture.Opaque ? " opaque" : "";
+  features += picture.Surface ? " surface" : "";
+  return features + (picture.IsExact ? " exact" : " average");
+}
+
+void TetrahedraRenderer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& resources : this->Windows)
+  {
+    if (!window || resources.first == window)
+    {
+      resources.second->Quad.ReleaseGraphicsResources(resources.first);
+      resources.second->Painter.ReleaseGraphicsResources(resources.first);
+    }
+  }
+  if (window)
+  {
+    this->Windows.erase(window);
+  }
+  else
+  {
+    this->Windows.clear();
+  }
+}
+
+}

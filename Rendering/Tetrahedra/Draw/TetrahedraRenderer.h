@@ -1,0 +1,142 @@
+#ifndef interlume_TetrahedraRenderer_h
+#define interlume_TetrahedraRenderer_h
+
+#include "Draw/LevelOfDetail.h"
+#include "Frame/BoundaryShading.h"
+#include "Frame/NearClip.h"
+#include "Frame/TetrahedraFrame.h"
+#include "Mesh/TetrahedraBuilder.h"
+#include "Order/BoundaryFaces.h"
+#include "Order/TetrahedraOrder.h"
+#include "Software/SoftwareRasterizer.h"
+#include "View/TetrahedraDepth.h"
+
+#include "vtkTetrahedraReport.h"
+#include "vtkTetrahedraSettings.h"
+#include "vtkType.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+class vtkHardwareSelector;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkUnstructuredGrid;
+class vtkVolume;
+class vtkVolumeProperty;
+class vtkWindow;
+
+namespace interlume
+{
+
+/**
+ * @class   TetrahedraRenderer
+ * @brief   one picture: what is new is made anew, choices are made, one of the paths draws
+ */
+class TetrahedraRenderer
+{
+public:
+  TetrahedraRenderer();
+  ~TetrahedraRenderer();
+
+  /// What is asked for: the settings of the mapper, its blend mode, and what it has found.
+  struct Request
+  {
+    explicit Request(const vtkTetrahedraSettings& settings)
+      : Settings(settings)
+    {
+    }
+
+    const vtkTetrahedraSettings& Settings;
+    int Blend = 0;
+    vtkUnstructuredGrid* Grid = nullptr;
+    TetrahedraArrays Arrays;
+    vtkDataSet* Boundary = nullptr;
+  };
+
+  /**
+   * Draws and reports. Returns what is wrong, or nothing.
+   */
+  std::string Render(
+    vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  /// What one window's context holds.
+  struct WindowResources;
+  struct DrawnState;
+
+  std::string UpdateMesh(const Request& request);
+  std::string UpdateColors(const Request& request, vtkVolumeProperty* property, double unit);
+  void ChooseBlend(const Request& request, vtkTetrahedraReport& report);
+  void ChoosePath(
+    const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report);
+  void ChooseSort(const Request& request, vtkTetrahedraReport& report);
+  bool FindOneColor() const;
+  const std::vector<std::uint32_t>* UpdateOrder(
+    const Request& request, vtkTetrahedraReport& report);
+  std::string DrawWithOpenGL(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
+    vtkTetrahedraReport& report);
+  void DrawInSoftware(
+    vtkRenderer* renderer, WindowResources& resources, vtkTetrahedraReport& report);
+  void Select(vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
+  void DrawSelection(
+    vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
+  void ReadDepth(vtkRenderer* renderer);
+  /// Whether a point of the mesh is beyond the far plane.
+  bool IsCutByFarPlane() const;
+  void UpdateBoundary(vtkRenderer* renderer, const Request& request, vtkTetrahedraReport& report);
+  std::string GetFeatures() const;
+  vtkIdType GetMemoryBytes() const;
+
+  /// What mesh and colours were made of.
+  struct MeshKey
+  {
+    vtkUnstructuredGrid* Grid = nullptr;
+    vtkMTimeType Time = 0;
+    TetrahedraArrays Arrays;
+  };
+  MeshKey MeshState;
+  vtkVolumeProperty* Property = nullptr;
+  vtkMTimeType PropertyTime = 0;
+  double ColorUnit = 0.0;
+  /// Whether all is of one colour, so that order does not matter.
+  bool HasOneColor = false;
+
+  /// Count what is made anew, so that each window can tell what it has to upload.
+  int MeshVersion = 0;
+  int ColorVersion = 0;
+  int OrderVersion = 0;
+  int SurfaceVersion = 0;
+  /// Of the boundary without its light, which is no upload.
+  int BoundaryVersion = 0;
+
+  /// What the boundary was made of.
+  vtkDataSet* Boundary = nullptr;
+  vtkMTimeType BoundaryTime = 0;
+  BoundaryFaces::Counts BoundaryCounts;
+  BoundaryShading Shading;
+
+  TetrahedraMesh Mesh;
+  TetrahedraFields Fields;
+  PiecewiseLinearTransfer Pieces;
+  TetrahedraBuilder::Counts Counts;
+  TetrahedraOrder Order;
+  NearClip Clip;
+  TetrahedraDepth Depth;
+  TetrahedraFrame Picture;
+  SoftwareRasterizer Rasterizer;
+  interlume::LevelOfDetail LevelOfDetail;
+  /// Path and size of the viewport that its times were measured with.
+  std::array<int, 3> LevelConditions{};
+  std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
+};
+
+}
+
+#endif

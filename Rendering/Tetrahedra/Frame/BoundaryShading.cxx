@@ -1,0 +1,259 @@
+#include "Frame/BoundaryShading.h"
+
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+using Vector = std::array<double, 3>;
+
+double Dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector Normalized(const Vector& v)
+{
+  const double length = std::sqrt(Dot(v, v));
+  return length > 0.0 ? Vector{ { v[0] / length, v[1] / length, v[2] / length } } : v;
+}
+
+std::array<float, 3> ToFloat(const double v[3])
+{
+  return { { static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]) } };
+}
+}
+
+void BoundaryShading::Set(
+  vtkRenderer* renderer, const TetrahedraView& view, vtkProperty* property, vtkTexture* texture)
+{
+  this->Base = { { 0.0f, 0.0f, 0.0f, static_cast<float>(property->GetOpacity()) } };
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Base[c] = static_cast<float>(property->GetDiffuseColor()[c]);
+    this->SpecularColor[c] = static_cast<float>(property->GetSpecularColor()[c]);
+  }
+  const bool isLit = property->GetLighting();
+  this->Shares = { { static_cast<float>(isLit ? property->GetAmbient() : 1.0),
+    static_cast<float>(isLit ? property->GetDiffuse() : 0.0),
+    static_cast<float>(isLit ? property->GetSpecular() : 0.0),
+    static_cast<float>(property->GetSpecularPower()) } };
+
+  this->Lights.clear();
+  vtkMatrix4x4* eyeFromWorld = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
+  vtkCollectionSimpleIterator iterator;
+  renderer->GetLights()->InitTraversal(iterator);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(iterator))
+  {
+    if (!light->GetSwitch() || static_cast<int>(this->Lights.size()) == MAXIMUM_LIGHTS)
+    {
+      continue;
+    }
+    double position[4] = { 0.0, 0.0, 0.0, 1.0 };
+    double focus[4] = { 0.0, 0.0, 0.0, 1.0 };
+    light->GetTransformedPosition(position);
+    light->GetTransformedFocalPoint(focus);
+    eyeFromWorld->MultiplyPoint(position, position);
+    eyeFromWorld->MultiplyPoint(focus, focus);
+    Light seen;
+    seen.IsPositional = light->GetPositional() != 0;
+    const Vector towards =
+      Normalized({ { position[0] - focus[0], position[1] - focus[1], position[2] - focus[2] } });
+    const Vector place{ { position[0] / view.GetUnit(), position[1] / view.GetUnit(),
+      position[2] / view.GetUnit() } };
+    seen.Place = ToFloat(seen.IsPositional ? place.data() : towards.data());
+    for (int c = 0; c < 3; ++c)
+    {
+      seen.Color[c] = static_cast<float>(light->GetDiffuseColor()[c] * light->GetIntensity());
+    }
+    this->Lights.push_back(seen);
+  }
+
+  // Normals go by the cofactors, which is the inverse's transpose up to a factor.
+  const std::array<double, 12>& m = view.GetEyeFromMesh();
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const int i1 = (i + 1) % 3;
+      const int i2 = (i + 2) % 3;
+      const int j1 = (j + 1) % 3;
+      const int j2 = (j + 2) % 3;
+      this->NormalMatrix[3 * i + j] =
+        static_cast<float>(m[4 * i1 + j1] * m[4 * i2 + j2] - m[4 * i1 + j2] * m[4 * i2 + j1]);
+    }
+  }
+  this->SetImage(texture);
+}
+
+void BoundaryShading::SetImage(vtkTexture* texture)
+{
+  vtkImageData* input = texture ? texture->GetInput() : nullptr;
+  vtkDataArray* scalars = input ? input->GetPointData()->GetScalars() : nullptr;
+  if (!scalars)
+  {
+    this->Image = std::make_shared<const std::vector<Color>>();
+    this->ImageWidth = 0;
+    this->ImageHeight = 0;
+    this->ImageTime = 0;
+    return;
+  }
+  this->Repeated = texture->GetRepeat() != 0;
+  const vtkMTimeType time = std::max(input->GetMTime(), texture->GetMTime());
+  if (time == this->ImageTime)
+  {
+    return;
+  }
+  this->ImageTime = time;
+  int dimensions[3];
+  input->GetDimensions(dimensions);
+  this->ImageWidth = dimensions[0];
+  this->ImageHeight = dimensions[1];
+  const bool isColor =
+    vtkUnsignedCharArray::SafeDownCast(scalars) && scalars->GetNumberOfComponents() <= 4;
+  // Anything else than colours goes through the texture's lookup table.
+  unsigned char* mapped = isColor ? nullptr : texture->MapScalarsToColors(scalars);
+  const int components = isColor ? scalars->GetNumberOfComponents() : 4;
+  const auto pixels = static_cast<std::size_t>(this->ImageWidth) * this->ImageHeight;
+  auto image = std::make_shared<std::vector<Color>>(pixels, Color{ { 0.0f, 0.0f, 0.0f, 1.0f } });
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    const auto get = [&](int c)
+    {
+      const double value =
+        mapped ? mapped[4 * i + c] : scalars->GetComponent(static_cast<vtkIdType>(i), c);
+      return static_cast<float>(value / 255.0);
+    };
+    // One component is grey, two are grey and opacity.
+    for (int c = 0; c < 3; ++c)
+    {
+      (*image)[i][c] = get(components >= 3 ? c : 0);
+    }
+    if (components == 2 || components == 4)
+    {
+      (*image)[i][3] = get(components - 1);
+    }
+  }
+  this->Image = image;
+}
+
+BoundaryShading::Color BoundaryShading::Sample(double u, double v) const
+{
+  // Bilinear between the centres of pixels.
+  const auto place = [this](double t, int size, int ends[2])
+  {
+    t = this->Repeated ? t - std::floor(t) : std::max(0.0, std::min(t, 1.0));
+    const double at = t * size - 0.5;
+    const double whole = std::floor(at);
+    for (int i = 0; i < 2; ++i)
+    {
+      const int pixel = static_cast<int>(whole) + i;
+      ends[i] = this->Repeated ? (pixel + size) % size : std::max(0, std::min(pixel, size - 1));
+    }
+    return static_cast<float>(at - whole);
+  };
+  int x[2];
+  int y[2];
+  const float a = place(u, this->ImageWidth, x);
+  const float b = place(v, this->ImageHeight, y);
+  const auto pixel = [&](int i, int j) -> const Color&
+  { return (*this->Image)[static_cast<std::size_t>(y[j]) * this->ImageWidth + x[i]]; };
+  Color color;
+  for (int c = 0; c < 4; ++c)
+  {
+    const float low = pixel(0, 0)[c] + a * (pixel(1, 0)[c] - pixel(0, 0)[c]);
+    const float high = pixel(0, 1)[c] + a * (pixel(1, 1)[c] - pixel(0, 1)[c]);
+    color[c] = low + b * (high - low);
+  }
+  return color;
+}
+
+BoundaryShading::Color BoundaryShading::Shade(const std::array<double, 3>& eye,
+  const std::array<double, 3>& normal, const std::array<double, 2>& textureCoordinates) const
+{
+  Color base = this->Base;
+  if (!this->Image->empty())
+  {
+    const Color texel = this->Sample(textureCoordinates[0], textureCoordinates[1]);
+    for (int c = 0; c < 4; ++c)
+    {
+      base[c] *= texel[c];
+    }
+  }
+  Vector n;
+  for (int i = 0; i < 3; ++i)
+  {
+    n[i] = this->NormalMatrix[3 * i] * normal[0] + this->NormalMatrix[3 * i + 1] * normal[1] +
+      this->NormalMatrix[3 * i + 2] * normal[2];
+  }
+  n = Normalized(n);
+  const Vector view = Normalized({ { -eye[0], -eye[1], -eye[2] } });
+  if (Dot(n, view) < 0.0)
+  {
+    n = { { -n[0], -n[1], -n[2] } };
+  }
+  Color color;
+  for (int c = 0; c < 3; ++c)
+  {
+    color[c] = base[c] * this->Shares[0];
+  }
+  for (const Light& light : this->Lights)
+  {
+    Vector towards{ { light.Place[0], light.Place[1], light.Place[2] } };
+    for (int i = 0; i < 3 && light.IsPositional; ++i)
+    {
+      towards[i] -= eye[i];
+    }
+    towards = Normalized(towards);
+    const double cosine = Dot(n, towards);
+    if (cosine <= 0.0)
+    {
+      continue;
+    }
+    Vector mirrored;
+    for (int i = 0; i < 3; ++i)
+    {
+      mirrored[i] = 2.0 * cosine * n[i] - towards[i];
+    }
+    const double shine = std::pow(std::max(Dot(mirrored, view), 0.0), this->Shares[3]);
+    for (int c = 0; c < 3; ++c)
+    {
+      color[c] += light.Color[c] *
+        static_cast<float>(
+          base[c] * this->Shares[1] * cosine + this->SpecularColor[c] * this->Shares[2] * shine);
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    color[c] = std::min(color[c], 1.0f) * base[3];
+  }
+  color[3] = base[3];
+  return color;
+}
+
+bool BoundaryShading::operator==(const BoundaryShading& other) const
+{
+  const auto isSame = [](const Light& a, const Light& b)
+  { return a.Place == b.Place && a.IsPositional == b.IsPositional && a.Color == b.Color; };
+  return this->Base == other.Base && this->Shares == other.Shares &&
+    this->SpecularColor == other.SpecularColor && this->NormalMatrix == other.NormalMatrix &&
+    this->HasSameImage(other) && this->Lights.size() == other.Lights.size() &&
+    std::equal(this->Lights.begin(), this->Lights.end(), other.Lights.begin(), isSame);
+}
+
+}

@@ -1,0 +1,89 @@
+#ifndef interlume_BoundaryShading_h
+#define interlume_BoundaryShading_h
+
+#include "View/TetrahedraView.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+class vtkProperty;
+class vtkRenderer;
+class vtkTexture;
+
+namespace interlume
+{
+
+/**
+ * @class   BoundaryShading
+ * @brief   how boundary triangles look
+ *
+ * The renderer's lights, up to MAXIMUM_LIGHTS that are switched on, with ambient, diffuse and
+ * specular light on either side, and an image over the texture coordinates.
+ */
+class BoundaryShading
+{
+public:
+  static constexpr int MAXIMUM_LIGHTS = 8;
+  using Color = std::array<float, 4>;
+
+  struct Light
+  {
+    /// In eye coordinates, units of the view: where it is, or the direction to it.
+    std::array<float, 3> Place;
+    bool IsPositional;
+    std::array<float, 3> Color;
+  };
+
+  /**
+   * Reads the lights, the property and the image, which may be null.
+   */
+  void Set(
+    vtkRenderer* renderer, const TetrahedraView& view, vtkProperty* property, vtkTexture* texture);
+
+  /**
+   * Colour times opacity at a point in eye coordinates. \a normal is in mesh coordinates, of any
+   * length and either side.
+   */
+  Color Shade(const std::array<double, 3>& eye, const std::array<double, 3>& normal,
+    const std::array<double, 2>& textureCoordinates) const;
+
+  const std::vector<Light>& GetLights() const { return this->Lights; }
+  /// RGB and opacity; ambient, diffuse, specular and its power; the specular colour.
+  const Color& GetColor() const { return this->Base; }
+  const Color& GetShares() const { return this->Shares; }
+  const std::array<float, 3>& GetSpecularColor() const { return this->SpecularColor; }
+  /// Eye from mesh, of normals: three rows.
+  const std::array<float, 9>& GetNormalMatrix() const { return this->NormalMatrix; }
+  /// The image row by row from below; no pixels where there is none.
+  const std::vector<Color>& GetImage() const { return *this->Image; }
+  int GetImageWidth() const { return this->ImageWidth; }
+  int GetImageHeight() const { return this->ImageHeight; }
+  bool IsRepeated() const { return this->Repeated; }
+
+  bool HasSameImage(const BoundaryShading& other) const
+  {
+    return this->ImageTime == other.ImageTime && this->Repeated == other.Repeated;
+  }
+  bool operator==(const BoundaryShading& other) const;
+
+private:
+  void SetImage(vtkTexture* texture);
+  Color Sample(double u, double v) const;
+
+  std::vector<Light> Lights;
+  Color Base{};
+  Color Shares{};
+  std::array<float, 3> SpecularColor{};
+  std::array<float, 9> NormalMatrix{};
+  /// Shared with copies, which are made to tell what has changed.
+  std::shared_ptr<const std::vector<Color>> Image = std::make_shared<const std::vector<Color>>();
+  vtkMTimeType ImageTime = 0;
+  int ImageWidth = 0;
+  int ImageHeight = 0;
+  bool Repeated = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,20 @@
+#ifndef interlume_TetrahedraExtent_h
+#define interlume_TetrahedraExtent_h
+
+namespace interlume
+{
+
+struct TetrahedraMesh;
+
+/**
+ * How far a mesh reaches.
+ */
+namespace TetrahedraExtent
+{
+/// The greatest distance of a point from the origin of the mesh's coordinates; 0 without points.
+double GetRadius(const TetrahedraMesh& mesh);
+}
+
+}
+
+#endif

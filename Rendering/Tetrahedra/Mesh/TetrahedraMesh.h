@@ -1,0 +1,74 @@
+#ifndef interlume_TetrahedraMesh_h
+#define interlume_TetrahedraMesh_h
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * Where a mesh is seen from, in the mesh's own coordinates.
+ */
+struct Viewpoint
+{
+  bool IsParallel = false;
+  /// The eye, in perspective.
+  std::array<double, 3> Eye{};
+  /// From the eye into the scene, unit length.
+  std::array<double, 3> Direction{ { 0.0, 0.0, -1.0 } };
+};
+
+/**
+ * The tetrahedra that are drawn, in coordinates near 0 and of size about 1: world position = Origin
+ * + Scale * point. Degenerate ones and those with NaN are already left out.
+ */
+struct TetrahedraMesh
+{
+  std::array<double, 3> Origin{};
+  double Scale = 1.0;
+  /// Three for each point.
+  std::vector<double> Points;
+  /// Four for each tetrahedron, in either orientation.
+  std::vector<std::uint32_t> Corners;
+  /// The input's cell of each tetrahedron; empty where they are the same.
+  std::vector<std::uint32_t> Cells;
+
+  std::uint32_t GetNumberOfTetrahedra() const
+  {
+    return static_cast<std::uint32_t>(this->Corners.size() / 4);
+  }
+  const double* GetPoint(std::uint32_t id) const
+  {
+    return &this->Points[3 * static_cast<std::size_t>(id)];
+  }
+  /// Positive for one orientation, negative for the other.
+  double GetSixfoldVolume(std::uint32_t tetrahedron) const
+  {
+    const std::uint32_t* corners = this->GetCorners(tetrahedron);
+    const double* o = this->GetPoint(corners[0]);
+    double e[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      const double* p = this->GetPoint(corners[k + 1]);
+      for (int i = 0; i < 3; ++i)
+      {
+        e[k][i] = p[i] - o[i];
+      }
+    }
+    return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) +
+      e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
+      e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  }
+  const std::uint32_t* GetCorners(std::uint32_t tetrahedron) const
+  {
+    return &this->Corners[4 * static_cast<std::size_t>(tetrahedron)];
+  }
+};
+
+}
+
+#endif

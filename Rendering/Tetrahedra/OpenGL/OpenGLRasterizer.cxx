@@ -1,0 +1,536 @@
+#include "OpenGL/OpenGLRasterizer.h"
+
+#include "Frame/BoundaryShading.h"
+#include "Loader/OpenGLFunctions.h"
+
+#include "InterlumeResolveFS.h"
+#include "InterlumeTetrahedraFS.h"
+#include "InterlumeTetrahedraGS.h"
+#include "InterlumeTetrahedraVS.h"
+#include "vtkFloatTarget.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkRenderer.h"
+#include "vtkSceneDepth.h"
+#include "vtkShaderFeatures.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+using Picture = TetrahedraFrame;
+
+// Six times the volume of every tetrahedron, in mesh coordinates, before those are rounded.
+std::vector<float> MakeVolumes(const TetrahedraMesh& mesh)
+{
+  std::vector<float> volumes(mesh.GetNumberOfTetrahedra());
+  for (std::uint32_t t = 0; t < mesh.GetNumberOfTetrahedra(); ++t)
+  {
+    volumes[t] = static_cast<float>(mesh.GetSixfoldVolume(t));
+  }
+  return volumes;
+}
+
+// Coordinates, and the scalar as the fourth.
+std::vector<float> MakePoints(const TetrahedraMesh& mesh, const TetrahedraFields& fields)
+{
+  const std::size_t points = mesh.Points.size() / 3;
+  std::vector<float> values(4 * points);
+  for (std::size_t p = 0; p < points; ++p)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      values[4 * p + i] = static_cast<float>(mesh.Points[3 * p + i]);
+    }
+    values[4 * p + 3] = fields.Scalars.empty() ? 0.0f : fields.Scalars[p];
+  }
+  return values;
+}
+
+bool IsDepthSum(const Picture& picture)
+{
+  return picture.Blend == Picture::OPTICAL_DEPTH || picture.Blend == Picture::PRIORITY;
+}
+}
+
+OpenGLRasterizer::OpenGLRasterizer() = default;
+
+OpenGLRasterizer::~OpenGLRasterizer() = default;
+
+std::string OpenGLRasterizer::GetObstacle(
+  vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture) const
+{
+  window->MakeCurrent();
+  if (!HasOpenGL32())
+  {
+    return "OpenGL is older than 3.2";
+  }
+  GLint texels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  const std::size_t most =
+    std::max<std::size_t>(picture.Mesh->GetNumberOfTetrahedra(), picture.Mesh->Points.size() / 3);
+  if (most > static_cast<std::size_t>(texels))
+  {
+    return "texture buffers hold " + std::to_string(texels) + " values, and " +
+      std::to_string(most) + " are needed";
+  }
+  return {};
+}
+
+std::string OpenGLRasterizer::GetFeatures(const TetrahedraFrame& picture, bool hasOpaque) const
+{
+  const TetrahedraFields& fields = *picture.Fields;
+  std::string features = fields.Kind == TetrahedraFields::SCALARS ? "SCALARS"
+    : fields.Kind == TetrahedraFields::POINT_COLORS               ? "POINT_COLORS"
+                                                                  : "CELL_COLORS";
+  features += picture.View.IsParallel() ? "" : " PERSPECTIVE";
+  features += fields.DeltaT.empty() ? "" : " DELTA_T";
+  features += hasOpaque ? " OPAQUE" : "";
+  features += picture.IsExact ? " EXACT" : "";
+  if (picture.Surface)
+  {
+    features += picture.Surface->GetImage().empty() ? " SURFACE" : " SURFACE SURFACE_TEXTURE";
+  }
+  features += picture.TetrahedronStride > 1 ? " TETRAHEDRON_STRIDE" : "";
+  if (picture.Blend == Picture::MAXIMUM)
+  {
+    features += " MAXIMUM";
+  }
+  else
+  {
+    features += IsDepthSum(picture) ? "" : " OPACITY";
+  }
+  return features;
+}
+
+void OpenGLRasterizer::Upload(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture,
+  const Changes& changes, vtkTetrahedraReport& report)
+{
+  const TetrahedraMesh& mesh = *picture.Mesh;
+  const TetrahedraFields& fields = *picture.Fields;
+  vtkIdType bytes = 0;
+  const auto upload = [&](TextureBuffer& buffer, TextureBuffer::Formats format, const auto& values)
+  { bytes += buffer.Upload(window, format, values.data(), values.size() * sizeof(values[0])); };
+  if (changes.Mesh || !this->Points.IsAllocated())
+  {
+    upload(this->Corners, TextureBuffer::UINT4, mesh.Corners);
+    upload(this->Volumes, TextureBuffer::FLOAT, MakeVolumes(mesh));
+    if (!fields.DeltaT.empty())
+    {
+      upload(this->DeltaTs, TextureBuffer::FLOAT, fields.DeltaT);
+    }
+  }
+  if (changes.Mesh || changes.Colors || !this->Points.IsAllocated())
+  {
+    upload(this->Points, TextureBuffer::FLOAT4, MakePoints(mesh, fields));
+    if (fields.Kind != TetrahedraFields::SCALARS)
+    {
+      upload(this->Colors, TextureBuffer::FLOAT4, fields.Colors);
+    }
+    else
+    {
+      upload(this->Pieces, TextureBuffer::FLOAT4, picture.Pieces->GetPieces());
+      upload(this->Starts, TextureBuffer::FLOAT, picture.Pieces->GetStarts());
+      upload(this->Buckets, TextureBuffer::INT, picture.Pieces->GetBuckets());
+    }
+  }
+  report.UploadedStaticBytes = bytes;
+}
+
+void OpenGLRasterizer::UploadSurface(
+  vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture, vtkTetrahedraReport& report)
+{
+  const TetrahedraFields& fields = *picture.Fields;
+  const std::vector<std::int32_t> faces(fields.Faces.begin(), fields.Faces.end());
+  std::vector<float> points;
+  points.reserve(8 * fields.Normals.size());
+  for (std::size_t p = 0; p < fields.Normals.size(); ++p)
+  {
+    const std::array<float, 3>& normal = fields.Normals[p];
+    points.insert(points.end(), { normal[0], normal[1], normal[2], 0.0f });
+    const bool has = !fields.TextureCoordinates.empty();
+    points.insert(points.end(),
+      { has ? fields.TextureCoordinates[p][0] : 0.0f, has ? fields.TextureCoordinates[p][1] : 0.0f,
+        0.0f, 0.0f });
+  }
+  report.UploadedStaticBytes += this->Faces.Upload(
+    window, TextureBuffer::INT, faces.data(), faces.size() * sizeof(std::int32_t));
+  report.UploadedStaticBytes += this->SurfacePoints.Upload(
+    window, TextureBuffer::FLOAT4, points.data(), points.size() * sizeof(float));
+  const BoundaryShading& shading = *picture.Surface;
+  if (!shading.GetImage().empty())
+  {
+    vtkTextureObject* texture = this->SurfaceTexture;
+    const int wrap =
+      shading.IsRepeated() ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
+    texture->SetMinificationFilter(vtkTextureObject::Linear);
+    texture->SetMagnificationFilter(vtkTextureObject::Linear);
+    texture->SetWrapS(wrap);
+    texture->SetWrapT(wrap);
+    texture->Create2DFromRaw(static_cast<unsigned int>(shading.GetImageWidth()),
+      static_cast<unsigned int>(shading.GetImageHeight()), 4, VTK_FLOAT,
+      const_cast<float*>(shading.GetImage()[0].data()));
+    report.UploadedStaticBytes +=
+      static_cast<vtkIdType>(shading.GetImage().size() * sizeof(BoundaryShading::Color));
+  }
+}
+
+void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& picture)
+{
+  const BoundaryShading& shading = *picture.Surface;
+  float places[BoundaryShading::MAXIMUM_LIGHTS][4] = {};
+  float colors[BoundaryShading::MAXIMUM_LIGHTS][3] = {};
+  const auto lights = static_cast<int>(shading.GetLights().size());
+  for (int i = 0; i < lights; ++i)
+  {
+    const BoundaryShading::Light& light = shading.GetLights()[i];
+    std::copy(light.Place.begin(), light.Place.end(), places[i]);
+    places[i][3] = light.IsPositional ? 1.0f : 0.0f;
+    std::copy(light.Color.begin(), light.Color.end(), colors[i]);
+  }
+  program->SetUniformi("numberOfLights", lights);
+  program->SetUniform4fv("lightPlaces", BoundaryShading::MAXIMUM_LIGHTS, places);
+  program->SetUniform3fv("lightColors", BoundaryShading::MAXIMUM_LIGHTS, colors);
+  program->SetUniform4f("surfaceColor", shading.GetColor().data());
+  program->SetUniform4f("surfaceShares", shading.GetShares().data());
+  program->SetUniform3f("specularColor", shading.GetSpecularColor().data());
+  program->SetUniform3fv("normalRows", 3, shading.GetNormalMatrix().data());
+  if (!shading.GetImage().empty())
+  {
+    program->SetUniformi("surfaceTexture", this->SurfaceTexture->GetTextureUnit());
+  }
+}
+
+void OpenGLRasterizer::UploadOrder(const TetrahedraFrame& picture, vtkTetrahedraReport& report)
+{
+  if (!this->Order)
+  {
+    glGenBuffers(1, &this->Order);
+  }
+  // From back to front, as blending goes; layers too are drawn from the lowest priority up.
+  const std::vector<std::uint32_t> order(picture.Order->rbegin(), picture.Order->rend());
+  const std::size_t bytes = order.size() * sizeof(std::uint32_t);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Order);
+  glBufferData(
+    GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), order.data(), GL_STREAM_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  this->OrderSize = order.size();
+  report.UploadedOrderBytes = static_cast<vtkIdType>(bytes);
+}
+
+bool OpenGLRasterizer::PrepareTarget(
+  vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers)
+{
+  vtkFloatTarget::Allocate(window, this->Sums, width, height, 4, true);
+  if (hasLayers)
+  {
+    vtkFloatTarget::Allocate(window, this->Layers, width, height, 4, true);
+  }
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Sums);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  const char* status = nullptr;
+  return vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, status);
+}
+
+void OpenGLRasterizer::SetUniforms(
+  vtkShaderProgram* program, const TetrahedraFrame& picture, bool hasOpaque)
+{
+  const TetrahedraView& view = picture.View;
+  const std::array<double, 12>& matrix = view.GetEyeFromMesh();
+  float rows[3][4];
+  for (int i = 0; i < 12; ++i)
+  {
+    rows[i / 4][i % 4] = static_cast<float>(matrix[i]);
+  }
+  program->SetUniform4fv("eyeRows", 3, rows);
+  const std::array<double, 6> pixels = view.GetPixelsFromEye();
+  program->SetUniform3f("pixelX", &pixels[0]);
+  program->SetUniform3f("pixelY", &pixels[3]);
+  const float viewport[2] = { static_cast<float>(view.GetWidth()),
+    static_cast<float>(view.GetHeight()) };
+  program->SetUniform2f("viewport", viewport);
+  const double determinant = matrix[0] * (matrix[5] * matrix[10] - matrix[6] * matrix[9]) -
+    matrix[1] * (matrix[4] * matrix[10] - matrix[6] * matrix[8]) +
+    matrix[2] * (matrix[4] * matrix[9] - matrix[5] * matrix[8]);
+  program->SetUniformf("volumeScale", static_cast<float>(-determinant * pixels[0] * pixels[3]));
+  const auto stride = static_cast<float>(picture.TetrahedronStride);
+  if (view.IsParallel())
+  {
+    program->SetUniformf("lengthScale", stride * static_cast<float>(view.GetSlant(0.0, 0.0)));
+  }
+  else
+  {
+    program->SetUniformf("lengthScale", stride);
+    const std::array<double, 3> first = view.GetEyePoint(0.0, 0.0, 1.0);
+    const float direction[4] = { static_cast<float>(1.0 / pixels[0]), static_cast<float>(first[0]),
+      static_cast<float>(1.0 / pixels[3]), static_cast<float>(first[1]) };
+    program->SetUniform4f("directionOfPixel", direction);
+  }
+  if (picture.TetrahedronStride > 1)
+  {
+    program->SetUniformi("tetrahedronStride", static_cast<int>(picture.TetrahedronStride));
+  }
+  if (hasOpaque)
+  {
+    const std::array<double, 2>& depth = view.GetDepthOfBuffer();
+    const float values[2] = { static_cast<float>(depth[0]), static_cast<float>(depth[1]) };
+    program->SetUniform2f("depthOfBuffer", values);
+    program->SetUniformi("opaqueDepth", this->Depth->GetTextureUnit());
+    program->SetUniformi("pixelStride", picture.PixelStride);
+  }
+  if (picture.Blend == Picture::MAXIMUM && picture.Fields->Kind != TetrahedraFields::SCALARS)
+  {
+    program->SetUniformf("opacityOfExtinction", static_cast<float>(1.0 / picture.ExtinctionUnit));
+  }
+}
+
+void OpenGLRasterizer::DrawRange(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture,
+  std::size_t first, std::size_t number)
+{
+  vtkOpenGLState* state = window->GetState();
+  const bool isOver = picture.Blend == Picture::COMPOSITE;
+  state->vtkglClearColor(picture.Blend == Picture::MAXIMUM ? -1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  state->vtkglBlendFunc(GL_ONE, isOver ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+  state->vtkglBlendEquation(picture.Blend == Picture::MAXIMUM ? GL_MAX : GL_FUNC_ADD);
+  this->Vertices->Bind();
+  if (picture.Order)
+  {
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Order);
+    const std::uint32_t* begin = nullptr;
+    glDrawElements(GL_POINTS, static_cast<GLsizei>(number), GL_UNSIGNED_INT, begin + first);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  }
+  else
+  {
+    glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(number));
+  }
+  this->Vertices->Release();
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+}
+
+void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture,
+  vtkTextureObject* texture, bool isResolved)
+{
+  const bool isLargestScalar =
+    picture.Blend == Picture::MAXIMUM && picture.Fields->Kind == TetrahedraFields::SCALARS;
+  if (!isResolved && isLargestScalar)
+  {
+    this->ResolveQuad.DrawWith(window, texture,
+      vtkShaderFeatures::Insert(InterlumeResolveFS, "LARGEST_SCALAR"),
+      [&](vtkShaderProgram* program)
+      {
+        this->Pieces.Activate(program, "pieces");
+        this->Starts.Activate(program, "starts");
+        this->Buckets.Activate(program, "buckets");
+        program->SetUniformf(
+          "opacityOfExtinction", static_cast<float>(1.0 / picture.ExtinctionUnit));
+      });
+    this->Pieces.Deactivate();
+    this->Starts.Deactivate();
+    this->Buckets.Deactivate();
+    return;
+  }
+  if (!isResolved && IsDepthSum(picture))
+  {
+    this->ResolveQuad.DrawWith(
+      window, texture, vtkShaderFeatures::Insert(InterlumeResolveFS, "OPTICAL_DEPTH"));
+    return;
+  }
+  this->Quad.Draw(window, texture, picture.Blend == Picture::ADDITIVE ? "SATURATE" : "");
+}
+
+std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame& picture,
+  const Changes& changes, bool hasOpaque, vtkTetrahedraReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  const TetrahedraFields& fields = *picture.Fields;
+  this->Upload(window, picture, changes, report);
+  if (picture.Surface && (changes.Surface || changes.Mesh || !this->Faces.IsAllocated()))
+  {
+    this->SurfaceTexture->SetContext(window);
+    this->UploadSurface(window, picture, report);
+  }
+  if (picture.Order && (changes.Order || !this->Order))
+  {
+    this->UploadOrder(picture, report);
+  }
+  if (hasOpaque)
+  {
+    this->Depth->SetContext(window);
+    hasOpaque = vtkSceneDepth::CopyTo(renderer, this->Depth);
+  }
+  const std::string features = this->GetFeatures(picture, hasOpaque);
+  report.Features = features;
+
+  // The scene's framebuffer and state come back at the end of this block.
+  state->PushFramebufferBindings();
+  {
+    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+    vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+    vtkOpenGLState::ScopedglDepthMask depthMask(state);
+    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+    vtkOpenGLState::ScopedglViewport viewport(state);
+    vtkOpenGLState::ScopedglClearColor clearColor(state);
+    const int width = picture.View.GetWidth();
+    const int height = picture.View.GetHeight();
+    const bool hasLayers = picture.Blend == Picture::PRIORITY;
+    if (!this->PrepareTarget(window, width, height, hasLayers))
+    {
+      state->PopFramebufferBindings();
+      return "a framebuffer of floats cannot be drawn to";
+    }
+    state->vtkglViewport(0, 0, width, height);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglDepthMask(GL_FALSE);
+    const std::size_t number =
+      picture.Order ? this->OrderSize : picture.Mesh->GetNumberOfTetrahedra();
+    if (hasLayers)
+    {
+      this->Framebuffer->AddColorAttachment(0, this->Layers);
+      state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+      glClear(GL_COLOR_BUFFER_BIT);
+    }
+    std::size_t first = 0;
+    while (first < number)
+    {
+      std::size_t last = number;
+      if (hasLayers)
+      {
+        // The order was turned round for blending.
+        const auto layer = [&](std::size_t i)
+        { return fields.Layers[(*picture.Order)[number - 1 - i]]; };
+        last = first + 1;
+        while (last < number && layer(last) == layer(first))
+        {
+          ++last;
+        }
+        this->Framebuffer->AddColorAttachment(0, this->Sums);
+      }
+      vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+        InterlumeTetrahedraVS, vtkShaderFeatures::Insert(InterlumeTetrahedraFS, features).c_str(),
+        vtkShaderFeatures::Insert(InterlumeTetrahedraGS, features).c_str());
+      if (!program)
+      {
+        state->PopFramebufferBindings();
+        return "the shaders cannot be compiled";
+      }
+      std::vector<TextureBuffer*> active;
+      const auto activate = [&](TextureBuffer& buffer, const char* name)
+      {
+        buffer.Activate(program, name);
+        active.push_back(&buffer);
+      };
+      activate(this->Points, "points");
+      activate(this->Corners, "corners");
+      activate(this->Volumes, "volumes");
+      if (!fields.DeltaT.empty())
+      {
+        activate(this->DeltaTs, "deltaTs");
+      }
+      if (fields.Kind != TetrahedraFields::SCALARS)
+      {
+        activate(this->Colors, "colors");
+      }
+      else if (picture.Blend != Picture::MAXIMUM)
+      {
+        activate(this->Pieces, "pieces");
+        activate(this->Starts, "starts");
+        activate(this->Buckets, "buckets");
+      }
+      const bool hasTexture = picture.Surface && !picture.Surface->GetImage().empty();
+      if (picture.Surface)
+      {
+        activate(this->Faces, "faces");
+        activate(this->SurfacePoints, "surfacePoints");
+        if (hasTexture)
+        {
+          this->SurfaceTexture->Activate();
+        }
+        this->SetSurfaceUniforms(program, picture);
+      }
+      if (hasOpaque)
+      {
+        this->Depth->Activate();
+      }
+      this->SetUniforms(program, picture, hasOpaque);
+      this->DrawRange(window, picture, first, last - first);
+      if (hasOpaque)
+      {
+        this->Depth->Deactivate();
+      }
+      if (hasTexture)
+      {
+        this->SurfaceTexture->Deactivate();
+      }
+      for (TextureBuffer* buffer : active)
+      {
+        buffer->Deactivate();
+      }
+      if (hasLayers)
+      {
+        this->Framebuffer->AddColorAttachment(0, this->Layers);
+        this->Resolve(window, picture, this->Sums, false);
+      }
+      first = last;
+    }
+  }
+  state->PopFramebufferBindings();
+  const bool isResolved = picture.Blend == Picture::PRIORITY;
+  this->Resolve(window, picture, isResolved ? this->Layers : this->Sums, isResolved);
+  const vtkIdType pixels =
+    static_cast<vtkIdType>(picture.View.GetWidth()) * picture.View.GetHeight();
+  report.Buffers = 1 + (isResolved ? 1 : 0) + (hasOpaque ? 1 : 0);
+  report.BufferBytes = 16 * pixels * (isResolved ? 2 : 1) + (hasOpaque ? 4 * pixels : 0);
+  for (const TextureBuffer* buffer :
+    { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs, &this->Colors, &this->Faces,
+      &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets })
+  {
+    report.BufferBytes += static_cast<vtkIdType>(buffer->GetBytes());
+  }
+  report.BufferBytes += static_cast<vtkIdType>(this->OrderSize * sizeof(std::uint32_t));
+  return {};
+}
+
+void OpenGLRasterizer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (TextureBuffer* buffer :
+    { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs, &this->Colors, &this->Faces,
+      &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets })
+  {
+    buffer->Release(window);
+  }
+  if (this->Order)
+  {
+    glDeleteBuffers(1, &this->Order);
+    this->Order = 0;
+  }
+  this->OrderSize = 0;
+  this->SurfaceTexture->ReleaseGraphicsResources(window);
+  this->Sums->ReleaseGraphicsResources(window);
+  this->Layers->ReleaseGraphicsResources(window);
+  this->Depth->ReleaseGraphicsResources(window);
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->Vertices->ReleaseGraphicsResources();
+  this->Quad.ReleaseGraphicsResources(window);
+  this->ResolveQuad.ReleaseGraphicsResources(window);
+}
+
+}

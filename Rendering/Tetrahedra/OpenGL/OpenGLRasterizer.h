@@ -1,0 +1,103 @@
+#ifndef interlume_OpenGLRasterizer_h
+#define interlume_OpenGLRasterizer_h
+
+#include "Frame/TetrahedraFrame.h"
+#include "OpenGL/TextureBuffer.h"
+
+#include "vtkImageQuad.h"
+#include "vtkNew.h"
+#include "vtkTetrahedraReport.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace interlume
+{
+
+/**
+ * @class   OpenGLRasterizer
+ * @brief   draws tetrahedra with OpenGL 3.2
+ *
+ * Mesh and fields are uploaded once, as texture buffers; a tetrahedron is drawn as one point, by
+ * its number, and a geometry shader makes its silhouette. A new view uploads an order at most. Sums
+ * are kept in a framebuffer of floats, laid over the scene at the end.
+ */
+class OpenGLRasterizer
+{
+public:
+  OpenGLRasterizer();
+  ~OpenGLRasterizer();
+
+  /**
+   * Why this context cannot draw that many tetrahedra and points, or nothing.
+   */
+  std::string GetObstacle(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture) const;
+
+  /// What is new since the last picture.
+  struct Changes
+  {
+    bool Mesh = true;
+    bool Colors = true;
+    bool Order = true;
+    bool Surface = true;
+  };
+
+  /**
+   * Draws. \a hasOpaque: whether the scene has opaque surfaces. Returns what is wrong, or nothing.
+   */
+  std::string Draw(vtkRenderer* renderer, const TetrahedraFrame& picture, const Changes& changes,
+    bool hasOpaque, vtkTetrahedraReport& report);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  std::string GetFeatures(const TetrahedraFrame& picture, bool hasOpaque) const;
+  void Upload(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture, const Changes& changes,
+    vtkTetrahedraReport& report);
+  void UploadSurface(
+    vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture, vtkTetrahedraReport& report);
+  void UploadOrder(const TetrahedraFrame& picture, vtkTetrahedraReport& report);
+  bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);
+  void SetUniforms(vtkShaderProgram* program, const TetrahedraFrame& picture, bool hasOpaque);
+  void SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& picture);
+  void DrawRange(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture, std::size_t first,
+    std::size_t number);
+  void Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture,
+    vtkTextureObject* texture, bool isResolved);
+
+  TextureBuffer Points;
+  TextureBuffer Corners;
+  TextureBuffer Volumes;
+  TextureBuffer DeltaTs;
+  TextureBuffer Colors;
+  TextureBuffer Faces;
+  TextureBuffer SurfacePoints;
+  vtkNew<vtkTextureObject> SurfaceTexture;
+  TextureBuffer Pieces;
+  TextureBuffer Starts;
+  TextureBuffer Buckets;
+  vtkNew<vtkTextureObject> Sums;
+  /// The layers drawn so far (PRIORITY).
+  vtkNew<vtkTextureObject> Layers;
+  vtkNew<vtkTextureObject> Depth;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkNew<vtkOpenGLVertexArrayObject> Vertices;
+  unsigned int Order = 0;
+  std::size_t OrderSize = 0;
+  vtkImageQuad Quad;
+  vtkImageQuad ResolveQuad;
+};
+
+}
+
+#endif

@@ -1,0 +1,49 @@
+#include "OpenGL/TetrahedraSelection.h"
+
+#include "vtkHardwareSelector.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+bool TetrahedraSelection::IsDrawn(vtkHardwareSelector* selector)
+{
+  const int pass = selector->GetCurrentPass();
+  return pass != vtkHardwareSelector::POINT_ID_LOW24 &&
+    pass != vtkHardwareSelector::POINT_ID_HIGH24;
+}
+
+std::vector<float> TetrahedraSelection::MakeImage(vtkHardwareSelector* selector,
+  const TetrahedraView& view, const std::vector<vtkIdType>& cells, const std::vector<float>& depths)
+{
+  std::vector<float> image(4 * cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    float* pixel = &image[4 * i];
+    const vtkIdType cell = std::max<vtkIdType>(cells[i] - 1, 0);
+    switch (selector->GetCurrentPass())
+    {
+      case vtkHardwareSelector::ACTOR_PASS:
+        std::copy_n(selector->GetPropColorValue(), 3, pixel);
+        break;
+      case vtkHardwareSelector::CELL_ID_LOW24:
+        vtkHardwareSelector::Convert(cell & 0xffffff, pixel);
+        break;
+      case vtkHardwareSelector::CELL_ID_HIGH24:
+        vtkHardwareSelector::Convert((cell >> 24) & 0xffffff, pixel);
+        break;
+      case vtkHardwareSelector::PROCESS_PASS:
+        vtkHardwareSelector::Convert(selector->GetProcessID() + 1, pixel);
+        break;
+      default:
+        // The only block.
+        vtkHardwareSelector::Convert(1, pixel);
+    }
+    const double depth = view.GetBufferOfDepth(depths[i]);
+    pixel[3] = cells[i] == 0 ? -1.0f : static_cast<float>(std::max(0.0, std::min(depth, 1.0)));
+  }
+  return image;
+}
+
+}

@@ -1,0 +1,64 @@
+#ifndef interlume_TextureBuffer_h
+#define interlume_TextureBuffer_h
+
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <cstddef>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace interlume
+{
+
+/**
+ * @class   TextureBuffer
+ * @brief   an array that shaders read by index
+ */
+class TextureBuffer
+{
+public:
+  enum Formats
+  {
+    FLOAT,
+    FLOAT4,
+    INT,
+    UINT4
+  };
+
+  TextureBuffer();
+  ~TextureBuffer();
+  TextureBuffer(const TextureBuffer&) = delete;
+  TextureBuffer& operator=(const TextureBuffer&) = delete;
+
+  /**
+   * Replaces all of it. Returns the bytes sent.
+   */
+  vtkIdType Upload(
+    vtkOpenGLRenderWindow* window, Formats format, const void* data, std::size_t bytes);
+
+  /**
+   * Binds it to a texture unit and gives that to the sampler \a name; Deactivate() frees the unit.
+   */
+  void Activate(vtkShaderProgram* program, const char* name);
+  void Deactivate();
+
+  /// With the context current, as the destructor makes it.
+  void Release(vtkWindow* window);
+
+  std::size_t GetBytes() const { return this->Bytes; }
+  bool IsAllocated() const { return this->Bytes != 0; }
+
+private:
+  vtkNew<vtkOpenGLBufferObject> Buffer;
+  vtkNew<vtkTextureObject> Texture;
+  std::size_t Bytes = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,212 @@
+#include "Order/BoundaryFaces.h"
+
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <unordered_map>
+#include <vector>
+
+namespace interlume
+{
+
+namespace
+{
+using Ids = std::array<std::uint32_t, 3>;
+constexpr std::uint32_t NONE = 0xffffffffu;
+
+// Mixes 64-bit words (the finaliser of MurmurHash3).
+std::size_t Mix(std::uint64_t hash, std::uint64_t word)
+{
+  hash ^= word;
+  hash ^= hash >> 33;
+  hash *= 0xff51afd7ed558ccdull;
+  hash ^= hash >> 33;
+  return static_cast<std::size_t>(hash);
+}
+
+struct IdsHash
+{
+  std::size_t operator()(const Ids& ids) const { return Mix(Mix(Mix(1, ids[0]), ids[1]), ids[2]); }
+};
+
+using Place = std::array<double, 3>;
+struct PlaceHash
+{
+  std::size_t operator()(const Place& place) const
+  {
+    std::size_t hash = 1;
+    for (double coordinate : place)
+    {
+      // Both zeros are equal, and so must their hashes be.
+      const double value = coordinate + 0.0;
+      std::uint64_t word;
+      std::memcpy(&word, &value, sizeof(word));
+      hash = Mix(hash, word);
+    }
+    return hash;
+  }
+};
+
+Place GetPlace(vtkDataSet* data, vtkIdType point)
+{
+  Place place;
+  data->GetPoint(point, place.data());
+  return place;
+}
+
+// For each point of the triangles the grid's, or NONE.
+std::vector<std::uint32_t> MatchPoints(vtkDataSet* triangles, vtkUnstructuredGrid* grid)
+{
+  const vtkIdType points = triangles->GetNumberOfPoints();
+  std::vector<std::uint32_t> match(points, NONE);
+  bool isSame = points == grid->GetNumberOfPoints();
+  for (vtkIdType p = 0; p < points && isSame; ++p)
+  {
+    isSame = GetPlace(triangles, p) == GetPlace(grid, p);
+    match[p] = static_cast<std::uint32_t>(p);
+  }
+  if (isSame)
+  {
+    return match;
+  }
+  std::unordered_map<Place, std::uint32_t, PlaceHash> places;
+  places.reserve(grid->GetNumberOfPoints());
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    places.emplace(GetPlace(grid, p), static_cast<std::uint32_t>(p));
+  }
+  for (vtkIdType p = 0; p < points; ++p)
+  {
+    const auto found = places.find(GetPlace(triangles, p));
+    match[p] = found == places.end() ? NONE : found->second;
+  }
+  return match;
+}
+
+// Adds the normal of a triangle, as long as twice its area, to its corners.
+void AddNormal(const TetrahedraMesh& mesh, const Ids& ids, TetrahedraFields& fields)
+{
+  double u[3];
+  double v[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    u[i] = mesh.GetPoint(ids[1])[i] - mesh.GetPoint(ids[0])[i];
+    v[i] = mesh.GetPoint(ids[2])[i] - mesh.GetPoint(ids[0])[i];
+  }
+  const double normal[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+    u[0] * v[1] - u[1] * v[0] };
+  for (std::uint32_t id : ids)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      fields.Normals[id][i] += static_cast<float>(normal[i]);
+    }
+  }
+}
+}
+
+void BoundaryFaces::Clear(TetrahedraFields& fields)
+{
+  fields.Faces.clear();
+  fields.Normals.clear();
+  fields.TextureCoordinates.clear();
+}
+
+BoundaryFaces::Counts BoundaryFaces::Build(vtkDataSet* triangles, vtkUnstructuredGrid* grid,
+  const TetrahedraMesh& mesh, TetrahedraFields& fields)
+{
+  Clear(fields);
+  Counts counts;
+  const std::size_t points = mesh.Points.size() / 3;
+  const std::vector<std::uint32_t> match = MatchPoints(triangles, grid);
+  vtkDataArray* normals = triangles->GetPointData()->GetNormals();
+  vtkDataArray* coordinates = triangles->GetPointData()->GetTCoords();
+  fields.Normals.assign(points, { { 0.0f, 0.0f, 0.0f } });
+  if (coordinates)
+  {
+    fields.TextureCoordinates.assign(points, { { 0.0f, 0.0f } });
+  }
+  for (std::size_t p = 0; p < match.size(); ++p)
+  {
+    const auto id = static_cast<vtkIdType>(p);
+    for (int i = 0; i < 3 && normals && match[p] != NONE; ++i)
+    {
+      fields.Normals[match[p]][i] = static_cast<float>(normals->GetComponent(id, i));
+    }
+    for (int i = 0; i < 2 && coordinates && match[p] != NONE; ++i)
+    {
+      const bool has = i < coordinates->GetNumberOfComponents();
+      fields.TextureCoordinates[match[p]][i] =
+        has ? static_cast<float>(coordinates->GetComponent(id, i)) : 0.0f;
+    }
+  }
+
+  // The triangles by their sorted corners, and whether a tetrahedron was found.
+  std::unordered_map<Ids, bool, IdsHash> faces;
+  std::vector<bool> isCorner(points, false);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
+  {
+    triangles->GetCellPoints(cell, ids);
+    Ids corners{ { NONE, NONE, NONE } };
+    for (int i = 0; i < 3 && triangles->GetCellType(cell) == VTK_TRIANGLE; ++i)
+    {
+      corners[i] = match[ids->GetId(i)];
+    }
+    if (std::find(corners.begin(), corners.end(), NONE) != corners.end())
+    {
+      ++counts.Unmatched;
+      continue;
+    }
+    if (!normals)
+    {
+      AddNormal(mesh, corners, fields);
+    }
+    for (std::uint32_t corner : corners)
+    {
+      isCorner[corner] = true;
+    }
+    std::sort(corners.begin(), corners.end());
+    faces.emplace(corners, false);
+  }
+  fields.Faces.assign(mesh.GetNumberOfTetrahedra(), 0);
+  for (std::uint32_t t = 0; t < mesh.GetNumberOfTetrahedra(); ++t)
+  {
+    const std::uint32_t* corners = mesh.GetCorners(t);
+    const int marked =
+      isCorner[corners[0]] + isCorner[corners[1]] + isCorner[corners[2]] + isCorner[corners[3]];
+    for (int face = 0; face < 4 && marked >= 3; ++face)
+    {
+      Ids key;
+      for (int i = 0; i < 3; ++i)
+      {
+        key[i] = corners[(face + 1 + i) % 4];
+      }
+      std::sort(key.begin(), key.end());
+      const auto found = faces.find(key);
+      if (found != faces.end() && !found->second)
+      {
+        found->second = true;
+        fields.Faces[t] = static_cast<unsigned char>(fields.Faces[t] | (1u << face));
+        ++counts.Triangles;
+      }
+    }
+  }
+  counts.Unmatched += static_cast<vtkIdType>(faces.size()) - counts.Triangles;
+  if (counts.Triangles == 0)
+  {
+    Clear(fields);
+  }
+  return counts;
+}
+
+}

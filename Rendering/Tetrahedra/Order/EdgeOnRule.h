@@ -1,0 +1,55 @@
+#ifndef interlume_EdgeOnRule_h
+#define interlume_EdgeOnRule_h
+
+#include "Mesh/TetrahedraMesh.h"
+#include "Mesh/Triple.h"
+
+#include <limits>
+
+namespace interlume
+{
+
+/**
+ * @class   EdgeOnRule
+ * @brief   on which side of a face's plane the eye is, and when that is not to be asked
+ *
+ * With edges u and v of a face, its normal n = u x v, and d from a corner of it to the eye (in
+ * parallel: against the direction), the sign of n . d is the side. It is taken as 0, the face as
+ * seen edge-on, up to the error that the rounding of coordinates, already in the mesh, and of this
+ * arithmetic may make, so any other sign is right. Such a face covers nothing of a picture, and
+ * without this rule the many coplanar faces of a structured mesh, whose plane the eye is in, would
+ * each have a side by chance, which makes cycles.
+ */
+class EdgeOnRule
+{
+public:
+  /// \a radius: the greatest distance of a point from the mesh's origin.
+  EdgeOnRule(const Viewpoint& view, double radius)
+    : IsPerspective(view.IsParallel ? 0.0 : 1.0)
+    , Eye(view.IsParallel ? Triple{ { -view.Direction[0], -view.Direction[1], -view.Direction[2] } }
+                          : view.Eye)
+  {
+    // |n . d| errs by less than 66 units of rounding of |d| radius (|u| + |v|), with points known
+    // to 4 units of radius, |u| and |v| at most 2 radius, and the greatest components for | |.
+    const double size =
+      view.IsParallel ? TripleMath::GetSize(this->Eye) : TripleMath::GetSize(this->Eye) + radius;
+    this->Error = 64.0 * std::numeric_limits<double>::epsilon() * size * radius;
+  }
+
+  /// From \a point to the eye.
+  Triple GetTowardEye(const Triple& point) const
+  {
+    return TripleMath::Add(this->Eye, -this->IsPerspective, point);
+  }
+  /// The greatest |n . d| that is taken as 0; \a sizes: of u and v, by TripleMath::GetSize.
+  double GetBound(double sizes) const { return this->Error * sizes; }
+
+private:
+  double IsPerspective;
+  Triple Eye;
+  double Error;
+};
+
+}
+
+#endif

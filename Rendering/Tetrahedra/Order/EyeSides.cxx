@@ -1,0 +1,154 @@
+#include "Order/EyeSides.h"
+
+#include "Mesh/TetrahedraExtent.h"
+#include "Mesh/Triple.h"
+#include "Order/EdgeOnRule.h"
+
+#include "vtkSMPTools.h"
+
+#include <utility>
+
+namespace interlume
+{
+
+namespace
+{
+using namespace TripleMath;
+
+constexpr vtkIdType Grain = 8192;
+
+// The corners of each face, counterclockwise from outside where the volume is positive.
+constexpr int Outward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+
+// The edges of a tetrahedron from its first corner.
+struct Edges
+{
+  Edges(const TetrahedraMesh& mesh, std::uint32_t tetrahedron)
+  {
+    const std::uint32_t* corners = mesh.GetCorners(tetrahedron);
+    this->Origin = Get(mesh.GetPoint(corners[0]));
+    this->U = Subtract(Get(mesh.GetPoint(corners[1])), this->Origin);
+    this->V = Subtract(Get(mesh.GetPoint(corners[2])), this->Origin);
+    this->W = Subtract(Get(mesh.GetPoint(corners[3])), this->Origin);
+  }
+
+  Triple Origin;
+  Triple U;
+  Triple V;
+  Triple W;
+};
+
+// What the two tetrahedra of a face are compared by. Bit k of the first four: the ids of face k,
+// counterclockwise from outside, are an odd permutation.
+constexpr unsigned int PositiveBit = 0x10;
+constexpr unsigned int FlatBit = 0x20;
+
+unsigned char FindOrientation(const TetrahedraMesh& mesh, std::uint32_t tetrahedron)
+{
+  const Edges edges(mesh, tetrahedron);
+  const double volume = Dot(edges.U, Cross(edges.V, edges.W));
+  const std::uint32_t* corners = mesh.GetCorners(tetrahedron);
+  unsigned int result = volume > 0.0 ? PositiveBit : volume < 0.0 ? 0u : FlatBit;
+  for (int k = 0; k < 4; ++k)
+  {
+    const std::uint32_t a = corners[Outward[k][0]];
+    const std::uint32_t b = corners[Outward[k][1]];
+    const std::uint32_t c = corners[Outward[k][2]];
+    const bool isOdd = ((a > b) != (b > c)) != (a > c);
+    result |= static_cast<unsigned int>(isOdd != (volume < 0.0)) << k;
+  }
+  return static_cast<unsigned char>(result);
+}
+}
+
+void EyeSides::Build(const TetrahedraMesh& mesh, const FaceAdjacency& adjacency)
+{
+  this->Radius = TetrahedraExtent::GetRadius(mesh);
+  const std::uint32_t number = mesh.GetNumberOfTetrahedra();
+  std::vector<unsigned char> orientations(number);
+  vtkSMPTools::For(0, number, Grain,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType t = first; t < last; ++t)
+      {
+        orientations[t] = FindOrientation(mesh, static_cast<std::uint32_t>(t));
+      }
+    });
+  const std::vector<std::uint32_t>& twins = adjacency.GetTwins();
+  this->Tetrahedra.resize(number);
+  this->OpenFaces.clear();
+  for (std::uint32_t t = 0; t < number; ++t)
+  {
+    const unsigned int own = orientations[t];
+    unsigned int flags = own & PositiveBit ? IsPositive : 0u;
+    for (std::uint32_t face = 4 * t; face < 4 * t + 4 && !(own & FlatBit); ++face)
+    {
+      const std::uint32_t twin = twins[face];
+      const unsigned int other = twin == FaceAdjacency::None ? FlatBit : orientations[twin / 4];
+      if (!(other & FlatBit) && ((own >> (face & 3) ^ other >> (twin & 3)) & 1))
+      {
+        flags |= 1u << (face & 3);
+      }
+      else
+      {
+        this->OpenFaces.push_back(face);
+      }
+    }
+    this->Tetrahedra[t] = static_cast<unsigned char>(flags);
+  }
+}
+
+void EyeSides::Compute(
+  const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<unsigned char>& inFront) const
+{
+  const EdgeOnRule rule(view, this->Radius);
+  inFront.resize(this->Tetrahedra.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Tetrahedra.size()), Grain,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType t = first; t < last; ++t)
+      {
+        const Edges e(mesh, static_cast<std::uint32_t>(t));
+        const Triple towardEye = rule.GetTowardEye(e.Origin);
+        const Triple towardEye1 = rule.GetTowardEye(Get(mesh.GetPoint(mesh.GetCorners(t)[1])));
+        const Triple edge12 = Subtract(e.V, e.U);
+        const Triple edge13 = Subtract(e.W, e.U);
+        const double u = GetSize(e.U);
+        const double v = GetSize(e.V);
+        const double w = GetSize(e.W);
+        // Positive where the eye is on the side of the opposite corner, for a positive volume.
+        const double sign = this->Tetrahedra[t] & IsPositive ? 1.0 : -1.0;
+        const double sides[4] = { -sign * Dot(Cross(edge12, edge13), towardEye1),
+          sign * Dot(Cross(e.V, e.W), towardEye), sign * Dot(Cross(e.W, e.U), towardEye),
+          sign * Dot(Cross(e.U, e.V), towardEye) };
+        const double sizes[4] = { GetSize(edge12) + GetSize(edge13), v + w, w + u, u + v };
+        unsigned int beyond = 0;
+        for (int k = 0; k < 4; ++k)
+        {
+          beyond |= static_cast<unsigned int>(sides[k] < -rule.GetBound(sizes[k])) << k;
+        }
+        inFront[t] = static_cast<unsigned char>(beyond & this->Tetrahedra[t] & Passable);
+      }
+    });
+}
+
+std::array<std::uint32_t, 3> EyeSides::GetOutwardCorners(
+  const TetrahedraMesh& mesh, std::uint32_t face) const
+{
+  const std::uint32_t* corners = mesh.GetCorners(face / 4);
+  const int* outward = Outward[face & 3];
+  std::array<std::uint32_t, 3> ids = { { corners[outward[0]], corners[outward[1]],
+    corners[outward[2]] } };
+  if (!(this->Tetrahedra[face / 4] & IsPositive))
+  {
+    std::swap(ids[1], ids[2]);
+  }
+  return ids;
+}
+
+std::size_t EyeSides::GetBytes() const
+{
+  return this->Tetrahedra.capacity() + this->OpenFaces.capacity() * sizeof(std::uint32_t);
+}
+
+}

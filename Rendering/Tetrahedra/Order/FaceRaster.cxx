@@ -1,0 +1,81 @@
+#include "Order/FaceRaster.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace interlume
+{
+
+using namespace TripleMath;
+
+FaceRaster::FaceRaster(const FrameProjection& projection, const std::array<Triple, 3>& corners,
+  const std::array<std::uint32_t, 3>& ids)
+  : Projection(projection)
+  , Normal(Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0])))
+  , Offset(Dot(this->Normal, corners[0]))
+  , LeastDepth(std::min({ corners[0][2], corners[1][2], corners[2][2] }))
+  , GreatestDepth(std::max({ corners[0][2], corners[1][2], corners[2][2] }))
+{
+  this->FindRectangle(corners);
+  for (int e = 0; e < 3; ++e)
+  {
+    Triple a = corners[e];
+    Triple b = corners[(e + 1) % 3];
+    if (projection.IsParallel())
+    {
+      a[2] = b[2] = 1.0;
+    }
+    this->Edges[e] = MakeEdge(a, ids[e], b, ids[(e + 1) % 3]);
+  }
+}
+
+FaceRaster::Edge FaceRaster::MakeEdge(
+  const Triple& a, std::uint32_t idA, const Triple& b, std::uint32_t idB)
+{
+  const double sign = idA < idB ? 1.0 : -1.0;
+  const Triple line = idA < idB ? Cross(a, b) : Cross(b, a);
+  return { sign * line[0], sign * line[1], sign * line[2] };
+}
+
+void FaceRaster::FindRectangle(const std::array<Triple, 3>& corners)
+{
+  // In perspective only what is before the eye counts. What is nearer to its plane than a millionth
+  // of the triangle's depth can be in the picture only that near to the eye.
+  const double nearest = this->Projection.IsParallel() ? std::numeric_limits<double>::lowest()
+                                                       : 1e-6 * this->GreatestDepth;
+  if (!this->Projection.IsParallel() && this->GreatestDepth <= 0.0)
+  {
+    return;
+  }
+  double least[2] = { std::numeric_limits<double>::max(), std::numeric_limits<double>::max() };
+  double greatest[2] = { std::numeric_limits<double>::lowest(),
+    std::numeric_limits<double>::lowest() };
+  const auto add = [&](const Triple& p)
+  {
+    const double scale = this->Projection.IsParallel() ? 1.0 : 1.0 / p[2];
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      least[axis] = std::min(least[axis], p[axis] * scale);
+      greatest[axis] = std::max(greatest[axis], p[axis] * scale);
+    }
+  };
+  for (int e = 0; e < 3; ++e)
+  {
+    const Triple& a = corners[e];
+    const Triple& b = corners[(e + 1) % 3];
+    if (a[2] >= nearest)
+    {
+      add(a);
+    }
+    if ((a[2] >= nearest) != (b[2] >= nearest))
+    {
+      Triple cut = Add(a, (nearest - a[2]) / (b[2] - a[2]), Subtract(b, a));
+      cut[2] = nearest;
+      add(cut);
+    }
+  }
+  this->Columns = this->Projection.GetColumns(least[0], greatest[0]);
+  this->Rows = this->Projection.GetRows(least[1], greatest[1]);
+}
+
+}

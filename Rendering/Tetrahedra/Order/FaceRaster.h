@@ -1,0 +1,104 @@
+#ifndef interlume_FaceRaster_h
+#define interlume_FaceRaster_h
+
+#include "Mesh/Triple.h"
+#include "View/FrameProjection.h"
+
+#include <array>
+#include <cstdint>
+
+namespace interlume
+{
+
+/**
+ * @class   FaceRaster
+ * @brief   the pixels of a picture whose lines of sight pass a triangle, and at which depth
+ *
+ * In homogeneous coordinates (M. Olano, T. Greer, "Triangle scan conversion using 2D homogeneous
+ * coordinates", 1997), so that no triangle needs to be cut at the eye's plane. An edge is evaluated
+ * in the order of its point ids, so that the triangles on either side of it have the same rounding:
+ * a closed surface has no leaks.
+ */
+class FaceRaster
+{
+public:
+  /// A triangle: picture coordinates of its corners, and their point ids.
+  FaceRaster(const FrameProjection& projection, const std::array<Triple, 3>& corners,
+    const std::array<std::uint32_t, 3>& ids);
+
+  /// The smallest rectangle that holds all its pixels.
+  FrameProjection::Range GetColumns() const { return this->Columns; }
+  FrameProjection::Range GetRows() const { return this->Rows; }
+
+  /**
+   * Calls visit(column, depth, isFront) for its pixels in a row, left to right; isFront where its
+   * corners appear counterclockwise. Depths are positive in perspective.
+   */
+  template <typename Visit>
+  void VisitRow(int row, const Visit& visit) const;
+
+private:
+  struct Edge
+  {
+    // The side of (x, y) is the sign of X x + Y y + One, positive for the inside of a
+    // counterclockwise triangle.
+    double X;
+    double Y;
+    double One;
+  };
+
+  static Edge MakeEdge(const Triple& a, std::uint32_t idA, const Triple& b, std::uint32_t idB);
+  void FindRectangle(const std::array<Triple, 3>& corners);
+  double FindDepth(double x, double y) const;
+
+  const FrameProjection& Projection;
+  Edge Edges[3];
+  Triple Normal;
+  double Offset;
+  double LeastDepth;
+  double GreatestDepth;
+  FrameProjection::Range Columns{ 0, -1 };
+  FrameProjection::Range Rows{ 0, -1 };
+};
+
+inline double FaceRaster::FindDepth(double x, double y) const
+{
+  return this->Projection.IsParallel()
+    ? (this->Offset - this->Normal[0] * x - this->Normal[1] * y) / this->Normal[2]
+    : this->Offset / (this->Normal[0] * x + this->Normal[1] * y + this->Normal[2]);
+}
+
+template <typename Visit>
+void FaceRaster::VisitRow(int row, const Visit& visit) const
+{
+  const double y = this->Projection.GetY(row);
+  const double starts[3] = { this->Edges[0].Y * y + this->Edges[0].One,
+    this->Edges[1].Y * y + this->Edges[1].One, this->Edges[2].Y * y + this->Edges[2].One };
+  for (int column = this->Columns.First; column <= this->Columns.Last; ++column)
+  {
+    const double x = this->Projection.GetX(column);
+    int positive = 0;
+    for (int e = 0; e < 3; ++e)
+    {
+      const double side = this->Edges[e].X * x + starts[e];
+      positive += side > 0.0 ? 1 : 0;
+    }
+    if (positive == 0 || positive == 3)
+    {
+      const double depth = this->FindDepth(x, y);
+      // Behind the eye only a triangle that passes the eye's plane has pixels; any other's depth is
+      // uncertain only where it is nearly edge-on.
+      if (this->LeastDepth > 0.0 || this->Projection.IsParallel() || depth > 0.0)
+      {
+        const double bounded = depth < this->LeastDepth ? this->LeastDepth
+          : depth > this->GreatestDepth                 ? this->GreatestDepth
+                                                        : depth;
+        visit(column, bounded, positive == 3);
+      }
+    }
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,225 @@
+#include "Order/GapRelations.h"
+
+#include "Mesh/Triple.h"
+#include "Order/EdgeOnRule.h"
+#include "Order/EyeSides.h"
+#include "Order/FaceRaster.h"
+#include "Order/Sightline.h"
+#include "View/FrameProjection.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+namespace
+{
+using namespace TripleMath;
+
+constexpr vtkIdType Grain = 2048;
+// Few enough rows for the lists of a band's pixels to stay in a cache.
+constexpr int BandHeight = 16;
+
+using Relations = std::vector<Sightline::Relation>;
+
+// The open faces of a mesh in a picture.
+class Picture
+{
+public:
+  Picture(const TetrahedraMesh& mesh, const EyeSides& sides, const ViewRays& rays,
+    const FrameProjection& projection)
+    : Mesh(mesh)
+    , Sides(sides)
+    , Projection(projection)
+    , Rule(rays.Viewpoint, sides.GetRadius())
+    , Tolerance(1e-9 * sides.GetRadius() + 1e-12 * GetSize(rays.Viewpoint.Eye))
+  {
+  }
+
+  void FindRows();
+  int GetNumberOfBands() const
+  {
+    return (this->Projection.GetHeight() + BandHeight - 1) / BandHeight;
+  }
+  // The relations along the lines of sight of a band's pixels, each once, ascending.
+  void RelateBand(int band, Relations& relations) const;
+
+private:
+  struct Hit
+  {
+    Sightline::Event Event;
+    std::uint32_t Pixel;
+  };
+
+  bool IsEdgeOn(const std::array<Triple, 3>& points) const;
+  FaceRaster MakeRaster(std::uint32_t face, bool& isEdgeOn) const;
+  void FindHits(int firstRow, int lastRow, std::vector<Hit>& hits) const;
+
+  const TetrahedraMesh& Mesh;
+  const EyeSides& Sides;
+  const FrameProjection& Projection;
+  EdgeOnRule Rule;
+  double Tolerance;
+  // Of each open face.
+  std::vector<FrameProjection::Range> Rows;
+};
+
+bool Picture::IsEdgeOn(const std::array<Triple, 3>& points) const
+{
+  const Triple u = Subtract(points[1], points[0]);
+  const Triple v = Subtract(points[2], points[0]);
+  const double side = Dot(Cross(u, v), this->Rule.GetTowardEye(points[0]));
+  return std::abs(side) <= this->Rule.GetBound(GetSize(u) + GetSize(v));
+}
+
+FaceRaster Picture::MakeRaster(std::uint32_t face, bool& isEdgeOn) const
+{
+  const std::array<std::uint32_t, 3> ids = this->Sides.GetOutwardCorners(this->Mesh, face);
+  std::array<Triple, 3> points;
+  std::array<Triple, 3> corners;
+  for (int i = 0; i < 3; ++i)
+  {
+    points[i] = Get(this->Mesh.GetPoint(ids[i]));
+    corners[i] = this->Projection.Project(points[i]);
+  }
+  isEdgeOn = this->IsEdgeOn(points);
+  return FaceRaster(this->Projection, corners, ids);
+}
+
+void Picture::FindRows()
+{
+  const std::vector<std::uint32_t>& faces = this->Sides.GetOpenFaces();
+  this->Rows.resize(faces.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(faces.size()), Grain,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        bool isEdgeOn = false;
+        const FaceRaster raster = this->MakeRaster(faces[i], isEdgeOn);
+        const auto columns = raster.GetColumns();
+        const bool isOutside = isEdgeOn || columns.First > columns.Last;
+        this->Rows[i] = isOutside ? FrameProjection::Range{ 0, -1 } : raster.GetRows();
+      }
+    });
+}
+
+void Picture::FindHits(int firstRow, int lastRow, std::vector<Hit>& hits) const
+{
+  const std::vector<std::uint32_t>& faces = this->Sides.GetOpenFaces();
+  const int width = this->Projection.GetWidth();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const int first = std::max(firstRow, this->Rows[i].First);
+    const int last = std::min(lastRow, this->Rows[i].Last);
+    if (first > last)
+    {
+      continue;
+    }
+    bool isEdgeOn = false;
+    const FaceRaster raster = this->MakeRaster(faces[i], isEdgeOn);
+    for (int row = first; row <= last; ++row)
+    {
+      const std::uint32_t start = static_cast<std::uint32_t>(row - firstRow) * width;
+      raster.VisitRow(row,
+        [&](int column, double depth, bool isFront)
+        {
+          hits.push_back(
+            { { depth, faces[i], isFront != this->Projection.IsMirrored() }, start + column });
+        });
+    }
+  }
+}
+
+void Picture::RelateBand(int band, Relations& relations) const
+{
+  const int firstRow = band * BandHeight;
+  const int lastRow = std::min(firstRow + BandHeight, this->Projection.GetHeight()) - 1;
+  std::vector<Hit> hits;
+  this->FindHits(firstRow, lastRow, hits);
+
+  // Those of each pixel together.
+  const std::size_t pixels =
+    static_cast<std::size_t>(lastRow - firstRow + 1) * this->Projection.GetWidth();
+  std::vector<std::size_t> places(pixels + 1, 0);
+  for (const Hit& hit : hits)
+  {
+    ++places[hit.Pixel + 1];
+  }
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+  {
+    places[pixel + 1] += places[pixel];
+  }
+  std::vector<Sightline::Event> events(hits.size());
+  for (const Hit& hit : hits)
+  {
+    events[places[hit.Pixel]++] = hit.Event;
+  }
+  std::size_t first = 0;
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+  {
+    const std::size_t last = places[pixel];
+    if (last - first > 1)
+    {
+      Sightline::Relate(events.data() + first, events.data() + last, this->Tolerance, relations);
+    }
+    first = last;
+  }
+  std::sort(relations.begin(), relations.end());
+  relations.erase(std::unique(relations.begin(), relations.end()), relations.end());
+}
+}
+
+void GapRelations::Compute(const TetrahedraMesh& mesh, const EyeSides& sides, const ViewRays& rays)
+{
+  this->Offsets.clear();
+  this->InFront.clear();
+  const FrameProjection projection(rays);
+  if (!projection.IsValid() || sides.GetOpenFaces().empty())
+  {
+    return;
+  }
+  Picture picture(mesh, sides, rays, projection);
+  picture.FindRows();
+  std::vector<Relations> bands(picture.GetNumberOfBands());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(bands.size()), 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType band = first; band < last; ++band)
+      {
+        picture.RelateBand(static_cast<int>(band), bands[band]);
+      }
+    });
+
+  Relations all;
+  for (const Relations& band : bands)
+  {
+    all.insert(all.end(), band.begin(), band.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  if (all.empty())
+  {
+    return;
+  }
+  this->Offsets.assign(static_cast<std::size_t>(mesh.GetNumberOfTetrahedra()) + 1, 0);
+  this->InFront.reserve(all.size());
+  for (const Sightline::Relation& relation : all)
+  {
+    ++this->Offsets[relation.Back + 1];
+    this->InFront.push_back(relation.Front);
+  }
+  for (std::size_t t = 1; t < this->Offsets.size(); ++t)
+  {
+    this->Offsets[t] += this->Offsets[t - 1];
+  }
+}
+
+std::size_t GapRelations::GetBytes() const
+{
+  return (this->Offsets.capacity() + this->InFront.capacity()) * sizeof(std::uint32_t);
+}
+
+}

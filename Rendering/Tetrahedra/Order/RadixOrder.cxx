@@ -1,0 +1,155 @@
+#include "Order/RadixOrder.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace interlume
+{
+
+namespace
+{
+// Places for 2048 values of a digit still fit the second-level cache along with their lines.
+constexpr int DigitBits = 11;
+constexpr std::uint32_t LeastChunk = 16384;
+constexpr std::uint32_t MostChunks = 32;
+}
+
+template <typename Work>
+void RadixOrder::ForChunks(const Work& work) const
+{
+  const std::uint64_t number = this->Number;
+  const std::uint64_t chunks = this->Chunks;
+  vtkSMPTools::For(0, this->Chunks, 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType chunk = first; chunk < last; ++chunk)
+      {
+        work(static_cast<std::uint32_t>(chunk), static_cast<std::uint32_t>(number * chunk / chunks),
+          static_cast<std::uint32_t>(number * (chunk + 1) / chunks));
+      }
+    });
+}
+
+void RadixOrder::Prepare(const std::uint32_t* keys, std::uint32_t number)
+{
+  this->Number = number;
+  this->Chunks = std::clamp(number / LeastChunk, 1u, MostChunks);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges(this->Chunks);
+  this->ForChunks(
+    [&](std::uint32_t chunk, std::uint32_t first, std::uint32_t last)
+    {
+      std::uint32_t least = ~0u;
+      std::uint32_t greatest = 0;
+      for (std::uint32_t i = first; i < last; ++i)
+      {
+        least = std::min(least, keys[i]);
+        greatest = std::max(greatest, keys[i]);
+      }
+      ranges[chunk] = { least, greatest };
+    });
+  this->LeastKey = ~0u;
+  std::uint32_t greatest = 0;
+  for (const auto& range : ranges)
+  {
+    this->LeastKey = std::min(this->LeastKey, range.first);
+    greatest = std::max(greatest, range.second);
+  }
+  this->Bits = 0;
+  for (std::uint32_t rest = number ? greatest - this->LeastKey : 0; rest; rest >>= 1)
+  {
+    ++this->Bits;
+  }
+}
+
+template <typename Source, typename Destination>
+void RadixOrder::Scatter(Digit digit, const Source& source, const Destination& destination)
+{
+  const std::uint32_t values = digit.Mask + 1;
+  this->Counts.resize(static_cast<std::size_t>(this->Chunks) * values);
+  this->ForChunks(
+    [&](std::uint32_t chunk, std::uint32_t first, std::uint32_t last)
+    {
+      std::uint32_t* counts = &this->Counts[static_cast<std::size_t>(chunk) * values];
+      std::fill(counts, counts + values, 0);
+      for (std::uint32_t i = first; i < last; ++i)
+      {
+        ++counts[(source(i).Key >> digit.Shift) & digit.Mask];
+      }
+    });
+  std::uint32_t place = 0;
+  for (std::uint32_t value = 0; value < values; ++value)
+  {
+    for (std::uint32_t chunk = 0; chunk < this->Chunks; ++chunk)
+    {
+      std::uint32_t& count = this->Counts[static_cast<std::size_t>(chunk) * values + value];
+      place += std::exchange(count, place);
+    }
+  }
+  this->ForChunks(
+    [&](std::uint32_t chunk, std::uint32_t first, std::uint32_t last)
+    {
+      std::uint32_t* places = &this->Counts[static_cast<std::size_t>(chunk) * values];
+      for (std::uint32_t i = first; i < last; ++i)
+      {
+        const Item item = source(i);
+        destination(places[(item.Key >> digit.Shift) & digit.Mask]++, item);
+      }
+    });
+}
+
+void RadixOrder::Sort(const std::uint32_t* keys, std::uint32_t number, std::uint32_t* order)
+{
+  this->Prepare(keys, number);
+  const int passes = (this->Bits + DigitBits - 1) / DigitBits;
+  if (passes == 0)
+  {
+    std::iota(order, order + number, 0);
+    return;
+  }
+  const int digitBits = (this->Bits + passes - 1) / passes;
+  const std::uint32_t least = this->LeastKey;
+  const auto input = [keys, least](std::uint32_t i) { return Item{ keys[i] - least, i }; };
+  const auto output = [order](std::uint32_t place, Item item) { order[place] = item.Number; };
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    const Digit digit = { pass * digitBits, (1u << digitBits) - 1 };
+    const bool isFirst = pass == 0;
+    const bool isLast = pass + 1 == passes;
+    // The buffers take turns.
+    std::vector<Item>& to = this->Items[pass & 1];
+    if (!isLast)
+    {
+      to.resize(number);
+    }
+    const Item* from = this->Items[(pass + 1) & 1].data();
+    const auto read = [from](std::uint32_t i) { return from[i]; };
+    const auto write = [items = to.data()](std::uint32_t place, Item item) { items[place] = item; };
+    if (isFirst && isLast)
+    {
+      this->Scatter(digit, input, output);
+    }
+    else if (isFirst)
+    {
+      this->Scatter(digit, input, write);
+    }
+    else if (isLast)
+    {
+      this->Scatter(digit, read, output);
+    }
+    else
+    {
+      this->Scatter(digit, read, write);
+    }
+  }
+}
+
+std::size_t RadixOrder::GetBytes() const
+{
+  return (this->Items[0].capacity() + this->Items[1].capacity()) * sizeof(Item) +
+    this->Counts.capacity() * sizeof(std::uint32_t);
+}
+
+}

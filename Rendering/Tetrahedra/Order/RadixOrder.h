@@ -1,0 +1,71 @@
+#ifndef interlume_RadixOrder_h
+#define interlume_RadixOrder_h
+
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   RadixOrder
+ * @brief   threaded radix sort of numbers by keys of 32 bits
+ *
+ * Least significant digit first, stable: equal keys stay in ascending order of their numbers, so
+ * the result does not depend on the number of threads. Only the bits in which keys differ are
+ * visited, in at most three passes. Working memory, 20 bytes a key at most, is kept from call to
+ * call.
+ */
+class RadixOrder
+{
+public:
+  /// Writes the numbers 0 to \a number - 1 to \a order, in ascending order of their keys.
+  void Sort(const std::uint32_t* keys, std::uint32_t number, std::uint32_t* order);
+
+  /// The key that sorts as a float does; -0 equals 0. Not for NaN.
+  static std::uint32_t MakeKey(float value)
+  {
+    constexpr std::uint32_t signBit = 0x80000000u;
+    const float unsignedZero = value + 0.0f;
+    std::uint32_t bits;
+    std::memcpy(&bits, &unsignedZero, sizeof bits);
+    return bits & signBit ? ~bits : bits | signBit;
+  }
+
+  /// Bytes held.
+  std::size_t GetBytes() const;
+
+private:
+  struct Item
+  {
+    // From the least key of all on.
+    std::uint32_t Key;
+    std::uint32_t Number;
+  };
+  struct Digit
+  {
+    int Shift;
+    std::uint32_t Mask;
+  };
+
+  // Sets the number of chunks, the least key and the bits in which keys differ.
+  void Prepare(const std::uint32_t* keys, std::uint32_t number);
+  // One pass; Source is callable with a position, Destination with a position and an item.
+  template <typename Source, typename Destination>
+  void Scatter(Digit digit, const Source& source, const Destination& destination);
+  template <typename Work>
+  void ForChunks(const Work& work) const;
+
+  std::uint32_t Number = 0;
+  std::uint32_t Chunks = 0;
+  std::uint32_t LeastKey = 0;
+  int Bits = 0;
+  std::vector<Item> Items[2];
+  // For each chunk, for each value of a digit: how many, then where the next goes.
+  std::vector<std::uint32_t> Counts;
+};
+
+}
+
+#endif

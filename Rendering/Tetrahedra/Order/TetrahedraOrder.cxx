@@ -1,0 +1,104 @@
+#include "Order/TetrahedraOrder.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+void TetrahedraOrder::Reset()
+{
+  this->Kind = NONE;
+  this->Order.clear();
+  this->Visibility.reset();
+}
+
+const std::vector<std::uint32_t>* TetrahedraOrder::Compute(
+  Kinds kind, const TetrahedraMesh& mesh, const TetrahedraView& view)
+{
+  this->Computed = false;
+  if (kind == NONE)
+  {
+    return nullptr;
+  }
+  if (kind == this->Kind && view == this->View)
+  {
+    return &this->Order;
+  }
+  this->Computed = true;
+  this->Kind = kind;
+  this->View = view;
+  if (kind == CENTROID)
+  {
+    this->Centroid.Compute(mesh, view.GetRays().Viewpoint, this->Order);
+    return &this->Order;
+  }
+  if (!this->Visibility)
+  {
+    this->Visibility = std::make_unique<VisibilityOrder>();
+    this->Visibility->Build(mesh);
+  }
+  this->Visibility->Compute(mesh, view.GetRays(), this->Order);
+  return &this->Order;
+}
+
+const std::vector<std::uint32_t>* TetrahedraOrder::ComputeLayers(
+  const std::vector<int>& layers, const std::map<int, double>& priorities)
+{
+  this->Computed = false;
+  if (this->Kind == LAYERS && priorities == this->Priorities)
+  {
+    return &this->Order;
+  }
+  this->Computed = true;
+  this->Kind = LAYERS;
+  this->Priorities = priorities;
+  // Members of each layer, then the layers from the highest priority down.
+  std::map<int, std::vector<std::uint32_t>> members;
+  for (std::size_t t = 0; t < layers.size(); ++t)
+  {
+    members[layers[t]].push_back(static_cast<std::uint32_t>(t));
+  }
+  const auto priority = [&priorities](int layer)
+  {
+    const auto found = priorities.find(layer);
+    return found == priorities.end() ? static_cast<double>(layer) : found->second;
+  };
+  std::vector<int> names;
+  names.reserve(members.size());
+  for (const auto& layer : members)
+  {
+    names.push_back(layer.first);
+  }
+  std::sort(names.begin(), names.end(),
+    [&priority](int a, int b)
+    {
+      const double first = priority(a);
+      const double second = priority(b);
+      return first != second ? first > second : a > b;
+    });
+  this->Order.clear();
+  for (int name : names)
+  {
+    this->Order.insert(this->Order.end(), members[name].begin(), members[name].end());
+  }
+  this->NumberOfLayers = static_cast<int>(names.size());
+  return &this->Order;
+}
+
+vtkIdType TetrahedraOrder::GetCycles() const
+{
+  return this->Visibility ? this->Visibility->GetNumberOfTetrahedraInCycles() : 0;
+}
+
+vtkIdType TetrahedraOrder::GetGaps() const
+{
+  return this->Visibility ? this->Visibility->GetNumberOfGapRelations() : 0;
+}
+
+std::size_t TetrahedraOrder::GetBytes() const
+{
+  return this->Order.capacity() * sizeof(std::uint32_t) + this->Centroid.GetBytes() +
+    (this->Visibility ? this->Visibility->GetBytes() : 0);
+}
+
+}

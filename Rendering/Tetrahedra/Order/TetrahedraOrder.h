@@ -1,0 +1,72 @@
+#ifndef interlume_TetrahedraOrder_h
+#define interlume_TetrahedraOrder_h
+
+#include "Mesh/TetrahedraMesh.h"
+#include "Order/CentroidOrder.h"
+#include "Order/VisibilityOrder.h"
+#include "View/TetrahedraView.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   TetrahedraOrder
+ * @brief   the order a picture is drawn in, kept while the view is the same
+ */
+class TetrahedraOrder
+{
+public:
+  enum Kinds
+  {
+    NONE,
+    CENTROID,
+    VISIBILITY,
+    LAYERS
+  };
+
+  /**
+   * Forgets everything: the mesh is another one.
+   */
+  void Reset();
+
+  /**
+   * The order from front to back, or null for none. Returns false from WasComputed() where it is
+   * that of the call before.
+   */
+  const std::vector<std::uint32_t>* Compute(
+    Kinds kind, const TetrahedraMesh& mesh, const TetrahedraView& view);
+
+  /**
+   * The order by layers, the highest priority first; within one, as they are.
+   */
+  const std::vector<std::uint32_t>* ComputeLayers(
+    const std::vector<int>& layers, const std::map<int, double>& priorities);
+
+  bool WasComputed() const { return this->Computed; }
+  int GetNumberOfLayers() const { return this->NumberOfLayers; }
+  /// Of the last order of visibility.
+  vtkIdType GetCycles() const;
+  vtkIdType GetGaps() const;
+  bool HasAdjacency() const { return this->Visibility != nullptr; }
+  std::size_t GetBytes() const;
+
+private:
+  Kinds Kind = NONE;
+  bool Computed = false;
+  TetrahedraView View;
+  std::map<int, double> Priorities;
+  int NumberOfLayers = 0;
+  std::vector<std::uint32_t> Order;
+  CentroidOrder Centroid;
+  /// Made when it is first asked for.
+  std::unique_ptr<VisibilityOrder> Visibility;
+};
+
+}
+
+#endif

@@ -1,0 +1,168 @@
+#include "Software/FragmentBlending.h"
+
+#include "Software/SurfaceFragments.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+using Pixel = FragmentBlending::Pixel;
+
+// Calls blend(pixel, i, color) for every segment, its color multiplied by its weights.
+template <typename Blend>
+void ForEachColor(
+  const Fragments& f, const TetrahedraFrame& picture, Pixel* pixels, const Blend& blend)
+{
+  const TetrahedraFields& fields = *picture.Fields;
+  for (int run = 0; run < f.NumberOfRuns; ++run)
+  {
+    const Fragments::Run& r = f.Runs[run];
+    Pixel* pixel = pixels + r.Pixel;
+    if (fields.Kind == TetrahedraFields::SCALARS)
+    {
+      const PiecewiseLinearTransfer::Piece* pieces = picture.Pieces->GetPieces().data();
+      for (int i = r.Begin; i < r.End; ++i, ++pixel)
+      {
+        const int piece = f.Pieces[0][i];
+        Pixel color;
+        if (piece >= 0)
+        {
+          for (int c = 0; c < 4; ++c)
+          {
+            color[c] =
+              f.Weight[0][i] * pieces[piece].Value[c] + f.Weight[1][i] * pieces[piece].Slope[c];
+          }
+        }
+        else
+        {
+          color = f.BentColors[-1 - piece];
+        }
+        blend(*pixel, i, color);
+      }
+    }
+    else if (fields.Kind == TetrahedraFields::POINT_COLORS)
+    {
+      for (int i = r.Begin; i < r.End; ++i, ++pixel)
+      {
+        Pixel color;
+        for (int c = 0; c < 4; ++c)
+        {
+          color[c] = f.Weight[0][i] * f.Colors[0][i][c] + f.Weight[1][i] * f.Colors[1][i][c];
+        }
+        blend(*pixel, i, color);
+      }
+    }
+    else
+    {
+      const Pixel& cell = fields.Colors[r.Tetrahedron];
+      for (int i = r.Begin; i < r.End; ++i, ++pixel)
+      {
+        const float weight = f.Weight[0][i] + f.Weight[1][i];
+        Pixel color;
+        for (int c = 0; c < 4; ++c)
+        {
+          color[c] = weight * cell[c];
+        }
+        blend(*pixel, i, color);
+      }
+    }
+  }
+}
+}
+
+void FragmentBlending::Composite(const Fragments& f, const TetrahedraFrame& picture, Pixel* pixels)
+{
+  ForEachColor(f, picture, pixels,
+    [&f](Pixel& pixel, int i, const Pixel& color)
+    {
+      const float opacity = pixel[3];
+      const float through = 1.0f - opacity;
+      for (int c = 0; c < 4; ++c)
+      {
+        pixel[c] += through * color[c];
+      }
+      pixel[3] = opacity + through * f.Total[i];
+    });
+}
+
+void FragmentBlending::CompositeWithSurface(const Fragments& f, const TetrahedraFrame& picture,
+  const SurfaceFragments& surface, Pixel* pixels)
+{
+  const auto lay = [](Pixel& pixel, const Pixel& color)
+  {
+    const float through = 1.0f - pixel[3];
+    for (int c = 0; c < 4; ++c)
+    {
+      pixel[c] += through * color[c];
+    }
+  };
+  ForEachColor(f, picture, pixels,
+    [&](Pixel& pixel, int i, const Pixel& color)
+    {
+      lay(pixel, surface.GetFront(i));
+      lay(pixel, { { color[0], color[1], color[2], f.Total[i] } });
+      lay(pixel, surface.GetBack(i));
+    });
+}
+
+void FragmentBlending::Sum(const Fragments& f, const TetrahedraFrame& picture, Pixel* pixels)
+{
+  ForEachColor(f, picture, pixels,
+    [&f](Pixel& pixel, int i, const Pixel& color)
+    {
+      const float sum = pixel[3];
+      for (int c = 0; c < 4; ++c)
+      {
+        pixel[c] += color[c];
+      }
+      pixel[3] = sum + f.Total[i];
+    });
+}
+
+void FragmentBlending::LargestScalar(const Fragments& f, Pixel* pixels)
+{
+  ForEachSegment(f,
+    [&f, pixels](int pixel, int i, const Fragments::Run&)
+    {
+      float& largest = pixels[pixel][0];
+      largest = std::max({ largest, f.Scalar[0][i], f.Scalar[1][i] });
+    });
+}
+
+void FragmentBlending::LargestColor(
+  const Fragments& f, const TetrahedraFields& fields, float unit, Pixel* pixels)
+{
+  const bool isOfCells = fields.Kind == TetrahedraFields::CELL_COLORS;
+  ForEachSegment(f,
+    [&](int pixel, int i, const Fragments::Run& run)
+    {
+      for (int end = 0; end < 2; ++end)
+      {
+        const Pixel& color = isOfCells ? fields.Colors[run.Tetrahedron] : f.Colors[end][i];
+        const float opacity = std::min(color[3] * unit, 1.0f);
+        Pixel& largest = pixels[pixel];
+        for (int c = 0; c < 3; ++c)
+        {
+          largest[c] = std::max(largest[c], color[c] * opacity);
+        }
+        largest[3] = std::max(largest[3], opacity);
+      }
+    });
+}
+
+FragmentBlending::Pixel FragmentBlending::Resolve(const Pixel& sum)
+{
+  if (!(sum[3] > 0.0f))
+  {
+    return { { 0.0f, 0.0f, 0.0f, 0.0f } };
+  }
+  const float opacity = -std::expm1(-sum[3]);
+  const float scale = opacity / sum[3];
+  return { { sum[0] * scale, sum[1] * scale, sum[2] * scale, opacity } };
+}
+
+}

@@ -1,0 +1,75 @@
+#ifndef interlume_FragmentBlending_h
+#define interlume_FragmentBlending_h
+
+#include "Frame/TetrahedraFrame.h"
+#include "Software/Fragments.h"
+
+#include <array>
+
+namespace interlume
+{
+
+class SurfaceFragments;
+
+/**
+ * @class   FragmentBlending
+ * @brief   puts integrated segments into the pixels of a tile, one after the other
+ */
+class FragmentBlending
+{
+public:
+  using Pixel = std::array<float, 4>;
+
+  ///@{
+  /**
+   * Behind what is there: colour times opacity, and opacity. The second lays boundary triangles
+   * before and behind each segment.
+   */
+  static void Composite(const Fragments& fragments, const TetrahedraFrame& picture, Pixel* pixels);
+  static void CompositeWithSurface(const Fragments& fragments, const TetrahedraFrame& picture,
+    const SurfaceFragments& surface, Pixel* pixels);
+  ///@}
+
+  /**
+   * Sums of weighted colour, and of opacity or optical depth.
+   */
+  static void Sum(const Fragments& fragments, const TetrahedraFrame& picture, Pixel* pixels);
+
+  ///@{
+  /**
+   * The largest scalar, as the first of a pixel, or each channel's largest colour times opacity,
+   * opacity being extinction times \a unit and at most 1.
+   */
+  static void LargestScalar(const Fragments& fragments, Pixel* pixels);
+  static void LargestColor(
+    const Fragments& fragments, const TetrahedraFields& fields, float unit, Pixel* pixels);
+  ///@}
+
+  /**
+   * Colour times opacity of what was summed up as optical depth.
+   */
+  static Pixel Resolve(const Pixel& sum);
+
+  /**
+   * Calls visit(pixel, i, run) for every segment that has a length.
+   */
+  template <typename Visit>
+  static void ForEachSegment(const Fragments& f, const Visit& visit)
+  {
+    for (int run = 0; run < f.NumberOfRuns; ++run)
+    {
+      const Fragments::Run& r = f.Runs[run];
+      for (int i = r.Begin; i < r.End; ++i)
+      {
+        if (f.Length[i] > 0.0f)
+        {
+          visit(r.Pixel + i - r.Begin, i, r);
+        }
+      }
+    }
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,65 @@
+#include "Software/SoftwareRasterizer.h"
+
+#include "Software/TileRasterizer.h"
+
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace interlume
+{
+
+void SoftwareRasterizer::Prepare(const TetrahedraFrame& picture)
+{
+  this->Bins.Fill(picture);
+}
+
+void SoftwareRasterizer::DrawTiles(const TetrahedraFrame& picture)
+{
+  const auto width = static_cast<std::size_t>(picture.View.GetWidth());
+  const std::size_t pixels = width * picture.View.GetHeight();
+  const bool isSelection = picture.Blend == TetrahedraFrame::SELECTION;
+  this->Colors.resize(isSelection ? 0 : 4 * pixels);
+  this->Tetrahedra.resize(isSelection ? pixels : 0);
+  this->Depths.resize(isSelection ? pixels : 0);
+  vtkSMPThreadLocal<std::shared_ptr<TileRasterizer>> painters;
+  vtkSMPTools::For(0, this->Bins.GetNumberOfTiles(), 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      std::shared_ptr<TileRasterizer>& painter = painters.Local();
+      if (!painter)
+      {
+        painter = std::make_shared<TileRasterizer>(picture, this->Bins);
+      }
+      for (vtkIdType tile = first; tile < last; ++tile)
+      {
+        painter->Draw(static_cast<int>(tile));
+        for (int y = 0; y < painter->GetHeight(); ++y)
+        {
+          for (int x = 0; x < painter->GetWidth(); ++x)
+          {
+            const std::size_t pixel = (painter->GetBottom() + y) * width + painter->GetLeft() + x;
+            if (isSelection)
+            {
+              this->Tetrahedra[pixel] = painter->GetTetrahedron(x, y);
+              this->Depths[pixel] = painter->GetDepth(x, y);
+            }
+            else
+            {
+              const TileRasterizer::Pixel& color = painter->GetPixel(x, y);
+              std::copy(color.begin(), color.end(), &this->Colors[4 * pixel]);
+            }
+          }
+        }
+      }
+    });
+}
+
+std::size_t SoftwareRasterizer::GetBytes() const
+{
+  return this->Bins.GetBytes() + this->Colors.capacity() * sizeof(float);
+}
+
+}

@@ -1,0 +1,60 @@
+#ifndef interlume_SoftwareRasterizer_h
+#define interlume_SoftwareRasterizer_h
+
+#include "Frame/TetrahedraFrame.h"
+#include "Software/TileBins.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   SoftwareRasterizer
+ * @brief   draws tetrahedra on the CPU
+ *
+ * The picture is cut into tiles, each drawn by one thread from front to back: the silhouettes give
+ * segments (Fragments), these are integrated many at a time, and then blended one by one. The
+ * result does not depend on the number of threads.
+ */
+class SoftwareRasterizer
+{
+public:
+  /**
+   * Draws; returns false where \a isAborted said so.
+   */
+  template <typename Abort>
+  bool Draw(const TetrahedraFrame& picture, Abort&& isAborted)
+  {
+    this->Prepare(picture);
+    if (isAborted())
+    {
+      return false;
+    }
+    this->DrawTiles(picture);
+    return true;
+  }
+
+  /// RGBA row by row from below, colour multiplied by opacity. SELECTION: none.
+  const std::vector<float>& GetColors() const { return this->Colors; }
+  /// SELECTION: the tetrahedron plus 1 of each pixel, 0 where there is none, and its depth.
+  const std::vector<std::uint32_t>& GetTetrahedra() const { return this->Tetrahedra; }
+  const std::vector<float>& GetDepths() const { return this->Depths; }
+
+  vtkIdType GetNumberDrawn() const { return this->Bins.GetNumberDrawn(); }
+  std::size_t GetBytes() const;
+
+private:
+  void Prepare(const TetrahedraFrame& picture);
+  void DrawTiles(const TetrahedraFrame& picture);
+
+  TileBins Bins;
+  std::vector<float> Colors;
+  std::vector<std::uint32_t> Tetrahedra;
+  std::vector<float> Depths;
+};
+
+}
+
+#endif

@@ -1,0 +1,130 @@
+#include "Software/SurfaceFragments.h"
+
+#include "Frame/BoundaryShading.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace interlume
+{
+
+void SurfaceFragments::SetTetrahedron(std::uint32_t tetrahedron)
+{
+  this->Tetrahedron = tetrahedron;
+  const std::uint32_t* corners = this->Picture.Mesh->GetCorners(tetrahedron);
+  const TetrahedraFields& fields = *this->Picture.Fields;
+  std::array<const TetrahedraView::Projected*, 4> p;
+  for (int k = 0; k < 4; ++k)
+  {
+    p[k] = &this->Bins.GetPoints()[corners[k]].Place;
+  }
+  this->Shape.Set(*p[0], *p[1], *p[2], *p[3]);
+  for (int c = 0; c < CHANNELS; ++c)
+  {
+    std::array<double, 4> v;
+    for (int k = 0; k < 4; ++k)
+    {
+      const double weight = this->Picture.View.IsParallel() ? 1.0 : p[k]->Depth;
+      if (c == 0)
+      {
+        v[k] = p[k]->Depth;
+      }
+      else if (c < 4)
+      {
+        v[k] = weight * fields.Normals[corners[k]][c - 1];
+      }
+      else
+      {
+        v[k] = fields.TextureCoordinates.empty()
+          ? 0.0
+          : weight * fields.TextureCoordinates[corners[k]][c - 4];
+      }
+    }
+    this->Values[c] = this->Shape.GetValue(v);
+  }
+}
+
+double SurfaceFragments::Locate(double x, double y, int& edge) const
+{
+  const double dx = x - this->Shape.GetThickX();
+  const double dy = y - this->Shape.GetThickY();
+  double least = std::numeric_limits<double>::max();
+  edge = 0;
+  for (int i = 0; i < this->Shape.GetNumberOfEdges(); ++i)
+  {
+    const TetrahedronSilhouette::Slope& e = this->Shape.GetEdge(i);
+    const double share = 1.0 + e.X * dx + e.Y * dy;
+    const bool isUsed = e.X != 0.0 || e.Y != 0.0;
+    if (isUsed && share < least)
+    {
+      least = share;
+      edge = i;
+    }
+  }
+  return std::max(0.0, std::min(least, 1.0));
+}
+
+void SurfaceFragments::Compute(
+  const Fragments& fragments, int left, int bottom, const float* opaque)
+{
+  const Fragments::Color none{ { 0.0f, 0.0f, 0.0f, 0.0f } };
+  const TetrahedraView& view = this->Picture.View;
+  for (int run = 0; run < fragments.NumberOfRuns; ++run)
+  {
+    const Fragments::Run& r = fragments.Runs[run];
+    const unsigned int faces = this->Picture.Fields->Faces[r.Tetrahedron];
+    for (auto& colors : this->Colors)
+    {
+      std::fill(&colors[r.Begin], colors.data() + r.End, none);
+    }
+    if (faces == 0)
+    {
+      continue;
+    }
+    if (r.Tetrahedron != this->Tetrahedron)
+    {
+      this->SetTetrahedron(r.Tetrahedron);
+    }
+    const int base = this->Values[0].Difference > 0.0 ? 1 : 0;
+    for (int i = r.Begin; i < r.End; ++i)
+    {
+      const int pixel = r.Pixel + i - r.Begin;
+      const int column = left + pixel % TileBins::SIZE;
+      const int row = bottom + pixel / TileBins::SIZE;
+      const double x = column + 0.5;
+      const double y = row + 0.5;
+      int edge = 0;
+      const double lambda = this->Locate(x, y, edge);
+      const double dx = x - this->Shape.GetThickX();
+      const double dy = y - this->Shape.GetThickY();
+      const TetrahedronSilhouette::Slope& crease = this->Shape.GetCrease();
+      const double beyond = std::max(0.0, crease.X * dx + crease.Y * dy);
+      for (int end = 0; end < 2; ++end)
+      {
+        const bool isBase = end == base;
+        const int face = isBase ? this->Shape.GetBaseFace(edge) : this->Shape.GetOtherFace(edge);
+        if (!(faces & (1u << face)))
+        {
+          continue;
+        }
+        std::array<double, CHANNELS> at;
+        for (int c = 0; c < CHANNELS; ++c)
+        {
+          const Value& value = this->Values[c];
+          at[c] = value.At + value.Base.X * dx + value.Base.Y * dy + value.Bend * beyond +
+            (isBase ? 0.0 : lambda * value.Difference);
+        }
+        if (opaque && at[0] <= opaque[pixel])
+        {
+          continue;
+        }
+        const double weight = view.IsParallel() ? 1.0 : at[0];
+        this->Colors[end][i] = this->Picture.Surface->Shade(view.GetEyePoint(x, y, at[0]),
+          { { at[1] / weight, at[2] / weight, at[3] / weight } },
+          { { at[4] / weight, at[5] / weight } });
+      }
+    }
+  }
+}
+
+}

@@ -1,0 +1,59 @@
+#ifndef interlume_SurfaceFragments_h
+#define interlume_SurfaceFragments_h
+
+#include "Frame/TetrahedraFrame.h"
+#include "Software/Fragments.h"
+#include "Software/TileBins.h"
+#include "View/TetrahedronSilhouette.h"
+
+#include <array>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   SurfaceFragments
+ * @brief   boundary triangles where segments pass them
+ *
+ * A segment enters its tetrahedron through one face and leaves it through another. Where that face
+ * is a boundary triangle, its shaded colour is laid before or behind the segment.
+ */
+class SurfaceFragments
+{
+public:
+  explicit SurfaceFragments(const TetrahedraFrame& picture, const TileBins& bins)
+    : Picture(picture)
+    , Bins(bins)
+  {
+  }
+
+  /**
+   * Colours, times opacity, at both ends of all segments; opacity 0 where there is no triangle.
+   * \a left and \a bottom are the tile's; \a opaque is the depth of each of its pixels, or null.
+   */
+  void Compute(const Fragments& fragments, int left, int bottom, const float* opaque);
+
+  const Fragments::Color& GetFront(int i) const { return this->Colors[0][i]; }
+  const Fragments::Color& GetBack(int i) const { return this->Colors[1][i]; }
+
+private:
+  using Value = TetrahedronSilhouette::Value;
+  /// Depth, three of the normal, two texture coordinates.
+  static constexpr int CHANNELS = 6;
+
+  void SetTetrahedron(std::uint32_t tetrahedron);
+  /// The edge next to which a pixel lies; returns lambda there.
+  double Locate(double x, double y, int& edge) const;
+
+  const TetrahedraFrame& Picture;
+  const TileBins& Bins;
+  std::uint32_t Tetrahedron = 0xffffffffu;
+  TetrahedronSilhouette Shape;
+  std::array<Value, CHANNELS> Values;
+  std::array<Fragments::Color, Fragments::CAPACITY> Colors[2];
+};
+
+}
+
+#endif

@@ -1,0 +1,155 @@
+#include "Software/TileBins.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+/// Tetrahedra in one piece of work. Fixed, so that lists do not depend on the number of threads.
+constexpr std::size_t CHUNK = 1 << 16;
+}
+
+void TileBins::ProjectPoints(const TetrahedraFrame& picture)
+{
+  const TetrahedraMesh& mesh = *picture.Mesh;
+  const TetrahedraFields& fields = *picture.Fields;
+  const std::size_t points = mesh.Points.size() / 3;
+  const bool hasScalars = fields.Kind == TetrahedraFields::SCALARS;
+  const bool hasDeltaT = !fields.DeltaT.empty();
+  this->Points.resize(points);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(points),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        const std::array<double, 3> eye = picture.View.GetEyePoint(&mesh.Points[3 * p]);
+        Point& point = this->Points[p];
+        point.Place = picture.View.Project(eye);
+        point.Scalar = hasScalars ? fields.Scalars[p] : 0.0f;
+        point.DeltaT = hasDeltaT ? fields.DeltaT[p] : 1.0f;
+      }
+    });
+}
+
+TileBins::Range TileBins::GetRange(const TetrahedraFrame& picture, std::uint32_t tetrahedron) const
+{
+  const std::uint32_t* corners = picture.Mesh->GetCorners(tetrahedron);
+  const TetrahedraView::Projected& first = this->Points[corners[0]].Place;
+  double box[4] = { first.X, first.X, first.Y, first.Y };
+  for (int k = 1; k < 4; ++k)
+  {
+    const TetrahedraView::Projected& point = this->Points[corners[k]].Place;
+    box[0] = std::min(box[0], point.X);
+    box[1] = std::max(box[1], point.X);
+    box[2] = std::min(box[2], point.Y);
+    box[3] = std::max(box[3], point.Y);
+  }
+  // The first and the last pixel with a centre inside, by halves moved to whole numbers.
+  const double left = std::max(std::ceil(box[0] - 0.5), 0.0);
+  const double right = std::min(std::floor(box[1] - 0.5), picture.View.GetWidth() - 1.0);
+  const double bottom = std::max(std::ceil(box[2] - 0.5), 0.0);
+  const double top = std::min(std::floor(box[3] - 0.5), picture.View.GetHeight() - 1.0);
+  if (!(left <= right) || !(bottom <= top))
+  {
+    return { { 1, 0, 1, 0 } };
+  }
+  const auto tile = [](double pixel) { return static_cast<std::uint16_t>(pixel / SIZE); };
+  return { { tile(left), tile(right), tile(bottom), tile(top) } };
+}
+
+void TileBins::Fill(const TetrahedraFrame& picture)
+{
+  this->Columns = (picture.View.GetWidth() + SIZE - 1) / SIZE;
+  this->Rows = (picture.View.GetHeight() + SIZE - 1) / SIZE;
+  this->ProjectPoints(picture);
+  const std::size_t all = picture.Mesh->GetNumberOfTetrahedra();
+  this->Ranges.resize(all);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(all),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType t = first; t < last; ++t)
+      {
+        const auto tetrahedron = static_cast<std::uint32_t>(t);
+        this->Ranges[t] = picture.IsDrawn(tetrahedron) ? this->GetRange(picture, tetrahedron)
+                                                       : Range{ { 1, 0, 1, 0 } };
+      }
+    });
+
+  const std::vector<std::uint32_t>* order = picture.Order;
+  const std::size_t number = order ? order->size() : all;
+  const std::size_t chunks = (number + CHUNK - 1) / CHUNK;
+  const auto tiles = static_cast<std::size_t>(this->GetNumberOfTiles());
+  // counts[chunk][tile], then where that chunk's part of the tile's list begins.
+  std::vector<std::size_t> counts(chunks * tiles, 0);
+  std::vector<vtkIdType> drawn(chunks, 0);
+  const auto visit = [&](std::size_t chunk, auto&& action)
+  {
+    const std::size_t last = std::min(number, (chunk + 1) * CHUNK);
+    for (std::size_t i = chunk * CHUNK; i < last; ++i)
+    {
+      const std::uint32_t tetrahedron = order ? (*order)[i] : static_cast<std::uint32_t>(i);
+      const Range& range = this->Ranges[tetrahedron];
+      for (int row = range[2]; row <= range[3]; ++row)
+      {
+        for (int column = range[0]; column <= range[1]; ++column)
+        {
+          action(static_cast<std::size_t>(row) * this->Columns + column, tetrahedron);
+        }
+      }
+      drawn[chunk] += range[0] <= range[1];
+    }
+  };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(chunks), 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType chunk = first; chunk < last; ++chunk)
+      {
+        std::size_t* count = &counts[chunk * tiles];
+        visit(chunk, [count](std::size_t tile, std::uint32_t) { ++count[tile]; });
+      }
+    });
+  this->NumberDrawn = 0;
+  for (vtkIdType& number1 : drawn)
+  {
+    this->NumberDrawn += number1;
+    number1 = 0;
+  }
+  this->Starts.assign(tiles + 1, 0);
+  std::size_t sum = 0;
+  for (std::size_t tile = 0; tile < tiles; ++tile)
+  {
+    this->Starts[tile] = sum;
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+    {
+      std::size_t& count = counts[chunk * tiles + tile];
+      sum += count;
+      count = sum - count;
+    }
+  }
+  this->Starts[tiles] = sum;
+  this->Lists.resize(sum);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(chunks), 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType chunk = first; chunk < last; ++chunk)
+      {
+        std::size_t* place = &counts[chunk * tiles];
+        visit(chunk,
+          [this, place](std::size_t tile, std::uint32_t tetrahedron)
+          { this->Lists[place[tile]++] = tetrahedron; });
+      }
+    });
+}
+
+std::size_t TileBins::GetBytes() const
+{
+  return this->Points.capacity() * sizeof(Point) + this->Ranges.capacity() * sizeof(Range) +
+    this->Lists.capacity() * sizeof(std::uint32_t);
+}
+
+}

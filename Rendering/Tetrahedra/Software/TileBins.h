@@ -1,0 +1,61 @@
+#ifndef interlume_TileBins_h
+#define interlume_TileBins_h
+
+#include "Frame/TetrahedraFrame.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   TileBins
+ * @brief   which tetrahedra each tile of the picture has, in the picture's order
+ *
+ * Also holds the projected points. Tetrahedra that cover no pixel's centre are in no tile.
+ */
+class TileBins
+{
+public:
+  /// Edge of a tile in pixels.
+  static constexpr int SIZE = 96;
+
+  /// A projected point with what it carries.
+  struct Point
+  {
+    TetrahedraView::Projected Place;
+    float Scalar;
+    float DeltaT;
+  };
+
+  void Fill(const TetrahedraFrame& picture);
+
+  int GetColumns() const { return this->Columns; }
+  int GetNumberOfTiles() const { return this->Columns * this->Rows; }
+  const Point* GetPoints() const { return this->Points.data(); }
+  const std::uint32_t* Begin(int tile) const { return this->Lists.data() + this->Starts[tile]; }
+  const std::uint32_t* End(int tile) const { return this->Lists.data() + this->Starts[tile + 1]; }
+  vtkIdType GetNumberDrawn() const { return this->NumberDrawn; }
+  std::size_t GetBytes() const;
+
+private:
+  /// First and last column and row of tiles; none where the first column is beyond the last.
+  using Range = std::array<std::uint16_t, 4>;
+
+  void ProjectPoints(const TetrahedraFrame& picture);
+  Range GetRange(const TetrahedraFrame& picture, std::uint32_t tetrahedron) const;
+
+  int Columns = 0;
+  int Rows = 0;
+  std::vector<Point> Points;
+  std::vector<Range> Ranges;
+  std::vector<std::size_t> Starts;
+  std::vector<std::uint32_t> Lists;
+  vtkIdType NumberDrawn = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,523 @@
+#include "Software/TileRasterizer.h"
+
+#include "Software/FragmentBlending.h"
+#include "Software/FragmentClones.h"
+#include "Software/FragmentRow.h"
+#include "View/SilhouetteRows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace interlume
+{
+
+namespace
+{
+using Pixel = TileRasterizer::Pixel;
+using Blends = TetrahedraFrame::Blends;
+
+/// What lies behind this opacity is not seen.
+constexpr float OPAQUE_ENOUGH = 1.0f - 1e-5f;
+/// Flushes between two looks whether the tile is opaque.
+constexpr int LOOK_INTERVAL = 16;
+/// Slopes per pixel of shares and the crease from which a row's single precision does not tell
+/// where in a tile they pass from 0 to 1.
+constexpr double STEEP = 100.0;
+
+bool IsSteep(const TetrahedronSilhouette& shape)
+{
+  double steepest = std::abs(shape.GetCrease().X);
+  for (int e = 0; e < 4; ++e)
+  {
+    steepest = std::max(steepest, std::abs(shape.GetEdge(e).X));
+  }
+  return steepest > STEEP;
+}
+
+// Whether a steep share or the crease passes from 0 to 1 near the centre of one of the pixels of a
+// row, which begins at an offset from the thick point.
+bool HasSteepPixel(const TetrahedronSilhouette& shape, double dx, double dy, int size)
+{
+  const auto isPassed = [&](const TetrahedronSilhouette::Slope& slope, double atThick)
+  {
+    if (!(std::abs(slope.X) > STEEP))
+    {
+      return false;
+    }
+    const double value = atThick + slope.X * dx + slope.Y * dy;
+    const double nearest = std::round(-value / slope.X);
+    return nearest > -1.0 && nearest < size && std::abs(value + nearest * slope.X) < 2.0;
+  };
+  bool isAny = isPassed(shape.GetCrease(), 0.0);
+  for (int e = 0; e < 4; ++e)
+  {
+    isAny = isAny || isPassed(shape.GetEdge(e), 1.0);
+  }
+  return isAny;
+}
+}
+
+TileRasterizer::TileRasterizer(const TetrahedraFrame& picture, const TileBins& bins)
+  : Picture(picture)
+  , Bins(bins)
+  , LengthScale(static_cast<float>(picture.TetrahedronStride))
+  , Pixels(SIZE * SIZE)
+  , Slant(SIZE * SIZE + interlume::Fragments::GROUP)
+{
+  const TetrahedraFields& fields = *picture.Fields;
+  this->Channels.HasScalars = fields.Kind == TetrahedraFields::SCALARS;
+  this->Channels.HasColors = fields.Kind == TetrahedraFields::POINT_COLORS;
+  this->Channels.HasDeltaT = !fields.DeltaT.empty();
+  if (picture.Blend == Blends::PRIORITY)
+  {
+    this->Layer.resize(SIZE * SIZE);
+  }
+  if (picture.Opaque)
+  {
+    this->Opaque.resize(SIZE * SIZE);
+  }
+  if (picture.Surface)
+  {
+    this->Surface = std::make_unique<SurfaceFragments>(picture, bins);
+  }
+  if (picture.Blend == Blends::SELECTION)
+  {
+    this->Nearest.resize(SIZE * SIZE);
+    this->NearestDepth.resize(SIZE * SIZE);
+  }
+}
+
+void TileRasterizer::Draw(int tile)
+{
+  this->Begin(tile);
+  const bool hasDeltaT = this->Channels.HasDeltaT;
+  if (this->Channels.HasScalars)
+  {
+    hasDeltaT ? this->DrawScalarsInTime(tile) : this->DrawScalars(tile);
+  }
+  else if (this->Channels.HasColors)
+  {
+    hasDeltaT ? this->DrawColorsInTime(tile) : this->DrawColors(tile);
+  }
+  else
+  {
+    hasDeltaT ? this->DrawCellsInTime(tile) : this->DrawCells(tile);
+  }
+  this->Finish();
+}
+
+void TileRasterizer::Begin(int tile)
+{
+  const TetrahedraView& view = this->Picture.View;
+  this->Left = SIZE * (tile % this->Bins.GetColumns());
+  this->Bottom = SIZE * (tile / this->Bins.GetColumns());
+  this->Width = std::min(SIZE, view.GetWidth() - this->Left);
+  this->Height = std::min(SIZE, view.GetHeight() - this->Bottom);
+  Pixel empty{ { 0.0f, 0.0f, 0.0f, 0.0f } };
+  if (this->Picture.Blend == Blends::MAXIMUM && this->Channels.HasScalars)
+  {
+    empty[0] = -1.0f;
+  }
+  std::fill(this->Pixels.begin(), this->Pixels.end(), empty);
+  std::fill(this->Layer.begin(), this->Layer.end(), Pixel{ { 0.0f, 0.0f, 0.0f, 0.0f } });
+  std::fill(this->Nearest.begin(), this->Nearest.end(), 0u);
+  std::fill(
+    this->NearestDepth.begin(), this->NearestDepth.end(), std::numeric_limits<float>::lowest());
+  for (int y = 0; y < this->Height; ++y)
+  {
+    for (int x = 0; x < this->Width; ++x)
+    {
+      const int column = this->Left + x;
+      const int row = this->Bottom + y;
+      this->Slant[y * SIZE + x] =
+        this->LengthScale * static_cast<float>(view.GetSlant(column + 0.5, row + 0.5));
+      if (this->Picture.Opaque)
+      {
+        this->Opaque[y * SIZE + x] =
+          this->Picture.Opaque[static_cast<std::size_t>(row) * view.GetWidth() + column];
+      }
+    }
+  }
+}
+
+template <bool Scalars, bool Colors, bool DeltaT>
+void TileRasterizer::DrawTetrahedra(int tile)
+{
+  const std::vector<int>& layers = this->Picture.Fields->Layers;
+  const bool isLayered = this->Picture.Blend == Blends::PRIORITY;
+  const bool canEnd = this->Picture.Blend == Blends::COMPOSITE;
+  int flushes = 0;
+  const std::uint32_t* end = this->Bins.End(tile);
+  for (const std::uint32_t* t = this->Bins.Begin(tile); t != end; ++t)
+  {
+    if (isLayered && t != this->Bins.Begin(tile) && layers[*t] != layers[*(t - 1)])
+    {
+      this->ResolveLayer();
+    }
+    this->FetchAhead(t, end);
+    const int before = this->Fragments.Size;
+    this->DrawTetrahedron<Scalars, Colors, DeltaT>(*t);
+    if (canEnd && this->Fragments.Size < before && ++flushes % LOOK_INTERVAL == 0 &&
+      this->IsOpaque())
+    {
+      this->Fragments.Size = 0;
+      this->Fragments.NumberOfRuns = 0;
+      return;
+    }
+  }
+}
+
+void TileRasterizer::FetchAhead(const std::uint32_t* t, const std::uint32_t* end) const
+{
+  // In order of visibility neither corners nor points are neighbours in memory.
+#if defined(__GNUC__)
+  constexpr int cornersAhead = 8;
+  constexpr int pointsAhead = 4;
+  if (end - t > cornersAhead)
+  {
+    __builtin_prefetch(this->Picture.Mesh->GetCorners(t[cornersAhead]));
+    const std::uint32_t* corners = this->Picture.Mesh->GetCorners(t[pointsAhead]);
+    for (int k = 0; k < 4; ++k)
+    {
+      __builtin_prefetch(this->Bins.GetPoints() + corners[k]);
+    }
+  }
+#else
+  static_cast<void>(t);
+  static_cast<void>(end);
+#endif
+}
+
+template <bool Scalars, bool Colors, bool DeltaT>
+void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
+{
+  const std::uint32_t* corners = this->Picture.Mesh->GetCorners(tetrahedron);
+  const TileBins::Point* points = this->Bins.GetPoints();
+  const std::array<const TileBins::Point*, 4> p = { { points + corners[0], points + corners[1],
+    points + corners[2], points + corners[3] } };
+  TetrahedronSilhouette shape;
+  if (!shape.Set(p[0]->Place, p[1]->Place, p[2]->Place, p[3]->Place))
+  {
+    return;
+  }
+  const bool isParallel = this->Picture.View.IsParallel();
+  const auto getValue = [&](auto&& get)
+  {
+    std::array<double, 4> v;
+    for (int k = 0; k < 4; ++k)
+    {
+      v[k] = isParallel ? get(k) : get(k) * p[k]->Place.Depth;
+    }
+    return shape.GetValue(v);
+  };
+
+  // Depth, then what is carried.
+  constexpr int channels = 1 + (Scalars ? 1 : 0) + (DeltaT ? 1 : 0) + (Colors ? 4 : 0);
+  std::array<TetrahedronSilhouette::Value, channels> values;
+  values[0] = shape.GetValue(
+    { { p[0]->Place.Depth, p[1]->Place.Depth, p[2]->Place.Depth, p[3]->Place.Depth } });
+  int channel = 1;
+  if (Scalars)
+  {
+    values[channel++] = getValue([&p](int k) { return p[k]->Scalar; });
+  }
+  if (DeltaT)
+  {
+    values[channel++] = getValue([&p](int k) { return p[k]->DeltaT; });
+  }
+  for (int c = 0; Colors && c < 4; ++c)
+  {
+    const auto& colors = this->Picture.Fields->Colors;
+    values[channel++] = getValue([&](int k) { return colors[corners[k]][c]; });
+  }
+  // The nearer side has the larger depth.
+  const int base = values[0].Difference > 0.0 ? 1 : 0;
+  FragmentRow row;
+  row.Thickness = static_cast<float>(std::abs(values[0].Difference));
+  interlume::Fragments& f = this->Fragments;
+  // What is the same in all rows.
+  for (int c = 0; c < channels; ++c)
+  {
+    row.Slopes[c] = static_cast<float>(values[c].Base.X);
+    row.Bends[c] = static_cast<float>(values[c].Bend);
+    row.Differences[c] = static_cast<float>(values[c].Difference);
+  }
+  for (int e = 0; e < 4; ++e)
+  {
+    row.ShareSlopes[e] = static_cast<float>(shape.GetEdge(e).X);
+  }
+  const TetrahedronSilhouette::Slope crease = shape.GetCrease();
+  row.CreaseSlope = static_cast<float>(crease.X);
+  const auto setEnds = [&row, base](int c, interlume::Fragments::Values* ends)
+  {
+    row.Base[c] = ends[base].data();
+    row.Other[c] = ends[1 - base].data();
+  };
+  setEnds(0, f.Depth);
+  if (Scalars)
+  {
+    setEnds(1, f.Scalar);
+  }
+  if (DeltaT)
+  {
+    setEnds(Scalars ? 2 : 1, f.DeltaT);
+  }
+
+  const bool isSteep = IsSteep(shape);
+  const SilhouetteRows rows(shape);
+  const int top = rows.GetEnd(this->Bottom, this->Height);
+  for (int y = rows.GetBegin(this->Bottom); y < top; ++y)
+  {
+    const double centre = this->Bottom + y + 0.5;
+    int begin = 0;
+    int end = 0;
+    rows.GetSpan(centre, this->Left, this->Width, begin, end);
+    if (begin >= end)
+    {
+      continue;
+    }
+    const double dy = centre - shape.GetThickY();
+    // Where digits are short every pixel is a row of its own, which begins in double precision.
+    const bool isEach = isSteep &&
+      HasSteepPixel(shape, this->Left + begin + 0.5 - shape.GetThickX(), dy, end - begin);
+    const int size = isEach ? 1 : end - begin;
+    for (int first = begin; first < end; first += size)
+    {
+      if (f.Size + size > interlume::Fragments::CAPACITY ||
+        f.NumberOfRuns == interlume::Fragments::CAPACITY)
+      {
+        this->Flush();
+      }
+      const double dx = this->Left + first + 0.5 - shape.GetThickX();
+      for (int e = 0; e < 4; ++e)
+      {
+        const TetrahedronSilhouette::Slope& edge = shape.GetEdge(e);
+        row.Shares[e] = static_cast<float>(1.0 + edge.X * dx + edge.Y * dy);
+      }
+      row.Crease = static_cast<float>(crease.X * dx + crease.Y * dy);
+      for (int c = 0; c < channels; ++c)
+      {
+        const TetrahedronSilhouette::Value& value = values[c];
+        row.Values[c] = static_cast<float>(value.At + value.Base.X * dx + value.Base.Y * dy);
+      }
+      row.Slants = &this->Slant[y * SIZE + first];
+      constexpr int withoutColors = channels - (Colors ? 4 : 0);
+      row.Write(f, withoutColors, size);
+      if (Colors)
+      {
+        row.WriteColors(f, withoutColors, base, size);
+      }
+      f.Runs[f.NumberOfRuns++] = { tetrahedron, static_cast<std::uint16_t>(y * SIZE + first),
+        static_cast<std::uint16_t>(f.Size), static_cast<std::uint16_t>(f.Size + size) };
+      f.Size += size;
+    }
+  }
+}
+
+INTERLUME_CLONES
+void TileRasterizer::DrawScalars(int tile)
+{
+  this->DrawTetrahedra<true, false, false>(tile);
+}
+
+INTERLUME_CLONES
+void TileRasterizer::DrawScalarsInTime(int tile)
+{
+  this->DrawTetrahedra<true, false, true>(tile);
+}
+
+INTERLUME_CLONES
+void TileRasterizer::DrawColors(int tile)
+{
+  this->DrawTetrahedra<false, true, false>(tile);
+}
+
+INTERLUME_CLONES
+void TileRasterizer::DrawColorsInTime(int tile)
+{
+  this->DrawTetrahedra<false, true, true>(tile);
+}
+
+INTERLUME_CLONES
+void TileRasterizer::DrawCells(int tile)
+{
+  this->DrawTetrahedra<false, false, false>(tile);
+}
+
+INTERLUME_CLONES
+void TileRasterizer::DrawCellsInTime(int tile)
+{
+  this->DrawTetrahedra<false, false, true>(tile);
+}
+
+void TileRasterizer::Flush()
+{
+  interlume::Fragments& f = this->Fragments;
+  const TetrahedraView& view = this->Picture.View;
+  if (!view.IsParallel())
+  {
+    FragmentIntegration::FinishPerspective(f, this->Channels);
+  }
+  if (this->Picture.Opaque)
+  {
+    FragmentIntegration::CutAt(f, this->Channels, view.IsParallel(), this->Opaque.data());
+  }
+  this->IntegrateAndBlend();
+  f.Size = 0;
+  f.NumberOfRuns = 0;
+}
+
+void TileRasterizer::IntegrateAndBlend()
+{
+  interlume::Fragments& f = this->Fragments;
+  const TetrahedraFields& fields = *this->Picture.Fields;
+  const Blends blend = this->Picture.Blend;
+  if (blend == Blends::MAXIMUM && this->Channels.HasScalars)
+  {
+    FragmentBlending::LargestScalar(f, this->Pixels.data());
+    return;
+  }
+  if (blend == Blends::MAXIMUM)
+  {
+    FragmentBlending::LargestColor(
+      f, fields, static_cast<float>(1.0 / this->Picture.ExtinctionUnit), this->Pixels.data());
+    return;
+  }
+  if (this->Channels.HasScalars)
+  {
+    FragmentIntegration::LookUp(f, *this->Picture.Pieces);
+  }
+  else if (this->Channels.HasColors)
+  {
+    FragmentIntegration::TakeExtinction(f);
+  }
+  else
+  {
+    FragmentIntegration::TakeExtinction(f, fields.Colors.data());
+  }
+  const bool isDepth = blend == Blends::PRIORITY || blend == Blends::OPTICAL_DEPTH;
+  const auto results = isDepth ? FragmentIntegration::OPTICAL_DEPTH : FragmentIntegration::OPACITY;
+  const bool hasDeltaT = this->Channels.HasDeltaT;
+  FragmentIntegration::Integrate(f, hasDeltaT, this->Picture.IsExact, results);
+  if (this->Channels.HasScalars)
+  {
+    FragmentIntegration::FinishPieces(
+      f, *this->Picture.Pieces, hasDeltaT, this->Picture.IsExact, results);
+  }
+  switch (blend)
+  {
+    case Blends::COMPOSITE:
+      if (this->Surface)
+      {
+        this->Surface->Compute(
+          f, this->Left, this->Bottom, this->Picture.Opaque ? this->Opaque.data() : nullptr);
+        FragmentBlending::CompositeWithSurface(
+          f, this->Picture, *this->Surface, this->Pixels.data());
+      }
+      else
+      {
+        FragmentBlending::Composite(f, this->Picture, this->Pixels.data());
+      }
+      break;
+    case Blends::ADDITIVE:
+      FragmentBlending::Sum(f, this->Picture, this->Pixels.data());
+      break;
+    case Blends::PRIORITY:
+      FragmentBlending::Sum(f, this->Picture, this->Layer.data());
+      break;
+    case Blends::OPTICAL_DEPTH:
+      FragmentBlending::Sum(f, this->Picture, this->Pixels.data());
+      break;
+    default:
+      FragmentBlending::ForEachSegment(f,
+        [this](int pixel, int i, const interlume::Fragments::Run& run)
+        {
+          if (this->Fragments.Total[i] > 0.0f &&
+            this->Fragments.Depth[0][i] > this->NearestDepth[pixel])
+          {
+            this->NearestDepth[pixel] = this->Fragments.Depth[0][i];
+            this->Nearest[pixel] = run.Tetrahedron + 1;
+          }
+        });
+  }
+}
+
+bool TileRasterizer::IsOpaque() const
+{
+  for (int y = 0; y < this->Height; ++y)
+  {
+    for (int x = 0; x < this->Width; ++x)
+    {
+      if (this->Pixels[y * SIZE + x][3] < OPAQUE_ENOUGH)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void TileRasterizer::ResolveLayer()
+{
+  this->Flush();
+  for (int i = 0; i < SIZE * SIZE; ++i)
+  {
+    const Pixel layer = FragmentBlending::Resolve(this->Layer[i]);
+    Pixel& pixel = this->Pixels[i];
+    const float through = 1.0f - pixel[3];
+    for (int c = 0; c < 4; ++c)
+    {
+      pixel[c] += through * layer[c];
+    }
+    this->Layer[i] = { { 0.0f, 0.0f, 0.0f, 0.0f } };
+  }
+}
+
+void TileRasterizer::Finish()
+{
+  if (this->Picture.Blend == Blends::PRIORITY)
+  {
+    this->ResolveLayer();
+  }
+  else
+  {
+    this->Flush();
+  }
+  for (Pixel& pixel : this->Pixels)
+  {
+    switch (this->Picture.Blend)
+    {
+      case Blends::ADDITIVE:
+        for (float& channel : pixel)
+        {
+          channel = std::min(channel, 1.0f);
+        }
+        break;
+      case Blends::OPTICAL_DEPTH:
+        pixel = FragmentBlending::Resolve(pixel);
+        break;
+      case Blends::MAXIMUM:
+        if (this->Channels.HasScalars)
+        {
+          const float largest = pixel[0];
+          pixel = { { 0.0f, 0.0f, 0.0f, 0.0f } };
+          if (largest >= 0.0f)
+          {
+            const float value = std::min(largest, 1.0f);
+            const PiecewiseLinearTransfer& pieces = *this->Picture.Pieces;
+            const PiecewiseLinearTransfer::Sample sample =
+              pieces.Evaluate(pieces.Find(value), value);
+            const float opacity =
+              std::min(sample[3] / static_cast<float>(this->Picture.ExtinctionUnit), 1.0f);
+            pixel = { { sample[0] * opacity, sample[1] * opacity, sample[2] * opacity, opacity } };
+          }
+        }
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+}

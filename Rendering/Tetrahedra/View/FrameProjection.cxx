@@ -1,0 +1,51 @@
+#include "View/FrameProjection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+using namespace TripleMath;
+
+FrameProjection::FrameProjection(const ViewRays& rays)
+  : Parallel(rays.Viewpoint.IsParallel)
+  , Origin(rays.Viewpoint.Eye)
+  , Width(std::max(rays.Width, 0))
+  , Height(std::max(rays.Height, 0))
+  , PixelWidth(1.0 / std::max(rays.Width, 1))
+  , PixelHeight(1.0 / std::max(rays.Height, 1))
+{
+  const Triple zero{};
+  const Triple right = Add(zero, rays.HalfSize[0], rays.Right);
+  const Triple up = Add(zero, rays.HalfSize[1], rays.Up);
+  Triple direction = rays.Viewpoint.Direction;
+  // A shifted window moves the origin in parallel, turns the middle line of sight in perspective.
+  Triple& shifted = this->Parallel ? this->Origin : direction;
+  shifted = Add(Add(shifted, rays.Center[0], rays.Right), rays.Center[1], rays.Up);
+
+  // Rows of the inverse of the matrix with columns right, up, direction.
+  const double determinant = Dot(Cross(right, up), direction);
+  const double inverse = 1.0 / determinant;
+  this->Valid = this->Width > 0 && this->Height > 0 && std::isfinite(inverse);
+  this->Mirrored = determinant > 0.0;
+  if (this->Valid)
+  {
+    this->Rows[0] = Add(zero, inverse, Cross(up, direction));
+    this->Rows[1] = Add(zero, inverse, Cross(direction, right));
+    this->Rows[2] = Add(zero, inverse, Cross(right, up));
+  }
+}
+
+FrameProjection::Range FrameProjection::FindRange(double least, double greatest, int pixels)
+{
+  // Wider than the error of projection; the test of each pixel is exact to rounding. Bounded first,
+  // as what is nearly beside the eye projects beyond any int.
+  constexpr double margin = 1e-3;
+  const double first = std::ceil((least + 1.0) * 0.5 * pixels - 0.5 - margin);
+  const double last = std::floor((greatest + 1.0) * 0.5 * pixels - 0.5 + margin);
+  return { static_cast<int>(std::clamp(first, 0.0, static_cast<double>(pixels))),
+    static_cast<int>(std::clamp(last, -1.0, pixels - 1.0)) };
+}
+
+}

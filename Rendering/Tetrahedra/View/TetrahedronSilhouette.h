@@ -1,0 +1,284 @@
+#ifndef interlume_TetrahedronSilhouette_h
+#define interlume_TetrahedronSilhouette_h
+
+#include "View/TetrahedraView.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace interlume
+{
+
+/**
+ * @class   TetrahedronSilhouette
+ * @brief   one tetrahedron on the screen
+ *
+ * The four projected corners have one affine dependency, sum S_k p_k = 0 with sum S_k = 0, where
+ * S_k is the signed area of the face opposite corner k. Its positive and its negative corners meet
+ * in one point, the thick one (Radon's theorem): a corner inside a triangle, or the crossing of two
+ * edges. There the two sides of the tetrahedron are sum S_k v_k / P apart in any affine value v, P
+ * the sum of the positive S_k; towards each edge of the silhouette this falls to 0 linearly. So
+ * with lambda(x, y) the least of one affine function for each edge, 1 at the thick point,
+ *
+ *   other side = base side + lambda * difference at the thick point
+ *
+ * for depth and every attribute, without a case distinction and, the difference being taken before
+ * anything is rounded, with a relative error that does not grow as the tetrahedron gets thin.
+ *
+ * The base side is one triangle, or two along a crease, the edge between corners 0 and 2 of the
+ * silhouette, beyond which h(x, y) > 0 bends it:
+ *
+ *   base side = affine + bend * max(0, h(x, y))
+ *
+ * The affine function is that of the larger triangle. A thin one, as where a face is seen nearly
+ * edge-on, has slopes without bound, and what is taken of them beyond the crease is rounding.
+ */
+class TetrahedronSilhouette
+{
+public:
+  using Projected = TetrahedraView::Projected;
+
+  /// An affine function from the thick point: X (x - thick x) + Y (y - thick y).
+  struct Slope
+  {
+    double X;
+    double Y;
+  };
+  /// A value on the base side: At (at the thick point), slope, bend, and the other side less it.
+  struct Value
+  {
+    double At;
+    Slope Base;
+    double Bend;
+    double Difference;
+  };
+
+  /**
+   * Returns false for a tetrahedron seen without area.
+   */
+  bool Set(const Projected& p0, const Projected& p1, const Projected& p2, const Projected& p3)
+  {
+    this->Points = { { &p0, &p1, &p2, &p3 } };
+    std::array<double, 4>& s = this->Areas;
+    s[0] = this->Area(1, 2, 3);
+    s[1] = -this->Area(0, 2, 3);
+    s[2] = this->Area(0, 1, 3);
+    s[3] = -this->Area(0, 1, 2);
+    int positive = 0;
+    this->Sum = 0.0;
+    for (double area : s)
+    {
+      positive += area > 0.0;
+      this->Sum += area > 0.0 ? area : 0.0;
+    }
+    if (!(this->Sum > 0.0))
+    {
+      return false;
+    }
+    if (positive == 2)
+    {
+      this->SetCrossing();
+    }
+    else
+    {
+      this->SetInner(positive == 1);
+    }
+    return true;
+  }
+
+  /// Number of corners and edges; edge i joins corners i and i + 1.
+  int GetNumberOfEdges() const { return this->Size; }
+  const Projected& GetPoint(int i) const { return *this->Points[this->Polygon[i]]; }
+  /// lambda = 1 + the slope, the least of all; 0, 0 where it never is the least, and of the fourth
+  /// where there are three.
+  const Slope& GetEdge(int i) const { return this->Edges[i]; }
+  /// The slope of h; 0, 0 where there is no crease.
+  const Slope& GetCrease() const { return this->Crease; }
+  double GetThickX() const { return this->ThickX; }
+  double GetThickY() const { return this->ThickY; }
+
+  /// The values \a v at the four corners as functions on both sides.
+  Value GetValue(const std::array<double, 4>& v) const
+  {
+    Value value;
+    double difference = 0.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      difference += this->Areas[k] * v[k];
+    }
+    value.Difference = this->Sign * difference / this->Sum;
+    const int a = this->Polygon[0];
+    const int b = this->Polygon[1];
+    const int c = this->Polygon[2];
+    value.Bend = 0.0;
+    if (this->Size == 3)
+    {
+      value.At = v[this->Inner] - value.Difference;
+      value.Base = this->GetSlope(v, a, b, c);
+      return value;
+    }
+    const int d = this->Polygon[3];
+    value.At = v[a] + this->ThickShare * (v[c] - v[a]);
+    value.Base = this->GetSlope(v, a, b, c);
+    if (this->HasBend)
+    {
+      // h is 1 at the corner across.
+      const Projected& across = *this->Points[d];
+      value.Bend = v[d] - value.At - value.Base.X * (across.X - this->ThickX) -
+        value.Base.Y * (across.Y - this->ThickY);
+    }
+    return value;
+  }
+
+  ///@{
+  /// The face that a line of sight passes on the base side and on the other side, next to edge \a
+  /// i, as the corner opposite to it.
+  int GetBaseFace(int i) const
+  {
+    // Edges 0 and 1 are the first triangle's.
+    return this->Size == 3 ? this->Inner : this->Polygon[i < 2 ? 3 : 1];
+  }
+  int GetOtherFace(int i) const
+  {
+    if (this->Size == 3)
+    {
+      return this->Polygon[(i + 2) % 3];
+    }
+    // Its crease is from corner 1 to corner 3, its faces have corner 0 or corner 2.
+    return this->Polygon[i == 0 || i == 3 ? 2 : 0];
+  }
+  ///@}
+
+private:
+  double Area(int a, int b, int c) const
+  {
+    const Projected& p = *this->Points[a];
+    const Projected& q = *this->Points[b];
+    const Projected& r = *this->Points[c];
+    return (q.X - p.X) * (r.Y - p.Y) - (q.Y - p.Y) * (r.X - p.X);
+  }
+
+  // A corner inside the triangle of the others.
+  void SetInner(bool innerIsPositive)
+  {
+    this->Size = 3;
+    this->Edges[3] = { 0.0, 0.0 };
+    this->Crease = { 0.0, 0.0 };
+    this->Inner = 0;
+    for (int k = 1; k < 4; ++k)
+    {
+      const double sign = innerIsPositive ? 1.0 : -1.0;
+      if (sign * this->Areas[k] > sign * this->Areas[this->Inner])
+      {
+        this->Inner = k;
+      }
+    }
+    this->Sign = innerIsPositive ? 1.0 : -1.0;
+    int corner = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+      if (k != this->Inner)
+      {
+        this->Polygon[corner++] = k;
+      }
+    }
+    this->ThickX = this->Points[this->Inner]->X;
+    this->ThickY = this->Points[this->Inner]->Y;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int a = this->Polygon[i];
+      const int b = this->Polygon[(i + 1) % 3];
+      const int c = this->Polygon[(i + 2) % 3];
+      this->SetEdge(i, this->Area(a, b, this->Inner), this->Area(a, b, c));
+    }
+  }
+
+  // Two crossing edges: the positive corners are 0 and 2 of the polygon.
+  void SetCrossing()
+  {
+    this->Size = 4;
+    this->Sign = -1.0;
+    int positive = 0;
+    int negative = 1;
+    for (int k = 0; k < 4; ++k)
+    {
+      int& place = this->Areas[k] > 0.0 ? positive : negative;
+      this->Polygon[place] = k;
+      place += 2;
+    }
+    // The first triangle is the larger one: its plane is continued by no more than its own size.
+    if (std::abs(this->Areas[this->Polygon[1]]) > std::abs(this->Areas[this->Polygon[3]]))
+    {
+      std::swap(this->Polygon[1], this->Polygon[3]);
+    }
+    const int a = this->Polygon[0];
+    const int c = this->Polygon[2];
+    this->ThickShare = this->Areas[c] / this->Sum;
+    this->ThickX =
+      this->Points[a]->X + this->ThickShare * (this->Points[c]->X - this->Points[a]->X);
+    this->ThickY =
+      this->Points[a]->Y + this->ThickShare * (this->Points[c]->Y - this->Points[a]->Y);
+    for (int i = 0; i < 4; ++i)
+    {
+      const int from = this->Polygon[i];
+      const int to = this->Polygon[(i + 1) % 4];
+      // Of the positive corners the one that this edge has not.
+      const int across = this->Polygon[i == 0 || i == 3 ? 2 : 0];
+      const double share = this->Areas[across] / this->Sum;
+      const double area = this->Area(from, to, across);
+      this->SetEdge(i, share * area, area);
+    }
+    // A triangle without area beyond the crease is left out.
+    this->HasBend = std::abs(this->Areas[this->Polygon[1]]) > 1e-12 * this->Sum;
+    this->Crease = { 0.0, 0.0 };
+    if (this->HasBend)
+    {
+      const double across = this->Area(a, c, this->Polygon[3]);
+      const Projected& p = *this->Points[a];
+      const Projected& q = *this->Points[c];
+      this->Crease = { (p.Y - q.Y) / across, (q.X - p.X) / across };
+    }
+  }
+
+  void SetEdge(int i, double atThick, double inside)
+  {
+    // A thick point on the edge itself: what lies between has no area.
+    if (atThick * inside <= 0.0 || std::abs(atThick) < 1e-12 * this->Sum)
+    {
+      this->Edges[i] = { 0.0, 0.0 };
+      return;
+    }
+    const Projected& a = this->GetPoint(i);
+    const Projected& b = this->GetPoint((i + 1) % this->Size);
+    this->Edges[i] = { (a.Y - b.Y) / atThick, (b.X - a.X) / atThick };
+  }
+
+  Slope GetSlope(const std::array<double, 4>& v, int a, int b, int c) const
+  {
+    const Projected& p = *this->Points[a];
+    const Projected& q = *this->Points[b];
+    const Projected& r = *this->Points[c];
+    const double area = this->Area(a, b, c);
+    return { ((v[b] - v[a]) * (r.Y - p.Y) - (v[c] - v[a]) * (q.Y - p.Y)) / area,
+      ((v[c] - v[a]) * (q.X - p.X) - (v[b] - v[a]) * (r.X - p.X)) / area };
+  }
+
+  std::array<const Projected*, 4> Points;
+  std::array<double, 4> Areas;
+  double Sum = 0.0;
+  double Sign = 1.0;
+  int Size = 0;
+  int Inner = 0;
+  bool HasBend = false;
+  std::array<int, 4> Polygon{};
+  std::array<Slope, 4> Edges;
+  Slope Crease;
+  double ThickX = 0.0;
+  double ThickY = 0.0;
+  double ThickShare = 0.0;
+};
+
+}
+
+#endif

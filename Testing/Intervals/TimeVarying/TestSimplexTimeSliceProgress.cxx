@@ -1,0 +1,32 @@
+// Progress is told and never runs backwards, an abort leaves a valid output, and PrintSelf prints
+// the time.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+
+#include "vtkCellType.h"
+#include "vtkNew.h"
+#include "vtkSimplexTimeSlice.h"
+#include "vtkUnstructuredGrid.h"
+
+int TestSimplexTimeSliceProgress(int, char*[])
+{
+  using namespace reference;
+  Check check;
+  KuhnOptions options;
+  options.Cells = { { 8, 8, 8, 2 } };
+  auto grid = MakeKuhnGrid(options);
+  for (const double t : { 0.3, 0.0 })
+  {
+    check.SetContext("t = " + std::to_string(t));
+    vtkNew<vtkSimplexTimeSlice> filter;
+    filter->SetTime(t);
+    CheckProgress(filter, grid, VTK_TETRA, check);
+  }
+  check.SetContext("print");
+  vtkNew<vtkSimplexTimeSlice> filter;
+  check.That(filter->GetTime() == 0.0, "the time is 0 by default");
+  filter->SetTime(3.125);
+  CheckPrinted(Print(filter), { "Time: 3.125" }, check);
+  return check.Result();
+}

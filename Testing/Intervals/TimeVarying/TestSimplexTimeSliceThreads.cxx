@@ -1,0 +1,26 @@
+// The same bytes for any number of threads, between the levels of a grid and at one of them.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+
+#include "vtkUnstructuredGrid.h"
+
+int TestSimplexTimeSliceThreads(int, char*[])
+{
+  using namespace reference;
+  Check check;
+  KuhnOptions options;
+  options.Cells = { { 16, 12, 12, 2 } };
+  options.IsKept = [](const std::array<int, 4>& cell)
+  { return (cell[0] + cell[1] * cell[2] + cell[3]) % 3 != 0; };
+  auto grid = MakeKuhnGrid(options);
+  CheckThreads(
+    "simplices",
+    [&grid]
+    {
+      return std::vector<vtkSmartPointer<vtkUnstructuredGrid>>{ SliceAt(grid, 0.3),
+        SliceAt(grid, 1.0) };
+    },
+    check);
+  return check.Result();
+}

@@ -1,0 +1,275 @@
+// The slices of a triangulated region of space and time have no cracks and no overlap: at any time,
+// and at the region's own time levels, where each tetrahedron is there once, also beside holes, and
+// where the cell array AtStep tells which there are. Pieces with global ids fit together.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceBoundary.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/TimeVarying/ReferenceSimplexGrid.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTimeVaryingIntervalVolume.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace
+{
+
+using namespace reference;
+
+std::vector<Tetrahedron> TetrahedraOf(vtkUnstructuredGrid* grid)
+{
+  std::vector<Tetrahedron> all(grid->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType count;
+    const vtkIdType* ids;
+    grid->GetCellPoints(cell, count, ids);
+    std::copy_n(ids, 4, all[cell].begin());
+  }
+  return all;
+}
+
+/// The slice fills the unit cube: every face is shared by two tetrahedra, or covers a part of the
+/// cube's boundary once.
+void CheckFillsCube(vtkUnstructuredGrid* slice, Check& check)
+{
+  const TetrahedraVolume volume = MeasureTetrahedra(slice);
+  check.Near(static_cast<double>(volume.Sum), 1.0, 1e-13, "volume");
+  check.Equal(volume.Inverted, 0, "inverted tetrahedra");
+  check.That(IsValid(slice, VTK_TETRA), "the output is tetrahedra");
+  const DomainBoundary boundary(MakeMesh(MeshKind::Hexahedra, { { 1, 1, 1 } }));
+  std::vector<double> covered(boundary.GetNumberOfFaces(), 0.0);
+  long long cracks = 0;
+  std::set<vtkIdType> used;
+  for (const FaceUse& face : CountUses(FacesOf(TetrahedraOf(slice))))
+  {
+    used.insert(face.Key.begin(), face.Key.end());
+    check.That(face.Plus <= 1 && face.Minus <= 1, "a face is used once from a side");
+    if (face.Net() == 0)
+    {
+      continue;
+    }
+    Triangle triangle = face.Key;
+    if (face.Net() < 0)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
+    std::vector<DomainBoundary::Point> points(3);
+    for (int v = 0; v < 3; ++v)
+    {
+      slice->GetPoint(triangle[v], points[v].data());
+    }
+    const int side = boundary.Find(points);
+    cracks += side < 0;
+    if (side >= 0)
+    {
+      covered[side] += boundary.SignedArea(side, points);
+    }
+  }
+  check.Equal(cracks, 0, "faces inside that are not matched");
+  for (const double area : covered)
+  {
+    check.Near(area, 1.0, 1e-12, "area of a side of the cube");
+  }
+  check.Equal(
+    static_cast<long long>(used.size()), slice->GetNumberOfPoints(), "points that are used");
+}
+
+void CheckRegion(const KuhnOptions& options, const std::vector<double>& times, Check& check)
+{
+  auto grid = MakeKuhnGrid(options);
+  for (const double t : times)
+  {
+    check.SetContext("moved " + std::to_string(options.MovedInSpace) + ", " +
+      std::to_string(options.MovedInTime) + ", t = " + std::to_string(t));
+    CheckFillsCube(SliceAt(grid, t), check);
+  }
+}
+
+/// The faces of 4-simplices that lie at a time, each once, as positive tetrahedra.
+vtkSmartPointer<vtkUnstructuredGrid> FacesAt(vtkUnstructuredGrid* grid, double t)
+{
+  std::set<Tetrahedron> faces;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const SimplexIds ids = GetSimplexIds(grid, cell);
+    const SimplexEvents events = GetSimplexEvents(grid, cell);
+    Tetrahedron face;
+    size_t number = 0;
+    for (size_t v = 0; v < ids.size(); ++v)
+    {
+      if (events[v][3] == t)
+      {
+        face[number++] = ids[v];
+      }
+    }
+    if (number == face.size())
+    {
+      std::sort(face.begin(), face.end());
+      faces.insert(face);
+    }
+  }
+  auto expected = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  expected->SetPoints(grid->GetPoints());
+  vtkNew<vtkCellArray> cells;
+  for (Tetrahedron face : faces)
+  {
+    std::array<std::array<long double, 3>, 4> x;
+    for (int v = 0; v < 4; ++v)
+    {
+      double point[3];
+      grid->GetPoint(face[v], point);
+      std::copy_n(point, 3, x[v].begin());
+    }
+    if (Determinant(x[0], x[1], x[2], x[3]) < 0)
+    {
+      std::swap(face[0], face[1]);
+    }
+    cells->InsertNextCell(4, face.data());
+  }
+  expected->SetCells(VTK_TETRA, cells);
+  return expected;
+}
+
+/// At a level the slice is the faces of both slabs there, each once, whatever is missing.
+void CheckHoles(unsigned int seed, double share, Check& check)
+{
+  std::mt19937 random(seed);
+  std::bernoulli_distribution isKept(share);
+  KuhnOptions options;
+  options.Cells = { { 3, 4, 3, 3 } };
+  options.MovedInSpace = 0.15;
+  options.Seed = seed;
+  options.IsKept = [&](const std::array<int, 4>&) { return isKept(random); };
+  auto grid = MakeKuhnGrid(options);
+  for (const double t : { 0.0, 1.0, 2.0, 3.0 })
+  {
+    check.SetContext("holes " + std::to_string(seed) + ", t = " + std::to_string(t));
+    auto expected = FacesAt(grid, t);
+    check.That(expected->GetNumberOfCells() > 0, "there are faces");
+    check.That(GeometricSet(SliceAt(grid, t)) == GeometricSet(expected),
+      "the slice is the faces there, each once");
+  }
+}
+
+/// The simplices of a grid whose number leaves a remainder, their points in reverse order, with the
+/// numbers in the whole as global ids.
+vtkSmartPointer<vtkUnstructuredGrid> MakePiece(
+  vtkUnstructuredGrid* grid, int number, int pieces, std::mt19937& random)
+{
+  const vtkIdType points = grid->GetNumberOfPoints();
+  vtkNew<vtkIdTypeArray> globalIds;
+  globalIds->SetName("global");
+  globalIds->SetNumberOfValues(points);
+  std::vector<vtkIdType> places(points);
+  std::iota(places.begin(), places.end(), 0);
+  std::shuffle(places.begin(), places.end(), random);
+  std::vector<Event> events(points);
+  vtkDataArray* times = grid->GetPointData()->GetArray("Time");
+  for (vtkIdType point = 0; point < points; ++point)
+  {
+    Event& event = events[places[point]];
+    grid->GetPoint(point, event.data());
+    event[3] = times->GetComponent(point, 0);
+    globalIds->SetValue(places[point], point);
+  }
+  std::vector<SimplexIds> simplices;
+  for (vtkIdType cell = number; cell < grid->GetNumberOfCells(); cell += pieces)
+  {
+    SimplexIds ids = GetSimplexIds(grid, cell);
+    std::transform(ids.begin(), ids.end(), ids.begin(), [&](vtkIdType id) { return places[id]; });
+    simplices.push_back(ids);
+  }
+  auto piece = MakeSimplexGrid(events, simplices);
+  piece->GetPointData()->SetGlobalIds(globalIds);
+  return piece;
+}
+
+/// A region with the tetrahedra of a level as cells, some of them twice as faces too, and the rest
+/// of the faces there said to be nothing.
+void CheckAtStep(Check& check)
+{
+  using Filter = vtkTimeVaryingIntervalVolume;
+  KuhnOptions options;
+  options.MovedInSpace = 0.15;
+  auto grid = MakeKuhnGrid(options);
+  const double level = 1.0;
+  auto faces = FacesAt(grid, level);
+  const auto before = GeometricSet(SliceAt(grid, 1.4));
+  vtkNew<vtkUnsignedCharArray> atStep;
+  atStep->SetName("AtStep");
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    atStep->InsertNextValue(cell % 3 == 0 ? Filter::FACES_AT_STEP : Filter::NOTHING_AT_STEP);
+  }
+  check.SetContext("AtStep");
+  grid->GetCellData()->AddArray(atStep);
+  const vtkIdType some = SliceAt(grid, level)->GetNumberOfCells();
+  check.That(0 < some && some < faces->GetNumberOfCells(), "some faces count");
+  for (const Tetrahedron& face : TetrahedraOf(faces))
+  {
+    const SimplexIds ids = { { face[0], face[1], face[2], face[3], face[3] } };
+    grid->InsertNextCell(VTK_POLY_VERTEX, 5, ids.data());
+    atStep->InsertNextValue(Filter::TETRAHEDRON_AT_STEP);
+  }
+  check.That(GeometricSet(SliceAt(grid, level)) == GeometricSet(faces),
+    "at the level the tetrahedra, each once");
+  check.That(GeometricSet(SliceAt(grid, 1.4)) == before, "elsewhere the slice is as it was");
+  grid->GetCellData()->RemoveArray("AtStep");
+  check.That(GeometricSet(SliceAt(grid, level)) == GeometricSet(faces),
+    "without the array all faces count, and what lies in the slice gives nothing");
+}
+
+void CheckPieces(Check& check)
+{
+  KuhnOptions options;
+  options.MovedInSpace = 0.15;
+  options.MovedInTime = 0.15;
+  auto grid = MakeKuhnGrid(options);
+  std::mt19937 random(3);
+  const double t = 1.4;
+  std::vector<GeometricSimplex> together;
+  for (int number = 0; number < 3; ++number)
+  {
+    const auto part = GeometricSet(SliceAt(MakePiece(grid, number, 3, random), t));
+    together.insert(together.end(), part.begin(), part.end());
+  }
+  std::sort(together.begin(), together.end());
+  check.SetContext("pieces");
+  check.That(together == GeometricSet(SliceAt(grid, t)), "pieces give the tetrahedra of the whole");
+}
+
+}
+
+int TestSimplexTimeSliceTiling(int, char*[])
+{
+  Check check;
+  for (unsigned int seed = 1; seed <= 3; ++seed)
+  {
+    KuhnOptions options;
+    options.Seed = seed;
+    CheckRegion(options, { 0.0, 0.3, 1.0, 1.5, 2.0, 2.999, 3.0 }, check);
+    options.MovedInSpace = 0.15;
+    CheckRegion(options, { 0.0, 0.3, 1.0, 1.5, 2.0, 2.999, 3.0 }, check);
+    options.MovedInTime = 0.15;
+    CheckRegion(options, { 0.0, 0.1, 0.9, 1.0, 1.07, 1.5, 2.2, 3.0 }, check);
+    options.HasEqualTimes = true;
+    CheckRegion(options, { 0.0, 0.875, 1.0, 1.125, 1.5, 1.875, 2.0, 3.0 }, check);
+    CheckHoles(seed, 0.7, check);
+    CheckHoles(seed, 0.3, check);
+  }
+  CheckAtStep(check);
+  CheckPieces(check);
+  return check.Result();
+}

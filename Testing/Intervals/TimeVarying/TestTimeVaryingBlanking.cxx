@@ -1,0 +1,120 @@
+// Ghost, hidden and blanked cells, cells of hidden points, and cells with NaN or infinity at a step
+// are left out of the slabs that the step ends and counted; everything else stays.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/TimeVarying/ReferenceSimplices.h"
+#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double CellVolume = 0.1 * 0.3 * 0.7;
+constexpr int NumberOfCells = 4 * 4 * 4;
+/// A point inside the lattice of 5 x 5 x 5 points: eight cells use it.
+constexpr vtkIdType InnerPoint = 2 + 5 * (2 + 5 * 2);
+const std::vector<double> Times = { 0, 1, 3 };
+
+TimeSteps MakeSteps(const LatticeForm& form)
+{
+  TimeSteps steps = RepeatGrid(form.Data, Times);
+  AddRandomTimeField(steps, 3);
+  return steps;
+}
+
+/// \a left cells of either slab are left out; \a count says which number of the report tells so.
+void CheckLeftOut(const TimeSteps& steps, const std::array<int, 2>& left,
+  vtkIdType vtkExtractionReport::*count, const std::string& what, Check& check)
+{
+  const TimeVaryingExtraction found = ExtractTimeVarying(steps, { { { 0, 1 } } });
+  double expected = 0;
+  for (int slab = 0; slab < 2; ++slab)
+  {
+    const double here = (NumberOfCells - left[slab]) * CellVolume * (Times[slab + 1] - Times[slab]);
+    expected += here;
+    check.Near(static_cast<double>(MeasureSimplices(found.Simplices, Any, slab).Sum), here, 1e-12,
+      what + ": 4-simplices of slab " + std::to_string(slab));
+  }
+  check.Near(static_cast<double>(MeasureWeighted(found.Tetrahedra).Sum), expected, 1e-12,
+    what + ": tetrahedra");
+  check.Equal(found.Report.Cells, 2 * NumberOfCells, what + ": cells of all slabs");
+  check.Equal(found.Report.*count, left[0] + left[1], what + ": cells left out");
+}
+
+void SetGhost(const TimeSteps& steps, bool points, vtkIdType at, unsigned char flag)
+{
+  for (const TimeStep& step : steps)
+  {
+    vtkDataSet* data = GetDataSet(step);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    ghosts->SetNumberOfTuples(points ? data->GetNumberOfPoints() : data->GetNumberOfCells());
+    ghosts->FillValue(0);
+    ghosts->SetValue(at, flag);
+    data->GetAttributes(points ? vtkDataObject::POINT : vtkDataObject::CELL)->AddArray(ghosts);
+  }
+}
+
+void CheckForm(const LatticeForm& form, Check& check)
+{
+  check.SetContext(form.Name);
+  const auto blanked = &vtkExtractionReport::BlankedCells;
+  CheckLeftOut(MakeSteps(form), { 0, 0 }, blanked, "nothing", check);
+  for (unsigned char flag :
+    { vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::HIDDENCELL })
+  {
+    const TimeSteps steps = MakeSteps(form);
+    SetGhost(steps, false, 21, flag);
+    CheckLeftOut(steps, { 1, 1 }, blanked, "cell flag", check);
+  }
+  TimeSteps steps = MakeSteps(form);
+  SetGhost(steps, true, InnerPoint, vtkDataSetAttributes::HIDDENPOINT);
+  CheckLeftOut(steps, { 8, 8 }, blanked, "hidden point", check);
+  steps = MakeSteps(form);
+  SetGhost(steps, true, InnerPoint, vtkDataSetAttributes::DUPLICATEPOINT);
+  CheckLeftOut(steps, { 0, 0 }, blanked, "duplicate point", check);
+  // Blanked at one step only.
+  steps = MakeSteps(form);
+  SetGhost({ steps[0] }, false, 21, vtkDataSetAttributes::HIDDENCELL);
+  CheckLeftOut(steps, { 1, 0 }, blanked, "hidden at the first step", check);
+  steps = MakeSteps(form);
+  SetGhost({ steps[1] }, true, InnerPoint, vtkDataSetAttributes::HIDDENPOINT);
+  CheckLeftOut(steps, { 8, 8 }, blanked, "hidden point at the middle step", check);
+  const std::array<int, 2> left[] = { { 8, 0 }, { 8, 8 }, { 0, 8 } };
+  for (double value : { std::numeric_limits<double>::quiet_NaN(),
+         std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
+  {
+    for (int at = 0; at < 3; ++at)
+    {
+      steps = MakeSteps(form);
+      GetDataSet(steps[at])->GetPointData()->GetScalars()->SetComponent(InnerPoint, 0, value);
+      CheckLeftOut(steps, left[at], &vtkExtractionReport::NonFiniteCells,
+        std::to_string(value) + " at step " + std::to_string(at), check);
+    }
+  }
+}
+
+}
+
+int TestTimeVaryingBlanking(int, char*[])
+{
+  Check check;
+  for (const LatticeForm& form : FormsOf(MakeImage({ 4, 4, 4 })))
+  {
+    CheckForm(form, check);
+  }
+  return check.Result();
+}

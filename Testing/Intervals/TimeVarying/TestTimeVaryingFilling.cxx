@@ -1,0 +1,38 @@
+// Adjacent intervals fill the domain in space and time without cracks, on every grid, standing and
+// moving, over several slabs: independent random values, so that none equals a bound.
+#include "Reference/TimeVarying/ReferenceFilling.h"
+
+#include "vtkDataSet.h"
+#include "vtkPointSet.h"
+
+int TestTimeVaryingFilling(int, char*[])
+{
+  using namespace reference;
+  Check check;
+  const std::vector<double> bounds = { 0.0, 0.2, 0.21, 0.6, 1.0 };
+  const std::vector<double> times = { -0.5, 0.25, 0.3, 2 };
+  for (unsigned int seed = 1; seed <= 2; ++seed)
+  {
+    for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, seed))
+    {
+      FillingCounts counts;
+      const auto fill = [&](const TimeSteps& steps, const std::string& how)
+      {
+        check.SetContext(grid.Name + ", " + how + ", seed " + std::to_string(seed));
+        AddRandomTimeField(steps, seed);
+        CheckFilling(steps, bounds, true, check, counts);
+      };
+      fill(RepeatGrid(grid.Data, times), "standing");
+      if (vtkPointSet::SafeDownCast(grid.Data) && HasBoxDomain(grid.Data))
+      {
+        const TimeSteps moving = RepeatGrid(grid.Data, times);
+        MoveInside(moving, 0.02 * grid.Data->GetLength(), seed);
+        fill(moving, "points inside moving");
+        MovePoints(moving, Stretch);
+        fill(moving, "stretched and points inside moving");
+      }
+      Print(counts, grid.Name);
+    }
+  }
+  return check.Result();
+}

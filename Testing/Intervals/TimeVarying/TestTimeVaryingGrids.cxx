@@ -1,0 +1,63 @@
+// The same lattice as image, rectilinear, structured and unstructured grid gives the same
+// 4-simplices, tetrahedra and boundaries.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceLattice.h"
+#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace
+{
+
+using namespace reference;
+
+/// What each output is made of, whatever its numbers.
+struct Sets
+{
+  std::vector<GeometricSimplex> Tetrahedra;
+  std::vector<GeometricSimplex> Boundaries;
+  std::vector<GeometricSimplex> Simplices;
+};
+
+Sets SetsOf(const TimeVaryingExtraction& found)
+{
+  return { GeometricSet(found.Tetrahedra, { "IntervalId", "TimeSlab", "SimplexClass" }, "DeltaT"),
+    GeometricSet(found.Boundaries, { "IntervalId", "TimeSlab", "BoundaryKind" }, "Time"),
+    GeometricSet(found.Simplices, { "IntervalId", "TimeSlab" }, "Time") };
+}
+
+void CheckForms(const std::vector<Interval>& intervals, bool integers, Check& check)
+{
+  Sets expected;
+  for (const LatticeForm& form : FormsOf(MakeImage({ 4, 3, 3 })))
+  {
+    check.SetContext(form.Name + (integers ? ", integer values" : ", random values"));
+    const TimeSteps steps = RepeatGrid(form.Data, { 0, 0.7, 1.9 });
+    integers ? AddIntegerTimeField(steps, 4, 1) : AddRandomTimeField(steps, 1);
+    const Sets found = SetsOf(ExtractTimeVarying(steps, { intervals }));
+    if (form.Name == "image")
+    {
+      expected = found;
+      check.That(
+        !expected.Tetrahedra.empty() && !expected.Boundaries.empty() && !expected.Simplices.empty(),
+        "there is output");
+    }
+    check.That(found.Tetrahedra == expected.Tetrahedra, "the tetrahedra of the image");
+    check.That(found.Boundaries == expected.Boundaries, "the boundaries of the image");
+    check.That(found.Simplices == expected.Simplices, "the 4-simplices of the image");
+  }
+}
+
+}
+
+int TestTimeVaryingGrids(int, char*[])
+{
+  Check check;
+  CheckForms({ { 0.2, 0.4 }, { 0.4, 0.7 }, { 0.65, 2 } }, false, check);
+  CheckForms({ { 0, 1 }, { 1, 2 }, { 2.5, 3 } }, true, check);
+  return check.Result();
+}

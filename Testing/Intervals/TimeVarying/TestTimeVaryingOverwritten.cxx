@@ -1,0 +1,144 @@
+// A source that writes every step into the same array gives what one with an array a step gives,
+// whether it says that the array has changed or not.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Meshes/ReferenceGrid.h"
+#include "Reference/Meshes/ReferenceMesh.h"
+#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <algorithm>
+
+namespace
+{
+
+using namespace reference;
+
+/// Hands out one grid, into which it copies the scalars, and the points, of the step asked for.
+class InPlaceSource : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static InPlaceSource* New();
+  vtkTypeMacro(InPlaceSource, vtkUnstructuredGridAlgorithm);
+
+  TimeSteps Steps;
+  bool SaysSo = true;
+  int Requests = 0;
+
+protected:
+  InPlaceSource() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    std::vector<double> times;
+    for (const TimeStep& step : this->Steps)
+    {
+      times.push_back(step.Time);
+    }
+    vtkInformation* info = outputs->GetInformationObject(0);
+    const double range[2] = { times.front(), times.back() };
+    info->Set(
+      vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    ++this->Requests;
+    vtkInformation* info = outputs->GetInformationObject(0);
+    const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+    const auto step = std::find_if(this->Steps.begin(), this->Steps.end(),
+      [time](const TimeStep& one) { return one.Time == time; });
+    auto* from = vtkUnstructuredGrid::SafeDownCast(GetDataSet(*step));
+    if (this->Grid->GetNumberOfPoints() == 0)
+    {
+      this->Grid->DeepCopy(from);
+    }
+    Overwrite(from->GetPoints()->GetData(), this->Grid->GetPoints()->GetData());
+    Overwrite(from->GetPointData()->GetScalars(), this->Grid->GetPointData()->GetScalars());
+    if (this->SaysSo)
+    {
+      this->Grid->GetPoints()->GetData()->Modified();
+      this->Grid->GetPointData()->GetScalars()->Modified();
+    }
+    vtkUnstructuredGrid::GetData(outputs)->ShallowCopy(this->Grid);
+    return 1;
+  }
+
+private:
+  static void Overwrite(vtkDataArray* from, vtkDataArray* to)
+  {
+    for (vtkIdType tuple = 0; tuple < from->GetNumberOfTuples(); ++tuple)
+    {
+      for (int c = 0; c < from->GetNumberOfComponents(); ++c)
+      {
+        const double value = from->GetComponent(tuple, c);
+        auto* values = static_cast<double*>(to->GetVoidPointer(0));
+        values[tuple * from->GetNumberOfComponents() + c] = value;
+      }
+    }
+  }
+
+  vtkNew<vtkUnstructuredGrid> Grid;
+};
+
+vtkStandardNewMacro(InPlaceSource);
+
+void CheckSource(const TimeSteps& steps, bool saysSo, Check& check)
+{
+  const TimeVaryingSettings settings = { { { 0.2, 0.7 } } };
+  const TimeVaryingExtraction expected = ExtractTimeVarying(steps, settings);
+  vtkNew<InPlaceSource> source;
+  source->Steps = steps;
+  source->SaysSo = saysSo;
+  vtkNew<vtkTimeVaryingIntervalVolume> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  Apply(settings, filter);
+  filter->Update();
+  vtkUnstructuredGrid* const known[3] = { expected.Tetrahedra, expected.Boundaries,
+    expected.Simplices };
+  check.That(known[0]->GetNumberOfCells() > 0, "there are tetrahedra");
+  for (int port = 0; port < 3; ++port)
+  {
+    check.That(FindDifference(
+                 vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port)), known[port])
+                 .empty(),
+      "port " + std::to_string(port) + " is that of a source with an array a step");
+  }
+  check.Equal(source->Requests, static_cast<long long>(steps.size()) + 2,
+    "steps asked for, two of them again");
+}
+
+}
+
+int TestTimeVaryingOverwritten(int, char*[])
+{
+  Check check;
+  for (MeshKind kind : { MeshKind::Hexahedra, MeshKind::Honeycomb })
+  {
+    TimeSteps steps = RepeatGrid(MakeMesh(kind, { 3, 3, 2 }), { 0, 1, 1.5 });
+    AddRandomTimeField(steps, 4);
+    for (bool saysSo : { true, false })
+    {
+      check.SetContext(GetName(kind) + (saysSo ? ", told" : ", not told"));
+      CheckSource(steps, saysSo, check);
+    }
+    MovePoints(steps, Stretch);
+    check.SetContext(GetName(kind) + ", moving");
+    CheckSource(steps, true, check);
+  }
+  return check.Result();
+}

@@ -1,0 +1,508 @@
+// A 4-simplex projected to space and cut into tetrahedra, against exact arithmetic: its class, the
+// number of tetrahedra, its hypervolume, and how long it lasts at points of space.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExact.h"
+#include "Reference/Meshes/ReferenceVolume.h"
+#include "Reference/TimeVarying/ReferenceSpaceTime.h"
+
+#include "TimeVarying/SimplexProjection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <numeric>
+#include <random>
+
+namespace
+{
+
+using namespace reference;
+
+using Real = long double;
+using Point = interlume::SimplexProjection::Point;
+using Points = std::array<Point, 5>;
+using Place = std::array<Real, 3>;
+
+constexpr int NumberOfClasses = 6;
+const char* const ClassNames[NumberOfClasses] = { "1", "2", "3a", "3b", "4", "5" };
+constexpr int TetrahedraOfClass[NumberOfClasses] = { 6, 4, 4, 3, 2, 1 };
+
+/// Coordinates are multiples of 2^-10 in [0,1), so that halves and quarters of sums are exact.
+Point RandomPoint(std::mt19937& random)
+{
+  Point p;
+  for (double& x : p)
+  {
+    x = std::ldexp(static_cast<double>(random() % 1024), -10);
+  }
+  return p;
+}
+
+/// The mean of points, weighted in quarters, at a time of its own.
+Point Mean(const std::vector<std::pair<Point, int>>& parts, std::mt19937& random)
+{
+  Point mean = RandomPoint(random);
+  for (int a = 0; a < 3; ++a)
+  {
+    mean[a] = 0;
+    for (const auto& [point, quarters] : parts)
+    {
+      mean[a] += 0.25 * quarters * point[a];
+    }
+  }
+  return mean;
+}
+
+/// Five points of a class by construction.
+Points MakeClass(int index, std::mt19937& random)
+{
+  Points p;
+  std::generate(p.begin(), p.end(), [&] { return RandomPoint(random); });
+  switch (index)
+  {
+    case 0: // a segment through a triangle
+    {
+      const Point cross = Mean({ { p[0], 1 }, { p[1], 1 }, { p[2], 2 } }, random);
+      p[4] = Mean({ { cross, 6 }, { p[3], -2 } }, random);
+      break;
+    }
+    case 1:
+      p[4] = Mean({ { p[0], 1 }, { p[1], 1 }, { p[2], 1 }, { p[3], 1 } }, random);
+      break;
+    case 2: // two segments that cross in their middles
+      p[3] = Mean({ { p[0], 4 }, { p[1], 4 }, { p[2], -4 } }, random);
+      break;
+    case 3:
+      p[3] = Mean({ { p[0], 1 }, { p[1], 1 }, { p[2], 2 } }, random);
+      break;
+    case 4:
+      p[2] = Mean({ { p[0], 1 }, { p[1], 3 } }, random);
+      break;
+    default:
+      p[1] = Mean({ { p[0], 4 } }, random);
+      break;
+  }
+  std::shuffle(p.begin(), p.end(), random);
+  return p;
+}
+
+/// lambda_i, exactly: (-1)^i times the determinant of the points without i.
+std::array<Exact, 5> Dependency(const Points& p)
+{
+  std::array<Exact, 5> lambda;
+  for (int i = 0; i < 5; ++i)
+  {
+    std::array<ExactPoint, 4> others;
+    for (int k = 0, n = 0; k < 5; ++k)
+    {
+      if (k != i)
+      {
+        others[n++] = { p[k][0], p[k][1], p[k][2] };
+      }
+    }
+    const Exact determinant = ExactDeterminant(others);
+    lambda[i] = i % 2 == 0 ? determinant : Exact(0) - determinant;
+  }
+  return lambda;
+}
+
+/// What is known of a 4-simplex exactly.
+struct Truth
+{
+  std::array<Real, 5> Lambda{};
+  std::array<int, 5> Signs{};
+  Real Hypervolume = 0; ///< signed
+  Real Moment = 0;      ///< sum of lambda_i t_i: 24 times the hypervolume
+  Real Length = 0;      ///< sum of the positive lambda_i: six times the volume in space
+  Real Thickness = 0;
+};
+
+Truth MakeTruth(const Points& p)
+{
+  Truth truth;
+  const std::array<Exact, 5> lambda = Dependency(p);
+  Exact moment;
+  Exact length;
+  for (int i = 0; i < 5; ++i)
+  {
+    truth.Lambda[i] = lambda[i].Round();
+    truth.Signs[i] = lambda[i].Sign();
+    length = truth.Signs[i] > 0 ? length + lambda[i] : length;
+    moment = moment + lambda[i] * p[i][3];
+  }
+  truth.Moment = moment.Round();
+  truth.Length = length.Round();
+  truth.Thickness = truth.Length > 0 ? std::abs(truth.Moment) / truth.Length : 0;
+  // The determinant of the four edges, developed along the column of the times.
+  truth.Hypervolume = truth.Moment / 24;
+  return truth;
+}
+
+int ClassOf(const std::array<int, 5>& signs)
+{
+  const auto count = [&](int sign)
+  { return static_cast<int>(std::count(signs.begin(), signs.end(), sign)); };
+  const std::pair<int, int> sides = std::minmax(count(1), count(-1));
+  const std::pair<int, int> classes[NumberOfClasses] = { { 2, 3 }, { 1, 4 }, { 2, 2 }, { 1, 3 },
+    { 1, 2 }, { 1, 1 } };
+  return static_cast<int>(std::find(classes, classes + NumberOfClasses, sides) - classes);
+}
+
+Place PlaceOf(const Point& p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+/// The tetrahedra of a projection, the thick point last.
+std::vector<std::array<Place, 4>> TetrahedraOf(
+  const interlume::SimplexProjection& projection, const Points& p)
+{
+  const double* places[5];
+  std::transform(p.begin(), p.end(), places, [](const Point& point) { return point.data(); });
+  double thick[3];
+  projection.GetThickPoint(places, thick);
+  std::vector<std::array<Place, 4>> tetrahedra;
+  projection.ForEachTetrahedron(
+    [&](int a, int b, int c)
+    {
+      tetrahedra.push_back(
+        { PlaceOf(p[a]), PlaceOf(p[b]), PlaceOf(p[c]), { thick[0], thick[1], thick[2] } });
+    });
+  return tetrahedra;
+}
+
+/// How long a line of time is in the 4-simplex: barycentric coordinates there are b + s lambda,
+/// each from 0 on, and the time goes with s by the moment.
+Real ExactDuration(const Truth& truth, const Points& p, const Place& x)
+{
+  // b from the tetrahedron that leaves out the largest lambda.
+  int largest = 0;
+  for (int i = 1; i < 5; ++i)
+  {
+    largest = std::abs(truth.Lambda[i]) > std::abs(truth.Lambda[largest]) ? i : largest;
+  }
+  std::array<int, 4> corners;
+  for (int i = 0, n = 0; i < 5; ++i)
+  {
+    if (i != largest)
+    {
+      corners[n++] = i;
+    }
+  }
+  std::array<Place, 4> places;
+  std::transform(
+    corners.begin(), corners.end(), places.begin(), [&](int i) { return PlaceOf(p[i]); });
+  const Real whole = Determinant(places[0], places[1], places[2], places[3]);
+  std::array<Real, 5> b{};
+  for (int n = 0; n < 4; ++n)
+  {
+    auto replaced = places;
+    replaced[n] = x;
+    b[corners[n]] = Determinant(replaced[0], replaced[1], replaced[2], replaced[3]) / whole;
+  }
+  Real from = -1 / Real(0);
+  Real to = 1 / Real(0);
+  for (int i = 0; i < 5; ++i)
+  {
+    if (truth.Signs[i] == 0)
+    {
+      from = b[i] < 0 ? to : from;
+      continue;
+    }
+    Real& end = truth.Signs[i] > 0 ? from : to;
+    const Real s = -b[i] / truth.Lambda[i];
+    end = truth.Signs[i] > 0 ? std::max(end, s) : std::min(end, s);
+  }
+  return std::max(to - from, Real(0)) * std::abs(truth.Moment);
+}
+
+Real FoundDuration(
+  const std::vector<std::array<Place, 4>>& tetrahedra, double thickness, const Place& x)
+{
+  Real sum = 0;
+  for (const auto& corners : tetrahedra)
+  {
+    const Real whole = Determinant(corners[0], corners[1], corners[2], corners[3]);
+    std::array<Real, 4> weights;
+    for (int n = 0; n < 4; ++n)
+    {
+      auto replaced = corners;
+      replaced[n] = x;
+      weights[n] = Determinant(replaced[0], replaced[1], replaced[2], replaced[3]) / whole;
+    }
+    sum += *std::min_element(weights.begin(), weights.end()) >= 0 ? weights[3] * thickness : 0;
+  }
+  return sum;
+}
+
+/// How large a 4-simplex is: its extent in space, in time, and from the origin of space.
+struct Size
+{
+  Real Space = 0;
+  Real Time = 0;
+  Real Offset = 0;
+};
+
+Size SizeOf(const Points& p)
+{
+  Size size;
+  for (const Point& a : p)
+  {
+    for (const Point& b : p)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        size.Space = std::max<Real>(size.Space, std::abs(a[i] - b[i]));
+        size.Offset = std::max<Real>(size.Offset, std::abs(a[i]));
+      }
+      size.Time = std::max<Real>(size.Time, std::abs(a[3] - b[3]));
+    }
+  }
+  return size;
+}
+
+/// The largest errors found, for the report.
+struct Errors
+{
+  Real Hypervolume = 0;
+  Real Thickness = 0;
+  Real Duration = 0;
+  long long Count = 0;
+};
+
+/// Checks what holds for every 4-simplex, however close to another class. Errors of the hypervolume
+/// are relative to it, but for what rounding makes: of the thick point's coordinates, and of a sum
+/// of times that cancel.
+void CheckMeasures(const Points& p, Errors& errors, Check& check)
+{
+  const Truth truth = MakeTruth(p);
+  const Size size = SizeOf(p);
+  const interlume::SimplexProjection projection(p, 0);
+  const auto tetrahedra =
+    projection.IsFlat() ? std::vector<std::array<Place, 4>>() : TetrahedraOf(projection, p);
+  Real sum = 0;
+  long long turned = 0;
+  const Real rounding = std::ldexp(Real(1), -51) * size.Offset * size.Space * size.Space;
+  for (const auto& corners : tetrahedra)
+  {
+    const Real volume = Determinant(corners[0], corners[1], corners[2], corners[3]) / 6;
+    sum += volume * projection.GetThickness() / 4;
+    turned += volume * (projection.IsInverted() ? -1 : 1) < -rounding ? 1 : 0;
+  }
+  check.Equal(turned, 0, "tetrahedra turned against their 4-simplex");
+  const Real rounded = std::ldexp(Real(1), -52) * truth.Length / 6 * size.Time;
+  const Real bound =
+    1e-12L * std::abs(truth.Hypervolume) + rounding * projection.GetThickness() + rounded;
+  const Real error = std::abs(sum - truth.Hypervolume);
+  if (!check.Near(static_cast<double>(error / bound), 0, 1,
+        "hypervolume, its error in parts of the bound", 1))
+  {
+    return;
+  }
+  errors.Hypervolume = std::max(errors.Hypervolume, error / bound);
+  ++errors.Count;
+}
+
+/// Checks what holds for 4-simplices of a class that is far from the others.
+void CheckClass(
+  const Points& p, int index, unsigned flat, Errors& errors, std::mt19937& random, Check& check)
+{
+  const Truth truth = MakeTruth(p);
+  const interlume::SimplexProjection projection(p, flat);
+  if (!check.That(!projection.IsFlat(), "it has a volume and a thickness"))
+  {
+    return;
+  }
+  const Size size = SizeOf(p);
+  check.Equal(projection.GetClass(), index, "class");
+  const auto tetrahedra = TetrahedraOf(projection, p);
+  check.Equal(projection.GetNumberOfTetrahedra(), TetrahedraOfClass[index], "tetrahedra said");
+  check.Equal(
+    static_cast<long long>(tetrahedra.size()), TetrahedraOfClass[index], "tetrahedra made");
+  check.That(projection.IsInverted() == (truth.Moment < 0), "orientation");
+  check.Near(projection.GetThickness(), static_cast<double>(truth.Thickness), 1e-14, "thickness",
+    static_cast<double>(size.Time));
+  errors.Thickness = std::max(
+    errors.Thickness, std::abs(projection.GetThickness() - truth.Thickness) / truth.Thickness);
+  // Both ends of the thick point are equally far from the mean.
+  Real mean = 0;
+  for (int i = 0; i < 5; ++i)
+  {
+    check.Equal(projection.GetSigns()[i] * projection.GetSigns()[i], truth.Signs[i] != 0,
+      "points that have a part in it");
+    mean += projection.GetWeights()[i] * p[i][3];
+  }
+  Real expected = 0;
+  for (int i = 0; i < 5; ++i)
+  {
+    expected += std::abs(truth.Lambda[i]) / truth.Length / 2 * p[i][3];
+  }
+  check.Near(static_cast<double>(mean), static_cast<double>(expected), 1e-13, "mean time", 1);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int sample = 0; sample < 4; ++sample)
+  {
+    std::array<Real, 5> weights;
+    std::generate(weights.begin(), weights.end(), [&] { return -std::log(share(random)); });
+    const Real total = std::accumulate(weights.begin(), weights.end(), Real(0));
+    Place x{};
+    for (int i = 0; i < 5; ++i)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        x[a] += weights[i] / total * p[i][a];
+      }
+    }
+    const Real known = ExactDuration(truth, p, x);
+    const Real found = FoundDuration(tetrahedra, projection.GetThickness(), x);
+    errors.Duration = std::max(errors.Duration, std::abs(known - found) / truth.Thickness);
+    check.Near(static_cast<double>(found), static_cast<double>(known), 1e-9, "duration at a point",
+      static_cast<double>(truth.Thickness));
+  }
+}
+
+/// Whether the class is clear: volumes and thickness are not small by themselves.
+bool IsClear(const Points& p, int index)
+{
+  const Truth truth = MakeTruth(p);
+  Real smallest = truth.Length;
+  for (Real lambda : truth.Lambda)
+  {
+    smallest = lambda == 0 ? smallest : std::min(smallest, std::abs(lambda));
+  }
+  return ClassOf(truth.Signs) == index && smallest > 1e-3L && truth.Thickness > 1e-3L;
+}
+
+Points Scaled(Points p, double space, double time, double offset)
+{
+  for (Point& point : p)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      point[a] = point[a] * space + offset;
+    }
+    point[3] *= time;
+  }
+  return p;
+}
+
+unsigned FlatBits(const Points& p)
+{
+  const Truth truth = MakeTruth(p);
+  unsigned flat = 0;
+  for (unsigned i = 0; i < 5; ++i)
+  {
+    flat |= truth.Signs[i] == 0 ? 1U << i : 0U;
+  }
+  return flat;
+}
+
+void CheckConstructed(int index, Check& check)
+{
+  std::mt19937 random(100 + index);
+  Errors errors;
+  for (int round = 0; round < 300; ++round)
+  {
+    Points p = MakeClass(index, random);
+    if (!IsClear(p, index))
+    {
+      continue;
+    }
+    check.SetContext("class " + std::string(ClassNames[index]) + ", " + std::to_string(round));
+    CheckClass(p, index, 0, errors, random, check);
+    CheckClass(p, index, FlatBits(p), errors, random, check);
+    CheckMeasures(p, errors, check);
+    for (int exponent : { -30, 30 })
+    {
+      check.SetContext("class " + std::string(ClassNames[index]) + ", " + std::to_string(round) +
+        ", space by 2^" + std::to_string(exponent));
+      const double scale = std::ldexp(1, exponent);
+      for (double time : { 1 / scale, 1.0, scale })
+      {
+        const Points scaled = Scaled(p, scale, time, 0);
+        check.Equal(interlume::SimplexProjection(scaled, 0).GetClass(), index, "class");
+        CheckMeasures(scaled, errors, check);
+      }
+    }
+    check.SetContext("class " + std::string(ClassNames[index]) + ", " + std::to_string(round) +
+      ", far from the origin");
+    const Points far = Scaled(p, 1, 1, 1048576);
+    check.Equal(interlume::SimplexProjection(far, 0).GetClass(), index, "class");
+    CheckMeasures(far, errors, check);
+  }
+  check.That(errors.Count > 300, "enough of the class");
+  std::cout << "class " << ClassNames[index] << ": " << errors.Count
+            << " simplices, error of the hypervolume " << errors.Hypervolume
+            << " of the bound, of the thickness " << errors.Thickness << ", of durations "
+            << errors.Duration << '\n';
+}
+
+/// One point is moved by a distance that makes the class doubtful.
+void CheckPerturbed(int index, Check& check)
+{
+  std::mt19937 random(200 + index);
+  std::uniform_real_distribution<double> amount(-1.0, 1.0);
+  Errors errors;
+  for (int digits = 1; digits <= 17; ++digits)
+  {
+    check.SetContext(
+      "class " + std::string(ClassNames[index]) + " moved by 1e-" + std::to_string(digits));
+    for (int round = 0; round < 200; ++round)
+    {
+      Points p = MakeClass(index, random);
+      Point& moved = p[random() % 5];
+      for (double& x : moved)
+      {
+        x += amount(random) * std::pow(10.0, -digits);
+      }
+      CheckMeasures(p, errors, check);
+      const double scale = std::pow(10.0, static_cast<int>(random() % 19) - 9);
+      CheckMeasures(Scaled(p, scale, 1 / scale, 0), errors, check);
+    }
+  }
+  std::cout << "class " << ClassNames[index] << " perturbed: " << errors.Count
+            << " simplices, error of the hypervolume " << errors.Hypervolume << " of the bound\n";
+}
+
+/// No volume in space, or no extent in time but for rounding.
+void CheckFlat(Check& check)
+{
+  check.SetContext("flat");
+  std::mt19937 random(5);
+  for (int round = 0; round < 100; ++round)
+  {
+    Points p = MakeClass(0, random);
+    Points plane = p;
+    Points line = p;
+    Points point = p;
+    Points sheet = p;
+    for (int i = 0; i < 5; ++i)
+    {
+      plane[i][2] = 0.5;
+      line[i][1] = line[i][2] = 0.25;
+      std::fill_n(point[i].begin(), 3, 0.75);
+      // Time is a linear function of place.
+      sheet[i][3] = 0.5 * sheet[i][0] + 0.25 * sheet[i][1] + 2;
+    }
+    for (const Points& flat : { plane, line, point })
+    {
+      check.That(
+        interlume::SimplexProjection(flat, 0).IsFlat(), "no volume in space: no tetrahedra");
+    }
+    check.Near(
+      interlume::SimplexProjection(sheet, 0).GetThickness(), 0, 1e-15, "no extent in time", 1);
+  }
+}
+
+}
+
+int TestTimeVaryingProjection(int, char*[])
+{
+  Check check;
+  for (int index = 0; index < NumberOfClasses; ++index)
+  {
+    CheckConstructed(index, check);
+    CheckPerturbed(index, check);
+  }
+  CheckFlat(check);
+  return check.Result();
+}

@@ -1,0 +1,30 @@
+// The same bytes for 1, 2 and 8 threads and every backend.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Reference/TimeVarying/ReferenceTimeVarying.h"
+
+#include "vtkDataSet.h"
+#include "vtkUnstructuredGrid.h"
+
+int TestTimeVaryingThreads(int, char*[])
+{
+  using namespace reference;
+  Check check;
+  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 3, 4, 3 }, 2))
+  {
+    const TimeSteps steps = RepeatGrid(grid.Data, { 0, 0.7, 1.9 });
+    AddRandomTimeField(steps, 6, "g");
+    AddRandomTimeField(steps, 5);
+    CheckThreads(
+      grid.Name,
+      [&]
+      {
+        const TimeVaryingExtraction found =
+          ExtractTimeVarying(steps, { { { 0.2, 0.4 }, { 0.4, 0.7 } } });
+        return std::vector<vtkSmartPointer<vtkUnstructuredGrid>>{ found.Tetrahedra,
+          found.Boundaries, found.Simplices };
+      },
+      check);
+  }
+  return check.Result();
+}

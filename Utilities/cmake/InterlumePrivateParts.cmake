@@ -1,0 +1,10 @@
+# interlume_private_parts(MODULE): the library MODULEPrivate, of the objects that the module's library is
+# made of. Tests of private parts link it, after the module itself: no class is exported for a test's sake.
+function (interlume_private_parts module)
+  add_library(${module}Private STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${module}>)
+  get_target_property(folder ${module} SOURCE_DIR)
+  target_include_directories(${module}Private INTERFACE "${folder}" "${PROJECT_SOURCE_DIR}/Filters")
+  target_link_libraries(${module}Private INTERFACE ${module} $<TARGET_PROPERTY:${module},LINK_LIBRARIES>
+    VTK::CommonSystem "$<$<TARGET_EXISTS:VTK::glad>:VTK::glad>" "$<$<TARGET_EXISTS:VTK::glew>:VTK::glew;VTK::opengl>")
+  set_target_properties(${module}Private PROPERTIES LINKER_LANGUAGE CXX)
+endfunction ()
