@@ -22,7 +22,7 @@ constexpr vtkIdType NumberOfBatches = 16;
  * \a start to \a end. False when its execution was aborted. A null owner: no progress, no abort.
  */
 template <typename Work>
-bool Run(vtkIdType number, vtkAlgorithm* owner, double start, double end, const Work& work)
+bool Run(vtkIdType number, vtkAlgorithm* owner, double start, double end, Work&& work)
 {
   const vtkIdType batches = owner ? std::min(number, NumberOfBatches) : 1;
   for (vtkIdType batch = 0; batch < batches; ++batch)
@@ -37,7 +37,7 @@ bool Run(vtkIdType number, vtkAlgorithm* owner, double start, double end, const 
     }
     vtkSMPTools::For(batch * number / batches, (batch + 1) * number / batches, work);
   }
-  return true;
+  return !owner || !owner->GetAbortExecute();
 }
 }
 

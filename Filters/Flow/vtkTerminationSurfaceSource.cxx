@@ -72,12 +72,8 @@ int vtkTerminationSurfaceSource::RequestData(
   for (int part = 0; part < parts; ++part)
   {
     interlume::TerminationGrid grid(this->Surface, part, this->ResolutionU, this->ResolutionV);
-    const auto isAborted = [this, part, parts](double done)
-    {
-      this->UpdateProgress((part + done) / parts);
-      return this->GetAbortExecute() != 0;
-    };
-    if (!grid.Execute(isAborted))
+    const double start = static_cast<double>(part) / parts;
+    if (!grid.Execute(this, start, start + 1.0 / parts))
     {
       return interlume::AbortCheck::Leave(outputs);
     }

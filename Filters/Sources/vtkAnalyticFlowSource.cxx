@@ -2,7 +2,7 @@
 
 #include "Analytic/ElementaryFlows.h"
 #include "Analytic/VortexFlows.h"
-#include "Sampling/BatchedRows.h"
+#include "Common/Batches.h"
 #include "Sampling/ClampedValue.h"
 
 #include "vtkDataArray.h"
@@ -278,7 +278,7 @@ int vtkAnalyticFlowSource::RequestData(
       }
     }
   };
-  if (!interlume::BatchedRows::Run(rows, this, makeRows))
+  if (!interlume::Batches::Run(rows, this, 0.0, 1.0, makeRows))
   {
     image->Initialize();
     return 1;

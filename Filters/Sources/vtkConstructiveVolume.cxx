@@ -1,6 +1,6 @@
 #include "vtkConstructiveVolume.h"
 
-#include "Sampling/BatchedRows.h"
+#include "Common/Batches.h"
 #include "Sampling/ColorDilation.h"
 #include "Sampling/PartPrinter.h"
 #include "Sampling/SpatialSampler.h"
@@ -72,14 +72,13 @@ bool SampleRows(const interlume::SpatialSampler& sampler, const int extent[6],
     }
   };
   const bool isColored = numberOfComponents > 1;
-  if (!interlume::BatchedRows::Run(
-        rows, owner, makeRows, 0.0, isColored ? 1.0 - DilationShare : 1.0))
+  if (!interlume::Batches::Run(rows, owner, 0.0, isColored ? 1.0 - DilationShare : 1.0, makeRows))
   {
     return false;
   }
   const auto dilate = [&](vtkIdType first, vtkIdType last)
   { interlume::ColorDilation::DilateRows(values, extent, first, last); };
-  return !isColored || interlume::BatchedRows::Run(rows, owner, dilate, 1.0 - DilationShare, 1.0);
+  return !isColored || interlume::Batches::Run(rows, owner, 1.0 - DilationShare, 1.0, dilate);
 }
 }
 

@@ -1,6 +1,6 @@
 #include "vtkFieldSampler.h"
 
-#include "Sampling/BatchedRows.h"
+#include "Common/Batches.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -112,7 +112,7 @@ bool vtkFieldSampler::Sample(vtkDataSet* output, const int extent[6], double tim
       }
     }
   };
-  if (!interlume::BatchedRows::Run(rows, owner, sampleRows))
+  if (!interlume::Batches::Run(rows, owner, 0.0, 1.0, sampleRows))
   {
     return false;
   }

@@ -1,5 +1,6 @@
 #include "vtkSpatialObject.h"
 
+#include "Common/Vectors.h"
 #include "Sampling/PartPrinter.h"
 
 #include "vtkLinearTransform.h"
@@ -25,11 +26,6 @@ double GetReach(double element, double side, double size)
 {
   const bool isNothing = std::isinf(side) && std::fabs(element) < RotationTolerance * size;
   return isNothing || element == 0.0 ? 0.0 : element * side;
-}
-
-double Length(double x, double y, double z)
-{
-  return std::sqrt(x * x + y * y + z * z);
 }
 
 void TransformPoint(const double rows[12], const double x[3], double y[3])
@@ -105,7 +101,7 @@ bool vtkSpatialObject::PrepareTransform(double matrix[12])
   double lengths = 1.0;
   for (int j = 0; j < 3; ++j)
   {
-    lengths *= Length(elements[j], elements[4 + j], elements[8 + j]);
+    lengths *= glm::length(glm::dvec3(elements[j], elements[4 + j], elements[8 + j]));
   }
   if (!(std::fabs(vtkMatrix4x4::Determinant(elements)) > SingularTolerance * lengths))
   {

@@ -1,6 +1,6 @@
 #include "vtkTurbulenceSource.h"
 
-#include "Sampling/BatchedRows.h"
+#include "Common/Batches.h"
 #include "Sampling/ClampedValue.h"
 
 #include "vtkFloatArray.h"
@@ -156,7 +156,7 @@ int vtkTurbulenceSource::RequestData(
       }
     }
   };
-  if (!interlume::BatchedRows::Run(rows, this, makeRows))
+  if (!interlume::Batches::Run(rows, this, 0.0, 1.0, makeRows))
   {
     image->Initialize();
     return 1;

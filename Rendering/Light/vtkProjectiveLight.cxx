@@ -115,37 +115,36 @@ bool vtkProjectiveLight::GetScreenMatrix(const double position[3], const double 
   const double viewUp[3], double scale, vtkMatrix4x4* matrix) const
 {
   using namespace interlume::UnitVector;
-  const Vector origin{ { position[0], position[1], position[2] } };
-  const Vector axis =
-    Combine(1.0, { { focalPoint[0], focalPoint[1], focalPoint[2] } }, -1.0, origin);
-  const double distance = Length(axis);
+  const glm::dvec3 origin = glm::make_vec3(position);
+  const glm::dvec3 axis = glm::make_vec3(focalPoint) - origin;
+  const double distance = interlume::Vectors::SafeLength(axis);
   if (!(distance > 0.0) || !std::isfinite(distance))
   {
     return false;
   }
-  const Vector forward = Normalize(axis, axis);
-  const Vector up = Perpendicular(
-    forward, Normalize({ { viewUp[0], viewUp[1], viewUp[2] } }, { { 0.0, 1.0, 0.0 } }));
-  const Vector right = Cross(forward, up);
+  const glm::dvec3 forward = Normalize(axis, axis);
+  const glm::dvec3 up =
+    Perpendicular(forward, Normalize(glm::make_vec3(viewUp), { 0.0, 1.0, 0.0 }));
+  const glm::dvec3 right = glm::cross(forward, up);
 
   // Depth is 1 on the screen; across is 1 over its width or height.
-  const Vector depth = Scale(1.0 / distance, forward);
-  const Vector across[2] = { Scale(1.0 / (scale * this->ScreenSize[0]), right),
-    Scale(1.0 / (scale * this->ScreenSize[1]), up) };
+  const glm::dvec3 depth = (1.0 / distance) * forward;
+  const glm::dvec3 across[2] = { (1.0 / (scale * this->ScreenSize[0])) * right,
+    (1.0 / (scale * this->ScreenSize[1])) * up };
   matrix->Zero();
-  const auto setRow = [&](int row, const Vector& a, double constant)
+  const auto setRow = [&](int row, const glm::dvec3& a, double constant)
   {
     for (int i = 0; i < 3; ++i)
     {
       matrix->SetElement(row, i, a[static_cast<std::size_t>(i)]);
     }
-    matrix->SetElement(row, 3, constant - Dot(a, origin));
+    matrix->SetElement(row, 3, constant - glm::dot(a, origin));
   };
   for (int i = 0; i < 2; ++i)
   {
     if (this->Positional)
     {
-      setRow(i, Combine(1.0, across[i], 0.5, depth), 0.0);
+      setRow(i, across[i] + 0.5 * depth, 0.0);
     }
     else
     {
@@ -153,7 +152,7 @@ bool vtkProjectiveLight::GetScreenMatrix(const double position[3], const double 
     }
   }
   // The third row is free and keeps the matrix regular.
-  const Vector none{ { 0.0, 0.0, 0.0 } };
+  const glm::dvec3 none{ 0.0, 0.0, 0.0 };
   setRow(this->Positional ? 3 : 2, depth, 0.0);
   setRow(this->Positional ? 2 : 3, none, 1.0);
   return std::all_of(

@@ -70,9 +70,10 @@ struct Scene
   }
 };
 
-void CheckVector(Check& check, const Vector& found, const Vector& expected, const std::string& what)
+void CheckVector(
+  Check& check, const glm::dvec3& found, const glm::dvec3& expected, const std::string& what)
 {
-  check.Near(Length(Combine(1.0, found, -1.0, expected)), 0.0, 1e-12, what, 1.0);
+  check.Near(interlume::Vectors::SafeLength(found - expected), 0.0, 1e-12, what, 1.0);
 }
 
 // Before the renderer moves its lights, and after; with the lights of others as they are.
@@ -97,14 +98,14 @@ void CheckPlaces(Check& check)
           scene.Renderer->UpdateLightsGeometryToFollowCamera();
         }
         const interlume::LightSource after = scene.Gather().at(0);
-        Vector position;
-        Vector focalPoint;
-        light->GetTransformedPosition(position.data());
-        light->GetTransformedFocalPoint(focalPoint.data());
-        const Vector axis = Combine(1.0, focalPoint, -1.0, position);
-        const Vector direction = Normalize(axis, axis);
-        const Vector unit =
-          Scale(1.0 / scene.Space.Radius, Combine(1.0, position, -1.0, { { 100.0, 0.0, 0.0 } }));
+        glm::dvec3 position;
+        glm::dvec3 focalPoint;
+        light->GetTransformedPosition(glm::value_ptr(position));
+        light->GetTransformedFocalPoint(glm::value_ptr(focalPoint));
+        const glm::dvec3 axis = focalPoint - position;
+        const glm::dvec3 direction = Normalize(axis, axis);
+        const glm::dvec3 unit =
+          (1.0 / scene.Space.Radius) * (position - glm::dvec3(100.0, 0.0, 0.0));
         for (const interlume::LightSource& found : { source, after })
         {
           check.That(found.Light == light && !found.Projective, "the light itself");
@@ -130,9 +131,9 @@ void CheckValues(Check& check)
   light->SetExponent(3.0);
   light->SetAttenuationValues(0.3, 0.04, 0.005);
   interlume::LightSource source = scene.Gather().at(0);
-  CheckVector(check, source.Ambient, { { 0.05, 0.1, 0.15 } }, "ambient");
-  CheckVector(check, source.Diffuse, { { 0.2, 0.25, 0.3 } }, "diffuse");
-  CheckVector(check, source.Specular, { { 0.35, 0.4, 0.45 } }, "specular");
+  CheckVector(check, source.Ambient, glm::dvec3(0.05, 0.1, 0.15), "ambient");
+  CheckVector(check, source.Diffuse, glm::dvec3(0.2, 0.25, 0.3), "diffuse");
+  CheckVector(check, source.Specular, glm::dvec3(0.35, 0.4, 0.45), "specular");
   check.Near(source.ConeCosine, 0.5, 1e-12, "cone");
   check.Near(source.Exponent, 3.0, 0.0, "exponent");
   // The same attenuation at the same place.
@@ -149,7 +150,7 @@ void CheckValues(Check& check)
   light->SetConeAngle(30.0);
   light->SetPositional(false);
   source = scene.Gather().at(0);
-  check.That(source.ConeCosine == -1.0 && source.Attenuation == Vector{ { 1.0, 0.0, 0.0 } },
+  check.That(source.ConeCosine == -1.0 && source.Attenuation == glm::dvec3(1.0, 0.0, 0.0),
     "a directional light has neither cone nor attenuation");
 }
 
@@ -216,9 +217,9 @@ void CheckProjective(Check& check)
     scene.Renderer->UpdateLightsGeometryToFollowCamera();
     vtkNew<vtkMatrix4x4> world;
     light->GetScreenMatrix(world);
-    for (const Vector& point : { Vector{ { 101.0, 1.0, 2.0 } }, Vector{ { 96.0, -3.0, 4.0 } } })
+    for (const glm::dvec3& point : { glm::dvec3(101.0, 1.0, 2.0), glm::dvec3(96.0, -3.0, 4.0) })
     {
-      const Vector unit = scene.Space.ToUnit(point.data());
+      const glm::dvec3 unit = scene.Space.ToUnit(glm::value_ptr(point));
       const double from[2][4] = { { point[0], point[1], point[2], 1.0 },
         { unit[0], unit[1], unit[2], 1.0 } };
       double to[2][4];

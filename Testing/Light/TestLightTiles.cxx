@@ -15,6 +15,12 @@ namespace
 using namespace reference;
 using namespace interlume::UnitVector;
 
+// The same place as a vector of GLM.
+glm::dvec3 ToVector(const std::array<double, 3>& a)
+{
+  return glm::make_vec3(a.data());
+}
+
 struct Scene
 {
   interlume::UnitSpace Space;
@@ -22,7 +28,7 @@ struct Scene
   std::vector<unsigned char> Visible;
   interlume::SlicePlan::Sweep Sweep;
   interlume::SlicePlan::ShadowedLight Light;
-  Vector Position{};
+  glm::dvec3 Position{};
 };
 
 // \a share of the blocks is visible; the light is at \a distance from the middle.
@@ -45,27 +51,27 @@ Scene MakeScene(Random& random, double share, double distance)
   {
     scene.Visible.push_back(random.Get(0.0, 1.0) < share ? 1 : 0);
   }
-  scene.Position = Scale(distance, random.GetDirection());
-  scene.Sweep.Normal = random.GetDirection();
+  scene.Position = distance * ToVector(random.GetDirection());
+  scene.Sweep.Normal = ToVector(random.GetDirection());
   // The volume is in the sphere of radius 1.
-  scene.Sweep.First = Dot(scene.Position, scene.Sweep.Normal);
+  scene.Sweep.First = glm::dot(scene.Position, scene.Sweep.Normal);
   scene.Sweep.Slabs = 40;
   scene.Sweep.Spacing = std::max(1.0 - scene.Sweep.First, 0.0) / scene.Sweep.Slabs;
-  const Vector first = Perpendicular(scene.Sweep.Normal, random.GetDirection());
-  const std::array<Vector, 3> axes{ { first, Cross(scene.Sweep.Normal, first),
+  const glm::dvec3 first = Perpendicular(scene.Sweep.Normal, ToVector(random.GetDirection()));
+  const std::array<glm::dvec3, 3> axes{ { first, glm::cross(scene.Sweep.Normal, first),
     scene.Sweep.Normal } };
   for (std::size_t i = 0; i < 3; ++i)
   {
-    std::copy(axes[i].begin(), axes[i].end(), scene.Light.Frame.begin() + 3 * i);
+    std::copy_n(glm::value_ptr(axes[i]), 3, scene.Light.Frame.begin() + 3 * i);
   }
   scene.Light.IsWide = true;
   scene.Light.BufferSize = random.Get(0.0, 1.0) < 0.3 ? 100 : 160;
   return scene;
 }
 
-bool IsVisible(const Scene& scene, const Vector& point)
+bool IsVisible(const Scene& scene, const glm::dvec3& point)
 {
-  const Vector texture = TransformPoint(scene.Space.TextureFromUnit, point);
+  const glm::dvec3 texture = TransformPoint(scene.Space.TextureFromUnit, point);
   std::size_t block = 0;
   for (std::size_t axis = 3; axis-- > 0;)
   {
@@ -127,22 +133,22 @@ void CheckRays(Check& check, const Scene& scene, Random& random)
   for (int number = 0; number < 1500; ++number)
   {
     // Many along the slices.
-    Vector across = random.GetDirection();
-    across = Combine(1.0, across, -Dot(across, scene.Sweep.Normal), scene.Sweep.Normal);
+    glm::dvec3 across = ToVector(random.GetDirection());
+    across = across - glm::dot(across, scene.Sweep.Normal) * scene.Sweep.Normal;
     const double slope = number % 2 ? random.Get(0.0, 2.0) : std::exp(random.Get(-9.0, 0.0));
-    const Vector ray = Combine(1.0, across, slope, scene.Sweep.Normal);
+    const glm::dvec3 ray = across + slope * scene.Sweep.Normal;
     const std::array<double, 2> place =
       interlume::SlicePlan::GetBufferPlace(scene.Light.Frame, ray);
     const auto slab = static_cast<std::size_t>(random.Get(0.0, scene.Sweep.Slabs - 1e-3));
     const double lower = scene.Sweep.First + static_cast<double>(slab) * scene.Sweep.Spacing;
-    const double apex = Dot(scene.Position, scene.Sweep.Normal);
+    const double apex = glm::dot(scene.Position, scene.Sweep.Normal);
     bool meets = false;
     for (int i = 0; i < 100 && !meets; ++i)
     {
       const double height = lower + random.Get(0.0, 1.0) * scene.Sweep.Spacing - apex;
-      const double length = height / Dot(ray, scene.Sweep.Normal);
-      meets = length > 0.0 && length * Length(ray) < 4.0 &&
-        IsVisible(scene, Combine(1.0, scene.Position, length, ray));
+      const double length = height / glm::dot(ray, scene.Sweep.Normal);
+      meets = length > 0.0 && length * interlume::Vectors::SafeLength(ray) < 4.0 &&
+        IsVisible(scene, scene.Position + length * ray);
     }
     const int cover = CountCover(tiles, slab, place);
     check.That(cover <= 1, "no texel is in two tiles");

@@ -89,7 +89,7 @@ void CheckSetters(Check& check)
   }
 }
 
-std::array<double, 4> Project(vtkMatrix4x4* matrix, const Vector& point)
+std::array<double, 4> Project(vtkMatrix4x4* matrix, const glm::dvec3& point)
 {
   const double from[4] = { point[0], point[1], point[2], 1.0 };
   std::array<double, 4> to;
@@ -98,24 +98,24 @@ std::array<double, 4> Project(vtkMatrix4x4* matrix, const Vector& point)
 }
 
 // Points of the screen, and those the light takes them to: from the position on, or along the axis.
-void CheckMatrix(Check& check, vtkProjectiveLight* light, const Vector& position,
-  const Vector& focalPoint, const Vector& up, double scale)
+void CheckMatrix(Check& check, vtkProjectiveLight* light, const glm::dvec3& position,
+  const glm::dvec3& focalPoint, const glm::dvec3& up, double scale)
 {
   vtkNew<vtkMatrix4x4> matrix;
   check.That(light->GetScreenMatrix(matrix), "there is a matrix");
   check.That(std::abs(matrix->Determinant()) > 0.0, "which is regular");
-  const Vector axis = Normalize(Combine(1.0, focalPoint, -1.0, position), {});
-  const Vector right = Cross(axis, up);
+  const glm::dvec3 axis = Normalize(focalPoint - position, {});
+  const glm::dvec3 right = glm::cross(axis, up);
   for (const double u : { 0.0, 0.5, 0.8, 1.3 })
   {
     for (const double v : { 0.0, 0.5, 0.9, -0.2 })
     {
-      const Vector across = Combine(scale * light->GetScreenSize()[0] * (u - 0.5), right,
-        scale * light->GetScreenSize()[1] * (v - 0.5), up);
+      const glm::dvec3 across = (scale * light->GetScreenSize()[0] * (u - 0.5)) * right +
+        (scale * light->GetScreenSize()[1] * (v - 0.5)) * up;
       for (const double depth : { 0.1, 1.0, 5.0 })
       {
-        const Vector center = Combine(1.0 - depth, position, depth, focalPoint);
-        const Vector point = Combine(1.0, center, light->GetPositional() ? depth : 1.0, across);
+        const glm::dvec3 center = (1.0 - depth) * position + depth * focalPoint;
+        const glm::dvec3 point = center + (light->GetPositional() ? depth : 1.0) * across;
         const std::array<double, 4> to = Project(matrix, point);
         check.That(to[3] > 0.0, "in front");
         check.Near(to[0] / to[3], u, 1e-11, "u", 1.0);
@@ -123,7 +123,7 @@ void CheckMatrix(Check& check, vtkProjectiveLight* light, const Vector& position
       }
     }
   }
-  const Vector behind = Combine(2.0, position, -1.0, focalPoint);
+  const glm::dvec3 behind = 2.0 * position - focalPoint;
   const double w = Project(matrix, behind)[3];
   check.That(light->GetPositional() ? w < 0.0 : w == 1.0, "behind");
 }
@@ -137,18 +137,18 @@ void CheckMatrices(Check& check)
     light->SetLightTypeToSceneLight();
     light->SetPositional(isPositional);
     light->SetScreenSize(2.0, 0.5);
-    const Vector position{ { 1.0, 2.0, 3.0 } };
+    const glm::dvec3 position{ 1.0, 2.0, 3.0 };
     light->SetPosition(1.0, 2.0, 3.0);
     light->SetFocalPoint(1.0, 2.0, -1.0);
-    const Vector focalPoint{ { 1.0, 2.0, -1.0 } };
-    CheckMatrix(check, light, position, focalPoint, { { 0.0, 1.0, 0.0 } }, 1.0);
+    const glm::dvec3 focalPoint{ 1.0, 2.0, -1.0 };
+    CheckMatrix(check, light, position, focalPoint, glm::dvec3(0.0, 1.0, 0.0), 1.0);
     light->SetViewUp(1.0, 1.0, 5.0);
     const double half = std::sqrt(0.5);
-    CheckMatrix(check, light, position, focalPoint, { { half, half, 0.0 } }, 1.0);
+    CheckMatrix(check, light, position, focalPoint, glm::dvec3(half, half, 0.0), 1.0);
     light->SetViewUp(0.0, 0.0, 3.0);
-    CheckMatrix(check, light, position, focalPoint, { { 1.0, 0.0, 0.0 } }, 1.0);
+    CheckMatrix(check, light, position, focalPoint, glm::dvec3(1.0, 0.0, 0.0), 1.0);
     light->SetViewUp(0.0, 0.0, 0.0);
-    CheckMatrix(check, light, position, focalPoint, { { 0.0, 1.0, 0.0 } }, 1.0);
+    CheckMatrix(check, light, position, focalPoint, glm::dvec3(0.0, 1.0, 0.0), 1.0);
 
     // A transform turns z to x and up with it.
     vtkNew<vtkMatrix4x4> turn;
@@ -156,8 +156,8 @@ void CheckMatrices(Check& check)
     turn->DeepCopy(elements);
     light->SetTransformMatrix(turn);
     light->SetViewUp(0.0, 1.0, 0.0);
-    CheckMatrix(
-      check, light, { { 13.0, 1.0, 2.0 } }, { { 9.0, 1.0, 2.0 } }, { { 0.0, 0.0, 1.0 } }, 1.0);
+    CheckMatrix(check, light, glm::dvec3(13.0, 1.0, 2.0), glm::dvec3(9.0, 1.0, 2.0),
+      glm::dvec3(0.0, 0.0, 1.0), 1.0);
     light->SetTransformMatrix(nullptr);
 
     for (const double scale : { 1e-9, 1e9 })
@@ -166,7 +166,7 @@ void CheckMatrices(Check& check)
       light->SetPosition(scale, 2.0 * scale, 3.0 * scale);
       light->SetFocalPoint(scale, 2.0 * scale, -1.0 * scale);
       CheckMatrix(
-        check, light, Scale(scale, position), Scale(scale, focalPoint), { { 0.0, 1.0, 0.0 } }, 1.0);
+        check, light, scale * position, scale * focalPoint, glm::dvec3(0.0, 1.0, 0.0), 1.0);
     }
 
     vtkNew<vtkMatrix4x4> matrix;

@@ -9,12 +9,19 @@
 #include "vtkProjectiveLight.h"
 #include "Plan/SlicePlan.h"
 #include "Space/UnitVector.h"
+#include "vtkMath.h"
 
 namespace
 {
 
 using namespace reference;
 using namespace interlume::UnitVector;
+
+// The same place as a vector of GLM.
+glm::dvec3 ToVector(const std::array<double, 3>& a)
+{
+  return glm::make_vec3(a.data());
+}
 
 using Box = std::array<std::array<double, 2>, 3>;
 using Eye = interlume::SlicePlan::Eye;
@@ -25,9 +32,9 @@ interlume::UnitSpace MakeCube()
   return MakeUnitSpace({ { 65, 65, 65 } }, { { 1.0, 1.0, 1.0 } });
 }
 
-std::array<Vector, 8> GetCorners(const interlume::UnitSpace& space, const Box& box)
+std::array<glm::dvec3, 8> GetCorners(const interlume::UnitSpace& space, const Box& box)
 {
-  std::array<Vector, 8> corners;
+  std::array<glm::dvec3, 8> corners;
   std::size_t corner = 0;
   for (const double x : box[0])
   {
@@ -35,48 +42,48 @@ std::array<Vector, 8> GetCorners(const interlume::UnitSpace& space, const Box& b
     {
       for (const double z : box[2])
       {
-        corners[corner++] = TransformPoint(space.UnitFromTexture, { { x, y, z } });
+        corners[corner++] = TransformPoint(space.UnitFromTexture, glm::dvec3(x, y, z));
       }
     }
   }
   return corners;
 }
 
-Vector GetRay(const Vector& from, const Vector& to)
+glm::dvec3 GetRay(const glm::dvec3& from, const glm::dvec3& to)
 {
-  const Vector ray = Combine(1.0, to, -1.0, from);
-  return Normalize(ray, { { 0.0, 0.0, 0.0 } });
+  const glm::dvec3 ray = to - from;
+  return Normalize(ray, glm::dvec3(0.0, 0.0, 0.0));
 }
 
-Eye MakeParallel(const Vector& direction)
+Eye MakeParallel(const glm::dvec3& direction)
 {
   Eye eye;
   eye.IsParallel = true;
   eye.Direction = direction;
-  eye.Position = Scale(-4.0, direction);
+  eye.Position = -4.0 * direction;
   return eye;
 }
 
 // Whose picture is square, with the tangent of half its angle; 0 leaves the matrix out.
-Eye MakePerspective(const Vector& position, const Vector& direction, double tangent)
+Eye MakePerspective(const glm::dvec3& position, const glm::dvec3& direction, double tangent)
 {
   Eye eye;
   eye.Position = position;
   eye.Direction = direction;
-  const Vector up = Perpendicular(direction, { { 0.0, 1.0, 0.0 } });
-  const Vector right = Cross(direction, up);
-  const Vector rows[3] = { Scale(1.0 / std::max(tangent, 1e-9), right),
-    Scale(1.0 / std::max(tangent, 1e-9), up), direction };
+  const glm::dvec3 up = Perpendicular(direction, { 0.0, 1.0, 0.0 });
+  const glm::dvec3 right = glm::cross(direction, up);
+  const glm::dvec3 rows[3] = { (1.0 / std::max(tangent, 1e-9)) * right,
+    (1.0 / std::max(tangent, 1e-9)) * up, direction };
   for (std::size_t row = 0; row < 3 && tangent > 0.0; ++row)
   {
     const std::size_t start = row == 2 ? 12 : 4 * row;
-    std::copy(rows[row].begin(), rows[row].end(), eye.ClipFromUnit.begin() + start);
-    eye.ClipFromUnit[start + 3] = -Dot(rows[row], position);
+    std::copy_n(glm::value_ptr(rows[row]), 3, eye.ClipFromUnit.begin() + start);
+    eye.ClipFromUnit[start + 3] = -glm::dot(rows[row], position);
   }
   return eye;
 }
 
-interlume::LightSource MakeDirectional(const Vector& direction)
+interlume::LightSource MakeDirectional(const glm::dvec3& direction)
 {
   interlume::LightSource light;
   light.Direction = direction;
@@ -84,9 +91,9 @@ interlume::LightSource MakeDirectional(const Vector& direction)
   return light;
 }
 
-interlume::LightSource MakePositional(const Vector& position)
+interlume::LightSource MakePositional(const glm::dvec3& position)
 {
-  interlume::LightSource light = MakeDirectional({ { 0.0, 0.0, -1.0 } });
+  interlume::LightSource light = MakeDirectional(glm::dvec3(0.0, 0.0, -1.0));
   light.IsPositional = true;
   light.Position = position;
   return light;
@@ -100,60 +107,60 @@ interlume::SlicePlan Plan(const Eye& eye, const std::vector<interlume::LightSour
   return plan;
 }
 
-std::vector<Vector> GetRays(
-  const interlume::LightSource& light, const std::array<Vector, 8>& corners)
+std::vector<glm::dvec3> GetRays(
+  const interlume::LightSource& light, const std::array<glm::dvec3, 8>& corners)
 {
   if (!light.IsPositional)
   {
     return { light.Direction };
   }
-  std::vector<Vector> rays;
+  std::vector<glm::dvec3> rays;
   rays.reserve(corners.size());
-  for (const Vector& corner : corners)
+  for (const glm::dvec3& corner : corners)
   {
     rays.push_back(GetRay(light.Position, corner));
   }
   return rays;
 }
 
-double GetLeast(const std::vector<Vector>& rays, const Vector& normal, double sign = 1.0)
+double GetLeast(const std::vector<glm::dvec3>& rays, const glm::dvec3& normal, double sign = 1.0)
 {
   double least = 1.0;
-  for (const Vector& ray : rays)
+  for (const glm::dvec3& ray : rays)
   {
-    least = std::min(least, sign * Dot(ray, normal));
+    least = std::min(least, sign * glm::dot(ray, normal));
   }
   return least;
 }
 
 // Normals everywhere, and closer around one.
-std::vector<Vector> GetNormals(const Vector& around)
+std::vector<glm::dvec3> GetNormals(const glm::dvec3& around)
 {
-  std::vector<Vector> normals = { around };
+  std::vector<glm::dvec3> normals = { around };
   constexpr int number = 1500;
   for (int i = 0; i < number; ++i)
   {
     const double z = 1.0 - (2.0 * i + 1.0) / number;
     const double turn = 2.399963229728653 * i;
     const double radius = std::sqrt(1.0 - z * z);
-    const Vector normal{ { radius * std::cos(turn), radius * std::sin(turn), z } };
+    const glm::dvec3 normal{ radius * std::cos(turn), radius * std::sin(turn), z };
     normals.push_back(normal);
-    normals.push_back(Normalize(Combine(1.0, around, 0.3, normal), around));
+    normals.push_back(Normalize(around + 0.3 * normal, around));
   }
   return normals;
 }
 
 void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t index,
   const std::vector<interlume::LightSource>& lights, const interlume::UnitSpace& space,
-  const std::array<Vector, 8>& corners)
+  const std::array<glm::dvec3, 8>& corners)
 {
   const Sweep& sweep = plan.Sweeps[index];
   double lower = VTK_DOUBLE_MAX;
   double upper = -VTK_DOUBLE_MAX;
-  for (const Vector& corner : corners)
+  for (const glm::dvec3& corner : corners)
   {
-    lower = std::min(lower, Dot(corner, sweep.Normal));
-    upper = std::max(upper, Dot(corner, sweep.Normal));
+    lower = std::min(lower, glm::dot(corner, sweep.Normal));
+    upper = std::max(upper, glm::dot(corner, sweep.Normal));
   }
   // Only before all of its lights a sweep may leave matter out, and only where another one draws
   // it or nothing of it is seen.
@@ -164,8 +171,8 @@ void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t inde
     double first = VTK_DOUBLE_MAX;
     for (const interlume::SlicePlan::ShadowedLight& light : sweep.Lights)
     {
-      const Vector& position = lights[static_cast<std::size_t>(light.Light)].Position;
-      first = std::min(first, light.IsWide ? Dot(position, sweep.Normal) : lower);
+      const glm::dvec3& position = lights[static_cast<std::size_t>(light.Light)].Position;
+      first = std::min(first, light.IsWide ? glm::dot(position, sweep.Normal) : lower);
     }
     lower = std::max(lower, first);
   }
@@ -174,14 +181,14 @@ void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t inde
     const Sweep& second = plan.Sweeps[index + 1];
     check.That(!sweep.IsFrontToBack && second.IsFrontToBack && second.IsBehind && !sweep.IsBehind,
       "from the light to the eye, then away from it");
-    check.That(second.Normal == Scale(-1.0, sweep.Normal), "halves of one set of slices");
+    check.That(second.Normal == -sweep.Normal, "halves of one set of slices");
     check.Near(second.First, -sweep.First, 1e-9, "which meet at the light");
     check.That(sweep.Lights.size() == 1 && second.Lights.size() == 1 &&
         sweep.Lights[0].Light == second.Lights[0].Light,
       "halves have one light");
   }
   check.That(!sweep.IsBehind || index > 0, "the first sweep is behind nothing");
-  check.Near(Length(sweep.Normal), 1.0, 1e-12, "length of the normal");
+  check.Near(interlume::Vectors::SafeLength(sweep.Normal), 1.0, 1e-12, "length of the normal");
   check.Near(sweep.First, lower, 1e-12, "the first slab starts at the lowest corner or light", 1.0);
   check.Near(sweep.First + sweep.Slabs * sweep.Spacing, upper, 1e-12, "the last ends", 1.0);
   const double voxel = interlume::SlicePlan::GetVoxelSpacing(space, sweep.Normal);
@@ -190,8 +197,8 @@ void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t inde
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const Matrix& m = space.UnitFromTexture;
-    longest +=
-      Length({ { m[axis], m[4 + axis], m[8 + axis] } }) / static_cast<double>(space.Size[axis]);
+    longest += interlume::Vectors::SafeLength(glm::dvec3(m[axis], m[4 + axis], m[8 + axis])) /
+      static_cast<double>(space.Size[axis]);
   }
   check.That(
     sweep.Spacing <= std::max(voxel, longest) * (1.0 + 1e-8), "a slab is no thicker than a voxel");
@@ -200,15 +207,15 @@ void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t inde
 
 // All corners are inside of the buffer's border and reach it.
 void CheckBuffer(Check& check, const interlume::SlicePlan::ShadowedLight& light,
-  const std::array<Vector, 8>& corners, double distance)
+  const std::array<glm::dvec3, 8>& corners, double distance)
 {
   const double border = 1.0 - 4.0 / light.BufferSize;
   double lower[2] = { 1.0, 1.0 };
   double upper[2] = { -1.0, -1.0 };
-  for (const Vector& corner : corners)
+  for (const glm::dvec3& corner : corners)
   {
     const Matrix& m = light.BufferFromUnit;
-    const Vector point = TransformPoint(m, corner);
+    const glm::dvec3 point = TransformPoint(m, corner);
     const double w = m[12] * corner[0] + m[13] * corner[1] + m[14] * corner[2] + m[15];
     check.That(w > 0.0, "a corner is in front of the light");
     for (std::size_t i = 0; i < 2; ++i)
@@ -242,16 +249,16 @@ void CheckFrame(Check& check, const interlume::SlicePlan::ShadowedLight& light, 
 void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Eye& eye,
   const std::vector<interlume::LightSource>& lights, const interlume::UnitSpace& space, int most)
 {
-  const std::array<Vector, 8> corners = GetCorners(space, space.Box);
+  const std::array<glm::dvec3, 8> corners = GetCorners(space, space.Box);
   std::vector<int> narrow(lights.size());
-  std::vector<std::vector<Vector>> wide(lights.size());
+  std::vector<std::vector<glm::dvec3>> wide(lights.size());
   for (std::size_t index = 0; index < plan.Sweeps.size(); ++index)
   {
     const Sweep& sweep = plan.Sweeps[index];
     CheckSlabs(check, plan, index, lights, space, corners);
     check.That(static_cast<int>(sweep.Lights.size()) <= most, "lights of a sweep");
     const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
-    check.That(sign * Dot(eye.Direction, sweep.Normal) > 0.0, "the eye's side");
+    check.That(sign * glm::dot(eye.Direction, sweep.Normal) > 0.0, "the eye's side");
     for (const interlume::SlicePlan::ShadowedLight& light : sweep.Lights)
     {
       const auto index = static_cast<std::size_t>(light.Light);
@@ -263,7 +270,7 @@ void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Eye& eye,
         continue;
       }
       ++narrow[index];
-      const std::vector<Vector> rays = GetRays(source, corners);
+      const std::vector<glm::dvec3> rays = GetRays(source, corners);
       // A directional one has no other choice, and the eye next to the volume leaves it little.
       const double least = source.IsPositional ? interlume::SlicePlan::WideCosine - 1e-9 : 0.05;
       check.That(
@@ -274,7 +281,8 @@ void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Eye& eye,
         check.That(GetLeast(rays, sweep.Normal) >= interlume::SlicePlan::LightCosine - 1e-9,
           "rays of lights that share a sweep");
       }
-      CheckBuffer(check, light, corners, source.IsPositional ? Length(source.Position) : 0.0);
+      CheckBuffer(check, light, corners,
+        source.IsPositional ? interlume::Vectors::SafeLength(source.Position) : 0.0);
     }
   }
   for (std::size_t i = 0; i < lights.size(); ++i)
@@ -287,35 +295,36 @@ void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Eye& eye,
       continue;
     }
     check.That(wide[i].size() == 1 || wide[i].size() == 2, which + " has one or two half spaces");
-    check.That(wide[i].size() < 2 || wide[i][0] == Scale(-1.0, wide[i][1]),
-      which + "'s half spaces are opposite");
-    for (const Vector& side : wide[i])
+    check.That(
+      wide[i].size() < 2 || wide[i][0] == -wide[i][1], which + "'s half spaces are opposite");
+    for (const glm::dvec3& side : wide[i])
     {
       double most = 0.0;
-      for (const Vector& corner : corners)
+      for (const glm::dvec3& corner : corners)
       {
-        most = std::max(most, Dot(Combine(1.0, corner, -1.0, lights[i].Position), side));
+        most = std::max(most, glm::dot(corner - lights[i].Position, side));
       }
       check.That(most > 0.0, which + " has volume on each of its sides");
     }
-    for (const Vector& corner : corners)
+    for (const glm::dvec3& corner : corners)
     {
       const bool isLit = std::any_of(wide[i].begin(), wide[i].end(),
-        [&](const Vector& side)
-        { return Dot(Combine(1.0, corner, -1.0, lights[i].Position), side) >= -1e-8; });
+        [&](const glm::dvec3& side)
+        { return glm::dot(corner - lights[i].Position, side) >= -1e-8; });
       check.That(isLit, which + " shines on all of the volume");
     }
   }
 }
 
 // Cosines that are promised are there if any normal has them.
-void CheckAngles(Check& check, const interlume::SlicePlan& plan, const std::vector<Vector>& eyeRays,
-  const interlume::LightSource& light, const std::array<Vector, 8>& corners)
+void CheckAngles(Check& check, const interlume::SlicePlan& plan,
+  const std::vector<glm::dvec3>& eyeRays, const interlume::LightSource& light,
+  const std::array<glm::dvec3, 8>& corners)
 {
   const Sweep& sweep = plan.Sweeps.front();
-  const std::vector<Vector> rays = GetRays(light, corners);
+  const std::vector<glm::dvec3> rays = GetRays(light, corners);
   const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
-  const auto isGood = [&](const Vector& normal, double side, double tolerance)
+  const auto isGood = [&](const glm::dvec3& normal, double side, double tolerance)
   {
     return GetLeast(eyeRays, normal, side) >= interlume::SlicePlan::EyeCosine - tolerance &&
       GetLeast(rays, normal) >= interlume::SlicePlan::LightCosine - tolerance;
@@ -325,9 +334,9 @@ void CheckAngles(Check& check, const interlume::SlicePlan& plan, const std::vect
     check.That(true, "angles are as promised");
     return;
   }
-  const std::vector<Vector> normals = GetNormals(sweep.Normal);
+  const std::vector<glm::dvec3> normals = GetNormals(sweep.Normal);
   check.That(std::none_of(normals.begin(), normals.end(),
-               [&](const Vector& normal)
+               [&](const glm::dvec3& normal)
                { return isGood(normal, 1.0, -1e-6) || isGood(normal, -1.0, -1e-6); }),
     "there is a normal of which all angles are good");
 }
@@ -335,7 +344,7 @@ void CheckAngles(Check& check, const interlume::SlicePlan& plan, const std::vect
 interlume::UnitSpace MakeRandomSpace(Random& random)
 {
   std::array<int, 3> size;
-  Vector spacing;
+  std::array<double, 3> spacing;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     size[axis] = static_cast<int>(random.Get(2.0, 80.0));
@@ -356,17 +365,18 @@ void CheckRandomLight(Check& check)
   {
     check.SetContext("one light, case " + std::to_string(i));
     const interlume::UnitSpace space = MakeRandomSpace(random);
-    const std::array<Vector, 8> corners = GetCorners(space, space.Box);
-    const Vector view = random.GetDirection();
+    const std::array<glm::dvec3, 8> corners = GetCorners(space, space.Box);
+    const glm::dvec3 view = ToVector(random.GetDirection());
     const bool isParallel = i % 3 == 0;
-    const Vector position = Combine(-random.Get(1.1, 10.0), view, 0.2, random.GetDirection());
+    const glm::dvec3 position =
+      -random.Get(1.1, 10.0) * view + 0.2 * ToVector(random.GetDirection());
     const Eye eye = isParallel ? MakeParallel(view) : MakePerspective(position, view, 0.0);
     const interlume::LightSource light = i % 2
-      ? MakeDirectional(random.GetDirection())
-      : MakePositional(Scale(GetRandomDistance(random), random.GetDirection()));
+      ? MakeDirectional(ToVector(random.GetDirection()))
+      : MakePositional(GetRandomDistance(random) * ToVector(random.GetDirection()));
     const interlume::SlicePlan plan = Plan(eye, { light }, space);
     CheckSweeps(check, plan, eye, { light }, space, 4);
-    std::vector<Vector> rays = { view };
+    std::vector<glm::dvec3> rays = { view };
     if (!isParallel)
     {
       rays = GetRays(MakePositional(position), corners);
@@ -383,16 +393,16 @@ void CheckRandomLights(Check& check)
   {
     check.SetContext("many lights, case " + std::to_string(i));
     const interlume::UnitSpace space = MakeRandomSpace(random);
-    const Vector view = random.GetDirection();
+    const glm::dvec3 view = ToVector(random.GetDirection());
     const double tangent = random.Get(0.05, 1.0);
-    const Vector position = Combine(1.0, random.GetPoint(0.2), -random.Get(0.0, 3.0), view);
+    const glm::dvec3 position = ToVector(random.GetPoint(0.2)) - random.Get(0.0, 3.0) * view;
     const Eye eye = i % 4 == 0 ? MakeParallel(view) : MakePerspective(position, view, tangent);
     std::vector<interlume::LightSource> lights;
     for (int number = i % 9; number > 0; --number)
     {
       lights.push_back(random.Get(0.0, 1.0) < 0.5
-          ? MakeDirectional(random.GetDirection())
-          : MakePositional(Scale(GetRandomDistance(random), random.GetDirection())));
+          ? MakeDirectional(ToVector(random.GetDirection()))
+          : MakePositional(GetRandomDistance(random) * ToVector(random.GetDirection())));
       lights.back().ShadowStrength = number % 4 == 0 ? 0.0 : 0.7;
     }
     interlume::SlicePlan::Settings settings;
@@ -401,21 +411,22 @@ void CheckRandomLights(Check& check)
     CheckSweeps(check, plan, eye, lights, space, settings.LightsOfSweep);
     for (int sample = 0; sample < 50 && !eye.IsParallel; ++sample)
     {
-      const Vector up = Perpendicular(view, { { 0.0, 1.0, 0.0 } });
-      const Vector right = Cross(view, up);
-      const Vector ray = Combine(1.0, Combine(1.0, view, random.Get(-tangent, tangent), right),
-        random.Get(-tangent, tangent), up);
+      const glm::dvec3 up = Perpendicular(view, { 0.0, 1.0, 0.0 });
+      const glm::dvec3 right = glm::cross(view, up);
+      const glm::dvec3 ray =
+        view + random.Get(-tangent, tangent) * right + random.Get(-tangent, tangent) * up;
       const bool isSeen = [&]
       {
-        const Vector point =
-          TransformPoint(space.TextureFromUnit, Combine(1.0, position, random.Get(0.0, 5.0), ray));
-        return *std::min_element(point.begin(), point.end()) > 0.0 &&
-          *std::max_element(point.begin(), point.end()) < 1.0;
+        const glm::dvec3 point =
+          TransformPoint(space.TextureFromUnit, position + random.Get(0.0, 5.0) * ray);
+        return std::min({ point.x, point.y, point.z }) > 0.0 &&
+          std::max({ point.x, point.y, point.z }) < 1.0;
       }();
       for (const Sweep& sweep : plan.Sweeps)
       {
         const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
-        check.That(!isSeen || sign * Dot(ray, sweep.Normal) > 0.05 * Length(ray),
+        check.That(!isSeen ||
+            sign * glm::dot(ray, sweep.Normal) > 0.05 * interlume::Vectors::SafeLength(ray),
           "a ray of the picture goes through the slabs in order");
       }
     }
@@ -428,16 +439,17 @@ void CheckHalfVector(Check& check)
   Random random(5);
   for (int i = 0; i < 500; ++i)
   {
-    const Vector view = random.GetDirection();
-    const Vector light = i == 0 ? view : (i == 1 ? Scale(-1.0, view) : random.GetDirection());
+    const glm::dvec3 view = ToVector(random.GetDirection());
+    const glm::dvec3 light = i == 0 ? view : (i == 1 ? (-view) : ToVector(random.GetDirection()));
     check.SetContext("half vector, case " + std::to_string(i));
-    const bool isInFront = Dot(view, light) >= 0.0;
-    const Vector half = Combine(1.0, light, isInFront ? 1.0 : -1.0, view);
+    const bool isInFront = glm::dot(view, light) >= 0.0;
+    const glm::dvec3 half = light + (isInFront ? 1.0 : -1.0) * view;
     const Sweep sweep = Plan(MakeParallel(view), { MakeDirectional(light) }, space).Sweeps.front();
     check.That(sweep.IsFrontToBack == isInFront, "the side");
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      check.Near(sweep.Normal[axis], half[axis] / Length(half), 1e-12, "normal", 1.0);
+      check.Near(sweep.Normal[axis], half[axis] / interlume::Vectors::SafeLength(half), 1e-12,
+        "normal", 1.0);
     }
   }
 }
@@ -447,22 +459,22 @@ void CheckHalfVector(Check& check)
 void CheckContinuity(Check& check)
 {
   const interlume::UnitSpace space = MakeCube();
-  const Vector view{ { 0.0, 0.0, -1.0 } };
+  const glm::dvec3 view{ 0.0, 0.0, -1.0 };
   for (const bool isPositional : { false, true })
   {
     for (const double distance : { 1e6, 12.0, 3.0, 2.0 })
     {
       const Eye eye = distance > 1e5 ? MakeParallel(view)
-                                     : MakePerspective({ { 0.0, 0.0, distance } }, view, 0.0);
+                                     : MakePerspective(glm::dvec3(0.0, 0.0, distance), view, 0.0);
       int changes = 0;
       Sweep before;
       for (int step = 0; step <= 18000; ++step)
       {
         const double angle = vtkMath::RadiansFromDegrees(0.01 * step);
-        const Vector light{ { std::sin(angle), 0.0, -std::cos(angle) } };
-        const Sweep sweep = Plan(eye,
-          { isPositional ? MakePositional(Scale(-2.5, light)) : MakeDirectional(light) }, space)
-                              .Sweeps.front();
+        const glm::dvec3 light{ std::sin(angle), 0.0, -std::cos(angle) };
+        const Sweep sweep =
+          Plan(eye, { isPositional ? MakePositional(-2.5 * light) : MakeDirectional(light) }, space)
+            .Sweeps.front();
         check.That(!sweep.Lights.front().IsWide, "the light is outside of the volume");
         if (step > 0 && sweep.IsFrontToBack != before.IsFrontToBack)
         {
@@ -471,7 +483,7 @@ void CheckContinuity(Check& check)
         }
         else if (step > 0)
         {
-          check.That(Length(Combine(1.0, sweep.Normal, -1.0, before.Normal)) < 1e-3,
+          check.That(interlume::Vectors::SafeLength(sweep.Normal - before.Normal) < 1e-3,
             "the normal jumps at " + std::to_string(0.01 * step) + " degrees from " +
               std::to_string(distance));
         }
@@ -496,11 +508,11 @@ void CheckCounts(Check& check)
   check.SetContext("");
   const interlume::UnitSpace space = MakeCube();
   const double side = space.UnitFromTexture[0] / 2.0;
-  const Vector eye{ { 0.0, 0.0, 4.0 } };
-  const interlume::LightSource front = MakeDirectional({ { 0.0, 0.0, -1.0 } });
-  const interlume::LightSource back = MakeDirectional({ { 0.0, 0.0, 1.0 } });
-  const interlume::LightSource oblique = MakeDirectional({ { 0.6, 0.0, -0.8 } });
-  const interlume::LightSource behindSide = MakeDirectional({ { 0.995037, 0.0, 0.0995037 } });
+  const glm::dvec3 eye{ 0.0, 0.0, 4.0 };
+  const interlume::LightSource front = MakeDirectional(glm::dvec3(0.0, 0.0, -1.0));
+  const interlume::LightSource back = MakeDirectional(glm::dvec3(0.0, 0.0, 1.0));
+  const interlume::LightSource oblique = MakeDirectional(glm::dvec3(0.6, 0.0, -0.8));
+  const interlume::LightSource behindSide = MakeDirectional(glm::dvec3(0.995037, 0.0, 0.0995037));
   interlume::LightSource none = front;
   none.ShadowStrength = 0.0;
   const std::vector<Case> cases = {
@@ -513,24 +525,25 @@ void CheckCounts(Check& check)
     { "one a little behind shares", { oblique, behindSide }, 1, 1, 0 },
     { "five are too many for one", { front, front, front, front, front }, 2, 2, 0 },
     { "at the eye", { MakePositional(eye) }, 1, 1, 0 },
-    { "opposite", { MakePositional({ { 0.0, 0.0, -4.0 } }) }, 1, 0, 0 },
-    { "inside", { MakePositional({ { 0.0, 0.0, 0.0 } }) }, 2, 1, 2 },
-    { "inside, off the middle", { MakePositional({ { 0.1, 0.2, 0.3 } }) }, 2, 1, 2 },
-    { "a thousandth inside", { MakePositional({ { 0.0, 0.0, side - 1e-3 } }) }, 2, 1, 2 },
-    { "in the front face", { MakePositional({ { 0.0, 0.0, side } }) }, 1, 1, 1 },
-    { "a thousandth in front", { MakePositional({ { 0.0, 0.0, side + 1e-3 } }) }, 1, 1, 1 },
-    { "a thousandth behind", { MakePositional({ { 0.0, 0.0, -side - 1e-3 } }) }, 1, 0, 1 },
-    { "a thousandth beside", { MakePositional({ { side + 1e-3, 0.0, 0.0 } }) }, 2, 1, 2 },
-    { "at a million", { MakePositional({ { 1e6, 0.0, 1e6 } }) }, 1, 1, 0 },
-    { "at 1e12", { MakePositional({ { 1e12, 0.0, -1e12 } }) }, 1, 0, 0 },
-    { "inside joins front", { front, MakePositional({ { 0.0, 0.0, 0.0 } }) }, 2, 1, 2 },
-    { "in the front face joins", { front, MakePositional({ { 0.0, 0.0, side } }) }, 1, 1, 1 },
+    { "opposite", { MakePositional(glm::dvec3(0.0, 0.0, -4.0)) }, 1, 0, 0 },
+    { "inside", { MakePositional(glm::dvec3(0.0, 0.0, 0.0)) }, 2, 1, 2 },
+    { "inside, off the middle", { MakePositional(glm::dvec3(0.1, 0.2, 0.3)) }, 2, 1, 2 },
+    { "a thousandth inside", { MakePositional(glm::dvec3(0.0, 0.0, side - 1e-3)) }, 2, 1, 2 },
+    { "in the front face", { MakePositional(glm::dvec3(0.0, 0.0, side)) }, 1, 1, 1 },
+    { "a thousandth in front", { MakePositional(glm::dvec3(0.0, 0.0, side + 1e-3)) }, 1, 1, 1 },
+    { "a thousandth behind", { MakePositional(glm::dvec3(0.0, 0.0, -side - 1e-3)) }, 1, 0, 1 },
+    { "a thousandth beside", { MakePositional(glm::dvec3(side + 1e-3, 0.0, 0.0)) }, 2, 1, 2 },
+    { "at a million", { MakePositional(glm::dvec3(1e6, 0.0, 1e6)) }, 1, 1, 0 },
+    { "at 1e12", { MakePositional(glm::dvec3(1e12, 0.0, -1e12)) }, 1, 0, 0 },
+    { "inside joins front", { front, MakePositional(glm::dvec3(0.0, 0.0, 0.0)) }, 2, 1, 2 },
+    { "in the front face joins", { front, MakePositional(glm::dvec3(0.0, 0.0, side)) }, 1, 1, 1 },
     { "two inside share",
-      { MakePositional({ { 0.0, 0.0, 0.0 } }), MakePositional({ { 0.1, 0.2, 0.3 } }) }, 2, 1, 4 },
+      { MakePositional(glm::dvec3(0.0, 0.0, 0.0)), MakePositional(glm::dvec3(0.1, 0.2, 0.3)) }, 2,
+      1, 4 },
   };
   for (const Case& one : cases)
   {
-    const Eye view = MakePerspective(eye, { { 0.0, 0.0, -1.0 } }, 0.27);
+    const Eye view = MakePerspective(eye, glm::dvec3(0.0, 0.0, -1.0), 0.27);
     const interlume::SlicePlan plan = Plan(view, one.Lights, space);
     CheckSweeps(check, plan, view, one.Lights, space, 4);
     int frontToBack = 0;
@@ -554,7 +567,7 @@ void CheckHalves(Check& check)
 {
   check.SetContext("halves");
   const interlume::UnitSpace space = MakeCube();
-  const Eye eye = MakePerspective({ { 0.0, 0.0, 4.0 } }, { { 0.0, 0.0, -1.0 } }, 0.27);
+  const Eye eye = MakePerspective(glm::dvec3(0.0, 0.0, 4.0), glm::dvec3(0.0, 0.0, -1.0), 0.27);
   const auto count = [&](const std::vector<interlume::LightSource>& lights)
   {
     int slabs = 0;
@@ -565,13 +578,13 @@ void CheckHalves(Check& check)
     return slabs;
   };
   const int whole = count({});
-  const interlume::LightSource inside = MakePositional({ { 0.1, 0.2, 0.3 } });
+  const interlume::LightSource inside = MakePositional(glm::dvec3(0.1, 0.2, 0.3));
   check.That(count({ inside }) <= whole + 1, "a light inside: slabs of one sweep");
   const interlume::SlicePlan plan = Plan(eye, { inside }, space);
   check.That(plan.IsOfFirstPicture(0) && plan.IsOfFirstPicture(1) && !plan.HasFurtherPictures(),
     "a light inside: one picture");
   // The eye's half of a light that shares the other one.
-  const interlume::LightSource far = MakePositional({ { 0.0, 0.0, -0.2 } });
+  const interlume::LightSource far = MakePositional(glm::dvec3(0.0, 0.0, -0.2));
   check.That(count({ inside, far }) < 1.8 * whole, "two lights inside: less than two sweeps");
   const interlume::SlicePlan two = Plan(eye, { inside, far }, space);
   check.That(two.HasFurtherPictures() && two.Sweeps[0].IsFrontToBack && !two.Sweeps[1].IsBehind,
@@ -581,8 +594,9 @@ void CheckHalves(Check& check)
 void CheckSettings(Check& check)
 {
   const interlume::UnitSpace space = MakeUnitSpace({ { 101, 201, 3 } }, { { 1.0, 1.0, 50.0 } });
-  const Eye eye = MakeParallel({ { 0.0, 0.0, -1.0 } });
-  const std::vector<interlume::LightSource> lights = { MakeDirectional({ { 0.0, 0.0, -1.0 } }) };
+  const Eye eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
+  const std::vector<interlume::LightSource> lights = { MakeDirectional(
+    glm::dvec3(0.0, 0.0, -1.0)) };
   interlume::SlicePlan::Settings settings;
   const auto make = [&] { return Plan(eye, lights, space, settings).Sweeps.front(); };
   check.Equal(make().Slabs, 2, "one slab for each voxel along the normal");
@@ -616,14 +630,14 @@ void CheckSettings(Check& check)
                 .BufferSize,
     2048, "the largest automatic one");
 
-  const Vector voxel{ { 1.0 / space.Radius, 1.0 / space.Radius, 50.0 / space.Radius } };
+  const glm::dvec3 voxel{ 1.0 / space.Radius, 1.0 / space.Radius, 50.0 / space.Radius };
   Random random(5);
   for (int i = 0; i < 100; ++i)
   {
-    const Vector n = random.GetDirection();
-    const Vector a{ { n[0] / voxel[0], n[1] / voxel[1], n[2] / voxel[2] } };
-    check.Near(interlume::SlicePlan::GetVoxelSpacing(space, n), 1.0 / std::sqrt(Dot(a, a)), 1e-12,
-      "a voxel's length along a normal");
+    const glm::dvec3 n = ToVector(random.GetDirection());
+    const glm::dvec3 a{ n[0] / voxel[0], n[1] / voxel[1], n[2] / voxel[2] };
+    check.Near(interlume::SlicePlan::GetVoxelSpacing(space, n), 1.0 / std::sqrt(glm::dot(a, a)),
+      1e-12, "a voxel's length along a normal");
   }
 }
 
@@ -631,7 +645,7 @@ void CheckSettings(Check& check)
 void CheckScreens(Check& check)
 {
   const interlume::UnitSpace space = MakeCube();
-  const Eye eye = MakeParallel({ { 0.0, 0.0, -1.0 } });
+  const Eye eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
   for (const bool isPositional : { false, true })
   {
     check.SetContext(isPositional ? "screen of a positional light" : "screen of a parallel light");
@@ -640,10 +654,10 @@ void CheckScreens(Check& check)
     projective->SetPosition(2.0, 0.5, 2.0);
     projective->SetFocalPoint(0.1, 0.0, 0.0);
     projective->SetViewUp(0.3, 1.0, 0.0);
-    interlume::LightSource light = isPositional ? MakePositional({ { 2.0, 0.5, 2.0 } })
-                                                : MakeDirectional({ { 0.0, 0.0, -1.0 } });
+    interlume::LightSource light = isPositional ? MakePositional(glm::dvec3(2.0, 0.5, 2.0))
+                                                : MakeDirectional(glm::dvec3(0.0, 0.0, -1.0));
     light.Projective = projective;
-    light.Direction = Normalize({ { -1.9, -0.5, -2.0 } }, {});
+    light.Direction = Normalize(glm::dvec3(-1.9, -0.5, -2.0), {});
     const auto make = [&](double width, double height)
     {
       projective->SetScreenSize(width, height);
@@ -654,14 +668,13 @@ void CheckScreens(Check& check)
     };
     const interlume::SlicePlan::ShadowedLight cut = make(0.3, 0.2);
     const double border = 1.0 - 4.0 / cut.BufferSize;
-    const Vector up = Perpendicular(light.Direction, { { 0.3, 1.0, 0.0 } });
-    const Vector right = Cross(light.Direction, up);
+    const glm::dvec3 up = Perpendicular(light.Direction, { 0.3, 1.0, 0.0 });
+    const glm::dvec3 right = glm::cross(light.Direction, up);
     for (const double u : { -1.0, 1.0 })
     {
       for (const double v : { -1.0, 1.0 })
       {
-        const Vector corner =
-          Combine(1.0, { { 0.1, 0.0, 0.0 } }, 1.0, Combine(0.15 * u, right, 0.1 * v, up));
+        const glm::dvec3 corner = glm::dvec3(0.1, 0.0, 0.0) + (0.15 * u) * right + (0.1 * v) * up;
         const double from[4] = { corner[0], corner[1], corner[2], 1.0 };
         double to[4];
         vtkMatrix4x4::MultiplyPoint(cut.BufferFromUnit.data(), from, to);
@@ -680,29 +693,29 @@ void CheckOctahedralMap(Check& check)
   Random random(5);
   for (int i = 0; i < 1000; ++i)
   {
-    const Vector normal = random.GetDirection();
-    const Vector first = Perpendicular(normal, random.GetDirection());
-    const Vector second = Cross(normal, first);
+    const glm::dvec3 normal = ToVector(random.GetDirection());
+    const glm::dvec3 first = Perpendicular(normal, ToVector(random.GetDirection()));
+    const glm::dvec3 second = glm::cross(normal, first);
     std::array<double, 9> frame;
-    std::copy(first.begin(), first.end(), frame.begin());
-    std::copy(second.begin(), second.end(), frame.begin() + 3);
-    std::copy(normal.begin(), normal.end(), frame.begin() + 6);
-    Vector direction = random.GetDirection();
-    const double along = Dot(direction, normal);
+    std::copy_n(glm::value_ptr(first), 3, frame.begin());
+    std::copy_n(glm::value_ptr(second), 3, frame.begin() + 3);
+    std::copy_n(glm::value_ptr(normal), 3, frame.begin() + 6);
+    glm::dvec3 direction = ToVector(random.GetDirection());
+    const double along = glm::dot(direction, normal);
     // Some on the rim.
     direction = Normalize(
-      Combine(along < 0.0 ? -1.0 : 1.0, direction, i % 5 ? 0.0 : -std::abs(along), normal), normal);
+      (along < 0.0 ? -1.0 : 1.0) * direction + (i % 5 ? 0.0 : -std::abs(along)) * normal, normal);
     const std::array<double, 2> place =
-      interlume::SlicePlan::GetBufferPlace(frame, Scale(random.Get(0.1, 10.0), direction));
-    const Vector back = interlume::SlicePlan::GetBufferDirection(frame, place);
+      interlume::SlicePlan::GetBufferPlace(frame, random.Get(0.1, 10.0) * direction);
+    const glm::dvec3 back = interlume::SlicePlan::GetBufferDirection(frame, place);
     for (const double coordinate : place)
     {
       check.That(coordinate > -1e-12 && coordinate < 1.0 + 1e-12, "inside of the buffer");
     }
-    check.Near(Dot(back, direction), 1.0, 1e-12, "and back");
-    const double x = Dot(direction, first);
-    const double y = Dot(direction, second);
-    const double size = std::abs(x) + std::abs(y) + Dot(direction, normal);
+    check.Near(glm::dot(back, direction), 1.0, 1e-12, "and back");
+    const double x = glm::dot(direction, first);
+    const double y = glm::dot(direction, second);
+    const double size = std::abs(x) + std::abs(y) + glm::dot(direction, normal);
     check.Near(place[0], 0.5 + 0.5 * (x + y) / size, 1e-12, "first coordinate", 1.0);
     check.Near(place[1], 0.5 + 0.5 * (x - y) / size, 1e-12, "second coordinate", 1.0);
   }

@@ -7,6 +7,7 @@
 
 #include "Plan/SlicePolygons.h"
 #include "Space/UnitVector.h"
+#include "vtkMath.h"
 
 #include <utility>
 
@@ -16,8 +17,14 @@ namespace
 using namespace reference;
 using namespace interlume::UnitVector;
 
+// The same place as a vector of GLM.
+glm::dvec3 ToVector(const std::array<double, 3>& a)
+{
+  return glm::make_vec3(a.data());
+}
+
 using Box = std::array<std::array<double, 2>, 3>;
-using Polygon = std::vector<Vector>;
+using Polygon = std::vector<glm::dvec3>;
 
 struct Scene
 {
@@ -41,7 +48,7 @@ std::vector<double> MakeBorders(int size, int block)
   return borders;
 }
 
-void SetSlabs(Scene& scene, const Vector& normal, int slabs)
+void SetSlabs(Scene& scene, const glm::dvec3& normal, int slabs)
 {
   double lower = VTK_DOUBLE_MAX;
   double upper = -VTK_DOUBLE_MAX;
@@ -52,7 +59,7 @@ void SetSlabs(Scene& scene, const Vector& normal, int slabs)
       for (const double z : scene.Crop[2])
       {
         const double place =
-          Dot(normal, TransformPoint(scene.Space.UnitFromTexture, { { x, y, z } }));
+          glm::dot(normal, TransformPoint(scene.Space.UnitFromTexture, glm::dvec3(x, y, z)));
         lower = std::min(lower, place);
         upper = std::max(upper, place);
       }
@@ -102,41 +109,39 @@ std::vector<Box> GetBlocks(const Scene& scene)
 }
 
 // Two directions in the plane.
-std::array<Vector, 2> GetAxes(const Vector& normal)
+std::array<glm::dvec3, 2> GetAxes(const glm::dvec3& normal)
 {
-  const Vector first = Perpendicular(normal, { { 0.3, 0.8, 0.5 } });
-  return { { first, Cross(normal, first) } };
+  const glm::dvec3 first = Perpendicular(normal, { 0.3, 0.8, 0.5 });
+  return { { first, glm::cross(normal, first) } };
 }
 
 double GetArea(const Polygon& polygon)
 {
-  Vector sum{ { 0.0, 0.0, 0.0 } };
+  glm::dvec3 sum{ 0.0, 0.0, 0.0 };
   for (std::size_t i = 2; i < polygon.size(); ++i)
   {
-    const Vector across = Cross(
-      Combine(1.0, polygon[i - 1], -1.0, polygon[0]), Combine(1.0, polygon[i], -1.0, polygon[0]));
-    sum = Combine(1.0, sum, 0.5, across);
+    const glm::dvec3 across = glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    sum = sum + 0.5 * across;
   }
-  return Length(sum);
+  return interlume::Vectors::SafeLength(sum);
 }
 
 // The part of the plane in a block: a large square clipped by its faces.
 Polygon ClipPlane(const Scene& scene, double place, const Box& block)
 {
-  const Vector& normal = scene.Sweep.Normal;
-  const std::array<Vector, 2> axes = GetAxes(normal);
+  const glm::dvec3& normal = scene.Sweep.Normal;
+  const std::array<glm::dvec3, 2> axes = GetAxes(normal);
   Polygon polygon;
   for (const std::array<double, 2>& corner : { std::array<double, 2>{ { -9.0, -9.0 } },
          { { 9.0, -9.0 } }, { { 9.0, 9.0 } }, { { -9.0, 9.0 } } })
   {
-    polygon.push_back(
-      Combine(1.0, Scale(place, normal), 1.0, Combine(corner[0], axes[0], corner[1], axes[1])));
+    polygon.push_back(place * normal + corner[0] * axes[0] + corner[1] * axes[1]);
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     for (const std::size_t side : { std::size_t(0), std::size_t(1) })
     {
-      const auto inside = [&](const Vector& point)
+      const auto inside = [&](const glm::dvec3& point)
       {
         const double depth =
           TransformPoint(scene.Space.TextureFromUnit, point)[axis] - block[axis][side];
@@ -145,8 +150,8 @@ Polygon ClipPlane(const Scene& scene, double place, const Box& block)
       Polygon clipped;
       for (std::size_t i = 0; i < polygon.size(); ++i)
       {
-        const Vector& from = polygon[i];
-        const Vector& to = polygon[(i + 1) % polygon.size()];
+        const glm::dvec3& from = polygon[i];
+        const glm::dvec3& to = polygon[(i + 1) % polygon.size()];
         const double start = inside(from);
         const double end = inside(to);
         if (start >= 0.0)
@@ -156,7 +161,7 @@ Polygon ClipPlane(const Scene& scene, double place, const Box& block)
         if ((start >= 0.0) != (end >= 0.0))
         {
           const double t = start / (start - end);
-          clipped.push_back(Combine(1.0 - t, from, t, to));
+          clipped.push_back((1.0 - t) * from + t * to);
         }
       }
       polygon = clipped;
@@ -172,7 +177,7 @@ using Triangle = std::array<Point, 3>;
 std::vector<Triangle> GetTriangles(
   const Scene& scene, const interlume::SlicePolygons& polygons, int slab)
 {
-  const std::array<Vector, 2> axes = GetAxes(scene.Sweep.Normal);
+  const std::array<glm::dvec3, 2> axes = GetAxes(scene.Sweep.Normal);
   const std::vector<float>& vertices = polygons.GetVertices();
   std::vector<Triangle> triangles;
   const auto index = static_cast<std::size_t>(slab);
@@ -182,8 +187,8 @@ std::vector<Triangle> GetTriangles(
     for (std::size_t i = 0; i < 3; ++i)
     {
       const float* p = vertices.data() + 3 * (v + i);
-      const Vector point{ { p[0], p[1], p[2] } };
-      triangle[i] = { { Dot(point, axes[0]), Dot(point, axes[1]) } };
+      const glm::dvec3 point{ p[0], p[1], p[2] };
+      triangle[i] = { { glm::dot(point, axes[0]), glm::dot(point, axes[1]) } };
     }
     triangles.push_back(triangle);
   }
@@ -211,7 +216,7 @@ int CountCover(const std::vector<Triangle>& triangles, const Point& p)
 }
 
 // How far inside of a block a point is, in texture coordinates.
-double GetDepth(const Box& block, const Vector& texture)
+double GetDepth(const Box& block, const glm::dvec3& texture)
 {
   double depth = 1.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -230,7 +235,7 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
   check.Equal(polygons.GetNumberOfSlabs(), scene.Sweep.Slabs, "slabs");
   check.That(polygons.GetVertices().size() == 3 * polygons.GetStarts().back(), "vertices");
   const std::vector<Box> blocks = GetBlocks(scene);
-  const std::array<Vector, 2> axes = GetAxes(scene.Sweep.Normal);
+  const std::array<glm::dvec3, 2> axes = GetAxes(scene.Sweep.Normal);
   for (int slab = 0; slab < scene.Sweep.Slabs; ++slab)
   {
     const double place = scene.Sweep.First + (slab + 0.5) * scene.Sweep.Spacing;
@@ -256,9 +261,8 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
 
     const auto checkPoint = [&](const Point& p)
     {
-      const Vector unit =
-        Combine(1.0, Scale(beside, scene.Sweep.Normal), 1.0, Combine(p[0], axes[0], p[1], axes[1]));
-      const Vector texture = TransformPoint(scene.Space.TextureFromUnit, unit);
+      const glm::dvec3 unit = beside * scene.Sweep.Normal + p[0] * axes[0] + p[1] * axes[1];
+      const glm::dvec3 texture = TransformPoint(scene.Space.TextureFromUnit, unit);
       double depth = -1.0;
       for (const Box& block : blocks)
       {
@@ -274,7 +278,7 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
       bool isNear = false;
       for (int corner = 0; corner < 8; ++corner)
       {
-        Vector moved = texture;
+        glm::dvec3 moved = texture;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
           moved[axis] += corner >> axis & 1 ? 1e-6 : -1e-6;
@@ -339,7 +343,7 @@ void CheckRandom(Check& check)
       scene.Crop[axis] = { { random.Get(0.0, 0.4), random.Get(0.6, 1.0) } };
     }
     scene.Margin = number % 2 ? random.Get(0.0, 0.1) : 0.0;
-    SetSlabs(scene, random.GetDirection(), 12);
+    SetSlabs(scene, ToVector(random.GetDirection()), 12);
     CheckScene(check, scene, random, false);
   }
 }
@@ -363,10 +367,10 @@ void CheckTies(Check& check)
   Random random(11);
   const double third = std::sqrt(1.0 / 3.0);
   const double half = std::sqrt(0.5);
-  const std::vector<Vector> normals = { { { 1.0, 0.0, 0.0 } }, { { 0.0, -1.0, 0.0 } },
-    { { 0.0, 0.0, 1.0 } }, { { third, third, third } }, { { -third, third, -third } },
-    { { half, half, 0.0 } }, { { 0.0, half, -half } } };
-  for (const Vector& normal : normals)
+  const std::vector<glm::dvec3> normals = { glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, -1.0, 0.0),
+    glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(third, third, third), glm::dvec3(-third, third, -third),
+    glm::dvec3(half, half, 0.0), glm::dvec3(0.0, half, -half) };
+  for (const glm::dvec3& normal : normals)
   {
     for (const bool isFull : { false, true })
     {
@@ -392,7 +396,7 @@ void CheckTies(Check& check)
   scene.Borders.fill({ 0.0, 0.5, 1.0 });
   scene.Visible.assign(8, 1);
   scene.Crop = scene.Space.Box;
-  SetSlabs(scene, { { 0.0, 0.0, 1.0 } }, 2);
+  SetSlabs(scene, glm::dvec3(0.0, 0.0, 1.0), 2);
   scene.Sweep.First -= 0.5 * scene.Sweep.Spacing;
   scene.Sweep.Slabs = 3;
   interlume::SlicePolygons polygons;
@@ -416,7 +420,7 @@ void CheckThreads(Check& check)
     scene.Visible.push_back(random.Get(0.0, 1.0) < 0.5 ? 1 : 0);
   }
   scene.Crop = scene.Space.Box;
-  SetSlabs(scene, random.GetDirection(), 300);
+  SetSlabs(scene, ToVector(random.GetDirection()), 300);
   interlume::SlicePolygons polygons;
   const auto build = [&]()
   {

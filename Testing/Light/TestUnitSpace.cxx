@@ -19,9 +19,9 @@ using namespace interlume::UnitVector;
 // A turn about an axis at random; mirrored if wanted.
 std::array<double, 9> MakeTurn(Random& random, bool isMirrored)
 {
-  const Vector a = Normalize({ { random.Get(-1.0, 1.0), random.Get(-1.0, 1.0), 0.5 } }, {});
-  const Vector b = Perpendicular(a, { { 0.2, random.Get(-1.0, 1.0), 0.9 } });
-  const Vector c = Scale(isMirrored ? -1.0 : 1.0, Cross(a, b));
+  const glm::dvec3 a = Normalize(glm::dvec3(random.Get(-1.0, 1.0), random.Get(-1.0, 1.0), 0.5), {});
+  const glm::dvec3 b = Perpendicular(a, { 0.2, random.Get(-1.0, 1.0), 0.9 });
+  const glm::dvec3 c = (isMirrored ? -1.0 : 1.0) * glm::cross(a, b);
   return { { a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2] } };
 }
 
@@ -34,19 +34,20 @@ struct Scene
   bool IsOfCells = false;
 
   // Of a place in the image given in indices.
-  Vector GetVolumePoint(const Vector& index)
+  glm::dvec3 GetVolumePoint(const glm::dvec3& index)
   {
-    Vector point;
-    this->Image->TransformContinuousIndexToPhysicalPoint(index.data(), point.data());
+    glm::dvec3 point;
+    this->Image->TransformContinuousIndexToPhysicalPoint(
+      glm::value_ptr(index), glm::value_ptr(point));
     return point;
   }
-  Vector GetWorldPoint(const Vector& index)
+  glm::dvec3 GetWorldPoint(const glm::dvec3& index)
   {
-    const Vector point = this->GetVolumePoint(index);
+    const glm::dvec3 point = this->GetVolumePoint(index);
     const double from[4] = { point[0], point[1], point[2], 1.0 };
     double to[4];
     this->Matrix->MultiplyPoint(from, to);
-    return { { to[0], to[1], to[2] } };
+    return glm::dvec3(to[0], to[1], to[2]);
   }
 };
 
@@ -56,10 +57,10 @@ bool IsFlat(const Scene& scene, std::size_t axis)
 }
 
 // Distance between two points, as a share of a length.
-void CheckNear(Check& check, const Vector& found, const Vector& expected, double tolerance,
+void CheckNear(Check& check, const glm::dvec3& found, const glm::dvec3& expected, double tolerance,
   double length, const std::string& what)
 {
-  check.Near(Length(Combine(1.0, found, -1.0, expected)) / length, 0.0, tolerance, what, 1.0);
+  check.Near(interlume::Vectors::SafeLength(found - expected) / length, 0.0, tolerance, what, 1.0);
 }
 
 // \a far is how far off the origin the volume is, in its size.
@@ -68,13 +69,13 @@ void CheckPoints(Check& check, Scene& scene, Random& random, double far)
   const interlume::UnitSpace& space = scene.Space;
   // Digits that are lost in the world's own coordinates.
   const double tolerance = 1e-12 + 1e-14 * far;
-  const double size =
-    Length({ { double(space.Size[0]), double(space.Size[1]), double(space.Size[2]) } });
+  const double size = interlume::Vectors::SafeLength(
+    glm::dvec3(double(space.Size[0]), double(space.Size[1]), double(space.Size[2])));
   double farthest = 0.0;
   for (int corner = 0; corner < 40; ++corner)
   {
-    Vector index;
-    Vector texture;
+    glm::dvec3 index;
+    glm::dvec3 texture;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       // The corners of the box, then anywhere.
@@ -90,20 +91,20 @@ void CheckPoints(Check& check, Scene& scene, Random& random, double far)
         check.Near(space.Box[axis][corner >> axis & 1], texture[axis], 1e-14, "the box", 1.0);
       }
     }
-    const Vector unit = TransformPoint(space.UnitFromTexture, texture);
-    const Vector world = scene.GetWorldPoint(index);
+    const glm::dvec3 unit = TransformPoint(space.UnitFromTexture, texture);
+    const glm::dvec3 world = scene.GetWorldPoint(index);
     CheckNear(check, TransformPoint(space.TextureFromUnit, unit), texture, 1e-11, 1.0, "and back");
-    CheckNear(check, space.ToUnit(world.data()), unit, tolerance, 1.0, "unit from world");
-    const Vector volume = TransformPoint(space.VolumeFromUnit, unit);
-    const Vector expected = scene.GetVolumePoint(index);
+    CheckNear(check, space.ToUnit(glm::value_ptr(world)), unit, tolerance, 1.0, "unit from world");
+    const glm::dvec3 volume = TransformPoint(space.VolumeFromUnit, unit);
+    const glm::dvec3 expected = scene.GetVolumePoint(index);
     CheckNear(check, volume, expected, tolerance,
       size *
-        Length({ { scene.Image->GetSpacing()[0], scene.Image->GetSpacing()[1],
-          scene.Image->GetSpacing()[2] } }),
+        interlume::Vectors::SafeLength(glm::dvec3(scene.Image->GetSpacing()[0],
+          scene.Image->GetSpacing()[1], scene.Image->GetSpacing()[2])),
       "volume from unit");
     if (corner < 8)
     {
-      farthest = std::max(farthest, Length(unit));
+      farthest = std::max(farthest, interlume::Vectors::SafeLength(unit));
     }
   }
   check.Near(farthest, 1.0, 1e-12, "the farthest corner is on the sphere");

@@ -98,10 +98,10 @@ void CheckLattice(Check& check)
   {
     interlume::Viewpoint view;
     view.IsParallel = isParallel;
-    view.Direction = { { 0.5, -0.25, 0.75 } };
+    view.Direction = { 0.5, -0.25, 0.75 };
     for (const double distance : { 0.0, 0.125, 1.0, 8.0 })
     {
-      view.Eye = { { 0.5 * distance, distance, -0.75 * distance } };
+      view.Eye = { 0.5 * distance, distance, -0.75 * distance };
       centroids.Compute(mesh, view, order);
       check.That(order == SortStably(Measure(mesh, view)),
         "stable, at a distance of " + std::to_string(distance));
@@ -122,7 +122,7 @@ void CheckPrecision(Check& check)
   for (const double distance : { 0.001, 0.3, 0.9, 2.0, 1e3, 1e6 })
   {
     interlume::Viewpoint view;
-    view.Eye = { { 0.6 * distance, 0.0, 0.8 * distance } };
+    view.Eye = { 0.6 * distance, 0.0, 0.8 * distance };
     centroids.Compute(mesh, view, order);
     check.That(
       IsPermutation(order, mesh.GetNumberOfTetrahedra()), "each tetrahedron is there once");

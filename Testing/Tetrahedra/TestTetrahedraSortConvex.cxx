@@ -28,7 +28,7 @@ void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name, i
   check.That(visibility.Build(mesh), "built");
   std::vector<std::uint32_t> order;
   std::vector<std::uint32_t> orderOfFaces;
-  for (const View& view : GetViews(200, { { 0.31, -0.12, 0.22 } }))
+  for (const View& view : GetViews(200, { 0.31, -0.12, 0.22 }))
   {
     check.SetContext(name + ", " + view.Name);
     visibility.Compute(mesh, view.Rays, order);

@@ -41,7 +41,7 @@ std::array<Point, 4> MakeStick(int third)
 
 std::array<Point, 4> MakeLid(double z)
 {
-  return { { { { -1.0, -1.0, z } }, { { 1.0, -1.0, z } }, { { 0.0, 1.0, z } },
+  return { { { { -1.0, -1.0, z } }, { 1.0, -1.0, z }, { { 0.0, 1.0, z } },
     { { 0.0, 0.0, z + 0.1 } } } };
 }
 
@@ -60,7 +60,7 @@ void CheckSticks(Check& check)
   {
     check.SetContext(isParallel ? "sticks in parallel" : "sticks in perspective");
     interlume::ViewRays rays =
-      LookAt({ { 0.0, 0.0, 4.0 } }, { { 0.0, 0.0, 0.0 } }, isParallel ? 1.0 : 0.3, 400, isParallel);
+      LookAt({ 0.0, 0.0, 4.0 }, { 0.0, 0.0, 0.0 }, isParallel ? 1.0 : 0.3, 400, isParallel);
     visibility.Compute(mesh, rays, order);
     check.Equal(visibility.GetNumberOfTetrahedraInCycles(), 3, "tetrahedra in cycles");
     check.That(IsPermutation(order, 5), "each tetrahedron once");
@@ -68,14 +68,12 @@ void CheckSticks(Check& check)
       "what is before a cycle and what is behind it are in order");
 
     // From below the sticks are a cycle the other way round; from the side they are none.
-    rays = LookAt(
-      { { 0.0, 0.0, -4.0 } }, { { 0.0, 0.0, 0.0 } }, isParallel ? 1.0 : 0.3, 400, isParallel);
+    rays = LookAt({ 0.0, 0.0, -4.0 }, { 0.0, 0.0, 0.0 }, isParallel ? 1.0 : 0.3, 400, isParallel);
     visibility.Compute(mesh, rays, order);
     check.Equal(visibility.GetNumberOfTetrahedraInCycles(), 3, "tetrahedra in cycles from below");
     check.That(order.size() == 5 && order.front() == behind && order.back() == before,
       "what is before a cycle and what is behind it are in order from below");
-    rays =
-      LookAt({ { 4.0, 1.0, 0.0 } }, { { 0.0, 0.0, 0.0 } }, isParallel ? 1.0 : 0.3, 400, isParallel);
+    rays = LookAt({ 4.0, 1.0, 0.0 }, { 0.0, 0.0, 0.0 }, isParallel ? 1.0 : 0.3, 400, isParallel);
     visibility.Compute(mesh, rays, order);
     check.Equal(
       visibility.GetNumberOfTetrahedraInCycles(), 0, "tetrahedra in cycles from the side");
@@ -210,7 +208,7 @@ void CheckDistorted(Check& check)
     {
       check.SetContext("distorted, seed " + std::to_string(seed));
       interlume::ViewRays rays;
-      rays.Viewpoint.Eye = eye;
+      rays.Viewpoint.Eye = glm::make_vec3(eye.data());
       visibility.Compute(mesh, rays, order);
       const auto inFront = Relate(mesh, eye);
       const long long expected = CountInCycles(inFront);

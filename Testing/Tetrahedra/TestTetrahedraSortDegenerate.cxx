@@ -49,7 +49,8 @@ void CheckEyes(Check& check)
     {
       for (const int pixels : { 64, 65 })
       {
-        const interlume::ViewRays rays = LookAt(eye, { { -0.5, -0.5, -0.5 } }, 1.0, pixels, false);
+        const interlume::ViewRays rays =
+          LookAt(glm::make_vec3(eye.data()), { -0.5, -0.5, -0.5 }, 1.0, pixels, false);
         check.SetContext("eye at " + std::to_string(eye[0]) + ", " + std::to_string(eye[1]) + ", " +
           std::to_string(eye[2]) + ", " + std::to_string(pieces) + " of a cube");
         CheckOrder(whole, rays, check);
@@ -64,7 +65,8 @@ void CheckEyes(Check& check)
     for (const Point& direction :
       { Point{ { 1, 0, 0 } }, Point{ { 1, 1, 0 } }, Point{ { 1, 1, 1 } }, Point{ { -1, 2, 0 } } })
     {
-      const interlume::ViewRays rays = LookAt({ { 0, 0, 0 } }, direction, 0.9, 64, true);
+      const interlume::ViewRays rays =
+        LookAt({ 0, 0, 0 }, glm::make_vec3(direction.data()), 0.9, 64, true);
       check.SetContext("parallel along " + std::to_string(direction[0]) + ", " +
         std::to_string(direction[1]) + ", " + std::to_string(direction[2]));
       CheckOrder(whole, rays, check);
@@ -81,9 +83,9 @@ void CheckTurned(Check& check)
   interlume::TetrahedraMesh mesh = MakeCubes(form);
   // Rows of a rotation, far from any multiple of 2^-k.
   const double turn[3][3] = { { 0.36, 0.48, -0.8 }, { -0.8, 0.6, 0.0 }, { 0.48, 0.64, 0.6 } };
-  const auto rotate = [&](const Point& p)
+  const auto rotate = [&](const glm::dvec3& p)
   {
-    Point q;
+    glm::dvec3 q;
     for (int i = 0; i < 3; ++i)
     {
       q[i] = turn[i][0] * p[0] + turn[i][1] * p[1] + turn[i][2] * p[2] + 0.123;
@@ -92,16 +94,15 @@ void CheckTurned(Check& check)
   };
   for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
   {
-    const Point q = rotate({ { mesh.Points[i], mesh.Points[i + 1], mesh.Points[i + 2] } });
-    std::copy(q.begin(), q.end(), &mesh.Points[i]);
+    const glm::dvec3 q = rotate(glm::make_vec3(&mesh.Points[i]));
+    std::copy_n(glm::value_ptr(q), 3, &mesh.Points[i]);
   }
-  for (const Point& eye : { Point{ { 0.0, 0.0, 0.0 } }, Point{ { 0.25, 0.125, 3.0 } },
-         Point{ { 0.0, 0.0, 40.0 } }, Point{ { 0.5, 0.5, 0.5 } } })
+  for (const glm::dvec3& eye :
+    { glm::dvec3(0.0), glm::dvec3(0.25, 0.125, 3.0), glm::dvec3(0.0, 0.0, 40.0), glm::dvec3(0.5) })
   {
     check.SetContext("turned lattice, eye at " + std::to_string(eye[2]));
     const double halfSize = std::min(1.0, 0.7 / std::max(0.1, eye[2]));
-    CheckOrder(
-      mesh, LookAt(rotate(eye), rotate({ { 0.1, 0.2, -0.3 } }), halfSize, 64, false), check);
+    CheckOrder(mesh, LookAt(rotate(eye), rotate({ 0.1, 0.2, -0.3 }), halfSize, 64, false), check);
   }
 }
 
@@ -109,8 +110,7 @@ void CheckSmall(Check& check)
 {
   interlume::VisibilityOrder visibility;
   std::vector<std::uint32_t> order(3);
-  const interlume::ViewRays rays =
-    LookAt({ { 0.2, 0.2, 5.0 } }, { { 0.2, 0.2, 0.0 } }, 0.3, 50, false);
+  const interlume::ViewRays rays = LookAt({ 0.2, 0.2, 5.0 }, { 0.2, 0.2, 0.0 }, 0.3, 50, false);
   interlume::TetrahedraMesh mesh;
   check.SetContext("empty");
   check.That(visibility.Build(mesh), "built");
@@ -164,7 +164,7 @@ void CheckBroken(Check& check)
   {
     interlume::VisibilityOrder visibility;
     visibility.Build(broken.second);
-    for (const View& view : GetViews(60, { { 0.3, 0.2, 0.1 } }))
+    for (const View& view : GetViews(60, { 0.3, 0.2, 0.1 }))
     {
       check.SetContext(broken.first + ", " + view.Name);
       std::vector<std::uint32_t> order;
@@ -199,8 +199,7 @@ void CheckTwins(Check& check)
   interlume::VisibilityOrder visibility;
   visibility.Build(mesh);
   std::vector<std::uint32_t> order;
-  visibility.Compute(
-    mesh, LookAt({ { 0.2, 0.2, 9.0 } }, { { 0.2, 0.2, 0.0 } }, 0.3, 50, false), order);
+  visibility.Compute(mesh, LookAt({ 0.2, 0.2, 9.0 }, { 0.2, 0.2, 0.0 }, 0.3, 50, false), order);
   check.That(order == std::vector<std::uint32_t>({ front, middle, middle + 1, back }), "order");
   check.Equal(visibility.GetNumberOfTetrahedraInCycles(), 0, "tetrahedra in cycles");
   check.Equal(visibility.GetNumberOfGapRelations(), 3, "relations across gaps");

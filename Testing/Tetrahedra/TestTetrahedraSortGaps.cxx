@@ -31,7 +31,7 @@ void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name,
   interlume::VisibilityOrder visibility;
   check.That(visibility.Build(mesh), "built");
   std::vector<std::uint32_t> order;
-  for (const View& view : GetViews(160, hole))
+  for (const View& view : GetViews(160, glm::make_vec3(hole.data())))
   {
     check.SetContext(name + ", " + view.Name);
     visibility.Compute(mesh, view.Rays, order);

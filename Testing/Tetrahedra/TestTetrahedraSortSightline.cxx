@@ -33,7 +33,7 @@ void CheckCover(const interlume::ViewRays& rays, const std::string& name, Check&
   const auto draw = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c)
   {
     const std::array<std::uint32_t, 3> ids = { { a, b, c } };
-    std::array<interlume::Triple, 3> corners;
+    std::array<glm::dvec3, 3> corners;
     for (int i = 0; i < 3; ++i)
     {
       // A lattice over the picture, through the centres of pixels 2, 6, 10 ...
@@ -42,7 +42,7 @@ void CheckCover(const interlume::ViewRays& rays, const std::string& name, Check&
       const double x = (5.0 + 8.0 * column) / rays.Width - 1.0;
       const double y = (5.0 + 8.0 * row) / rays.Height - 1.0;
       const double scale = projection.IsParallel() ? 1.0 : depth;
-      corners[i] = { { x * scale, y * scale, depth } };
+      corners[i] = { x * scale, y * scale, depth };
     }
     const interlume::FaceRaster raster(projection, corners, ids);
     for (int row = raster.GetRows().First; row <= raster.GetRows().Last; ++row)
@@ -85,7 +85,7 @@ void CheckRaster(Check& check)
 {
   for (const bool isParallel : { false, true })
   {
-    interlume::ViewRays rays = LookAt({ { 0, 0, 0 } }, { { 0, 0, -1 } }, 1.0, 64, isParallel);
+    interlume::ViewRays rays = LookAt({ 0, 0, 0 }, { 0, 0, -1 }, 1.0, 64, isParallel);
     const std::string name = isParallel ? "parallel" : "perspective";
     CheckCover(rays, name, check);
     rays.Width = 37;
@@ -95,14 +95,12 @@ void CheckRaster(Check& check)
   }
 
   check.SetContext("through the eye's plane");
-  const interlume::FrameProjection projection(
-    LookAt({ { 0, 0, 0 } }, { { 0, 0, -1 } }, 1.0, 40, false));
+  const interlume::FrameProjection projection(LookAt({ 0, 0, 0 }, { 0, 0, -1 }, 1.0, 40, false));
   int visits = 0;
   double least = 1.0;
   // A floor half a unit below the eye, from far behind it to far before it: half of the picture.
   const interlume::FaceRaster floor(projection,
-    { { { { 0.0, -0.5, -1e4 } }, { { 1e5, -0.5, 1e4 } }, { { -1e5, -0.5, 1e4 } } } },
-    { { 5, 3, 4 } });
+    { { { 0.0, -0.5, -1e4 }, { 1e5, -0.5, 1e4 }, { -1e5, -0.5, 1e4 } } }, { { 5, 3, 4 } });
   for (int row = floor.GetRows().First; row <= floor.GetRows().Last; ++row)
   {
     floor.VisitRow(row,

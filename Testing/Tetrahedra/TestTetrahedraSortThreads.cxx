@@ -38,7 +38,7 @@ Orders ComputeAll(const interlume::TetrahedraMesh& mesh)
   visibility.Build(mesh);
   all.Twins = visibility.GetAdjacency().GetTwins();
   all.Boundary = visibility.GetAdjacency().GetBoundaryFaces();
-  for (const View& view : GetViews(150, { { 0.12, 0.01, 0.02 } }))
+  for (const View& view : GetViews(150, { 0.12, 0.01, 0.02 }))
   {
     std::vector<std::uint32_t> order;
     centroids.Compute(mesh, view.Rays.Viewpoint, order);

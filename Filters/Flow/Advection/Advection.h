@@ -3,7 +3,6 @@
 
 #include "Advection/AdvectionOptions.h"
 #include "Advection/AdvectionRate.h"
-#include "Advection/AdvectionVector.h"
 #include "Advection/DormandPrinceStep.h"
 #include "Advection/PathIntegrals.h"
 #include "Advection/RecurrenceTest.h"
@@ -15,6 +14,7 @@
 #include "Advection/SurfaceCrossing.h"
 #include "Cells/CellExit.h"
 #include "Cells/FaceExtent.h"
+#include "Common/Vectors.h"
 #include "Numerics/DenseOutput.h"
 
 #include "vtkFlowIntegrator.h"
@@ -228,7 +228,7 @@ private:
   {
     double world[3];
     this->Field.GetWorldVector(p, d, world);
-    return AdvectionVector::Length(world);
+    return Vectors::SafeLength(glm::make_vec3(world));
   }
 
   /// Into the cell that the streamline goes on in, with the rate there. False where it ends.
@@ -390,11 +390,11 @@ private:
   /// Before the first step.
   double GuessStep(double largestError, int order)
   {
-    const double fastest = AdvectionVector::Largest(this->PointRate);
+    const double fastest = Vectors::InfinityNorm(glm::make_vec3(this->PointRate));
     double step = this->Exit.GetTimeLimit();
     if (!std::isfinite(step))
     {
-      step = std::max(1.0, AdvectionVector::Largest(this->Point)) / fastest;
+      step = std::max(1.0, Vectors::InfinityNorm(glm::make_vec3(this->Point))) / fastest;
     }
     const double probe = 0.01 * step;
     double ahead[3];
@@ -434,14 +434,14 @@ private:
     {
       double axis[3];
       this->Field.GetWorldVector(this->Point, direction, axis);
-      const double part = AdvectionVector::Dot(error, axis) / AdvectionVector::Dot(axis, axis);
+      const double part = Vectors::Dot(error, axis) / Vectors::Dot(axis, axis);
       const double lost = 1.0 - (1.0 + damping) / (1.0 + damping * (time / h));
       for (int i = 0; i < 3; ++i)
       {
         error[i] -= part * lost * axis[i];
       }
     }
-    return AdvectionVector::Length(error);
+    return Vectors::SafeLength(glm::make_vec3(error));
   }
 
   void PrefetchAhead(int round) const
@@ -473,8 +473,8 @@ private:
     const double ratio = isTaken ? this->GetLastingError(method, h) / h / largestError
                                  : std::numeric_limits<double>::infinity();
     // A step that rounding all but loses is no better when it is shorter.
-    const double way = h * AdvectionVector::Largest(this->PointRate);
-    const bool isTiny = way <= 4.0 * Epsilon * AdvectionVector::Largest(this->Point) ||
+    const double way = h * Vectors::InfinityNorm(glm::make_vec3(this->PointRate));
+    const bool isTiny = way <= 4.0 * Epsilon * Vectors::InfinityNorm(glm::make_vec3(this->Point)) ||
       way < 1.0 / std::numeric_limits<double>::max();
     if (!(ratio <= 1.0) && !(isTaken && isTiny))
     {
@@ -533,6 +533,26 @@ private:
     return this->GoOn(method, h, isLast);
   }
 
+  /// The length of the longest of some vectors.
+  static double GetLargestLength(const double (*vectors)[3], int number)
+  {
+    double square = 0.0;
+    for (int i = 0; i < number; ++i)
+    {
+      square = std::max(square, Vectors::Dot(vectors[i], vectors[i]));
+    }
+    if (square > 1e-280 && square < 1e280)
+    {
+      return std::sqrt(square);
+    }
+    double length = 0.0;
+    for (int i = 0; i < number; ++i)
+    {
+      length = std::max(length, Vectors::SafeLength(glm::make_vec3(vectors[i])));
+    }
+    return length;
+  }
+
   /// No part of the step goes farther than its share of this, whatever the rounding.
   double GetReach() const
   {
@@ -545,7 +565,7 @@ private:
       {
         this->Field.GetWorldVector(this->Point, slopes[j], slopes[j]);
       }
-      return margin * AdvectionVector::LargestLength(slopes, number);
+      return margin * GetLargestLength(slopes, number);
     }
     double largest[3] = { 0.0, 0.0, 0.0 };
     for (int j = 0; j < number; ++j)

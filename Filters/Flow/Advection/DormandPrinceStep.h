@@ -1,7 +1,7 @@
 #ifndef interlume_DormandPrinceStep_h
 #define interlume_DormandPrinceStep_h
 
-#include "Advection/AdvectionVector.h"
+#include "Common/Vectors.h"
 #include "Numerics/DenseOutput.h"
 
 #include <limits>
@@ -85,7 +85,8 @@ public:
           17253.0 / 339200.0 * this->K5[i] + 22.0 / 525.0 * this->K6[i] -
           1.0 / 40.0 * this->EndRate[i]);
     }
-    return AdvectionVector::IsFinite(this->Error) && AdvectionVector::IsFinite(this->End);
+    return Vectors::IsFinite(glm::make_vec3(this->Error)) &&
+      Vectors::IsFinite(glm::make_vec3(this->End));
   }
 
   void GetDenseOutput(DenseOutput& dense) const
@@ -122,9 +123,9 @@ public:
       places[i] = this->End[i] - this->SixthPlace[i];
       rates[i] = this->EndRate[i] - this->K6[i];
     }
-    const double apart = AdvectionVector::Length(places);
+    const double apart = Vectors::SafeLength(glm::make_vec3(places));
     return apart > std::numeric_limits<double>::min()
-      ? this->Step * (AdvectionVector::Length(rates) / apart)
+      ? this->Step * (Vectors::SafeLength(glm::make_vec3(rates)) / apart)
       : 0.0;
   }
 
@@ -140,9 +141,9 @@ public:
       direction[i] = this->End[i] - this->SixthPlace[i];
       rates[i] = this->EndRate[i] - this->K6[i];
     }
-    const double square = AdvectionVector::Dot(direction, direction);
+    const double square = Vectors::Dot(direction, direction);
     return square > std::numeric_limits<double>::min()
-      ? -this->Step * (AdvectionVector::Dot(direction, rates) / square)
+      ? -this->Step * (Vectors::Dot(direction, rates) / square)
       : 0.0;
   }
 

@@ -2,7 +2,7 @@
 #define interlume_PathIntegrals_h
 
 #include "Advection/AdvectionOptions.h"
-#include "Advection/AdvectionVector.h"
+#include "Common/Vectors.h"
 #include "Numerics/DenseOutput.h"
 
 #include <algorithm>
@@ -111,7 +111,7 @@ private:
   {
     double world[3];
     field.GetWorldVector(p, d, world);
-    return AdvectionVector::Length(world);
+    return Vectors::SafeLength(glm::make_vec3(world));
   }
 
   void AddMeans(const Walker& field, const double p[3], double weight)
@@ -122,7 +122,7 @@ private:
       field.GetVelocityGradient(p, gradient);
       const double curl[3] = { gradient[7] - gradient[5], gradient[2] - gradient[6],
         gradient[3] - gradient[1] };
-      this->Vorticity += weight * AdvectionVector::Length(curl);
+      this->Vorticity += weight * Vectors::SafeLength(glm::make_vec3(curl));
     }
     for (std::size_t i = 0; i < this->Sums.size(); ++i)
     {

@@ -1,7 +1,7 @@
 #ifndef interlume_RecurrenceTest_h
 #define interlume_RecurrenceTest_h
 
-#include "Advection/AdvectionVector.h"
+#include "Common/Vectors.h"
 
 #include "vtkType.h"
 
@@ -102,7 +102,7 @@ public:
       std::min({ this->Clearance, distance - 0.5 * way, this->DistanceBefore - 0.5 * way, limit });
     this->DistanceBefore = distance;
     const double apart[3] = { x[0] - this->Start[0], x[1] - this->Start[1], x[2] - this->Start[2] };
-    this->Extent = std::max(this->Extent, AdvectionVector::Length(apart));
+    this->Extent = std::max(this->Extent, Vectors::SafeLength(glm::make_vec3(apart)));
   }
 
   bool IsClosed() const { return this->Closed; }
@@ -126,8 +126,8 @@ private:
       second[i] = std::abs(x[i] - this->Middle[i]);
       rounding = std::max(rounding, 1e-12 * std::abs(x[i]));
     }
-    double block =
-      std::max({ AdvectionVector::Length(first), AdvectionVector::Length(second), rounding });
+    double block = std::max({ Vectors::SafeLength(glm::make_vec3(first)),
+      Vectors::SafeLength(glm::make_vec3(second)), rounding });
     double growth = 1.0;
     for (int i = 0; i < 3; ++i)
     {

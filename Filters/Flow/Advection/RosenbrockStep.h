@@ -1,7 +1,7 @@
 #ifndef interlume_RosenbrockStep_h
 #define interlume_RosenbrockStep_h
 
-#include "Advection/AdvectionVector.h"
+#include "Common/Vectors.h"
 #include "Numerics/DenseOutput.h"
 
 #include <algorithm>
@@ -80,7 +80,8 @@ public:
       this->Error[i] = this->U[NumberOfStages - 1][i];
       this->End[i] = at[i] + this->Error[i];
     }
-    return AdvectionVector::IsFinite(this->Error) && AdvectionVector::IsFinite(this->End);
+    return Vectors::IsFinite(glm::make_vec3(this->Error)) &&
+      Vectors::IsFinite(glm::make_vec3(this->End));
   }
 
   void GetDenseOutput(DenseOutput& dense) const
@@ -124,10 +125,9 @@ public:
     double change[3];
     this->Multiply(this->Error, direction);
     this->Multiply(direction, change);
-    const double square = AdvectionVector::Dot(direction, direction);
-    return square > std::numeric_limits<double>::min()
-      ? -AdvectionVector::Dot(direction, change) / square
-      : 0.0;
+    const double square = Vectors::Dot(direction, direction);
+    return square > std::numeric_limits<double>::min() ? -Vectors::Dot(direction, change) / square
+                                                       : 0.0;
   }
 
 private:
@@ -155,7 +155,7 @@ private:
   {
     for (int i = 0; i < 3; ++i)
     {
-      product[i] = AdvectionVector::Dot(this->Jacobian + 3 * i, v);
+      product[i] = Vectors::Dot(this->Jacobian + 3 * i, v);
     }
   }
 

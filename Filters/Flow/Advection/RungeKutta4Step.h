@@ -1,7 +1,7 @@
 #ifndef interlume_RungeKutta4Step_h
 #define interlume_RungeKutta4Step_h
 
-#include "Advection/AdvectionVector.h"
+#include "Common/Vectors.h"
 #include "Numerics/DenseOutput.h"
 
 namespace interlume
@@ -44,7 +44,8 @@ public:
       this->StartRate[i] = first[i];
       this->Error[i] = (this->End[i] - whole[i]) / 15.0;
     }
-    return AdvectionVector::IsFinite(this->Error) && AdvectionVector::IsFinite(this->EndRate);
+    return Vectors::IsFinite(glm::make_vec3(this->Error)) &&
+      Vectors::IsFinite(glm::make_vec3(this->EndRate));
   }
 
   void GetDenseOutput(DenseOutput& dense) const

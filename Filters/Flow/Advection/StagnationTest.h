@@ -1,7 +1,7 @@
 #ifndef interlume_StagnationTest_h
 #define interlume_StagnationTest_h
 
-#include "Advection/AdvectionVector.h"
+#include "Common/Vectors.h"
 
 #include <algorithm>
 
@@ -40,7 +40,7 @@ public:
   bool Look(const double x[3], double time, double largestError)
   {
     const double apart[3] = { x[0] - this->Start[0], x[1] - this->Start[1], x[2] - this->Start[2] };
-    const double distance = AdvectionVector::Length(apart);
+    const double distance = Vectors::SafeLength(glm::make_vec3(apart));
     const bool isAtRest =
       distance <= largestError * (time - this->StartTime) && distance <= 0.05 * this->Way;
     this->Window = isAtRest ? this->Window + 1 : 0;

@@ -2,7 +2,7 @@
 #define interlume_SurfaceCrossing_h
 
 #include "Advection/AdvectionOptions.h"
-#include "Advection/AdvectionVector.h"
+#include "Common/Vectors.h"
 #include "Numerics/BracketedRoot.h"
 
 #include "vtkTerminationSurface.h"
@@ -148,8 +148,8 @@ public:
       double normal[3];
       shape->EvaluateNormal(x, normal);
       const double part = 2.0 *
-        std::max(std::abs(AdvectionVector::Dot(normal, faceNormal)),
-          std::abs(AdvectionVector::Dot(normal, direction)));
+        std::max(
+          std::abs(Vectors::Dot(normal, faceNormal)), std::abs(Vectors::Dot(normal, direction)));
       if (gap < least && gap <= std::min(1.0, part) * tolerance)
       {
         least = gap;

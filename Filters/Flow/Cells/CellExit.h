@@ -1,7 +1,7 @@
 #ifndef interlume_CellExit_h
 #define interlume_CellExit_h
 
-#include "Advection/AdvectionVector.h"
+#include "Common/Vectors.h"
 #include "Numerics/BernsteinRoot.h"
 #include "Numerics/BracketedRoot.h"
 #include "Numerics/DenseOutput.h"
@@ -148,7 +148,8 @@ private:
   void FindRates(const Walker& field, const double p[3], const double rate[3])
   {
     // Affine distances have the same slope everywhere, found best from a point well apart.
-    const double scale = (Walker::FacesAreAffine ? 1.0 : 1e-6) / AdvectionVector::Largest(rate);
+    const double scale =
+      (Walker::FacesAreAffine ? 1.0 : 1e-6) / Vectors::InfinityNorm(glm::make_vec3(rate));
     double ahead[3];
     for (int i = 0; i < 3; ++i)
     {

@@ -34,7 +34,7 @@ void InverseJacobian::InvertSingular(const double columns[3][4], double inverse[
     {
       const double* candidate = rest[order[k]];
       const double* leader = rest[order[best]];
-      best = Dot(candidate, candidate) > Dot(leader, leader) ? k : best;
+      best = Vectors::Dot(candidate, candidate) > Vectors::Dot(leader, leader) ? k : best;
     }
     std::swap(order[rank], order[best]);
     for (int m = 0; m < rank; ++m)
@@ -42,7 +42,7 @@ void InverseJacobian::InvertSingular(const double columns[3][4], double inverse[
       std::swap(r[m][rank], r[m][best]);
     }
     const double* pivot = rest[order[rank]];
-    const double size = std::sqrt(Dot(pivot, pivot));
+    const double size = std::sqrt(Vectors::Dot(pivot, pivot));
     if (!(size > leastPart))
     {
       break;
@@ -55,7 +55,7 @@ void InverseJacobian::InvertSingular(const double columns[3][4], double inverse[
     for (int k = rank + 1; k < 3; ++k)
     {
       double* other = rest[order[k]];
-      r[rank][k] = Dot(q[rank], other);
+      r[rank][k] = Vectors::Dot(q[rank], other);
       for (int i = 0; i < 3; ++i)
       {
         other[i] -= r[rank][k] * q[rank][i];

@@ -1,6 +1,8 @@
 #ifndef interlume_InverseJacobian_h
 #define interlume_InverseJacobian_h
 
+#include "Common/Vectors.h"
+
 namespace interlume
 {
 
@@ -17,16 +19,14 @@ class InverseJacobian
 public:
   static void Invert(const double columns[3][4], double inverse[3][3])
   {
-    const double* a = columns[0];
-    const double* b = columns[1];
-    const double* c = columns[2];
-    Cross(b, c, inverse[0]);
-    Cross(c, a, inverse[1]);
-    Cross(a, b, inverse[2]);
-    const double determinant = Dot(a, inverse[0]);
+    const glm::dvec3 a = glm::make_vec3(columns[0]);
+    const glm::dvec3 b = glm::make_vec3(columns[1]);
+    const glm::dvec3 c = glm::make_vec3(columns[2]);
+    const glm::dvec3 rows[3] = { glm::cross(b, c), glm::cross(c, a), glm::cross(a, b) };
+    const double determinant = glm::dot(a, rows[0]);
     // By the lengths of the columns: cells may be flat and small as long as they are not sheared
     // into a plane.
-    const double scale = Dot(a, a) * Dot(b, b) * Dot(c, c);
+    const double scale = glm::dot(a, a) * glm::dot(b, b) * glm::dot(c, c);
     if (!(determinant * determinant > 1e-18 * scale && scale < 1e300))
     {
       InvertSingular(columns, inverse);
@@ -37,7 +37,7 @@ public:
     {
       for (int j = 0; j < 3; ++j)
       {
-        inverse[i][j] *= factor;
+        inverse[i][j] = rows[i][j] * factor;
       }
     }
   }
@@ -47,7 +47,7 @@ public:
     const double v[3] = { vector[0], vector[1], vector[2] };
     for (int i = 0; i < 3; ++i)
     {
-      product[i] = Dot(rows[i], v);
+      product[i] = Vectors::Dot(rows[i], v);
     }
   }
 
@@ -62,17 +62,6 @@ public:
   }
 
 private:
-  static double Dot(const double* a, const double* b)
-  {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  static void Cross(const double* a, const double* b, double* product)
-  {
-    product[0] = a[1] * b[2] - a[2] * b[1];
-    product[1] = a[2] * b[0] - a[0] * b[2];
-    product[2] = a[0] * b[1] - a[1] * b[0];
-  }
-
   static void InvertSingular(const double columns[3][4], double inverse[3][3]);
 };
 

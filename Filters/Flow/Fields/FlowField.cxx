@@ -1,6 +1,7 @@
 #include "Fields/FlowField.h"
 
 #include "Common/Blanking.h"
+#include "Common/Vectors.h"
 #include "Fields/SpeedScale.h"
 
 #include "vtkDataArray.h"
@@ -41,13 +42,6 @@ std::string FindError(vtkDataSet* data, vtkDataArray* array, const char* what, i
       " tuples for " + std::to_string(data->GetNumberOfPoints()) + " points";
   }
   return {};
-}
-
-// The plain sum of squares is fast, but overflows and underflows.
-double GetLength(const double v[3])
-{
-  const double squared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  return std::isnormal(squared) ? std::sqrt(squared) : std::hypot(v[0], v[1], v[2]);
 }
 
 struct Sums
@@ -151,9 +145,9 @@ void FlowField::Measure(const CellPoints& cells, bool hasOtherPoints)
         }
         double v[3];
         this->GetVector(point, v);
-        if (std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]))
+        if (Vectors::IsFinite(glm::make_vec3(v)))
         {
-          sum.Speeds.Add(GetLength(v));
+          sum.Speeds.Add(Vectors::SafeLength(glm::make_vec3(v)));
         }
         else
         {

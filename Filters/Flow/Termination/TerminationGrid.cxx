@@ -1,5 +1,7 @@
 #include "Termination/TerminationGrid.h"
 
+#include "Common/Batches.h"
+
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 #include "vtkTerminationSurface.h"
@@ -18,8 +20,6 @@ constexpr int Halvings = 40;
 constexpr double Inset = 1e-6;
 // The sine of its angles below which a triangle is a line, as at the pole of a sphere.
 constexpr double Flatness = 1e-12;
-// How often an abort is seen.
-constexpr int NumberOfBatches = 32;
 }
 
 TerminationGrid::TerminationGrid(
@@ -151,34 +151,27 @@ void TerminationGrid::CutCell(int i, int j)
   }
 }
 
-bool TerminationGrid::Execute(const std::function<bool(double)>& isAborted)
+bool TerminationGrid::Execute(vtkAlgorithm* owner, double start, double end)
 {
   this->Nodes.resize((this->Columns + 1) * static_cast<std::size_t>(this->Rows + 1));
-  using Method = void (TerminationGrid::*)(int, int);
-  const Method methods[2] = { &TerminationGrid::MakeNode, &TerminationGrid::MakeCrossings };
-  const int rows = this->Rows + 1;
-  for (int pass = 0; pass < 2; ++pass)
+  const auto visit = [this](void (TerminationGrid::*method)(int, int))
   {
-    for (int batch = 0; batch < NumberOfBatches; ++batch)
+    return [this, method](vtkIdType first, vtkIdType last)
     {
-      if (isAborted((pass + static_cast<double>(batch) / NumberOfBatches) / 2.0))
+      for (vtkIdType j = first; j < last; ++j)
       {
-        return false;
-      }
-      const auto makeRows = [this, &methods, pass](vtkIdType first, vtkIdType last)
-      {
-        for (vtkIdType j = first; j < last; ++j)
+        for (int i = 0; i <= this->Columns; ++i)
         {
-          for (int i = 0; i <= this->Columns; ++i)
-          {
-            (this->*methods[pass])(i, static_cast<int>(j));
-          }
+          (this->*method)(i, static_cast<int>(j));
         }
-      };
-      const vtkIdType first = static_cast<vtkIdType>(batch) * rows / NumberOfBatches;
-      const vtkIdType last = static_cast<vtkIdType>(batch + 1) * rows / NumberOfBatches;
-      vtkSMPTools::For(first, last, makeRows);
-    }
+      }
+    };
+  };
+  const double middle = 0.5 * (start + end);
+  if (!Batches::Run(this->Rows + 1, owner, start, middle, visit(&TerminationGrid::MakeNode)) ||
+    !Batches::Run(this->Rows + 1, owner, middle, end, visit(&TerminationGrid::MakeCrossings)))
+  {
+    return false;
   }
   const auto addPoint = [this](const Point& point)
   {

@@ -4,9 +4,9 @@
 #include "vtkType.h"
 
 #include <array>
-#include <functional>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkTerminationSurface;
 
 namespace interlume
@@ -28,9 +28,9 @@ public:
 
   TerminationGrid(const vtkTerminationSurface* surface, int part, int columns, int rows);
 
-  /// Makes points and triangles, by threads. \a isAborted is asked now and then, with the part
-  /// that is done; false when it has said so.
-  bool Execute(const std::function<bool(double)>& isAborted);
+  /// Makes points and triangles, by threads; the progress of \a owner goes from \a start to \a end.
+  /// False when its execution was aborted.
+  bool Execute(vtkAlgorithm* owner, double start, double end);
 
   std::vector<Point> Points;
   std::vector<std::array<vtkIdType, 3>> Triangles;

@@ -1,5 +1,6 @@
 #include "Topology/ZeroSearch.h"
 
+#include "Common/Batches.h"
 #include "Common/Blanking.h"
 #include "Topology/CellZeros.h"
 
@@ -30,8 +31,6 @@ constexpr double LeastSharedWeight = 0.05;
 // In parameters: how near to a face others may find a zero.
 constexpr double NearFace = 1e-4;
 constexpr double NearPoint = 1e-6;
-// How often progress is told and an abort seen.
-constexpr vtkIdType NumberOfBatches = 32;
 
 struct Local
 {
@@ -205,15 +204,9 @@ bool ZeroSearch::Execute(
   this->Total = Counts();
   const vtkIdType cells = data->GetNumberOfCells();
   Worker worker(data, vectors, systems);
-  const vtkIdType batches = std::min(cells, NumberOfBatches);
-  for (vtkIdType batch = 0; batch < batches; ++batch)
+  if (!Batches::Run(cells, owner, 0.0, 1.0, worker))
   {
-    owner->UpdateProgress(static_cast<double>(batch) / batches);
-    if (owner->GetAbortExecute())
-    {
-      return false;
-    }
-    vtkSMPTools::For(batch * cells / batches, (batch + 1) * cells / batches, worker);
+    return false;
   }
   std::vector<unsigned char> marks(data->GetNumberOfPoints(), 0);
   for (const Local& local : worker.Locals)

@@ -1,5 +1,6 @@
 #include "Volumes/LevelSetNormals.h"
 
+#include "Common/Vectors.h"
 #include "Volumes/SimplexPoints.h"
 
 #include "vtkDoubleArray.h"
@@ -19,23 +20,6 @@ namespace interlume
 
 namespace
 {
-using Vector = std::array<double, 3>;
-
-void Add(Vector& sum, const Vector& vector, double factor)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    sum[axis] += factor * vector[axis];
-  }
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  Vector product;
-  vtkMath::Cross(a.data(), b.data(), product.data());
-  return product;
-}
-
 // Tetrahedra around the points of triangles.
 class Neighborhoods
 {
@@ -99,23 +83,20 @@ private:
 };
 
 // The gradient in a tetrahedron times six times its volume.
-Vector GetWeightedGradient(const Vector corners[4], const double values[4])
+glm::dvec3 GetWeightedGradient(const glm::dvec3 corners[4], const double values[4])
 {
-  Vector edges[3];
+  glm::dvec3 edges[3];
   for (int e = 0; e < 3; ++e)
   {
-    edges[e] = corners[e + 1];
-    Add(edges[e], corners[0], -1.0);
+    edges[e] = corners[e + 1] - corners[0];
   }
-  Vector sum{};
+  glm::dvec3 sum{};
   for (int e = 0; e < 3; ++e)
   {
-    Add(sum, Cross(edges[(e + 1) % 3], edges[(e + 2) % 3]), values[e + 1] - values[0]);
+    sum += (values[e + 1] - values[0]) * glm::cross(edges[(e + 1) % 3], edges[(e + 2) % 3]);
   }
-  const double determinant = vtkMath::Dot(edges[0].data(), Cross(edges[1], edges[2]).data());
-  Vector gradient{};
-  Add(gradient, sum, determinant < 0.0 ? -1.0 : 1.0);
-  return gradient;
+  const double determinant = glm::dot(edges[0], glm::cross(edges[1], edges[2]));
+  return determinant < 0.0 ? -sum : sum;
 }
 }
 
@@ -126,11 +107,11 @@ vtkSmartPointer<vtkFloatArray> LevelSetNormals::Compute(vtkUnstructuredGrid* mes
   vtkPoints* points = mesh->GetPoints();
   const auto getPoint = [points](vtkIdType p)
   {
-    Vector x;
-    points->GetPoint(p, x.data());
+    glm::dvec3 x;
+    points->GetPoint(p, glm::value_ptr(x));
     return x;
   };
-  std::vector<Vector> normals(around.Points.size(), Vector{});
+  std::vector<glm::dvec3> normals(around.Points.size(), glm::dvec3{});
   vtkSMPTools::For(0, static_cast<vtkIdType>(normals.size()),
     [&](vtkIdType first, vtkIdType last)
     {
@@ -138,7 +119,7 @@ vtkSmartPointer<vtkFloatArray> LevelSetNormals::Compute(vtkUnstructuredGrid* mes
       {
         for (vtkIdType i = around.Firsts[place]; i < around.Firsts[place + 1]; ++i)
         {
-          Vector corners[4];
+          glm::dvec3 corners[4];
           double values[4];
           for (int corner = 0; corner < 4; ++corner)
           {
@@ -146,22 +127,22 @@ vtkSmartPointer<vtkFloatArray> LevelSetNormals::Compute(vtkUnstructuredGrid* mes
             corners[corner] = getPoint(p);
             values[corner] = function->GetComponent(p, 0);
           }
-          Add(normals[place], GetWeightedGradient(corners, values), -1.0);
+          normals[place] -= GetWeightedGradient(corners, values);
         }
       }
     });
-  const auto isZero = [](const Vector& vector) { return vtkMath::Norm(vector.data()) == 0.0; };
+  const auto isZero = [](const glm::dvec3& vector) { return glm::length(vector) == 0.0; };
   if (std::any_of(normals.begin(), normals.end(), isZero))
   {
-    std::vector<Vector> ofTriangles(normals.size(), Vector{});
+    std::vector<glm::dvec3> ofTriangles(normals.size(), glm::dvec3{});
     for (const auto& triangle : triangles)
     {
-      Vector edges[2] = { getPoint(triangle[1]), getPoint(triangle[2]) };
-      Add(edges[0], getPoint(triangle[0]), -1.0);
-      Add(edges[1], getPoint(triangle[0]), -1.0);
+      const glm::dvec3 origin = getPoint(triangle[0]);
+      const glm::dvec3 normal =
+        glm::cross(getPoint(triangle[1]) - origin, getPoint(triangle[2]) - origin);
       for (const vtkIdType p : triangle)
       {
-        Add(ofTriangles[around.Places[p]], Cross(edges[0], edges[1]), 1.0);
+        ofTriangles[around.Places[p]] += normal;
       }
     }
     for (std::size_t place = 0; place < normals.size(); ++place)
@@ -176,8 +157,8 @@ vtkSmartPointer<vtkFloatArray> LevelSetNormals::Compute(vtkUnstructuredGrid* mes
   array->Fill(0.0);
   for (std::size_t place = 0; place < normals.size(); ++place)
   {
-    vtkMath::Normalize(normals[place].data());
-    array->SetTuple(around.Points[place], normals[place].data());
+    vtkMath::Normalize(glm::value_ptr(normals[place]));
+    array->SetTuple(around.Points[place], glm::value_ptr(normals[place]));
   }
   return array;
 }

@@ -22,16 +22,6 @@ public:
   static void PreferLargePages(void* memory, std::size_t bytes);
   /// The same for the values of an array, once it has its size.
   static void PreferLargePages(vtkDataArray* array);
-
-  /// Has a line of the cache loaded for reading.
-  static void Prefetch(const void* memory)
-  {
-#if defined(__GNUC__)
-    __builtin_prefetch(memory);
-#else
-    static_cast<void>(memory);
-#endif
-  }
 };
 
 }

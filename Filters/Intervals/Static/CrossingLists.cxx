@@ -1,5 +1,6 @@
 #include "Static/CrossingLists.h"
 
+#include "Common/Prefetch.h"
 #include "Static/ExtractionScalars.h"
 
 #include "vtkSMPTools.h"
@@ -81,7 +82,7 @@ void CrossingLists::MakePoints(
         {
           this->Prefetch(found[std::min(i + 2 * OwnersAhead, numberFound - 1)]);
           const Head& ahead = this->Heads[found[std::min(i + OwnersAhead, numberFound - 1)]];
-          ExtractionMemory::Prefetch(ahead.First.load(std::memory_order_relaxed));
+          interlume::Prefetch::Read(ahead.First.load(std::memory_order_relaxed));
           id = this->NumberList(found[i], id, points);
         }
         scalars.Place(points.GetData() + id - number, number);

@@ -1,6 +1,7 @@
 #ifndef interlume_CrossingLists_h
 #define interlume_CrossingLists_h
 
+#include "Common/Prefetch.h"
 #include "Output/ExtractionBuffer.h"
 #include "Static/CrossingKey.h"
 #include "Static/ExtractionContext.h"
@@ -66,7 +67,7 @@ public:
   }
 
   /// Has a list loaded that will be asked for soon.
-  void Prefetch(vtkIdType owner) const { ExtractionMemory::Prefetch(&this->Heads[owner]); }
+  void Prefetch(vtkIdType owner) const { interlume::Prefetch::Read(&this->Heads[owner]); }
 
   /// Numbers the points and says what they are made of. Nothing is entered afterwards.
   void MakePoints(const ExtractionScalars& scalars, ExtractionBuffer<ExtractionPoint>& points);

@@ -1,6 +1,7 @@
 #ifndef interlume_ExtractionContext_h
 #define interlume_ExtractionContext_h
 
+#include "Common/Batches.h"
 #include "Common/Blanking.h"
 #include "Output/ExtractionBuffer.h"
 #include "Output/SimplexList.h"
@@ -139,19 +140,7 @@ struct ExtractionContext : Blanking
   template <typename Work>
   bool Run(vtkIdType number, double from, double to, Work&& work) const
   {
-    constexpr vtkIdType batches = 8;
-    const vtkIdType step = std::max<vtkIdType>((number + batches - 1) / batches, 1);
-    for (vtkIdType first = 0; first < number; first += step)
-    {
-      const vtkIdType last = std::min(first + step, number);
-      vtkSMPTools::For(first, last, work);
-      this->Owner->UpdateProgress(from + (to - from) * last / number);
-      if (this->Owner->GetAbortExecute())
-      {
-        return false;
-      }
-    }
-    return true;
+    return Batches::Run(number, this->Owner, from, to, work);
   }
 
   /// Notes that \a bytes of working memory are held at this moment.

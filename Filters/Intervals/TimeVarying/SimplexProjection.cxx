@@ -1,5 +1,7 @@
 #include "TimeVarying/SimplexProjection.h"
 
+#include "Common/Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,13 +11,12 @@ namespace interlume
 namespace
 {
 template <typename Real>
-using Vector = std::array<Real, 3>;
+using Vector = glm::vec<3, Real>;
 
 template <typename Real>
 Real Determinant(const Vector<Real>& a, const Vector<Real>& b, const Vector<Real>& c)
 {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-    a[2] * (b[0] * c[1] - b[1] * c[0]);
+  return glm::dot(a, glm::cross(b, c));
 }
 }
 
@@ -51,10 +52,7 @@ bool SimplexProjection::Compute(const std::array<Point, NumberOfPoints>& points,
   // Of size 1, so that no product overflows or vanishes.
   for (Vector<Real>& edge : edges)
   {
-    for (Real& value : edge)
-    {
-      value /= longest;
-    }
+    edge /= longest;
   }
   // From a time among them.
   Real times[NumberOfPoints];
@@ -63,11 +61,8 @@ bool SimplexProjection::Compute(const std::array<Point, NumberOfPoints>& points,
     times[i] = static_cast<Real>(points[i][3]) - static_cast<Real>(points[0][3]);
   }
   const auto& [a, b, c, d] = edges;
-  const auto difference = [](const Vector<Real>& to, const Vector<Real>& from) {
-    return Vector<Real>{ { to[0] - from[0], to[1] - from[1], to[2] - from[2] } };
-  };
-  Real lambda[NumberOfPoints] = { Determinant(difference(b, a), difference(c, a), difference(d, a)),
-    -Determinant(b, c, d), Determinant(a, c, d), -Determinant(a, b, d), Determinant(a, b, c) };
+  Real lambda[NumberOfPoints] = { Determinant<Real>(b - a, c - a, d - a), -Determinant(b, c, d),
+    Determinant(a, c, d), -Determinant(a, b, d), Determinant(a, b, c) };
   Real sums[2] = { 0, 0 };
   Real content = 0;
   Real longestTime = 0;

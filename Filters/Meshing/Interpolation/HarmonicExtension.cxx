@@ -1,8 +1,8 @@
 #include "Interpolation/HarmonicExtension.h"
 
+#include "Common/Vectors.h"
 #include "Interpolation/LinearFit.h"
 #include "Mesh/Tetrahedra.h"
-#include "Mesh/TetrahedronMath.h"
 
 #include <algorithm>
 #include <array>
@@ -22,27 +22,27 @@ using Eigen::Index;
 /// The integrals of grad(i) . grad(j) over a tetrahedron, of its four linear basis functions.
 std::array<std::array<double, 4>, 4> ElementStiffness(const std::array<const double*, 4>& x)
 {
-  using namespace TetrahedronMath;
+  using namespace Vectors;
   // The outward area vector of the triangle opposite each point, times two.
-  std::array<Vector, 4> areas;
+  std::array<glm::dvec3, 4> areas;
   for (int i = 0; i < 4; ++i)
   {
     const double* a = x[(i + 1) % 4];
     const double* b = x[(i + 2) % 4];
     const double* c = x[(i + 3) % 4];
-    areas[i] = Cross(Difference(b, a), Difference(c, a));
+    areas[i] = glm::cross(Difference(b, a), Difference(c, a));
     if (i % 2 != 0)
     {
-      areas[i] = { { -areas[i][0], -areas[i][1], -areas[i][2] } };
+      areas[i] = -areas[i];
     }
   }
-  const double determinant = Determinant(x[0], x[1], x[2], x[3]);
+  const double determinant = SixVolumes(x[0], x[1], x[2], x[3]);
   std::array<std::array<double, 4>, 4> matrix;
   for (int i = 0; i < 4; ++i)
   {
     for (int j = 0; j < 4; ++j)
     {
-      matrix[i][j] = Dot(areas[i], areas[j]) / (6.0 * determinant);
+      matrix[i][j] = glm::dot(areas[i], areas[j]) / (6.0 * determinant);
     }
   }
   return matrix;

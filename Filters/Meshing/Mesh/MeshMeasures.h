@@ -1,6 +1,7 @@
 #ifndef interlume_MeshMeasures_h
 #define interlume_MeshMeasures_h
 
+#include "Common/Vectors.h"
 #include "Mesh/TetrahedronMath.h"
 
 #include "vtkType.h"
@@ -47,7 +48,7 @@ private:
   {
     // By which part a bound may be exceeded by rounding.
     constexpr double rounding = 1e-9;
-    const double volume = TetrahedronMath::Determinant(a, b, c, d) / 6.0;
+    const double volume = Vectors::SixVolumes(a, b, c, d) / 6.0;
     const double ratio = TetrahedronMath::RadiusEdgeRatio(a, b, c, d);
     const bool isBad = this->QualityBound > 0.0 && ratio > this->QualityBound * (1.0 + rounding);
     const bool isLarge =

@@ -1,7 +1,7 @@
 #include "Meshers/PointSetMesher.h"
 
+#include "Common/Vectors.h"
 #include "Mesh/DistinctPoints.h"
-#include "Mesh/TetrahedronMath.h"
 #include "Refinement/MeshRefinement.h"
 #include "Refinement/TetrahedronWalk.h"
 #include "TetGen/MeshingJob.h"
@@ -16,18 +16,18 @@ namespace
 /// Whether all points lie exactly in one plane.
 bool IsFlat(const std::vector<double>& x)
 {
-  using namespace TetrahedronMath;
+  using namespace Vectors;
   // The first triangle with an area, then a point off its plane.
   const double* a = x.data();
   std::size_t p = 6;
-  Vector normal{ { 0.0, 0.0, 0.0 } };
-  for (; p < x.size() && Dot(normal, normal) == 0.0; p += 3)
+  glm::dvec3 normal{ 0.0, 0.0, 0.0 };
+  for (; p < x.size() && glm::dot(normal, normal) == 0.0; p += 3)
   {
-    normal = Cross(Difference(&x[3], a), Difference(&x[p], a));
+    normal = glm::cross(Difference(&x[3], a), Difference(&x[p], a));
   }
   for (; p < x.size(); p += 3)
   {
-    if (Dot(normal, Difference(&x[p], a)) != 0.0)
+    if (glm::dot(normal, Difference(&x[p], a)) != 0.0)
     {
       return false;
     }

@@ -1,6 +1,6 @@
 #include "Meshers/SurfaceMesher.h"
 
-#include "Mesh/TetrahedronMath.h"
+#include "Common/Vectors.h"
 #include "Refinement/MeshRefinement.h"
 #include "Surfaces/ClosedSurface.h"
 #include "Surfaces/SurfaceCrossings.h"
@@ -23,15 +23,15 @@ constexpr double FirstQualityBound = 2.0;
 /// along the triangle's normal. A weight is negative where the point is outside.
 MeshedPoint PlaceInTriangle(const ClosedSurface& surface, int triangle, const double* x)
 {
-  using namespace TetrahedronMath;
+  using namespace Vectors;
   const int* corners = &surface.Triangles[3 * triangle];
   const double* a = &surface.Points.Coordinates[3 * corners[0]];
   const double* b = &surface.Points.Coordinates[3 * corners[1]];
   const double* c = &surface.Points.Coordinates[3 * corners[2]];
-  const Vector normal = Cross(Difference(b, a), Difference(c, a));
-  const double area = Dot(normal, normal);
-  const double beta = Dot(normal, Cross(Difference(x, a), Difference(c, a))) / area;
-  const double gamma = Dot(normal, Cross(Difference(b, a), Difference(x, a))) / area;
+  const glm::dvec3 normal = glm::cross(Difference(b, a), Difference(c, a));
+  const double area = glm::dot(normal, normal);
+  const double beta = glm::dot(normal, glm::cross(Difference(x, a), Difference(c, a))) / area;
+  const double gamma = glm::dot(normal, glm::cross(Difference(b, a), Difference(x, a))) / area;
   MeshedPoint point;
   point.NumberOfSources = 3;
   for (int i = 0; i < 3; ++i)

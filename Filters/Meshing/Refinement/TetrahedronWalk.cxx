@@ -1,6 +1,6 @@
 #include "Refinement/TetrahedronWalk.h"
 
-#include "Mesh/TetrahedronMath.h"
+#include "Common/Vectors.h"
 #include "TetGen/TetGenProblem.h"
 
 #include <algorithm>
@@ -22,19 +22,19 @@ TetrahedronWalk::TetrahedronWalk(const TetGenSolution& mesh)
 
 std::array<double, 4> TetrahedronWalk::GetWeights(int tetrahedron, const double* point) const
 {
-  using TetrahedronMath::Determinant;
+  using Vectors::SixVolumes;
   std::array<const double*, 4> x;
   for (int i = 0; i < 4; ++i)
   {
     x[i] = &this->Mesh.Points[3 * this->Mesh.Tetrahedra[4 * tetrahedron + i]];
   }
-  const double whole = Determinant(x[0], x[1], x[2], x[3]);
+  const double whole = SixVolumes(x[0], x[1], x[2], x[3]);
   std::array<double, 4> weights;
   for (int i = 0; i < 4; ++i)
   {
     std::array<const double*, 4> part = x;
     part[i] = point;
-    weights[i] = Determinant(part[0], part[1], part[2], part[3]) / whole;
+    weights[i] = SixVolumes(part[0], part[1], part[2], part[3]) / whole;
   }
   return weights;
 }

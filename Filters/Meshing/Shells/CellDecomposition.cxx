@@ -1,5 +1,6 @@
 #include "Shells/CellDecomposition.h"
 
+#include "Common/Vectors.h"
 #include "Mesh/TetrahedronMath.h"
 #include "Shells/CellShell.h"
 #include "TetGen/MeshingJob.h"
@@ -13,11 +14,8 @@ namespace interlume
 
 namespace
 {
-using TetrahedronMath::Cross;
-using TetrahedronMath::Difference;
-using TetrahedronMath::Dot;
 using TetrahedronMath::PolarSine;
-using TetrahedronMath::Vector;
+using Vectors::Difference;
 
 /// Below these a tetrahedron is taken for flat, or for nearly so.
 constexpr double Flat = 1e-12;
@@ -155,8 +153,9 @@ bool CellDecomposition::TakeFromTetGen(MeshingJob& job)
       PolarSine(&solution.Points[3 * t[0]], &solution.Points[3 * t[1]], &solution.Points[3 * t[2]],
         &solution.Points[3 * t[3]]));
   }
-  Vector center;
-  if (least < NearlyFlat && this->FindCenter(center) && this->GetLeastShape(center.data()) > least)
+  glm::dvec3 center;
+  if (least < NearlyFlat && this->FindCenter(center) &&
+    this->GetLeastShape(glm::value_ptr(center)) > least)
   {
     this->Tetrahedra.clear();
     return false;
@@ -186,44 +185,41 @@ double CellDecomposition::GetLeastShape(const double* apex) const
   return least;
 }
 
-bool CellDecomposition::FindCenter(std::array<double, 3>& center) const
+bool CellDecomposition::FindCenter(glm::dvec3& center) const
 {
   // From the mean of the points, away from the triangle that lies nearest or farthest on the wrong
   // side, by ever smaller steps: S. Agmon, "The relaxation method for linear inequalities",
   // Canadian Journal of Mathematics 6, 1954.
   const auto number = static_cast<double>(this->Shell.PointIds.size());
-  center = { { 0.0, 0.0, 0.0 } };
+  center = glm::dvec3(0.0);
   for (std::size_t i = 0; i < this->Shell.Points.size(); ++i)
   {
     center[i % 3] += this->Shell.Points[i] / number;
   }
   double step = 0.1 * std::cbrt(this->Shell.Volume);
-  std::array<double, 3> best = center;
-  double bestShape = this->GetLeastShape(center.data());
+  glm::dvec3 best = center;
+  double bestShape = this->GetLeastShape(glm::value_ptr(center));
   for (int i = 0; i < CenterSteps; ++i)
   {
     double nearest = std::numeric_limits<double>::infinity();
-    Vector inward{ { 0.0, 0.0, 0.0 } };
+    glm::dvec3 inward{ 0.0, 0.0, 0.0 };
     for (const auto& triangle : this->Shell.Triangles)
     {
       const double* a = this->Shell.GetPoint(triangle.Points[0]);
-      const Vector normal = Cross(Difference(this->Shell.GetPoint(triangle.Points[1]), a),
+      const glm::dvec3 normal = glm::cross(Difference(this->Shell.GetPoint(triangle.Points[1]), a),
         Difference(this->Shell.GetPoint(triangle.Points[2]), a));
-      const double length = std::sqrt(Dot(normal, normal));
-      const double distance = -Dot(normal, Difference(center.data(), a)) / length;
+      const double length = std::sqrt(glm::dot(normal, normal));
+      const double distance = -glm::dot(normal, Difference(glm::value_ptr(center), a)) / length;
       if (distance < nearest)
       {
         nearest = distance;
-        inward = { { -normal[0] / length, -normal[1] / length, -normal[2] / length } };
+        inward = -normal / length;
       }
     }
     const double move = nearest < 0.0 ? step - nearest : step;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      center[axis] += move * inward[axis];
-    }
+    center += move * inward;
     step *= 0.98;
-    const double shape = this->GetLeastShape(center.data());
+    const double shape = this->GetLeastShape(glm::value_ptr(center));
     if (shape > bestShape)
     {
       bestShape = shape;
@@ -236,13 +232,13 @@ bool CellDecomposition::FindCenter(std::array<double, 3>& center) const
 
 bool CellDecomposition::TakeFromCenter()
 {
-  std::array<double, 3> center;
+  glm::dvec3 center;
   if (!this->FindCenter(center))
   {
     return false;
   }
   const int apex = static_cast<int>(this->Shell.PointIds.size());
-  this->NewPoints.assign(center.begin(), center.end());
+  this->NewPoints = { center.x, center.y, center.z };
   this->Tetrahedra.clear();
   for (const auto& triangle : this->Shell.Triangles)
   {

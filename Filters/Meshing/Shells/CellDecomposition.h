@@ -1,6 +1,7 @@
 #ifndef interlume_CellDecomposition_h
 #define interlume_CellDecomposition_h
 
+#include "Common/Vectors.h"
 #include <array>
 #include <string>
 #include <vector>
@@ -38,7 +39,7 @@ private:
   bool TakeFromPoint();
   bool TakeFromTetGen(MeshingJob& job);
   bool TakeFromCenter();
-  bool FindCenter(std::array<double, 3>& center) const;
+  bool FindCenter(glm::dvec3& center) const;
   bool HasShell(const std::vector<int>& tetrahedra, const std::vector<int>& neighbors) const;
   /// The least sine of a solid angle among the tetrahedra from a place to all triangles.
   double GetLeastShape(const double* apex) const;

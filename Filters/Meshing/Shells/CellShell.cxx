@@ -1,6 +1,6 @@
 #include "Shells/CellShell.h"
 
-#include "Mesh/TetrahedronMath.h"
+#include "Common/Vectors.h"
 #include "Shells/FaceTriangulation.h"
 
 #include "vtkCell.h"
@@ -228,7 +228,7 @@ double CellShell::MeasureVolume() const
   double sum = 0.0;
   for (const Triangle& triangle : this->Triangles)
   {
-    sum += TetrahedronMath::Determinant(this->GetPoint(0), this->GetPoint(triangle.Points[0]),
+    sum += Vectors::SixVolumes(this->GetPoint(0), this->GetPoint(triangle.Points[0]),
       this->GetPoint(triangle.Points[1]), this->GetPoint(triangle.Points[2]));
   }
   return sum / 6.0;

@@ -1,6 +1,6 @@
 #include "Surfaces/ClosedSurface.h"
 
-#include "Mesh/TetrahedronMath.h"
+#include "Common/Vectors.h"
 #include "Shells/FaceTriangulation.h"
 
 #include "vtkCellType.h"
@@ -154,12 +154,12 @@ void ClosedSurface::DropRepeated()
 
 std::string ClosedSurface::CheckAreas() const
 {
-  using namespace TetrahedronMath;
+  using namespace Vectors;
   for (std::size_t i = 0; i < this->CellIds.size(); ++i)
   {
     const double* a = &this->Points.Coordinates[3 * this->Triangles[3 * i]];
-    const Vector normal =
-      Cross(Difference(&this->Points.Coordinates[3 * this->Triangles[3 * i + 1]], a),
+    const glm::dvec3 normal =
+      glm::cross(Difference(&this->Points.Coordinates[3 * this->Triangles[3 * i + 1]], a),
         Difference(&this->Points.Coordinates[3 * this->Triangles[3 * i + 2]], a));
     if (normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 0.0)
     {
@@ -172,18 +172,19 @@ std::string ClosedSurface::CheckAreas() const
 
 bool ClosedSurface::AreCoplanar(std::size_t triangle, std::size_t other) const
 {
-  using namespace TetrahedronMath;
+  using namespace Vectors;
   const auto point = [this](std::size_t t, int i)
   { return &this->Points.Coordinates[3 * this->Triangles[3 * t + i]]; };
   const double* a = point(triangle, 0);
-  const Vector normal = Cross(Difference(point(triangle, 1), a), Difference(point(triangle, 2), a));
-  const double length = std::sqrt(Dot(normal, normal));
+  const glm::dvec3 normal =
+    glm::cross(Difference(point(triangle, 1), a), Difference(point(triangle, 2), a));
+  const double length = std::sqrt(glm::dot(normal, normal));
   for (int i = 0; i < 3; ++i)
   {
     const double* x = point(other, i);
     const double size = std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), std::abs(a[0]),
       std::abs(a[1]), std::abs(a[2]) });
-    if (std::abs(Dot(normal, Difference(x, a))) > Flatness * length * size)
+    if (std::abs(glm::dot(normal, Difference(x, a))) > Flatness * length * size)
     {
       return false;
     }

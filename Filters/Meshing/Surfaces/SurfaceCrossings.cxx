@@ -1,6 +1,6 @@
 #include "Surfaces/SurfaceCrossings.h"
 
-#include "Mesh/TetrahedronMath.h"
+#include "Common/Vectors.h"
 #include "Surfaces/ClosedSurface.h"
 
 #include <algorithm>
@@ -14,17 +14,16 @@ namespace interlume
 
 namespace
 {
-using TetrahedronMath::Difference;
-using TetrahedronMath::Vector;
+using Vectors::Difference;
 
 /// The sign of the volume of a, b, c, d, or 0 where rounding might have changed it.
 int CertainSign(const double* a, const double* b, const double* c, const double* d)
 {
   constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
   constexpr double bound = (7 + 56 * unit) * unit;
-  const Vector u = Difference(b, a);
-  const Vector v = Difference(c, a);
-  const Vector w = Difference(d, a);
+  const glm::dvec3 u = Difference(b, a);
+  const glm::dvec3 v = Difference(c, a);
+  const glm::dvec3 w = Difference(d, a);
   double determinant = 0.0;
   double permanent = 0.0;
   for (int i = 0; i < 3; ++i)

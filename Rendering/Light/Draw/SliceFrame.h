@@ -1,6 +1,7 @@
 #ifndef interlume_SliceFrame_h
 #define interlume_SliceFrame_h
 
+#include "Common/Vectors.h"
 #include "Lights/LightSource.h"
 #include "Plan/ClipRegion.h"
 #include "Plan/SlicePlan.h"
@@ -39,9 +40,9 @@ struct SliceFrame
   double SurfaceGradient = 0.0;
   /// Ambient, diffuse, specular, specular power of each row.
   std::array<std::array<float, 4>, 4> Materials{};
-  std::array<double, 3> Ambient{ { 1.0, 1.0, 1.0 } };
+  glm::dvec3 Ambient{ 1.0, 1.0, 1.0 };
   /// Of the image, for the magnitude of gradients as the property's functions have it.
-  std::array<double, 3> Spacing{ { 1.0, 1.0, 1.0 } };
+  glm::dvec3 Spacing{ 1.0, 1.0, 1.0 };
   /// Unit distance of each row, in world units.
   std::array<double, 4> UnitDistances{ { 1.0, 1.0, 1.0, 1.0 } };
 

@@ -1,5 +1,6 @@
 #include "Draw/SliceRenderer.h"
 
+#include "Common/Vectors.h"
 #include "Draw/SliceRasterizer.h"
 #include "Draw/SliceShader.h"
 #include "Lights/LightSources.h"
@@ -40,7 +41,6 @@ struct SliceRenderer::WindowResources
 
 namespace
 {
-using Vector = std::array<double, 3>;
 using Matrix = std::array<double, 16>;
 
 // Clip coordinates have z + w >= 0 behind the near plane.
@@ -163,7 +163,7 @@ void SliceRenderer::UpdateShading(vtkVolume* volume)
       static_cast<float>(property->GetSpecularPower(row)) } };
     picture.UnitDistances[row] = property->GetScalarOpacityUnitDistance(row);
   }
-  Vector ambient{ { 0.0, 0.0, 0.0 } };
+  glm::dvec3 ambient{ 0.0, 0.0, 0.0 };
   for (const LightSource& light : picture.Lights)
   {
     for (int i = 0; i < 3; ++i)
@@ -172,7 +172,7 @@ void SliceRenderer::UpdateShading(vtkVolume* volume)
     }
   }
   const bool isBlack = ambient[0] + ambient[1] + ambient[2] == 0.0;
-  picture.Ambient = isBlack ? Vector{ { 1.0, 1.0, 1.0 } } : ambient;
+  picture.Ambient = isBlack ? glm::dvec3(1.0, 1.0, 1.0) : ambient;
 }
 
 double SliceRenderer::ChooseCoarseness(vtkVolume* volume, const Request& request)
@@ -284,7 +284,7 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
   {
     return error;
   }
-  request.Image->GetSpacing(picture.Spacing.data());
+  request.Image->GetSpacing(glm::value_ptr(picture.Spacing));
   const double coarseness = this->ChooseCoarseness(volume, request);
   report.ImageSampleDistance = request.ImageSampleDistance * coarseness;
   int width = 0;

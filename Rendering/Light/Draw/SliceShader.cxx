@@ -1,5 +1,7 @@
 #include "Draw/SliceShader.h"
 
+#include "Common/Vectors.h"
+
 #include "InterlumeSliceFS.h"
 #include "InterlumeSliceLight.h"
 #include "InterlumeSliceLightFS.h"
@@ -83,7 +85,7 @@ std::string GetLightFeatures(const LightSource& light, const ShadowedLight* shad
 }
 
 // Of such lights' sources and what calls them.
-std::string GetEyeSource(
+std::string MakeEyeSource(
   const std::string& features, const std::string& lights, const std::string& calls)
 {
   std::string source = Replace(InterlumeSliceFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
@@ -92,9 +94,9 @@ std::string GetEyeSource(
   return vtkShaderFeatures::Insert(source, features);
 }
 
-void SetVector(vtkShaderProgram* program, const std::string& name, const std::array<double, 3>& v)
+void SetVector(vtkShaderProgram* program, const std::string& name, const glm::dvec3& v)
 {
-  program->SetUniform3f(name.c_str(), v.data());
+  program->SetUniform3f(name.c_str(), glm::value_ptr(v));
 }
 
 void SetVector(vtkShaderProgram* program, const std::string& name, const std::array<double, 4>& v)
@@ -179,11 +181,9 @@ void SetMediumUniforms(vtkShaderProgram* program, const Picture& picture, const 
   SetMatrix(program, "textureFromUnit", space.TextureFromUnit);
   program->SetUniformf("worldLength", static_cast<float>(space.Radius));
   SetVector(program, "boxLower",
-    std::array<double, 3>{
-      { picture.Matter.Box[0][0], picture.Matter.Box[1][0], picture.Matter.Box[2][0] } });
+    glm::dvec3(picture.Matter.Box[0][0], picture.Matter.Box[1][0], picture.Matter.Box[2][0]));
   SetVector(program, "boxUpper",
-    std::array<double, 3>{
-      { picture.Matter.Box[0][1], picture.Matter.Box[1][1], picture.Matter.Box[2][1] } });
+    glm::dvec3(picture.Matter.Box[0][1], picture.Matter.Box[1][1], picture.Matter.Box[2][1]));
   SetVector(program, "sliceNormal", sweep.Normal);
   program->SetUniformf("sliceSpacing", static_cast<float>(sweep.Spacing));
 
@@ -203,8 +203,8 @@ void SetMediumUniforms(vtkShaderProgram* program, const Picture& picture, const 
   }
   if (program->IsUniformUsed("voxel"))
   {
-    SetVector(program, "voxel",
-      std::array<double, 3>{ { 1.0 / space.Size[0], 1.0 / space.Size[1], 1.0 / space.Size[2] } });
+    SetVector(
+      program, "voxel", glm::dvec3(1.0 / space.Size[0], 1.0 / space.Size[1], 1.0 / space.Size[2]));
   }
   if (!picture.Material.GradientOpacity.empty())
   {
@@ -217,11 +217,10 @@ void SetMediumUniforms(vtkShaderProgram* program, const Picture& picture, const 
         picture.Material.GradientRange[row];
       distances[row] = picture.UnitDistances[row] / space.Radius;
     }
-    const std::array<double, 3>& spacing = picture.Spacing;
+    const glm::dvec3& spacing = picture.Spacing;
     const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
     SetVector(program, "gradientSteps",
-      std::array<double, 3>{
-        { 0.5 * mean / spacing[0], 0.5 * mean / spacing[1], 0.5 * mean / spacing[2] } });
+      glm::dvec3(0.5 * mean / spacing[0], 0.5 * mean / spacing[1], 0.5 * mean / spacing[2]));
     SetVector(program, "gradientColumnScale", scale);
     SetVector(program, "unitDistances", distances);
   }
@@ -363,7 +362,7 @@ std::string SliceShader::GetEyeSource(
   features += picture.Material.Kind == MaterialTable::RGB_OPACITY ? " RGB" : "";
   if (part == EMPTY)
   {
-    return ::GetEyeSource(features, "", "");
+    return MakeEyeSource(features, "", "");
   }
   features += picture.IsLit() ? " LIT" : "";
   features += picture.IsShaded ? " SHADE" : "";
@@ -379,7 +378,7 @@ std::string SliceShader::GetEyeSource(
     calls += "shine_" + std::to_string(number) + "(color);\n";
     ++number;
   }
-  return ::GetEyeSource(features, lights, calls);
+  return MakeEyeSource(features, lights, calls);
 }
 
 std::string SliceShader::GetLightSource(
@@ -482,7 +481,7 @@ void SliceShader::SetEyeUniforms(
     SetVector(program, "surfaceColumns", columns);
   }
   program->SetUniform4fv("materials", picture.Material.Rows, materials.data());
-  const std::array<double, 3> none{ { 0.0, 0.0, 0.0 } };
+  const glm::dvec3 none{ 0.0, 0.0, 0.0 };
   SetVector(program, "ambient", picture.Plan.IsOfFirstPicture(sweep) ? picture.Ambient : none);
   int number = 0;
   for (int light : GetLightsOf(picture, sweep))

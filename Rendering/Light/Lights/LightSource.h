@@ -1,6 +1,7 @@
 #ifndef interlume_LightSource_h
 #define interlume_LightSource_h
 
+#include "Common/Vectors.h"
 #include <array>
 
 class vtkLight;
@@ -21,21 +22,21 @@ struct LightSource
 
   bool IsPositional = false;
   /// Of positional lights.
-  std::array<double, 3> Position{ { 0.0, 0.0, 0.0 } };
+  glm::dvec3 Position{ 0.0, 0.0, 0.0 };
   /// Where light goes, length 1: of directional lights everywhere, of positional ones along the
   /// axis.
-  std::array<double, 3> Direction{ { 0.0, 0.0, -1.0 } };
+  glm::dvec3 Direction{ 0.0, 0.0, -1.0 };
 
   /// Colours times intensity.
-  std::array<double, 3> Ambient{ { 0.0, 0.0, 0.0 } };
-  std::array<double, 3> Diffuse{ { 1.0, 1.0, 1.0 } };
-  std::array<double, 3> Specular{ { 1.0, 1.0, 1.0 } };
+  glm::dvec3 Ambient{ 0.0, 0.0, 0.0 };
+  glm::dvec3 Diffuse{ 1.0, 1.0, 1.0 };
+  glm::dvec3 Specular{ 1.0, 1.0, 1.0 };
 
   /// Cosine of the cone's half angle and exponent of the fall-off to its edge; -1 without a cone.
   double ConeCosine = -1.0;
   double Exponent = 0.0;
   /// 1 / (a + b d + c d^2) with d in unit space; 1, 0, 0 for directional lights.
-  std::array<double, 3> Attenuation{ { 1.0, 0.0, 0.0 } };
+  glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 };
 
   /// How much of the light shadows take, 0 to 1; 0 casts none.
   double ShadowStrength = 0.0;

@@ -64,29 +64,24 @@ Place FindPlace(vtkLight* light, vtkRenderer* renderer)
   return place;
 }
 
-bool IsFinite(const Vector& a)
+bool IsBlack(const glm::dvec3& color)
 {
-  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+  return color == glm::dvec3(0.0);
 }
 
-bool IsBlack(const Vector& color)
+glm::dvec3 GetColor(const double* color, double intensity)
 {
-  return color[0] == 0.0 && color[1] == 0.0 && color[2] == 0.0;
-}
-
-Vector GetColor(const double* color, double intensity)
-{
-  return { { color[0] * intensity, color[1] * intensity, color[2] * intensity } };
+  return glm::make_vec3(color) * intensity;
 }
 
 double GetBrightness(const LightSource& source)
 {
-  return *std::max_element(source.Diffuse.begin(), source.Diffuse.end());
+  return std::max({ source.Diffuse.r, source.Diffuse.g, source.Diffuse.b });
 }
 
 // Fills what a projective light has more; returns what is wrong, or nothing.
 std::string SetScreen(
-  LightSource& source, const Place& place, const Vector& focalPoint, const UnitSpace& space)
+  LightSource& source, const Place& place, const glm::dvec3& focalPoint, const UnitSpace& space)
 {
   double viewUp[3];
   source.Projective->GetViewUp(viewUp);
@@ -98,8 +93,8 @@ std::string SetScreen(
     std::copy_n(to, 3, viewUp);
   }
   vtkNew<vtkMatrix4x4> matrix;
-  if (!source.Projective->GetScreenMatrix(
-        source.Position.data(), focalPoint.data(), viewUp, 1.0 / space.Radius, matrix))
+  if (!source.Projective->GetScreenMatrix(glm::value_ptr(source.Position),
+        glm::value_ptr(focalPoint), viewUp, 1.0 / space.Radius, matrix))
   {
     return "the matrix of its screen is not finite";
   }
@@ -117,18 +112,19 @@ std::string SetSource(
   source.Ambient = GetColor(light->GetAmbientColor(), light->GetIntensity());
   source.Diffuse = GetColor(light->GetDiffuseColor(), light->GetIntensity());
   source.Specular = GetColor(light->GetSpecularColor(), light->GetIntensity());
-  if (!IsFinite(source.Ambient) || !IsFinite(source.Diffuse) || !IsFinite(source.Specular))
+  if (!Vectors::IsFinite(source.Ambient) || !Vectors::IsFinite(source.Diffuse) ||
+    !Vectors::IsFinite(source.Specular))
   {
     return "its colour or intensity is not finite";
   }
 
   const Place place = FindPlace(light, renderer);
   source.Position = space.ToUnit(place.Position);
-  const Vector focalPoint = space.ToUnit(place.FocalPoint);
+  const glm::dvec3 focalPoint = space.ToUnit(place.FocalPoint);
   // In world coordinates, which have all digits of it.
-  const Vector axis{ { place.FocalPoint[0] - place.Position[0],
-    place.FocalPoint[1] - place.Position[1], place.FocalPoint[2] - place.Position[2] } };
-  if (!IsFinite(source.Position) || !IsFinite(axis) || !std::isfinite(Length(axis)))
+  const glm::dvec3 axis = glm::make_vec3(place.FocalPoint) - glm::make_vec3(place.Position);
+  if (!Vectors::IsFinite(source.Position) || !Vectors::IsFinite(axis) ||
+    !std::isfinite(Vectors::SafeLength(axis)))
   {
     return "its position or focal point is not finite";
   }
@@ -152,9 +148,9 @@ std::string SetSource(
   if (source.IsPositional)
   {
     const double* world = light->GetAttenuationValues();
-    const Vector attenuation{ { world[0], world[1] * space.Radius,
-      world[2] * space.Radius * space.Radius } };
-    if (!IsFinite(attenuation))
+    const glm::dvec3 attenuation{ world[0], world[1] * space.Radius,
+      world[2] * space.Radius * space.Radius };
+    if (!Vectors::IsFinite(attenuation))
     {
       return "its attenuation is not finite";
     }

@@ -1,5 +1,6 @@
 #include "Plan/ClipRegion.h"
 
+#include "Common/Vectors.h"
 #include "Space/UnitSpace.h"
 
 #include "vtkImageData.h"
@@ -66,9 +67,9 @@ std::string ClipRegion::Clip(vtkPlaneCollection* planes, const UnitSpace& space)
     {
       return "clipping plane " + std::to_string(i) + " has no normal";
     }
-    const std::array<double, 3> place = space.ToUnit(origin);
+    const glm::dvec3 place = space.ToUnit(origin);
     this->ClippingPlanes.push_back(
-      { { normal[0], normal[1], normal[2], -vtkMath::Dot(normal, place.data()) } });
+      { { normal[0], normal[1], normal[2], -glm::dot(glm::make_vec3(normal), place) } });
   }
   return {};
 }

@@ -1,6 +1,7 @@
 #ifndef interlume_ClipRegion_h
 #define interlume_ClipRegion_h
 
+#include "Common/Vectors.h"
 #include <array>
 #include <string>
 #include <vector>
@@ -39,8 +40,8 @@ public:
   std::vector<std::array<double, 4>> ClippingPlanes;
   /// Regions for each sample to find out, in the volume's own coordinates.
   bool HasCropping = false;
-  std::array<double, 3> CroppingLower{};
-  std::array<double, 3> CroppingUpper{};
+  glm::dvec3 CroppingLower{};
+  glm::dvec3 CroppingUpper{};
   int CroppingFlags = 0;
 };
 

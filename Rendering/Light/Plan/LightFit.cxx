@@ -1,7 +1,12 @@
 #include "Plan/LightFit.h"
 
+#include "Common/Vectors.h"
 #include "Plan/SliceNormal.h"
 #include "Space/UnitSpace.h"
+
+#include "vtkMath.h"
+
+#include <limits>
 
 namespace interlume
 {
@@ -19,9 +24,9 @@ constexpr int SmallestAutomatic = 64;
 constexpr int LargestAutomatic = 2048;
 constexpr int Multiple = 16;
 
-Vector GetRow(const Matrix& matrix, std::size_t row)
+glm::dvec3 GetRow(const Matrix& matrix, std::size_t row)
 {
-  return { { matrix[4 * row], matrix[4 * row + 1], matrix[4 * row + 2] } };
+  return glm::make_vec3(&matrix[4 * row]);
 }
 
 }
@@ -43,19 +48,22 @@ double LightFit::GetArea(const Window& window)
 // Fills the window's range from the box; false where some of it is beside or behind the light.
 bool LightFit::Bound(Window& window) const
 {
-  window.Range = { { { { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } },
-    { { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } } } };
-  for (const Vector& corner : this->Corners.Get())
+  window.Range = {
+    { { { std::numeric_limits<double>::max(), -std::numeric_limits<double>::max() } },
+      { { std::numeric_limits<double>::max(), -std::numeric_limits<double>::max() } } }
+  };
+  for (const glm::dvec3& corner : this->Corners.Get())
   {
-    const Vector offset = Combine(1.0, corner, -1.0, window.Origin);
-    const double depth = Dot(offset, window.Axis);
-    if (window.IsPerspective && depth <= SmallestDepth * Length(offset))
+    const glm::dvec3 offset = corner - window.Origin;
+    const double depth = glm::dot(offset, window.Axis);
+    if (window.IsPerspective && depth <= SmallestDepth * Vectors::SafeLength(offset))
     {
       return false;
     }
     for (std::size_t i = 0; i < 2; ++i)
     {
-      const double place = Dot(offset, window.Across[i]) / (window.IsPerspective ? depth : 1.0);
+      const double place =
+        glm::dot(offset, window.Across[i]) / (window.IsPerspective ? depth : 1.0);
       window.Range[i][0] = std::min(window.Range[i][0], place);
       window.Range[i][1] = std::max(window.Range[i][1], place);
     }
@@ -66,8 +74,8 @@ bool LightFit::Bound(Window& window) const
 LightFit::Window LightFit::FitBox(const LightSource& source) const
 {
   Window window;
-  const Vector toCenter = Combine(1.0, this->Center, -1.0, source.Position);
-  const double distance = Length(toCenter);
+  const glm::dvec3 toCenter = this->Center - source.Position;
+  const double distance = Vectors::SafeLength(toCenter);
   window.IsPerspective = source.IsPositional && distance < FarDistance;
   window.Axis = source.IsPositional ? Normalize(toCenter, source.Direction) : source.Direction;
   if (window.IsPerspective)
@@ -82,12 +90,12 @@ LightFit::Window LightFit::FitBox(const LightSource& source) const
   }
 
   Window best;
-  const std::array<Vector, 8>& corners = this->Corners.Get();
+  const std::array<glm::dvec3, 8>& corners = this->Corners.Get();
   for (std::size_t edge = 0; edge < 3; ++edge)
   {
-    const Vector along = Combine(1.0, corners[std::size_t(1) << edge], -1.0, corners[0]);
+    const glm::dvec3 along = corners[std::size_t(1) << edge] - corners[0];
     window.Across[0] = Perpendicular(window.Axis, along);
-    window.Across[1] = Cross(window.Axis, window.Across[0]);
+    window.Across[1] = glm::cross(window.Axis, window.Across[0]);
     this->Bound(window);
     if (edge == 0 || GetArea(window) < GetArea(best))
     {
@@ -102,18 +110,18 @@ bool LightFit::FitScreen(const LightSource& source, Window& window) const
 {
   const Matrix& screen = source.ScreenFromUnit;
   window.IsPerspective = source.IsPositional;
-  window.Origin = source.IsPositional ? source.Position : Vector{ { 0.0, 0.0, 0.0 } };
+  window.Origin = source.IsPositional ? source.Position : glm::dvec3(0.0, 0.0, 0.0);
   window.Axis = source.Direction;
   std::array<std::array<double, 2>, 2> edges;
   for (std::size_t i = 0; i < 2; ++i)
   {
-    const Vector depth = source.IsPositional ? GetRow(screen, 3) : Vector{ { 0.0, 0.0, 0.0 } };
-    const Vector across = Combine(1.0, GetRow(screen, i), -0.5, depth);
-    const double length = Length(across);
+    const glm::dvec3 depth = source.IsPositional ? GetRow(screen, 3) : glm::dvec3(0.0, 0.0, 0.0);
+    const glm::dvec3 across = GetRow(screen, i) - 0.5 * depth;
+    const double length = Vectors::SafeLength(across);
     window.Across[i] = Normalize(across, source.Direction);
     if (source.IsPositional)
     {
-      const double half = 0.5 * Length(depth) / length;
+      const double half = 0.5 * Vectors::SafeLength(depth) / length;
       edges[i] = { { -half, half } };
     }
     else
@@ -161,8 +169,8 @@ void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& lig
   double middle = 1.0;
   if (window.IsPerspective)
   {
-    middle = std::abs(Dot(Combine(1.0, this->Center, -1.0, window.Origin), window.Axis));
-    depth = this->Corners.GetRange(window.Axis)[1] - Dot(window.Origin, window.Axis);
+    middle = std::abs(glm::dot(this->Center - window.Origin, window.Axis));
+    depth = this->Corners.GetRange(window.Axis)[1] - glm::dot(window.Origin, window.Axis);
     depth = depth > 0.0 ? depth : 1.0;
   }
 
@@ -182,10 +190,10 @@ void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& lig
   const double widest =
     std::max(window.Range[0][1] - window.Range[0][0], window.Range[1][1] - window.Range[1][0]);
   constexpr double narrowest = 1e-6;
-  const auto setRow = [&](std::size_t row, const Vector& a, double constant)
+  const auto setRow = [&](std::size_t row, const glm::dvec3& a, double constant)
   {
-    std::copy(a.begin(), a.end(), light.BufferFromUnit.begin() + 4 * row);
-    light.BufferFromUnit[4 * row + 3] = constant - Dot(a, window.Origin);
+    std::copy_n(glm::value_ptr(a), 3, light.BufferFromUnit.begin() + 4 * row);
+    light.BufferFromUnit[4 * row + 3] = constant - glm::dot(a, window.Origin);
   };
   for (std::size_t i = 0; i < 2; ++i)
   {
@@ -195,16 +203,16 @@ void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& lig
     light.TexelSize = std::max(light.TexelSize, 2.0 / (scale * light.BufferSize));
     if (window.IsPerspective)
     {
-      setRow(i, Combine(scale, window.Across[i], -scale * center, window.Axis), 0.0);
+      setRow(i, scale * window.Across[i] + (-scale * center) * window.Axis, 0.0);
     }
     else
     {
-      setRow(i, Scale(scale, window.Across[i]), -scale * center);
+      setRow(i, scale * window.Across[i], -scale * center);
     }
   }
   if (window.IsPerspective)
   {
-    setRow(3, Scale(1.0 / depth, window.Axis), 0.0);
+    setRow(3, (1.0 / depth) * window.Axis, 0.0);
   }
   else
   {
@@ -213,16 +221,16 @@ void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& lig
 }
 
 void LightFit::FitHalfSpace(
-  const Vector& normal, const Vector& position, SlicePlan::ShadowedLight& light) const
+  const glm::dvec3& normal, const glm::dvec3& position, SlicePlan::ShadowedLight& light) const
 {
-  const Vector first = Perpendicular(normal, { { 1.0, 0.0, 0.0 } });
-  const std::array<Vector, 3> axes{ { first, Cross(normal, first), normal } };
+  const glm::dvec3 first = Perpendicular(normal, { 1.0, 0.0, 0.0 });
+  const std::array<glm::dvec3, 3> axes{ { first, glm::cross(normal, first), normal } };
   double texels = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    std::copy(axes[i].begin(), axes[i].end(), light.Frame.begin() + 3 * i);
+    std::copy_n(glm::value_ptr(axes[i]), 3, light.Frame.begin() + 3 * i);
     const std::array<double, 2> range = this->Corners.GetRange(axes[i]);
-    const double place = Dot(position, axes[i]);
+    const double place = glm::dot(position, axes[i]);
     const double farthest = std::max(range[1] - place, i < 2 ? place - range[0] : 0.0);
     // Near a face few rays go as far, and texels have their price.
     const double outside = std::max({ range[0] - place, place - range[1], 0.0 });

@@ -1,6 +1,7 @@
 #ifndef interlume_LightFit_h
 #define interlume_LightFit_h
 
+#include "Common/Vectors.h"
 #include "Plan/SlicePlan.h"
 #include "Space/BoxCorners.h"
 
@@ -23,8 +24,6 @@ class UnitSpace;
 class LightFit
 {
 public:
-  using Vector = UnitVector::Vector;
-
   /// Texels on each side.
   static constexpr int Border = 2;
   /// Positional lights from this distance on are fitted as directional ones: single precision sees
@@ -35,16 +34,16 @@ public:
 
   void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light) const;
   void FitHalfSpace(
-    const Vector& normal, const Vector& position, SlicePlan::ShadowedLight& light) const;
+    const glm::dvec3& normal, const glm::dvec3& position, SlicePlan::ShadowedLight& light) const;
 
 private:
   /// A plane's axes and the rectangle in it; places are in tangents for positional lights.
   struct Window
   {
     bool IsPerspective = false;
-    Vector Origin{ { 0.0, 0.0, 0.0 } };
-    Vector Axis{ { 0.0, 0.0, 1.0 } };
-    std::array<Vector, 2> Across{};
+    glm::dvec3 Origin{ 0.0, 0.0, 0.0 };
+    glm::dvec3 Axis{ 0.0, 0.0, 1.0 };
+    std::array<glm::dvec3, 2> Across{};
     std::array<std::array<double, 2>, 2> Range{};
   };
 
@@ -57,7 +56,7 @@ private:
   const BoxCorners& Corners;
   const UnitSpace& Space;
   const SlicePlan::Settings& Settings;
-  const Vector Center;
+  const glm::dvec3 Center;
 };
 
 }

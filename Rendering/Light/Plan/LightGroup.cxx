@@ -1,5 +1,6 @@
 #include "Plan/LightGroup.h"
 
+#include "Common/Vectors.h"
 #include "Plan/LightFit.h"
 #include "Plan/SliceNormal.h"
 
@@ -25,10 +26,11 @@ LightGroup::Caster::Caster(int index, const LightSource& source, const BoxCorner
 {
   if (source.IsPositional)
   {
-    const Vector toCenter = Combine(1.0, corners.GetCenter(), -1.0, source.Position);
+    const glm::dvec3 toCenter = corners.GetCenter() - source.Position;
     this->Direction = Normalize(toCenter, source.Direction);
-    this->Rays = Length(toCenter) < LightFit::FarDistance ? corners.GetRays(source.Position)
-                                                          : std::vector<Vector>{ this->Direction };
+    this->Rays = Vectors::SafeLength(toCenter) < LightFit::FarDistance
+      ? corners.GetRays(source.Position)
+      : std::vector<glm::dvec3>{ this->Direction };
   }
 }
 
@@ -41,7 +43,7 @@ LightGroup::LightGroup(const ViewRange& view, const Caster& caster, double side)
 
 LightGroup LightGroup::Make(const ViewRange& view, const Caster& caster)
 {
-  const double side = Dot(view.Direction, caster.Direction) >= -Perpendicularity ? 1.0 : -1.0;
+  const double side = glm::dot(view.Direction, caster.Direction) >= -Perpendicularity ? 1.0 : -1.0;
   LightGroup own(view, caster, side);
   if (own.Ratio >= 1.0)
   {
@@ -82,17 +84,17 @@ void LightGroup::FindNormal(const ViewRange& view)
 {
   SliceNormal normal;
   normal.Add(view.Rays, this->Side, SlicePlan::EyeCosine);
-  Vector sum{ { 0.0, 0.0, 0.0 } };
+  glm::dvec3 sum{ 0.0, 0.0, 0.0 };
   for (const Caster& caster : this->Casters)
   {
     normal.Add(caster.Rays, 1.0, SlicePlan::LightCosine);
-    sum = Combine(1.0, sum, 1.0, caster.Direction);
+    sum = sum + caster.Direction;
   }
   this->Ratio = normal.FindBest();
-  const Vector along = Scale(this->Side, view.Direction);
-  const Vector average = Length(sum) > Nothing ? Normalize(sum, along) : along;
-  const Vector half = Combine(1.0, along, 1.0, average);
-  this->Normal = normal.Turn(Length(half) > Nothing ? Normalize(half, along) : along);
+  const glm::dvec3 along = this->Side * view.Direction;
+  const glm::dvec3 average = Vectors::SafeLength(sum) > Nothing ? Normalize(sum, along) : along;
+  const glm::dvec3 half = along + average;
+  this->Normal = normal.Turn(Vectors::SafeLength(half) > Nothing ? Normalize(half, along) : along);
 }
 
 }

@@ -1,6 +1,7 @@
 #ifndef interlume_LightGroup_h
 #define interlume_LightGroup_h
 
+#include "Common/Vectors.h"
 #include "Plan/ViewRange.h"
 #include "Space/BoxCorners.h"
 
@@ -14,8 +15,6 @@ namespace interlume
 class LightGroup
 {
 public:
-  using Vector = BoxCorners::Vector;
-
   /// A light that casts shadows.
   struct Caster
   {
@@ -24,9 +23,9 @@ public:
     /// In the list of lights.
     int Light;
     /// To the box's middle from positional lights.
-    Vector Direction;
+    glm::dvec3 Direction;
     /// Through the box's corners.
-    std::vector<Vector> Rays;
+    std::vector<glm::dvec3> Rays;
   };
 
   /// One light, on its own side of the view, unless only the other has a normal that serves both.
@@ -40,7 +39,7 @@ public:
   const std::vector<Caster>& GetCasters() const { return this->Casters; }
   /// The half vector of the view, or its opposite, and the average of lights (2.3.4), turned as far
   /// as rays need it.
-  const Vector& GetNormal() const { return this->Normal; }
+  const glm::dvec3& GetNormal() const { return this->Normal; }
   /// The least cosine between the normal and a light's ray.
   double GetLightCosine() const;
 
@@ -52,7 +51,7 @@ private:
   /// 1 along the view, -1 against it.
   double Side;
   std::vector<Caster> Casters;
-  Vector Normal;
+  glm::dvec3 Normal;
   /// Of SliceNormal.
   double Ratio = 0.0;
 };

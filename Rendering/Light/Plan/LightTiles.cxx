@@ -102,8 +102,8 @@ private:
 class Pyramids
 {
 public:
-  Pyramids(const SlicePlan::ShadowedLight& light, const Vector& normal, const Vector& position,
-    const UnitSpace& space)
+  Pyramids(const SlicePlan::ShadowedLight& light, const glm::dvec3& normal,
+    const glm::dvec3& position, const UnitSpace& space)
     : Number(static_cast<std::size_t>(std::max(light.BufferSize / LightTiles::TileSize, 1)))
     , Apex(TransformPoint(space.TextureFromUnit, position))
     , Upwards(TransformVector(space.TextureFromUnit, normal))
@@ -112,12 +112,12 @@ public:
     {
       for (std::size_t i = 0; i <= this->Number; ++i)
       {
-        const Vector direction =
+        const glm::dvec3 direction =
           SlicePlan::GetBufferDirection(light.Frame, { { this->GetPlace(i), this->GetPlace(j) } });
-        const double slope = Dot(direction, normal);
-        const Vector across = Combine(1.0, direction, -slope, normal);
-        this->Across.push_back(TransformVector(
-          space.TextureFromUnit, Scale(1.0 / std::max(slope, SmallestSlope), across)));
+        const double slope = glm::dot(direction, normal);
+        const glm::dvec3 across = direction - slope * normal;
+        this->Across.push_back(
+          TransformVector(space.TextureFromUnit, (1.0 / std::max(slope, SmallestSlope)) * across));
       }
     }
   }
@@ -137,7 +137,7 @@ public:
     for (const std::size_t corner :
       { std::size_t(0), std::size_t(1), this->Number + 1, this->Number + 2 })
     {
-      const Vector& across = this->Across[j * (this->Number + 1) + i + corner];
+      const glm::dvec3& across = this->Across[j * (this->Number + 1) + i + corner];
       for (const double height : heights)
       {
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -153,10 +153,10 @@ public:
 
 private:
   const std::size_t Number;
-  const Vector Apex;
-  const Vector Upwards;
+  const glm::dvec3 Apex;
+  const glm::dvec3 Upwards;
   // Of the tiles' corners, at a height of 1.
-  std::vector<Vector> Across;
+  std::vector<glm::dvec3> Across;
 };
 
 void AddRectangle(
@@ -195,7 +195,7 @@ void AddTiles(const Pyramids& pyramids, const BlockCounts& blocks,
 }
 
 void LightTiles::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-  const Vector& position, const VolumeBlocks& blocks, const UnitSpace& space, const Box& box)
+  const glm::dvec3& position, const VolumeBlocks& blocks, const UnitSpace& space, const Box& box)
 {
   this->Build(sweep, light, position,
     { { blocks.GetBorders(0), blocks.GetBorders(1), blocks.GetBorders(2) } }, blocks.GetVisible(),
@@ -203,12 +203,12 @@ void LightTiles::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedL
 }
 
 void LightTiles::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-  const Vector& position, const std::array<std::vector<double>, 3>& borders,
+  const glm::dvec3& position, const std::array<std::vector<double>, 3>& borders,
   const std::vector<unsigned char>& visible, const UnitSpace& space, const Box& box)
 {
   const BlockCounts counts(borders, visible, box);
   const Pyramids pyramids(light, sweep.Normal, position, space);
-  const double apex = Dot(position, sweep.Normal);
+  const double apex = glm::dot(position, sweep.Normal);
   std::vector<std::vector<float>> parts(static_cast<std::size_t>(sweep.Slabs));
   vtkSMPTools::For(0, sweep.Slabs,
     [&](vtkIdType first, vtkIdType end)

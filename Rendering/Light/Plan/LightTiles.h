@@ -1,6 +1,7 @@
 #ifndef interlume_LightTiles_h
 #define interlume_LightTiles_h
 
+#include "Common/Vectors.h"
 #include "Plan/SlicePlan.h"
 
 #include <array>
@@ -33,13 +34,13 @@ public:
    * any number of threads.
    */
   void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-    const std::array<double, 3>& position, const VolumeBlocks& blocks, const UnitSpace& space,
+    const glm::dvec3& position, const VolumeBlocks& blocks, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box);
 
   /// The same with block borders along each axis, in texture coordinates, one more than blocks, and
   /// which blocks are visible, x fastest; the first and last blocks reach to the box.
   void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-    const std::array<double, 3>& position, const std::array<std::vector<double>, 3>& borders,
+    const glm::dvec3& position, const std::array<std::vector<double>, 3>& borders,
     const std::vector<unsigned char>& visible, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box);
 

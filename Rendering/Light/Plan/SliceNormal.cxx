@@ -1,5 +1,9 @@
 #include "Plan/SliceNormal.h"
 
+#include "Common/Vectors.h"
+
+#include <limits>
+
 namespace interlume
 {
 
@@ -14,44 +18,45 @@ constexpr double Smallest = 1e-6;
 // The point of a simplex nearest to 0, and its corners that the point is between.
 struct Nearest
 {
-  Vector Point{ { 0.0, 0.0, 0.0 } };
-  std::vector<Vector> Corners;
+  glm::dvec3 Point{ 0.0, 0.0, 0.0 };
+  std::vector<glm::dvec3> Corners;
 };
 
 // Of the plane, line or point through all corners; false where it is not between them.
-bool Project(const std::vector<Vector>& corners, Vector& point)
+bool Project(const std::vector<glm::dvec3>& corners, glm::dvec3& point)
 {
-  const Vector& a = corners[0];
+  const glm::dvec3& a = corners[0];
   if (corners.size() == 1)
   {
     point = a;
     return true;
   }
-  const Vector u = Combine(1.0, corners[1], -1.0, a);
+  const glm::dvec3 u = corners[1] - a;
   if (corners.size() == 2)
   {
-    const double t = -Dot(a, u) / Dot(u, u);
-    point = Combine(1.0, a, t, u);
+    const double t = -glm::dot(a, u) / glm::dot(u, u);
+    point = a + t * u;
     return t > 0.0 && t < 1.0;
   }
-  const Vector v = Combine(1.0, corners[2], -1.0, a);
-  const double determinant = Dot(u, u) * Dot(v, v) - Dot(u, v) * Dot(u, v);
-  const double s = (Dot(u, v) * Dot(a, v) - Dot(v, v) * Dot(a, u)) / determinant;
-  const double t = (Dot(u, v) * Dot(a, u) - Dot(u, u) * Dot(a, v)) / determinant;
-  point = Combine(1.0, Combine(1.0, a, s, u), t, v);
+  const glm::dvec3 v = corners[2] - a;
+  const double determinant = glm::dot(u, u) * glm::dot(v, v) - glm::dot(u, v) * glm::dot(u, v);
+  const double s =
+    (glm::dot(u, v) * glm::dot(a, v) - glm::dot(v, v) * glm::dot(a, u)) / determinant;
+  const double t =
+    (glm::dot(u, v) * glm::dot(a, u) - glm::dot(u, u) * glm::dot(a, v)) / determinant;
+  point = a + s * u + t * v;
   return s > 0.0 && t > 0.0 && s + t < 1.0;
 }
 
-bool HoldsZero(const std::vector<Vector>& corners)
+bool HoldsZero(const std::vector<glm::dvec3>& corners)
 {
   // On the inner side of each face.
   for (std::size_t i = 0; i < 4; ++i)
   {
-    const Vector& a = corners[(i + 1) % 4];
-    const Vector normal = Cross(
-      Combine(1.0, corners[(i + 2) % 4], -1.0, a), Combine(1.0, corners[(i + 3) % 4], -1.0, a));
-    const double inside = Dot(normal, Combine(1.0, corners[i], -1.0, a));
-    if (!(inside * -Dot(normal, a) > 0.0))
+    const glm::dvec3& a = corners[(i + 1) % 4];
+    const glm::dvec3 normal = glm::cross(corners[(i + 2) % 4] - a, corners[(i + 3) % 4] - a);
+    const double inside = glm::dot(normal, corners[i] - a);
+    if (!(inside * -glm::dot(normal, a) > 0.0))
     {
       return false;
     }
@@ -59,18 +64,18 @@ bool HoldsZero(const std::vector<Vector>& corners)
   return true;
 }
 
-Nearest FindNearest(const std::vector<Vector>& corners)
+Nearest FindNearest(const std::vector<glm::dvec3>& corners)
 {
   Nearest nearest;
   if (corners.size() == 4 && HoldsZero(corners))
   {
     return nearest;
   }
-  double least = VTK_DOUBLE_MAX;
+  double least = std::numeric_limits<double>::max();
   const unsigned all = (1u << corners.size()) - 1;
   for (unsigned subset = 1; subset <= all; ++subset)
   {
-    std::vector<Vector> face;
+    std::vector<glm::dvec3> face;
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
       if (subset >> i & 1u)
@@ -78,10 +83,10 @@ Nearest FindNearest(const std::vector<Vector>& corners)
         face.push_back(corners[i]);
       }
     }
-    Vector point;
-    if (face.size() < 4 && Project(face, point) && Dot(point, point) < least)
+    glm::dvec3 point;
+    if (face.size() < 4 && Project(face, point) && glm::dot(point, point) < least)
     {
-      least = Dot(point, point);
+      least = glm::dot(point, point);
       nearest.Point = point;
       nearest.Corners = face;
     }
@@ -91,25 +96,25 @@ Nearest FindNearest(const std::vector<Vector>& corners)
 
 }
 
-void SliceNormal::Add(const Vector& ray, double cosine)
+void SliceNormal::Add(const glm::dvec3& ray, double cosine)
 {
-  this->Rays.push_back(Scale(1.0 / cosine, ray));
+  this->Rays.push_back((1.0 / cosine) * ray);
 }
 
-void SliceNormal::Add(const std::vector<Vector>& rays, double sign, double cosine)
+void SliceNormal::Add(const std::vector<glm::dvec3>& rays, double sign, double cosine)
 {
-  for (const Vector& ray : rays)
+  for (const glm::dvec3& ray : rays)
   {
     this->Add(ray, sign * cosine);
   }
 }
 
-double SliceNormal::GetRatio(const Vector& normal) const
+double SliceNormal::GetRatio(const glm::dvec3& normal) const
 {
-  double ratio = VTK_DOUBLE_MAX;
-  for (const Vector& ray : this->Rays)
+  double ratio = std::numeric_limits<double>::max();
+  for (const glm::dvec3& ray : this->Rays)
   {
-    ratio = std::min(ratio, Dot(ray, normal));
+    ratio = std::min(ratio, glm::dot(ray, normal));
   }
   return ratio;
 }
@@ -122,26 +127,26 @@ double SliceNormal::FindBest()
   nearest.Point = this->Rays.front();
   constexpr int most = 100;
   constexpr double tolerance = 1e-13;
-  for (int step = 0; step < most && Length(nearest.Point) > Smallest; ++step)
+  for (int step = 0; step < most && Vectors::SafeLength(nearest.Point) > Smallest; ++step)
   {
     const auto next = std::min_element(this->Rays.begin(), this->Rays.end(),
-      [&](const Vector& a, const Vector& b)
-      { return Dot(a, nearest.Point) < Dot(b, nearest.Point); });
-    const double squared = Dot(nearest.Point, nearest.Point);
-    if (Dot(*next, nearest.Point) >= squared * (1.0 - tolerance))
+      [&](const glm::dvec3& a, const glm::dvec3& b)
+      { return glm::dot(a, nearest.Point) < glm::dot(b, nearest.Point); });
+    const double squared = glm::dot(nearest.Point, nearest.Point);
+    if (glm::dot(*next, nearest.Point) >= squared * (1.0 - tolerance))
     {
       break;
     }
-    std::vector<Vector> corners = nearest.Corners;
+    std::vector<glm::dvec3> corners = nearest.Corners;
     corners.push_back(*next);
     const Nearest nearer = FindNearest(corners);
-    if (!(Dot(nearer.Point, nearer.Point) < squared))
+    if (!(glm::dot(nearer.Point, nearer.Point) < squared))
     {
       break;
     }
     nearest = nearer;
   }
-  const double length = Length(nearest.Point);
+  const double length = Vectors::SafeLength(nearest.Point);
   this->BestRatio = 0.0;
   if (length > Smallest)
   {
@@ -151,7 +156,7 @@ double SliceNormal::FindBest()
   return this->BestRatio;
 }
 
-SliceNormal::Vector SliceNormal::Turn(const Vector& preferred) const
+glm::dvec3 SliceNormal::Turn(const glm::dvec3& preferred) const
 {
   if (!(this->BestRatio > 0.0) || this->GetRatio(preferred) >= 1.0)
   {
@@ -164,13 +169,13 @@ SliceNormal::Vector SliceNormal::Turn(const Vector& preferred) const
   // On the chord to the best normal min d_k.x / c_k - |x| is concave: it has one change of sign.
   double bad = 0.0;
   double good = 1.0;
-  Vector normal = this->Best;
+  glm::dvec3 normal = this->Best;
   constexpr int halvings = 50;
   for (int i = 0; i < halvings; ++i)
   {
     const double middle = 0.5 * (bad + good);
-    const Vector turned =
-      Normalize(Combine(1.0 - middle, preferred, middle, this->Best), this->Best);
+    const glm::dvec3 turned =
+      Normalize((1.0 - middle) * preferred + middle * this->Best, this->Best);
     if (this->GetRatio(turned) >= 1.0)
     {
       good = middle;

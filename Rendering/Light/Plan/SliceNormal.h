@@ -20,30 +20,28 @@ namespace interlume
 class SliceNormal
 {
 public:
-  using Vector = UnitVector::Vector;
-
   /// Wants a normal that makes \a cosine, above 0, or more with \a ray, of length 1.
-  void Add(const Vector& ray, double cosine);
-  void Add(const std::vector<Vector>& rays, double sign, double cosine);
+  void Add(const glm::dvec3& ray, double cosine);
+  void Add(const std::vector<glm::dvec3>& rays, double sign, double cosine);
 
   /// m of the best normal; 0 if every normal is perpendicular to some ray or goes against it.
   double FindBest();
   /// The best normal after FindBest; not defined where that was 0.
-  const Vector& GetBest() const { return this->Best; }
+  const glm::dvec3& GetBest() const { return this->Best; }
 
   /// m of this normal.
-  double GetRatio(const Vector& normal) const;
+  double GetRatio(const glm::dvec3& normal) const;
 
   /// \a preferred turned towards the best normal as far as the rays need it, which is not at all
   /// where they have their cosines already; the best normal where they cannot have them, and
   /// \a preferred where there is no best. After FindBest. Continuous in the rays and in \a
   /// preferred.
-  Vector Turn(const Vector& preferred) const;
+  glm::dvec3 Turn(const glm::dvec3& preferred) const;
 
 private:
   /// d_k / c_k
-  std::vector<Vector> Rays;
-  Vector Best{ { 0.0, 0.0, 0.0 } };
+  std::vector<glm::dvec3> Rays;
+  glm::dvec3 Best{ 0.0, 0.0, 0.0 };
   double BestRatio = 0.0;
 };
 

@@ -8,6 +8,8 @@
 #include "Space/UnitSpace.h"
 #include "Space/UnitVector.h"
 
+#include <limits>
+
 namespace interlume
 {
 
@@ -38,7 +40,8 @@ void AddLight(
 }
 
 // A sweep with room that goes along \a normal, or -1.
-int FindSweep(const std::vector<SlicePlan::Sweep>& sweeps, const Vector& normal, std::size_t most)
+int FindSweep(
+  const std::vector<SlicePlan::Sweep>& sweeps, const glm::dvec3& normal, std::size_t most)
 {
   for (std::size_t i = 0; i < sweeps.size(); ++i)
   {
@@ -54,7 +57,7 @@ int FindSweep(const std::vector<SlicePlan::Sweep>& sweeps, const Vector& normal,
 void AddWide(const ViewRange& view, const LightSource& source, int index, const BoxCorners& corners,
   std::size_t most, const LightFit& fit, std::vector<SlicePlan::Sweep>& sweeps)
 {
-  std::vector<Vector> normals;
+  std::vector<glm::dvec3> normals;
   normals.reserve(sweeps.size() + 1);
   for (const SlicePlan::Sweep& sweep : sweeps)
   {
@@ -62,31 +65,31 @@ void AddWide(const ViewRange& view, const LightSource& source, int index, const 
   }
   normals.push_back(view.Direction);
 
-  const auto getSides = [&](const Vector& normal)
+  const auto getSides = [&](const glm::dvec3& normal)
   {
     const std::array<double, 2> range = corners.GetRange(normal);
-    const double light = Dot(source.Position, normal);
-    std::vector<Vector> sides;
+    const double light = glm::dot(source.Position, normal);
+    std::vector<glm::dvec3> sides;
     if (range[1] > light + Nothing)
     {
       sides.push_back(normal);
     }
     if (range[0] < light - Nothing)
     {
-      sides.push_back(Scale(-1.0, normal));
+      sides.push_back(-normal);
     }
     return sides;
   };
-  const auto countNew = [&](const Vector& normal)
+  const auto countNew = [&](const glm::dvec3& normal)
   {
-    const std::vector<Vector> sides = getSides(normal);
+    const std::vector<glm::dvec3> sides = getSides(normal);
     return std::count_if(sides.begin(), sides.end(),
-      [&](const Vector& side) { return FindSweep(sweeps, side, most) < 0; });
+      [&](const glm::dvec3& side) { return FindSweep(sweeps, side, most) < 0; });
   };
-  const Vector normal = *std::min_element(normals.begin(), normals.end(),
-    [&](const Vector& a, const Vector& b) { return countNew(a) < countNew(b); });
+  const glm::dvec3 normal = *std::min_element(normals.begin(), normals.end(),
+    [&](const glm::dvec3& a, const glm::dvec3& b) { return countNew(a) < countNew(b); });
 
-  for (const Vector& side : getSides(normal))
+  for (const glm::dvec3& side : getSides(normal))
   {
     int sweep = FindSweep(sweeps, side, most);
     if (sweep < 0)
@@ -94,7 +97,7 @@ void AddWide(const ViewRange& view, const LightSource& source, int index, const 
       sweep = static_cast<int>(sweeps.size());
       sweeps.emplace_back();
       sweeps.back().Normal = side;
-      sweeps.back().IsFrontToBack = Dot(side, view.Direction) > 0.0;
+      sweeps.back().IsFrontToBack = glm::dot(side, view.Direction) > 0.0;
     }
     SlicePlan::ShadowedLight light;
     light.Light = index;
@@ -142,27 +145,27 @@ bool IsWhole(const std::vector<SlicePlan::Sweep>& sweeps, std::size_t index)
 // Where the first of the sweep's lights is along its normal.
 double GetFirstLight(const SlicePlan::Sweep& sweep, const std::vector<LightSource>& lights)
 {
-  double first = VTK_DOUBLE_MAX;
+  double first = std::numeric_limits<double>::max();
   for (const SlicePlan::ShadowedLight& light : sweep.Lights)
   {
-    first =
-      std::min(first, Dot(lights[static_cast<std::size_t>(light.Light)].Position, sweep.Normal));
+    first = std::min(
+      first, glm::dot(lights[static_cast<std::size_t>(light.Light)].Position, sweep.Normal));
   }
   return first;
 }
 
 // A line of sight along the thick side of long voxels needs no more slices for being cut obliquely.
 double GetAutomaticSpacing(
-  const UnitSpace& space, const Vector& normal, const Vector& direction, double factor)
+  const UnitSpace& space, const glm::dvec3& normal, const glm::dvec3& direction, double factor)
 {
   const double seen =
-    SlicePlan::GetVoxelSpacing(space, direction) * std::abs(Dot(direction, normal));
+    SlicePlan::GetVoxelSpacing(space, direction) * std::abs(glm::dot(direction, normal));
   return factor * std::max(SlicePlan::GetVoxelSpacing(space, normal), seen);
 }
 
 // Slabs from the first place to the second one along the normal.
 void SetSlabs(SlicePlan::Sweep& sweep, const std::array<double, 2>& range, const UnitSpace& space,
-  const Vector& direction, const SlicePlan::Settings& settings)
+  const glm::dvec3& direction, const SlicePlan::Settings& settings)
 {
   const double extent = range[1] - range[0];
   const double spacing = settings.Spacing > 0.0
@@ -247,23 +250,23 @@ void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights, con
   }
 }
 
-double SlicePlan::GetVoxelSpacing(const UnitSpace& space, const std::array<double, 3>& normal)
+double SlicePlan::GetVoxelSpacing(const UnitSpace& space, const glm::dvec3& normal)
 {
-  Vector texels = TransformVector(space.TextureFromUnit, normal);
+  glm::dvec3 texels = TransformVector(space.TextureFromUnit, normal);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     texels[axis] *= space.Size[axis];
   }
-  return 1.0 / Length(texels);
+  return 1.0 / Vectors::SafeLength(texels);
 }
 
 std::array<double, 2> SlicePlan::GetBufferPlace(
-  const std::array<double, 9>& frame, const std::array<double, 3>& direction)
+  const std::array<double, 9>& frame, const glm::dvec3& direction)
 {
   double along[3];
   for (std::size_t i = 0; i < 3; ++i)
   {
-    along[i] = vtkMath::Dot(frame.data() + 3 * i, direction.data());
+    along[i] = glm::dot(glm::make_vec3(frame.data() + 3 * i), direction);
   }
   const double size = std::abs(along[0]) + std::abs(along[1]) + along[2];
   const double x = along[0] / size;
@@ -271,16 +274,15 @@ std::array<double, 2> SlicePlan::GetBufferPlace(
   return { { 0.5 * (x + y) + 0.5, 0.5 * (x - y) + 0.5 } };
 }
 
-std::array<double, 3> SlicePlan::GetBufferDirection(
+glm::dvec3 SlicePlan::GetBufferDirection(
   const std::array<double, 9>& frame, const std::array<double, 2>& place)
 {
   const double x = place[0] + place[1] - 1.0;
   const double y = place[0] - place[1];
   const double z = 1.0 - std::abs(x) - std::abs(y);
-  const Vector across =
-    Combine(x, { { frame[0], frame[1], frame[2] } }, y, { { frame[3], frame[4], frame[5] } });
-  const Vector normal{ { frame[6], frame[7], frame[8] } };
-  return Normalize(Combine(1.0, across, z, normal), normal);
+  const glm::dvec3 across = x * glm::make_vec3(&frame[0]) + y * glm::make_vec3(&frame[3]);
+  const glm::dvec3 normal = glm::make_vec3(&frame[6]);
+  return Normalize(across + z * normal, normal);
 }
 
 }

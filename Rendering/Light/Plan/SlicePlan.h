@@ -1,6 +1,7 @@
 #ifndef interlume_SlicePlan_h
 #define interlume_SlicePlan_h
 
+#include "Common/Vectors.h"
 #include "Lights/LightSource.h" // for the lights
 
 #include <array>
@@ -45,9 +46,9 @@ public:
   struct Eye
   {
     bool IsParallel = false;
-    std::array<double, 3> Position{ { 0.0, 0.0, 4.0 } };
+    glm::dvec3 Position{ 0.0, 0.0, 4.0 };
     /// Length 1.
-    std::array<double, 3> Direction{ { 0.0, 0.0, -1.0 } };
+    glm::dvec3 Direction{ 0.0, 0.0, -1.0 };
     /// Rows of the matrix from unit space to clip coordinates.
     std::array<double, 16> ClipFromUnit{};
   };
@@ -74,7 +75,7 @@ public:
 
   struct Sweep
   {
-    std::array<double, 3> Normal{ { 0.0, 0.0, -1.0 } };
+    glm::dvec3 Normal{ 0.0, 0.0, -1.0 };
     bool IsFrontToBack = true;
     /// Whether its slabs lie behind all of the sweep before, in the same picture.
     bool IsBehind = false;
@@ -130,15 +131,15 @@ public:
 
   /// Distance of slices that is one voxel along \a normal: the length within a voxel of a line
   /// along it, 1 / sqrt(sum (n_i / voxel_i)^2) in the volume's own axes.
-  static double GetVoxelSpacing(const UnitSpace& space, const std::array<double, 3>& normal);
+  static double GetVoxelSpacing(const UnitSpace& space, const glm::dvec3& normal);
 
   /// Where direction d of the half space d.n >= 0 is in the buffer of a wide light, 0 to 1: with
   /// (e1, e2, n) the rows of \a frame and p = (d.e1, d.e2) / (|d.e1| + |d.e2| + d.n), this is
   /// ((p.x + p.y), (p.x - p.y)) / 2 + 1/2 (the octahedral map).
   static std::array<double, 2> GetBufferPlace(
-    const std::array<double, 9>& frame, const std::array<double, 3>& direction);
+    const std::array<double, 9>& frame, const glm::dvec3& direction);
   /// The direction, of length 1, that has this place.
-  static std::array<double, 3> GetBufferDirection(
+  static glm::dvec3 GetBufferDirection(
     const std::array<double, 9>& frame, const std::array<double, 2>& place);
 };
 

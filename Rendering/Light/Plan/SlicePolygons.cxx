@@ -23,22 +23,22 @@ using Point = std::array<float, 3>;
 class Cutter
 {
 public:
-  Cutter(const BlockLattice& lattice, const UnitSpace& space, const Vector& normal)
+  Cutter(const BlockLattice& lattice, const UnitSpace& space, const glm::dvec3& normal)
     : Lattice(lattice)
     , Space(space)
-    , Constant(Dot(normal,
-        { { space.UnitFromTexture[3], space.UnitFromTexture[7], space.UnitFromTexture[11] } }))
+    , Constant(glm::dot(normal,
+        glm::dvec3(space.UnitFromTexture[3], space.UnitFromTexture[7], space.UnitFromTexture[11])))
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      Vector column;
+      glm::dvec3 column;
       for (std::size_t row = 0; row < 3; ++row)
       {
         column[row] = space.UnitFromTexture[4 * row + axis];
       }
       for (const double border : lattice.GetBorders(axis))
       {
-        this->Heights[axis].push_back(Dot(normal, column) * border);
+        this->Heights[axis].push_back(glm::dot(normal, column) * border);
       }
     }
   }
@@ -107,7 +107,7 @@ private:
   Point GetPoint(
     const Block& block, const BoxCutTable::Edge& edge, const std::array<double, 8>& heights) const
   {
-    Vector texture;
+    glm::dvec3 texture;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const auto border = static_cast<std::size_t>(block[axis]) + (edge.Start >> axis & 1u);
@@ -119,7 +119,7 @@ private:
     const double length =
       this->Lattice.GetBorders(axis)[static_cast<std::size_t>(block[axis]) + 1] - texture[axis];
     texture[axis] += start / (start - end) * length;
-    const Vector unit = TransformPoint(this->Space.UnitFromTexture, texture);
+    const glm::dvec3 unit = TransformPoint(this->Space.UnitFromTexture, texture);
     return { { static_cast<float>(unit[0]), static_cast<float>(unit[1]),
       static_cast<float>(unit[2]) } };
   }
@@ -172,8 +172,8 @@ void SlicePolygons::Build(const SlicePlan::Sweep& sweep,
   std::array<double, 3> margins;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double* row = space.TextureFromUnit.data() + 4 * axis;
-    margins[axis] = margin * Length({ { row[0], row[1], row[2] } });
+    margins[axis] =
+      margin * Vectors::SafeLength(glm::make_vec3(space.TextureFromUnit.data() + 4 * axis));
   }
   BlockLattice lattice(borders, visible);
   lattice.Crop(box, margins);

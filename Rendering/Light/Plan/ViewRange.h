@@ -1,6 +1,7 @@
 #ifndef interlume_ViewRange_h
 #define interlume_ViewRange_h
 
+#include "Common/Vectors.h"
 #include "Plan/SlicePlan.h"
 #include "Space/BoxCorners.h"
 
@@ -19,8 +20,8 @@ struct ViewRange
   ViewRange(const SlicePlan::Eye& eye, const BoxCorners& corners);
 
   /// To the box's middle with the first kind of rays, else the eye's.
-  BoxCorners::Vector Direction;
-  std::vector<BoxCorners::Vector> Rays;
+  glm::dvec3 Direction;
+  std::vector<glm::dvec3> Rays;
 };
 
 }

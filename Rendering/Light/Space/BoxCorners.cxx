@@ -1,6 +1,9 @@
 #include "Space/BoxCorners.h"
 
+#include "Common/Vectors.h"
 #include "Space/UnitSpace.h"
+
+#include <limits>
 
 namespace interlume
 {
@@ -12,34 +15,35 @@ BoxCorners::BoxCorners(const UnitSpace& space, const std::array<std::array<doubl
   for (unsigned i = 0; i < 8; ++i)
   {
     this->Corners[i] = TransformPoint(
-      space.UnitFromTexture, { { box[0][i & 1u], box[1][i >> 1 & 1u], box[2][i >> 2 & 1u] } });
+      space.UnitFromTexture, { box[0][i & 1u], box[1][i >> 1 & 1u], box[2][i >> 2 & 1u] });
   }
 }
 
-BoxCorners::Vector BoxCorners::GetCenter() const
+glm::dvec3 BoxCorners::GetCenter() const
 {
-  return Combine(0.5, this->Corners[0], 0.5, this->Corners[7]);
+  return 0.5 * this->Corners[0] + 0.5 * this->Corners[7];
 }
 
-std::array<double, 2> BoxCorners::GetRange(const Vector& normal) const
+std::array<double, 2> BoxCorners::GetRange(const glm::dvec3& normal) const
 {
-  std::array<double, 2> range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
-  for (const Vector& corner : this->Corners)
+  std::array<double, 2> range{ { std::numeric_limits<double>::max(),
+    -std::numeric_limits<double>::max() } };
+  for (const glm::dvec3& corner : this->Corners)
   {
-    range[0] = std::min(range[0], Dot(corner, normal));
-    range[1] = std::max(range[1], Dot(corner, normal));
+    range[0] = std::min(range[0], glm::dot(corner, normal));
+    range[1] = std::max(range[1], glm::dot(corner, normal));
   }
   return range;
 }
 
-std::vector<BoxCorners::Vector> BoxCorners::GetRays(const Vector& from) const
+std::vector<glm::dvec3> BoxCorners::GetRays(const glm::dvec3& from) const
 {
-  const Vector none{ { 0.0, 0.0, 0.0 } };
-  std::vector<Vector> rays;
+  const glm::dvec3 none{ 0.0, 0.0, 0.0 };
+  std::vector<glm::dvec3> rays;
   rays.reserve(this->Corners.size());
-  for (const Vector& corner : this->Corners)
+  for (const glm::dvec3& corner : this->Corners)
   {
-    const Vector ray = Normalize(Combine(1.0, corner, -1.0, from), none);
+    const glm::dvec3 ray = Normalize(corner - from, none);
     if (ray != none)
     {
       rays.push_back(ray);

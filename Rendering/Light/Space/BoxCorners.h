@@ -18,21 +18,19 @@ class UnitSpace;
 class BoxCorners
 {
 public:
-  using Vector = UnitVector::Vector;
-
   /// \a box in texture coordinates.
   BoxCorners(const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box);
 
   /// Upper along axis a where bit a of the index is set.
-  const std::array<Vector, 8>& Get() const { return this->Corners; }
-  Vector GetCenter() const;
+  const std::array<glm::dvec3, 8>& Get() const { return this->Corners; }
+  glm::dvec3 GetCenter() const;
   /// Smallest and largest place along \a normal.
-  std::array<double, 2> GetRange(const Vector& normal) const;
+  std::array<double, 2> GetRange(const glm::dvec3& normal) const;
   /// Directions, of length 1, from a point through all corners but itself.
-  std::vector<Vector> GetRays(const Vector& from) const;
+  std::vector<glm::dvec3> GetRays(const glm::dvec3& from) const;
 
 private:
-  std::array<Vector, 8> Corners;
+  std::array<glm::dvec3, 8> Corners;
 };
 
 }

@@ -15,12 +15,12 @@ namespace
 using namespace UnitVector;
 
 // Columns of the linear part.
-Vector GetColumn(const Matrix& matrix, std::size_t column)
+glm::dvec3 GetColumn(const Matrix& matrix, std::size_t column)
 {
-  return { { matrix[column], matrix[4 + column], matrix[8 + column] } };
+  return { matrix[column], matrix[4 + column], matrix[8 + column] };
 }
 
-Matrix MakeAffine(const double linear[9], const Vector& translation)
+Matrix MakeAffine(const double linear[9], const glm::dvec3& translation)
 {
   Matrix matrix{};
   for (std::size_t row = 0; row < 3; ++row)
@@ -33,10 +33,10 @@ Matrix MakeAffine(const double linear[9], const Vector& translation)
 }
 
 // \a from takes 0 at \a middle and goes with the linear part of \a to.
-Matrix MakeCentered(const Matrix& to, const Vector& middle)
+Matrix MakeCentered(const Matrix& to, const glm::dvec3& middle)
 {
   Matrix matrix = to;
-  const Vector moved = TransformVector(to, middle);
+  const glm::dvec3 moved = TransformVector(to, middle);
   for (std::size_t row = 0; row < 3; ++row)
   {
     matrix[4 * row + 3] = -moved[row];
@@ -56,8 +56,8 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
 {
   int extent[6];
   image->GetExtent(extent);
-  Vector first;
-  Vector middle;
+  glm::dvec3 first;
+  glm::dvec3 middle;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const int points = extent[2 * axis + 1] - extent[2 * axis] + 1;
@@ -93,7 +93,7 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
 
   Matrix worldFromTexture = worldFromIndex;
   Matrix volumeFromTexture = volumeFromIndex;
-  Vector index;
+  glm::dvec3 index;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     index[axis] = first[axis] + middle[axis] * this->Size[axis];
@@ -109,12 +109,13 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
   this->Radius = 0.0;
   for (unsigned corner = 0; corner < 8; ++corner)
   {
-    Vector offset;
+    glm::dvec3 offset;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       offset[axis] = this->Box[axis][corner >> axis & 1u] - middle[axis];
     }
-    this->Radius = std::max(this->Radius, Length(TransformVector(worldFromTexture, offset)));
+    this->Radius =
+      std::max(this->Radius, Vectors::SafeLength(TransformVector(worldFromTexture, offset)));
   }
   if (!std::isfinite(this->Radius) || !(this->Radius > 0.0) || !std::isfinite(1.0 / this->Radius))
   {
@@ -125,8 +126,8 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
   double columns[3];
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const Vector column = Scale(1.0 / this->Radius, GetColumn(worldFromTexture, axis));
-    columns[axis] = Length(column);
+    const glm::dvec3 column = (1.0 / this->Radius) * GetColumn(worldFromTexture, axis);
+    columns[axis] = Vectors::SafeLength(column);
     for (std::size_t row = 0; row < 3; ++row)
     {
       linear[3 * row + axis] = column[row];
@@ -149,13 +150,13 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
     inverse[i] /= columns[i / 3];
   }
 
-  const Vector none{ { 0.0, 0.0, 0.0 } };
+  const glm::dvec3 none{ 0.0, 0.0, 0.0 };
   this->UnitFromTexture = MakeCentered(MakeAffine(linear, none), middle);
   this->TextureFromUnit = MakeAffine(inverse, middle);
-  const Vector center = TransformPoint(volumeFromIndex, index);
+  const glm::dvec3 center = TransformPoint(volumeFromIndex, index);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const Vector column =
+    const glm::dvec3 column =
       TransformVector(volumeFromTexture, GetColumn(this->TextureFromUnit, axis));
     for (std::size_t row = 0; row < 3; ++row)
     {
@@ -168,10 +169,9 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
   return isFinite ? "" : "the matrix of the volume or its image is not finite";
 }
 
-std::array<double, 3> UnitSpace::ToUnit(const double world[3]) const
+glm::dvec3 UnitSpace::ToUnit(const double world[3]) const
 {
-  return { { (world[0] - this->Center[0]) / this->Radius,
-    (world[1] - this->Center[1]) / this->Radius, (world[2] - this->Center[2]) / this->Radius } };
+  return (glm::make_vec3(world) - this->Center) / this->Radius;
 }
 
 }

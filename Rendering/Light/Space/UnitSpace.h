@@ -1,6 +1,7 @@
 #ifndef interlume_UnitSpace_h
 #define interlume_UnitSpace_h
 
+#include "Common/Vectors.h"
 #include <array>
 #include <string>
 
@@ -29,9 +30,9 @@ public:
    */
   std::string Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume);
 
-  std::array<double, 3> ToUnit(const double world[3]) const;
+  glm::dvec3 ToUnit(const double world[3]) const;
 
-  std::array<double, 3> Center{ { 0.0, 0.0, 0.0 } };
+  glm::dvec3 Center{ 0.0, 0.0, 0.0 };
   double Radius = 1.0;
   /// Texels along x, y, z.
   std::array<int, 3> Size{ { 0, 0, 0 } };

@@ -20,23 +20,12 @@ namespace interlume
 
 namespace
 {
-using Vector = std::array<double, 3>;
-
-double Dot(const Vector& a, const Vector& b)
+glm::dvec3 Normalized(const glm::dvec3& v)
 {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const double length = glm::length(v);
+  return length > 0.0 ? v / length : v;
 }
 
-Vector Normalized(const Vector& v)
-{
-  const double length = std::sqrt(Dot(v, v));
-  return length > 0.0 ? Vector{ { v[0] / length, v[1] / length, v[2] / length } } : v;
-}
-
-std::array<float, 3> ToFloat(const double v[3])
-{
-  return { { static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]) } };
-}
 }
 
 void BoundaryShading::Set(
@@ -72,11 +61,8 @@ void BoundaryShading::Set(
     eyeFromWorld->MultiplyPoint(focus, focus);
     Light seen;
     seen.IsPositional = light->GetPositional() != 0;
-    const Vector towards =
-      Normalized({ { position[0] - focus[0], position[1] - focus[1], position[2] - focus[2] } });
-    const Vector place{ { position[0] / view.GetUnit(), position[1] / view.GetUnit(),
-      position[2] / view.GetUnit() } };
-    seen.Place = ToFloat(seen.IsPositional ? place.data() : towards.data());
+    const glm::dvec3 towards = Normalized(glm::make_vec3(position) - glm::make_vec3(focus));
+    seen.Place = glm::vec3(seen.IsPositional ? glm::make_vec3(position) / view.GetUnit() : towards);
     for (int c = 0; c < 3; ++c)
     {
       seen.Color[c] = static_cast<float>(light->GetDiffuseColor()[c] * light->GetIntensity());
@@ -183,8 +169,8 @@ BoundaryShading::Color BoundaryShading::Sample(double u, double v) const
   return color;
 }
 
-BoundaryShading::Color BoundaryShading::Shade(const std::array<double, 3>& eye,
-  const std::array<double, 3>& normal, const std::array<double, 2>& textureCoordinates) const
+BoundaryShading::Color BoundaryShading::Shade(const glm::dvec3& eye, const glm::dvec3& normal,
+  const std::array<double, 2>& textureCoordinates) const
 {
   Color base = this->Base;
   if (!this->Image->empty())
@@ -195,17 +181,17 @@ BoundaryShading::Color BoundaryShading::Shade(const std::array<double, 3>& eye,
       base[c] *= texel[c];
     }
   }
-  Vector n;
+  glm::dvec3 n;
   for (int i = 0; i < 3; ++i)
   {
     n[i] = this->NormalMatrix[3 * i] * normal[0] + this->NormalMatrix[3 * i + 1] * normal[1] +
       this->NormalMatrix[3 * i + 2] * normal[2];
   }
   n = Normalized(n);
-  const Vector view = Normalized({ { -eye[0], -eye[1], -eye[2] } });
-  if (Dot(n, view) < 0.0)
+  const glm::dvec3 view = Normalized(-eye);
+  if (glm::dot(n, view) < 0.0)
   {
-    n = { { -n[0], -n[1], -n[2] } };
+    n = -n;
   }
   Color color;
   for (int c = 0; c < 3; ++c)
@@ -214,23 +200,15 @@ BoundaryShading::Color BoundaryShading::Shade(const std::array<double, 3>& eye,
   }
   for (const Light& light : this->Lights)
   {
-    Vector towards{ { light.Place[0], light.Place[1], light.Place[2] } };
-    for (int i = 0; i < 3 && light.IsPositional; ++i)
-    {
-      towards[i] -= eye[i];
-    }
-    towards = Normalized(towards);
-    const double cosine = Dot(n, towards);
+    const glm::dvec3 place(light.Place);
+    const glm::dvec3 towards = Normalized(light.IsPositional ? place - eye : place);
+    const double cosine = glm::dot(n, towards);
     if (cosine <= 0.0)
     {
       continue;
     }
-    Vector mirrored;
-    for (int i = 0; i < 3; ++i)
-    {
-      mirrored[i] = 2.0 * cosine * n[i] - towards[i];
-    }
-    const double shine = std::pow(std::max(Dot(mirrored, view), 0.0), this->Shares[3]);
+    const glm::dvec3 mirrored = 2.0 * cosine * n - towards;
+    const double shine = std::pow(std::max(glm::dot(mirrored, view), 0.0), this->Shares[3]);
     for (int c = 0; c < 3; ++c)
     {
       color[c] += light.Color[c] *

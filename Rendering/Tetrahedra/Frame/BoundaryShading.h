@@ -1,6 +1,7 @@
 #ifndef interlume_BoundaryShading_h
 #define interlume_BoundaryShading_h
 
+#include "Common/Vectors.h"
 #include "View/TetrahedraView.h"
 
 #include <array>
@@ -30,7 +31,7 @@ public:
   struct Light
   {
     /// In eye coordinates, units of the view: where it is, or the direction to it.
-    std::array<float, 3> Place;
+    glm::vec3 Place;
     bool IsPositional;
     std::array<float, 3> Color;
   };
@@ -45,7 +46,7 @@ public:
    * Colour times opacity at a point in eye coordinates. \a normal is in mesh coordinates, of any
    * length and either side.
    */
-  Color Shade(const std::array<double, 3>& eye, const std::array<double, 3>& normal,
+  Color Shade(const glm::dvec3& eye, const glm::dvec3& normal,
     const std::array<double, 2>& textureCoordinates) const;
 
   const std::vector<Light>& GetLights() const { return this->Lights; }

@@ -9,22 +9,10 @@ namespace interlume
 
 namespace
 {
-using Point = std::array<double, 3>;
-
 // Positive on one side of the plane through a, b, c.
-double GetSide(const Point& a, const Point& b, const Point& c, const Point& p)
+double GetSide(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& p)
 {
-  double u[3];
-  double v[3];
-  double w[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    u[i] = b[i] - a[i];
-    v[i] = c[i] - a[i];
-    w[i] = p[i] - a[i];
-  }
-  return w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
-    w[2] * (u[0] * v[1] - u[1] * v[0]);
+  return glm::dot(p - a, glm::cross(b - a, c - a));
 }
 }
 
@@ -79,13 +67,13 @@ void NearClip::Cut(TetrahedraMesh& mesh, TetrahedraFields& fields, const Tetrahe
 {
   // Corners beyond the plane first.
   std::array<Corner, 4> corners;
-  std::array<Point, 4> eyes;
+  std::array<glm::dvec3, 4> eyes;
   int inside = 0;
   int outside = 4;
   for (int k = 0; k < 4; ++k)
   {
     const std::uint32_t id = mesh.GetCorners(tetrahedron)[k];
-    const Point eye = view.GetEyePoint(mesh.GetPoint(id));
+    const glm::dvec3 eye = view.GetEyePoint(mesh.GetPoint(id));
     const int place = -eye[2] < view.GetNear() ? --outside : inside++;
     corners[place] = { id, 1u << k };
     eyes[place] = eye;
@@ -131,10 +119,10 @@ void NearClip::Sort(
 {
   // Each is swapped with the next where the eye is beyond the face they share. A line of sight that
   // meets the first and the third passes the second between them.
-  const Point eye = view.IsParallel() ? Point{ { 0.0, 0.0, 1e6 } } : Point{ { 0.0, 0.0, 0.0 } };
+  const glm::dvec3 eye = view.IsParallel() ? glm::dvec3(0.0, 0.0, 1e6) : glm::dvec3(0.0);
   const auto isBehind = [&](int part)
   {
-    std::array<Point, 4> p;
+    std::array<glm::dvec3, 4> p;
     for (int k = 0; k < 4; ++k)
     {
       p[k] = view.GetEyePoint(mesh.GetPoint(parts[part][k].Id));

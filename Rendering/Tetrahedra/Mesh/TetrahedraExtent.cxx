@@ -1,7 +1,7 @@
 #include "Mesh/TetrahedraExtent.h"
 
+#include "Common/Vectors.h"
 #include "Mesh/TetrahedraMesh.h"
-#include "Mesh/Triple.h"
 
 #include "vtkSMPTools.h"
 
@@ -26,8 +26,8 @@ double TetrahedraExtent::GetRadius(const TetrahedraMesh& mesh)
         const vtkIdType end = std::min(number, (chunk + 1) * chunkSize);
         for (vtkIdType i = chunk * chunkSize; i < end; ++i)
         {
-          const Triple p = TripleMath::Get(&mesh.Points[3 * i]);
-          radius = std::max(radius, TripleMath::Dot(p, p));
+          const glm::dvec3 p = glm::make_vec3(&mesh.Points[3 * i]);
+          radius = std::max(radius, glm::dot(p, p));
         }
         radii[chunk] = radius;
       }

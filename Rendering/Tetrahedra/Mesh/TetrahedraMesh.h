@@ -1,6 +1,8 @@
 #ifndef interlume_TetrahedraMesh_h
 #define interlume_TetrahedraMesh_h
 
+#include "Common/Vectors.h"
+
 #include "vtkType.h"
 
 #include <array>
@@ -17,9 +19,9 @@ struct Viewpoint
 {
   bool IsParallel = false;
   /// The eye, in perspective.
-  std::array<double, 3> Eye{};
+  glm::dvec3 Eye{};
   /// From the eye into the scene, unit length.
-  std::array<double, 3> Direction{ { 0.0, 0.0, -1.0 } };
+  glm::dvec3 Direction{ 0.0, 0.0, -1.0 };
 };
 
 /**
@@ -28,7 +30,7 @@ struct Viewpoint
  */
 struct TetrahedraMesh
 {
-  std::array<double, 3> Origin{};
+  glm::dvec3 Origin{};
   double Scale = 1.0;
   /// Three for each point.
   std::vector<double> Points;

@@ -193,7 +193,7 @@ void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const Tetra
   for (int i = 0; i < lights; ++i)
   {
     const BoundaryShading::Light& light = shading.GetLights()[i];
-    std::copy(light.Place.begin(), light.Place.end(), places[i]);
+    std::copy_n(glm::value_ptr(light.Place), 3, places[i]);
     places[i][3] = light.IsPositional ? 1.0f : 0.0f;
     std::copy(light.Color.begin(), light.Color.end(), colors[i]);
   }
@@ -272,7 +272,7 @@ void OpenGLRasterizer::SetUniforms(
   else
   {
     program->SetUniformf("lengthScale", stride);
-    const std::array<double, 3> first = view.GetEyePoint(0.0, 0.0, 1.0);
+    const glm::dvec3 first = view.GetEyePoint(0.0, 0.0, 1.0);
     const float direction[4] = { static_cast<float>(1.0 / pixels[0]), static_cast<float>(first[0]),
       static_cast<float>(1.0 / pixels[3]), static_cast<float>(first[1]) };
     program->SetUniform4f("directionOfPixel", direction);

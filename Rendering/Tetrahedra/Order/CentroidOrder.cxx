@@ -1,7 +1,7 @@
 #include "Order/CentroidOrder.h"
 
+#include "Common/Vectors.h"
 #include "Mesh/TetrahedraExtent.h"
-#include "Mesh/Triple.h"
 
 #include "vtkSMPTools.h"
 
@@ -12,20 +12,14 @@ namespace interlume
 
 namespace
 {
-using namespace TripleMath;
-
 constexpr vtkIdType Grain = 16384;
 
 // Four times the centroid.
-Triple SumCorners(const TetrahedraMesh& mesh, std::uint32_t tetrahedron)
+glm::dvec3 SumCorners(const TetrahedraMesh& mesh, std::uint32_t tetrahedron)
 {
   const std::uint32_t* corners = mesh.GetCorners(tetrahedron);
-  const double* a = mesh.GetPoint(corners[0]);
-  const double* b = mesh.GetPoint(corners[1]);
-  const double* c = mesh.GetPoint(corners[2]);
-  const double* d = mesh.GetPoint(corners[3]);
-  return { { (a[0] + b[0]) + (c[0] + d[0]), (a[1] + b[1]) + (c[1] + d[1]),
-    (a[2] + b[2]) + (c[2] + d[2]) } };
+  const auto point = [&](int i) { return glm::make_vec3(mesh.GetPoint(corners[i])); };
+  return (point(0) + point(1)) + (point(2) + point(3));
 }
 
 template <typename Measure>
@@ -48,20 +42,21 @@ void CentroidOrder::Compute(
   const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<std::uint32_t>& frontToBack)
 {
   // All measures are of sums of corners: the eye is moved out as far.
-  const Triple eye = { { 4.0 * view.Eye[0], 4.0 * view.Eye[1], 4.0 * view.Eye[2] } };
-  const double distance = std::sqrt(Dot(eye, eye));
+  const glm::dvec3 eye = 4.0 * view.Eye;
+  const double distance = std::sqrt(glm::dot(eye, eye));
   const double radius = view.IsParallel ? 0.0 : 4.0 * TetrahedraExtent::GetRadius(mesh);
   if (view.IsParallel)
   {
-    FillKeys(mesh, this->Keys, [&](const Triple& sum) { return Dot(sum, view.Direction); });
+    FillKeys(
+      mesh, this->Keys, [&](const glm::dvec3& sum) { return glm::dot(sum, view.Direction); });
   }
   else if (distance <= radius)
   {
     FillKeys(mesh, this->Keys,
-      [&](const Triple& sum)
+      [&](const glm::dvec3& sum)
       {
-        const Triple d = Subtract(sum, eye);
-        return Dot(d, d);
+        const glm::dvec3 d = sum - eye;
+        return glm::dot(d, d);
       });
   }
   else
@@ -70,7 +65,8 @@ void CentroidOrder::Compute(
     // distances single precision would keep too little.
     const double offset = radius * (2.0 * distance - radius);
     FillKeys(mesh, this->Keys,
-      [&](const Triple& sum) { return Dot(sum, sum) - 2.0 * Dot(sum, eye) + offset; });
+      [&](const glm::dvec3& sum)
+      { return glm::dot(sum, sum) - 2.0 * glm::dot(sum, eye) + offset; });
   }
   frontToBack.resize(this->Keys.size());
   this->Radix.Sort(

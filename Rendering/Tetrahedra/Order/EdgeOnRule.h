@@ -1,8 +1,8 @@
 #ifndef interlume_EdgeOnRule_h
 #define interlume_EdgeOnRule_h
 
+#include "Common/Vectors.h"
 #include "Mesh/TetrahedraMesh.h"
-#include "Mesh/Triple.h"
 
 #include <limits>
 
@@ -26,27 +26,26 @@ public:
   /// \a radius: the greatest distance of a point from the mesh's origin.
   EdgeOnRule(const Viewpoint& view, double radius)
     : IsPerspective(view.IsParallel ? 0.0 : 1.0)
-    , Eye(view.IsParallel ? Triple{ { -view.Direction[0], -view.Direction[1], -view.Direction[2] } }
-                          : view.Eye)
+    , Eye(view.IsParallel ? -view.Direction : view.Eye)
   {
     // |n . d| errs by less than 66 units of rounding of |d| radius (|u| + |v|), with points known
     // to 4 units of radius, |u| and |v| at most 2 radius, and the greatest components for | |.
-    const double size =
-      view.IsParallel ? TripleMath::GetSize(this->Eye) : TripleMath::GetSize(this->Eye) + radius;
+    const double size = view.IsParallel ? Vectors::InfinityNorm(this->Eye)
+                                        : Vectors::InfinityNorm(this->Eye) + radius;
     this->Error = 64.0 * std::numeric_limits<double>::epsilon() * size * radius;
   }
 
   /// From \a point to the eye.
-  Triple GetTowardEye(const Triple& point) const
+  glm::dvec3 GetTowardEye(const glm::dvec3& point) const
   {
-    return TripleMath::Add(this->Eye, -this->IsPerspective, point);
+    return this->Eye - this->IsPerspective * point;
   }
-  /// The greatest |n . d| that is taken as 0; \a sizes: of u and v, by TripleMath::GetSize.
+  /// The greatest |n . d| that is taken as 0; \a sizes: of u and v, by Vectors::InfinityNorm.
   double GetBound(double sizes) const { return this->Error * sizes; }
 
 private:
   double IsPerspective;
-  Triple Eye;
+  glm::dvec3 Eye;
   double Error;
 };
 

@@ -1,7 +1,7 @@
 #include "Order/EyeSides.h"
 
+#include "Common/Vectors.h"
 #include "Mesh/TetrahedraExtent.h"
-#include "Mesh/Triple.h"
 #include "Order/EdgeOnRule.h"
 
 #include "vtkSMPTools.h"
@@ -13,8 +13,6 @@ namespace interlume
 
 namespace
 {
-using namespace TripleMath;
-
 constexpr vtkIdType Grain = 8192;
 
 // The corners of each face, counterclockwise from outside where the volume is positive.
@@ -26,16 +24,16 @@ struct Edges
   Edges(const TetrahedraMesh& mesh, std::uint32_t tetrahedron)
   {
     const std::uint32_t* corners = mesh.GetCorners(tetrahedron);
-    this->Origin = Get(mesh.GetPoint(corners[0]));
-    this->U = Subtract(Get(mesh.GetPoint(corners[1])), this->Origin);
-    this->V = Subtract(Get(mesh.GetPoint(corners[2])), this->Origin);
-    this->W = Subtract(Get(mesh.GetPoint(corners[3])), this->Origin);
+    this->Origin = glm::make_vec3(mesh.GetPoint(corners[0]));
+    this->U = glm::make_vec3(mesh.GetPoint(corners[1])) - this->Origin;
+    this->V = glm::make_vec3(mesh.GetPoint(corners[2])) - this->Origin;
+    this->W = glm::make_vec3(mesh.GetPoint(corners[3])) - this->Origin;
   }
 
-  Triple Origin;
-  Triple U;
-  Triple V;
-  Triple W;
+  glm::dvec3 Origin;
+  glm::dvec3 U;
+  glm::dvec3 V;
+  glm::dvec3 W;
 };
 
 // What the two tetrahedra of a face are compared by. Bit k of the first four: the ids of face k,
@@ -46,7 +44,7 @@ constexpr unsigned int FlatBit = 0x20;
 unsigned char FindOrientation(const TetrahedraMesh& mesh, std::uint32_t tetrahedron)
 {
   const Edges edges(mesh, tetrahedron);
-  const double volume = Dot(edges.U, Cross(edges.V, edges.W));
+  const double volume = glm::dot(edges.U, glm::cross(edges.V, edges.W));
   const std::uint32_t* corners = mesh.GetCorners(tetrahedron);
   unsigned int result = volume > 0.0 ? PositiveBit : volume < 0.0 ? 0u : FlatBit;
   for (int k = 0; k < 4; ++k)
@@ -109,19 +107,22 @@ void EyeSides::Compute(
       for (vtkIdType t = first; t < last; ++t)
       {
         const Edges e(mesh, static_cast<std::uint32_t>(t));
-        const Triple towardEye = rule.GetTowardEye(e.Origin);
-        const Triple towardEye1 = rule.GetTowardEye(Get(mesh.GetPoint(mesh.GetCorners(t)[1])));
-        const Triple edge12 = Subtract(e.V, e.U);
-        const Triple edge13 = Subtract(e.W, e.U);
-        const double u = GetSize(e.U);
-        const double v = GetSize(e.V);
-        const double w = GetSize(e.W);
+        const glm::dvec3 towardEye = rule.GetTowardEye(e.Origin);
+        const glm::dvec3 towardEye1 =
+          rule.GetTowardEye(glm::make_vec3(mesh.GetPoint(mesh.GetCorners(t)[1])));
+        const glm::dvec3 edge12 = e.V - e.U;
+        const glm::dvec3 edge13 = e.W - e.U;
+        const double u = Vectors::InfinityNorm(e.U);
+        const double v = Vectors::InfinityNorm(e.V);
+        const double w = Vectors::InfinityNorm(e.W);
         // Positive where the eye is on the side of the opposite corner, for a positive volume.
         const double sign = this->Tetrahedra[t] & IsPositive ? 1.0 : -1.0;
-        const double sides[4] = { -sign * Dot(Cross(edge12, edge13), towardEye1),
-          sign * Dot(Cross(e.V, e.W), towardEye), sign * Dot(Cross(e.W, e.U), towardEye),
-          sign * Dot(Cross(e.U, e.V), towardEye) };
-        const double sizes[4] = { GetSize(edge12) + GetSize(edge13), v + w, w + u, u + v };
+        const double sides[4] = { -sign * glm::dot(glm::cross(edge12, edge13), towardEye1),
+          sign * glm::dot(glm::cross(e.V, e.W), towardEye),
+          sign * glm::dot(glm::cross(e.W, e.U), towardEye),
+          sign * glm::dot(glm::cross(e.U, e.V), towardEye) };
+        const double sizes[4] = { Vectors::InfinityNorm(edge12) + Vectors::InfinityNorm(edge13),
+          v + w, w + u, u + v };
         unsigned int beyond = 0;
         for (int k = 0; k < 4; ++k)
         {

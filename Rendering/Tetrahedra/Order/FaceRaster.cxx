@@ -6,21 +6,19 @@
 namespace interlume
 {
 
-using namespace TripleMath;
-
-FaceRaster::FaceRaster(const FrameProjection& projection, const std::array<Triple, 3>& corners,
+FaceRaster::FaceRaster(const FrameProjection& projection, const std::array<glm::dvec3, 3>& corners,
   const std::array<std::uint32_t, 3>& ids)
   : Projection(projection)
-  , Normal(Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0])))
-  , Offset(Dot(this->Normal, corners[0]))
+  , Normal(glm::cross(corners[1] - corners[0], corners[2] - corners[0]))
+  , Offset(glm::dot(this->Normal, corners[0]))
   , LeastDepth(std::min({ corners[0][2], corners[1][2], corners[2][2] }))
   , GreatestDepth(std::max({ corners[0][2], corners[1][2], corners[2][2] }))
 {
   this->FindRectangle(corners);
   for (int e = 0; e < 3; ++e)
   {
-    Triple a = corners[e];
-    Triple b = corners[(e + 1) % 3];
+    glm::dvec3 a = corners[e];
+    glm::dvec3 b = corners[(e + 1) % 3];
     if (projection.IsParallel())
     {
       a[2] = b[2] = 1.0;
@@ -30,14 +28,14 @@ FaceRaster::FaceRaster(const FrameProjection& projection, const std::array<Tripl
 }
 
 FaceRaster::Edge FaceRaster::MakeEdge(
-  const Triple& a, std::uint32_t idA, const Triple& b, std::uint32_t idB)
+  const glm::dvec3& a, std::uint32_t idA, const glm::dvec3& b, std::uint32_t idB)
 {
   const double sign = idA < idB ? 1.0 : -1.0;
-  const Triple line = idA < idB ? Cross(a, b) : Cross(b, a);
+  const glm::dvec3 line = idA < idB ? glm::cross(a, b) : glm::cross(b, a);
   return { sign * line[0], sign * line[1], sign * line[2] };
 }
 
-void FaceRaster::FindRectangle(const std::array<Triple, 3>& corners)
+void FaceRaster::FindRectangle(const std::array<glm::dvec3, 3>& corners)
 {
   // In perspective only what is before the eye counts. What is nearer to its plane than a millionth
   // of the triangle's depth can be in the picture only that near to the eye.
@@ -50,7 +48,7 @@ void FaceRaster::FindRectangle(const std::array<Triple, 3>& corners)
   double least[2] = { std::numeric_limits<double>::max(), std::numeric_limits<double>::max() };
   double greatest[2] = { std::numeric_limits<double>::lowest(),
     std::numeric_limits<double>::lowest() };
-  const auto add = [&](const Triple& p)
+  const auto add = [&](const glm::dvec3& p)
   {
     const double scale = this->Projection.IsParallel() ? 1.0 : 1.0 / p[2];
     for (int axis = 0; axis < 2; ++axis)
@@ -61,15 +59,15 @@ void FaceRaster::FindRectangle(const std::array<Triple, 3>& corners)
   };
   for (int e = 0; e < 3; ++e)
   {
-    const Triple& a = corners[e];
-    const Triple& b = corners[(e + 1) % 3];
+    const glm::dvec3& a = corners[e];
+    const glm::dvec3& b = corners[(e + 1) % 3];
     if (a[2] >= nearest)
     {
       add(a);
     }
     if ((a[2] >= nearest) != (b[2] >= nearest))
     {
-      Triple cut = Add(a, (nearest - a[2]) / (b[2] - a[2]), Subtract(b, a));
+      glm::dvec3 cut = a + (nearest - a[2]) / (b[2] - a[2]) * (b - a);
       cut[2] = nearest;
       add(cut);
     }

@@ -1,7 +1,7 @@
 #ifndef interlume_FaceRaster_h
 #define interlume_FaceRaster_h
 
-#include "Mesh/Triple.h"
+#include "Common/Vectors.h"
 #include "View/FrameProjection.h"
 
 #include <array>
@@ -23,7 +23,7 @@ class FaceRaster
 {
 public:
   /// A triangle: picture coordinates of its corners, and their point ids.
-  FaceRaster(const FrameProjection& projection, const std::array<Triple, 3>& corners,
+  FaceRaster(const FrameProjection& projection, const std::array<glm::dvec3, 3>& corners,
     const std::array<std::uint32_t, 3>& ids);
 
   /// The smallest rectangle that holds all its pixels.
@@ -47,13 +47,14 @@ private:
     double One;
   };
 
-  static Edge MakeEdge(const Triple& a, std::uint32_t idA, const Triple& b, std::uint32_t idB);
-  void FindRectangle(const std::array<Triple, 3>& corners);
+  static Edge MakeEdge(
+    const glm::dvec3& a, std::uint32_t idA, const glm::dvec3& b, std::uint32_t idB);
+  void FindRectangle(const std::array<glm::dvec3, 3>& corners);
   double FindDepth(double x, double y) const;
 
   const FrameProjection& Projection;
   Edge Edges[3];
-  Triple Normal;
+  glm::dvec3 Normal;
   double Offset;
   double LeastDepth;
   double GreatestDepth;

@@ -1,6 +1,6 @@
 #include "Order/GapRelations.h"
 
-#include "Mesh/Triple.h"
+#include "Common/Vectors.h"
 #include "Order/EdgeOnRule.h"
 #include "Order/EyeSides.h"
 #include "Order/FaceRaster.h"
@@ -16,8 +16,6 @@ namespace interlume
 
 namespace
 {
-using namespace TripleMath;
-
 constexpr vtkIdType Grain = 2048;
 // Few enough rows for the lists of a band's pixels to stay in a cache.
 constexpr int BandHeight = 16;
@@ -34,7 +32,7 @@ public:
     , Sides(sides)
     , Projection(projection)
     , Rule(rays.Viewpoint, sides.GetRadius())
-    , Tolerance(1e-9 * sides.GetRadius() + 1e-12 * GetSize(rays.Viewpoint.Eye))
+    , Tolerance(1e-9 * sides.GetRadius() + 1e-12 * Vectors::InfinityNorm(rays.Viewpoint.Eye))
   {
   }
 
@@ -53,7 +51,7 @@ private:
     std::uint32_t Pixel;
   };
 
-  bool IsEdgeOn(const std::array<Triple, 3>& points) const;
+  bool IsEdgeOn(const std::array<glm::dvec3, 3>& points) const;
   FaceRaster MakeRaster(std::uint32_t face, bool& isEdgeOn) const;
   void FindHits(int firstRow, int lastRow, std::vector<Hit>& hits) const;
 
@@ -66,22 +64,22 @@ private:
   std::vector<FrameProjection::Range> Rows;
 };
 
-bool Picture::IsEdgeOn(const std::array<Triple, 3>& points) const
+bool Picture::IsEdgeOn(const std::array<glm::dvec3, 3>& points) const
 {
-  const Triple u = Subtract(points[1], points[0]);
-  const Triple v = Subtract(points[2], points[0]);
-  const double side = Dot(Cross(u, v), this->Rule.GetTowardEye(points[0]));
-  return std::abs(side) <= this->Rule.GetBound(GetSize(u) + GetSize(v));
+  const glm::dvec3 u = points[1] - points[0];
+  const glm::dvec3 v = points[2] - points[0];
+  const double side = glm::dot(glm::cross(u, v), this->Rule.GetTowardEye(points[0]));
+  return std::abs(side) <= this->Rule.GetBound(Vectors::InfinityNorm(u) + Vectors::InfinityNorm(v));
 }
 
 FaceRaster Picture::MakeRaster(std::uint32_t face, bool& isEdgeOn) const
 {
   const std::array<std::uint32_t, 3> ids = this->Sides.GetOutwardCorners(this->Mesh, face);
-  std::array<Triple, 3> points;
-  std::array<Triple, 3> corners;
+  std::array<glm::dvec3, 3> points;
+  std::array<glm::dvec3, 3> corners;
   for (int i = 0; i < 3; ++i)
   {
-    points[i] = Get(this->Mesh.GetPoint(ids[i]));
+    points[i] = glm::make_vec3(this->Mesh.GetPoint(ids[i]));
     corners[i] = this->Projection.Project(points[i]);
   }
   isEdgeOn = this->IsEdgeOn(points);

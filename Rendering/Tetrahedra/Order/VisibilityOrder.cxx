@@ -1,5 +1,6 @@
 #include "Order/VisibilityOrder.h"
 
+#include "Common/Prefetch.h"
 #include "Order/CentroidOrder.h"
 #include "Order/CycleOrder.h"
 #include "Order/EyeSides.h"
@@ -9,19 +10,6 @@
 
 namespace interlume
 {
-
-namespace
-{
-// Has a line of the cache loaded that will be read soon.
-void Prefetch(const void* memory)
-{
-#if defined(__GNUC__)
-  __builtin_prefetch(memory);
-#else
-  static_cast<void>(memory);
-#endif
-}
-}
 
 class VisibilityOrder::Internals
 {
@@ -121,9 +109,9 @@ void VisibilityOrder::Internals::Sort(std::vector<std::uint32_t>& frontToBack)
     if (i + ahead < this->Centroids.size())
     {
       const std::size_t later = this->Centroids[i + ahead];
-      Prefetch(graph.Twins + 4 * later);
-      Prefetch(graph.InFront + later);
-      Prefetch(this->States.data() + later);
+      Prefetch::Read(graph.Twins + 4 * later);
+      Prefetch::Read(graph.InFront + later);
+      Prefetch::Read(this->States.data() + later);
     }
     if (this->States[tetrahedron] == NEW && !this->PutOut(graph, tetrahedron, frontToBack))
     {

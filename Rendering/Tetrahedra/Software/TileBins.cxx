@@ -27,7 +27,7 @@ void TileBins::ProjectPoints(const TetrahedraFrame& picture)
     {
       for (vtkIdType p = first; p < last; ++p)
       {
-        const std::array<double, 3> eye = picture.View.GetEyePoint(&mesh.Points[3 * p]);
+        const glm::dvec3 eye = picture.View.GetEyePoint(&mesh.Points[3 * p]);
         Point& point = this->Points[p];
         point.Place = picture.View.Project(eye);
         point.Scalar = hasScalars ? fields.Scalars[p] : 0.0f;

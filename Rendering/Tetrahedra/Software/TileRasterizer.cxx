@@ -1,5 +1,6 @@
 #include "Software/TileRasterizer.h"
 
+#include "Common/Prefetch.h"
 #include "Software/FragmentBlending.h"
 #include "Software/FragmentClones.h"
 #include "Software/FragmentRow.h"
@@ -171,22 +172,17 @@ void TileRasterizer::DrawTetrahedra(int tile)
 void TileRasterizer::FetchAhead(const std::uint32_t* t, const std::uint32_t* end) const
 {
   // In order of visibility neither corners nor points are neighbours in memory.
-#if defined(__GNUC__)
   constexpr int cornersAhead = 8;
   constexpr int pointsAhead = 4;
   if (end - t > cornersAhead)
   {
-    __builtin_prefetch(this->Picture.Mesh->GetCorners(t[cornersAhead]));
+    Prefetch::Read(this->Picture.Mesh->GetCorners(t[cornersAhead]));
     const std::uint32_t* corners = this->Picture.Mesh->GetCorners(t[pointsAhead]);
     for (int k = 0; k < 4; ++k)
     {
-      __builtin_prefetch(this->Bins.GetPoints() + corners[k]);
+      Prefetch::Read(this->Bins.GetPoints() + corners[k]);
     }
   }
-#else
-  static_cast<void>(t);
-  static_cast<void>(end);
-#endif
 }
 
 template <bool Scalars, bool Colors, bool DeltaT>

@@ -6,8 +6,6 @@
 namespace interlume
 {
 
-using namespace TripleMath;
-
 FrameProjection::FrameProjection(const ViewRays& rays)
   : Parallel(rays.Viewpoint.IsParallel)
   , Origin(rays.Viewpoint.Eye)
@@ -16,24 +14,24 @@ FrameProjection::FrameProjection(const ViewRays& rays)
   , PixelWidth(1.0 / std::max(rays.Width, 1))
   , PixelHeight(1.0 / std::max(rays.Height, 1))
 {
-  const Triple zero{};
-  const Triple right = Add(zero, rays.HalfSize[0], rays.Right);
-  const Triple up = Add(zero, rays.HalfSize[1], rays.Up);
-  Triple direction = rays.Viewpoint.Direction;
+  const glm::dvec3 right = rays.HalfSize[0] * rays.Right;
+  const glm::dvec3 up = rays.HalfSize[1] * rays.Up;
+  glm::dvec3 direction = rays.Viewpoint.Direction;
   // A shifted window moves the origin in parallel, turns the middle line of sight in perspective.
-  Triple& shifted = this->Parallel ? this->Origin : direction;
-  shifted = Add(Add(shifted, rays.Center[0], rays.Right), rays.Center[1], rays.Up);
+  glm::dvec3& shifted = this->Parallel ? this->Origin : direction;
+  shifted += rays.Center[0] * rays.Right;
+  shifted += rays.Center[1] * rays.Up;
 
   // Rows of the inverse of the matrix with columns right, up, direction.
-  const double determinant = Dot(Cross(right, up), direction);
+  const double determinant = glm::dot(glm::cross(right, up), direction);
   const double inverse = 1.0 / determinant;
   this->Valid = this->Width > 0 && this->Height > 0 && std::isfinite(inverse);
   this->Mirrored = determinant > 0.0;
   if (this->Valid)
   {
-    this->Rows[0] = Add(zero, inverse, Cross(up, direction));
-    this->Rows[1] = Add(zero, inverse, Cross(direction, right));
-    this->Rows[2] = Add(zero, inverse, Cross(right, up));
+    this->Rows[0] = inverse * glm::cross(up, direction);
+    this->Rows[1] = inverse * glm::cross(direction, right);
+    this->Rows[2] = inverse * glm::cross(right, up);
   }
 }
 

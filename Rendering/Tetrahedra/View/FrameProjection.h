@@ -1,7 +1,7 @@
 #ifndef interlume_FrameProjection_h
 #define interlume_FrameProjection_h
 
-#include "Mesh/Triple.h"
+#include "Common/Vectors.h"
 #include "View/ViewRays.h"
 
 namespace interlume
@@ -26,11 +26,10 @@ public:
   /// Whether what is counterclockwise in the mesh's coordinates is clockwise in the picture.
   bool IsMirrored() const { return this->Mirrored; }
 
-  Triple Project(const Triple& point) const
+  glm::dvec3 Project(const glm::dvec3& point) const
   {
-    const Triple p = TripleMath::Subtract(point, this->Origin);
-    return { { TripleMath::Dot(this->Rows[0], p), TripleMath::Dot(this->Rows[1], p),
-      TripleMath::Dot(this->Rows[2], p) } };
+    const glm::dvec3 p = point - this->Origin;
+    return { glm::dot(this->Rows[0], p), glm::dot(this->Rows[1], p), glm::dot(this->Rows[2], p) };
   }
 
   int GetWidth() const { return this->Width; }
@@ -66,8 +65,8 @@ private:
   bool Valid = false;
   bool Parallel = false;
   bool Mirrored = false;
-  Triple Origin{};
-  Triple Rows[3]{};
+  glm::dvec3 Origin{};
+  glm::dvec3 Rows[3]{};
   int Width = 0;
   int Height = 0;
   double PixelWidth = 0.0;

@@ -107,7 +107,7 @@ double TetrahedraView::GetSlant(double x, double y) const
     const double dy = this->ShiftY / this->ScaleY;
     return std::sqrt(1.0 + dx * dx + dy * dy);
   }
-  const std::array<double, 3> eye = this->GetEyePoint(x, y, 1.0);
+  const glm::dvec3 eye = this->GetEyePoint(x, y, 1.0);
   return std::sqrt(eye[0] * eye[0] + eye[1] * eye[1] + 1.0);
 }
 
@@ -142,7 +142,7 @@ ViewRays TetrahedraView::GetRays() const
     rays.Up[i] /= this->Parallel ? 1.0 : length;
   }
   rays.HalfSize = { { 0.5 * this->Width / this->ScaleX, 0.5 * this->Height / this->ScaleY } };
-  const std::array<double, 3> middle =
+  const glm::dvec3 middle =
     this->GetEyePoint(0.5 * this->Width, 0.5 * this->Height, this->Parallel ? 0.0 : 1.0);
   rays.Center = { { middle[0], middle[1] } };
   rays.Width = this->Width;

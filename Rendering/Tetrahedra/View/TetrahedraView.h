@@ -1,6 +1,7 @@
 #ifndef interlume_TetrahedraView_h
 #define interlume_TetrahedraView_h
 
+#include "Common/Vectors.h"
 #include "Mesh/TetrahedraMesh.h"
 #include "View/ViewRays.h"
 
@@ -46,9 +47,9 @@ public:
   double GetUnit() const { return this->Unit; }
 
   /// Eye coordinates in units: the eye looks along -z.
-  std::array<double, 3> GetEyePoint(const double* point) const
+  glm::dvec3 GetEyePoint(const double* point) const
   {
-    std::array<double, 3> eye;
+    glm::dvec3 eye;
     for (int i = 0; i < 3; ++i)
     {
       const double* row = &this->EyeFromMesh[4 * i];
@@ -57,7 +58,7 @@ public:
     return eye;
   }
   /// Beyond the near plane only.
-  Projected Project(const std::array<double, 3>& eye) const
+  Projected Project(const glm::dvec3& eye) const
   {
     const double depth = this->Parallel ? eye[2] : -1.0 / eye[2];
     const double weight = this->Parallel ? 1.0 : depth;
@@ -65,12 +66,12 @@ public:
       (this->ScaleY * eye[1] + this->ShiftY * eye[2]) * weight + this->OffsetY, depth };
   }
   /// Eye coordinates of a pixel's point at a depth.
-  std::array<double, 3> GetEyePoint(double x, double y, double depth) const
+  glm::dvec3 GetEyePoint(double x, double y, double depth) const
   {
     const double z = this->Parallel ? depth : -1.0 / depth;
     const double weight = this->Parallel ? 1.0 : depth;
-    return { { ((x - this->OffsetX) / weight - this->ShiftX * z) / this->ScaleX,
-      ((y - this->OffsetY) / weight - this->ShiftY * z) / this->ScaleY, z } };
+    return { ((x - this->OffsetX) / weight - this->ShiftX * z) / this->ScaleX,
+      ((y - this->OffsetY) / weight - this->ShiftY * z) / this->ScaleY, z };
   }
   /// Where the near plane is, on the axis; points with -z less than it are before it.
   double GetNear() const { return this->Near; }

@@ -1,6 +1,7 @@
 #ifndef interlume_ViewRays_h
 #define interlume_ViewRays_h
 
+#include "Common/Vectors.h"
 #include "Mesh/TetrahedraMesh.h"
 
 #include <array>
@@ -19,8 +20,8 @@ namespace interlume
 struct ViewRays
 {
   interlume::Viewpoint Viewpoint;
-  std::array<double, 3> Right{ { 1.0, 0.0, 0.0 } };
-  std::array<double, 3> Up{ { 0.0, 1.0, 0.0 } };
+  glm::dvec3 Right{ 1.0, 0.0, 0.0 };
+  glm::dvec3 Up{ 0.0, 1.0, 0.0 };
   /// Half the picture's width and height: tangents of half the angles of view in perspective,
   /// lengths in parallel.
   std::array<double, 2> HalfSize{ { 1.0, 1.0 } };

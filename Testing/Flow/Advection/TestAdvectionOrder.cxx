@@ -165,7 +165,7 @@ void TestStep(Check& check, const char* name, double endOrder, double denseOrder
         dense.GetPoint(theta, p);
         sums[1] += std::pow(Distance(p, flow.Follow(start, theta * h)), 2.0);
       }
-      sums[2] += std::pow(interlume::AdvectionVector::Length(method.Error), 2.0);
+      sums[2] += std::pow(interlume::Vectors::SafeLength(glm::make_vec3(method.Error)), 2.0);
       double p[3];
       dense.GetPoint(1.0, p);
       check.That(Distance(p, { method.End[0], method.End[1], method.End[2] }) <= 1e-14,

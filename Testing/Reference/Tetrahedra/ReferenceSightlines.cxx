@@ -9,32 +9,9 @@ namespace reference
 {
 namespace
 {
-using Vector = std::array<double, 3>;
-
 // Shorter ways through a tetrahedron are left out: there rounding decides what is hit.
 constexpr double LeastLength = 1e-7;
 constexpr double Tolerance = 1e-9;
-
-Vector Combine(const Vector& a, double s, const Vector& b)
-{
-  return { { a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2] } };
-}
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector Normalize(const Vector& a)
-{
-  return Combine({}, 1.0 / std::sqrt(Dot(a, a)), a);
-}
-Vector ToVector(const double* p)
-{
-  return { { p[0], p[1], p[2] } };
-}
 
 std::vector<std::uint32_t> GetRanks(const std::vector<std::uint32_t>& order)
 {
@@ -47,45 +24,43 @@ std::vector<std::uint32_t> GetRanks(const std::vector<std::uint32_t>& order)
 }
 }
 
-interlume::ViewRays LookAt(const std::array<double, 3>& eye, const std::array<double, 3>& target,
-  double halfSize, int pixels, bool isParallel)
+interlume::ViewRays LookAt(
+  const glm::dvec3& eye, const glm::dvec3& target, double halfSize, int pixels, bool isParallel)
 {
   interlume::ViewRays rays;
   rays.Viewpoint.IsParallel = isParallel;
   rays.Viewpoint.Eye = eye;
-  rays.Viewpoint.Direction = Normalize(Combine(target, -1.0, eye));
-  const Vector up = std::abs(rays.Viewpoint.Direction[1]) > 0.9 ? Vector{ { 0.0, 0.0, 1.0 } }
-                                                                : Vector{ { 0.0, 1.0, 0.0 } };
-  rays.Right = Normalize(Cross(rays.Viewpoint.Direction, up));
-  rays.Up = Cross(rays.Right, rays.Viewpoint.Direction);
+  rays.Viewpoint.Direction = glm::normalize(target - eye);
+  const glm::dvec3 up = std::abs(rays.Viewpoint.Direction[1]) > 0.9 ? glm::dvec3(0.0, 0.0, 1.0)
+                                                                    : glm::dvec3(0.0, 1.0, 0.0);
+  rays.Right = glm::normalize(glm::cross(rays.Viewpoint.Direction, up));
+  rays.Up = glm::cross(rays.Right, rays.Viewpoint.Direction);
   rays.HalfSize = { { halfSize, halfSize } };
   rays.Width = pixels;
   rays.Height = pixels;
   return rays;
 }
 
-std::vector<View> GetViews(int pixels, const std::array<double, 3>& hole)
+std::vector<View> GetViews(int pixels, const glm::dvec3& hole)
 {
-  const Vector middle = { { 0.01, -0.02, 0.015 } };
+  const glm::dvec3 middle = { 0.01, -0.02, 0.015 };
   std::vector<View> views = {
-    { "perspective", LookAt({ { 1.3, 1.1, 1.7 } }, middle, 0.4, pixels, false) },
-    { "perspective, near", LookAt({ { -0.71, 0.13, 0.21 } }, middle, 1.2, pixels, false) },
-    { "perspective, far", LookAt({ { 130.0, -250.0, 470.0 } }, middle, 0.0016, pixels, false) },
-    { "from within",
-      LookAt({ { 0.011, 0.021, -0.017 } }, { { 0.3, 0.5, 0.4 } }, 1.5, pixels, false) },
-    { "from a hole", LookAt(hole, { { -0.4, -0.2, -0.3 } }, 1.5, pixels, false) },
-    { "from a hole, back", LookAt(hole, { { 0.4, 0.3, 0.6 } }, 1.0, pixels, false) },
-    { "along an axis", LookAt({ { 0.0, 0.0, 2.0 } }, { { 0.0, 0.0, 0.0 } }, 0.4, pixels, false) },
-    { "parallel", LookAt({ { 1.3, 0.9, 0.6 } }, middle, 0.8, pixels, true) },
-    { "parallel along an axis",
-      LookAt({ { 0.0, 0.0, 1.0 } }, { { 0.0, 0.0, 0.0 } }, 0.6, pixels, true) },
+    { "perspective", LookAt({ 1.3, 1.1, 1.7 }, middle, 0.4, pixels, false) },
+    { "perspective, near", LookAt({ -0.71, 0.13, 0.21 }, middle, 1.2, pixels, false) },
+    { "perspective, far", LookAt({ 130.0, -250.0, 470.0 }, middle, 0.0016, pixels, false) },
+    { "from within", LookAt({ 0.011, 0.021, -0.017 }, { 0.3, 0.5, 0.4 }, 1.5, pixels, false) },
+    { "from a hole", LookAt(hole, { -0.4, -0.2, -0.3 }, 1.5, pixels, false) },
+    { "from a hole, back", LookAt(hole, { 0.4, 0.3, 0.6 }, 1.0, pixels, false) },
+    { "along an axis", LookAt({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 0.0 }, 0.4, pixels, false) },
+    { "parallel", LookAt({ 1.3, 0.9, 0.6 }, middle, 0.8, pixels, true) },
+    { "parallel along an axis", LookAt({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 }, 0.6, pixels, true) },
   };
   View shifted = views[0];
   shifted.Name = "perspective, shifted, mirrored, not square";
   shifted.Rays.Center = { { 0.1, -0.05 } };
   shifted.Rays.HalfSize = { { 0.3, 0.2 } };
   shifted.Rays.Height = pixels / 2;
-  shifted.Rays.Right = Combine({}, -1.5, shifted.Rays.Right);
+  shifted.Rays.Right = -1.5 * shifted.Rays.Right;
   views.push_back(shifted);
   shifted.Name = "parallel, shifted, mirrored, not square";
   shifted.Rays.Viewpoint.IsParallel = true;
@@ -100,15 +75,15 @@ Sightlines::Sightlines(const interlume::TetrahedraMesh& mesh)
     for (int k = 0; k < 4; ++k)
     {
       const std::uint32_t* corners = mesh.GetCorners(t);
-      const Vector a = ToVector(mesh.GetPoint(corners[(k + 1) & 3]));
-      const Vector b = ToVector(mesh.GetPoint(corners[(k + 2) & 3]));
-      const Vector c = ToVector(mesh.GetPoint(corners[(k + 3) & 3]));
-      Vector normal = Normalize(Cross(Combine(b, -1.0, a), Combine(c, -1.0, a)));
-      if (Dot(normal, Combine(ToVector(mesh.GetPoint(corners[k])), -1.0, a)) > 0.0)
+      const glm::dvec3 a = glm::make_vec3(mesh.GetPoint(corners[(k + 1) & 3]));
+      const glm::dvec3 b = glm::make_vec3(mesh.GetPoint(corners[(k + 2) & 3]));
+      const glm::dvec3 c = glm::make_vec3(mesh.GetPoint(corners[(k + 3) & 3]));
+      glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+      if (glm::dot(normal, glm::make_vec3(mesh.GetPoint(corners[k])) - a) > 0.0)
       {
-        normal = Combine({}, -1.0, normal);
+        normal = -normal;
       }
-      this->Planes.push_back({ normal, Dot(normal, a) });
+      this->Planes.push_back({ normal, glm::dot(normal, a) });
     }
   }
 }
@@ -117,10 +92,10 @@ void Sightlines::CheckLine(const interlume::ViewRays& rays, double x, double y,
   const std::vector<std::uint32_t>& ranks, OrderErrors& errors) const
 {
   const bool isParallel = rays.Viewpoint.IsParallel;
-  const Vector shift = Combine(Combine({}, x, rays.Right), y, rays.Up);
-  const Vector origin = isParallel ? Combine(rays.Viewpoint.Eye, 1.0, shift) : rays.Viewpoint.Eye;
-  const Vector direction = Normalize(
-    isParallel ? rays.Viewpoint.Direction : Combine(rays.Viewpoint.Direction, 1.0, shift));
+  const glm::dvec3 shift = x * rays.Right + y * rays.Up;
+  const glm::dvec3 origin = isParallel ? rays.Viewpoint.Eye + shift : rays.Viewpoint.Eye;
+  const glm::dvec3 direction =
+    glm::normalize(isParallel ? rays.Viewpoint.Direction : rays.Viewpoint.Direction + shift);
   struct Segment
   {
     double Entry;
@@ -134,8 +109,8 @@ void Sightlines::CheckLine(const interlume::ViewRays& rays, double x, double y,
     double exit = std::numeric_limits<double>::max();
     for (std::size_t f = 4 * t; f < 4 * t + 4 && entry < exit; ++f)
     {
-      const double slope = Dot(this->Planes[f].Normal, direction);
-      const double distance = this->Planes[f].Offset - Dot(this->Planes[f].Normal, origin);
+      const double slope = glm::dot(this->Planes[f].Normal, direction);
+      const double distance = this->Planes[f].Offset - glm::dot(this->Planes[f].Normal, origin);
       if (slope > 0.0)
       {
         exit = std::min(exit, distance / slope);

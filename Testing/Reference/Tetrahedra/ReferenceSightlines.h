@@ -1,10 +1,10 @@
 #ifndef ReferenceSightlines_h
 #define ReferenceSightlines_h
 
+#include "Common/Vectors.h"
 #include "Mesh/TetrahedraMesh.h"
 #include "View/ViewRays.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -18,11 +18,11 @@ struct View
   interlume::ViewRays Rays;
 };
 /// A view from \a eye toward \a target, or in parallel along that line.
-interlume::ViewRays LookAt(const std::array<double, 3>& eye, const std::array<double, 3>& target,
-  double halfSize, int pixels, bool isParallel);
+interlume::ViewRays LookAt(
+  const glm::dvec3& eye, const glm::dvec3& target, double halfSize, int pixels, bool isParallel);
 /// Views of the cube [-0.5, 0.5]^3 from outside, within, and along its axes; \a hole: one more
 /// place to look from.
-std::vector<View> GetViews(int pixels, const std::array<double, 3>& hole);
+std::vector<View> GetViews(int pixels, const glm::dvec3& hole);
 
 /// What an order of tetrahedra was found to do along some lines of sight.
 struct OrderErrors
@@ -53,7 +53,7 @@ public:
 private:
   struct Plane
   {
-    std::array<double, 3> Normal;
+    glm::dvec3 Normal;
     double Offset;
   };
 

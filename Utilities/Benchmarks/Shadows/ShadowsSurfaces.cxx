@@ -102,7 +102,7 @@ void AddSurfaceRows(const BenchOptions& options, BenchRows& rows)
     row.Seconds = seconds[0];
     row.Peer = "shadows-off";
     row.PeerSeconds = seconds[1];
-    AddReport(on->GetSlices()->GetRenderReport(), row);
+    AddReport(on->GetSlices()->GetReport(), row);
     row.Counts["p95"] = errors.P95;
     row.Counts["largest"] = errors.Max;
     row.Counts["rms"] = errors.Rms;

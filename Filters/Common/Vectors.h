@@ -1,0 +1,69 @@
+#ifndef interlume_Vectors_h
+#define interlume_Vectors_h
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+namespace interlume
+{
+
+/**
+ * What GLM does not have for the vectors of space, `glm::dvec3`. Memory of three numbers becomes
+ * one by `glm::make_vec3`.
+ */
+namespace Vectors
+{
+/// The infinity norm: the greatest component in amount.
+inline double InfinityNorm(const glm::dvec3& v)
+{
+  return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
+}
+
+inline bool IsFinite(const glm::dvec3& v)
+{
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The length, also where the squares of components overflow or underflow.
+inline double SafeLength(const glm::dvec3& v)
+{
+  const double square = glm::dot(v, v);
+  if (square > 1e-280 && square < 1e280)
+  {
+    return std::sqrt(square);
+  }
+  const double largest = InfinityNorm(v);
+  if (!(largest > 0.0 && std::isfinite(largest)))
+  {
+    return square;
+  }
+  const glm::dvec3 scaled = v / largest;
+  return largest * std::sqrt(glm::dot(scaled, scaled));
+}
+
+inline double Dot(const double* a, const double* b)
+{
+  return glm::dot(glm::make_vec3(a), glm::make_vec3(b));
+}
+
+inline glm::dvec3 Difference(const double* a, const double* b)
+{
+  return glm::make_vec3(a) - glm::make_vec3(b);
+}
+
+/// Six times the signed volume of the tetrahedron a, b, c, d: positive when (b-a) . (c-a) x (d-a)
+/// is.
+inline double SixVolumes(const double* a, const double* b, const double* c, const double* d)
+{
+  return glm::dot(Difference(b, a), glm::cross(Difference(c, a), Difference(d, a)));
+}
+}
+
+}
+
+#endif
