@@ -9,12 +9,12 @@ namespace interlume
 {
 
 /**
- * What an algorithm leaves when it was aborted.
+ * Leaves an algorithm that was aborted.
  */
 namespace AbortCheck
 {
-/// Its outputs are not up to date, so that the next update executes again. Returns what RequestData
-/// is to.
+/// Marks outputs as not up to date, so that the next update executes again. Returns what
+/// RequestData is to return.
 inline int Leave(vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)

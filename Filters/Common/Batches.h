@@ -11,7 +11,7 @@ namespace interlume
 {
 
 /**
- * Threads over numbered things, in a few batches between which progress is told.
+ * Runs threads over numbered items, in a few batches between which progress is told.
  */
 namespace Batches
 {
@@ -19,7 +19,8 @@ constexpr vtkIdType NumberOfBatches = 16;
 
 /**
  * Calls \a work(first, last) for all of [0, number) by threads; the progress of \a owner goes from
- * \a start to \a end. False when its execution was aborted. A null owner: no progress, no abort.
+ * \a start to \a end. Returns false when its execution was aborted. Without an owner, which is
+ * null, there is neither progress nor abort.
  */
 template <typename Work>
 bool Run(vtkIdType number, vtkAlgorithm* owner, double start, double end, Work&& work)

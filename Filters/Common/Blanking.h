@@ -23,12 +23,12 @@ struct Blanking
     this->PointGhosts = data->GetPointGhostArray();
   }
 
-  /// Whether the ghost arrays say that a cell does not count.
+  /// Returns whether the ghost arrays say that a cell does not count.
   bool IsCellBlanked(vtkIdType cell) const
   {
     return this->HasCell(cell, vtkDataSetAttributes::DUPLICATECELL | Hidden);
   }
-  /// The same where duplicates of another piece's cells do count.
+  /// Returns whether a cell does not count where duplicates of another piece's cells do.
   bool IsCellHidden(vtkIdType cell) const { return this->HasCell(cell, Hidden); }
   bool IsPointBlanked(vtkIdType point) const
   {

@@ -8,7 +8,7 @@ namespace interlume
 {
 
 /**
- * For settings that a setter takes as they are.
+ * Checks settings that a setter takes as they are.
  */
 namespace FiniteNumbers
 {
@@ -17,7 +17,7 @@ inline bool AreFinite(const double* values, int number)
   return std::all_of(values, values + number, [](double value) { return std::isfinite(value); });
 }
 
-/// Whether a radius or a length can be used.
+/// Returns whether a radius or a length can be used.
 inline bool IsSize(double value)
 {
   return std::isfinite(value) && value > 0.0;

@@ -17,9 +17,9 @@ namespace interlume
 
 /**
  * @class   GridCells
- * @brief   gives what an unstructured grid's cells are stored in as arrays in memory
+ * @brief   gives the storage of an unstructured grid's cells as arrays in memory
  *
- * What differs between VTK's versions is known here alone:
+ * The differences between VTK's versions are known here alone:
  * - types of cells: up to 9.5 always an array, vtkUnstructuredGrid::GetCellTypesArray; from 9.6 on
  *   GetCellTypes, which may be a formula, as SetCells makes it where all cells are of one type;
  * - offsets and point ids: up to 9.5 a vtkTypeInt32Array or vtkTypeInt64Array; later a
@@ -32,7 +32,7 @@ public:
   using NarrowIds = vtkAOSDataArrayTemplate<vtkTypeInt32>;
   using WideIds = vtkAOSDataArrayTemplate<vtkTypeInt64>;
 
-  /// The array of cell types, possibly a formula; null where there are no cells.
+  /// Returns the array of cell types, possibly a formula; null where there are no cells.
   static vtkDataArray* GetStoredTypes(vtkUnstructuredGrid* grid)
   {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
@@ -42,14 +42,14 @@ public:
 #endif
   }
 
-  /// The type of each cell: the grid's own array, or a copy where that is a formula.
+  /// Returns the type of each cell: the grid's own array, or a copy where that is a formula.
   static vtkSmartPointer<Types> GetTypes(vtkUnstructuredGrid* grid)
   {
     vtkDataArray* stored = GetStoredTypes(grid);
     return stored ? MakeTyped<Types>(stored) : vtkSmartPointer<Types>::New();
   }
 
-  /// Offsets or point ids, or the types of cells, as an Array: themselves, or a copy.
+  /// Returns offsets or point ids, or the types of cells, as an Array: themselves, or a copy.
   template <typename Array>
   static vtkSmartPointer<Array> MakeTyped(vtkDataArray* array)
   {
@@ -62,13 +62,13 @@ public:
     return copy;
   }
 
-  /// Whether ids are stored in 32 bits.
+  /// Returns whether ids are stored in 32 bits.
   static bool IsNarrow(vtkDataArray* ids)
   {
     return NarrowIds::FastDownCast(ids) != nullptr;
   }
 
-  /// The name of the class of a type of cells, such as vtkTetra.
+  /// Returns the name of the class of a type of cells, such as vtkTetra.
   static std::string GetClassName(int type)
   {
     const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));

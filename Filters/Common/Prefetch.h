@@ -14,7 +14,7 @@ struct Prefetch
   {
 #if defined(__GNUC__)
     __builtin_prefetch(address);
-    // Without it GCC takes functions that do no more than this for ones that do nothing.
+    // Without this statement GCC takes functions that only prefetch for ones that do nothing.
     __asm__ volatile("");
 #endif
   }

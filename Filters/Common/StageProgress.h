@@ -10,13 +10,14 @@ namespace interlume
  * @class   StageProgress
  * @brief   a part of an algorithm's progress, told at the ends of stages, where it may be aborted
  *
- * Without an owner nothing is told, and nobody aborts. For the thread that executes the owner.
+ * Without an owner nothing is told, and nobody aborts. Only the thread that executes the owner may
+ * use it.
  */
 class StageProgress
 {
 public:
   StageProgress() = default;
-  /// The progress of \a owner goes from \a start to \a end.
+  /// Makes the progress of \a owner go from \a start to \a end.
   StageProgress(vtkAlgorithm* owner, double start, double end)
     : Owner(owner)
     , Start(start)
@@ -24,13 +25,14 @@ public:
   {
   }
 
-  /// Of what is done of this from \a start to \a end, 0 to 1.
+  /// Returns the part of this progress from \a start to \a end, 0 to 1.
   StageProgress GetPart(double start, double end) const
   {
     return { this->Owner, this->Start + start * this->Length, this->Start + end * this->Length };
   }
 
-  /// Tells that this much of the work, 0 to 1, is done. False when the execution was aborted.
+  /// Tells that this much of the work, 0 to 1, is done. Returns false when the execution was
+  /// aborted.
   bool Reach(double done) const
   {
     if (this->Owner && !this->IsAborted())

@@ -13,12 +13,12 @@ namespace interlume
 {
 
 /**
- * What GLM does not have for the vectors of space, `glm::dvec3`. Memory of three numbers becomes
- * one by `glm::make_vec3`.
+ * Functions that GLM does not have for the vectors of space, `glm::dvec3`. Memory of three numbers
+ * becomes one by `glm::make_vec3`.
  */
 namespace Vectors
 {
-/// The infinity norm: the greatest component in amount.
+/// Returns the infinity norm, the greatest component in amount.
 inline double InfinityNorm(const glm::dvec3& v)
 {
   return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
@@ -29,7 +29,7 @@ inline bool IsFinite(const glm::dvec3& v)
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The length, also where the squares of components overflow or underflow.
+/// Returns the length, also where the squares of components overflow or underflow.
 inline double SafeLength(const glm::dvec3& v)
 {
   const double square = glm::dot(v, v);

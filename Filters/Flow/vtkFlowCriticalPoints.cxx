@@ -28,7 +28,7 @@ vtkStandardNewMacro(vtkFlowCriticalPoints);
 
 namespace
 {
-// The vectors themselves.
+// The system of the vectors themselves.
 class VectorSystem : public interlume::ZeroSearch::Systems
 {
 public:

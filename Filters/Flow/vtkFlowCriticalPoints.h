@@ -40,19 +40,19 @@ public:
   vtkTypeMacro(vtkFlowCriticalPoints, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// By the signs of the eigenvalues' real parts; spirals have a complex pair. A real or imaginary
-  /// part below 1e-9 of the largest absolute value is 0. With a real part of 0 the point is
-  /// DEGENERATE, or a CENTER where the pair is imaginary. Where the Jacobian is singular, or the
-  /// cell flat, the point is DEGENERATE.
+  /// The type of a critical point, which follows from the signs of the eigenvalues' real parts;
+  /// spirals have a complex pair. A real or imaginary part below 1e-9 of the largest absolute value
+  /// is 0. With a real part of 0 the point is DEGENERATE, or a CENTER where the pair is imaginary.
+  /// Where the Jacobian is singular, or the cell flat, the point is DEGENERATE.
   enum Types
   {
     DEGENERATE = 0,
     SOURCE = 1,
     SPIRAL_SOURCE = 2,
-    /// One incoming, two outgoing.
+    /// A saddle with one incoming and two outgoing directions.
     SADDLE_1_IN = 3,
     SPIRAL_SADDLE_1_IN = 4,
-    /// Two incoming, one outgoing.
+    /// A saddle with two incoming and one outgoing direction.
     SADDLE_2_IN = 5,
     SPIRAL_SADDLE_2_IN = 6,
     SINK = 7,

@@ -59,7 +59,7 @@ int vtkFlowLIC::RequestUpdateExtent(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   this->Superclass::RequestUpdateExtent(request, inputs, outputs);
-  // Streamlines go through all of the field.
+  // The whole field is asked for, since streamlines go through all of it.
   const int port = inputs[1]->GetNumberOfInformationObjects() > 0 ? 1 : 0;
   vtkInformation* field = inputs[port]->GetInformationObject(0);
   if (field->Has(Pipeline::WHOLE_EXTENT()))
@@ -83,7 +83,7 @@ bool vtkFlowLIC::FindSteps(vtkDataSet* points)
   }
   report.Length = this->Length > 0.0 ? this->Length : 10.0 * report.NoiseScale;
   const double step = this->StepLength > 0.0 ? this->StepLength : 0.25 * report.NoiseScale;
-  // A whole number but for rounding stays one.
+  // A number that is whole but for rounding stays as it is.
   const double steps = std::max(1.0, std::ceil(report.Length / step * (1.0 - 1e-12)));
   if (!(steps <= MostSteps))
   {
@@ -164,7 +164,7 @@ void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* value
   const double contrast = this->Contrast;
   vtkSMPThreadLocal<vtkFlowLICReport> counts;
   double first[3];
-  // What the dataset makes at the first call is there for threads.
+  // Makes the data that the dataset makes at the first call, before threads need them.
   points->GetPoint(0, first);
   interlume::Batches::Run(points->GetNumberOfPoints(), this, interlume::FieldDispatch::BuildingPart,
     1.0,

@@ -9,16 +9,16 @@
  * @class   vtkFlowLIC
  * @brief   line integral convolution at the points of any dataset
  *
- * For each point the mean of a noise along its streamline, Length both ways (B. Cabral and L.
- * Leedom, Imaging Vector Fields Using Line Integral Convolution, SIGGRAPH 1993):
+ * Computes for each point the mean of a noise along its streamline, over Length both ways (B.
+ * Cabral and L. Leedom, Imaging Vector Fields Using Line Integral Convolution, SIGGRAPH 1993):
  *
  *   m(x) = integral of k(s) n(c(s)) ds / integral of k(s) ds, s from -Length to Length,
  *
  * c the streamline through x by arc length (dc/ds = v/|v|, c(0) = x), n a noise in space, k the
- * kernel. Where the streamline ends before, both integrals do. An image gives a volume of LIC; the
- * points of a surface give one on it that does not depend on parameters of the surface, as in C.
- * Zhang, dissertation, Ohio State 2006, figure 4.6. A surface needs triangles that are smaller than
- * NoiseScale.
+ * kernel. Where the streamline ends before Length, both integrals end there. An image gives a
+ * volume of LIC; the points of a surface give one on it that does not depend on parameters of the
+ * surface, as in C. Zhang, dissertation, Ohio State 2006, figure 4.6. A surface needs triangles
+ * that are smaller than NoiseScale.
  *
  * The noise is one of values at the points of a lattice, NoiseScale apart, uniform in 0 ... 1 by a
  * hash of the indices and Seed, smoothly interpolated. It belongs to space: points that different
@@ -26,8 +26,8 @@
  *
  * Means vary less than the noise does, the less the longer the kernel is. The output is stretched
  * by what the kernel makes of the noise's variance on straight lines: 1/2 + Contrast (m - 1/2) /
- * sigma, held to 0 ... 1. sigma is of the part of the kernel that counts for the point, so that
- * contrast does not change where streamlines end.
+ * sigma, held to 0 ... 1. sigma is computed for the part of the kernel that counts for the point,
+ * so that contrast does not change where streamlines end.
  *
  * Input port 0: any dataset, whose points count. Port 1, optional: the field, vtkImageData,
  * rectilinear, structured or unstructured grids with cells of three dimensions; without it port 0
@@ -40,7 +40,7 @@
  *
  * Streamlines are followed by the classical Runge-Kutta method of fourth order with StepLength.
  * They end where a step would leave the field, and where the velocity vanishes or turns by more
- * than a right angle in a step. The same output for any number of threads.
+ * than a right angle in a step. The output is the same for any number of threads.
  *
  * Warnings (vtkWarningMacro): all points are outside of the field, but for pieces.
  *
@@ -57,21 +57,21 @@ public:
   vtkTypeMacro(vtkFlowLIC, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The field, on port 1.
+  /// Sets the field, on port 1.
   void SetFieldConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetFieldData(vtkDataSet* field);
 
   enum Kernels
   {
-    /// k(s) = 1.
+    /// The constant kernel, k(s) = 1.
     BOX = 0,
-    /// k(s) = (1 + cos(pi s / Length)) / 2.
+    /// The Hann window, k(s) = (1 + cos(pi s / Length)) / 2.
     HANN = 1
   };
 
   ///@{
   /**
-   * Default HANN. Valid: see Kernels; clamped.
+   * The kernel that the noise is weighted with. Default HANN. Valid: see Kernels; clamped.
    */
   vtkSetClampMacro(Kernel, int, BOX, HANN);
   vtkGetMacro(Kernel, int);
@@ -88,8 +88,8 @@ public:
 
   ///@{
   /**
-   * Distance of the noise's lattice, in units of length. Default 0: 1/128 of the diagonal of the
-   * bounds of port 0. Valid: 0 and above; clamped.
+   * The distance between points of the noise's lattice, in units of length. Default 0: 1/128 of the
+   * diagonal of the bounds of port 0. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(NoiseScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NoiseScale, double);
@@ -97,8 +97,8 @@ public:
 
   ///@{
   /**
-   * A step, in units of length; shortened so that Length is a whole number of them. Default 0: a
-   * quarter of NoiseScale. Valid: 0 and above; clamped.
+   * The length of a step along a streamline, in units of length; shortened so that Length is a
+   * whole number of them. Default 0: a quarter of NoiseScale. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(StepLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(StepLength, double);
@@ -106,7 +106,7 @@ public:
 
   ///@{
   /**
-   * The noise's. Default 0. Any number.
+   * The seed of the noise. Default 0. Valid: any number.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -114,8 +114,8 @@ public:
 
   ///@{
   /**
-   * Standard deviation of the output. Default 0.2: of a normal distribution 1.2 % are held to 0 and
-   * 1. Valid: 0 to 1; clamped.
+   * The standard deviation of the output. Default 0.2, with which 1.2 % of a normal distribution
+   * are held to 0 and 1. Valid: 0 to 1; clamped.
    */
   vtkSetClampMacro(Contrast, double, 0.0, 1.0);
   vtkGetMacro(Contrast, double);
@@ -136,7 +136,8 @@ private:
   vtkFlowLIC(const vtkFlowLIC&) = delete;
   void operator=(const vtkFlowLIC&) = delete;
 
-  /// Fills lengths and steps of the report. False where there are too many.
+  /// Fills the lengths and the number of steps in the report. Returns false where there are too
+  /// many steps.
   bool FindSteps(vtkDataSet* points);
   template <typename Walker>
   void Convolve(const Walker& walker, vtkDataSet* points, float* values);

@@ -20,55 +20,59 @@ struct AdvectionResult;
  * @class   vtkFlowReport
  * @brief   what an execution of vtkImplicitFlowField did
  *
- * Sums over all samples; the same for any number of threads.
+ * Holds sums over all samples, which are the same for any number of threads.
  */
 class INTERLUMEFLOW_EXPORT vtkFlowReport
 {
 public:
   void Print(std::ostream& os, vtkIndent indent) const;
   void Add(const vtkFlowReport& other);
-  /// One sample more.
+  /// Adds the result of one sample.
   void Add(const interlume::AdvectionResult& result);
 
   vtkIdType Samples = 0;
-  /// By vtkFlowStatus.
+  /// The number of samples for each vtkFlowStatus.
   std::array<vtkIdType, vtkFlowStatus::NUMBER_OF_VALUES> Statuses{};
-  /// Samples that reached a surface, by TerminationId.
+  /// The number of samples that reached a surface, by TerminationId.
   std::map<int, vtkIdType> Reached;
-  /// Those of them that ended at the end of the field within ArrivalTolerance of their surface.
+  /// The number of samples that reached a surface by ending at the end of the field within
+  /// ArrivalTolerance of it.
   vtkIdType ReachedWithinTolerance = 0;
-  /// Accepted and rejected steps of the explicit method, and of Rosenbrock's.
+  /// The numbers of accepted and rejected steps of the explicit method, and of Rosenbrock's.
   vtkIdType Steps = 0;
   vtkIdType RejectedSteps = 0;
   vtkIdType StiffSteps = 0;
   vtkIdType RejectedStiffSteps = 0;
-  /// Samples that took at least one step of Rosenbrock's method.
+  /// The number of samples that took at least one step of Rosenbrock's method.
   vtkIdType StiffSamples = 0;
-  /// Evaluations of the field, of its Jacobian, and of surfaces' distances.
+  /// The numbers of evaluations of the field, of its Jacobian, and of surfaces' distances.
   vtkIdType Evaluations = 0;
   vtkIdType JacobianEvaluations = 0;
   vtkIdType DistanceEvaluations = 0;
-  /// Cells that streamlines entered.
+  /// The number of cells that streamlines entered.
   vtkIdType CellsVisited = 0;
-  /// Cells of the field that are not part of it, having fewer than three dimensions.
+  /// The number of cells of the input that are not part of the field, having fewer than three
+  /// dimensions.
   vtkIdType CellsOfFewerDimensions = 0;
-  /// By level of refinement: the cells that were mixed, and the samples that were added.
+  /// The numbers of cells that were mixed and of samples that were added, by level of refinement.
   std::vector<vtkIdType> RefinedCells;
   std::vector<vtkIdType> AddedSamples;
-  /// How often samples were advected since the filter was made: what else changes does not count.
+  /// How often samples were advected since the filter was made; an execution that advects none does
+  /// not count.
   vtkIdType Executions = 0;
   /// The largest speed at a point of the field, and how many points have speeds that automatic
   /// values leave aside as fill values.
   double MaximumSpeed = 0.0;
   vtkIdType FillValues = 0;
-  /// Pairs of cells' faces that are one face within a tolerance only, and how far apart corners of
-  /// such are at most, in widths of the cell.
+  /// The number of pairs of cells' faces that are one face within a tolerance only, and the largest
+  /// distance between corners of such faces, in widths of the cell.
   vtkIdType JoinedFaces = 0;
   double LargestJoinedGap = 0.0;
-  /// Outer faces with a cell beyond them that has no face that fits, and the cell of the first.
+  /// The number of outer faces with a cell beyond them that has no face that fits, and the cell of
+  /// the first.
   vtkIdType OpenInterfaces = 0;
   vtkIdType FirstOpenCell = -1;
-  /// The error and the speed in use, where those that were set are automatic.
+  /// The error and the speed in use, which tell what was taken for automatic settings.
   double MaximumError = 0.0;
   double MinimumSpeed = 0.0;
 };

@@ -115,7 +115,7 @@ vtkSmartPointer<vtkIntArray> MakeIds(const char* name, vtkIntArray* items, vtkId
   return ids;
 }
 
-// Cell ids from items by \a get(item).
+// Sets cell ids from items by \a get(item).
 template <typename Get>
 void AddIds(vtkUnstructuredGrid* mesh, const char* name, vtkIntArray* items, const Get& get)
 {
@@ -132,7 +132,7 @@ void AddIds(vtkUnstructuredGrid* mesh, const char* name, vtkIntArray* items, con
   mesh->GetCellData()->AddArray(ids);
 }
 
-// The arrays that are no numbers to interpolate between, as they were.
+// Restores the arrays that are no numbers to interpolate between.
 void RestorePointArrays(vtkUnstructuredGrid* mesh)
 {
   const vtkIdType number = mesh->GetNumberOfPoints();
@@ -180,7 +180,7 @@ void FillSurface(const interlume::SurfaceTriangles& triangles, const char* name,
   surface->GetCellData()->AddArray(ids);
 }
 
-// Leaves what the mapping gives, or else the time, as the scalars to colour by.
+// Leaves Inflow, or else the time, as the scalars to colour by.
 void ChooseScalars(vtkUnstructuredGrid* output)
 {
   vtkPointData* data = output->GetPointData();
@@ -188,8 +188,8 @@ void ChooseScalars(vtkUnstructuredGrid* output)
                                                                       : vtkFlowStatus::TimeArray());
 }
 
-// The lowest and the highest time of samples that have reached a surface; lower above higher where
-// there is none.
+// Returns the lowest and the highest time of samples that have reached a surface; lower above
+// higher where there is none.
 interlume::SurfaceLevels::Interval GetReachedTimes(
   vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays)
 {
@@ -207,7 +207,7 @@ interlume::SurfaceLevels::Interval GetReachedTimes(
   return range;
 }
 
-// The finite values of a point array; lower above higher where there is none.
+// Returns the range of the finite values of a point array; lower above higher where there is none.
 interlume::SurfaceLevels::Interval GetFiniteRange(vtkDataSet* input, const char* name)
 {
   interlume::SurfaceLevels::Interval range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
@@ -218,7 +218,7 @@ interlume::SurfaceLevels::Interval GetFiniteRange(vtkDataSet* input, const char*
   return range;
 }
 
-// What lies outside of a range, as "[1, 2]"; empty where it does not.
+// Describes an interval that lies outside of a range, as "[1, 2]"; empty where it does not.
 std::string DescribeOutside(const interlume::SurfaceLevels::Interval& interval,
   const interlume::SurfaceLevels::Interval& range)
 {
@@ -408,7 +408,7 @@ int vtkFlowVolume::RequestData(
   for (vtkUnstructuredGrid* output : { mesh, streamSurfaces, timeSurfaces })
   {
     output->GetFieldData()->PassData(input->GetFieldData());
-    // Of other points.
+    // These arrays belong to other points.
     interlume::BeyondSamples::Remove(output->GetFieldData());
     ChooseScalars(output);
   }

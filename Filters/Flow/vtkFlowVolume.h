@@ -24,37 +24,39 @@ class VolumeExtraction;
  * @brief   stream volumes clipped by advection time, with their stream and time surfaces, in one
  * mesh
  *
- * The region { x : lower <= Inflow(x) <= upper, start <= AdvectionTime(x) <= end } of an implicit
- * flow field (C. Zhang, dissertation, Ohio State 2006, sections 4.5 and 4.5.4, equation 4.1), by
- * the tables of vtkIntervalVolume for the first and again for the second. Nothing is advected:
- * other intervals and times cost an extraction, other times alone only the second one. What cuts
- * nothing costs none, but for one that makes tetrahedra of the cells where nothing cuts at all.
+ * Extracts the region { x : lower <= Inflow(x) <= upper, start <= AdvectionTime(x) <= end } of an
+ * implicit flow field (C. Zhang, dissertation, Ohio State 2006, sections 4.5 and 4.5.4, equation
+ * 4.1), by the tables of vtkIntervalVolume for Inflow and again for time. Nothing is advected:
+ * other intervals cost both extractions, other times alone only the second one. A bound that cuts
+ * nothing costs none, but for one extraction that makes tetrahedra of the cells where nothing cuts
+ * at all.
  *
- * **Never interpolated** is between samples of different status or TerminationId, or across a seam
- * that the mapping does not continue over: such cells are left out and counted (GetReport). Across
- * a seam that it does continue over (InflowPeriodic; all seams where the input has no Inflow)
- * parameters are unwrapped, so that TerminationUV goes on above 1 there, on points of their own;
- * not in polyhedra, which are left out there. A cell is taken to lie across a seam where its
+ * **Nothing is interpolated** between samples of different status or TerminationId, or across a
+ * seam that the mapping does not continue over: such cells are left out and counted (GetReport).
+ * Across a seam that it does continue over (InflowPeriodic; all seams where the input has no
+ * Inflow) parameters are unwrapped, so that TerminationUV goes on above 1 there, on points of their
+ * own; not in polyhedra, which are left out there. A cell is taken to lie across a seam where its
  * parameters differ by more than half a period.
  *
- * Nor is time where it jumps on a termination surface that streamlines come back to, by
- * TerminationSide; where streamlines leave both sides for the surface, as where it is the middle of
- * a source, time is 0 from both sides and does not jump.
+ * Time is not interpolated where it jumps on a termination surface that streamlines come back to,
+ * as TerminationSide tells; where streamlines leave both sides for the surface, as where it is the
+ * middle of a source, time is 0 from both sides and does not jump.
  *
- * **Cut at the surface** are such cells, and those whose corners have different answers, or none,
- * only because a termination surface passes through them: each side is extracted by itself up to
- * the surface, where time is 0 or what it is behind. Values go on to the surface as the streamlines
- * do that vtkImplicitFlowField has followed for that (vtkFlowStatus::BeyondPrefix); where these
- * leave the field or just miss the surface they stay those of a corner, off by up to what they
- * change in a cell. The surface is where the distance and its gradients at the corners have it, to
- * fourth order along an edge, and flat between edges: of a ball of radius 4.3 cells 1.1 % of the
- * volume are missing, beside a plane nothing. Left out are cells that hold the rim of a surface, or
- * two surfaces, or whose corners on one side differ too, as at separatrices: what RefinementLevels
- * of vtkImplicitFlowField are for. So are all where Inflow is not vtkInflowMapping's.
+ * **Cells are cut at the surface** where time jumps so, and where their corners have different
+ * answers, or none, only because a termination surface passes through them: each side is extracted
+ * by itself up to the surface, where time is 0 or what it is behind. Values go on to the surface as
+ * the streamlines do that vtkImplicitFlowField has followed for that (vtkFlowStatus::BeyondPrefix);
+ * where these leave the field or just miss the surface they stay those of a corner, off by up to
+ * what they change in a cell. The surface is where the distance and its gradients at the corners
+ * have it, to fourth order along an edge, and flat between edges: of a ball of radius 4.3 cells 1.1
+ * % of the volume are missing, beside a plane nothing. Cells that hold the rim of a surface, or two
+ * surfaces, or whose corners on one side differ too, as at separatrices, are left out;
+ * RefinementLevels of vtkImplicitFlowField are for these. So are all such cells where Inflow is not
+ * made by vtkInflowMapping.
  *
- * Not found are surfaces that lie between the corners of a cell without parting them, as a box
- * thinner than a cell, and the sheets of streamlines that just miss a surface's rim, behind which
- * others take another turn: for these there is MaximumTimeJump.
+ * Surfaces that lie between the corners of a cell without parting them, as a box thinner than a
+ * cell, are not found; nor are the sheets of streamlines that just miss a surface's rim, behind
+ * which others take another turn. MaximumTimeJump is for these.
  *
  * Input: vtkImageData, rectilinear, structured or unstructured grids with the arrays of
  * vtkFlowStatus (TerminationSide may be missing), and of vtkInflowMapping where there are intervals
@@ -83,8 +85,8 @@ class VolumeExtraction;
  * the time range outside of what the input has, with that range; an empty volume, with what became
  * of the cells; stream surfaces without a value.
  *
- * The same output for any number of threads. In pieces, cells that are cut at a surface may go on
- * to it from other neighbours than in the whole: volumes differ by up to 0.24 % in the tests.
+ * The output is the same for any number of threads. In pieces, cells that are cut at a surface may
+ * go on to it from other neighbours than in the whole: volumes differ by up to 0.24 % in the tests.
  * Between executions the filter holds on to the input's arrays and to the result of each
  * extraction.
  *
@@ -131,9 +133,9 @@ public:
 
   ///@{
   /**
-   * Values of Inflow and advection times of further surfaces inside the volume; elsewhere they are
-   * nothing. New ones are 0. Default none. Valid numbers: 0 to 10000. SetStreamSurface and
-   * SetTimeSurface add surfaces where there are fewer; the Get functions give 0 where there is
+   * Values of Inflow and advection times of further surfaces inside the volume; values outside of
+   * it give no surface. New values are 0. Default none. Valid numbers: 0 to 10000. SetStreamSurface
+   * and SetTimeSurface add surfaces where there are fewer; the Get functions give 0 where there is
    * none.
    */
   void SetNumberOfStreamSurfaces(int number);
@@ -148,7 +150,8 @@ public:
 
   ///@{
   /**
-   * Whether ports 1 and 2 carry their triangles, and with normals. Default off, off, off.
+   * Whether port 1 carries its triangles, whether port 2 does, and whether they have normals.
+   * Default off, off, off.
    */
   vtkSetMacro(GenerateStreamSurfaces, bool);
   vtkGetMacro(GenerateStreamSurfaces, bool);
@@ -163,8 +166,8 @@ public:
 
   ///@{
   /**
-   * Whether TerminationUV is the active texture coordinates of the outputs: a texture laid on the
-   * termination surface, carried by the flow. Default off.
+   * Whether TerminationUV is the active texture coordinates of the outputs, which shows a texture
+   * laid on the termination surface and carried by the flow. Default off.
    */
   vtkSetMacro(ParametersAsTextureCoordinates, bool);
   vtkGetMacro(ParametersAsTextureCoordinates, bool);
@@ -173,8 +176,8 @@ public:
 
   ///@{
   /**
-   * Precision of the output points, as in vtkIntervalVolume. Default DEFAULT_PRECISION: that of the
-   * input's points; float for image data.
+   * The precision of the output points, as in vtkIntervalVolume. Default DEFAULT_PRECISION: that of
+   * the input's points; float for image data.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -194,12 +197,13 @@ private:
   vtkFlowVolume(const vtkFlowVolume&) = delete;
   void operator=(const vtkFlowVolume&) = delete;
 
-  /// What is wrong with the arrays and the settings, or nothing.
+  /// Returns what is wrong with the arrays and the settings, or nothing.
   std::string CheckParameters(vtkDataSet* input, bool usesInflow) const;
-  /// What of the volume is missing, and what the input has; nothing where nothing is missing.
+  /// Returns which part of the volume is missing, and what the input has; nothing where nothing is
+  /// missing.
   std::string DescribeMissing(vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays,
     vtkUnstructuredGrid* mesh) const;
-  /// Port 0, from the last extraction.
+  /// Fills port 0 from the last extraction.
   void FillMesh(const interlume::SurfaceLevels& byInflow, const interlume::SurfaceLevels& byTime,
     vtkUnstructuredGrid* mesh) const;
 

@@ -47,7 +47,7 @@ int GetAutomaticSteps(vtkIdType cells)
   return static_cast<int>(std::max(least, 20.0 * std::cbrt(static_cast<double>(cells))));
 }
 
-/// Where streamlines of a direction end by themselves.
+/// Returns whether streamlines of a direction end by themselves at a critical point of this type.
 bool IsEnd(int type, bool isBackward)
 {
   return isBackward
@@ -283,7 +283,8 @@ int vtkImplicitFlowField::RequestUpdateExtent(
   }
   else if (samples->Has(Pipeline::WHOLE_EXTENT()))
   {
-    // The output's, which the pipeline has set, need not be within it.
+    // The update extent of the output, which the pipeline has set, need not be within the whole
+    // extent of the samples.
     samples->Set(Pipeline::UPDATE_EXTENT(), samples->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
   return 1;
@@ -448,7 +449,7 @@ bool vtkImplicitFlowField::SetSamples(const interlume::FieldInput& input, vtkDat
     {
       const double length = bounds[2 * axis + 1] - bounds[2 * axis];
       const int intervals = this->SampleDimensions[axis] - 1;
-      // One point alone is in the middle.
+      // A point alone is in the middle.
       spacing[axis] = intervals > 0 && length > 0.0 ? length / intervals : 1.0;
       origin[axis] = intervals > 0 ? bounds[2 * axis] : bounds[2 * axis] + 0.5 * length;
     }

@@ -26,9 +26,9 @@ struct AdvectionOptions;
  *
  * From each sample the streamline dx/dt = -v(x) (backward) or v(x) (forward) is followed until it
  * reaches a termination surface (C. Zhang, dissertation, Ohio State 2006, section 4.4; J. J. van
- * Wijk, "Implicit stream surfaces", IEEE Visualization 1993). What is kept of it, (f,u,v,t), is all
- * that stream volumes, stream surfaces, time surfaces and textured flow need: see vtkInflowMapping
- * and vtkFlowVolume.
+ * Wijk, "Implicit stream surfaces", IEEE Visualization 1993). The surface, the place on it and the
+ * time, (f,u,v,t), are kept, which is all that stream volumes, stream surfaces, time surfaces and
+ * textured flow need: see vtkInflowMapping and vtkFlowVolume.
  *
  * Input port 0: the field. vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, or
  * vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges and pyramids; vectors in the points
@@ -77,7 +77,7 @@ struct AdvectionOptions;
  * asked for, whatever the piece; samples are those of the piece. With several ranks each holds the
  * whole field.
  *
- * The same output for any number of threads. AdvectionTime is left as the active scalars.
+ * The output is the same for any number of threads. AdvectionTime is left as the active scalars.
  *
  * **Walls.** Where walls do not slip, samples on them stagnate at once, and streamlines that come
  * close get ever slower and stagnate by MinimumSpeed: 39 in a hundred samples of the flow past a
@@ -104,8 +104,8 @@ public:
 
   ///@{
   /**
-   * The surfaces. Of several that a step crosses the first along the streamline counts, of equal
-   * ones that added first. Default none. Null is no surface.
+   * The surfaces that streamlines end on. Where a step crosses several, the first along the
+   * streamline counts, of equal ones that added first. Default none. Null adds nothing.
    */
   void AddTerminationSurface(vtkTerminationSurface* surface);
   void RemoveTerminationSurface(vtkTerminationSurface* surface);
@@ -116,10 +116,10 @@ public:
 
   ///@{
   /**
-   * Whether the outer faces of the field are surfaces too, where streamlines leave the domain. Of
+   * Whether the outer faces of the field are surfaces too, where streamlines leave the domain. For
    * an image, a rectilinear or a structured grid these are six, with the ids DomainFaceId + 0 ... 5
    * for -i, +i, -j, +j, -k, +k; (u,v) are the other two directions in parts of the grid's points.
-   * Of an unstructured grid, and of several blocks, they are the patches that edges sharper than
+   * For an unstructured grid, and for several blocks, they are the patches that edges sharper than
    * 30 degrees bound, with the ids DomainFaceId + 0, 1, ... by their first cell; (u,v) are the two
    * of x, y, z that the patch looks along less, in parts of its bounds. TerminationSurfaces has
    * their ids. Default off, 1000.
@@ -156,12 +156,12 @@ public:
   };
   ///@{
   /**
-   * What the samples are: the field's points, those of an image over SampleBounds, or the points of
-   * port 1. SAMPLES_AUTOMATIC, for a first look in seconds: the field's points where there are no
-   * more than 32768; else every n-th point along the directions of a rectilinear or structured grid
-   * that have most, a coarser image for image data, the voxels of an image over the bounds as
-   * vtkUnstructuredGrid for unstructured grids and composite data, so that fewer than that are
-   * left. The type of the output is that of SAMPLES_OF_FIELD. Default SAMPLES_AUTOMATIC.
+   * Which points the samples are: the field's points, those of an image over SampleBounds, or the
+   * points of port 1. SAMPLES_AUTOMATIC, for a first look in seconds: the field's points where
+   * there are no more than 32768; else every n-th point along the directions of a rectilinear or
+   * structured grid that have most, a coarser image for image data, the voxels of an image over the
+   * bounds as vtkUnstructuredGrid for unstructured grids and composite data, so that fewer than
+   * that are left. The type of the output is that of SAMPLES_OF_FIELD. Default SAMPLES_AUTOMATIC.
    */
   vtkSetClampMacro(SampleMode, int, SAMPLES_OF_FIELD, SAMPLES_AUTOMATIC);
   vtkGetMacro(SampleMode, int);
@@ -169,8 +169,8 @@ public:
 
   ///@{
   /**
-   * Points of the image along each axis, and its bounds in world units; empty bounds (lower above
-   * upper): those of the field. Default 64, 64, 64; empty. Valid: 1 to 100000.
+   * The number of points of the image along each axis, and its bounds in world units; empty bounds
+   * (lower above upper): those of the field. Default 64, 64, 64; empty. Valid: 1 to 100000.
    */
   void SetSampleDimensions(int x, int y, int z);
   vtkGetVector3Macro(SampleDimensions, int);
@@ -178,7 +178,7 @@ public:
   vtkGetVector6Macro(SampleBounds, double);
   ///@}
 
-  /// What of the samples' dataset an explicit stream tracer calls port 1.
+  /// Sets the dataset of the samples, on port 1, for SAMPLES_OF_INPUT.
   void SetSampleConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetSampleData(vtkDataSet* data);
 
@@ -189,7 +189,8 @@ public:
   };
   ///@{
   /**
-   * Against the vectors or along them. Default BACKWARD.
+   * Whether streamlines are followed against the vectors or along them. Default BACKWARD. Valid:
+   * see Directions; clamped.
    */
   vtkSetClampMacro(Direction, int, BACKWARD, FORWARD);
   vtkGetMacro(Direction, int);
@@ -206,10 +207,11 @@ public:
   };
   ///@{
   /**
-   * DORMAND_PRINCE: order 5(4) with dense output of order 4. RUNGE_KUTTA_4: the classical method,
-   * error by doubling the step, as the dissertation has it. ROSENBROCK: RODAS, order 4(3),
-   * L-stable. AUTOMATIC: Dormand and Prince's where the test of Hairer and Wanner finds no
-   * stiffness, Rosenbrock's where it does. Default AUTOMATIC.
+   * The method of integration. DORMAND_PRINCE: order 5(4) with dense output of order 4.
+   * RUNGE_KUTTA_4: the classical method, with the error by doubling the step (C. Zhang,
+   * dissertation, Ohio State 2006). ROSENBROCK: RODAS, order 4(3), L-stable.
+   * AUTOMATIC: Dormand and Prince's where the test of Hairer and Wanner finds no stiffness,
+   * Rosenbrock's where it does. Default AUTOMATIC.
    */
   vtkSetClampMacro(Integrator, int, AUTOMATIC, ROSENBROCK);
   vtkGetMacro(Integrator, int);
@@ -217,8 +219,8 @@ public:
 
   ///@{
   /**
-   * Largest local error, world units per unit of time. 0: a millionth of the largest speed of the
-   * field that is no fill value: no more than a point in a hundred has one, at least about a
+   * The largest local error, in world units per unit of time. 0: a millionth of the largest speed
+   * of the field that is no fill value: no more than a point in a hundred has one, at least about a
    * thousand times as large as all others. Default 0. Valid: 0 and above.
    */
   vtkSetClampMacro(MaximumError, double, 0.0, VTK_DOUBLE_MAX);
@@ -227,13 +229,13 @@ public:
 
   ///@{
   /**
-   * After how much time, and how many steps, rejected ones too, a streamline ends. Closed orbits
-   * are found before (vtkFlowStatus::CLOSED_ORBIT), once they cannot come to a surface with the
-   * steps that are left, but not those within one cell of the field, nor those that the time ends
-   * first. Default 0 and 0: no limit of time, and automatic, 2000 steps or 20 times the cube root
-   * of the number of the field's cells, whichever is more. That is too few only where the field is
-   * stiff, for an explicit method, or for errors of a billionth of the speed. Valid: 0 and above; 0
-   * to 1000000000.
+   * The time, and the number of steps, rejected ones too, after which a streamline ends. Closed
+   * orbits are found before (vtkFlowStatus::CLOSED_ORBIT), once they cannot come to a surface with
+   * the steps that are left, but not those within one cell of the field, nor those that the time
+   * ends first. Default 0 and 0: no limit of time, and automatic, 2000 steps or 20 times the cube
+   * root of the number of the field's cells, whichever is more. That is too few only where the
+   * field is stiff, for an explicit method, or for errors of a billionth of the speed. Valid: 0 and
+   * above; 0 to 1000000000.
    */
   vtkSetClampMacro(MaximumTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumTime, double);
@@ -243,8 +245,8 @@ public:
 
   ///@{
   /**
-   * The speed below which a streamline ends, world units per unit of time. 0: 1e-9 of the field's
-   * largest speed that is no fill value. Default 0. Valid: 0 and above.
+   * The speed below which a streamline ends, in world units per unit of time. 0: 1e-9 of the
+   * field's largest speed that is no fill value. Default 0. Valid: 0 and above.
    */
   vtkSetClampMacro(MinimumSpeed, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumSpeed, double);
@@ -254,11 +256,11 @@ public:
   /**
    * How near to a surface a streamline has reached it that ends where the field ends, because it
    * leaves or stagnates there, or is on the outer faces of cells to begin with: in widths of the
-   * cell there, the narrow side of its face or its height. Added is how far the face is from flat
-   * (a mesh of the field's own faces has triangles where those are bilinear), and what rounding of
-   * coordinates that are floats may be; a surface across the face has less. Without it rounding
-   * decides whether a surface on the skin of the field is met. 0: only what is met. Default 0.01.
-   * Valid: 0 to 1.
+   * cell there, the narrow side of its face or its height. How far the face is from flat is added
+   * (a mesh of the field's own faces has triangles where those are bilinear), and so is what
+   * rounding of coordinates that are floats may be; a surface across the face has less. Without it
+   * rounding decides whether a surface on the skin of the field is met. 0: only what is met.
+   * Default 0.01. Valid: 0 to 1.
    */
   vtkSetClampMacro(ArrivalTolerance, double, 0.0, 1.0);
   vtkGetMacro(ArrivalTolerance, double);
@@ -266,9 +268,9 @@ public:
 
   ///@{
   /**
-   * What else is kept of a path: its largest speed (MaximumSpeed), its length (ArcLength), the mean
-   * over time of the vorticity's magnitude (MeanVorticity), and the mean over time of any point
-   * array of the field with one component (Mean and its name). Default off, none.
+   * The further quantities that are kept of a path: its largest speed (MaximumSpeed), its length
+   * (ArcLength), the mean over time of the vorticity's magnitude (MeanVorticity), and the mean over
+   * time of any point array of the field with one component (Mean and its name). Default off, none.
    */
   vtkSetMacro(ComputeMaximumSpeed, bool);
   vtkGetMacro(ComputeMaximumSpeed, bool);
@@ -306,15 +308,15 @@ public:
 
   ///@{
   /**
-   * Whether the steps and the steps of Rosenbrock's method are kept of each sample: point arrays
-   * AdvectionSteps, StiffSteps (int). Default off.
+   * Whether the numbers of all steps and of Rosenbrock's steps of each sample are kept, in the
+   * point arrays AdvectionSteps, StiffSteps (int). Default off.
    */
   vtkSetMacro(KeepSteps, bool);
   vtkGetMacro(KeepSteps, bool);
   vtkBooleanMacro(KeepSteps, bool);
   ///@}
 
-  /// That of the surfaces too.
+  /// Returns the time of the last change, of the surfaces too.
   vtkMTimeType GetMTime() override;
 
   ///@{
@@ -328,7 +330,7 @@ public:
   int GetUsedSurfaceId(int i) const;
   ///@}
 
-  /// What the last execution did.
+  /// Returns what the last execution did.
   const vtkFlowReport& GetReport() const { return this->Report; }
 
 protected:
@@ -345,20 +347,21 @@ private:
   vtkImplicitFlowField(const vtkImplicitFlowField&) = delete;
   void operator=(const vtkImplicitFlowField&) = delete;
 
-  /// What is wrong with a block of composite input, or nothing.
+  /// Returns what is wrong with a block of composite input, or nothing.
   std::string CheckBlocks(const interlume::FieldInput& input);
-  /// A dataset of the type that samples have before they are refined.
+  /// Makes a dataset of the type that samples have before they are refined.
   vtkSmartPointer<vtkDataSet> MakeSamples(vtkInformationVector** inputs) const;
   /// Gives \a output the samples' geometry and point data.
   bool SetSamples(const interlume::FieldInput& input, vtkDataSet* field,
     vtkInformationVector** inputs, vtkInformationVector* outputs, vtkDataSet* output);
-  /// Leaves of the whole field the piece that is asked for.
+  /// Cuts the whole field down to the piece that is asked for.
   void CutPiece(vtkInformation* info, vtkDataSet* output) const;
-  /// The part of a whole extent that is asked for; that of a piece where cells are refined.
+  /// Computes the part of a whole extent that is asked for; the piece's part where cells are
+  /// refined.
   void GetExtent(vtkInformation* info, const int whole[6], int extent[6]) const;
-  /// Places the surfaces in the field. False where something is wrong, which has been said.
+  /// Places the surfaces in the field. Returns false after an error.
   bool SetOptions(vtkDataSet* field, vtkDataArray* vectors, interlume::AdvectionOptions& options);
-  /// Says so where no sample reached a surface, and makes AdvectionTime the active scalars.
+  /// Warns where no sample reached a surface, and makes AdvectionTime the active scalars.
   void Finish(vtkInformation* info, vtkDataSet* output);
   void AddSpheres(vtkDataSet* field, interlume::AdvectionOptions& options);
   /// Adds a surface to the options, and keeps it as long as they last.

@@ -30,7 +30,7 @@ namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// One thread's evaluators.
+// The evaluators of one thread.
 using EvaluatorMap =
   std::map<const interlume::InflowFunction*, std::shared_ptr<interlume::InflowEvaluator>>;
 
@@ -223,7 +223,7 @@ bool vtkInflowMapping::IsContinued(int id, int direction, bool isPeriodicU, bool
   {
     return false;
   }
-  // Rows from one side of the seam to the other.
+  // The rows go from one side of the seam to the other.
   double lowest = VTK_DOUBLE_MAX;
   double highest = -VTK_DOUBLE_MAX;
   double largestJump = 0.0;

@@ -23,10 +23,10 @@ class InflowFunction;
  * @class   vtkInflowMapping
  * @brief   a scalar on the termination surfaces, carried to every sample of an implicit flow field
  *
- * Inflow(x) = Phi_f(u(x), v(x)), (f,u,v) where the streamline of x ends (C. Zhang, dissertation,
- * Ohio State 2006, section 4.5): a family of stream surfaces as its level sets, and stream volumes
- * between two of its values, without advection. Each id has a mapping of its own, or the one for
- * all others.
+ * Computes Inflow(x) = Phi_f(u(x), v(x)), (f,u,v) where the streamline of x ends (C. Zhang,
+ * dissertation, Ohio State 2006, section 4.5): a family of stream surfaces as its level sets, and
+ * stream volumes between two of its values, without advection. Each id has a mapping of its own, or
+ * the one for all others.
  *
  * Input: what vtkImplicitFlowField gives. Output: the same with the point array `Inflow` (double),
  * NaN where the status is not REACHED_SURFACE, the id has no mapping, or the formula is not finite.
@@ -39,7 +39,7 @@ class InflowFunction;
  *
  * Errors (vtkErrorMacro, empty output): no arrays of vtkFlowStatus; a formula that cannot be read
  * (with the parser's message) or gives a vector, an image without points or scalars or of three
- * dimensions. The same output for any number of threads.
+ * dimensions. The output is the same for any number of threads.
  *
  * @sa vtkImplicitFlowField vtkFlowVolume
  */
@@ -76,7 +76,8 @@ public:
    *
    * Default: for ALL the formula "u". Valid ids: ALL, 0 and above; width above 0, all numbers of a
    * ring finite; others are an error and change nothing. What an id had before of another kind is
-   * dropped. The Get functions tell of what was set for the id itself: NONE, null or 0 without.
+   * dropped. The Get functions return what was set for the id itself: NONE, null or 0 where nothing
+   * was.
    */
   void SetFormula(int id, const char* formula);
   void AddRing(
@@ -91,18 +92,18 @@ public:
   ///@}
 
   /**
-   * Phi of an id at (u,v), as the filter evaluates it; NaN without a mapping, or where it is wrong.
-   * Periodic directions as given. Not for threads.
+   * Returns Phi of an id at (u,v), as the filter evaluates it, with periodic directions as given;
+   * NaN without a mapping, or where it is wrong. Not thread-safe.
    */
   double Evaluate(int id, double u, double v, bool isPeriodicU = false, bool isPeriodicV = false);
 
   /**
    * Whether the mapping of an id goes on over the seam of \a direction, 0 for u and 1 for v: false
-   * where that is not periodic, else as InflowPeriodic tells. Not for threads.
+   * where that is not periodic, else as InflowPeriodic tells. Not thread-safe.
    */
   bool IsContinued(int id, int direction, bool isPeriodicU, bool isPeriodicV);
 
-  /// That of the images too.
+  /// Returns the time of the last change, of the images too.
   vtkMTimeType GetMTime() override;
 
   /// What the last execution did.
@@ -119,19 +120,20 @@ private:
   vtkInflowMapping(const vtkInflowMapping&) = delete;
   void operator=(const vtkInflowMapping&) = delete;
 
-  /// The mapping that counts for an id; null without one.
+  /// Returns the mapping that counts for an id; null without one.
   const interlume::InflowFunction* Find(int id) const;
-  /// The mapping of an id itself, of \a kind, empty where it was of another; null for a wrong id.
+  /// Returns the mapping of an id itself, of \a kind, empty where it was of another kind; null for
+  /// a wrong id.
   interlume::InflowFunction* Take(int id, int kind);
-  /// Reads what has changed. What is wrong with the mappings, or nothing.
+  /// Reads what has changed. Returns what is wrong with the mappings, or nothing.
   const std::string& Prepare();
-  /// Gives the field arrays of samples beside surfaces theirs, where there are such.
+  /// Adds the field array of Inflow for samples beside surfaces, where there are such samples.
   void MapBeyond(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output);
 
   std::map<int, std::shared_ptr<interlume::InflowFunction>> Mappings;
   std::string Problem;
   vtkMTimeType PreparedTime = 0;
-  // Those of Evaluate.
+  // The evaluators that Evaluate uses.
   std::map<const interlume::InflowFunction*, std::shared_ptr<interlume::InflowEvaluator>>
     Evaluators;
   vtkInflowMappingReport Report;

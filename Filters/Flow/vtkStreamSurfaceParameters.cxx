@@ -33,7 +33,7 @@ vtkStandardNewMacro(vtkStreamSurfaceParameters);
 
 namespace
 {
-// Of the progress, where each part ends.
+// The shares of the progress at which each part ends.
 constexpr double ContoursEnd = 0.3;
 constexpr double PlacesEnd = 0.8;
 
@@ -176,7 +176,7 @@ vtkTerminationSurface* vtkStreamSurfaceParameters::FindSurface(int id, int& part
 
 std::string vtkStreamSurfaceParameters::FindContours(interlume::StreamSurfaceTriangles& work) const
 {
-  // Levels of one id after each other: its mapping is sampled once.
+  // Levels of one id follow each other, so that its mapping is sampled once.
   std::vector<interlume::StreamSurfaceTriangles::Level*> order;
   for (interlume::StreamSurfaceTriangles::Level& level : work.Levels)
   {

@@ -47,7 +47,7 @@ class StreamSurfaceTriangles;
  * `vtkOriginalPointIds` (vtkIdType: the input's point). Field arrays, by ContourId: `ContourLength`
  * (double, world units, unscaled), `ContourClosed` (int).
  *
- * The same output for any number of threads. AdvectionTime is left as the active scalars.
+ * The output is the same for any number of threads. AdvectionTime is left as the active scalars.
  *
  * Warnings (vtkWarningMacro): an input without cells, but for pieces.
  *
@@ -66,7 +66,7 @@ public:
 
   ///@{
   /**
-   * The mapping that the surfaces are level sets of. It is asked for values, not executed. Default
+   * The mapping whose level sets the surfaces are. It is asked for values, not executed. Default
    * none.
    */
   void SetMapping(vtkInflowMapping* mapping);
@@ -76,8 +76,8 @@ public:
   ///@{
   /**
    * The termination surfaces, with the TerminationId of their first part; -1 takes that from the
-   * surface. Automatic ones are vtkImplicitFlowField::GetUsedSurfaceId. Of several with an id the
-   * first counts. Default none. Null is no surface.
+   * surface. Automatic ones are vtkImplicitFlowField::GetUsedSurfaceId. Where several have an id,
+   * the first counts. Default none. Null adds nothing.
    */
   void AddTerminationSurface(vtkTerminationSurface* surface, int id = -1);
   void RemoveAllTerminationSurfaces();
@@ -89,7 +89,7 @@ public:
   /**
    * Places in world units where contours start: a closed one at its place nearest to any of them,
    * an open one at its end on the side of that place, running back where that is its last. Without
-   * any, where following it begins. Default none.
+   * any place, a contour starts where following it begins. Default none.
    */
   void AddStartPoint(double x, double y, double z);
   void RemoveAllStartPoints();
@@ -109,13 +109,13 @@ public:
 
   ///@{
   /**
-   * Squares along u and v. Default 256. Valid: 4 to 8192.
+   * The number of squares along u and v. Default 256. Valid: 4 to 8192.
    */
   vtkSetClampMacro(Resolution, int, 4, 8192);
   vtkGetMacro(Resolution, int);
   ///@}
 
-  /// That of the mapping and the surfaces too.
+  /// Returns the time of the last change, of the mapping and the surfaces too.
   vtkMTimeType GetMTime() override;
 
   /// What the last execution did.
@@ -138,9 +138,9 @@ private:
     int Id;
   };
 
-  /// The surface that an id is a part of, and the part; null without.
+  /// Returns the surface that an id is a part of, and the part; null without a surface.
   vtkTerminationSurface* FindSurface(int id, int& part) const;
-  /// Follows the contours of all levels in use. What is wrong, or nothing.
+  /// Follows the contours of all levels in use. Returns what is wrong, or nothing.
   std::string FindContours(interlume::StreamSurfaceTriangles& work) const;
   void FillTexture(const std::vector<double>& lengths, const std::vector<vtkIdType>& sources,
     vtkDataArray* times, vtkPolyData* output) const;

@@ -11,7 +11,7 @@ vtkStandardNewMacro(vtkTerminationBox);
 
 namespace
 {
-// The two axes of a face's parameters.
+// Returns the two axes of a face's parameters.
 void GetAxesOfPart(int part, int axes[2])
 {
   axes[0] = part < 2 ? 1 : 0;

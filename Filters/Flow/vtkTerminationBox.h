@@ -23,8 +23,8 @@ public:
 
   ///@{
   /**
-   * Lower and upper of x, y, z, world units. Default -0.5, 0.5 of each. Valid: finite, lower <
-   * upper.
+   * The lower and upper bounds of x, y, z, in world units. Default -0.5, 0.5 for each. Valid:
+   * finite, lower < upper.
    */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);

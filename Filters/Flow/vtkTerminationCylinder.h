@@ -80,14 +80,15 @@ private:
   vtkTerminationCylinder(const vtkTerminationCylinder&) = delete;
   void operator=(const vtkTerminationCylinder&) = delete;
 
-  /// A point in the cylinder's own coordinates.
+  /// The position of a point in the cylinder's own coordinates.
   struct Place
   {
-    /// Across the axis.
+    /// The offset across the axis.
     double Offset[2];
-    /// From Point1 along the axis.
+    /// The distance from Point1 along the axis.
     double Along;
-    /// Signed distances from the infinite wall and from the nearer end's plane, negative inside.
+    /// The signed distances from the infinite wall and from the nearer end's plane, negative
+    /// inside.
     double Wall;
     double End;
     int Part;

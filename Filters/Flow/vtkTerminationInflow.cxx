@@ -29,7 +29,7 @@ std::string vtkTerminationInflow::PlaceIn(vtkDataSet* field, vtkDataArray* vecto
   {
     corners[1 + i][axes[i]] += 2.0 * this->Size * finder.GetHalfWidth()[i];
   }
-  // The setters tell nothing where it is placed as before.
+  // The setters modify nothing where the rectangle is placed as before.
   this->SetOrigin(corners[0]);
   this->SetPoint1(corners[1]);
   this->SetPoint2(corners[2]);

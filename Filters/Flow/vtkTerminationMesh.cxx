@@ -18,7 +18,8 @@ vtkStandardNewMacro(vtkTerminationMesh);
 
 namespace
 {
-// In parts of the diagonal: further from the mesh a change of sign is a jump, no crossing.
+// The share of the diagonal beyond which, away from the mesh, a change of sign is a jump and no
+// crossing.
 constexpr double Nearness = 1e-6;
 }
 
@@ -28,10 +29,10 @@ struct vtkTerminationMesh::Contents
   interlume::TriangleEdges Edges;
   interlume::TriangleDistance Distance;
   interlume::TextureSearch Texture;
-  /// How far from where they were meant the points may be.
+  /// The error that rounding may have made in the positions of points.
   double Rounding = 0.0;
 
-  // Whether x, whose foot this is, is not beyond an open border by more than the tolerance.
+  // Returns whether x, whose foot this is, is not beyond an open border by more than the tolerance.
   bool IsWithinBorder(const double x[3], int triangle, const interlume::ClosestTrianglePoint& foot,
     double tolerance) const
   {

@@ -12,19 +12,19 @@ class vtkPolyData;
  * @class   vtkTerminationMesh
  * @brief   any surface of triangles with texture coordinates as parameters
  *
- * Polygons and strips of a dataset, closed or open; polygons are cut into triangles. (u,v) are the
- * active texture coordinates of the points (two components, meant to be from 0 to 1), interpolated
- * in the triangle that holds the nearest point. Points in the same place are one, so that a seam of
- * the texture with points on both sides is no border.
+ * The surface consists of polygons and strips of a dataset, closed or open; polygons are cut into
+ * triangles. (u,v) are the active texture coordinates of the points (two components, meant to be
+ * from 0 to 1), interpolated in the triangle that holds the nearest point. Points in the same place
+ * are one, so that a seam of the texture with points on both sides is no border.
  *
  * Triangles that share an edge are turned to agree; closed parts outward, open ones to how most of
  * their triangles are. The distance is that from the nearest triangle, its sign by angle-weighted
  * normals (J. A. Baerentzen and H. Aanaes, "Signed distance computation using the angle weighted
- * pseudonormal", IEEE TVCG 11(3), 2005), right at edges and vertices too; it is negative inside a
- * closed mesh. The sign jumps where an open mesh ends, halfway between parts that face the same
- * way, and may be wrong at edges of three and more triangles (GetNumberOfBranchingEdges). IsOn is
- * false at such jumps: it asks for a nearest point within 1e-6 of the mesh's diagonal, and for one
- * that is not beyond a border. The normal at an edge or a vertex is the angle-weighted one.
+ * pseudonormal", IEEE TVCG 11(3), 2005), which are right at edges and vertices too; it is negative
+ * inside a closed mesh. The sign jumps where an open mesh ends, halfway between parts that face the
+ * same way, and may be wrong at edges of three and more triangles (GetNumberOfBranchingEdges). IsOn
+ * is false at such jumps: it asks for a nearest point within 1e-6 of the mesh's diagonal, and for
+ * one that is not beyond a border. The normal at an edge or a vertex is the angle-weighted one.
  *
  * A mesh of a field's own faces has triangles where the faces of cells are bilinear: which of both
  * a streamline meets first is left to vtkImplicitFlowField::SetArrivalTolerance, not to Tolerance.
@@ -42,7 +42,7 @@ public:
 
   ///@{
   /**
-   * The mesh. It is read by Update, and not changed. Default null.
+   * The mesh of the surface. Update reads it, and does not change it. Default null.
    */
   void SetMesh(vtkPolyData* mesh);
   vtkPolyData* GetMesh() const;
@@ -50,8 +50,8 @@ public:
 
   ///@{
   /**
-   * Whether u or v goes around, 0 and 1 being the same place. Triangles then may cross the seam:
-   * their coordinates are taken within a half of each other. Default off.
+   * Whether u, or v, goes around, so that 0 and 1 are the same place. Triangles then may cross the
+   * seam: their coordinates are taken within a half of each other. Default off.
    */
   vtkSetMacro(PeriodicU, bool);
   vtkGetMacro(PeriodicU, bool);
@@ -63,9 +63,9 @@ public:
 
   ///@{
   /**
-   * In parts of the diagonal of the mesh's bounds: points nearer to each other are one, lower
-   * triangles are left out, and open borders are wider by it. Default 1e-9. Valid: 1e-15 to 0.1,
-   * clamped; NaN is ignored.
+   * The tolerance, as a part of the diagonal of the mesh's bounds: points nearer to each other are
+   * one, lower triangles are left out, and open borders are wider by it. Default 1e-9. Valid: 1e-15
+   * to 0.1, clamped; NaN is ignored.
    */
   void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
@@ -73,7 +73,8 @@ public:
 
   ///@{
   /**
-   * What Update found. A mesh is closed when it has neither border nor branching edges.
+   * The numbers of triangles and edges that Update found. A mesh is closed when it has neither
+   * border nor branching edges.
    */
   vtkIdType GetNumberOfTriangles() const;
   vtkIdType GetNumberOfDegenerateTriangles() const;
@@ -92,7 +93,7 @@ public:
   bool IsPeriodic(int direction, int part = 0) const override;
   void GetBounds(double bounds[6]) const override;
 
-  /// That of the mesh too.
+  /// Returns the time of the last change, of the mesh too.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -103,7 +104,7 @@ private:
   vtkTerminationMesh(const vtkTerminationMesh&) = delete;
   void operator=(const vtkTerminationMesh&) = delete;
 
-  /// What Update makes; empty after an error.
+  /// The data that Update makes; empty after an error.
   struct Contents;
   std::unique_ptr<Contents> Made;
   vtkTimeStamp UpdateTime;

@@ -7,8 +7,9 @@
  * @class   vtkTerminationPlane
  * @brief   a parallelogram of a plane, or all of the plane
  *
- * Given as in vtkPlaneSource: u goes from 0 at Origin to 1 at Point1, v to 1 at Point2. The two
- * edges need not be perpendicular. The normal is (Point1 - Origin) x (Point2 - Origin).
+ * The parallelogram is given as in vtkPlaneSource: u goes from 0 at Origin to 1 at Point1, v to 1
+ * at Point2. The two edges need not be perpendicular. The normal is (Point1 - Origin) x (Point2 -
+ * Origin).
  *
  * Parameters of a point are those of its foot in the plane, clamped to 0 ... 1 unless Unbounded.
  *
@@ -24,8 +25,8 @@ public:
 
   ///@{
   /**
-   * Three corners, world units. Default (-0.5, -0.5, 0), (0.5, -0.5, 0), (-0.5, 0.5, 0). Valid:
-   * finite, not on a line.
+   * The three corners of the parallelogram, in world units. Default (-0.5, -0.5, 0), (0.5, -0.5,
+   * 0), (-0.5, 0.5, 0). Valid: finite, not on a line.
    */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -61,11 +62,11 @@ private:
   vtkTerminationPlane(const vtkTerminationPlane&) = delete;
   void operator=(const vtkTerminationPlane&) = delete;
 
-  /// Of the foot in the plane, not clamped.
+  /// Computes the parameters of the foot of \a x in the plane, not clamped.
   void GetFoot(const double x[3], double uv[2]) const;
 
   double Normal[3] = { 0.0, 0.0, 1.0 };
-  /// Gradients of u and v.
+  /// The gradients of u and v.
   double Gradients[2][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } };
 
   double Origin[3] = { -0.5, -0.5, 0.0 };

@@ -31,7 +31,8 @@ public:
 
   ///@{
   /**
-   * World units. Default (0, 0, 0), 0.5. Valid: finite; above 0.
+   * The centre and the radius of the sphere, in world units. Default (0, 0, 0), 0.5. Valid: finite;
+   * above 0.
    */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
@@ -41,7 +42,7 @@ public:
 
   ///@{
   /**
-   * From pole to pole. Default (0, 0, 1). Valid: finite, any length above 0.
+   * The direction from pole to pole. Default (0, 0, 1). Valid: finite, any length above 0.
    */
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);

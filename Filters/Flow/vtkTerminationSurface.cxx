@@ -57,7 +57,7 @@ bool vtkTerminationSurface::TakeParameters(int part, const double uv[2], double 
   {
     taken[i] =
       this->IsPeriodic(i, part) ? uv[i] - std::floor(uv[i]) : std::max(0.0, std::min(uv[i], 1.0));
-    // Written so that NaN and infinity are refused.
+    // The condition is written so that NaN and infinity are refused.
     if (!(std::isfinite(uv[i]) &&
           (this->IsPeriodic(i, part) || std::abs(taken[i] - uv[i]) <= BorderTolerance)))
     {

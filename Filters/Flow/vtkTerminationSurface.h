@@ -13,7 +13,7 @@ class vtkDataSet;
  * @class   vtkTerminationSurface
  * @brief   where the advection of a sample ends: signed distance, parameters and normal
  *
- * A surface that streamlines are followed to (C. Zhang, dissertation, Ohio State 2006,
+ * Streamlines are followed until they reach this surface (C. Zhang, dissertation, Ohio State 2006,
  * section 4.4). It is the zero set of a signed distance, or the part of that set for which IsOn is
  * true where the surface ends somewhere (a rectangle of a plane, an open mesh). A streamline
  * reaches it where the distance along it changes sign, from either side.
@@ -37,84 +37,87 @@ public:
 
   ///@{
   /**
-   * The id of the surface's first part. -1: one that is free, given by the filter in the order of
-   * its surfaces. Surfaces of the same id are parts of one surface, lying in the same parameters.
-   * Default -1. Valid: -1 to 1000000000, clamped.
+   * The id of the surface's first part; -1 stands for one that is free, given by the filter in the
+   * order of its surfaces. Surfaces of the same id are parts of one surface, lying in the same
+   * parameters. Default -1. Valid: -1 to 1000000000, clamped.
    */
   vtkSetClampMacro(Id, int, -1, 1000000000);
   vtkGetMacro(Id, int);
   ///@}
 
-  /// Borders are wider by this part of the size, so that no streamline slips through between two
-  /// surfaces that touch.
+  /// The part of the size by which borders are wider, so that no streamline slips through between
+  /// two surfaces that touch.
   static constexpr double BorderTolerance = 1e-9;
 
-  /// How many ids it takes. Default 1.
+  /// Returns how many ids the surface takes. Default 1.
   virtual int GetNumberOfParts() const { return 1; }
 
   /**
-   * Takes what the surface leaves open, its place or its size, from the field that streamlines are
-   * followed in. vtkImplicitFlowField calls it before Update. \a vectors are those at the points of
-   * \a field, \a isBackward says whether streamlines go against them. Returns what is wrong, or
-   * nothing. Default: nothing is open.
+   * Takes the place or the size that the surface leaves open from the field that streamlines are
+   * followed in. vtkImplicitFlowField calls it before Update. \a vectors are the vectors at the
+   * points of \a field, \a isBackward says whether streamlines go against them. Returns what is
+   * wrong, or nothing. Default: nothing is open.
    */
   virtual std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward);
 
   /**
-   * Makes what the Evaluate functions need. Returns what is wrong with the surface ("the radius is
-   * not above 0"), or nothing.
+   * Prepares the data that the Evaluate functions need. Returns what is wrong with the surface
+   * ("the radius is not above 0"), or nothing.
    */
   virtual std::string Update() { return {}; }
 
   /**
-   * Signed distance in world units, positive where the normal points to. It never changes by more
-   * than the way between two points, but for jumps of sign beyond the end of an open mesh.
+   * Returns the signed distance in world units, positive where the normal points to. Between two
+   * points it never changes by more than their distance, but for jumps of sign beyond the end of an
+   * open mesh.
    */
   virtual double EvaluateDistance(const double x[3]) const = 0;
 
-  /// Whether a point at distance 0 is on the surface. Default true.
+  /// Returns whether a point at distance 0 is on the surface. Default true.
   virtual bool IsOn(const double x[3]) const;
 
-  /// Whether \a x, anywhere, is straight above or below the surface and not beyond its rim.
+  /// Returns whether \a x, anywhere, is straight above or below the surface and not beyond its rim.
   /// Default: IsOn of the point as far from \a x as the distance says, along the normal.
   virtual bool IsBeside(const double x[3]) const;
 
-  /// The part that is nearest to \a x. Default 0.
+  /// Returns the part that is nearest to \a x. Default 0.
   virtual int EvaluatePart(const double x[3]) const;
 
-  /// Parameters of the point of the surface nearest to \a x, 0 to 1; in a periodic direction
-  /// below 1.
+  /// Computes the parameters of the point of the surface nearest to \a x, 0 to 1; in a periodic
+  /// direction below 1.
   virtual void EvaluateParameters(const double x[3], double uv[2]) const = 0;
 
-  /// Unit normal at the point of the surface nearest to \a x.
+  /// Computes the unit normal at the point of the surface nearest to \a x.
   virtual void EvaluateNormal(const double x[3], double normal[3]) const = 0;
 
   /**
-   * The point of a part with these parameters. False where there is none, as in the gaps between
-   * the triangles of a mesh's texture.
+   * Computes the point of a part with these parameters. Returns false where there is none, as in
+   * the gaps between the triangles of a mesh's texture.
    */
   virtual bool EvaluatePoint(int part, const double uv[2], double x[3]) const = 0;
 
-  /// Whether \a direction of a part, 0 for u and 1 for v, is periodic with period 1. Default false.
+  /// Returns whether \a direction of a part, 0 for u and 1 for v, is periodic with period 1.
+  /// Default false.
   virtual bool IsPeriodic(int direction, int part = 0) const;
 
   /**
-   * How far the nearest point of the surface is, its rim counted, less what rounding of the
+   * Returns how far the nearest point of the surface is, its rim counted, less what rounding of the
    * surface's own numbers may be. Default: the distance from the point that EvaluateParameters
    * finds.
    */
   virtual double EvaluateGap(const double x[3]) const;
 
-  /// Lower and upper of x, y, z; empty (lower above upper) for a surface without bounds.
+  /// Returns the lower and upper bounds of x, y, z; empty (lower above upper) for a surface without
+  /// bounds.
   virtual void GetBounds(double bounds[6]) const = 0;
 
 protected:
   vtkTerminationSurface() = default;
   ~vtkTerminationSurface() override = default;
 
-  /// The parameters that EvaluatePoint is asked for: around in periodic directions, else clamped to
-  /// 0 ... 1 when they are beyond by BorderTolerance at most. False for others and without the
-  /// part.
+  /// Brings the parameters that EvaluatePoint is asked for into 0 ... 1: periodic directions go
+  /// around, others are clamped to 0 ... 1 when they are beyond by BorderTolerance at most. Returns
+  /// false for others and without the part.
   bool TakeParameters(int part, const double uv[2], double taken[2]) const;
 
 private:

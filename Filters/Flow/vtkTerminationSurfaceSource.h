@@ -11,9 +11,9 @@ class vtkTerminationSurface;
  * @class   vtkTerminationSurfaceSource
  * @brief   a termination surface as triangles, to be drawn
  *
- * A grid over (u,v), 0 to 1, of each part. Where the part has no point for some parameters
+ * Each part is drawn as a grid over (u,v), 0 to 1. Where the part has no point for some parameters
  * (vtkTerminationSurface::EvaluatePoint) the grid is cut at the border, found by bisection. At the
- * seam of a periodic direction there are points at 0 and at 1. Of an unbounded plane it is the
+ * seam of a periodic direction there are points at 0 and at 1. An unbounded plane is drawn as its
  * parallelogram.
  *
  * Output: triangles with the point arrays `TerminationUV` (double, 2 components), also the active
@@ -32,7 +32,7 @@ public:
 
   ///@{
   /**
-   * What is drawn. Default null.
+   * The surface that is drawn. Default null.
    */
   void SetSurface(vtkTerminationSurface* surface);
   vtkTerminationSurface* GetSurface() const;
@@ -40,7 +40,7 @@ public:
 
   ///@{
   /**
-   * Cells of the grid along u and v. Default 32, 32. Valid: 1 to 10000, clamped.
+   * The number of cells of the grid along u and v. Default 32, 32. Valid: 1 to 10000, clamped.
    */
   vtkSetClampMacro(ResolutionU, int, 1, 10000);
   vtkGetMacro(ResolutionU, int);
@@ -48,7 +48,7 @@ public:
   vtkGetMacro(ResolutionV, int);
   ///@}
 
-  /// That of the surface too.
+  /// Returns the time of the last change, of the surface too.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -19,8 +19,8 @@ class TubeAxis;
  * @class   vtkTerminationTube
  * @brief   the tube around a line, such as the axis of a vortex
  *
- * The points at Radius from a polyline; the distance is that from the line less the radius,
- * negative inside.
+ * The tube is the set of points at Radius from a polyline; its distance is the distance from the
+ * line less the radius, negative inside.
  *
  * Part 0 is the tube: u is the angle around the line in turns, periodic, counterclockwise along the
  * line in a frame that does not turn around it (the rotation-minimising frame); u = 0 at the start
@@ -50,8 +50,9 @@ public:
 
   ///@{
   /**
-   * The points of the line, world units. Default none. Valid: finite. Points in the same place as
-   * the one before count once. GetPoint leaves its argument where there is none.
+   * The points of the line, in world units. Default none. Valid: finite. Points in the same place
+   * as the one before count once. GetPoint leaves its argument as it is where there is no such
+   * point.
    */
   void AddPoint(double x, double y, double z);
   void RemoveAllPoints();
@@ -69,7 +70,7 @@ public:
 
   ///@{
   /**
-   * World units. Default 0.5. Valid: finite, above 0.
+   * The radius of the tube, in world units. Default 0.5. Valid: finite, above 0.
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
@@ -102,7 +103,7 @@ public:
   bool IsPeriodic(int direction, int part = 0) const override;
   void GetBounds(double bounds[6]) const override;
 
-  /// That of the line too.
+  /// Returns the time of the last change, of the line too.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -30,7 +30,7 @@ namespace
 {
 using Vortex = interlume::CrossFlow::Vortex;
 
-// The vortices of all planes, those of one plane together.
+// Holds the vortices of all planes, those of one plane together.
 class Tracker
 {
 public:
@@ -50,7 +50,7 @@ public:
     }
   }
 
-  // Null without a vortex.
+  // Returns the strongest vortex; null without a vortex.
   const Vortex* FindStrongest() const
   {
     const Vortex* strongest = nullptr;
@@ -87,7 +87,7 @@ public:
     return nearest;
   }
 
-  // By ascending plane; not all planes have one.
+  // Returns a vortex for each plane by ascending plane; not all planes have one.
   std::vector<const Vortex*> Follow(const Vortex* start) const
   {
     std::vector<const Vortex*> axis = { start };

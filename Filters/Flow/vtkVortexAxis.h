@@ -18,7 +18,7 @@
  * The places are the zeros of the interpolated velocity in the plane, solved for in each cell as in
  * vtkFlowCriticalPoints: exact on any grid, for any axis. Nothing is sampled.
  *
- * Input: as vtkFlowCriticalPoints'.
+ * Input: as for vtkFlowCriticalPoints.
  *
  * Output: a polyline along Axis, with the point arrays `CrossFlowSpeed` (double: the speed in the
  * plane, 0 to rounding), `SwirlStrength` (double: the imaginary part of the eigenvalues, radians in
@@ -43,7 +43,8 @@ public:
 
   ///@{
   /**
-   * The direction that planes are across; its length does not matter. Default (0, 0, 1).
+   * The direction that the planes are perpendicular to; its length does not matter. Default (0, 0,
+   * 1).
    */
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);
@@ -51,10 +52,11 @@ public:
 
   ///@{
   /**
-   * Evenly spaced planes from the first to the last point along Axis; one is in the middle. 0: one
-   * for each layer of points, in images and rectilinear grids along one of whose directions Axis
-   * is. In other grids with an order there are as many planes as points in the direction nearest to
-   * Axis, elsewhere as the cube root of the number of points. Default 0. Valid: 0 to 100000.
+   * The number of evenly spaced planes from the first to the last point along Axis; one plane is in
+   * the middle. 0: one for each layer of points, in images and rectilinear grids along one of whose
+   * directions Axis is. In other grids with an order there are as many planes as points in the
+   * direction nearest to Axis, elsewhere as the cube root of the number of points. Default 0.
+   * Valid: 0 to 100000.
    */
   vtkSetClampMacro(NumberOfPlanes, int, 0, 100000);
   vtkGetMacro(NumberOfPlanes, int);
@@ -74,7 +76,8 @@ public:
 
   ///@{
   /**
-   * What is subtracted from all velocities: that of a vortex that travels. Default (0, 0, 0).
+   * The velocity that is subtracted from all velocities, such as that of a vortex that travels.
+   * Default (0, 0, 0).
    */
   vtkSetVector3Macro(FrameVelocity, double);
   vtkGetVector3Macro(FrameVelocity, double);
@@ -82,9 +85,9 @@ public:
 
   ///@{
   /**
-   * How far across Axis the place in the next plane may be, in units of length; n times as far n
-   * planes on. 0: two distances of the planes, and two lengths of the cell. It also has to turn in
-   * the same sense. Default 0. Valid: 0 and above.
+   * The largest distance across Axis to the place in the next plane, in units of length; n times as
+   * much for a place n planes on. 0: two distances of the planes, and two lengths of the cell. It
+   * also has to turn in the same sense. Default 0. Valid: 0 and above.
    */
   vtkSetClampMacro(SearchRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SearchRadius, double);
@@ -92,7 +95,8 @@ public:
 
   ///@{
   /**
-   * Weaker places are no vortices, radians in a unit of time. Default 0. Valid: 0 and above.
+   * The least SwirlStrength of a vortex, in radians in a unit of time; weaker places are no
+   * vortices. Default 0. Valid: 0 and above.
    */
   vtkSetClampMacro(MinimumSwirlStrength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumSwirlStrength, double);

@@ -9,45 +9,47 @@
  * @class   vtkExtractionReport
  * @brief   what the last execution of an extraction filter did
  *
- * A plain value object, summed over the leaves of a composite dataset. Every count is 0 before the
- * first execution. A polyhedron that is coned counts by its parts in all numbers of cells but
- * Cells.
+ * This is a plain value object, summed over the leaves of a composite dataset. Every count is 0
+ * before the first execution. A polyhedron that is coned counts by its parts in all numbers of
+ * cells but Cells.
  *
  * @sa vtkIntervalVolume vtkIsotableContour
  */
 struct INTERLUMEINTERVALS_EXPORT vtkExtractionReport
 {
-  /// Cells of the input.
+  /// The number of cells of the input.
   vtkIdType Cells = 0;
-  /// Cells whose values were read; the others were skipped by the index of value ranges.
+  /// The number of cells whose values were read; the others were skipped by the index of value
+  /// ranges.
   vtkIdType CellsVisited = 0;
-  /// Cells of the input that gave at least one simplex.
+  /// The number of cells of the input that gave at least one simplex.
   vtkIdType CellsWithOutput = 0;
-  /// Cells left out because they have fewer than three dimensions.
+  /// The number of cells left out because they have fewer than three dimensions.
   vtkIdType LowerDimensionalCells = 0;
-  /// Cells left out because a value at a corner is NaN or infinite.
+  /// The number of cells left out because a value at a corner is NaN or infinite.
   vtkIdType NonFiniteCells = 0;
-  /// Cells left out because they, or one of their points, are blanked, hidden or a ghost.
+  /// The number of cells left out because they, or one of their points, are blanked, hidden or a
+  /// ghost.
   vtkIdType BlankedCells = 0;
-  /// Quadratic and higher cells taken as their linear counterpart.
+  /// The number of quadratic and higher cells taken as their linear counterpart.
   vtkIdType LinearizedCells = 0;
-  /// Polyhedra that are coned and that the mean of their points does not see whole: their parts
-  /// overlap.
+  /// The number of polyhedra that are coned and that the mean of their points does not see whole:
+  /// their parts overlap.
   vtkIdType ConcavePolyhedra = 0;
-  /// Cells of a type that has no three-dimensional linear counterpart.
+  /// The number of cells of a type that has no three-dimensional linear counterpart.
   vtkIdType UnsupportedCells = 0;
-  /// Simplices of the tables' cases not emitted since values equal a bound, or corners of a cell
-  /// are one point: they have no volume.
+  /// The number of simplices of the tables' cases not emitted since values equal a bound, or
+  /// corners of a cell are one point: they have no volume.
   vtkIdType CollapsedSimplices = 0;
-  /// Point arrays interpolated (coordinates not counted) and cell arrays copied.
+  /// The numbers of point arrays interpolated (coordinates not counted) and of cell arrays copied.
   int ArraysInterpolated = 0;
   int ArraysCopied = 0;
-  /// Passes over a mesh: 1, and one more for each further criterion.
+  /// The number of passes over a mesh: 1, and one more for each further criterion.
   int Passes = 0;
-  /// Bytes of working memory held at most, input and output not counted.
+  /// The largest number of bytes of working memory held, input and output not counted.
   vtkIdType WorkingBytes = 0;
 
-  /// Adds the counts of cells and simplices; of the other numbers the larger stays.
+  /// Adds the counts of cells and simplices; keeps the larger of the other numbers.
   void Add(const vtkExtractionReport& other);
   void Print(ostream& os, vtkIndent indent) const;
 };

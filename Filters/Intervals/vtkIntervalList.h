@@ -11,7 +11,7 @@ class vtkObject;
 
 /**
  * @class   vtkIntervalList
- * @brief   the intervals of a filter, lower and upper bound each
+ * @brief   the intervals of a filter, with a lower and an upper bound each
  */
 class INTERLUMEINTERVALS_EXPORT vtkIntervalList
 {
@@ -22,12 +22,13 @@ public:
   int GetNumber() const { return static_cast<int>(this->Intervals.size()); }
   const std::vector<Interval>& GetAll() const { return this->Intervals; }
 
-  /// Clamped to 0 ... MaximumNumber; new intervals are [0, 0]. \a owner is marked modified when
-  /// this changes anything.
+  /// Sets the number of intervals, clamped to 0 ... MaximumNumber; new intervals are [0, 0]. Marks
+  /// \a owner as modified when this changes anything.
   void SetNumber(int number, vtkObject* owner);
-  /// Adds intervals where there are fewer than i + 1; an error of \a owner where i is out of range.
+  /// Sets interval i, adding intervals where there are fewer than i + 1. Gives an error of \a owner
+  /// where i is out of range.
   void Set(int i, double lower, double upper, vtkObject* owner);
-  /// Leaves its arguments where there is no interval i.
+  /// Returns the bounds of interval i; leaves its arguments as they are where there is none.
   void Get(int i, double& lower, double& upper) const;
 
   void Print(ostream& os, vtkIndent indent) const;

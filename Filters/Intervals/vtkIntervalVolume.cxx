@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkIntervalVolume);
 
 namespace
 {
-// A whole text as a number, or NaN.
+// Reads a whole text as a number; NaN where it is none.
 double ReadNumber(const std::string& text)
 {
   std::istringstream stream(text);

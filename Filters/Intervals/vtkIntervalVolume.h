@@ -31,13 +31,13 @@ class ExtractionIndex;
  * that two cells agree on the face they share: no cracks, in mixed meshes too.
  *
  * Input: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid with tetrahedra,
- * voxels, hexahedra, wedges, pyramids and convex polyhedra, and composite datasets of them.
- * Quadratic cells are taken by their corners, with a warning. A polyhedron that has not the faces
- * of one of the other cells is coned from the mean of its points; where that does not see all of
- * it, since it or a face of it is concave, its parts overlap, with a warning (10.17 instead of 7
- * for a U of seven cubes). Cells of fewer dimensions, cells with NaN or infinity in the scalar,
- * ghost, hidden and blanked cells are left out and counted in GetReport(). The scalar:
- * SetInputArrayToProcess(0, ...), by default the active point scalars, one component.
+ * voxels, hexahedra, wedges, pyramids and convex polyhedra, and composite datasets of them. Of
+ * quadratic cells the corners are taken, with a warning. A polyhedron that has not the faces of one
+ * of the other cells is coned from the mean of its points; where that does not see all of it, since
+ * it or a face of it is concave, its parts overlap, with a warning (10.17 instead of 7 for a U of
+ * seven cubes). Cells of fewer dimensions, cells with NaN or infinity in the scalar, ghost, hidden
+ * and blanked cells are left out and counted in GetReport(). The scalar: SetInputArrayToProcess(0,
+ * ...), by default the active point scalars, one component.
  *
  * Output port 0: VTK_TETRA cells in a vtkUnstructuredGrid (a composite input gives a composite
  * output of the same structure), with
@@ -84,7 +84,7 @@ class ExtractionIndex;
  * quadratic cells, concave polyhedra, and images and rectilinear grids so far from the origin that
  * output points in single precision are off by more than a hundredth of a cell.
  *
- * @sa vtkIsotableContour vtkIntervalTable
+ * @sa vtkIsotableContour vtkIsotable
  */
 class INTERLUMEINTERVALS_EXPORT vtkIntervalVolume : public vtkIntervalAlgorithm
 {
@@ -129,12 +129,12 @@ public:
 
   ///@{
   /**
-   * Whether the outputs say what they were made of: point arrays `OriginPoints` (vtkIdType, 2
-   * components: the input's points whose edge an output point lies on, twice the same for one of
-   * the input's points) and `OriginWeight` (double, 0 to 1/2: how far from the first to the
-   * second), cell array `OriginCell` (vtkIdType, on both ports). Polyhedra that are coned have an
-   * apex each, with ids from the number of the input's points on. Not with criteria, where it is as
-   * off. Default off.
+   * Whether the outputs carry arrays that tell where they come from: point arrays `OriginPoints`
+   * (vtkIdType, 2 components: the input's points whose edge an output point lies on, twice the same
+   * for one of the input's points) and `OriginWeight` (double, 0 to 1/2: how far from the first to
+   * the second), cell array `OriginCell` (vtkIdType, on both ports). Polyhedra that are coned have
+   * an apex each, with ids from the number of the input's points on. With criteria this has no
+   * effect. Default off.
    */
   vtkSetMacro(KeepOrigins, bool);
   vtkGetMacro(KeepOrigins, bool);
@@ -156,7 +156,7 @@ public:
     vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
 
   /**
-   * What the last execution did.
+   * Returns what the last execution did.
    */
   const vtkExtractionReport& GetReport() const { return this->Report; }
 
@@ -176,20 +176,20 @@ private:
     std::string ArrayName;
     double Lower;
     double Upper;
-    /// The bounds as they were typed, where one of them is no number.
+    /// The bounds as they were typed, where one of them is not a number.
     std::string WrongText;
   };
 
-  /// Why the intervals or criteria cannot be used, or nothing.
+  /// Returns why the intervals or criteria cannot be used, or nothing.
   std::string CheckParameters(vtkDataSet* input) const;
-  /// The first pass. Returns false when the user aborted.
+  /// Runs the first pass. Returns false when the user aborted.
   bool ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
     vtkUnstructuredGrid* boundary);
-  /// A further pass, over the result of the one before.
+  /// Runs a further pass, over the result of the one before.
   bool ApplyCriterion(int number, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
 
   ///@{
-  /// Around an execution, over one dataset or over all.
+  /// Begins and ends an execution, over one dataset or over all.
   void BeginExecution();
   void WarnIfEmpty();
   ///@}

@@ -62,7 +62,7 @@ public:
 
   ///@{
   /**
-   * The values, in the units of the scalar. Any finite number; default none, at most 20000.
+   * The values, in the units of the scalar. Default none. Valid: finite, at most 20000 values.
    * SetValue adds values where there are fewer; GetValue is 0 where there is none.
    */
   void SetNumberOfContours(int number);
@@ -73,8 +73,8 @@ public:
 
   ///@{
   /**
-   * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input's points;
-   * float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default DEFAULT_PRECISION.
+   * The precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input's
+   * points; float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default DEFAULT_PRECISION.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -105,7 +105,7 @@ public:
     vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
 
   /**
-   * What the last execution did.
+   * Returns what the last execution did.
    */
   const vtkExtractionReport& GetReport() const { return this->Report; }
 
@@ -117,7 +117,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   ///@{
-  /// Around an execution, over one dataset or over all.
+  /// Begins and ends an execution, over one dataset or over all.
   void BeginExecution();
   void WarnIfEmpty();
   ///@}

@@ -35,14 +35,14 @@ namespace
 {
 constexpr const char* TimeName = "Time";
 
-// Interpolated times would be off by a rounding, and float could not hold the time.
+// Sets the exact time: interpolated times would be off by a rounding, and float could not hold it.
 void FillTime(vtkPointData* points, vtkIdType number, double time)
 {
   vtkNew<vtkDoubleArray> times;
   times->SetName(TimeName);
   times->SetNumberOfValues(number);
   vtkSMPTools::Fill(times->GetPointer(0), times->GetPointer(0) + number, time);
-  // In the place of the array of that name, whatever role it has.
+  // The array goes in the place of the one of that name, whatever role it has.
   points->AddArray(times);
 }
 
@@ -59,7 +59,8 @@ void AddTimes(vtkDataObject* leaf, double range[2])
   }
 }
 
-// The first and the last time of all datasets of an input; turned round where there is none.
+// Finds the first and the last time of all datasets of an input; the first is above the last where
+// there is none.
 void FindTimes(vtkDataObject* input, double range[2])
 {
   range[0] = std::numeric_limits<double>::infinity();

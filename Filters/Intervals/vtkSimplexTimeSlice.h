@@ -16,9 +16,9 @@ class EmptyResult;
  * @class   vtkSimplexTimeSlice
  * @brief   4-simplices in space and time at one time: tetrahedra
  *
- * The part of each 4-simplex at time t: nothing, a tetrahedron, or a prism over a triangle that is
- * cut into three tetrahedra. The cut of a face that two 4-simplices share depends on its points'
- * ids alone (the global ids where the point data has them), so no cracks appear.
+ * Takes the part of each 4-simplex at time t: nothing, a tetrahedron, or a prism over a triangle
+ * that is cut into three tetrahedra. The cut of a face that two 4-simplices share depends on its
+ * points' ids alone (the global ids where the point data has them), so no cracks appear.
  *
  * Input: a vtkUnstructuredGrid with VTK_POLY_VERTEX cells of five points and a point array `Time`
  * (one component, any numeric type), as port 2 of vtkTimeVaryingIntervalVolume gives them, or as
@@ -51,7 +51,7 @@ class EmptyResult;
  * `Time` where the input is there already, else any time.
  *
  * Warning (vtkWarningMacro, once for a composite input): an empty output, and why; a time outside
- * of all 4-simplices is one reason. Of one piece of several nothing is said.
+ * of all 4-simplices is one reason. One piece of several gives no warning.
  *
  * Errors (vtkErrorMacro, empty output): no point array `Time` with one component and a value for
  * each point, a cell that is not a VTK_POLY_VERTEX of five points (the message names the first), a
@@ -106,10 +106,10 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// The time to cut at for what is asked of the output.
+  /// Returns the time to cut at for what is asked of the output.
   double GetTimeOfSlice(vtkInformation* output) const;
   ///@{
-  /// Around an execution, over one dataset or over all.
+  /// Begins and ends an execution, over one dataset or over all.
   void BeginExecution();
   void WarnIfEmpty();
   ///@}
@@ -121,7 +121,7 @@ private:
   double Time = 0.0;
   bool FollowTime = true;
   bool WarnOnEmptyOutput = true;
-  /// The first and last time of the input; turned round where it has none.
+  /// The first and last time of the input; the first is above the last where the input has none.
   double InputRange[2];
   std::unique_ptr<interlume::EmptyResult> Empty;
   vtkSimplexTimeSliceReport Report;

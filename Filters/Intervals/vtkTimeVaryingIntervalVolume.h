@@ -33,7 +33,8 @@ class TimeVaryingRun;
  * convex polyhedra, and composite datasets of them, which give composite outputs of the same
  * structure. All time steps are requested through the pipeline, one after the other; two are held.
  * Points may move from step to step, cells may not change. The scalar: SetInputArrayToProcess(0,
- * ...), by default the active point scalars, one component. Linear between steps on every edge.
+ * ...), by default the active point scalars, one component. It is taken to be linear between steps
+ * on every edge.
  *
  * Output port 0, made unless GenerateTetrahedra is off: VTK_TETRA cells with
  * - point array `DeltaT` (double, units of time): how long the 4-simplex lasts there; zero at all
@@ -129,8 +130,8 @@ public:
 
   ///@{
   /**
-   * The first and last time step taken, by index. A last step beyond the input's is its last.
-   * Default 0, VTK_INT_MAX. Valid: 0 <= first < last.
+   * The first and last time step taken, by index. A last step beyond the last one of the input
+   * stands for that. Default 0, VTK_INT_MAX. Valid: 0 <= first < last.
    */
   vtkSetVector2Macro(TimeStepRange, int);
   vtkGetVector2Macro(TimeStepRange, int);
@@ -180,7 +181,7 @@ public:
   ///@}
 
   /**
-   * What the last execution did.
+   * Returns what the last execution did.
    */
   const vtkTimeVaryingReport& GetReport() const { return this->Report; }
 
@@ -198,16 +199,16 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Why times cannot be used, or nothing.
+  /// Returns why times cannot be used, or nothing.
   std::string CheckTimes(const std::vector<double>& times) const;
   std::string CheckDirection() const;
   int GetFirstStep() const;
-  /// The times of the steps in the range.
+  /// Returns the times of the steps in the range.
   std::vector<double> GetTimesTaken() const;
-  /// Begins an execution, in which steps are copied or not. Returns false, after an error, where
-  /// parameters do not allow it.
+  /// Begins an execution, which copies steps if \a copiesSteps. Returns false, after an error,
+  /// where parameters do not allow it.
   bool Begin(bool copiesSteps);
-  /// Why there is no output after all steps, or nothing.
+  /// Returns why there is no output after all steps, or nothing.
   std::string ExplainEmpty(interlume::TimeVaryingRun& run);
 
 private:
@@ -217,9 +218,9 @@ private:
   vtkTimeVaryingReport Report;
   /// The times of the input's steps.
   std::vector<double> TimeSteps;
-  /// What is kept from one time step to the next; null between executions.
+  /// The state that is kept from one time step to the next; null between executions.
   std::unique_ptr<interlume::TimeVaryingRun> Run;
-  /// Whether an execution was begun anew since the input changed meanwhile.
+  /// Whether an execution was begun anew because the input changed meanwhile.
   bool IsRestarted = false;
 };
 

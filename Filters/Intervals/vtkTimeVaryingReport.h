@@ -10,29 +10,31 @@
  * @class   vtkTimeVaryingReport
  * @brief   what the last execution of vtkTimeVaryingIntervalVolume did
  *
- * A plain value object. The counts of cells are summed over the slabs. CollapsedSimplices counts
- * 4-simplices.
+ * This is a plain value object. The counts of cells are summed over the slabs. CollapsedSimplices
+ * counts 4-simplices.
  *
  * @sa vtkTimeVaryingIntervalVolume
  */
 struct INTERLUMEINTERVALS_EXPORT vtkTimeVaryingReport : vtkExtractionReport
 {
-  /// Time steps requested, and slabs between them that were not left out.
+  /// The numbers of time steps requested, and of slabs between them that were not left out.
   int TimeSteps = 0;
   int Slabs = 0;
-  /// 4-simplices.
+  /// The number of 4-simplices.
   vtkIdType Simplices = 0;
-  /// Of these, where tetrahedra are made: without volume when projected, or without extent along
-  /// the projection; they have no tetrahedra.
+  /// The number of these 4-simplices that have no volume when projected, or no extent along the
+  /// projection, counted where tetrahedra are made; they have no tetrahedra.
   vtkIdType FlatSimplices = 0;
-  /// Of these, where tetrahedra are made: negatively oriented.
+  /// The number of these 4-simplices that are negatively oriented, counted where tetrahedra are
+  /// made.
   vtkIdType InvertedSimplices = 0;
-  /// Tetrahedra of the classes 1, 2, 3a, 3b, 4, 5, in this order; 0 when not asked for.
+  /// The numbers of tetrahedra of the classes 1, 2, 3a, 3b, 4, 5, in this order; 0 when not asked
+  /// for.
   std::array<vtkIdType, 6> Tetrahedra{};
-  /// Boundary cells of each kind; 0 when not asked for.
+  /// The numbers of boundary cells of each kind; 0 when not asked for.
   std::array<vtkIdType, 8> Boundaries{};
-  /// Lookups in run-time tables, and cases that had to be made for them. (Which of several users in
-  /// a process makes a case that both need is a matter of time.)
+  /// The numbers of lookups in run-time tables, and of cases that had to be made for them. (Which
+  /// of several users in a process makes a case that both need is a matter of time.)
   vtkIdType TableLookups = 0;
   vtkIdType TableCasesMade = 0;
 

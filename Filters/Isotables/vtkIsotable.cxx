@@ -38,7 +38,8 @@ vtkIsotable::vtkIsotable(Kinds kind, const vtkIsotablePolytope& cell)
     ascending[i] = static_cast<Slot>(i);
   }
   const RankArray ranks = this->GetSlotRanks(ascending);
-  // Edges of the lifted cell: those at the lower side, at the upper side, then the vertical ones.
+  // The edges of the lifted cell are those at the lower side, at the upper side, then the vertical
+  // ones.
   for (int side = 0; side < (kind == INTERVAL ? 2 : 1); ++side)
   {
     for (int e = 0; e < this->NumberOfEdges; ++e)

@@ -54,9 +54,9 @@ public:
   static constexpr int MaximumNumberOfSlots = 32;
 
   using Slot = std::uint8_t;
-  /// Four slots of a tetrahedron, or three of a contour's triangle (the last is unused).
+  /// The four slots of a tetrahedron, or the three of a contour's triangle (the last is unused).
   using Simplex = std::array<Slot, 4>;
-  /// A boundary triangle of an interval: three slots, and 0 at the lower side or 1 at the upper.
+  /// A boundary triangle of an interval, as three slots, and 0 at the lower side or 1 at the upper.
   using Triangle = std::array<Slot, 4>;
   using RankArray = std::array<Slot, MaximumNumberOfSlots>;
 
@@ -66,13 +66,14 @@ public:
     std::vector<Triangle> Boundary;
     /// The slots in use, increasing.
     std::vector<Slot> Slots;
-    /// Convex pieces: number of points, points, number of faces, then for each face its side (0, 1
-    /// or NoSide), number of points, points in cyclic order. In a contour a piece is one face.
+    /// The convex pieces, each as its number of points, points, number of faces, then for each face
+    /// its side (0, 1 or NoSide), number of points, points in cyclic order. In a contour a piece is
+    /// one face.
     std::vector<Slot> Pieces;
   };
   static constexpr Slot NoSide = 255;
 
-  /// The table shared by all users in the process.
+  /// Returns the table shared by all users in the process.
   static const vtkIsotable& Get(Kinds kind, Shapes shape);
 
   vtkIsotable(Kinds kind, const vtkIsotablePolytope& cell);
@@ -86,21 +87,21 @@ public:
   int GetNumberOfCases() const { return static_cast<int>(this->Cases.size()); }
   const std::array<Slot, 2>& GetEdge(int edge) const { return this->Edges[edge]; }
   const vtkIsotablePolytope& GetCell() const { return this->Cell; }
-  /// The order of the lifted (or plain) cell's edges that ascending vertex ranks give.
+  /// Returns the order of the lifted (or plain) cell's edges that ascending vertex ranks give.
   const std::vector<int>& GetPointRanks() const { return this->PointRanks; }
 
-  /// The case of \a key, 0 <= key < GetNumberOfCases().
+  /// Returns the case of \a key, 0 <= key < GetNumberOfCases().
   const Case& GetCase(int key) const
   {
     const Case* known = this->Cases[key].load(std::memory_order_acquire);
     return known ? *known : this->MakeCase(key);
   }
 
-  /// How many cases have been made so far.
+  /// Returns how many cases have been made so far.
   int GetNumberOfCasesMade() const;
 
   /**
-   * The order of slots for vertex ranks 0 ... n-1.
+   * Returns the order of slots for vertex ranks 0 ... n-1.
    */
   RankArray GetSlotRanks(const Slot* vertexRanks) const;
 
@@ -116,9 +117,9 @@ public:
   }
 
   /**
-   * The same where slots are one point: \a same has for each slot the one that it goes by. Slots
-   * are made one before anything is cut, so that a piece without volume leaves less; what is
-   * visited may still have a slot twice.
+   * Cuts a case in which slots are one point: \a same has for each slot the one that it goes by.
+   * Slots are made one before anything is cut, so that a piece without volume leaves less; a
+   * visited simplex may still have a slot twice.
    */
   template <typename SimplexVisitor, typename BoundaryVisitor>
   void CutMerged(const Case& what, const RankArray& ranks, const Slot* same,

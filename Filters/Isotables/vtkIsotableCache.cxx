@@ -76,7 +76,7 @@ std::unique_ptr<const vtkIsotableCache::Case> vtkIsotableCache::MakeCase(std::ui
   }
   made->Slots.reserve(made->Pieces->GetSlots().size());
   slots.ForEach([&made](int slot) { made->Slots.push_back(static_cast<Slot>(slot)); });
-  // Enough for most cases.
+  // This is enough for most cases.
   made->Simplices.reserve(64);
   this->Cut(*made, this->Ascending,
     [&made](const Simplex& simplex) { made->Simplices.push_back(simplex); });

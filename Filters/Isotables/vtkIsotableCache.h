@@ -47,24 +47,25 @@ public:
 
   struct Case
   {
-    /// Cut in ascending vertex order.
+    /// The simplices of the cut in ascending vertex order.
     std::vector<Simplex> Simplices;
     /// The slots in use, increasing.
     std::vector<Slot> Slots;
-    /// Any other cut is made from these, moved by a symmetry of the cell.
+    /// The pieces that any other cut is made from, moved by a symmetry of the cell.
     const Kind* Pieces;
     int Symmetry;
   };
 
   /**
-   * The cache of the prism of a three-dimensional cell with time, shared by all users in the
-   * process. With n vertices of the cell in the order of vtkIsotable (VTK_TETRA, VTK_PYRAMID,
-   * VTK_WEDGE, VTK_VOXEL), vertex v < n is v at the first time, v + n at the second. Edges: those
-   * of the cell at the first time, at the second, then the n along time.
+   * Returns the cache of the prism of a three-dimensional cell with time, shared by all users in
+   * the process. With n vertices of the cell in the order of vtkIsotable (VTK_TETRA, VTK_PYRAMID,
+   * VTK_WEDGE, VTK_VOXEL), vertex v < n is v at the first time, v + n at the second. The edges are
+   * those of the cell at the first time, those at the second, then the n along time.
    */
   static vtkIsotableCache& Get(vtkIsotable::Shapes shape);
 
-  /// For four-dimensional cells with at most 16 vertices, 96 slots, and coordinates from -32 to 32.
+  /// Makes an empty cache for a four-dimensional cell with at most 16 vertices, 96 slots, and
+  /// coordinates from -32 to 32.
   explicit vtkIsotableCache(const vtkIsotablePolytope& cell);
   ~vtkIsotableCache();
   vtkIsotableCache(const vtkIsotableCache&) = delete;
@@ -73,15 +74,15 @@ public:
   const vtkIsotablePolytope& GetCell() const { return this->Cell; }
   int GetNumberOfVertices() const { return static_cast<int>(this->Cell.Vertices.size()); }
   int GetNumberOfEdges() const { return static_cast<int>(this->Edges.size()); }
-  /// The two vertices of an edge, the smaller first.
+  /// Returns the two vertices of an edge, the smaller first.
   const std::array<Slot, 2>& GetEdge(int edge) const { return this->Edges[edge]; }
 
   /**
-   * The case of \a key, 0 <= key < 3^vertices. Loops over many cells go through a Reader.
+   * Returns the case of \a key, 0 <= key < 3^vertices. Loops over many cells go through a Reader.
    */
   const Case& GetCase(std::uint32_t key);
 
-  /// The order of slots for vertex ranks 0 ... n-1.
+  /// Returns the order of slots for vertex ranks 0 ... n-1.
   RankArray GetSlotRanks(const Slot* vertexRanks) const;
 
   /**
@@ -94,7 +95,7 @@ public:
       *what.Pieces, what.Symmetry, ranks, [](Slot slot) { return slot; }, simplex);
   }
 
-  /// The same where slots are one point, as vtkIsotable::CutMerged does it.
+  /// Cuts a case in which slots are one point, as vtkIsotable::CutMerged does it.
   template <typename Visitor>
   void CutMerged(
     const Case& what, const RankArray& ranks, const Slot* same, Visitor&& simplex) const
@@ -119,8 +120,8 @@ public:
 
   ///@{
   /**
-   * Lookups so far and those that found their case made, without those of readers that still exist;
-   * cases and kinds held, and the bytes of both.
+   * The numbers of lookups so far and of those that found their case made, without those of readers
+   * that still exist; the numbers of cases and kinds held, and the bytes of both.
    */
   std::uint64_t GetNumberOfLookups() const { return this->Lookups; }
   std::uint64_t GetNumberOfHits() const { return this->Lookups - this->Misses; }
@@ -130,9 +131,9 @@ public:
   ///@}
 
   /**
-   * One thread's way to a cache, which must outlive it. Remembers the cases it met last, so that
-   * meeting them again takes no lock and touches no memory that other threads write. Counts for
-   * itself, and adds its counts to those of the cache when it is destroyed.
+   * Gives one thread access to a cache, which must outlive the reader. A reader remembers the cases
+   * it met last, so that meeting them again takes no lock and touches no memory that other threads
+   * write. It counts for itself, and adds its counts to those of the cache when it is destroyed.
    */
   class Reader
   {
@@ -153,7 +154,7 @@ public:
       return *entry.Known;
     }
 
-    /// Lookups so far, and how many of them made their case.
+    /// The numbers of lookups so far, and of those that made their case.
     std::uint64_t GetNumberOfLookups() const { return this->Lookups; }
     std::uint64_t GetNumberOfCasesMade() const { return this->Misses; }
 
@@ -205,7 +206,7 @@ private:
 
   using LabelArray = std::array<vtkIsotablePieces::Label, MaximumNumberOfSlots>;
 
-  // \a sides may be null.
+  // Makes the labels of the slots of a case; \a sides may be null.
   template <typename Rename>
   LabelArray MakeLabels(const Kind& pieces, int symmetry, const RankArray& ranks,
     const Rename& rename, const std::uint8_t* sides) const

@@ -17,12 +17,12 @@ struct Face
 {
   Normal Outward;
   std::int64_t Offset;
-  // Of the point that is added: above the facet if positive.
+  // The height of the point that is added: above the facet if positive.
   std::int64_t Height;
   vtkIsotablePointSet Points;
 };
 
-// Affinely independent points, greedily in order; fewer than dimension + 1 for flat input.
+// Finds affinely independent points, greedily in order; fewer than dimension + 1 for flat input.
 std::vector<int> FindSpanningPoints(int dimension, const std::vector<Point>& points)
 {
   std::vector<int> chosen;
@@ -37,7 +37,7 @@ std::vector<int> FindSpanningPoints(int dimension, const std::vector<Point>& poi
   return chosen;
 }
 
-// Two facets share a ridge when no third one holds all that they share.
+// Returns whether two facets share a ridge: no third one holds all that they share.
 template <typename FaceType>
 bool MeetInRidge(int dimension, const std::vector<FaceType>& faces, const vtkIsotablePointSet& a,
   const vtkIsotablePointSet& b)
@@ -49,7 +49,7 @@ bool MeetInRidge(int dimension, const std::vector<FaceType>& faces, const vtkIso
       { return shared.IsSubsetOf(other.Points) && other.Points != a && other.Points != b; });
 }
 
-// Whether a * x + b * y cannot overflow.
+// Returns whether a * x + b * y cannot overflow.
 bool CanCombine(int dimension, std::int64_t a, const Normal& x, std::int64_t b, const Normal& y)
 {
   constexpr std::int64_t limit = std::int64_t(1) << 30;
@@ -61,7 +61,8 @@ bool CanCombine(int dimension, std::int64_t a, const Normal& x, std::int64_t b, 
   return fits;
 }
 
-// The double description method: facets with all of their points, however many those are.
+// Builds the hull by the double description method: facets with all of their points, however many
+// those are.
 class Builder
 {
 public:
@@ -102,7 +103,7 @@ public:
   std::vector<Face> Faces;
 
 private:
-  // From points that span a hyperplane and one that lies below it.
+  // Makes a face from points that span a hyperplane and one that lies below it.
   Face MakeFace(const vtkIsotablePointSet& points, int inside) const
   {
     const Point& origin = this->Points[points.GetFirst()];
@@ -130,7 +131,8 @@ private:
     return face;
   }
 
-  // From the ridge between a facet that the point is above of and one that it is below of.
+  // Makes a face from the ridge between a facet that the point is above of and one that it is below
+  // of.
   Face MakeFace(const Face& above, const Face& below, int point) const
   {
     vtkIsotablePointSet points = above.Points & below.Points;

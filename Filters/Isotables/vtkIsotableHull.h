@@ -13,9 +13,9 @@
  * @class   vtkIsotableHull
  * @brief   the facets of the convex hull of lattice points, exactly
  *
- * Incremental hull in integer arithmetic. Points on one hyperplane form one facet, however many
- * they are: the result does not depend on the order of the points. At most 128 points, in 2 to 6
- * dimensions.
+ * Builds the hull incrementally in integer arithmetic. Points on one hyperplane form one facet,
+ * however many they are: the result does not depend on the order of the points. At most 128 points,
+ * in 2 to 6 dimensions.
  */
 class INTERLUMEISOTABLES_EXPORT vtkIsotableHull
 {
@@ -27,26 +27,26 @@ public:
   {
     /// All points on the facet's hyperplane.
     vtkIsotablePointSet Points;
-    /// Outward normal, not normalised to a length.
+    /// The outward normal, not normalised to a length.
     Normal Outward;
   };
 
-  /// No facets when the points lie on one hyperplane.
+  /// Computes the hull. It has no facets when the points lie on one hyperplane.
   vtkIsotableHull(int dimension, const std::vector<Point>& points);
 
   const std::vector<Facet>& GetFacets() const { return this->Facets; }
 
   /**
-   * Whether two facets, given by their points, meet in a ridge, a face of one dimension less: no
-   * third facet holds all points that they share.
+   * Returns whether two facets, given by their points, meet in a ridge, a face of one dimension
+   * less: no third facet holds all points that they share.
    */
   bool IsRidge(const vtkIsotablePointSet& a, const vtkIsotablePointSet& b) const;
 
-  /// The points of the smallest face that holds all of \a points.
+  /// Returns the points of the smallest face that holds all of \a points.
   vtkIsotablePointSet SmallestFace(std::initializer_list<int> points) const;
 
   /**
-   * The facets of the face \a face, which is given by its points: the maximal proper
+   * Returns the facets of the face \a face, which is given by its points: the maximal proper
    * intersections with facets of the hull, in increasing order of point sets.
    */
   std::vector<vtkIsotablePointSet> FacetsOf(const vtkIsotablePointSet& face) const;

@@ -17,7 +17,8 @@
 class vtkIsotableOrder
 {
 public:
-  /// The slot of a point that is named by an edge of the lifted cell, as vtkIsotablePatch names it.
+  /// Returns the slot of a point that is named by an edge of the lifted cell, as vtkIsotablePatch
+  /// names it.
   static int GetSlot(int numberOfVertices, int numberOfEdges, int liftedEdge)
   {
     return liftedEdge < 2 * numberOfEdges ? numberOfVertices + liftedEdge

@@ -27,13 +27,13 @@ public:
   struct Facet
   {
     vtkIsotablePointSet HullPoints;
-    /// In increasing order of edges.
+    /// The points of the patch, in increasing order of edges.
     PointList Points;
-    /// Points from the positive side to the negative.
+    /// The normal that points from the positive side to the negative.
     Normal Outward;
   };
 
-  /// \a positive has one entry for each vertex of \a cell.
+  /// Computes the patch. \a positive has one entry for each vertex of \a cell.
   vtkIsotablePatch(const vtkIsotablePolytope& cell, const std::vector<bool>& positive);
 
   const vtkIsotablePolytope& GetCell() const { return this->Cell; }
@@ -41,29 +41,29 @@ public:
   const vtkIsotableHull& GetHull() const { return this->Hull; }
 
   /**
-   * The faces of a facet, one dimension less. In four dimensions, where a facet is a solid, its
-   * polygons are in cyclic order and seen counterclockwise from outside of the solid.
+   * Returns the faces of a facet, one dimension less. In four dimensions, where a facet is a solid,
+   * its polygons are in cyclic order and seen counterclockwise from outside of the solid.
    */
   std::vector<PointList> GetFaces(const Facet& facet) const;
 
   /**
-   * A facet in three dimensions as a polygon in cyclic order, seen counterclockwise from the
-   * negative side.
+   * Returns a facet in three dimensions as a polygon in cyclic order, seen counterclockwise from
+   * the negative side.
    */
   PointList GetPolygon(const Facet& facet) const;
 
-  /// The faces of any face of the hull, as sets of hull points.
+  /// Returns the faces of any face of the hull, as sets of hull points.
   std::vector<vtkIsotablePointSet> GetFacesOf(const vtkIsotablePointSet& face) const;
 
-  /// For each hull point the edge it stands for, or -1 for a positive vertex.
+  /// Returns for each hull point the edge it stands for, or -1 for a positive vertex.
   const std::vector<int>& GetEdgesOfHullPoints() const { return this->EdgeOfPoint; }
 
-  /// The edges that a set of hull points stands for.
+  /// Returns the edges that a set of hull points stands for.
   PointList GetEdges(const vtkIsotablePointSet& face) const;
 
   /**
-   * Whether the simplex of dimension d - 1 with these points has the orientation of the facet: the
-   * sign of det(p1 - p0, ..., outward). Zero never occurs for a simplex of the facet.
+   * Returns whether the simplex of dimension d - 1 with these points has the orientation of the
+   * facet: the sign of det(p1 - p0, ..., outward). Zero never occurs for a simplex of the facet.
    */
   bool IsPositive(const Facet& facet, const PointList& simplex) const;
 

@@ -175,7 +175,7 @@ private:
 
   vtkIsotablePieces& Made;
   const vtkIsotableHull& Hull;
-  /// For each hull point.
+  /// The slot of each hull point.
   std::vector<Slot> SlotOf;
   std::vector<Point> Places;
   /// The facets of the hull that meet a piece in its solids.

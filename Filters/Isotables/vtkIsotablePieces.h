@@ -28,8 +28,8 @@ public:
   /// The slots of a 4-simplex.
   using Simplex = std::array<Slot, 5>;
 
-  /// What a point of the pieces has in a cut: its place in the order, the least first, the name it
-  /// goes by in the simplices, and bits for the sides that it is on.
+  /// The properties of a point of the pieces in a cut: its place in the order, the least first, the
+  /// name it goes by in the simplices, and bits for the sides that it is on.
   struct Label
   {
     std::uint16_t Rank;
@@ -37,18 +37,18 @@ public:
     std::uint8_t Sides;
   };
 
-  /// For the patch of a lifted cell with that many vertices and edges before it was lifted, and
-  /// coordinates from -32 to 32.
+  /// Collects the pieces of the patch of a lifted cell with that many vertices and edges before it
+  /// was lifted, and coordinates from -32 to 32.
   vtkIsotablePieces(const vtkIsotablePatch& patch, int numberOfVertices, int numberOfEdges);
 
-  /// The slots in use, increasing.
+  /// Returns the slots in use, increasing.
   const std::vector<Slot>& GetSlots() const { return this->Slots; }
 
   /**
    * Calls visit(const Simplex&) for every simplex of the cut. \a labels has one entry for each slot
    * in use; ranks of different names must be distinct. Slots of one name are one point: they are
-   * made one before anything is cut, so that a piece without hypervolume leaves less; what is
-   * visited may still have a name twice. Simplices have the orientation of the patch (see
+   * made one before anything is cut, so that a piece without hypervolume leaves less; a visited
+   * simplex may still have a name twice. Simplices have the orientation of the patch (see
    * vtkIsotablePatch::IsPositive), or the opposite one if \a reverse.
    */
   template <typename Visitor>
@@ -103,7 +103,7 @@ public:
    * Cuts the solids whose points are all on one side as Pull() does. Calls solid(sides, points) for
    * each of their tetrahedra, outward as the face of a simplex of Pull() that leaves out its last
    * point, and polygon(sides, sidesOfPolygon, points) for the triangles around such a solid,
-   * outward from it. \a sides are those that all points of the solid are on.
+   * outward from it. \a sides are the sides that all points of the solid are on.
    */
   template <typename SolidVisitor, typename PolygonVisitor>
   void PullSides(
@@ -153,11 +153,11 @@ public:
     }
   }
 
-  /// Memory held, in bytes.
+  /// Returns the memory held, in bytes.
   std::size_t GetBytes() const;
 
 private:
-  // Where the lists of points, solids and polygons end; each begins at the end of the one before,
+  // The ends of the lists of points, solids and polygons; each begins at the end of the one before,
   // and the points of a face come before those of its own faces.
   struct Piece
   {

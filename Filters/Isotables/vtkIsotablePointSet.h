@@ -38,7 +38,7 @@ public:
     return number <= 0;
   }
 
-  /// The smallest member of a set that is not empty.
+  /// Returns the smallest member of a set that is not empty.
   int GetFirst() const
   {
     return this->Words[0] != 0 ? FindBit(this->Words[0]) : 64 + FindBit(this->Words[1]);
@@ -56,7 +56,7 @@ public:
     return result;
   }
 
-  /// The members that \a other lacks.
+  /// Returns the members that \a other lacks.
   vtkIsotablePointSet operator-(const vtkIsotablePointSet& other) const
   {
     vtkIsotablePointSet result;
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  // Sums of 2, 4, 8 bits side by side, then of all.
+  // Counts the bits by sums of 2, 4, 8 bits side by side, then of all.
   static int CountBits(std::uint64_t bits)
   {
     bits -= (bits >> 1) & 0x5555555555555555u;
@@ -94,7 +94,7 @@ private:
     return static_cast<int>((bits * 0x0101010101010101u) >> 56);
   }
 
-  // The lowest bit is as many places up as there are bits below it.
+  // Returns the place of the lowest bit, which is the number of bits below it.
   static int FindBit(std::uint64_t bits) { return CountBits((bits & -bits) - 1); }
 
   std::array<std::uint64_t, 2> Words{ { 0, 0 } };

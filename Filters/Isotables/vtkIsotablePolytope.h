@@ -12,12 +12,12 @@
  *
  * The cells that isotables are made for. Coordinates are even integers, so that the midpoint of an
  * edge is a lattice point too and every predicate is exact. The order of Edges is the order of the
- * points in the tables of the source.
+ * points in the tables of C. Zhang, dissertation, Ohio State 2006, section 3.3.
  *
  * Standard cells have the vertex order of their VTK cell; Cube has vertex i at coordinate
  * 2 * ((i >> k) & 1) along axis k (the order of VTK_VOXEL).
  *
- * Valid range of a coordinate: -128 to 128. At most 32 vertices and 96 edges.
+ * The valid range of a coordinate is -128 to 128. A cell has at most 32 vertices and 96 edges.
  */
 class INTERLUMEISOTABLES_EXPORT vtkIsotablePolytope
 {
@@ -30,13 +30,13 @@ public:
 
   int Dimension = 0;
   std::vector<Point> Vertices;
-  /// Pairs of vertex indices.
+  /// The edges as pairs of vertex indices.
   std::vector<std::array<int, 2>> Edges;
 
   ///@{
   /**
-   * The cells of VTK. Edges of the cube in the order lower, vertical, upper along the last axis,
-   * recursively; of the simplex in lexicographic order.
+   * Make the cells of VTK. The edges of the cube are in the order lower, vertical, upper along the
+   * last axis, recursively; those of the simplex are in lexicographic order.
    */
   static vtkIsotablePolytope Simplex(int dimension);
   static vtkIsotablePolytope Cube(int dimension);
@@ -46,19 +46,19 @@ public:
   ///@}
 
   /**
-   * Any convex polytope from its vertices; its edges are found, in lexicographic order. Returns a
-   * polytope without vertices when a point is not a vertex of the hull, a coordinate is odd or out
-   * of range, or there are too many points.
+   * Makes any convex polytope from its vertices, and finds its edges, in lexicographic order.
+   * Returns a polytope without vertices when a point is not a vertex of the hull, a coordinate is
+   * odd or out of range, or there are too many points.
    */
   static vtkIsotablePolytope FromVertices(int dimension, const std::vector<Point>& vertices);
 
   /**
-   * The prism over this polytope, one dimension more: vertex i at 0, vertex i + n at 2 along the
-   * new axis. Edges: those at 0, those at 2, then the vertical ones.
+   * Returns the prism over this polytope, which has one dimension more: vertex i at 0, vertex i + n
+   * at 2 along the new axis. Its edges are those at 0, those at 2, then the vertical ones.
    */
   vtkIsotablePolytope Prism() const;
 
-  /// The midpoint of an edge.
+  /// Returns the midpoint of an edge.
   Point Midpoint(int edge) const;
 };
 

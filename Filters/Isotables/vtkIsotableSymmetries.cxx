@@ -15,7 +15,8 @@ using namespace interlume::IsotableAlgebra;
 using Slot = vtkIsotableSymmetries::Slot;
 using Permutation = std::vector<int>;
 
-// The automorphisms of the graph of vertices and edges, by backtracking, in lexicographic order.
+// Finds the automorphisms of the graph of vertices and edges, by backtracking, in lexicographic
+// order.
 class Automorphisms
 {
 public:
@@ -39,7 +40,7 @@ public:
   std::vector<Permutation> Found;
 
 private:
-  // free: the vertices that are no images yet.
+  // Extends the images by one vertex; \a free are the vertices that are no images yet.
   void Extend(const vtkIsotablePointSet& free)
   {
     const int vertex = static_cast<int>(this->Images.size());
@@ -125,7 +126,8 @@ public:
   }
 
 private:
-  // Determinant of the images of the base, with the image of \a v in the place of one of them.
+  // Returns the determinant of the images of the base, with the image of \a v in the place of one
+  // of them.
   std::int64_t GetVolume(const Permutation& images, int replaced, int v) const
   {
     Normal rows[MaximumDimension];
@@ -169,7 +171,7 @@ private:
   std::vector<int> Edges;
 };
 
-// Where vertices, lower and upper crossings go.
+// Returns the slots that vertices, lower and upper crossings are moved to.
 std::vector<Slot> MoveSlots(
   const vtkIsotablePolytope& cell, const EdgeTable& edges, const Permutation& images)
 {
@@ -204,7 +206,7 @@ void vtkIsotableSymmetries::FillMovedKeys(int numberOfVertices)
 {
   const std::size_t number = this->Symmetries.size();
   this->NumberOfGroups = (numberOfVertices + GroupSize - 1) / GroupSize;
-  // For each vertex and symmetry what the vertex's digit weighs after the inverse.
+  // The weight that each vertex's digit has after the inverse of each symmetry.
   std::vector<std::uint32_t> weights(this->NumberOfGroups * GroupSize * number, 0);
   std::uint32_t power = 1;
   for (int v = 0; v < numberOfVertices; ++v, power *= 3)
@@ -220,7 +222,7 @@ void vtkIsotableSymmetries::FillMovedKeys(int numberOfVertices)
     std::uint32_t* shares = this->MovedKeys.data() + group * GroupCases * number;
     for (int value = 1; value < GroupCases; ++value)
     {
-      // One more than a smaller value in its lowest digit.
+      // The value is one more than a smaller one in its lowest digit.
       int digit = group * GroupSize;
       int one = 1;
       for (; value / one % 3 == 0; one *= 3)
@@ -247,7 +249,7 @@ vtkIsotableSymmetries::Origin vtkIsotableSymmetries::FindOrigin(std::uint32_t ke
       moved[s] += shares[s];
     }
   }
-  // Two loops, of which the compiler makes vector instructions.
+  // There are two loops, of which the compiler makes vector instructions.
   std::uint32_t smallest = moved[0];
   for (const std::uint32_t other : moved)
   {

@@ -18,7 +18,7 @@
  * the pyramid. Cases that one of them takes into each other are of one kind, and the smallest of
  * their keys stands for it.
  *
- * For cells with at most 16 vertices. Slots are those of vtkIsotableOrder.
+ * A cell has at most 16 vertices. Slots are those of vtkIsotableOrder.
  */
 class INTERLUMEISOTABLES_EXPORT vtkIsotableSymmetries
 {
@@ -27,13 +27,13 @@ public:
 
   struct Symmetry
   {
-    /// Where each slot goes; the first are the vertices.
+    /// The slot that each slot is moved to; the first are the vertices.
     std::vector<Slot> Slots;
-    /// Whether it is a reflection.
+    /// Whether the symmetry is a reflection.
     bool Reverses;
   };
 
-  /// The case of a key is that of the smallest key moved by a symmetry.
+  /// The smallest key of a kind, and the symmetry that moves its case to the case of a key.
   struct Origin
   {
     std::uint32_t Key;
@@ -42,14 +42,14 @@ public:
 
   explicit vtkIsotableSymmetries(const vtkIsotablePolytope& cell);
 
-  /// The identity is the first.
+  /// Returns the symmetries, the identity first.
   const std::vector<Symmetry>& Get() const { return this->Symmetries; }
 
-  /// The smallest key of the kind of \a key; of several symmetries the first.
+  /// Returns the smallest key of the kind of \a key, with the first of several symmetries.
   Origin FindOrigin(std::uint32_t key) const;
 
 private:
-  // A key is taken apart into groups of four digits.
+  // The number of digits in each of the groups that a key is taken apart into.
   static constexpr int GroupSize = 4;
   static constexpr int GroupCases = 81;
 
@@ -57,8 +57,8 @@ private:
 
   std::vector<Symmetry> Symmetries;
   int NumberOfGroups = 0;
-  /// For each group, each of its values and each symmetry, the group's share in the key that the
-  /// symmetry's inverse makes.
+  /// The moved keys: for each group, each of its values and each symmetry, the group's share in the
+  /// key that the symmetry's inverse makes.
   std::vector<std::uint32_t> MovedKeys;
 };
 

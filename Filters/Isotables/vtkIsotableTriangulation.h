@@ -10,10 +10,10 @@
  * @class   vtkIsotableTriangulation
  * @brief   cuts the facets of a patch into simplices in a given order of the points
  *
- * Both ways depend on a face only through the order of its own points, so that two cells which
+ * Both methods depend on a face only through the order of its own points, so that two cells which
  * order the points of their common face alike cut it alike.
  * - Placing: points are added in order; each is joined to the faces of the simplices so far that it
- *   sees (a coplanar one is not seen). What the source does.
+ *   sees (a coplanar one is not seen), as in C. Zhang, dissertation, Ohio State 2006, section 3.3.
  * - Pulling: a face is coned from its first point over its faces that do not hold that point.
  *
  * Every simplex has the orientation of its facet. \a rank has one entry for each edge of

@@ -17,7 +17,7 @@ struct MeshingJob;
  * @class   vtkTetrahedralMesher
  * @brief   tetrahedra of closed surfaces, of point sets, and of the cells of a grid, by TetGen
  *
- * What the input has decides what is made:
+ * The mesh that is made depends on the cells of the input:
  *
  * - Cells of three dimensions (a vtkUnstructuredGrid with polyhedra, any other grid): every cell is
  *   decomposed. Polyhedra may be concave and their faces may be concave or not planar. The mesh is
@@ -25,8 +25,8 @@ struct MeshingJob;
  *   cells agree on the face they share, whatever their types, and no face or edge gets a new point.
  *   (The order of the points is that of the point data's global ids where there are some, else of
  *   the point ids.) A cell that is not convex may get new points inside. The bounds below do not
- *   apply. Taken are tetrahedra, voxels, hexahedra, wedges, pyramids, pentagonal and hexagonal
- * prisms and polyhedra; other cells, ghosts and hidden cells are left out and counted in
+ *   apply. Tetrahedra, voxels, hexahedra, wedges, pyramids, pentagonal and hexagonal prisms and
+ * polyhedra are taken; other cells, ghosts and hidden cells are left out and counted in
  * GetReport().
  * - Polygons, and no such cells (vtkPolyData; triangles, quads, polygons, pixels and strips): the
  *   space within the closed surface is filled. Several shells may lie beside and within each other;
@@ -79,11 +79,11 @@ public:
   ///@{
   /**
    * The largest ratio of a tetrahedron's circumscribed radius to its shortest edge, for surfaces
-   * and point sets. 0: no bound, and no new point but what the surface needs. Smaller is better
-   * shaped; a regular tetrahedron has 0.612. Held where no angle between edges or faces of the
-   * surface is below some 60 degrees, and best from 1.2 on; elsewhere a warning counts what exceeds
-   * it, or TetGen does not end, see TimeLimit. Default 0; valid 0, and 1 to 1000 (less than 1
-   * becomes 1).
+   * and point sets. 0: no bound, and no new point but those that the surface needs. Smaller is
+   * better shaped; a regular tetrahedron has 0.612. The bound is held where no angle between edges
+   * or faces of the surface is below some 60 degrees, and best from 1.2 on; elsewhere a warning
+   * counts what exceeds it, or TetGen does not end, see TimeLimit. Default 0; valid 0, and 1 to
+   * 1000 (less than 1 becomes 1).
    */
   void SetQualityBound(double bound);
   vtkGetMacro(QualityBound, double);
@@ -92,8 +92,8 @@ public:
   ///@{
   /**
    * The dihedral angle, in degrees, that TetGen tries to reach in every tetrahedron, on top of
-   * QualityBound; without that it does not apply. It is a wish, not a bound. Default 0; valid 0
-   * to 30.
+   * QualityBound; without that it does not apply. It may be missed, unlike a bound. Default 0;
+   * valid 0 to 30.
    */
   vtkSetClampMacro(MinimumDihedralAngle, double, 0.0, 30.0);
   vtkGetMacro(MinimumDihedralAngle, double);
@@ -111,9 +111,9 @@ public:
 
   ///@{
   /**
-   * The most points that a bound may add: what ends a refinement that would not. Default 2000000;
-   * valid 0 to 100000000. (A tetrahedron mesh has five to six times as many tetrahedra as points;
-   * TetGen needs about a kilobyte a point.)
+   * The largest number of points that a bound may add, which ends a refinement that would not end
+   * otherwise. Default 2000000; valid 0 to 100000000. (A tetrahedron mesh has five to six times as
+   * many tetrahedra as points; TetGen needs about a kilobyte a point.)
    */
   vtkSetClampMacro(MaximumNumberOfAddedPoints, int, 0, 100000000);
   vtkGetMacro(MaximumNumberOfAddedPoints, int);
@@ -121,9 +121,9 @@ public:
 
   ///@{
   /**
-   * Whether the triangles of a surface, or the convex hull of a point set, stay as they are. Then
-   * the bounds cannot be held near it. Off, they may be divided; their shape does not change.
-   * Default off.
+   * Whether the triangles of a surface, or of the convex hull of a point set, stay as they are.
+   * Then the bounds cannot be held near them. Off, they may be divided; their shape does not
+   * change. Default off.
    */
   vtkSetMacro(PreserveBoundary, bool);
   vtkGetMacro(PreserveBoundary, bool);
@@ -132,11 +132,11 @@ public:
 
   ///@{
   /**
-   * What a shell within a shell means. Off: it bounds a cavity, a shell within that a solid again,
-   * and so on; the orientation of the polygons does not matter. On: everything within is filled. In
-   * both cases each region between the shells has its own `RegionId`, counted from 0 in the order
-   * of the first input cell that bounds the region, of two with the same cell the outer one first.
-   * Default off.
+   * Whether shells within a shell are filled too. Off: a shell within a shell bounds a cavity, a
+   * shell within that a solid again, and so on; the orientation of the polygons does not matter.
+   * On: everything within is filled. In both cases each region between the shells has its own
+   * `RegionId`, counted from 0 in the order of the first input cell that bounds the region, of two
+   * with the same cell the outer one first. Default off.
    */
   vtkSetMacro(FillNestedShells, bool);
   vtkGetMacro(FillNestedShells, bool);
@@ -171,7 +171,7 @@ public:
   ///@}
 
   /**
-   * What the last execution did.
+   * Returns what the last execution did.
    */
   const vtkTetrahedralMesherReport& GetReport() const { return this->Report; }
 
@@ -188,8 +188,8 @@ protected:
   void TakeOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output);
   void Warn();
   ///@{
-  /// Around an execution, over one dataset or over all: the pipeline sends a pair of events for
-  /// each dataset of a composite input, within a pair for the whole.
+  /// Begins and ends an execution, over one dataset or over all: the pipeline sends a pair of
+  /// events for each dataset of a composite input, within a pair for the whole.
   void BeginExecution();
   void WarnIfEmpty();
   ///@}

@@ -9,39 +9,43 @@
  * @class   vtkTetrahedralMesherReport
  * @brief   what the last execution of vtkTetrahedralMesher did
  *
- * A plain value object. Every number is 0 before the first execution and where it does not apply.
+ * This is a plain value object. Every number is 0 before the first execution and where it does not
+ * apply.
  *
  * @sa vtkTetrahedralMesher
  */
 struct INTERLUMEMESHING_EXPORT vtkTetrahedralMesherReport
 {
-  /// Three-dimensional cells of the input that were decomposed, and of these: those that TetGen
-  /// decomposed, and those that were coned from a new point inside. The others needed no new point.
+  /// The numbers of three-dimensional cells of the input that were decomposed, of those among them
+  /// that TetGen decomposed, and of those that were coned from a new point inside. The others
+  /// needed no new point.
   vtkIdType Cells = 0;
   vtkIdType CellsByTetGen = 0;
   vtkIdType CellsConed = 0;
-  /// Cells left out: of fewer dimensions beside three-dimensional ones, ghosts and hidden cells.
+  /// The number of cells left out: of fewer dimensions beside three-dimensional ones, ghosts and
+  /// hidden cells.
   vtkIdType CellsLeftOut = 0;
-  /// Cells left out because they are not linear.
+  /// The number of cells left out because they are not linear.
   vtkIdType UnsupportedCells = 0;
-  /// Triangles of the input surface.
+  /// The number of triangles of the input surface.
   vtkIdType SurfaceTriangles = 0;
-  /// Points of a surface or point set left out because another one is in the same place.
+  /// The number of points of a surface or point set left out because another one is in the same
+  /// place.
   vtkIdType MergedPoints = 0;
-  /// Points of the output that the input does not have.
+  /// The number of points of the output that the input does not have.
   vtkIdType AddedPoints = 0;
-  /// Values of the cell array RegionId.
+  /// The number of values of the cell array RegionId.
   vtkIdType Regions = 0;
-  /// Tetrahedra of the output, and of these: those beyond a bound that was set.
+  /// The numbers of tetrahedra of the output, and of those among them beyond a bound that was set.
   vtkIdType Tetrahedra = 0;
   vtkIdType TetrahedraAboveQualityBound = 0;
   vtkIdType TetrahedraAboveMaximumVolume = 0;
-  /// The largest ratio of circumscribed radius to shortest edge.
+  /// The largest ratio of circumscribed radius to shortest edge of a tetrahedron.
   double LargestRadiusEdgeRatio = 0.0;
-  /// The smallest and largest volume, in cubes of the unit of length.
+  /// The smallest and largest volume of a tetrahedron, in cubes of the unit of length.
   double SmallestVolume = 0.0;
   double LargestVolume = 0.0;
-  /// How many times a worker process was asked.
+  /// The number of times that a worker process was asked.
   vtkIdType TetGenCalls = 0;
 
   void Print(ostream& os, vtkIndent indent) const;

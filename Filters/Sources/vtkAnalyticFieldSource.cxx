@@ -12,7 +12,7 @@ namespace
 {
 constexpr double Limit = 1e6;
 
-// base + rate * time
+// Returns base + rate * time.
 interlume::ElementaryFields::Vector Advance(const double base[3], const double rate[3], double time)
 {
   return { { base[0] + rate[0] * time, base[1] + rate[1] * time, base[2] + rate[2] * time } };

@@ -10,18 +10,18 @@
  *
  * The fields f(x,t), x = (x,y,z) in units of length:
  *
- * - WAVE: f = z - 0.4 cos(pi (x + y/4 - t/2)). A travelling wave; the sheet -0.15 <= f <= 0.15
- * moves a quarter of its wavelength in a unit of time. The region l <= f <= u has u - l of every
- * column within the bounds. It stands for the test function of C. Zhang, dissertation, Ohio State
- * 2006, figure 3.20: bounds -2 to 2, -1 to 1, -1 to 1, 40 x 20 x 20 points, times 0 and 1.
+ * - WAVE: f = z - 0.4 cos(pi (x + y/4 - t/2)). This is a travelling wave; the sheet -0.15 <= f <=
+ * 0.15 moves a quarter of its wavelength in a unit of time. The region l <= f <= u has u - l of
+ * every column within the bounds. It stands for the test function of C. Zhang, dissertation, Ohio
+ * State 2006, figure 3.20: bounds -2 to 2, -1 to 1, -1 to 1, 40 x 20 x 20 points, times 0 and 1.
  * - VORTEX: the sum of eleven vortex tubes, each
  *     S(t) exp(-d^2 / r^2) exp(-(s/h)^4),  S(t) = exp(-((t-p)/q)^2),
  *   where s is the coordinate along the tube's straight line through c + v t and d the distance, to
  *   first order in curvature, from the axis
  *     B sin(k s + a + w t) e1 + (B/2) cos(1.6 (k s + a + w t)) e2
- *   around that line; e1, e2 are vtkMath::Perpendiculars of its direction at angle 0. A stand-in
- * for the vorticity magnitude of turbulence (ibid., figures 3.23 and 3.25), for bounds -1 to 1 and
- *   times 0 to 2; the constants are in the table of interlume::VortexTubes.cxx. On 128^3 points the
+ *   around that line; e1, e2 are vtkMath::Perpendiculars of its direction at angle 0. It stands for
+ * the vorticity magnitude of turbulence (ibid., figures 3.23 and 3.25), for bounds -1 to 1 and
+ *   times 0 to 2; the constants are in the table of Vortices/VortexTubes.cxx. On 128^3 points the
  * interval 0.5 to 0.8 gives 78,000, 62,000 and 72,000 tetrahedra at times 0, 1 and 2. Six tubes
  * stay, three fade, two appear. In a unit of time they go four points, of five across a tube.
  * - LINEAR: f = Constant + Gradient . x + Rate t.
@@ -49,12 +49,12 @@ public:
     NUMBER_OF_FIELDS = 5
   };
 
-  /// The field's name in small letters; null for a number that is none.
+  /// Returns the field's name in small letters; null for a number that is not a field.
   static const char* GetFieldName(int field);
 
   ///@{
   /**
-   * Which field. Default VORTEX. Valid: see Fields; clamped.
+   * The field that is computed. Default VORTEX. Valid: see Fields; clamped.
    */
   vtkSetClampMacro(Field, int, WAVE, GYROID);
   vtkGetMacro(Field, int);
@@ -67,9 +67,9 @@ public:
 
   ///@{
   /**
-   * Coefficients of LINEAR: the value at the origin at time 0, the gradient per unit of length, the
-   * rate per unit of time. Default 0, (1, 0, 0), 1. These and the values below are valid from -1e6
-   * to 1e6 and clamped; NaN changes nothing.
+   * The coefficients of LINEAR: the value at the origin at time 0, the gradient per unit of length,
+   * the rate per unit of time. Default 0, (1, 0, 0), 1. These and the values below are valid from
+   * -1e6 to 1e6 and clamped; NaN changes nothing.
    */
   void SetConstant(double value) { this->SetNumber(this->Constant, value); }
   vtkGetMacro(Constant, double);
@@ -81,8 +81,8 @@ public:
 
   ///@{
   /**
-   * Where BALL and GYROID are at time 0, and their velocity in units of length per unit of time.
-   * Default (0, 0, 0), (0.1, 0, 0).
+   * The positions of BALL and GYROID at time 0, and their velocity in units of length per unit of
+   * time. Default (0, 0, 0), (0.1, 0, 0).
    */
   void SetCenter(double x, double y, double z) { this->SetVector(this->Center, x, y, z); }
   vtkGetVector3Macro(Center, double);
@@ -92,8 +92,8 @@ public:
 
   ///@{
   /**
-   * The radius of BALL at time 0 in units of length, and by how much it grows in a unit of time; a
-   * negative radius is a field that is positive everywhere. Default 0.4, 0.1.
+   * The radius of BALL at time 0 in units of length, and its growth in a unit of time; a negative
+   * radius is a field that is positive everywhere. Default 0.4, 0.1.
    */
   void SetRadius(double value) { this->SetNumber(this->Radius, value); }
   vtkGetMacro(Radius, double);

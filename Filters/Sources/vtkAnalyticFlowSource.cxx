@@ -40,7 +40,8 @@ Vector Scale(const Vector& v, double factor)
   return { { factor * v[0], factor * v[1], factor * v[2] } };
 }
 
-// Sums of squares of numbers up to the limit are finite, but those of very small ones may be 0.
+// Returns the direction of a vector. Sums of squares of numbers up to the limit are finite, but
+// those of very small ones may be 0.
 Vector GetDirection(const double v[3])
 {
   const double largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
@@ -48,7 +49,7 @@ Vector GetDirection(const double v[3])
   return Scale(scaled, 1.0 / std::sqrt(interlume::ElementaryFlows::SquaredLength(scaled.data())));
 }
 
-// The parts of a vector along a direction and across it.
+// Return the parts of a vector along a direction and across it.
 Vector GetPartAlong(const Vector& direction, const double v[3])
 {
   return Scale(direction, interlume::ElementaryFlows::Dot(direction, v));

@@ -79,24 +79,24 @@ public:
 
   enum Insides
   {
-    /// Velocity 0.
+    /// The velocity is 0.
     ZERO = 0,
-    /// Velocity NaN.
+    /// The velocity is NaN.
     NOT_A_NUMBER = 1,
-    /// Velocity 0, and the points hidden: the output has an array vtkGhostType.
+    /// The velocity is 0, and the points are hidden: the output has an array vtkGhostType.
     HIDDEN = 2,
     NUMBER_OF_INSIDES = 3
   };
 
   ///@{
-  /// The name in small letters; null for a number that is none.
+  /// Returns the name of a field in small letters; null for a number that is not a field.
   static const char* GetFieldName(int field);
   static const char* GetInsideName(int inside);
   ///@}
 
   ///@{
   /**
-   * Which field. Default HURRICANE. Valid: see Fields; clamped.
+   * The field that is computed. Default HURRICANE. Valid: see Fields; clamped.
    */
   vtkSetClampMacro(Field, int, UNIFORM, TORNADO);
   vtkGetMacro(Field, int);
@@ -104,24 +104,24 @@ public:
 
   ///@{
   /**
-   * Type of the array: VTK_FLOAT or VTK_DOUBLE; anything else is taken as double. Default
+   * The type of the array: VTK_FLOAT or VTK_DOUBLE; anything else is taken as double. Default
    * VTK_DOUBLE.
    */
   void SetOutputScalarType(int type);
   vtkGetMacro(OutputScalarType, int);
   ///@}
 
-  /// The velocity at any point.
+  /// Computes the velocity at any point.
   void Evaluate(const double x[3], double velocity[3]) const;
 
-  /// Its derivatives, dv[i]/dx[j] at [3 i + j], exact to rounding. At the edge of a core those
-  /// outside of it.
+  /// Computes the derivatives of the velocity, dv[i]/dx[j] at [3 i + j], exact to rounding. At the
+  /// edge of a core they are those outside of it.
   void EvaluateJacobian(const double x[3], double jacobian[9]) const;
 
   ///@{
   /**
-   * Where a field's centre is. Default (0, 0, 0). This and all values below: NaN changes nothing,
-   * other values are clamped, to -1e12 ... 1e12 where nothing else is said.
+   * The centre of a field. Default (0, 0, 0). For this and all values below, NaN changes nothing,
+   * and other values are clamped, to -1e12 ... 1e12 where nothing else is said.
    */
   void SetCenter(double x, double y, double z) { this->SetVector(this->Center, x, y, z); }
   vtkGetVector3Macro(Center, double);
@@ -129,7 +129,8 @@ public:
 
   ///@{
   /**
-   * Velocity of UNIFORM, far from SPHERE and CYLINDER, and on one side of SHEAR. Default (1, 0, 0).
+   * The velocity of UNIFORM, far from SPHERE and CYLINDER, and on one side of SHEAR. Default (1, 0,
+   * 0).
    */
   void SetVelocity(double x, double y, double z) { this->SetVector(this->Velocity, x, y, z); }
   vtkGetVector3Macro(Velocity, double);
@@ -137,8 +138,8 @@ public:
 
   ///@{
   /**
-   * Axis of ROTATION, of NODE's swirl, of CYLINDER, and SHEAR's normal; its length does not matter.
-   * Default (0, 0, 1). Valid: finite and not 0; else an error, and nothing changes.
+   * The axis of ROTATION, of NODE's swirl, of CYLINDER, and SHEAR's normal; its length does not
+   * matter. Default (0, 0, 1). Valid: finite and not 0; else an error, and nothing changes.
    */
   void SetAxis(double x, double y, double z);
   vtkGetVector3Macro(Axis, double);
@@ -146,7 +147,7 @@ public:
 
   ///@{
   /**
-   * Radians in a unit of time, of ROTATION. Default 1.
+   * The angular velocity of ROTATION, in radians in a unit of time. Default 1.
    */
   void SetAngularVelocity(double value) { this->SetNumber(this->AngularVelocity, value); }
   vtkGetMacro(AngularVelocity, double);
@@ -154,7 +155,7 @@ public:
 
   ///@{
   /**
-   * Of SADDLE, one over units of time. Default (1, 1, -2).
+   * The rates of SADDLE, in one over units of time. Default (1, 1, -2).
    */
   void SetSaddleRates(double x, double y, double z) { this->SetVector(this->SaddleRates, x, y, z); }
   vtkGetVector3Macro(SaddleRates, double);
@@ -162,8 +163,8 @@ public:
 
   ///@{
   /**
-   * Of NODE, one over units of time, and its rotation in radians in a unit of time. Default (1, 1,
-   * 1), 0.
+   * The rates of NODE, in one over units of time, and its rotation in radians in a unit of time.
+   * Default (1, 1, 1), 0.
    */
   void SetNodeRates(double x, double y, double z) { this->SetVector(this->NodeRates, x, y, z); }
   vtkGetVector3Macro(NodeRates, double);
@@ -173,7 +174,7 @@ public:
 
   ///@{
   /**
-   * Of SOURCE_SINK and COUPLED_CHARGE: the strength of the source, and the way from it to the sink.
+   * The strength of the source of SOURCE_SINK and COUPLED_CHARGE, and the way from it to the sink.
    * Default 1, (1, 0, 0).
    */
   void SetStrength(double value) { this->SetNumber(this->Strength, value); }
@@ -184,7 +185,8 @@ public:
 
   ///@{
   /**
-   * Of the cores of SOURCE_SINK, COUPLED_CHARGE and TORNADO. Default 0.1. Valid: 1e-12 to 1e12.
+   * The radius of the cores of SOURCE_SINK, COUPLED_CHARGE and TORNADO. Default 0.1. Valid: 1e-12
+   * to 1e12.
    */
   void SetCoreRadius(double value) { this->SetLength(this->CoreRadius, value); }
   vtkGetMacro(CoreRadius, double);
@@ -192,7 +194,7 @@ public:
 
   ///@{
   /**
-   * Of SPHERE and CYLINDER. Default 0.25. Valid: 1e-12 to 1e12.
+   * The radius of SPHERE and CYLINDER. Default 0.25. Valid: 1e-12 to 1e12.
    */
   void SetRadius(double value) { this->SetLength(this->Radius, value); }
   vtkGetMacro(Radius, double);
@@ -200,7 +202,7 @@ public:
 
   ///@{
   /**
-   * What is inside SPHERE and CYLINDER. Default ZERO. Valid: see Insides; clamped.
+   * What points inside SPHERE and CYLINDER get. Default ZERO. Valid: see Insides; clamped.
    */
   vtkSetClampMacro(Inside, int, ZERO, HIDDEN);
   vtkGetMacro(Inside, int);
@@ -208,7 +210,7 @@ public:
 
   ///@{
   /**
-   * What CYLINDER adds along its axis. Default 0.1.
+   * The velocity that CYLINDER adds along its axis. Default 0.1.
    */
   void SetSpanwiseVelocity(double value) { this->SetNumber(this->SpanwiseVelocity, value); }
   vtkGetMacro(SpanwiseVelocity, double);
@@ -216,8 +218,8 @@ public:
 
   ///@{
   /**
-   * A, B, C of ABC, and its period in units of length. Default (1, 1, 1), 2. Valid period: 1e-12
-   * to 1e12.
+   * The amplitudes A, B, C of ABC, and its period in units of length. Default (1, 1, 1), 2. Valid
+   * period: 1e-12 to 1e12.
    */
   void SetAmplitudes(double a, double b, double c) { this->SetVector(this->Amplitudes, a, b, c); }
   vtkGetVector3Macro(Amplitudes, double);
@@ -227,7 +229,7 @@ public:
 
   ///@{
   /**
-   * Of SHEAR's layer. Default 0.1. Valid: 1e-12 to 1e12.
+   * The thickness of SHEAR's layer. Default 0.1. Valid: 1e-12 to 1e12.
    */
   void SetThickness(double value) { this->SetLength(this->Thickness, value); }
   vtkGetMacro(Thickness, double);
@@ -235,9 +237,9 @@ public:
 
   ///@{
   /**
-   * Of HURRICANE and TORNADO: from the ground to the top, how far the axis leans in x and y from
-   * there to there, and how far it bends aside in the middle. Default 2, (0.2, 0.1), (0.1, -0.05).
-   * Valid height: 1e-12 to 1e12.
+   * The height of HURRICANE and TORNADO from the ground to the top, how far their axis leans in x
+   * and y over that height, and how far it bends aside in the middle. Default 2, (0.2, 0.1), (0.1,
+   * -0.05). Valid height: 1e-12 to 1e12.
    */
   void SetHeight(double value) { this->SetLength(this->Height, value); }
   vtkGetMacro(Height, double);
@@ -249,8 +251,8 @@ public:
 
   ///@{
   /**
-   * Of HURRICANE: the largest swirl, the radius where it is, the largest rise. Default 1, 0.2, 0.3.
-   * Valid radius: 1e-12 to 1e12.
+   * The largest swirl of HURRICANE, the radius where it is, and the largest rise. Default 1, 0.2,
+   * 0.3. Valid radius: 1e-12 to 1e12.
    */
   void SetMaximumWind(double value) { this->SetNumber(this->MaximumWind, value); }
   vtkGetMacro(MaximumWind, double);
@@ -262,7 +264,7 @@ public:
 
   ///@{
   /**
-   * Of TORNADO. Default 1, 0.5.
+   * The circulation and the strain of TORNADO. Default 1, 0.5.
    */
   void SetCirculation(double value) { this->SetNumber(this->Circulation, value); }
   vtkGetMacro(Circulation, double);

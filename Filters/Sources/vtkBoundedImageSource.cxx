@@ -44,7 +44,7 @@ void vtkBoundedImageSource::SetWholeExtent(const int extent[6])
 
 void vtkBoundedImageSource::SetDimensions(int x, int y, int z)
 {
-  // Clamped first, since the least integer less one is none.
+  // Numbers are clamped first, since the least integer less one is none.
   this->SetWholeExtent(0, std::max(x, 1) - 1, 0, std::max(y, 1) - 1, 0, std::max(z, 1) - 1);
 }
 

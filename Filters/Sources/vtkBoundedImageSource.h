@@ -55,7 +55,7 @@ protected:
   /// Tells the pipeline where the image is, and that any part of it can be made.
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Places the point of index 0 and the distance of points.
+  /// Computes the position of the point of index 0 and the distance of points.
   void GetLattice(double origin[3], double spacing[3]) const;
 
   /// Gives an image the extent, and the lattice's origin and spacing.

@@ -9,8 +9,8 @@
  * @class   vtkConstructiveModelSource
  * @brief   samples one of the named models of constructive volume geometry
  *
- * The root, the bounds and the dimensions follow from the model and the resolution when either is
- * set, the margin being a twentieth of the longest side.
+ * The root object, the bounds and the dimensions follow from the model and the resolution when
+ * either is set, the margin being a twentieth of the longest side.
  *
  * @sa vtkConstructiveModels
  */
@@ -23,7 +23,7 @@ public:
 
   ///@{
   /**
-   * Which model. Default ROBOT. Valid: see vtkConstructiveModels::Models; clamped.
+   * The model that is sampled. Default ROBOT. Valid: see vtkConstructiveModels::Models; clamped.
    */
   void SetModel(int model);
   vtkGetMacro(Model, int);
@@ -31,7 +31,7 @@ public:
 
   ///@{
   /**
-   * Number of points of the longest side. Default 128. Valid: 2 to 2048; clamped.
+   * The number of points of the longest side. Default 128. Valid: 2 to 2048; clamped.
    */
   void SetResolution(int resolution);
   vtkGetMacro(Resolution, int);

@@ -38,7 +38,7 @@ Primitive MakeSphere(const Vector& center, double radius, const Vector& color)
   return sphere;
 }
 
-// From its lower to its upper corner.
+// Makes a box from its lower to its upper corner.
 Primitive MakeBox(const Vector& lower, const Vector& upper, const Vector& color)
 {
   Primitive box = MakePrimitive(vtkSpatialPrimitive::BOX,
@@ -48,7 +48,7 @@ Primitive MakeBox(const Vector& lower, const Vector& upper, const Vector& color)
   return box;
 }
 
-// With half axes, and an edge as a share of them.
+// Makes an ellipsoid from its half axes, with an edge as a share of them.
 Primitive MakeEllipsoid(
   const Vector& center, const Vector& halfAxes, double edge, const Vector& color)
 {
@@ -61,7 +61,7 @@ Primitive MakeEllipsoid(
   return sphere;
 }
 
-// Four, under a rectangle around the z axis, from the floor up.
+// Adds four legs, under a rectangle around the z axis, from the floor up.
 void AddLegs(vtkSpatialOperation* parts, double halfX, double halfY, double width, double height)
 {
   for (double x : { -halfX, halfX - width })

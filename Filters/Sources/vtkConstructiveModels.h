@@ -8,11 +8,12 @@ class vtkSpatialObject;
 
 /**
  * @class   vtkConstructiveModels
- * @brief   named models of constructive volume geometry, in the spirit of the source's figures
+ * @brief   named models of constructive volume geometry, in the spirit of the dissertation's
+ * figures
  *
- * C. Zhang, dissertation, Ohio State 2006, section 2.3. Units of length are those of the model, z
- * is up. What stands on a floor stands on z = 0. Every call makes a new object, of the class
- * vtkSpatialOperation unless another is told.
+ * The figures are those of C. Zhang, dissertation, Ohio State 2006, chapter 2. Units of length are
+ * those of the model, z is up. Models that stand on a floor stand on z = 0. Every call makes a new
+ * object, of the class vtkSpatialOperation unless another is told.
  *
  * @sa vtkConstructiveModelSource
  */
@@ -33,66 +34,67 @@ public:
     NUMBER_OF_MODELS = 9
   };
 
-  /// The model's name in small letters; null for a number that is none.
+  /// Returns the model's name in small letters; null for a number that is not a model.
   static const char* GetModelName(int model);
 
-  /// The model of a number; null for a number that is none.
+  /// Makes the model of a number; returns null for a number that is not a model.
   static vtkSmartPointer<vtkSpatialObject> Make(int model);
 
   /**
-   * The sphere of equation 2.7 (figure 2.5), a vtkSpatialPrimitive: outer radius 0.5, inner radius
-   * 0.2, around the origin.
+   * Makes the sphere of equation 2.7 (figure 2.5), a vtkSpatialPrimitive: outer radius 0.5, inner
+   * radius 0.2, around the origin.
    */
   static vtkSmartPointer<vtkSpatialObject> MakeFuzzySphere();
 
   /**
-   * Figure 2.6: the union of two cubes, head and body of sides 0.28 and 0.5, and two boxes, the
-   * legs, 0.16 x 0.2 x 0.45. Its front is -y. Bounds -0.25 to 0.25, -0.25 to 0.25, 0 to 1.23.
+   * Makes the robot of figure 2.6: the union of two cubes, head and body of sides 0.28 and 0.5, and
+   * two boxes, the legs, 0.16 x 0.2 x 0.45. Its front is -y. Bounds -0.25 to 0.25, -0.25 to 0.25, 0
+   * to 1.23.
    */
   static vtkSmartPointer<vtkSpatialObject> MakeRobot();
 
   /**
-   * Figure 2.7: the union of seven tori. One of radius 0.65 and tube radius 0.06 lies in z = 0
-   * around the origin, six of 0.26 and 0.05 are threaded on it, every 60 degrees, and lean to
-   * either side. Within -0.98 to 0.98, -0.98 to 0.98, -0.31 to 0.31.
+   * Makes the rings of figure 2.7: the union of seven tori. One of radius 0.65 and tube radius 0.06
+   * lies in z = 0 around the origin, six of 0.26 and 0.05 are threaded on it, every 60 degrees, and
+   * lean to either side. They are within -0.98 to 0.98, -0.98 to 0.98, -0.31 to 0.31.
    */
   static vtkSmartPointer<vtkSpatialObject> MakeRings();
 
   /**
-   * Figure 2.11: the union of a sphere of radius 0.5 around the origin and one of 0.28 around
-   * (0.4, -0.32, 0.5), which overlap a little.
+   * Makes the two spheres of figure 2.11: the union of a sphere of radius 0.5 around the origin and
+   * one of 0.28 around (0.4, -0.32, 0.5), which overlap a little.
    */
   static vtkSmartPointer<vtkSpatialObject> MakeTwoSpheres();
 
   /**
-   * Figure 2.12: a sphere of radius 0.5 around the origin, displaced by a fractal sum of noise.
-   * Bounds -0.75 to 0.75.
+   * Makes the object of figure 2.12: a sphere of radius 0.5 around the origin, displaced by a
+   * fractal sum of noise. Bounds -0.75 to 0.75.
    */
   static vtkSmartPointer<vtkSpatialObject> MakeHypertextureSphere();
 
   /**
-   * In the place of figure 2.13's data: a blend of ellipsoids with soft edges, whose density is
-   * eroded to fur, and eyes and nose. It sits on z = 0 and looks to -y. Within -0.55 to 0.55, -0.62
-   * to 0.4, 0 to 1.32.
+   * Makes a bear in the place of figure 2.13's data: a blend of ellipsoids with soft edges, whose
+   * density is eroded to fur, and eyes and nose. It sits on z = 0 and looks to -y. It is within
+   * -0.55 to 0.55, -0.62 to 0.4, 0 to 1.32.
    */
   static vtkSmartPointer<vtkSpatialObject> MakeTeddyBear();
 
   /**
-   * Figures 2.9 and 2.16: a floor, a wall at +y with a window and a wall at -x, 0.05 thick. Inside
-   * -1 to 1, -1 to 1, 0 to 1.5, open to the other sides. The window is 0.8 wide and 0.7 high,
-   * around (0, 1, 0.85), with a cross of 0.04.
+   * Makes the room of figures 2.9 and 2.16: a floor, a wall at +y with a window and a wall at -x,
+   * 0.05 thick. Its inside is -1 to 1, -1 to 1, 0 to 1.5, open to the other sides. The window is
+   * 0.8 wide and 0.7 high, around (0, 1, 0.85), with a cross of 0.04.
    */
   static vtkSmartPointer<vtkSpatialObject> MakeRoom();
 
   /**
-   * Figure 2.16: a top of 0.9 x 0.5 x 0.05 and four legs of 0.06 x 0.06. Bounds -0.45 to 0.45,
-   * -0.25 to 0.25, 0 to 0.55.
+   * Makes the desk of figure 2.16: a top of 0.9 x 0.5 x 0.05 and four legs of 0.06 x 0.06. Bounds
+   * -0.45 to 0.45, -0.25 to 0.25, 0 to 0.55.
    */
   static vtkSmartPointer<vtkSpatialObject> MakeDesk();
 
   /**
-   * Figure 2.16: a seat of 0.34 x 0.34 x 0.04 at 0.32, a back at +y and four legs. Bounds -0.17 to
-   * 0.17, -0.17 to 0.17, 0 to 0.72.
+   * Makes the chair of figure 2.16: a seat of 0.34 x 0.34 x 0.04 at 0.32, a back at +y and four
+   * legs. Bounds -0.17 to 0.17, -0.17 to 0.17, 0 to 0.72.
    */
   static vtkSmartPointer<vtkSpatialObject> MakeChair();
 };

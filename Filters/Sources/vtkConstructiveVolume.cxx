@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkConstructiveVolume);
 
 namespace
 {
-// Of the progress, what is left for the colours of points without density.
+// The share of the progress that is left for the colours of points without density.
 constexpr double DilationShare = 0.1;
 
 void Store(double value, float& stored)
@@ -44,7 +44,7 @@ void Store(const vtkSpatialObject::Sample& sample, int numberOfComponents, Value
   }
 }
 
-// The values of all rows of an extent, by threads.
+// Computes the values of all rows of an extent, by threads.
 template <typename Value>
 bool SampleRows(const interlume::SpatialSampler& sampler, const int extent[6],
   int numberOfComponents, Value* values, vtkAlgorithm* owner)

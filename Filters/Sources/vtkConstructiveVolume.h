@@ -43,7 +43,7 @@ public:
     NUMBER_OF_OUTPUT_MODES = 3
   };
 
-  /// "density", "color bytes" or "color floats"; null for a number that is none.
+  /// Returns "density", "color bytes" or "color floats"; null for a number that is not a mode.
   static const char* GetOutputModeName(int mode);
 
   ///@{
@@ -56,7 +56,7 @@ public:
 
   ///@{
   /**
-   * Which array is made. Default DENSITY. Valid: see OutputModes; clamped.
+   * The array that is made. Default DENSITY. Valid: see OutputModes; clamped.
    */
   vtkSetClampMacro(OutputMode, int, DENSITY, COLOR_FLOATS);
   vtkGetMacro(OutputMode, int);
@@ -67,9 +67,9 @@ public:
 
   ///@{
   /**
-   * How many samples n in each direction make a value: the mean density over n^3 samples of the
-   * cell around the point, and the mean colour weighted by density. Sharp edges become smooth ones.
-   * Default 1, the sample at the point. Valid: 1 to 8; clamped.
+   * The number n of samples in each direction that make a value: the mean density over n^3 samples
+   * of the cell around the point, and the mean colour weighted by density. Sharp edges become
+   * smooth ones. Default 1, the sample at the point. Valid: 1 to 8; clamped.
    */
   vtkSetClampMacro(NumberOfSubsamples, int, 1, MaximumNumberOfSubsamples);
   vtkGetMacro(NumberOfSubsamples, int);
@@ -79,13 +79,14 @@ public:
   /**
    * Sets the bounds to those of the root, each moved outward by \a margin of the longest side, and
    * the dimensions so that the longest side has \a resolution points and the spacings are as equal
-   * as they can be. An error, and no change, without a root or when it is empty or has no end.
+   * as they can be. Gives an error, and changes nothing, without a root or when it is empty or has
+   * no end.
    */
   void FitRoot(int resolution, double margin = 0.05);
 
   /**
-   * The density of the root at \a x, in the root's parent coordinates, those of the image; and the
-   * colour where it is asked for.
+   * Returns the density of the root at \a x, in the root's parent coordinates, which are those of
+   * the image, and computes the colour where it is asked for.
    */
   double Evaluate(const double x[3], double color[3] = nullptr);
 
@@ -102,7 +103,7 @@ private:
   vtkConstructiveVolume(const vtkConstructiveVolume&) = delete;
   void operator=(const vtkConstructiveVolume&) = delete;
 
-  /// Makes the values of an extent. False when the execution was aborted.
+  /// Computes the values of an extent. Returns false when the execution was aborted.
   bool Sample(const int extent[6], vtkDataArray* values);
 
   vtkSmartPointer<vtkSpatialObject> Root;

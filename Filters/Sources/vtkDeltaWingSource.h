@@ -8,9 +8,9 @@
  * @class   vtkDeltaWingSource
  * @brief   the two vortices above a delta wing, and their breakdown, on a curvilinear grid
  *
- * A stand-in, with a formula, for the delta wing data of C. Zhang, dissertation, Ohio State 2006,
- * figure 3.22. The wing of length 1 lies in z = 0 with its apex at the origin; x leads along it.
- * Its half span is b(x) = x tan(90 degrees - SweepAngle).
+ * This is a stand-in, with a formula, for the delta wing data of C. Zhang, dissertation, Ohio State
+ * 2006, figure 3.22. The wing of length 1 lies in z = 0 with its apex at the origin; x leads along
+ * it. Its half span is b(x) = x tan(90 degrees - SweepAngle).
  *
  * Grid: i along x from 0.1 to 1.2, j across, k up from the wing, conical. With i', j', k' = 0 to 1:
  *   x = 0.1 + 1.1 i',  y = 1.5 b (2 j' - 1),  z = 0.7 b k' (1 + k').
@@ -44,7 +44,8 @@ public:
 
   ///@{
   /**
-   * Angle between the leading edge and the span, in degrees. Default 65. Valid: 30 to 85; clamped.
+   * The angle between the leading edge and the span, in degrees. Default 65. Valid: 30 to 85;
+   * clamped.
    */
   void SetSweepAngle(double angle);
   vtkGetMacro(SweepAngle, double);
@@ -52,7 +53,7 @@ public:
 
   ///@{
   /**
-   * Mean x of the breakdown, in lengths of the wing. Default 0.55. Valid: 0 to 2; clamped.
+   * The mean x of the breakdown, in lengths of the wing. Default 0.55. Valid: 0 to 2; clamped.
    */
   void SetBreakdownPosition(double position);
   vtkGetMacro(BreakdownPosition, double);
@@ -60,9 +61,9 @@ public:
 
   ///@{
   /**
-   * By how much the breakdown moves to and fro, in lengths of the wing, in opposite sense on the
-   * two sides, and how often in a unit of time. Default 0.06, 0.2. Valid: 0 to 1, 0 to 1000;
-   * clamped.
+   * The amplitude by which the breakdown moves to and fro, in lengths of the wing, in opposite
+   * sense on the two sides, and its frequency in a unit of time. Default 0.06, 0.2. Valid: 0 to 1,
+   * 0 to 1000; clamped.
    */
   void SetBreakdownAmplitude(double amplitude);
   vtkGetMacro(BreakdownAmplitude, double);
@@ -72,7 +73,7 @@ public:
 
   ///@{
   /**
-   * How often the spiral turns in a unit of time. Default 0.15. Valid: 0 to 1000; clamped.
+   * The number of turns of the spiral in a unit of time. Default 0.15. Valid: 0 to 1000; clamped.
    */
   void SetSpiralFrequency(double frequency);
   vtkGetMacro(SpiralFrequency, double);
@@ -90,7 +91,7 @@ private:
 
   /// Clamps and assigns, and marks this modified when the value changes.
   void SetNumber(double& member, double value, double lower, double upper);
-  /// Half of the span at x = 1.
+  /// Returns half of the span at x = 1.
   double GetHalfSpan() const;
 
   double SweepAngle = 65.0;

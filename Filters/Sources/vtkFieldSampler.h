@@ -47,14 +47,14 @@ public:
   /// Tells the pipeline of the whole extent, the time steps and the array.
   void Announce(vtkInformation* output, const int wholeExtent[6]) const;
 
-  /// The time that is asked for, or the first time step. False, with an error of \a owner, when it
-  /// is not finite.
+  /// Finds the time that is asked for, or the first time step. Returns false, with an error of \a
+  /// owner, when it is not finite.
   bool GetRequestedTime(vtkInformation* output, vtkAlgorithm* owner, double& time) const;
 
   /**
    * Adds the array with the field's values at the points of \a output, whose extent is \a extent,
-   * as active scalars, and notes the time. By threads, row by row. False when the owner's execution
-   * was aborted.
+   * as active scalars, and notes the time. Threads share the rows. Returns false when the owner's
+   * execution was aborted.
    */
   bool Sample(vtkDataSet* output, const int extent[6], double time, const Field& field,
     const Positions& positions, vtkAlgorithm* owner) const;

@@ -21,7 +21,7 @@
 class INTERLUMESOURCES_EXPORT vtkGradientNoise
 {
 public:
-  /// How octaves are summed: the noise alone, sum of noise(2^i x) / 2^i, or of its absolute value.
+  /// The ways to sum octaves: the noise alone, sum of noise(2^i x) / 2^i, or of its absolute value.
   enum Sums
   {
     NOISE = 0,
@@ -29,27 +29,27 @@ public:
     TURBULENCE = 2
   };
 
-  /// "noise", "fractal sum" or "turbulence"; null for a number that is none.
+  /// Returns "noise", "fractal sum" or "turbulence"; null for a number that is not a sum.
   static const char* GetSumName(int sum);
 
   static constexpr int MaximumNumberOfOctaves = 16;
 
-  /// No noise is larger, and no sum of octaves larger than twice that.
+  /// A bound of the noise: no noise is larger, and no sum of octaves larger than twice that.
   static constexpr double LargestNoise = 1.04;
 
   explicit vtkGradientNoise(int seed = 0);
 
-  /// The noise at \a x, in lattice units.
+  /// Returns the noise at \a x, in lattice units.
   double Evaluate(const double x[3]) const;
 
   /**
-   * The sum over i = 0 ... octaves - 1 of noise(2^i x) / 2^i or |noise(2^i x)| / 2^i (C. Zhang,
-   * dissertation, Ohio State 2006, section 2.3.2). For NOISE the number of octaves is 1.
+   * Returns the sum over i = 0 ... octaves - 1 of noise(2^i x) / 2^i or |noise(2^i x)| / 2^i (C.
+   * Zhang, dissertation, Ohio State 2006, section 2.3.2). For NOISE the number of octaves is 1.
    */
   double Sum(const double x[3], int sum, int octaves) const;
 
 private:
-  // Twice, so that indices need no wrapping.
+  // The permutation, stored twice, so that indices need no wrapping.
   std::array<unsigned char, 512> Permutation;
 };
 

@@ -16,10 +16,10 @@ vtkStandardNewMacro(vtkSpatialImage);
 
 namespace
 {
-// Infinite scalars become this, so that they have a weight.
+// The density that infinite scalars get, so that they have a weight.
 constexpr double LargestDensity = 1e30;
 
-// In cells, by which a point on the image's side may be outside.
+// The distance, in cells, by which a point on the image's side may be outside.
 constexpr double SideTolerance = 1e-9;
 }
 

@@ -46,8 +46,8 @@ public:
 
   ///@{
   /**
-   * A point array with red, green, blue: 0 to 255 for unsigned char, else 0 to 1. Empty, the
-   * default, or null: Color everywhere.
+   * The name of a point array with red, green, blue: 0 to 255 for unsigned char, else 0 to 1.
+   * Empty, the default, or null: Color everywhere.
    */
   void SetColorArrayName(const char* name);
   const char* GetColorArrayName() const { return this->ColorArrayName.c_str(); }
@@ -68,12 +68,12 @@ private:
 
   std::string CopyValues();
   std::string CopyColors();
-  /// The cell's corners with their weights. False outside the image.
+  /// Finds the cell's corners with their weights. Returns false outside the image.
   bool Locate(const double x[3], vtkIdType corners[8], double weights[8]) const;
 
   int Extent[6];
   double PhysicalToIndex[16];
-  /// Densities before they are clamped, and colours, for each point.
+  /// The densities before they are clamped, and the colours, for each point.
   std::vector<float> Densities;
   std::vector<float> Colors;
 

@@ -10,9 +10,9 @@ class vtkImplicitFunction;
  * @class   vtkSpatialImplicit
  * @brief   where an implicit function f is 0 or below, as a spatial object
  *
- * The distance from the surface is f / |grad f|, right to first order, so that an edge has its
- * width for any f with a gradient there. Threads evaluate f at once, which VTK's analytic functions
- * allow and those that search a data set do not.
+ * The distance from the surface is f / |grad f|, which is right to first order, so that an edge has
+ * its width for any f with a gradient there. Threads evaluate f at once, which VTK's analytic
+ * functions allow and those that search a data set do not.
  *
  * Errors (vtkErrorMacro, density 0) besides those of vtkSpatialObject: no function.
  */
@@ -35,7 +35,7 @@ public:
   /**
    * A box outside of which the density is 0: lower and upper x, y, z before the transform. Default
    * without end. Valid: no NaN, the lower not above the upper; other values are an error and change
-   * nothing. A close one makes sampling fast.
+   * nothing. A close box makes sampling fast.
    */
   void SetLimits(const double limits[6]);
   vtkGetVector6Macro(Limits, double);

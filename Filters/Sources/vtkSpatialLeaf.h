@@ -18,7 +18,7 @@ public:
 
   ///@{
   /**
-   * What the density is multiplied with. Default 1. Valid: 0 to 1; clamped, NaN changes nothing.
+   * The factor of the density. Default 1. Valid: 0 to 1; clamped, NaN changes nothing.
    */
   void SetDensity(double density);
   double GetDensity() const { return this->Density; }
@@ -26,7 +26,7 @@ public:
 
   ///@{
   /**
-   * Red, green, blue. Default 1, 1, 1. Valid: 0 to 1; clamped, NaN changes nothing.
+   * The colour, as red, green, blue. Default 1, 1, 1. Valid: 0 to 1; clamped, NaN changes nothing.
    */
   void SetColor(double red, double green, double blue);
   vtkGetVector3Macro(Color, double);

@@ -12,7 +12,7 @@
 
 namespace
 {
-// Of the size and distance of the bounds.
+// The part of the size and distance of the bounds by which they are made larger.
 constexpr double CullingTolerance = 1e-9;
 
 constexpr double RotationTolerance = 1e-14;
@@ -20,8 +20,9 @@ constexpr double RotationTolerance = 1e-14;
 // The smallest product of the matrix' column lengths that a determinant is compared with.
 constexpr double SingularTolerance = 1e-12;
 
-// How far a side of a box reaches along an axis. What rounding left of a rotation by a right angle,
-// in a matrix with elements up to a size, does not make an infinite side reach anywhere.
+// Returns how far a side of a box reaches along an axis. An element that is the rounding of a
+// rotation by a right angle, in a matrix with elements up to a size, does not make an infinite side
+// reach anywhere.
 double GetReach(double element, double side, double size)
 {
   const bool isNothing = std::isinf(side) && std::fabs(element) < RotationTolerance * size;

@@ -21,7 +21,7 @@ class vtkLinearTransform;
  *
  * Positions are in units of length of the parent. An object is made in coordinates of its own and
  * placed by its transform. Outside its bounds the density is 0. Where the density is 0 there is no
- * colour; it is told as black.
+ * colour, and black is returned.
  *
  * Errors (vtkErrorMacro, density 0): a transform that is not finite or has no inverse; what the
  * derived classes name.
@@ -34,35 +34,36 @@ public:
   vtkAbstractTypeMacro(vtkSpatialObject, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What is at a point.
+  /// The density and the colour at a point.
   struct Sample
   {
     double Density = 0.0;
     double Color[3] = { 0.0, 0.0, 0.0 };
   };
 
-  /// At how many points at most an object is evaluated at once.
+  /// The largest number of points at which an object is evaluated at once.
   static constexpr int SpanLength = 32;
 
   ///@{
   /**
-   * From the object's own coordinates to those of its parent. Null, the default, is the identity. A
-   * vtkMatrix4x4 comes in by vtkMatrixToLinearTransform. Valid: finite, invertible, affine.
+   * The transform from the object's own coordinates to those of its parent. Null, the default, is
+   * the identity. vtkMatrixToLinearTransform makes one of a vtkMatrix4x4. Valid: finite,
+   * invertible, affine.
    */
   void SetTransform(vtkLinearTransform* transform);
   vtkLinearTransform* GetTransform() const;
   ///@}
 
   /**
-   * The sample at \a x. The object is made ready before, so threads that share an object call
-   * EvaluateSpan instead.
+   * Computes the sample at \a x. The object is made ready before, so threads that share an object
+   * call EvaluateSpan instead.
    */
   void Evaluate(const double x[3], Sample& sample);
 
   /**
-   * The box that the object is in, of the parent's coordinates: lower and upper x, y, z; infinite
-   * for objects without an end, the lower above the upper for nothing. False, with an error, when
-   * the object cannot be evaluated.
+   * Computes the box that the object is in, in the parent's coordinates: lower and upper x, y, z;
+   * infinite for objects without an end, the lower above the upper for nothing. Returns false, with
+   * an error, when the object cannot be evaluated.
    */
   bool GetBounds(double bounds[6]);
 
@@ -73,13 +74,13 @@ public:
   std::string Update();
 
   /**
-   * The samples at up to SpanLength points; fast when they are close to each other. False when the
-   * density is 0 at all of them, and then \a samples may be left as they are. Update comes first;
-   * after it threads may call this at once.
+   * Computes the samples at up to SpanLength points, fast when they are close to each other.
+   * Returns false when the density is 0 at all of them, and then \a samples may be left as they
+   * are. Update is called before; after it threads may call this at once.
    */
   bool EvaluateSpan(const double (*points)[3], int number, Sample* samples) const;
 
-  /// Whether \a object is this one or a part of it.
+  /// Returns whether \a object is this one or a part of it.
   virtual bool Contains(const vtkSpatialObject* object) const { return object == this; }
 
   vtkMTimeType GetMTime() override;
@@ -88,28 +89,28 @@ protected:
   vtkSpatialObject();
   ~vtkSpatialObject() override;
 
-  /// Update for a derived class, with its bounds in its own coordinates.
+  /// Does what Update does for a derived class, and computes its bounds in its own coordinates.
   virtual std::string Prepare(double bounds[6]) = 0;
 
-  /// EvaluateSpan for a derived class, at points of its own coordinates.
+  /// Does what EvaluateSpan does for a derived class, at points of its own coordinates.
   virtual bool EvaluateLocally(const double (*points)[3], int number, Sample* samples) const = 0;
 
 private:
   vtkSpatialObject(const vtkSpatialObject&) = delete;
   void operator=(const vtkSpatialObject&) = delete;
 
-  /// Takes over the transform's inverse; false when it has none.
+  /// Takes over the transform's inverse. Returns false when it has none.
   bool PrepareTransform(double matrix[12]);
-  /// The parent's coordinates of the box.
+  /// Computes the bounds in the parent's coordinates from the box in the object's own.
   void PrepareBounds(const double local[6], const double matrix[12]);
   bool Misses(const double (*points)[3], int number) const;
 
   vtkSmartPointer<vtkLinearTransform> Transform;
   vtkTimeStamp UpdateTime;
-  /// Rows of the affine map to the object's own coordinates.
+  /// The rows of the affine map to the object's own coordinates.
   double Inverse[12];
   double Bounds[6];
-  /// A little larger, so that no rounding cuts anything off.
+  /// The bounds, made a little larger, so that no rounding cuts anything off.
   double CullingBounds[6];
 };
 

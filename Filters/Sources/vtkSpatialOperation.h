@@ -10,7 +10,7 @@
  * @class   vtkSpatialOperation
  * @brief   union, intersection, difference, blend, cap or trim of spatial objects
  *
- * The combinations of constructive volume geometry (M. Chen and J. V. Tucker, Computer Graphics
+ * Combines operands as in constructive volume geometry (M. Chen and J. V. Tucker, Computer Graphics
  * Forum 19(4), 2000). For the operands' densities a, b and colours A, B the density and the colour
  * are
  * - UNION: max(a, b); A if a >= b, else B;
@@ -21,7 +21,7 @@
  * - TRIM: a where b >= a, else 0; A. A solid b cuts a away outside it.
  *
  * So cap and trim share a between them, and leave its density as it is. More than two operands are
- * taken from left to right; one is itself.
+ * taken from left to right; a single operand stays as it is.
  *
  * Errors (vtkErrorMacro): null, or an operand that has this object among its parts, which is not
  * added; no operand (density 0).
@@ -44,12 +44,12 @@ public:
     NUMBER_OF_OPERATIONS = 6
   };
 
-  /// The operation's name in small letters; null for a number that is none.
+  /// Returns the operation's name in small letters; null for a number that is not an operation.
   static const char* GetOperationName(int operation);
 
   ///@{
   /**
-   * Which operation. Default UNION. Valid: see Operations; clamped.
+   * The operation that combines the operands. Default UNION. Valid: see Operations; clamped.
    */
   vtkSetClampMacro(Operation, int, UNION, TRIM);
   vtkGetMacro(Operation, int);
@@ -63,7 +63,7 @@ public:
 
   ///@{
   /**
-   * The operands, in order. Null for an index that is none.
+   * The operands, in order. GetOperand returns null for an index without an operand.
    */
   void AddOperand(vtkSpatialObject* operand);
   void RemoveAllOperands();

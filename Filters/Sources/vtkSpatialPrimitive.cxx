@@ -15,7 +15,8 @@ double Hypotenuse(double x, double y)
   return std::sqrt(x * x + y * y);
 }
 
-// The signed distance from a product of intervals, of the signed distances from each of them.
+// Returns the signed distance from a product of intervals, from the signed distances from each of
+// them.
 template <int Size>
 double GetProductDistance(const double (&distances)[Size])
 {

@@ -18,8 +18,8 @@
  *   (r0^2 - r^2) / (r0^2 - r1^2) between, r0 = Radius, r1 = InnerRadius (C. Zhang, dissertation,
  *   Ohio State 2006, equation 2.7).
  *
- * The edge's distance is Euclidean. Another direction comes by the transform, an ellipsoid by one
- * that scales.
+ * The distance from the edge is Euclidean. The transform gives a shape another direction; one that
+ * scales makes an ellipsoid of a sphere.
  *
  * Errors (vtkErrorMacro, density 0) besides those of vtkSpatialObject: InnerRadius not below Radius
  * for a fuzzy sphere.
@@ -44,12 +44,12 @@ public:
     NUMBER_OF_SHAPES = 6
   };
 
-  /// The shape's name in small letters; null for a number that is none.
+  /// Returns the shape's name in small letters; null for a number that is not a shape.
   static const char* GetShapeName(int shape);
 
   ///@{
   /**
-   * Which shape. Default SPHERE. Valid: see Shapes; clamped.
+   * The shape of the object. Default SPHERE. Valid: see Shapes; clamped.
    */
   vtkSetClampMacro(Shape, int, SPHERE, FUZZY_SPHERE);
   vtkGetMacro(Shape, int);
@@ -63,7 +63,7 @@ public:
 
   ///@{
   /**
-   * Where the shape's centre is, for a half-space a point of its plane. Default (0, 0, 0). Valid:
+   * The centre of the shape, for a half-space a point of its plane. Default (0, 0, 0). Valid:
    * finite; other values are an error and change nothing.
    */
   void SetCenter(double x, double y, double z);
@@ -72,9 +72,9 @@ public:
 
   ///@{
   /**
-   * Sizes in units of length. Default 0.5 for Radius, 0.25 for InnerRadius, 0.1 for TubeRadius, 1
-   * for the others. Valid: finite, above 0, InnerRadius 0 or more; other values are an error and
-   * change nothing.
+   * The sizes of the shape, in units of length. Default 0.5 for Radius, 0.25 for InnerRadius, 0.1
+   * for TubeRadius, 1 for the others. Valid: finite, above 0, InnerRadius 0 or more; other values
+   * are an error and change nothing.
    */
   void SetRadius(double radius) { this->SetSize(this->Radius, radius, "radius"); }
   vtkGetMacro(Radius, double);

@@ -22,7 +22,7 @@ public:
 
   ///@{
   /**
-   * Over which distance the density falls, in units of length before the transform. Default 0.
+   * The distance over which the density falls, in units of length before the transform. Default 0.
    * Valid: finite, 0 or more; other values are an error and change nothing.
    */
   void SetEdgeWidth(double width);
@@ -35,10 +35,10 @@ protected:
 
   bool EvaluateLocally(const double (*points)[3], int number, Sample* samples) const override;
 
-  /// The density, before it is multiplied, at a point of the object's own coordinates.
+  /// Returns the density, before it is multiplied, at a point of the object's own coordinates.
   virtual double GetProfile(const double x[3]) const = 0;
 
-  /// The density for a distance from the surface, before it is multiplied.
+  /// Returns the density for a distance from the surface, before it is multiplied.
   double GetEdgeProfile(double distance) const;
 
 private:

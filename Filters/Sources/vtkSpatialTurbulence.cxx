@@ -82,7 +82,8 @@ void vtkSpatialTurbulence::SetSeed(int seed)
 
 void vtkSpatialTurbulence::MakeNoises()
 {
-  // Far from the seeds that users take, which are small numbers.
+  // The distance of the seeds, which is far from the seeds that users take: these are small
+  // numbers.
   constexpr int distance = INT_MAX / 3;
   for (int i = 0; i < 3; ++i)
   {

@@ -11,13 +11,14 @@
  *
  * K. Perlin and E. Hoffert, "Hypertexture", SIGGRAPH 1989. With d the operand's density at x, A the
  * amplitude, n(x) the chosen sum of octaves at Frequency x (vtkGradientNoise) and n1, n2, n3 three
- * of it, of different seeds, the density is
- * - DISPLACEMENT: d(x + A (n1, n2, n3)), and the colour is the one of there;
+ * such sums, with different seeds, the density is
+ * - DISPLACEMENT: d(x + A (n1, n2, n3)), with the colour of that place;
  * - MODULATION: d (1 + A n);
  * - EROSION: 1/2 + G (d - A n - 1/2) where d > 0, with the gain G. Soft edges get fringes, and with
  *   a high frequency fur.
  *
- * Each clamped to 0 ... 1; the last two keep the colour and add nothing where d is 0.
+ * Each density is clamped to 0 ... 1; the last two modes keep the colour and add nothing where d is
+ * 0.
  *
  * Errors (vtkErrorMacro): an operand that has this object among its parts, which is not taken; no
  * operand (density 0).
@@ -37,7 +38,7 @@ public:
     NUMBER_OF_MODES = 3
   };
 
-  /// The mode's name in small letters; null for a number that is none.
+  /// Returns the mode's name in small letters; null for a number that is not a mode.
   static const char* GetModeName(int mode);
 
   ///@{
@@ -50,7 +51,7 @@ public:
 
   ///@{
   /**
-   * What the noise does. Default DISPLACEMENT. Valid: see Modes; clamped.
+   * The effect of the noise. Default DISPLACEMENT. Valid: see Modes; clamped.
    */
   vtkSetClampMacro(Mode, int, DISPLACEMENT, EROSION);
   vtkGetMacro(Mode, int);
@@ -61,7 +62,7 @@ public:
 
   ///@{
   /**
-   * How octaves are summed, see vtkGradientNoise::Sums. Default TURBULENCE. Clamped.
+   * The way octaves are summed. Default TURBULENCE. Valid: see vtkGradientNoise::Sums; clamped.
    */
   vtkSetClampMacro(Sum, int, vtkGradientNoise::NOISE, vtkGradientNoise::TURBULENCE);
   vtkGetMacro(Sum, int);
@@ -69,7 +70,7 @@ public:
 
   ///@{
   /**
-   * Number of octaves. Default 4. Valid: 1 to 16; clamped.
+   * The number of octaves. Default 4. Valid: 1 to 16; clamped.
    */
   vtkSetClampMacro(NumberOfOctaves, int, 1, vtkGradientNoise::MaximumNumberOfOctaves);
   vtkGetMacro(NumberOfOctaves, int);
@@ -77,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Lattice cells of the first octave in a unit of length, each 0 or more, along x, y, z. Default 4
-   * each. Valid: 0 to 1e12; clamped, NaN changes nothing.
+   * The number of lattice cells of the first octave in a unit of length, each 0 or more, along x,
+   * y, z. Default 4 each. Valid: 0 to 1e12; clamped, NaN changes nothing.
    */
   void SetFrequency(double x, double y, double z);
   void SetFrequency(double frequency) { this->SetFrequency(frequency, frequency, frequency); }
@@ -87,8 +88,8 @@ public:
 
   ///@{
   /**
-   * The noise's factor A: a length for DISPLACEMENT, a density else. Default 0.1. Valid: -1e12 to
-   * 1e12; clamped, NaN changes nothing.
+   * The factor A of the noise: a length for DISPLACEMENT, a density else. Default 0.1. Valid: -1e12
+   * to 1e12; clamped, NaN changes nothing.
    */
   void SetAmplitude(double amplitude);
   vtkGetMacro(Amplitude, double);
@@ -105,7 +106,7 @@ public:
 
   ///@{
   /**
-   * The noise's seed. Default 0.
+   * The seed of the noise. Default 0.
    */
   void SetSeed(int seed);
   vtkGetMacro(Seed, int);
@@ -125,7 +126,7 @@ private:
   vtkSpatialTurbulence(const vtkSpatialTurbulence&) = delete;
   void operator=(const vtkSpatialTurbulence&) = delete;
 
-  /// One noise for each direction, all of the seed.
+  /// Makes one noise for each direction, all from the seed.
   void MakeNoises();
   double GetNoise(const vtkGradientNoise& noise, const double x[3]) const;
   bool Displace(const double (*points)[3], int number, Sample* samples) const;

@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkTaperedCylinderSource);
 
 namespace
 {
-// Of points towards the wall, and towards the wake.
+// The clustering of points towards the wall, and towards the wake.
 constexpr double Clustering = 2.0;
 constexpr double ClusteringAround = 0.75;
 }

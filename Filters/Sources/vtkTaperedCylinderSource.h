@@ -8,10 +8,10 @@
  * @class   vtkTaperedCylinderSource
  * @brief   the wake of a tapered cylinder: slanted, dislocating vortices on a curvilinear grid
  *
- * A stand-in, with a formula, for the NASA Tapered Cylinder data (D. C. Jespersen, C. Levit,
- * "Numerical simulation of flow past a tapered cylinder", AIAA 91-0751, 1991). The axis is z, from
- * 0 to H = Height, the free stream of speed U goes along x. The radius R(z) is linear between
- * Radii, the diameter D(z) = 2 R(z).
+ * This is a stand-in, with a formula, for the NASA Tapered Cylinder data (D. C. Jespersen, C.
+ * Levit, "Numerical simulation of flow past a tapered cylinder", AIAA 91-0751, 1991). The axis is
+ * z, from 0 to H = Height, the free stream of speed U goes along x. The radius R(z) is linear
+ * between Radii, the diameter D(z) = 2 R(z).
  *
  * Grid: i outward, j around, k up. With i', j', k' = 0 to 1 along each: z = k' H,
  *   r = R(z) + (OuterRadius - R(z)) (e^(2 i') - 1) / (e^2 - 1),
@@ -57,7 +57,7 @@ public:
 
   ///@{
   /**
-   * Length of the cylinder along z. Default 12. Valid: 0.1 to 1000; clamped.
+   * The length of the cylinder along z. Default 12. Valid: 0.1 to 1000; clamped.
    */
   void SetHeight(double height);
   vtkGetMacro(Height, double);
@@ -65,7 +65,7 @@ public:
 
   ///@{
   /**
-   * Radius of the grid. Default 9. Valid: 0.1 to 200; clamped. Twice the larger radius of the
+   * The radius of the grid. Default 9. Valid: 0.1 to 200; clamped. Twice the larger radius of the
    * cylinder is taken where that is more.
    */
   void SetOuterRadius(double radius);
@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * Speed of the free stream, units of length per unit of time. Default 1. Valid: 0.001 to 1000;
-   * clamped.
+   * The speed of the free stream, in units of length per unit of time. Default 1. Valid: 0.001 to
+   * 1000; clamped.
    */
   void SetSpeed(double speed);
   vtkGetMacro(Speed, double);
@@ -83,8 +83,8 @@ public:
 
   ///@{
   /**
-   * Strouhal number: shedding frequency times diameter over speed. Default 0.2. Valid: 0.01 to 1;
-   * clamped.
+   * The Strouhal number: shedding frequency times diameter over speed. Default 0.2. Valid: 0.01 to
+   * 1; clamped.
    */
   void SetStrouhalNumber(double number);
   vtkGetMacro(StrouhalNumber, double);
@@ -102,7 +102,7 @@ private:
 
   /// Clamps and assigns, and marks this modified when the value changes.
   void SetNumber(double& member, double value, double lower, double upper);
-  /// The outer radius that is taken.
+  /// Returns the outer radius that is taken.
   double GetGridRadius() const;
 
   double Radii[2] = { 0.5, 0.3 };

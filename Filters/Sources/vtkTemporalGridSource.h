@@ -9,8 +9,8 @@
  * @class   vtkTemporalGridSource
  * @brief   a scalar field of space and time on a curvilinear grid: the part that depends on neither
  *
- * As vtkTemporalImageSource, for a grid whose points do not move: one point array, any time, any
- * part of the whole extent. Points are of the type of the array. The same error.
+ * This is vtkTemporalImageSource for a grid whose points do not move: one point array, any time,
+ * any part of the whole extent, the same error. Points are of the type of the array.
  *
  * @sa vtkTaperedCylinderSource vtkDeltaWingSource
  */
@@ -20,22 +20,25 @@ public:
   vtkAbstractTypeMacro(vtkTemporalGridSource, vtkStructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The field at one point and time.
+  /// Returns the field at one point and time.
   double Evaluate(const double x[3], double t) const { return this->GetFieldAtTime(t)(x); }
 
-  /// The position of the grid's point (i,j,k), before it is rounded to the type of the points.
+  /// Computes the position of the grid's point (i,j,k), before it is rounded to the type of the
+  /// points.
   virtual void GetPosition(const int ijk[3], double x[3]) const = 0;
 
   ///@{
   /**
-   * Number of points in each direction. The default is the subclass's. Valid: 2 to 32768; clamped.
+   * The number of points in each direction. The default is the subclass's. Valid: 2 to 32768;
+   * clamped.
    */
   void SetDimensions(int i, int j, int k);
   vtkGetVector3Macro(Dimensions, int);
   ///@}
 
   ///@{
-  /// As in vtkTemporalImageSource: default 3 steps from 0 to 2.
+  /// The number of time steps and their range, as in vtkTemporalImageSource. Default 3 steps from 0
+  /// to 2.
   void SetNumberOfTimeSteps(int number) { this->Sampler.SetNumberOfTimeSteps(number, this); }
   int GetNumberOfTimeSteps() const { return this->Sampler.GetNumberOfTimeSteps(); }
   void SetTimeRange(double first, double last) { this->Sampler.SetTimeRange(first, last, this); }
@@ -43,13 +46,14 @@ public:
   ///@}
 
   ///@{
-  /// Type of the array and of the points: VTK_FLOAT (default) or VTK_DOUBLE.
+  /// The type of the array and of the points: VTK_FLOAT (default) or VTK_DOUBLE.
   void SetOutputScalarType(int type) { this->Sampler.SetScalarType(type, this); }
   int GetOutputScalarType() const { return this->Sampler.GetScalarType(); }
   ///@}
 
   ///@{
-  /// Name of the point array. The default is the subclass's; null and an empty name stand for it.
+  /// The name of the point array. The default is the subclass's; null and an empty name stand for
+  /// it.
   void SetArrayName(const char* name) { this->Sampler.SetArrayName(name, this); }
   const char* GetArrayName() const { return this->Sampler.GetArrayName(); }
   ///@}

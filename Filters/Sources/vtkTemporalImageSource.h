@@ -24,14 +24,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The field at one point and time.
+   * Returns the field at one point and time.
    */
   double Evaluate(const double x[3], double t) const { return this->GetFieldAtTime(t)(x); }
 
   ///@{
   /**
-   * Number of time steps, evenly spaced over the time range. One step is at its start, and there is
-   * one where the range has no length. Default 3. Valid: 1 to 100000; clamped.
+   * The number of time steps, evenly spaced over the time range. One step is at its start, and
+   * there is one where the range has no length. Default 3. Valid: 1 to 100000; clamped.
    */
   void SetNumberOfTimeSteps(int number) { this->Sampler.SetNumberOfTimeSteps(number, this); }
   int GetNumberOfTimeSteps() const { return this->Sampler.GetNumberOfTimeSteps(); }
@@ -48,7 +48,8 @@ public:
 
   ///@{
   /**
-   * Type of the array: VTK_FLOAT or VTK_DOUBLE; anything else is taken as float. Default VTK_FLOAT.
+   * The type of the array: VTK_FLOAT or VTK_DOUBLE; anything else is taken as float. Default
+   * VTK_FLOAT.
    */
   void SetOutputScalarType(int type) { this->Sampler.SetScalarType(type, this); }
   int GetOutputScalarType() const { return this->Sampler.GetScalarType(); }
@@ -56,7 +57,7 @@ public:
 
   ///@{
   /**
-   * Name of the point array. Default "f", which null and an empty name stand for too.
+   * The name of the point array. Default "f", which null and an empty name stand for too.
    */
   void SetArrayName(const char* name) { this->Sampler.SetArrayName(name, this); }
   const char* GetArrayName() const { return this->Sampler.GetArrayName(); }
@@ -66,7 +67,7 @@ protected:
   vtkTemporalImageSource();
   ~vtkTemporalImageSource() override = default;
 
-  /// The field at time \a t, for many positions. It is called by several threads at once.
+  /// Returns the field at time \a t, for many positions. It is called by several threads at once.
   virtual vtkFieldSampler::Field GetFieldAtTime(double t) const = 0;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

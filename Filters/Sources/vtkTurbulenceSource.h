@@ -55,14 +55,14 @@ public:
   };
 
   ///@{
-  /// The name in small letters; null for a number that is none.
+  /// Returns the name of a falloff in small letters; null for a number that is none.
   static const char* GetFalloffName(int falloff);
   static const char* GetEnvelopeName(int envelope);
   ///@}
 
   ///@{
   /**
-   * How octaves are summed, see vtkGradientNoise::Sums. Default TURBULENCE. Clamped.
+   * The way octaves are summed. Default TURBULENCE. Valid: see vtkGradientNoise::Sums; clamped.
    */
   vtkSetClampMacro(Sum, int, vtkGradientNoise::NOISE, vtkGradientNoise::TURBULENCE);
   vtkGetMacro(Sum, int);
@@ -70,7 +70,7 @@ public:
 
   ///@{
   /**
-   * Number of octaves. Default 5. Valid: 1 to 16; clamped.
+   * The number of octaves. Default 5. Valid: 1 to 16; clamped.
    */
   vtkSetClampMacro(NumberOfOctaves, int, 1, vtkGradientNoise::MaximumNumberOfOctaves);
   vtkGetMacro(NumberOfOctaves, int);
@@ -78,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Lattice cells of the first octave in a unit of length. Default 2. Valid: 0 to 1e12; clamped,
-   * NaN changes nothing.
+   * The number of lattice cells of the first octave in a unit of length. Default 2. Valid: 0 to
+   * 1e12; clamped, NaN changes nothing.
    */
   void SetFrequency(double frequency);
   vtkGetMacro(Frequency, double);
@@ -87,7 +87,7 @@ public:
 
   ///@{
   /**
-   * What the noise is multiplied with and what is added. Default 1, 0. Valid: -1e12 to 1e12;
+   * The factor of the noise, and the value that is added. Default 1, 0. Valid: -1e12 to 1e12;
    * clamped, NaN changes nothing.
    */
   void SetAmplitude(double amplitude);
@@ -98,7 +98,7 @@ public:
 
   ///@{
   /**
-   * The noise's seed. Default 0.
+   * The seed of the noise. Default 0.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -106,7 +106,7 @@ public:
 
   ///@{
   /**
-   * How values fall with height. Default NO_FALLOFF. Valid: see Falloffs; clamped.
+   * The way values fall with height. Default NO_FALLOFF. Valid: see Falloffs; clamped.
    */
   vtkSetClampMacro(Falloff, int, NO_FALLOFF, EXPONENTIAL);
   vtkGetMacro(Falloff, int);
@@ -114,7 +114,7 @@ public:
 
   ///@{
   /**
-   * The axis of height: 0, 1, 2 for x, y, z. Default 2. Clamped.
+   * The axis of height: 0, 1, 2 for x, y, z. Default 2. Valid: 0 to 2; clamped.
    */
   vtkSetClampMacro(VerticalAxis, int, 0, 2);
   vtkGetMacro(VerticalAxis, int);
@@ -122,7 +122,8 @@ public:
 
   ///@{
   /**
-   * What is left at the top. Default 0.1. Valid: 1e-6 to 1; clamped, NaN changes nothing.
+   * The share of the values that is left at the top. Default 0.1. Valid: 1e-6 to 1; clamped, NaN
+   * changes nothing.
    */
   void SetTopFraction(double fraction);
   vtkGetMacro(TopFraction, double);
@@ -137,7 +138,7 @@ public:
   ///@}
 
   /**
-   * The value at one point. It makes the noise's permutation anew.
+   * Returns the value at one point. It makes the noise's permutation anew.
    */
   double Evaluate(const double x[3]) const;
 

@@ -5,12 +5,12 @@ class vtkSMProperty;
 
 /**
  * @class   vtkPropertyPush
- * @brief   what a domain needs to change the property it is on
+ * @brief   sends changes of a property that a domain makes
  */
 class vtkPropertyPush
 {
 public:
-  /// Whether a property has values that wait for Apply.
+  /// Returns whether a property has values that wait for Apply.
   static bool IsPending(vtkSMProperty* property);
 
   /// Sends a property's values to the server where its proxy is there already: a script that sets

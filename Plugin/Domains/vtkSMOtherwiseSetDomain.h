@@ -10,8 +10,8 @@
  *
  * For a switch such as "follow the time of the animation" beside a property for the time: whoever
  * sets the time, in the panel, in a script, by an animation or from a state file, means it. The
- * required property with the function Value is the one overridden. A state file that has the switch
- * too is taken at its word where the switch comes after the value, which ParaView sorts by name.
+ * required property with the function Value is the one overridden. The switch in a state file
+ * counts where it comes after the value there, which ParaView sorts by name.
  */
 class INTERLUMEDOMAINS_EXPORT vtkSMOtherwiseSetDomain : public vtkSMDomain
 {

@@ -19,7 +19,7 @@ vtkStandardNewMacro(vtkSMProposedRangeDomain);
 
 namespace
 {
-// Where ParaView's list of arrays in an input property has them.
+// The element of the association in ParaView's list of arrays in an input property.
 constexpr unsigned int AssociationElement = 3;
 constexpr unsigned int NameElement = 4;
 
@@ -46,7 +46,7 @@ int vtkSMProposedRangeDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXM
 
 unsigned int vtkSMProposedRangeDomain::GetRowSize()
 {
-  // The property has read it after its domains were made.
+  // The property reads this number after its domains are made.
   vtkSMVectorProperty* rows = vtkSMVectorProperty::SafeDownCast(this->GetProperty());
   return rows ? std::max(rows->GetNumberOfElementsPerCommand(), 1) : 1;
 }

@@ -13,16 +13,16 @@ class vtkSMSourceProxy;
  * @class   vtkSMProposedRangeDomain
  * @brief   the range of a point array, and values proposed from it for a row of a property
  *
- * In place of ParaView's ArrayRangeDomain, which proposes one value for a property of rows. The
- * attribute `default_mode` has the proposal, one of min, mid, max for each value of a row; required
- * properties are Input and ArraySelection.
+ * This stands in place of ParaView's ArrayRangeDomain, which proposes one value for a property of
+ * rows. The attribute `default_mode` has the proposal, one of min, mid, max for each value of a
+ * row; required properties are Input and ArraySelection.
  *
  * - Default values, as at first and of the reset button: one row.
  * - Another array: values that are still those proposed are proposed anew; those that somebody has
  *   set stay.
  * - With the attribute `all_time_steps` set to 1 the range is that over all time steps of the
- * input. They are looked at when values are proposed, and known from then on. Where they take more
- * than LargestSeries, the range is that of the time shown, and a warning says so.
+ * input. They are looked at when values are proposed, and known from then on. Where the time steps
+ * take more than LargestSeries, the range is that of the time shown, and a warning says so.
  *
  * Values that are not finite do not count. The range is given for each value of a row.
  */
@@ -33,7 +33,7 @@ public:
   vtkTypeMacro(vtkSMProposedRangeDomain, vtkSMDoubleRangeDomain);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// In kilobytes, all time steps together.
+  /// The largest size of all time steps together that are looked at, in kilobytes.
   static constexpr double LargestSeries = 8e6;
 
   void Update(vtkSMProperty* requesting) override;
@@ -45,7 +45,7 @@ protected:
 
   int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
 
-  /// The array that a range is of.
+  /// The array whose range is taken.
   struct Selection
   {
     vtkSMSourceProxy* Producer = nullptr;
@@ -62,14 +62,14 @@ protected:
   };
 
   Selection GetSelection();
-  /// The values in a row of the property.
+  /// Returns the number of values in a row of the property.
   unsigned int GetRowSize();
-  /// Looks at the range of the array, at the time shown or over all time steps.
+  /// Finds the range of the array, at the time shown or over all time steps.
   bool FindRange(const Selection& selection, bool overTime, double range[2]);
-  /// Whether all time steps can be looked at; warns where they are too large.
+  /// Returns whether all time steps can be looked at; warns where they are too large.
   bool CanLookAtAllTimes(const Selection& selection);
   void SetRange(const double range[2]);
-  /// The values proposed from the present range; none without a range.
+  /// Returns the values proposed from the present range; none without a range.
   std::vector<double> Propose();
   bool IsAwaitingApply();
 
@@ -79,7 +79,8 @@ private:
 
   int AllTimeSteps = 0;
   Selection Known;
-  // Over all time steps of what is known; turned round before it is looked at.
+  // The range over all time steps of the selection that is known; the first is above the last
+  // before it is looked at.
   double KnownOverTime[2] = { 1.0, 0.0 };
   std::vector<double> Proposed;
 };

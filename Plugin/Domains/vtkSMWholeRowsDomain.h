@@ -9,8 +9,8 @@
  * @brief   warns of a property of rows whose last row is not whole
  *
  * ParaView leaves such a row out in silence. The warning names the property, how many values the
- * row has, and how many it needs. Said once the values go to the filter, and once for the same
- * number of values.
+ * row has, and how many it needs. It is given when the values go to the filter, and once for the
+ * same number of values.
  */
 class INTERLUMEDOMAINS_EXPORT vtkSMWholeRowsDomain : public vtkSMDomain
 {

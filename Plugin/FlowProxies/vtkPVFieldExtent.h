@@ -2,13 +2,13 @@
 #define vtkPVFieldExtent_h
 
 /**
- * Sizes of termination surfaces that are those of the field where they are given as 0.
+ * Computes sizes of termination surfaces, which are those of the field where they are given as 0.
  */
 namespace vtkPVFieldExtent
 {
 /**
- * Where something of a length begins and ends along a unit vector, from \a center: half of the
- * length on each side. A length of 0 is as long as the box \a bounds there, and 1 where that is
+ * Computes where something of a length begins and ends along a unit vector, from \a center: half of
+ * the length on each side. A length of 0 is as long as the box \a bounds there, and 1 where that is
  * empty (lower above upper).
  */
 void GetEnds(double length, const double bounds[6], const double center[3], const double along[3],

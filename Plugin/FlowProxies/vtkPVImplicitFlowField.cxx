@@ -22,10 +22,10 @@ vtkStandardNewMacro(vtkPVImplicitFlowField);
 namespace
 {
 constexpr int SurfacesPort = 2;
-// Of the outputs.
+// The number of the output with the drawing of the surfaces.
 constexpr int DrawingPort = 1;
 
-// The drawing of \a surface, whose ids start at \a id.
+// Returns the drawing of \a surface, whose ids start at \a id.
 vtkSmartPointer<vtkPolyData> Draw(vtkTerminationSurface* surface, int id)
 {
   vtkNew<vtkTerminationSurfaceSource> source;

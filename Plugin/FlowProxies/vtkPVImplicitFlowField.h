@@ -25,12 +25,12 @@ public:
   vtkTypeMacro(vtkPVImplicitFlowField, vtkImplicitFlowField);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Disconnects port 2 alone.
+  /// Disconnects port 2, and no other port.
   void RemoveAllSurfaceInputs();
 
   ///@{
   /**
-   * Of the tubes around lines, world units. Default 0.5. Valid: above 0.
+   * The radius of the tubes around lines, in world units. Default 0.5. Valid: above 0.
    */
   vtkSetMacro(TubeRadius, double);
   vtkGetMacro(TubeRadius, double);
@@ -38,7 +38,7 @@ public:
 
   ///@{
   /**
-   * Whether u or v of the meshes goes around. Default off.
+   * Whether u, or v, of the meshes goes around. Default off.
    */
   vtkSetMacro(MeshPeriodicU, bool);
   vtkGetMacro(MeshPeriodicU, bool);
@@ -63,10 +63,10 @@ private:
   void operator=(const vtkPVImplicitFlowField&) = delete;
 
   using SurfaceList = std::vector<vtkSmartPointer<vtkTerminationSurface>>;
-  /// Those of port 2.
+  /// Makes the surfaces of port 2.
   SurfaceList MakeSurfaces(vtkInformationVector* inputs) const;
 
-  /// Appends what the surfaces look like.
+  /// Appends the triangles of the surfaces.
   void DrawSurfaces(vtkPolyData* output) const;
 
   double TubeRadius = 0.5;

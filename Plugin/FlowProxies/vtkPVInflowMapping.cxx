@@ -68,7 +68,7 @@ int vtkPVInflowMapping::RequestUpdateExtent(
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   if (inputs[ImagePort]->GetNumberOfInformationObjects() > 0)
   {
-    // Every sample may need any of its points.
+    // The whole image is asked for, since every sample may need any of its points.
     vtkInformation* image = inputs[ImagePort]->GetInformationObject(0);
     if (image->Has(Pipeline::WHOLE_EXTENT()))
     {

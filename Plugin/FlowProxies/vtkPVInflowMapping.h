@@ -13,8 +13,8 @@
  * @brief   an inflow mapping whose image is an input of a pipeline
  *
  * Input port 1, optional: vtkImageData, the mapping of ImageId. Where an id has several mappings
- * the image counts, then the rings, then the formula of the id, then the common formula. What the
- * base class has been given by itself is replaced in each execution.
+ * the image counts, then the rings, then the formula of the id, then the common formula. Mappings
+ * that the base class was given directly are replaced in each execution.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVInflowMapping : public vtkInflowMapping
 {
@@ -25,7 +25,7 @@ public:
 
   ///@{
   /**
-   * Of all ids that have no mapping of their own; empty: none. Default "u".
+   * The formula of all ids that have no mapping of their own; empty: none. Default "u".
    */
   void SetCommonFormula(const char* formula);
   const char* GetCommonFormula() const { return this->CommonFormula.c_str(); }
@@ -33,7 +33,7 @@ public:
 
   ///@{
   /**
-   * Formulas and rings of single ids. Default none. Valid: as in the base class.
+   * The formulas and the rings of single ids. Default none. Valid: as in the base class.
    */
   void AddFormula(int id, const char* formula);
   void RemoveAllFormulas();
@@ -44,7 +44,7 @@ public:
 
   ///@{
   /**
-   * The id that the image is of. Default ALL.
+   * The id that the image belongs to. Default ALL.
    */
   vtkSetClampMacro(ImageId, int, ALL, 1000000000);
   vtkGetMacro(ImageId, int);

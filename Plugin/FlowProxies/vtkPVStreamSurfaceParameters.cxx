@@ -9,8 +9,8 @@ vtkStandardNewMacro(vtkPVStreamSurfaceParameters);
 
 namespace
 {
-/// The first filter of a class upstream, along first connections; null without. ParaView has
-/// filters of its own between ours.
+/// Returns the first filter of a class upstream, along first connections; null without one.
+/// ParaView puts filters of its own between those of the plugin.
 template <typename Filter>
 Filter* FindUpstream(vtkAlgorithm* algorithm)
 {

@@ -10,8 +10,8 @@
  * upstream
  *
  * The mapping is the first vtkInflowMapping upstream of the input, along first connections; the
- * surfaces are those that the vtkImplicitFlowField upstream of it used last, with its ids. What the
- * base class has been given by itself is replaced in each execution.
+ * surfaces are those that the vtkImplicitFlowField upstream of it used last, with its ids. A
+ * mapping and surfaces that the base class was given directly are replaced in each execution.
  *
  * Errors (vtkErrorMacro, empty output): no such filters upstream, as behind a reader of a file.
  */

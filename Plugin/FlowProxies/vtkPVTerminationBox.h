@@ -18,7 +18,8 @@ public:
 
   ///@{
   /**
-   * World units. Default (-0.5, -0.5, -0.5), (1, 1, 1). Valid: finite; above 0.
+   * The lowest corner of the box, and the lengths of its edges, in world units. Default (-0.5,
+   * -0.5, -0.5), (1, 1, 1). Valid: finite; above 0.
    */
   void SetPosition(double x, double y, double z);
   vtkGetVector3Macro(Position, double);

@@ -20,7 +20,8 @@ public:
 
   ///@{
   /**
-   * World units. Default (0, 0, 0), (0, 0, 1). Valid: finite; an axis of any length above 0.
+   * The centre and the axis, in world units. Default (0, 0, 0), (0, 0, 1). Valid: finite; an axis
+   * of any length above 0.
    */
   void SetCenter(double x, double y, double z);
   vtkGetVector3Macro(Center, double);
@@ -30,9 +31,9 @@ public:
 
   ///@{
   /**
-   * From end to end, world units. 0: from the first to the last place of the field along the axis,
-   * whose middle then need not be Center; 1 where there is no field yet. Default 0. Valid: 0 and
-   * above.
+   * The length from end to end, in world units. 0: from the first to the last place of the field
+   * along the axis, whose middle then need not be Center; 1 where there is no field yet. Default 0.
+   * Valid: 0 and above.
    */
   void SetLength(double length);
   vtkGetMacro(Length, double);
@@ -54,7 +55,7 @@ private:
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Axis[3] = { 0.0, 0.0, 1.0 };
   double Length = 0.0;
-  /// Of the field; empty without one.
+  /// The bounds of the field; empty without one.
   double FieldBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
 };
 

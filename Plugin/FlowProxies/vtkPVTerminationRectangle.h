@@ -20,7 +20,8 @@ public:
 
   ///@{
   /**
-   * World units. Default (0, 0, 0), (0, 0, 1). Valid: finite; a normal of any length above 0.
+   * The centre, in world units, and the normal. Default (0, 0, 0), (0, 0, 1). Valid: finite; a
+   * normal of any length above 0.
    */
   void SetCenter(double x, double y, double z);
   vtkGetVector3Macro(Center, double);
@@ -30,10 +31,10 @@ public:
 
   ///@{
   /**
-   * Of the edges along u and v, world units. 0: from the first to the last place of the field along
-   * that edge, whose middle then need not be Center; 1 where there is no field yet. So a rectangle
-   * is at first as large as the plane that ParaView's widget draws. Default (0, 0). Valid: 0 and
-   * above.
+   * The lengths of the edges along u and v, in world units. 0: from the first to the last place of
+   * the field along that edge, whose middle then need not be Center; 1 where there is no field yet.
+   * So a rectangle is at first as large as the plane that ParaView's widget draws. Default (0, 0).
+   * Valid: 0 and above.
    */
   void SetLengths(double u, double v);
   vtkGetVector2Macro(Lengths, double);
@@ -41,7 +42,7 @@ public:
 
   ///@{
   /**
-   * Degrees that the edges are turned around the normal. Default 0.
+   * The angle that the edges are turned by around the normal, in degrees. Default 0.
    */
   void SetAngle(double angle);
   vtkGetMacro(Angle, double);
@@ -63,7 +64,7 @@ private:
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Normal[3] = { 0.0, 0.0, 1.0 };
   double Lengths[2] = { 0.0, 0.0 };
-  /// Of the field; empty without one.
+  /// The bounds of the field; empty without one.
   double FieldBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double Angle = 0.0;
 };

@@ -11,7 +11,7 @@
  * @class   vtkPVTerminationTube
  * @brief   a tube by what ParaView's line widget gives: where its line starts and ends
  *
- * Or by a line of more points, which are taken instead where there are two and more.
+ * A line of more points is taken instead where it has two and more.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVTerminationTube : public vtkTerminationTube
 {
@@ -22,7 +22,7 @@ public:
 
   ///@{
   /**
-   * World units. Default (0, 0, -0.5), (0, 0, 0.5). Valid: finite.
+   * The ends of the line, in world units. Default (0, 0, -0.5), (0, 0, 0.5). Valid: finite.
    */
   void SetStart(double x, double y, double z);
   vtkGetVector3Macro(Start, double);

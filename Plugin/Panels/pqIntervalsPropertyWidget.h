@@ -11,9 +11,10 @@ class pqScalarValueListPropertyWidget;
  * @class   pqIntervalsPropertyWidget
  * @brief   sliders for a single interval, a table for several
  *
- * For a property with rows of two values. While it has one row, this shows the two sliders that
- * ParaView's own IsoVolume has; the button "Several intervals" shows the table below them. With any
- * other number of rows it shows the table alone, and a button that goes back to one.
+ * The widget is for a property with rows of two values. While that has one row, the widget shows
+ * the two sliders that ParaView's own IsoVolume has; the button "Several intervals" shows the table
+ * below them. With any other number of rows it shows the table alone, and a button that goes back
+ * to one.
  */
 class pqIntervalsPropertyWidget : public pqPropertyWidget
 {

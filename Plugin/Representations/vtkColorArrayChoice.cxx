@@ -18,10 +18,11 @@
 
 namespace
 {
-/// Smaller is better: no ids, with a range, of points, scalars.
+/// The rank of an array, of which the smallest is best: no ids, with a range, of points, of one
+/// component.
 using Rank = std::tuple<bool, bool, bool, bool>;
 
-/// Whether the array numbers the points or cells.
+/// Returns whether the array numbers the points or cells.
 bool AreIds(vtkPVDataInformation* data, vtkPVArrayInformation* array, int association)
 {
   vtkPVDataSetAttributesInformation* attributes = data->GetAttributeInformation(association);

@@ -9,18 +9,18 @@ class vtkSMPVRepresentationProxy;
  * @class   vtkColorArrayChoice
  * @brief   chooses the array that a display colours by where none is given
  *
- * One of those that its list of arrays offers: numbers, of points or cells.
+ * It is one of those that the display's list of arrays offers: numbers, of points or cells.
  */
 class vtkColorArrayChoice
 {
 public:
   explicit vtkColorArrayChoice(vtkSMPVRepresentationProxy* display);
 
-  /// Whether there is one.
+  /// Returns whether there is an array to colour by.
   bool IsFound() const { return !this->Name.empty(); }
 
   std::string Name;
-  /// vtkDataObject::POINT or CELL.
+  /// The association of the array, vtkDataObject::POINT or CELL.
   int Association = 0;
 };
 

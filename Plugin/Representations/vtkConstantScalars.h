@@ -11,7 +11,7 @@ class vtkTrivialProducer;
  * @class   vtkConstantScalars
  * @brief   adds a point array of zeros to a dataset, for mappers that draw scalars
  *
- * A byte a point. Made anew when the dataset changes.
+ * The array takes a byte a point, and is made anew when the dataset changes.
  */
 class vtkConstantScalars
 {
@@ -19,14 +19,14 @@ public:
   vtkConstantScalars();
   ~vtkConstantScalars();
 
-  /// The name of the array.
+  /// Returns the name of the array.
   static const char* GetArrayName();
 
-  /// A shallow copy of \a data with the array.
+  /// Returns a shallow copy of \a data with the array.
   vtkTrivialProducer* Update(vtkDataSet* data);
 
 private:
-  /// What it was made of.
+  /// The dataset that the copy was made of.
   vtkDataSet* Made = nullptr;
   vtkMTimeType MadeTime = 0;
   vtkNew<vtkTrivialProducer> Producer;

@@ -17,17 +17,17 @@ namespace
 {
 using Color = std::array<double, 3>;
 
-/// Tableau's ten, in an order in which neighbours differ most.
+/// The ten colours of Tableau, in an order in which neighbours differ most.
 const std::array<Color, 10> PALETTE{ { { { 0.306, 0.475, 0.655 } }, { { 0.949, 0.557, 0.169 } },
   { { 0.349, 0.631, 0.310 } }, { { 0.882, 0.341, 0.349 } }, { { 0.463, 0.718, 0.698 } },
   { { 0.929, 0.788, 0.282 } }, { { 0.690, 0.478, 0.631 } }, { { 0.612, 0.459, 0.373 } },
   { { 1.000, 0.616, 0.655 } }, { { 0.729, 0.690, 0.675 } } } };
 
 constexpr int MOST_IDS = 100;
-/// How wide the change from one band to the next is.
+/// The width of the change from one band to the next.
 constexpr double SEAM = 1e-3;
 
-/// Rows of a position and a colour, as the property RGBPoints has them.
+/// Returns rows of a position and a colour, as the property RGBPoints has them.
 std::vector<double> MakeBands(int count)
 {
   std::vector<double> points;
@@ -59,7 +59,7 @@ bool HaveSameColors(const std::vector<double>& points, const std::vector<double>
   return true;
 }
 
-/// Whether the colours are those of a table that nobody changed, or of fewer ids.
+/// Returns whether the colours are those of a table that nobody changed, or of fewer ids.
 bool AreFirstColors(vtkSMProxy* colors, const std::vector<double>& points)
 {
   vtkSMProxy* prototype = colors->GetSessionProxyManager()->GetPrototypeProxy(
@@ -73,7 +73,7 @@ bool AreFirstColors(vtkSMProxy* colors, const std::vector<double>& points)
   return ids <= MOST_IDS && HaveSameColors(points, MakeBands(ids));
 }
 
-/// Whether the opacities are the ramp that ParaView begins with.
+/// Returns whether the opacities are the ramp that ParaView begins with.
 bool AreFirstOpacities(const std::vector<double>& points)
 {
   return points.size() == 8 && points[1] == 0.0 && points[5] == 1.0;

@@ -13,7 +13,7 @@ class vtkSMProxy;
  */
 namespace vtkIdColors
 {
-/// The \a count first ids; at most as many as have colours of their own are told apart.
+/// Colours the \a count first ids; at most as many as have colours of their own are told apart.
 void Apply(vtkSMProxy* colors, vtkSMProxy* opacities, int count);
 }
 

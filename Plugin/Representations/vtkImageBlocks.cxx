@@ -14,18 +14,18 @@ namespace
 {
 using Images = std::vector<vtkImageData*>;
 
-/// How far samples may be from the lattice of the first image, in spacings.
+/// The distance, in spacings, by which samples may be off the lattice of the first image.
 constexpr double TOLERANCE = 1e-3;
 constexpr double FARTHEST = 1e9;
 
-/// First and last sample of a box along each axis, and how samples or cells of it are counted.
+/// The first and last sample of a box along each axis, and how its samples or cells are counted.
 class Box
 {
 public:
   std::array<int, 6> Extent;
 
   int First(std::size_t axis) const { return this->Extent[2 * axis]; }
-  /// As VTK has it, a flat image has a layer of cells.
+  /// Returns a number of samples or cells; as in VTK, a flat image has a layer of cells.
   int Count(std::size_t axis, bool ofPoints) const
   {
     const int cells = this->Extent[2 * axis + 1] - this->Extent[2 * axis];
@@ -45,7 +45,8 @@ public:
     }
   }
 
-  /// Calls \a visit with each row along x of \a part: where it begins here, where in the part.
+  /// Calls \a visit with each row along x of \a part, with where it begins here and where in the
+  /// part.
   template <typename Visit>
   void VisitRows(const Box& part, bool ofPoints, const Visit& visit) const
   {
@@ -64,7 +65,7 @@ public:
   }
 };
 
-/// Where the image lies on the lattice of \a first; false if it is on another one.
+/// Finds where the image lies on the lattice of \a first. Returns false if it is on another one.
 bool FindBox(vtkImageData* image, vtkImageData* first, Box& box)
 {
   const double* directions = image->GetDirectionMatrix()->GetData();
@@ -93,7 +94,7 @@ bool FindBox(vtkImageData* image, vtkImageData* first, Box& box)
   return true;
 }
 
-/// Whether each cell of the whole is in one of the parts, and in one alone.
+/// Returns whether each cell of the whole is in one of the parts, and in one alone.
 bool FillOnce(const Box& whole, const std::vector<Box>& parts)
 {
   vtkIdType cells = 0;
@@ -121,7 +122,8 @@ vtkDataSetAttributes* GetAttributes(vtkImageData* image, bool ofPoints)
                   : image->GetCellData();
 }
 
-/// The arrays of \a name, an image each; empty where one image has none, or one of another kind.
+/// Returns the arrays of \a name, one for each image; empty where one image has none, or one of
+/// another kind.
 std::vector<vtkDataArray*> FindArrays(const Images& images, const char* name, bool ofPoints)
 {
   std::vector<vtkDataArray*> arrays;
@@ -165,7 +167,7 @@ void JoinArrays(const Images& images, const std::vector<Box>& parts, const Box& 
   }
 }
 
-/// Null if the images do not fill a box.
+/// Returns the images as one; null if they do not fill a box.
 vtkSmartPointer<vtkImageData> Join(const Images& images)
 {
   std::vector<Box> parts(images.size());

@@ -14,19 +14,19 @@ class vtkImageData;
  * @brief   makes one image of those of a composite dataset
  *
  * Images that fill a box together, on one lattice of samples and without overlap, are joined, with
- * the arrays that all of them have. Else the image with the most samples stands for all.
+ * the arrays that all of them have. Otherwise the image with the most samples stands for all.
  */
 class vtkImageBlocks
 {
 public:
-  /// Other datasets, and null, are left out.
+  /// Joins the images among \a parts; leaves out other datasets, and null.
   explicit vtkImageBlocks(const std::vector<vtkDataSet*>& parts);
   ~vtkImageBlocks();
 
-  /// Null without an image.
+  /// Returns the image; null without one.
   vtkImageData* GetImage() const { return this->Image; }
 
-  /// How many of the parts are not in the image.
+  /// Returns how many of the parts are not in the image.
   std::size_t GetNumberLeftOut() const { return this->LeftOut; }
 
 private:

@@ -15,7 +15,8 @@ class vtkTrivialProducer;
  * @class   vtkImageComponent
  * @brief   an image with one component of an array, or the array's magnitude
  *
- * As ParaView colours by arrays of several components. Made anew when array or choice change.
+ * ParaView colours by arrays of several components like this. The image is made anew when the array
+ * or the choice changes.
  */
 class vtkImageComponent
 {
@@ -24,15 +25,15 @@ public:
   ~vtkImageComponent();
 
   /**
-   * Computes it from \a array of \a image, into floats, or doubles where the array has doubles.
-   * \a component below 0 is the magnitude. The result has that array alone, of the same name, at
-   * points if \a isOfPoints, else at cells. Threaded.
+   * Computes the image from \a array of \a image, into floats, or doubles where the array has
+   * doubles. \a component below 0 is the magnitude. The result has that array alone, of the same
+   * name, at points if \a isOfPoints, else at cells. Threads share the work.
    */
   vtkTrivialProducer* Update(
     vtkImageData* image, vtkDataArray* array, bool isOfPoints, int component);
 
 private:
-  /// What it was made of.
+  /// The arguments that the image was made from.
   struct Key
   {
     vtkDataArray* Array = nullptr;

@@ -22,7 +22,7 @@ namespace
 {
 const char* const MAPPER_NAME = "Interlume";
 const char* const AUTOMATIC_DELTA_T = "DeltaT";
-/// More components than these are no colours: they are drawn by the functions.
+/// The largest number of components that are colours: with more, they are drawn by the functions.
 constexpr int MOST_COLOR_COMPONENTS = 4;
 }
 

@@ -39,7 +39,7 @@ public:
 
   ///@{
   /**
-   * The functions of the array to colour by; all opacities are multiplied by Opacity, 0 to 1,
+   * Set the functions of the array to colour by; all opacities are multiplied by Opacity, 0 to 1,
    * default 1.
    */
   void SetColor(vtkColorTransferFunction* color);
@@ -48,13 +48,13 @@ public:
   ///@}
 
   /**
-   * The colour without an array to colour by. Default white.
+   * Sets the colour without an array to colour by. Default white.
    */
   void SetSolidColor(double red, double green, double blue);
 
   ///@{
   /**
-   * Passed on to the mapper.
+   * Pass their values on to the mapper.
    */
   void SetBlendMode(int mode);
   void SetIntegrationMode(int mode);
@@ -67,8 +67,8 @@ public:
   ///@}
 
   /**
-   * Name of the point array with the extent in time. `DeltaT`, the default: that array where the
-   * input has it, else 1 everywhere. The empty name: 1 everywhere.
+   * The name of the point array with the extent in time. `DeltaT`, the default: that array where
+   * the input has it, else 1 everywhere. The empty name: 1 everywhere.
    */
   void SetDeltaTArrayName(const char* name);
 
@@ -76,7 +76,7 @@ public:
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
   using Superclass::GetInternalOutputPort;
-  /// A partitioned dataset as a collection of one, in which the superclass finds blocks.
+  /// Returns a partitioned dataset as a collection of one, in which the superclass finds blocks.
   vtkAlgorithmOutput* GetInternalOutputPort(int port, int connection) override;
 
 protected:
@@ -87,7 +87,7 @@ private:
   vtkIntervalVolumeRepresentation(const vtkIntervalVolumeRepresentation&) = delete;
   void operator=(const vtkIntervalVolumeRepresentation&) = delete;
 
-  /// The array to colour by, null where what the mapper is given lacks it.
+  /// Returns the array to colour by, null where the data that the mapper is given lack it.
   vtkDataArray* FindScalars();
 
   vtkNew<vtkTimeWeightedTetrahedraMapper> Mapper;

@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkSMScalarVolumeRepresentationProxy);
 
 namespace
 {
-/// Whether a state file, or undo, sets the properties now: what it sets is meant.
+/// Returns whether a state file, or undo, sets the properties now, which then stay as they are set.
 bool IsRestoring(vtkSMProxy* proxy)
 {
   if (proxy->GetSessionProxyManager()->GetInLoadXMLState())

@@ -16,14 +16,15 @@ class vtkSMPVRepresentationProxy;
  * `type` of this proxy's hint Volume. Whenever that is what the display shows:
  *
  * - Without an array to colour by it takes one, as ParaView does for its own Volume: from the GUI,
- *   from Python by method or property, in pvbatch. The first by: no ids, with a range, of points,
- *   scalars. Solid Color that was chosen while it is shown is kept, and so
- *   is what a state file or undo sets. Where the data have no array, the next change looks again.
+ *   from Python by method or property, in pvbatch. It prefers an array that is no ids, then one
+ *   with a range, of points, of one component. Solid Color that was chosen while the volume is
+ *   shown is kept, and so is what a state file or undo sets. Where the data have no array, the next
+ *   change looks again.
  * - By an array that the hint Categories names, with ids 0, 1, ..: each id has a colour of its own,
  *   all the same opacity, if colours and opacities were the first ones of ParaView.
  *
- * What of the display's panel changes no picture of this representation is hidden: the groups and
- * properties that the hint Hidden names.
+ * The parts of the display's panel that change no picture of this representation are hidden: the
+ * groups and properties that the hint Hidden names.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkSMScalarVolumeRepresentationProxy
   : public vtkSMRepresentationProxy
@@ -45,11 +46,12 @@ private:
 
   /// Called when the display has changed, and when its data have.
   void FollowDisplay();
-  /// Returns whether the display colours by an array then.
+  /// Colours the display by an array where that is due. Returns whether the display colours by an
+  /// array then.
   bool ColorDisplay(vtkSMPVRepresentationProxy* display);
   void ColorCategories(vtkSMPVRepresentationProxy* display);
 
-  /// What the display calls this representation.
+  /// The name by which the display calls this representation.
   std::string Type;
   bool IsFollowing = false;
   bool IsShown = false;

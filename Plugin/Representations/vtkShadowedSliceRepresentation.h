@@ -24,18 +24,18 @@ class vtkVolumeFunctions;
  * @brief   shows images in ParaView by vtkShadowedSliceMapper, with a projective light of its own
  *
  * Input: a vtkImageData, or a composite dataset of images: those that fill a box together are drawn
- * as one, else the one with the most samples, with a warning. None but other data is an error, and
- * nothing is drawn. Colour and opacity are ParaView's, as those of its Volume: the
- * array to colour by, its component or magnitude where it has several, or the components
- * themselves, with its colour and opacity functions, a separate array for opacity, the unit
- * distance of the opacity, shading and cropping. Without an array to colour by, or where the image
- * lacks it, the solid colour is drawn with one opacity (see vtkVolumeFunctions).
+ * as one, else the one with the most samples is drawn, with a warning. Data without an image are an
+ * error, and nothing is drawn. Colour and opacity are set as for ParaView's Volume: the array to
+ * colour by, its component or magnitude where it has several, or the components themselves, with
+ * its colour and opacity functions, a separate array for opacity, the unit distance of the opacity,
+ * shading and cropping. Without an array to colour by, or where the image lacks it, the solid
+ * colour is drawn with one opacity (see vtkVolumeFunctions).
  *
  * All lights of the view shine on the volume: the light kit and additional lights. How many of them
  * cast shadows is MaximumNumberOfShadows, here 1 at first. Shading is on at first, unlike that of
  * ParaView's Volume: without it the light kit's lights add up to more than white.
  *
- * The light of its own, a vtkProjectiveLight, is one of the view's lights as long as the
+ * The representation's own light, a vtkProjectiveLight, is one of the view's lights as long as the
  * representation is in the view, and is switched off with its visibility. Other representations see
  * a light of that position and colour without a screen.
  *
@@ -53,7 +53,7 @@ public:
 
   ///@{
   /**
-   * The functions of the array to colour by; all opacities are multiplied by Opacity, 0 to 1,
+   * Set the functions of the array to colour by; all opacities are multiplied by Opacity, 0 to 1,
    * default 1.
    */
   void SetColor(vtkColorTransferFunction* color);
@@ -62,13 +62,14 @@ public:
   ///@}
 
   /**
-   * The colour without an array to colour by. Default white.
+   * Sets the colour without an array to colour by. Default white.
    */
   void SetSolidColor(double red, double green, double blue);
 
   ///@{
   /**
-   * Passed on to the mapper. Their defaults are its own, but for MaximumNumberOfShadows.
+   * Pass their values on to the mapper. The defaults are those of the mapper, but for
+   * MaximumNumberOfShadows.
    */
   void SetShadows(bool shadows);
   void SetMaximumNumberOfShadows(int number);
@@ -80,14 +81,15 @@ public:
   ///@}
 
   /**
-   * Whether light takes on the colour of what it passes: the mapper's TransmissionColor is the
-   * colour function. Without effect on RGB components. Default off.
+   * Whether light takes on the colour of the matter that it passes: the mapper's TransmissionColor
+   * is the colour function. Without effect on RGB components. Default off.
    */
   void SetColoredShadows(bool colored);
 
   ///@{
   /**
-   * The light of its own: whether it shines (default off), and what is passed on to it.
+   * Whether the representation's own light shines (default off), and the values that are passed on
+   * to it.
    */
   void SetProjectiveLight(bool shines);
   void SetProjectiveLightPositional(bool positional);
@@ -102,12 +104,13 @@ public:
   ///@}
 
   /**
-   * The texture whose image is on the light's screen. Default null: all light passes.
+   * The texture whose image is on the screen of the representation's own light. Default null: all
+   * light passes.
    */
   void SetProjectiveLightImage(vtkTexture* texture);
 
   /**
-   * Whether the light of its own casts shadows, if it is among the brightest. Default on.
+   * Whether the representation's own light casts shadows, if it is among the brightest. Default on.
    */
   void SetProjectiveLightShadows(bool shadows);
 
@@ -129,9 +132,9 @@ private:
 
   int ShowImage(vtkImageData* image, vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
-  /// The array to colour by, null where the dataset lacks it.
+  /// Returns the array to colour by, null where the dataset lacks it.
   vtkDataArray* FindColors(vtkDataSet* data);
-  /// Whether there is an array to colour by, and one for opacity that fits it.
+  /// Returns whether there is an array to colour by, and one for opacity that fits it.
   bool CanCombineArrays(vtkDataObject* data);
   void UpdateScalars();
   void UpdateLight();

@@ -10,7 +10,7 @@
 
 namespace
 {
-/// Whether the function has the ends that ParaView gives a range of one value.
+/// Returns whether the function has the ends that ParaView gives a range of one value.
 bool IsOfOneValue(vtkPiecewiseFunction* function)
 {
   if (function->GetSize() != 2)

@@ -13,8 +13,8 @@ class vtkVolumeProperty;
  * @class   vtkVolumeFunctions
  * @brief   chooses the colour and opacity functions that a representation draws with
  *
- * Those are the ones it was given, but for three cases, in which they would show nothing or not
- * what was asked for:
+ * The functions are those that the representation was given, but for three cases, in which these
+ * would show nothing or not what was asked for:
  * - without an array to colour by: the solid colour and the flat opacity;
  * - an opacity function between the ends of a range without width, which is what ParaView makes of
  *   the ramp when an array is constant: the flat opacity, since the ramp is 0 at that value;
@@ -26,24 +26,25 @@ public:
   vtkVolumeFunctions();
   ~vtkVolumeFunctions();
 
-  /// The opacity for the unit distance where no function can tell: about ten cells hide the rest.
+  /// The opacity for the unit distance where there is no function to use, with which about ten
+  /// cells hide the rest.
   static constexpr double FLAT_OPACITY = 0.1;
 
   ///@{
   /**
-   * The functions given; null: those of a new vtkVolumeProperty.
+   * Set the functions to choose from; null stands for those of a new vtkVolumeProperty.
    */
   void SetColor(vtkColorTransferFunction* color);
   void SetScalarOpacity(vtkPiecewiseFunction* opacity);
   ///@}
 
   /**
-   * The factor of all opacities for the unit distance. Default 1. Valid: 0 to 1, clamped.
+   * Sets the factor of all opacities for the unit distance. Default 1. Valid: 0 to 1, clamped.
    */
   void SetOpacity(double opacity);
 
   /**
-   * The colour without an array. Default white.
+   * Sets the colour without an array. Default white.
    */
   void SetSolidColor(double red, double green, double blue);
 
@@ -62,7 +63,7 @@ private:
   vtkNew<vtkColorTransferFunction> Solid;
   vtkNew<vtkPiecewiseFunction> Flat;
   vtkNew<vtkPiecewiseFunction> Scaled;
-  /// What Scaled was made of.
+  /// The function and the factor that Scaled was made of.
   vtkPiecewiseFunction* ScaledSource = nullptr;
   vtkMTimeType ScaledTime = 0;
   double ScaledBy = 1.0;

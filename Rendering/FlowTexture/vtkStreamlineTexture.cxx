@@ -61,7 +61,8 @@ void vtkStreamlineTexture::AddTo(
   actor->GetProperty()->RemoveTexture(TimelinesName);
   if (streamlines && timelines)
   {
-    // In VTK's terms: the colour of the second by its opacity, the rest of the first.
+    // The modes are VTK's: the colour of the second texture counts by its opacity, and the first
+    // for the rest.
     timelines->SetBlendingMode(VTK_TEXTURE_BLENDING_MODE_REPLACE);
     actor->GetProperty()->SetTexture(TimelinesName, timelines);
   }

@@ -10,8 +10,8 @@ class vtkActor;
  * @class   vtkStreamlineTexture
  * @brief   stripes along texture coordinates, in a mip pyramid that is not averaged
  *
- * Lines of constant s (or t) on a textured surface: streamlines of a stream surface whose first
- * texture coordinate tells them apart, timelines of one whose second is the time (C. Zhang,
+ * Draws lines of constant s (or t) on a textured surface: streamlines of a stream surface whose
+ * first texture coordinate tells them apart, timelines of one whose second is the time (C. Zhang,
  * dissertation, Ohio State 2006, section 4.5.2, figures 4.7 and 4.8).
  *
  * Level k of the pyramid holds NumberOfLines / 2^k lines over 0 ... 1, all of the same width in
@@ -23,13 +23,15 @@ class vtkActor;
  *
  * The texture multiplies the surface's colour after lighting, as any texture of an actor: a white
  * background keeps it, a background of opacity 0 leaves lines alone. Colours that the mapper looks
- * up in a texture of its own (InterpolateScalarsBeforeMapping) are not multiplied; that is
- * vtkOpenGLPolyDataMapper's. The surface needs active texture coordinates of one or two components.
+ * up in a texture of its own (InterpolateScalarsBeforeMapping) are not multiplied, which is a limit
+ * of vtkOpenGLPolyDataMapper. The surface needs active texture coordinates of one or two
+ * components.
  *
  * **Grids** of streamlines and timelines are two textures, one for each direction (AddTo). In one
  * texture, both directions would have one level: that of the direction that is narrower on screen,
  * too few lines in the other; or, with anisotropic filtering, samples along the direction that is
- * narrower, averaged to grey. For that reason it is off, whatever the actor says.
+ * narrower, averaged to grey. For that reason anisotropic filtering is off, whatever the actor
+ * says.
  *
  * There is no input. Levels are uploaded when the texture is drawn the first time, and again only
  * after a setting has changed, in another window, or after ReleaseGraphicsResources. One texture
@@ -62,9 +64,10 @@ public:
 
   ///@{
   /**
-   * Lines over texture coordinates 0 to 1 in the finest level; one is at 0. Default 256. Valid:
-   * powers of two from 1 to 4096; others are an error (vtkErrorMacro) and change nothing. What
-   * OpenGL has no room for is an error when it is drawn, with the finest levels left out.
+   * The number of lines over texture coordinates 0 to 1 in the finest level; one line is at 0.
+   * Default 256. Valid: powers of two from 1 to 4096; others are an error (vtkErrorMacro) and
+   * change nothing. A pyramid that OpenGL has no room for is an error when it is drawn, and its
+   * finest levels are left out.
    */
   void SetNumberOfLines(int number);
   vtkGetMacro(NumberOfLines, int);
@@ -72,7 +75,7 @@ public:
 
   ///@{
   /**
-   * Width of a line as a share of the distance of lines. Default 0.25. Valid: 0 to 1; clamped.
+   * The width of a line as a share of the distance of lines. Default 0.25. Valid: 0 to 1; clamped.
    */
   vtkSetClampMacro(LineWidth, double, 0.0, 1.0);
   vtkGetMacro(LineWidth, double);
@@ -80,8 +83,8 @@ public:
 
   ///@{
   /**
-   * Texels from line to line in every level, which is also how far apart lines are on screen, in
-   * pixels. Default 16. Valid: 2 to 256; clamped.
+   * The number of texels from line to line in every level, which is also the distance of lines on
+   * screen, in pixels. Default 16. Valid: 2 to 256; clamped.
    */
   vtkSetClampMacro(TexelsPerLine, int, 2, 256);
   vtkGetMacro(TexelsPerLine, int);
@@ -89,7 +92,7 @@ public:
 
   ///@{
   /**
-   * Colour of lines, which are opaque. Default black (0, 0, 0). Valid: 0 to 1; clamped.
+   * The colour of lines, which are opaque. Default black (0, 0, 0). Valid: 0 to 1; clamped.
    */
   vtkSetVector3Macro(LineColor, double);
   vtkGetVector3Macro(LineColor, double);
@@ -97,7 +100,8 @@ public:
 
   ///@{
   /**
-   * Colour and opacity between lines. Default white, opaque (1, 1, 1, 1). Valid: 0 to 1; clamped.
+   * The colour and opacity between lines. Default white, opaque (1, 1, 1, 1). Valid: 0 to 1;
+   * clamped.
    */
   vtkSetVector4Macro(BackgroundColor, double);
   vtkGetVector4Macro(BackgroundColor, double);
@@ -106,22 +110,22 @@ public:
   /**
    * Gives \a actor a grid: \a streamlines is the actor's texture, \a timelines is laid over it (a
    * texture of the actor's property by the name `timelines`). The background of \a timelines is to
-   * be of opacity 0; that of \a streamlines counts. Either may be null: no lines of that kind.
+   * be of opacity 0; that of \a streamlines counts. Either may be null, for no lines of that kind.
    */
   static void AddTo(
     vtkActor* actor, vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines);
 
-  /// How often levels were uploaded since this was made.
+  /// Returns how often levels were uploaded since this texture was made.
   vtkGetMacro(NumberOfUploads, int);
 
-  /// Levels of the pyramid: down to a single line.
+  /// Returns the number of levels of the pyramid, down to a single line.
   int GetNumberOfLevels() const;
 
-  /// Uploads what is needed.
+  /// Uploads the levels where they are needed, and binds the texture.
   void Render(vtkRenderer* renderer) override;
   void Load(vtkRenderer* renderer) override;
 
-  /// Whether the background is.
+  /// Returns whether the background is translucent.
   int IsTranslucent() override;
 
 protected:

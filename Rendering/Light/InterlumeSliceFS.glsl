@@ -2,7 +2,7 @@
 //INTERLUME::FEATURES
 #define COLOR
 
-// What the eye sees of one slab: colour times opacity, and opacity.
+// Draws one slab as the eye sees it: colour times opacity, and opacity.
 in vec3 place;
 uniform sampler2D colors;
 #ifdef PERSPECTIVE
@@ -70,8 +70,8 @@ vec3 rowNormals[ROWS];
 float rowSurfaces[ROWS];
 #endif
 
-// Mean of exp(-b) over the segment, weighted by what the eye sees, exp(-a) da: b goes from first to
-// last and a from 0 to opticalDepth, both evenly.
+// Returns the mean of exp(-b) over the segment, weighted by what the eye sees, exp(-a) da: b goes
+// from first to last and a from 0 to opticalDepth, both evenly.
 float meanOfProduct(float first, float last)
 {
   float sum = opticalDepth + last - first;
@@ -89,7 +89,7 @@ vec3 meanOfProduct(vec3 first, vec3 last)
 }
 #endif
 
-// Equation 2.6, without the ambient part, of light that goes along l.
+// Adds equation 2.6, without the ambient part, for light that goes along l.
 void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
 {
   for (int row = 0; row < ROWS; ++row)
@@ -167,7 +167,7 @@ void main()
   gl_FragData[0] = vec4(0.0);
 #else
 #ifdef THIN
-  // What is not marked by its depth is drawn as thick matter next.
+  // A fragment that is not marked by its depth is drawn as thick matter next.
   if (sampleExtinction * (upper - lower) > LEAST_DEPTH)
   {
     discard;

@@ -1,4 +1,4 @@
-// One light, INDEX its number.
+// The functions of one light; INDEX is its number.
 
 uniform vec3 diffuse_INDEX;
 #ifdef SHADE
@@ -33,13 +33,13 @@ uniform mat4 bufferFromUnit_INDEX;
 // The buffer as it was some slabs before, up to layerEntrance along the slices' normal.
 uniform sampler2D layer_INDEX;
 uniform float layerEntrance_INDEX;
-// A voxel along the light.
+// The length of a voxel along the light.
 uniform float voxelLength_INDEX;
 #endif
 #endif
 #endif
 
-// The direction in which light goes at the sample.
+// Returns the direction in which light goes at the sample.
 vec3 getDirection_INDEX()
 {
 #ifdef POSITIONAL_INDEX
@@ -49,7 +49,7 @@ vec3 getDirection_INDEX()
 #endif
 }
 
-// The share of its colours that reaches the sample without the matter.
+// Returns the share of the light's colours that reaches the sample without the matter.
 vec3 getColor_INDEX(vec3 l)
 {
   vec3 color = vec3(1.0);
@@ -84,8 +84,8 @@ vec3 getColor_INDEX(vec3 l)
 }
 
 #ifdef SHADOW_INDEX
-// How far light that goes along l, inverse in the texture, goes through the slab's matter before it
-// is at x, p in the texture.
+// Returns how far light that goes along l, inverse in the texture, goes through the slab's matter
+// before it is at x, p in the texture.
 float getPath_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
 {
   float path = (dot(x, sliceNormal) - sliceEntrance) / max(dot(l, sliceNormal), 1e-6);
@@ -153,14 +153,15 @@ LIGHT getNearDepth_INDEX(vec3 x, vec3 l, inout bool isHard)
   return depth;
 }
 
-// Beside sharp surfaces texels of the buffer are of light rays that have or have not met the surface,
-// whatever this fragment's has: there the buffer is asked for the light that has come as far as to
-// the layer, and from there on the fragment's own ray is followed. False where all around is even.
+// Finds the transmittance beside sharp surfaces, where texels of the buffer belong to light rays
+// that have or have not met the surface, whatever the ray of this fragment has: there the buffer is
+// asked for the light that has come as far as to the layer, and from there on the fragment's own
+// ray is followed. Returns false where all around is even.
 bool findTransmittance_INDEX(vec3 l, out LIGHT result)
 {
-  // Too little to be seen.
+  // A depth of light too little to be seen.
   const float least = 0.02;
-  // Where the eye sees the segment on the average.
+  // The place where the eye sees the segment on the average.
   float seen = opticalDepth < 0.05 ? 0.5 - opticalDepth / 12.0
                                    : 1.0 / opticalDepth - (1.0 - opacity) / opacity;
   vec4 b = bufferFromUnit_INDEX * vec4(mix(segmentStart, segmentEnd, seen), 1.0);
@@ -182,15 +183,15 @@ bool findTransmittance_INDEX(vec3 l, out LIGHT result)
   bool isUneven = isFront || largestOf((lightest - darkest) * far) > least;
   bool isHard = isFront;
 
-  // Where matter begins by its values, that is known to some hundredths of a voxel: one place is
-  // before it and one well behind. Else two of Gauss within what can be seen.
+  // Where matter begins by its values, its begin is known to some hundredths of a voxel: one place
+  // is before it and one well behind. Else both places are Gauss's, within what can be seen.
   float size = distance(segmentStart, segmentEnd);
   float reach = min(size, 3.0 / sampleExtinction);
   float ahead = isFront ? -0.15 * voxelLength_INDEX : 0.2113 * reach;
   float behind = isFront ? 0.35 * voxelLength_INDEX : 0.7887 * reach;
   LIGHT first = LIGHT(0.0);
   LIGHT last = LIGHT(0.0);
-  // A loop, which holds the code once.
+  // A loop holds the code only once.
   int places = isUneven && largestOf(far) > least ? 2 : 0;
   for (int i = 0; i < places; ++i)
   {
@@ -207,8 +208,8 @@ bool findTransmittance_INDEX(vec3 l, out LIGHT result)
 }
 #endif
 
-// The transmittance from the light: up to the slab from the buffer, within it the mean over what the
-// eye sees of the segment.
+// Returns the transmittance from the light: up to the slab from the buffer, within it the mean over
+// what the eye sees of the segment.
 LIGHT getTransmittance_INDEX(vec3 l)
 {
 #ifdef WIDE_INDEX

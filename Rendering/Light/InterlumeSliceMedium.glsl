@@ -1,5 +1,5 @@
-// What a fragment of the picture and one of a light's buffer both know: the matter along a ray.
-// ROWS functions of COLUMNS samples; OPACITY_OF names the components of a texel that have an opacity.
+// The matter along a ray, for fragments of the picture and of a light's buffer. ROWS functions of
+// COLUMNS samples; OPACITY_OF names the components of a texel that have an opacity.
 
 uniform sampler3D volume;
 uniform sampler2D extinctions;
@@ -7,7 +7,7 @@ uniform sampler2D extinctions;
 uniform sampler2D extinctionSums;
 #endif
 uniform mat4 textureFromUnit;
-// A texel less the origin, times the scale, is a column.
+// The factor of columns: a texel less the origin, times the scale, is a column.
 uniform vec4 columnScale;
 uniform vec4 columnOrigin;
 #ifdef BENDS
@@ -15,7 +15,7 @@ uniform sampler2D bends;
 #endif
 uniform vec3 boxLower;
 uniform vec3 boxUpper;
-// World units in one of unit space.
+// The length of one unit of unit space in world units.
 uniform float worldLength;
 #ifdef MASK
 uniform sampler3D mask;
@@ -41,13 +41,13 @@ uniform vec3 voxel;
 #endif
 #ifdef GRADIENT_OPACITY
 uniform sampler2D gradientOpacities;
-// Half a difference times these is the magnitude that the functions are of.
+// The factors by which half a difference becomes the magnitude that the functions are given for.
 uniform vec3 gradientSteps;
 uniform vec4 gradientColumnScale;
 uniform vec4 unitDistances;
 #endif
 
-// Slab: from entrance along the normal as far as spacing.
+// The slab, which goes from entrance along the normal as far as spacing.
 uniform vec3 sliceNormal;
 uniform float sliceEntrance;
 uniform float sliceSpacing;
@@ -57,14 +57,14 @@ vec3 placeInTexture(vec3 x)
   return (textureFromUnit * vec4(x, 1.0)).xyz;
 }
 
-// One over a direction in the texture, as far as that goes.
+// Returns one over a direction in the texture, as far as that goes.
 vec3 inverseOf(vec3 q)
 {
   return 1.0 / mix(q, vec3(1e-12), lessThan(abs(q), vec3(1e-12)));
 }
 
-// The part of x + s d between lower and upper that has matter. In the texture x is p, and one over d
-// is inverse.
+// Finds the part of x + s d between lower and upper that has matter. In the texture x is p, and one
+// over d is inverse.
 void cutToMatter(vec3 x, vec3 d, vec3 p, vec3 inverse, inout float lower, inout float upper)
 {
   vec3 a = (boxLower - p) * inverse;
@@ -100,7 +100,7 @@ vec4 bendAt(int texel)
   return texelFetch(bends, ivec2(texel & (COLUMNS - 1), texel / COLUMNS), 0);
 }
 
-// Between two columns, in the list of so many pieces that begins at that texel: see
+// Returns the value between two columns from the list of so many pieces that begins at a texel: see
 // TransferColumns.
 float lookUpBends(int first, int pieces, float share)
 {
@@ -162,22 +162,22 @@ vec3 lookUpColorBends(int first, float share)
 #endif
 
 #ifdef THICK
-// The extinction at a column, and the sum of extinctions from the first column to it.
+// Returns the extinction at a column, and the sum of extinctions from the first column to it.
 vec2 lookUpSum(float column, int row)
 {
   float place = clamp(column, 0.0, float(COLUMNS - 1));
   int first = int(place);
   vec2 sums = texelFetch(extinctionSums, ivec2(first, row), 0).rg;
   float extinction = lookUp(extinctions, column, row);
-  // What is beyond the columns has the extinction of their ends.
+  // Values beyond the columns have the extinction of their ends.
   float sum = mix(sums.x, sums.y, place - float(first)) + extinction * (column - place);
   return vec2(extinction, sum);
 }
 #endif
 
 #if defined(TRANSMISSION) || defined(COLOR)
-// A texel's fourth is the place of the bends between its column and the next one, minus both ends of
-// the edge there, or 0.
+// The fourth channel of a texel is the place of the bends between its column and the next one,
+// minus both ends of the edge there, or 0.
 vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 {
   float column =
@@ -213,7 +213,7 @@ vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 #define PART(texel) 1.0
 #endif
 
-// The mean of the finite samples around, and their share.
+// Returns the mean of the finite samples around, and their share.
 vec4 texelAt(vec3 p, out float share)
 {
   vec4 texel = texture(volume, p);
@@ -226,7 +226,7 @@ vec4 texelAt(vec3 p, out float share)
 }
 
 #if defined(GRADIENT_OPACITY) || defined(SHADE)
-// Differences of the texel over two voxels along each axis of the texture.
+// Finds the differences of the texel over two voxels along each axis of the texture.
 void differencesAt(vec3 p, vec4 here, out vec4 differences[3])
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -242,14 +242,15 @@ void differencesAt(vec3 p, vec4 here, out vec4 differences[3])
   }
 }
 
-// The length of v, and its direction, where squares of its components may be below all numbers.
+// Return the length of v, and its direction, where squares of its components may be below all
+// numbers.
 float lengthOf(vec3 v)
 {
   float size = max(max(abs(v.x), abs(v.y)), abs(v.z));
   return size > 0.0 ? size * length(v / size) : 0.0;
 }
 
-// The direction in unit space of the gradient of one component, from its differences.
+// Returns the direction in unit space of the gradient of one component, from its differences.
 vec3 gradientOf(vec3 difference)
 {
   float size = max(max(abs(difference.x), abs(difference.y)), abs(difference.z));
@@ -266,7 +267,7 @@ bool isCropped(vec3 x)
 }
 #endif
 
-// Extinction of each row at x, which is p in the texture, and their sum.
+// Finds the extinction of each row at x, which is p in the texture, and returns their sum.
 float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 {
   parts = vec4(0.0);
@@ -373,7 +374,7 @@ float extinctionOf(Place place)
 #endif
 }
 
-// The place x, which is p in the texture. Opacity by gradients is part of the share.
+// Finds the place x, which is p in the texture. Opacity by gradients is part of the share.
 Place placeAt(vec3 x, vec3 p)
 {
   float share;
@@ -401,7 +402,7 @@ Place placeBetween(Place a, Place b, float part)
   return placeOf(mix(a.Columns, b.Columns, part), mix(a.Share, b.Share, part), a.Part);
 }
 
-// The mean extinction on the way from one place to another.
+// Returns the mean extinction on the way from one place to another.
 float meanExtinction(Place a, Place b)
 {
   VALUES change = b.Columns - a.Columns;
@@ -420,7 +421,8 @@ float meanExtinction(Place a, Place b)
 #endif
 }
 
-// Whether extinctions jump on the way: in the middle they are far from the mean of both ends.
+// Returns whether extinctions jump on the way: in the middle they are far from the mean of both
+// ends.
 bool jumps(Place a, Place b)
 {
   float first = extinctionOf(a);
@@ -429,11 +431,11 @@ bool jumps(Place a, Place b)
   return abs(middle - 0.5 * (first + last)) > 0.45 * max(first, last);
 }
 
-// The optical depth of a slab's matter, between lower and upper on x + s d, p and q in the texture,
-// whose sample in the middle has an extinction. Slabs are across long, matter is from start to end.
-// Where extinctions jump to nothing on the way to the next slab's sample that slab shows nothing of
-// what is there; then lower or upper moves to where the matter begins or ends. isFront is
-// set where extinctions jump before the sample.
+// Returns the optical depth of a slab's matter, between lower and upper on x + s d, p and q in the
+// texture, whose sample in the middle has an extinction. Slabs are across long, matter is from
+// start to end. Where extinctions jump to nothing on the way to the next slab's sample that slab
+// shows nothing of what is there; then lower or upper moves to where the matter begins or ends.
+// isFront is set where extinctions jump before the sample.
 float depthOfSlab(vec3 x, vec3 d, vec3 p, vec3 q, float across, float start, float end,
   float extinction, inout float lower, inout float upper, inout bool isFront)
 {

@@ -1,13 +1,14 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Marks where what comes behind cannot be seen, by a depth that nothing is nearer than.
+// Marks fragments behind which nothing can be seen, by a depth that nothing is nearer than. The
+// buffer holds opacity in its fourth channel, or a light's transmittance with TRANSMITTANCE.
 in vec2 texCoord;
 uniform sampler2D slices;
 
 void main()
 {
-  // Too little to be seen.
+  // The least transmittance that can be seen.
   const float least = 1e-5;
   vec4 texel = texture(slices, texCoord);
 #ifdef OPACITY

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 
-// One colour where there is something of the volume in front of all else.
+// Draws one colour where there is something of the volume in front of all else.
 in vec2 texCoord;
 uniform sampler2D image;
 uniform vec3 selectionColor;

@@ -6,7 +6,7 @@ in vec3 placeIn;
 uniform mat4 clipFromUnit;
 out vec3 place;
 #ifdef MARKED
-// In clip coordinates, of the whole slice: nearer from slice to slice.
+// The depth of the whole slice in clip coordinates, nearer from slice to slice.
 uniform float sliceDepth;
 #endif
 

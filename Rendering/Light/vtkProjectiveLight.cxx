@@ -26,7 +26,7 @@ double SmoothStep(double distance, double width)
   return t * t * (3.0 - 2.0 * t);
 }
 
-// NaN is lower.
+// Clamps a value; NaN becomes the lower limit.
 double Clamp(double value, double lower, double upper)
 {
   return value > lower ? std::min(value, upper) : lower;

@@ -21,7 +21,8 @@ class vtkMatrix4x4;
  * from its position, as a slide projector or the light of a window does; a parallel one in a beam
  * of the screen's cross-section. Where no ray passes the screen there is no light: I(x) = Intensity
  * Color screen(x) T(x) (equation 2.8), screen(x) the colour of the image where the ray through x
- * passes, times its opacity, 1 - or 0 outside - without an image. T is the transmittance.
+ * passes, times its opacity; without an image it is 1 on the screen and 0 outside. T is the
+ * transmittance.
  *
  * Add it to a vtkRenderer by AddLight as any other light. Mappers other than vtkShadowedSliceMapper
  * see a vtkLight of the same position, direction and colour, without a screen.
@@ -60,7 +61,7 @@ public:
 
   ///@{
   /**
-   * Width and height of the screen in world units. Default 1, 1. Valid: 1e-30 to 1e30.
+   * The width and height of the screen in world units. Default 1, 1. Valid: 1e-30 to 1e30.
    */
   void SetScreenSize(double width, double height);
   vtkGetVector2Macro(ScreenSize, double);
@@ -78,9 +79,9 @@ public:
 
   ///@{
   /**
-   * How much of the screen, from its edge inwards, the light takes to go from nothing to all, as a
-   * share of the screen's half width and height: 0 is a sharp edge. Smooth (cubic). Default 0.
-   * Valid: 0 to 1.
+   * The width of the edge over which the light goes from nothing to all, from the screen's border
+   * inwards, as a share of the screen's half width and height; the change is cubic. 0 is a sharp
+   * edge. Default 0. Valid: 0 to 1.
    */
   void SetEdgeWidth(double width);
   vtkGetMacro(EdgeWidth, double);
@@ -88,8 +89,8 @@ public:
 
   ///@{
   /**
-   * How much of the light the screen lets through where it is transparent; multiplies the image's
-   * opacity. Default 1. Valid: 0 to 1.
+   * The share of the light that the screen lets through where it is transparent, which multiplies
+   * the image's opacity. Default 1. Valid: 0 to 1.
    */
   void SetScreenOpacity(double opacity);
   vtkGetMacro(ScreenOpacity, double);
@@ -104,39 +105,39 @@ public:
   bool GetScreenMatrix(vtkMatrix4x4* matrix);
 
   /**
-   * The same in coordinates in which the light has this position, focal point and view up, and
-   * lengths are \a scale times those of the world.
+   * Fills \a matrix likewise, but for coordinates in which the light has this position, focal point
+   * and view up, and lengths are \a scale times those of the world.
    */
   bool GetScreenMatrix(const double position[3], const double focalPoint[3], const double viewUp[3],
     double scale, vtkMatrix4x4* matrix) const;
 
   /**
-   * What is wrong with the image, or nothing, as without an image.
+   * Returns what is wrong with the image, or nothing, as without an image.
    */
   std::string GetImageError() const;
 
   /**
-   * The image as a texture: red, green, blue, each times opacity, of one sample after the other, x
-   * fastest. Values outside 0 to 1 are clamped, NaN is 0. Empty without an image, and with one that
-   * has an error.
+   * Returns the image as a texture: red, green, blue, each times opacity, of one sample after the
+   * other, x fastest. Values outside 0 to 1 are clamped, NaN is 0. Empty without an image, and with
+   * one that has an error.
    */
   std::vector<float> GetTexels() const;
 
   /**
-   * The screen's colour, times opacity, at (u,v) of the screen, with the smooth edge; black
-   * outside. The edge is s(x) s(y), s(x) = 3 t^2 - 2 t^3, t the distance of x to 0 or 1 over
-   * EdgeWidth / 2. For tests and error norms; what the shader computes.
+   * Computes the screen's colour, times opacity, at (u,v) of the screen, with the smooth edge;
+   * black outside. The edge is s(x) s(y), s(x) = 3 t^2 - 2 t^3, t the distance of x to 0 or 1 over
+   * EdgeWidth / 2. This is what the shader computes, for tests and error norms.
    */
   void GetScreenColor(double u, double v, double color[3]) const;
 
   /**
-   * The image counts.
+   * Returns the time of the last change, of the image too.
    */
   vtkMTimeType GetMTime() override;
 
   /**
-   * A new projective light with the same values, which shares the image. vtkLight::DeepCopy, which
-   * is not virtual, copies what a vtkLight has.
+   * Returns a new projective light with the same values, which shares the image.
+   * vtkLight::DeepCopy, which is not virtual, copies what a vtkLight has.
    */
   vtkLight* ShallowClone() override;
 
@@ -152,7 +153,7 @@ protected:
   double ScreenOpacity = 1.0;
 
 private:
-  // Red, green, blue, each times opacity.
+  // Computes the red, green and blue of a sample, each times opacity.
   void GetSample(vtkIdType index, double color[3]) const;
 
   vtkProjectiveLight(const vtkProjectiveLight&) = delete;

@@ -143,7 +143,7 @@ void vtkShadowedSliceMapper::Complain(vtkImageData* image, vtkDataArray* scalars
   {
     text += (text.empty() ? "" : "; ") + warning;
   }
-  // The same complaint once for one state of the input and of the mapper, not for every picture.
+  // An error is given once for one state of the input and of the mapper, not for every picture.
   const vtkMTimeType state = std::max(image->GetMTime(), this->GetMTime());
   if (!text.empty() && (state != this->ErrorTime || text != this->ErrorText))
   {

@@ -79,9 +79,9 @@ class SliceRenderer;
  * the viewer are swept from front to back, those behind the volume from back to front; lights on
  * both sides take two sweeps, and so does a positional light inside the volume.
  *
- * One buffer of two dimensions for each light: four bytes of transmittance for each sample, twelve
- * with TransmissionColor, two that spare what lies behind opaque matter, and two layers of the
- * former where surfaces are sharp.
+ * Each light has one buffer of two dimensions. It takes four bytes of transmittance for each
+ * sample, twelve with TransmissionColor, two that spare what lies behind opaque matter, and two
+ * layers of the former where surfaces are sharp.
  *
  * A positional light inside the volume, or as close that rays run along the slices, has two sweeps,
  * which are halves of one picture where it is alone, and its rays are followed in steps: it takes
@@ -111,8 +111,8 @@ class SliceRenderer;
  * Cropping by region flags and clipping planes cut the matter exactly along the ray where the flags
  * are those of the subvolume, sample by sample otherwise. Opaque props occlude by depth, within a
  * slab too. Translucent polygons are behind the volume wherever they are: UseDepthPeelingForVolumes
- * is not supported, is warned of once, and draws the picture that is drawn without it. BlendMode:
- * composite only.
+ * is not supported, is warned of once, and draws the picture that is drawn without it. The only
+ * BlendMode is composite.
  *
  * Errors (vtkErrorMacro; the picture of the frame before stays where there is one): no scalars, a
  * blend mode or number of components that is not supported, a volume larger than the graphics
@@ -140,8 +140,8 @@ public:
 
   ///@{
   /**
-   * Only that many lights cast shadows, the brightest; the others shine through. A light kit has
-   * five lights, of which one matters. Default 16. Valid: 0 to 16.
+   * The largest number of lights that cast shadows, the brightest ones; the others shine through. A
+   * light kit has five lights, of which one matters. Default 16. Valid: 0 to 16.
    */
   vtkSetClampMacro(MaximumNumberOfShadows, int, 0, 16);
   vtkGetMacro(MaximumNumberOfShadows, int);
@@ -149,8 +149,8 @@ public:
 
   ///@{
   /**
-   * Distance of the slices, in world units. 0, the default: half the length within one voxel of a
-   * line along the slices' normal, or, where that is more, what a line of sight goes along the
+   * The distance of the slices, in world units. 0, the default: half the length within one voxel of
+   * a line along the slices' normal, or, where that is more, what a line of sight goes along the
    * normal in half its length within one voxel. Valid: 0 and above. No more than 65,536 slices are
    * drawn: a smaller distance is enlarged to that, and the report has the one in use.
    */
@@ -160,17 +160,16 @@ public:
 
   ///@{
   /**
-   * Columns and rows of the buffer of each light. 0, the default: as many as the volume has voxels
-   * across, seen from the light; steep ramps of opacity under oblique light want two to three times
-   * that.
-   * Valid: 0, and 16 to 8192, up to what the graphics card can do.
+   * The number of columns and rows of the buffer of each light. 0, the default: as many as the
+   * volume has voxels across, seen from the light; steep ramps of opacity under oblique light want
+   * two to three times that. Valid: 0, and 16 to 8192, up to what the graphics card can do.
    */
   void SetLightBufferSize(int size);
   vtkGetMacro(LightBufferSize, int);
   ///@}
 
   /**
-   * How the light's buffer is looked up.
+   * The ways to look up the light's buffer.
    */
   enum LightLookups
   {
@@ -180,7 +179,8 @@ public:
 
   ///@{
   /**
-   * The nearest sample of the light's buffer or the four around. Default BILINEAR_LIGHT.
+   * Whether the nearest sample of the light's buffer is taken, or the four around. Default
+   * BILINEAR_LIGHT. Valid: see LightLookups; clamped.
    */
   vtkSetClampMacro(LightLookup, int, NEAREST_LIGHT, BILINEAR_LIGHT);
   vtkGetMacro(LightLookup, int);
@@ -190,8 +190,8 @@ public:
 
   ///@{
   /**
-   * Pixels of the viewport for each of the picture, along an edge; between them it is interpolated.
-   * Default 1. Valid: 0.25 to 100.
+   * The number of pixels of the viewport for each pixel of the picture, along an edge; the picture
+   * is interpolated between its pixels. Default 1. Valid: 0.25 to 100.
    */
   vtkSetClampMacro(ImageSampleDistance, double, 0.25, 100.0);
   vtkGetMacro(ImageSampleDistance, double);
@@ -211,10 +211,10 @@ public:
   ///@{
   /**
    * The change of a scalar from one voxel to the next, as a share of its range, from which on
-   * matter is shaded as a surface. Below, light is scattered evenly in proportion: N.L goes from 1
-   * at no change to itself, and the specular part from nothing to itself. Smoke and surfaces in one
-   * volume want a few hundredths, so does data with noise. Default 0: every gradient is one of a
-   * surface. Valid: 0 to 1.
+   * matter is shaded as a surface. Below it, light is scattered evenly in proportion: the factor
+   * N.L goes from 1 at no change to its own value, and the specular part from nothing to its own
+   * value. Smoke and surfaces in one volume want a few hundredths, so does data with noise. Default
+   * 0: every gradient is one of a surface. Valid: 0 to 1.
    */
   vtkSetClampMacro(SurfaceGradient, double, 0.0, 1.0);
   vtkGetMacro(SurfaceGradient, double);
@@ -222,10 +222,10 @@ public:
 
   ///@{
   /**
-   * The colour of light that the matter lets through, by scalar: channel k of a light is attenuated
-   * with extinction tau (1 - colour_k), so that white lets all light pass and black none. Light
-   * buffers have three channels then, else one. For volumes of one component or of two without
-   * IndependentComponents. Default null: black.
+   * The colour of light that the matter lets through, as a function of the scalar: channel k of a
+   * light is attenuated with extinction tau (1 - colour_k), so that white lets all light pass and
+   * black none. Light buffers have three channels then, else one. For volumes of one component or
+   * of two without IndependentComponents. Default null: black.
    */
   void SetTransmissionColor(vtkColorTransferFunction* function);
   vtkColorTransferFunction* GetTransmissionColor() const { return this->TransmissionColor; }
@@ -233,24 +233,24 @@ public:
 
   ///@{
   /**
-   * The most that textures and buffers of one picture may take, in bytes. Beyond it is an error.
-   * Default 0: what the graphics card gives. Valid: 0 and above.
+   * The largest number of bytes that textures and buffers of one picture may take; more is an
+   * error. Default 0: what the graphics card gives. Valid: 0 and above.
    */
   vtkSetClampMacro(MaximumTextureMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumTextureMemory, vtkIdType);
   ///@}
 
   /**
-   * What the last picture took.
+   * Returns what the last picture took.
    */
   const vtkShadowedSliceReport& GetReport() const { return this->RenderReport; }
 
   /**
-   * The transmittance of the whole volume along each ray of a light, as its buffer holds it after
-   * the last picture: an image of floats of one or three components, and in its field data
-   * `BufferFromWorld` (16 values, rows of a matrix to texture coordinates 0 to 1 after division by
-   * the fourth). Only for lights seen through a plane: a light inside or close to the volume
-   * returns false, as does one that casts no shadows.
+   * Reads the transmittance of the whole volume along each ray of a light, as its buffer holds it
+   * after the last picture, into an image of floats of one or three components, and in its field
+   * data `BufferFromWorld` (16 values, rows of a matrix to texture coordinates 0 to 1 after
+   * division by the fourth). Only for lights seen through a plane: a light inside or close to the
+   * volume returns false, as does one that casts no shadows.
    */
   bool ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkImageData* image);
 

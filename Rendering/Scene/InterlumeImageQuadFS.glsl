@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// A picture, as colour times opacity.
+// Lays a picture, as colour times opacity, over the scene.
 in vec2 texCoord;
 uniform sampler2D image;
 uniform vec2 share;

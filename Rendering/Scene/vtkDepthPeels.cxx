@@ -67,7 +67,7 @@ void vtkDepthPeels::Forget()
 
 bool vtkDepthPeels::Defer(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
-  // One command for all peels of a picture, and none where there were none.
+  // There is one command for all peels of a picture, and none where there were no peels.
   this->Forget();
   if (!IsPeeled(volume))
   {

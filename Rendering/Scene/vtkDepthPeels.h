@@ -26,13 +26,13 @@ public:
   void operator=(const vtkDepthPeels&) = delete;
 
   /**
-   * Whether the volume is being peeled. If it is, the mapper has to draw nothing now: its Render is
-   * called again at the end of the renderer's picture, where the volume is drawn over translucent
-   * polygons as without UseDepthPeelingForVolumes.
+   * Returns whether the volume is being peeled. If it is, the mapper has to draw nothing now: its
+   * Render is called again at the end of the renderer's picture, where the volume is drawn over
+   * translucent polygons as without UseDepthPeelingForVolumes.
    */
   bool Defer(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-  /// True once, after the first volume that was deferred.
+  /// Returns true once, after the first volume that was deferred.
   bool TakeNews();
 
 private:

@@ -21,7 +21,7 @@ vtkIdType vtkFloatTarget::Allocate(vtkOpenGLRenderWindow* window, vtkTextureObje
   const bool fits = Fits(texture, width, height) && texture->GetComponents() == channels;
   if (!fits)
   {
-    // Else it keeps the format it had.
+    // Without this the texture keeps the format it had.
     texture->ResetFormatAndType();
   }
   if (!fits &&

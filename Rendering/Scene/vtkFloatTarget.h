@@ -15,8 +15,9 @@ class INTERLUMESCENE_EXPORT vtkFloatTarget
 {
 public:
   /**
-   * Makes \a texture fit, which keeps what it has where it does. Between its texels it is
-   * interpolated if \a isSmooth. Returns its bytes, or 0 where there is no memory.
+   * Gives \a texture the size and format that are asked for; one that fits keeps its contents. It
+   * is interpolated between its texels if \a isSmooth. Returns its bytes, or 0 where there is no
+   * memory.
    */
   static vtkIdType Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int width,
     int height, int channels, bool isSmooth);

@@ -22,13 +22,13 @@ class vtkWindow;
  * @brief   lays a picture of floats over the viewport
  *
  * The picture holds red, green and blue, already multiplied by opacity, and opacity. Depth is
- * neither tested nor written, since the picture was made with the scene's depth in hand; a
- * selection's is both. Where the picture is smaller than the viewport it is stretched, by the
- * texture's own filter.
+ * neither tested nor written, since the picture was made with the scene's depth in hand; the depth
+ * of a selection is both tested and written. Where the picture is smaller than the viewport it is
+ * stretched, by the texture's own filter.
  *
  * Features are words separated by spaces:
- * - SATURATE: at most 1 in each channel;
- * - SUM: its colour is added to what is behind, whatever its opacity;
+ * - SATURATE: each channel is at most 1;
+ * - SUM: the picture's colour is added to what is behind, whatever its opacity;
  * - SELECTION: the fourth channel is the depth, 0 to 1; below 0 nothing is drawn.
  */
 class INTERLUMESCENE_EXPORT vtkImageQuad
@@ -39,13 +39,13 @@ public:
   vtkImageQuad(const vtkImageQuad&) = delete;
   vtkImageQuad& operator=(const vtkImageQuad&) = delete;
 
-  /// Columns and rows that the viewport shows, from the lower left, as a share of the picture's: 1
-  /// where its last pixels end with the viewport.
+  /// The columns and rows that the viewport shows, from the lower left, as a share of the
+  /// picture's: 1 where its last pixels end with the viewport.
   using Share = std::array<double, 2>;
 
   /**
-   * Uploads RGBA, row by row from below. Pixels of the viewport between those of the picture are
-   * interpolated, if \a isSmooth. Returns the bytes.
+   * Uploads a picture of RGBA, row by row from below. Pixels of the viewport between those of the
+   * picture are interpolated if \a isSmooth. Returns the bytes.
    */
   vtkIdType Upload(vtkOpenGLRenderWindow* window, int width, int height,
     const std::vector<float>& colors, bool isSmooth = true);
@@ -61,8 +61,8 @@ public:
   ///@}
 
   /**
-   * Draws with a fragment shader of the caller's, which finds \a texture as `image` and where in it
-   * the fragment lies as `texCoord`, 0 to 1; \a setUniforms sets what else it wants.
+   * Draws with a fragment shader of the caller's, which finds \a texture as `image`, and the
+   * fragment's place in it as `texCoord`, 0 to 1; \a setUniforms sets its other uniforms.
    */
   void DrawWith(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
     const std::string& fragmentShader,

@@ -5,7 +5,7 @@
 
 bool vtkOpaqueProps::MayOcclude(vtkRenderer* renderer, vtkProp* volume)
 {
-  // What another renderer left in the depth buffer counts too.
+  // The depths that another renderer left in the depth buffer count too.
   if (renderer->GetPreserveDepthBuffer())
   {
     return true;

@@ -14,8 +14,8 @@ class INTERLUMESCENE_EXPORT vtkOpaqueProps
 {
 public:
   /**
-   * True if \a renderer has a visible prop besides \a volume that is not a volume itself, or keeps
-   * the depth of another renderer.
+   * Returns true if \a renderer has a visible prop besides \a volume that is not a volume itself,
+   * or keeps the depth of another renderer.
    */
   static bool MayOcclude(vtkRenderer* renderer, vtkProp* volume);
 };

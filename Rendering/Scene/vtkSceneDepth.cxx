@@ -11,7 +11,7 @@
 
 namespace
 {
-// The format of the depth buffer that is drawn to; a copy between two needs the same.
+// Returns the format of the depth buffer that is drawn to; a copy between two needs the same.
 GLint GetDepthFormat()
 {
   GLint type = GL_NONE;
@@ -147,7 +147,8 @@ bool vtkSceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
     texture->AllocateDepth(static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]),
       vtkTextureObject::Float32);
   }
-  // Not while the depth is bound: newer versions of VTK find that their state is not OpenGL's then.
+  // The texture is not activated while the depth is bound: newer versions of VTK find that their
+  // state is not OpenGL's then.
   texture->Activate();
   const bool isRead = ReadDepth(renderer,
     [](int left, int bottom, int width, int height)

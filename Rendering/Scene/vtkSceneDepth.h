@@ -13,21 +13,21 @@ class vtkTextureObject;
  * @class   vtkSceneDepth
  * @brief   the depth of what is already in the picture
  *
- * That of the renderer's viewport in the framebuffer that is being drawn to, with one sample a
- * pixel or more: 0 at the near plane to 1 at the far one.
+ * The depth is that of the renderer's viewport in the framebuffer that is being drawn to, with one
+ * sample a pixel or more: 0 at the near plane to 1 at the far one.
  */
 class INTERLUMESCENE_EXPORT vtkSceneDepth
 {
 public:
   /**
-   * Reads it row by row from below; \a size gets columns and rows. Returns false where it could not
-   * be read.
+   * Reads the depth row by row from below; \a size gets columns and rows. Returns false where it
+   * could not be read.
    */
   static bool Read(vtkRenderer* renderer, std::vector<float>& depths, std::array<int, 2>& size);
 
   /**
-   * Copies it to a texture of floats, which is made as large as the viewport. Returns false where
-   * there is none.
+   * Copies the depth to a texture of floats, which is made as large as the viewport. Returns false
+   * where there is none.
    */
   static bool CopyTo(vtkRenderer* renderer, vtkTextureObject* texture);
 };

@@ -13,8 +13,8 @@ class INTERLUMESCENE_EXPORT vtkShaderFeatures
 {
 public:
   /**
-   * \a source with one `#define` for each word of \a features, a name or name=value, in the place of
-   * the line `//INTERLUME::FEATURES`.
+   * Returns \a source with one `#define` for each word of \a features, a name or name=value, in the
+   * place of the line `//INTERLUME::FEATURES`.
    */
   static std::string Insert(const std::string& source, const std::string& features);
 };

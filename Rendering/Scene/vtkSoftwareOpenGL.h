@@ -13,8 +13,8 @@ class INTERLUMESCENE_EXPORT vtkSoftwareOpenGL
 {
 public:
   /**
-   * Makes the window's context current and looks at the name of its renderer. One without a name
-   * counts as software.
+   * Makes the window's context current, and returns whether its renderer is known by name to be
+   * software. A renderer without a name counts as software.
    */
   static bool IsUsed(vtkOpenGLRenderWindow* window);
 };

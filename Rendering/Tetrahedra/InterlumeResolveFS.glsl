@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// From what the tetrahedra were summed up to, to colour times opacity.
+// Turns the sums of the tetrahedra into colour times opacity.
 in vec2 texCoord;
 uniform sampler2D image;
 #ifdef LARGEST_SCALAR

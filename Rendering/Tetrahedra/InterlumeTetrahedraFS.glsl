@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// One segment of a line of sight; see FragmentIntegration, whose words are used here.
+// Draws one segment of a line of sight; see FragmentIntegration, whose words are used here.
 //VTK::Output::Dec
 
 // Sums, or colour times opacity, by blend mode.
@@ -33,7 +33,7 @@ uniform int pixelStride;
 #endif
 uniform float lengthScale;
 #ifdef PERSPECTIVE
-// A line of sight's direction, 1 along the axis: scale and offset of x, of y.
+// The direction of a line of sight, 1 along the axis: scale and offset of x, of y.
 uniform vec4 directionOfPixel;
 #endif
 #ifdef MAXIMUM
@@ -41,21 +41,21 @@ uniform float opacityOfExtinction;
 #endif
 
 #ifdef SURFACE
-// Boundary triangles: see BoundaryShading.
+// The boundary triangles, see BoundaryShading.
 flat in float baseFace;
 flat in vec4 otherFaces;
 flat in mat3x4 normalPlane;
 flat in mat2x4 texturePlane;
 const int MAXIMUM_LIGHTS = 8;
 uniform int numberOfLights;
-// The fourth is 1 for a place, 0 for a direction.
+// The places of the lights; the fourth is 1 for a place, 0 for a direction.
 uniform vec4 lightPlaces[MAXIMUM_LIGHTS];
 uniform vec3 lightColors[MAXIMUM_LIGHTS];
 uniform vec4 surfaceColor;
 uniform vec4 surfaceShares;
 uniform vec3 specularColor;
 uniform vec3 normalRows[3];
-// Eye from pixel and depth: scale, shift and offset of x, then of y.
+// The map to the eye from pixel and depth: scale, shift and offset of x, then of y.
 uniform vec3 pixelX;
 uniform vec3 pixelY;
 #ifdef SURFACE_TEXTURE
@@ -97,9 +97,9 @@ vec4 shade(float depth, vec3 meshNormal, vec2 texturePlace)
 }
 #endif
 
-// Optical depth up to which series are used; what is thicker is taken in parts.
+// The optical depth up to which series are used; a thicker segment is taken in parts.
 const float LIMIT = 0.5;
-// More than this opacity hides all else.
+// The opacity from which on all else is hidden.
 const float OPAQUE_ENOUGH = 0.999995;
 
 float thinOpacityOf(float x)
@@ -109,7 +109,7 @@ float thinOpacityOf(float x)
       x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0 - x * (1.0 / 720.0))))));
 }
 
-// Optical depth over a unit of length, and how extinction falls or rises.
+// Returns optical depth over a unit of length, and how extinction falls or rises.
 vec2 getMoments(float t0, float t1, float d0, float d1)
 {
 #ifdef DELTA_T
@@ -125,8 +125,8 @@ vec2 getMoments(float t0, float t1, float d0, float d1)
 #endif
 }
 
-// Weights of the front and the back colour, and what is passed on: opacity or optical depth. With
-// OPACITY and EXACT a depth is at most LIMIT.
+// Returns the weights of the front and the back colour, and what is passed on: opacity or optical
+// depth. With OPACITY and EXACT a depth is at most LIMIT.
 vec3 getWeights(float depth, float delta)
 {
 #ifdef OPACITY
@@ -225,7 +225,7 @@ void main()
   bool isCut = false;
 #endif
 #ifdef OPAQUE
-  // Cut where an opaque surface is, or the far plane.
+  // The segment is cut where an opaque surface is, or the far plane.
   float buffered = texelFetch(opaqueDepth, min(pixelStride * ivec2(gl_FragCoord.xy) + pixelStride / 2,
     textureSize(opaqueDepth, 0) - 1), 0).r;
   float wall = depthOfBuffer.x + depthOfBuffer.y * buffered;
@@ -279,7 +279,8 @@ void main()
 #ifdef SCALARS
   float rise = scalars.y - scalars.x;
 #endif
-  // From control point to control point, and no thicker than LIMIT. Most segments are one part.
+  // Parts go from control point to control point, and are no thicker than LIMIT. Most segments are
+  // one part.
   while (true)
   {
     float to = 1.0;
@@ -287,7 +288,7 @@ void main()
     float start = texelFetch(starts, piece).x;
     float bound = rise > 0.0 ? texelFetch(starts, piece + 1).x : start;
     to = rise == 0.0 ? 1.0 : clamp((bound - scalars.x) / rise, from, 1.0);
-    // Falling, the first piece has no other below it.
+    // Where the scalar falls, the first piece has no other below it.
     to = rise < 0.0 && piece == 0 ? 1.0 : to;
     vec4 value = texelFetch(pieces, 2 * piece);
     vec4 slope = texelFetch(pieces, 2 * piece + 1);
@@ -309,7 +310,7 @@ void main()
 #ifdef DELTA_T
       float share = LIMIT / depth;
 #else
-      // Where linear extinction has come to LIMIT.
+      // The place where linear extinction has come to LIMIT.
       float growth = (last.a - first.a) / part;
       float root = sqrt(max(first.a * first.a + 2.0 * growth * LIMIT, 0.0));
       float share = min(2.0 * LIMIT / (first.a + root) / part, 1.0);

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// From a tetrahedron to its silhouette: see TetrahedronSilhouette, whose words are used here.
+// Makes the silhouette of a tetrahedron: see TetrahedronSilhouette, whose words are used here.
 layout(points) in;
 layout(triangle_strip, max_vertices = 4) out;
 
@@ -10,12 +10,12 @@ flat in int vertexTetrahedron[];
 uniform samplerBuffer points;
 uniform usamplerBuffer corners;
 uniform samplerBuffer volumes;
-// Eye from mesh, and pixels from eye: scale, shift and offset.
+// The maps to the eye from the mesh, and to pixels from the eye: scale, shift and offset.
 uniform vec4 eyeRows[3];
 uniform vec3 pixelX;
 uniform vec3 pixelY;
 uniform vec2 viewport;
-// Of six times the volume in mesh coordinates to that in pixels and depth.
+// The factor from six times the volume in mesh coordinates to that in pixels and depth.
 uniform float volumeScale;
 #ifdef TETRAHEDRON_STRIDE
 uniform int tetrahedronStride;
@@ -28,13 +28,14 @@ uniform samplerBuffer colors;
 #endif
 
 #ifdef SURFACE
-// Of a tetrahedron the faces that are boundary triangles, bit k for that opposite corner k. Of a point
-// its normal, then its texture coordinates.
+// The faces of each tetrahedron that are boundary triangles, bit k for that opposite corner k; for
+// each point its normal, then its texture coordinates.
 uniform isamplerBuffer faces;
 uniform samplerBuffer surfacePoints;
 #endif
 
-// What the fragments get. Outputs are undefined after a vertex is emitted, so each is kept beside it.
+// The inputs of the fragments. Outputs are undefined after a vertex is emitted, so each is kept
+// beside it.
 flat out vec4 edgesX;
 flat out vec4 edgesY;
 flat out vec4 edgesOne;
@@ -45,7 +46,7 @@ flat out vec4 scalarPlane;
 #endif
 #ifdef DELTA_T
 flat out vec4 deltaTPlane;
-// Of the corners.
+// The largest values at the corners.
 flat out float largestDeltaT;
 #endif
 #ifdef POINT_COLORS
@@ -55,7 +56,8 @@ flat out mat4 colorPlane;
 flat out vec4 cellColor;
 #endif
 #ifdef SURFACE
-// 1 where the face is a boundary triangle: on the base side, on the other next to each edge.
+// The faces that are boundary triangles, marked by 1: on the base side, and on the other side next
+// to each edge.
 flat out float baseFace;
 flat out vec4 otherFaces;
 flat out mat3x4 normalPlane;
@@ -64,12 +66,14 @@ flat out mat2x4 texturePlane;
 
 struct Shape
 {
-  // For each edge of the silhouette: lambda = edgesOne + x * edgesX + y * edgesY from the thick point.
+  // The function for each edge of the silhouette: lambda = edgesOne + x * edgesX + y * edgesY from
+  // the thick point.
   vec4 edgesX;
   vec4 edgesY;
   vec4 edgesOne;
   vec2 thick;
-  // Of a value on the base side: at the thick point, slopes in x and y; to the other side.
+  // The planes of values: a value on the base side at the thick point, its slopes in x and y, and
+  // the difference to the other side.
   vec4 depthPlane;
   vec4 scalarPlane;
   vec4 deltaTPlane;
@@ -85,15 +89,15 @@ Shape shape;
 
 struct Corner
 {
-  // In pixels from the first corner, and its depth.
+  // The place in pixels from the first corner, and the depth.
   vec2 place;
   float depth;
-  // Of the face across: signed area.
+  // The signed area of the face across.
   float area;
   float scalar;
   float deltaT;
   vec4 color;
-  // 1 if the face across is a boundary triangle.
+  // The mark of the face across, 1 if it is a boundary triangle.
   float face;
   vec3 normal;
   vec2 texturePlace;
@@ -114,7 +118,8 @@ void swap(bool condition, inout Corner a, inout Corner b)
   }
 }
 
-// Slopes of the affine function with values v at three points, divided by the area later.
+// Returns the slopes of the affine function with values v at three points, divided by the area
+// later.
 vec2 slopes(vec3 v, vec2 a, vec2 b, vec2 c)
 {
   vec2 ab = b - a;
@@ -124,17 +129,17 @@ vec2 slopes(vec3 v, vec2 a, vec2 b, vec2 c)
   return area == 0.0 ? vec2(0.0) : slope / area;
 }
 
-// Over how many pixels lambda falls to 0 at least, where a silhouette is drawn wider than it is. An edge
-// that the thick point is on, as where two corners coincide, has no slope of its own: the other edges
-// alone would continue the tetrahedron beyond it.
+// The least number of pixels over which lambda falls to 0, where a silhouette is drawn wider than
+// it is. An edge that the thick point is on, as where two corners coincide, has no slope of its
+// own: the other edges alone would continue the tetrahedron beyond it.
 const float STEEPEST = 1.0 / 1024.0;
-// A pixel's coordinates in single precision do not tell less than this. Where a silhouette is not drawn
-// wider, the card's rounding of corners, on which neighbours agree, then decides alone: with lambda
-// either could leave the pixel to the other.
+// The least difference that a pixel's coordinates in single precision tell. Where a silhouette is
+// not drawn wider, the card's rounding of corners, on which neighbours agree, then decides alone:
+// with lambda either could leave the pixel to the other.
 const float DIGITS = 1.0 / 32768.0;
 
-// The edge from a to b of a silhouette that turns left, or right with turn < 0, on which the area of
-// thick point, a and b is atThick.
+// Sets the edge from a to b of a silhouette that turns left, or right with turn < 0, on which the
+// area of thick point, a and b is atThick.
 void setEdge(int i, vec2 a, vec2 b, float atThick, float turn, bool isWide)
 {
   vec2 edge = turn > 0.0 ? b - a : a - b;
@@ -147,7 +152,8 @@ void setEdge(int i, vec2 a, vec2 b, float atThick, float turn, bool isWide)
   shape.edgesOne[i] = isUsed ? 0.5 + 0.5 * max(toThick, 0.0) / ramp : 1.0;
 }
 
-// first is the mesh position of the first corner, from which place and depth are then counted.
+// Fetches a corner; first is the mesh position of the first corner, from which place and depth are
+// then counted.
 Corner fetch(uint id, vec3 first)
 {
   vec4 point = texelFetch(points, int(id));
@@ -175,9 +181,9 @@ Corner fetch(uint id, vec3 first)
   return corner;
 }
 
-// From eye coordinates counted from those of the first corner to pixels counted from its pixel, which is
-// returned, and depths. Differences are taken before anything is divided or rounded, so that small and
-// thin tetrahedra keep their shape.
+// Projects from eye coordinates counted from those of the first corner to pixels counted from its
+// pixel, which is returned, and depths. Differences are taken before anything is divided or
+// rounded, so that small and thin tetrahedra keep their shape.
 vec2 project(inout Corner c[4], vec3 eye)
 {
   vec2 scale = vec2(pixelX.x, pixelY.x);
@@ -209,7 +215,7 @@ vec2 project(inout Corner c[4], vec3 eye)
   return first + offset;
 }
 
-// The plane of one value over the base triangle (a, b, c).
+// Returns the plane of one value over the base triangle (a, b, c).
 vec4 makePlane(float atThick, float difference, vec3 v, Corner a, Corner b, Corner c)
 {
   return vec4(atThick, slopes(v, a.place, b.place, c.place), difference);
@@ -250,8 +256,8 @@ Corner mixCorners(Corner a, Corner b, float t)
   return a;
 }
 
-// Graphics cards round corners to parts of a pixel, which thin silhouettes do not survive: they are drawn
-// wider than they are, and where lambda is below 0 there is nothing.
+// The margin of thin silhouettes. Graphics cards round corners to parts of a pixel, which these do
+// not survive: they are drawn wider than they are, and where lambda is below 0 there is nothing.
 const float MARGIN = 1.0 / 64.0;
 const float THIN = 0.5;
 const float THINNEST = 2e-3;
@@ -262,7 +268,8 @@ vec2 outward(vec2 a, vec2 b)
   return vec2(edge.y, -edge.x) / max(length(edge), 1e-20);
 }
 
-// The corner between its neighbours, moved out by margin, which is below 0 for polygons that turn right.
+// Returns the corner between its neighbours, moved out by margin, which is below 0 for polygons
+// that turn right.
 vec2 widen(vec2 before, vec2 corner, vec2 after, float margin)
 {
   vec2 first = outward(before, corner);
@@ -323,7 +330,7 @@ void main()
     c, vec3(dot(eyeRows[0], position), dot(eyeRows[1], position), dot(eyeRows[2], position)));
   vec2 low = origin + min(min(c[0].place, c[1].place), min(c[2].place, c[3].place));
   vec2 high = origin + max(max(c[0].place, c[1].place), max(c[2].place, c[3].place));
-  // No pixel's centre between them.
+  // There is no pixel's centre between them.
   if (any(greaterThan(ceil(max(low, 0.0) - 0.5), min(high, viewport) - 0.5)))
   {
     return;
@@ -381,7 +388,7 @@ void main()
       whole, margin > 0.0);
     setEdge(2, c[2].place, c[0].place, cross2(c[0].place - c[2].place, c[3].place - c[2].place),
       whole, margin > 0.0);
-    // The base side at the thick point.
+    // The base side at the thick point follows from these weights.
     vec3 weights = abs(vec3(c[0].area, c[1].area, c[2].area));
     weights /= weights.x + weights.y + weights.z;
     Corner base = mixCorners(c[0], c[1], weights.y / max(weights.x + weights.y, 1e-30));

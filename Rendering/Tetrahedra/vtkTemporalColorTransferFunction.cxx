@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkTemporalColorTransferFunction);
 
 namespace
 {
-/// The map over u in [0,1] is straight within each of so many equal parts.
+/// The number of equal parts within which the map over u in [0,1] is straight.
 constexpr int PARTS = 4;
 
 /// Nodes as the superclass takes them.
@@ -25,15 +25,16 @@ struct Node
   double Blue;
 };
 
-/// Figure 3.26 at u = part / PARTS.
+/// Returns the node of C. Zhang, dissertation, Ohio State 2006, figure 3.26, at u = part / PARTS.
 Node GetNode(double time, double part)
 {
   const auto clamp = [](double value) { return std::min(std::max(value, 0.0), 1.0); };
   return { time, clamp(part - 2.0), clamp(std::min(part, PARTS - part)), clamp(2.0 - part) };
 }
 
-/// Nodes are at the steps, where u has a kink in time, and at the parts' ends, where colour has one
-/// in u. Places are counted from the first step, so many to a slab as there are parts.
+/// Returns the nodes. They are at the steps, where u has a kink in time, and at the parts' ends,
+/// where colour has one in u. Places are counted from the first step, as many to a slab as there
+/// are parts.
 std::vector<Node> GetNodes(const std::vector<double>& times)
 {
   const int slabs = static_cast<int>(times.size()) - 1;

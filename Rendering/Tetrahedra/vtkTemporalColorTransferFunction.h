@@ -8,8 +8,8 @@
  * @class   vtkTemporalColorTransferFunction
  * @brief   colour by time: what appears, what stays and what fades between time steps
  *
- * A colour transfer function of the point array `Time` of vtkTimeVaryingIntervalVolume, whose
- * nodes, RGB with straight lines between them, come from the times of the steps (C. Zhang,
+ * This is a colour transfer function of the point array `Time` of vtkTimeVaryingIntervalVolume,
+ * whose nodes, RGB with straight lines between them, come from the times of the steps (C. Zhang,
  * dissertation, Ohio State 2006, figures 3.21 and 3.26):
  *
  * - two steps: green at t1, yellow midway, red at t2;

@@ -11,8 +11,8 @@
  * @class   vtkTetrahedraReport
  * @brief   what vtkTimeWeightedTetrahedraMapper did in its last picture
  *
- * A plain value object. Counts that belong to a step that was not taken are 0, and the strings are
- * empty before the first picture.
+ * This is a plain value object. Counts that belong to a step that was not taken are 0, and the
+ * strings are empty before the first picture.
  *
  * @sa vtkTimeWeightedTetrahedraMapper
  */
@@ -26,46 +26,52 @@ struct INTERLUMETETRAHEDRA_EXPORT vtkTetrahedraReport
   std::string PathReason;
   std::string BlendReason;
   std::string SortReason;
-  /// Names of the parts of shader or kernel that ran, separated by spaces, such as `scalars
-  /// perspective composite`; `delta-t` and `surface` stand there only when they are used.
+  /// The names of the parts of shader or kernel that ran, separated by spaces, such as `scalars
+  /// perspective composite`; `delta-t` and `surface` are among them only when they are used.
   std::string Features;
 
-  /// Tetrahedra of the input; drawn (in view, level of detail applied); cut by the near plane.
+  /// The numbers of tetrahedra of the input, of those drawn (in view, level of detail applied), and
+  /// of those cut by the near plane.
   vtkIdType Tetrahedra = 0;
   vtkIdType TetrahedraDrawn = 0;
   vtkIdType TetrahedraClipped = 0;
-  /// Tetrahedra left out: no volume; NaN or infinity in a coordinate or array at a corner.
+  /// The numbers of tetrahedra left out because they have no volume, and because of NaN or infinity
+  /// in a coordinate or array at a corner.
   vtkIdType FlatTetrahedra = 0;
   vtkIdType NonFiniteTetrahedra = 0;
-  /// Boundary triangles drawn, and those of the input that are no face of a tetrahedron.
+  /// The numbers of boundary triangles drawn, and of those of the input that are no face of a
+  /// tetrahedron.
   vtkIdType BoundaryTriangles = 0;
   vtkIdType UnmatchedTriangles = 0;
 
-  /// Passes over the tetrahedra (priority: one for each layer), and layers.
+  /// The numbers of passes over the tetrahedra (priority: one for each layer), and of layers.
   int Passes = 0;
   int Layers = 0;
-  /// MPVONC: tetrahedra in cycles of visibility, and places where a line of sight leaves the mesh
-  /// and enters it again (relations added across gaps).
+  /// The numbers of tetrahedra in cycles of visibility, and of places where a line of sight leaves
+  /// the mesh and enters it again (relations added across gaps), both for MPVONC.
   vtkIdType Cycles = 0;
   vtkIdType Gaps = 0;
   /// Whether this picture sorted, and whether face adjacency is kept.
   bool Sorted = false;
   bool HasAdjacency = false;
 
-  /// Bytes sent to the graphics card for this picture: static data, order, textures of the picture.
+  /// The bytes sent to the graphics card for this picture: static data, order, textures of the
+  /// picture.
   vtkIdType UploadedStaticBytes = 0;
   vtkIdType UploadedOrderBytes = 0;
   vtkIdType UploadedImageBytes = 0;
-  /// Off-screen buffers kept, and bytes in main memory and in buffers of the graphics card.
+  /// The number of off-screen buffers kept, and the bytes in main memory and in buffers of the
+  /// graphics card.
   int Buffers = 0;
   vtkIdType BufferBytes = 0;
   vtkIdType MemoryBytes = 0;
 
-  /// Level of detail: pixels of the picture for each computed (1, 2, 4, ... along an edge), and one
-  /// of how many tetrahedra was drawn. 1 and 1 for a full picture.
+  /// The level of detail: the number of pixels of the picture for each that was computed (1, 2, 4,
+  /// ... along an edge), and the number of tetrahedra of which one was drawn. Both are 1 for a full
+  /// picture.
   int PixelStride = 1;
   int TetrahedronStride = 1;
-  /// Control points of the transfer functions, after reduction to straight pieces.
+  /// The number of control points of the transfer functions, after reduction to straight pieces.
   int ControlPoints = 0;
   /// Seconds of this picture, until the graphics card was done where AutoAdjustLevelOfDetail is on.
   double Seconds = 0.0;

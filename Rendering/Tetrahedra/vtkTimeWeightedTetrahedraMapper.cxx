@@ -232,7 +232,7 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
     error = this->Renderer->Render(renderer, volume, request, this->Report);
   }
   this->TimeToDraw = this->Report.Seconds;
-  // The same complaint once for one state of the input and of the mapper, not for every picture.
+  // An error is given once for one state of the input and of the mapper, not for every picture.
   const vtkMTimeType state = std::max(grid->GetMTime(), this->GetMTime());
   if (!error.empty() && state != this->ErrorTime)
   {

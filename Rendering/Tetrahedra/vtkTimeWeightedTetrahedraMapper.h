@@ -104,7 +104,7 @@ public:
 
   ///@{
   /**
-   * Blend mode: COMPOSITE_BLEND (0) to AUTOMATIC_BLEND (5). Default AUTOMATIC_BLEND.
+   * The blend mode. Default AUTOMATIC_BLEND. Valid: COMPOSITE_BLEND (0) to AUTOMATIC_BLEND (5).
    */
   void SetBlendModeToAdditive() { this->SetBlendMode(ADDITIVE_BLEND); }
   void SetBlendModeToPriority() { this->SetBlendMode(PRIORITY_BLEND); }
@@ -114,7 +114,7 @@ public:
 
   ///@{
   /**
-   * Integration mode. Default LINEAR_SEGMENT.
+   * The integration mode. Default LINEAR_SEGMENT. Valid: see IntegrationModes; clamped.
    */
   vtkSetClampMacro(IntegrationMode, int, AVERAGE_COLOR, LINEAR_SEGMENT);
   vtkGetMacro(IntegrationMode, int);
@@ -122,7 +122,7 @@ public:
 
   ///@{
   /**
-   * Sort mode. Default AUTOMATIC_SORT.
+   * The sort mode. Default AUTOMATIC_SORT. Valid: see SortModes; clamped.
    */
   vtkSetClampMacro(SortMode, int, NO_SORT, AUTOMATIC_SORT);
   vtkGetMacro(SortMode, int);
@@ -130,7 +130,7 @@ public:
 
   ///@{
   /**
-   * Render path. Default AUTOMATIC_PATH.
+   * The render path. Default AUTOMATIC_PATH. Valid: see RenderPaths; clamped.
    */
   vtkSetClampMacro(RenderPath, int, OPENGL_PATH, AUTOMATIC_PATH);
   vtkGetMacro(RenderPath, int);
@@ -138,7 +138,7 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the extent in time, one component, in the unit that the scalar
+   * The name of the point array with the extent in time, one component, in the unit that the scalar
    * opacity unit distance is given for; values >= 0. Default null: `DeltaT` where the input has it,
    * else 1 everywhere. The empty name: 1 everywhere.
    */
@@ -148,8 +148,8 @@ public:
 
   ///@{
   /**
-   * Name of the cell array that tells layers apart, one component, taken as integers. Default
-   * `IntervalId`. Read in PRIORITY_BLEND only.
+   * The name of the cell array that tells layers apart, one component, taken as integers. Default
+   * `IntervalId`. It is read in PRIORITY_BLEND only.
    */
   void SetLayerArrayName(const char* name);
   const char* GetLayerArrayName() const;
@@ -157,8 +157,8 @@ public:
 
   ///@{
   /**
-   * Priority of a layer: the higher is drawn over the lower, equal ones by layer number. Default:
-   * the layer's number.
+   * The priority of a layer: the higher is drawn over the lower, equal ones by layer number.
+   * Default: the layer's number.
    */
   void SetLayerPriority(int layer, double priority);
   double GetLayerPriority(int layer) const;
@@ -167,11 +167,11 @@ public:
 
   ///@{
   /**
-   * Triangles drawn where the line of sight passes them, between the volume in front and behind: a
-   * vtkPolyData or vtkUnstructuredGrid whose triangles are faces of tetrahedra and whose points are
-   * those of port 0, with the same ids (port 1 of vtkIntervalVolume). Point normals and texture
-   * coordinates are used where it has them. Only COMPOSITE_BLEND has a place for them; other modes
-   * leave them out and report 0 triangles. Default none.
+   * The triangles that are drawn where the line of sight passes them, between the volume in front
+   * and behind: a vtkPolyData or vtkUnstructuredGrid whose triangles are faces of tetrahedra and
+   * whose points are those of port 0, with the same ids (port 1 of vtkIntervalVolume). Point
+   * normals and texture coordinates are used where it has them. Only COMPOSITE_BLEND has a place
+   * for them; other modes leave them out and report 0 triangles. Default none.
    */
   void SetBoundaryConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetBoundaryData(vtkDataSet* triangles);
@@ -179,7 +179,7 @@ public:
 
   ///@{
   /**
-   * Colour, opacity, ambient, diffuse and specular of the boundary triangles. Default: a white
+   * The colour, opacity, ambient, diffuse and specular of the boundary triangles. Default: a white
    * vtkProperty of opacity 0.5.
    */
   void SetBoundaryProperty(vtkProperty* property);
@@ -206,7 +206,7 @@ public:
   ///@}
 
   /**
-   * What the last picture took.
+   * Returns what the last picture took.
    */
   const vtkTetrahedraReport& GetReport() const { return this->Report; }
 
@@ -230,7 +230,7 @@ private:
   vtkTetrahedraReport Report;
   std::unique_ptr<vtkDepthPeels> Peels;
   std::unique_ptr<interlume::TetrahedraRenderer> Renderer;
-  /// Of the input and the mapper when the last error was given.
+  /// The modification time of the input and the mapper when the last error was given.
   vtkMTimeType ErrorTime = 0;
 };
 

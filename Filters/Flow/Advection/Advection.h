@@ -56,7 +56,7 @@ template <typename Walker>
 class Advection
 {
 public:
-  /// \a options are to stay as they are.
+  /// Makes an advection on a copy of \a field. \a options must not change while it is used.
   Advection(const Walker& field, const AdvectionOptions& options)
     : Field(field)
     , Options(options)
@@ -108,7 +108,7 @@ private:
     this->FaceLeft = -1;
   }
 
-  /// False where the streamline ends at its start.
+  /// Begins a streamline. Returns false where it ends at its start.
   bool Begin(const double x[3])
   {
     std::copy(x, x + 3, this->Result->Position);
@@ -138,8 +138,8 @@ private:
     return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
   }
 
-  /// Whether the streamline, where it stands, is at a surface as it is at the end of the field:
-  /// within \a most, in widths of the cell, of a face that has no neighbour.
+  /// Returns whether the streamline, where it stands, is at a surface as it is at the end of the
+  /// field: within \a most, in widths of the cell, of a face that has no neighbour.
   bool ArrivesAtOuterFace(double most)
   {
     for (int face = 0; face < this->Field.GetNumberOfFaces(); ++face)
@@ -153,7 +153,7 @@ private:
     return false;
   }
 
-  /// The same at one such face.
+  /// Returns whether the streamline is at a surface as it is at one such face.
   bool Arrives(int face)
   {
     if (this->Surfaces.IsEmpty() || !(this->Options.ArrivalTolerance > 0.0))
@@ -183,7 +183,7 @@ private:
     return true;
   }
 
-  /// Whether it was at a surface that it ended, at the end of the field.
+  /// Returns whether the streamline ended at a surface, at the end of the field.
   bool ArrivesAtEnd()
   {
     if (this->Result->Status == vtkFlowStatus::STAGNATED)
@@ -231,7 +231,8 @@ private:
     return Vectors::SafeLength(glm::make_vec3(world));
   }
 
-  /// Into the cell that the streamline goes on in, with the rate there. False where it ends.
+  /// Enters the cell that the streamline goes on in, and computes the rate there. Returns false
+  /// where the streamline ends.
   bool Enter()
   {
     unsigned int closed = 0;
@@ -283,7 +284,7 @@ private:
     }
   }
 
-  /// Into the neighbour; false where there is none.
+  /// Crosses a face into the neighbour. Returns false where there is none.
   bool Cross(int face)
   {
     const vtkIdType from = this->Field.GetCell();
@@ -291,7 +292,8 @@ private:
     {
       return false;
     }
-    // Back and forth is for ever: rounding, or a field that meets itself in the face.
+    // Going back and forth between two cells would never end: it comes of rounding, or of a field
+    // that meets itself in the face.
     this->Crossings =
       this->Field.GetCell() == this->CellBefore ? MostCrossings : this->Crossings + 1;
     this->CellBefore = from;
@@ -319,7 +321,8 @@ private:
       { static_cast<double>(this->Options.MaximumNumberOfSteps), this->Options.MaximumTime });
   }
 
-  /// How far the streamline is from ends; it has taken a step within the cell.
+  /// Watches for a return, with the distance of the streamline from its possible ends, after a step
+  /// within the cell.
   void WatchForReturn(double end)
   {
     double p[3];
@@ -330,7 +333,7 @@ private:
     for (int face = 0; this->Options.HasDomainFaces && face < this->Field.GetNumberOfFaces();
          ++face)
     {
-      // What leaves the domain ends too: an orbit stays a cell away from there.
+      // A streamline that leaves the domain ends too: an orbit stays a cell away from there.
       limit = this->Field.GetDomainFace(face) >= 0 ? 0.0 : limit;
     }
     for (int i = 0; this->Options.HasDomainFaces && i < 3; ++i)
@@ -387,7 +390,7 @@ private:
     }
   }
 
-  /// Before the first step.
+  /// Guesses the length of the first step.
   double GuessStep(double largestError, int order)
   {
     const double fastest = Vectors::InfinityNorm(glm::make_vec3(this->PointRate));
@@ -408,17 +411,18 @@ private:
     {
       change[i] -= this->PointRate[i];
     }
-    // The relative change of the rate per unit of time, as if the error were of its powers.
+    // The relative change of the rate per unit of time, taken as if the error were made of its
+    // powers.
     const double bend = this->GetWorldLength(this->Point, change) / probe / this->Speed;
     const double scaled = std::pow(largestError / this->Speed, 1.0 / order);
     return bend * step > scaled ? scaled / bend : (bend >= 0.0 ? step : probe);
   }
 
   /**
-   * The error of a step less what the field itself takes away. In a direction in which errors decay
-   * as exp(-t / d) those of all steps add up to e / (1 - exp(-h / d)), not to e t / h: by 1 -
-   * exp(-z) ~ z / (1 + z), and over the time t, to (h + d) / (t + d) of that. t is the time through
-   * a cell, or since the start.
+   * Computes the error of a step less the part that the field itself damps. In a direction in which
+   * errors decay as exp(-t / d), the errors of all steps add up to e / (1 - exp(-h / d)), not to e
+   * t / h: by 1 - exp(-z) ~ z / (1 + z), and over the time t, to (h + d) / (t + d) of that. t is
+   * the time through a cell, or since the start.
    */
   template <typename Method>
   double GetLastingError(const Method& method, double h) const
@@ -452,7 +456,7 @@ private:
     }
   }
 
-  /// One step, accepted or not. False where the streamline ends.
+  /// Takes one step, accepted or not. Returns false where the streamline ends.
   template <typename Method>
   bool TakeStepBy(Method& method)
   {
@@ -472,7 +476,7 @@ private:
     this->PrefetchAhead(1);
     const double ratio = isTaken ? this->GetLastingError(method, h) / h / largestError
                                  : std::numeric_limits<double>::infinity();
-    // A step that rounding all but loses is no better when it is shorter.
+    // A step whose way is nearly lost in rounding does not get better when it is shorter.
     const double way = h * Vectors::InfinityNorm(glm::make_vec3(this->PointRate));
     const bool isTiny = way <= 4.0 * Epsilon * Vectors::InfinityNorm(glm::make_vec3(this->Point)) ||
       way < 1.0 / std::numeric_limits<double>::max();
@@ -497,7 +501,7 @@ private:
     ++(isStiff ? this->Result->StiffSteps : this->Result->Steps);
     const double factor = this->Controller.Accept(ratio, Method::ErrorOrder);
     const double next = std::min(h * factor, std::numeric_limits<double>::max());
-    // A step that was short for the cell's sake says nothing against a longer one.
+    // A step that was short to stay in the cell says nothing against a longer one.
     this->Step = ratio < 1e-3 ? std::max(this->Step, next) : next;
     if constexpr (!std::is_same_v<Method, RungeKutta4Step>)
     {
@@ -533,7 +537,7 @@ private:
     return this->GoOn(method, h, isLast);
   }
 
-  /// The length of the longest of some vectors.
+  /// Returns the length of the longest of several vectors.
   static double GetLargestLength(const double (*vectors)[3], int number)
   {
     double square = 0.0;
@@ -553,7 +557,8 @@ private:
     return length;
   }
 
-  /// No part of the step goes farther than its share of this, whatever the rounding.
+  /// Returns how far the step can go: no part of it goes farther than its share of this, whatever
+  /// the rounding.
   double GetReach() const
   {
     constexpr double margin = 1.01;
@@ -578,7 +583,7 @@ private:
     return margin * this->Field.GetLongestWorldVector(largest);
   }
 
-  /// To the first surface that the step meets, if it does.
+  /// Cuts the step at the first surface that it meets, if it meets one.
   template <typename Method>
   bool MeetsSurface(Method& method, double end, double h)
   {
@@ -598,7 +603,8 @@ private:
     {
       return false;
     }
-    // A step that ends there has the error that is controlled, which a dense output need not have.
+    // A step that ends at the surface has the error that is controlled, which a dense output need
+    // not have.
     const DenseOutput found = this->Dense;
     const double shorter = theta * h * (1.0 + SurfaceCrossing::Margin);
     if (theta < 1.0 && method.Take(this->Rate, this->Point, this->PointRate, shorter))
@@ -625,14 +631,14 @@ private:
   {
     if (!this->Cross(face))
     {
-      // At an edge there may be another way.
+      // At an edge another face may lead on.
       this->ClosedFace = face;
       return true;
     }
     return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
   }
 
-  /// To the end of a step within the cell.
+  /// Goes to the end of a step within the cell.
   template <typename Method>
   bool GoOn(const Method& method, double h, bool isLast)
   {
@@ -643,7 +649,7 @@ private:
     return !isLast || this->EndWith(vtkFlowStatus::OUT_OF_TIME);
   }
 
-  // First, since it is aligned.
+  // The walker comes first, since it is aligned.
   Walker Field;
   const AdvectionOptions& Options;
   AdvectionRate<Walker> Rate;
@@ -658,23 +664,23 @@ private:
   RungeKutta4Step RungeKutta4;
   RosenbrockStep Rosenbrock;
   DenseOutput Dense;
-  /// Of Dense, while it is the whole step's.
+  /// The control points of Dense, while Dense is the whole step.
   double Controls[DenseOutput::MaximumDegree + 1][3];
 
-  /// The streamline that is followed.
+  /// The result of the streamline that is followed.
   AdvectionResult* Result = nullptr;
   double Point[3];
   double PointRate[3];
   double Speed = 0.0;
-  /// Of the first cell, in world units.
+  /// The size of the first cell, in world units.
   double Size = 0.0;
   double Time = 0.0;
-  /// What the error allows.
+  /// The time of a step that the error allows.
   double Step = 0.0;
   vtkIdType CellBefore = -1;
   int Crossings = 0;
   int ClosedFace = -1;
-  /// By which it left the field.
+  /// The face by which the streamline left the field.
   int FaceLeft = -1;
   bool HasPointRate = false;
   bool HasIntegrals;

@@ -13,8 +13,8 @@ namespace interlume
 
 /**
  * @class   AdvectionOptions
- * @brief   what Advection follows streamlines to, and how; values as in vtkImplicitFlowField,
- * none automatic
+ * @brief   the surfaces and settings that Advection follows streamlines with; values as in
+ * vtkImplicitFlowField, none automatic
  */
 struct AdvectionOptions
 {
@@ -34,7 +34,7 @@ struct AdvectionOptions
   int MaximumNumberOfSteps = 10000;
   double MinimumSpeed = 0.0;
   double ArrivalTolerance = 0.01;
-  /// Extras; arrays by their numbers in the walker.
+  /// The further quantities that are kept; arrays are given by their numbers in the walker.
   bool HasMaximumSpeed = false;
   bool HasArcLength = false;
   bool HasMeanVorticity = false;
@@ -63,7 +63,8 @@ struct AdvectionResult
   int Evaluations = 0;
   int JacobianEvaluations = 0;
   int DistanceEvaluations = 0;
-  /// Where it did not meet its surface, but ended at the end of the field as near as this.
+  /// The distance from the surface, where the streamline did not meet it but ended near it at the
+  /// end of the field.
   double Nearness = 0.0;
   int Cells = 0;
 };

@@ -21,16 +21,16 @@ namespace interlume
 class DormandPrinceStep
 {
 public:
-  /// The error per unit of time falls by this power of the step.
+  /// The power of the step by which the error per unit of time falls.
   static constexpr int ErrorOrder = 4;
   static constexpr bool HasEndRate = true;
 
   double End[3];
   double EndRate[3];
-  /// Of the solution of order 4.
+  /// The error of the solution of order 4.
   double Error[3];
 
-  /// \a first: the rate at \a p. False where a rate is not finite.
+  /// Takes a step. \a first is the rate at \a p. Returns false where a rate is not finite.
   template <typename Rate>
   bool Take(Rate& rate, const double p[3], const double first[3], double h)
   {
@@ -111,8 +111,8 @@ public:
   }
 
   /**
-   * The step times the largest eigenvalue's absolute value, as the last two stages see it: both are
-   * at the step's end, and differ by what a stiff field blows up.
+   * Returns the step times the largest eigenvalue's absolute value, as the last two stages see it:
+   * both are at the step's end, and differ by what a stiff field blows up.
    */
   double GetStiffness() const
   {
@@ -130,8 +130,8 @@ public:
   }
 
   /**
-   * A direction in which a stiff field damps, and by how much: the step times the rate of decay; 0
-   * or below where it does not. As GetStiffness has it.
+   * Computes a direction in which a stiff field damps, and returns by how much: the step times the
+   * rate of decay, as GetStiffness finds it; 0 or below where it does not damp.
    */
   double GetDamping(double direction[3]) const
   {

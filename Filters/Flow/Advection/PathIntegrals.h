@@ -14,10 +14,10 @@ namespace interlume
 
 /**
  * @class   PathIntegrals
- * @brief   what else is kept of a streamline: largest speed, length, and means over time
+ * @brief   the further quantities of a streamline: largest speed, length, and means over time
  *
- * By Gauss's rule of four points over each step's dense output; the speed at its ends and middle.
- * Means of a streamline of no time are the values where it is.
+ * Integrals are taken by Gauss's rule of four points over each step's dense output; the speed is
+ * taken at its ends and middle. Means of a streamline of no time are the values at its place.
  */
 template <typename Walker>
 class PathIntegrals
@@ -43,7 +43,7 @@ public:
     std::fill(this->Sums.begin(), this->Sums.end(), 0.0);
   }
 
-  /// A step from theta = 0 to \a end; \a h: its time from 0 to 1.
+  /// Adds a step from theta = 0 to \a end; \a h is its time from theta = 0 to 1.
   void Add(const Walker& field, const DenseOutput& dense, double end, double h)
   {
     if (this->Options.HasMaximumSpeed)
@@ -80,7 +80,7 @@ public:
     this->Time += end * h;
   }
 
-  /// \a p: where the streamline ends.
+  /// Ends the streamline at \a p.
   void End(const Walker& field, const double p[3], AdvectionResult& result)
   {
     if (this->Time == 0.0)

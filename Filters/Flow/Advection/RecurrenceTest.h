@@ -34,20 +34,21 @@ namespace interlume
 class RecurrenceTest
 {
 public:
-  /// Steps and time of a streamline, or the most of them.
+  /// The steps and the time of a streamline, or the largest numbers of both.
   struct Budget
   {
     double Steps = 0.0;
     double Time = 0.0;
   };
 
-  /// Whether Enter is to be called, after a face from one cell to another was crossed.
+  /// Returns whether Enter is to be called, after a face from one cell to another was crossed.
   bool IsDue(vtkIdType cells, vtkIdType from, vtkIdType to) const
   {
     return cells >= this->NextFace || (to == this->To && from == this->From);
   }
 
-  /// \a cells: how many were entered; \a x: the place on the face.
+  /// Notes a crossing. \a cells is the number of cells that were entered, \a x the place on the
+  /// face.
   void Enter(vtkIdType cells, vtkIdType from, vtkIdType to, const double x[3], const Budget& used,
     const Budget& most)
   {
@@ -59,7 +60,7 @@ public:
         GetTurns(used.Time - this->UsedBefore.Time, most.Time - used.Time) <=
           GetTurns(used.Steps - this->UsedBefore.Steps, most.Steps - used.Steps))
       {
-        // It ends by its time, as it is to.
+        // The streamline ends by its time, as it should.
         *this = RecurrenceTest();
         this->NextFace = std::numeric_limits<vtkIdType>::max();
         return;
@@ -88,16 +89,16 @@ public:
     std::copy(x, x + 3, this->Start);
   }
 
-  /// Whether Watch is to be called, for each step.
+  /// Returns whether Watch is to be called, for each step.
   bool IsWatching() const { return this->Returns > 0; }
 
   /**
-   * After a step to \a x of at most the length \a way. \a distance: the least from the surfaces
-   * there. \a limit: what the streamline may get at most because of other ends.
+   * Notes a step to \a x of at most the length \a way. \a distance is the least distance from the
+   * surfaces there, \a limit the farthest that the streamline may get because of other ends.
    */
   void Watch(const double x[3], double distance, double way, double limit)
   {
-    // No place is further than half the way from one of the ends.
+    // No place of the step is further than half the way from one of its ends.
     this->Clearance =
       std::min({ this->Clearance, distance - 0.5 * way, this->DistanceBefore - 0.5 * way, limit });
     this->DistanceBefore = distance;
@@ -110,7 +111,7 @@ public:
 private:
   static constexpr vtkIdType Patience = 64;
 
-  /// How often \a one is in \a left.
+  /// Returns how often \a one is in \a left.
   static double GetTurns(double one, double left) { return left / one; }
 
   bool IsSame(const double x[3], const Budget& used, const Budget& most) const
@@ -136,7 +137,7 @@ private:
     growth *= 1.25;
     const double room = std::min(this->Clearance, 0.05 * this->Extent);
     double sum = 0.0;
-    // NaN is no orbit.
+    // A sum that is NaN is no orbit.
     for (double left = blocks; left > 0.0 && sum < room; left -= 1.0)
     {
       block *= growth;
@@ -152,7 +153,7 @@ private:
   vtkIdType LastReturn = 0;
   vtkIdType Returns = 0;
   Budget UsedBefore;
-  // Places on the face: the first, and that of half the returns.
+  // The places on the face: the first, and that of half the returns.
   double Start[3] = {};
   double Middle[3] = {};
   double Clearance = std::numeric_limits<double>::infinity();

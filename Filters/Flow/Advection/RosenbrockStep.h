@@ -16,15 +16,15 @@ namespace interlume
  * @class   RosenbrockStep
  * @brief   one step of RODAS: a Rosenbrock method of order 4(3), L-stable and stiffly accurate
  *
- * Six stages with one linear system of three unknowns, dense output of order 3: E. Hairer and G.
- * Wanner, "Solving Ordinary Differential Equations II", section IV.7 and IV.10; the coefficients
- * are those of their program. Stage i solves (1 / gamma - h J) u[i] = h f(p + sum a[i][j] u[j]) +
- * sum c[i][j] u[j].
+ * The method has six stages with one linear system of three unknowns, and a dense output of order
+ * 3: E. Hairer and G. Wanner, "Solving Ordinary Differential Equations II", section IV.7 and IV.10;
+ * the coefficients are those of their program. Stage i solves (1 / gamma - h J) u[i] = h f(p + sum
+ * a[i][j] u[j]) + sum c[i][j] u[j].
  */
 class RosenbrockStep
 {
 public:
-  /// The error per unit of time falls by this power of the step.
+  /// The power of the step by which the error per unit of time falls.
   static constexpr int ErrorOrder = 3;
   static constexpr bool HasEndRate = false;
 
@@ -32,7 +32,8 @@ public:
   double EndRate[3] = {};
   double Error[3];
 
-  /// \a first: the rate at \a p. False where a rate is not finite or the system is singular.
+  /// Takes a step. \a first is the rate at \a p. Returns false where a rate is not finite or the
+  /// system is singular.
   template <typename Rate>
   bool Take(Rate& rate, const double p[3], const double first[3], double h)
   {
@@ -103,7 +104,7 @@ public:
     }
   }
 
-  /// The step times the Jacobian's largest sum of a row, which no eigenvalue is above.
+  /// Returns the step times the Jacobian's largest sum of a row, which no eigenvalue is above.
   double GetStiffness() const
   {
     double largest = 0.0;
@@ -117,8 +118,8 @@ public:
   }
 
   /**
-   * The direction in which a stiff field damps the error, and by how much: the step times the rate
-   * of decay; 0 or below where it does not.
+   * Computes the direction in which a stiff field damps the error, and returns by how much: the
+   * step times the rate of decay; 0 or below where it does not damp.
    */
   double GetDamping(double direction[3]) const
   {
@@ -150,7 +151,7 @@ private:
     { -0.6762803392801253, 6.087714651680015, 16.43084320892478, 24.76722511418386,
       -6.594389125716872 } };
 
-  /// The step times the Jacobian times v.
+  /// Multiplies the step times the Jacobian by v.
   void Multiply(const double v[3], double product[3]) const
   {
     for (int i = 0; i < 3; ++i)
@@ -159,7 +160,7 @@ private:
     }
   }
 
-  /// LU of 1 / gamma - h J with row exchange; reciprocals on the diagonal.
+  /// Factors 1 / gamma - h J into LU with row exchange, with reciprocals on the diagonal.
   bool Factor()
   {
     for (int i = 0; i < 3; ++i)
@@ -225,7 +226,7 @@ private:
   double U[NumberOfStages][3];
   double Matrix[3][3];
   int Rows[3];
-  /// Times the step.
+  /// The Jacobian times the step.
   double Jacobian[9] = {};
 };
 

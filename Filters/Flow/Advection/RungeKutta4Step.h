@@ -19,7 +19,7 @@ namespace interlume
 class RungeKutta4Step
 {
 public:
-  /// The error per unit of time falls by this power of the step.
+  /// The power of the step by which the error per unit of time falls.
   static constexpr int ErrorOrder = 4;
   static constexpr bool HasEndRate = true;
 
@@ -27,7 +27,7 @@ public:
   double EndRate[3];
   double Error[3];
 
-  /// \a first: the rate at \a p. False where a rate is not finite.
+  /// Takes a step. \a first is the rate at \a p. Returns false where a rate is not finite.
   template <typename Rate>
   bool Take(Rate& rate, const double p[3], const double first[3], double h)
   {
@@ -54,7 +54,7 @@ public:
     for (int i = 0; i < 3; ++i)
     {
       const double start = this->Step * this->StartRate[i];
-      // What the tangent at the start leaves of places and slopes.
+      // The places and slopes less those of the tangent at the start.
       const double end = this->End[i] - this->Start[i] - start;
       const double endSlope = this->Step * this->EndRate[i] - start;
       const double middle = this->Middle[i] - this->Start[i] - 0.5 * start;
@@ -68,7 +68,7 @@ public:
     }
   }
 
-  /// Not known.
+  /// Returns 0, since the damping is not known.
   double GetDamping(double*) const { return 0.0; }
 
 private:

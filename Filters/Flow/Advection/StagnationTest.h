@@ -26,17 +26,17 @@ public:
     std::copy(x, x + 3, this->Start);
   }
 
-  /// After an accepted step.
+  /// Notes an accepted step.
   void Add(double way)
   {
     this->Way += way;
     ++this->Steps;
   }
 
-  /// Whether a window has ended, and Look is to be called.
+  /// Returns whether a window has ended, and Look is to be called.
   bool IsDue() const { return this->Steps >= Windows[this->Window]; }
 
-  /// At the end of a window. True where the streamline has stagnated.
+  /// Ends a window. Returns true where the streamline has stagnated.
   bool Look(const double x[3], double time, double largestError)
   {
     const double apart[3] = { x[0] - this->Start[0], x[1] - this->Start[1], x[2] - this->Start[2] };

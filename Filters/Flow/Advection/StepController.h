@@ -11,14 +11,15 @@ namespace interlume
  * @class   StepController
  * @brief   the next step from the error of the last
  *
- * Proportional-integral control with the constants of Hairer and Wanner's programs (E. Hairer, S.
- * P. Norsett and G. Wanner, "Solving Ordinary Differential Equations" I, section II.4, and II,
- * section IV.2), for an error per unit of time.
+ * This is proportional-integral control with the constants of Hairer and Wanner's programs (E.
+ * Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential Equations" I, section II.4,
+ * and II, section IV.2), for an error per unit of time.
  */
 class StepController
 {
 public:
-  /// What the step is multiplied by, 0.2 to 5, after an error of \a ratio of the largest, <= 1.
+  /// Returns what the step is multiplied by, 0.2 to 5, after an error of \a ratio of the largest,
+  /// <= 1.
   double Accept(double ratio, int order)
   {
     const bool wasRejected = this->WasRejected;
@@ -34,7 +35,8 @@ public:
     return wasRejected ? std::min(factor, 1.0) : factor;
   }
 
-  /// The same, below 1, after one above the largest. NaN and infinity: the smallest.
+  /// Returns what the step is multiplied by, below 1, after an error above the largest; the
+  /// smallest factor for NaN and infinity.
   double Reject(double ratio, int order)
   {
     this->WasRejected = true;

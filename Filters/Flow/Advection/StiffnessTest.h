@@ -21,7 +21,7 @@ class StiffnessTest
 public:
   bool IsStiff() const { return this->Stiff; }
 
-  /// After an accepted step of either method.
+  /// Notes an accepted step of either method.
   void Add(double stiffness)
   {
     if (this->Stiff ? stiffness < Small : stiffness > Large)

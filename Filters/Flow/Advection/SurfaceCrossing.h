@@ -34,9 +34,9 @@ class SurfaceCrossing
 {
 public:
   static constexpr double Tolerance = 1e-12;
-  /// What Find returns where no surface is met.
+  /// The value that Find returns where no surface is met.
   static constexpr double None = 2.0;
-  /// Of a step.
+  /// The share of a step by which it ends after a surface.
   static constexpr double Margin = 0.001;
 
   explicit SurfaceCrossing(const std::vector<AdvectionOptions::Surface>& surfaces)
@@ -66,9 +66,9 @@ public:
   }
 
   /**
-   * Where the step first meets a surface, and which. \a place(theta, x): the place at theta. \a
-   * end: the last theta that counts. \a reach: the most that the streamline can go, end - start
-   * = 1.
+   * Finds where the step first meets a surface, and which. \a place(theta, x) computes the place at
+   * theta, \a end is the last theta that counts, \a reach is the most that the streamline can go
+   * from theta = 0 to 1.
    */
   template <typename Place>
   double Find(Place& place, double end, double reach, int& surface)
@@ -78,7 +78,7 @@ public:
     for (std::size_t i = 0; i < this->States.size(); ++i)
     {
       const double theta = this->FindOne(place, i, std::min(end, first), reach);
-      // Closer than rounding they are at the same place, and the one added first counts.
+      // Crossings closer than rounding are at the same place, and the surface added first counts.
       if (theta <= 1.0 && (first > 1.0 || (first - theta) * reach > this->LastTolerance))
       {
         first = theta;
@@ -89,8 +89,8 @@ public:
   }
 
   /**
-   * The same crossing on a step that ends after it by Margin of the step. None where it is not
-   * there.
+   * Finds the same crossing on a step that ends after it by Margin of the step. Returns None where
+   * it is not there.
    */
   template <typename Place>
   double Refine(Place& place, int surface)
@@ -114,7 +114,7 @@ public:
     return isThere && this->Surfaces[i].Shape->IsOn(x) ? root : None;
   }
 
-  /// No surface is nearer than this to where the streamline stands.
+  /// Returns a distance that no surface is nearer than to where the streamline stands.
   double GetClearance() const
   {
     double least = std::numeric_limits<double>::infinity();
@@ -126,8 +126,8 @@ public:
   }
 
   /**
-   * The surface nearest to \a x, where a streamline going into \a direction ends at a face; -1
-   * where none is as near as \a tolerance. Of length 1 both vectors, or 0. A surface that lies
+   * Returns the surface nearest to \a x, where a streamline going into \a direction ends at a face;
+   * -1 where none is as near as \a tolerance. Both vectors have length 1, or 0. A surface that lies
    * across the face and along the direction is reached by no small displacement of either, and so
    * has less of the tolerance, down to none.
    */
@@ -139,7 +139,7 @@ public:
     for (std::size_t i = 0; i < this->States.size(); ++i)
     {
       const vtkTerminationSurface* shape = this->Surfaces[i].Shape;
-      // A mesh may know its own points less well than that.
+      // A mesh may know its own points less well than the tolerance.
       if (this->States[i].Clearance > tolerance + FLT_EPSILON * this->GetSize(x))
       {
         continue;
@@ -166,7 +166,7 @@ public:
     found.Shape->EvaluateParameters(x, result.Parameters);
   }
 
-  /// From any surface; infinite without one.
+  /// Returns the least distance from any surface; infinite without one.
   double GetLeastDistance(const double x[3])
   {
     double least = std::numeric_limits<double>::infinity();
@@ -186,11 +186,12 @@ private:
   struct State
   {
     double Distance = 0.0;
-    /// How far the streamline may still go.
+    /// The distance that the streamline may still go.
     double Clearance = 0.0;
-    /// Which side of the surface it is on; 0 while it has not left a place of no side.
+    /// The side of the surface that the streamline is on; 0 while it has not left a place of no
+    /// side.
     int Side = 0;
-    /// Whether Distance is that of the step's start.
+    /// Whether Distance is that at the step's start.
     bool IsFresh = false;
 
     void SetDistance(double distance)
@@ -206,7 +207,7 @@ private:
     }
   };
 
-  /// The largest of the coordinates and the cell's size.
+  /// Returns the largest of the coordinates and the cell's size.
   double GetSize(const double x[3]) const
   {
     return std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), this->Size });
@@ -257,7 +258,7 @@ private:
     return isClose && this->Surfaces[i].Shape->IsOn(x) ? end : None;
   }
 
-  /// The first crossing on the surface from theta = 0 to \a end.
+  /// Finds the first crossing on the surface from theta = 0 to \a end.
   template <typename Place>
   double Walk(Place& place, std::size_t i, double before, double end, double reach)
   {
@@ -270,7 +271,7 @@ private:
     };
     double from = 0.0;
     double start = before;
-    // Pieces whose widths follow the distance are few; after those the rest is one.
+    // Pieces whose widths follow the distance are few; after those the rest is one piece.
     for (int piece = 0; from < end && piece < 2 * MostPieces; ++piece)
     {
       double width = 0.25 * end;
@@ -312,7 +313,7 @@ private:
         start = 0.0;
         if (inside < to)
         {
-          // Out again in the same piece.
+          // The streamline is out again in the same piece.
           from = inside;
           start = distance(inside);
         }
@@ -324,7 +325,7 @@ private:
     return None;
   }
 
-  /// A root between \a from, on \a side, and \a to, on the other.
+  /// Finds a root between \a from, on \a side, and \a to, on the other.
   template <typename Distance>
   double FindRoot(Distance& distance, int side, double from, double start, double to)
   {
@@ -334,13 +335,13 @@ private:
   }
 
   /**
-   * Whether the distance, which falls from \a from and is \a last at \a to, changes sign in
-   * between: then at Least.
+   * Returns whether the distance, which falls from \a from and is \a last at \a to, changes sign in
+   * between, which it then does at Least.
    */
   template <typename Distance>
   bool FindLeast(Distance& distance, int side, double from, double to, double last, double reach)
   {
-    // So close to the end that the distance changes sign nowhere between.
+    // The probe is so close to the end that the distance changes sign nowhere between.
     const double probe = std::min((to - from) / 64.0, 0.5 * side * last / reach);
     if (side * distance(to - probe) >= side * last)
     {
@@ -361,7 +362,7 @@ private:
         this->Least = atLeft <= atRight ? left : right;
         return true;
       }
-      // No point between is further than half of it from one of the two.
+      // No point in between is further than half the way from one of the two ends.
       if (least > reach * (high - low) || high - low <= 1e-15 * high)
       {
         return false;

@@ -15,7 +15,8 @@ namespace interlume
 
 /**
  * @class   CellExit
- * @brief   the faces of a walker's cell as a streamline sees them: how far, and which is left by
+ * @brief   the faces of a walker's cell as a streamline sees them: how far they are, and which it
+ * leaves by
  *
  * A streamline may be outside of a face by Tolerance of the cell's width, so that one along a face
  * stays in one cell. The field goes on smoothly there.
@@ -28,8 +29,8 @@ public:
   static constexpr int MaximumNumberOfFaces = 6;
 
   /**
-   * Looks from \a p along \a rate. \a isHeld: nothing is crossed at p, and faces that p is on or
-   * beyond may be left behind by a hundredth of a width: what ends going around an edge for ever.
+   * Looks from \a p along \a rate. If \a isHeld, nothing is crossed at p, and faces that p is on or
+   * beyond may be left behind by a hundredth of a width, which ends going around an edge for ever.
    */
   void Approach(const Walker& field, const double p[3], const double rate[3], bool isHeld)
   {
@@ -76,18 +77,19 @@ public:
     }
   }
 
-  /// The time until the end of a straight step is somewhat outside of the cell.
+  /// Returns the time until the end of a straight step is somewhat outside of the cell.
   double GetTimeLimit() const { return this->TimeLimit; }
 
-  /// The face that a straight step is likely to leave by; -1: none.
+  /// Returns the face that a straight step is likely to leave by; -1 for none.
   int GetFaceAhead() const { return this->FaceAhead; }
 
-  /// The largest rate at which a distance from a face changes: widths per unit of time.
+  /// Returns the largest rate at which a distance from a face changes, in widths per unit of time.
   double GetFastest() const { return this->Fastest; }
 
   /**
-   * The face to cross before the next step: the streamline is on it or beyond and goes outwards, or
-   * is beyond by much. -1: none. \a closed: bits of those that there is no way through.
+   * Returns the face to cross before the next step, -1 for none: the streamline is on it or beyond
+   * and goes outwards, or is beyond by much. \a closed has bits for faces that there is no way
+   * through.
    */
   int GetFaceToCross(unsigned int closed) const
   {
@@ -106,9 +108,9 @@ public:
   }
 
   /**
-   * Where a step first leaves the cell approached last, and by which face; BernsteinRoot::None
-   * and -1 where it stays. \a isFar: whether its end is so far outside that the field may no longer
-   * be smooth there. \a points: the control points of \a dense.
+   * Finds where a step first leaves the cell approached last, and by which face;
+   * BernsteinRoot::None and -1 where it stays. \a isFar tells whether its end is so far outside
+   * that the field may no longer be smooth there. \a points are the control points of \a dense.
    */
   double Find(const Walker& field, const DenseOutput& dense,
     const double points[DenseOutput::MaximumDegree + 1][3], int& exitFace, bool& isFar) const
@@ -138,16 +140,17 @@ public:
   }
 
 private:
-  /// Of a cell's width.
+  /// The largest overshoot of a step beyond a face, as a share of a cell's width.
   static constexpr double LargestOvershoot = 0.5;
-  /// Of a cell's width; less is gone on with if the streamline comes back.
+  /// The share of a cell's width beyond a face that is much; from less the streamline goes on if it
+  /// comes back.
   static constexpr double MuchOutside = 1e-6;
-  /// Of faces that are not affine.
+  /// The number of samples of the distances from faces that are not affine.
   static constexpr int NumberOfSamples = 16;
 
   void FindRates(const Walker& field, const double p[3], const double rate[3])
   {
-    // Affine distances have the same slope everywhere, found best from a point well apart.
+    // Affine distances have the same slope everywhere, which is found best from a point well apart.
     const double scale =
       (Walker::FacesAreAffine ? 1.0 : 1e-6) / Vectors::InfinityNorm(glm::make_vec3(rate));
     double ahead[3];
@@ -247,7 +250,7 @@ private:
     return end;
   }
 
-  /// Where the distance falls below -slack, moved back to where it was 0.
+  /// Returns where the distance falls below -slack, moved back to where it was 0.
   static double FindAffine(double* b, int degree, double slack)
   {
     for (int i = 0; i <= degree; ++i)
@@ -296,7 +299,7 @@ private:
         return BracketedRoot::Find(
           function, from, before, i / double(NumberOfSamples), samples[i] + slack);
       }
-      // The lowest of the parabola through three samples.
+      // The lowest point of the parabola through three samples.
       if (i < NumberOfSamples && samples[i] <= samples[i - 1] && samples[i] < samples[i + 1])
       {
         const double bend = samples[i - 1] - 2.0 * samples[i] + samples[i + 1];

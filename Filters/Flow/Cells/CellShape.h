@@ -13,7 +13,7 @@ namespace interlume
  * All interpolate as VTK's cells do. Their coordinates p = (x, y, z) are chosen so that position
  * and vectors are trilinear polynomials of p and faces are planes:
  *
- * - HEXAHEDRON: corners of [0,1]^3, x fastest. Voxels too.
+ * - HEXAHEDRON: corners of [0,1]^3, x fastest; also for voxels.
  * - TETRAHEDRON: corners (0,0,0), (1,0,0), (0,1,0), (0,0,1). Linear.
  * - WEDGE: (0,0,0), (1,0,0), (0,1,0), and the same at z = 1.
  * - PYRAMID: the base (0,0,0), (1,0,0), (1,1,0), (0,1,0), the apex (0,0,1); 0 <= x, y <= 1 - z. In
@@ -39,13 +39,13 @@ struct CellShape
   {
     int NumberOfCorners = 0;
     int Corners[4] = { 0, 0, 0, 0 };
-    /// Distance: [3] + the scalar product of the others and p.
+    /// The distance from the face: [3] + the scalar product of the others and p.
     double Plane[4] = { 0, 0, 0, 0 };
-    /// p of (u,v).
+    /// The place p of (u,v), which is Origin + u U + v V.
     double Origin[3] = { 0, 0, 0 };
     double U[3] = { 0, 0, 0 };
     double V[3] = { 0, 0, 0 };
-    /// u and v of p, as Plane.
+    /// The coefficients of u and v as functions of p, as in Plane.
     double UOf[4] = { 0, 0, 0, 0 };
     double VOf[4] = { 0, 0, 0, 0 };
 
@@ -77,7 +77,7 @@ struct CellShape
 
   static const CellShape& Of(int kind);
 
-  /// From values in the corners to the polynomial's coefficients.
+  /// Turns values in the corners into the polynomial's coefficients.
   static void Fit(int kind, Trilinear& values)
   {
     auto& c = values.C;
@@ -87,7 +87,7 @@ struct CellShape
         MoveRow(values, 3, 4);
         break;
       case WEDGE:
-        // The same as a hexahedron whose corner (1,1) follows from the other three.
+        // The base is fitted as a hexahedron's whose corner (1,1) follows from the other three.
         MoveRow(values, 5, 6);
         MoveRow(values, 4, 5);
         MoveRow(values, 3, 4);
@@ -155,8 +155,8 @@ private:
     FindDual(face.Origin, face.V, face.U, face.VOf);
   }
 
-  // The function that is 0 at origin, grows by 1 along one way and not along the other; the
-  // coordinate axes do for all the faces.
+  // Computes the function that is 0 at origin, grows by 1 along one way and not along the other;
+  // for all the faces the coordinate axes serve as these.
   static constexpr void FindDual(
     const double* origin, const double* along, const double* across, double* dual)
   {

@@ -78,7 +78,7 @@ void CellTree::Build(vtkIdType numberOfCells, const CellBox& getBox)
 {
   this->Cells.clear();
   this->Levels.clear();
-  // Unions of boxes by parts, one for each, so that none waits for another.
+  // Boxes are united by parts, one result for each, so that no thread waits for another.
   constexpr vtkIdType part = 4096;
   const vtkIdType parts = (numberOfCells + part - 1) / part;
   std::vector<Box> boxes(numberOfCells);

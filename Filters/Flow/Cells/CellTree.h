@@ -15,21 +15,22 @@ namespace interlume
  * @class   CellTree
  * @brief   which cells' boxes hold a point
  *
- * A bounding volume hierarchy over cells in Morton order of their boxes' centres: leaves of eight
- * cells, four children to a node. Built by all threads, read by any number, the same always.
+ * The tree is a bounding volume hierarchy over cells in Morton order of their boxes' centres:
+ * leaves of eight cells, four children to a node. All threads build it, any number may read it, and
+ * it is always the same.
  */
 class CellTree
 {
 public:
-  /// Lower and upper of x, y, z of a cell; false for a cell to leave out.
+  /// A function that gives lower and upper of x, y, z of a cell; false for a cell to leave out.
   using CellBox = std::function<bool(vtkIdType cell, double box[6])>;
 
   void Build(vtkIdType numberOfCells, const CellBox& getBox);
 
   /**
    * Calls visit(cell) for the cells of leaves whose box holds \a x, a superset of the cells that
-   * hold it, in an order of the tree's, until it returns true. Whether it did. Boxes are a little
-   * larger than their cells, by more than the rounding of x.
+   * hold it, in an order of the tree's, until it returns true. Returns whether it did. Boxes are a
+   * little larger than their cells, by more than the rounding of x.
    */
   template <typename Visitor>
   bool Visit(const double x[3], Visitor&& visit) const;
@@ -37,7 +38,7 @@ public:
 private:
   static constexpr int LeafSize = 8;
   static constexpr int Arity = 4;
-  // A tree over all 2^63 cells is that high.
+  // The height of a tree over all 2^63 cells.
   static constexpr int MaximumHeight = 32;
 
   struct Box
@@ -55,7 +56,7 @@ private:
   };
 
   std::vector<vtkIdType> Cells;
-  // Leaves first, the root last.
+  // The levels of boxes, the leaves first, the root last.
   std::vector<std::vector<Box>> Levels;
 };
 

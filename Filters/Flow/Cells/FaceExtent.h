@@ -13,7 +13,7 @@ namespace interlume
  * @class   FaceExtent
  * @brief   how wide a cell is at one of its faces, how far the face is from flat, where it looks to
  *
- * What is near to a face is near by the cell's width there: the narrow side of the face, which is a
+ * Nearness to a face is measured in the cell's width there: the narrow side of the face, which is a
  * triangle's least height or a quadrilateral's area over its longest edge, or the height of the
  * cell above the face, whichever is less. A quadrilateral's bilinear form is nowhere further than
  * Bend from the triangles that either diagonal cuts it into.
@@ -22,11 +22,12 @@ struct FaceExtent
 {
   double Width = 0.0;
   double Bend = 0.0;
-  /// Of length 1, to either side; 0 for a face without an area.
+  /// The normal of length 1, to either side; 0 for a face without an area.
   double Normal[3] = { 0.0, 0.0, 0.0 };
 
   /**
-   * Of three or four corners of a face in cyclic order, and any number of corners of its cell.
+   * Computes the extent from the three or four corners of a face in cyclic order, and any number of
+   * corners of its cell.
    */
   static FaceExtent Of(const double (*corners)[3], int number, const double (*cell)[3], int size)
   {

@@ -29,7 +29,8 @@ void InterpolatedCell::EvaluateSecondDerivatives(
   const Trilinear& polynomial, const double p[3], double second[3][3][3]) const
 {
   double mixed[3][4];
-  // Of the pyramid's x y / (1 - z), which has more of them, as factors of its coefficient.
+  // The second derivatives of the pyramid's x y / (1 - z), which has more of them than other terms,
+  // as factors of its coefficient.
   double factors[3][3] = {};
   const bool isPyramid = this->Shape == CellShape::PYRAMID;
   if (isPyramid)
@@ -108,7 +109,7 @@ double InterpolatedCell::GetLongestWorldVector(const double d[3]) const
     {
       const double u = corner & 1;
       const double v = corner >> 1;
-      // The sum of the components does without roots.
+      // The sum of the components bounds the length without square roots.
       double length = 0.0;
       for (int i = 0; i < 3; ++i)
       {
@@ -153,7 +154,8 @@ bool InterpolatedCell::FindPlace(const double x[3], bool fromSeveral, double p[3
   {
     return this->FindPlaceFrom(shape.Centre, x, p);
   }
-  // Between each corner and the centre; the answer that is farthest inside.
+  // Newton's method starts between each corner and the centre; the answer that is farthest inside
+  // counts.
   bool hasPlace = false;
   for (int corner = 0; corner < shape.NumberOfCorners; ++corner)
   {
@@ -176,9 +178,9 @@ bool InterpolatedCell::FindPlace(const double x[3], bool fromSeveral, double p[3
 bool InterpolatedCell::FindPlaceFrom(const double start[3], const double x[3], double p[3]) const
 {
   constexpr int maximumIterations = 40;
-  // Farther away a curved cell's polynomial says nothing.
+  // Farther away than this a curved cell's polynomial says nothing.
   constexpr double farthest = 100.0;
-  // Below this steps shrink by the square, until rounding holds them.
+  // Below this size, steps shrink by the square, until rounding holds them.
   constexpr double nearby = 1e-5;
   constexpr double leastStep = 1e-15;
   std::copy(start, start + 3, p);

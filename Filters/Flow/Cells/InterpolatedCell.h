@@ -24,7 +24,7 @@ class InterpolatedCell
 {
 public:
   ///@{
-  /// The values in the shape's corners, for the caller to fill, and then to say so. Positions go
+  /// The values in the shape's corners, which the caller fills and then declares set, positions
   /// first.
   Trilinear& GetPoints() { return this->Points; }
   Trilinear& GetVectors() { return this->Vectors; }
@@ -32,12 +32,13 @@ public:
   void SetVectors();
   ///@}
 
-  /// Whether \a x is in the box, a little larger, of positions in corners not yet said to be set.
+  /// Returns whether \a x is in the box, a little larger, of positions in corners not yet declared
+  /// set.
   bool IsInBox(int shape, const double x[3]) const;
 
   int GetShape() const { return this->Shape; }
   const CellShape::Face& GetFace(int face) const { return CellShape::Of(this->Shape).Faces[face]; }
-  /// In world units.
+  /// Returns the face's extent in world units.
   FaceExtent GetFaceExtent(int face) const;
   int GetNumberOfFaces() const { return CellShape::Of(this->Shape).NumberOfFaces; }
   bool IsFinite() const { return this->HasFiniteVectors; }
@@ -72,14 +73,14 @@ public:
     InverseJacobian::Combine(columns, d, w);
   }
 
-  /// Whether the above is the same throughout the cell; else a bound of its length anywhere in the
-  /// cell, for changes by -d to d.
+  /// Whether the world vector of a change of p is the same throughout the cell; else a bound of its
+  /// length anywhere in the cell, for changes by -d to d.
   bool IsAffine() const { return this->Form != CURVED; }
   double GetLongestWorldVector(const double d[3]) const;
 
   void GetVelocityGradient(const double p[3], double gradient[9]) const;
 
-  /// The value at p of a polynomial that Fit has made for the cell's shape.
+  /// Computes the value at p of a polynomial that Fit has made for the cell's shape.
   void Evaluate(const Trilinear& polynomial, const double p[3], double value[3]) const
   {
     if (this->Shape == CellShape::PYRAMID)
@@ -99,14 +100,14 @@ public:
   }
 
   /**
-   * p of x by Newton's method from the cell's centre, or, slower, from several starts. False where
-   * none converges. p may be outside of the cell.
+   * Finds p of x by Newton's method from the cell's centre, or, slower, from several starts.
+   * Returns false where none converges. p may be outside of the cell.
    */
   bool FindPlace(const double x[3], bool fromSeveral, double p[3]) const;
 
-  /// The least of all faces' distances.
+  /// Returns the least of all faces' distances.
   double GetDistance(const double p[3]) const;
-  /// From slightly beyond faces onto them.
+  /// Moves p from slightly beyond faces onto them.
   void Clamp(double p[3]) const;
 
 private:
@@ -117,7 +118,7 @@ private:
     CURVED
   };
 
-  // 1 - z, and VTK's coordinates of a pyramid.
+  // Returns 1 - z, and computes VTK's coordinates of a pyramid.
   static double GetPyramidRatios(const double p[3], double& r, double& s)
   {
     const double w = 1.0 - p[2];
@@ -162,7 +163,7 @@ private:
   Forms Form = CURVED;
   bool HasFiniteVectors = false;
   Trilinear Points = {};
-  // Coefficients of v, or of dp/dt where x(p) is linear.
+  // The coefficients of v, or of dp/dt where x(p) is linear.
   Trilinear Vectors = {};
 };
 
@@ -207,7 +208,7 @@ inline void InterpolatedCell::SetVectors()
   const int corners = CellShape::Of(this->Shape).NumberOfCorners;
   for (int corner = 0; corner < corners; ++corner)
   {
-    // NaN where a number is not finite.
+    // The sum becomes NaN where a number is not finite.
     check += 0.0 * c[corner][0] + 0.0 * c[corner][1] + 0.0 * c[corner][2];
   }
   this->HasFiniteVectors = check == 0.0;

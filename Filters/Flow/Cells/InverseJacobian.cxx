@@ -10,7 +10,7 @@ namespace interlume
 // solved backward.
 void InverseJacobian::InvertSingular(const double columns[3][4], double inverse[3][3])
 {
-  // How much of a column's length the others must leave for it to count.
+  // The share of a column's length that the others must leave for the column to count.
   constexpr double leastPart = 1e-10;
   int order[3] = { 0, 1, 2 };
   double rest[3][3];

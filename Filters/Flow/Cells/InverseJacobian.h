@@ -24,8 +24,8 @@ public:
     const glm::dvec3 c = glm::make_vec3(columns[2]);
     const glm::dvec3 rows[3] = { glm::cross(b, c), glm::cross(c, a), glm::cross(a, b) };
     const double determinant = glm::dot(a, rows[0]);
-    // By the lengths of the columns: cells may be flat and small as long as they are not sheared
-    // into a plane.
+    // The scale is made of the lengths of the columns: cells may be flat and small as long as they
+    // are not sheared into a plane.
     const double scale = glm::dot(a, a) * glm::dot(b, b) * glm::dot(c, c);
     if (!(determinant * determinant > 1e-18 * scale && scale < 1e300))
     {
@@ -51,7 +51,7 @@ public:
     }
   }
 
-  /// sum_j d[j] columns[j].
+  /// Computes sum_j d[j] columns[j].
   static void Combine(const double columns[3][4], const double d[3], double sum[3])
   {
     const double factor[3] = { d[0], d[1], d[2] };

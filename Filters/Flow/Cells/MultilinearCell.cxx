@@ -59,7 +59,7 @@ void Extrapolate(MultilinearCell::Shapes shape, MultilinearCell::Values& values)
   }
 }
 
-// Gauss' two points in 0 ... 1.
+// Gauss's two points in 0 ... 1.
 constexpr double GaussPoints[2] = { 0.2113248654051871, 0.7886751345948129 };
 }
 
@@ -288,8 +288,8 @@ double MultilinearCell::GetVolume() const
     Derive(this->Positions, p, d);
     return vtkMath::Determinant3x3(d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8]);
   };
-  // Exact: the determinant is of degree 2 in each parameter, on wedges of degree 1 in both of the
-  // triangle's, on tetrahedra constant.
+  // The rule is exact: the determinant is of degree 2 in each parameter, on wedges of degree 1 in
+  // both of the triangle's, on tetrahedra constant.
   double volume = 0.0;
   if (this->Shape == TETRAHEDRON)
   {

@@ -34,24 +34,24 @@ public:
 
   using Values = double[8][3];
 
-  /// NONE for other types.
+  /// Returns the shape of a type of cell, NONE for other types.
   static Shapes GetShape(int cellType);
-  /// Whether cells of the type have no volume, as triangles, or are none.
+  /// Returns whether cells of the type have no volume, as triangles, or are no cells.
   static bool IsFlat(int cellType);
 
-  /// Values at p, and their derivatives, d value[i] / d p[j] at [3 i + j].
+  /// Compute the values at p, and their derivatives, d value[i] / d p[j] at [3 i + j].
   static void Interpolate(const Values& values, const double p[3], double value[3]);
   static void Derive(const Values& values, const double p[3], double derivatives[9]);
 
-  /// By how much p is outside of the cell, in parameters; below 0 inside.
+  /// Returns by how much p is outside of the cell, in parameters; below 0 inside.
   static double GetExcess(Shapes shape, const double p[3]);
 
-  /// The corners of the cube that are points of a cell, in VTK's order; returns their number.
+  /// Gives the corners of the cube that are points of a cell, in VTK's order; returns their number.
   static int GetCorners(Shapes shape, const int*& corners);
-  /// The edges of the cell as pairs of corners of the cube; returns their number.
+  /// Gives the edges of the cell as pairs of corners of the cube; returns their number.
   static int GetEdges(Shapes shape, const int (*&edges)[2]);
 
-  /// \a ids is room to work in.
+  /// Loads a cell; \a ids is room to work in.
   void Load(vtkDataSet* data, vtkDataArray* vectors, vtkIdType cell, vtkIdList* ids);
 
   Shapes GetShape() const { return this->Shape; }
@@ -61,18 +61,18 @@ public:
   int GetNumberOfPoints() const { return this->NumberOfPoints; }
   vtkIdType GetPointId(int i) const { return this->PointIds[i]; }
 
-  /// Whether positions and vectors are finite.
+  /// Returns whether positions and vectors are finite.
   bool IsFinite() const;
 
-  /// The weights of the points at p.
+  /// Computes the weights of the points at p.
   void GetWeights(const double p[3], double weights[8]) const;
 
-  /// dv[i]/dx[j] at [3 i + j]; false, and 0, where the cell is flat.
+  /// Computes dv[i]/dx[j] at [3 i + j]. Returns false, and gives 0, where the cell is flat.
   bool GetGradient(const double p[3], double gradient[9]) const;
 
   double GetVolume() const;
 
-  /// The length of the diagonal of the cell's bounds.
+  /// Returns the length of the diagonal of the cell's bounds.
   double GetDiagonal() const;
 
 private:

@@ -16,7 +16,7 @@ struct Trilinear
 {
   alignas(32) double C[8][4];
 
-  /// From values in the corners of [0,1]^3, x fastest, to coefficients.
+  /// Turns values in the corners of [0,1]^3, x fastest, into coefficients.
   void Fit()
   {
     for (int bit = 1; bit < 8; bit *= 2)
@@ -62,7 +62,7 @@ struct Trilinear
     Copy(v, value);
   }
 
-  /// Where the coefficients of xy, xz, yz and xyz are 0.
+  /// Computes the value where the coefficients of xy, xz, yz and xyz are 0.
   void EvaluateLinear(const double p[3], double value[3]) const
   {
     const auto& c = this->C;
@@ -74,7 +74,7 @@ struct Trilinear
     Copy(v, value);
   }
 
-  /// Derivative along axis j in row j.
+  /// Computes the derivatives, that along axis j in row j.
   void EvaluateDerivatives(const double p[3], double d[3][4]) const
   {
     const double x = p[0];
@@ -89,7 +89,7 @@ struct Trilinear
     }
   }
 
-  /// The second derivatives that are not 0: by x and y, x and z, y and z.
+  /// Computes the second derivatives that are not 0: by x and y, x and z, y and z.
   void EvaluateMixedDerivatives(const double p[3], double d[3][4]) const
   {
     const auto& c = this->C;

@@ -13,9 +13,9 @@ namespace interlume
  * @class   ArcWalk
  * @brief   follows a streamline by arc length, in fixed steps of the classical Runge-Kutta method
  *
- * dx/ds = +-v / |v|, in world space. A walk ends where a step would leave the field, or need a
- * velocity that is not finite or not above MinimumSpeed, or where the direction turns by more than
- * a right angle in a step, as at a sink.
+ * It solves dx/ds = +-v / |v|, in world space. A walk ends where a step would leave the field, or
+ * need a velocity that is not finite or not above MinimumSpeed, or where the direction turns by
+ * more than a right angle in a step, as at a sink.
  */
 template <typename Walker>
 class ArcWalk
@@ -27,23 +27,23 @@ public:
   {
   }
 
-  /// Whether \a x is in the field.
+  /// Returns whether \a x is in the field.
   bool IsInside(const double x[3])
   {
     double p[3];
     return this->Field.Locate(x, p);
   }
 
-  /// Stands at \a x.
+  /// Begins a walk at \a x.
   void Begin(const double x[3])
   {
     std::copy_n(x, 3, this->Position);
     this->HasDirection = this->GetDirection(x, this->Direction);
   }
-  /// Whether there is a way to go.
+  /// Returns whether there is a way to go.
   bool CanGo() const { return this->HasDirection; }
 
-  /// Goes by \a step, against the flow where it is negative. False, and stays, at the end.
+  /// Goes by \a step, against the flow where it is negative. At the end it stays and returns false.
   bool Go(double step)
   {
     if (!this->HasDirection)

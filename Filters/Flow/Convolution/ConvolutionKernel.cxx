@@ -54,7 +54,7 @@ double GetCovariance(const Correlation& correlation, double d)
 {
   constexpr int rings = 16;
   double sum = 0.0;
-  // An octant: heights and angles at the middles of equal parts.
+  // The mean is taken over an octant: heights and angles at the middles of equal parts.
   for (int i = 0; i < rings; ++i)
   {
     const double z = (i + 0.5) / rings;

@@ -10,8 +10,8 @@ namespace interlume
  * @class   ConvolutionKernel
  * @brief   weights of noise along a streamline, and how much their mean varies
  *
- * Samples j = -n ... n at arc lengths j h, weights by the trapezoidal rule, k(0) = 1. A streamline
- * may end after \a back samples and \a front samples; its mean is over those.
+ * Samples j = -n ... n lie at arc lengths j h; they are weighted by the trapezoidal rule, k(0) = 1.
+ * A streamline may end after \a back samples and \a front samples; its mean is over those.
  *
  * The standard deviation of that mean is that on straight lines of all directions and places: the
  * covariance of LatticeNoise at two points apart by d, the mean over places, is its lattice's
@@ -21,7 +21,8 @@ namespace interlume
 class ConvolutionKernel
 {
 public:
-  /// \a isHann: k(s) = (1 + cos(pi s / L)) / 2, else 1. \a scale is the noise's.
+  /// Makes the kernel k(s) = (1 + cos(pi s / L)) / 2 if \a isHann, else 1. \a scale is that of the
+  /// noise.
   ConvolutionKernel(bool isHann, int steps, double step, double scale);
 
   double GetWeight(int j) const { return this->Weights[j]; }
@@ -29,13 +30,15 @@ public:
   double GetDeviation(int back, int front) const;
 
 private:
-  // Of samples 0 ... j of one side.
+  // The weights, and their sums, of samples 0 ... j of one side.
   std::vector<double> Weights;
   std::vector<double> Sums;
-  // Of pairs of those, both ways, less those with sample 0 for the other side.
+  // The sums over pairs of those samples, both ways, less the pairs with sample 0 for the other
+  // side.
   std::vector<double> FrontPairs;
   std::vector<double> BackPairs;
-  // Of pairs on different sides, at [back * (Reach + 1) + front]; beyond Reach there are no more.
+  // The sums over pairs on different sides, at [back * (Reach + 1) + front]; beyond Reach there are
+  // no more.
   int Reach;
   std::vector<double> CrossPairs;
 };

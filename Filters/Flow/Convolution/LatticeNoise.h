@@ -13,8 +13,8 @@ namespace interlume
  *
  * Independent values, uniform in 0 ... 1, at the points of a lattice, interpolated in each axis by
  * 6 t^5 - 15 t^4 + 10 t^3. A lattice value is a hash of its three indices and the seed, each added
- * in turn and mixed by the finaliser of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014). The same
- * on every machine.
+ * in turn and mixed by the finaliser of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014). The noise
+ * is the same on every machine.
  */
 class LatticeNoise
 {
@@ -54,7 +54,7 @@ public:
     return value;
   }
 
-  /// Of a lattice value.
+  /// The variance of a lattice value.
   static constexpr double Variance = 1.0 / 12.0;
   static double Fade(double t) { return t * t * t * (t * (6.0 * t - 15.0) + 10.0); }
 

@@ -27,10 +27,10 @@ public:
 
   vtkIdType GetNumber() const { return this->Array->GetNumberOfTuples(); }
 
-  /// What rounding may have done to numbers as large as \a size; 0 for doubles.
+  /// Returns the error that rounding may have made in numbers as large as \a size; 0 for doubles.
   double GetRounding(double size) const { return this->Floats ? FLT_EPSILON * size : 0.0; }
 
-  /// Tuple \a i of an array with N components.
+  /// Copies tuple \a i of an array with N components.
   template <int N>
   void Get(vtkIdType i, double* tuple) const
   {
@@ -50,7 +50,7 @@ public:
     }
   }
 
-  /// Brings tuple \a i near, where the compiler knows how.
+  /// Prefetches tuple \a i, where the compiler knows how.
   template <int N>
   void Prefetch(vtkIdType i) const
   {
@@ -58,7 +58,7 @@ public:
                                     : reinterpret_cast<const char*>(this->Doubles + N * i);
     const std::size_t size = N * (this->Floats ? sizeof(float) : sizeof(double));
     interlume::Prefetch::Read(from);
-    // It may lie across the end of a cache line.
+    // The tuple may lie across the end of a cache line.
     interlume::Prefetch::Read(from + size - 1);
   }
 

@@ -16,7 +16,7 @@ namespace interlume
 
 namespace
 {
-/// An edge of a face, and which way the face goes along it.
+/// An edge of a face, and the direction in which the face goes along it.
 struct Side
 {
   vtkIdType Points[2];

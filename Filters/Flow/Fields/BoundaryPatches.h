@@ -22,10 +22,11 @@ namespace interlume
 class BoundaryPatches
 {
 public:
-  /// In degrees.
+  /// The angle between faces beyond which an edge parts patches, in degrees.
   static constexpr double FeatureAngle = 30.0;
 
-  /// The points of a face in cyclic order; returns how many, three or four.
+  /// A function that gives the points of a face in cyclic order, and returns how many, three or
+  /// four.
   using FacePoints = std::function<int(vtkIdType face, vtkIdType* points)>;
 
   /// Takes faces by ascending numbers.
@@ -33,9 +34,10 @@ public:
     const std::vector<vtkIdType>& faces, const FacePoints& getPoints, const ArrayRows& positions);
 
   int GetNumberOfPatches() const { return static_cast<int>(this->Patches.size()); }
-  /// The patch of a face; -1 for a face that is none of those.
+  /// Returns the patch of a face; -1 for a face that is none of those.
   int Find(vtkIdType face) const;
-  /// The two coordinates other than that which the patch looks along most, in parts of its bounds.
+  /// Computes the two coordinates other than that which the patch looks along most, in parts of its
+  /// bounds.
   void GetParameters(int patch, const double x[3], double uv[2]) const;
 
 private:
@@ -47,9 +49,9 @@ private:
     std::array<double, 3> Area;
   };
 
-  /// Numbers in the place of each face's first one.
+  /// Numbers the patches in the order of each one's first face.
   void Number(const std::vector<int>& firsts);
-  /// To the patch of the face at this index.
+  /// Adds the face at this index to its patch.
   void Add(std::size_t index, const double (*corners)[3], int number);
 
   std::vector<vtkIdType> Faces;

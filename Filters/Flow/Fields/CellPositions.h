@@ -12,19 +12,21 @@ namespace interlume
 
 /**
  * @class   CellPositions
- * @brief   where the points of cells are: whether they are finite, and a tree of the cells' boxes
+ * @brief   the positions of cells' points: whether they are finite, and a tree of the cells' boxes
  *
- * \a positions must outlive it.
+ * \a positions must outlive this object.
  */
 class CellPositions
 {
 public:
-  /// The points of a cell, at most eight; 0 for a cell to leave out.
+  /// A function that gives the points of a cell, at most eight, and returns their number; 0 for a
+  /// cell to leave out.
   using CellPoints = std::function<int(vtkIdType cell, vtkIdType* points)>;
 
   CellPositions(const ArrayRows& positions, CellPoints getPoints);
 
-  /// Names the first point of the first cell that is not finite; nothing without one.
+  /// Returns a message that names the first point of the first cell that is not finite; nothing
+  /// without one.
   std::string FindError(vtkIdType numberOfCells) const;
   void Build(vtkIdType numberOfCells, CellTree& tree) const;
 

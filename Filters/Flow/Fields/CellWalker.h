@@ -10,7 +10,7 @@ namespace interlume
 
 /**
  * @class   CellWalker
- * @brief   what following a streamline asks of a field: the concept, and a base that does nothing
+ * @brief   the concept of a field that streamlines are followed in, and a base that does nothing
  *
  * A walker stands in one cell of the field and knows its own coordinates p there, in which position
  * and velocity are smooth, inside the cell and a little beyond. Each thread has its own (a copy);
@@ -47,11 +47,11 @@ namespace interlume
  * - `bool Cross(int face, double p[3])`: p, on the face but for rounding, becomes the place in the
  * neighbour, where the walker then stands. What p is off the face is lost: the new p is on it, to
  * the last digit where the face is one of a coordinate (its distance is p_i or 1 - p_i). The place
- * along the face is kept. False where there is no neighbour, or it is not part of the field: the
- * walker and p stay. Where p is on an edge or a corner the neighbour may be one that p is outside
- * of, or that the velocity leaves at once; crossing on leads to the right one. Folded cells may
- * send a streamline to and fro over a face without time passing: who walks limits the crossings at
- * one time.
+ * along the face is kept. Returns false where there is no neighbour, or it is not part of the
+ * field: the walker and p stay. Where p is on an edge or a corner the neighbour may be one that p
+ * is outside of, or that the velocity leaves at once; crossing on leads to the right one. Folded
+ * cells may send a streamline to and fro over a face without time passing: who walks limits the
+ * crossings at one time.
  * - `bool HasNeighbor(int face) const`: whether Cross would find one. `FaceExtent
  * GetFaceExtent(int face) const`: the face in world units.
  * - `int GetDomainFace(int face) const`: 0 to 5 for a face on the outside of a structured grid, the
@@ -61,7 +61,7 @@ namespace interlume
  * - `double Interpolate(int array, const double p[3]) const`: of a point array added to the field.
  *
  * `FacesAreAffine` (static constexpr bool): whether face distances are affine in p, so that a dense
- * output's polynomial can be tested by its coefficients. They are in all of today's walkers.
+ * output's polynomial can be tested by its coefficients. They are affine in all walkers that exist.
  *
  * FieldDispatch makes the walker of a dataset.
  */

@@ -22,8 +22,8 @@ using FillBlock = FaceLinks::FillBlock;
 using CellPoints = FaceLinks::CellPoints;
 using SetLink = FaceLinks::SetLink;
 
-// What else a face has than its least point: the points after it, which all that are the same face
-// have in the same order, the face, and how its own order is to that.
+// The entry of a face at its least point: the points after it, which all that are the same face
+// have in the same order, the face, and how its own order is to that order.
 template <typename Id>
 struct Entry
 {
@@ -126,10 +126,11 @@ void MatchAny(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill
   match(numberOfBlocks, facesPerBlock, fill, numberOfPoints, setLink);
 }
 
-/// A face by its coordinates.
+/// The place of a face, by its coordinates.
 struct Place
 {
-  /// Along a line that is askew to grids, on which faces in the same place are beside each other.
+  /// The position along a line that is askew to grids, on which faces in the same place are beside
+  /// each other.
   double Along;
   double Middle[3];
   double Width;
@@ -142,7 +143,7 @@ struct Place
   }
 };
 
-/// Another place with the same corners.
+/// Another face with the same corners.
 struct Partner
 {
   vtkIdType Place = -1;
@@ -239,7 +240,7 @@ private:
         upper = std::max(upper, corners[i][axis]);
       }
       largest = std::max({ largest, -lower, upper });
-      // Of the same corners in any order the same.
+      // The middle is the same for the same corners in any order.
       place.Middle[axis] = 0.5 * lower + 0.5 * upper;
       place.Along += line[axis] * place.Middle[axis];
     }
@@ -248,7 +249,7 @@ private:
     place.Tolerance = std::min(FaceLinks::Tolerance * place.Width + rounding, 0.1 * place.Width);
   }
 
-  /// The only other place with the same corners.
+  /// Finds the only other face with the same corners.
   Partner FindPartner(vtkIdType i) const
   {
     double own[4][3];

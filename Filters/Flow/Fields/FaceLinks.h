@@ -31,47 +31,49 @@ public:
   static constexpr int MaximumPerBlock = 6;
   static constexpr double Tolerance = 1e-3;
 
-  /// Pairs of faces whose coordinates are not the same to the last bit, and how far apart corners
-  /// of such are at most, in widths of the cell.
+  /// The number of pairs of faces whose coordinates are not the same to the last bit, and the
+  /// largest distance between corners of such faces, in widths of the cell.
   struct Joins
   {
     vtkIdType Number = 0;
     double LargestGap = 0.0;
   };
 
-  /// Faces that are asked for together, such as those of a cell; 0 corners: no face.
+  /// Faces that are asked for together, such as those of a cell; a face with 0 corners is none.
   struct Block
   {
     int Corners[MaximumPerBlock];
     vtkIdType Points[MaximumPerBlock][4];
   };
-  /// Fills a block; by several threads.
+  /// A function that fills a block, called by several threads.
   using FillBlock = std::function<void(vtkIdType number, Block& block)>;
 
-  /// The points of a face's cell; returns how many.
+  /// A function that gives the points of a face's cell, and returns how many.
   using CellPoints = std::function<int(vtkIdType face, vtkIdType* points)>;
 
-  /// Another face, and how its corners lie: corner i is corner \a Start + i, or - i, of this one.
+  /// A link to another face, and how its corners lie: corner i is corner \a Start + i, or \a Start
+  /// - i, of this one.
   struct Link
   {
     vtkIdType Face;
     int Start;
     bool IsReversed;
   };
-  /// Called once for each face that has another; by several threads, never twice for one face.
+  /// A function that is called once for each face that has another, by several threads, but never
+  /// twice for one face.
   using SetLink = std::function<void(vtkIdType face, const Link& link)>;
 
   /**
-   * \a cells: eight points at most of the cell of a face, by which its width is known. Asked for
-   * those faces only that match none by their points' ids, by several threads.
+   * Finds the links. \a cells gives at most eight points of the cell of a face, by which its width
+   * is known; several threads ask it, for those faces only that match none by their points' ids.
    *
-   * Face i of block b has the number b times \a facesPerBlock + i. \a positions are those of the
-   * points.
+   * Face i of block b has the number b times \a facesPerBlock + i. \a positions are the positions
+   * of the points.
    */
   static Joins Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
     const CellPoints& cells, const ArrayRows& positions, const SetLink& setLink);
 
-  /// (u,v) in a face of three or four corners becomes (u,v) in the linked one.
+  /// Maps (u,v) in a face of three or four corners to (u,v) in the linked one.
   static void Map(int corners, int start, bool isReversed, double uv[2])
   {
     const int way = isReversed ? corners - 1 : 1;
@@ -91,7 +93,7 @@ public:
   }
 
 private:
-  // From 0 at one corner of [0,1]^2 to 1 at the next.
+  // Returns the coordinate that is 0 at one corner of [0,1]^2 and 1 at the next.
   static double GetAlong(int from, int to, double u, double v)
   {
     constexpr int us[4] = { 0, 1, 1, 0 };

@@ -10,7 +10,7 @@ namespace interlume
 
 /**
  * @class   FaceTurn
- * @brief   how the corners of a face lie to the order that all faces of the same points share
+ * @brief   the turn of a face's corners against the order that all faces of the same points share
  *
  * That order is the smallest, by comparison from the first point on, of those that go around the
  * face either way: corner i of it is the face's corner Start + i, or Start - i.
@@ -21,7 +21,7 @@ struct FaceTurn
   signed char Start;
   bool IsReversed;
 
-  /// \a ordered: the points in that order.
+  /// Computes the turn of a face; \a ordered gets the points in the shared order.
   static FaceTurn Order(const vtkIdType* points, int corners, vtkIdType* ordered)
   {
     int start = 0;
@@ -53,10 +53,11 @@ struct FaceTurn
     return turn;
   }
 
-  /// From a face to \a other, which has the same points in that order and is turned by \a to.
+  /// Returns the link from a face to \a other, which has the same points in that order and is
+  /// turned by \a to.
   static FaceLinks::Link GetLink(const FaceTurn& from, const FaceTurn& to, vtkIdType other)
   {
-    // The other's corner i is that order's corner i - to.Start, or to.Start - i.
+    // Corner i of the other face is corner i - to.Start, or to.Start - i, in the shared order.
     const bool isReversed = from.IsReversed != to.IsReversed;
     const int start = isReversed ? from.Start + to.Start : from.Start - to.Start + from.Corners;
     return { other, start % from.Corners, isReversed };

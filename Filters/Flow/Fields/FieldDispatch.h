@@ -24,7 +24,8 @@ namespace interlume
 class FieldDispatch
 {
 public:
-  /// Of the progress of an algorithm that follows streamlines the part for building the field.
+  /// The part of the progress of an algorithm that follows streamlines which building the field
+  /// takes.
   static constexpr double BuildingPart = 0.1;
 
   /**

@@ -42,7 +42,7 @@ FieldInput::FieldInput(vtkDataObject* input)
         this->Blocks.push_back({ leaf, leaves->GetCurrentFlatIndex() });
       }
     }
-    // Patches of a boundary, beside the blocks that they are of.
+    // Flat blocks are patches of a boundary, beside the blocks that they belong to.
     const auto firstFlat = std::stable_partition(this->Blocks.begin(), this->Blocks.end(),
       [](const Block& block) { return HasVolume(block.Data); });
     if (firstFlat != this->Blocks.begin())

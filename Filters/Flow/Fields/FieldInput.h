@@ -25,24 +25,24 @@ public:
   struct Block
   {
     vtkDataSet* Data;
-    /// As vtkCompositeDataIterator counts.
+    /// The index of the block as vtkCompositeDataIterator counts.
     unsigned int FlatIndex;
   };
 
   explicit FieldInput(vtkDataObject* input);
 
-  /// Empty for a dataset, which is none.
+  /// Returns the blocks; empty for a dataset, which has none.
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
 
-  /// Null without an input, or without a block. Merges blocks when it is called.
+  /// Makes the field, merging blocks; null without an input, or without a block.
   vtkSmartPointer<vtkDataSet> MakeField() const;
   /**
-   * The dataset whose points are the samples: \a field, or for composite input, whose type is not
-   * known before it is there, a vtkUnstructuredGrid of the same.
+   * Makes the dataset whose points are the samples: \a field, or for composite input, whose type is
+   * not known before it is there, a vtkUnstructuredGrid of its points and cells.
    */
   vtkSmartPointer<vtkDataSet> MakeSamples(vtkDataSet* field) const;
 
-  /// Whether samples will be a vtkUnstructuredGrid, whatever the blocks are.
+  /// Returns whether samples will be a vtkUnstructuredGrid, whatever the blocks are.
   static bool IsComposite(vtkDataObject* input);
 
 private:

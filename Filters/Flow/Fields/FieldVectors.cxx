@@ -27,7 +27,7 @@ std::string DescribeCellArray(vtkDataArray* array)
     "vtkCellDataToPointData (Cell Data to Point Data) first.";
 }
 
-// The point arrays that could be taken.
+// Describes the point arrays that could be taken.
 std::string DescribeVectors(vtkDataSet* data)
 {
   std::string names;

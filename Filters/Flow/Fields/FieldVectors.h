@@ -17,22 +17,22 @@ namespace interlume
 class FieldVectors
 {
 public:
-  /// The types of datasets that are taken.
+  /// Sets the types of datasets that are taken.
   static void FillPortInformation(vtkInformation* info);
 
   /**
-   * What is wrong with the array to process, null where there is none, or with the cells. Nothing
-   * for vectors of three components in the points, and cells of MultilinearCell's types; those
-   * that are left out may be others. \a asked says which array it should be.
+   * Returns what is wrong with the array to process, null where there is none, or with the cells;
+   * nothing for vectors of three components in the points, and cells of MultilinearCell's types;
+   * those that are left out may be others. \a asked says which array it should be.
    */
   static std::string Check(
     vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked);
 
-  /// The same of the array alone.
+  /// Returns what is wrong with the array alone.
   static std::string CheckVectors(
     vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked);
 
-  /// Why two arrays of blocks cannot be one: their names; nothing if they can.
+  /// Returns why two arrays of blocks cannot be one, by their names; nothing if they can.
   static std::string CompareNames(vtkDataArray* first, vtkDataArray* other);
 
 private:

@@ -20,12 +20,14 @@ namespace interlume
 
 /**
  * @class   FlowField
- * @brief   what walkers share: the vectors, further point arrays, and which cells are the field's
+ * @brief   the data that walkers share: the vectors, further point arrays, and which cells are the
+ * field's
  *
- * Constant once it is built, and read by any number of threads. A class for each kind of dataset
- * adds the geometry, and `std::string Build(dataset, vectors, arrays, progress)`, which returns
- * what is wrong with the field, or nothing. Once its progress is aborted nothing is wrong, but the
- * field is of no use. The arrays may be of any type; they are kept for as long as the field.
+ * A field is constant once it is built, and read by any number of threads. A class for each kind of
+ * dataset adds the geometry, and `std::string Build(dataset, vectors, arrays, progress)`, which
+ * returns what is wrong with the field, or nothing. Once its progress is aborted nothing is wrong,
+ * but the field is of no use. The arrays may be of any type; they are kept for as long as the
+ * field.
  *
  * Cells that are hidden or refined, or that have a hidden point, are not part of the field.
  * Duplicates of another piece's cells are.
@@ -40,7 +42,7 @@ public:
 
   void GetVector(vtkIdType point, double vector[3]) const { this->Vectors.Get<3>(point, vector); }
   void PrefetchVector(vtkIdType point) const { this->Vectors.Prefetch<3>(point); }
-  /// Of the point array with this number.
+  /// Returns a value of the point array with this number.
   double GetValue(int array, vtkIdType point) const
   {
     double value;
@@ -49,14 +51,14 @@ public:
   }
   int GetNumberOfArrays() const { return static_cast<int>(this->Arrays.size()); }
 
-  /// The largest length of a finite vector in a point of the field's cells; 0 without one.
+  /// Returns the largest length of a finite vector in a point of the field's cells; 0 without one.
   double GetMaximumSpeed() const { return this->MaximumSpeed; }
-  /// The same without fill values, and in how many points those are (SpeedScale).
+  /// Returns the largest length without fill values, and in how many points those are (SpeedScale).
   double GetSpeedScale() const { return this->SpeedScale; }
   vtkIdType GetNumberOfFillValues() const { return this->NumberOfFillValues; }
-  /// Points of the field's cells whose vector is not finite.
+  /// Returns the number of points of the field's cells whose vector is not finite.
   vtkIdType GetNumberOfNonFiniteVectors() const { return this->NumberOfNonFiniteVectors; }
-  /// Of the dataset: lower and upper of x, y, z.
+  /// Returns the lower and upper bounds of x, y, z of the dataset.
   const double* GetBounds() const { return this->Bounds; }
   double GetLargestCoordinate() const
   {
@@ -68,14 +70,14 @@ public:
     return largest;
   }
   vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
-  /// Cells of fewer than three dimensions, which are not part of the field.
+  /// Returns the number of cells of fewer than three dimensions, which are not part of the field.
   vtkIdType GetNumberOfFlatCells() const { return this->NumberOfFlatCells; }
 
 protected:
   FlowField() = default;
   ~FlowField() = default;
 
-  /// The points of a cell, at most eight; returns how many.
+  /// A function that gives the points of a cell, at most eight, and returns how many.
   using CellPoints = std::function<int(vtkIdType cell, vtkIdType* points)>;
 
   /// Returns what is wrong with the arrays, or nothing.
@@ -85,8 +87,8 @@ protected:
   void SetBlanking(vtkDataSet* data, const CellPoints& cells);
   /// Leaves out a cell of fewer dimensions.
   void ExcludeFlat(vtkIdType cell);
-  /// Finds speed and not finite vectors. \a hasOtherPoints: whether there are points that no cell
-  /// of the field has.
+  /// Finds the largest speed and the vectors that are not finite. \a hasOtherPoints tells whether
+  /// there are points that no cell of the field has.
   void Measure(const CellPoints& cells, bool hasOtherPoints);
 
   static std::string GetErrorWithoutCells()
@@ -101,7 +103,7 @@ private:
 
   ArrayRows Vectors;
   std::vector<ArrayRows> Arrays;
-  // Empty where none is.
+  // A mark for each cell that is left out; empty where none is.
   std::vector<unsigned char> Excluded;
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   vtkIdType NumberOfCells = 0;

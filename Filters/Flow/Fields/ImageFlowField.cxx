@@ -32,7 +32,7 @@ std::string ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
       this->Origin[i] += this->Axes[i][j] * extent[2 * j];
     }
   }
-  // By the cross products of columns: spacings of any size have an inverse.
+  // The cross products of columns give the inverse, so that spacings of any size have one.
   for (int i = 0; i < 3; ++i)
   {
     const double* b = columns[(i + 1) % 3];

@@ -35,7 +35,7 @@ public:
     }
   }
 
-  /// d of p to x, at [3 i + j].
+  /// Computes dx[i]/dp[j], at [3 i + j].
   void GetFrame(const Place&, double frame[9]) const { Copy(this->Axes, frame); }
   void GetInverse(const Place&, double inverse[9]) const { Copy(this->Inverse, inverse); }
 
@@ -48,7 +48,7 @@ private:
     }
   }
 
-  // Of the first point; cells along x, y, z.
+  // The position of the first point; the frame; the numbers of cells along x, y, z.
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double Axes[3][3] = {};
   double Inverse[3][3] = {};

@@ -71,7 +71,7 @@ bool IndexedFlowField::Find(
 
 bool IndexedFlowField::Settle(const double slack[3], Place& place, double p[3]) const
 {
-  // Across one face before two, and two before three.
+  // The combinations of faces to cross: one face before two, and two before three.
   constexpr int combinations[7] = { 1, 2, 4, 3, 5, 6, 7 };
   for (const int axes : combinations)
   {

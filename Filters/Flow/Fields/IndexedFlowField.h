@@ -47,14 +47,15 @@ public:
     return this->GetPlace(index);
   }
 
-  /// Whether a face is on the outside of the grid.
+  /// Returns whether a face is on the outside of the grid.
   bool IsOutside(const Place& place, int face) const
   {
     const int axis = face >> 1;
     return place.Index[axis] == (face & 1 ? this->Cells[axis] - 1 : 0);
   }
 
-  /// To the cell beyond a face; false, and no change, where none is part of the field.
+  /// Goes to the cell beyond a face. Returns false, and changes nothing, where no cell there is
+  /// part of the field.
   bool Step(Place& place, int face) const
   {
     if (this->IsOutside(place, face))
@@ -74,14 +75,14 @@ public:
     return true;
   }
 
-  /// The vectors that the neighbour has and the cell has not.
+  /// Prefetches the vectors that the neighbour has and the cell has not.
   void Prefetch(const Place& place, int face) const
   {
     this->ForEachCornerBeyond(
       place, face, [this](vtkIdType point) { this->PrefetchVector(point); });
   }
 
-  /// The corners of [0,1]^3, x fastest.
+  /// Returns a point of the cell by its corner of [0,1]^3, x fastest.
   vtkIdType GetCorner(const Place& place, int corner) const
   {
     return place.Point + this->CornerOffsets[corner];
@@ -94,7 +95,7 @@ public:
       vectors.C[corner][3] = 0.0;
     }
   }
-  /// In the first column; the others become 0.
+  /// Copies the corners' values to the first column; the others become 0.
   void GetValues(int array, const Place& place, Trilinear& values) const
   {
     for (int corner = 0; corner < 8; ++corner)
@@ -104,7 +105,7 @@ public:
     }
   }
 
-  /// The place on a face in parts of the grid.
+  /// Computes the place on a face in parts of the grid.
   void GetParameters(const Place& place, int face, const double p[3], double uv[2]) const
   {
     int direction = 0;
@@ -122,14 +123,15 @@ protected:
   IndexedFlowField() = default;
   ~IndexedFlowField() = default;
 
-  /// Numbers of points, arrays and blanking, all but the geometry; an error or nothing.
+  /// Takes the numbers of points, the arrays and the blanking, all but the geometry. Returns an
+  /// error or nothing.
   std::string BuildIndices(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays, const StageProgress& progress);
 
   /**
-   * The cell that \a q, in cells along each axis, is in, and the place there. Up to \a slack beyond
-   * the grid's faces counts as on them. From a cell that is not the field's to one that is and that
-   * shares the place.
+   * Finds the cell that \a q, in cells along each axis, is in, and the place there. A place up to
+   * \a slack beyond the grid's faces counts as on them. Where the cell is not part of the field,
+   * one that is and that shares the place is taken.
    */
   bool Find(const double q[3], const double slack[3], Place& place, double p[3]) const;
 

@@ -17,8 +17,8 @@ namespace interlume
  *
  * Position and vectors are interpolated by the same functions of p (InterpolatedCell), so that
  * nothing is inverted on the way. Only Locate needs Newton's method, in the cells that CellTree
- * finds. Of these that one counts whose faces p is inside of, the first in the tree's order;
- * without one that which p is the least outside of, where that is no more than rounding.
+ * finds. The cell that counts is the first one in the tree's order whose faces p is inside of;
+ * without one it is the cell that p is the least outside of, where that is no more than rounding.
  *
  * A cell that is folded, where dx/dp has no inverse, or that is turned inside out beside its
  * neighbour, may send a streamline to and fro over a face without time passing: who walks counts
@@ -162,7 +162,7 @@ protected:
     return true;
   }
 
-  // How far outside of the cell rounding may put a point of it.
+  // Returns how far outside of the cell rounding may put a point of it.
   double GetSlack(const double x[3], const double p[3]) const
   {
     const double largest = std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });

@@ -129,7 +129,7 @@ public:
     const int axis = face >> 1;
     double frame[9];
     this->Shared->GetFrame(this->Stand, frame);
-    // From one corner, that the frame's columns go out from.
+    // The corners of the face, of which the first is the one that the frame's columns go out from.
     double corners[4][3];
     double opposite[3];
     for (int i = 0; i < 3; ++i)
@@ -169,7 +169,7 @@ private:
   {
     double inverse[9];
     this->Shared->GetInverse(this->Stand, inverse);
-    // Four wide, so that compilers use vectors.
+    // Rows are four wide, so that compilers use vectors.
     double columns[3][4];
     for (int i = 0; i < 12; ++i)
     {
@@ -181,7 +181,7 @@ private:
       double v[3];
       this->Shared->GetVector(this->Shared->GetCorner(this->Stand, corner), v);
       double* rate = this->Rate.C[corner];
-      // NaN where a number is not finite.
+      // The sum becomes NaN where a number is not finite.
       check += 0.0 * v[0] + 0.0 * v[1] + 0.0 * v[2];
       for (int i = 0; i < 4; ++i)
       {

@@ -24,13 +24,14 @@ namespace interlume
 
 namespace
 {
-/// A part's cells that count, the points that they have, and the merged points' ids of those.
+/// The cells of a part that count, the points that they have, and the merged points' ids of those
+/// points.
 struct Part
 {
   vtkDataSet* Data = nullptr;
   std::vector<vtkIdType> Cells;
   std::vector<vtkIdType> Points;
-  /// By the part's point ids; -1 of a point of no such cell.
+  /// The merged ids by the part's point ids; -1 for a point of no such cell.
   std::vector<vtkIdType> Merged;
 };
 
@@ -78,7 +79,7 @@ struct Place
     : Part(part)
     , Point(point)
   {
-    // -0 is 0.
+    // Adding 0 turns -0 into 0.
     const double sums[3] = { x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 };
     std::memcpy(this->Bits.data(), sums, sizeof(sums));
   }
@@ -89,7 +90,7 @@ struct Place
   }
 };
 
-/// Makes each point the first in the same place, and numbers those. Returns how many they are.
+/// Makes each point the first one in its place, and numbers these. Returns how many they are.
 vtkIdType NumberPoints(std::vector<Part>& parts)
 {
   std::vector<Place> places;
@@ -148,7 +149,7 @@ bool HasFloats(vtkDataSet* data)
   return points && points->GetPoints() && points->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
-/// Makes arrays that all parts have, but of different types of numbers, doubles.
+/// Turns arrays that all parts have, but with different types of numbers, into doubles.
 void UniteTypes(std::vector<vtkSmartPointer<vtkDataSet>>& parts, int attributes)
 {
   vtkDataSetAttributes* first = parts[0]->GetAttributes(attributes);
@@ -178,7 +179,7 @@ void UniteTypes(std::vector<vtkSmartPointer<vtkDataSet>>& parts, int attributes)
   }
 }
 
-/// The tuples of \a ids, of each part, one after another.
+/// Copies the tuples of \a ids, of each part, one after another.
 void CopyArrays(const std::vector<Part>& parts, int attributes, std::vector<vtkIdType> Part::*ids,
   vtkIdType number, vtkDataSetAttributes* to)
 {

@@ -23,10 +23,10 @@ namespace interlume
 struct OpenInterfaces
 {
   vtkIdType Number = 0;
-  /// The cell of the first; -1 without one.
+  /// The cell of the first of these faces; -1 without one.
   vtkIdType FirstCell = -1;
 
-  /// In a field of cells of any form.
+  /// Counts the faces in a field of cells of any form.
   template <typename Field>
   static OpenInterfaces Find(const Field& field)
   {
@@ -84,7 +84,8 @@ private:
         });
   }
 
-  /// False where the face has collapsed, and nothing leaves by it.
+  /// Computes the place beyond the face. Returns false where the face has collapsed, so that
+  /// nothing leaves by it.
   static bool GetPlaceBeyond(const InterpolatedCell& cell, int face, double x[3])
   {
     const CellShape& shape = CellShape::Of(cell.GetShape());

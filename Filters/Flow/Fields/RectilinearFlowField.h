@@ -29,13 +29,13 @@ public:
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Both ends come out as they are, so that neighbours agree.
+      // Both ends of an edge come out exactly, so that neighbours agree.
       const double* ends = this->GetEnds(place, axis);
       x[axis] = (1.0 - p[axis]) * ends[0] + p[axis] * ends[1];
     }
   }
 
-  /// d of p to x, at [3 i + j].
+  /// Computes dx[i]/dp[j], at [3 i + j].
   void GetFrame(const Place& place, double frame[9]) const
   {
     for (int i = 0; i < 9; ++i)
@@ -63,7 +63,7 @@ private:
   }
 
   std::vector<double> Coordinates[3];
-  // Largest coordinates, which x is rounded by.
+  // The largest coordinates, which x is rounded relative to.
   double Magnitude[3] = { 0.0, 0.0, 0.0 };
 };
 

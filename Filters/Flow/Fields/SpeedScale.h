@@ -17,12 +17,12 @@ namespace interlume
  * A fill value, such as 1e30 where nothing was measured, is alone at the top: no more than one
  * speed in a hundred is (one of less than a hundred), and from all others it is apart by about a
  * thousand, with nothing in between. Speeds that grow so large by and by are no such values. Speeds
- * of 0 do not count. The same in any order of speeds.
+ * of 0 do not count. The result is the same in any order of speeds.
  */
 class SpeedScale
 {
 public:
-  /// One that is finite.
+  /// Adds a speed, which is finite.
   void Add(double speed)
   {
     if (speed > 0.0)
@@ -41,13 +41,13 @@ public:
     }
   }
 
-  /// Of all; 0 without one.
+  /// Returns the largest of all speeds; 0 without one.
   double GetLargest() const
   {
     return *std::max_element(this->Largest.begin(), this->Largest.end());
   }
 
-  /// Of those that are no fill values, and how many are.
+  /// Returns the largest of those that are no fill values, and counts those that are.
   double GetScale(vtkIdType& beyond) const
   {
     vtkIdType number = 0;
@@ -78,11 +78,11 @@ public:
   }
 
 private:
-  /// Powers of 2, those of numbers that are not normal among them.
+  /// The offset of the powers of 2, with those of numbers that are not normal among them.
   static constexpr int Offset = 1080;
   static constexpr std::size_t Powers = 2112;
   static constexpr std::size_t Gap = 10;
-  /// Of fewer speeds none is a fill value.
+  /// The least number of speeds; among fewer, none is a fill value.
   static constexpr vtkIdType LeastNumber = 8;
 
   std::array<vtkIdType, Powers> Numbers{};

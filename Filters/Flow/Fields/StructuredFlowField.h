@@ -41,10 +41,10 @@ public:
     }
   }
   const CellTree& GetTree() const { return this->Tree; }
-  /// How far from where they were meant points of floats may be; 0 for doubles.
+  /// Returns the error that rounding to floats may have made in positions; 0 for doubles.
   double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
 
-  /// The positions and vectors that the neighbour has and the cell has not.
+  /// Prefetches the positions and vectors that the neighbour has and the cell has not.
   void Prefetch(const Place& place, int face) const
   {
     this->ForEachCornerBeyond(place, face,
@@ -55,7 +55,7 @@ public:
       });
   }
 
-  /// Through a face into the neighbour; false, and no change, where there is none.
+  /// Crosses a face into the neighbour. Returns false, and changes nothing, where there is none.
   bool Cross(Place& place, int face, double p[3]) const
   {
     if (this->Step(place, face))
@@ -65,13 +65,13 @@ public:
     }
     return !this->Seams.empty() && this->IsOutside(place, face) && this->CrossSeam(place, face, p);
   }
-  /// The faces on the outside that are no seam, eight times their cell and their number there,
-  /// ascending.
+  /// Returns the faces on the outside that are no seam, as eight times their cell and their number
+  /// there, ascending.
   std::vector<vtkIdType> GetOuterFaces() const;
-  /// Of the seams, each pair once.
+  /// Returns the joins of the seams, each pair once.
   const FaceLinks::Joins& GetJoins() const { return this->Joins; }
 
-  /// Whether a streamline leaves the grid there.
+  /// Returns whether a streamline leaves the grid there.
   bool IsDomainFace(const Place& place, int face) const
   {
     return this->IsOutside(place, face) &&
@@ -79,7 +79,7 @@ public:
   }
 
 private:
-  // A face is eight times its cell, and its number there.
+  // A seam. A face is eight times its cell, and its number there.
   struct Seam
   {
     vtkIdType Face;
@@ -94,7 +94,7 @@ private:
 
   ArrayRows Positions;
   CellTree Tree;
-  // By ascending face.
+  // The seams by ascending face.
   std::vector<Seam> Seams;
   FaceLinks::Joins Joins;
 };

@@ -72,7 +72,7 @@ public:
         vectors.C[corner][3] = 0.0;
       });
   }
-  /// In the first column; the others become 0.
+  /// Copies the corners' values to the first column; the others become 0.
   void GetValues(int array, const Place& place, Trilinear& values) const
   {
     this->ForEachCorner(place,
@@ -83,18 +83,18 @@ public:
       });
   }
   const CellTree& GetTree() const { return this->Tree; }
-  /// How far from where they were meant points of floats may be; 0 for doubles.
+  /// Returns the error that rounding to floats may have made in positions; 0 for doubles.
   double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
 
-  /// The faces without a neighbour, eight times their cell and their number there, ascending; and
-  /// the points of one in cyclic order, of which it returns the number.
+  /// The faces without a neighbour, as eight times their cell and their number there, ascending;
+  /// and the points of one such face in cyclic order, with their number.
   std::vector<vtkIdType> GetOuterFaces() const;
   int GetFacePoints(vtkIdType face, vtkIdType* points) const;
-  /// Of the links.
+  /// Returns the joins of the links.
   const FaceLinks::Joins& GetJoins() const { return this->Joins; }
   const ArrayRows& GetPositions() const { return this->Positions; }
 
-  /// Round 0: the neighbour's list of points; round 1: their positions and vectors.
+  /// Prefetches the neighbour's list of points in round 0, their positions and vectors in round 1.
   void Prefetch(const Place& place, int face, int round) const
   {
     const vtkIdType link = this->Links[place.Cell * this->FacesPerCell + face];
@@ -118,7 +118,7 @@ public:
     interlume::Prefetch::Read(this->Links.data() + neighbor.Cell * this->FacesPerCell);
   }
 
-  /// Through a face into the neighbour; false, and no change, where there is none.
+  /// Crosses a face into the neighbour. Returns false, and changes nothing, where there is none.
   bool Cross(Place& place, int face, double p[3]) const
   {
     const vtkIdType link = this->Links[place.Cell * this->FacesPerCell + face];
@@ -136,14 +136,14 @@ public:
   }
 
 private:
-  // What corners of VTK's types are in the shape's order.
+  // The corners of VTK's types in the order of the shape's corners.
   struct TypeCorners
   {
     int Shape;
     int Number;
     int Order[8];
   };
-  // Without corners for other types.
+  // Returns the corners of a type; without corners for other types.
   static const TypeCorners& GetCorners(int type)
   {
     static constexpr TypeCorners none = { CellShape::TETRAHEDRON, 0, {} };
@@ -177,14 +177,14 @@ private:
   StoredIds Offsets;
   StoredIds PointIds;
   const unsigned char* Types = nullptr;
-  // Where all cells are of one type that type, and how many points each has; else 0.
+  // The type of all cells where they are of one type, and how many points each has; else 0.
   int OnlyType = 0;
   int OnlySize = 0;
   vtkSmartPointer<GridCells::Types> TypeArray;
   CellTree Tree;
   int FacesPerCell = 0;
-  // For each face of each cell -1, or 64 times the neighbour, 8 times its face, twice the start and
-  // whether it is reversed.
+  // The links: for each face of each cell -1, or 64 times the neighbour, 8 times its face, twice
+  // the start and whether it is reversed.
   std::vector<vtkIdType> Links;
   FaceLinks::Joins Joins;
 };

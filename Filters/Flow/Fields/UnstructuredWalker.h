@@ -22,7 +22,7 @@ public:
 
   void Prefetch(int face, int round) const { this->Shared->Prefetch(this->Stand, face, round); }
 
-  /// Patches that stay where they are; without them there are no domain faces.
+  /// Sets patches that stay where they are; without them there are no domain faces.
   void SetPatches(const BoundaryPatches* patches) { this->Patches = patches; }
   int GetDomainFace(int face) const
   {

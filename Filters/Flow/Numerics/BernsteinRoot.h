@@ -12,18 +12,19 @@ namespace interlume
  * @class   BernsteinRoot
  * @brief   where a polynomial in Bernstein's form first falls below 0 in [0, 1]
  *
- * It is cut in halves until its coefficients change sign once, which is one root (Descartes' rule),
- * or not at all, which is none (J. M. Lane and R. F. Riesenfeld, "Bounds on a polynomial", BIT 21,
- * 1981). So no pair of roots is missed, unless it is closer than rounding tells apart.
+ * The polynomial is cut in halves until its coefficients change sign once, which is one root
+ * (Descartes' rule), or not at all, which is none (J. M. Lane and R. F. Riesenfeld, "Bounds on a
+ * polynomial", BIT 21, 1981). So no pair of roots is missed, unless it is closer than rounding
+ * tells apart.
  */
 class BernsteinRoot
 {
 public:
   static constexpr int MaximumDegree = Binomials::MaximumDegree;
-  /// What Find returns where there is none.
+  /// The value that Find returns where the polynomial does not fall below 0.
   static constexpr double None = 2.0;
 
-  /// The first of [0, 1] at which the polynomial falls below 0, from 0 or above at 0.
+  /// Returns the first place in [0, 1] at which the polynomial falls below 0, from 0 or above at 0.
   static double Find(const double* coefficients, int degree)
   {
     return BernsteinRoot::FindIn(coefficients, degree, 0.0, 1.0, 44);
@@ -74,13 +75,13 @@ private:
       : BernsteinRoot::FindIn(right, degree, from + 0.5 * width, 0.5 * width, depth - 1);
   }
 
-  /// The one root of a polynomial that is above 0 at 0 and below at 1: Newton's method in a
-  /// bracket, by powers of theta.
+  /// Returns the only root of a polynomial that is above 0 at 0 and below at 1, by Newton's method
+  /// in a bracket, with powers of theta.
   static double FindOnly(const double* b, int degree)
   {
     double powers[MaximumDegree + 1];
     BernsteinRoot::GetPowers(b, degree, powers);
-    // No half of a second derivative is larger.
+    // A bound of half the second derivative.
     double bend = 0.0;
     for (int k = 2; k <= degree; ++k)
     {
@@ -105,7 +106,7 @@ private:
       {
         next = value == 0.0 ? theta : 0.5 * (low + high);
       }
-      // What Newton's method leaves is at most bend / slope times the square of its way.
+      // The error that Newton's method leaves is at most bend / slope times the square of its way.
       const double way = next - theta;
       if ((isNewton && bend * (way * way) <= 1e-14 * std::abs(slope)) || std::abs(way) <= 2e-16 ||
         next == low || next == high)
@@ -117,7 +118,7 @@ private:
     return theta;
   }
 
-  /// The root of the parabola with this value and slope at 0, and this value at 1.
+  /// Returns the root of the parabola with this value and slope at 0, and this value at 1.
   static double GuessOnly(double start, double slope, double end)
   {
     const double bend = end - start - slope;

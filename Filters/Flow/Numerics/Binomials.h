@@ -6,7 +6,7 @@ namespace interlume
 
 /**
  * @class   Binomials
- * @brief   what leads from powers to Bernstein's form and back, up to degree 5
+ * @brief   coefficients that lead from powers to Bernstein's form and back, up to degree 5
  *
  * Choose[n][k] is n over k; Elevation[n][j][k] is (j over k) / (n over k), the part that the
  * coefficient of theta^k has in control point j of n.

@@ -13,7 +13,8 @@ namespace interlume
  *
  * T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding the zero of a
  * nonlinear function without using derivatives", Adv. Eng. Software 28 (1997): inverse quadratic
- * interpolation where it converges, else bisection. Ends at neighbouring numbers, or at a jump.
+ * interpolation where it converges, else bisection. The search ends at neighbouring numbers, or at
+ * a jump.
  */
 struct BracketedRoot
 {

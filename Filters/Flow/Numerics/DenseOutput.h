@@ -32,7 +32,7 @@ struct DenseOutput
     }
   }
 
-  /// dp/dtheta.
+  /// Computes the derivative dp/dtheta.
   void GetDerivative(double theta, double d[3]) const
   {
     for (int i = 0; i < 3; ++i)
@@ -46,7 +46,7 @@ struct DenseOutput
     }
   }
 
-  /// The Degree + 1 control points of the same curve in Bernstein's form.
+  /// Computes the Degree + 1 control points of the same curve in Bernstein's form.
   void GetControlPoints(double points[MaximumDegree + 1][3]) const
   {
     const auto& weights = Binomials::Get().Elevation[this->Degree];
@@ -63,7 +63,7 @@ struct DenseOutput
     }
   }
 
-  /// The Degree control points of dp/dtheta, of the above.
+  /// Computes the Degree control points of dp/dtheta from those of the curve. Returns their number.
   int GetSlopes(const double points[MaximumDegree + 1][3], double slopes[MaximumDegree][3]) const
   {
     for (int j = 0; j < this->Degree; ++j)

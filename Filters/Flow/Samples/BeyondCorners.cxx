@@ -23,10 +23,10 @@ namespace interlume
 namespace
 {
 constexpr int MostCorners = 8;
-// Of a cell's diagonal.
+// The distance, as a share of a cell's diagonal, within which a corner is on the surface.
 constexpr double OnSurface = 1e-9;
 
-// One cell at a time, for one thread.
+// Searches one cell at a time, for one thread.
 class CellSearch
 {
 public:
@@ -129,7 +129,7 @@ private:
     bool isCrossed = isLeft && above + below <= this->Length;
     for (int i = 0; i < this->Number && isCrossed; ++i)
     {
-      // What stagnates on the surface ends for a reason of its own.
+      // A streamline that stagnates on the surface ends for a reason of its own.
       isCrossed = std::abs(this->Distances[i]) > OnSurface * this->Length
         ? surface.Shape->IsBeside(x[i])
         : this->Arrays.GetStatus(this->Ids[i]) != vtkFlowStatus::STAGNATED;
@@ -166,7 +166,7 @@ private:
   double Length = 0.0;
 };
 
-// The nearest surface first.
+// Orders corners of one sample by distance, the nearest surface first.
 bool IsBefore(const BeyondCorners::Corner& a, const BeyondCorners::Corner& b)
 {
   return std::make_tuple(a.Sample, std::abs(a.Distance), a.Surface) <
@@ -182,7 +182,7 @@ std::vector<BeyondCorners::Corner> BeyondCorners::Find(
   vtkSMPThreadLocal<std::vector<Corner>> threads;
   if (cells > 0)
   {
-    // What the dataset makes at the first call is there for threads.
+    // Makes the data that the dataset makes at the first call, before threads need them.
     samples->GetCellPoints(0, lists.Local());
     samples->GetCellType(0);
   }

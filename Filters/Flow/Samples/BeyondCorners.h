@@ -19,7 +19,7 @@ class ImplicitFlowArrays;
  * @brief   samples that are corners of cells a termination surface passes through, answers
  * differing
  *
- * Of the cells whose corners differ in status or id, or lie across their surface, those that a
+ * The cells are those whose corners differ in status or id, or lie across their surface, and that a
  * surface which a corner has reached passes through: its distance changes sign there, two corners
  * on different sides are together no further from it than the cell's diagonal, and all are beside
  * it, so that its rim is not in the cell. A corner on the surface has reached it.
@@ -30,17 +30,18 @@ public:
   struct Corner
   {
     vtkIdType Sample = -1;
-    /// Its number in the options.
+    /// The number of the surface in the options.
     int Surface = -1;
-    /// Signed; 0 where the sample is on the surface.
+    /// The signed distance from the surface; 0 where the sample is on it.
     double Distance = 0.0;
-    /// The longest diagonal of these cells.
+    /// The longest diagonal of the cells that the sample is such a corner of.
     double Length = 0.0;
     /// Whether samples on the other side have an answer.
     bool IsOtherReached = false;
   };
 
-  /// Ascending by sample, each once: with the nearest surface. \a options are to stay as they are.
+  /// Finds the corners, ascending by sample, each once, with the nearest surface. \a options must
+  /// not change while they are used.
   static std::vector<Corner> Find(
     vtkDataSet* samples, const ImplicitFlowArrays& arrays, const AdvectionOptions& options);
 };

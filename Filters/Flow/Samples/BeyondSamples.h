@@ -25,7 +25,8 @@ class ImplicitFlowArrays;
  * of a cell that a surface passes through have one answer: the part above the surface, where its
  * distance is, and the part below.
  *
- * Arrays whose places are not those of the dataset's points are of another dataset, and none.
+ * Arrays whose positions are not those of the dataset's points belong to another dataset, and are
+ * not used.
  */
 class BeyondSamples
 {
@@ -36,12 +37,12 @@ public:
   static constexpr const char* Normal = "SampleNormal";
   static constexpr const char* Surface = "SampleSurface";
 
-  /// The name of the array that says this of samples.
+  /// Returns the name of the field array that has \a name of such samples.
   static std::string GetName(const std::string& name)
   {
     return vtkFlowStatus::BeyondPrefix() + name;
   }
-  /// Removes all of them.
+  /// Removes all field arrays of such samples.
   static void Remove(vtkFieldData* data);
 
   explicit BeyondSamples(vtkDataSet* data);
@@ -49,12 +50,12 @@ public:
   bool IsEmpty() const { return this->RowOfPoint.empty(); }
   vtkIdType GetNumber() const { return this->Number; }
 
-  /// What lies on one side of the surface in a cell.
+  /// The samples on one side of the surface in a cell.
   struct Part
   {
-    /// 1 above and -1 below; 0 for no part.
+    /// The side: 1 above and -1 below; 0 for no part.
     int Side = 0;
-    /// That of all samples there.
+    /// The id that all samples of the part have.
     int Id = -1;
     /// Whether streamlines leave for the surface from all of them, or from none.
     bool IsNear = false;
@@ -63,39 +64,40 @@ public:
   struct Parts
   {
     Part All[2];
-    /// Whether no part is missing that samples have answers in.
+    /// Whether no part that samples have answers in is missing.
     bool IsResolved = false;
   };
-  /// Of a cell with these corners.
+  /// Finds the parts of a cell with these corners.
   Parts GetParts(
     const ImplicitFlowArrays& arrays, const vtkIdType* corners, vtkIdType number) const;
 
-  /// How a corner of a cell takes part in a part of it.
+  /// The ways in which a corner of a cell takes part in a part of it.
   enum Roles
   {
-    /// With its own answer; with what it would have beyond; with neither, being beyond.
+    /// The corner counts with its own answer, with what it would have beyond, or with neither,
+    /// being beyond.
     OWN,
     KNOWN,
     UNKNOWN
   };
   Roles GetRole(const ImplicitFlowArrays& arrays, vtkIdType corner, const Part& part) const;
 
-  /// The row of a point in the arrays, -1 without one.
+  /// Returns the row of a point in the arrays, -1 without one.
   vtkIdType GetRow(vtkIdType point) const
   {
     return this->RowOfPoint[static_cast<std::size_t>(point)];
   }
   vtkIdType GetPoint(vtkIdType row) const;
-  /// From the surface, 0 and above.
+  /// Returns the distance from the surface, 0 and above.
   double GetDistance(vtkIdType row) const;
-  /// 1 above, -1 below, 0 on the surface.
+  /// Returns the side of the surface: 1 above, -1 below, 0 on the surface.
   int GetSide(vtkIdType row) const;
-  /// Whether the streamline leaves away from the surface.
+  /// Returns whether the streamline leaves away from the surface.
   bool IsAway(vtkIdType row) const;
-  /// What the sample would have; -1 where that is not known.
+  /// Returns the id that the sample would have beyond; -1 where that is not known.
   int GetId(vtkIdType row) const;
-  /// The time that the streamline takes to the surface, below 0 where it comes from there; 0 where
-  /// that is not known.
+  /// Returns the time that the streamline takes to the surface, below 0 where it comes from there;
+  /// 0 where that is not known.
   double GetNearTime(const ImplicitFlowArrays& arrays, vtkIdType row) const;
   void GetNormal(vtkIdType row, double normal[3]) const { this->Normals->GetTuple(row, normal); }
 

@@ -21,25 +21,27 @@ namespace interlume
  * @brief   follows what a sample beside a surface would have on the surface's other side
  *
  * Streamlines that leave towards the surface are followed on through it, those that leave away from
- * it are followed back to it. For one thread.
+ * it are followed back to it. Each thread needs its own object.
  */
 template <typename Walker>
 class BeyondTrace
 {
 public:
-  /// What was found of one sample.
+  /// The result for one sample.
   struct Answer
   {
-    /// Whether the sample stands still on the surface: no streamline tells of its other side.
+    /// Whether the sample stands still on the surface, so that no streamline tells of its other
+    /// side.
     bool IsStill = false;
-    /// As in TerminationSide, and 0 on the surface.
+    /// The side as in TerminationSide, and 0 on the surface.
     signed char Side = 0;
     double Normal[3] = { 0.0, 0.0, 0.0 };
-    /// Status is not REACHED_SURFACE and Id -1 where nothing would be reached.
+    /// The result beyond the surface. Status is not REACHED_SURFACE and Id is -1 where nothing
+    /// would be reached.
     AdvectionResult Beyond;
   };
 
-  /// \a options are to stay as they are.
+  /// Makes a trace on a copy of \a walker. \a options must not change while it is used.
   BeyondTrace(const Walker& walker, const AdvectionOptions& options)
     : Field(walker)
     , Options(options)
@@ -57,7 +59,7 @@ public:
     double v[3] = { 0.0, 0.0, 0.0 };
     const bool isMoving = this->GetWay(x, v);
     answer.IsStill = !isMoving && corner.Distance == 0.0;
-    // Along it is away, as in TerminationSide.
+    // A streamline along the surface counts as leaving, as in TerminationSide.
     const bool isAway = corner.Distance * vtkMath::Dot(answer.Normal, v) >= 0.0;
     const int side = corner.Distance == 0.0 ? 0 : (corner.Distance < 0.0 ? -1 : 1);
     answer.Side =
@@ -78,7 +80,7 @@ public:
   }
 
 private:
-  // Both to one surface alone, with and against the streamlines' direction.
+  // The advections to one surface alone, with and against the streamlines' direction.
   struct Pair
   {
     Pair(const Walker& walker, const AdvectionOptions& options, int surface)
@@ -98,10 +100,10 @@ private:
     std::unique_ptr<Advection<Walker>> To;
     std::unique_ptr<Advection<Walker>> Back;
   };
-  // A cell is crossed in a few.
+  // The most steps that are taken; a cell is crossed in a few.
   static constexpr int MostSteps = 100;
-  // Of a cell's diagonal: how far a streamline may go to the surface beside it, and from how far
-  // behind it goes on.
+  // The largest way, as a share of a cell's diagonal, that a streamline may go to the surface
+  // beside it, and the share from which it goes on behind the surface.
   static constexpr double MostWay = 4.0;
   static constexpr double Start = 1e-4;
 
@@ -115,7 +117,7 @@ private:
     return *pair;
   }
 
-  // The velocity that streamlines are followed with; false where there is none.
+  // Computes the velocity that streamlines are followed with. Returns false where there is none.
   bool GetWay(const double x[3], double v[3])
   {
     double p[3];

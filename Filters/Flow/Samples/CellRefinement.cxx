@@ -60,7 +60,7 @@ struct Cell
   const vtkIdType* Begin() const { return this->Corners.data(); }
   const vtkIdType* End() const { return this->Corners.data() + this->Shape->NumberOfCorners; }
 
-  // Calls visit(face, its corners).
+  // Calls visit(face, corners) for each face.
   template <typename Visit>
   void ForEachFace(Visit&& visit) const
   {
@@ -108,7 +108,7 @@ public:
   {
   }
 
-  // The number of mixed cells, whose edges are marked.
+  // Marks the edges of mixed cells, and returns the number of these.
   vtkIdType Mark(const ImplicitFlowArrays& arrays)
   {
     const BeyondSamples beyond(this->Grid);
@@ -155,7 +155,7 @@ public:
   }
 
 private:
-  // 1 for each cell for which \a test says so; by threads.
+  // Sets 1 for each cell for which \a test says so; by threads.
   template <typename Test>
   std::vector<unsigned char> FindCells(const Test& test) const
   {
@@ -178,7 +178,7 @@ private:
     return found;
   }
 
-  // Calls visit(cell, the same loaded) for those of FindCells, in order.
+  // Calls visit(cell, loaded cell) for the cells of FindCells, in order.
   template <typename Visit>
   void ForEachCell(const std::vector<unsigned char>& found, Visit&& visit)
   {
@@ -205,7 +205,7 @@ private:
     return false;
   }
 
-  // Which cells are cut, and the middles of quadrilaterals and cells that are needed.
+  // Finds which cells are cut, and the middles of quadrilaterals and cells that are needed.
   void FindMiddles()
   {
     std::vector<unsigned char> isEnd(static_cast<std::size_t>(this->Before), 0);
@@ -256,7 +256,7 @@ private:
     return this->GetFirstFace() + static_cast<vtkIdType>(this->Faces.size());
   }
 
-  // The middle of a quadrilateral, -1 where it has none.
+  // Returns the middle of a quadrilateral, -1 where it has none.
   vtkIdType FindFace(Face corners) const
   {
     std::sort(corners.begin(), corners.end());
@@ -383,7 +383,7 @@ private:
         { cut->InsertNextCell(VTK_TETRA, 4, part.data()); });
   }
 
-  // What a face and the middle of its cell make.
+  // Adds the cells between a face and the middle of its cell.
   void AddFan(Face corners, std::size_t number, vtkIdType centre, vtkUnstructuredGrid* cut) const
   {
     double x[4][3];
@@ -420,12 +420,12 @@ private:
   vtkNew<vtkIdList> Ids;
   MarkedEdges Edges;
   std::vector<unsigned char> IsCut;
-  // Quadrilaterals with a middle, their corners ascending; cells with one.
+  // The quadrilaterals with a middle, their corners ascending; the cells with one.
   std::vector<Face> Faces;
   std::vector<vtkIdType> Centres;
 };
 
-// The type of a cell of a grid of rows, which gives hidden ones the empty type.
+// Returns the type of a cell of a grid of rows, which gives hidden ones the empty type.
 int GetTypeByCorners(vtkIdType corners, bool isAligned)
 {
   switch (corners)

@@ -12,7 +12,8 @@ static_assert(vtkFlowStatus::REACHED_SURFACE == 0, "IsReached compares with 0");
 
 namespace
 {
-// What is wrong with a point array of \a data, or nothing; \a typed is the array as an ArrayType.
+// Returns what is wrong with a point array of \a data, or nothing; \a typed is the array as an
+// ArrayType.
 template <typename ArrayType>
 std::string FindArray(
   vtkDataSet* data, const char* name, int components, vtkSmartPointer<ArrayType>& typed)

@@ -27,14 +27,14 @@ namespace interlume
 class ImplicitFlowArrays
 {
 public:
-  /// What is missing or of the wrong shape, or nothing. TerminationSide may be missing, and
-  /// AdvectionTime too.
+  /// Finds the arrays. Returns what is missing or of the wrong shape, or nothing. TerminationSide
+  /// may be missing, and AdvectionTime too.
   std::string Find(vtkDataSet* data);
 
   bool IsReached(vtkIdType point) const { return this->Statuses->GetValue(point) == 0; }
   int GetStatus(vtkIdType point) const { return this->Statuses->GetValue(point); }
   int GetId(vtkIdType point) const { return this->Ids->GetValue(point); }
-  /// Whether two samples ended in the same way, on the same surface if on one.
+  /// Returns whether two samples ended in the same way, on the same surface if on one.
   bool AreAlike(vtkIdType a, vtkIdType b) const
   {
     return this->Statuses->GetValue(a) == this->Statuses->GetValue(b) &&
@@ -47,13 +47,14 @@ public:
 
   double GetTime(vtkIdType point) const { return this->Times->GetValue(point); }
 
-  /// Whether there is what the following two ask for: TerminationSide and AdvectionTime.
+  /// Returns whether there are TerminationSide and AdvectionTime, which the following two functions
+  /// need.
   bool HasSides() const { return this->Sides && this->Times; }
   /**
-   * Whether time jumps on the surface of the one id of all these samples, the corners of a cell: it
-   * is 0 in the limit on a side that streamlines leave towards the surface, or is 0 at a corner on
-   * the surface, and some streamlines of the other side leave away from it, to come back. Where
-   * they all leave towards it, time is 0 from both sides and does not jump.
+   * Returns whether time jumps on the surface of the one id of all these samples, the corners of a
+   * cell: it is 0 in the limit on a side that streamlines leave towards the surface, or is 0 at a
+   * corner on the surface, and some streamlines of the other side leave away from it, to come back.
+   * Where they all leave towards it, time is 0 from both sides and does not jump.
    */
   template <typename Ids>
   bool IsAcrossSurface(const Ids* corners, vtkIdType number) const
@@ -71,7 +72,7 @@ public:
     }
     return (isOn[0] && isAway[1]) || (isOn[1] && isAway[0]);
   }
-  /// By how much AdvectionTime differs among samples.
+  /// Returns by how much AdvectionTime differs among samples.
   template <typename Ids>
   double GetTimeJump(const Ids* corners, vtkIdType number) const
   {
@@ -85,13 +86,13 @@ public:
     return highest - lowest;
   }
 
-  /// The ids in use, and whether u and v are periodic there.
+  /// Returns the ids in use, and whether u and v are periodic there.
   const std::map<int, std::array<bool, 2>>& GetSurfaces() const { return this->Surfaces; }
-  /// The same of an id; false twice of one that is not in use.
+  /// Returns whether u and v are periodic for an id; false twice for one that is not in use.
   std::array<bool, 2> GetPeriodicity(int id) const;
 
   /**
-   * The tuples of a field array of three integers, an id and a flag for u and v:
+   * Reads the tuples of a field array of three integers, an id and a flag for u and v:
    * TerminationSurfaces, InflowPeriodic. Empty where \a data has none.
    */
   static std::map<int, std::array<bool, 2>> ReadFlags(vtkDataSet* data, const char* name);

@@ -47,7 +47,7 @@ Array* Add(vtkFieldData* data, const std::string& name, int components, vtkIdTyp
 }
 }
 
-/// What is kept of the samples; null is not.
+/// The arrays that are kept of the samples; those that are not kept are null.
 struct ImplicitFlowRun::Arrays
 {
   vtkUnsignedCharArray* Status = nullptr;
@@ -62,7 +62,7 @@ struct ImplicitFlowRun::Arrays
   vtkIntArray* Steps = nullptr;
   vtkIntArray* StiffSteps = nullptr;
 
-  /// Calls visit(array, name, components) for those that are kept.
+  /// Calls visit(array, name, components) for the arrays that are kept.
   template <typename Visit>
   void ForEach(const ImplicitFlowRun& run, Visit&& visit)
   {
@@ -90,7 +90,7 @@ struct ImplicitFlowRun::Arrays
     visitIf(run.KeepSteps, this->StiffSteps, "StiffSteps");
   }
 
-  /// Adds them to samples.
+  /// Makes the arrays and adds them to samples.
   void Make(const ImplicitFlowRun& run, vtkDataSet* samples)
   {
     this->ForEach(run,
@@ -100,7 +100,7 @@ struct ImplicitFlowRun::Arrays
           samples->GetPointData(), name, components, samples->GetNumberOfPoints());
       });
   }
-  /// Adds those of the samples beyond to field data.
+  /// Makes the arrays of the samples beyond and adds them to field data.
   void MakeBeyond(const ImplicitFlowRun& run, vtkFieldData* data, vtkIdType number)
   {
     this->ForEach(run,
@@ -110,7 +110,7 @@ struct ImplicitFlowRun::Arrays
           data, BeyondSamples::GetName(name), components, number);
       });
   }
-  /// Takes those that samples have.
+  /// Takes the arrays that samples have.
   void Find(const ImplicitFlowRun& run, vtkDataSet* samples)
   {
     this->ForEach(run,
@@ -295,7 +295,7 @@ bool ImplicitFlowRun::Follow(
   const vtkIdType number = samples->GetNumberOfPoints();
   if (number > 0)
   {
-    // What the dataset makes at the first call is there for threads.
+    // Makes the data that the dataset makes at the first call, before threads need them.
     double x[3];
     samples->GetPoint(0, x);
   }

@@ -28,44 +28,45 @@ class ImplicitFlowRun
 public:
   ImplicitFlowRun(vtkAlgorithm* owner, const AdvectionOptions& options);
 
-  /// The field, its vectors, and the names of the arrays that have a mean.
+  /// Sets the field, its vectors, and the names of the arrays that have a mean.
   void SetField(vtkDataSet* field, vtkDataArray* vectors, const std::vector<std::string>& means);
-  /// Error and minimum speed in parts of the field's speed (SpeedScale); 0: those of the
-  /// options.
+  /// Sets error and minimum speed in parts of the field's speed (SpeedScale); 0 stands for those of
+  /// the options.
   void SetAutomatic(double error, double speed);
   void SetKeepSteps(bool keep) { this->KeepSteps = keep; }
 
-  /// How often mixed cells are refined.
+  /// Sets how often mixed cells are refined.
   void SetRefinementLevels(int levels) { this->RefinementLevels = levels; }
 
   /**
-   * Adds the arrays to \a samples. Returns what is wrong; an abort is not. The first part of the
-   * progress is building the field.
+   * Adds the arrays to \a samples. Returns what is wrong, or nothing, as after an abort. The first
+   * part of the progress is building the field.
    */
   std::string Execute(vtkDataSet* samples);
 
-  /// The samples with those of all levels; null without levels, and after an error or an abort.
+  /// Returns the samples with those of all levels; null without levels, and after an error or an
+  /// abort.
   vtkUnstructuredGrid* GetRefined() const { return this->Refined; }
 
   const vtkFlowReport& GetReport() const { return this->Report; }
 
 private:
   struct Arrays;
-  /// All samples, and those of the levels of refinement.
+  /// Follows all samples, and those of the levels of refinement.
   template <typename Walker>
   void FollowAll(const Walker& walker, vtkDataSet* samples);
-  /// What the report has of the field.
+  /// Fills the part of the report that describes the field.
   template <typename FieldType>
   void Describe(const FieldType& field);
-  /// Those from \a first on. False when the owner was aborted.
+  /// Follows the samples from \a first on. Returns false when the owner was aborted.
   template <typename Walker>
   bool Follow(
     const Walker& walker, vtkDataSet* samples, vtkIdType first, int level, TerminationSides& sides);
-  /// After all samples of \a sides were followed.
+  /// Finds on which side of their surface samples are, after all samples of \a sides were followed.
   template <typename Walker>
   static void FindSides(
     const Walker& walker, vtkDataSet* samples, const TerminationSides& sides, Arrays& arrays);
-  /// What samples beside surfaces would have on the other side; after their sides.
+  /// Finds what samples beside surfaces would have on the other side, after their sides were found.
   template <typename Walker>
   void FindBeyond(const Walker& walker, vtkDataSet* samples) const;
   std::string FindArrays(std::vector<vtkDataArray*>& means) const;

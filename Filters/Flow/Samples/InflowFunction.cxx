@@ -18,7 +18,7 @@ namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// Places of the variables in a parser.
+// The places of the variables in a parser.
 enum Variables
 {
   VARIABLE_U,
@@ -26,7 +26,7 @@ enum Variables
   VARIABLE_F
 };
 
-// The first message of a parser, without where in VTK's source it comes from.
+// Keeps the first message of a parser, without where in VTK's source it comes from.
 void KeepMessage(vtkObject*, unsigned long, void* client, void* data)
 {
   auto* message = static_cast<std::string*>(client);
@@ -105,7 +105,7 @@ std::string InflowFunction::ReadImage()
   {
     return "The image has no active scalars in its points.";
   }
-  // A plane of any two axes; rows of length 1 are left out by their size.
+  // The image is a plane of any two axes; rows of length 1 are left out by their size.
   this->Size[0] = dimensions[0] > 1 || dimensions[2] == 1 ? dimensions[0] : dimensions[1];
   this->Size[1] = static_cast<int>(this->Image->GetNumberOfPoints() / this->Size[0]);
   const vtkIdType number = array->GetNumberOfTuples();
@@ -147,7 +147,7 @@ double InflowEvaluator::Evaluate(double u, double v)
   double uv[2] = { u, v };
   for (int direction = 0; direction < 2; ++direction)
   {
-    // 1 stays 1: a mapping may have another value there than at 0.
+    // A parameter of 1 stays 1: a mapping may have another value there than at 0.
     if (this->IsPeriodic[direction] && !(uv[direction] >= 0.0 && uv[direction] <= 1.0))
     {
       uv[direction] -= std::floor(uv[direction]);

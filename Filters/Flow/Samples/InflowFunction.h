@@ -14,7 +14,7 @@ namespace interlume
 
 /**
  * @class   InflowFunction
- * @brief   what vtkInflowMapping knows of the mapping of one id
+ * @brief   the mapping of one id of vtkInflowMapping
  */
 class InflowFunction
 {
@@ -33,7 +33,7 @@ public:
   std::vector<Ring> Rings;
   vtkSmartPointer<vtkImageData> Image;
 
-  /// Makes what evaluators need. What is wrong with the function, or nothing.
+  /// Prepares the data that evaluators need. Returns what is wrong with the function, or nothing.
   std::string Prepare();
 
 private:
@@ -41,7 +41,7 @@ private:
   std::string ReadImage();
 
   friend class InflowEvaluator;
-  // The image's values by rows, and how many there are along u and v.
+  // The values of the image by rows, and how many there are along u and v.
   std::vector<double> Values;
   int Size[2] = { 0, 0 };
 };
@@ -53,15 +53,16 @@ private:
 class InflowEvaluator
 {
 public:
-  /// \a function is kept by the caller; null: NaN everywhere.
+  /// Makes an evaluator. \a function is kept by the caller; with null, values are NaN everywhere.
   explicit InflowEvaluator(const InflowFunction* function);
   ~InflowEvaluator();
   InflowEvaluator(const InflowEvaluator&) = delete;
   void operator=(const InflowEvaluator&) = delete;
 
-  /// The surface whose values are asked for from now on.
+  /// Sets the surface whose values are asked for from now on.
   void SetSurface(int id, bool isPeriodicU, bool isPeriodicV);
-  /// NaN where the value is not finite. A periodic parameter beyond 0 to 1 is taken around.
+  /// Returns the value at (u,v), NaN where it is not finite. A periodic parameter beyond 0 to 1 is
+  /// taken around.
   double Evaluate(double u, double v);
 
 private:

@@ -13,15 +13,15 @@ namespace interlume
  * @brief   tetrahedra cut at the middles of marked edges
  *
  * A tetrahedron is cut in two at its first marked edge, and both halves go on with the marked edges
- * that they have left. Of a face this leaves what cutting the face alone in the same order leaves:
- * the cuts of a face depend on its own edges, and neighbours agree.
+ * that they have left. A face is cut as it would be cut alone in the same order: the cuts of a face
+ * depend on its own edges, and neighbours agree.
  */
 class MarkedBisection
 {
 public:
   using Tetrahedron = std::array<vtkIdType, 4>;
 
-  /// The middle of edge e is point \a firstMiddle + e. \a edges are kept by the caller.
+  /// Takes the edges, which the caller keeps. The middle of edge e is point \a firstMiddle + e.
   MarkedBisection(const MarkedEdges& edges, vtkIdType firstMiddle)
     : Edges(edges)
     , FirstMiddle(firstMiddle)

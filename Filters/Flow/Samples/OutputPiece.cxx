@@ -64,7 +64,7 @@ void OutputPiece::Extract(vtkInformation* info, vtkUnstructuredGrid* grid)
   part->GetCellData()->CopyAllOn();
   part->GetCellData()->CopyAllocate(grid->GetCellData(), last - first);
   part->GetCellData()->CopyData(grid->GetCellData(), 0, last - first, first);
-  // Not the same object: the grid, copying it from itself, would clear it.
+  // The object must not be the same: the grid, copying its field data from itself, would clear it.
   part->GetFieldData()->ShallowCopy(grid->GetFieldData());
   grid->ShallowCopy(part);
 }

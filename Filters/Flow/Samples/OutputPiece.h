@@ -13,11 +13,12 @@ namespace interlume
  */
 namespace OutputPiece
 {
-/// Leaves the cells of the piece that \a info asks for, as many in each, and their points, in
-/// their order. The whole grid, with points of no cell, where one piece is asked for.
+/// Reduces the grid to the cells of the piece that \a info asks for, as many in each, and their
+/// points, in their order. The grid stays whole, with points of no cell, where one piece is asked
+/// for.
 void Extract(vtkInformation* info, vtkUnstructuredGrid* grid);
 
-/// Whether \a info asks for the whole output, not for one piece of several.
+/// Returns whether \a info asks for the whole output, not for one piece of several.
 bool IsWhole(vtkInformation* info);
 }
 

@@ -33,7 +33,7 @@ Size GetSize(const int extent[6])
   return { { extent[1] - extent[0] + 1, extent[3] - extent[2] + 1, extent[5] - extent[4] + 1 } };
 }
 
-/// Every how many-th point along each direction.
+/// Computes the stride of the samples along each direction.
 Size GetStrides(const Size& points)
 {
   Size strides{ { 1, 1, 1 } };

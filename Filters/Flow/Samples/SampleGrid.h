@@ -13,21 +13,22 @@ namespace interlume
  * @class   SampleGrid
  * @brief   the samples of vtkImplicitFlowField::SAMPLES_AUTOMATIC: a field's points, or fewer
  *
- * A field of MostPoints points or fewer is its own samples. Of larger ones they have the type of
- * the field: image data over the same box with fewer points, every n-th point along each direction
- * of a rectilinear or structured grid, its last one too, and the voxels of an image over the bounds
- * of an unstructured grid. n grows along the direction that has most points left, until they are
- * few enough. Point arrays are kept where samples are points of the field.
+ * A field of MostPoints points or fewer is its own samples. The samples of a larger field have its
+ * type: image data over the same box with fewer points, every n-th point along each direction of a
+ * rectilinear or structured grid, its last one too, and the voxels of an image over the bounds of
+ * an unstructured grid. n grows along the direction that has most points left, until they are few
+ * enough. Point arrays are kept where samples are points of the field.
  */
 class SampleGrid
 {
 public:
   static constexpr vtkIdType MostPoints = 32768;
 
-  /// The extent of the samples of a field with an extent: itself, or another that begins at 0.
+  /// Computes the extent of the samples of a field with an extent: itself, or another that begins
+  /// at 0.
   static void GetExtent(const int field[6], int samples[6]);
 
-  /// \a field itself where it has few points.
+  /// Makes the samples; returns \a field itself where it has few points.
   static vtkSmartPointer<vtkDataSet> Make(vtkDataSet* field);
 };
 

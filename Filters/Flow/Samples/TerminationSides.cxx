@@ -19,7 +19,7 @@ namespace interlume
 namespace
 {
 constexpr float None = std::numeric_limits<float>::quiet_NaN();
-// Distances are kept as floats.
+// The error of distances, which are kept as floats.
 constexpr double Rounding = 1.0 + 1e-6;
 
 double GetDiagonal(vtkDataSet* data, vtkIdList* corners)
@@ -50,7 +50,7 @@ struct Gap
 
   void Add(float distance)
   {
-    // On the surface is on both sides.
+    // A corner on the surface is on both sides.
     this->Above = distance >= 0.0F ? std::min(this->Above, distance) : this->Above;
     this->Below = distance <= 0.0F ? std::min(this->Below, -distance) : this->Below;
     this->IsLeft = this->IsLeft || distance != 0.0F;
@@ -119,7 +119,7 @@ std::vector<vtkIdType> TerminationSides::FindCorners(vtkDataSet* samples, const 
   vtkSMPThreadLocal<std::vector<vtkIdType>> found;
   if (cells > 0)
   {
-    // What the dataset makes at the first call is there for threads.
+    // Makes the data that the dataset makes at the first call, before threads need them.
     samples->GetCellPoints(0, lists.Local());
   }
   vtkSMPTools::For(0, cells,

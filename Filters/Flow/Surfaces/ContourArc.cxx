@@ -16,7 +16,7 @@ namespace
 using Parameters = LevelContours::Parameters;
 using Position = ContourArc::Position;
 
-// Points of a contour, where they are in the world, and whether they are anywhere.
+// The points of a contour, their positions in the world, and whether they have one.
 struct Line
 {
   std::vector<Parameters> Points;
@@ -50,7 +50,7 @@ Line Locate(std::vector<Parameters> points, const vtkTerminationSurface& surface
   return line;
 }
 
-// A closed line from another of its points on; the last stays a copy of the first.
+// Rotates a closed line to begin at another of its points; the last stays a copy of the first.
 void Rotate(Line& line, std::size_t first)
 {
   const std::size_t segments = line.Points.size() - 1;
@@ -70,7 +70,8 @@ void Rotate(Line& line, std::size_t first)
   line = std::move(rotated);
 }
 
-// The place of a line, all of whose points are there, that is nearest to any of some positions.
+// Finds the place of a line, whose points all have positions, that is nearest to any of some
+// positions.
 Place FindNearest(const Line& line, const std::vector<Position>& positions)
 {
   Place nearest;
@@ -101,7 +102,7 @@ Place FindNearest(const Line& line, const std::vector<Position>& positions)
   return nearest;
 }
 
-// A closed line from a place on; that becomes a point.
+// Rotates a closed line to begin at a place, which becomes a point.
 void StartAt(Line& line, const Place& place)
 {
   Rotate(line, place.Segment);
@@ -144,7 +145,7 @@ ContourArc MakeArc(Line line, bool isClosed)
   return arc;
 }
 
-// The open arc of a line, from the end on whose side the start points are.
+// Makes the open arc of a line, from the end on whose side the start points are.
 ContourArc MakeOpenArc(Line line, const std::vector<Position>& startPoints)
 {
   if (!startPoints.empty())

@@ -27,8 +27,8 @@ public:
   double GetLength() const { return this->Curve.Lengths.back(); }
 
   /**
-   * The arcs of a contour on a part of a surface: one, or more open ones where the surface has no
-   * point with some of its parameters. They start as vtkStreamSurfaceParameters says.
+   * Measures the arcs of a contour on a part of a surface: one, or more open ones where the surface
+   * has no point with some of its parameters. They start as vtkStreamSurfaceParameters says.
    */
   static std::vector<ContourArc> Measure(LevelContours::Contour contour,
     const vtkTerminationSurface& surface, int part, const std::array<bool, 2>& isPeriodic,

@@ -87,7 +87,7 @@ ContourPlaces::Place ContourPlaces::Find(const Parameters& place) const
     center[direction] =
       this->WrapBin(GetBin(std::max(-1.0, std::min(place[direction], 2.0))), direction);
   }
-  // Rings of bins, until what is left is farther than what was found.
+  // Rings of bins are searched until the rest is farther than the place found.
   for (int ring = 0; ring <= NumberOfBins; ++ring)
   {
     for (int j = center[1] - ring; j <= center[1] + ring; ++j)

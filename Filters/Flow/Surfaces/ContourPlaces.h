@@ -20,25 +20,26 @@ public:
 
   struct Curve
   {
-    /// At least two, as in LevelContours.
+    /// The points of the curve, at least two, as in LevelContours.
     std::vector<Parameters> Points;
-    /// The length from the first point, for each.
+    /// The length from the first point, for each point.
     std::vector<double> Lengths;
   };
 
   struct Place
   {
-    /// -1: there is no curve.
+    /// The curve; -1 where there is no curve.
     int Curve = -1;
     double Length = 0.0;
   };
 
-  /// Where \a isPeriodic, parameters that differ by whole numbers are the same place.
+  /// Takes the curves. Where \a isPeriodic, parameters that differ by whole numbers are the same
+  /// place.
   ContourPlaces(std::vector<Curve> curves, std::array<bool, 2> isPeriodic);
 
-  /// The nearest place on any curve; of equally near ones the first.
+  /// Finds the nearest place on any curve; among equally near ones the first.
   Place Find(const Parameters& place) const;
-  /// The nearest place on one curve.
+  /// Finds the nearest place on one curve.
   Place Find(const Parameters& place, int curve) const;
 
 private:
@@ -52,9 +53,9 @@ private:
   };
 
   void Compare(const Parameters& place, int curve, int segment, Nearest& nearest) const;
-  /// The bin of a place along a direction, which may be beyond the bins.
+  /// Returns the bin of a place along a direction, which may be beyond the bins.
   static int GetBin(double parameter);
-  /// The bin of that number that is there; -1 where there is none.
+  /// Returns the existing bin that stands for one beyond the bins; -1 where there is none.
   int WrapBin(int bin, int direction) const;
 
   std::vector<Curve> Curves;

@@ -25,7 +25,7 @@ LevelContours::LevelContours(Function function, int resolution, std::array<bool,
 
 double LevelContours::GetValue(int i, int j) const
 {
-  // The same on both sides of a seam.
+  // The node is the same on both sides of a seam.
   i = this->IsPeriodic[0] && i == this->Resolution ? 0 : i;
   j = this->IsPeriodic[1] && j == this->Resolution ? 0 : j;
   return this->Values[static_cast<std::size_t>(j) * (this->Resolution + 1) + i];
@@ -62,7 +62,7 @@ LevelContours::Parameters LevelContours::GetCrossing(Edge edge, double level) co
   double atLower = this->GetValue(edge.I, edge.J) - level;
   double atUpper =
     this->GetValue(edge.I + (edge.Direction == 0), edge.J + (edge.Direction == 1)) - level;
-  // The Illinois method: an end that stays twice counts half.
+  // This is the Illinois method: an end that stays twice counts half.
   constexpr int maximumNumberOfSteps = 60;
   constexpr double tolerance = 1e-13;
   double along = atLower / (atLower - atUpper);
@@ -128,7 +128,8 @@ void LevelContours::FollowSquare(int i, int j, double level, std::vector<int>& n
   }
   for (int s = 0; s < number; ++s)
   {
-    // With the inside joined in the middle, around the corners outside; else around those inside.
+    // Where the inside is joined in the middle, the curve goes around the corners outside; else
+    // around those inside.
     int end = starts[s];
     do
     {

@@ -25,16 +25,18 @@ public:
 
   struct Contour
   {
-    /// Values at the level and above are on the left. Periodic parameters go on beyond 0 to 1; the
-    /// last point of a closed contour is the first, but for whole periods.
+    /// The points of the contour. Values at the level and above are on its left. Periodic
+    /// parameters go on beyond 0 to 1; the last point of a closed contour is the first, but for
+    /// whole periods.
     std::vector<Parameters> Points;
     bool IsClosed = false;
   };
 
-  /// \a resolution squares along each parameter; where \a isPeriodic, 0 and 1 are the same place.
+  /// Samples the function on \a resolution squares along each parameter; where \a isPeriodic, 0 and
+  /// 1 are the same place.
   LevelContours(Function function, int resolution, std::array<bool, 2> isPeriodic);
 
-  /// In the order of the grid's edges, open contours first.
+  /// Returns the contours of a level in the order of the grid's edges, open contours first.
   std::vector<Contour> Follow(double level) const;
 
 private:
@@ -50,7 +52,7 @@ private:
   int GetIndex(Edge edge) const;
   Edge GetEdge(int index) const;
   Parameters GetCrossing(Edge edge, double level) const;
-  /// By edge, the next one of its contour, or -1.
+  /// Finds for each edge the next one of its contour, or -1.
   std::vector<int> FindNext(double level) const;
   void FollowSquare(int i, int j, double level, std::vector<int>& next) const;
 

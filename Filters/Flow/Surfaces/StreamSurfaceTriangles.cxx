@@ -19,7 +19,7 @@ namespace interlume
 
 namespace
 {
-// The triangles of a dataset; what is wrong with it, or nothing.
+// Reads the triangles of a dataset. Returns what is wrong with it, or nothing.
 std::string GetTriangles(
   vtkPointSet* input, std::vector<StreamSurfaceTriangles::Triangle>& triangles)
 {
@@ -102,7 +102,7 @@ std::array<StreamSurfaceTriangles::Corner, 3> StreamSurfaceTriangles::Unwrap(std
       ? this->Places[triangle[c]]
       : this->FindPlace(level, triangle[c], -1);
   }
-  // The contour of two corners, else of the first.
+  // The contour that two corners have counts, else that of the first.
   const int curve = corners[1].Place.Curve == corners[2].Place.Curve ? corners[1].Place.Curve
                                                                      : corners[0].Place.Curve;
   if (curve < 0)

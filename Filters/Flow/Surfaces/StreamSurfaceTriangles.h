@@ -31,7 +31,7 @@ public:
   {
     int Id = 0;
     double Value = 0.0;
-    /// Its contours have this ContourId and the next.
+    /// The ContourId of the level's first contour; the others follow.
     int FirstContour = 0;
     std::unique_ptr<ContourPlaces> Places;
   };
@@ -52,7 +52,8 @@ public:
     vtkIdType Add(vtkIdType source, int contour, double length);
   };
 
-  /// Takes the triangles, the arrays and the levels in use. What is wrong with them, or nothing.
+  /// Takes the triangles, the arrays and the levels in use. Returns what is wrong with them, or
+  /// nothing.
   std::string Read(vtkPointSet* input);
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->LevelOfPoint.size()); }
@@ -63,14 +64,14 @@ public:
 
   /**
    * Gives triangles their points, with copies so that the corners of each are on one contour and
-   * none on the far side of its start: a point stands for its own place, copies for the same a
+   * none on the far side of its start: a point stands for its own place, copies for that place a
    * whole length on, or on another contour.
    */
   Points MakeTriangles(vtkCellArray* cells) const;
 
-  /// To be given contours between Read and FindPlace.
+  /// The levels, which are to be given contours between Read and FindPlace.
   std::vector<Level> Levels;
-  /// By ContourId.
+  /// The contours by ContourId.
   std::vector<Contour> Contours;
 
 private:
@@ -83,17 +84,17 @@ private:
 
   void FindLevels(vtkDataArray* values, vtkIdType numberOfPoints);
   int GetContourId(int level, int curve) const;
-  /// On a curve of a level; -1: on any.
+  /// Finds the place of a point on a curve of a level; on any curve for -1.
   ContourPlaces::Place FindPlace(int level, vtkIdType point, int curve) const;
-  /// The corners of a triangle on one contour, unwrapped.
+  /// Returns the corners of a triangle on one contour, unwrapped.
   std::array<Corner, 3> Unwrap(std::size_t triangle) const;
 
   ImplicitFlowArrays Arrays;
   std::vector<Triangle> Triangles;
-  // Of each triangle, and of each point by the first of its triangles, or -1.
+  // The level of each triangle, and of each point by the first of its triangles, or -1.
   std::vector<int> LevelOfTriangle;
   std::vector<int> LevelOfPoint;
-  // Of each point, on the contours of its level.
+  // The place of each point on the contours of its level.
   std::vector<ContourPlaces::Place> Places;
 };
 

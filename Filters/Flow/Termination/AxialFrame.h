@@ -18,16 +18,16 @@ struct AxialFrame
   /// basis, revisited", JCGT 6(1), 2017: those of the axis z are x and y.
   void SetAxis(const double axis[3]);
 
-  /// The same for an axis with X already across it, both of length 1.
+  /// Takes an axis with X already across it, both of length 1.
   void SetAxis(const double axis[3], const double x[3]);
 
-  /// Of \a x - \a origin along X, Y and the axis.
+  /// Computes the components of \a x - \a origin along X, Y and the axis.
   void GetComponents(const double x[3], const double origin[3], double components[3]) const;
 
-  /// origin + a X + b Y + c Axis.
+  /// Computes origin + a X + b Y + c Axis.
   void GetPoint(const double origin[3], double a, double b, double c, double x[3]) const;
 
-  /// The angle from X towards Y in turns, 0 to below 1; 0 for no direction.
+  /// Returns the angle from X towards Y in turns, 0 to below 1; 0 for no direction.
   static double GetTurn(double x, double y);
 };
 

@@ -10,10 +10,10 @@ namespace interlume
 
 /**
  * @class   BoxTree
- * @brief   a hierarchy of bounding boxes, for what is nearest to a point
+ * @brief   a hierarchy of bounding boxes, which finds the items nearest to a point
  *
- * A binary tree, cut at the median of the longest axis; the same for the same boxes. Queries change
- * nothing, so threads may make them at once.
+ * It is a binary tree, cut at the median of the longest axis; the same for the same boxes. Queries
+ * change nothing, so threads may make them at once.
  */
 class BoxTree
 {
@@ -24,7 +24,7 @@ public:
     double Upper[3];
   };
 
-  /// Replaces what was there. Items are known by their index in \a boxes.
+  /// Builds the tree in place of the one before. Items are known by their index in \a boxes.
   void Build(const std::vector<Box>& boxes);
 
   /**
@@ -38,17 +38,17 @@ private:
   struct Node
   {
     Box Bounds;
-    /// Of a leaf its items; an inner node has none, and its children at First and First + 1.
+    /// The items of a leaf; an inner node has none, and its children at First and First + 1.
     int First;
     int NumberOfItems;
   };
-  /// Bounds of a range of items, and a leaf or two children of it.
+  /// Computes the bounds of a range of items, and makes a leaf or two children of it.
   void BuildNode(std::size_t node, int first, int last, const std::vector<Box>& boxes);
 
   static double GetSquaredDistance(const Box& box, const double x[3]);
 
   static constexpr int LeafSize = 4;
-  /// Levels of a tree of as many items as an int counts.
+  /// The number of levels of a tree of as many items as an int counts.
   static constexpr int MaximumDepth = 32;
   std::vector<Node> Nodes;
   std::vector<int> Items;

@@ -77,7 +77,7 @@ ClosestTrianglePoint::ClosestTrianglePoint(
   }
   for (int i = 0; i < 3; ++i)
   {
-    // From a, so that the rounding is that of the triangle's size.
+    // The point is computed from a, so that the rounding is that of the triangle's size.
     this->Point[i] = a[i] + choice.Weights[1] * (b[i] - a[i]) + choice.Weights[2] * (c[i] - a[i]);
   }
   this->SquaredDistance = vtkMath::Distance2BetweenPoints(x, this->Point);

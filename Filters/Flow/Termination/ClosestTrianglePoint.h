@@ -6,7 +6,8 @@ namespace interlume
 
 /**
  * @class   ClosestTrianglePoint
- * @brief   the point of a triangle that is nearest to a point, and what of the triangle it is on
+ * @brief   the point of a triangle that is nearest to a point, and the corner, edge or face it is
+ * on
  *
  * C. Ericson, "Real-Time Collision Detection", 2005, section 5.1.5.
  */

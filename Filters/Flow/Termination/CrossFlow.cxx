@@ -14,16 +14,17 @@ namespace interlume
 
 namespace
 {
-// Of the velocity: less is rounding.
+// The share of the velocity below which cross-flow is rounding.
 constexpr double LeastCrossFlow = 4e-15;
-// Of the cell's height: a point that is nearer to a plane is on it.
+// The share of the cell's height within which a point is on a plane.
 constexpr double LeastDistance = 1e-10;
-// Of a Jacobian: a smaller imaginary part is none.
+// The share of a Jacobian below which an imaginary part is none.
 constexpr double LeastSwirl = 1e-9;
-// A cosine for directions that are the same.
+// The cosine from which on directions are the same.
 constexpr double SameDirection = 1.0 - 1e-12;
 
-// Not the length, which has no square where numbers are very large or small.
+// Returns the largest component, not the length, which has no square where numbers are very large
+// or small.
 double GetLargest(const double x[3])
 {
   return std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
@@ -39,7 +40,7 @@ void SetUnit(const double x[3], double unit[3])
   vtkMath::Normalize(unit);
 }
 
-// Points in each direction; false for a dataset without an order.
+// Gives the number of points in each direction. Returns false for a dataset without an order.
 bool GetDimensions(vtkDataSet* data, int dimensions[3])
 {
   if (auto* image = vtkImageData::SafeDownCast(data))
@@ -65,8 +66,8 @@ CrossFlow::CrossFlow(const double axis[3], const double frameVelocity[3])
 {
   SetUnit(axis, this->Normal);
   std::copy_n(frameVelocity, 3, this->FrameVelocity);
-  // The coordinate axis that is most across: along a coordinate axis, the directions are the other
-  // two, without roundings.
+  // The coordinate axis that is most across is taken: for an axis along a coordinate axis, the
+  // directions are the other two, without roundings.
   int most = 0;
   for (int i = 1; i < 3; ++i)
   {
@@ -235,7 +236,7 @@ CrossFlow::Vortex CrossFlow::MakeVortex(const ZeroSearch::Zero& zero) const
   }
   if (size > 0.0 && !zero.IsDegenerate)
   {
-    // In parts of the largest entry, which has no square where it is very large.
+    // Entries are taken in parts of the largest one, which has no square where it is very large.
     const double half = 0.5 * (jacobian[0][0] - jacobian[1][1]) / size;
     const double square = half * half + (jacobian[0][1] / size) * (jacobian[1][0] / size);
     const double swirl = square < 0.0 ? std::sqrt(-square) : 0.0;

@@ -14,23 +14,24 @@ namespace interlume
  * @class   CrossFlow
  * @brief   where the velocity across an axis is 0, on planes across it
  *
- * A system for each plane: both components of the velocity in it, and the distance from it.
+ * There is a system for each plane: both components of the velocity in it, and the distance from
+ * it.
  */
 class CrossFlow : public ZeroSearch::Systems
 {
 public:
-  /// \a axis of any length but 0.
+  /// Takes an axis of any length but 0, and a velocity that is subtracted.
   CrossFlow(const double axis[3], const double frameVelocity[3]);
 
-  /// Places so many planes, or for 0 as vtkVortexAxis documents.
+  /// Places \a number planes, or for 0 as vtkVortexAxis documents.
   void PlacePlanes(vtkDataSet* data, int number);
 
-  /// Planes by ascending coordinate along the axis.
+  /// Returns the number of planes, which ascend by their coordinate along the axis.
   int GetNumberOfPlanes() const { return static_cast<int>(this->Planes.size()); }
   double GetPlane(int plane) const { return this->Planes[plane]; }
 
   double GetHeight(const double x[3]) const;
-  /// Distance of places along the planes.
+  /// Returns the distance of places along the planes.
   double GetDistance(const double a[3], const double b[3]) const;
 
   void GetRange(const MultilinearCell& cell, int& first, int& last) const override;
@@ -42,7 +43,7 @@ public:
     int Plane;
     double Position[3];
     double CrossFlowSpeed;
-    /// 0 where the velocity does not turn.
+    /// The strength of the swirl; 0 where the velocity does not turn.
     double SwirlStrength;
     double AxialVelocity;
     bool IsCounterclockwise;
@@ -55,7 +56,7 @@ private:
   void PlaceEvenly(vtkDataSet* data, int number);
 
   double Normal[3];
-  /// Of length 1, in the planes; right-handed with the normal.
+  /// Two directions in the planes, of length 1; right-handed with the normal.
   double Directions[2][3];
   double FrameVelocity[3];
   std::vector<double> Planes;

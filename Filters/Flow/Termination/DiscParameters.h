@@ -14,7 +14,7 @@ namespace interlume
  */
 namespace DiscParameters
 {
-/// Of a point, taken radially to the rim where it is outside.
+/// Computes the parameters of a point, taken radially to the rim where it is outside.
 inline void FromPoint(double x, double y, double uv[2])
 {
   const double scale = 0.5 / std::max(1.0, std::hypot(x, y));
@@ -22,7 +22,7 @@ inline void FromPoint(double x, double y, double uv[2])
   uv[1] = 0.5 + scale * y;
 }
 
-/// The point of parameters; false for those outside of the disc.
+/// Computes the point of parameters. Returns false for those outside of the disc.
 inline bool ToPoint(const double uv[2], double& x, double& y)
 {
   x = 2.0 * uv[0] - 1.0;

@@ -22,7 +22,7 @@ namespace
 {
 constexpr int NumberOfSlabs = 32;
 constexpr vtkIdType MostCells = 262144;
-/// Of the most flow through a slab, for a slab to be where flow enters.
+/// The share of the most flow through a slab that makes a slab the one where flow enters.
 constexpr double LeastShare = 0.4;
 /// Axes with as much flow but for rounding are alike, and the first counts.
 constexpr double Tie = 1e-6;
@@ -31,9 +31,9 @@ struct Cell
 {
   std::array<double, 3> Low;
   std::array<double, 3> High;
-  /// What flows through planes across each axis.
+  /// The flow through planes across each axis.
   std::array<double, 3> Flow;
-  /// The largest at a corner.
+  /// The largest speed at a corner.
   double Speed = 0.0;
 };
 
@@ -68,7 +68,7 @@ Cell Measure(const MultilinearCell& loaded, bool isReversed)
   return cell;
 }
 
-/// One cell out of every \a stride, none preferred by its place in a row.
+/// Picks one cell out of every \a stride, none preferred by its place in a row.
 vtkIdType Pick(vtkIdType group, vtkIdType stride, vtkIdType cells)
 {
   const std::uint64_t hash = static_cast<std::uint64_t>(group) * 0x9e3779b97f4a7c15ull;
@@ -101,7 +101,7 @@ std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isRev
       speeds.Add(cells.back().Speed);
     }
   }
-  // Fill values would be all of the flow.
+  // Fill values would make up all of the flow.
   vtkIdType fillValues = 0;
   const double largest = speeds.GetScale(fillValues);
   if (fillValues > 0)
@@ -144,7 +144,7 @@ public:
     return *std::max_element(this->Flows[sense].begin(), this->Flows[sense].end());
   }
 
-  /// The middle of the first slab along the flow with enough of it.
+  /// Returns the middle of the first slab along the flow with enough of it.
   double FindEntry(int sense) const
   {
     const double least = LeastShare * this->GetMost(sense);
@@ -165,7 +165,7 @@ private:
 
   double Low;
   double High;
-  /// By sense: along the axis, and against it.
+  /// The flows by sense: along the axis, and against it.
   std::array<std::array<double, NumberOfSlabs>, 2> Flows{};
 };
 }

@@ -16,21 +16,22 @@ namespace interlume
  * and for that against it, the axis and the sense with the most flow through one of 32 slabs are
  * taken, and of their slabs the first along the flow with four tenths of that: where the flow
  * enters, and no less than a sizeable part of it. Blanked cells and those that are not finite do
- * not count. Of large fields 262,144 cells spread evenly are looked at.
+ * not count. In a large field only 262,144 evenly spread cells are looked at.
  */
 class InflowFinder
 {
 public:
-  /// False where there is no flow. \a isReversed: the flow of the vectors' opposites.
+  /// Finds the plane. Returns false where there is no flow. With \a isReversed the flow is that of
+  /// the vectors' opposites.
   bool Find(vtkDataSet* field, vtkDataArray* vectors, bool isReversed);
 
-  /// 0, 1 or 2.
+  /// Returns the axis, as 0, 1 or 2.
   int GetAxis() const { return this->Axis; }
-  /// Where the plane is along the axis.
+  /// Returns where the plane is along the axis.
   double GetPosition() const { return this->Position; }
   /**
-   * The middle and half the width of the cells that the flow goes through there, along the two axes
-   * after GetAxis().
+   * Return the middle and half the width of the cells that the flow goes through there, along the
+   * two axes after GetAxis().
    */
   const double* GetMiddle() const { return this->Middle; }
   const double* GetHalfWidth() const { return this->HalfWidth; }

@@ -14,9 +14,10 @@ namespace interlume
 
 namespace
 {
-// Halvings of a line from a node that is there to one that is not.
+// The number of halvings of a line from a node that is there to one that is not.
 constexpr int Halvings = 40;
-// How far inside of the part, in parameters, a normal is taken that an edge shares with another.
+// The distance inside of the part, in parameters, at which a normal is taken that an edge shares
+// with another.
 constexpr double Inset = 1e-6;
 // The sine of its angles below which a triangle is a line, as at the pole of a sphere.
 constexpr double Flatness = 1e-12;
@@ -119,7 +120,7 @@ void TerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
 
 void TerminationGrid::CutCell(int i, int j)
 {
-  // Around the cell: corners that are there, and crossings of its sides.
+  // The polygon goes around the cell: corners that are there, and crossings of its sides.
   std::vector<vtkIdType> polygon;
   const auto addNode = [this, &polygon](int column, int row)
   {

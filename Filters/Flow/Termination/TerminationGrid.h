@@ -29,14 +29,14 @@ public:
   TerminationGrid(const vtkTerminationSurface* surface, int part, int columns, int rows);
 
   /// Makes points and triangles, by threads; the progress of \a owner goes from \a start to \a end.
-  /// False when its execution was aborted.
+  /// Returns false when its execution was aborted.
   bool Execute(vtkAlgorithm* owner, double start, double end);
 
   std::vector<Point> Points;
   std::vector<std::array<vtkIdType, 3>> Triangles;
 
 private:
-  /// A node of the grid, and what the lines from it to the next nodes along u and v cross of the
+  /// A node of the grid, and where the lines from it to the next nodes along u and v cross the
   /// part's border.
   struct Node
   {

@@ -37,7 +37,7 @@ struct TripleHash
   }
 };
 
-// A point or a cell, for messages.
+// Names a point or a cell, for messages.
 std::string Name(const char* what, vtkIdType id)
 {
   return std::string(what) + " " + std::to_string(id) + " of the mesh";
@@ -146,8 +146,8 @@ void TerminationTriangles::Weld(
   }
   this->Diagonal = std::hypot(this->Bounds[1] - this->Bounds[0], this->Bounds[3] - this->Bounds[2],
     this->Bounds[5] - this->Bounds[4]);
-  // Vertices by the cell of a grid, which is twice as wide as the reach: those near a point are in
-  // its cell and in the neighbours on its side.
+  // Vertices are sorted by the cells of a grid, which is twice as wide as the reach: those near a
+  // point are in its cell and in the neighbours on its side.
   const double reach = tolerance * this->Diagonal;
   std::unordered_map<Triple, std::vector<int>, TripleHash> grid;
   this->VertexIds.assign(number, -1);

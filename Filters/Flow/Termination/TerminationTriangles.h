@@ -45,10 +45,10 @@ public:
   std::vector<std::array<double, 3>> Vertices;
   /// The point that stands for each vertex.
   std::vector<vtkIdType> PointIds;
-  /// Of the points in use.
+  /// The bounds of the points in use.
   double Bounds[6];
   double Diagonal = 0.0;
-  /// Those without area, and polygons that cannot be cut into triangles.
+  /// The number of triangles without area, and of polygons that cannot be cut into triangles.
   vtkIdType NumberOfDegenerateTriangles = 0;
 
 private:

@@ -20,7 +20,8 @@ public:
   /// Takes triangles that stay where they are.
   void Build(const TerminationTriangles* mesh, const bool isPeriodic[2]);
 
-  /// False where no triangle is within vtkTerminationSurface::BorderTolerance.
+  /// Finds the point with these coordinates. Returns false where no triangle is within
+  /// vtkTerminationSurface::BorderTolerance.
   bool FindPoint(const double uv[2], double x[3]) const;
 
 private:

@@ -120,7 +120,7 @@ double TriangleDistance::GetSignedDistance(
   double away[3];
   if (foot.Feature == ClosestTrianglePoint::FACE)
   {
-    // Near the face exact, and smooth enough for finding roots.
+    // Near the face this distance is exact, and smooth enough for finding roots.
     vtkMath::Subtract(x, this->Mesh->GetCorner(triangle, 0), away);
     return vtkMath::Dot(away, this->FaceNormals[triangle]);
   }

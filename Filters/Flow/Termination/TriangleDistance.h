@@ -26,14 +26,15 @@ public:
   /// Takes triangles that stay where they are.
   void Build(const TerminationTriangles* mesh, const TriangleEdges& edges);
 
-  /// The triangle that is nearest to \a x, -1 without any; the foot is left then.
+  /// Returns the triangle that is nearest to \a x, -1 without any, and then leaves \a foot as it
+  /// is.
   int FindNearest(const double x[3], ClosestTrianglePoint& foot) const;
 
-  /// Of a foot in a triangle, of length 1.
+  /// Returns the normal at a foot in a triangle, of length 1.
   const double* GetNormal(int triangle, const ClosestTrianglePoint& foot) const;
   bool IsOnBorder(int triangle, const ClosestTrianglePoint& foot) const;
 
-  /// Of a foot of \a x.
+  /// Returns the signed distance of \a x from its foot.
   double GetSignedDistance(int triangle, const ClosestTrianglePoint& foot, const double x[3]) const;
 
 private:
@@ -41,7 +42,7 @@ private:
 
   const TerminationTriangles* Mesh = nullptr;
   BoxTree Tree;
-  /// Three of each triangle.
+  /// The three edges of each triangle.
   std::vector<int> EdgeIds;
   std::vector<Vector> FaceNormals;
   std::vector<Vector> EdgeNormals;

@@ -36,7 +36,7 @@ public:
   int GetNumberOfEdges() const { return static_cast<int>(this->Faces.size()); }
 
   vtkIdType NumberOfBorderEdges = 0;
-  /// Of more than two triangles.
+  /// The number of edges of more than two triangles.
   vtkIdType NumberOfBranchingEdges = 0;
 
 private:
@@ -44,9 +44,9 @@ private:
   std::string OrientPart(
     const TerminationTriangles& mesh, int first, std::vector<signed char>& turns) const;
 
-  /// Three of each triangle.
+  /// The three edges of each triangle.
   std::vector<int> EdgeIds;
-  /// How many triangles each edge has, and the first two.
+  /// The number of triangles that each edge has, and the first two of them.
   std::vector<int> Faces;
   std::vector<std::array<int, 2>> Triangles;
 };

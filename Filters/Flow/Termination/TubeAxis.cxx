@@ -13,12 +13,13 @@ namespace interlume
 
 namespace
 {
-// Parts of the line's size: points nearer to each other are in the same place.
+// The share of the line's size within which points are in the same place.
 constexpr double SamePlace = 1e-12;
-// Above -1 by this the cosine between segments that go on; below the line turns back.
+// The least distance from -1 of the cosine between segments that go on; below it the line turns
+// back.
 constexpr double TurnBack = 1e-8;
 
-// Of v, which is across `from`, by the smallest rotation that takes `from` to `to`.
+// Rotates v, which is across `from`, by the smallest rotation that takes `from` to `to`.
 void Rotate(const double from[3], const double to[3], const double v[3], double rotated[3])
 {
   const double scale = vtkMath::Dot(v, to) / (1.0 + vtkMath::Dot(from, to));
@@ -26,7 +27,7 @@ void Rotate(const double from[3], const double to[3], const double v[3], double 
   {
     rotated[i] = v[i] - scale * (from[i] + to[i]);
   }
-  // Rounding does not grow from segment to segment.
+  // Taking out the part along `to` keeps rounding from growing from segment to segment.
   const double along = vtkMath::Dot(rotated, to);
   for (int i = 0; i < 3; ++i)
   {

@@ -49,17 +49,17 @@ public:
   };
   Foot GetFoot(const double x[3]) const;
 
-  /// u in turns, 0 to below 1, v by length 0 to 1 (to below 1 on a closed line).
+  /// Computes u in turns, 0 to below 1, and v by length, 0 to 1 (to below 1 on a closed line).
   void GetParameters(const double x[3], double uv[2]) const;
 
-  /// The point with these parameters, at a distance from the line.
+  /// Computes the point with these parameters, at a distance from the line.
   void GetPoint(const double uv[2], double radius, double x[3]) const;
 
-  /// The frames at the two ends, and the ends.
+  /// Return the frames at the two ends, and the ends.
   const AxialFrame& GetEndFrame(bool isLast) const;
   const double* GetEnd(bool isLast) const { return isLast ? this->LastPoint : this->FirstPoint; }
 
-  /// Lower and upper of x, y, z.
+  /// Computes the lower and upper bounds of x, y, z.
   void GetBounds(double bounds[6]) const;
 
 private:
@@ -67,7 +67,7 @@ private:
   {
     double Start[3];
     double Length;
-    /// Along the line, of its start.
+    /// The distance of the segment's start along the line.
     double Distance;
     AxialFrame Frame;
     /// The bisecting planes at start and end lie at - w . Tilt and Length - w . Tilt along the
@@ -76,9 +76,10 @@ private:
     double EndTilt[3];
   };
 
-  /// Of the nearest segment, with the nearest point's place along it.
+  /// Finds the nearest segment, and the nearest point's place along it.
   int FindNearest(const double x[3], double& along) const;
-  /// Where a point is between the bisecting planes: distances along the segment from both.
+  /// Computes where a point is between the bisecting planes, as distances along the segment from
+  /// both.
   static void GetPlanes(
     const Segment& segment, const double x[3], double across[3], double& start, double& end);
   int GetNeighbor(int segment, int step) const;
@@ -89,7 +90,7 @@ private:
   double Length = 0.0;
   double FirstPoint[3] = { 0.0, 0.0, 0.0 };
   double LastPoint[3] = { 0.0, 0.0, 0.0 };
-  /// Turns by which a closed line's frame is off after one round.
+  /// The turns by which a closed line's frame is off after one round.
   double Twist = 0.0;
 };
 

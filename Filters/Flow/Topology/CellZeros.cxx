@@ -12,18 +12,18 @@ namespace
 {
 using Values = MultilinearCell::Values;
 
-// In parameters: by how much a zero may be outside at least, how well it is known at best, and one
-// with a singular Jacobian.
+// The least distance, in parameters, by which a zero may be outside, and the least uncertainties of
+// a zero and of one with a singular Jacobian.
 constexpr double Margin = 1e-9;
 constexpr double Tolerance = 1e-7;
 constexpr double DegenerateTolerance = 1e-5;
-// Roundings of a value, whose largest is 1.
+// The rounding of a value, of which the largest is 1.
 constexpr double Noise = 4e-15;
 constexpr int MaximumLevel = 24;
 constexpr std::size_t MaximumNumberOfBoxes = 512;
 
-// The inverse of a matrix, by rows and columns that are first made alike in size; false if it is
-// singular.
+// Computes the inverse of a matrix, by rows and columns that are first made alike in size. Returns
+// false if it is singular.
 bool Invert(const double matrix[9], double inverse[9])
 {
   double scaled[3][3];
@@ -78,13 +78,13 @@ void Multiply(const double matrix[9], const double x[3], double product[3])
   }
 }
 
-// The sum of a row's absolute values.
+// Returns the sum of a row's absolute values.
 double GetRowSum(const double matrix[9], int i)
 {
   return std::abs(matrix[3 * i]) + std::abs(matrix[3 * i + 1]) + std::abs(matrix[3 * i + 2]);
 }
 
-// Whether a component, known up to \a noise, has one sign at all corners.
+// Returns whether a component, known up to \a noise, has one sign at all corners.
 bool HasOneSign(const Values& values, int component, double noise)
 {
   double lower = values[0][component];
@@ -97,7 +97,7 @@ bool HasOneSign(const Values& values, int component, double noise)
   return lower > noise || upper < -noise;
 }
 
-// The largest row sum of |derivatives - identity| over the cube.
+// Returns the largest row sum of |derivatives - identity| over the cube.
 double GetDistanceFromIdentity(const Values& values)
 {
   double largest = 0.0;
@@ -234,7 +234,7 @@ bool CellZeros::Find(MultilinearCell::Shapes shape, const Values& values, std::v
 
 CellZeros::Findings CellZeros::Examine(const Box& box, double size, std::vector<Zero>& zeros) const
 {
-  // Boxes beyond the slanted face of a wedge or a tetrahedron.
+  // Boxes beyond the slanted face of a wedge or a tetrahedron are left out.
   if (MultilinearCell::GetExcess(this->Shape, box.Lower) > 2.0 * Margin)
   {
     return CLEAR;
@@ -305,7 +305,7 @@ void CellZeros::Solve(
       break;
     }
   }
-  // To the last digits, and out of the box, where the zero is outside.
+  // Newton's method goes on to the last digits, and out of the box, where the zero is outside.
   Zero zero = { { 0.0, 0.0, 0.0 }, Tolerance, false };
   double* p = zero.Parameters;
   for (int j = 0; j < 3; ++j)

@@ -13,7 +13,8 @@ namespace interlume
  * @brief   all zeros of a trilinear function of three components in a cell
  *
  * The cell's cube is split in halves of each direction until what is left of each box is clear:
- * - a component has one sign at all corners, which bound it on the box: no zero. The same for the
+ * - a component has one sign at all corners, which bound it on the box: no zero. The same holds for
+ *   the
  *   components times the inverse of the Jacobian in the middle, which are about the distance from a
  *   zero.
  * - the derivatives of those, which the differences along the box's edges bound, differ by less
@@ -31,14 +32,14 @@ public:
   struct Zero
   {
     double Parameters[3];
-    /// How well it is known, in parameters.
+    /// The uncertainty of the zero, in parameters.
     double Tolerance;
-    /// Whether the Jacobian is singular there.
+    /// Whether the Jacobian is singular at the zero.
     bool IsDegenerate;
   };
 
-  /// The zeros, also those outside of the cell by no more than roundings. False, and none, where
-  /// they are not isolated.
+  /// Finds the zeros, also those outside of the cell by no more than roundings. Returns false, and
+  /// none, where they are not isolated.
   bool Find(
     MultilinearCell::Shapes shape, const MultilinearCell::Values& values, std::vector<Zero>& zeros);
 
@@ -54,8 +55,8 @@ private:
     SPLIT
   };
 
-  /// Whether the values at the corners alone tell that there is no zero, or that zeros are not
-  /// isolated.
+  /// Returns whether the values at the corners alone tell that there is no zero, or that zeros are
+  /// not isolated.
   bool Settle(const MultilinearCell::Values& values, bool& isIsolated) const;
   bool HasZeroEdge(const MultilinearCell::Values& values) const;
   Findings Examine(const Box& box, double size, std::vector<Zero>& zeros) const;
@@ -65,7 +66,7 @@ private:
   static void Add(const Zero& zero, std::vector<Zero>& zeros);
 
   MultilinearCell::Shapes Shape = MultilinearCell::BOX;
-  /// Each component's largest absolute value is 1.
+  /// The values, scaled so that each component's largest absolute value is 1.
   MultilinearCell::Values Normalized = {};
   std::vector<Box> Boxes;
   std::vector<Box> Parts;

@@ -28,7 +28,7 @@ namespace
 {
 // Weights of cells that meet at a place are the same there: the largest is at least 1/8.
 constexpr double LeastSharedWeight = 0.05;
-// In parameters: how near to a face others may find a zero.
+// The distance from a face, in parameters, within which other cells may find a zero too.
 constexpr double NearFace = 1e-4;
 constexpr double NearPoint = 1e-6;
 
@@ -165,7 +165,7 @@ private:
 
 void ZeroSearch::Merge(const std::vector<unsigned char>& marks)
 {
-  // What was found so far around each point.
+  // The zeros that were found so far around each point.
   std::map<std::pair<int, vtkIdType>, std::vector<std::size_t>> known;
   std::vector<Zero> merged;
   for (const Zero& zero : this->Zeros)
@@ -220,7 +220,7 @@ bool ZeroSearch::Execute(
     this->Total.DegenerateCells += local.Counts.DegenerateCells;
     this->Total.NonFiniteCells += local.Counts.NonFiniteCells;
   }
-  // Those of one cell and system stay in the order in which its thread found them.
+  // Zeros of one cell and system stay in the order in which its thread found them.
   std::stable_sort(this->Zeros.begin(), this->Zeros.end(),
     [](const Zero& a, const Zero& b)
     { return a.System != b.System ? a.System < b.System : a.Cell < b.Cell; });

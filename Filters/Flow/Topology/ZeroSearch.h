@@ -27,14 +27,14 @@ namespace interlume
 class ZeroSearch
 {
 public:
-  /// What is solved.
+  /// The systems of equations that are solved.
   class Systems
   {
   public:
     virtual ~Systems() = default;
-    /// The numbers of a cell's systems: first ... last - 1.
+    /// Computes the numbers of a cell's systems: first ... last - 1.
     virtual void GetRange(const MultilinearCell& cell, int& first, int& last) const = 0;
-    /// The values of a system at the corners of the cell's cube.
+    /// Computes the values of a system at the corners of the cell's cube.
     virtual void Evaluate(
       const MultilinearCell& cell, int system, MultilinearCell::Values& values) const = 0;
   };
@@ -44,21 +44,21 @@ public:
     vtkIdType Cell;
     int System;
     double Position[3];
-    /// The vectors' interpolation there.
+    /// The interpolated vector at the zero.
     double Velocity[3];
-    /// dv[i]/dx[j] at [3 i + j]; 0 where the cell is flat.
+    /// The derivatives dv[i]/dx[j] at [3 i + j]; 0 where the cell is flat.
     double Gradient[9];
     /// The cube root of the cell's volume.
     double CellLength;
     /// Whether the system's Jacobian is singular, or the cell is flat.
     bool IsDegenerate;
-    /// How well the position is known, in units of length.
+    /// The uncertainty of the position, in units of length.
     double Tolerance;
-    /// Whether other cells may find it too, and the cell's points there by descending weight, -1
-    /// for none.
+    /// Whether other cells may find the zero too, and the cell's points there by descending weight,
+    /// -1 for none.
     bool IsShared;
     vtkIdType Points[8];
-    /// The point that it is at, or -1.
+    /// The point that the zero is at, or -1.
     vtkIdType AtPoint;
   };
 
@@ -70,8 +70,8 @@ public:
   };
 
   /**
-   * The zeros by system and cell, the same for any number of threads. Tells the progress of \a
-   * owner from 0 to 1. False when its execution was aborted.
+   * Finds the zeros by system and cell, the same for any number of threads. The progress of \a
+   * owner goes from 0 to 1. Returns false when its execution was aborted.
    */
   bool Execute(
     vtkAlgorithm* owner, vtkDataSet* data, vtkDataArray* vectors, const Systems& systems);

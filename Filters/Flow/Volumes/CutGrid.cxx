@@ -25,7 +25,7 @@ namespace interlume
 
 namespace
 {
-// Left out for what a surface can be the reason of.
+// The kinds of cells that are left out for what a surface can be the reason of.
 constexpr unsigned char Parted = InterpolableCells::WITHOUT_ANSWER |
   InterpolableCells::BETWEEN_SURFACES | InterpolableCells::ACROSS_SURFACE;
 
@@ -41,7 +41,7 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, int components, vtkI
 
 vtkIdType CutGrid::Take(const Point& point)
 {
-  // Of what is known the side does not matter.
+  // The side does not matter for a point whose values are known.
   const int side = point.Kind == BeyondSamples::UNKNOWN ? point.Side : 0;
   const auto added = this->Known.emplace(
     std::make_tuple(point.Sample, point.Kind, side), static_cast<vtkIdType>(this->Points.size()));
@@ -213,7 +213,7 @@ void CutGrid::SetValues(vtkDataSet* input, const BeyondSamples& beyond,
       }
     }
   }
-  // What is left to cut has answers everywhere.
+  // The cells that are left to cut have answers everywhere.
   to->GetArray(vtkFlowStatus::StatusArray())->Fill(vtkFlowStatus::REACHED_SURFACE);
   to->RemoveArray(vtkFlowStatus::SideArray());
   to->AddArray(gaps);

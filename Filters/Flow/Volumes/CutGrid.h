@@ -36,22 +36,22 @@ class CutGrid
 public:
   ///@{
   /**
-   * Point arrays (double): the distance from the surface, below 0 for copies, and its gradient; the
-   * time that a streamline takes from a point to the surface, below 0 behind it.
+   * The names of point arrays (double): the distance from the surface, below 0 for copies, and its
+   * gradient; the time that a streamline takes from a point to the surface, below 0 behind it.
    */
   static const char* GapArray() { return "Gap"; }
   static const char* GradientArray() { return "GapGradient"; }
   static const char* NearTimeArray() { return "NearTime"; }
   ///@}
-  /// That of the global ids where the input has none.
+  /// The name of the array of global ids where the input has none.
   static const char* IdArray() { return "InputPoint"; }
 
-  /// Null where nothing is cut, as where Inflow is not known beyond; \a numberOfCells: those of the
-  /// input that are.
+  /// Makes the grid; null where nothing is cut, as where Inflow is not known beyond. \a
+  /// numberOfCells becomes the number of the input's cells that are cut.
   vtkSmartPointer<vtkUnstructuredGrid> Make(vtkDataSet* input, const ImplicitFlowArrays& arrays,
     const InterpolableCells& cells, vtkIdType& numberOfCells);
 
-  /// Of a point of the grid, the input's point; -1 of a copy.
+  /// Returns the input's point of a point of the grid; -1 for a copy.
   vtkIdType GetInputPoint(vtkIdType point) const
   {
     const Point& made = this->Points[static_cast<std::size_t>(point)];
@@ -63,10 +63,10 @@ private:
   {
     vtkIdType Sample;
     BeyondSamples::Roles Kind;
-    /// A corner of the part.
+    /// A corner of the part that the point was made for.
     vtkIdType Other;
     bool IsNear;
-    /// 1 or -1: of the part it was made for.
+    /// The side of that part, 1 or -1.
     int Side;
   };
   vtkIdType Take(const Point& point);
@@ -79,7 +79,7 @@ private:
 
   std::vector<Point> Points;
   std::map<std::tuple<vtkIdType, int, int>, vtkIdType> Known;
-  // Of all parts, the input's cells, and the points.
+  // The input's cells of all parts, and the ids of the points.
   std::vector<vtkIdType> Cells;
   std::vector<vtkIdType> Ids;
 };

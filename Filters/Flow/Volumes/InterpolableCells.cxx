@@ -22,7 +22,7 @@ namespace interlume
 
 namespace
 {
-// In place of the id of points that have no answer, and of several with different ones.
+// The values in place of the id of points that have no answer, and of several with different ones.
 constexpr int NoAnswer = -1;
 constexpr int Different = -2;
 
@@ -31,7 +31,7 @@ int Unite(int a, int b)
   return a == NoAnswer || b == NoAnswer ? NoAnswer : a == b ? a : Different;
 }
 
-// Kinds of cells by the ids and parameters of their corners; one for each thread.
+// Finds the kinds of cells by the ids and parameters of their corners; one object for each thread.
 class Classifier
 {
 public:
@@ -47,8 +47,8 @@ public:
     return this->Arrays.IsReached(point) ? this->Arrays.GetId(point) : NoAnswer;
   }
 
-  // \a id is that of all corners, or what Unite makes of them. \a canCross: whether the parameters
-  // of what an extraction makes of the cell can be unwrapped.
+  // Returns the kind of a cell. \a id is the id of all corners, or what Unite makes of theirs. \a
+  // canCross tells whether the parameters of what an extraction makes of the cell can be unwrapped.
   template <typename Ids>
   unsigned char GetKind(int id, const Ids* corners, vtkIdType number, bool canCross)
   {
@@ -119,7 +119,7 @@ private:
   std::array<bool, 2> IsContinued{};
 };
 
-// What is set for the kinds of a range of cells.
+// The output for the kinds of a range of cells.
 struct Output
 {
   vtkUnsignedCharArray* Ghosts;
@@ -132,7 +132,7 @@ struct Output
   }
 };
 
-// The cells of rows first ... last - 1 of a grid of rows.
+// Classifies the cells of rows first ... last - 1 of a grid of rows.
 void ClassifyRows(
   Classifier& classifier, const int* dimensions, vtkIdType first, vtkIdType last, Output output)
 {

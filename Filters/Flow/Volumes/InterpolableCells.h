@@ -21,55 +21,55 @@ class ImplicitFlowArrays;
  * seam
  *
  * A cell whose parameters differ by more than half a period has its corners on both sides of the
- * seam. They are unwrapped by adding a period to those below one half. What is across a surface
- * ImplicitFlowArrays::IsAcrossSurface tells.
+ * seam. They are unwrapped by adding a period to those below one half.
+ * ImplicitFlowArrays::IsAcrossSurface tells what lies across a surface.
  */
 class InterpolableCells
 {
 public:
-  /// Of a cell; bits.
+  /// The kinds of a cell, as bits.
   enum Kinds : unsigned char
   {
     ACROSS_U = 1,
     ACROSS_V = 2,
     ACROSS = ACROSS_U | ACROSS_V,
-    /// Left out, for one of these reasons.
+    /// The cell is left out, for one of these reasons.
     WITHOUT_ANSWER = 4,
     BETWEEN_SURFACES = 8,
     ON_SEAM = 16,
     ACROSS_SURFACE = 64,
     TIME_JUMP = 128,
     LEFT_OUT = WITHOUT_ANSWER | BETWEEN_SURFACES | ON_SEAM | ACROSS_SURFACE | TIME_JUMP,
-    /// Across a seam, and no unwrapping brings the corners within half a period.
+    /// The cell lies across a seam, and no unwrapping brings the corners within half a period.
     AROUND_POLE = 32
   };
 
-  /// By id, whether u and v go on over their seams.
+  /// Whether u and v go on over their seams, by id.
   using Continuity = std::map<int, std::array<bool, 2>>;
 
-  /// What can be interpolated over.
+  /// The limits of what can be interpolated over.
   struct Limits
   {
     Continuity Seams;
-    /// Between the times of a cell's corners.
+    /// The largest difference between the times of a cell's corners.
     double MaximumTimeJump = VTK_DOUBLE_MAX;
   };
 
-  /// Finds the kind of each cell of \a data. False when \a owner was aborted.
+  /// Finds the kind of each cell of \a data. Returns false when \a owner was aborted.
   bool Find(vtkDataSet* data, const ImplicitFlowArrays& arrays, const Limits& limits,
     vtkAlgorithm* owner, double start, double end);
 
   unsigned char GetKind(vtkIdType cell) const { return this->CellKinds[cell]; }
-  /// How many cells are of any of \a kinds.
+  /// Returns how many cells are of any of \a kinds.
   vtkIdType Count(unsigned char kinds) const;
   vtkIdType GetNumberOfCells() const { return static_cast<vtkIdType>(this->CellKinds.size()); }
 
-  /// A parameter of a corner of a cell across a seam.
+  /// Returns the unwrapped parameter of a corner of a cell across a seam.
   static double Unwrap(double parameter) { return parameter < 0.5 ? parameter + 1.0 : parameter; }
 
 private:
   std::vector<unsigned char> CellKinds;
-  // By kind, cells.
+  // The numbers of cells by kind.
   using KindCounts = std::array<vtkIdType, 256>;
   KindCounts Counts{};
 };

@@ -57,10 +57,11 @@ public:
   }
 
   SimplexPoints Simplices;
-  // By point of the mesh, its number among those of the triangles, or -1; and the other way round.
+  // The number of each point of the mesh among those of the triangles, or -1; and the other way
+  // round.
   std::vector<vtkIdType> Places;
   std::vector<vtkIdType> Points;
-  // By that number, where the tetrahedra begin.
+  // The place where the tetrahedra of a point begin, by that number.
   std::vector<vtkIdType> Firsts;
   std::vector<vtkIdType> Tetrahedra;
 
@@ -82,7 +83,7 @@ private:
   }
 };
 
-// The gradient in a tetrahedron times six times its volume.
+// Returns the gradient in a tetrahedron times six times its volume.
 glm::dvec3 GetWeightedGradient(const glm::dvec3 corners[4], const double values[4])
 {
   glm::dvec3 edges[3];

@@ -20,9 +20,10 @@ class LevelSetNormals
 {
 public:
   /**
-   * For each point of \a mesh, a tetrahedral mesh, that is in one of \a triangles: the direction
-   * against the gradient of \a function, averaged by volume over the tetrahedra of the point; where
-   * that is 0, the mean normal of the triangles. Three floats, 0 at other points.
+   * Computes a normal for each point of \a mesh, a tetrahedral mesh, that is in one of \a
+   * triangles: the direction against the gradient of \a function, averaged by volume over the
+   * tetrahedra of the point; where that is 0, the mean normal of the triangles. Normals have three
+   * floats, 0 at other points.
    */
   static vtkSmartPointer<vtkFloatArray> Compute(vtkUnstructuredGrid* mesh, vtkDataArray* function,
     const std::vector<SurfaceTriangles::Triangle>& triangles);

@@ -24,7 +24,7 @@ namespace interlume
 
 namespace
 {
-// By which of u and v a cell is across a seam.
+// The classes of cells, by which of u and v they are across a seam.
 constexpr int NumberOfClasses = 4;
 
 vtkIdType* GetOrigins(vtkDataSetAttributes* attributes, const char* name)
@@ -44,7 +44,7 @@ public:
   {
   }
 
-  // How many points are added.
+  // Numbers the points, and returns how many are added.
   vtkIdType NumberPoints()
   {
     const SimplexPoints tetrahedra(this->Mesh, 4);
@@ -163,9 +163,9 @@ private:
   const ImplicitFlowArrays& Arrays;
   vtkUnstructuredGrid* Mesh;
   vtkIdType NumberOfPoints;
-  // Of the points of each class of cells, the id there; -1 of others.
+  // The ids of the points of each class of cells there; -1 for others.
   std::vector<vtkIdType> NewIds[NumberOfClasses];
-  // What each added point is a copy of.
+  // The points that added points are copies of.
   std::vector<vtkIdType> Sources;
 };
 }

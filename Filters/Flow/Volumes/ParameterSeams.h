@@ -13,7 +13,7 @@ class InterpolableCells;
 
 /**
  * @class   ParameterSeams
- * @brief   unwrapped parameters for what an extraction made of cells across a seam
+ * @brief   unwrapped parameters for simplices that an extraction made of cells across a seam
  */
 class ParameterSeams
 {

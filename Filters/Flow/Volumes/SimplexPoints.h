@@ -16,7 +16,7 @@ namespace interlume
 class SimplexPoints
 {
 public:
-  /// Cells of \a size points each. The grid is kept by the caller.
+  /// Reads cells of \a size points each. The grid is kept by the caller.
   SimplexPoints(vtkUnstructuredGrid* grid, int size)
     : Size(size)
     , Number(grid->GetNumberOfCells())

@@ -33,7 +33,7 @@ namespace
 {
 constexpr const char* LevelItems = "LevelItem";
 
-// What makes a point of an extraction the same as another: its edge, its place there, and its
+// The key by which points of extractions are the same: the edge, its place there, and its
 // parameters, which differ where they are unwrapped.
 using Key = std::tuple<vtkIdType, vtkIdType, double, double, double>;
 
@@ -74,7 +74,7 @@ void Rename(vtkUnstructuredGrid* mesh, const char* before, const char* after)
   mesh->GetCellData()->AddArray(renamed);
 }
 
-// Arrays of \a first, and after its tuples those \a ids of the arrays of the same names.
+// Appends to the arrays of \a first the tuples \a ids of the arrays of the same names.
 void Append(vtkDataSetAttributes* first, vtkIdType number, vtkDataSetAttributes* second,
   const std::vector<vtkIdType>& ids, vtkDataSetAttributes* all)
 {
@@ -103,7 +103,8 @@ void Append(vtkDataSetAttributes* first, vtkIdType number, vtkDataSetAttributes*
   }
 }
 
-// Where the distance is 0 on the edge from \a a, where it is above, to \a b, by its gradients.
+// Finds where the distance is 0 on the edge from \a a, where it is above, to \a b, by its
+// gradients.
 double FindPlace(vtkUnstructuredGrid* whole, vtkIdType a, vtkIdType b)
 {
   vtkDataArray* gaps = whole->GetPointData()->GetArray(interlume::CutGrid::GapArray());
@@ -121,7 +122,7 @@ double FindPlace(vtkUnstructuredGrid* whole, vtkIdType a, vtkIdType b)
   slope[1] = vtkMath::Dot(gradient, way);
   const double above = gaps->GetComponent(a, 0);
   const double below = gaps->GetComponent(b, 0);
-  // Hermite's cubic.
+  // The distance along the edge as Hermite's cubic.
   const auto distance = [&](double s)
   {
     const double r = 1.0 - s;
@@ -179,7 +180,7 @@ void CorrectPoints(vtkUnstructuredGrid* whole, vtkUnstructuredGrid* cut)
 }
 }
 
-/// Of each point of the cut mesh, the key in the input where it has one.
+/// The key in the input of each point of the cut mesh that has one.
 struct SurfaceCuts::Origins
 {
   std::vector<Key> Known;

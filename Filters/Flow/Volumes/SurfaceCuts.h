@@ -20,7 +20,7 @@ class SurfaceLevels;
 
 /**
  * @class   SurfaceCuts
- * @brief   what a flow volume has in cells that a termination surface passes through
+ * @brief   the part of a flow volume in cells that a termination surface passes through
  *
  * The parts of those cells (CutGrid) are extracted by the levels as whole cells, as those
  * beside them are, then cut at the surface, and joined to what the extraction of all others gave:
@@ -29,7 +29,7 @@ class SurfaceLevels;
 class SurfaceCuts
 {
 public:
-  /// Finds the cells. Returns how many of the input's are cut.
+  /// Finds the cells. Returns how many of the input's cells are cut.
   vtkIdType Prepare(vtkDataSet* input, const ImplicitFlowArrays& arrays,
     const InterpolableCells& cells, const InterpolableCells::Limits& limits);
   bool IsEmpty() const { return !this->Grid; }
@@ -41,20 +41,21 @@ public:
     int Precision = 0;
     bool GenerateTriangles = false;
   };
-  /// Extracts, and returns \a mesh, made with its origins, and what the cut cells have.
+  /// Extracts the parts of the cut cells, and returns \a mesh, made with its origins, joined with
+  /// them.
   vtkSmartPointer<vtkUnstructuredGrid> Join(const Request& request, vtkUnstructuredGrid* mesh);
-  /// Of the last Join, by the points of what it returned.
+  /// Returns the triangles of the last Join, by the points of the mesh that it returned.
   const SurfaceTriangles& GetTriangles() const { return this->Triangles; }
-  /// Takes from a mesh what says what it was made of.
+  /// Removes from a mesh the arrays that tell where it comes from.
   static void RemoveOrigins(vtkUnstructuredGrid* mesh);
   vtkIdType GetPointsOnSeams() const { return this->PointsOnSeams; }
 
 private:
   struct Origins;
-  /// The tetrahedra up to the surfaces, what their points were made of, and the triangles.
+  /// Extracts the tetrahedra up to the surfaces, the origins of their points, and the triangles.
   vtkSmartPointer<vtkUnstructuredGrid> Extract(const Request& request, Origins& origins);
 
-  /// By point of what was extracted its id in the joined mesh; \a added: those that are new.
+  /// Finds for each extracted point its id in the joined mesh; \a added gets the new points.
   static std::vector<vtkIdType> FindIds(
     vtkUnstructuredGrid* mesh, const Origins& origins, std::vector<vtkIdType>& added);
 

@@ -19,20 +19,21 @@ public:
   using Interval = std::array<double, 2>;
 
   /**
-   * Surfaces lie at \a values and at the bounds of \a intervals, but at VTK_DOUBLE_MAX and its
-   * opposite. The function is nowhere below \a lowest: what begins there is open.
+   * Surfaces lie at \a values and at the bounds of \a intervals, but not at VTK_DOUBLE_MAX and its
+   * opposite. The function is nowhere below \a lowest: an interval that begins there is open.
    */
   SurfaceLevels(
     const std::vector<Interval>& intervals, const std::vector<double>& values, double lowest);
 
-  /// The parts of the intervals between surfaces, in the order of the intervals.
+  /// Returns the parts of the intervals between surfaces, in the order of the intervals.
   const std::vector<Interval>& GetItems() const { return this->Items; }
   int GetInterval(int item) const { return this->IntervalOfItem[item]; }
-  /// Of a side (vtkIntervalVolume::BoundarySides) of an item, the index of its surface, or -1.
+  /// Returns the index of the surface at a side (vtkIntervalVolume::BoundarySides) of an item, or
+  /// -1.
   int GetSurface(int item, int side) const { return this->SurfacesOfItem[item][side]; }
-  /// Of all surfaces, ascending, each once.
+  /// Returns the values of all surfaces, ascending, each once.
   const std::vector<double>& GetValues() const { return this->Values; }
-  /// Whether one surface is the side of several items.
+  /// Returns whether one surface is the side of several items.
   bool HasSharedSurfaces() const;
   /// Gives the items to \a filter, which is modified only where they have changed.
   void SetItems(vtkIntervalVolume* filter) const;

@@ -37,21 +37,21 @@ const vtkIdType* GetOrigins(vtkDataSetAttributes* attributes, const char* name)
   return vtkIdTypeArray::SafeDownCast(attributes->GetArray(name))->GetPointer(0);
 }
 
-// The face of a tetrahedron that leaves out a corner, counterclockwise from outside.
+// Returns the face of a tetrahedron that leaves out a corner, counterclockwise from outside.
 SurfaceTriangles::Triangle GetFace(const SimplexPoints& tetrahedra, vtkIdType cell, int out)
 {
   return { { tetrahedra.Get(cell, Faces[out][0]), tetrahedra.Get(cell, Faces[out][1]),
     tetrahedra.Get(cell, Faces[out][2]) } };
 }
 
-// Whether two triangles of the same points turn the same way.
+// Returns whether two triangles of the same points turn the same way.
 bool IsRotation(const SurfaceTriangles::Triangle& a, const SurfaceTriangles::Triangle& b)
 {
   const auto first = std::find(a.begin(), a.end(), b[0]) - a.begin();
   return a[(first + 1) % 3] == b[1];
 }
 
-// The first tetrahedra that come from each cell, which are in the order of the cells.
+// Finds the first tetrahedra that come from each cell, which are in the order of the cells.
 std::vector<vtkIdType> FindFirsts(
   const vtkIdType* origins, vtkIdType tetrahedra, vtkIdType numberOfCells)
 {
@@ -83,7 +83,7 @@ void SurfaceTriangles::Take(vtkUnstructuredGrid* boundary, const SurfaceLevels& 
   const int* sides = GetIntegers(boundary->GetCellData(), "BoundarySide");
   for (vtkIdType t = 0; t < number; ++t)
   {
-    // Outward from its interval as it comes.
+    // A triangle is outward from its interval as it comes.
     const bool isUpper = sides[t] == vtkIntervalVolume::UPPER_SIDE;
     this->Triangles[t] = { { simplices.Get(t, 0), simplices.Get(t, isUpper ? 2 : 1),
       simplices.Get(t, isUpper ? 1 : 2) } };
@@ -101,7 +101,7 @@ void SurfaceTriangles::Filter(const Keep& keep)
   std::size_t kept = 0;
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
-    // Read before anything is written there.
+    // A triangle is read before anything is written there.
     if (keep(static_cast<vtkIdType>(t)))
     {
       this->Triangles[kept] = this->Triangles[t];
@@ -153,7 +153,7 @@ std::vector<vtkIdType> SurfaceTriangles::FindOwners(vtkUnstructuredGrid* before)
     index.ForEach(face,
       [&](vtkIdType t)
       {
-        // The least, whichever thread comes first.
+        // The least owner counts, whichever thread comes first.
         vtkIdType owner = owners[t].load(std::memory_order_relaxed);
         while (
           cell < owner && !owners[t].compare_exchange_weak(owner, cell, std::memory_order_relaxed))
@@ -227,7 +227,7 @@ void SurfaceTriangles::Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* aft
       for (int face = 0; face < 4; ++face)
       {
         Triangle part = GetFace(tetrahedra, cell, face);
-        // On the triangle where no end of a point's edge is off it.
+        // The part is on the triangle where no end of a point's edge is off it.
         if (std::all_of(part.begin(), part.end(),
               [&](vtkIdType p) { return ends[2 * p] != out && ends[2 * p + 1] != out; }))
         {

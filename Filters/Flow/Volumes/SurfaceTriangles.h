@@ -17,7 +17,8 @@ class SurfaceLevels;
  * @class   SurfaceTriangles
  * @brief   the triangles of surfaces inside tetrahedra, each once
  *
- * All face against the gradient of what they are a level set of: to the side of lower values.
+ * All triangles face against the gradient of the function they are a level set of: to the side of
+ * lower values.
  */
 class SurfaceTriangles
 {
@@ -31,32 +32,32 @@ public:
   void Take(vtkUnstructuredGrid* boundary, const SurfaceLevels& levels);
 
   /**
-   * Removes triangles that are faces of no tetrahedron of \a mesh: where values equal to a bound
-   * make an interval touch a face of the domain from outside.
+   * Removes triangles that are faces of no tetrahedron of \a mesh, which occur where values equal
+   * to a bound make an interval touch a face of the domain from outside.
    */
   void RemoveLoose(vtkUnstructuredGrid* mesh);
 
   /**
-   * The parts of the triangles, faces of the tetrahedra \a before, that are left of an extraction
-   * from these, made with its origins: faces of the tetrahedra \a after.
+   * Keeps the parts of the triangles, faces of the tetrahedra \a before, that are left after an
+   * extraction from these, made with its origins: faces of the tetrahedra \a after.
    */
   void Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* after);
 
   /// Gives the points of the triangles other ids.
   void Renumber(const std::vector<vtkIdType>& ids);
-  /// Adds those of another.
+  /// Adds the triangles of another object.
   void Append(const SurfaceTriangles& other);
 
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
-  /// Of each triangle, as in SurfaceLevels::GetSurface.
+  /// Returns the surface of each triangle, as in SurfaceLevels::GetSurface.
   const std::vector<int>& GetSurfaces() const { return this->Surfaces; }
 
 private:
   void RemoveCopies(vtkIdType numberOfPoints);
-  /// Keeps the triangles that \a keep, called with the index of each in turn, says.
+  /// Keeps the triangles for which \a keep, called with the index of each in turn, returns true.
   template <typename Keep>
   void Filter(const Keep& keep);
-  /// By triangle, the first tetrahedron that it is a face of; -1 without one.
+  /// Finds for each triangle the first tetrahedron that it is a face of; -1 without one.
   std::vector<vtkIdType> FindOwners(vtkUnstructuredGrid* before) const;
 
   std::vector<Triangle> Triangles;

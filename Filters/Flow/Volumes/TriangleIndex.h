@@ -70,7 +70,7 @@ private:
     return triangle;
   }
 
-  // By least point, where its entries begin.
+  // The place where the entries of a least point begin.
   std::vector<vtkIdType> Firsts;
   std::vector<Entry> Entries;
 };

@@ -23,7 +23,7 @@ namespace interlume
 
 namespace
 {
-// Of the progress, where each part ends.
+// The shares of the progress at which each part ends.
 constexpr double PreparationEnd = 0.1;
 constexpr double InflowEnd = 0.5;
 constexpr double TimeEnd = 0.85;
@@ -47,7 +47,7 @@ struct Progress
   }
 };
 
-// Which seams may be interpolated over. Without a mapping nothing differs on their sides.
+// Returns which seams may be interpolated over. Without a mapping nothing differs on their sides.
 InterpolableCells::Continuity GetContinuity(vtkDataSet* input, const ImplicitFlowArrays& arrays)
 {
   return input->GetPointData()->GetArray(vtkFlowStatus::InflowArray())
@@ -55,7 +55,7 @@ InterpolableCells::Continuity GetContinuity(vtkDataSet* input, const ImplicitFlo
     : arrays.GetSurfaces();
 }
 
-// The integers of an array of \a mesh under another name.
+// Copies the integers of an array of \a mesh under another name.
 vtkSmartPointer<vtkIntArray> Rename(
   vtkUnstructuredGrid* mesh, const char* before, const char* after)
 {
@@ -68,7 +68,8 @@ vtkSmartPointer<vtkIntArray> Rename(
   return renamed;
 }
 
-// That of the points of the input's extraction, where they are of an unstructured grid instead.
+// Returns the precision of the points of the input's extraction, where they belong to an
+// unstructured grid instead.
 int GetPrecision(const VolumeExtraction::Request& request)
 {
   const bool hasOwnPoints = vtkPointSet::SafeDownCast(request.Input) ||
@@ -106,9 +107,9 @@ bool VolumeExtraction::Prepare(const Request& request, vtkFlowVolumeReport& repo
     }
     this->Prepared.TakeReference(input->NewInstance());
     this->Prepared->ShallowCopy(input);
-    // It is the same in all cells that are left.
+    // The status is the same in all cells that are left.
     this->Prepared->GetPointData()->RemoveArray(vtkFlowStatus::StatusArray());
-    // It says nothing between samples.
+    // The side says nothing between samples.
     this->Prepared->GetPointData()->RemoveArray(vtkFlowStatus::SideArray());
     if (this->Cells.Count(InterpolableCells::LEFT_OUT) > 0)
     {
@@ -201,7 +202,7 @@ void VolumeExtraction::TakeTriangles(
 {
   triangles.Take(result.Boundary, levels);
   triangles.Append(result.CutTriangles);
-  // Only values equal to a bound leave loose ones, and cutting drops them anyway.
+  // Only values equal to a bound leave loose triangles, and cutting drops them anyway.
   if (isFinal && result.Filter->GetReport().CollapsedSimplices > 0)
   {
     triangles.RemoveLoose(result.Mesh);

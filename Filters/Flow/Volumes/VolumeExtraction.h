@@ -22,11 +22,11 @@ class SurfaceLevels;
 
 /**
  * @class   VolumeExtraction
- * @brief   the extractions of a vtkFlowVolume, and what they leave between its executions
+ * @brief   the extractions of a vtkFlowVolume, and their results, kept between its executions
  *
- * The field is cut by Inflow first, what is left by time. Whatever has not changed since the last
- * execution is not done again: the kinds of the cells depend on the input and the largest jump of
- * time, the first extraction on the levels of Inflow too.
+ * The field is cut by Inflow first, and the result is cut by time. Nothing that has not changed
+ * since the last execution is done again: the kinds of the cells depend on the input and the
+ * largest jump of time, the first extraction on the levels of Inflow too.
  */
 class VolumeExtraction
 {
@@ -35,7 +35,8 @@ public:
   {
     vtkDataSet* Input = nullptr;
     ImplicitFlowArrays* Arrays = nullptr;
-    /// Null: no extraction by it. One of the two is there.
+    /// The levels of Inflow and of time. Null stands for no extraction by that function; one of the
+    /// two is not null.
     const SurfaceLevels* Inflow = nullptr;
     const SurfaceLevels* Time = nullptr;
     bool GenerateStreamSurfaces = false;
@@ -53,8 +54,8 @@ public:
 
   ///@{
   /**
-   * Of the last execution: the tetrahedra, with the items of the levels they belong to (null
-   * without an extraction by them), and the triangles of surfaces.
+   * The results of the last execution: the tetrahedra, with the items of the levels they belong to
+   * (null without an extraction by them), and the triangles of surfaces.
    */
   vtkUnstructuredGrid* GetMesh() const { return this->Mesh; }
   vtkIntArray* GetInflowItems() const { return this->InflowItems; }
@@ -63,7 +64,8 @@ public:
   const SurfaceTriangles& GetTimeTriangles() const { return this->TimeTriangles; }
   ///@}
 
-  /// Cell array of the tetrahedra between the two, not of the input's.
+  /// The name of the cell array of the tetrahedra between the two extractions, which is not of the
+  /// input.
   static const char* ItemArray() { return "InflowItem"; }
 
 private:
@@ -73,7 +75,7 @@ private:
     vtkNew<vtkIntervalVolume> Filter;
     vtkSmartPointer<vtkUnstructuredGrid> Mesh;
     vtkSmartPointer<vtkUnstructuredGrid> Boundary;
-    /// Of cells that are cut, by the points of Mesh.
+    /// The triangles of cells that are cut, by the points of Mesh.
     SurfaceTriangles CutTriangles;
     vtkMTimeType UpdateTime = 0;
     vtkIdType PointsOnSeams = 0;
@@ -85,7 +87,7 @@ private:
   bool Run(const Request& request, Result& result, vtkDataSet* input, const SurfaceLevels& levels,
     bool isFirst, double start, double end, int& passes);
 
-  /// The surfaces of one extraction; \a isFinal: they are not cut by another.
+  /// Takes the surfaces of one extraction; \a isFinal tells that no other extraction cuts them.
   static void TakeTriangles(
     Result& result, const SurfaceLevels& levels, bool isFinal, SurfaceTriangles& triangles);
 
@@ -99,7 +101,8 @@ private:
   vtkIdType NumberOfCutCells = 0;
   Result ByInflow;
   Result ByTime;
-  // What the second extraction starts from: the first one's tetrahedra, without its origins.
+  // The tetrahedra that the second extraction starts from: those of the first one, without its
+  // origins.
   vtkSmartPointer<vtkUnstructuredGrid> Between;
 
   vtkSmartPointer<vtkUnstructuredGrid> Mesh;

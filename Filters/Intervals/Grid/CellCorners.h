@@ -17,10 +17,10 @@ public:
   enum Support
   {
     LINEAR,
-    /// Taken by its corners.
+    /// The cell is taken by its corners.
     HIGHER_ORDER,
     LOWER_DIMENSIONAL,
-    /// Needs its faces.
+    /// The cell needs its faces.
     POLYHEDRAL,
     UNSUPPORTED
   };

@@ -16,8 +16,8 @@ namespace interlume
 
 namespace
 {
-// The columns of the Jacobian at the middle of a cell, times a positive number, for one coordinate
-// x(vertex).
+// Computes the columns of the Jacobian at the middle of a cell, times a positive number, for one
+// coordinate x(vertex).
 template <typename Coordinate>
 void FillColumns(vtkIsotable::Shapes shape, Coordinate&& x, double* columns)
 {

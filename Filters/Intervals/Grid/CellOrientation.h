@@ -13,27 +13,27 @@ namespace interlume
  * @class   CellOrientation
  * @brief   tells whether a cell's vertices are in left-handed order
  *
- * The sign of the Jacobian at the middle of the cell, from its coordinates; one answer for all
- * cells of image data and rectilinear grids. A flat cell counts as right-handed.
+ * The answer is the sign of the Jacobian at the middle of the cell, from its coordinates; it is one
+ * for all cells of image data and rectilinear grids. A flat cell counts as right-handed.
  */
 class CellOrientation
 {
 public:
   explicit CellOrientation(vtkDataSet* input);
 
-  /// Whether cells differ, so that IsInverted needs their points.
+  /// Returns whether cells differ, so that IsInverted needs their points.
   bool IsPerCell() const { return this->Points != nullptr; }
 
-  /// The one answer for all cells where they do not differ.
+  /// Returns the one answer for all cells where they do not differ.
   bool AreAllInverted() const { return this->AllInverted; }
 
-  /// \a points in the vertex order of vtkIsotable.
+  /// Returns whether a cell is left-handed; \a points are in the vertex order of vtkIsotable.
   bool IsInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const
   {
     return this->GetSign(shape, points) < 0;
   }
 
-  /// 1 for a right-handed cell, -1 for a left-handed, 0 for a flat one.
+  /// Returns 1 for a right-handed cell, -1 for a left-handed one, 0 for a flat one.
   int GetSign(vtkIsotable::Shapes shape, const vtkIdType* points) const
   {
     return this->Points ? this->GetCellSign(shape, points) : this->AllInverted ? -1 : 1;

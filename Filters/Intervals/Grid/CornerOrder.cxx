@@ -61,7 +61,7 @@ void CornerOrder::TurnWedge(vtkIdType* ids) const
   {
     std::swap_ranges(ids, ids + 3, ids + 3);
   }
-  // The same exchanges in both triangles.
+  // Makes the same exchanges in both triangles.
   const auto order = [&](int a, int b)
   {
     if (before(ids[b], ids[a]))

@@ -13,13 +13,13 @@ namespace interlume
  * @class   CornerOrder
  * @brief   the one order of a grid's points by which cells that share a face cut it alike
  *
- * That of the global point ids where there are any, so that distributed pieces of a grid agree, and
- * of the point ids otherwise.
+ * It is the order of the global point ids where there are any, so that distributed pieces of a grid
+ * agree, and of the point ids otherwise.
  */
 class CornerOrder
 {
 public:
-  /// \a points is kept by the caller.
+  /// Makes the order; \a points is kept by the caller.
   explicit CornerOrder(vtkPointData* points);
 
   bool IsBefore(vtkIdType a, vtkIdType b) const
@@ -37,7 +37,7 @@ public:
     return ascending;
   }
 
-  /// Whether putting ids in ascending order takes an odd number of exchanges.
+  /// Returns whether putting ids in ascending order takes an odd number of exchanges.
   bool IsOdd(const vtkIdType* ids, int number) const
   {
     bool isOdd = false;
@@ -51,7 +51,8 @@ public:
     return isOdd;
   }
 
-  /// The rank of each corner; of equal ids, in a degenerate cell, the first corner is the lower.
+  /// Computes the rank of each corner; of equal ids, in a degenerate cell, the first corner is the
+  /// lower.
   void Rank(const vtkIdType* ids, int number, vtkIsotable::Slot* ranks) const;
 
   /**
@@ -66,7 +67,7 @@ private:
   void TurnWedge(vtkIdType* ids) const;
   void TurnHexahedron(vtkIdType* ids) const;
 
-  // One for each point, or null.
+  // The global id of each point, or null.
   const vtkIdType* GlobalIds;
 };
 

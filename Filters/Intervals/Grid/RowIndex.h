@@ -34,11 +34,11 @@ public:
   vtkIdType GetK(vtkIdType row) const { return Divide(row, this->Nj, this->InverseNj); }
   vtkIdType GetFirstPoint(vtkIdType row) const { return row * this->Ni; }
 
-  /// Whether cells begin at a row of points.
+  /// Returns whether cells begin at a row of points.
   bool HasCells(vtkIdType j, vtkIdType k) const { return j + 1 < this->Nj && k + 1 < this->Nk; }
 
-  /// The row of cells at a row of points; for the last rows of points that of the cells before
-  /// them.
+  /// Returns the row of cells at a row of points; for the last rows of points that of the cells
+  /// before them.
   vtkIdType GetCellRow(vtkIdType j, vtkIdType k) const
   {
     return std::min(j, this->Nj - 2) + std::min(k, this->Nk - 2) * (this->Nj - 1);
@@ -48,13 +48,13 @@ public:
     return this->GetCellRow(j, k) * (this->Ni - 1);
   }
 
-  /// From a point to its neighbour along an axis.
+  /// Returns the step from a point to its neighbour along an axis.
   vtkIdType GetStep(int axis) const
   {
     return axis == 0 ? 1 : axis == 1 ? this->Ni : this->Ni * this->Nj;
   }
 
-  /// Vertex 0 ... 7, in the order of VTK_VOXEL, of the cell whose vertex 0 is \a point.
+  /// Returns vertex 0 ... 7, in the order of VTK_VOXEL, of the cell whose vertex 0 is \a point.
   vtkIdType GetVertex(vtkIdType point, int vertex) const
   {
     return point + (vertex & 1) + ((vertex >> 1) & 1) * this->GetStep(1) +
@@ -68,7 +68,7 @@ public:
       static_cast<int>(this->GetK(row)) } };
   }
 
-  /// The axis along which two neighbours differ, 0 for equal points.
+  /// Returns the axis along which two neighbours differ, 0 for equal points.
   int GetAxis(vtkIdType a, vtkIdType b) const
   {
     const vtkIdType step = a < b ? b - a : a - b;
@@ -79,8 +79,8 @@ public:
   }
 
 private:
-  // a / b for 0 <= a < 2^51; a division of 64-bit integers takes several times as long. The product
-  // may come out below an integer that it should be, never a whole step above one.
+  // Computes a / b for 0 <= a < 2^51; a division of 64-bit integers takes several times as long.
+  // The product may come out below an integer that it should be, never a whole step above one.
   static vtkIdType Divide(vtkIdType a, vtkIdType b, double inverse)
   {
     const vtkIdType near = static_cast<vtkIdType>(static_cast<double>(a) * inverse);

@@ -48,7 +48,7 @@ private:
     void operator()(T* values) const { std::free(values); }
   };
 
-  // At least one, since an allocation of none may give null.
+  // There is room for at least one value, since an allocation of none may give null.
   static std::size_t GetBytes(std::size_t number) { return (number ? number : 1) * sizeof(T); }
 
   void Take(void* memory, std::size_t number)

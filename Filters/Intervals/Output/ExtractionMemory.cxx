@@ -14,14 +14,14 @@ namespace interlume
 void ExtractionMemory::PreferLargePages(void* memory, std::size_t bytes)
 {
 #if defined(__linux__)
-  // Whole pages only: what lies beside the block is not ours.
+  // Only whole pages count: memory beside the block belongs to others.
   constexpr std::uintptr_t page = std::uintptr_t(1) << 21;
   const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t before = (page - address % page) % page;
   const std::uintptr_t after = (address + bytes) % page;
   if (before + after < bytes)
   {
-    // A kernel without large pages refuses, and small ones do.
+    // A kernel without large pages refuses, and so do kernels with small ones.
     static_cast<void>(
       madvise(static_cast<char*>(memory) + before, bytes - before - after, MADV_HUGEPAGE));
   }

@@ -18,9 +18,9 @@ class ExtractionMemory
 {
 public:
   /// Asks for large pages within [memory, memory + bytes), where the system has them; to be called
-  /// before the first access. No effect on small blocks, nor on the values.
+  /// before the first access. It has no effect on small blocks, nor on the values.
   static void PreferLargePages(void* memory, std::size_t bytes);
-  /// The same for the values of an array, once it has its size.
+  /// Asks for large pages for the values of an array, once it has its size.
   static void PreferLargePages(vtkDataArray* array);
 };
 

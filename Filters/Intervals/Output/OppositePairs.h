@@ -18,7 +18,7 @@ namespace interlume
 class OppositePairs
 {
 public:
-  /// A simplex by its ids in ascending order; what else tells simplices apart is among them.
+  /// A simplex by its ids in ascending order; the ids include whatever else tells simplices apart.
   template <typename Id, std::size_t Size>
   struct Entry
   {
@@ -52,8 +52,8 @@ public:
     return isOdd;
   }
 
-  /// Calls remove(place) for both of each pair. Of simplices that are there several times those in
-  /// the first places go. Sorts the entries.
+  /// Calls remove(place) for both of each pair. Among simplices that are there several times those
+  /// in the first places go. Sorts the entries.
   template <typename Id, std::size_t Size, typename Remover>
   static void Find(std::vector<Entry<Id, Size>>& entries, Remover&& remove)
   {
@@ -113,7 +113,8 @@ public:
   }
 
 private:
-  // Whether two simplices may have the same points: quick, since of most lists none have.
+  // Returns whether two simplices may have the same points, which is quick, since in most lists
+  // none have.
   template <std::size_t Size, typename Simplex>
   static bool MayHaveEqual(const std::vector<Simplex>& simplices)
   {

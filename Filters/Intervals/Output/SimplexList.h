@@ -141,7 +141,7 @@ public:
       });
   }
 
-  /// The cells; they hold the list's own memory.
+  /// Makes the cells, which hold the list's own memory.
   vtkSmartPointer<vtkCellArray> MakeCells()
   {
     auto cells = vtkSmartPointer<vtkCellArray>::New();

@@ -35,7 +35,7 @@ public:
 
   bool IsEmpty() const { return this->Entries.empty(); }
 
-  /// \a place is the caller's.
+  /// Adds a boundary cell; \a place is the caller's number for it.
   void Add(vtkIdType group, const vtkIdType* ids, std::size_t place)
   {
     this->Entries.push_back(MakeEntry(group, ids, place));
@@ -61,7 +61,7 @@ public:
     this->Uses = std::vector<Use>(this->Entries.size());
   }
 
-  /// Whether enough of the points are those of boundary cells for a face to be one.
+  /// Returns whether enough of the points are those of boundary cells for a face to be one.
   bool IsNear(const vtkIdType* ids, int number) const
   {
     return std::count_if(ids, ids + number, [this](vtkIdType id) { return this->Near[id]; }) >=
@@ -79,8 +79,8 @@ public:
     }
   }
 
-  /// Calls visit(place, isFace, simplex) for what Cancel() has left: whether it is a face more
-  /// often than turned over, and of which simplex first.
+  /// Calls visit(place, isFace, simplex) for the cells that Cancel() has left, with whether each is
+  /// a face more often than turned over, and of which simplex first.
   template <typename Visitor>
   void Visit(Visitor&& visit) const
   {
@@ -117,7 +117,7 @@ private:
   }
 
   std::vector<bool> Near;
-  // Sorted from Cancel() on.
+  // The boundary cells, sorted from Cancel() on.
   std::vector<Entry> Entries;
   std::vector<Use> Uses;
 };

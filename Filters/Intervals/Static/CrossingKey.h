@@ -12,7 +12,7 @@ namespace interlume
  * @class   CrossingKey
  * @brief   the far end of a crossed edge and the isovalue on it, as one sortable number
  *
- * For point ids below 2^48 and isovalues below 2^16.
+ * Point ids are below 2^48 and isovalues below 2^16.
  */
 class CrossingKey
 {

@@ -12,7 +12,7 @@ namespace interlume
 
 namespace
 {
-// How many owners a thread numbers in one go: their points stay in its cache.
+// The number of owners that a thread numbers in one go: their points stay in its cache.
 constexpr vtkIdType OwnersInBlock = 2048;
 constexpr vtkIdType OwnersInWord = 64;
 constexpr int OwnersAhead = 8;
@@ -38,7 +38,7 @@ const CrossingLists::Node* CrossingLists::Add(
   while (!first.compare_exchange_weak(
     added->Next, added, std::memory_order_acq_rel, std::memory_order_acquire))
   {
-    // What others have put before the head that was searched.
+    // The nodes that others have put before the head that was searched.
     for (const Node* node = added->Next; node != head; node = node->Next)
     {
       if (node->Key == key)

@@ -39,7 +39,7 @@ public:
     union
     {
       Node* Next;
-      /// Its number, after MakePoints, where nodes are kept.
+      /// The number of the point, after MakePoints, where nodes are kept.
       vtkIdType Id;
     };
   };
@@ -49,7 +49,7 @@ public:
   CrossingLists(vtkIdType owners, bool keepNodes);
   ~CrossingLists();
 
-  /// The memory in which the calling thread keeps what it enters.
+  /// Returns the memory in which the calling thread keeps what it enters.
   Arena& GetArena() { return this->Arenas.Local(); }
 
   /// Enters a point; the key of a grid point's own is the default one.
@@ -66,13 +66,13 @@ public:
     return this->Add(owner, key, head, arena);
   }
 
-  /// Has a list loaded that will be asked for soon.
+  /// Prefetches a list that will be asked for soon.
   void Prefetch(vtkIdType owner) const { interlume::Prefetch::Read(&this->Heads[owner]); }
 
-  /// Numbers the points and says what they are made of. Nothing is entered afterwards.
+  /// Numbers the points and tells what they are made of. Nothing may be entered afterwards.
   void MakePoints(const ExtractionScalars& scalars, ExtractionBuffer<ExtractionPoint>& points);
 
-  /// The number of a point that was entered.
+  /// Returns the number of a point that was entered.
   vtkIdType GetId(vtkIdType owner, CrossingKey key) const
   {
     vtkIdType id = this->Heads[owner].FirstId;
@@ -83,14 +83,14 @@ public:
     return id;
   }
 
-  /// The key of a numbered point.
+  /// Returns the key of a numbered point.
   CrossingKey GetKey(vtkIdType id) const { return this->Keys[id]; }
 
-  /// How many bytes the lists held at most.
+  /// Returns how many bytes the lists held at most.
   std::size_t GetBytes() const { return this->Bytes; }
 
 private:
-  // The chain of an owner; once points are numbered, the number of its first.
+  // The chain of an owner; once points are numbered, the number of its first point.
   union Head
   {
     std::atomic<Node*> First;
@@ -122,16 +122,16 @@ public:
 
 private:
   const Node* Add(vtkIdType owner, CrossingKey key, Node* head, Arena& arena);
-  // The owners of a block, in ascending order; returns their number.
+  // Finds the owners of a block, in ascending order; returns their number.
   int FindOwners(vtkIdType block, vtkIdType* found) const;
   // Numbers the points of an owner from id on, and returns the next number.
   vtkIdType NumberList(vtkIdType owner, vtkIdType id, ExtractionBuffer<ExtractionPoint>& points);
 
   bool KeepNodes;
   ExtractionBuffer<Head> Heads;
-  // One bit for each grid point that owns any.
+  // A bit for each grid point, set where it owns any point.
   std::vector<std::atomic<std::uint64_t>> Owners;
-  // How many points the owners of a block have.
+  // The number of points that the owners of a block have.
   std::vector<std::atomic<vtkIdType>> Counts;
   ExtractionBuffer<CrossingKey> Keys;
   vtkSMPThreadLocal<Arena> Arenas;

@@ -27,7 +27,7 @@ struct Pieces
   int Number = 1;
 };
 
-// What a pipeline has asked a filter for.
+// Returns the pieces that a pipeline has asked a filter for.
 Pieces GetPieces(vtkAlgorithm* owner)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -187,7 +187,7 @@ std::string EmptyResult::ExplainByData(const std::string& sought)
   std::ostringstream why;
   if (!this->Criteria.empty())
   {
-    // The last one: what the others had left came to it.
+    // The last criterion counts, since what the others had left came to it.
     const Criterion& last = this->Criteria.back();
     why << last.Words << " leaves nothing; in what it cuts the array goes from "
         << last.Before.Least << " to " << last.Before.Largest << ".";

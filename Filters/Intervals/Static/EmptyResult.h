@@ -29,8 +29,8 @@ class EmptyResult
 public:
   ///@{
   /**
-   * To be called at each StartEvent and EndEvent of the filter: the pipeline sends a pair for each
-   * dataset of a composite input, within a pair for the whole. Return whether it was that of the
+   * Note a StartEvent and an EndEvent of the filter: the pipeline sends a pair for each dataset of
+   * a composite input, within a pair for the whole. Both return whether the event was that of the
    * whole. Enter forgets the execution before.
    */
   bool Enter();
@@ -53,21 +53,22 @@ public:
   void NoteMessage() { this->IsExplained = true; }
 
   /**
-   * Why there is no output, or nothing where there is some, where a message has said it, or where
-   * the user has aborted. A piece of a larger whole may well be empty: it gives no reason that lies
-   * in the data, and the first piece alone gives the others.
+   * Returns why there is no output, or nothing where there is some, where a message has said it, or
+   * where the user has aborted. A piece of a larger whole may well be empty: it gives no reason
+   * that lies in the data, and the first piece alone gives the others.
    *
-   * \a unset: the reason when nothing is sought, such as "no interval is set"; else empty.
-   * \a sought: what is sought, such as "the interval [1, 2]".
+   * \a unset is the reason when nothing is sought, such as "no interval is set", else empty; \a
+   * sought says what is sought, such as "the interval [1, 2]".
    */
   std::string Explain(vtkAlgorithm* owner, const std::string& unset, const std::string& sought);
 
-  /// Whether there is no output, no message has said why, and this is not one piece of several.
+  /// Returns whether there is no output, no message has said why, and this is not one piece of
+  /// several.
   bool IsUnexplained(vtkAlgorithm* owner) const;
 
-  /// Intervals as words: "the interval [1, 2]", or "the intervals [1, 2], [3, 4]".
+  /// Describes intervals in words: "the interval [1, 2]", or "the intervals [1, 2], [3, 4]".
   static std::string Describe(const std::vector<vtkIntervalList::Interval>& intervals);
-  /// The same for single values: "the value 1".
+  /// Describes single values in words: "the value 1".
   static std::string Describe(const std::vector<double>& values);
 
 private:
@@ -80,21 +81,21 @@ private:
     void Add(vtkDataArray* array);
   };
 
-  // What a criterion left nothing of.
+  // A criterion that left nothing, and what it was applied to.
   struct Criterion
   {
     std::string Words;
     Range Before;
   };
 
-  // Whether nothing has been said of an output without anything.
+  // Returns whether the output is empty and nothing has been said of it.
   bool IsSilent(vtkAlgorithm* owner) const;
   std::string ExplainByData(const std::string& sought);
 
   std::vector<vtkSmartPointer<vtkDataSet>> Inputs;
   std::vector<vtkSmartPointer<vtkDataArray>> Scalars;
   std::string ScalarsName;
-  // What has been seen of them.
+  // The range of the values that have been seen.
   Range Values;
   bool HasPoints = false;
   bool HasSolidCells = false;

@@ -12,30 +12,31 @@ namespace interlume
  * @class   Extraction
  * @brief   one pass of contouring or interval extraction over one dataset
  *
- * Chooses the way for the kind of grid, then gives the mesh its arrays.
+ * It chooses the way for the kind of grid, then gives the mesh its arrays.
  */
 class Extraction
 {
 public:
   vtkAlgorithm* Owner = nullptr;
   const ExtractionValues* Values = nullptr;
-  /// Null: no index.
+  /// The index of value ranges; null for none.
   ExtractionIndex* Index = nullptr;
-  /// Name of the cell array of item indices; null: none.
+  /// The name of the cell array of item indices; null for none.
   const char* IdName = nullptr;
   int OutputPointsPrecision = vtkAlgorithm::DEFAULT_PRECISION;
   bool GenerateBoundaries = false;
-  /// Whether the outputs say what each of their points and cells was made of.
+  /// Whether the outputs tell what each of their points and cells was made of.
   bool KeepOrigins = false;
-  /// For a further criterion: whether the input's tetrahedra are oriented as they are stored.
+  /// Whether the input's tetrahedra are oriented as they are stored, for a further criterion.
   bool KeepOrientation = false;
   /**
-   * For a further criterion: the boundary of the input, as port 1 of the pass before. Its triangles
-   * are cut like the tetrahedra they belong to. Null: none.
+   * The boundary of the input, as port 1 of the pass before, for a further criterion. Its triangles
+   * are cut like the tetrahedra they belong to. Null for none.
    */
   vtkUnstructuredGrid* InputBoundary = nullptr;
 
-  /// \a boundary may be null. Returns false when the user aborted; then the outputs are empty.
+  /// Runs the pass. \a boundary may be null. Returns false when the user aborted; then the outputs
+  /// are empty.
   bool Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
     vtkUnstructuredGrid* boundary, vtkExtractionReport& report);
 

@@ -27,7 +27,8 @@ namespace
 {
 using PointList = ExtractionBuffer<ExtractionPoint>;
 
-// Exact where near equals far, and near itself for a grid point, whatever far holds.
+// Interpolates between two values: exact where near equals far, and near itself for a grid point,
+// whatever far holds.
 template <typename Out>
 Out Interpolate(double near, double far, double weight)
 {
@@ -36,7 +37,7 @@ Out Interpolate(double near, double far, double weight)
     return static_cast<Out>(near);
   }
   const double step = far - near;
-  // The step between two finite values may not be.
+  // The step between two finite values may not be finite.
   return static_cast<Out>(
     std::isfinite(step) ? near + weight * step : near * (1.0 - weight) + far * weight);
 }
@@ -202,7 +203,7 @@ private:
 
   RowIndex Rows;
   std::vector<double> Axes[3];
-  // The image, where its axes are not those of space.
+  // The image, where its axes are not those of space; else null.
   vtkImageData* Turned = nullptr;
 };
 

@@ -23,35 +23,36 @@ namespace interlume
 class ExtractionArrays
 {
 public:
-  /// The type of output points for a precision of vtkAlgorithm: VTK_FLOAT or VTK_DOUBLE.
+  /// Returns the type of output points for a precision of vtkAlgorithm: VTK_FLOAT or VTK_DOUBLE.
   static int ChoosePointType(vtkDataSet* input, int precision);
 
-  /// \a precision as in vtkAlgorithm.
+  /// Makes the output points; \a precision is one of vtkAlgorithm.
   static vtkSmartPointer<vtkPoints> MakePoints(
     vtkDataSet* input, const ExtractionBuffer<ExtractionPoint>& points, int precision);
 
-  /// Returns the number of arrays.
+  /// Interpolates the point arrays. Returns their number.
   static int InterpolatePointData(
     vtkPointData* input, const ExtractionBuffer<ExtractionPoint>& points, vtkPointData* output);
 
   /**
-   * The same from two grids of \a split points each, where ids from \a split on are points of the
-   * second: the arrays that both have, by name.
+   * Interpolates the point arrays from two grids of \a split points each, where ids from \a split
+   * on are points of the second: the arrays that both have, by name.
    */
   static int InterpolatePointData(vtkPointData* first, vtkPointData* second, vtkIdType split,
     const ExtractionBuffer<ExtractionPoint>& points, vtkPointData* output);
 
-  /// \a cells: the input cell of each of \a number output cells. Returns the number of arrays.
+  /// Copies the cell arrays. \a cells has the input cell of each of \a number output cells. Returns
+  /// the number of arrays.
   static int CopyCellData(
     vtkCellData* input, const vtkIdType* cells, vtkIdType number, vtkCellData* output);
 
-  /// The points along each axis of a grid of rows. Returns false for other datasets.
+  /// Gives the points along each axis of a grid of rows. Returns false for other datasets.
   static bool GetRowDimensions(vtkDataSet* input, int dimensions[3]);
 
-  /// Whether an array of \a attributes is carried at all.
+  /// Returns whether an array of \a attributes is carried at all.
   static bool IsCarried(vtkDataSetAttributes* attributes, vtkAbstractArray* array);
 
-  /// Whether two arrays can be interpolated between; either may be null.
+  /// Returns whether two arrays can be interpolated between; either may be null.
   static bool IsAlike(vtkAbstractArray* a, vtkAbstractArray* b);
 
   /// Adds \a out with the name, component names and attribute roles that \a in has in \a input.
@@ -62,7 +63,7 @@ public:
   /// array without a name (null or empty) has the role already: else it could not have been chosen.
   static void ActivateScalars(const char* name, vtkPointData* output);
 
-  /// The data type that an array of \a dataType is interpolated in.
+  /// Returns the data type that an array of \a dataType is interpolated in.
   static int GetInterpolatedType(int dataType);
 };
 

@@ -23,7 +23,8 @@ public:
   using Code = ExtractionValues::Code;
   using Slot = vtkIsotable::Slot;
 
-  /// \a table: a vtkIsotable or vtkIsotableCache.
+  /// Returns the slot that \a slot is the same point as; \a table is a vtkIsotable or a
+  /// vtkIsotableCache.
   template <typename Table>
   static Slot Identify(
     const Table& table, const ExtractionValues::Item& item, const Code* codes, Slot slot)
@@ -48,8 +49,8 @@ public:
   }
 
   /**
-   * For each of \a slots the first slot that is the same point. Where corners of the cell may be
-   * one point, getPoint(slot) tells by an equal result which slots are.
+   * Finds for each of \a slots the first slot that is the same point. Where corners of the cell may
+   * be one point, getPoint(slot) tells by an equal result which slots are.
    */
   template <typename Table, typename GetPoint>
   static void IdentifyAll(const Table& table, const ExtractionValues::Item& item, const Code* codes,

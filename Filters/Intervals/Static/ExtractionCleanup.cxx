@@ -134,7 +134,7 @@ void ExtractionCleanup::RemoveOppositeSimplices(ExtractionMesh& mesh, int size)
   {
     return;
   }
-  // Those before the first stay where they are.
+  // Triangles before the first one stay where they are.
   vtkIdType kept =
     static_cast<vtkIdType>(std::find(isRemoved.begin(), isRemoved.end(), true) - isRemoved.begin());
   for (vtkIdType simplex = kept; simplex < number; ++simplex)

@@ -10,7 +10,7 @@ namespace interlume
 
 /**
  * @class   ExtractionCleanup
- * @brief   what has to be set right in a mesh in rare cases, and costs nothing in the others
+ * @brief   repairs of a mesh that are needed in rare cases, and cost nothing in the others
  */
 class ExtractionCleanup
 {
@@ -26,7 +26,7 @@ public:
 
   /**
    * Settles the triangles of cells where values equal a bound. Pairs of one interval that have the
-   * same points and opposite orientation go: they are both sides of nothing. Of the others those
+   * same points and opposite orientation go: they are both sides of nothing. Among the others those
    * stay that are faces of the interval's tetrahedra, counted with their orientation, and belong to
    * the cell of that tetrahedron: where a side of a cell equals a bound, the triangles there come
    * from the cell beyond, and there may be no cell before it.

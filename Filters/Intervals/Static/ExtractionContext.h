@@ -26,8 +26,8 @@ namespace interlume
 class ExtractionIndex;
 
 /**
- * What an output point is made of: a grid point when Near equals Far, else the point at Weight of
- * the way from Near to Far, Weight <= 1/2 since Near is the end nearer the isovalue.
+ * The origin of an output point: a grid point when Near equals Far, else the point at Weight of the
+ * way from Near to Far, Weight <= 1/2 since Near is the end nearer the isovalue.
  */
 struct ExtractionPoint
 {
@@ -42,13 +42,13 @@ struct ExtractionPoint
 struct ExtractionMesh
 {
   ExtractionBuffer<ExtractionPoint> Points;
-  /// Tetrahedra of intervals or triangles of contours, in the order of the input's cells.
+  /// The tetrahedra of intervals or triangles of contours, in the order of the input's cells.
   SimplexList Simplices;
   vtkNew<vtkIntArray> ItemIds;
-  /// The input cell of each simplex; only when the input has cell arrays.
+  /// The input cell of each simplex; empty unless the input has cell arrays.
   ExtractionBuffer<vtkIdType> CellIds;
 
-  /// Boundary triangles of intervals, when asked for.
+  /// The boundary triangles of intervals, when asked for.
   std::vector<std::array<vtkIdType, 3>> Triangles;
   vtkNew<vtkIntArray> TriangleItemIds;
   vtkNew<vtkIntArray> TriangleSides;
@@ -59,7 +59,7 @@ struct ExtractionMesh
   /// The tetrahedra, or triangles of contours, that lie in one face of such a cell.
   std::vector<vtkIdType> TiedSimplices;
 
-  /// Whether simplices differ in their item: with one item they are noted all at once.
+  /// Whether simplices differ in their item; with one item they are all noted at once.
   bool HasSeveralItems = false;
 
   /// Makes room for simplices of \a size points and, without boundaries, 0 triangles.
@@ -95,7 +95,7 @@ struct ExtractionMesh
     }
   }
 
-  /// Writes a boundary triangle; its ids in the order for a right-handed cell.
+  /// Writes a boundary triangle; its ids are in the order for a right-handed cell.
   void WriteTriangle(vtkIdType triangle, const std::array<vtkIdType, 3>& ids, bool isInverted,
     int item, int side, vtkIdType cell)
   {
@@ -109,13 +109,13 @@ struct ExtractionMesh
     }
   }
 
-  /// One mark for each point, set where a simplex uses it; only where there may be other points.
+  /// A mark for each point, set where a simplex uses it; only where there may be other points.
   ExtractionBuffer<std::atomic<unsigned char>> Used;
 };
 
 /**
  * @class   ExtractionContext
- * @brief   what every part of one extraction needs to know
+ * @brief   the input and settings that every part of one extraction needs
  */
 struct ExtractionContext : Blanking
 {

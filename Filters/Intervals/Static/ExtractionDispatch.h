@@ -36,13 +36,13 @@ public:
     return result;
   }
 
-  /// Whether Execute can read the array as it is.
+  /// Returns whether Execute can read the array as it is.
   static bool IsSupported(vtkDataArray* scalars)
   {
     return Execute(scalars, [](const auto*) { return true; });
   }
 
-  /// The array with its values in rows in memory, as itself or as a copy.
+  /// Returns the array with its values in rows in memory, as itself or as a copy.
   static vtkSmartPointer<vtkDataArray> MakeContiguous(vtkDataArray* array)
   {
     if (IsSupported(array))
@@ -53,7 +53,7 @@ public:
     return IsSupported(copy) ? copy : MakeCopy(array, VTK_DOUBLE);
   }
 
-  /// A copy in another type.
+  /// Returns a copy in another type.
   static vtkSmartPointer<vtkDataArray> MakeCopy(vtkDataArray* array, int dataType)
   {
     vtkSmartPointer<vtkDataArray> copy;

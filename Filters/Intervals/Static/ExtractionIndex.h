@@ -21,8 +21,8 @@ class ExtractionValues;
  * @class   ExtractionIndex
  * @brief   value ranges of blocks of cells, so that changed isovalues visit only cells near them
  *
- * Structured grids: blocks of 8 x 4 x 4 cells. Other grids: runs of 16 cells. The index of a
- * dataset is made at its second extraction, since it costs one visit of all cells, and kept until
+ * Structured grids have blocks of 8 x 4 x 4 cells, other grids have runs of 16 cells. The index of
+ * a dataset is made at its second extraction, since it costs one visit of all cells, and kept until
  * the dataset or the scalar changes. One object serves the leaves of a composite dataset. It also
  * keeps the linear counterpart of a grid of polyhedra.
  */
@@ -32,7 +32,7 @@ public:
   static ExtractionIndex* New();
   vtkTypeMacro(ExtractionIndex, vtkObject);
 
-  /// Columns [first, last) of a row of cells.
+  /// The columns [first, last) of a row of cells.
   using Span = std::array<vtkIdType, 2>;
   static constexpr vtkIdType RunLength = 16;
 
@@ -46,7 +46,8 @@ public:
     int LastUse = 0;
   };
 
-  /// The grid kept for \a input; without a grid when there is none or the input has changed.
+  /// Returns the grid kept for \a input; without a grid when there is none or the input has
+  /// changed.
   LinearGrid& GetLinearGrid(vtkDataSet* input);
 
   /// Forgets what the execution before the last did not use.
@@ -64,16 +65,17 @@ public:
 
   ///@{
   /**
-   * After Activate, structured grids; rows as in StructuredExtraction: j + k (nj - 1).
+   * Tell which cells of a row may give output, after Activate, for structured grids; rows are as
+   * in StructuredExtraction: j + k (nj - 1).
    */
   bool IsRowActive(vtkIdType cellRow) const;
   void GetActiveSpans(vtkIdType cellRow, std::vector<Span>& spans) const;
   ///@}
 
-  /// After Activate, other grids: whether cells RunLength * run ... may give output.
+  /// Returns whether cells RunLength * run ... may give output, after Activate, for other grids.
   bool IsRunActive(vtkIdType run) const { return this->Active[run] != 0; }
 
-  /// Bytes of all ranges held.
+  /// Returns the bytes of all ranges held.
   std::size_t GetBytes() const;
 
 protected:
@@ -86,7 +88,7 @@ private:
 
   struct Ranges
   {
-    // What the ranges were made from: times are unique in the process.
+    // The times of the data that the ranges were made from, which are unique in the process.
     vtkMTimeType ScalarTime = 0;
     vtkMTimeType CellTime = 0;
     std::array<vtkIdType, 3> Cells{ { 0, 0, 0 } };

@@ -21,7 +21,8 @@ namespace interlume
 
 namespace
 {
-// The least distance of two coordinates that follow each other and differ; 0 where there is none.
+// Returns the least distance of two coordinates that follow each other and differ; 0 where there is
+// none.
 double FindLeastStep(vtkDataArray* coordinates)
 {
   double least = 0.0;

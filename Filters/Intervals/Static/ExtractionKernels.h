@@ -22,7 +22,7 @@ namespace ExtractionKernels
 {
 using Code = std::uint16_t;
 
-/// The number of thresholds that each value reaches.
+/// Computes the number of thresholds that each value reaches.
 template <int N, typename T>
 void Classify(const T* INTERLUME_RESTRICT values, std::int64_t number, const T* thresholds,
   Code* INTERLUME_RESTRICT codes)
@@ -41,13 +41,13 @@ void Classify(const T* INTERLUME_RESTRICT values, std::int64_t number, const T* 
 }
 
 /**
- * \a first: the first place whose code is not that at 0, \a last: the last whose code is not that
- * at \a number - 1. Where all are equal, number and -1.
+ * Finds the ends of a row: \a first is the first place whose code is not that at 0, \a last the
+ * last whose code is not that at \a number - 1. Where all codes are equal, they are number and -1.
  */
 inline void FindEnds(
   const Code* codes, std::int64_t number, std::int64_t& first, std::int64_t& last)
 {
-  // Four codes at a time.
+  // Codes are compared four at a time.
   constexpr std::int64_t step = sizeof(std::uint64_t) / sizeof(Code);
   constexpr std::uint64_t ones = 0x0001000100010001;
   const auto equals = [codes](std::int64_t at, std::uint64_t pattern)
@@ -76,7 +76,7 @@ inline void FindEnds(
   }
 }
 
-/// The least and the greatest code, and all codes or-ed.
+/// Finds the least and the greatest code, and all codes or-ed.
 inline void Summarize(const Code* INTERLUME_RESTRICT codes, std::int64_t number, Code& least,
   Code& greatest, Code& bits)
 {
@@ -94,7 +94,7 @@ inline void Summarize(const Code* INTERLUME_RESTRICT codes, std::int64_t number,
   bits = all;
 }
 
-/// ExtractionValues::CountCrossings for finite ends.
+/// Does what ExtractionValues::CountCrossings does, for finite ends.
 inline Code CountCrossings(Code a, Code b)
 {
   const Code low = std::min(a, b);
@@ -104,7 +104,7 @@ inline Code CountCrossings(Code a, Code b)
 }
 
 /**
- * What each grid point of a row owns: \a first points of its own, in all \a second with the
+ * Counts what each grid point of a row owns: \a first points of its own, in all \a second with the
  * crossings along i, \a third with those along j, \a all with those along k. On entry \a first is
  * filled.
  */
@@ -124,7 +124,7 @@ inline void CountOwned(const Code* INTERLUME_RESTRICT here, const Code* INTERLUM
   }
 }
 
-/// The digits of a column of four grid points in base \a Base, as one number.
+/// Computes the digits of a column of four grid points in base \a Base, as one number.
 template <int Base>
 void FillColumns(const Code* INTERLUME_RESTRICT a, const Code* INTERLUME_RESTRICT b,
   const Code* INTERLUME_RESTRICT c, const Code* INTERLUME_RESTRICT d, Code first, Code second,
@@ -142,7 +142,7 @@ void FillColumns(const Code* INTERLUME_RESTRICT a, const Code* INTERLUME_RESTRIC
   }
 }
 
-/// The keys of cells from the columns on their two sides.
+/// Computes the keys of cells from the columns on their two sides.
 template <int Base>
 void FillKeys(
   const Code* INTERLUME_RESTRICT columns, std::int64_t number, Code* INTERLUME_RESTRICT keys)

@@ -106,8 +106,8 @@ private:
     this->CellIds.push_back(cell);
   }
 
-  // The one neighbour of a point, along edges of faces, that is not on a face; -1 if there are
-  // more.
+  // Returns the one neighbour of a point, along edges of faces, that is not on a face; -1 if there
+  // are more.
   static vtkIdType GetNeighborOff(
     const std::map<vtkIdType, std::set<vtkIdType>>& neighbors, vtkIdType point, const Face& face)
   {
@@ -126,7 +126,7 @@ private:
     return found;
   }
 
-  // The polyhedron as a cell with a table, or no points.
+  // Returns the polyhedron as a cell with a table, or no points.
   static Face Recognize(const std::vector<Face>& faces, int& type)
   {
     std::map<vtkIdType, std::set<vtkIdType>> neighbors;
@@ -220,7 +220,7 @@ private:
     }
   }
 
-  // The fan of a face from its first point in the order.
+  // Visits the fan of a face from its first point in the order.
   template <typename Visitor>
   void ForEachTriangle(const Face& face, Visitor&& visit) const
   {
@@ -277,7 +277,7 @@ private:
     }
   }
 
-  // Whether the mean of its vertices sees every part of a polyhedron from inside.
+  // Returns whether the mean of its vertices sees every part of a polyhedron from inside.
   bool IsSeenWhole(std::vector<Face> faces, const Face& vertices) const
   {
     const std::array<double, 3> center = this->GetMeanPoint(vertices);
@@ -323,8 +323,8 @@ private:
     return mean;
   }
 
-  // Of whole numbers it is their sum that is divided, so that the mean of numbers that equal a
-  // bound equals it too; sums of others might be out of range.
+  // Computes the mean. For whole numbers their sum is divided, so that the mean of numbers that
+  // equal a bound equals it too; sums of others might be out of range.
   double GetMean(vtkDataArray* array, const Face& vertices, int component) const
   {
     constexpr double most = 4503599627370496.0; // 2^52

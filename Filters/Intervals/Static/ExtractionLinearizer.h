@@ -28,12 +28,12 @@ namespace interlume
 class ExtractionLinearizer
 {
 public:
-  /// Whether \a input is not an unstructured grid or has polyhedra.
+  /// Returns whether \a input is not an unstructured grid or has polyhedra.
   static bool IsNeeded(vtkDataSet* input);
 
-  /// \a cellIds: the input cell of each cell made; it has the ghost level of that cell.
-  /// \a numberOfConcave: the coned polyhedra that are not seen whole from the mean of their
-  /// vertices, whose parts overlap.
+  /// Makes the grid. \a cellIds gets the input cell of each cell made, which has the ghost level of
+  /// that cell, \a numberOfConcave the number of coned polyhedra that are not seen whole from the
+  /// mean of their vertices, whose parts overlap.
   static vtkSmartPointer<vtkUnstructuredGrid> Execute(
     vtkDataSet* input, std::vector<vtkIdType>& cellIds, vtkIdType& numberOfConcave);
 };

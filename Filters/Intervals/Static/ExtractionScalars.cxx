@@ -93,12 +93,12 @@ private:
   {
     const T a = this->GetValue(point.Near);
     const T b = this->GetValue(point.Far);
-    // Halved, since the range may be the whole of the type's.
+    // Values are halved, since the range may be the whole of the type's.
     const Real half = IsHalvingExact(a) && IsHalvingExact(b) ? Real(0.5) : Real(1.0);
-    // Signed distances in value from the isovalue to the ends.
+    // The signed distances in value from the isovalue to the ends.
     const Real toA = value * half - static_cast<Real>(a) * half;
     const Real toB = static_cast<Real>(b) * half - value * half;
-    // Which end is nearer is a coin's throw: no branch.
+    // Which end is nearer cannot be predicted, so that there is no branch.
     const bool isNearA = std::abs(toA) <= std::abs(toB);
     const vtkIdType near = isNearA ? point.Near : point.Far;
     point.Far = isNearA ? point.Far : point.Near;
@@ -138,7 +138,7 @@ private:
   std::vector<Real> Isovalues;
 };
 
-// Two arrays of different types, as double.
+// Reads two arrays of different types, as double.
 class Converted : public Typed<double>
 {
 public:

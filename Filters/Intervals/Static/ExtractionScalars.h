@@ -12,28 +12,30 @@ namespace interlume
  * @class   ExtractionScalars
  * @brief   codes and edge weights from scalars of any type
  *
- * All that an extraction needs of the scalars; the rest of it does not depend on their type.
+ * This is all that an extraction needs of the scalars; the rest of it does not depend on their
+ * type.
  */
 class ExtractionScalars
 {
 public:
   using Code = ExtractionValues::Code;
 
-  /// \a scalars are as ExtractionDispatch::MakeContiguous gives them; they and \a values must
-  /// outlive the result.
+  /// Makes the object for one grid. \a scalars are as ExtractionDispatch::MakeContiguous gives
+  /// them; they and \a values must outlive the result.
   static std::unique_ptr<ExtractionScalars> Make(
     vtkDataArray* scalars, const ExtractionValues& values);
 
   /**
-   * The same for two grids of \a split points each: ids from \a split on are points of the second.
-   * Only crossings are placed. Arrays of different types are taken as double.
+   * Makes the object for two grids of \a split points each: ids from \a split on are points of the
+   * second. Only crossings are placed. Arrays of different types are taken as double.
    */
   static std::unique_ptr<ExtractionScalars> MakePair(
     vtkDataArray* first, vtkDataArray* second, vtkIdType split, const ExtractionValues& values);
 
   virtual ~ExtractionScalars() = default;
 
-  /// The codes of points first ... first + number - 1. Returns whether all are finite.
+  /// Computes the codes of points first ... first + number - 1. Returns whether all values are
+  /// finite.
   virtual bool Classify(vtkIdType first, vtkIdType number, Code* codes) const = 0;
 
   /**

@@ -15,7 +15,7 @@ namespace interlume
 
 /**
  * @class   ExtractionValues
- * @brief   the isovalues of an extraction in one total order, and what they make of a scalar
+ * @brief   the isovalues of an extraction in one total order, and the codes they give to scalars
  *
  * The distinct isovalues v0 < v1 < ... cut the number line into 2 m + 1 codes: 2k between v(k-1)
  * and vk, 2k + 1 at vk itself. A code is all that the combinatorial part of an extraction sees of a
@@ -26,7 +26,7 @@ class ExtractionValues
 public:
   using Code = std::uint16_t;
 
-  /// One contour or interval: the indices of its isovalues, and the digit of the case key by code.
+  /// A contour or an interval: the indices of its isovalues, and the digit of the case key by code.
   struct Item
   {
     int Lower;
@@ -34,7 +34,7 @@ public:
     /// The first codes with digits 1 and 2; NoCode where there is none.
     Code First;
     Code Second;
-    /// Whether it is an interval of zero width.
+    /// Whether the item is an interval of zero width.
     bool IsFlat;
 
     std::uint8_t GetDigit(Code code) const
@@ -42,7 +42,7 @@ public:
       return static_cast<std::uint8_t>((code >= this->First) + (code >= this->Second));
     }
 
-    /// The first code with the greatest digit.
+    /// Returns the first code with the greatest digit.
     Code GetLast(vtkIsotable::Kinds kind) const
     {
       return kind == vtkIsotable::INTERVAL ? this->Second : this->First;
@@ -50,33 +50,33 @@ public:
   };
   static constexpr Code NoCode = 65535;
 
-  /// Isosurfaces, one item each.
+  /// Makes the values for isosurfaces, one item each.
   static ExtractionValues ForContours(const std::vector<double>& values);
-  /// Interval volumes, one item each; lower <= upper.
+  /// Makes the values for interval volumes, one item each; lower <= upper.
   static ExtractionValues ForIntervals(const std::vector<std::array<double, 2>>& intervals);
 
   vtkIsotable::Kinds GetKind() const { return this->Kind; }
   const std::vector<double>& GetValues() const { return this->Values; }
   const std::vector<Item>& GetItems() const { return this->Items; }
-  /// Whether a grid point of this code may be an output point.
+  /// Returns whether a grid point of this code may be an output point.
   bool IsPoint(Code code) const { return this->Points[code] != 0; }
-  /// The code of NaN and infinities.
+  /// Returns the code of NaN and infinities.
   Code GetNonFiniteCode() const { return static_cast<Code>(2 * this->Values.size() + 1); }
-  /// How many digits a case key has for a vertex.
+  /// Returns how many digits a case key has for a vertex.
   int GetBase() const { return this->Kind == vtkIsotable::INTERVAL ? 3 : 2; }
-  /// Whether an item leaves no output in a cell whose codes are lowest ... highest.
+  /// Returns whether an item leaves no output in a cell whose codes are lowest ... highest.
   bool IsOutside(const Item& item, Code lowest, Code highest) const
   {
     return highest < item.First || lowest >= item.GetLast(this->Kind);
   }
-  /// Whether an interval of zero width is among the items.
+  /// Returns whether an interval of zero width is among the items.
   bool HasFlatItem() const { return this->FlatItem; }
   static bool IsTie(Code code) { return code & 1; }
 
-  /// The first isovalue strictly above the lower end of an edge.
+  /// Returns the first isovalue strictly above the lower end of an edge.
   static int GetFirstCrossing(Code a, Code b) { return ((a < b ? a : b) + 1) >> 1; }
 
-  /// How many isovalues lie strictly between the ends of an edge.
+  /// Returns how many isovalues lie strictly between the ends of an edge.
   int CountCrossings(Code a, Code b) const
   {
     const Code high = a < b ? b : a;
@@ -84,11 +84,11 @@ public:
     return number > 0 && high != this->GetNonFiniteCode() ? number : 0;
   }
 
-  /// Whether a value in [minimum, maximum] touches an item.
+  /// Returns whether a value in [minimum, maximum] touches an item.
   bool Overlaps(double minimum, double maximum) const;
 
   /**
-   * The smallest numbers of type T that reach code 1, 2, 3, ...; fewer when no T is that
+   * Computes the smallest numbers of type T that reach code 1, 2, 3, ...; fewer when no T is that
    * large. So a scalar is compared in its own type, exactly.
    */
   template <typename T>
@@ -100,7 +100,7 @@ public:
       if constexpr (std::is_integral<T>::value)
       {
         constexpr double least = static_cast<double>(std::numeric_limits<T>::min());
-        // One above the largest T, which a double holds exactly.
+        // The number one above the largest T, which a double holds exactly.
         const double above = std::ldexp(1.0, std::numeric_limits<T>::digits);
         const double reach = std::ceil(value);
         if (reach >= above)
@@ -130,7 +130,7 @@ public:
   }
 
 private:
-  // A conversion that saturates, since one out of range is undefined.
+  // Converts with saturation, since a conversion out of range is undefined.
   template <typename T>
   static T Narrow(double value)
   {

@@ -11,7 +11,7 @@ namespace interlume
 
 namespace
 {
-// The key of an interval's case where all vertices are inside.
+// Returns the key of an interval's case where all vertices are inside.
 int GetKeyInside(int vertices)
 {
   int key = 0;
@@ -84,7 +84,7 @@ void MergedCut::Make(const vtkIsotable& table, const Item& item, const Code* cod
       OppositePairs::Remove<3>(this->Simplices);
     }
   }
-  // In another order than the table's there may be more.
+  // In an order other than that of the table there may be more simplices.
   const std::size_t left = std::min(this->Simplices.size(), what.Simplices.size());
   this->NumberCollapsed = static_cast<vtkIdType>(what.Simplices.size() - left);
 }

@@ -17,9 +17,10 @@ namespace interlume
  * @class   MergedCut
  * @brief   a case as it is cut in a cell of which slots are the same point
  *
- * Slots that are one point are made one before the case is cut; what has a point twice afterwards
- * is left out, and so are pairs with the same points and opposite orientation. So the faces of what
- * is left are those of the cell's neighbours, and a piece that has no volume leaves none.
+ * Slots that are one point are made one before the case is cut; simplices that have a point twice
+ * afterwards are left out, and so are pairs with the same points and opposite orientation. So the
+ * faces of what is left are those of the cell's neighbours, and a piece that has no volume leaves
+ * none.
  *
  * An interval of zero width has the cells that are equal to its value throughout, and of any other
  * cell only the sides that are: reversed, since what they bound lies beyond.
@@ -33,8 +34,8 @@ public:
   using Simplex = vtkIsotable::Simplex;
   using Triangle = vtkIsotable::Triangle;
 
-  /// Whether two of the slots of a case are one point. \a same has for each slot the one that it
-  /// goes by.
+  /// Returns whether two of the slots of a case are one point. \a same has for each slot the one
+  /// that it goes by.
   static bool IsNeeded(const vtkIsotable::Case& what, const Slot* same);
 
   /// Cuts case \a what of \a table in the order of \a ranks; triangles only where \a hasSides.
@@ -57,7 +58,7 @@ public:
     return (this->FacesOf[simplex[0]] & this->FacesOf[simplex[1]] & this->FacesOf[simplex[2]] &
              this->FacesOf[last]) != 0;
   }
-  /// How many fewer simplices there are than in the case.
+  /// Returns how many fewer simplices there are than in the case.
   vtkIdType GetNumberCollapsed() const { return this->NumberCollapsed; }
 
 private:

@@ -63,7 +63,7 @@ public:
     }
   }
 
-  /// The union of the marks of each point at two time steps.
+  /// Computes the union of the marks of each point at two time steps.
   void Fill(const Code* codes, const Code* codesAfter, vtkIdType first, vtkIdType last)
   {
     for (vtkIdType p = first; p < last; ++p)
@@ -76,7 +76,7 @@ public:
   void Free() { this->Marks.Free(); }
   std::size_t GetBytes() const { return this->Marks.GetBytes(); }
 
-  /// Of all corners' marks or-ed:
+  /// The following functions take the marks of all corners, or-ed.
   static bool IsNonFinite(Mark all) { return all & NonFiniteMark; }
   bool IsNear(Mark all) const { return this->Near[all]; }
 

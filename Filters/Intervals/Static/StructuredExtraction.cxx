@@ -20,7 +20,7 @@ namespace
 using Code = ExtractionValues::Code;
 using Slot = vtkIsotable::Slot;
 
-// Where a slot of the hexahedron's table is in the rows around a cell.
+// The place of a slot of the hexahedron's table in the rows around a cell.
 struct SlotPlace
 {
   Slot Row;       // of the owner: 0 (j,k), 1 (j+1,k), 2 (j,k+1), 3 (j+1,k+1)
@@ -55,7 +55,7 @@ std::vector<SlotPlace> FindSlotPlaces(const vtkIsotable& table)
   return places;
 }
 
-// The order of slots in rows, where a cell's vertices ascend.
+// Returns the order of slots in rows, where a cell's vertices ascend.
 vtkIsotable::RankArray FindRanks(const vtkIsotable& table)
 {
   constexpr Slot ascending[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
@@ -70,21 +70,23 @@ struct CodeRow
   Code Maximum = 0;
   bool HasTies = false;
   bool IsFinite = true;
-  // The codes before First are that of the first point, those after Last that of the last point.
+  // The range of codes: those before First are equal to the code of the first point, those after
+  // Last to that of the last point.
   std::int64_t First = 0;
   std::int64_t Last = 0;
   std::vector<Code> Codes;
 };
 
-// Columns [First, Last) of a row.
+// The columns [First, Last) of a row.
 struct ColumnRange
 {
   std::int64_t First;
   std::int64_t Last;
 };
 
-// Where the output points that a row of grid points owns begin, relative to the row's first: those
-// of a grid point at Starts, of its edge along i, j, k by Offsets[0], [1], [2] further on.
+// The places where the output points that a row of grid points owns begin, relative to the row's
+// first: those of a grid point at Starts, those of its edge along i, j, k by Offsets[0], [1], [2]
+// further on.
 struct OwnerRow
 {
   vtkIdType Row = -1;
@@ -96,8 +98,8 @@ struct OwnerRow
   std::vector<Code> Counts;
 };
 
-// What the counting pass finds in a row: points owned, simplices and boundary triangles of its
-// cells; after summing, where the row's begin.
+// The counts of a row: points owned, simplices and boundary triangles of its cells; after summing,
+// the places where those of the row begin.
 struct RowCount
 {
   vtkIdType Points = 0;
@@ -146,8 +148,8 @@ public:
   }
 
 private:
-  // How a cell is cut where values equal isovalues: it follows from the interval and from how each
-  // corner's value compares with both of its bounds. Cells that are alike follow each other.
+  // The cut of a cell where values equal isovalues, which follows from the interval and from how
+  // each corner's value compares with both of its bounds. Cells that are alike follow each other.
   struct TiedCase
   {
     std::uint64_t Key = 0;
@@ -155,7 +157,7 @@ private:
     MergedCut Cut;
   };
 
-  // Buffers and counts of a thread.
+  // The buffers and counts of a thread.
   struct Local
   {
     std::array<std::array<CodeRow, 3>, 3> Codes;
@@ -171,7 +173,7 @@ private:
     bool HasTies = false;
   };
 
-  // A row of cells goes by the number of its first row of grid points.
+  // Returns the codes of a row; a row of cells goes by the number of its first row of grid points.
   const CodeRow& GetCodes(Local& local, vtkIdType j, vtkIdType k) const
   {
     CodeRow& row = local.Codes[k % 3][j % 3];
@@ -183,7 +185,7 @@ private:
       row.IsFinite =
         this->Scalars->Classify(this->Rows.GetFirstPoint(number), this->Nx, row.Codes.data());
       ExtractionKernels::FindEnds(row.Codes.data(), this->Nx, row.First, row.Last);
-      // What lies between, and one of the equal codes at either end.
+      // The codes in between, and one of the equal codes at either end.
       const vtkIdType begin = row.First - 1;
       const vtkIdType end = std::max(std::min<vtkIdType>(row.Last + 2, this->Nx), begin + 1);
       Code ties;
@@ -194,8 +196,8 @@ private:
     return row;
   }
 
-  // The columns of points between which all that differs lies: outside of them the codes of all
-  // rows are one and the same, and no output.
+  // Finds the columns of points between which all that differs lies: outside of them the codes of
+  // all rows are one and the same, and no output.
   template <std::size_t Number>
   ColumnRange GetRange(const std::array<const CodeRow*, Number>& rows) const
   {
@@ -316,7 +318,7 @@ private:
     }
   }
 
-  // Makes the counts of rows the places where they begin, and room for all.
+  // Turns the counts of rows into the places where they begin, and makes room for all.
   void Allocate()
   {
     RowCount total;
@@ -353,7 +355,8 @@ private:
     std::size_t bytes = this->Offsets.capacity() * sizeof(RowCount) +
       this->Columns.capacity() * sizeof(this->Columns[0]) + this->Mesh.Points.GetBytes() +
       this->Mesh.Used.GetBytes();
-    // Nine rows of codes; four of starts, three offsets and counts; columns, keys and marks.
+    // The bytes of nine rows of codes; of four rows of starts, three offsets and counts; of
+    // columns, keys and marks.
     constexpr std::size_t bytesOfColumn =
       9 * sizeof(Code) + 4 * (sizeof(std::uint32_t) + 4 * sizeof(Code)) + 5;
     for (const Local& local : this->Locals)
@@ -419,7 +422,7 @@ private:
     this->Scalars->Place(begin, out - begin);
   }
 
-  // Where the ids of a slot's points begin and how they go on along a row of cells.
+  // The place where the ids of a slot's points begin, and how they go on along a row of cells.
   struct SlotRow
   {
     vtkIdType First;
@@ -497,7 +500,8 @@ private:
       maximum = std::max(maximum, codes.Maximum);
       rows[r] = &codes;
     }
-    // After all codes: the owners' rows reach further, and only now may the codes' places change.
+    // The rows of owners come after all codes, since they reach further: only now may the places of
+    // codes change.
     if (Write)
     {
       this->FindSlotRows(local, around);
@@ -676,7 +680,7 @@ private:
     return ExtractionValues::IsTie(ties);
   }
 
-  // The output id of a slot.
+  // Returns the output id of a slot.
   vtkIdType GetId(const Around& around, vtkIdType i, const ExtractionValues::Item& item,
     const Code* codes, Slot slot) const
   {
@@ -777,8 +781,8 @@ private:
     return tied;
   }
 
-  // Where values equal isovalues: slots that are one point are made one before the case is cut.
-  // Returns false where none are.
+  // Cuts a case where values equal isovalues: slots that are one point are made one before the case
+  // is cut. Returns false where none are.
   template <bool Write>
   bool ProcessTies(Local& local, const Around& around, vtkIdType i, int item,
     const vtkIsotable::Case& found, RowCount& place)

@@ -18,7 +18,7 @@ namespace interlume
 class StructuredExtraction
 {
 public:
-  /// Returns false when the user aborted.
+  /// Runs the extraction. Returns false when the user aborted.
   static bool Execute(
     const ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh);
 };

@@ -28,7 +28,7 @@ class UnstructuredCells
 public:
   using Mark = PointMarks::Mark;
 
-  /// \a offsets and \a ids are the arrays of the grid's cells.
+  /// Reads the cells of \a grid, whose arrays \a offsets and \a ids are.
   UnstructuredCells(vtkUnstructuredGrid* grid, const Stored* offsets, const Stored* ids)
     : TypeArray(GridCells::GetTypes(grid))
     , Types(this->TypeArray->GetPointer(0))
@@ -49,7 +49,7 @@ public:
     this->Stride = isUniform ? first.NumberOfCorners : 0;
   }
 
-  /// Whether all cells are of one linear type, that of cell 0.
+  /// Returns whether all cells are of one linear type, that of cell 0.
   bool IsUniform() const { return this->Stride > 0; }
 
   const CellCorners& GetCorners(vtkIdType cell) const
@@ -57,7 +57,7 @@ public:
     return this->CornersOfType[this->Types[cell]];
   }
 
-  /// The marks of all corners of a cell, or-ed.
+  /// Returns the marks of all corners of a cell, or-ed.
   Mark GetMarks(vtkIdType cell, int corners, const Mark* marks) const
   {
     const Stored* ids = this->GetFirst(cell);
@@ -69,7 +69,7 @@ public:
     return static_cast<Mark>(all);
   }
 
-  /// The same for the cells first ... last - 1 of a uniform grid; calls visit(cell, all).
+  /// Does the same for the cells first ... last - 1 of a uniform grid, and calls visit(cell, all).
   template <typename Visitor>
   void ForEachMarks(vtkIdType first, vtkIdType last, const Mark* marks, Visitor&& visit) const
   {
@@ -86,7 +86,7 @@ public:
     }
   }
 
-  /// The corners of a cell in the order of its table.
+  /// Gives the corners of a cell in the order of its table.
   void GetIds(vtkIdType cell, const CellCorners& corners, vtkIdType* ids) const
   {
     const Stored* from = this->GetFirst(cell);

@@ -28,7 +28,7 @@ using Item = ExtractionValues::Item;
 
 constexpr vtkIdType ChunkSize = 256 * ExtractionIndex::RunLength;
 
-// How much a cut of its own left.
+// The size of what a cut of its own left.
 struct CutSize
 {
   std::uint8_t Simplices;
@@ -38,7 +38,7 @@ struct CutSize
 // A case met in a chunk of cells.
 struct Found
 {
-  // The cell, from the chunk's first on.
+  // The place of the cell, counted from the chunk's first.
   std::uint16_t Position;
   std::uint16_t Key;
   std::uint16_t Item;
@@ -49,7 +49,7 @@ struct Found
   bool IsInverted;
 };
 
-// What the counting pass leaves of a chunk of cells for the writing pass.
+// The result of the counting pass for a chunk of cells, which the writing pass uses.
 struct Chunk
 {
   std::vector<Found> Cases;
@@ -202,7 +202,8 @@ private:
         [this](vtkIdType point) { return this->Context.IsPointBlanked(point); });
   }
 
-  // Whether a cell is near an item and can give output; if it cannot, the reason is counted.
+  // Returns whether a cell is near an item and can give output; if it cannot, the reason is
+  // counted.
   bool Accept(vtkIdType id, vtkExtractionReport& report) const
   {
     const CellCorners& corners = this->Cells.GetCorners(id);
@@ -250,8 +251,8 @@ private:
     }
   }
 
-  // Whether two slots of a cell may be one point: by a value equal to an isovalue, or since two
-  // corners are one point.
+  // Returns whether two slots of a cell may be one point: by a value equal to an isovalue, or since
+  // two corners are one point.
   bool HasEqualPoints(const Cell& cell, const Item& item) const
   {
     Code ties = item.IsFlat;
@@ -270,8 +271,8 @@ private:
       what.Slots.size() };
   }
 
-  // A cut that was kept. Only the points of simplices that keep all their points are used; their
-  // slots are put into \a slots.
+  // Returns a cut that was kept. Only the points of simplices that keep all their points are used;
+  // their slots are put into \a slots.
   Cut GetOwnCut(const Chunk& chunk, CutSize size, std::size_t firstSimplex,
     std::size_t firstTriangle, Slot* slots) const
   {
@@ -295,7 +296,7 @@ private:
     return cut;
   }
 
-  // The point of a slot: its owner and its key there.
+  // Returns the point of a slot, as its owner and its key there.
   CrossingKey GetPoint(const Cell& cell, const Item& item, Slot slot, vtkIdType& owner) const
   {
     if (slot < cell.NumberOfCorners)
@@ -471,7 +472,7 @@ private:
     return this->GetOwnCut(chunk, chunk.Cuts.back(), firstSimplex, firstTriangle, slots);
   }
 
-  // Makes the counts of chunks the places where they begin, and room for all.
+  // Turns the counts of chunks into the places where they begin, and makes room for all.
   void Allocate()
   {
     vtkIdType simplices = 0;
@@ -547,7 +548,8 @@ private:
     }
   }
 
-  // Notes what a cell where slots were made one has to be compared with its neighbours for.
+  // Notes the simplices and triangles of a cell with merged slots that have to be compared with
+  // those of its neighbours.
   void NoteTied(vtkIsotable::Shapes shape, const Cut& cut, vtkIdType simplex, vtkIdType triangle,
     MergedCut& merged, Chunk& chunk) const
   {
@@ -564,7 +566,7 @@ private:
     }
   }
 
-  // The output ids of a cut's points, by slot.
+  // Finds the output ids of a cut's points, by slot.
   void FindIds(const Cell& cell, const Item& item, const Cut& cut, vtkIdType* ids) const
   {
     for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
@@ -605,8 +607,9 @@ private:
 
   ExtractionBuffer<Code> Codes;
   PointMarks Marks;
-  // A contour is small beside its grid: it is quicker to note the points of its cells than to look
-  // them up once more. For the tetrahedra of an interval that would take too much memory.
+  // Whether the nodes of points are kept. A contour is small beside its grid: it is quicker to note
+  // the points of its cells than to look them up once more. For the tetrahedra of an interval that
+  // would take too much memory.
   bool KeepsNodes;
   CrossingLists Points;
   std::vector<Chunk> Chunks;

@@ -23,7 +23,7 @@ namespace interlume
 class UnstructuredExtraction
 {
 public:
-  /// Returns false when the user aborted. The context's input is \a grid.
+  /// Runs the extraction. Returns false when the user aborted. The context's input is \a grid.
   static bool Execute(
     const ExtractionContext& context, vtkUnstructuredGrid* grid, ExtractionMesh& mesh);
 };

@@ -48,7 +48,7 @@ bool FacePlanarity::IsPlanar(const TimeVaryingCell& cell, unsigned corners) cons
   {
     vtkMath::Subtract(x[k], x[0], x[k]);
   }
-  // What is left of a volume by rounding alone.
+  // The part of a volume that is left by rounding alone.
   constexpr double small = 1e-13;
   const double size = vtkMath::Norm(x[1]) * vtkMath::Norm(x[2]) * vtkMath::Norm(x[3]);
   return std::abs(vtkMath::Determinant3x3(x[1], x[2], x[3])) <= small * size;

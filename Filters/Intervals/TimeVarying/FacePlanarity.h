@@ -20,10 +20,10 @@ class FacePlanarity
 public:
   FacePlanarity(const TimeStep& first, const TimeStep& second);
 
-  /// Whether points stay in place.
+  /// Returns whether points stay in place.
   bool IsStatic() const { return this->Static; }
 
-  /// One bit for each face, in the order of TimeVaryingSlots.
+  /// Returns which faces are planar, with one bit for each face, in the order of TimeVaryingSlots.
   unsigned GetPlanar(const TimeVaryingCell& cell, const TimeVaryingSlots& slots) const;
 
 private:

@@ -28,7 +28,7 @@ SimplexProjection::SimplexProjection(const std::array<Point, NumberOfPoints>& po
   }
 }
 
-// Returns false where too many digits were lost.
+// Computes the dependency. Returns false where too many digits were lost.
 template <typename Real>
 bool SimplexProjection::Compute(const std::array<Point, NumberOfPoints>& points, unsigned flat)
 {
@@ -49,12 +49,12 @@ bool SimplexProjection::Compute(const std::array<Point, NumberOfPoints>& points,
   {
     return true;
   }
-  // Of size 1, so that no product overflows or vanishes.
+  // Edges are scaled to size 1, so that no product overflows or vanishes.
   for (Vector<Real>& edge : edges)
   {
     edge /= longest;
   }
-  // From a time among them.
+  // Times are counted from one among them.
   Real times[NumberOfPoints];
   for (int i = 0; i < NumberOfPoints; ++i)
   {
@@ -74,7 +74,7 @@ bool SimplexProjection::Compute(const std::array<Point, NumberOfPoints>& points,
     longestTime = std::max(longestTime, std::abs(times[i]));
   }
   const Real most = std::max(sums[0], sums[1]);
-  // Of a simplex that is thin in time less may be left out.
+  // For a simplex that is thin in time, less may be left out.
   const Real share = longestTime > 0 ? std::abs(content) / (longestTime * most) : Real(1);
   bool isExact = most > enough;
   sums[0] = sums[1] = 0;
@@ -130,7 +130,8 @@ int SimplexProjection::GetClass() const
 
 void SimplexProjection::GetThickPoint(const double* const points[NumberOfPoints], double x[3]) const
 {
-  // Both faces meet there: the smaller one gives fewer roundings, and its point where it is one.
+  // Both faces meet at the thick point: the smaller one gives fewer roundings, and its own point
+  // where it is a single one.
   const int side = this->Count(1) < this->Count(-1) ? 1 : -1;
   const bool isPoint = this->Count(side) == 1;
   std::fill_n(x, 3, 0.0);

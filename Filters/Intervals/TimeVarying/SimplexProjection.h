@@ -17,8 +17,8 @@ namespace interlume
  * the positive lambda_i. The projection is the union of the tetrahedra of the thick point with the
  * three points that are left when one of the positive and one of the negative points is taken away,
  * and the thickness is linear in each, zero at the three. The numbers of positive, negative and
- * zero lambda_i are the classes of the source: (3,2,0) is 1, (4,1,0) is 2, (2,2,1) is 3a, (3,1,1)
- * is 3b, (2,1,2) is 4, (1,1,3) is 5.
+ * zero lambda_i are the classes of C. Zhang, dissertation, Ohio State 2006, section 3.5.2: (3,2,0)
+ * is 1, (4,1,0) is 2, (2,2,1) is 3a, (3,1,1) is 3b, (2,1,2) is 4, (1,1,3) is 5.
  *
  * lambda_i is the volume of the tetrahedron without point i. One that is below 2^-44 of L, or of L
  * times the share that the thickness has of the simplex's extent in time, counts as zero: leaving
@@ -28,7 +28,7 @@ namespace interlume
 class SimplexProjection
 {
 public:
-  /// x, y, z and the coordinate that is projected along.
+  /// A point as x, y, z and the coordinate that is projected along.
   using Point = std::array<double, 4>;
 
   enum Counts
@@ -39,31 +39,33 @@ public:
 
   SimplexProjection() = default;
 
-  /// Bit i of \a flat is set where points other than i are known to lie in a plane.
+  /// Projects a simplex. Bit i of \a flat is set where points other than i are known to lie in a
+  /// plane.
   SimplexProjection(const std::array<Point, NumberOfPoints>& points, unsigned flat);
 
-  /// Whether it has no volume in space or no thickness; then it has no tetrahedra.
+  /// Returns whether it has no volume in space or no thickness; then it has no tetrahedra.
   bool IsFlat() const { return this->Thickness == 0.0; }
 
-  /// Whether (p1 - p0, p2 - p0, p3 - p0, p4 - p0) have a negative determinant.
+  /// Returns whether (p1 - p0, p2 - p0, p3 - p0, p4 - p0) have a negative determinant.
   bool IsInverted() const { return this->Inverted; }
 
-  /// 0 ... 5 for the classes 1, 2, 3a, 3b, 4, 5. Not for a flat one.
+  /// Returns 0 ... 5 for the classes 1, 2, 3a, 3b, 4, 5. A flat simplex has no class.
   int GetClass() const;
 
   int GetNumberOfTetrahedra() const { return this->Count(1) * this->Count(-1); }
 
-  /// How long the simplex lasts at its thick point.
+  /// Returns how long the simplex lasts at its thick point.
   double GetThickness() const { return this->Thickness; }
 
-  /// The mean of a value over the thickness at the thick point is the sum of these times the values
-  /// at the points.
+  /// Returns the weights of the points: the mean of a value over the thickness at the thick point
+  /// is the sum of the weights times the values at the points.
   const std::array<double, NumberOfPoints>& GetWeights() const { return this->Weights; }
 
-  /// The sign of each lambda.
+  /// Returns the sign of each lambda.
   const std::array<std::int8_t, NumberOfPoints>& GetSigns() const { return this->Signs; }
 
-  /// The place of the thick point from those of the points: exactly one of them where it is one.
+  /// Computes the place of the thick point from those of the points: exactly one of them where it
+  /// is one.
   void GetThickPoint(const double* const points[NumberOfPoints], double x[3]) const;
 
   /**
@@ -89,8 +91,8 @@ public:
             rest[n++] = k;
           }
         }
-        // With p_i for the thick point the tetrahedron is that without p_j, whose sign is
-        // (-1)^j lambda_j, but for the place that p_i has in the order.
+        // With p_i in place of the thick point the tetrahedron is the one without p_j, whose sign
+        // is (-1)^j lambda_j, but for the place that p_i has in the order.
         const bool isPositive = (i + j + (j < i ? 1 : 0)) % 2 == 0;
         isPositive != this->Inverted ? visit(rest[0], rest[1], rest[2])
                                      : visit(rest[1], rest[0], rest[2]);

@@ -36,7 +36,7 @@ public:
     std::array<std::array<Slot, 2>, 6> Edges{};
   };
 
-  /// Bit v of \a above is set where vertex v is above.
+  /// Returns the slice for a set of vertices; bit v of \a above is set where vertex v is above.
   static const Slice& Get(unsigned int above);
 };
 

@@ -33,12 +33,12 @@ constexpr int SimplexSize = 5;
 constexpr Code AtValue = 1;
 constexpr Code AboveValue = 2;
 
-// How a 4-simplex meets the value.
+// The ways in which a 4-simplex meets the value.
 enum class Meeting
 {
   None,
   Crosses,
-  // It crosses with one vertex below and four at the value.
+  // The 4-simplex crosses with one vertex below and four at the value.
   Ends,
   // Four vertices are at the value and one is above.
   Begins,
@@ -81,11 +81,11 @@ struct Point
 // A 4-simplex with output, in a chunk.
 struct Found
 {
-  // The cell, from the chunk's first on.
+  // The place of the cell, counted from the chunk's first.
   std::uint16_t Position;
   // The key of the case.
   std::uint8_t Above;
-  // A bit for each tetrahedron that has not collapsed.
+  // The tetrahedra that have not collapsed, a bit each.
   std::uint8_t Kept;
   bool IsInverted;
   // Whether the tetrahedron is a face of the 4-simplex, or all of it.
@@ -94,7 +94,7 @@ struct Found
   bool IsGiven;
 };
 
-// What the counting pass leaves of a chunk of cells for the writing pass.
+// The result of the counting pass for a chunk of cells, which the writing pass uses.
 struct Chunk
 {
   std::vector<Found> Cases;
@@ -106,7 +106,7 @@ struct Chunk
   vtkIdType WrongCell = -1;
 };
 
-// The slots that are used by the tetrahedra kept, a bit each.
+// Returns the slots that are used by the tetrahedra kept, a bit each.
 unsigned int FindUsedSlots(const Case& what, unsigned int kept)
 {
   unsigned int used = 0;
@@ -283,7 +283,7 @@ private:
     return simplex;
   }
 
-  // The interval that a cell belongs to: intervals may overlap, and each has its own slice.
+  // Returns the interval that a cell belongs to: intervals may overlap, and each has its own slice.
   vtkIdType GetInterval(vtkIdType cell) const
   {
     return this->Intervals ? static_cast<vtkIdType>(this->Intervals->GetComponent(cell, 0)) : 0;
@@ -393,7 +393,7 @@ private:
     }
   }
 
-  // Makes the counts of chunks the places where they begin, and room for all.
+  // Turns the counts of chunks into the places where they begin, and makes room for all.
   void Allocate()
   {
     vtkIdType tetrahedra = 0;
@@ -443,7 +443,7 @@ private:
   vtkUnstructuredGrid* Grid;
   std::unique_ptr<ExtractionScalars> Scalars;
   CornerOrder Order;
-  // Null where cells have no interval.
+  // The intervals of the cells; null where cells have none.
   vtkDataArray* Intervals;
   // Null where all faces count.
   vtkDataArray* AtStep;

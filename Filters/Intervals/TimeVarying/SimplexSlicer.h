@@ -30,12 +30,13 @@ public:
     SimplexList Tetrahedra;
     /// The cell of each tetrahedron, where the context keeps them.
     ExtractionBuffer<vtkIdType> CellIds;
-    /// The first cell that is no VTK_POLY_VERTEX of five points; then there is no slice. -1: none.
+    /// The first cell that is no VTK_POLY_VERTEX of five points, because of which there is no
+    /// slice; -1 for none.
     vtkIdType WrongCell = -1;
   };
 
-  /// Returns false when the user aborted. The contour of \a context has one value, its input is
-  /// \a grid.
+  /// Makes the slice. Returns false when the user aborted. The contour of \a context has one value,
+  /// its input is \a grid.
   static bool Execute(const ExtractionContext& context, vtkUnstructuredGrid* grid, Slice& slice);
 };
 

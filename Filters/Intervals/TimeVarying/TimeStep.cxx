@@ -63,7 +63,7 @@ bool HasSameFrame(vtkImageData* a, vtkImageData* b)
       b->GetDirectionMatrix()->GetData());
 }
 
-// The scalars, the other point arrays and the coordinates.
+// Returns the scalars, the other point arrays and the coordinates.
 std::vector<vtkDataArray*> GetArrays(vtkDataSet* input, vtkDataArray* scalars)
 {
   std::vector<vtkDataArray*> arrays = { scalars };
@@ -173,7 +173,8 @@ bool TimeStep::IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const
       const void* memory = GetMemory(array);
       const auto source = std::find_if(this->Sources.begin(), this->Sources.end(),
         [memory](const Source& one) { return GetMemory(one.Array) == memory; });
-      // Not all who write over scalars say so, and steps that differ have scalars that differ.
+      // A source that writes over scalars does not always say so, and steps that differ have
+      // scalars that differ.
       return source != this->Sources.end() &&
         (array == scalars || array->GetMTime() > source->Time);
     });

@@ -33,33 +33,33 @@ public:
   double GetTime() const { return this->Time; }
   vtkIdType GetNumberOfPoints() const { return this->Grid->GetNumberOfPoints(); }
   vtkIdType GetNumberOfCells() const { return this->Grid->GetNumberOfCells(); }
-  /// The points along each axis, or null for an unstructured grid.
+  /// Returns the points along each axis, or null for an unstructured grid.
   const int* GetDimensions() const { return this->HasRows ? this->Dimensions : nullptr; }
   vtkUnstructuredGrid* GetUnstructuredGrid() const;
 
-  /// The cells before polyhedra were cut.
+  /// Returns the number of cells before polyhedra were cut.
   vtkIdType GetNumberOfInputCells() const { return this->NumberOfInputCells; }
-  /// Of these, polyhedra that are cut into parts that overlap.
+  /// Returns how many of these cells are polyhedra that are cut into parts that overlap.
   vtkIdType GetNumberOfConcave() const { return this->NumberOfConcave; }
 
-  /// The codes of all points; made at the first call, while progress goes from \a from to \a to.
+  /// Makes the codes of all points at the first call, while progress goes from \a from to \a to.
   /// Returns false when the user aborted.
   bool MakeCodes(const ExtractionContext& context, double from, double to);
   const ExtractionValues::Code* GetCodes() const { return this->Codes.GetData(); }
-  /// Whether a value equals a bound, once there are codes.
+  /// Returns whether a value equals a bound, once there are codes.
   bool HasTies() const { return this->Ties; }
 
   std::size_t GetBytes() const { return this->Codes.GetBytes(); }
 
   /**
-   * Whether the next step has been written over this one: its scalars are in the same memory, or
-   * its points or another array are and have changed since.
+   * Returns whether the next step has been written over this one: its scalars are in the same
+   * memory, or its points or another array are and have changed since.
    */
   bool IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const;
 
-  /// How the cells of two steps differ, in words, or nothing.
+  /// Returns how the cells of two steps differ, in words, or nothing.
   std::string FindDifference(const TimeStep& before) const;
-  /// Whether the points of two steps are in the same places.
+  /// Returns whether the points of two steps are in the same places.
   bool HasSamePoints(const TimeStep& other) const;
 
 private:
@@ -80,7 +80,7 @@ private:
   int Dimensions[3] = { 0, 0, 0 };
   ExtractionBuffer<ExtractionValues::Code> Codes;
   std::atomic<bool> Ties{ false };
-  // Empty where the step is a copy.
+  // The arrays that the step was read from; empty where the step is a copy.
   std::vector<Source> Sources;
 };
 

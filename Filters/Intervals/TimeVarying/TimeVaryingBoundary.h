@@ -28,7 +28,7 @@ public:
 
   /**
    * Calls visit(kind, slots, number) for each boundary cell that \a mesh wants, of a 4-simplex that
-   * has no two slots that are one point. Of a positively oriented 4-simplex tetrahedra at a step
+   * has no two slots that are one point. For a positively oriented 4-simplex, tetrahedra at a step
    * and triangles come out oriented as those of vtkIntervalVolume, tetrahedra in time outward.
    */
   template <typename Visitor>
@@ -97,7 +97,7 @@ private:
     return all;
   }
 
-  // The triangles of a tetrahedron on one side, outward.
+  // Gives the triangles of a tetrahedron on one side, outward.
   template <typename Give>
   static void GiveTriangles(unsigned side, const int* face, int kind, Give&& give)
   {

@@ -29,7 +29,7 @@ struct TimeVaryingCell
 };
 
 /**
- * What the cells of rows and unstructured cells have in common: which of them are left out.
+ * The common part of the cells of rows and of unstructured cells: which of them are left out.
  */
 class TimeVaryingCellsBase
 {
@@ -44,7 +44,7 @@ protected:
     return this->Steps[0]->HasBlanking() || this->Steps[1]->HasBlanking();
   }
 
-  /// Whether a cell is left out at either step.
+  /// Returns whether a cell is left out at either step.
   bool IsBlanked(const TimeVaryingCell& cell) const
   {
     return std::any_of(this->Steps, this->Steps + 2,

@@ -114,7 +114,7 @@ void TimeVaryingCut::AddFlatSides(const vtkIsotableCache& table, const TimeVaryi
 {
   const int vertices = table.GetNumberOfVertices();
   const Code tie = item.First;
-  // The upper side, unless a corner is below: of the whole, and of each step.
+  // The upper side counts, unless a corner is below: for the whole, and for each step.
   const int corners = vertices / 2;
   const int upper = *std::min_element(codes, codes + vertices) < tie ? 0 : 1;
   const int upperAt[2] = { *std::min_element(codes, codes + corners) < tie ? 0 : 1,
@@ -135,7 +135,7 @@ void TimeVaryingCut::AddFlatSides(const vtkIsotableCache& table, const TimeVaryi
     {
       if (on & Equal)
       {
-        // Seen from what lies beyond.
+        // The side is seen from what lies beyond.
         this->Add(Kinds::LOWER_SURFACE_IN_TIME + upper, 4, points.data(), true);
         if (on & full)
         {

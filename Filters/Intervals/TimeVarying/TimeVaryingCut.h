@@ -16,9 +16,9 @@ namespace interlume
  * @class   TimeVaryingCut
  * @brief   a case between two steps as it is cut in a cell of which slots are the same point
  *
- * What MergedCut is for a cell of one step, with all kinds of boundary cells: the sides of the
- * pieces are cut by themselves, since a piece without hypervolume has sides too. The volume and its
- * surfaces at a step are those of that step alone, as vtkIntervalVolume has them.
+ * It is what MergedCut is for a cell of one step, with all kinds of boundary cells: the sides of
+ * the pieces are cut by themselves, since a piece without hypervolume has sides too. The volume and
+ * its surfaces at a step are those of that step alone, as vtkIntervalVolume has them.
  */
 class TimeVaryingCut
 {
@@ -36,8 +36,8 @@ public:
     int Kind;
   };
 
-  /// Cuts in the order of \a ranks; \a same has for each slot the one that it goes by. \a inside is
-  /// the case where all corners are in the interval.
+  /// Cuts the case in the order of \a ranks; \a same has for each slot the one that it goes by. \a
+  /// inside is the case where all corners are in the interval.
   void Make(const vtkIsotableCache& table, const TimeVaryingSlots& slots, const Item& item,
     const Code* codes, const vtkIsotableCache::Case& what, const vtkIsotableCache::Case& inside,
     const vtkIsotableCache::RankArray& ranks, const Slot* same, bool hasSides);

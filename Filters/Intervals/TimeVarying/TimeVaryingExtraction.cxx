@@ -35,7 +35,7 @@ using Item = ExtractionValues::Item;
 using Slot = vtkIsotableCache::Slot;
 using Simplex = vtkIsotableCache::Simplex;
 
-// Small, since cells that matter lie in clusters, and threads are to share them.
+// Chunks are small, since cells that matter lie in clusters, and threads are to share them.
 constexpr vtkIdType ChunkSize = 512;
 constexpr int MaximumNumberOfVertices = vtkIsotableCache::MaximumNumberOfVertices;
 constexpr int MaximumNumberOfSlots = vtkIsotableCache::MaximumNumberOfSlots;
@@ -79,10 +79,10 @@ struct Cut
   }
 };
 
-// One thread's way to the tables, and room for cuts.
+// The access of one thread to the tables, and its room for cuts.
 struct Workplace
 {
-  // Shared only since VTK copies what a thread begins with.
+  // The readers are shared pointers only since VTK copies what a thread begins with.
   std::array<std::shared_ptr<vtkIsotableCache::Reader>, vtkIsotable::NUMBER_OF_SHAPES> Tables;
   Cut Own;
 
@@ -181,8 +181,8 @@ private:
     }
   }
 
-  // Whether two slots of a cell may be one point: by a value equal to an isovalue, or since two
-  // corners are one point.
+  // Returns whether two slots of a cell may be one point: by a value equal to an isovalue, or since
+  // two corners are one point.
   static bool HasEqualPoints(const TimeVaryingCell& cell, const Code* codes, const Item& item)
   {
     Code ties = item.IsFlat;
@@ -198,7 +198,7 @@ private:
     return !cell.IsAscending && ExtractionCell::IsCollapsed(cell.Ids, cell.NumberOfCorners);
   }
 
-  // The point of a slot: its owner and its key there.
+  // Returns the point of a slot, as its owner and its key there.
   std::pair<vtkIdType, CrossingKey> GetPoint(
     const TimeVaryingCell& cell, const Item& item, Slot slot) const
   {
@@ -264,7 +264,7 @@ private:
       const bool isPlain = this->MakeCut(cell, codes, item, what, place);
       if (!isPlain && place.Own.IsMerged)
       {
-        // In another order than the table's there may be more.
+        // In an order other than that of the table there may be more simplices.
         const std::size_t left = std::min(place.Own.GetSimplices().size(), what.Simplices.size());
         chunk.Report.CollapsedSimplices += static_cast<vtkIdType>(what.Simplices.size() - left);
       }
@@ -365,7 +365,7 @@ private:
     }
   }
 
-  // Makes the counts of chunks the places where they begin, and room for all.
+  // Turns the counts of chunks into the places where they begin, and makes room for all.
   void Allocate()
   {
     vtkIdType simplices = 0;

@@ -21,7 +21,7 @@ vtkIdType GetOwner(const ExtractionPoint& point)
   return std::min(point.Near, point.Far);
 }
 
-// Points of two steps as points of the first, where all stay in place.
+// Turns points of two steps into points of the first, where all stay in place.
 PointList Fold(const PointList& points, vtkIdType split)
 {
   const auto fold = [split](vtkIdType id) { return id < split ? id : id - split; };
@@ -38,7 +38,7 @@ PointList Fold(const PointList& points, vtkIdType split)
   return folded;
 }
 
-// The places of points that move.
+// Computes the places of points that move.
 void InterpolatePoints(
   vtkDataSet* first, vtkDataSet* second, const PointList& points, vtkPoints* places)
 {
@@ -71,7 +71,7 @@ vtkSmartPointer<vtkPoints> MakePoints(const TimeStep& first, const TimeStep& sec
     return ExtractionArrays::MakePoints(
       first.GetGrid(), Fold(points, first.GetNumberOfPoints()), precision);
   }
-  // Empty, but of the type that is asked for.
+  // The points are empty, but of the type that is asked for.
   vtkSmartPointer<vtkPoints> made =
     ExtractionArrays::MakePoints(first.GetGrid(), PointList(), precision);
   made->SetNumberOfPoints(static_cast<vtkIdType>(points.GetSize()));
@@ -84,7 +84,7 @@ bool IsSurfaceAtStep(int kind)
   return kind < Kinds::LOWER_SURFACE_IN_TIME;
 }
 
-// One number for an interval at the first or at the last step.
+// Returns one number for an interval at the first or at the last step.
 vtkIdType GetGroup(int item, int kind)
 {
   const bool isAtEnd = kind == Kinds::VOLUME_AT_END || kind == Kinds::LOWER_SURFACE_AT_END ||
@@ -101,7 +101,8 @@ void ForEachFace(const std::array<vtkIdType, Size>& simplex, Visitor&& visit)
     std::array<vtkIdType, Size - 1> face;
     std::copy_n(simplex.begin(), i, face.begin());
     std::copy(simplex.begin() + i + 1, simplex.end(), face.begin() + i);
-    // Of a positive tetrahedron the face without an even point is outward, and so of a 4-simplex.
+    // The face of a positive tetrahedron without an even point is outward, and so is that of a
+    // 4-simplex.
     if (i % 2 == 1)
     {
       std::swap(face[0], face[1]);
@@ -192,7 +193,7 @@ void TimeVaryingMesh::BeginSlab(int number, bool isFirst, bool isLast, bool isJo
   this->IsLast = isLast;
   this->WantedKinds = this->Options.Settings.GenerateBoundary;
   this->HasTies = this->HasTies || hasTies;
-  // Surfaces at a step are told from nothing by the volume there.
+  // The volume at a step tells surfaces there from surfaces that bound nothing.
   this->WantedKinds[Kinds::VOLUME_AT_START] |= hasTies &&
     (this->WantedKinds[Kinds::LOWER_SURFACE_AT_START] ||
       this->WantedKinds[Kinds::UPPER_SURFACE_AT_START]);
@@ -283,7 +284,7 @@ void TimeVaryingMesh::FindEndPoints(const PointList& points, const CrossingLists
   this->EndPoints.reserve(end - begin);
   for (const ExtractionPoint* point = begin; point != end; ++point)
   {
-    // As the next slab will name it.
+    // The point goes by the name that the next slab will give it.
     const vtkIdType p = point - points.GetData();
     const CrossingKey key = lists.GetKey(p);
     const bool isGridPoint = key == CrossingKey();

@@ -42,9 +42,9 @@ public:
   {
     int Number = 0;
     ExtractionBuffer<Simplex> Simplices;
-    /// The interval of each; empty where there is only one.
+    /// The interval of each 4-simplex; empty where there is only one.
     ExtractionBuffer<int> Items;
-    /// For each which of its sides are known to be flat, see SimplexProjection; empty where no
+    /// The sides of each 4-simplex that are known to be flat, see SimplexProjection; empty where no
     /// projection is asked for.
     ExtractionBuffer<std::uint8_t> Flats;
     /// Of each whether values equal a bound in its cell; empty where 4-simplices are not asked for.
@@ -58,7 +58,7 @@ public:
     int Kind;
     int Item;
     int Slab;
-    /// Whether values equal a bound there, so that it may cancel another or be of nothing.
+    /// Whether values equal a bound there, so that the cell may cancel another or bound nothing.
     bool IsTied;
   };
 
@@ -70,12 +70,12 @@ public:
   const TimeVaryingOptions& GetOptions() const { return this->Options; }
 
   /// Begins a slab. Boundaries at the start and end are in the first and last one only. Points are
-  /// shared with the slab before where that ends at the step at which this one begins. \a hasTies:
-  /// whether a value equals a bound.
+  /// shared with the slab before where that ends at the step at which this one begins. \a hasTies
+  /// tells whether a value equals a bound.
   void BeginSlab(int number, bool isFirst, bool isLast, bool isJoined, bool hasTies);
 
-  /// Whether boundary cells of a kind are asked for, or needed to settle others, and can be in this
-  /// slab.
+  /// Returns whether boundary cells of a kind are asked for, or needed to settle others, and can be
+  /// in this slab.
   bool IsWanted(int kind) const { return this->WantedKinds[kind]; }
   bool HasWantedKinds() const;
   /// The same of a cell where values equal a bound, of which the volume at both steps is needed.
@@ -90,13 +90,13 @@ public:
   }
 
   /**
-   * Takes over the points of the slab and gives the id of each. \a points and \a lists as
-   * CrossingLists makes them; \a isStatic where those of the grid stay in place.
+   * Takes over the points of the slab and gives the id of each. \a points and \a lists are as
+   * CrossingLists makes them; \a isStatic tells that the points of the grid stay in place.
    */
   ExtractionBuffer<vtkIdType> AddPoints(const TimeStep& first, const TimeStep& second,
     const ExtractionBuffer<ExtractionPoint>& points, const CrossingLists& lists, bool isStatic);
 
-  /// Adds boundary cells of the slab; their number of the slab is filled in.
+  /// Adds boundary cells of the slab, and fills in the number of the slab.
   void AddBoundary(const std::vector<BoundaryCell>& cells);
 
   /// Adds parts of the volume at the two steps of the slab, of cells where values equal a bound.
@@ -112,9 +112,9 @@ public:
 
   /**
    * Settles boundary cells where values equal a bound, once all slabs are there. Pairs with the
-   * same points and opposite orientation go. Of the others tetrahedra in time stay where they are
-   * faces of 4-simplices, counted with their orientation, and triangles where they are faces of the
-   * volume at their step.
+   * same points and opposite orientation go. Among the others, tetrahedra in time stay where they
+   * are faces of 4-simplices, counted with their orientation, and triangles where they are faces of
+   * the volume at their step.
    */
   void SettleTiedBoundary();
 
@@ -127,7 +127,7 @@ public:
 
   ///@{
   /**
-   * Null where there is nothing.
+   * Return the points and their arrays; null where there is nothing.
    */
   vtkPoints* GetPoints() const { return this->Points; }
   vtkDoubleArray* GetTimes() const { return this->Times; }
@@ -137,12 +137,12 @@ public:
   const std::vector<BoundaryCell>& GetBoundary() const { return this->Boundary; }
   const std::vector<BoundaryCell>& GetStepVolume() const { return this->StepVolume; }
 
-  /// The names of point arrays that were left out since a step lacks them.
+  /// Returns the names of point arrays that were left out since a step lacks them.
   const std::vector<std::string>& GetArraysLeftOut() const { return this->ArraysLeftOut; }
 
   std::size_t GetBytes() const;
 
-  /// A point as it is projected, the coordinate along the projection last.
+  /// Returns a point as it is projected, the coordinate along the projection last.
   SimplexProjection::Point GetProjected(vtkIdType id) const
   {
     SimplexProjection::Point x;
@@ -172,7 +172,7 @@ public:
   }
 
 private:
-  // A point at the end of a slab: what makes it, and its id.
+  // A point at the end of a slab: its origin, and its id.
   struct SharedPoint
   {
     vtkIdType Owner;
@@ -198,7 +198,7 @@ private:
   TimeVaryingOptions Options;
   std::array<bool, vtkTimeVaryingSettings::NUMBER_OF_BOUNDARY_KINDS> WantedKinds{};
   vtkSmartPointer<vtkPoints> Points;
-  // The coordinates, in the one type or the other.
+  // The coordinates, as floats or as doubles.
   const float* Floats = nullptr;
   const double* Doubles = nullptr;
   vtkSmartPointer<vtkDoubleArray> Times;

@@ -27,7 +27,7 @@ public:
     {
       length = std::hypot(length, direction[axis]);
     }
-    // The same line, never away from time.
+    // The line stays the same, and never points away from time.
     length = direction[3] < 0.0 ? -length : length;
     for (int axis = 0; axis < 4; ++axis)
     {
@@ -44,8 +44,8 @@ public:
   bool IsAlongTime() const { return this->Direction[3] == 1.0; }
 
   /**
-   * A place in space and time in the axes of the projection, of which the last is along it: those
-   * of x, y, z, t turned by the smallest rotation that takes t to the direction.
+   * Turns a place in space and time into the axes of the projection, of which the last is along it:
+   * those of x, y, z, t turned by the smallest rotation that takes t to the direction.
    */
   void Project(double x[4]) const
   {

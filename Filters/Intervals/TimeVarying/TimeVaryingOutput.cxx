@@ -48,14 +48,14 @@ int GetItem(const Slab& slab, vtkIdType simplex)
   return slab.Items.GetSize() > 0 ? slab.Items[simplex] : 0;
 }
 
-// Where the thick point and the tetrahedra of a simplex begin.
+// The places where the thick point and the tetrahedra of a simplex begin.
 struct Place
 {
   vtkIdType Point;
   vtkIdType Tetrahedron;
 };
 
-// What some simplices of a slab add up to.
+// The sums over some simplices of a slab.
 struct Sums
 {
   Place Size{ 0, 0 };
@@ -83,7 +83,7 @@ struct Block
   const Slab* TheSlab;
   vtkIdType First;
   vtkIdType Last;
-  // What they add up to; then where they begin.
+  // The sums over the simplices; then the places where they begin.
   Sums Content;
 };
 
@@ -165,7 +165,7 @@ private:
     return { this->Mesh.GetProjected(slab.Simplices[s]), slab.Flats[s] };
   }
 
-  // Makes the size of a block the place where it begins.
+  // Turns the size of a block into the place where it begins.
   void Begin(Sums& block, vtkTimeVaryingReport& report)
   {
     report.FlatSimplices += block.Flat;
@@ -216,7 +216,7 @@ private:
     this->Slabs = AddCellArray<vtkIntArray>(this->Output, "TimeSlab", this->Tetrahedra);
   }
 
-  // An array of the points; its values at the thick points are yet to be written.
+  // Makes an array of the points; its values at the thick points are yet to be written.
   vtkSmartPointer<vtkAbstractArray> MakeArray(vtkAbstractArray* from)
   {
     vtkSmartPointer<vtkAbstractArray> made;
@@ -257,7 +257,7 @@ private:
           for (int p = 0; p < NumberOfPoints; ++p)
           {
             const double weight = projection.GetWeights()[p];
-            // What has no weight may not be finite.
+            // A value without weight may not be finite.
             mean += weight == 0.0 ? 0.0 : weight * values[simplex[p] * components + c];
           }
           values[thickPoint * components + c] = static_cast<Value>(mean);
@@ -304,7 +304,7 @@ private:
     }
   }
 
-  // Values that have no mean are those of the point with the most weight.
+  // Fills in values that have no mean by those of the point with the most weight.
   void FillOthers()
   {
     for (const Block& block : this->Blocks)
@@ -345,7 +345,7 @@ private:
   vtkIntArray* Slabs = nullptr;
 };
 
-// Points and point arrays of the mesh itself.
+// Shares the points and point arrays of the mesh itself.
 void ShareArrays(const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output)
 {
   output->SetPoints(mesh.GetPoints());

@@ -19,14 +19,14 @@ struct ExtractionContext;
 class TimeVaryingOutput
 {
 public:
-  /// The tetrahedra of all projections, with the points of the mesh and one thick point for each
-  /// 4-simplex after them. Returns false when the user aborted.
+  /// Makes the tetrahedra of all projections, with the points of the mesh and one thick point for
+  /// each 4-simplex after them. Returns false when the user aborted.
   static bool FillTetrahedra(const ExtractionContext& context, const TimeVaryingMesh& mesh,
     vtkUnstructuredGrid* output, vtkTimeVaryingReport& report);
-  /// The boundary, with the points of the mesh.
+  /// Makes the boundary, with the points of the mesh.
   static void FillBoundary(
     const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output, vtkTimeVaryingReport& report);
-  /// The 4-simplices, with the points of the mesh.
+  /// Makes the 4-simplices, with the points of the mesh.
   static void FillSimplices(const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output);
 };
 

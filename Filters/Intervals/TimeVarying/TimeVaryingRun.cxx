@@ -24,7 +24,7 @@ namespace
 // The part of the progress until the outputs are made.
 constexpr double ExtractionShare = 0.7;
 
-// The datasets of an input, with null for blocks that are none.
+// Returns the datasets of an input, with null for blocks that are none.
 std::vector<vtkDataSet*> GetLeaves(vtkDataObject* input)
 {
   std::vector<vtkDataSet*> leaves;
@@ -59,7 +59,7 @@ public:
     }
   }
 
-  // The next dataset; null where \a isNeeded is not set.
+  // Returns the next dataset; null where \a isNeeded is not set.
   vtkUnstructuredGrid* GetNext(bool isNeeded)
   {
     if (!this->Composite)
@@ -197,7 +197,7 @@ void TimeVaryingRun::NoteEmptiness()
   }
   else if (this->NextStep > 0)
   {
-    // Steps do not stay. Two of them are held in any case.
+    // Steps do not stay, so that they are looked at now; two of them are held in any case.
     this->Empty.Look();
   }
 }

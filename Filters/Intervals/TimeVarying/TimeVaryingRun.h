@@ -35,15 +35,16 @@ public:
     DONE,
     ABORTED,
     FAILED,
-    /// The input writes each step over the one before: it has to be begun anew, with copies.
+    /// The input writes each step over the one before, so that the run has to begin anew, with
+    /// copies.
     OVERWRITTEN
   };
 
   /// Gives the array of a dataset that is to be processed, and its association.
   using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet*, int&)>;
 
-  /// \a times are those of the steps to be taken, of which the first is step \a firstStep of the
-  /// input.
+  /// Begins a run. \a times are those of the steps to be taken, of which the first is step \a
+  /// firstStep of the input.
   TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
     const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
     int firstStep, const std::vector<double>& times, vtkTimeVaryingReport& report);
@@ -59,19 +60,19 @@ public:
   /// the user aborted.
   bool FillOutputs(vtkDataObject* tetrahedra, vtkDataObject* boundary, vtkDataObject* simplices);
 
-  /// Warnings, each once.
+  /// Returns the warnings, each once.
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
 
-  /// What says why there is nothing, once all steps are taken.
+  /// Returns the object that says why there is nothing, once all steps are taken.
   EmptyResult& GetEmptyResult() { return this->Empty; }
 
-  /// The type of the outputs for an input: an unstructured grid, or a composite dataset.
+  /// Returns the type of the outputs for an input: an unstructured grid, or a composite dataset.
   static const char* GetOutputType(vtkDataObject* input);
   /// Gives a composite output the blocks of its input.
   static void CopyStructure(vtkDataObject* input, vtkDataObject* output);
 
 private:
-  // What is kept of one dataset of the input.
+  // The state of one dataset of the input.
   struct Leaf
   {
     explicit Leaf(const TimeVaryingOptions& options)

@@ -7,7 +7,7 @@ namespace interlume
 
 namespace
 {
-// The bits without the lowest one that is set.
+// Returns the bits without the lowest one that is set.
 unsigned DropBit(unsigned bits)
 {
   return bits & (bits - 1);
@@ -96,7 +96,7 @@ std::uint8_t TimeVaryingSlots::FindFlat(const Simplex& simplex, unsigned planar)
     flat |= common ? 1u << a : 0u;
     for (int b = a + 1; b < 5; ++b)
     {
-      // One corner, or two: then a third point may lie between them.
+      // The pair is one corner or two, in which case a third point may lie between them.
       const unsigned pair = support[a] | support[b];
       const unsigned left = all & ~(1u << a) & ~(1u << b);
       if (DropBit(pair) == 0)

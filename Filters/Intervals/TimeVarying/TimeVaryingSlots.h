@@ -11,7 +11,7 @@ namespace interlume
 
 /**
  * @class   TimeVaryingSlots
- * @brief   what the slots of a cell between two time steps are, known from the table alone
+ * @brief   the meaning of the slots of a cell between two time steps, known from the table alone
  *
  * Corners of the cell are numbered as in vtkIsotable; corner v is vertex v of the table at the
  * first step and v + n at the second.
@@ -22,7 +22,7 @@ public:
   using Slot = vtkIsotableCache::Slot;
   using Simplex = vtkIsotableCache::Simplex;
 
-  /// Bits of a slot.
+  /// The sides that a slot is on, as bits.
   enum Sides : std::uint8_t
   {
     LOWER = 1,
@@ -34,12 +34,13 @@ public:
   explicit TimeVaryingSlots(vtkIsotable::Shapes shape);
 
   bool IsVertex(Slot slot) const { return slot < this->NumberOfVertices; }
-  /// The vertices at the ends of the slot's edge; twice the vertex itself for a vertex.
+  /// Returns the vertices at the ends of the slot's edge; twice the vertex itself for a vertex.
   Slot GetEnd(Slot slot, int end) const { return this->Ends[slot][end]; }
-  /// Whether the slot is a crossing of the lower or the upper value, and whether it is at a step.
+  /// Returns whether the slot is a crossing of the lower or the upper value, and whether it is at a
+  /// step.
   std::uint8_t GetSides(Slot slot) const { return this->SidesOf[slot]; }
 
-  /// For each side the points of a simplex on it, as bits.
+  /// Returns the points of a simplex on a side, as bits.
   std::uint8_t GetPointsOn(Sides side, const Simplex& simplex) const
   {
     unsigned points = 0;
@@ -51,13 +52,13 @@ public:
   }
 
   /**
-   * Bit i is set where the points of a simplex but i lie in a plane when the simplex is projected
-   * along time: two above one corner, three above one edge, or four above a face that is planar.
-   * Bit f of \a planar is set where face f of the cell is.
+   * Finds flat sides: bit i is set where the points of a simplex but i lie in a plane when the
+   * simplex is projected along time: two above one corner, three above one edge, or four above a
+   * face that is planar. Bit f of \a planar is set where face f of the cell is.
    */
   std::uint8_t FindFlat(const Simplex& simplex, unsigned planar) const;
 
-  /// Whether the points of a simplex are all above one face of the cell.
+  /// Returns whether the points of a simplex are all above one face of the cell.
   bool IsAboveFace(const Simplex& simplex) const
   {
     unsigned faces = this->FacesOf[simplex[0]];
@@ -68,7 +69,7 @@ public:
     return faces != 0;
   }
 
-  /// The corners of face f of the cell, as bits; 0 where there is none.
+  /// Returns the corners of face f of the cell, as bits; 0 where there is none.
   unsigned GetFace(int f) const { return this->Faces[f]; }
   static constexpr int MaximumNumberOfFaces = 6;
 

@@ -11,7 +11,7 @@ namespace interlume
 {
 
 /**
- * Exact integer algebra shared by the hull and the triangulations. Not installed.
+ * Exact integer algebra shared by the hull and the triangulations. The header is not installed.
  */
 namespace IsotableAlgebra
 {
@@ -19,7 +19,7 @@ using Point = vtkIsotableHull::Point;
 using Normal = vtkIsotableHull::Normal;
 constexpr int MaximumDimension = vtkIsotablePolytope::MaximumDimension;
 
-/// Determinant of the n x n matrix whose rows are \a m, over the columns listed.
+/// Computes the determinant of the n x n matrix whose rows are \a m, over the columns listed.
 inline std::int64_t Determinant(const Normal* m, const int* columns, int n)
 {
   if (n == 1)
@@ -66,8 +66,8 @@ inline Normal Difference(const Point& a, const Point& b)
   return d;
 }
 
-/// Generalised cross product: orthogonal to the first dimension - 1 rows, with a positive
-/// determinant as the last row below them.
+/// Computes the generalised cross product, which is orthogonal to the first dimension - 1 rows,
+/// with a positive determinant as the last row below them.
 inline Normal CrossProduct(int dimension, const std::array<Normal, MaximumDimension - 1>& rows)
 {
   Normal normal{};

@@ -33,14 +33,14 @@ struct Tetrahedra;
 class HarmonicExtension
 {
 public:
-  /// The unknown values are those of the points of \a mesh without a source. The mesh must outlive
-  /// this object.
+  /// Takes a mesh, which must outlive this object. The unknown values are those of its points
+  /// without a source.
   explicit HarmonicExtension(const interlume::Tetrahedra& mesh);
 
-  /// Asked between iterations; true stops.
+  /// A function that is asked between iterations; true stops.
   std::function<bool()> IsCancelled;
 
-  /// \a values: one for each point, known ones given. Fills in the others.
+  /// Fills in the unknown ones among \a values, which has one for each point.
   void Extend(std::vector<double>& values) const;
 
 private:

@@ -17,7 +17,7 @@ namespace interlume
 
 namespace
 {
-/// The type that holds interpolated values.
+/// Returns the type that holds interpolated values.
 int InterpolatedType(vtkDataArray* array)
 {
   switch (array->GetDataType())
@@ -34,7 +34,7 @@ int InterpolatedType(vtkDataArray* array)
   }
 }
 
-/// The arrays that stay out: ids and ghosts are of the input's points and cells alone.
+/// Returns whether an array stays out: ids and ghosts belong to the input's points and cells alone.
 bool IsOfInputAlone(vtkDataSetAttributes* data, vtkAbstractArray* array)
 {
   return array == data->GetGlobalIds() || array == data->GetPedigreeIds() ||

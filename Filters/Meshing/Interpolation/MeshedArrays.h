@@ -19,14 +19,14 @@ class MeshedArrays
 {
 public:
   /**
-   * Every numeric point array, by the origins of the points: integers as float (8 and 16 bits) or
-   * double. Global ids, ghosts and arrays that are not numbers are left out. Returns false when
-   * \a isCancelled.
+   * Makes every numeric point array, by the origins of the points: integers as float (8 and 16
+   * bits) or double. Global ids, ghosts and arrays that are not numbers are left out. Returns false
+   * when \a isCancelled.
    */
   static bool InterpolatePointData(vtkDataSet* input, const Tetrahedra& mesh,
     const std::function<bool()>& isCancelled, vtkUnstructuredGrid* output);
 
-  /// Every cell array of the input cells, except global ids and ghosts.
+  /// Copies every cell array of the input cells, except global ids and ghosts.
   static void CopyCellData(vtkDataSet* input, const Tetrahedra& mesh, vtkUnstructuredGrid* output);
 };
 

@@ -24,8 +24,8 @@ struct MeshMeasures
 
   vtkIdType AboveQualityBound = 0;
   vtkIdType AboveMaximumVolume = 0;
-  /// How far the mesh is from its bounds: the volume of each tetrahedron that exceeds one, times
-  /// the logarithm of by how much.
+  /// The distance of the mesh from its bounds: the volume of each tetrahedron that exceeds one,
+  /// times the logarithm of by how much.
   double Excess = 0.0;
   double LargestRadiusEdgeRatio = 0.0;
   double SmallestVolume = std::numeric_limits<double>::infinity();
@@ -46,7 +46,7 @@ struct MeshMeasures
 private:
   void Add(const double* a, const double* b, const double* c, const double* d)
   {
-    // By which part a bound may be exceeded by rounding.
+    // The share by which rounding may exceed a bound.
     constexpr double rounding = 1e-9;
     const double volume = Vectors::SixVolumes(a, b, c, d) / 6.0;
     const double ratio = TetrahedronMath::RadiusEdgeRatio(a, b, c, d);

@@ -10,14 +10,14 @@ namespace interlume
 {
 
 /**
- * Where the values of a point of the mesh come from: a weighted sum over up to four points of the
+ * The origin of the values of a point of the mesh: a weighted sum over up to four points of the
  * input. A point of the input itself has one, with weight 1.
  */
 struct MeshedPoint
 {
   std::array<vtkIdType, 4> Sources{ { 0, 0, 0, 0 } };
   std::array<double, 4> Weights{ { 1.0, 0.0, 0.0, 0.0 } };
-  /// How many sources count; 0 where the values are those of the harmonic function.
+  /// The number of sources that count; 0 where the values are those of the harmonic function.
   int NumberOfSources = 0;
 };
 

@@ -10,10 +10,12 @@ namespace interlume
 namespace TetrahedronMath
 {
 
-/// The sine of the solid angle at a, a measure of shape without a unit: at most 1 in magnitude.
+/// Returns the sine of the solid angle at a, a measure of shape without a unit: at most 1 in
+/// magnitude.
 double PolarSine(const double* a, const double* b, const double* c, const double* d);
 
-/// Radius of the circumscribed sphere over the shortest edge; at least sqrt(6)/4 = 0.612.
+/// Returns the radius of the circumscribed sphere over the shortest edge; at least sqrt(6)/4 =
+/// 0.612.
 double RadiusEdgeRatio(const double* a, const double* b, const double* c, const double* d);
 
 }

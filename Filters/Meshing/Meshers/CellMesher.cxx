@@ -37,7 +37,7 @@ FaceTriangulation MakeTriangulation(vtkDataSet* input)
     });
 }
 
-/// The input's points, which come first in the mesh.
+/// Takes the input's points, which come first in the mesh.
 void TakePoints(vtkDataSet* input, interlume::Tetrahedra& mesh)
 {
   const vtkIdType number = input->GetNumberOfPoints();

@@ -13,7 +13,7 @@ namespace interlume
 
 namespace
 {
-/// Whether all points lie exactly in one plane.
+/// Returns whether all points lie exactly in one plane.
 bool IsFlat(const std::vector<double>& x)
 {
   using namespace Vectors;

@@ -19,8 +19,8 @@ namespace
 /// The bound that TetGen reaches most surely, before a stricter one.
 constexpr double FirstQualityBound = 2.0;
 
-/// A point in a triangle as a weighted sum of its corners: by the areas opposite them, projected
-/// along the triangle's normal. A weight is negative where the point is outside.
+/// Returns a point in a triangle as a weighted sum of its corners, by the areas opposite them,
+/// projected along the triangle's normal. A weight is negative where the point is outside.
 MeshedPoint PlaceInTriangle(const ClosedSurface& surface, int triangle, const double* x)
 {
   using namespace Vectors;
@@ -42,7 +42,7 @@ MeshedPoint PlaceInTriangle(const ClosedSurface& surface, int triangle, const do
   return point;
 }
 
-/// The same in the triangle of a patch that the point lies in.
+/// Returns a point as a weighted sum in the triangle of a patch that it lies in.
 MeshedPoint PlaceInPatch(
   const ClosedSurface& surface, const std::vector<int>& triangles, const double* x)
 {
@@ -61,7 +61,7 @@ MeshedPoint PlaceInPatch(
   return best;
 }
 
-/// Every patch has to have triangles in the solution.
+/// Returns an error where a patch has no triangles in the solution.
 std::string CheckPatches(const ClosedSurface& surface, const TetGenSolution& solution)
 {
   std::vector<bool> isMet(surface.NumberOfPatches, false);
@@ -91,7 +91,7 @@ TetGenProblem MakeProblem(const ClosedSurface& surface)
   return problem;
 }
 
-/// An error that names the input cells that cross others, or nothing.
+/// Returns an error that names the input cells that cross others, or nothing.
 std::string CheckCrossings(const ClosedSurface& surface)
 {
   constexpr std::size_t most = 8;

@@ -14,14 +14,15 @@ namespace
 constexpr double LeastVolumeRatio = 1e-6;
 constexpr double LeastShape = 1e-6;
 constexpr int MostPasses = 12;
-/// How many passes in a row may fail to come nearer to the bounds: some then go on.
+/// The number of passes in a row that may fail to come nearer to the bounds: some then go on.
 constexpr int MostStalls = 2;
 /// TetGen 1.6 ends with some tetrahedra just beyond a bound. Where none is further beyond than
 /// this, a pass that failed is followed by one with bounds that are tighter by these parts more.
 constexpr double NearlyHeld = 1.5;
 constexpr double TighterQuality = 0.02;
 constexpr double TighterVolume = 0.1;
-/// Weaker bounds, for large tetrahedra next to angles at which the bound that was set has no end.
+/// The factors of weaker bounds, for large tetrahedra next to angles at which the bound that was
+/// set has no end.
 constexpr std::array<double, 2> WeakerBounds{ { 4.0, 16.0 } };
 
 MeshMeasures Measure(const MeshingJob& job, const TetGenSolution& mesh)
@@ -41,7 +42,7 @@ bool IsNearlyHeld(const MeshMeasures& measures)
       measures.LargestVolume <= NearlyHeld * measures.MaximumVolume);
 }
 
-/// Whether no tetrahedron is tiny or flat beside those of the first mesh and the bounds.
+/// Returns whether no tetrahedron is tiny or flat beside those of the first mesh and the bounds.
 bool IsSound(const MeshMeasures& now, const MeshMeasures& first)
 {
   const double size = now.MaximumVolume > 0.0 ? std::min(first.SmallestVolume, now.MaximumVolume)
@@ -65,7 +66,7 @@ bool MeshRefinement::Execute(MeshingJob& job, TetGenSolution& mesh)
   {
     const int tighter = IsNearlyHeld(best) ? stalls : 0;
     TetGenProblem problem;
-    // Of a mesh that it refines, TetGen counts every point.
+    // In a mesh that it refines, TetGen counts every point.
     problem.Switches = std::string("rMJnQ") + (job.PreserveBoundary ? "Y" : "") +
       job.GetRefinementSwitches(quality / (1.0 + TighterQuality * tighter),
         job.MaximumVolume / (1.0 + TighterVolume * tighter), most);

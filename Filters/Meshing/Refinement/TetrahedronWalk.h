@@ -12,16 +12,16 @@ struct TetGenSolution;
  * @class   TetrahedronWalk
  * @brief   finds the tetrahedron of a Delaunay mesh that a point lies in
  *
- * Walks from the tetrahedron found last through the face that the point lies farthest beyond.
+ * It walks from the tetrahedron found last through the face that the point lies farthest beyond.
  */
 class TetrahedronWalk
 {
 public:
-  /// \a mesh has neighbours and must outlive this object.
+  /// Takes a mesh, which has neighbours and must outlive this object.
   explicit TetrahedronWalk(const TetGenSolution& mesh);
 
-  /// The tetrahedron of \a point, and its barycentric coordinates there. A point outside gets the
-  /// tetrahedron nearest to having it.
+  /// Finds the tetrahedron of \a point, and its barycentric coordinates there. A point outside gets
+  /// the tetrahedron nearest to having it.
   int Find(const double* point, std::array<double, 4>& weights);
 
 private:

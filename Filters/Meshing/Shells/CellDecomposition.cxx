@@ -17,10 +17,10 @@ namespace
 using TetrahedronMath::PolarSine;
 using Vectors::Difference;
 
-/// Below these a tetrahedron is taken for flat, or for nearly so.
+/// The shapes below which a tetrahedron is taken for flat, or for nearly so.
 constexpr double Flat = 1e-12;
 constexpr double NearlyFlat = 1e-8;
-/// Steps of the search for a place inside.
+/// The number of steps of the search for a place inside.
 constexpr int CenterSteps = 1000;
 }
 
@@ -187,9 +187,9 @@ double CellDecomposition::GetLeastShape(const double* apex) const
 
 bool CellDecomposition::FindCenter(glm::dvec3& center) const
 {
-  // From the mean of the points, away from the triangle that lies nearest or farthest on the wrong
-  // side, by ever smaller steps: S. Agmon, "The relaxation method for linear inequalities",
-  // Canadian Journal of Mathematics 6, 1954.
+  // The place moves from the mean of the points, away from the triangle that lies nearest or
+  // farthest on the wrong side, by ever smaller steps: S. Agmon, "The relaxation method for linear
+  // inequalities", Canadian Journal of Mathematics 6, 1954.
   const auto number = static_cast<double>(this->Shell.PointIds.size());
   center = glm::dvec3(0.0);
   for (std::size_t i = 0; i < this->Shell.Points.size(); ++i)

@@ -16,8 +16,8 @@ struct MeshingJob;
  * @class   CellDecomposition
  * @brief   the tetrahedra of one cell, with just the triangles of its shell outside
  *
- * The first of these that gives tetrahedra of positive volume:
- * 1. the tetrahedra from one of its points to all triangles that do not touch it, as for every
+ * It is the first of these that gives tetrahedra of positive volume: 1. the tetrahedra from one of
+ * its points to all triangles that do not touch it, as for every
  *    convex cell: no new point;
  * 2. TetGen, with the boundary preserved: new points inside where it needs some;
  * 3. the tetrahedra from a new point that sees every triangle from within.
@@ -28,10 +28,10 @@ class CellDecomposition
 public:
   explicit CellDecomposition(const CellShell& shell);
 
-  /// Returns what is wrong, or nothing; cancelled, there are no tetrahedra.
+  /// Decomposes the cell. Returns what is wrong, or nothing; cancelled, there are no tetrahedra.
   std::string Execute(MeshingJob& job);
 
-  /// Indices of points: the shell's, then the new ones.
+  /// The corners as indices of points: the shell's, then the new ones.
   std::vector<std::array<int, 4>> Tetrahedra;
   std::vector<double> NewPoints; ///< three a point
 
@@ -41,7 +41,7 @@ private:
   bool TakeFromCenter();
   bool FindCenter(glm::dvec3& center) const;
   bool HasShell(const std::vector<int>& tetrahedra, const std::vector<int>& neighbors) const;
-  /// The least sine of a solid angle among the tetrahedra from a place to all triangles.
+  /// Returns the least sine of a solid angle among the tetrahedra from a place to all triangles.
   double GetLeastShape(const double* apex) const;
 
   const CellShell& Shell;

@@ -171,7 +171,7 @@ std::string CellShell::Orient()
         std::to_string(edge.second.size()) + " triangles of its faces, not to 2";
     }
   }
-  // From one triangle over edges to the others, each turned against the one before.
+  // Triangles are turned from one over edges to the others, each against the one before.
   std::vector<bool> isMet(this->Triangles.size(), false);
   std::vector<std::size_t> stack;
   std::size_t met = 0;

@@ -31,7 +31,7 @@ public:
     int Face;                  ///< the face of the cell it is a part of
   };
 
-  /// Whether cells of a type are taken: linear and of three dimensions.
+  /// Returns whether cells of a type are taken: linear and of three dimensions.
   static bool IsSupported(int type);
 
   /// Takes a cell, and returns what is wrong with it or nothing. A cell that collapses entirely

@@ -10,7 +10,7 @@ namespace
 {
 using Flat = std::array<double, 2>;
 
-/// Twice the signed area of a triangle in the plane.
+/// Returns twice the signed area of a triangle in the plane.
 double Area(const Flat& a, const Flat& b, const Flat& c)
 {
   return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
@@ -21,14 +21,15 @@ double SquaredLength(const Flat& a, const Flat& b)
   return (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
 }
 
-/// Below this the area of a triangle, in parts of its longest edge squared, is rounding.
+/// The area of a triangle, in parts of its longest edge squared, below which it is rounding.
 constexpr double Flatness = 1e-12;
 /// The fan is taken where its worst triangle is at least this part of the best worst one.
 constexpr double FanTolerance = 0.1;
 /// Larger polygons are cut by ears, which takes less time.
 constexpr std::size_t MostPointsForBest = 128;
 
-/// 0 for no area, the larger the better shaped; negative when inverted.
+/// Returns the shape of a triangle: 0 for no area, the larger the better shaped; negative when
+/// inverted.
 double Shape(const Flat& a, const Flat& b, const Flat& c)
 {
   const double longest =
@@ -37,7 +38,7 @@ double Shape(const Flat& a, const Flat& b, const Flat& c)
   return std::abs(shape) > Flatness ? shape : 0.0;
 }
 
-/// The points without the coordinate along which the polygon is widest, counterclockwise.
+/// Returns the points without the coordinate along which the polygon is widest, counterclockwise.
 std::vector<Flat> Project(const std::vector<FaceTriangulation::Point>& points)
 {
   std::array<double, 3> normal{ { 0.0, 0.0, 0.0 } };
@@ -49,7 +50,7 @@ std::vector<Flat> Project(const std::vector<FaceTriangulation::Point>& points)
     {
       const int u = (axis + 1) % 3;
       const int v = (axis + 2) % 3;
-      // Relative to one point, so that a place far from the origin costs no digits.
+      // Points are relative to one of them, so that a place far from the origin costs no digits.
       normal[axis] += (a[u] - points[0][u]) * (b[v] - points[0][v]) -
         (a[v] - points[0][v]) * (b[u] - points[0][u]);
     }
@@ -76,7 +77,7 @@ std::vector<Flat> Project(const std::vector<FaceTriangulation::Point>& points)
 
 using Corners = std::array<std::size_t, 3>;
 
-/// The least shape of the triangles of the fan from the first point.
+/// Returns the least shape of the triangles of the fan from the first point.
 double GetFanShape(const std::vector<Flat>& flat)
 {
   double least = 1.0;
@@ -88,10 +89,10 @@ double GetFanShape(const std::vector<Flat>& flat)
 }
 
 /**
- * The triangulation whose least shape is largest, by dynamic programming over the parts of the
- * polygon between two of its points (G. T. Klincsek, "Minimal triangulations of polygonal domains",
- * Annals of Discrete Mathematics 9, 1980). Triangles that are all positive cover a simple polygon
- * once, so no diagonal has to be looked at. Returns the least shape.
+ * Finds the triangulation whose least shape is largest, by dynamic programming over the parts of
+ * the polygon between two of its points (G. T. Klincsek, "Minimal triangulations of polygonal
+ * domains", Annals of Discrete Mathematics 9, 1980). Triangles that are all positive cover a simple
+ * polygon once, so no diagonal has to be looked at. Returns the least shape.
  */
 double FindBest(const std::vector<Flat>& flat, std::vector<Corners>& triangles)
 {
@@ -199,7 +200,7 @@ bool FaceTriangulation::Triangulate(
   {
     return true;
   }
-  // The same start and direction from either side.
+  // The start and the direction are the same from either side.
   std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end(), this->IsBefore),
     polygon.end());
   const bool isReversed = this->IsBefore(polygon.back(), polygon[1]);

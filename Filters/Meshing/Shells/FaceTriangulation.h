@@ -17,11 +17,11 @@ namespace interlume
  * The triangles depend on the cyclic sequence of the points, their places and their order alone:
  * not on where the list starts, nor on its direction. So two cells agree on the face they share.
  *
- * All is measured in the projection along the polygon's main axis. Taken is the fan from the point
- * of lowest order, if its worst triangle is not much worse than can be; otherwise, as for concave
- * polygons and those with points on a line, the triangles whose worst one is best. (A needle
- * between three points nearly on a line would, in a face that is not planar, stand up against the
- * next face.)
+ * All is measured in the projection along the polygon's main axis. The fan from the point of lowest
+ * order is taken if its worst triangle is not much worse than it has to be; otherwise, as for
+ * concave polygons and those with points on a line, the triangles whose worst one is best are
+ * taken. (A needle between three points nearly on a line would, in a face that is not planar, stand
+ * up against the next face.)
  */
 class FaceTriangulation
 {
@@ -30,7 +30,8 @@ public:
   using Point = std::array<double, 3>;
   using Order = std::function<bool(vtkIdType, vtkIdType)>;
 
-  /// \a getPoint: the place of a point. \a isBefore: the strict order of the points.
+  /// Takes functions: \a getPoint gives the place of a point, \a isBefore is the strict order of
+  /// the points.
   FaceTriangulation(std::function<Point(vtkIdType)> getPoint, Order isBefore);
 
   /**

@@ -20,10 +20,10 @@ namespace
 {
 using Polygon = std::vector<vtkIdType>;
 
-/// How far from a plane, in parts of its coordinates, a point is still in it.
+/// The distance from a plane, in parts of its coordinates, at which a point is still in it.
 constexpr double Flatness = 1e-15;
 
-/// The polygons of a cell of two dimensions; none for a cell of another kind.
+/// Returns the polygons of a cell of two dimensions; none for a cell of another kind.
 std::vector<Polygon> PolygonsOf(int type, vtkIdList* ids)
 {
   const Polygon points(ids->begin(), ids->end());
@@ -248,7 +248,8 @@ std::string ClosedSurface::ConnectEdges()
       stack.pop_back();
       for (std::size_t other : neighbors[triangle])
       {
-        // All against the first, so that a gently curved surface is not one plane.
+        // All triangles are compared with the first, so that a gently curved surface is not one
+        // plane.
         if (this->Patches[other] < 0 && this->AreCoplanar(first, other))
         {
           this->Patches[other] = this->Patches[first];

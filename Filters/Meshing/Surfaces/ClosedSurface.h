@@ -19,7 +19,7 @@ namespace interlume
 class ClosedSurface
 {
 public:
-  /// Returns what is wrong, naming the cell or point, or nothing.
+  /// Takes the polygons. Returns what is wrong, naming the cell or point, or nothing.
   std::string Take(vtkDataSet* input);
 
   DistinctPoints Points;

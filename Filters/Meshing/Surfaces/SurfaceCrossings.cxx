@@ -16,7 +16,7 @@ namespace
 {
 using Vectors::Difference;
 
-/// The sign of the volume of a, b, c, d, or 0 where rounding might have changed it.
+/// Returns the sign of the volume of a, b, c, d, or 0 where rounding might have changed it.
 int CertainSign(const double* a, const double* b, const double* c, const double* d)
 {
   constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
@@ -102,7 +102,7 @@ struct Extents
   }
 };
 
-/// The axis along which triangles are shortest beside the whole surface.
+/// Returns the axis along which triangles are shortest beside the whole surface.
 int ChooseAxis(const std::vector<Extents>& boxes)
 {
   int best = 0;

@@ -24,7 +24,7 @@ class ClosedSurface;
 class SurfaceCrossings
 {
 public:
-  /// The input cells of triangles that cross others, each once, in order.
+  /// Finds the input cells of triangles that cross others, each once, in order.
   static std::vector<vtkIdType> FindCells(const ClosedSurface& surface);
 };
 

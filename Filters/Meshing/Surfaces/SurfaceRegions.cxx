@@ -42,7 +42,7 @@ public:
       [](const Wall& a, const Wall& b) { return a.Points < b.Points; });
   }
 
-  /// The marker of the facet that has the triangle opposite corner \a i; 0 for none.
+  /// Returns the marker of the facet that has the triangle opposite corner \a i; 0 for none.
   int Find(const int* tetrahedron, int i) const
   {
     const Triple points =

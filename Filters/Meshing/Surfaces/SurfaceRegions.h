@@ -21,12 +21,12 @@ struct TetGenSolution;
 class SurfaceRegions
 {
 public:
-  /// \a cellIds: the input cell of a marker, less one. Regions of even depth are kept only if
-  /// \a fillNestedShells.
+  /// Finds the regions. \a cellIds has the input cell of a marker, less one. Regions of even depth
+  /// are kept only if \a fillNestedShells.
   SurfaceRegions(
     const TetGenSolution& solution, const std::vector<vtkIdType>& cellIds, bool fillNestedShells);
 
-  /// The number of the region of a tetrahedron; -1 for one that is not kept.
+  /// Returns the number of the region of a tetrahedron; -1 for one that is not kept.
   int operator()(int tetrahedron) const { return this->Numbers[this->Regions[tetrahedron]]; }
   int GetNumberOfRegions() const { return this->NumberOfRegions; }
 

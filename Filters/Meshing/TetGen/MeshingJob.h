@@ -16,8 +16,8 @@ namespace interlume
 {
 
 /**
- * One execution of vtkTetrahedralMesher: what is asked, the means, and what comes out. A mesher
- * fills Mesh, or Error with the reason why not; both stay empty when it was cancelled.
+ * One execution of vtkTetrahedralMesher: its settings, its means, and its results. A mesher fills
+ * Mesh, or Error with the reason why not; both stay empty when it was cancelled.
  */
 struct MeshingJob : vtkMeshingSettings
 {
@@ -38,15 +38,16 @@ struct MeshingJob : vtkMeshingSettings
   vtkTetrahedralMesherReport Report;
   std::string Error;
 
-  /// Whether the mesh is to be refined.
+  /// Returns whether the mesh is to be refined.
   bool IsRefining() const { return this->QualityBound > 0.0 || this->MaximumVolume > 0.0; }
-  /// TetGen's switches to refine a mesh to bounds, 0 for none, by at most \a points new ones.
+  /// Returns TetGen's switches to refine a mesh to bounds, 0 for none, by at most \a points new
+  /// ones.
   std::string GetRefinementSwitches(double quality, double volume, int points) const;
 
-  /// The dimension of cells of a type; 0 for a type that is not known.
+  /// Returns the dimension of cells of a type; 0 for a type that is not known.
   static int GetDimension(int cellType);
 
-  /// Runs TetGen, counted. Returns false with Error set, or cancelled.
+  /// Runs TetGen, and counts the call. Returns false with Error set, or cancelled.
   bool Solve(const TetGenProblem& problem, TetGenSolution& solution);
 };
 

@@ -14,9 +14,9 @@ namespace interlume
 
 namespace
 {
-/// Before every list, so that a program that is not the worker is not taken for it.
+/// The mark before every list, so that a program that is not the worker is not taken for it.
 constexpr std::uint64_t ListMark = 0x496e7465726c756dU;
-/// How long a wait lasts before Patience is asked, in milliseconds.
+/// The time that a wait lasts before Patience is asked, in milliseconds.
 constexpr int WaitMilliseconds = 100;
 
 bool AreIndices(const std::vector<int>& list, int lowest, std::size_t end)

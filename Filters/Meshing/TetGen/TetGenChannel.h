@@ -18,7 +18,8 @@ namespace interlume
 class TetGenChannel
 {
 public:
-  /// Asked some ten times a second while the other end has nothing to say; false gives up.
+  /// A function that is asked some ten times a second while the other end has nothing to say; false
+  /// gives up.
   using Patience = std::function<bool()>;
 
   explicit TetGenChannel(int socket, Patience patience = {});
@@ -26,7 +27,8 @@ public:
   bool Send(const TetGenProblem& problem);
   bool Send(const TetGenSolution& solution);
   bool Receive(TetGenProblem& problem);
-  /// Also checks that every index is one of a point, and every neighbour one of a tetrahedron.
+  /// Receives a solution, and checks that every index is one of a point, and every neighbour one of
+  /// a tetrahedron.
   bool Receive(TetGenSolution& solution);
 
 private:

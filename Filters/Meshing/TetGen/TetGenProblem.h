@@ -8,7 +8,7 @@ namespace interlume
 {
 
 /**
- * What TetGen is asked: its switches and a list of points, alone (Delaunay), with triangles (a
+ * A problem for TetGen: its switches and a list of points, alone (Delaunay), with triangles (a
  * piecewise linear complex) or with tetrahedra (to refine; the triangles are faces of them on the
  * facets). Indices start at 0.
  */
@@ -22,12 +22,12 @@ struct TetGenProblem
 };
 
 /**
- * What TetGen answers. The points of the problem come first, in their order.
+ * The solution of TetGen. The points of the problem come first, in their order.
  */
 struct TetGenSolution
 {
-  /// 0, or the number that TetGen threw: 1 memory, 2 internal, 3 self-intersection, 4 small
-  /// feature, 5 close facets, 10 input; -1 anything else.
+  /// The error: 0, or the number that TetGen threw: 1 memory, 2 internal, 3 self-intersection, 4
+  /// small feature, 5 close facets, 10 input; -1 anything else.
   int Code = 0;
   std::vector<double> Points;
   std::vector<int> Tetrahedra; ///< four a tetrahedron, positively oriented

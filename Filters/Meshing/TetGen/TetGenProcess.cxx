@@ -22,10 +22,10 @@ namespace interlume
 
 namespace
 {
-/// Of what TetGen printed, the last bytes that a message repeats.
+/// The number of last bytes of TetGen's output that a message repeats.
 constexpr long OutputTail = 400;
 
-/// The path of the worker beside the library that this code is in.
+/// Returns the path of the worker beside the library that this code is in.
 std::string FindProgram()
 {
   Dl_info info;
@@ -172,7 +172,7 @@ std::string TetGenProcess::GetLastOutput() const
     std::fseek(this->Output, start, SEEK_SET);
     text.resize(std::fread(&text[0], 1, text.size(), this->Output));
   }
-  // One line of what can be printed.
+  // The text as one line of what can be printed.
   std::string line;
   for (char c : text)
   {

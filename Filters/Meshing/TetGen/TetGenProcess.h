@@ -26,24 +26,24 @@ namespace interlume
 class TetGenProcess
 {
 public:
-  /// \a program: path of the worker; empty for the one beside this module's library.
+  /// Takes the path of the worker; empty for the one beside this module's library.
   explicit TetGenProcess(const std::string& program);
   ~TetGenProcess();
   TetGenProcess(const TetGenProcess&) = delete;
   void operator=(const TetGenProcess&) = delete;
 
-  /// Asked some ten times a second while TetGen works; true ends it.
+  /// A function that is asked some ten times a second while TetGen works; true ends it.
   std::function<bool()> IsCancelled;
   /// The longest time for one problem, in seconds; 0 for none.
   double TimeLimit = 0.0;
 
   /**
-   * Runs TetGen. False when there is no solution; GetFailure() says why, or is empty if it was
-   * cancelled.
+   * Runs TetGen. Returns false when there is no solution; GetFailure() says why, or is empty if it
+   * was cancelled.
    */
   bool Solve(const TetGenProblem& problem, TetGenSolution& solution);
   const std::string& GetFailure() const { return this->Failure; }
-  /// Whether the last problem took longer than TimeLimit.
+  /// Returns whether the last problem took longer than TimeLimit.
   bool IsLate() const { return this->Late; }
 
 private:

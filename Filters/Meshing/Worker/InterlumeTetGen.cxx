@@ -97,10 +97,10 @@ interlume::TetGenSolution Solve(const interlume::TetGenProblem& problem)
 
 int main()
 {
-  // Of some failures TetGen 1.6 leaves files where it runs.
+  // After some failures TetGen 1.6 leaves files where it runs.
   std::error_code ignored;
   std::filesystem::current_path(std::filesystem::temp_directory_path(ignored), ignored);
-  // What TetGen has printed is to be in the file when it crashes.
+  // The text that TetGen has printed is to be in the file when it crashes.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   interlume::TetGenChannel channel(STDIN_FILENO);
   interlume::TetGenProblem problem;

@@ -28,7 +28,7 @@ inline double GetValue(const DualNumber& a)
   return a.value();
 }
 
-/// (1 - exp(-a)) / a, which is 1 at 0.
+/// Computes (1 - exp(-a)) / a, which is 1 at 0.
 inline double Decay(double a)
 {
   return a == 0.0 ? 1.0 : -std::expm1(-a) / a;

@@ -80,7 +80,7 @@ struct Pair
   double Strength;
   Vector Separation;
   double CoreRadius;
-  /// Whether the cores' charges are smeared (Plummer) rather than balls.
+  /// Whether the cores' charges are smeared (Plummer) rather than balls of charge.
   bool IsSoftened;
 
   template <typename Number>
@@ -103,7 +103,7 @@ struct Pair
   }
 
 private:
-  // Velocity over distance.
+  // Computes velocity over distance.
   template <typename Number>
   Number GetFactor(const Number& r2) const
   {
@@ -151,7 +151,7 @@ struct Sphere
 /// Potential flow around an endless cylinder, 0 inside.
 struct Cylinder
 {
-  /// Across the axis, and along it.
+  /// The velocity across the axis, and along it.
   Vector Across;
   Vector Along;
   Vector Axis;
@@ -217,7 +217,7 @@ struct Beltrami
 /// Two streams of opposite direction and the layer between them.
 struct Shear
 {
-  /// Across the normal.
+  /// The part of the velocity across the normal.
   Vector Velocity;
   Vector Normal;
   double Thickness;

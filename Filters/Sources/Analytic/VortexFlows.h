@@ -20,9 +20,9 @@ using std::cos;
 using std::sin;
 
 /**
- * An axis that leans and bends with height, and what that makes of a vortex around a straight one:
- * coordinates are shifted with height, and the vertical velocity goes along the axis. That keeps a
- * field free of divergence.
+ * An axis that leans and bends with height, and the change of a vortex around a straight axis to
+ * one around it: coordinates are shifted with height, and the vertical velocity goes along the
+ * axis. That keeps a field free of divergence.
  */
 struct BentAxis
 {
@@ -30,14 +30,14 @@ struct BentAxis
   std::array<double, 2> Tilt;
   std::array<double, 2> Bend;
 
-  /// 0 at the ground, 1 at the top.
+  /// Returns the height: 0 at the ground, 1 at the top.
   template <typename Number>
   Number GetPart(const Number& z) const
   {
     return z / this->Height + 0.5;
   }
 
-  /// Gives the place beside the axis.
+  /// Computes the place beside the axis.
   template <typename Number>
   void Shift(const Number x[3], Number beside[2]) const
   {
@@ -48,7 +48,7 @@ struct BentAxis
     }
   }
 
-  /// Velocity from what it is by radius: inflow, swirl and rise.
+  /// Computes the velocity from its parts by radius: inflow, swirl and rise.
   template <typename Number>
   void Compose(const Number x[3], const Number& radialByRadius, const Number& swirlByRadius,
     const Number& rise, Number v[3]) const
@@ -98,7 +98,7 @@ private:
   static constexpr double E = 0.2;
   static constexpr double M = 2.0;
 
-  // dG/ds
+  // Computes dG/ds.
   template <typename Number>
   static Number GetSlope(const Number& s)
   {

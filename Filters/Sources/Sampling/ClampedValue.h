@@ -9,13 +9,13 @@ namespace interlume
 {
 
 /**
- * For setters of numbers.
+ * Assigns clamped values in setters of numbers.
  */
 namespace ClampedValue
 {
 /**
  * Gives \a members the \a values, each clamped to lower ... upper; NaN leaves a member as it is.
- * True when something changed.
+ * Returns true when something changed.
  */
 template <std::size_t Size>
 bool Assign(double (&members)[Size], const double (&values)[Size], double lower, double upper)
@@ -33,7 +33,7 @@ bool Assign(double (&members)[Size], const double (&values)[Size], double lower,
   return isChanged;
 }
 
-/// The same for one value.
+/// Gives \a member one value in the same way.
 inline bool Assign(double& member, double value, double lower, double upper)
 {
   double members[1] = { member };

@@ -9,7 +9,7 @@ namespace interlume
 {
 
 /**
- * Colours of points that have no density, of red, green, blue, density for each point.
+ * Finds colours for points that have no density, from red, green, blue and density for each point.
  */
 namespace ColorDilation
 {

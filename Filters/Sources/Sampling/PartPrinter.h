@@ -7,7 +7,7 @@ namespace interlume
 {
 
 /**
- * For PrintSelf of objects that have others.
+ * Helps PrintSelf of objects that have others.
  */
 namespace PartPrinter
 {

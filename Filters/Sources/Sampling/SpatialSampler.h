@@ -18,14 +18,14 @@ public:
   SpatialSampler(const vtkSpatialObject* object, const double origin[3], const double spacing[3],
     int numberOfSubsamples);
 
-  /// The mean samples of \a number points from (i, j, k) on along i, of up to SpanLength.
+  /// Computes the mean samples of \a number points from (i, j, k) on along i, of up to SpanLength.
   void SampleSpan(const int ijk[3], int number, vtkSpatialObject::Sample* means) const;
 
 private:
-  /// Adds the samples at places inside the cells, the colours multiplied with the densities.
+  /// Adds the samples at places inside the cells, with the colours multiplied by the densities.
   void Add(
     const int ijk[3], const double place[3], int number, vtkSpatialObject::Sample* sums) const;
-  /// Offset of a subsample from the point, in spacings.
+  /// Returns the offset of a subsample from the point, in spacings.
   double GetPlace(int subsample) const;
 
   const vtkSpatialObject* Object;

@@ -11,8 +11,9 @@ namespace interlume
 namespace BentAxis
 {
 /**
- * Squared distance of a point from the axis, to first order in the axis's curvature. \a offset
- * leads from the axis to the point in the plane s = const, \a slope is the axis's derivative by s.
+ * Returns the squared distance of a point from the axis, to first order in the axis's curvature. \a
+ * offset leads from the axis to the point in the plane s = const, \a slope is the axis's derivative
+ * by s.
  */
 inline double SquaredDistance(const double offset[2], const double slope[2])
 {

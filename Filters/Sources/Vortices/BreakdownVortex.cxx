@@ -11,8 +11,8 @@ namespace interlume
 
 namespace
 {
-// The constants of the formula in vtkDeltaWingSource.h: in half spans, those along the wing in its
-// length.
+// The constants of the formula in vtkDeltaWingSource.h: lengths are in half spans, those along the
+// wing in its length.
 constexpr double AxisAcross = 0.62;
 constexpr double AxisAbove = 0.42;
 constexpr double CoreRadius = 0.12;
@@ -27,7 +27,7 @@ double BreakdownVortex::operator()(const double x[3]) const
 {
   const double halfSpan = this->Slope * x[0];
   const double beyond = x[0] - this->Breakdown;
-  // 0 upstream of the breakdown, 1 downstream, and its derivative.
+  // The step is 0 upstream of the breakdown, 1 downstream; its derivative follows.
   const double tanh = std::tanh(beyond / BreakdownWidth);
   const double broken = 0.5 * (1.0 + tanh);
   const double breaking = 0.5 * (1.0 - tanh * tanh) / BreakdownWidth;

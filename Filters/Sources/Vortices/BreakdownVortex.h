@@ -14,8 +14,9 @@ namespace interlume
 class BreakdownVortex
 {
 public:
-  /// \a side: 1 or -1, the sign of y. \a slope: half span per unit of length along the wing.
-  /// \a breakdown: x of the breakdown. \a phase: of the spiral at the breakdown, radians.
+  /// Makes a vortex. \a side is 1 or -1, the sign of y, \a slope the half span per unit of length
+  /// along the wing, \a breakdown the x of the breakdown, \a phase the spiral's phase at the
+  /// breakdown, in radians.
   BreakdownVortex(double side, double slope, double breakdown, double phase)
     : Side(side)
     , Slope(slope)

@@ -20,7 +20,7 @@ constexpr double CoreRadius = 0.55;
 constexpr double Spreading = 0.008;
 constexpr double FormationTime = 0.7;
 
-// Smooth step from 0 to 1.
+// Computes a smooth step from 0 to 1.
 double Step(double u)
 {
   return 0.5 * (1.0 + std::tanh(u));

@@ -32,13 +32,13 @@ public:
   {
   }
 
-  /// Diameter of the cylinder at a height; beyond its ends, that of the end.
+  /// Returns the diameter of the cylinder at a height; beyond its ends, that of the end.
   double GetDiameter(double z) const;
-  /// The deficit at a point.
+  /// Returns the deficit at a point.
   double operator()(const double x[3]) const;
 
 private:
-  /// Deficit of one cell's vortices, as if the cell reached along the whole cylinder.
+  /// Returns the deficit of one cell's vortices, as if the cell reached along the whole cylinder.
   double GetDeficitOfCell(int cell, const double x[3]) const;
 
   Shape Flow;

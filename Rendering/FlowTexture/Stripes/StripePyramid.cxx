@@ -18,7 +18,7 @@ int StripePyramid::GetNumberOfLevels() const
 
 double StripePyramid::GetCoverage(int texel) const
 {
-  // Of the half lines at both ends of the period.
+  // The width of the half lines at both ends of the period.
   const double half = 0.5 * this->LineWidth * this->TexelsPerLine;
   const double left = std::clamp(half - texel, 0.0, 1.0);
   const double right = std::clamp(half - (this->TexelsPerLine - 1 - texel), 0.0, 1.0);

@@ -20,19 +20,19 @@ class StripePyramid
 public:
   using Color = std::array<double, 4>;
 
-  /// A power of two; others are an error of the caller.
+  /// The number of lines, a power of two; others are an error of the caller.
   int NumberOfLines = 256;
   int TexelsPerLine = 16;
-  /// Share of the period.
+  /// The width of a line as a share of the period.
   double LineWidth = 0.25;
-  /// Red, green, blue, opacity, 0 to 1.
+  /// The colours as red, green, blue, opacity, 0 to 1.
   Color Line{ { 0.0, 0.0, 0.0, 1.0 } };
   Color Background{ { 1.0, 1.0, 1.0, 1.0 } };
 
   int GetNumberOfLevels() const;
-  /// In texels.
+  /// Returns the length of a level in texels.
   int GetLength(int level) const { return (this->NumberOfLines >> level) * this->TexelsPerLine; }
-  /// Texels of a level, four bytes each.
+  /// Returns the texels of a level, four bytes each.
   std::vector<unsigned char> GetTexels(int level) const;
 
 private:

@@ -30,15 +30,15 @@ struct SliceFrame
   SlicePlan Plan;
   std::vector<LightSource> Lights;
 
-  /// Columns and rows.
+  /// The columns and rows of the picture.
   std::array<int, 2> Size{ { 0, 0 } };
 
   ClipRegion Matter;
 
   bool IsShaded = false;
-  /// See vtkShadowedSliceMapper.
+  /// The setting of this name of vtkShadowedSliceMapper.
   double SurfaceGradient = 0.0;
-  /// Ambient, diffuse, specular, specular power of each row.
+  /// The ambient, diffuse and specular coefficients and the specular power of each row.
   std::array<std::array<float, 4>, 4> Materials{};
   glm::dvec3 Ambient{ 1.0, 1.0, 1.0 };
   /// Of the image, for the magnitude of gradients as the property's functions have it.
@@ -46,7 +46,7 @@ struct SliceFrame
   /// Unit distance of each row, in world units.
   std::array<double, 4> UnitDistances{ { 1.0, 1.0, 1.0, 1.0 } };
 
-  /// The near plane as a half space in unit space, where it cuts the volume.
+  /// Whether the near plane cuts the volume, and then the plane as a half space in unit space.
   bool IsCutByNearPlane = false;
   std::array<double, 4> NearPlane{};
 
@@ -64,9 +64,10 @@ struct SliceFrame
     }
     return false;
   }
-  /// Channels of light that matter takes from: three where it has a colour for light that passes.
+  /// Returns the number of channels of light that matter takes from: three where it has a colour
+  /// for light that passes.
   int GetLightChannels() const { return this->Material.Transmission.empty() ? 1 : 3; }
-  /// Whether lights change the colour at all.
+  /// Returns whether lights change the colour at all.
   bool IsLit() const { return this->IsShaded || this->HasShadows(); }
 };
 

@@ -74,7 +74,8 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Slice
     this->LayerSlabs[i] = 0;
     this->CopyTo(layer);
   }
-  // Texels on all sides of a place are free of the surface there, seen up to 60 degrees aslant.
+  // The number of texels on each side of a place that are free of the surface there, seen up to 60
+  // degrees aslant.
   constexpr double texels = 1.5;
   constexpr double most = 64.0;
   this->Period = static_cast<int>(
@@ -116,7 +117,7 @@ bool SliceLightBuffer::KeepLayer(int slab, bool isEmpty)
   const std::array<int, 2> before = this->LayerSlabs;
   if (isEmpty)
   {
-    // What comes through all before the slab comes through the slab.
+    // Light that comes through all before the slab comes through the slab.
     for (int& layer : this->LayerSlabs)
     {
       layer += layer == slab ? 1 : 0;

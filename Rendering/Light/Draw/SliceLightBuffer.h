@@ -36,33 +36,33 @@ struct SliceFrame;
 class SliceLightBuffer
 {
 public:
-  /// \a light is the light's index in the picture's list.
+  /// Makes a buffer; \a light is the light's index in the picture's list.
   explicit SliceLightBuffer(int light);
   ~SliceLightBuffer();
 
   int GetLight() const { return this->Light; }
   vtkTextureObject* GetTexture() const { return this->Texture; }
   vtkIdType GetBytes() const { return this->Bytes; }
-  /// Whether a sweep of the picture uses it.
+  /// Returns whether a sweep of the picture uses the buffer.
   bool IsUsed() const { return this->Bytes > 0; }
   void SetUnused() { this->Bytes = 0; }
 
   /**
-   * Makes it ready for a sweep: all light passes. \a light is this buffer's in the sweep;
-   * \a hasLayers says that GetLayer is asked for. Returns what is wrong, or nothing.
+   * Makes the buffer ready for a sweep: all light passes. \a light is the light of this buffer in
+   * the sweep; \a hasLayers says that GetLayer is asked for. Returns what is wrong, or nothing.
    */
   std::string Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, SliceTextures& textures,
     vtkOpenGLBufferObject* vertices, bool hasLayers);
 
   ///@{
-  /// The buffer as it was some slabs before, and the first slab that is not in it. Not of wide
-  /// lights.
+  /// Return the buffer as it was some slabs before, and the first slab that is not in it; not for
+  /// wide lights.
   vtkTextureObject* GetLayer() const { return this->Layers[0]; }
   int GetLayerSlab() const { return this->LayerSlabs[0]; }
   ///@}
-  /// Before a slab is drawn, or passed over as empty: keeps the buffer where the last layer is old
-  /// enough. Returns whether the layer is another one.
+  /// Keeps the buffer as a layer where the last layer is old enough; to be called before a slab is
+  /// drawn, or passed over as empty. Returns whether the layer is another one.
   bool KeepLayer(int slab, bool isEmpty);
 
   /// Takes what a slab lets through. Returns whether there is matter for the light to meet.
@@ -72,7 +72,7 @@ public:
   /// Spares what lies behind opaque matter from now on.
   void MarkOccluded(vtkOpenGLRenderWindow* window);
 
-  /// The texels, \a size times \a size; empty for a light inside the volume.
+  /// Reads the texels, \a size times \a size; empty for a light inside the volume.
   std::vector<float> Read(vtkOpenGLRenderWindow* window, int& size, int& channels);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -84,11 +84,11 @@ private:
   int Size = 0;
   vtkIdType Bytes = 0;
   vtkNew<vtkTextureObject> Texture;
-  /// The older and the newer one.
+  /// The older and the newer layer.
   std::array<vtkSmartPointer<vtkTextureObject>, 2> Layers;
   std::array<int, 2> LayerSlabs{ { 0, 0 } };
   bool IsLayerSet = false;
-  /// Slabs from layer to layer.
+  /// The number of slabs from layer to layer.
   int Period = 1;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   SlicePass Slices;

@@ -20,14 +20,14 @@ namespace interlume
  * @class   SliceOcclusion
  * @brief   spares fragments behind what is already opaque
  *
- * A depth buffer beside a buffer of slices: where that lets nothing through any more it gets a
- * depth that nothing is nearer than, so that the test of depth drops what comes behind before its
- * shader runs.
+ * It keeps a depth buffer beside a buffer of slices: where that buffer lets nothing through any
+ * more, the depth buffer gets a depth that nothing is nearer than, so that the test of depth drops
+ * what comes behind before its shader runs.
  */
 class SliceOcclusion
 {
 public:
-  /// Slabs between two looks at the buffer; thick ones cost more to draw.
+  /// The number of slabs between two looks at the buffer; thick ones cost more to draw.
   static constexpr int Interval = 16;
   static constexpr int ThickInterval = 4;
 
@@ -45,8 +45,9 @@ public:
   SliceOcclusion();
   ~SliceOcclusion();
 
-  /// Makes the depth buffer fit and attaches it to \a framebuffer, which is bound then. The same
-  /// \a hasDepths each time: slices draw depths of their own, one for each slab. Returns its bytes.
+  /// Gives the depth buffer the framebuffer's size and attaches it to \a framebuffer, which is
+  /// bound then. \a hasDepths is the same each time: it tells that slices draw depths of their own,
+  /// one for each slab. Returns its bytes.
   vtkIdType Prepare(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
     int width, int height, bool hasDepths);
 

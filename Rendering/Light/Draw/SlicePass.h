@@ -17,7 +17,7 @@ namespace interlume
 
 /**
  * @class   SlicePass
- * @brief   a program over the triangles of slices
+ * @brief   a shader program that draws the triangles of slices
  */
 class SlicePass
 {

@@ -25,8 +25,8 @@ namespace
 {
 using Sweep = SlicePlan::Sweep;
 
-// Rays of eye and light make at least this cosine with a slice's normal where blocks at the edge of
-// the volume have to be enlarged for it.
+// The least cosine of rays of eye and light with a slice's normal for which blocks at the edge of
+// the volume are enlarged.
 constexpr double LEAST_COSINE = 0.35;
 
 // The state that drawing of slices changes, as it was at the end of the block.
@@ -413,7 +413,7 @@ void SliceRasterizer::DrawEyeSlab(
   {
     state->vtkglEnable(GL_DEPTH_TEST);
   }
-  // What is left of a slab may lie behind the near plane while its middle is before it.
+  // The rest of a slab may lie behind the near plane while its middle is before it.
   if (picture.IsCutByNearPlane)
   {
     glEnable(GL_DEPTH_CLAMP);
@@ -421,7 +421,8 @@ void SliceRasterizer::DrawEyeSlab(
   const double entrance = sweep.First + slab * sweep.Spacing;
   if (this->HasThickPart)
   {
-    // What the first leaves out it does not mark by its depth, and the second draws that alone.
+    // The first pass does not mark the fragments that it leaves out by their depth, and the second
+    // pass draws these alone.
     state->vtkglDepthMask(GL_TRUE);
     const GLboolean hasColor = this->HasThinPart ? GL_TRUE : GL_FALSE;
     state->vtkglColorMask(hasColor, hasColor, hasColor, hasColor);

@@ -42,13 +42,13 @@ public:
   SliceRasterizer();
   ~SliceRasterizer();
 
-  /// Why nothing can be drawn in this window, or nothing.
+  /// Returns why nothing can be drawn in this window, or nothing.
   static std::string GetObstacle(vtkOpenGLRenderWindow* window);
 
   SliceTextures& GetTextures() { return this->Textures; }
 
   /**
-   * Draws all sweeps into the picture's buffer. Returns what is wrong, or nothing. Stops between
+   * Draws all sweeps into the picture's buffer. Returns what is wrong, or nothing. It stops between
    * slabs and returns where \a isAborted.
    */
   std::string Draw(vtkRenderer* renderer, const SliceFrame& picture,
@@ -60,7 +60,7 @@ public:
   /// Shows where the last picture has something of the volume, in one colour, for a selection.
   void ShowSelection(vtkOpenGLRenderWindow* window, const std::array<float, 3>& color);
 
-  /// The texels of the buffer of \a light of the last picture; empty where there is none.
+  /// Reads the texels of the buffer of \a light of the last picture; empty where there is none.
   std::vector<float> ReadLightBuffer(
     vtkOpenGLRenderWindow* window, int light, int& size, int& channels);
 
@@ -89,7 +89,7 @@ private:
   void KeepLayers(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep, int slab);
   void DrawEyeSlab(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
     const SlicePlan::Sweep& sweep, int slab);
-  /// Returns the passes it took.
+  /// Marks what is already opaque. Returns the passes that this took.
   int MarkOccluded(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep);
   void AddSweep(vtkOpenGLRenderWindow* window, const SliceFrame& picture);
 

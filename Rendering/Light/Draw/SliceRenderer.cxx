@@ -43,7 +43,7 @@ namespace
 {
 using Matrix = std::array<double, 16>;
 
-// Clip coordinates have z + w >= 0 behind the near plane.
+// Finds the near plane: clip coordinates have z + w >= 0 behind it.
 void FindNearPlane(SliceFrame& picture)
 {
   const Matrix& clip = picture.Eye.ClipFromUnit;
@@ -62,7 +62,7 @@ void FindNearPlane(SliceFrame& picture)
   picture.IsCutByNearPlane = picture.NearPlane[3] < 1.0;
 }
 
-// The prop as a whole: in passes that ask for it, for its process and for its only block.
+// Shows the prop as a whole: in passes that ask for it, for its process and for its only block.
 void ShowSelection(
   vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window, SliceRasterizer& painter)
 {
@@ -88,10 +88,10 @@ void ShowSelection(
   selector->EndRenderProp();
 }
 
-// Slices for each voxel along their normal, inverted.
+// The spacing of slices along their normal, in voxels.
 constexpr double AUTOMATIC_SPACING = 0.5;
 
-// How much coarser than asked for pictures may be.
+// The factors by which pictures may be coarser than asked for.
 constexpr std::array<double, 5> COARSENESSES{ { 1.0, 1.5, 2.0, 3.0, 4.0 } };
 }
 
@@ -181,7 +181,7 @@ double SliceRenderer::ChooseCoarseness(vtkVolume* volume, const Request& request
   {
     return 1.0;
   }
-  // Slices and pixels along both edges.
+  // The time of a full picture counts slices and pixels along both edges.
   const double full = this->LastSeconds * std::pow(this->LastCoarseness, 3.0);
   const double allocated = volume->GetAllocatedRenderTime();
   for (double coarseness : COARSENESSES)
@@ -209,7 +209,7 @@ std::string SliceRenderer::Upload(
     pixels * static_cast<vtkIdType>(sizeof(float)) * (picture.Plan.HasFurtherPictures() ? 9 : 5);
   for (std::size_t sweep = 0; sweep < picture.Plan.Sweeps.size(); ++sweep)
   {
-    // With two layers of each buffer.
+    // Thick matter needs two layers of each buffer.
     const int buffers = SliceShader::HasThickPart(picture, sweep) ? 3 : 1;
     for (const SlicePlan::ShadowedLight& light : picture.Plan.Sweeps[sweep].Lights)
     {
@@ -404,7 +404,8 @@ bool SliceRenderer::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkI
       std::copy(texels.begin(), texels.end(), values->GetPointer(0));
       image->GetPointData()->SetScalars(values);
 
-      // Clip coordinates to texture coordinates, after the way from world to unit space.
+      // The matrix leads from clip coordinates to texture coordinates, after the way from world to
+      // unit space.
       const Matrix texture{ { 0.5, 0.0, 0.0, 0.5, 0.0, 0.5, 0.0, 0.5, 0.0, 0.0, 0.5, 0.5, 0.0, 0.0,
         0.0, 1.0 } };
       Matrix unit{};

@@ -28,12 +28,12 @@ class SliceRasterizer;
 
 /**
  * @class   SliceRenderer
- * @brief   makes what is new of a picture of slices, plans it and has it drawn
+ * @brief   makes the changed parts of a picture of slices, plans it and has it drawn
  */
 class SliceRenderer
 {
 public:
-  /// What the mapper wants.
+  /// The settings of the mapper.
   struct Request
   {
     vtkImageData* Image = nullptr;
@@ -59,8 +59,8 @@ public:
   ~SliceRenderer();
 
   /**
-   * Draws. Returns what is wrong, or nothing; \a warnings gets what is left out of the picture.
-   * Where something is wrong the last picture of the window is shown again.
+   * Draws a picture. Returns what is wrong, or nothing; \a warnings gets what is left out of the
+   * picture. Where something is wrong the last picture of the window is shown again.
    */
   std::string Render(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
     std::vector<std::string>& warnings, vtkShadowedSliceReport& report);
@@ -68,7 +68,7 @@ public:
   /// Shows the last picture of the renderer's window again, if there is one.
   void ShowLast(vtkRenderer* renderer);
 
-  /// See vtkShadowedSliceMapper::ReadLightBuffer.
+  /// Does what vtkShadowedSliceMapper::ReadLightBuffer documents.
   bool ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkImageData* image);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -85,7 +85,7 @@ private:
   std::string Upload(vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report);
 
   SliceFrame Picture;
-  /// What the samples and the material were made of.
+  /// The data that the samples and the material were made of.
   vtkDataArray* Scalars = nullptr;
   vtkMTimeType SamplesTime = 0;
   bool IsWidened = false;
@@ -95,7 +95,7 @@ private:
   int SamplesVersion = 0;
   int MaterialVersion = 0;
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
-  /// Seconds of the last picture, and how coarse it was.
+  /// The seconds of the last picture, and how coarse it was.
   double LastSeconds = 0.0;
   double LastCoarseness = 1.0;
 };

@@ -57,7 +57,7 @@ std::string GetMediumFeatures(const Picture& picture)
   return features;
 }
 
-// Light has colours of its own inside the matter.
+// Returns whether light has colours of its own inside the matter.
 bool HasTransmission(const Picture& picture)
 {
   return picture.GetLightChannels() > 1 && picture.HasShadows();
@@ -106,7 +106,7 @@ void SetVector(vtkShaderProgram* program, const std::string& name, const std::ar
   program->SetUniform4f(name.c_str(), values);
 }
 
-// From rows in double precision to columns in single.
+// Sets a matrix from rows in double precision as columns in single precision.
 void SetMatrix(
   vtkShaderProgram* program, const std::string& name, const std::array<double, 16>& rows)
 {
@@ -126,7 +126,8 @@ void SetFrame(vtkShaderProgram* program, const std::string& name, const std::arr
   program->SetUniformMatrix3x3(name.c_str(), columns);
 }
 
-// From a texel to the column of its value in a row of the range: less the origin, times the scale.
+// The map from a texel to the column of its value in a row of the range: less the origin, times the
+// scale.
 struct Columns
 {
   std::array<double, 4> Scale{ { 0.0, 0.0, 0.0, 0.0 } };
@@ -159,7 +160,7 @@ Columns GetColorColumns(const Picture& picture)
   Columns columns;
   if (picture.Material.Kind == MaterialTable::RGB_OPACITY)
   {
-    // Bytes are colours as texels; all else is a colour as it is.
+    // Texels of bytes are colours as texels; all others are colours as they are.
     const bool isByte = samples.Scale[0] == 255.0 && samples.Offset[0] == 0.0;
     for (int c = 0; c < 3; ++c)
     {

@@ -12,9 +12,9 @@ namespace interlume
 
 /**
  * @class   SliceShader
- * @brief   puts the shaders of a picture together, and sets what they read
+ * @brief   puts the shaders of a picture together, and sets their uniforms
  *
- * A feature that is off is not in the source.
+ * A feature that is off is not in the source code of the shaders.
  */
 class SliceShader
 {
@@ -28,36 +28,36 @@ public:
     EMPTY,
     THICK
   };
-  /// Whether thick matter is drawn by itself in a sweep: where there is some, and a light seen
-  /// through a plane casts shadows in it.
+  /// Returns whether thick matter is drawn by itself in a sweep: where there is some, and a light
+  /// seen through a plane casts shadows in it.
   static bool HasThickPart(const SliceFrame& picture, std::size_t sweep);
   /// Whether there is thin matter too: where some opacity above 0 makes whole slabs thin.
   static bool HasThinPart(const SliceFrame& picture, std::size_t sweep);
 
   /**
-   * Source of the picture's fragments in a sweep. The first sweep has all lights without shadows
-   * and the ambient light as well.
+   * Returns the source of the shader for the picture's fragments in a sweep. The first sweep has
+   * all lights without shadows and the ambient light as well.
    */
   static std::string GetEyeSource(
     const SliceFrame& picture, std::size_t sweep, bool isOccluded, Parts part);
-  /// Source of the fragments of a light's buffer, different for each light, which so keeps its
-  /// uniforms from slab to slab.
+  /// Returns the source of the shader for the fragments of a light's buffer, different for each
+  /// light, which so keeps its uniforms from slab to slab.
   static std::string GetLightSource(
     const SliceFrame& picture, const SlicePlan::ShadowedLight& light);
 
-  /// The names of what is in the sources, for the report.
+  /// Returns the names of the features in the sources, for the report.
   static std::string GetNames(const SliceFrame& picture, bool isOccluded);
 
   ///@{
-  /// Uniforms that are the same for all slabs of a sweep.
+  /// Sets the uniforms that are the same for all slabs of a sweep.
   static void SetEyeUniforms(
     vtkShaderProgram* program, const SliceFrame& picture, std::size_t sweep, bool isOccluded);
   static void SetLightUniforms(vtkShaderProgram* program, const SliceFrame& picture,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
   ///@}
 
-  /// The lights that the picture's fragments of a sweep see: indices in the picture's list, those
-  /// with buffers first and in their order.
+  /// Returns the lights that the picture's fragments of a sweep see: indices in the picture's list,
+  /// those with buffers first and in their order.
   static std::vector<int> GetLightsOf(const SliceFrame& picture, std::size_t sweep);
 };
 

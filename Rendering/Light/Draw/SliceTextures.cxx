@@ -49,7 +49,7 @@ int GetType(VolumeSamples::Formats format)
   }
 }
 
-// A texture of so many columns, or none where there are no texels.
+// Uploads a texture of so many columns, or none where there are no texels.
 void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int columns,
   const std::vector<float>& texels, int components)
 {
@@ -62,7 +62,7 @@ void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int c
     texels.size() / (static_cast<std::size_t>(columns) * static_cast<std::size_t>(components));
   texture->SetContext(window);
   SetSampling(texture, false);
-  // Else it keeps the number of channels of the table before.
+  // Without this the texture keeps the number of channels of the table before.
   texture->ResetFormatAndType();
   texture->Create2DFromRaw(static_cast<unsigned int>(columns), static_cast<unsigned int>(rows),
     components, VTK_FLOAT, const_cast<float*>(texels.data()));
@@ -70,10 +70,10 @@ void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int c
 
 using Edges = std::vector<std::array<float, 2>>;
 
-// One value of each column, at \a first and further ones, and the next of its row, so that one look
-// finds both that it lies between. Where there are bends between them, minus the texel of their
-// list and the number of its pieces are in their place. With edges there are two more: a share of
-// the way times the third, plus the fourth, is the share of the edge.
+// Returns one value of each column, at \a first and further ones, with the next one of its row, so
+// that one look finds both that it lies between. Where there are bends between them, minus the
+// texel of their list and the number of its pieces are in their place. With edges there are two
+// more: a share of the way times the third, plus the fourth, is the share of the edge.
 std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first, std::size_t stride,
   const std::vector<int>& places, const std::vector<float>& bends, const Edges* edges)
 {
@@ -88,7 +88,7 @@ std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first,
     pairs.push_back(list > 0 ? bends[4 * list] : table[isLast ? at : at + stride]);
     if (edges)
     {
-      // A step is as narrow as single precision tells places apart.
+      // The width of a step, which is as narrow as single precision tells places apart.
       constexpr float narrowest = 1e-5F;
       const std::array<float, 2>& edge = (*edges)[i];
       const float slope = 1.0F / std::max(edge[1] - edge[0], narrowest);
@@ -99,8 +99,8 @@ std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first,
   return pairs;
 }
 
-// Red, green, blue of each column, of \a stride values, and the texel of its list of bends, or
-// minus the two places of an edge.
+// Returns red, green, blue of each column, of \a stride values, and the texel of its list of bends,
+// or minus the two places of an edge.
 std::vector<float> MakeColors(const std::vector<float>& table, std::size_t stride,
   const std::vector<int>& bends, const Edges& edges)
 {
@@ -118,7 +118,7 @@ std::vector<float> MakeColors(const std::vector<float>& table, std::size_t strid
   return colors;
 }
 
-// From a column's value to the next one's, the mean.
+// Returns the mean from a column's value to that of the next one.
 double GetMean(const MaterialTable& material, std::size_t i, double value, double next)
 {
   const auto list = static_cast<std::size_t>(material.ExtinctionBends[i]);
@@ -137,7 +137,7 @@ double GetMean(const MaterialTable& material, std::size_t i, double value, doubl
   return mean;
 }
 
-// The sum of extinctions from the first column to each, and to the next one.
+// Returns the sum of extinctions from the first column to each, and to the next one.
 std::vector<float> MakeSums(const MaterialTable& material)
 {
   std::vector<float> sums;
@@ -168,7 +168,8 @@ vtkIdType SliceTextures::GetBytes(const VolumeSamples& samples)
 
 vtkIdType SliceTextures::GetBytes(const MaterialTable& material)
 {
-  // Colours and their bends, pairs of extinctions and of gradient opacities, the bends themselves.
+  // The tables are colours and their bends, pairs of extinctions and of gradient opacities, the
+  // bends themselves.
   const std::size_t pair = material.HasEdges() ? 4 : 2;
   const std::size_t values = 4 * material.ColorBends.size() +
     pair * (material.ExtinctionBends.size() + material.GradientOpacityBends.size()) +
@@ -190,7 +191,7 @@ std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSam
   {
     texture->SetContext(window);
     SetSampling(texture, true);
-    // Else it keeps the format of the values before.
+    // Without this the texture keeps the format of the values before.
     texture->ResetFormatAndType();
     return texture->Create3DFromRaw(static_cast<unsigned int>(samples.Size[0]),
       static_cast<unsigned int>(samples.Size[1]), static_cast<unsigned int>(samples.Size[2]),

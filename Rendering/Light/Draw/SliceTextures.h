@@ -32,28 +32,29 @@ public:
   ~SliceTextures();
 
   ///@{
-  /// Bytes on the graphics card.
+  /// Return the bytes on the graphics card.
   static vtkIdType GetBytes(const VolumeSamples& samples);
   static vtkIdType GetBytes(const MaterialTable& material);
   ///@}
 
   ///@{
-  /// Sends to the graphics card. Returns what is wrong, or nothing.
+  /// Sends the samples, or the tables of the material, to the graphics card. Returns what is wrong,
+  /// or nothing.
   std::string Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& samples);
   std::string Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material);
   ///@}
 
   /**
-   * The texture of a light's screen, RGB in floats, made where \a light is new or has changed. \a
-   * bytes grows by what was sent.
+   * Returns the texture of a light's screen, RGB in floats, which is made where \a light is new or
+   * has changed. \a bytes grows by what was sent.
    */
   vtkTextureObject* GetScreen(
     vtkOpenGLRenderWindow* window, vtkProjectiveLight* light, vtkIdType& bytes);
-  /// Gives back the screens of lights that are not among \a lights.
+  /// Frees the screens of lights that are not among \a lights.
   void KeepScreens(const std::vector<vtkProjectiveLight*>& lights, vtkWindow* window);
 
   ///@{
-  /// Makes what \a program reads ready for it, and gives it back.
+  /// Binds the textures that \a program reads, and unbinds them.
   void Activate(vtkShaderProgram* program);
   void Deactivate();
   ///@}
@@ -75,7 +76,7 @@ private:
   vtkNew<vtkTextureObject> GradientOpacities;
   vtkNew<vtkTextureObject> Transmissions;
   vtkNew<vtkTextureObject> Bends;
-  /// What ExtinctionSums has yet to get.
+  /// The sums that ExtinctionSums has yet to get.
   std::vector<float> SumTexels;
   std::map<vtkProjectiveLight*, Screen> Screens;
   std::vector<vtkTextureObject*> Active;

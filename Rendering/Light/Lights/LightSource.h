@@ -17,7 +17,7 @@ namespace interlume
 struct LightSource
 {
   vtkLight* Light = nullptr;
-  /// Null for all but projective lights.
+  /// The projective light; null for all other lights.
   vtkProjectiveLight* Projective = nullptr;
 
   bool IsPositional = false;
@@ -32,16 +32,18 @@ struct LightSource
   glm::dvec3 Diffuse{ 1.0, 1.0, 1.0 };
   glm::dvec3 Specular{ 1.0, 1.0, 1.0 };
 
-  /// Cosine of the cone's half angle and exponent of the fall-off to its edge; -1 without a cone.
+  /// The cosine of the cone's half angle and the exponent of the fall-off to its edge; -1 without a
+  /// cone.
   double ConeCosine = -1.0;
   double Exponent = 0.0;
   /// 1 / (a + b d + c d^2) with d in unit space; 1, 0, 0 for directional lights.
   glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 };
 
-  /// How much of the light shadows take, 0 to 1; 0 casts none.
+  /// The share of the light that shadows take, 0 to 1; a light with 0 casts none.
   double ShadowStrength = 0.0;
 
-  /// For projective lights: rows of the matrix from unit space to the screen, as GetScreenMatrix.
+  /// The rows of the matrix from unit space to the screen of a projective light, as GetScreenMatrix
+  /// computes it.
   std::array<double, 16> ScreenFromUnit{};
 };
 

@@ -19,12 +19,12 @@ namespace
 
 using namespace UnitVector;
 
-// Where a light is, in world coordinates.
+// The place of a light, in world coordinates.
 struct Place
 {
   double Position[3];
   double FocalPoint[3];
-  /// From the light's own coordinates; null if they are the world's.
+  /// The transform from the light's own coordinates; null if they are the world's.
   vtkMatrix4x4* Transform = nullptr;
 };
 
@@ -36,7 +36,8 @@ void TransformPoint(vtkMatrix4x4* transform, const double point[3], double resul
   std::copy_n(to, 3, result);
 }
 
-// What vtkRenderer::UpdateLightsGeometryToFollowCamera makes of the light, without changing it.
+// Computes what vtkRenderer::UpdateLightsGeometryToFollowCamera makes of the light, without
+// changing it.
 Place FindPlace(vtkLight* light, vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetLightFollowCamera() && renderer->IsActiveCameraCreated()
@@ -79,7 +80,7 @@ double GetBrightness(const LightSource& source)
   return std::max({ source.Diffuse.r, source.Diffuse.g, source.Diffuse.b });
 }
 
-// Fills what a projective light has more; returns what is wrong, or nothing.
+// Fills the further values of a projective light; returns what is wrong, or nothing.
 std::string SetScreen(
   LightSource& source, const Place& place, const glm::dvec3& focalPoint, const UnitSpace& space)
 {
@@ -102,7 +103,7 @@ std::string SetScreen(
   return source.Projective->GetImageError();
 }
 
-// Returns what is wrong, or nothing.
+// Fills the values of a light; returns what is wrong, or nothing.
 std::string SetSource(
   LightSource& source, vtkLight* light, vtkRenderer* renderer, const UnitSpace& space)
 {

@@ -27,13 +27,13 @@ public:
   };
 
   /**
-   * All lights that are switched on and not black, in the renderer's order, with the position and
-   * direction they have in world coordinates for the renderer's camera. Of lights that cast shadows
-   * only the brightest (intensity times the largest channel of the diffuse colour) keep their
-   * ShadowStrength. \a errors gets one text for each light left out: position and focal point the
-   * same (of lights that need a direction: all but positional ones without cone and screen), values
-   * that are not finite, a projective light whose image has no samples or another kind of samples
-   * than it may.
+   * Gathers all lights that are switched on and not black, in the renderer's order, with the
+   * position and direction they have in world coordinates for the renderer's camera. Among lights
+   * that cast shadows only the brightest (intensity times the largest channel of the diffuse
+   * colour) keep their ShadowStrength. \a errors gets one text for each light left out: position
+   * and focal point the same (of lights that need a direction: all but positional ones without cone
+   * and screen), values that are not finite, a projective light whose image has no samples or
+   * another kind of samples than it may.
    */
   static std::vector<LightSource> Gather(vtkRenderer* renderer, const UnitSpace& space,
     const Settings& settings, std::vector<std::string>& errors);

@@ -13,15 +13,15 @@ bool IsCut(int edge, unsigned above)
   return (above >> on.Start & 1u) != (above >> end & 1u);
 }
 
-// Both edges are at the same place along the axis.
+// Returns whether both edges are at the same place along the axis.
 bool IsOnFace(int edge, int axis, unsigned place)
 {
   const BoxCutTable::Edge on = BoxCutTable::GetEdge(edge);
   return on.Axis != axis && (on.Start >> axis & 1u) == place;
 }
 
-// The cut edge that shares a face with \a edge, other than the one that leads back; -1 if a face
-// has more than two.
+// Returns the cut edge that shares a face with \a edge, other than the one that leads back; -1 if a
+// face has more than two.
 int FindNext(int edge, int from, unsigned above)
 {
   int next = -1;
@@ -85,7 +85,7 @@ BoxCutTable::BoxCutTable()
       from = edge;
       edge = next == first ? -1 : next;
     }
-    // A second loop, or one that is not closed, is not a plane's.
+    // A second loop, or one that is not closed, does not come from a plane.
     if (static_cast<int>(edges.size()) != cut || cut > 6)
     {
       edges.clear();

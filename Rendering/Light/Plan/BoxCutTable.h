@@ -20,7 +20,7 @@ public:
   struct Edge
   {
     int Axis;
-    /// The corner it starts from, at 0 along its axis.
+    /// The corner that the edge starts from, at 0 along its axis.
     unsigned Start;
   };
 
@@ -28,7 +28,8 @@ public:
 
   static Edge GetEdge(int edge);
 
-  /// \a above has a bit for each corner above the plane. Empty if no plane separates them so.
+  /// Returns the edges that a plane cuts; \a above has a bit for each corner above the plane. Empty
+  /// if no plane separates them so.
   const std::vector<int>& GetEdges(unsigned above) const { return this->Edges[above]; }
 
 private:

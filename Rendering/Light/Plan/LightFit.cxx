@@ -16,7 +16,7 @@ namespace
 
 using namespace UnitVector;
 
-// Behind this cosine a perspective window has no bound.
+// The cosine behind which a perspective window has no bound.
 constexpr double SmallestDepth = 1e-3;
 
 constexpr int SmallestBuffer = 16;
@@ -45,7 +45,8 @@ double LightFit::GetArea(const Window& window)
   return (window.Range[0][1] - window.Range[0][0]) * (window.Range[1][1] - window.Range[1][0]);
 }
 
-// Fills the window's range from the box; false where some of it is beside or behind the light.
+// Fills the window's range from the box. Returns false where some of it is beside or behind the
+// light.
 bool LightFit::Bound(Window& window) const
 {
   window.Range = {
@@ -105,7 +106,8 @@ LightFit::Window LightFit::FitBox(const LightSource& source) const
   return best;
 }
 
-// The part of the screen through which light reaches the box; false where it has none.
+// Finds the part of the screen through which light reaches the box. Returns false where there is
+// none.
 bool LightFit::FitScreen(const LightSource& source, Window& window) const
 {
   const Matrix& screen = source.ScreenFromUnit;

@@ -14,7 +14,7 @@ class UnitSpace;
 
 /**
  * @class   LightFit
- * @brief   the buffer of a light: its size, and where in it a point is
+ * @brief   the buffer of a light: its size, and the place of a point in it
  *
  * A plane's buffer is a rectangle as small as three of its orientations, along the box's edges, let
  * it be around the box, with a border of Border texels, so that interpolation at its edge reads
@@ -26,8 +26,8 @@ class LightFit
 public:
   /// Texels on each side.
   static constexpr int Border = 2;
-  /// Positional lights from this distance on are fitted as directional ones: single precision sees
-  /// no difference.
+  /// The distance from which on positional lights are fitted as directional ones: single precision
+  /// sees no difference.
   static constexpr double FarDistance = 1e8;
 
   LightFit(const BoxCorners& corners, const UnitSpace& space, const SlicePlan::Settings& settings);

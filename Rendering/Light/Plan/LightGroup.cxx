@@ -12,7 +12,7 @@ namespace
 
 // Light that is perpendicular to the view but for rounding goes with it.
 constexpr double Perpendicularity = 1e-9;
-// Sums of directions below this have none.
+// The length below which sums of directions have no direction.
 constexpr double Nothing = 1e-9;
 
 }

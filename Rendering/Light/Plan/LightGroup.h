@@ -20,7 +20,7 @@ public:
   {
     Caster(int index, const LightSource& source, const BoxCorners& corners);
 
-    /// In the list of lights.
+    /// The index in the list of lights.
     int Light;
     /// To the box's middle from positional lights.
     glm::dvec3 Direction;
@@ -28,13 +28,14 @@ public:
     std::vector<glm::dvec3> Rays;
   };
 
-  /// One light, on its own side of the view, unless only the other has a normal that serves both.
+  /// Makes a group of one light, on its own side of the view, unless only the other side has a
+  /// normal that serves both.
   static LightGroup Make(const ViewRange& view, const Caster& caster);
 
-  /// Takes the light into the group if it stays below \a most and a normal serves all.
+  /// Takes the light into the group if the group stays below \a most and a normal serves all.
   bool Join(const ViewRange& view, const Caster& caster, std::size_t most);
 
-  /// Whether light goes with the view, from front to back.
+  /// Returns whether light goes with the view, from front to back.
   bool IsFrontToBack() const { return this->Side > 0.0; }
   const std::vector<Caster>& GetCasters() const { return this->Casters; }
   /// The half vector of the view, or its opposite, and the average of lights (2.3.4), turned as far
@@ -48,7 +49,7 @@ private:
 
   void FindNormal(const ViewRange& view);
 
-  /// 1 along the view, -1 against it.
+  /// The side of the lights: 1 along the view, -1 against it.
   double Side;
   std::vector<Caster> Casters;
   glm::dvec3 Normal;

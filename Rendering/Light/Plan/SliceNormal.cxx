@@ -12,7 +12,7 @@ namespace
 
 using namespace UnitVector;
 
-// Below this the hull of rays holds 0 as far as rounding lets us see.
+// The length below which the hull of rays holds 0 as far as rounding tells.
 constexpr double Smallest = 1e-6;
 
 // The point of a simplex nearest to 0, and its corners that the point is between.
@@ -50,7 +50,7 @@ bool Project(const std::vector<glm::dvec3>& corners, glm::dvec3& point)
 
 bool HoldsZero(const std::vector<glm::dvec3>& corners)
 {
-  // On the inner side of each face.
+  // The foot has to be on the inner side of each face.
   for (std::size_t i = 0; i < 4; ++i)
   {
     const glm::dvec3& a = corners[(i + 1) % 4];
@@ -121,7 +121,8 @@ double SliceNormal::GetRatio(const glm::dvec3& normal) const
 
 double SliceNormal::FindBest()
 {
-  // Gilbert, Johnson, Keerthi: from simplex to simplex of the hull, always nearer to 0.
+  // The method of Gilbert, Johnson and Keerthi goes from simplex to simplex of the hull, always
+  // nearer to 0.
   Nearest nearest;
   nearest.Corners = { this->Rays.front() };
   nearest.Point = this->Rays.front();

@@ -18,7 +18,7 @@ namespace
 
 using namespace UnitVector;
 
-// Less than this of the volume behind a light is none.
+// The part of the volume behind a light below which there is none.
 constexpr double Nothing = 1e-9;
 
 // Puts a light into a group that has a normal for it, one of its own side first.

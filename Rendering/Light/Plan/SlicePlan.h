@@ -42,7 +42,7 @@ class UnitSpace;
 class SlicePlan
 {
 public:
-  /// What the eye sees, in unit space.
+  /// The eye, in unit space.
   struct Eye
   {
     bool IsParallel = false;
@@ -56,20 +56,20 @@ public:
   /// A light with its buffer.
   struct ShadowedLight
   {
-    /// Index in the list of lights.
+    /// The index in the list of lights.
     int Light = 0;
-    /// Columns and rows of the buffer.
+    /// The number of columns and rows of the buffer.
     int BufferSize = 0;
     /// Whether its buffer holds directions of a half space (octahedral) instead of a plane.
     bool IsWide = false;
-    /// Not wide: rows of the matrix from unit space to clip coordinates of the buffer, -1 to 1
-    /// after division by the fourth, which is above 0 in front of the light.
+    /// For lights that are not wide, the rows of the matrix from unit space to clip coordinates of
+    /// the buffer, -1 to 1 after division by the fourth, which is above 0 in front of the light.
     std::array<double, 16> BufferFromUnit{};
-    /// Not wide: the longer edge of a texel where it is largest in the volume, and the length of a
-    /// voxel along the light.
+    /// For lights that are not wide, the longer edge of a texel where it is largest in the volume,
+    /// and the length of a voxel along the light.
     double TexelSize = 0.0;
     double VoxelLength = 0.0;
-    /// Wide: rows are two directions in the slices' plane and the sweep's normal.
+    /// For wide lights, two directions in the slices' plane and the sweep's normal, as rows.
     std::array<double, 9> Frame{};
   };
 
@@ -88,8 +88,9 @@ public:
 
   struct Settings
   {
-    /// In unit space; 0 is GetVoxelSpacing times AutomaticFactor, of the normal or,
-    /// where that is more, of the direction of view times its cosine with the normal.
+    /// The spacing of slices in unit space; 0 stands for GetVoxelSpacing times AutomaticFactor, of
+    /// the normal or, where that is more, of the direction of view times its cosine with the
+    /// normal.
     double Spacing = 0.0;
     double AutomaticFactor = 1.0;
     int BufferSize = 0;
@@ -133,9 +134,9 @@ public:
   /// along it, 1 / sqrt(sum (n_i / voxel_i)^2) in the volume's own axes.
   static double GetVoxelSpacing(const UnitSpace& space, const glm::dvec3& normal);
 
-  /// Where direction d of the half space d.n >= 0 is in the buffer of a wide light, 0 to 1: with
-  /// (e1, e2, n) the rows of \a frame and p = (d.e1, d.e2) / (|d.e1| + |d.e2| + d.n), this is
-  /// ((p.x + p.y), (p.x - p.y)) / 2 + 1/2 (the octahedral map).
+  /// Returns the place of direction d of the half space d.n >= 0 in the buffer of a wide light, 0
+  /// to 1: with (e1, e2, n) the rows of \a frame and p = (d.e1, d.e2) / (|d.e1| + |d.e2| + d.n),
+  /// this is ((p.x + p.y), (p.x - p.y)) / 2 + 1/2 (the octahedral map).
   static std::array<double, 2> GetBufferPlace(
     const std::array<double, 9>& frame, const glm::dvec3& direction);
   /// The direction, of length 1, that has this place.

@@ -19,7 +19,7 @@ using namespace UnitVector;
 using Block = std::array<int, 3>;
 using Point = std::array<float, 3>;
 
-// Planes across a lattice of blocks.
+// Cuts a lattice of blocks with planes.
 class Cutter
 {
 public:
@@ -43,7 +43,7 @@ public:
     }
   }
 
-  // Lowest and highest place of a block along the normal.
+  // Returns the lowest and highest place of a block along the normal.
   std::array<double, 2> GetRange(const Block& block) const
   {
     std::array<double, 2> range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
@@ -90,8 +90,8 @@ public:
   }
 
 private:
-  // Above the plane. All blocks add in the same order: sums are equal where corners are, and grow
-  // along an axis for all others alike, so that no face is cut twice.
+  // Returns the height above the plane. All blocks add in the same order: sums are equal where
+  // corners are, and grow along an axis for all others alike, so that no face is cut twice.
   double GetHeight(const Block& block, unsigned corner, double place) const
   {
     std::array<double, 3> heights;
@@ -103,7 +103,7 @@ private:
     return heights[0] + heights[1] + heights[2] + (this->Constant - place);
   }
 
-  // Where the plane cuts an edge, from its lower end on, whichever block asks.
+  // Returns where the plane cuts an edge, counted from its lower end, whichever block asks.
   Point GetPoint(
     const Block& block, const BoxCutTable::Edge& edge, const std::array<double, 8>& heights) const
   {
@@ -127,12 +127,12 @@ private:
   const BlockLattice& Lattice;
   const UnitSpace& Space;
   const double Constant;
-  /// Along the normal, of each axis' borders.
+  /// The heights of each axis' borders along the normal.
   std::array<std::vector<double>, 3> Heights;
   const BoxCutTable Table;
 };
 
-// The blocks that each slab's plane may cut, in the order of blocks.
+// Finds the blocks that each slab's plane may cut, in the order of blocks.
 std::vector<std::vector<Block>> Distribute(
   const std::vector<Block>& blocks, const Cutter& cutter, const SlicePlan::Sweep& sweep)
 {
@@ -168,7 +168,8 @@ void SlicePolygons::Build(const SlicePlan::Sweep& sweep,
   const std::array<std::vector<double>, 3>& borders, const std::vector<unsigned char>& visible,
   const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box, double margin)
 {
-  // A border moved by this in texture coordinates is moved by the margin across its face.
+  // The margins by which borders move in texture coordinates to move by the margin across their
+  // faces.
   std::array<double, 3> margins;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

@@ -17,36 +17,36 @@ class VolumeBlocks;
  * @class   SlicePolygons
  * @brief   where slices cut the blocks that can be seen
  *
- * For each slab the triangles of the plane through its middle inside the visible blocks, in unit
- * space. Neighbouring blocks share the corners of their common edge bit for bit, so that a pixel is
- * covered once. A plane along the common face of two blocks is in the one that the normal points
- * into. Triangles wind either way. Blocks on the outside of the box are larger there by what a ray
- * can enter the slab beside the box's own cut; the shader cuts the ray at the box. Layers of blocks
- * that are visible in the same places are cut as one.
+ * Computes for each slab the triangles of the plane through its middle inside the visible blocks,
+ * in unit space. Neighbouring blocks share the corners of their common edge bit for bit, so that a
+ * pixel is covered once. A plane along the common face of two blocks is in the one that the normal
+ * points into. Triangles wind either way. Blocks on the outside of the box are larger there by what
+ * a ray can enter the slab beside the box's own cut; the shader cuts the ray at the box. Layers of
+ * blocks that are visible in the same places are cut as one.
  */
 class SlicePolygons
 {
 public:
   /**
-   * Cuts all slabs. \a box is that of the matter in texture coordinates; \a margin by how much its
-   * outer blocks are enlarged, in unit space. Threaded over slabs; the same triangles for any
-   * number of threads.
+   * Cuts all slabs. \a box is the box of the matter in texture coordinates, \a margin the length by
+   * which its outer blocks are enlarged, in unit space. Threads share the slabs; the triangles are
+   * the same for any number of threads.
    */
   void Build(const SlicePlan::Sweep& sweep, const VolumeBlocks& blocks, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box, double margin);
 
   /**
-   * The same from block borders along each axis, in texture coordinates, one more than blocks, and
-   * which blocks are visible, x fastest. Blocks outside of the box are left out, others cut at it;
-   * the first and last reach to it.
+   * Cuts all slabs from block borders along each axis, in texture coordinates, one more than
+   * blocks, and from which blocks are visible, x fastest. Blocks outside of the box are left out,
+   * others cut at it; the first and last reach to it.
    */
   void Build(const SlicePlan::Sweep& sweep, const std::array<std::vector<double>, 3>& borders,
     const std::vector<unsigned char>& visible, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box, double margin);
 
-  /// Coordinates x, y, z of the triangles' corners, slab after slab.
+  /// Returns the coordinates x, y, z of the triangles' corners, slab after slab.
   const std::vector<float>& GetVertices() const { return this->Vertices; }
-  /// The first vertex of a slab; one more than slabs.
+  /// Returns the first vertex of each slab; one more than slabs.
   const std::vector<std::size_t>& GetStarts() const { return this->Starts; }
   int GetNumberOfSlabs() const { return static_cast<int>(this->Starts.size()) - 1; }
   bool IsEmpty(int slab) const

@@ -13,7 +13,7 @@ class UnitSpace;
 
 /**
  * @class   BoxCorners
- * @brief   the corners of what can be seen of the volume, in unit space
+ * @brief   the corners of the part of the volume that can be seen, in unit space
  */
 class BoxCorners
 {

@@ -104,7 +104,7 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
     }
   }
 
-  // From the middle on, so that nothing cancels far from the origin.
+  // Places are computed from the middle on, so that nothing cancels far from the origin.
   this->Center = TransformPoint(worldFromIndex, index);
   this->Radius = 0.0;
   for (unsigned corner = 0; corner < 8; ++corner)

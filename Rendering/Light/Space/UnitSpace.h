@@ -15,18 +15,18 @@ namespace interlume
  * @class   UnitSpace
  * @brief   coordinates of size 1 around the volume
  *
- * World coordinates moved and scaled alike in all directions so that the volume's corners lie on or
- * in the sphere of radius 1 around 0: x_world = Center + Radius x_unit. Whatever the volume's size
- * and place, single precision suffices from there. Texture coordinates are 0 to 1 over the texels,
- * whose centres are half a texel inside.
+ * World coordinates are moved and scaled alike in all directions so that the volume's corners lie
+ * on or in the sphere of radius 1 around 0: x_world = Center + Radius x_unit. Whatever the volume's
+ * size and place, single precision suffices from there. Texture coordinates are 0 to 1 over the
+ * texels, whose centres are half a texel inside.
  */
 class UnitSpace
 {
 public:
   /**
-   * From the image's index-to-physical matrix and \a worldFromVolume, the matrix of the vtkVolume;
-   * \a isOfCells if the samples are cells'. Returns what is wrong (a matrix that is singular or not
-   * finite), or nothing.
+   * Sets the coordinates from the image's index-to-physical matrix and \a worldFromVolume, the
+   * matrix of the vtkVolume; \a isOfCells tells that the samples are those of cells. Returns what
+   * is wrong (a matrix that is singular or not finite), or nothing.
    */
   std::string Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume);
 
@@ -34,12 +34,12 @@ public:
 
   glm::dvec3 Center{ 0.0, 0.0, 0.0 };
   double Radius = 1.0;
-  /// Texels along x, y, z.
+  /// The number of texels along x, y, z.
   std::array<int, 3> Size{ { 0, 0, 0 } };
-  /// Rows of affine matrices.
+  /// The rows of affine matrices between unit and texture coordinates.
   std::array<double, 16> TextureFromUnit{};
   std::array<double, 16> UnitFromTexture{};
-  /// From unit coordinates to the volume's own, for cropping planes.
+  /// The rows of the matrix from unit coordinates to the volume's own, for cropping planes.
   std::array<double, 16> VolumeFromUnit{};
   /// The box that has matter, in texture coordinates: lower and upper of each axis.
   std::array<std::array<double, 2>, 3> Box{};

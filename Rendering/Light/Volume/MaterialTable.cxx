@@ -18,15 +18,15 @@ namespace
 {
 using Range = TransferColumns::Range;
 
-/// Texels are rounded: scalars closer to a function's point are taken to be on it, in widths of a
-/// column, and relative to what the texel is of.
+/// The distances within which scalars are taken to be on a function's point, since texels are
+/// rounded: in widths of a column, and relative to what the texel is of.
 constexpr double OnColumn = 1e-3;
 /// A ramp as narrow as this, of the range, is a step.
 constexpr double StepWidth = 1e-3;
 constexpr double OnTexel = 1.0 / (1 << 21);
 
-/// The component's range where that is wide enough to be told apart in texels, else a wider one.
-/// Differences of its ends are finite.
+/// Returns the component's range where that is wide enough to be told apart in texels, else a wider
+/// one. Differences of its ends are finite.
 std::array<double, 2> FindTableRange(const VolumeSamples& samples, int component)
 {
   constexpr double largest = 0.25 * std::numeric_limits<double>::max();
@@ -43,7 +43,7 @@ double FindExtinction(double opacity, double unitDistance)
   return std::min(depth / unitDistance, static_cast<double>(std::numeric_limits<float>::max()));
 }
 
-/// The function, or a ramp over the range where it has no points, as in VTK.
+/// Returns the function, or a ramp over the range where it has no points, as in VTK.
 template <typename Function>
 TransferNodes GetNodes(Function* function, const Range& range, double last)
 {
@@ -151,7 +151,7 @@ void MaterialTable::BuildRow(vtkVolumeProperty* property, const VolumeSamples& s
   this->ColorRange[row] = colors.Limit(scalars);
   if (transmission)
   {
-    // Both have the columns of one range. Without points it is black.
+    // Both functions have the columns of one range. A transmission without points is black.
     const TransferNodes transmissions = transmission->GetSize() > 0
       ? TransferNodes(transmission)
       : TransferNodes(this->ColorRange[row], 0.0, 0.0);

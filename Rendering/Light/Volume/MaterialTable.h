@@ -42,33 +42,33 @@ class MaterialTable
 public:
   static constexpr int Columns = TransferColumns::Columns;
 
-  /// What a voxel's components mean.
+  /// The meanings of a voxel's components.
   enum Kinds
   {
-    /// Each has its own functions; one row for each. One component is such.
+    /// Each component has its own functions, and a row; a single component is such.
     INDEPENDENT,
-    /// The first has a colour, the second an opacity.
+    /// The first component has a colour, the second an opacity.
     COLOR_OPACITY,
-    /// RGB and a fourth that has an opacity.
+    /// There are RGB and a fourth component that has an opacity.
     RGB_OPACITY
   };
 
   /**
    * Samples the functions of \a property. \a transmission may be null. Returns what is wrong, or
-   * nothing. Wrong are three components that are not independent, transfer functions of two
-   * dimensions, a unit distance that is not above 0, and a transmission for several independent
+   * nothing. It is wrong to have three components that are not independent, transfer functions of
+   * two dimensions, a unit distance that is not above 0, or a transmission for several independent
    * components or for RGB.
    */
   std::string Build(vtkVolumeProperty* property, const VolumeSamples& samples,
     vtkColorTransferFunction* transmission);
 
-  /// The largest extinction per world unit in [lower, upper] of \a row's opacity function. What is
-  /// within rounding of a point of the function, or within a thousandth of a column's width, counts
-  /// as on it. 0 where lower > upper.
+  /// Returns the largest extinction per world unit in [lower, upper] of \a row's opacity function.
+  /// A bound within rounding of a point of the function, or within a thousandth of a column's
+  /// width, counts as on it. 0 where lower > upper.
   double GetLargestExtinction(int row, double lower, double upper) const;
 
-  /// Whether opacity changes by steps alone, within a thousandth of the scalar's range, in all rows
-  /// and whatever the gradient.
+  /// Returns whether opacity changes by steps alone, within a thousandth of the scalar's range, in
+  /// all rows and whatever the gradient.
   bool HasSharpOpacity() const;
 
   /// The smallest extinction above 0 per world unit that opacities of that kind have, 0 where all
@@ -83,10 +83,11 @@ public:
 
   Kinds Kind = INDEPENDENT;
   int Rows = 0;
-  /// Of the scalar that a row's opacity is of. Never equal, and their difference is finite.
+  /// The range of the scalar that a row's opacity belongs to. The ends are never equal, and their
+  /// difference is finite.
   std::array<std::array<double, 2>, 4> ScalarRange{};
-  /// Scalars of the first and last column of a row for the colour (and the transmission), and for
-  /// the opacity. Never equal, and their difference is finite.
+  /// The scalars of the first and last column of a row for the colour (and the transmission), and
+  /// for the opacity. They are never equal, and their difference is finite.
   std::array<std::array<double, 2>, 4> ColorRange{};
   std::array<std::array<double, 2>, 4> OpacityRange{};
   /// Red, green, blue, and extinction per world unit (-ln(1 - opacity) / unit distance, at most
@@ -98,21 +99,21 @@ public:
   /// DisableGradientOpacity, empty where all are 1.
   std::vector<float> GradientOpacity;
   std::array<double, 4> GradientRange{ { 1.0, 1.0, 1.0, 1.0 } };
-  /// RGB of light let through, by row 0's colour range; empty without it.
+  /// The RGB of light let through, by row 0's colour range; empty without it.
   std::vector<float> Transmission;
-  /// For each column of the tables above the first texel of its list in Bends, or 0.
+  /// The lists: for each column of the tables above the first texel of its list in Bends, or 0.
   std::vector<int> ColorBends;
   std::vector<int> ExtinctionBends;
   std::vector<int> GradientOpacityBends;
   std::vector<int> TransmissionBends;
   /// Texels of four floats; empty where no function has a list.
   std::vector<float> Bends;
-  /// For each column of the tables where its edge begins and ends.
+  /// The edges: for each column of the tables where its edge begins and ends.
   std::vector<std::array<float, 2>> ColorEdges;
   std::vector<std::array<float, 2>> ExtinctionEdges;
   std::vector<std::array<float, 2>> GradientOpacityEdges;
   std::vector<std::array<float, 2>> TransmissionEdges;
-  /// Whether there are any.
+  /// Returns whether any column has an edge.
   bool HasEdges() const;
 
 private:
@@ -125,7 +126,7 @@ private:
   std::array<TransferNodes, 4> Opacities;
   std::array<double, 4> UnitDistance{ { 1.0, 1.0, 1.0, 1.0 } };
   std::array<double, 4> Weight{ { 1.0, 1.0, 1.0, 1.0 } };
-  /// Of the opacity's component: what texels are rounded relative to.
+  /// The offset of the opacity's component, which texels are rounded relative to.
   std::array<double, 4> Offset{};
 };
 

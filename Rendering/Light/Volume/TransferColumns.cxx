@@ -15,9 +15,9 @@ using Value = TransferNodes::Value;
 using TransferMath::GetDistance;
 using TransferMath::Mix;
 
-/// Shares of the largest value: what needs no list, and how close lists are.
+/// The error that needs no list, and of lists, as a share of the largest value.
 constexpr double Straight = 1e-3;
-/// The same within an edge, over the whole way.
+/// The error within an edge, over the whole way, as a share of the largest value.
 constexpr double Curved = 1e-2;
 constexpr double Tolerance = 1e-4;
 /// Straight pieces are halved this often at most.
@@ -53,7 +53,7 @@ public:
     this->Places.push_back({ 0.0, this->GetMapped(y) });
   }
 
-  /// What lies after the last node, as far as a further one.
+  /// Adds a node after the last one, as far as a further one.
   void Add(const Place& next)
   {
     const Place mapped{ next.Share, this->GetMapped(next.Y) };
@@ -78,8 +78,8 @@ public:
       { return this->IsClose(place.Y, Mix(first, last, place.Share), Straight); });
   }
 
-  /// Finds where an edge begins and ends, before and after which the values are those of the ends;
-  /// false where there is more than an edge.
+  /// Finds where an edge begins and ends, before and after which the values are those of the ends.
+  /// Returns false where there is more than an edge.
   bool FindEdge(std::array<float, 2>& edge) const
   {
     const Value& first = this->Places.front().Y;
@@ -97,7 +97,7 @@ public:
     }
     const double from = this->Places[begin].Share;
     const double to = this->Places[end].Share;
-    // What is off within the edge counts by its part of the way; what is beyond its ends is none.
+    // An error within the edge counts by its part of the way; none is allowed beyond its ends.
     const double tolerance = std::max(Straight, Curved / std::max(to - from, Curved));
     const auto isEdge = [&](const Place& place)
     {
@@ -121,14 +121,14 @@ public:
   const std::vector<Place>& GetPlaces() const { return this->Places; }
 
 private:
-  /// To a place of which two fit into a number of single precision.
+  /// Rounds to a place of which two fit into a number of single precision.
   static float Round(double share)
   {
     constexpr double places = TransferColumns::EdgePlaces;
     return static_cast<float>(std::round(share * places) / places);
   }
 
-  /// Channels of one value are mapped once.
+  /// Maps a value; channels of one value are mapped once.
   static Value Apply(const std::function<double(double)>& map, const Value& y)
   {
     const double first = map(y[0]);

@@ -12,25 +12,25 @@ namespace interlume
 
 /**
  * @class   TransferColumns
- * @brief   a transfer function at even places, and where it bends between two of them
+ * @brief   a transfer function at even places, and its bends between two of them
  *
  * Most functions are straight between most columns, where two values are all that a shader needs.
  * Where they go from the one to the other in a part of the way, a step or a steep edge, the part is
  * kept as well; where there is more between them, such as a peak, a list of bends has the
  * function's nodes there, which a shader searches. So steps and peaks are where they are, however
- * narrow, in single precision over the range. What is within 1e-3 of the largest value is equal,
- * and within an edge what is off by 1e-2 of it, averaged over the way: a slow bend needs neither,
- * and shaders of functions without edges or lists have no word of them.
+ * narrow, in single precision over the range. Values within 1e-3 of the largest value are equal,
+ * and within an edge those that are off by 1e-2 of it, averaged over the way: a slow bend needs
+ * neither, and shaders of functions without edges or lists have no code for them.
  *
- * A list is texels of four floats, the first of them the number of pieces. Of one channel, there
- * follow the pieces: the shares of the way from column to column, from 0 to 1, at which each begins
- * and ends, and the values there. Of three channels, one node more than pieces: its share and its
- * values; two of one share are a step.
+ * A list is texels of four floats, the first of them the number of pieces. For one channel the
+ * pieces follow: the shares of the way from column to column, from 0 to 1, at which each begins and
+ * ends, and the values there. For three channels one node more than pieces follows: its share and
+ * its values; two of one share are a step.
  */
 struct TransferColumns
 {
   static constexpr int Columns = 4096;
-  /// Edges begin and end at a multiple of one over so many.
+  /// The number of places of an edge: edges begin and end at a multiple of one over this number.
   static constexpr int EdgePlaces = 4095;
   using Range = TransferNodes::Range;
   using Value = TransferNodes::Value;
@@ -41,7 +41,7 @@ struct TransferColumns
     THREE
   };
 
-  /// What becomes of each channel, and its inverse: the function's own values are compared.
+  /// The mapping of each channel, and its inverse: the function's own values are compared.
   struct Mapping
   {
     std::function<double(double)> Map;
@@ -57,11 +57,11 @@ struct TransferColumns
     const Mapping& mapping, std::vector<float>& bends);
 
   std::vector<Value> Values;
-  /// For each column the first texel of the list that is for the way to the next one; 0 where that
-  /// is straight.
+  /// The lists: for each column the first texel of the list that is for the way to the next one; 0
+  /// where that is straight.
   std::vector<int> Bends;
-  /// For each column where its edge begins and ends, as shares of the way; 0 and 1 where it has
-  /// none.
+  /// The edges: for each column where its edge begins and ends, as shares of the way; 0 and 1 where
+  /// it has none.
   std::vector<std::array<float, 2>> Edges;
 };
 

@@ -27,7 +27,7 @@ inline TransferNodes::Value Mix(
   return mixed;
 }
 
-/// The largest difference of a channel.
+/// Returns the largest difference of a channel.
 inline double GetDistance(const TransferNodes::Value& a, const TransferNodes::Value& b)
 {
   return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) });

@@ -22,7 +22,7 @@ using Node = TransferNodes::Node;
 /// A curve is halved this often at most.
 constexpr int Depth = 16;
 constexpr double Tolerance = 1e-5;
-/// Where a curve's limits at its ends are taken, as a share of it.
+/// The place where a curve's limits at its ends are taken, as a share of it.
 constexpr double AtEnd = 1e-9;
 
 double GetSize(const Value& value)
@@ -30,7 +30,7 @@ double GetSize(const Value& value)
   return GetDistance(value, Value{});
 }
 
-/// A place from which on, or before which, no node is.
+/// Returns a place from which on, or before which, no node is.
 double GetBeyond(double x, double sign)
 {
   return x + sign * std::max(std::abs(x), 1.0);
@@ -71,7 +71,7 @@ template <typename Function>
 void TransferNodes::AddSegment(const Function& function, const Node& a, const Node& b,
   double midpoint, double sharpness, Curve curve)
 {
-  // As VTK's functions have them.
+  // The limits are those of VTK's functions.
   constexpr double leastMidpoint = 0.00001;
   constexpr double straight = 0.01;
   constexpr double step = 0.99;
@@ -106,7 +106,7 @@ void TransferNodes::AddSegment(const Function& function, const Node& a, const No
 template <std::size_t Channels, typename Transfer, typename Function>
 void TransferNodes::AddFunction(Transfer* transfer, const Function& function, Curve curve)
 {
-  // Place, channels, midpoint and sharpness.
+  // The values of a point: place, channels, midpoint and sharpness.
   std::array<double, Channels + 3> point{};
   const auto get = [&](int i)
   {

@@ -37,21 +37,22 @@ public:
 
   TransferNodes() = default;
   ///@{
-  /// The nodes of a function that has points.
+  /// Takes the nodes of a function that has points.
   explicit TransferNodes(vtkPiecewiseFunction* function);
   explicit TransferNodes(vtkColorTransferFunction* function);
   ///@}
-  /// A ramp over a range.
+  /// Makes a ramp over a range.
   TransferNodes(const Range& range, double first, double last);
 
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
 
-  /// The part of \a range outside which the function has the values of the part's ends, steps at
-  /// the function's own ends well inside it; all of \a range where the function is level there.
+  /// Returns the part of \a range outside which the function has the values of the part's ends,
+  /// steps at the function's own ends well inside it; all of \a range where the function is level
+  /// there.
   Range Limit(const Range& range) const;
 
-  /// Whether the first channel changes by steps alone in \a range, none of them wider than \a
-  /// width.
+  /// Returns whether the first channel changes by steps alone in \a range, none of them wider than
+  /// \a width.
   bool IsStepwise(const Range& range, double width) const;
 
   /// The smallest value above 0 of the first channel at the nodes in \a range and at its ends; 0
@@ -62,14 +63,14 @@ public:
   Value Evaluate(double x) const;
 
   /**
-   * The largest value of the first channel in [\a range[0], \a range[1]]. Nodes no farther outside
-   * than \a near[0] and near[1] count as well, and in place of what lies that close to them, so
-   * that an end that is a node but for rounding has the node's value.
+   * Returns the largest value of the first channel in [\a range[0], \a range[1]]. Nodes no farther
+   * outside than \a near[0] and near[1] count as well, and in place of ends that lie that close to
+   * them, so that an end that is a node but for rounding has the node's value.
    */
   double GetLargest(const Range& range, const Range& near) const;
 
 private:
-  /// What is between points of sharpness 0.
+  /// The curves between points of sharpness 0.
   enum Curve
   {
     STRAIGHT,
@@ -88,7 +89,7 @@ private:
   void FindLargest();
 
   std::vector<Node> Nodes;
-  /// Largest values of the first channel of 1, 2, 4, ... successive nodes.
+  /// The largest values of the first channel of 1, 2, 4, ... successive nodes.
   std::vector<std::vector<double>> Largest;
 };
 

@@ -14,14 +14,14 @@ namespace interlume
 
 namespace
 {
-/// First and last sample of a box along each axis.
+/// The first and last sample of a box along each axis.
 struct Box
 {
   std::array<int, 3> First;
   std::array<int, 3> Last;
 };
 
-/// The ranges of the texels in \a box, voxels that are not finite left out, as values.
+/// Finds the ranges of the texels in \a box, voxels that are not finite left out, as values.
 template <typename Texel>
 void FindRanges(const VolumeSamples& samples, const Box& box, std::array<double, 2>* ranges)
 {

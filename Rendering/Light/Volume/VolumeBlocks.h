@@ -21,10 +21,10 @@ class VolumeSamples;
 class VolumeBlocks
 {
 public:
-  /// Cells of a block along an axis.
+  /// The number of cells of a block along an axis.
   static constexpr int BlockSize = 16;
 
-  /// Finds the ranges. Threaded.
+  /// Finds the ranges, with several threads.
   void Build(const VolumeSamples& samples);
 
   /// Marks the blocks whose range has an extinction above 0 somewhere.
@@ -47,7 +47,7 @@ private:
   std::array<int, 3> Size{ { 0, 0, 0 } };
   std::array<int, 3> Samples{ { 0, 0, 0 } };
   int Components = 0;
-  /// Lower and upper of each component of each block.
+  /// The lower and upper value of each component of each block.
   std::vector<std::array<double, 2>> Ranges;
   std::vector<unsigned char> Visible;
   int NumberVisible = 0;

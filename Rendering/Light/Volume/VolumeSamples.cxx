@@ -41,7 +41,7 @@ void Dispatch(vtkDataArray* array, Function&& function)
   }
 }
 
-/// The finite values of the components of a voxel: whether all are.
+/// Reads the finite values of the components of a voxel. Returns whether all are finite.
 template <typename Array>
 bool GetVoxel(const vtkDataArrayAccessor<Array>& values, vtkIdType voxel, int components,
   std::array<double, LargestComponents>& value)
@@ -131,8 +131,9 @@ void WriteTexels(Array* array, vtkIdType begin, vtkIdType end,
   }
 }
 
-/// 0 where the smallest is no farther from it than the largest is from the smallest, else their
-/// middle. A float less such a middle has no more digits than a float, so that it is exact.
+/// Returns 0 where the smallest value is no farther from 0 than the largest is from the smallest,
+/// else their middle. A float less such a middle has no more digits than a float, so that it is
+/// exact.
 double FindOffset(const std::array<double, 2>& range)
 {
   const double least = std::max({ range[0], -range[1], 0.0 });
@@ -143,7 +144,7 @@ double FindOffset(const std::array<double, 2>& range)
   return range[0] + 0.5 * (range[1] - range[0]);
 }
 
-/// The power of two next to the largest value less the offset.
+/// Returns the power of two next to the largest value less the offset.
 double FindScale(const std::array<double, 2>& range, double offset)
 {
   // Below it, quotients of scales and ranges leave the doubles.

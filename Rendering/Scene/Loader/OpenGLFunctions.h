@@ -18,7 +18,7 @@
 namespace interlume
 {
 
-/// Whether the context that is current has OpenGL 3.2, with which geometry shaders came.
+/// Returns whether the context that is current has OpenGL 3.2, with which geometry shaders came.
 inline bool HasOpenGL32()
 {
 #ifdef GLAD_GL_VERSION_3_2

@@ -9,7 +9,7 @@ namespace interlume
 
 /**
  * @class   LevelOfDetail
- * @brief   how coarse a picture is drawn in the time there is
+ * @brief   chooses how coarse a picture is drawn in the time there is
  *
  * Level 0 is the full picture. Each further level halves the pixels along an edge, up to a quarter,
  * or, in turn with that and then alone, takes every second of the tetrahedra that were left. The
@@ -22,7 +22,7 @@ public:
   static constexpr int LEVELS = 9;
   static constexpr std::uint32_t FEWEST = 20000;
 
-  /// Forgets what was measured: another mesh, window size or path.
+  /// Forgets the times measured, for another mesh, window size or path.
   void Reset() { this->Seconds.fill(0.0); }
   void Measured(int level, double seconds) { this->Seconds[level] = seconds; }
 

@@ -32,7 +32,7 @@ using Mapper = vtkUnstructuredGridVolumeMapper;
 
 namespace
 {
-/// Beyond this MPVONC takes longer than drawing.
+/// The number of tetrahedra beyond which MPVONC takes longer than drawing.
 constexpr std::uint32_t MPVONC_LIMIT = 1000000;
 
 TetrahedraFrame::Blends GetBlend(int mode)
@@ -53,7 +53,7 @@ TetrahedraFrame::Blends GetBlend(int mode)
 }
 }
 
-/// All that a picture of the software path is made of.
+/// The state that a picture of the software path is made from.
 struct TetrahedraRenderer::DrawnState
 {
   TetrahedraView View;

@@ -35,7 +35,8 @@ namespace interlume
 
 /**
  * @class   TetrahedraRenderer
- * @brief   one picture: what is new is made anew, choices are made, one of the paths draws
+ * @brief   draws one picture: makes what has changed anew, makes the choices, has one of the paths
+ * draw
  */
 class TetrahedraRenderer
 {
@@ -67,7 +68,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// What one window's context holds.
+  /// The resources of one window's context.
   struct WindowResources;
   struct DrawnState;
 
@@ -88,13 +89,13 @@ private:
   void DrawSelection(
     vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void ReadDepth(vtkRenderer* renderer);
-  /// Whether a point of the mesh is beyond the far plane.
+  /// Returns whether a point of the mesh is beyond the far plane.
   bool IsCutByFarPlane() const;
   void UpdateBoundary(vtkRenderer* renderer, const Request& request, vtkTetrahedraReport& report);
   std::string GetFeatures() const;
   vtkIdType GetMemoryBytes() const;
 
-  /// What mesh and colours were made of.
+  /// The data that mesh and colours were made of.
   struct MeshKey
   {
     vtkUnstructuredGrid* Grid = nullptr;
@@ -108,15 +109,15 @@ private:
   /// Whether all is of one colour, so that order does not matter.
   bool HasOneColor = false;
 
-  /// Count what is made anew, so that each window can tell what it has to upload.
+  /// The versions count what is made anew, so that each window can tell what it has to upload.
   int MeshVersion = 0;
   int ColorVersion = 0;
   int OrderVersion = 0;
   int SurfaceVersion = 0;
-  /// Of the boundary without its light, which is no upload.
+  /// The version of the boundary without its light, which is no upload.
   int BoundaryVersion = 0;
 
-  /// What the boundary was made of.
+  /// The data that the boundary was made of.
   vtkDataSet* Boundary = nullptr;
   vtkMTimeType BoundaryTime = 0;
   BoundaryFaces::Counts BoundaryCounts;
@@ -132,7 +133,7 @@ private:
   TetrahedraFrame Picture;
   SoftwareRasterizer Rasterizer;
   interlume::LevelOfDetail LevelOfDetail;
-  /// Path and size of the viewport that its times were measured with.
+  /// The path and the size of the viewport that the times of Level were measured with.
   std::array<int, 3> LevelConditions{};
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
 };

@@ -70,7 +70,7 @@ void BoundaryShading::Set(
     this->Lights.push_back(seen);
   }
 
-  // Normals go by the cofactors, which is the inverse's transpose up to a factor.
+  // Normals are transformed by the cofactors, which are the inverse's transpose up to a factor.
   const std::array<double, 12>& m = view.GetEyeFromMesh();
   for (int i = 0; i < 3; ++i)
   {
@@ -140,7 +140,7 @@ void BoundaryShading::SetImage(vtkTexture* texture)
 
 BoundaryShading::Color BoundaryShading::Sample(double u, double v) const
 {
-  // Bilinear between the centres of pixels.
+  // The image is bilinear between the centres of pixels.
   const auto place = [this](double t, int size, int ends[2])
   {
     t = this->Repeated ? t - std::floor(t) : std::max(0.0, std::min(t, 1.0));

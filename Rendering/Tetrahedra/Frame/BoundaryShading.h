@@ -17,10 +17,10 @@ namespace interlume
 
 /**
  * @class   BoundaryShading
- * @brief   how boundary triangles look
+ * @brief   computes the colour of boundary triangles
  *
- * The renderer's lights, up to MAXIMUM_LIGHTS that are switched on, with ambient, diffuse and
- * specular light on either side, and an image over the texture coordinates.
+ * It uses the renderer's lights, up to MAXIMUM_LIGHTS that are switched on, with ambient, diffuse
+ * and specular light on either side, and an image over the texture coordinates.
  */
 class BoundaryShading
 {
@@ -30,7 +30,7 @@ public:
 
   struct Light
   {
-    /// In eye coordinates, units of the view: where it is, or the direction to it.
+    /// The place of the light, or the direction to it, in eye coordinates, in units of the view.
     glm::vec3 Place;
     bool IsPositional;
     std::array<float, 3> Color;
@@ -43,20 +43,20 @@ public:
     vtkRenderer* renderer, const TetrahedraView& view, vtkProperty* property, vtkTexture* texture);
 
   /**
-   * Colour times opacity at a point in eye coordinates. \a normal is in mesh coordinates, of any
-   * length and either side.
+   * Returns colour times opacity at a point in eye coordinates. \a normal is in mesh coordinates,
+   * of any length and either side.
    */
   Color Shade(const glm::dvec3& eye, const glm::dvec3& normal,
     const std::array<double, 2>& textureCoordinates) const;
 
   const std::vector<Light>& GetLights() const { return this->Lights; }
-  /// RGB and opacity; ambient, diffuse, specular and its power; the specular colour.
+  /// Return RGB and opacity; ambient, diffuse, specular and its power; the specular colour.
   const Color& GetColor() const { return this->Base; }
   const Color& GetShares() const { return this->Shares; }
   const std::array<float, 3>& GetSpecularColor() const { return this->SpecularColor; }
-  /// Eye from mesh, of normals: three rows.
+  /// Returns the matrix of normals from mesh to eye, as three rows.
   const std::array<float, 9>& GetNormalMatrix() const { return this->NormalMatrix; }
-  /// The image row by row from below; no pixels where there is none.
+  /// Returns the image row by row from below; no pixels where there is none.
   const std::vector<Color>& GetImage() const { return *this->Image; }
   int GetImageWidth() const { return this->ImageWidth; }
   int GetImageHeight() const { return this->ImageHeight; }
@@ -77,7 +77,7 @@ private:
   Color Shares{};
   std::array<float, 3> SpecularColor{};
   std::array<float, 9> NormalMatrix{};
-  /// Shared with copies, which are made to tell what has changed.
+  /// The image, shared with copies, which are made to tell what has changed.
   std::shared_ptr<const std::vector<Color>> Image = std::make_shared<const std::vector<Color>>();
   vtkMTimeType ImageTime = 0;
   int ImageWidth = 0;

@@ -9,7 +9,7 @@ namespace interlume
 
 namespace
 {
-// Positive on one side of the plane through a, b, c.
+// Returns a number that is positive on one side of the plane through a, b, c.
 double GetSide(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& p)
 {
   return glm::dot(p - a, glm::cross(b - a, c - a));
@@ -65,7 +65,7 @@ void NearClip::Append(TetrahedraMesh& mesh, TetrahedraFields& fields, const Tetr
 void NearClip::Cut(TetrahedraMesh& mesh, TetrahedraFields& fields, const TetrahedraView& view,
   std::uint32_t tetrahedron)
 {
-  // Corners beyond the plane first.
+  // Corners beyond the plane come first.
   std::array<Corner, 4> corners;
   std::array<glm::dvec3, 4> eyes;
   int inside = 0;
@@ -92,7 +92,7 @@ void NearClip::Cut(TetrahedraMesh& mesh, TetrahedraFields& fields, const Tetrahe
   }
   else
   {
-    // A wedge: two triangles with three edges between them.
+    // The part is a wedge: two triangles with three edges between them.
     std::array<Corner, 6> w;
     if (inside == 3)
     {
@@ -117,8 +117,8 @@ void NearClip::Cut(TetrahedraMesh& mesh, TetrahedraFields& fields, const Tetrahe
 void NearClip::Sort(
   const TetrahedraMesh& mesh, const TetrahedraView& view, std::vector<Part>& parts)
 {
-  // Each is swapped with the next where the eye is beyond the face they share. A line of sight that
-  // meets the first and the third passes the second between them.
+  // Each part is swapped with the next where the eye is beyond the face they share. A line of sight
+  // that meets the first and the third passes the second between them.
   const glm::dvec3 eye = view.IsParallel() ? glm::dvec3(0.0, 0.0, 1e6) : glm::dvec3(0.0);
   const auto isBehind = [&](int part)
   {
@@ -138,7 +138,7 @@ void NearClip::Sort(
   }
   if (secondIsBehind)
   {
-    // The third goes before the second, wherever that is now.
+    // The third part goes before the second, wherever that is now.
     const Part third = parts[2];
     parts.pop_back();
     parts.insert(parts.begin() + (firstIsBehind ? 0 : 1), third);

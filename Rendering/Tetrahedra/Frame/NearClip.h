@@ -16,30 +16,30 @@ namespace interlume
  * @class   NearClip
  * @brief   cuts tetrahedra at the near plane
  *
- * What is left of a tetrahedron with corners before the plane is one tetrahedron or three. They,
- * and their points, are appended to the mesh and its fields, and stand in the order where the whole
- * one stood, front to back among themselves. Views that have the mesh wholly beyond the plane cost
- * a test of its bounding box.
+ * The rest of a tetrahedron with corners before the plane is one tetrahedron or three. They, and
+ * their points, are appended to the mesh and its fields, and stand in the order where the whole one
+ * stood, front to back among themselves. Views that have the mesh wholly beyond the plane cost a
+ * test of its bounding box.
  */
 class NearClip
 {
 public:
   /**
-   * Appends. \a order is front to back, or null for tetrahedra as they are; GetOrder() is then used
-   * in its place if IsActive().
+   * Appends the parts. \a order is front to back, or null for tetrahedra as they are; GetOrder() is
+   * then used in its place if IsActive().
    */
   void Append(TetrahedraMesh& mesh, TetrahedraFields& fields, const TetrahedraView& view,
     const std::vector<std::uint32_t>* order);
 
   /**
-   * Takes away what was appended.
+   * Removes what was appended.
    */
   void Remove(TetrahedraMesh& mesh, TetrahedraFields& fields);
 
   bool IsActive() const { return this->Active; }
   const std::vector<std::uint32_t>& GetOrder() const { return this->Order; }
   vtkIdType GetNumberClipped() const { return this->NumberClipped; }
-  /// The tetrahedron that one was cut from, or itself.
+  /// Returns the tetrahedron that one was cut from, or itself.
   std::uint32_t GetWhole(std::uint32_t tetrahedron) const
   {
     return tetrahedron < this->Tetrahedra ? tetrahedron

@@ -17,7 +17,7 @@ using Value = std::array<double, 4>;
 constexpr int DEPTH = 24;
 constexpr double TOLERANCE = 1e-4;
 
-// Both functions at x.
+// Evaluates both functions at x.
 class Functions
 {
 public:
@@ -50,7 +50,7 @@ public:
     return value;
   }
 
-  // Where the functions may bend, within the range, its ends included.
+  // Returns the places where the functions may bend, within the range, its ends included.
   std::vector<double> GetNodes(const double range[2]) const
   {
     std::vector<double> nodes = { range[0], range[1] };
@@ -117,7 +117,7 @@ void PiecewiseLinearTransfer::Build(
 {
   const Functions functions(property, component, unit);
   std::vector<Node> nodes;
-  // Appends what lies after a, b included.
+  // Appends the nodes after a, b included.
   const auto append = [&](const auto& self, const Node& a, const Node& b, int depth) -> void
   {
     const auto isStraight = [&](double t)

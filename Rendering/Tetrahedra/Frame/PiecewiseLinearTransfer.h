@@ -14,10 +14,10 @@ namespace interlume
  * @class   PiecewiseLinearTransfer
  * @brief   colour and extinction as straight pieces over the scalar
  *
- * The colour and opacity functions of a property, put together: between two control points all four
- * channels are linear in the scalar. Curved parts of the functions (other colour spaces, midpoints,
- * sharpness, logarithmic scale) are halved until straight pieces are within 1e-4 of them, and
- * control points on a straight line are dropped.
+ * It puts the colour and opacity functions of a property together: between two control points all
+ * four channels are linear in the scalar. Curved parts of the functions (other colour spaces,
+ * midpoints, sharpness, logarithmic scale) are halved until straight pieces are within 1e-4 of
+ * them, and control points on a straight line are dropped.
  */
 class PiecewiseLinearTransfer
 {
@@ -25,8 +25,8 @@ public:
   using Sample = std::array<float, 4>;
 
   /**
-   * The functions of \a component over [\a range[0], \a range[1]], which become 0 to 1. Extinction
-   * is the opacity times \a unit.
+   * Takes the functions of \a component over [\a range[0], \a range[1]], which become 0 to 1.
+   * Extinction is the opacity times \a unit.
    */
   void Build(vtkVolumeProperty* property, int component, const double range[2], double unit);
 
@@ -39,16 +39,16 @@ public:
     Sample Slope;
   };
   const std::vector<Piece>& GetPieces() const { return this->Pieces; }
-  /// One more than pieces: the last is beyond every value.
+  /// Returns the starts of the pieces, one more than pieces: the last is beyond every value.
   const std::vector<float>& GetStarts() const { return this->Starts; }
 
-  /// The fourth of value and slope of each piece, for loops that need no more.
+  /// Returns the fourth of value and slope of each piece, for loops that need no more.
   const std::vector<float>& GetExtinctions() const { return this->Extinctions; }
   const std::vector<float>& GetExtinctionSlopes() const { return this->ExtinctionSlopes; }
-  /// For each of 1024 + 1 values of the scalar the piece it lies in.
+  /// Returns for each of 1024 + 1 values of the scalar the piece it lies in.
   const std::vector<int>& GetBuckets() const { return this->First; }
 
-  /// The piece that \a f, 0 to 1, lies in.
+  /// Returns the piece that \a f, 0 to 1, lies in.
   int Find(float f) const
   {
     int piece = this->First[static_cast<std::size_t>(f * BUCKETS)];
@@ -75,7 +75,7 @@ public:
     }
   }
 
-  /// Whether every value gives the same colour, whatever its extinction.
+  /// Returns whether every value gives the same colour, whatever its extinction.
   bool HasOneColor() const;
 
 private:
@@ -92,7 +92,7 @@ private:
   std::vector<float> Starts;
   std::vector<float> Extinctions;
   std::vector<float> ExtinctionSlopes;
-  /// For each of BUCKETS + 1 values of f the piece it lies in.
+  /// The piece that each of BUCKETS + 1 values of f lies in.
   std::vector<int> First;
 };
 

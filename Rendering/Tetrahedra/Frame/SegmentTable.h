@@ -26,16 +26,17 @@ namespace interlume
 class SegmentTable
 {
 public:
-  /// Columns: 1 + D in steps of an eighth of an octave, linear within, so that the bits of a float
-  /// are the coordinate. Rows: 1 - sqrt((1 - delta) / 2), finer where the front end is transparent.
+  /// The size of the table. Columns are 1 + D in steps of an eighth of an octave, linear within, so
+  /// that the bits of a float are the coordinate. Rows are 1 - sqrt((1 - delta) / 2), finer where
+  /// the front end is transparent.
   static constexpr int STEPS_LOG2 = 3;
   static constexpr int COLUMNS = (24 << STEPS_LOG2) + 1;
   static constexpr int ROWS = 65;
 
-  /// The one table, made at its first use.
+  /// Returns the one table, made at its first use.
   static const SegmentTable& Get();
 
-  /// m for \a depth >= 0 and \a delta in [-1, 1].
+  /// Returns m for \a depth >= 0 and \a delta in [-1, 1].
   float GetFrontShare(float depth, float delta) const
   {
     const float sum = 1.0f + depth;

@@ -15,7 +15,7 @@ namespace interlume
 class BoundaryShading;
 
 /**
- * All that one picture is made of, for either path. What is pointed to outlives the drawing.
+ * The data that one picture is made of, for either path. Pointers stay valid until it is drawn.
  */
 struct TetrahedraFrame
 {
@@ -34,25 +34,26 @@ struct TetrahedraFrame
   const TetrahedraFields* Fields = nullptr;
   const PiecewiseLinearTransfer* Pieces = nullptr;
   TetrahedraView View;
-  /// Front to back, or by layers from the highest priority down; null: as they are.
+  /// The order: front to back, or by layers from the highest priority down; null for tetrahedra as
+  /// they are.
   const std::vector<std::uint32_t>* Order = nullptr;
-  /// Depth of the nearest opaque surface, row by row from below; null where there is none.
+  /// The depth of the nearest opaque surface, row by row from below; null where there is none.
   const float* Opaque = nullptr;
-  /// Of the boundary triangles; null where none are drawn.
+  /// The shading of the boundary triangles; null where none are drawn.
   const BoundaryShading* Surface = nullptr;
   Blends Blend = COMPOSITE;
-  /// Extinction of opacity 1, so that MAXIMUM can undo what extinction was made by.
+  /// The extinction of opacity 1, so that MAXIMUM can undo what extinction was made by.
   double ExtinctionUnit = 1.0;
   bool IsExact = true;
-  /// Pixels of the viewport along an edge of one of the picture.
+  /// The number of pixels of the viewport along an edge of one of the picture.
   int PixelStride = 1;
-  /// One of how many tetrahedra is drawn, and stands for them.
+  /// The number of tetrahedra of which one is drawn, and stands for them.
   std::uint32_t TetrahedronStride = 1;
 
-  /// Whether a tetrahedron is among those drawn.
+  /// Returns whether a tetrahedron is among those drawn.
   bool IsDrawn(std::uint32_t tetrahedron) const
   {
-    // Knuth's multiplicative hash: no pattern in space.
+    // Knuth's multiplicative hash has no pattern in space.
     return this->TetrahedronStride == 1 ||
       ((tetrahedron * 2654435761u) >> 8) % this->TetrahedronStride == 0;
   }

@@ -26,7 +26,7 @@ namespace interlume
 
 namespace
 {
-// What a tetrahedron is left out for.
+// The reasons for which a tetrahedron is left out.
 enum Marks : unsigned char
 {
   DRAWN,
@@ -224,7 +224,7 @@ int TetrahedraBuilder::GetColoringComponent(vtkDataArray* scalars, vtkVolumeProp
 
 namespace
 {
-// The value that colours: a component or the magnitude.
+// Returns the value that colours: a component or the magnitude.
 double GetValue(vtkDataArray* array, vtkIdType id, int component)
 {
   if (component >= 0)
@@ -239,7 +239,7 @@ double GetValue(vtkDataArray* array, vtkIdType id, int component)
   return std::sqrt(sum);
 }
 
-// Colour and extinction of one tuple, by the functions or as the colour it is.
+// Returns colour and extinction of one tuple, by the functions or as the colour it is.
 std::array<float, 4> GetColor(
   vtkDataArray* array, vtkIdType id, int component, vtkVolumeProperty* property, double unit)
 {
@@ -349,7 +349,7 @@ std::string TetrahedraBuilder::BuildColors(const TetrahedraArrays& arrays,
         high = std::max(high, value);
       }
     }
-    // Halves, since the difference may be beyond the largest number.
+    // Values are halved, since the difference may be beyond the largest number.
     const double width = 0.5 * high - 0.5 * low;
     for (std::size_t p = 0; p < points && width > 0.0; ++p)
     {

@@ -26,7 +26,7 @@ struct TetrahedraArrays
 
 /**
  * @class   TetrahedraBuilder
- * @brief   from a grid and its arrays to what is drawn
+ * @brief   makes the mesh and the fields that are drawn from a grid and its arrays
  *
  * Each function returns what is wrong, or nothing.
  */
@@ -40,27 +40,27 @@ public:
   };
 
   /**
-   * The mesh without flat tetrahedra, ghosts, and those with NaN or infinity in a coordinate or
-   * array.
+   * Makes the mesh without flat tetrahedra, ghosts, and those with NaN or infinity in a coordinate
+   * or array.
    */
   static std::string BuildMesh(vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays,
     TetrahedraMesh& mesh, Counts& counts);
 
   /**
-   * Everything but colours that transfer functions give.
+   * Makes all fields but colours that transfer functions give.
    */
   static void BuildFields(
     const TetrahedraArrays& arrays, const TetrahedraMesh& mesh, TetrahedraFields& fields);
 
   /**
-   * Kind, scalars, and colours where they are not looked up while drawing. Extinction is opacity
-   * times \a unit.
+   * Makes kind, scalars, and colours where they are not looked up while drawing. Extinction is
+   * opacity times \a unit.
    */
   static std::string BuildColors(const TetrahedraArrays& arrays, const TetrahedraMesh& mesh,
     vtkVolumeProperty* property, double unit, TetrahedraFields& fields);
 
   /**
-   * The component that colours, or -1 for the magnitude of a vector.
+   * Returns the component that colours, or -1 for the magnitude of a vector.
    */
   static int GetColoringComponent(vtkDataArray* scalars, vtkVolumeProperty* property);
 };

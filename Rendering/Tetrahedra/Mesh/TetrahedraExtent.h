@@ -7,11 +7,12 @@ namespace interlume
 struct TetrahedraMesh;
 
 /**
- * How far a mesh reaches.
+ * Computes how far a mesh reaches.
  */
 namespace TetrahedraExtent
 {
-/// The greatest distance of a point from the origin of the mesh's coordinates; 0 without points.
+/// Returns the greatest distance of a point from the origin of the mesh's coordinates; 0 without
+/// points.
 double GetRadius(const TetrahedraMesh& mesh);
 }
 

@@ -13,14 +13,14 @@ namespace interlume
 {
 
 /**
- * Where a mesh is seen from, in the mesh's own coordinates.
+ * The viewpoint that a mesh is seen from, in the mesh's own coordinates.
  */
 struct Viewpoint
 {
   bool IsParallel = false;
-  /// The eye, in perspective.
+  /// The place of the eye, in perspective.
   glm::dvec3 Eye{};
-  /// From the eye into the scene, unit length.
+  /// The direction from the eye into the scene, of unit length.
   glm::dvec3 Direction{ 0.0, 0.0, -1.0 };
 };
 
@@ -32,11 +32,11 @@ struct TetrahedraMesh
 {
   glm::dvec3 Origin{};
   double Scale = 1.0;
-  /// Three for each point.
+  /// Three coordinates for each point.
   std::vector<double> Points;
-  /// Four for each tetrahedron, in either orientation.
+  /// Four corners for each tetrahedron, in either orientation.
   std::vector<std::uint32_t> Corners;
-  /// The input's cell of each tetrahedron; empty where they are the same.
+  /// The input's cell of each tetrahedron; empty where the numbers of both are the same.
   std::vector<std::uint32_t> Cells;
 
   std::uint32_t GetNumberOfTetrahedra() const
@@ -47,7 +47,7 @@ struct TetrahedraMesh
   {
     return &this->Points[3 * static_cast<std::size_t>(id)];
   }
-  /// Positive for one orientation, negative for the other.
+  /// Returns six times the volume, positive for one orientation, negative for the other.
   double GetSixfoldVolume(std::uint32_t tetrahedron) const
   {
     const std::uint32_t* corners = this->GetCorners(tetrahedron);

@@ -29,7 +29,8 @@ namespace
 {
 using Picture = TetrahedraFrame;
 
-// Six times the volume of every tetrahedron, in mesh coordinates, before those are rounded.
+// Computes six times the volume of every tetrahedron, in mesh coordinates, before those are
+// rounded.
 std::vector<float> MakeVolumes(const TetrahedraMesh& mesh)
 {
   std::vector<float> volumes(mesh.GetNumberOfTetrahedra());
@@ -40,7 +41,7 @@ std::vector<float> MakeVolumes(const TetrahedraMesh& mesh)
   return volumes;
 }
 
-// Coordinates, and the scalar as the fourth.
+// Returns the coordinates, with the scalar as the fourth.
 std::vector<float> MakePoints(const TetrahedraMesh& mesh, const TetrahedraFields& fields)
 {
   const std::size_t points = mesh.Points.size() / 3;
@@ -216,7 +217,8 @@ void OpenGLRasterizer::UploadOrder(const TetrahedraFrame& picture, vtkTetrahedra
   {
     glGenBuffers(1, &this->Order);
   }
-  // From back to front, as blending goes; layers too are drawn from the lowest priority up.
+  // The order is from back to front, as blending goes; layers too are drawn from the lowest
+  // priority up.
   const std::vector<std::uint32_t> order(picture.Order->rbegin(), picture.Order->rend());
   const std::size_t bytes = order.size() * sizeof(std::uint32_t);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Order);

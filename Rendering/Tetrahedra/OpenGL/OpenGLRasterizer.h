@@ -39,11 +39,11 @@ public:
   ~OpenGLRasterizer();
 
   /**
-   * Why this context cannot draw that many tetrahedra and points, or nothing.
+   * Returns why this context cannot draw that many tetrahedra and points, or nothing.
    */
   std::string GetObstacle(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture) const;
 
-  /// What is new since the last picture.
+  /// The parts that are new since the last picture.
   struct Changes
   {
     bool Mesh = true;
@@ -53,7 +53,8 @@ public:
   };
 
   /**
-   * Draws. \a hasOpaque: whether the scene has opaque surfaces. Returns what is wrong, or nothing.
+   * Draws a picture. \a hasOpaque tells whether the scene has opaque surfaces. Returns what is
+   * wrong, or nothing.
    */
   std::string Draw(vtkRenderer* renderer, const TetrahedraFrame& picture, const Changes& changes,
     bool hasOpaque, vtkTetrahedraReport& report);

@@ -37,7 +37,7 @@ std::vector<float> TetrahedraSelection::MakeImage(vtkHardwareSelector* selector,
         vtkHardwareSelector::Convert(selector->GetProcessID() + 1, pixel);
         break;
       default:
-        // The only block.
+        // The value stands for the only block.
         vtkHardwareSelector::Convert(1, pixel);
     }
     const double depth = view.GetBufferOfDepth(depths[i]);

@@ -19,13 +19,13 @@ class TetrahedraSelection
 {
 public:
   /**
-   * Whether this pass of the selector draws anything of a volume's cells.
+   * Returns whether this pass of the selector draws anything of a volume's cells.
    */
   static bool IsDrawn(vtkHardwareSelector* selector);
 
   /**
-   * Four values for each pixel: the colour of this pass, and the value of the depth buffer, below 0
-   * where there is nothing. \a cells are cells plus 1, 0 for none.
+   * Makes four values for each pixel: the colour of this pass, and the value of the depth buffer,
+   * below 0 where there is nothing. \a cells are cells plus 1, 0 for none.
    */
   static std::vector<float> MakeImage(vtkHardwareSelector* selector, const TetrahedraView& view,
     const std::vector<vtkIdType>& cells, const std::vector<float>& depths);

@@ -36,13 +36,14 @@ public:
   TextureBuffer& operator=(const TextureBuffer&) = delete;
 
   /**
-   * Replaces all of it. Returns the bytes sent.
+   * Replaces the whole array. Returns the bytes sent.
    */
   vtkIdType Upload(
     vtkOpenGLRenderWindow* window, Formats format, const void* data, std::size_t bytes);
 
   /**
-   * Binds it to a texture unit and gives that to the sampler \a name; Deactivate() frees the unit.
+   * Binds the array to a texture unit and gives the unit to the sampler \a name; Deactivate() frees
+   * the unit.
    */
   void Activate(vtkShaderProgram* program, const char* name);
   void Deactivate();

@@ -63,7 +63,7 @@ Place GetPlace(vtkDataSet* data, vtkIdType point)
   return place;
 }
 
-// For each point of the triangles the grid's, or NONE.
+// Returns for each point of the triangles the grid's, or NONE.
 std::vector<std::uint32_t> MatchPoints(vtkDataSet* triangles, vtkUnstructuredGrid* grid)
 {
   const vtkIdType points = triangles->GetNumberOfPoints();

@@ -25,7 +25,7 @@ public:
   struct Counts
   {
     vtkIdType Triangles = 0;
-    /// Cells that are no triangle, or no face of a tetrahedron.
+    /// The number of cells that are no triangle, or no face of a tetrahedron.
     vtkIdType Unmatched = 0;
   };
 
@@ -37,7 +37,7 @@ public:
     TetrahedraFields& fields);
 
   /**
-   * Takes them away.
+   * Removes faces, normals and texture coordinates.
    */
   static void Clear(TetrahedraFields& fields);
 };

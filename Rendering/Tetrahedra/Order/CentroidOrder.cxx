@@ -14,7 +14,7 @@ namespace
 {
 constexpr vtkIdType Grain = 16384;
 
-// Four times the centroid.
+// Returns four times the centroid.
 glm::dvec3 SumCorners(const TetrahedraMesh& mesh, std::uint32_t tetrahedron)
 {
   const std::uint32_t* corners = mesh.GetCorners(tetrahedron);
@@ -61,8 +61,8 @@ void CentroidOrder::Compute(
   }
   else
   {
-    // Squared distance less that of the nearest place within the radius: of a far eye's squared
-    // distances single precision would keep too little.
+    // The squared distance less that of the nearest place within the radius: single precision would
+    // keep too little of the squared distances of a far eye.
     const double offset = radius * (2.0 * distance - radius);
     FillKeys(mesh, this->Keys,
       [&](const glm::dvec3& sum)

@@ -14,12 +14,13 @@ namespace interlume
  * @class   CentroidOrder
  * @brief   tetrahedra in order of their centroids, front to back
  *
- * In perspective by distance of the centroid from the eye, not by depth along the axis, so that
- * turning the head changes nothing; in parallel by depth along the direction. Distances are told
- * apart to single precision of their difference from that of the nearest place of the mesh; equal
- * ones go by the number of the tetrahedron. The same order for any number of threads.
+ * The order is by distance of the centroid from the eye in perspective, not by depth along the
+ * axis, so that turning the head changes nothing; it is by depth along the direction in parallel.
+ * Distances are told apart to single precision of their difference from that of the nearest place
+ * of the mesh; equal ones go by the number of the tetrahedron. The order is the same for any number
+ * of threads.
  *
- * An approximation: two tetrahedra of different size may come out the wrong way round. See
+ * It is an approximation: two tetrahedra of different size may come out the wrong way round. See
  * VisibilityOrder for an exact order.
  */
 class CentroidOrder
@@ -30,7 +31,7 @@ public:
   void Compute(
     const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<std::uint32_t>& frontToBack);
 
-  /// Bytes held, at most 24 a tetrahedron.
+  /// Returns the bytes held, at most 24 a tetrahedron.
   std::size_t GetBytes() const;
 
 private:

@@ -62,7 +62,7 @@ void CycleOrder::Search(const VisibilityGraph& graph, std::vector<unsigned char>
     }
     if (this->Lowest[own] == this->Numbers[own])
     {
-      // A component is complete: all from here on.
+      // A component is complete: it is all from here on.
       const std::size_t size = frontToBack.size();
       std::uint32_t member;
       do

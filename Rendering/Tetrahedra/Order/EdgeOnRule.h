@@ -23,24 +23,26 @@ namespace interlume
 class EdgeOnRule
 {
 public:
-  /// \a radius: the greatest distance of a point from the mesh's origin.
+  /// Takes a view; \a radius is the greatest distance of a point from the mesh's origin.
   EdgeOnRule(const Viewpoint& view, double radius)
     : IsPerspective(view.IsParallel ? 0.0 : 1.0)
     , Eye(view.IsParallel ? -view.Direction : view.Eye)
   {
-    // |n . d| errs by less than 66 units of rounding of |d| radius (|u| + |v|), with points known
-    // to 4 units of radius, |u| and |v| at most 2 radius, and the greatest components for | |.
+    // The value |n . d| errs by less than 66 units of rounding of |d| radius (|u| + |v|), with
+    // points known to 4 units of radius, |u| and |v| at most 2 radius, and the greatest components
+    // for | |.
     const double size = view.IsParallel ? Vectors::InfinityNorm(this->Eye)
                                         : Vectors::InfinityNorm(this->Eye) + radius;
     this->Error = 64.0 * std::numeric_limits<double>::epsilon() * size * radius;
   }
 
-  /// From \a point to the eye.
+  /// Returns the way from \a point to the eye.
   glm::dvec3 GetTowardEye(const glm::dvec3& point) const
   {
     return this->Eye - this->IsPerspective * point;
   }
-  /// The greatest |n . d| that is taken as 0; \a sizes: of u and v, by Vectors::InfinityNorm.
+  /// Returns the greatest |n . d| that is taken as 0; \a sizes are those of u and v, by
+  /// Vectors::InfinityNorm.
   double GetBound(double sizes) const { return this->Error * sizes; }
 
 private:

@@ -36,8 +36,8 @@ struct Edges
   glm::dvec3 W;
 };
 
-// What the two tetrahedra of a face are compared by. Bit k of the first four: the ids of face k,
-// counterclockwise from outside, are an odd permutation.
+// The bits by which the two tetrahedra of a face are compared. Bit k of the first four: the ids of
+// face k, counterclockwise from outside, are an odd permutation.
 constexpr unsigned int PositiveBit = 0x10;
 constexpr unsigned int FlatBit = 0x20;
 
@@ -115,7 +115,8 @@ void EyeSides::Compute(
         const double u = Vectors::InfinityNorm(e.U);
         const double v = Vectors::InfinityNorm(e.V);
         const double w = Vectors::InfinityNorm(e.W);
-        // Positive where the eye is on the side of the opposite corner, for a positive volume.
+        // The sign is positive where the eye is on the side of the opposite corner, for a positive
+        // volume.
         const double sign = this->Tetrahedra[t] & IsPositive ? 1.0 : -1.0;
         const double sides[4] = { -sign * glm::dot(glm::cross(edge12, edge13), towardEye1),
           sign * glm::dot(glm::cross(e.V, e.W), towardEye),

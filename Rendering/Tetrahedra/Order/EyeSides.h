@@ -13,7 +13,7 @@ namespace interlume
 
 /**
  * @class   EyeSides
- * @brief   beyond which of its faces a tetrahedron has a neighbour that must be drawn before it
+ * @brief   the faces beyond which a tetrahedron has a neighbour that must be drawn before it
  *
  * The neighbour beyond a face is in front where the eye is on its side of the face's plane; see
  * EdgeOnRule for an eye in the plane. A face whose two tetrahedra lie on one side of it, as
@@ -23,27 +23,29 @@ namespace interlume
 class EyeSides
 {
 public:
-  /// What does not depend on the view: volumes' signs and open faces.
+  /// Computes what does not depend on the view: volumes' signs and open faces.
   void Build(const TetrahedraMesh& mesh, const FaceAdjacency& adjacency);
 
-  /// For each tetrahedron one bit for each face beyond which its neighbour is in front: 1 << k.
+  /// Computes for each tetrahedron one bit for each face beyond which its neighbour is in front: 1
+  /// << k.
   void Compute(
     const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<unsigned char>& inFront) const;
 
-  /// The open faces of tetrahedra that have a volume, ascending, numbered as by FaceAdjacency.
+  /// Returns the open faces of tetrahedra that have a volume, ascending, numbered as by
+  /// FaceAdjacency.
   const std::vector<std::uint32_t>& GetOpenFaces() const { return this->OpenFaces; }
-  /// The corners of a face, counterclockwise as seen from outside of its tetrahedron.
+  /// Returns the corners of a face, counterclockwise as seen from outside of its tetrahedron.
   std::array<std::uint32_t, 3> GetOutwardCorners(
     const TetrahedraMesh& mesh, std::uint32_t face) const;
-  /// The greatest distance of a point from the mesh's origin.
+  /// Returns the greatest distance of a point from the mesh's origin.
   double GetRadius() const { return this->Radius; }
 
-  /// Bytes held: one a tetrahedron, and the open faces.
+  /// Returns the bytes held: one a tetrahedron, and the open faces.
   std::size_t GetBytes() const;
 
 private:
-  // Of each tetrahedron: bit k, whether face k leads to a neighbour; whether its corners are in the
-  // order of a positive volume.
+  // The bits of each tetrahedron: bit k tells whether face k leads to a neighbour, another whether
+  // its corners are in the order of a positive volume.
   static constexpr unsigned int Passable = 0xf;
   static constexpr unsigned int IsPositive = 0x10;
   std::vector<unsigned char> Tetrahedra;

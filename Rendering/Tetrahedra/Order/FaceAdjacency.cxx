@@ -16,7 +16,7 @@ namespace
 {
 constexpr vtkIdType Grain = 8192;
 
-// The point ids of a face, ascending.
+// Returns the point ids of a face, ascending.
 std::array<std::uint32_t, 3> GetSortedIds(const TetrahedraMesh& mesh, std::uint32_t face)
 {
   const std::uint32_t* corners = mesh.GetCorners(face / 4);
@@ -74,7 +74,7 @@ std::uint32_t Match(std::vector<Candidate>& candidates, std::vector<std::uint32_
   return nonManifold;
 }
 
-// The root of a tetrahedron's piece, halving the way to it.
+// Returns the root of a tetrahedron's piece, halving the way to it.
 std::uint32_t FindRoot(std::vector<std::uint32_t>& parents, std::uint32_t tetrahedron)
 {
   while (parents[tetrahedron] != tetrahedron)
@@ -159,7 +159,7 @@ std::uint32_t FaceAdjacency::CountComponents() const
   std::uint32_t components = static_cast<std::uint32_t>(parents.size());
   for (std::size_t face = 0; face < this->Twins.size(); ++face)
   {
-    // Each pair once.
+    // Each pair is visited once.
     const std::uint32_t twin = this->Twins[face];
     if (twin != None && twin < face)
     {

@@ -21,31 +21,31 @@ namespace interlume
 class FaceAdjacency
 {
 public:
-  /// No face.
+  /// The number that stands for no face.
   static constexpr std::uint32_t None = 0xffffffffu;
-  /// The most tetrahedra whose faces 32 bits number.
+  /// The largest number of tetrahedra whose faces 32 bits number.
   static constexpr std::uint32_t MaximumNumberOfTetrahedra = (1u << 30) - 1;
 
   /// Matches all faces. Returns false, and is then empty, beyond MaximumNumberOfTetrahedra.
   bool Build(const TetrahedraMesh& mesh);
 
-  /// For each face the same face as its other tetrahedron numbers it, or None.
+  /// Returns for each face the same face as its other tetrahedron numbers it, or None.
   const std::vector<std::uint32_t>& GetTwins() const { return this->Twins; }
-  /// The tetrahedron beyond face \a k of \a tetrahedron, or None.
+  /// Returns the tetrahedron beyond face \a k of \a tetrahedron, or None.
   std::uint32_t GetNeighbor(std::uint32_t tetrahedron, int k) const
   {
     const std::uint32_t twin = this->Twins[4 * static_cast<std::size_t>(tetrahedron) + k];
     return twin == None ? None : twin / 4;
   }
-  /// The faces without a twin, ascending.
+  /// Returns the faces without a twin, ascending.
   const std::vector<std::uint32_t>& GetBoundaryFaces() const { return this->BoundaryFaces; }
-  /// How many triangles more than two tetrahedra have for a face.
+  /// Returns how many triangles more than two tetrahedra have for a face.
   std::uint32_t GetNumberOfNonManifoldFaces() const { return this->NonManifoldFaces; }
 
   /// Counts the pieces that are connected over faces; visits all tetrahedra.
   std::uint32_t CountComponents() const;
 
-  /// Bytes held: 16 a tetrahedron, and the boundary.
+  /// Returns the bytes held: 16 a tetrahedron, and the boundary.
   std::size_t GetBytes() const;
 
 private:

@@ -37,8 +37,8 @@ FaceRaster::Edge FaceRaster::MakeEdge(
 
 void FaceRaster::FindRectangle(const std::array<glm::dvec3, 3>& corners)
 {
-  // In perspective only what is before the eye counts. What is nearer to its plane than a millionth
-  // of the triangle's depth can be in the picture only that near to the eye.
+  // In perspective only the part before the eye counts. A part nearer to the eye's plane than a
+  // millionth of the triangle's depth can be in the picture only that near to the eye.
   const double nearest = this->Projection.IsParallel() ? std::numeric_limits<double>::lowest()
                                                        : 1e-6 * this->GreatestDepth;
   if (!this->Projection.IsParallel() && this->GreatestDepth <= 0.0)

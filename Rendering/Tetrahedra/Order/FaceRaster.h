@@ -12,21 +12,21 @@ namespace interlume
 
 /**
  * @class   FaceRaster
- * @brief   the pixels of a picture whose lines of sight pass a triangle, and at which depth
+ * @brief   the pixels of a picture whose lines of sight pass a triangle, and the depths there
  *
- * In homogeneous coordinates (M. Olano, T. Greer, "Triangle scan conversion using 2D homogeneous
- * coordinates", 1997), so that no triangle needs to be cut at the eye's plane. An edge is evaluated
- * in the order of its point ids, so that the triangles on either side of it have the same rounding:
- * a closed surface has no leaks.
+ * It works in homogeneous coordinates (M. Olano, T. Greer, "Triangle scan conversion using 2D
+ * homogeneous coordinates", 1997), so that no triangle needs to be cut at the eye's plane. An edge
+ * is evaluated in the order of its point ids, so that the triangles on either side of it have the
+ * same rounding: a closed surface has no leaks.
  */
 class FaceRaster
 {
 public:
-  /// A triangle: picture coordinates of its corners, and their point ids.
+  /// Takes a triangle: picture coordinates of its corners, and their point ids.
   FaceRaster(const FrameProjection& projection, const std::array<glm::dvec3, 3>& corners,
     const std::array<std::uint32_t, 3>& ids);
 
-  /// The smallest rectangle that holds all its pixels.
+  /// Return the smallest rectangle that holds all its pixels.
   FrameProjection::Range GetColumns() const { return this->Columns; }
   FrameProjection::Range GetRows() const { return this->Rows; }
 

@@ -17,7 +17,7 @@ namespace interlume
 namespace
 {
 constexpr vtkIdType Grain = 2048;
-// Few enough rows for the lists of a band's pixels to stay in a cache.
+// The height of a band, few enough rows for the lists of its pixels to stay in a cache.
 constexpr int BandHeight = 16;
 
 using Relations = std::vector<Sightline::Relation>;
@@ -41,7 +41,7 @@ public:
   {
     return (this->Projection.GetHeight() + BandHeight - 1) / BandHeight;
   }
-  // The relations along the lines of sight of a band's pixels, each once, ascending.
+  // Finds the relations along the lines of sight of a band's pixels, each once, ascending.
   void RelateBand(int band, Relations& relations) const;
 
 private:
@@ -60,7 +60,7 @@ private:
   const FrameProjection& Projection;
   EdgeOnRule Rule;
   double Tolerance;
-  // Of each open face.
+  // The rows of each open face.
   std::vector<FrameProjection::Range> Rows;
 };
 
@@ -138,7 +138,7 @@ void Picture::RelateBand(int band, Relations& relations) const
   std::vector<Hit> hits;
   this->FindHits(firstRow, lastRow, hits);
 
-  // Those of each pixel together.
+  // The events of each pixel are together.
   const std::size_t pixels =
     static_cast<std::size_t>(lastRow - firstRow + 1) * this->Projection.GetWidth();
   std::vector<std::size_t> places(pixels + 1, 0);

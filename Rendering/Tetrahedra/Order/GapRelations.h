@@ -14,8 +14,7 @@ class EyeSides;
 
 /**
  * @class   GapRelations
- * @brief   which tetrahedron is in front of which where a line of sight leaves a mesh and enters it
- * again
+ * @brief   relations between tetrahedra where a line of sight leaves a mesh and enters it again
  *
  * The open faces of a mesh are drawn into a list for each pixel, sorted by depth; the tetrahedron
  * whose face the line of sight leaves the mesh by is in front of that whose face it enters by next
@@ -34,21 +33,21 @@ public:
   /// Finds all relations; none where \a rays have no pixels.
   void Compute(const TetrahedraMesh& mesh, const EyeSides& sides, const ViewRays& rays);
 
-  /// How many pairs were found, each counted once.
+  /// Returns how many pairs were found, each counted once.
   std::uint32_t GetNumberOfRelations() const
   {
     return static_cast<std::uint32_t>(this->InFront.size());
   }
   ///@{
   /**
-   * Those in front of tetrahedron t, ascending: GetInFront()[GetOffsets()[t]] up to, without it,
-   * GetInFront()[GetOffsets()[t + 1]]. Empty where there is no relation at all.
+   * Return the tetrahedra in front of tetrahedron t, ascending: GetInFront()[GetOffsets()[t]] up
+   * to, without it, GetInFront()[GetOffsets()[t + 1]]. Empty where there is no relation at all.
    */
   const std::vector<std::uint32_t>& GetOffsets() const { return this->Offsets; }
   const std::vector<std::uint32_t>& GetInFront() const { return this->InFront; }
   ///@}
 
-  /// Bytes held.
+  /// Returns the bytes held.
   std::size_t GetBytes() const;
 
 private:

@@ -12,10 +12,10 @@ namespace interlume
  * @class   RadixOrder
  * @brief   threaded radix sort of numbers by keys of 32 bits
  *
- * Least significant digit first, stable: equal keys stay in ascending order of their numbers, so
- * the result does not depend on the number of threads. Only the bits in which keys differ are
- * visited, in at most three passes. Working memory, 20 bytes a key at most, is kept from call to
- * call.
+ * It sorts by the least significant digit first, and is stable: equal keys stay in ascending order
+ * of their numbers, so the result does not depend on the number of threads. Only the bits in which
+ * keys differ are visited, in at most three passes. Working memory, 20 bytes a key at most, is kept
+ * from call to call.
  */
 class RadixOrder
 {
@@ -23,7 +23,7 @@ public:
   /// Writes the numbers 0 to \a number - 1 to \a order, in ascending order of their keys.
   void Sort(const std::uint32_t* keys, std::uint32_t number, std::uint32_t* order);
 
-  /// The key that sorts as a float does; -0 equals 0. Not for NaN.
+  /// Returns the key that sorts as a float does; -0 equals 0. NaN has no key.
   static std::uint32_t MakeKey(float value)
   {
     constexpr std::uint32_t signBit = 0x80000000u;
@@ -33,13 +33,13 @@ public:
     return bits & signBit ? ~bits : bits | signBit;
   }
 
-  /// Bytes held.
+  /// Returns the bytes held.
   std::size_t GetBytes() const;
 
 private:
   struct Item
   {
-    // From the least key of all on.
+    // The key, counted from the least key of all.
     std::uint32_t Key;
     std::uint32_t Number;
   };
@@ -51,7 +51,7 @@ private:
 
   // Sets the number of chunks, the least key and the bits in which keys differ.
   void Prepare(const std::uint32_t* keys, std::uint32_t number);
-  // One pass; Source is callable with a position, Destination with a position and an item.
+  // Makes one pass; Source is callable with a position, Destination with a position and an item.
   template <typename Source, typename Destination>
   void Scatter(Digit digit, const Source& source, const Destination& destination);
   template <typename Work>
@@ -62,7 +62,7 @@ private:
   std::uint32_t LeastKey = 0;
   int Bits = 0;
   std::vector<Item> Items[2];
-  // For each chunk, for each value of a digit: how many, then where the next goes.
+  // The counts for each chunk and each value of a digit: how many, then where the next goes.
   std::vector<std::uint32_t> Counts;
 };
 

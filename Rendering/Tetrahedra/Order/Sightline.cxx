@@ -7,7 +7,7 @@ namespace interlume
 
 namespace
 {
-// Few events, as nearly always, are sorted fastest so.
+// Sorts few events, as there nearly always are, in the fastest way.
 void SortByInsertion(Sightline::Event* first, Sightline::Event* last)
 {
   for (Sightline::Event* next = first + 1; next < last; ++next)
@@ -37,7 +37,7 @@ Sightline::Event* RemoveTouched(Sightline::Event* first, Sightline::Event* last,
     }
     if (other < last && other->Depth - first->Depth <= tolerance)
     {
-      // The place of the other is taken by those before it.
+      // Events before the other one take its place.
       std::copy_backward(first + 1, other, other + 1);
       first += 2;
     }
@@ -49,7 +49,7 @@ Sightline::Event* RemoveTouched(Sightline::Event* first, Sightline::Event* last,
   return kept;
 }
 
-// Has the first event of the wanted kind, where there is one as near as that, changed places with
+// Makes the first event of the wanted kind, where there is one as near as that, change places with
 // those before it.
 void BringForward(
   Sightline::Event* first, Sightline::Event* last, bool wantsEntry, double tolerance)
@@ -83,7 +83,7 @@ void Sightline::Relate(
   bool isInside = last - first - entries > entries;
   const Event* entry = nullptr;
   const Event* exit = nullptr;
-  // Of the last exit and the entry after it.
+  // Relates the last exit and the entry after it.
   const auto relate = [&]()
   {
     if (entry && exit && exit->Face / 4 != entry->Face / 4)

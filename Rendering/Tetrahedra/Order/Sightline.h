@@ -9,7 +9,7 @@ namespace interlume
 
 /**
  * @class   Sightline
- * @brief   where one line of sight enters and leaves a mesh
+ * @brief   the places where one line of sight enters and leaves a mesh
  */
 class Sightline
 {
@@ -17,7 +17,7 @@ public:
   struct Event
   {
     double Depth;
-    /// Breaks ties.
+    /// The face, which breaks ties.
     std::uint32_t Face;
     bool IsEntry;
 
@@ -46,7 +46,7 @@ public:
    * Sorts the events of a line of sight and appends a relation from each exit to the next entry.
    * Depths that differ by no more than \a tolerance may change places so that entries and exits
    * alternate, and ways through the mesh that are no longer than that are left out: the line passes
-   * an edge or a corner there. It begins inside where exits are in the majority.
+   * an edge or a corner there. The line begins inside where exits are in the majority.
    */
   static void Relate(Event* first, Event* last, double tolerance, std::vector<Relation>& relations);
 };

@@ -52,7 +52,7 @@ const std::vector<std::uint32_t>* TetrahedraOrder::ComputeLayers(
   this->Computed = true;
   this->Kind = LAYERS;
   this->Priorities = priorities;
-  // Members of each layer, then the layers from the highest priority down.
+  // The members of each layer, and then the layers from the highest priority down.
   std::map<int, std::vector<std::uint32_t>> members;
   for (std::size_t t = 0; t < layers.size(); ++t)
   {

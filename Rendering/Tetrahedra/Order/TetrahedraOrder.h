@@ -35,21 +35,21 @@ public:
   void Reset();
 
   /**
-   * The order from front to back, or null for none. Returns false from WasComputed() where it is
-   * that of the call before.
+   * Returns the order from front to back, or null for none. WasComputed() returns false where the
+   * order is that of the call before.
    */
   const std::vector<std::uint32_t>* Compute(
     Kinds kind, const TetrahedraMesh& mesh, const TetrahedraView& view);
 
   /**
-   * The order by layers, the highest priority first; within one, as they are.
+   * Returns the order by layers, the highest priority first; within one, as they are.
    */
   const std::vector<std::uint32_t>* ComputeLayers(
     const std::vector<int>& layers, const std::map<int, double>& priorities);
 
   bool WasComputed() const { return this->Computed; }
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
-  /// Of the last order of visibility.
+  /// Return the counts of the last order of visibility.
   vtkIdType GetCycles() const;
   vtkIdType GetGaps() const;
   bool HasAdjacency() const { return this->Visibility != nullptr; }
@@ -63,7 +63,7 @@ private:
   int NumberOfLayers = 0;
   std::vector<std::uint32_t> Order;
   CentroidOrder Centroid;
-  /// Made when it is first asked for.
+  /// The order of visibility, made when it is first asked for.
   std::unique_ptr<VisibilityOrder> Visibility;
 };
 

@@ -10,23 +10,23 @@ namespace interlume
  * @class   VisibilityGraph
  * @brief   for each tetrahedron those that must be drawn directly before it
  *
- * A view of arrays held elsewhere.
+ * It is a view of arrays held elsewhere.
  */
 struct VisibilityGraph
 {
   static constexpr std::uint32_t None = 0xffffffffu;
 
-  /// For each tetrahedron a bit for each face beyond which its neighbour is in front.
+  /// The bits of each tetrahedron, one for each face beyond which its neighbour is in front.
   const unsigned char* InFront = nullptr;
-  /// For each face 4 t + k the same face of the neighbour.
+  /// The twin of each face 4 t + k: the same face of the neighbour.
   const std::uint32_t* Twins = nullptr;
-  /// Those in front across a gap of t: Gaps[GapOffsets[t]] to Gaps[GapOffsets[t + 1] - 1]; null
-  /// where there are no gaps.
+  /// The tetrahedra in front across a gap of t: Gaps[GapOffsets[t]] to Gaps[GapOffsets[t + 1] - 1];
+  /// null where there are no gaps.
   const std::uint32_t* GapOffsets = nullptr;
   const std::uint32_t* Gaps = nullptr;
 
-  /// The next tetrahedron in front of \a tetrahedron, or None after the last; \a position begins
-  /// with 0 and is moved on.
+  /// Returns the next tetrahedron in front of \a tetrahedron, or None after the last; \a position
+  /// begins with 0 and is moved on.
   std::uint32_t GetNext(std::uint32_t tetrahedron, std::uint32_t& position) const
   {
     if (position < 4)

@@ -40,11 +40,11 @@ private:
   {
     NEW = 0,
     DONE = 1,
-    // Waits for those in front of it.
+    // The tetrahedron waits for those in front of it.
     WAITING = 2
   };
 
-  // Puts out a tetrahedron after all in front of it; false where that led into a cycle.
+  // Puts out a tetrahedron after all in front of it. Returns false where that led into a cycle.
   bool PutOut(const VisibilityGraph& graph, std::uint32_t tetrahedron,
     std::vector<std::uint32_t>& frontToBack);
 
@@ -101,7 +101,7 @@ void VisibilityOrder::Internals::Sort(std::vector<std::uint32_t>& frontToBack)
   this->States.assign(this->Centroids.size(), NEW);
   frontToBack.clear();
   frontToBack.reserve(this->Centroids.size());
-  // Far enough ahead for what is loaded to be there in time.
+  // The distance is far enough ahead for what is loaded to be there in time.
   constexpr std::size_t ahead = 24;
   for (std::size_t i = 0; i < this->Centroids.size(); ++i)
   {
@@ -115,8 +115,8 @@ void VisibilityOrder::Internals::Sort(std::vector<std::uint32_t>& frontToBack)
     }
     if (this->States[tetrahedron] == NEW && !this->PutOut(graph, tetrahedron, frontToBack))
     {
-      // What is put out is not in cycles, nor is anything before it that is not. The rest takes the
-      // longer way.
+      // A tetrahedron that is put out is not in cycles, nor is anything before it that is not. The
+      // rest takes the longer way.
       for (const Frame& frame : this->Frames)
       {
         this->States[frame.Tetrahedron] = NEW;

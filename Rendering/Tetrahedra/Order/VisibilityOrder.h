@@ -22,11 +22,11 @@ class FaceAdjacency;
  * Of two tetrahedra that share a face, that on the eye's side of it comes first (MPVO, P. Williams,
  * "Visibility-ordering meshed polyhedra", 1992). Where a line of sight leaves the mesh and enters
  * it again, as in a mesh that is not convex or of several pieces, the one it leaves by comes before
- * the one it enters by (R. Cook et al. 2004, after XMPVO, C. Silva et al. 1998): see
- * GapRelations. An order that keeps all these relations is exact along the line of sight of
- * every pixel, inside the mesh and outside, in perspective and in parallel. Of those that do, it is
- * the one that follows the order of centroids until a tetrahedron still has some in front of it,
- * which are then put out first: what no relation tells is told by distance.
+ * the one it enters by (R. Cook et al. 2004, after XMPVO, C. Silva et al. 1998): see GapRelations.
+ * An order that keeps all these relations is exact along the line of sight of every pixel, inside
+ * the mesh and outside, in perspective and in parallel. Among the orders that do, this is the one
+ * that follows the order of centroids until a tetrahedron still has some in front of it, which are
+ * then put out first: distance decides where no relation does.
  *
  * Where tetrahedra hide one another in a cycle there is no such order. Each strongly connected set
  * then is put out by centroid, after all in front of it and before all behind it, and
@@ -34,7 +34,7 @@ class FaceAdjacency;
  * always. Tetrahedra that overlap in space have no order of visibility either; that is not detected
  * unless it makes a cycle.
  *
- * The same order for any number of threads.
+ * The order is the same for any number of threads.
  */
 class VisibilityOrder
 {
@@ -43,8 +43,9 @@ public:
   ~VisibilityOrder();
 
   /**
-   * Takes what does not depend on the view from a mesh, which the calls of Compute are then given.
-   * Returns false beyond FaceAdjacency::MaximumNumberOfTetrahedra; nothing may be computed then.
+   * Takes the data that do not depend on the view from a mesh, which the calls of Compute are then
+   * given. Returns false beyond FaceAdjacency::MaximumNumberOfTetrahedra; nothing may be computed
+   * then.
    */
   bool Build(const TetrahedraMesh& mesh);
 
@@ -55,16 +56,16 @@ public:
   void Compute(
     const TetrahedraMesh& mesh, const ViewRays& rays, std::vector<std::uint32_t>& frontToBack);
 
-  /// Tetrahedra in cycles of visibility, in the last order computed.
+  /// Returns the number of tetrahedra in cycles of visibility, in the last order computed.
   vtkIdType GetNumberOfTetrahedraInCycles() const;
-  /// Pairs of tetrahedra that are related across a gap, in the last order computed; 0 for a convex
-  /// mesh.
+  /// Returns the number of pairs of tetrahedra that are related across a gap, in the last order
+  /// computed; 0 for a convex mesh.
   vtkIdType GetNumberOfGapRelations() const;
 
-  /// What the mesh consists of, after Build.
+  /// Returns the faces of the mesh, after Build.
   const FaceAdjacency& GetAdjacency() const;
 
-  /// Bytes held.
+  /// Returns the bytes held.
   std::size_t GetBytes() const;
 
 private:

@@ -22,8 +22,8 @@ public:
 
   ///@{
   /**
-   * Behind what is there: colour times opacity, and opacity. The second lays boundary triangles
-   * before and behind each segment.
+   * Lay segments behind what is there: colour times opacity, and opacity. The second function lays
+   * boundary triangles before and behind each segment.
    */
   static void Composite(const Fragments& fragments, const TetrahedraFrame& picture, Pixel* pixels);
   static void CompositeWithSurface(const Fragments& fragments, const TetrahedraFrame& picture,
@@ -31,14 +31,14 @@ public:
   ///@}
 
   /**
-   * Sums of weighted colour, and of opacity or optical depth.
+   * Adds up weighted colour, and opacity or optical depth.
    */
   static void Sum(const Fragments& fragments, const TetrahedraFrame& picture, Pixel* pixels);
 
   ///@{
   /**
-   * The largest scalar, as the first of a pixel, or each channel's largest colour times opacity,
-   * opacity being extinction times \a unit and at most 1.
+   * Keep the largest scalar, as the first of a pixel, or each channel's largest colour times
+   * opacity, opacity being extinction times \a unit and at most 1.
    */
   static void LargestScalar(const Fragments& fragments, Pixel* pixels);
   static void LargestColor(
@@ -46,7 +46,7 @@ public:
   ///@}
 
   /**
-   * Colour times opacity of what was summed up as optical depth.
+   * Returns colour times opacity of what was summed up as optical depth.
    */
   static Pixel Resolve(const Pixel& sum);
 

@@ -13,16 +13,16 @@ namespace interlume
 
 namespace
 {
-/// Optical depth below which series are used.
+/// The optical depth below which series are used.
 constexpr float THIN = 0.3f;
 
-// exp(-x) for x >= 0, within 2e-7 of it relatively.
+// Returns exp(-x) for x >= 0, within 2e-7 of it relatively.
 inline float ExpOfMinus(float x)
 {
   const float y = std::min(x * 1.44269504f, 126.0f);
   const int whole = static_cast<int>(y);
   const float f = y - static_cast<float>(whole);
-  // 2^-f on [0, 1], minimax.
+  // The polynomial is 2^-f on [0, 1], minimax.
   const float p = 1.0f +
     f *
       (-0.693147181f +
@@ -36,7 +36,7 @@ inline float ExpOfMinus(float x)
   return p * scale;
 }
 
-// 1 - exp(-x) for x below THIN, with the relative error of a float.
+// Returns 1 - exp(-x) for x below THIN, with the relative error of a float.
 inline float ThinOpacityOf(float x)
 {
   return x *
@@ -51,12 +51,13 @@ inline float OpacityOf(float x)
   return x < THIN ? ThinOpacityOf(x) : 1.0f - ExpOfMinus(x);
 }
 
-// Optical depth over a unit of length and what tells where it lies, of extinction and extent in
-// time that are linear.
+// The optical depth over a unit of length and its distribution, for extinction and extent in time
+// that are linear.
 struct Moments
 {
   float Mean;
-  // (back - front) / (back + front) of a linear extinction with the same centre.
+  // The relative change (back - front) / (back + front) of a linear extinction with the same
+  // centre.
   float Delta;
 };
 
@@ -79,7 +80,7 @@ inline Moments GetMoments(float t0, float t1, float d0, float d1)
 
 using Fragments = interlume::Fragments;
 
-// The loops, in a function each, since a clone is made of functions.
+// Each loop is in a function of its own, since a clone is made of functions.
 INTERLUME_CLONES
 void DivideByDepth(const float* front, const float* back, float* front0, float* back0, int size)
 {
@@ -133,7 +134,7 @@ void MakeMeans(Fragments& f, bool hasDeltaT)
   }
 }
 
-// From optical depth and slope to weights and opacity, right below THIN.
+// Turns optical depth and slope into weights and opacity, right below THIN.
 INTERLUME_CLONES
 void MakeThinOpacities(Fragments& f)
 {
@@ -154,7 +155,8 @@ void MakeThinOpacities(Fragments& f)
   }
 }
 
-// The same by the table, for those that are not thin.
+// Turns optical depth and slope into weights and opacity by the table, for segments that are not
+// thin.
 void MakeThickOpacities(Fragments& f)
 {
   const SegmentTable& table = SegmentTable::Get();
@@ -172,7 +174,7 @@ void MakeThickOpacities(Fragments& f)
   }
 }
 
-// Both ends alike.
+// Computes weights that are alike at both ends.
 INTERLUME_CLONES
 void MakeEvenOpacities(Fragments& f)
 {
@@ -249,7 +251,7 @@ void FragmentIntegration::CutAt(
       f.Length[i] = 0.0f;
       return;
     }
-    // The share of length that is in front: linear in 1/depth in perspective.
+    // The share of length that is in front, which is linear in 1/depth in perspective.
     float share = (front - wall) / (front - back);
     share = isParallel ? share : share * back / wall;
     share = std::min(share, 1.0f);
@@ -286,10 +288,10 @@ void FragmentIntegration::CutAt(
 
 namespace
 {
-/// Pieces up to which comparing with each start is faster than a search.
+/// The number of pieces up to which comparing with each start is faster than a search.
 constexpr int FEW = 12;
 
-// The piece, place in it and extinction of one end of all segments, for so few pieces that
+// Finds the piece, place in it and extinction of one end of all segments, for so few pieces that
 // comparing with each start is faster than a search.
 INTERLUME_CLONES
 void LookUpFew(float* scalars, float* extinctions, std::int32_t* found, int size,
@@ -416,7 +418,8 @@ namespace
 {
 using Results = FragmentIntegration::Results;
 
-// Segment i from control point to control point, whose ends lie in pieces `piece` and `end`.
+// Integrates segment i from control point to control point, whose ends lie in pieces `piece` and
+// `end`.
 void IntegrateBent(interlume::Fragments& f, int i, int piece, int end,
   const PiecewiseLinearTransfer& pieces, bool hasDeltaT, Results results,
   interlume::Fragments::Color& color)
@@ -431,7 +434,7 @@ void IntegrateBent(interlume::Fragments& f, int i, int piece, int end,
   float value = first;
   while (true)
   {
-    // To the end of this piece, or of the segment.
+    // The part goes to the end of this piece, or of the segment.
     const bool isLast = piece == end;
     const float bound = starts[step > 0 ? piece + 1 : piece];
     const float to = isLast ? 1.0f : std::min((bound - first) / (last - first), 1.0f);
@@ -468,7 +471,7 @@ void IntegrateBent(interlume::Fragments& f, int i, int piece, int end,
   f.Total[i] = results == FragmentIntegration::OPACITY ? OpacityOf(depth) : depth;
 }
 
-// The mean of colour at both ends, which are in different pieces.
+// Takes the mean of colour at both ends, which are in different pieces.
 void AverageBent(const interlume::Fragments& f, int i, int piece, int end,
   const PiecewiseLinearTransfer& pieces, interlume::Fragments::Color& color)
 {

@@ -25,7 +25,7 @@ public:
     OPTICAL_DEPTH
   };
 
-  /// What is interpolated besides depth.
+  /// The channels that are interpolated besides depth.
   struct Channels
   {
     bool HasScalars = false;
@@ -34,7 +34,8 @@ public:
   };
 
   /**
-   * In perspective: divides what is weighted by depth, and makes lengths of differences of depth.
+   * Divides the values that are weighted by depth, and turns differences of depth into lengths, in
+   * perspective.
    */
   static void FinishPerspective(interlume::Fragments& fragments, const Channels& channels);
 
@@ -47,8 +48,8 @@ public:
 
   ///@{
   /**
-   * Extinction of both ends: by the transfer functions, which also tells those that pass a control
-   * point; from point colours; one of each tetrahedron.
+   * Find the extinction of both ends: by the transfer functions, which also finds the segments that
+   * pass a control point; from point colours; or one for each tetrahedron.
    */
   static void LookUp(interlume::Fragments& fragments, const PiecewiseLinearTransfer& pieces);
   static void TakeExtinction(interlume::Fragments& fragments);
@@ -57,14 +58,14 @@ public:
   ///@}
 
   /**
-   * Weights and totals. \a isExact: the integral over linear colour and extinction, else their
-   * mean.
+   * Computes weights and totals: the integral over linear colour and extinction if \a isExact, else
+   * their mean.
    */
   static void Integrate(
     interlume::Fragments& fragments, bool hasDeltaT, bool isExact, Results results);
 
   /**
-   * After LookUp() and Integrate(): turns the weights of colours into those of a piece's value and
+   * Turns the weights of colours, after LookUp() and Integrate(), into those of a piece's value and
    * slope, and integrates anew the segments that pass a control point, from one to the next.
    */
   static void FinishPieces(interlume::Fragments& fragments, const PiecewiseLinearTransfer& pieces,

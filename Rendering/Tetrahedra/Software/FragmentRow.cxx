@@ -88,7 +88,7 @@ void FragmentRow::WriteColors(Fragments& fragments, int channel, int base, int s
 {
   for (int i = 0; i < size; ++i)
   {
-    // Lambda, from the length that was made of it.
+    // Lambda is computed from the length that was made of it.
     const float lambda = this->Thickness > 0.0f
       ? fragments.Length[fragments.Size + i] / (this->Thickness * this->Slants[i])
       : 0.0f;

@@ -15,14 +15,14 @@ namespace interlume
  */
 struct FragmentRow
 {
-  /// Depth, scalar, extent in time, four of a colour.
+  /// The number of channels: depth, scalar, extent in time, four of a colour.
   static constexpr int CHANNELS = 7;
 
   float Thickness;
-  /// For each pixel the length of a line of sight for 1 of difference of depth in parallel, and for
-  /// 1 along the axis in perspective; GROUP more may be read.
+  /// The slants: for each pixel the length of a line of sight for 1 of difference of depth in
+  /// parallel, and for 1 along the axis in perspective; GROUP more may be read.
   const float* Slants;
-  /// At the first pixel, and from pixel to pixel.
+  /// The values at the first pixel, and their change from pixel to pixel.
   float Shares[4];
   float ShareSlopes[4];
   float Crease;
@@ -31,7 +31,7 @@ struct FragmentRow
   float Slopes[CHANNELS];
   float Bends[CHANNELS];
   float Differences[CHANNELS];
-  /// Where they are written to.
+  /// The arrays that the channels are written to.
   float* Base[CHANNELS];
   float* Other[CHANNELS];
 
@@ -42,7 +42,7 @@ struct FragmentRow
   void Write(Fragments& fragments, int channels, int size) const;
 
   /**
-   * The same for four channels of colours, from \a channel on.
+   * Writes four channels of colours in the same way, from \a channel on.
    */
   void WriteColors(Fragments& fragments, int channel, int base, int size) const;
 };

@@ -15,7 +15,7 @@ namespace interlume
 struct Fragments
 {
   static constexpr int CAPACITY = 512;
-  /// Rows are written in groups of this many, the last beyond their end.
+  /// The size of the groups that rows are written in, the last beyond their end.
   static constexpr int GROUP = 8;
   template <typename T>
   using Array = std::array<T, CAPACITY + GROUP>;
@@ -35,28 +35,30 @@ struct Fragments
   int NumberOfRuns = 0;
   int Size = 0;
 
-  /// Difference of depth; then length, in units of the mesh.
+  /// The difference of depth; then the length, in units of the mesh.
   Values Length;
-  /// Depths of both ends.
+  /// The depths of both ends.
   Values Depth[2];
-  /// Scalar, extent in time, and extinction. In perspective weighted by depth until the division.
+  /// Scalar, extent in time, and extinction of both ends, weighted by depth until the division in
+  /// perspective.
   Values Scalar[2];
   Values DeltaT[2];
   Values Extinction[2];
-  /// Point colours of both ends.
+  /// The point colours of both ends.
   Array<Color> Colors[2];
-  /// The pieces of the transfer functions that both ends are in; of the front, once a segment that
-  /// passes a control point is integrated, -1 - i for Bent[i].
+  /// The pieces of the transfer functions that both ends are in; for the front end of a segment
+  /// that passes a control point, once it is integrated, -1 - i for Bent[i].
   Array<std::int32_t> Pieces[2];
-  /// Segments that pass a control point, and the colours that they come to.
+  /// The segments that pass a control point, and the colours that they come to.
   Array<std::uint16_t> Bent;
   Array<Color> BentColors;
   int NumberBent = 0;
 
-  /// What integration makes: the weights of both colours, and their sum, opacity or optical depth.
+  /// The results of integration: the weights of both colours, and their sum, opacity or optical
+  /// depth.
   Values Weight[2];
   Values Total;
-  /// Kept on the way: optical depth, and how extinction falls or rises.
+  /// The intermediate values: optical depth, and how extinction falls or rises.
   Values OpticalDepth;
   Values Slope;
 };

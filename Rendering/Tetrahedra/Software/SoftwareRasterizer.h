@@ -22,7 +22,7 @@ class SoftwareRasterizer
 {
 public:
   /**
-   * Draws; returns false where \a isAborted said so.
+   * Draws a picture; returns false where \a isAborted said so.
    */
   template <typename Abort>
   bool Draw(const TetrahedraFrame& picture, Abort&& isAborted)
@@ -36,9 +36,10 @@ public:
     return true;
   }
 
-  /// RGBA row by row from below, colour multiplied by opacity. SELECTION: none.
+  /// Returns RGBA row by row from below, colour multiplied by opacity; not for SELECTION.
   const std::vector<float>& GetColors() const { return this->Colors; }
-  /// SELECTION: the tetrahedron plus 1 of each pixel, 0 where there is none, and its depth.
+  /// Return the tetrahedron plus 1 of each pixel, 0 where there is none, and its depth, for
+  /// SELECTION.
   const std::vector<std::uint32_t>& GetTetrahedra() const { return this->Tetrahedra; }
   const std::vector<float>& GetDepths() const { return this->Depths; }
 

@@ -16,8 +16,8 @@ namespace interlume
  * @class   SurfaceFragments
  * @brief   boundary triangles where segments pass them
  *
- * A segment enters its tetrahedron through one face and leaves it through another. Where that face
- * is a boundary triangle, its shaded colour is laid before or behind the segment.
+ * A segment enters its tetrahedron through one face and leaves it through another. Where such a
+ * face is a boundary triangle, its shaded colour is laid before or behind the segment.
  */
 class SurfaceFragments
 {
@@ -29,8 +29,9 @@ public:
   }
 
   /**
-   * Colours, times opacity, at both ends of all segments; opacity 0 where there is no triangle.
-   * \a left and \a bottom are the tile's; \a opaque is the depth of each of its pixels, or null.
+   * Computes colours, times opacity, at both ends of all segments; opacity 0 where there is no
+   * triangle. \a left and \a bottom are the place of the tile; \a opaque is the depth of each of
+   * its pixels, or null.
    */
   void Compute(const Fragments& fragments, int left, int bottom, const float* opaque);
 
@@ -39,11 +40,11 @@ public:
 
 private:
   using Value = TetrahedronSilhouette::Value;
-  /// Depth, three of the normal, two texture coordinates.
+  /// The number of channels: depth, three of the normal, two texture coordinates.
   static constexpr int CHANNELS = 6;
 
   void SetTetrahedron(std::uint32_t tetrahedron);
-  /// The edge next to which a pixel lies; returns lambda there.
+  /// Finds the edge next to which a pixel lies; returns lambda there.
   double Locate(double x, double y, int& edge) const;
 
   const TetrahedraFrame& Picture;

@@ -10,7 +10,8 @@ namespace interlume
 
 namespace
 {
-/// Tetrahedra in one piece of work. Fixed, so that lists do not depend on the number of threads.
+/// The number of tetrahedra in one piece of work, which is fixed so that lists do not depend on the
+/// number of threads.
 constexpr std::size_t CHUNK = 1 << 16;
 }
 
@@ -49,7 +50,7 @@ TileBins::Range TileBins::GetRange(const TetrahedraFrame& picture, std::uint32_t
     box[2] = std::min(box[2], point.Y);
     box[3] = std::max(box[3], point.Y);
   }
-  // The first and the last pixel with a centre inside, by halves moved to whole numbers.
+  // The first and the last pixel with a centre inside are found by moving halves to whole numbers.
   const double left = std::max(std::ceil(box[0] - 0.5), 0.0);
   const double right = std::min(std::floor(box[1] - 0.5), picture.View.GetWidth() - 1.0);
   const double bottom = std::max(std::ceil(box[2] - 0.5), 0.0);
@@ -84,7 +85,7 @@ void TileBins::Fill(const TetrahedraFrame& picture)
   const std::size_t number = order ? order->size() : all;
   const std::size_t chunks = (number + CHUNK - 1) / CHUNK;
   const auto tiles = static_cast<std::size_t>(this->GetNumberOfTiles());
-  // counts[chunk][tile], then where that chunk's part of the tile's list begins.
+  // The counts are counts[chunk][tile], then where that chunk's part of the tile's list begins.
   std::vector<std::size_t> counts(chunks * tiles, 0);
   std::vector<vtkIdType> drawn(chunks, 0);
   const auto visit = [&](std::size_t chunk, auto&& action)

@@ -14,15 +14,15 @@ namespace interlume
  * @class   TileBins
  * @brief   which tetrahedra each tile of the picture has, in the picture's order
  *
- * Also holds the projected points. Tetrahedra that cover no pixel's centre are in no tile.
+ * It also holds the projected points. Tetrahedra that cover no pixel's centre are in no tile.
  */
 class TileBins
 {
 public:
-  /// Edge of a tile in pixels.
+  /// The edge of a tile in pixels.
   static constexpr int SIZE = 96;
 
-  /// A projected point with what it carries.
+  /// A projected point with its values.
   struct Point
   {
     TetrahedraView::Projected Place;
@@ -41,7 +41,7 @@ public:
   std::size_t GetBytes() const;
 
 private:
-  /// First and last column and row of tiles; none where the first column is beyond the last.
+  /// The first and last column and row of tiles; none where the first column is beyond the last.
   using Range = std::array<std::uint16_t, 4>;
 
   void ProjectPoints(const TetrahedraFrame& picture);

@@ -18,12 +18,12 @@ namespace
 using Pixel = TileRasterizer::Pixel;
 using Blends = TetrahedraFrame::Blends;
 
-/// What lies behind this opacity is not seen.
+/// The opacity behind which nothing is seen.
 constexpr float OPAQUE_ENOUGH = 1.0f - 1e-5f;
-/// Flushes between two looks whether the tile is opaque.
+/// The number of flushes between two looks whether the tile is opaque.
 constexpr int LOOK_INTERVAL = 16;
-/// Slopes per pixel of shares and the crease from which a row's single precision does not tell
-/// where in a tile they pass from 0 to 1.
+/// The slope per pixel of shares and of the crease from which on a row's single precision does not
+/// tell where in a tile they pass from 0 to 1.
 constexpr double STEEP = 100.0;
 
 bool IsSteep(const TetrahedronSilhouette& shape)
@@ -36,8 +36,8 @@ bool IsSteep(const TetrahedronSilhouette& shape)
   return steepest > STEEP;
 }
 
-// Whether a steep share or the crease passes from 0 to 1 near the centre of one of the pixels of a
-// row, which begins at an offset from the thick point.
+// Returns whether a steep share or the crease passes from 0 to 1 near the centre of one of the
+// pixels of a row, which begins at an offset from the thick point.
 bool HasSteepPixel(const TetrahedronSilhouette& shape, double dx, double dy, int size)
 {
   const auto isPassed = [&](const TetrahedronSilhouette::Slope& slope, double atThick)
@@ -208,7 +208,7 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
     return shape.GetValue(v);
   };
 
-  // Depth, then what is carried.
+  // The channels are depth, then the values that are carried.
   constexpr int channels = 1 + (Scalars ? 1 : 0) + (DeltaT ? 1 : 0) + (Colors ? 4 : 0);
   std::array<TetrahedronSilhouette::Value, channels> values;
   values[0] = shape.GetValue(
@@ -232,7 +232,7 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
   FragmentRow row;
   row.Thickness = static_cast<float>(std::abs(values[0].Difference));
   interlume::Fragments& f = this->Fragments;
-  // What is the same in all rows.
+  // These values are the same in all rows.
   for (int c = 0; c < channels; ++c)
   {
     row.Slopes[c] = static_cast<float>(values[c].Base.X);

@@ -25,7 +25,7 @@ class TileRasterizer
 {
 public:
   static constexpr int SIZE = TileBins::SIZE;
-  /// RGB times opacity and opacity, or the sums that the blend mode keeps.
+  /// A pixel as RGB times opacity and opacity, or as the sums that the blend mode keeps.
   using Pixel = std::array<float, 4>;
 
   TileRasterizer(const TetrahedraFrame& picture, const TileBins& bins);
@@ -36,9 +36,9 @@ public:
   int GetBottom() const { return this->Bottom; }
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
-  /// Colour multiplied by opacity, after Draw().
+  /// Returns the colour multiplied by opacity, after Draw().
   const Pixel& GetPixel(int x, int y) const { return this->Pixels[y * SIZE + x]; }
-  /// SELECTION: the tetrahedron plus 1, and its depth.
+  /// Return the tetrahedron plus 1, and its depth, for SELECTION.
   std::uint32_t GetTetrahedron(int x, int y) const { return this->Nearest[y * SIZE + x]; }
   float GetDepth(int x, int y) const { return this->NearestDepth[y * SIZE + x]; }
 
@@ -46,7 +46,8 @@ private:
   using Projected = TetrahedraView::Projected;
 
   void Begin(int tile);
-  /// Colors: channels of point colours, 4 or 0; Scalars and DeltaT: whether there are any.
+  /// Draws the tetrahedra of a tile. Colors is the number of channels of point colours, 4 or 0;
+  /// Scalars and DeltaT tell whether there are any.
   template <bool Scalars, bool Colors, bool DeltaT>
   void DrawTetrahedra(int tile);
   template <bool Scalars, bool Colors, bool DeltaT>
@@ -79,7 +80,7 @@ private:
   std::vector<Pixel> Pixels;
   /// The layer being drawn (PRIORITY), summed up.
   std::vector<Pixel> Layer;
-  /// Null where no boundary is drawn.
+  /// The fragments of the boundary; null where none is drawn.
   std::unique_ptr<SurfaceFragments> Surface;
   std::vector<float> Slant;
   std::vector<float> Opaque;

@@ -22,7 +22,7 @@ FrameProjection::FrameProjection(const ViewRays& rays)
   shifted += rays.Center[0] * rays.Right;
   shifted += rays.Center[1] * rays.Up;
 
-  // Rows of the inverse of the matrix with columns right, up, direction.
+  // The rows of the inverse of the matrix with columns right, up, direction.
   const double determinant = glm::dot(glm::cross(right, up), direction);
   const double inverse = 1.0 / determinant;
   this->Valid = this->Width > 0 && this->Height > 0 && std::isfinite(inverse);
@@ -37,8 +37,8 @@ FrameProjection::FrameProjection(const ViewRays& rays)
 
 FrameProjection::Range FrameProjection::FindRange(double least, double greatest, int pixels)
 {
-  // Wider than the error of projection; the test of each pixel is exact to rounding. Bounded first,
-  // as what is nearly beside the eye projects beyond any int.
+  // The margin is wider than the error of projection; the test of each pixel is exact to rounding.
+  // The range is bounded first, as a point nearly beside the eye projects beyond any int.
   constexpr double margin = 1e-3;
   const double first = std::ceil((least + 1.0) * 0.5 * pixels - 0.5 - margin);
   const double last = std::floor((greatest + 1.0) * 0.5 * pixels - 0.5 + margin);

@@ -9,7 +9,7 @@ namespace interlume
 
 /**
  * @class   FrameProjection
- * @brief   from the mesh's coordinates to those of a picture, and to its pixels
+ * @brief   projects the mesh's coordinates to those of a picture, and to its pixels
  *
  * Picture coordinates (x, y, d) are -1 to 1 from the left and the lower edge to the right and the
  * upper one, times the depth in perspective, and the depth d in units of the direction's length.
@@ -20,10 +20,11 @@ class FrameProjection
 public:
   explicit FrameProjection(const ViewRays& rays);
 
-  /// Whether there are pixels, and the three axes do not lie in a plane.
+  /// Returns whether there are pixels, and the three axes do not lie in a plane.
   bool IsValid() const { return this->Valid; }
   bool IsParallel() const { return this->Parallel; }
-  /// Whether what is counterclockwise in the mesh's coordinates is clockwise in the picture.
+  /// Returns whether what is counterclockwise in the mesh's coordinates is clockwise in the
+  /// picture.
   bool IsMirrored() const { return this->Mirrored; }
 
   glm::dvec3 Project(const glm::dvec3& point) const
@@ -36,15 +37,15 @@ public:
   int GetHeight() const { return this->Height; }
   ///@{
   /**
-   * The centre of a column or row of pixels, moved by a hundred-millionth of a pixel to the right
-   * and less up: edges and corners that line up with pixel centres, as those of a lattice do, would
-   * otherwise be on either side by rounding.
+   * Return the centre of a column or row of pixels, moved by a hundred-millionth of a pixel to the
+   * right and less up: edges and corners that line up with pixel centres, as those of a lattice do,
+   * would otherwise be on either side by rounding.
    */
   double GetX(int i) const { return (2 * i + 1 + 2.0e-8) * this->PixelWidth - 1.0; }
   double GetY(int j) const { return (2 * j + 1 + 1.2e-8) * this->PixelHeight - 1.0; }
   ///@}
 
-  /// Pixels first to last, whose centres may be in a range; none where first > last.
+  /// The pixels first to last, whose centres may be in a range; none where first > last.
   struct Range
   {
     int First;

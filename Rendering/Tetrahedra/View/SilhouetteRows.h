@@ -26,7 +26,7 @@ public:
     {
       const auto* a = &shape.GetPoint(i);
       const auto* b = &shape.GetPoint((i + 1) % this->Size);
-      // From the lower end, whichever tetrahedron it is seen from.
+      // An edge is taken from its lower end, whichever tetrahedron it is seen from.
       if (b->Y < a->Y || (b->Y == a->Y && b->X < a->X))
       {
         std::swap(a, b);
@@ -37,15 +37,15 @@ public:
     }
   }
 
-  /// The first row and the one after the last, counted from \a bottom, of \a height.
+  /// Return the first row and the one after the last, counted from \a bottom, of \a height.
   int GetBegin(int bottom) const
   {
     return GetCeiling(this->Low - 0.5 - bottom, std::numeric_limits<int>::max());
   }
   int GetEnd(int bottom, int height) const { return GetCeiling(this->High - 0.5 - bottom, height); }
 
-  /// The first pixel and the one after the last of the row with its centre at \a y, counted from
-  /// \a left, of \a width.
+  /// Computes the first pixel and the one after the last of the row with its centre at \a y,
+  /// counted from \a left, of \a width.
   void GetSpan(double y, int left, int width, int& begin, int& end) const
   {
     double first = std::numeric_limits<double>::max();
@@ -73,7 +73,8 @@ private:
     double Slope;
   };
 
-  // Of a value between 0 and the limit, else that; faster than std::ceil, which may be a call.
+  // Returns the ceiling of a value between 0 and the limit, else 0 or the limit; faster than
+  // std::ceil, which may be a call.
   static int GetCeiling(double value, int limit)
   {
     if (!(value > 0.0))

@@ -18,12 +18,12 @@ class TetrahedraDepth
 {
 public:
   /**
-   * Reads the scene's depth, for every \a stride-th pixel; where nothing is drawn, that of the far
-   * plane if \a isCutByFarPlane.
+   * Reads the scene's depth, for every \a stride-th pixel; where nothing is drawn, the depth of the
+   * far plane if \a isCutByFarPlane.
    */
   void Read(vtkRenderer* renderer, const TetrahedraView& view, int stride, bool isCutByFarPlane);
 
-  /// Depths as TetrahedraView has them, for each of its pixels; empty where nothing cuts.
+  /// Returns depths as TetrahedraView has them, for each of its pixels; empty where nothing cuts.
   const std::vector<float>& GetDepths() const { return this->Depths; }
 
 private:

@@ -92,7 +92,7 @@ std::string TetrahedraView::Set(
 
 std::array<double, 2> TetrahedraView::GetReach() const
 {
-  // Mesh coordinates are between -1 and 1; a little more for rounding.
+  // Mesh coordinates are between -1 and 1; the limit is a little more for rounding.
   const double limit = 1.0 + 1e-9;
   const double* row = &this->EyeFromMesh[8];
   const double reach = limit * (std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
@@ -137,7 +137,7 @@ ViewRays TetrahedraView::GetRays() const
   for (int i = 0; i < 3; ++i)
   {
     rays.Viewpoint.Direction[i] /= length;
-    // The direction's length and theirs belong together in perspective only.
+    // The length of the direction and their lengths belong together in perspective only.
     rays.Right[i] /= this->Parallel ? 1.0 : length;
     rays.Up[i] /= this->Parallel ? 1.0 : length;
   }

@@ -16,19 +16,20 @@ namespace interlume
 
 /**
  * @class   TetrahedraView
- * @brief   from the mesh's coordinates to pixels and depths
+ * @brief   projects the mesh's coordinates to pixels and depths
  *
  * Along a pixel's line of sight every face of a tetrahedron has a depth that is affine in the
  * pixel, if depth d is 1/z in perspective and -z in parallel, z the distance along the view axis:
- * the larger the nearer. There an attribute v is affine as v d in perspective, as v in parallel.
- * Lengths are in units of the mesh's coordinates as they appear in the world, GetUnit() long.
+ * the larger the nearer. There v d is affine for an attribute v in perspective, and v itself in
+ * parallel. Lengths are in units of the mesh's coordinates as they appear in the world, GetUnit()
+ * long.
  */
 class TetrahedraView
 {
 public:
   struct Projected
   {
-    /// In pixels: the centre of the first is at (0.5, 0.5).
+    /// The place in pixels: the centre of the first is at (0.5, 0.5).
     double X;
     double Y;
     double Depth;
@@ -43,10 +44,10 @@ public:
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   bool IsParallel() const { return this->Parallel; }
-  /// World length of one unit of the mesh's coordinates.
+  /// Returns the world length of one unit of the mesh's coordinates.
   double GetUnit() const { return this->Unit; }
 
-  /// Eye coordinates in units: the eye looks along -z.
+  /// Returns eye coordinates in units: the eye looks along -z.
   glm::dvec3 GetEyePoint(const double* point) const
   {
     glm::dvec3 eye;
@@ -57,7 +58,7 @@ public:
     }
     return eye;
   }
-  /// Beyond the near plane only.
+  /// Projects a point beyond the near plane.
   Projected Project(const glm::dvec3& eye) const
   {
     const double depth = this->Parallel ? eye[2] : -1.0 / eye[2];
@@ -65,7 +66,7 @@ public:
     return { (this->ScaleX * eye[0] + this->ShiftX * eye[2]) * weight + this->OffsetX,
       (this->ScaleY * eye[1] + this->ShiftY * eye[2]) * weight + this->OffsetY, depth };
   }
-  /// Eye coordinates of a pixel's point at a depth.
+  /// Returns the eye coordinates of a pixel's point at a depth.
   glm::dvec3 GetEyePoint(double x, double y, double depth) const
   {
     const double z = this->Parallel ? depth : -1.0 / depth;
@@ -73,30 +74,32 @@ public:
     return { ((x - this->OffsetX) / weight - this->ShiftX * z) / this->ScaleX,
       ((y - this->OffsetY) / weight - this->ShiftY * z) / this->ScaleY, z };
   }
-  /// Where the near plane is, on the axis; points with -z less than it are before it.
+  /// Returns where the near plane is, on the axis; points with -z less than it are before it.
   double GetNear() const { return this->Near; }
-  /// Where the far plane is; points with -z more than it are beyond it.
+  /// Returns where the far plane is; points with -z more than it are beyond it.
   double GetFar() const { return this->Far; }
-  /// The smallest and largest -z in the box that the coordinates of meshes are in.
+  /// Returns the smallest and largest -z in the box that the coordinates of meshes are in.
   std::array<double, 2> GetReach() const;
 
-  /// Length of a line of sight between two depths, over the length between them along the axis.
+  /// Returns the length of a line of sight between two depths, over the length between them along
+  /// the axis.
   double GetSlant(double x, double y) const;
 
-  /// depth = first + second * (value of the depth buffer, 0 to 1).
+  /// Returns the coefficients of depth = first + second * (value of the depth buffer, 0 to 1).
   const std::array<double, 2>& GetDepthOfBuffer() const { return this->DepthOfBuffer; }
-  /// The inverse: the value of the depth buffer of a depth.
+  /// Returns the inverse: the value of the depth buffer of a depth.
   double GetBufferOfDepth(double depth) const
   {
     return (depth - this->DepthOfBuffer[0]) / this->DepthOfBuffer[1];
   }
 
-  /// The lines of sight of the pixels, in the mesh's coordinates.
+  /// Returns the lines of sight of the pixels, in the mesh's coordinates.
   ViewRays GetRays() const;
 
-  /// Eye from mesh, three rows of four.
+  /// Returns the matrix from mesh to eye, as three rows of four.
   const std::array<double, 12>& GetEyeFromMesh() const { return this->EyeFromMesh; }
-  /// Pixels from eye: scale, shift and offset of x, then of y, as Project() has them.
+  /// Returns the map from eye to pixels: scale, shift and offset of x, then of y, as Project() has
+  /// them.
   std::array<double, 6> GetPixelsFromEye() const
   {
     return { { this->ScaleX, this->ShiftX, this->OffsetX, this->ScaleY, this->ShiftY,

@@ -55,7 +55,7 @@ public:
   };
 
   /**
-   * Returns false for a tetrahedron seen without area.
+   * Sets the corners. Returns false for a tetrahedron seen without area.
    */
   bool Set(const Projected& p0, const Projected& p1, const Projected& p2, const Projected& p3)
   {
@@ -87,18 +87,18 @@ public:
     return true;
   }
 
-  /// Number of corners and edges; edge i joins corners i and i + 1.
+  /// Returns the number of corners and edges; edge i joins corners i and i + 1.
   int GetNumberOfEdges() const { return this->Size; }
   const Projected& GetPoint(int i) const { return *this->Points[this->Polygon[i]]; }
-  /// lambda = 1 + the slope, the least of all; 0, 0 where it never is the least, and of the fourth
-  /// where there are three.
+  /// Returns the slope of an edge: lambda is 1 + the least of all slopes; 0, 0 where an edge's
+  /// never is the least, and for the fourth where there are three.
   const Slope& GetEdge(int i) const { return this->Edges[i]; }
-  /// The slope of h; 0, 0 where there is no crease.
+  /// Returns the slope of h; 0, 0 where there is no crease.
   const Slope& GetCrease() const { return this->Crease; }
   double GetThickX() const { return this->ThickX; }
   double GetThickY() const { return this->ThickY; }
 
-  /// The values \a v at the four corners as functions on both sides.
+  /// Returns the values \a v at the four corners as functions on both sides.
   Value GetValue(const std::array<double, 4>& v) const
   {
     Value value;
@@ -132,8 +132,8 @@ public:
   }
 
   ///@{
-  /// The face that a line of sight passes on the base side and on the other side, next to edge \a
-  /// i, as the corner opposite to it.
+  /// Return the face that a line of sight passes on the base side and on the other side, next to
+  /// edge \a i, as the corner opposite to it.
   int GetBaseFace(int i) const
   {
     // Edges 0 and 1 are the first triangle's.
@@ -145,7 +145,7 @@ public:
     {
       return this->Polygon[(i + 2) % 3];
     }
-    // Its crease is from corner 1 to corner 3, its faces have corner 0 or corner 2.
+    // The crease is from corner 1 to corner 3, its faces have corner 0 or corner 2.
     return this->Polygon[i == 0 || i == 3 ? 2 : 0];
   }
   ///@}
@@ -159,7 +159,7 @@ private:
     return (q.X - p.X) * (r.Y - p.Y) - (q.Y - p.Y) * (r.X - p.X);
   }
 
-  // A corner inside the triangle of the others.
+  // Sets a corner inside the triangle of the others.
   void SetInner(bool innerIsPositive)
   {
     this->Size = 3;
@@ -194,7 +194,7 @@ private:
     }
   }
 
-  // Two crossing edges: the positive corners are 0 and 2 of the polygon.
+  // Sets two crossing edges: the positive corners are 0 and 2 of the polygon.
   void SetCrossing()
   {
     this->Size = 4;
@@ -223,7 +223,7 @@ private:
     {
       const int from = this->Polygon[i];
       const int to = this->Polygon[(i + 1) % 4];
-      // Of the positive corners the one that this edge has not.
+      // The positive corner that this edge has not.
       const int across = this->Polygon[i == 0 || i == 3 ? 2 : 0];
       const double share = this->Areas[across] / this->Sum;
       const double area = this->Area(from, to, across);

@@ -27,7 +27,7 @@ struct ViewRays
   std::array<double, 2> HalfSize{ { 1.0, 1.0 } };
   /// The picture's middle, in the same units: other than 0 for shifted windows and tiles.
   std::array<double, 2> Center{ { 0.0, 0.0 } };
-  /// Pixels; 0 for a view without a picture.
+  /// The number of pixels; 0 for a view without a picture.
   int Width = 0;
   int Height = 0;
 };
