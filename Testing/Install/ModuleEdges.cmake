@@ -6,6 +6,7 @@
 #     not know each other
 #   - Isotables knows no pipeline and no dataset; Isotables <- Intervals <- Flow; Sources and Meshing on VTK
 #     alone, and no filter module uses them
+#   - Filters/Common is for all modules, and knows none
 
 # The names of a module's headers, as one regular expression; one that matches nothing if it has none.
 function (header_pattern output)
@@ -53,7 +54,9 @@ function (find_breaches root output)
   forbid("${root}" Filters/Isotables "${pipeline}")
   forbid("${root}" Filters/Isotables "${datasets}")
 
-  header_pattern(filters "${root}/Filters")
+  header_pattern(filters "${root}/Filters/Isotables" "${root}/Filters/Intervals" "${root}/Filters/Flow"
+    "${root}/Filters/Meshing" "${root}/Filters/Sources")
+  header_pattern(rendering "${root}/Rendering")
   header_pattern(intervals "${root}/Filters/Intervals")
   header_pattern(flow "${root}/Filters/Flow")
   header_pattern(meshing "${root}/Filters/Meshing")
@@ -72,6 +75,8 @@ function (find_breaches root output)
   foreach (folder IN ITEMS Scene Tetrahedra Light)
     forbid("${root}" Rendering/${folder} "${flow_texture}")
   endforeach ()
+  forbid("${root}" Filters/Common "${filters}")
+  forbid("${root}" Filters/Common "${rendering}")
   forbid("${root}" Filters/Isotables "${intervals}")
   forbid("${root}" Filters/Isotables "${flow}")
   forbid("${root}" Filters/Intervals "${flow}")

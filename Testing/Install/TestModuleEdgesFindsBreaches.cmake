@@ -2,6 +2,7 @@
 # the breaches.
 cmake_minimum_required(VERSION 3.16)
 include("${CMAKE_CURRENT_LIST_DIR}/ModuleEdges.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/Rooms.cmake")
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(WRITE "${WORK_DIR}/Filters/Isotables/vtkTable.h" "#include \"vtkSMPTools.h\"\n")
 file(WRITE "${WORK_DIR}/Filters/Intervals/vtkCut.h"
@@ -13,6 +14,8 @@ file(WRITE "${WORK_DIR}/Rendering/Scene/vtkDepth.h" "#include \"vtkRenderer.h\"\
 file(WRITE "${WORK_DIR}/Rendering/Light/vtkSweep.h" "#include \"vtkDepth.h\"\n")
 file(WRITE "${WORK_DIR}/Rendering/Tetrahedra/vtkOrder.h" "#include \"vtkDepth.h\"\n")
 file(WRITE "${WORK_DIR}/Rendering/FlowTexture/vtkStripes.h" "#include \"vtkDepth.h\"\n")
+file(WRITE "${WORK_DIR}/Filters/Common/Vectors.h" "#include <cmath>\n")
+file(WRITE "${WORK_DIR}/Rendering/Light/vtkUse.cxx" "#include \"Common/Vectors.h\"\n")
 file(WRITE "${WORK_DIR}/Plugin/vtkPanel.cxx" "#include \"vtkPVView.h\"\n")
 file(WRITE "${WORK_DIR}/Testing/Reference/Answer.h" "#include \"Pictures/Picture.h\"\n")
 file(WRITE "${WORK_DIR}/Utilities/Pictures/Picture.h" "#include \"vtkStripes.h\"\n")
@@ -22,6 +25,7 @@ if (breaches)
 endif ()
 
 set(expected
+  "Filters/Common/V.h: #include \"vtkCut.h\""
   "Filters/Isotables/vtkA.cxx: #include \"vtkPolyDataAlgorithm.h\""
   "Filters/Isotables/vtkB.cxx: #include \"vtkInformation.h\""
   "Filters/Isotables/vtkC.cxx: #include \"vtkUnstructuredGrid.h\""
@@ -48,6 +52,38 @@ foreach (breach IN LISTS expected)
   file(WRITE "${WORK_DIR}/${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}\n")
 endforeach ()
 find_breaches("${WORK_DIR}" breaches)
+list(SORT breaches)
+list(SORT expected)
+if (NOT breaches STREQUAL expected)
+  message(FATAL_ERROR "found\n${breaches}\nexpected\n${expected}")
+endif ()
+
+# The same for rooms.
+file(REMOVE_RECURSE "${WORK_DIR}")
+file(WRITE "${WORK_DIR}/Documentation/architecture.md"
+  "| `Filters/Flow/Cells` | — | cells |\n| `Filters/Flow/Fields` | Cells | fields |\n")
+file(WRITE "${WORK_DIR}/Filters/Flow/vtkFlow.h" "#include \"Fields/Field.h\"\n")
+file(WRITE "${WORK_DIR}/Filters/Flow/Cells/Cell.h" "#include \"Other/Thing.h\"\nnamespace interlume\n")
+file(WRITE "${WORK_DIR}/Filters/Flow/Fields/Field.h" "#include \"Cells/Cell.h\"\nnamespace interlume\n")
+find_room_breaches("${WORK_DIR}" breaches)
+if (breaches)
+  message(FATAL_ERROR "allowed rooms were taken for breaches: ${breaches}")
+endif ()
+file(WRITE "${WORK_DIR}/Filters/Flow/Cells/Tree.h" "#include \"Fields/Field.h\"\nnamespace interlume\n")
+file(WRITE "${WORK_DIR}/Filters/Flow/Cells/vtkBox.h" "namespace interlume\n")
+file(WRITE "${WORK_DIR}/Filters/Flow/Fields/Wide.h" "class Wide;\n")
+file(WRITE "${WORK_DIR}/Filters/Flow/Odd.h" "class Odd;\n")
+file(WRITE "${WORK_DIR}/Filters/Flow/Attic/Old.h" "namespace interlume\n")
+file(WRITE "${WORK_DIR}/Rendering/Light/vtkVector.h"
+  "double Dot(const Vector& a, const Vector& b)\n")
+find_room_breaches("${WORK_DIR}" breaches)
+set(expected
+  "Filters/Flow/Attic: the table of rooms does not have it"
+  "Filters/Flow/Cells/Tree.h: #include \"Fields/Field.h\""
+  "Filters/Flow/Cells/vtkBox.h: a private file with the prefix vtk"
+  "Filters/Flow/Fields/Wide.h: not in namespace interlume"
+  "Filters/Flow/Odd.h: it is private and has no room"
+  "Rendering/Light/vtkVector.h: double Dot(const Vector& a, const Vector& b)")
 list(SORT breaches)
 list(SORT expected)
 if (NOT breaches STREQUAL expected)
