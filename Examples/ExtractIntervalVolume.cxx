@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Extracts the region where a point array lies between two values and saves it as tetrahedra.
 //
 //   ExtractIntervalVolume bluntfin.vts Density 1.2 5 dense.vtu

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Draws adjacent intervals of one array into a PNG: the last solid, those before it translucent.
 //
 //   IntervalsToPicture hydrogen_orbital.vti probability_density orbital.png 0.04 0.12 0.3 1

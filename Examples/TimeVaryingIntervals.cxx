@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where and how long an array of an Exodus file lies between two values, over all its time steps:
 // saves the tetrahedra, each with its extent in time, and draws them coloured by time.
 //

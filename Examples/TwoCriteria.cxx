@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Extracts where one array lies in [a, b] and another in [c, d], saves it, and prints its volume.
 //
 //   TwoCriteria disk_out_ref.vtu Temp 380 560 AsH3 0.1 0.14 both.vtu

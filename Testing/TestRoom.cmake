@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # interlume_test_room(ROOM
 #   [TESTS FILE...]            tests of values; label value and quick
 #   [DRAWN FILE...]            tests that draw and so need a display; label value

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Two intervals of a CT scan, dentine and enamel, drawn as volumes of their own colours.
 
 pvbatch intervals_of_a_tooth.py PLUGIN Data/tooth.vti PICTURE.png

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Where the heat in a mug has been over all time steps, and where it is at four of the times.
 
 pvbatch mug_over_time.py PLUGIN Data/mug.ex2 PICTURE.png

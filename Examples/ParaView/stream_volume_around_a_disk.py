@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Gas that meets a hot spinning disk: three bundles of streamlines as volumes, coloured by temperature.
 
 pvbatch stream_volume_around_a_disk.py PLUGIN Data/disk_out_ref.vtu PICTURE.png

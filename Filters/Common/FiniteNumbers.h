@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_FiniteNumbers_h
 #define interlume_FiniteNumbers_h
 

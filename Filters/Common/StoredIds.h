@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_StoredIds_h
 #define interlume_StoredIds_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_Vectors_h
 #define interlume_Vectors_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkFlowCriticalPoints_h
 #define vtkFlowCriticalPoints_h
 

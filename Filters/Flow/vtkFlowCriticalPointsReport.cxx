@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlowCriticalPointsReport.h"
 
 void vtkFlowCriticalPointsReport::Print(std::ostream& os, vtkIndent indent) const

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkFlowCriticalPointsReport_h
 #define vtkFlowCriticalPointsReport_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkFlowIntegrator_h
 #define vtkFlowIntegrator_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkFlowLIC_h
 #define vtkFlowLIC_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlowLICReport.h"
 
 void vtkFlowLICReport::Print(std::ostream& os, vtkIndent indent) const

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkFlowLICReport_h
 #define vtkFlowLICReport_h
 

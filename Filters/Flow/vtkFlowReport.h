@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkFlowReport_h
 #define vtkFlowReport_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlowStatus.h"
 
 const char* vtkFlowStatus::GetName(int status)

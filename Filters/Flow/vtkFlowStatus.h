@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkFlowStatus_h
 #define vtkFlowStatus_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkFlowVolume_h
 #define vtkFlowVolume_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlowVolumeReport.h"
 
 void vtkFlowVolumeReport::Print(std::ostream& os, vtkIndent indent) const

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkFlowVolumeReport_h
 #define vtkFlowVolumeReport_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkImplicitFlowField_h
 #define vtkImplicitFlowField_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkInflowKind_h
 #define vtkInflowKind_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkInflowMapping_h
 #define vtkInflowMapping_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInflowMappingReport.h"
 
 void vtkInflowMappingReport::Print(std::ostream& os, vtkIndent indent) const

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkInflowMappingReport_h
 #define vtkInflowMappingReport_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkStreamSurfaceParameters_h
 #define vtkStreamSurfaceParameters_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkStreamSurfaceParametersReport.h"
 
 void vtkStreamSurfaceParametersReport::Print(std::ostream& os, vtkIndent indent) const

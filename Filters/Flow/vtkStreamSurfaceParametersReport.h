@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkStreamSurfaceParametersReport_h
 #define vtkStreamSurfaceParametersReport_h
 

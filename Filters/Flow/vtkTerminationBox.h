@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTerminationBox_h
 #define vtkTerminationBox_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTerminationCylinder_h
 #define vtkTerminationCylinder_h
 

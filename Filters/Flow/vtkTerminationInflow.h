@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTerminationInflow_h
 #define vtkTerminationInflow_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTerminationMesh_h
 #define vtkTerminationMesh_h
 

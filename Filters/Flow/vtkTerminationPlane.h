@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTerminationPlane_h
 #define vtkTerminationPlane_h
 

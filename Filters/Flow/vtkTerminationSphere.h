@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTerminationSphere_h
 #define vtkTerminationSphere_h
 

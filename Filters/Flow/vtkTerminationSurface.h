@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTerminationSurface_h
 #define vtkTerminationSurface_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTerminationSurfaceSource_h
 #define vtkTerminationSurfaceSource_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerminationTube.h"
 
 #include "Common/FiniteNumbers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkVortexAxis_h
 #define vtkVortexAxis_h
 

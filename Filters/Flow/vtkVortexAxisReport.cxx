@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVortexAxisReport.h"
 
 void vtkVortexAxisReport::Print(std::ostream& os, vtkIndent indent) const

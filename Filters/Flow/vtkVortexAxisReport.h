@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkVortexAxisReport_h
 #define vtkVortexAxisReport_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkExtractionReport_h
 #define vtkExtractionReport_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIntervalAlgorithm_h
 #define vtkIntervalAlgorithm_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIntervalList_h
 #define vtkIntervalList_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIntervalVolume_h
 #define vtkIntervalVolume_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIsotableContour_h
 #define vtkIsotableContour_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSimplexTimeSlice_h
 #define vtkSimplexTimeSlice_h
 

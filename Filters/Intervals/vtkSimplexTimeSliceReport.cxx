@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSimplexTimeSliceReport.h"
 
 void vtkSimplexTimeSliceReport::Print(std::ostream& os, vtkIndent indent) const

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSimplexTimeSliceReport_h
 #define vtkSimplexTimeSliceReport_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTimeVaryingIntervalVolume.h"
 
 #include "Static/EmptyResult.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTimeVaryingIntervalVolume_h
 #define vtkTimeVaryingIntervalVolume_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTimeVaryingReport_h
 #define vtkTimeVaryingReport_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTimeVaryingSettings_h
 #define vtkTimeVaryingSettings_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsotableCache.h"
 
 #include "vtkIsotableOrder.h"

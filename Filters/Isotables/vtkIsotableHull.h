@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIsotableHull_h
 #define vtkIsotableHull_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIsotableOrder_h
 #define vtkIsotableOrder_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIsotablePatch_h
 #define vtkIsotablePatch_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsotablePieces.h"
 
 #include "vtkIsotableOrder.h"

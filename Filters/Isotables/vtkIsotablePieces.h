@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIsotablePieces_h
 #define vtkIsotablePieces_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIsotablePointSet_h
 #define vtkIsotablePointSet_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIsotablePolytope_h
 #define vtkIsotablePolytope_h
 

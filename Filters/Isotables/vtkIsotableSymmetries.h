@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIsotableSymmetries_h
 #define vtkIsotableSymmetries_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsotableTriangulation.h"
 
 #include "Combinatorics/IsotableAlgebra.h"

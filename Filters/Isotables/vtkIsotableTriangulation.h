@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIsotableTriangulation_h
 #define vtkIsotableTriangulation_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkMeshingSettings_h
 #define vtkMeshingSettings_h
 

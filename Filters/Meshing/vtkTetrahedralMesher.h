@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTetrahedralMesher_h
 #define vtkTetrahedralMesher_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTetrahedralMesherReport_h
 #define vtkTetrahedralMesherReport_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkAnalyticFieldSource_h
 #define vtkAnalyticFieldSource_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkAnalyticFlowSource_h
 #define vtkAnalyticFlowSource_h
 

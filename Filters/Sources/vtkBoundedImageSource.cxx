@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoundedImageSource.h"
 
 #include "vtkDataObject.h"

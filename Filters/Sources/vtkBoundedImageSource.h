@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkBoundedImageSource_h
 #define vtkBoundedImageSource_h
 

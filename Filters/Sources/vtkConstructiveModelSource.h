@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkConstructiveModelSource_h
 #define vtkConstructiveModelSource_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkConstructiveModels_h
 #define vtkConstructiveModels_h
 

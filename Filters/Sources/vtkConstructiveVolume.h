@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkConstructiveVolume_h
 #define vtkConstructiveVolume_h
 

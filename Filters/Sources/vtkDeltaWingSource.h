@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkDeltaWingSource_h
 #define vtkDeltaWingSource_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkFieldSampler_h
 #define vtkFieldSampler_h
 

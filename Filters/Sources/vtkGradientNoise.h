@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkGradientNoise_h
 #define vtkGradientNoise_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSpatialImage_h
 #define vtkSpatialImage_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSpatialImplicit_h
 #define vtkSpatialImplicit_h
 

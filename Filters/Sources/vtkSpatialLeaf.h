@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSpatialLeaf_h
 #define vtkSpatialLeaf_h
 

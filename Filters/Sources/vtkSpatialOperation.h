@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSpatialOperation_h
 #define vtkSpatialOperation_h
 

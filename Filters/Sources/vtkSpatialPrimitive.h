@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSpatialPrimitive_h
 #define vtkSpatialPrimitive_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSpatialSolid_h
 #define vtkSpatialSolid_h
 

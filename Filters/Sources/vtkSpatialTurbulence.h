@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSpatialTurbulence_h
 #define vtkSpatialTurbulence_h
 

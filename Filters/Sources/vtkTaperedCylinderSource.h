@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTaperedCylinderSource_h
 #define vtkTaperedCylinderSource_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTemporalGridSource_h
 #define vtkTemporalGridSource_h
 

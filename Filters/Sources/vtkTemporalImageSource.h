@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTemporalImageSource_h
 #define vtkTemporalImageSource_h
 

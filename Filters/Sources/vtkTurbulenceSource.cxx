@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTurbulenceSource.h"
 
 #include "Common/Batches.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTurbulenceSource_h
 #define vtkTurbulenceSource_h
 

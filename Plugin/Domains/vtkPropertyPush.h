@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkPropertyPush_h
 #define vtkPropertyPush_h
 

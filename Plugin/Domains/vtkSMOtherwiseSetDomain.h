@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSMOtherwiseSetDomain_h
 #define vtkSMOtherwiseSetDomain_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMProposedRangeDomain.h"
 
 #include "vtkObjectFactory.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSMProposedRangeDomain_h
 #define vtkSMProposedRangeDomain_h
 

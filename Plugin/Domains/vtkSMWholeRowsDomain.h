@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSMWholeRowsDomain_h
 #define vtkSMWholeRowsDomain_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkPVImplicitFlowField_h
 #define vtkPVImplicitFlowField_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkPVInflowMapping_h
 #define vtkPVInflowMapping_h
 

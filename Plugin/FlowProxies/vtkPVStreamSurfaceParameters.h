@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkPVStreamSurfaceParameters_h
 #define vtkPVStreamSurfaceParameters_h
 

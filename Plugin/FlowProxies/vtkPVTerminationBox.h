@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkPVTerminationBox_h
 #define vtkPVTerminationBox_h
 

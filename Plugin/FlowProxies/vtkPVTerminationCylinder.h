@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkPVTerminationCylinder_h
 #define vtkPVTerminationCylinder_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkPVTerminationRectangle_h
 #define vtkPVTerminationRectangle_h
 

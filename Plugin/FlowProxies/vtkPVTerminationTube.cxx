@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVTerminationTube.h"
 
 #include "vtkObjectFactory.h"

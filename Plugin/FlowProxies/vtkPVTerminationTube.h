@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkPVTerminationTube_h
 #define vtkPVTerminationTube_h
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The help of the client: ParaView makes a page for each filter of its XML; the guide and pictures are
 # added. Sets help_arguments for paraview_add_plugin and help_folder.
 find_package(Python3 QUIET REQUIRED COMPONENTS Interpreter)

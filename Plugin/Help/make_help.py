@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """make_help.py PAGES GUIDE PICTURES: completes the help pages that ParaView makes of the plugin's XML.
 
 To the folder PAGES it adds the guide as guide.html with its pictures, and to each filter's page a link

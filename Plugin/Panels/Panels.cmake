@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The widgets of the properties panel, where ParaView has its client.
 set(CMAKE_AUTOMOC ON)
 paraview_plugin_add_property_widget(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef pqIntervalsPropertyWidget_h
 #define pqIntervalsPropertyWidget_h
 

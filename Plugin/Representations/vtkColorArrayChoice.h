@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkColorArrayChoice_h
 #define vtkColorArrayChoice_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkConstantScalars_h
 #define vtkConstantScalars_h
 

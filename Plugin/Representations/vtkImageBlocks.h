@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkImageBlocks_h
 #define vtkImageBlocks_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkImageComponent_h
 #define vtkImageComponent_h
 

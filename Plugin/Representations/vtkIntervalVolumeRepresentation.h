@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkIntervalVolumeRepresentation_h
 #define vtkIntervalVolumeRepresentation_h
 

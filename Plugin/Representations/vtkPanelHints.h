@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkPanelHints_h
 #define vtkPanelHints_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSMScalarVolumeRepresentationProxy_h
 #define vtkSMScalarVolumeRepresentationProxy_h
 

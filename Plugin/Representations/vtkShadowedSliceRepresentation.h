@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkShadowedSliceRepresentation_h
 #define vtkShadowedSliceRepresentation_h
 

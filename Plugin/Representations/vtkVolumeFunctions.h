@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkVolumeFunctions_h
 #define vtkVolumeFunctions_h
 

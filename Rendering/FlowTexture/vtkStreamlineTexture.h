@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkStreamlineTexture_h
 #define vtkStreamlineTexture_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions of one light; INDEX is its number.
 
 uniform vec3 diffuse_INDEX;

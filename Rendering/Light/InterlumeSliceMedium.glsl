@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The matter along a ray, for fragments of the picture and of a light's buffer. ROWS functions of
 // COLUMNS samples; OPACITY_OF names the components of a texel that have an opacity.
 

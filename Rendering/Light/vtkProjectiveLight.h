@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkProjectiveLight_h
 #define vtkProjectiveLight_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkShadowedSliceMapper_h
 #define vtkShadowedSliceMapper_h
 

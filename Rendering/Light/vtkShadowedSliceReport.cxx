@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowedSliceReport.h"
 
 void vtkShadowedSliceReport::Print(ostream& os, vtkIndent indent) const

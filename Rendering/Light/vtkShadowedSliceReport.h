@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkShadowedSliceReport_h
 #define vtkShadowedSliceReport_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkDepthPeels_h
 #define vtkDepthPeels_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkFloatTarget_h
 #define vtkFloatTarget_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkImageQuad_h
 #define vtkImageQuad_h
 

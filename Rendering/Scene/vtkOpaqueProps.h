@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkOpaqueProps_h
 #define vtkOpaqueProps_h
 

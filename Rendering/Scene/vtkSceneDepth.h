@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSceneDepth_h
 #define vtkSceneDepth_h
 

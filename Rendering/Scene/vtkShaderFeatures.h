@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkShaderFeatures_h
 #define vtkShaderFeatures_h
 

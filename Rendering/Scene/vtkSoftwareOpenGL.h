@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkSoftwareOpenGL_h
 #define vtkSoftwareOpenGL_h
 

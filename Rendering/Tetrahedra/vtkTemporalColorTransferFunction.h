@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTemporalColorTransferFunction_h
 #define vtkTemporalColorTransferFunction_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetrahedraReport.h"
 
 void vtkTetrahedraReport::Print(ostream& os, vtkIndent indent) const

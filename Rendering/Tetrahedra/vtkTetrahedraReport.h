@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTetrahedraReport_h
 #define vtkTetrahedraReport_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTetrahedraSettings_h
 #define vtkTetrahedraSettings_h
 

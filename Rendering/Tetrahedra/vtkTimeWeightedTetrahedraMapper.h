@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkTimeWeightedTetrahedraMapper_h
 #define vtkTimeWeightedTetrahedraMapper_h
 

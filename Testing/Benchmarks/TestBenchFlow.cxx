@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the rows of the suite flow are measured with: streamlines of interpolated fields, tubes by
 // formulas, the flux through a disc, the explicit flow volume.
 #include "Benchmarks/Flow/ExplicitFlowVolume.h"

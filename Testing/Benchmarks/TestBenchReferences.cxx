@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the error rows are measured with: the exact trilinear region, the splits into tetrahedra,
 // the picture of a field, regions that move, time steps in memory.
 #include "Benchmarks/Data/AnalyticCases.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads what interlume-bench wrote: every field as documented, every kind of row there.
 #include <nlohmann/json.hpp>
 

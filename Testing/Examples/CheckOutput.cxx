@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // For the tests of the examples: whether a file they wrote holds what it should. A .vtu has
 // tetrahedra whose point array lies in a range; a .png is not of one colour.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkStreamlineTexture: what its levels hold, how many lines are seen at which distance, that they
 // never average, grids, colours, uploads.
 #include "Reference/Checks/ReferenceCheck.h"

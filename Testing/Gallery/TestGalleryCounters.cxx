@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads what `interlume-gallery --json` and its page say, and checks that a scene paid only for
 // what it used: a feature that is off leaves no triangle, no pass and no buffer. Argument: the
 // folder with gallery.json and index.html.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Draws one scene of the gallery and compares it with its baseline, first by VTK's own image
 // difference, then pixel by pixel. Arguments: the scene's id, then those of vtkTesting: -T folder
 // for results, -V baseline. The picture is left in the folder for results as `<id>.png`: look at

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Every file in the folder DATA has a row in its MANIFEST.md that ends with its size and checksum, and
 # no row is left over. No file has appended data, which ParaView 5.11 refuses with a libexpat of 2024 or
 # later: this says so where an older one would read it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The real time-varying set: its steps as the pipeline hands them out, and the time that its fields
 // spend between values, which adjacent intervals share out without gap or overlap.
 

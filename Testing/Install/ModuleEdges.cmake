@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # find_breaches(ROOT OUTPUT): lists the lines under ROOT that cross an edge between modules that
 # Documentation/architecture.md does not have, each as "file: line".
 #   - ParaView's headers only in Plugin/

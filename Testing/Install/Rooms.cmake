@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # find_room_breaches(ROOT OUTPUT): lists what under ROOT's modules is not as the table of rooms in
 # Documentation/architecture.md has it, each as "path: what".
 #   - each sub-folder of a module is a room of the table, with at most 40 files

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the build into a fresh folder, builds a small project against that with find_package, and
 # runs it: every installed header compiled alone, and VTK found before Interlume and after it. The
 # build's own libraries are not needed: nothing points at them.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 cmake_minimum_required(VERSION 3.16)
 include("${CMAKE_CURRENT_LIST_DIR}/ModuleEdges.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/Rooms.cmake")

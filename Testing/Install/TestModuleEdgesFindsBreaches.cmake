@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Makes a small tree with one breach of each kind beside lines that are allowed, and expects just
 # the breaches.
 cmake_minimum_required(VERSION 3.16)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every value that a public class can be told and asked for stands in what PrintSelf writes. Which
 // these are is read from the headers, so that a new setter, or a new class, is not forgotten.
 #include "vtkAnalyticFieldSource.h"

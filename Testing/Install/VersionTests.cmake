@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # find_version_tests(ROOT OUTPUT): lists the lines under ROOT that ask which VTK they are compiled with,
 # or name a header that only some versions have, each as "file: line". Files that are there to know
 # such differences, one for each concern, are left out:

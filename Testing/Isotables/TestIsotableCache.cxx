@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The table of a cell times time: every cut is the exact pulling triangulation, in ascending order
 // and in any other; counts over whole tables; and what the cache counts.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cells that share a three-dimensional face in space and time, whatever their shapes, leave the
 // same tetrahedra on it when their vertices there have the same digits and are ordered alike.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The same cases, simplex by simplex, however many threads ask and in whichever order; and counts
 // of all threads that add up.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A case cut at run time in any order of the vertices is the exact pulling triangulation in that
 // order; what it leaves on a face depends on that face alone; and threads may ask for the same case
 // at once.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Facets of hulls of random points, in two to six dimensions, against the planes through all
 // subsets of the points. Coordinates of 0, 1 and 2 give many points on a plane; those up to 128 do
 // not fit in products of normals.

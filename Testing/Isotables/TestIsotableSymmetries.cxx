@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The symmetries of a cell: how many there are, that they are a group of affine maps that take
 // edges to edges, and that the cases they take into each other have one origin.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The numbers of simplices of every interval table that is small enough to fill, against the exact
 // ones stated for the method; and hulls whose facets are known.
 

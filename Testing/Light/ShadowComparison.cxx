@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Light/ShadowComparison.h"
 
 #include "Pictures/ReferenceShadowPicture.h"

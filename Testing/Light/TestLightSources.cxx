@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The lights of a renderer in unit space, against the places that VTK gives them.
 #include "Reference/Checks/ReferenceCheck.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The tiles of a wide light's buffer against rays at random: where a ray meets a visible block
 // within a slab one tile has its texel, and what sees nothing is left out.
 #include "Reference/Checks/ReferenceCheck.h"

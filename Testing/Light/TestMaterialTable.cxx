@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Colour, extinction, gradient opacity and transmission of every column, and of all between them,
 // against the functions;
 // largest extinctions against brute force; extremes; wrong properties.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A projective light: its values, where its rays pass the screen, and the screen's colours.
 #include "Reference/Checks/ReferenceCheck.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A random sequence of changes to one scene of vtkShadowedSliceMapper - lights, buffers, data,
 // camera, window - each picture the same as that of a scene made anew.
 #include "Pictures/PictureSettings.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What vtkShadowedSliceMapper reports of its work: nothing for shadows that nobody casts, one
 // buffer a light, sweeps by where lights are, nothing drawn of what is empty, nothing sent twice.
 #include "Pictures/ShadowCases.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Extremes of vtkShadowedSliceMapper, each by its name: places of lights, shapes and sizes of
 // volumes, materials, values that are no numbers, textures and memory.
 #include "Pages/StabilityCase.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Transfer functions of vtkShadowedSliceMapper that are finer than the range of the data: one voxel
 // far beyond all others, peaks and steps as narrow as a unit of 16 bits, curved functions.
 #include "Light/ShadowComparison.h"

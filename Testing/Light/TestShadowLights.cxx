@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whole pictures of vtkShadowedSliceMapper against marching in double: kinds of lights, where they
 // are, and several of them. Two boxes, of which one is in the other's shadow for most lights.
 #include "Light/ShadowComparison.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whole pictures of vtkShadowedSliceMapper against marching in double: volumes, scalar types and
 // components, materials, what cuts them, cameras and the mapper's own values. A light along
 // (1, -1, -1) shines in all of them.

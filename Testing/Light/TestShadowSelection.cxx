@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkHardwareSelector finds a volume in slices where a line of sight meets it, and a prop before
 // it.
 #include "Pictures/ShadowCases.h"

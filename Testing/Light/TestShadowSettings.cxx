@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Settings of vtkShadowedSliceMapper that no reference has: how much of a surface a gradient makes,
 // and what is given up where time is short.
 #include "Light/ShadowComparison.h"

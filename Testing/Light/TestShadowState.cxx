@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkShadowedSliceMapper in windows: several viewports and windows, targets of bytes and floats,
 // stereo, backgrounds, what is drawn after it, what changes from picture to picture.
 #include "Pictures/PictureSettings.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sharp surfaces in vtkShadowedSliceMapper against closed forms, at its own settings: an opaque
 // cube, and plates whose opacity jumps between two voxels, under light and view from 0 to 60
 // degrees.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The law of Beer and Lambert in vtkShadowedSliceMapper: what its light buffers hold against
 // analytic transmittances, by slice spacing and by the angle between view and light.
 #include "Pictures/PictureSettings.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which sweeps of slices there are, and what each light's buffer holds: for eyes, lights and boxes
 // at random, against normals tried one by one.
 #include "Reference/Checks/ReferenceCheck.h"

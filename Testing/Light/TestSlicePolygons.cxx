@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The polygons of slices against the same planes clipped to each block by itself: areas, points
 // that are covered once, ties, and threads.
 #include "Reference/Checks/ReferenceCheck.h"

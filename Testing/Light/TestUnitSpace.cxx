@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The unit space of images of any place, size and turn, against the image's own points.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceRandom.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Values of every type and layout come back from their texels within the texel's own rounding;
 // voxels that are not finite are masked and counted; wrong input is named; the same bytes for any
 // number of threads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Point arrays at new points: linear functions come out to rounding, values stay within the range
 // of those given, and points of the input keep theirs.
 #include "Reference/Checks/ReferenceCheck.h"

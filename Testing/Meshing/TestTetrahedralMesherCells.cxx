@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The cells of grids: concave polyhedra with concave faces that are not planar, beside every other
 // cell, become positive tetrahedra that fit together and fill what the cells fill.
 #include "Reference/Checks/ReferenceCheck.h"

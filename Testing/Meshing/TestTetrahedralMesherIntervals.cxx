@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkIntervalVolume takes what the mesher makes: adjacent intervals tile the mesh, of surfaces and
 // of concave polyhedra, and the volume of each is that of the linear field's slab.
 #include "Reference/Checks/ReferenceCheck.h"

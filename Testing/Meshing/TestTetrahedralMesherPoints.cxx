@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Points alone: Delaunay tetrahedra of the convex hull, refined where a bound is set.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Meshes/ReferenceField.h"

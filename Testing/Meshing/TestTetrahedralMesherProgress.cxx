@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Progress, abort while TetGen works, repeatability, and PrintSelf.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceProgress.h"

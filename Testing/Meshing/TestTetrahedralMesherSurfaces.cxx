@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closed surfaces: the tetrahedra fill the space within, to rounding, shells within shells too.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Meshes/ReferenceMeshing.h"

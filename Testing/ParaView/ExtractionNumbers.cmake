@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # In the build of the VTK modules: the numbers and pictures for ParaView to repeat, and the defaults of
 # its XML.
 find_package(VTK 9.1 REQUIRED

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # In the build of the plugin: scripts that pvbatch runs, alone and with four MPI ranks.
 set(INTERLUME_EXTRACTIONS "" CACHE PATH
   "The folder that TestExtractionNumbers and the programs of pictures wrote in a build of the VTK modules")

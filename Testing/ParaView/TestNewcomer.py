@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Drives the real ParaView client as a newcomer would, and looks at what is shown.
 
 Arguments: a session of newcomer_uses.py and the folder for what is written. Every use must show

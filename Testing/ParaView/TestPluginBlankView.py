@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A representation of the plugin that is switched on never shows an empty view: it takes an array to
 colour by, or draws the solid colour.
 

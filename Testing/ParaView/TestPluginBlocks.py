@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Blocks of composite data are drawn: by Interval Volume all, or those that are selected; by Shadowed
 Slices those that fill a box together."""
 

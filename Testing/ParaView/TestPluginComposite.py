@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A composite input gives a composite output of the same structure, leaf by leaf the same simplices."""
 
 import numpy

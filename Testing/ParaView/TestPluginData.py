@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Every file in Data/ opens in ParaView, has cells, and has the point arrays that its manifest names."""
 
 import os

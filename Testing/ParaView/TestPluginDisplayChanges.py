@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """However a display came to its settings, it draws what a new display with them draws: random sequences of
 arrays, representations, blocks, opacities, colours and visibility."""
 

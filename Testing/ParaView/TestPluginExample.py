@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs a script of Examples/ParaView and looks at the picture that it writes.
 
 Arguments: the script, the data file and the picture.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Implicit flow fields, inflow mappings and flow volumes inside ParaView are those that the C++ classes
 gave: several surfaces, meshes, vortex axes, images, all of their properties."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Flow filters with no setting changed, on every dataset with vectors: something comes out, coloured, or a
 warning says why not; surfaces are as large as the data, as their widgets draw them."""
 

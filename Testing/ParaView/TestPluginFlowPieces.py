@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The samples of an implicit flow field are split over the ranks of a parallel run, and each has the
 answer that one process gives it; so have the tetrahedra of flow volumes their sizes, but for cells that
 are cut at a termination surface: the neighbours that a corner beyond it is continued from may be in

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the flow filters ask and start with in ParaView: their inputs, panels and termination surfaces."""
 
 import numpy

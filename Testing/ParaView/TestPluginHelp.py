@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The plugin carries a help page for each of its filters and sources, with a link to the guide.
 
 Arguments: the compiled help (.qch), the plugin, and the server-manager XML files.

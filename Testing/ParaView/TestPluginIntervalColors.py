@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Colours and opacities that a representation of the plugin begins with: an interval has a colour of its
 own, and is seen; so is an array with one value; Opacity thins what is drawn."""
 

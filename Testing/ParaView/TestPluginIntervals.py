@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Intervals are proposed from the data, for each array anew until somebody sets them; results come
 coloured, in the representation made for them, the first output alone; what is wrong is said."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Intervals in time are proposed from all time steps; slices follow the animation's time until a time
 is set."""
 

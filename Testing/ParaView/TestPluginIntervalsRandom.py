@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """After any sequence of changes of input, array and intervals a filter gives what a fresh one gives with
 the same values, and its intervals are proposed unless they were set."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Both filters give inside ParaView what the C++ classes gave in the build of the VTK modules."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Each control that the panel shows for a representation of the plugin changes the picture; what would
 change nothing is hidden."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws two interval volumes of a real dataset in ParaView's render view, as a user would.
 
 Argument: the PNG file to write. The picture must show the colours of both intervals.

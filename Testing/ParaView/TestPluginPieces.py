@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The pieces of a parallel run give the same simplices, as a set, as one process.
 
 Arguments: `write` or `compare`, and the file of simplices that one process wrote.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A filter made in ParaView starts with values from its input's range, makes what is chosen, and says
 what all is for."""
 

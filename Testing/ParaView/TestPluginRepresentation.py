@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The representation Interval Volume draws what the mapper draws in C++, pixel by pixel.
 
 Arguments: the folder for the pictures, and `whole`, or `distributed` in a run with several processes:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The representation Shadowed Slices draws what the mapper draws in C++, with the view's lights and its
 own, which come and go with it.
 

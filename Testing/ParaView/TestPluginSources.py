@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The sources tell ParaView their time steps and give their fields at any time."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Time-varying interval volumes and their slices inside ParaView are those that the C++ classes gave,
 also of a composite dataset, whatever time ParaView shows."""
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The defaults in the plugin's server-manager XML are those of the C++ classes, for every property;
 // the properties whose default comes from the data have a domain that gives it.
 #include "vtkAnalyticFieldSource.h"

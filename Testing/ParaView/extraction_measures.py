@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The measures of an extraction that ExtractionMeasures.cxx takes, compared."""
 
 from vtkmodules.util.numpy_support import vtk_to_numpy

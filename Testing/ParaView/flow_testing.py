@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Flow filters as FlowExtraction.cxx makes them, from the same descriptions."""
 
 from paraview import servermanager, simple

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The real ParaView client on a display of its own, driven by ParaView's test player."""
 
 import contextlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes the pictures of Documentation/guide/paraview.md: the client's window after some of the uses.
 
 Arguments: the folder of the pictures, Documentation/pictures/guide, and names to make these only. Needs ImageMagick besides what

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs inside the client, in its Python shell: keeps what the newcomer sees, and empties the pipeline."""
 
 import contextlib

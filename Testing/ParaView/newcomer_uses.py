@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a newcomer does first: files opened and filters applied with no setting changed.
 
 A use is a name and the gestures that lead to a picture; a session is the uses that share one client,

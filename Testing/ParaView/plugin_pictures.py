@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the plugin's representations share: views and colours as C++ had them, small data,
 pixels."""
 

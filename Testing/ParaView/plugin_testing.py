@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests inside ParaView share: the plugin, the data, simplices as numpy arrays, checks."""
 
 import contextlib

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef PixelDifference_h
 #define PixelDifference_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Pictures/ShadowPicture.h"
 
 #include "Pictures/VolumeStage.h"

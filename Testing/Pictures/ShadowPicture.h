@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ShadowPicture_h
 #define ShadowPicture_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The tight comparison of pictures, and what VTK's own lets through: a change of scale by 5 % and a
 // shift by one pixel pass there and fail here.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The reference against closed forms: slabs, linear extinction, two slabs, order, every blend mode.
 #include "Pictures/PictureCases.h"
 #include "Pictures/ReferenceIntegral.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The reference of pictures with shadows, checked by itself: closed forms of homogeneous and linear
 // media, lights and gradients by their formulas, and by halving its steps.
 #include "Pictures/PictureSettings.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures in floating point of VTK's mappers, against the reference within what each of them
 // rounds.
 #include "Pictures/PictureCases.h"

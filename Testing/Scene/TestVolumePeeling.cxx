@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // UseDepthPeelingForVolumes: neither mapper can draw between two peels, so each draws the picture
 // that it draws without, and says so once.
 #include "Pictures/PictureCases.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Each field against its formula, written again here; regions of known volume; the tetrahedra and
 // tubes that the header tells of the vortices.
 #include "Reference/Checks/ReferenceCheck.h"

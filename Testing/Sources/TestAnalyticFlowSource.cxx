@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Velocities against formulas and properties written anew, the Jacobian against differences,
 // divergence, flow maps against integration, obstacles; parts, threads, progress and abort;
 // settings.

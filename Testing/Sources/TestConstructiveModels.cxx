@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The documented bounds of the models; volumes of those made of boxes, spheres and tori; what is
 // where, and of which colour; the source that samples them.
 #include "Reference/Checks/ReferenceCheck.h"

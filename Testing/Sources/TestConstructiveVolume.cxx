@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The arrays of every mode against the root's samples; equation 2.7; subsamples; colours beside an
 // object; parts, threads, progress, abort; the box of a root; what is refused.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The vortices and the grid against their formulas, written again here; the orientation of the
 // cells, the tetrahedra that the header tells.
 #include "Reference/Checks/ReferenceCheck.h"

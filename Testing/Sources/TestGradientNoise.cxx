@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Values of the published implementation; zeros, period, mean, bound and smoothness of the noise;
 // sums of octaves against their formula; seeds.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Implicit functions: the inside, the edge's width in units of length, limits. Images: trilinear
 // values of a linear field in any direction and extent, the range, NaN, colours. What is refused.
 #include "Reference/Checks/ReferenceCheck.h"

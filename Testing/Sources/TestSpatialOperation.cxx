@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every operation against its definition at random points, for soft and hard operands, from left to
 // right, with and without operands that are far away; bounds; operands that are refused.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every shape against its definition, soft and hard, moved and turned; equation 2.7; volumes whose
 // error halves with the spacing; tiny and huge sizes; sizes that are refused.
 #include "Reference/Checks/ReferenceCheck.h"

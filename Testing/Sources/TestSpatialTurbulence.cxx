@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every mode against its definition with the operand and the noise themselves; bounds; seeds;
 // frequencies of zero; what is refused.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The wake and the grid against their formulas, written again here; the seam, the orientation of
 // the cells, the tetrahedra that the header tells.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pieces and parts of the extent have the values and points of the whole, float is double rounded,
 // and the bytes are the same for any number of threads.
 #include "Reference/Checks/ReferenceCheck.h"

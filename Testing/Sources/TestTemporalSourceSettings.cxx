@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Setters clamp or refuse what is not valid and mark only real changes, PrintSelf prints every
 // public value, progress is told and an abort leaves an empty output.
 #include "Reference/Checks/ReferenceCheck.h"

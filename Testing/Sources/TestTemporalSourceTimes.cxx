@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Time steps are told to the pipeline, any time is answered with the field at that time, and what
 // cannot be answered is an error with an empty output.
 #include "Reference/Checks/ReferenceCheck.h"

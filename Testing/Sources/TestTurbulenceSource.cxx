@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Values against the formula, with every sum, falloff and envelope; seeds; parts, threads, progress
 // and abort; settings.
 #include "Reference/Checks/ReferenceCheck.h"

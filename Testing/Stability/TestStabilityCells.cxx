@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Extreme geometry and topology: cells without volume, inverted, with repeated points, alone, far
 // away, tiny, or with coordinates that are no numbers.
 #include "Pages/StabilityCase.h"

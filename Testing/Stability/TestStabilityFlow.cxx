@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Streamlines of extreme fields: each ends with a status, in steps that are bounded.
 #include "Pages/StabilityCase.h"
 #include "Reference/Flow/ReferenceAdvection.h"

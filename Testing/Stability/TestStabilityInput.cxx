@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Wrong input and wrong settings: an error that names the array and the value, an empty output, no
 // crash, and the filter works again once they are right.
 #include "Pages/StabilityCase.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bad and extreme input of the mesher. Where there is no mesh: an error that names what is wrong,
 // an empty output, and the process lives on, though TetGen throws, crashes or never ends. Where
 // there is one: positive tetrahedra that fill the volume.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Extreme times, values that change by much from step to step, and grids that move too far.
 #include "Pages/StabilityCase.h"
 #include "Reference/Meshes/ReferenceMesh.h"

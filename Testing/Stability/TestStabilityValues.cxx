@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Extreme values of the scalar and the bounds.
 #include "Pages/StabilityCase.h"
 #include "Reference/Intervals/ReferenceExtraction.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Tetrahedra/DataTetrahedra.h"
 
 #include "Inputs/DataFiles.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DataTetrahedra_h
 #define DataTetrahedra_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Tetrahedra/MapperPicture.h"
 
 #include "Pictures/PictureSettings.h"

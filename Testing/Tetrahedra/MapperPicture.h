@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef MapperPicture_h
 #define MapperPicture_h
 

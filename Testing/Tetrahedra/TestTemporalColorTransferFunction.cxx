@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The nodes for two, three and n steps, what is refused, and the colours in a picture.
 #include "Pictures/PictureCases.h"
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every blend mode, kind of array and clip of both render paths against the reference.
 #include "Pictures/PictureCases.h"
 #include "Pictures/VolumeStage.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pay for use: what a picture did not need was not done, by the report of both render paths.
 #include "Pictures/PictureCases.h"
 #include "Pictures/VolumeStage.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The largest channel error of both render paths against the reference, in a float framebuffer, on
 // linear fields: regular and thin tetrahedra, small, large and far meshes, faint and dense ones.
 // The error of VTK's mapper stands in the same row.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The far plane, transfer functions of many nodes, and meshes of tetrahedra as thin as numbers are:
 // the software path is right in all of them, and OpenGL as far as vtkTimeWeightedTetrahedraMapper.h
 // says.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Input that cannot be drawn, in whole or in part: what is said, what is left out, what is seen.
 #include "Pages/StabilityCase.h"
 #include "Pictures/PictureCases.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A plate of constant hypercubes, projected along time: with its extent in time it is a slab of
 // constant extinction, 1 - exp(-tau duration length) from everywhere (figure 3.19 of the source);
 // without, the overlap of the tetrahedra shows (figure 3.14).

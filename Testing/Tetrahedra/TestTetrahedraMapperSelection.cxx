@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkHardwareSelector finds the input's cell ids: of well separated tetrahedra, with some left out,
 // transparent, hidden or cut by the near plane, with and without multisampling.
 #include "Pictures/PictureSettings.h"

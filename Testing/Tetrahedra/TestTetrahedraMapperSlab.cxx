@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A slab of constant extinction is 1 - exp(-tau d), uniform where d is; a finer mesh of the same
 // field gives the same picture.
 #include "Pictures/PictureCases.h"

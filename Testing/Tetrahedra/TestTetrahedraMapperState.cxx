@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Drawing leaves how pixels are read and written as it was: a picture of odd width, read after it
 // as RGB, has rows of which the length is no multiple of four.
 #include "Pictures/PictureCases.h"

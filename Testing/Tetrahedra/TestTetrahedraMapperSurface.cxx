@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Boundary triangles in the volume: opaque ones as vtkPolyDataMapper draws them, a translucent face
 // between two halves of a slab as the formula has it, textures, points matched by their place.
 #include "Pictures/PictureCases.h"

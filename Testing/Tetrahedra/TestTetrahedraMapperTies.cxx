@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Meshes at random whose points coincide on the screen, or nearly so, whose faces are seen edge-on
 // and whose tetrahedra are nearly flat; and one mapper through a sequence of changes at random.
 #include "Pictures/PictureCases.h"

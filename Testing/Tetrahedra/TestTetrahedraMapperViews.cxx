@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One mapper in several windows and renderers, resized, released and drawn again; depth peeling and
 // multisampling; level of detail. Pictures are compared with those of fresh mappers.
 #include "Pictures/PictureCases.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The adjacency of tetrahedra, against a map of their faces.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Tetrahedra/ReferenceTetrahedra.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The order by centroids, against a stable sort of the same distances.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Tetrahedra/ReferenceSightlines.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cycles of visibility: found, counted, and put out whole.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Tetrahedra/ReferenceSightlines.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The visibility order where signs are 0: eyes on points, edges and planes of faces; and of meshes
 // that are not manifold.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which pixels' lines of sight pass a triangle, and what the places where one enters and leaves a
 // mesh say about order.
 #include "Reference/Checks/ReferenceCheck.h"

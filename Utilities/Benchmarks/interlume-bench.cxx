@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures Interlume against VTK's own filters; see --help.
 #include "Benchmarks/Report/PlotDrawer.h"
 #include "Benchmarks/Report/ReportPage.h"

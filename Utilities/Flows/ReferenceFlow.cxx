@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Flows/ReferenceFlow.h"
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>

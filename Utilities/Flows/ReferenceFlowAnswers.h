@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceFlowAnswers_h
 #define ReferenceFlowAnswers_h
 

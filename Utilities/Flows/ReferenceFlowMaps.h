@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceFlowMaps_h
 #define ReferenceFlowMaps_h
 

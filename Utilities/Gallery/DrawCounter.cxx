@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/DrawCounter.h"
 
 #include "Gallery/Panel.h"

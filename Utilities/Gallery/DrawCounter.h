@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DrawCounter_h
 #define DrawCounter_h
 

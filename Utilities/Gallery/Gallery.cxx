@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // interlume-gallery: draws the pictures of the gallery and the page that shows them.
 
 #include "Gallery/IndexPage.h"

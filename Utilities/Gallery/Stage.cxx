@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Stage.h"
 
 #include "Gallery/DrawCounter.h"

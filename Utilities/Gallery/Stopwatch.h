@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef Stopwatch_h
 #define Stopwatch_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef SurfacesPass_h
 #define SurfacesPass_h
 

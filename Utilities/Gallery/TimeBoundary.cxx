@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/TimeBoundary.h"
 
 #include "vtkCellData.h"

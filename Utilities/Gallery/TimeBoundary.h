@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TimeBoundary_h
 #define TimeBoundary_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef VectorArithmetic_h
 #define VectorArithmetic_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs/DataFiles.h"
 
 #include "vtkDataSet.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs/ExodusTimeSource.h"
 
 #include "vtkCompositeDataIterator.h"

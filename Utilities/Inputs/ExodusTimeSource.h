@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ExodusTimeSource_h
 #define ExodusTimeSource_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef StabilityCase_h
 #define StabilityCase_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef HypercubePlate_h
 #define HypercubePlate_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef PictureSettings_h
 #define PictureSettings_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef PixelBuckets_h
 #define PixelBuckets_h
 

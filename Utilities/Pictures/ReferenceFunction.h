@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceFunction_h
 #define ReferenceFunction_h
 

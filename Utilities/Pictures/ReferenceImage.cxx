@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Pictures/ReferenceImage.h"
 
 #include "vtkCellData.h"

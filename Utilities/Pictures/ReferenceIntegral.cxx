@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Pictures/ReferenceIntegral.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceIntegral_h
 #define ReferenceIntegral_h
 

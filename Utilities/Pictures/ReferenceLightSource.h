@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceLightSource_h
 #define ReferenceLightSource_h
 

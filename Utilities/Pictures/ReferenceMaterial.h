@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceMaterial_h
 #define ReferenceMaterial_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Pictures/ReferenceShadowPicture.h"
 
 #include "Pictures/ReferenceLightSource.h"

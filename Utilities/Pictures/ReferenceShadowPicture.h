@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceShadowPicture_h
 #define ReferenceShadowPicture_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceTetrahedron_h
 #define ReferenceTetrahedron_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Pictures/ReferenceVolumePicture.h"
 
 #include "Pictures/PixelBuckets.h"

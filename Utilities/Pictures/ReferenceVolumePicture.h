@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceVolumePicture_h
 #define ReferenceVolumePicture_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef RgbaPicture_h
 #define RgbaPicture_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ShadowScene_h
 #define ShadowScene_h
 

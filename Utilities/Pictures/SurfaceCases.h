@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef SurfaceCases_h
 #define SurfaceCases_h
 

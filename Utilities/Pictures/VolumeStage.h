@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef VolumeStage_h
 #define VolumeStage_h
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Finds TetGen, built as a library: the header tetgen.h and the library tet.
 #   TetGen_FOUND
 #   TetGen_VERSION   as the header's heading has it

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Libraries of headers alone that modules use inside: nothing of them is in installed headers or in what
 # the package exports. Any version of Debian 12 or later does, and none is asked for: Eigen 5 says that
 # it is not compatible with 3.4.

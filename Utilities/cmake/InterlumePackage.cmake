@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # What `find_package(Interlume)` reads after an installation. To be included before the modules are
 # made: they are installed so that each finds the others beside it.
 include(CMakePackageConfigHelpers)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The ParaView plugin: the same modules, built against ParaView's own VTK and loaded with the
 # server-manager XML of Plugin/.
 find_package(ParaView 5.11 REQUIRED)

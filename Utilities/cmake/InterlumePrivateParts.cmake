@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # interlume_private_parts(MODULE): the library MODULEPrivate, of the objects that the module's library is
 # made of. Tests of private parts link it, after the module itself: no class is exported for a test's sake.
 function (interlume_private_parts module)

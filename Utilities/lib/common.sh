@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Shared by the commands in Utilities/: messages, steps with a log, the build folder, a display.
 # To be sourced by bash with `set -euo pipefail`.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs what a Debian machine lacks. Needs common.sh.
 
 # What the modules need besides VTK, or ParaView: the two cannot be installed together. Where a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Brings ParaView into a folder of its own: its Python package cannot be installed beside VTK's.
 # Needs common.sh and packages.sh.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs ctest over several build folders and says at the end what came out. Needs common.sh.
 
 result_names=()

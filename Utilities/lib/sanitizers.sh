@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The value and stability tests under a sanitizer. Needs common.sh and results.sh.
 
 # test_with_sanitizer address|thread: the presets and the suppressions are named after it. Left out

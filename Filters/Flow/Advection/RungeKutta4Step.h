@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_RungeKutta4Step_h
 #define interlume_RungeKutta4Step_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/BoundaryPatches.h"
 
 #include "Cells/FaceExtent.h"

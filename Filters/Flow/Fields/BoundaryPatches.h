@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_BoundaryPatches_h
 #define interlume_BoundaryPatches_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/FaceLinks.h"
 
 #include "Cells/FaceExtent.h"

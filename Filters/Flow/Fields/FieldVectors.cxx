@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/FieldVectors.h"
 
 #include "Cells/MultilinearCell.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/ImplicitFlowRun.h"
 
 #include "Advection/Advection.h"

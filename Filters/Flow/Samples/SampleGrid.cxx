@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/SampleGrid.h"
 
 #include "vtkCellArray.h"

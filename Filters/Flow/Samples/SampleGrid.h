@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_SampleGrid_h
 #define interlume_SampleGrid_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/ContourPlaces.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/CrossFlow.h"
 
 #include "vtkDataSet.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_DiscParameters_h
 #define interlume_DiscParameters_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/TerminationGrid.h"
 
 #include "Common/Batches.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/TerminationTriangles.h"
 
 #include "Common/FiniteNumbers.h"

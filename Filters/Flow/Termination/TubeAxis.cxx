@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/TubeAxis.h"
 
 #include "Common/FiniteNumbers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Topology/CellZeros.h"
 
 #include "vtkMath.h"

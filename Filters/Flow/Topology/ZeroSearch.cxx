@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Topology/ZeroSearch.h"
 
 #include "Common/Batches.h"

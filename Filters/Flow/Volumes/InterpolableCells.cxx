@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/InterpolableCells.h"
 
 #include "Common/Batches.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/ParameterSeams.h"
 
 #include "Fields/PointCopies.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/SurfaceCuts.h"
 
 #include "Numerics/BracketedRoot.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/VolumeExtraction.h"
 
 #include "Samples/ImplicitFlowArrays.h"

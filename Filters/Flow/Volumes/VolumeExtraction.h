@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_VolumeExtraction_h
 #define interlume_VolumeExtraction_h
 

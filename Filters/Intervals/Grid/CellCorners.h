@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_CellCorners_h
 #define interlume_CellCorners_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Static/CrossingLists.h"
 
 #include "Common/Prefetch.h"

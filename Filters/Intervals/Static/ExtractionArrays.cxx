@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionArrays.h"
 
 #include "Grid/RowIndex.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionCleanup.h"
 
 #include "Output/OppositePairs.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionIndex.h"
 
 #include "Static/ExtractionDispatch.h"

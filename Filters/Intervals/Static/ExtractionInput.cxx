@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionInput.h"
 
 #include "Static/ExtractionArrays.h"

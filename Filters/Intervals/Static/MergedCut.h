@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_MergedCut_h
 #define interlume_MergedCut_h
 

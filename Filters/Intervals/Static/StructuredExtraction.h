@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_StructuredExtraction_h
 #define interlume_StructuredExtraction_h
 

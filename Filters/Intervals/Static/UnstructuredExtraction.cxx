@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Static/UnstructuredExtraction.h"
 
 #include "Common/GridCells.h"

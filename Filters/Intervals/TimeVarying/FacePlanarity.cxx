@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/FacePlanarity.h"
 
 #include "vtkMath.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_SimplexProjection_h
 #define interlume_SimplexProjection_h
 

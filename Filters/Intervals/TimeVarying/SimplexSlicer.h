@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_SimplexSlicer_h
 #define interlume_SimplexSlicer_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_TimeVaryingBoundary_h
 #define interlume_TimeVaryingBoundary_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeVaryingCut.h"
 
 #include "Output/OppositePairs.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeVaryingExtraction.h"
 
 #include "Common/GridCells.h"

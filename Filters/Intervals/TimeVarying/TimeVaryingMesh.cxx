@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeVaryingMesh.h"
 
 #include "Output/TiedFaces.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeVaryingRun.h"
 
 #include "Static/ExtractionArrays.h"

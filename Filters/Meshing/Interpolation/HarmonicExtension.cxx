@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Interpolation/HarmonicExtension.h"
 
 #include "Common/Vectors.h"

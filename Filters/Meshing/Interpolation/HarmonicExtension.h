@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_HarmonicExtension_h
 #define interlume_HarmonicExtension_h
 

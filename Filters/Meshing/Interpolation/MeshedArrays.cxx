@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Interpolation/MeshedArrays.h"
 
 #include "Interpolation/HarmonicExtension.h"

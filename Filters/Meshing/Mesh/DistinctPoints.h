@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_DistinctPoints_h
 #define interlume_DistinctPoints_h
 

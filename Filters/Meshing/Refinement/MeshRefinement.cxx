@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Refinement/MeshRefinement.h"
 
 #include "Mesh/MeshMeasures.h"

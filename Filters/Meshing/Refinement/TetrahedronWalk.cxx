@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Refinement/TetrahedronWalk.h"
 
 #include "Common/Vectors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "TetGen/MeshingJob.h"
 
 #include "vtkCell.h"

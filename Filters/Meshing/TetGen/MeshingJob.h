@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_MeshingJob_h
 #define interlume_MeshingJob_h
 

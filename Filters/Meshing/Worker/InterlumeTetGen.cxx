@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs TetGen for vtkTetrahedralMesher: reads problems from the socket at standard input and
 // answers there until it is closed. TetGen may stop, crash or never end; then only this program
 // does.

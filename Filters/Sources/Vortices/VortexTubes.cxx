@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Vortices/VortexTubes.h"
 
 #include "Vortices/BentAxis.h"

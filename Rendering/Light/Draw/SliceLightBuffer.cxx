@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/SliceLightBuffer.h"
 
 #include "Draw/SliceFrame.h"

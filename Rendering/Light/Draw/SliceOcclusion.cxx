@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/SliceOcclusion.h"
 
 #include "Loader/OpenGLFunctions.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_SliceRasterizer_h
 #define interlume_SliceRasterizer_h
 

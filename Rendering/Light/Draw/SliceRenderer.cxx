@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/SliceRenderer.h"
 
 #include "Common/Vectors.h"

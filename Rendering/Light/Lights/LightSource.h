@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_LightSource_h
 #define interlume_LightSource_h
 

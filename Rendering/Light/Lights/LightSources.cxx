@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/LightSources.h"
 
 #include "Space/UnitSpace.h"

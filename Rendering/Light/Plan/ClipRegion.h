@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_ClipRegion_h
 #define interlume_ClipRegion_h
 

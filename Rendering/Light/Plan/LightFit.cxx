@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Plan/LightFit.h"
 
 #include "Common/Vectors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Plan/SlicePlan.h"
 
 #include "Plan/LightFit.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Plan/SlicePolygons.h"
 
 #include "Plan/BoxCutTable.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Plan/UnitSpaceCamera.h"
 
 #include "Space/UnitSpace.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Space/UnitSpace.h"
 
 #include "Space/UnitVector.h"

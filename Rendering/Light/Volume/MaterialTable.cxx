@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Volume/MaterialTable.h"
 
 #include "Volume/VolumeSamples.h"

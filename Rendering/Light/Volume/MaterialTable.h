@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_MaterialTable_h
 #define interlume_MaterialTable_h
 

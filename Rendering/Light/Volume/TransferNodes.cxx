@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Volume/TransferNodes.h"
 
 #include "Volume/TransferMath.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Volume/VolumeBlocks.h"
 
 #include "Volume/MaterialTable.h"

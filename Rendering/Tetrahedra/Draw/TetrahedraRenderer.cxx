@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/TetrahedraRenderer.h"
 
 #include "Loader/OpenGLFunctions.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_TetrahedraRenderer_h
 #define interlume_TetrahedraRenderer_h
 

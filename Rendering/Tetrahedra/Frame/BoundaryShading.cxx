@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/BoundaryShading.h"
 
 #include "vtkCamera.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/PiecewiseLinearTransfer.h"
 
 #include "vtkColorTransferFunction.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_TetrahedraBuilder_h
 #define interlume_TetrahedraBuilder_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_TetrahedraMesh_h
 #define interlume_TetrahedraMesh_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "OpenGL/OpenGLRasterizer.h"
 
 #include "Frame/BoundaryShading.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_OpenGLRasterizer_h
 #define interlume_OpenGLRasterizer_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "OpenGL/TetrahedraSelection.h"
 
 #include "vtkHardwareSelector.h"

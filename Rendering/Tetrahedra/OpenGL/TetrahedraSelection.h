@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_TetrahedraSelection_h
 #define interlume_TetrahedraSelection_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Order/CentroidOrder.h"
 
 #include "Common/Vectors.h"

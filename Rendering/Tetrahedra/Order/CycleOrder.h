@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_CycleOrder_h
 #define interlume_CycleOrder_h
 

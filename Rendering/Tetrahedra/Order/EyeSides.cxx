@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Order/EyeSides.h"
 
 #include "Common/Vectors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef interlume_EyeSides_h
 #define interlume_EyeSides_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Software/SurfaceFragments.h"
 
 #include "Frame/BoundaryShading.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Errors of streamlines against exact ones and those of a method of order 8(7): how they fall with
 // the step, and what they are at one tolerance.
 #include "Reference/Checks/ReferenceCheck.h"

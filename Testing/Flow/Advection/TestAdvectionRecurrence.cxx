@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closed orbits end by coming back, long before the steps are used up; spirals, inward, outward and
 // along an axis, arrive where they would have arrived however slowly they get there, and so do
 // streamlines beside an orbit that repels them.

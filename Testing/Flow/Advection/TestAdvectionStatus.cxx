@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How streamlines end where they reach no surface: every status, and limits to the last digit.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Flow/ReferenceAdvection.h"

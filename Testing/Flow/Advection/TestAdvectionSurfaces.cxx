@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where streamlines meet termination surfaces: ids, parameters and times against exact ones.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Flow/ReferenceAdvection.h"

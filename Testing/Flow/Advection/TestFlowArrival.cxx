@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Streamlines that end where the field ends, at a surface that lies there: meshes of the field's
 // own faces on six kinds of grids, flat and bent, against a flow whose streamlines are known;
 // planes on rounded points, samples on the skin, walls without slip, and surfaces that are not to

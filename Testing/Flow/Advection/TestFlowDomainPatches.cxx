@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Domain faces of unstructured grids and of several blocks: patches between sharp edges, their ids
 // and places, against a flow whose streamlines are known.
 #include "Reference/Checks/ReferenceCheck.h"

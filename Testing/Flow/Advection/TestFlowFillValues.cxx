@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Speeds out of all proportion: automatic error and least speed leave fill values aside, and
 // nothing else; the speeds themselves, and a field that holds some.
 #include "Reference/Checks/ReferenceCheck.h"

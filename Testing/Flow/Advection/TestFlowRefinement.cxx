@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Samples refined where their answers differ: cells fit face to face and fill what they filled, on
 // grids of every kind; what a flow volume leaves out at a separatrix halves with each level, and at
 // a surface that flow comes back to; arrays, threads, pieces, ghosts, progress and abort.

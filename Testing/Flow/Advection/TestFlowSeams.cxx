@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Seams whose points are the same but for rounding, or a small gap: grids that are closed on
 // themselves and rings of blocks, against a spiral whose end is known; what is joined is counted,
 // and faces that have a cell beyond them which they do not match are.

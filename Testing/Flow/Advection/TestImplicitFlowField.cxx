@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkImplicitFlowField over grids of every kind: where and when samples end, what is kept of them,
 // samples of their own, domain faces, spheres around critical points, threads, parts, errors.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkImplicitFlowField over composite data: streamlines from block to block, with the answers that
 // one grid gives; hidden and duplicate cells, arrays, samples and errors of blocks.
 #include "Reference/Checks/ReferenceCheck.h"

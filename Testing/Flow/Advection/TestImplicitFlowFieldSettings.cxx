@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is set on vtkImplicitFlowField reaches the streamlines, the output and what is asked of the
 // inputs; ids of surfaces and spheres; pieces of meshes.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkFlowLIC: values against quadrature by brute force, contrast, coherence along streamlines,
 // where streamlines end, points outside and at rest, kinds of datasets, threads, errors.
 #include "Reference/Checks/ReferenceCheck.h"

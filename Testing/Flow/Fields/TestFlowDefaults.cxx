@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What flow filters give with no setting: few samples of large fields, scalars to colour by, and a
 // warning that says what the data has where nothing comes out.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What fields of flow filters may be: grids with triangles on their boundary, blocks of floats and
 // of doubles, blocks beside patches; what is said of planar fields and of arrays in the cells; and
 // that an aborted filter executes again.

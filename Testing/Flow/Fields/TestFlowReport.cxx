@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkFlowReport: what a sample adds, what another report adds, and what is printed.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceProgress.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The walkers of images and rectilinear grids against VTK's cells, differences, linear fields and
 // straight lines; the field's sums, blanking, array types and errors.
 #include "Reference/Flow/ReferenceWalker.h"

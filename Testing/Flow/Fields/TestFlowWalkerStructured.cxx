@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The walker of structured grids against VTK's hexahedra, differences, linear fields and straight
 // lines; seams, blanking, collapsed and folded cells, threads.
 #include "Reference/Checks/ReferenceExecution.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The walker of unstructured grids against VTK's cells, differences, linear fields and straight
 // lines, over meshes of all its types; turned and mirrored cells, blocks, cracks and errors.
 #include "Reference/Checks/ReferenceExecution.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The rectangle where flow enters: across the axis and at the end that the flow enters by, as wide
 // as it, on every kind of grid; where streamlines go forward where it leaves.
 #include "Reference/Checks/ReferenceCheck.h"

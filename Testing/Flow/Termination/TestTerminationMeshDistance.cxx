@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The signed distance of meshes against all triangles and the winding number: sharp edges, tips,
 // concave solids, closed grids; seams, open borders and jumps; all scales.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Meshes that are turned wrongly, doubled, degenerate or of one side, and what cannot be used.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Flow/ReferenceTermination.h"

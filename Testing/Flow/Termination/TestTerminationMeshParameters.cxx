@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Texture coordinates of meshes as parameters: of a point and back, over seams with and without
 // points on both sides, with gaps; strips and polygons; IsOn of a half cylinder.
 #include "Reference/Checks/ReferenceCheck.h"

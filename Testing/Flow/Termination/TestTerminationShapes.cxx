@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Plane, sphere, cylinder and box against formulas and samples, at all scales and far from the
 // origin; where they end, where their parameters go around.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What Update says of settings that cannot be used; ids, bounds and what is printed.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceProgress.h"

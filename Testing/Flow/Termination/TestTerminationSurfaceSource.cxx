@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Surfaces drawn: points on them with their parameters and normals, areas and rims against
 // formulas, triangles turned outward, ids; gaps, messages, progress, threads.
 #include "Flows/ReferenceFlowMaps.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Evaluation by many threads at once gives what one thread gives, to the bit.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Flow/ReferenceTermination.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tubes around straight, bent, knotted and closed lines: distance, angle and length without jumps,
 // round ends, messages.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Zeros of random cells against Newton's method from many places; two in a cell; the sum of indices
 // in random fields; cells of very different lengths.
 #include "Flows/ReferenceFlowMaps.h"

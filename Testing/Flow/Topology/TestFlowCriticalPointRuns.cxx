@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Zeros that are not isolated; blanked cells and NaN; threads, progress, abort, errors.
 #include "Flows/ReferenceFlowMaps.h"
 #include "Reference/Checks/ReferenceCheck.h"

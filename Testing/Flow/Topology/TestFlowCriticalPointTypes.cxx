@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Types of critical points by constructed eigenvalues, and those of the analytic sources.
 #include "Flows/ReferenceFlowMaps.h"
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Known zeros of linear and trilinear fields on all kinds of grids, also on faces, edges and
 // points, once each; scales.
 #include "Flows/ReferenceFlowMaps.h"

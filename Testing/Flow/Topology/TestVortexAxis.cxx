@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Straight, tilted and curved axes on all kinds of grids, exact or to second order; several
 // vortices, the seed, the frame of reference, breaks; no vortex; planes; threads, progress, abort,
 // errors.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cells that a termination surface passes through, cut there: what a flow volume has beside planes,
 // spheres and in balls against formulas, of streamlines that end there and of those that come back,
 // with times and parameters up to the surface, fitting to the cells beside them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a flow volume is given and gives: errors, arrays and their types, settings, progress and
 // abort, and the same bytes for any number of threads.
 #include "Flows/ReferenceFlowAnswers.h"

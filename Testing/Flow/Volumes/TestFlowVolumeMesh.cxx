@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The mesh of a flow volume: tetrahedra fit face to face, intervals in Inflow and time fill it
 // without gap or overlap, stream and time surfaces are faces of it, each once and whole, and face
 // against the gradient, as normals do.

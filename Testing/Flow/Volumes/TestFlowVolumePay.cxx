@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A flow volume does what is asked of it and no more: no extraction by what cuts nothing, none
 // again of what has not changed, and no surfaces, normals or copies of points that nobody wants.
 #include "Flows/ReferenceFlowAnswers.h"

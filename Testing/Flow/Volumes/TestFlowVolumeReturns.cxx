@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Flow that comes round to its termination surface again: on which side samples lie and how they
 // leave, which cells a flow volume leaves out for it and which not, and the limit of time jumps.
 #include "Flows/ReferenceFlowAnswers.h"

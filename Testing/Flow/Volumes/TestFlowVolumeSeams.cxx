@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Nothing is interpolated where an implicit flow field jumps: across a separatrix, from samples
 // with an answer to those without, and over seams that the mapping does not continue over; over
 // seams that it does volumes are whole and parameters unwrapped.

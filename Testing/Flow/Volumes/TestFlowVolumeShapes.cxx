@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Stream volumes, stream surfaces and time surfaces of flows with known streamlines: volumes,
 // areas and fluxes against formulas, with errors that fall with the square of the spacing, on every
 // kind of grid.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A scalar on termination surfaces at every sample: formulas, rings and images against their
 // definitions, NaN where there is none, what is periodic, wrong settings, and threads.
 #include "Flows/ReferenceFlowAnswers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Texture coordinates of stream surfaces: lengths along inflow contours against formulas, closed,
 // open and several of them, over seams; triangles never run back; start points, scales and errors.
 #include "Flows/ReferenceFlowAnswers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Uses the installed package: a shell of the wavelet has tetrahedra, and so has a meshed sphere,
 // which needs the installed program that runs TetGen.
 #include "vtkIntervalVolume.h"

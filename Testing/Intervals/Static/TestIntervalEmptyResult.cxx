@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An execution that gives nothing says why, with what the data have: once for a whole composite
 // input, and not for one dataset or piece of several. The scalar is the active one on what is made.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Point arrays of every type are interpolated, never truncated; cell arrays are copied; the arrays
 // the filters make have the documented names and values; the scalar may be of any type.
 #include "Reference/Checks/ReferenceCheck.h"

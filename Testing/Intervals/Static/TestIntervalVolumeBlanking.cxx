@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ghost, hidden and blanked cells, cells of hidden points, and cells with NaN or infinity are left
 // out and counted; everything else stays.
 #include "Reference/Checks/ReferenceCheck.h"

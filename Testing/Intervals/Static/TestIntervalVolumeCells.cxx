@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cells of every other kind: quadratic ones are taken by their corners with a warning, those of
 // fewer dimensions and of types without a linear counterpart are left out and counted.
 #include "Reference/Checks/ReferenceCheck.h"

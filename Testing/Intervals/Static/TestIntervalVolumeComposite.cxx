@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Composite input gives composite output of the same structure, empty leaves included, with the
 // same simplices as the leaves one by one.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Criteria on further arrays: the volume where all hold, for linear functions and for any values on
 // tetrahedra; the order of criteria does not matter; several intervals still tile.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Changed intervals and contour values over the same input give the bytes of a fresh filter and
 // visit fewer cells; a changed input is noticed.
 #include "Reference/Checks/ReferenceCheck.h"

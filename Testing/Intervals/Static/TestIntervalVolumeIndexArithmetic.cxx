@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The index arithmetic of the extraction on grids with more than 2^31 points, where 32 bits would
 // wrap.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Several intervals in one pass are the intervals one by one; overlaps, gaps, an interval in
 // another, the same interval twice; values equal to a bound belong to the documented side.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Volumes of linear functions of position: the formula for a box, and clipping in long double for
 // everything else, with intervals inside, across and outside the range.
 #include "Reference/Checks/ReferenceCheck.h"

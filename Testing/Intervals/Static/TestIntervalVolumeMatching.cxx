@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is promised where values equal bounds, to the letter: faces match with their orientation,
 // port 1 has what bounds tetrahedra, [a, a] is the cells equal to a throughout, adjacent intervals
 // tile, criteria keep signed volumes. On every volume of 8 bits, and on small whole numbers in

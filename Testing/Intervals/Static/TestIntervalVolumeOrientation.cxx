@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How many tetrahedra come out inverted on cells that are not simplices, and how much volume they
 // hold: with random values, the worst case, and with a smooth field. Volumes stay exact.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What an interval volume says of where its points and cells come from: points on the edges named,
 // at the weights told; cells, and boundary triangles, inside the cells named; and no such arrays
 // where they are not asked for.

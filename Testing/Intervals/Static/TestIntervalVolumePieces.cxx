@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pieces of an image asked for through the pipeline give together the simplices of the whole.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Meshes/ReferenceGrid.h"

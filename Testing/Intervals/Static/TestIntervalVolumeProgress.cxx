@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Progress is told and never runs backwards, an abort leaves a valid output, and PrintSelf prints
 // every public value.
 #include "Reference/Checks/ReferenceCheck.h"

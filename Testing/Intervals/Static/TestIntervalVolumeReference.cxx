@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The reference implementations themselves: the meshes are conforming and fill the volume they
 // should, and clipping agrees with the formula for a box cut by a plane.
 #include "Reference/Checks/ReferenceCheck.h"

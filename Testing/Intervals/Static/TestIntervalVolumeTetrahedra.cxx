@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // On tetrahedra the region is piecewise linear, so clipping in long double gives its volume for any
 // values, and no tetrahedron may come out inverted.
 #include "Reference/Checks/ReferenceCheck.h"

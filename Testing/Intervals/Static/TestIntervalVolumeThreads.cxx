@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The same bytes for 1, 2 and 8 threads and every backend.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceThreads.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Adjacent intervals tile the domain where many values equal a bound: edges, faces and whole cells
 // are flat, and simplices collapse.
 #include "Reference/Intervals/ReferenceTilingCheck.h"

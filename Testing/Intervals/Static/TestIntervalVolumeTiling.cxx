@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Adjacent intervals tile the domain: independent random values, so that none equals a bound.
 #include "Reference/Intervals/ReferenceTilingCheck.h"
 #include "Reference/Meshes/ReferenceField.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What goes on, but not as it should, is said with the way out: polyhedra that are not seen whole
 // from their middle, and images that single precision collapses.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The contour at an interval's bound is the interval's boundary, triangle by triangle; several
 // values in one pass are the values one by one.
 #include "Reference/Checks/ReferenceCheck.h"

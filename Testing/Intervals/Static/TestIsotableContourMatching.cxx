@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is promised of contours where values equal the isovalue: no triangle is there twice or
 // turned over as well, edges match, and the contour bounds the interval above. On every volume of 8
 // bits, and on small whole numbers in every kind of cell.

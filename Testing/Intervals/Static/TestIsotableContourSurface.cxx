@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Isosurfaces are closed inside the domain, two-manifold, turned to lower values and in their
 // place: for random values on every kind of cell, and for the field of a sphere, whose area and
 // volume are known and whose triangles can be counted against another filter's.

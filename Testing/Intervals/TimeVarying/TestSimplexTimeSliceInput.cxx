@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Wrong input: an error that says what and where, an empty output, and the filter works once it is
 // right. Ghosts and 4-simplices without a finite time are left out; a time outside, or nothing at
 // all, gives nothing and no error. Composite input gives composite output.

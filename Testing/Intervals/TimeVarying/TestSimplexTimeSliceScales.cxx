@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Times that are 1e9 or 1e-9 apart, or near 1e9, give the slice that times 1 apart give.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Meshes/ReferenceGrid.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The same bytes for any number of threads, between the levels of a grid and at one of them.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceThreads.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The slices of a triangulated region of space and time have no cracks and no overlap: at any time,
 // and at the region's own time levels, where each tetrahedron is there once, also beside holes, and
 // where the cell array AtStep tells which there are. Pieces with global ids fit together.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The slice of a random 4-simplex has the volume that its M-spline gives, the orientation of the
 // simplex, and covers the slice once; the integral over time is the hypervolume.
 #include "Reference/Checks/ReferenceCheck.h"

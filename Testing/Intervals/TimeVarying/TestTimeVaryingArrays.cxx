@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Point arrays of every type are interpolated in space and time, at thick points too; the arrays
 // that the filter makes have the documented names, types and values; precision of the points.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ghost, hidden and blanked cells, cells of hidden points, and cells with NaN or infinity at a step
 // are left out of the slabs that the step ends and counted; everything else stays.
 #include "Reference/Checks/ReferenceCheck.h"

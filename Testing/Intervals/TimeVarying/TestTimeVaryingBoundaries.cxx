@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The boundaries at the first and last step are the interval volume and its surfaces of that step;
 // each kind is made only when it is asked for.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Composite steps give composite outputs of the same structure, empty leaves included, with the
 // same simplices as the leaves one by one.
 #include "Reference/Checks/ReferenceCheck.h"

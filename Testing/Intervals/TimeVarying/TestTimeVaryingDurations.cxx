@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The sum of DeltaT over the tetrahedra that hold a point of space is the time that the function is
 // in the interval there.
 #include "Reference/Checks/ReferenceCheck.h"

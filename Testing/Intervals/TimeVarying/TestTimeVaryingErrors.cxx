@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Wrong steps and wrong settings: an error that says what and names the step, outputs that are
 // empty, and the filter works again once they are right.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Adjacent intervals fill the domain in space and time without cracks, on every grid, standing and
 // moving, over several slabs: independent random values, so that none equals a bound.
 #include "Reference/TimeVarying/ReferenceFilling.h"

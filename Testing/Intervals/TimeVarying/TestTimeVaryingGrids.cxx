@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The same lattice as image, rectilinear, structured and unstructured grid gives the same
 // 4-simplices, tetrahedra and boundaries.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Functions linear in space and time: the hypervolume is exact on every grid, standing and moving,
 // along every direction of projection. On tetrahedra also functions linear in each.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is promised where values equal bounds, in time and at slices: 4-simplices match with the
 // orientation of their faces over all slabs, boundaries have what bounds them, and the slice at a
 // step is the interval volume of that step, tetrahedron by tetrahedron. Upper bounds are shared, so

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A source that writes every step into the same array gives what one with an array a step gives,
 // whether it says that the array has changed or not.
 #include "Reference/Checks/ReferenceCheck.h"

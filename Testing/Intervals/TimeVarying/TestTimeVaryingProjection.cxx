@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A 4-simplex projected to space and cut into tetrahedra, against exact arithmetic: its class, the
 // number of tetrahedra, its hypervolume, and how long it lasts at points of space.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The references of the tests of time-varying interval volumes against numbers that are known.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceExact.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Slices of the 4-simplices: at a time step the interval volume of that step, whatever values equal
 // bounds; adjacent intervals tile the domain at steps, close to them and between; exact between
 // steps for functions linear in space and time, and of second order in the step for a smooth one.

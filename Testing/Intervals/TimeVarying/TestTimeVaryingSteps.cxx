@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Time steps through the pipeline: two are alive at most, each is asked for once, slabs one by one
 // are those of all together, and changes of the steps are seen.
 #include "Reference/Checks/ReferenceCheck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Values equal to the bounds, whole cells and slabs of them: adjacent intervals still fill the
 // domain in space and time, and each part of it once.
 #include "Reference/Meshes/ReferenceMesh.h"

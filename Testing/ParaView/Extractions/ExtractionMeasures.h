@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ExtractionMeasures_h
 #define ExtractionMeasures_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes a folder for the tests of the ParaView plugin: numbers.json, a list of extractions (what
 // was asked of which filter on which data, and what came out), that data in the legacy format, and
 // time_varying.json and flow.json, extractions from temporal sources and of flows.

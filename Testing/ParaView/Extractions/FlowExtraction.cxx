@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ParaView/Extractions/FlowExtraction.h"
 
 #include "ParaView/Extractions/PropertySetters.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef FlowExtraction_h
 #define FlowExtraction_h
 

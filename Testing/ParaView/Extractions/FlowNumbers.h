@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef FlowNumbers_h
 #define FlowNumbers_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ParaView/Extractions/PictureStage.h"
 
 #include "vtkCamera.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef PieceWriter_h
 #define PieceWriter_h
 

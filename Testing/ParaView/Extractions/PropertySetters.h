@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef PropertySetters_h
 #define PropertySetters_h
 

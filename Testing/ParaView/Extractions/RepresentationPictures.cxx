@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes a folder for the test of the plugin's representation: representation.json, a list of
 // pictures (what was extracted from which data or source, how it was drawn, from where), and each
 // picture as `<name>.png`. ParaView is asked the same and must draw the same. The data are those

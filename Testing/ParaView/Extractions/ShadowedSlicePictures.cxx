@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes a folder for the test of the plugin's Shadowed Slices: shadowed_slices.json, a list of
 // pictures (which source, how it was drawn, under which lights, from where), each picture as
 // `<name>.png`, and the image on the projective light's screen. ParaView is asked the same and must

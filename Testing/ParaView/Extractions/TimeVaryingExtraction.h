@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TimeVaryingExtraction_h
 #define TimeVaryingExtraction_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TimeVaryingNumbers_h
 #define TimeVaryingNumbers_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/Checks/ReferenceProgress.h"
 
 #include "Reference/Meshes/ReferenceGrid.h"

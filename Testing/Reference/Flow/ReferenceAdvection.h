@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceAdvection_h
 #define ReferenceAdvection_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceContourSurfaces_h
 #define ReferenceContourSurfaces_h
 

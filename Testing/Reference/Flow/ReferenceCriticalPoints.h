@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceCriticalPoints_h
 #define ReferenceCriticalPoints_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceFlowGrid_h
 #define ReferenceFlowGrid_h
 

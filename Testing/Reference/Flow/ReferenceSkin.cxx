@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/Flow/ReferenceSkin.h"
 
 #include "vtkCell.h"

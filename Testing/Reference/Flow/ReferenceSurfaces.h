@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceSurfaces_h
 #define ReferenceSurfaces_h
 

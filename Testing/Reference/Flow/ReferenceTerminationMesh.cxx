@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/Flow/ReferenceTerminationMesh.h"
 
 #include "Reference/Checks/ReferenceRandom.h"

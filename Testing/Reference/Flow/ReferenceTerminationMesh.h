@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceTerminationMesh_h
 #define ReferenceTerminationMesh_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceWalkers_h
 #define ReferenceWalkers_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceExtraction_h
 #define ReferenceExtraction_h
 

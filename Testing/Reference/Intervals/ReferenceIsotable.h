@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceIsotable_h
 #define ReferenceIsotable_h
 

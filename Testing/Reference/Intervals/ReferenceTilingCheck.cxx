@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/Intervals/ReferenceTilingCheck.h"
 
 #include "Reference/Intervals/ReferenceExtraction.h"

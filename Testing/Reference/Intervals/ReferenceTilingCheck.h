@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceTilingCheck_h
 #define ReferenceTilingCheck_h
 

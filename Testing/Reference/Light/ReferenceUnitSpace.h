@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceUnitSpace_h
 #define ReferenceUnitSpace_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceBoundary_h
 #define ReferenceBoundary_h
 

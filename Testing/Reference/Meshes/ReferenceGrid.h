@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceGrid_h
 #define ReferenceGrid_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/Meshes/ReferenceImageSource.h"
 
 #include "Reference/Checks/ReferenceExecution.h"

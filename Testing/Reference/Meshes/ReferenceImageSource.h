@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceImageSource_h
 #define ReferenceImageSource_h
 

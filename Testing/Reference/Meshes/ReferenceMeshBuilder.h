@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceMeshBuilder_h
 #define ReferenceMeshBuilder_h
 

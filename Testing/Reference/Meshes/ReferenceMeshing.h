@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceMeshing_h
 #define ReferenceMeshing_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/Meshes/ReferenceTiling.h"
 
 #include "Reference/Meshes/ReferenceMeshBuilder.h"

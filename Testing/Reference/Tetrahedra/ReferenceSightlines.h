@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceSightlines_h
 #define ReferenceSightlines_h
 

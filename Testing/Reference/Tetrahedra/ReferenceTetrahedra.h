@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceTetrahedra_h
 #define ReferenceTetrahedra_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/TimeVarying/ReferenceFilling.h"
 
 #include "Reference/Meshes/ReferenceGrid.h"

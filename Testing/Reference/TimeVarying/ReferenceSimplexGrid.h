@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceSimplexGrid_h
 #define ReferenceSimplexGrid_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceSimplices_h
 #define ReferenceSimplices_h
 

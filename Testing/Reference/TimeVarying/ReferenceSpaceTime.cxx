@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/TimeVarying/ReferenceSpaceTime.h"
 
 #include "Reference/Meshes/ReferenceSplit.h"

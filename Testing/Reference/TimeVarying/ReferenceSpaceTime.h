@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceSpaceTime_h
 #define ReferenceSpaceTime_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/TimeVarying/ReferenceTemporal.h"
 
 #include "vtkCallbackCommand.h"

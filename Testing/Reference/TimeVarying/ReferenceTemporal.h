@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceTemporal_h
 #define ReferenceTemporal_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/TimeVarying/ReferenceTemporalSource.h"
 
 #include "vtkAnalyticFieldSource.h"

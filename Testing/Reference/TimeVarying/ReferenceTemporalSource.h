@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceTemporalSource_h
 #define ReferenceTemporalSource_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceTimeSteps_h
 #define ReferenceTimeSteps_h
 

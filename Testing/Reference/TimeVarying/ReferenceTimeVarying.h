@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ReferenceTimeVarying_h
 #define ReferenceTimeVarying_h
 

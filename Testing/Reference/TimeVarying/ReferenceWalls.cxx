@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/TimeVarying/ReferenceWalls.h"
 
 #include "vtkDataSet.h"

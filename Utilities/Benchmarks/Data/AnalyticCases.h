@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef AnalyticCases_h
 #define AnalyticCases_h
 

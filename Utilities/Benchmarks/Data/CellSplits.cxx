@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Data/CellSplits.h"
 
 #include "vtkCellArray.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef KeptTimeSteps_h
 #define KeptTimeSteps_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Data/MovingFields.h"
 
 #include "Benchmarks/Measures/LevelDistance.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ExplicitFlowVolume_h
 #define ExplicitFlowVolume_h
 

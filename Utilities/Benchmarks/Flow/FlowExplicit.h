@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef FlowExplicit_h
 #define FlowExplicit_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Flow/FlowFields.h"
 
 #include "Flows/ReferenceFlowMaps.h"

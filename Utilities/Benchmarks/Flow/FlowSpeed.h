@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef FlowSpeed_h
 #define FlowSpeed_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef FlowTolerances_h
 #define FlowTolerances_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef FlowVolumeSpeed_h
 #define FlowVolumeSpeed_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Flow/FlowConservation.h"
 #include "Benchmarks/Flow/FlowExplicit.h"
 #include "Benchmarks/Flow/FlowSpeed.h"

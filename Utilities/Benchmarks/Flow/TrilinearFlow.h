@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TrilinearFlow_h
 #define TrilinearFlow_h
 

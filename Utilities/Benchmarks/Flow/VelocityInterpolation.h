@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef VelocityInterpolation_h
 #define VelocityInterpolation_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ExtractionMethods_h
 #define ExtractionMethods_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Intervals/IntervalError.h"
 
 #include "Benchmarks/Data/AnalyticCases.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IntervalMemory_h
 #define IntervalMemory_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IntervalOrientation_h
 #define IntervalOrientation_h
 

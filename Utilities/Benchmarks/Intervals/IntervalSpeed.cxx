@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Intervals/IntervalSpeed.h"
 
 #include "Benchmarks/Data/BenchData.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IntervalSpeed_h
 #define IntervalSpeed_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Intervals/TrilinearRegion.h"
 
 #include "Benchmarks/Measures/LevelDistance.h"

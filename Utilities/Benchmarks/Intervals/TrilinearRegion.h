@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TrilinearRegion_h
 #define TrilinearRegion_h
 

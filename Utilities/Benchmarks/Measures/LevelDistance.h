@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef LevelDistance_h
 #define LevelDistance_h
 

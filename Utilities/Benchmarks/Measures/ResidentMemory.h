@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ResidentMemory_h
 #define ResidentMemory_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef SurfaceDistances_h
 #define SurfaceDistances_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TetrahedronSums_h
 #define TetrahedronSums_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef PlotDrawer_h
 #define PlotDrawer_h
 

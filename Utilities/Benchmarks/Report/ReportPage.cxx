@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Report/ReportPage.h"
 
 #include "Benchmarks/Report/ReportTables.h"

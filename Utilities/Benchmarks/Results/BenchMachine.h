@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef BenchMachine_h
 #define BenchMachine_h
 

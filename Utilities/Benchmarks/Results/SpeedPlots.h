@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef SpeedPlots_h
 #define SpeedPlots_h
 

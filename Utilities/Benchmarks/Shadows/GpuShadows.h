@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef GpuShadows_h
 #define GpuShadows_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ShadowsError_h
 #define ShadowsError_h
 

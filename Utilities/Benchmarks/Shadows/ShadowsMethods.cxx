@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Shadows/ShadowsMethods.h"
 
 #include "Benchmarks/Shadows/GpuShadows.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ShadowsMethods_h
 #define ShadowsMethods_h
 

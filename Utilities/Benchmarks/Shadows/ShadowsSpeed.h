@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ShadowsSpeed_h
 #define ShadowsSpeed_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef ShadowsSurfaces_h
 #define ShadowsSurfaces_h
 

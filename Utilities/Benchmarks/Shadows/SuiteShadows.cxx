@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Shadows/ShadowsError.h"
 #include "Benchmarks/Shadows/ShadowsSpeed.h"
 #include "Benchmarks/Shadows/ShadowsSurfaces.h"

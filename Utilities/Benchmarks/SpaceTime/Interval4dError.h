@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef Interval4dError_h
 #define Interval4dError_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef Interval4dFresh_h
 #define Interval4dFresh_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef Interval4dThroughput_h
 #define Interval4dThroughput_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Suites/BenchOptions.h"
 
 int BenchOptions::GetRepeats() const

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef BenchSuite_h
 #define BenchSuite_h
 

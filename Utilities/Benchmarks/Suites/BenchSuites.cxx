@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Suites/BenchSuites.h"
 
 std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites()

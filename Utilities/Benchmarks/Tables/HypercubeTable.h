@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef HypercubeTable_h
 #define HypercubeTable_h
 

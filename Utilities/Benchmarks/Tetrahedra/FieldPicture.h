@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef FieldPicture_h
 #define FieldPicture_h
 

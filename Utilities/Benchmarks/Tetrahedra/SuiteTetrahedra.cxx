@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Suites/BenchSuites.h"
 #include "Benchmarks/Tetrahedra/TetrahedraError.h"
 #include "Benchmarks/Tetrahedra/TetrahedraSpeed.h"

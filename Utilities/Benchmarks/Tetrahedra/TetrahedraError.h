@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TetrahedraError_h
 #define TetrahedraError_h
 

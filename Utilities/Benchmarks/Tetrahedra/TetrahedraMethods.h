@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TetrahedraMethods_h
 #define TetrahedraMethods_h
 

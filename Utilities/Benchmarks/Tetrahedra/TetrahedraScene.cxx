@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Tetrahedra/TetrahedraScene.h"
 
 #include "Benchmarks/Data/AnalyticCases.h"

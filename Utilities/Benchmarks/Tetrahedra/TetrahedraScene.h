@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TetrahedraScene_h
 #define TetrahedraScene_h
 

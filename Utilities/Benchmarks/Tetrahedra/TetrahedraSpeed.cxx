@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Tetrahedra/TetrahedraSpeed.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TetrahedraSpeed_h
 #define TetrahedraSpeed_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From a source to a sink: a stream volume with five nested stream surfaces.
 
 #include "Gallery/Look.h"

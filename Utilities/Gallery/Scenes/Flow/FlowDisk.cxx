@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Gas that comes down on a hot spinning disk: nested stream surfaces.
 
 #include "Gallery/Look.h"

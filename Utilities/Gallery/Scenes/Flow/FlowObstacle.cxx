@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Flow that parts around a sphere, with three textured time surfaces.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Liquid oxygen that parts around a post on a plate, with textured time surfaces.
 
 #include "Gallery/Look.h"

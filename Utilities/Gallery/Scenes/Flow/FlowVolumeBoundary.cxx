@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A flow volume with one of its two boundary surfaces highlighted.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Four stream surfaces of a hurricane.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An implicit stream surface beside the stream volume that it bounds.
 
 #include "Gallery/Look.h"

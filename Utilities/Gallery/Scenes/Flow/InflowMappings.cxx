@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Two mappings on the inflow, a function and a painted image, each with its stream volume.
 
 #include "Gallery/Look.h"

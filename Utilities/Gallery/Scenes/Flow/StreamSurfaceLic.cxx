@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A stream surface with line integral convolution on it, inside a translucent volume.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Streamlines and timelines on a stream surface, and nested surfaces with textures of their own.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Streamlines by a texture that is not averaged: more lines the nearer the surface is.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Scenes/Flow/TexturedSurface.h"
 
 #include "Gallery/Props.h"

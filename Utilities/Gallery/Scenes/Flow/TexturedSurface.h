@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TexturedSurface_h
 #define TexturedSurface_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A stream volume clipped by advection time, and with stream and time surfaces inside.
 
 #include "Gallery/Look.h"

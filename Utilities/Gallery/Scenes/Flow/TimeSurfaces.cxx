@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A flow volume between two time surfaces with a grid that the flow carries.
 
 #include "Gallery/Look.h"

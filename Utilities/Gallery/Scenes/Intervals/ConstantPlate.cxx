@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A plate of constant hypercubes without and with its extent in time.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An interval volume with its inner boundary surface highlighted.
 
 #include "Gallery/Look.h"

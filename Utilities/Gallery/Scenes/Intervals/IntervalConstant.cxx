@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Four intervals of one field, each of one colour, in one mesh.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Adjacent intervals of one field, shown in turn.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Two attributes: a range of the first, a range of the second, and both at once.
 
 #include "Gallery/Look.h"

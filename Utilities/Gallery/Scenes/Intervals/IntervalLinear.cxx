@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Colour by value within one interval of a curvilinear grid, from two sides.
 
 #include "Gallery/Look.h"

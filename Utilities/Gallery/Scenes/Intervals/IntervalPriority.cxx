@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Intervals painted by priority, and by its reverse.
 
 #include "Gallery/Look.h"

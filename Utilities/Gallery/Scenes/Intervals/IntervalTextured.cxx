@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The boundary of an interval volume as a textured stream surface.
 
 #include "Gallery/Look.h"

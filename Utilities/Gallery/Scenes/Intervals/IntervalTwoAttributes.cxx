@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Extracted by one array, coloured by another.
 
 #include "Gallery/Look.h"

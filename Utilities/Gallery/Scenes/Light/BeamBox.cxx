@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A beam of light through a translucent box.
 
 #include "Gallery/Panel.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Three beams of light through a translucent cube.
 
 #include "Gallery/Panel.h"

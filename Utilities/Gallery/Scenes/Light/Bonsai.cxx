@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Scenes/Light/Bonsai.h"
 
 #include "Gallery/Scenes/Light/ShadowScene.h"

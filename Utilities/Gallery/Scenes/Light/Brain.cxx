@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The head and brain of a scan, without and with shadows, and both close up.
 
 #include "Gallery/Scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The shadow of a sphere on a sphere, without and with shadows.
 
 #include "Gallery/Scene.h"

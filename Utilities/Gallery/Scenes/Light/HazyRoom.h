@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef HazyRoom_h
 #define HazyRoom_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A sphere displaced by turbulence, and its shadow.
 
 #include "Gallery/Panel.h"

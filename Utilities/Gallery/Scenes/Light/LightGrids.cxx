@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Grids of parallel light, which show the form of what they fall on.
 
 #include "Gallery/Panel.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rings of light on simple shapes.
 
 #include "Gallery/Panel.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Stripes of light on a cube.
 
 #include "Gallery/Panel.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A protein, without and with shadows.
 
 #include "Gallery/Scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Seven tori, their shadows on each other and on a plate.
 
 #include "Gallery/Panel.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A robot of boxes and its shadow.
 
 #include "Gallery/Panel.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A robot in the light of one and of two lamps.
 
 #include "Gallery/Panel.h"

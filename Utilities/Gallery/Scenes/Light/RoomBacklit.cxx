@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A room with the sun in its window.
 
 #include "Gallery/Panel.h"

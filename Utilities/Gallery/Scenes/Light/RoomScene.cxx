@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A robot, rings and smoke in a room.
 
 #include "Gallery/Panel.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A slide on the wall of a hazy room.
 
 #include "Gallery/Scenes/Light/LightScreens.h"

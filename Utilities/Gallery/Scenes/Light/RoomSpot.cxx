@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A spot of light in a room with thin smoke.
 
 #include "Gallery/Scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A room with smoke, denser below, and a cube inside.
 
 #include "Gallery/Panel.h"

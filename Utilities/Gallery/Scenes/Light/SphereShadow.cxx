@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The fuzzy sphere of equation 2.7 over a plate, without and with shadows.
 
 #include "Gallery/Scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A teddy bear with fur, without and with shadows.
 
 #include "Gallery/Scene.h"

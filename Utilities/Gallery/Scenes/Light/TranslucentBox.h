@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TranslucentBox_h
 #define TranslucentBox_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Scenes/SpaceTime/DeltaWing.h"
 
 #include "Gallery/Look.h"

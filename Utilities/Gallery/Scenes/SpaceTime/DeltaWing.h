@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DeltaWing_h
 #define DeltaWing_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef TaperedCylinder_h
 #define TaperedCylinder_h
 

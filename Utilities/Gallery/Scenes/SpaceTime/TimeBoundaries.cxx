@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A time-varying interval volume with each of its four isosurfaces at the ends highlighted.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The vortices above a delta wing between two time steps, coloured by time.
 
 #include "Gallery/Scene.h"

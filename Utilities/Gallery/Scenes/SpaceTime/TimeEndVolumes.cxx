@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The interval volumes at the first and at the last time of a time-varying interval volume.
 
 #include "Gallery/Look.h"

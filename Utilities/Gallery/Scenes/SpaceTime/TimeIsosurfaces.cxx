@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Two isosurfaces over all times between two steps.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A hot front that spreads in a mug, over many time steps.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The interval volumes at two times in one view, each over the other once.
 
 #include "Gallery/Look.h"

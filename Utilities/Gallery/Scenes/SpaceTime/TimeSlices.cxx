@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Slices of 4-simplices at two time steps and midway.
 
 #include "Gallery/Look.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Vortex tubes over two and over three time steps, coloured by time.
 
 #include "Gallery/Scene.h"

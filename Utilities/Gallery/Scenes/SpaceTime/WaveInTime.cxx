@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A travelling wave between two time steps, coloured by time.
 
 #include "Gallery/Scene.h"
