@@ -6,6 +6,6 @@ function (interlume_private_parts module)
   get_target_property(folder ${module} SOURCE_DIR)
   target_include_directories(${module}Private INTERFACE "${folder}" "${PROJECT_SOURCE_DIR}/Filters")
   target_link_libraries(${module}Private INTERFACE ${module} $<TARGET_PROPERTY:${module},LINK_LIBRARIES>
-    VTK::CommonSystem "$<$<TARGET_EXISTS:VTK::glad>:VTK::glad>" "$<$<TARGET_EXISTS:VTK::glew>:VTK::glew;VTK::opengl>")
+    glm::glm VTK::CommonSystem "$<$<TARGET_EXISTS:VTK::glad>:VTK::glad>" "$<$<TARGET_EXISTS:VTK::glew>:VTK::glew;VTK::opengl>")
   set_target_properties(${module}Private PROPERTIES LINKER_LANGUAGE CXX)
 endfunction ()

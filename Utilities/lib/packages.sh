@@ -4,11 +4,11 @@
 # What the modules need besides VTK, or ParaView: the two cannot be installed together. Where a
 # package's name differs between Debian's versions, the names have | between them.
 module_packages=(
-  g++ cmake ninja-build libboost-dev libeigen3-dev 'libtet1.5-dev | libtet-dev')
+  g++ cmake ninja-build libboost-dev libeigen3-dev libglm-dev 'libtet1.5-dev | libtet-dev')
 
 build_packages=(
   "${module_packages[@]}"
-  libvtk9-dev libglm-dev libcli11-dev nlohmann-json3-dev
+  libvtk9-dev libcli11-dev nlohmann-json3-dev
   xvfb xauth libgl1-mesa-dri libglx-mesa0)
 
 # What ParaView's CMake package asks for, and a window manager for the tests of its client; its own
