@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A random sequence of changes to one scene of vtkShadowedSliceMapper - lights, buffers, data,
-// camera, window - each picture the same as that of a scene made anew.
+// opacities, camera, window - each picture the same as that of a scene made anew.
 #include "Pictures/PictureSettings.h"
 #include "Pictures/ShadowCases.h"
 #include "Pictures/ShadowPicture.h"
@@ -13,8 +13,10 @@
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkRenderWindow.h"
 #include "vtkShadowedSliceMapper.h"
+#include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -43,6 +45,20 @@ bool IsLit(const RgbaPicture& picture)
   return false;
 }
 
+/// Soft matter with steps of opacity in place of the ramp, from a haze on or from nothing.
+vtkSmartPointer<vtkVolumeProperty> MakeStepProperty(double haze)
+{
+  auto property = MakeSoftProperty(0.6, true);
+  vtkNew<vtkPiecewiseFunction> steps;
+  steps->AddPoint(0.0, 0.0);
+  steps->AddPoint(0.2, 0.0);
+  steps->AddPoint(0.2 + 1e-5, haze);
+  steps->AddPoint(0.4, haze);
+  steps->AddPoint(0.4 + 1e-5, 0.99);
+  property->SetScalarOpacity(steps);
+  return property;
+}
+
 /// What changes, with the mapper and the window that see all of it.
 class ChangingScene
 {
@@ -51,7 +67,8 @@ public:
     : Numbers(seed)
     , Images{ MakeImage(40, MakeSphere(0.15, 0.45)), MakeImage(70, TwoBoxes),
       MakeImage({ { 90, 30, 55 } }, { { 0.02, 0.03, 0.01 } }, MakeSphere(0.2, 0.5)) }
-    , Scene(MakeScene(this->Images[0], MakeSoftProperty(0.6, true)))
+    , Properties{ MakeSoftProperty(0.6, true), MakeStepProperty(0.0), MakeStepProperty(0.1) }
+    , Scene(MakeScene(this->Images[0], this->Properties[0]))
     , Stage(this->Scene.Size)
   {
     SetScene(this->Stage, this->Mapper, this->Scene);
@@ -68,6 +85,7 @@ public:
   RgbaPicture DrawChanged()
   {
     Configure(this->Mapper, this->Scene);
+    this->Stage.GetVolume()->SetProperty(this->Scene.Property);
     this->Stage.SetCamera(this->Scene.Camera);
     this->Stage.SetLights(this->Scene.Lights);
     this->Stage.GetWindow()->SetSize(this->Scene.Size.data());
@@ -118,6 +136,7 @@ private:
 
   Random Numbers;
   std::array<vtkSmartPointer<vtkImageData>, 3> Images;
+  std::array<vtkSmartPointer<vtkVolumeProperty>, 3> Properties;
   ShadowScene Scene;
   vtkNew<vtkShadowedSliceMapper> Mapper;
   VolumeStage Stage;
@@ -172,6 +191,8 @@ private:
         this->Scene.Image = this->Images[this->Pick(this->Images.size())];
         this->Look();
       } },
+    { "opacities",
+      [this] { this->Scene.Property = this->Properties[this->Pick(this->Properties.size())]; } },
     { "camera", [this] { this->Look(); } },
     { "projection",
       [this] {

@@ -102,7 +102,7 @@ void CheckLeftOut(Check& check)
   check.Equal(zero.GetNumber(), 0, "in a field that is 0");
   check.Equal(zero.Filter->GetReport().ZeroCells, 24, "cells that are 0");
   CheckPrinted(Print(const_cast<vtkFlowCriticalPoints*>(zero.Filter.GetPointer())),
-    { "NumberOfZeroCells: 24", "NumberOfDegenerateCells: 0", "NumberOfNonFiniteCells: 0" }, check);
+    { "ZeroCells: 24", "DegenerateCells: 0", "NonFiniteCells: 0" }, check);
 }
 
 vtkSmartPointer<vtkImageData> MakeRandomImage()
