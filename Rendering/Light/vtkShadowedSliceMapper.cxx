@@ -133,10 +133,10 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->Renderer->ShowLast(renderer);
   }
   this->TimeToDraw = this->RenderReport.Seconds;
-  this->Complain(image, request.Scalars, error, warnings);
+  this->ReportFaults(image, request.Scalars, error, warnings);
 }
 
-void vtkShadowedSliceMapper::Complain(vtkImageData* image, vtkDataArray* scalars,
+void vtkShadowedSliceMapper::ReportFaults(vtkImageData* image, vtkDataArray* scalars,
   const std::string& error, const std::vector<std::string>& warnings)
 {
   std::string text = error;

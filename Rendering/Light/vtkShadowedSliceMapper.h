@@ -285,7 +285,7 @@ private:
   void operator=(const vtkShadowedSliceMapper&) = delete;
 
   std::string FindScalars(vtkImageData* image, vtkDataArray*& scalars, bool& isOfCells);
-  void Complain(vtkImageData* image, vtkDataArray* scalars, const std::string& error,
+  void ReportFaults(vtkImageData* image, vtkDataArray* scalars, const std::string& error,
     const std::vector<std::string>& warnings);
 
   vtkShadowedSliceReport RenderReport;

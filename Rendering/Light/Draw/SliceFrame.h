@@ -34,7 +34,7 @@ struct SliceFrame
   /// The columns and rows of the picture.
   std::array<int, 2> Size{ { 0, 0 } };
 
-  ClipRegion Matter;
+  ClipRegion Region;
 
   bool IsShaded = false;
   /// The setting of this name of vtkShadowedSliceMapper.

@@ -34,13 +34,13 @@ SliceLightBuffer::SliceLightBuffer(int light)
 
 SliceLightBuffer::~SliceLightBuffer() = default;
 
-std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
   const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, SliceTextures& textures,
   vtkOpenGLBufferObject* vertices, bool hasLayers)
 {
   this->Size = light.BufferSize;
-  this->Bytes = vtkFloatTarget::Allocate(window, this->Texture, this->Size, this->Size,
-    picture.GetLightChannels(), picture.IsSmoothLookup);
+  this->Bytes = vtkFloatTarget::Allocate(
+    window, this->Texture, this->Size, this->Size, frame.GetLightChannels(), frame.IsSmoothLookup);
   if (this->Bytes == 0)
   {
     return "the graphics card has no memory for the buffer of a light";
@@ -66,7 +66,7 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Slice
       continue;
     }
     const vtkIdType bytes = vtkFloatTarget::Allocate(
-      window, layer, this->Size, this->Size, picture.GetLightChannels(), false);
+      window, layer, this->Size, this->Size, frame.GetLightChannels(), false);
     if (bytes == 0)
     {
       return "the graphics card has no memory for the layers of a light";
@@ -82,12 +82,12 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Slice
   this->Period = static_cast<int>(
     std::ceil(std::min(std::max(texels * light.TexelSize / sweep.Spacing, 1.0), most)));
   this->IsLayerSet = false;
-  const std::string source = SliceShader::GetLightSource(picture, light);
+  const std::string source = SliceShader::GetLightSource(frame, light);
   this->IsWide = light.IsWide;
   if (this->IsWide)
   {
-    this->Tiles.Build(sweep, light, picture.Lights[light.Light].Position, picture.Blocks,
-      picture.Space, picture.Matter.Box);
+    this->Tiles.Build(sweep, light, frame.Lights[light.Light].Position, frame.Blocks, frame.Space,
+      frame.Region.Box);
     this->TileVertices->Upload(this->Tiles.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
   }
   std::string error =
@@ -98,7 +98,7 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Slice
   }
   vtkShaderProgram* program = this->Slices.GetProgram();
   textures.Activate(program);
-  SliceShader::SetLightUniforms(program, picture, sweep, light);
+  SliceShader::SetLightUniforms(program, frame, sweep, light);
   return {};
 }
 

@@ -52,7 +52,7 @@ public:
    * Makes the buffer ready for a sweep: all light passes. \a light is the light of this buffer in
    * the sweep; \a hasLayers says that GetLayer is asked for. Returns what is wrong, or nothing.
    */
-  std::string Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+  std::string Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, SliceTextures& textures,
     vtkOpenGLBufferObject* vertices, bool hasLayers);
 

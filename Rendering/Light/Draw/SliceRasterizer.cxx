@@ -67,17 +67,17 @@ SliceRasterizer::SliceRasterizer() = default;
 
 SliceRasterizer::~SliceRasterizer() = default;
 
-std::string SliceRasterizer::GetObstacle(vtkOpenGLRenderWindow* window)
+std::string SliceRasterizer::FindFault(vtkOpenGLRenderWindow* window)
 {
   window->MakeCurrent();
   return HasOpenGL32() ? std::string() : std::string("OpenGL is older than 3.2");
 }
 
 std::string SliceRasterizer::PrepareImage(
-  vtkOpenGLRenderWindow* window, const SliceFrame& picture, vtkShadowedSliceReport& report)
+  vtkOpenGLRenderWindow* window, const SliceFrame& frame, vtkShadowedSliceReport& report)
 {
-  const int width = picture.Size[0];
-  const int height = picture.Size[1];
+  const int width = frame.Size[0];
+  const int height = frame.Size[1];
   vtkIdType bytes = vtkFloatTarget::Allocate(window, this->Image, width, height, 4, true);
   if (bytes == 0)
   {
@@ -85,7 +85,7 @@ std::string SliceRasterizer::PrepareImage(
   }
   report.ImageBuffers = 1;
   report.ImageBufferBytes = bytes;
-  if (picture.Plan.HasFurtherPictures())
+  if (frame.Plan.HasFurtherPictures())
   {
     bytes = vtkFloatTarget::Allocate(window, this->SweepImage, width, height, 4, false);
     if (bytes == 0)
@@ -133,16 +133,16 @@ SliceLightBuffer& SliceRasterizer::GetLightBuffer(int light)
 }
 
 std::string SliceRasterizer::PrepareLights(
-  vtkOpenGLRenderWindow* window, const SliceFrame& picture, std::size_t sweepIndex)
+  vtkOpenGLRenderWindow* window, const SliceFrame& frame, std::size_t sweepIndex)
 {
-  const Sweep& sweep = picture.Plan.Sweeps[sweepIndex];
-  const bool hasLayers = SliceShader::HasThickPart(picture, sweepIndex);
+  const Sweep& sweep = frame.Plan.Sweeps[sweepIndex];
+  const bool hasLayers = SliceShader::HasThickPart(frame, sweepIndex);
   for (const SlicePlan::ShadowedLight& light : sweep.Lights)
   {
     // A light of several sweeps has its buffer in each in turn.
     std::string error =
       this->GetLightBuffer(light.Light)
-        .Prepare(window, picture, sweep, light, this->Textures, this->Vertices, hasLayers);
+        .Prepare(window, frame, sweep, light, this->Textures, this->Vertices, hasLayers);
     if (!error.empty())
     {
       return error;
@@ -166,13 +166,13 @@ void SliceRasterizer::ReleaseUnusedLights(vtkWindow* window)
     this->Lights.end());
 }
 
-std::string SliceRasterizer::Draw(vtkRenderer* renderer, const SliceFrame& picture,
+std::string SliceRasterizer::Draw(vtkRenderer* renderer, const SliceFrame& frame,
   const std::function<bool()>& isAborted, vtkShadowedSliceReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   this->HasOpaqueDepth = false;
-  if (picture.MayBeOccluded)
+  if (frame.MayBeOccluded)
   {
     this->OpaqueDepth->SetContext(window);
     this->HasOpaqueDepth = vtkSceneDepth::CopyTo(renderer, this->OpaqueDepth);
@@ -181,7 +181,7 @@ std::string SliceRasterizer::Draw(vtkRenderer* renderer, const SliceFrame& pictu
   {
     this->OpaqueDepth->ReleaseGraphicsResources(window);
   }
-  report.Features = SliceShader::GetNames(picture, this->HasOpaqueDepth);
+  report.Features = SliceShader::GetNames(frame, this->HasOpaqueDepth);
   for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
   {
     buffer->SetUnused();
@@ -191,13 +191,13 @@ std::string SliceRasterizer::Draw(vtkRenderer* renderer, const SliceFrame& pictu
   state->PushFramebufferBindings();
   {
     const ScopedState scoped(state);
-    error = this->PrepareImage(window, picture, report);
-    for (std::size_t i = 0; i < picture.Plan.Sweeps.size() && error.empty(); ++i)
+    error = this->PrepareImage(window, frame, report);
+    for (std::size_t i = 0; i < frame.Plan.Sweeps.size() && error.empty(); ++i)
     {
-      error = this->DrawSweep(window, picture, i, isAborted, report);
-      if (error.empty() && picture.Plan.IsLastOfPicture(i) && !picture.Plan.IsOfFirstPicture(i))
+      error = this->DrawSweep(window, frame, i, isAborted, report);
+      if (error.empty() && frame.Plan.IsLastOfPicture(i) && !frame.Plan.IsOfFirstPicture(i))
       {
-        this->AddSweep(window, picture);
+        this->AddSweep(window, frame);
       }
     }
   }
@@ -215,7 +215,7 @@ std::string SliceRasterizer::Draw(vtkRenderer* renderer, const SliceFrame& pictu
   return error;
 }
 
-void SliceRasterizer::ActivateTextures(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+void SliceRasterizer::ActivateTextures(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
   std::size_t sweepIndex, vtkShaderProgram* program, vtkShadowedSliceReport& report)
 {
   window->GetShaderCache()->ReadyShaderProgram(program);
@@ -230,16 +230,16 @@ void SliceRasterizer::ActivateTextures(vtkOpenGLRenderWindow* window, const Slic
   {
     activate(this->OpaqueDepth, "opaqueDepth");
   }
-  const std::size_t shadowed = picture.Plan.Sweeps[sweepIndex].Lights.size();
+  const std::size_t shadowed = frame.Plan.Sweeps[sweepIndex].Lights.size();
   std::size_t number = 0;
-  for (int light : SliceShader::GetLightsOf(picture, sweepIndex))
+  for (int light : SliceShader::GetLightsOf(frame, sweepIndex))
   {
     const std::string suffix = "_" + std::to_string(number);
     if (number < shadowed)
     {
       activate(this->GetLightBuffer(light).GetTexture(), "buffer" + suffix);
     }
-    vtkProjectiveLight* projective = picture.Lights[light].Projective;
+    vtkProjectiveLight* projective = frame.Lights[light].Projective;
     if (projective && projective->GetImage())
     {
       activate(
@@ -259,17 +259,17 @@ void SliceRasterizer::DeactivateTextures()
   this->Active.clear();
 }
 
-void SliceRasterizer::BeginSweep(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+void SliceRasterizer::BeginSweep(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
   std::size_t sweepIndex, vtkShadowedSliceReport& report)
 {
   vtkOpenGLState* state = window->GetState();
   this->ImageFramebuffer->Bind();
   this->ImageFramebuffer->AddColorAttachment(
-    0, picture.Plan.IsOfFirstPicture(sweepIndex) ? this->Image.Get() : this->SweepImage.Get());
+    0, frame.Plan.IsOfFirstPicture(sweepIndex) ? this->Image.Get() : this->SweepImage.Get());
   this->ImageFramebuffer->ActivateDrawBuffer(0);
-  state->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+  state->vtkglViewport(0, 0, frame.Size[0], frame.Size[1]);
   SliceOcclusion::Clear(window);
-  if (picture.Plan.Sweeps[sweepIndex].IsBehind)
+  if (frame.Plan.Sweeps[sweepIndex].IsBehind)
   {
     this->MarkPicture(window);
     ++report.OcclusionPasses;
@@ -285,20 +285,20 @@ void SliceRasterizer::MarkPicture(vtkOpenGLRenderWindow* window)
     window, this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0), SliceOcclusion::OPACITY);
 }
 
-std::string SliceRasterizer::PrepareEye(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+std::string SliceRasterizer::PrepareEye(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
   std::size_t sweepIndex, vtkShadowedSliceReport& report)
 {
-  this->HasThickPart = SliceShader::HasThickPart(picture, sweepIndex);
-  this->HasThinPart = SliceShader::HasThinPart(picture, sweepIndex);
+  this->HasThickPart = SliceShader::HasThickPart(frame, sweepIndex);
+  this->HasThinPart = SliceShader::HasThinPart(frame, sweepIndex);
   const auto prepare = [&](SlicePass& pass, SliceShader::Parts part)
   {
     const std::string source =
-      SliceShader::GetEyeSource(picture, sweepIndex, this->HasOpaqueDepth, part);
+      SliceShader::GetEyeSource(frame, sweepIndex, this->HasOpaqueDepth, part);
     std::string error = pass.Prepare(window, source, this->Vertices, this->HasThickPart);
     if (error.empty())
     {
-      this->ActivateTextures(window, picture, sweepIndex, pass.GetProgram(), report);
-      SliceShader::SetEyeUniforms(pass.GetProgram(), picture, sweepIndex, this->HasOpaqueDepth);
+      this->ActivateTextures(window, frame, sweepIndex, pass.GetProgram(), report);
+      SliceShader::SetEyeUniforms(pass.GetProgram(), frame, sweepIndex, this->HasOpaqueDepth);
     }
     return error;
   };
@@ -313,33 +313,33 @@ std::string SliceRasterizer::PrepareEye(vtkOpenGLRenderWindow* window, const Sli
   return error;
 }
 
-std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
   std::size_t sweepIndex, const std::function<bool()>& isAborted, vtkShadowedSliceReport& report)
 {
-  const Sweep& sweep = picture.Plan.Sweeps[sweepIndex];
+  const Sweep& sweep = frame.Plan.Sweeps[sweepIndex];
   this->Polygons.Build(
-    sweep, picture.Blocks, picture.Space, picture.Matter.Box, 0.5 * sweep.Spacing / LEAST_COSINE);
+    sweep, frame.Blocks, frame.Space, frame.Region.Box, 0.5 * sweep.Spacing / LEAST_COSINE);
   report.Slices += sweep.Slabs;
   if (this->Polygons.GetVertices().empty())
   {
-    this->BeginSweep(window, picture, sweepIndex, report);
+    this->BeginSweep(window, frame, sweepIndex, report);
     return {};
   }
   report.TriangleBytes += static_cast<vtkIdType>(sizeof(float)) *
     static_cast<vtkIdType>(this->Polygons.GetVertices().size());
   this->Vertices->Upload(this->Polygons.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
 
-  std::string error = this->PrepareLights(window, picture, sweepIndex);
+  std::string error = this->PrepareLights(window, frame, sweepIndex);
   if (error.empty())
   {
-    error = this->PrepareEye(window, picture, sweepIndex, report);
+    error = this->PrepareEye(window, frame, sweepIndex, report);
   }
   if (!error.empty())
   {
     this->DeactivateTextures();
     return error;
   }
-  this->BeginSweep(window, picture, sweepIndex, report);
+  this->BeginSweep(window, frame, sweepIndex, report);
   const int interval =
     this->HasThickPart ? SliceOcclusion::ThickInterval : SliceOcclusion::Interval;
   int drawn = 0;
@@ -353,7 +353,7 @@ std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const Slic
     {
       continue;
     }
-    this->DrawEyeSlab(window, picture, sweep, slab);
+    this->DrawEyeSlab(window, frame, sweep, slab);
     ++report.EyePasses;
     for (const SlicePlan::ShadowedLight& light : sweep.Lights)
     {
@@ -397,11 +397,11 @@ void SliceRasterizer::KeepLayers(vtkOpenGLRenderWindow* window, const Sweep& swe
 }
 
 void SliceRasterizer::DrawEyeSlab(
-  vtkOpenGLRenderWindow* window, const SliceFrame& picture, const Sweep& sweep, int slab)
+  vtkOpenGLRenderWindow* window, const SliceFrame& frame, const Sweep& sweep, int slab)
 {
   vtkOpenGLState* state = window->GetState();
   this->ImageFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
-  state->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+  state->vtkglViewport(0, 0, frame.Size[0], frame.Size[1]);
   if (sweep.IsFrontToBack)
   {
     state->vtkglBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
@@ -415,7 +415,7 @@ void SliceRasterizer::DrawEyeSlab(
     state->vtkglEnable(GL_DEPTH_TEST);
   }
   // The rest of a slab may lie behind the near plane while its middle is before it.
-  if (picture.IsCutByNearPlane)
+  if (frame.IsCutByNearPlane)
   {
     glEnable(GL_DEPTH_CLAMP);
   }
@@ -436,7 +436,7 @@ void SliceRasterizer::DrawEyeSlab(
   {
     this->Eye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
   }
-  if (picture.IsCutByNearPlane)
+  if (frame.IsCutByNearPlane)
   {
     glDisable(GL_DEPTH_CLAMP);
   }
@@ -459,13 +459,13 @@ int SliceRasterizer::MarkOccluded(vtkOpenGLRenderWindow* window, const Sweep& sw
   return passes;
 }
 
-void SliceRasterizer::AddSweep(vtkOpenGLRenderWindow* window, const SliceFrame& picture)
+void SliceRasterizer::AddSweep(vtkOpenGLRenderWindow* window, const SliceFrame& frame)
 {
   // Every sweep has the same opacity; the colours are those of different lights.
   this->ImageFramebuffer->Bind();
   this->ImageFramebuffer->AddColorAttachment(0, this->Image);
   this->ImageFramebuffer->ActivateDrawBuffer(0);
-  window->GetState()->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+  window->GetState()->vtkglViewport(0, 0, frame.Size[0], frame.Size[1]);
   this->SumQuad.Draw(window, this->SweepImage, "SUM");
 }
 

@@ -44,7 +44,7 @@ public:
   ~SliceRasterizer();
 
   /// Returns why nothing can be drawn in this window, or nothing.
-  static std::string GetObstacle(vtkOpenGLRenderWindow* window);
+  static std::string FindFault(vtkOpenGLRenderWindow* window);
 
   SliceTextures& GetTextures() { return this->Textures; }
 
@@ -52,7 +52,7 @@ public:
    * Draws all sweeps into the picture's buffer. Returns what is wrong, or nothing. It stops between
    * slabs and returns where \a isAborted.
    */
-  std::string Draw(vtkRenderer* renderer, const SliceFrame& picture,
+  std::string Draw(vtkRenderer* renderer, const SliceFrame& frame,
     const std::function<bool()>& isAborted, vtkShadowedSliceReport& report);
 
   /// Lays the last picture over the scene. Returns false where there is none.
@@ -69,30 +69,30 @@ public:
 
 private:
   std::string PrepareImage(
-    vtkOpenGLRenderWindow* window, const SliceFrame& picture, vtkShadowedSliceReport& report);
+    vtkOpenGLRenderWindow* window, const SliceFrame& frame, vtkShadowedSliceReport& report);
   SliceLightBuffer& GetLightBuffer(int light);
   std::string PrepareLights(
-    vtkOpenGLRenderWindow* window, const SliceFrame& picture, std::size_t sweepIndex);
+    vtkOpenGLRenderWindow* window, const SliceFrame& frame, std::size_t sweepIndex);
   void ReleaseUnusedLights(vtkWindow* window);
-  std::string DrawSweep(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+  std::string DrawSweep(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
     std::size_t sweepIndex, const std::function<bool()>& isAborted, vtkShadowedSliceReport& report);
-  std::string PrepareEye(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+  std::string PrepareEye(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
     std::size_t sweepIndex, vtkShadowedSliceReport& report);
-  void ActivateTextures(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+  void ActivateTextures(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
     std::size_t sweepIndex, vtkShaderProgram* program, vtkShadowedSliceReport& report);
   void DeactivateTextures();
   /// Attaches the sweep's picture, cleared or with what is before the sweep.
-  void BeginSweep(vtkOpenGLRenderWindow* window, const SliceFrame& picture, std::size_t sweepIndex,
+  void BeginSweep(vtkOpenGLRenderWindow* window, const SliceFrame& frame, std::size_t sweepIndex,
     vtkShadowedSliceReport& report);
   /// Spares what lies behind the opaque part of the picture from now on.
   void MarkPicture(vtkOpenGLRenderWindow* window);
   /// Before a slab is drawn, or passed over as empty.
   void KeepLayers(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep, int slab);
-  void DrawEyeSlab(vtkOpenGLRenderWindow* window, const SliceFrame& picture,
+  void DrawEyeSlab(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
     const SlicePlan::Sweep& sweep, int slab);
   /// Marks what is already opaque. Returns the passes that this took.
   int MarkOccluded(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep);
-  void AddSweep(vtkOpenGLRenderWindow* window, const SliceFrame& picture);
+  void AddSweep(vtkOpenGLRenderWindow* window, const SliceFrame& frame);
 
   SliceTextures Textures;
   SlicePolygons Polygons;

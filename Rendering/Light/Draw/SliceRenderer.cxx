@@ -35,7 +35,7 @@ namespace interlume
 
 struct SliceRenderer::WindowResources
 {
-  SliceRasterizer Painter;
+  SliceRasterizer Rasterizer;
   int SamplesVersion = 0;
   int MaterialVersion = 0;
 };
@@ -45,22 +45,22 @@ namespace
 using Matrix = std::array<double, 16>;
 
 // Finds the near plane: clip coordinates have z + w >= 0 behind it.
-void FindNearPlane(SliceFrame& picture)
+void FindNearPlane(SliceFrame& frame)
 {
-  const Matrix& clip = picture.Eye.ClipFromUnit;
+  const Matrix& clip = frame.Eye.ClipFromUnit;
   double length = 0.0;
   for (int i = 0; i < 4; ++i)
   {
-    picture.NearPlane[i] = clip[8 + i] + clip[12 + i];
-    length += i < 3 ? picture.NearPlane[i] * picture.NearPlane[i] : 0.0;
+    frame.NearPlane[i] = clip[8 + i] + clip[12 + i];
+    length += i < 3 ? frame.NearPlane[i] * frame.NearPlane[i] : 0.0;
   }
   length = std::sqrt(length);
-  for (double& value : picture.NearPlane)
+  for (double& value : frame.NearPlane)
   {
     value /= length;
   }
   // The volume lies in the sphere of radius 1 around 0.
-  picture.IsCutByNearPlane = picture.NearPlane[3] < 1.0;
+  frame.IsCutByNearPlane = frame.NearPlane[3] < 1.0;
 }
 
 // Shows the prop as a whole: in passes that ask for it, for its process and for its only block.
@@ -116,10 +116,10 @@ std::string SliceRenderer::UpdateSamples(const Request& request, bool isSoftware
   {
     size[axis] = request.IsOfCells ? std::max(dimensions[axis] - 1, 1) : dimensions[axis];
   }
-  std::string error = this->Picture.Samples.Build(request.Scalars, size, isSoftware);
+  std::string error = this->Frame.Samples.Build(request.Scalars, size, isSoftware);
   if (error.empty())
   {
-    this->Picture.Blocks.Build(this->Picture.Samples);
+    this->Frame.Blocks.Build(this->Frame.Samples);
     this->Scalars = request.Scalars;
     this->SamplesTime = time;
     this->IsWidened = isSoftware;
@@ -140,10 +140,10 @@ std::string SliceRenderer::UpdateMaterial(vtkVolume* volume, const Request& requ
   }
   this->MaterialOwner = nullptr;
   std::string error =
-    this->Picture.Material.Build(property, this->Picture.Samples, request.Transmission);
+    this->Frame.Material.Build(property, this->Frame.Samples, request.Transmission);
   if (error.empty())
   {
-    this->Picture.Blocks.Classify(this->Picture.Material);
+    this->Frame.Blocks.Classify(this->Frame.Material);
     this->MaterialOwner = property;
     this->MaterialTime = time;
     this->TransmissionTime = transmissionTime;
@@ -155,17 +155,17 @@ std::string SliceRenderer::UpdateMaterial(vtkVolume* volume, const Request& requ
 void SliceRenderer::UpdateShading(vtkVolume* volume)
 {
   vtkVolumeProperty* property = volume->GetProperty();
-  SliceFrame& picture = this->Picture;
-  picture.IsShaded = property->GetShade() != 0;
-  for (int row = 0; row < picture.Material.Rows; ++row)
+  SliceFrame& frame = this->Frame;
+  frame.IsShaded = property->GetShade() != 0;
+  for (int row = 0; row < frame.Material.Rows; ++row)
   {
-    picture.Materials[row] = { { static_cast<float>(property->GetAmbient(row)),
+    frame.Materials[row] = { { static_cast<float>(property->GetAmbient(row)),
       static_cast<float>(property->GetDiffuse(row)), static_cast<float>(property->GetSpecular(row)),
       static_cast<float>(property->GetSpecularPower(row)) } };
-    picture.UnitDistances[row] = property->GetScalarOpacityUnitDistance(row);
+    frame.UnitDistances[row] = property->GetScalarOpacityUnitDistance(row);
   }
   glm::dvec3 ambient{ 0.0, 0.0, 0.0 };
-  for (const LightSource& light : picture.Lights)
+  for (const LightSource& light : frame.Lights)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -173,7 +173,7 @@ void SliceRenderer::UpdateShading(vtkVolume* volume)
     }
   }
   const bool isBlack = ambient[0] + ambient[1] + ambient[2] == 0.0;
-  picture.Ambient = isBlack ? glm::dvec3(1.0, 1.0, 1.0) : ambient;
+  frame.Ambient = isBlack ? glm::dvec3(1.0, 1.0, 1.0) : ambient;
 }
 
 double SliceRenderer::ChooseCoarseness(vtkVolume* volume, const Request& request)
@@ -200,22 +200,22 @@ std::string SliceRenderer::Upload(
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   WindowResources& resources = *this->Windows[window];
-  const SliceFrame& picture = this->Picture;
-  const vtkIdType samples = SliceTextures::GetBytes(picture.Samples);
-  const vtkIdType tables = SliceTextures::GetBytes(picture.Material);
+  const SliceFrame& frame = this->Frame;
+  const vtkIdType samples = SliceTextures::GetBytes(frame.Samples);
+  const vtkIdType tables = SliceTextures::GetBytes(frame.Material);
   report.TextureBytes = samples + tables;
   vtkIdType bytes = report.TextureBytes;
-  const vtkIdType pixels = static_cast<vtkIdType>(picture.Size[0]) * picture.Size[1];
+  const vtkIdType pixels = static_cast<vtkIdType>(frame.Size[0]) * frame.Size[1];
   bytes +=
-    pixels * static_cast<vtkIdType>(sizeof(float)) * (picture.Plan.HasFurtherPictures() ? 9 : 5);
-  for (std::size_t sweep = 0; sweep < picture.Plan.Sweeps.size(); ++sweep)
+    pixels * static_cast<vtkIdType>(sizeof(float)) * (frame.Plan.HasFurtherPictures() ? 9 : 5);
+  for (std::size_t sweep = 0; sweep < frame.Plan.Sweeps.size(); ++sweep)
   {
     // Thick matter needs two layers of each buffer.
-    const int buffers = SliceShader::HasThickPart(picture, sweep) ? 3 : 1;
-    for (const SlicePlan::ShadowedLight& light : picture.Plan.Sweeps[sweep].Lights)
+    const int buffers = SliceShader::HasThickPart(frame, sweep) ? 3 : 1;
+    for (const SlicePlan::ShadowedLight& light : frame.Plan.Sweeps[sweep].Lights)
     {
       bytes += static_cast<vtkIdType>(sizeof(float)) * light.BufferSize * light.BufferSize *
-        picture.GetLightChannels() * (light.IsWide ? 1 : buffers);
+        frame.GetLightChannels() * (light.IsWide ? 1 : buffers);
     }
   }
   if (request.MaximumTextureMemory > 0 && bytes > request.MaximumTextureMemory)
@@ -223,22 +223,22 @@ std::string SliceRenderer::Upload(
     return "textures and buffers of the picture take " + std::to_string(bytes) +
       " bytes, and MaximumTextureMemory is " + std::to_string(request.MaximumTextureMemory);
   }
-  SliceTextures& textures = resources.Painter.GetTextures();
+  SliceTextures& textures = resources.Rasterizer.GetTextures();
   std::string error;
   if (resources.SamplesVersion != this->SamplesVersion)
   {
-    error = textures.Upload(window, picture.Samples);
+    error = textures.Upload(window, frame.Samples);
     resources.SamplesVersion = error.empty() ? this->SamplesVersion : 0;
     report.UploadedBytes += samples;
   }
   if (error.empty() && resources.MaterialVersion != this->MaterialVersion)
   {
-    error = textures.Upload(window, picture.Material);
+    error = textures.Upload(window, frame.Material);
     resources.MaterialVersion = error.empty() ? this->MaterialVersion : 0;
     report.UploadedBytes += tables;
   }
   std::vector<vtkProjectiveLight*> screens;
-  for (const LightSource& light : picture.Lights)
+  for (const LightSource& light : frame.Lights)
   {
     if (light.Projective && light.Projective->GetImage())
     {
@@ -257,7 +257,7 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
   {
     return "the render window is not an OpenGL one";
   }
-  std::string error = SliceRasterizer::GetObstacle(window);
+  std::string error = SliceRasterizer::FindFault(window);
   if (error.empty())
   {
     error = this->UpdateSamples(request, vtkSoftwareOpenGL::IsUsed(window));
@@ -266,26 +266,26 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
   {
     error = this->UpdateMaterial(volume, request);
   }
-  SliceFrame& picture = this->Picture;
+  SliceFrame& frame = this->Frame;
   if (error.empty())
   {
-    error = picture.Space.Set(request.Image, request.IsOfCells, volume->GetMatrix());
+    error = frame.Space.Set(request.Image, request.IsOfCells, volume->GetMatrix());
   }
   if (error.empty())
   {
-    picture.Matter.SetWhole(picture.Space);
+    frame.Region.SetWhole(frame.Space);
     if (request.Cropping)
     {
-      picture.Matter.Crop(request.Image, request.IsOfCells, picture.Space, request.CroppingPlanes,
+      frame.Region.Crop(request.Image, request.IsOfCells, frame.Space, request.CroppingPlanes,
         request.CroppingFlags);
     }
-    error = picture.Matter.Clip(request.ClippingPlanes, picture.Space);
+    error = frame.Region.Clip(request.ClippingPlanes, frame.Space);
   }
   if (!error.empty())
   {
     return error;
   }
-  request.Image->GetSpacing(glm::value_ptr(picture.Spacing));
+  request.Image->GetSpacing(glm::value_ptr(frame.Spacing));
   const double coarseness = this->ChooseCoarseness(volume, request);
   report.ImageSampleDistance = request.ImageSampleDistance * coarseness;
   int width = 0;
@@ -295,35 +295,35 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
   const auto toPixels = [&report](int size)
   { return std::max(static_cast<int>(std::lround(size / report.ImageSampleDistance)), 1); };
-  picture.Size = { { toPixels(width), toPixels(height) } };
-  picture.Eye = UnitSpaceCamera::Get(renderer, picture.Space);
-  FindNearPlane(picture);
-  picture.Lights = LightSources::Gather(renderer, picture.Space,
+  frame.Size = { { toPixels(width), toPixels(height) } };
+  frame.Eye = UnitSpaceCamera::Get(renderer, frame.Space);
+  FindNearPlane(frame);
+  frame.Lights = LightSources::Gather(renderer, frame.Space,
     { request.Shadows && !renderer->GetSelector(), request.MaximumNumberOfShadows }, warnings);
   this->UpdateShading(volume);
-  picture.SurfaceGradient = request.SurfaceGradient;
-  picture.IsSmoothLookup = request.IsSmoothLookup;
-  picture.MayBeOccluded = vtkOpaqueProps::MayOcclude(renderer, volume);
+  frame.SurfaceGradient = request.SurfaceGradient;
+  frame.IsSmoothLookup = request.IsSmoothLookup;
+  frame.MayBeOccluded = vtkOpaqueProps::MayOcclude(renderer, volume);
 
   SlicePlan::Settings settings;
-  settings.Spacing = request.SliceSpacing / picture.Space.Radius;
+  settings.Spacing = request.SliceSpacing / frame.Space.Radius;
   settings.AutomaticFactor = AUTOMATIC_SPACING * coarseness;
   settings.BufferSize = request.LightBufferSize;
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   settings.LargestBufferSize = std::min(settings.LargestBufferSize, static_cast<int>(limit));
-  picture.Plan.Make(picture.Eye, picture.Lights, picture.Space, picture.Matter.Box, settings);
+  frame.Plan.Make(frame.Eye, frame.Lights, frame.Space, frame.Region.Box, settings);
 
-  report.Lights = picture.IsLit() ? static_cast<int>(picture.Lights.size()) : 0;
-  report.ShadowedLights = static_cast<int>(std::count_if(picture.Lights.begin(),
-    picture.Lights.end(), [](const LightSource& light) { return light.ShadowStrength > 0.0; }));
-  report.Sweeps = static_cast<int>(picture.Plan.Sweeps.size());
-  report.FrontToBackSweeps = static_cast<int>(std::count_if(picture.Plan.Sweeps.begin(),
-    picture.Plan.Sweeps.end(), [](const SlicePlan::Sweep& sweep) { return sweep.IsFrontToBack; }));
-  report.SliceSpacing = picture.Plan.Sweeps[0].Spacing * picture.Space.Radius;
-  report.Blocks = picture.Blocks.GetNumberOfBlocks();
-  report.BlocksDrawn = picture.Blocks.GetNumberVisible();
-  report.NonFiniteVoxels = picture.Samples.NonFinite;
+  report.Lights = frame.IsLit() ? static_cast<int>(frame.Lights.size()) : 0;
+  report.ShadowedLights = static_cast<int>(std::count_if(frame.Lights.begin(), frame.Lights.end(),
+    [](const LightSource& light) { return light.ShadowStrength > 0.0; }));
+  report.Sweeps = static_cast<int>(frame.Plan.Sweeps.size());
+  report.FrontToBackSweeps = static_cast<int>(std::count_if(frame.Plan.Sweeps.begin(),
+    frame.Plan.Sweeps.end(), [](const SlicePlan::Sweep& sweep) { return sweep.IsFrontToBack; }));
+  report.SliceSpacing = frame.Plan.Sweeps[0].Spacing * frame.Space.Radius;
+  report.Blocks = frame.Blocks.GetNumberOfBlocks();
+  report.BlocksDrawn = frame.Blocks.GetNumberVisible();
+  report.NonFiniteVoxels = frame.Samples.NonFinite;
   this->LastCoarseness = coarseness;
   return this->Upload(renderer, request, report);
 }
@@ -342,15 +342,15 @@ std::string SliceRenderer::Render(vtkRenderer* renderer, vtkVolume* volume, cons
   if (error.empty())
   {
     const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
-    error = resources->Painter.Draw(renderer, this->Picture, isAborted, report);
+    error = resources->Rasterizer.Draw(renderer, this->Frame, isAborted, report);
   }
   if (window && renderer->GetSelector())
   {
-    ShowSelection(renderer->GetSelector(), window, resources->Painter);
+    ShowSelection(renderer->GetSelector(), window, resources->Rasterizer);
   }
   else if (window)
   {
-    resources->Painter.Show(window);
+    resources->Rasterizer.Show(window);
   }
   if (error.empty() && request.AdjustsSampleDistances)
   {
@@ -367,7 +367,7 @@ void SliceRenderer::ShowLast(vtkRenderer* renderer)
   const auto resources = this->Windows.find(window);
   if (window && resources != this->Windows.end())
   {
-    resources->second->Painter.Show(window);
+    resources->second->Rasterizer.Show(window);
   }
 }
 
@@ -379,19 +379,19 @@ bool SliceRenderer::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkI
   {
     return false;
   }
-  const UnitSpace& space = this->Picture.Space;
-  for (const SlicePlan::Sweep& sweep : this->Picture.Plan.Sweeps)
+  const UnitSpace& space = this->Frame.Space;
+  for (const SlicePlan::Sweep& sweep : this->Frame.Plan.Sweeps)
   {
     for (const SlicePlan::ShadowedLight& shadowed : sweep.Lights)
     {
-      if (this->Picture.Lights[shadowed.Light].Light != light)
+      if (this->Frame.Lights[shadowed.Light].Light != light)
       {
         continue;
       }
       int size = 0;
       int channels = 0;
       const std::vector<float> texels =
-        resources->second->Painter.ReadLightBuffer(window, shadowed.Light, size, channels);
+        resources->second->Rasterizer.ReadLightBuffer(window, shadowed.Light, size, channels);
       if (texels.empty())
       {
         return false;
@@ -435,7 +435,7 @@ void SliceRenderer::ReleaseGraphicsResources(vtkWindow* window)
   {
     if (!window || resources.first == window)
     {
-      resources.second->Painter.ReleaseGraphicsResources(resources.first);
+      resources.second->Rasterizer.ReleaseGraphicsResources(resources.first);
     }
   }
   if (window)

@@ -85,7 +85,7 @@ private:
   double ChooseCoarseness(vtkVolume* volume, const Request& request);
   std::string Upload(vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report);
 
-  SliceFrame Picture;
+  SliceFrame Frame;
   /// The data that the samples and the material were made of.
   vtkDataArray* Scalars = nullptr;
   vtkMTimeType SamplesTime = 0;

@@ -23,7 +23,6 @@ namespace
 // The optical depth of a slab from which on it counts as thick: thinner ones show no steps.
 constexpr double LeastDepth = 0.15;
 
-using Picture = SliceFrame;
 using Sweep = SlicePlan::Sweep;
 using ShadowedLight = SlicePlan::ShadowedLight;
 
@@ -37,31 +36,31 @@ std::string Replace(std::string text, const std::string& mark, const std::string
   return text;
 }
 
-std::string GetMediumFeatures(const Picture& picture)
+std::string GetMediumFeatures(const SliceFrame& frame)
 {
-  const MaterialTable& material = picture.Material;
+  const MaterialTable& material = frame.Material;
   std::string features =
     "COLUMNS=" + std::to_string(MaterialTable::Columns) + " ROWS=" + std::to_string(material.Rows);
   features += material.Kind == MaterialTable::INDEPENDENT ? " OPACITY_OF=r"
     : material.Kind == MaterialTable::COLOR_OPACITY       ? " OPACITY_OF=g"
                                                           : " OPACITY_OF=a";
-  features += picture.Samples.Mask.empty() ? "" : " MASK";
+  features += frame.Samples.Mask.empty() ? "" : " MASK";
   features += material.GradientOpacity.empty() ? "" : " GRADIENT_OPACITY";
   features += material.Bends.empty() ? "" : " BENDS";
   features +=
     material.HasEdges() ? " EDGES EDGE_PLACES=" + std::to_string(TransferColumns::EdgePlaces) : "";
-  features += picture.Matter.HasCropping ? " CROPPING" : "";
-  if (!picture.Matter.ClippingPlanes.empty())
+  features += frame.Region.HasCropping ? " CROPPING" : "";
+  if (!frame.Region.ClippingPlanes.empty())
   {
-    features += " CLIPPING_PLANES=" + std::to_string(picture.Matter.ClippingPlanes.size());
+    features += " CLIPPING_PLANES=" + std::to_string(frame.Region.ClippingPlanes.size());
   }
   return features;
 }
 
 // Returns whether light has colours of its own inside the matter.
-bool HasTransmission(const Picture& picture)
+bool HasTransmission(const SliceFrame& frame)
 {
-  return picture.GetLightChannels() > 1 && picture.HasShadows();
+  return frame.GetLightChannels() > 1 && frame.HasShadows();
 }
 
 const ShadowedLight* FindShadow(const Sweep& sweep, int light)
@@ -155,11 +154,11 @@ int GetOpacityComponent(const MaterialTable& material, int row)
   }
 }
 
-Columns GetColorColumns(const Picture& picture)
+Columns GetColorColumns(const SliceFrame& frame)
 {
-  const VolumeSamples& samples = picture.Samples;
+  const VolumeSamples& samples = frame.Samples;
   Columns columns;
-  if (picture.Material.Kind == MaterialTable::RGB_OPACITY)
+  if (frame.Material.Kind == MaterialTable::RGB_OPACITY)
   {
     // Texels of bytes are colours as texels; all others are colours as they are.
     const bool isByte = samples.Scale[0] == 255.0 && samples.Offset[0] == 0.0;
@@ -170,36 +169,36 @@ Columns GetColorColumns(const Picture& picture)
     }
     return columns;
   }
-  for (int row = 0; row < picture.Material.Rows; ++row)
+  for (int row = 0; row < frame.Material.Rows; ++row)
   {
-    columns.Set(samples, row, picture.Material.ColorRange[row]);
+    columns.Set(samples, row, frame.Material.ColorRange[row]);
   }
   return columns;
 }
 
-void SetMediumUniforms(vtkShaderProgram* program, const Picture& picture, const Sweep& sweep)
+void SetMediumUniforms(vtkShaderProgram* program, const SliceFrame& frame, const Sweep& sweep)
 {
-  const UnitSpace& space = picture.Space;
+  const UnitSpace& space = frame.Space;
   SetMatrix(program, "textureFromUnit", space.TextureFromUnit);
   program->SetUniformf("worldLength", static_cast<float>(space.Radius));
   SetVector(program, "boxLower",
-    glm::dvec3(picture.Matter.Box[0][0], picture.Matter.Box[1][0], picture.Matter.Box[2][0]));
+    glm::dvec3(frame.Region.Box[0][0], frame.Region.Box[1][0], frame.Region.Box[2][0]));
   SetVector(program, "boxUpper",
-    glm::dvec3(picture.Matter.Box[0][1], picture.Matter.Box[1][1], picture.Matter.Box[2][1]));
+    glm::dvec3(frame.Region.Box[0][1], frame.Region.Box[1][1], frame.Region.Box[2][1]));
   SetVector(program, "sliceNormal", sweep.Normal);
   program->SetUniformf("sliceSpacing", static_cast<float>(sweep.Spacing));
 
   Columns columns;
-  for (int row = 0; row < picture.Material.Rows; ++row)
+  for (int row = 0; row < frame.Material.Rows; ++row)
   {
-    columns.Set(picture.Samples, GetOpacityComponent(picture.Material, row),
-      picture.Material.OpacityRange[row]);
+    columns.Set(
+      frame.Samples, GetOpacityComponent(frame.Material, row), frame.Material.OpacityRange[row]);
   }
   SetVector(program, "columnScale", columns.Scale);
   SetVector(program, "columnOrigin", columns.Origin);
   if (program->IsUniformUsed("colorColumnScale"))
   {
-    const Columns colors = GetColorColumns(picture);
+    const Columns colors = GetColorColumns(frame);
     SetVector(program, "colorColumnScale", colors.Scale);
     SetVector(program, "colorColumnOrigin", colors.Origin);
   }
@@ -208,39 +207,39 @@ void SetMediumUniforms(vtkShaderProgram* program, const Picture& picture, const 
     SetVector(
       program, "voxel", glm::dvec3(1.0 / space.Size[0], 1.0 / space.Size[1], 1.0 / space.Size[2]));
   }
-  if (!picture.Material.GradientOpacity.empty())
+  if (!frame.Material.GradientOpacity.empty())
   {
     std::array<double, 4> scale{};
     std::array<double, 4> distances{ { 1.0, 1.0, 1.0, 1.0 } };
-    for (int row = 0; row < picture.Material.Rows; ++row)
+    for (int row = 0; row < frame.Material.Rows; ++row)
     {
-      const int component = GetOpacityComponent(picture.Material, row);
-      scale[row] = picture.Samples.Scale[component] * (MaterialTable::Columns - 1) /
-        picture.Material.GradientRange[row];
-      distances[row] = picture.UnitDistances[row] / space.Radius;
+      const int component = GetOpacityComponent(frame.Material, row);
+      scale[row] = frame.Samples.Scale[component] * (MaterialTable::Columns - 1) /
+        frame.Material.GradientRange[row];
+      distances[row] = frame.UnitDistances[row] / space.Radius;
     }
-    const glm::dvec3& spacing = picture.Spacing;
+    const glm::dvec3& spacing = frame.Spacing;
     const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
     SetVector(program, "gradientSteps",
       glm::dvec3(0.5 * mean / spacing[0], 0.5 * mean / spacing[1], 0.5 * mean / spacing[2]));
     SetVector(program, "gradientColumnScale", scale);
     SetVector(program, "unitDistances", distances);
   }
-  if (!picture.Matter.ClippingPlanes.empty())
+  if (!frame.Region.ClippingPlanes.empty())
   {
     std::vector<float> planes;
-    for (const auto& plane : picture.Matter.ClippingPlanes)
+    for (const auto& plane : frame.Region.ClippingPlanes)
     {
       planes.insert(planes.end(), plane.begin(), plane.end());
     }
     program->SetUniform4fv(
-      "clippingPlanes", static_cast<int>(picture.Matter.ClippingPlanes.size()), planes.data());
+      "clippingPlanes", static_cast<int>(frame.Region.ClippingPlanes.size()), planes.data());
   }
-  if (picture.Matter.HasCropping)
+  if (frame.Region.HasCropping)
   {
-    SetVector(program, "croppingLower", picture.Matter.CroppingLower);
-    SetVector(program, "croppingUpper", picture.Matter.CroppingUpper);
-    program->SetUniformi("croppingFlags", picture.Matter.CroppingFlags);
+    SetVector(program, "croppingLower", frame.Region.CroppingLower);
+    SetVector(program, "croppingUpper", frame.Region.CroppingUpper);
+    program->SetUniformi("croppingFlags", frame.Region.CroppingFlags);
     SetMatrix(program, "volumeFromUnit", space.VolumeFromUnit);
   }
 }
@@ -301,20 +300,20 @@ void SetLight(vtkShaderProgram* program, const LightSource& light, const Shadowe
 }
 }
 
-std::vector<int> SliceShader::GetLightsOf(const SliceFrame& picture, std::size_t sweep)
+std::vector<int> SliceShader::GetLightsOf(const SliceFrame& frame, std::size_t sweep)
 {
   std::vector<int> lights;
-  if (!picture.IsLit())
+  if (!frame.IsLit())
   {
     return lights;
   }
-  for (const ShadowedLight& light : picture.Plan.Sweeps[sweep].Lights)
+  for (const ShadowedLight& light : frame.Plan.Sweeps[sweep].Lights)
   {
     lights.push_back(light.Light);
   }
-  for (std::size_t i = 0; picture.Plan.IsOfFirstPicture(sweep) && i < picture.Lights.size(); ++i)
+  for (std::size_t i = 0; frame.Plan.IsOfFirstPicture(sweep) && i < frame.Lights.size(); ++i)
   {
-    if (!(picture.Lights[i].ShadowStrength > 0.0))
+    if (!(frame.Lights[i].ShadowStrength > 0.0))
     {
       lights.push_back(static_cast<int>(i));
     }
@@ -322,9 +321,9 @@ std::vector<int> SliceShader::GetLightsOf(const SliceFrame& picture, std::size_t
   return lights;
 }
 
-bool SliceShader::HasThickPart(const SliceFrame& picture, std::size_t sweep)
+bool SliceShader::HasThickPart(const SliceFrame& frame, std::size_t sweep)
 {
-  const MaterialTable& material = picture.Material;
+  const MaterialTable& material = frame.Material;
   // On a ramp that is steep some slabs would see a jump and others none, which shows as stripes.
   if (!material.HasSharpOpacity())
   {
@@ -336,46 +335,46 @@ bool SliceShader::HasThickPart(const SliceFrame& picture, std::size_t sweep)
     const std::array<double, 2>& range = material.OpacityRange[row];
     extinction += material.GetLargestExtinction(row, range[0], range[1]);
   }
-  const SlicePlan::Sweep& planned = picture.Plan.Sweeps[sweep];
-  return extinction * planned.Spacing * picture.Space.Radius > LeastDepth &&
+  const SlicePlan::Sweep& planned = frame.Plan.Sweeps[sweep];
+  return extinction * planned.Spacing * frame.Space.Radius > LeastDepth &&
     std::any_of(planned.Lights.begin(), planned.Lights.end(),
       [](const ShadowedLight& light) { return !light.IsWide; });
 }
 
-bool SliceShader::HasThinPart(const SliceFrame& picture, std::size_t sweep)
+bool SliceShader::HasThinPart(const SliceFrame& frame, std::size_t sweep)
 {
-  return !HasThickPart(picture, sweep) ||
-    picture.Material.GetSmallestExtinction() * picture.Plan.Sweeps[sweep].Spacing *
-      picture.Space.Radius <=
+  return !HasThickPart(frame, sweep) ||
+    frame.Material.GetSmallestExtinction() * frame.Plan.Sweeps[sweep].Spacing *
+      frame.Space.Radius <=
     LeastDepth;
 }
 
 std::string SliceShader::GetEyeSource(
-  const SliceFrame& picture, std::size_t sweep, bool isOccluded, Parts part)
+  const SliceFrame& frame, std::size_t sweep, bool isOccluded, Parts part)
 {
-  std::string features = GetMediumFeatures(picture);
+  std::string features = GetMediumFeatures(frame);
   const std::array<const char*, 4> names{ { "", " THIN", " EMPTY", " THICK" } };
   features += names[part];
   features += part == ALL ? "" : " LEAST_DEPTH=" + std::to_string(LeastDepth);
-  features += picture.IsSmoothLookup ? "" : " NEAREST_LIGHT";
-  features += picture.Eye.IsParallel ? "" : " PERSPECTIVE";
-  features += picture.IsCutByNearPlane ? " NEAR_PLANE" : "";
+  features += frame.IsSmoothLookup ? "" : " NEAREST_LIGHT";
+  features += frame.Eye.IsParallel ? "" : " PERSPECTIVE";
+  features += frame.IsCutByNearPlane ? " NEAR_PLANE" : "";
   features += isOccluded ? " OPAQUE" : "";
-  features += picture.Material.Kind == MaterialTable::RGB_OPACITY ? " RGB" : "";
+  features += frame.Material.Kind == MaterialTable::RGB_OPACITY ? " RGB" : "";
   if (part == EMPTY)
   {
     return MakeEyeSource(features, "", "");
   }
-  features += picture.IsLit() ? " LIT" : "";
-  features += picture.IsShaded ? " SHADE" : "";
-  features += HasTransmission(picture) ? " TRANSMISSION" : "";
+  features += frame.IsLit() ? " LIT" : "";
+  features += frame.IsShaded ? " SHADE" : "";
+  features += HasTransmission(frame) ? " TRANSMISSION" : "";
   std::string lights;
   std::string calls;
   int number = 0;
-  for (int light : GetLightsOf(picture, sweep))
+  for (int light : GetLightsOf(frame, sweep))
   {
-    features += GetLightFeatures(
-      picture.Lights[light], FindShadow(picture.Plan.Sweeps[sweep], light), number);
+    features +=
+      GetLightFeatures(frame.Lights[light], FindShadow(frame.Plan.Sweeps[sweep], light), number);
     lights += Replace(InterlumeSliceLight, "INDEX", std::to_string(number));
     calls += "shine_" + std::to_string(number) + "(color);\n";
     ++number;
@@ -384,12 +383,12 @@ std::string SliceShader::GetEyeSource(
 }
 
 std::string SliceShader::GetLightSource(
-  const SliceFrame& picture, const SlicePlan::ShadowedLight& light)
+  const SliceFrame& frame, const SlicePlan::ShadowedLight& light)
 {
-  std::string features = GetMediumFeatures(picture);
-  features += HasTransmission(picture) ? " TRANSMISSION" : "";
+  std::string features = GetMediumFeatures(frame);
+  features += HasTransmission(frame) ? " TRANSMISSION" : "";
   features += light.IsWide ? " WIDE" : "";
-  features += picture.Lights[light.Light].IsPositional ? " POSITIONAL" : "";
+  features += frame.Lights[light.Light].IsPositional ? " POSITIONAL" : "";
   // Equal sources would share one program, and its uniforms.
   features += " LIGHT_NUMBER=" + std::to_string(light.Light);
   const std::string source =
@@ -397,36 +396,36 @@ std::string SliceShader::GetLightSource(
   return vtkShaderFeatures::Insert(source, features);
 }
 
-std::string SliceShader::GetNames(const SliceFrame& picture, bool isOccluded)
+std::string SliceShader::GetNames(const SliceFrame& frame, bool isOccluded)
 {
-  const MaterialTable& material = picture.Material;
+  const MaterialTable& material = frame.Material;
   std::string names = material.Kind == MaterialTable::RGB_OPACITY ? "rgb-opacity"
     : material.Kind == MaterialTable::COLOR_OPACITY               ? "color-opacity"
                                                                   : "scalar";
   names += material.Rows > 1 ? "-" + std::to_string(material.Rows) : std::string();
   const auto add = [&names](bool has, const char* name)
   { names += has ? std::string(" ") + name : std::string(); };
-  add(picture.Eye.IsParallel, "parallel");
-  add(!picture.Eye.IsParallel, "perspective");
-  add(!picture.Samples.Mask.empty(), "mask");
+  add(frame.Eye.IsParallel, "parallel");
+  add(!frame.Eye.IsParallel, "perspective");
+  add(!frame.Samples.Mask.empty(), "mask");
   add(!material.GradientOpacity.empty(), "gradient-opacity");
-  add(picture.Matter.HasCropping, "cropping");
-  add(!picture.Matter.ClippingPlanes.empty(), "clipping-planes");
-  add(picture.IsCutByNearPlane, "near-plane");
+  add(frame.Region.HasCropping, "cropping");
+  add(!frame.Region.ClippingPlanes.empty(), "clipping-planes");
+  add(frame.IsCutByNearPlane, "near-plane");
   add(isOccluded, "opaque");
-  add(picture.IsShaded, "shade");
-  add(picture.HasShadows(), "shadow");
-  add(HasTransmission(picture), "transmission");
+  add(frame.IsShaded, "shade");
+  add(frame.HasShadows(), "shadow");
+  add(HasTransmission(frame), "transmission");
   bool isWide = false;
-  for (const Sweep& sweep : picture.Plan.Sweeps)
+  for (const Sweep& sweep : frame.Plan.Sweeps)
   {
     isWide = isWide ||
       std::any_of(sweep.Lights.begin(), sweep.Lights.end(),
         [](const ShadowedLight& light) { return light.IsWide; });
   }
   add(isWide, "shadow-wide");
-  const auto has = [&picture](auto&& test)
-  { return picture.IsLit() && std::any_of(picture.Lights.begin(), picture.Lights.end(), test); };
+  const auto has = [&frame](auto&& test)
+  { return frame.IsLit() && std::any_of(frame.Lights.begin(), frame.Lights.end(), test); };
   add(has([](const LightSource& light) { return light.IsPositional; }), "positional");
   add(has([](const LightSource& light) { return light.ConeCosine > -1.0; }), "cone");
   add(has([](const LightSource& light) { return light.Projective != nullptr; }), "screen");
@@ -434,70 +433,68 @@ std::string SliceShader::GetNames(const SliceFrame& picture, bool isOccluded)
 }
 
 void SliceShader::SetEyeUniforms(
-  vtkShaderProgram* program, const SliceFrame& picture, std::size_t sweep, bool isOccluded)
+  vtkShaderProgram* program, const SliceFrame& frame, std::size_t sweep, bool isOccluded)
 {
-  SetMediumUniforms(program, picture, picture.Plan.Sweeps[sweep]);
-  SetMatrix(program, "clipFromUnit", picture.Eye.ClipFromUnit);
-  if (picture.Eye.IsParallel)
+  SetMediumUniforms(program, frame, frame.Plan.Sweeps[sweep]);
+  SetMatrix(program, "clipFromUnit", frame.Eye.ClipFromUnit);
+  if (frame.Eye.IsParallel)
   {
-    SetVector(program, "eyeDirection", picture.Eye.Direction);
+    SetVector(program, "eyeDirection", frame.Eye.Direction);
   }
   else
   {
-    SetVector(program, "eyePosition", picture.Eye.Position);
+    SetVector(program, "eyePosition", frame.Eye.Position);
   }
-  if (picture.IsCutByNearPlane)
+  if (frame.IsCutByNearPlane)
   {
-    SetVector(program, "nearPlane", picture.NearPlane);
+    SetVector(program, "nearPlane", frame.NearPlane);
   }
   if (isOccluded)
   {
-    const float size[2] = { static_cast<float>(picture.Size[0]),
-      static_cast<float>(picture.Size[1]) };
+    const float size[2] = { static_cast<float>(frame.Size[0]), static_cast<float>(frame.Size[1]) };
     program->SetUniform2f("imageSize", size);
     std::array<double, 16> inverse{};
-    vtkMatrix4x4::Invert(picture.Eye.ClipFromUnit.data(), inverse.data());
+    vtkMatrix4x4::Invert(frame.Eye.ClipFromUnit.data(), inverse.data());
     SetMatrix(program, "unitFromClip", inverse);
   }
-  if (!picture.IsLit())
+  if (!frame.IsLit())
   {
     return;
   }
   std::vector<float> materials;
-  for (int row = 0; row < picture.Material.Rows; ++row)
+  for (int row = 0; row < frame.Material.Rows; ++row)
   {
-    materials.insert(materials.end(), picture.Materials[row].begin(), picture.Materials[row].end());
+    materials.insert(materials.end(), frame.Materials[row].begin(), frame.Materials[row].end());
   }
-  if (picture.IsShaded)
+  if (frame.IsShaded)
   {
     std::array<double, 4> columns{};
-    for (int row = 0; row < picture.Material.Rows; ++row)
+    for (int row = 0; row < frame.Material.Rows; ++row)
     {
-      const std::array<double, 2>& scalars = picture.Material.ScalarRange[row];
-      const std::array<double, 2>& range = picture.Material.OpacityRange[row];
+      const std::array<double, 2>& scalars = frame.Material.ScalarRange[row];
+      const std::array<double, 2>& range = frame.Material.OpacityRange[row];
       // A change by a millionth of the range is rounding.
       columns[row] = (MaterialTable::Columns - 1) *
-        std::max(
-          picture.SurfaceGradient * ((scalars[1] - scalars[0]) / (range[1] - range[0])), 1e-6);
+        std::max(frame.SurfaceGradient * ((scalars[1] - scalars[0]) / (range[1] - range[0])), 1e-6);
     }
     SetVector(program, "surfaceColumns", columns);
   }
-  program->SetUniform4fv("materials", picture.Material.Rows, materials.data());
+  program->SetUniform4fv("materials", frame.Material.Rows, materials.data());
   const glm::dvec3 none{ 0.0, 0.0, 0.0 };
-  SetVector(program, "ambient", picture.Plan.IsOfFirstPicture(sweep) ? picture.Ambient : none);
+  SetVector(program, "ambient", frame.Plan.IsOfFirstPicture(sweep) ? frame.Ambient : none);
   int number = 0;
-  for (int light : GetLightsOf(picture, sweep))
+  for (int light : GetLightsOf(frame, sweep))
   {
-    SetLight(program, picture.Lights[light], FindShadow(picture.Plan.Sweeps[sweep], light),
+    SetLight(program, frame.Lights[light], FindShadow(frame.Plan.Sweeps[sweep], light),
       "_" + std::to_string(number++));
   }
 }
 
-void SliceShader::SetLightUniforms(vtkShaderProgram* program, const SliceFrame& picture,
+void SliceShader::SetLightUniforms(vtkShaderProgram* program, const SliceFrame& frame,
   const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light)
 {
-  SetMediumUniforms(program, picture, sweep);
-  const LightSource& source = picture.Lights[light.Light];
+  SetMediumUniforms(program, frame, sweep);
+  const LightSource& source = frame.Lights[light.Light];
   if (light.IsWide)
   {
     SetFrame(program, "frame", light.Frame);

@@ -31,35 +31,34 @@ public:
   };
   /// Returns whether thick matter is drawn by itself in a sweep: where there is some, and a light
   /// seen through a plane casts shadows in it.
-  static bool HasThickPart(const SliceFrame& picture, std::size_t sweep);
+  static bool HasThickPart(const SliceFrame& frame, std::size_t sweep);
   /// Whether there is thin matter too: where some opacity above 0 makes whole slabs thin.
-  static bool HasThinPart(const SliceFrame& picture, std::size_t sweep);
+  static bool HasThinPart(const SliceFrame& frame, std::size_t sweep);
 
   /**
    * Returns the source of the shader for the picture's fragments in a sweep. The first sweep has
    * all lights without shadows and the ambient light as well.
    */
   static std::string GetEyeSource(
-    const SliceFrame& picture, std::size_t sweep, bool isOccluded, Parts part);
+    const SliceFrame& frame, std::size_t sweep, bool isOccluded, Parts part);
   /// Returns the source of the shader for the fragments of a light's buffer, different for each
   /// light, which so keeps its uniforms from slab to slab.
-  static std::string GetLightSource(
-    const SliceFrame& picture, const SlicePlan::ShadowedLight& light);
+  static std::string GetLightSource(const SliceFrame& frame, const SlicePlan::ShadowedLight& light);
 
   /// Returns the names of the features in the sources, for the report.
-  static std::string GetNames(const SliceFrame& picture, bool isOccluded);
+  static std::string GetNames(const SliceFrame& frame, bool isOccluded);
 
   ///@{
   /// Sets the uniforms that are the same for all slabs of a sweep.
   static void SetEyeUniforms(
-    vtkShaderProgram* program, const SliceFrame& picture, std::size_t sweep, bool isOccluded);
-  static void SetLightUniforms(vtkShaderProgram* program, const SliceFrame& picture,
+    vtkShaderProgram* program, const SliceFrame& frame, std::size_t sweep, bool isOccluded);
+  static void SetLightUniforms(vtkShaderProgram* program, const SliceFrame& frame,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
   ///@}
 
   /// Returns the lights that the picture's fragments of a sweep see: indices in the picture's list,
   /// those with buffers first and in their order.
-  static std::vector<int> GetLightsOf(const SliceFrame& picture, std::size_t sweep);
+  static std::vector<int> GetLightsOf(const SliceFrame& frame, std::size_t sweep);
 };
 
 }

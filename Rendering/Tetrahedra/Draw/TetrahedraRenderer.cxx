@@ -81,7 +81,7 @@ struct TetrahedraRenderer::DrawnState
 struct TetrahedraRenderer::WindowResources
 {
   vtkImageQuad Quad;
-  OpenGLRasterizer Painter;
+  OpenGLRasterizer Rasterizer;
   int MeshVersion = 0;
   int ColorVersion = 0;
   int OrderVersion = 0;
@@ -202,7 +202,7 @@ void TetrahedraRenderer::ChooseSort(const Request& request, vtkTetrahedraReport&
     report.SortMode = request.Settings.SortMode;
     report.SortReason = "as asked for";
   }
-  else if (!this->Picture.Surface && this->HasOneColor)
+  else if (!this->Frame.Surface && this->HasOneColor)
   {
     report.SortReason = "all is of one colour";
   }
@@ -239,7 +239,7 @@ const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
     const auto kind = report.SortMode == Settings::CENTROID_SORT ? TetrahedraOrder::CENTROID
       : report.SortMode == Settings::MPVONC_SORT                 ? TetrahedraOrder::VISIBILITY
                                                                  : TetrahedraOrder::NONE;
-    order = this->Order.Compute(kind, this->Mesh, this->Picture.View);
+    order = this->Order.Compute(kind, this->Mesh, this->Frame.View);
     report.Sorted = this->Order.WasComputed();
   }
   this->OrderVersion += this->Order.WasComputed() ? 1 : 0;
@@ -284,17 +284,17 @@ std::string TetrahedraRenderer::Render(
         volume->GetAllocatedRenderTime(), this->Mesh.GetNumberOfTetrahedra())
     : 0;
   report.PixelStride = interlume::LevelOfDetail::GetPixelStride(level);
-  this->Picture.TetrahedronStride = interlume::LevelOfDetail::GetTetrahedronStride(level);
-  report.TetrahedronStride = static_cast<int>(this->Picture.TetrahedronStride);
-  error = this->Picture.View.Set(renderer, volume, this->Mesh, report.PixelStride);
+  this->Frame.TetrahedronStride = interlume::LevelOfDetail::GetTetrahedronStride(level);
+  report.TetrahedronStride = static_cast<int>(this->Frame.TetrahedronStride);
+  error = this->Frame.View.Set(renderer, volume, this->Mesh, report.PixelStride);
   if (!error.empty())
   {
     return error;
   }
   vtkVolumeProperty* property = volume->GetProperty();
-  this->Picture.ExtinctionUnit =
-    this->Picture.View.GetUnit() / property->GetScalarOpacityUnitDistance();
-  error = this->UpdateColors(request, property, this->Picture.ExtinctionUnit);
+  this->Frame.ExtinctionUnit =
+    this->Frame.View.GetUnit() / property->GetScalarOpacityUnitDistance();
+  error = this->UpdateColors(request, property, this->Frame.ExtinctionUnit);
   if (!error.empty())
   {
     return error;
@@ -304,21 +304,21 @@ std::string TetrahedraRenderer::Render(
   this->UpdateBoundary(renderer, request, report);
   this->ChooseSort(request, report);
   const std::vector<std::uint32_t>* order = this->UpdateOrder(request, report);
-  this->Clip.Append(this->Mesh, this->Fields, this->Picture.View, order);
+  this->Clip.Append(this->Mesh, this->Fields, this->Frame.View, order);
   report.TetrahedraClipped = this->Clip.GetNumberClipped();
 
-  this->Picture.Mesh = &this->Mesh;
-  this->Picture.Fields = &this->Fields;
-  this->Picture.Pieces = &this->Pieces;
-  this->Picture.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : order;
-  this->Picture.Blend = GetBlend(report.BlendMode);
-  this->Picture.IsExact = request.Settings.IntegrationMode == Settings::LINEAR_SEGMENT;
+  this->Frame.Mesh = &this->Mesh;
+  this->Frame.Fields = &this->Fields;
+  this->Frame.Pieces = &this->Pieces;
+  this->Frame.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : order;
+  this->Frame.Blend = GetBlend(report.BlendMode);
+  this->Frame.IsExact = request.Settings.IntegrationMode == Settings::LINEAR_SEGMENT;
   std::unique_ptr<WindowResources>& resources = this->Windows[window];
   if (!resources)
   {
     resources = std::make_unique<WindowResources>();
   }
-  this->Picture.PixelStride = report.PixelStride;
+  this->Frame.PixelStride = report.PixelStride;
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     this->Select(renderer, selector, *resources);
@@ -327,7 +327,7 @@ std::string TetrahedraRenderer::Render(
   }
   if (report.RenderPath == Settings::OPENGL_PATH)
   {
-    std::string obstacle = resources->Painter.GetObstacle(window, this->Picture);
+    std::string obstacle = resources->Rasterizer.FindFault(window, this->Frame);
     if (obstacle.empty())
     {
       obstacle = this->DrawWithOpenGL(renderer, volume, *resources, report);
@@ -361,23 +361,23 @@ std::string TetrahedraRenderer::DrawWithOpenGL(
   const bool isClipped = this->Clip.IsActive();
   const bool isSameCut = isClipped == resources.WasClipped &&
     (!isClipped ||
-      (resources.ClipView == this->Picture.View && resources.OrderVersion == this->OrderVersion &&
+      (resources.ClipView == this->Frame.View && resources.OrderVersion == this->OrderVersion &&
         resources.BoundaryVersion == this->BoundaryVersion));
   OpenGLRasterizer::Changes changes;
   changes.Mesh = !isSameCut || resources.MeshVersion != this->MeshVersion;
   changes.Colors = !isSameCut || resources.ColorVersion != this->ColorVersion;
   changes.Order = !isSameCut || resources.OrderVersion != this->OrderVersion;
   changes.Surface = !isSameCut || resources.BoundaryVersion != this->BoundaryVersion;
-  std::string error = resources.Painter.Draw(renderer, this->Picture, changes,
+  std::string error = resources.Rasterizer.Draw(renderer, this->Frame, changes,
     vtkOpaqueProps::MayOcclude(renderer, volume) || this->IsCutByFarPlane(), report);
   resources.MeshVersion = this->MeshVersion;
   resources.ColorVersion = this->ColorVersion;
   resources.OrderVersion = this->OrderVersion;
   resources.BoundaryVersion = this->BoundaryVersion;
   resources.WasClipped = isClipped;
-  resources.ClipView = this->Picture.View;
+  resources.ClipView = this->Frame.View;
   report.TetrahedraDrawn = static_cast<vtkIdType>(
-    this->Picture.Order ? this->Picture.Order->size() : this->Mesh.GetNumberOfTetrahedra());
+    this->Frame.Order ? this->Frame.Order->size() : this->Mesh.GetNumberOfTetrahedra());
   return error;
 }
 
@@ -387,26 +387,26 @@ void TetrahedraRenderer::DrawInSoftware(
   this->ReadDepth(renderer);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   report.Features = this->GetFeatures();
-  const DrawnState state = { this->Picture.View, this->MeshVersion, this->ColorVersion,
-    this->OrderVersion, this->SurfaceVersion, this->Picture.Blend, this->Picture.IsExact,
-    this->Picture.PixelStride, this->Picture.TetrahedronStride, this->Depth.GetDepths() };
+  const DrawnState state = { this->Frame.View, this->MeshVersion, this->ColorVersion,
+    this->OrderVersion, this->SurfaceVersion, this->Frame.Blend, this->Frame.IsExact,
+    this->Frame.PixelStride, this->Frame.TetrahedronStride, this->Depth.GetDepths() };
   // A still view of a still scene keeps its picture.
   if (!(resources.Drawn == state))
   {
     const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
-    if (!this->Rasterizer.Draw(this->Picture, isAborted))
+    if (!this->Rasterizer.Draw(this->Frame, isAborted))
     {
       return;
     }
-    report.UploadedImageBytes = resources.Quad.Upload(window, this->Picture.View.GetWidth(),
-      this->Picture.View.GetHeight(), this->Rasterizer.GetColors());
+    report.UploadedImageBytes = resources.Quad.Upload(window, this->Frame.View.GetWidth(),
+      this->Frame.View.GetHeight(), this->Rasterizer.GetColors());
     resources.Drawn = state;
     resources.NumberDrawn = this->Rasterizer.GetNumberDrawn();
   }
   report.TetrahedraDrawn = resources.NumberDrawn;
   report.Buffers = 1;
   report.BufferBytes =
-    16 * static_cast<vtkIdType>(this->Picture.View.GetWidth()) * this->Picture.View.GetHeight();
+    16 * static_cast<vtkIdType>(this->Frame.View.GetWidth()) * this->Frame.View.GetHeight();
   resources.Quad.Draw(window);
 }
 
@@ -426,10 +426,10 @@ void TetrahedraRenderer::DrawSelection(
   vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
 {
   // Ids are drawn once for each pass; neither order nor colour matters, so both paths draw them so.
-  this->Picture.Blend = TetrahedraFrame::SELECTION;
-  this->Picture.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : nullptr;
+  this->Frame.Blend = TetrahedraFrame::SELECTION;
+  this->Frame.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : nullptr;
   this->ReadDepth(renderer);
-  this->Rasterizer.Draw(this->Picture, []() { return false; });
+  this->Rasterizer.Draw(this->Frame, []() { return false; });
   std::vector<vtkIdType> cells;
   cells.reserve(this->Rasterizer.GetTetrahedra().size());
   for (std::uint32_t tetrahedron : this->Rasterizer.GetTetrahedra())
@@ -440,7 +440,7 @@ void TetrahedraRenderer::DrawSelection(
     cells.push_back(tetrahedron ? cell + 1 : 0);
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const TetrahedraView& view = this->Picture.View;
+  const TetrahedraView& view = this->Frame.View;
   resources.Quad.Upload(window, view.GetWidth(), view.GetHeight(),
     TetrahedraSelection::MakeImage(selector, view, cells, this->Rasterizer.GetDepths()), false);
   resources.Quad.Draw(window, "SELECTION");
@@ -450,7 +450,7 @@ void TetrahedraRenderer::DrawSelection(
 void TetrahedraRenderer::UpdateBoundary(
   vtkRenderer* renderer, const Request& request, vtkTetrahedraReport& report)
 {
-  this->Picture.Surface = nullptr;
+  this->Frame.Surface = nullptr;
   if (!request.Boundary)
   {
     if (this->Boundary)
@@ -479,24 +479,23 @@ void TetrahedraRenderer::UpdateBoundary(
   if (this->BoundaryCounts.Triangles > 0)
   {
     const BoundaryShading before = this->Shading;
-    this->Shading.Set(renderer, this->Picture.View, request.Settings.BoundaryProperty,
+    this->Shading.Set(renderer, this->Frame.View, request.Settings.BoundaryProperty,
       request.Settings.BoundaryTexture);
     this->SurfaceVersion += before == this->Shading ? 0 : 1;
     this->BoundaryVersion += before.HasSameImage(this->Shading) ? 0 : 1;
-    this->Picture.Surface = &this->Shading;
+    this->Frame.Surface = &this->Shading;
   }
 }
 
 void TetrahedraRenderer::ReadDepth(vtkRenderer* renderer)
 {
-  this->Depth.Read(
-    renderer, this->Picture.View, this->Picture.PixelStride, this->IsCutByFarPlane());
-  this->Picture.Opaque = this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
+  this->Depth.Read(renderer, this->Frame.View, this->Frame.PixelStride, this->IsCutByFarPlane());
+  this->Frame.Opaque = this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
 }
 
 bool TetrahedraRenderer::IsCutByFarPlane() const
 {
-  const TetrahedraView& view = this->Picture.View;
+  const TetrahedraView& view = this->Frame.View;
   if (view.GetReach()[1] <= view.GetFar())
   {
     return false;
@@ -534,15 +533,15 @@ vtkIdType TetrahedraRenderer::GetMemoryBytes() const
 
 std::string TetrahedraRenderer::GetFeatures() const
 {
-  const TetrahedraFrame& picture = this->Picture;
+  const TetrahedraFrame& frame = this->Frame;
   std::string features = this->Fields.Kind == TetrahedraFields::SCALARS ? "scalars"
     : this->Fields.Kind == TetrahedraFields::POINT_COLORS               ? "point-colors"
                                                                         : "cell-colors";
-  features += picture.View.IsParallel() ? " parallel" : " perspective";
+  features += frame.View.IsParallel() ? " parallel" : " perspective";
   features += this->Fields.DeltaT.empty() ? "" : " delta-t";
-  features += picture.Opaque ? " opaque" : "";
-  features += picture.Surface ? " surface" : "";
-  return features + (picture.IsExact ? " exact" : " average");
+  features += frame.Opaque ? " opaque" : "";
+  features += frame.Surface ? " surface" : "";
+  return features + (frame.IsExact ? " exact" : " average");
 }
 
 void TetrahedraRenderer::ReleaseGraphicsResources(vtkWindow* window)
@@ -552,7 +551,7 @@ void TetrahedraRenderer::ReleaseGraphicsResources(vtkWindow* window)
     if (!window || resources.first == window)
     {
       resources.second->Quad.ReleaseGraphicsResources(resources.first);
-      resources.second->Painter.ReleaseGraphicsResources(resources.first);
+      resources.second->Rasterizer.ReleaseGraphicsResources(resources.first);
     }
   }
   if (window)

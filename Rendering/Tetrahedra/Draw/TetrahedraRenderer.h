@@ -131,7 +131,7 @@ private:
   TetrahedraOrder Order;
   NearClip Clip;
   TetrahedraDepth Depth;
-  TetrahedraFrame Picture;
+  TetrahedraFrame Frame;
   SoftwareRasterizer Rasterizer;
   interlume::LevelOfDetail LevelOfDetail;
   /// The path and the size of the viewport that the times of Level were measured with.

@@ -28,7 +28,6 @@ namespace interlume
 
 namespace
 {
-using Picture = TetrahedraFrame;
 
 // Computes six times the volume of every tetrahedron, in mesh coordinates, before those are
 // rounded.
@@ -58,9 +57,9 @@ std::vector<float> MakePoints(const TetrahedraMesh& mesh, const TetrahedraFields
   return values;
 }
 
-bool IsDepthSum(const Picture& picture)
+bool IsDepthSum(const TetrahedraFrame& frame)
 {
-  return picture.Blend == Picture::OPTICAL_DEPTH || picture.Blend == Picture::PRIORITY;
+  return frame.Blend == TetrahedraFrame::OPTICAL_DEPTH || frame.Blend == TetrahedraFrame::PRIORITY;
 }
 }
 
@@ -68,8 +67,8 @@ OpenGLRasterizer::OpenGLRasterizer() = default;
 
 OpenGLRasterizer::~OpenGLRasterizer() = default;
 
-std::string OpenGLRasterizer::GetObstacle(
-  vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture) const
+std::string OpenGLRasterizer::FindFault(
+  vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame) const
 {
   window->MakeCurrent();
   if (!HasOpenGL32())
@@ -79,7 +78,7 @@ std::string OpenGLRasterizer::GetObstacle(
   GLint texels = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
   const std::size_t most =
-    std::max<std::size_t>(picture.Mesh->GetNumberOfTetrahedra(), picture.Mesh->Points.size() / 3);
+    std::max<std::size_t>(frame.Mesh->GetNumberOfTetrahedra(), frame.Mesh->Points.size() / 3);
   if (most > static_cast<std::size_t>(texels))
   {
     return "texture buffers hold " + std::to_string(texels) + " values, and " +
@@ -88,37 +87,37 @@ std::string OpenGLRasterizer::GetObstacle(
   return {};
 }
 
-std::string OpenGLRasterizer::GetFeatures(const TetrahedraFrame& picture, bool hasOpaque) const
+std::string OpenGLRasterizer::GetFeatures(const TetrahedraFrame& frame, bool hasOpaque) const
 {
-  const TetrahedraFields& fields = *picture.Fields;
+  const TetrahedraFields& fields = *frame.Fields;
   std::string features = fields.Kind == TetrahedraFields::SCALARS ? "SCALARS"
     : fields.Kind == TetrahedraFields::POINT_COLORS               ? "POINT_COLORS"
                                                                   : "CELL_COLORS";
-  features += picture.View.IsParallel() ? "" : " PERSPECTIVE";
+  features += frame.View.IsParallel() ? "" : " PERSPECTIVE";
   features += fields.DeltaT.empty() ? "" : " DELTA_T";
   features += hasOpaque ? " OPAQUE" : "";
-  features += picture.IsExact ? " EXACT" : "";
-  if (picture.Surface)
+  features += frame.IsExact ? " EXACT" : "";
+  if (frame.Surface)
   {
-    features += picture.Surface->GetImage().empty() ? " SURFACE" : " SURFACE SURFACE_TEXTURE";
+    features += frame.Surface->GetImage().empty() ? " SURFACE" : " SURFACE SURFACE_TEXTURE";
   }
-  features += picture.TetrahedronStride > 1 ? " TETRAHEDRON_STRIDE" : "";
-  if (picture.Blend == Picture::MAXIMUM)
+  features += frame.TetrahedronStride > 1 ? " TETRAHEDRON_STRIDE" : "";
+  if (frame.Blend == TetrahedraFrame::MAXIMUM)
   {
     features += " MAXIMUM";
   }
   else
   {
-    features += IsDepthSum(picture) ? "" : " OPACITY";
+    features += IsDepthSum(frame) ? "" : " OPACITY";
   }
   return features;
 }
 
-void OpenGLRasterizer::Upload(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture,
+void OpenGLRasterizer::Upload(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
   const Changes& changes, vtkTetrahedraReport& report)
 {
-  const TetrahedraMesh& mesh = *picture.Mesh;
-  const TetrahedraFields& fields = *picture.Fields;
+  const TetrahedraMesh& mesh = *frame.Mesh;
+  const TetrahedraFields& fields = *frame.Fields;
   vtkIdType bytes = 0;
   const auto upload = [&](TextureBuffer& buffer, TextureBuffer::Formats format, const auto& values)
   { bytes += buffer.Upload(window, format, values.data(), values.size() * sizeof(values[0])); };
@@ -140,18 +139,18 @@ void OpenGLRasterizer::Upload(vtkOpenGLRenderWindow* window, const TetrahedraFra
     }
     else
     {
-      upload(this->Pieces, TextureBuffer::FLOAT4, picture.Pieces->GetPieces());
-      upload(this->Starts, TextureBuffer::FLOAT, picture.Pieces->GetStarts());
-      upload(this->Buckets, TextureBuffer::INT, picture.Pieces->GetBuckets());
+      upload(this->Pieces, TextureBuffer::FLOAT4, frame.Pieces->GetPieces());
+      upload(this->Starts, TextureBuffer::FLOAT, frame.Pieces->GetStarts());
+      upload(this->Buckets, TextureBuffer::INT, frame.Pieces->GetBuckets());
     }
   }
   report.UploadedStaticBytes = bytes;
 }
 
 void OpenGLRasterizer::UploadSurface(
-  vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture, vtkTetrahedraReport& report)
+  vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, vtkTetrahedraReport& report)
 {
-  const TetrahedraFields& fields = *picture.Fields;
+  const TetrahedraFields& fields = *frame.Fields;
   const std::vector<std::int32_t> faces(fields.Faces.begin(), fields.Faces.end());
   std::vector<float> points;
   points.reserve(8 * fields.Normals.size());
@@ -168,7 +167,7 @@ void OpenGLRasterizer::UploadSurface(
     window, TextureBuffer::INT, faces.data(), faces.size() * sizeof(std::int32_t));
   report.UploadedStaticBytes += this->SurfacePoints.Upload(
     window, TextureBuffer::FLOAT4, points.data(), points.size() * sizeof(float));
-  const BoundaryShading& shading = *picture.Surface;
+  const BoundaryShading& shading = *frame.Surface;
   if (!shading.GetImage().empty())
   {
     vtkTextureObject* texture = this->SurfaceTexture;
@@ -186,9 +185,9 @@ void OpenGLRasterizer::UploadSurface(
   }
 }
 
-void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& picture)
+void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame)
 {
-  const BoundaryShading& shading = *picture.Surface;
+  const BoundaryShading& shading = *frame.Surface;
   float places[BoundaryShading::MAXIMUM_LIGHTS][4] = {};
   float colors[BoundaryShading::MAXIMUM_LIGHTS][3] = {};
   const auto lights = static_cast<int>(shading.GetLights().size());
@@ -212,7 +211,7 @@ void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const Tetra
   }
 }
 
-void OpenGLRasterizer::UploadOrder(const TetrahedraFrame& picture, vtkTetrahedraReport& report)
+void OpenGLRasterizer::UploadOrder(const TetrahedraFrame& frame, vtkTetrahedraReport& report)
 {
   if (!this->Order)
   {
@@ -220,7 +219,7 @@ void OpenGLRasterizer::UploadOrder(const TetrahedraFrame& picture, vtkTetrahedra
   }
   // The order is from back to front, as blending goes; layers too are drawn from the lowest
   // priority up.
-  const std::vector<std::uint32_t> order(picture.Order->rbegin(), picture.Order->rend());
+  const std::vector<std::uint32_t> order(frame.Order->rbegin(), frame.Order->rend());
   const std::size_t bytes = order.size() * sizeof(std::uint32_t);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Order);
   glBufferData(
@@ -247,9 +246,9 @@ bool OpenGLRasterizer::PrepareTarget(
 }
 
 void OpenGLRasterizer::SetUniforms(
-  vtkShaderProgram* program, const TetrahedraFrame& picture, bool hasOpaque)
+  vtkShaderProgram* program, const TetrahedraFrame& frame, bool hasOpaque)
 {
-  const TetrahedraView& view = picture.View;
+  const TetrahedraView& view = frame.View;
   const std::array<double, 12>& matrix = view.GetEyeFromMesh();
   float rows[3][4];
   for (int i = 0; i < 12; ++i)
@@ -267,7 +266,7 @@ void OpenGLRasterizer::SetUniforms(
     matrix[1] * (matrix[4] * matrix[10] - matrix[6] * matrix[8]) +
     matrix[2] * (matrix[4] * matrix[9] - matrix[5] * matrix[8]);
   program->SetUniformf("volumeScale", static_cast<float>(-determinant * pixels[0] * pixels[3]));
-  const auto stride = static_cast<float>(picture.TetrahedronStride);
+  const auto stride = static_cast<float>(frame.TetrahedronStride);
   if (view.IsParallel())
   {
     program->SetUniformf("lengthScale", stride * static_cast<float>(view.GetSlant(0.0, 0.0)));
@@ -280,9 +279,9 @@ void OpenGLRasterizer::SetUniforms(
       static_cast<float>(1.0 / pixels[3]), static_cast<float>(first[1]) };
     program->SetUniform4f("directionOfPixel", direction);
   }
-  if (picture.TetrahedronStride > 1)
+  if (frame.TetrahedronStride > 1)
   {
-    program->SetUniformi("tetrahedronStride", static_cast<int>(picture.TetrahedronStride));
+    program->SetUniformi("tetrahedronStride", static_cast<int>(frame.TetrahedronStride));
   }
   if (hasOpaque)
   {
@@ -290,25 +289,25 @@ void OpenGLRasterizer::SetUniforms(
     const float values[2] = { static_cast<float>(depth[0]), static_cast<float>(depth[1]) };
     program->SetUniform2f("depthOfBuffer", values);
     program->SetUniformi("opaqueDepth", this->Depth->GetTextureUnit());
-    program->SetUniformi("pixelStride", picture.PixelStride);
+    program->SetUniformi("pixelStride", frame.PixelStride);
   }
-  if (picture.Blend == Picture::MAXIMUM && picture.Fields->Kind != TetrahedraFields::SCALARS)
+  if (frame.Blend == TetrahedraFrame::MAXIMUM && frame.Fields->Kind != TetrahedraFields::SCALARS)
   {
-    program->SetUniformf("opacityOfExtinction", static_cast<float>(1.0 / picture.ExtinctionUnit));
+    program->SetUniformf("opacityOfExtinction", static_cast<float>(1.0 / frame.ExtinctionUnit));
   }
 }
 
-void OpenGLRasterizer::DrawRange(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture,
+void OpenGLRasterizer::DrawRange(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
   std::size_t first, std::size_t number)
 {
   vtkOpenGLState* state = window->GetState();
-  const bool isOver = picture.Blend == Picture::COMPOSITE;
-  state->vtkglClearColor(picture.Blend == Picture::MAXIMUM ? -1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
+  const bool isOver = frame.Blend == TetrahedraFrame::COMPOSITE;
+  state->vtkglClearColor(frame.Blend == TetrahedraFrame::MAXIMUM ? -1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
   state->vtkglBlendFunc(GL_ONE, isOver ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
-  state->vtkglBlendEquation(picture.Blend == Picture::MAXIMUM ? GL_MAX : GL_FUNC_ADD);
+  state->vtkglBlendEquation(frame.Blend == TetrahedraFrame::MAXIMUM ? GL_MAX : GL_FUNC_ADD);
   this->Vertices->Bind();
-  if (picture.Order)
+  if (frame.Order)
   {
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Order);
     const std::uint32_t* begin = nullptr;
@@ -323,11 +322,11 @@ void OpenGLRasterizer::DrawRange(vtkOpenGLRenderWindow* window, const Tetrahedra
   state->vtkglBlendEquation(GL_FUNC_ADD);
 }
 
-void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture,
+void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
   vtkTextureObject* texture, bool isResolved)
 {
   const bool isLargestScalar =
-    picture.Blend == Picture::MAXIMUM && picture.Fields->Kind == TetrahedraFields::SCALARS;
+    frame.Blend == TetrahedraFrame::MAXIMUM && frame.Fields->Kind == TetrahedraFields::SCALARS;
   if (!isResolved && isLargestScalar)
   {
     this->ResolveQuad.DrawWith(window, texture,
@@ -337,45 +336,44 @@ void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFr
         this->Pieces.Activate(program, "pieces");
         this->Starts.Activate(program, "starts");
         this->Buckets.Activate(program, "buckets");
-        program->SetUniformf(
-          "opacityOfExtinction", static_cast<float>(1.0 / picture.ExtinctionUnit));
+        program->SetUniformf("opacityOfExtinction", static_cast<float>(1.0 / frame.ExtinctionUnit));
       });
     this->Pieces.Deactivate();
     this->Starts.Deactivate();
     this->Buckets.Deactivate();
     return;
   }
-  if (!isResolved && IsDepthSum(picture))
+  if (!isResolved && IsDepthSum(frame))
   {
     this->ResolveQuad.DrawWith(
       window, texture, vtkShaderFeatures::Insert(InterlumeResolveFS, "OPTICAL_DEPTH"));
     return;
   }
-  this->Quad.Draw(window, texture, picture.Blend == Picture::ADDITIVE ? "SATURATE" : "");
+  this->Quad.Draw(window, texture, frame.Blend == TetrahedraFrame::ADDITIVE ? "SATURATE" : "");
 }
 
-std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame& picture,
+std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame& frame,
   const Changes& changes, bool hasOpaque, vtkTetrahedraReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
-  const TetrahedraFields& fields = *picture.Fields;
-  this->Upload(window, picture, changes, report);
-  if (picture.Surface && (changes.Surface || changes.Mesh || !this->Faces.IsAllocated()))
+  const TetrahedraFields& fields = *frame.Fields;
+  this->Upload(window, frame, changes, report);
+  if (frame.Surface && (changes.Surface || changes.Mesh || !this->Faces.IsAllocated()))
   {
     this->SurfaceTexture->SetContext(window);
-    this->UploadSurface(window, picture, report);
+    this->UploadSurface(window, frame, report);
   }
-  if (picture.Order && (changes.Order || !this->Order))
+  if (frame.Order && (changes.Order || !this->Order))
   {
-    this->UploadOrder(picture, report);
+    this->UploadOrder(frame, report);
   }
   if (hasOpaque)
   {
     this->Depth->SetContext(window);
     hasOpaque = vtkSceneDepth::CopyTo(renderer, this->Depth);
   }
-  const std::string features = this->GetFeatures(picture, hasOpaque);
+  const std::string features = this->GetFeatures(frame, hasOpaque);
   report.Features = features;
 
   // The scene's framebuffer and state come back at the end of this block.
@@ -389,9 +387,9 @@ std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame&
     vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
     vtkOpenGLState::ScopedglViewport viewport(state);
     vtkOpenGLState::ScopedglClearColor clearColor(state);
-    const int width = picture.View.GetWidth();
-    const int height = picture.View.GetHeight();
-    const bool hasLayers = picture.Blend == Picture::PRIORITY;
+    const int width = frame.View.GetWidth();
+    const int height = frame.View.GetHeight();
+    const bool hasLayers = frame.Blend == TetrahedraFrame::PRIORITY;
     if (!this->PrepareTarget(window, width, height, hasLayers))
     {
       state->PopFramebufferBindings();
@@ -403,8 +401,7 @@ std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame&
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglEnable(GL_BLEND);
     state->vtkglDepthMask(GL_FALSE);
-    const std::size_t number =
-      picture.Order ? this->OrderSize : picture.Mesh->GetNumberOfTetrahedra();
+    const std::size_t number = frame.Order ? this->OrderSize : frame.Mesh->GetNumberOfTetrahedra();
     if (hasLayers)
     {
       this->Framebuffer->AddColorAttachment(0, this->Layers);
@@ -419,7 +416,7 @@ std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame&
       {
         // The order was turned round for blending.
         const auto layer = [&](std::size_t i)
-        { return fields.Layers[(*picture.Order)[number - 1 - i]]; };
+        { return fields.Layers[(*frame.Order)[number - 1 - i]]; };
         last = first + 1;
         while (last < number && layer(last) == layer(first))
         {
@@ -452,14 +449,14 @@ std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame&
       {
         activate(this->Colors, "colors");
       }
-      else if (picture.Blend != Picture::MAXIMUM)
+      else if (frame.Blend != TetrahedraFrame::MAXIMUM)
       {
         activate(this->Pieces, "pieces");
         activate(this->Starts, "starts");
         activate(this->Buckets, "buckets");
       }
-      const bool hasTexture = picture.Surface && !picture.Surface->GetImage().empty();
-      if (picture.Surface)
+      const bool hasTexture = frame.Surface && !frame.Surface->GetImage().empty();
+      if (frame.Surface)
       {
         activate(this->Faces, "faces");
         activate(this->SurfacePoints, "surfacePoints");
@@ -467,14 +464,14 @@ std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame&
         {
           this->SurfaceTexture->Activate();
         }
-        this->SetSurfaceUniforms(program, picture);
+        this->SetSurfaceUniforms(program, frame);
       }
       if (hasOpaque)
       {
         this->Depth->Activate();
       }
-      this->SetUniforms(program, picture, hasOpaque);
-      this->DrawRange(window, picture, first, last - first);
+      this->SetUniforms(program, frame, hasOpaque);
+      this->DrawRange(window, frame, first, last - first);
       if (hasOpaque)
       {
         this->Depth->Deactivate();
@@ -490,16 +487,15 @@ std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame&
       if (hasLayers)
       {
         this->Framebuffer->AddColorAttachment(0, this->Layers);
-        this->Resolve(window, picture, this->Sums, false);
+        this->Resolve(window, frame, this->Sums, false);
       }
       first = last;
     }
   }
   state->PopFramebufferBindings();
-  const bool isResolved = picture.Blend == Picture::PRIORITY;
-  this->Resolve(window, picture, isResolved ? this->Layers : this->Sums, isResolved);
-  const vtkIdType pixels =
-    static_cast<vtkIdType>(picture.View.GetWidth()) * picture.View.GetHeight();
+  const bool isResolved = frame.Blend == TetrahedraFrame::PRIORITY;
+  this->Resolve(window, frame, isResolved ? this->Layers : this->Sums, isResolved);
+  const vtkIdType pixels = static_cast<vtkIdType>(frame.View.GetWidth()) * frame.View.GetHeight();
   report.Buffers = 1 + (isResolved ? 1 : 0) + (hasOpaque ? 1 : 0);
   report.BufferBytes = 16 * pixels * (isResolved ? 2 : 1) + (hasOpaque ? 4 * pixels : 0);
   for (const TextureBuffer* buffer :

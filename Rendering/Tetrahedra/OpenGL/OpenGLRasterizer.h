@@ -42,7 +42,7 @@ public:
   /**
    * Returns why this context cannot draw that many tetrahedra and points, or nothing.
    */
-  std::string GetObstacle(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture) const;
+  std::string FindFault(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame) const;
 
   /// The parts that are new since the last picture.
   struct Changes
@@ -57,24 +57,24 @@ public:
    * Draws a picture. \a hasOpaque tells whether the scene has opaque surfaces. Returns what is
    * wrong, or nothing.
    */
-  std::string Draw(vtkRenderer* renderer, const TetrahedraFrame& picture, const Changes& changes,
+  std::string Draw(vtkRenderer* renderer, const TetrahedraFrame& frame, const Changes& changes,
     bool hasOpaque, vtkTetrahedraReport& report);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::string GetFeatures(const TetrahedraFrame& picture, bool hasOpaque) const;
-  void Upload(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture, const Changes& changes,
+  std::string GetFeatures(const TetrahedraFrame& frame, bool hasOpaque) const;
+  void Upload(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, const Changes& changes,
     vtkTetrahedraReport& report);
   void UploadSurface(
-    vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture, vtkTetrahedraReport& report);
-  void UploadOrder(const TetrahedraFrame& picture, vtkTetrahedraReport& report);
+    vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, vtkTetrahedraReport& report);
+  void UploadOrder(const TetrahedraFrame& frame, vtkTetrahedraReport& report);
   bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);
-  void SetUniforms(vtkShaderProgram* program, const TetrahedraFrame& picture, bool hasOpaque);
-  void SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& picture);
-  void DrawRange(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture, std::size_t first,
+  void SetUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame, bool hasOpaque);
+  void SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame);
+  void DrawRange(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, std::size_t first,
     std::size_t number);
-  void Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& picture,
+  void Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
     vtkTextureObject* texture, bool isResolved);
 
   TextureBuffer Points;

@@ -16,16 +16,16 @@ using Pixel = FragmentBlending::Pixel;
 // Calls blend(pixel, i, color) for every segment, its color multiplied by its weights.
 template <typename Blend>
 void ForEachColor(
-  const Fragments& f, const TetrahedraFrame& picture, Pixel* pixels, const Blend& blend)
+  const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels, const Blend& blend)
 {
-  const TetrahedraFields& fields = *picture.Fields;
+  const TetrahedraFields& fields = *frame.Fields;
   for (int run = 0; run < f.NumberOfRuns; ++run)
   {
     const Fragments::Run& r = f.Runs[run];
     Pixel* pixel = pixels + r.Pixel;
     if (fields.Kind == TetrahedraFields::SCALARS)
     {
-      const PiecewiseLinearTransfer::Piece* pieces = picture.Pieces->GetPieces().data();
+      const PiecewiseLinearTransfer::Piece* pieces = frame.Pieces->GetPieces().data();
       for (int i = r.Begin; i < r.End; ++i, ++pixel)
       {
         const int piece = f.Pieces[0][i];
@@ -75,9 +75,9 @@ void ForEachColor(
 }
 }
 
-void FragmentBlending::Composite(const Fragments& f, const TetrahedraFrame& picture, Pixel* pixels)
+void FragmentBlending::Composite(const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
 {
-  ForEachColor(f, picture, pixels,
+  ForEachColor(f, frame, pixels,
     [&f](Pixel& pixel, int i, const Pixel& color)
     {
       const float opacity = pixel[3];
@@ -90,8 +90,8 @@ void FragmentBlending::Composite(const Fragments& f, const TetrahedraFrame& pict
     });
 }
 
-void FragmentBlending::CompositeWithSurface(const Fragments& f, const TetrahedraFrame& picture,
-  const SurfaceFragments& surface, Pixel* pixels)
+void FragmentBlending::CompositeWithSurface(
+  const Fragments& f, const TetrahedraFrame& frame, const SurfaceFragments& surface, Pixel* pixels)
 {
   const auto lay = [](Pixel& pixel, const Pixel& color)
   {
@@ -101,7 +101,7 @@ void FragmentBlending::CompositeWithSurface(const Fragments& f, const Tetrahedra
       pixel[c] += through * color[c];
     }
   };
-  ForEachColor(f, picture, pixels,
+  ForEachColor(f, frame, pixels,
     [&](Pixel& pixel, int i, const Pixel& color)
     {
       lay(pixel, surface.GetFront(i));
@@ -110,9 +110,9 @@ void FragmentBlending::CompositeWithSurface(const Fragments& f, const Tetrahedra
     });
 }
 
-void FragmentBlending::Sum(const Fragments& f, const TetrahedraFrame& picture, Pixel* pixels)
+void FragmentBlending::Sum(const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
 {
-  ForEachColor(f, picture, pixels,
+  ForEachColor(f, frame, pixels,
     [&f](Pixel& pixel, int i, const Pixel& color)
     {
       const float sum = pixel[3];

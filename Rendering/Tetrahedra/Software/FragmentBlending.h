@@ -26,15 +26,15 @@ public:
    * Lay segments behind what is there: colour times opacity, and opacity. The second function lays
    * boundary triangles before and behind each segment.
    */
-  static void Composite(const Fragments& fragments, const TetrahedraFrame& picture, Pixel* pixels);
-  static void CompositeWithSurface(const Fragments& fragments, const TetrahedraFrame& picture,
+  static void Composite(const Fragments& fragments, const TetrahedraFrame& frame, Pixel* pixels);
+  static void CompositeWithSurface(const Fragments& fragments, const TetrahedraFrame& frame,
     const SurfaceFragments& surface, Pixel* pixels);
   ///@}
 
   /**
    * Adds up weighted colour, and opacity or optical depth.
    */
-  static void Sum(const Fragments& fragments, const TetrahedraFrame& picture, Pixel* pixels);
+  static void Sum(const Fragments& fragments, const TetrahedraFrame& frame, Pixel* pixels);
 
   ///@{
   /**

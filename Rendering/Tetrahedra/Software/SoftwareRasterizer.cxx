@@ -12,16 +12,16 @@
 namespace interlume
 {
 
-void SoftwareRasterizer::Prepare(const TetrahedraFrame& picture)
+void SoftwareRasterizer::Prepare(const TetrahedraFrame& frame)
 {
-  this->Bins.Fill(picture);
+  this->Bins.Fill(frame);
 }
 
-void SoftwareRasterizer::DrawTiles(const TetrahedraFrame& picture)
+void SoftwareRasterizer::DrawTiles(const TetrahedraFrame& frame)
 {
-  const auto width = static_cast<std::size_t>(picture.View.GetWidth());
-  const std::size_t pixels = width * picture.View.GetHeight();
-  const bool isSelection = picture.Blend == TetrahedraFrame::SELECTION;
+  const auto width = static_cast<std::size_t>(frame.View.GetWidth());
+  const std::size_t pixels = width * frame.View.GetHeight();
+  const bool isSelection = frame.Blend == TetrahedraFrame::SELECTION;
   this->Colors.resize(isSelection ? 0 : 4 * pixels);
   this->Tetrahedra.resize(isSelection ? pixels : 0);
   this->Depths.resize(isSelection ? pixels : 0);
@@ -32,7 +32,7 @@ void SoftwareRasterizer::DrawTiles(const TetrahedraFrame& picture)
       std::shared_ptr<TileRasterizer>& painter = painters.Local();
       if (!painter)
       {
-        painter = std::make_shared<TileRasterizer>(picture, this->Bins);
+        painter = std::make_shared<TileRasterizer>(frame, this->Bins);
       }
       for (vtkIdType tile = first; tile < last; ++tile)
       {

@@ -26,14 +26,14 @@ public:
    * Draws a picture; returns false where \a isAborted said so.
    */
   template <typename Abort>
-  bool Draw(const TetrahedraFrame& picture, Abort&& isAborted)
+  bool Draw(const TetrahedraFrame& frame, Abort&& isAborted)
   {
-    this->Prepare(picture);
+    this->Prepare(frame);
     if (isAborted())
     {
       return false;
     }
-    this->DrawTiles(picture);
+    this->DrawTiles(frame);
     return true;
   }
 
@@ -48,8 +48,8 @@ public:
   std::size_t GetBytes() const;
 
 private:
-  void Prepare(const TetrahedraFrame& picture);
-  void DrawTiles(const TetrahedraFrame& picture);
+  void Prepare(const TetrahedraFrame& frame);
+  void DrawTiles(const TetrahedraFrame& frame);
 
   TileBins Bins;
   std::vector<float> Colors;

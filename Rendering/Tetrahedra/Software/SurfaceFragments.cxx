@@ -12,8 +12,8 @@ namespace interlume
 void SurfaceFragments::SetTetrahedron(std::uint32_t tetrahedron)
 {
   this->Tetrahedron = tetrahedron;
-  const std::uint32_t* corners = this->Picture.Mesh->GetCorners(tetrahedron);
-  const TetrahedraFields& fields = *this->Picture.Fields;
+  const std::uint32_t* corners = this->Frame.Mesh->GetCorners(tetrahedron);
+  const TetrahedraFields& fields = *this->Frame.Fields;
   std::array<const TetrahedraView::Projected*, 4> p;
   for (int k = 0; k < 4; ++k)
   {
@@ -25,7 +25,7 @@ void SurfaceFragments::SetTetrahedron(std::uint32_t tetrahedron)
     std::array<double, 4> v;
     for (int k = 0; k < 4; ++k)
     {
-      const double weight = this->Picture.View.IsParallel() ? 1.0 : p[k]->Depth;
+      const double weight = this->Frame.View.IsParallel() ? 1.0 : p[k]->Depth;
       if (c == 0)
       {
         v[k] = p[k]->Depth;
@@ -69,11 +69,11 @@ void SurfaceFragments::Compute(
   const Fragments& fragments, int left, int bottom, const float* opaque)
 {
   const Fragments::Color none{ { 0.0f, 0.0f, 0.0f, 0.0f } };
-  const TetrahedraView& view = this->Picture.View;
+  const TetrahedraView& view = this->Frame.View;
   for (int run = 0; run < fragments.NumberOfRuns; ++run)
   {
     const Fragments::Run& r = fragments.Runs[run];
-    const unsigned int faces = this->Picture.Fields->Faces[r.Tetrahedron];
+    const unsigned int faces = this->Frame.Fields->Faces[r.Tetrahedron];
     for (auto& colors : this->Colors)
     {
       std::fill(&colors[r.Begin], colors.data() + r.End, none);
@@ -120,7 +120,7 @@ void SurfaceFragments::Compute(
           continue;
         }
         const double weight = view.IsParallel() ? 1.0 : at[0];
-        this->Colors[end][i] = this->Picture.Surface->Shade(view.GetEyePoint(x, y, at[0]),
+        this->Colors[end][i] = this->Frame.Surface->Shade(view.GetEyePoint(x, y, at[0]),
           { at[1] / weight, at[2] / weight, at[3] / weight },
           { { at[4] / weight, at[5] / weight } });
       }

@@ -23,8 +23,8 @@ namespace interlume
 class SurfaceFragments
 {
 public:
-  explicit SurfaceFragments(const TetrahedraFrame& picture, const TileBins& bins)
-    : Picture(picture)
+  explicit SurfaceFragments(const TetrahedraFrame& frame, const TileBins& bins)
+    : Frame(frame)
     , Bins(bins)
   {
   }
@@ -48,7 +48,7 @@ private:
   /// Finds the edge next to which a pixel lies; returns lambda there.
   double Locate(double x, double y, int& edge) const;
 
-  const TetrahedraFrame& Picture;
+  const TetrahedraFrame& Frame;
   const TileBins& Bins;
   std::uint32_t Tetrahedron = 0xffffffffu;
   TetrahedronSilhouette Shape;

@@ -16,10 +16,10 @@ namespace
 constexpr std::size_t CHUNK = 1 << 16;
 }
 
-void TileBins::ProjectPoints(const TetrahedraFrame& picture)
+void TileBins::ProjectPoints(const TetrahedraFrame& frame)
 {
-  const TetrahedraMesh& mesh = *picture.Mesh;
-  const TetrahedraFields& fields = *picture.Fields;
+  const TetrahedraMesh& mesh = *frame.Mesh;
+  const TetrahedraFields& fields = *frame.Fields;
   const std::size_t points = mesh.Points.size() / 3;
   const bool hasScalars = fields.Kind == TetrahedraFields::SCALARS;
   const bool hasDeltaT = !fields.DeltaT.empty();
@@ -29,18 +29,18 @@ void TileBins::ProjectPoints(const TetrahedraFrame& picture)
     {
       for (vtkIdType p = first; p < last; ++p)
       {
-        const glm::dvec3 eye = picture.View.GetEyePoint(&mesh.Points[3 * p]);
+        const glm::dvec3 eye = frame.View.GetEyePoint(&mesh.Points[3 * p]);
         Point& point = this->Points[p];
-        point.Place = picture.View.Project(eye);
+        point.Place = frame.View.Project(eye);
         point.Scalar = hasScalars ? fields.Scalars[p] : 0.0f;
         point.DeltaT = hasDeltaT ? fields.DeltaT[p] : 1.0f;
       }
     });
 }
 
-TileBins::Range TileBins::GetRange(const TetrahedraFrame& picture, std::uint32_t tetrahedron) const
+TileBins::Range TileBins::GetRange(const TetrahedraFrame& frame, std::uint32_t tetrahedron) const
 {
-  const std::uint32_t* corners = picture.Mesh->GetCorners(tetrahedron);
+  const std::uint32_t* corners = frame.Mesh->GetCorners(tetrahedron);
   const TetrahedraView::Projected& first = this->Points[corners[0]].Place;
   double box[4] = { first.X, first.X, first.Y, first.Y };
   for (int k = 1; k < 4; ++k)
@@ -53,9 +53,9 @@ TileBins::Range TileBins::GetRange(const TetrahedraFrame& picture, std::uint32_t
   }
   // The first and the last pixel with a centre inside are found by moving halves to whole numbers.
   const double left = std::max(std::ceil(box[0] - 0.5), 0.0);
-  const double right = std::min(std::floor(box[1] - 0.5), picture.View.GetWidth() - 1.0);
+  const double right = std::min(std::floor(box[1] - 0.5), frame.View.GetWidth() - 1.0);
   const double bottom = std::max(std::ceil(box[2] - 0.5), 0.0);
-  const double top = std::min(std::floor(box[3] - 0.5), picture.View.GetHeight() - 1.0);
+  const double top = std::min(std::floor(box[3] - 0.5), frame.View.GetHeight() - 1.0);
   if (!(left <= right) || !(bottom <= top))
   {
     return { { 1, 0, 1, 0 } };
@@ -64,12 +64,12 @@ TileBins::Range TileBins::GetRange(const TetrahedraFrame& picture, std::uint32_t
   return { { tile(left), tile(right), tile(bottom), tile(top) } };
 }
 
-void TileBins::Fill(const TetrahedraFrame& picture)
+void TileBins::Fill(const TetrahedraFrame& frame)
 {
-  this->Columns = (picture.View.GetWidth() + SIZE - 1) / SIZE;
-  this->Rows = (picture.View.GetHeight() + SIZE - 1) / SIZE;
-  this->ProjectPoints(picture);
-  const std::size_t all = picture.Mesh->GetNumberOfTetrahedra();
+  this->Columns = (frame.View.GetWidth() + SIZE - 1) / SIZE;
+  this->Rows = (frame.View.GetHeight() + SIZE - 1) / SIZE;
+  this->ProjectPoints(frame);
+  const std::size_t all = frame.Mesh->GetNumberOfTetrahedra();
   this->Ranges.resize(all);
   vtkSMPTools::For(0, static_cast<vtkIdType>(all),
     [&](vtkIdType first, vtkIdType last)
@@ -77,12 +77,12 @@ void TileBins::Fill(const TetrahedraFrame& picture)
       for (vtkIdType t = first; t < last; ++t)
       {
         const auto tetrahedron = static_cast<std::uint32_t>(t);
-        this->Ranges[t] = picture.IsDrawn(tetrahedron) ? this->GetRange(picture, tetrahedron)
-                                                       : Range{ { 1, 0, 1, 0 } };
+        this->Ranges[t] =
+          frame.IsDrawn(tetrahedron) ? this->GetRange(frame, tetrahedron) : Range{ { 1, 0, 1, 0 } };
       }
     });
 
-  const std::vector<std::uint32_t>* order = picture.Order;
+  const std::vector<std::uint32_t>* order = frame.Order;
   const std::size_t number = order ? order->size() : all;
   const std::size_t chunks = (number + CHUNK - 1) / CHUNK;
   const auto tiles = static_cast<std::size_t>(this->GetNumberOfTiles());

@@ -31,7 +31,7 @@ public:
     float DeltaT;
   };
 
-  void Fill(const TetrahedraFrame& picture);
+  void Fill(const TetrahedraFrame& frame);
 
   int GetColumns() const { return this->Columns; }
   int GetNumberOfTiles() const { return this->Columns * this->Rows; }
@@ -45,8 +45,8 @@ private:
   /// The first and last column and row of tiles; none where the first column is beyond the last.
   using Range = std::array<std::uint16_t, 4>;
 
-  void ProjectPoints(const TetrahedraFrame& picture);
-  Range GetRange(const TetrahedraFrame& picture, std::uint32_t tetrahedron) const;
+  void ProjectPoints(const TetrahedraFrame& frame);
+  Range GetRange(const TetrahedraFrame& frame, std::uint32_t tetrahedron) const;
 
   int Columns = 0;
   int Rows = 0;

@@ -60,30 +60,30 @@ bool HasSteepPixel(const TetrahedronSilhouette& shape, double dx, double dy, int
 }
 }
 
-TileRasterizer::TileRasterizer(const TetrahedraFrame& picture, const TileBins& bins)
-  : Picture(picture)
+TileRasterizer::TileRasterizer(const TetrahedraFrame& frame, const TileBins& bins)
+  : Frame(frame)
   , Bins(bins)
-  , LengthScale(static_cast<float>(picture.TetrahedronStride))
+  , LengthScale(static_cast<float>(frame.TetrahedronStride))
   , Pixels(SIZE * SIZE)
   , Slant(SIZE * SIZE + interlume::Fragments::GROUP)
 {
-  const TetrahedraFields& fields = *picture.Fields;
+  const TetrahedraFields& fields = *frame.Fields;
   this->Channels.HasScalars = fields.Kind == TetrahedraFields::SCALARS;
   this->Channels.HasColors = fields.Kind == TetrahedraFields::POINT_COLORS;
   this->Channels.HasDeltaT = !fields.DeltaT.empty();
-  if (picture.Blend == Blends::PRIORITY)
+  if (frame.Blend == Blends::PRIORITY)
   {
     this->Layer.resize(SIZE * SIZE);
   }
-  if (picture.Opaque)
+  if (frame.Opaque)
   {
     this->Opaque.resize(SIZE * SIZE);
   }
-  if (picture.Surface)
+  if (frame.Surface)
   {
-    this->Surface = std::make_unique<SurfaceFragments>(picture, bins);
+    this->Surface = std::make_unique<SurfaceFragments>(frame, bins);
   }
-  if (picture.Blend == Blends::SELECTION)
+  if (frame.Blend == Blends::SELECTION)
   {
     this->Nearest.resize(SIZE * SIZE);
     this->NearestDepth.resize(SIZE * SIZE);
@@ -111,13 +111,13 @@ void TileRasterizer::Draw(int tile)
 
 void TileRasterizer::Begin(int tile)
 {
-  const TetrahedraView& view = this->Picture.View;
+  const TetrahedraView& view = this->Frame.View;
   this->Left = SIZE * (tile % this->Bins.GetColumns());
   this->Bottom = SIZE * (tile / this->Bins.GetColumns());
   this->Width = std::min(SIZE, view.GetWidth() - this->Left);
   this->Height = std::min(SIZE, view.GetHeight() - this->Bottom);
   Pixel empty{ { 0.0f, 0.0f, 0.0f, 0.0f } };
-  if (this->Picture.Blend == Blends::MAXIMUM && this->Channels.HasScalars)
+  if (this->Frame.Blend == Blends::MAXIMUM && this->Channels.HasScalars)
   {
     empty[0] = -1.0f;
   }
@@ -134,10 +134,10 @@ void TileRasterizer::Begin(int tile)
       const int row = this->Bottom + y;
       this->Slant[y * SIZE + x] =
         this->LengthScale * static_cast<float>(view.GetSlant(column + 0.5, row + 0.5));
-      if (this->Picture.Opaque)
+      if (this->Frame.Opaque)
       {
         this->Opaque[y * SIZE + x] =
-          this->Picture.Opaque[static_cast<std::size_t>(row) * view.GetWidth() + column];
+          this->Frame.Opaque[static_cast<std::size_t>(row) * view.GetWidth() + column];
       }
     }
   }
@@ -146,9 +146,9 @@ void TileRasterizer::Begin(int tile)
 template <bool Scalars, bool Colors, bool DeltaT>
 void TileRasterizer::DrawTetrahedra(int tile)
 {
-  const std::vector<int>& layers = this->Picture.Fields->Layers;
-  const bool isLayered = this->Picture.Blend == Blends::PRIORITY;
-  const bool canEnd = this->Picture.Blend == Blends::COMPOSITE;
+  const std::vector<int>& layers = this->Frame.Fields->Layers;
+  const bool isLayered = this->Frame.Blend == Blends::PRIORITY;
+  const bool canEnd = this->Frame.Blend == Blends::COMPOSITE;
   int flushes = 0;
   const std::uint32_t* end = this->Bins.End(tile);
   for (const std::uint32_t* t = this->Bins.Begin(tile); t != end; ++t)
@@ -177,8 +177,8 @@ void TileRasterizer::FetchAhead(const std::uint32_t* t, const std::uint32_t* end
   constexpr int pointsAhead = 4;
   if (end - t > cornersAhead)
   {
-    Prefetch::Read(this->Picture.Mesh->GetCorners(t[cornersAhead]));
-    const std::uint32_t* corners = this->Picture.Mesh->GetCorners(t[pointsAhead]);
+    Prefetch::Read(this->Frame.Mesh->GetCorners(t[cornersAhead]));
+    const std::uint32_t* corners = this->Frame.Mesh->GetCorners(t[pointsAhead]);
     for (int k = 0; k < 4; ++k)
     {
       Prefetch::Read(this->Bins.GetPoints() + corners[k]);
@@ -189,7 +189,7 @@ void TileRasterizer::FetchAhead(const std::uint32_t* t, const std::uint32_t* end
 template <bool Scalars, bool Colors, bool DeltaT>
 void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
 {
-  const std::uint32_t* corners = this->Picture.Mesh->GetCorners(tetrahedron);
+  const std::uint32_t* corners = this->Frame.Mesh->GetCorners(tetrahedron);
   const TileBins::Point* points = this->Bins.GetPoints();
   const std::array<const TileBins::Point*, 4> p = { { points + corners[0], points + corners[1],
     points + corners[2], points + corners[3] } };
@@ -198,7 +198,7 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
   {
     return;
   }
-  const bool isParallel = this->Picture.View.IsParallel();
+  const bool isParallel = this->Frame.View.IsParallel();
   const auto getValue = [&](auto&& get)
   {
     std::array<double, 4> v;
@@ -225,7 +225,7 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
   }
   for (int c = 0; Colors && c < 4; ++c)
   {
-    const auto& colors = this->Picture.Fields->Colors;
+    const auto& colors = this->Frame.Fields->Colors;
     values[channel++] = getValue([&](int k) { return colors[corners[k]][c]; });
   }
   // The nearer side has the larger depth.
@@ -351,12 +351,12 @@ void TileRasterizer::DrawCellsInTime(int tile)
 void TileRasterizer::Flush()
 {
   interlume::Fragments& f = this->Fragments;
-  const TetrahedraView& view = this->Picture.View;
+  const TetrahedraView& view = this->Frame.View;
   if (!view.IsParallel())
   {
     FragmentIntegration::FinishPerspective(f, this->Channels);
   }
-  if (this->Picture.Opaque)
+  if (this->Frame.Opaque)
   {
     FragmentIntegration::CutAt(f, this->Channels, view.IsParallel(), this->Opaque.data());
   }
@@ -368,8 +368,8 @@ void TileRasterizer::Flush()
 void TileRasterizer::IntegrateAndBlend()
 {
   interlume::Fragments& f = this->Fragments;
-  const TetrahedraFields& fields = *this->Picture.Fields;
-  const Blends blend = this->Picture.Blend;
+  const TetrahedraFields& fields = *this->Frame.Fields;
+  const Blends blend = this->Frame.Blend;
   if (blend == Blends::MAXIMUM && this->Channels.HasScalars)
   {
     FragmentBlending::LargestScalar(f, this->Pixels.data());
@@ -378,12 +378,12 @@ void TileRasterizer::IntegrateAndBlend()
   if (blend == Blends::MAXIMUM)
   {
     FragmentBlending::LargestColor(
-      f, fields, static_cast<float>(1.0 / this->Picture.ExtinctionUnit), this->Pixels.data());
+      f, fields, static_cast<float>(1.0 / this->Frame.ExtinctionUnit), this->Pixels.data());
     return;
   }
   if (this->Channels.HasScalars)
   {
-    FragmentIntegration::LookUp(f, *this->Picture.Pieces);
+    FragmentIntegration::LookUp(f, *this->Frame.Pieces);
   }
   else if (this->Channels.HasColors)
   {
@@ -396,11 +396,11 @@ void TileRasterizer::IntegrateAndBlend()
   const bool isDepth = blend == Blends::PRIORITY || blend == Blends::OPTICAL_DEPTH;
   const auto results = isDepth ? FragmentIntegration::OPTICAL_DEPTH : FragmentIntegration::OPACITY;
   const bool hasDeltaT = this->Channels.HasDeltaT;
-  FragmentIntegration::Integrate(f, hasDeltaT, this->Picture.IsExact, results);
+  FragmentIntegration::Integrate(f, hasDeltaT, this->Frame.IsExact, results);
   if (this->Channels.HasScalars)
   {
     FragmentIntegration::FinishPieces(
-      f, *this->Picture.Pieces, hasDeltaT, this->Picture.IsExact, results);
+      f, *this->Frame.Pieces, hasDeltaT, this->Frame.IsExact, results);
   }
   switch (blend)
   {
@@ -408,23 +408,22 @@ void TileRasterizer::IntegrateAndBlend()
       if (this->Surface)
       {
         this->Surface->Compute(
-          f, this->Left, this->Bottom, this->Picture.Opaque ? this->Opaque.data() : nullptr);
-        FragmentBlending::CompositeWithSurface(
-          f, this->Picture, *this->Surface, this->Pixels.data());
+          f, this->Left, this->Bottom, this->Frame.Opaque ? this->Opaque.data() : nullptr);
+        FragmentBlending::CompositeWithSurface(f, this->Frame, *this->Surface, this->Pixels.data());
       }
       else
       {
-        FragmentBlending::Composite(f, this->Picture, this->Pixels.data());
+        FragmentBlending::Composite(f, this->Frame, this->Pixels.data());
       }
       break;
     case Blends::ADDITIVE:
-      FragmentBlending::Sum(f, this->Picture, this->Pixels.data());
+      FragmentBlending::Sum(f, this->Frame, this->Pixels.data());
       break;
     case Blends::PRIORITY:
-      FragmentBlending::Sum(f, this->Picture, this->Layer.data());
+      FragmentBlending::Sum(f, this->Frame, this->Layer.data());
       break;
     case Blends::OPTICAL_DEPTH:
-      FragmentBlending::Sum(f, this->Picture, this->Pixels.data());
+      FragmentBlending::Sum(f, this->Frame, this->Pixels.data());
       break;
     default:
       FragmentBlending::ForEachSegment(f,
@@ -473,7 +472,7 @@ void TileRasterizer::ResolveLayer()
 
 void TileRasterizer::Finish()
 {
-  if (this->Picture.Blend == Blends::PRIORITY)
+  if (this->Frame.Blend == Blends::PRIORITY)
   {
     this->ResolveLayer();
   }
@@ -483,7 +482,7 @@ void TileRasterizer::Finish()
   }
   for (Pixel& pixel : this->Pixels)
   {
-    switch (this->Picture.Blend)
+    switch (this->Frame.Blend)
     {
       case Blends::ADDITIVE:
         for (float& channel : pixel)
@@ -502,11 +501,11 @@ void TileRasterizer::Finish()
           if (largest >= 0.0f)
           {
             const float value = std::min(largest, 1.0f);
-            const PiecewiseLinearTransfer& pieces = *this->Picture.Pieces;
+            const PiecewiseLinearTransfer& pieces = *this->Frame.Pieces;
             const PiecewiseLinearTransfer::Sample sample =
               pieces.Evaluate(pieces.Find(value), value);
             const float opacity =
-              std::min(sample[3] / static_cast<float>(this->Picture.ExtinctionUnit), 1.0f);
+              std::min(sample[3] / static_cast<float>(this->Frame.ExtinctionUnit), 1.0f);
             pixel = { { sample[0] * opacity, sample[1] * opacity, sample[2] * opacity, opacity } };
           }
         }

@@ -29,7 +29,7 @@ public:
   /// A pixel as RGB times opacity and opacity, or as the sums that the blend mode keeps.
   using Pixel = std::array<float, 4>;
 
-  TileRasterizer(const TetrahedraFrame& picture, const TileBins& bins);
+  TileRasterizer(const TetrahedraFrame& frame, const TileBins& bins);
 
   void Draw(int tile);
 
@@ -68,7 +68,7 @@ private:
   void ResolveLayer();
   void Finish();
 
-  const TetrahedraFrame& Picture;
+  const TetrahedraFrame& Frame;
   const TileBins& Bins;
   FragmentIntegration::Channels Channels;
   interlume::Fragments Fragments;
