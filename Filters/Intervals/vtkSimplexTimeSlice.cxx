@@ -201,6 +201,8 @@ int vtkSimplexTimeSlice::RequestData(
   this->UpdateProgress(0.95);
   interlume::ExtractionArrays::CopyCellData(input->GetCellData(), slice.CellIds.GetData(),
     static_cast<vtkIdType>(slice.CellIds.GetSize()), output->GetCellData());
+  // It tells of 4-simplices, not of tetrahedra.
+  output->GetCellData()->RemoveArray("AtStep");
   this->Empty->Add(input, nullptr, output->GetNumberOfCells());
   this->Report.Tetrahedra += output->GetNumberOfCells();
   if (this->FollowTime &&
