@@ -22,7 +22,7 @@ die()
 # Prints the comment block at the top of the calling script, which is its help.
 show_help()
 {
-  sed -n '2,/^[^#]/{/^#/s/^# \{0,1\}//p}' "$0"
+  sed -n '3,/^[^#]/{/^#/s/^# \{0,1\}//p}' "$0"
 }
 
 # run_logged NAME COMMAND...: output goes to a log; its last line is shown now and then, and the end
