@@ -126,8 +126,7 @@ void CheckCriterion(Check& check)
 int TestIntervalVolumeMatching(int, char*[])
 {
   Check check;
-  for (const char* file :
-    { "bonsai.vti", "brainsmall.vti", "ironProt.vtk", "neghip.vti", "tooth.vti" })
+  for (const std::string& file : GetTiedVolumes())
   {
     CheckVolume(file, check);
   }

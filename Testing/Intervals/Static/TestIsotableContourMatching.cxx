@@ -71,8 +71,7 @@ void CheckPlateau(Check& check)
 int TestIsotableContourMatching(int, char*[])
 {
   Check check;
-  for (const char* file :
-    { "bonsai.vti", "brainsmall.vti", "ironProt.vtk", "neghip.vti", "tooth.vti" })
+  for (const std::string& file : GetTiedVolumes())
   {
     CheckVolume(file, check);
   }

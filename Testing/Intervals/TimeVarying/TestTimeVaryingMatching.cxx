@@ -67,8 +67,7 @@ void CheckGrid(const SpaceTimeGrid& grid, Check& check)
 int TestTimeVaryingMatching(int, char*[])
 {
   Check check;
-  for (const char* file :
-    { "bonsai.vti", "brainsmall.vti", "ironProt.vtk", "neghip.vti", "tooth.vti" })
+  for (const std::string& file : GetTiedVolumes())
   {
     CheckVolume(file, check);
   }

@@ -522,6 +522,13 @@ private:
 
 }
 
+const std::vector<std::string>& GetTiedVolumes()
+{
+  static const std::vector<std::string> files = { "bonsai.vti", "brainsmall.vti", "ironProt.vtk",
+    "neghip.vti", "tooth.vti" };
+  return files;
+}
+
 vtkSmartPointer<vtkImageData> CropVolume(vtkDataSet& volume, int points, int shift)
 {
   vtkImageData* image = vtkImageData::SafeDownCast(&volume);

@@ -6,7 +6,7 @@
 #include "Reference/Intervals/ReferenceExtraction.h"  // for the intervals
 #include "Reference/TimeVarying/ReferenceTimeSteps.h" // for the steps
 
-#include <string> // for criteria
+#include <string> // for criteria and names
 #include <vector> // for the intervals
 
 class vtkDataSet;
@@ -19,6 +19,9 @@ class vtkImageData;
  */
 namespace reference
 {
+
+/// The volumes of 8 bits in Data/, whose values equal bounds in many points.
+const std::vector<std::string>& GetTiedVolumes();
 
 /// A cube of points out of the middle of a volume, moved along x, as an image with the scalars "f".
 vtkSmartPointer<vtkImageData> CropVolume(vtkDataSet& volume, int points, int shift);
