@@ -44,7 +44,10 @@ LinearFit::LinearFit(const Tetrahedra& mesh, const std::vector<double>& values)
       right += (values[p] - this->Constant) * x;
     }
   }
-  this->Gradient = normal.completeOrthogonalDecomposition().solve(right).array() / extent;
+  // Of sizes that the compiler does not know, since GCC 16 sees reads beyond Eigen 5's fixed ones.
+  const Eigen::VectorXd slopes =
+    Eigen::MatrixXd(normal).completeOrthogonalDecomposition().solve(Eigen::VectorXd(right));
+  this->Gradient = slopes.array() / extent;
 }
 
 double LinearFit::operator()(const double* point) const
