@@ -84,7 +84,7 @@ std::string GetLightFeatures(const LightSource& light, const ShadowedLight* shad
   return features;
 }
 
-// Of such lights' sources and what calls them.
+// Returns the eye's program with these features, the sources of its lights, and the calls of them.
 std::string MakeEyeSource(
   const std::string& features, const std::string& lights, const std::string& calls)
 {

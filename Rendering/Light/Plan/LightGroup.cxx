@@ -89,7 +89,7 @@ void LightGroup::FindNormal(const ViewRange& view)
   for (const Caster& caster : this->Casters)
   {
     normal.Add(caster.Rays, 1.0, SlicePlan::LightCosine);
-    sum = sum + caster.Direction;
+    sum += caster.Direction;
   }
   this->Ratio = normal.FindBest();
   const glm::dvec3 along = this->Side * view.Direction;

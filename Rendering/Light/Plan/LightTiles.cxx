@@ -24,7 +24,7 @@ constexpr double Margin = 1e-5;
 // Rays along the slices meet them that far away, in heights of a slab above the light, or farther.
 constexpr double SmallestSlope = 1e-9;
 
-// How many visible blocks there are in a range of blocks, from sums over all blocks before.
+// Tells whether a range of blocks has visible ones, from sums over all blocks before.
 class BlockCounts
 {
 public:
@@ -85,7 +85,7 @@ private:
   {
     return this->Sums[this->GetIndex(i, j, k)];
   }
-  // The first and last blocks reach as far as one likes.
+  // Returns the block of a place; the first and last blocks reach as far as one likes.
   std::size_t Find(std::size_t axis, double place) const
   {
     const std::vector<double>& borders = this->Borders[axis];
@@ -124,13 +124,13 @@ public:
   }
 
   std::size_t GetNumber() const { return this->Number; }
-  /// Of a tile's edge in the buffer.
+  /// Returns where a tile's edge is in the buffer, 0 to 1.
   double GetPlace(std::size_t i) const
   {
     return static_cast<double>(i) / static_cast<double>(this->Number);
   }
-  /// Around the part of tile i, j between two heights above the light. Its edges are straight in
-  /// every plane of slices: what bends the map runs along the diagonals of tiles.
+  /// Returns a box around the part of tile i, j between two heights above the light. Its edges are
+  /// straight in every plane of slices: what bends the map runs along the diagonals of tiles.
   Box Bound(std::size_t i, std::size_t j, const std::array<double, 2>& heights) const
   {
     Box box;
@@ -156,7 +156,7 @@ private:
   const std::size_t Number;
   const glm::dvec3 Apex;
   const glm::dvec3 Upwards;
-  // Of the tiles' corners, at a height of 1.
+  // How far across the tiles' corners are at a height of 1.
   std::vector<glm::dvec3> Across;
 };
 
