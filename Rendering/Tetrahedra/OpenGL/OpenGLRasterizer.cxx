@@ -352,12 +352,110 @@ void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFr
   this->Quad.Draw(window, texture, frame.Blend == TetrahedraFrame::ADDITIVE ? "SATURATE" : "");
 }
 
+bool OpenGLRasterizer::DrawLayers(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
+  const std::string& features, bool hasOpaque)
+{
+  const std::size_t number = frame.Order ? this->OrderSize : frame.Mesh->GetNumberOfTetrahedra();
+  if (frame.Blend != TetrahedraFrame::PRIORITY)
+  {
+    return number == 0 || this->DrawLayer(window, frame, features, hasOpaque, 0, number);
+  }
+  this->Framebuffer->AddColorAttachment(0, this->Layers);
+  window->GetState()->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  // The order was turned round for blending.
+  const auto layer = [&](std::size_t i)
+  { return frame.Fields->Layers[(*frame.Order)[number - 1 - i]]; };
+  std::size_t first = 0;
+  while (first < number)
+  {
+    std::size_t last = first + 1;
+    while (last < number && layer(last) == layer(first))
+    {
+      ++last;
+    }
+    this->Framebuffer->AddColorAttachment(0, this->Sums);
+    if (!this->DrawLayer(window, frame, features, hasOpaque, first, last - first))
+    {
+      return false;
+    }
+    this->Framebuffer->AddColorAttachment(0, this->Layers);
+    this->Resolve(window, frame, this->Sums, false);
+    first = last;
+  }
+  return true;
+}
+
+bool OpenGLRasterizer::DrawLayer(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
+  const std::string& features, bool hasOpaque, std::size_t first, std::size_t number)
+{
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(InterlumeTetrahedraVS,
+    vtkShaderFeatures::Insert(InterlumeTetrahedraFS, features).c_str(),
+    vtkShaderFeatures::Insert(InterlumeTetrahedraGS, features).c_str());
+  if (!program)
+  {
+    return false;
+  }
+  std::vector<TextureBuffer*> active;
+  const auto activate = [&](TextureBuffer& buffer, const char* name)
+  {
+    buffer.Activate(program, name);
+    active.push_back(&buffer);
+  };
+  activate(this->Points, "points");
+  activate(this->Corners, "corners");
+  activate(this->Volumes, "volumes");
+  if (!frame.Fields->DeltaT.empty())
+  {
+    activate(this->DeltaTs, "deltaTs");
+  }
+  if (frame.Fields->Kind != TetrahedraFields::SCALARS)
+  {
+    activate(this->Colors, "colors");
+  }
+  else if (frame.Blend != TetrahedraFrame::MAXIMUM)
+  {
+    activate(this->Pieces, "pieces");
+    activate(this->Starts, "starts");
+    activate(this->Buckets, "buckets");
+  }
+  const bool hasTexture = frame.Surface && !frame.Surface->GetImage().empty();
+  if (frame.Surface)
+  {
+    activate(this->Faces, "faces");
+    activate(this->SurfacePoints, "surfacePoints");
+    if (hasTexture)
+    {
+      this->SurfaceTexture->Activate();
+    }
+    this->SetSurfaceUniforms(program, frame);
+  }
+  if (hasOpaque)
+  {
+    this->Depth->Activate();
+  }
+  this->SetUniforms(program, frame, hasOpaque);
+  this->DrawRange(window, frame, first, number);
+  if (hasOpaque)
+  {
+    this->Depth->Deactivate();
+  }
+  if (hasTexture)
+  {
+    this->SurfaceTexture->Deactivate();
+  }
+  for (TextureBuffer* buffer : active)
+  {
+    buffer->Deactivate();
+  }
+  return true;
+}
+
 std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame& frame,
   const Changes& changes, bool hasOpaque, vtkTetrahedraReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
-  const TetrahedraFields& fields = *frame.Fields;
   this->Upload(window, frame, changes, report);
   if (frame.Surface && (changes.Surface || changes.Mesh || !this->Faces.IsAllocated()))
   {
@@ -373,8 +471,7 @@ std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame&
     this->Depth->SetContext(window);
     hasOpaque = vtkSceneDepth::CopyTo(renderer, this->Depth);
   }
-  const std::string features = this->GetFeatures(frame, hasOpaque);
-  report.Features = features;
+  report.Features = this->GetFeatures(frame, hasOpaque);
 
   // The scene's framebuffer and state come back at the end of this block.
   state->PushFramebufferBindings();
@@ -401,118 +498,42 @@ std::string OpenGLRasterizer::Draw(vtkRenderer* renderer, const TetrahedraFrame&
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglEnable(GL_BLEND);
     state->vtkglDepthMask(GL_FALSE);
-    const std::size_t number = frame.Order ? this->OrderSize : frame.Mesh->GetNumberOfTetrahedra();
-    if (hasLayers)
+    if (!this->DrawLayers(window, frame, report.Features, hasOpaque))
     {
-      this->Framebuffer->AddColorAttachment(0, this->Layers);
-      state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-      glClear(GL_COLOR_BUFFER_BIT);
-    }
-    std::size_t first = 0;
-    while (first < number)
-    {
-      std::size_t last = number;
-      if (hasLayers)
-      {
-        // The order was turned round for blending.
-        const auto layer = [&](std::size_t i)
-        { return fields.Layers[(*frame.Order)[number - 1 - i]]; };
-        last = first + 1;
-        while (last < number && layer(last) == layer(first))
-        {
-          ++last;
-        }
-        this->Framebuffer->AddColorAttachment(0, this->Sums);
-      }
-      vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-        InterlumeTetrahedraVS, vtkShaderFeatures::Insert(InterlumeTetrahedraFS, features).c_str(),
-        vtkShaderFeatures::Insert(InterlumeTetrahedraGS, features).c_str());
-      if (!program)
-      {
-        state->PopFramebufferBindings();
-        return "the shaders cannot be compiled";
-      }
-      std::vector<TextureBuffer*> active;
-      const auto activate = [&](TextureBuffer& buffer, const char* name)
-      {
-        buffer.Activate(program, name);
-        active.push_back(&buffer);
-      };
-      activate(this->Points, "points");
-      activate(this->Corners, "corners");
-      activate(this->Volumes, "volumes");
-      if (!fields.DeltaT.empty())
-      {
-        activate(this->DeltaTs, "deltaTs");
-      }
-      if (fields.Kind != TetrahedraFields::SCALARS)
-      {
-        activate(this->Colors, "colors");
-      }
-      else if (frame.Blend != TetrahedraFrame::MAXIMUM)
-      {
-        activate(this->Pieces, "pieces");
-        activate(this->Starts, "starts");
-        activate(this->Buckets, "buckets");
-      }
-      const bool hasTexture = frame.Surface && !frame.Surface->GetImage().empty();
-      if (frame.Surface)
-      {
-        activate(this->Faces, "faces");
-        activate(this->SurfacePoints, "surfacePoints");
-        if (hasTexture)
-        {
-          this->SurfaceTexture->Activate();
-        }
-        this->SetSurfaceUniforms(program, frame);
-      }
-      if (hasOpaque)
-      {
-        this->Depth->Activate();
-      }
-      this->SetUniforms(program, frame, hasOpaque);
-      this->DrawRange(window, frame, first, last - first);
-      if (hasOpaque)
-      {
-        this->Depth->Deactivate();
-      }
-      if (hasTexture)
-      {
-        this->SurfaceTexture->Deactivate();
-      }
-      for (TextureBuffer* buffer : active)
-      {
-        buffer->Deactivate();
-      }
-      if (hasLayers)
-      {
-        this->Framebuffer->AddColorAttachment(0, this->Layers);
-        this->Resolve(window, frame, this->Sums, false);
-      }
-      first = last;
+      state->PopFramebufferBindings();
+      return "the shaders cannot be compiled";
     }
   }
   state->PopFramebufferBindings();
   const bool isResolved = frame.Blend == TetrahedraFrame::PRIORITY;
   this->Resolve(window, frame, isResolved ? this->Layers : this->Sums, isResolved);
+  this->ReportBuffers(frame, hasOpaque, report);
+  return {};
+}
+
+void OpenGLRasterizer::ReportBuffers(
+  const TetrahedraFrame& frame, bool hasOpaque, vtkTetrahedraReport& report)
+{
+  const vtkIdType sums = frame.Blend == TetrahedraFrame::PRIORITY ? 2 : 1;
   const vtkIdType pixels = static_cast<vtkIdType>(frame.View.GetWidth()) * frame.View.GetHeight();
-  report.Buffers = 1 + (isResolved ? 1 : 0) + (hasOpaque ? 1 : 0);
-  report.BufferBytes = 16 * pixels * (isResolved ? 2 : 1) + (hasOpaque ? 4 * pixels : 0);
-  for (const TextureBuffer* buffer :
-    { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs, &this->Colors, &this->Faces,
-      &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets })
+  report.Buffers = static_cast<int>(sums) + (hasOpaque ? 1 : 0);
+  report.BufferBytes = 16 * pixels * sums + (hasOpaque ? 4 * pixels : 0);
+  for (const TextureBuffer* buffer : this->GetBuffers())
   {
     report.BufferBytes += static_cast<vtkIdType>(buffer->GetBytes());
   }
   report.BufferBytes += static_cast<vtkIdType>(this->OrderSize * sizeof(std::uint32_t));
-  return {};
+}
+
+std::array<TextureBuffer*, 10> OpenGLRasterizer::GetBuffers()
+{
+  return { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs, &this->Colors,
+    &this->Faces, &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets };
 }
 
 void OpenGLRasterizer::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (TextureBuffer* buffer :
-    { &this->Points, &this->Corners, &this->Volumes, &this->DeltaTs, &this->Colors, &this->Faces,
-      &this->SurfacePoints, &this->Pieces, &this->Starts, &this->Buckets })
+  for (TextureBuffer* buffer : this->GetBuffers())
   {
     buffer->Release(window);
   }

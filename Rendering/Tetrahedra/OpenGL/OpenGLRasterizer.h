@@ -72,10 +72,18 @@ private:
   bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);
   void SetUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame, bool hasOpaque);
   void SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame);
+  /// Draws all layers of PRIORITY one over the other, or everything at once. Returns whether the
+  /// shaders could be compiled, as DrawLayer does.
+  bool DrawLayers(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
+    const std::string& features, bool hasOpaque);
+  bool DrawLayer(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
+    const std::string& features, bool hasOpaque, std::size_t first, std::size_t number);
   void DrawRange(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, std::size_t first,
     std::size_t number);
   void Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
     vtkTextureObject* texture, bool isResolved);
+  void ReportBuffers(const TetrahedraFrame& frame, bool hasOpaque, vtkTetrahedraReport& report);
+  std::array<TextureBuffer*, 10> GetBuffers();
 
   TextureBuffer Points;
   TextureBuffer Corners;
