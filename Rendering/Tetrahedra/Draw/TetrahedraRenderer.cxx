@@ -252,26 +252,9 @@ const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
   return order;
 }
 
-std::string TetrahedraRenderer::Render(
+int TetrahedraRenderer::ChooseLevel(
   vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
 {
-  const double start = vtkTimerLog::GetUniversalTime();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window)
-  {
-    return "the render window is not an OpenGL one";
-  }
-  std::string error = this->UpdateMesh(request);
-  report.Tetrahedra = request.Grid->GetNumberOfCells();
-  report.FlatTetrahedra = this->Counts.Flat;
-  report.NonFiniteTetrahedra = this->Counts.NonFinite;
-  if (!error.empty() || this->Mesh.Corners.empty())
-  {
-    return error;
-  }
-  this->ChooseBlend(request, report);
-  this->ChoosePath(request, window, report);
-
   const std::array<int, 3> conditions{ { report.RenderPath, renderer->GetSize()[0],
     renderer->GetSize()[1] } };
   if (conditions != this->LevelConditions)
@@ -286,7 +269,13 @@ std::string TetrahedraRenderer::Render(
   report.PixelStride = interlume::LevelOfDetail::GetPixelStride(level);
   this->Frame.TetrahedronStride = interlume::LevelOfDetail::GetTetrahedronStride(level);
   report.TetrahedronStride = static_cast<int>(this->Frame.TetrahedronStride);
-  error = this->Frame.View.Set(renderer, volume, this->Mesh, report.PixelStride);
+  return level;
+}
+
+std::string TetrahedraRenderer::UpdateFrame(
+  vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
+{
+  std::string error = this->Frame.View.Set(renderer, volume, this->Mesh, report.PixelStride);
   if (!error.empty())
   {
     return error;
@@ -313,36 +302,77 @@ std::string TetrahedraRenderer::Render(
   this->Frame.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : order;
   this->Frame.Blend = GetBlend(report.BlendMode);
   this->Frame.IsExact = request.Settings.IntegrationMode == Settings::LINEAR_SEGMENT;
+  this->Frame.PixelStride = report.PixelStride;
+  return {};
+}
+
+void TetrahedraRenderer::DrawFrame(
+  vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, vtkTetrahedraReport& report)
+{
+  if (report.RenderPath == Settings::OPENGL_PATH)
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    std::string fault = resources.Rasterizer.FindFault(window, this->Frame);
+    if (fault.empty())
+    {
+      fault = this->DrawWithOpenGL(renderer, volume, resources, report);
+    }
+    if (!fault.empty())
+    {
+      report.RenderPath = Settings::SOFTWARE_PATH;
+      report.PathReason = fault;
+    }
+  }
+  if (report.RenderPath == Settings::SOFTWARE_PATH)
+  {
+    this->DrawInSoftware(renderer, resources, report);
+  }
+}
+
+std::string TetrahedraRenderer::Render(
+  vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    return "the render window is not an OpenGL one";
+  }
+  std::string error = this->UpdateMesh(request);
+  report.Tetrahedra = request.Grid->GetNumberOfCells();
+  report.FlatTetrahedra = this->Counts.Flat;
+  report.NonFiniteTetrahedra = this->Counts.NonFinite;
+  if (!error.empty() || this->Mesh.Corners.empty())
+  {
+    return error;
+  }
+  this->ChooseBlend(request, report);
+  this->ChoosePath(request, window, report);
+  const int level = this->ChooseLevel(renderer, volume, request, report);
+  error = this->UpdateFrame(renderer, volume, request, report);
+  if (!error.empty())
+  {
+    return error;
+  }
   std::unique_ptr<WindowResources>& resources = this->Windows[window];
   if (!resources)
   {
     resources = std::make_unique<WindowResources>();
   }
-  this->Frame.PixelStride = report.PixelStride;
-  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (selector)
   {
     this->Select(renderer, selector, *resources);
-    this->Clip.Remove(this->Mesh, this->Fields);
-    return {};
   }
-  if (report.RenderPath == Settings::OPENGL_PATH)
+  else
   {
-    std::string obstacle = resources->Rasterizer.FindFault(window, this->Frame);
-    if (obstacle.empty())
-    {
-      obstacle = this->DrawWithOpenGL(renderer, volume, *resources, report);
-    }
-    if (!obstacle.empty())
-    {
-      report.RenderPath = Settings::SOFTWARE_PATH;
-      report.PathReason = obstacle;
-    }
-  }
-  if (report.RenderPath == Settings::SOFTWARE_PATH)
-  {
-    this->DrawInSoftware(renderer, *resources, report);
+    this->DrawFrame(renderer, volume, *resources, report);
   }
   this->Clip.Remove(this->Mesh, this->Fields);
+  if (selector)
+  {
+    return {};
+  }
   if (request.Settings.AutoAdjustLevelOfDetail && report.RenderPath == Settings::OPENGL_PATH)
   {
     // OpenGL takes commands and draws later; the level is chosen by when it is done.

@@ -79,6 +79,14 @@ private:
   void ChoosePath(
     const Request& request, vtkOpenGLRenderWindow* window, vtkTetrahedraReport& report);
   void ChooseSort(const Request& request, vtkTetrahedraReport& report);
+  /// Returns the level of detail, which is 0 for whole pictures.
+  int ChooseLevel(
+    vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
+  /// Makes what has changed of this picture anew. Returns what is wrong, or nothing.
+  std::string UpdateFrame(
+    vtkRenderer* renderer, vtkVolume* volume, const Request& request, vtkTetrahedraReport& report);
+  void DrawFrame(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
+    vtkTetrahedraReport& report);
   bool FindOneColor() const;
   const std::vector<std::uint32_t>* UpdateOrder(
     const Request& request, vtkTetrahedraReport& report);
