@@ -51,32 +51,86 @@ bool IsFinite(const Matrix& matrix)
     matrix.begin(), matrix.end(), [](double value) { return std::isfinite(value); });
 }
 
+// The linear part of \a worldFromTexture over \a radius, and its inverse, each three rows. Returns
+// whether there is an inverse.
+bool Invert(const Matrix& worldFromTexture, double radius, double linear[9], double inverse[9])
+{
+  double lengths[3];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec3 column = (1.0 / radius) * GetColumn(worldFromTexture, axis);
+    lengths[axis] = Vectors::SafeLength(column);
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      linear[3 * row + axis] = column[row];
+    }
+  }
+  double directions[9];
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    directions[i] = lengths[i % 3] > 0.0 ? linear[i] / lengths[i % 3] : 0.0;
+  }
+  constexpr double flattest = 1e-12;
+  if (!(std::abs(vtkMatrix3x3::Determinant(directions)) > flattest))
+  {
+    return false;
+  }
+  vtkMatrix3x3::Invert(directions, inverse);
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    inverse[i] /= lengths[i / 3];
+  }
+  return true;
 }
 
-std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume)
+}
+
+bool UnitSpace::SetTexels(vtkImageData* image, bool isOfCells, glm::dvec3& middleIndex)
 {
   int extent[6];
   image->GetExtent(extent);
-  glm::dvec3 first;
-  glm::dvec3 middle;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const int points = extent[2 * axis + 1] - extent[2 * axis] + 1;
     if (points < 1)
     {
-      return "the image has no samples";
+      return false;
     }
     const bool isFlat = points == 1;
     const int size = isOfCells && !isFlat ? points - 1 : points;
     const double half = 0.5 / size;
     this->Size[axis] = size;
-    // The index of texture coordinate 0.
-    first[axis] = extent[2 * axis] - (isOfCells && !isFlat ? 0.0 : 0.5);
+    const double indexOfTexture0 = extent[2 * axis] - (isOfCells && !isFlat ? 0.0 : 0.5);
     this->Box[axis] = isOfCells || isFlat ? std::array<double, 2>{ { 0.0, 1.0 } }
                                           : std::array<double, 2>{ { half, 1.0 - half } };
-    middle[axis] = 0.5;
+    middleIndex[axis] = indexOfTexture0 + 0.5 * size;
   }
+  return true;
+}
 
+void UnitSpace::SetSphere(const Matrix& worldFromTexture, const glm::dvec3& center)
+{
+  this->Center = center;
+  this->Radius = 0.0;
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    glm::dvec3 offset;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      offset[axis] = this->Box[axis][corner >> axis & 1u] - 0.5;
+    }
+    this->Radius =
+      std::max(this->Radius, Vectors::SafeLength(TransformVector(worldFromTexture, offset)));
+  }
+}
+
+std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume)
+{
+  glm::dvec3 index;
+  if (!this->SetTexels(image, isOfCells, index))
+  {
+    return "the image has no samples";
+  }
   Matrix volumeFromIndex;
   std::copy_n(image->GetIndexToPhysicalMatrix()->GetData(), 16, volumeFromIndex.begin());
   Matrix worldFromIndex;
@@ -94,67 +148,31 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
 
   Matrix worldFromTexture = worldFromIndex;
   Matrix volumeFromTexture = volumeFromIndex;
-  glm::dvec3 index;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    index[axis] = first[axis] + middle[axis] * this->Size[axis];
     for (std::size_t row = 0; row < 3; ++row)
     {
       worldFromTexture[4 * row + axis] *= this->Size[axis];
       volumeFromTexture[4 * row + axis] *= this->Size[axis];
     }
   }
-
   // Places are computed from the middle on, so that nothing cancels far from the origin.
-  this->Center = TransformPoint(worldFromIndex, index);
-  this->Radius = 0.0;
-  for (unsigned corner = 0; corner < 8; ++corner)
-  {
-    glm::dvec3 offset;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      offset[axis] = this->Box[axis][corner >> axis & 1u] - middle[axis];
-    }
-    this->Radius =
-      std::max(this->Radius, Vectors::SafeLength(TransformVector(worldFromTexture, offset)));
-  }
+  this->SetSphere(worldFromTexture, TransformPoint(worldFromIndex, index));
   if (!std::isfinite(this->Radius) || !(this->Radius > 0.0) || !std::isfinite(1.0 / this->Radius))
   {
     return "the volume's size is 0 or not finite";
   }
 
   double linear[9];
-  double columns[3];
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const glm::dvec3 column = (1.0 / this->Radius) * GetColumn(worldFromTexture, axis);
-    columns[axis] = Vectors::SafeLength(column);
-    for (std::size_t row = 0; row < 3; ++row)
-    {
-      linear[3 * row + axis] = column[row];
-    }
-  }
-  double directions[9];
-  for (std::size_t i = 0; i < 9; ++i)
-  {
-    directions[i] = columns[i % 3] > 0.0 ? linear[i] / columns[i % 3] : 0.0;
-  }
-  constexpr double flattest = 1e-12;
-  if (!(std::abs(vtkMatrix3x3::Determinant(directions)) > flattest))
+  double inverse[9];
+  if (!Invert(worldFromTexture, this->Radius, linear, inverse))
   {
     return "the matrix of the volume or its image is singular";
   }
-  double inverse[9];
-  vtkMatrix3x3::Invert(directions, inverse);
-  for (std::size_t i = 0; i < 9; ++i)
-  {
-    inverse[i] /= columns[i / 3];
-  }
-
   const glm::dvec3 none{ 0.0, 0.0, 0.0 };
+  const glm::dvec3 middle{ 0.5, 0.5, 0.5 };
   this->UnitFromTexture = MakeCentered(MakeAffine(linear, none), middle);
   this->TextureFromUnit = MakeAffine(inverse, middle);
-  const glm::dvec3 center = TransformPoint(volumeFromIndex, index);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const glm::dvec3 column =
@@ -164,7 +182,7 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
       linear[3 * row + axis] = column[row];
     }
   }
-  this->VolumeFromUnit = MakeAffine(linear, center);
+  this->VolumeFromUnit = MakeAffine(linear, TransformPoint(volumeFromIndex, index));
   const bool isFinite = IsFinite(this->TextureFromUnit) && IsFinite(this->UnitFromTexture) &&
     IsFinite(this->VolumeFromUnit);
   return isFinite ? "" : "the matrix of the volume or its image is not finite";

@@ -44,6 +44,11 @@ public:
   std::array<double, 16> VolumeFromUnit{};
   /// The box that has matter, in texture coordinates: lower and upper of each axis.
   std::array<std::array<double, 2>, 3> Box{};
+
+private:
+  /// Sets Size and Box and finds the index of the middle. Returns whether there are samples.
+  bool SetTexels(vtkImageData* image, bool isOfCells, glm::dvec3& middleIndex);
+  void SetSphere(const std::array<double, 16>& worldFromTexture, const glm::dvec3& center);
 };
 
 }
