@@ -108,6 +108,21 @@ std::array<double, 3> LookUp(const interlume::MaterialTable& table,
   return result;
 }
 
+/// The largest error that opacities may have. Some versions of VTK draw a sharpness of 1 as a
+/// curve; with a midpoint off the middle its slope changes so much within one column that the table
+/// is off by more there, which interlume::TransferColumns allows.
+double GetOpacityBound(vtkPiecewiseFunction* opacity)
+{
+  std::array<double, 4> first{};
+  std::array<double, 4> second{};
+  opacity->GetNodeValue(0, first.data());
+  opacity->GetNodeValue(1, second.data());
+  const double beforeMiddle = first[0] + 0.99 * first[2] * (second[0] - first[0]);
+  const bool isBent =
+    first[3] == 1.0 && first[2] != 0.5 && opacity->GetValue(beforeMiddle) != first[1];
+  return isBent ? 5e-3 : 2e-3;
+}
+
 /// Functions with peaks, steps and curves, over a range that one value makes 1e7 wide.
 void CheckBends(Check& check)
 {
@@ -153,7 +168,7 @@ void CheckBends(Check& check)
         transmissionError = std::max(transmissionError, std::abs(passed[c] - rgb[c]));
       }
     }
-    check.Near(opacityError, 0.0, 2e-3, "opacity", 1.0);
+    check.Near(opacityError, 0.0, GetOpacityBound(opacity), "opacity", 1.0);
     check.Near(colorError, 0.0, 2e-3, "colour", 1.0);
     check.Near(transmissionError, 0.0, 2e-3, "transmission", 1.0);
     check.That(below < 1e-4, "the largest is not below");

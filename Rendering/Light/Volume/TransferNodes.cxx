@@ -4,6 +4,7 @@
 #include "Volume/TransferMath.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 
 #include <algorithm>
@@ -35,6 +36,34 @@ double GetSize(const Value& value)
 double GetBeyond(double x, double sign)
 {
   return x + sign * std::max(std::abs(x), 1.0);
+}
+
+/// Returns the value that the largest sharpness gives close before the middle of a rise from 0 to
+/// 1: 0 where VTK makes it a step. Some versions draw it as the steepest curve in place of a step.
+double GetValueBeforeStep(vtkPiecewiseFunction* rise, double x)
+{
+  rise->AddPoint(0.0, 0.0, 0.5, 1.0);
+  rise->AddPoint(1.0, 1.0, 0.5, 1.0);
+  return rise->GetValue(x);
+}
+
+double GetValueBeforeStep(vtkColorTransferFunction* rise, double x)
+{
+  rise->AddRGBPoint(0.0, 0.0, 0.0, 0.0, 0.5, 1.0);
+  rise->AddRGBPoint(1.0, 1.0, 1.0, 1.0, 0.5, 1.0);
+  return rise->GetRedValue(x);
+}
+
+/// Returns whether functions of a type make a step of the largest sharpness in this version of VTK.
+template <typename Transfer>
+bool MakesSteps()
+{
+  static const bool steps = []()
+  {
+    vtkNew<Transfer> rise;
+    return GetValueBeforeStep(rise, 0.49) == 0.0;
+  }();
+  return steps;
 }
 }
 
@@ -70,7 +99,7 @@ void TransferNodes::AddCurve(
 
 template <typename Function>
 void TransferNodes::AddSegment(const Function& function, const Node& a, const Node& b,
-  double midpoint, double sharpness, Curve curve)
+  double midpoint, double sharpness, bool steps, Curve curve)
 {
   // The limits are those of VTK's functions.
   constexpr double leastMidpoint = 0.00001;
@@ -79,7 +108,7 @@ void TransferNodes::AddSegment(const Function& function, const Node& a, const No
   const double share = std::clamp(midpoint, leastMidpoint, 1.0 - leastMidpoint);
   const double middle = curve == LOGARITHMIC && a.X > 0.0 ? a.X * std::pow(b.X / a.X, share)
                                                           : a.X + share * (b.X - a.X);
-  if (sharpness > step)
+  if (steps && sharpness > step)
   {
     this->Add(middle, a.Y);
     this->Add(middle, b.Y);
@@ -122,7 +151,7 @@ void TransferNodes::AddFunction(Transfer* transfer, const Function& function, Cu
     const double midpoint = point[Channels + 1];
     const double sharpness = point[Channels + 2];
     const Node next = get(i);
-    this->AddSegment(function, node, next, midpoint, sharpness, curve);
+    this->AddSegment(function, node, next, midpoint, sharpness, MakesSteps<Transfer>(), curve);
     node = next;
   }
   this->Add(node.X, function(GetBeyond(node.X, 1.0)));

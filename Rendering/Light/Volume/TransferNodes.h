@@ -19,8 +19,9 @@ namespace interlume
  * Nodes ascend. Two at one place are a step, from the first one's value on the left to the second
  * one's on the right; before the first node and after the last the function has their values.
  * Clamping that is off, and colours below and above the range, are steps at the ends. Midpoints are
- * nodes, sharpness of 1 a step; what is curved (other sharpness, colour spaces, logarithmic scales)
- * is halved until straight pieces are within 1e-5 of it, relative to its ends.
+ * nodes, sharpness of 1 a step where VTK makes one of it (its piecewise functions do up to
+ * VTK 9.2); what is curved (other sharpness, colour spaces, logarithmic scales) is halved until
+ * straight pieces are within 1e-5 of it, relative to its ends.
  *
  * Values have three channels, equal ones for a vtkPiecewiseFunction.
  */
@@ -85,7 +86,7 @@ private:
   void AddCurve(const Function& function, const Node& a, const Node& b, double scale, int depth);
   template <typename Function>
   void AddSegment(const Function& function, const Node& a, const Node& b, double midpoint,
-    double sharpness, Curve curve);
+    double sharpness, bool steps, Curve curve);
   void Add(double x, const Value& y);
   void FindLargest();
 
