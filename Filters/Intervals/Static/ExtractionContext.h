@@ -141,7 +141,9 @@ struct ExtractionContext : Blanking
   template <typename Work>
   bool Run(vtkIdType number, double from, double to, Work&& work) const
   {
-    return Batches::Run(number, this->Owner, from, to, work);
+    // An extraction has many short passes over few rows.
+    constexpr vtkIdType batches = 8;
+    return Batches::Run(number, this->Owner, from, to, work, batches);
   }
 
   /// Notes that \a bytes of working memory are held at this moment.
