@@ -358,17 +358,14 @@ int vtkFlowVolume::RequestData(
                                << vtkIntervalList::MaximumNumber << " are the most.");
     return 1;
   }
-  interlume::VolumeExtraction::Request request;
+  interlume::VolumeExtraction::Request request(*this);
   this->SetProgressText("Extracting the flow volume");
   request.Input = input;
   request.Arrays = &arrays;
   request.Inflow = usesInflow ? &byInflow : nullptr;
   const bool cutsTime = byTime.GetItems().size() > 1 || byTime.GetItems()[0] != Everything;
   request.Time = cutsTime || !usesInflow ? &byTime : nullptr;
-  request.GenerateStreamSurfaces = this->GenerateStreamSurfaces;
   request.GenerateTimeSurfaces = this->GenerateTimeSurfaces && cutsTime;
-  request.MaximumTimeJump = this->MaximumTimeJump > 0.0 ? this->MaximumTimeJump : VTK_DOUBLE_MAX;
-  request.Precision = this->OutputPointsPrecision;
   request.Owner = this;
   if (!this->Extraction->Execute(request, this->Report))
   {

@@ -2,9 +2,10 @@
 #ifndef vtkFlowVolume_h
 #define vtkFlowVolume_h
 
-#include "InterlumeFlowModule.h" // for the export macro
-#include "vtkFlowVolumeReport.h" // for the report
-#include "vtkIntervalList.h"     // for the intervals
+#include "InterlumeFlowModule.h"   // for the export macro
+#include "vtkFlowVolumeReport.h"   // for the report
+#include "vtkFlowVolumeSettings.h" // for what is set
+#include "vtkIntervalList.h"       // for the intervals
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <memory>
@@ -96,7 +97,9 @@ class VolumeExtraction;
  *
  * @sa vtkImplicitFlowField vtkInflowMapping vtkStreamSurfaceParameters
  */
-class INTERLUMEFLOW_EXPORT vtkFlowVolume : public vtkUnstructuredGridAlgorithm
+class INTERLUMEFLOW_EXPORT vtkFlowVolume
+  : public vtkUnstructuredGridAlgorithm
+  , private vtkFlowVolumeSettings
 {
 public:
   static vtkFlowVolume* New();
@@ -209,15 +212,8 @@ private:
     vtkUnstructuredGrid* mesh) const;
 
   vtkIntervalList Intervals;
-  double TimeRange[2] = { 0.0, VTK_DOUBLE_MAX };
-  double MaximumTimeJump = 0.0;
   std::vector<double> StreamSurfaces;
   std::vector<double> TimeSurfaces;
-  bool GenerateStreamSurfaces = false;
-  bool GenerateTimeSurfaces = false;
-  bool GenerateNormals = false;
-  bool ParametersAsTextureCoordinates = false;
-  int OutputPointsPrecision = DEFAULT_PRECISION;
   vtkFlowVolumeReport Report;
   std::unique_ptr<interlume::VolumeExtraction> Extraction;
 };

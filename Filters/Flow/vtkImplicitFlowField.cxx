@@ -34,18 +34,9 @@ vtkStandardNewMacro(vtkImplicitFlowField);
 
 namespace
 {
-constexpr double AutomaticError = 1e-6;
-constexpr double AutomaticSpeed = 1e-9;
-
 bool IsEmpty(const double bounds[6])
 {
   return !(bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5]);
-}
-
-int GetAutomaticSteps(vtkIdType cells)
-{
-  constexpr double least = 2000.0;
-  return static_cast<int>(std::max(least, 20.0 * std::cbrt(static_cast<double>(cells))));
 }
 
 /// Returns whether streamlines of a direction end by themselves at a critical point of this type.
@@ -313,7 +304,7 @@ int vtkImplicitFlowField::RequestData(
   {
     return 1;
   }
-  interlume::AdvectionOptions options;
+  interlume::AdvectionOptions options(*this);
   vtkSmartPointer<vtkDataSet> samples = output;
   if (this->RefinementLevels > 0)
   {
@@ -325,7 +316,7 @@ int vtkImplicitFlowField::RequestData(
     field, vectors, association, this->GetInputArrayInformation(0));
   if (error.empty() &&
     (!this->SetSamples(input, field, inputs, outputs, samples) ||
-      !this->SetOptions(field, vectors, options)))
+      !this->PlaceSurfaces(field, vectors, options)))
   {
     output->Initialize();
     return 1;
@@ -338,12 +329,7 @@ int vtkImplicitFlowField::RequestData(
     {
       this->AddSpheres(field, options);
     }
-    interlume::ImplicitFlowRun run(this, options);
-    run.SetField(field, vectors, this->MeanArrays);
-    run.SetAutomatic(this->MaximumError > 0.0 ? 0.0 : AutomaticError,
-      this->MinimumSpeed > 0.0 ? 0.0 : AutomaticSpeed);
-    run.SetKeepSteps(this->KeepSteps);
-    run.SetRefinementLevels(this->RefinementLevels);
+    interlume::ImplicitFlowRun run(this, options, field, vectors);
     error = run.Execute(samples);
     report = run.GetReport();
     if (run.GetRefined())
@@ -520,7 +506,7 @@ void vtkImplicitFlowField::GetExtent(vtkInformation* info, const int whole[6], i
   }
 }
 
-bool vtkImplicitFlowField::SetOptions(
+bool vtkImplicitFlowField::PlaceSurfaces(
   vtkDataSet* field, vtkDataArray* vectors, interlume::AdvectionOptions& options)
 {
   if (this->Surfaces.empty() && !this->DomainFaces && !this->CriticalPointSpheres)
@@ -573,20 +559,6 @@ bool vtkImplicitFlowField::SetOptions(
     }
     this->UseSurface(surface, id, options);
   }
-  options.HasDomainFaces = this->DomainFaces;
-  options.DomainFaceId = this->DomainFaceId;
-  options.IsBackward = this->Direction == BACKWARD;
-  options.Integrator = this->Integrator;
-  options.MaximumError = this->MaximumError;
-  options.MaximumTime = this->MaximumTime > 0.0 ? this->MaximumTime : VTK_DOUBLE_MAX;
-  options.MaximumNumberOfSteps = this->MaximumNumberOfSteps > 0
-    ? this->MaximumNumberOfSteps
-    : GetAutomaticSteps(field->GetNumberOfCells());
-  options.MinimumSpeed = this->MinimumSpeed;
-  options.ArrivalTolerance = this->ArrivalTolerance;
-  options.HasMaximumSpeed = this->ComputeMaximumSpeed;
-  options.HasArcLength = this->ComputeArcLength;
-  options.HasMeanVorticity = this->ComputeMeanVorticity;
   return true;
 }
 

@@ -4,9 +4,9 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkDataSetAlgorithm.h"
-#include "vtkFlowIntegrator.h" // for the integrators
-#include "vtkFlowReport.h"     // for the report
-#include "vtkSmartPointer.h"   // for the surfaces
+#include "vtkFlowReport.h"   // for the report
+#include "vtkFlowSettings.h" // for what is set
+#include "vtkSmartPointer.h" // for the surfaces
 
 #include <string>
 #include <utility>
@@ -96,7 +96,9 @@ struct AdvectionOptions;
  *
  * @sa vtkTerminationSurface vtkFlowStatus
  */
-class INTERLUMEFLOW_EXPORT vtkImplicitFlowField : public vtkDataSetAlgorithm
+class INTERLUMEFLOW_EXPORT vtkImplicitFlowField
+  : public vtkDataSetAlgorithm
+  , private vtkFlowSettings
 {
 public:
   static vtkImplicitFlowField* New();
@@ -183,11 +185,9 @@ public:
   void SetSampleConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetSampleData(vtkDataSet* data);
 
-  enum Directions
-  {
-    BACKWARD = 0,
-    FORWARD = 1
-  };
+  using vtkFlowSettings::BACKWARD;
+  using vtkFlowSettings::Directions;
+  using vtkFlowSettings::FORWARD;
   ///@{
   /**
    * Whether streamlines are followed against the vectors or along them. Default BACKWARD. Valid:
@@ -199,13 +199,11 @@ public:
   void SetDirectionToForward() { this->SetDirection(FORWARD); }
   ///@}
 
-  enum Integrators
-  {
-    AUTOMATIC = vtkFlowIntegrator::AUTOMATIC,
-    DORMAND_PRINCE = vtkFlowIntegrator::DORMAND_PRINCE,
-    RUNGE_KUTTA_4 = vtkFlowIntegrator::RUNGE_KUTTA_4,
-    ROSENBROCK = vtkFlowIntegrator::ROSENBROCK
-  };
+  using vtkFlowSettings::AUTOMATIC;
+  using vtkFlowSettings::DORMAND_PRINCE;
+  using vtkFlowSettings::Integrators;
+  using vtkFlowSettings::ROSENBROCK;
+  using vtkFlowSettings::RUNGE_KUTTA_4;
   ///@{
   /**
    * The method of integration. DORMAND_PRINCE: order 5(4) with dense output of order 4.
@@ -361,7 +359,8 @@ private:
   /// refined.
   void GetExtent(vtkInformation* info, const int whole[6], int extent[6]) const;
   /// Places the surfaces in the field. Returns false after an error.
-  bool SetOptions(vtkDataSet* field, vtkDataArray* vectors, interlume::AdvectionOptions& options);
+  bool PlaceSurfaces(
+    vtkDataSet* field, vtkDataArray* vectors, interlume::AdvectionOptions& options);
   /// Warns where no sample reached a surface, and makes AdvectionTime the active scalars.
   void Finish(vtkInformation* info, vtkDataSet* output);
   void AddSpheres(vtkDataSet* field, interlume::AdvectionOptions& options);
@@ -370,27 +369,12 @@ private:
 
   std::vector<vtkSmartPointer<vtkTerminationSurface>> Surfaces;
   std::vector<std::pair<vtkSmartPointer<vtkTerminationSurface>, int>> UsedSurfaces;
-  bool DomainFaces = false;
-  int DomainFaceId = 1000;
   bool CriticalPointSpheres = false;
   int CriticalPointId = 2000;
   double CriticalPointRadius = 1.0;
   int SampleMode = SAMPLES_AUTOMATIC;
   int SampleDimensions[3] = { 64, 64, 64 };
   double SampleBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  int Direction = BACKWARD;
-  int Integrator = AUTOMATIC;
-  double MaximumError = 0.0;
-  double MaximumTime = 0.0;
-  int MaximumNumberOfSteps = 0;
-  double MinimumSpeed = 0.0;
-  double ArrivalTolerance = 0.01;
-  bool ComputeMaximumSpeed = false;
-  bool ComputeArcLength = false;
-  bool ComputeMeanVorticity = false;
-  std::vector<std::string> MeanArrays;
-  bool KeepSteps = false;
-  int RefinementLevels = 0;
   vtkFlowReport Report;
 };
 

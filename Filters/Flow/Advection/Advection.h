@@ -18,7 +18,7 @@
 #include "Common/Vectors.h"
 #include "Numerics/DenseOutput.h"
 
-#include "vtkFlowIntegrator.h"
+#include "vtkFlowSettings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ public:
   Advection(const Walker& field, const AdvectionOptions& options)
     : Field(field)
     , Options(options)
-    , Rate(Field, options.IsBackward)
+    , Rate(Field, options.IsBackward())
     , Surfaces(options.Surfaces)
     , Integrals(options)
     , HasIntegrals(!this->Integrals.IsEmpty())
@@ -91,7 +91,7 @@ private:
   void Reset(AdvectionResult& result)
   {
     std::vector<double> means = std::move(result.Means);
-    means.assign(this->Options.MeanArrays.size(), 0.0);
+    means.assign(this->Options.MeanNumbers.size(), 0.0);
     result = AdvectionResult();
     result.Means = std::move(means);
     this->Result = &result;
@@ -331,13 +331,12 @@ private:
     this->Dense.GetPoint(end, p);
     this->Field.GetPosition(p, x);
     double limit = std::numeric_limits<double>::infinity();
-    for (int face = 0; this->Options.HasDomainFaces && face < this->Field.GetNumberOfFaces();
-         ++face)
+    for (int face = 0; this->Options.DomainFaces && face < this->Field.GetNumberOfFaces(); ++face)
     {
       // A streamline that leaves the domain ends too: an orbit stays a cell away from there.
       limit = this->Field.GetDomainFace(face) >= 0 ? 0.0 : limit;
     }
-    for (int i = 0; this->Options.HasDomainFaces && i < 3; ++i)
+    for (int i = 0; this->Options.DomainFaces && i < 3; ++i)
     {
       const double unit[3] = { i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0 };
       limit = std::min(limit, 0.1 * this->GetWorldLength(p, unit));
@@ -348,7 +347,7 @@ private:
   bool Leave(int face)
   {
     this->FaceLeft = face;
-    const int domainFace = this->Options.HasDomainFaces ? this->Field.GetDomainFace(face) : -1;
+    const int domainFace = this->Options.DomainFaces ? this->Field.GetDomainFace(face) : -1;
     if (domainFace < 0)
     {
       return this->EndWith(vtkFlowStatus::LEFT_DOMAIN);
@@ -379,11 +378,11 @@ private:
     }
     switch (this->Options.Integrator)
     {
-      case vtkFlowIntegrator::DORMAND_PRINCE:
+      case vtkFlowSettings::DORMAND_PRINCE:
         return this->TakeStepBy(this->DormandPrince);
-      case vtkFlowIntegrator::RUNGE_KUTTA_4:
+      case vtkFlowSettings::RUNGE_KUTTA_4:
         return this->TakeStepBy(this->RungeKutta4);
-      case vtkFlowIntegrator::ROSENBROCK:
+      case vtkFlowSettings::ROSENBROCK:
         return this->TakeStepBy(this->Rosenbrock);
       default:
         return this->Stiffness.IsStiff() ? this->TakeStepBy(this->Rosenbrock)

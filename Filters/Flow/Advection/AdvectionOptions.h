@@ -2,6 +2,7 @@
 #ifndef interlume_AdvectionOptions_h
 #define interlume_AdvectionOptions_h
 
+#include "vtkFlowSettings.h"
 #include "vtkFlowStatus.h"
 #include "vtkType.h"
 
@@ -14,11 +15,25 @@ namespace interlume
 
 /**
  * @class   AdvectionOptions
- * @brief   the surfaces and settings that Advection follows streamlines with; values as in
- * vtkImplicitFlowField, none automatic
+ * @brief   the surfaces and settings that Advection follows streamlines with, none automatic
  */
-struct AdvectionOptions
+struct AdvectionOptions : vtkFlowSettings
 {
+  AdvectionOptions()
+  {
+    this->MaximumError = 1e-6;
+    this->MaximumTime = VTK_DOUBLE_MAX;
+    this->MaximumNumberOfSteps = 10000;
+  }
+  /// Takes the settings over; what is automatic in them is left to be replaced.
+  explicit AdvectionOptions(const vtkFlowSettings& settings)
+    : vtkFlowSettings(settings)
+  {
+  }
+
+  bool IsBackward() const { return this->Direction == BACKWARD; }
+  void SetBackward(bool isBackward) { this->Direction = isBackward ? BACKWARD : FORWARD; }
+
   /// A surface that is up to date, and the id of its first part.
   struct Surface
   {
@@ -26,20 +41,8 @@ struct AdvectionOptions
     int Id;
   };
   std::vector<Surface> Surfaces;
-  bool HasDomainFaces = false;
-  int DomainFaceId = 0;
-  bool IsBackward = true;
-  int Integrator = 0;
-  double MaximumError = 1e-6;
-  double MaximumTime = VTK_DOUBLE_MAX;
-  int MaximumNumberOfSteps = 10000;
-  double MinimumSpeed = 0.0;
-  double ArrivalTolerance = 0.01;
-  /// The further quantities that are kept; arrays are given by their numbers in the walker.
-  bool HasMaximumSpeed = false;
-  bool HasArcLength = false;
-  bool HasMeanVorticity = false;
-  std::vector<int> MeanArrays;
+  /// The numbers in the walker of the arrays that a mean is taken of.
+  std::vector<int> MeanNumbers;
 };
 
 /**

@@ -26,13 +26,14 @@ class PathIntegrals
 public:
   explicit PathIntegrals(const AdvectionOptions& options)
     : Options(options)
-    , Sums(options.MeanArrays.size())
+    , Sums(options.MeanNumbers.size())
   {
   }
 
   bool IsEmpty() const
   {
-    return !this->Options.HasMaximumSpeed && !this->Options.HasArcLength && !this->HasMeans();
+    return !this->Options.ComputeMaximumSpeed && !this->Options.ComputeArcLength &&
+      !this->HasMeans();
   }
 
   void Begin()
@@ -47,7 +48,7 @@ public:
   /// Adds a step from theta = 0 to \a end; \a h is its time from theta = 0 to 1.
   void Add(const Walker& field, const DenseOutput& dense, double end, double h)
   {
-    if (this->Options.HasMaximumSpeed)
+    if (this->Options.ComputeMaximumSpeed)
     {
       for (double theta : { 0.0, 0.5 * end, end })
       {
@@ -58,7 +59,7 @@ public:
         this->Speed = std::max(this->Speed, PathIntegrals::GetLength(field, p, rate));
       }
     }
-    if (!this->Options.HasArcLength && !this->HasMeans())
+    if (!this->Options.ComputeArcLength && !this->HasMeans())
     {
       return;
     }
@@ -70,7 +71,7 @@ public:
     {
       double p[3];
       dense.GetPoint(end * nodes[i], p);
-      if (this->Options.HasArcLength)
+      if (this->Options.ComputeArcLength)
       {
         double slope[3];
         dense.GetDerivative(end * nodes[i], slope);
@@ -89,7 +90,7 @@ public:
       this->Begin();
       this->AddMeans(field, p, 1.0);
       this->Time = 1.0;
-      if (this->Options.HasMaximumSpeed)
+      if (this->Options.ComputeMaximumSpeed)
       {
         double rate[3];
         field.GetVelocity(p, rate);
@@ -106,7 +107,7 @@ public:
   }
 
 private:
-  bool HasMeans() const { return this->Options.HasMeanVorticity || !this->Sums.empty(); }
+  bool HasMeans() const { return this->Options.ComputeMeanVorticity || !this->Sums.empty(); }
 
   static double GetLength(const Walker& field, const double p[3], const double d[3])
   {
@@ -117,7 +118,7 @@ private:
 
   void AddMeans(const Walker& field, const double p[3], double weight)
   {
-    if (this->Options.HasMeanVorticity)
+    if (this->Options.ComputeMeanVorticity)
     {
       double gradient[9];
       field.GetVelocityGradient(p, gradient);
@@ -127,7 +128,7 @@ private:
     }
     for (std::size_t i = 0; i < this->Sums.size(); ++i)
     {
-      this->Sums[i] += weight * field.Interpolate(this->Options.MeanArrays[i], p);
+      this->Sums[i] += weight * field.Interpolate(this->Options.MeanNumbers[i], p);
     }
   }
 

@@ -53,7 +53,7 @@ public:
   Answer Find(const BeyondCorners::Corner& corner, const double x[3])
   {
     Answer answer;
-    answer.Beyond.Means.assign(this->Options.MeanArrays.size(), 0.0);
+    answer.Beyond.Means.assign(this->Options.MeanNumbers.size(), 0.0);
     const vtkTerminationSurface* surface =
       this->Options.Surfaces[static_cast<std::size_t>(corner.Surface)].Shape;
     surface->EvaluateNormal(x, answer.Normal);
@@ -88,11 +88,11 @@ private:
       : OptionsTo(options)
     {
       this->OptionsTo.Surfaces = { options.Surfaces[static_cast<std::size_t>(surface)] };
-      this->OptionsTo.HasDomainFaces = false;
+      this->OptionsTo.DomainFaces = false;
       this->OptionsTo.MaximumTime = VTK_DOUBLE_MAX;
       this->OptionsTo.MaximumNumberOfSteps = MostSteps;
       this->OptionsBack = this->OptionsTo;
-      this->OptionsBack.IsBackward = !options.IsBackward;
+      this->OptionsBack.SetBackward(!options.IsBackward());
       this->To = std::make_unique<Advection<Walker>>(walker, this->OptionsTo);
       this->Back = std::make_unique<Advection<Walker>>(walker, this->OptionsBack);
     }
@@ -131,7 +131,7 @@ private:
     this->Field.GetWorldVector(p, rate, v);
     for (int i = 0; i < 3; ++i)
     {
-      v[i] = this->Options.IsBackward ? -v[i] : v[i];
+      v[i] = this->Options.IsBackward() ? -v[i] : v[i];
     }
     const double speed = vtkMath::Norm(v);
     return std::isfinite(speed) && speed > this->Options.MinimumSpeed;

@@ -27,6 +27,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <type_traits>
@@ -36,6 +37,15 @@ namespace interlume
 
 namespace
 {
+constexpr double AutomaticError = 1e-6;
+constexpr double AutomaticSpeed = 1e-9;
+
+int GetAutomaticSteps(vtkIdType cells)
+{
+  constexpr double least = 2000.0;
+  return static_cast<int>(std::max(least, 20.0 * std::cbrt(static_cast<double>(cells))));
+}
+
 template <typename Array>
 Array* Add(vtkFieldData* data, const std::string& name, int components, vtkIdType number)
 {
@@ -79,16 +89,16 @@ struct ImplicitFlowRun::Arrays
         visit(array, name, 1);
       }
     };
-    visitIf(run.Options.HasMaximumSpeed, this->MaximumSpeed, "MaximumSpeed");
-    visitIf(run.Options.HasArcLength, this->ArcLength, "ArcLength");
-    visitIf(run.Options.HasMeanVorticity, this->MeanVorticity, "MeanVorticity");
-    this->Means.resize(run.Means.size());
+    visitIf(run.Options.ComputeMaximumSpeed, this->MaximumSpeed, "MaximumSpeed");
+    visitIf(run.Options.ComputeArcLength, this->ArcLength, "ArcLength");
+    visitIf(run.Options.ComputeMeanVorticity, this->MeanVorticity, "MeanVorticity");
+    this->Means.resize(run.Options.MeanArrays.size());
     for (std::size_t i = 0; i < this->Means.size(); ++i)
     {
-      visit(this->Means[i], "Mean" + run.Means[i], 1);
+      visit(this->Means[i], "Mean" + run.Options.MeanArrays[i], 1);
     }
-    visitIf(run.KeepSteps, this->Steps, "AdvectionSteps");
-    visitIf(run.KeepSteps, this->StiffSteps, "StiffSteps");
+    visitIf(run.Options.KeepSteps, this->Steps, "AdvectionSteps");
+    visitIf(run.Options.KeepSteps, this->StiffSteps, "StiffSteps");
   }
 
   /// Makes the arrays and adds them to samples.
@@ -150,29 +160,29 @@ struct ImplicitFlowRun::Arrays
   }
 };
 
-ImplicitFlowRun::ImplicitFlowRun(vtkAlgorithm* owner, const AdvectionOptions& options)
+ImplicitFlowRun::ImplicitFlowRun(
+  vtkAlgorithm* owner, const AdvectionOptions& options, vtkDataSet* field, vtkDataArray* vectors)
   : Owner(owner)
   , Options(options)
+  , Field(field)
+  , Vectors(vectors)
 {
 }
 
-void ImplicitFlowRun::SetField(
-  vtkDataSet* field, vtkDataArray* vectors, const std::vector<std::string>& means)
+void ImplicitFlowRun::ReplaceAutomatic(double speed)
 {
-  this->Field = field;
-  this->Vectors = vectors;
-  this->Means = means;
-}
-
-void ImplicitFlowRun::SetAutomatic(double error, double speed)
-{
-  this->AutomaticError = error;
-  this->AutomaticSpeed = speed;
+  const auto replace = [](auto& value, auto automatic) { value = value > 0 ? value : automatic; };
+  // A field that is 0 throughout has no error.
+  constexpr double least = std::numeric_limits<double>::min();
+  replace(this->Options.MaximumError, std::max(AutomaticError * speed, least));
+  replace(this->Options.MinimumSpeed, std::max(AutomaticSpeed * speed, least));
+  replace(this->Options.MaximumTime, VTK_DOUBLE_MAX);
+  replace(this->Options.MaximumNumberOfSteps, GetAutomaticSteps(this->Field->GetNumberOfCells()));
 }
 
 std::string ImplicitFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
 {
-  for (const std::string& mean : this->Means)
+  for (const std::string& mean : this->Options.MeanArrays)
   {
     vtkDataArray* array = this->Field->GetPointData()->GetArray(mean.c_str());
     if (!array || array->GetNumberOfComponents() != 1)
@@ -194,7 +204,7 @@ std::string ImplicitFlowRun::Execute(vtkDataSet* samples)
   }
   for (std::size_t i = 0; i < means.size(); ++i)
   {
-    this->Options.MeanArrays.push_back(static_cast<int>(i));
+    this->Options.MeanNumbers.push_back(static_cast<int>(i));
   }
   Arrays arrays;
   arrays.Make(*this, samples);
@@ -202,24 +212,13 @@ std::string ImplicitFlowRun::Execute(vtkDataSet* samples)
     this->Field, this->Vectors, means,
     [&](const auto& walker)
     {
-      const double speed = walker.GetField().GetSpeedScale();
-      if (this->AutomaticError > 0.0)
-      {
-        // A field that is 0 throughout has no error.
-        this->Options.MaximumError =
-          std::max(this->AutomaticError * speed, std::numeric_limits<double>::min());
-      }
-      if (this->AutomaticSpeed > 0.0)
-      {
-        this->Options.MinimumSpeed =
-          std::max(this->AutomaticSpeed * speed, std::numeric_limits<double>::min());
-      }
+      this->ReplaceAutomatic(walker.GetField().GetSpeedScale());
       auto own = walker;
       int domainFaces = 6;
       BoundaryPatches patches;
       if constexpr (std::is_same_v<decltype(own), UnstructuredWalker>)
       {
-        if (this->Options.HasDomainFaces)
+        if (this->Options.DomainFaces)
         {
           const UnstructuredFlowField& field = walker.GetField();
           patches.Build(
@@ -231,7 +230,7 @@ std::string ImplicitFlowRun::Execute(vtkDataSet* samples)
           domainFaces = patches.GetNumberOfPatches();
         }
       }
-      this->AddSurfaces(samples, this->Options.HasDomainFaces ? domainFaces : 0);
+      this->AddSurfaces(samples, this->Options.DomainFaces ? domainFaces : 0);
       this->FollowAll(own, samples);
     },
     StageProgress(this->Owner, 0.0, FieldDispatch::BuildingPart));
@@ -248,11 +247,11 @@ void ImplicitFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
   TerminationSides sides(this->Options);
   bool goesOn = this->Follow(walker, samples, 0, 0, sides);
   vtkSmartPointer<vtkUnstructuredGrid> grid;
-  if (goesOn && this->RefinementLevels > 0)
+  if (goesOn && this->Options.RefinementLevels > 0)
   {
     grid = CellRefinement::MakeGrid(samples);
   }
-  for (int level = 1; goesOn && level <= this->RefinementLevels; ++level)
+  for (int level = 1; goesOn && level <= this->Options.RefinementLevels; ++level)
   {
     this->FindBeyond(walker, grid);
     const vtkIdType before = grid->GetNumberOfPoints();
@@ -302,7 +301,7 @@ bool ImplicitFlowRun::Follow(
   }
   sides.SetNumberOfSamples(number);
   constexpr double start = FieldDispatch::BuildingPart;
-  const double part = (1.0 - start) / (this->RefinementLevels + 1.0);
+  const double part = (1.0 - start) / (this->Options.RefinementLevels + 1.0);
   const bool isDone =
     Batches::Run(number - first, this->Owner, start + level * part, start + (level + 1) * part,
       [&](vtkIdType begin, vtkIdType end)

@@ -27,17 +27,9 @@ class TerminationSides;
 class ImplicitFlowRun
 {
 public:
-  ImplicitFlowRun(vtkAlgorithm* owner, const AdvectionOptions& options);
-
-  /// Sets the field, its vectors, and the names of the arrays that have a mean.
-  void SetField(vtkDataSet* field, vtkDataArray* vectors, const std::vector<std::string>& means);
-  /// Sets error and minimum speed in parts of the field's speed (SpeedScale); 0 stands for those of
-  /// the options.
-  void SetAutomatic(double error, double speed);
-  void SetKeepSteps(bool keep) { this->KeepSteps = keep; }
-
-  /// Sets how often mixed cells are refined.
-  void SetRefinementLevels(int levels) { this->RefinementLevels = levels; }
+  /// The options' error, speed, time and number of steps are automatic where they are 0.
+  ImplicitFlowRun(
+    vtkAlgorithm* owner, const AdvectionOptions& options, vtkDataSet* field, vtkDataArray* vectors);
 
   /**
    * Adds the arrays to \a samples. Returns what is wrong, or nothing, as after an abort. The first
@@ -53,6 +45,9 @@ public:
 
 private:
   struct Arrays;
+  /// Replaces what is automatic in the options; error and speed are parts of the field's speed
+  /// (SpeedScale).
+  void ReplaceAutomatic(double speed);
   /// Follows all samples, and those of the levels of refinement.
   template <typename Walker>
   void FollowAll(const Walker& walker, vtkDataSet* samples);
@@ -75,13 +70,8 @@ private:
 
   vtkAlgorithm* Owner;
   AdvectionOptions Options;
-  vtkDataSet* Field = nullptr;
-  vtkDataArray* Vectors = nullptr;
-  std::vector<std::string> Means;
-  double AutomaticError = 0.0;
-  double AutomaticSpeed = 0.0;
-  bool KeepSteps = false;
-  int RefinementLevels = 0;
+  vtkDataSet* Field;
+  vtkDataArray* Vectors;
   vtkSmartPointer<vtkUnstructuredGrid> Refined;
   vtkFlowReport Report;
 };

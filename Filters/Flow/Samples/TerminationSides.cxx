@@ -61,7 +61,7 @@ struct Gap
 }
 
 TerminationSides::TerminationSides(const AdvectionOptions& options)
-  : IsBackward(options.IsBackward)
+  : IsBackward(options.IsBackward())
 {
   for (const AdvectionOptions::Surface& surface : options.Surfaces)
   {

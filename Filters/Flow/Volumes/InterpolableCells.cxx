@@ -39,7 +39,7 @@ public:
   Classifier(const ImplicitFlowArrays& arrays, const InterpolableCells::Limits& limits)
     : Arrays(arrays)
     , Limits(limits)
-    , HasTimeLimit(limits.MaximumTimeJump < VTK_DOUBLE_MAX)
+    , HasTimeLimit(limits.MaximumTimeJump > 0.0)
   {
   }
 

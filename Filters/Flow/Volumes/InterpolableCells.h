@@ -52,8 +52,8 @@ public:
   struct Limits
   {
     Continuity Seams;
-    /// The largest difference between the times of a cell's corners.
-    double MaximumTimeJump = VTK_DOUBLE_MAX;
+    /// The largest difference between the times of a cell's corners; 0 stands for no limit.
+    double MaximumTimeJump = 0.0;
   };
 
   /// Finds the kind of each cell of \a data. Returns false when \a owner was aborted.

@@ -74,8 +74,9 @@ vtkSmartPointer<vtkIntArray> Rename(
 int GetPrecision(const VolumeExtraction::Request& request)
 {
   const bool hasOwnPoints = vtkPointSet::SafeDownCast(request.Input) ||
-    request.Precision != vtkAlgorithm::DEFAULT_PRECISION;
-  return hasOwnPoints ? request.Precision : static_cast<int>(vtkAlgorithm::SINGLE_PRECISION);
+    request.OutputPointsPrecision != vtkAlgorithm::DEFAULT_PRECISION;
+  return hasOwnPoints ? request.OutputPointsPrecision
+                      : static_cast<int>(vtkAlgorithm::SINGLE_PRECISION);
 }
 }
 
@@ -154,7 +155,7 @@ bool VolumeExtraction::Run(const Request& request, Result& result, vtkDataSet* i
 {
   vtkIntervalVolume* filter = result.Filter;
   filter->SetInputDataObject(input);
-  filter->SetOutputPointsPrecision(request.Precision);
+  filter->SetOutputPointsPrecision(request.OutputPointsPrecision);
   levels.SetItems(filter);
   Progress progress{ request.Owner, start, end - start };
   vtkNew<vtkCallbackCommand> command;

@@ -7,6 +7,7 @@
 #include "Volumes/SurfaceTriangles.h"
 
 #include "vtkFlowVolumeReport.h"
+#include "vtkFlowVolumeSettings.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -32,18 +33,20 @@ class SurfaceLevels;
 class VolumeExtraction
 {
 public:
-  struct Request
+  /// The settings, and what they are applied to.
+  struct Request : vtkFlowVolumeSettings
   {
+    explicit Request(const vtkFlowVolumeSettings& settings)
+      : vtkFlowVolumeSettings(settings)
+    {
+    }
+
     vtkDataSet* Input = nullptr;
     ImplicitFlowArrays* Arrays = nullptr;
     /// The levels of Inflow and of time. Null stands for no extraction by that function; one of the
     /// two is not null.
     const SurfaceLevels* Inflow = nullptr;
     const SurfaceLevels* Time = nullptr;
-    bool GenerateStreamSurfaces = false;
-    bool GenerateTimeSurfaces = false;
-    int Precision = 0;
-    double MaximumTimeJump = VTK_DOUBLE_MAX;
     vtkAlgorithm* Owner = nullptr;
   };
 
@@ -96,7 +99,7 @@ private:
   vtkSmartPointer<vtkDataSet> Prepared;
   const vtkDataSet* PreparedInput = nullptr;
   vtkMTimeType PreparedTime = 0;
-  double PreparedTimeJump = VTK_DOUBLE_MAX;
+  double PreparedTimeJump = 0.0;
   InterpolableCells Cells;
   interlume::SurfaceCuts Cuts;
   vtkIdType NumberOfCutCells = 0;

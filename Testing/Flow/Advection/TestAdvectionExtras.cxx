@@ -26,10 +26,10 @@ KeepingOptions ExtraOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& 
 {
   KeepingOptions options = ForwardOptions(surfaces);
   options.MaximumError = 1e-8;
-  options.HasMaximumSpeed = true;
-  options.HasArcLength = true;
-  options.HasMeanVorticity = true;
-  options.MeanArrays = { 1, 0 };
+  options.ComputeMaximumSpeed = true;
+  options.ComputeArcLength = true;
+  options.ComputeMeanVorticity = true;
+  options.MeanNumbers = { 1, 0 };
   return options;
 }
 

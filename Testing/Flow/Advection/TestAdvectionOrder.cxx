@@ -313,7 +313,7 @@ void TestTolerance(Check& check)
     for (const Case& one : cases)
     {
       KeepingOptions options = ForwardOptions({ one.Surface });
-      options.IsBackward = one.IsBackward;
+      options.SetBackward(one.IsBackward);
       options.MaximumError = tolerance;
       options.MaximumTime = 50.0;
       int answers = 0;

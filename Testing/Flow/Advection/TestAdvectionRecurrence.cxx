@@ -49,7 +49,7 @@ void TestClosed(Check& check)
       const auto result = Advect(walker, options, { radius, 0.1, 0.2 });
       check.Equal(result.Status, vtkFlowStatus::CLOSED_ORBIT, Describe(result));
       check.That(NumberOfSteps(result) < options.MaximumNumberOfSteps / 4, Describe(result));
-      options.IsBackward = !options.IsBackward;
+      options.SetBackward(!options.IsBackward());
     }
     // The surface is nearer than the orbit is sure to keep away from.
     const auto beside = Advect(walker, options, { 2.0, 0.1, 1.999999 });

@@ -3,7 +3,7 @@
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Flow/ReferenceAdvection.h"
 
-#include "vtkFlowIntegrator.h"
+#include "vtkFlowSettings.h"
 #include "Advection/Advection.h"
 #include "vtkMath.h"
 
@@ -48,7 +48,8 @@ void TestLeaving(Check& check)
   // A cell that is missing.
   lattice.IsCell = [](const auto& cell) { return cell[0] != 2; };
   interlume::AdvectionOptions options = ForwardOptions();
-  options.HasDomainFaces = true;
+  options.DomainFaces = true;
+  options.DomainFaceId = 0;
   left = Advect(LatticeWalker<>(flow, lattice), options, { 0.5, 0.5, 0.5 });
   check.Equal(left.Status, vtkFlowStatus::LEFT_DOMAIN, "a hole is no face of the domain");
   check.Near(left.Time, 1.5, 1e-14, "time until the hole");
@@ -137,7 +138,7 @@ void TestStagnation(Check& check)
   const Flow node = Flow::Linear({ -1, 0, 0, 0, -1, 0, 0, 0, -1 }, { 2.3, 2.4, 2.6 });
   const Lattice lattice = Cubes(4);
   const LatticeWalker<> walker(node, lattice);
-  for (int integrator = vtkFlowIntegrator::AUTOMATIC; integrator <= vtkFlowIntegrator::ROSENBROCK;
+  for (int integrator = vtkFlowSettings::AUTOMATIC; integrator <= vtkFlowSettings::ROSENBROCK;
        ++integrator)
   {
     interlume::AdvectionOptions options = ForwardOptions();
@@ -173,7 +174,7 @@ void TestLimits(Check& check)
   Lattice lattice = Cubes(8);
   lattice.Origin = { -4, -4, -4 };
   const LatticeWalker<> walker(flow, lattice);
-  for (int integrator = vtkFlowIntegrator::AUTOMATIC; integrator <= vtkFlowIntegrator::ROSENBROCK;
+  for (int integrator = vtkFlowSettings::AUTOMATIC; integrator <= vtkFlowSettings::ROSENBROCK;
        ++integrator)
   {
     interlume::AdvectionOptions options = ForwardOptions();
@@ -234,7 +235,7 @@ void TestNotFinite(Check& check)
     std::fill(gradient, gradient + 9, 0.0);
     gradient[0] = 1.0 / ((2.0 - x[0]) * (2.0 - x[0]));
   };
-  for (int integrator = vtkFlowIntegrator::AUTOMATIC; integrator <= vtkFlowIntegrator::ROSENBROCK;
+  for (int integrator = vtkFlowSettings::AUTOMATIC; integrator <= vtkFlowSettings::ROSENBROCK;
        ++integrator)
   {
     options.Integrator = integrator;

@@ -63,7 +63,7 @@ void TestExact(Check& check)
     check.SetContext("integrator " + std::to_string(integrator));
     KeepingOptions options = ForwardOptions({ plane });
     options.Integrator = integrator;
-    options.IsBackward = true;
+    options.SetBackward(true);
     const Flow uniform = Flow::Uniform({ 2, 1, 0.5 });
     for (const auto& result : AdvectInAll(uniform, options, { 1, 2, 3 }))
     {
@@ -89,7 +89,7 @@ void TestExact(Check& check)
     // A quarter of a turn backwards, to the plane x = 0 from x > 0.
     options = ForwardOptions({ FormulaSurface::Plane({ 0.6, 0.8, 0 }, 0.0, 1, 2) });
     options.Integrator = integrator;
-    options.IsBackward = true;
+    options.SetBackward(true);
     options.MaximumError = 1e-9;
     const double quarter = std::atan2(0.6, -0.8);
     for (const auto& result : AdvectInAll(Flow::Rotation(2.0), options, { 1.5, 0, 0.3 }))
@@ -130,7 +130,7 @@ void TestStartOnSurface(Check& check)
   for (bool isBackward : { false, true })
   {
     KeepingOptions options = ForwardOptions({ plane });
-    options.IsBackward = isBackward;
+    options.SetBackward(isBackward);
     for (const auto& result : AdvectInAll(flow, options, { 0.25, 0.7, 0.5 }))
     {
       Expect(check, result, { 10, 0.25, 0.5, 0.0 }, 0.0, "start on a plane");
@@ -340,7 +340,7 @@ void TestBoundary(Check& check)
   const auto advect = [&](const Surface& surface, bool hasFaces)
   {
     KeepingOptions options = ForwardOptions({ surface });
-    options.HasDomainFaces = hasFaces;
+    options.DomainFaces = hasFaces;
     options.DomainFaceId = 500;
     return Advect(box, options, { 0, 0, 0 });
   };
@@ -366,7 +366,7 @@ void TestBoundary(Check& check)
     velocity[static_cast<std::size_t>(face / 2)] = face % 2 == 0 ? -1.0 : 1.0;
     const Flow along = Flow::Uniform(velocity);
     KeepingOptions options = ForwardOptions();
-    options.HasDomainFaces = true;
+    options.DomainFaces = true;
     options.DomainFaceId = 7;
     const auto result = Advect(LatticeWalker<>(along, Cells), options, { 1, 2, 3 });
     const double parts[3] = { 11.0 / 20.0, 12.0 / 20.0, 13.0 / 20.0 };

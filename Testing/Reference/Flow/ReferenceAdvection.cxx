@@ -46,7 +46,7 @@ interlume::AdvectionResult Advect(
 KeepingOptions ForwardOptions()
 {
   KeepingOptions options;
-  options.IsBackward = false;
+  options.SetBackward(false);
   return options;
 }
 
