@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkProjectiveLight.h"
 
-#include "Space/UnitVector.h"
+#include "Lights/LightFrame.h"
+#include "Lights/LightImage.h"
 
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 
 vtkStandardNewMacro(vtkProjectiveLight);
 
@@ -115,23 +114,16 @@ bool vtkProjectiveLight::GetScreenMatrix(vtkMatrix4x4* matrix)
 bool vtkProjectiveLight::GetScreenMatrix(const double position[3], const double focalPoint[3],
   const double viewUp[3], double scale, vtkMatrix4x4* matrix) const
 {
-  using namespace interlume::UnitVector;
-  const glm::dvec3 origin = glm::make_vec3(position);
-  const glm::dvec3 axis = glm::make_vec3(focalPoint) - origin;
-  const double distance = interlume::Vectors::SafeLength(axis);
-  if (!(distance > 0.0) || !std::isfinite(distance))
+  interlume::LightFrame frame;
+  if (!frame.Set(position, focalPoint, viewUp))
   {
     return false;
   }
-  const glm::dvec3 forward = Normalize(axis, axis);
-  const glm::dvec3 up =
-    Perpendicular(forward, Normalize(glm::make_vec3(viewUp), { 0.0, 1.0, 0.0 }));
-  const glm::dvec3 right = glm::cross(forward, up);
 
   // Depth is 1 on the screen; across is 1 over its width or height.
-  const glm::dvec3 depth = (1.0 / distance) * forward;
-  const glm::dvec3 across[2] = { (1.0 / (scale * this->ScreenSize[0])) * right,
-    (1.0 / (scale * this->ScreenSize[1])) * up };
+  const glm::dvec3 depth = (1.0 / frame.Distance) * frame.Forward;
+  const glm::dvec3 across[2] = { (1.0 / (scale * this->ScreenSize[0])) * frame.Right,
+    (1.0 / (scale * this->ScreenSize[1])) * frame.Up };
   matrix->Zero();
   const auto setRow = [&](int row, const glm::dvec3& a, double constant)
   {
@@ -139,7 +131,7 @@ bool vtkProjectiveLight::GetScreenMatrix(const double position[3], const double 
     {
       matrix->SetElement(row, i, a[static_cast<std::size_t>(i)]);
     }
-    matrix->SetElement(row, 3, constant - glm::dot(a, origin));
+    matrix->SetElement(row, 3, constant - glm::dot(a, frame.Origin));
   };
   for (int i = 0; i < 2; ++i)
   {
@@ -162,68 +154,16 @@ bool vtkProjectiveLight::GetScreenMatrix(const double position[3], const double 
 
 std::string vtkProjectiveLight::GetImageError() const
 {
-  if (!this->Image)
-  {
-    return "";
-  }
-  int size[3];
-  this->Image->GetDimensions(size);
-  vtkDataArray* scalars = this->Image->GetPointData()->GetScalars();
-  if (!scalars || scalars->GetNumberOfTuples() == 0)
-  {
-    return "the image on its screen has no samples";
-  }
-  if (size[2] != 1)
-  {
-    return "the image on its screen has " + std::to_string(size[2]) + " samples along z, not 1";
-  }
-  if (scalars->GetNumberOfTuples() != this->Image->GetNumberOfPoints())
-  {
-    return "the image on its screen has not one value for each of its points";
-  }
-  if (scalars->GetNumberOfComponents() > 4)
-  {
-    return "the image on its screen has " + std::to_string(scalars->GetNumberOfComponents()) +
-      " components, not 1 to 4";
-  }
-  const int type = scalars->GetDataType();
-  if (type != VTK_UNSIGNED_CHAR && type != VTK_FLOAT && type != VTK_DOUBLE)
-  {
-    return std::string("the image on its screen is of type ") + scalars->GetDataTypeAsString() +
-      ", not unsigned char or floating point";
-  }
-  return "";
-}
-
-void vtkProjectiveLight::GetSample(vtkIdType index, double color[3]) const
-{
-  vtkDataArray* scalars = this->Image->GetPointData()->GetScalars();
-  const double largest = scalars->GetDataType() == VTK_UNSIGNED_CHAR ? 255.0 : 1.0;
-  const int components = scalars->GetNumberOfComponents();
-  const auto value = [&](int component)
-  { return Clamp(scalars->GetComponent(index, component) / largest, 0.0, 1.0); };
-  const double opacity = components % 2 == 0 ? value(components - 1) : 1.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    color[i] = opacity * value(components > 2 ? i : 0);
-  }
+  return this->Image ? interlume::LightImage(this->Image).GetError("the image on its screen") : "";
 }
 
 std::vector<float> vtkProjectiveLight::GetTexels() const
 {
-  std::vector<float> texels;
-  if (this->Image && this->GetImageError().empty())
+  if (!this->Image || !this->GetImageError().empty())
   {
-    const vtkIdType samples = this->Image->GetNumberOfPoints();
-    texels.reserve(3 * static_cast<std::size_t>(samples));
-    for (vtkIdType i = 0; i < samples; ++i)
-    {
-      double color[3];
-      this->GetSample(i, color);
-      texels.insert(texels.end(), color, color + 3);
-    }
+    return {};
   }
-  return texels;
+  return interlume::LightImage(this->Image).GetTexels();
 }
 
 void vtkProjectiveLight::GetScreenColor(double u, double v, double color[3]) const
@@ -237,39 +177,10 @@ void vtkProjectiveLight::GetScreenColor(double u, double v, double color[3]) con
   const double amount = this->ScreenOpacity *
     SmoothStep(std::min(u, 1.0 - u), 0.5 * this->EdgeWidth) *
     SmoothStep(std::min(v, 1.0 - v), 0.5 * this->EdgeWidth);
-  if (!this->Image)
-  {
-    std::fill_n(color, 3, amount);
-    return;
-  }
-
-  int size[3];
-  this->Image->GetDimensions(size);
-  const double place[2] = { u * size[0] - 0.5, v * size[1] - 0.5 };
-  double lower[2];
-  double weight[2];
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    lower[axis] = this->Interpolate ? std::floor(place[axis]) : std::floor(place[axis] + 0.5);
-    weight[axis] = this->Interpolate ? place[axis] - lower[axis] : 0.0;
-  }
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const int steps[2] = { corner % 2, corner / 2 };
-    double share = amount;
-    vtkIdType index[2];
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      share *= steps[axis] ? weight[axis] : 1.0 - weight[axis];
-      index[axis] = static_cast<vtkIdType>(Clamp(lower[axis] + steps[axis], 0.0, size[axis] - 1.0));
-    }
-    double sample[3];
-    this->GetSample(index[1] * size[0] + index[0], sample);
-    for (int i = 0; i < 3; ++i)
-    {
-      color[i] += share * sample[i];
-    }
-  }
+  const glm::dvec3 seen = this->Image
+    ? interlume::LightImage(this->Image).GetColor(u, v, this->Interpolate)
+    : glm::dvec3(1.0);
+  std::copy_n(glm::value_ptr(amount * seen), 3, color);
 }
 
 vtkMTimeType vtkProjectiveLight::GetMTime()

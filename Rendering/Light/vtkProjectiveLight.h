@@ -154,9 +154,6 @@ protected:
   double ScreenOpacity = 1.0;
 
 private:
-  // Computes the red, green and blue of a sample, each times opacity.
-  void GetSample(vtkIdType index, double color[3]) const;
-
   vtkProjectiveLight(const vtkProjectiveLight&) = delete;
   void operator=(const vtkProjectiveLight&) = delete;
 };

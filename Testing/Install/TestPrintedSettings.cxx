@@ -3,6 +3,7 @@
 // these are is read from the headers, so that a new setter, or a new class, is not forgotten.
 #include "vtkAnalyticFieldSource.h"
 #include "vtkAnalyticFlowSource.h"
+#include "vtkAreaLight.h"
 #include "vtkConstructiveModelSource.h"
 #include "vtkConstructiveVolume.h"
 #include "vtkDeltaWingSource.h"
@@ -72,6 +73,7 @@ std::vector<vtkSmartPointer<vtkObject>> MakeAll()
   std::vector<vtkSmartPointer<vtkObject>> all = {
     Make<vtkAnalyticFieldSource>(),
     Make<vtkAnalyticFlowSource>(),
+    Make<vtkAreaLight>(),
     Make<vtkConstructiveModelSource>(),
     Make<vtkConstructiveVolume>(),
     Make<vtkDeltaWingSource>(),

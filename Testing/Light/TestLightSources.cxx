@@ -2,13 +2,17 @@
 // The lights of a renderer in unit space, against the places that VTK gives them.
 #include "Reference/Checks/ReferenceCheck.h"
 
+#include "vtkAreaLight.h"
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "Lights/EmitterSamples.h"
 #include "Lights/LightSources.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkPointData.h"
 #include "vtkProjectiveLight.h"
 #include "Space/UnitSpace.h"
 #include "Space/UnitVector.h"
@@ -235,6 +239,72 @@ void CheckProjective(Check& check)
   }
 }
 
+// The emitter's width and height in unit space, against the samples of the world; a light without
+// extent is as a vtkLight.
+void CheckArea(Check& check)
+{
+  for (const int type :
+    { VTK_LIGHT_TYPE_HEADLIGHT, VTK_LIGHT_TYPE_CAMERA_LIGHT, VTK_LIGHT_TYPE_SCENE_LIGHT })
+  {
+    for (const bool isPositional : { false, true })
+    {
+      Scene scene;
+      vtkNew<vtkAreaLight> light;
+      light->SetSize(3.0, 2.0);
+      light->SetViewUp(0.2, 1.0, 0.0);
+      scene.Add(type, isPositional, light);
+      const interlume::LightSource source = scene.Gather().at(0);
+      check.That(source.Area == light, "an area light");
+      scene.Renderer->UpdateLightsGeometryToFollowCamera();
+      double focalPoint[3];
+      light->GetTransformedFocalPoint(focalPoint);
+      const std::vector<vtkAreaLight::Sample> world = light->GetSamples(5);
+      const auto samples = interlume::EmitterSamples::Make(true, nullptr, 5);
+      for (std::size_t i = 0; i < samples.size(); ++i)
+      {
+        const interlume::LightSource sample =
+          interlume::EmitterSamples::MakeSource(source, samples[i]);
+        if (isPositional)
+        {
+          CheckVector(
+            check, sample.Position, scene.Space.ToUnit(world[i].Position), "place of a sample");
+        }
+        else
+        {
+          const glm::dvec3 axis = glm::make_vec3(focalPoint) - glm::make_vec3(world[i].Position);
+          CheckVector(check, sample.Direction, Normalize(axis, {}), "direction of a sample");
+        }
+      }
+    }
+  }
+
+  Scene scene;
+  vtkNew<vtkAreaLight> light;
+  scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, true, light);
+  light->SetSize(0.0, 0.0);
+  check.That(!scene.Gather().at(0).Area, "a light of size 0 has no extent");
+  light->SetSize(0.0, 1.0);
+  check.That(scene.Gather().at(0).Area == light, "a line has one");
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(1, 1, 1);
+  image->AllocateScalars(VTK_DOUBLE, 3);
+  for (int k = 0; k < 3; ++k)
+  {
+    image->SetScalarComponentFromDouble(0, 0, 0, k, 0.2 * (k + 1));
+  }
+  light->SetEmitter(image);
+  light->SetIntensity(3.0);
+  for (const double size : { 0.0, 1.0 })
+  {
+    light->SetSize(size, size);
+    CheckVector(
+      check, 0.1 * scene.Gather().at(0).Diffuse, { 0.1, 0.2, 0.3 }, "the emitter's colour");
+  }
+  image->GetPointData()->GetScalars()->Fill(0.0);
+  light->SetAmbientColor(0.0, 0.0, 0.0);
+  check.That(scene.Gather().empty() && scene.Errors.empty(), "a black emitter gives no light");
+}
+
 void CheckErrors(Check& check)
 {
   Scene scene;
@@ -275,6 +345,18 @@ void CheckErrors(Check& check)
   vtkNew<vtkProjectiveLight> projective;
   projective->SetImage(vtkNew<vtkImageData>());
   isLeftOut(scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, true, projective), "an image without samples");
+  vtkNew<vtkAreaLight> area;
+  area->SetEmitter(vtkNew<vtkImageData>());
+  isLeftOut(scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, true, area), "an emitter without samples");
+  area->SetEmitter(nullptr);
+  scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, true, area);
+  area->SetFocalPoint(area->GetPosition());
+  isLeftOut(area, "an emitter without direction");
+  scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, false, area);
+  area->SetPosition(103.0, 8.0, 9.0);
+  area->SetFocalPoint(103.0, 8.0, std::nextafter(9.0, 10.0));
+  area->SetSize(1e30, 1e30);
+  check.That(scene.Gather().size() == 1 && scene.Errors.empty(), "a huge emitter is one");
 }
 }
 
@@ -285,6 +367,7 @@ int TestLightSources(int, char*[])
   CheckValues(check);
   CheckShadows(check);
   CheckProjective(check);
+  CheckArea(check);
   CheckErrors(check);
   return check.Result();
 }

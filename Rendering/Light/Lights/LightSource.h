@@ -5,6 +5,7 @@
 #include "Common/Vectors.h"
 #include <array>
 
+class vtkAreaLight;
 class vtkLight;
 class vtkProjectiveLight;
 
@@ -46,6 +47,12 @@ struct LightSource
   /// The rows of the matrix from unit space to the screen of a projective light, as GetScreenMatrix
   /// computes it.
   std::array<double, 16> ScreenFromUnit{};
+
+  /// The area light whose emitter has an extent; null for all other lights, those of size 0 too.
+  vtkAreaLight* Area = nullptr;
+  /// The width and height of its emitter as vectors: to the right and up. Of positional lights in
+  /// unit space, of directional ones where the distance to the emitter is 1.
+  std::array<glm::dvec3, 2> EmitterAxes{};
 };
 
 }

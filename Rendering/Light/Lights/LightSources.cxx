@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/LightSources.h"
 
+#include "Lights/EmitterSamples.h"
+#include "Lights/LightFrame.h"
 #include "Space/UnitSpace.h"
-#include "Space/UnitVector.h"
 
+#include "vtkAreaLight.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -81,22 +83,52 @@ double GetBrightness(const LightSource& source)
   return std::max({ source.Diffuse.r, source.Diffuse.g, source.Diffuse.b });
 }
 
+// Computes where up is in world coordinates.
+glm::dvec3 GetViewUp(const double viewUp[3], const Place& place)
+{
+  double to[4] = { viewUp[0], viewUp[1], viewUp[2], 0.0 };
+  if (place.Transform)
+  {
+    place.Transform->MultiplyPoint(to, to);
+  }
+  return glm::make_vec3(to);
+}
+
+// Fills the further values of an area light whose emitter has an extent; returns what is wrong, or
+// nothing.
+std::string SetEmitter(LightSource& source, const Place& place, const UnitSpace& space)
+{
+  const glm::dvec3 viewUp = GetViewUp(source.Area->GetViewUp(), place);
+  LightFrame frame;
+  frame.Set(place.Position, place.FocalPoint, glm::value_ptr(viewUp));
+  const double unit = source.IsPositional ? space.Radius : frame.Distance;
+  const double* size = source.Area->GetSize();
+  source.EmitterAxes = { (size[0] / unit) * frame.Right, (size[1] / unit) * frame.Up };
+  if (!Vectors::IsFinite(source.EmitterAxes[0]) || !Vectors::IsFinite(source.EmitterAxes[1]))
+  {
+    return "its size or view up is not finite";
+  }
+  return "";
+}
+
+// Multiplies the colours by that of the emitter's image; returns what is wrong, or nothing.
+std::string SetEmitterColor(LightSource& source, const vtkAreaLight* light)
+{
+  glm::dvec3 color;
+  light->GetEmitterColor(glm::value_ptr(color));
+  source.Diffuse *= color;
+  source.Specular *= color;
+  return light->GetEmitterError();
+}
+
 // Fills the further values of a projective light; returns what is wrong, or nothing.
 std::string SetScreen(
   LightSource& source, const Place& place, const glm::dvec3& focalPoint, const UnitSpace& space)
 {
-  double viewUp[3];
-  source.Projective->GetViewUp(viewUp);
-  if (place.Transform)
-  {
-    const double from[4] = { viewUp[0], viewUp[1], viewUp[2], 0.0 };
-    double to[4];
-    place.Transform->MultiplyPoint(from, to);
-    std::copy_n(to, 3, viewUp);
-  }
+  const glm::dvec3 viewUp = GetViewUp(source.Projective->GetViewUp(), place);
   vtkNew<vtkMatrix4x4> matrix;
   if (!source.Projective->GetScreenMatrix(glm::value_ptr(source.Position),
-        glm::value_ptr(focalPoint), viewUp, 1.0 / space.Radius, matrix))
+        glm::value_ptr(focalPoint), glm::value_ptr(viewUp), 1.0 / space.Radius, matrix))
   {
     return "the matrix of its screen is not finite";
   }
@@ -110,6 +142,9 @@ std::string SetSource(
 {
   source.Light = light;
   source.Projective = vtkProjectiveLight::SafeDownCast(light);
+  auto* area = vtkAreaLight::SafeDownCast(light);
+  const bool hasExtent = area && (area->GetSize()[0] > 0.0 || area->GetSize()[1] > 0.0);
+  source.Area = hasExtent ? area : nullptr;
   source.IsPositional = light->GetPositional() != 0;
   source.Ambient = GetColor(light->GetAmbientColor(), light->GetIntensity());
   source.Diffuse = GetColor(light->GetDiffuseColor(), light->GetIntensity());
@@ -132,7 +167,7 @@ std::string SetSource(
   }
   const double angle = light->GetConeAngle();
   const bool hasCone = source.IsPositional && angle < 90.0;
-  if (IsBlack(axis) && (!source.IsPositional || hasCone || source.Projective))
+  if (IsBlack(axis) && (!source.IsPositional || hasCone || source.Projective || hasExtent))
   {
     return "its position and focal point are the same";
   }
@@ -158,7 +193,20 @@ std::string SetSource(
     }
     source.Attenuation = attenuation;
   }
-  return source.Projective ? SetScreen(source, place, focalPoint, space) : "";
+  std::string error;
+  if (source.Projective)
+  {
+    error = SetScreen(source, place, focalPoint, space);
+  }
+  if (area)
+  {
+    error = SetEmitterColor(source, area);
+  }
+  if (hasExtent && error.empty())
+  {
+    error = SetEmitter(source, place, space);
+  }
+  return error;
 }
 
 }

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Lights/LightImage.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+namespace interlume
+{
+
+std::string LightImage::GetError(const std::string& name) const
+{
+  int size[3];
+  this->Image->GetDimensions(size);
+  vtkDataArray* scalars = this->Image->GetPointData()->GetScalars();
+  if (!scalars || scalars->GetNumberOfTuples() == 0)
+  {
+    return name + " has no samples";
+  }
+  if (size[2] != 1)
+  {
+    return name + " has " + std::to_string(size[2]) + " samples along z, not 1";
+  }
+  if (scalars->GetNumberOfTuples() != this->Image->GetNumberOfPoints())
+  {
+    return name + " has not one value for each of its points";
+  }
+  if (scalars->GetNumberOfComponents() > 4)
+  {
+    return name + " has " + std::to_string(scalars->GetNumberOfComponents()) +
+      " components, not 1 to 4";
+  }
+  const int type = scalars->GetDataType();
+  if (type != VTK_UNSIGNED_CHAR && type != VTK_FLOAT && type != VTK_DOUBLE)
+  {
+    return name + " is of type " + scalars->GetDataTypeAsString() +
+      ", not unsigned char or floating point";
+  }
+  return "";
+}
+
+glm::dvec3 LightImage::GetSample(vtkIdType index) const
+{
+  vtkDataArray* scalars = this->Image->GetPointData()->GetScalars();
+  const double largest = scalars->GetDataType() == VTK_UNSIGNED_CHAR ? 255.0 : 1.0;
+  const int components = scalars->GetNumberOfComponents();
+  // NaN is not above 0.
+  const auto value = [&](int component)
+  {
+    const double share = scalars->GetComponent(index, component) / largest;
+    return share > 0.0 ? std::min(share, 1.0) : 0.0;
+  };
+  const double opacity = components % 2 == 0 ? value(components - 1) : 1.0;
+  if (components < 3)
+  {
+    return glm::dvec3(opacity * value(0));
+  }
+  return opacity * glm::dvec3(value(0), value(1), value(2));
+}
+
+std::vector<float> LightImage::GetTexels() const
+{
+  const vtkIdType samples = this->Image->GetNumberOfPoints();
+  std::vector<float> texels;
+  texels.reserve(3 * static_cast<std::size_t>(samples));
+  for (vtkIdType i = 0; i < samples; ++i)
+  {
+    const glm::dvec3 color = this->GetSample(i);
+    texels.insert(texels.end(), glm::value_ptr(color), glm::value_ptr(color) + 3);
+  }
+  return texels;
+}
+
+glm::dvec3 LightImage::GetColor(double u, double v, bool isInterpolated) const
+{
+  int size[3];
+  this->Image->GetDimensions(size);
+  const double place[2] = { u * size[0] - 0.5, v * size[1] - 0.5 };
+  double lower[2];
+  double weight[2];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    lower[axis] = isInterpolated ? std::floor(place[axis]) : std::floor(place[axis] + 0.5);
+    weight[axis] = isInterpolated ? place[axis] - lower[axis] : 0.0;
+  }
+  glm::dvec3 color(0.0);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const int steps[2] = { corner % 2, corner / 2 };
+    double share = 1.0;
+    vtkIdType index[2];
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      share *= steps[axis] ? weight[axis] : 1.0 - weight[axis];
+      index[axis] = static_cast<vtkIdType>(
+        std::min(std::max(lower[axis] + steps[axis], 0.0), size[axis] - 1.0));
+    }
+    color += share * this->GetSample(index[1] * size[0] + index[0]);
+  }
+  return color;
+}
+
+}

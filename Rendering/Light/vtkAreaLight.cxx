@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAreaLight.h"
+
+#include "Lights/EmitterSamples.h"
+#include "Lights/LightFrame.h"
+#include "Lights/LightImage.h"
+
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkAreaLight);
+
+namespace
+{
+constexpr double LargestSize = 1e30;
+}
+
+vtkAreaLight::vtkAreaLight() = default;
+vtkAreaLight::~vtkAreaLight() = default;
+
+void vtkAreaLight::SetShape(int shape)
+{
+  if (shape != ROUND && shape != SQUARE)
+  {
+    vtkErrorMacro("Shape " << shape << " is neither ROUND (0) nor SQUARE (1).");
+    return;
+  }
+  if (this->Shape != shape)
+  {
+    this->Shape = shape;
+    this->Modified();
+  }
+}
+
+const char* vtkAreaLight::GetShapeAsString() const
+{
+  return this->Shape == ROUND ? "Round" : "Square";
+}
+
+void vtkAreaLight::SetSize(double width, double height)
+{
+  if (!(width >= 0.0 && width <= LargestSize && height >= 0.0 && height <= LargestSize))
+  {
+    vtkErrorMacro(
+      "Size " << width << ", " << height << " is not within 0 to " << LargestSize << ".");
+    return;
+  }
+  if (this->Size[0] != width || this->Size[1] != height)
+  {
+    this->Size[0] = width;
+    this->Size[1] = height;
+    this->Modified();
+  }
+}
+
+void vtkAreaLight::SetEmitter(vtkImageData* image)
+{
+  if (this->Emitter != image)
+  {
+    this->Emitter = image;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkAreaLight::GetEmitter() const
+{
+  return this->Emitter;
+}
+
+void vtkAreaLight::SetViewUp(double x, double y, double z)
+{
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+  {
+    vtkErrorMacro("ViewUp " << x << ", " << y << ", " << z << " is not finite.");
+    return;
+  }
+  if (this->ViewUp[0] != x || this->ViewUp[1] != y || this->ViewUp[2] != z)
+  {
+    this->ViewUp[0] = x;
+    this->ViewUp[1] = y;
+    this->ViewUp[2] = z;
+    this->Modified();
+  }
+}
+
+bool vtkAreaLight::GetFrame(interlume::LightFrame& frame)
+{
+  double position[3];
+  double focalPoint[3];
+  double viewUp[3];
+  this->GetTransformedPosition(position);
+  this->GetTransformedFocalPoint(focalPoint);
+  this->TransformVector(this->ViewUp, viewUp);
+  return frame.Set(position, focalPoint, viewUp);
+}
+
+bool vtkAreaLight::GetCenter(double center[3])
+{
+  interlume::LightFrame frame;
+  const bool isFrame = this->GetFrame(frame);
+  std::copy_n(glm::value_ptr(frame.Origin), 3, center);
+  return isFrame;
+}
+
+bool vtkAreaLight::GetNormal(double normal[3])
+{
+  interlume::LightFrame frame;
+  const bool isFrame = this->GetFrame(frame);
+  std::copy_n(glm::value_ptr(frame.Forward), 3, normal);
+  return isFrame;
+}
+
+bool vtkAreaLight::GetEmitterMatrix(vtkMatrix4x4* matrix)
+{
+  interlume::LightFrame frame;
+  if (!this->GetFrame(frame))
+  {
+    return false;
+  }
+  const glm::dvec3 columns[4] = { frame.Right, frame.Up, -frame.Forward, frame.Origin };
+  matrix->Identity();
+  for (int column = 0; column < 4; ++column)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      matrix->SetElement(row, column, columns[column][row]);
+    }
+  }
+  return true;
+}
+
+std::string vtkAreaLight::GetEmitterError() const
+{
+  return this->Emitter ? interlume::LightImage(this->Emitter).GetError("the image of its emitter")
+                       : "";
+}
+
+std::vector<vtkAreaLight::Sample> vtkAreaLight::GetSamples(int count)
+{
+  std::vector<Sample> samples;
+  interlume::LightFrame frame;
+  if (!this->GetFrame(frame) || !this->GetEmitterError().empty())
+  {
+    return samples;
+  }
+  for (const interlume::EmitterSamples::Sample& from :
+    interlume::EmitterSamples::Make(this->Shape == ROUND, this->Emitter, count))
+  {
+    const glm::dvec3 position = frame.Origin + from.Place.x * this->Size[0] * frame.Right +
+      from.Place.y * this->Size[1] * frame.Up;
+    Sample sample;
+    std::copy_n(glm::value_ptr(position), 3, sample.Position);
+    std::copy_n(glm::value_ptr(from.Weight), 3, sample.Weight);
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+void vtkAreaLight::GetEmitterColor(double color[3]) const
+{
+  vtkImageData* image = this->GetEmitterError().empty() ? this->Emitter.GetPointer() : nullptr;
+  const glm::dvec3 mean = interlume::EmitterSamples::GetColor(this->Shape == ROUND, image);
+  std::copy_n(glm::value_ptr(mean), 3, color);
+}
+
+vtkMTimeType vtkAreaLight::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Emitter ? std::max(own, this->Emitter->GetMTime()) : own;
+}
+
+void vtkAreaLight::DeepCopy(vtkLight* light)
+{
+  this->Superclass::DeepCopy(light);
+  this->SetTransformMatrix(light->GetTransformMatrix());
+  this->SetShadowAttenuation(light->GetShadowAttenuation());
+  if (auto* area = vtkAreaLight::SafeDownCast(light))
+  {
+    this->SetShape(area->Shape);
+    this->SetSize(area->Size);
+    this->SetEmitter(area->Emitter);
+    this->SetViewUp(area->ViewUp);
+  }
+}
+
+vtkLight* vtkAreaLight::ShallowClone()
+{
+  vtkAreaLight* clone = vtkAreaLight::New();
+  clone->DeepCopy(this);
+  return clone;
+}
+
+void vtkAreaLight::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Shape: " << this->GetShapeAsString() << "\n";
+  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
+  os << indent << "Emitter: " << this->Emitter.GetPointer() << "\n";
+  os << indent << "ViewUp: " << this->ViewUp[0] << " " << this->ViewUp[1] << " " << this->ViewUp[2]
+     << "\n";
+}
