@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The penumbra of a half plane: the exact profile against the published width, and the samples of
+// lights, parallel and tilted, against the exact profile.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Light/ReferencePenumbra.h"
+
+#include "vtkAreaLight.h"
+#include "vtkNew.h"
+
+namespace
+{
+
+using namespace reference;
+
+// A parallel light of edge L at Z from the half plane makes a ramp L dZ / Z wide.
+void CheckParallel(Check& check)
+{
+  constexpr double edge = 0.6;
+  constexpr double distance = 1.5;
+  for (const double ratio : { 0.05, 0.5, 1.0, 5.0 })
+  {
+    check.SetContext("dZ / Z of " + std::to_string(ratio));
+    const double width = edge * ratio;
+    for (const bool isRound : { false, true })
+    {
+      const ReferencePenumbra scene{ isRound, { 0.2, 0.0, 2.5 }, true,
+        { glm::dvec3(edge, 0.0, 0.0), glm::dvec3(0.0, edge, 0.0) }, 1.0 };
+      for (int i = -30; i <= 30; ++i)
+      {
+        const double x = width * i / 40.0;
+        const double shadow = -0.2 * ratio;
+        const double expected =
+          isRound ? ReferencePenumbra::GetSegment(x, width) : ReferencePenumbra::GetRamp(x, width);
+        check.Near(scene.GetShare({ shadow + x, 3.0, 1.0 - ratio * distance }), expected, 1e-12,
+          "share", 1.0);
+      }
+    }
+  }
+  check.SetContext("a disc's segment");
+  check.Near(ReferencePenumbra::GetSegment(0.25, 1.0),
+    2.0 / 3.0 + std::sqrt(3.0) / 4.0 / std::acos(-1.0), 1e-12, "half a radius from the middle");
+}
+
+// The samples of a vtkAreaLight, each of which sees a point or does not.
+double CountSamples(const std::vector<vtkAreaLight::Sample>& samples,
+  const ReferencePenumbra& scene, const glm::dvec3& focalPoint, const glm::dvec3& point)
+{
+  double share = 0.0;
+  for (const vtkAreaLight::Sample& sample : samples)
+  {
+    const glm::dvec3 position = glm::make_vec3(sample.Position);
+    const glm::dvec3 toLight = position - (scene.IsPositional ? point : focalPoint);
+    const double x = point.x + toLight.x * (scene.Height - point.z) / toLight.z;
+    share += x > 0.0 ? sample.Weight[0] : 0.0;
+  }
+  return share;
+}
+
+void CheckSamples(Check& check)
+{
+  constexpr int count = 1024;
+  for (const bool isRound : { false, true })
+  {
+    for (const bool isPositional : { false, true })
+    {
+      for (const double tilt : { 0.0, 0.4, 1.0 })
+      {
+        check.SetContext((isRound ? "disc, tilt " : "square, tilt ") + std::to_string(tilt) +
+          (isPositional ? "" : ", directional"));
+        const glm::dvec3 center(3.0 * tilt, 0.5 * tilt, 3.0);
+        vtkNew<vtkAreaLight> light;
+        light->SetLightTypeToSceneLight();
+        light->SetPositional(isPositional);
+        light->SetPosition(center.x, center.y, center.z);
+        light->SetFocalPoint(0.0, 0.0, 0.0);
+        light->SetShape(isRound ? vtkAreaLight::ROUND : vtkAreaLight::SQUARE);
+        light->SetSize(1.2, 0.8);
+        light->SetViewUp(0.3, 1.0, 0.1);
+        const std::vector<vtkAreaLight::Sample> samples = light->GetSamples(count);
+
+        // The axes by the definition of right and up.
+        const glm::dvec3 forward = glm::normalize(-center);
+        const glm::dvec3 up(0.3, 1.0, 0.1);
+        const glm::dvec3 above = glm::normalize(up - glm::dot(up, forward) * forward);
+        const ReferencePenumbra scene{ isRound, center, isPositional,
+          { 1.2 * glm::cross(forward, above), 0.8 * above }, 1.0 };
+        double worst = 0.0;
+        double mean = 0.0;
+        for (int i = 0; i <= 80; ++i)
+        {
+          const glm::dvec3 point(-1.5 * tilt + 0.03 * (i - 40), 0.2, -0.5);
+          const double difference =
+            CountSamples(samples, scene, glm::dvec3(0.0), point) - scene.GetShare(point);
+          worst = std::max(worst, std::abs(difference));
+          mean += std::abs(difference) / 81.0;
+        }
+        check.Near(worst, 0.0, 0.012, "largest difference", 1.0);
+        check.Near(mean, 0.0, 0.0025, "mean difference", 1.0);
+      }
+    }
+  }
+}
+}
+
+int TestPenumbra(int, char*[])
+{
+  Check check;
+  CheckParallel(check);
+  CheckSamples(check);
+  return check.Result();
+}
