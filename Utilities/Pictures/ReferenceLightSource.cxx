@@ -23,12 +23,13 @@ Double3 Times(const double color[3], double factor)
 
 }
 
-ReferenceLightSource::ReferenceLightSource(vtkLight* light)
+ReferenceLightSource::ReferenceLightSource(vtkLight* light, const std::vector<LightPoint>& points)
   : IsPositional(light->GetPositional() != 0)
   , Ambient(Times(light->GetAmbientColor(), light->GetIntensity()))
   , Diffuse(Times(light->GetDiffuseColor(), light->GetIntensity()))
   , Specular(Times(light->GetSpecularColor(), light->GetIntensity()))
   , ShadowStrength(light->GetShadowAttenuation())
+  , Points(points)
   , Projective(vtkProjectiveLight::SafeDownCast(light))
 {
   light->GetTransformedPosition(this->Position.data());
@@ -75,6 +76,30 @@ ReferenceLightSource::Arrival ReferenceLightSource::At(const Double3& world) con
     arrival.Specular[k] = share[k] * this->Specular[k];
   }
   return arrival;
+}
+
+std::vector<ReferenceLightSource::ShadowRay> ReferenceLightSource::GetShadowRays(
+  const Double3& world, const Arrival& arrival) const
+{
+  if (this->Points.empty())
+  {
+    return { { arrival.ToLight, arrival.Distance } };
+  }
+  std::vector<ShadowRay> rays;
+  for (const LightPoint& point : this->Points)
+  {
+    ShadowRay ray;
+    ray.ToLight = point.Place;
+    if (this->IsPositional)
+    {
+      vtkMath::Subtract(point.Place.data(), world.data(), ray.ToLight.data());
+    }
+    const double length = vtkMath::Normalize(ray.ToLight.data());
+    ray.Distance = this->IsPositional ? length : arrival.Distance;
+    ray.Share = Times(point.Color.data(), 1.0 / static_cast<double>(this->Points.size()));
+    rays.push_back(ray);
+  }
+  return rays;
 }
 
 Double3 ReferenceLightSource::GetShare(const Double3& world, const Arrival& arrival) const

@@ -24,21 +24,21 @@ constexpr double OpticalDepthOfOpaque = 700.0;
 
 }
 
-ReferenceMedium::ReferenceMedium(const ShadowScene& scene)
-  : Image(scene.Image, scene.Array, scene.Matrix)
+ReferenceMedium::ReferenceMedium(const SceneVolume& volume)
+  : Image(volume.Image, volume.Array, volume.Matrix)
   , IsIndependent(
-      scene.Property->GetIndependentComponents() != 0 || this->Image.GetNumberOfComponents() == 1)
+      volume.Property->GetIndependentComponents() != 0 || this->Image.GetNumberOfComponents() == 1)
   , IsDirect(!this->IsIndependent && this->Image.GetNumberOfComponents() == 4)
-  , CroppingFlags(scene.CroppingFlags)
-  , CroppingPlanes(scene.CroppingPlanes)
-  , Planes(scene.ClippingPlanes)
+  , CroppingFlags(volume.CroppingFlags)
+  , CroppingPlanes(volume.CroppingPlanes)
+  , Planes(volume.ClippingPlanes)
 {
   const int components = this->Image.GetNumberOfComponents();
   if (!this->IsIndependent && components == 3)
   {
     throw std::invalid_argument("three dependent components");
   }
-  vtkVolumeProperty* property = scene.Property;
+  vtkVolumeProperty* property = volume.Property;
   this->Rows.resize(this->IsIndependent ? components : 1);
   for (int k = 0; k < static_cast<int>(this->Rows.size()); ++k)
   {
@@ -57,10 +57,10 @@ ReferenceMedium::ReferenceMedium(const ShadowScene& scene)
     row.Reflect = { property->GetShade() != 0, property->GetAmbient(k), property->GetDiffuse(k),
       property->GetSpecular(k), property->GetSpecularPower(k) };
   }
-  this->HasTransmission = scene.TransmissionColor != nullptr;
+  this->HasTransmission = volume.TransmissionColor != nullptr;
   if (this->HasTransmission)
   {
-    this->Transmission = StraightFunction(scene.TransmissionColor.Get());
+    this->Transmission = StraightFunction(volume.TransmissionColor.Get());
   }
 }
 

@@ -15,7 +15,7 @@ class vtkPlane;
 namespace reference
 {
 
-struct ShadowScene;
+struct SceneVolume;
 
 /**
  * @class   ReferenceMedium
@@ -50,7 +50,7 @@ public:
   };
 
   /// std::invalid_argument as ReferenceImage, StraightFunction, and for three dependent components.
-  explicit ReferenceMedium(const ShadowScene& scene);
+  explicit ReferenceMedium(const SceneVolume& volume);
 
   const ReferenceImage& GetImage() const { return this->Image; }
   const Reflection& GetReflection(int row) const { return this->Rows[row].Reflect; }

@@ -10,15 +10,8 @@ namespace reference
 struct ShadowScene;
 
 /**
- * The picture that vtkShadowedSliceMapper.h promises, by marching along the line of sight of each
- * pixel and from each of its samples along a ray to every light that casts shadows, in double.
- *
- * Steps end at planes between samples, at planes that crop and clip, and where the optical depth
- * has grown by a tenth; in each, the scattered light is that of two points of Gauss. \a refinement
- * divides the steps, of the shadow rays as well: twice as many show how good a picture is. Cut by
- * the near plane of the camera. By as many threads as vtkSMPTools has; the same for any number.
- *
- * std::invalid_argument as ReferenceMedium.
+ * The picture that vtkShadowedSliceMapper.h promises of one volume, by MakeMixedPicture. Actors of
+ * the scene are known by its opaque distances alone.
  */
 RgbaPicture MakeShadowPicture(const ShadowScene& scene, int refinement = 1);
 

@@ -22,19 +22,15 @@ namespace reference
 {
 
 /**
- * A volume with its lights, to be drawn by vtkShadowedSliceMapper and by the reference.
+ * An image as a volume: what it is made of, where it is, what is cut away from it.
  */
-struct ShadowScene
+struct SceneVolume
 {
   vtkSmartPointer<vtkImageData> Image;
   ImageArray Array;
   vtkSmartPointer<vtkVolumeProperty> Property;
-  vtkSmartPointer<vtkCamera> Camera;
-  std::vector<vtkSmartPointer<vtkLight>> Lights;
   /// The volume's own; null for the identity.
   vtkSmartPointer<vtkMatrix4x4> Matrix;
-
-  bool Shadows = true;
   vtkSmartPointer<vtkColorTransferFunction> TransmissionColor;
 
   /// Cropping of vtkVolumeMapper: 0 is off.
@@ -42,6 +38,17 @@ struct ShadowScene
   std::array<double, 6> CroppingPlanes{};
   /// What is on the negative side of any is clipped.
   std::vector<vtkSmartPointer<vtkPlane>> ClippingPlanes;
+};
+
+/**
+ * A volume with its lights, to be drawn by vtkShadowedSliceMapper and by the reference.
+ */
+struct ShadowScene : SceneVolume
+{
+  vtkSmartPointer<vtkCamera> Camera;
+  std::vector<vtkSmartPointer<vtkLight>> Lights;
+
+  bool Shadows = true;
 
   std::array<int, 2> Size = { { 64, 64 } };
   /// Opaque; the reference knows them by the distance along each pixel's line of sight, rows from

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The reference of volumes and surfaces in one picture, checked by itself: closed forms of slabs of
+// smoke, edges of shadows and penumbras, and of surfaces before, in, behind and between volumes.
+#include "Pictures/LightPoints.h"
+#include "Pictures/MixedScene.h"
+#include "Pictures/ReferenceMixedPicture.h"
+#include "Pictures/ShadowCases.h"
+#include "Reference/Checks/ReferenceCheck.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCubeSource.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+#include "vtkTexture.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double Bound = 1e-6;
+constexpr double Tau = 3.0;
+constexpr int Width = 48;
+
+vtkSmartPointer<vtkActor> MakeActor(vtkPolyDataAlgorithm* source)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  actor->GetProperty()->SetAmbient(0.0);
+  actor->GetProperty()->SetDiffuse(1.0);
+  actor->GetProperty()->SetSpecular(0.0);
+  return actor;
+}
+
+/// The rectangle [x0, x1] x [-5, 5] at a height.
+vtkSmartPointer<vtkActor> MakePlate(double height, double x0 = -5.0, double x1 = 5.0)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(x0, -5.0, height);
+  plane->SetPoint1(x1, -5.0, height);
+  plane->SetPoint2(x0, 5.0, height);
+  plane->SetResolution(3, 2);
+  return MakeActor(plane);
+}
+
+/// Without perspective, down from a height at all that is at most two below; 2 units wide.
+vtkSmartPointer<vtkCamera> LookDown(double height)
+{
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetPosition(0.0, 0.0, height);
+  camera->SetFocalPoint(0.0, 0.0, height - 1.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(1.0);
+  camera->SetClippingRange(1e-6, 4.0);
+  return camera;
+}
+
+/// The x of a column of LookDown().
+double GetX(int i)
+{
+  return 2.0 * (i + 0.5) / Width - 1.0;
+}
+
+MixedScene MakeScene(double eye, vtkLight* light)
+{
+  MixedScene scene;
+  scene.Camera = LookDown(eye);
+  scene.Size = { { Width, Width } };
+  light->SetIntensity(1.0);
+  scene.Lights.push_back({ light, {} });
+  return scene;
+}
+
+/// The cube of Tau around the origin.
+SceneVolume MakeSmoke()
+{
+  SceneVolume smoke = MakeHomogeneousScene(4, Tau);
+  return smoke;
+}
+
+void ExpectMiddle(
+  Check& check, const MixedScene& scene, double seen, double alpha, const std::string& what)
+{
+  const RgbaPicture picture = MakeMixedPicture(scene);
+  const double* pixel = picture.At(Width / 2, Width / 2);
+  check.Near(pixel[0], seen, Bound, what, 1.0);
+  check.Near(pixel[3], alpha, Bound, what + ", alpha", 1.0);
+}
+
+/// A plate under a cube of smoke: exp(-tau) of the light comes through.
+void TestSmokeShadow(Check& check)
+{
+  auto scene = MakeScene(-0.6, MakeDirectionalLight({ { 0.0, 0.0, -1.0 } }));
+  scene.Surfaces.push_back({ MakePlate(-0.7), {} });
+  scene.Volumes = { MakeSmoke() };
+  ExpectMiddle(check, scene, std::exp(-Tau), 1.0, "light through smoke");
+  scene.Lights[0].Light->SetShadowAttenuation(0.25);
+  ExpectMiddle(check, scene, 0.75 + 0.25 * std::exp(-Tau), 1.0, "a quarter of the shadow");
+  scene.Lights[0].Light->SetShadowAttenuation(1.0);
+  const double pi = vtkMath::Pi();
+  for (double degrees : { 5.0, 15.0 })
+  {
+    const double angle = degrees * pi / 180.0;
+    scene.Lights[0].Light = MakeDirectionalLight({ { std::sin(angle), 0.0, -std::cos(angle) } });
+    scene.Lights[0].Light->SetIntensity(1.0);
+    ExpectMiddle(check, scene, std::cos(angle) * std::exp(-Tau / std::cos(angle)), 1.0,
+      "light aslant through smoke");
+  }
+  // Two cubes that overlap by a quarter: what is in both counts twice.
+  SceneVolume second = MakeSmoke();
+  second.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  second.Matrix->SetElement(2, 3, 0.75);
+  scene.Volumes.push_back(second);
+  scene.Lights[0].Light = MakeDirectionalLight({ { 0.0, 0.0, -1.0 } });
+  scene.Lights[0].Light->SetIntensity(1.0);
+  ExpectMiddle(check, scene, std::exp(-2.0 * Tau), 1.0, "light through two volumes");
+  scene.Shadows = false;
+  ExpectMiddle(check, scene, 1.0, 1.0, "no shadows");
+}
+
+/// A surface seen through smoke, and smoke seen before, behind and through a surface.
+void TestOrder(Check& check)
+{
+  auto scene = MakeScene(1.0, MakeDirectionalLight({ { 0.0, 0.0, -1.0 } }));
+  scene.Volumes = { MakeSmoke() };
+  // The light goes with the eye: what is scattered at depth t comes back with exp(-2 t).
+  const auto scattered = [](double depth) { return -0.5 * std::expm1(-2.0 * depth); };
+  for (double height : { -0.7, -0.5, -0.3, 0.2, 0.5 })
+  {
+    const double depth = Tau * std::min(1.0, 0.5 - height);
+    scene.Surfaces = { { MakePlate(height), {} } };
+    ExpectMiddle(check, scene, scattered(depth) + std::exp(-2.0 * depth), 1.0,
+      "a plate at " + std::to_string(height));
+  }
+  const double opacity = 0.3;
+  const double depth = 0.4 * Tau;
+  scene.Surfaces = { { MakePlate(0.1), {} } };
+  scene.Surfaces[0].Actor->GetProperty()->SetOpacity(opacity);
+  const double before = std::exp(-2.0 * depth);
+  const double behind = (1.0 - opacity) * (1.0 - opacity) * before * scattered(Tau - depth);
+  ExpectMiddle(check, scene, scattered(depth) + opacity * before + behind,
+    1.0 - (1.0 - opacity) * std::exp(-Tau), "a translucent plate in smoke");
+
+  // Two volumes that overlap, seen and lit from above.
+  SceneVolume second = MakeSmoke();
+  second.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  second.Matrix->SetElement(2, 3, -0.75);
+  scene.Volumes.push_back(second);
+  scene.Surfaces.clear();
+  ExpectMiddle(check, scene, scattered(2.0 * Tau), -std::expm1(-2.0 * Tau), "two volumes");
+}
+
+/// An opaque plate through the middle of the cube, which is seen from the side and lit from above.
+void TestSurfaceInSmoke(Check& check)
+{
+  auto scene = MakeScene(0.0, MakeDirectionalLight({ { 0.0, 0.0, -1.0 } }));
+  scene.Camera->SetPosition(0.0, -2.0, 0.0);
+  scene.Camera->SetFocalPoint(0.0, 0.0, 0.0);
+  scene.Camera->SetViewUp(0.0, 0.0, 1.0);
+  scene.Volumes = { MakeSmoke() };
+  scene.Surfaces = { { MakePlate(0.1), {} } };
+  const RgbaPicture picture = MakeMixedPicture(scene);
+  for (int j = 0; j < Width; ++j)
+  {
+    const double z = GetX(j);
+    const double light = z > 0.1 ? std::exp(-Tau * (0.5 - z)) : 0.0;
+    const double expected = std::abs(z) < 0.5 ? light * -std::expm1(-Tau) : 0.0;
+    check.Near(picture.At(Width / 2, j)[0], expected, Bound, "z " + std::to_string(z), 1.0);
+  }
+  vtkNew<vtkPlane> cut;
+  cut->SetNormal(1.0, 0.0, 0.0);
+  cut->SetOrigin(1.0, 0.0, 0.0);
+  scene.Surfaces[0].Actor->GetMapper()->AddClippingPlane(cut);
+  check.Near(MakeMixedPicture(scene).At(Width / 2, Width / 2)[0],
+    std::exp(-Tau * (0.5 - GetX(Width / 2))) * -std::expm1(-Tau), Bound, "a clipped plate", 1.0);
+}
+
+/// A box's hard shadow, at every pixel.
+void TestBoxShadow(Check& check)
+{
+  auto scene = MakeScene(0.05, MakeDirectionalLight({ { 1.0, 0.0, -1.0 } }));
+  scene.Surfaces.push_back({ MakePlate(0.0), {} });
+  vtkNew<vtkCubeSource> box;
+  box->SetBounds(-0.5, -0.1, -0.3, 0.3, 0.1, 0.4);
+  scene.Surfaces.push_back({ MakeActor(box), {} });
+  const RgbaPicture picture = MakeMixedPicture(scene);
+  for (int j = 0; j < Width; ++j)
+  {
+    for (int i = 0; i < Width; ++i)
+    {
+      // The light goes as far along x as down.
+      const double x = GetX(i);
+      const bool isShadowed = x > -0.4 && x < 0.3 && std::abs(GetX(j)) < 0.3;
+      check.Near(picture.At(i, j)[0], isShadowed ? 0.0 : std::sqrt(0.5), Bound,
+        "box, pixel " + std::to_string(i) + ", " + std::to_string(j), 1.0);
+    }
+  }
+}
+
+/// The share of a light of size 1 that is on one side of a line at \a s from its middle.
+double GetSquareShare(double s)
+{
+  return vtkMath::ClampValue(0.5 + s, 0.0, 1.0);
+}
+
+double GetRoundShare(double s)
+{
+  const double x = vtkMath::ClampValue(2.0 * s, -1.0, 1.0);
+  return 0.5 + (std::asin(x) + x * std::sqrt(1.0 - x * x)) / vtkMath::Pi();
+}
+
+/// A half plane between a light of size L and a plate: a ramp of the width L dZ / Z.
+void TestPenumbra(Check& check)
+{
+  const double size = 0.5;
+  const double z = 1.0;
+  for (double dz : { 0.05, 0.5, 2.0 })
+  {
+    for (bool isRound : { false, true })
+    {
+      const Double3 center = { { 0.0, 0.0, z + dz } };
+      auto scene = MakeScene(0.5 * std::min(dz, 1.0), MakePositionalLight(center));
+      const Double3 side = { { size, 0.0, 0.0 } };
+      const Double3 up = { { 0.0, size, 0.0 } };
+      scene.Lights[0].Points =
+        isRound ? MakeRoundPoints(center, side, up, 256) : MakeSquarePoints(center, side, up, 16);
+      scene.Surfaces = { { MakePlate(0.0), {} } };
+      const RgbaPicture lit = MakeMixedPicture(scene);
+      scene.Surfaces.push_back({ MakePlate(dz, -5.0, 0.0), {} });
+      const RgbaPicture shadowed = MakeMixedPicture(scene);
+      for (int i = 0; i < Width; ++i)
+      {
+        const double s = GetX(i) * z / (size * dz);
+        const double found = shadowed.At(i, Width / 2)[0] / lit.At(i, Width / 2)[0];
+        check.Near(found, isRound ? GetRoundShare(s) : GetSquareShare(s), isRound ? 0.01 : 0.0021,
+          "penumbra at " + std::to_string(s), 1.0);
+      }
+    }
+  }
+  // A directional light: the tangent of its half angle times the distance is half the width.
+  auto scene = MakeScene(0.2, MakeDirectionalLight({ { 0.0, 0.0, -1.0 } }));
+  scene.Lights[0].Points =
+    MakeSquarePoints({ { 0.0, 0.0, 1.0 } }, { { size, 0.0, 0.0 } }, { { 0.0, size, 0.0 } }, 16);
+  scene.Surfaces = { { MakePlate(0.0), {} }, { MakePlate(0.5, -5.0, 0.0), {} } };
+  const RgbaPicture picture = MakeMixedPicture(scene);
+  for (int i = 0; i < Width; ++i)
+  {
+    check.Near(picture.At(i, Width / 2)[0], GetSquareShare(GetX(i) / (0.5 * size)), 0.0021,
+      "penumbra of a directional light", 1.0);
+  }
+}
+
+/// Points of two colours: the shadow of one has the colour of the other.
+void TestColoredPoints(Check& check)
+{
+  auto scene = MakeScene(0.2, MakePositionalLight({ { 0.0, 0.0, 1.0 } }));
+  scene.Lights[0].Points = { { { { -0.5, 0.0, 1.0 } }, { { 2.0, 0.0, 0.0 } } },
+    { { { 0.5, 0.0, 1.0 } }, { { 0.0, 2.0, 0.0 } } } };
+  scene.Surfaces = { { MakePlate(0.0), {} }, { MakePlate(0.5, -5.0, 0.0), {} } };
+  const RgbaPicture picture = MakeMixedPicture(scene);
+  const double* pixel = picture.At(Width / 2 + 4, Width / 2);
+  check.Near(pixel[0], 0.0, Bound, "red is hidden", 1.0);
+  const double x = GetX(Width / 2 + 4);
+  const double y = GetX(Width / 2);
+  check.Near(pixel[1], 1.0 / std::sqrt(1.0 + x * x + y * y), Bound, "green is seen", 1.0);
+}
+
+/// Normals, Phong's term, colours of places, mirrored actors.
+void TestShading(Check& check)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.6);
+  sphere->SetThetaResolution(200);
+  sphere->SetPhiResolution(200);
+  auto scene = MakeScene(1.0, MakeDirectionalLight({ { -0.6, 0.0, -0.8 } }));
+  scene.Surfaces.push_back({ MakeActor(sphere), {} });
+  scene.Surfaces[0].Actor->GetProperty()->SetAmbient(0.1);
+  scene.Surfaces[0].Actor->GetProperty()->SetSpecular(0.5);
+  scene.Surfaces[0].Actor->GetProperty()->SetSpecularPower(4.0);
+  scene.Surfaces[0].Color = [](const Double3& x) { return Double3{ { 1.0, 0.5, x[2] } }; };
+  for (double mirror : { 1.0, -1.0 })
+  {
+    scene.Surfaces[0].Actor->SetScale(1.0, mirror, 1.0);
+    const RgbaPicture picture = MakeMixedPicture(scene);
+    for (int i = Width / 4; i < 3 * Width / 4; ++i)
+    {
+      const double x = GetX(i);
+      const double y = GetX(Width / 2);
+      const double height = std::sqrt(0.36 - x * x - y * y);
+      const double cosine = std::max((0.6 * x + 0.8 * height) / 0.6, 0.0);
+      const double glint = std::max(2.0 * cosine * height / 0.6 - 0.8, 0.0);
+      const double diffuse = 0.1 + cosine;
+      const double specular = cosine > 0.0 ? 0.5 * std::pow(glint, 4.0) : 0.0;
+      const double* pixel = picture.At(i, Width / 2);
+      check.Near(pixel[0], diffuse + specular, 2e-3, "sphere", 1.0);
+      check.Near(pixel[1], 0.5 * diffuse + specular, 2e-3, "sphere, half", 1.0);
+      check.Near(pixel[2], height * diffuse + specular, 2e-3, "sphere, height", 1.0);
+    }
+  }
+  scene.Surfaces[0].Actor->SetTexture(vtkNew<vtkTexture>());
+  bool isRefused = false;
+  try
+  {
+    MakeMixedPicture(scene);
+  }
+  catch (const std::invalid_argument&)
+  {
+    isRefused = true;
+  }
+  check.That(isRefused, "a texture is refused");
+}
+
+void TestThreads(Check& check)
+{
+  auto scene = MakeScene(1.0, MakePositionalLight({ { 0.3, 0.2, 2.0 } }));
+  scene.Size = { { 16, 16 } };
+  scene.Lights[0].Points =
+    MakeRoundPoints({ { 0.3, 0.2, 2.0 } }, { { 0.5, 0.0, 0.0 } }, { { 0.0, 0.5, 0.0 } }, 5);
+  scene.Volumes = { reference::MakeScene(
+    MakeImage(8, MakeSphere(0.2, 0.45)), MakeSoftProperty(0.3, true)) };
+  scene.Surfaces = { { MakePlate(-0.2), {} }, { MakePlate(0.1, -5.0, 0.0), {} } };
+  scene.Surfaces[1].Actor->GetProperty()->SetOpacity(0.5);
+  std::vector<double> first;
+  for (int threads : { 1, 2, 8 })
+  {
+    vtkSMPTools::Initialize(threads);
+    const std::vector<double> values = MakeMixedPicture(scene).Values;
+    first = first.empty() ? values : first;
+    check.That(values == first, "the same for " + std::to_string(threads) + " threads");
+  }
+}
+
+}
+
+int TestReferenceMixed(int, char*[])
+{
+  Check check;
+  TestSmokeShadow(check);
+  TestOrder(check);
+  TestSurfaceInSmoke(check);
+  TestBoxShadow(check);
+  TestPenumbra(check);
+  TestColoredPoints(check);
+  TestShading(check);
+  TestThreads(check);
+  return check.Result();
+}
