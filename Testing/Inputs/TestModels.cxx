@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Models of polygons: each part is closed, and its triangles and normals look outwards.
+#include "Inputs/Models.h"
+#include "Reference/Checks/ReferenceCheck.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTriangle.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace
+{
+
+using Place = std::array<double, 3>;
+
+/// Edges by the places of their ends, since points are double where normals jump: how often each
+/// is gone along less how often against it.
+using Edges = std::map<std::pair<Place, Place>, int>;
+
+void AddEdge(Edges& edges, const Place& a, const Place& b)
+{
+  edges[{ std::min(a, b), std::max(a, b) }] += a < b ? 1 : -1;
+}
+
+void TestPart(reference::Check& check, vtkPolyData* shape)
+{
+  vtkDataArray* normals = shape->GetPointData()->GetNormals();
+  if (!check.That(normals && shape->GetNumberOfPolys() > 0, "triangles with normals"))
+  {
+    return;
+  }
+  Edges edges;
+  double volume = 0.0;
+  int against = 0;
+  for (vtkIdType cell = 0; cell < shape->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    shape->GetCellPoints(cell, size, points);
+    check.Equal(size, 3, "corners");
+    std::array<Place, 3> x;
+    Place mean{};
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      shape->GetPoint(points[corner], x[corner].data());
+      double normal[3];
+      normals->GetTuple(points[corner], normal);
+      vtkMath::Add(mean.data(), normal, mean.data());
+    }
+    double normal[3];
+    vtkTriangle::ComputeNormal(x[0].data(), x[1].data(), x[2].data(), normal);
+    against += vtkMath::Dot(normal, mean.data()) < 0.0 ? 1 : 0;
+    volume += vtkMath::Determinant3x3(x[0].data(), x[1].data(), x[2].data()) / 6.0;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      AddEdge(edges, x[corner], x[(corner + 1) % 3]);
+    }
+  }
+  int open = 0;
+  for (const auto& edge : edges)
+  {
+    open += edge.second != 0 ? 1 : 0;
+  }
+  check.Equal(open, 0, "edges that are not of two triangles");
+  check.Equal(against, 0, "normals against their triangle");
+  check.That(volume > 0.0, "the inside has a volume: " + std::to_string(volume));
+}
+
+}
+
+int TestModels(int, char*[])
+{
+  using namespace interlume;
+  reference::Check check;
+  const std::map<std::string, Model> models = { { "mushroom", MakeMushroom(1.0, 0.5, 0.2) },
+    { "teapot", MakeTeapot() }, { "dart", MakeDart() }, { "desk", MakeDesk() },
+    { "chair", MakeChair() }, { "lamp", MakeLamp() }, { "books", MakeBooks() },
+    { "mug", MakeMug() }, { "moved", Move(MakeMug(), { { 1.0, 2.0, 3.0 } }, 30.0) } };
+  for (const auto& model : models)
+  {
+    for (std::size_t part = 0; part < model.second.size(); ++part)
+    {
+      check.SetContext(model.first + ", part " + std::to_string(part) + ": ");
+      TestPart(check, model.second[part].Shape);
+    }
+  }
+  check.SetContext("");
+  // The rounded box by its volume: three pairs of slabs, quarters of cylinders, a ball.
+  const double r = 0.1;
+  const double pi = vtkMath::Pi();
+  double found = 0.0;
+  vtkSmartPointer<vtkPolyData> box = MakeRoundedBox({ { 1.0, 0.8, 0.6 } }, r);
+  for (vtkIdType cell = 0; cell < box->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    box->GetCellPoints(cell, size, points);
+    double x[3][3];
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      box->GetPoint(points[corner], x[corner]);
+    }
+    found += vtkMath::Determinant3x3(x[0], x[1], x[2]) / 6.0;
+  }
+  const double a = 1.0 - 2.0 * r;
+  const double b = 0.8 - 2.0 * r;
+  const double c = 0.6 - 2.0 * r;
+  check.Near(found,
+    a * b * c + 2.0 * r * (a * b + b * c + c * a) + pi * r * r * (a + b + c) +
+      4.0 / 3.0 * pi * r * r * r,
+    2e-3, "volume of a rounded box");
+  return check.Result();
+}
