@@ -146,16 +146,16 @@ protected:
   vtkProjectiveLight();
   ~vtkProjectiveLight() override;
 
+private:
+  vtkProjectiveLight(const vtkProjectiveLight&) = delete;
+  void operator=(const vtkProjectiveLight&) = delete;
+
   vtkSmartPointer<vtkImageData> Image;
   bool Interpolate = true;
   double ScreenSize[2] = { 1.0, 1.0 };
   double ViewUp[3] = { 0.0, 1.0, 0.0 };
   double EdgeWidth = 0.0;
   double ScreenOpacity = 1.0;
-
-private:
-  vtkProjectiveLight(const vtkProjectiveLight&) = delete;
-  void operator=(const vtkProjectiveLight&) = delete;
 };
 
 #endif

@@ -106,20 +106,11 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   interlume::SliceRenderer::Request request;
   request.Image = image;
-  request.Transmission = this->TransmissionColor;
+  request.Settings = *this;
   request.ClippingPlanes = this->ClippingPlanes;
   request.Cropping = this->Cropping != 0;
   std::copy_n(this->CroppingRegionPlanes, 6, request.CroppingPlanes.begin());
   request.CroppingFlags = this->CroppingRegionFlags;
-  request.Shadows = this->Shadows;
-  request.MaximumNumberOfShadows = this->MaximumNumberOfShadows;
-  request.SliceSpacing = this->SliceSpacing;
-  request.LightBufferSize = this->LightBufferSize;
-  request.IsSmoothLookup = this->LightLookup == BILINEAR_LIGHT;
-  request.ImageSampleDistance = this->ImageSampleDistance;
-  request.AdjustsSampleDistances = this->AutoAdjustSampleDistances;
-  request.SurfaceGradient = this->SurfaceGradient;
-  request.MaximumTextureMemory = this->MaximumTextureMemory;
   std::vector<std::string> warnings;
   std::string error = this->BlendMode == COMPOSITE_BLEND
     ? this->FindScalars(image, request.Scalars, request.IsOfCells)

@@ -3,15 +3,15 @@
 #define vtkShadowedSliceMapper_h
 
 #include "InterlumeLightModule.h"     // for the export macro
-#include "vtkColorTransferFunction.h" // for the smart pointer
 #include "vtkShadowedSliceReport.h"   // for the report
-#include "vtkSmartPointer.h"          // for the transmission colours
+#include "vtkShadowedSliceSettings.h" // for what is set
 #include "vtkVolumeMapper.h"
 
 #include <memory> // for what is kept from picture to picture
 #include <string> // for errors
 #include <vector> // for warnings
 
+class vtkColorTransferFunction;
 class vtkDataArray;
 class vtkDepthPeels;
 class vtkImageData;
@@ -120,14 +120,25 @@ class SliceRenderer;
  * card's three-dimensional textures, textures that do not fit into its memory or beyond
  * MaximumTextureMemory, a projective light whose image has no samples (the others still shine).
  *
- * @sa vtkProjectiveLight vtkShadowedSliceReport
+ * @sa vtkProjectiveLight vtkShadowedSliceReport vtkShadowedSliceSettings
  */
-class INTERLUMELIGHT_EXPORT vtkShadowedSliceMapper : public vtkVolumeMapper
+class INTERLUMELIGHT_EXPORT vtkShadowedSliceMapper
+  : public vtkVolumeMapper
+  , private vtkShadowedSliceSettings
 {
 public:
   static vtkShadowedSliceMapper* New();
   vtkTypeMacro(vtkShadowedSliceMapper, vtkVolumeMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The modes, as vtkShadowedSliceSettings has them.
+   */
+  using vtkShadowedSliceSettings::BILINEAR_LIGHT;
+  using vtkShadowedSliceSettings::LightLookups;
+  using vtkShadowedSliceSettings::NEAREST_LIGHT;
+  ///@}
 
   ///@{
   /**
@@ -168,15 +179,6 @@ public:
   void SetLightBufferSize(int size);
   vtkGetMacro(LightBufferSize, int);
   ///@}
-
-  /**
-   * The ways to look up the light's buffer.
-   */
-  enum LightLookups
-  {
-    NEAREST_LIGHT = 0,
-    BILINEAR_LIGHT = 1
-  };
 
   ///@{
   /**
@@ -268,17 +270,6 @@ protected:
   ~vtkShadowedSliceMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-
-  bool Shadows = true;
-  int MaximumNumberOfShadows = 16;
-  double SliceSpacing = 0.0;
-  int LightBufferSize = 0;
-  int LightLookup = BILINEAR_LIGHT;
-  double ImageSampleDistance = 1.0;
-  bool AutoAdjustSampleDistances = true;
-  double SurfaceGradient = 0.0;
-  vtkSmartPointer<vtkColorTransferFunction> TransmissionColor;
-  vtkIdType MaximumTextureMemory = 0;
 
 private:
   vtkShadowedSliceMapper(const vtkShadowedSliceMapper&) = delete;

@@ -132,15 +132,15 @@ std::string SliceRenderer::UpdateMaterial(vtkVolume* volume, const Request& requ
 {
   vtkVolumeProperty* property = volume->GetProperty();
   const vtkMTimeType time = property->GetMTime();
-  const vtkMTimeType transmissionTime = request.Transmission ? request.Transmission->GetMTime() : 0;
+  vtkColorTransferFunction* transmission = request.Settings.TransmissionColor;
+  const vtkMTimeType transmissionTime = transmission ? transmission->GetMTime() : 0;
   if (this->MaterialOwner == property && this->MaterialTime == time &&
     this->TransmissionTime == transmissionTime)
   {
     return {};
   }
   this->MaterialOwner = nullptr;
-  std::string error =
-    this->Frame.Material.Build(property, this->Frame.Samples, request.Transmission);
+  std::string error = this->Frame.Material.Build(property, this->Frame.Samples, transmission);
   if (error.empty())
   {
     this->Frame.Blocks.Classify(this->Frame.Material);
@@ -178,7 +178,7 @@ void SliceRenderer::UpdateShading(vtkVolume* volume)
 
 double SliceRenderer::ChooseCoarseness(vtkVolume* volume, const Request& request)
 {
-  if (!request.AdjustsSampleDistances)
+  if (!request.Settings.AutoAdjustSampleDistances)
   {
     return 1.0;
   }
@@ -218,10 +218,11 @@ std::string SliceRenderer::Upload(
         frame.GetLightChannels() * (light.IsWide ? 1 : buffers);
     }
   }
-  if (request.MaximumTextureMemory > 0 && bytes > request.MaximumTextureMemory)
+  if (request.Settings.MaximumTextureMemory > 0 && bytes > request.Settings.MaximumTextureMemory)
   {
     return "textures and buffers of the picture take " + std::to_string(bytes) +
-      " bytes, and MaximumTextureMemory is " + std::to_string(request.MaximumTextureMemory);
+      " bytes, and MaximumTextureMemory is " +
+      std::to_string(request.Settings.MaximumTextureMemory);
   }
   SliceTextures& textures = resources.Rasterizer.GetTextures();
   std::string error;
@@ -287,7 +288,7 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
   }
   request.Image->GetSpacing(glm::value_ptr(frame.Spacing));
   const double coarseness = this->ChooseCoarseness(volume, request);
-  report.ImageSampleDistance = request.ImageSampleDistance * coarseness;
+  report.ImageSampleDistance = request.Settings.ImageSampleDistance * coarseness;
   int width = 0;
   int height = 0;
   int left = 0;
@@ -299,16 +300,18 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
   frame.Eye = UnitSpaceCamera::Get(renderer, frame.Space);
   FindNearPlane(frame);
   frame.Lights = LightSources::Gather(renderer, frame.Space,
-    { request.Shadows && !renderer->GetSelector(), request.MaximumNumberOfShadows }, warnings);
+    { request.Settings.Shadows && !renderer->GetSelector(),
+      request.Settings.MaximumNumberOfShadows },
+    warnings);
   this->UpdateShading(volume);
-  frame.SurfaceGradient = request.SurfaceGradient;
-  frame.IsSmoothLookup = request.IsSmoothLookup;
+  frame.SurfaceGradient = request.Settings.SurfaceGradient;
+  frame.IsSmoothLookup = request.Settings.LightLookup == vtkShadowedSliceSettings::BILINEAR_LIGHT;
   frame.MayBeOccluded = vtkOpaqueProps::MayOcclude(renderer, volume);
 
   SlicePlan::Settings settings;
-  settings.Spacing = request.SliceSpacing / frame.Space.Radius;
+  settings.Spacing = request.Settings.SliceSpacing / frame.Space.Radius;
   settings.AutomaticFactor = AUTOMATIC_SPACING * coarseness;
-  settings.BufferSize = request.LightBufferSize;
+  settings.BufferSize = request.Settings.LightBufferSize;
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   settings.LargestBufferSize = std::min(settings.LargestBufferSize, static_cast<int>(limit));
@@ -352,7 +355,7 @@ std::string SliceRenderer::Render(vtkRenderer* renderer, vtkVolume* volume, cons
   {
     resources->Rasterizer.Show(window);
   }
-  if (error.empty() && request.AdjustsSampleDistances)
+  if (error.empty() && request.Settings.AutoAdjustSampleDistances)
   {
     glFinish();
     this->LastSeconds = vtkTimerLog::GetUniversalTime() - start;

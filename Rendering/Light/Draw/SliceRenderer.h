@@ -5,6 +5,7 @@
 #include "Draw/SliceFrame.h"
 
 #include "vtkShadowedSliceReport.h"
+#include "vtkShadowedSliceSettings.h"
 #include "vtkType.h"
 
 #include <array>
@@ -13,7 +14,6 @@
 #include <string>
 #include <vector>
 
-class vtkColorTransferFunction;
 class vtkDataArray;
 class vtkImageData;
 class vtkLight;
@@ -34,26 +34,17 @@ class SliceRasterizer;
 class SliceRenderer
 {
 public:
-  /// The settings of the mapper.
+  /// What a picture is asked for: the mapper's input, its settings and those of its superclasses.
   struct Request
   {
     vtkImageData* Image = nullptr;
     vtkDataArray* Scalars = nullptr;
     bool IsOfCells = false;
-    vtkColorTransferFunction* Transmission = nullptr;
+    vtkShadowedSliceSettings Settings;
     vtkPlaneCollection* ClippingPlanes = nullptr;
     bool Cropping = false;
     std::array<double, 6> CroppingPlanes{};
     int CroppingFlags = 0;
-    bool Shadows = true;
-    int MaximumNumberOfShadows = 16;
-    double SliceSpacing = 0.0;
-    int LightBufferSize = 0;
-    bool IsSmoothLookup = true;
-    double ImageSampleDistance = 1.0;
-    bool AdjustsSampleDistances = true;
-    double SurfaceGradient = 0.0;
-    vtkIdType MaximumTextureMemory = 0;
   };
 
   SliceRenderer();

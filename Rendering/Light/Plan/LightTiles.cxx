@@ -7,7 +7,8 @@
 
 #include "vtkSMPTools.h"
 
-#include <numeric>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace interlume
 {
@@ -18,6 +19,13 @@ namespace
 using namespace UnitVector;
 
 using Box = std::array<std::array<double, 2>, 3>;
+
+// The lower and upper corner of a box.
+struct Bounds
+{
+  glm::dvec3 Lower;
+  glm::dvec3 Upper;
+};
 
 // Rays are cut to the box in single precision.
 constexpr double Margin = 1e-5;
@@ -31,7 +39,7 @@ public:
   BlockCounts(const std::array<std::vector<double>, 3>& borders,
     const std::vector<unsigned char>& visible, const Box& box)
     : Borders(borders)
-    , Matter(box)
+    , Matter{ { box[0][0], box[1][0], box[2][0] }, { box[0][1], box[1][1], box[2][1] } }
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -53,20 +61,20 @@ public:
     }
   }
 
-  bool Meets(const Box& part) const
+  bool Meets(const Bounds& part) const
   {
+    const glm::dvec3 lower = glm::max(part.Lower, this->Matter.Lower) - Margin;
+    const glm::dvec3 upper = glm::min(part.Upper, this->Matter.Upper) + Margin;
+    if (!glm::all(glm::lessThanEqual(lower, upper)))
+    {
+      return false;
+    }
     std::size_t first[3];
     std::size_t end[3];
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const double lower = std::max(part[axis][0], this->Matter[axis][0]) - Margin;
-      const double upper = std::min(part[axis][1], this->Matter[axis][1]) + Margin;
-      if (!(lower <= upper))
-      {
-        return false;
-      }
-      first[axis] = this->Find(axis, lower);
-      end[axis] = this->Find(axis, upper) + 1;
+      first[axis] = this->Find(static_cast<std::size_t>(axis), lower[axis]);
+      end[axis] = this->Find(static_cast<std::size_t>(axis), upper[axis]) + 1;
     }
     const auto getLayer = [&](std::size_t k)
     {
@@ -94,7 +102,7 @@ private:
   }
 
   const std::array<std::vector<double>, 3>& Borders;
-  const Box& Matter;
+  const Bounds Matter;
   std::array<std::size_t, 3> Size{};
   std::vector<int> Sums;
 };
@@ -131,22 +139,18 @@ public:
   }
   /// Returns a box around the part of tile i, j between two heights above the light. Its edges are
   /// straight in every plane of slices: what bends the map runs along the diagonals of tiles.
-  Box Bound(std::size_t i, std::size_t j, const std::array<double, 2>& heights) const
+  Bounds Bound(std::size_t i, std::size_t j, const std::array<double, 2>& heights) const
   {
-    Box box;
-    box.fill({ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } });
+    Bounds box{ glm::dvec3(VTK_DOUBLE_MAX), glm::dvec3(-VTK_DOUBLE_MAX) };
     for (const std::size_t corner :
       { std::size_t(0), std::size_t(1), this->Number + 1, this->Number + 2 })
     {
       const glm::dvec3& across = this->Across[j * (this->Number + 1) + i + corner];
       for (const double height : heights)
       {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          const double place = this->Apex[axis] + height * (this->Upwards[axis] + across[axis]);
-          box[axis][0] = std::min(box[axis][0], place);
-          box[axis][1] = std::max(box[axis][1], place);
-        }
+        const glm::dvec3 place = this->Apex + height * (this->Upwards + across);
+        box.Lower = glm::min(box.Lower, place);
+        box.Upper = glm::max(box.Upper, place);
       }
     }
     return box;

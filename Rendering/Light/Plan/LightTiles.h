@@ -31,23 +31,26 @@ public:
 
   /**
    * Finds the tiles of all slabs of a light at \a position, in unit space, whose buffer is wide.
-   * \a box is that of the matter in texture coordinates. Threaded over slabs; the same tiles for
-   * any number of threads.
+   * \a box is that of the matter in texture coordinates. Threads share the slabs; the tiles are the
+   * same for any number of threads.
    */
   void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
     const glm::dvec3& position, const VolumeBlocks& blocks, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box);
 
-  /// The same with block borders along each axis, in texture coordinates, one more than blocks, and
-  /// which blocks are visible, x fastest; the first and last blocks reach to the box.
+  /**
+   * Finds the tiles likewise, for blocks given by their \a borders along each axis in texture
+   * coordinates, one more than blocks, and by which of them are \a visible, x fastest. The first
+   * and last blocks reach to the box.
+   */
   void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
     const glm::dvec3& position, const std::array<std::vector<double>, 3>& borders,
     const std::vector<unsigned char>& visible, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box);
 
-  /// Corners x, y, 0 of triangles, 0 to 1 across the buffer, slab after slab.
+  /// Returns the corners x, y, 0 of triangles, 0 to 1 across the buffer, slab after slab.
   const std::vector<float>& GetVertices() const { return this->Vertices; }
-  /// The first vertex of a slab; one more than slabs.
+  /// Returns the first vertex of each slab, and their number.
   const std::vector<std::size_t>& GetStarts() const { return this->Starts; }
 
 private:

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkShadowedSliceSettings_h
+#define vtkShadowedSliceSettings_h
+
+#include "vtkColorTransferFunction.h" // for the smart pointer
+#include "vtkSmartPointer.h"          // for the transmission colours
+#include "vtkType.h"                  // for bytes
+
+/**
+ * @class   vtkShadowedSliceSettings
+ * @brief   what vtkShadowedSliceMapper can be told, with its defaults and its modes
+ *
+ * The mapper is made of them, so that VTK's macros for setters serve them, and hands them on as a
+ * whole. Each is documented at its setter there; blend mode, cropping and clipping planes are kept
+ * by the mapper's superclasses.
+ *
+ * @sa vtkShadowedSliceMapper
+ */
+struct vtkShadowedSliceSettings
+{
+  /**
+   * The ways to look up the light's buffer.
+   */
+  enum LightLookups
+  {
+    NEAREST_LIGHT = 0,
+    BILINEAR_LIGHT = 1
+  };
+
+  bool Shadows = true;
+  int MaximumNumberOfShadows = 16;
+  double SliceSpacing = 0.0;
+  int LightBufferSize = 0;
+  int LightLookup = BILINEAR_LIGHT;
+  double ImageSampleDistance = 1.0;
+  bool AutoAdjustSampleDistances = true;
+  double SurfaceGradient = 0.0;
+  vtkSmartPointer<vtkColorTransferFunction> TransmissionColor;
+  vtkIdType MaximumTextureMemory = 0;
+};
+
+#endif
