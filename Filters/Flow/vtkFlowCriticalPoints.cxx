@@ -2,6 +2,7 @@
 #include "vtkFlowCriticalPoints.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/NamedValue.h"
 #include "Fields/FieldVectors.h"
 #include "Numerics/RealEigenvalues.h"
 #include "Topology/ZeroSearch.h"
@@ -177,6 +178,13 @@ int vtkFlowCriticalPoints::RequestData(
   }
   this->UpdateProgress(1.0);
   return 1;
+}
+
+void vtkFlowCriticalPointsReport::Print(std::ostream& os, vtkIndent indent) const
+{
+  interlume::NamedValue::Print(os, indent,
+    { { "ZeroCells", this->ZeroCells }, { "DegenerateCells", this->DegenerateCells },
+      { "NonFiniteCells", this->NonFiniteCells } });
 }
 
 void vtkFlowCriticalPoints::PrintSelf(ostream& os, vtkIndent indent)

@@ -16,7 +16,8 @@
  */
 struct INTERLUMEFLOW_EXPORT vtkFlowCriticalPointsReport
 {
-  /// Cells that are 0 throughout, that have zeros which are not isolated, and that are not finite.
+  /// The numbers of cells that are 0 throughout, that have zeros which are not isolated, and that
+  /// are not finite.
   vtkIdType ZeroCells = 0;
   vtkIdType DegenerateCells = 0;
   vtkIdType NonFiniteCells = 0;

@@ -3,6 +3,7 @@
 
 #include "Common/AbortCheck.h"
 #include "Common/Batches.h"
+#include "Common/NamedValue.h"
 #include "Convolution/ArcWalk.h"
 #include "Convolution/ConvolutionKernel.h"
 #include "Convolution/LatticeNoise.h"
@@ -215,17 +216,23 @@ void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* value
   }
 }
 
+void vtkFlowLICReport::Print(std::ostream& os, vtkIndent indent) const
+{
+  interlume::NamedValue::Print(os, indent,
+    { { "Points", this->Points }, { "PointsOutside", this->PointsOutside },
+      { "PointsAtRest", this->PointsAtRest },
+      { "PointsWithShortLines", this->PointsWithShortLines }, { "Steps", this->Steps },
+      { "StepLength", this->StepLength }, { "Length", this->Length },
+      { "NoiseScale", this->NoiseScale } });
+}
+
 void vtkFlowLIC::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print = [&](const char* name, const auto& value)
-  { os << indent << name << ": " << value << "\n"; };
-  print("Kernel", this->Kernel == HANN ? "Hann" : "box");
-  print("Length", this->Length);
-  print("NoiseScale", this->NoiseScale);
-  print("StepLength", this->StepLength);
-  print("Seed", this->Seed);
-  print("Contrast", this->Contrast);
+  interlume::NamedValue::Print(os, indent,
+    { { "Kernel", this->Kernel == HANN ? "Hann" : "box" }, { "Length", this->Length },
+      { "NoiseScale", this->NoiseScale }, { "StepLength", this->StepLength },
+      { "Seed", this->Seed }, { "Contrast", this->Contrast } });
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

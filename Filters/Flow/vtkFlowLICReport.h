@@ -16,14 +16,18 @@
  */
 struct INTERLUMEFLOW_EXPORT vtkFlowLICReport
 {
+  /// The number of points of the output.
   vtkIdType Points = 0;
-  /// Outside of the field: 0.
+  /// The number of points outside of the field, whose value is 0.
   vtkIdType PointsOutside = 0;
-  /// Inside, at a velocity that is not finite, or less than 1e-9 of the largest.
+  /// The number of points inside with a velocity that is not finite, or less than 1e-9 of the
+  /// largest.
   vtkIdType PointsAtRest = 0;
-  /// Others whose streamline ends before Length on one side or on both.
+  /// The number of points inside that move and whose streamline ends before Length on one side or
+  /// on both.
   vtkIdType PointsWithShortLines = 0;
-  /// Each way, of a full streamline, and what was taken for the values of 0 above.
+  /// The number of steps each way of a full streamline, and the lengths in use, which tell what was
+  /// taken for automatic ones.
   int Steps = 0;
   double StepLength = 0.0;
   double Length = 0.0;

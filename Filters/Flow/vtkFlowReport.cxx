@@ -2,6 +2,7 @@
 #include "vtkFlowReport.h"
 
 #include "Advection/AdvectionOptions.h"
+#include "Common/NamedValue.h"
 
 void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
 {
@@ -15,30 +16,23 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
   {
     os << indent << "Reached surface " << surface.first << ": " << surface.second << "\n";
   }
-  os << indent << "ReachedWithinTolerance: " << this->ReachedWithinTolerance << "\n";
-  os << indent << "Steps: " << this->Steps << "\n";
-  os << indent << "RejectedSteps: " << this->RejectedSteps << "\n";
-  os << indent << "StiffSteps: " << this->StiffSteps << "\n";
-  os << indent << "RejectedStiffSteps: " << this->RejectedStiffSteps << "\n";
-  os << indent << "StiffSamples: " << this->StiffSamples << "\n";
-  os << indent << "Evaluations: " << this->Evaluations << "\n";
-  os << indent << "JacobianEvaluations: " << this->JacobianEvaluations << "\n";
-  os << indent << "DistanceEvaluations: " << this->DistanceEvaluations << "\n";
-  os << indent << "CellsVisited: " << this->CellsVisited << "\n";
-  os << indent << "CellsOfFewerDimensions: " << this->CellsOfFewerDimensions << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "ReachedWithinTolerance", this->ReachedWithinTolerance }, { "Steps", this->Steps },
+      { "RejectedSteps", this->RejectedSteps }, { "StiffSteps", this->StiffSteps },
+      { "RejectedStiffSteps", this->RejectedStiffSteps }, { "StiffSamples", this->StiffSamples },
+      { "Evaluations", this->Evaluations }, { "JacobianEvaluations", this->JacobianEvaluations },
+      { "DistanceEvaluations", this->DistanceEvaluations }, { "CellsVisited", this->CellsVisited },
+      { "CellsOfFewerDimensions", this->CellsOfFewerDimensions } });
   for (std::size_t level = 0; level < this->RefinedCells.size(); ++level)
   {
     os << indent << "Refinement level " << level + 1 << ": " << this->RefinedCells[level]
        << " cells, " << this->AddedSamples[level] << " samples added\n";
   }
-  os << indent << "Executions: " << this->Executions << "\n";
-  os << indent << "MaximumError: " << this->MaximumError << "\n";
-  os << indent << "MinimumSpeed: " << this->MinimumSpeed << "\n";
-  os << indent << "MaximumSpeed: " << this->MaximumSpeed << "\n";
-  os << indent << "FillValues: " << this->FillValues << "\n";
-  os << indent << "JoinedFaces: " << this->JoinedFaces << "\n";
-  os << indent << "LargestJoinedGap: " << this->LargestJoinedGap << "\n";
-  os << indent << "OpenInterfaces: " << this->OpenInterfaces << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Executions", this->Executions }, { "MaximumError", this->MaximumError },
+      { "MinimumSpeed", this->MinimumSpeed }, { "MaximumSpeed", this->MaximumSpeed },
+      { "FillValues", this->FillValues }, { "JoinedFaces", this->JoinedFaces },
+      { "LargestJoinedGap", this->LargestJoinedGap }, { "OpenInterfaces", this->OpenInterfaces } });
 }
 
 void vtkFlowReport::Add(const vtkFlowReport& other)

@@ -2,6 +2,7 @@
 #include "vtkFlowVolume.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/NamedValue.h"
 #include "Samples/BeyondSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Samples/OutputPiece.h"
@@ -499,28 +500,33 @@ void vtkFlowVolume::FillMesh(const interlume::SurfaceLevels& byInflow,
   }
 }
 
+void vtkFlowVolumeReport::Print(std::ostream& os, vtkIndent indent) const
+{
+  interlume::NamedValue::Print(os, indent,
+    { { "Cells", this->Cells }, { "CellsWithoutAnswer", this->CellsWithoutAnswer },
+      { "CellsBetweenSurfaces", this->CellsBetweenSurfaces },
+      { "CellsOnSeams", this->CellsOnSeams }, { "CellsAcrossSurfaces", this->CellsAcrossSurfaces },
+      { "CellsWithTimeJumps", this->CellsWithTimeJumps }, { "CellsCut", this->CellsCut },
+      { "CellsAcrossSeams", this->CellsAcrossSeams },
+      { "CellsAroundPoles", this->CellsAroundPoles }, { "PointsOnSeams", this->PointsOnSeams },
+      { "Preparations", this->Preparations }, { "InflowPasses", this->InflowPasses },
+      { "TimePasses", this->TimePasses }, { "SurfaceCuts", this->SurfaceCuts },
+      { "NormalPasses", this->NormalPasses } });
+}
+
 void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   this->Intervals.Print(os, indent);
   os << indent << "TimeRange: " << this->TimeRange[0] << " to " << this->TimeRange[1] << "\n";
-  os << indent << "MaximumTimeJump: " << this->MaximumTimeJump << "\n";
-  os << indent << "StreamSurfaces:";
-  for (const double value : this->StreamSurfaces)
-  {
-    os << " " << value;
-  }
-  os << "\n" << indent << "TimeSurfaces:";
-  for (const double time : this->TimeSurfaces)
-  {
-    os << " " << time;
-  }
-  os << "\n" << indent << "GenerateStreamSurfaces: " << this->GenerateStreamSurfaces << "\n";
-  os << indent << "GenerateTimeSurfaces: " << this->GenerateTimeSurfaces << "\n";
-  os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
-  os << indent << "ParametersAsTextureCoordinates: " << this->ParametersAsTextureCoordinates
-     << "\n";
-  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "MaximumTimeJump", this->MaximumTimeJump }, { "StreamSurfaces", this->StreamSurfaces },
+      { "TimeSurfaces", this->TimeSurfaces },
+      { "GenerateStreamSurfaces", this->GenerateStreamSurfaces },
+      { "GenerateTimeSurfaces", this->GenerateTimeSurfaces },
+      { "GenerateNormals", this->GenerateNormals },
+      { "ParametersAsTextureCoordinates", this->ParametersAsTextureCoordinates },
+      { "OutputPointsPrecision", this->OutputPointsPrecision } });
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

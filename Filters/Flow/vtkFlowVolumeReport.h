@@ -16,32 +16,34 @@
  */
 struct INTERLUMEFLOW_EXPORT vtkFlowVolumeReport
 {
+  /// The number of cells of the input.
   vtkIdType Cells = 0;
-  /// Without an answer at a corner, with different ones, and on a seam that is not continued
-  /// over.
+  /// The numbers of cells with a corner that has no answer, with corners of different surfaces, and
+  /// on a seam that the mapping does not continue over.
   vtkIdType CellsWithoutAnswer = 0;
   vtkIdType CellsBetweenSurfaces = 0;
   vtkIdType CellsOnSeams = 0;
-  /// Across their own termination surface, where time jumps, and of the others those where it
-  /// jumps by more than MaximumTimeJump.
+  /// The numbers of cells across their own termination surface, where time jumps, and of other
+  /// cells in which time jumps by more than MaximumTimeJump.
   vtkIdType CellsAcrossSurfaces = 0;
   vtkIdType CellsWithTimeJumps = 0;
-  /// Of those without an answer, between surfaces and across one: cut at the surface that passes
-  /// through them.
+  /// The number of cells without an answer, between surfaces or across one that were cut at the
+  /// surface that passes through them.
   vtkIdType CellsCut = 0;
-  /// Unwrapped, and those of them whose corners no unwrapping brings within half a period:
-  /// parameters in them are wrong.
+  /// The numbers of cells whose parameters were unwrapped, and of those among them whose corners no
+  /// unwrapping brings within half a period, so that parameters in them are wrong.
   vtkIdType CellsAcrossSeams = 0;
   vtkIdType CellsAroundPoles = 0;
-  /// Points added for cells across seams.
+  /// The number of points that were added for cells across seams.
   vtkIdType PointsOnSeams = 0;
-  /// How often all cells were looked at, extractions were made by Inflow and by time, and stream
-  /// surfaces were cut by time: 0 for what was not needed, or was still there.
+  /// The numbers of times that all cells were looked at, that extractions were made by Inflow and
+  /// by time, and that stream surfaces were cut by time. Each is 0 for what was not needed or was
+  /// still there.
   int Preparations = 0;
   int InflowPasses = 0;
   int TimePasses = 0;
   int SurfaceCuts = 0;
-  /// Ports that normals were computed of.
+  /// The number of ports that normals were computed for.
   int NormalPasses = 0;
 
   void Print(std::ostream& os, vtkIndent indent) const;

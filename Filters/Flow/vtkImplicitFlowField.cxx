@@ -2,6 +2,7 @@
 #include "vtkImplicitFlowField.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/NamedValue.h"
 #include "Fields/FieldInput.h"
 #include "Fields/FieldVectors.h"
 #include "Samples/ImplicitFlowRun.h"
@@ -598,44 +599,26 @@ void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, interlume::AdvectionOpt
 void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print = [&](const char* name, const auto& value)
-  { os << indent << name << ": " << value << "\n"; };
-  const auto printAll = [&](const char* name, const auto* values, int number)
-  {
-    os << indent << name << ":";
-    for (int i = 0; i < number; ++i)
-    {
-      os << " " << values[i];
-    }
-    os << "\n";
-  };
-  print("NumberOfTerminationSurfaces", this->GetNumberOfTerminationSurfaces());
+  os << indent << "NumberOfTerminationSurfaces: " << this->Surfaces.size() << "\n";
   for (const auto& surface : this->Surfaces)
   {
     os << indent << surface->GetClassName() << ":\n";
     surface->PrintSelf(os, indent.GetNextIndent());
   }
-  print("DomainFaces", this->DomainFaces);
-  print("DomainFaceId", this->DomainFaceId);
-  print("CriticalPointSpheres", this->CriticalPointSpheres);
-  print("CriticalPointId", this->CriticalPointId);
-  print("CriticalPointRadius", this->CriticalPointRadius);
-  print("SampleMode", this->SampleMode);
-  printAll("SampleDimensions", this->SampleDimensions, 3);
-  printAll("SampleBounds", this->SampleBounds, 6);
-  print("Direction", this->Direction);
-  print("Integrator", this->Integrator);
-  print("MaximumError", this->MaximumError);
-  print("MaximumTime", this->MaximumTime);
-  print("MaximumNumberOfSteps", this->MaximumNumberOfSteps);
-  print("MinimumSpeed", this->MinimumSpeed);
-  print("ArrivalTolerance", this->ArrivalTolerance);
-  print("ComputeMaximumSpeed", this->ComputeMaximumSpeed);
-  print("ComputeArcLength", this->ComputeArcLength);
-  print("ComputeMeanVorticity", this->ComputeMeanVorticity);
-  printAll("MeanArrays", this->MeanArrays.data(), this->GetNumberOfMeanArrays());
-  print("KeepSteps", this->KeepSteps);
-  print("RefinementLevels", this->RefinementLevels);
+  interlume::NamedValue::Print(os, indent,
+    { { "DomainFaces", this->DomainFaces }, { "DomainFaceId", this->DomainFaceId },
+      { "CriticalPointSpheres", this->CriticalPointSpheres },
+      { "CriticalPointId", this->CriticalPointId },
+      { "CriticalPointRadius", this->CriticalPointRadius }, { "SampleMode", this->SampleMode },
+      { "SampleDimensions", this->SampleDimensions }, { "SampleBounds", this->SampleBounds },
+      { "Direction", this->Direction }, { "Integrator", this->Integrator },
+      { "MaximumError", this->MaximumError }, { "MaximumTime", this->MaximumTime },
+      { "MaximumNumberOfSteps", this->MaximumNumberOfSteps },
+      { "MinimumSpeed", this->MinimumSpeed }, { "ArrivalTolerance", this->ArrivalTolerance },
+      { "ComputeMaximumSpeed", this->ComputeMaximumSpeed },
+      { "ComputeArcLength", this->ComputeArcLength },
+      { "ComputeMeanVorticity", this->ComputeMeanVorticity }, { "MeanArrays", this->MeanArrays },
+      { "KeepSteps", this->KeepSteps }, { "RefinementLevels", this->RefinementLevels } });
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

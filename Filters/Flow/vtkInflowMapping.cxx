@@ -3,6 +3,7 @@
 
 #include "Common/AbortCheck.h"
 #include "Common/Batches.h"
+#include "Common/NamedValue.h"
 #include "Samples/BeyondSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Samples/InflowFunction.h"
@@ -363,6 +364,13 @@ void vtkInflowMapping::MapBeyond(const interlume::ImplicitFlowArrays& arrays, vt
                  parameters->GetComponent(row, 1), periodicity[0], periodicity[1]));
   }
   data->AddArray(inflow);
+}
+
+void vtkInflowMappingReport::Print(std::ostream& os, vtkIndent indent) const
+{
+  interlume::NamedValue::Print(os, indent,
+    { { "Samples", this->Samples }, { "Ids", this->Ids },
+      { "ContinuedSeams", this->ContinuedSeams } });
 }
 
 void vtkInflowMapping::PrintSelf(ostream& os, vtkIndent indent)

@@ -16,10 +16,10 @@
  */
 struct INTERLUMEFLOW_EXPORT vtkInflowMappingReport
 {
-  /// Samples, and the ids in use.
+  /// The numbers of samples, and of ids in use.
   vtkIdType Samples = 0;
   vtkIdType Ids = 0;
-  /// Seams of u and v that the mappings go on over.
+  /// The number of seams of u and v that the mappings go on over.
   vtkIdType ContinuedSeams = 0;
 
   void Print(std::ostream& os, vtkIndent indent) const;

@@ -2,6 +2,7 @@
 #include "vtkStreamSurfaceParameters.h"
 
 #include "Common/Batches.h"
+#include "Common/NamedValue.h"
 #include "Fields/PointCopies.h"
 #include "Samples/OutputPiece.h"
 #include "Surfaces/ContourArc.h"
@@ -300,15 +301,21 @@ void vtkStreamSurfaceParameters::FillTexture(const std::vector<double>& lengths,
   output->GetPointData()->SetTCoords(texture);
 }
 
+void vtkStreamSurfaceParametersReport::Print(std::ostream& os, vtkIndent indent) const
+{
+  interlume::NamedValue::Print(os, indent,
+    { { "Contours", this->Contours }, { "ClosedContours", this->ClosedContours },
+      { "AddedPoints", this->AddedPoints } });
+}
+
 void vtkStreamSurfaceParameters::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mapping: " << (this->Mapping ? "set" : "none") << "\n";
-  os << indent << "TerminationSurfaces: " << this->Surfaces.size() << "\n";
-  os << indent << "StartPoints: " << this->StartPoints.size() << "\n";
-  os << indent << "LengthScale: " << this->LengthScale << "\n";
-  os << indent << "TimeScale: " << this->TimeScale << "\n";
-  os << indent << "Resolution: " << this->Resolution << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Mapping", this->Mapping ? "set" : "none" },
+      { "TerminationSurfaces", this->Surfaces.size() }, { "StartPoints", this->StartPoints.size() },
+      { "LengthScale", this->LengthScale }, { "TimeScale", this->TimeScale },
+      { "Resolution", this->Resolution } });
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

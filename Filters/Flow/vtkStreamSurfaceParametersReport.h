@@ -16,10 +16,11 @@
  */
 struct INTERLUMEFLOW_EXPORT vtkStreamSurfaceParametersReport
 {
-  /// Contours of the inflow on the termination surfaces, and those of them that are closed.
+  /// The numbers of contours of the inflow on the termination surfaces, and of closed ones among
+  /// them.
   vtkIdType Contours = 0;
   vtkIdType ClosedContours = 0;
-  /// Points added where parameters jump: more than the input has.
+  /// The number of points that were added where parameters jump.
   vtkIdType AddedPoints = 0;
 
   void Print(std::ostream& os, vtkIndent indent) const;

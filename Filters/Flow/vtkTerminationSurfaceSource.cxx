@@ -2,6 +2,7 @@
 #include "vtkTerminationSurfaceSource.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/NamedValue.h"
 #include "Termination/TerminationGrid.h"
 
 #include "vtkCellArray.h"
@@ -51,6 +52,8 @@ vtkMTimeType vtkTerminationSurfaceSource::GetMTime()
 int vtkTerminationSurfaceSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
+  this->Report = {};
+  vtkTerminationSurfaceSourceReport report;
   const std::string wrong =
     this->Surface ? this->Surface->Update() : std::string("there is none; call SetSurface");
   if (!wrong.empty())
@@ -69,12 +72,12 @@ int vtkTerminationSurfaceSource::RequestData(
   vtkNew<vtkIntArray> ids;
   ids->SetName(vtkFlowStatus::IdArray());
   vtkNew<vtkCellArray> triangles;
-  const int parts = this->Surface->GetNumberOfParts();
-  for (int part = 0; part < parts; ++part)
+  report.Parts = this->Surface->GetNumberOfParts();
+  for (int part = 0; part < report.Parts; ++part)
   {
     interlume::TerminationGrid grid(this->Surface, part, this->ResolutionU, this->ResolutionV);
-    const double start = static_cast<double>(part) / parts;
-    if (!grid.Execute(this, start, start + 1.0 / parts))
+    const double start = static_cast<double>(part) / report.Parts;
+    if (!grid.Execute(this, start, start + 1.0 / report.Parts))
     {
       return interlume::AbortCheck::Leave(outputs);
     }
@@ -91,6 +94,8 @@ int vtkTerminationSurfaceSource::RequestData(
         { offset + triangle[0], offset + triangle[1], offset + triangle[2] });
       ids->InsertNextValue(std::max(this->Surface->GetId(), 0) + part);
     }
+    report.BorderPoints += grid.BorderPoints;
+    report.FlatTriangles += grid.FlatTriangles;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->SetPoints(points);
@@ -99,13 +104,25 @@ int vtkTerminationSurfaceSource::RequestData(
   output->GetPointData()->SetScalars(parameters);
   output->GetPointData()->SetNormals(normals);
   output->GetCellData()->AddArray(ids);
+  report.Points = output->GetNumberOfPoints();
+  report.Triangles = output->GetNumberOfCells();
+  this->Report = report;
   return 1;
+}
+
+void vtkTerminationSurfaceSourceReport::Print(std::ostream& os, vtkIndent indent) const
+{
+  interlume::NamedValue::Print(os, indent,
+    { { "Parts", this->Parts }, { "Points", this->Points }, { "BorderPoints", this->BorderPoints },
+      { "Triangles", this->Triangles }, { "FlatTriangles", this->FlatTriangles } });
 }
 
 void vtkTerminationSurfaceSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Surface: " << this->Surface.GetPointer() << "\n";
-  os << indent << "ResolutionU: " << this->ResolutionU << "\n";
-  os << indent << "ResolutionV: " << this->ResolutionV << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Surface", this->Surface.GetPointer() }, { "ResolutionU", this->ResolutionU },
+      { "ResolutionV", this->ResolutionV } });
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
 }

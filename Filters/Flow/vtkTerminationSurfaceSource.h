@@ -4,7 +4,8 @@
 
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // for the surface
+#include "vtkSmartPointer.h"                   // for the surface
+#include "vtkTerminationSurfaceSourceReport.h" // for the report
 
 class vtkTerminationSurface;
 
@@ -52,6 +53,9 @@ public:
   /// Returns the time of the last change, of the surface too.
   vtkMTimeType GetMTime() override;
 
+  /// Returns what the last execution drew.
+  const vtkTerminationSurfaceSourceReport& GetReport() const { return this->Report; }
+
 protected:
   vtkTerminationSurfaceSource();
   ~vtkTerminationSurfaceSource() override;
@@ -65,6 +69,7 @@ private:
   vtkSmartPointer<vtkTerminationSurface> Surface;
   int ResolutionU = 32;
   int ResolutionV = 32;
+  vtkTerminationSurfaceSourceReport Report;
 };
 
 #endif

@@ -2,6 +2,7 @@
 #include "vtkVortexAxis.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/NamedValue.h"
 #include "Fields/FieldVectors.h"
 #include "Termination/CrossFlow.h"
 
@@ -182,11 +183,6 @@ std::string CheckVector(const char* name, const double v[3], bool isDirection)
   }
   return what.str();
 }
-
-void PrintVector(ostream& os, vtkIndent indent, const char* name, const double v[3])
-{
-  os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n";
-}
 }
 
 vtkVortexAxis::vtkVortexAxis()
@@ -256,16 +252,21 @@ int vtkVortexAxis::RequestData(
   return 1;
 }
 
+void vtkVortexAxisReport::Print(std::ostream& os, vtkIndent indent) const
+{
+  interlume::NamedValue::Print(os, indent,
+    { { "Planes", this->Planes }, { "Places", this->Places },
+      { "PointsOnAxis", this->PointsOnAxis } });
+}
+
 void vtkVortexAxis::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  PrintVector(os, indent, "Axis", this->Axis);
-  os << indent << "NumberOfPlanes: " << this->NumberOfPlanes << "\n";
-  os << indent << "UseSeed: " << (this->UseSeed ? "On" : "Off") << "\n";
-  PrintVector(os, indent, "Seed", this->Seed);
-  PrintVector(os, indent, "FrameVelocity", this->FrameVelocity);
-  os << indent << "SearchRadius: " << this->SearchRadius << "\n";
-  os << indent << "MinimumSwirlStrength: " << this->MinimumSwirlStrength << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Axis", this->Axis }, { "NumberOfPlanes", this->NumberOfPlanes },
+      { "UseSeed", this->UseSeed ? "On" : "Off" }, { "Seed", this->Seed },
+      { "FrameVelocity", this->FrameVelocity }, { "SearchRadius", this->SearchRadius },
+      { "MinimumSwirlStrength", this->MinimumSwirlStrength } });
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

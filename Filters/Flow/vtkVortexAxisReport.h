@@ -16,10 +16,10 @@
  */
 struct INTERLUMEFLOW_EXPORT vtkVortexAxisReport
 {
-  /// Planes across Axis, and places in them where the velocity across Axis is 0.
+  /// The numbers of planes across Axis, and of places in them where the velocity across Axis is 0.
   int Planes = 0;
   vtkIdType Places = 0;
-  /// Those of one vortex: the points of the line.
+  /// The number of those places that belong to one vortex, which are the points of the line.
   vtkIdType PointsOnAxis = 0;
 
   void Print(std::ostream& os, vtkIndent indent) const;

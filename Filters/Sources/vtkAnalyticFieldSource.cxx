@@ -2,6 +2,7 @@
 #include "vtkAnalyticFieldSource.h"
 
 #include "Analytic/ElementaryFields.h"
+#include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
 #include "Vortices/VortexTubes.h"
 
@@ -17,11 +18,6 @@ constexpr double Limit = 1e6;
 interlume::ElementaryFields::Vector Advance(const double base[3], const double rate[3], double time)
 {
   return { { base[0] + rate[0] * time, base[1] + rate[1] * time, base[2] + rate[2] * time } };
-}
-
-void PrintVector(ostream& os, vtkIndent indent, const char* name, const double v[3])
-{
-  os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n";
 }
 }
 
@@ -70,12 +66,8 @@ vtkFieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) const
 void vtkAnalyticFieldSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Field: " << GetFieldName(this->Field) << "\n";
-  os << indent << "Constant: " << this->Constant << "\n";
-  PrintVector(os, indent, "Gradient", this->Gradient);
-  os << indent << "Rate: " << this->Rate << "\n";
-  PrintVector(os, indent, "Center", this->Center);
-  PrintVector(os, indent, "Velocity", this->Velocity);
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Growth: " << this->Growth << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Field", GetFieldName(this->Field) }, { "Constant", this->Constant },
+      { "Gradient", this->Gradient }, { "Rate", this->Rate }, { "Center", this->Center },
+      { "Velocity", this->Velocity }, { "Radius", this->Radius }, { "Growth", this->Growth } });
 }

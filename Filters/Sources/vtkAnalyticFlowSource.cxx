@@ -3,8 +3,9 @@
 
 #include "Analytic/ElementaryFlows.h"
 #include "Analytic/VortexFlows.h"
-#include "Common/Batches.h"
+#include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
+#include "Sampling/ExtentRows.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -60,16 +61,6 @@ Vector GetPartAcross(const Vector& direction, const double v[3])
 {
   const Vector along = GetPartAlong(direction, v);
   return { { v[0] - along[0], v[1] - along[1], v[2] - along[2] } };
-}
-
-void PrintVector(ostream& os, vtkIndent indent, const char* name, const double* v, int size = 3)
-{
-  os << indent << name << ":";
-  for (int i = 0; i < size; ++i)
-  {
-    os << " " << v[i];
-  }
-  os << "\n";
 }
 }
 
@@ -237,50 +228,31 @@ int vtkAnalyticFlowSource::RequestData(
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
-  int extent[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  double origin[3];
-  double spacing[3];
-  this->GetLattice(origin, spacing);
-  this->Place(image, extent);
-
-  const vtkIdType length = extent[1] - extent[0] + 1;
-  const vtkIdType rowsOfLayer = extent[3] - extent[2] + 1;
-  const vtkIdType rows = rowsOfLayer * (extent[5] - extent[4] + 1);
+  this->SetReport({});
+  this->Place(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   auto values = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->OutputScalarType));
   values->SetName("Velocity");
   values->SetNumberOfComponents(3);
-  values->SetNumberOfTuples(rows * length);
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
   vtkNew<vtkUnsignedCharArray> ghosts;
   const bool isHiding =
     this->Inside == HIDDEN && (this->Field == SPHERE || this->Field == CYLINDER);
   if (isHiding)
   {
     ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-    ghosts->SetNumberOfValues(rows * length);
+    ghosts->SetNumberOfValues(image->GetNumberOfPoints());
   }
-  const auto makeRows = [&](vtkIdType first, vtkIdType last)
+  const auto makeValue = [&](const double x[3], vtkIdType point)
   {
-    for (vtkIdType row = first; row < last; ++row)
+    double velocity[3];
+    this->Evaluate(x, velocity);
+    values->SetTuple(point, velocity);
+    if (isHiding)
     {
-      const vtkIdType y = extent[2] + row % rowsOfLayer;
-      const vtkIdType z = extent[4] + row / rowsOfLayer;
-      double x[3] = { 0.0, origin[1] + y * spacing[1], origin[2] + z * spacing[2] };
-      for (vtkIdType i = 0; i < length; ++i)
-      {
-        x[0] = origin[0] + (extent[0] + i) * spacing[0];
-        double velocity[3];
-        this->Evaluate(x, velocity);
-        const vtkIdType point = row * length + i;
-        values->SetTuple(point, velocity);
-        if (isHiding)
-        {
-          ghosts->SetValue(point, this->IsInside(x) ? vtkDataSetAttributes::HIDDENPOINT : 0);
-        }
-      }
+      ghosts->SetValue(point, this->IsInside(x) ? vtkDataSetAttributes::HIDDENPOINT : 0);
     }
   };
-  if (!interlume::Batches::Run(rows, this, 0.0, 1.0, makeRows))
+  if (!interlume::ExtentRows::RunPoints(image, this, makeValue))
   {
     image->Initialize();
     return 1;
@@ -290,6 +262,7 @@ int vtkAnalyticFlowSource::RequestData(
   {
     image->GetPointData()->AddArray(ghosts);
   }
+  this->SetReport(vtkSourceReport::Of(image, image->GetNumberOfPoints()));
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -297,30 +270,17 @@ int vtkAnalyticFlowSource::RequestData(
 void vtkAnalyticFlowSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Field: " << GetFieldName(this->Field) << "\n";
-  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
-  PrintVector(os, indent, "Center", this->Center);
-  PrintVector(os, indent, "Velocity", this->Velocity);
-  PrintVector(os, indent, "Axis", this->Axis);
-  os << indent << "AngularVelocity: " << this->AngularVelocity << "\n";
-  PrintVector(os, indent, "SaddleRates", this->SaddleRates);
-  PrintVector(os, indent, "NodeRates", this->NodeRates);
-  os << indent << "Swirl: " << this->Swirl << "\n";
-  os << indent << "Strength: " << this->Strength << "\n";
-  PrintVector(os, indent, "Separation", this->Separation);
-  os << indent << "CoreRadius: " << this->CoreRadius << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Inside: " << GetInsideName(this->Inside) << "\n";
-  os << indent << "SpanwiseVelocity: " << this->SpanwiseVelocity << "\n";
-  PrintVector(os, indent, "Amplitudes", this->Amplitudes);
-  os << indent << "Period: " << this->Period << "\n";
-  os << indent << "Thickness: " << this->Thickness << "\n";
-  os << indent << "Height: " << this->Height << "\n";
-  PrintVector(os, indent, "AxisTilt", this->AxisTilt, 2);
-  PrintVector(os, indent, "AxisBend", this->AxisBend, 2);
-  os << indent << "MaximumWind: " << this->MaximumWind << "\n";
-  os << indent << "EyeRadius: " << this->EyeRadius << "\n";
-  os << indent << "Updraft: " << this->Updraft << "\n";
-  os << indent << "Circulation: " << this->Circulation << "\n";
-  os << indent << "Strain: " << this->Strain << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Field", GetFieldName(this->Field) }, { "OutputScalarType", this->OutputScalarType },
+      { "Center", this->Center }, { "Velocity", this->Velocity }, { "Axis", this->Axis },
+      { "AngularVelocity", this->AngularVelocity }, { "SaddleRates", this->SaddleRates },
+      { "NodeRates", this->NodeRates }, { "Swirl", this->Swirl }, { "Strength", this->Strength },
+      { "Separation", this->Separation }, { "CoreRadius", this->CoreRadius },
+      { "Radius", this->Radius }, { "Inside", GetInsideName(this->Inside) },
+      { "SpanwiseVelocity", this->SpanwiseVelocity }, { "Amplitudes", this->Amplitudes },
+      { "Period", this->Period }, { "Thickness", this->Thickness }, { "Height", this->Height },
+      { "AxisTilt", this->AxisTilt }, { "AxisBend", this->AxisBend },
+      { "MaximumWind", this->MaximumWind }, { "EyeRadius", this->EyeRadius },
+      { "Updraft", this->Updraft }, { "Circulation", this->Circulation },
+      { "Strain", this->Strain } });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoundedImageSource.h"
 
+#include "Common/NamedValue.h"
+
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -114,15 +116,8 @@ int vtkBoundedImageSource::RequestInformation(
 void vtkBoundedImageSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "WholeExtent:";
-  for (int index : this->WholeExtent)
-  {
-    os << " " << index;
-  }
-  os << "\n" << indent << "Bounds:";
-  for (double bound : this->Bounds)
-  {
-    os << " " << bound;
-  }
-  os << "\n";
+  interlume::NamedValue::Print(
+    os, indent, { { "WholeExtent", this->WholeExtent }, { "Bounds", this->Bounds } });
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
 }

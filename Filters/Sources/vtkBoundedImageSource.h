@@ -4,6 +4,7 @@
 
 #include "InterlumeSourcesModule.h" // for the export macro
 #include "vtkImageAlgorithm.h"
+#include "vtkSourceReport.h" // for the report
 
 /**
  * @class   vtkBoundedImageSource
@@ -46,6 +47,9 @@ public:
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
+  /// Returns what the last execution took.
+  const vtkSourceReport& GetReport() const { return this->Report; }
+
 protected:
   vtkBoundedImageSource();
   ~vtkBoundedImageSource() override = default;
@@ -62,12 +66,15 @@ protected:
   /// Gives an image the extent, and the lattice's origin and spacing.
   void Place(vtkImageData* image, const int extent[6]) const;
 
+  void SetReport(const vtkSourceReport& report) { this->Report = report; }
+
 private:
   vtkBoundedImageSource(const vtkBoundedImageSource&) = delete;
   void operator=(const vtkBoundedImageSource&) = delete;
 
   int WholeExtent[6] = { 0, 63, 0, 63, 0, 63 };
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+  vtkSourceReport Report;
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "Common/Batches.h"
 #include "Sampling/ColorDilation.h"
+#include "Sampling/ExtentRows.h"
 #include "Sampling/PartPrinter.h"
 #include "Sampling/SpatialSampler.h"
 
@@ -50,33 +51,29 @@ template <typename Value>
 bool SampleRows(const interlume::SpatialSampler& sampler, const int extent[6],
   int numberOfComponents, Value* values, vtkAlgorithm* owner)
 {
-  const int length = extent[1] - extent[0] + 1;
-  const vtkIdType rowsOfLayer = extent[3] - extent[2] + 1;
-  const vtkIdType rows = rowsOfLayer * (extent[5] - extent[4] + 1);
-  const auto makeRows = [&](vtkIdType first, vtkIdType last)
+  const auto makeRow = [&](int j, int k, vtkIdType point)
   {
     vtkSpatialObject::Sample samples[vtkSpatialObject::SpanLength];
-    for (vtkIdType row = first; row < last; ++row)
+    Value* stored = values + point * numberOfComponents;
+    for (int i = extent[0]; i <= extent[1]; i += vtkSpatialObject::SpanLength)
     {
-      Value* stored = values + row * length * numberOfComponents;
-      for (int i = 0; i < length; i += vtkSpatialObject::SpanLength)
+      const int number = std::min(extent[1] + 1 - i, vtkSpatialObject::SpanLength);
+      const int ijk[3] = { i, j, k };
+      sampler.SampleSpan(ijk, number, samples);
+      for (int s = 0; s < number; ++s, stored += numberOfComponents)
       {
-        const int number = std::min(length - i, vtkSpatialObject::SpanLength);
-        const int ijk[3] = { extent[0] + i, static_cast<int>(extent[2] + row % rowsOfLayer),
-          static_cast<int>(extent[4] + row / rowsOfLayer) };
-        sampler.SampleSpan(ijk, number, samples);
-        for (int s = 0; s < number; ++s, stored += numberOfComponents)
-        {
-          Store(samples[s], numberOfComponents, stored);
-        }
+        Store(samples[s], numberOfComponents, stored);
       }
     }
   };
   const bool isColored = numberOfComponents > 1;
-  if (!interlume::Batches::Run(rows, owner, 0.0, isColored ? 1.0 - DilationShare : 1.0, makeRows))
+  if (!interlume::ExtentRows::Run(
+        extent, owner, 0.0, isColored ? 1.0 - DilationShare : 1.0, makeRow))
   {
     return false;
   }
+  const vtkIdType rows =
+    static_cast<vtkIdType>(extent[3] - extent[2] + 1) * (extent[5] - extent[4] + 1);
   const auto dilate = [&](vtkIdType first, vtkIdType last)
   { interlume::ColorDilation::DilateRows(values, extent, first, last); };
   return !isColored || interlume::Batches::Run(rows, owner, 1.0 - DilationShare, 1.0, dilate);
@@ -184,8 +181,6 @@ bool vtkConstructiveVolume::Sample(const int extent[6], vtkDataArray* values)
   this->GetLattice(origin, spacing);
   const interlume::SpatialSampler sampler(this->Root, origin, spacing, this->NumberOfSubsamples);
   const int components = values->GetNumberOfComponents();
-  values->SetNumberOfTuples(static_cast<vtkIdType>(extent[1] - extent[0] + 1) *
-    (extent[3] - extent[2] + 1) * (extent[5] - extent[4] + 1));
   if (auto* bytes = vtkUnsignedCharArray::SafeDownCast(values))
   {
     return SampleRows(sampler, extent, components, bytes->GetPointer(0), this);
@@ -199,6 +194,7 @@ int vtkConstructiveVolume::RequestData(
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
+  this->SetReport({});
   const std::string problem =
     this->Root ? this->Root->Update() : std::string("There is no root to sample.");
   if (!problem.empty())
@@ -222,13 +218,17 @@ int vtkConstructiveVolume::RequestData(
     vtkDataArray::CreateDataArray(this->OutputMode == COLOR_BYTES ? VTK_UNSIGNED_CHAR : VTK_FLOAT));
   values->SetName(this->OutputMode == DENSITY ? "Density" : "Color");
   values->SetNumberOfComponents(this->OutputMode == DENSITY ? 1 : 4);
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
   if (!this->Sample(extent, values))
   {
     image->Initialize();
     return 1;
   }
   image->GetPointData()->SetScalars(values);
+  const vtkIdType samples = image->GetNumberOfPoints();
   image->Crop(part);
+  const int n = this->NumberOfSubsamples;
+  this->SetReport(vtkSourceReport::Of(image, samples * n * n * n));
   this->UpdateProgress(1.0);
   return 1;
 }

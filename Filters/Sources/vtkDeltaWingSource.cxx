@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDeltaWingSource.h"
 
+#include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
 #include "Vortices/BreakdownVortex.h"
 
@@ -82,9 +83,9 @@ vtkFieldSampler::Field vtkDeltaWingSource::GetFieldAtTime(double t) const
 void vtkDeltaWingSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SweepAngle: " << this->SweepAngle << "\n";
-  os << indent << "BreakdownPosition: " << this->BreakdownPosition << "\n";
-  os << indent << "BreakdownAmplitude: " << this->BreakdownAmplitude << "\n";
-  os << indent << "BreakdownFrequency: " << this->BreakdownFrequency << "\n";
-  os << indent << "SpiralFrequency: " << this->SpiralFrequency << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "SweepAngle", this->SweepAngle }, { "BreakdownPosition", this->BreakdownPosition },
+      { "BreakdownAmplitude", this->BreakdownAmplitude },
+      { "BreakdownFrequency", this->BreakdownFrequency },
+      { "SpiralFrequency", this->SpiralFrequency } });
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFieldSampler.h"
 
-#include "Common/Batches.h"
+#include "Common/NamedValue.h"
+#include "Sampling/ExtentRows.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -90,30 +91,22 @@ bool vtkFieldSampler::GetRequestedTime(
 bool vtkFieldSampler::Sample(vtkDataSet* output, const int extent[6], double time,
   const Field& field, const Positions& positions, vtkAlgorithm* owner) const
 {
-  const vtkIdType rowLength = extent[1] - extent[0] + 1;
-  const vtkIdType rowsOfLayer = extent[3] - extent[2] + 1;
-  const vtkIdType rows = rowsOfLayer * (extent[5] - extent[4] + 1);
   vtkSmartPointer<vtkDataArray> values =
     vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->ScalarType));
   values->SetName(this->ArrayName.c_str());
-  values->SetNumberOfTuples(rows * rowLength);
+  values->SetNumberOfTuples(output->GetNumberOfPoints());
 
-  const auto sampleRows = [&](vtkIdType first, vtkIdType last)
+  const auto sampleRow = [&](int j, int k, vtkIdType point)
   {
-    for (vtkIdType row = first; row < last; ++row)
+    for (int i = extent[0]; i <= extent[1]; ++i, ++point)
     {
-      int ijk[3] = { 0, static_cast<int>(extent[2] + row % rowsOfLayer),
-        static_cast<int>(extent[4] + row / rowsOfLayer) };
-      for (vtkIdType i = 0; i < rowLength; ++i)
-      {
-        ijk[0] = static_cast<int>(extent[0] + i);
-        double x[3];
-        positions(ijk, row * rowLength + i, x);
-        values->SetComponent(row * rowLength + i, 0, field(x));
-      }
+      const int ijk[3] = { i, j, k };
+      double x[3];
+      positions(ijk, point, x);
+      values->SetComponent(point, 0, field(x));
     }
   };
-  if (!interlume::Batches::Run(rows, owner, 0.0, 1.0, sampleRows))
+  if (!interlume::ExtentRows::Run(extent, owner, 0.0, 1.0, sampleRow))
   {
     return false;
   }
@@ -125,9 +118,8 @@ bool vtkFieldSampler::Sample(vtkDataSet* output, const int extent[6], double tim
 
 void vtkFieldSampler::Print(ostream& os, vtkIndent indent) const
 {
-  os << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n";
-  os << indent << "TimeRange: " << this->TimeRange[0] << " " << this->TimeRange[1] << "\n";
-  os << indent << "OutputScalarType: " << (this->ScalarType == VTK_DOUBLE ? "double" : "float")
-     << "\n";
-  os << indent << "ArrayName: " << this->ArrayName << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "NumberOfTimeSteps", this->NumberOfTimeSteps }, { "TimeRange", this->TimeRange },
+      { "OutputScalarType", this->ScalarType == VTK_DOUBLE ? "double" : "float" },
+      { "ArrayName", this->ArrayName } });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTaperedCylinderSource.h"
 
+#include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
 #include "Vortices/VortexStreet.h"
 
@@ -93,9 +94,7 @@ vtkFieldSampler::Field vtkTaperedCylinderSource::GetFieldAtTime(double t) const
 void vtkTaperedCylinderSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Radii: " << this->Radii[0] << " " << this->Radii[1] << "\n";
-  os << indent << "Height: " << this->Height << "\n";
-  os << indent << "OuterRadius: " << this->OuterRadius << "\n";
-  os << indent << "Speed: " << this->Speed << "\n";
-  os << indent << "StrouhalNumber: " << this->StrouhalNumber << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Radii", this->Radii }, { "Height", this->Height }, { "OuterRadius", this->OuterRadius },
+      { "Speed", this->Speed }, { "StrouhalNumber", this->StrouhalNumber } });
 }

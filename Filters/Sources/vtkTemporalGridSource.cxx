@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalGridSource.h"
 
+#include "Common/NamedValue.h"
+
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -53,6 +55,7 @@ int vtkTemporalGridSource::RequestData(
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkStructuredGrid* grid = vtkStructuredGrid::GetData(info);
   double time = 0.0;
+  this->Report = {};
   if (!this->Sampler.GetRequestedTime(info, this, time))
   {
     return 1;
@@ -71,14 +74,17 @@ int vtkTemporalGridSource::RequestData(
   if (!this->Sampler.Sample(grid, extent, time, this->GetFieldAtTime(time), positions, this))
   {
     grid->Initialize();
+    return 1;
   }
+  this->Report = vtkSourceReport::Of(grid, grid->GetNumberOfPoints(), time);
   return 1;
 }
 
 void vtkTemporalGridSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
-     << this->Dimensions[2] << "\n";
+  interlume::NamedValue::Print(os, indent, { { "Dimensions", this->Dimensions } });
   this->Sampler.Print(os, indent);
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
 }

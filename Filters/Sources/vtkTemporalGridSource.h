@@ -4,6 +4,7 @@
 
 #include "InterlumeSourcesModule.h" // for the export macro
 #include "vtkFieldSampler.h"        // for the time steps and the array
+#include "vtkSourceReport.h"        // for the report
 #include "vtkStructuredGridAlgorithm.h"
 
 /**
@@ -59,6 +60,9 @@ public:
   const char* GetArrayName() const { return this->Sampler.GetArrayName(); }
   ///@}
 
+  /// Returns what the last execution took.
+  const vtkSourceReport& GetReport() const { return this->Report; }
+
 protected:
   vtkTemporalGridSource(const char* arrayName, int i, int j, int k);
   ~vtkTemporalGridSource() override = default;
@@ -77,6 +81,7 @@ private:
 
   int Dimensions[3];
   vtkFieldSampler Sampler;
+  vtkSourceReport Report;
 };
 
 #endif

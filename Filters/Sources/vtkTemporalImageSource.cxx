@@ -26,6 +26,7 @@ int vtkTemporalImageSource::RequestData(
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
   double time = 0.0;
+  this->SetReport({});
   if (!this->Sampler.GetRequestedTime(info, this, time))
   {
     return 1;
@@ -45,7 +46,9 @@ int vtkTemporalImageSource::RequestData(
         image, image->GetExtent(), time, this->GetFieldAtTime(time), positions, this))
   {
     image->Initialize();
+    return 1;
   }
+  this->SetReport(vtkSourceReport::Of(image, image->GetNumberOfPoints(), time));
   return 1;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTurbulenceSource.h"
 
-#include "Common/Batches.h"
+#include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
+#include "Sampling/ExtentRows.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -129,40 +130,21 @@ int vtkTurbulenceSource::RequestData(
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
-  int extent[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  double origin[3];
-  double spacing[3];
-  this->GetLattice(origin, spacing);
-  this->Place(image, extent);
-
-  const vtkIdType length = extent[1] - extent[0] + 1;
-  const vtkIdType rowsOfLayer = extent[3] - extent[2] + 1;
-  const vtkIdType rows = rowsOfLayer * (extent[5] - extent[4] + 1);
+  this->SetReport({});
+  this->Place(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   vtkNew<vtkFloatArray> values;
   values->SetName("Turbulence");
-  values->SetNumberOfTuples(rows * length);
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
   const vtkGradientNoise noise(this->Seed);
-  const auto makeRows = [&](vtkIdType first, vtkIdType last)
-  {
-    for (vtkIdType row = first; row < last; ++row)
-    {
-      const vtkIdType y = extent[2] + row % rowsOfLayer;
-      const vtkIdType z = extent[4] + row / rowsOfLayer;
-      double x[3] = { 0.0, origin[1] + y * spacing[1], origin[2] + z * spacing[2] };
-      for (vtkIdType i = 0; i < length; ++i)
-      {
-        x[0] = origin[0] + (extent[0] + i) * spacing[0];
-        values->SetValue(row * length + i, static_cast<float>(this->Evaluate(noise, x)));
-      }
-    }
-  };
-  if (!interlume::Batches::Run(rows, this, 0.0, 1.0, makeRows))
+  const auto makeValue = [&](const double x[3], vtkIdType point)
+  { values->SetValue(point, static_cast<float>(this->Evaluate(noise, x))); };
+  if (!interlume::ExtentRows::RunPoints(image, this, makeValue))
   {
     image->Initialize();
     return 1;
   }
   image->GetPointData()->SetScalars(values);
+  this->SetReport(vtkSourceReport::Of(image, image->GetNumberOfPoints()));
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -170,14 +152,10 @@ int vtkTurbulenceSource::RequestData(
 void vtkTurbulenceSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Sum: " << vtkGradientNoise::GetSumName(this->Sum) << "\n";
-  os << indent << "NumberOfOctaves: " << this->NumberOfOctaves << "\n";
-  os << indent << "Frequency: " << this->Frequency << "\n";
-  os << indent << "Amplitude: " << this->Amplitude << "\n";
-  os << indent << "Offset: " << this->Offset << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
-  os << indent << "Falloff: " << GetFalloffName(this->Falloff) << "\n";
-  os << indent << "VerticalAxis: " << this->VerticalAxis << "\n";
-  os << indent << "TopFraction: " << this->TopFraction << "\n";
-  os << indent << "Envelope: " << GetEnvelopeName(this->Envelope) << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Sum", vtkGradientNoise::GetSumName(this->Sum) },
+      { "NumberOfOctaves", this->NumberOfOctaves }, { "Frequency", this->Frequency },
+      { "Amplitude", this->Amplitude }, { "Offset", this->Offset }, { "Seed", this->Seed },
+      { "Falloff", GetFalloffName(this->Falloff) }, { "VerticalAxis", this->VerticalAxis },
+      { "TopFraction", this->TopFraction }, { "Envelope", GetEnvelopeName(this->Envelope) } });
 }

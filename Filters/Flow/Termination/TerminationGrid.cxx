@@ -108,6 +108,7 @@ void TerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
       vtkMath::Distance2BetweenPoints(second.Position, third.Position) });
   if (!(vtkMath::Norm(cross) > Flatness * longest))
   {
+    ++this->FlatTriangles;
     return;
   }
   const double facing = vtkMath::Dot(cross, first.Normal) + vtkMath::Dot(cross, second.Normal) +
@@ -187,6 +188,7 @@ bool TerminationGrid::Execute(vtkAlgorithm* owner, double start, double end)
     {
       node.Ids[1 + direction] =
         node.HasCrossing[direction] ? addPoint(node.Crossings[direction]) : -1;
+      this->BorderPoints += node.HasCrossing[direction] ? 1 : 0;
     }
   }
   for (int j = 0; j < this->Rows; ++j)

@@ -35,6 +35,10 @@ public:
 
   std::vector<Point> Points;
   std::vector<std::array<vtkIdType, 3>> Triangles;
+  /// The number of points on the part's border that are no node of the grid.
+  vtkIdType BorderPoints = 0;
+  /// The number of triangles left out because they are lines or points.
+  vtkIdType FlatTriangles = 0;
 
 private:
   /// A node of the grid, and where the lines from it to the next nodes along u and v cross the

@@ -173,6 +173,52 @@ void CheckErrors(Check& check)
   CheckPrinted(Print(source), { "Surface: ", "ResolutionU: 1", "ResolutionV: 10000" }, check);
 }
 
+void CheckReport(Check& check)
+{
+  check.SetContext("report");
+  vtkNew<vtkTerminationSphere> sphere;
+  vtkNew<vtkTerminationSurfaceSource> source;
+  source->SetSurface(sphere);
+  source->Update();
+  const vtkTerminationSurfaceSourceReport& report = source->GetReport();
+  check.Equal(report.Parts, 1, "parts of a sphere");
+  check.Equal(report.Points, 33 * 33, "points of a sphere");
+  check.Equal(report.BorderPoints, 0, "a sphere has no border");
+  check.Equal(report.Triangles, 2 * 32 * 31, "triangles of a sphere");
+  check.Equal(report.FlatTriangles, 2 * 32, "flat triangles at two poles");
+  CheckPrinted(Print(source), { "Report:", "  Parts: 1", "  FlatTriangles: 64" }, check);
+  // A diamond |2 u - 1| + |2 v - 1| <= 1 as texture, which no node of an odd grid lies on.
+  TexturedMesh diamond;
+  diamond.Points = { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { -1, 0, 0 } }, { { 0, -1, 0 } } };
+  diamond.Texture = { { { 1.0, 0.5 } }, { { 0.5, 1.0 } }, { { 0.0, 0.5 } }, { { 0.5, 0.0 } } };
+  diamond.Triangles = { { { 0, 1, 2 } }, { { 0, 2, 3 } } };
+  vtkNew<vtkTerminationMesh> mesh;
+  mesh->SetMesh(diamond.MakeData());
+  constexpr int n = 7;
+  source->SetSurface(mesh);
+  source->SetResolutionU(n);
+  source->SetResolutionV(n);
+  source->Update();
+  const auto isInside = [](int i, int j) { return std::abs(2 * i - n) + std::abs(2 * j - n) < n; };
+  int inside = 0;
+  int crossings = 0;
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      inside += isInside(i, j) ? 1 : 0;
+      crossings += i < n && isInside(i, j) != isInside(i + 1, j) ? 1 : 0;
+      crossings += j < n && isInside(i, j) != isInside(i, j + 1) ? 1 : 0;
+    }
+  }
+  check.Equal(report.BorderPoints, crossings, "points on the border of a diamond");
+  check.Equal(report.Points, inside + crossings, "points of a diamond");
+  check.Equal(report.Triangles, source->GetOutput()->GetNumberOfCells(), "triangles of a diamond");
+  source->SetSurface(nullptr);
+  check.That(!MessagesOf(source).empty(), "no surface");
+  check.Equal(report.Parts + report.Points + report.Triangles, 0, "nothing after an error");
+}
+
 void CheckProgressOfSource(Check& check)
 {
   check.SetContext("progress");
@@ -225,6 +271,7 @@ int TestTerminationSurfaceSource(int, char*[])
   Check check;
   CheckShapes(check);
   CheckErrors(check);
+  CheckReport(check);
   CheckProgressOfSource(check);
   CheckThreadsOfSource(check);
   return check.Result();

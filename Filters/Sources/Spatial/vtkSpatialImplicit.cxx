@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpatialImplicit.h"
 
+#include "Common/NamedValue.h"
 #include "Sampling/PartPrinter.h"
 
 #include "vtkImplicitFunction.h"
@@ -92,11 +93,6 @@ double vtkSpatialImplicit::GetProfile(const double x[3]) const
 void vtkSpatialImplicit::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Limits:";
-  for (double limit : this->Limits)
-  {
-    os << " " << limit;
-  }
-  os << "\n";
+  interlume::NamedValue::Print(os, indent, { { "Limits", this->Limits } });
   interlume::PartPrinter::Print(os, indent, "Function", this->Function);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpatialPrimitive.h"
 
+#include "Common/NamedValue.h"
+
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
@@ -168,13 +170,9 @@ double vtkSpatialPrimitive::GetProfile(const double x[3]) const
 void vtkSpatialPrimitive::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Shape: " << GetShapeName(this->Shape) << "\n";
-  os << indent << "Center: " << this->Center[0] << " " << this->Center[1] << " " << this->Center[2]
-     << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "InnerRadius: " << this->InnerRadius << "\n";
-  os << indent << "TubeRadius: " << this->TubeRadius << "\n";
-  os << indent << "Height: " << this->Height << "\n";
-  os << indent << "Lengths: " << this->Lengths[0] << " " << this->Lengths[1] << " "
-     << this->Lengths[2] << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Shape", GetShapeName(this->Shape) }, { "Center", this->Center },
+      { "Radius", this->Radius }, { "InnerRadius", this->InnerRadius },
+      { "TubeRadius", this->TubeRadius }, { "Height", this->Height },
+      { "Lengths", this->Lengths } });
 }

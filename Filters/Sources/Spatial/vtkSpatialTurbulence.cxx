@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpatialTurbulence.h"
 
+#include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
 #include "Sampling/PartPrinter.h"
 
@@ -178,13 +179,9 @@ bool vtkSpatialTurbulence::EvaluateLocally(
 void vtkSpatialTurbulence::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mode: " << GetModeName(this->Mode) << "\n";
-  os << indent << "Sum: " << vtkGradientNoise::GetSumName(this->Sum) << "\n";
-  os << indent << "NumberOfOctaves: " << this->NumberOfOctaves << "\n";
-  os << indent << "Frequency: " << this->Frequency[0] << " " << this->Frequency[1] << " "
-     << this->Frequency[2] << "\n";
-  os << indent << "Amplitude: " << this->Amplitude << "\n";
-  os << indent << "Gain: " << this->Gain << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Mode", GetModeName(this->Mode) }, { "Sum", vtkGradientNoise::GetSumName(this->Sum) },
+      { "NumberOfOctaves", this->NumberOfOctaves }, { "Frequency", this->Frequency },
+      { "Amplitude", this->Amplitude }, { "Gain", this->Gain }, { "Seed", this->Seed } });
   interlume::PartPrinter::Print(os, indent, "Operand", this->Operand);
 }

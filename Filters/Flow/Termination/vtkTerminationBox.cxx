@@ -2,6 +2,7 @@
 #include "vtkTerminationBox.h"
 
 #include "Common/FiniteNumbers.h"
+#include "Common/NamedValue.h"
 
 #include "vtkObjectFactory.h"
 
@@ -104,6 +105,5 @@ void vtkTerminationBox::GetBounds(double bounds[6]) const
 void vtkTerminationBox::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Bounds: " << this->Bounds[0] << " " << this->Bounds[1] << " " << this->Bounds[2]
-     << " " << this->Bounds[3] << " " << this->Bounds[4] << " " << this->Bounds[5] << "\n";
+  interlume::NamedValue::Print(os, indent, { { "Bounds", this->Bounds } });
 }

@@ -2,6 +2,7 @@
 #include "vtkTerminationPlane.h"
 
 #include "Common/FiniteNumbers.h"
+#include "Common/NamedValue.h"
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -113,11 +114,7 @@ void vtkTerminationPlane::GetBounds(double bounds[6]) const
 void vtkTerminationPlane::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << " " << this->Origin[2]
-     << "\n";
-  os << indent << "Point1: " << this->Point1[0] << " " << this->Point1[1] << " " << this->Point1[2]
-     << "\n";
-  os << indent << "Point2: " << this->Point2[0] << " " << this->Point2[1] << " " << this->Point2[2]
-     << "\n";
-  os << indent << "Unbounded: " << this->Unbounded << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Origin", this->Origin }, { "Point1", this->Point1 }, { "Point2", this->Point2 },
+      { "Unbounded", this->Unbounded } });
 }

@@ -2,6 +2,7 @@
 #include "vtkTerminationSphere.h"
 
 #include "Common/FiniteNumbers.h"
+#include "Common/NamedValue.h"
 #include "Termination/AxialFrame.h"
 
 #include "vtkMath.h"
@@ -91,8 +92,6 @@ void vtkTerminationSphere::GetBounds(double bounds[6]) const
 void vtkTerminationSphere::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Center: " << this->Center[0] << " " << this->Center[1] << " " << this->Center[2]
-     << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
+  interlume::NamedValue::Print(
+    os, indent, { { "Center", this->Center }, { "Radius", this->Radius }, { "Axis", this->Axis } });
 }

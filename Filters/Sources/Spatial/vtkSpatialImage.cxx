@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpatialImage.h"
 
+#include "Common/NamedValue.h"
 #include "Sampling/PartPrinter.h"
 
 #include "vtkDataArray.h"
@@ -192,7 +193,7 @@ bool vtkSpatialImage::EvaluateLocally(const double (*points)[3], int number, Sam
 void vtkSpatialImage::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ScalarRange: " << this->ScalarRange[0] << " " << this->ScalarRange[1] << "\n";
-  os << indent << "ColorArrayName: " << this->ColorArrayName << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "ScalarRange", this->ScalarRange }, { "ColorArrayName", this->ColorArrayName } });
   interlume::PartPrinter::Print(os, indent, "Image", this->Image);
 }

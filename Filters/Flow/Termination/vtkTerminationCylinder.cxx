@@ -2,6 +2,7 @@
 #include "vtkTerminationCylinder.h"
 
 #include "Common/FiniteNumbers.h"
+#include "Common/NamedValue.h"
 #include "Termination/AxialFrame.h"
 #include "Termination/DiscParameters.h"
 
@@ -153,10 +154,7 @@ void vtkTerminationCylinder::GetBounds(double bounds[6]) const
 void vtkTerminationCylinder::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Point1: " << this->Point1[0] << " " << this->Point1[1] << " " << this->Point1[2]
-     << "\n";
-  os << indent << "Point2: " << this->Point2[0] << " " << this->Point2[1] << " " << this->Point2[2]
-     << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Capped: " << this->Capped << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Point1", this->Point1 }, { "Point2", this->Point2 }, { "Radius", this->Radius },
+      { "Capped", this->Capped } });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerminationMesh.h"
 
+#include "Common/NamedValue.h"
 #include "Termination/TerminationTriangles.h"
 #include "Termination/TextureSearch.h"
 #include "Termination/TriangleDistance.h"
@@ -227,12 +228,11 @@ void vtkTerminationMesh::GetBounds(double bounds[6]) const
 void vtkTerminationMesh::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mesh: " << this->Mesh.GetPointer() << "\n";
-  os << indent << "PeriodicU: " << this->PeriodicU << "\n";
-  os << indent << "PeriodicV: " << this->PeriodicV << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "Triangles: " << this->GetNumberOfTriangles() << "\n";
-  os << indent << "DegenerateTriangles: " << this->GetNumberOfDegenerateTriangles() << "\n";
-  os << indent << "BorderEdges: " << this->GetNumberOfBorderEdges() << "\n";
-  os << indent << "BranchingEdges: " << this->GetNumberOfBranchingEdges() << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Mesh", this->Mesh.GetPointer() }, { "PeriodicU", this->PeriodicU },
+      { "PeriodicV", this->PeriodicV }, { "Tolerance", this->Tolerance },
+      { "Triangles", this->GetNumberOfTriangles() },
+      { "DegenerateTriangles", this->GetNumberOfDegenerateTriangles() },
+      { "BorderEdges", this->GetNumberOfBorderEdges() },
+      { "BranchingEdges", this->GetNumberOfBranchingEdges() } });
 }

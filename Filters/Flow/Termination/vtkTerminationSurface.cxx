@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerminationSurface.h"
 
+#include "Common/NamedValue.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -71,6 +73,6 @@ bool vtkTerminationSurface::TakeParameters(int part, const double uv[2], double 
 void vtkTerminationSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Id: " << this->Id << "\n";
-  os << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n";
+  interlume::NamedValue::Print(
+    os, indent, { { "Id", this->Id }, { "NumberOfParts", this->GetNumberOfParts() } });
 }

@@ -2,6 +2,7 @@
 #include "vtkTerminationTube.h"
 
 #include "Common/FiniteNumbers.h"
+#include "Common/NamedValue.h"
 #include "Termination/DiscParameters.h"
 #include "Termination/TubeAxis.h"
 
@@ -204,8 +205,7 @@ void vtkTerminationTube::GetBounds(double bounds[6]) const
 void vtkTerminationTube::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Points: " << this->Points.size() << "\n";
-  os << indent << "Line: " << this->Line.GetPointer() << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Capped: " << this->Capped << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Points", this->Points.size() }, { "Line", this->Line.GetPointer() },
+      { "Radius", this->Radius }, { "Capped", this->Capped } });
 }

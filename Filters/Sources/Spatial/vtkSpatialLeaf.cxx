@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpatialLeaf.h"
 
+#include "Common/NamedValue.h"
 #include "Sampling/ClampedValue.h"
 
 void vtkSpatialLeaf::SetDensity(double density)
@@ -22,7 +23,6 @@ void vtkSpatialLeaf::SetColor(double red, double green, double blue)
 void vtkSpatialLeaf::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Density: " << this->Density << "\n";
-  os << indent << "Color: " << this->Color[0] << " " << this->Color[1] << " " << this->Color[2]
-     << "\n";
+  interlume::NamedValue::Print(
+    os, indent, { { "Density", this->Density }, { "Color", this->Color } });
 }

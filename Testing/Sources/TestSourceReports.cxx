@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What sources report: points, evaluations and bytes against what settings and types say, for the
+// whole and for parts, for any number of threads, and nothing after an error.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+
+#include "vtkAnalyticFieldSource.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkConstructiveModelSource.h"
+#include "vtkDeltaWingSource.h"
+#include "vtkNew.h"
+#include "vtkTaperedCylinderSource.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkTurbulenceSource.h"
+
+#include <limits>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr vtkIdType Points = 7 * 6 * 5;
+
+void CheckReport(
+  const vtkSourceReport& report, const vtkSourceReport& expected, const char* name, Check& check)
+{
+  check.SetContext(name);
+  check.Equal(report.Points, expected.Points, "points");
+  check.Equal(report.Evaluations, expected.Evaluations, "evaluations");
+  check.Equal(report.Bytes, expected.Bytes, "bytes");
+  check.That(report.Time == expected.Time, "time");
+}
+
+void CheckImages(Check& check)
+{
+  vtkNew<vtkTurbulenceSource> turbulence;
+  CheckReport(turbulence->GetReport(), {}, "before an execution", check);
+  turbulence->SetDimensions(7, 6, 5);
+  turbulence->Update();
+  CheckReport(turbulence->GetReport(), { Points, Points, 4 * Points, 0.0 }, "turbulence", check);
+  const int part[6] = { 1, 3, 0, 1, 2, 4 };
+  turbulence->Modified();
+  turbulence->UpdateExtent(part);
+  CheckReport(turbulence->GetReport(), { 18, 18, 72, 0.0 }, "a part of turbulence", check);
+
+  vtkNew<vtkAnalyticFlowSource> flow;
+  flow->SetDimensions(7, 6, 5);
+  flow->SetField(vtkAnalyticFlowSource::SPHERE);
+  flow->Update();
+  CheckReport(flow->GetReport(), { Points, Points, 24 * Points, 0.0 }, "flow", check);
+  flow->SetInside(vtkAnalyticFlowSource::HIDDEN);
+  flow->Update();
+  CheckReport(flow->GetReport(), { Points, Points, 25 * Points, 0.0 }, "hidden points", check);
+  CheckPrinted(
+    Print(flow), { "Report:", "  Points: 210", "  Evaluations: 210", "  Bytes: 5250" }, check);
+
+  vtkNew<vtkAnalyticFieldSource> field;
+  field->SetDimensions(7, 6, 5);
+  field->SetOutputScalarType(VTK_DOUBLE);
+  field->UpdateTimeStep(1.25);
+  CheckReport(field->GetReport(), { Points, Points, 8 * Points, 1.25 }, "field", check);
+}
+
+void CheckVolumes(Check& check)
+{
+  vtkNew<vtkConstructiveModelSource> model;
+  model->SetWholeExtent(0, 6, 0, 5, 0, 4);
+  model->Update();
+  CheckReport(model->GetReport(), { Points, Points, 4 * Points, 0.0 }, "density", check);
+  model->SetNumberOfSubsamples(3);
+  model->Update();
+  CheckReport(model->GetReport(), { Points, 27 * Points, 4 * Points, 0.0 }, "subsamples", check);
+  model->SetOutputModeToColorBytes();
+  // The part has a layer of points around it, but none beyond the whole.
+  const int part[6] = { 2, 3, 0, 1, 4, 4 };
+  model->UpdateExtent(part);
+  CheckReport(
+    model->GetReport(), { 4, 27 * 4 * 3 * 2, 16, 0.0 }, "colours need the points around", check);
+  model->SetRoot(nullptr);
+  check.That(!MessagesOf(model).empty(), "a root is missing");
+  CheckReport(model->GetReport(), {}, "after an error", check);
+}
+
+void CheckGrids(Check& check)
+{
+  vtkNew<vtkDeltaWingSource> wing;
+  wing->SetDimensions(7, 6, 5);
+  wing->UpdateTimeStep(0.5);
+  CheckReport(wing->GetReport(), { Points, Points, 16 * Points, 0.5 }, "floats", check);
+  vtkNew<vtkTaperedCylinderSource> cylinder;
+  cylinder->SetDimensions(7, 6, 5);
+  cylinder->SetOutputScalarType(VTK_DOUBLE);
+  cylinder->Update();
+  CheckReport(cylinder->GetReport(), { Points, Points, 32 * Points, 0.0 }, "doubles", check);
+  CheckPrinted(
+    Print(cylinder), { "Report:", "  Points: 210", "  Bytes: 6720", "  Time: 0" }, check);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  cylinder->AddObserver(vtkCommand::ErrorEvent, observer);
+  cylinder->UpdateTimeStep(std::numeric_limits<double>::infinity());
+  CheckReport(cylinder->GetReport(), {}, "after an error", check);
+}
+
+}
+
+int TestSourceReports(int, char*[])
+{
+  Check check;
+  CheckImages(check);
+  CheckVolumes(check);
+  CheckGrids(check);
+  return check.Result();
+}
