@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExtractionReport.h"
 
+#include "Common/NamedValue.h"
+
 #include <algorithm>
 #include <ostream>
 
@@ -24,18 +26,14 @@ void vtkExtractionReport::Add(const vtkExtractionReport& other)
 
 void vtkExtractionReport::Print(ostream& os, vtkIndent indent) const
 {
-  os << indent << "Cells: " << this->Cells << "\n";
-  os << indent << "CellsVisited: " << this->CellsVisited << "\n";
-  os << indent << "CellsWithOutput: " << this->CellsWithOutput << "\n";
-  os << indent << "LowerDimensionalCells: " << this->LowerDimensionalCells << "\n";
-  os << indent << "NonFiniteCells: " << this->NonFiniteCells << "\n";
-  os << indent << "BlankedCells: " << this->BlankedCells << "\n";
-  os << indent << "LinearizedCells: " << this->LinearizedCells << "\n";
-  os << indent << "ConcavePolyhedra: " << this->ConcavePolyhedra << "\n";
-  os << indent << "UnsupportedCells: " << this->UnsupportedCells << "\n";
-  os << indent << "CollapsedSimplices: " << this->CollapsedSimplices << "\n";
-  os << indent << "ArraysInterpolated: " << this->ArraysInterpolated << "\n";
-  os << indent << "ArraysCopied: " << this->ArraysCopied << "\n";
-  os << indent << "Passes: " << this->Passes << "\n";
-  os << indent << "WorkingBytes: " << this->WorkingBytes << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Cells", this->Cells }, { "CellsVisited", this->CellsVisited },
+      { "CellsWithOutput", this->CellsWithOutput },
+      { "LowerDimensionalCells", this->LowerDimensionalCells },
+      { "NonFiniteCells", this->NonFiniteCells }, { "BlankedCells", this->BlankedCells },
+      { "LinearizedCells", this->LinearizedCells }, { "ConcavePolyhedra", this->ConcavePolyhedra },
+      { "UnsupportedCells", this->UnsupportedCells },
+      { "CollapsedSimplices", this->CollapsedSimplices },
+      { "ArraysInterpolated", this->ArraysInterpolated }, { "ArraysCopied", this->ArraysCopied },
+      { "Passes", this->Passes }, { "WorkingBytes", this->WorkingBytes } });
 }

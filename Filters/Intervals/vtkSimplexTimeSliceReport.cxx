@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSimplexTimeSliceReport.h"
 
+#include "Common/NamedValue.h"
+
 void vtkSimplexTimeSliceReport::Print(std::ostream& os, vtkIndent indent) const
 {
-  os << indent << "Time: " << this->Time << "\n";
-  os << indent << "Simplices: " << this->Simplices << "\n";
-  os << indent << "Tetrahedra: " << this->Tetrahedra << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Time", this->Time }, { "Simplices", this->Simplices },
+      { "Tetrahedra", this->Tetrahedra } });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTimeVaryingReport.h"
 
+#include "Common/NamedValue.h"
+
 #include <ostream>
 
 namespace
@@ -20,13 +22,11 @@ void PrintList(ostream& os, vtkIndent indent, const char* name, const List& list
 void vtkTimeVaryingReport::Print(ostream& os, vtkIndent indent) const
 {
   this->vtkExtractionReport::Print(os, indent);
-  os << indent << "TimeSteps: " << this->TimeSteps << "\n";
-  os << indent << "Slabs: " << this->Slabs << "\n";
-  os << indent << "Simplices: " << this->Simplices << "\n";
-  os << indent << "FlatSimplices: " << this->FlatSimplices << "\n";
-  os << indent << "InvertedSimplices: " << this->InvertedSimplices << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "TimeSteps", this->TimeSteps }, { "Slabs", this->Slabs }, { "Simplices", this->Simplices },
+      { "FlatSimplices", this->FlatSimplices }, { "InvertedSimplices", this->InvertedSimplices } });
   PrintList(os, indent, "Tetrahedra", this->Tetrahedra);
   PrintList(os, indent, "Boundaries", this->Boundaries);
-  os << indent << "TableLookups: " << this->TableLookups << "\n";
-  os << indent << "TableCasesMade: " << this->TableCasesMade << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "TableLookups", this->TableLookups }, { "TableCasesMade", this->TableCasesMade } });
 }

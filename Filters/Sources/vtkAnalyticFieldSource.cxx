@@ -30,18 +30,12 @@ const char* vtkAnalyticFieldSource::GetFieldName(int field)
 
 void vtkAnalyticFieldSource::SetVector(double (&member)[3], double x, double y, double z)
 {
-  if (interlume::ClampedValue::Assign(member, { x, y, z }, -Limit, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, member, { x, y, z }, -Limit, Limit);
 }
 
 void vtkAnalyticFieldSource::SetNumber(double& member, double value)
 {
-  if (interlume::ClampedValue::Assign(member, value, -Limit, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, member, value, -Limit, Limit);
 }
 
 vtkFieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) const

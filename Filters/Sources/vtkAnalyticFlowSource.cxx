@@ -80,34 +80,22 @@ const char* vtkAnalyticFlowSource::GetInsideName(int inside)
 
 void vtkAnalyticFlowSource::SetNumber(double& member, double value)
 {
-  if (interlume::ClampedValue::Assign(member, value, -Limit, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, member, value, -Limit, Limit);
 }
 
 void vtkAnalyticFlowSource::SetLength(double& member, double value)
 {
-  if (interlume::ClampedValue::Assign(member, value, LeastLength, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, member, value, LeastLength, Limit);
 }
 
 void vtkAnalyticFlowSource::SetVector(double (&member)[3], double x, double y, double z)
 {
-  if (interlume::ClampedValue::Assign(member, { x, y, z }, -Limit, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, member, { x, y, z }, -Limit, Limit);
 }
 
 void vtkAnalyticFlowSource::SetVector(double (&member)[2], double x, double y)
 {
-  if (interlume::ClampedValue::Assign(member, { x, y }, -Limit, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, member, { x, y }, -Limit, Limit);
 }
 
 void vtkAnalyticFlowSource::SetAxis(double x, double y, double z)

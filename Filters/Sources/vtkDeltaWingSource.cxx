@@ -17,37 +17,29 @@ vtkDeltaWingSource::vtkDeltaWingSource()
 {
 }
 
-void vtkDeltaWingSource::SetNumber(double& member, double value, double lower, double upper)
-{
-  if (interlume::ClampedValue::Assign(member, value, lower, upper))
-  {
-    this->Modified();
-  }
-}
-
 void vtkDeltaWingSource::SetSweepAngle(double angle)
 {
-  this->SetNumber(this->SweepAngle, angle, 30.0, 85.0);
+  interlume::ClampedValue::Set(this, this->SweepAngle, angle, 30.0, 85.0);
 }
 
 void vtkDeltaWingSource::SetBreakdownPosition(double position)
 {
-  this->SetNumber(this->BreakdownPosition, position, 0.0, 2.0);
+  interlume::ClampedValue::Set(this, this->BreakdownPosition, position, 0.0, 2.0);
 }
 
 void vtkDeltaWingSource::SetBreakdownAmplitude(double amplitude)
 {
-  this->SetNumber(this->BreakdownAmplitude, amplitude, 0.0, 1.0);
+  interlume::ClampedValue::Set(this, this->BreakdownAmplitude, amplitude, 0.0, 1.0);
 }
 
 void vtkDeltaWingSource::SetBreakdownFrequency(double frequency)
 {
-  this->SetNumber(this->BreakdownFrequency, frequency, 0.0, 1000.0);
+  interlume::ClampedValue::Set(this, this->BreakdownFrequency, frequency, 0.0, 1000.0);
 }
 
 void vtkDeltaWingSource::SetSpiralFrequency(double frequency)
 {
-  this->SetNumber(this->SpiralFrequency, frequency, 0.0, 1000.0);
+  interlume::ClampedValue::Set(this, this->SpiralFrequency, frequency, 0.0, 1000.0);
 }
 
 double vtkDeltaWingSource::GetHalfSpan() const

@@ -90,8 +90,6 @@ private:
   vtkDeltaWingSource(const vtkDeltaWingSource&) = delete;
   void operator=(const vtkDeltaWingSource&) = delete;
 
-  /// Clamps and assigns, and marks this modified when the value changes.
-  void SetNumber(double& member, double value, double lower, double upper);
   /// Returns half of the span at x = 1.
   double GetHalfSpan() const;
 

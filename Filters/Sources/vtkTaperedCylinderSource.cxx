@@ -25,40 +25,29 @@ vtkTaperedCylinderSource::vtkTaperedCylinderSource()
 {
 }
 
-void vtkTaperedCylinderSource::SetNumber(double& member, double value, double lower, double upper)
-{
-  if (interlume::ClampedValue::Assign(member, value, lower, upper))
-  {
-    this->Modified();
-  }
-}
-
 void vtkTaperedCylinderSource::SetRadii(double bottom, double top)
 {
-  if (interlume::ClampedValue::Assign(this->Radii, { bottom, top }, 0.05, 50.0))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, this->Radii, { bottom, top }, 0.05, 50.0);
 }
 
 void vtkTaperedCylinderSource::SetHeight(double height)
 {
-  this->SetNumber(this->Height, height, 0.1, 1000.0);
+  interlume::ClampedValue::Set(this, this->Height, height, 0.1, 1000.0);
 }
 
 void vtkTaperedCylinderSource::SetOuterRadius(double radius)
 {
-  this->SetNumber(this->OuterRadius, radius, 0.1, 200.0);
+  interlume::ClampedValue::Set(this, this->OuterRadius, radius, 0.1, 200.0);
 }
 
 void vtkTaperedCylinderSource::SetSpeed(double speed)
 {
-  this->SetNumber(this->Speed, speed, 0.001, 1000.0);
+  interlume::ClampedValue::Set(this, this->Speed, speed, 0.001, 1000.0);
 }
 
 void vtkTaperedCylinderSource::SetStrouhalNumber(double number)
 {
-  this->SetNumber(this->StrouhalNumber, number, 0.01, 1.0);
+  interlume::ClampedValue::Set(this, this->StrouhalNumber, number, 0.01, 1.0);
 }
 
 double vtkTaperedCylinderSource::GetGridRadius() const

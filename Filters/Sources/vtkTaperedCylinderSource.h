@@ -101,8 +101,6 @@ private:
   vtkTaperedCylinderSource(const vtkTaperedCylinderSource&) = delete;
   void operator=(const vtkTaperedCylinderSource&) = delete;
 
-  /// Clamps and assigns, and marks this modified when the value changes.
-  void SetNumber(double& member, double value, double lower, double upper);
   /// Returns the outer radius that is taken.
   double GetGridRadius() const;
 

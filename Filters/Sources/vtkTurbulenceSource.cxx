@@ -39,34 +39,22 @@ const char* vtkTurbulenceSource::GetEnvelopeName(int envelope)
 
 void vtkTurbulenceSource::SetFrequency(double frequency)
 {
-  if (interlume::ClampedValue::Assign(this->Frequency, frequency, 0.0, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, this->Frequency, frequency, 0.0, Limit);
 }
 
 void vtkTurbulenceSource::SetAmplitude(double amplitude)
 {
-  if (interlume::ClampedValue::Assign(this->Amplitude, amplitude, -Limit, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, this->Amplitude, amplitude, -Limit, Limit);
 }
 
 void vtkTurbulenceSource::SetOffset(double offset)
 {
-  if (interlume::ClampedValue::Assign(this->Offset, offset, -Limit, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, this->Offset, offset, -Limit, Limit);
 }
 
 void vtkTurbulenceSource::SetTopFraction(double fraction)
 {
-  if (interlume::ClampedValue::Assign(this->TopFraction, fraction, LeastTopFraction, 1.0))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, this->TopFraction, fraction, LeastTopFraction, 1.0);
 }
 
 double vtkTurbulenceSource::GetFalloffFactor(const double x[3]) const

@@ -1,31 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowedSliceReport.h"
 
+#include "Common/NamedValue.h"
+
 void vtkShadowedSliceReport::Print(ostream& os, vtkIndent indent) const
 {
-  os << indent << "Lights: " << this->Lights << "\n";
-  os << indent << "ShadowedLights: " << this->ShadowedLights << "\n";
-  os << indent << "Sweeps: " << this->Sweeps << "\n";
-  os << indent << "FrontToBackSweeps: " << this->FrontToBackSweeps << "\n";
-  os << indent << "Slices: " << this->Slices << "\n";
-  os << indent << "SlicesDrawn: " << this->SlicesDrawn << "\n";
-  os << indent << "SliceSpacing: " << this->SliceSpacing << "\n";
-  os << indent << "EyePasses: " << this->EyePasses << "\n";
-  os << indent << "LightPasses: " << this->LightPasses << "\n";
-  os << indent << "OcclusionPasses: " << this->OcclusionPasses << "\n";
-  os << indent << "ImageBuffers: " << this->ImageBuffers << "\n";
-  os << indent << "ImageBufferBytes: " << this->ImageBufferBytes << "\n";
-  os << indent << "LightBuffers: " << this->LightBuffers << "\n";
-  os << indent << "LightBufferBytes: " << this->LightBufferBytes << "\n";
-  os << indent << "LightBufferSize: " << this->LightBufferSize << "\n";
-  os << indent << "LightChannels: " << this->LightChannels << "\n";
-  os << indent << "Features: " << this->Features << "\n";
-  os << indent << "Blocks: " << this->Blocks << "\n";
-  os << indent << "BlocksDrawn: " << this->BlocksDrawn << "\n";
-  os << indent << "NonFiniteVoxels: " << this->NonFiniteVoxels << "\n";
-  os << indent << "TextureBytes: " << this->TextureBytes << "\n";
-  os << indent << "UploadedBytes: " << this->UploadedBytes << "\n";
-  os << indent << "TriangleBytes: " << this->TriangleBytes << "\n";
-  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
-  os << indent << "Seconds: " << this->Seconds << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Lights", this->Lights }, { "ShadowedLights", this->ShadowedLights },
+      { "Sweeps", this->Sweeps }, { "FrontToBackSweeps", this->FrontToBackSweeps },
+      { "Slices", this->Slices }, { "SlicesDrawn", this->SlicesDrawn },
+      { "SliceSpacing", this->SliceSpacing }, { "EyePasses", this->EyePasses },
+      { "LightPasses", this->LightPasses }, { "OcclusionPasses", this->OcclusionPasses },
+      { "ImageBuffers", this->ImageBuffers }, { "ImageBufferBytes", this->ImageBufferBytes },
+      { "LightBuffers", this->LightBuffers }, { "LightBufferBytes", this->LightBufferBytes },
+      { "LightBufferSize", this->LightBufferSize }, { "LightChannels", this->LightChannels },
+      { "Features", this->Features }, { "Blocks", this->Blocks },
+      { "BlocksDrawn", this->BlocksDrawn }, { "NonFiniteVoxels", this->NonFiniteVoxels },
+      { "TextureBytes", this->TextureBytes }, { "UploadedBytes", this->UploadedBytes },
+      { "TriangleBytes", this->TriangleBytes },
+      { "ImageSampleDistance", this->ImageSampleDistance }, { "Seconds", this->Seconds } });
 }

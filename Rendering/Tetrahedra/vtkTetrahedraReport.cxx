@@ -1,33 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetrahedraReport.h"
 
+#include "Common/NamedValue.h"
+
 void vtkTetrahedraReport::Print(ostream& os, vtkIndent indent) const
 {
   os << indent << "RenderPath: " << this->RenderPath << " (" << this->PathReason << ")\n";
   os << indent << "BlendMode: " << this->BlendMode << " (" << this->BlendReason << ")\n";
   os << indent << "SortMode: " << this->SortMode << " (" << this->SortReason << ")\n";
-  os << indent << "Features: " << this->Features << "\n";
-  os << indent << "Tetrahedra: " << this->Tetrahedra << "\n";
-  os << indent << "TetrahedraDrawn: " << this->TetrahedraDrawn << "\n";
-  os << indent << "TetrahedraClipped: " << this->TetrahedraClipped << "\n";
-  os << indent << "FlatTetrahedra: " << this->FlatTetrahedra << "\n";
-  os << indent << "NonFiniteTetrahedra: " << this->NonFiniteTetrahedra << "\n";
-  os << indent << "BoundaryTriangles: " << this->BoundaryTriangles << "\n";
-  os << indent << "UnmatchedTriangles: " << this->UnmatchedTriangles << "\n";
-  os << indent << "Passes: " << this->Passes << "\n";
-  os << indent << "Layers: " << this->Layers << "\n";
-  os << indent << "Cycles: " << this->Cycles << "\n";
-  os << indent << "Gaps: " << this->Gaps << "\n";
-  os << indent << "Sorted: " << this->Sorted << "\n";
-  os << indent << "HasAdjacency: " << this->HasAdjacency << "\n";
-  os << indent << "UploadedStaticBytes: " << this->UploadedStaticBytes << "\n";
-  os << indent << "UploadedOrderBytes: " << this->UploadedOrderBytes << "\n";
-  os << indent << "UploadedImageBytes: " << this->UploadedImageBytes << "\n";
-  os << indent << "Buffers: " << this->Buffers << "\n";
-  os << indent << "BufferBytes: " << this->BufferBytes << "\n";
-  os << indent << "MemoryBytes: " << this->MemoryBytes << "\n";
-  os << indent << "PixelStride: " << this->PixelStride << "\n";
-  os << indent << "TetrahedronStride: " << this->TetrahedronStride << "\n";
-  os << indent << "ControlPoints: " << this->ControlPoints << "\n";
-  os << indent << "Seconds: " << this->Seconds << "\n";
+  interlume::NamedValue::Print(os, indent,
+    { { "Features", this->Features }, { "Tetrahedra", this->Tetrahedra },
+      { "TetrahedraDrawn", this->TetrahedraDrawn },
+      { "TetrahedraClipped", this->TetrahedraClipped }, { "FlatTetrahedra", this->FlatTetrahedra },
+      { "NonFiniteTetrahedra", this->NonFiniteTetrahedra },
+      { "BoundaryTriangles", this->BoundaryTriangles },
+      { "UnmatchedTriangles", this->UnmatchedTriangles }, { "Passes", this->Passes },
+      { "Layers", this->Layers }, { "Cycles", this->Cycles }, { "Gaps", this->Gaps },
+      { "Sorted", this->Sorted }, { "HasAdjacency", this->HasAdjacency },
+      { "UploadedStaticBytes", this->UploadedStaticBytes },
+      { "UploadedOrderBytes", this->UploadedOrderBytes },
+      { "UploadedImageBytes", this->UploadedImageBytes }, { "Buffers", this->Buffers },
+      { "BufferBytes", this->BufferBytes }, { "MemoryBytes", this->MemoryBytes },
+      { "PixelStride", this->PixelStride }, { "TetrahedronStride", this->TetrahedronStride },
+      { "ControlPoints", this->ControlPoints }, { "Seconds", this->Seconds } });
 }

@@ -2,6 +2,8 @@
 #ifndef interlume_ClampedValue_h
 #define interlume_ClampedValue_h
 
+#include "vtkObject.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,14 +17,14 @@ namespace interlume
 namespace ClampedValue
 {
 /**
- * Gives \a members the \a values, each clamped to lower ... upper; NaN leaves a member as it is.
- * Returns true when something changed.
+ * Gives the first \a number \a members of \a owner the \a values, each clamped to lower ... upper;
+ * NaN leaves a member as it is. Marks the owner modified when something changed.
  */
-template <std::size_t Size>
-bool Assign(double (&members)[Size], const double (&values)[Size], double lower, double upper)
+inline void SetAll(vtkObject* owner, double* members, const double* values, std::size_t number,
+  double lower, double upper)
 {
   bool isChanged = false;
-  for (std::size_t i = 0; i < Size; ++i)
+  for (std::size_t i = 0; i < number; ++i)
   {
     const double value = std::max(lower, std::min(values[i], upper));
     if (!std::isnan(values[i]) && value != members[i])
@@ -31,16 +33,24 @@ bool Assign(double (&members)[Size], const double (&values)[Size], double lower,
       isChanged = true;
     }
   }
-  return isChanged;
+  if (isChanged)
+  {
+    owner->Modified();
+  }
+}
+
+/// Gives all \a members their values in the same way.
+template <std::size_t Size>
+void Set(vtkObject* owner, double (&members)[Size], const double (&values)[Size], double lower,
+  double upper)
+{
+  SetAll(owner, members, values, Size, lower, upper);
 }
 
 /// Gives \a member one value in the same way.
-inline bool Assign(double& member, double value, double lower, double upper)
+inline void Set(vtkObject* owner, double& member, double value, double lower, double upper)
 {
-  double members[1] = { member };
-  const bool isChanged = Assign(members, { value }, lower, upper);
-  member = members[0];
-  return isChanged;
+  SetAll(owner, &member, &value, 1, lower, upper);
 }
 }
 

@@ -6,18 +6,12 @@
 
 void vtkSpatialLeaf::SetDensity(double density)
 {
-  if (interlume::ClampedValue::Assign(this->Density, density, 0.0, 1.0))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, this->Density, density, 0.0, 1.0);
 }
 
 void vtkSpatialLeaf::SetColor(double red, double green, double blue)
 {
-  if (interlume::ClampedValue::Assign(this->Color, { red, green, blue }, 0.0, 1.0))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, this->Color, { red, green, blue }, 0.0, 1.0);
 }
 
 void vtkSpatialLeaf::PrintSelf(ostream& os, vtkIndent indent)

@@ -50,26 +50,17 @@ vtkSpatialObject* vtkSpatialTurbulence::GetOperand() const
 
 void vtkSpatialTurbulence::SetFrequency(double x, double y, double z)
 {
-  if (interlume::ClampedValue::Assign(this->Frequency, { x, y, z }, 0.0, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, this->Frequency, { x, y, z }, 0.0, Limit);
 }
 
 void vtkSpatialTurbulence::SetAmplitude(double amplitude)
 {
-  if (interlume::ClampedValue::Assign(this->Amplitude, amplitude, -Limit, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, this->Amplitude, amplitude, -Limit, Limit);
 }
 
 void vtkSpatialTurbulence::SetGain(double gain)
 {
-  if (interlume::ClampedValue::Assign(this->Gain, gain, 0.0, Limit))
-  {
-    this->Modified();
-  }
+  interlume::ClampedValue::Set(this, this->Gain, gain, 0.0, Limit);
 }
 
 void vtkSpatialTurbulence::SetSeed(int seed)
