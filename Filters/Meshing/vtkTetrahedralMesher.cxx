@@ -99,10 +99,11 @@ int vtkTetrahedralMesher::RequestData(
     this->UpdateProgress(progress);
     return this->GetAbortExecute() != 0;
   };
+  std::string wrong;
   try
   {
-    this->Mesh(job);
-    if (job.Error.empty() && !job.IsCancelled())
+    wrong = this->Mesh(job);
+    if (wrong.empty() && !job.IsCancelled())
     {
       this->TakeOutput(job, output);
     }
@@ -110,19 +111,19 @@ int vtkTetrahedralMesher::RequestData(
   catch (const std::bad_alloc&)
   {
     output->Initialize();
-    job.Error = "There is not enough memory for the mesh.";
+    wrong = "There is not enough memory for the mesh.";
   }
-  if (!job.Error.empty())
+  if (!wrong.empty())
   {
-    vtkErrorMacro(<< job.Error);
+    vtkErrorMacro(<< wrong);
   }
   this->Report = job.Report;
-  this->IsEmpty = this->IsEmpty && job.Error.empty() && output->GetNumberOfCells() == 0;
+  this->IsEmpty = this->IsEmpty && wrong.empty() && output->GetNumberOfCells() == 0;
   this->Warn();
   return 1;
 }
 
-void vtkTetrahedralMesher::Mesh(interlume::MeshingJob& job)
+std::string vtkTetrahedralMesher::Mesh(interlume::MeshingJob& job)
 {
   int dimension = 0;
   const vtkIdType cells = job.Input->GetNumberOfCells();
@@ -133,16 +134,10 @@ void vtkTetrahedralMesher::Mesh(interlume::MeshingJob& job)
   }
   if (dimension == 3)
   {
-    interlume::CellMesher::Execute(job);
+    return interlume::CellMesher::Execute(job);
   }
-  else if (dimension == 2)
-  {
-    interlume::SurfaceMesher::Execute(job);
-  }
-  else
-  {
-    interlume::PointSetMesher::Execute(job);
-  }
+  return dimension == 2 ? interlume::SurfaceMesher::Execute(job)
+                        : interlume::PointSetMesher::Execute(job);
 }
 
 void vtkTetrahedralMesher::TakeOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output)

@@ -184,7 +184,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /// Runs the mesher that the input asks for.
-  void Mesh(interlume::MeshingJob& job);
+  std::string Mesh(interlume::MeshingJob& job);
   /// Turns the mesh of \a job into \a output.
   void TakeOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output);
   void Warn();

@@ -71,7 +71,7 @@ void AddCell(vtkIdType cell, const CellShell& shell, const CellDecomposition& de
 }
 }
 
-void CellMesher::Execute(MeshingJob& job)
+std::string CellMesher::Execute(MeshingJob& job)
 {
   vtkDataSet* input = job.Input;
   const FaceTriangulation triangulation = MakeTriangulation(input);
@@ -88,7 +88,7 @@ void CellMesher::Execute(MeshingJob& job)
     }
     if (job.IsCancelled())
     {
-      return;
+      return {};
     }
     const int type = input->GetCellType(cell);
     if (!CellShell::IsSupported(type))
@@ -110,12 +110,12 @@ void CellMesher::Execute(MeshingJob& job)
     wrong = wrong.empty() ? decomposition.Execute(job) : wrong;
     if (!wrong.empty())
     {
-      job.Error = "Cell " + std::to_string(cell) + " cannot be decomposed: " + wrong + ".";
-      return;
+      return "Cell " + std::to_string(cell) + " cannot be decomposed: " + wrong + ".";
     }
     AddCell(cell, shell, decomposition, job.Mesh);
   }
   job.Mesh.RemoveUnusedPoints();
+  return {};
 }
 
 }

@@ -2,6 +2,8 @@
 #ifndef interlume_CellMesher_h
 #define interlume_CellMesher_h
 
+#include <string>
+
 namespace interlume
 {
 
@@ -17,7 +19,8 @@ struct MeshingJob;
 class CellMesher
 {
 public:
-  static void Execute(MeshingJob& job);
+  /// Fills the job's mesh. Returns why it cannot, or nothing.
+  static std::string Execute(MeshingJob& job);
 };
 
 }

@@ -63,40 +63,38 @@ void TakeMesh(const TetGenSolution& solution, const TetGenSolution& coarse,
 }
 }
 
-void PointSetMesher::Execute(MeshingJob& job)
+std::string PointSetMesher::Execute(MeshingJob& job)
 {
   DistinctPoints points;
-  job.Error = points.Take(job.Input, std::vector<bool>(job.Input->GetNumberOfPoints(), true));
+  std::string wrong =
+    points.Take(job.Input, std::vector<bool>(job.Input->GetNumberOfPoints(), true));
   job.Report.MergedPoints = points.NumberOfMerged;
-  if (!job.Error.empty() || job.IsCancelled())
+  if (!wrong.empty() || job.IsCancelled())
   {
-    return;
+    return wrong;
   }
   if (points.SourceIds.size() < 4 || IsFlat(points.Coordinates))
   {
-    job.Error = "The " + std::to_string(points.SourceIds.size()) +
+    return "The " + std::to_string(points.SourceIds.size()) +
       " distinct points lie in a plane: there is no tetrahedron.";
-    return;
   }
   job.SetProgress(0.1);
   TetGenProblem problem;
   problem.Switches = "MJnQ";
   problem.Points = points.Coordinates;
   TetGenSolution coarse;
-  if (!job.Solve(problem, coarse))
-  {
-    return;
-  }
+  wrong = job.Solve(problem, coarse);
   TetGenSolution refined = coarse;
-  if (job.IsRefining())
+  if (wrong.empty() && !job.IsCancelled() && job.IsRefining())
   {
     job.SetProgress(0.3);
-    if (!MeshRefinement::Execute(job, refined))
-    {
-      return;
-    }
+    wrong = MeshRefinement::Execute(job, refined);
   }
-  TakeMesh(refined, coarse, points.SourceIds, job.Mesh);
+  if (wrong.empty() && !job.IsCancelled())
+  {
+    TakeMesh(refined, coarse, points.SourceIds, job.Mesh);
+  }
+  return wrong;
 }
 
 }

@@ -2,6 +2,8 @@
 #ifndef interlume_PointSetMesher_h
 #define interlume_PointSetMesher_h
 
+#include <string>
+
 namespace interlume
 {
 
@@ -17,7 +19,8 @@ struct MeshingJob;
 class PointSetMesher
 {
 public:
-  static void Execute(MeshingJob& job);
+  /// Fills the job's mesh. Returns why it cannot, or nothing.
+  static std::string Execute(MeshingJob& job);
 };
 
 }

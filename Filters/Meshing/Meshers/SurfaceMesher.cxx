@@ -159,19 +159,19 @@ void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, Mesh
 }
 }
 
-void SurfaceMesher::Execute(MeshingJob& job)
+std::string SurfaceMesher::Execute(MeshingJob& job)
 {
   ClosedSurface surface;
-  job.Error = surface.Take(job.Input);
+  std::string wrong = surface.Take(job.Input);
   job.Report.SurfaceTriangles = static_cast<vtkIdType>(surface.CellIds.size());
   job.Report.MergedPoints = surface.Points.NumberOfMerged;
-  if (job.Error.empty())
+  if (wrong.empty())
   {
-    job.Error = CheckCrossings(surface);
+    wrong = CheckCrossings(surface);
   }
-  if (!job.Error.empty() || job.IsCancelled())
+  if (!wrong.empty() || job.IsCancelled())
   {
-    return;
+    return wrong;
   }
   job.SetProgress(0.1);
   TetGenProblem problem = MakeProblem(surface);
@@ -187,23 +187,22 @@ void SurfaceMesher::Execute(MeshingJob& job)
     problem.Markers.push_back(patch + 1);
   }
   TetGenSolution solution;
-  if (!job.Solve(problem, solution))
-  {
-    return;
-  }
-  if (job.IsRefining())
+  wrong = job.Solve(problem, solution);
+  if (wrong.empty() && !job.IsCancelled() && job.IsRefining())
   {
     job.SetProgress(0.3);
-    if (!MeshRefinement::Execute(job, solution))
-    {
-      return;
-    }
+    wrong = MeshRefinement::Execute(job, solution);
   }
-  job.Error = CheckPatches(surface, solution);
-  if (job.Error.empty())
+  if (!wrong.empty() || job.IsCancelled())
+  {
+    return wrong;
+  }
+  wrong = CheckPatches(surface, solution);
+  if (wrong.empty())
   {
     TakeMesh(surface, solution, job);
   }
+  return wrong;
 }
 
 }

@@ -2,6 +2,8 @@
 #ifndef interlume_SurfaceMesher_h
 #define interlume_SurfaceMesher_h
 
+#include <string>
+
 namespace interlume
 {
 
@@ -14,7 +16,8 @@ struct MeshingJob;
 class SurfaceMesher
 {
 public:
-  static void Execute(MeshingJob& job);
+  /// Fills the job's mesh. Returns why it cannot, or nothing.
+  static std::string Execute(MeshingJob& job);
 };
 
 }

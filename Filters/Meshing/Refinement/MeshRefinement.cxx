@@ -53,7 +53,7 @@ bool IsSound(const MeshMeasures& now, const MeshMeasures& first)
 }
 }
 
-bool MeshRefinement::Execute(MeshingJob& job, TetGenSolution& mesh)
+std::string MeshRefinement::Execute(MeshingJob& job, TetGenSolution& mesh)
 {
   const int most = mesh.GetNumberOfPoints() + job.MaximumNumberOfAddedPoints;
   const MeshMeasures first = Measure(job, mesh);
@@ -76,14 +76,14 @@ bool MeshRefinement::Execute(MeshingJob& job, TetGenSolution& mesh)
     problem.Triangles = current.Triangles;
     problem.Markers = current.Markers;
     TetGenSolution refined;
-    const bool isSolved = job.Solve(problem, refined);
+    const std::string wrong = job.Solve(problem, refined);
     // A limit of time is not to decide about the result: it is an error.
     if (job.IsCancelled() || job.TetGen.IsLate())
     {
-      return false;
+      return wrong;
     }
     // Where TetGen fails otherwise, the mesh before is good.
-    job.Error.clear();
+    const bool isSolved = wrong.empty();
     const MeshMeasures measures = isSolved ? Measure(job, refined) : first;
     const bool isSound = isSolved && IsSound(measures, first);
     const bool isBetter = isSound && measures.Excess < best.Excess;
@@ -105,10 +105,10 @@ bool MeshRefinement::Execute(MeshingJob& job, TetGenSolution& mesh)
     }
     else
     {
-      return true;
+      break;
     }
   }
-  return true;
+  return {};
 }
 
 }

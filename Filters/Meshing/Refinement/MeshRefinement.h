@@ -2,6 +2,8 @@
 #ifndef interlume_MeshRefinement_h
 #define interlume_MeshRefinement_h
 
+#include <string>
+
 namespace interlume
 {
 
@@ -21,9 +23,8 @@ struct TetGenSolution;
 class MeshRefinement
 {
 public:
-  /// Refines \a mesh. Returns false when cancelled, or with an error of the job when the time is
-  /// up.
-  static bool Execute(MeshingJob& job, TetGenSolution& mesh);
+  /// Refines \a mesh. Returns that the time is up, or nothing; nothing where it was cancelled, too.
+  static std::string Execute(MeshingJob& job, TetGenSolution& mesh);
 };
 
 }

@@ -40,27 +40,23 @@ std::string CellDecomposition::Execute(MeshingJob& job)
   {
     return "it has no volume";
   }
-  const bool isTaken = this->TakeFromTetGen(job);
+  const std::string wrong = this->TakeFromTetGen(job);
   if (job.IsCancelled())
   {
     this->Tetrahedra.clear();
     return std::string();
   }
-  if (isTaken)
+  if (wrong.empty())
   {
     ++job.Report.CellsByTetGen;
-    job.Error.clear();
     return std::string();
   }
   if (this->TakeFromCenter())
   {
     ++job.Report.CellsConed;
-    job.Error.clear();
     return std::string();
   }
-  const std::string failure = job.Error.empty() ? "TetGen's tetrahedra do not fit it" : job.Error;
-  job.Error.clear();
-  return failure + ", and no point inside sees all its faces";
+  return wrong + ", and no point inside sees all its faces";
 }
 
 bool CellDecomposition::TakeFromPoint()
@@ -129,8 +125,9 @@ bool CellDecomposition::HasShell(
   return outside == expected;
 }
 
-bool CellDecomposition::TakeFromTetGen(MeshingJob& job)
+std::string CellDecomposition::TakeFromTetGen(MeshingJob& job)
 {
+  const std::string unfit = "TetGen's tetrahedra do not fit it";
   TetGenProblem problem;
   problem.Switches = "pYMJnQ";
   problem.Points = this->Shell.Points;
@@ -141,9 +138,10 @@ bool CellDecomposition::TakeFromTetGen(MeshingJob& job)
     problem.Markers.push_back(static_cast<int>(problem.Markers.size()) + 1);
   }
   TetGenSolution solution;
-  if (!job.Solve(problem, solution) || !this->HasShell(solution.Tetrahedra, solution.Neighbors))
+  std::string wrong = job.Solve(problem, solution);
+  if (!wrong.empty() || !this->HasShell(solution.Tetrahedra, solution.Neighbors))
   {
-    return false;
+    return wrong.empty() ? unfit : wrong;
   }
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < solution.Tetrahedra.size(); i += 4)
@@ -159,7 +157,7 @@ bool CellDecomposition::TakeFromTetGen(MeshingJob& job)
     this->GetLeastShape(glm::value_ptr(center)) > least)
   {
     this->Tetrahedra.clear();
-    return false;
+    return unfit;
   }
   this->NewPoints.assign(
     solution.Points.begin() + static_cast<std::ptrdiff_t>(problem.Points.size()),
@@ -168,9 +166,9 @@ bool CellDecomposition::TakeFromTetGen(MeshingJob& job)
   {
     this->Tetrahedra.clear();
     this->NewPoints.clear();
-    return false;
+    return unfit;
   }
-  return true;
+  return {};
 }
 
 double CellDecomposition::GetLeastShape(const double* apex) const

@@ -38,7 +38,8 @@ public:
 
 private:
   bool TakeFromPoint();
-  bool TakeFromTetGen(MeshingJob& job);
+  /// Returns why TetGen's tetrahedra cannot be taken, or nothing.
+  std::string TakeFromTetGen(MeshingJob& job);
   bool TakeFromCenter();
   bool FindCenter(glm::dvec3& center) const;
   bool HasShell(const std::vector<int>& tetrahedra, const std::vector<int>& neighbors) const;

@@ -46,22 +46,21 @@ int MeshingJob::GetDimension(int cellType)
   return cellType >= 0 && cellType < VTK_NUMBER_OF_CELL_TYPES ? dimensions[cellType] : 0;
 }
 
-bool MeshingJob::Solve(const TetGenProblem& problem, TetGenSolution& solution)
+std::string MeshingJob::Solve(const TetGenProblem& problem, TetGenSolution& solution)
 {
   ++this->Report.TetGenCalls;
-  if (!this->TetGen.Solve(problem, solution))
+  std::string wrong = this->TetGen.Solve(problem, solution);
+  if (!wrong.empty() || this->IsCancelled())
   {
-    this->Error = this->TetGen.GetFailure();
-    return false;
+    return wrong;
   }
   // Every mesher relies on this: the points of the problem come first, where they were.
   if (solution.Points.size() < problem.Points.size() ||
     !std::equal(problem.Points.begin(), problem.Points.end(), solution.Points.begin()))
   {
-    this->Error = "TetGen failed: it moved or dropped points of the input";
-    return false;
+    wrong = "TetGen failed: it moved or dropped points of the input";
   }
-  return true;
+  return wrong;
 }
 
 }

@@ -18,7 +18,7 @@ namespace interlume
 
 /**
  * One execution of vtkTetrahedralMesher: its settings, its means, and its results. A mesher fills
- * Mesh, or Error with the reason why not; both stay empty when it was cancelled.
+ * Mesh, or returns why not; Mesh is of no use when it was cancelled, which is nothing wrong.
  */
 struct MeshingJob : vtkMeshingSettings
 {
@@ -37,7 +37,6 @@ struct MeshingJob : vtkMeshingSettings
 
   Tetrahedra Mesh;
   vtkTetrahedralMesherReport Report;
-  std::string Error;
 
   /// Returns whether the mesh is to be refined.
   bool IsRefining() const { return this->QualityBound > 0.0 || this->MaximumVolume > 0.0; }
@@ -48,8 +47,9 @@ struct MeshingJob : vtkMeshingSettings
   /// Returns the dimension of cells of a type; 0 for a type that is not known.
   static int GetDimension(int cellType);
 
-  /// Runs TetGen, and counts the call. Returns false with Error set, or cancelled.
-  bool Solve(const TetGenProblem& problem, TetGenSolution& solution);
+  /// Runs TetGen, and counts the call. Returns why there is no solution, or nothing; nothing where
+  /// it was cancelled, too.
+  std::string Solve(const TetGenProblem& problem, TetGenSolution& solution);
 };
 
 }

@@ -72,55 +72,55 @@ TetGenProcess::~TetGenProcess()
   this->Stop();
 }
 
-bool TetGenProcess::Spawn(int workerSocket, int outputFile)
+std::string TetGenProcess::Spawn(int workerSocket, int outputFile)
 {
   posix_spawn_file_actions_t actions;
-  if (::posix_spawn_file_actions_init(&actions) != 0)
+  int error = ::posix_spawn_file_actions_init(&actions);
+  if (error == 0)
   {
-    return false;
+    std::string program = this->Program;
+    std::array<char*, 2> arguments{ { &program[0], nullptr } };
+    error = ::posix_spawn_file_actions_adddup2(&actions, workerSocket, STDIN_FILENO) ||
+        ::posix_spawn_file_actions_adddup2(&actions, outputFile, STDOUT_FILENO) ||
+        ::posix_spawn_file_actions_adddup2(&actions, outputFile, STDERR_FILENO)
+      ? ENOMEM
+      : ::posix_spawn(
+          &this->Process, program.c_str(), &actions, nullptr, arguments.data(), environ);
+    ::posix_spawn_file_actions_destroy(&actions);
   }
-  std::string program = this->Program;
-  std::array<char*, 2> arguments{ { &program[0], nullptr } };
-  const int error = ::posix_spawn_file_actions_adddup2(&actions, workerSocket, STDIN_FILENO) ||
-      ::posix_spawn_file_actions_adddup2(&actions, outputFile, STDOUT_FILENO) ||
-      ::posix_spawn_file_actions_adddup2(&actions, outputFile, STDERR_FILENO)
-    ? ENOMEM
-    : ::posix_spawn(&this->Process, program.c_str(), &actions, nullptr, arguments.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (error != 0)
+  if (error == 0)
   {
-    this->Process = -1;
-    this->Failure = "cannot start " + this->Program + ": " + std::strerror(error);
+    return {};
   }
-  return error == 0;
+  this->Process = -1;
+  return "cannot start " + this->Program + ": " + std::strerror(error);
 }
 
-bool TetGenProcess::Start()
+std::string TetGenProcess::Start()
 {
   std::array<int, 2> sockets{ { -1, -1 } };
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0)
   {
-    this->Failure = std::string("cannot make a socket: ") + std::strerror(errno);
-    return false;
+    return std::string("cannot make a socket: ") + std::strerror(errno);
   }
   this->Socket = sockets[0];
   this->Output = std::tmpfile();
-  bool started = false;
+  std::string wrong;
   if (!this->Output)
   {
-    this->Failure = std::string("cannot make a temporary file: ") + std::strerror(errno);
+    wrong = std::string("cannot make a temporary file: ") + std::strerror(errno);
   }
   else
   {
     ::fcntl(::fileno(this->Output), F_SETFD, FD_CLOEXEC);
-    started = this->Spawn(sockets[1], ::fileno(this->Output));
+    wrong = this->Spawn(sockets[1], ::fileno(this->Output));
   }
   ::close(sockets[1]);
-  if (!started)
+  if (!wrong.empty())
   {
     this->Stop();
   }
-  return started;
+  return wrong;
 }
 
 std::string TetGenProcess::Stop()
@@ -190,14 +190,14 @@ std::string TetGenProcess::GetLastOutput() const
   return line.empty() ? line : "; it said: " + line;
 }
 
-bool TetGenProcess::Solve(const TetGenProblem& problem, TetGenSolution& solution)
+std::string TetGenProcess::Solve(const TetGenProblem& problem, TetGenSolution& solution)
 {
   using Clock = std::chrono::steady_clock;
-  this->Failure.clear();
   this->Late = false;
-  if (this->Socket < 0 && !this->Start())
+  const std::string wrong = this->Socket < 0 ? this->Start() : std::string();
+  if (!wrong.empty())
   {
-    return false;
+    return wrong;
   }
   const Clock::time_point start = Clock::now();
   bool cancelled = false;
@@ -212,13 +212,13 @@ bool TetGenProcess::Solve(const TetGenProblem& problem, TetGenSolution& solution
   const bool answered = channel.Send(problem) && channel.Receive(solution);
   if (answered && solution.Code == 0)
   {
-    return true;
+    return {};
   }
   const std::string said = this->GetLastOutput();
   const std::string ending = this->Stop();
   if (cancelled)
   {
-    return false;
+    return {};
   }
   std::ostringstream failure;
   failure << "TetGen failed: ";
@@ -235,8 +235,7 @@ bool TetGenProcess::Solve(const TetGenProblem& problem, TetGenSolution& solution
     failure << (ending.empty() ? "it gave no answer that makes sense" : ending);
   }
   failure << said;
-  this->Failure = failure.str();
-  return false;
+  return failure.str();
 }
 
 }

@@ -38,24 +38,20 @@ public:
   /// The longest time for one problem, in seconds; 0 for none.
   double TimeLimit = 0.0;
 
-  /**
-   * Runs TetGen. Returns false when there is no solution; GetFailure() says why, or is empty if it
-   * was cancelled.
-   */
-  bool Solve(const TetGenProblem& problem, TetGenSolution& solution);
-  const std::string& GetFailure() const { return this->Failure; }
+  /// Runs TetGen. Returns why there is no solution, or nothing; nothing where it was cancelled,
+  /// too.
+  std::string Solve(const TetGenProblem& problem, TetGenSolution& solution);
   /// Returns whether the last problem took longer than TimeLimit.
   bool IsLate() const { return this->Late; }
 
 private:
-  bool Start();
-  bool Spawn(int workerSocket, int outputFile);
+  std::string Start();
+  std::string Spawn(int workerSocket, int outputFile);
   /// Ends the worker, and says how it ended.
   std::string Stop();
   std::string GetLastOutput() const;
 
   std::string Program;
-  std::string Failure;
   bool Late = false;
   pid_t Process = -1;
   int Socket = -1;
