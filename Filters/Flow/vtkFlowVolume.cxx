@@ -40,35 +40,6 @@ namespace
 {
 constexpr interlume::SurfaceLevels::Interval Everything{ { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX } };
 
-void SetNumberOf(std::vector<double>& values, int number, vtkObject* owner)
-{
-  number = std::max(0, std::min(number, vtkIntervalList::MaximumNumber));
-  if (number != static_cast<int>(values.size()))
-  {
-    values.resize(number, 0.0);
-    owner->Modified();
-  }
-}
-
-void SetValue(std::vector<double>& values, int i, double value, vtkObject* owner)
-{
-  if (i < 0 || i >= vtkIntervalList::MaximumNumber)
-  {
-    vtkErrorWithObjectMacro(owner,
-      "Surface index " << i << " is not in 0 to " << vtkIntervalList::MaximumNumber - 1 << ".");
-    return;
-  }
-  if (i >= static_cast<int>(values.size()))
-  {
-    SetNumberOf(values, i + 1, owner);
-  }
-  if (values[i] != value)
-  {
-    values[i] = value;
-    owner->Modified();
-  }
-}
-
 double GetValue(const std::vector<double>& values, int i)
 {
   return i >= 0 && i < static_cast<int>(values.size()) ? values[i] : 0.0;
@@ -255,7 +226,11 @@ void vtkFlowVolume::SetNumberOfIntervals(int number)
 
 void vtkFlowVolume::SetInterval(int i, double lower, double upper)
 {
-  this->Intervals.Set(i, lower, upper, this);
+  const std::string wrong = this->Intervals.Set(i, lower, upper, this);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+  }
 }
 
 void vtkFlowVolume::GetInterval(int i, double& lower, double& upper) const
@@ -263,14 +238,43 @@ void vtkFlowVolume::GetInterval(int i, double& lower, double& upper) const
   this->Intervals.Get(i, lower, upper);
 }
 
+void vtkFlowVolume::SetNumberOfSurfaces(std::vector<double>& values, int number)
+{
+  number = std::max(0, std::min(number, vtkIntervalList::MaximumNumber));
+  if (number != static_cast<int>(values.size()))
+  {
+    values.resize(number, 0.0);
+    this->Modified();
+  }
+}
+
+void vtkFlowVolume::SetSurface(std::vector<double>& values, int i, double value)
+{
+  if (i < 0 || i >= vtkIntervalList::MaximumNumber)
+  {
+    vtkErrorMacro(
+      "Surface index " << i << " is not in 0 to " << vtkIntervalList::MaximumNumber - 1 << ".");
+    return;
+  }
+  if (i >= static_cast<int>(values.size()))
+  {
+    this->SetNumberOfSurfaces(values, i + 1);
+  }
+  if (values[i] != value)
+  {
+    values[i] = value;
+    this->Modified();
+  }
+}
+
 void vtkFlowVolume::SetNumberOfStreamSurfaces(int number)
 {
-  SetNumberOf(this->StreamSurfaces, number, this);
+  this->SetNumberOfSurfaces(this->StreamSurfaces, number);
 }
 
 void vtkFlowVolume::SetStreamSurface(int i, double value)
 {
-  SetValue(this->StreamSurfaces, i, value, this);
+  this->SetSurface(this->StreamSurfaces, i, value);
 }
 
 double vtkFlowVolume::GetStreamSurface(int i) const
@@ -280,12 +284,12 @@ double vtkFlowVolume::GetStreamSurface(int i) const
 
 void vtkFlowVolume::SetNumberOfTimeSurfaces(int number)
 {
-  SetNumberOf(this->TimeSurfaces, number, this);
+  this->SetNumberOfSurfaces(this->TimeSurfaces, number);
 }
 
 void vtkFlowVolume::SetTimeSurface(int i, double time)
 {
-  SetValue(this->TimeSurfaces, i, time, this);
+  this->SetSurface(this->TimeSurfaces, i, time);
 }
 
 double vtkFlowVolume::GetTimeSurface(int i) const

@@ -203,6 +203,8 @@ private:
 
   /// Returns what is wrong with the arrays and the settings, or nothing.
   std::string CheckParameters(vtkDataSet* input, bool usesInflow) const;
+  void SetNumberOfSurfaces(std::vector<double>& values, int number);
+  void SetSurface(std::vector<double>& values, int i, double value);
   /// Returns which part of the volume is missing, and what the input has; nothing where nothing is
   /// missing.
   std::string DescribeMissing(vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays,

@@ -17,7 +17,11 @@ void vtkIntervalAlgorithm::SetNumberOfIntervals(int number)
 
 void vtkIntervalAlgorithm::SetInterval(int i, double lower, double upper)
 {
-  this->Intervals.Set(i, lower, upper, this);
+  const std::string wrong = this->Intervals.Set(i, lower, upper, this);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+  }
 }
 
 void vtkIntervalAlgorithm::GetInterval(int i, double& lower, double& upper) const

@@ -2,7 +2,6 @@
 #include "vtkIntervalList.h"
 
 #include "vtkObject.h"
-#include "vtkSetGet.h"
 
 #include <algorithm>
 
@@ -16,13 +15,12 @@ void vtkIntervalList::SetNumber(int number, vtkObject* owner)
   }
 }
 
-void vtkIntervalList::Set(int i, double lower, double upper, vtkObject* owner)
+std::string vtkIntervalList::Set(int i, double lower, double upper, vtkObject* owner)
 {
   if (i < 0 || i >= MaximumNumber)
   {
-    vtkErrorWithObjectMacro(
-      owner, "Interval index " << i << " is not in 0 to " << MaximumNumber - 1 << ".");
-    return;
+    return "Interval index " + std::to_string(i) + " is not in 0 to " +
+      std::to_string(MaximumNumber - 1) + ".";
   }
   if (i >= this->GetNumber())
   {
@@ -34,6 +32,7 @@ void vtkIntervalList::Set(int i, double lower, double upper, vtkObject* owner)
     this->Intervals[i] = interval;
     owner->Modified();
   }
+  return {};
 }
 
 void vtkIntervalList::Get(int i, double& lower, double& upper) const

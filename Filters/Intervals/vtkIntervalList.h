@@ -6,6 +6,7 @@
 #include "vtkIndent.h"                // for printing
 
 #include <array>  // for an interval
+#include <string> // for what is wrong
 #include <vector> // for the list
 
 class vtkObject;
@@ -26,9 +27,9 @@ public:
   /// Sets the number of intervals, clamped to 0 ... MaximumNumber; new intervals are [0, 0]. Marks
   /// \a owner as modified when this changes anything.
   void SetNumber(int number, vtkObject* owner);
-  /// Sets interval i, adding intervals where there are fewer than i + 1. Gives an error of \a owner
-  /// where i is out of range.
-  void Set(int i, double lower, double upper, vtkObject* owner);
+  /// Sets interval i, adding intervals where there are fewer than i + 1. Returns what is wrong
+  /// where i is out of range, or nothing.
+  std::string Set(int i, double lower, double upper, vtkObject* owner);
   /// Returns the bounds of interval i; leaves its arguments as they are where there is none.
   void Get(int i, double& lower, double& upper) const;
 

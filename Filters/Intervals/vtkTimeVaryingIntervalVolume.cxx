@@ -240,7 +240,8 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   {
     return 1;
   }
-  const interlume::TimeVaryingRun::Results result = this->Run->AddStep(input);
+  interlume::TimeVaryingRun::Results result;
+  const std::string wrong = this->Run->AddStep(input, result);
   if (result == interlume::TimeVaryingRun::OVERWRITTEN)
   {
     // The values of the step before are lost: its time is asked for again.
@@ -257,9 +258,9 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   const std::unique_ptr<interlume::TimeVaryingRun> run = std::move(this->Run);
   this->IsRestarted = false;
-  if (result == interlume::TimeVaryingRun::FAILED)
+  if (!wrong.empty())
   {
-    vtkErrorMacro(<< run->GetMessage());
+    vtkErrorMacro(<< wrong);
   }
   else if (result == interlume::TimeVaryingRun::DONE && run->IsFinished())
   {

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 namespace
@@ -35,15 +36,18 @@ void vtkFieldSampler::SetNumberOfTimeSteps(int number, vtkAlgorithm* owner)
   Assign(this->NumberOfTimeSteps, std::max(1, std::min(number, MaximumNumberOfTimeSteps)), owner);
 }
 
-void vtkFieldSampler::SetTimeRange(double first, double last, vtkAlgorithm* owner)
+std::string vtkFieldSampler::SetTimeRange(double first, double last, vtkAlgorithm* owner)
 {
+  std::ostringstream wrong;
   if (!std::isfinite(first) || !std::isfinite(last))
   {
-    vtkErrorWithObjectMacro(
-      owner, "The time range " << first << " to " << last << " is not finite.");
-    return;
+    wrong << "The time range " << first << " to " << last << " is not finite.";
   }
-  Assign(this->TimeRange, { { std::min(first, last), std::max(first, last) } }, owner);
+  else
+  {
+    Assign(this->TimeRange, { { std::min(first, last), std::max(first, last) } }, owner);
+  }
+  return wrong.str();
 }
 
 void vtkFieldSampler::SetScalarType(int type, vtkAlgorithm* owner)
@@ -75,17 +79,16 @@ void vtkFieldSampler::Announce(vtkInformation* output, const int wholeExtent[6])
   vtkDataObject::SetPointDataActiveScalarInfo(output, this->ScalarType, 1);
 }
 
-bool vtkFieldSampler::GetRequestedTime(
-  vtkInformation* output, vtkAlgorithm* owner, double& time) const
+std::string vtkFieldSampler::FindTime(vtkInformation* output, double& time) const
 {
   const auto key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
   time = output->Has(key) ? output->Get(key) : this->TimeRange[0];
+  std::ostringstream wrong;
   if (!std::isfinite(time))
   {
-    vtkErrorWithObjectMacro(owner, "The time asked for, " << time << ", is not finite.");
-    return false;
+    wrong << "The time asked for, " << time << ", is not finite.";
   }
-  return true;
+  return wrong.str();
 }
 
 bool vtkFieldSampler::Sample(vtkDataSet* output, const int extent[6], double time,

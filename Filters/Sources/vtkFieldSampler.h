@@ -38,7 +38,8 @@ public:
 
   void SetNumberOfTimeSteps(int number, vtkAlgorithm* owner);
   int GetNumberOfTimeSteps() const { return this->NumberOfTimeSteps; }
-  void SetTimeRange(double first, double last, vtkAlgorithm* owner);
+  /// Returns why the range is not taken, or nothing.
+  std::string SetTimeRange(double first, double last, vtkAlgorithm* owner);
   const double* GetTimeRange() const { return this->TimeRange.data(); }
   void SetScalarType(int type, vtkAlgorithm* owner);
   int GetScalarType() const { return this->ScalarType; }
@@ -48,9 +49,9 @@ public:
   /// Tells the pipeline of the whole extent, the time steps and the array.
   void Announce(vtkInformation* output, const int wholeExtent[6]) const;
 
-  /// Finds the time that is asked for, or the first time step. Returns false, with an error of \a
-  /// owner, when it is not finite.
-  bool GetRequestedTime(vtkInformation* output, vtkAlgorithm* owner, double& time) const;
+  /// Finds the time that is asked for, or the first time step. Returns what is wrong with it, or
+  /// nothing.
+  std::string FindTime(vtkInformation* output, double& time) const;
 
   /**
    * Adds the array with the field's values at the points of \a output, whose extent is \a extent,

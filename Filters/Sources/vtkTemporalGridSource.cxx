@@ -40,6 +40,15 @@ void vtkTemporalGridSource::SetDimensions(int i, int j, int k)
   }
 }
 
+void vtkTemporalGridSource::SetTimeRange(double first, double last)
+{
+  const std::string wrong = this->Sampler.SetTimeRange(first, last, this);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+  }
+}
+
 int vtkTemporalGridSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
@@ -56,8 +65,10 @@ int vtkTemporalGridSource::RequestData(
   vtkStructuredGrid* grid = vtkStructuredGrid::GetData(info);
   double time = 0.0;
   this->Report = {};
-  if (!this->Sampler.GetRequestedTime(info, this, time))
+  const std::string wrong = this->Sampler.FindTime(info, time);
+  if (!wrong.empty())
   {
+    vtkErrorMacro(<< wrong);
     return 1;
   }
   int* extent = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());

@@ -43,7 +43,7 @@ public:
   /// to 2.
   void SetNumberOfTimeSteps(int number) { this->Sampler.SetNumberOfTimeSteps(number, this); }
   int GetNumberOfTimeSteps() const { return this->Sampler.GetNumberOfTimeSteps(); }
-  void SetTimeRange(double first, double last) { this->Sampler.SetTimeRange(first, last, this); }
+  void SetTimeRange(double first, double last);
   const double* GetTimeRange() const VTK_SIZEHINT(2) { return this->Sampler.GetTimeRange(); }
   ///@}
 

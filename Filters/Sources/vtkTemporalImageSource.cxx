@@ -12,6 +12,15 @@ vtkTemporalImageSource::vtkTemporalImageSource()
 {
 }
 
+void vtkTemporalImageSource::SetTimeRange(double first, double last)
+{
+  const std::string wrong = this->Sampler.SetTimeRange(first, last, this);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+  }
+}
+
 int vtkTemporalImageSource::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -27,8 +36,10 @@ int vtkTemporalImageSource::RequestData(
   vtkImageData* image = vtkImageData::GetData(info);
   double time = 0.0;
   this->SetReport({});
-  if (!this->Sampler.GetRequestedTime(info, this, time))
+  const std::string wrong = this->Sampler.FindTime(info, time);
+  if (!wrong.empty())
   {
+    vtkErrorMacro(<< wrong);
     return 1;
   }
   double origin[3];

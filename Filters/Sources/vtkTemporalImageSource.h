@@ -43,7 +43,7 @@ public:
    * The times of the first and the last time step, in units of time. Default 0, 2. Valid: finite,
    * else an error; put in order.
    */
-  void SetTimeRange(double first, double last) { this->Sampler.SetTimeRange(first, last, this); }
+  void SetTimeRange(double first, double last);
   const double* GetTimeRange() const VTK_SIZEHINT(2) { return this->Sampler.GetTimeRange(); }
   ///@}
 

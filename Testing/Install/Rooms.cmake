@@ -5,6 +5,7 @@
 #   - a room includes itself, the rooms that its row names, the module's public headers, and other modules
 #   - what is in a room is in namespace interlume, without the prefix vtk, but for sources of public classes,
 #     whose headers are at the module's root; what is there is public
+#   - what is in a room gives no error or warning, but for these sources: it returns the text
 #   - small vectors are GLM's: no other products of them grow
 function (find_room_breaches root output)
   set(breaches)
@@ -57,6 +58,12 @@ function (find_room_breaches root output)
         file(STRINGS "${root}/${file}" space REGEX "interlume")
         if (NOT space AND NOT is_public)
           list(APPEND breaches "${file}: not in namespace interlume")
+        endif ()
+        if (NOT is_public)
+          file(STRINGS "${root}/${file}" lines REGEX "vtk(Generic)?(Error|Warning)(WithObject)?Macro[(]")
+          foreach (line IN LISTS lines)
+            list(APPEND breaches "${file}: ${line}")
+          endforeach ()
         endif ()
         file(STRINGS "${root}/${file}" lines REGEX "^#include \"[A-Za-z]+/")
         foreach (line IN LISTS lines)

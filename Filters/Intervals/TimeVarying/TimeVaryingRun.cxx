@@ -128,12 +128,6 @@ std::string TimeVaryingRun::DescribeStep() const
   return words.str();
 }
 
-TimeVaryingRun::Results TimeVaryingRun::Fail(const std::string& why)
-{
-  this->Message = this->DescribeStep() + ": " + why;
-  return FAILED;
-}
-
 void TimeVaryingRun::Warn(const std::string& what)
 {
   if (std::find(this->Warnings.begin(), this->Warnings.end(), what) == this->Warnings.end())
@@ -151,8 +145,9 @@ std::string TimeVaryingRun::CheckScalars(vtkDataSet* input, vtkDataArray*& scala
     input, array, association, ExtractionInput::DescribeArrayToProcess(this->Owner));
 }
 
-TimeVaryingRun::Results TimeVaryingRun::AddStep(vtkDataObject* input)
+std::string TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
 {
+  result = ABORTED;
   const std::vector<vtkDataSet*> leaves = GetLeaves(input);
   if (this->NextStep == 0)
   {
@@ -164,18 +159,23 @@ TimeVaryingRun::Results TimeVaryingRun::AddStep(vtkDataObject* input)
   if (leaves.size() != this->Leaves.size())
   {
     std::ostringstream why;
-    why << "its number of blocks is " << leaves.size() << ", before it was " << this->Leaves.size()
-        << ". Cells must be the same at all steps.";
-    return this->Fail(why.str());
+    why << this->DescribeStep() << ": its number of blocks is " << leaves.size()
+        << ", before it was " << this->Leaves.size() << ". Cells must be the same at all steps.";
+    return why.str();
   }
   this->Owner->SetProgressText(
     (this->DescribeStep() + " of " + std::to_string(this->Times.size())).c_str());
   const bool hasSlab =
     this->NextStep > 0 && this->Times[this->NextStep] > this->Times[this->NextStep - 1];
-  Results result = DONE;
+  std::string wrong;
+  result = DONE;
   for (std::size_t number = 0; number < leaves.size() && result == DONE; ++number)
   {
-    result = this->AddLeafStep(leaves[number], *this->Leaves[number], number);
+    wrong = this->AddLeafStep(leaves[number], *this->Leaves[number], number, result);
+  }
+  if (!wrong.empty())
+  {
+    wrong = this->DescribeStep() + ": " + wrong;
   }
   if (this->NextStep > 0 && !hasSlab)
   {
@@ -187,7 +187,7 @@ TimeVaryingRun::Results TimeVaryingRun::AddStep(vtkDataObject* input)
   this->Report.Slabs += hasSlab;
   ++this->NextStep;
   this->Report.TimeSteps = this->NextStep;
-  return result;
+  return wrong;
 }
 
 void TimeVaryingRun::NoteEmptiness()
@@ -212,31 +212,34 @@ ExtractionContext TimeVaryingRun::MakeContext()
   return context;
 }
 
-TimeVaryingRun::Results TimeVaryingRun::AddLeafStep(
-  vtkDataSet* input, Leaf& leaf, std::size_t number)
+std::string TimeVaryingRun::AddLeafStep(
+  vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result)
 {
+  result = ABORTED;
   const bool isEmpty = !input || input->GetNumberOfPoints() == 0;
   if (this->NextStep > 0 && isEmpty != !leaf.Before)
   {
-    return this->Fail("a dataset has points that has none before, or the other way round. Cells "
-                      "must be the same at all steps.");
+    return "a dataset has points that has none before, or the other way round. Cells must be the "
+           "same at all steps.";
   }
   if (isEmpty)
   {
-    return DONE;
+    result = DONE;
+    return {};
   }
   vtkDataArray* scalars = nullptr;
   const std::string wrong = this->CheckScalars(input, scalars);
   if (!wrong.empty())
   {
-    return this->Fail(wrong);
+    return wrong;
   }
   // The dataset of the first step may have become that of the second; its cells are the same.
   this->Empty.Add(this->NextStep == 1 ? input : nullptr, scalars, 0);
   leaf.ScalarsName = scalars->GetName() ? scalars->GetName() : "";
   if (leaf.Before && leaf.Before->IsOverwritten(input, scalars))
   {
-    return OVERWRITTEN;
+    result = OVERWRITTEN;
+    return {};
   }
   auto step = std::make_unique<TimeStep>(
     input, scalars, this->Times[this->NextStep], this->Options.CopiesSteps);
@@ -264,7 +267,7 @@ TimeVaryingRun::Results TimeVaryingRun::AddLeafStep(
     const std::string difference = step->FindDifference(*leaf.Before);
     if (!difference.empty())
     {
-      return this->Fail(difference + ". Cells must be the same at all steps.");
+      return difference + ". Cells must be the same at all steps.";
     }
   }
   if (leaf.Before && step->GetTime() > leaf.Before->GetTime())
@@ -272,18 +275,19 @@ TimeVaryingRun::Results TimeVaryingRun::AddLeafStep(
     this->Report.Cells += step->GetNumberOfInputCells();
     if (!leaf.Before->MakeCodes(context, 0.0, 0.05) || !step->MakeCodes(context, 0.05, 0.1))
     {
-      return ABORTED;
+      return {};
     }
     leaf.Mesh.BeginSlab(this->NextStep - 1, this->NextStep == 1,
       this->NextStep + 1 == static_cast<int>(this->Times.size()), this->IsJoined,
       leaf.Before->HasTies() || step->HasTies());
     if (!TimeVaryingExtraction::Execute(context, *leaf.Before, *step, leaf.Mesh, this->Report))
     {
-      return ABORTED;
+      return {};
     }
   }
   leaf.Before = std::move(step);
-  return DONE;
+  result = DONE;
+  return {};
 }
 
 bool TimeVaryingRun::FillOutputs(

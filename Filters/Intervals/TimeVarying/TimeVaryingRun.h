@@ -34,8 +34,8 @@ public:
   enum Results
   {
     DONE,
+    /// The user ended the run, or something is wrong with the input.
     ABORTED,
-    FAILED,
     /// The input writes each step over the one before, so that the run has to begin anew, with
     /// copies.
     OVERWRITTEN
@@ -53,9 +53,8 @@ public:
   bool IsFinished() const { return this->NextStep == static_cast<int>(this->Times.size()); }
   double GetNextTime() const { return this->Times[this->NextStep]; }
 
-  /// Takes the next step. Where it fails GetMessage says why.
-  Results AddStep(vtkDataObject* input);
-  const std::string& GetMessage() const { return this->Message; }
+  /// Takes the next step. Returns what is wrong with it, or nothing.
+  std::string AddStep(vtkDataObject* input, Results& result);
 
   /// Fills unstructured grids or composite datasets of the input's structure. Returns false when
   /// the user aborted.
@@ -87,8 +86,7 @@ private:
   };
 
   ExtractionContext MakeContext();
-  Results AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number);
-  Results Fail(const std::string& why);
+  std::string AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result);
   void NoteEmptiness();
   std::string CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
   std::string DescribeStep() const;
@@ -106,7 +104,6 @@ private:
   bool IsJoined = false;
   std::vector<std::unique_ptr<Leaf>> Leaves;
   EmptyResult Empty;
-  std::string Message;
   std::vector<std::string> Warnings;
 };
 
