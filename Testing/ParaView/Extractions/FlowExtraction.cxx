@@ -191,16 +191,7 @@ Setters<vtkFlowVolume> VolumeSetters()
 {
   using Volume = vtkFlowVolume;
   return {
-    { "Intervals",
-      [](Volume* volume, const json& bounds)
-      {
-        const int number = static_cast<int>(bounds.size() / 2);
-        volume->SetNumberOfIntervals(number);
-        for (int i = 0; i < number; ++i)
-        {
-          volume->SetInterval(i, bounds[2 * i], bounds[2 * i + 1]);
-        }
-      } },
+    { "Intervals", SetIntervals<Volume> },
     { "TimeRange",
       [](Volume* volume, const json& range) { volume->SetTimeRange(range[0], range[1]); } },
     { "StreamSurfaces",

@@ -28,4 +28,16 @@ void SetProperties(Class* object, const nlohmann::json& values, const Setters<Cl
   }
 }
 
+/// Sets the intervals of a filter, two bounds each.
+template <typename Class>
+void SetIntervals(Class* filter, const nlohmann::json& bounds)
+{
+  const int number = static_cast<int>(bounds.size() / 2);
+  filter->SetNumberOfIntervals(number);
+  for (int i = 0; i < number; ++i)
+  {
+    filter->SetInterval(i, bounds[2 * i], bounds[2 * i + 1]);
+  }
+}
+
 #endif

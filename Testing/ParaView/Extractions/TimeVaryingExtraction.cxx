@@ -50,16 +50,7 @@ Setters<vtkTimeVaryingIntervalVolume> VolumeSetters()
 {
   using Volume = vtkTimeVaryingIntervalVolume;
   return {
-    { "Intervals",
-      [](Volume* volume, const json& bounds)
-      {
-        const int number = static_cast<int>(bounds.size() / 2);
-        volume->SetNumberOfIntervals(number);
-        for (int i = 0; i < number; ++i)
-        {
-          volume->SetInterval(i, bounds[2 * i], bounds[2 * i + 1]);
-        }
-      } },
+    { "Intervals", SetIntervals<Volume> },
     { "TimeStepRange",
       [](Volume* volume, const json& range) { volume->SetTimeStepRange(range[0], range[1]); } },
     { "ProjectionDirection",

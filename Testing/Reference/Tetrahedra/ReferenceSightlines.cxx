@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/Tetrahedra/ReferenceSightlines.h"
 
+#include "Order/VisibilityOrder.h"
+#include "Reference/Checks/ReferenceCheck.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -170,6 +173,25 @@ OrderErrors Sightlines::CheckRandom(const interlume::ViewRays& rays,
     this->CheckLine(rays, x, y, ranks, errors);
   }
   return errors;
+}
+
+bool CheckOrder(const Sightlines& sightlines, const interlume::VisibilityOrder& visibility,
+  const interlume::ViewRays& rays, const std::vector<std::uint32_t>& order, int lines,
+  bool mayBeCyclic, OrderTally& tally, Check& check)
+{
+  check.That(IsPermutation(order, sightlines.GetNumberOfTetrahedra()), "each tetrahedron once");
+  ++tally.Orders;
+  if (visibility.GetNumberOfTetrahedraInCycles() > 0)
+  {
+    check.That(mayBeCyclic, "no cycles");
+    ++tally.Cyclic;
+    return false;
+  }
+  const OrderErrors errors = sightlines.CheckPixels(rays, order, lines, 1);
+  check.Equal(errors.Wrong, 0, "wrong along lines through pixels");
+  check.Equal(errors.Overlaps, 0, "overlaps of the mesh");
+  tally.Pairs += errors.Pairs;
+  return true;
 }
 
 bool IsPermutation(const std::vector<std::uint32_t>& order, std::uint32_t number)

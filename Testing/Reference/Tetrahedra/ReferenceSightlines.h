@@ -9,8 +9,15 @@
 #include <string>
 #include <vector>
 
+namespace interlume
+{
+class VisibilityOrder;
+}
+
 namespace reference
 {
+
+class Check;
 
 /// A view with a name.
 struct View
@@ -43,6 +50,10 @@ class Sightlines
 {
 public:
   explicit Sightlines(const interlume::TetrahedraMesh& mesh);
+  std::uint32_t GetNumberOfTetrahedra() const
+  {
+    return static_cast<std::uint32_t>(this->Planes.size() / 4);
+  }
 
   /// Along the lines of sight through \a number pixel centres, the middle one and random ones.
   OrderErrors CheckPixels(const interlume::ViewRays& rays,
@@ -64,6 +75,25 @@ private:
   // Four for each tetrahedron, with the outward unit normal.
   std::vector<Plane> Planes;
 };
+
+/// What the orders of several views were found to do.
+struct OrderTally
+{
+  int Orders = 0;
+  /// Orders with cycles, which are not looked at.
+  int Cyclic = 0;
+  /// Along lines of sight through the middles of pixels.
+  long long Pairs = 0;
+};
+
+/**
+ * Checks the visibility order that was computed for a view of a mesh: each tetrahedron once, no
+ * cycles but where there may be some, and, where there are none, along \a lines lines of sight
+ * through pixels. Returns whether there are none.
+ */
+bool CheckOrder(const Sightlines& sightlines, const interlume::VisibilityOrder& visibility,
+  const interlume::ViewRays& rays, const std::vector<std::uint32_t>& order, int lines,
+  bool mayBeCyclic, OrderTally& tally, Check& check);
 
 /// Whether \a order has each number below \a number once.
 bool IsPermutation(const std::vector<std::uint32_t>& order, std::uint32_t number);
