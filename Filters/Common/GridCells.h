@@ -2,6 +2,8 @@
 #ifndef interlume_GridCells_h
 #define interlume_GridCells_h
 
+#include "Common/ArrayViews.h"
+
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCell.h"
 #include "vtkDataArray.h"
@@ -47,20 +49,7 @@ public:
   static vtkSmartPointer<Types> GetTypes(vtkUnstructuredGrid* grid)
   {
     vtkDataArray* stored = GetStoredTypes(grid);
-    return stored ? MakeTyped<Types>(stored) : vtkSmartPointer<Types>::New();
-  }
-
-  /// Returns offsets or point ids, or the types of cells, as an Array: themselves, or a copy.
-  template <typename Array>
-  static vtkSmartPointer<Array> MakeTyped(vtkDataArray* array)
-  {
-    if (Array* same = Array::FastDownCast(array))
-    {
-      return same;
-    }
-    auto copy = vtkSmartPointer<Array>::New();
-    copy->DeepCopy(array);
-    return copy;
+    return stored ? ArrayViews::Get<Types>(stored) : vtkSmartPointer<Types>::New();
   }
 
   /// Returns whether ids are stored in 32 bits.

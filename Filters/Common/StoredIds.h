@@ -22,14 +22,14 @@ public:
   {
     if (GridCells::IsNarrow(array))
     {
-      const auto ids = GridCells::MakeTyped<GridCells::NarrowIds>(array);
+      const auto ids = ArrayViews::Get<GridCells::NarrowIds>(array);
       this->Array = ids;
       this->Narrow = ids->GetPointer(0);
       this->Wide = nullptr;
     }
     else
     {
-      const auto ids = GridCells::MakeTyped<GridCells::WideIds>(array);
+      const auto ids = ArrayViews::Get<GridCells::WideIds>(array);
       this->Array = ids;
       this->Narrow = nullptr;
       this->Wide = ids->GetPointer(0);

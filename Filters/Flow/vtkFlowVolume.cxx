@@ -2,6 +2,8 @@
 #include "vtkFlowVolume.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/ArrayCheck.h"
+#include "Common/IntervalCheck.h"
 #include "Common/NamedValue.h"
 #include "Samples/BeyondSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
@@ -45,20 +47,6 @@ double GetValue(const std::vector<double>& values, int i)
   return i >= 0 && i < static_cast<int>(values.size()) ? values[i] : 0.0;
 }
 
-std::string CheckInterval(const std::string& name, double lower, double upper)
-{
-  std::ostringstream wrong;
-  if (!std::isfinite(lower) || !std::isfinite(upper))
-  {
-    wrong << name << " [" << lower << ", " << upper << "] is not finite.";
-  }
-  else if (lower > upper)
-  {
-    wrong << name << " begins at " << lower << ", after its end at " << upper << ".";
-  }
-  return wrong.str();
-}
-
 std::string CheckSurfaces(const std::string& name, const std::vector<double>& values)
 {
   const auto wrong =
@@ -66,18 +54,6 @@ std::string CheckSurfaces(const std::string& name, const std::vector<double>& va
   return wrong == values.end()
     ? std::string()
     : name + " surface " + std::to_string(wrong - values.begin()) + " is not at a finite value.";
-}
-
-std::string CheckArray(vtkDataSet* input, const char* name, const std::string& reason)
-{
-  vtkDataArray* array = input->GetPointData()->GetArray(name);
-  if (array && array->GetNumberOfComponents() == 1 &&
-    array->GetNumberOfTuples() == input->GetNumberOfPoints())
-  {
-    return {};
-  }
-  return std::string("The point array \"") + name + "\" " +
-    (array ? "does not have one component and a value for each point" : "is missing") + reason;
 }
 
 vtkSmartPointer<vtkIntArray> MakeIds(const char* name, vtkIntArray* items, vtkIdType number)
@@ -309,20 +285,24 @@ int vtkFlowVolume::FillInputPortInformation(int, vtkInformation* info)
 std::string vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInflow) const
 {
   std::string wrong =
-    CheckArray(input, vtkFlowStatus::TimeArray(), ": the input is no implicit flow field.");
+    interlume::ImplicitFlowArrays::CheckArray(input, vtkFlowStatus::TimeArray(), 1);
   if (wrong.empty() && usesInflow)
   {
-    wrong = CheckArray(input, vtkFlowStatus::InflowArray(),
-      "; intervals and stream surfaces need the one of vtkInflowMapping. Apply that first, or "
-      "take them out.");
+    wrong = interlume::ArrayCheck::FindPointFault(input, "input", vtkFlowStatus::InflowArray(), 1);
+    wrong = wrong.empty() ? wrong
+                          : interlume::ArrayCheck::MakeSentence(wrong) +
+        " Intervals and stream surfaces need that of vtkInflowMapping: apply it first, or take "
+        "them out.";
   }
   for (int i = 0; wrong.empty() && i < this->GetNumberOfIntervals(); ++i)
   {
     const vtkIntervalList::Interval& interval = this->Intervals.GetAll()[i];
-    wrong = CheckInterval("Interval " + std::to_string(i), interval[0], interval[1]);
+    wrong =
+      interlume::IntervalCheck::Find("Interval " + std::to_string(i), interval[0], interval[1]);
   }
-  wrong =
-    wrong.empty() ? CheckInterval("The time range", this->TimeRange[0], this->TimeRange[1]) : wrong;
+  wrong = wrong.empty()
+    ? interlume::IntervalCheck::Find("The time range", this->TimeRange[0], this->TimeRange[1])
+    : wrong;
   wrong = wrong.empty() ? CheckSurfaces("Stream", this->StreamSurfaces) : wrong;
   return wrong.empty() ? CheckSurfaces("Time", this->TimeSurfaces) : wrong;
 }

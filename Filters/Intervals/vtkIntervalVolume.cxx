@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIntervalVolume.h"
 
+#include "Common/IntervalCheck.h"
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
 #include "Static/ExtractionArrays.h"
@@ -126,7 +127,7 @@ std::string vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
     }
     if (wrong.empty())
     {
-      wrong = interlume::ExtractionInput::CheckInterval(
+      wrong = interlume::IntervalCheck::Find(
         "The criterion on \"" + criterion.ArrayName + "\"", criterion.Lower, criterion.Upper);
     }
     if (!wrong.empty())
@@ -207,24 +208,10 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
   extraction.KeepOrigins = this->KeepOrigins && this->Criteria.empty();
   const bool completed = extraction.Execute(input, scalars, output, boundary, report);
   this->Report.Add(report);
-  if (report.LinearizedCells > 0)
-  {
-    vtkWarningMacro(<< report.LinearizedCells
-                    << " quadratic or higher cells are taken as linear, by their corners.");
-  }
-  if (report.UnsupportedCells > 0)
-  {
-    vtkWarningMacro(<< report.UnsupportedCells
-                    << " cells have no linear counterpart and are left out.");
-  }
   for (const std::string& warning :
-    { interlume::ExtractionInput::CheckPolyhedra(report.ConcavePolyhedra),
-      interlume::ExtractionInput::CheckPrecision(input, this->GetOutputPointsPrecision()) })
+    interlume::ExtractionInput::GetWarnings(input, this->GetOutputPointsPrecision(), report))
   {
-    if (!warning.empty())
-    {
-      vtkWarningMacro(<< warning);
-    }
+    vtkWarningMacro(<< warning);
   }
   return completed;
 }

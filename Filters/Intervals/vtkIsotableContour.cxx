@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsotableContour.h"
 
+#include "Common/IntervalCheck.h"
 #include "Static/EmptyResult.h"
 #include "Static/Extraction.h"
 #include "Static/ExtractionArrays.h"
@@ -104,7 +105,7 @@ int vtkIsotableContour::RequestData(
     input, array, association, interlume::ExtractionInput::DescribeArrayToProcess(this));
   for (std::size_t i = 0; wrong.empty() && i < this->Values.size(); ++i)
   {
-    wrong = interlume::ExtractionInput::CheckInterval(
+    wrong = interlume::IntervalCheck::Find(
       "Value " + std::to_string(i), this->Values[i], this->Values[i]);
   }
   if (!wrong.empty())
@@ -131,24 +132,10 @@ int vtkIsotableContour::RequestData(
   this->Empty->Add(input, scalars, output->GetNumberOfCells());
   report.Passes = 1;
   this->Report.Add(report);
-  if (report.LinearizedCells > 0)
-  {
-    vtkWarningMacro(<< report.LinearizedCells
-                    << " quadratic or higher cells are taken as linear, by their corners.");
-  }
-  if (report.UnsupportedCells > 0)
-  {
-    vtkWarningMacro(<< report.UnsupportedCells
-                    << " cells have no linear counterpart and are left out.");
-  }
   for (const std::string& warning :
-    { interlume::ExtractionInput::CheckPolyhedra(report.ConcavePolyhedra),
-      interlume::ExtractionInput::CheckPrecision(input, this->OutputPointsPrecision) })
+    interlume::ExtractionInput::GetWarnings(input, this->OutputPointsPrecision, report))
   {
-    if (!warning.empty())
-    {
-      vtkWarningMacro(<< warning);
-    }
+    vtkWarningMacro(<< warning);
   }
   return 1;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTimeWeightedTetrahedraMapper.h"
 
+#include "Common/ArrayCheck.h"
 #include "Draw/TetrahedraRenderer.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -159,45 +160,28 @@ std::string vtkTimeWeightedTetrahedraMapper::FindArrays(
   if (!arrays.Scalars)
   {
     return this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && this->ArrayName && *this->ArrayName
-      ? std::string("there is no array ") + this->ArrayName + " to colour by"
-      : std::string("there are no scalars to colour by");
+      ? std::string("the input has no array \"") + this->ArrayName + "\" to colour by"
+      : std::string("the input has no scalars to colour by");
   }
   arrays.ScalarsAreOfCells = arrays.Scalars->GetNumberOfTuples() == grid->GetNumberOfCells() &&
     (cellFlag == 1 || this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
-  const vtkIdType expected =
-    arrays.ScalarsAreOfCells ? grid->GetNumberOfCells() : grid->GetNumberOfPoints();
-  if (arrays.Scalars->GetNumberOfTuples() != expected)
+  std::string wrong = arrays.ScalarsAreOfCells
+    ? std::string()
+    : interlume::ArrayCheck::FindPointFault(grid, arrays.Scalars, 0);
+  const std::string extent = this->HasDeltaTArrayName ? this->DeltaTArrayName : DELTA_T;
+  arrays.DeltaT = grid->GetPointData()->GetArray(extent.c_str());
+  if (wrong.empty() && !extent.empty() && (this->HasDeltaTArrayName || arrays.DeltaT))
   {
-    const std::string name = arrays.Scalars->GetName() ? arrays.Scalars->GetName() : "without name";
-    return "the array " + name + " has " + std::to_string(arrays.Scalars->GetNumberOfTuples()) +
-      " tuples instead of " + std::to_string(expected);
+    wrong = interlume::ArrayCheck::FindPointFault(grid, "input", extent, 1);
+    wrong += wrong.empty() ? "" : " for the extent in time";
   }
-  if (!this->HasDeltaTArrayName)
+  if (wrong.empty() && this->BlendMode == PRIORITY_BLEND)
   {
-    arrays.DeltaT = grid->GetPointData()->GetArray(DELTA_T);
-  }
-  else if (!this->DeltaTArrayName.empty())
-  {
-    arrays.DeltaT = grid->GetPointData()->GetArray(this->DeltaTArrayName.c_str());
-    if (!arrays.DeltaT)
-    {
-      return "there is no point array " + this->DeltaTArrayName + " for the extent in time";
-    }
-  }
-  if (arrays.DeltaT && arrays.DeltaT->GetNumberOfComponents() != 1)
-  {
-    return std::string("the array ") + arrays.DeltaT->GetName() +
-      " for the extent in time has more than one component";
-  }
-  if (this->BlendMode == PRIORITY_BLEND)
-  {
+    wrong = interlume::ArrayCheck::FindCellFault(grid, "input", this->LayerArrayName, 0);
+    wrong += wrong.empty() ? "" : " for layers";
     arrays.Layers = grid->GetCellData()->GetArray(this->LayerArrayName.c_str());
-    if (!arrays.Layers)
-    {
-      return "there is no cell array " + this->LayerArrayName + " for layers";
-    }
   }
-  return {};
+  return wrong;
 }
 
 void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* volume)

@@ -192,8 +192,8 @@ void CheckRefusals(Check& check)
   const auto image = MakeImage();
   object->SetImage(image);
   object->SetColorArrayName("nothing");
-  check.That(
-    ErrorsOf(object, [&] { object->Evaluate(x, sample); }).find("'nothing'") != std::string::npos,
+  check.That(ErrorsOf(object, [&] { object->Evaluate(x, sample); })
+               .find("The image has no point array \"nothing\".") != std::string::npos,
     "a colour array that is not there is an error");
   vtkNew<vtkImageData> empty;
   object->SetImage(empty);

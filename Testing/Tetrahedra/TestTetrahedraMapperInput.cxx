@@ -283,7 +283,7 @@ void TestErrors(Table& table)
   table.Refused("scalars-none", "no scalars", { "scalars" },
     [](PictureCase& what) { what.Grid->GetPointData()->Initialize(); });
   table.Refused("scalars-short-unnamed", "scalars without name, one value short",
-    { "without name", "124 tuples", "125" },
+    { "without a name", "124 tuples", "125 are needed" },
     [](PictureCase& what)
     {
       vtkNew<vtkDoubleArray> array;
@@ -304,6 +304,28 @@ void TestErrors(Table& table)
       array->Fill(1.0);
       what.Grid->GetPointData()->AddArray(array);
       what.Settings.Arrays.DeltaT = "vector";
+    });
+  table.Refused("delta-t-short", "an extent in time, one value short",
+    { "\"brief\"", "124 tuples", "125 are needed" },
+    [](PictureCase& what)
+    {
+      vtkNew<vtkDoubleArray> array;
+      array->SetName("brief");
+      array->SetNumberOfTuples(what.Grid->GetNumberOfPoints() - 1);
+      array->Fill(1.0);
+      what.Grid->GetPointData()->AddArray(array);
+      what.Settings.Arrays.DeltaT = "brief";
+    });
+  table.Refused("layers-short", "layers, one value short", { "\"few\"", "one for each cell" },
+    [](PictureCase& what)
+    {
+      vtkNew<vtkDoubleArray> array;
+      array->SetName("few");
+      array->SetNumberOfTuples(what.Grid->GetNumberOfCells() - 1);
+      array->Fill(1.0);
+      what.Grid->GetCellData()->AddArray(array);
+      what.Settings.How = Blend::Priority;
+      what.Settings.Layers = "few";
     });
   table.Refused("layers-missing", "no array of the layers' name", { "absent" },
     [](PictureCase& what)

@@ -2,7 +2,7 @@
 #ifndef interlume_BoundaryPatches_h
 #define interlume_BoundaryPatches_h
 
-#include "Fields/ArrayRows.h"
+#include "Common/ArrayRows.h"
 
 #include "vtkType.h"
 

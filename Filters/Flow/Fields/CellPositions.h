@@ -3,7 +3,7 @@
 #define interlume_CellPositions_h
 
 #include "Cells/CellTree.h"
-#include "Fields/ArrayRows.h"
+#include "Common/ArrayRows.h"
 
 #include <functional>
 #include <string>

@@ -2,7 +2,7 @@
 #ifndef interlume_FaceLinks_h
 #define interlume_FaceLinks_h
 
-#include "Fields/ArrayRows.h"
+#include "Common/ArrayRows.h"
 
 #include "vtkType.h"
 

@@ -2,8 +2,10 @@
 #include "Fields/FieldVectors.h"
 
 #include "Cells/MultilinearCell.h"
+#include "Common/ArrayCheck.h"
 #include "Common/Blanking.h"
 #include "Common/GridCells.h"
+#include "Fields/FlowField.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
@@ -21,13 +23,6 @@ namespace interlume
 
 namespace
 {
-std::string DescribeCellArray(vtkDataArray* array)
-{
-  return "Array \"" + std::string(array->GetName() ? array->GetName() : "(unnamed)") +
-    "\" is not a point array: it is in the cells; vectors are needed at the points. Apply "
-    "vtkCellDataToPointData (Cell Data to Point Data) first.";
-}
-
 // Describes the point arrays that could be taken.
 std::string DescribeVectors(vtkDataSet* data)
 {
@@ -65,45 +60,22 @@ std::string FieldVectors::Check(
 std::string FieldVectors::CheckVectors(
   vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked)
 {
-  std::ostringstream what;
+  using namespace ArrayCheck;
   if (!vectors)
   {
     const char* name =
       asked->Has(vtkDataObject::FIELD_NAME()) ? asked->Get(vtkDataObject::FIELD_NAME()) : nullptr;
-    vtkDataArray* inCells =
-      name ? data->GetCellData()->GetArray(name) : data->GetCellData()->GetVectors();
-    if (inCells)
+    vectors = name ? data->GetCellData()->GetArray(name) : data->GetCellData()->GetVectors();
+    if (!vectors)
     {
-      return DescribeCellArray(inCells);
+      return MakeSentence(name ? FindPointFault(data, "field", name, 3)
+                               : "the field has no active point vectors") +
+        " " + DescribeVectors(data);
     }
-    what << "The field has no "
-         << (name ? "array of numbers \"" + std::string(name) + "\""
-                  : std::string("active point vectors"))
-         << ". " << DescribeVectors(data);
+    association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
   }
-  else
-  {
-    const std::string name = vectors->GetName() ? vectors->GetName() : "(unnamed)";
-    if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
-    {
-      what << DescribeCellArray(vectors);
-    }
-    else if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
-    {
-      what << "Array \"" << name << "\" is not a point array; vectors are needed at the points.";
-    }
-    else if (vectors->GetNumberOfComponents() != 3)
-    {
-      what << "Array \"" << name << "\" has " << vectors->GetNumberOfComponents()
-           << " components; three are needed.";
-    }
-    else if (vectors->GetNumberOfTuples() != data->GetNumberOfPoints())
-    {
-      what << "Array \"" << name << "\" has " << vectors->GetNumberOfTuples() << " vectors for "
-           << data->GetNumberOfPoints() << " points.";
-    }
-  }
-  return what.str();
+  const std::string wrong = FindPlaceFault(vectors, association);
+  return MakeSentence(wrong.empty() ? FindPointFault(data, vectors, 3) : wrong);
 }
 
 std::string FieldVectors::CompareNames(vtkDataArray* first, vtkDataArray* other)
@@ -134,9 +106,7 @@ std::string FieldVectors::CheckCells(vtkDataSet* data)
       return what.str();
     }
   }
-  return isFlat ? "The field has no three-dimensional cells. Flow in a plane needs two layers of "
-                  "points: append an image to itself along the third axis, extrude other grids."
-                : std::string();
+  return isFlat ? ArrayCheck::MakeSentence(FlowField::GetErrorWithoutCells()) : std::string();
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/FlowField.h"
 
+#include "Common/ArrayCheck.h"
 #include "Common/Blanking.h"
 #include "Common/Vectors.h"
 #include "Fields/SpeedScale.h"
@@ -20,29 +21,10 @@ namespace interlume
 namespace
 {
 
-std::string GetName(vtkDataArray* array)
-{
-  return array->GetName() ? "\"" + std::string(array->GetName()) + "\"" : "without a name";
-}
-
 std::string FindError(vtkDataSet* data, vtkDataArray* array, const char* what, int components)
 {
-  if (!array)
-  {
-    return std::string("there is no array of ") + what;
-  }
-  if (array->GetNumberOfComponents() != components)
-  {
-    return "the array " + GetName(array) + " has " +
-      std::to_string(array->GetNumberOfComponents()) + " components, not " +
-      std::to_string(components);
-  }
-  if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
-  {
-    return "the array " + GetName(array) + " has " + std::to_string(array->GetNumberOfTuples()) +
-      " tuples for " + std::to_string(data->GetNumberOfPoints()) + " points";
-  }
-  return {};
+  return array ? ArrayCheck::FindPointFault(data, array, components)
+               : std::string("there is no array of ") + what;
 }
 
 struct Sums

@@ -3,7 +3,7 @@
 #define interlume_FlowField_h
 
 #include "Common/StageProgress.h"
-#include "Fields/ArrayRows.h"
+#include "Common/ArrayRows.h"
 
 #include "vtkType.h"
 
@@ -36,6 +36,13 @@ namespace interlume
 class FlowField
 {
 public:
+  /// Returns what is wrong with a field of flat cells, as a part of a sentence.
+  static std::string GetErrorWithoutCells()
+  {
+    return "the field has no three-dimensional cells. Flow in a plane needs two layers of points: "
+           "append an image to itself along the third axis, extrude other grids";
+  }
+
   bool IsCellIncluded(vtkIdType cell) const
   {
     return this->Excluded.empty() || !this->Excluded[cell];
@@ -91,12 +98,6 @@ protected:
   /// Finds the largest speed and the vectors that are not finite. \a hasOtherPoints tells whether
   /// there are points that no cell of the field has.
   void Measure(const CellPoints& cells, bool hasOtherPoints);
-
-  static std::string GetErrorWithoutCells()
-  {
-    return "the field has no three-dimensional cells. Flow in a plane needs two layers of points: "
-           "append an image to itself along the third axis, extrude other grids";
-  }
 
 private:
   FlowField(const FlowField&) = delete;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/ImplicitFlowArrays.h"
 
+#include "Common/ArrayCheck.h"
+#include "Common/ArrayViews.h"
+
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkFlowStatus.h"
@@ -14,35 +17,25 @@ static_assert(vtkFlowStatus::REACHED_SURFACE == 0, "IsReached compares with 0");
 namespace
 {
 // Returns what is wrong with a point array of \a data, or nothing; \a typed is the array as an
-// ArrayType.
-template <typename ArrayType>
+// Array.
+template <typename Array>
 std::string FindArray(
-  vtkDataSet* data, const char* name, int components, vtkSmartPointer<ArrayType>& typed)
+  vtkDataSet* data, const char* name, int components, vtkSmartPointer<Array>& typed)
 {
-  vtkDataArray* array = data->GetPointData()->GetArray(name);
-  const std::string start = std::string("The point array \"") + name + "\" ";
-  if (!array)
+  const std::string wrong = ImplicitFlowArrays::CheckArray(data, name, components);
+  if (wrong.empty())
   {
-    return start + "is missing: the input is no implicit flow field.";
+    typed = ArrayViews::Get<Array>(data->GetPointData()->GetArray(name));
   }
-  if (array->GetNumberOfComponents() != components)
-  {
-    return start + "has " + std::to_string(array->GetNumberOfComponents()) + " components; " +
-      std::to_string(components) + " are needed.";
-  }
-  if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
-  {
-    return start + "has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
-      std::to_string(data->GetNumberOfPoints()) + " points.";
-  }
-  typed = ArrayType::SafeDownCast(array);
-  if (!typed)
-  {
-    typed = vtkSmartPointer<ArrayType>::New();
-    typed->DeepCopy(array);
-  }
-  return {};
+  return wrong;
 }
+}
+
+std::string ImplicitFlowArrays::CheckArray(vtkDataSet* data, const char* name, int components)
+{
+  const std::string wrong =
+    ArrayCheck::MakeSentence(ArrayCheck::FindPointFault(data, "input", name, components));
+  return data->GetPointData()->HasArray(name) ? wrong : wrong + " It is no implicit flow field.";
 }
 
 std::map<int, std::array<bool, 2>> ImplicitFlowArrays::ReadFlags(vtkDataSet* data, const char* name)
@@ -83,8 +76,8 @@ std::string ImplicitFlowArrays::Find(vtkDataSet* data)
   vtkDataArray* surfaces = data->GetFieldData()->GetArray(vtkFlowStatus::SurfacesArray());
   if (!surfaces || surfaces->GetNumberOfComponents() != 3)
   {
-    return std::string("The field array \"") + vtkFlowStatus::SurfacesArray() +
-      "\" of 3 components is missing: the input is no implicit flow field.";
+    return std::string("The input has no field array \"") + vtkFlowStatus::SurfacesArray() +
+      "\" of 3 components. It is no implicit flow field.";
   }
   this->Surfaces = ReadFlags(data, vtkFlowStatus::SurfacesArray());
   return {};

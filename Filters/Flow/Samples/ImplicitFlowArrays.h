@@ -2,12 +2,9 @@
 #ifndef interlume_ImplicitFlowArrays_h
 #define interlume_ImplicitFlowArrays_h
 
-#include "vtkDoubleArray.h"
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkFlowStatus.h"
-#include "vtkIntArray.h"
-#include "vtkSignedCharArray.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -31,6 +28,8 @@ public:
   /// Finds the arrays. Returns what is missing or of the wrong shape, or nothing. TerminationSide
   /// may be missing, and AdvectionTime too.
   std::string Find(vtkDataSet* data);
+  /// Returns what is missing or of the wrong shape with one point array, or nothing.
+  static std::string CheckArray(vtkDataSet* data, const char* name, int components);
 
   bool IsReached(vtkIdType point) const { return this->Statuses->GetValue(point) == 0; }
   int GetStatus(vtkIdType point) const { return this->Statuses->GetValue(point); }
@@ -99,11 +98,11 @@ public:
   static std::map<int, std::array<bool, 2>> ReadFlags(vtkDataSet* data, const char* name);
 
 private:
-  vtkSmartPointer<vtkUnsignedCharArray> Statuses;
-  vtkSmartPointer<vtkIntArray> Ids;
-  vtkSmartPointer<vtkDoubleArray> Parameters;
-  vtkSmartPointer<vtkDoubleArray> Times;
-  vtkSmartPointer<vtkSignedCharArray> Sides;
+  vtkSmartPointer<vtkAOSDataArrayTemplate<unsigned char>> Statuses;
+  vtkSmartPointer<vtkAOSDataArrayTemplate<int>> Ids;
+  vtkSmartPointer<vtkAOSDataArrayTemplate<double>> Parameters;
+  vtkSmartPointer<vtkAOSDataArrayTemplate<double>> Times;
+  vtkSmartPointer<vtkAOSDataArrayTemplate<signed char>> Sides;
   std::map<int, std::array<bool, 2>> Surfaces;
 };
 

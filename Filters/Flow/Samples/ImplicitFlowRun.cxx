@@ -2,6 +2,7 @@
 #include "Samples/ImplicitFlowRun.h"
 
 #include "Advection/Advection.h"
+#include "Common/ArrayCheck.h"
 #include "Common/Batches.h"
 #include "Fields/BoundaryPatches.h"
 #include "Fields/FieldDispatch.h"
@@ -184,12 +185,12 @@ std::string ImplicitFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
 {
   for (const std::string& mean : this->Options.MeanArrays)
   {
-    vtkDataArray* array = this->Field->GetPointData()->GetArray(mean.c_str());
-    if (!array || array->GetNumberOfComponents() != 1)
+    const std::string wrong = ArrayCheck::FindPointFault(this->Field, "field", mean, 1);
+    if (!wrong.empty())
     {
-      return "The field has no point array \"" + mean + "\" of one component to take the mean of.";
+      return "There is no mean: " + wrong + ".";
     }
-    means.push_back(array);
+    means.push_back(this->Field->GetPointData()->GetArray(mean.c_str()));
   }
   return {};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/InflowFunction.h"
 
+#include "Common/ArrayCheck.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkExprTkFunctionParser.h"
@@ -102,9 +104,11 @@ std::string InflowFunction::ReadImage()
     return "The image has three dimensions, " + std::to_string(dimensions[0]) + " x " +
       std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) + "; two are needed.";
   }
-  if (!array || array->GetNumberOfTuples() != this->Image->GetNumberOfPoints())
+  const std::string wrong = array ? ArrayCheck::FindPointFault(this->Image, array, 0)
+                                  : "the image has no active point scalars";
+  if (!wrong.empty())
   {
-    return "The image has no active scalars in its points.";
+    return ArrayCheck::MakeSentence(wrong);
   }
   // The image is a plane of any two axes; rows of length 1 are left out by their size.
   this->Size[0] = dimensions[0] > 1 || dimensions[2] == 1 ? dimensions[0] : dimensions[1];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/StreamSurfaceTriangles.h"
 
+#include "Common/ArrayCheck.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -166,27 +168,27 @@ StreamSurfaceTriangles::Points StreamSurfaceTriangles::MakeTriangles(vtkCellArra
 std::string StreamSurfaceTriangles::Read(vtkPointSet* input)
 {
   std::string wrong = this->Arrays.Find(input);
+  if (wrong.empty())
+  {
+    wrong = ImplicitFlowArrays::CheckArray(input, vtkFlowStatus::TimeArray(), 1);
+  }
   if (!wrong.empty())
   {
     return wrong;
   }
-  if (!input->GetPointData()->GetArray(vtkFlowStatus::TimeArray()))
+  wrong = ArrayCheck::FindCellFault(input, "input", vtkFlowStatus::InflowArray(), 1);
+  if (!wrong.empty())
   {
-    return std::string("The point array \"") + vtkFlowStatus::TimeArray() + "\" is missing.";
+    return ArrayCheck::MakeSentence(wrong) + " Stream surfaces of vtkFlowVolume are needed.";
   }
-  vtkDataArray* values = input->GetCellData()->GetArray(vtkFlowStatus::InflowArray());
-  if (!values)
+  wrong = GetTriangles(input, this->Triangles);
+  if (wrong.empty())
   {
-    return std::string("The cell array \"") + vtkFlowStatus::InflowArray() +
-      "\" is missing: the input is no stream surface of vtkFlowVolume.";
-  }
-  std::string wrongCell = GetTriangles(input, this->Triangles);
-  if (wrongCell.empty())
-  {
-    this->FindLevels(values, input->GetNumberOfPoints());
+    this->FindLevels(
+      input->GetCellData()->GetArray(vtkFlowStatus::InflowArray()), input->GetNumberOfPoints());
     this->Places.resize(input->GetNumberOfPoints());
   }
-  return wrongCell;
+  return wrong;
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/TerminationTriangles.h"
 
+#include "Common/ArrayCheck.h"
 #include "Common/FiniteNumbers.h"
 
 #include "vtkCellArray.h"
@@ -51,18 +52,8 @@ std::string CheckTexture(vtkPolyData* data)
   {
     return "the mesh has no texture coordinates: no array is set as its points' TCoords";
   }
-  const std::string name = texture->GetName() ? texture->GetName() : "";
-  if (texture->GetNumberOfComponents() != 2)
-  {
-    return "the mesh's texture coordinates \"" + name + "\" have " +
-      std::to_string(texture->GetNumberOfComponents()) + " components, not 2";
-  }
-  if (texture->GetNumberOfTuples() < data->GetNumberOfPoints())
-  {
-    return "the mesh's texture coordinates \"" + name +
-      "\" have fewer tuples than there are points";
-  }
-  return {};
+  const std::string wrong = ArrayCheck::FindPointFault(data, texture, 2);
+  return wrong.empty() ? wrong : "the mesh's texture coordinates, " + wrong;
 }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Static/ExtractionInput.h"
 
+#include "Common/ArrayCheck.h"
+#include "Common/IntervalCheck.h"
 #include "Static/ExtractionArrays.h"
 
 #include "vtkAbstractArray.h"
@@ -8,6 +10,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkExtractionReport.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkRectilinearGrid.h"
@@ -40,46 +43,13 @@ double FindLeastStep(vtkDataArray* coordinates)
 std::string ExtractionInput::CheckScalars(
   vtkDataSet* input, vtkAbstractArray* array, int association, const std::string& wanted)
 {
-  std::ostringstream what;
   if (!array)
   {
-    what << "No scalar array to process: the input has no " << wanted << ".";
-    return what.str();
+    return "The input has no " + wanted + ".";
   }
-  const std::string name = array->GetName() ? array->GetName() : "(unnamed)";
-  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
-  {
-    what << "Array \"" << name << "\" is not a point array; values are needed at the points.";
-  }
-  else if (!vtkDataArray::SafeDownCast(array))
-  {
-    what << "Array \"" << name << "\" is a " << array->GetClassName() << ", not numbers.";
-  }
-  else if (array->GetNumberOfComponents() != 1)
-  {
-    what << "Array \"" << name << "\" has " << array->GetNumberOfComponents()
-         << " components; one is needed.";
-  }
-  else if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
-  {
-    what << "Array \"" << name << "\" has " << array->GetNumberOfTuples() << " values for "
-         << input->GetNumberOfPoints() << " points.";
-  }
-  return what.str();
-}
-
-std::string ExtractionInput::CheckInterval(const std::string& name, double lower, double upper)
-{
-  std::ostringstream what;
-  if (!std::isfinite(lower) || !std::isfinite(upper))
-  {
-    what << name << " [" << lower << ", " << upper << "] is not finite.";
-  }
-  else if (lower > upper)
-  {
-    what << name << " has lower value " << lower << " above its upper value " << upper << ".";
-  }
-  return what.str();
+  const std::string wrong = ArrayCheck::FindPlaceFault(array, association);
+  return ArrayCheck::MakeSentence(
+    wrong.empty() ? ArrayCheck::FindPointFault(input, array, 1) : wrong);
 }
 
 std::string ExtractionInput::CheckIntervals(const std::vector<std::array<double, 2>>& intervals)
@@ -87,7 +57,7 @@ std::string ExtractionInput::CheckIntervals(const std::vector<std::array<double,
   for (std::size_t i = 0; i < intervals.size(); ++i)
   {
     std::string wrong =
-      CheckInterval("Interval " + std::to_string(i), intervals[i][0], intervals[i][1]);
+      IntervalCheck::Find("Interval " + std::to_string(i), intervals[i][0], intervals[i][1]);
     if (!wrong.empty())
     {
       return wrong;
@@ -147,12 +117,37 @@ std::string ExtractionInput::CheckPolyhedra(vtkIdType numberOfConcave)
       "into convex cells before.";
 }
 
+std::vector<std::string> ExtractionInput::GetWarnings(
+  vtkDataSet* input, int precision, const vtkExtractionReport& report)
+{
+  std::vector<std::string> warnings;
+  if (report.LinearizedCells > 0)
+  {
+    warnings.push_back(std::to_string(report.LinearizedCells) +
+      " quadratic or higher cells are taken as linear, by their corners.");
+  }
+  if (report.UnsupportedCells > 0)
+  {
+    warnings.push_back(std::to_string(report.UnsupportedCells) +
+      " cells have no linear counterpart and are left out.");
+  }
+  for (const std::string& warning :
+    { CheckPolyhedra(report.ConcavePolyhedra), CheckPrecision(input, precision) })
+  {
+    if (!warning.empty())
+    {
+      warnings.push_back(warning);
+    }
+  }
+  return warnings;
+}
+
 std::string ExtractionInput::DescribeArrayToProcess(vtkAlgorithm* owner)
 {
   vtkInformation* info = owner->GetInputArrayInformation(0);
   if (info->Has(vtkDataObject::FIELD_NAME()))
   {
-    return std::string("array \"") + info->Get(vtkDataObject::FIELD_NAME()) + "\"";
+    return std::string("point array \"") + info->Get(vtkDataObject::FIELD_NAME()) + "\"";
   }
   return "active point scalars";
 }

@@ -11,6 +11,7 @@
 class vtkAbstractArray;
 class vtkAlgorithm;
 class vtkDataSet;
+struct vtkExtractionReport;
 
 namespace interlume
 {
@@ -29,9 +30,6 @@ public:
   static std::string CheckScalars(
     vtkDataSet* input, vtkAbstractArray* array, int association, const std::string& wanted);
 
-  /// Returns why lower ... upper is not an interval, or nothing.
-  static std::string CheckInterval(const std::string& name, double lower, double upper);
-
   /// Returns which of several intervals is the first that is not one, and why, or nothing.
   static std::string CheckIntervals(const std::vector<std::array<double, 2>>& intervals);
 
@@ -44,6 +42,11 @@ public:
   static std::string CheckPrecision(vtkDataSet* input, int precision);
   static std::string CheckPolyhedra(vtkIdType numberOfConcave);
   ///@}
+
+  /// Returns what an extraction of that \a report is to warn of, each in words: what is left
+  /// out or taken as something else, and the two above.
+  static std::vector<std::string> GetWarnings(
+    vtkDataSet* input, int precision, const vtkExtractionReport& report);
 
   /// Describes the array that input 0 of \a owner is set to process.
   static std::string DescribeArrayToProcess(vtkAlgorithm* owner);

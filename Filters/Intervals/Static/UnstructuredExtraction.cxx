@@ -619,8 +619,8 @@ private:
 template <typename Array>
 bool Extract(const ExtractionContext& context, vtkUnstructuredGrid* grid, ExtractionMesh& mesh)
 {
-  const auto offsets = GridCells::MakeTyped<Array>(grid->GetCells()->GetOffsetsArray());
-  const auto ids = GridCells::MakeTyped<Array>(grid->GetCells()->GetConnectivityArray());
+  const auto offsets = ArrayViews::Get<Array>(grid->GetCells()->GetOffsetsArray());
+  const auto ids = ArrayViews::Get<Array>(grid->GetCells()->GetConnectivityArray());
   using Stored = typename Array::ValueType;
   const Stored* firstOffset = offsets->GetPointer(0);
   const Stored* firstId = ids->GetPointer(0);

@@ -590,8 +590,8 @@ bool ExtractUnstructured(const ExtractionContext& context, const TimeStep& first
   const TimeStep& second, TimeVaryingMesh& mesh, vtkTimeVaryingReport& report)
 {
   vtkCellArray* stored = first.GetUnstructuredGrid()->GetCells();
-  const auto offsets = GridCells::MakeTyped<Array>(stored->GetOffsetsArray());
-  const auto ids = GridCells::MakeTyped<Array>(stored->GetConnectivityArray());
+  const auto offsets = ArrayViews::Get<Array>(stored->GetOffsetsArray());
+  const auto ids = ArrayViews::Get<Array>(stored->GetConnectivityArray());
   const TimeVaryingUnstructured<typename Array::ValueType> cells(
     first, second, offsets->GetPointer(0), ids->GetPointer(0));
   return Extractor<std::decay_t<decltype(cells)>>(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpatialImage.h"
 
+#include "Common/ArrayCheck.h"
 #include "Common/NamedValue.h"
 #include "Sampling/PartPrinter.h"
 
@@ -101,9 +102,12 @@ std::string vtkSpatialImage::CopyColors()
     return "";
   }
   vtkDataArray* colors = this->Image->GetPointData()->GetArray(this->ColorArrayName.c_str());
-  if (!colors || colors->GetNumberOfComponents() < 3)
+  const bool hasMore = colors && colors->GetNumberOfComponents() > 3;
+  const std::string wrong = interlume::ArrayCheck::FindPointFault(
+    this->Image, "image", this->ColorArrayName, hasMore ? 0 : 3);
+  if (!wrong.empty())
   {
-    return "The image has no point array '" + this->ColorArrayName + "' of three components.";
+    return interlume::ArrayCheck::MakeSentence(wrong);
   }
   const double scale = colors->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
   for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)

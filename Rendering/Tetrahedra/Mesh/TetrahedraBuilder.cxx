@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/TetrahedraBuilder.h"
 
+#include "Common/ArrayCheck.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkCell.h"
 #include "vtkCellArray.h"
@@ -315,9 +317,8 @@ std::string TetrahedraBuilder::BuildColors(const TetrahedraArrays& arrays,
   const bool isDependent = !property->GetIndependentComponents() && components > 1;
   if (isDependent && components > 4)
   {
-    return std::string("the array ") + (scalars->GetName() ? scalars->GetName() : "without name") +
-      " has " + std::to_string(components) +
-      " components; without IndependentComponents it must have 1 to 4";
+    return ArrayCheck::Describe(scalars) + " has " + std::to_string(components) +
+      " components; without IndependentComponents 1 to 4 are needed";
   }
   const int component = GetColoringComponent(scalars, property);
   const std::size_t points = mesh.Points.size() / 3;

@@ -397,9 +397,9 @@ void TestErrors(Check& check)
   scalar->Fill(0.5);
   image->GetPointData()->AddArray(scalar);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Scalar");
-  CheckError(filter, "\"Scalar\" has 1 components; three are needed", check);
+  CheckError(filter, "Array \"Scalar\" has 1 component; 3 are needed", check);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Nowhere");
-  CheckError(filter, "no array of numbers \"Nowhere\"", check);
+  CheckError(filter, "The field has no point array \"Nowhere\"", check);
   vtkNew<vtkTerminationPlane> line;
   line->SetOrigin(0.0, 0.0, 0.0);
   line->SetPoint1(1.0, 0.0, 0.0);

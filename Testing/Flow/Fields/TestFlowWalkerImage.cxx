@@ -288,16 +288,17 @@ void CheckErrors(Check& check)
   auto vectors = AddRandomVectors(image, 1);
   expect(image, nullptr, {}, "there is no array of vectors");
   expect(image, vectors, { nullptr }, "there is no array of numbers");
-  expect(image, vectors, { vectors }, "the array \"velocity\" has 3 components, not 1");
+  expect(image, vectors, { vectors }, "array \"velocity\" has 3 components; 1 is needed");
   vtkNew<vtkDoubleArray> wrong;
   wrong->SetName("wrong");
   wrong->SetNumberOfComponents(2);
   wrong->SetNumberOfTuples(27);
-  expect(image, wrong, {}, "the array \"wrong\" has 2 components, not 3");
+  expect(image, wrong, {}, "array \"wrong\" has 2 components; 3 are needed");
   vtkNew<vtkDoubleArray> shorter;
   shorter->SetNumberOfComponents(3);
   shorter->SetNumberOfTuples(26);
-  expect(image, shorter, {}, "the array without a name has 26 tuples for 27 points");
+  expect(image, shorter, {},
+    "the array without a name has 26 tuples; 27 are needed, one for each point");
   image->SetSpacing(1.0, 0.0, 1.0);
   expect(image, vectors, {}, "the image's spacing and direction matrix have no inverse");
   auto grid = MakeRectilinear(1.0, 1.0, false);

@@ -238,14 +238,14 @@ void CheckMessages(Check& check)
   three->SetNumberOfTuples(4);
   three->Fill(0.0);
   data->GetPointData()->SetTCoords(three);
-  CheckMessage(data, "\"Three\" have 3 components", check);
+  CheckMessage(data, "texture coordinates, array \"Three\" has 3 components; 2 are needed", check);
   vtkNew<vtkDoubleArray> few;
   few->SetName("Few");
   few->SetNumberOfComponents(2);
   few->SetNumberOfTuples(3);
   few->Fill(0.0);
   data->GetPointData()->SetTCoords(few);
-  CheckMessage(data, "\"Few\" have fewer tuples", check);
+  CheckMessage(data, "array \"Few\" has 3 tuples; 4 are needed, one for each point", check);
   for (double bad : { NotANumber, std::numeric_limits<double>::infinity() })
   {
     data = mesh.MakeData();

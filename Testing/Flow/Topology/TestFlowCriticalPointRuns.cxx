@@ -145,14 +145,14 @@ void CheckErrors(Check& check)
   CheckError(filter, "The field has no active point vectors", check);
   SetVelocity(image, LinearField(GenericMatrix, { { 0.0, 0.0, 0.0 } }));
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wind");
-  CheckError(filter, "The field has no array of numbers \"Wind\"", check);
+  CheckError(filter, "The field has no point array \"Wind\"", check);
   vtkNew<vtkFloatArray> wind;
   wind->SetName("Wind");
   wind->SetNumberOfComponents(2);
   wind->SetNumberOfTuples(27);
   image->GetPointData()->AddArray(wind);
   filter->Modified();
-  CheckError(filter, "Array \"Wind\" has 2 components; three are needed", check);
+  CheckError(filter, "Array \"Wind\" has 2 components; 3 are needed", check);
   vtkNew<vtkFloatArray> inCells;
   inCells->SetName("Wind");
   inCells->SetNumberOfComponents(3);

@@ -10,6 +10,7 @@
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkFlowVolume.h"
@@ -68,17 +69,29 @@ void CheckErrors(Check& check)
       [](vtkFlowVolume*, vtkImageData* d) { d->GetPointData()->RemoveArray("TerminationId"); } },
     { "\"TerminationUV\"",
       [](vtkFlowVolume*, vtkImageData* d) { d->GetPointData()->RemoveArray("TerminationUV"); } },
-    { "\"AdvectionTime\"",
+    { "The input has no point array \"AdvectionTime\". It is no implicit flow field.",
       [](vtkFlowVolume*, vtkImageData* d) { d->GetPointData()->RemoveArray("AdvectionTime"); } },
-    { "\"Inflow\"",
+    { "Array \"Inflow\" has 3 components; 1 is needed. Intervals and stream surfaces need that of "
+      "vtkInflowMapping",
+      [](vtkFlowVolume*, vtkImageData* d)
+      {
+        vtkNew<vtkDoubleArray> wide;
+        wide->SetName("Inflow");
+        wide->SetNumberOfComponents(3);
+        wide->SetNumberOfTuples(d->GetNumberOfPoints());
+        d->GetPointData()->AddArray(wide);
+      } },
+    { "The input has no point array \"Inflow\"",
       [](vtkFlowVolume*, vtkImageData* d) { d->GetPointData()->RemoveArray("Inflow"); } },
     { "\"TerminationSurfaces\"",
       [](vtkFlowVolume*, vtkImageData* d)
       { d->GetFieldData()->RemoveArray("TerminationSurfaces"); } },
-    { "Interval 1 begins at 2", [](vtkFlowVolume* v, vtkImageData*) { v->SetInterval(1, 2, 1); } },
+    { "Interval 1 has lower value 2 above its upper value 1.",
+      [](vtkFlowVolume* v, vtkImageData*) { v->SetInterval(1, 2, 1); } },
     { "Interval 0 [nan",
       [](vtkFlowVolume* v, vtkImageData*) { v->SetInterval(0, std::nan(""), 1); } },
-    { "time range begins at 3", [](vtkFlowVolume* v, vtkImageData*) { v->SetTimeRange(3, 2); } },
+    { "time range has lower value 3",
+      [](vtkFlowVolume* v, vtkImageData*) { v->SetTimeRange(3, 2); } },
     { "Stream surface 0",
       [](vtkFlowVolume* v, vtkImageData*) { v->SetStreamSurface(0, INFINITY); } },
     { "Time surface 1", [](vtkFlowVolume* v, vtkImageData*) { v->SetTimeSurface(1, INFINITY); } },
@@ -117,6 +130,11 @@ void CheckErrors(Check& check)
   volume->AddObserver(vtkCommand::ErrorEvent, observer);
   volume->SetStreamSurface(-1, 0.5);
   check.That(observer->GetErrorMessage().find("-1") != std::string::npos, "an index below 0");
+  observer->Clear();
+  volume->SetInterval(10000, 0.0, 1.0);
+  check.That(observer->GetErrorMessage().find("Interval index 10000 is not in 0 to 9999.") !=
+      std::string::npos,
+    "an index beyond the most");
   check.Near(volume->GetStreamSurface(3), 0.0, 0.0, "none there", 1.0);
   volume->SetTimeSurface(2, 0.5);
   check.Equal(volume->GetNumberOfTimeSurfaces(), 3, "surfaces are added");

@@ -289,7 +289,7 @@ void CheckErrors(Check& check)
   mapping->SetImage(4, empty);
   CheckError(mapping, "no points", check);
   empty->SetDimensions(2, 2, 1);
-  CheckError(mapping, "no active scalars", check);
+  CheckError(mapping, "The image has no active point scalars.", check);
   mapping->RemoveMapping(4);
   check.That(MessagesOf(mapping).empty(), "nothing wrong is left");
 

@@ -101,7 +101,7 @@ void CheckErrors(Check& check)
         times->SetNumberOfTuples(grid->GetNumberOfPoints());
         SetTimes(grid, times);
       } },
-    { "too few times", 0.5, { "Time", "3 values", "54 points" },
+    { "too few times", 0.5, { "Time", "3 tuples", "54 are needed, one for each point" },
       [](vtkUnstructuredGrid* grid)
       {
         vtkNew<vtkDoubleArray> times;
