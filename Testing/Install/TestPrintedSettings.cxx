@@ -15,6 +15,7 @@
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
 #include "vtkProjectiveLight.h"
+#include "vtkShadowedScenePass.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkSimplexTimeSlice.h"
 #include "vtkSpatialImage.h"
@@ -85,6 +86,7 @@ std::vector<vtkSmartPointer<vtkObject>> MakeAll()
     Make<vtkIntervalVolume>(),
     Make<vtkIsotableContour>(),
     Make<vtkProjectiveLight>(),
+    Make<vtkShadowedScenePass>(),
     Make<vtkShadowedSliceMapper>(),
     Make<vtkSimplexTimeSlice>(),
     Make<vtkSpatialImage>(),

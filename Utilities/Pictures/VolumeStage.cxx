@@ -89,6 +89,11 @@ void VolumeStage::SetCamera(vtkCamera* camera)
   this->Renderer->SetActiveCamera(camera);
 }
 
+void VolumeStage::SetPass(vtkRenderPass* pass)
+{
+  this->Pass->SetDelegatePass(pass);
+}
+
 vtkRenderer* VolumeStage::GetRenderer()
 {
   return this->Renderer;

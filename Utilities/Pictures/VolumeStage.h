@@ -16,6 +16,7 @@ class vtkActor;
 class vtkCamera;
 class vtkFramebufferPass;
 class vtkLight;
+class vtkRenderPass;
 class vtkRenderer;
 class vtkRenderWindow;
 class vtkVolume;
@@ -49,6 +50,9 @@ public:
   void SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights);
   /// The camera is used as it is, its clipping range as well.
   void SetCamera(vtkCamera* camera);
+  /// Has Capture() draw by this pass, instead of lights, opaque props and volumes one after
+  /// another.
+  void SetPass(vtkRenderPass* pass);
   vtkRenderer* GetRenderer();
   vtkRenderWindow* GetWindow();
 

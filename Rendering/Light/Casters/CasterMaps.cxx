@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Casters/CasterMaps.h"
+
+#include "Loader/OpenGLFunctions.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace interlume
+{
+
+namespace
+{
+int GetColumns(int views)
+{
+  return std::max(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(views)))), 1);
+}
+
+// Appends rows as columns in single precision, as OpenGL takes them.
+void AddColumns(std::vector<float>& values, const std::array<double, 16>& rows)
+{
+  for (int i = 0; i < 16; ++i)
+  {
+    values.push_back(static_cast<float>(rows[4 * (i % 4) + i / 4]));
+  }
+}
+
+// Returns all that the maps depend on.
+std::vector<double> GetState(
+  const CasterViews& views, const std::vector<vtkProp*>& props, int resolution)
+{
+  std::vector<double> state{ static_cast<double>(resolution) };
+  for (const CasterViews::View& view : views.GetViews())
+  {
+    state.insert(state.end(), view.ClipFromWorld.begin(), view.ClipFromWorld.end());
+  }
+  for (vtkProp* prop : props)
+  {
+    // Doubles have all digits of addresses and times that occur.
+    state.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
+    state.push_back(static_cast<double>(prop->GetRedrawMTime()));
+  }
+  return state;
+}
+}
+
+CasterMaps::CasterMaps() = default;
+
+CasterMaps::~CasterMaps() = default;
+
+int CasterMaps::GetLargestResolution(int views)
+{
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  return std::max(static_cast<int>(limit) / GetColumns(views), 1);
+}
+
+std::array<int, 2> CasterMaps::GetTile(int view) const
+{
+  return { { view % this->Columns * this->Resolution, view / this->Columns * this->Resolution } };
+}
+
+std::string CasterMaps::Draw(vtkRenderer* renderer, const CasterViews& views,
+  const std::vector<vtkProp*>& props, int resolution, double bias)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->Drawn = 0;
+  this->Views = views.GetViews();
+  this->Bias = bias;
+  this->Resolution = resolution;
+  const int count = static_cast<int>(this->Views.size());
+  this->Columns = GetColumns(count);
+  const int rows = (count + this->Columns - 1) / this->Columns;
+  std::vector<double> state = GetState(views, props, resolution);
+  if (state == this->State && this->Depths.GetTexture()->GetHandle() != 0)
+  {
+    return {};
+  }
+  this->State.clear();
+  if (!this->Depths.Allocate(window, this->Columns * resolution, rows * resolution))
+  {
+    return "the graphics card has no memory for the depth maps of lights";
+  }
+  vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
+  this->Depths.Draw(window, true,
+    [&]()
+    {
+      renderer->SetActiveCamera(this->Camera);
+      for (int view = 0; view < count; ++view)
+      {
+        CasterViews::SetCamera(this->Views[view], this->Camera);
+        const std::array<int, 2> tile = this->GetTile(view);
+        PropDepths::DrawProps(renderer, props, { { tile[0], tile[1], resolution, resolution } });
+      }
+      renderer->SetActiveCamera(eye);
+    });
+  this->Drawn = count;
+  this->State = std::move(state);
+  return {};
+}
+
+std::string CasterMaps::GetFeatures() const
+{
+  return "CASTER_VIEWS=" + std::to_string(this->Views.size());
+}
+
+void CasterMaps::SetUniforms(
+  vtkShaderProgram* program, const std::array<double, 16>& worldFromPlace) const
+{
+  std::vector<float> clips;
+  std::vector<float> inverses;
+  std::vector<float> tiles;
+  std::vector<float> depths;
+  for (std::size_t i = 0; i < this->Views.size(); ++i)
+  {
+    const CasterViews::View& view = this->Views[i];
+    std::array<double, 16> clip{};
+    vtkMatrix4x4::Multiply4x4(view.ClipFromWorld.data(), worldFromPlace.data(), clip.data());
+    AddColumns(clips, clip);
+    std::array<double, 16> inverse{};
+    vtkMatrix4x4::Invert(clip.data(), inverse.data());
+    AddColumns(inverses, inverse);
+    const std::array<int, 2> tile = this->GetTile(static_cast<int>(i));
+    tiles.insert(tiles.end(),
+      { static_cast<float>(tile[0]), static_cast<float>(tile[1]),
+        static_cast<float>(this->Resolution), static_cast<float>(this->Bias) });
+    depths.insert(depths.end(),
+      { static_cast<float>(view.TexelDepth[0]), static_cast<float>(view.TexelDepth[1]) });
+  }
+  const int count = static_cast<int>(this->Views.size());
+  program->SetUniformi("casterDepths", this->Depths.GetTexture()->GetTextureUnit());
+  program->SetUniformMatrix4x4v("casterFromPlace", count, clips.data());
+  if (program->IsUniformUsed("placeFromCaster"))
+  {
+    program->SetUniformMatrix4x4v("placeFromCaster", count, inverses.data());
+  }
+  program->SetUniform4fv("casterTiles", count, tiles.data());
+  program->SetUniform2fv("casterTexels", count, depths.data());
+}
+
+void CasterMaps::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Depths.ReleaseGraphicsResources(window);
+  this->State.clear();
+}
+
+}

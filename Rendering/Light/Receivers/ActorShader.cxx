@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Receivers/ActorShader.h"
+
+#include "Casters/CasterMaps.h"
+#include "Casters/CasterViews.h"
+#include "Lights/LightSource.h"
+#include "Receivers/LightTransmittance.h"
+
+#include "InterlumeSceneActor.h"
+#include "InterlumeSceneCasters.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkRenderer.h"
+#include "vtkShaderFeatures.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace interlume
+{
+
+namespace
+{
+const std::string DECLARATION_MARK = "//INTERLUME::SceneDec";
+const std::string IMPLEMENTATION_MARK = "//INTERLUME::SceneImpl";
+const std::string LIGHT_COLOR = "lightColor";
+
+std::string Tuple(const std::string& type, const std::array<int, 2>& values)
+{
+  return type + "(" + std::to_string(values[0]) + ", " + std::to_string(values[1]) + ")";
+}
+
+bool Swap(std::string& text, const std::string& mark, const std::string& by)
+{
+  const std::size_t place = text.find(mark);
+  if (place == std::string::npos)
+  {
+    return false;
+  }
+  text.replace(place, mark.size(), by);
+  return true;
+}
+}
+
+bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
+  const CasterViews& views, const CasterMaps& maps, const LightTransmittance& transmittance,
+  vtkTextureObject* depth)
+{
+  this->Maps = &maps;
+  this->Transmittance = &transmittance;
+  this->Depth = depth;
+  vtkMatrix4x4::Invert(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData(),
+    this->WorldFromView.data());
+  std::array<int, 4> viewport{};
+  renderer->GetTiledSizeAndOrigin(&viewport[2], &viewport[3], &viewport[0], &viewport[1]);
+  std::transform(viewport.begin(), viewport.end(), this->Viewport.begin(),
+    [](int value) { return static_cast<float>(value); });
+
+  this->Numbers.clear();
+  this->Lights.clear();
+  vtkLightCollection* collection = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  collection->InitTraversal(iterator);
+  int number = 0;
+  bool hasVolumes = false;
+  while (vtkLight* light = collection->GetNextLight(iterator))
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    const auto source = std::find_if(lights.begin(), lights.end(),
+      [light](const LightSource& other) { return other.Light == light; });
+    Light shadowed;
+    if (source != lights.end() && source->ShadowStrength > 0.0)
+    {
+      shadowed.Strength = static_cast<float>(source->ShadowStrength);
+      if (const CasterViews::Light* seen = views.Find(light))
+      {
+        shadowed.FirstView = seen->FirstView;
+        shadowed.Views = seen->Views;
+      }
+      shadowed.Tile = transmittance.IsUsed() ? transmittance.GetTile(light) : -1;
+    }
+    if (shadowed.Views > 0 || shadowed.Tile >= 0)
+    {
+      this->Numbers.push_back(number);
+      this->Lights.push_back(shadowed);
+      hasVolumes = hasVolumes || shadowed.Tile >= 0;
+    }
+    ++number;
+  }
+  if (this->Lights.empty())
+  {
+    return this->Clear();
+  }
+
+  std::string features = "SCENE_LIGHTS=" + std::to_string(this->Lights.size());
+  features += views.GetViews().empty() ? "" : " CASTER_PLANES " + maps.GetFeatures();
+  if (hasVolumes)
+  {
+    features += " TRANSMITTANCE SCENE_CHANNELS=";
+    features += transmittance.GetChannels() == 1 ? "rrr" : "rgb";
+  }
+  std::string source = InterlumeSceneActor;
+  Swap(source, "//INTERLUME::CASTERS", InterlumeSceneCasters);
+  const std::string declarations = vtkShaderFeatures::Insert(source, features);
+  std::string implementation = hasVolumes ? "  ivec2 scenePixelHere = scenePixel();\n" : "";
+  implementation +=
+    views.GetViews().empty() ? "" : "  vec4 scenePlaneHere = scenePlane(vertexVC.xyz);\n";
+  for (std::size_t i = 0; i < this->Lights.size(); ++i)
+  {
+    const Light& light = this->Lights[i];
+    std::string share = "vec3(1.0)";
+    if (light.Views > 0)
+    {
+      share += " * lightOfCasters(" + std::to_string(light.FirstView) + ", " +
+        std::to_string(light.Views) + ", vertexVC.xyz, scenePlaneHere)";
+    }
+    if (light.Tile >= 0)
+    {
+      share += " * sceneLightOfVolumes(scenePixelHere + " +
+        Tuple("ivec2", transmittance.GetOrigin(light.Tile)) + ")";
+    }
+    implementation += "  vec3 sceneLight" + std::to_string(this->Numbers[i]) + " = sceneLightOf(" +
+      std::to_string(i) + ", " + share + ");\n";
+  }
+  const bool isNew = declarations != this->Declarations || implementation != this->Implementation;
+  this->Declarations = declarations;
+  this->Implementation = implementation;
+  return isNew;
+}
+
+bool ActorShader::Clear()
+{
+  const bool had = !this->Declarations.empty();
+  this->Numbers.clear();
+  this->Lights.clear();
+  this->Declarations.clear();
+  this->Implementation.clear();
+  return had;
+}
+
+void ActorShader::Mark(std::string& fragmentShader)
+{
+  vtkShaderProgram::Substitute(
+    fragmentShader, "//VTK::Light::Dec", DECLARATION_MARK + "\n//VTK::Light::Dec", false);
+  vtkShaderProgram::Substitute(
+    fragmentShader, "//VTK::Light::Impl", IMPLEMENTATION_MARK + "\n//VTK::Light::Impl", false);
+}
+
+bool ActorShader::Replace(std::string& fragmentShader) const
+{
+  const std::size_t mark = fragmentShader.find(IMPLEMENTATION_MARK);
+  const std::size_t body = mark == std::string::npos ? fragmentShader.find("main()") : mark;
+  bool isLit = false;
+  std::string text = fragmentShader;
+  for (std::size_t place = body == std::string::npos ? body : text.find(LIGHT_COLOR, body);
+       place != std::string::npos;)
+  {
+    std::size_t end = place + LIGHT_COLOR.size();
+    while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) != 0)
+    {
+      ++end;
+    }
+    const std::string number =
+      text.substr(place + LIGHT_COLOR.size(), end - place - LIGHT_COLOR.size());
+    const bool isShadowed = !number.empty() &&
+      std::find(this->Numbers.begin(), this->Numbers.end(), std::stoi(number)) !=
+        this->Numbers.end();
+    if (isShadowed)
+    {
+      const std::string product = "(" + LIGHT_COLOR + number + " * sceneLight" + number + ")";
+      text.replace(place, end - place, product);
+      end = place + product.size();
+      isLit = true;
+    }
+    place = text.find(LIGHT_COLOR, end);
+  }
+  if (isLit && mark == std::string::npos)
+  {
+    return false;
+  }
+  fragmentShader = text;
+  Swap(fragmentShader, DECLARATION_MARK, isLit ? this->Declarations : "");
+  Swap(fragmentShader, IMPLEMENTATION_MARK, isLit ? this->Implementation : "");
+  return true;
+}
+
+void ActorShader::SetUniforms(
+  vtkShaderProgram* program, bool isOpaque, bool isOfDepths, vtkTextureObject* placeholder) const
+{
+  if (!program->IsUniformUsed("sceneStrengths"))
+  {
+    return;
+  }
+  std::vector<float> strengths;
+  for (const Light& light : this->Lights)
+  {
+    strengths.push_back(light.Strength);
+  }
+  program->SetUniform1fv("sceneStrengths", static_cast<int>(strengths.size()), strengths.data());
+  const bool hasCasters = program->IsUniformUsed("casterDepths");
+  const bool hasVolumes = program->IsUniformUsed("sceneTransmittance");
+  if (isOfDepths)
+  {
+    // A map that is being drawn cannot be read.
+    for (const char* name : { "casterDepths", "sceneTransmittance", "sceneDepth" })
+    {
+      if (program->IsUniformUsed(name))
+      {
+        program->SetUniformi(name, placeholder->GetTextureUnit());
+      }
+    }
+    return;
+  }
+  if (hasCasters)
+  {
+    this->Maps->SetUniforms(program, this->WorldFromView);
+  }
+  if (hasVolumes)
+  {
+    program->SetUniformi("sceneTransmittance", this->Transmittance->GetTexture()->GetTextureUnit());
+    program->SetUniformi("sceneDepth", this->Depth->GetTextureUnit());
+    program->SetUniformi("sceneIsOpaque", isOpaque ? 1 : 0);
+    program->SetUniform4f("sceneViewport", this->Viewport.data());
+  }
+}
+
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_ActorShader_h
+#define interlume_ActorShader_h
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkTextureObject;
+
+namespace interlume
+{
+
+class CasterMaps;
+class CasterViews;
+class LightTransmittance;
+struct LightSource;
+
+/**
+ * @class   ActorShader
+ * @brief   makes the fragment shaders of VTK's mappers ask which share of each light comes through
+ *
+ * VTK's shaders have `lightColorN` for the light N that is switched on, in all kinds of shading;
+ * each use of it becomes `(lightColorN * sceneLightN)`.
+ */
+class ActorShader
+{
+public:
+  /**
+   * Puts the sources together. \a depth is that of the surfaces that pixels show. Returns whether
+   * they are others than before.
+   */
+  bool Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
+    const CasterViews& views, const CasterMaps& maps, const LightTransmittance& transmittance,
+    vtkTextureObject* depth);
+  /// Takes all away. Returns whether there was something.
+  bool Clear();
+
+  /// Marks where the sources go, in a shader without VTK's parts.
+  static void Mark(std::string& fragmentShader);
+  /// Puts the sources in. Returns false where light falls in a shader that has no place for them.
+  bool Replace(std::string& fragmentShader) const;
+
+  /// Sets the uniforms; the textures are active where not \a isOfDepths. \a placeholder is active
+  /// otherwise.
+  void SetUniforms(
+    vtkShaderProgram* program, bool isOpaque, bool isOfDepths, vtkTextureObject* placeholder) const;
+
+private:
+  struct Light
+  {
+    int FirstView = 0;
+    int Views = 0;
+    int Tile = -1;
+    float Strength = 1.0F;
+  };
+
+  std::vector<int> Numbers;
+  std::vector<Light> Lights;
+  std::string Declarations;
+  std::string Implementation;
+  const CasterMaps* Maps = nullptr;
+  const LightTransmittance* Transmittance = nullptr;
+  vtkTextureObject* Depth = nullptr;
+  std::array<double, 16> WorldFromView{};
+  std::array<float, 4> Viewport{};
+};
+
+}
+
+#endif

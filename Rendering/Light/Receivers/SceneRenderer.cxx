@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Receivers/SceneRenderer.h"
+
+#include "Lights/LightSources.h"
+#include "Loader/OpenGLFunctions.h"
+#include "Space/UnitSpace.h"
+
+#include "vtkActor.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+bool HasBounds(vtkProp* prop)
+{
+  const double* bounds = prop->GetBounds();
+  return bounds && vtkMath::AreBoundsInitialized(bounds) &&
+    std::all_of(bounds, bounds + 6, [](double value) { return std::isfinite(value); });
+}
+
+// Returns whether render passes can change the prop's shaders.
+bool HasSurfaces(vtkProp* prop)
+{
+  return prop->IsA("vtkActor") || prop->IsA("vtkAssembly") || prop->IsA("vtkLODProp3D");
+}
+
+// Returns coordinates of size 1 around all boxes.
+UnitSpace MakeSpace(const std::vector<CasterViews::Box>& boxes)
+{
+  glm::dvec3 lower(VTK_DOUBLE_MAX);
+  glm::dvec3 upper(-VTK_DOUBLE_MAX);
+  for (const CasterViews::Box& box : boxes)
+  {
+    lower = glm::min(lower, glm::dvec3(box[0], box[2], box[4]));
+    upper = glm::max(upper, glm::dvec3(box[1], box[3], box[5]));
+  }
+  UnitSpace space;
+  space.Center = 0.5 * (lower + upper);
+  const double radius = 0.5 * Vectors::SafeLength(upper - lower);
+  space.Radius = radius > 0.0 && std::isfinite(1.0 / radius) ? radius : 1.0;
+  return space;
+}
+}
+
+SceneRenderer::SceneRenderer() = default;
+
+SceneRenderer::~SceneRenderer() = default;
+
+bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request)
+{
+  this->Props.clear();
+  this->Casters.clear();
+  this->Lights.clear();
+  this->Reached.clear();
+  this->Failed.clear();
+  std::vector<CasterViews::Box> boxes;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    if (!prop->GetVisibility() || !HasSurfaces(prop))
+    {
+      continue;
+    }
+    this->Props.push_back(prop);
+    if (prop->HasOpaqueGeometry() && HasBounds(prop))
+    {
+      this->Casters.push_back(prop);
+      boxes.emplace_back();
+      std::copy_n(prop->GetBounds(), 6, boxes.back().begin());
+    }
+  }
+  if (this->Casters.empty())
+  {
+    return false;
+  }
+  const UnitSpace space = MakeSpace(boxes);
+  // Whoever draws the scene without this pass says nothing of such lights either.
+  std::vector<std::string> faults;
+  this->Lights =
+    LightSources::Gather(renderer, space, { true, request.MaximumNumberOfShadows }, faults);
+  this->Views.Fit(this->Lights, space, boxes, request.Resolution);
+  return std::any_of(this->Lights.begin(), this->Lights.end(),
+    [](const LightSource& light) { return light.ShadowStrength > 0.0; });
+}
+
+bool SceneRenderer::UpdatePlaceholder(vtkOpenGLRenderWindow* window)
+{
+  if (this->Window != window)
+  {
+    this->ReleaseGraphicsResources(this->Window);
+    this->Window = window;
+  }
+  if (this->Placeholder->GetHandle() != 0)
+  {
+    return true;
+  }
+  float texel = 1.0F;
+  this->Placeholder->SetContext(window);
+  return this->Placeholder->Create2DFromRaw(1, 1, 1, VTK_FLOAT, &texel);
+}
+
+std::string SceneRenderer::Draw(
+  vtkRenderer* renderer, const Request& request, vtkShadowedSceneReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!HasOpenGL32())
+  {
+    return "OpenGL is older than 3.2";
+  }
+  if (!this->UpdatePlaceholder(window))
+  {
+    return "the graphics card has no memory";
+  }
+  std::string error;
+  this->IsOfDepths = true;
+  this->Placeholder->Activate();
+  const int views = static_cast<int>(this->Views.GetViews().size());
+  if (views > 0)
+  {
+    const int resolution = std::min(request.Resolution, CasterMaps::GetLargestResolution(views));
+    error = this->Maps.Draw(renderer, this->Views, this->Casters, resolution, request.Bias);
+    report.Casters = static_cast<int>(this->Casters.size());
+    report.DepthMaps = views;
+    report.DepthMapsDrawn = this->Maps.GetDrawn();
+    report.DepthMapResolution = resolution;
+    report.DepthMapBytes = this->Maps.GetBytes();
+  }
+  else
+  {
+    this->Maps.ReleaseGraphicsResources(window);
+  }
+  report.Lights = static_cast<int>(this->Views.GetLights().size());
+  this->Placeholder->Deactivate();
+  this->IsOfDepths = false;
+  const bool isNew = error.empty() ? this->Shader.Update(renderer, this->Lights, this->Views,
+                                       this->Maps, this->Transmittance, nullptr)
+                                   : this->Shader.Clear();
+  if (isNew)
+  {
+    this->ShaderTime.Modified();
+  }
+  return error;
+}
+
+void SceneRenderer::Activate()
+{
+  for (vtkTextureObject* texture : { this->Maps.GetTexture() })
+  {
+    if (texture->GetHandle() != 0)
+    {
+      texture->Activate();
+      this->Active.push_back(texture);
+    }
+  }
+}
+
+void SceneRenderer::End()
+{
+  for (vtkTextureObject* texture : this->Active)
+  {
+    texture->Deactivate();
+  }
+  this->Active.clear();
+}
+
+void SceneRenderer::SetUniforms(vtkShaderProgram* program, vtkProp* prop)
+{
+  this->Reached.insert(prop);
+  // Views of the eye and of lights take turns: VTK would keep what it knows of the last camera
+  // where none has been modified since.
+  program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+  this->Shader.SetUniforms(
+    program, prop->HasTranslucentPolygonalGeometry() == 0, this->IsOfDepths, this->Placeholder);
+}
+
+std::vector<vtkProp*> SceneRenderer::TakeUnreached()
+{
+  std::vector<vtkProp*> unreached;
+  for (vtkProp* prop : this->Casters)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+    // An actor with levels of detail draws by others of its own, and VTK's mappers of polygons ask
+    // for shaders wherever they have something to draw.
+    const bool isForeign = mapper && !mapper->IsA("vtkOpenGLPolyDataMapper") &&
+      !prop->IsA("vtkLODActor") && this->Reached.count(prop) == 0;
+    if ((isForeign || this->Failed.count(prop) > 0) && this->Named.insert(prop).second)
+    {
+      unreached.push_back(prop);
+    }
+  }
+  return unreached;
+}
+
+void SceneRenderer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Maps.ReleaseGraphicsResources(window);
+  this->Transmittance.ReleaseGraphicsResources(window);
+  this->Placeholder->ReleaseGraphicsResources(window);
+}
+
+}

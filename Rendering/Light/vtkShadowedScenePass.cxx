@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowedScenePass.h"
+
+#include "Receivers/SceneRenderer.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+
+vtkStandardNewMacro(vtkShadowedScenePass);
+vtkCxxSetObjectMacro(vtkShadowedScenePass, DelegatePass, vtkRenderPass);
+
+vtkShadowedScenePass::vtkShadowedScenePass()
+  : Renderer(std::make_unique<interlume::SceneRenderer>())
+{
+}
+
+vtkShadowedScenePass::~vtkShadowedScenePass()
+{
+  this->SetDelegatePass(nullptr);
+}
+
+void vtkShadowedScenePass::DrawAll(const vtkRenderState* state)
+{
+  if (this->DelegatePass)
+  {
+    this->DelegatePass->Render(state);
+    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
+    return;
+  }
+  vtkRenderer* renderer = state->GetRenderer();
+  this->UpdateCamera(renderer);
+  this->UpdateLightGeometry(renderer);
+  this->UpdateLights(renderer);
+  this->UpdateGeometry(renderer, state->GetFrameBuffer());
+  this->NumberOfRenderedProps = renderer->GetNumberOfPropsRendered();
+}
+
+void vtkShadowedScenePass::Render(const vtkRenderState* state)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->NumberOfRenderedProps = 0;
+  this->Report = vtkShadowedSceneReport();
+  if (!window || !this->Shadows || renderer->GetSelector())
+  {
+    this->DrawAll(state);
+    return;
+  }
+  window->MakeCurrent();
+  // Lights that follow the camera, or that VTK makes where there are none, are known from here on.
+  this->UpdateLightGeometry(renderer);
+  this->UpdateLights(renderer);
+  interlume::SceneRenderer& scene = *this->Renderer;
+  const interlume::SceneRenderer::Request request{ this->MaximumNumberOfShadows,
+    this->DepthMapResolution, this->DepthBias };
+  if (!scene.Begin(renderer, request))
+  {
+    scene.ReleaseGraphicsResources(window);
+    this->DrawAll(state);
+    return;
+  }
+  vtkRenderState surfaces(renderer);
+  surfaces.SetPropArrayAndCount(scene.GetProps().data(), static_cast<int>(scene.GetProps().size()));
+  this->PreRender(&surfaces);
+  const std::string error = scene.Draw(renderer, request, this->Report);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< "The scene is drawn without shadows: " << error);
+  }
+  scene.Activate();
+  this->DrawAll(state);
+  scene.End();
+  this->PostRender(&surfaces);
+  this->WarnOfUnreached();
+}
+
+void vtkShadowedScenePass::WarnOfUnreached()
+{
+  for (vtkProp* prop : this->Renderer->TakeUnreached())
+  {
+    vtkWarningMacro(<< prop->GetClassName() << " (" << static_cast<void*>(prop)
+                    << ") is drawn without shadows: its mapper does not ask render passes for its "
+                       "shaders, or its shader has no place for lights");
+  }
+}
+
+bool vtkShadowedScenePass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  interlume::ActorShader::Mark(fragmentShader);
+  return true;
+}
+
+bool vtkShadowedScenePass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  if (!this->Renderer->GetShader().Replace(fragmentShader))
+  {
+    this->Renderer->SetFailed(prop);
+  }
+  return true;
+}
+
+bool vtkShadowedScenePass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  this->Renderer->SetUniforms(program, prop);
+  return true;
+}
+
+vtkMTimeType vtkShadowedScenePass::GetShaderStageMTime()
+{
+  return this->Renderer->GetShaderTime();
+}
+
+void vtkShadowedScenePass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Renderer->ReleaseGraphicsResources(window);
+  if (this->DelegatePass)
+  {
+    this->DelegatePass->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkShadowedScenePass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DelegatePass: " << this->DelegatePass << "\n";
+  os << indent << "Shadows: " << this->Shadows << "\n";
+  os << indent << "MaximumNumberOfShadows: " << this->MaximumNumberOfShadows << "\n";
+  os << indent << "DepthMapResolution: " << this->DepthMapResolution << "\n";
+  os << indent << "DepthBias: " << this->DepthBias << "\n";
+  os << indent << "Report:\n";
+  this->Report.Print(os, indent.GetNextIndent());
+}

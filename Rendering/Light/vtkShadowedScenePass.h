@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkShadowedScenePass_h
+#define vtkShadowedScenePass_h
+
+#include "InterlumeLightModule.h" // for the export macro
+#include "vtkOpenGLRenderPass.h"
+#include "vtkShadowedSceneReport.h" // for the report
+
+#include <memory> // for what is kept from picture to picture
+#include <string> // for shaders
+
+namespace interlume
+{
+class SceneRenderer;
+}
+
+/**
+ * @class   vtkShadowedScenePass
+ * @brief   draws a renderer's opaque actors and sliced volumes under the same lights
+ *
+ * Surfaces cast shadows on surfaces (C. Zhang, dissertation, Ohio State 2006, 2.5.1). Each light
+ * that casts shadows gets a depth map of all opaque actors that are visible props of the renderer,
+ * inside its view or not. VTK then draws everything as it does by itself, and where its shaders
+ * have the colour I of a light, they have
+ *   I (1 - ShadowAttenuation (1 - V)),
+ * V being the share of the light that comes through. So every vtkOpenGLPolyDataMapper works, with
+ * its properties, textures, normals, vertex colours, clipping planes, physically based and flat
+ * shading, glyphs of vtkOpenGLGlyph3DMapper included, and where no shadow falls it looks as before.
+ *
+ *     vtkNew<vtkShadowedScenePass> pass;
+ *     renderer->SetPass(pass);
+ *
+ * **Depth maps** are drawn again only where lights or actors have changed. V is the share of the
+ * four texels around a place, weighted as for bilinear interpolation, that are not nearer to the
+ * light; edges of shadows are so within half a texel. Instead of a bias that grows with the angle,
+ * the plane of the fragment's own triangle is compared, texel by texel; it is moved by DepthBias
+ * texels towards the light, for what is bent within a texel.
+ *
+ * **Lights** are those of vtkShadowedSliceMapper: switched on and with a ShadowAttenuation above 0.
+ * Actors cast no shadows of headlights, since the eye would not see them. A positional light
+ * outside of the actors has one map, and so has one with a cone of 75 degrees or less; amid the
+ * actors it has six, which show nothing nearer to it than a thousandth of the farthest actor. On
+ * actors a vtkProjectiveLight shines as the spotlight that VTK sees in it, without its image.
+ *
+ * **What does not take part**: translucent actors cast no shadows, receive those of opaque actors,
+ * and are drawn before volumes, as VTK does it. Lines and points cast and receive shadows as wide
+ * as they are in texels of the map. Actors that face the camera, as vtkFollower, are in the maps as
+ * they face the eye's camera. An actor whose mapper does not ask render passes for its shaders, or
+ * has a fragment shader of its own without VTK's parts for light, is drawn without shadows and
+ * named in a warning, once. Where PreserveDepthBuffer is on, actors of other renderers occlude as
+ * ever, but cast no shadows.
+ *
+ * **A scene without opaque actors**, without lights that cast shadows, or a selection by
+ * vtkHardwareSelector, is drawn as if the pass was not there: same picture, no map, no pass.
+ *
+ * Without DelegatePass the pass does all that the renderer does without a pass: camera, lights,
+ * opaque, translucent, volumes, overlay, with the renderer's own settings of depth peeling, FXAA
+ * and others. DelegatePass is what draws instead, as a vtkRenderStepsPass, or a vtkSequencePass
+ * where this pass is itself the delegate of a vtkCameraPass.
+ *
+ * Errors (vtkErrorMacro; drawn without shadows then): OpenGL older than 3.2; depth maps that do not
+ * fit into the graphics card's memory.
+ *
+ * @sa vtkShadowedSliceMapper vtkShadowedSceneReport vtkShadowMapPass
+ */
+class INTERLUMELIGHT_EXPORT vtkShadowedScenePass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkShadowedScenePass* New();
+  vtkTypeMacro(vtkShadowedScenePass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What draws the scene. Default null: all that the renderer draws without a pass.
+   */
+  virtual void SetDelegatePass(vtkRenderPass* pass);
+  vtkGetObjectMacro(DelegatePass, vtkRenderPass);
+  ///@}
+
+  ///@{
+  /**
+   * Whether there are shadows. Off, everything is drawn as if the pass was not there. Default on.
+   */
+  vtkSetMacro(Shadows, bool);
+  vtkGetMacro(Shadows, bool);
+  vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The largest number of lights that cast shadows, the brightest ones. Default 16. Valid: 0 to 16.
+   */
+  vtkSetClampMacro(MaximumNumberOfShadows, int, 0, 16);
+  vtkGetMacro(MaximumNumberOfShadows, int);
+  ///@}
+
+  ///@{
+  /**
+   * The number of columns and rows of each depth map. Default 1024. Valid: 16 to 8192; what does
+   * not fit into one texture for all maps is made smaller, and the report has what is in use.
+   */
+  vtkSetClampMacro(DepthMapResolution, int, 16, 8192);
+  vtkGetMacro(DepthMapResolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * How far surfaces are moved towards the light where they are compared with its depth map, in
+   * widths of the map's texels. Less than what is too little shows as specks on bent surfaces,
+   * more lets light through where surfaces touch. Default 1. Valid: 0 to 100.
+   */
+  vtkSetClampMacro(DepthBias, double, 0.0, 100.0);
+  vtkGetMacro(DepthBias, double);
+  ///@}
+
+  /**
+   * Returns what the last picture took.
+   */
+  const vtkShadowedSceneReport& GetReport() const { return this->Report; }
+
+  /**
+   * WARNING: the following are for VTK only.
+   */
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* vertices = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+
+protected:
+  vtkShadowedScenePass();
+  ~vtkShadowedScenePass() override;
+
+private:
+  vtkShadowedScenePass(const vtkShadowedScenePass&) = delete;
+  void operator=(const vtkShadowedScenePass&) = delete;
+
+  /// Draws what the renderer draws without a pass, or the delegate.
+  void DrawAll(const vtkRenderState* state);
+  void WarnOfUnreached();
+
+  vtkRenderPass* DelegatePass = nullptr;
+  bool Shadows = true;
+  int MaximumNumberOfShadows = 16;
+  int DepthMapResolution = 1024;
+  double DepthBias = 1.0;
+  vtkShadowedSceneReport Report;
+  std::unique_ptr<interlume::SceneRenderer> Renderer;
+};
+
+#endif

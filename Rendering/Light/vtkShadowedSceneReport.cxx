@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowedSceneReport.h"
+
+void vtkShadowedSceneReport::Print(ostream& os, vtkIndent indent) const
+{
+  os << indent << "Casters: " << this->Casters << "\n";
+  os << indent << "Lights: " << this->Lights << "\n";
+  os << indent << "Volumes: " << this->Volumes << "\n";
+  os << indent << "DepthMaps: " << this->DepthMaps << "\n";
+  os << indent << "DepthMapsDrawn: " << this->DepthMapsDrawn << "\n";
+  os << indent << "DepthMapResolution: " << this->DepthMapResolution << "\n";
+  os << indent << "EyeDepthPasses: " << this->EyeDepthPasses << "\n";
+  os << indent << "PixelsBefore: " << this->PixelsBefore << "\n";
+  os << indent << "PixelsWithin: " << this->PixelsWithin << "\n";
+  os << indent << "PixelsBehind: " << this->PixelsBehind << "\n";
+  os << indent << "ReceiverPasses: " << this->ReceiverPasses << "\n";
+  os << indent << "DepthMapBytes: " << this->DepthMapBytes << "\n";
+  os << indent << "EyeDepthBytes: " << this->EyeDepthBytes << "\n";
+  os << indent << "TransmittanceBytes: " << this->TransmittanceBytes << "\n";
+}

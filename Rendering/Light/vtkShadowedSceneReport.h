@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkShadowedSceneReport_h
+#define vtkShadowedSceneReport_h
+
+#include "InterlumeLightModule.h" // for the export macro
+#include "vtkIndent.h"
+#include "vtkType.h"
+
+/**
+ * @class   vtkShadowedSceneReport
+ * @brief   what vtkShadowedScenePass did in its last picture
+ *
+ * This is a plain value object. Counts of what was not done are 0: all of them are where a scene
+ * has no opaque actor or no light that casts shadows.
+ *
+ * @sa vtkShadowedScenePass
+ */
+struct INTERLUMELIGHT_EXPORT vtkShadowedSceneReport
+{
+  /// The numbers of opaque actors that cast shadows, of lights that they cast them of, and of
+  /// volumes that take part.
+  int Casters = 0;
+  int Lights = 0;
+  int Volumes = 0;
+  /// The number of depth maps of lights (six for a light amid the actors, else one), of those drawn
+  /// for this picture, and the columns and rows of each.
+  int DepthMaps = 0;
+  int DepthMapsDrawn = 0;
+  int DepthMapResolution = 0;
+  /// The number of passes that drew the depth that the eye sees, 0 or 1: only volumes need it.
+  int EyeDepthPasses = 0;
+  /// The numbers of pixels whose surface lies before, within and behind the slices of volumes, in
+  /// the direction of light: the regions 1, 2 and 3 of the source's table 2.1, summed over sweeps.
+  vtkIdType PixelsBefore = 0;
+  vtkIdType PixelsWithin = 0;
+  vtkIdType PixelsBehind = 0;
+  /// The number of passes that looked up what light volumes leave at these pixels: one for each
+  /// light, and slab with surfaces.
+  int ReceiverPasses = 0;
+  /// The bytes of depth maps, of the eye's depth, and of the light that volumes leave.
+  vtkIdType DepthMapBytes = 0;
+  vtkIdType EyeDepthBytes = 0;
+  vtkIdType TransmittanceBytes = 0;
+
+  void Print(ostream& os, vtkIndent indent) const;
+};
+
+#endif
