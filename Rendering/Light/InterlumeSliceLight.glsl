@@ -277,7 +277,12 @@ void shine_INDEX(inout vec3 sum)
     return;
   }
 #ifdef SHADOW_INDEX
+#ifdef CASTERS_INDEX
+  float ofCasters = lightOfCasters(CASTER_FIRST_INDEX, CASTER_COUNT_INDEX, sampleAt, vec4(0.0));
+  color *= 1.0 - strength_INDEX * (1.0 - ofCasters * getTransmittance_INDEX(l));
+#else
   color *= 1.0 - strength_INDEX * (1.0 - getTransmittance_INDEX(l));
+#endif
 #ifdef WIDE_INDEX
   color *= dot(sampleAt - position_INDEX, sliceNormal) > 0.0 ? 1.0 : 0.0;
 #endif

@@ -8,6 +8,9 @@
 #include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 vtkStandardNewMacro(vtkShadowedScenePass);
 vtkCxxSetObjectMacro(vtkShadowedScenePass, DelegatePass, vtkRenderPass);
@@ -56,7 +59,8 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   interlume::SceneRenderer& scene = *this->Renderer;
   const interlume::SceneRenderer::Request request{ this->MaximumNumberOfShadows,
     this->DepthMapResolution, this->DepthBias };
-  if (!scene.Begin(renderer, request))
+  this->FindVolumes(renderer);
+  if (!scene.Begin(renderer, request, !this->Volumes.empty()))
   {
     scene.ReleaseGraphicsResources(window);
     this->DrawAll(state);
@@ -65,16 +69,67 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   vtkRenderState surfaces(renderer);
   surfaces.SetPropArrayAndCount(scene.GetProps().data(), static_cast<int>(scene.GetProps().size()));
   this->PreRender(&surfaces);
-  const std::string error = scene.Draw(renderer, request, this->Report);
+  const std::string error = this->DrawAhead(renderer);
   if (!error.empty())
   {
     vtkErrorMacro(<< "The scene is drawn without shadows: " << error);
   }
+  scene.MakeShader(renderer, error.empty(), this->Report);
   scene.Activate();
   this->DrawAll(state);
   scene.End();
+  for (vtkVolume* volume : this->Volumes)
+  {
+    vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper())->EndScene();
+  }
   this->PostRender(&surfaces);
   this->WarnOfUnreached();
+}
+
+void vtkShadowedScenePass::FindVolumes(vtkRenderer* renderer)
+{
+  this->Volumes.clear();
+  vtkVolumeCollection* volumes = renderer->GetVolumes();
+  vtkCollectionSimpleIterator iterator;
+  volumes->InitTraversal(iterator);
+  while (vtkVolume* volume = volumes->GetNextVolume(iterator))
+  {
+    auto* mapper = vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper());
+    if (volume->GetVisibility() && mapper && mapper->GetShadows() && mapper->GetDataObjectInput())
+    {
+      this->Volumes.push_back(volume);
+    }
+  }
+}
+
+std::string vtkShadowedScenePass::DrawAhead(vtkRenderer* renderer)
+{
+  interlume::SceneRenderer& scene = *this->Renderer;
+  std::string error = scene.DrawMaps(renderer, this->Report);
+  if (!error.empty() || this->Volumes.empty())
+  {
+    return error;
+  }
+  int channels = 1;
+  for (vtkVolume* volume : this->Volumes)
+  {
+    auto* mapper = vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper());
+    channels = mapper->GetTransmissionColor() ? 3 : channels;
+  }
+  error = scene.DrawEyeDepth(renderer, channels, this->Report);
+  for (vtkVolume* volume : this->Volumes)
+  {
+    if (error.empty())
+    {
+      // What vtkVolume does before it draws.
+      volume->Update();
+      volume->GetProperty();
+      vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper())
+        ->DrawAhead(renderer, volume, &scene.GetScene());
+      ++this->Report.Volumes;
+    }
+  }
+  return error;
 }
 
 void vtkShadowedScenePass::WarnOfUnreached()

@@ -8,6 +8,9 @@
 
 #include <memory> // for what is kept from picture to picture
 #include <string> // for shaders
+#include <vector> // for volumes
+
+class vtkVolume;
 
 namespace interlume
 {
@@ -142,6 +145,8 @@ private:
 
   /// Draws what the renderer draws without a pass, or the delegate.
   void DrawAll(const vtkRenderState* state);
+  std::string DrawAhead(vtkRenderer* renderer);
+  void FindVolumes(vtkRenderer* renderer);
   void WarnOfUnreached();
 
   vtkRenderPass* DelegatePass = nullptr;
@@ -151,6 +156,8 @@ private:
   double DepthBias = 1.0;
   vtkShadowedSceneReport Report;
   std::unique_ptr<interlume::SceneRenderer> Renderer;
+  /// The volumes of the picture that is being drawn.
+  std::vector<vtkVolume*> Volumes;
 };
 
 #endif

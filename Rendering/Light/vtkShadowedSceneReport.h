@@ -29,8 +29,9 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSceneReport
   int DepthMapResolution = 0;
   /// The number of passes that drew the depth that the eye sees, 0 or 1: only volumes need it.
   int EyeDepthPasses = 0;
-  /// The numbers of pixels whose surface lies before, within and behind the slices of volumes, in
-  /// the direction of light: the regions 1, 2 and 3 of the source's table 2.1, summed over sweeps.
+  /// The numbers of pixels with a surface that no light reaches through a volume, that lies within
+  /// the slices of a volume, and that lies behind all of them, in the direction of light: the
+  /// regions 1, 2 and 3 of the source's table 2.1, summed over sweeps and volumes.
   vtkIdType PixelsBefore = 0;
   vtkIdType PixelsWithin = 0;
   vtkIdType PixelsBehind = 0;

@@ -93,6 +93,24 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
                        "translucent polygons, as without it");
   }
+  if (this->IsAhead)
+  {
+    this->Renderer->ShowLast(renderer);
+    return;
+  }
+  this->Draw(renderer, volume, nullptr);
+}
+
+void vtkShadowedSliceMapper::DrawAhead(
+  vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene)
+{
+  this->Draw(renderer, volume, scene);
+  this->IsAhead = true;
+}
+
+void vtkShadowedSliceMapper::Draw(
+  vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene)
+{
   auto* image = vtkImageData::SafeDownCast(this->GetInput());
   int width = 0;
   int height = 0;
@@ -111,6 +129,7 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   request.Cropping = this->Cropping != 0;
   std::copy_n(this->CroppingRegionPlanes, 6, request.CroppingPlanes.begin());
   request.CroppingFlags = this->CroppingRegionFlags;
+  request.Scene = scene;
   std::vector<std::string> warnings;
   std::string error = this->BlendMode == COMPOSITE_BLEND
     ? this->FindScalars(image, request.Scalars, request.IsOfCells)
@@ -119,7 +138,7 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     error = this->Renderer->Render(renderer, volume, request, warnings, this->RenderReport);
   }
-  else
+  else if (!scene)
   {
     this->Renderer->ShowLast(renderer);
   }

@@ -20,6 +20,7 @@ class vtkLight;
 namespace interlume
 {
 class SliceRenderer;
+struct SliceScene;
 }
 
 /**
@@ -275,6 +276,12 @@ private:
   vtkShadowedSliceMapper(const vtkShadowedSliceMapper&) = delete;
   void operator=(const vtkShadowedSliceMapper&) = delete;
 
+  friend class vtkShadowedScenePass;
+  /// Draws the picture ahead as a part of \a scene. Render shows it until EndScene.
+  void DrawAhead(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene);
+  void EndScene() { this->IsAhead = false; }
+  void Draw(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene);
+
   std::string FindScalars(vtkImageData* image, vtkDataArray*& scalars, bool& isOfCells);
   void ReportFaults(vtkImageData* image, vtkDataArray* scalars, const std::string& error,
     const std::vector<std::string>& warnings);
@@ -283,6 +290,7 @@ private:
   vtkMTimeType ErrorTime = 0;
   std::string ErrorText;
   vtkMTimeType WarningTime = 0;
+  bool IsAhead = false;
   std::unique_ptr<vtkDepthPeels> Peels;
   std::unique_ptr<interlume::SliceRenderer> Renderer;
 };

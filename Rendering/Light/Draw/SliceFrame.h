@@ -17,6 +17,8 @@
 namespace interlume
 {
 
+struct SliceScene;
+
 /**
  * @class   SliceFrame
  * @brief   all that a picture of slices is made of
@@ -53,6 +55,9 @@ struct SliceFrame
 
   bool IsSmoothLookup = true;
   bool MayBeOccluded = false;
+
+  /// The scene that the picture is part of; null for a picture by itself.
+  SliceScene* Scene = nullptr;
 
   bool HasShadows() const
   {

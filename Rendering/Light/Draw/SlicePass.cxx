@@ -52,6 +52,16 @@ void SlicePass::Draw(
   this->Vertices->Release();
 }
 
+void SlicePass::DrawPoints(
+  vtkOpenGLRenderWindow* window, std::size_t first, std::size_t count, double entrance)
+{
+  window->GetShaderCache()->ReadyShaderProgram(this->Program);
+  this->Program->SetUniformf("sliceEntrance", static_cast<float>(entrance));
+  this->Vertices->Bind();
+  glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(count));
+  this->Vertices->Release();
+}
+
 void SlicePass::ReleaseGraphicsResources()
 {
   this->Vertices->ReleaseGraphicsResources();

@@ -39,6 +39,10 @@ public:
   void Draw(vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts, int slab,
     double entrance);
 
+  /// Draws so many vertices as points, of a slab that begins at \a entrance.
+  void DrawPoints(
+    vtkOpenGLRenderWindow* window, std::size_t first, std::size_t count, double entrance);
+
   void ReleaseGraphicsResources();
 
 private:

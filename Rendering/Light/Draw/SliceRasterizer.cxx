@@ -2,7 +2,9 @@
 #include "Draw/SliceRasterizer.h"
 
 #include "Draw/SliceShader.h"
+#include "Casters/CasterMaps.h"
 #include "Loader/OpenGLFunctions.h"
+#include "Receivers/SliceScene.h"
 
 #include "InterlumeSliceSelectionFS.h"
 #include "vtkFloatTarget.h"
@@ -99,7 +101,7 @@ std::string SliceRasterizer::PrepareImage(
   {
     this->SweepImage->ReleaseGraphicsResources(window);
   }
-  if (this->HasOpaqueDepth)
+  if (this->HasOpaqueDepth && !frame.Scene)
   {
     ++report.ImageBuffers;
     report.ImageBufferBytes += static_cast<vtkIdType>(sizeof(float)) *
@@ -172,7 +174,12 @@ std::string SliceRasterizer::Draw(vtkRenderer* renderer, const SliceFrame& frame
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   this->HasOpaqueDepth = false;
-  if (frame.MayBeOccluded)
+  if (frame.Scene)
+  {
+    this->HasOpaqueDepth = true;
+    this->OpaqueDepth->ReleaseGraphicsResources(window);
+  }
+  else if (frame.MayBeOccluded)
   {
     this->OpaqueDepth->SetContext(window);
     this->HasOpaqueDepth = vtkSceneDepth::CopyTo(renderer, this->OpaqueDepth);
@@ -228,7 +235,11 @@ void SliceRasterizer::ActivateTextures(vtkOpenGLRenderWindow* window, const Slic
   this->Textures.Activate(program);
   if (this->HasOpaqueDepth)
   {
-    activate(this->OpaqueDepth, "opaqueDepth");
+    activate(frame.Scene ? frame.Scene->EyeDepth : this->OpaqueDepth.Get(), "opaqueDepth");
+  }
+  if (program->IsUniformUsed("casterDepths"))
+  {
+    activate(frame.Scene->Maps->GetTexture(), "casterDepths");
   }
   const std::size_t shadowed = frame.Plan.Sweeps[sweepIndex].Lights.size();
   std::size_t number = 0;
@@ -334,6 +345,10 @@ std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const Slic
   {
     error = this->PrepareEye(window, frame, sweepIndex, report);
   }
+  if (error.empty() && frame.Scene)
+  {
+    error = this->BeginReceivers(window, frame, sweepIndex);
+  }
   if (!error.empty())
   {
     this->DeactivateTextures();
@@ -355,6 +370,10 @@ std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const Slic
     }
     this->DrawEyeSlab(window, frame, sweep, slab);
     ++report.EyePasses;
+    if (frame.Scene)
+    {
+      this->Receivers.Draw(window, slab);
+    }
     for (const SlicePlan::ShadowedLight& light : sweep.Lights)
     {
       report.LightPasses +=
@@ -366,9 +385,24 @@ std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const Slic
       report.OcclusionPasses += this->MarkOccluded(window, sweep);
     }
   }
+  if (frame.Scene)
+  {
+    this->Receivers.Draw(window, sweep.Slabs);
+  }
   this->DeactivateTextures();
   report.SlicesDrawn += drawn;
   return {};
+}
+
+std::string SliceRasterizer::BeginReceivers(
+  vtkOpenGLRenderWindow* window, const SliceFrame& frame, std::size_t sweepIndex)
+{
+  std::vector<vtkTextureObject*> buffers;
+  for (const SlicePlan::ShadowedLight& light : frame.Plan.Sweeps[sweepIndex].Lights)
+  {
+    buffers.push_back(this->GetLightBuffer(light.Light).GetTexture());
+  }
+  return this->Receivers.Begin(window, frame, sweepIndex, this->Textures, buffers);
 }
 
 void SliceRasterizer::KeepLayers(vtkOpenGLRenderWindow* window, const Sweep& sweep, int slab)
@@ -520,6 +554,7 @@ void SliceRasterizer::ReleaseGraphicsResources(vtkWindow* window)
   this->Lights.clear();
   this->Eye.ReleaseGraphicsResources();
   this->ThickEye.ReleaseGraphicsResources();
+  this->Receivers.ReleaseGraphicsResources();
   this->Vertices->ReleaseGraphicsResources();
   this->Quad.ReleaseGraphicsResources(window);
   this->SumQuad.ReleaseGraphicsResources(window);

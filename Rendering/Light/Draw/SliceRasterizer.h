@@ -6,6 +6,7 @@
 #include "Draw/SliceLightBuffer.h"
 #include "Draw/SliceOcclusion.h"
 #include "Draw/SlicePass.h"
+#include "Draw/SliceReceivers.h"
 #include "Draw/SliceTextures.h"
 #include "Plan/SlicePolygons.h"
 
@@ -78,6 +79,9 @@ private:
     std::size_t sweepIndex, const std::function<bool()>& isAborted, vtkShadowedSliceReport& report);
   std::string PrepareEye(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
     std::size_t sweepIndex, vtkShadowedSliceReport& report);
+  /// Makes the surfaces of the scene ready, where there is one.
+  std::string BeginReceivers(
+    vtkOpenGLRenderWindow* window, const SliceFrame& frame, std::size_t sweepIndex);
   void ActivateTextures(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
     std::size_t sweepIndex, vtkShaderProgram* program, vtkShadowedSliceReport& report);
   void DeactivateTextures();
@@ -106,6 +110,7 @@ private:
   SlicePass ThickEye;
   bool HasThickPart = false;
   bool HasThinPart = true;
+  SliceReceivers Receivers;
   SliceOcclusion Occlusion;
   std::vector<std::unique_ptr<SliceLightBuffer>> Lights;
   std::vector<vtkTextureObject*> Active;

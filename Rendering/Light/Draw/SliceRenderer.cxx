@@ -306,6 +306,7 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
   this->UpdateShading(volume);
   frame.SurfaceGradient = request.Settings.SurfaceGradient;
   frame.IsSmoothLookup = request.Settings.LightLookup == vtkShadowedSliceSettings::BILINEAR_LIGHT;
+  frame.Scene = request.Scene;
   frame.MayBeOccluded = vtkOpaqueProps::MayOcclude(renderer, volume);
 
   SlicePlan::Settings settings;
@@ -347,7 +348,13 @@ std::string SliceRenderer::Render(vtkRenderer* renderer, vtkVolume* volume, cons
     const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
     error = resources->Rasterizer.Draw(renderer, this->Frame, isAborted, report);
   }
-  if (window && renderer->GetSelector())
+  // The scene is gone when the picture has been drawn.
+  this->Frame.Scene = nullptr;
+  if (request.Scene)
+  {
+    report.Seconds = vtkTimerLog::GetUniversalTime() - start;
+  }
+  else if (window && renderer->GetSelector())
   {
     ShowSelection(renderer->GetSelector(), window, resources->Rasterizer);
   }

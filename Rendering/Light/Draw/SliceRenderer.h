@@ -26,6 +26,7 @@ namespace interlume
 {
 
 class SliceRasterizer;
+struct SliceScene;
 
 /**
  * @class   SliceRenderer
@@ -45,6 +46,8 @@ public:
     bool Cropping = false;
     std::array<double, 6> CroppingPlanes{};
     int CroppingFlags = 0;
+    /// The scene that the picture is drawn ahead for, and not shown yet; else null.
+    SliceScene* Scene = nullptr;
   };
 
   SliceRenderer();

@@ -3,10 +3,16 @@
 
 #include "Common/Vectors.h"
 
+#include "Casters/CasterMaps.h"
+#include "Casters/CasterViews.h"
+#include "Receivers/SliceScene.h"
+
+#include "InterlumeSceneCasters.h"
 #include "InterlumeSliceFS.h"
 #include "InterlumeSliceLight.h"
 #include "InterlumeSliceLightFS.h"
 #include "InterlumeSliceMedium.h"
+#include "InterlumeSliceReceiverFS.h"
 #include "vtkMatrix4x4.h"
 #include "vtkProjectiveLight.h"
 #include "vtkShaderFeatures.h"
@@ -82,6 +88,23 @@ std::string GetLightFeatures(const LightSource& light, const ShadowedLight* shad
   add(shadow != nullptr, "SHADOW");
   add(shadow && shadow->IsWide, "WIDE");
   return features;
+}
+
+// Returns whether surfaces of the scene cast shadows in the volume.
+bool HasCasters(const SliceFrame& frame)
+{
+  return frame.Scene && frame.HasShadows() && !frame.Scene->Views->GetViews().empty();
+}
+
+// Returns where a light has its views of the surfaces that cast shadows.
+std::string GetCasterFeatures(const SliceFrame& frame, int light, int number)
+{
+  const CasterViews::Light* seen =
+    HasCasters(frame) ? frame.Scene->Views->Find(frame.Lights[light].Light) : nullptr;
+  const std::string suffix = "_" + std::to_string(number);
+  return seen ? " CASTERS" + suffix + " CASTER_FIRST" + suffix + "=" +
+      std::to_string(seen->FirstView) + " CASTER_COUNT" + suffix + "=" + std::to_string(seen->Views)
+              : std::string();
 }
 
 // Returns the eye's program with these features, the sources of its lights, and the calls of them.
@@ -370,11 +393,17 @@ std::string SliceShader::GetEyeSource(
   features += HasTransmission(frame) ? " TRANSMISSION" : "";
   std::string lights;
   std::string calls;
+  if (HasCasters(frame))
+  {
+    features += " " + frame.Scene->Maps->GetFeatures();
+    lights = InterlumeSceneCasters;
+  }
   int number = 0;
   for (int light : GetLightsOf(frame, sweep))
   {
     features +=
       GetLightFeatures(frame.Lights[light], FindShadow(frame.Plan.Sweeps[sweep], light), number);
+    features += GetCasterFeatures(frame, light, number);
     lights += Replace(InterlumeSliceLight, "INDEX", std::to_string(number));
     calls += "shine_" + std::to_string(number) + "(color);\n";
     ++number;
@@ -393,6 +422,20 @@ std::string SliceShader::GetLightSource(
   features += " LIGHT_NUMBER=" + std::to_string(light.Light);
   const std::string source =
     Replace(InterlumeSliceLightFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
+  return vtkShaderFeatures::Insert(source, features);
+}
+
+std::string SliceShader::GetReceiverSource(
+  const SliceFrame& frame, const SlicePlan::ShadowedLight& light)
+{
+  std::string features = GetMediumFeatures(frame);
+  features += HasTransmission(frame) ? " TRANSMISSION" : "";
+  features += frame.IsSmoothLookup ? "" : " NEAREST_LIGHT";
+  features += GetLightFeatures(frame.Lights[light.Light], &light, 0);
+  features += " LIGHT_NUMBER=" + std::to_string(light.Light);
+  std::string source =
+    Replace(InterlumeSliceReceiverFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
+  source = Replace(source, "//INTERLUME::LIGHTS", Replace(InterlumeSliceLight, "INDEX", "0"));
   return vtkShaderFeatures::Insert(source, features);
 }
 
@@ -416,6 +459,7 @@ std::string SliceShader::GetNames(const SliceFrame& frame, bool isOccluded)
   add(frame.IsShaded, "shade");
   add(frame.HasShadows(), "shadow");
   add(HasTransmission(frame), "transmission");
+  add(HasCasters(frame), "casters");
   bool isWide = false;
   for (const Sweep& sweep : frame.Plan.Sweeps)
   {
@@ -460,6 +504,14 @@ void SliceShader::SetEyeUniforms(
   if (!frame.IsLit())
   {
     return;
+  }
+  if (program->IsUniformUsed("casterDepths"))
+  {
+    const double radius = frame.Space.Radius;
+    const glm::dvec3& center = frame.Space.Center;
+    frame.Scene->Maps->SetUniforms(program,
+      { { radius, 0.0, 0.0, center.x, 0.0, radius, 0.0, center.y, 0.0, 0.0, radius, center.z, 0.0,
+        0.0, 0.0, 1.0 } });
   }
   std::vector<float> materials;
   for (int row = 0; row < frame.Material.Rows; ++row)
@@ -514,6 +566,14 @@ void SliceShader::SetLightUniforms(vtkShaderProgram* program, const SliceFrame& 
   {
     SetVector(program, "direction", source.Direction);
   }
+}
+
+void SliceShader::SetReceiverUniforms(vtkShaderProgram* program, const SliceFrame& frame,
+  const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light)
+{
+  SetMediumUniforms(program, frame, sweep);
+  SetMatrix(program, "clipFromUnit", frame.Eye.ClipFromUnit);
+  SetLight(program, frame.Lights[light.Light], &light, "_0");
 }
 
 }

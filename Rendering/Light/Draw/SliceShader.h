@@ -45,6 +45,11 @@ public:
   /// light, which so keeps its uniforms from slab to slab.
   static std::string GetLightSource(const SliceFrame& frame, const SlicePlan::ShadowedLight& light);
 
+  /// Returns the source of the shader for the surfaces of a scene that a light shines on,
+  /// different for each light.
+  static std::string GetReceiverSource(
+    const SliceFrame& frame, const SlicePlan::ShadowedLight& light);
+
   /// Returns the names of the features in the sources, for the report.
   static std::string GetNames(const SliceFrame& frame, bool isOccluded);
 
@@ -53,6 +58,8 @@ public:
   static void SetEyeUniforms(
     vtkShaderProgram* program, const SliceFrame& frame, std::size_t sweep, bool isOccluded);
   static void SetLightUniforms(vtkShaderProgram* program, const SliceFrame& frame,
+    const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
+  static void SetReceiverUniforms(vtkShaderProgram* program, const SliceFrame& frame,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
   ///@}
 

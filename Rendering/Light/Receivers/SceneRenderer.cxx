@@ -11,6 +11,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkSceneDepth.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -57,13 +58,16 @@ SceneRenderer::SceneRenderer() = default;
 
 SceneRenderer::~SceneRenderer() = default;
 
-bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request)
+bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, bool hasVolumes)
 {
+  this->Settings = request;
   this->Props.clear();
   this->Casters.clear();
   this->Lights.clear();
   this->Reached.clear();
   this->Failed.clear();
+  this->Scene = SliceScene();
+  this->Transmittance.Clear(0, 0, 1, {});
   std::vector<CasterViews::Box> boxes;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
@@ -92,72 +96,127 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request)
   this->Lights =
     LightSources::Gather(renderer, space, { true, request.MaximumNumberOfShadows }, faults);
   this->Views.Fit(this->Lights, space, boxes, request.Resolution);
-  return std::any_of(this->Lights.begin(), this->Lights.end(),
+  const bool hasShadows = std::any_of(this->Lights.begin(), this->Lights.end(),
     [](const LightSource& light) { return light.ShadowStrength > 0.0; });
+  return !this->Views.GetViews().empty() || (hasVolumes && hasShadows);
 }
 
-bool SceneRenderer::UpdatePlaceholder(vtkOpenGLRenderWindow* window)
+std::string SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
 {
+  if (!HasOpenGL32())
+  {
+    return "OpenGL is older than 3.2";
+  }
   if (this->Window != window)
   {
     this->ReleaseGraphicsResources(this->Window);
     this->Window = window;
   }
-  if (this->Placeholder->GetHandle() != 0)
-  {
-    return true;
-  }
   float texel = 1.0F;
   this->Placeholder->SetContext(window);
-  return this->Placeholder->Create2DFromRaw(1, 1, 1, VTK_FLOAT, &texel);
+  const bool isMade = this->Placeholder->GetHandle() != 0 ||
+    this->Placeholder->Create2DFromRaw(1, 1, 1, VTK_FLOAT, &texel);
+  return isMade ? "" : "the graphics card has no memory for a texture";
 }
 
-std::string SceneRenderer::Draw(
-  vtkRenderer* renderer, const Request& request, vtkShadowedSceneReport& report)
+std::string SceneRenderer::DrawMaps(vtkRenderer* renderer, vtkShadowedSceneReport& report)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!HasOpenGL32())
-  {
-    return "OpenGL is older than 3.2";
-  }
-  if (!this->UpdatePlaceholder(window))
-  {
-    return "the graphics card has no memory";
-  }
-  std::string error;
-  this->IsOfDepths = true;
-  this->Placeholder->Activate();
+  std::string error = this->UpdateContext(window);
   const int views = static_cast<int>(this->Views.GetViews().size());
-  if (views > 0)
-  {
-    const int resolution = std::min(request.Resolution, CasterMaps::GetLargestResolution(views));
-    error = this->Maps.Draw(renderer, this->Views, this->Casters, resolution, request.Bias);
-    report.Casters = static_cast<int>(this->Casters.size());
-    report.DepthMaps = views;
-    report.DepthMapsDrawn = this->Maps.GetDrawn();
-    report.DepthMapResolution = resolution;
-    report.DepthMapBytes = this->Maps.GetBytes();
-  }
-  else
+  if (views == 0 || !error.empty())
   {
     this->Maps.ReleaseGraphicsResources(window);
+    return error;
   }
-  report.Lights = static_cast<int>(this->Views.GetLights().size());
+  this->IsOfDepths = true;
+  this->Placeholder->Activate();
+  const int resolution =
+    std::min(this->Settings.Resolution, CasterMaps::GetLargestResolution(views));
+  error = this->Maps.Draw(renderer, this->Views, this->Casters, resolution, this->Settings.Bias);
   this->Placeholder->Deactivate();
   this->IsOfDepths = false;
-  const bool isNew = error.empty() ? this->Shader.Update(renderer, this->Lights, this->Views,
-                                       this->Maps, this->Transmittance, nullptr)
-                                   : this->Shader.Clear();
+  report.Casters = static_cast<int>(this->Casters.size());
+  report.Lights = static_cast<int>(this->Views.GetLights().size());
+  report.DepthMaps = views;
+  report.DepthMapsDrawn = this->Maps.GetDrawn();
+  report.DepthMapResolution = resolution;
+  report.DepthMapBytes = this->Maps.GetBytes();
+  return error;
+}
+
+std::string SceneRenderer::DrawEyeDepth(
+  vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  int left = 0;
+  int bottom = 0;
+  std::array<int, 2>& size = this->Scene.Size;
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &left, &bottom);
+  if (size[0] <= 0 || size[1] <= 0 || !this->EyeDepth.Allocate(window, size[0], size[1]))
+  {
+    return "the graphics card has no memory for the depth of actors";
+  }
+  // What other renderers have left occludes as well.
+  const bool isKept = renderer->GetPreserveDepthBuffer() &&
+    vtkSceneDepth::CopyTo(renderer, this->EyeDepth.GetTexture());
+  this->IsOfDepths = true;
+  this->Placeholder->Activate();
+  this->EyeDepth.Draw(window, !isKept,
+    [&]() {
+      PropDepths::DrawProps(renderer, this->Casters, { { 0, 0, size[0], size[1] } });
+    });
+  this->Placeholder->Deactivate();
+  this->IsOfDepths = false;
+  this->EyeDepth.Read(window, this->Scene.EyeDepths);
+  this->Scene.EyeDepth = this->EyeDepth.GetTexture();
+  this->Scene.Views = &this->Views;
+  this->Scene.Maps = &this->Maps;
+  std::vector<vtkLight*> lights;
+  for (const LightSource& light : this->Lights)
+  {
+    if (light.ShadowStrength > 0.0)
+    {
+      lights.push_back(light.Light);
+    }
+  }
+  this->Transmittance.Clear(size[0], size[1], channels, lights);
+  this->Scene.Transmittance = &this->Transmittance;
+  report.EyeDepthPasses = 1;
+  report.EyeDepthBytes = this->EyeDepth.GetBytes();
+  return {};
+}
+
+void SceneRenderer::MakeShader(
+  vtkRenderer* renderer, bool isShadowed, vtkShadowedSceneReport& report)
+{
+  report.PixelsBefore = this->Scene.PixelsBefore;
+  report.PixelsWithin = this->Scene.PixelsWithin;
+  report.PixelsBehind = this->Scene.PixelsBehind;
+  report.ReceiverPasses = this->Scene.ReceiverPasses;
+  report.TransmittanceBytes = this->Transmittance.GetBytes();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (report.EyeDepthPasses == 0)
+  {
+    this->EyeDepth.ReleaseGraphicsResources(window);
+  }
+  if (!this->Transmittance.IsUsed())
+  {
+    this->Transmittance.ReleaseGraphicsResources(window);
+  }
+  const bool isNew = isShadowed ? this->Shader.Update(renderer, this->Lights, this->Views,
+                                    this->Maps, this->Transmittance, this->EyeDepth.GetTexture())
+                                : this->Shader.Clear();
   if (isNew)
   {
     this->ShaderTime.Modified();
   }
-  return error;
 }
 
 void SceneRenderer::Activate()
 {
-  for (vtkTextureObject* texture : { this->Maps.GetTexture() })
+  for (vtkTextureObject* texture :
+    { this->Maps.GetTexture(), this->EyeDepth.GetTexture(), this->Transmittance.GetTexture() })
   {
     if (texture->GetHandle() != 0)
     {
@@ -208,6 +267,7 @@ std::vector<vtkProp*> SceneRenderer::TakeUnreached()
 void SceneRenderer::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Maps.ReleaseGraphicsResources(window);
+  this->EyeDepth.ReleaseGraphicsResources(window);
   this->Transmittance.ReleaseGraphicsResources(window);
   this->Placeholder->ReleaseGraphicsResources(window);
 }

@@ -7,6 +7,7 @@
 #include "Lights/LightSource.h"
 #include "Receivers/ActorShader.h"
 #include "Receivers/LightTransmittance.h"
+#include "Receivers/SliceScene.h"
 
 #include "vtkNew.h"
 #include "vtkShadowedSceneReport.h"
@@ -46,14 +47,21 @@ public:
   ~SceneRenderer();
 
   /// Finds the props that cast shadows and the lights that they cast them of. Returns whether there
-  /// are both. All are forgotten at the end of the frame, by End.
-  bool Begin(vtkRenderer* renderer, const Request& request);
+  /// are both, or lights whose light \a hasVolumes may take from them.
+  bool Begin(vtkRenderer* renderer, const Request& request, bool hasVolumes);
 
   /// The props whose shaders are changed: all visible ones that have surfaces.
   std::vector<vtkProp*>& GetProps() { return this->Props; }
 
-  /// Draws the maps. Returns what is wrong, or nothing.
-  std::string Draw(vtkRenderer* renderer, const Request& request, vtkShadowedSceneReport& report);
+  /// Draws the maps of lights. Returns what is wrong, or nothing.
+  std::string DrawMaps(vtkRenderer* renderer, vtkShadowedSceneReport& report);
+  /// Draws the depth that the eye sees, for volumes whose light has so many channels. Returns what
+  /// is wrong, or nothing.
+  std::string DrawEyeDepth(vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report);
+  /// What volumes of this frame are drawn with, after DrawEyeDepth.
+  SliceScene& GetScene() { return this->Scene; }
+  /// Makes the shaders of props; \a isShadowed is false where something was wrong.
+  void MakeShader(vtkRenderer* renderer, bool isShadowed, vtkShadowedSceneReport& report);
 
   /// Binds the textures that shaders of props read.
   void Activate();
@@ -71,14 +79,17 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool UpdatePlaceholder(vtkOpenGLRenderWindow* window);
+  std::string UpdateContext(vtkOpenGLRenderWindow* window);
 
+  Request Settings;
   std::vector<vtkProp*> Props;
   std::vector<vtkProp*> Casters;
   std::vector<LightSource> Lights;
   CasterViews Views;
   CasterMaps Maps;
+  PropDepths EyeDepth;
   LightTransmittance Transmittance;
+  SliceScene Scene;
   ActorShader Shader;
   vtkTimeStamp ShaderTime;
   bool IsOfDepths = false;

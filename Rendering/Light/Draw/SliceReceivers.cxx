@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/SliceReceivers.h"
+
+#include "Draw/SliceFrame.h"
+#include "Draw/SliceShader.h"
+#include "Draw/SliceTextures.h"
+#include "Loader/OpenGLFunctions.h"
+#include "Receivers/LightTransmittance.h"
+#include "Receivers/SliceScene.h"
+#include "Space/UnitVector.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkSMPTools.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+// The box of the matter as rays from surfaces towards the lights of a sweep meet it.
+class MatterBox
+{
+public:
+  MatterBox(const SliceFrame& frame, const SlicePlan::Sweep& sweep)
+    : TextureFromUnit(frame.Space.TextureFromUnit)
+    , Box(frame.Region.Box)
+  {
+    for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+    {
+      this->Sources.push_back(&frame.Lights[light.Light]);
+    }
+  }
+
+  /// Whether some light comes through the box to a place in unit space.
+  bool IsBefore(const glm::dvec3& place) const
+  {
+    const glm::dvec3 from = UnitVector::TransformPoint(this->TextureFromUnit, place);
+    return std::any_of(this->Sources.begin(), this->Sources.end(),
+      [&](const LightSource* source)
+      {
+        const glm::dvec3 way = source->IsPositional ? source->Position - place : -source->Direction;
+        return this->IsMet(
+          from, UnitVector::TransformVector(this->TextureFromUnit, way), source->IsPositional);
+      });
+  }
+
+private:
+  bool IsMet(const glm::dvec3& from, const glm::dvec3& way, bool isPositional) const
+  {
+    double first = 0.0;
+    double last = isPositional ? 1.0 : VTK_DOUBLE_MAX;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double lower = this->Box[axis][0] - from[axis];
+      const double upper = this->Box[axis][1] - from[axis];
+      if (way[axis] == 0.0)
+      {
+        last = lower > 0.0 || upper < 0.0 ? -1.0 : last;
+        continue;
+      }
+      first = std::max(first, std::min(lower / way[axis], upper / way[axis]));
+      last = std::min(last, std::max(lower / way[axis], upper / way[axis]));
+    }
+    return first < last;
+  }
+
+  const std::array<double, 16>& TextureFromUnit;
+  const std::array<std::array<double, 2>, 3>& Box;
+  std::vector<const LightSource*> Sources;
+};
+}
+
+SliceReceivers::SliceReceivers() = default;
+
+SliceReceivers::~SliceReceivers() = default;
+
+void SliceReceivers::Sort(const SliceFrame& frame, const SlicePlan::Sweep& sweep)
+{
+  const SliceScene& scene = *frame.Scene;
+  const std::vector<float>& depths = scene.EyeDepths;
+  std::array<double, 16> unitFromClip{};
+  vtkMatrix4x4::Invert(frame.Eye.ClipFromUnit.data(), unitFromClip.data());
+  const int width = scene.Size[0];
+  const int height = scene.Size[1];
+  const MatterBox matter(frame, sweep);
+  // Each pixel's place and slab: -1 for those that no light reaches through the matter, -2 for
+  // those that show nothing.
+  std::vector<std::array<float, 3>> places(depths.size());
+  std::vector<int> slabs(depths.size(), -2);
+  vtkSMPTools::For(0, height,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (std::size_t i = static_cast<std::size_t>(first) * width;
+           i < static_cast<std::size_t>(last) * width; ++i)
+      {
+        if (!(depths[i] < 1.0F))
+        {
+          continue;
+        }
+        const std::array<double, 4> clip{ { 2.0 * (i % width + 0.5) / width - 1.0,
+          2.0 * (i / width + 0.5) / height - 1.0, 2.0 * depths[i] - 1.0, 1.0 } };
+        std::array<double, 4> place{};
+        vtkMatrix4x4::MultiplyPoint(unitFromClip.data(), clip.data(), place.data());
+        double along = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          place[axis] /= place[3];
+          places[i][axis] = static_cast<float>(place[axis]);
+          along += place[axis] * sweep.Normal[axis];
+        }
+        const double slab = std::floor((along - sweep.First) / sweep.Spacing);
+        slabs[i] = matter.IsBefore({ place[0], place[1], place[2] })
+          ? static_cast<int>(std::min(std::max(slab, -1.0), static_cast<double>(sweep.Slabs)))
+          : -1;
+      }
+    });
+  this->Starts.assign(static_cast<std::size_t>(sweep.Slabs) + 2, 0);
+  for (const int slab : slabs)
+  {
+    frame.Scene->PixelsBefore += slab == -1 ? 1 : 0;
+    if (slab >= 0)
+    {
+      ++this->Starts[static_cast<std::size_t>(slab) + 1];
+    }
+  }
+  for (std::size_t i = 1; i < this->Starts.size(); ++i)
+  {
+    this->Starts[i] += this->Starts[i - 1];
+  }
+  const std::size_t behind = this->Starts[static_cast<std::size_t>(sweep.Slabs)];
+  frame.Scene->PixelsWithin += static_cast<vtkIdType>(behind);
+  frame.Scene->PixelsBehind += static_cast<vtkIdType>(this->Starts.back() - behind);
+  this->Places.resize(3 * this->Starts.back());
+  std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
+  for (std::size_t i = 0; i < slabs.size(); ++i)
+  {
+    if (slabs[i] >= 0)
+    {
+      std::copy_n(places[i].begin(), 3,
+        this->Places.begin() + static_cast<std::ptrdiff_t>(3 * next[slabs[i]]++));
+    }
+  }
+}
+
+std::string SliceReceivers::Begin(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
+  std::size_t sweepIndex, SliceTextures& textures, const std::vector<vtkTextureObject*>& buffers)
+{
+  this->Scene = frame.Scene;
+  this->Sweep = &frame.Plan.Sweeps[sweepIndex];
+  this->Lights.clear();
+  this->Next = 0;
+  if (this->Sweep->Lights.empty())
+  {
+    this->Starts.assign(static_cast<std::size_t>(this->Sweep->Slabs) + 2, 0);
+    return {};
+  }
+  this->Sort(frame, *this->Sweep);
+  if (this->Places.empty())
+  {
+    return {};
+  }
+  this->Vertices->Upload(this->Places, vtkOpenGLBufferObject::ArrayBuffer);
+  for (std::size_t i = 0; i < this->Sweep->Lights.size(); ++i)
+  {
+    const SlicePlan::ShadowedLight& shadowed = this->Sweep->Lights[i];
+    Light light;
+    light.Tile = this->Scene->Transmittance->GetTile(frame.Lights[shadowed.Light].Light);
+    if (light.Tile < 0)
+    {
+      continue;
+    }
+    light.Pass = std::make_unique<SlicePass>();
+    std::string error =
+      light.Pass->Prepare(window, SliceShader::GetReceiverSource(frame, shadowed), this->Vertices);
+    if (!error.empty())
+    {
+      return error;
+    }
+    vtkShaderProgram* program = light.Pass->GetProgram();
+    textures.Activate(program);
+    program->SetUniformi("buffer_0", buffers[i]->GetTextureUnit());
+    SliceShader::SetReceiverUniforms(program, frame, *this->Sweep, shadowed);
+    this->Lights.push_back(std::move(light));
+  }
+  return {};
+}
+
+void SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab)
+{
+  const std::size_t first = this->Next;
+  const std::size_t end = this->Starts[static_cast<std::size_t>(slab) + 1];
+  this->Next = end;
+  if (first == end || this->Lights.empty() || !this->Scene->Transmittance->Bind(window))
+  {
+    return;
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglBlendFunc(GL_ZERO, GL_SRC_COLOR);
+  // Lines and points of actors leave sizes of their own.
+  state->vtkglPointSize(1.0F);
+  glEnable(GL_DEPTH_CLAMP);
+  for (const Light& light : this->Lights)
+  {
+    const std::array<int, 2> origin = this->Scene->Transmittance->GetOrigin(light.Tile);
+    state->vtkglViewport(origin[0], origin[1], this->Scene->Size[0], this->Scene->Size[1]);
+    light.Pass->DrawPoints(
+      window, first, end - first, this->Sweep->First + slab * this->Sweep->Spacing);
+    ++this->Scene->ReceiverPasses;
+  }
+  glDisable(GL_DEPTH_CLAMP);
+}
+
+void SliceReceivers::ReleaseGraphicsResources()
+{
+  for (const Light& light : this->Lights)
+  {
+    light.Pass->ReleaseGraphicsResources();
+  }
+  this->Lights.clear();
+  this->Vertices->ReleaseGraphicsResources();
+}
+
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//VTK::System::Dec
+//INTERLUME::FEATURES
+
+// The transmittance from a light to a surface of the scene, for the pixel that shows it: what the light's
+// buffer has of the slabs before the surface's own, and that slab's matter before the surface.
+in vec3 place;
+
+//VTK::Output::Dec
+//INTERLUME::MEDIUM
+
+// The light's functions ask for a segment of matter that the eye sees: a place, here.
+vec3 segmentStart = vec3(0.0);
+vec3 segmentEnd = vec3(0.0);
+vec3 startInTexture = vec3(0.0);
+vec3 endInTexture = vec3(0.0);
+vec3 sampleAt = vec3(0.0);
+float sampleExtinction = 0.0;
+#ifdef TRANSMISSION
+vec3 samplePart = vec3(0.0);
+#else
+#define samplePart 1.0
+#endif
+
+LIGHT meanOfProduct(LIGHT first, LIGHT last)
+{
+  return exp(-0.5 * (first + last));
+}
+
+void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
+{
+}
+
+//INTERLUME::LIGHTS
+
+void main()
+{
+  sampleAt = place;
+  vec3 l = getDirection_0();
+  float path = max((dot(place, sliceNormal) - sliceEntrance) / max(dot(l, sliceNormal), 1e-6), 0.0);
+#ifdef WIDE_0
+  // The light's other half has a sweep of its own.
+  if (!(dot(place - position_0, sliceNormal) > 0.0))
+  {
+    discard;
+  }
+  path = min(path, distance(place, position_0));
+#else
+  vec4 inBuffer = bufferFromUnit_0 * vec4(place, 1.0);
+  if (!(max(abs(inBuffer.x), abs(inBuffer.y)) <= inBuffer.w))
+  {
+    discard;
+  }
+#endif
+  // Behind the matter, the light is what it is where it leaves the matter.
+  float lower = -path;
+  float upper = 0.0;
+  vec3 p = placeInTexture(place);
+  vec3 q = mat3(textureFromUnit) * l;
+  cutToMatter(place, l, p, inverseOf(q), lower, upper);
+  bool isWithin = upper > lower;
+  float end = isWithin ? upper : -path;
+  sampleAt = place + l * end;
+  if (isWithin)
+  {
+    float middle = 0.5 * (lower + upper);
+    vec4 texel;
+    vec4 parts;
+    sampleExtinction = extinctionsAt(place + l * middle, p + q * middle, texel, parts);
+#ifdef TRANSMISSION
+    samplePart = PART(texel);
+#endif
+  }
+  segmentStart = sampleAt;
+  segmentEnd = sampleAt;
+  startInTexture = placeInTexture(sampleAt);
+  endInTexture = startInTexture;
+  gl_FragData[0] = vec4(1.0);
+  gl_FragData[0].CHANNELS = getTransmittance_0(l);
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_SliceScene_h
+#define interlume_SliceScene_h
+
+#include "vtkType.h"
+
+#include <array>
+#include <vector>
+
+class vtkTextureObject;
+
+namespace interlume
+{
+
+class CasterMaps;
+class CasterViews;
+class LightTransmittance;
+
+/**
+ * @class   SliceScene
+ * @brief   what a picture of slices takes from the scene around, and gives to it
+ */
+struct SliceScene
+{
+  /// The depth of the opaque surfaces that the eye sees: a texture, and its values row by row from
+  /// below.
+  vtkTextureObject* EyeDepth = nullptr;
+  std::vector<float> EyeDepths;
+  std::array<int, 2> Size{ { 0, 0 } };
+
+  /// The depth maps of lights; none where there are no views.
+  const CasterViews* Views = nullptr;
+  const CasterMaps* Maps = nullptr;
+
+  /// What is left of the lights at the eye's surfaces, which the slices multiply.
+  LightTransmittance* Transmittance = nullptr;
+  vtkIdType PixelsBefore = 0;
+  vtkIdType PixelsWithin = 0;
+  vtkIdType PixelsBehind = 0;
+  int ReceiverPasses = 0;
+};
+
+}
+
+#endif
