@@ -31,7 +31,10 @@ namespace reference
 vtkSmartPointer<vtkActor> MakeActor(vtkAlgorithmOutput* output)
 {
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(output);
+  if (output)
+  {
+    mapper->SetInputConnection(output);
+  }
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetAmbient(0.0);

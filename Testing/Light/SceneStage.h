@@ -26,7 +26,7 @@ vtkSmartPointer<vtkActor> MakeBox(const std::array<double, 6>& bounds);
 vtkSmartPointer<vtkActor> MakeRectangle(const std::array<double, 3>& origin,
   const std::array<double, 3>& first, const std::array<double, 3>& second);
 vtkSmartPointer<vtkActor> MakeBall(const std::array<double, 3>& center, double radius, int sides);
-/// White, without ambient and specular light.
+/// White, without ambient and specular light; without input where there is no output.
 vtkSmartPointer<vtkActor> MakeActor(vtkAlgorithmOutput* output);
 
 /// White light of intensity 1 along a direction, with full shadows.
