@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 //INTERLUME::FEATURES
+#ifdef CASTER_GATHER
+#extension GL_ARB_texture_gather : enable
+#endif
 #define COLOR
 
 // Draws one slab as the eye sees it: colour times opacity, and opacity.

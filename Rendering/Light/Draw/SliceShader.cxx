@@ -395,7 +395,7 @@ std::string SliceShader::GetEyeSource(
   std::string calls;
   if (HasCasters(frame))
   {
-    features += " " + frame.Scene->Maps->GetFeatures();
+    features += " CASTER_GATHER " + frame.Scene->Maps->GetFeatures();
     lights = InterlumeSceneCasters;
   }
   int number = 0;
