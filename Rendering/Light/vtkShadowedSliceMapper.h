@@ -116,12 +116,15 @@ struct SliceScene;
  * is not supported, is warned of once, and draws the picture that is drawn without it. The only
  * BlendMode is composite.
  *
+ * Opaque actors cast shadows in the volume, and the volume on them, where vtkShadowedScenePass draws
+ * the renderer.
+ *
  * Errors (vtkErrorMacro; the picture of the frame before stays where there is one): no scalars, a
  * blend mode or number of components that is not supported, a volume larger than the graphics
  * card's three-dimensional textures, textures that do not fit into its memory or beyond
  * MaximumTextureMemory, a projective light whose image has no samples (the others still shine).
  *
- * @sa vtkProjectiveLight vtkShadowedSliceReport vtkShadowedSliceSettings
+ * @sa vtkProjectiveLight vtkShadowedScenePass vtkShadowedSliceReport vtkShadowedSliceSettings
  */
 class INTERLUMELIGHT_EXPORT vtkShadowedSliceMapper
   : public vtkVolumeMapper
