@@ -121,18 +121,21 @@ void SceneStage::LookAlong(const std::array<double, 3>& direction)
 
 void SceneStage::AddSmoke(const std::array<double, 6>& bounds, double extinction, int cells)
 {
-  this->Image = vtkSmartPointer<vtkImageData>::New();
-  this->Image->SetDimensions(cells + 1, cells + 1, cells + 1);
-  this->Image->SetOrigin(bounds[0], bounds[2], bounds[4]);
-  this->Image->SetSpacing((bounds[1] - bounds[0]) / cells, (bounds[3] - bounds[2]) / cells,
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(cells + 1, cells + 1, cells + 1);
+  image->SetOrigin(bounds[0], bounds[2], bounds[4]);
+  image->SetSpacing((bounds[1] - bounds[0]) / cells, (bounds[3] - bounds[2]) / cells,
     (bounds[5] - bounds[4]) / cells);
   vtkNew<vtkDoubleArray> values;
   values->SetName("Density");
-  values->SetNumberOfTuples(this->Image->GetNumberOfPoints());
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
   values->Fill(1.0);
-  this->Image->GetPointData()->SetScalars(values);
-  this->Mapper->SetInputData(this->Image);
-  this->Mapper->AutoAdjustSampleDistancesOff();
+  image->GetPointData()->SetScalars(values);
+  const bool isFirst = this->Stage.GetVolume()->GetVisibility() == 0;
+  const auto mapper = isFirst ? vtkSmartPointer<vtkShadowedSliceMapper>(this->Mapper)
+                              : vtkSmartPointer<vtkShadowedSliceMapper>::New();
+  mapper->SetInputData(image);
+  mapper->AutoAdjustSampleDistancesOff();
   vtkNew<vtkVolumeProperty> property;
   vtkNew<vtkPiecewiseFunction> opacity;
   const double value = 1.0 - std::exp(-0.1 * extinction);
@@ -146,8 +149,16 @@ void SceneStage::AddSmoke(const std::array<double, 6>& bounds, double extinction
   property->SetShade(0);
   property->SetAmbient(0.0);
   property->SetDiffuse(1.0);
-  this->Stage.SetVolume(this->Mapper, property);
-  this->Stage.GetVolume()->VisibilityOn();
+  if (isFirst)
+  {
+    this->Stage.SetVolume(mapper, property);
+    this->Stage.GetVolume()->VisibilityOn();
+    return;
+  }
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  volume->SetProperty(property);
+  this->Stage.GetRenderer()->AddVolume(volume);
 }
 
 RgbaPicture SceneStage::Draw(bool hasPass)

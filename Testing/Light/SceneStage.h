@@ -12,7 +12,6 @@
 
 class vtkActor;
 class vtkAlgorithmOutput;
-class vtkImageData;
 class vtkLight;
 class vtkPolyData;
 class vtkShadowedSliceMapper;
@@ -50,7 +49,8 @@ public:
   ~SceneStage();
 
   void Add(vtkActor* actor) { this->Stage.AddActor(actor); }
-  /// Puts homogeneous smoke of an extinction into a box, of so many voxels along each axis.
+  /// Puts homogeneous smoke of an extinction into a box, of so many voxels along each axis; the
+  /// first one is drawn by Mapper.
   void AddSmoke(const std::array<double, 6>& bounds, double extinction, int cells = 8);
 
   /// Draws by the pass, or without it.
@@ -72,7 +72,6 @@ public:
 private:
   int Pixels;
   double Size;
-  vtkSmartPointer<vtkImageData> Image;
 };
 
 }

@@ -13,6 +13,7 @@
 #include "vtkRenderer.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -181,6 +182,41 @@ void TestWalls(Check& check)
     check, { "lamp within, across", tilted, -0.1, true, { { -0.1, 0.0, 0.2 } }, down, 0.01 });
 }
 
+// Two volumes, which overlap or stand apart, take their light one after the other.
+void TestTwoVolumes(Check& check)
+{
+  for (const double apart : { 0.2, 0.6 })
+  {
+    const Box upper{ { -0.5, 0.5, -0.4, 0.4, -0.3 + apart, 0.3 + apart } };
+    SceneStage stage(128, 1.6);
+    stage.Add(
+      MakeRectangle({ { -2.0, -2.0, -0.4 } }, { { 4.0, 0.0, 0.0 } }, { { 0.0, 4.0, 0.0 } }));
+    stage.AddSmoke(SMOKE, EXTINCTION, 24);
+    stage.AddSmoke(upper, 0.5 * EXTINCTION, 24);
+    vtkVolumeCollection* volumes = stage.Stage.GetRenderer()->GetVolumes();
+    for (int i = 0; i < 2; ++i)
+    {
+      vtkVolume::SafeDownCast(volumes->GetItemAsObject(i))->GetProperty()->SetDiffuse(0.0);
+    }
+    const Vector light = Normalize({ { 0.5, 0.2, -1.0 } });
+    stage.Stage.SetLights({ MakeSun(light) });
+    const RgbaPicture picture = stage.Draw();
+    check.Equal(stage.GetReport().Volumes, 2, "two volumes");
+    for (const Vector& place :
+      { Vector{ { 0.0, 0.0, -0.4 } }, Vector{ { 0.3, 0.1, -0.4 } }, Vector{ { -0.15, 0.2, -0.4 } },
+        Vector{ { 0.6, 0.15, -0.4 } }, Vector{ { -0.7, 0.6, -0.4 } } })
+    {
+      const Vector toLight{ { -light[0], -light[1], -light[2] } };
+      const Vector toEye{ { 0.0, 0.0, 1.0 } };
+      const double depth = EXTINCTION *
+        (GetPath(place, toLight, SMOKE, 1e9) + GetPath(place, toEye, SMOKE, 1e9) +
+          0.5 * (GetPath(place, toLight, upper, 1e9) + GetPath(place, toEye, upper, 1e9)));
+      check.Near(stage.At(picture, place[0], place[1]), -light[2] * std::exp(-depth), 0.005,
+        "two volumes, " + std::to_string(apart) + " apart, at " + std::to_string(place[0]), 1.0);
+    }
+  }
+}
+
 void TestPlate(Check& check)
 {
   // Light falls down, or up, on smoke whose left half a plate covers.
@@ -286,6 +322,7 @@ int TestShadowedMixture(int, char*[])
 {
   Check check;
   TestWalls(check);
+  TestTwoVolumes(check);
   TestPlate(check);
   TestCounters(check);
   return check.Result();

@@ -160,13 +160,15 @@ void TestPasses(Check& check)
   // Programs that have just drawn maps draw the picture with the eye's lights.
   vtkSmartPointer<vtkActor> ball = MakeBall({ { -0.6, -0.5, 0.0 } }, 0.2, 32);
   stage->Add(ball);
-  const RgbaPicture with = stage->Draw();
   ball->SetPosition(0.1, 0.0, 0.0);
-  stage->Stage.GetWindow()->Render();
+  stage->Draw();
   ball->SetPosition(0.0, 0.0, 0.0);
   stage->Stage.GetWindow()->Render();
   check.Equal(stage->GetReport().DepthMapsDrawn, 1, "maps drawn for an actor that moved");
-  check.Near(ComparePictures(stage->Draw(), with).Max, 0.0, 0.0, "an actor back again", 1.0);
+  auto fresh = MakeStage();
+  fresh->Add(MakeBall({ { -0.6, -0.5, 0.0 } }, 0.2, 32));
+  check.Near(
+    ComparePictures(stage->Draw(), fresh->Draw()).Max, 0.0, 0.0, "an actor back again", 1.0);
 }
 
 void TestViewports(Check& check)
