@@ -75,4 +75,5 @@ void main()
 #else
   gl_FragData[0].CHANNELS = exp(-depth);
 #endif
+  //INTERLUME::BATCH
 }

@@ -14,9 +14,12 @@ void vtkShadowedSliceReport::Print(ostream& os, vtkIndent indent) const
       { "ImageBuffers", this->ImageBuffers }, { "ImageBufferBytes", this->ImageBufferBytes },
       { "LightBuffers", this->LightBuffers }, { "LightBufferBytes", this->LightBufferBytes },
       { "LightBufferSize", this->LightBufferSize }, { "LightChannels", this->LightChannels },
-      { "Features", this->Features }, { "Blocks", this->Blocks },
-      { "BlocksDrawn", this->BlocksDrawn }, { "NonFiniteVoxels", this->NonFiniteVoxels },
-      { "TextureBytes", this->TextureBytes }, { "UploadedBytes", this->UploadedBytes },
-      { "TriangleBytes", this->TriangleBytes },
+      { "SoftLights", this->SoftLights }, { "SoftShadowMethod", this->SoftShadowMethod },
+      { "SoftLightsInstead", this->SoftLightsInstead }, { "LightLayers", this->LightLayers },
+      { "SampledLights", this->SampledLights }, { "SoftShadowPasses", this->SoftShadowPasses },
+      { "SoftShadowBytes", this->SoftShadowBytes }, { "Features", this->Features },
+      { "Blocks", this->Blocks }, { "BlocksDrawn", this->BlocksDrawn },
+      { "NonFiniteVoxels", this->NonFiniteVoxels }, { "TextureBytes", this->TextureBytes },
+      { "UploadedBytes", this->UploadedBytes }, { "TriangleBytes", this->TriangleBytes },
       { "ImageSampleDistance", this->ImageSampleDistance }, { "Seconds", this->Seconds } });
 }

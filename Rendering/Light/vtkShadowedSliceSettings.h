@@ -27,6 +27,19 @@ struct vtkShadowedSliceSettings
     BILINEAR_LIGHT = 1
   };
 
+  /**
+   * The ways to find the soft shadows of a vtkAreaLight.
+   */
+  enum SoftShadowMethods
+  {
+    /// One buffer, smeared as it goes through the slices (C. Zhang, dissertation, 2.4).
+    ACCUMULATED_CONVOLUTION = 0,
+    /// One layer of transmittance for each sample of the emitter, all of one light pass.
+    SAMPLE_LAYERS = 1,
+    /// Each sample of the emitter as a light of its own.
+    SAMPLED_LIGHTS = 2
+  };
+
   bool Shadows = true;
   int MaximumNumberOfShadows = 16;
   double SliceSpacing = 0.0;
@@ -35,6 +48,8 @@ struct vtkShadowedSliceSettings
   double ImageSampleDistance = 1.0;
   bool AutoAdjustSampleDistances = true;
   double SurfaceGradient = 0.0;
+  int SoftShadowMethod = SAMPLE_LAYERS;
+  int NumberOfLightSamples = 16;
   vtkSmartPointer<vtkColorTransferFunction> TransmissionColor;
   vtkIdType MaximumTextureMemory = 0;
 };

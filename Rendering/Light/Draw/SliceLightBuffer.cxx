@@ -45,10 +45,25 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Slice
   {
     return "the graphics card has no memory for the buffer of a light";
   }
+  std::string error = this->PrepareSoftShadows(window, frame, sweep, light);
+  if (!error.empty())
+  {
+    return error;
+  }
   this->Framebuffer->SetContext(window);
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Texture);
-  this->Framebuffer->ActivateDrawBuffer(0);
+  if (this->Samples)
+  {
+    this->Framebuffer->AddColorAttachment(1, this->Samples->GetBatch());
+    // VTK's state remembers the draw buffers of another framebuffer, and would leave these out.
+    const std::array<GLenum, 2> both{ { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 } };
+    glDrawBuffers(2, both.data());
+  }
+  else
+  {
+    this->Framebuffer->ActivateDrawBuffer(0);
+  }
   // Before it is cleared: OpenGL clears, and draws, only where all attachments are, and that of the
   // last picture may be smaller.
   this->Bytes += this->Occlusion.Prepare(window, this->Framebuffer, this->Size, this->Size, false);
@@ -90,8 +105,7 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Slice
       frame.Region.Box);
     this->TileVertices->Upload(this->Tiles.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
   }
-  std::string error =
-    this->Slices.Prepare(window, source, this->IsWide ? this->TileVertices.Get() : vertices);
+  error = this->Slices.Prepare(window, source, this->IsWide ? this->TileVertices.Get() : vertices);
   if (!error.empty())
   {
     return error;
@@ -100,6 +114,66 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Slice
   textures.Activate(program);
   SliceShader::SetLightUniforms(program, frame, sweep, light);
   return {};
+}
+
+std::string SliceLightBuffer::PrepareSoftShadows(vtkOpenGLRenderWindow* window,
+  const SliceFrame& frame, const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light)
+{
+  const bool hasSamples = light.SoftMethod == SlicePlan::LAYERS;
+  const bool isConvolved = light.SoftMethod == SlicePlan::CONVOLUTION;
+  if (this->Samples && !hasSamples)
+  {
+    this->Samples->ReleaseGraphicsResources(window);
+    this->Samples.reset();
+    this->Framebuffer->ReleaseGraphicsResources(window);
+  }
+  if (this->Convolution && !isConvolved)
+  {
+    this->Convolution->ReleaseGraphicsResources(window);
+    this->Convolution.reset();
+  }
+  if (hasSamples)
+  {
+    this->Samples =
+      this->Samples ? std::move(this->Samples) : std::make_unique<SliceSampleLayers>();
+    return this->Samples->Prepare(window, sweep, light, frame.GetLightChannels());
+  }
+  if (isConvolved)
+  {
+    this->Convolution =
+      this->Convolution ? std::move(this->Convolution) : std::make_unique<SliceConvolution>();
+    return this->Convolution->Prepare(
+      window, frame.Lights[light.Light], light, frame.GetLightChannels());
+  }
+  return {};
+}
+
+int SliceLightBuffer::GetNumberOfSampleLayers() const
+{
+  return this->Samples ? this->Samples->GetNumberOfLayers() : 0;
+}
+
+vtkIdType SliceLightBuffer::GetSoftBytes() const
+{
+  return this->Samples  ? this->Samples->GetBytes()
+    : this->Convolution ? this->Convolution->GetBytes()
+                        : 0;
+}
+
+int SliceLightBuffer::Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+  const SlicePlan::ShadowedLight& light, int slab)
+{
+  const int passes = this->Samples ? this->Samples->Begin(window, sweep, light, this->Texture, slab)
+    : this->Convolution ? this->Convolution->Begin(window, sweep, light, this->Texture, slab)
+                        : 0;
+  if (passes > 0)
+  {
+    // Light comes from aside behind what is dark in one plane.
+    this->Framebuffer->Bind();
+    SliceOcclusion::Clear(window);
+    this->Occlusion.Mark(window, this->Texture, SliceOcclusion::TRANSMITTANCE);
+  }
+  return passes;
 }
 
 void SliceLightBuffer::CopyTo(vtkTextureObject* layer)
@@ -164,6 +238,10 @@ bool SliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Swee
 
 void SliceLightBuffer::MarkOccluded(vtkOpenGLRenderWindow* window)
 {
+  if (this->Samples || this->Convolution)
+  {
+    return;
+  }
   this->Occlusion.Mark(
     window, this->Texture, this->IsWide ? SliceOcclusion::DEPTH : SliceOcclusion::TRANSMITTANCE);
 }
@@ -192,6 +270,14 @@ void SliceLightBuffer::ReleaseGraphicsResources(vtkWindow* window)
   for (vtkTextureObject* layer : this->Layers)
   {
     layer->ReleaseGraphicsResources(window);
+  }
+  if (this->Samples)
+  {
+    this->Samples->ReleaseGraphicsResources(window);
+  }
+  if (this->Convolution)
+  {
+    this->Convolution->ReleaseGraphicsResources(window);
   }
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Slices.ReleaseGraphicsResources();

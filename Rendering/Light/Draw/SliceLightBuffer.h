@@ -2,8 +2,10 @@
 #ifndef interlume_SliceLightBuffer_h
 #define interlume_SliceLightBuffer_h
 
+#include "Draw/SliceConvolution.h"
 #include "Draw/SliceOcclusion.h"
 #include "Draw/SlicePass.h"
+#include "Draw/SliceSampleLayers.h"
 #include "Plan/LightTiles.h"
 #include "Plan/SlicePlan.h"
 
@@ -13,6 +15,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,9 +44,20 @@ public:
   explicit SliceLightBuffer(int light);
   ~SliceLightBuffer();
 
+  /// Returns the number of textures that a light's soft shadows take beside its buffer.
+  static int GetNumberOfSoftBuffers(const SlicePlan::ShadowedLight& light)
+  {
+    return light.SoftMethod == SlicePlan::LAYERS   ? static_cast<int>(light.Samples.size()) + 1
+      : light.SoftMethod == SlicePlan::CONVOLUTION ? 1
+                                                   : 0;
+  }
+
   int GetLight() const { return this->Light; }
   vtkTextureObject* GetTexture() const { return this->Texture; }
   vtkIdType GetBytes() const { return this->Bytes; }
+  /// Returns what an area light's soft shadows have beside the buffer, and their bytes.
+  int GetNumberOfSampleLayers() const;
+  vtkIdType GetSoftBytes() const;
   /// Returns whether a sweep of the picture uses the buffer.
   bool IsUsed() const { return this->Bytes > 0; }
   void SetUnused() { this->Bytes = 0; }
@@ -66,11 +80,17 @@ public:
   /// drawn, or passed over as empty. Returns whether the layer is another one.
   bool KeepLayer(int slab, bool isEmpty);
 
+  /// Makes an area light's buffer ready for a slab with something in it, before that is drawn.
+  /// Returns the passes that this took.
+  int Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+    const SlicePlan::ShadowedLight& light, int slab);
+
   /// Takes what a slab lets through. Returns whether there is matter for the light to meet.
   bool Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
     const SlicePolygons& polygons, int slab);
 
-  /// Spares what lies behind opaque matter from now on.
+  /// Spares what lies behind opaque matter from now on. An area light's buffer is looked at where
+  /// its samples are put together instead.
   void MarkOccluded(vtkOpenGLRenderWindow* window);
 
   /// Reads the texels, \a size times \a size; empty for a light inside the volume.
@@ -79,6 +99,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  std::string PrepareSoftShadows(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
+    const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
   void CopyTo(vtkTextureObject* layer);
 
   int Light;
@@ -94,6 +116,9 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   SlicePass Slices;
   SliceOcclusion Occlusion;
+  /// What makes an area light's shadows soft: one of both, or none for other lights.
+  std::unique_ptr<SliceSampleLayers> Samples;
+  std::unique_ptr<SliceConvolution> Convolution;
   /// Of a wide light, instead of the slices' triangles.
   LightTiles Tiles;
   vtkNew<vtkOpenGLBufferObject> TileVertices;

@@ -214,6 +214,8 @@ std::string SliceRasterizer::Draw(vtkRenderer* renderer, const SliceFrame& frame
   {
     ++report.LightBuffers;
     report.LightBufferBytes += buffer->GetBytes();
+    report.LightLayers += buffer->GetNumberOfSampleLayers();
+    report.SoftShadowBytes += buffer->GetSoftBytes();
     report.LightBufferSize =
       std::max(report.LightBufferSize, static_cast<int>(buffer->GetTexture()->GetWidth()));
     report.LightChannels = buffer->GetTexture()->GetComponents();
@@ -360,6 +362,14 @@ std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const Slic
   int drawn = 0;
   for (int slab = 0; slab < sweep.Slabs && !isAborted(); ++slab)
   {
+    if (!this->Polygons.IsEmpty(slab))
+    {
+      for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+      {
+        report.SoftShadowPasses +=
+          this->GetLightBuffer(light.Light).Begin(window, sweep, light, slab);
+      }
+    }
     if (this->HasThickPart)
     {
       this->KeepLayers(window, sweep, slab);

@@ -4,6 +4,7 @@
 #include "Common/Vectors.h"
 #include "Draw/SliceRasterizer.h"
 #include "Draw/SliceShader.h"
+#include "Lights/EmitterSamples.h"
 #include "Lights/LightSources.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Plan/UnitSpaceCamera.h"
@@ -215,7 +216,8 @@ std::string SliceRenderer::Upload(
     for (const SlicePlan::ShadowedLight& light : frame.Plan.Sweeps[sweep].Lights)
     {
       bytes += static_cast<vtkIdType>(sizeof(float)) * light.BufferSize * light.BufferSize *
-        frame.GetLightChannels() * (light.IsWide ? 1 : buffers);
+        frame.GetLightChannels() *
+        ((light.IsWide ? 1 : buffers) + SliceLightBuffer::GetNumberOfSoftBuffers(light));
     }
   }
   if (request.Settings.MaximumTextureMemory > 0 && bytes > request.Settings.MaximumTextureMemory)
@@ -248,6 +250,53 @@ std::string SliceRenderer::Upload(
   }
   textures.KeepScreens(screens, window);
   return error;
+}
+
+void SliceRenderer::MakePlan(
+  const Request& request, SlicePlan::Settings settings, vtkShadowedSliceReport& report)
+{
+  SliceFrame& frame = this->Frame;
+  const auto isSoft = [](const LightSource& light)
+  { return light.Area != nullptr && light.ShadowStrength > 0.0; };
+  const std::size_t lights = frame.Lights.size();
+  report.ShadowedLights = static_cast<int>(std::count_if(frame.Lights.begin(), frame.Lights.end(),
+    [](const LightSource& light) { return light.ShadowStrength > 0.0; }));
+  report.SoftLights =
+    static_cast<int>(std::count_if(frame.Lights.begin(), frame.Lights.end(), isSoft));
+
+  const int samples = request.Settings.NumberOfLightSamples;
+  std::vector<int> sampled;
+  if (report.SoftLights > 0)
+  {
+    constexpr std::array<const char*, 3> names{ { "AccumulatedConvolution", "SampleLayers",
+      "SampledLights" } };
+    const int method = request.Settings.SoftShadowMethod;
+    report.SoftShadowMethod = names[method];
+    settings.Samples = samples;
+    settings.SoftMethod = method == vtkShadowedSliceSettings::SAMPLE_LAYERS ? SlicePlan::LAYERS
+      : method == vtkShadowedSliceSettings::ACCUMULATED_CONVOLUTION         ? SlicePlan::CONVOLUTION
+                                                                            : SlicePlan::HARD;
+    for (std::size_t i = 0; i < lights && settings.SoftMethod == SlicePlan::HARD; ++i)
+    {
+      if (isSoft(frame.Lights[i]))
+      {
+        sampled.push_back(static_cast<int>(i));
+      }
+    }
+  }
+  if (sampled.empty())
+  {
+    frame.Plan.Make(frame.Eye, frame.Lights, frame.Space, frame.Region.Box, settings);
+    sampled = frame.Plan.NotSoft;
+    report.SoftLightsInstead = static_cast<int>(sampled.size());
+  }
+  if (!sampled.empty())
+  {
+    frame.Lights = EmitterSamples::Split(frame.Lights, sampled, samples);
+    report.SampledLights = samples * static_cast<int>(sampled.size());
+    frame.Plan.Make(frame.Eye, frame.Lights, frame.Space, frame.Region.Box, settings);
+  }
+  report.Lights = frame.IsLit() ? static_cast<int>(lights) : 0;
 }
 
 std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
@@ -316,11 +365,8 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   settings.LargestBufferSize = std::min(settings.LargestBufferSize, static_cast<int>(limit));
-  frame.Plan.Make(frame.Eye, frame.Lights, frame.Space, frame.Region.Box, settings);
+  this->MakePlan(request, settings, report);
 
-  report.Lights = frame.IsLit() ? static_cast<int>(frame.Lights.size()) : 0;
-  report.ShadowedLights = static_cast<int>(std::count_if(frame.Lights.begin(), frame.Lights.end(),
-    [](const LightSource& light) { return light.ShadowStrength > 0.0; }));
   report.Sweeps = static_cast<int>(frame.Plan.Sweeps.size());
   report.FrontToBackSweeps = static_cast<int>(std::count_if(frame.Plan.Sweeps.begin(),
     frame.Plan.Sweeps.end(), [](const SlicePlan::Sweep& sweep) { return sweep.IsFrontToBack; }));

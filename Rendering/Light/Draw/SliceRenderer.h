@@ -76,6 +76,10 @@ private:
   std::string UpdateSamples(const Request& request, bool isSoftware);
   std::string UpdateMaterial(vtkVolume* volume, const Request& request);
   void UpdateShading(vtkVolume* volume);
+  /// Plans the picture. Area lights whose shadows are not found by buffers of their own become
+  /// lights of their samples.
+  void MakePlan(
+    const Request& request, SlicePlan::Settings settings, vtkShadowedSliceReport& report);
   double ChooseCoarseness(vtkVolume* volume, const Request& request);
   std::string Upload(vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report);
 

@@ -420,8 +420,10 @@ std::string SliceShader::GetLightSource(
   features += frame.Lights[light.Light].IsPositional ? " POSITIONAL" : "";
   // Equal sources would share one program, and its uniforms.
   features += " LIGHT_NUMBER=" + std::to_string(light.Light);
-  const std::string source =
-    Replace(InterlumeSliceLightFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
+  std::string source = Replace(InterlumeSliceLightFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
+  // VTK declares every output that is named, whatever the features are.
+  source = Replace(source, "//INTERLUME::BATCH",
+    light.SoftMethod == SlicePlan::LAYERS ? "gl_FragData[1] = gl_FragData[0];" : "");
   return vtkShaderFeatures::Insert(source, features);
 }
 
@@ -460,14 +462,15 @@ std::string SliceShader::GetNames(const SliceFrame& frame, bool isOccluded)
   add(frame.HasShadows(), "shadow");
   add(HasTransmission(frame), "transmission");
   add(HasCasters(frame), "casters");
-  bool isWide = false;
-  for (const Sweep& sweep : frame.Plan.Sweeps)
+  const auto hasShadow = [&frame](auto&& test)
   {
-    isWide = isWide ||
-      std::any_of(sweep.Lights.begin(), sweep.Lights.end(),
-        [](const ShadowedLight& light) { return light.IsWide; });
-  }
-  add(isWide, "shadow-wide");
+    return std::any_of(frame.Plan.Sweeps.begin(), frame.Plan.Sweeps.end(),
+      [&test](const Sweep& sweep)
+      { return std::any_of(sweep.Lights.begin(), sweep.Lights.end(), test); });
+  };
+  add(hasShadow([](const ShadowedLight& light) { return light.IsWide; }), "shadow-wide");
+  add(hasShadow([](const ShadowedLight& light) { return light.SoftMethod != SlicePlan::HARD; }),
+    "shadow-soft");
   const auto has = [&frame](auto&& test)
   { return frame.IsLit() && std::any_of(frame.Lights.begin(), frame.Lights.end(), test); };
   add(has([](const LightSource& light) { return light.IsPositional; }), "positional");

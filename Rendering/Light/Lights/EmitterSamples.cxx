@@ -4,6 +4,7 @@
 #include "Lights/LightImage.h"
 #include "Space/UnitVector.h"
 
+#include "vtkAreaLight.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 
@@ -218,6 +219,31 @@ LightSource EmitterSamples::MakeSource(const LightSource& light, const Sample& s
   source.Diffuse *= sample.Weight;
   source.Specular *= sample.Weight;
   return source;
+}
+
+std::vector<LightSource> EmitterSamples::Split(
+  const std::vector<LightSource>& lights, const std::vector<int>& indices, int count)
+{
+  std::vector<LightSource> result;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    const LightSource& light = lights[i];
+    if (std::find(indices.begin(), indices.end(), static_cast<int>(i)) == indices.end())
+    {
+      result.push_back(light);
+      continue;
+    }
+    for (const Sample& sample : Make(light, count))
+    {
+      result.push_back(MakeSource(light, sample));
+    }
+  }
+  return result;
+}
+
+std::vector<EmitterSamples::Sample> EmitterSamples::Make(const LightSource& light, int count)
+{
+  return Make(light.Area->GetShape() == vtkAreaLight::ROUND, light.Area->GetEmitter(), count);
 }
 
 glm::dvec3 EmitterSamples::GetColor(bool isRound, vtkImageData* image)

@@ -43,9 +43,17 @@ public:
   /// it has no error.
   static std::vector<Sample> Make(bool isRound, vtkImageData* image, int count);
 
+  /// Computes the samples of an area light.
+  static std::vector<Sample> Make(const LightSource& light, int count);
+
   /// Makes the light without extent that stands for a sample of an area light. The sources of all
   /// samples add up to the colours of \a light, the ambient one too.
   static LightSource MakeSource(const LightSource& light, const Sample& sample);
+
+  /// Returns lights with those of these indices, area lights, as lights without extent: \a count
+  /// each, in the place of the area light.
+  static std::vector<LightSource> Split(
+    const std::vector<LightSource>& lights, const std::vector<int>& indices, int count);
 
   /// Computes the mean colour of the emitter over its largest channel; white without an image,
   /// black of a black one.

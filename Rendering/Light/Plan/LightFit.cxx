@@ -2,6 +2,7 @@
 #include "Plan/LightFit.h"
 
 #include "Common/Vectors.h"
+#include "Lights/EmitterSamples.h"
 #include "Plan/SliceNormal.h"
 #include "Space/UnitSpace.h"
 
@@ -24,6 +25,16 @@ constexpr int SmallestBuffer = 16;
 constexpr int SmallestAutomatic = 64;
 constexpr int LargestAutomatic = 2048;
 constexpr int Multiple = 16;
+
+// The number of samples that tell whether slices are seen edge-on from an emitter without layers.
+constexpr int CornerSamples = 16;
+
+// Returns the direction of light at a place.
+glm::dvec3 GetRay(const LightSource& source, const glm::dvec3& place)
+{
+  return source.IsPositional ? Normalize(place - source.Position, source.Direction)
+                             : source.Direction;
+}
 
 glm::dvec3 GetRow(const Matrix& matrix, std::size_t row)
 {
@@ -221,6 +232,42 @@ void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& lig
   {
     light.BufferFromUnit[15] = 1.0;
   }
+}
+
+bool LightFit::Soften(
+  const LightSource& source, const glm::dvec3& normal, SlicePlan::ShadowedLight& light) const
+{
+  const int count =
+    this->Settings.SoftMethod == SlicePlan::LAYERS ? this->Settings.Samples : CornerSamples;
+  const std::vector<EmitterSamples::Sample> samples = EmitterSamples::Make(source, count);
+  std::vector<SlicePlan::SampleView> views;
+  double spread = 0.0;
+  for (const EmitterSamples::Sample& sample : samples)
+  {
+    const LightSource placed = EmitterSamples::MakeSource(source, sample);
+    for (const glm::dvec3& corner : this->Corners.Get())
+    {
+      const glm::dvec3 ray = GetRay(placed, corner);
+      const double cosine = glm::dot(ray, normal);
+      if (cosine < SlicePlan::SampleCosine)
+      {
+        return false;
+      }
+      const glm::dvec3 center = GetRay(source, corner);
+      spread =
+        std::max(spread, Vectors::SafeLength(ray / cosine - center / glm::dot(center, normal)));
+    }
+    SlicePlan::ShadowedLight layer;
+    this->FitPlane(placed, layer);
+    views.push_back({ layer.BufferFromUnit, glm::dot(sample.Weight, glm::dvec3(1.0 / 3.0)) });
+  }
+  light.SoftMethod = this->Settings.SoftMethod;
+  light.Spread = spread;
+  if (light.SoftMethod == SlicePlan::LAYERS)
+  {
+    light.Samples = views;
+  }
+  return true;
 }
 
 void LightFit::FitHalfSpace(

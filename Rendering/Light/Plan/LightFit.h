@@ -34,6 +34,11 @@ public:
   LightFit(const BoxCorners& corners, const UnitSpace& space, const SlicePlan::Settings& settings);
 
   void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light) const;
+  /// Plans the soft shadows of an area light, by the method of the settings, that FitPlane was
+  /// called for. Returns false, and leaves them hard, where slices along \a normal are seen edge-on
+  /// from some of the emitter.
+  bool Soften(
+    const LightSource& source, const glm::dvec3& normal, SlicePlan::ShadowedLight& light) const;
   void FitHalfSpace(
     const glm::dvec3& normal, const glm::dvec3& position, SlicePlan::ShadowedLight& light) const;
 

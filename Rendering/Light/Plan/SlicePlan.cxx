@@ -9,6 +9,7 @@
 #include "Space/UnitSpace.h"
 #include "Space/UnitVector.h"
 
+#include <iterator>
 #include <limits>
 
 namespace interlume
@@ -210,6 +211,12 @@ void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights, con
     }
   }
 
+  this->NotSoft.clear();
+  if (settings.SoftMethod != HARD)
+  {
+    std::copy_if(wide.begin(), wide.end(), std::back_inserter(this->NotSoft),
+      [&lights](int light) { return lights[static_cast<std::size_t>(light)].Area != nullptr; });
+  }
   this->Sweeps.clear();
   for (const LightGroup& group : groups)
   {
@@ -220,7 +227,12 @@ void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights, con
     {
       ShadowedLight light;
       light.Light = caster.Light;
-      fit.FitPlane(lights[static_cast<std::size_t>(caster.Light)], light);
+      const LightSource& source = lights[static_cast<std::size_t>(caster.Light)];
+      fit.FitPlane(source, light);
+      if (source.Area && settings.SoftMethod != HARD && !fit.Soften(source, sweep.Normal, light))
+      {
+        this->NotSoft.push_back(caster.Light);
+      }
       sweep.Lights.push_back(light);
     }
     this->Sweeps.push_back(sweep);

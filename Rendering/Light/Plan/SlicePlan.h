@@ -54,6 +54,24 @@ public:
     std::array<double, 16> ClipFromUnit{};
   };
 
+  /// How soft shadows of area lights are planned.
+  enum SoftMethods
+  {
+    /// Area lights are lights without extent.
+    HARD,
+    LAYERS,
+    CONVOLUTION
+  };
+
+  /// A sample of an area light's emitter, with its layer of transmittance.
+  struct SampleView
+  {
+    /// The rows of a matrix as BufferFromUnit of ShadowedLight, for the light at the sample.
+    std::array<double, 16> LayerFromUnit{};
+    /// Its share of the light, the mean over the three channels.
+    double Weight = 0.0;
+  };
+
   /// A light with its buffer.
   struct ShadowedLight
   {
@@ -70,6 +88,13 @@ public:
     /// and the length of a voxel along the light.
     double TexelSize = 0.0;
     double VoxelLength = 0.0;
+    /// How the light's shadows are made soft; hard for wide lights.
+    SoftMethods SoftMethod = HARD;
+    /// For layers, one view for each sample, and how far the shadows of two samples go apart, on a
+    /// slice, on their way through a distance of 1 along the normal: the furthest from the
+    /// centre's.
+    std::vector<SampleView> Samples;
+    double Spread = 0.0;
     /// For wide lights, two directions in the slices' plane and the sweep's normal, as rows.
     std::array<double, 9> Frame{};
   };
@@ -98,6 +123,9 @@ public:
     int LargestBufferSize = 8192;
     int MaximumNumberOfSlabs = 65536;
     int LightsOfSweep = 4;
+    SoftMethods SoftMethod = HARD;
+    /// The number of samples of each area light, for layers.
+    int Samples = 0;
   };
 
   /**
@@ -110,6 +138,9 @@ public:
     const std::array<std::array<double, 2>, 3>& box, const Settings& settings);
 
   std::vector<Sweep> Sweeps;
+  /// The area lights, by their index, that cannot have the soft method of the settings: they are
+  /// wide, or slices are seen edge-on from some of the emitter.
+  std::vector<int> NotSoft;
 
   /// Whether the sweep is of the first picture, which has the opacity and all light that casts no
   /// shadows; other pictures' colours are added to it.
@@ -130,6 +161,8 @@ public:
   static constexpr double EyeCosine = 0.5;
   static constexpr double LightCosine = 0.35;
   static constexpr double WideCosine = 0.2;
+  /// The least cosine of rays from all of an emitter with the normal.
+  static constexpr double SampleCosine = 0.1;
 
   /// Distance of slices that is one voxel along \a normal: the length within a voxel of a line
   /// along it, 1 / sqrt(sum (n_i / voxel_i)^2) in the volume's own axes.

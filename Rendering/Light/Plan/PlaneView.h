@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_PlaneView_h
+#define interlume_PlaneView_h
+
+#include <array>
+
+#include <glm/mat3x3.hpp>
+
+namespace interlume
+{
+
+/**
+ * Views of one plane.
+ */
+namespace PlaneView
+{
+/**
+ * Computes the homography from one view of a plane to another one: (x, y, 1) in clip coordinates of
+ * the first to (x', y', 1) of the second, times a factor that is above 0 where a point is before
+ * both views or behind both. Views are rows of matrices as BufferFromUnit of
+ * SlicePlan::ShadowedLight; \a plane is n.x + plane[3] = 0. The matrix is 0 where the first view
+ * sees the plane edge-on.
+ */
+glm::dmat3 GetHomography(const std::array<double, 16>& from, const std::array<double, 16>& to,
+  const std::array<double, 4>& plane);
+}
+
+}
+
+#endif

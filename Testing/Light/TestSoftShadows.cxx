@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Soft shadows of area lights: the penumbra of a half plane against the exact ramp, layers of
+// samples against a light for each sample, and what soft shadows cost where there are none.
+#include "Light/ShadowComparison.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
+#include "Pictures/VolumeStage.h"
+#include "Reference/Checks/ReferenceCheck.h"
+
+#include "vtkAreaLight.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+
+using namespace reference;
+using Mapper = vtkShadowedSliceMapper;
+
+vtkSmartPointer<vtkAreaLight> MakeAreaLight(
+  const Double3& position, double size, int shape = vtkAreaLight::SQUARE, bool positional = true)
+{
+  auto light = vtkSmartPointer<vtkAreaLight>::New();
+  light->SetPosition(position.data());
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetPositional(positional);
+  light->SetConeAngle(180.0);
+  light->SetShape(shape);
+  light->SetSize(size, size);
+  return light;
+}
+
+/// A sheet that is opaque for x < 0 in the plane z = 0, a receiver at z = -0.5, both two voxels
+/// thick, and a light at a height above the sheet; seen from below, along the light.
+struct HalfPlane
+{
+  static constexpr double Width = 0.5;
+  static constexpr double Gap = 0.5;
+
+  HalfPlane(double ratio, double width)
+  {
+    const double height = Gap / ratio;
+    constexpr int layers = 97;
+    const double thickness = Gap / (layers - 11);
+    const auto field = [&](const Double3& x)
+    {
+      // The receiver lies eight layers inside, the sheet two, so that a light can be close.
+      const double layer = x[2] * (layers - 1);
+      const bool isReceiver = std::abs(layer - 8.0) < 0.6;
+      const bool isSheet = std::abs(layer - (layers - 3.0)) < 0.6;
+      return isReceiver ? -1.0 : isSheet && x[0] < 0.5 ? 1.0 : 0.0;
+    };
+    this->Scene.Image =
+      MakeImage({ { 128, 4, layers - 1 } }, { { Width / 128.0, Width / 128.0, thickness } }, field);
+    double origin[3];
+    this->Scene.Image->GetOrigin(origin);
+    origin[2] = -(layers - 3.0) * thickness;
+    this->Scene.Image->SetOrigin(origin);
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(-1.0, 0.5);
+    opacity->AddPoint(-0.4, 0.0);
+    opacity->AddPoint(0.4, 0.0);
+    opacity->AddPoint(0.6, 1.0 - 1e-12);
+    opacity->AddPoint(1.0, 1.0 - 1e-12);
+    vtkNew<vtkColorTransferFunction> color;
+    color->AddRGBPoint(-0.1, 1.0, 1.0, 1.0);
+    color->AddRGBPoint(0.1, 0.0, 0.0, 0.0);
+    this->Scene.Property = vtkSmartPointer<vtkVolumeProperty>::New();
+    this->Scene.Property->SetScalarOpacity(opacity);
+    this->Scene.Property->SetColor(color);
+    this->Scene.Property->SetScalarOpacityUnitDistance(thickness);
+    this->Scene.Property->SetInterpolationTypeToLinear();
+    this->Scene.Property->SetAmbient(0.0);
+    this->Scene.Property->SetDiffuse(1.0);
+    auto light = MakeAreaLight({ { 0.0, 0.0, height } }, 0.0);
+    // The sheets are narrow along y, and a wide light would shine past them.
+    light->SetSize(width / ratio, 0.01 * width / ratio);
+    this->Scene.Lights = { light };
+    this->Scene.Camera = vtkSmartPointer<vtkCamera>::New();
+    this->Scene.Camera->ParallelProjectionOn();
+    this->Scene.Camera->SetPosition(0.0, 0.0, -4.0);
+    this->Scene.Camera->SetFocalPoint(0.0, 0.0, 0.0);
+    this->Scene.Camera->SetParallelScale(0.45 * Width);
+    this->Scene.Camera->SetClippingRange(1.0, 10.0);
+    this->Scene.Size = { { 192, 9 } };
+    // Nine rows are as high as the receiver at most: pixels are square.
+    this->Scene.Camera->SetParallelScale(0.45 * Width * 9.0 / 192.0);
+  }
+
+  ShadowScene Scene;
+};
+
+/// What of the light arrives along a row, from the lit side, in shares of that of a point light
+/// without an occluder.
+std::vector<double> GetProfile(const RgbaPicture& picture)
+{
+  std::vector<double> profile;
+  for (int i = 0; i < picture.Width; ++i)
+  {
+    profile.push_back(picture.At(i, picture.Height / 2)[0]);
+  }
+  // The camera looks up, so that x goes to the left.
+  if (profile.front() > profile.back())
+  {
+    std::reverse(profile.begin(), profile.end());
+  }
+  // Beyond this light shines past the outer edge of the sheet.
+  profile.erase(profile.begin(), profile.begin() + 38);
+  const double lit = profile.back();
+  for (double& value : profile)
+  {
+    value /= lit;
+  }
+  return profile;
+}
+
+/// The width of the even ramp that has the spread of the profile's slope.
+double GetRampWidth(const std::vector<double>& profile, double pixel)
+{
+  double sum = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+  for (std::size_t i = 1; i < profile.size(); ++i)
+  {
+    const double slope = profile[i] - profile[i - 1];
+    const double x = static_cast<double>(i) * pixel;
+    sum += slope;
+    first += slope * x;
+    second += slope * x * x;
+  }
+  const double mean = first / sum;
+  return std::sqrt(12.0 * std::max(second / sum - mean * mean, 0.0));
+}
+
+void TestHalfPlane(Check& check)
+{
+  constexpr double width = 0.2;
+  for (const double ratio : { 0.05, 1.0 })
+  {
+    for (const int size : { 128, 256 })
+    {
+      HalfPlane plane(ratio, width);
+      vtkNew<Mapper> mapper;
+      mapper->SetLightBufferSize(size);
+      mapper->SetNumberOfLightSamples(size == 128 ? 16 : 32);
+      const auto profile = GetProfile(DrawByMapper(mapper, plane.Scene));
+      const double pixel = 0.9 * HalfPlane::Width / 192.0;
+      const double error = GetRampWidth(profile, pixel) / width - 1.0;
+      double largest = 0.0;
+      for (std::size_t i = 0; i < profile.size(); ++i)
+      {
+        const double x = (static_cast<double>(i) + 38.0 - 95.5) * pixel;
+        const double exact = std::min(std::max(x / width + 0.5, 0.0), 1.0);
+        largest = std::max(largest, std::abs(profile[i] - exact));
+      }
+      const std::string name =
+        "half plane, dZ/Z " + std::to_string(ratio) + ", buffer of " + std::to_string(size) + "^2";
+      std::cout << name << ": width off by " << 100.0 * error << " %, profile by at most "
+                << largest << ", " << mapper->GetReport().LightLayers << " layers, "
+                << mapper->GetReport().SoftShadowPasses << " passes for "
+                << mapper->GetReport().LightPasses << std::endl;
+      check.Near(error, 0.0, 0.05, name + ": width", 1.0);
+      check.Near(largest, 0.0, size == 128 ? 0.06 : 0.045, name + ": profile", 1.0);
+    }
+  }
+}
+
+/// The source's method spreads by the root of the number of convolutions: its penumbra is narrower
+/// than that of the light, and narrows as the buffer is refined.
+void TestConvolution(Check& check)
+{
+  double last = 1.0;
+  for (const int size : { 64, 256 })
+  {
+    constexpr double width = 0.2;
+    HalfPlane plane(1.0, width);
+    vtkNew<Mapper> mapper;
+    mapper->SetSoftShadowMethodToAccumulatedConvolution();
+    mapper->SetLightBufferSize(size);
+    const auto profile = GetProfile(DrawByMapper(mapper, plane.Scene));
+    const double share = GetRampWidth(profile, 0.9 * HalfPlane::Width / 192.0) / width;
+    const vtkShadowedSliceReport& report = mapper->GetReport();
+    std::cout << "convolution in a buffer of " << size << "^2: " << share << " of the width, "
+              << report.SoftShadowPasses << " passes" << std::endl;
+    check.That(share < 0.9 * last, "convolution: the width shrinks with the buffer");
+    check.That(share > 0.02, "convolution: the shadow is soft");
+    check.That(report.SoftShadowPasses > 0 && report.LightLayers == 0, "convolution: passes");
+    check.Equal(report.SoftShadowBytes, 4 * size * size, "convolution: bytes");
+    last = share;
+  }
+}
+
+ShadowScene BoxesScene(vtkLight* light)
+{
+  auto scene = MakeScene(MakeImage(24, TwoBoxes), MakeSoftProperty(0.8, false));
+  scene.Lights = { light };
+  scene.Size = { { 48, 48 } };
+  return scene;
+}
+
+/// The same samples by layers and as lights, whatever light and scene are.
+void TestSamples(Check& check)
+{
+  const auto compare = [&check](const std::string& name, const ShadowScene& scene, int sweeps)
+  {
+    vtkNew<Mapper> layers;
+    layers->SetNumberOfLightSamples(16);
+    vtkNew<Mapper> sampled;
+    sampled->SetSoftShadowMethodToSampledLights();
+    sampled->SetNumberOfLightSamples(16);
+    const RgbaPicture picture = DrawByMapper(layers, scene);
+    ExpectAlike(check, name, picture, DrawByMapper(sampled, scene), { 0.04, 0.001 });
+    check.Equal(layers->GetReport().Sweeps, sweeps, name + ": sweeps of layers");
+    check.Equal(layers->GetReport().SoftLightsInstead, 0, name + ": lights without layers");
+    check.That(layers->GetReport().SoftShadowPasses > 0, name + ": passes over layers");
+    vtkNew<Mapper> hard;
+    ShadowScene point = scene;
+    for (vtkSmartPointer<vtkLight>& light : point.Lights)
+    {
+      auto other = vtkSmartPointer<vtkLight>::New();
+      other->DeepCopy(light);
+      other->SetShadowAttenuation(1.0);
+      light = other;
+    }
+    const PictureError error = ComparePictures(picture, DrawByMapper(hard, point));
+    std::cout << name << ": " << error.Max << " at most, " << error.Mean
+              << " in the mean from hard shadows\n";
+    check.That(error.Mean > 0.0004, name + ": far from hard shadows");
+  };
+  const Double3 front{ { -2.0, 2.0, 2.0 } };
+  compare("square light", BoxesScene(MakeAreaLight(front, 1.5)), 1);
+  compare("round light", BoxesScene(MakeAreaLight(front, 1.5, vtkAreaLight::ROUND)), 1);
+  compare("round light, far", BoxesScene(MakeAreaLight(front, 1.5, vtkAreaLight::ROUND, false)), 1);
+  compare("light behind", BoxesScene(MakeAreaLight({ { -1.0, 1.5, -1.8 } }, 1.2)), 1);
+  auto scene = BoxesScene(MakeAreaLight({ { -1.0, 1.0, 1.0 } }, 0.6));
+  scene.TransmissionColor = vtkSmartPointer<vtkColorTransferFunction>::New();
+  scene.TransmissionColor->AddRGBPoint(0.0, 1.0, 0.5, 0.2);
+  compare("coloured transmission", scene, 1);
+  scene = BoxesScene(MakeAreaLight(front, 1.5));
+  scene.Lights.push_back(MakeAreaLight({ { 1.0, 1.0, -2.5 } }, 1.2));
+  compare("two lights", scene, 2);
+  scene = BoxesScene(MakeAreaLight(front, 1.5));
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, 0.3);
+  plane->SetNormal(0.0, 0.1, -1.0);
+  scene.ClippingPlanes = { plane.Get() };
+  compare("clipping plane", scene, 1);
+}
+
+/// An area light of size 0 is a light without extent, to the bit, and has nothing of soft shadows.
+void TestPoint(Check& check)
+{
+  for (const int method :
+    { Mapper::ACCUMULATED_CONVOLUTION, Mapper::SAMPLE_LAYERS, Mapper::SAMPLED_LIGHTS })
+  {
+    const Double3 position{ { -1.0, 1.0, 1.5 } };
+    vtkNew<Mapper> area;
+    area->SetSoftShadowMethod(method);
+    const RgbaPicture found = DrawByMapper(area, BoxesScene(MakeAreaLight(position, 0.0)));
+    vtkNew<Mapper> hard;
+    auto light = MakePositionalLight(position);
+    light->SetIntensity(1.0);
+    const RgbaPicture expected = DrawByMapper(hard, BoxesScene(light));
+    check.Near(ComparePictures(found, expected).Max, 0.0, 0.0, "a light of size 0");
+    const vtkShadowedSliceReport& a = area->GetReport();
+    const vtkShadowedSliceReport& b = hard->GetReport();
+    check.Equal(a.SoftLights, 0, "soft lights of size 0");
+    check.That(a.SoftShadowMethod.empty() && a.Features == b.Features, "features of size 0");
+    check.Equal(a.LightPasses, b.LightPasses, "light passes of size 0");
+    check.Equal(a.OcclusionPasses, b.OcclusionPasses, "occlusion passes of size 0");
+    check.Equal(a.LightBufferBytes, b.LightBufferBytes, "bytes of size 0");
+    check.Equal(a.LightLayers + a.SampledLights + a.SoftShadowPasses, 0, "layers of size 0");
+    check.Equal(a.SoftShadowBytes, 0, "bytes of layers of size 0");
+  }
+}
+
+/// A light inside the volume has a light for each sample, and the report says so.
+void TestInside(Check& check)
+{
+  vtkNew<Mapper> mapper;
+  mapper->SetNumberOfLightSamples(2);
+  DrawByMapper(mapper, BoxesScene(MakeAreaLight({ { 0.1, 0.1, 0.1 } }, 0.2)));
+  check.Equal(mapper->GetReport().SoftLights, 1, "inside: soft lights");
+  check.Equal(mapper->GetReport().SoftLightsInstead, 1, "inside: lights without layers");
+  check.Equal(mapper->GetReport().SampledLights, 2, "inside: lights of samples");
+  check.Equal(mapper->GetReport().ShadowedLights, 1, "inside: lights with shadows");
+  check.Equal(mapper->GetReport().LightBuffers, 2, "inside: buffers");
+  DrawByMapper(mapper, BoxesScene(MakeAreaLight({ { -1.0, 1.0, 1.5 } }, 0.5)));
+  const vtkShadowedSliceReport& report = mapper->GetReport();
+  check.Equal(report.LightLayers, 2, "outside: layers");
+  check.Equal(report.LightBuffers, 1, "outside: buffers");
+  check.Equal(report.SoftShadowBytes, 3 * 4 * report.LightBufferSize * report.LightBufferSize,
+    "outside: bytes of two layers and a batch");
+  check.That(report.SoftShadowMethod == "SampleLayers", "outside: method");
+  check.That(report.SoftShadowPasses <= 4 * report.LightPasses, "outside: passes over layers");
+}
+}
+
+int TestSoftShadows(int, char*[])
+{
+  Check check;
+  TestPoint(check);
+  TestSamples(check);
+  TestHalfPlane(check);
+  TestConvolution(check);
+  TestInside(check);
+  return check.Result();
+}
