@@ -98,7 +98,7 @@ struct SliceScene;
  * centre, and multiplied into one layer of transmittance for each of NumberOfLightSamples
  * stratified samples, as seen from there; the buffer is the mean of the layers. A penumbra is that
  * of the samples, in steps of one over their number, up to half a texel, and converges as samples,
- * buffer and slices are refined: behind a half plane its width is off by 2.4 % or less in a buffer
+ * buffer and slices are refined: behind a half plane its width is off by 4 % or less in a buffer
  * of 128^2 and by less in finer ones. It takes 4 or 12 bytes more a texel for each sample.
  * - ACCUMULATED_CONVOLUTION: the buffer is convolved with boxes as light goes through the slices
  * (dissertation, 2.4; the virtual light of 2.14, widths below two texels are accumulated). It has

@@ -82,9 +82,8 @@ std::string SliceSampleLayers::Prepare(vtkOpenGLRenderWindow* window, const Slic
     return "the shader of an area light's layers cannot be compiled";
   }
   const double apart = light.Spread * sweep.Spacing;
-  const double most = Apart * light.TexelSize;
   this->Period =
-    apart * LongestBatch > most ? std::max(static_cast<int>(most / apart), 1) : LongestBatch;
+    apart * LongestBatch > Apart ? std::max(static_cast<int>(Apart / apart), 1) : LongestBatch;
   this->First = 0;
   this->Last = -1;
   return {};

@@ -254,8 +254,11 @@ bool LightFit::Soften(
         return false;
       }
       const glm::dvec3 center = GetRay(source, corner);
-      spread =
-        std::max(spread, Vectors::SafeLength(ray / cosine - center / glm::dot(center, normal)));
+      const double apart = Vectors::SafeLength(ray / cosine - center / glm::dot(center, normal));
+      // A texel is as large as it is far from the light.
+      const double depth =
+        glm::dot(GetRow(light.BufferFromUnit, 3), corner) + light.BufferFromUnit[15];
+      spread = std::max(spread, apart / (light.TexelSize * depth));
     }
     SlicePlan::ShadowedLight layer;
     this->FitPlane(placed, layer);

@@ -90,9 +90,8 @@ public:
     double VoxelLength = 0.0;
     /// How the light's shadows are made soft; hard for wide lights.
     SoftMethods SoftMethod = HARD;
-    /// For layers, one view for each sample, and how far the shadows of two samples go apart, on a
-    /// slice, on their way through a distance of 1 along the normal: the furthest from the
-    /// centre's.
+    /// For layers, one view for each sample, and how far a sample's shadow goes from the centre's,
+    /// in texels, on its way through a distance of 1 along the normal: the most in the volume.
     std::vector<SampleView> Samples;
     double Spread = 0.0;
     /// For wide lights, two directions in the slices' plane and the sweep's normal, as rows.
