@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkShadowedScenePass.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkVolume.h"
@@ -84,6 +85,17 @@ BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
     count.Buffers += 5;
     count.Bytes += (16 + 6 + 6 + 1 + 4) * pixels;
     count.ScreenPasses += 2;
+  }
+  if (auto* scene = vtkShadowedScenePass::SafeDownCast(panel.GetRenderer()->GetPass()))
+  {
+    features.insert("scene-shadows");
+    // Depth maps of lights, depth of the eye, light that volumes leave.
+    for (vtkIdType bytes : { scene->GetReport().DepthMapBytes, scene->GetReport().EyeDepthBytes,
+           scene->GetReport().TransmittanceBytes })
+    {
+      count.Buffers += bytes > 0 ? 1 : 0;
+      count.Bytes += bytes;
+    }
   }
   return count;
 }

@@ -23,6 +23,7 @@
 #include "vtkRenderer.h"
 #include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
+#include "vtkShadowedScenePass.h"
 #include "vtkVolume.h"
 #include "vtkVolumetricPass.h"
 
@@ -140,6 +141,11 @@ bool Panel::UsesAmbientOcclusion() const
 
 void Panel::PreparePasses()
 {
+  // The pass of a scene whose surfaces and volumes shadow each other does all by itself.
+  if (vtkShadowedScenePass::SafeDownCast(this->Renderer->GetPass()))
+  {
+    return;
+  }
   vtkNew<vtkRenderPassCollection> passes;
   vtkNew<vtkLightsPass> lights;
   vtkNew<vtkOpaquePass> opaque;

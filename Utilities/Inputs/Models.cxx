@@ -252,12 +252,12 @@ Model MakeMug()
   return { { cup, white, 0.5 }, { handle, white, 0.5 } };
 }
 
-Model Move(const Model& model, const Place3& offset, double degrees)
+Model Move(const Model& model, const Place3& offset, const Place3& degrees)
 {
   Model moved = model;
   for (ModelPart& part : moved)
   {
-    part.Shape = MoveShape(part.Shape, offset, { { 0.0, 0.0, degrees } });
+    part.Shape = MoveShape(part.Shape, offset, degrees);
   }
   return moved;
 }

@@ -47,8 +47,8 @@ Model MakeLamp();
 Model MakeBooks();
 Model MakeMug();
 
-/// All parts turned around z and moved.
-Model Move(const Model& model, const Place3& offset, double degrees = 0.0);
+/// All parts moved by MoveShape().
+Model Move(const Model& model, const Place3& offset, const Place3& degrees = { { 0.0, 0.0, 0.0 } });
 Model& Append(Model& model, const Model& more);
 
 }

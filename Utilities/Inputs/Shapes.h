@@ -2,12 +2,11 @@
 #ifndef Shapes_h
 #define Shapes_h
 
+#include "vtkPolyData.h" // whole, so that shapes can be copied
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <vector>
-
-class vtkPolyData;
 
 /**
  * Closed surfaces with normals outwards, of which models are made.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Seven tori, their shadows on each other and on a plate.
 
+#include "Gallery/Scenes/Light/Rings.h"
+
 #include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
@@ -13,15 +15,19 @@
 #include "vtkSpatialPrimitive.h"
 #include "vtkVolumeProperty.h"
 
-namespace
-{
-void Build(gallery::Stage& stage)
+vtkSmartPointer<vtkImageData> gallery::SampleRings()
 {
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
     { gallery::Place(gallery::Soften(vtkConstructiveModels::MakeRings()), { 0.0, 0.0, 0.42 }, 8.0),
       gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.25, 0.06, gallery::Plaster()) });
-  vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(all, vtkBoundingBox(-1.3, 1.3, -1.3, 1.3, -0.1, 0.8), 220);
+  return gallery::Sample(all, vtkBoundingBox(-1.3, 1.3, -1.3, 1.3, -0.1, 0.8), 220);
+}
+
+namespace
+{
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkImageData> image = gallery::SampleRings();
   gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMatter(image),
     gallery::MakeStudioLights({ -2.2, -1.2, 3.6 }, 0.85));
   panel.LookFrom({ 0.1, -1.0, 0.8 }, { 0.0, 0.0, 1.0 });

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A desk of polygons in a smoky room with the sun in its window.
+
+#include "Gallery/Look.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Scenes/Mixed/ModelActors.h"
+#include "Gallery/Stage.h"
+
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkTurbulenceSource.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+using namespace interlume;
+
+/// A box of polygons from corner to corner.
+ModelPart MakeBlock(
+  const Place3& lower, const Place3& upper, const vtkColor3d& colour, double edge = 0.01)
+{
+  Place3 lengths;
+  Place3 center;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    lengths[k] = upper[k] - lower[k];
+    center[k] = 0.5 * (lower[k] + upper[k]);
+  }
+  return { MoveShape(MakeRoundedBox(lengths, edge), center),
+    { { colour[0], colour[1], colour[2] } }, 0.05 };
+}
+
+/// A floor, two walls and a ceiling, with a window in the wall at +y.
+Model MakeShell()
+{
+  const vtkColor3d plaster = gallery::Plaster();
+  const vtkColor3d floor(0.62, 0.47, 0.34);
+  const vtkColor3d frame(0.52, 0.36, 0.24);
+  Model shell = { MakeBlock({ { -1.3, -1.1, -0.06 } }, { { 1.3, 1.06, 0.0 } }, floor),
+    MakeBlock({ { -1.3, -1.1, -0.02 } }, { { -1.24, 1.06, 1.6 } }, plaster),
+    MakeBlock({ { 1.24, -1.1, -0.02 } }, { { 1.3, 1.06, 1.6 } }, plaster),
+    MakeBlock({ { -1.3, -1.1, 1.58 } }, { { 1.3, 1.06, 1.64 } }, plaster),
+    MakeBlock({ { -1.3, 1.0, -0.02 } }, { { -0.7, 1.06, 1.6 } }, plaster),
+    MakeBlock({ { 0.3, 1.0, -0.02 } }, { { 1.3, 1.06, 1.6 } }, plaster),
+    MakeBlock({ { -0.72, 1.0, -0.02 } }, { { 0.32, 1.06, 0.6 } }, plaster),
+    MakeBlock({ { -0.72, 1.0, 1.36 } }, { { 0.32, 1.06, 1.6 } }, plaster),
+    MakeBlock({ { -0.72, 0.99, 0.96 } }, { { 0.32, 1.04, 1.0 } }, frame),
+    MakeBlock({ { -0.22, 0.99, 0.58 } }, { { -0.18, 1.04, 1.38 } }, frame),
+    MakeBlock({ { -0.76, 0.9, 0.56 } }, { { 0.36, 1.04, 0.6 } }, frame) };
+  return shell;
+}
+
+vtkSmartPointer<vtkVolume> MakeSmoke()
+{
+  const vtkColor3d white(1.0, 0.97, 0.92);
+  vtkSmartPointer<vtkSpatialPrimitive> air =
+    gallery::MakeBox({ -1.22, -1.08, 0.02 }, { 1.22, 0.98, 1.56 }, white);
+  air->SetEdgeWidth(0.04);
+  vtkSmartPointer<vtkImageData> image =
+    gallery::Sample(air, vtkBoundingBox(-1.23, 1.23, -1.1, 0.99, 0.01, 1.57), 130);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(255.0, 0.2);
+  vtkSmartPointer<vtkVolumeProperty> matter = gallery::MakeColouredMatter(opacity, 1.0);
+  matter->SetAmbient(0.05);
+  matter->SetDiffuse(1.0);
+  matter->SetSpecular(0.0);
+  return gallery::MakeSlicedVolume(image, matter, 1.0);
+}
+
+/// Behind the window; what is translucent is not in the sun's way.
+vtkSmartPointer<vtkActor> MakeSky()
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-1.2, 1.12, 0.5);
+  plane->SetPoint1(0.8, 1.12, 0.5);
+  plane->SetPoint2(-1.2, 1.12, 1.5);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->ForceTranslucentOn();
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(0.93, 0.95, 1.0);
+  return actor;
+}
+
+void Build(gallery::Stage& stage)
+{
+  Model desk = MakeDesk();
+  Append(desk, Move(MakeLamp(), { { -0.42, 0.12, 0.72 } }, { { 0.0, 0.0, -30.0 } }));
+  Append(desk, Move(MakeBooks(), { { 0.36, 0.04, 0.72 } }));
+  Append(desk, Move(MakeMug(), { { 0.06, -0.08, 0.72 } }, { { 0.0, 0.0, -40.0 } }));
+  gallery::Panel& panel = stage.AddPanel("");
+  gallery::AddModel(panel, MakeShell());
+  gallery::AddModel(panel, Move(desk, { { 0.46, 0.3, 0.0 } }, { { 0.0, 0.0, 6.0 } }));
+  gallery::AddModel(panel, Move(MakeChair(), { { 0.1, -0.3, 0.0 } }, { { 0.0, 0.0, 24.0 } }));
+  panel.Add(MakeSky());
+  panel.Add(MakeSmoke());
+  gallery::UseSceneShadows(panel);
+  vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.45, 1.0, 0.6 }, 6.0);
+  sun->SetDiffuseColor(1.0, 0.87, 0.68);
+  panel.SetLights({ sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.75) });
+  panel.SetBackground(gallery::DarkBackground());
+  panel.Frame(vtkBoundingBox(-1.08, 1.08, -1.0, -0.99, 0.1, 1.45));
+  panel.LookFrom({ 0.12, -1.0, 0.1 }, { 0.0, 0.0, 1.0 });
+}
+
+const gallery::SceneRegistration registration({ "desk-smoke", "2.46", "A desk in a smoky room",
+  "The room, the desk, the chair and what stands on it are of polygons, the smoke is a volume. The "
+  "sun comes through the window at the back; its light is seen on its way, with the shadows of the "
+  "window's cross and of the furniture.",
+  {}, &Build });
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gallery/Scenes/Mixed/ModelActors.h"
+
+#include "Gallery/Panel.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+
+#include "vtkActor.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShadowedScenePass.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
+
+namespace gallery
+{
+void AddModel(Panel& panel, const interlume::Model& model, double gain)
+{
+  for (const interlume::ModelPart& part : model)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(part.Shape);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    vtkProperty* property = actor->GetProperty();
+    property->SetColor(part.Color[0], part.Color[1], part.Color[2]);
+    // As the matter of volumes beside it.
+    property->SetAmbient(0.25);
+    property->SetDiffuse(0.8 / gain);
+    property->SetSpecular(part.Gloss / gain);
+    property->SetSpecularPower(40.0);
+    panel.Add(actor);
+  }
+}
+
+void UseSceneShadows(Panel& panel)
+{
+  vtkNew<vtkShadowedScenePass> pass;
+  pass->SetDepthMapResolution(2048);
+  panel.SetAmbientOcclusion(0.0);
+  panel.GetRenderer()->SetPass(pass);
+}
+
+void UseFinePictures(Panel& panel)
+{
+  vtkVolumeCollection* volumes = panel.GetRenderer()->GetVolumes();
+  vtkCollectionSimpleIterator cookie;
+  volumes->InitTraversal(cookie);
+  while (vtkVolume* volume = volumes->GetNextVolume(cookie))
+  {
+    GetSlicedMapper(volume)->SetImageSampleDistance(1.0);
+  }
+}
+
+void AddGround(Panel& panel, const interlume::Place3& top, double radius)
+{
+  const vtkColor3d plaster = Plaster();
+  const double edge = 0.02;
+  AddModel(panel,
+    { { interlume::MoveShape(
+          interlume::Revolve({ { { 0.0, -3.0 * edge } }, { { radius - edge, -3.0 * edge } },
+                               { { radius, -2.0 * edge } }, { { radius, -edge } },
+                               { { radius - edge, 0.0 } }, { { 0.0, 0.0 } } },
+            false),
+          top),
+      { { plaster[0], plaster[1], plaster[2] } }, 0.05 } });
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mushrooms of polygons, and their shadows.
+
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Scenes/Mixed/ModelActors.h"
+#include "Gallery/Stage.h"
+
+#include "vtkLight.h"
+
+namespace
+{
+using namespace interlume;
+
+Model MakeMushrooms()
+{
+  Model all =
+    Move(MakeMushroom(1.0, 0.48, 0.06), { { -0.12, 0.12, 0.0 } }, { { 0.0, 0.0, 200.0 } });
+  Append(
+    all, Move(MakeMushroom(0.64, 0.36, 0.18), { { 0.52, -0.16, 0.0 } }, { { 0.0, 0.0, -20.0 } }));
+  return Append(
+    all, Move(MakeMushroom(0.4, 0.2, 0.2), { { -0.5, -0.42, 0.0 } }, { { 0.0, 0.0, 215.0 } }));
+}
+
+void Build(gallery::Stage& stage)
+{
+  gallery::Panel& panel = stage.AddPanel("");
+  gallery::AddModel(panel, MakeMushrooms());
+  gallery::AddGround(panel, { { 0.0, 0.0, 0.0 } }, 1.2);
+  gallery::UseSceneShadows(panel);
+  panel.SetLights({ gallery::MakePointLight({ -2.4, -2.0, 3.8 }, 0.95),
+    gallery::MakeFillLight({ 1.0, -1.0, 0.5 }, 0.35) });
+  panel.LookFrom({ 0.1, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  panel.Frame(vtkBoundingBox(-1.12, 1.12, -0.1, 0.1, -0.8, 1.0));
+}
+
+const gallery::SceneRegistration registration({ "mushrooms", "2.43", "The shadows of mushrooms",
+  "Three mushrooms of polygons on a plate. Caps shade their own stems and gills, the small ones "
+  "stand in the shadow of the large one, and all of them throw theirs on the plate.",
+  {}, &Build });
+}
