@@ -7,6 +7,7 @@
 #include "vtkConstructiveVolume.h"
 #include "vtkSpatialObject.h"
 
+#include "vtkAreaLight.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkExtractVOI.h"
@@ -208,6 +209,57 @@ Case MakeRings(int points)
   return made;
 }
 
+Case MakeSmoke(int points)
+{
+  Case made;
+  made.Name = "smoke-" + std::to_string(points);
+  auto image = Sample(vtkConstructiveModels::MakeHypertextureSphere(), points, 0.75);
+  const Double3 color{ { 0.8, 0.8, 0.85 } };
+  auto property = MakeProperty({ { 0.0, color, 0.0 }, { 1.0, color, 0.5 } }, 0.1);
+  made.Scene = MakeScene(
+    image, property, MakeCamera(image, { { -0.3, -0.4, -1.0 } }, { { 0.0, 1.0, 0.0 } }, 1.3));
+  return made;
+}
+
+Case MakeBox(int points)
+{
+  Case made;
+  made.Name = "box-" + std::to_string(points);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(points, points, points);
+  const double spacing = 2.0 / (points - 1);
+  image->SetSpacing(spacing, spacing, spacing);
+  image->SetOrigin(-1.0, -1.0, -1.0);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  // How far a place is inside a box, by a ramp of two voxels.
+  const auto isInside = [&](const double place[3], const Double3& center, const Double3& half)
+  {
+    double share = 1.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double depth = (half[k] - std::abs(place[k] - center[k])) / (2.0 * spacing) + 0.5;
+      share = std::min(share, std::max(depth, 0.0));
+    }
+    return share;
+  };
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    image->GetPoint(i, place);
+    values[i] = static_cast<float>(
+      std::max(2.0 * isInside(place, { { 0.1, 0.0, 0.5 } }, { { 0.3, 0.25, 0.15 } }),
+        isInside(place, { { 0.0, 0.0, -0.45 } }, { { 0.9, 0.9, 0.4 } })));
+  }
+  const Double3 glass{ { 0.75, 0.8, 0.85 } };
+  const Double3 blue{ { 0.25, 0.35, 0.8 } };
+  auto property =
+    MakeProperty({ { 0.0, glass, 0.0 }, { 1.0, glass, 0.04 }, { 2.0, blue, 0.9 } }, 2.0 / points);
+  made.Scene = MakeScene(
+    image, property, MakeCamera(image, { { 0.2, 0.8, -0.8 } }, { { 0.0, 0.0, 1.0 } }, 2.0));
+  return made;
+}
+
 Case MakeScattering(const Case& from)
 {
   Case made = from;
@@ -250,6 +302,26 @@ Lights MakeLights(const reference::ShadowScene& scene, int number)
       MakeLight(scene, directions[i][0], directions[i][1], directions[i][2], 1.0 / number));
   }
   return lights;
+}
+
+Lights MakeAreaLights(const reference::ShadowScene& scene, double size)
+{
+  const vtkSmartPointer<vtkLight> parallel = MakeLights(scene, 1).front();
+  const double length = scene.Image->GetLength();
+  double direction[3];
+  parallel->GetPosition(direction);
+  vtkMath::Normalize(direction);
+  double center[3];
+  scene.Image->GetCenter(center);
+  auto light = vtkSmartPointer<vtkAreaLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->PositionalOn();
+  light->SetConeAngle(90.0);
+  light->SetFocalPoint(center);
+  light->SetPosition(center[0] + 1.5 * length * direction[0],
+    center[1] + 1.5 * length * direction[1], center[2] + 1.5 * length * direction[2]);
+  light->SetSize(size * length, size * length);
+  return { light };
 }
 
 Lights MakeLightsOnBothSides(const reference::ShadowScene& scene)

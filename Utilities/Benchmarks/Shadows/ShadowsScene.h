@@ -46,6 +46,18 @@ Case MakeSphere(int points);
 Case MakeRings(int points);
 
 /**
+ * A round blob of thin smoke with holes, the displaced sphere of figure 2.12, on points^3 points.
+ * `smoke-<points>`.
+ */
+Case MakeSmoke(int points);
+
+/**
+ * A nearly opaque box before a slab that lets light through, on points^3 points of a cube.
+ * `box-<points>`.
+ */
+Case MakeBox(int points);
+
+/**
  * The same matter, each part of which scatters light evenly: C = c kd I T, without ambient light.
  * vtkShadowedSliceMapper draws it so with Shade off, vtkGPUVolumeRayCastMapper's volumetric shadows
  * with Shade on.
@@ -62,6 +74,9 @@ using Lights = std::vector<vtkSmartPointer<vtkLight>>;
 
 /// White directional lights on the viewer's side, 1 to 4, together of intensity 1.
 Lights MakeLights(const reference::ShadowScene& scene, int number);
+/// A round vtkAreaLight in the direction of MakeLights(1), one and a half diagonals of the image
+/// from its middle, of so many diagonals; positional.
+Lights MakeAreaLights(const reference::ShadowScene& scene, double size);
 /// One on the viewer's side and one behind the volume.
 Lights MakeLightsOnBothSides(const reference::ShadowScene& scene);
 }

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Shadows/SoftShadowsError.h"
+
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Shadows/ShadowsMethods.h"
+#include "Benchmarks/Shadows/ShadowsScene.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace shadows
+{
+namespace
+{
+const char* const Norm = "channel difference, mean";
+const char* const Layers = "sample-layers";
+const char* const Convolution = "accumulated-convolution";
+const char* const Sampled = "sampled-lights";
+const char* const BufferSuffix = ", buffer";
+const char* const Hard = "hard";
+const char* const Default = "default";
+const char* const EqualTime = "equal-time";
+/// The light's size in diagonals of the image.
+constexpr double LightSize = 1.0;
+constexpr int Repeats = 3;
+
+using Change = std::function<void(vtkShadowedSliceMapper*)>;
+
+std::vector<Case> MakeCases(const BenchOptions& options)
+{
+  const int points = options.Pick(128, 32, 12);
+  const int step = options.Pick(2, 8, 16);
+  std::vector<Case> cases = { MakeRings(points), MakeBonsai(step, step), MakeBox(points),
+    MakeSmoke(points) };
+  const int pixels = options.Pick(256, 64, 16);
+  for (Case& one : cases)
+  {
+    one = MakeScattering(one);
+    one.Scene.Size = { { pixels, pixels } };
+    one.Scene.Lights = MakeAreaLights(one.Scene, LightSize);
+  }
+  return cases;
+}
+
+/// A method at one of its settings, and what was found.
+struct Setting
+{
+  std::string Name;
+  double Parameter;
+  MethodPointer Drawn;
+  double Seconds = 0.0;
+  double Error = 0.0;
+};
+
+Change WithSamples(int method, int samples)
+{
+  return [=](vtkShadowedSliceMapper* mapper)
+  {
+    mapper->SetSoftShadowMethod(method);
+    mapper->SetNumberOfLightSamples(samples);
+  };
+}
+
+Change WithBuffer(int method, int size)
+{
+  return [=](vtkShadowedSliceMapper* mapper)
+  {
+    mapper->SetSoftShadowMethod(method);
+    mapper->SetLightBufferSize(size);
+  };
+}
+
+Change WithSpacing(int method, double spacing)
+{
+  return [=](vtkShadowedSliceMapper* mapper)
+  {
+    mapper->SetSoftShadowMethod(method);
+    mapper->SetSliceSpacing(spacing);
+  };
+}
+
+std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
+  const reference::ShadowScene& scene, double spacing, const BenchOptions& options)
+{
+  using Mapper = vtkShadowedSliceMapper;
+  std::vector<Setting> settings;
+  const auto add = [&](const std::string& name, double parameter, const Change& change) {
+    settings.push_back({ name, parameter, MakeSlices(stage, scene, change) });
+  };
+  for (const int samples :
+    options.Pick<std::vector<int>>({ 2, 4, 8, 16, 32, 64 }, { 4, 16 }, { 4 }))
+  {
+    add(Layers, samples, WithSamples(Mapper::SAMPLE_LAYERS, samples));
+  }
+  for (const int samples : options.Pick<std::vector<int>>({ 4, 16, 64 }, { 4 }, { 4 }))
+  {
+    add(Sampled, samples, WithSamples(Mapper::SAMPLED_LIGHTS, samples));
+  }
+  for (const double factor :
+    options.Pick<std::vector<double>>({ 0.5, 1.0, 2.0, 4.0 }, { 1.0, 2.0 }, { 1.0, 2.0 }))
+  {
+    add(Convolution, factor, WithSpacing(Mapper::ACCUMULATED_CONVOLUTION, factor * spacing));
+  }
+  for (const int size :
+    options.Pick<std::vector<int>>({ 64, 128, 256, 512 }, { 32, 64 }, { 16, 32 }))
+  {
+    add(std::string(Layers) + BufferSuffix, size, WithBuffer(Mapper::SAMPLE_LAYERS, size));
+    add(std::string(Convolution) + BufferSuffix, size,
+      WithBuffer(Mapper::ACCUMULATED_CONVOLUTION, size));
+  }
+  add(Default, 1.0, nullptr);
+  reference::ShadowScene hard = scene;
+  hard.Lights = MakeAreaLights(scene, 0.0);
+  settings.push_back({ Hard, 1.0, MakeSlices(stage, hard) });
+  return settings;
+}
+
+/// The picture that all others are compared with.
+reference::RgbaPicture MakeLimit(reference::VolumeStage& stage, const reference::ShadowScene& scene,
+  double spacing, const BenchOptions& options)
+{
+  const Change change = [&](vtkShadowedSliceMapper* mapper)
+  {
+    mapper->SetSoftShadowMethod(vtkShadowedSliceMapper::SAMPLED_LIGHTS);
+    mapper->SetNumberOfLightSamples(options.Pick(256, 32, 16));
+    mapper->SetSliceSpacing(0.5 * spacing);
+    mapper->SetLightBufferSize(options.Pick(512, 128, 64));
+  };
+  return MakeSlices(stage, scene, change)->Capture();
+}
+
+const Setting& Find(const std::vector<Setting>& settings, const char* name)
+{
+  return *std::find_if(
+    settings.begin(), settings.end(), [&](const Setting& one) { return one.Name == name; });
+}
+
+BenchRow MakeRow(const Setting& setting, const std::string& name, const BenchRows& rows)
+{
+  BenchRow row = rows.Make(name, setting.Name);
+  row.Parameter = setting.Parameter;
+  row.Seconds = setting.Seconds;
+  row.ErrorNorm = Norm;
+  row.Error = setting.Error;
+  AddReport(setting.Drawn->GetSlices()->GetReport(), row);
+  return row;
+}
+
+/// The convolution's setting of the smallest error that takes no longer than the default; its
+/// fastest where all do.
+const Setting& FindEqualTime(const std::vector<Setting>& settings, double seconds)
+{
+  const Setting* best = nullptr;
+  for (const Setting& setting : settings)
+  {
+    if (setting.Name.compare(0, std::string(Convolution).size(), Convolution) != 0)
+    {
+      continue;
+    }
+    const bool isInTime = setting.Seconds <= seconds;
+    const bool isBest = !best ||
+      (best->Seconds > seconds ? setting.Seconds < best->Seconds
+                               : isInTime && setting.Error < best->Error);
+    best = isBest ? &setting : best;
+  }
+  return *best;
+}
+
+void AddSceneRows(
+  reference::VolumeStage& stage, const Case& what, const BenchOptions& options, BenchRows& rows)
+{
+  const MethodPointer plain = MakeSlices(stage, what.Scene);
+  plain->Capture();
+  const double spacing = plain->GetSlices()->GetReport().SliceSpacing;
+  std::vector<Setting> settings = MakeSettings(stage, what.Scene, spacing, options);
+  std::vector<BenchWork> works;
+  works.reserve(settings.size());
+  for (const Setting& setting : settings)
+  {
+    works.push_back(setting.Drawn->GetFrame(options.Threads));
+  }
+  const std::vector<double> seconds = MeasureAlternately(works, Repeats);
+  const reference::RgbaPicture limit = MakeLimit(stage, what.Scene, spacing, options);
+  for (std::size_t i = 0; i < settings.size(); ++i)
+  {
+    settings[i].Seconds = seconds[i];
+    settings[i].Error = reference::ComparePictures(settings[i].Drawn->Capture(), limit).Mean;
+  }
+  const Setting& usual = Find(settings, Default);
+  const Setting& hard = Find(settings, Hard);
+  for (const Setting& setting : settings)
+  {
+    BenchRow row = MakeRow(setting, what.Name, rows);
+    if (&setting == &usual)
+    {
+      row.Peer = Hard;
+      row.PeerSeconds = hard.Seconds;
+      row.Counts["over_hard"] = usual.Seconds / hard.Seconds;
+    }
+    rows.Add(row);
+  }
+  const Setting& rival = FindEqualTime(settings, usual.Seconds);
+  BenchRow row = MakeRow(usual, what.Name, rows);
+  row.Method = EqualTime;
+  row.Peer = Convolution;
+  row.PeerSeconds = rival.Seconds;
+  row.Counts["convolution_over_default"] =
+    usual.Error > 0.0 ? rival.Error / usual.Error : rival.Error;
+  rows.Add(row);
+}
+}
+
+void AddSoftShadowRows(const BenchOptions& options, BenchRows& rows)
+{
+  const std::vector<Case> cases = MakeCases(options);
+  reference::VolumeStage stage(cases.front().Scene.Size);
+  for (const Case& what : cases)
+  {
+    AddSceneRows(stage, what, options, rows);
+  }
+}
+
+std::vector<BenchClaim> CheckSoftShadowClaims(const std::vector<BenchRow>& rows)
+{
+  return { BenchClaim::AtLeast("at equal time at least half the error of the convolution", 2.0,
+             rows, CountOf(EqualTime, "convolution_over_default")),
+    BenchClaim::AtMost("the default at most 1.6 times the time of hard shadows", 1.6, rows,
+      CountOf(Default, "over_hard")) };
+}
+
+std::vector<BenchPlot> MakeSoftShadowPlots(const std::vector<BenchRow>& rows)
+{
+  std::vector<BenchPlot> plots;
+  for (const BenchRow& row : rows)
+  {
+    if (row.Method == EqualTime || !(*row.Error > 0.0))
+    {
+      continue;
+    }
+    if (plots.empty() || plots.back().Title.compare(0, row.Case.size(), row.Case) != 0)
+    {
+      BenchPlot plot;
+      plot.Name = "soft-shadows-" + row.Case.substr(0, row.Case.find('-'));
+      plot.Title = row.Case + ": error against run time, one area light";
+      plot.XLabel = "time of a frame (s)";
+      plot.YLabel = std::string("error: ") + Norm;
+      plot.LogX = true;
+      plot.LogY = true;
+      plots.push_back(plot);
+    }
+    BenchPlot& plot = plots.back();
+    plot.AddPoint(row.Method, row.Method == Sampled || row.Method.find(Convolution) == 0,
+      *row.Seconds, *row.Error);
+    if (row.Method == Default || row.Method == Hard)
+    {
+      // A line has two points at least.
+      plot.AddPoint(row.Method, false, *row.Seconds, *row.Error);
+    }
+  }
+  return plots;
+}
+}
