@@ -22,11 +22,11 @@ namespace interlume
 namespace
 {
 
-// The most slabs of a batch: without them a small light would look up what is far before a slab.
+// The most slabs of a batch, whose own matter casts the shadows of a light without extent in it.
 constexpr int LongestBatch = 64;
 
-// How far shadows of samples may go apart within a batch, in texels.
-constexpr double Apart = 0.5;
+// How far the shadows of a sample and of the centre may go apart within a batch, in texels.
+constexpr double Apart = 0.75;
 
 // Returns the plane n.x = height of a sweep.
 std::array<double, 4> GetPlane(const SlicePlan::Sweep& sweep, double slab)
