@@ -98,9 +98,8 @@ struct SliceScene;
  * centre, and multiplied into one layer of transmittance for each of NumberOfLightSamples
  * stratified samples, as seen from there; the buffer is the mean of the layers. A penumbra is that
  * of the samples, in steps of one over their number, up to a texel, and converges as samples,
- * buffer and slices are refined: behind a half plane its width
- * is off by 3.4 % or less in buffers of 128^2 and 256^2, dZ / Z 0.05 to 5. It takes 4 or 12 bytes
- * more a texel for each sample.
+ * buffer and slices are refined: behind a half plane its width is off by 3.4 % or less in buffers
+ * of 128^2 and 256^2, dZ / Z 0.05 to 5. It takes 4 or 12 bytes more a texel for each sample.
  * - ACCUMULATED_CONVOLUTION: the buffer is convolved with boxes as light goes through the slices
  * (dissertation, 2.4; the virtual light of 2.14, widths below two texels are accumulated). It has
  * neither the emitter's shape nor its image, and its penumbrae shrink as slices and buffers get

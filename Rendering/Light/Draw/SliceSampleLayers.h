@@ -30,8 +30,7 @@ namespace interlume
  * each layer as seen from its sample: T_c(p) <- T_c(p) A(q), q the place in the centre's
  * coordinates of the point that p is in the batch's middle plane. Planes are seen from two places a
  * homography apart. So no layer is resampled from slab to slab, and what is seen is exact for the
- * sample but for the thickness of a batch, whose shadows go apart by no more than a
- * texel. The
+ * sample but for the thickness of a batch, whose shadows go apart by no more than a texel. The
  * light's buffer gets the weighted mean of the layers, each seen from its sample in the middle of
  * the next batch. Within that one it is multiplied as that of a light without extent.
  */
