@@ -65,6 +65,11 @@ class SceneRenderer;
  * named in a warning, once. Where PreserveDepthBuffer is on, actors of other renderers occlude as
  * ever, but cast no shadows.
  *
+ * **Area lights** (vtkAreaLight) have soft shadows of volumes, on surfaces too, by the volume's
+ * mapper with SAMPLE_LAYERS or ACCUMULATED_CONVOLUTION; behind a volume they are as wide as where
+ * the light leaves it. Where the mapper needs SAMPLED_LIGHTS, and wherever surfaces cast them,
+ * shadows are hard, from the light's centre.
+ *
  * **A scene without opaque actors**, without lights that cast shadows, or a selection by
  * vtkHardwareSelector, is drawn as if the pass was not there: same picture, no map, no pass.
  *

@@ -53,6 +53,9 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSliceReport
   /// The number of those lights that have `SampledLights` instead of the method that is set, since
   /// they are inside the volume or too close, or too large, to be seen through planes.
   int SoftLightsInstead = 0;
+  /// The number of those lights that shine from their centre alone: in a vtkShadowedScenePass,
+  /// where `SampledLights` would be needed.
+  int HardLightsInstead = 0;
   /// The numbers of layers of samples of all lights, and of lights that stand for samples, of
   /// passes over layers and by convolution, and the bytes of what soft shadows have beside the
   /// light buffers.

@@ -6,6 +6,7 @@
 #include "SceneStage.h"
 
 #include "vtkActor.h"
+#include "vtkAreaLight.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
@@ -75,7 +76,49 @@ struct Case
   Vector Light;
   Vector View;
   double Bound;
+  /// The diameter of a round lamp; 0 for lights without extent.
+  double Diameter = 0.0;
+  /// The number of lamps that shine from their centre alone.
+  int HardLamps = 0;
 };
+
+// A lamp that looks at the origin.
+vtkSmartPointer<vtkLight> MakeRoundLamp(const Vector& position, double diameter)
+{
+  vtkNew<vtkAreaLight> lamp;
+  lamp->SetPositional(true);
+  lamp->SetPosition(position.data());
+  lamp->SetFocalPoint(0.0, 0.0, 0.0);
+  lamp->SetConeAngle(180.0);
+  lamp->SetShape(vtkAreaLight::ROUND);
+  lamp->SetSize(diameter, diameter);
+  return lamp;
+}
+
+// Places all over the emitter of such a lamp.
+std::vector<Vector> GetEmitter(const Vector& position, double diameter)
+{
+  Vector first;
+  Vector second;
+  const Vector axis = Normalize(position);
+  vtkMath::Perpendiculars(axis.data(), first.data(), second.data(), 0.0);
+  std::vector<Vector> places;
+  constexpr int rows = 12;
+  for (int i = 0; i < rows * rows; ++i)
+  {
+    const double x = (i % rows + 0.5) / rows - 0.5;
+    const double y = (i / rows + 0.5) / rows - 0.5;
+    if (x * x + y * y < 0.25)
+    {
+      places.push_back(position);
+      for (int k = 0; k < 3; ++k)
+      {
+        places.back()[k] += diameter * (x * first[k] + y * second[k]);
+      }
+    }
+  }
+  return places;
+}
 
 void TestWall(Check& check, const Case& wall)
 {
@@ -97,8 +140,9 @@ void TestWall(Check& check, const Case& wall)
   stage.AddSmoke(SMOKE, EXTINCTION, 24);
   // Black smoke has no light of its own.
   stage.Stage.GetVolume()->GetProperty()->SetDiffuse(0.0);
-  stage.Stage.SetLights(
-    { wall.IsLamp ? MakeLamp(wall.Light, { { 0.0, 0.0, 0.0 } }) : MakeSun(wall.Light) });
+  stage.Stage.SetLights({ wall.Diameter > 0.0 ? MakeRoundLamp(wall.Light, wall.Diameter)
+      : wall.IsLamp                           ? MakeLamp(wall.Light, { { 0.0, 0.0, 0.0 } })
+                                              : MakeSun(wall.Light) });
   stage.LookAlong(wall.View);
   const RgbaPicture picture = stage.Draw();
 
@@ -110,6 +154,9 @@ void TestWall(Check& check, const Case& wall)
   vtkMath::Cross(view.data(), up.data(), right.data());
   right = Normalize(right);
   vtkMath::Cross(right.data(), view.data(), up.data());
+  const std::vector<Vector> emitter = wall.Diameter > 0.0 && wall.HardLamps == 0
+    ? GetEmitter(wall.Light, wall.Diameter)
+    : std::vector<Vector>();
   std::vector<double> errors;
   for (int j = 0; j < pixels; ++j)
   {
@@ -140,9 +187,20 @@ void TestWall(Check& check, const Case& wall)
       toLight = Normalize(toLight);
       const double facing = Dot(normal, view) < 0.0 ? 1.0 : -1.0;
       const Vector toEye{ { -view[0], -view[1], -view[2] } };
-      const double depth =
-        EXTINCTION * (GetPath(place, toLight, SMOKE, distance) + GetPath(place, toEye, SMOKE, 1e9));
-      const double expected = std::max(facing * Dot(normal, toLight), 0.0) * std::exp(-depth);
+      double transmittance = 0.0;
+      for (const Vector& point : emitter)
+      {
+        Vector way{ { point[0] - place[0], point[1] - place[1], point[2] - place[2] } };
+        const double most = vtkMath::Norm(way.data());
+        transmittance += std::exp(-EXTINCTION * GetPath(place, Normalize(way), SMOKE, most)) /
+          static_cast<double>(emitter.size());
+      }
+      if (emitter.empty())
+      {
+        transmittance = std::exp(-EXTINCTION * GetPath(place, toLight, SMOKE, distance));
+      }
+      const double expected = std::max(facing * Dot(normal, toLight), 0.0) * transmittance *
+        std::exp(-EXTINCTION * GetPath(place, toEye, SMOKE, 1e9));
       errors.push_back(std::abs(picture.At(i, j)[0] - expected));
     }
   }
@@ -159,6 +217,10 @@ void TestWall(Check& check, const Case& wall)
             << report.PixelsBehind << ", passes " << report.ReceiverPasses << ", sweeps "
             << stage.Mapper->GetReport().Sweeps << " "
             << stage.Mapper->GetReport().FrontToBackSweeps << std::endl;
+  check.Equal(stage.Mapper->GetReport().SoftLights, wall.Diameter > 0.0 ? 1 : 0,
+    wall.Name + ": lamps with an extent");
+  check.Equal(stage.Mapper->GetReport().HardLightsInstead, wall.HardLamps,
+    wall.Name + ": lamps that shine from their centre");
   check.Near(most, 0.0, wall.Bound, wall.Name + ": error of 95 % of the pixels", 1.0);
   check.Near(mean, 0.0, 0.5 * wall.Bound, wall.Name + ": mean error", 1.0);
 }
@@ -180,6 +242,12 @@ void TestWalls(Check& check)
   TestWall(check, { "lamp, across", tilted, 0.05, true, { { -1.0, 0.2, 2.0 } }, down, 0.002 });
   TestWall(
     check, { "lamp within, across", tilted, -0.1, true, { { -0.1, 0.0, 0.2 } }, down, 0.01 });
+  const Vector lamp{ { -1.0, 0.2, 2.0 } };
+  TestWall(check, { "round lamp, across", tilted, 0.05, true, lamp, down, 0.01, 0.4 });
+  TestWall(check, { "round lamp, behind", floor, -0.5, true, lamp, down, 0.02, 0.4 });
+  TestWall(check,
+    { "round lamp within, across", tilted, -0.1, true, { { -0.1, 0.0, 0.2 } }, down, 0.01, 0.2,
+      1 });
 }
 
 // Two volumes, which overlap or stand apart, take their light one after the other.

@@ -288,12 +288,24 @@ void SliceRenderer::MakePlan(
   {
     frame.Plan.Make(frame.Eye, frame.Lights, frame.Space, frame.Region.Box, settings);
     sampled = frame.Plan.NotSoft;
-    report.SoftLightsInstead = static_cast<int>(sampled.size());
+    report.SoftLightsInstead = frame.Scene ? 0 : static_cast<int>(sampled.size());
   }
   if (!sampled.empty())
   {
-    frame.Lights = EmitterSamples::Split(frame.Lights, sampled, samples);
-    report.SampledLights = samples * static_cast<int>(sampled.size());
+    if (frame.Scene)
+    {
+      // A surface takes what is left of a light once; shares of samples would be multiplied there.
+      for (const int light : sampled)
+      {
+        frame.Lights[static_cast<std::size_t>(light)].Area = nullptr;
+      }
+      report.HardLightsInstead = static_cast<int>(sampled.size());
+    }
+    else
+    {
+      frame.Lights = EmitterSamples::Split(frame.Lights, sampled, samples);
+      report.SampledLights = samples * static_cast<int>(sampled.size());
+    }
     frame.Plan.Make(frame.Eye, frame.Lights, frame.Space, frame.Region.Box, settings);
   }
   report.Lights = frame.IsLit() ? static_cast<int>(lights) : 0;
