@@ -4,6 +4,7 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Bonsai.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Stage.h"
 
 #include "vtkImageData.h"
@@ -14,15 +15,27 @@
 
 namespace
 {
-void Build(gallery::Stage& stage)
+vtkSmartPointer<vtkImageData> SampleBonsai()
 {
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite({ gallery::MakeBonsai(),
     gallery::MakeDisk({ 0.0, -0.05, 0.0 }, 0.68, 0.05, gallery::Plaster()) });
-  vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(all, vtkBoundingBox(-0.7, 0.7, -0.75, 0.65, -0.07, 1.1), 216, 0.5);
+  return gallery::Sample(all, vtkBoundingBox(-0.7, 0.7, -0.75, 0.65, -0.07, 1.1), 216, 0.5);
+}
+
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkImageData> image = SampleBonsai();
   gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMatter(image),
     gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85));
   pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.66, 0.66, -0.1, 0.1, -0.27, 1.06));
+}
+
+void BuildSoft(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkImageData> image = SampleBonsai();
+  gallery::AddSoftPair(stage, image, gallery::MakeSolidMatter(image),
+    gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85), 0.9)
+    .Look({ 0.1, -1.0, 0.5 }, vtkBoundingBox(-0.66, 0.66, -0.1, 0.1, -0.33, 1.04));
 }
 
 const gallery::SceneRegistration registration(
@@ -30,4 +43,10 @@ const gallery::SceneRegistration registration(
     "A scanned bonsai in its pot, coloured by the value of the scan. With shadows the crown gets "
     "depth, and it shades the trunk, the soil and the ground.",
     { "bonsai.vti" }, &Build });
+
+const gallery::SceneRegistration softRegistration({ "bonsai-soft", "2.36",
+  "A bonsai in the light of a point and of a disk",
+  "The scanned bonsai under a round lamp: the shadow of the pot keeps its edge, that of the crown "
+  "on the plate is a soft one.",
+  { "bonsai.vti" }, &BuildSoft });
 }

@@ -6,6 +6,7 @@
 #include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Stage.h"
 
 #include "vtkConstructiveModels.h"
@@ -34,8 +35,22 @@ void Build(gallery::Stage& stage)
   panel.Frame(vtkBoundingBox(-1.4, 1.4, -0.1, 0.1, -1.18, 0.98));
 }
 
+void BuildSoft(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkImageData> image = gallery::SampleRings();
+  gallery::AddSoftPair(stage, image, gallery::MakeSolidMatter(image),
+    gallery::MakeStudioLights({ -2.2, -1.2, 3.6 }, 0.85), 0.9)
+    .Look({ 0.1, -1.0, 0.8 }, vtkBoundingBox(-1.28, 1.28, -0.1, 0.1, -1.1, 0.98));
+}
+
 const gallery::SceneRegistration registration({ "rings", "2.7", "Rings with shadows on each other",
   "Six tori are threaded on a seventh. Each throws its shadow on the others and on the disk below; "
   "the edges are classified for each pixel and stay sharp.",
   {}, &Build });
+
+const gallery::SceneRegistration softRegistration(
+  { "rings-soft", "2.33", "Rings in the light of a point and of a disk",
+    "The light of a round lamp in place of a point. A shadow is sharp where a ring touches another "
+    "or the plate, and wider the farther away the ring is that throws it.",
+    {}, &BuildSoft });
 }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gallery/Scenes/Light/SoftShadows.h"
+
+#include "Gallery/Panel.h"
+#include "Gallery/Stage.h"
+
+#include "vtkAreaLight.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace gallery
+{
+Lights MakeRoundLights(const Lights& lights, double diameter)
+{
+  Lights round;
+  for (const vtkSmartPointer<vtkLight>& light : lights)
+  {
+    round.push_back(light);
+    if (light->GetShadowAttenuation() > 0.0F)
+    {
+      vtkNew<vtkAreaLight> area;
+      area->DeepCopy(light);
+      area->SetShapeToRound();
+      area->SetSize(diameter, diameter);
+      round.back() = area;
+    }
+  }
+  return round;
+}
+
+void SoftPair::Look(const vtkVector3d& from, const vtkBoundingBox& frame) const
+{
+  ShadowPair{ this->Hard, this->Soft }.Look(from, frame);
+}
+
+SoftPair AddSoftPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
+  const Lights& lights, double diameter, double surfaceGradient, int lightBuffer)
+{
+  Panel& hard = stage.AddPanel("hard shadows");
+  Panel& soft = stage.AddPanel("soft shadows");
+  for (Panel* panel : { &hard, &soft })
+  {
+    vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, property, surfaceGradient);
+    if (panel == &soft)
+    {
+      // Wide edges need few texels, and steps of their samples should not show.
+      GetSlicedMapper(volume)->SetLightBufferSize(lightBuffer);
+      GetSlicedMapper(volume)->SetNumberOfLightSamples(24);
+    }
+    panel->Add(volume);
+    panel->SetLights(panel == &soft ? MakeRoundLights(lights, diameter) : lights);
+  }
+  return { hard, soft };
+}
+}
