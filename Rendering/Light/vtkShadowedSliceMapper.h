@@ -108,8 +108,10 @@ struct SliceScene;
  * the light: the reference, of one sweep for each four samples.
  * Colours and directions of shading are those of the emitter's centre but in the last; an emitter's
  * image is grey to its shadows then, and its mean colour is the light's. A light inside the volume,
- * or so close or large that slices are seen edge-on from some of it, has SAMPLED_LIGHTS whatever is
- * set; the report counts these. All else (both sweeps, several lights, TransmissionColor, cropping,
+ * or so close or large that slices are seen edge-on from some of it, shines from its centre with
+ * hard shadows but by SAMPLED_LIGHTS; the report counts these (HardLightsInstead). A light for each
+ * sample inside the volume takes some forty times the picture without shadows, and software OpenGL
+ * minutes to compile at first. All else (both sweeps, several lights, TransmissionColor, cropping,
  * clipping) is as for other lights. A vtkAreaLight of size 0 takes what a vtkLight takes.
  *
  * **Input**: vtkImageData, point or cell scalars by ScalarMode, ArrayName, ArrayId as in VTK's

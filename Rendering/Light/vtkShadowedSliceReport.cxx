@@ -15,7 +15,6 @@ void vtkShadowedSliceReport::Print(ostream& os, vtkIndent indent) const
       { "LightBuffers", this->LightBuffers }, { "LightBufferBytes", this->LightBufferBytes },
       { "LightBufferSize", this->LightBufferSize }, { "LightChannels", this->LightChannels },
       { "SoftLights", this->SoftLights }, { "SoftShadowMethod", this->SoftShadowMethod },
-      { "SoftLightsInstead", this->SoftLightsInstead },
       { "HardLightsInstead", this->HardLightsInstead }, { "LightLayers", this->LightLayers },
       { "SampledLights", this->SampledLights }, { "SoftShadowPasses", this->SoftShadowPasses },
       { "SoftShadowBytes", this->SoftShadowBytes }, { "Features", this->Features },

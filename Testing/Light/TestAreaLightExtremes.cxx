@@ -79,7 +79,8 @@ public:
   {
   }
 
-  /// The mapper's picture against the mean of the reference's pictures of samples of the light.
+  /// The mapper's picture, by layers where the light can have them, against the mean of the
+  /// reference's pictures of samples of the light.
   void Measure(
     const std::string& name, const std::string& extreme, vtkAreaLight* area, double bound = 6e-4)
   {
@@ -95,7 +96,13 @@ public:
     vtkNew<vtkShadowedSliceMapper> mapper;
     mapper->SetNumberOfLightSamples(Samples);
     mapper->SetLightBufferSize(64);
-    const RgbaPicture found = DrawByMapper(mapper, scene);
+    RgbaPicture found = DrawByMapper(mapper, scene);
+    if (mapper->GetReport().HardLightsInstead > 0)
+    {
+      // The light is too close or too large for layers.
+      mapper->SetSoftShadowMethodToSampledLights();
+      found = DrawByMapper(mapper, scene);
+    }
     const bool isSeen = LargestAlpha(expected) > 0.05;
     this->Catalogue.Measure(name, extreme, "mean channel error against samples of the light",
       isSeen ? ComparePictures(found, expected).Mean : std::nan(""), bound);

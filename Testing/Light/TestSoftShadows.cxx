@@ -221,7 +221,7 @@ void TestSamples(Check& check)
     const RgbaPicture picture = DrawByMapper(layers, scene);
     ExpectAlike(check, name, picture, DrawByMapper(sampled, scene), { 0.04, 0.001 });
     check.Equal(layers->GetReport().Sweeps, sweeps, name + ": sweeps of layers");
-    check.Equal(layers->GetReport().SoftLightsInstead, 0, name + ": lights without layers");
+    check.Equal(layers->GetReport().HardLightsInstead, 0, name + ": lights without layers");
     check.That(layers->GetReport().SoftShadowPasses > 0, name + ": passes over layers");
     vtkNew<Mapper> hard;
     ShadowScene point = scene;
@@ -284,17 +284,26 @@ void TestPoint(Check& check)
   }
 }
 
-/// A light inside the volume has a light for each sample, and the report says so.
+/// A light inside the volume shines from its centre, or is a light for each sample where that is
+/// asked for, and the report says so.
 void TestInside(Check& check)
 {
+  const Double3 inside{ { 0.1, 0.1, 0.1 } };
   vtkNew<Mapper> mapper;
   mapper->SetNumberOfLightSamples(2);
-  DrawByMapper(mapper, BoxesScene(MakeAreaLight({ { 0.1, 0.1, 0.1 } }, 0.2)));
+  const RgbaPicture found = DrawByMapper(mapper, BoxesScene(MakeAreaLight(inside, 0.2)));
   check.Equal(mapper->GetReport().SoftLights, 1, "inside: soft lights");
-  check.Equal(mapper->GetReport().SoftLightsInstead, 1, "inside: lights without layers");
+  check.Equal(mapper->GetReport().HardLightsInstead, 1, "inside: lights without layers");
+  check.Equal(mapper->GetReport().SampledLights, 0, "inside: no lights of samples");
+  const RgbaPicture expected = DrawByMapper(mapper, BoxesScene(MakeAreaLight(inside, 0.0)));
+  check.Near(ComparePictures(found, expected).Max, 0.0, 0.0, "inside: hard shadows");
+  mapper->SetSoftShadowMethodToSampledLights();
+  DrawByMapper(mapper, BoxesScene(MakeAreaLight(inside, 0.2)));
+  check.Equal(mapper->GetReport().HardLightsInstead, 0, "inside: samples instead of the centre");
   check.Equal(mapper->GetReport().SampledLights, 2, "inside: lights of samples");
   check.Equal(mapper->GetReport().ShadowedLights, 1, "inside: lights with shadows");
   check.Equal(mapper->GetReport().LightBuffers, 2, "inside: buffers");
+  mapper->SetSoftShadowMethodToSampleLayers();
   DrawByMapper(mapper, BoxesScene(MakeAreaLight({ { -1.0, 1.0, 1.5 } }, 0.5)));
   const vtkShadowedSliceReport& report = mapper->GetReport();
   check.Equal(report.LightLayers, 2, "outside: layers");

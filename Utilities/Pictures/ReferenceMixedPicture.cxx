@@ -351,6 +351,8 @@ private:
       }
     }
     std::sort(bounds.begin(), bounds.end());
+    // Bounds of neighbouring voxels differ by rounding; no step leads from one to the other.
+    constexpr double rounding = 1e-13;
     std::vector<Stay> here;
     for (std::size_t i = 0; i + 1 < bounds.size() && gathered.Depth < Opaque; ++i)
     {
@@ -358,7 +360,7 @@ private:
       here.clear();
       std::copy_if(stays.begin(), stays.end(), std::back_inserter(here),
         [middle](const Stay& stay) { return middle > stay.Begin && middle < stay.End; });
-      if (bounds[i] < bounds[i + 1] && !here.empty())
+      if (bounds[i + 1] - bounds[i] > rounding * bounds[i + 1] && !here.empty())
       {
         this->March(here, sight, { bounds[i], bounds[i + 1] }, gathered);
       }

@@ -284,27 +284,24 @@ void SliceRenderer::MakePlan(
       }
     }
   }
-  if (sampled.empty())
+  // A surface of a scene takes what is left of a light once: shares of samples would be multiplied.
+  std::vector<int> hard = frame.Scene ? sampled : std::vector<int>();
+  if (hard.empty() && !sampled.empty())
+  {
+    frame.Lights = EmitterSamples::Split(frame.Lights, sampled, samples);
+    report.SampledLights = samples * static_cast<int>(sampled.size());
+  }
+  if (hard.empty())
   {
     frame.Plan.Make(frame.Eye, frame.Lights, frame.Space, frame.Region.Box, settings);
-    sampled = frame.Plan.NotSoft;
-    report.SoftLightsInstead = frame.Scene ? 0 : static_cast<int>(sampled.size());
+    hard = frame.Plan.NotSoft;
   }
-  if (!sampled.empty())
+  report.HardLightsInstead = static_cast<int>(hard.size());
+  if (!hard.empty())
   {
-    if (frame.Scene)
+    for (const int light : hard)
     {
-      // A surface takes what is left of a light once; shares of samples would be multiplied there.
-      for (const int light : sampled)
-      {
-        frame.Lights[static_cast<std::size_t>(light)].Area = nullptr;
-      }
-      report.HardLightsInstead = static_cast<int>(sampled.size());
-    }
-    else
-    {
-      frame.Lights = EmitterSamples::Split(frame.Lights, sampled, samples);
-      report.SampledLights = samples * static_cast<int>(sampled.size());
+      frame.Lights[static_cast<std::size_t>(light)].Area = nullptr;
     }
     frame.Plan.Make(frame.Eye, frame.Lights, frame.Space, frame.Region.Box, settings);
   }
