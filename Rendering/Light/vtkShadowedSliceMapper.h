@@ -137,8 +137,8 @@ struct SliceScene;
  * is not supported, is warned of once, and draws the picture that is drawn without it. The only
  * BlendMode is composite.
  *
- * Opaque actors cast shadows in the volume, and the volume on them, where vtkShadowedScenePass draws
- * the renderer.
+ * Opaque actors cast shadows in the volume, and the volume on them, where vtkShadowedScenePass
+ * draws the renderer.
  *
  * Errors (vtkErrorMacro; the picture of the frame before stays where there is one): no scalars, a
  * blend mode or number of components that is not supported, a volume larger than the graphics
