@@ -1,21 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
+//INTERLUME::FEATURES
 
-// Looks a map up as it is seen from another sample of an emitter: two views of one plane are a
-// homography apart.
+// Looks maps up as they are seen from other samples of an emitter: two views of one plane are a
+// homography apart. Layers of samples stand one over the other in a texture.
 in vec2 texCoord;
 uniform sampler2D map;
-// From clip coordinates of the texture that is drawn to those of the map.
-uniform mat3 mapFromTarget;
-uniform float factor;
+uniform int layers;
+// Three columns for each layer: from clip coordinates of what is drawn to those of the map.
+uniform vec3 mapFromTarget[3 * MOST_LAYERS];
+#ifdef MEAN
+uniform float weights[MOST_LAYERS];
+// Half a texel of a layer, beyond which its neighbour begins.
+uniform float margin;
+#endif
 
 //VTK::Output::Dec
 
+vec3 seenFrom(int layer, vec2 at)
+{
+  vec2 clip = at * 2.0 - 1.0;
+  return mapFromTarget[3 * layer] * clip.x + mapFromTarget[3 * layer + 1] * clip.y +
+    mapFromTarget[3 * layer + 2];
+}
+
 void main()
 {
-  vec3 place = mapFromTarget * vec3(texCoord * 2.0 - 1.0, 1.0);
   // Nothing lies in planes behind a light.
-  gl_FragData[0] = place.z > 0.0
-    ? factor * textureLod(map, place.xy / place.z * 0.5 + 0.5, 0.0)
-    : vec4(factor);
+#ifdef MEAN
+  vec4 sum = vec4(0.0);
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    vec3 place = seenFrom(layer, texCoord);
+    vec2 at = clamp(place.xy / place.z * 0.5 + 0.5, margin, 1.0 - margin);
+    at.y = (float(layer) + at.y) / float(layers);
+    sum += weights[layer] * (place.z > 0.0 ? textureLod(map, at, 0.0) : vec4(1.0));
+  }
+  gl_FragData[0] = sum;
+#else
+  float row = texCoord.y * float(layers);
+  int layer = min(int(row), layers - 1);
+  vec3 place = seenFrom(layer, vec2(texCoord.x, row - float(layer)));
+  gl_FragData[0] =
+    place.z > 0.0 ? textureLod(map, place.xy / place.z * 0.5 + 0.5, 0.0) : vec4(1.0);
+#endif
 }

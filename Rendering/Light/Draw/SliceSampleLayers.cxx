@@ -11,6 +11,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkShaderFeatures.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -27,6 +28,16 @@ constexpr int LongestBatch = 64;
 
 // How far the shadows of a sample and of the centre may go apart within a batch, in texels.
 constexpr double Apart = 0.75;
+
+// The most layers of a texture, whose homographies are uniforms of one program.
+constexpr int MostLayers = 16;
+
+std::unique_ptr<vtkOpenGLQuadHelper> MakeQuad(vtkOpenGLRenderWindow* window, const char* feature)
+{
+  const std::string source = vtkShaderFeatures::Insert(
+    InterlumeSliceLayerFS, "MOST_LAYERS=" + std::to_string(MostLayers) + feature);
+  return std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
+}
 
 // Returns the plane n.x = height of a sweep.
 std::array<double, 4> GetPlane(const SlicePlan::Sweep& sweep, double slab)
@@ -45,20 +56,21 @@ std::string SliceSampleLayers::Prepare(vtkOpenGLRenderWindow* window, const Slic
   const SlicePlan::ShadowedLight& light, int channels)
 {
   this->Bytes = 0;
-  while (this->Layers.size() > light.Samples.size())
+  this->NumberOfLayers = static_cast<int>(light.Samples.size());
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  const int most = std::min(std::max(limit / light.BufferSize, 1), MostLayers);
+  const auto stacks = static_cast<std::size_t>((this->NumberOfLayers + most - 1) / most);
+  while (this->Stacks.size() > stacks)
   {
-    this->Layers.back()->ReleaseGraphicsResources(window);
-    this->Layers.pop_back();
-  }
-  while (this->Layers.size() < light.Samples.size())
-  {
-    this->Layers.push_back(vtkSmartPointer<vtkTextureObject>::New());
+    this->Stacks.back().Texture->ReleaseGraphicsResources(window);
+    this->Stacks.pop_back();
   }
   this->Framebuffer->SetContext(window);
-  const auto prepare = [&](vtkTextureObject* texture)
+  const auto prepare = [&](vtkTextureObject* texture, int layers)
   {
-    const vtkIdType bytes =
-      vtkFloatTarget::Allocate(window, texture, light.BufferSize, light.BufferSize, channels, true);
+    const vtkIdType bytes = vtkFloatTarget::Allocate(
+      window, texture, light.BufferSize, layers * light.BufferSize, channels, true);
     this->Bytes += bytes;
     if (bytes > 0)
     {
@@ -66,18 +78,28 @@ std::string SliceSampleLayers::Prepare(vtkOpenGLRenderWindow* window, const Slic
     }
     return bytes > 0;
   };
-  if (!prepare(this->Batch) ||
-    !std::all_of(this->Layers.begin(), this->Layers.end(),
-      [&prepare](vtkTextureObject* layer) { return prepare(layer); }))
+  bool hasMemory = prepare(this->Batch, 1);
+  for (std::size_t i = 0; i < stacks && hasMemory; ++i)
+  {
+    if (i == this->Stacks.size())
+    {
+      this->Stacks.push_back({ vtkSmartPointer<vtkTextureObject>::New(), 0, 0 });
+    }
+    Stack& stack = this->Stacks[i];
+    stack.First = i * most;
+    stack.Layers = std::min(this->NumberOfLayers - static_cast<int>(stack.First), most);
+    hasMemory = prepare(stack.Texture, stack.Layers);
+  }
+  if (!hasMemory)
   {
     return "the graphics card has no memory for the layers of an area light";
   }
-  if (!this->Quad)
+  if (!this->Fill)
   {
-    this->Quad =
-      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, InterlumeSliceLayerFS, nullptr);
+    this->Fill = MakeQuad(window, "");
+    this->Mean = MakeQuad(window, " MEAN");
   }
-  if (!this->Quad->Program)
+  if (!this->Fill->Program || !this->Mean->Program)
   {
     return "the shader of an area light's layers cannot be compiled";
   }
@@ -98,24 +120,26 @@ void SliceSampleLayers::Clear(vtkOpenGLRenderWindow* window, vtkTextureObject* t
   glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void SliceSampleLayers::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* target,
-  vtkTextureObject* map, const std::array<double, 16>& targetFromUnit,
-  const std::array<double, 16>& mapFromUnit, const std::array<double, 4>& plane, double factor)
+void SliceSampleLayers::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLQuadHelper& quad,
+  vtkTextureObject* target, vtkTextureObject* map, const std::vector<glm::dmat3>& homographies)
 {
-  const glm::dmat3 homography = PlaneView::GetHomography(targetFromUnit, mapFromUnit, plane);
-  float columns[9];
-  std::transform(glm::value_ptr(homography), glm::value_ptr(homography) + 9, columns,
-    [](double value) { return static_cast<float>(value); });
-  vtkShaderProgram* program = this->Quad->Program;
-  window->GetShaderCache()->ReadyShaderProgram(program);
+  std::vector<float> columns;
+  for (const glm::dmat3& homography : homographies)
+  {
+    const glm::mat3 single(homography);
+    columns.insert(columns.end(), glm::value_ptr(single), glm::value_ptr(single) + 9);
+  }
+  const auto layers = static_cast<int>(homographies.size());
   this->Framebuffer->AddColorAttachment(0, target);
   // The light's buffer has its texture unit for the whole sweep.
   const bool wasActive = map->GetTextureUnit() >= 0;
   map->Activate();
-  program->SetUniformi("map", map->GetTextureUnit());
-  program->SetUniformMatrix3x3("mapFromTarget", columns);
-  program->SetUniformf("factor", static_cast<float>(factor));
-  this->Quad->Render();
+  quad.Program->SetUniformi("map", map->GetTextureUnit());
+  quad.Program->SetUniformi("layers", layers);
+  quad.Program->SetUniform3fv("mapFromTarget", 3 * layers, columns.data());
+  window->GetState()->vtkglViewport(
+    0, 0, static_cast<int>(target->GetWidth()), static_cast<int>(target->GetHeight()));
+  quad.Render();
   if (!wasActive)
   {
     map->Deactivate();
@@ -137,40 +161,61 @@ int SliceSampleLayers::Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Swe
   vtkOpenGLState* state = window->GetState();
   this->Framebuffer->Bind();
   this->Framebuffer->ActivateDrawBuffer(0);
-  state->vtkglViewport(0, 0, light.BufferSize, light.BufferSize);
   const std::array<double, 4> drawn = GetPlane(sweep, 0.5 * (this->First + this->Last + 1));
-  state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-  for (std::size_t i = 0; i < this->Layers.size(); ++i)
-  {
-    this->Draw(window, this->Layers[i], this->Batch, light.Samples[i].LayerFromUnit,
-      light.BufferFromUnit, drawn, 1.0);
-  }
   const std::array<double, 4> next = GetPlane(sweep, slab + 0.5 * this->Period);
-  for (std::size_t i = 0; i < this->Layers.size(); ++i)
+  state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+  window->GetShaderCache()->ReadyShaderProgram(this->Fill->Program);
+  std::vector<glm::dmat3> homographies;
+  for (const Stack& stack : this->Stacks)
   {
-    state->vtkglBlendFunc(GL_ONE, i == 0 ? GL_ZERO : GL_ONE);
-    this->Draw(window, buffer, this->Layers[i], light.BufferFromUnit,
-      light.Samples[i].LayerFromUnit, next, light.Samples[i].Weight);
+    homographies.clear();
+    for (int i = 0; i < stack.Layers; ++i)
+    {
+      homographies.push_back(PlaneView::GetHomography(
+        light.Samples[stack.First + i].LayerFromUnit, light.BufferFromUnit, drawn));
+    }
+    this->Draw(window, *this->Fill, stack.Texture, this->Batch, homographies);
+  }
+  vtkShaderProgram* program = this->Mean->Program;
+  window->GetShaderCache()->ReadyShaderProgram(program);
+  program->SetUniformf("margin", static_cast<float>(0.5 / light.BufferSize));
+  for (const Stack& stack : this->Stacks)
+  {
+    homographies.clear();
+    std::vector<float> weights;
+    for (int i = 0; i < stack.Layers; ++i)
+    {
+      const SlicePlan::SampleView& sample = light.Samples[stack.First + i];
+      homographies.push_back(
+        PlaneView::GetHomography(light.BufferFromUnit, sample.LayerFromUnit, next));
+      weights.push_back(static_cast<float>(sample.Weight));
+    }
+    program->SetUniform1fv("weights", stack.Layers, weights.data());
+    state->vtkglBlendFunc(GL_ONE, stack.First == 0 ? GL_ZERO : GL_ONE);
+    this->Draw(window, *this->Mean, buffer, stack.Texture, homographies);
   }
   this->Clear(window, this->Batch);
   this->First = slab;
   this->Last = slab;
-  return 2 * this->GetNumberOfLayers();
+  return 2 * static_cast<int>(this->Stacks.size());
 }
 
 void SliceSampleLayers::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkTextureObject* layer : this->Layers)
+  for (const Stack& stack : this->Stacks)
   {
-    layer->ReleaseGraphicsResources(window);
+    stack.Texture->ReleaseGraphicsResources(window);
   }
-  this->Layers.clear();
+  this->Stacks.clear();
   this->Batch->ReleaseGraphicsResources(window);
   this->Framebuffer->ReleaseGraphicsResources(window);
-  if (this->Quad)
+  for (std::unique_ptr<vtkOpenGLQuadHelper>* quad : { &this->Fill, &this->Mean })
   {
-    this->Quad->ReleaseGraphicsResources(window);
-    this->Quad.reset();
+    if (*quad)
+    {
+      (*quad)->ReleaseGraphicsResources(window);
+      quad->reset();
+    }
   }
   this->Bytes = 0;
 }

@@ -2,6 +2,7 @@
 #ifndef interlume_SliceSampleLayers_h
 #define interlume_SliceSampleLayers_h
 
+#include "Common/Vectors.h"
 #include "Plan/SlicePlan.h"
 
 #include "vtkNew.h"
@@ -9,6 +10,7 @@
 #include "vtkTextureObject.h"
 #include "vtkType.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,7 +34,8 @@ namespace interlume
  * homography apart. So no layer is resampled from slab to slab, and what is seen is exact for the
  * sample but for the thickness of a batch, whose shadows go apart by no more than a texel. The
  * light's buffer gets the weighted mean of the layers, each seen from its sample in the middle of
- * the next batch. Within that one it is multiplied as that of a light without extent.
+ * the next batch. Within that one it is multiplied as that of a light without extent. Up to sixteen
+ * layers stand one over the other in a texture, and take one pass together.
  */
 class SliceSampleLayers
 {
@@ -50,7 +53,7 @@ public:
   /// Returns the transmittance of the batch, in the coordinates of the light's buffer; slabs
   /// multiply it.
   vtkTextureObject* GetBatch() const { return this->Batch; }
-  int GetNumberOfLayers() const { return static_cast<int>(this->Layers.size()); }
+  int GetNumberOfLayers() const { return this->NumberOfLayers; }
   vtkIdType GetBytes() const { return this->Bytes; }
 
   /**
@@ -64,14 +67,25 @@ public:
 
 private:
   void Clear(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
-  void Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* target, vtkTextureObject* map,
-    const std::array<double, 16>& targetFromUnit, const std::array<double, 16>& mapFromUnit,
-    const std::array<double, 4>& plane, double factor);
+  /// Layers from a first sample on, in one texture.
+  struct Stack
+  {
+    vtkSmartPointer<vtkTextureObject> Texture;
+    std::size_t First = 0;
+    int Layers = 0;
+  };
 
-  std::vector<vtkSmartPointer<vtkTextureObject>> Layers;
+  /// Draws into \a target what the program makes of \a map, with a homography for each layer.
+  void Draw(vtkOpenGLRenderWindow* window, vtkOpenGLQuadHelper& quad, vtkTextureObject* target,
+    vtkTextureObject* map, const std::vector<glm::dmat3>& homographies);
+
+  std::vector<Stack> Stacks;
+  int NumberOfLayers = 0;
   vtkNew<vtkTextureObject> Batch;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  /// The program that puts a batch into layers, and the one that adds layers up.
+  std::unique_ptr<vtkOpenGLQuadHelper> Fill;
+  std::unique_ptr<vtkOpenGLQuadHelper> Mean;
   vtkIdType Bytes = 0;
   /// The number of slabs of a batch, its first slab and the last one that was begun.
   int Period = 1;
