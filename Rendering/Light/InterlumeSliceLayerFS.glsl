@@ -13,6 +13,13 @@ uniform vec3 mapFromTarget[3 * MOST_LAYERS];
 uniform float weights[MOST_LAYERS];
 // Half a texel of a layer, beyond which its neighbour begins.
 uniform float margin;
+#else
+// Three columns: from clip coordinates of the map to the plane's points, homogeneous ones.
+uniform vec4 pointFromMap[3];
+uniform vec3 sliceNormal;
+// The place of the emitter's centre and those of the samples, or directions, homogeneous ones.
+uniform vec4 center;
+uniform vec4 sources[MOST_LAYERS];
 #endif
 
 //VTK::Output::Dec
@@ -23,6 +30,15 @@ vec3 seenFrom(int layer, vec2 at)
   return mapFromTarget[3 * layer] * clip.x + mapFromTarget[3 * layer + 1] * clip.y +
     mapFromTarget[3 * layer + 2];
 }
+
+#ifndef MEAN
+// The way through a slab of thickness 1 on a ray to a light.
+float slantOf(vec4 source, vec3 at)
+{
+  vec3 way = source.xyz - source.w * at;
+  return length(way) / max(abs(dot(way, sliceNormal)), 1e-6 * length(way));
+}
+#endif
 
 void main()
 {
@@ -41,7 +57,14 @@ void main()
   float row = texCoord.y * float(layers);
   int layer = min(int(row), layers - 1);
   vec3 place = seenFrom(layer, vec2(texCoord.x, row - float(layer)));
-  gl_FragData[0] =
-    place.z > 0.0 ? textureLod(map, place.xy / place.z * 0.5 + 0.5, 0.0) : vec4(1.0);
+  gl_FragData[0] = vec4(1.0);
+  if (place.z > 0.0)
+  {
+    vec4 point = pointFromMap[0] * place.x + pointFromMap[1] * place.y + pointFromMap[2] * place.z;
+    vec3 at = point.xyz / point.w;
+    float longer = slantOf(sources[layer], at) / slantOf(center, at);
+    gl_FragData[0] =
+      pow(textureLod(map, place.xy / place.z * 0.5 + 0.5, 0.0), vec4(longer));
+  }
 #endif
 }

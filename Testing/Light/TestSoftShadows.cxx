@@ -219,7 +219,7 @@ void TestSamples(Check& check)
     sampled->SetSoftShadowMethodToSampledLights();
     sampled->SetNumberOfLightSamples(16);
     const RgbaPicture picture = DrawByMapper(layers, scene);
-    ExpectAlike(check, name, picture, DrawByMapper(sampled, scene), { 0.04, 0.001 });
+    ExpectAlike(check, name, picture, DrawByMapper(sampled, scene), { 0.021, 0.0005 });
     check.Equal(layers->GetReport().Sweeps, sweeps, name + ": sweeps of layers");
     check.Equal(layers->GetReport().HardLightsInstead, 0, name + ": lights without layers");
     check.That(layers->GetReport().SoftShadowPasses > 0, name + ": passes over layers");

@@ -164,19 +164,29 @@ int SliceSampleLayers::Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Swe
   const std::array<double, 4> drawn = GetPlane(sweep, 0.5 * (this->First + this->Last + 1));
   const std::array<double, 4> next = GetPlane(sweep, slab + 0.5 * this->Period);
   state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-  window->GetShaderCache()->ReadyShaderProgram(this->Fill->Program);
+  vtkShaderProgram* program = this->Fill->Program;
+  window->GetShaderCache()->ReadyShaderProgram(program);
+  const glm::mat3x4 points(PlaneView::GetPoints(light.BufferFromUnit, drawn));
+  program->SetUniform4fv("pointFromMap", 3, glm::value_ptr(points));
+  program->SetUniform3f("sliceNormal", glm::value_ptr(glm::vec3(sweep.Normal)));
+  program->SetUniform4f("center", glm::value_ptr(glm::vec4(light.Center)));
   std::vector<glm::dmat3> homographies;
   for (const Stack& stack : this->Stacks)
   {
     homographies.clear();
+    std::vector<float> sources;
     for (int i = 0; i < stack.Layers; ++i)
     {
-      homographies.push_back(PlaneView::GetHomography(
-        light.Samples[stack.First + i].LayerFromUnit, light.BufferFromUnit, drawn));
+      const SlicePlan::SampleView& sample = light.Samples[stack.First + i];
+      homographies.push_back(
+        PlaneView::GetHomography(sample.LayerFromUnit, light.BufferFromUnit, drawn));
+      const glm::vec4 source(sample.Source);
+      sources.insert(sources.end(), glm::value_ptr(source), glm::value_ptr(source) + 4);
     }
+    program->SetUniform4fv("sources", stack.Layers, sources.data());
     this->Draw(window, *this->Fill, stack.Texture, this->Batch, homographies);
   }
-  vtkShaderProgram* program = this->Mean->Program;
+  program = this->Mean->Program;
   window->GetShaderCache()->ReadyShaderProgram(program);
   program->SetUniformf("margin", static_cast<float>(0.5 / light.BufferSize));
   for (const Stack& stack : this->Stacks)

@@ -29,8 +29,9 @@ namespace interlume
  *
  * A sample c has a layer T_c in the coordinates of a light at c. The matter of some slabs, the
  * batch, has one transmittance A from the emitter's centre, drawn once for all samples and put into
- * each layer as seen from its sample: T_c(p) <- T_c(p) A(q), q the place in the centre's
- * coordinates of the point that p is in the batch's middle plane. Planes are seen from two places a
+ * each layer as seen from its sample: T_c(p) <- T_c(p) A(q)^s, q the place in the
+ * centre's coordinates of the point that p is in the batch's middle plane, s the way through a slab
+ * on a ray from c over that on a ray from the centre. Planes are seen from two places a
  * homography apart. So no layer is resampled from slab to slab, and what is seen is exact for the
  * sample but for the thickness of a batch, whose shadows go apart by no more than a texel. The
  * light's buffer gets the weighted mean of the layers, each seen from its sample in the middle of

@@ -36,6 +36,13 @@ glm::dvec3 GetRay(const LightSource& source, const glm::dvec3& place)
                              : source.Direction;
 }
 
+// Returns a light's place, or where its light comes from, in homogeneous coordinates.
+glm::dvec4 GetHomogeneous(const LightSource& source)
+{
+  return source.IsPositional ? glm::dvec4(source.Position, 1.0)
+                             : glm::dvec4(-source.Direction, 0.0);
+}
+
 glm::dvec3 GetRow(const Matrix& matrix, std::size_t row)
 {
   return glm::make_vec3(&matrix[4 * row]);
@@ -262,10 +269,12 @@ bool LightFit::Soften(
     }
     SlicePlan::ShadowedLight layer;
     this->FitPlane(placed, layer);
-    views.push_back({ layer.BufferFromUnit, glm::dot(sample.Weight, glm::dvec3(1.0 / 3.0)) });
+    views.push_back({ layer.BufferFromUnit, glm::dot(sample.Weight, glm::dvec3(1.0 / 3.0)),
+      GetHomogeneous(placed) });
   }
   light.SoftMethod = this->Settings.SoftMethod;
   light.Spread = spread;
+  light.Center = GetHomogeneous(source);
   if (light.SoftMethod == SlicePlan::LAYERS)
   {
     light.Samples = views;

@@ -10,24 +10,31 @@
 namespace interlume
 {
 
+glm::dmat3x4 PlaneView::GetPoints(
+  const std::array<double, 16>& view, const std::array<double, 4>& plane)
+{
+  // The third row of a view is not used: depth on the plane takes its place, which is 0.
+  const glm::dmat4 rows(glm::make_vec4(&view[0]), glm::make_vec4(&view[4]),
+    glm::make_vec4(&view[12]), glm::make_vec4(plane.data()));
+  const glm::dmat4 matrix = glm::transpose(rows);
+  if (!(std::abs(glm::determinant(matrix)) > 0.0))
+  {
+    return glm::dmat3x4(0.0);
+  }
+  const glm::dmat4 inverse = glm::inverse(matrix);
+  return { inverse[0], inverse[1], inverse[2] };
+}
+
 glm::dmat3 PlaneView::GetHomography(const std::array<double, 16>& from,
   const std::array<double, 16>& to, const std::array<double, 4>& plane)
 {
-  // The third row of a view is not used: depth on the plane takes its place, which is 0.
-  glm::dmat4 rows(glm::make_vec4(&from[0]), glm::make_vec4(&from[4]), glm::make_vec4(&from[12]),
-    glm::make_vec4(plane.data()));
-  const glm::dmat4 view = glm::transpose(rows);
-  if (!(std::abs(glm::determinant(view)) > 0.0))
-  {
-    return glm::dmat3(0.0);
-  }
-  const glm::dmat4 inverse = glm::inverse(view);
+  const glm::dmat3x4 points = GetPoints(from, plane);
   glm::dmat3 result;
   for (int column = 0; column < 3; ++column)
   {
-    const glm::dvec4 point = inverse[column];
-    result[column] = { glm::dot(glm::make_vec4(&to[0]), point),
-      glm::dot(glm::make_vec4(&to[4]), point), glm::dot(glm::make_vec4(&to[12]), point) };
+    result[column] = { glm::dot(glm::make_vec4(&to[0]), points[column]),
+      glm::dot(glm::make_vec4(&to[4]), points[column]),
+      glm::dot(glm::make_vec4(&to[12]), points[column]) };
   }
   return result;
 }

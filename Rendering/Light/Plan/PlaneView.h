@@ -15,6 +15,13 @@ namespace interlume
 namespace PlaneView
 {
 /**
+ * Computes the points of a plane from clip coordinates (x, y, 1) of a view, homogeneous ones: (X,
+ * Y, Z, W). The view is the rows of a matrix as BufferFromUnit of SlicePlan::ShadowedLight; \a
+ * plane is n.x + plane[3] = 0. The matrix is 0 where the view sees the plane edge-on.
+ */
+glm::dmat3x4 GetPoints(const std::array<double, 16>& view, const std::array<double, 4>& plane);
+
+/**
  * Computes the homography from one view of a plane to another one: (x, y, 1) in clip coordinates of
  * the first to (x', y', 1) of the second, times a factor that is above 0 where a point is before
  * both views or behind both. Views are rows of matrices as BufferFromUnit of

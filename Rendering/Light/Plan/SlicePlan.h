@@ -70,6 +70,8 @@ public:
     std::array<double, 16> LayerFromUnit{};
     /// Its share of the light, the mean over the three channels.
     double Weight = 0.0;
+    /// Its place and 1 in unit space; where light comes from and 0 without a place.
+    glm::dvec4 Source{ 0.0, 0.0, 0.0, 1.0 };
   };
 
   /// A light with its buffer.
@@ -93,6 +95,8 @@ public:
     /// For layers, one view for each sample, and how far a sample's shadow goes from the centre's,
     /// in texels, on its way through a distance of 1 along the normal: the most in the volume.
     std::vector<SampleView> Samples;
+    /// The emitter's centre, as Source of a sample.
+    glm::dvec4 Center{ 0.0, 0.0, 0.0, 1.0 };
     double Spread = 0.0;
     /// For wide lights, two directions in the slices' plane and the sweep's normal, as rows.
     std::array<double, 9> Frame{};
