@@ -67,8 +67,8 @@ class SceneRenderer;
  *
  * **Area lights** (vtkAreaLight) have soft shadows of volumes, on surfaces too, by the volume's
  * mapper with SAMPLE_LAYERS or ACCUMULATED_CONVOLUTION; behind a volume they are as wide as where
- * the light leaves it. Where the mapper needs SAMPLED_LIGHTS, and wherever surfaces cast them,
- * shadows are hard, from the light's centre.
+ * the light leaves it. With SAMPLED_LIGHTS, where a light is too close for layers, and wherever
+ * surfaces cast them, shadows are hard, from the light's centre.
  *
  * **A scene without opaque actors**, without lights that cast shadows, or a selection by
  * vtkHardwareSelector, is drawn as if the pass was not there: same picture, no map, no pass.

@@ -134,14 +134,18 @@ std::string SliceLightBuffer::PrepareSoftShadows(vtkOpenGLRenderWindow* window,
   }
   if (hasSamples)
   {
-    this->Samples =
-      this->Samples ? std::move(this->Samples) : std::make_unique<SliceSampleLayers>();
+    if (!this->Samples)
+    {
+      this->Samples = std::make_unique<SliceSampleLayers>();
+    }
     return this->Samples->Prepare(window, sweep, light, frame.GetLightChannels());
   }
   if (isConvolved)
   {
-    this->Convolution =
-      this->Convolution ? std::move(this->Convolution) : std::make_unique<SliceConvolution>();
+    if (!this->Convolution)
+    {
+      this->Convolution = std::make_unique<SliceConvolution>();
+    }
     return this->Convolution->Prepare(
       window, frame.Lights[light.Light], light, frame.GetLightChannels());
   }
