@@ -225,11 +225,10 @@ void CheckProjective(Check& check)
     for (const glm::dvec3& point : { glm::dvec3(101.0, 1.0, 2.0), glm::dvec3(96.0, -3.0, 4.0) })
     {
       const glm::dvec3 unit = scene.Space.ToUnit(glm::value_ptr(point));
-      const double from[2][4] = { { point[0], point[1], point[2], 1.0 },
-        { unit[0], unit[1], unit[2], 1.0 } };
-      double to[2][4];
-      world->MultiplyPoint(from[0], to[0]);
-      vtkMatrix4x4::MultiplyPoint(source.ScreenFromUnit.data(), from[1], to[1]);
+      const double from[4] = { point[0], point[1], point[2], 1.0 };
+      glm::dvec4 to[2];
+      world->MultiplyPoint(from, glm::value_ptr(to[0]));
+      to[1] = source.ScreenFromUnit * glm::dvec4(unit, 1.0);
       for (int i = 0; i < 2; ++i)
       {
         check.Near(to[1][i] / to[1][3], to[0][i] / to[0][3], 1e-11, "place on the screen", 1.0);

@@ -75,11 +75,10 @@ Eye MakePerspective(const glm::dvec3& position, const glm::dvec3& direction, dou
   const glm::dvec3 right = glm::cross(direction, up);
   const glm::dvec3 rows[3] = { (1.0 / std::max(tangent, 1e-9)) * right,
     (1.0 / std::max(tangent, 1e-9)) * up, direction };
-  for (std::size_t row = 0; row < 3 && tangent > 0.0; ++row)
+  for (int row = 0; row < 3 && tangent > 0.0; ++row)
   {
-    const std::size_t start = row == 2 ? 12 : 4 * row;
-    std::copy_n(glm::value_ptr(rows[row]), 3, eye.ClipFromUnit.begin() + start);
-    eye.ClipFromUnit[start + 3] = -glm::dot(rows[row], position);
+    eye.ClipFromUnit = glm::row(
+      eye.ClipFromUnit, row == 2 ? 3 : row, glm::dvec4(rows[row], -glm::dot(rows[row], position)));
   }
   return eye;
 }
@@ -195,10 +194,9 @@ void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t inde
   const double voxel = interlume::SlicePlan::GetVoxelSpacing(space, sweep.Normal);
   // No line within a voxel is longer than its sides together.
   double longest = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const Matrix& m = space.UnitFromTexture;
-    longest += interlume::Vectors::SafeLength(glm::dvec3(m[axis], m[4 + axis], m[8 + axis])) /
+    longest += interlume::Vectors::SafeLength(glm::dvec3(space.UnitFromTexture[axis])) /
       static_cast<double>(space.Size[axis]);
   }
   check.That(
@@ -215,14 +213,12 @@ void CheckBuffer(Check& check, const interlume::SlicePlan::ShadowedLight& light,
   double upper[2] = { -1.0, -1.0 };
   for (const glm::dvec3& corner : corners)
   {
-    const Matrix& m = light.BufferFromUnit;
-    const glm::dvec3 point = TransformPoint(m, corner);
-    const double w = m[12] * corner[0] + m[13] * corner[1] + m[14] * corner[2] + m[15];
-    check.That(w > 0.0, "a corner is in front of the light");
-    for (std::size_t i = 0; i < 2; ++i)
+    const glm::dvec4 point = light.BufferFromUnit * glm::dvec4(corner, 1.0);
+    check.That(point.w > 0.0, "a corner is in front of the light");
+    for (int i = 0; i < 2; ++i)
     {
-      lower[i] = std::min(lower[i], point[i] / w);
-      upper[i] = std::max(upper[i], point[i] / w);
+      lower[i] = std::min(lower[i], point[i] / point.w);
+      upper[i] = std::max(upper[i], point[i] / point.w);
     }
   }
   const double tolerance = 1e-9 + 1e-14 * distance;
@@ -508,7 +504,7 @@ void CheckCounts(Check& check)
 {
   check.SetContext("");
   const interlume::UnitSpace space = MakeCube();
-  const double side = space.UnitFromTexture[0] / 2.0;
+  const double side = space.UnitFromTexture[0][0] / 2.0;
   const glm::dvec3 eye{ 0.0, 0.0, 4.0 };
   const interlume::LightSource front = MakeDirectional(glm::dvec3(0.0, 0.0, -1.0));
   const interlume::LightSource back = MakeDirectional(glm::dvec3(0.0, 0.0, 1.0));
@@ -664,7 +660,7 @@ void CheckScreens(Check& check)
       projective->SetScreenSize(width, height);
       vtkNew<vtkMatrix4x4> matrix;
       projective->GetScreenMatrix(matrix);
-      std::copy_n(matrix->GetData(), 16, light.ScreenFromUnit.begin());
+      light.ScreenFromUnit = FromRows(matrix->GetData());
       return Plan(eye, { light }, space).Sweeps[0].Lights[0];
     };
     const interlume::SlicePlan::ShadowedLight cut = make(0.3, 0.2);
@@ -676,9 +672,7 @@ void CheckScreens(Check& check)
       for (const double v : { -1.0, 1.0 })
       {
         const glm::dvec3 corner = glm::dvec3(0.1, 0.0, 0.0) + (0.15 * u) * right + (0.1 * v) * up;
-        const double from[4] = { corner[0], corner[1], corner[2], 1.0 };
-        double to[4];
-        vtkMatrix4x4::MultiplyPoint(cut.BufferFromUnit.data(), from, to);
+        const glm::dvec4 to = cut.BufferFromUnit * glm::dvec4(corner, 1.0);
         check.That(to[3] > 0.0, "in front");
         check.Near(to[0] / to[3], u * border, 1e-9, "across");
         check.Near(to[1] / to[3], v * border, 1e-9, "up");

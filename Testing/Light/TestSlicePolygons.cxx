@@ -8,7 +8,6 @@
 
 #include "Plan/SlicePolygons.h"
 #include "Space/UnitVector.h"
-#include "vtkMath.h"
 
 #include <utility>
 
@@ -78,12 +77,11 @@ std::vector<Box> GetBlocks(const Scene& scene)
   std::vector<Box> blocks;
   std::size_t sizes[3];
   double margins[3];
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < 3; ++axis)
   {
     sizes[axis] = scene.Borders[axis].size() - 1;
     // Moves the face's plane by the margin.
-    const double* row = scene.Space.TextureFromUnit.data() + 4 * axis;
-    margins[axis] = scene.Margin * std::sqrt(vtkMath::Dot(row, row));
+    margins[axis] = scene.Margin * glm::length(GetRow(scene.Space.TextureFromUnit, axis));
   }
   for (std::size_t block = 0; block < scene.Visible.size(); ++block)
   {
@@ -354,10 +352,10 @@ interlume::UnitSpace MakeExactSpace()
 {
   interlume::UnitSpace space;
   space.Size.fill(8);
-  space.UnitFromTexture = { { 1.0, 0.0, 0.0, -0.5, 0.0, 1.0, 0.0, -0.5, 0.0, 0.0, 1.0, -0.5, 0.0,
-    0.0, 0.0, 1.0 } };
-  space.TextureFromUnit = { { 1.0, 0.0, 0.0, 0.5, 0.0, 1.0, 0.0, 0.5, 0.0, 0.0, 1.0, 0.5, 0.0, 0.0,
-    0.0, 1.0 } };
+  space.UnitFromTexture = glm::dmat4(1.0);
+  space.UnitFromTexture[3] = glm::dvec4(-0.5, -0.5, -0.5, 1.0);
+  space.TextureFromUnit = glm::dmat4(1.0);
+  space.TextureFromUnit[3] = glm::dvec4(0.5, 0.5, 0.5, 1.0);
   space.Box.fill({ { 0.0, 1.0 } });
   return space;
 }

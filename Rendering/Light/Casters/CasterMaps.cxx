@@ -4,7 +4,6 @@
 #include "Loader/OpenGLFunctions.h"
 
 #include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
@@ -26,13 +25,11 @@ int GetColumns(int views)
   return std::max(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(views)))), 1);
 }
 
-// Appends rows as columns in single precision, as OpenGL takes them.
-void AddColumns(std::vector<float>& values, const std::array<double, 16>& rows)
+// Appends a matrix in single precision.
+void Add(std::vector<float>& values, const glm::dmat4& matrix)
 {
-  for (int i = 0; i < 16; ++i)
-  {
-    values.push_back(static_cast<float>(rows[4 * (i % 4) + i / 4]));
-  }
+  const glm::mat4 rounded(matrix);
+  values.insert(values.end(), glm::value_ptr(rounded), glm::value_ptr(rounded) + 16);
 }
 
 // Returns all that the maps depend on.
@@ -42,7 +39,8 @@ std::vector<double> GetState(
   std::vector<double> state{ static_cast<double>(resolution) };
   for (const CasterViews::View& view : views.GetViews())
   {
-    state.insert(state.end(), view.ClipFromWorld.begin(), view.ClipFromWorld.end());
+    const double* clip = glm::value_ptr(view.ClipFromWorld);
+    state.insert(state.end(), clip, clip + 16);
   }
   for (vtkProp* prop : props)
   {
@@ -114,8 +112,7 @@ std::string CasterMaps::GetFeatures() const
   return "CASTER_VIEWS=" + std::to_string(this->Views.size());
 }
 
-void CasterMaps::SetUniforms(
-  vtkShaderProgram* program, const std::array<double, 16>& worldFromPlace) const
+void CasterMaps::SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromPlace) const
 {
   std::vector<float> clips;
   std::vector<float> inverses;
@@ -124,12 +121,9 @@ void CasterMaps::SetUniforms(
   for (std::size_t i = 0; i < this->Views.size(); ++i)
   {
     const CasterViews::View& view = this->Views[i];
-    std::array<double, 16> clip{};
-    vtkMatrix4x4::Multiply4x4(view.ClipFromWorld.data(), worldFromPlace.data(), clip.data());
-    AddColumns(clips, clip);
-    std::array<double, 16> inverse{};
-    vtkMatrix4x4::Invert(clip.data(), inverse.data());
-    AddColumns(inverses, inverse);
+    const glm::dmat4 clip = view.ClipFromWorld * worldFromPlace;
+    Add(clips, clip);
+    Add(inverses, glm::inverse(clip));
     const std::array<int, 2> tile = this->GetTile(static_cast<int>(i));
     tiles.insert(tiles.end(),
       { static_cast<float>(tile[0]), static_cast<float>(tile[1]),

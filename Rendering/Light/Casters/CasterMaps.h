@@ -53,8 +53,8 @@ public:
   /// The features of a shader that reads the maps by InterlumeSceneCasters.glsl.
   std::string GetFeatures() const;
   /// Sets the uniforms of a program with that source, of which places are in coordinates that \a
-  /// worldFromPlace, rows, leads from. The texture has to be active.
-  void SetUniforms(vtkShaderProgram* program, const std::array<double, 16>& worldFromPlace) const;
+  /// worldFromPlace leads from. The texture has to be active.
+  void SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromPlace) const;
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

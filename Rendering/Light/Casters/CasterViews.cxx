@@ -18,7 +18,6 @@ namespace interlume
 
 namespace
 {
-using Matrix = std::array<double, 16>;
 using View = CasterViews::View;
 
 /// The least cosine between the axis of a single view and what it sees: 75 degrees.
@@ -89,20 +88,12 @@ std::vector<glm::dvec3> GetCorners(const std::vector<CasterViews::Box>& boxes)
   return corners;
 }
 
-Matrix MakeLightFromWorld(const glm::dvec3& origin, const Axes& axes)
+glm::dmat4 MakeLightFromWorld(const glm::dvec3& origin, const Axes& axes)
 {
-  Matrix matrix{};
-  const std::array<glm::dvec3, 3> rows{ { axes.Right, axes.Up, -axes.Along } };
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix[4 * row + column] = rows[row][column];
-    }
-    matrix[4 * row + 3] = -glm::dot(rows[row], origin);
-  }
-  matrix[15] = 1.0;
-  return matrix;
+  const auto makeRow = [&origin](const glm::dvec3& axis)
+  { return glm::dvec4(axis, -glm::dot(axis, origin)); };
+  return glm::transpose(glm::dmat4(
+    makeRow(axes.Right), makeRow(axes.Up), makeRow(-axes.Along), glm::dvec4(0.0, 0.0, 0.0, 1.0)));
 }
 
 // Sets the matrices of a view whose window is given, and the depth of its texels.
@@ -116,32 +107,32 @@ View MakeView(const glm::dvec3& origin, const Axes& axes, const Window& window, 
   const double farthest = window.Along.Last;
   const double depth = farthest - nearest;
   const std::array<Range, 2> across{ { window.Right, window.Up } };
-  Matrix& clip = view.ClipFromLight;
+  glm::dmat4& clip = view.ClipFromLight;
   for (int i = 0; i < 2; ++i)
   {
     const double scale = 2.0 / across[i].GetSize();
     const double middle = across[i].GetMiddle();
-    clip[5 * i] = scale;
+    clip[i][i] = scale;
     // The light looks along -z, and w is -z in perspective.
-    clip[4 * i + (isPerspective ? 2 : 3)] = isPerspective ? scale * middle : -scale * middle;
+    clip[isPerspective ? 2 : 3][i] = isPerspective ? scale * middle : -scale * middle;
   }
   const double texel = std::max(window.Right.GetSize(), window.Up.GetSize()) / resolution;
   if (isPerspective)
   {
-    clip[10] = -(farthest + nearest) / depth;
-    clip[11] = -2.0 * farthest * nearest / depth;
-    clip[14] = -1.0;
+    clip[2][2] = -(farthest + nearest) / depth;
+    clip[3][2] = -2.0 * farthest * nearest / depth;
+    clip[2][3] = -1.0;
     // A step along the ray by a share of the way to the light.
     view.TexelDepth = { { 0.0, texel * 2.0 * farthest * nearest / depth } };
   }
   else
   {
-    clip[10] = -2.0 / depth;
-    clip[11] = -(farthest + nearest) / depth;
-    clip[15] = 1.0;
+    clip[2][2] = -2.0 / depth;
+    clip[3][2] = -(farthest + nearest) / depth;
+    clip[3][3] = 1.0;
     view.TexelDepth = { { texel * 2.0 / depth, 0.0 } };
   }
-  vtkMatrix4x4::Multiply4x4(clip.data(), view.LightFromWorld.data(), view.ClipFromWorld.data());
+  view.ClipFromWorld = clip * view.LightFromWorld;
   return view;
 }
 
@@ -280,18 +271,18 @@ const CasterViews::Light* CasterViews::Find(vtkLight* light) const
 
 void CasterViews::SetCamera(const View& view, vtkCamera* camera)
 {
-  const Matrix& light = view.LightFromWorld;
-  const glm::dvec3 right(light[0], light[1], light[2]);
-  const glm::dvec3 up(light[4], light[5], light[6]);
-  const glm::dvec3 along(-light[8], -light[9], -light[10]);
-  const glm::dvec3 origin = -(light[3] * right + light[7] * up - light[11] * along);
+  const glm::dmat4& light = view.LightFromWorld;
+  const glm::dvec3 right = UnitVector::GetRow(light, 0);
+  const glm::dvec3 up = UnitVector::GetRow(light, 1);
+  const glm::dvec3 along = -UnitVector::GetRow(light, 2);
+  const glm::dvec3 origin = -(light[3][0] * right + light[3][1] * up - light[3][2] * along);
   const glm::dvec3 focus = origin + along;
   camera->SetPosition(origin.x, origin.y, origin.z);
   camera->SetFocalPoint(focus.x, focus.y, focus.z);
   camera->SetViewUp(up.x, up.y, up.z);
   camera->SetParallelProjection(view.IsPerspective ? 0 : 1);
   vtkNew<vtkMatrix4x4> projection;
-  projection->DeepCopy(view.ClipFromLight.data());
+  projection->DeepCopy(glm::value_ptr(glm::transpose(view.ClipFromLight)));
   camera->SetExplicitProjectionTransformMatrix(projection);
   camera->SetUseExplicitProjectionTransformMatrix(true);
 }

@@ -8,6 +8,8 @@
 #include <array>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
+
 class vtkCamera;
 class vtkLight;
 
@@ -34,11 +36,11 @@ public:
   struct View
   {
     bool IsPerspective = false;
-    /// Rows of the matrices from world to the light's own coordinates, where it looks along -z, and
-    /// from those to clip coordinates.
-    std::array<double, 16> LightFromWorld{};
-    std::array<double, 16> ClipFromLight{};
-    std::array<double, 16> ClipFromWorld{};
+    /// From world to the light's own coordinates, where it looks along -z, and from those to clip
+    /// coordinates.
+    glm::dmat4 LightFromWorld{ 0.0 };
+    glm::dmat4 ClipFromLight{ 0.0 };
+    glm::dmat4 ClipFromWorld{ 0.0 };
     /// A texel's width as a depth: with w the fourth clip coordinate of a place this is [0] + [1] /
     /// w in normalised device coordinates.
     std::array<double, 2> TexelDepth{};

@@ -2,6 +2,7 @@
 #include "Draw/SliceConvolution.h"
 
 #include "Loader/OpenGLFunctions.h"
+#include "Space/UnitVector.h"
 
 #include "InterlumeSliceBoxFS.h"
 #include "vtkFloatTarget.h"
@@ -31,14 +32,14 @@ std::array<double, 2> GetWidths(const LightSource& source, const SlicePlan::Shad
 {
   const double apex = source.IsPositional ? glm::dot(source.Position, normal) : 0.0;
   const double distance = source.IsPositional ? last - apex : glm::dot(source.Direction, normal);
-  const std::array<double, 16>& view = light.BufferFromUnit;
-  const auto getRow = [&view](int row) { return glm::make_vec3(&view[4 * row]); };
+  const glm::dmat4& view = light.BufferFromUnit;
+  const auto getRow = [&view](int row) { return UnitVector::GetRow(view, row); };
   // The place on the axis of a buffer in perspective; in parallel all places are alike.
   const bool isPerspective = getRow(3) != glm::dvec3(0.0);
   const glm::dvec3 place = isPerspective
     ? source.Position + getRow(3) * ((height - apex) / glm::dot(getRow(3), normal))
     : normal * height;
-  const double depth = glm::dot(getRow(3), place) + view[15];
+  const double depth = glm::dot(getRow(3), place) + view[3][3];
   std::array<double, 2> squares{};
   for (const glm::dvec3& emitter : source.EmitterAxes)
   {
@@ -46,7 +47,7 @@ std::array<double, 2> GetWidths(const LightSource& source, const SlicePlan::Shad
       (emitter - glm::dot(emitter, normal) * normal) * ((height - last) / distance);
     for (int i = 0; i < 2; ++i)
     {
-      const double seen = (glm::dot(getRow(i), place) + view[4 * i + 3]) / depth;
+      const double seen = (glm::dot(getRow(i), place) + view[3][i]) / depth;
       const double change =
         (glm::dot(getRow(i), across) - seen * glm::dot(getRow(3), across)) / depth;
       squares[i] += change * change;

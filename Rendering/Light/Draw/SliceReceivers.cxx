@@ -9,7 +9,6 @@
 #include "Receivers/SliceScene.h"
 #include "Space/UnitVector.h"
 
-#include "vtkMatrix4x4.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -73,7 +72,7 @@ private:
     return first < last;
   }
 
-  const std::array<double, 16>& TextureFromUnit;
+  const glm::dmat4& TextureFromUnit;
   const std::array<std::array<double, 2>, 3>& Box;
   std::vector<const LightSource*> Sources;
 };
@@ -87,8 +86,7 @@ void SliceReceivers::Sort(const SliceFrame& frame, const SlicePlan::Sweep& sweep
 {
   const SliceScene& scene = *frame.Scene;
   const std::vector<float>& depths = scene.EyeDepths;
-  std::array<double, 16> unitFromClip{};
-  vtkMatrix4x4::Invert(frame.Eye.ClipFromUnit.data(), unitFromClip.data());
+  const glm::dmat4 unitFromClip = glm::inverse(frame.Eye.ClipFromUnit);
   const int width = scene.Size[0];
   const int height = scene.Size[1];
   const MatterBox matter(frame, sweep);
@@ -106,19 +104,15 @@ void SliceReceivers::Sort(const SliceFrame& frame, const SlicePlan::Sweep& sweep
         {
           continue;
         }
-        const std::array<double, 4> clip{ { 2.0 * (i % width + 0.5) / width - 1.0,
-          2.0 * (i / width + 0.5) / height - 1.0, 2.0 * depths[i] - 1.0, 1.0 } };
-        std::array<double, 4> place{};
-        vtkMatrix4x4::MultiplyPoint(unitFromClip.data(), clip.data(), place.data());
-        double along = 0.0;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          place[axis] /= place[3];
-          places[i][axis] = static_cast<float>(place[axis]);
-          along += place[axis] * sweep.Normal[axis];
-        }
-        const double slab = std::floor((along - sweep.First) / sweep.Spacing);
-        slabs[i] = matter.IsBefore({ place[0], place[1], place[2] })
+        const glm::dvec4 homogeneous = unitFromClip *
+          glm::dvec4(2.0 * (i % width + 0.5) / width - 1.0, 2.0 * (i / width + 0.5) / height - 1.0,
+            2.0 * depths[i] - 1.0, 1.0);
+        const glm::dvec3 place = glm::dvec3(homogeneous) / homogeneous.w;
+        places[i] = { { static_cast<float>(place.x), static_cast<float>(place.y),
+          static_cast<float>(place.z) } };
+        const double slab =
+          std::floor((glm::dot(place, sweep.Normal) - sweep.First) / sweep.Spacing);
+        slabs[i] = matter.IsBefore(place)
           ? static_cast<int>(std::min(std::max(slab, -1.0), static_cast<double>(sweep.Slabs)))
           : -1;
       }

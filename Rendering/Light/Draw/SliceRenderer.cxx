@@ -16,7 +16,6 @@
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpaqueProps.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -43,16 +42,14 @@ struct SliceRenderer::WindowResources
 
 namespace
 {
-using Matrix = std::array<double, 16>;
-
 // Finds the near plane: clip coordinates have z + w >= 0 behind it.
 void FindNearPlane(SliceFrame& frame)
 {
-  const Matrix& clip = frame.Eye.ClipFromUnit;
+  const glm::dmat4& clip = frame.Eye.ClipFromUnit;
   double length = 0.0;
   for (int i = 0; i < 4; ++i)
   {
-    frame.NearPlane[i] = clip[8 + i] + clip[12 + i];
+    frame.NearPlane[i] = clip[i][2] + clip[i][3];
     length += i < 3 ? frame.NearPlane[i] * frame.NearPlane[i] : 0.0;
   }
   length = std::sqrt(length);
@@ -472,21 +469,14 @@ bool SliceRenderer::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkI
 
       // The matrix leads from clip coordinates to texture coordinates, after the way from world to
       // unit space.
-      const Matrix texture{ { 0.5, 0.0, 0.0, 0.5, 0.0, 0.5, 0.0, 0.5, 0.0, 0.0, 0.5, 0.5, 0.0, 0.0,
-        0.0, 1.0 } };
-      Matrix unit{};
-      for (int i = 0; i < 3; ++i)
-      {
-        unit[5 * i] = 1.0 / space.Radius;
-        unit[4 * i + 3] = -space.Center[i] / space.Radius;
-      }
-      unit[15] = 1.0;
+      glm::dmat4 texture(glm::dmat3(0.5));
+      texture[3] = glm::dvec4(0.5, 0.5, 0.5, 1.0);
       vtkNew<vtkDoubleArray> matrix;
       matrix->SetName("BufferFromWorld");
       matrix->SetNumberOfTuples(16);
-      Matrix product{};
-      vtkMatrix4x4::Multiply4x4(shadowed.BufferFromUnit.data(), unit.data(), product.data());
-      vtkMatrix4x4::Multiply4x4(texture.data(), product.data(), matrix->GetPointer(0));
+      const glm::dmat4 rows =
+        glm::transpose(texture * (shadowed.BufferFromUnit * space.GetUnitFromWorld()));
+      std::copy_n(glm::value_ptr(rows), 16, matrix->GetPointer(0));
       image->GetFieldData()->AddArray(matrix);
       return true;
     }

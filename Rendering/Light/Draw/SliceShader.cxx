@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/SliceShader.h"
 
-#include "Common/Vectors.h"
-
 #include "Casters/CasterMaps.h"
 #include "Casters/CasterViews.h"
+#include "Common/Vectors.h"
 #include "Receivers/SliceScene.h"
+#include "Space/UnitVector.h"
 
 #include "InterlumeSceneCasters.h"
 #include "InterlumeSliceFS.h"
@@ -13,7 +13,6 @@
 #include "InterlumeSliceLightFS.h"
 #include "InterlumeSliceMedium.h"
 #include "InterlumeSliceReceiverFS.h"
-#include "vtkMatrix4x4.h"
 #include "vtkProjectiveLight.h"
 #include "vtkShaderFeatures.h"
 #include "vtkShaderProgram.h"
@@ -129,16 +128,10 @@ void SetVector(vtkShaderProgram* program, const std::string& name, const std::ar
   program->SetUniform4f(name.c_str(), values);
 }
 
-// Sets a matrix from rows in double precision as columns in single precision.
-void SetMatrix(
-  vtkShaderProgram* program, const std::string& name, const std::array<double, 16>& rows)
+void SetMatrix(vtkShaderProgram* program, const std::string& name, const glm::dmat4& matrix)
 {
-  float columns[16];
-  for (int i = 0; i < 16; ++i)
-  {
-    columns[4 * (i % 4) + i / 4] = static_cast<float>(rows[i]);
-  }
-  program->SetUniformMatrix4x4(name.c_str(), columns);
+  glm::mat4 rounded(matrix);
+  program->SetUniformMatrix4x4(name.c_str(), glm::value_ptr(rounded));
 }
 
 void SetFrame(vtkShaderProgram* program, const std::string& name, const std::array<double, 9>& axes)
@@ -500,9 +493,7 @@ void SliceShader::SetEyeUniforms(
   {
     const float size[2] = { static_cast<float>(frame.Size[0]), static_cast<float>(frame.Size[1]) };
     program->SetUniform2f("imageSize", size);
-    std::array<double, 16> inverse{};
-    vtkMatrix4x4::Invert(frame.Eye.ClipFromUnit.data(), inverse.data());
-    SetMatrix(program, "unitFromClip", inverse);
+    SetMatrix(program, "unitFromClip", glm::inverse(frame.Eye.ClipFromUnit));
   }
   if (!frame.IsLit())
   {
@@ -510,11 +501,7 @@ void SliceShader::SetEyeUniforms(
   }
   if (program->IsUniformUsed("casterDepths"))
   {
-    const double radius = frame.Space.Radius;
-    const glm::dvec3& center = frame.Space.Center;
-    frame.Scene->Maps->SetUniforms(program,
-      { { radius, 0.0, 0.0, center.x, 0.0, radius, 0.0, center.y, 0.0, 0.0, radius, center.z, 0.0,
-        0.0, 0.0, 1.0 } });
+    frame.Scene->Maps->SetUniforms(program, frame.Space.GetWorldFromUnit());
   }
   std::vector<float> materials;
   for (int row = 0; row < frame.Material.Rows; ++row)
@@ -554,8 +541,9 @@ void SliceShader::SetLightUniforms(vtkShaderProgram* program, const SliceFrame& 
   {
     SetFrame(program, "frame", light.Frame);
     // From a place in the buffer.
-    SetMatrix(program, "clipFromUnit",
-      { { 2.0, 0.0, 0.0, -1.0, 0.0, 2.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0 } });
+    const double rows[16] = { 2.0, 0.0, 0.0, -1.0, 0.0, 2.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+      0.0, 0.0, 1.0 };
+    SetMatrix(program, "clipFromUnit", UnitVector::FromRows(rows));
   }
   else
   {

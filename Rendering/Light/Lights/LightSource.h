@@ -5,6 +5,8 @@
 #include "Common/Vectors.h"
 #include <array>
 
+#include <glm/mat4x4.hpp>
+
 class vtkAreaLight;
 class vtkLight;
 class vtkProjectiveLight;
@@ -44,9 +46,9 @@ struct LightSource
   /// The share of the light that shadows take, 0 to 1; a light with 0 casts none.
   double ShadowStrength = 0.0;
 
-  /// The rows of the matrix from unit space to the screen of a projective light, as GetScreenMatrix
-  /// computes it.
-  std::array<double, 16> ScreenFromUnit{};
+  /// The matrix from unit space to the screen of a projective light, as GetScreenMatrix computes
+  /// it.
+  glm::dmat4 ScreenFromUnit{ 0.0 };
 
   /// The area light whose emitter has an extent; null for all other lights, those of size 0 too.
   vtkAreaLight* Area = nullptr;

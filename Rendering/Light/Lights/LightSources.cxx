@@ -4,6 +4,7 @@
 #include "Lights/EmitterSamples.h"
 #include "Lights/LightFrame.h"
 #include "Space/UnitSpace.h"
+#include "Space/UnitVector.h"
 
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"
@@ -132,7 +133,7 @@ std::string SetScreen(
   {
     return "the matrix of its screen is not finite";
   }
-  std::copy_n(matrix->GetData(), 16, source.ScreenFromUnit.begin());
+  source.ScreenFromUnit = UnitVector::FromRows(matrix->GetData());
   return source.Projective->GetImageError();
 }
 

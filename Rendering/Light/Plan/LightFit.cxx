@@ -43,11 +43,6 @@ glm::dvec4 GetHomogeneous(const LightSource& source)
                              : glm::dvec4(-source.Direction, 0.0);
 }
 
-glm::dvec3 GetRow(const Matrix& matrix, std::size_t row)
-{
-  return glm::make_vec3(&matrix[4 * row]);
-}
-
 }
 
 LightFit::LightFit(
@@ -129,7 +124,7 @@ LightFit::Window LightFit::FitBox(const LightSource& source) const
 // none.
 bool LightFit::FitScreen(const LightSource& source, Window& window) const
 {
-  const Matrix& screen = source.ScreenFromUnit;
+  const glm::dmat4& screen = source.ScreenFromUnit;
   window.IsPerspective = source.IsPositional;
   window.Origin = source.IsPositional ? source.Position : glm::dvec3(0.0, 0.0, 0.0);
   window.Axis = source.Direction;
@@ -147,7 +142,7 @@ bool LightFit::FitScreen(const LightSource& source, Window& window) const
     }
     else
     {
-      const double constant = screen[4 * i + 3];
+      const double constant = screen[3][i];
       edges[i] = { { -constant / length, (1.0 - constant) / length } };
     }
   }
@@ -203,7 +198,7 @@ void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& lig
   }
   light.IsWide = false;
   light.BufferSize = this->GetSize(texels);
-  light.BufferFromUnit = {};
+  light.BufferFromUnit = glm::dmat4(0.0);
   light.TexelSize = 0.0;
   light.VoxelLength = SlicePlan::GetVoxelSpacing(this->Space, window.Axis);
 
@@ -211,10 +206,10 @@ void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& lig
   const double widest =
     std::max(window.Range[0][1] - window.Range[0][0], window.Range[1][1] - window.Range[1][0]);
   constexpr double narrowest = 1e-6;
-  const auto setRow = [&](std::size_t row, const glm::dvec3& a, double constant)
+  const auto setRow = [&](int row, const glm::dvec3& a, double constant)
   {
-    std::copy_n(glm::value_ptr(a), 3, light.BufferFromUnit.begin() + 4 * row);
-    light.BufferFromUnit[4 * row + 3] = constant - glm::dot(a, window.Origin);
+    light.BufferFromUnit =
+      glm::row(light.BufferFromUnit, row, glm::dvec4(a, constant - glm::dot(a, window.Origin)));
   };
   for (std::size_t i = 0; i < 2; ++i)
   {
@@ -237,7 +232,7 @@ void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& lig
   }
   else
   {
-    light.BufferFromUnit[15] = 1.0;
+    light.BufferFromUnit[3][3] = 1.0;
   }
 }
 
@@ -264,7 +259,7 @@ bool LightFit::Soften(
       const double apart = Vectors::SafeLength(ray / cosine - center / glm::dot(center, normal));
       // A texel is as large as it is far from the light.
       const double depth =
-        glm::dot(GetRow(light.BufferFromUnit, 3), corner) + light.BufferFromUnit[15];
+        glm::dot(GetRow(light.BufferFromUnit, 3), corner) + light.BufferFromUnit[3][3];
       spread = std::max(spread, apart / (light.TexelSize * depth));
     }
     SlicePlan::ShadowedLight layer;
@@ -300,7 +295,7 @@ void LightFit::FitHalfSpace(
     texels = std::max(texels, reach / SlicePlan::GetVoxelSpacing(this->Space, axes[i]));
   }
   light.IsWide = true;
-  light.BufferFromUnit = {};
+  light.BufferFromUnit = glm::dmat4(0.0);
   // Half a turn around the light.
   light.BufferSize = this->GetSize(vtkMath::Pi() * texels);
 }

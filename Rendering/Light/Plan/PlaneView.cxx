@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -10,12 +11,11 @@
 namespace interlume
 {
 
-glm::dmat3x4 PlaneView::GetPoints(
-  const std::array<double, 16>& view, const std::array<double, 4>& plane)
+glm::dmat3x4 PlaneView::GetPoints(const glm::dmat4& view, const std::array<double, 4>& plane)
 {
   // The third row of a view is not used: depth on the plane takes its place, which is 0.
-  const glm::dmat4 rows(glm::make_vec4(&view[0]), glm::make_vec4(&view[4]),
-    glm::make_vec4(&view[12]), glm::make_vec4(plane.data()));
+  const glm::dmat4 rows(
+    glm::row(view, 0), glm::row(view, 1), glm::row(view, 3), glm::make_vec4(plane.data()));
   const glm::dmat4 matrix = glm::transpose(rows);
   if (!(std::abs(glm::determinant(matrix)) > 0.0))
   {
@@ -25,16 +25,15 @@ glm::dmat3x4 PlaneView::GetPoints(
   return { inverse[0], inverse[1], inverse[2] };
 }
 
-glm::dmat3 PlaneView::GetHomography(const std::array<double, 16>& from,
-  const std::array<double, 16>& to, const std::array<double, 4>& plane)
+glm::dmat3 PlaneView::GetHomography(
+  const glm::dmat4& from, const glm::dmat4& to, const std::array<double, 4>& plane)
 {
   const glm::dmat3x4 points = GetPoints(from, plane);
   glm::dmat3 result;
   for (int column = 0; column < 3; ++column)
   {
-    result[column] = { glm::dot(glm::make_vec4(&to[0]), points[column]),
-      glm::dot(glm::make_vec4(&to[4]), points[column]),
-      glm::dot(glm::make_vec4(&to[12]), points[column]) };
+    result[column] = { glm::dot(glm::row(to, 0), points[column]),
+      glm::dot(glm::row(to, 1), points[column]), glm::dot(glm::row(to, 3), points[column]) };
   }
   return result;
 }

@@ -8,6 +8,8 @@
 #include <array>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
+
 namespace interlume
 {
 
@@ -50,8 +52,8 @@ public:
     glm::dvec3 Position{ 0.0, 0.0, 4.0 };
     /// Length 1.
     glm::dvec3 Direction{ 0.0, 0.0, -1.0 };
-    /// Rows of the matrix from unit space to clip coordinates.
-    std::array<double, 16> ClipFromUnit{};
+    /// From unit space to clip coordinates.
+    glm::dmat4 ClipFromUnit{ 0.0 };
   };
 
   /// How soft shadows of area lights are planned.
@@ -66,8 +68,8 @@ public:
   /// A sample of an area light's emitter, with its layer of transmittance.
   struct SampleView
   {
-    /// The rows of a matrix as BufferFromUnit of ShadowedLight, for the light at the sample.
-    std::array<double, 16> LayerFromUnit{};
+    /// A matrix as BufferFromUnit of ShadowedLight, for the light at the sample.
+    glm::dmat4 LayerFromUnit{ 0.0 };
     /// Its share of the light, the mean over the three channels.
     double Weight = 0.0;
     /// Its place and 1 in unit space; where light comes from and 0 without a place.
@@ -83,9 +85,9 @@ public:
     int BufferSize = 0;
     /// Whether its buffer holds directions of a half space (octahedral) instead of a plane.
     bool IsWide = false;
-    /// For lights that are not wide, the rows of the matrix from unit space to clip coordinates of
-    /// the buffer, -1 to 1 after division by the fourth, which is above 0 in front of the light.
-    std::array<double, 16> BufferFromUnit{};
+    /// For lights that are not wide, the matrix from unit space to clip coordinates of the buffer,
+    /// -1 to 1 after division by the fourth, which is above 0 in front of the light.
+    glm::dmat4 BufferFromUnit{ 0.0 };
     /// For lights that are not wide, the longer edge of a texel where it is largest in the volume,
     /// and the length of a voxel along the light.
     double TexelSize = 0.0;

@@ -27,16 +27,11 @@ public:
   Cutter(const BlockLattice& lattice, const UnitSpace& space, const glm::dvec3& normal)
     : Lattice(lattice)
     , Space(space)
-    , Constant(glm::dot(normal,
-        glm::dvec3(space.UnitFromTexture[3], space.UnitFromTexture[7], space.UnitFromTexture[11])))
+    , Constant(glm::dot(normal, glm::dvec3(space.UnitFromTexture[3])))
   {
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      glm::dvec3 column;
-      for (std::size_t row = 0; row < 3; ++row)
-      {
-        column[row] = space.UnitFromTexture[4 * row + axis];
-      }
+      const glm::dvec3 column(space.UnitFromTexture[axis]);
       for (const double border : lattice.GetBorders(axis))
       {
         this->Heights[axis].push_back(glm::dot(normal, column) * border);
@@ -172,10 +167,9 @@ void SlicePolygons::Build(const SlicePlan::Sweep& sweep,
   // The margins by which borders move in texture coordinates to move by the margin across their
   // faces.
   std::array<double, 3> margins;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    margins[axis] =
-      margin * Vectors::SafeLength(glm::make_vec3(space.TextureFromUnit.data() + 4 * axis));
+    margins[axis] = margin * Vectors::SafeLength(UnitVector::GetRow(space.TextureFromUnit, axis));
   }
   BlockLattice lattice(borders, visible);
   lattice.Crop(box, margins);

@@ -22,9 +22,8 @@ double FindBest(const std::vector<glm::dvec3>& rays, double cosine)
 // Through the corners of the picture; empty where the matrix has none.
 std::vector<glm::dvec3> GetPictureRays(const SlicePlan::Eye& eye)
 {
-  const Matrix& m = eye.ClipFromUnit;
-  const glm::dvec3 rows[3] = { glm::make_vec3(&m[0]), glm::make_vec3(&m[4]),
-    glm::make_vec3(&m[12]) };
+  const glm::dmat4& m = eye.ClipFromUnit;
+  const glm::dvec3 rows[3] = { GetRow(m, 0), GetRow(m, 1), GetRow(m, 3) };
   const glm::dvec3 none{ 0.0, 0.0, 0.0 };
   std::vector<glm::dvec3> rays;
   for (const double x : { -1.0, 1.0 })

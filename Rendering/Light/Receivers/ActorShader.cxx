@@ -5,6 +5,7 @@
 #include "Casters/CasterViews.h"
 #include "Lights/LightSource.h"
 #include "Receivers/LightTransmittance.h"
+#include "Space/UnitVector.h"
 
 #include "InterlumeSceneActor.h"
 #include "InterlumeSceneCasters.h"
@@ -53,8 +54,8 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
   this->Maps = &maps;
   this->Transmittance = &transmittance;
   this->Depth = depth;
-  vtkMatrix4x4::Invert(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData(),
-    this->WorldFromView.data());
+  this->WorldFromView = glm::inverse(
+    UnitVector::FromRows(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData()));
   std::array<int, 4> viewport{};
   renderer->GetTiledSizeAndOrigin(&viewport[2], &viewport[3], &viewport[0], &viewport[1]);
   std::transform(viewport.begin(), viewport.end(), this->Viewport.begin(),

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
+
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -64,7 +66,7 @@ private:
   const CasterMaps* Maps = nullptr;
   const LightTransmittance* Transmittance = nullptr;
   vtkTextureObject* Depth = nullptr;
-  std::array<double, 16> WorldFromView{};
+  glm::dmat4 WorldFromView{ 0.0 };
   std::array<float, 4> Viewport{};
 };
 

@@ -4,7 +4,6 @@
 #include "Space/UnitVector.h"
 
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 
 namespace interlume
@@ -15,70 +14,38 @@ namespace
 
 using namespace UnitVector;
 
-// Columns of the linear part.
-glm::dvec3 GetColumn(const Matrix& matrix, std::size_t column)
+glm::dmat4 MakeAffine(const glm::dmat3& linear, const glm::dvec3& translation)
 {
-  return { matrix[column], matrix[4 + column], matrix[8 + column] };
-}
-
-Matrix MakeAffine(const double linear[9], const glm::dvec3& translation)
-{
-  Matrix matrix{};
-  for (std::size_t row = 0; row < 3; ++row)
-  {
-    std::copy(linear + 3 * row, linear + 3 * row + 3, matrix.begin() + 4 * row);
-    matrix[4 * row + 3] = translation[row];
-  }
-  matrix[15] = 1.0;
+  glm::dmat4 matrix(linear);
+  matrix[3] = glm::dvec4(translation, 1.0);
   return matrix;
 }
 
-// \a from takes 0 at \a middle and goes with the linear part of \a to.
-Matrix MakeCentered(const Matrix& to, const glm::dvec3& middle)
+bool IsFinite(const glm::dmat4& matrix)
 {
-  Matrix matrix = to;
-  const glm::dvec3 moved = TransformVector(to, middle);
-  for (std::size_t row = 0; row < 3; ++row)
-  {
-    matrix[4 * row + 3] = -moved[row];
-  }
-  return matrix;
+  return std::all_of(glm::value_ptr(matrix), glm::value_ptr(matrix) + 16,
+    [](double value) { return std::isfinite(value); });
 }
 
-bool IsFinite(const Matrix& matrix)
+// Finds the inverse of columns of whatever lengths. Returns whether there is one.
+bool Invert(const glm::dmat3& linear, glm::dmat3& inverse)
 {
-  return std::all_of(
-    matrix.begin(), matrix.end(), [](double value) { return std::isfinite(value); });
-}
-
-// The linear part of \a worldFromTexture over \a radius, and its inverse, each three rows. Returns
-// whether there is an inverse.
-bool Invert(const Matrix& worldFromTexture, double radius, double linear[9], double inverse[9])
-{
-  double lengths[3];
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  glm::dvec3 lengths;
+  glm::dmat3 directions;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const glm::dvec3 column = (1.0 / radius) * GetColumn(worldFromTexture, axis);
-    lengths[axis] = Vectors::SafeLength(column);
-    for (std::size_t row = 0; row < 3; ++row)
-    {
-      linear[3 * row + axis] = column[row];
-    }
-  }
-  double directions[9];
-  for (std::size_t i = 0; i < 9; ++i)
-  {
-    directions[i] = lengths[i % 3] > 0.0 ? linear[i] / lengths[i % 3] : 0.0;
+    lengths[axis] = Vectors::SafeLength(linear[axis]);
+    directions[axis] = lengths[axis] > 0.0 ? linear[axis] / lengths[axis] : glm::dvec3(0.0);
   }
   constexpr double flattest = 1e-12;
-  if (!(std::abs(vtkMatrix3x3::Determinant(directions)) > flattest))
+  if (!(std::abs(glm::determinant(directions)) > flattest))
   {
     return false;
   }
-  vtkMatrix3x3::Invert(directions, inverse);
-  for (std::size_t i = 0; i < 9; ++i)
+  inverse = glm::inverse(directions);
+  for (int axis = 0; axis < 3; ++axis)
   {
-    inverse[i] /= lengths[i / 3];
+    inverse[axis] /= lengths;
   }
   return true;
 }
@@ -108,7 +75,7 @@ bool UnitSpace::SetTexels(vtkImageData* image, bool isOfCells, glm::dvec3& middl
   return true;
 }
 
-void UnitSpace::SetSphere(const Matrix& worldFromTexture, const glm::dvec3& center)
+void UnitSpace::SetSphere(const glm::dmat4& worldFromTexture, const glm::dvec3& center)
 {
   this->Center = center;
   this->Radius = 0.0;
@@ -131,11 +98,8 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
   {
     return "the image has no samples";
   }
-  Matrix volumeFromIndex;
-  std::copy_n(image->GetIndexToPhysicalMatrix()->GetData(), 16, volumeFromIndex.begin());
-  Matrix worldFromIndex;
-  vtkMatrix4x4::Multiply4x4(
-    worldFromVolume->GetData(), volumeFromIndex.data(), worldFromIndex.data());
+  const glm::dmat4 volumeFromIndex = FromRows(image->GetIndexToPhysicalMatrix()->GetData());
+  const glm::dmat4 worldFromIndex = FromRows(worldFromVolume->GetData()) * volumeFromIndex;
   if (!IsFinite(worldFromIndex) || !IsFinite(volumeFromIndex))
   {
     return "the matrix of the volume or its image is not finite";
@@ -146,15 +110,12 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
     return "the matrix of the volume is not affine";
   }
 
-  Matrix worldFromTexture = worldFromIndex;
-  Matrix volumeFromTexture = volumeFromIndex;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  glm::dmat4 worldFromTexture = worldFromIndex;
+  glm::dmat4 volumeFromTexture = volumeFromIndex;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    for (std::size_t row = 0; row < 3; ++row)
-    {
-      worldFromTexture[4 * row + axis] *= this->Size[axis];
-      volumeFromTexture[4 * row + axis] *= this->Size[axis];
-    }
+    worldFromTexture[axis] *= this->Size[axis];
+    volumeFromTexture[axis] *= this->Size[axis];
   }
   // Places are computed from the middle on, so that nothing cancels far from the origin.
   this->SetSphere(worldFromTexture, TransformPoint(worldFromIndex, index));
@@ -163,26 +124,17 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
     return "the volume's size is 0 or not finite";
   }
 
-  double linear[9];
-  double inverse[9];
-  if (!Invert(worldFromTexture, this->Radius, linear, inverse))
+  const glm::dmat3 linear = (1.0 / this->Radius) * glm::dmat3(worldFromTexture);
+  glm::dmat3 inverse;
+  if (!Invert(linear, inverse))
   {
     return "the matrix of the volume or its image is singular";
   }
-  const glm::dvec3 none{ 0.0, 0.0, 0.0 };
   const glm::dvec3 middle{ 0.5, 0.5, 0.5 };
-  this->UnitFromTexture = MakeCentered(MakeAffine(linear, none), middle);
+  this->UnitFromTexture = MakeAffine(linear, -(linear * middle));
   this->TextureFromUnit = MakeAffine(inverse, middle);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const glm::dvec3 column =
-      TransformVector(volumeFromTexture, GetColumn(this->TextureFromUnit, axis));
-    for (std::size_t row = 0; row < 3; ++row)
-    {
-      linear[3 * row + axis] = column[row];
-    }
-  }
-  this->VolumeFromUnit = MakeAffine(linear, TransformPoint(volumeFromIndex, index));
+  this->VolumeFromUnit =
+    MakeAffine(glm::dmat3(volumeFromTexture) * inverse, TransformPoint(volumeFromIndex, index));
   const bool isFinite = IsFinite(this->TextureFromUnit) && IsFinite(this->UnitFromTexture) &&
     IsFinite(this->VolumeFromUnit);
   return isFinite ? "" : "the matrix of the volume or its image is not finite";
@@ -191,6 +143,16 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
 glm::dvec3 UnitSpace::ToUnit(const double world[3]) const
 {
   return (glm::make_vec3(world) - this->Center) / this->Radius;
+}
+
+glm::dmat4 UnitSpace::GetWorldFromUnit() const
+{
+  return MakeAffine(glm::dmat3(this->Radius), this->Center);
+}
+
+glm::dmat4 UnitSpace::GetUnitFromWorld() const
+{
+  return MakeAffine(glm::dmat3(1.0 / this->Radius), -this->Center / this->Radius);
 }
 
 }

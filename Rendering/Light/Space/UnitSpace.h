@@ -2,9 +2,11 @@
 #ifndef interlume_UnitSpace_h
 #define interlume_UnitSpace_h
 
-#include "Common/Vectors.h"
 #include <array>
 #include <string>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 class vtkImageData;
 class vtkMatrix4x4;
@@ -32,23 +34,25 @@ public:
   std::string Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume);
 
   glm::dvec3 ToUnit(const double world[3]) const;
+  glm::dmat4 GetWorldFromUnit() const;
+  glm::dmat4 GetUnitFromWorld() const;
 
   glm::dvec3 Center{ 0.0, 0.0, 0.0 };
   double Radius = 1.0;
   /// The number of texels along x, y, z.
   std::array<int, 3> Size{ { 0, 0, 0 } };
-  /// The rows of affine matrices between unit and texture coordinates.
-  std::array<double, 16> TextureFromUnit{};
-  std::array<double, 16> UnitFromTexture{};
-  /// The rows of the matrix from unit coordinates to the volume's own, for cropping planes.
-  std::array<double, 16> VolumeFromUnit{};
+  /// Affine matrices between unit and texture coordinates.
+  glm::dmat4 TextureFromUnit{ 0.0 };
+  glm::dmat4 UnitFromTexture{ 0.0 };
+  /// The matrix from unit coordinates to the volume's own, for cropping planes.
+  glm::dmat4 VolumeFromUnit{ 0.0 };
   /// The box that has matter, in texture coordinates: lower and upper of each axis.
   std::array<std::array<double, 2>, 3> Box{};
 
 private:
   /// Sets Size and Box and finds the index of the middle. Returns whether there are samples.
   bool SetTexels(vtkImageData* image, bool isOfCells, glm::dvec3& middleIndex);
-  void SetSphere(const std::array<double, 16>& worldFromTexture, const glm::dvec3& center);
+  void SetSphere(const glm::dmat4& worldFromTexture, const glm::dvec3& center);
 };
 
 }

@@ -4,20 +4,30 @@
 
 #include "Common/Vectors.h"
 
-#include <array>
-
 #include <glm/common.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 
 namespace interlume
 {
 
 /**
- * Arithmetic of points and directions in unit space.
+ * Arithmetic of points and directions in unit space, and of matrices of homogeneous coordinates.
  */
 namespace UnitVector
 {
-/// Rows of a matrix of homogeneous coordinates.
-using Matrix = std::array<double, 16>;
+/// Returns the matrix of the rows that VTK keeps.
+inline glm::dmat4 FromRows(const double rows[16])
+{
+  return glm::transpose(glm::make_mat4(rows));
+}
+
+/// The coefficients of x, y and z in a row.
+inline glm::dvec3 GetRow(const glm::dmat4& m, int row)
+{
+  return glm::dvec3(glm::row(m, row));
+}
 
 /// a of length 1, or \a otherwise where a has no length.
 inline glm::dvec3 Normalize(const glm::dvec3& a, const glm::dvec3& otherwise)
@@ -42,15 +52,14 @@ inline glm::dvec3 Perpendicular(const glm::dvec3& a, const glm::dvec3& up)
 }
 
 /// The linear part of an affine matrix.
-inline glm::dvec3 TransformVector(const Matrix& m, const glm::dvec3& a)
+inline glm::dvec3 TransformVector(const glm::dmat4& m, const glm::dvec3& a)
 {
-  return { m[0] * a[0] + m[1] * a[1] + m[2] * a[2], m[4] * a[0] + m[5] * a[1] + m[6] * a[2],
-    m[8] * a[0] + m[9] * a[1] + m[10] * a[2] };
+  return glm::dmat3(m) * a;
 }
 
-inline glm::dvec3 TransformPoint(const Matrix& m, const glm::dvec3& a)
+inline glm::dvec3 TransformPoint(const glm::dmat4& m, const glm::dvec3& a)
 {
-  return TransformVector(m, a) + glm::dvec3(m[3], m[7], m[11]);
+  return TransformVector(m, a) + glm::dvec3(m[3]);
 }
 }
 
