@@ -3,6 +3,7 @@
 
 #include "Common/Batches.h"
 #include "Common/NamedValue.h"
+#include "Common/Vectors.h"
 #include "Fields/PointCopies.h"
 #include "Samples/OutputPiece.h"
 #include "Surfaces/ContourArc.h"
@@ -28,6 +29,7 @@
 #include "vtkTerminationSurface.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -217,10 +219,14 @@ std::string vtkStreamSurfaceParameters::FindContours(interlume::StreamSurfaceTri
     }
     level->FirstContour = static_cast<int>(work.Contours.size());
     std::vector<interlume::ContourPlaces::Curve> curves;
+    std::vector<glm::dvec3> startPoints;
+    std::transform(this->StartPoints.begin(), this->StartPoints.end(),
+      std::back_inserter(startPoints),
+      [](const auto& point) { return glm::make_vec3(point.data()); });
     for (interlume::LevelContours::Contour& contour : follower->Follow(level->Value))
     {
-      for (interlume::ContourArc& arc : interlume::ContourArc::Measure(
-             std::move(contour), *surface, part, isJoined, this->StartPoints))
+      for (interlume::ContourArc& arc :
+        interlume::ContourArc::Measure(std::move(contour), *surface, part, isJoined, startPoints))
       {
         work.Contours.push_back({ arc.GetLength(), arc.IsClosed });
         curves.push_back(std::move(arc.Curve));

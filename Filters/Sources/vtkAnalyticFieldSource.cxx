@@ -3,6 +3,7 @@
 
 #include "Analytic/ElementaryFields.h"
 #include "Common/NamedValue.h"
+#include "Common/Vectors.h"
 #include "Sampling/ClampedValue.h"
 #include "Vortices/VortexTubes.h"
 
@@ -15,9 +16,9 @@ namespace
 constexpr double Limit = 1e6;
 
 // Returns base + rate * time.
-interlume::ElementaryFields::Vector Advance(const double base[3], const double rate[3], double time)
+glm::dvec3 Advance(const double base[3], const double rate[3], double time)
 {
-  return { { base[0] + rate[0] * time, base[1] + rate[1] * time, base[2] + rate[2] * time } };
+  return glm::make_vec3(base) + glm::make_vec3(rate) * time;
 }
 }
 
@@ -45,8 +46,8 @@ vtkFieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) const
     case WAVE:
       return interlume::ElementaryFields::Wave{ t };
     case LINEAR:
-      return interlume::ElementaryFields::Linear{ t, this->Constant,
-        { { this->Gradient[0], this->Gradient[1], this->Gradient[2] } }, this->Rate };
+      return interlume::ElementaryFields::Linear{ t, this->Constant, glm::make_vec3(this->Gradient),
+        this->Rate };
     case BALL:
       return interlume::ElementaryFields::Ball{ Advance(this->Center, this->Velocity, t),
         this->Radius + this->Growth * t };

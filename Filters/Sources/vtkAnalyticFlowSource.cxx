@@ -4,6 +4,7 @@
 #include "Analytic/ElementaryFlows.h"
 #include "Analytic/VortexFlows.h"
 #include "Common/NamedValue.h"
+#include "Common/Vectors.h"
 #include "Sampling/ClampedValue.h"
 #include "Sampling/ExtentRows.h"
 
@@ -27,40 +28,25 @@ vtkStandardNewMacro(vtkAnalyticFlowSource);
 
 namespace
 {
-using Vector = interlume::ElementaryFlows::Vector;
-
 constexpr double Limit = 1e12;
 constexpr double LeastLength = 1e-12;
 
-Vector MakeVector(const double v[3])
-{
-  return { { v[0], v[1], v[2] } };
-}
-
-Vector Scale(const Vector& v, double factor)
-{
-  return { { factor * v[0], factor * v[1], factor * v[2] } };
-}
-
 // Returns the direction of a vector. Sums of squares of numbers up to the limit are finite, but
 // those of very small ones may be 0.
-Vector GetDirection(const double v[3])
+glm::dvec3 GetDirection(const glm::dvec3& v)
 {
-  const double largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
-  const Vector scaled = { { v[0] / largest, v[1] / largest, v[2] / largest } };
-  return Scale(scaled, 1.0 / std::sqrt(interlume::ElementaryFlows::SquaredLength(scaled.data())));
+  return glm::normalize(v / interlume::Vectors::InfinityNorm(v));
 }
 
 // Return the parts of a vector along a direction and across it.
-Vector GetPartAlong(const Vector& direction, const double v[3])
+glm::dvec3 GetPartAlong(const glm::dvec3& direction, const glm::dvec3& v)
 {
-  return Scale(direction, interlume::ElementaryFlows::Dot(direction, v));
+  return glm::dot(direction, v) * direction;
 }
 
-Vector GetPartAcross(const Vector& direction, const double v[3])
+glm::dvec3 GetPartAcross(const glm::dvec3& direction, const glm::dvec3& v)
 {
-  const Vector along = GetPartAlong(direction, v);
-  return { { v[0] - along[0], v[1] - along[1], v[2] - along[2] } };
+  return v - GetPartAlong(direction, v);
 }
 }
 
@@ -123,40 +109,35 @@ template <typename Visitor>
 void vtkAnalyticFlowSource::Visit(const Visitor& visit) const
 {
   using namespace interlume::ElementaryFlows;
-  const Vector axis = GetDirection(this->Axis);
+  const glm::dvec3 axis = GetDirection(glm::make_vec3(this->Axis));
+  const glm::dvec3 velocity = glm::make_vec3(this->Velocity);
   const interlume::VortexFlows::BentAxis bentAxis = { this->Height,
     { { this->AxisTilt[0], this->AxisTilt[1] } }, { { this->AxisBend[0], this->AxisBend[1] } } };
-  const Vector zero = { { 0.0, 0.0, 0.0 } };
+  const glm::dvec3 zero(0.0);
   switch (this->Field)
   {
     case UNIFORM:
-      return visit(Uniform{ MakeVector(this->Velocity) });
+      return visit(Uniform{ velocity });
     case ROTATION:
-      return visit(Linear{ zero, Scale(axis, this->AngularVelocity) });
+      return visit(Linear{ zero, this->AngularVelocity * axis });
     case SADDLE:
-      return visit(Linear{ MakeVector(this->SaddleRates), zero });
+      return visit(Linear{ glm::make_vec3(this->SaddleRates), zero });
     case NODE:
-      return visit(Linear{ MakeVector(this->NodeRates), Scale(axis, this->Swirl) });
+      return visit(Linear{ glm::make_vec3(this->NodeRates), this->Swirl * axis });
     case SOURCE_SINK:
     case COUPLED_CHARGE:
-      return visit(Pair{ this->Strength, MakeVector(this->Separation), this->CoreRadius,
+      return visit(Pair{ this->Strength, glm::make_vec3(this->Separation), this->CoreRadius,
         this->Field == COUPLED_CHARGE });
     case SPHERE:
-      return visit(Sphere{ MakeVector(this->Velocity), this->Radius });
+      return visit(Sphere{ velocity, this->Radius });
     case CYLINDER:
-    {
-      Vector along = GetPartAlong(axis, this->Velocity);
-      for (int i = 0; i < 3; ++i)
-      {
-        along[i] += this->SpanwiseVelocity * axis[i];
-      }
-      return visit(Cylinder{ GetPartAcross(axis, this->Velocity), along, axis, this->Radius });
-    }
+      return visit(Cylinder{ GetPartAcross(axis, velocity),
+        GetPartAlong(axis, velocity) + this->SpanwiseVelocity * axis, axis, this->Radius });
     case ABC:
-      return visit(Beltrami{
-        MakeVector(this->Amplitudes), 2.0 * interlume::VortexFlows::BentAxis::Pi / this->Period });
+      return visit(Beltrami{ glm::make_vec3(this->Amplitudes),
+        2.0 * interlume::VortexFlows::BentAxis::Pi / this->Period });
     case SHEAR:
-      return visit(Shear{ GetPartAcross(axis, this->Velocity), axis, this->Thickness });
+      return visit(Shear{ GetPartAcross(axis, velocity), axis, this->Thickness });
     case HURRICANE:
       return visit(interlume::VortexFlows::Hurricane{
         bentAxis, this->MaximumWind, this->EyeRadius, this->Updraft });
@@ -175,8 +156,9 @@ bool vtkAnalyticFlowSource::IsInside(const double x[3]) const
     return interlume::ElementaryFlows::Sphere{ {}, this->Radius }.IsInside(relative);
   }
   return this->Field == CYLINDER &&
-    interlume::ElementaryFlows::Cylinder{ {}, {}, GetDirection(this->Axis), this->Radius }.IsInside(
-      relative);
+    interlume::ElementaryFlows::Cylinder{ {}, {}, GetDirection(glm::make_vec3(this->Axis)),
+      this->Radius }
+      .IsInside(relative);
 }
 
 void vtkAnalyticFlowSource::Evaluate(const double x[3], double velocity[3]) const

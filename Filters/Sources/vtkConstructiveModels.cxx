@@ -7,23 +7,23 @@
 #include "vtkSpatialTurbulence.h"
 #include "vtkTransform.h"
 
-#include <array>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vec3.hpp>
 
 namespace
 {
-using Vector = std::array<double, 3>;
 using Object = vtkSmartPointer<vtkSpatialObject>;
 using Primitive = vtkSmartPointer<vtkSpatialPrimitive>;
 
-const Vector Blue{ { 0.27, 0.45, 0.68 } };
-const Vector Orange{ { 0.90, 0.58, 0.22 } };
-const Vector Plaster{ { 0.86, 0.84, 0.80 } };
-const Vector Wood{ { 0.60, 0.42, 0.27 } };
-const Vector Fur{ { 0.72, 0.50, 0.28 } };
-const Vector PaleFur{ { 0.90, 0.76, 0.55 } };
-const Vector Black{ { 0.08, 0.06, 0.05 } };
+const glm::dvec3 Blue{ 0.27, 0.45, 0.68 };
+const glm::dvec3 Orange{ 0.90, 0.58, 0.22 };
+const glm::dvec3 Plaster{ 0.86, 0.84, 0.80 };
+const glm::dvec3 Wood{ 0.60, 0.42, 0.27 };
+const glm::dvec3 Fur{ 0.72, 0.50, 0.28 };
+const glm::dvec3 PaleFur{ 0.90, 0.76, 0.55 };
+const glm::dvec3 Black{ 0.08, 0.06, 0.05 };
 
-Primitive MakePrimitive(int shape, const Vector& center, const Vector& color)
+Primitive MakePrimitive(int shape, const glm::dvec3& center, const glm::dvec3& color)
 {
   auto primitive = Primitive::New();
   primitive->SetShape(shape);
@@ -32,7 +32,7 @@ Primitive MakePrimitive(int shape, const Vector& center, const Vector& color)
   return primitive;
 }
 
-Primitive MakeSphere(const Vector& center, double radius, const Vector& color)
+Primitive MakeSphere(const glm::dvec3& center, double radius, const glm::dvec3& color)
 {
   Primitive sphere = MakePrimitive(vtkSpatialPrimitive::SPHERE, center, color);
   sphere->SetRadius(radius);
@@ -40,24 +40,22 @@ Primitive MakeSphere(const Vector& center, double radius, const Vector& color)
 }
 
 // Makes a box from its lower to its upper corner.
-Primitive MakeBox(const Vector& lower, const Vector& upper, const Vector& color)
+Primitive MakeBox(const glm::dvec3& lower, const glm::dvec3& upper, const glm::dvec3& color)
 {
-  Primitive box = MakePrimitive(vtkSpatialPrimitive::BOX,
-    { { 0.5 * (lower[0] + upper[0]), 0.5 * (lower[1] + upper[1]), 0.5 * (lower[2] + upper[2]) } },
-    color);
+  Primitive box = MakePrimitive(vtkSpatialPrimitive::BOX, 0.5 * (lower + upper), color);
   box->SetLengths(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]);
   return box;
 }
 
 // Makes an ellipsoid from its half axes, with an edge as a share of them.
 Primitive MakeEllipsoid(
-  const Vector& center, const Vector& halfAxes, double edge, const Vector& color)
+  const glm::dvec3& center, const glm::dvec3& halfAxes, double edge, const glm::dvec3& color)
 {
-  Primitive sphere = MakeSphere({ { 0.0, 0.0, 0.0 } }, 1.0, color);
+  Primitive sphere = MakeSphere({ 0.0, 0.0, 0.0 }, 1.0, color);
   sphere->SetEdgeWidth(edge);
   vtkNew<vtkTransform> transform;
-  transform->Translate(center.data());
-  transform->Scale(halfAxes.data());
+  transform->Translate(glm::value_ptr(center));
+  transform->Scale(glm::value_ptr(halfAxes));
   sphere->SetTransform(transform);
   return sphere;
 }
@@ -69,7 +67,7 @@ void AddLegs(vtkSpatialOperation* parts, double halfX, double halfY, double widt
   {
     for (double y : { -halfY, halfY - width })
     {
-      parts->AddOperand(MakeBox({ { x, y, 0.0 } }, { { x + width, y + width, height } }, Wood));
+      parts->AddOperand(MakeBox({ x, y, 0.0 }, { x + width, y + width, height }, Wood));
     }
   }
 }
@@ -92,7 +90,7 @@ vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::Make(int model)
 
 vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeFuzzySphere()
 {
-  Primitive sphere = MakePrimitive(vtkSpatialPrimitive::FUZZY_SPHERE, { { 0.0, 0.0, 0.0 } }, Blue);
+  Primitive sphere = MakePrimitive(vtkSpatialPrimitive::FUZZY_SPHERE, { 0.0, 0.0, 0.0 }, Blue);
   sphere->SetRadius(0.5);
   sphere->SetInnerRadius(0.2);
   return sphere;
@@ -101,10 +99,10 @@ vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeFuzzySphere()
 vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeRobot()
 {
   auto robot = vtkSmartPointer<vtkSpatialOperation>::New();
-  robot->AddOperand(MakeBox({ { -0.14, -0.14, 0.95 } }, { { 0.14, 0.14, 1.23 } }, Orange));
-  robot->AddOperand(MakeBox({ { -0.25, -0.25, 0.45 } }, { { 0.25, 0.25, 0.95 } }, Blue));
-  robot->AddOperand(MakeBox({ { -0.22, -0.1, 0.0 } }, { { -0.06, 0.1, 0.45 } }, Orange));
-  robot->AddOperand(MakeBox({ { 0.06, -0.1, 0.0 } }, { { 0.22, 0.1, 0.45 } }, Orange));
+  robot->AddOperand(MakeBox({ -0.14, -0.14, 0.95 }, { 0.14, 0.14, 1.23 }, Orange));
+  robot->AddOperand(MakeBox({ -0.25, -0.25, 0.45 }, { 0.25, 0.25, 0.95 }, Blue));
+  robot->AddOperand(MakeBox({ -0.22, -0.1, 0.0 }, { -0.06, 0.1, 0.45 }, Orange));
+  robot->AddOperand(MakeBox({ 0.06, -0.1, 0.0 }, { 0.22, 0.1, 0.45 }, Orange));
   return robot;
 }
 
@@ -114,14 +112,14 @@ vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeRings()
   constexpr double radius = 0.65;
   auto rings = vtkSmartPointer<vtkSpatialOperation>::New();
   Primitive large =
-    MakePrimitive(vtkSpatialPrimitive::TORUS, { { 0.0, 0.0, 0.0 } }, { { 0.80, 0.78, 0.74 } });
+    MakePrimitive(vtkSpatialPrimitive::TORUS, { 0.0, 0.0, 0.0 }, { 0.80, 0.78, 0.74 });
   large->SetRadius(radius);
   large->SetTubeRadius(0.06);
   rings->AddOperand(large);
   for (int i = 0; i < number; ++i)
   {
     Primitive small =
-      MakePrimitive(vtkSpatialPrimitive::TORUS, { { 0.0, 0.0, 0.0 } }, i % 2 == 0 ? Blue : Orange);
+      MakePrimitive(vtkSpatialPrimitive::TORUS, { 0.0, 0.0, 0.0 }, i % 2 == 0 ? Blue : Orange);
     small->SetRadius(0.26);
     small->SetTubeRadius(0.05);
     vtkNew<vtkTransform> transform;
@@ -138,14 +136,14 @@ vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeRings()
 vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeTwoSpheres()
 {
   auto spheres = vtkSmartPointer<vtkSpatialOperation>::New();
-  spheres->AddOperand(MakeSphere({ { 0.0, 0.0, 0.0 } }, 0.5, Blue));
-  spheres->AddOperand(MakeSphere({ { 0.4, -0.32, 0.5 } }, 0.28, Orange));
+  spheres->AddOperand(MakeSphere({ 0.0, 0.0, 0.0 }, 0.5, Blue));
+  spheres->AddOperand(MakeSphere({ 0.4, -0.32, 0.5 }, 0.28, Orange));
   return spheres;
 }
 
 vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeHypertextureSphere()
 {
-  Primitive sphere = MakeSphere({ { 0.0, 0.0, 0.0 } }, 0.5, { { 0.80, 0.62, 0.42 } });
+  Primitive sphere = MakeSphere({ 0.0, 0.0, 0.0 }, 0.5, { 0.80, 0.62, 0.42 });
   sphere->SetEdgeWidth(0.06);
   vtkNew<vtkSpatialTurbulence> turbulence;
   turbulence->SetOperand(sphere);
@@ -160,7 +158,7 @@ vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeHypertextureSphere(
   trimmed->SetOperationToTrim();
   trimmed->AddOperand(turbulence);
   trimmed->AddOperand(
-    MakeBox({ { -reach, -reach, -reach } }, { { reach, reach, reach } }, { { 1.0, 1.0, 1.0 } }));
+    MakeBox({ -reach, -reach, -reach }, { reach, reach, reach }, { 1.0, 1.0, 1.0 }));
   return trimmed;
 }
 
@@ -169,20 +167,16 @@ vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeTeddyBear()
   constexpr double edge = 0.3;
   vtkNew<vtkSpatialOperation> body;
   body->SetOperationToBlend();
-  body->AddOperand(MakeEllipsoid({ { 0.0, 0.0, 0.40 } }, { { 0.31, 0.27, 0.36 } }, edge, Fur));
-  body->AddOperand(MakeEllipsoid({ { 0.0, -0.03, 0.92 } }, { { 0.27, 0.25, 0.25 } }, edge, Fur));
-  body->AddOperand(
-    MakeEllipsoid({ { 0.0, -0.25, 0.86 } }, { { 0.12, 0.10, 0.09 } }, edge, PaleFur));
+  body->AddOperand(MakeEllipsoid({ 0.0, 0.0, 0.40 }, { 0.31, 0.27, 0.36 }, edge, Fur));
+  body->AddOperand(MakeEllipsoid({ 0.0, -0.03, 0.92 }, { 0.27, 0.25, 0.25 }, edge, Fur));
+  body->AddOperand(MakeEllipsoid({ 0.0, -0.25, 0.86 }, { 0.12, 0.10, 0.09 }, edge, PaleFur));
   for (double side : { -1.0, 1.0 })
   {
+    body->AddOperand(MakeEllipsoid({ side * 0.21, 0.0, 1.13 }, { 0.11, 0.07, 0.11 }, edge, Fur));
+    body->AddOperand(MakeEllipsoid({ side * 0.35, -0.12, 0.52 }, { 0.12, 0.19, 0.12 }, edge, Fur));
+    body->AddOperand(MakeEllipsoid({ side * 0.25, -0.26, 0.15 }, { 0.14, 0.26, 0.14 }, edge, Fur));
     body->AddOperand(
-      MakeEllipsoid({ { side * 0.21, 0.0, 1.13 } }, { { 0.11, 0.07, 0.11 } }, edge, Fur));
-    body->AddOperand(
-      MakeEllipsoid({ { side * 0.35, -0.12, 0.52 } }, { { 0.12, 0.19, 0.12 } }, edge, Fur));
-    body->AddOperand(
-      MakeEllipsoid({ { side * 0.25, -0.26, 0.15 } }, { { 0.14, 0.26, 0.14 } }, edge, Fur));
-    body->AddOperand(
-      MakeEllipsoid({ { side * 0.25, -0.50, 0.16 } }, { { 0.09, 0.05, 0.10 } }, edge, PaleFur));
+      MakeEllipsoid({ side * 0.25, -0.50, 0.16 }, { 0.09, 0.05, 0.10 }, edge, PaleFur));
   }
   vtkNew<vtkSpatialTurbulence> fur;
   fur->SetOperand(body);
@@ -192,10 +186,9 @@ vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeTeddyBear()
   fur->SetAmplitude(0.9);
   fur->SetGain(4.0);
   auto bear = vtkSmartPointer<vtkSpatialOperation>::New();
-  bear->AddOperand(MakeSphere({ { -0.10, -0.255, 0.98 } }, 0.032, Black));
-  bear->AddOperand(MakeSphere({ { 0.10, -0.255, 0.98 } }, 0.032, Black));
-  bear->AddOperand(
-    MakeEllipsoid({ { 0.0, -0.345, 0.89 } }, { { 0.045, 0.03, 0.032 } }, 0.0, Black));
+  bear->AddOperand(MakeSphere({ -0.10, -0.255, 0.98 }, 0.032, Black));
+  bear->AddOperand(MakeSphere({ 0.10, -0.255, 0.98 }, 0.032, Black));
+  bear->AddOperand(MakeEllipsoid({ 0.0, -0.345, 0.89 }, { 0.045, 0.03, 0.032 }, 0.0, Black));
   bear->AddOperand(fur);
   return bear;
 }
@@ -204,21 +197,21 @@ vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeRoom()
 {
   vtkNew<vtkSpatialOperation> wall;
   wall->SetOperationToDifference();
-  wall->AddOperand(MakeBox({ { -1.05, 1.0, -0.05 } }, { { 1.0, 1.05, 1.5 } }, Plaster));
-  wall->AddOperand(MakeBox({ { -0.4, 0.9, 0.5 } }, { { 0.4, 1.15, 1.2 } }, Plaster));
+  wall->AddOperand(MakeBox({ -1.05, 1.0, -0.05 }, { 1.0, 1.05, 1.5 }, Plaster));
+  wall->AddOperand(MakeBox({ -0.4, 0.9, 0.5 }, { 0.4, 1.15, 1.2 }, Plaster));
   auto room = vtkSmartPointer<vtkSpatialOperation>::New();
-  room->AddOperand(MakeBox({ { -1.05, -1.0, -0.05 } }, { { 1.0, 1.05, 0.0 } }, Wood));
-  room->AddOperand(MakeBox({ { -1.05, -1.0, -0.05 } }, { { -1.0, 1.05, 1.5 } }, Plaster));
+  room->AddOperand(MakeBox({ -1.05, -1.0, -0.05 }, { 1.0, 1.05, 0.0 }, Wood));
+  room->AddOperand(MakeBox({ -1.05, -1.0, -0.05 }, { -1.0, 1.05, 1.5 }, Plaster));
   room->AddOperand(wall);
-  room->AddOperand(MakeBox({ { -0.4, 1.0, 0.83 } }, { { 0.4, 1.05, 0.87 } }, Wood));
-  room->AddOperand(MakeBox({ { -0.02, 1.0, 0.5 } }, { { 0.02, 1.05, 1.2 } }, Wood));
+  room->AddOperand(MakeBox({ -0.4, 1.0, 0.83 }, { 0.4, 1.05, 0.87 }, Wood));
+  room->AddOperand(MakeBox({ -0.02, 1.0, 0.5 }, { 0.02, 1.05, 1.2 }, Wood));
   return room;
 }
 
 vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeDesk()
 {
   auto desk = vtkSmartPointer<vtkSpatialOperation>::New();
-  desk->AddOperand(MakeBox({ { -0.45, -0.25, 0.5 } }, { { 0.45, 0.25, 0.55 } }, Wood));
+  desk->AddOperand(MakeBox({ -0.45, -0.25, 0.5 }, { 0.45, 0.25, 0.55 }, Wood));
   AddLegs(desk, 0.45, 0.25, 0.06, 0.5);
   return desk;
 }
@@ -226,8 +219,8 @@ vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeDesk()
 vtkSmartPointer<vtkSpatialObject> vtkConstructiveModels::MakeChair()
 {
   auto chair = vtkSmartPointer<vtkSpatialOperation>::New();
-  chair->AddOperand(MakeBox({ { -0.17, -0.17, 0.28 } }, { { 0.17, 0.17, 0.32 } }, Wood));
-  chair->AddOperand(MakeBox({ { -0.17, 0.13, 0.32 } }, { { 0.17, 0.17, 0.72 } }, Wood));
+  chair->AddOperand(MakeBox({ -0.17, -0.17, 0.28 }, { 0.17, 0.17, 0.32 }, Wood));
+  chair->AddOperand(MakeBox({ -0.17, 0.13, 0.32 }, { 0.17, 0.17, 0.72 }, Wood));
   AddLegs(chair, 0.17, 0.17, 0.04, 0.28);
   return chair;
 }

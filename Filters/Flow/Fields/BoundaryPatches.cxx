@@ -2,6 +2,7 @@
 #include "Fields/BoundaryPatches.h"
 
 #include "Cells/FaceExtent.h"
+#include "Common/Vectors.h"
 
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
@@ -11,6 +12,8 @@
 #include <limits>
 #include <numeric>
 #include <tuple>
+
+#include <glm/common.hpp>
 
 namespace interlume
 {
@@ -62,14 +65,14 @@ void BoundaryPatches::Build(
 {
   this->Faces = faces;
   const auto number = static_cast<int>(faces.size());
-  std::vector<std::array<double, 3>> normals(faces.size());
+  std::vector<glm::dvec3> normals(faces.size());
   std::vector<Side> sides;
   vtkIdType points[4];
   double corners[4][3];
   for (int face = 0; face < number; ++face)
   {
     const int size = GetCorners(getPoints, positions, faces[face], points, corners);
-    std::copy_n(FaceExtent::Of(corners, size, nullptr, 0).Normal, 3, normals[face].begin());
+    normals[face] = glm::make_vec3(FaceExtent::Of(corners, size, nullptr, 0).Normal);
     for (int i = 0; i < size; ++i)
     {
       const vtkIdType from = points[i];
@@ -88,8 +91,7 @@ void BoundaryPatches::Build(
     const bool isPair = one.IsSame(other) && !(i > 0 && sides[i - 1].IsSame(one)) &&
       !(i + 2 < sides.size() && sides[i + 2].IsSame(one));
     const double turn = one.IsReversed == other.IsReversed ? -1.0 : 1.0;
-    if (isPair &&
-      turn * vtkMath::Dot(normals[one.Face].data(), normals[other.Face].data()) >= least)
+    if (isPair && turn * glm::dot(normals[one.Face], normals[other.Face]) >= least)
     {
       const auto ends = std::minmax({ FindFirst(firsts, one.Face), FindFirst(firsts, other.Face) });
       firsts[ends.second] = ends.first;
@@ -120,30 +122,19 @@ void BoundaryPatches::Number(const std::vector<int>& firsts)
       continue;
     }
     this->PatchIds[face] = this->GetNumberOfPatches();
-    Patch patch;
-    patch.Lower.fill(infinity);
-    patch.Upper.fill(-infinity);
-    patch.Area.fill(0.0);
-    this->Patches.push_back(patch);
+    this->Patches.push_back({ glm::dvec3(infinity), glm::dvec3(-infinity), glm::dvec3(0.0) });
   }
 }
 
 void BoundaryPatches::Add(std::size_t index, const double (*corners)[3], int number)
 {
   Patch& patch = this->Patches[this->PatchIds[index]];
-  double across[2][3];
-  double area[3];
-  vtkMath::Subtract(corners[2], corners[0], across[0]);
-  vtkMath::Subtract(corners[number - 1], corners[1], across[1]);
-  vtkMath::Cross(across[0], across[1], area);
-  for (int axis = 0; axis < 3; ++axis)
+  patch.Area += glm::abs(glm::cross(Vectors::Difference(corners[2], corners[0]),
+    Vectors::Difference(corners[number - 1], corners[1])));
+  for (int i = 0; i < number; ++i)
   {
-    for (int i = 0; i < number; ++i)
-    {
-      patch.Lower[axis] = std::min(patch.Lower[axis], corners[i][axis]);
-      patch.Upper[axis] = std::max(patch.Upper[axis], corners[i][axis]);
-    }
-    patch.Area[axis] += std::abs(area[axis]);
+    patch.Lower = glm::min(patch.Lower, glm::make_vec3(corners[i]));
+    patch.Upper = glm::max(patch.Upper, glm::make_vec3(corners[i]));
   }
 }
 
@@ -158,7 +149,8 @@ int BoundaryPatches::Find(vtkIdType face) const
 void BoundaryPatches::GetParameters(int patch, const double x[3], double uv[2]) const
 {
   const Patch& own = this->Patches[static_cast<std::size_t>(patch)];
-  const auto along = std::max_element(own.Area.begin(), own.Area.end()) - own.Area.begin();
+  const double* area = glm::value_ptr(own.Area);
+  const auto along = std::max_element(area, area + 3) - area;
   int direction = 0;
   for (int axis = 0; axis < 3; ++axis)
   {

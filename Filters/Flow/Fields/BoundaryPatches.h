@@ -6,9 +6,10 @@
 
 #include "vtkType.h"
 
-#include <array>
 #include <functional>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace interlume
 {
@@ -44,10 +45,10 @@ public:
 private:
   struct Patch
   {
-    std::array<double, 3> Lower;
-    std::array<double, 3> Upper;
+    glm::dvec3 Lower;
+    glm::dvec3 Upper;
     /// The sum of the absolute components of all faces' areas.
-    std::array<double, 3> Area;
+    glm::dvec3 Area;
   };
 
   /// Numbers the patches in the order of each one's first face.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/ContourArc.h"
 
-#include "vtkMath.h"
+#include "Common/Vectors.h"
+
 #include "vtkTerminationSurface.h"
 
 #include <algorithm>
@@ -15,13 +16,12 @@ namespace interlume
 namespace
 {
 using Parameters = LevelContours::Parameters;
-using Position = ContourArc::Position;
 
 // The points of a contour, their positions in the world, and whether they have one.
 struct Line
 {
   std::vector<Parameters> Points;
-  std::vector<Position> Positions;
+  std::vector<glm::dvec3> Positions;
   std::vector<bool> AreThere;
 };
 
@@ -43,8 +43,8 @@ Line Locate(std::vector<Parameters> points, const vtkTerminationSurface& surface
     {
       inside[direction] -= isPeriodic[direction] ? std::floor(inside[direction]) : 0.0;
     }
-    Position position{};
-    line.AreThere.push_back(surface.EvaluatePoint(part, inside.data(), position.data()));
+    glm::dvec3 position(0.0);
+    line.AreThere.push_back(surface.EvaluatePoint(part, inside.data(), glm::value_ptr(position)));
     line.Positions.push_back(position);
   }
   line.Points = std::move(points);
@@ -73,26 +73,21 @@ void Rotate(Line& line, std::size_t first)
 
 // Finds the place of a line, whose points all have positions, that is nearest to any of some
 // positions.
-Place FindNearest(const Line& line, const std::vector<Position>& positions)
+Place FindNearest(const Line& line, const std::vector<glm::dvec3>& positions)
 {
   Place nearest;
   double least = std::numeric_limits<double>::infinity();
-  for (const Position& position : positions)
+  for (const glm::dvec3& position : positions)
   {
     for (std::size_t s = 0; s + 1 < line.Positions.size(); ++s)
     {
-      Position step;
-      Position way;
-      vtkMath::Subtract(line.Positions[s + 1], line.Positions[s], step);
-      vtkMath::Subtract(position, line.Positions[s], way);
-      const double length2 = vtkMath::Dot(step, step);
-      double along = length2 > 0.0 ? vtkMath::Dot(way, step) / length2 : 0.0;
+      const glm::dvec3 step = line.Positions[s + 1] - line.Positions[s];
+      const glm::dvec3 way = position - line.Positions[s];
+      const double length2 = glm::dot(step, step);
+      double along = length2 > 0.0 ? glm::dot(way, step) / length2 : 0.0;
       along = std::max(0.0, std::min(along, 1.0));
-      double distance2 = 0.0;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        distance2 += std::pow(way[axis] - along * step[axis], 2);
-      }
+      const glm::dvec3 apart = way - along * step;
+      const double distance2 = glm::dot(apart, apart);
       if (distance2 < least)
       {
         least = distance2;
@@ -108,17 +103,13 @@ void StartAt(Line& line, const Place& place)
 {
   Rotate(line, place.Segment);
   Parameters point;
-  Position position;
   for (int direction = 0; direction < 2; ++direction)
   {
     point[direction] = line.Points[0][direction] +
       place.Along * (line.Points[1][direction] - line.Points[0][direction]);
   }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    position[axis] =
-      line.Positions[0][axis] + place.Along * (line.Positions[1][axis] - line.Positions[0][axis]);
-  }
+  const glm::dvec3 position =
+    line.Positions[0] + place.Along * (line.Positions[1] - line.Positions[0]);
   Parameters end = point;
   for (int direction = 0; direction < 2; ++direction)
   {
@@ -137,9 +128,7 @@ ContourArc MakeArc(Line line, bool isClosed)
   double length = 0.0;
   for (std::size_t i = 0; i < line.Points.size(); ++i)
   {
-    length += i == 0 ? 0.0
-                     : std::sqrt(vtkMath::Distance2BetweenPoints(
-                         line.Positions[i - 1].data(), line.Positions[i].data()));
+    length += i == 0 ? 0.0 : glm::distance(line.Positions[i - 1], line.Positions[i]);
     arc.Curve.Lengths.push_back(length);
   }
   arc.Curve.Points = std::move(line.Points);
@@ -147,7 +136,7 @@ ContourArc MakeArc(Line line, bool isClosed)
 }
 
 // Makes the open arc of a line, from the end on whose side the start points are.
-ContourArc MakeOpenArc(Line line, const std::vector<Position>& startPoints)
+ContourArc MakeOpenArc(Line line, const std::vector<glm::dvec3>& startPoints)
 {
   if (!startPoints.empty())
   {
@@ -168,7 +157,7 @@ ContourArc MakeOpenArc(Line line, const std::vector<Position>& startPoints)
 
 std::vector<ContourArc> ContourArc::Measure(LevelContours::Contour contour,
   const vtkTerminationSurface& surface, int part, const std::array<bool, 2>& isPeriodic,
-  const std::vector<Position>& startPoints)
+  const std::vector<glm::dvec3>& startPoints)
 {
   Line line = Locate(std::move(contour.Points), surface, part, isPeriodic);
   const auto gap = std::find(line.AreThere.begin(), line.AreThere.end(), false);

@@ -8,6 +8,8 @@
 #include <array>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 class vtkTerminationSurface;
 
 namespace interlume
@@ -20,8 +22,6 @@ namespace interlume
 class ContourArc
 {
 public:
-  using Position = std::array<double, 3>;
-
   ContourPlaces::Curve Curve;
   bool IsClosed = false;
 
@@ -33,7 +33,7 @@ public:
    */
   static std::vector<ContourArc> Measure(LevelContours::Contour contour,
     const vtkTerminationSurface& surface, int part, const std::array<bool, 2>& isPeriodic,
-    const std::vector<Position>& startPoints);
+    const std::vector<glm::dvec3>& startPoints);
 };
 
 }

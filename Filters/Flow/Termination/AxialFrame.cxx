@@ -3,45 +3,38 @@
 
 #include "vtkMath.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace interlume
 {
 
-void AxialFrame::SetAxis(const double axis[3])
+void AxialFrame::SetAxis(const glm::dvec3& axis)
 {
-  double a[3] = { axis[0], axis[1], axis[2] };
-  vtkMath::Normalize(a);
-  const double sign = std::copysign(1.0, a[2]);
-  const double scale = -1.0 / (sign + a[2]);
-  const double x[3] = { 1.0 + sign * a[0] * a[0] * scale, sign * a[0] * a[1] * scale,
-    -sign * a[0] };
-  this->SetAxis(a, x);
+  const double length = glm::length(axis);
+  const glm::dvec3 a = length > 0.0 ? axis / length : axis;
+  const double sign = std::copysign(1.0, a.z);
+  const double scale = -1.0 / (sign + a.z);
+  this->SetAxis(a, { 1.0 + sign * a.x * a.x * scale, sign * a.x * a.y * scale, -sign * a.x });
 }
 
-void AxialFrame::SetAxis(const double axis[3], const double x[3])
+void AxialFrame::SetAxis(const glm::dvec3& axis, const glm::dvec3& x)
 {
-  std::copy_n(axis, 3, this->Axis);
-  std::copy_n(x, 3, this->X);
-  vtkMath::Cross(this->Axis, this->X, this->Y);
+  this->Axis = axis;
+  this->X = x;
+  this->Y = glm::cross(this->Axis, this->X);
 }
 
-void AxialFrame::GetComponents(
-  const double x[3], const double origin[3], double components[3]) const
+glm::dvec3 AxialFrame::GetComponents(const glm::dvec3& x, const glm::dvec3& origin) const
 {
-  const double p[3] = { x[0] - origin[0], x[1] - origin[1], x[2] - origin[2] };
-  components[0] = vtkMath::Dot(p, this->X);
-  components[1] = vtkMath::Dot(p, this->Y);
-  components[2] = vtkMath::Dot(p, this->Axis);
+  const glm::dvec3 p = x - origin;
+  return { glm::dot(p, this->X), glm::dot(p, this->Y), glm::dot(p, this->Axis) };
 }
 
-void AxialFrame::GetPoint(const double origin[3], double a, double b, double c, double x[3]) const
+glm::dvec3 AxialFrame::GetVector(double a, double b, double c) const
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    x[i] = origin[i] + (a * this->X[i] + b * this->Y[i] + c * this->Axis[i]);
-  }
+  return a * this->X + b * this->Y + c * this->Axis;
 }
 
 double AxialFrame::GetTurn(double x, double y)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/ClosestTrianglePoint.h"
 
-#include "vtkMath.h"
+#include <glm/geometric.hpp>
 
 namespace interlume
 {
@@ -11,26 +11,21 @@ namespace
 struct Choice
 {
   int Feature;
-  double Weights[3];
+  glm::dvec3 Weights;
 };
 
-Choice Choose(const double x[3], const double a[3], const double b[3], const double c[3])
+Choice Choose(const glm::dvec3& x, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
-  double ab[3];
-  double ac[3];
-  double p[3];
-  vtkMath::Subtract(b, a, ab);
-  vtkMath::Subtract(c, a, ac);
-  vtkMath::Subtract(x, a, p);
-  const double abA = vtkMath::Dot(ab, p);
-  const double acA = vtkMath::Dot(ac, p);
+  const glm::dvec3 ab = b - a;
+  const glm::dvec3 ac = c - a;
+  const double abA = glm::dot(ab, x - a);
+  const double acA = glm::dot(ac, x - a);
   if (abA <= 0.0 && acA <= 0.0)
   {
     return { ClosestTrianglePoint::FIRST_CORNER, { 1.0, 0.0, 0.0 } };
   }
-  vtkMath::Subtract(x, b, p);
-  const double abB = vtkMath::Dot(ab, p);
-  const double acB = vtkMath::Dot(ac, p);
+  const double abB = glm::dot(ab, x - b);
+  const double acB = glm::dot(ac, x - b);
   if (abB >= 0.0 && acB <= abB)
   {
     return { ClosestTrianglePoint::FIRST_CORNER + 1, { 0.0, 1.0, 0.0 } };
@@ -41,9 +36,8 @@ Choice Choose(const double x[3], const double a[3], const double b[3], const dou
     const double t = abA / (abA - abB);
     return { ClosestTrianglePoint::FIRST_EDGE, { 1.0 - t, t, 0.0 } };
   }
-  vtkMath::Subtract(x, c, p);
-  const double abC = vtkMath::Dot(ab, p);
-  const double acC = vtkMath::Dot(ac, p);
+  const double abC = glm::dot(ab, x - c);
+  const double acC = glm::dot(ac, x - c);
   if (acC >= 0.0 && abC <= acC)
   {
     return { ClosestTrianglePoint::FIRST_CORNER + 2, { 0.0, 0.0, 1.0 } };
@@ -68,20 +62,15 @@ Choice Choose(const double x[3], const double a[3], const double b[3], const dou
 }
 
 ClosestTrianglePoint::ClosestTrianglePoint(
-  const double x[3], const double a[3], const double b[3], const double c[3])
+  const glm::dvec3& x, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
   const Choice choice = Choose(x, a, b, c);
   this->Feature = choice.Feature;
-  for (int i = 0; i < 3; ++i)
-  {
-    this->Weights[i] = choice.Weights[i];
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    // The point is computed from a, so that the rounding is that of the triangle's size.
-    this->Point[i] = a[i] + choice.Weights[1] * (b[i] - a[i]) + choice.Weights[2] * (c[i] - a[i]);
-  }
-  this->SquaredDistance = vtkMath::Distance2BetweenPoints(x, this->Point);
+  this->Weights = choice.Weights;
+  // The point is computed from a, so that the rounding is that of the triangle's size.
+  this->Point = a + choice.Weights[1] * (b - a) + choice.Weights[2] * (c - a);
+  const glm::dvec3 apart = x - this->Point;
+  this->SquaredDistance = glm::dot(apart, apart);
 }
 
 }

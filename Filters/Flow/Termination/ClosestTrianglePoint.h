@@ -2,6 +2,8 @@
 #ifndef interlume_ClosestTrianglePoint_h
 #define interlume_ClosestTrianglePoint_h
 
+#include <glm/vec3.hpp>
+
 namespace interlume
 {
 
@@ -24,14 +26,15 @@ struct ClosestTrianglePoint
   };
 
   ClosestTrianglePoint() = default;
-  ClosestTrianglePoint(const double x[3], const double a[3], const double b[3], const double c[3]);
+  ClosestTrianglePoint(
+    const glm::dvec3& x, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
   bool IsCorner() const { return this->Feature >= FIRST_CORNER && this->Feature < FIRST_EDGE; }
   bool IsEdge() const { return this->Feature >= FIRST_EDGE; }
 
   int Feature = FACE;
-  double Weights[3] = { 0.0, 0.0, 0.0 };
-  double Point[3] = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Weights{ 0.0, 0.0, 0.0 };
+  glm::dvec3 Point{ 0.0, 0.0, 0.0 };
   double SquaredDistance = 0.0;
 };
 

@@ -16,6 +16,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 namespace interlume
 {
 
@@ -30,10 +32,10 @@ constexpr double Tie = 1e-6;
 
 struct Cell
 {
-  std::array<double, 3> Low;
-  std::array<double, 3> High;
+  glm::dvec3 Low;
+  glm::dvec3 High;
   /// The flow through planes across each axis.
-  std::array<double, 3> Flow;
+  glm::dvec3 Flow;
   /// The largest speed at a corner.
   double Speed = 0.0;
 };

@@ -3,6 +3,7 @@
 
 #include "Common/ArrayCheck.h"
 #include "Common/FiniteNumbers.h"
+#include "Common/Vectors.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -121,13 +122,13 @@ void TerminationTriangles::Weld(
 {
   vtkMath::UninitializeBounds(this->Bounds);
   const vtkIdType number = data->GetNumberOfPoints();
-  double x[3];
+  glm::dvec3 x;
   bool isFirst = true;
   for (vtkIdType id = 0; id < number; ++id)
   {
     if (isUsed[id])
     {
-      data->GetPoint(id, x);
+      data->GetPoint(id, glm::value_ptr(x));
       for (int i = 0; i < 3; ++i)
       {
         this->Bounds[2 * i] = isFirst ? x[i] : std::min(this->Bounds[2 * i], x[i]);
@@ -149,7 +150,7 @@ void TerminationTriangles::Weld(
     {
       continue;
     }
-    data->GetPoint(id, x);
+    data->GetPoint(id, glm::value_ptr(x));
     Triple home;
     int sides[3];
     for (int i = 0; i < 3; ++i)
@@ -169,15 +170,14 @@ void TerminationTriangles::Weld(
       }
       for (int vertex : cell->second)
       {
-        const double* y = this->Vertices[vertex].data();
-        const bool isNear = std::sqrt(vtkMath::Distance2BetweenPoints(x, y)) <= reach;
+        const bool isNear = glm::distance(x, this->Vertices[vertex]) <= reach;
         found = isNear && (found < 0 || vertex < found) ? vertex : found;
       }
     }
     if (found < 0)
     {
       found = static_cast<int>(this->Vertices.size());
-      this->Vertices.push_back({ { x[0], x[1], x[2] } });
+      this->Vertices.push_back(x);
       this->PointIds.push_back(id);
       grid[home].push_back(found);
     }
@@ -209,7 +209,7 @@ std::string TerminationTriangles::Take(
   for (const Polygon& polygon : polygons)
   {
     Triangle triangle;
-    const double* corners[3];
+    glm::dvec3 corners[3];
     for (int i = 0; i < 3; ++i)
     {
       triangle.Corners[i] = this->VertexIds[polygon[i]];
@@ -217,7 +217,7 @@ std::string TerminationTriangles::Take(
       {
         return "the mesh has no size: all its points are in one place";
       }
-      corners[i] = this->Vertices[triangle.Corners[i]].data();
+      corners[i] = this->Vertices[triangle.Corners[i]];
       texture->GetTuple(polygon[i], triangle.Texture[i]);
       for (int j = 0; j < 2; ++j)
       {
@@ -225,14 +225,10 @@ std::string TerminationTriangles::Take(
         triangle.Texture[i][j] += isPeriodic[j] ? turns : 0.0;
       }
     }
-    double edges[2][3];
-    double normal[3];
-    vtkMath::Subtract(corners[1], corners[0], edges[0]);
-    vtkMath::Subtract(corners[2], corners[0], edges[1]);
-    vtkMath::Cross(edges[0], edges[1], normal);
-    const double longest = std::sqrt(std::max({ vtkMath::Dot(edges[0], edges[0]),
-      vtkMath::Dot(edges[1], edges[1]), vtkMath::Distance2BetweenPoints(corners[1], corners[2]) }));
-    if (!(vtkMath::Norm(normal) > longest * tolerance * this->Diagonal))
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double longest = std::max({ glm::distance(corners[0], corners[1]),
+      glm::distance(corners[0], corners[2]), glm::distance(corners[1], corners[2]) });
+    if (!(glm::length(normal) > longest * tolerance * this->Diagonal))
     {
       ++this->NumberOfDegenerateTriangles;
       continue;

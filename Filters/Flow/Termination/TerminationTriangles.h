@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 class vtkDataArray;
 class vtkPolyData;
 
@@ -32,9 +34,9 @@ public:
    */
   std::string Take(vtkPolyData* data, double tolerance, const bool isPeriodic[2]);
 
-  const double* GetCorner(int triangle, int corner) const
+  const glm::dvec3& GetCorner(int triangle, int corner) const
   {
-    return this->Vertices[this->Triangles[triangle].Corners[corner]].data();
+    return this->Vertices[this->Triangles[triangle].Corners[corner]];
   }
 
   struct Triangle
@@ -43,7 +45,7 @@ public:
     double Texture[3][2];
   };
   std::vector<Triangle> Triangles;
-  std::vector<std::array<double, 3>> Vertices;
+  std::vector<glm::dvec3> Vertices;
   /// The point that stands for each vertex.
   std::vector<vtkIdType> PointIds;
   /// The bounds of the points in use.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/TextureSearch.h"
 
+#include "Common/Vectors.h"
 #include "Termination/ClosestTrianglePoint.h"
 
-#include "vtkMath.h"
 #include "vtkTerminationSurface.h"
 
 #include <algorithm>
@@ -22,9 +22,7 @@ struct Flat
   {
     for (int i = 0; i < 3; ++i)
     {
-      this->Corners[i][0] = triangle.Texture[i][0];
-      this->Corners[i][1] = triangle.Texture[i][1];
-      this->Corners[i][2] = 0.0;
+      this->Corners[i] = { triangle.Texture[i][0], triangle.Texture[i][1], 0.0 };
     }
   }
 
@@ -35,7 +33,7 @@ struct Flat
              (c[2][0] - c[0][0]) * (c[1][1] - c[0][1])) > std::numeric_limits<double>::min();
   }
 
-  double Corners[3][3];
+  glm::dvec3 Corners[3];
 };
 }
 
@@ -71,8 +69,8 @@ bool TextureSearch::FindPoint(const double uv[2], double x[3]) const
   {
     for (int j = -reach[1]; j <= reach[1]; ++j)
     {
-      const double target[3] = { uv[0] + i, uv[1] + j, 0.0 };
-      this->Tree.VisitNear(target, limit,
+      const glm::dvec3 target{ uv[0] + i, uv[1] + j, 0.0 };
+      this->Tree.VisitNear(glm::value_ptr(target), limit,
         [this, x, &target, &limit, &isFound](int item, double& squaredLimit)
         {
           const Flat flat(this->Mesh->Triangles[item]);
@@ -82,12 +80,11 @@ bool TextureSearch::FindPoint(const double uv[2], double x[3]) const
           {
             squaredLimit = limit = foot.SquaredDistance;
             isFound = true;
-            for (int axis = 0; axis < 3; ++axis)
-            {
-              const double origin = this->Mesh->GetCorner(item, 0)[axis];
-              x[axis] = origin + foot.Weights[1] * (this->Mesh->GetCorner(item, 1)[axis] - origin) +
-                foot.Weights[2] * (this->Mesh->GetCorner(item, 2)[axis] - origin);
-            }
+            const glm::dvec3& origin = this->Mesh->GetCorner(item, 0);
+            const glm::dvec3 point = origin +
+              foot.Weights[1] * (this->Mesh->GetCorner(item, 1) - origin) +
+              foot.Weights[2] * (this->Mesh->GetCorner(item, 2) - origin);
+            std::copy_n(glm::value_ptr(point), 3, x);
           }
         });
     }

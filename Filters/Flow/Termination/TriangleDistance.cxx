@@ -1,19 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/TriangleDistance.h"
 
+#include "Common/Vectors.h"
+
 #include "vtkMath.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace interlume
 {
 
+namespace
+{
+glm::dvec3 Normalize(const glm::dvec3& v)
+{
+  const double length = glm::length(v);
+  return length > 0.0 ? v / length : v;
+}
+}
+
 void TriangleDistance::Build(const TerminationTriangles* mesh, const TriangleEdges& edges)
 {
   this->Mesh = mesh;
   const int number = static_cast<int>(mesh->Triangles.size());
-  const Vector zero = { { 0.0, 0.0, 0.0 } };
+  const glm::dvec3 zero(0.0);
   this->EdgeIds.resize(3 * static_cast<std::size_t>(number));
   this->FaceNormals.assign(number, zero);
   this->EdgeNormals.assign(edges.GetNumberOfEdges(), zero);
@@ -23,28 +35,23 @@ void TriangleDistance::Build(const TerminationTriangles* mesh, const TriangleEdg
   std::vector<BoxTree::Box> boxes(number);
   for (int triangle = 0; triangle < number; ++triangle)
   {
-    double sides[3][3];
+    glm::dvec3 sides[3];
     for (int i = 0; i < 3; ++i)
     {
-      vtkMath::Subtract(
-        mesh->GetCorner(triangle, (i + 1) % 3), mesh->GetCorner(triangle, i), sides[i]);
-      vtkMath::Normalize(sides[i]);
+      sides[i] = Normalize(mesh->GetCorner(triangle, (i + 1) % 3) - mesh->GetCorner(triangle, i));
     }
-    double* normal = this->FaceNormals[triangle].data();
-    vtkMath::Cross(sides[0], sides[1], normal);
-    vtkMath::Normalize(normal);
+    const glm::dvec3 normal = Normalize(glm::cross(sides[0], sides[1]));
+    this->FaceNormals[triangle] = normal;
     for (int i = 0; i < 3; ++i)
     {
       const int edge = edges.GetEdge(triangle, i);
       const int vertex = mesh->Triangles[triangle].Corners[i];
-      const double* before = sides[(i + 2) % 3];
-      const double angle = vtkMath::Pi() - vtkMath::AngleBetweenVectors(sides[i], before);
+      const glm::dvec3& before = sides[(i + 2) % 3];
+      const double angle = vtkMath::Pi() -
+        vtkMath::AngleBetweenVectors(glm::value_ptr(sides[i]), glm::value_ptr(before));
       this->EdgeIds[3 * triangle + i] = edge;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        this->EdgeNormals[edge][axis] += normal[axis];
-        this->VertexNormals[vertex][axis] += angle * normal[axis];
-      }
+      this->EdgeNormals[edge] += normal;
+      this->VertexNormals[vertex] += angle * normal;
       if (edges.IsBorder(edge))
       {
         this->IsBorderEdge[edge] = true;
@@ -59,19 +66,16 @@ void TriangleDistance::Build(const TerminationTriangles* mesh, const TriangleEdg
   }
   for (auto* normals : { &this->EdgeNormals, &this->VertexNormals })
   {
-    for (Vector& normal : *normals)
-    {
-      vtkMath::Normalize(normal.data());
-    }
+    std::transform(normals->begin(), normals->end(), normals->begin(), Normalize);
   }
   this->Tree.Build(boxes);
 }
 
-int TriangleDistance::FindNearest(const double x[3], ClosestTrianglePoint& foot) const
+int TriangleDistance::FindNearest(const glm::dvec3& x, ClosestTrianglePoint& foot) const
 {
   int nearest = -1;
-  this->Tree.VisitNear(x, std::numeric_limits<double>::infinity(),
-    [this, x, &nearest, &foot](int item, double& squaredLimit)
+  this->Tree.VisitNear(glm::value_ptr(x), std::numeric_limits<double>::infinity(),
+    [this, &x, &nearest, &foot](int item, double& squaredLimit)
     {
       const ClosestTrianglePoint candidate(x, this->Mesh->GetCorner(item, 0),
         this->Mesh->GetCorner(item, 1), this->Mesh->GetCorner(item, 2));
@@ -85,22 +89,22 @@ int TriangleDistance::FindNearest(const double x[3], ClosestTrianglePoint& foot)
   return nearest;
 }
 
-const double* TriangleDistance::GetNormal(int triangle, const ClosestTrianglePoint& foot) const
+const glm::dvec3& TriangleDistance::GetNormal(int triangle, const ClosestTrianglePoint& foot) const
 {
-  const double* normal = this->FaceNormals[triangle].data();
-  const double* candidate = normal;
+  const glm::dvec3& normal = this->FaceNormals[triangle];
+  const glm::dvec3* candidate = &normal;
   if (foot.IsEdge())
   {
     const int edge = this->EdgeIds[3 * triangle + foot.Feature - ClosestTrianglePoint::FIRST_EDGE];
-    candidate = this->EdgeNormals[edge].data();
+    candidate = &this->EdgeNormals[edge];
   }
   else if (foot.IsCorner())
   {
     const int corner = foot.Feature - ClosestTrianglePoint::FIRST_CORNER;
-    candidate = this->VertexNormals[this->Mesh->Triangles[triangle].Corners[corner]].data();
+    candidate = &this->VertexNormals[this->Mesh->Triangles[triangle].Corners[corner]];
   }
   // Faces that are folded onto each other have no normal between them.
-  return vtkMath::Norm(candidate) > 0.5 ? candidate : normal;
+  return glm::length(*candidate) > 0.5 ? *candidate : normal;
 }
 
 bool TriangleDistance::IsOnBorder(int triangle, const ClosestTrianglePoint& foot) const
@@ -116,18 +120,15 @@ bool TriangleDistance::IsOnBorder(int triangle, const ClosestTrianglePoint& foot
 }
 
 double TriangleDistance::GetSignedDistance(
-  int triangle, const ClosestTrianglePoint& foot, const double x[3]) const
+  int triangle, const ClosestTrianglePoint& foot, const glm::dvec3& x) const
 {
-  double away[3];
   if (foot.Feature == ClosestTrianglePoint::FACE)
   {
     // Near the face this distance is exact, and smooth enough for finding roots.
-    vtkMath::Subtract(x, this->Mesh->GetCorner(triangle, 0), away);
-    return vtkMath::Dot(away, this->FaceNormals[triangle]);
+    return glm::dot(x - this->Mesh->GetCorner(triangle, 0), this->FaceNormals[triangle]);
   }
-  vtkMath::Subtract(x, foot.Point, away);
   const double distance = std::sqrt(foot.SquaredDistance);
-  return vtkMath::Dot(away, this->GetNormal(triangle, foot)) < 0.0 ? -distance : distance;
+  return glm::dot(x - foot.Point, this->GetNormal(triangle, foot)) < 0.0 ? -distance : distance;
 }
 
 }

@@ -7,7 +7,6 @@
 #include "Termination/TerminationTriangles.h"
 #include "Termination/TriangleEdges.h"
 
-#include <array>
 #include <vector>
 
 namespace interlume
@@ -29,25 +28,24 @@ public:
 
   /// Returns the triangle that is nearest to \a x, -1 without any, and then leaves \a foot as it
   /// is.
-  int FindNearest(const double x[3], ClosestTrianglePoint& foot) const;
+  int FindNearest(const glm::dvec3& x, ClosestTrianglePoint& foot) const;
 
   /// Returns the normal at a foot in a triangle, of length 1.
-  const double* GetNormal(int triangle, const ClosestTrianglePoint& foot) const;
+  const glm::dvec3& GetNormal(int triangle, const ClosestTrianglePoint& foot) const;
   bool IsOnBorder(int triangle, const ClosestTrianglePoint& foot) const;
 
   /// Returns the signed distance of \a x from its foot.
-  double GetSignedDistance(int triangle, const ClosestTrianglePoint& foot, const double x[3]) const;
+  double GetSignedDistance(
+    int triangle, const ClosestTrianglePoint& foot, const glm::dvec3& x) const;
 
 private:
-  using Vector = std::array<double, 3>;
-
   const TerminationTriangles* Mesh = nullptr;
   BoxTree Tree;
   /// The three edges of each triangle.
   std::vector<int> EdgeIds;
-  std::vector<Vector> FaceNormals;
-  std::vector<Vector> EdgeNormals;
-  std::vector<Vector> VertexNormals;
+  std::vector<glm::dvec3> FaceNormals;
+  std::vector<glm::dvec3> EdgeNormals;
+  std::vector<glm::dvec3> VertexNormals;
   std::vector<bool> IsBorderEdge;
   std::vector<bool> IsBorderVertex;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/TriangleEdges.h"
 
-#include "vtkMath.h"
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <tuple>
@@ -98,12 +99,9 @@ std::string TriangleEdges::OrientPart(
   std::size_t turned = 0;
   for (int triangle : part)
   {
-    double corners[3][3];
-    for (int i = 0; i < 3; ++i)
-    {
-      vtkMath::Subtract(mesh.GetCorner(triangle, i), mesh.GetCorner(first, 0), corners[i]);
-    }
-    const double signedVolume = vtkMath::Determinant3x3(corners[0], corners[1], corners[2]);
+    const glm::dvec3& origin = mesh.GetCorner(first, 0);
+    const double signedVolume = glm::determinant(glm::dmat3(mesh.GetCorner(triangle, 0) - origin,
+      mesh.GetCorner(triangle, 1) - origin, mesh.GetCorner(triangle, 2) - origin));
     volume += turns[triangle] ? -signedVolume : signedVolume;
     turned += turns[triangle];
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Termination/TubeAxis.h"
 
-#include "Common/FiniteNumbers.h"
+#include "Common/Vectors.h"
 
 #include "vtkMath.h"
 
@@ -21,24 +21,16 @@ constexpr double SamePlace = 1e-12;
 constexpr double TurnBack = 1e-8;
 
 // Rotates v, which is across `from`, by the smallest rotation that takes `from` to `to`.
-void Rotate(const double from[3], const double to[3], const double v[3], double rotated[3])
+glm::dvec3 Rotate(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& v)
 {
-  const double scale = vtkMath::Dot(v, to) / (1.0 + vtkMath::Dot(from, to));
-  for (int i = 0; i < 3; ++i)
-  {
-    rotated[i] = v[i] - scale * (from[i] + to[i]);
-  }
+  const glm::dvec3 rotated = v - glm::dot(v, to) / (1.0 + glm::dot(from, to)) * (from + to);
   // Taking out the part along `to` keeps rounding from growing from segment to segment.
-  const double along = vtkMath::Dot(rotated, to);
-  for (int i = 0; i < 3; ++i)
-  {
-    rotated[i] -= along * to[i];
-  }
-  vtkMath::Normalize(rotated);
+  const glm::dvec3 across = rotated - glm::dot(rotated, to) * to;
+  return across / glm::length(across);
 }
 }
 
-std::string TubeAxis::Build(const std::vector<Point>& points)
+std::string TubeAxis::Build(const std::vector<glm::dvec3>& points)
 {
   this->Segments.clear();
   this->Tree.Build({});
@@ -48,15 +40,14 @@ std::string TubeAxis::Build(const std::vector<Point>& points)
   double size = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (!FiniteNumbers::AreFinite(points[i].data(), 3))
+    if (!Vectors::IsFinite(points[i]))
     {
       return "point " + std::to_string(i) + " of the tube's line is not finite";
     }
-    size = std::max(
-      size, std::sqrt(vtkMath::Distance2BetweenPoints(points[i].data(), points[0].data())));
+    size = std::max(size, glm::distance(points[i], points[0]));
   }
-  const auto areSame = [size](const Point& a, const Point& b)
-  { return std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b.data())) <= SamePlace * size; };
+  const auto areSame = [size](const glm::dvec3& a, const glm::dvec3& b)
+  { return glm::distance(a, b) <= SamePlace * size; };
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -70,8 +61,8 @@ std::string TubeAxis::Build(const std::vector<Point>& points)
     return "the tube's line has fewer than two points in different places";
   }
   this->Closed = kept.size() > 3 && areSame(points[kept.front()], points[kept.back()]);
-  std::copy_n(points[kept.front()].data(), 3, this->FirstPoint);
-  std::copy_n(points[kept.back()].data(), 3, this->LastPoint);
+  this->FirstPoint = points[kept.front()];
+  this->LastPoint = points[kept.back()];
 
   std::vector<Segment> segments(kept.size() - 1);
   std::vector<BoxTree::Box> boxes(segments.size());
@@ -79,16 +70,15 @@ std::string TubeAxis::Build(const std::vector<Point>& points)
   {
     Segment& segment = segments[i];
     segment = {};
-    const Point& start = points[kept[i]];
-    const Point& end = points[kept[i + 1]];
+    const glm::dvec3& end = points[kept[i + 1]];
+    segment.Start = points[kept[i]];
     for (int axis = 0; axis < 3; ++axis)
     {
-      segment.Start[axis] = start[axis];
-      segment.Frame.Axis[axis] = end[axis] - start[axis];
-      boxes[i].Lower[axis] = std::min(start[axis], end[axis]);
-      boxes[i].Upper[axis] = std::max(start[axis], end[axis]);
+      boxes[i].Lower[axis] = std::min(segment.Start[axis], end[axis]);
+      boxes[i].Upper[axis] = std::max(segment.Start[axis], end[axis]);
     }
-    segment.Length = vtkMath::Normalize(segment.Frame.Axis);
+    segment.Length = glm::distance(end, segment.Start);
+    segment.Frame.Axis = (end - segment.Start) / segment.Length;
     segment.Distance = this->Length;
     this->Length += segment.Length;
   }
@@ -98,26 +88,21 @@ std::string TubeAxis::Build(const std::vector<Point>& points)
   {
     Segment& before = segments[i];
     Segment& after = segments[(i + 1) % segments.size()];
-    const double cosine = vtkMath::Dot(before.Frame.Axis, after.Frame.Axis);
+    const double cosine = glm::dot(before.Frame.Axis, after.Frame.Axis);
     if (!(1.0 + cosine > TurnBack))
     {
       return "the tube's line turns back on itself at point " + std::to_string(kept[i + 1]);
     }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      before.EndTilt[axis] = after.Frame.Axis[axis] / (1.0 + cosine);
-      after.StartTilt[axis] = before.Frame.Axis[axis] / (1.0 + cosine);
-    }
-    double x[3];
-    Rotate(before.Frame.Axis, after.Frame.Axis, before.Frame.X, x);
+    before.EndTilt = after.Frame.Axis / (1.0 + cosine);
+    after.StartTilt = before.Frame.Axis / (1.0 + cosine);
+    const glm::dvec3 x = Rotate(before.Frame.Axis, after.Frame.Axis, before.Frame.X);
     if (i + 1 < segments.size())
     {
       after.Frame.SetAxis(after.Frame.Axis, x);
     }
     else
     {
-      this->Twist =
-        AxialFrame::GetTurn(vtkMath::Dot(x, after.Frame.X), vtkMath::Dot(x, after.Frame.Y));
+      this->Twist = AxialFrame::GetTurn(glm::dot(x, after.Frame.X), glm::dot(x, after.Frame.Y));
       this->Twist -= std::round(this->Twist);
     }
   }
@@ -126,23 +111,19 @@ std::string TubeAxis::Build(const std::vector<Point>& points)
   return {};
 }
 
-int TubeAxis::FindNearest(const double x[3], double& along) const
+int TubeAxis::FindNearest(const glm::dvec3& x, double& along) const
 {
   int nearest = 0;
   along = 0.0;
-  this->Tree.VisitNear(x, std::numeric_limits<double>::infinity(),
-    [this, x, &nearest, &along](int item, double& squaredLimit)
+  this->Tree.VisitNear(glm::value_ptr(x), std::numeric_limits<double>::infinity(),
+    [this, &x, &nearest, &along](int item, double& squaredLimit)
     {
       const Segment& segment = this->Segments[item];
-      double p[3];
-      vtkMath::Subtract(x, segment.Start, p);
-      const double place = vtkMath::Dot(p, segment.Frame.Axis);
+      const glm::dvec3 p = x - segment.Start;
+      const double place = glm::dot(p, segment.Frame.Axis);
       const double clamped = std::max(0.0, std::min(place, segment.Length));
-      for (int i = 0; i < 3; ++i)
-      {
-        p[i] -= clamped * segment.Frame.Axis[i];
-      }
-      const double squaredDistance = vtkMath::Dot(p, p);
+      const glm::dvec3 apart = p - clamped * segment.Frame.Axis;
+      const double squaredDistance = glm::dot(apart, apart);
       if (squaredDistance < squaredLimit)
       {
         squaredLimit = squaredDistance;
@@ -153,14 +134,14 @@ int TubeAxis::FindNearest(const double x[3], double& along) const
   return nearest;
 }
 
-TubeAxis::Foot TubeAxis::GetFoot(const double x[3]) const
+TubeAxis::Foot TubeAxis::GetFoot(const glm::dvec3& x) const
 {
   double along;
   const int nearest = this->FindNearest(x, along);
   const Segment& segment = this->Segments[nearest];
   Foot foot;
   const double clamped = std::max(0.0, std::min(along, segment.Length));
-  segment.Frame.GetPoint(segment.Start, 0.0, 0.0, clamped, foot.Nearest);
+  foot.Nearest = segment.Start + clamped * segment.Frame.Axis;
   const bool isFirst = !this->Closed && nearest == 0;
   const bool isLast = !this->Closed && nearest + 1 == static_cast<int>(this->Segments.size());
   foot.Beyond = 0.0;
@@ -172,16 +153,12 @@ TubeAxis::Foot TubeAxis::GetFoot(const double x[3]) const
 }
 
 void TubeAxis::GetPlanes(
-  const Segment& segment, const double x[3], double across[3], double& start, double& end)
+  const Segment& segment, const glm::dvec3& x, glm::dvec3& components, double& start, double& end)
 {
-  segment.Frame.GetComponents(x, segment.Start, across);
-  const double along = across[2];
-  across[2] = 0.0;
-  double w[3];
-  const double zero[3] = { 0.0, 0.0, 0.0 };
-  segment.Frame.GetPoint(zero, across[0], across[1], 0.0, w);
-  start = along + vtkMath::Dot(w, segment.StartTilt);
-  end = segment.Length - along - vtkMath::Dot(w, segment.EndTilt);
+  components = segment.Frame.GetComponents(x, segment.Start);
+  const glm::dvec3 across = segment.Frame.GetVector(components.x, components.y, 0.0);
+  start = components.z + glm::dot(across, segment.StartTilt);
+  end = segment.Length - components.z - glm::dot(across, segment.EndTilt);
 }
 
 int TubeAxis::GetNeighbor(int segment, int step) const
@@ -195,20 +172,20 @@ int TubeAxis::GetNeighbor(int segment, int step) const
   return neighbor < 0 || neighbor >= number ? segment : neighbor;
 }
 
-void TubeAxis::GetParameters(const double x[3], double uv[2]) const
+void TubeAxis::GetParameters(const glm::dvec3& x, double uv[2]) const
 {
   double along;
   int index = this->FindNearest(x, along);
-  double across[3];
+  glm::dvec3 components;
   double start;
   double end;
-  GetPlanes(this->Segments[index], x, across, start, end);
+  GetPlanes(this->Segments[index], x, components, start, end);
   const int step = start < 0.0 ? -1 : (end < 0.0 ? 1 : 0);
   const int neighbor = this->GetNeighbor(index, step);
   if (neighbor != index)
   {
     index = neighbor;
-    GetPlanes(this->Segments[index], x, across, start, end);
+    GetPlanes(this->Segments[index], x, components, start, end);
   }
   const Segment& segment = this->Segments[index];
   const double way = start + end;
@@ -216,12 +193,12 @@ void TubeAxis::GetParameters(const double x[3], double uv[2]) const
   const double part = way > 0.0 ? std::max(0.0, std::min(start / way, 1.0)) : 0.5;
   uv[1] = std::min(1.0, (segment.Distance + part * segment.Length) / this->Length);
   uv[1] = this->Closed && uv[1] == 1.0 ? 0.0 : uv[1];
-  const double turn = AxialFrame::GetTurn(across[0], across[1]) + this->Twist * uv[1];
+  const double turn = AxialFrame::GetTurn(components.x, components.y) + this->Twist * uv[1];
   uv[0] = turn - std::floor(turn);
   uv[0] = uv[0] < 1.0 ? uv[0] : 0.0;
 }
 
-void TubeAxis::GetPoint(const double uv[2], double radius, double x[3]) const
+glm::dvec3 TubeAxis::GetPoint(const double uv[2], double radius) const
 {
   const double distance = uv[1] * this->Length;
   auto next = std::upper_bound(this->Segments.begin(), this->Segments.end(), distance,
@@ -229,12 +206,10 @@ void TubeAxis::GetPoint(const double uv[2], double radius, double x[3]) const
   const Segment& segment = *(next == this->Segments.begin() ? next : next - 1);
   const double part = std::min(1.0, (distance - segment.Distance) / segment.Length);
   const double angle = 2.0 * vtkMath::Pi() * (uv[0] - this->Twist * uv[1]);
-  const double zero[3] = { 0.0, 0.0, 0.0 };
-  double across[3];
-  segment.Frame.GetPoint(zero, std::cos(angle), std::sin(angle), 0.0, across);
+  const glm::dvec3 across = segment.Frame.GetVector(std::cos(angle), std::sin(angle), 0.0);
   // At a distance rho across, the place is part * Length + rho * slope along.
-  const double startTilt = vtkMath::Dot(across, segment.StartTilt);
-  const double endTilt = vtkMath::Dot(across, segment.EndTilt);
+  const double startTilt = glm::dot(across, segment.StartTilt);
+  const double endTilt = glm::dot(across, segment.EndTilt);
   const double slope = part * (startTilt - endTilt) - startTilt;
   double rho = radius;
   double along = part * segment.Length + rho * slope;
@@ -247,7 +222,8 @@ void TubeAxis::GetPoint(const double uv[2], double radius, double x[3]) const
     rho = (root - offset * slope) / square;
     along = part * segment.Length + rho * slope;
   }
-  segment.Frame.GetPoint(segment.Start, rho * std::cos(angle), rho * std::sin(angle), along, x);
+  return segment.Start +
+    segment.Frame.GetVector(rho * std::cos(angle), rho * std::sin(angle), along);
 }
 
 const AxialFrame& TubeAxis::GetEndFrame(bool isLast) const

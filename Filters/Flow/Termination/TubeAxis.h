@@ -5,7 +5,6 @@
 #include "Termination/AxialFrame.h"
 #include "Termination/BoxTree.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -28,14 +27,12 @@ namespace interlume
 class TubeAxis
 {
 public:
-  using Point = std::array<double, 3>;
-
   /**
    * Takes a polyline; it is closed when its last point is the first. Points in the same place as
    * the one before are left out. Returns what is wrong: a point that is not finite, fewer than two
    * places, a line that turns back on itself.
    */
-  std::string Build(const std::vector<Point>& points);
+  std::string Build(const std::vector<glm::dvec3>& points);
 
   bool IsEmpty() const { return this->Segments.empty(); }
   bool IsClosed() const { return this->Closed; }
@@ -45,20 +42,23 @@ public:
   /// the first, positive beyond the last, else 0.
   struct Foot
   {
-    double Nearest[3];
+    glm::dvec3 Nearest;
     double Beyond;
   };
-  Foot GetFoot(const double x[3]) const;
+  Foot GetFoot(const glm::dvec3& x) const;
 
   /// Computes u in turns, 0 to below 1, and v by length, 0 to 1 (to below 1 on a closed line).
-  void GetParameters(const double x[3], double uv[2]) const;
+  void GetParameters(const glm::dvec3& x, double uv[2]) const;
 
-  /// Computes the point with these parameters, at a distance from the line.
-  void GetPoint(const double uv[2], double radius, double x[3]) const;
+  /// Returns the point with these parameters, at a distance from the line.
+  glm::dvec3 GetPoint(const double uv[2], double radius) const;
 
   /// Return the frames at the two ends, and the ends.
   const AxialFrame& GetEndFrame(bool isLast) const;
-  const double* GetEnd(bool isLast) const { return isLast ? this->LastPoint : this->FirstPoint; }
+  const glm::dvec3& GetEnd(bool isLast) const
+  {
+    return isLast ? this->LastPoint : this->FirstPoint;
+  }
 
   /// Computes the lower and upper bounds of x, y, z.
   void GetBounds(double bounds[6]) const;
@@ -66,31 +66,31 @@ public:
 private:
   struct Segment
   {
-    double Start[3];
+    glm::dvec3 Start;
     double Length;
     /// The distance of the segment's start along the line.
     double Distance;
     AxialFrame Frame;
     /// The bisecting planes at start and end lie at - w . Tilt and Length - w . Tilt along the
     /// segment, w across it.
-    double StartTilt[3];
-    double EndTilt[3];
+    glm::dvec3 StartTilt;
+    glm::dvec3 EndTilt;
   };
 
   /// Finds the nearest segment, and the nearest point's place along it.
-  int FindNearest(const double x[3], double& along) const;
+  int FindNearest(const glm::dvec3& x, double& along) const;
   /// Computes where a point is between the bisecting planes, as distances along the segment from
   /// both.
-  static void GetPlanes(
-    const Segment& segment, const double x[3], double across[3], double& start, double& end);
+  static void GetPlanes(const Segment& segment, const glm::dvec3& x, glm::dvec3& components,
+    double& start, double& end);
   int GetNeighbor(int segment, int step) const;
 
   std::vector<Segment> Segments;
   BoxTree Tree;
   bool Closed = false;
   double Length = 0.0;
-  double FirstPoint[3] = { 0.0, 0.0, 0.0 };
-  double LastPoint[3] = { 0.0, 0.0, 0.0 };
+  glm::dvec3 FirstPoint{ 0.0, 0.0, 0.0 };
+  glm::dvec3 LastPoint{ 0.0, 0.0, 0.0 };
   /// The turns by which a closed line's frame is off after one round.
   double Twist = 0.0;
 };

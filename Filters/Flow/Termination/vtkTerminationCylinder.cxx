@@ -3,6 +3,7 @@
 
 #include "Common/FiniteNumbers.h"
 #include "Common/NamedValue.h"
+#include "Common/Vectors.h"
 #include "Termination/AxialFrame.h"
 #include "Termination/DiscParameters.h"
 
@@ -32,9 +33,8 @@ std::string vtkTerminationCylinder::Update()
   {
     return "the cylinder's radius is not finite and above 0";
   }
-  double axis[3];
-  vtkMath::Subtract(this->Point2, this->Point1, axis);
-  this->Length = vtkMath::Norm(axis);
+  const glm::dvec3 axis = interlume::Vectors::Difference(this->Point2, this->Point1);
+  this->Length = glm::length(axis);
   if (!interlume::FiniteNumbers::IsSize(this->Length))
   {
     return "the cylinder's axis has no length: its ends are the same point";
@@ -45,8 +45,7 @@ std::string vtkTerminationCylinder::Update()
 
 vtkTerminationCylinder::Place vtkTerminationCylinder::GetPlace(const double x[3]) const
 {
-  double p[3];
-  this->Frame->GetComponents(x, this->Point1, p);
+  const glm::dvec3 p = this->Frame->GetComponents(glm::make_vec3(x), glm::make_vec3(this->Point1));
   Place place;
   place.Offset[0] = p[0];
   place.Offset[1] = p[1];
@@ -98,17 +97,14 @@ void vtkTerminationCylinder::EvaluateParameters(const double x[3], double uv[2])
 void vtkTerminationCylinder::EvaluateNormal(const double x[3], double normal[3]) const
 {
   const Place place = this->GetPlace(x);
-  const double zero[3] = { 0.0, 0.0, 0.0 };
-  if (place.Part != WALL)
+  glm::dvec3 outward = this->Frame->GetVector(0.0, 0.0, place.Part == CAP_1 ? -1.0 : 1.0);
+  if (place.Part == WALL)
   {
-    this->Frame->GetPoint(zero, 0.0, 0.0, place.Part == CAP_1 ? -1.0 : 1.0, normal);
-    return;
+    outward = this->Frame->GetVector(place.Offset[0], place.Offset[1], 0.0);
+    const double length = glm::length(outward);
+    outward = length > 0.0 ? outward / length : this->Frame->X;
   }
-  this->Frame->GetPoint(zero, place.Offset[0], place.Offset[1], 0.0, normal);
-  if (!(vtkMath::Normalize(normal) > 0.0))
-  {
-    std::copy_n(this->Frame->X, 3, normal);
-  }
+  std::copy_n(glm::value_ptr(outward), 3, normal);
 }
 
 bool vtkTerminationCylinder::EvaluatePoint(int part, const double uv[2], double x[3]) const
@@ -118,22 +114,18 @@ bool vtkTerminationCylinder::EvaluatePoint(int part, const double uv[2], double 
   {
     return false;
   }
-  if (part == WALL)
+  const double angle = 2.0 * vtkMath::Pi() * taken[0];
+  double a = std::cos(angle);
+  double b = std::sin(angle);
+  if (part != WALL && !interlume::DiscParameters::ToPoint(taken, a, b))
   {
-    const double angle = 2.0 * vtkMath::Pi() * taken[0];
-    this->Frame->GetPoint(this->Point1, this->Radius * std::cos(angle),
-      this->Radius * std::sin(angle), this->Length * taken[1], x);
-    return true;
+    return false;
   }
-  double a;
-  double b;
-  const bool isInside = interlume::DiscParameters::ToPoint(taken, a, b);
-  if (isInside)
-  {
-    this->Frame->GetPoint(
-      part == CAP_1 ? this->Point1 : this->Point2, this->Radius * a, this->Radius * b, 0.0, x);
-  }
-  return isInside;
+  const double along = part == WALL ? this->Length * taken[1] : 0.0;
+  const glm::dvec3 point = glm::make_vec3(part == CAP_2 ? this->Point2 : this->Point1) +
+    this->Frame->GetVector(this->Radius * a, this->Radius * b, along);
+  std::copy_n(glm::value_ptr(point), 3, x);
+  return true;
 }
 
 bool vtkTerminationCylinder::IsPeriodic(int direction, int part) const

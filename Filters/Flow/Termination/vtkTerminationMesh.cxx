@@ -2,6 +2,7 @@
 #include "vtkTerminationMesh.h"
 
 #include "Common/NamedValue.h"
+#include "Common/Vectors.h"
 #include "Termination/TerminationTriangles.h"
 #include "Termination/TextureSearch.h"
 #include "Termination/TriangleDistance.h"
@@ -35,22 +36,17 @@ struct vtkTerminationMesh::Contents
   double Rounding = 0.0;
 
   // Returns whether x, whose foot this is, is not beyond an open border by more than the tolerance.
-  bool IsWithinBorder(const double x[3], int triangle, const interlume::ClosestTrianglePoint& foot,
-    double tolerance) const
+  bool IsWithinBorder(const glm::dvec3& x, int triangle,
+    const interlume::ClosestTrianglePoint& foot, double tolerance) const
   {
     if (!this->Distance.IsOnBorder(triangle, foot))
     {
       return true;
     }
-    const double* normal = this->Distance.GetNormal(triangle, foot);
-    double beyond[3];
-    vtkMath::Subtract(x, foot.Point, beyond);
-    const double away = vtkMath::Dot(beyond, normal);
-    for (int i = 0; i < 3; ++i)
-    {
-      beyond[i] -= away * normal[i];
-    }
-    return vtkMath::Norm(beyond) <= tolerance * this->Triangles.Diagonal;
+    const glm::dvec3& normal = this->Distance.GetNormal(triangle, foot);
+    const glm::dvec3 beyond = x - foot.Point;
+    return glm::length(beyond - glm::dot(beyond, normal) * normal) <=
+      tolerance * this->Triangles.Diagonal;
   }
 };
 
@@ -151,31 +147,33 @@ std::string vtkTerminationMesh::Update()
 double vtkTerminationMesh::EvaluateDistance(const double x[3]) const
 {
   interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(x, foot);
-  return triangle < 0 ? VTK_DOUBLE_MAX : this->Made->Distance.GetSignedDistance(triangle, foot, x);
+  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
+  return triangle < 0 ? VTK_DOUBLE_MAX
+                      : this->Made->Distance.GetSignedDistance(triangle, foot, glm::make_vec3(x));
 }
 
 bool vtkTerminationMesh::IsOn(const double x[3]) const
 {
   interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(x, foot);
+  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
   return triangle >= 0 &&
     std::sqrt(foot.SquaredDistance) <= Nearness * this->Made->Triangles.Diagonal &&
-    this->Made->IsWithinBorder(x, triangle, foot, this->Tolerance);
+    this->Made->IsWithinBorder(glm::make_vec3(x), triangle, foot, this->Tolerance);
 }
 
 bool vtkTerminationMesh::IsBeside(const double x[3]) const
 {
   interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(x, foot);
-  return triangle >= 0 && this->Made->IsWithinBorder(x, triangle, foot, this->Tolerance);
+  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
+  return triangle >= 0 &&
+    this->Made->IsWithinBorder(glm::make_vec3(x), triangle, foot, this->Tolerance);
 }
 
 void vtkTerminationMesh::EvaluateParameters(const double x[3], double uv[2]) const
 {
   std::fill_n(uv, 2, 0.0);
   interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(x, foot);
+  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
   for (int i = 0; i < 2 && triangle >= 0; ++i)
   {
     const auto& texture = this->Made->Triangles.Triangles[triangle].Texture;
@@ -192,9 +190,10 @@ void vtkTerminationMesh::EvaluateParameters(const double x[3], double uv[2]) con
 void vtkTerminationMesh::EvaluateNormal(const double x[3], double normal[3]) const
 {
   interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(x, foot);
-  const double axis[3] = { 0.0, 0.0, 1.0 };
-  std::copy_n(triangle < 0 ? axis : this->Made->Distance.GetNormal(triangle, foot), 3, normal);
+  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
+  const glm::dvec3 outward =
+    triangle < 0 ? glm::dvec3(0.0, 0.0, 1.0) : this->Made->Distance.GetNormal(triangle, foot);
+  std::copy_n(glm::value_ptr(outward), 3, normal);
 }
 
 bool vtkTerminationMesh::EvaluatePoint(int part, const double uv[2], double x[3]) const
@@ -206,7 +205,7 @@ bool vtkTerminationMesh::EvaluatePoint(int part, const double uv[2], double x[3]
 double vtkTerminationMesh::EvaluateGap(const double x[3]) const
 {
   interlume::ClosestTrianglePoint foot;
-  const int triangle = this->Made->Distance.FindNearest(x, foot);
+  const int triangle = this->Made->Distance.FindNearest(glm::make_vec3(x), foot);
   return triangle < 0 ? VTK_DOUBLE_MAX
                       : std::max(0.0, std::sqrt(foot.SquaredDistance) - this->Made->Rounding);
 }

@@ -3,6 +3,7 @@
 
 #include "Common/FiniteNumbers.h"
 #include "Common/NamedValue.h"
+#include "Common/Vectors.h"
 #include "Termination/AxialFrame.h"
 
 #include "vtkMath.h"
@@ -34,7 +35,7 @@ std::string vtkTerminationSphere::Update()
   {
     return "the sphere's axis is not finite or has no length";
   }
-  this->Frame->SetAxis(this->Axis);
+  this->Frame->SetAxis(glm::make_vec3(this->Axis));
   return {};
 }
 
@@ -45,8 +46,7 @@ double vtkTerminationSphere::EvaluateDistance(const double x[3]) const
 
 void vtkTerminationSphere::EvaluateParameters(const double x[3], double uv[2]) const
 {
-  double p[3];
-  this->Frame->GetComponents(x, this->Center, p);
+  const glm::dvec3 p = this->Frame->GetComponents(glm::make_vec3(x), glm::make_vec3(this->Center));
   uv[0] = interlume::AxialFrame::GetTurn(p[0], p[1]);
   uv[1] = 0.5 + std::atan2(p[2], std::hypot(p[0], p[1])) / vtkMath::Pi();
 }
@@ -56,7 +56,7 @@ void vtkTerminationSphere::EvaluateNormal(const double x[3], double normal[3]) c
   vtkMath::Subtract(x, this->Center, normal);
   if (!(vtkMath::Normalize(normal) > 0.0))
   {
-    std::copy_n(this->Frame->Axis, 3, normal);
+    std::copy_n(glm::value_ptr(this->Frame->Axis), 3, normal);
   }
 }
 
@@ -70,8 +70,10 @@ bool vtkTerminationSphere::EvaluatePoint(int part, const double uv[2], double x[
   const double longitude = 2.0 * vtkMath::Pi() * taken[0];
   const double latitude = vtkMath::Pi() * (taken[1] - 0.5);
   const double across = this->Radius * std::cos(latitude);
-  this->Frame->GetPoint(this->Center, across * std::cos(longitude), across * std::sin(longitude),
-    this->Radius * std::sin(latitude), x);
+  const glm::dvec3 point = glm::make_vec3(this->Center) +
+    this->Frame->GetVector(across * std::cos(longitude), across * std::sin(longitude),
+      this->Radius * std::sin(latitude));
+  std::copy_n(glm::value_ptr(point), 3, x);
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "Common/FiniteNumbers.h"
 #include "Common/NamedValue.h"
+#include "Common/Vectors.h"
 #include "Termination/DiscParameters.h"
 #include "Termination/TubeAxis.h"
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 vtkStandardNewMacro(vtkTerminationTube);
 
@@ -79,7 +81,10 @@ std::string vtkTerminationTube::Update()
   }
   if (!this->Line)
   {
-    return this->Axis->Build(this->Points);
+    std::vector<glm::dvec3> points;
+    std::transform(this->Points.begin(), this->Points.end(), std::back_inserter(points),
+      [](const auto& point) { return glm::make_vec3(point.data()); });
+    return this->Axis->Build(points);
   }
   const vtkIdType lines = this->Line->GetNumberOfLines();
   if (lines != 1)
@@ -90,14 +95,14 @@ std::string vtkTerminationTube::Update()
   const vtkIdType* ids;
   vtkCellArray* cells = this->Line->GetLines();
   cells->GetCellAtId(0, number, ids);
-  std::vector<std::array<double, 3>> points(number);
+  std::vector<glm::dvec3> points(number);
   for (vtkIdType i = 0; i < number; ++i)
   {
     if (ids[i] < 0 || ids[i] >= this->Line->GetNumberOfPoints())
     {
       return "the tube's line has point " + std::to_string(ids[i]) + ", which is not there";
     }
-    this->Line->GetPoint(ids[i], points[i].data());
+    this->Line->GetPoint(ids[i], glm::value_ptr(points[i]));
   }
   return this->Axis->Build(points);
 }
@@ -108,21 +113,22 @@ double vtkTerminationTube::EvaluateDistance(const double x[3]) const
   {
     return VTK_DOUBLE_MAX;
   }
-  const interlume::TubeAxis::Foot foot = this->Axis->GetFoot(x);
-  return std::sqrt(vtkMath::Distance2BetweenPoints(x, foot.Nearest)) - this->Radius;
+  const glm::dvec3 place = glm::make_vec3(x);
+  return glm::distance(place, this->Axis->GetFoot(place).Nearest) - this->Radius;
 }
 
 bool vtkTerminationTube::IsOn(const double x[3]) const
 {
   return !this->Axis->IsEmpty() &&
     (this->Capped ||
-      std::abs(this->Axis->GetFoot(x).Beyond) <= BorderTolerance * this->Axis->GetLength());
+      std::abs(this->Axis->GetFoot(glm::make_vec3(x)).Beyond) <=
+        BorderTolerance * this->Axis->GetLength());
 }
 
 int vtkTerminationTube::EvaluatePart(const double x[3]) const
 {
   const double beyond =
-    this->Capped && !this->Axis->IsEmpty() ? this->Axis->GetFoot(x).Beyond : 0.0;
+    this->Capped && !this->Axis->IsEmpty() ? this->Axis->GetFoot(glm::make_vec3(x)).Beyond : 0.0;
   return beyond < 0.0 ? CAP_1 : (beyond > 0.0 ? CAP_2 : TUBE);
 }
 
@@ -133,8 +139,8 @@ void vtkTerminationTube::EvaluateParameters(const double x[3], double uv[2]) con
   if (part != TUBE)
   {
     const bool isLast = part == CAP_2;
-    double p[3];
-    this->Axis->GetEndFrame(isLast).GetComponents(x, this->Axis->GetEnd(isLast), p);
+    const glm::dvec3 p =
+      this->Axis->GetEndFrame(isLast).GetComponents(glm::make_vec3(x), this->Axis->GetEnd(isLast));
     const double across = std::hypot(p[0], p[1]);
     const double angle = std::atan2(across, std::abs(p[2]));
     const double scale = across > 0.0 ? 2.0 * angle / (vtkMath::Pi() * across) : 0.0;
@@ -142,24 +148,21 @@ void vtkTerminationTube::EvaluateParameters(const double x[3], double uv[2]) con
   }
   else if (!this->Axis->IsEmpty())
   {
-    this->Axis->GetParameters(x, uv);
+    this->Axis->GetParameters(glm::make_vec3(x), uv);
   }
 }
 
 void vtkTerminationTube::EvaluateNormal(const double x[3], double normal[3]) const
 {
-  interlume::AxialFrame frame;
-  std::copy_n(frame.X, 3, normal);
-  if (this->Axis->IsEmpty())
+  glm::dvec3 outward = interlume::AxialFrame().X;
+  if (!this->Axis->IsEmpty())
   {
-    return;
+    const glm::dvec3 place = glm::make_vec3(x);
+    const glm::dvec3 away = place - this->Axis->GetFoot(place).Nearest;
+    const double length = glm::length(away);
+    outward = length > 0.0 ? away / length : outward;
   }
-  double outward[3];
-  vtkMath::Subtract(x, this->Axis->GetFoot(x).Nearest, outward);
-  if (vtkMath::Normalize(outward) > 0.0)
-  {
-    std::copy_n(outward, 3, normal);
-  }
+  std::copy_n(glm::value_ptr(outward), 3, normal);
 }
 
 bool vtkTerminationTube::EvaluatePoint(int part, const double uv[2], double x[3]) const
@@ -171,7 +174,7 @@ bool vtkTerminationTube::EvaluatePoint(int part, const double uv[2], double x[3]
   }
   if (part == TUBE)
   {
-    this->Axis->GetPoint(taken, this->Radius, x);
+    std::copy_n(glm::value_ptr(this->Axis->GetPoint(taken, this->Radius)), 3, x);
     return true;
   }
   double a;
@@ -183,8 +186,10 @@ bool vtkTerminationTube::EvaluatePoint(int part, const double uv[2], double x[3]
   const bool isLast = part == CAP_2;
   const double angle = 0.5 * vtkMath::Pi() * std::hypot(a, b);
   const double scale = angle > 0.0 ? std::sin(angle) / std::hypot(a, b) : 0.0;
-  this->Axis->GetEndFrame(isLast).GetPoint(this->Axis->GetEnd(isLast), this->Radius * scale * a,
-    this->Radius * scale * b, this->Radius * (isLast ? 1.0 : -1.0) * std::cos(angle), x);
+  const glm::dvec3 point = this->Axis->GetEnd(isLast) +
+    this->Axis->GetEndFrame(isLast).GetVector(this->Radius * scale * a, this->Radius * scale * b,
+      this->Radius * (isLast ? 1.0 : -1.0) * std::cos(angle));
+  std::copy_n(glm::value_ptr(point), 3, x);
   return true;
 }
 

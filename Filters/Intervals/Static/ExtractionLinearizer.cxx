@@ -2,6 +2,7 @@
 #include "Static/ExtractionLinearizer.h"
 
 #include "Common/GridCells.h"
+#include "Common/Vectors.h"
 #include "Grid/CellCorners.h"
 #include "Static/ExtractionArrays.h"
 
@@ -12,7 +13,6 @@
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -21,12 +21,13 @@
 
 #include <algorithm>
 #include <utility>
-#include <functional>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
+
+#include <glm/matrix.hpp>
 
 namespace interlume
 {
@@ -281,7 +282,7 @@ private:
   // Returns whether the mean of its vertices sees every part of a polyhedron from inside.
   bool IsSeenWhole(std::vector<Face> faces, const Face& vertices) const
   {
-    const std::array<double, 3> center = this->GetMeanPoint(vertices);
+    const glm::dvec3 center = this->GetMeanPoint(vertices);
     Orient(faces);
     double inside = 0.0;
     double outside = 0.0;
@@ -291,16 +292,11 @@ private:
       this->ForEachTriangle(face,
         [&](vtkIdType a, vtkIdType b, vtkIdType c)
         {
-          double sides[3][3];
-          const vtkIdType ids[3] = { a, b, c };
-          for (int i = 0; i < 3; ++i)
-          {
-            this->Input->GetPoint(ids[i], sides[i]);
-            std::transform(sides[i], sides[i] + 3, center.begin(), sides[i], std::minus<>());
-          }
-          const double volume = vtkMath::Determinant3x3(sides[0], sides[1], sides[2]);
+          const glm::dmat3 sides(
+            this->GetPoint(a) - center, this->GetPoint(b) - center, this->GetPoint(c) - center);
+          const double volume = glm::determinant(sides);
           (volume > 0.0 ? inside : outside) += std::abs(volume);
-          size += vtkMath::Norm(sides[0]) * vtkMath::Norm(sides[1]) * vtkMath::Norm(sides[2]);
+          size += glm::length(sides[0]) * glm::length(sides[1]) * glm::length(sides[2]);
         });
     }
     constexpr double rounding = 1e-6;
@@ -309,17 +305,19 @@ private:
     return std::min(inside, outside) <= std::max(rounding * (inside + outside), flat * size);
   }
 
-  std::array<double, 3> GetMeanPoint(const Face& vertices) const
+  glm::dvec3 GetPoint(vtkIdType point) const
   {
-    std::array<double, 3> mean{};
+    glm::dvec3 x;
+    this->Input->GetPoint(point, glm::value_ptr(x));
+    return x;
+  }
+
+  glm::dvec3 GetMeanPoint(const Face& vertices) const
+  {
+    glm::dvec3 mean(0.0);
     for (const vtkIdType vertex : vertices)
     {
-      double x[3];
-      this->Input->GetPoint(vertex, x);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        mean[axis] += x[axis] / static_cast<double>(vertices.size());
-      }
+      mean += this->GetPoint(vertex) / static_cast<double>(vertices.size());
     }
     return mean;
   }
@@ -365,7 +363,8 @@ private:
     }
     for (vtkIdType p = before; p < after; ++p)
     {
-      points->SetPoint(p, this->GetMeanPoint(this->Centers[p - before]).data());
+      const glm::dvec3 mean = this->GetMeanPoint(this->Centers[p - before]);
+      points->SetPoint(p, glm::value_ptr(mean));
     }
     this->Output->SetPoints(points);
     this->AddPointData(before, after);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshers/CellMesher.h"
 
+#include "Common/Vectors.h"
 #include "Shells/CellDecomposition.h"
 #include "Shells/CellShell.h"
 #include "Shells/FaceTriangulation.h"
@@ -26,8 +27,8 @@ FaceTriangulation MakeTriangulation(vtkDataSet* input)
   return FaceTriangulation(
     [input](vtkIdType p)
     {
-      FaceTriangulation::Point x;
-      input->GetPoint(p, x.data());
+      glm::dvec3 x;
+      input->GetPoint(p, glm::value_ptr(x));
       return x;
     },
     [globalIds](vtkIdType a, vtkIdType b)

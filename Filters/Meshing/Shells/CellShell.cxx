@@ -93,9 +93,9 @@ std::string CellShell::Take(
       {
         return "it has point " + std::to_string(point) + ", which is not there";
       }
-      std::array<double, 3> x;
-      input->GetPoint(point, x.data());
-      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+      glm::dvec3 x;
+      input->GetPoint(point, glm::value_ptr(x));
+      if (!Vectors::IsFinite(x))
       {
         return "its point " + std::to_string(point) + " is not finite";
       }
@@ -130,9 +130,9 @@ std::string CellShell::Take(
   for (vtkIdType point : this->PointIds)
   {
     indices.emplace(point, static_cast<int>(indices.size()));
-    std::array<double, 3> x;
-    input->GetPoint(point, x.data());
-    this->Points.insert(this->Points.end(), x.begin(), x.end());
+    double x[3];
+    input->GetPoint(point, x);
+    this->Points.insert(this->Points.end(), x, x + 3);
   }
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {

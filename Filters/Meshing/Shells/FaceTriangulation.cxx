@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shells/FaceTriangulation.h"
 
+#include "Common/Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,21 +42,13 @@ double Shape(const Flat& a, const Flat& b, const Flat& c)
 }
 
 /// Returns the points without the coordinate along which the polygon is widest, counterclockwise.
-std::vector<Flat> Project(const std::vector<FaceTriangulation::Point>& points)
+std::vector<Flat> Project(const std::vector<glm::dvec3>& points)
 {
-  std::array<double, 3> normal{ { 0.0, 0.0, 0.0 } };
+  glm::dvec3 normal(0.0);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const auto& a = points[i];
-    const auto& b = points[(i + 1) % points.size()];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const int u = (axis + 1) % 3;
-      const int v = (axis + 2) % 3;
-      // Points are relative to one of them, so that a place far from the origin costs no digits.
-      normal[axis] += (a[u] - points[0][u]) * (b[v] - points[0][v]) -
-        (a[v] - points[0][v]) * (b[u] - points[0][u]);
-    }
+    // Points are relative to one of them, so that a place far from the origin costs no digits.
+    normal += glm::cross(points[i] - points[0], points[(i + 1) % points.size()] - points[0]);
   }
   int main = 0;
   for (int axis = 1; axis < 3; ++axis)
@@ -183,7 +177,7 @@ double CutEars(const std::vector<Flat>& flat, std::vector<Corners>& ears)
 }
 }
 
-FaceTriangulation::FaceTriangulation(std::function<Point(vtkIdType)> getPoint, Order isBefore)
+FaceTriangulation::FaceTriangulation(std::function<glm::dvec3(vtkIdType)> getPoint, Order isBefore)
   : GetPoint(std::move(getPoint))
   , IsBefore(std::move(isBefore))
 {
@@ -217,7 +211,7 @@ bool FaceTriangulation::Triangulate(
     append(polygon[0], polygon[1], polygon[2]);
     return true;
   }
-  std::vector<Point> points;
+  std::vector<glm::dvec3> points;
   points.reserve(polygon.size());
   for (vtkIdType id : polygon)
   {

@@ -8,6 +8,8 @@
 #include <functional>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 namespace interlume
 {
 
@@ -28,12 +30,11 @@ class FaceTriangulation
 {
 public:
   using Triangle = std::array<vtkIdType, 3>;
-  using Point = std::array<double, 3>;
   using Order = std::function<bool(vtkIdType, vtkIdType)>;
 
   /// Takes functions: \a getPoint gives the place of a point, \a isBefore is the strict order of
   /// the points.
-  FaceTriangulation(std::function<Point(vtkIdType)> getPoint, Order isBefore);
+  FaceTriangulation(std::function<glm::dvec3(vtkIdType)> getPoint, Order isBefore);
 
   /**
    * Appends the triangles of \a polygon, oriented as it is. Repeated points next to each other
@@ -45,7 +46,7 @@ public:
   const Order& GetOrder() const { return this->IsBefore; }
 
 private:
-  std::function<Point(vtkIdType)> GetPoint;
+  std::function<glm::dvec3(vtkIdType)> GetPoint;
   Order IsBefore;
 };
 

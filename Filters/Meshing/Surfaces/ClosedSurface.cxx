@@ -92,10 +92,7 @@ std::string ClosedSurface::Take(vtkDataSet* input)
 std::string ClosedSurface::AddPolygons(vtkDataSet* input)
 {
   const std::vector<double>& x = this->Points.Coordinates;
-  const FaceTriangulation triangulation(
-    [&x](vtkIdType p) {
-      return FaceTriangulation::Point{ { x[3 * p], x[3 * p + 1], x[3 * p + 2] } };
-    },
+  const FaceTriangulation triangulation([&x](vtkIdType p) { return glm::make_vec3(&x[3 * p]); },
     [](vtkIdType a, vtkIdType b) { return a < b; });
   vtkNew<vtkIdList> ids;
   std::vector<FaceTriangulation::Triangle> triangles;

@@ -77,8 +77,8 @@ bool HasEdgeThrough(const Triangle& s, const Triangle& t)
 struct Extents
 {
   std::size_t Owner;
-  std::array<double, 3> Least;
-  std::array<double, 3> Most;
+  glm::dvec3 Least;
+  glm::dvec3 Most;
 
   Extents(std::size_t owner, const Triangle& t)
     : Owner(owner)

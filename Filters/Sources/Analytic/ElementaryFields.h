@@ -2,9 +2,10 @@
 #ifndef interlume_ElementaryFields_h
 #define interlume_ElementaryFields_h
 
+#include "Common/Vectors.h"
+
 #include "vtkMath.h"
 
-#include <array>
 #include <cmath>
 
 namespace interlume
@@ -15,8 +16,6 @@ namespace interlume
  */
 namespace ElementaryFields
 {
-using Vector = std::array<double, 3>;
-
 struct Wave
 {
   double Time;
@@ -31,39 +30,35 @@ struct Linear
 {
   double Time;
   double Constant;
-  Vector Gradient;
+  glm::dvec3 Gradient;
   double Rate;
 
   double operator()(const double x[3]) const
   {
-    return this->Constant + vtkMath::Dot(this->Gradient.data(), x) + this->Rate * this->Time;
+    return this->Constant + glm::dot(this->Gradient, glm::make_vec3(x)) + this->Rate * this->Time;
   }
 };
 
 /// Center and Radius are those at Time.
 struct Ball
 {
-  Vector Center;
+  glm::dvec3 Center;
   double Radius;
 
   double operator()(const double x[3]) const
   {
-    return std::sqrt(vtkMath::Distance2BetweenPoints(x, this->Center.data())) - this->Radius;
+    return glm::distance(glm::make_vec3(x), this->Center) - this->Radius;
   }
 };
 
 /// Shift is the way gone at Time.
 struct Gyroid
 {
-  Vector Shift;
+  glm::dvec3 Shift;
 
   double operator()(const double x[3]) const
   {
-    Vector angle;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      angle[axis] = 2.0 * vtkMath::Pi() * (x[axis] - this->Shift[axis]);
-    }
+    const glm::dvec3 angle = 2.0 * vtkMath::Pi() * (glm::make_vec3(x) - this->Shift);
     return std::sin(angle[0]) * std::cos(angle[1]) + std::sin(angle[1]) * std::cos(angle[2]) +
       std::sin(angle[2]) * std::cos(angle[0]);
   }

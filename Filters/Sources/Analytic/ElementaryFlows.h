@@ -4,8 +4,9 @@
 
 #include "Analytic/DualNumber.h"
 
-#include <array>
 #include <cmath>
+
+#include <glm/vec3.hpp>
 
 namespace interlume
 {
@@ -22,10 +23,8 @@ using std::sin;
 using std::sqrt;
 using std::tanh;
 
-using Vector = std::array<double, 3>;
-
 template <typename Number>
-Number Dot(const Vector& a, const Number x[3])
+Number Dot(const glm::dvec3& a, const Number x[3])
 {
   return a[0] * x[0] + a[1] * x[1] + a[2] * x[2];
 }
@@ -37,7 +36,7 @@ Number SquaredLength(const Number x[3])
 }
 
 template <typename Number>
-void Fill(const Vector& value, Number v[3])
+void Fill(const glm::dvec3& value, Number v[3])
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -47,7 +46,7 @@ void Fill(const Vector& value, Number v[3])
 
 struct Uniform
 {
-  Vector Velocity;
+  glm::dvec3 Velocity;
 
   template <typename Number>
   void operator()(const Number*, Number v[3]) const
@@ -59,8 +58,8 @@ struct Uniform
 /// Rates along the three axes, and a rotation.
 struct Linear
 {
-  Vector Rates;
-  Vector AngularVelocity;
+  glm::dvec3 Rates;
+  glm::dvec3 AngularVelocity;
 
   template <typename Number>
   void operator()(const Number x[3], Number v[3]) const
@@ -79,7 +78,7 @@ struct Linear
 struct Pair
 {
   double Strength;
-  Vector Separation;
+  glm::dvec3 Separation;
   double CoreRadius;
   /// Whether the cores' charges are smeared (Plummer) rather than balls of charge.
   bool IsSoftened;
@@ -87,7 +86,7 @@ struct Pair
   template <typename Number>
   void operator()(const Number x[3], Number v[3]) const
   {
-    Fill({ { 0.0, 0.0, 0.0 } }, v);
+    Fill(glm::dvec3(0.0), v);
     for (const double sign : { 1.0, -1.0 })
     {
       Number d[3];
@@ -126,7 +125,7 @@ private:
 /// Potential flow around a sphere, 0 inside.
 struct Sphere
 {
-  Vector Velocity;
+  glm::dvec3 Velocity;
   double Radius;
 
   bool IsInside(const double x[3]) const { return SquaredLength(x) < this->Radius * this->Radius; }
@@ -137,7 +136,7 @@ struct Sphere
     const Number r2 = SquaredLength(x);
     if (DualMath::GetValue(r2) < this->Radius * this->Radius)
     {
-      Fill({ { 0.0, 0.0, 0.0 } }, v);
+      Fill(glm::dvec3(0.0), v);
       return;
     }
     const Number part = 0.5 * this->Radius * this->Radius * this->Radius / (r2 * sqrt(r2));
@@ -153,9 +152,9 @@ struct Sphere
 struct Cylinder
 {
   /// The velocity across the axis, and along it.
-  Vector Across;
-  Vector Along;
-  Vector Axis;
+  glm::dvec3 Across;
+  glm::dvec3 Along;
+  glm::dvec3 Axis;
   double Radius;
 
   bool IsInside(const double x[3]) const
@@ -173,7 +172,7 @@ struct Cylinder
     const Number r2 = SquaredLength(radial);
     if (DualMath::GetValue(r2) < this->Radius * this->Radius)
     {
-      Fill({ { 0.0, 0.0, 0.0 } }, v);
+      Fill(glm::dvec3(0.0), v);
       return;
     }
     const Number part = this->Radius * this->Radius / r2;
@@ -199,7 +198,7 @@ private:
 /// The flow of Arnold, Beltrami and Childress.
 struct Beltrami
 {
-  Vector Amplitudes;
+  glm::dvec3 Amplitudes;
   double WaveNumber;
 
   template <typename Number>
@@ -219,8 +218,8 @@ struct Beltrami
 struct Shear
 {
   /// The part of the velocity across the normal.
-  Vector Velocity;
-  Vector Normal;
+  glm::dvec3 Velocity;
+  glm::dvec3 Normal;
   double Thickness;
 
   template <typename Number>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vortices/VortexTubes.h"
 
+#include "Common/Vectors.h"
 #include "Vortices/BentAxis.h"
 
 #include "vtkMath.h"
@@ -14,9 +15,9 @@ namespace
 {
 struct Tube
 {
-  std::array<double, 3> Center; ///< at time 0
-  std::array<double, 3> Velocity;
-  std::array<double, 3> Along; ///< of any length
+  glm::dvec3 Center; ///< at time 0
+  glm::dvec3 Velocity;
+  glm::dvec3 Along; ///< of any length
   double HalfLength;
   double Radius;
   double Bend;       ///< amplitude of the axis
@@ -28,28 +29,28 @@ struct Tube
 };
 
 const std::array<Tube, VortexTubes::NumberOfTubes> Table = { {
-  { { { -0.55, -0.50, 0.45 } }, { { 0.068, 0.022, -0.015 } }, { { 1.0, 0.5, 0.2 } }, 0.42, 0.052,
-    0.1, 5.0, 0.3, 0.35, 1.0, 9.0 },
-  { { { 0.50, -0.55, -0.40 } }, { { -0.038, 0.06, 0.022 } }, { { 0.3, 1.0, 0.5 } }, 0.4, 0.054,
-    0.09, 5.5, 1.9, -0.3, 1.0, 9.0 },
-  { { { -0.45, 0.50, -0.45 } }, { { 0.053, -0.045, 0.022 } }, { { 0.4, -0.3, 1.0 } }, 0.42, 0.050,
-    0.12, 4.5, 4.0, 0.3, 1.0, 9.0 },
-  { { { 0.45, 0.45, 0.40 } }, { { -0.022, -0.03, 0.068 } }, { { 1.0, -0.8, 0.1 } }, 0.38, 0.057,
-    0.08, 6.0, 5.2, 0.25, 1.0, 9.0 },
-  { { { 0.05, 0.00, 0.00 } }, { { 0.038, 0.068, 0.015 } }, { { 0.2, 0.4, 1.0 } }, 0.45, 0.054, 0.12,
-    4.5, 2.6, 0.4, 1.0, 9.0 },
-  { { { -0.10, 0.15, -0.68 } }, { { 0.04, 0.05, 0.04 } }, { { 1.0, 0.5, 0.1 } }, 0.36, 0.049, 0.09,
-    5.5, 2.2, 0.3, 1.0, 9.0 },
-  { { { 0.62, 0.10, -0.05 } }, { { 0.015, 0.038, -0.06 } }, { { 0.1, 1.0, -0.6 } }, 0.3, 0.052,
-    0.07, 6.5, 0.9, 0.3, -0.1, 1.0 },
-  { { { -0.15, -0.65, -0.55 } }, { { 0.053, 0.03, 0.03 } }, { { 1.0, 0.1, -0.3 } }, 0.34, 0.050,
-    0.09, 5.5, 3.3, -0.35, 0.2, 1.4 },
-  { { { -0.70, 0.05, -0.05 } }, { { 0.03, 0.053, 0.03 } }, { { -0.2, 0.9, 0.7 } }, 0.34, 0.052,
-    0.08, 6.0, 1.3, 0.3, 2.2, 1.3 },
-  { { { 0.10, 0.65, 0.60 } }, { { 0.045, -0.038, -0.038 } }, { { 1.0, 0.3, -0.5 } }, 0.34, 0.050,
-    0.08, 5.5, 5.8, 0.35, 2.0, 0.9 },
-  { { { -0.50, 0.62, 0.55 } }, { { 0.03, -0.038, 0.038 } }, { { 0.8, 1.0, -0.5 } }, 0.34, 0.050,
-    0.08, 5.5, 4.4, -0.3, 0.0, 1.1 },
+  { { -0.55, -0.50, 0.45 }, { 0.068, 0.022, -0.015 }, { 1.0, 0.5, 0.2 }, 0.42, 0.052, 0.1, 5.0, 0.3,
+    0.35, 1.0, 9.0 },
+  { { 0.50, -0.55, -0.40 }, { -0.038, 0.06, 0.022 }, { 0.3, 1.0, 0.5 }, 0.4, 0.054, 0.09, 5.5, 1.9,
+    -0.3, 1.0, 9.0 },
+  { { -0.45, 0.50, -0.45 }, { 0.053, -0.045, 0.022 }, { 0.4, -0.3, 1.0 }, 0.42, 0.050, 0.12, 4.5,
+    4.0, 0.3, 1.0, 9.0 },
+  { { 0.45, 0.45, 0.40 }, { -0.022, -0.03, 0.068 }, { 1.0, -0.8, 0.1 }, 0.38, 0.057, 0.08, 6.0, 5.2,
+    0.25, 1.0, 9.0 },
+  { { 0.05, 0.00, 0.00 }, { 0.038, 0.068, 0.015 }, { 0.2, 0.4, 1.0 }, 0.45, 0.054, 0.12, 4.5, 2.6,
+    0.4, 1.0, 9.0 },
+  { { -0.10, 0.15, -0.68 }, { 0.04, 0.05, 0.04 }, { 1.0, 0.5, 0.1 }, 0.36, 0.049, 0.09, 5.5, 2.2,
+    0.3, 1.0, 9.0 },
+  { { 0.62, 0.10, -0.05 }, { 0.015, 0.038, -0.06 }, { 0.1, 1.0, -0.6 }, 0.3, 0.052, 0.07, 6.5, 0.9,
+    0.3, -0.1, 1.0 },
+  { { -0.15, -0.65, -0.55 }, { 0.053, 0.03, 0.03 }, { 1.0, 0.1, -0.3 }, 0.34, 0.050, 0.09, 5.5, 3.3,
+    -0.35, 0.2, 1.4 },
+  { { -0.70, 0.05, -0.05 }, { 0.03, 0.053, 0.03 }, { -0.2, 0.9, 0.7 }, 0.34, 0.052, 0.08, 6.0, 1.3,
+    0.3, 2.2, 1.3 },
+  { { 0.10, 0.65, 0.60 }, { 0.045, -0.038, -0.038 }, { 1.0, 0.3, -0.5 }, 0.34, 0.050, 0.08, 5.5,
+    5.8, 0.35, 2.0, 0.9 },
+  { { -0.50, 0.62, 0.55 }, { 0.03, -0.038, 0.038 }, { 0.8, 1.0, -0.5 }, 0.34, 0.050, 0.08, 5.5, 4.4,
+    -0.3, 0.0, 1.1 },
 } };
 }
 
@@ -59,14 +60,10 @@ VortexTubes::VortexTubes(double time)
   {
     const Tube& tube = Table[i];
     State& state = this->Tubes[i];
-    state.Along = tube.Along;
-    vtkMath::Normalize(state.Along.data());
-    vtkMath::Perpendiculars(
-      state.Along.data(), state.Across[0].data(), state.Across[1].data(), 0.0);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      state.Center[axis] = tube.Center[axis] + tube.Velocity[axis] * time;
-    }
+    state.Along = tube.Along / glm::length(tube.Along);
+    vtkMath::Perpendiculars(glm::value_ptr(state.Along), glm::value_ptr(state.Across[0]),
+      glm::value_ptr(state.Across[1]), 0.0);
+    state.Center = tube.Center + tube.Velocity * time;
     state.HalfLength = tube.HalfLength;
     state.Radius = tube.Radius;
     state.Bend = tube.Bend;
@@ -82,12 +79,11 @@ double VortexTubes::operator()(const double x[3]) const
   double sum = 0.0;
   for (const State& tube : this->Tubes)
   {
-    const double from[3] = { x[0] - tube.Center[0], x[1] - tube.Center[1], x[2] - tube.Center[2] };
-    const double along = vtkMath::Dot(from, tube.Along.data());
+    const glm::dvec3 from = glm::make_vec3(x) - tube.Center;
+    const double along = glm::dot(from, tube.Along);
     const double angle = tube.WaveNumber * along + tube.Phase;
-    const double offset[2] = { vtkMath::Dot(from, tube.Across[0].data()) -
-        tube.Bend * std::sin(angle),
-      vtkMath::Dot(from, tube.Across[1].data()) - 0.5 * tube.Bend * std::cos(1.6 * angle) };
+    const double offset[2] = { glm::dot(from, tube.Across[0]) - tube.Bend * std::sin(angle),
+      glm::dot(from, tube.Across[1]) - 0.5 * tube.Bend * std::cos(1.6 * angle) };
     const double slope[2] = { tube.Bend * tube.WaveNumber * std::cos(angle),
       -0.8 * tube.Bend * tube.WaveNumber * std::sin(1.6 * angle) };
     const double way = along / tube.HalfLength;

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include <glm/vec3.hpp>
+
 namespace interlume
 {
 
@@ -26,9 +28,9 @@ private:
   /// A tube at that time.
   struct State
   {
-    std::array<double, 3> Center;
-    std::array<double, 3> Along;
-    std::array<double, 3> Across[2];
+    glm::dvec3 Center;
+    glm::dvec3 Along;
+    glm::dvec3 Across[2];
     double HalfLength;
     double Radius;
     double Bend;
