@@ -2,9 +2,7 @@
 //INTERLUME::FEATURES
 // The share of each light that reaches a fragment of a surface of VTK's. The sources of VTK's own
 // shaders stand before and after; places are in view coordinates.
-#ifdef CASTER_VIEWS
 //INTERLUME::CASTERS
-#endif
 uniform float sceneStrengths[SCENE_LIGHTS];
 #ifdef TRANSMITTANCE
 // What volumes leave of each light at the surface that each pixel shows, and that surface's depth.

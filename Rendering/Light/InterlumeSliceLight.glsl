@@ -278,8 +278,7 @@ void shine_INDEX(inout vec3 sum)
   }
 #ifdef SHADOW_INDEX
 #ifdef CASTERS_INDEX
-  float ofCasters = lightOfCasters(CASTER_FIRST_INDEX, CASTER_COUNT_INDEX, sampleAt, vec4(0.0));
-  color *= 1.0 - strength_INDEX * (1.0 - ofCasters * getTransmittance_INDEX(l));
+  color *= 1.0 - strength_INDEX * (1.0 - CASTER_SHARE_INDEX * getTransmittance_INDEX(l));
 #else
   color *= 1.0 - strength_INDEX * (1.0 - getTransmittance_INDEX(l));
 #endif

@@ -58,7 +58,7 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   this->UpdateLights(renderer);
   interlume::SceneRenderer& scene = *this->Renderer;
   const interlume::SceneRenderer::Request request{ this->MaximumNumberOfShadows,
-    this->DepthMapResolution, this->DepthBias };
+    this->DepthMapResolution, this->DepthBias, this->NumberOfLightSamples };
   this->FindVolumes(renderer);
   if (!scene.Begin(renderer, request, !this->Volumes.empty()))
   {
@@ -189,6 +189,7 @@ void vtkShadowedScenePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfShadows: " << this->MaximumNumberOfShadows << "\n";
   os << indent << "DepthMapResolution: " << this->DepthMapResolution << "\n";
   os << indent << "DepthBias: " << this->DepthBias << "\n";
+  os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

@@ -65,10 +65,27 @@ class SceneRenderer;
  * named in a warning, once. Where PreserveDepthBuffer is on, actors of other renderers occlude as
  * ever, but cast no shadows.
  *
- * **Area lights** (vtkAreaLight) have soft shadows of volumes, on surfaces too, by the volume's
- * mapper with SAMPLE_LAYERS or ACCUMULATED_CONVOLUTION; behind a volume they are as wide as where
- * the light leaves it. With SAMPLED_LIGHTS, where a light is too close for layers, and wherever
- * surfaces cast them, shadows are hard, from the light's centre.
+ * **Area lights** (vtkAreaLight) have soft shadows of surfaces by a depth map for each of
+ * NumberOfLightSamples samples of the emitter (six for each where some of the light is amid the
+ * actors): V = sum_c w_c V_c, with the weight w_c of a sample, coloured where the emitter has an
+ * image, and V_c the share that the map of the sample lets through, compared as above from the
+ * sample's own place. The penumbra so has its width, L dZ / Z, at each distance; with 16 samples
+ * that is within 1.7 % for dZ / Z from 0.05 to 5 under square and round, near and far lights,
+ * tilted or not. V has NumberOfLightSamples steps, each as wide as a texel of its map: 16 are 0.03
+ * off at most behind an edge along the emitter's, 64 are 0.008 off. Maps of samples have half of
+ * DepthMapResolution up to 16 samples, a third up to 81, a quarter beyond, and no more than 8192
+ * columns and rows together. Volumes cast soft shadows by their mapper's SoftShadowMethod,
+ * SAMPLE_LAYERS or ACCUMULATED_CONVOLUTION; on surfaces behind a volume they are as wide as where
+ * the light leaves it. With SAMPLED_LIGHTS, and where a light is too close for layers, those of
+ * volumes are hard, from the light's centre. Where no light that casts shadows has an extent,
+ * nothing of this is in shaders, maps and report.
+ *
+ * **Meshes** may be open, turned inside out, without thickness or cut by the eye's or a clipping
+ * plane: the nearest depth that the light sees casts the shadow, whichever side of which face it
+ * is. The source instead slices surfaces too and fills the cuts of closed solids by the stencil
+ * buffer, so that a slice shows solid matter; a mesh that is not closed has no inside there. A map
+ * of depths needs no such caps, and so there is no warning for open meshes: what is behind the
+ * first face, as the inside of an open shell, is in its shadow.
  *
  * **A scene without opaque actors**, without lights that cast shadows, or a selection by
  * vtkHardwareSelector, is drawn as if the pass was not there: same picture, no map, no pass.
@@ -137,6 +154,16 @@ public:
   vtkGetMacro(DepthBias, double);
   ///@}
 
+  ///@{
+  /**
+   * The number of samples of each vtkAreaLight, each of which has a depth map of its own. A shadow
+   * has so many steps where its penumbra is wide. With 1 shadows of surfaces are hard, from the
+   * light's centre. Default 16, as that of vtkShadowedSliceMapper. Valid: 1 to 256.
+   */
+  vtkSetClampMacro(NumberOfLightSamples, int, 1, 256);
+  vtkGetMacro(NumberOfLightSamples, int);
+  ///@}
+
   /**
    * Returns what the last picture took.
    */
@@ -174,6 +201,7 @@ private:
   int MaximumNumberOfShadows = 16;
   int DepthMapResolution = 1024;
   double DepthBias = 1.0;
+  int NumberOfLightSamples = 16;
   vtkShadowedSceneReport Report;
   std::unique_ptr<interlume::SceneRenderer> Renderer;
   /// The volumes of the picture that is being drawn.

@@ -9,12 +9,17 @@ void vtkShadowedSceneReport::Print(ostream& os, vtkIndent indent) const
   os << indent << "DepthMaps: " << this->DepthMaps << "\n";
   os << indent << "DepthMapsDrawn: " << this->DepthMapsDrawn << "\n";
   os << indent << "DepthMapResolution: " << this->DepthMapResolution << "\n";
+  os << indent << "AreaLights: " << this->AreaLights << "\n";
+  os << indent << "SampleMaps: " << this->SampleMaps << "\n";
+  os << indent << "SampleMapsDrawn: " << this->SampleMapsDrawn << "\n";
+  os << indent << "SampleMapResolution: " << this->SampleMapResolution << "\n";
   os << indent << "EyeDepthPasses: " << this->EyeDepthPasses << "\n";
   os << indent << "PixelsBefore: " << this->PixelsBefore << "\n";
   os << indent << "PixelsWithin: " << this->PixelsWithin << "\n";
   os << indent << "PixelsBehind: " << this->PixelsBehind << "\n";
   os << indent << "ReceiverPasses: " << this->ReceiverPasses << "\n";
   os << indent << "DepthMapBytes: " << this->DepthMapBytes << "\n";
+  os << indent << "SampleMapBytes: " << this->SampleMapBytes << "\n";
   os << indent << "EyeDepthBytes: " << this->EyeDepthBytes << "\n";
   os << indent << "TransmittanceBytes: " << this->TransmittanceBytes << "\n";
 }

@@ -22,11 +22,18 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSceneReport
   int Casters = 0;
   int Lights = 0;
   int Volumes = 0;
-  /// The number of depth maps of lights (six for a light amid the actors, else one), of those drawn
-  /// for this picture, and the columns and rows of each.
+  /// The number of depth maps of lights without extent (six for a light amid the actors, else one),
+  /// of those drawn for this picture, and the columns and rows of each.
   int DepthMaps = 0;
   int DepthMapsDrawn = 0;
   int DepthMapResolution = 0;
+  /// The number of area lights among the lights, of depth maps of their samples (one for each, six
+  /// where a sample is amid the actors), of those drawn for this picture, and the columns and rows
+  /// of each. These maps are not counted above.
+  int AreaLights = 0;
+  int SampleMaps = 0;
+  int SampleMapsDrawn = 0;
+  int SampleMapResolution = 0;
   /// The number of passes that drew the depth that the eye sees, 0 or 1: only volumes need it.
   int EyeDepthPasses = 0;
   /// The numbers of pixels with a surface that no light reaches through a volume, that lies within
@@ -38,8 +45,10 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSceneReport
   /// The number of passes that looked up what light volumes leave at these pixels: one for each
   /// light, and slab with surfaces.
   int ReceiverPasses = 0;
-  /// The bytes of depth maps, of the eye's depth, and of the light that volumes leave.
+  /// The bytes of depth maps, of those of samples, of the eye's depth, and of the light that
+  /// volumes leave.
   vtkIdType DepthMapBytes = 0;
+  vtkIdType SampleMapBytes = 0;
   vtkIdType EyeDepthBytes = 0;
   vtkIdType TransmittanceBytes = 0;
 

@@ -20,7 +20,7 @@ namespace interlume
 
 namespace
 {
-int GetColumns(int views)
+int CountColumns(int views)
 {
   return std::max(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(views)))), 1);
 }
@@ -34,10 +34,10 @@ void Add(std::vector<float>& values, const glm::dmat4& matrix)
 
 // Returns all that the maps depend on.
 std::vector<double> GetState(
-  const CasterViews& views, const std::vector<vtkProp*>& props, int resolution)
+  const std::vector<CasterView>& views, const std::vector<vtkProp*>& props, int resolution)
 {
   std::vector<double> state{ static_cast<double>(resolution) };
-  for (const CasterViews::View& view : views.GetViews())
+  for (const CasterView& view : views)
   {
     const double* clip = glm::value_ptr(view.ClipFromWorld);
     state.insert(state.end(), clip, clip + 16);
@@ -56,11 +56,11 @@ CasterMaps::CasterMaps() = default;
 
 CasterMaps::~CasterMaps() = default;
 
-int CasterMaps::GetLargestResolution(int views)
+int CasterMaps::GetLargestResolution(int views, int most)
 {
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-  return std::max(static_cast<int>(limit) / GetColumns(views), 1);
+  return std::max(std::min(static_cast<int>(limit), most) / CountColumns(views), 1);
 }
 
 std::array<int, 2> CasterMaps::GetTile(int view) const
@@ -68,16 +68,16 @@ std::array<int, 2> CasterMaps::GetTile(int view) const
   return { { view % this->Columns * this->Resolution, view / this->Columns * this->Resolution } };
 }
 
-std::string CasterMaps::Draw(vtkRenderer* renderer, const CasterViews& views,
+std::string CasterMaps::Draw(vtkRenderer* renderer, const std::vector<CasterView>& views,
   const std::vector<vtkProp*>& props, int resolution, double bias)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->Drawn = 0;
-  this->Views = views.GetViews();
+  this->Views = views;
   this->Bias = bias;
   this->Resolution = resolution;
   const int count = static_cast<int>(this->Views.size());
-  this->Columns = GetColumns(count);
+  this->Columns = CountColumns(count);
   const int rows = (count + this->Columns - 1) / this->Columns;
   std::vector<double> state = GetState(views, props, resolution);
   if (state == this->State && this->Depths.GetTexture()->GetHandle() != 0)
@@ -96,7 +96,7 @@ std::string CasterMaps::Draw(vtkRenderer* renderer, const CasterViews& views,
       renderer->SetActiveCamera(this->Camera);
       for (int view = 0; view < count; ++view)
       {
-        CasterViews::SetCamera(this->Views[view], this->Camera);
+        this->Views[view].SetCamera(this->Camera);
         const std::array<int, 2> tile = this->GetTile(view);
         PropDepths::DrawProps(renderer, props, { { tile[0], tile[1], resolution, resolution } });
       }
@@ -120,7 +120,7 @@ void CasterMaps::SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldF
   std::vector<float> depths;
   for (std::size_t i = 0; i < this->Views.size(); ++i)
   {
-    const CasterViews::View& view = this->Views[i];
+    const CasterView& view = this->Views[i];
     const glm::dmat4 clip = view.ClipFromWorld * worldFromPlace;
     Add(clips, clip);
     Add(inverses, glm::inverse(clip));
@@ -146,6 +146,7 @@ void CasterMaps::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Depths.ReleaseGraphicsResources(window);
   this->State.clear();
+  this->Drawn = 0;
 }
 
 }

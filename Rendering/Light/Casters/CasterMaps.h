@@ -2,7 +2,7 @@
 #ifndef interlume_CasterMaps_h
 #define interlume_CasterMaps_h
 
-#include "Casters/CasterViews.h"
+#include "Casters/CasterView.h"
 #include "Casters/PropDepths.h"
 
 #include "vtkNew.h"
@@ -27,7 +27,8 @@ namespace interlume
  * @class   CasterMaps
  * @brief   the depths of the surfaces that each light sees, in tiles of one texture
  *
- * The maps are drawn again only where lights, props or the resolution have changed.
+ * Tiles are numbered row by row from below. The maps are drawn again only where lights, props or
+ * the resolution have changed.
  */
 class CasterMaps
 {
@@ -39,16 +40,19 @@ public:
    * Draws the maps of all views. \a bias is the setting DepthBias of vtkShadowedScenePass. Returns
    * what is wrong, or nothing.
    */
-  std::string Draw(vtkRenderer* renderer, const CasterViews& views,
+  std::string Draw(vtkRenderer* renderer, const std::vector<CasterView>& views,
     const std::vector<vtkProp*>& props, int resolution, double bias);
   /// The number of maps that the last Draw drew; 0 where nothing had changed.
   int GetDrawn() const { return this->Drawn; }
-  /// The largest resolution with which that many views fit into a texture.
-  static int GetLargestResolution(int views);
+  /// The largest resolution with which that many views fit into a texture of \a most columns, where
+  /// the graphics card has such.
+  static int GetLargestResolution(int views, int most);
 
   vtkTextureObject* GetTexture() const { return this->Depths.GetTexture(); }
   vtkIdType GetBytes() const { return this->Depths.GetBytes(); }
   int GetResolution() const { return this->Resolution; }
+  int GetColumns() const { return this->Columns; }
+  double GetBias() const { return this->Bias; }
 
   /// The features of a shader that reads the maps by InterlumeSceneCasters.glsl.
   std::string GetFeatures() const;
@@ -63,7 +67,7 @@ private:
 
   PropDepths Depths;
   vtkNew<vtkOpenGLCamera> Camera;
-  std::vector<CasterViews::View> Views;
+  std::vector<CasterView> Views;
   int Columns = 1;
   int Resolution = 0;
   double Bias = 1.0;

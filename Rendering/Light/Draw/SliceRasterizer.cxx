@@ -2,7 +2,7 @@
 #include "Draw/SliceRasterizer.h"
 
 #include "Draw/SliceShader.h"
-#include "Casters/CasterMaps.h"
+#include "Casters/SceneCasters.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Receivers/SliceScene.h"
 
@@ -239,9 +239,15 @@ void SliceRasterizer::ActivateTextures(vtkOpenGLRenderWindow* window, const Slic
   {
     activate(frame.Scene ? frame.Scene->EyeDepth : this->OpaqueDepth.Get(), "opaqueDepth");
   }
-  if (program->IsUniformUsed("casterDepths"))
+  if (frame.Scene)
   {
-    activate(frame.Scene->Maps->GetTexture(), "casterDepths");
+    for (const auto& [name, texture] : frame.Scene->Casters->GetTextures())
+    {
+      if (program->IsUniformUsed(name))
+      {
+        activate(texture, name);
+      }
+    }
   }
   const std::size_t shadowed = frame.Plan.Sweeps[sweepIndex].Lights.size();
   std::size_t number = 0;

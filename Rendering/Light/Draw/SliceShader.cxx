@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/SliceShader.h"
 
-#include "Casters/CasterMaps.h"
-#include "Casters/CasterViews.h"
+#include "Casters/SceneCasters.h"
 #include "Common/Vectors.h"
 #include "Receivers/SliceScene.h"
 #include "Space/UnitVector.h"
 
-#include "InterlumeSceneCasters.h"
 #include "InterlumeSliceFS.h"
 #include "InterlumeSliceLight.h"
 #include "InterlumeSliceLightFS.h"
@@ -92,18 +90,17 @@ std::string GetLightFeatures(const LightSource& light, const ShadowedLight* shad
 // Returns whether surfaces of the scene cast shadows in the volume.
 bool HasCasters(const SliceFrame& frame)
 {
-  return frame.Scene && frame.HasShadows() && !frame.Scene->Views->GetViews().empty();
+  return frame.Scene && frame.HasShadows() && frame.Scene->Casters->HasViews();
 }
 
-// Returns where a light has its views of the surfaces that cast shadows.
+// Returns how a light asks what surfaces leave of it.
 std::string GetCasterFeatures(const SliceFrame& frame, int light, int number)
 {
-  const CasterViews::Light* seen =
-    HasCasters(frame) ? frame.Scene->Views->Find(frame.Lights[light].Light) : nullptr;
+  const std::string share = HasCasters(frame)
+    ? frame.Scene->Casters->GetShare(frame.Lights[light].Light, "sampleAt", "vec4(0.0)")
+    : std::string();
   const std::string suffix = "_" + std::to_string(number);
-  return seen ? " CASTERS" + suffix + " CASTER_FIRST" + suffix + "=" +
-      std::to_string(seen->FirstView) + " CASTER_COUNT" + suffix + "=" + std::to_string(seen->Views)
-              : std::string();
+  return share.empty() ? share : " CASTERS" + suffix + " CASTER_SHARE" + suffix + "=" + share;
 }
 
 // Returns the eye's program with these features, the sources of its lights, and the calls of them.
@@ -388,8 +385,8 @@ std::string SliceShader::GetEyeSource(
   std::string calls;
   if (HasCasters(frame))
   {
-    features += " CASTER_GATHER " + frame.Scene->Maps->GetFeatures();
-    lights = InterlumeSceneCasters;
+    features += " CASTER_GATHER " + frame.Scene->Casters->GetFeatures();
+    lights = frame.Scene->Casters->GetSource();
   }
   int number = 0;
   for (int light : GetLightsOf(frame, sweep))
@@ -499,9 +496,9 @@ void SliceShader::SetEyeUniforms(
   {
     return;
   }
-  if (program->IsUniformUsed("casterDepths"))
+  if (HasCasters(frame))
   {
-    frame.Scene->Maps->SetUniforms(program, frame.Space.GetWorldFromUnit());
+    frame.Scene->Casters->SetUniforms(program, frame.Space.GetWorldFromUnit());
   }
   std::vector<float> materials;
   for (int row = 0; row < frame.Material.Rows; ++row)

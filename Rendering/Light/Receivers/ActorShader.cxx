@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Receivers/ActorShader.h"
 
-#include "Casters/CasterMaps.h"
-#include "Casters/CasterViews.h"
+#include "Casters/SceneCasters.h"
 #include "Lights/LightSource.h"
 #include "Receivers/LightTransmittance.h"
 #include "Space/UnitVector.h"
 
 #include "InterlumeSceneActor.h"
-#include "InterlumeSceneCasters.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -48,10 +46,9 @@ bool Swap(std::string& text, const std::string& mark, const std::string& by)
 }
 
 bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
-  const CasterViews& views, const CasterMaps& maps, const LightTransmittance& transmittance,
-  vtkTextureObject* depth)
+  const SceneCasters& casters, const LightTransmittance& transmittance, vtkTextureObject* depth)
 {
-  this->Maps = &maps;
+  this->Casters = &casters;
   this->Transmittance = &transmittance;
   this->Depth = depth;
   this->WorldFromView = glm::inverse(
@@ -80,14 +77,10 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
     if (source != lights.end() && source->ShadowStrength > 0.0)
     {
       shadowed.Strength = static_cast<float>(source->ShadowStrength);
-      if (const CasterViews::Light* seen = views.Find(light))
-      {
-        shadowed.FirstView = seen->FirstView;
-        shadowed.Views = seen->Views;
-      }
+      shadowed.Share = casters.GetShare(light, "vertexVC.xyz", "scenePlaneHere");
       shadowed.Tile = transmittance.IsUsed() ? transmittance.GetTile(light) : -1;
     }
-    if (shadowed.Views > 0 || shadowed.Tile >= 0)
+    if (!shadowed.Share.empty() || shadowed.Tile >= 0)
     {
       this->Numbers.push_back(number);
       this->Lights.push_back(shadowed);
@@ -101,27 +94,22 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
   }
 
   std::string features = "SCENE_LIGHTS=" + std::to_string(this->Lights.size());
-  features += views.GetViews().empty() ? "" : " CASTER_PLANES " + maps.GetFeatures();
+  features += casters.HasViews() ? " CASTER_PLANES " + casters.GetFeatures() : "";
   if (hasVolumes)
   {
     features += " TRANSMITTANCE SCENE_CHANNELS=";
     features += transmittance.GetChannels() == 1 ? "rrr" : "rgb";
   }
   std::string source = InterlumeSceneActor;
-  Swap(source, "//INTERLUME::CASTERS", InterlumeSceneCasters);
+  Swap(source, "//INTERLUME::CASTERS", casters.HasViews() ? casters.GetSource() : "");
   const std::string declarations = vtkShaderFeatures::Insert(source, features);
   std::string implementation = hasVolumes ? "  ivec2 scenePixelHere = scenePixel();\n" : "";
-  implementation +=
-    views.GetViews().empty() ? "" : "  vec4 scenePlaneHere = scenePlane(vertexVC.xyz);\n";
+  implementation += casters.HasViews() ? "  vec4 scenePlaneHere = scenePlane(vertexVC.xyz);\n" : "";
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
     const Light& light = this->Lights[i];
     std::string share = "vec3(1.0)";
-    if (light.Views > 0)
-    {
-      share += " * lightOfCasters(" + std::to_string(light.FirstView) + ", " +
-        std::to_string(light.Views) + ", vertexVC.xyz, scenePlaneHere)";
-    }
+    share += light.Share.empty() ? "" : " * " + light.Share;
     if (light.Tile >= 0)
     {
       share += " * sceneLightOfVolumes(scenePixelHere + " +
@@ -205,12 +193,11 @@ void ActorShader::SetUniforms(
     strengths.push_back(light.Strength);
   }
   program->SetUniform1fv("sceneStrengths", static_cast<int>(strengths.size()), strengths.data());
-  const bool hasCasters = program->IsUniformUsed("casterDepths");
   const bool hasVolumes = program->IsUniformUsed("sceneTransmittance");
   if (isOfDepths)
   {
     // A map that is being drawn cannot be read.
-    for (const char* name : { "casterDepths", "sceneTransmittance", "sceneDepth" })
+    for (const char* name : { "casterDepths", "emitterDepths", "sceneTransmittance", "sceneDepth" })
     {
       if (program->IsUniformUsed(name))
       {
@@ -219,10 +206,7 @@ void ActorShader::SetUniforms(
     }
     return;
   }
-  if (hasCasters)
-  {
-    this->Maps->SetUniforms(program, this->WorldFromView);
-  }
+  this->Casters->SetUniforms(program, this->WorldFromView);
   if (hasVolumes)
   {
     program->SetUniformi("sceneTransmittance", this->Transmittance->GetTexture()->GetTextureUnit());

@@ -15,9 +15,8 @@ class vtkTextureObject;
 namespace interlume
 {
 
-class CasterMaps;
-class CasterViews;
 class LightTransmittance;
+class SceneCasters;
 struct LightSource;
 
 /**
@@ -35,8 +34,7 @@ public:
    * they are others than before.
    */
   bool Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
-    const CasterViews& views, const CasterMaps& maps, const LightTransmittance& transmittance,
-    vtkTextureObject* depth);
+    const SceneCasters& casters, const LightTransmittance& transmittance, vtkTextureObject* depth);
   /// Takes all away. Returns whether there was something.
   bool Clear();
 
@@ -53,8 +51,8 @@ public:
 private:
   struct Light
   {
-    int FirstView = 0;
-    int Views = 0;
+    /// What surfaces leave of it, a call; empty where they cast no shadows of it.
+    std::string Share;
     int Tile = -1;
     float Strength = 1.0F;
   };
@@ -63,7 +61,7 @@ private:
   std::vector<Light> Lights;
   std::string Declarations;
   std::string Implementation;
-  const CasterMaps* Maps = nullptr;
+  const SceneCasters* Casters = nullptr;
   const LightTransmittance* Transmittance = nullptr;
   vtkTextureObject* Depth = nullptr;
   glm::dmat4 WorldFromView{ 0.0 };

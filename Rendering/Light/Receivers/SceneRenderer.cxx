@@ -37,11 +37,11 @@ bool HasSurfaces(vtkProp* prop)
 }
 
 // Returns coordinates of size 1 around all boxes.
-UnitSpace MakeSpace(const std::vector<CasterViews::Box>& boxes)
+UnitSpace MakeSpace(const std::vector<CasterView::Box>& boxes)
 {
   glm::dvec3 lower(VTK_DOUBLE_MAX);
   glm::dvec3 upper(-VTK_DOUBLE_MAX);
-  for (const CasterViews::Box& box : boxes)
+  for (const CasterView::Box& box : boxes)
   {
     lower = glm::min(lower, glm::dvec3(box[0], box[2], box[4]));
     upper = glm::max(upper, glm::dvec3(box[1], box[3], box[5]));
@@ -68,7 +68,7 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, bool ha
   this->Failed.clear();
   this->Scene = SliceScene();
   this->Transmittance.Clear(0, 0, 1, {});
-  std::vector<CasterViews::Box> boxes;
+  std::vector<CasterView::Box> boxes;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
   props->InitTraversal(iterator);
@@ -95,10 +95,15 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, bool ha
   std::vector<std::string> faults;
   this->Lights =
     LightSources::Gather(renderer, space, { true, request.MaximumNumberOfShadows }, faults);
-  this->Views.Fit(this->Lights, space, boxes, request.Resolution);
+  for (LightSource& light : this->Lights)
+  {
+    // One sample is the light's centre.
+    light.Area = request.Samples > 1 ? light.Area : nullptr;
+  }
+  this->Maps.Fit(this->Lights, space, boxes, request.Resolution, request.Samples);
   const bool hasShadows = std::any_of(this->Lights.begin(), this->Lights.end(),
     [](const LightSource& light) { return light.ShadowStrength > 0.0; });
-  return !this->Views.GetViews().empty() || (hasVolumes && hasShadows);
+  return this->Maps.HasViews() || (hasVolumes && hasShadows);
 }
 
 std::string SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
@@ -123,25 +128,17 @@ std::string SceneRenderer::DrawMaps(vtkRenderer* renderer, vtkShadowedSceneRepor
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   std::string error = this->UpdateContext(window);
-  const int views = static_cast<int>(this->Views.GetViews().size());
-  if (views == 0 || !error.empty())
+  if (!this->Maps.HasViews() || !error.empty())
   {
     this->Maps.ReleaseGraphicsResources(window);
     return error;
   }
   this->IsOfDepths = true;
   this->Placeholder->Activate();
-  const int resolution =
-    std::min(this->Settings.Resolution, CasterMaps::GetLargestResolution(views));
-  error = this->Maps.Draw(renderer, this->Views, this->Casters, resolution, this->Settings.Bias);
+  error = this->Maps.Draw(
+    renderer, this->Casters, this->Settings.Resolution, this->Settings.Bias, report);
   this->Placeholder->Deactivate();
   this->IsOfDepths = false;
-  report.Casters = static_cast<int>(this->Casters.size());
-  report.Lights = static_cast<int>(this->Views.GetLights().size());
-  report.DepthMaps = views;
-  report.DepthMapsDrawn = this->Maps.GetDrawn();
-  report.DepthMapResolution = resolution;
-  report.DepthMapBytes = this->Maps.GetBytes();
   return error;
 }
 
@@ -170,8 +167,7 @@ std::string SceneRenderer::DrawEyeDepth(
   this->IsOfDepths = false;
   this->EyeDepth.Read(window, this->Scene.EyeDepths);
   this->Scene.EyeDepth = this->EyeDepth.GetTexture();
-  this->Scene.Views = &this->Views;
-  this->Scene.Maps = &this->Maps;
+  this->Scene.Casters = &this->Maps;
   std::vector<vtkLight*> lights;
   for (const LightSource& light : this->Lights)
   {
@@ -204,8 +200,8 @@ void SceneRenderer::MakeShader(
   {
     this->Transmittance.ReleaseGraphicsResources(window);
   }
-  const bool isNew = isShadowed ? this->Shader.Update(renderer, this->Lights, this->Views,
-                                    this->Maps, this->Transmittance, this->EyeDepth.GetTexture())
+  const bool isNew = isShadowed ? this->Shader.Update(renderer, this->Lights, this->Maps,
+                                    this->Transmittance, this->EyeDepth.GetTexture())
                                 : this->Shader.Clear();
   if (isNew)
   {
@@ -215,8 +211,13 @@ void SceneRenderer::MakeShader(
 
 void SceneRenderer::Activate()
 {
-  for (vtkTextureObject* texture :
-    { this->Maps.GetTexture(), this->EyeDepth.GetTexture(), this->Transmittance.GetTexture() })
+  std::vector<vtkTextureObject*> textures{ this->EyeDepth.GetTexture(),
+    this->Transmittance.GetTexture() };
+  for (const auto& map : this->Maps.GetTextures())
+  {
+    textures.push_back(map.second);
+  }
+  for (vtkTextureObject* texture : textures)
   {
     if (texture->GetHandle() != 0)
     {

@@ -2,8 +2,8 @@
 #ifndef interlume_SceneRenderer_h
 #define interlume_SceneRenderer_h
 
-#include "Casters/CasterMaps.h"
-#include "Casters/CasterViews.h"
+#include "Casters/PropDepths.h"
+#include "Casters/SceneCasters.h"
 #include "Lights/LightSource.h"
 #include "Receivers/ActorShader.h"
 #include "Receivers/LightTransmittance.h"
@@ -41,6 +41,7 @@ public:
     int MaximumNumberOfShadows = 16;
     int Resolution = 1024;
     double Bias = 1.0;
+    int Samples = 16;
   };
 
   SceneRenderer();
@@ -85,8 +86,7 @@ private:
   std::vector<vtkProp*> Props;
   std::vector<vtkProp*> Casters;
   std::vector<LightSource> Lights;
-  CasterViews Views;
-  CasterMaps Maps;
+  SceneCasters Maps;
   PropDepths EyeDepth;
   LightTransmittance Transmittance;
   SliceScene Scene;

@@ -12,9 +12,8 @@ class vtkTextureObject;
 namespace interlume
 {
 
-class CasterMaps;
-class CasterViews;
 class LightTransmittance;
+class SceneCasters;
 
 /**
  * @class   SliceScene
@@ -28,9 +27,8 @@ struct SliceScene
   std::vector<float> EyeDepths;
   std::array<int, 2> Size{ { 0, 0 } };
 
-  /// The depth maps of lights; none where there are no views.
-  const CasterViews* Views = nullptr;
-  const CasterMaps* Maps = nullptr;
+  /// The depth maps of lights.
+  const SceneCasters* Casters = nullptr;
 
   /// What is left of the lights at the eye's surfaces, which the slices multiply.
   LightTransmittance* Transmittance = nullptr;

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Soft shadows that surfaces cast by vtkShadowedScenePass: the penumbra of a half plane against its
+// exact profile, under square and round lights, parallel and tilted, near and far.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Light/ReferencePenumbra.h"
+#include "SceneStage.h"
+
+#include "vtkActor.h"
+#include "vtkAreaLight.h"
+#include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace reference;
+
+/// A half plane x < 0 at a height of GAP above the floor z = 0, and a light at GAP / Ratio from its
+/// edge, so that the penumbra is WIDTH wide under a light that is not tilted.
+struct Case
+{
+  std::string Name;
+  double Ratio = 1.0;
+  bool IsRound = false;
+  double Tilt = 0.0;
+  int Samples = 16;
+  int Resolution = 1024;
+  bool IsPositional = true;
+  /// The most that the width, as a share, and the profile may be off.
+  double WidthBound = 0.05;
+  double ProfileBound = 0.05;
+};
+
+constexpr double GAP = 0.5;
+constexpr double WIDTH = 0.2;
+constexpr int PIXELS = 200;
+constexpr double SIZE = 0.8;
+
+struct Profile
+{
+  std::vector<double> Found;
+  std::vector<double> Exact;
+};
+
+Profile MeasureProfile(const Case& half)
+{
+  const double angle = half.Tilt * std::acos(-1.0) / 180.0;
+  const glm::dvec3 toLight(std::sin(angle), 0.0, std::cos(angle));
+  // Moved so that the shadow's edge is in the middle of the picture.
+  const double shift = GAP * std::tan(angle);
+  const glm::dvec3 edge(shift, 0.0, GAP);
+  const glm::dvec3 center = edge + (GAP / half.Ratio) * toLight;
+  const double size = WIDTH / half.Ratio;
+  SceneStage stage(PIXELS, SIZE);
+  stage.Pass->SetNumberOfLightSamples(half.Samples);
+  stage.Pass->SetDepthMapResolution(half.Resolution);
+  stage.Add(MakeRectangle({ { -0.5, -0.5, 0.0 } }, { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }));
+  stage.Add(
+    MakeRectangle({ { shift - 1.0, -0.5, GAP } }, { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }));
+  vtkNew<vtkAreaLight> light;
+  light->SetPosition(glm::value_ptr(center));
+  light->SetFocalPoint(glm::value_ptr(edge));
+  light->SetPositional(half.IsPositional);
+  light->SetConeAngle(180.0);
+  light->SetShape(half.IsRound ? vtkAreaLight::ROUND : vtkAreaLight::SQUARE);
+  light->SetSize(size, size);
+  light->SetShadowAttenuation(1.0F);
+  stage.Stage.SetLights({ light.Get() });
+  // The near plane cuts the half plane off, so that the eye sees the floor behind it.
+  stage.Stage.GetRenderer()->GetActiveCamera()->SetClippingRange(
+    4.0 * SIZE - 0.5 * GAP, 8.0 * SIZE);
+  const RgbaPicture with = stage.Draw();
+  const vtkShadowedSceneReport report = stage.GetReport();
+  stage.Pass->ShadowsOff();
+  const RgbaPicture without = stage.Draw();
+
+  ReferencePenumbra reference;
+  reference.IsRound = half.IsRound;
+  reference.IsPositional = half.IsPositional;
+  reference.Center = center - edge;
+  reference.Center.z += half.IsPositional ? GAP : 0.0;
+  reference.Axes = { size * glm::dvec3(std::cos(angle), 0.0, -std::sin(angle)),
+    size * glm::dvec3(0.0, 1.0, 0.0) };
+  reference.Height = GAP;
+  Profile profile;
+  for (int i = 0; i < PIXELS; ++i)
+  {
+    const double x = ((i + 0.5) / PIXELS - 0.5) * SIZE;
+    const double lit = without.At(i, PIXELS / 2)[0];
+    profile.Found.push_back(with.At(i, PIXELS / 2)[0] / lit);
+    profile.Exact.push_back(reference.GetShare({ x - shift, 0.5 * SIZE / PIXELS, 0.0 }));
+  }
+  std::cout << half.Name << ": " << report.SampleMaps << " maps of " << report.SampleMapResolution
+            << "^2, ";
+  return profile;
+}
+
+/// The width of the even ramp that has the spread of the profile's slope.
+double GetRampWidth(const std::vector<double>& profile)
+{
+  double sum = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+  for (std::size_t i = 1; i < profile.size(); ++i)
+  {
+    const double slope = profile[i] - profile[i - 1];
+    const double x = static_cast<double>(i) * SIZE / PIXELS;
+    sum += slope;
+    first += slope * x;
+    second += slope * x * x;
+  }
+  const double mean = first / sum;
+  return std::sqrt(12.0 * std::max(second / sum - mean * mean, 0.0));
+}
+
+double TestProfile(Check& check, const Case& half)
+{
+  const Profile profile = MeasureProfile(half);
+  double largest = 0.0;
+  double mean = 0.0;
+  for (std::size_t i = 0; i < profile.Found.size(); ++i)
+  {
+    const double error = std::abs(profile.Found[i] - profile.Exact[i]);
+    largest = std::max(largest, error);
+    mean += error / static_cast<double>(profile.Found.size());
+  }
+  const double width = GetRampWidth(profile.Found) / GetRampWidth(profile.Exact) - 1.0;
+  std::cout << "width off by " << 100.0 * width << " %, profile by at most " << largest
+            << ", in the mean " << mean << std::endl;
+  check.Near(width, 0.0, half.WidthBound, half.Name + ": width", 1.0);
+  check.Near(largest, 0.0, half.ProfileBound, half.Name + ": profile", 1.0);
+  return mean;
+}
+
+}
+
+int TestSurfacePenumbra(int, char*[])
+{
+  Check check;
+  for (const bool isRound : { false, true })
+  {
+    Case half;
+    half.IsRound = isRound;
+    const std::string shape = isRound ? "round" : "square";
+    half.ProfileBound = isRound ? 0.06 : 0.035;
+    half.WidthBound = 0.02;
+    for (const double ratio : { 0.05, 0.3, 1.0, 5.0 })
+    {
+      half.Ratio = ratio;
+      half.Name = shape + ", dZ/Z " + std::to_string(ratio);
+      TestProfile(check, half);
+    }
+    half.Ratio = 1.0;
+    half.IsPositional = false;
+    half.Name = shape + ", far";
+    TestProfile(check, half);
+    half.Tilt = 45.0;
+    half.Name = shape + ", far, tilted";
+    TestProfile(check, half);
+    half.IsPositional = true;
+    half.Name = shape + ", tilted";
+    TestProfile(check, half);
+  }
+  // Samples and texels together make the profile converge.
+  double last = 1.0;
+  for (const int samples : { 4, 16, 64, 256 })
+  {
+    Case half;
+    half.Samples = samples;
+    half.Resolution = samples == 256 ? 2048 : 1024;
+    half.Name = std::to_string(samples) + " samples";
+    half.ProfileBound = samples == 4 ? 0.13 : samples == 16 ? 0.035 : 0.01;
+    const double mean = TestProfile(check, half);
+    check.That(mean < 0.7 * last, half.Name + ": the mean error falls");
+    last = mean;
+  }
+  return check.Result();
+}
