@@ -74,11 +74,12 @@ class SceneRenderer;
  * tilted or not. V has NumberOfLightSamples steps, each as wide as a texel of its map: 16 are 0.03
  * off at most behind an edge along the emitter's, 64 are 0.008 off. Maps of samples have half of
  * DepthMapResolution up to 16 samples, a third up to 81, a quarter beyond, and no more than 8192
- * columns and rows together. Volumes cast soft shadows by their mapper's SoftShadowMethod,
- * SAMPLE_LAYERS or ACCUMULATED_CONVOLUTION; on surfaces behind a volume they are as wide as where
- * the light leaves it. With SAMPLED_LIGHTS, and where a light is too close for layers, those of
- * volumes are hard, from the light's centre. Where no light that casts shadows has an extent,
- * nothing of this is in shaders, maps and report.
+ * columns and rows together. Volumes cast soft shadows by their mapper's SoftShadowMethod. With
+ * SAMPLE_LAYERS a surface behind the volume sees each sample's layer from that sample, so that the
+ * penumbra widens with the distance from the volume; with ACCUMULATED_CONVOLUTION it stays as wide
+ * as where the light leaves the volume. With SAMPLED_LIGHTS, and where a light is too close for
+ * layers, those of volumes are hard, from the light's centre. Where no light that casts shadows has
+ * an extent, nothing of this is in shaders, maps and report.
  *
  * **Meshes** may be open, turned inside out, without thickness or cut by the eye's or a clipping
  * plane: the nearest depth that the light sees casts the shadow, whichever side of which face it

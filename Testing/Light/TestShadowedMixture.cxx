@@ -244,7 +244,9 @@ void TestWalls(Check& check)
     check, { "lamp within, across", tilted, -0.1, true, { { -0.1, 0.0, 0.2 } }, down, 0.01 });
   const Vector lamp{ { -1.0, 0.2, 2.0 } };
   TestWall(check, { "round lamp, across", tilted, 0.05, true, lamp, down, 0.01, 0.4 });
-  TestWall(check, { "round lamp, behind", floor, -0.5, true, lamp, down, 0.02, 0.4 });
+  TestWall(check, { "round lamp, behind", floor, -0.5, true, lamp, down, 0.01, 0.4 });
+  const Vector above{ { -0.2, 0.1, 2.0 } };
+  TestWall(check, { "round lamp, far behind", floor, -3.0, true, above, down, 0.015, 0.4 });
   TestWall(check,
     { "round lamp within, across", tilted, -0.1, true, { { -0.1, 0.0, 0.2 } }, down, 0.01, 0.2,
       1 });

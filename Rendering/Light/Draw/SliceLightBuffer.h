@@ -85,6 +85,9 @@ public:
   int Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
     const SlicePlan::ShadowedLight& light, int slab);
 
+  /// Returns the layers of an area light's samples, or null where it has none.
+  SliceSampleLayers* GetSampleLayers() const { return this->Samples.get(); }
+
   /// Takes what a slab lets through. Returns whether there is matter for the light to meet.
   bool Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
     const SlicePolygons& polygons, int slab);

@@ -388,7 +388,7 @@ std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const Slic
     ++report.EyePasses;
     if (frame.Scene)
     {
-      this->Receivers.Draw(window, slab);
+      report.SoftShadowPasses += this->Receivers.Draw(window, slab);
     }
     for (const SlicePlan::ShadowedLight& light : sweep.Lights)
     {
@@ -403,7 +403,7 @@ std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const Slic
   }
   if (frame.Scene)
   {
-    this->Receivers.Draw(window, sweep.Slabs);
+    report.SoftShadowPasses += this->Receivers.Draw(window, sweep.Slabs);
   }
   this->DeactivateTextures();
   report.SlicesDrawn += drawn;
@@ -413,10 +413,10 @@ std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const Slic
 std::string SliceRasterizer::BeginReceivers(
   vtkOpenGLRenderWindow* window, const SliceFrame& frame, std::size_t sweepIndex)
 {
-  std::vector<vtkTextureObject*> buffers;
+  std::vector<SliceLightBuffer*> buffers;
   for (const SlicePlan::ShadowedLight& light : frame.Plan.Sweeps[sweepIndex].Lights)
   {
-    buffers.push_back(this->GetLightBuffer(light.Light).GetTexture());
+    buffers.push_back(&this->GetLightBuffer(light.Light));
   }
   return this->Receivers.Begin(window, frame, sweepIndex, this->Textures, buffers);
 }

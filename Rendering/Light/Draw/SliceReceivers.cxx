@@ -2,6 +2,8 @@
 #include "Draw/SliceReceivers.h"
 
 #include "Draw/SliceFrame.h"
+#include "Draw/SliceLightBuffer.h"
+#include "Draw/SliceSampleLayers.h"
 #include "Draw/SliceShader.h"
 #include "Draw/SliceTextures.h"
 #include "Loader/OpenGLFunctions.h"
@@ -25,7 +27,8 @@ namespace interlume
 
 namespace
 {
-// The box of the matter as rays from surfaces towards the lights of a sweep meet it.
+// The box of the matter as rays from surfaces towards the lights of a sweep, and the samples of
+// area lights, meet it.
 class MatterBox
 {
 public:
@@ -35,7 +38,16 @@ public:
   {
     for (const SlicePlan::ShadowedLight& light : sweep.Lights)
     {
-      this->Sources.push_back(&frame.Lights[light.Light]);
+      const LightSource& source = frame.Lights[light.Light];
+      this->Sources.push_back(source.IsPositional ? glm::dvec4(source.Position, 1.0)
+                                                  : glm::dvec4(-source.Direction, 0.0));
+    }
+    for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+    {
+      for (const SlicePlan::SampleView& sample : light.Samples)
+      {
+        this->Sources.push_back(sample.Source);
+      }
     }
   }
 
@@ -44,11 +56,11 @@ public:
   {
     const glm::dvec3 from = UnitVector::TransformPoint(this->TextureFromUnit, place);
     return std::any_of(this->Sources.begin(), this->Sources.end(),
-      [&](const LightSource* source)
+      [&](const glm::dvec4& source)
       {
-        const glm::dvec3 way = source->IsPositional ? source->Position - place : -source->Direction;
+        const glm::dvec3 way = glm::dvec3(source) - source.w * place;
         return this->IsMet(
-          from, UnitVector::TransformVector(this->TextureFromUnit, way), source->IsPositional);
+          from, UnitVector::TransformVector(this->TextureFromUnit, way), source.w > 0.0);
       });
   }
 
@@ -74,7 +86,8 @@ private:
 
   const glm::dmat4& TextureFromUnit;
   const std::array<std::array<double, 2>, 3>& Box;
-  std::vector<const LightSource*> Sources;
+  /// Their places and 1; where light comes from and 0 of lights without a place.
+  std::vector<glm::dvec4> Sources;
 };
 }
 
@@ -146,8 +159,9 @@ void SliceReceivers::Sort(const SliceFrame& frame, const SlicePlan::Sweep& sweep
 }
 
 std::string SliceReceivers::Begin(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
-  std::size_t sweepIndex, SliceTextures& textures, const std::vector<vtkTextureObject*>& buffers)
+  std::size_t sweepIndex, SliceTextures& textures, const std::vector<SliceLightBuffer*>& buffers)
 {
+  this->Frame = &frame;
   this->Scene = frame.Scene;
   this->Sweep = &frame.Plan.Sweeps[sweepIndex];
   this->Lights.clear();
@@ -181,21 +195,44 @@ std::string SliceReceivers::Begin(vtkOpenGLRenderWindow* window, const SliceFram
     }
     vtkShaderProgram* program = light.Pass->GetProgram();
     textures.Activate(program);
-    program->SetUniformi("buffer_0", buffers[i]->GetTextureUnit());
+    program->SetUniformi("buffer_0", buffers[i]->GetTexture()->GetTextureUnit());
     SliceShader::SetReceiverUniforms(program, frame, *this->Sweep, shadowed);
+    light.Planned = &shadowed;
+    light.Buffer = buffers[i];
+    if (const SliceSampleLayers* layers = buffers[i]->GetSampleLayers())
+    {
+      light.Behind = std::make_unique<SliceLayerPoints>();
+      error = light.Behind->Prepare(window, *layers, this->Vertices);
+      if (!error.empty())
+      {
+        return error;
+      }
+    }
     this->Lights.push_back(std::move(light));
   }
   return {};
 }
 
-void SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab)
+int SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab)
 {
   const std::size_t first = this->Next;
   const std::size_t end = this->Starts[static_cast<std::size_t>(slab) + 1];
   this->Next = end;
-  if (first == end || this->Lights.empty() || !this->Scene->Transmittance->Bind(window))
+  if (first == end || this->Lights.empty())
   {
-    return;
+    return 0;
+  }
+  const bool isBehind = slab == this->Sweep->Slabs;
+  int passes = 0;
+  for (const Light& light : this->Lights)
+  {
+    passes += isBehind && light.Behind
+      ? light.Buffer->GetSampleLayers()->Finish(window, *this->Sweep, *light.Planned)
+      : 0;
+  }
+  if (!this->Scene->Transmittance->Bind(window))
+  {
+    return passes;
   }
   vtkOpenGLState* state = window->GetState();
   state->vtkglBlendFunc(GL_ZERO, GL_SRC_COLOR);
@@ -206,11 +243,20 @@ void SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab)
   {
     const std::array<int, 2> origin = this->Scene->Transmittance->GetOrigin(light.Tile);
     state->vtkglViewport(origin[0], origin[1], this->Scene->Size[0], this->Scene->Size[1]);
-    light.Pass->DrawPoints(
-      window, first, end - first, this->Sweep->First + slab * this->Sweep->Spacing);
+    if (isBehind && light.Behind)
+    {
+      light.Behind->Draw(
+        window, *this->Frame, *light.Planned, *light.Buffer->GetSampleLayers(), first, end - first);
+    }
+    else
+    {
+      light.Pass->DrawPoints(
+        window, first, end - first, this->Sweep->First + slab * this->Sweep->Spacing);
+    }
     ++this->Scene->ReceiverPasses;
   }
   glDisable(GL_DEPTH_CLAMP);
+  return passes;
 }
 
 void SliceReceivers::ReleaseGraphicsResources()
@@ -218,6 +264,10 @@ void SliceReceivers::ReleaseGraphicsResources()
   for (const Light& light : this->Lights)
   {
     light.Pass->ReleaseGraphicsResources();
+    if (light.Behind)
+    {
+      light.Behind->ReleaseGraphicsResources();
+    }
   }
   this->Lights.clear();
   this->Vertices->ReleaseGraphicsResources();

@@ -146,24 +146,13 @@ void SliceSampleLayers::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLQuadHelper&
   }
 }
 
-int SliceSampleLayers::Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
-  const SlicePlan::ShadowedLight& light, vtkTextureObject* buffer, int slab)
+void SliceSampleLayers::FillLayers(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+  const SlicePlan::ShadowedLight& light)
 {
-  if (this->Last < 0)
-  {
-    this->First = slab;
-  }
-  if (slab - this->First < this->Period)
-  {
-    this->Last = slab;
-    return 0;
-  }
-  vtkOpenGLState* state = window->GetState();
   this->Framebuffer->Bind();
   this->Framebuffer->ActivateDrawBuffer(0);
   const std::array<double, 4> drawn = GetPlane(sweep, 0.5 * (this->First + this->Last + 1));
-  const std::array<double, 4> next = GetPlane(sweep, slab + 0.5 * this->Period);
-  state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+  window->GetState()->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
   vtkShaderProgram* program = this->Fill->Program;
   window->GetShaderCache()->ReadyShaderProgram(program);
   const glm::mat3x4 points(PlaneView::GetPoints(light.BufferFromUnit, drawn));
@@ -186,12 +175,29 @@ int SliceSampleLayers::Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Swe
     program->SetUniform4fv("sources", stack.Layers, sources.data());
     this->Draw(window, *this->Fill, stack.Texture, this->Batch, homographies);
   }
-  program = this->Mean->Program;
+}
+
+int SliceSampleLayers::Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+  const SlicePlan::ShadowedLight& light, vtkTextureObject* buffer, int slab)
+{
+  if (this->Last < 0)
+  {
+    this->First = slab;
+  }
+  if (slab - this->First < this->Period)
+  {
+    this->Last = slab;
+    return 0;
+  }
+  this->FillLayers(window, sweep, light);
+  vtkOpenGLState* state = window->GetState();
+  const std::array<double, 4> next = GetPlane(sweep, slab + 0.5 * this->Period);
+  vtkShaderProgram* program = this->Mean->Program;
   window->GetShaderCache()->ReadyShaderProgram(program);
   program->SetUniformf("margin", static_cast<float>(0.5 / light.BufferSize));
   for (const Stack& stack : this->Stacks)
   {
-    homographies.clear();
+    std::vector<glm::dmat3> homographies;
     std::vector<float> weights;
     for (int i = 0; i < stack.Layers; ++i)
     {
@@ -208,6 +214,18 @@ int SliceSampleLayers::Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Swe
   this->First = slab;
   this->Last = slab;
   return 2 * static_cast<int>(this->Stacks.size());
+}
+
+int SliceSampleLayers::Finish(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+  const SlicePlan::ShadowedLight& light)
+{
+  if (this->Last < 0)
+  {
+    return 0;
+  }
+  this->FillLayers(window, sweep, light);
+  this->Last = -1;
+  return static_cast<int>(this->Stacks.size());
 }
 
 void SliceSampleLayers::ReleaseGraphicsResources(vtkWindow* window)

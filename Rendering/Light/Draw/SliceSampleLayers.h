@@ -41,6 +41,14 @@ namespace interlume
 class SliceSampleLayers
 {
 public:
+  /// Layers from a first sample on, in one texture.
+  struct Stack
+  {
+    vtkSmartPointer<vtkTextureObject> Texture;
+    std::size_t First = 0;
+    int Layers = 0;
+  };
+
   SliceSampleLayers();
   ~SliceSampleLayers();
 
@@ -55,6 +63,8 @@ public:
   /// multiply it.
   vtkTextureObject* GetBatch() const { return this->Batch; }
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
+  /// Returns all layers, in the order of the samples.
+  const std::vector<Stack>& GetStacks() const { return this->Stacks; }
   vtkIdType GetBytes() const { return this->Bytes; }
 
   /**
@@ -64,18 +74,18 @@ public:
   int Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
     const SlicePlan::ShadowedLight& light, vtkTextureObject* buffer, int slab);
 
+  /// Puts the last batch into the layers, which then have all matter. Returns the number of passes
+  /// over layers that this took.
+  int Finish(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+    const SlicePlan::ShadowedLight& light);
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   void Clear(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
-  /// Layers from a first sample on, in one texture.
-  struct Stack
-  {
-    vtkSmartPointer<vtkTextureObject> Texture;
-    std::size_t First = 0;
-    int Layers = 0;
-  };
-
+  /// Puts the batch into the layers.
+  void FillLayers(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+    const SlicePlan::ShadowedLight& light);
   /// Draws into \a target what the program makes of \a map, with a homography for each layer.
   void Draw(vtkOpenGLRenderWindow* window, vtkOpenGLQuadHelper& quad, vtkTextureObject* target,
     vtkTextureObject* map, const std::vector<glm::dmat3>& homographies);

@@ -564,4 +564,21 @@ void SliceShader::SetReceiverUniforms(vtkShaderProgram* program, const SliceFram
   SetLight(program, frame.Lights[light.Light], &light, "_0");
 }
 
+void SliceShader::SetLayerPointUniforms(
+  vtkShaderProgram* program, const SliceFrame& frame, const SlicePlan::ShadowedLight& light)
+{
+  SetMatrix(program, "clipFromUnit", frame.Eye.ClipFromUnit);
+  std::vector<float> layers;
+  std::vector<float> weights;
+  for (const SlicePlan::SampleView& sample : light.Samples)
+  {
+    const glm::mat4 layer(sample.LayerFromUnit);
+    layers.insert(layers.end(), glm::value_ptr(layer), glm::value_ptr(layer) + 16);
+    weights.push_back(static_cast<float>(sample.Weight));
+  }
+  const auto count = static_cast<int>(weights.size());
+  program->SetUniformMatrix4x4v("layerFromUnit", count, layers.data());
+  program->SetUniform1fv("layerWeights", count, weights.data());
+}
+
 }

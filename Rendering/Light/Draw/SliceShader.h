@@ -61,6 +61,8 @@ public:
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
   static void SetReceiverUniforms(vtkShaderProgram* program, const SliceFrame& frame,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
+  static void SetLayerPointUniforms(
+    vtkShaderProgram* program, const SliceFrame& frame, const SlicePlan::ShadowedLight& light);
   ///@}
 
   /// Returns the lights that the picture's fragments of a sweep see: indices in the picture's list,

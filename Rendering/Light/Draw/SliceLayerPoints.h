@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_SliceLayerPoints_h
+#define interlume_SliceLayerPoints_h
+
+#include "Draw/SlicePass.h"
+#include "Plan/SlicePlan.h"
+
+#include <cstddef>
+#include <string>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+
+namespace interlume
+{
+
+class SliceSampleLayers;
+struct SliceFrame;
+
+/**
+ * @class   SliceLayerPoints
+ * @brief   draws what an area light's layers leave at surfaces behind the slices
+ *
+ * The transmittance at x is sum_c w_c T_c(x_c), x_c the place in the layer of sample c of the ray
+ * from there to x: so the penumbra of matter widens with the distance from it.
+ */
+class SliceLayerPoints
+{
+public:
+  /// Compiles the program, for points in \a vertices. Returns what is wrong, or nothing.
+  std::string Prepare(vtkOpenGLRenderWindow* window, const SliceSampleLayers& layers,
+    vtkOpenGLBufferObject* vertices);
+
+  /// Draws so many points into the framebuffer that is bound, after the last batch is in the
+  /// layers.
+  void Draw(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
+    const SlicePlan::ShadowedLight& light, const SliceSampleLayers& layers, std::size_t first,
+    std::size_t count);
+
+  void ReleaseGraphicsResources() { this->Pass.ReleaseGraphicsResources(); }
+
+private:
+  SlicePass Pass;
+};
+
+}
+
+#endif
