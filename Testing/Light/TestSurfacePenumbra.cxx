@@ -8,6 +8,8 @@
 #include "vtkActor.h"
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 
@@ -101,6 +103,64 @@ Profile MeasureProfile(const Case& half)
   return profile;
 }
 
+/// The left half of an emitter is red, the right one blue: each has the shadow of that half.
+void TestColors(Check& check)
+{
+  constexpr double size = WIDTH;
+  SceneStage stage(PIXELS, SIZE);
+  stage.Pass->SetNumberOfLightSamples(64);
+  stage.Add(MakeRectangle({ { -0.5, -0.5, 0.0 } }, { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }));
+  stage.Add(MakeRectangle({ { -0.5, -0.5, GAP } }, { { 0.5, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }));
+  vtkNew<vtkImageData> image;
+  constexpr int columns = 64;
+  image->SetDimensions(columns, 1, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < columns; ++i)
+  {
+    auto* color = static_cast<unsigned char*>(image->GetScalarPointer(i, 0, 0));
+    const bool isLeft = i < columns / 2;
+    color[0] = isLeft ? 255 : 0;
+    color[1] = 0;
+    color[2] = isLeft ? 0 : 255;
+  }
+  vtkNew<vtkAreaLight> light;
+  light->SetPosition(0.0, 0.0, 2.0 * GAP);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetPositional(true);
+  light->SetConeAngle(180.0);
+  light->SetShapeToSquare();
+  light->SetSize(size, size);
+  light->SetEmitter(image);
+  stage.Stage.SetLights({ light.Get() });
+  stage.Stage.GetRenderer()->GetActiveCamera()->SetClippingRange(
+    4.0 * SIZE - 0.5 * GAP, 8.0 * SIZE);
+  const RgbaPicture with = stage.Draw();
+  stage.Pass->ShadowsOff();
+  const RgbaPicture without = stage.Draw();
+  vtkNew<vtkMatrix4x4> matrix;
+  light->GetEmitterMatrix(matrix);
+  for (const int channel : { 0, 2 })
+  {
+    const double aside = (channel == 0 ? -0.25 : 0.25) * size * matrix->GetElement(0, 0);
+    ReferencePenumbra reference;
+    reference.IsRound = false;
+    reference.Center = { aside, 0.0, 2.0 * GAP };
+    reference.Axes = { glm::dvec3(0.5 * size, 0.0, 0.0), glm::dvec3(0.0, size, 0.0) };
+    reference.Height = GAP;
+    double largest = 0.0;
+    for (int i = 0; i < PIXELS; ++i)
+    {
+      const double x = ((i + 0.5) / PIXELS - 0.5) * SIZE;
+      const double found = with.At(i, PIXELS / 2)[channel] / without.At(i, PIXELS / 2)[channel];
+      const double exact = reference.GetShare({ x, 0.5 * SIZE / PIXELS, 0.0 });
+      largest = std::max(largest, std::abs(found - exact));
+    }
+    const std::string name = "channel " + std::to_string(channel);
+    std::cout << name << " of a red and blue emitter: profile by at most " << largest << std::endl;
+    check.Near(largest, 0.0, 0.05, name + ": profile", 1.0);
+  }
+}
+
 /// The width of the even ramp that has the spread of the profile's slope.
 double GetRampWidth(const std::vector<double>& profile)
 {
@@ -167,6 +227,7 @@ int TestSurfacePenumbra(int, char*[])
     half.Name = shape + ", tilted";
     TestProfile(check, half);
   }
+  TestColors(check);
   // Samples and texels together make the profile converge.
   double last = 1.0;
   for (const int samples : { 4, 16, 64, 256 })

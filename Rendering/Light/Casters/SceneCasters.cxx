@@ -114,8 +114,8 @@ std::string SceneCasters::GetSource() const
   return source;
 }
 
-std::string SceneCasters::GetShare(vtkLight* light, const std::string& place,
-  const std::string& plane, int number, int samples) const
+std::string SceneCasters::GetShare(
+  vtkLight* light, const std::string& place, const std::string& plane) const
 {
   const std::string at = "," + place + "," + plane + ")";
   if (const CasterViews::Light* seen = this->Views.Find(light))
@@ -124,15 +124,21 @@ std::string SceneCasters::GetShare(vtkLight* light, const std::string& place,
       at;
   }
   const int emitter = this->Emitters.Find(light);
+  return emitter < 0 ? std::string() : "lightOfEmitter(" + std::to_string(emitter) + at;
+}
+
+std::string SceneCasters::GetSampleShare(vtkLight* light, int samples, const std::string& sample,
+  const std::string& place, const std::string& plane) const
+{
+  const int emitter = this->Emitters.Find(light);
   if (emitter < 0)
   {
     return {};
   }
   const EmitterViews::Light& seen = this->Emitters.GetLights()[static_cast<std::size_t>(emitter)];
-  const bool isOne = number >= 0 && samples == seen.Samples;
-  const int first = seen.FirstSample + (isOne ? number : 0);
-  return (isOne ? "lightOfEmitterSample(" : "lightOfEmitter(") + std::to_string(emitter) +
-    (isOne ? "," + std::to_string(first) : "") + at;
+  return seen.Samples != samples ? std::string()
+                                 : "lightOfEmitterSample(" + std::to_string(emitter) + "," +
+      std::to_string(seen.FirstSample) + "+" + sample + "," + place + "," + plane + ")";
 }
 
 void SceneCasters::SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromPlace) const
@@ -177,13 +183,18 @@ void SceneCasters::SetEmitterUniforms(
     Append(samples, glm::dvec4(sample.Scale, sample.Middle));
     Append(samples, glm::dvec4(sample.Weight, 0.0));
   }
-  const CasterMaps& maps = this->EmitterMaps;
-  const std::array<float, 3> tiles{ { static_cast<float>(maps.GetColumns()),
-    static_cast<float>(maps.GetResolution()), static_cast<float>(maps.GetBias()) } };
-  program->SetUniformi("emitterDepths", maps.GetTexture()->GetTextureUnit());
+  program->SetUniformi("emitterDepths", this->EmitterMaps.GetTexture()->GetTextureUnit());
   program->SetUniform4fv("emitters", static_cast<int>(lights.size() / 4), lights.data());
   program->SetUniform3fv("emitterSides", static_cast<int>(sides.size() / 3), sides.data());
   program->SetUniform4fv("emitterSamples", static_cast<int>(samples.size() / 4), samples.data());
+  this->AddBias(program, 0.0);
+}
+
+void SceneCasters::AddBias(vtkShaderProgram* program, double texels) const
+{
+  const CasterMaps& maps = this->EmitterMaps;
+  const std::array<float, 3> tiles{ { static_cast<float>(maps.GetColumns()),
+    static_cast<float>(maps.GetResolution()), static_cast<float>(maps.GetBias() + texels) } };
   program->SetUniform3f("emitterTiles", tiles.data());
 }
 

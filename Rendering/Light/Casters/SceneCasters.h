@@ -48,13 +48,18 @@ public:
   std::string GetFeatures() const;
   std::string GetSource() const;
   /// Returns the call, without spaces, for the share of a light, a float or a vec3, that comes to
-  /// a place on a plane; empty where surfaces cast no shadows of it. Of the samples of its emitter
-  /// this is all, or where \a number is 0 or above and they are \a samples, that one.
-  std::string GetShare(vtkLight* light, const std::string& place, const std::string& plane,
-    int number = -1, int samples = 0) const;
+  /// a place on a plane; empty where surfaces cast no shadows of it.
+  std::string GetShare(vtkLight* light, const std::string& place, const std::string& plane) const;
+  /// Returns the same for a sample of an area light, an expression from 0 on, of so many; empty
+  /// where it has another number of samples here.
+  std::string GetSampleShare(vtkLight* light, int samples, const std::string& sample,
+    const std::string& place, const std::string& plane) const;
   /// Sets the uniforms of a program with that source, of which places are in coordinates that \a
   /// worldFromPlace leads from. The textures have to be active.
   void SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromPlace) const;
+  /// Has maps of samples compared as if they were so many of their texels nearer to the light, for
+  /// surfaces whose plane is not known.
+  void AddBias(vtkShaderProgram* program, double texels) const;
   /// The names of the textures in the source, and the textures, of which some are empty.
   std::vector<std::pair<const char*, vtkTextureObject*>> GetTextures() const;
 

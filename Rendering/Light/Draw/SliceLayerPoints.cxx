@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/SliceLayerPoints.h"
 
+#include "Casters/SceneCasters.h"
 #include "Draw/SliceFrame.h"
 #include "Draw/SliceSampleLayers.h"
 #include "Draw/SliceShader.h"
+#include "Receivers/SliceScene.h"
 
 #include "InterlumeSliceLayerPointFS.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -17,26 +19,38 @@ namespace interlume
 
 namespace
 {
+/// How many texels nearer to the light surfaces are compared whose plane is not known: what they
+/// show on themselves else would be noise of the mean.
+constexpr double UNKNOWN_PLANE = 8.0;
+
 std::string GetStackName(std::size_t stack)
 {
   return "stack_" + std::to_string(stack);
 }
 }
 
-std::string SliceLayerPoints::Prepare(
-  vtkOpenGLRenderWindow* window, const SliceSampleLayers& layers, vtkOpenGLBufferObject* vertices)
+std::string SliceLayerPoints::Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
+  const SlicePlan::ShadowedLight& light, const SliceSampleLayers& layers,
+  vtkOpenGLBufferObject* vertices)
 {
+  const SceneCasters& casters = *frame.Scene->Casters;
+  const std::string share = casters.GetSampleShare(
+    frame.Lights[light.Light].Light, layers.GetNumberOfLayers(), "layer", "place", "vec4(0.0)");
+  this->HasCasters = !share.empty();
   std::string declarations;
   std::string sum;
   for (std::size_t i = 0; i < layers.GetStacks().size(); ++i)
   {
     const SliceSampleLayers::Stack& stack = layers.GetStacks()[i];
     declarations += "uniform sampler2D " + GetStackName(i) + ";\n";
-    sum += "dark += darkOf(" + GetStackName(i) + ", " + std::to_string(stack.First) + ", " +
+    sum += "  addLayers(" + GetStackName(i) + ", " + std::to_string(stack.First) + ", " +
       std::to_string(stack.Layers) + ");\n";
   }
-  std::string source = vtkShaderFeatures::Insert(
-    InterlumeSliceLayerPointFS, "LAYERS=" + std::to_string(layers.GetNumberOfLayers()));
+  std::string features = "LAYERS=" + std::to_string(layers.GetNumberOfLayers());
+  features += this->HasCasters ? " SAMPLE_SHARE=" + share + " " + casters.GetFeatures() : "";
+  std::string source = vtkShaderFeatures::Insert(InterlumeSliceLayerPointFS, features);
+  vtkShaderProgram::Substitute(
+    source, "//INTERLUME::CASTERS", this->HasCasters ? casters.GetSource() : "");
   vtkShaderProgram::Substitute(source, "//INTERLUME::STACKS", declarations);
   vtkShaderProgram::Substitute(source, "//INTERLUME::SUM", sum);
   return this->Pass.Prepare(window, source, vertices);
@@ -56,7 +70,26 @@ void SliceLayerPoints::Draw(vtkOpenGLRenderWindow* window, const SliceFrame& fra
     texture->Activate();
     program->SetUniformi(GetStackName(i).c_str(), texture->GetTextureUnit());
   }
+  std::vector<vtkTextureObject*> maps;
+  if (this->HasCasters)
+  {
+    const SceneCasters& casters = *frame.Scene->Casters;
+    for (const auto& [name, map] : casters.GetTextures())
+    {
+      if (program->IsUniformUsed(name) && map->GetTextureUnit() < 0)
+      {
+        map->Activate();
+        maps.push_back(map);
+      }
+    }
+    casters.SetUniforms(program, frame.Space.GetWorldFromUnit());
+    casters.AddBias(program, UNKNOWN_PLANE);
+  }
   this->Pass.DrawPoints(window, first, count, 0.0);
+  for (vtkTextureObject* map : maps)
+  {
+    map->Deactivate();
+  }
   for (const SliceSampleLayers::Stack& stack : layers.GetStacks())
   {
     stack.Texture->Deactivate();

@@ -22,13 +22,16 @@ struct SliceFrame;
  * @brief   draws what an area light's layers leave at surfaces behind the slices
  *
  * The transmittance at x is sum_c w_c T_c(x_c), x_c the place in the layer of sample c of the ray
- * from there to x: so the penumbra of matter widens with the distance from it.
+ * from there to x: so the penumbra of matter widens with the distance from it. Surfaces between
+ * light and x let the share V = sum_c w_c V_c through, and what this is multiplied by is sum_c w_c
+ * V_c T_c / V, so that matter and surfaces that hide the same part of a light do not hide it twice.
  */
 class SliceLayerPoints
 {
 public:
   /// Compiles the program, for points in \a vertices. Returns what is wrong, or nothing.
-  std::string Prepare(vtkOpenGLRenderWindow* window, const SliceSampleLayers& layers,
+  std::string Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
+    const SlicePlan::ShadowedLight& light, const SliceSampleLayers& layers,
     vtkOpenGLBufferObject* vertices);
 
   /// Draws so many points into the framebuffer that is bound, after the last batch is in the
@@ -40,6 +43,7 @@ public:
   void ReleaseGraphicsResources() { this->Pass.ReleaseGraphicsResources(); }
 
 private:
+  bool HasCasters = false;
   SlicePass Pass;
 };
 

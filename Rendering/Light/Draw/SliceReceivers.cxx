@@ -202,7 +202,7 @@ std::string SliceReceivers::Begin(vtkOpenGLRenderWindow* window, const SliceFram
     if (const SliceSampleLayers* layers = buffers[i]->GetSampleLayers())
     {
       light.Behind = std::make_unique<SliceLayerPoints>();
-      error = light.Behind->Prepare(window, *layers, this->Vertices);
+      error = light.Behind->Prepare(window, frame, shadowed, *layers, this->Vertices);
       if (!error.empty())
       {
         return error;
