@@ -13,15 +13,15 @@ vec4 casterTexels4(sampler2D map, vec2 texel)
 #endif
 }
 
-// Returns the share of the four texels around a place in a map, weighted as for bilinear interpolation,
-// that the light reaches. The place is in normalised device coordinates of a tile: its first column and
-// row, their number, and the bias in texels, each as deep as texelDepth. The surface that is lit has this
-// slope of depth over the map.
-float lightOfTile(sampler2D map, vec4 tile, float texelDepth, vec3 at, vec2 slope)
+// Returns which of the four texels around a place in a map the light reaches, 0 or 1, the place between
+// them, and how much nearer to the light than the surface they are. The place is in normalised device
+// coordinates of a tile: its first column and row, their number, and the bias in texels, each as deep as
+// texelDepth. The surface that is lit has this slope of depth over the map.
+vec4 litTexels(sampler2D map, vec4 tile, float texelDepth, vec3 at, vec2 slope, out vec2 part, out vec4 gap)
 {
   vec2 place = (at.xy * 0.5 + 0.5) * tile.z - 0.5;
   vec2 first = clamp(floor(place), vec2(0.0), vec2(tile.z - 2.0));
-  vec2 part = clamp(place - first, 0.0, 1.0);
+  part = clamp(place - first, 0.0, 1.0);
   // How much deeper the surface is in the middle of each texel; none is seen more aslant than that.
   vec2 toFirst = slope * (first - place) * (2.0 / tile.z);
   vec2 toSecond = toFirst + slope * (2.0 / tile.z);
@@ -30,6 +30,21 @@ float lightOfTile(sampler2D map, vec4 tile, float texelDepth, vec3 at, vec2 slop
     vec4(toFirst.x, toSecond.x, toFirst.x, toSecond.x) + vec2(toFirst.y, toSecond.y).xxyy, -most, most);
   // What is behind all that the map has is as deep as the background.
   vec4 depths = min(at.z + change - tile.w * texelDepth, vec4(1.0));
-  vec4 lit = step(depths, casterTexels4(map, tile.xy + first) * 2.0 - 1.0);
-  return mix(mix(lit.x, lit.y, part.x), mix(lit.z, lit.w, part.x), part.y);
+  vec4 texels = casterTexels4(map, tile.xy + first) * 2.0 - 1.0;
+  gap = depths - texels;
+  return step(depths, texels);
+}
+
+// Returns the share of the texels that the light reaches, weighted as for bilinear interpolation.
+float interpolated(vec4 texels, vec2 part)
+{
+  return mix(mix(texels.x, texels.y, part.x), mix(texels.z, texels.w, part.x), part.y);
+}
+
+float lightOfTile(sampler2D map, vec4 tile, float texelDepth, vec3 at, vec2 slope)
+{
+  vec2 part;
+  vec4 gap;
+  vec4 lit = litTexels(map, tile, texelDepth, at, slope, part, gap);
+  return interpolated(lit, part);
 }

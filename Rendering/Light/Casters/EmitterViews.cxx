@@ -21,6 +21,9 @@ using Window = CasterView::Window;
 /// The sine and cosine of what a view is wider than the cone of its light.
 constexpr double WIDER_SINE = 0.5;
 constexpr double WIDER_COSINE = 0.866025403784438647;
+/// What a sample's shadow is smoothed over, as a share of the part of the emitter that it stands
+/// for: smaller shares leave steps, 1 makes penumbras a little wide.
+constexpr double STRATUM = 0.8;
 constexpr double WIDEST_CONE = 0.70710678118654752;
 
 // Returns the tangent of a cone's half angle and 30 degrees.
@@ -168,6 +171,10 @@ void EmitterViews::Fit(const std::vector<LightSource>& lights, const UnitSpace& 
     Light light;
     light.Source = source.Light;
     light.IsPositional = source.IsPositional;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      light.Stratum[i] = STRATUM / std::sqrt(static_cast<double>(samples)) * source.EmitterAxes[i];
+    }
     light.FirstView = static_cast<int>(this->Views.size());
     light.FirstSample = static_cast<int>(this->Samples.size());
     light.FirstSide = static_cast<int>(this->Sides.size());

@@ -8,6 +8,7 @@
 
 #include "vtkType.h"
 
+#include <array>
 #include <vector>
 
 class vtkLight;
@@ -50,6 +51,8 @@ public:
     glm::dvec3 Place{ 0.0 };
     /// A and B of CasterView.
     glm::dvec2 Depth{ 0.0 };
+    /// The width and height of the part of the emitter that a sample's shadow is smoothed over.
+    std::array<glm::dvec3, 2> Stratum{ { glm::dvec3(0.0), glm::dvec3(0.0) } };
     int FirstView = 0;
     int FirstSample = 0;
     int Samples = 0;

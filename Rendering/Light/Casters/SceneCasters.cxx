@@ -168,6 +168,10 @@ void SceneCasters::SetEmitterUniforms(
     Append(lights, glm::dvec4(light.Place, light.IsPositional ? 1.0 : 0.0));
     Append(lights, glm::dvec4(light.Depth, light.FirstView, 0.0));
     Append(lights, glm::dvec4(light.FirstSample, light.Samples, light.FirstSide, light.Sides));
+    for (const glm::dvec3& axis : light.Stratum)
+    {
+      Append(lights, glm::dvec4(axis, 0.0));
+    }
   }
   std::vector<float> sides;
   for (const CasterView::Axes& side : this->Emitters.GetSides())
