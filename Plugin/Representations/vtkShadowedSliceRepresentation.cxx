@@ -4,7 +4,6 @@
 #include "vtkConstantScalars.h"
 #include "vtkImageBlocks.h"
 #include "vtkImageComponent.h"
-#include "vtkProjectiveLight.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkVolumeFunctions.h"
 
@@ -18,8 +17,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
-#include "vtkPVRenderView.h"
-#include "vtkTexture.h"
 #include "vtkTrivialProducer.h"
 #include "vtkVolumeProperty.h"
 
@@ -36,7 +33,6 @@ vtkShadowedSliceRepresentation::vtkShadowedSliceRepresentation()
   this->Property->SetInterpolationTypeToLinear();
   this->Property->SetShade(true);
   this->VolumeMapper = this->Mapper;
-  this->UpdateLight();
 }
 
 vtkShadowedSliceRepresentation::~vtkShadowedSliceRepresentation() = default;
@@ -98,100 +94,19 @@ void vtkShadowedSliceRepresentation::SetAutoAdjustSampleDistances(bool adjust)
   this->Mapper->SetAutoAdjustSampleDistances(adjust);
 }
 
+void vtkShadowedSliceRepresentation::SetSoftShadowMethod(int method)
+{
+  this->Mapper->SetSoftShadowMethod(method);
+}
+
+void vtkShadowedSliceRepresentation::SetNumberOfLightSamples(int number)
+{
+  this->Mapper->SetNumberOfLightSamples(number);
+}
+
 void vtkShadowedSliceRepresentation::SetColoredShadows(bool colored)
 {
   this->ColoredShadows = colored;
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLight(bool shines)
-{
-  this->LightShines = shines;
-  this->UpdateLight();
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLightPositional(bool positional)
-{
-  this->Light->SetPositional(positional);
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLightPosition(double x, double y, double z)
-{
-  this->Light->SetPosition(x, y, z);
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLightFocalPoint(double x, double y, double z)
-{
-  this->Light->SetFocalPoint(x, y, z);
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLightViewUp(double x, double y, double z)
-{
-  this->Light->SetViewUp(x, y, z);
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLightScreenWidth(double width)
-{
-  this->Light->SetScreenSize(width, this->Light->GetScreenSize()[1]);
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLightScreenHeight(double height)
-{
-  this->Light->SetScreenSize(this->Light->GetScreenSize()[0], height);
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLightEdgeWidth(double width)
-{
-  this->Light->SetEdgeWidth(width);
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLightColor(double red, double green, double blue)
-{
-  this->Light->SetColor(red, green, blue);
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLightIntensity(double intensity)
-{
-  this->Light->SetIntensity(intensity);
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLightImage(vtkTexture* texture)
-{
-  this->LightImage = texture;
-}
-
-void vtkShadowedSliceRepresentation::SetProjectiveLightShadows(bool shadows)
-{
-  this->Light->SetShadowAttenuation(shadows ? 1.0f : 0.0f);
-}
-
-void vtkShadowedSliceRepresentation::SetVisibility(bool visible)
-{
-  this->Superclass::SetVisibility(visible);
-  this->UpdateLight();
-}
-
-void vtkShadowedSliceRepresentation::UpdateLight()
-{
-  this->Light->SetSwitch(this->LightShines && this->GetVisibility());
-}
-
-bool vtkShadowedSliceRepresentation::AddToView(vtkView* view)
-{
-  if (!this->Superclass::AddToView(view))
-  {
-    return false;
-  }
-  vtkPVRenderView::SafeDownCast(view)->AddLight(this->Light);
-  return true;
-}
-
-bool vtkShadowedSliceRepresentation::RemoveFromView(vtkView* view)
-{
-  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
-  {
-    renderView->RemoveLight(this->Light);
-  }
-  return this->Superclass::RemoveFromView(view);
 }
 
 int vtkShadowedSliceRepresentation::RequestData(
@@ -290,11 +205,6 @@ void vtkShadowedSliceRepresentation::UpdateMapperParameters()
   this->UseSeparateOpacityArray = hasOpacityArray;
   this->Actor->SetVisibility(this->GetVisibility());
   this->UpdateScalars();
-  if (this->LightImage && this->LightImage->GetInputAlgorithm())
-  {
-    this->LightImage->GetInputAlgorithm()->Update();
-  }
-  this->Light->SetImage(this->LightImage ? this->LightImage->GetInput() : nullptr);
 }
 
 void vtkShadowedSliceRepresentation::UpdateScalars()
@@ -341,9 +251,6 @@ void vtkShadowedSliceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ColoredShadows: " << this->ColoredShadows << "\n";
-  os << indent << "ProjectiveLight: " << this->LightShines << "\n";
-  os << indent << "Light:\n";
-  this->Light->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Mapper:\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());
 }

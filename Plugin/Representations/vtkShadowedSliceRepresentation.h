@@ -3,9 +3,8 @@
 #define vtkShadowedSliceRepresentation_h
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
-#include "vtkImageVolumeRepresentation.h"
-#include "vtkNew.h"          // for the light
-#include "vtkSmartPointer.h" // for the texture
+#include "vtkLitVolumeRepresentation.h"
+#include "vtkNew.h" // for the mapper
 
 #include <memory> // for what it is made of
 
@@ -15,14 +14,12 @@ class vtkDataArray;
 class vtkImageComponent;
 class vtkImageData;
 class vtkPiecewiseFunction;
-class vtkProjectiveLight;
 class vtkShadowedSliceMapper;
-class vtkTexture;
 class vtkVolumeFunctions;
 
 /**
  * @class   vtkShadowedSliceRepresentation
- * @brief   shows images in ParaView by vtkShadowedSliceMapper, with a projective light of its own
+ * @brief   shows images in ParaView by vtkShadowedSliceMapper, with lights of its own
  *
  * Input: a vtkImageData, or a composite dataset of images: those that fill a box together are drawn
  * as one, else the one with the most samples is drawn, with a warning. Data without an image are an
@@ -36,20 +33,19 @@ class vtkVolumeFunctions;
  * cast shadows is MaximumNumberOfShadows, here 1 at first. Shading is on at first, unlike that of
  * ParaView's Volume: without it the light kit's lights add up to more than white.
  *
- * The representation's own light, a vtkProjectiveLight, is one of the view's lights as long as the
- * representation is in the view, and is switched off with its visibility. Other representations see
- * a light of that position and colour without a screen.
+ * The representation's own lights, a vtkProjectiveLight and a vtkAreaLight, are
+ * vtkLitVolumeRepresentation's.
  *
  * With several processes each draws its piece of the data, and ParaView composites the pictures in
  * order: without shadows that is exact but for gradients at the pieces' borders; shadows do not
  * reach from one piece into another.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkShadowedSliceRepresentation
-  : public vtkImageVolumeRepresentation
+  : public vtkLitVolumeRepresentation
 {
 public:
   static vtkShadowedSliceRepresentation* New();
-  vtkTypeMacro(vtkShadowedSliceRepresentation, vtkImageVolumeRepresentation);
+  vtkTypeMacro(vtkShadowedSliceRepresentation, vtkLitVolumeRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -79,6 +75,8 @@ public:
   void SetLightLookup(int lookup);
   void SetImageSampleDistance(double distance);
   void SetAutoAdjustSampleDistances(bool adjust);
+  void SetSoftShadowMethod(int method);
+  void SetNumberOfLightSamples(int number);
   ///@}
 
   /**
@@ -87,44 +85,12 @@ public:
    */
   void SetColoredShadows(bool colored);
 
-  ///@{
-  /**
-   * Whether the representation's own light shines (default off), and the values that are passed on
-   * to it.
-   */
-  void SetProjectiveLight(bool shines);
-  void SetProjectiveLightPositional(bool positional);
-  void SetProjectiveLightPosition(double x, double y, double z);
-  void SetProjectiveLightFocalPoint(double x, double y, double z);
-  void SetProjectiveLightViewUp(double x, double y, double z);
-  void SetProjectiveLightScreenWidth(double width);
-  void SetProjectiveLightScreenHeight(double height);
-  void SetProjectiveLightEdgeWidth(double width);
-  void SetProjectiveLightColor(double red, double green, double blue);
-  void SetProjectiveLightIntensity(double intensity);
-  ///@}
-
-  /**
-   * The texture whose image is on the screen of the representation's own light. Default null: all
-   * light passes.
-   */
-  void SetProjectiveLightImage(vtkTexture* texture);
-
-  /**
-   * Whether the representation's own light casts shadows, if it is among the brightest. Default on.
-   */
-  void SetProjectiveLightShadows(bool shadows);
-
-  void SetVisibility(bool visible) override;
-
 protected:
   vtkShadowedSliceRepresentation();
   ~vtkShadowedSliceRepresentation() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  bool AddToView(vtkView* view) override;
-  bool RemoveFromView(vtkView* view) override;
   void UpdateMapperParameters() override;
 
 private:
@@ -138,16 +104,12 @@ private:
   /// Returns whether there is an array to colour by, and one for opacity that fits it.
   bool CanCombineArrays(vtkDataObject* data);
   void UpdateScalars();
-  void UpdateLight();
 
   vtkNew<vtkShadowedSliceMapper> Mapper;
-  vtkNew<vtkProjectiveLight> Light;
-  vtkSmartPointer<vtkTexture> LightImage;
   std::unique_ptr<vtkImageComponent> Component;
   std::unique_ptr<vtkVolumeFunctions> Functions;
   std::unique_ptr<vtkConstantScalars> Constant;
   bool ColoredShadows = false;
-  bool LightShines = false;
 };
 
 #endif

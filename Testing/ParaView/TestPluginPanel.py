@@ -16,6 +16,7 @@ WITHOUT_PICTURE = {
     "Selection"}
 # Another value of each, and what must be set first for it to matter.
 LIGHT = {"ProjectiveLight": 1}
+LAMP = {"AreaLight": 1, "AreaLightIntensity": 2.0}
 NEARBY = {"Orientation": [0.0, 0.0, 40.0]}
 COMMON = {
     "Opacity": (0.3, {}), "Orientation": ([10.0, 20.0, 30.0], {}), "Origin": ([3.0, 0.0, 0.0], NEARBY),
@@ -45,9 +46,15 @@ CASES = {
         "ProjectiveLightPositional": ("Point", LIGHT), "ProjectiveLightScreenHeight": (3.0, LIGHT),
         "ProjectiveLightScreenWidth": (3.0, LIGHT), "ProjectiveLightShadows": (0, {**LIGHT, "ProjectiveLightIntensity": 9.0}),
         "ProjectiveLightViewUp": ([1.0, 1.0, 0.0], {**LIGHT, "ProjectiveLightScreenWidth": 3.0}),
-        "ProjectiveLightImage": (None, {})})}
-# Takes a texture file; TestPluginShadowedSlices draws with one.
-TESTED_ELSEWHERE = {"ProjectiveLightImage"}
+        "ProjectiveLightImage": (None, {}), "AreaLight": (1, {}), "AreaLightColor": ([1.0, 0.0, 0.0], LAMP),
+        "AreaLightFocalPoint": ([8.0, 0.0, 0.0], LAMP), "AreaLightHeight": (9.0, LAMP), "AreaLightImage": (None, {}),
+        "AreaLightIntensity": (3.0, LAMP), "AreaLightPosition": ([-9.0, 20.0, 3.0], LAMP),
+        "AreaLightPositional": ("Lamp", LAMP), "AreaLightShadows": (0, LAMP),
+        "AreaLightShape": ("Square", {**LAMP, "AreaLightWidth": 9.0}),
+        "AreaLightViewUp": ([1.0, 1.0, 0.0], {**LAMP, "AreaLightWidth": 9.0}), "AreaLightWidth": (9.0, LAMP),
+        "NumberOfLightSamples": (4, LAMP), "SoftShadowMethod": ("Accumulated Convolution", LAMP)})}
+# Take a texture file; TestPluginShadowedSlices and TestPluginAreaLight draw with one.
+TESTED_ELSEWHERE = {"AreaLightImage", "ProjectiveLightImage"}
 
 
 def shows(decorator, representation):

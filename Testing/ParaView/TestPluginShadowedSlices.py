@@ -24,7 +24,8 @@ PROPERTIES = {
     "ambient": "Ambient", "unit": "ShadowedOpacityUnitDistance", "shade": "ShadowedShade",
     "shadows": "Shadows", "number_of_shadows": "MaximumNumberOfShadows", "colored": "ColoredShadows",
     "spacing": "SliceSpacing"}
-OWN_PREFIXES = ("Colored", "ImageSample", "Light", "MaximumNumberOfS", "Projective", "Shadow", "SliceSpacing")
+OWN_PREFIXES = ("AreaLight", "Colored", "ImageSample", "Light", "MaximumNumberOfS", "NumberOfLight", "Projective",
+                "Shadow", "SliceSpacing", "SoftShadow")
 
 
 def add_lights(view, display, picture):

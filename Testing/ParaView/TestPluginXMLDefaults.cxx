@@ -3,6 +3,7 @@
 // the properties whose default comes from the data have a domain that gives it.
 #include "vtkAnalyticFieldSource.h"
 #include "vtkAnalyticFlowSource.h"
+#include "vtkAreaLight.h"
 #include "vtkConstructiveModelSource.h"
 #include "vtkDeltaWingSource.h"
 #include "vtkFlowLIC.h"
@@ -448,6 +449,7 @@ int main(int argc, char* argv[])
   // bright.
   vtkNew<vtkShadowedSliceMapper> slices;
   vtkNew<vtkProjectiveLight> light;
+  vtkNew<vtkAreaLight> lamp;
   CompareWithXML(folder + "/ShadowedSliceRepresentation.xml", "ScalarVolumeRepresentationProxy",
     "vtkShadowedSliceRepresentation", "",
     { { "Ambient", "0" }, { "Diffuse", "1" }, { "Specular", "0" }, { "SpecularPower", "100" },
@@ -467,6 +469,15 @@ int main(int argc, char* argv[])
       { "ProjectiveLightEdgeWidth", Text(light->GetEdgeWidth()) },
       { "ProjectiveLightColor", Text(light->GetDiffuseColor(), 3) },
       { "ProjectiveLightIntensity", Text(light->GetIntensity()) },
-      { "ProjectiveLightShadows", Text(light->GetShadowAttenuation()) } });
+      { "ProjectiveLightShadows", Text(light->GetShadowAttenuation()) }, { "AreaLight", "0" },
+      { "AreaLightPositional", Text(lamp->GetPositional()) },
+      { "AreaLightShape", Text(lamp->GetShape()) },
+      { "AreaLightViewUp", Text(lamp->GetViewUp(), 3) },
+      { "AreaLightImage", lamp->GetEmitter() ? "image" : "" },
+      { "AreaLightColor", Text(lamp->GetDiffuseColor(), 3) },
+      { "AreaLightIntensity", Text(lamp->GetIntensity()) },
+      { "AreaLightShadows", Text(lamp->GetShadowAttenuation()) },
+      { "SoftShadowMethod", Text(slices->GetSoftShadowMethod()) },
+      { "NumberOfLightSamples", Text(slices->GetNumberOfLightSamples()) } });
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
