@@ -4,6 +4,7 @@
 #include "vtkConstantScalars.h"
 #include "vtkImageBlocks.h"
 #include "vtkImageComponent.h"
+#include "vtkSceneShadows.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkVolumeFunctions.h"
 
@@ -17,6 +18,8 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
+#include "vtkPVRenderView.h"
+#include "vtkRenderer.h"
 #include "vtkTrivialProducer.h"
 #include "vtkVolumeProperty.h"
 
@@ -35,7 +38,11 @@ vtkShadowedSliceRepresentation::vtkShadowedSliceRepresentation()
   this->VolumeMapper = this->Mapper;
 }
 
-vtkShadowedSliceRepresentation::~vtkShadowedSliceRepresentation() = default;
+vtkShadowedSliceRepresentation::~vtkShadowedSliceRepresentation()
+{
+  this->ViewRenderer = nullptr;
+  this->UpdateSceneShadows();
+}
 
 void vtkShadowedSliceRepresentation::SetColor(vtkColorTransferFunction* color)
 {
@@ -67,6 +74,7 @@ void vtkShadowedSliceRepresentation::SetShadows(bool shadows)
 void vtkShadowedSliceRepresentation::SetMaximumNumberOfShadows(int number)
 {
   this->Mapper->SetMaximumNumberOfShadows(number);
+  this->UpdateSceneShadows();
 }
 
 void vtkShadowedSliceRepresentation::SetSliceSpacing(double spacing)
@@ -107,6 +115,65 @@ void vtkShadowedSliceRepresentation::SetNumberOfLightSamples(int number)
 void vtkShadowedSliceRepresentation::SetColoredShadows(bool colored)
 {
   this->ColoredShadows = colored;
+}
+
+void vtkShadowedSliceRepresentation::SetSceneShadows(bool shadows)
+{
+  this->HasSceneShadows = shadows;
+  this->UpdateSceneShadows();
+}
+
+void vtkShadowedSliceRepresentation::SetSceneDepthMapResolution(int resolution)
+{
+  this->SceneDepthMapResolution = resolution;
+  this->UpdateSceneShadows();
+}
+
+void vtkShadowedSliceRepresentation::SetSceneDepthBias(double bias)
+{
+  this->SceneDepthBias = bias;
+  this->UpdateSceneShadows();
+}
+
+void vtkShadowedSliceRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  this->UpdateSceneShadows();
+}
+
+bool vtkShadowedSliceRepresentation::AddToView(vtkView* view)
+{
+  if (!this->Superclass::AddToView(view))
+  {
+    return false;
+  }
+  this->ViewRenderer = vtkPVRenderView::SafeDownCast(view)->GetRenderer();
+  this->UpdateSceneShadows();
+  return true;
+}
+
+bool vtkShadowedSliceRepresentation::RemoveFromView(vtkView* view)
+{
+  this->ViewRenderer = nullptr;
+  this->UpdateSceneShadows();
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkShadowedSliceRepresentation::UpdateSceneShadows()
+{
+  if (this->SceneShadows)
+  {
+    this->SceneShadows->RemoveWish(this);
+  }
+  if (!this->HasSceneShadows || !this->GetVisibility() || !this->ViewRenderer)
+  {
+    this->SceneShadows = nullptr;
+    return;
+  }
+  this->SceneShadows = vtkSceneShadows::For(this->ViewRenderer);
+  this->SceneShadows->SetWish(this,
+    { this->Mapper->GetMaximumNumberOfShadows(), this->SceneDepthMapResolution,
+      this->SceneDepthBias });
 }
 
 int vtkShadowedSliceRepresentation::RequestData(
@@ -251,6 +318,13 @@ void vtkShadowedSliceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ColoredShadows: " << this->ColoredShadows << "\n";
+  os << indent << "SceneShadows: " << this->HasSceneShadows << "\n";
+  os << indent << "SceneDepthMapResolution: " << this->SceneDepthMapResolution << "\n";
+  os << indent << "SceneDepthBias: " << this->SceneDepthBias << "\n";
+  if (this->SceneShadows)
+  {
+    this->SceneShadows->PrintSelf(os, indent.GetNextIndent());
+  }
   os << indent << "Mapper:\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());
 }

@@ -4,7 +4,9 @@
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
 #include "vtkLitVolumeRepresentation.h"
-#include "vtkNew.h" // for the mapper
+#include "vtkNew.h"          // for the mapper
+#include "vtkSmartPointer.h" // for the shadows of the scene
+#include "vtkWeakPointer.h"  // for the renderer
 
 #include <memory> // for what it is made of
 
@@ -14,6 +16,8 @@ class vtkDataArray;
 class vtkImageComponent;
 class vtkImageData;
 class vtkPiecewiseFunction;
+class vtkRenderer;
+class vtkSceneShadows;
 class vtkShadowedSliceMapper;
 class vtkVolumeFunctions;
 
@@ -35,6 +39,17 @@ class vtkVolumeFunctions;
  *
  * The representation's own lights, a vtkProjectiveLight and a vtkAreaLight, are
  * vtkLitVolumeRepresentation's.
+ *
+ * **Shadows of the scene**, where SceneShadows is on: as long as the representation is visible in a
+ * view, that is drawn by a vtkShadowedScenePass, so that all its opaque surfaces and all its
+ * volumes of this kind with Shadows on shadow each other. This is a setting of the representation
+ * and not a view of its own kind: it works in the view that the user has, with all that ParaView
+ * has for render views alone (lights, links, screenshots, state), and ends with the volume. The
+ * pass takes the place of ParaView's drawing of props within its other passes just before each
+ * picture, since the view makes these anew as its settings change (see vtkSceneShadows); where it
+ * is off, the view's passes are as ParaView made them. Of several representations with SceneShadows
+ * in a view each setting of the pass is the largest. With several processes surfaces shadow what
+ * their own process draws.
  *
  * With several processes each draws its piece of the data, and ParaView composites the pictures in
  * order: without shadows that is exact but for gradients at the pieces' borders; shadows do not
@@ -85,12 +100,30 @@ public:
    */
   void SetColoredShadows(bool colored);
 
+  /**
+   * Whether surfaces and volumes of the view shadow each other. Default off.
+   */
+  void SetSceneShadows(bool shadows);
+
+  ///@{
+  /**
+   * Pass their values on to the vtkShadowedScenePass of the view. The defaults are those of the
+   * pass.
+   */
+  void SetSceneDepthMapResolution(int resolution);
+  void SetSceneDepthBias(double bias);
+  ///@}
+
+  void SetVisibility(bool visible) override;
+
 protected:
   vtkShadowedSliceRepresentation();
   ~vtkShadowedSliceRepresentation() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
   void UpdateMapperParameters() override;
 
 private:
@@ -104,12 +137,19 @@ private:
   /// Returns whether there is an array to colour by, and one for opacity that fits it.
   bool CanCombineArrays(vtkDataObject* data);
   void UpdateScalars();
+  /// Tells the view whether this representation wants shadows of the scene.
+  void UpdateSceneShadows();
 
   vtkNew<vtkShadowedSliceMapper> Mapper;
   std::unique_ptr<vtkImageComponent> Component;
   std::unique_ptr<vtkVolumeFunctions> Functions;
   std::unique_ptr<vtkConstantScalars> Constant;
+  vtkWeakPointer<vtkRenderer> ViewRenderer;
+  vtkSmartPointer<vtkSceneShadows> SceneShadows;
   bool ColoredShadows = false;
+  bool HasSceneShadows = false;
+  int SceneDepthMapResolution = 1024;
+  double SceneDepthBias = 1.0;
 };
 
 #endif

@@ -14,6 +14,7 @@
 #include "vtkIsotableContour.h"
 #include "vtkNew.h"
 #include "vtkProjectiveLight.h"
+#include "vtkShadowedScenePass.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkSimplexTimeSlice.h"
 #include "vtkSmartPointer.h"
@@ -450,11 +451,14 @@ int main(int argc, char* argv[])
   vtkNew<vtkShadowedSliceMapper> slices;
   vtkNew<vtkProjectiveLight> light;
   vtkNew<vtkAreaLight> lamp;
+  vtkNew<vtkShadowedScenePass> scene;
   CompareWithXML(folder + "/ShadowedSliceRepresentation.xml", "ScalarVolumeRepresentationProxy",
     "vtkShadowedSliceRepresentation", "",
     { { "Ambient", "0" }, { "Diffuse", "1" }, { "Specular", "0" }, { "SpecularPower", "100" },
       { "ShadowedShade", "1" }, { "Shadows", Text(slices->GetShadows()) },
-      { "MaximumNumberOfShadows", "1" }, { "ColoredShadows", "0" },
+      { "MaximumNumberOfShadows", "1" }, { "ColoredShadows", "0" }, { "SceneShadows", "0" },
+      { "SceneDepthMapResolution", Text(scene->GetDepthMapResolution()) },
+      { "SceneDepthBias", Text(scene->GetDepthBias()) },
       { "SliceSpacing", Text(slices->GetSliceSpacing()) },
       { "LightBufferSize", Text(slices->GetLightBufferSize()) },
       { "LightLookup", Text(slices->GetLightLookup()) },

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSceneShadows.h"
+
+#include "vtkShadowedScenePass.h"
+
+#include "vtkCameraPass.h"
+#include "vtkCommand.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVDefaultPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#if __has_include("vtkIceTCompositePass.h")
+#include "vtkIceTCompositePass.h"
+#endif
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkSceneShadows);
+
+namespace
+{
+/// The one of each renderer that somebody holds one of.
+std::map<vtkRenderer*, vtkSceneShadows*>& GetAll()
+{
+  static std::map<vtkRenderer*, vtkSceneShadows*> all;
+  return all;
+}
+
+/// The place of the pass that draws props, in the passes of a renderer of ParaView.
+class DrawingPass
+{
+public:
+  explicit DrawingPass(vtkRenderer* renderer)
+  {
+    vtkRenderPass* pass = renderer->GetPass();
+    while (auto* processing = vtkImageProcessingPass::SafeDownCast(pass))
+    {
+      pass = processing->GetDelegatePass();
+    }
+    this->Camera = vtkCameraPass::SafeDownCast(pass);
+#if __has_include("vtkIceTCompositePass.h")
+    this->Composite =
+      vtkIceTCompositePass::SafeDownCast(this->Camera ? this->Camera->GetDelegatePass() : nullptr);
+#endif
+  }
+
+  /// Returns null where ParaView has no such place.
+  vtkRenderPass* Get()
+  {
+#if __has_include("vtkIceTCompositePass.h")
+    if (this->Composite)
+    {
+      return this->Composite->GetRenderPass();
+    }
+#endif
+    return this->Camera ? this->Camera->GetDelegatePass() : nullptr;
+  }
+
+  void Set(vtkRenderPass* pass)
+  {
+#if __has_include("vtkIceTCompositePass.h")
+    if (this->Composite)
+    {
+      this->Composite->SetRenderPass(pass);
+      return;
+    }
+#endif
+    this->Camera->SetDelegatePass(pass);
+  }
+
+private:
+  vtkCameraPass* Camera = nullptr;
+#if __has_include("vtkIceTCompositePass.h")
+  vtkIceTCompositePass* Composite = nullptr;
+#endif
+};
+}
+
+vtkSceneShadows::vtkSceneShadows() = default;
+
+vtkSmartPointer<vtkSceneShadows> vtkSceneShadows::For(vtkRenderer* renderer)
+{
+  const auto known = GetAll().find(renderer);
+  if (known != GetAll().end())
+  {
+    return known->second;
+  }
+  auto shadows = vtkSmartPointer<vtkSceneShadows>::New();
+  shadows->Renderer = renderer;
+  shadows->Observer =
+    renderer->AddObserver(vtkCommand::StartEvent, shadows.Get(), &vtkSceneShadows::Arrange);
+  GetAll()[renderer] = shadows;
+  return shadows;
+}
+
+vtkSceneShadows::~vtkSceneShadows()
+{
+  const auto isThis = [this](const auto& entry) { return entry.second == this; };
+  const auto known = std::find_if(GetAll().begin(), GetAll().end(), isThis);
+  if (known != GetAll().end())
+  {
+    GetAll().erase(known);
+  }
+  if (this->Renderer)
+  {
+    this->Renderer->RemoveObserver(this->Observer);
+    this->Wishes.clear();
+    this->Arrange();
+  }
+}
+
+void vtkSceneShadows::SetWish(const void* owner, const Wish& wish)
+{
+  this->Wishes[owner] = wish;
+}
+
+void vtkSceneShadows::RemoveWish(const void* owner)
+{
+  this->Wishes.erase(owner);
+}
+
+void vtkSceneShadows::Arrange()
+{
+  Wish most;
+  for (const auto& entry : this->Wishes)
+  {
+    const Wish& wish = entry.second;
+    most.MaximumNumberOfShadows =
+      std::max(most.MaximumNumberOfShadows, wish.MaximumNumberOfShadows);
+    most.DepthMapResolution = std::max(most.DepthMapResolution, wish.DepthMapResolution);
+    most.DepthBias = std::max(most.DepthBias, wish.DepthBias);
+  }
+  this->Pass->SetMaximumNumberOfShadows(most.MaximumNumberOfShadows);
+  this->Pass->SetDepthMapResolution(most.DepthMapResolution);
+  this->Pass->SetDepthBias(most.DepthBias);
+  DrawingPass place(this->Renderer);
+  const bool isThere = place.Get() == this->Pass.Get();
+  if (!this->Wishes.empty() && vtkPVDefaultPass::SafeDownCast(place.Get()))
+  {
+    this->Pass->SetDelegatePass(place.Get());
+    place.Set(this->Pass);
+  }
+  if (this->Wishes.empty() && isThere)
+  {
+    if (vtkRenderWindow* window = this->Renderer->GetRenderWindow())
+    {
+      this->Pass->ReleaseGraphicsResources(window);
+    }
+    place.Set(this->Pass->GetDelegatePass());
+    this->Pass->SetDelegatePass(nullptr);
+  }
+}
+
+void vtkSceneShadows::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Wishes: " << this->Wishes.size() << "\n";
+  os << indent << "Pass:\n";
+  this->Pass->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkSceneShadows_h
+#define vtkSceneShadows_h
+
+#include "vtkNew.h" // for the pass
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for what is given
+#include "vtkWeakPointer.h"  // for the renderer
+
+#include <map> // for who wants shadows
+
+class vtkRenderer;
+class vtkShadowedScenePass;
+
+/**
+ * @class   vtkSceneShadows
+ * @brief   lets surfaces and volumes of one renderer of ParaView shadow each other
+ *
+ * Whoever wants shadows asks For the renderer, says what it wants and holds what it was given.
+ * Before each picture that somebody wants shadows in, a vtkShadowedScenePass takes the place of the
+ * vtkPVDefaultPass by which ParaView draws the renderer, and has that for its delegate, within the
+ * passes around (camera, image processing, compositing). ParaView makes all of them anew where a
+ * setting of the view changes. A renderer that is drawn by another pass, as for the values of
+ * arrays or by rays, is left alone. When nobody wants shadows, all is as ParaView made it.
+ */
+class vtkSceneShadows : public vtkObject
+{
+public:
+  static vtkSceneShadows* New();
+  vtkTypeMacro(vtkSceneShadows, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The settings of the pass. Of several wishes each has the largest values.
+  struct Wish
+  {
+    int MaximumNumberOfShadows = 0;
+    int DepthMapResolution = 0;
+    double DepthBias = 0.0;
+  };
+
+  /**
+   * Returns the one of \a renderer, a new one where nobody holds one.
+   */
+  static vtkSmartPointer<vtkSceneShadows> For(vtkRenderer* renderer);
+
+  ///@{
+  /**
+   * Sets and takes away what \a owner wants.
+   */
+  void SetWish(const void* owner, const Wish& wish);
+  void RemoveWish(const void* owner);
+  ///@}
+
+protected:
+  vtkSceneShadows();
+  ~vtkSceneShadows() override;
+
+private:
+  vtkSceneShadows(const vtkSceneShadows&) = delete;
+  void operator=(const vtkSceneShadows&) = delete;
+
+  /// Called before each picture: puts the pass into its place, or takes it away.
+  void Arrange();
+
+  vtkWeakPointer<vtkRenderer> Renderer;
+  unsigned long Observer = 0;
+  vtkNew<vtkShadowedScenePass> Pass;
+  std::map<const void*, Wish> Wishes;
+};
+
+#endif
