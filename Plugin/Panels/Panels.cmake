@@ -7,6 +7,16 @@ paraview_plugin_add_property_widget(
   CLASS_NAME pqIntervalsPropertyWidget
   INTERFACES panel_interfaces
   SOURCES    panel_sources)
+paraview_plugin_add_property_widget(
+  KIND       GROUP_WIDGET
+  TYPE       interlume_area_light
+  CLASS_NAME pqAreaLightPropertyWidget
+  INTERFACES area_light_interfaces
+  SOURCES    area_light_sources)
+list(APPEND panel_interfaces ${area_light_interfaces})
 list(APPEND panel_sources
+  ${area_light_sources}
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqAreaLightPropertyWidget.cxx"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqAreaLightPropertyWidget.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqIntervalsPropertyWidget.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqIntervalsPropertyWidget.h")
