@@ -89,6 +89,8 @@ plugin_test(TestPluginRepresentation "paraview;image"
   ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" whole)
 plugin_test(TestPluginShadowedSlices "paraview;image"
   ${batch} "${script}/TestPluginShadowedSlices.py" "${CMAKE_CURRENT_BINARY_DIR}" whole)
+plugin_test(TestPluginAreaLight "paraview;image"
+  ${batch} "${script}/TestPluginAreaLight.py" "${CMAKE_CURRENT_BINARY_DIR}")
 plugin_test(TestPluginSceneShadows "paraview;image"
   ${batch} "${script}/TestPluginSceneShadows.py" "${CMAKE_CURRENT_BINARY_DIR}")
 plugin_test(TestPluginShadowedSlicesPieces "paraview;mpi;image"

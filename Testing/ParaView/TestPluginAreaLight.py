@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The area light of Shadowed Slices: its soft shadows on a floor are as wide as geometry says, it comes
+and goes with its representation, takes an image, and its handles move it.
+
+Argument: a folder for pictures."""
+
+import os
+import sys
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+
+from plugin_pictures import add_array, coordinates, image, producer, snapshot
+from plugin_testing import Checks, load_plugin
+from shadow_scene import brightness, dark_view, make_plate, show_surface
+
+WHITE = 255.0
+SPACING = 0.25
+ORIGIN = (-2.5, -2.0, 0.0)
+CELLS = (28, 16, 16)
+EDGE = 2.0  # of the matter, which ends half a voxel beyond it
+BOTTOM, TOP = 3.0, 4.0  # of the matter
+TRANSMITTANCE = 0.05  # of a unit of it
+DISTANCE = 10.0  # of the light to its focal point
+
+
+def make_slab():
+    """A volume that begins at the floor and is empty but for its upper left part."""
+    data = image(2, ORIGIN)
+    data.SetDimensions(*(cells + 1 for cells in CELLS))
+    data.SetSpacing(SPACING, SPACING, SPACING)
+    x, _, z = coordinates(data).T
+    add_array(data, "matter", ((x <= EDGE) & (z >= BOTTOM)).astype(float))
+    return producer(data)
+
+
+def show_slab(slab, view):
+    display = simple.Show(slab, view)
+    display.SetRepresentationType("Shadowed Slices")
+    simple.ColorBy(display, ["POINTS", "matter"])
+    display.LookupTable.RGBPoints = [0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
+    display.ScalarOpacityFunction.Points = [0.0, 0.0, 0.5, 0.0, 1.0, 1.0 - TRANSMITTANCE, 0.5, 0.0]
+    display.ShadowedOpacityUnitDistance = 1.0
+    display.AutoAdjustSampleDistances = False
+    return display
+
+
+def make_scene():
+    """A floor in the light of a display's own area light from above, dense matter between them."""
+    view = dark_view()
+    slab = make_slab()
+    show_surface(make_plate((-8.0, -8.0), 16.0, 0.0), view)
+    display = show_slab(slab, view)
+    display.SceneShadows = True
+    display.AreaLight = True
+    display.AreaLightPosition = [0.0, 0.0, DISTANCE]
+    display.AreaLightFocalPoint = [0.0, 0.0, 0.0]
+    display.AreaLightWidth = display.AreaLightHeight = 0.0
+    display.LightBufferSize = 128
+    return view, slab, display
+
+
+def profile(view, shot):
+    """The light along x, across the right edge of the slab's shadow, before the slab."""
+    return numpy.array([brightness(view, shot, (x, -1.5, 0.0)) for x in numpy.arange(0.5, 4.0, 0.05)]) / WHITE
+
+
+def width_of(values):
+    """The width of a linear ramp with as much between dark and light: 12 times the variance of its rise,
+    square root."""
+    rise = numpy.diff(values)
+    places = numpy.arange(len(rise)) * 0.05
+    mean = (rise * places).sum() / rise.sum()
+    return float(numpy.sqrt(max(0.0, 12.0 * (rise * (places - mean) ** 2).sum() / rise.sum())))
+
+
+def check_width(checks, view, display):
+    """A square parallel light of width w, seen from the focal point at distance D, has a penumbra of w z / D
+    behind an edge z above: here the lower edge of the slab and its upper one take part, z from 3 to 4."""
+    values = profile(view, snapshot(view))
+    checks.that(abs(values[0] - TRANSMITTANCE) < 0.02 and values[-1] > 0.98, f"shadow of size 0: {values}")
+    checks.that(width_of(values) < 0.35, f"width of a hard shadow: {width_of(values)}")
+    display.AreaLightShape = "Square"
+    for size in (2.0, 4.0):
+        display.AreaLightWidth = size
+        soft = profile(view, snapshot(view))
+        least, most = (size * z / DISTANCE for z in (BOTTOM, TOP))
+        found = width_of(soft)
+        checks.that(0.9 * least < found < 1.1 * most, f"width of {size}: {found}, expected {least} to {most}")
+        checks.that(numpy.diff(soft).min() > -0.02, f"shadow of {size} falls nowhere: {soft}")
+    across = abs(width_of(profile(view, snapshot(view))))
+    display.AreaLightWidth, display.AreaLightHeight = 0.0, 4.0
+    along = width_of(profile(view, snapshot(view)))
+    checks.that(along < across / 2, f"an edge along the light's height: {along}")
+    display.AreaLightViewUp = [1.0, 0.0, 0.0]
+    turned = width_of(profile(view, snapshot(view)))
+    checks.that(abs(turned - across) < 0.1 * across, f"a light turned: {turned}, expected {across}")
+    display.AreaLightViewUp = [0.0, 1.0, 0.0]
+    display.AreaLightWidth = display.AreaLightHeight = 4.0
+
+
+def check_settings(checks, view, display):
+    """Method, samples, type and shape reach the picture."""
+    soft = snapshot(view)
+    for name, value in (("SoftShadowMethod", "Accumulated Convolution"), ("NumberOfLightSamples", 4),
+                        ("AreaLightShape", "Round"), ("AreaLightPositional", "Lamp"),
+                        ("AreaLightColor", [1.0, 0.5, 0.5]), ("AreaLightIntensity", 0.5),
+                        ("AreaLightShadows", 0)):
+        first = display.GetProperty(name).GetData()
+        setattr(display, name, value)
+        checks.that(numpy.abs(snapshot(view) - soft).max() > 4, f"{name} changes the picture")
+        setattr(display, name, first)
+    checks.equal(numpy.abs(snapshot(view) - soft).max(), 0, "picture of the first values")
+
+
+def check_image(checks, view, display, folder):
+    """Of an image with one bright side light comes from there."""
+    soft = profile(view, snapshot(view))
+    values = numpy.zeros((8, 8, 3), numpy.uint8)
+    values[:, 4:] = 255
+    data = vtkImageData()
+    data.SetDimensions(8, 8, 1)
+    array = numpy_to_vtk(values.reshape(-1, 3), deep=True)
+    data.GetPointData().SetScalars(array)
+    path = os.path.join(folder, "TestPluginAreaLight.png")
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(data)
+    writer.Write()
+    display.AreaLightImage = simple.CreateTexture(path)
+    half = profile(view, snapshot(view))
+    ratio = width_of(half) / width_of(soft)
+    checks.that(0.4 < ratio < 0.7, f"half a light has half a penumbra: {ratio}")
+    display.AreaLightImage = None
+    checks.close(width_of(profile(view, snapshot(view))), width_of(soft), 1e-6, "the image taken away")
+
+
+def own_lights(view):
+    lights = view.GetClientSideObject().GetRenderer().GetLights()
+    lights = [lights.GetItemAsObject(i) for i in range(lights.GetNumberOfItems())]
+    return [light.GetSwitch() for light in lights if light.IsA("vtkAreaLight")]
+
+
+def check_light(checks, view, slab, display):
+    """The light shines with its representation, and only then."""
+    checks.equal(own_lights(view), [1], "switched on")
+    simple.Hide(slab, view)
+    checks.equal(own_lights(view), [0], "hidden")
+    simple.Show(slab, view)
+    display.SetRepresentationType("Outline")
+    simple.Render(view)
+    checks.equal(own_lights(view), [0], "an outline")
+    display.SetRepresentationType("Shadowed Slices")
+    display.AreaLight = False
+    simple.Render(view)
+    checks.equal(own_lights(view), [0], "switched off")
+    simple.Delete(display)
+    checks.equal(own_lights(view), [], "deleted")
+
+
+class Handles:
+    """The handles of an area light in a view, dragged without a mouse."""
+
+    def __init__(self, view, values):
+        self.proxy = servermanager.ProxyManager().NewProxy("representations", "InterlumeAreaLightWidget")
+        self.set(values)
+        self.drawn = self.proxy.GetClientSideObject().GetRepresentation()
+        self.renderer = view.GetClientSideObject().GetRenderer()
+        self.drawn.SetRenderer(self.renderer)
+
+    def set(self, values):
+        for name, numbers in values.items():
+            for i, number in enumerate(numbers):
+                self.proxy.GetProperty(name).SetElement(i, number)
+        self.proxy.UpdateVTKObjects()
+
+    def get(self, name):
+        self.proxy.UpdatePropertyInformation()
+        values = self.proxy.GetProperty(name + "Info")
+        return [values.GetElement(i) for i in range(values.GetNumberOfElements())]
+
+    def display(self, point):
+        self.renderer.SetWorldPoint(*point, 1.0)
+        self.renderer.WorldToDisplay()
+        return numpy.array(self.renderer.GetDisplayPoint())
+
+    def world(self, place):
+        self.renderer.SetDisplayPoint(*place)
+        self.renderer.DisplayToWorld()
+        point = numpy.array(self.renderer.GetWorldPoint())
+        return point[:3] / point[3]
+
+    def drag(self, point, motion):
+        """From the pixel of a point by a motion in pixels. Returns the state, and how far a point there is
+        moved in the world."""
+        place = self.display(point)
+        state = self.drawn.ComputeInteractionState(int(place[0]), int(place[1]))
+        self.drawn.StartWidgetInteraction(place[:2])
+        after = place + [*motion, 0.0]
+        self.drawn.WidgetInteraction(after[:2])
+        return state, self.world(after) - self.world(place)
+
+
+def check_handles(checks, view):
+    """Each handle is found under the cursor, and changes what it is for and nothing else."""
+    first = {"WorldPosition": [0.0, 0.0, 3.0], "FocalPoint": [0.0, 0.0, 0.0], "Width": [2.0], "Height": [8.0]}
+    handles = Handles(view, first)
+    cases = (("WorldPosition", (0.0, 0.0, 3.0), 1.0), ("FocalPoint", (0.0, 0.0, 0.0), 1.0),
+             ("Width", (1.0, 0.0, 3.0), 2.0), ("Height", (0.0, 4.0, 3.0), 2.0))
+    for name, point, factor in cases:
+        handles.set(first)
+        if factor == 2.0:  # the handle is beyond the edge, by some pixels
+            direction = numpy.array(point) * [1.0, 1.0, 0.0]
+            step = direction / numpy.linalg.norm(direction) * 0.05
+            point = next(place for place in (numpy.array(point) + i * step for i in range(1, 60))
+                         if handles.drawn.ComputeInteractionState(*(int(n) for n in handles.display(place)[:2])))
+        state, moved = handles.drag(point, (12.0, 9.0))
+        checks.that(state > 0, f"there is a handle for {name}")
+        for other, values in first.items():
+            found = numpy.array(handles.get(other)) - values
+            expected = numpy.zeros(len(values))
+            if other == name:
+                axis = {"Width": 0, "Height": 1}.get(name)
+                expected = moved if axis is None else factor * moved[axis:axis + 1]
+                checks.that(numpy.abs(expected).max() > 0.1, f"{name} is dragged")
+            # The cursor need not be as far away as the handle's centre.
+            bound = 0.05 * numpy.abs(expected).max() + 1e-9
+            checks.that(numpy.abs(found - expected).max() < bound, f"{other}, {name} dragged: {found}, {expected}")
+    handles.set(first)
+    checks.equal(handles.drawn.ComputeInteractionState(5, 5), 0, "no handle in the corner of the view")
+    place = next(x for x in range(1, 60) if handles.drawn.ComputeInteractionState(
+        *(int(n) for n in handles.display((1.0 + 0.05 * x, 0.0, 3.0))[:2])))
+    handles.drag((1.0 + 0.05 * place, 0.0, 3.0), (-200.0, 0.0))
+    checks.equal(handles.get("Width"), [0.0], "no width below 0")
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    view, slab, display = make_scene()
+    check_width(checks, view, display)
+    check_settings(checks, view, display)
+    check_image(checks, view, display, sys.argv[1])
+    check_handles(checks, view)
+    check_light(checks, view, slab, display)
+    checks.finish()
+
+
+main()
