@@ -203,11 +203,15 @@ vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 #endif
 
 // Light has three channels where the matter has a colour of its own for light that passes, else one;
-// PART is the share of the extinction that each meets.
+// PART is the share of the extinction that each meets, the same for all three where matter is GREY.
 #ifdef TRANSMISSION
 #define LIGHT vec3
 #define CHANNELS rgb
+#ifdef GREY
+#define PART(texel) vec3(1.0)
+#else
 #define PART(texel) (1.0 - lookUpColor(transmissions, texel, 0))
+#endif
 #else
 #define LIGHT float
 #define CHANNELS r

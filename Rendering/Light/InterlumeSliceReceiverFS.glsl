@@ -3,7 +3,8 @@
 //INTERLUME::FEATURES
 
 // The transmittance from a light to a surface of the scene, for the pixel that shows it: what the light's
-// buffer has of the slabs before the surface's own, and that slab's matter before the surface.
+// buffer has of the slabs before the surface's own, and that slab's matter before the surface. WITHIN, a
+// further volume's share: its matter in the slab alone.
 in vec3 place;
 
 //VTK::Output::Dec
@@ -76,5 +77,10 @@ void main()
   startInTexture = placeInTexture(sampleAt);
   endInTexture = startInTexture;
   gl_FragData[0] = vec4(1.0);
+#ifdef WITHIN
+  gl_FragData[0].CHANNELS =
+    exp(-sampleExtinction * max(upper - lower, 0.0) * LIGHT(samplePart));
+#else
   gl_FragData[0].CHANNELS = getTransmittance_0(l);
+#endif
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowedScenePass.h"
 
+#include "Draw/SliceGroup.h"
 #include "Receivers/SceneRenderer.h"
 
 #include "vtkObjectFactory.h"
@@ -17,6 +18,7 @@ vtkCxxSetObjectMacro(vtkShadowedScenePass, DelegatePass, vtkRenderPass);
 
 vtkShadowedScenePass::vtkShadowedScenePass()
   : Renderer(std::make_unique<interlume::SceneRenderer>())
+  , Group(std::make_shared<interlume::SliceGroup>())
 {
 }
 
@@ -60,9 +62,10 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   const interlume::SceneRenderer::Request request{ this->MaximumNumberOfShadows,
     this->DepthMapResolution, this->DepthBias, this->NumberOfLightSamples };
   this->FindVolumes(renderer);
-  if (!scene.Begin(renderer, request, !this->Volumes.empty()))
+  if (!scene.Begin(renderer, request, static_cast<int>(this->Volumes.size())))
   {
     scene.ReleaseGraphicsResources(window);
+    this->Group->ReleaseGraphicsResources(window);
     this->DrawAll(state);
     return;
   }
@@ -117,19 +120,42 @@ std::string vtkShadowedScenePass::DrawAhead(vtkRenderer* renderer)
     channels = mapper->GetTransmissionColor() ? 3 : channels;
   }
   error = scene.DrawEyeDepth(renderer, channels, this->Report);
-  for (vtkVolume* volume : this->Volumes)
+  if (error.empty())
   {
-    if (error.empty())
-    {
-      // What vtkVolume does before it draws.
-      volume->Update();
-      volume->GetProperty();
-      vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper())
-        ->DrawAhead(renderer, volume, &scene.GetScene());
-      ++this->Report.Volumes;
-    }
+    this->DrawVolumes(renderer);
   }
   return error;
+}
+
+void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
+{
+  interlume::SliceScene& scene = this->Renderer->GetScene();
+  this->Group->Clear();
+  for (vtkVolume* volume : this->Volumes)
+  {
+    // What vtkVolume does before it draws.
+    volume->Update();
+    volume->GetProperty();
+    if (this->Volumes.size() > 1)
+    {
+      vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper())
+        ->Join(renderer, volume, this->Group.get());
+    }
+  }
+  this->Report.VolumesApart = this->Group->Draw(renderer, &scene);
+  for (vtkVolume* volume : this->Volumes)
+  {
+    auto* mapper = vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper());
+    if (mapper->TakeShare(this->Group))
+    {
+      ++this->Report.VolumesTogether;
+    }
+    else
+    {
+      mapper->DrawAhead(renderer, volume, &scene);
+    }
+    ++this->Report.Volumes;
+  }
 }
 
 void vtkShadowedScenePass::WarnOfUnreached()
@@ -174,6 +200,7 @@ vtkMTimeType vtkShadowedScenePass::GetShaderStageMTime()
 void vtkShadowedScenePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Renderer->ReleaseGraphicsResources(window);
+  this->Group->ReleaseGraphicsResources(window);
   if (this->DelegatePass)
   {
     this->DelegatePass->ReleaseGraphicsResources(window);

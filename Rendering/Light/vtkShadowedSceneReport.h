@@ -6,6 +6,8 @@
 #include "vtkIndent.h"
 #include "vtkType.h"
 
+#include <string> // for reasons
+
 /**
  * @class   vtkShadowedSceneReport
  * @brief   what vtkShadowedScenePass did in its last picture
@@ -22,6 +24,11 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSceneReport
   int Casters = 0;
   int Lights = 0;
   int Volumes = 0;
+  /// The number of volumes that share one set of slices, and cast shadows on each other: none, or
+  /// two and more. Where others are drawn one by one, with shadows on surfaces alone, VolumesApart
+  /// says why, unless they have errors; it is empty otherwise.
+  int VolumesTogether = 0;
+  std::string VolumesApart;
   /// The number of depth maps of lights without extent (six for a light amid the actors, else one),
   /// of those drawn for this picture, and the columns and rows of each.
   int DepthMaps = 0;

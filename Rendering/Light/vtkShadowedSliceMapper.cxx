@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowedSliceMapper.h"
 
+#include "Draw/SliceGroup.h"
 #include "Draw/SliceRenderer.h"
 
 #include "vtkColorTransferFunction.h"
@@ -95,6 +96,11 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   if (this->IsAhead)
   {
+    if (this->Group)
+    {
+      this->Group->Show(renderer);
+      return;
+    }
     this->Renderer->ShowLast(renderer);
     return;
   }
@@ -108,8 +114,32 @@ void vtkShadowedSliceMapper::DrawAhead(
   this->IsAhead = true;
 }
 
-void vtkShadowedSliceMapper::Draw(
-  vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene)
+void vtkShadowedSliceMapper::Join(
+  vtkRenderer* renderer, vtkVolume* volume, interlume::SliceGroup* group)
+{
+  this->Draw(renderer, volume, nullptr, group);
+}
+
+bool vtkShadowedSliceMapper::TakeShare(const std::shared_ptr<interlume::SliceGroup>& group)
+{
+  const interlume::SliceGroup::Share* share = group->Find(this->Renderer.get());
+  if (!share)
+  {
+    return false;
+  }
+  this->Group = group;
+  this->IsAhead = true;
+  this->RenderReport = share->Report;
+  this->TimeToDraw = this->RenderReport.Seconds;
+  auto* image = vtkImageData::SafeDownCast(this->GetInput());
+  vtkDataArray* scalars = nullptr;
+  bool isOfCells = false;
+  this->ReportFaults(image, scalars, this->FindScalars(image, scalars, isOfCells), share->Warnings);
+  return true;
+}
+
+void vtkShadowedSliceMapper::Draw(vtkRenderer* renderer, vtkVolume* volume,
+  interlume::SliceScene* scene, interlume::SliceGroup* group)
 {
   auto* image = vtkImageData::SafeDownCast(this->GetInput());
   int width = 0;
@@ -134,6 +164,15 @@ void vtkShadowedSliceMapper::Draw(
   std::string error = this->BlendMode == COMPOSITE_BLEND
     ? this->FindScalars(image, request.Scalars, request.IsOfCells)
     : std::string("blend modes other than composite are not supported");
+  if (group)
+  {
+    if (error.empty())
+    {
+      group->Add(this->Renderer.get(), volume, request);
+    }
+    return;
+  }
+  this->Group.reset();
   if (error.empty())
   {
     error = this->Renderer->Render(renderer, volume, request, warnings, this->RenderReport);
@@ -175,7 +214,12 @@ void vtkShadowedSliceMapper::ReportFaults(vtkImageData* image, vtkDataArray* sca
 bool vtkShadowedSliceMapper::ReadLightBuffer(
   vtkRenderer* renderer, vtkLight* light, vtkImageData* image)
 {
-  return renderer && light && image && this->Renderer->ReadLightBuffer(renderer, light, image);
+  if (!renderer || !light || !image)
+  {
+    return false;
+  }
+  return this->Group ? this->Group->ReadLightBuffer(renderer, light, image)
+                     : this->Renderer->ReadLightBuffer(renderer, light, image);
 }
 
 void vtkShadowedSliceMapper::ReleaseGraphicsResources(vtkWindow* window)

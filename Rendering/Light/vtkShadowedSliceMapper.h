@@ -19,6 +19,7 @@ class vtkLight;
 
 namespace interlume
 {
+class SliceGroup;
 class SliceRenderer;
 struct SliceScene;
 }
@@ -138,7 +139,8 @@ struct SliceScene;
  * BlendMode is composite.
  *
  * Opaque actors cast shadows in the volume, and the volume on them, where vtkShadowedScenePass
- * draws the renderer.
+ * draws the renderer; there volumes of several mappers share slices, and cast shadows on each
+ * other.
  *
  * Errors (vtkErrorMacro; the picture of the frame before stays where there is one): no scalars, a
  * blend mode or number of components that is not supported, a volume larger than the graphics
@@ -332,8 +334,15 @@ private:
   friend class vtkShadowedScenePass;
   /// Draws the picture ahead as a part of \a scene. Render shows it until EndScene.
   void DrawAhead(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene);
+  /// Adds the volume to those that \a group draws, where there is something to draw.
+  void Join(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceGroup* group);
+  /// Takes the volume's share of what \a group has drawn ahead, which Render shows until EndScene.
+  /// Returns false where the group has not drawn it.
+  bool TakeShare(const std::shared_ptr<interlume::SliceGroup>& group);
   void EndScene() { this->IsAhead = false; }
-  void Draw(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene);
+  /// Draws the picture, or adds it to a group.
+  void Draw(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene,
+    interlume::SliceGroup* group = nullptr);
 
   std::string FindScalars(vtkImageData* image, vtkDataArray*& scalars, bool& isOfCells);
   void ReportFaults(vtkImageData* image, vtkDataArray* scalars, const std::string& error,
@@ -346,6 +355,8 @@ private:
   bool IsAhead = false;
   std::unique_ptr<vtkDepthPeels> Peels;
   std::unique_ptr<interlume::SliceRenderer> Renderer;
+  /// What drew the last picture, with other volumes; null where the mapper did by itself.
+  std::shared_ptr<interlume::SliceGroup> Group;
 };
 
 #endif

@@ -21,7 +21,7 @@ struct SliceScene;
 
 /**
  * @class   SliceFrame
- * @brief   all that a picture of slices is made of
+ * @brief   all that a volume's picture of slices is made of
  */
 struct SliceFrame
 {
@@ -56,6 +56,11 @@ struct SliceFrame
   bool IsSmoothLookup = true;
   bool MayBeOccluded = false;
 
+  /// Which of the volumes that share the picture's slices this is, and whether light has colours
+  /// inside another one. Plan, lights, eye and size are the same for all of them.
+  int Number = 0;
+  bool HasColoredLight = false;
+
   /// The scene that the picture is part of; null for a picture by itself.
   SliceScene* Scene = nullptr;
 
@@ -72,7 +77,10 @@ struct SliceFrame
   }
   /// Returns the number of channels of light that matter takes from: three where it has a colour
   /// for light that passes.
-  int GetLightChannels() const { return this->Material.Transmission.empty() ? 1 : 3; }
+  int GetLightChannels() const
+  {
+    return this->HasColoredLight || !this->Material.Transmission.empty() ? 3 : 1;
+  }
   /// Returns whether lights change the colour at all.
   bool IsLit() const { return this->IsShaded || this->HasShadows(); }
 };

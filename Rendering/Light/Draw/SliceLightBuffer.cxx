@@ -2,8 +2,8 @@
 #include "Draw/SliceLightBuffer.h"
 
 #include "Draw/SliceFrame.h"
+#include "Draw/SlicePart.h"
 #include "Draw/SliceShader.h"
-#include "Draw/SliceTextures.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Plan/SlicePolygons.h"
 
@@ -26,17 +26,12 @@ namespace interlume
 SliceLightBuffer::SliceLightBuffer(int light)
   : Light(light)
 {
-  for (vtkSmartPointer<vtkTextureObject>& layer : this->Layers)
-  {
-    layer = vtkSmartPointer<vtkTextureObject>::New();
-  }
 }
 
 SliceLightBuffer::~SliceLightBuffer() = default;
 
 std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
-  const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, SliceTextures& textures,
-  vtkOpenGLBufferObject* vertices, bool hasLayers)
+  const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, std::size_t volumes)
 {
   this->Size = light.BufferSize;
   this->Bytes = vtkFloatTarget::Allocate(
@@ -72,13 +67,48 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Slice
   const float start = light.IsWide ? 0.0f : 1.0f;
   window->GetState()->vtkglClearColor(start, start, start, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
+  // The number of texels on each side of a place that are free of the surface there, seen up to 60
+  // degrees aslant.
+  constexpr double texels = 1.5;
+  constexpr double most = 64.0;
+  this->Period = static_cast<int>(
+    std::ceil(std::min(std::max(texels * light.TexelSize / sweep.Spacing, 1.0), most)));
+  this->IsWide = light.IsWide;
+  while (this->Volumes.size() > volumes)
+  {
+    Release(*this->Volumes.back(), window);
+    this->Volumes.pop_back();
+  }
+  while (this->Volumes.size() < volumes)
+  {
+    this->Volumes.push_back(std::make_unique<Volume>());
+  }
+  return {};
+}
+
+std::string SliceLightBuffer::PrepareVolume(vtkOpenGLRenderWindow* window,
+  const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, std::size_t volume,
+  SlicePart& part, bool hasLayers)
+{
+  Volume& own = *this->Volumes[volume];
+  const SliceFrame& frame = part.GetFrame();
+  own.HasLayers = hasLayers && !light.IsWide;
+  own.IsLayerSet = false;
+  this->Framebuffer->Bind();
   for (std::size_t i = 0; i < 2; ++i)
   {
-    vtkSmartPointer<vtkTextureObject>& layer = this->Layers[i];
-    if (light.IsWide || !hasLayers)
+    vtkSmartPointer<vtkTextureObject>& layer = own.Layers[i];
+    if (!own.HasLayers)
     {
-      layer->ReleaseGraphicsResources(window);
+      if (layer)
+      {
+        layer->ReleaseGraphicsResources(window);
+      }
       continue;
+    }
+    if (!layer)
+    {
+      layer = vtkSmartPointer<vtkTextureObject>::New();
     }
     const vtkIdType bytes = vtkFloatTarget::Allocate(
       window, layer, this->Size, this->Size, frame.GetLightChannels(), false);
@@ -87,31 +117,24 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Slice
       return "the graphics card has no memory for the layers of a light";
     }
     this->Bytes += bytes;
-    this->LayerSlabs[i] = 0;
+    own.LayerSlabs[i] = 0;
     this->CopyTo(layer);
   }
-  // The number of texels on each side of a place that are free of the surface there, seen up to 60
-  // degrees aslant.
-  constexpr double texels = 1.5;
-  constexpr double most = 64.0;
-  this->Period = static_cast<int>(
-    std::ceil(std::min(std::max(texels * light.TexelSize / sweep.Spacing, 1.0), most)));
-  this->IsLayerSet = false;
-  const std::string source = SliceShader::GetLightSource(frame, light);
-  this->IsWide = light.IsWide;
   if (this->IsWide)
   {
-    this->Tiles.Build(sweep, light, frame.Lights[light.Light].Position, frame.Blocks, frame.Space,
+    own.Tiles.Build(sweep, light, frame.Lights[light.Light].Position, frame.Blocks, frame.Space,
       frame.Region.Box);
-    this->TileVertices->Upload(this->Tiles.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+    own.TileVertices->Upload(own.Tiles.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
   }
-  error = this->Slices.Prepare(window, source, this->IsWide ? this->TileVertices.Get() : vertices);
+  const std::string source = SliceShader::GetLightSource(frame, light);
+  std::string error =
+    own.Slices.Prepare(window, source, this->IsWide ? own.TileVertices.Get() : part.GetVertices());
   if (!error.empty())
   {
     return error;
   }
-  vtkShaderProgram* program = this->Slices.GetProgram();
-  textures.Activate(program);
+  vtkShaderProgram* program = own.Slices.GetProgram();
+  part.Add(program);
   SliceShader::SetLightUniforms(program, frame, sweep, light);
   return {};
 }
@@ -191,37 +214,39 @@ void SliceLightBuffer::CopyTo(vtkTextureObject* layer)
   }
 }
 
-bool SliceLightBuffer::KeepLayer(int slab, bool isEmpty)
+bool SliceLightBuffer::KeepLayer(int slab, bool isEmpty, std::size_t volume)
 {
-  const std::array<int, 2> before = this->LayerSlabs;
+  Volume& own = *this->Volumes[volume];
+  const std::array<int, 2> before = own.LayerSlabs;
   if (isEmpty)
   {
     // Light that comes through all before the slab comes through the slab.
-    for (int& layer : this->LayerSlabs)
+    for (int& layer : own.LayerSlabs)
     {
       layer += layer == slab ? 1 : 0;
     }
   }
-  else if (slab - this->LayerSlabs[1] >= this->Period)
+  else if (slab - own.LayerSlabs[1] >= this->Period)
   {
-    std::swap(this->Layers[0], this->Layers[1]);
-    this->LayerSlabs = { { this->LayerSlabs[1], slab } };
+    std::swap(own.Layers[0], own.Layers[1]);
+    own.LayerSlabs = { { own.LayerSlabs[1], slab } };
     this->Framebuffer->Bind(GL_READ_FRAMEBUFFER);
-    this->CopyTo(this->Layers[1]);
+    this->CopyTo(own.Layers[1]);
   }
-  const bool isChanged = !this->IsLayerSet || this->LayerSlabs != before;
-  this->IsLayerSet = true;
+  const bool isChanged = !own.IsLayerSet || own.LayerSlabs != before;
+  own.IsLayerSet = true;
   return isChanged;
 }
 
-bool SliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
-  const SlicePolygons& polygons, int slab)
+int SliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+  const SlicePolygons& polygons, int slab, std::size_t volume)
 {
+  Volume& own = *this->Volumes[volume];
   const std::vector<std::size_t>& starts =
-    this->IsWide ? this->Tiles.GetStarts() : polygons.GetStarts();
+    this->IsWide ? own.Tiles.GetStarts() : polygons.GetStarts();
   if (starts[slab] == starts[slab + 1])
   {
-    return false;
+    return 0;
   }
   vtkOpenGLState* state = window->GetState();
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
@@ -234,10 +259,28 @@ bool SliceLightBuffer::Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Swee
   {
     state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
   }
+  const double entrance = sweep.First + slab * sweep.Spacing;
   state->vtkglEnable(GL_DEPTH_TEST);
-  this->Slices.Draw(window, starts, slab, sweep.First + slab * sweep.Spacing);
+  own.Slices.Draw(window, starts, slab, entrance);
   state->vtkglDisable(GL_DEPTH_TEST);
-  return true;
+  int passes = 1;
+  for (const std::unique_ptr<Volume>& other : this->Volumes)
+  {
+    if (other.get() == &own || !other->HasLayers)
+    {
+      continue;
+    }
+    this->LayerFramebuffer->SetContext(window);
+    for (vtkTextureObject* layer : other->Layers)
+    {
+      this->LayerFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+      this->LayerFramebuffer->AddColorAttachment(0, layer);
+      this->LayerFramebuffer->ActivateDrawBuffer(0);
+      own.Slices.Draw(window, starts, slab, entrance);
+      ++passes;
+    }
+  }
+  return passes;
 }
 
 void SliceLightBuffer::MarkOccluded(vtkOpenGLRenderWindow* window)
@@ -268,13 +311,27 @@ std::vector<float> SliceLightBuffer::Read(vtkOpenGLRenderWindow* window, int& si
   return texels;
 }
 
+void SliceLightBuffer::Release(Volume& volume, vtkWindow* window)
+{
+  for (vtkTextureObject* layer : volume.Layers)
+  {
+    if (layer)
+    {
+      layer->ReleaseGraphicsResources(window);
+    }
+  }
+  volume.Slices.ReleaseGraphicsResources();
+  volume.TileVertices->ReleaseGraphicsResources();
+}
+
 void SliceLightBuffer::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
-  for (vtkTextureObject* layer : this->Layers)
+  for (const std::unique_ptr<Volume>& volume : this->Volumes)
   {
-    layer->ReleaseGraphicsResources(window);
+    Release(*volume, window);
   }
+  this->Volumes.clear();
   if (this->Samples)
   {
     this->Samples->ReleaseGraphicsResources(window);
@@ -284,9 +341,8 @@ void SliceLightBuffer::ReleaseGraphicsResources(vtkWindow* window)
     this->Convolution->ReleaseGraphicsResources(window);
   }
   this->Framebuffer->ReleaseGraphicsResources(window);
-  this->Slices.ReleaseGraphicsResources();
+  this->LayerFramebuffer->ReleaseGraphicsResources(window);
   this->Occlusion.ReleaseGraphicsResources(window);
-  this->TileVertices->ReleaseGraphicsResources();
 }
 
 }

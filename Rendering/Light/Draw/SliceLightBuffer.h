@@ -15,6 +15,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,8 +28,8 @@ class vtkWindow;
 namespace interlume
 {
 
+class SlicePart;
 class SlicePolygons;
-class SliceTextures;
 struct SliceFrame;
 
 /**
@@ -64,21 +65,28 @@ public:
 
   /**
    * Makes the buffer ready for a sweep: all light passes. \a light is the light of this buffer in
-   * the sweep; \a hasLayers says that GetLayer is asked for. Returns what is wrong, or nothing.
+   * the sweep; \a volumes take from it. Returns what is wrong, or nothing.
    */
   std::string Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
-    const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, SliceTextures& textures,
-    vtkOpenGLBufferObject* vertices, bool hasLayers);
+    const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, std::size_t volumes);
+
+  /**
+   * Makes a volume's program ready, after Prepare. \a hasLayers says that GetLayer is asked for.
+   * Returns what is wrong, or nothing.
+   */
+  std::string PrepareVolume(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+    const SlicePlan::ShadowedLight& light, std::size_t volume, SlicePart& part, bool hasLayers);
 
   ///@{
-  /// Return the buffer as it was some slabs before, and the first slab that is not in it; not for
-  /// wide lights.
-  vtkTextureObject* GetLayer() const { return this->Layers[0]; }
-  int GetLayerSlab() const { return this->LayerSlabs[0]; }
+  /// Return the buffer without what a volume has taken for some slabs, and the first slab of which
+  /// that is not in it; not for wide lights.
+  vtkTextureObject* GetLayer(std::size_t volume) const { return this->Volumes[volume]->Layers[0]; }
+  int GetLayerSlab(std::size_t volume) const { return this->Volumes[volume]->LayerSlabs[0]; }
   ///@}
-  /// Keeps the buffer as a layer where the last layer is old enough; to be called before a slab is
-  /// drawn, or passed over as empty. Returns whether the layer is another one.
-  bool KeepLayer(int slab, bool isEmpty);
+  /// Keeps the buffer as a volume's layer where the last layer is old enough; to be called before a
+  /// slab is drawn, or passed over as empty of this volume. Returns whether the layer is another
+  /// one.
+  bool KeepLayer(int slab, bool isEmpty, std::size_t volume);
 
   /// Makes an area light's buffer ready for a slab with something in it, before that is drawn.
   /// Returns the passes that this took.
@@ -88,9 +96,10 @@ public:
   /// Returns the layers of an area light's samples, or null where it has none.
   SliceSampleLayers* GetSampleLayers() const { return this->Samples.get(); }
 
-  /// Takes what a slab lets through. Returns whether there is matter for the light to meet.
-  bool Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
-    const SlicePolygons& polygons, int slab);
+  /// Takes what a volume lets through in a slab, also from the layers of other volumes. Returns the
+  /// passes that this took: none where there is no matter for the light to meet.
+  int Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+    const SlicePolygons& polygons, int slab, std::size_t volume);
 
   /// Spares what lies behind opaque matter from now on. An area light's buffer is looked at where
   /// its samples are put together instead.
@@ -102,29 +111,39 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  /// What is kept for a volume that takes from the light.
+  struct Volume
+  {
+    SlicePass Slices;
+    /// Of a wide light, instead of the slices' triangles.
+    LightTiles Tiles;
+    vtkNew<vtkOpenGLBufferObject> TileVertices;
+    /// The older and the newer layer.
+    std::array<vtkSmartPointer<vtkTextureObject>, 2> Layers;
+    std::array<int, 2> LayerSlabs{ { 0, 0 } };
+    bool HasLayers = false;
+    bool IsLayerSet = false;
+  };
+
   std::string PrepareSoftShadows(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
   void CopyTo(vtkTextureObject* layer);
+  static void Release(Volume& volume, vtkWindow* window);
 
   int Light;
   int Size = 0;
   vtkIdType Bytes = 0;
   vtkNew<vtkTextureObject> Texture;
-  /// The older and the newer layer.
-  std::array<vtkSmartPointer<vtkTextureObject>, 2> Layers;
-  std::array<int, 2> LayerSlabs{ { 0, 0 } };
-  bool IsLayerSet = false;
+  std::vector<std::unique_ptr<Volume>> Volumes;
   /// The number of slabs from layer to layer.
   int Period = 1;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  SlicePass Slices;
+  /// For layers that other volumes take from.
+  vtkNew<vtkOpenGLFramebufferObject> LayerFramebuffer;
   SliceOcclusion Occlusion;
   /// What makes an area light's shadows soft: one of both, or none for other lights.
   std::unique_ptr<SliceSampleLayers> Samples;
   std::unique_ptr<SliceConvolution> Convolution;
-  /// Of a wide light, instead of the slices' triangles.
-  LightTiles Tiles;
-  vtkNew<vtkOpenGLBufferObject> TileVertices;
   bool IsWide = false;
 };
 

@@ -36,14 +36,15 @@ std::string SlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::string&
   return isAdded ? "" : "the triangles of slices cannot be drawn";
 }
 
-void SlicePass::Draw(
-  vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts, int slab, double entrance)
+void SlicePass::Draw(vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts,
+  int slab, double entrance, int number, int volumes)
 {
   window->GetShaderCache()->ReadyShaderProgram(this->Program);
   this->Program->SetUniformf("sliceEntrance", static_cast<float>(entrance));
   if (this->IsMarked)
   {
-    const double share = (slab + 1.0) / (static_cast<double>(starts.size()) + 1.0);
+    const double slabs = static_cast<double>(starts.size()) - 1.0;
+    const double share = (slab * volumes + number + 1.0) / (slabs * volumes + 2.0);
     this->Program->SetUniformf("sliceDepth", static_cast<float>(1.0 - 2.0 * share));
   }
   this->Vertices->Bind();

@@ -28,16 +28,18 @@ public:
 
   /**
    * Compiles the fragments' source, for triangles in \a vertices. Slices that are \a isMarked have
-   * one depth each, nearer from slab to slab. Returns what is wrong, or nothing.
+   * one depth each, nearer from slab to slab and volume to volume. Returns what is wrong, or
+   * nothing.
    */
   std::string Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
     vtkOpenGLBufferObject* vertices, bool isMarked = false);
   vtkShaderProgram* GetProgram() const { return this->Program; }
 
   /// Draws the triangles of a slab that begins at \a entrance into the framebuffer that is bound.
-  /// \a starts are the first vertex of each slab, and their number.
+  /// \a starts are the first vertex of each slab, and their number. So many volumes draw each slab
+  /// one after the other; slices that are marked are those of the volume with this \a number.
   void Draw(vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts, int slab,
-    double entrance);
+    double entrance, int number = 0, int volumes = 1);
 
   /// Draws so many vertices as points, of a slab that begins at \a entrance.
   void DrawPoints(

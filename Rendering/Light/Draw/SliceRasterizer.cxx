@@ -8,7 +8,6 @@
 
 #include "InterlumeSliceSelectionFS.h"
 #include "vtkFloatTarget.h"
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -27,10 +26,6 @@ namespace interlume
 namespace
 {
 using Sweep = SlicePlan::Sweep;
-
-// The least cosine of rays of eye and light with a slice's normal for which blocks at the edge of
-// the volume are enlarged.
-constexpr double LEAST_COSINE = 0.35;
 
 // The state that drawing of slices changes, as it was at the end of the block.
 struct ScopedState
@@ -138,13 +133,11 @@ std::string SliceRasterizer::PrepareLights(
   vtkOpenGLRenderWindow* window, const SliceFrame& frame, std::size_t sweepIndex)
 {
   const Sweep& sweep = frame.Plan.Sweeps[sweepIndex];
-  const bool hasLayers = SliceShader::HasThickPart(frame, sweepIndex);
   for (const SlicePlan::ShadowedLight& light : sweep.Lights)
   {
     // A light of several sweeps has its buffer in each in turn.
     std::string error =
-      this->GetLightBuffer(light.Light)
-        .Prepare(window, frame, sweep, light, this->Textures, this->Vertices, hasLayers);
+      this->GetLightBuffer(light.Light).Prepare(window, frame, sweep, light, this->Parts.size());
     if (!error.empty())
     {
       return error;
@@ -168,15 +161,29 @@ void SliceRasterizer::ReleaseUnusedLights(vtkWindow* window)
     this->Lights.end());
 }
 
-std::string SliceRasterizer::Draw(vtkRenderer* renderer, const SliceFrame& frame,
+std::string SliceRasterizer::Draw(vtkRenderer* renderer, const std::vector<Volume>& volumes,
   const std::function<bool()>& isAborted, vtkShadowedSliceReport& report)
 {
+  const SliceFrame& frame = *volumes[0].Frame;
+  while (this->Parts.size() > volumes.size())
+  {
+    this->Parts.back()->ReleaseGraphicsResources();
+    this->Parts.pop_back();
+  }
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+  {
+    if (i == this->Parts.size())
+    {
+      this->Parts.push_back(std::make_unique<SlicePart>());
+    }
+    this->Parts[i]->Set(*volumes[i].Frame, *volumes[i].Textures);
+  }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   this->HasOpaqueDepth = false;
   if (frame.Scene)
   {
-    this->HasOpaqueDepth = true;
+    this->HasOpaqueDepth = frame.Scene->EyeDepth != nullptr;
     this->OpaqueDepth->ReleaseGraphicsResources(window);
   }
   else if (frame.MayBeOccluded)
@@ -234,7 +241,6 @@ void SliceRasterizer::ActivateTextures(vtkOpenGLRenderWindow* window, const Slic
     program->SetUniformi(name.c_str(), texture->GetTextureUnit());
     this->Active.push_back(texture);
   };
-  this->Textures.Activate(program);
   if (this->HasOpaqueDepth)
   {
     activate(frame.Scene ? frame.Scene->EyeDepth : this->OpaqueDepth.Get(), "opaqueDepth");
@@ -261,8 +267,8 @@ void SliceRasterizer::ActivateTextures(vtkOpenGLRenderWindow* window, const Slic
     vtkProjectiveLight* projective = frame.Lights[light].Projective;
     if (projective && projective->GetImage())
     {
-      activate(
-        this->Textures.GetScreen(window, projective, report.UploadedBytes), "image" + suffix);
+      activate(this->Parts[0]->GetTextures().GetScreen(window, projective, report.UploadedBytes),
+        "image" + suffix);
     }
     ++number;
   }
@@ -270,7 +276,10 @@ void SliceRasterizer::ActivateTextures(vtkOpenGLRenderWindow* window, const Slic
 
 void SliceRasterizer::DeactivateTextures()
 {
-  this->Textures.Deactivate();
+  for (const std::unique_ptr<SlicePart>& part : this->Parts)
+  {
+    part->End();
+  }
   for (vtkTextureObject* texture : this->Active)
   {
     texture->Deactivate();
@@ -304,59 +313,84 @@ void SliceRasterizer::MarkPicture(vtkOpenGLRenderWindow* window)
     window, this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0), SliceOcclusion::OPACITY);
 }
 
-std::string SliceRasterizer::PrepareEye(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
-  std::size_t sweepIndex, vtkShadowedSliceReport& report)
+std::string SliceRasterizer::PreparePart(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
+  std::size_t sweepIndex, std::size_t number, vtkShadowedSliceReport& report)
 {
-  this->HasThickPart = SliceShader::HasThickPart(frame, sweepIndex);
-  this->HasThinPart = SliceShader::HasThinPart(frame, sweepIndex);
-  const auto prepare = [&](SlicePass& pass, SliceShader::Parts part)
+  const Sweep& sweep = frame.Plan.Sweeps[sweepIndex];
+  SlicePart& part = *this->Parts[number];
+  std::string error = part.Prepare(window, sweepIndex, this->HasOpaqueDepth, this->HasThickPart,
+    [&](vtkShaderProgram* program)
+    { this->ActivateTextures(window, frame, sweepIndex, program, report); });
+  std::vector<SliceLightBuffer*> buffers;
+  for (const SlicePlan::ShadowedLight& light : sweep.Lights)
   {
-    const std::string source =
-      SliceShader::GetEyeSource(frame, sweepIndex, this->HasOpaqueDepth, part);
-    std::string error = pass.Prepare(window, source, this->Vertices, this->HasThickPart);
+    SliceLightBuffer& buffer = this->GetLightBuffer(light.Light);
+    buffers.push_back(&buffer);
     if (error.empty())
     {
-      this->ActivateTextures(window, frame, sweepIndex, pass.GetProgram(), report);
-      SliceShader::SetEyeUniforms(pass.GetProgram(), frame, sweepIndex, this->HasOpaqueDepth);
+      error = buffer.PrepareVolume(window, sweep, light, number, part, part.HasThickPart());
     }
-    return error;
-  };
-  std::string error = prepare(this->Eye,
-    !this->HasThickPart   ? SliceShader::ALL
-      : this->HasThinPart ? SliceShader::THIN
-                          : SliceShader::EMPTY);
-  if (error.empty() && this->HasThickPart)
+  }
+  if (error.empty() && this->HasReceivers)
   {
-    error = prepare(this->ThickEye, SliceShader::THICK);
+    error = this->Receivers.Prepare(window, part, buffers);
   }
   return error;
+}
+
+std::string SliceRasterizer::PrepareParts(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
+  std::size_t sweepIndex, vtkShadowedSliceReport& report)
+{
+  std::vector<SlicePlan::Matter> matter;
+  this->HasThickPart = false;
+  for (const std::unique_ptr<SlicePart>& part : this->Parts)
+  {
+    const SliceFrame& own = part->GetFrame();
+    matter.push_back({ &own.Space, own.Region.Box, 0.0 });
+    this->HasThickPart = this->HasThickPart || SliceShader::HasThickPart(own, sweepIndex);
+  }
+  this->Order.Find(frame.Plan.Sweeps[sweepIndex], frame.Eye, frame.Lights, matter);
+  this->HasReceivers = frame.Scene && frame.Scene->EyeDepth;
+  if (this->HasReceivers)
+  {
+    this->Receivers.Begin(this->Parts, sweepIndex);
+  }
+  std::string error = this->PrepareLights(window, frame, sweepIndex);
+  for (std::size_t i = 0; i < this->Parts.size() && error.empty(); ++i)
+  {
+    error = this->PreparePart(window, frame, sweepIndex, i, report);
+    this->Bound = i;
+    if (i + 1 < this->Parts.size())
+    {
+      this->Parts[i]->Suspend();
+    }
+  }
+  return error;
+}
+
+bool SliceRasterizer::IsEmpty(int slab) const
+{
+  return std::all_of(this->Parts.begin(), this->Parts.end(),
+    [slab](const std::unique_ptr<SlicePart>& part) { return part->IsEmpty(slab); });
 }
 
 std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
   std::size_t sweepIndex, const std::function<bool()>& isAborted, vtkShadowedSliceReport& report)
 {
   const Sweep& sweep = frame.Plan.Sweeps[sweepIndex];
-  this->Polygons.Build(
-    sweep, frame.Blocks, frame.Space, frame.Region.Box, 0.5 * sweep.Spacing / LEAST_COSINE);
+  for (const std::unique_ptr<SlicePart>& part : this->Parts)
+  {
+    report.TriangleBytes += part->Cut(sweep);
+  }
   report.Slices += sweep.Slabs;
-  if (this->Polygons.GetVertices().empty())
+  if (std::all_of(this->Parts.begin(), this->Parts.end(),
+        [](const std::unique_ptr<SlicePart>& part) { return part->IsEmpty(); }))
   {
     this->BeginSweep(window, frame, sweepIndex, report);
     return {};
   }
-  report.TriangleBytes += static_cast<vtkIdType>(sizeof(float)) *
-    static_cast<vtkIdType>(this->Polygons.GetVertices().size());
-  this->Vertices->Upload(this->Polygons.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
 
-  std::string error = this->PrepareLights(window, frame, sweepIndex);
-  if (error.empty())
-  {
-    error = this->PrepareEye(window, frame, sweepIndex, report);
-  }
-  if (error.empty() && frame.Scene)
-  {
-    error = this->BeginReceivers(window, frame, sweepIndex);
-  }
+  const std::string error = this->PrepareParts(window, frame, sweepIndex, report);
   if (!error.empty())
   {
     this->DeactivateTextures();
@@ -368,129 +402,111 @@ std::string SliceRasterizer::DrawSweep(vtkOpenGLRenderWindow* window, const Slic
   int drawn = 0;
   for (int slab = 0; slab < sweep.Slabs && !isAborted(); ++slab)
   {
-    if (!this->Polygons.IsEmpty(slab))
+    const bool isEmpty = this->IsEmpty(slab);
+    for (std::size_t i = 0; i < sweep.Lights.size() && !isEmpty; ++i)
     {
-      for (const SlicePlan::ShadowedLight& light : sweep.Lights)
-      {
-        report.SoftShadowPasses +=
-          this->GetLightBuffer(light.Light).Begin(window, sweep, light, slab);
-      }
+      const SlicePlan::ShadowedLight& light = sweep.Lights[i];
+      report.SoftShadowPasses +=
+        this->GetLightBuffer(light.Light).Begin(window, sweep, light, slab);
     }
     if (this->HasThickPart)
     {
       this->KeepLayers(window, sweep, slab);
     }
-    if (this->Polygons.IsEmpty(slab))
+    if (isEmpty)
     {
       continue;
     }
-    this->DrawEyeSlab(window, frame, sweep, slab);
-    ++report.EyePasses;
-    if (frame.Scene)
-    {
-      report.SoftShadowPasses += this->Receivers.Draw(window, slab);
-    }
-    for (const SlicePlan::ShadowedLight& light : sweep.Lights)
-    {
-      report.LightPasses +=
-        this->GetLightBuffer(light.Light).Draw(window, sweep, this->Polygons, slab) ? 1 : 0;
-    }
+    this->DrawSlab(window, frame, sweep, slab, report);
     ++drawn;
     if (drawn % interval == 0)
     {
       report.OcclusionPasses += this->MarkOccluded(window, sweep);
     }
   }
-  if (frame.Scene)
-  {
-    report.SoftShadowPasses += this->Receivers.Draw(window, sweep.Slabs);
-  }
+  this->DrawReceivers(window, sweep.Slabs, report);
   this->DeactivateTextures();
   report.SlicesDrawn += drawn;
   return {};
 }
 
-std::string SliceRasterizer::BeginReceivers(
-  vtkOpenGLRenderWindow* window, const SliceFrame& frame, std::size_t sweepIndex)
+void SliceRasterizer::BindPart(vtkOpenGLRenderWindow* window, std::size_t number)
 {
-  std::vector<SliceLightBuffer*> buffers;
-  for (const SlicePlan::ShadowedLight& light : frame.Plan.Sweeps[sweepIndex].Lights)
+  if (this->Bound != number)
   {
-    buffers.push_back(&this->GetLightBuffer(light.Light));
+    this->Parts[this->Bound]->Suspend();
+    this->Parts[number]->Resume(window);
+    this->Bound = number;
   }
-  return this->Receivers.Begin(window, frame, sweepIndex, this->Textures, buffers);
+}
+
+void SliceRasterizer::DrawReceivers(
+  vtkOpenGLRenderWindow* window, int slab, vtkShadowedSliceReport& report)
+{
+  if (!this->HasReceivers || !this->Receivers.IsLeft(slab))
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    this->BindPart(window, i);
+    report.SoftShadowPasses += this->Receivers.Draw(window, slab, i);
+  }
+  this->Receivers.Pass(slab);
+}
+
+void SliceRasterizer::DrawSlab(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
+  const Sweep& sweep, int slab, vtkShadowedSliceReport& report)
+{
+  this->DrawReceivers(window, slab, report);
+  int number = 0;
+  for (const std::size_t volume : this->Order.Get(slab))
+  {
+    SlicePart& part = *this->Parts[volume];
+    if (part.IsEmpty(slab))
+    {
+      continue;
+    }
+    this->BindPart(window, volume);
+    this->ImageFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+    window->GetState()->vtkglViewport(0, 0, frame.Size[0], frame.Size[1]);
+    part.Draw(window, sweep, slab, number, static_cast<int>(this->Parts.size()));
+    ++report.EyePasses;
+    for (const SlicePlan::ShadowedLight& light : sweep.Lights)
+    {
+      report.LightPasses +=
+        this->GetLightBuffer(light.Light).Draw(window, sweep, part.GetPolygons(), slab, volume);
+    }
+    ++number;
+  }
 }
 
 void SliceRasterizer::KeepLayers(vtkOpenGLRenderWindow* window, const Sweep& sweep, int slab)
 {
-  const bool isEmpty = this->Polygons.IsEmpty(slab);
-  for (std::size_t i = 0; i < sweep.Lights.size(); ++i)
+  for (std::size_t volume = 0; volume < this->Parts.size(); ++volume)
   {
-    SliceLightBuffer& buffer = this->GetLightBuffer(sweep.Lights[i].Light);
-    if (sweep.Lights[i].IsWide || !buffer.KeepLayer(slab, isEmpty))
+    const SlicePart& part = *this->Parts[volume];
+    for (std::size_t i = 0; i < sweep.Lights.size() && part.HasThickPart(); ++i)
     {
-      continue;
+      SliceLightBuffer& buffer = this->GetLightBuffer(sweep.Lights[i].Light);
+      if (sweep.Lights[i].IsWide || !buffer.KeepLayer(slab, part.IsEmpty(slab), volume))
+      {
+        continue;
+      }
+      const std::string suffix = "_" + std::to_string(i);
+      vtkTextureObject* layer = buffer.GetLayer(volume);
+      layer->Activate();
+      if (std::find(this->Active.begin(), this->Active.end(), layer) == this->Active.end())
+      {
+        this->Active.push_back(layer);
+      }
+      vtkShaderProgram* program = part.GetThickProgram();
+      window->GetShaderCache()->ReadyShaderProgram(program);
+      program->SetUniformi(("layer" + suffix).c_str(), layer->GetTextureUnit());
+      program->SetUniformf(("layerEntrance" + suffix).c_str(),
+        static_cast<float>(sweep.First + buffer.GetLayerSlab(volume) * sweep.Spacing));
     }
-    const std::string suffix = "_" + std::to_string(i);
-    vtkTextureObject* layer = buffer.GetLayer();
-    layer->Activate();
-    if (std::find(this->Active.begin(), this->Active.end(), layer) == this->Active.end())
-    {
-      this->Active.push_back(layer);
-    }
-    vtkShaderProgram* program = this->ThickEye.GetProgram();
-    window->GetShaderCache()->ReadyShaderProgram(program);
-    program->SetUniformi(("layer" + suffix).c_str(), layer->GetTextureUnit());
-    program->SetUniformf(("layerEntrance" + suffix).c_str(),
-      static_cast<float>(sweep.First + buffer.GetLayerSlab() * sweep.Spacing));
   }
-}
-
-void SliceRasterizer::DrawEyeSlab(
-  vtkOpenGLRenderWindow* window, const SliceFrame& frame, const Sweep& sweep, int slab)
-{
-  vtkOpenGLState* state = window->GetState();
-  this->ImageFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
-  state->vtkglViewport(0, 0, frame.Size[0], frame.Size[1]);
-  if (sweep.IsFrontToBack)
-  {
-    state->vtkglBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-  }
-  else
-  {
-    state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  }
-  if (sweep.IsFrontToBack || this->HasThickPart)
-  {
-    state->vtkglEnable(GL_DEPTH_TEST);
-  }
-  // The rest of a slab may lie behind the near plane while its middle is before it.
-  if (frame.IsCutByNearPlane)
-  {
-    glEnable(GL_DEPTH_CLAMP);
-  }
-  const double entrance = sweep.First + slab * sweep.Spacing;
-  if (this->HasThickPart)
-  {
-    // The first pass does not mark the fragments that it leaves out by their depth, and the second
-    // pass draws these alone.
-    state->vtkglDepthMask(GL_TRUE);
-    const GLboolean hasColor = this->HasThinPart ? GL_TRUE : GL_FALSE;
-    state->vtkglColorMask(hasColor, hasColor, hasColor, hasColor);
-    this->Eye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
-    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    state->vtkglDepthMask(GL_FALSE);
-    this->ThickEye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
-  }
-  else
-  {
-    this->Eye.Draw(window, this->Polygons.GetStarts(), slab, entrance);
-  }
-  if (frame.IsCutByNearPlane)
-  {
-    glDisable(GL_DEPTH_CLAMP);
-  }
-  state->vtkglDisable(GL_DEPTH_TEST);
 }
 
 int SliceRasterizer::MarkOccluded(vtkOpenGLRenderWindow* window, const Sweep& sweep)
@@ -555,7 +571,6 @@ std::vector<float> SliceRasterizer::ReadLightBuffer(
 void SliceRasterizer::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->HasImage = false;
-  this->Textures.ReleaseGraphicsResources(window);
   for (vtkTextureObject* texture :
     { this->Image.Get(), this->SweepImage.Get(), this->OpaqueDepth.Get() })
   {
@@ -568,10 +583,12 @@ void SliceRasterizer::ReleaseGraphicsResources(vtkWindow* window)
     buffer->ReleaseGraphicsResources(window);
   }
   this->Lights.clear();
-  this->Eye.ReleaseGraphicsResources();
-  this->ThickEye.ReleaseGraphicsResources();
+  for (const std::unique_ptr<SlicePart>& part : this->Parts)
+  {
+    part->ReleaseGraphicsResources();
+  }
+  this->Parts.clear();
   this->Receivers.ReleaseGraphicsResources();
-  this->Vertices->ReleaseGraphicsResources();
   this->Quad.ReleaseGraphicsResources(window);
   this->SumQuad.ReleaseGraphicsResources(window);
   this->SelectionQuad.ReleaseGraphicsResources(window);

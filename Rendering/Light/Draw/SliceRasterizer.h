@@ -5,10 +5,10 @@
 #include "Draw/SliceFrame.h"
 #include "Draw/SliceLightBuffer.h"
 #include "Draw/SliceOcclusion.h"
-#include "Draw/SlicePass.h"
+#include "Draw/SlicePart.h"
 #include "Draw/SliceReceivers.h"
 #include "Draw/SliceTextures.h"
-#include "Plan/SlicePolygons.h"
+#include "Plan/SlabOrder.h"
 
 #include "vtkImageQuad.h"
 #include "vtkNew.h"
@@ -20,7 +20,6 @@
 #include <string>
 #include <vector>
 
-class vtkOpenGLBufferObject;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -35,6 +34,10 @@ namespace interlume
  * @class   SliceRasterizer
  * @brief   draws a picture of slices with OpenGL 3.2, in one window
  *
+ * Several volumes may share the slices. In each slab one volume after the other draws into the
+ * picture and then takes from the lights' buffers, so that it is lit through what the volumes
+ * before it have in the slab, and in their shadow; SlabOrder says which one is first.
+ *
  * The picture's buffer holds colour times opacity, and opacity, in floats: with thousands of thin
  * slices little opacity keeps its digits, where a transmittance near 1 would lose them.
  */
@@ -47,13 +50,19 @@ public:
   /// Returns why nothing can be drawn in this window, or nothing.
   static std::string FindFault(vtkOpenGLRenderWindow* window);
 
-  SliceTextures& GetTextures() { return this->Textures; }
+  /// A volume of a picture.
+  struct Volume
+  {
+    const SliceFrame* Frame;
+    SliceTextures* Textures;
+  };
 
   /**
-   * Draws all sweeps into the picture's buffer. Returns what is wrong, or nothing. It stops between
-   * slabs and returns where \a isAborted.
+   * Draws all sweeps into the picture's buffer, through volumes that share plan, lights, eye, size
+   * and scene, numbered one by one. Returns what is wrong, or nothing. It stops between slabs and
+   * returns where \a isAborted.
    */
-  std::string Draw(vtkRenderer* renderer, const SliceFrame& frame,
+  std::string Draw(vtkRenderer* renderer, const std::vector<Volume>& volumes,
     const std::function<bool()>& isAborted, vtkShadowedSliceReport& report);
 
   /// Lays the last picture over the scene. Returns false where there is none.
@@ -77,11 +86,13 @@ private:
   void ReleaseUnusedLights(vtkWindow* window);
   std::string DrawSweep(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
     std::size_t sweepIndex, const std::function<bool()>& isAborted, vtkShadowedSliceReport& report);
-  std::string PrepareEye(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
+  /// Makes the programs of all volumes ready, and finds the order in which they draw.
+  std::string PrepareParts(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
     std::size_t sweepIndex, vtkShadowedSliceReport& report);
-  /// Makes the surfaces of the scene ready, where there is one.
-  std::string BeginReceivers(
-    vtkOpenGLRenderWindow* window, const SliceFrame& frame, std::size_t sweepIndex);
+  /// Makes the programs of one volume ready.
+  std::string PreparePart(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
+    std::size_t sweepIndex, std::size_t number, vtkShadowedSliceReport& report);
+  /// Binds the textures that all volumes share.
   void ActivateTextures(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
     std::size_t sweepIndex, vtkShaderProgram* program, vtkShadowedSliceReport& report);
   void DeactivateTextures();
@@ -90,26 +101,32 @@ private:
     vtkShadowedSliceReport& report);
   /// Spares what lies behind the opaque part of the picture from now on.
   void MarkPicture(vtkOpenGLRenderWindow* window);
+  /// Whether no volume has something in a slab.
+  bool IsEmpty(int slab) const;
   /// Before a slab is drawn, or passed over as empty.
   void KeepLayers(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep, int slab);
-  void DrawEyeSlab(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
-    const SlicePlan::Sweep& sweep, int slab);
+  /// Draws a slab with something in it: surfaces of the scene, then each volume into the picture
+  /// and into the lights' buffers.
+  void DrawSlab(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
+    const SlicePlan::Sweep& sweep, int slab, vtkShadowedSliceReport& report);
+  /// Draws the surfaces of the scene up to the end of a slab.
+  void DrawReceivers(vtkOpenGLRenderWindow* window, int slab, vtkShadowedSliceReport& report);
+  /// Binds the textures of a volume alone, where there are several.
+  void BindPart(vtkOpenGLRenderWindow* window, std::size_t number);
   /// Marks what is already opaque. Returns the passes that this took.
   int MarkOccluded(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep);
   void AddSweep(vtkOpenGLRenderWindow* window, const SliceFrame& frame);
 
-  SliceTextures Textures;
-  SlicePolygons Polygons;
-  vtkNew<vtkOpenGLBufferObject> Vertices;
+  std::vector<std::unique_ptr<SlicePart>> Parts;
+  /// The volume whose textures are bound.
+  std::size_t Bound = 0;
+  SlabOrder Order;
   vtkNew<vtkOpenGLFramebufferObject> ImageFramebuffer;
   vtkNew<vtkTextureObject> Image;
   vtkNew<vtkTextureObject> SweepImage;
   vtkNew<vtkTextureObject> OpaqueDepth;
-  /// All matter, or all that is thin, or none, where the thick has a program of its own.
-  SlicePass Eye;
-  SlicePass ThickEye;
   bool HasThickPart = false;
-  bool HasThinPart = true;
+  bool HasReceivers = false;
   SliceReceivers Receivers;
   SliceOcclusion Occlusion;
   std::vector<std::unique_ptr<SliceLightBuffer>> Lights;

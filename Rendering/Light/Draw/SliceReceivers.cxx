@@ -3,9 +3,9 @@
 
 #include "Draw/SliceFrame.h"
 #include "Draw/SliceLightBuffer.h"
+#include "Draw/SlicePart.h"
 #include "Draw/SliceSampleLayers.h"
 #include "Draw/SliceShader.h"
-#include "Draw/SliceTextures.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Receivers/LightTransmittance.h"
 #include "Receivers/SliceScene.h"
@@ -27,8 +27,8 @@ namespace interlume
 
 namespace
 {
-// The box of the matter as rays from surfaces towards the lights of a sweep, and the samples of
-// area lights, meet it.
+// The box of a volume's matter as rays from surfaces towards the lights of a sweep, and the samples
+// of area lights, meet it.
 class MatterBox
 {
 public:
@@ -95,14 +95,20 @@ SliceReceivers::SliceReceivers() = default;
 
 SliceReceivers::~SliceReceivers() = default;
 
-void SliceReceivers::Sort(const SliceFrame& frame, const SlicePlan::Sweep& sweep)
+void SliceReceivers::Sort(const std::vector<std::unique_ptr<SlicePart>>& parts)
 {
+  const SliceFrame& frame = parts[0]->GetFrame();
+  const SlicePlan::Sweep& sweep = *this->Sweep;
   const SliceScene& scene = *frame.Scene;
   const std::vector<float>& depths = scene.EyeDepths;
   const glm::dmat4 unitFromClip = glm::inverse(frame.Eye.ClipFromUnit);
   const int width = scene.Size[0];
   const int height = scene.Size[1];
-  const MatterBox matter(frame, sweep);
+  std::vector<MatterBox> matter;
+  for (const std::unique_ptr<SlicePart>& part : parts)
+  {
+    matter.emplace_back(part->GetFrame(), sweep);
+  }
   // Each pixel's place and slab: -1 for those that no light reaches through the matter, -2 for
   // those that show nothing.
   std::vector<std::array<float, 3>> places(depths.size());
@@ -125,7 +131,8 @@ void SliceReceivers::Sort(const SliceFrame& frame, const SlicePlan::Sweep& sweep
           static_cast<float>(place.z) } };
         const double slab =
           std::floor((glm::dot(place, sweep.Normal) - sweep.First) / sweep.Spacing);
-        slabs[i] = matter.IsBefore(place)
+        slabs[i] = std::any_of(matter.begin(), matter.end(),
+                     [&place](const MatterBox& box) { return box.IsBefore(place); })
           ? static_cast<int>(std::min(std::max(slab, -1.0), static_cast<double>(sweep.Slabs)))
           : -1;
       }
@@ -158,25 +165,37 @@ void SliceReceivers::Sort(const SliceFrame& frame, const SlicePlan::Sweep& sweep
   }
 }
 
-std::string SliceReceivers::Begin(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
-  std::size_t sweepIndex, SliceTextures& textures, const std::vector<SliceLightBuffer*>& buffers)
+void SliceReceivers::Begin(
+  const std::vector<std::unique_ptr<SlicePart>>& parts, std::size_t sweepIndex)
 {
+  const SliceFrame& frame = parts[0]->GetFrame();
   this->Frame = &frame;
   this->Scene = frame.Scene;
   this->Sweep = &frame.Plan.Sweeps[sweepIndex];
   this->Lights.clear();
   this->Next = 0;
+  this->Places.clear();
   if (this->Sweep->Lights.empty())
   {
     this->Starts.assign(static_cast<std::size_t>(this->Sweep->Slabs) + 2, 0);
-    return {};
+    return;
   }
-  this->Sort(frame, *this->Sweep);
+  this->Sort(parts);
+  if (!this->Places.empty())
+  {
+    this->Vertices->Upload(this->Places, vtkOpenGLBufferObject::ArrayBuffer);
+  }
+}
+
+std::string SliceReceivers::Prepare(
+  vtkOpenGLRenderWindow* window, SlicePart& part, const std::vector<SliceLightBuffer*>& buffers)
+{
+  this->Lights.emplace_back();
   if (this->Places.empty())
   {
     return {};
   }
-  this->Vertices->Upload(this->Places, vtkOpenGLBufferObject::ArrayBuffer);
+  const SliceFrame& frame = part.GetFrame();
   for (std::size_t i = 0; i < this->Sweep->Lights.size(); ++i)
   {
     const SlicePlan::ShadowedLight& shadowed = this->Sweep->Lights[i];
@@ -194,12 +213,13 @@ std::string SliceReceivers::Begin(vtkOpenGLRenderWindow* window, const SliceFram
       return error;
     }
     vtkShaderProgram* program = light.Pass->GetProgram();
-    textures.Activate(program);
+    part.Add(program);
     program->SetUniformi("buffer_0", buffers[i]->GetTexture()->GetTextureUnit());
     SliceShader::SetReceiverUniforms(program, frame, *this->Sweep, shadowed);
     light.Planned = &shadowed;
     light.Buffer = buffers[i];
-    if (const SliceSampleLayers* layers = buffers[i]->GetSampleLayers())
+    const SliceSampleLayers* layers = buffers[i]->GetSampleLayers();
+    if (layers && frame.Number == 0)
     {
       light.Behind = std::make_unique<SliceLayerPoints>();
       error = light.Behind->Prepare(window, frame, shadowed, *layers, this->Vertices);
@@ -208,23 +228,28 @@ std::string SliceReceivers::Begin(vtkOpenGLRenderWindow* window, const SliceFram
         return error;
       }
     }
-    this->Lights.push_back(std::move(light));
+    this->Lights.back().push_back(std::move(light));
   }
   return {};
 }
 
-int SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab)
+bool SliceReceivers::IsLeft(int slab) const
+{
+  return this->Next < this->Starts[static_cast<std::size_t>(slab) + 1];
+}
+
+int SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab, std::size_t volume)
 {
   const std::size_t first = this->Next;
   const std::size_t end = this->Starts[static_cast<std::size_t>(slab) + 1];
-  this->Next = end;
-  if (first == end || this->Lights.empty())
+  const bool isBehind = slab == this->Sweep->Slabs;
+  // Behind all slabs the buffers have what all volumes take.
+  if (this->Lights[volume].empty() || (isBehind && volume > 0))
   {
     return 0;
   }
-  const bool isBehind = slab == this->Sweep->Slabs;
   int passes = 0;
-  for (const Light& light : this->Lights)
+  for (const Light& light : this->Lights[volume])
   {
     passes += isBehind && light.Behind
       ? light.Buffer->GetSampleLayers()->Finish(window, *this->Sweep, *light.Planned)
@@ -239,7 +264,7 @@ int SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab)
   // Lines and points of actors leave sizes of their own.
   state->vtkglPointSize(1.0F);
   glEnable(GL_DEPTH_CLAMP);
-  for (const Light& light : this->Lights)
+  for (const Light& light : this->Lights[volume])
   {
     const std::array<int, 2> origin = this->Scene->Transmittance->GetOrigin(light.Tile);
     state->vtkglViewport(origin[0], origin[1], this->Scene->Size[0], this->Scene->Size[1]);
@@ -261,12 +286,15 @@ int SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab)
 
 void SliceReceivers::ReleaseGraphicsResources()
 {
-  for (const Light& light : this->Lights)
+  for (const std::vector<Light>& lights : this->Lights)
   {
-    light.Pass->ReleaseGraphicsResources();
-    if (light.Behind)
+    for (const Light& light : lights)
     {
-      light.Behind->ReleaseGraphicsResources();
+      light.Pass->ReleaseGraphicsResources();
+      if (light.Behind)
+      {
+        light.Behind->ReleaseGraphicsResources();
+      }
     }
   }
   this->Lights.clear();

@@ -21,7 +21,7 @@ namespace interlume
 {
 
 class SliceLightBuffer;
-class SliceTextures;
+class SlicePart;
 struct SliceFrame;
 struct SliceScene;
 
@@ -40,25 +40,32 @@ public:
   SliceReceivers();
   ~SliceReceivers();
 
-  /**
-   * Sorts the surfaces into slabs, and makes the programs ready. \a buffers are those of the
-   * sweep's lights, whose textures are active. Returns what is wrong, or nothing.
-   */
-  std::string Begin(vtkOpenGLRenderWindow* window, const SliceFrame& frame, std::size_t sweepIndex,
-    SliceTextures& textures, const std::vector<SliceLightBuffer*>& buffers);
+  /// Sorts the surfaces into slabs of a sweep through these volumes.
+  void Begin(const std::vector<std::unique_ptr<SlicePart>>& parts, std::size_t sweepIndex);
 
-  /// Draws all surfaces that are left up to the end of a slab, whose matter the buffers do not have
-  /// yet; the number of slabs stands for what is behind all of them. Returns the number of passes
-  /// over layers that this took.
-  int Draw(vtkOpenGLRenderWindow* window, int slab);
+  /**
+   * Makes a volume's programs ready, the first one's first. \a buffers are those of the sweep's
+   * lights, whose textures are active. Returns what is wrong, or nothing.
+   */
+  std::string Prepare(
+    vtkOpenGLRenderWindow* window, SlicePart& part, const std::vector<SliceLightBuffer*>& buffers);
+
+  /// Whether there are surfaces left up to the end of a slab, whose matter the buffers do not have
+  /// yet; the number of slabs stands for what is behind all of them.
+  bool IsLeft(int slab) const;
+  /// Draws what a volume leaves of light at these surfaces. Returns the number of passes over
+  /// layers that this took.
+  int Draw(vtkOpenGLRenderWindow* window, int slab, std::size_t volume);
+  /// Forgets them.
+  void Pass(int slab) { this->Next = this->Starts[static_cast<std::size_t>(slab) + 1]; }
 
   void ReleaseGraphicsResources();
 
 private:
-  void Sort(const SliceFrame& frame, const SlicePlan::Sweep& sweep);
+  void Sort(const std::vector<std::unique_ptr<SlicePart>>& parts);
 
-  /// A light's programs, the second one where it has layers, and the light's tile in the scene's
-  /// transmittance.
+  /// A light's programs of a volume, the second one of the first volume where the light has layers,
+  /// and the light's tile in the scene's transmittance.
   struct Light
   {
     const SlicePlan::ShadowedLight* Planned = nullptr;
@@ -71,7 +78,8 @@ private:
   const SliceFrame* Frame = nullptr;
   SliceScene* Scene = nullptr;
   const SlicePlan::Sweep* Sweep = nullptr;
-  std::vector<Light> Lights;
+  /// Of each volume.
+  std::vector<std::vector<Light>> Lights;
   std::vector<float> Places;
   /// The first place of each slab; two more than slabs.
   std::vector<std::size_t> Starts;

@@ -2,24 +2,20 @@
 #include "Draw/SliceRenderer.h"
 
 #include "Common/Vectors.h"
+#include "Draw/LightBufferImage.h"
+#include "Draw/PicturePlan.h"
 #include "Draw/SliceRasterizer.h"
-#include "Draw/SliceShader.h"
-#include "Lights/EmitterSamples.h"
+#include "Draw/SliceTextures.h"
 #include "Lights/LightSources.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Plan/UnitSpaceCamera.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
 #include "vtkOpaqueProps.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPointData.h"
 #include "vtkProjectiveLight.h"
 #include "vtkRenderer.h"
 #include "vtkSoftwareOpenGL.h"
@@ -36,6 +32,7 @@ namespace interlume
 struct SliceRenderer::WindowResources
 {
   SliceRasterizer Rasterizer;
+  SliceTextures Textures;
   int SamplesVersion = 0;
   int MaterialVersion = 0;
 };
@@ -86,12 +83,6 @@ void ShowSelection(
   }
   selector->EndRenderProp();
 }
-
-// The spacing of slices along their normal, in voxels.
-constexpr double AUTOMATIC_SPACING = 0.5;
-
-// The factors by which pictures may be coarser than asked for.
-constexpr std::array<double, 5> COARSENESSES{ { 1.0, 1.5, 2.0, 3.0, 4.0 } };
 }
 
 SliceRenderer::SliceRenderer() = default;
@@ -174,68 +165,34 @@ void SliceRenderer::UpdateShading(vtkVolume* volume)
   frame.Ambient = isBlack ? glm::dvec3(1.0, 1.0, 1.0) : ambient;
 }
 
-double SliceRenderer::ChooseCoarseness(vtkVolume* volume, const Request& request)
+SliceTextures& SliceRenderer::GetTextures(vtkWindow* window)
 {
-  if (!request.Settings.AutoAdjustSampleDistances)
-  {
-    return 1.0;
-  }
-  // The time of a full picture counts slices and pixels along both edges.
-  const double full = this->LastSeconds * std::pow(this->LastCoarseness, 3.0);
-  const double allocated = volume->GetAllocatedRenderTime();
-  for (double coarseness : COARSENESSES)
-  {
-    if (full <= allocated * std::pow(coarseness, 3.0))
-    {
-      return coarseness;
-    }
-  }
-  return COARSENESSES.back();
+  return this->Windows[window]->Textures;
 }
 
-std::string SliceRenderer::Upload(
-  vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report)
+vtkIdType SliceRenderer::GetTextureBytes() const
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  return SliceTextures::GetBytes(this->Frame.Samples) +
+    SliceTextures::GetBytes(this->Frame.Material);
+}
+
+std::string SliceRenderer::Upload(vtkOpenGLRenderWindow* window, vtkShadowedSliceReport& report)
+{
   WindowResources& resources = *this->Windows[window];
   const SliceFrame& frame = this->Frame;
-  const vtkIdType samples = SliceTextures::GetBytes(frame.Samples);
-  const vtkIdType tables = SliceTextures::GetBytes(frame.Material);
-  report.TextureBytes = samples + tables;
-  vtkIdType bytes = report.TextureBytes;
-  const vtkIdType pixels = static_cast<vtkIdType>(frame.Size[0]) * frame.Size[1];
-  bytes +=
-    pixels * static_cast<vtkIdType>(sizeof(float)) * (frame.Plan.HasFurtherPictures() ? 9 : 5);
-  for (std::size_t sweep = 0; sweep < frame.Plan.Sweeps.size(); ++sweep)
-  {
-    // Thick matter needs two layers of each buffer.
-    const int buffers = SliceShader::HasThickPart(frame, sweep) ? 3 : 1;
-    for (const SlicePlan::ShadowedLight& light : frame.Plan.Sweeps[sweep].Lights)
-    {
-      bytes += static_cast<vtkIdType>(sizeof(float)) * light.BufferSize * light.BufferSize *
-        frame.GetLightChannels() *
-        ((light.IsWide ? 1 : buffers) + SliceLightBuffer::GetNumberOfSoftBuffers(light));
-    }
-  }
-  if (request.Settings.MaximumTextureMemory > 0 && bytes > request.Settings.MaximumTextureMemory)
-  {
-    return "textures and buffers of the picture take " + std::to_string(bytes) +
-      " bytes, and MaximumTextureMemory is " +
-      std::to_string(request.Settings.MaximumTextureMemory);
-  }
-  SliceTextures& textures = resources.Rasterizer.GetTextures();
+  SliceTextures& textures = resources.Textures;
   std::string error;
   if (resources.SamplesVersion != this->SamplesVersion)
   {
     error = textures.Upload(window, frame.Samples);
     resources.SamplesVersion = error.empty() ? this->SamplesVersion : 0;
-    report.UploadedBytes += samples;
+    report.UploadedBytes += SliceTextures::GetBytes(frame.Samples);
   }
   if (error.empty() && resources.MaterialVersion != this->MaterialVersion)
   {
     error = textures.Upload(window, frame.Material);
     resources.MaterialVersion = error.empty() ? this->MaterialVersion : 0;
-    report.UploadedBytes += tables;
+    report.UploadedBytes += SliceTextures::GetBytes(frame.Material);
   }
   std::vector<vtkProjectiveLight*> screens;
   for (const LightSource& light : frame.Lights)
@@ -249,66 +206,14 @@ std::string SliceRenderer::Upload(
   return error;
 }
 
-void SliceRenderer::MakePlan(
-  const Request& request, SlicePlan::Settings settings, vtkShadowedSliceReport& report)
+std::string SliceRenderer::UpdateVolume(
+  vtkOpenGLRenderWindow* window, vtkVolume* volume, const Request& request)
 {
-  SliceFrame& frame = this->Frame;
-  const auto isSoft = [](const LightSource& light)
-  { return light.Area != nullptr && light.ShadowStrength > 0.0; };
-  const std::size_t lights = frame.Lights.size();
-  report.ShadowedLights = static_cast<int>(std::count_if(frame.Lights.begin(), frame.Lights.end(),
-    [](const LightSource& light) { return light.ShadowStrength > 0.0; }));
-  report.SoftLights =
-    static_cast<int>(std::count_if(frame.Lights.begin(), frame.Lights.end(), isSoft));
-
-  const int samples = request.Settings.NumberOfLightSamples;
-  std::vector<int> sampled;
-  if (report.SoftLights > 0)
+  std::unique_ptr<WindowResources>& resources = this->Windows[window];
+  if (!resources)
   {
-    constexpr std::array<const char*, 3> names{ { "AccumulatedConvolution", "SampleLayers",
-      "SampledLights" } };
-    const int method = request.Settings.SoftShadowMethod;
-    report.SoftShadowMethod = names[method];
-    settings.Samples = samples;
-    settings.SoftMethod = method == vtkShadowedSliceSettings::SAMPLE_LAYERS ? SlicePlan::LAYERS
-      : method == vtkShadowedSliceSettings::ACCUMULATED_CONVOLUTION         ? SlicePlan::CONVOLUTION
-                                                                            : SlicePlan::HARD;
-    for (std::size_t i = 0; i < lights && settings.SoftMethod == SlicePlan::HARD; ++i)
-    {
-      if (isSoft(frame.Lights[i]))
-      {
-        sampled.push_back(static_cast<int>(i));
-      }
-    }
+    resources = std::make_unique<WindowResources>();
   }
-  // A surface of a scene takes what is left of a light once: shares of samples would be multiplied.
-  std::vector<int> hard = frame.Scene ? sampled : std::vector<int>();
-  if (hard.empty() && !sampled.empty())
-  {
-    frame.Lights = EmitterSamples::Split(frame.Lights, sampled, samples);
-    report.SampledLights = samples * static_cast<int>(sampled.size());
-  }
-  if (hard.empty())
-  {
-    frame.Plan.Make(frame.Eye, frame.Lights, frame.Space, frame.Region.Box, settings);
-    hard = frame.Plan.NotSoft;
-  }
-  report.HardLightsInstead = static_cast<int>(hard.size());
-  if (!hard.empty())
-  {
-    for (const int light : hard)
-    {
-      frame.Lights[static_cast<std::size_t>(light)].Area = nullptr;
-    }
-    frame.Plan.Make(frame.Eye, frame.Lights, frame.Space, frame.Region.Box, settings);
-  }
-  report.Lights = frame.IsLit() ? static_cast<int>(lights) : 0;
-}
-
-std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
-  std::vector<std::string>& warnings, vtkShadowedSliceReport& report)
-{
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
     return "the render window is not an OpenGL one";
@@ -323,6 +228,8 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
     error = this->UpdateMaterial(volume, request);
   }
   SliceFrame& frame = this->Frame;
+  frame.Number = 0;
+  frame.HasColoredLight = false;
   if (error.empty())
   {
     error = frame.Space.Set(request.Image, request.IsOfCells, volume->GetMatrix());
@@ -337,12 +244,23 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
     }
     error = frame.Region.Clip(request.ClippingPlanes, frame.Space);
   }
-  if (!error.empty())
+  if (error.empty())
   {
-    return error;
+    request.Image->GetSpacing(glm::value_ptr(frame.Spacing));
   }
-  request.Image->GetSpacing(glm::value_ptr(frame.Spacing));
-  const double coarseness = this->ChooseCoarseness(volume, request);
+  return error;
+}
+
+void SliceRenderer::MoveTo(const Request& request, const glm::dvec3& center, double radius)
+{
+  this->Frame.Space.MoveTo(center, radius);
+  this->Frame.Region.Clip(request.ClippingPlanes, this->Frame.Space);
+}
+
+void SliceRenderer::UpdateView(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+  double coarseness, std::vector<std::string>& warnings, vtkShadowedSliceReport& report)
+{
+  SliceFrame& frame = this->Frame;
   report.ImageSampleDistance = request.Settings.ImageSampleDistance * coarseness;
   int width = 0;
   int height = 0;
@@ -363,25 +281,43 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
   frame.IsSmoothLookup = request.Settings.LightLookup == vtkShadowedSliceSettings::BILINEAR_LIGHT;
   frame.Scene = request.Scene;
   frame.MayBeOccluded = vtkOpaqueProps::MayOcclude(renderer, volume);
-
-  SlicePlan::Settings settings;
-  settings.Spacing = request.Settings.SliceSpacing / frame.Space.Radius;
-  settings.AutomaticFactor = AUTOMATIC_SPACING * coarseness;
-  settings.BufferSize = request.Settings.LightBufferSize;
-  GLint limit = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-  settings.LargestBufferSize = std::min(settings.LargestBufferSize, static_cast<int>(limit));
-  this->MakePlan(request, settings, report);
-
-  report.Sweeps = static_cast<int>(frame.Plan.Sweeps.size());
-  report.FrontToBackSweeps = static_cast<int>(std::count_if(frame.Plan.Sweeps.begin(),
-    frame.Plan.Sweeps.end(), [](const SlicePlan::Sweep& sweep) { return sweep.IsFrontToBack; }));
-  report.SliceSpacing = frame.Plan.Sweeps[0].Spacing * frame.Space.Radius;
   report.Blocks = frame.Blocks.GetNumberOfBlocks();
   report.BlocksDrawn = frame.Blocks.GetNumberVisible();
   report.NonFiniteVoxels = frame.Samples.NonFinite;
+  report.TextureBytes = this->GetTextureBytes();
+}
+
+SlicePlan::Matter SliceRenderer::GetMatter(const Request& request) const
+{
+  return { &this->Frame.Space, this->Frame.Region.Box,
+    request.Settings.SliceSpacing / this->Frame.Space.Radius };
+}
+
+std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+  std::vector<std::string>& warnings, vtkShadowedSliceReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const std::string error = this->UpdateVolume(window, volume, request);
+  if (!error.empty())
+  {
+    return error;
+  }
+  const double coarseness = request.Settings.AutoAdjustSampleDistances
+    ? PicturePlan::ChooseCoarseness(
+        this->LastSeconds, this->LastCoarseness, volume->GetAllocatedRenderTime())
+    : 1.0;
+  this->UpdateView(renderer, volume, request, coarseness, warnings, report);
+  PicturePlan::Make(
+    this->Frame, { this->GetMatter(request) }, request.Settings, coarseness, report);
   this->LastCoarseness = coarseness;
-  return this->Upload(renderer, request, report);
+  const vtkIdType bytes = report.TextureBytes + PicturePlan::GetBufferBytes({ &this->Frame });
+  if (request.Settings.MaximumTextureMemory > 0 && bytes > request.Settings.MaximumTextureMemory)
+  {
+    return "textures and buffers of the picture take " + std::to_string(bytes) +
+      " bytes, and MaximumTextureMemory is " +
+      std::to_string(request.Settings.MaximumTextureMemory);
+  }
+  return this->Upload(window, report);
 }
 
 std::string SliceRenderer::Render(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
@@ -389,16 +325,13 @@ std::string SliceRenderer::Render(vtkRenderer* renderer, vtkVolume* volume, cons
 {
   const double start = vtkTimerLog::GetUniversalTime();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  std::unique_ptr<WindowResources>& resources = this->Windows[window];
-  if (!resources)
-  {
-    resources = std::make_unique<WindowResources>();
-  }
   std::string error = this->Update(renderer, volume, request, warnings, report);
+  const std::unique_ptr<WindowResources>& resources = this->Windows[window];
   if (error.empty())
   {
     const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
-    error = resources->Rasterizer.Draw(renderer, this->Frame, isAborted, report);
+    error = resources->Rasterizer.Draw(
+      renderer, { { &this->Frame, &resources->Textures } }, isAborted, report);
   }
   // The scene is gone when the picture has been drawn.
   this->Frame.Scene = nullptr;
@@ -437,51 +370,18 @@ bool SliceRenderer::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkI
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const auto resources = this->Windows.find(window);
-  if (resources == this->Windows.end())
-  {
-    return false;
-  }
-  const UnitSpace& space = this->Frame.Space;
-  for (const SlicePlan::Sweep& sweep : this->Frame.Plan.Sweeps)
-  {
-    for (const SlicePlan::ShadowedLight& shadowed : sweep.Lights)
-    {
-      if (this->Frame.Lights[shadowed.Light].Light != light)
-      {
-        continue;
-      }
-      int size = 0;
-      int channels = 0;
-      const std::vector<float> texels =
-        resources->second->Rasterizer.ReadLightBuffer(window, shadowed.Light, size, channels);
-      if (texels.empty())
-      {
-        return false;
-      }
-      image->Initialize();
-      image->SetDimensions(size, size, 1);
-      vtkNew<vtkFloatArray> values;
-      values->SetName("Transmittance");
-      values->SetNumberOfComponents(channels);
-      values->SetNumberOfTuples(static_cast<vtkIdType>(size) * size);
-      std::copy(texels.begin(), texels.end(), values->GetPointer(0));
-      image->GetPointData()->SetScalars(values);
+  return resources != this->Windows.end() &&
+    LightBufferImage::Read(resources->second->Rasterizer,
+      { this->Frame.Plan, this->Frame.Lights, this->Frame.Space }, window, light, image);
+}
 
-      // The matrix leads from clip coordinates to texture coordinates, after the way from world to
-      // unit space.
-      glm::dmat4 texture(glm::dmat3(0.5));
-      texture[3] = glm::dvec4(0.5, 0.5, 0.5, 1.0);
-      vtkNew<vtkDoubleArray> matrix;
-      matrix->SetName("BufferFromWorld");
-      matrix->SetNumberOfTuples(16);
-      const glm::dmat4 rows =
-        glm::transpose(texture * (shadowed.BufferFromUnit * space.GetUnitFromWorld()));
-      std::copy_n(glm::value_ptr(rows), 16, matrix->GetPointer(0));
-      image->GetFieldData()->AddArray(matrix);
-      return true;
-    }
+void SliceRenderer::ReleasePicture(vtkWindow* window)
+{
+  const auto resources = this->Windows.find(window);
+  if (resources != this->Windows.end())
+  {
+    resources->second->Rasterizer.ReleaseGraphicsResources(window);
   }
-  return false;
 }
 
 void SliceRenderer::ReleaseGraphicsResources(vtkWindow* window)
@@ -491,6 +391,7 @@ void SliceRenderer::ReleaseGraphicsResources(vtkWindow* window)
     if (!window || resources.first == window)
     {
       resources.second->Rasterizer.ReleaseGraphicsResources(resources.first);
+      resources.second->Textures.ReleaseGraphicsResources(resources.first);
     }
   }
   if (window)

@@ -17,6 +17,7 @@
 class vtkDataArray;
 class vtkImageData;
 class vtkLight;
+class vtkOpenGLRenderWindow;
 class vtkPlaneCollection;
 class vtkRenderer;
 class vtkVolume;
@@ -25,7 +26,7 @@ class vtkWindow;
 namespace interlume
 {
 
-class SliceRasterizer;
+class SliceTextures;
 struct SliceScene;
 
 /**
@@ -68,6 +69,27 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
+  ///@{
+  /**
+   * The steps of a picture, for volumes that share slices: makes the changed parts of the volume,
+   * in a unit space of its own, and returns what is wrong or nothing; moves it to the shared unit
+   * space; looks up how it is seen and lit; sends textures that have changed.
+   */
+  std::string UpdateVolume(
+    vtkOpenGLRenderWindow* window, vtkVolume* volume, const Request& request);
+  void MoveTo(const Request& request, const glm::dvec3& center, double radius);
+  void UpdateView(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+    double coarseness, std::vector<std::string>& warnings, vtkShadowedSliceReport& report);
+  std::string Upload(vtkOpenGLRenderWindow* window, vtkShadowedSliceReport& report);
+  ///@}
+  SliceFrame& GetFrame() { return this->Frame; }
+  /// What the plan has to know of the volume.
+  SlicePlan::Matter GetMatter(const Request& request) const;
+  SliceTextures& GetTextures(vtkWindow* window);
+  vtkIdType GetTextureBytes() const;
+  /// Frees the picture of a window and its buffers, and keeps the volume's textures.
+  void ReleasePicture(vtkWindow* window);
+
 private:
   struct WindowResources;
 
@@ -76,12 +98,6 @@ private:
   std::string UpdateSamples(const Request& request, bool isSoftware);
   std::string UpdateMaterial(vtkVolume* volume, const Request& request);
   void UpdateShading(vtkVolume* volume);
-  /// Plans the picture. Area lights whose shadows are not found by buffers of their own become
-  /// lights of their samples.
-  void MakePlan(
-    const Request& request, SlicePlan::Settings settings, vtkShadowedSliceReport& report);
-  double ChooseCoarseness(vtkVolume* volume, const Request& request);
-  std::string Upload(vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report);
 
   SliceFrame Frame;
   /// The data that the samples and the material were made of.

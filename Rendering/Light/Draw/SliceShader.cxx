@@ -44,6 +44,8 @@ std::string GetMediumFeatures(const SliceFrame& frame)
   const MaterialTable& material = frame.Material;
   std::string features =
     "COLUMNS=" + std::to_string(MaterialTable::Columns) + " ROWS=" + std::to_string(material.Rows);
+  // Equal sources of two volumes would share one program, and its uniforms.
+  features += frame.Number > 0 ? " VOLUME_NUMBER=" + std::to_string(frame.Number) : std::string();
   features += material.Kind == MaterialTable::INDEPENDENT ? " OPACITY_OF=r"
     : material.Kind == MaterialTable::COLOR_OPACITY       ? " OPACITY_OF=g"
                                                           : " OPACITY_OF=a";
@@ -60,10 +62,19 @@ std::string GetMediumFeatures(const SliceFrame& frame)
   return features;
 }
 
-// Returns whether light has colours of its own inside the matter.
+// Returns whether light has colours of its own inside the matter, or another volume's.
 bool HasTransmission(const SliceFrame& frame)
 {
   return frame.GetLightChannels() > 1 && frame.HasShadows();
+}
+
+std::string GetTransmissionFeatures(const SliceFrame& frame)
+{
+  if (!HasTransmission(frame))
+  {
+    return {};
+  }
+  return frame.Material.Transmission.empty() ? " TRANSMISSION GREY" : " TRANSMISSION";
 }
 
 const ShadowedLight* FindShadow(const Sweep& sweep, int light)
@@ -380,7 +391,7 @@ std::string SliceShader::GetEyeSource(
   }
   features += frame.IsLit() ? " LIT" : "";
   features += frame.IsShaded ? " SHADE" : "";
-  features += HasTransmission(frame) ? " TRANSMISSION" : "";
+  features += GetTransmissionFeatures(frame);
   std::string lights;
   std::string calls;
   if (HasCasters(frame))
@@ -405,7 +416,7 @@ std::string SliceShader::GetLightSource(
   const SliceFrame& frame, const SlicePlan::ShadowedLight& light)
 {
   std::string features = GetMediumFeatures(frame);
-  features += HasTransmission(frame) ? " TRANSMISSION" : "";
+  features += GetTransmissionFeatures(frame);
   features += light.IsWide ? " WIDE" : "";
   features += frame.Lights[light.Light].IsPositional ? " POSITIONAL" : "";
   // Equal sources would share one program, and its uniforms.
@@ -421,10 +432,12 @@ std::string SliceShader::GetReceiverSource(
   const SliceFrame& frame, const SlicePlan::ShadowedLight& light)
 {
   std::string features = GetMediumFeatures(frame);
-  features += HasTransmission(frame) ? " TRANSMISSION" : "";
+  features += GetTransmissionFeatures(frame);
   features += frame.IsSmoothLookup ? "" : " NEAREST_LIGHT";
   features += GetLightFeatures(frame.Lights[light.Light], &light, 0);
   features += " LIGHT_NUMBER=" + std::to_string(light.Light);
+  // The first volume has the light's buffer, which is the same for all of them.
+  features += frame.Number > 0 ? " WITHIN" : "";
   std::string source =
     Replace(InterlumeSliceReceiverFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
   source = Replace(source, "//INTERLUME::LIGHTS", Replace(InterlumeSliceLight, "INDEX", "0"));

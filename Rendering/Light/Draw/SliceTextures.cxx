@@ -299,7 +299,17 @@ void SliceTextures::Activate(vtkShaderProgram* program)
     {
       texture->Activate();
       program->SetUniformi(name, texture->GetTextureUnit());
-      this->Active.push_back(texture);
+      const std::pair<vtkTextureObject*, int> bound(texture, texture->GetTextureUnit());
+      const auto known = std::find_if(this->Active.begin(), this->Active.end(),
+        [&bound](const auto& other) { return other.first == bound.first; });
+      if (known == this->Active.end())
+      {
+        this->Active.push_back(bound);
+      }
+      else
+      {
+        *known = bound;
+      }
     }
   };
   activate(this->Volume, "volume");
@@ -314,11 +324,27 @@ void SliceTextures::Activate(vtkShaderProgram* program)
 
 void SliceTextures::Deactivate()
 {
-  for (vtkTextureObject* texture : this->Active)
-  {
-    texture->Deactivate();
-  }
+  this->Suspend();
   this->Active.clear();
+}
+
+void SliceTextures::Suspend()
+{
+  for (const auto& bound : this->Active)
+  {
+    bound.first->Deactivate();
+  }
+}
+
+bool SliceTextures::Resume()
+{
+  bool isSame = true;
+  for (const auto& bound : this->Active)
+  {
+    bound.first->Activate();
+    isSame = isSame && bound.first->GetTextureUnit() == bound.second;
+  }
+  return isSame;
 }
 
 void SliceTextures::ReleaseGraphicsResources(vtkWindow* window)

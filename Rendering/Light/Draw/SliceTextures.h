@@ -8,6 +8,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -58,6 +59,10 @@ public:
   /// Binds the textures that \a program reads, and unbinds them.
   void Activate(vtkShaderProgram* program);
   void Deactivate();
+  /// Unbinds them for a while.
+  void Suspend();
+  /// Binds them again. Returns whether each has the unit that programs know it by.
+  bool Resume();
   ///@}
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -80,7 +85,8 @@ private:
   /// The sums that ExtinctionSums has yet to get.
   std::vector<float> SumTexels;
   std::map<vtkProjectiveLight*, Screen> Screens;
-  std::vector<vtkTextureObject*> Active;
+  /// The textures that are bound, or suspended, with their units.
+  std::vector<std::pair<vtkTextureObject*, int>> Active;
 };
 
 }

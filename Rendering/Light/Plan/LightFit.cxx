@@ -4,7 +4,6 @@
 #include "Common/Vectors.h"
 #include "Lights/EmitterSamples.h"
 #include "Plan/SliceNormal.h"
-#include "Space/UnitSpace.h"
 
 #include "vtkMath.h"
 
@@ -45,10 +44,10 @@ glm::dvec4 GetHomogeneous(const LightSource& source)
 
 }
 
-LightFit::LightFit(
-  const BoxCorners& corners, const UnitSpace& space, const SlicePlan::Settings& settings)
+LightFit::LightFit(const BoxCorners& corners, const std::vector<SlicePlan::Matter>& matter,
+  const SlicePlan::Settings& settings)
   : Corners(corners)
-  , Space(space)
+  , Matter(matter)
   , Settings(settings)
   , Center(corners.GetCenter())
 {
@@ -105,10 +104,11 @@ LightFit::Window LightFit::FitBox(const LightSource& source) const
   }
 
   Window best;
-  const std::array<glm::dvec3, 8>& corners = this->Corners.Get();
-  for (std::size_t edge = 0; edge < 3; ++edge)
+  const std::vector<glm::dvec3>& corners = this->Corners.Get();
+  for (std::size_t edge = 0; edge < 3 * (corners.size() / 8); ++edge)
   {
-    const glm::dvec3 along = corners[std::size_t(1) << edge] - corners[0];
+    const std::size_t first = 8 * (edge / 3);
+    const glm::dvec3 along = corners[first + (std::size_t(1) << edge % 3)] - corners[first];
     window.Across[0] = Perpendicular(window.Axis, along);
     window.Across[1] = glm::cross(window.Axis, window.Across[0]);
     this->Bound(window);
@@ -158,6 +158,16 @@ bool LightFit::FitScreen(const LightSource& source, Window& window) const
   return window.Range[0][0] < window.Range[0][1] && window.Range[1][0] < window.Range[1][1];
 }
 
+double LightFit::GetVoxelSpacing(const glm::dvec3& direction) const
+{
+  double spacing = std::numeric_limits<double>::max();
+  for (const SlicePlan::Matter& volume : this->Matter)
+  {
+    spacing = std::min(spacing, SlicePlan::GetVoxelSpacing(*volume.Space, direction));
+  }
+  return spacing;
+}
+
 int LightFit::GetSize(double texels) const
 {
   if (this->Settings.BufferSize > 0)
@@ -165,8 +175,9 @@ int LightFit::GetSize(double texels) const
     return std::max(
       std::min(this->Settings.BufferSize, this->Settings.LargestBufferSize), SmallestBuffer);
   }
-  const double bounded =
-    std::min(std::max(texels + 2.0 * Border, double(SmallestAutomatic)), double(LargestAutomatic));
+  const double bounded = std::max(
+    std::min(std::max(texels + 2.0 * Border, double(SmallestAutomatic)), double(LargestAutomatic)),
+    double(this->Settings.LeastBufferSize));
   const int rounded = static_cast<int>(std::ceil(bounded / Multiple)) * Multiple;
   return std::max(std::min(rounded, this->Settings.LargestBufferSize), SmallestBuffer);
 }
@@ -194,13 +205,13 @@ void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& lig
   for (std::size_t i = 0; i < 2; ++i)
   {
     const double extent = middle * (window.Range[i][1] - window.Range[i][0]);
-    texels = std::max(texels, extent / SlicePlan::GetVoxelSpacing(this->Space, window.Across[i]));
+    texels = std::max(texels, extent / this->GetVoxelSpacing(window.Across[i]));
   }
   light.IsWide = false;
   light.BufferSize = this->GetSize(texels);
   light.BufferFromUnit = glm::dmat4(0.0);
   light.TexelSize = 0.0;
-  light.VoxelLength = SlicePlan::GetVoxelSpacing(this->Space, window.Axis);
+  light.VoxelLength = this->GetVoxelSpacing(window.Axis);
 
   const double inner = 1.0 - 2.0 * Border / light.BufferSize;
   const double widest =
@@ -292,7 +303,7 @@ void LightFit::FitHalfSpace(
     // Near a face few rays go as far, and texels have their price.
     const double outside = std::max({ range[0] - place, place - range[1], 0.0 });
     const double reach = std::min(farthest, 0.7 * (range[1] - range[0]) + 2.0 * outside);
-    texels = std::max(texels, reach / SlicePlan::GetVoxelSpacing(this->Space, axes[i]));
+    texels = std::max(texels, reach / this->GetVoxelSpacing(axes[i]));
   }
   light.IsWide = true;
   light.BufferFromUnit = glm::dmat4(0.0);

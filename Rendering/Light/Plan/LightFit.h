@@ -7,20 +7,19 @@
 #include "Space/BoxCorners.h"
 
 #include <array>
+#include <vector>
 
 namespace interlume
 {
-
-class UnitSpace;
 
 /**
  * @class   LightFit
  * @brief   the buffer of a light: its size, and the place of a point in it
  *
- * A plane's buffer is a rectangle as small as three of its orientations, along the box's edges, let
- * it be around the box, with a border of Border texels, so that interpolation at its edge reads
- * what was drawn. That of a projective light is its screen where that is smaller. A wide light's
- * buffer is the octahedral map of a half space.
+ * A plane's buffer is a rectangle as small as its orientations along the edges of each box let it
+ * be around all boxes, with a border of Border texels, so that interpolation at its edge reads what
+ * was drawn. That of a projective light is its screen where that is smaller. A wide light's buffer
+ * is the octahedral map of a half space.
  */
 class LightFit
 {
@@ -31,7 +30,8 @@ public:
   /// sees no difference.
   static constexpr double FarDistance = 1e8;
 
-  LightFit(const BoxCorners& corners, const UnitSpace& space, const SlicePlan::Settings& settings);
+  LightFit(const BoxCorners& corners, const std::vector<SlicePlan::Matter>& matter,
+    const SlicePlan::Settings& settings);
 
   void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light) const;
   /// Plans the soft shadows of an area light, by the method of the settings, that FitPlane was
@@ -58,9 +58,11 @@ private:
   Window FitBox(const LightSource& source) const;
   bool FitScreen(const LightSource& source, Window& window) const;
   int GetSize(double texels) const;
+  /// The shortest of a voxel's length along a direction of all volumes.
+  double GetVoxelSpacing(const glm::dvec3& direction) const;
 
   const BoxCorners& Corners;
-  const UnitSpace& Space;
+  const std::vector<SlicePlan::Matter>& Matter;
   const SlicePlan::Settings& Settings;
   const glm::dvec3 Center;
 };

@@ -166,13 +166,16 @@ double GetAutomaticSpacing(
 }
 
 // Slabs from the first place to the second one along the normal.
-void SetSlabs(SlicePlan::Sweep& sweep, const std::array<double, 2>& range, const UnitSpace& space,
-  const glm::dvec3& direction, const SlicePlan::Settings& settings)
+void SetSlabs(SlicePlan::Sweep& sweep, const std::array<double, 2>& range,
+  const std::vector<SlicePlan::Matter>& matter, const glm::dvec3& direction,
+  const SlicePlan::Settings& settings)
 {
   const double extent = range[1] - range[0];
-  const double spacing = settings.Spacing > 0.0
-    ? settings.Spacing
-    : GetAutomaticSpacing(space, sweep.Normal, direction, settings.AutomaticFactor);
+  double spacing = std::numeric_limits<double>::max();
+  for (const SlicePlan::Matter& volume : matter)
+  {
+    spacing = std::min(spacing, SlicePlan::GetSpacing(volume, sweep.Normal, direction, settings));
+  }
   // Rounding adds no slab.
   constexpr double rounding = 1e-9;
   const double slabs = std::ceil(extent / spacing * (1.0 - rounding));
@@ -187,9 +190,19 @@ void SetSlabs(SlicePlan::Sweep& sweep, const std::array<double, 2>& range, const
 void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights, const UnitSpace& space,
   const std::array<std::array<double, 2>, 3>& box, const Settings& settings)
 {
-  const BoxCorners corners(space, box);
+  this->Make(eye, lights, { { &space, box, 0.0 } }, settings);
+}
+
+void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights,
+  const std::vector<Matter>& matter, const Settings& settings)
+{
+  BoxCorners corners(*matter[0].Space, matter[0].Box);
+  for (std::size_t i = 1; i < matter.size(); ++i)
+  {
+    corners.Add(*matter[i].Space, matter[i].Box);
+  }
   const ViewRange view(eye, corners);
-  const LightFit fit(corners, space, settings);
+  const LightFit fit(corners, matter, settings);
   const auto most = static_cast<std::size_t>(std::max(settings.LightsOfSweep, 1));
 
   std::vector<LightGroup> groups;
@@ -259,7 +272,7 @@ void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights, con
     {
       range[0] = std::max(range[0], GetFirstLight(sweep, lights));
     }
-    SetSlabs(sweep, range, space, view.Direction, settings);
+    SetSlabs(sweep, range, matter, view.Direction, settings);
   }
 }
 
@@ -271,6 +284,15 @@ double SlicePlan::GetVoxelSpacing(const UnitSpace& space, const glm::dvec3& norm
     texels[axis] *= space.Size[axis];
   }
   return 1.0 / Vectors::SafeLength(texels);
+}
+
+double SlicePlan::GetSpacing(const Matter& matter, const glm::dvec3& normal,
+  const glm::dvec3& direction, const Settings& settings)
+{
+  const double set = matter.Spacing > 0.0 ? matter.Spacing : settings.Spacing;
+  return set > 0.0
+    ? set
+    : GetAutomaticSpacing(*matter.Space, normal, direction, settings.AutomaticFactor);
 }
 
 std::array<double, 2> SlicePlan::GetBufferPlace(

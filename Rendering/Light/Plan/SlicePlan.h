@@ -117,6 +117,16 @@ public:
     std::vector<ShadowedLight> Lights;
   };
 
+  /// A volume in the common unit space.
+  struct Matter
+  {
+    const UnitSpace* Space = nullptr;
+    /// The part with something to see, in texture coordinates.
+    std::array<std::array<double, 2>, 3> Box{};
+    /// The spacing of slices that this volume asks for; 0 stands for that of the settings.
+    double Spacing = 0.0;
+  };
+
   struct Settings
   {
     /// The spacing of slices in unit space; 0 stands for GetVoxelSpacing times AutomaticFactor, of
@@ -125,6 +135,8 @@ public:
     double Spacing = 0.0;
     double AutomaticFactor = 1.0;
     int BufferSize = 0;
+    /// The least size where BufferSize is 0.
+    int LeastBufferSize = 0;
     int LargestBufferSize = 8192;
     int MaximumNumberOfSlabs = 65536;
     int LightsOfSweep = 4;
@@ -141,6 +153,11 @@ public:
    */
   void Make(const Eye& eye, const std::vector<LightSource>& lights, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box, const Settings& settings);
+  /// Makes the plan of volumes whose slices are drawn together, at least one: sweeps go through all
+  /// of them with the finest spacing that one asks for, and a light's buffer is around all of them
+  /// with texels as fine as the finest voxels.
+  void Make(const Eye& eye, const std::vector<LightSource>& lights,
+    const std::vector<Matter>& matter, const Settings& settings);
 
   std::vector<Sweep> Sweeps;
   /// The area lights, by their index, that cannot have the soft method of the settings: they are
@@ -172,6 +189,9 @@ public:
   /// Distance of slices that is one voxel along \a normal: the length within a voxel of a line
   /// along it, 1 / sqrt(sum (n_i / voxel_i)^2) in the volume's own axes.
   static double GetVoxelSpacing(const UnitSpace& space, const glm::dvec3& normal);
+  /// The spacing of slices along \a normal that a volume asks for.
+  static double GetSpacing(const Matter& matter, const glm::dvec3& normal,
+    const glm::dvec3& direction, const Settings& settings);
 
   /// Returns the place of direction d of the half space d.n >= 0 in the buffer of a wide light, 0
   /// to 1: with (e1, e2, n) the rows of \a frame and p = (d.e1, d.e2) / (|d.e1| + |d.e2| + d.n),

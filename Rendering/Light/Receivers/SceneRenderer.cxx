@@ -36,9 +36,19 @@ bool HasSurfaces(vtkProp* prop)
   return prop->IsA("vtkActor") || prop->IsA("vtkAssembly") || prop->IsA("vtkLODProp3D");
 }
 
+// Returns whether a prop that is none of these can hide a volume.
+bool MayOcclude(vtkProp* prop)
+{
+  return prop->IsA("vtkProp3D") && !prop->IsA("vtkVolume") && prop->HasOpaqueGeometry();
+}
+
 // Returns coordinates of size 1 around all boxes.
 UnitSpace MakeSpace(const std::vector<CasterView::Box>& boxes)
 {
+  if (boxes.empty())
+  {
+    return {};
+  }
   glm::dvec3 lower(VTK_DOUBLE_MAX);
   glm::dvec3 upper(-VTK_DOUBLE_MAX);
   for (const CasterView::Box& box : boxes)
@@ -58,7 +68,7 @@ SceneRenderer::SceneRenderer() = default;
 
 SceneRenderer::~SceneRenderer() = default;
 
-bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, bool hasVolumes)
+bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int volumes)
 {
   this->Settings = request;
   this->Props.clear();
@@ -69,6 +79,7 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, bool ha
   this->Scene = SliceScene();
   this->Transmittance.Clear(0, 0, 1, {});
   std::vector<CasterView::Box> boxes;
+  bool hasOthers = false;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
   props->InitTraversal(iterator);
@@ -76,6 +87,7 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, bool ha
   {
     if (!prop->GetVisibility() || !HasSurfaces(prop))
     {
+      hasOthers = hasOthers || (prop->GetVisibility() && MayOcclude(prop));
       continue;
     }
     this->Props.push_back(prop);
@@ -86,7 +98,8 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, bool ha
       std::copy_n(prop->GetBounds(), 6, boxes.back().begin());
     }
   }
-  if (this->Casters.empty())
+  // Props of other kinds have no depth yet when volumes are drawn ahead.
+  if (this->Casters.empty() && (volumes < 2 || hasOthers))
   {
     return false;
   }
@@ -103,7 +116,7 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, bool ha
   this->Maps.Fit(this->Lights, space, boxes, request.Resolution, request.Samples);
   const bool hasShadows = std::any_of(this->Lights.begin(), this->Lights.end(),
     [](const LightSource& light) { return light.ShadowStrength > 0.0; });
-  return this->Maps.HasViews() || (hasVolumes && hasShadows);
+  return this->Maps.HasViews() || (volumes > 0 && hasShadows);
 }
 
 std::string SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
@@ -145,6 +158,11 @@ std::string SceneRenderer::DrawMaps(vtkRenderer* renderer, vtkShadowedSceneRepor
 std::string SceneRenderer::DrawEyeDepth(
   vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report)
 {
+  this->Scene.Casters = &this->Maps;
+  if (this->Casters.empty() && !renderer->GetPreserveDepthBuffer())
+  {
+    return {};
+  }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   int left = 0;
   int bottom = 0;
@@ -167,7 +185,6 @@ std::string SceneRenderer::DrawEyeDepth(
   this->IsOfDepths = false;
   this->EyeDepth.Read(window, this->Scene.EyeDepths);
   this->Scene.EyeDepth = this->EyeDepth.GetTexture();
-  this->Scene.Casters = &this->Maps;
   std::vector<vtkLight*> lights;
   for (const LightSource& light : this->Lights)
   {

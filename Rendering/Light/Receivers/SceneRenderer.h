@@ -48,16 +48,16 @@ public:
   ~SceneRenderer();
 
   /// Finds the props that cast shadows and the lights that they cast them of. Returns whether there
-  /// are both, or lights whose light \a hasVolumes may take from them.
-  bool Begin(vtkRenderer* renderer, const Request& request, bool hasVolumes);
+  /// are both, or lights whose light so many \a volumes may take from them, or from each other.
+  bool Begin(vtkRenderer* renderer, const Request& request, int volumes);
 
   /// The props whose shaders are changed: all visible ones that have surfaces.
   std::vector<vtkProp*>& GetProps() { return this->Props; }
 
   /// Draws the maps of lights. Returns what is wrong, or nothing.
   std::string DrawMaps(vtkRenderer* renderer, vtkShadowedSceneReport& report);
-  /// Draws the depth that the eye sees, for volumes whose light has so many channels. Returns what
-  /// is wrong, or nothing.
+  /// Draws the depth that the eye sees, where there is something to see, for volumes whose light
+  /// has so many channels. Returns what is wrong, or nothing.
   std::string DrawEyeDepth(vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report);
   /// What volumes of this frame are drawn with, after DrawEyeDepth.
   SliceScene& GetScene() { return this->Scene; }

@@ -21,8 +21,8 @@ class SceneCasters;
  */
 struct SliceScene
 {
-  /// The depth of the opaque surfaces that the eye sees: a texture, and its values row by row from
-  /// below.
+  /// The depth of the opaque surfaces that the eye sees: a texture, null for no surface, and its
+  /// values row by row from below.
   vtkTextureObject* EyeDepth = nullptr;
   std::vector<float> EyeDepths;
   std::array<int, 2> Size{ { 0, 0 } };

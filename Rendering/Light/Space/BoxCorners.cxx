@@ -13,16 +13,32 @@ using namespace UnitVector;
 
 BoxCorners::BoxCorners(const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box)
 {
+  this->Add(space, box);
+}
+
+void BoxCorners::Add(const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box)
+{
   for (unsigned i = 0; i < 8; ++i)
   {
-    this->Corners[i] = TransformPoint(
-      space.UnitFromTexture, { box[0][i & 1u], box[1][i >> 1 & 1u], box[2][i >> 2 & 1u] });
+    this->Corners.push_back(TransformPoint(
+      space.UnitFromTexture, { box[0][i & 1u], box[1][i >> 1 & 1u], box[2][i >> 2 & 1u] }));
   }
 }
 
 glm::dvec3 BoxCorners::GetCenter() const
 {
-  return 0.5 * this->Corners[0] + 0.5 * this->Corners[7];
+  glm::dvec3 lower = this->Corners[0];
+  glm::dvec3 upper = this->Corners[7];
+  if (this->Corners.size() > 8)
+  {
+    upper = lower;
+    for (const glm::dvec3& corner : this->Corners)
+    {
+      lower = glm::min(lower, corner);
+      upper = glm::max(upper, corner);
+    }
+  }
+  return 0.5 * lower + 0.5 * upper;
 }
 
 std::array<double, 2> BoxCorners::GetRange(const glm::dvec3& normal) const

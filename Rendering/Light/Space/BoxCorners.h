@@ -14,16 +14,19 @@ class UnitSpace;
 
 /**
  * @class   BoxCorners
- * @brief   the corners of the part of the volume that can be seen, in unit space
+ * @brief   the corners of the parts of volumes that can be seen, in unit space
  */
 class BoxCorners
 {
 public:
   /// \a box in texture coordinates.
   BoxCorners(const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box);
+  /// Adds the box of a further volume, in the same unit space.
+  void Add(const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box);
 
-  /// Upper along axis a where bit a of the index is set.
-  const std::array<glm::dvec3, 8>& Get() const { return this->Corners; }
+  /// Eight corners of each box; upper along axis a where bit a of the index is set.
+  const std::vector<glm::dvec3>& Get() const { return this->Corners; }
+  /// The middle of the box; that of the bounds of several.
   glm::dvec3 GetCenter() const;
   /// Smallest and largest place along \a normal.
   std::array<double, 2> GetRange(const glm::dvec3& normal) const;
@@ -31,7 +34,7 @@ public:
   std::vector<glm::dvec3> GetRays(const glm::dvec3& from) const;
 
 private:
-  std::array<glm::dvec3, 8> Corners;
+  std::vector<glm::dvec3> Corners;
 };
 
 }

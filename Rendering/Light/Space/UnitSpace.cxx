@@ -140,6 +140,21 @@ std::string UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* wo
   return isFinite ? "" : "the matrix of the volume or its image is not finite";
 }
 
+void UnitSpace::MoveTo(const glm::dvec3& center, double radius)
+{
+  const double scale = radius / this->Radius;
+  const glm::dvec3 moved = (center - this->Center) / this->Radius;
+  glm::dmat4 oldFromNew(glm::dmat3{ scale });
+  oldFromNew[3] = glm::dvec4(moved, 1.0);
+  glm::dmat4 newFromOld(glm::dmat3{ 1.0 / scale });
+  newFromOld[3] = glm::dvec4(-moved / scale, 1.0);
+  this->TextureFromUnit = this->TextureFromUnit * oldFromNew;
+  this->VolumeFromUnit = this->VolumeFromUnit * oldFromNew;
+  this->UnitFromTexture = newFromOld * this->UnitFromTexture;
+  this->Center = center;
+  this->Radius = radius;
+}
+
 glm::dvec3 UnitSpace::ToUnit(const double world[3]) const
 {
   return (glm::make_vec3(world) - this->Center) / this->Radius;

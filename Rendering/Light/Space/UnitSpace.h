@@ -20,7 +20,8 @@ namespace interlume
  *
  * World coordinates are moved and scaled alike in all directions so that the volume's corners lie
  * on or in the sphere of radius 1 around 0: x_world = Center + Radius x_unit. Whatever the volume's
- * size and place, single precision suffices from there. Texture coordinates are 0 to 1 over the
+ * size and place, single precision suffices from there. Volumes that are drawn together share one
+ * sphere. Texture coordinates are 0 to 1 over the
  * texels, whose centres are half a texel inside.
  */
 class UnitSpace
@@ -32,6 +33,10 @@ public:
    * is wrong (a matrix that is singular or not finite), or nothing.
    */
   std::string Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFromVolume);
+
+  /// Moves to another sphere, which several volumes share: from now on x_world = \a center +
+  /// \a radius x_unit.
+  void MoveTo(const glm::dvec3& center, double radius);
 
   glm::dvec3 ToUnit(const double world[3]) const;
   glm::dmat4 GetWorldFromUnit() const;

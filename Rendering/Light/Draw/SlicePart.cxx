@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/SlicePart.h"
+
+#include "Draw/SliceFrame.h"
+#include "Draw/SliceShader.h"
+#include "Draw/SliceTextures.h"
+#include "Loader/OpenGLFunctions.h"
+
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+namespace
+{
+// The least cosine of rays of eye and light with a slice's normal for which blocks at the edge of
+// the volume are enlarged.
+constexpr double LEAST_COSINE = 0.35;
+}
+
+SlicePart::SlicePart() = default;
+
+SlicePart::~SlicePart() = default;
+
+void SlicePart::Set(const SliceFrame& frame, SliceTextures& textures)
+{
+  this->Frame = &frame;
+  this->Textures = &textures;
+}
+
+vtkIdType SlicePart::Cut(const SlicePlan::Sweep& sweep)
+{
+  this->Polygons.Build(sweep, this->Frame->Blocks, this->Frame->Space, this->Frame->Region.Box,
+    0.5 * sweep.Spacing / LEAST_COSINE);
+  const std::vector<float>& vertices = this->Polygons.GetVertices();
+  if (!vertices.empty())
+  {
+    this->Vertices->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
+  }
+  return static_cast<vtkIdType>(sizeof(float)) * static_cast<vtkIdType>(vertices.size());
+}
+
+std::string SlicePart::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded,
+  bool isMarked, const std::function<void(vtkShaderProgram*)>& activate)
+{
+  this->Programs.clear();
+  this->IsThick = SliceShader::HasThickPart(*this->Frame, sweep);
+  this->IsThin = SliceShader::HasThinPart(*this->Frame, sweep);
+  this->IsMarked = isMarked;
+  const auto prepare = [&](SlicePass& pass, SliceShader::Parts part)
+  {
+    const std::string source = SliceShader::GetEyeSource(*this->Frame, sweep, isOccluded, part);
+    std::string error = pass.Prepare(window, source, this->Vertices, isMarked);
+    if (error.empty())
+    {
+      activate(pass.GetProgram());
+      this->Add(pass.GetProgram());
+      SliceShader::SetEyeUniforms(pass.GetProgram(), *this->Frame, sweep, isOccluded);
+    }
+    return error;
+  };
+  std::string error = prepare(this->Eye,
+    !this->IsThick   ? SliceShader::ALL
+      : this->IsThin ? SliceShader::THIN
+                     : SliceShader::EMPTY);
+  if (error.empty() && this->IsThick)
+  {
+    error = prepare(this->ThickEye, SliceShader::THICK);
+  }
+  return error;
+}
+
+void SlicePart::Add(vtkShaderProgram* program)
+{
+  this->Textures->Activate(program);
+  this->Programs.push_back(program);
+}
+
+void SlicePart::Draw(
+  vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep, int slab, int number, int volumes)
+{
+  vtkOpenGLState* state = window->GetState();
+  if (sweep.IsFrontToBack)
+  {
+    state->vtkglBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  }
+  else
+  {
+    state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  if (sweep.IsFrontToBack || this->IsMarked)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+  }
+  // The rest of a slab may lie behind the near plane while its middle is before it.
+  if (this->Frame->IsCutByNearPlane)
+  {
+    glEnable(GL_DEPTH_CLAMP);
+  }
+  const std::vector<std::size_t>& starts = this->Polygons.GetStarts();
+  const double entrance = sweep.First + slab * sweep.Spacing;
+  if (this->IsThick)
+  {
+    // The first pass does not mark the fragments that it leaves out by their depth, and the second
+    // pass draws these alone.
+    state->vtkglDepthMask(GL_TRUE);
+    const GLboolean hasColor = this->IsThin ? GL_TRUE : GL_FALSE;
+    state->vtkglColorMask(hasColor, hasColor, hasColor, hasColor);
+    this->Eye.Draw(window, starts, slab, entrance, number, volumes);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglDepthMask(GL_FALSE);
+    this->ThickEye.Draw(window, starts, slab, entrance, number, volumes);
+  }
+  else
+  {
+    this->Eye.Draw(window, starts, slab, entrance, number, volumes);
+  }
+  if (this->Frame->IsCutByNearPlane)
+  {
+    glDisable(GL_DEPTH_CLAMP);
+  }
+  state->vtkglDisable(GL_DEPTH_TEST);
+}
+
+void SlicePart::Resume(vtkOpenGLRenderWindow* window)
+{
+  if (this->Textures->Resume())
+  {
+    return;
+  }
+  for (vtkShaderProgram* program : this->Programs)
+  {
+    window->GetShaderCache()->ReadyShaderProgram(program);
+    this->Textures->Activate(program);
+  }
+}
+
+void SlicePart::Suspend()
+{
+  this->Textures->Suspend();
+}
+
+void SlicePart::End()
+{
+  this->Textures->Deactivate();
+  this->Programs.clear();
+}
+
+void SlicePart::ReleaseGraphicsResources()
+{
+  this->Eye.ReleaseGraphicsResources();
+  this->ThickEye.ReleaseGraphicsResources();
+  this->Vertices->ReleaseGraphicsResources();
+}
+
+}

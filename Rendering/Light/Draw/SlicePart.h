@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_SlicePart_h
+#define interlume_SlicePart_h
+
+#include "Draw/SlicePass.h"
+#include "Plan/SlicePlan.h"
+#include "Plan/SlicePolygons.h"
+
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace interlume
+{
+
+class SliceTextures;
+struct SliceFrame;
+
+/**
+ * @class   SlicePart
+ * @brief   what one volume draws into a picture of slices
+ *
+ * Volumes that share the slices of a picture have a part each: their own polygons in the same
+ * planes, programs and textures. The textures of one part alone are bound at a time, since a
+ * graphics card has too few units for all.
+ */
+class SlicePart
+{
+public:
+  SlicePart();
+  ~SlicePart();
+
+  /// Gives the part its volume, for a picture.
+  void Set(const SliceFrame& frame, SliceTextures& textures);
+  const SliceFrame& GetFrame() const { return *this->Frame; }
+  SliceTextures& GetTextures() { return *this->Textures; }
+
+  /// Cuts the slices of a sweep, and sends their triangles. Returns the bytes of these.
+  vtkIdType Cut(const SlicePlan::Sweep& sweep);
+  bool IsEmpty(int slab) const { return this->Polygons.IsEmpty(slab); }
+  bool IsEmpty() const { return this->Polygons.GetVertices().empty(); }
+  const SlicePolygons& GetPolygons() const { return this->Polygons; }
+  vtkOpenGLBufferObject* GetVertices() { return this->Vertices; }
+
+  /**
+   * Makes the eye's programs ready for a sweep. \a isMarked says that some volume of the picture
+   * has thick matter; \a activate binds what all volumes share. Returns what is wrong, or nothing.
+   */
+  std::string Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded,
+    bool isMarked, const std::function<void(vtkShaderProgram*)>& activate);
+  /// Adds a program that reads the volume's textures, which are bound.
+  void Add(vtkShaderProgram* program);
+  bool HasThickPart() const { return this->IsThick; }
+  vtkShaderProgram* GetThickProgram() const { return this->ThickEye.GetProgram(); }
+
+  /// Draws a slab into the picture that is bound, as one of so many volumes.
+  void Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep, int slab, int number,
+    int volumes);
+
+  ///@{
+  /// Binds the textures of the volume, and unbinds them until then.
+  void Resume(vtkOpenGLRenderWindow* window);
+  void Suspend();
+  ///@}
+  /// Unbinds the textures for good.
+  void End();
+
+  void ReleaseGraphicsResources();
+
+private:
+  const SliceFrame* Frame = nullptr;
+  SliceTextures* Textures = nullptr;
+  SlicePolygons Polygons;
+  vtkNew<vtkOpenGLBufferObject> Vertices;
+  /// All matter, or all that is thin, or none, where the thick has a program of its own.
+  SlicePass Eye;
+  SlicePass ThickEye;
+  bool IsThick = false;
+  bool IsThin = true;
+  bool IsMarked = false;
+  std::vector<vtkShaderProgram*> Programs;
+};
+
+}
+
+#endif

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Several volumes in one set of slices by vtkShadowedScenePass, which shadow each other and are
+// mixed where they overlap: against integration in double precision.
+#include "Light/ShadowComparison.h"
+#include "Pictures/MixedScene.h"
+#include "Pictures/ReferenceMixedPicture.h"
+#include "Pictures/ShadowCases.h"
+#include "SceneStage.h"
+#include "VolumePile.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkTransform.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace
+{
+using namespace reference;
+using Box = std::array<double, 6>;
+
+constexpr int Width = 64;
+
+/// Homogeneous matter of an extinction per unit and a colour, in so many voxels along x.
+SceneVolume MakeMatter(const Box& box, double extinction, const Double3& color, int cells = 24)
+{
+  SceneVolume volume;
+  volume.Image = vtkSmartPointer<vtkImageData>::New();
+  const double spacing = (box[1] - box[0]) / cells;
+  std::array<int, 3> points{};
+  std::array<double, 3> steps{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double extent = box[2 * axis + 1] - box[2 * axis];
+    points[axis] = std::max(static_cast<int>(std::lround(extent / spacing)), 1) + 1;
+    steps[axis] = extent / (points[axis] - 1);
+  }
+  volume.Image->SetDimensions(points.data());
+  volume.Image->SetOrigin(box[0], box[2], box[4]);
+  volume.Image->SetSpacing(steps.data());
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Density");
+  values->SetNumberOfTuples(volume.Image->GetNumberOfPoints());
+  values->Fill(1.0);
+  volume.Image->GetPointData()->SetScalars(values);
+  volume.Property = vtkSmartPointer<vtkVolumeProperty>::New();
+  vtkNew<vtkPiecewiseFunction> opacity;
+  const double value = -std::expm1(-0.1 * extinction);
+  opacity->AddPoint(0.0, value);
+  opacity->AddPoint(2.0, value);
+  volume.Property->SetScalarOpacity(opacity);
+  volume.Property->SetScalarOpacityUnitDistance(0.1);
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(0.0, color[0], color[1], color[2]);
+  volume.Property->SetColor(colors);
+  volume.Property->SetInterpolationTypeToLinear();
+  volume.Property->SetAmbient(0.1);
+  volume.Property->SetDiffuse(0.9);
+  return volume;
+}
+
+vtkSmartPointer<vtkCamera> LookAlong(const Double3& direction, double scale = 0.9)
+{
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetParallelProjection(1);
+  camera->SetParallelScale(scale);
+  camera->SetPosition(-6.0 * direction[0], -6.0 * direction[1], -6.0 * direction[2]);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  const bool isAlongY = std::abs(direction[1]) > 0.9;
+  camera->SetViewUp(0.0, isAlongY ? 0.0 : 1.0, isAlongY ? 1.0 : 0.0);
+  camera->SetClippingRange(1.0, 12.0);
+  return camera;
+}
+
+const Double3 WHITE{ { 1.0, 1.0, 1.0 } };
+const Double3 RED{ { 1.0, 0.3, 0.2 } };
+const Double3 BLUE{ { 0.2, 0.4, 1.0 } };
+
+MixedScene MakeScene(
+  const std::vector<SceneVolume>& volumes, const Double3& light, const Double3& view)
+{
+  MixedScene scene;
+  scene.Volumes = volumes;
+  scene.Lights.push_back({ MakeSun(light), {} });
+  scene.Camera = LookAlong(view);
+  scene.Size = { { Width, Width } };
+  return scene;
+}
+
+/// Compares the picture with the reference, and with that of the volumes in the opposite order.
+void TestScene(
+  Check& check, const std::string& name, const MixedScene& scene, const PictureBound& bound)
+{
+  VolumePile pile(scene);
+  const RgbaPicture picture = pile.Draw();
+  const auto volumes = static_cast<int>(scene.Volumes.size());
+  check.Equal(pile.GetReport().VolumesTogether, volumes, name + ": volumes together");
+  check.That(pile.GetReport().VolumesApart.empty(), name + ": nothing is apart");
+  check.Equal(static_cast<int>(pile.Mappers[0]->GetReport().LightBuffers),
+    static_cast<int>(scene.Lights.size()), name + ": one buffer for each light");
+  ExpectAlike(check, name, picture, MakeMixedPicture(scene), bound);
+  VolumePile reversed(scene, true);
+  check.Near(ComparePictures(picture, reversed.Draw()).Max, 0.0, 1e-6,
+    name + ": the order of adding volumes", 1.0);
+}
+
+/// Two boxes for light and views of all kinds: apart, half in each other, one in the other.
+void TestBoxes(Check& check)
+{
+  const Box lower{ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } };
+  const Box upper{ { -0.2, 0.5, -0.25, 0.35, 0.05, 0.5 } };
+  const Box half{ { -0.1, 0.5, -0.3, 0.3, -0.3, 0.1 } };
+  const Box inner{ { -0.3, -0.1, -0.1, 0.1, -0.4, -0.2 } };
+  const std::vector<std::tuple<std::string, Double3, Double3>> rays = {
+    { "along", { { 0.0, 0.0, -1.0 } }, { { 0.0, 1.0, 0.0 } } },
+    { "with the eye", { { 0.1, 0.5, -1.0 } }, { { 0.0, 0.4, -1.0 } } },
+    { "against the eye", { { 0.2, -0.4, 1.0 } }, { { 0.1, 0.6, -1.0 } } },
+    { "across", { { 1.0, 0.2, -0.7 } }, { { -0.3, 1.0, -0.2 } } },
+  };
+  const std::vector<std::pair<std::string, Box>> others = { { "apart", upper },
+    { "overlapping", half }, { "inside", inner } };
+  for (const auto& [place, box] : others)
+  {
+    for (const auto& [kind, light, view] : rays)
+    {
+      Double3 direction = view;
+      vtkMath::Normalize(direction.data());
+      const MixedScene scene =
+        MakeScene({ MakeMatter(lower, 2.0, RED), MakeMatter(box, 3.0, BLUE) }, light, direction);
+      // Single pixels look along a face of a box, or of its shadow.
+      const double largest = kind == "along" ? 0.2 : 0.04;
+      TestScene(check, place + ", " + kind, scene, { largest, 0.0005 });
+    }
+  }
+}
+
+/// The picture of a scene by the pass, with settings of its own.
+RgbaPicture Draw(const MixedScene& scene, const std::function<void(VolumePile&)>& change = {})
+{
+  VolumePile pile(scene);
+  if (change)
+  {
+    change(pile);
+  }
+  return pile.Draw();
+}
+
+/// A share of smoke whose density changes from place to place, in the cells from one to another
+/// along x, of a cube of 32.
+SceneVolume MakeSmoke(int first, int last, double share = 1.0)
+{
+  constexpr double extinction = 3.0;
+  SceneVolume volume = MakeMatter({ { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } }, extinction, WHITE);
+  const std::array<int, 3> points{ { last - first + 1, 33, 33 } };
+  volume.Image->SetDimensions(points.data());
+  volume.Image->SetSpacing(1.0 / 32, 1.0 / 32, 1.0 / 32);
+  volume.Image->SetOrigin(first / 32.0 - 0.5, -0.5, -0.5);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Density");
+  for (int k = 0; k < points[2]; ++k)
+  {
+    for (int j = 0; j < points[1]; ++j)
+    {
+      for (int i = first; i <= last; ++i)
+      {
+        values->InsertNextValue(
+          0.5 + 0.5 * std::sin(0.4 * i) * std::cos(0.3 * j) * std::sin(0.2 * k));
+      }
+    }
+  }
+  volume.Image->GetPointData()->SetScalars(values);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(1.0, -std::expm1(-0.1 * extinction));
+  volume.Property->SetScalarOpacity(opacity);
+  volume.Property->SetScalarOpacityUnitDistance(0.1 / share);
+  return volume;
+}
+
+/// Two halves are the whole, without a seam, wherever their common face turns.
+void TestHalves(Check& check)
+{
+  const std::vector<std::tuple<std::string, Double3, Double3>> rays = {
+    { "face along the light", { { 0.0, 0.3, -1.0 } }, { { 0.0, 1.0, -0.4 } } },
+    { "light and eye from different sides", { { 1.0, 0.1, -0.3 } }, { { -0.8, 0.5, -0.4 } } },
+    { "light towards the eye", { { -1.0, 0.2, 0.3 } }, { { 0.9, 0.1, -0.2 } } },
+  };
+  for (const auto& [kind, light, view] : rays)
+  {
+    Double3 direction = view;
+    vtkMath::Normalize(direction.data());
+    const auto draw = [&, light = light](const std::vector<SceneVolume>& volumes)
+    { return Draw(MakeScene(volumes, light, direction)); };
+    const RgbaPicture whole = draw({ MakeSmoke(0, 32) });
+    ExpectAlike(check, "two halves, " + kind, draw({ MakeSmoke(0, 16), MakeSmoke(16, 32) }), whole,
+      { 0.01, 0.0005 });
+    ExpectAlike(check, "two of half the density, " + kind,
+      draw({ MakeSmoke(0, 32, 0.5), MakeSmoke(0, 32, 0.5) }), whole, { 0.01, 0.0005 });
+  }
+}
+
+/// The error of volumes of two colours at the same place, which falls with the spacing.
+void TestRefinement(Check& check)
+{
+  const Box box{ { -0.5, 0.5, -0.4, 0.4, -0.3, 0.3 } };
+  const MixedScene scene = MakeScene({ MakeMatter(box, 4.0, RED), MakeMatter(box, 6.0, BLUE) },
+    { { 0.3, 0.2, -1.0 } }, { { 0.0, 0.6, -0.8 } });
+  const RgbaPicture expected = MakeMixedPicture(scene);
+  double last = 1.0;
+  for (const double spacing : { 0.16, 0.08, 0.04, 0.02 })
+  {
+    const RgbaPicture found = Draw(scene,
+      [spacing](VolumePile& pile)
+      {
+        for (vtkShadowedSliceMapper* mapper : pile.Mappers)
+        {
+          mapper->SetSliceSpacing(spacing);
+        }
+      });
+    const PictureError error = ComparePictures(found, expected);
+    std::cout << "spacing " << spacing << ": " << error << std::endl;
+    check.That(error.Mean < last, "spacing " + std::to_string(spacing) + ": the error falls");
+    last = error.Mean;
+  }
+  check.Near(last, 0.0, 0.001, "two volumes at the same place", 1.0);
+}
+
+/// Lamps beside, between and in the volumes.
+void TestLamps(Check& check)
+{
+  const SceneVolume left = MakeMatter({ { -0.6, -0.1, -0.3, 0.3, -0.3, 0.3 } }, 3.0, RED);
+  const SceneVolume right = MakeMatter({ { 0.1, 0.6, -0.3, 0.3, -0.3, 0.3 } }, 3.0, BLUE);
+  for (const auto& [name, place, bound] :
+    { std::tuple<std::string, Double3, PictureBound>{
+        "lamp aside", { { -1.5, 0.4, 0.8 } }, { 0.1, 0.001 } },
+      { "lamp between", { { 0.0, 0.05, 0.1 } }, { 0.1, 0.004 } },
+      { "lamp within", { { -0.3, 0.05, 0.1 } }, { 0.1, 0.004 } } })
+  {
+    MixedScene scene = MakeScene({ left, right }, { { 0.0, 0.0, -1.0 } }, { { 0.0, 0.6, -0.8 } });
+    scene.Lights[0].Light = MakeLamp(place, { { 0.0, 0.0, 0.0 } });
+    TestScene(check, name, scene, bound);
+  }
+}
+
+/// Features of one volume beside another without them.
+void TestFeatures(Check& check)
+{
+  const Box lower{ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } };
+  const Box upper{ { -0.2, 0.5, -0.25, 0.35, -0.2, 0.5 } };
+  const Double3 light{ { 0.1, 0.3, -1.0 } };
+  const Double3 view{ { 0.0, 0.6, -0.8 } };
+  SceneVolume colored = MakeMatter(upper, 3.0, BLUE);
+  colored.TransmissionColor = vtkSmartPointer<vtkColorTransferFunction>::New();
+  colored.TransmissionColor->AddRGBPoint(0.0, 0.1, 0.5, 0.9);
+  TestScene(check, "colour of light that passes",
+    MakeScene({ MakeMatter(lower, 2.0, RED), colored }, light, view), { 0.05, 0.001 });
+
+  SceneVolume clipped = MakeMatter(upper, 3.0, BLUE);
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(-1.0, 0.3, 0.2);
+  plane->SetOrigin(0.2, 0.0, 0.0);
+  clipped.ClippingPlanes = { vtkSmartPointer<vtkPlane>(plane) };
+  SceneVolume cropped = MakeMatter(lower, 2.0, RED);
+  cropped.CroppingFlags = VTK_CROP_SUBVOLUME;
+  cropped.CroppingPlanes = { { -0.4, 0.0, -0.2, 0.1, -0.4, -0.2 } };
+  TestScene(
+    check, "clipped and cropped", MakeScene({ clipped, cropped }, light, view), { 0.05, 0.001 });
+
+  SceneVolume turned = MakeMatter(upper, 3.0, BLUE);
+  turned.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  vtkNew<vtkTransform> transform;
+  transform->RotateWXYZ(35.0, 1.0, 0.4, 0.2);
+  transform->Scale(0.8, 1.2, -0.7);
+  turned.Matrix->DeepCopy(transform->GetMatrix());
+  turned.Property->SetShade(1);
+  TestScene(check, "turned, mirrored and shaded",
+    MakeScene({ MakeMatter(lower, 2.0, RED), turned }, light, view), { 0.05, 0.001 });
+
+  MixedScene several =
+    MakeScene({ MakeMatter(lower, 2.0, RED), MakeMatter(upper, 3.0, BLUE),
+                MakeMatter({ { -0.7, 0.7, -0.7, 0.7, -0.7, 0.7 } }, 0.5, WHITE) },
+      light, view);
+  several.Lights.push_back({ MakeSun({ { -1.0, 0.2, 0.4 } }), {} });
+  several.Lights[0].Light->SetIntensity(0.6);
+  several.Lights[1].Light->SetIntensity(0.4);
+  TestScene(check, "three volumes, two lights", several, { 0.05, 0.001 });
+}
+
+/// Opaque matter, whose surfaces are found within slabs, and shadows across.
+void TestSharp(Check& check)
+{
+  const SceneVolume lower = MakeMatter({ { -0.5, 0.3, -0.3, 0.3, -0.5, -0.2 } }, 80.0, RED);
+  const SceneVolume upper = MakeMatter({ { -0.2, 0.5, -0.15, 0.25, 0.1, 0.4 } }, 80.0, BLUE);
+  const SceneVolume thin = MakeMatter({ { -0.6, 0.6, -0.4, 0.4, -0.3, 0.0 } }, 1.0, WHITE);
+  const Double3 view{ { 0.1, 0.6, -0.8 } };
+  TestScene(check, "opaque boxes", MakeScene({ lower, upper }, { { 0.2, 0.3, -1.0 } }, view),
+    { 0.5, 0.006 });
+  TestScene(check, "opaque boxes in smoke",
+    MakeScene({ lower, upper, thin }, { { 0.2, 0.3, -1.0 } }, view), { 0.5, 0.006 });
+}
+
+/// Surfaces before, between, in and behind two volumes.
+void TestSurfaces(Check& check)
+{
+  const SceneVolume lower = MakeMatter({ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } }, 2.0, RED);
+  const SceneVolume upper = MakeMatter({ { -0.2, 0.5, -0.25, 0.35, -0.2, 0.4 } }, 3.0, BLUE);
+  MixedScene scene = MakeScene({ lower, upper }, { { 0.3, 0.2, -1.0 } }, { { 0.0, 0.6, -0.8 } });
+  scene.Surfaces.push_back(
+    { MakeRectangle({ { -1.0, -1.0, -0.55 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }), {} });
+  scene.Surfaces.push_back({ MakeBox({ { -0.1, 0.2, -0.5, 0.1, -0.4, 0.1 } }), {} });
+  TestScene(check, "surfaces", scene, { 1.0, 0.002 });
+}
+}
+
+int TestShadowedVolumes(int, char*[])
+{
+  Check check;
+  TestBoxes(check);
+  TestHalves(check);
+  TestRefinement(check);
+  TestLamps(check);
+  TestFeatures(check);
+  TestSharp(check);
+  TestSurfaces(check);
+  return check.Result();
+}

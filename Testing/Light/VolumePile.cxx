@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VolumePile.h"
+
+#include "Pictures/ShadowPicture.h"
+
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace reference
+{
+
+VolumePile::VolumePile(const MixedScene& scene, bool isReversed)
+  : Stage(scene.Size)
+{
+  this->Stage.GetVolume()->VisibilityOff();
+  for (const SceneVolume& part : scene.Volumes)
+  {
+    ShadowScene whole;
+    static_cast<SceneVolume&>(whole) = part;
+    whole.Shadows = scene.Shadows;
+    const auto mapper = vtkSmartPointer<vtkShadowedSliceMapper>::New();
+    Configure(mapper, whole);
+    mapper->AutoAdjustSampleDistancesOff();
+    const auto volume = vtkSmartPointer<vtkVolume>::New();
+    volume->SetMapper(mapper);
+    volume->SetProperty(part.Property);
+    volume->SetUserMatrix(part.Matrix);
+    this->Mappers.push_back(mapper);
+    this->Volumes.push_back(volume);
+  }
+  std::vector<vtkSmartPointer<vtkVolume>> ordered = this->Volumes;
+  if (isReversed)
+  {
+    std::reverse(ordered.begin(), ordered.end());
+  }
+  for (const vtkSmartPointer<vtkVolume>& volume : ordered)
+  {
+    this->Stage.GetRenderer()->AddVolume(volume);
+  }
+  for (const SceneSurface& surface : scene.Surfaces)
+  {
+    this->Stage.AddActor(surface.Actor);
+  }
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  for (const SceneLight& light : scene.Lights)
+  {
+    lights.push_back(light.Light);
+  }
+  this->Stage.SetLights(lights);
+  this->Stage.SetCamera(scene.Camera);
+  this->Stage.SetPass(this->Pass);
+}
+
+VolumePile::~VolumePile()
+{
+  this->Pass->ReleaseGraphicsResources(this->Stage.GetWindow());
+}
+
+}
