@@ -2,6 +2,7 @@
 // Several volumes in one set of slices by vtkShadowedScenePass, which shadow each other and are
 // mixed where they overlap: against integration in double precision.
 #include "Light/ShadowComparison.h"
+#include "Pictures/LightPoints.h"
 #include "Pictures/MixedScene.h"
 #include "Pictures/ReferenceMixedPicture.h"
 #include "Pictures/ShadowCases.h"
@@ -9,6 +10,7 @@
 #include "VolumePile.h"
 
 #include "vtkActor.h"
+#include "vtkAreaLight.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
@@ -19,6 +21,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
+#include "vtkRenderer.h"
 #include "vtkTransform.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
@@ -212,9 +215,9 @@ void TestHalves(Check& check)
     { return Draw(MakeScene(volumes, light, direction)); };
     const RgbaPicture whole = draw({ MakeSmoke(0, 32) });
     ExpectAlike(check, "two halves, " + kind, draw({ MakeSmoke(0, 16), MakeSmoke(16, 32) }), whole,
-      { 0.01, 0.0005 });
+      { 0.0005, 5e-6 });
     ExpectAlike(check, "two of half the density, " + kind,
-      draw({ MakeSmoke(0, 32, 0.5), MakeSmoke(0, 32, 0.5) }), whole, { 0.01, 0.0005 });
+      draw({ MakeSmoke(0, 32, 0.5), MakeSmoke(0, 32, 0.5) }), whole, { 0.0008, 3e-5 });
   }
 }
 
@@ -305,6 +308,46 @@ void TestFeatures(Check& check)
   TestScene(check, "three volumes, two lights", several, { 0.05, 0.001 });
 }
 
+/// A round lamp over two volumes, in layers of its samples.
+void TestSoftShadows(Check& check)
+{
+  MixedScene scene = MakeScene({ MakeMatter({ { -0.5, 0.2, -0.3, 0.3, -0.5, -0.1 } }, 2.0, RED),
+                                 MakeMatter({ { -0.2, 0.3, -0.25, 0.3, -0.2, 0.4 } }, 4.0, BLUE) },
+    { { 0.0, 0.0, -1.0 } }, { { 0.0, 0.6, -0.8 } });
+  const Double3 place{ { 0.4, 0.3, 2.0 } };
+  constexpr double diameter = 0.8;
+  vtkNew<vtkAreaLight> lamp;
+  lamp->SetLightTypeToSceneLight();
+  lamp->SetPositional(true);
+  lamp->SetPosition(place.data());
+  lamp->SetFocalPoint(0.0, 0.0, 0.0);
+  lamp->SetConeAngle(180.0);
+  lamp->SetShadowAttenuation(1.0F);
+  lamp->SetShape(vtkAreaLight::ROUND);
+  lamp->SetSize(diameter, diameter);
+  Double3 axis = place;
+  vtkMath::Normalize(axis.data());
+  Double3 side;
+  Double3 up;
+  vtkMath::Perpendiculars(axis.data(), side.data(), up.data(), 0.0);
+  vtkMath::MultiplyScalar(side.data(), diameter);
+  vtkMath::MultiplyScalar(up.data(), diameter);
+  scene.Size = { { 32, 32 } };
+  scene.Lights = { { vtkSmartPointer<vtkLight>(lamp), MakeRoundPoints(place, side, up, 64) } };
+  VolumePile pile(scene);
+  const RgbaPicture picture = pile.Draw();
+  const vtkShadowedSliceReport& report = pile.Mappers[1]->GetReport();
+  check.Equal(report.LightLayers, 16, "soft: layers for both volumes");
+  check.Equal(report.LightBuffers, 1, "soft: one buffer");
+  check.Equal(report.HardLightsInstead, 0, "soft: no hard light");
+  const RgbaPicture expected = MakeMixedPicture(scene);
+  ExpectAlike(check, "soft shadows", picture, expected, { 0.02, 0.0002 });
+  scene.Lights[0].Points.clear();
+  const PictureError hard = ComparePictures(MakeMixedPicture(scene), expected);
+  std::cout << "hard shadows instead: " << hard << std::endl;
+  check.That(hard.Mean > 0.0005, "soft: penumbras are seen");
+}
+
 /// Opaque matter, whose surfaces are found within slabs, and shadows across.
 void TestSharp(Check& check)
 {
@@ -329,6 +372,110 @@ void TestSurfaces(Check& check)
   scene.Surfaces.push_back({ MakeBox({ { -0.1, 0.2, -0.5, 0.1, -0.4, 0.1 } }), {} });
   TestScene(check, "surfaces", scene, { 1.0, 0.002 });
 }
+
+/// What is shared of different settings.
+void TestSettings(Check& check)
+{
+  const MixedScene scene =
+    MakeScene({ MakeMatter({ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } }, 2.0, RED),
+                MakeMatter({ { -0.2, 0.5, -0.2, 0.3, 0.1, 0.4 } }, 3.0, BLUE) },
+      { { 0.3, 0.2, -1.0 } }, { { 0.0, 0.6, -0.8 } });
+  VolumePile pile(scene);
+  vtkShadowedSliceMapper* first = pile.Mappers[0];
+  vtkShadowedSliceMapper* second = pile.Mappers[1];
+  const auto draw = [&]() -> const vtkShadowedSliceReport&
+  {
+    pile.Draw();
+    check.Equal(pile.GetReport().VolumesTogether, 2, "settings: together");
+    return second->GetReport();
+  };
+  first->SetSliceSpacing(0.1);
+  second->SetSliceSpacing(0.03);
+  first->SetLightBufferSize(96);
+  second->SetLightBufferSize(160);
+  check.That(draw().SliceSpacing <= 0.03 && second->GetReport().SliceSpacing > 0.025,
+    "settings: the finest spacing");
+  check.Equal(second->GetReport().LightBufferSize, 160, "settings: the largest buffer");
+  check.Equal(second->GetReport().LightChannels, 1, "settings: one channel");
+  first->SetLightBufferSize(0);
+  second->SetLightBufferSize(304);
+  check.Equal(draw().LightBufferSize, 304, "settings: no less than what is set");
+  second->SetLightBufferSize(0);
+  second->SetSliceSpacing(0.0);
+  check.That(draw().SliceSpacing < 0.02, "settings: the automatic spacing is finer");
+  vtkNew<vtkColorTransferFunction> color;
+  color->AddRGBPoint(0.0, 0.2, 0.5, 0.8);
+  first->SetTransmissionColor(color);
+  check.Equal(draw().LightChannels, 3, "settings: three channels");
+  check.That(second->GetReport().Features.find("transmission") != std::string::npos,
+    "settings: the other one's light has colours too");
+  first->SetImageSampleDistance(4.0);
+  second->SetImageSampleDistance(2.0);
+  check.Near(draw().ImageSampleDistance, 2.0, 1e-12, "settings: the finest picture", 1.0);
+
+  // Enough for one of them with small buffers.
+  first->SetLightBufferSize(32);
+  second->SetLightBufferSize(32);
+  second->SetMaximumTextureMemory(
+    first->GetReport().TextureBytes + second->GetReport().TextureBytes);
+  pile.Draw();
+  check.Equal(pile.GetReport().VolumesTogether, 0, "memory: apart");
+  check.That(pile.GetReport().VolumesApart.find("MaximumTextureMemory") != std::string::npos,
+    "memory: the report says why");
+  check.Equal(pile.GetReport().Volumes, 2, "memory: both are drawn");
+}
+
+/// What is drawn one by one, or by one volume alone.
+void TestApart(Check& check)
+{
+  const SceneVolume large = MakeMatter({ { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 } }, 1.0, RED);
+  const SceneVolume small =
+    MakeMatter({ { 0.6, 0.601, -0.0005, 0.0005, 0.0, 0.001 } }, 100.0, BLUE);
+  const Double3 light{ { 0.3, 0.2, -1.0 } };
+  const Double3 view{ { 0.0, 0.6, -0.8 } };
+  VolumePile pile(MakeScene({ large, small }, light, view));
+  pile.Draw();
+  check.Equal(pile.GetReport().VolumesTogether, 0, "1 to 1000: apart");
+  check.That(pile.GetReport().VolumesApart.find("slices") != std::string::npos,
+    "1 to 1000: the report says why");
+
+  // One volume with a floor: no group, and the same picture whatever was drawn together before.
+  MixedScene single = MakeScene({ large }, light, view);
+  single.Surfaces.push_back(
+    { MakeRectangle({ { -1.0, -1.0, -0.55 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }), {} });
+  MixedScene both = single;
+  both.Volumes.push_back(MakeMatter({ { 0.2, 0.6, -0.2, 0.2, 0.0, 0.6 } }, 3.0, BLUE));
+  VolumePile one(single);
+  const RgbaPicture alone = one.Draw();
+  const vtkShadowedSliceReport expected = one.Mappers[0]->GetReport();
+  check.Equal(one.GetReport().VolumesTogether, 0, "one volume: nothing is together");
+  VolumePile two(both);
+  const RgbaPicture together = two.Draw();
+  check.Equal(two.GetReport().VolumesTogether, 2, "two volumes: together");
+  check.That(ComparePictures(alone, together).Max > 0.01, "two volumes: another picture");
+  two.Volumes[1]->VisibilityOff();
+  check.Near(ComparePictures(two.Draw(), alone).Max, 0.0, 0.0, "one is hidden: the same bytes");
+  const vtkShadowedSliceReport& report = two.Mappers[0]->GetReport();
+  check.Equal(two.GetReport().VolumesTogether, 0, "one is hidden: nothing is together");
+  check.Equal(report.EyePasses, expected.EyePasses, "one is hidden: passes of the eye");
+  check.Equal(report.LightPasses, expected.LightPasses, "one is hidden: passes of the light");
+  check.Equal(report.LightBufferBytes, expected.LightBufferBytes, "one is hidden: light buffers");
+  check.Equal(report.ImageBufferBytes, expected.ImageBufferBytes, "one is hidden: pictures");
+  check.That(report.Features == expected.Features, "one is hidden: parts of shaders");
+  two.Volumes[1]->VisibilityOn();
+  check.Near(
+    ComparePictures(two.Draw(), together).Max, 0.0, 0.0, "shown again: the same bytes as before");
+  two.Mappers[1]->ShadowsOff();
+  two.Draw();
+  check.Equal(two.GetReport().VolumesTogether, 0, "shadows off: drawn by itself");
+  vtkNew<vtkImageData> buffer;
+  check.That(two.Mappers[0]->ReadLightBuffer(two.Stage.GetRenderer(), both.Lights[0].Light, buffer),
+    "a light's buffer of one volume");
+  two.Mappers[1]->ShadowsOn();
+  two.Draw();
+  check.That(two.Mappers[1]->ReadLightBuffer(two.Stage.GetRenderer(), both.Lights[0].Light, buffer),
+    "a light's buffer of two volumes");
+}
 }
 
 int TestShadowedVolumes(int, char*[])
@@ -339,7 +486,10 @@ int TestShadowedVolumes(int, char*[])
   TestRefinement(check);
   TestLamps(check);
   TestFeatures(check);
+  TestSoftShadows(check);
   TestSharp(check);
+  TestSettings(check);
+  TestApart(check);
   TestSurfaces(check);
   return check.Result();
 }
