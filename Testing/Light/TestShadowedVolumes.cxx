@@ -302,6 +302,7 @@ void TestFeatures(Check& check)
     MakeScene({ MakeMatter(lower, 2.0, RED), MakeMatter(upper, 3.0, BLUE),
                 MakeMatter({ { -0.7, 0.7, -0.7, 0.7, -0.7, 0.7 } }, 0.5, WHITE) },
       light, view);
+  several.Size = { { 40, 40 } };
   several.Lights.push_back({ MakeSun({ { -1.0, 0.2, 0.4 } }), {} });
   several.Lights[0].Light->SetIntensity(0.6);
   several.Lights[1].Light->SetIntensity(0.4);
@@ -332,8 +333,8 @@ void TestSoftShadows(Check& check)
   vtkMath::Perpendiculars(axis.data(), side.data(), up.data(), 0.0);
   vtkMath::MultiplyScalar(side.data(), diameter);
   vtkMath::MultiplyScalar(up.data(), diameter);
-  scene.Size = { { 32, 32 } };
-  scene.Lights = { { vtkSmartPointer<vtkLight>(lamp), MakeRoundPoints(place, side, up, 64) } };
+  scene.Size = { { 20, 20 } };
+  scene.Lights = { { vtkSmartPointer<vtkLight>(lamp), MakeRoundPoints(place, side, up, 40) } };
   VolumePile pile(scene);
   const RgbaPicture picture = pile.Draw();
   const vtkShadowedSliceReport& report = pile.Mappers[1]->GetReport();

@@ -120,6 +120,10 @@ std::string SliceLightBuffer::PrepareVolume(vtkOpenGLRenderWindow* window,
     own.LayerSlabs[i] = 0;
     this->CopyTo(layer);
   }
+  if (part.IsEmpty())
+  {
+    return {};
+  }
   if (this->IsWide)
   {
     own.Tiles.Build(sweep, light, frame.Lights[light.Light].Position, frame.Blocks, frame.Space,

@@ -71,8 +71,8 @@ public:
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, std::size_t volumes);
 
   /**
-   * Makes a volume's program ready, after Prepare. \a hasLayers says that GetLayer is asked for.
-   * Returns what is wrong, or nothing.
+   * Makes a volume's program ready, where it has triangles, after Prepare. \a hasLayers says that
+   * GetLayer is asked for. Returns what is wrong, or nothing.
    */
   std::string PrepareVolume(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
     const SlicePlan::ShadowedLight& light, std::size_t volume, SlicePart& part, bool hasLayers);

@@ -50,6 +50,11 @@ std::string SlicePart::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep,
   bool isMarked, const std::function<void(vtkShaderProgram*)>& activate)
 {
   this->Programs.clear();
+  this->IsThick = false;
+  if (this->IsEmpty())
+  {
+    return {};
+  }
   this->IsThick = SliceShader::HasThickPart(*this->Frame, sweep);
   this->IsThin = SliceShader::HasThinPart(*this->Frame, sweep);
   this->IsMarked = isMarked;

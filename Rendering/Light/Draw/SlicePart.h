@@ -52,7 +52,8 @@ public:
 
   /**
    * Makes the eye's programs ready for a sweep. \a isMarked says that some volume of the picture
-   * has thick matter; \a activate binds what all volumes share. Returns what is wrong, or nothing.
+   * has thick matter; \a activate binds what all volumes share. A volume without triangles has no
+   * programs. Returns what is wrong, or nothing.
    */
   std::string Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded,
     bool isMarked, const std::function<void(vtkShaderProgram*)>& activate);

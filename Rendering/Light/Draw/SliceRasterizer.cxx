@@ -356,6 +356,16 @@ std::string SliceRasterizer::PrepareParts(vtkOpenGLRenderWindow* window, const S
     this->Receivers.Begin(this->Parts, sweepIndex);
   }
   std::string error = this->PrepareLights(window, frame, sweepIndex);
+  if (!error.empty())
+  {
+    return error;
+  }
+  for (const SlicePlan::ShadowedLight& light : frame.Plan.Sweeps[sweepIndex].Lights)
+  {
+    // Surfaces ask for them also where the first volume draws nothing.
+    this->Active.push_back(this->GetLightBuffer(light.Light).GetTexture());
+    this->Active.back()->Activate();
+  }
   for (std::size_t i = 0; i < this->Parts.size() && error.empty(); ++i)
   {
     error = this->PreparePart(window, frame, sweepIndex, i, report);
