@@ -5,6 +5,7 @@
 #include "SceneStage.h"
 
 #include "vtkActor.h"
+#include "vtkAreaLight.h"
 #include "vtkCellArray.h"
 #include "vtkLight.h"
 #include "vtkPoints.h"
@@ -235,6 +236,129 @@ void TestLights(SceneTable& table)
     solid, 1e-6, "the solid alone");
 }
 
+vtkSmartPointer<vtkAreaLight> MakeSoftLamp(
+  const std::array<double, 3>& position, double width, double height)
+{
+  vtkNew<vtkAreaLight> lamp;
+  lamp->SetPositional(true);
+  lamp->SetPosition(position[0], position[1], position[2]);
+  lamp->SetFocalPoint(position[0], position[1], position[2] - 1.0);
+  lamp->SetConeAngle(180.0);
+  lamp->SetSize(width, height);
+  return lamp;
+}
+
+// Lights with an extent: what is between all and none of the light, and what leaks nowhere.
+void TestSoftLights(SceneTable& table)
+{
+  const auto isBetween = [&table](const std::string& name, const std::string& extreme,
+                           const std::array<double, 3>& place, double width, double height,
+                           int samples)
+  {
+    RgbaPicture pictures[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      pictures[i] = Draw(
+        [&](SceneStage& stage)
+        {
+          AddBall(stage);
+          stage.Pass->SetNumberOfLightSamples(samples);
+          stage.Pass->SetShadows(i == 0);
+          stage.Stage.SetLights({ MakeSoftLamp(place, width, height) });
+        });
+    }
+    double beyond = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < pictures[0].Values.size(); ++i)
+    {
+      const double with = pictures[0].Values[i];
+      beyond = std::max({ beyond, -with, with - pictures[1].Values[i] });
+      sum += with;
+    }
+    table.Catalogue.Measure(name, extreme, "least and most light beyond none and all of it",
+      std::isfinite(sum) ? beyond : 1e9, 1e-6);
+  };
+  isBetween("scene-soft-large", "an area light larger than the scene", { { 0.0, 0.0, 2.0 } }, 20.0,
+    20.0, 16);
+  isBetween("scene-soft-touching", "an area light in the plane of a floor", { { 0.3, 0.0, 0.0 } },
+    0.5, 0.5, 16);
+  isBetween("scene-soft-in-ball", "an area light with an actor through it", { { -0.3, 0.0, 0.5 } },
+    1.0, 1.0, 16);
+  isBetween("scene-soft-line", "an area light without width", { { 0.2, 0.0, 2.0 } }, 0.0, 0.7, 16);
+  isBetween("scene-soft-many", "the most samples", { { 0.2, 0.0, 2.0 } }, 0.7, 0.7, 256);
+  isBetween("scene-soft-tiny", "an area light a millionth of its distance wide",
+    { { 0.2, 0.0, 2.0 } }, 2e-6, 2e-6, 16);
+
+  const RgbaPicture closed = Draw(
+    [](SceneStage& stage)
+    {
+      stage.Add(MakeBox({ { -0.3, 0.3, -0.3, 0.3, 0.3, 0.9 } }));
+      stage.Stage.SetLights({ MakeSoftLamp({ { 0.0, 0.0, 0.6 } }, 0.4, 0.4) });
+    });
+  double lightest = 0.0;
+  for (const double value : { closed.At(5, 5)[0], closed.At(60, 30)[0], closed.At(32, 55)[0] })
+  {
+    lightest = std::max(lightest, value);
+  }
+  table.Catalogue.Measure(
+    "scene-soft-in-box", "an area light in a closed box", "light outside of it", lightest, 0.0);
+
+  // A plate that lies on the floor has no penumbra: it hides what is under it, and nothing else.
+  RgbaPicture pictures[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    pictures[i] = Draw(
+      [i](SceneStage& stage)
+      {
+        stage.Add(MakeBox({ { -0.4, 0.4, -0.4, 0.4, -0.001, 0.001 } }));
+        stage.Pass->SetShadows(i == 0);
+        stage.Stage.SetLights({ MakeSoftLamp({ { 0.3, 0.1, 2.0 } }, 0.8, 0.8) });
+      });
+  }
+  table.Catalogue.Measure("scene-soft-contact", "a plate on a floor under an area light",
+    "largest difference from no shadow", ComparePictures(pictures[0], pictures[1]).Max, 1e-6);
+
+  // What a ball casts does not depend on which way its faces turn, and an open one, whose
+  // opening turns to the light, casts the same.
+  const auto drawBall = [](int kind)
+  {
+    return Draw(
+      [kind](SceneStage& stage)
+      {
+        vtkNew<vtkSphereSource> source;
+        source->SetRadius(0.25);
+        source->SetThetaResolution(32);
+        // The same rows, of which an open one has those from the fifth on.
+        source->SetPhiResolution(kind == 1 ? 11 : 16);
+        source->SetStartPhi(kind == 1 ? 60.0 : 0.0);
+        vtkNew<vtkReverseSense> reverse;
+        reverse->SetInputConnection(source->GetOutputPort());
+        vtkSmartPointer<vtkActor> ball =
+          MakeActor(kind == 2 ? reverse->GetOutputPort() : source->GetOutputPort());
+        ball->SetPosition(0.0, 0.0, 0.6);
+        stage.Add(ball);
+        stage.Stage.SetLights({ MakeSoftLamp({ { 0.0, 0.0, 2.0 } }, 0.3, 0.3) });
+      });
+  };
+  const RgbaPicture whole = drawBall(0);
+  for (const auto& [kind, name, extreme] :
+    { std::tuple<int, const char*, const char*>{ 1, "scene-soft-open", "an open mesh, soft" },
+      { 2, "scene-soft-inside-out", "a mesh turned inside out, soft" } })
+  {
+    const RgbaPicture found = drawBall(kind);
+    double largest = 0.0;
+    for (int i = 0; i < 64; ++i)
+    {
+      // Beside the ball itself.
+      const bool isFloor = std::abs(i - 31.5) > 9.0;
+      largest =
+        std::max(largest, isFloor ? std::abs(found.At(i, 32)[0] - whole.At(i, 32)[0]) : 0.0);
+    }
+    table.Catalogue.Measure(
+      name, extreme, "largest difference from the ball's shadow", largest, 0.02);
+  }
+}
+
 void TestSizes(SceneTable& table)
 {
   for (const double size : { 1e-5, 1e5 })
@@ -280,6 +404,7 @@ int TestShadowedSceneExtremes(int argc, char* argv[])
   SceneTable table(argc, argv);
   TestMeshes(table);
   TestLights(table);
+  TestSoftLights(table);
   TestSizes(table);
   TestContext(table);
   return table.Catalogue.GetExitCode();
