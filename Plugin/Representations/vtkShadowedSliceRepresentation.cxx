@@ -4,8 +4,8 @@
 #include "vtkConstantScalars.h"
 #include "vtkImageBlocks.h"
 #include "vtkImageComponent.h"
+#include "vtkPieceSliceMapper.h"
 #include "vtkSceneShadows.h"
-#include "vtkShadowedSliceMapper.h"
 #include "vtkVolumeFunctions.h"
 
 #include "vtkColorTransferFunction.h"
@@ -16,6 +16,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
 #include "vtkPVRenderView.h"
@@ -23,6 +24,7 @@
 #include "vtkTrivialProducer.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <vector>
 
 vtkStandardNewMacro(vtkShadowedSliceRepresentation);
@@ -133,6 +135,37 @@ void vtkShadowedSliceRepresentation::SetSceneDepthBias(double bias)
 {
   this->SceneDepthBias = bias;
   this->UpdateSceneShadows();
+}
+
+void vtkShadowedSliceRepresentation::SetShadowGridResolution(int resolution)
+{
+  this->ShadowGridResolution = std::clamp(resolution, 0, 256);
+}
+
+int vtkShadowedSliceRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output)
+{
+  const int result = this->Superclass::ProcessViewRequest(request, input, output);
+  if (result && request == vtkPVView::REQUEST_RENDER())
+  {
+    this->GatherPieces(input->Has(vtkPVRenderView::USE_LOD()) != 0);
+  }
+  return result;
+}
+
+void vtkShadowedSliceRepresentation::GatherPieces(bool isReduced)
+{
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  // Only where all processes draw do all of them come here.
+  const bool isDistributed = view &&
+    (isReduced ? view->GetUseDistributedRenderingForLODRender()
+               : view->GetUseDistributedRenderingForRender());
+  if (isDistributed && controller && controller->GetNumberOfProcesses() > 1)
+  {
+    const int resolution = this->Mapper->GetShadows() ? this->ShadowGridResolution : 0;
+    this->Mapper->GatherPieces(this->Property, resolution, controller);
+  }
 }
 
 void vtkShadowedSliceRepresentation::SetVisibility(bool visible)
@@ -325,6 +358,7 @@ void vtkShadowedSliceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   {
     this->SceneShadows->PrintSelf(os, indent.GetNextIndent());
   }
+  os << indent << "ShadowGridResolution: " << this->ShadowGridResolution << "\n";
   os << indent << "Mapper:\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());
 }

@@ -15,10 +15,10 @@ class vtkConstantScalars;
 class vtkDataArray;
 class vtkImageComponent;
 class vtkImageData;
+class vtkPieceSliceMapper;
 class vtkPiecewiseFunction;
 class vtkRenderer;
 class vtkSceneShadows;
-class vtkShadowedSliceMapper;
 class vtkVolumeFunctions;
 
 /**
@@ -51,9 +51,13 @@ class vtkVolumeFunctions;
  * in a view each setting of the pass is the largest. With several processes surfaces shadow what
  * their own process draws.
  *
- * With several processes each draws its piece of the data, and ParaView composites the pictures in
- * order: without shadows that is exact but for gradients at the pieces' borders; shadows do not
- * reach from one piece into another.
+ * **With several processes** each draws its piece of the data, and ParaView composites the pictures
+ * in order: without shadows that is exact but for gradients at the pieces' borders. Pieces shadow
+ * each other by a coarse grid of all matter, of ShadowGridResolution cells along its longest edge,
+ * that is exchanged when matter changes: each light that casts shadows reaches a piece weakened by
+ * the matter of other processes on its way (see vtkPieceLight). Shadows of area lights with an
+ * extent, shadows of the scene, and those in a piece that a positional light is inside of, end at
+ * the pieces' borders.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkShadowedSliceRepresentation
   : public vtkLitVolumeRepresentation
@@ -114,6 +118,15 @@ public:
   void SetSceneDepthBias(double bias);
   ///@}
 
+  /**
+   * The number of cells along the longest edge of the grid by which pieces of several processes
+   * shadow each other; 0: shadows end at the borders of pieces. Default 64. Valid: 0 to 256.
+   */
+  void SetShadowGridResolution(int resolution);
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output) override;
+
   void SetVisibility(bool visible) override;
 
 protected:
@@ -139,8 +152,10 @@ private:
   void UpdateScalars();
   /// Tells the view whether this representation wants shadows of the scene.
   void UpdateSceneShadows();
+  /// Tells other processes of the piece, and the mapper of theirs.
+  void GatherPieces(bool isReduced);
 
-  vtkNew<vtkShadowedSliceMapper> Mapper;
+  vtkNew<vtkPieceSliceMapper> Mapper;
   std::unique_ptr<vtkImageComponent> Component;
   std::unique_ptr<vtkVolumeFunctions> Functions;
   std::unique_ptr<vtkConstantScalars> Constant;
@@ -150,6 +165,7 @@ private:
   bool HasSceneShadows = false;
   int SceneDepthMapResolution = 1024;
   double SceneDepthBias = 1.0;
+  int ShadowGridResolution = 64;
 };
 
 #endif

@@ -32,6 +32,7 @@ set(plugin_environment
   "OMPI_ALLOW_RUN_AS_ROOT=1"
   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
 set(pieces_file "${CMAKE_CURRENT_BINARY_DIR}/pieces.npz")
+set(piece_shadows_file "${CMAKE_CURRENT_BINARY_DIR}/piece_shadows.npz")
 set(flow_pieces_file "${CMAKE_CURRENT_BINARY_DIR}/flow_pieces.npz")
 
 # plugin_test(NAME LABELS COMMAND...)
@@ -96,6 +97,13 @@ plugin_test(TestPluginSceneShadows "paraview;image"
 plugin_test(TestPluginShadowedSlicesPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginShadowedSlices.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
 set_tests_properties(TestPluginShadowedSlicesPieces PROPERTIES RUN_SERIAL ON)
+plugin_test(TestPluginOnePieceShadows "paraview;image"
+  ${batch} "${script}/TestPluginPieceShadows.py" write "${piece_shadows_file}")
+plugin_test(TestPluginPieceShadows "paraview;mpi;image"
+  ${ranks} ${batch} "${script}/TestPluginPieceShadows.py" compare "${piece_shadows_file}")
+set_tests_properties(TestPluginOnePieceShadows PROPERTIES FIXTURES_SETUP one_piece_shadows)
+set_tests_properties(TestPluginPieceShadows PROPERTIES
+  FIXTURES_REQUIRED one_piece_shadows RUN_SERIAL ON)
 plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
 set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON SKIP_RETURN_CODE 77)

@@ -47,17 +47,18 @@ CASES = {
         "ProjectiveLightScreenWidth": (3.0, LIGHT), "ProjectiveLightShadows": (0, {**LIGHT, "ProjectiveLightIntensity": 9.0}),
         "ProjectiveLightViewUp": ([1.0, 1.0, 0.0], {**LIGHT, "ProjectiveLightScreenWidth": 3.0}),
         "ProjectiveLightImage": (None, {}), "SceneDepthBias": (None, {}), "SceneDepthMapResolution": (None, {}),
-        "SceneShadows": (None, {}), "AreaLight": (1, {}), "AreaLightColor": ([1.0, 0.0, 0.0], LAMP),
+        "SceneShadows": (None, {}), "ShadowGridResolution": (None, {}), "AreaLight": (1, {}), "AreaLightColor": ([1.0, 0.0, 0.0], LAMP),
         "AreaLightFocalPoint": ([8.0, 0.0, 0.0], LAMP), "AreaLightHeight": (9.0, LAMP), "AreaLightImage": (None, {}),
         "AreaLightIntensity": (3.0, LAMP), "AreaLightPosition": ([-9.0, 20.0, 3.0], LAMP),
         "AreaLightPositional": ("Lamp", LAMP), "AreaLightShadows": (0, LAMP),
         "AreaLightShape": ("Square", {**LAMP, "AreaLightWidth": 9.0}),
         "AreaLightViewUp": ([1.0, 1.0, 0.0], {**LAMP, "AreaLightWidth": 9.0}), "AreaLightWidth": (9.0, LAMP),
         "NumberOfLightSamples": (4, LAMP), "SoftShadowMethod": ("Accumulated Convolution", LAMP)})}
-# Take a texture file, or surfaces beside the volume; TestPluginShadowedSlices, TestPluginAreaLight and
-# TestPluginSceneShadows draw with them.
+# Take a texture file, surfaces beside the volume, or several processes; TestPluginShadowedSlices,
+# TestPluginAreaLight, TestPluginSceneShadows and TestPluginPieceShadows draw with them.
 TESTED_ELSEWHERE = {
-    "AreaLightImage", "ProjectiveLightImage", "SceneDepthBias", "SceneDepthMapResolution", "SceneShadows"}
+    "AreaLightImage", "ProjectiveLightImage", "SceneDepthBias", "SceneDepthMapResolution", "SceneShadows",
+    "ShadowGridResolution"}
 
 
 def shows(decorator, representation):
