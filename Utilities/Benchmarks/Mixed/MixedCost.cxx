@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Mixed/MixedCost.h"
+
+#include "Benchmarks/Mixed/MixedCases.h"
+#include "Benchmarks/Mixed/MixedDrawing.h"
+
+#include "vtkMapper.h"
+#include "vtkPolyData.h"
+
+namespace mixed
+{
+namespace
+{
+const char* const ScenePass = "scene-pass";
+const char* const Moving = "scene-pass, light moves";
+const char* const OverBudget = "over_budget";
+
+vtkIdType CountTriangles(const reference::MixedScene& scene)
+{
+  vtkIdType count = 0;
+  for (const reference::SceneSurface& surface : scene.Surfaces)
+  {
+    surface.Actor->GetMapper()->Update();
+    count += vtkPolyData::SafeDownCast(surface.Actor->GetMapper()->GetInput())->GetNumberOfCells();
+  }
+  return count;
+}
+
+void AddRows(const Case& what, const BenchOptions& options, BenchRows& rows)
+{
+  reference::MixedScene volumeAlone = what.Scene;
+  volumeAlone.Surfaces.clear();
+  reference::MixedScene actorsAlone = what.Scene;
+  actorsAlone.Volumes.clear();
+  Drawing ours(what.Scene, Method::ScenePass);
+  Drawing volume(volumeAlone, Method::Plain);
+  Drawing actors(actorsAlone, Method::Plain);
+  for (const bool isMoving : { false, true })
+  {
+    const std::vector<double> seconds = MeasureAlternately(
+      { ours.GetFrame(options.Threads, isMoving), volume.GetFrame(options.Threads, isMoving),
+        actors.GetFrame(options.Threads, isMoving) },
+      options.GetRepeats());
+    BenchRow row = rows.Make(what.Name, isMoving ? Moving : ScenePass);
+    row.Parameter = CountTriangles(what.Scene);
+    row.Seconds = seconds[0];
+    row.Peer = "volume + 2 actors";
+    row.PeerSeconds = seconds[1] + 2.0 * seconds[2];
+    row.Counts[OverBudget] = *row.Seconds / *row.PeerSeconds;
+    row.Counts["processor_over_budget"] = ours.TakeProcessorSeconds() /
+      (volume.TakeProcessorSeconds() + 2.0 * actors.TakeProcessorSeconds());
+    row.Counts["volume_seconds"] = seconds[1];
+    row.Counts["actors_seconds"] = seconds[2];
+    row.Counts["depth_maps_drawn"] = ours.GetReport()->DepthMapsDrawn;
+    row.Counts["receiver_passes"] = ours.GetReport()->ReceiverPasses;
+    row.Counts["slices"] = ours.GetSlices()->GetReport().SlicesDrawn;
+    rows.Add(row);
+  }
+}
+}
+
+void AddCostRows(const BenchOptions& options, BenchRows& rows)
+{
+  const int pixels = options.Pick(512, 256, 32);
+  const int triangles = options.Pick(1000000, 250000, 2000);
+  AddRows(MakeBonsaiAmongBalls(pixels, options.Pick(1, 4, 16), triangles), options, rows);
+  AddRows(MakeSmokeAmongBalls(pixels, options.Pick(128, 48, 12), triangles), options, rows);
+}
+
+std::vector<BenchClaim> CheckCostClaims(const std::vector<BenchRow>& rows)
+{
+  return { BenchClaim::AtMost(
+             "a frame of surfaces and a volume at most 1.25 times the volume alone "
+             "and the actors twice",
+             1.25, rows, CountOf(ScenePass, OverBudget)),
+    BenchClaim::AtMost("the same where the light moves", 1.25, rows, CountOf(Moving, OverBudget)) };
+}
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Mixed/MixedMaps.h"
+
+#include "Benchmarks/Measures/PictureEdges.h"
+#include "Benchmarks/Mixed/MixedCases.h"
+#include "Benchmarks/Mixed/MixedDrawing.h"
+#include "Pictures/ReferenceMixedPicture.h"
+
+#include <array>
+
+namespace mixed
+{
+namespace
+{
+const char* const ScenePass = "scene-pass";
+const char* const Moving = "scene-pass, light moves";
+const char* const ShadowMaps = "shadow-maps";
+const char* const OverPeer = "over_peer";
+const char* const ErrorOverPeer = "error_over_peer";
+constexpr int Reach = 10;
+
+BenchRow MakeMapRow(
+  const BenchRows& rows, const std::string& name, const char* method, int resolution)
+{
+  BenchRow row = rows.Make(name, method);
+  row.Parameter = resolution;
+  return row;
+}
+
+void AddErrors(
+  BenchRow& row, const reference::RgbaPicture& picture, const reference::RgbaPicture& expected)
+{
+  row.ErrorNorm = "channel difference, mean";
+  row.Error = reference::ComparePictures(picture, expected).Mean;
+  const EdgeDistances edges = MeasureEdges(picture, expected, Reach);
+  row.Counts["edges"] = edges.Edges;
+  row.Counts["edge_pixels"] = edges.Mean;
+  row.Counts["edge_pixels_largest"] = edges.Largest;
+}
+}
+
+void AddMapRows(const BenchOptions& options, BenchRows& rows)
+{
+  const Case what = MakePosts(options.Pick(512, 256, 64), options.Pick(400000, 100000, 1000));
+  const reference::RgbaPicture expected = reference::MakeMixedPicture(what.Scene);
+  for (const int resolution : options.Pick<std::vector<int>>(
+         { 128, 256, 512, 1024, 2048, 4096 }, { 256, 512, 1024, 2048 }, { 32, 64 }))
+  {
+    Drawing ours(what.Scene, Method::ScenePass, resolution);
+    Drawing maps(what.Scene, Method::ShadowMaps, resolution);
+    std::array<std::vector<double>, 2> seconds;
+    std::array<double, 2> processor{};
+    for (const bool isMoving : { false, true })
+    {
+      seconds[isMoving] = MeasureAlternately(
+        { ours.GetFrame(options.Threads, isMoving), maps.GetFrame(options.Threads, isMoving) },
+        options.GetRepeats());
+      processor[isMoving] = ours.TakeProcessorSeconds() / maps.TakeProcessorSeconds();
+    }
+    what.Scene.Lights.front().Light->SetPosition(what.LightPosition.data());
+    ours.SetCamera(what.Scene.Camera);
+    maps.SetCamera(what.Scene.Camera);
+
+    BenchRow theirs = MakeMapRow(rows, what.Name, ShadowMaps, resolution);
+    theirs.Seconds = seconds[0][1];
+    AddErrors(theirs, maps.Capture(), expected);
+    for (const bool isMoving : { false, true })
+    {
+      BenchRow row = MakeMapRow(rows, what.Name, isMoving ? Moving : ScenePass, resolution);
+      row.Seconds = seconds[isMoving][0];
+      row.Peer = ShadowMaps;
+      row.PeerSeconds = seconds[isMoving][1];
+      row.Counts[OverPeer] = *row.Seconds / *row.PeerSeconds;
+      row.Counts["processor_over_peer"] = processor[isMoving];
+      if (!isMoving)
+      {
+        AddErrors(row, ours.Capture(), expected);
+        row.Counts[ErrorOverPeer] = *row.Error / *theirs.Error;
+      }
+      rows.Add(row);
+    }
+    rows.Add(theirs);
+  }
+}
+
+std::vector<BenchClaim> CheckMapClaims(const std::vector<BenchRow>& rows)
+{
+  return { BenchClaim::AtMost("surfaces alone: no slower than vtkShadowMapPass", 1.0, rows,
+             CountOf(ScenePass, OverPeer)),
+    BenchClaim::AtMost("surfaces alone, light moves: no slower than vtkShadowMapPass", 1.0, rows,
+      CountOf(Moving, OverPeer)),
+    BenchClaim::AtMost("surfaces alone: no larger error than vtkShadowMapPass", 1.0, rows,
+      CountOf(ScenePass, ErrorOverPeer)) };
+}
+
+std::vector<BenchPlot> MakeMapPlots(const std::vector<BenchRow>& rows)
+{
+  BenchPlot plot;
+  plot.Name = "mixed-surfaces";
+  plot.Title = "Surfaces alone: error against run time, depth maps of growing resolution";
+  plot.XLabel = "time of a frame (s)";
+  plot.YLabel = "error: channel difference, mean";
+  plot.LogX = true;
+  plot.LogY = true;
+  for (const BenchRow& row : rows)
+  {
+    const bool isPeer = row.Method == ShadowMaps;
+    if ((isPeer || row.Peer == ShadowMaps) && row.Error && *row.Error > 0.0)
+    {
+      plot.AddPoint(row.Method, isPeer, *row.Seconds, *row.Error);
+    }
+  }
+  return plot.AllSeries.empty() ? std::vector<BenchPlot>() : std::vector<BenchPlot>{ plot };
+}
+}
