@@ -106,7 +106,8 @@ struct SliceScene;
  * neither the emitter's shape nor its image, and its penumbrae shrink as slices and buffers get
  * finer, since n boxes of width w spread by w sqrt(n / 12), not n w / sqrt(12).
  * - SAMPLED_LIGHTS: each sample is a light of its own, with its buffer, its shading and a share of
- * the light: the reference, of one sweep for each four samples.
+ * the light: the reference, of one sweep for each four samples. In a vtkShadowedScenePass it is
+ * SAMPLE_LAYERS.
  * Colours and directions of shading are those of the emitter's centre but in the last; an emitter's
  * image is grey to its shadows then, and its mean colour is the light's. A light inside the volume,
  * or so close or large that slices are seen edge-on from some of it, shines from its centre with

@@ -47,12 +47,12 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSliceReport
   int LightBufferSize = 0;
   int LightChannels = 0;
   /// The number of area lights that cast shadows, and the way, as the setting is called:
-  /// `SampleLayers`, `AccumulatedConvolution`, `SampledLights`; empty without soft shadows.
+  /// `SampleLayers` (of SAMPLED_LIGHTS too in a vtkShadowedScenePass), `AccumulatedConvolution`,
+  /// `SampledLights`; empty without soft shadows.
   int SoftLights = 0;
   std::string SoftShadowMethod;
   /// The number of those lights that shine from their centre alone, with hard shadows: they are
-  /// inside the volume or too close, or too large, to be seen through planes, or SoftShadowMethod
-  /// is SAMPLED_LIGHTS in a vtkShadowedScenePass.
+  /// inside the volume or too close, or too large, to be seen through planes.
   int HardLightsInstead = 0;
   /// The numbers of layers of samples of all lights, and of lights that stand for samples, of
   /// passes over layers and by convolution, and the bytes of what soft shadows have beside the

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shadows that opaque actors cast on each other by vtkShadowedScenePass: edges where they have to
 // be, no specks, VTK's own picture where no shadow falls.
+#include "Common/Vectors.h"
 #include "Reference/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
 #include "vtkActor.h"
+#include "vtkAreaLight.h"
 #include "vtkLight.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -13,6 +15,8 @@
 #include <cmath>
 #include <iostream>
 #include <string>
+
+#include <glm/vec2.hpp>
 
 namespace
 {
@@ -97,6 +101,60 @@ void TestSpecks(Check& check)
   }
 }
 
+// The same under a sun with an extent, where all of it or nothing of it shines on a ball or a thin
+// plate: as without shadows, or dark.
+void TestSoftSpecks(Check& check)
+{
+  for (const double height : { 1.0, 0.3 })
+  {
+    for (int shape = 0; shape < 2; ++shape)
+    {
+      SceneStage stage;
+      stage.Add(shape == 0 ? MakeBall({ { 0.0, 0.0, 0.0 } }, 0.8, 96)
+                           : MakeBox({ { -0.8, 0.8, -0.8, 0.8, -0.001, 0.001 } }));
+      const glm::dvec3 direction = glm::normalize(glm::dvec3(1.0, 0.3, -height));
+      vtkNew<vtkAreaLight> sun;
+      sun->SetPosition(0.0, 0.0, 0.0);
+      sun->SetFocalPoint(glm::value_ptr(direction));
+      sun->SetSize(0.1, 0.1);
+      sun->SetShadowAttenuation(1.0F);
+      stage.Stage.SetLights({ sun.Get() });
+      const RgbaPicture with = stage.Draw();
+      check.Equal(stage.GetReport().SampleMaps, 16, "maps of a sun with an extent");
+      const RgbaPicture without = stage.Draw(false);
+      double lit = 0.0;
+      double dark = 0.0;
+      for (int j = 0; j < with.Height; ++j)
+      {
+        for (int i = 0; i < with.Width; ++i)
+        {
+          const glm::dvec2 at(
+            2.0 * (i + 0.5) / with.Width - 1.0, 2.0 * (j + 0.5) / with.Height - 1.0);
+          const double rest = 0.64 - glm::dot(at, at);
+          // The rim of a ball of polygons is not that of a ball.
+          if (shape == 0 && rest < 0.02)
+          {
+            continue;
+          }
+          const glm::dvec3 normal = shape == 0
+            ? glm::dvec3(at, std::sqrt(std::max(rest, 0.0))) / 0.8
+            : glm::dvec3(0.0, 0.0, 1.0);
+          const double cosine = -glm::dot(normal, direction);
+          const double found = with.At(i, j)[0];
+          lit = cosine > 0.12 ? std::max(lit, std::abs(found - without.At(i, j)[0])) : lit;
+          dark = cosine < -0.12 ? std::max(dark, found) : dark;
+        }
+      }
+      const std::string name =
+        "soft, shape " + std::to_string(shape) + ", light at " + std::to_string(height);
+      std::cout << name << ": " << lit << " where all shines, " << dark << " where nothing does"
+                << std::endl;
+      check.Near(lit, 0.0, 0.02, name + ": specks in the light", 1.0);
+      check.Near(dark, 0.0, 0.0, name + ": light in the dark", 1.0);
+    }
+  }
+}
+
 }
 
 int TestShadowedScene(int, char*[])
@@ -105,5 +163,6 @@ int TestShadowedScene(int, char*[])
   TestEdges(check);
   TestLamp(check);
   TestSpecks(check);
+  TestSoftSpecks(check);
   return check.Result();
 }

@@ -201,6 +201,26 @@ void TestHard(Check& check)
   check.Equal(reports[1].ReceiverPasses, reports[0].ReceiverPasses, "receivers of size 0");
 }
 
+/// Lights of samples are layers in a scene, of the same samples: the same picture.
+void TestSampledLights(Check& check)
+{
+  RgbaPicture pictures[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    SceneStage stage(64);
+    stage.Add(MakeFloor(-0.5));
+    stage.AddSmoke({ { -0.5, 0.5, -0.5, 0.5, -0.4, 0.1 } }, 2.0);
+    stage.Mapper->SetSoftShadowMethod(
+      i == 0 ? vtkShadowedSliceMapper::SAMPLE_LAYERS : vtkShadowedSliceMapper::SAMPLED_LIGHTS);
+    stage.Stage.SetLights({ MakeRoundLight({ { -0.7, 0.2, 2.0 } }, 0.6) });
+    pictures[i] = stage.Draw();
+    check.Equal(stage.Mapper->GetReport().HardLightsInstead, 0, "no hard light instead");
+    check.Equal(stage.Mapper->GetReport().LightLayers, 16, "layers");
+  }
+  check.Near(
+    ComparePictures(pictures[0], pictures[1]).Max, 0.0, 0.0, "lights of samples in a scene", 1.0);
+}
+
 /// One light with an extent among others: each has maps of its kind alone.
 void TestBoth(Check& check)
 {
@@ -244,6 +264,7 @@ int TestSoftScene(int, char*[])
   Check check;
   TestHard(check);
   TestBoth(check);
+  TestSampledLights(check);
   TestReference(check);
   return check.Result();
 }

@@ -44,7 +44,12 @@ void PicturePlan::Make(SliceFrame& frame, const std::vector<SlicePlan::Matter>& 
   {
     constexpr std::array<const char*, 3> names{ { "AccumulatedConvolution", "SampleLayers",
       "SampledLights" } };
-    const int method = asked.SoftShadowMethod;
+    // A surface of a scene takes what is left of a light once: shares of lights that stand for
+    // samples would be multiplied, and layers of the same samples show the same.
+    const bool isOfLayers = frame.Scene != nullptr &&
+      asked.SoftShadowMethod == vtkShadowedSliceSettings::SAMPLED_LIGHTS;
+    const int method = isOfLayers ? static_cast<int>(vtkShadowedSliceSettings::SAMPLE_LAYERS)
+                                  : asked.SoftShadowMethod;
     report.SoftShadowMethod = names[method];
     settings.Samples = samples;
     settings.SoftMethod = method == vtkShadowedSliceSettings::SAMPLE_LAYERS ? SlicePlan::LAYERS
@@ -58,18 +63,13 @@ void PicturePlan::Make(SliceFrame& frame, const std::vector<SlicePlan::Matter>& 
       }
     }
   }
-  // A surface of a scene takes what is left of a light once: shares of samples would be multiplied.
-  std::vector<int> hard = frame.Scene ? sampled : std::vector<int>();
-  if (hard.empty() && !sampled.empty())
+  if (!sampled.empty())
   {
     frame.Lights = EmitterSamples::Split(frame.Lights, sampled, samples);
     report.SampledLights = samples * static_cast<int>(sampled.size());
   }
-  if (hard.empty())
-  {
-    frame.Plan.Make(frame.Eye, frame.Lights, matter, settings);
-    hard = frame.Plan.NotSoft;
-  }
+  frame.Plan.Make(frame.Eye, frame.Lights, matter, settings);
+  const std::vector<int> hard = frame.Plan.NotSoft;
   report.HardLightsInstead = static_cast<int>(hard.size());
   if (!hard.empty())
   {
