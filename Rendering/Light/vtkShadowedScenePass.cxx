@@ -130,6 +130,8 @@ std::string vtkShadowedScenePass::DrawAhead(vtkRenderer* renderer)
 void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
 {
   interlume::SliceScene& scene = this->Renderer->GetScene();
+  this->Report.Volumes = 0;
+  this->Report.VolumesTogether = 0;
   this->Group->Clear();
   for (vtkVolume* volume : this->Volumes)
   {

@@ -45,33 +45,38 @@ class SliceGroup;
  * samples compare the light with the depth maps too. T is found for the surface that each pixel
  * shows: a place before the volume in the direction of light, or beside it, has all of the light;
  * one within it has what the light's buffer holds when its slices have come there, times exp(-tau
- * l) for the rest of the slab; one behind it what comes through all slices. Against closed forms a wall of
- * any place in homogeneous smoke is off by 0.0005 in the mean and by 0.002 for 95 % of its pixels;
- * the edge of a volume's shadow is as wide as a texel of the light's buffer. With eight samples a
- * pixel, a pixel at an edge takes T where a surface around shows the same depth.
+ * l) for the rest of the slab; one behind it what comes through all slices. Against closed forms a
+ * wall of any place in homogeneous smoke is off by 0.0005 in the mean and by 0.002 for 95 % of its
+ * pixels; the edge of a volume's shadow is as wide as a texel of the light's buffer. With eight
+ * samples a pixel, a pixel at an edge takes T where a surface around shows the same depth.
  *
  * **Several volumes** are drawn in one set of slices, whether they overlap or stand apart. In each
  * slab one volume after the other is drawn into the picture, with the light that is left there, and
  * then takes from that light: between slabs extinctions add up exactly, for eye and light. Within a
  * slab the volume is first that the light meets first, where a plane along a face parts their
- * boxes; volumes that overlap take turns from slab to slab, which leaves an error of the second
- * order in the slab's optical depth. The picture does not depend on the order of adding volumes. Each
- * volume has its own samples, transfer functions, cropping and clipping, blocks that are passed over,
- * TransmissionColor and SurfaceGradient. What is shared is of one kind:
+ * boxes; volumes that overlap take turns from slab to slab, so that errors of the first order in
+ * the slab's optical depth cancel. Two boxes apart, overlapping or one in the other are off by
+ * 0.0005 or less in the mean at the automatic spacing, two volumes of two colours at the same place
+ * by 0.0006 at an optical depth of 0.2 a slab, by 0.0037 at 0.8; two halves of a volume are the
+ * whole within 0.0003 at each pixel. The picture does not depend on the order of adding volumes,
+ * but where two have the same bounds. Each has its own samples, transfer functions, cropping and
+ * clipping, blocks that are passed over, TransmissionColor and SurfaceGradient. What is shared is
+ * of one kind:
  * - SliceSpacing: the finest that one of them asks for, or has automatically, in all of them;
  * - LightBufferSize: automatic where one is, for the finest voxels and around all volumes, and at
  * least the largest that is set; else the largest;
  * - MaximumNumberOfShadows and NumberOfLightSamples the largest, ImageSampleDistance the smallest,
  * AutoAdjustSampleDistances where all have it on, BILINEAR_LIGHT where one has it;
- * - SoftShadowMethod: SAMPLE_LAYERS where one has it, else ACCUMULATED_CONVOLUTION where one has it;
+ * - SoftShadowMethod: SAMPLE_LAYERS where one has it, else ACCUMULATED_CONVOLUTION where one does;
  * - light has three channels where one has a TransmissionColor;
  * - MaximumTextureMemory: the smallest that is set, for all of them together.
  *
  * Each mapper's report has the numbers of the whole picture, with its own blocks, textures and
- * features. Volumes are drawn one by one, one over the other in the renderer's order, and cast shadows on surfaces
- * alone, where all together would take more than eight times the slices that they have by themselves, beyond
- * MaximumTextureMemory, or where one mapper has several volumes; the report says which
- * (VolumesApart). So is a volume whose Shadows is off. One with an error is left out.
+ * features. Volumes are drawn one by one, one over the other in the renderer's order, and cast
+ * shadows on surfaces alone, where all together would take more than eight times the slices that
+ * they have by themselves, beyond MaximumTextureMemory, or where one mapper has several volumes;
+ * the report says which (VolumesApart). So is a volume whose Shadows is off. One with an error is
+ * left out.
  *
  * **Lights** are those of vtkShadowedSliceMapper: switched on and with a ShadowAttenuation above 0.
  * Actors cast no shadows of headlights, since the eye would not see them. A positional light
