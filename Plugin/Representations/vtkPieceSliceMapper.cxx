@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPieceSliceMapper.h"
 
+#include "vtkLightList.h"
 #include "vtkMatterGrid.h"
 
 #include "vtkCommunicator.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -23,27 +22,6 @@ vtkStandardNewMacro(vtkPieceSliceMapper);
 namespace
 {
 using LightList = std::vector<vtkSmartPointer<vtkLight>>;
-
-LightList GetLights(vtkRenderer* renderer)
-{
-  LightList lights;
-  vtkCollectionSimpleIterator iterator;
-  renderer->GetLights()->InitTraversal(iterator);
-  while (vtkLight* light = renderer->GetLights()->GetNextLight(iterator))
-  {
-    lights.emplace_back(light);
-  }
-  return lights;
-}
-
-void SetLights(vtkRenderer* renderer, const LightList& lights)
-{
-  renderer->GetLights()->RemoveAllItems();
-  for (const auto& light : lights)
-  {
-    renderer->GetLights()->AddItem(light);
-  }
-}
 
 /// Returns the lights that cast shadows: the brightest of those that can.
 std::set<vtkLight*> FindShadowed(const LightList& lights, int number)
@@ -120,7 +98,7 @@ void vtkPieceSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->Superclass::Render(renderer, volume);
     return;
   }
-  const LightList lights = GetLights(renderer);
+  const LightList lights = vtkLightList::Get(renderer);
   const std::set<vtkLight*> shadowed = FindShadowed(lights, this->GetMaximumNumberOfShadows());
   LightList reaching;
   for (const auto& light : lights)
@@ -130,9 +108,9 @@ void vtkPieceSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
             light, *this->Grid, this->Version, image->GetBounds(), volume->GetMatrix())
         : light.Get());
   }
-  SetLights(renderer, reaching);
+  vtkLightList::Set(renderer, reaching);
   this->Superclass::Render(renderer, volume);
-  SetLights(renderer, lights);
+  vtkLightList::Set(renderer, lights);
 }
 
 void vtkPieceSliceMapper::PrintSelf(ostream& os, vtkIndent indent)

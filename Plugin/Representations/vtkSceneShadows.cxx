@@ -89,8 +89,10 @@ vtkSmartPointer<vtkSceneShadows> vtkSceneShadows::For(vtkRenderer* renderer)
   }
   auto shadows = vtkSmartPointer<vtkSceneShadows>::New();
   shadows->Renderer = renderer;
-  shadows->Observer =
+  shadows->Observers[0] =
     renderer->AddObserver(vtkCommand::StartEvent, shadows.Get(), &vtkSceneShadows::Arrange);
+  shadows->Observers[1] =
+    renderer->AddObserver(vtkCommand::EndEvent, shadows.Get(), &vtkSceneShadows::Finish);
   GetAll()[renderer] = shadows;
   return shadows;
 }
@@ -105,9 +107,13 @@ vtkSceneShadows::~vtkSceneShadows()
   }
   if (this->Renderer)
   {
-    this->Renderer->RemoveObserver(this->Observer);
+    for (const unsigned long observer : this->Observers)
+    {
+      this->Renderer->RemoveObserver(observer);
+    }
     this->Wishes.clear();
     this->Arrange();
+    this->Finish();
   }
 }
 
@@ -131,18 +137,25 @@ void vtkSceneShadows::Arrange()
       std::max(most.MaximumNumberOfShadows, wish.MaximumNumberOfShadows);
     most.DepthMapResolution = std::max(most.DepthMapResolution, wish.DepthMapResolution);
     most.DepthBias = std::max(most.DepthBias, wish.DepthBias);
+    most.HasShadows = most.HasShadows || wish.HasShadows;
+    most.LightAngle = std::max(most.LightAngle, wish.LightAngle);
+  }
+  this->Finish();
+  if (most.LightAngle > 0.0)
+  {
+    this->Lights.Begin(this->Renderer, most.LightAngle);
   }
   this->Pass->SetMaximumNumberOfShadows(most.MaximumNumberOfShadows);
   this->Pass->SetDepthMapResolution(most.DepthMapResolution);
   this->Pass->SetDepthBias(most.DepthBias);
   DrawingPass place(this->Renderer);
   const bool isThere = place.Get() == this->Pass.Get();
-  if (!this->Wishes.empty() && vtkPVDefaultPass::SafeDownCast(place.Get()))
+  if (most.HasShadows && vtkPVDefaultPass::SafeDownCast(place.Get()))
   {
     this->Pass->SetDelegatePass(place.Get());
     place.Set(this->Pass);
   }
-  if (this->Wishes.empty() && isThere)
+  if (!most.HasShadows && isThere)
   {
     if (vtkRenderWindow* window = this->Renderer->GetRenderWindow())
     {
@@ -151,6 +164,11 @@ void vtkSceneShadows::Arrange()
     place.Set(this->Pass->GetDelegatePass());
     this->Pass->SetDelegatePass(nullptr);
   }
+}
+
+void vtkSceneShadows::Finish()
+{
+  this->Lights.End(this->Renderer);
 }
 
 void vtkSceneShadows::PrintSelf(ostream& os, vtkIndent indent)

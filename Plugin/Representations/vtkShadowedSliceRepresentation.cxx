@@ -137,6 +137,12 @@ void vtkShadowedSliceRepresentation::SetSceneDepthBias(double bias)
   this->UpdateSceneShadows();
 }
 
+void vtkShadowedSliceRepresentation::SetViewLightAngle(double angle)
+{
+  this->ViewLightAngle = std::clamp(angle, 0.0, 90.0);
+  this->UpdateSceneShadows();
+}
+
 void vtkShadowedSliceRepresentation::SetShadowGridResolution(int resolution)
 {
   this->ShadowGridResolution = std::clamp(resolution, 0, 256);
@@ -198,15 +204,16 @@ void vtkShadowedSliceRepresentation::UpdateSceneShadows()
   {
     this->SceneShadows->RemoveWish(this);
   }
-  if (!this->HasSceneShadows || !this->GetVisibility() || !this->ViewRenderer)
+  const bool wantsAny = this->HasSceneShadows || this->ViewLightAngle > 0.0;
+  if (!wantsAny || !this->GetVisibility() || !this->ViewRenderer)
   {
     this->SceneShadows = nullptr;
     return;
   }
   this->SceneShadows = vtkSceneShadows::For(this->ViewRenderer);
   this->SceneShadows->SetWish(this,
-    { this->Mapper->GetMaximumNumberOfShadows(), this->SceneDepthMapResolution,
-      this->SceneDepthBias });
+    { this->HasSceneShadows, this->Mapper->GetMaximumNumberOfShadows(),
+      this->SceneDepthMapResolution, this->SceneDepthBias, this->ViewLightAngle });
 }
 
 int vtkShadowedSliceRepresentation::RequestData(
@@ -358,6 +365,7 @@ void vtkShadowedSliceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   {
     this->SceneShadows->PrintSelf(os, indent.GetNextIndent());
   }
+  os << indent << "ViewLightAngle: " << this->ViewLightAngle << "\n";
   os << indent << "ShadowGridResolution: " << this->ShadowGridResolution << "\n";
   os << indent << "Mapper:\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());

@@ -109,6 +109,14 @@ public:
    */
   void SetSceneShadows(bool shadows);
 
+  /**
+   * The angle in degrees under which lights of the view without an extent or a screen are seen from
+   * their focal point, as long as the representation is visible: they cast soft shadows, as round
+   * vtkAreaLight. Of several representations in a view the largest counts. Default 0: hard shadows.
+   * Valid: 0 to 90.
+   */
+  void SetViewLightAngle(double angle);
+
   ///@{
   /**
    * Pass their values on to the vtkShadowedScenePass of the view. The defaults are those of the
@@ -165,6 +173,7 @@ private:
   bool HasSceneShadows = false;
   int SceneDepthMapResolution = 1024;
   double SceneDepthBias = 1.0;
+  double ViewLightAngle = 0.0;
   int ShadowGridResolution = 64;
 };
 

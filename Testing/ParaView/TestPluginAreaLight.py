@@ -4,6 +4,7 @@ and goes with its representation, takes an image, and its handles move it.
 
 Argument: a folder for pictures."""
 
+import math
 import os
 import sys
 
@@ -15,7 +16,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from plugin_pictures import add_array, coordinates, image, producer, snapshot
 from plugin_testing import Checks, load_plugin
-from shadow_scene import brightness, dark_view, make_plate, show_surface
+from shadow_scene import add_sun, brightness, dark_view, make_plate, show_surface
 
 WHITE = 255.0
 SPACING = 0.25
@@ -161,6 +162,26 @@ def check_light(checks, view, slab, display):
     checks.equal(own_lights(view), [], "deleted")
 
 
+def check_view_lights(checks, view, display):
+    """A light of the view that is seen under an angle is the area light of that size; between pictures the
+    view has its own lights."""
+    display.AreaLightShape = "Round"
+    display.AreaLightWidth = display.AreaLightHeight = 2.0
+    own = snapshot(view)
+    display.AreaLight = False
+    light = add_sun(view)
+    hard = snapshot(view)
+    checks.that(width_of(profile(view, hard)) < width_of(profile(view, own)) / 2, "the sun's shadow is hard")
+    display.ViewLightAngle = 2.0 * math.degrees(math.atan(1.0 / DISTANCE))
+    soft = snapshot(view)
+    checks.that(numpy.abs(soft - own).max() <= 1, f"widened sun and area light: {numpy.abs(soft - own).max()}")
+    checks.equal(own_lights(view), [0], "area lights between pictures")
+    display.ViewLightAngle = 0.0
+    checks.equal(numpy.abs(snapshot(view) - hard).max(), 0, "the sun's hard shadow again")
+    simple.RemoveLight(light)
+    display.AreaLight = True
+
+
 class Handles:
     """The handles of an area light in a view, dragged without a mouse."""
 
@@ -245,6 +266,7 @@ def main():
     check_settings(checks, view, display)
     check_image(checks, view, display, sys.argv[1])
     check_handles(checks, view)
+    check_view_lights(checks, view, display)
     check_light(checks, view, slab, display)
     checks.finish()
 

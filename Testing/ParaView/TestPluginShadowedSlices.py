@@ -25,7 +25,7 @@ PROPERTIES = {
     "shadows": "Shadows", "number_of_shadows": "MaximumNumberOfShadows", "colored": "ColoredShadows",
     "spacing": "SliceSpacing"}
 OWN_PREFIXES = ("AreaLight", "Colored", "ImageSample", "Light", "MaximumNumberOfS", "NumberOfLight", "Projective",
-                "Scene", "Shadow", "SliceSpacing", "SoftShadow")
+                "Scene", "Shadow", "SliceSpacing", "SoftShadow", "ViewLight")
 
 
 def add_lights(view, display, picture):

@@ -457,7 +457,7 @@ int main(int argc, char* argv[])
     { { "Ambient", "0" }, { "Diffuse", "1" }, { "Specular", "0" }, { "SpecularPower", "100" },
       { "ShadowedShade", "1" }, { "Shadows", Text(slices->GetShadows()) },
       { "MaximumNumberOfShadows", "1" }, { "ColoredShadows", "0" }, { "SceneShadows", "0" },
-      { "ShadowGridResolution", "64" },
+      { "ShadowGridResolution", "64" }, { "ViewLightAngle", "0" },
       { "SceneDepthMapResolution", Text(scene->GetDepthMapResolution()) },
       { "SceneDepthBias", Text(scene->GetDepthBias()) },
       { "SliceSpacing", Text(slices->GetSliceSpacing()) },
