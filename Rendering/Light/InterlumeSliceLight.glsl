@@ -63,20 +63,9 @@ vec3 getColor_INDEX(vec3 l)
   color *= cosine < cone_INDEX.x ? 0.0 : pow(cosine, cone_INDEX.y);
 #endif
 #ifdef SCREEN_INDEX
-  vec4 s = screenFromUnit_INDEX * vec4(sampleAt, 1.0);
-  vec2 uv = s.xy / s.w;
-  vec2 inside = min(uv, 1.0 - uv);
-  if (!(s.w > 0.0 && min(inside.x, inside.y) >= 0.0))
-  {
-    return vec3(0.0);
-  }
-  if (edgeWidth_INDEX > 0.0)
-  {
-    vec2 edge = clamp(inside * (2.0 / edgeWidth_INDEX), 0.0, 1.0);
-    edge *= edge * (3.0 - 2.0 * edge);
-    color *= edge.x * edge.y;
-  }
-  color *= screenOpacity_INDEX;
+  vec2 uv;
+  color *= lightOfScreen(
+    screenFromUnit_INDEX * vec4(sampleAt, 1.0), edgeWidth_INDEX, screenOpacity_INDEX, uv);
 #ifdef IMAGE_INDEX
   color *= textureLod(image_INDEX, uv, 0.0).rgb;
 #endif

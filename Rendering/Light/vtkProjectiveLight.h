@@ -26,7 +26,8 @@ class vtkMatrix4x4;
  * transmittance.
  *
  * Add it to a vtkRenderer by AddLight as any other light. Mappers other than vtkShadowedSliceMapper
- * see a vtkLight of the same position, direction and colour, without a screen.
+ * see a vtkLight of the same position, direction and colour, without a screen; with
+ * vtkShadowedScenePass actors have the screen too.
  *
  * Values outside the valid range are clamped; NaN changes nothing.
  *

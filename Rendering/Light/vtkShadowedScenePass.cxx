@@ -109,7 +109,7 @@ std::string vtkShadowedScenePass::DrawAhead(vtkRenderer* renderer)
 {
   interlume::SceneRenderer& scene = *this->Renderer;
   std::string error = scene.DrawMaps(renderer, this->Report);
-  if (!error.empty() || this->Volumes.empty())
+  if (!error.empty() || !scene.HasVolumes())
   {
     return error;
   }

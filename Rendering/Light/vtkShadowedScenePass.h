@@ -81,8 +81,13 @@ class SliceGroup;
  * **Lights** are those of vtkShadowedSliceMapper: switched on and with a ShadowAttenuation above 0.
  * Actors cast no shadows of headlights, since the eye would not see them. A positional light
  * outside of the actors has one map, and so has one with a cone of 75 degrees or less; amid the
- * actors it has six, which show nothing nearer to it than a thousandth of the farthest actor. On
- * actors a vtkProjectiveLight shines as the spotlight that VTK sees in it, without its image.
+ * actors it has six, which show nothing nearer to it than a thousandth of the farthest actor.
+ *
+ * **Images of lights** fall on actors as in volumes, opaque or translucent and with or without
+ * shadows: the light's colour in VTK's shaders is multiplied by the colour of a
+ * vtkProjectiveLight's screen, vtkProjectiveLight::GetScreenColor, where the fragment's ray passes
+ * it, and by vtkAreaLight::GetEmitterColor. A light whose image has an error shines on actors as
+ * VTK sees it.
  *
  * **What does not take part**: translucent actors cast no shadows, receive those of opaque actors
  * but not of volumes, and are drawn before volumes, as VTK does it: a volume lies over them
@@ -124,7 +129,7 @@ class SliceGroup;
  * **A scene without opaque actors** and with fewer than two volumes, without lights that cast
  * shadows, or a selection by vtkHardwareSelector, is drawn as if the pass was not there: same
  * picture, no map, no pass. So are volumes without opaque actors beside opaque props of other
- * kinds, as vtkImageSlice.
+ * kinds, as vtkImageSlice. The images of lights are an exception.
  *
  * Without DelegatePass the pass does all that the renderer does without a pass: camera, lights,
  * opaque, translucent, volumes, overlay, with the renderer's own settings of depth peeling, FXAA

@@ -8,6 +8,7 @@ void vtkShadowedSceneReport::Print(ostream& os, vtkIndent indent) const
   os << indent << "Volumes: " << this->Volumes << "\n";
   os << indent << "VolumesTogether: " << this->VolumesTogether << "\n";
   os << indent << "VolumesApart: " << this->VolumesApart << "\n";
+  os << indent << "Images: " << this->Images << "\n";
   os << indent << "DepthMaps: " << this->DepthMaps << "\n";
   os << indent << "DepthMapsDrawn: " << this->DepthMapsDrawn << "\n";
   os << indent << "DepthMapResolution: " << this->DepthMapResolution << "\n";

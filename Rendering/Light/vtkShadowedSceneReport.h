@@ -29,6 +29,9 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSceneReport
   /// says why, unless they have errors; it is empty otherwise.
   int VolumesTogether = 0;
   std::string VolumesApart;
+  /// The number of lights whose colours on actors are those of an image: the screen of a
+  /// vtkProjectiveLight, with an image or without, or the emitter of a vtkAreaLight.
+  int Images = 0;
   /// The number of depth maps of lights without extent (six for a light amid the actors, else one),
   /// of those drawn for this picture, and the columns and rows of each.
   int DepthMaps = 0;

@@ -267,7 +267,8 @@ void SliceRasterizer::ActivateTextures(vtkOpenGLRenderWindow* window, const Slic
     vtkProjectiveLight* projective = frame.Lights[light].Projective;
     if (projective && projective->GetImage())
     {
-      activate(this->Parts[0]->GetTextures().GetScreen(window, projective, report.UploadedBytes),
+      activate(
+        this->Parts[0]->GetTextures().GetScreens().Get(window, projective, report.UploadedBytes),
         "image" + suffix);
     }
     ++number;

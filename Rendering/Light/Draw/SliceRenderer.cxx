@@ -202,7 +202,7 @@ std::string SliceRenderer::Upload(vtkOpenGLRenderWindow* window, vtkShadowedSlic
       screens.push_back(light.Projective);
     }
   }
-  textures.KeepScreens(screens, window);
+  textures.GetScreens().Keep(screens, window);
   return error;
 }
 

@@ -6,6 +6,7 @@
 #include "Receivers/SliceScene.h"
 #include "Space/UnitVector.h"
 
+#include "InterlumeLightScreen.h"
 #include "InterlumeSliceFS.h"
 #include "InterlumeSliceLight.h"
 #include "InterlumeSliceLightFS.h"
@@ -399,8 +400,12 @@ std::string SliceShader::GetEyeSource(
     features += " CASTER_GATHER " + frame.Scene->Casters->GetFeatures();
     lights = frame.Scene->Casters->GetSource();
   }
+  const std::vector<int> seen = GetLightsOf(frame, sweep);
+  const bool hasScreens = std::any_of(seen.begin(), seen.end(),
+    [&frame](int light) { return frame.Lights[light].Projective != nullptr; });
+  lights += hasScreens ? InterlumeLightScreen : "";
   int number = 0;
-  for (int light : GetLightsOf(frame, sweep))
+  for (int light : seen)
   {
     features +=
       GetLightFeatures(frame.Lights[light], FindShadow(frame.Plan.Sweeps[sweep], light), number);
@@ -440,7 +445,9 @@ std::string SliceShader::GetReceiverSource(
   features += frame.Number > 0 ? " WITHIN" : "";
   std::string source =
     Replace(InterlumeSliceReceiverFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
-  source = Replace(source, "//INTERLUME::LIGHTS", Replace(InterlumeSliceLight, "INDEX", "0"));
+  const std::string screen = frame.Lights[light.Light].Projective ? InterlumeLightScreen : "";
+  source =
+    Replace(source, "//INTERLUME::LIGHTS", screen + Replace(InterlumeSliceLight, "INDEX", "0"));
   return vtkShaderFeatures::Insert(source, features);
 }
 

@@ -5,9 +5,7 @@
 #include "Volume/MaterialTable.h"
 #include "Volume/VolumeSamples.h"
 
-#include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkProjectiveLight.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -250,41 +248,6 @@ std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialT
     : std::string("the graphics card has no memory for the transfer functions");
 }
 
-vtkTextureObject* SliceTextures::GetScreen(
-  vtkOpenGLRenderWindow* window, vtkProjectiveLight* light, vtkIdType& bytes)
-{
-  Screen& screen = this->Screens[light];
-  if (!screen.Texture || screen.Time != light->GetMTime())
-  {
-    std::vector<float> texels = light->GetTexels();
-    screen.Time = light->GetMTime();
-    screen.Texture = vtkSmartPointer<vtkTextureObject>::New();
-    screen.Texture->SetContext(window);
-    const int* size = light->GetImage()->GetDimensions();
-    screen.Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
-      static_cast<unsigned int>(size[1]), 3, VTK_FLOAT, texels.data());
-    SetSampling(screen.Texture, light->GetInterpolate());
-    bytes += static_cast<vtkIdType>(texels.size()) * static_cast<vtkIdType>(sizeof(float));
-  }
-  return screen.Texture;
-}
-
-void SliceTextures::KeepScreens(const std::vector<vtkProjectiveLight*>& lights, vtkWindow* window)
-{
-  for (auto screen = this->Screens.begin(); screen != this->Screens.end();)
-  {
-    if (std::find(lights.begin(), lights.end(), screen->first) == lights.end())
-    {
-      screen->second.Texture->ReleaseGraphicsResources(window);
-      screen = this->Screens.erase(screen);
-    }
-    else
-    {
-      ++screen;
-    }
-  }
-}
-
 void SliceTextures::Activate(vtkShaderProgram* program)
 {
   if (!this->SumTexels.empty() && program->IsUniformUsed("extinctionSums"))
@@ -355,7 +318,7 @@ void SliceTextures::ReleaseGraphicsResources(vtkWindow* window)
   {
     texture->ReleaseGraphicsResources(window);
   }
-  this->KeepScreens({}, window);
+  this->Screens.Keep({}, window);
 }
 
 }

@@ -2,17 +2,16 @@
 #ifndef interlume_SliceTextures_h
 #define interlume_SliceTextures_h
 
+#include "Lights/ScreenTextures.h"
+
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
-class vtkProjectiveLight;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
@@ -46,14 +45,8 @@ public:
   std::string Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material);
   ///@}
 
-  /**
-   * Returns the texture of a light's screen, RGB in floats, which is made where \a light is new or
-   * has changed. \a bytes grows by what was sent.
-   */
-  vtkTextureObject* GetScreen(
-    vtkOpenGLRenderWindow* window, vtkProjectiveLight* light, vtkIdType& bytes);
-  /// Frees the screens of lights that are not among \a lights.
-  void KeepScreens(const std::vector<vtkProjectiveLight*>& lights, vtkWindow* window);
+  /// The images of projective lights.
+  ScreenTextures& GetScreens() { return this->Screens; }
 
   ///@{
   /// Binds the textures that \a program reads, and unbinds them.
@@ -68,12 +61,6 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  struct Screen
-  {
-    vtkSmartPointer<vtkTextureObject> Texture;
-    vtkMTimeType Time = 0;
-  };
-
   vtkNew<vtkTextureObject> Volume;
   vtkNew<vtkTextureObject> Mask;
   vtkNew<vtkTextureObject> Colors;
@@ -84,7 +71,7 @@ private:
   vtkNew<vtkTextureObject> Bends;
   /// The sums that ExtinctionSums has yet to get.
   std::vector<float> SumTexels;
-  std::map<vtkProjectiveLight*, Screen> Screens;
+  ScreenTextures Screens;
   /// The textures that are bound, or suspended, with their units.
   std::vector<std::pair<vtkTextureObject*, int>> Active;
 };

@@ -4,6 +4,7 @@
 #include "Casters/SceneCasters.h"
 #include "Lights/LightSource.h"
 #include "Receivers/LightTransmittance.h"
+#include "Receivers/SceneScreens.h"
 #include "Space/UnitVector.h"
 
 #include "InterlumeSceneActor.h"
@@ -46,8 +47,10 @@ bool Swap(std::string& text, const std::string& mark, const std::string& by)
 }
 
 bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
-  const SceneCasters& casters, const LightTransmittance& transmittance, vtkTextureObject* depth)
+  const SceneCasters& casters, const LightTransmittance& transmittance, const SceneScreens& screens,
+  vtkTextureObject* depth)
 {
+  this->Screens = &screens;
   this->Casters = &casters;
   this->Transmittance = &transmittance;
   this->Depth = depth;
@@ -80,7 +83,8 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
       shadowed.Share = casters.GetShare(light, "vertexVC.xyz", "scenePlaneHere");
       shadowed.Tile = transmittance.IsUsed() ? transmittance.GetTile(light) : -1;
     }
-    if (!shadowed.Share.empty() || shadowed.Tile >= 0)
+    shadowed.Screen = screens.GetFactor(light);
+    if (!shadowed.Share.empty() || shadowed.Tile >= 0 || !shadowed.Screen.empty())
     {
       this->Numbers.push_back(number);
       this->Lights.push_back(shadowed);
@@ -102,7 +106,8 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
   }
   std::string source = InterlumeSceneActor;
   Swap(source, "//INTERLUME::CASTERS", casters.HasViews() ? casters.GetSource() : "");
-  const std::string declarations = vtkShaderFeatures::Insert(source, features);
+  const std::string declarations =
+    vtkShaderFeatures::Insert(source, features) + screens.GetDeclarations();
   std::string implementation = hasVolumes ? "  ivec2 scenePixelHere = scenePixel();\n" : "";
   implementation += casters.HasViews() ? "  vec4 scenePlaneHere = scenePlane(vertexVC.xyz);\n" : "";
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
@@ -116,7 +121,7 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
         Tuple("ivec2", transmittance.GetOrigin(light.Tile)) + ")";
     }
     implementation += "  vec3 sceneLight" + std::to_string(this->Numbers[i]) + " = sceneLightOf(" +
-      std::to_string(i) + ", " + share + ");\n";
+      std::to_string(i) + ", " + share + ")" + light.Screen + ";\n";
   }
   const bool isNew = declarations != this->Declarations || implementation != this->Implementation;
   this->Declarations = declarations;
@@ -183,6 +188,10 @@ bool ActorShader::Replace(std::string& fragmentShader) const
 void ActorShader::SetUniforms(
   vtkShaderProgram* program, bool isOpaque, bool isOfDepths, vtkTextureObject* placeholder) const
 {
+  if (this->Screens)
+  {
+    this->Screens->SetUniforms(program, this->WorldFromView, isOfDepths ? placeholder : nullptr);
+  }
   if (!program->IsUniformUsed("sceneStrengths"))
   {
     return;

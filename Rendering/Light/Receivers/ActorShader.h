@@ -17,6 +17,7 @@ namespace interlume
 
 class LightTransmittance;
 class SceneCasters;
+class SceneScreens;
 struct LightSource;
 
 /**
@@ -34,7 +35,8 @@ public:
    * they are others than before.
    */
   bool Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
-    const SceneCasters& casters, const LightTransmittance& transmittance, vtkTextureObject* depth);
+    const SceneCasters& casters, const LightTransmittance& transmittance,
+    const SceneScreens& screens, vtkTextureObject* depth);
   /// Takes all away. Returns whether there was something.
   bool Clear();
 
@@ -55,6 +57,8 @@ private:
     std::string Share;
     int Tile = -1;
     float Strength = 1.0F;
+    /// The factor of its image, as source; empty without.
+    std::string Screen;
   };
 
   std::vector<int> Numbers;
@@ -63,6 +67,7 @@ private:
   std::string Implementation;
   const SceneCasters* Casters = nullptr;
   const LightTransmittance* Transmittance = nullptr;
+  const SceneScreens* Screens = nullptr;
   vtkTextureObject* Depth = nullptr;
   glm::dmat4 WorldFromView{ 0.0 };
   std::array<float, 4> Viewport{};

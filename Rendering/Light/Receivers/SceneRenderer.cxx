@@ -99,11 +99,12 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
     }
   }
   // Props of other kinds have no depth yet when volumes are drawn ahead.
-  if (this->Casters.empty() && (volumes < 2 || hasOthers))
+  const bool isGroup = volumes > 1 && !hasOthers;
+  if (this->Props.empty() && !isGroup)
   {
     return false;
   }
-  const UnitSpace space = MakeSpace(boxes);
+  const UnitSpace space = boxes.empty() ? UnitSpace() : MakeSpace(boxes);
   // Whoever draws the scene without this pass says nothing of such lights either.
   std::vector<std::string> faults;
   this->Lights =
@@ -114,9 +115,11 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
     light.Area = request.Samples > 1 ? light.Area : nullptr;
   }
   this->Maps.Fit(this->Lights, space, boxes, request.Resolution, request.Samples);
+  this->Screens.Gather(this->Lights, space);
   const bool hasShadows = std::any_of(this->Lights.begin(), this->Lights.end(),
     [](const LightSource& light) { return light.ShadowStrength > 0.0; });
-  return this->Maps.HasViews() || (volumes > 0 && hasShadows);
+  this->IsMixed = volumes > 0 && hasShadows && (!this->Casters.empty() || isGroup);
+  return this->Maps.HasViews() || this->IsMixed || !this->Screens.IsEmpty();
 }
 
 std::string SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
@@ -217,8 +220,9 @@ void SceneRenderer::MakeShader(
   {
     this->Transmittance.ReleaseGraphicsResources(window);
   }
+  report.Images = this->Screens.Upload(window);
   const bool isNew = isShadowed ? this->Shader.Update(renderer, this->Lights, this->Maps,
-                                    this->Transmittance, this->EyeDepth.GetTexture())
+                                    this->Transmittance, this->Screens, this->EyeDepth.GetTexture())
                                 : this->Shader.Clear();
   if (isNew)
   {
@@ -228,8 +232,9 @@ void SceneRenderer::MakeShader(
 
 void SceneRenderer::Activate()
 {
-  std::vector<vtkTextureObject*> textures{ this->EyeDepth.GetTexture(),
-    this->Transmittance.GetTexture() };
+  std::vector<vtkTextureObject*> textures = this->Screens.GetTextures();
+  textures.insert(
+    textures.end(), { this->EyeDepth.GetTexture(), this->Transmittance.GetTexture() });
   for (const auto& map : this->Maps.GetTextures())
   {
     textures.push_back(map.second);
@@ -287,6 +292,7 @@ void SceneRenderer::ReleaseGraphicsResources(vtkWindow* window)
   this->Maps.ReleaseGraphicsResources(window);
   this->EyeDepth.ReleaseGraphicsResources(window);
   this->Transmittance.ReleaseGraphicsResources(window);
+  this->Screens.ReleaseGraphicsResources(window);
   this->Placeholder->ReleaseGraphicsResources(window);
 }
 

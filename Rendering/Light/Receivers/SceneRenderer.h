@@ -7,6 +7,7 @@
 #include "Lights/LightSource.h"
 #include "Receivers/ActorShader.h"
 #include "Receivers/LightTransmittance.h"
+#include "Receivers/SceneScreens.h"
 #include "Receivers/SliceScene.h"
 
 #include "vtkNew.h"
@@ -48,8 +49,12 @@ public:
   ~SceneRenderer();
 
   /// Finds the props that cast shadows and the lights that they cast them of. Returns whether there
-  /// are both, or lights whose light so many \a volumes may take from them, or from each other.
+  /// are both, or lights whose light so many \a volumes may take from them, or from each other, or
+  /// lights with images.
   bool Begin(vtkRenderer* renderer, const Request& request, int volumes);
+
+  /// Whether volumes are part of the scene: else they are drawn as without it.
+  bool HasVolumes() const { return this->IsMixed; }
 
   /// The props whose shaders are changed: all visible ones that have surfaces.
   std::vector<vtkProp*>& GetProps() { return this->Props; }
@@ -89,9 +94,11 @@ private:
   SceneCasters Maps;
   PropDepths EyeDepth;
   LightTransmittance Transmittance;
+  SceneScreens Screens;
   SliceScene Scene;
   ActorShader Shader;
   vtkTimeStamp ShaderTime;
+  bool IsMixed = false;
   bool IsOfDepths = false;
   std::vector<vtkTextureObject*> Active;
   vtkNew<vtkTextureObject> Placeholder;

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Receivers/SceneScreens.h"
+
+#include "Space/UnitSpace.h"
+
+#include "InterlumeLightScreen.h"
+#include "vtkAreaLight.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProjectiveLight.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <array>
+
+namespace interlume
+{
+
+SceneScreens::SceneScreens() = default;
+
+SceneScreens::~SceneScreens() = default;
+
+void SceneScreens::Gather(const std::vector<LightSource>& lights, const UnitSpace& space)
+{
+  this->Images.clear();
+  this->Textures.clear();
+  for (const LightSource& source : lights)
+  {
+    Image image;
+    image.Source = source;
+    if (auto* area = vtkAreaLight::SafeDownCast(source.Light))
+    {
+      area->GetEmitterColor(glm::value_ptr(image.Color));
+    }
+    if (source.Projective)
+    {
+      image.ScreenFromWorld = source.ScreenFromUnit * space.GetUnitFromWorld();
+    }
+    if (source.Projective || image.Color != glm::dvec3(1.0))
+    {
+      this->Images.push_back(image);
+    }
+  }
+}
+
+int SceneScreens::Upload(vtkOpenGLRenderWindow* window)
+{
+  this->Textures.clear();
+  std::vector<vtkProjectiveLight*> kept;
+  vtkIdType bytes = 0;
+  for (Image& image : this->Images)
+  {
+    vtkProjectiveLight* light = image.Source.Projective;
+    if (light && light->GetImage())
+    {
+      image.Texture = this->Screens.Get(window, light, bytes);
+      this->Textures.push_back(image.Texture);
+      kept.push_back(light);
+    }
+  }
+  this->Screens.Keep(kept, window);
+  return static_cast<int>(this->Images.size());
+}
+
+std::string SceneScreens::GetDeclarations() const
+{
+  std::string source;
+  bool hasScreens = false;
+  for (std::size_t i = 0; i < this->Images.size(); ++i)
+  {
+    const std::string number = std::to_string(i);
+    vtkProjectiveLight* light = this->Images[i].Source.Projective;
+    if (!light)
+    {
+      source += "uniform vec3 sceneEmitter" + number + ";\n";
+      continue;
+    }
+    hasScreens = true;
+    const bool hasImage = light->GetImage() != nullptr;
+    source += "uniform mat4 sceneScreenFromView" + number + ";\n";
+    // The width of the edge, and the opacity.
+    source += "uniform vec2 sceneScreen" + number + ";\n";
+    source += hasImage ? "uniform sampler2D sceneImage" + number + ";\n" : "";
+    source += "vec3 lightOfSceneScreen" + number + "(vec3 place)\n{\n  vec2 uv;\n";
+    source += "  float share = lightOfScreen(sceneScreenFromView" + number +
+      " * vec4(place, 1.0), sceneScreen" + number + ".x, sceneScreen" + number + ".y, uv);\n";
+    source += hasImage ? "  return share > 0.0 ? share * textureLod(sceneImage" + number +
+        ", uv, 0.0).rgb : vec3(0.0);\n}\n"
+                       : "  return vec3(share);\n}\n";
+  }
+  return (hasScreens ? InterlumeLightScreen : "") + source;
+}
+
+std::string SceneScreens::GetFactor(vtkLight* light) const
+{
+  const auto found = std::find_if(this->Images.begin(), this->Images.end(),
+    [light](const Image& image) { return image.Source.Light == light; });
+  if (found == this->Images.end())
+  {
+    return {};
+  }
+  const std::string number = std::to_string(found - this->Images.begin());
+  return found->Source.Projective ? " * lightOfSceneScreen" + number + "(vertexVC.xyz)"
+                                  : " * sceneEmitter" + number;
+}
+
+void SceneScreens::SetUniforms(
+  vtkShaderProgram* program, const glm::dmat4& worldFromView, vtkTextureObject* placeholder) const
+{
+  const auto isUsed = [program](const std::string& name)
+  { return program->IsUniformUsed(name.c_str()); };
+  for (std::size_t i = 0; i < this->Images.size(); ++i)
+  {
+    const Image& image = this->Images[i];
+    const std::string number = std::to_string(i);
+    if (isUsed("sceneEmitter" + number))
+    {
+      program->SetUniform3f(("sceneEmitter" + number).c_str(), glm::value_ptr(image.Color));
+    }
+    if (isUsed("sceneScreenFromView" + number))
+    {
+      glm::mat4 matrix(image.ScreenFromWorld * worldFromView);
+      program->SetUniformMatrix4x4(
+        ("sceneScreenFromView" + number).c_str(), glm::value_ptr(matrix));
+    }
+    if (isUsed("sceneScreen" + number))
+    {
+      vtkProjectiveLight* light = image.Source.Projective;
+      const std::array<float, 2> screen{ { static_cast<float>(light->GetEdgeWidth()),
+        static_cast<float>(light->GetScreenOpacity()) } };
+      program->SetUniform2f(("sceneScreen" + number).c_str(), screen.data());
+    }
+    if (image.Texture && isUsed("sceneImage" + number))
+    {
+      vtkTextureObject* texture = placeholder ? placeholder : image.Texture;
+      program->SetUniformi(("sceneImage" + number).c_str(), texture->GetTextureUnit());
+    }
+  }
+}
+
+void SceneScreens::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Screens.Keep({}, window);
+  this->Textures.clear();
+}
+
+}

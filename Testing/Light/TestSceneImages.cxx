@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Images of vtkProjectiveLight and vtkAreaLight on actors by vtkShadowedScenePass, pixel by pixel
+// against the colours that the lights say they have.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "SceneStage.h"
+
+#include "vtkActor.h"
+#include "vtkAreaLight.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkProjectiveLight.h"
+#include "vtkProperty.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <string>
+
+namespace
+{
+using namespace reference;
+
+constexpr int PIXELS = 256;
+constexpr double SIZE = 2.0;
+
+// A chess board of so many squares along each edge, in two colours that change from row to row.
+vtkSmartPointer<vtkImageData> MakeBoard(int squares)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(squares, squares, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int j = 0; j < squares; ++j)
+  {
+    for (int i = 0; i < squares; ++i)
+    {
+      auto* color = static_cast<unsigned char*>(image->GetScalarPointer(i, j, 0));
+      const bool isLight = (i + j) % 2 == 0;
+      color[0] = static_cast<unsigned char>(isLight ? 255 : 40);
+      color[1] = static_cast<unsigned char>(isLight ? 200 - 20 * j : 0);
+      color[2] = static_cast<unsigned char>(isLight ? 30 : 220);
+    }
+  }
+  return image;
+}
+
+vtkSmartPointer<vtkProjectiveLight> MakeProjector(bool isPositional, int squares)
+{
+  auto light = vtkSmartPointer<vtkProjectiveLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->SetPositional(isPositional);
+  light->SetPosition(0.7, -0.4, 2.0);
+  light->SetFocalPoint(0.1, 0.05, 0.0);
+  light->SetConeAngle(90.0);
+  light->SetViewUp(0.2, 1.0, 0.0);
+  light->SetScreenSize(1.2, 0.9);
+  light->SetShadowAttenuation(1.0F);
+  if (squares > 0)
+  {
+    light->SetImage(MakeBoard(squares));
+  }
+  return light;
+}
+
+// How many pixels away from edges of squares are off, and the largest error there, of a floor at
+// z = 0 under a projector, and whether the screen shows at all.
+void TestFloor(Check& check, vtkProjectiveLight* light, int squares, const std::string& name)
+{
+  SceneStage stage(PIXELS, SIZE);
+  stage.Add(MakeRectangle({ { -1.5, -1.5, 0.0 } }, { { 3.0, 0.0, 0.0 } }, { { 0.0, 3.0, 0.0 } }));
+  stage.Stage.SetLights({ vtkSmartPointer<vtkLight>(light) });
+  const RgbaPicture picture = stage.Draw();
+  check.Equal(stage.GetReport().Images, 1, name + ": lights with images");
+
+  vtkNew<vtkMatrix4x4> screen;
+  light->GetScreenMatrix(screen);
+  double largest = 0.0;
+  double most = 0.0;
+  int dark = 0;
+  int left = 0;
+  for (int j = 0; j < PIXELS; ++j)
+  {
+    for (int i = 0; i < PIXELS; ++i)
+    {
+      const double place[4] = { ((i + 0.5) / PIXELS - 0.5) * SIZE,
+        ((j + 0.5) / PIXELS - 0.5) * SIZE, 0.0, 1.0 };
+      double at[4];
+      screen->MultiplyPoint(place, at);
+      const std::array<double, 2> uv{ { at[0] / at[3], at[1] / at[3] } };
+      // A pixel is 1/128 of the floor, of which a square takes 1.2 / 2 / squares at least.
+      bool isEdge = false;
+      for (const double value : uv)
+      {
+        const double square = value * std::max(squares, 1);
+        const bool isSharp =
+          squares == 0 || !light->GetInterpolate() || value < 0.01 || value > 0.99;
+        isEdge = isEdge ||
+          (isSharp && std::abs(square - std::round(square)) < 0.01 * std::max(squares, 1));
+      }
+      if (isEdge)
+      {
+        ++left;
+        continue;
+      }
+      double color[3];
+      light->GetScreenColor(uv[0], uv[1], color);
+      double toLight[3] = { 0.6, -0.45, 2.0 };
+      if (light->GetPositional())
+      {
+        toLight[0] = 0.7 - place[0];
+        toLight[1] = -0.4 - place[1];
+      }
+      const double length =
+        std::sqrt(toLight[0] * toLight[0] + toLight[1] * toLight[1] + toLight[2] * toLight[2]);
+      for (int k = 0; k < 3; ++k)
+      {
+        const double expected = color[k] * toLight[2] / length;
+        largest = std::max(largest, std::abs(picture.At(i, j)[k] - expected));
+        most = std::max(most, expected);
+        dark += expected == 0.0 ? 1 : 0;
+      }
+    }
+  }
+  std::cout << name << ": largest error " << largest << ", lightest " << most << ", dark " << dark
+            << ", pixels at edges " << left << std::endl;
+  check.Near(largest, 0.0, 1e-4, name + ": colours", 1.0);
+  check.That(most > 0.6, name + ": some light");
+  check.That(dark > 1000, name + ": nothing beside the screen");
+}
+
+void TestProjectors(Check& check)
+{
+  for (const bool isPositional : { false, true })
+  {
+    const std::string name = isPositional ? "slide projector" : "beam";
+    const auto light = MakeProjector(isPositional, 4);
+    light->InterpolateOff();
+    TestFloor(check, light, 4, name + ", squares");
+    light->InterpolateOn();
+    TestFloor(check, light, 4, name + ", interpolated");
+    light->SetEdgeWidth(0.5);
+    light->SetScreenOpacity(0.75);
+    TestFloor(check, light, 4, name + ", a soft edge");
+    // Without shadows the image is there all the same.
+    light->SetShadowAttenuation(0.0F);
+    TestFloor(check, light, 4, name + ", no shadows");
+    TestFloor(check, MakeProjector(isPositional, 0), 0, name + ", a window");
+  }
+}
+
+// An image and a shadow: the floor's part that a plate hides is black, the rest is as before.
+void TestShadow(Check& check)
+{
+  const auto light = MakeProjector(false, 4);
+  RgbaPicture pictures[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    SceneStage stage(PIXELS, SIZE);
+    stage.Add(MakeRectangle({ { -1.5, -1.5, 0.0 } }, { { 3.0, 0.0, 0.0 } }, { { 0.0, 3.0, 0.0 } }));
+    // Its shadow ends at x = 0.1.
+    stage.Add(MakeRectangle(
+      { { i == 0 ? -1.0 : -9.0, -1.0, 0.5 } }, { { 1.25, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }));
+    stage.LookAlong({ { 0.0, 0.0, -1.0 } });
+    stage.Stage.SetLights({ vtkSmartPointer<vtkLight>(light) });
+    pictures[i] = stage.Draw();
+  }
+  double difference = 0.0;
+  double brightness = 0.0;
+  for (int i = PIXELS * 5 / 8 + 2; i < PIXELS; ++i)
+  {
+    difference = std::max(
+      difference, std::abs(pictures[0].At(i, PIXELS / 2)[0] - pictures[1].At(i, PIXELS / 2)[0]));
+    brightness = std::max(brightness, pictures[0].At(i, PIXELS / 2)[0]);
+  }
+  check.Near(difference, 0.0, 1e-6, "beside a shadow", 1.0);
+  check.That(brightness > 0.2, "light beside a shadow");
+}
+
+void TestEmitter(Check& check)
+{
+  // A red and a green half give the colour (1, 1/2, 0).
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 1, 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  for (int i = 0; i < 2; ++i)
+  {
+    image->SetScalarComponentFromDouble(i, 0, 0, 0, 1.0 - 0.5 * i);
+    image->SetScalarComponentFromDouble(i, 0, 0, 1, 0.25 + 0.25 * i);
+    image->SetScalarComponentFromDouble(i, 0, 0, 2, 0.0);
+  }
+  vtkNew<vtkAreaLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(0.0, 0.0, 2.0);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetSize(0.5, 0.5);
+  light->SetEmitter(image);
+  SceneStage stage(64);
+  stage.Add(MakeRectangle({ { -2.0, -2.0, 0.0 } }, { { 4.0, 0.0, 0.0 } }, { { 0.0, 4.0, 0.0 } }));
+  stage.Stage.SetLights({ vtkSmartPointer<vtkLight>(light.Get()) });
+  double color[3];
+  light->GetEmitterColor(color);
+  const RgbaPicture picture = stage.Draw();
+  for (int k = 0; k < 3; ++k)
+  {
+    check.Near(picture.At(32, 32)[k], color[k], 1e-5, "an emitter's colour", 1.0);
+  }
+  check.Equal(stage.GetReport().Images, 1, "an emitter with an image");
+  check.Near(stage.Draw(false).At(32, 32)[1], 1.0, 1e-5, "VTK's colour");
+  light->SetEmitter(nullptr);
+  stage.Draw();
+  check.Equal(stage.GetReport().Images, 0, "an emitter without an image");
+}
+
+}
+
+int TestSceneImages(int, char*[])
+{
+  Check check;
+  TestProjectors(check);
+  TestShadow(check);
+  TestEmitter(check);
+  return check.Result();
+}
