@@ -21,6 +21,10 @@ uniform vec4 nearPlane;
 uniform sampler2D opaqueDepth;
 uniform vec2 imageSize;
 uniform mat4 unitFromClip;
+#ifdef FRONT
+// Nothing is drawn before it, and nothing at all where it is not below 1.
+uniform sampler2D frontDepth;
+#endif
 #endif
 #ifdef LIT
 uniform vec4 materials[ROWS];
@@ -142,6 +146,15 @@ void main()
     vec4 surface = unitFromClip * vec4(vec3(image, window) * 2.0 - 1.0, 1.0);
     upper = min(upper, dot(surface.xyz / surface.w - place, sightline));
   }
+#ifdef FRONT
+  float front = texture(frontDepth, image).r;
+  if (!(front < 1.0))
+  {
+    discard;
+  }
+  vec4 before = unitFromClip * vec4(vec3(image, front) * 2.0 - 1.0, 1.0);
+  lower = max(lower, dot(before.xyz / before.w - place, sightline));
+#endif
 #endif
   vec3 p = placeInTexture(place);
   vec3 q = mat3(textureFromUnit) * sightline;

@@ -267,9 +267,10 @@ void shine_INDEX(inout vec3 sum)
   }
 #ifdef SHADOW_INDEX
 #ifdef CASTERS_INDEX
-  color *= 1.0 - strength_INDEX * (1.0 - CASTER_SHARE_INDEX * getTransmittance_INDEX(l));
+  color *= 1.0 -
+    strength_INDEX * (1.0 - CASTER_SHARE_INDEX * OF_PANES_INDEX getTransmittance_INDEX(l));
 #else
-  color *= 1.0 - strength_INDEX * (1.0 - getTransmittance_INDEX(l));
+  color *= 1.0 - strength_INDEX * (1.0 - OF_PANES_INDEX getTransmittance_INDEX(l));
 #endif
 #ifdef WIDE_INDEX
   color *= dot(sampleAt - position_INDEX, sliceNormal) > 0.0 ? 1.0 : 0.0;

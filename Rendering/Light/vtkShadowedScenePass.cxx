@@ -60,7 +60,8 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   this->UpdateLights(renderer);
   interlume::SceneRenderer& scene = *this->Renderer;
   const interlume::SceneRenderer::Request request{ this->MaximumNumberOfShadows,
-    this->DepthMapResolution, this->DepthBias, this->NumberOfLightSamples };
+    this->DepthMapResolution, this->DepthBias, this->NumberOfLightSamples,
+    this->MaximumNumberOfLayers };
   this->FindVolumes(renderer);
   if (!scene.Begin(renderer, request, static_cast<int>(this->Volumes.size())))
   {
@@ -80,7 +81,7 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   scene.MakeShader(renderer, error.empty(), this->Report);
   scene.Activate();
   this->DrawAll(state);
-  scene.End();
+  scene.End(renderer);
   for (vtkVolume* volume : this->Volumes)
   {
     vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper())->EndScene();
@@ -122,7 +123,10 @@ std::string vtkShadowedScenePass::DrawAhead(vtkRenderer* renderer)
   error = scene.DrawEyeDepth(renderer, channels, this->Report);
   if (error.empty())
   {
-    this->DrawVolumes(renderer);
+    error = scene.DrawSegments(
+      renderer, [&]() { this->DrawVolumes(renderer); }, [&]() { this->ShowVolumes(renderer); },
+      this->Report);
+    this->Report.Volumes = static_cast<int>(this->Volumes.size());
   }
   return error;
 }
@@ -148,7 +152,7 @@ void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
   for (vtkVolume* volume : this->Volumes)
   {
     auto* mapper = vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper());
-    if (mapper->TakeShare(this->Group))
+    if (mapper->TakeShare(this->Group, &scene))
     {
       ++this->Report.VolumesTogether;
     }
@@ -156,7 +160,14 @@ void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
     {
       mapper->DrawAhead(renderer, volume, &scene);
     }
-    ++this->Report.Volumes;
+  }
+}
+
+void vtkShadowedScenePass::ShowVolumes(vtkRenderer* renderer)
+{
+  for (vtkVolume* volume : this->Volumes)
+  {
+    vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper())->ShowAhead(renderer);
   }
 }
 
@@ -168,22 +179,25 @@ void vtkShadowedScenePass::WarnOfUnreached()
                     << ") is drawn without shadows: its mapper does not ask render passes for its "
                        "shaders, or its shader has no place for lights");
   }
+  for (vtkProp* prop : this->Renderer->TakeUnsliced())
+  {
+    vtkWarningMacro(<< prop->GetClassName() << " (" << static_cast<void*>(prop)
+                    << ") is translucent, casts no shadow and is drawn before volumes: its mapper "
+                       "is not one of polygons or glyphs, or its shader has no place for layers");
+  }
 }
 
 bool vtkShadowedScenePass::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  interlume::ActorShader::Mark(fragmentShader);
+  interlume::SceneRenderer::Mark(fragmentShader);
   return true;
 }
 
 bool vtkShadowedScenePass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
-  if (!this->Renderer->GetShader().Replace(fragmentShader))
-  {
-    this->Renderer->SetFailed(prop);
-  }
+  this->Renderer->Replace(fragmentShader, prop);
   return true;
 }
 
@@ -219,6 +233,7 @@ void vtkShadowedScenePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DepthMapResolution: " << this->DepthMapResolution << "\n";
   os << indent << "DepthBias: " << this->DepthBias << "\n";
   os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
+  os << indent << "MaximumNumberOfLayers: " << this->MaximumNumberOfLayers << "\n";
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

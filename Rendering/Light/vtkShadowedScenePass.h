@@ -205,6 +205,16 @@ public:
   vtkGetMacro(NumberOfLightSamples, int);
   ///@}
 
+  ///@{
+  /**
+   * The largest number of layers of translucent surfaces along a ray of the eye or of a light. What
+   * lies behind the last one is drawn with it, in any order. Each layer that the eye sees takes the
+   * time of one picture of the volumes. Default 16. Valid: 1 to 64.
+   */
+  vtkSetClampMacro(MaximumNumberOfLayers, int, 1, 64);
+  vtkGetMacro(MaximumNumberOfLayers, int);
+  ///@}
+
   /**
    * Returns what the last picture took.
    */
@@ -234,7 +244,10 @@ private:
   /// Draws what the renderer draws without a pass, or the delegate.
   void DrawAll(const vtkRenderState* state);
   std::string DrawAhead(vtkRenderer* renderer);
+  /// Draws all volumes for the scene as it is, and lays what was drawn over the framebuffer that is
+  /// bound.
   void DrawVolumes(vtkRenderer* renderer);
+  void ShowVolumes(vtkRenderer* renderer);
   void FindVolumes(vtkRenderer* renderer);
   void WarnOfUnreached();
 
@@ -244,6 +257,7 @@ private:
   int DepthMapResolution = 1024;
   double DepthBias = 1.0;
   int NumberOfLightSamples = 16;
+  int MaximumNumberOfLayers = 16;
   vtkShadowedSceneReport Report;
   std::unique_ptr<interlume::SceneRenderer> Renderer;
   std::shared_ptr<interlume::SliceGroup> Group;

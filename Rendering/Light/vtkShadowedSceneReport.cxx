@@ -21,6 +21,12 @@ void vtkShadowedSceneReport::Print(ostream& os, vtkIndent indent) const
   os << indent << "PixelsWithin: " << this->PixelsWithin << "\n";
   os << indent << "PixelsBehind: " << this->PixelsBehind << "\n";
   os << indent << "ReceiverPasses: " << this->ReceiverPasses << "\n";
+  os << indent << "TranslucentActors: " << this->TranslucentActors << "\n";
+  os << indent << "LightLayers: " << this->LightLayers << "\n";
+  os << indent << "EyeLayers: " << this->EyeLayers << "\n";
+  os << indent << "SlicedSegments: " << this->SlicedSegments << "\n";
+  os << indent << "LightLayerBytes: " << this->LightLayerBytes << "\n";
+  os << indent << "EyeLayerBytes: " << this->EyeLayerBytes << "\n";
   os << indent << "DepthMapBytes: " << this->DepthMapBytes << "\n";
   os << indent << "SampleMapBytes: " << this->SampleMapBytes << "\n";
   os << indent << "EyeDepthBytes: " << this->EyeDepthBytes << "\n";

@@ -55,6 +55,14 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSceneReport
   /// The number of passes that looked up what light volumes leave at these pixels: one for each
   /// light, and slab with surfaces.
   int ReceiverPasses = 0;
+  /// The number of translucent actors that take part, of their layers as lights and as the eye see
+  /// them, of the segments between the latter that volumes were drawn in, and the bytes of both.
+  int TranslucentActors = 0;
+  int LightLayers = 0;
+  int EyeLayers = 0;
+  int SlicedSegments = 0;
+  vtkIdType LightLayerBytes = 0;
+  vtkIdType EyeLayerBytes = 0;
   /// The bytes of depth maps, of those of samples, of the eye's depth, and of the light that
   /// volumes leave.
   vtkIdType DepthMapBytes = 0;

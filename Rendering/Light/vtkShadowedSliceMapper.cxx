@@ -3,6 +3,7 @@
 
 #include "Draw/SliceGroup.h"
 #include "Draw/SliceRenderer.h"
+#include "Receivers/SliceScene.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
@@ -94,14 +95,14 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
                        "translucent polygons, as without it");
   }
-  if (this->IsAhead)
+  if (this->Scene && this->Scene->Show)
   {
-    if (this->Group)
-    {
-      this->Group->Show(renderer);
-      return;
-    }
-    this->Renderer->ShowLast(renderer);
+    this->Scene->Show();
+    return;
+  }
+  if (this->Scene)
+  {
+    this->ShowAhead(renderer);
     return;
   }
   this->Draw(renderer, volume, nullptr);
@@ -111,7 +112,17 @@ void vtkShadowedSliceMapper::DrawAhead(
   vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene)
 {
   this->Draw(renderer, volume, scene);
-  this->IsAhead = true;
+  this->Scene = scene;
+}
+
+void vtkShadowedSliceMapper::ShowAhead(vtkRenderer* renderer)
+{
+  if (this->Group)
+  {
+    this->Group->Show(renderer);
+    return;
+  }
+  this->Renderer->ShowLast(renderer);
 }
 
 void vtkShadowedSliceMapper::Join(
@@ -120,7 +131,8 @@ void vtkShadowedSliceMapper::Join(
   this->Draw(renderer, volume, nullptr, group);
 }
 
-bool vtkShadowedSliceMapper::TakeShare(const std::shared_ptr<interlume::SliceGroup>& group)
+bool vtkShadowedSliceMapper::TakeShare(
+  const std::shared_ptr<interlume::SliceGroup>& group, interlume::SliceScene* scene)
 {
   const interlume::SliceGroup::Share* share = group->Find(this->Renderer.get());
   if (!share)
@@ -128,7 +140,7 @@ bool vtkShadowedSliceMapper::TakeShare(const std::shared_ptr<interlume::SliceGro
     return false;
   }
   this->Group = group;
-  this->IsAhead = true;
+  this->Scene = scene;
   this->RenderReport = share->Report;
   this->TimeToDraw = this->RenderReport.Seconds;
   auto* image = vtkImageData::SafeDownCast(this->GetInput());

@@ -337,10 +337,12 @@ private:
   void DrawAhead(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene);
   /// Adds the volume to those that \a group draws, where there is something to draw.
   void Join(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceGroup* group);
-  /// Takes the volume's share of what \a group has drawn ahead, which Render shows until EndScene.
-  /// Returns false where the group has not drawn it.
-  bool TakeShare(const std::shared_ptr<interlume::SliceGroup>& group);
-  void EndScene() { this->IsAhead = false; }
+  /// Takes the volume's share of what \a group has drawn ahead for \a scene, which Render shows
+  /// until EndScene. Returns false where the group has not drawn it.
+  bool TakeShare(const std::shared_ptr<interlume::SliceGroup>& group, interlume::SliceScene* scene);
+  void EndScene() { this->Scene = nullptr; }
+  /// Lays the picture that was drawn ahead over the framebuffer that is bound.
+  void ShowAhead(vtkRenderer* renderer);
   /// Draws the picture, or adds it to a group.
   void Draw(vtkRenderer* renderer, vtkVolume* volume, interlume::SliceScene* scene,
     interlume::SliceGroup* group = nullptr);
@@ -353,7 +355,8 @@ private:
   vtkMTimeType ErrorTime = 0;
   std::string ErrorText;
   vtkMTimeType WarningTime = 0;
-  bool IsAhead = false;
+  /// The scene that the picture was drawn ahead for.
+  interlume::SliceScene* Scene = nullptr;
   std::unique_ptr<vtkDepthPeels> Peels;
   std::unique_ptr<interlume::SliceRenderer> Renderer;
   /// What drew the last picture, with other volumes; null where the mapper did by itself.

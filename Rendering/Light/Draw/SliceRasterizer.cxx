@@ -5,6 +5,7 @@
 #include "Casters/SceneCasters.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Receivers/SliceScene.h"
+#include "Translucent/PaneMaps.h"
 
 #include "InterlumeSliceSelectionFS.h"
 #include "vtkFloatTarget.h"
@@ -254,6 +255,14 @@ void SliceRasterizer::ActivateTextures(vtkOpenGLRenderWindow* window, const Slic
         activate(texture, name);
       }
     }
+  }
+  if (program->IsUniformUsed("paneLayers"))
+  {
+    activate(frame.Scene->Panes->GetTexture(), "paneLayers");
+  }
+  if (program->IsUniformUsed("frontDepth"))
+  {
+    activate(frame.Scene->FrontDepth, "frontDepth");
   }
   const std::size_t shadowed = frame.Plan.Sweeps[sweepIndex].Lights.size();
   std::size_t number = 0;

@@ -5,6 +5,7 @@
 #include "Common/Vectors.h"
 #include "Receivers/SliceScene.h"
 #include "Space/UnitVector.h"
+#include "Translucent/PaneMaps.h"
 
 #include "InterlumeLightScreen.h"
 #include "InterlumeSliceFS.h"
@@ -103,6 +104,13 @@ std::string GetLightFeatures(const LightSource& light, const ShadowedLight* shad
 bool HasCasters(const SliceFrame& frame)
 {
   return frame.Scene && frame.HasShadows() && frame.Scene->Casters->HasViews();
+}
+
+// Returns whether translucent surfaces of the scene do.
+bool HasPanes(const SliceFrame& frame)
+{
+  return frame.Scene && frame.HasShadows() && frame.Scene->Panes &&
+    frame.Scene->Panes->GetLayers() > 0;
 }
 
 // Returns how a light asks what surfaces leave of it.
@@ -385,6 +393,7 @@ std::string SliceShader::GetEyeSource(
   features += frame.Eye.IsParallel ? "" : " PERSPECTIVE";
   features += frame.IsCutByNearPlane ? " NEAR_PLANE" : "";
   features += isOccluded ? " OPAQUE" : "";
+  features += frame.Scene && frame.Scene->FrontDepth ? " FRONT" : "";
   features += frame.Material.Kind == MaterialTable::RGB_OPACITY ? " RGB" : "";
   if (part == EMPTY)
   {
@@ -400,6 +409,7 @@ std::string SliceShader::GetEyeSource(
     features += " CASTER_GATHER " + frame.Scene->Casters->GetFeatures();
     lights = frame.Scene->Casters->GetSource();
   }
+  lights += HasPanes(frame) ? frame.Scene->Panes->GetSource(false) : std::string();
   const std::vector<int> seen = GetLightsOf(frame, sweep);
   const bool hasScreens = std::any_of(seen.begin(), seen.end(),
     [&frame](int light) { return frame.Lights[light].Projective != nullptr; });
@@ -410,7 +420,12 @@ std::string SliceShader::GetEyeSource(
     features +=
       GetLightFeatures(frame.Lights[light], FindShadow(frame.Plan.Sweeps[sweep], light), number);
     features += GetCasterFeatures(frame, light, number);
-    lights += Replace(InterlumeSliceLight, "INDEX", std::to_string(number));
+    const std::string panes = HasPanes(frame)
+      ? frame.Scene->Panes->GetShare(frame.Lights[light].Light, "sampleAt", "vec4(0.0)")
+      : std::string();
+    lights += Replace(
+      Replace(InterlumeSliceLight, "OF_PANES_INDEX ", panes.empty() ? panes : panes + " * "),
+      "INDEX", std::to_string(number));
     calls += "shine_" + std::to_string(number) + "(color);\n";
     ++number;
   }
@@ -446,8 +461,8 @@ std::string SliceShader::GetReceiverSource(
   std::string source =
     Replace(InterlumeSliceReceiverFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
   const std::string screen = frame.Lights[light.Light].Projective ? InterlumeLightScreen : "";
-  source =
-    Replace(source, "//INTERLUME::LIGHTS", screen + Replace(InterlumeSliceLight, "INDEX", "0"));
+  source = Replace(source, "//INTERLUME::LIGHTS",
+    screen + Replace(Replace(InterlumeSliceLight, "OF_PANES_INDEX ", ""), "INDEX", "0"));
   return vtkShaderFeatures::Insert(source, features);
 }
 
@@ -472,6 +487,7 @@ std::string SliceShader::GetNames(const SliceFrame& frame, bool isOccluded)
   add(frame.HasShadows(), "shadow");
   add(HasTransmission(frame), "transmission");
   add(HasCasters(frame), "casters");
+  add(HasPanes(frame), "panes");
   const auto hasShadow = [&frame](auto&& test)
   {
     return std::any_of(frame.Plan.Sweeps.begin(), frame.Plan.Sweeps.end(),
@@ -519,6 +535,10 @@ void SliceShader::SetEyeUniforms(
   if (HasCasters(frame))
   {
     frame.Scene->Casters->SetUniforms(program, frame.Space.GetWorldFromUnit());
+  }
+  if (HasPanes(frame))
+  {
+    frame.Scene->Panes->SetUniforms(program, frame.Space.GetWorldFromUnit());
   }
   std::vector<float> materials;
   for (int row = 0; row < frame.Material.Rows; ++row)

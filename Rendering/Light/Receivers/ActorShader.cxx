@@ -6,6 +6,7 @@
 #include "Receivers/LightTransmittance.h"
 #include "Receivers/SceneScreens.h"
 #include "Space/UnitVector.h"
+#include "Translucent/PaneMaps.h"
 
 #include "InterlumeSceneActor.h"
 #include "vtkCamera.h"
@@ -47,13 +48,12 @@ bool Swap(std::string& text, const std::string& mark, const std::string& by)
 }
 
 bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
-  const SceneCasters& casters, const LightTransmittance& transmittance, const SceneScreens& screens,
-  vtkTextureObject* depth)
+  const SceneCasters& casters, const LightTransmittance& transmittance, const PaneMaps& panes,
+  const SceneScreens& screens)
 {
+  this->Panes = &panes;
   this->Screens = &screens;
   this->Casters = &casters;
-  this->Transmittance = &transmittance;
-  this->Depth = depth;
   this->WorldFromView = glm::inverse(
     UnitVector::FromRows(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData()));
   std::array<int, 4> viewport{};
@@ -84,7 +84,9 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
       shadowed.Tile = transmittance.IsUsed() ? transmittance.GetTile(light) : -1;
     }
     shadowed.Screen = screens.GetFactor(light);
-    if (!shadowed.Share.empty() || shadowed.Tile >= 0 || !shadowed.Screen.empty())
+    shadowed.Panes = panes.GetShare(light, "vertexVC.xyz", "scenePlaneHere");
+    if (!shadowed.Share.empty() || shadowed.Tile >= 0 || !shadowed.Screen.empty() ||
+      !shadowed.Panes.empty())
     {
       this->Numbers.push_back(number);
       this->Lights.push_back(shadowed);
@@ -107,14 +109,17 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
   std::string source = InterlumeSceneActor;
   Swap(source, "//INTERLUME::CASTERS", casters.HasViews() ? casters.GetSource() : "");
   const std::string declarations =
-    vtkShaderFeatures::Insert(source, features) + screens.GetDeclarations();
+    vtkShaderFeatures::Insert(source, features) + panes.GetSource(true) + screens.GetDeclarations();
   std::string implementation = hasVolumes ? "  ivec2 scenePixelHere = scenePixel();\n" : "";
-  implementation += casters.HasViews() ? "  vec4 scenePlaneHere = scenePlane(vertexVC.xyz);\n" : "";
+  implementation += casters.HasViews() || panes.GetLayers() > 0
+    ? "  vec4 scenePlaneHere = scenePlane(vertexVC.xyz);\n"
+    : "";
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
     const Light& light = this->Lights[i];
     std::string share = "vec3(1.0)";
     share += light.Share.empty() ? "" : " * " + light.Share;
+    share += light.Panes.empty() ? "" : " * " + light.Panes;
     if (light.Tile >= 0)
     {
       share += " * sceneLightOfVolumes(scenePixelHere + " +
@@ -137,6 +142,14 @@ bool ActorShader::Clear()
   this->Declarations.clear();
   this->Implementation.clear();
   return had;
+}
+
+void ActorShader::SetSurfaces(
+  const LightTransmittance& transmittance, vtkTextureObject* depth, bool isOnScreen)
+{
+  this->Transmittance = &transmittance;
+  this->Depth = depth;
+  this->IsOnScreen = isOnScreen;
 }
 
 void ActorShader::Mark(std::string& fragmentShader)
@@ -206,7 +219,8 @@ void ActorShader::SetUniforms(
   if (isOfDepths)
   {
     // A map that is being drawn cannot be read.
-    for (const char* name : { "casterDepths", "emitterDepths", "sceneTransmittance", "sceneDepth" })
+    for (const char* name :
+      { "casterDepths", "emitterDepths", "paneLayers", "sceneTransmittance", "sceneDepth" })
     {
       if (program->IsUniformUsed(name))
       {
@@ -216,12 +230,15 @@ void ActorShader::SetUniforms(
     return;
   }
   this->Casters->SetUniforms(program, this->WorldFromView);
+  this->Panes->SetUniforms(program, this->WorldFromView);
   if (hasVolumes)
   {
     program->SetUniformi("sceneTransmittance", this->Transmittance->GetTexture()->GetTextureUnit());
     program->SetUniformi("sceneDepth", this->Depth->GetTextureUnit());
     program->SetUniformi("sceneIsOpaque", isOpaque ? 1 : 0);
-    program->SetUniform4f("sceneViewport", this->Viewport.data());
+    std::array<float, 4> viewport = this->Viewport;
+    std::fill_n(viewport.begin(), this->IsOnScreen ? 0 : 2, 0.0F);
+    program->SetUniform4f("sceneViewport", viewport.data());
   }
 }
 

@@ -16,6 +16,7 @@ namespace interlume
 {
 
 class LightTransmittance;
+class PaneMaps;
 class SceneCasters;
 class SceneScreens;
 struct LightSource;
@@ -31,12 +32,15 @@ class ActorShader
 {
 public:
   /**
-   * Puts the sources together. \a depth is that of the surfaces that pixels show. Returns whether
-   * they are others than before.
+   * Puts the sources together. Returns whether they are others than before.
    */
   bool Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
-    const SceneCasters& casters, const LightTransmittance& transmittance,
-    const SceneScreens& screens, vtkTextureObject* depth);
+    const SceneCasters& casters, const LightTransmittance& transmittance, const PaneMaps& panes,
+    const SceneScreens& screens);
+  /// What is drawn next: surfaces of these depths, which \a transmittance is for, in the
+  /// renderer's viewport or, not \a isOnScreen, in a framebuffer of its size.
+  void SetSurfaces(
+    const LightTransmittance& transmittance, vtkTextureObject* depth, bool isOnScreen);
   /// Takes all away. Returns whether there was something.
   bool Clear();
 
@@ -59,6 +63,8 @@ private:
     float Strength = 1.0F;
     /// The factor of its image, as source; empty without.
     std::string Screen;
+    /// What translucent surfaces leave of it, as source; empty where that is all.
+    std::string Panes;
   };
 
   std::vector<int> Numbers;
@@ -67,10 +73,12 @@ private:
   std::string Implementation;
   const SceneCasters* Casters = nullptr;
   const LightTransmittance* Transmittance = nullptr;
+  const PaneMaps* Panes = nullptr;
   const SceneScreens* Screens = nullptr;
   vtkTextureObject* Depth = nullptr;
   glm::dmat4 WorldFromView{ 0.0 };
   std::array<float, 4> Viewport{};
+  bool IsOnScreen = true;
 };
 
 }

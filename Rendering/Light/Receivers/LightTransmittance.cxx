@@ -69,6 +69,15 @@ bool LightTransmittance::Bind(vtkOpenGLRenderWindow* window)
   return true;
 }
 
+bool LightTransmittance::Make(vtkOpenGLRenderWindow* window)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  const bool isMade = this->Bind(window);
+  state->PopFramebufferBindings();
+  return isMade;
+}
+
 void LightTransmittance::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);

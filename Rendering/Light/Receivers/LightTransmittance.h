@@ -41,11 +41,14 @@ public:
   /// Binds the texture for what is multiplied with it, and makes it where it is not. Returns false
   /// where the graphics card has no memory.
   bool Bind(vtkOpenGLRenderWindow* window);
-  /// Whether something has been drawn since Clear.
+  /// Makes the texture where it is not: all light comes through. Returns false as Bind.
+  bool Make(vtkOpenGLRenderWindow* window);
+  /// Whether something has been drawn, or the texture made, since Clear.
   bool IsUsed() const { return this->HasContents; }
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
   vtkIdType GetBytes() const { return this->HasContents ? this->Bytes : 0; }
+  const std::vector<vtkLight*>& GetLights() const { return this->Lights; }
   int GetChannels() const { return this->Channels; }
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -73,6 +73,8 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
   this->Settings = request;
   this->Props.clear();
   this->Casters.clear();
+  this->Panes.clear();
+  this->Unsliced.clear();
   this->Lights.clear();
   this->Reached.clear();
   this->Failed.clear();
@@ -80,6 +82,7 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
   this->Transmittance.Clear(0, 0, 1, {});
   std::vector<CasterView::Box> boxes;
   bool hasOthers = false;
+  std::vector<CasterView::Box> panes;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
   props->InitTraversal(iterator);
@@ -91,11 +94,20 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
       continue;
     }
     this->Props.push_back(prop);
-    if (prop->HasOpaqueGeometry() && HasBounds(prop))
+    CasterView::Box box{};
+    if (HasBounds(prop))
     {
-      this->Casters.push_back(prop);
-      boxes.emplace_back();
-      std::copy_n(prop->GetBounds(), 6, boxes.back().begin());
+      std::copy_n(prop->GetBounds(), 6, box.begin());
+      if (prop->HasOpaqueGeometry())
+      {
+        this->Casters.push_back(prop);
+        boxes.push_back(box);
+      }
+      if (prop->HasTranslucentPolygonalGeometry())
+      {
+        (LayerShader::CanDraw(prop) ? this->Panes : this->Unsliced).push_back(prop);
+        panes.push_back(box);
+      }
     }
   }
   // Props of other kinds have no depth yet when volumes are drawn ahead.
@@ -104,7 +116,9 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
   {
     return false;
   }
-  const UnitSpace space = boxes.empty() ? UnitSpace() : MakeSpace(boxes);
+  std::vector<CasterView::Box> all = boxes;
+  all.insert(all.end(), panes.begin(), panes.end());
+  const UnitSpace space = MakeSpace(all);
   // Whoever draws the scene without this pass says nothing of such lights either.
   std::vector<std::string> faults;
   this->Lights =
@@ -115,11 +129,29 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
     light.Area = request.Samples > 1 ? light.Area : nullptr;
   }
   this->Maps.Fit(this->Lights, space, boxes, request.Resolution, request.Samples);
+  // What translucent surfaces take of an area light is that of its centre.
+  std::vector<LightSource> centers = this->Lights;
+  for (LightSource& light : centers)
+  {
+    light.Area = nullptr;
+  }
+  this->PaneViews.Fit(centers, space, panes, request.Resolution);
   this->Screens.Gather(this->Lights, space);
   const bool hasShadows = std::any_of(this->Lights.begin(), this->Lights.end(),
     [](const LightSource& light) { return light.ShadowStrength > 0.0; });
-  this->IsMixed = volumes > 0 && hasShadows && (!this->Casters.empty() || isGroup);
-  return this->Maps.HasViews() || this->IsMixed || !this->Screens.IsEmpty();
+  // What lies between two peels of VTK's cannot be drawn by itself.
+  const bool isPeeled =
+    renderer->GetUseDepthPeeling() != 0 && renderer->GetUseDepthPeelingForVolumes();
+  this->IsLayered =
+    !this->Panes.empty() && volumes > 0 && !isPeeled && (!this->Casters.empty() || !hasOthers);
+  this->IsMixed =
+    (volumes > 0 && hasShadows && (!this->Casters.empty() || isGroup)) || this->IsLayered;
+  if (this->Layering.Enable(!this->Panes.empty()))
+  {
+    this->ShaderTime.Modified();
+  }
+  return this->Maps.HasViews() || this->IsMixed || !this->Screens.IsEmpty() ||
+    (!this->Panes.empty() && !this->PaneViews.GetViews().empty());
 }
 
 std::string SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
@@ -144,6 +176,10 @@ std::string SceneRenderer::DrawMaps(vtkRenderer* renderer, vtkShadowedSceneRepor
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   std::string error = this->UpdateContext(window);
+  if (error.empty())
+  {
+    error = this->DrawPanes(renderer, report);
+  }
   if (!this->Maps.HasViews() || !error.empty())
   {
     this->Maps.ReleaseGraphicsResources(window);
@@ -162,7 +198,8 @@ std::string SceneRenderer::DrawEyeDepth(
   vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report)
 {
   this->Scene.Casters = &this->Maps;
-  if (this->Casters.empty() && !renderer->GetPreserveDepthBuffer())
+  this->Scene.Panes = &this->PaneLight;
+  if (this->Casters.empty() && !this->IsLayered && !renderer->GetPreserveDepthBuffer())
   {
     return {};
   }
@@ -187,6 +224,7 @@ std::string SceneRenderer::DrawEyeDepth(
   this->Placeholder->Deactivate();
   this->IsOfDepths = false;
   this->EyeDepth.Read(window, this->Scene.EyeDepths);
+  this->OpaqueDepths.clear();
   this->Scene.EyeDepth = this->EyeDepth.GetTexture();
   std::vector<vtkLight*> lights;
   for (const LightSource& light : this->Lights)
@@ -197,9 +235,146 @@ std::string SceneRenderer::DrawEyeDepth(
     }
   }
   this->Transmittance.Clear(size[0], size[1], channels, lights);
+  this->LayerLight.Clear(size[0], size[1], channels, lights);
   this->Scene.Transmittance = &this->Transmittance;
   report.EyeDepthPasses = 1;
   report.EyeDepthBytes = this->EyeDepth.GetBytes();
+  return {};
+}
+
+std::string SceneRenderer::DrawPanes(vtkRenderer* renderer, vtkShadowedSceneReport& report)
+{
+  const int views = static_cast<int>(this->PaneViews.GetViews().size());
+  report.TranslucentActors = static_cast<int>(this->Panes.size());
+  if (this->Panes.empty() || views == 0)
+  {
+    this->PaneLight.Clear(renderer->GetRenderWindow());
+    return {};
+  }
+  const int resolution =
+    std::min(this->Settings.Resolution, CasterMaps::GetLargestResolution(views, 16384));
+  this->IsOfDepths = true;
+  this->Placeholder->Activate();
+  std::string error = this->PaneLight.Draw(renderer, this->PaneViews, this->Panes, resolution,
+    this->Settings.Bias, static_cast<std::size_t>(this->Settings.Layers), this->Layering);
+  this->Placeholder->Deactivate();
+  this->IsOfDepths = false;
+  report.LightLayers = this->PaneLight.GetLayers();
+  report.LightLayerBytes = this->PaneLight.GetBytes();
+  return error;
+}
+
+std::string SceneRenderer::PeelLayers(vtkRenderer* renderer, vtkShadowedSceneReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const std::array<int, 2>& size = this->Scene.Size;
+  // Programs are the same for layers and for the picture.
+  if (!this->Transmittance.Make(window) || !this->LayerLight.Make(window))
+  {
+    return "the graphics card has no memory for the light at translucent surfaces";
+  }
+  this->UpdateShader(renderer, true);
+  this->IsOfDepths = true;
+  this->Placeholder->Activate();
+  std::string error = this->Layers.GetDepths().Peel(window, size[0], this->OpaqueDepths,
+    static_cast<std::size_t>(this->Settings.Layers), this->Layering,
+    [&]() {
+      LayerShader::DrawProps(renderer, this->Panes, { { 0, 0, size[0], size[1] } });
+    });
+  this->Placeholder->Deactivate();
+  this->IsOfDepths = false;
+  if (error.empty() && this->Layers.GetNumber() > 0 &&
+    !this->Layers.Clear(window, size[0], size[1]))
+  {
+    error = "the graphics card has no memory for the picture of translucent surfaces";
+  }
+  report.EyeLayers = static_cast<int>(this->Layers.GetNumber());
+  report.EyeLayerBytes = this->Layers.GetBytes();
+  return error;
+}
+
+void SceneRenderer::BeginSegment(std::size_t segment)
+{
+  const std::vector<DepthLayers::Layer>& layers = this->Layers.GetDepths().Get();
+  this->Scene.FrontDepth = segment > 0 ? layers[segment - 1].Texture.Get() : nullptr;
+  if (segment == layers.size())
+  {
+    return;
+  }
+  const DepthLayers::Layer& behind = layers[segment];
+  this->Scene.EyeDepth = behind.Texture;
+  // Light is asked for at the surfaces of the layer, not at what is behind it.
+  this->Scene.EyeDepths.resize(this->OpaqueDepths.size());
+  std::transform(behind.Depths.begin(), behind.Depths.end(), this->OpaqueDepths.begin(),
+    this->Scene.EyeDepths.begin(),
+    [](float depth, float opaque) { return depth < opaque ? depth : 1.0F; });
+  this->Scene.Transmittance = &this->LayerLight;
+}
+
+void SceneRenderer::ShadeLayer(vtkRenderer* renderer, std::size_t layer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkTextureObject* depth = this->Layers.GetDepths().Get()[layer].Texture;
+  this->Activate();
+  this->LayerLight.GetTexture()->Activate();
+  depth->Activate();
+  this->Shader.SetSurfaces(this->LayerLight, depth, false);
+  this->Layers.Shade(window, layer, this->Layering,
+    [&]()
+    {
+      LayerShader::DrawProps(
+        renderer, this->Panes, { { 0, 0, this->Scene.Size[0], this->Scene.Size[1] } });
+    });
+  depth->Deactivate();
+  this->LayerLight.GetTexture()->Deactivate();
+  this->Deactivate();
+}
+
+std::string SceneRenderer::DrawSegments(vtkRenderer* renderer,
+  const std::function<void()>& drawVolumes, const std::function<void()>& showVolumes,
+  vtkShadowedSceneReport& report)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!this->IsLayered)
+  {
+    this->Layers.ReleaseGraphicsResources(window);
+    this->LayerLight.ReleaseGraphicsResources(window);
+    drawVolumes();
+    return {};
+  }
+  this->OpaqueDepths = this->Scene.EyeDepths;
+  std::string error = this->PeelLayers(renderer, report);
+  if (!error.empty())
+  {
+    return error;
+  }
+  const std::size_t layers = this->Layers.GetNumber();
+  const std::vector<vtkLight*> lights = this->Transmittance.GetLights();
+  for (std::size_t i = 0; i <= layers; ++i)
+  {
+    const std::size_t segment = layers - i;
+    this->BeginSegment(segment);
+    drawVolumes();
+    if (segment < layers)
+    {
+      this->ShadeLayer(renderer, segment);
+      // The next layer has light of its own.
+      this->LayerLight.Clear(
+        this->Scene.Size[0], this->Scene.Size[1], this->Transmittance.GetChannels(), lights);
+      this->LayerLight.Make(window);
+    }
+    if (layers > 0)
+    {
+      this->Layers.Lay(window, showVolumes);
+    }
+  }
+  report.SlicedSegments = static_cast<int>(layers) + 1;
+  if (layers > 0)
+  {
+    this->Scene.Show = [this, window]() { this->Layers.Show(window); };
+    this->Layering.Begin(LayerShader::HIDE);
+  }
+  this->Shader.SetSurfaces(this->Transmittance, this->EyeDepth.GetTexture(), true);
   return {};
 }
 
@@ -220,10 +395,17 @@ void SceneRenderer::MakeShader(
   {
     this->Transmittance.ReleaseGraphicsResources(window);
   }
-  report.Images = this->Screens.Upload(window);
+  this->UpdateShader(renderer, isShadowed);
+  report.Images = this->Screens.GetNumber();
+}
+
+void SceneRenderer::UpdateShader(vtkRenderer* renderer, bool isShadowed)
+{
+  this->Screens.Upload(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   const bool isNew = isShadowed ? this->Shader.Update(renderer, this->Lights, this->Maps,
-                                    this->Transmittance, this->Screens, this->EyeDepth.GetTexture())
+                                    this->Transmittance, this->PaneLight, this->Screens)
                                 : this->Shader.Clear();
+  this->Shader.SetSurfaces(this->Transmittance, this->EyeDepth.GetTexture(), true);
   if (isNew)
   {
     this->ShaderTime.Modified();
@@ -233,8 +415,13 @@ void SceneRenderer::MakeShader(
 void SceneRenderer::Activate()
 {
   std::vector<vtkTextureObject*> textures = this->Screens.GetTextures();
-  textures.insert(
-    textures.end(), { this->EyeDepth.GetTexture(), this->Transmittance.GetTexture() });
+  textures.insert(textures.end(),
+    { this->EyeDepth.GetTexture(), this->Transmittance.GetTexture(),
+      this->PaneLight.GetTexture() });
+  if (this->Layering.IsOn())
+  {
+    textures.push_back(this->Placeholder);
+  }
   for (const auto& map : this->Maps.GetTextures())
   {
     textures.push_back(map.second);
@@ -249,7 +436,19 @@ void SceneRenderer::Activate()
   }
 }
 
-void SceneRenderer::End()
+void SceneRenderer::End(vtkRenderer* renderer)
+{
+  if (this->Scene.Show)
+  {
+    // All volumes may be out of the eye's view, so that none has shown the picture.
+    this->Layers.Show(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+    this->Scene.Show = nullptr;
+  }
+  this->Layering.Begin(LayerShader::SHOW);
+  this->Deactivate();
+}
+
+void SceneRenderer::Deactivate()
 {
   for (vtkTextureObject* texture : this->Active)
   {
@@ -264,8 +463,32 @@ void SceneRenderer::SetUniforms(vtkShaderProgram* program, vtkProp* prop)
   // Views of the eye and of lights take turns: VTK would keep what it knows of the last camera
   // where none has been modified since.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
-  this->Shader.SetUniforms(
-    program, prop->HasTranslucentPolygonalGeometry() == 0, this->IsOfDepths, this->Placeholder);
+  const bool isSeen = prop->HasTranslucentPolygonalGeometry() == 0 || this->Layering.IsShading();
+  this->Shader.SetUniforms(program, isSeen, this->IsOfDepths, this->Placeholder);
+  this->Layering.SetUniforms(program, prop, this->Placeholder);
+}
+
+void SceneRenderer::Mark(std::string& fragmentShader)
+{
+  ActorShader::Mark(fragmentShader);
+  LayerShader::Mark(fragmentShader);
+}
+
+void SceneRenderer::Replace(std::string& fragmentShader, vtkProp* prop)
+{
+  if (!this->Shader.Replace(fragmentShader))
+  {
+    this->Failed.insert(prop);
+  }
+  this->Layering.Replace(fragmentShader);
+}
+
+std::vector<vtkProp*> SceneRenderer::TakeUnsliced()
+{
+  std::vector<vtkProp*> unsliced;
+  std::copy_if(this->Unsliced.begin(), this->Unsliced.end(), std::back_inserter(unsliced),
+    [this](vtkProp* prop) { return this->Named.insert(prop).second; });
+  return unsliced;
 }
 
 std::vector<vtkProp*> SceneRenderer::TakeUnreached()
@@ -293,6 +516,9 @@ void SceneRenderer::ReleaseGraphicsResources(vtkWindow* window)
   this->EyeDepth.ReleaseGraphicsResources(window);
   this->Transmittance.ReleaseGraphicsResources(window);
   this->Screens.ReleaseGraphicsResources(window);
+  this->PaneLight.ReleaseGraphicsResources(window);
+  this->Layers.ReleaseGraphicsResources(window);
+  this->LayerLight.ReleaseGraphicsResources(window);
   this->Placeholder->ReleaseGraphicsResources(window);
 }
 

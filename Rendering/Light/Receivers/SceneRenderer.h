@@ -9,12 +9,16 @@
 #include "Receivers/LightTransmittance.h"
 #include "Receivers/SceneScreens.h"
 #include "Receivers/SliceScene.h"
+#include "Translucent/EyeLayers.h"
+#include "Translucent/LayerShader.h"
+#include "Translucent/PaneMaps.h"
 
 #include "vtkNew.h"
 #include "vtkShadowedSceneReport.h"
 #include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -43,6 +47,7 @@ public:
     int Resolution = 1024;
     double Bias = 1.0;
     int Samples = 16;
+    int Layers = 16;
   };
 
   SceneRenderer();
@@ -59,11 +64,22 @@ public:
   /// The props whose shaders are changed: all visible ones that have surfaces.
   std::vector<vtkProp*>& GetProps() { return this->Props; }
 
-  /// Draws the maps of lights. Returns what is wrong, or nothing.
+  /// Draws the maps of lights, of opaque and translucent surfaces. Returns what is wrong, or
+  /// nothing.
   std::string DrawMaps(vtkRenderer* renderer, vtkShadowedSceneReport& report);
   /// Draws the depth that the eye sees, where there is something to see, for volumes whose light
   /// has so many channels. Returns what is wrong, or nothing.
   std::string DrawEyeDepth(vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report);
+
+  /**
+   * Draws translucent surfaces and volumes in order into one picture, which the volumes show then:
+   * \a drawVolumes draws them for GetScene(), \a showVolumes lays what it drew over the framebuffer
+   * that is bound. Without translucent surfaces that the eye sees it only calls the first. Returns
+   * what is wrong, or nothing.
+   */
+  std::string DrawSegments(vtkRenderer* renderer, const std::function<void()>& drawVolumes,
+    const std::function<void()>& showVolumes, vtkShadowedSceneReport& report);
+
   /// What volumes of this frame are drawn with, after DrawEyeDepth.
   SliceScene& GetScene() { return this->Scene; }
   /// Makes the shaders of props; \a isShadowed is false where something was wrong.
@@ -71,34 +87,54 @@ public:
 
   /// Binds the textures that shaders of props read.
   void Activate();
-  void End();
+  /// Shows what no volume has shown, and unbinds the textures.
+  void End(vtkRenderer* renderer);
 
-  ActorShader& GetShader() { return this->Shader; }
+  /// Marks where sources go, in a shader without VTK's parts.
+  static void Mark(std::string& fragmentShader);
+  /// Puts the sources in the shader of a prop.
+  void Replace(std::string& fragmentShader, vtkProp* prop);
   vtkMTimeType GetShaderTime() const { return this->ShaderTime.GetMTime(); }
   /// Sets the uniforms of a prop's program.
   void SetUniforms(vtkShaderProgram* program, vtkProp* prop);
-  /// Remembers that the shader of a prop has no place for light of a scene.
-  void SetFailed(vtkProp* prop) { this->Failed.insert(prop); }
   /// Returns the opaque actors that are drawn without shadows, each of them once.
   std::vector<vtkProp*> TakeUnreached();
+  /// Returns the translucent actors that are drawn before volumes and cast no shadows, each once.
+  std::vector<vtkProp*> TakeUnsliced();
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   std::string UpdateContext(vtkOpenGLRenderWindow* window);
+  std::string DrawPanes(vtkRenderer* renderer, vtkShadowedSceneReport& report);
+  std::string PeelLayers(vtkRenderer* renderer, vtkShadowedSceneReport& report);
+  void BeginSegment(std::size_t segment);
+  void Deactivate();
+  void ShadeLayer(vtkRenderer* renderer, std::size_t layer);
+  void UpdateShader(vtkRenderer* renderer, bool isShadowed);
 
   Request Settings;
   std::vector<vtkProp*> Props;
   std::vector<vtkProp*> Casters;
+  std::vector<vtkProp*> Panes;
+  std::vector<vtkProp*> Unsliced;
   std::vector<LightSource> Lights;
   SceneCasters Maps;
   PropDepths EyeDepth;
   LightTransmittance Transmittance;
+  CasterViews PaneViews;
+  PaneMaps PaneLight;
+  LayerShader Layering;
+  EyeLayers Layers;
+  /// What volumes leave of the lights at a layer.
+  LightTransmittance LayerLight;
+  std::vector<float> OpaqueDepths;
   SceneScreens Screens;
   SliceScene Scene;
   ActorShader Shader;
   vtkTimeStamp ShaderTime;
   bool IsMixed = false;
+  bool IsLayered = false;
   bool IsOfDepths = false;
   std::vector<vtkTextureObject*> Active;
   vtkNew<vtkTextureObject> Placeholder;

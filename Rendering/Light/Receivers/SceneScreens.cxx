@@ -43,7 +43,7 @@ void SceneScreens::Gather(const std::vector<LightSource>& lights, const UnitSpac
   }
 }
 
-int SceneScreens::Upload(vtkOpenGLRenderWindow* window)
+void SceneScreens::Upload(vtkOpenGLRenderWindow* window)
 {
   this->Textures.clear();
   std::vector<vtkProjectiveLight*> kept;
@@ -59,7 +59,6 @@ int SceneScreens::Upload(vtkOpenGLRenderWindow* window)
     }
   }
   this->Screens.Keep(kept, window);
-  return static_cast<int>(this->Images.size());
 }
 
 std::string SceneScreens::GetDeclarations() const

@@ -36,9 +36,10 @@ public:
   /// Finds the lights that have images or screens, among those of a frame, which are in \a space.
   void Gather(const std::vector<LightSource>& lights, const UnitSpace& space);
   bool IsEmpty() const { return this->Images.empty(); }
+  int GetNumber() const { return static_cast<int>(this->Images.size()); }
 
-  /// Makes the textures that are new or have changed. Returns the number of lights.
-  int Upload(vtkOpenGLRenderWindow* window);
+  /// Makes the textures that are new or have changed.
+  void Upload(vtkOpenGLRenderWindow* window);
   /// The textures that shaders read.
   const std::vector<vtkTextureObject*>& GetTextures() const { return this->Textures; }
 

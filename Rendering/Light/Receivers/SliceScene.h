@@ -5,6 +5,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 class vtkTextureObject;
@@ -13,6 +14,7 @@ namespace interlume
 {
 
 class LightTransmittance;
+class PaneMaps;
 class SceneCasters;
 
 /**
@@ -26,9 +28,16 @@ struct SliceScene
   vtkTextureObject* EyeDepth = nullptr;
   std::vector<float> EyeDepths;
   std::array<int, 2> Size{ { 0, 0 } };
+  /// The depth of the translucent surfaces before which the picture shows nothing; null where it
+  /// begins at the eye.
+  vtkTextureObject* FrontDepth = nullptr;
+  /// Shows the picture in the place of all volumes; they show their own where it is empty.
+  std::function<void()> Show;
 
   /// The depth maps of lights.
   const SceneCasters* Casters = nullptr;
+  /// What translucent surfaces leave of the lights.
+  const PaneMaps* Panes = nullptr;
 
   /// What is left of the lights at the eye's surfaces, which the slices multiply.
   LightTransmittance* Transmittance = nullptr;

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Translucent/PaneMaps.h"
+
+#include "Loader/OpenGLFunctions.h"
+#include "Translucent/LayerShader.h"
+
+#include "InterlumeScenePanes.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+#include "vtkShaderFeatures.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace interlume
+{
+
+PaneMaps::PaneMaps() = default;
+
+PaneMaps::~PaneMaps() = default;
+
+std::array<int, 4> PaneMaps::GetTile(std::size_t view) const
+{
+  const int number = static_cast<int>(view);
+  return { { number % this->Columns * this->Resolution, number / this->Columns * this->Resolution,
+    this->Resolution, this->Resolution } };
+}
+
+std::string PaneMaps::Draw(vtkRenderer* renderer, const CasterViews& views,
+  const std::vector<vtkProp*>& props, int resolution, double bias, std::size_t most,
+  LayerShader& shader)
+{
+  this->Views = views;
+  this->Bias = bias;
+  const std::size_t count = views.GetViews().size();
+  std::vector<double> state{ static_cast<double>(resolution), static_cast<double>(most) };
+  for (const CasterView& view : views.GetViews())
+  {
+    const double* clip = glm::value_ptr(view.ClipFromWorld);
+    state.insert(state.end(), clip, clip + 16);
+  }
+  for (vtkProp* prop : props)
+  {
+    // Doubles have all digits of addresses and times that occur.
+    state.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
+    state.push_back(static_cast<double>(prop->GetRedrawMTime()));
+  }
+  if (state == this->State)
+  {
+    return {};
+  }
+  this->Clear(renderer->GetRenderWindow());
+  this->Columns = std::max(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count)))), 1);
+  this->Rows = (static_cast<int>(count) + this->Columns - 1) / this->Columns;
+  this->Resolution = resolution;
+  std::string error = this->DrawLayers(renderer, props, most, shader);
+  if (error.empty())
+  {
+    this->State = std::move(state);
+  }
+  return error;
+}
+
+std::string PaneMaps::DrawLayers(
+  vtkRenderer* renderer, const std::vector<vtkProp*>& props, std::size_t most, LayerShader& shader)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const int width = this->Columns * this->Resolution;
+  const int height = this->Rows * this->Resolution;
+  vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
+  const auto draw = [&]()
+  {
+    renderer->SetActiveCamera(this->Camera);
+    for (std::size_t view = 0; view < this->Views.GetViews().size(); ++view)
+    {
+      this->Views.GetViews()[view].SetCamera(this->Camera);
+      LayerShader::DrawProps(renderer, props, this->GetTile(view));
+    }
+    renderer->SetActiveCamera(eye);
+  };
+  const std::size_t texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  // Layers lie above each other in one texture.
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  most = std::min(most, static_cast<std::size_t>(std::max(static_cast<int>(limit) / height, 1)));
+  DepthLayers depths;
+  std::string error =
+    depths.Peel(window, width, std::vector<float>(texels, 1.0F), most, shader, draw);
+  const std::vector<float> whole(texels, 1.0F);
+  std::vector<float> through = whole;
+  std::vector<float> values;
+  vtkNew<vtkTextureObject> share;
+  for (const DepthLayers::Layer& layer : depths.Get())
+  {
+    if (!error.empty() || !LayerTarget::Upload(window, share, width, height, 1, whole))
+    {
+      break;
+    }
+    layer.Texture->Activate();
+    shader.Begin(layer.HasRest ? LayerShader::WEAKEN_REST : LayerShader::WEAKEN, layer.Texture);
+    this->Target.Draw(window, share, LayerTarget::PRODUCT, draw);
+    shader.Begin(LayerShader::SHOW);
+    layer.Texture->Deactivate();
+    const std::vector<float> shares = LayerTarget::Read(share);
+    for (std::size_t i = 0; i < texels; ++i)
+    {
+      through[i] *= shares[i];
+      values.push_back(layer.Depths[i]);
+      values.push_back(through[i]);
+    }
+  }
+  const auto layers = static_cast<int>(depths.Get().size());
+  share->ReleaseGraphicsResources(window);
+  depths.ReleaseGraphicsResources(window);
+  if (layers > 0 && error.empty() &&
+    (values.size() != 2 * texels * static_cast<std::size_t>(layers) ||
+      !LayerTarget::Upload(window, this->Texture, width, layers * height, 2, values)))
+  {
+    error = "the graphics card has no memory for the light behind translucent surfaces";
+  }
+  this->Layers = error.empty() ? layers : 0;
+  return error;
+}
+
+void PaneMaps::Clear(vtkWindow* window)
+{
+  this->Layers = 0;
+  this->State.clear();
+  this->Texture->ReleaseGraphicsResources(window);
+}
+
+vtkIdType PaneMaps::GetBytes() const
+{
+  const vtkIdType edge = this->Resolution;
+  return static_cast<vtkIdType>(2 * sizeof(float)) * this->Layers * this->Columns * this->Rows *
+    edge * edge;
+}
+
+std::string PaneMaps::GetSource(bool hasPlanes) const
+{
+  if (this->Layers == 0)
+  {
+    return {};
+  }
+  std::string features = "//INTERLUME::FEATURES\n";
+  return vtkShaderFeatures::Insert(features + InterlumeScenePanes,
+    "PANE_VIEWS=" + std::to_string(this->Views.GetViews().size()) +
+      " PANE_LAYERS=" + std::to_string(this->Layers) + (hasPlanes ? " PANE_PLANES" : ""));
+}
+
+std::string PaneMaps::GetShare(
+  vtkLight* light, const std::string& place, const std::string& plane) const
+{
+  const CasterViews::Light* seen = this->Layers > 0 ? this->Views.Find(light) : nullptr;
+  return seen ? "lightOfPanes(" + std::to_string(seen->FirstView) + ", " +
+      std::to_string(seen->Views) + ", " + place + ", " + plane + ")"
+              : std::string();
+}
+
+void PaneMaps::SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromPlace) const
+{
+  if (!program->IsUniformUsed("paneLayers"))
+  {
+    return;
+  }
+  std::vector<float> clips;
+  std::vector<float> inverses;
+  std::vector<float> tiles;
+  std::vector<float> depths;
+  const std::vector<CasterView>& views = this->Views.GetViews();
+  for (std::size_t i = 0; i < views.size(); ++i)
+  {
+    const glm::dmat4 clip = views[i].ClipFromWorld * worldFromPlace;
+    const glm::mat4 rounded(clip);
+    const glm::mat4 inverse(glm::inverse(clip));
+    clips.insert(clips.end(), glm::value_ptr(rounded), glm::value_ptr(rounded) + 16);
+    inverses.insert(inverses.end(), glm::value_ptr(inverse), glm::value_ptr(inverse) + 16);
+    const std::array<int, 4> tile = this->GetTile(i);
+    tiles.insert(tiles.end(),
+      { static_cast<float>(tile[0]), static_cast<float>(tile[1]),
+        static_cast<float>(this->Resolution), static_cast<float>(this->Bias) });
+    depths.insert(depths.end(),
+      { static_cast<float>(views[i].TexelDepth[0]), static_cast<float>(views[i].TexelDepth[1]) });
+  }
+  const int count = static_cast<int>(views.size());
+  program->SetUniformi("paneLayers", this->Texture->GetTextureUnit());
+  program->SetUniformi("paneRows", this->Rows * this->Resolution);
+  program->SetUniformMatrix4x4v("paneFromPlace", count, clips.data());
+  if (program->IsUniformUsed("placeFromPane"))
+  {
+    program->SetUniformMatrix4x4v("placeFromPane", count, inverses.data());
+  }
+  program->SetUniform4fv("paneTiles", count, tiles.data());
+  if (program->IsUniformUsed("paneTexels"))
+  {
+    program->SetUniform2fv("paneTexels", count, depths.data());
+  }
+}
+
+void PaneMaps::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Clear(window);
+  this->Target.ReleaseGraphicsResources(window);
+}
+
+}
