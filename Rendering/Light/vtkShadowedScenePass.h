@@ -20,10 +20,10 @@ class SliceGroup;
 
 /**
  * @class   vtkShadowedScenePass
- * @brief   draws a renderer's opaque actors and sliced volumes under the same lights
+ * @brief   draws a renderer's actors and sliced volumes under the same lights
  *
  * Surfaces cast shadows on surfaces and in volumes, and volumes on surfaces and on each other (C.
- * Zhang, dissertation, Ohio State 2006, 2.5.1), for opaque actors and for volumes of
+ * Zhang, dissertation, Ohio State 2006, 2.5.1), for actors and for volumes of
  * vtkShadowedSliceMapper whose Shadows is on. Each light that casts shadows gets a depth map of all
  * opaque actors that are visible props of the renderer, inside its view or not. VTK then draws
  * everything as it does by itself, and where its shaders have the colour I of a light, they have I
@@ -89,9 +89,24 @@ class SliceGroup;
  * it, and by vtkAreaLight::GetEmitterColor. A light whose image has an error shines on actors as
  * VTK sees it.
  *
- * **What does not take part**: translucent actors cast no shadows, receive those of opaque actors
- * but not of volumes, and are drawn before volumes, as VTK does it: a volume lies over them
- * wherever they are. Lines and points cast and receive shadows as wide
+ * **Translucent actors** leave 1 - opacity of each light behind them, as the eye sees what is
+ * behind them, on surfaces and in volumes: what comes through is grey, whatever their colour. Each
+ * light that casts shadows gets maps of their layers beside its depth map. Where there are volumes
+ * too, the pass draws both in order: the layers of translucent actors that the eye sees cut each
+ * pixel's line of sight into segments, and the volumes' picture is drawn once for each of them, cut
+ * where the layers are. A layer is shaded by VTK with the light that shadows and volumes leave
+ * there, so that properties, textures, colours of points and clipping planes count. An actor may so
+ * be before, in, behind or across smoke; against a double-precision reference its pixels are within
+ * 0.002 but for those at edges. Their edges have one sample a pixel, and depth peeling of the
+ * renderer changes nothing. Without volumes VTK draws them as ever, and they cast and receive
+ * shadows. Several surfaces in one plane count as VTK draws them. Beyond MaximumNumberOfLayers they
+ * are drawn with the last layer.
+ *
+ * **What does not take part**: translucent actors whose mapper is not one of polygons or glyphs, or
+ * whose fragment shader of their own lacks VTK's parts for depth peeling, cast no shadow and are
+ * drawn before volumes; they are named in a warning, once. With UseDepthPeelingForVolumes and depth
+ * peeling all translucent actors are drawn before volumes. Lines and points cast and receive
+ * shadows as wide
  * as they are in texels of the map. Actors that face the camera, as vtkFollower, are in the maps as
  * they face the eye's camera. An actor whose mapper does not ask render passes for its shaders, or
  * has a fragment shader of its own without VTK's parts for light, is drawn without shadows and
@@ -126,10 +141,11 @@ class SliceGroup;
  * of depths needs no such caps, and so there is no warning for open meshes: what is behind the
  * first face, as the inside of an open shell, is in its shadow.
  *
- * **A scene without opaque actors** and with fewer than two volumes, without lights that cast
- * shadows, or a selection by vtkHardwareSelector, is drawn as if the pass was not there: same
- * picture, no map, no pass. So are volumes without opaque actors beside opaque props of other
- * kinds, as vtkImageSlice. The images of lights are an exception.
+ * **A scene without actors** and with fewer than two volumes, without lights that cast shadows, or
+ * a selection by vtkHardwareSelector, is drawn as if the pass was not there: same picture, no map,
+ * no pass. So are volumes without opaque actors beside opaque props of other kinds, as
+ * vtkImageSlice. Images of lights and the order of translucent actors and volumes are there without
+ * shadows too.
  *
  * Without DelegatePass the pass does all that the renderer does without a pass: camera, lights,
  * opaque, translucent, volumes, overlay, with the renderer's own settings of depth peeling, FXAA

@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -58,6 +59,27 @@ vtkSmartPointer<vtkActor> MakeRectangle(const std::array<double, 3>& origin,
   plane->SetPoint1(origin[0] + first[0], origin[1] + first[1], origin[2] + first[2]);
   plane->SetPoint2(origin[0] + second[0], origin[1] + second[1], origin[2] + second[2]);
   return MakeActor(plane->GetOutputPort());
+}
+
+vtkSmartPointer<vtkActor> MakePane(const std::array<double, 3>& center,
+  const std::array<double, 3>& normal, double edge, double opacity)
+{
+  std::array<double, 3> along = normal;
+  vtkMath::Normalize(along.data());
+  std::array<double, 3> first;
+  std::array<double, 3> second;
+  vtkMath::Perpendiculars(along.data(), first.data(), second.data(), 0.0);
+  std::array<double, 3> origin;
+  for (int i = 0; i < 3; ++i)
+  {
+    first[i] *= edge;
+    second[i] *= edge;
+    origin[i] = center[i] - 0.5 * (first[i] + second[i]);
+  }
+  vtkSmartPointer<vtkActor> pane = MakeRectangle(origin, first, second);
+  pane->GetProperty()->SetOpacity(opacity);
+  pane->GetProperty()->SetColor(0.9, 0.6, 0.2);
+  return pane;
 }
 
 vtkSmartPointer<vtkActor> MakeBall(const std::array<double, 3>& center, double radius, int sides)

@@ -24,6 +24,9 @@ vtkSmartPointer<vtkActor> MakeBox(const std::array<double, 6>& bounds);
 /// A rectangle from a corner along two edges, of one polygon.
 vtkSmartPointer<vtkActor> MakeRectangle(const std::array<double, 3>& origin,
   const std::array<double, 3>& first, const std::array<double, 3>& second);
+/// A square around a place, perpendicular to a direction, that lets light through; orange.
+vtkSmartPointer<vtkActor> MakePane(const std::array<double, 3>& center,
+  const std::array<double, 3>& normal, double edge, double opacity = 0.5);
 vtkSmartPointer<vtkActor> MakeBall(const std::array<double, 3>& center, double radius, int sides);
 /// White, without ambient and specular light; without input where there is no output.
 vtkSmartPointer<vtkActor> MakeActor(vtkAlgorithmOutput* output);
