@@ -106,12 +106,11 @@ class SliceGroup;
  * whose fragment shader of their own lacks VTK's parts for depth peeling, cast no shadow and are
  * drawn before volumes; they are named in a warning, once. With UseDepthPeelingForVolumes and depth
  * peeling all translucent actors are drawn before volumes. Lines and points cast and receive
- * shadows as wide
- * as they are in texels of the map. Actors that face the camera, as vtkFollower, are in the maps as
- * they face the eye's camera. An actor whose mapper does not ask render passes for its shaders, or
- * has a fragment shader of its own without VTK's parts for light, is drawn without shadows and
- * named in a warning, once. Where PreserveDepthBuffer is on, actors of other renderers occlude as
- * ever, but cast no shadows.
+ * shadows as wide as they are in texels of the map. Actors that face the camera, as vtkFollower,
+ * are in the maps as they face the eye's camera. An actor whose mapper does not ask render passes
+ * for its shaders, or has a fragment shader of its own without VTK's parts for light, is drawn
+ * without shadows and named in a warning, once. Where PreserveDepthBuffer is on, actors of other
+ * renderers occlude as ever, but cast no shadows.
  *
  * **Area lights** (vtkAreaLight) have soft shadows of surfaces by a depth map for each of
  * NumberOfLightSamples samples of the emitter (six for each where some of the light is amid the

@@ -24,6 +24,8 @@
 #include "vtkTestErrorObserver.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
+#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -69,10 +71,12 @@ MixedScene MakeMixed(SceneStage& stage, vtkLight* light)
   scene.Camera = stage.Stage.GetRenderer()->GetActiveCamera();
   scene.Lights.push_back({ light, {} });
   SceneVolume smoke;
-  smoke.Image = vtkImageData::SafeDownCast(stage.Mapper->GetInput());
-  smoke.Property = stage.Stage.GetVolume()->GetProperty();
-  if (stage.Stage.GetVolume()->GetVisibility())
+  vtkVolumeCollection* volumes = stage.Stage.GetRenderer()->GetVolumes();
+  volumes->InitTraversal();
+  while (vtkVolume* volume = volumes->GetNextVolume())
   {
+    smoke.Image = vtkImageData::SafeDownCast(volume->GetMapper()->GetDataObjectInput());
+    smoke.Property = volume->GetProperty();
     scene.Volumes.push_back(smoke);
   }
   vtkActorCollection* actors = stage.Stage.GetRenderer()->GetActors();
@@ -151,6 +155,30 @@ void TestPlaces(Check& check)
         name + ": layers of the light");
     }
     check.Near(edges, 0.0, 0.08, std::string(names[i]) + ": edges of smoke", 1.0);
+  }
+}
+
+// Two volumes in one set of slices, which overlap, with a pane across both.
+void TestTwoVolumes(Check& check)
+{
+  const auto sun = MakeSun({ { 0.5, 0.2, -1.0 } });
+  double edges = 0.0;
+  for (int i = 0; i < 2; ++i)
+  {
+    std::vector<vtkSmartPointer<vtkActor>> panes;
+    if (i == 1)
+    {
+      panes.push_back(MakePane({ { 0.0, 0.0, 0.1 } }, { { -0.8, 0.1, 0.6 } }, 0.9));
+    }
+    const auto stage = MakeStage(panes, sun);
+    stage->AddSmoke({ { -0.3, 0.4, -0.35, 0.35, 0.1, 0.5 } }, 0.5 * EXTINCTION, 24);
+    const std::string name = i == 0 ? "two volumes" : "two volumes, a pane across";
+    const double off = Compare(*stage, sun, name);
+    check.Equal(stage->GetReport().Volumes, 2, name + ": volumes");
+    check.Equal(stage->GetReport().VolumesTogether, 2, name + ": volumes together");
+    check.Near(
+      off, 0.0, i == 0 ? 0.08 : edges + 0.02, name + ": share of pixels off by 0.002", 1.0);
+    edges = off;
   }
 }
 
@@ -289,6 +317,7 @@ int TestTranslucentScene(int, char*[])
 {
   Check check;
   TestPlaces(check);
+  TestTwoVolumes(check);
   TestLight(check);
   TestMappers(check);
   TestCounters(check);
