@@ -100,7 +100,10 @@ class SliceGroup;
  * 0.002 but for those at edges. Their edges have one sample a pixel, and depth peeling of the
  * renderer changes nothing. Without volumes VTK draws them as ever, and they cast and receive
  * shadows. Several surfaces in one plane count as VTK draws them. Beyond MaximumNumberOfLayers they
- * are drawn with the last layer.
+ * are drawn with the last layer. A layer before or in a volume costs more than a further picture of
+ * the volume: in software smoke of 64^3 in a picture of 400^2 takes 2.7 times as long with one pane
+ * over a third of it, and 4 times with two. Of an area light they leave what they leave of its
+ * centre.
  *
  * **What does not take part**: translucent actors whose mapper is not one of polygons or glyphs, or
  * whose fragment shader of their own lacks VTK's parts for depth peeling, cast no shadow and are
@@ -223,8 +226,8 @@ public:
   ///@{
   /**
    * The largest number of layers of translucent surfaces along a ray of the eye or of a light. What
-   * lies behind the last one is drawn with it, in any order. Each layer that the eye sees takes the
-   * time of one picture of the volumes. Default 16. Valid: 1 to 64.
+   * lies behind the last one is drawn with it, in any order. For each layer that the eye sees the
+   * volumes are drawn once more. Default 16. Valid: 1 to 64.
    */
   vtkSetClampMacro(MaximumNumberOfLayers, int, 1, 64);
   vtkGetMacro(MaximumNumberOfLayers, int);
