@@ -221,6 +221,35 @@ void TestHalves(Check& check)
   }
 }
 
+/// Halves of solid matter in thick slabs: the half that the light meets first is drawn first.
+void TestThickHalves(Check& check)
+{
+  constexpr double extinction = 8.0;
+  const Box left{ { -0.5, 0.0, -0.3, 0.3, -0.3, 0.3 } };
+  const Box right{ { 0.0, 0.5, -0.3, 0.3, -0.3, 0.3 } };
+  const Box whole{ { -0.5, 0.5, -0.3, 0.3, -0.3, 0.3 } };
+  for (const double side : { -1.0, 1.0 })
+  {
+    Double3 view{ { 0.7 * side, 0.3, -0.7 } };
+    vtkMath::Normalize(view.data());
+    const auto draw = [&](const std::vector<SceneVolume>& volumes)
+    {
+      return Draw(MakeScene(volumes, { { side, 0.1, -0.4 } }, view),
+        [](VolumePile& pile)
+        {
+          for (vtkShadowedSliceMapper* mapper : pile.Mappers)
+          {
+            mapper->SetSliceSpacing(0.12);
+            mapper->SetLightBufferSize(128);
+          }
+        });
+    };
+    ExpectAlike(check, "thick halves, light from " + std::to_string(-side),
+      draw({ MakeMatter(left, extinction, WHITE, 12), MakeMatter(right, extinction, WHITE, 12) }),
+      draw({ MakeMatter(whole, extinction, WHITE, 24) }), { 0.065, 0.00045 });
+  }
+}
+
 /// The error of volumes of two colours at the same place, which falls with the spacing.
 void TestRefinement(Check& check)
 {
@@ -382,9 +411,9 @@ void TestSharp(Check& check)
   const SceneVolume thin = MakeMatter({ { -0.6, 0.6, -0.4, 0.4, -0.3, 0.0 } }, 1.0, WHITE);
   const Double3 view{ { 0.1, 0.6, -0.8 } };
   TestScene(check, "opaque boxes", MakeScene({ lower, upper }, { { 0.2, 0.3, -1.0 } }, view),
-    { 0.4, 0.001 });
+    { 0.4, 0.0008 });
   TestScene(check, "opaque boxes in smoke",
-    MakeScene({ lower, upper, thin }, { { 0.2, 0.3, -1.0 } }, view), { 0.4, 0.001 });
+    MakeScene({ lower, upper, thin }, { { 0.2, 0.3, -1.0 } }, view), { 0.2, 0.0005 });
 }
 
 /// Surfaces before, between, in and behind two volumes.
@@ -509,6 +538,7 @@ int TestShadowedVolumes(int, char*[])
   Check check;
   TestBoxes(check);
   TestHalves(check);
+  TestThickHalves(check);
   TestRefinement(check);
   TestLamps(check);
   TestFeatures(check);
