@@ -42,26 +42,25 @@ vtkSmartPointer<vtkImageData> SampleBox(const TranslucentBox& box)
   return Sample(Unite({ Place(solid, { 0.0, 0.0, 0.0 }, box.Degrees), air }),
     vtkBoundingBox(-1.5, 1.5, -0.7, 0.7, -1.0, 1.0), 140);
 }
+}
 
-/// The edges of the box.
-vtkSmartPointer<vtkActor> MakeFrame(const TranslucentBox& box)
+vtkSmartPointer<vtkActor> MakeBoxFrame(const vtkVector3d& lengths, double degrees)
 {
   vtkNew<vtkCubeSource> cube;
-  cube->SetXLength(box.Lengths[0]);
-  cube->SetYLength(box.Lengths[1]);
-  cube->SetZLength(box.Lengths[2]);
+  cube->SetXLength(lengths[0]);
+  cube->SetYLength(lengths[1]);
+  cube->SetZLength(lengths[2]);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(cube->GetOutputPort());
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  actor->RotateZ(box.Degrees);
+  actor->RotateZ(degrees);
   const vtkColor3d colour = Pencil();
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   actor->GetProperty()->SetRepresentationToWireframe();
   actor->GetProperty()->SetLineWidth(2.0);
   actor->GetProperty()->LightingOff();
   return actor;
-}
 }
 
 ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Lights& beams)
@@ -86,7 +85,7 @@ ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Ligh
     GetSlicedMapper(volume)->SetLightBufferSize(128);
     GetSlicedMapper(volume)->SetShadows(panel == &with);
     panel->Add(volume);
-    panel->Add(MakeFrame(box));
+    panel->Add(MakeBoxFrame(box.Lengths, box.Degrees));
     panel->SetAmbientOcclusion(0.0);
     panel->SetBackground(DarkBackground());
     panel->SetLights(beams);

@@ -6,6 +6,8 @@
 
 #include "vtkVector.h"
 
+class vtkActor;
+
 namespace gallery
 {
 class Stage;
@@ -22,6 +24,9 @@ struct TranslucentBox
   double Extinction;
   double AirExtinction;
 };
+
+/// The edges of a box around the origin, turned around the vertical.
+vtkSmartPointer<vtkActor> MakeBoxFrame(const vtkVector3d& lengths, double degrees);
 
 /**
  * Adds two panels of \a box around the origin: without attenuation of \a beams, and with it.

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shadow of a ring within a translucent box, hard and soft.
+
+#include "Gallery/Look.h"
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/LightScreens.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Scenes/Light/SoftShadows.h"
+#include "Gallery/Stage.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkSpatialObject.h"
+#include "vtkSpatialPrimitive.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+vtkSmartPointer<vtkSpatialPrimitive> MakeRing(const vtkVector3d& centre)
+{
+  auto ring = vtkSmartPointer<vtkSpatialPrimitive>::New();
+  ring->SetShapeToTorus();
+  ring->SetCenter(centre[0], centre[1], centre[2]);
+  ring->SetRadius(0.3);
+  ring->SetTubeRadius(0.075);
+  ring->SetColor(0.10, 0.26, 0.72);
+  ring->SetEdgeWidth(gallery::EDGE_WIDTH);
+  return ring;
+}
+
+void Build(gallery::Stage& stage)
+{
+  const vtkColor3d ice(0.80, 0.93, 0.97);
+  const vtkColor3d slate(0.36, 0.35, 0.34);
+  vtkSmartPointer<vtkImageData> image = gallery::Sample(
+    gallery::Unite(
+      { MakeRing({ 0.0, 0.0, 1.36 }), gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.05, 0.06, slate) }),
+    vtkBoundingBox(-1.1, 1.1, -1.1, 1.1, -0.1, 1.5), 115);
+  gallery::AddSmoke(
+    image, gallery::MakeBox({ -0.52, -0.4, 0.04 }, { 0.52, 0.4, 1.12 }, ice), 0.2, ice);
+  vtkSmartPointer<vtkVolumeProperty> matter = gallery::MakeSolidMatterInSmoke(image, 0.022);
+  matter->SetAmbient(0.05);
+  const gallery::Lights lights = { gallery::MakePointLight({ -0.4, -0.15, 3.3 }, 2.8),
+    gallery::MakeFillLight({ 0.6, -1.0, 0.5 }, 0.12) };
+  gallery::SoftPair pair =
+    gallery::AddSoftPair(stage, image, matter, lights, 0.45, gallery::SMOKE_GRADIENT, 192);
+  for (gallery::Panel* panel : { &pair.Hard, &pair.Soft })
+  {
+    panel->SetBackground(gallery::DarkBackground());
+  }
+  pair.Look({ 0.3, -1.0, 0.36 }, vtkBoundingBox(-0.95, 0.95, -0.1, 0.1, -0.36, 1.42));
+}
+
+const gallery::SceneRegistration registration(
+  { "box-soft", "2.35", "The shadow of a ring within a translucent box, hard and soft",
+    "A ring floats above a translucent box, and its shadow goes down through it to the plate. In "
+    "the light of a disk it is as sharp as in that of a point where it enters the box; below, its "
+    "edges widen until they meet.",
+    {}, &Build });
+}
