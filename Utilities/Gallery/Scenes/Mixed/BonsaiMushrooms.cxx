@@ -5,11 +5,13 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Bonsai.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
 
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkShadowedSliceMapper.h"
 #include "vtkSpatialObject.h"
 #include "vtkSpatialPrimitive.h"
 #include "vtkVolume.h"
@@ -18,6 +20,9 @@
 namespace
 {
 using namespace interlume;
+
+/// Of lights with an extent, for the tree and the mushrooms alike.
+constexpr int SAMPLES = 20;
 
 Model MakeMushrooms()
 {
@@ -28,50 +33,102 @@ Model MakeMushrooms()
     all, Move(MakeMushroom(0.28, 0.13, 0.12), { { -0.36, -0.46, 0.0 } }, { { 0.0, 0.0, 200.0 } }));
 }
 
-vtkSmartPointer<vtkImageData> SampleTree()
+/// On a plate of matter.
+vtkSmartPointer<vtkImageData> SampleTreeOnPlate()
 {
   return gallery::Sample(gallery::Unite({ gallery::MakeBonsai(),
                            gallery::MakeDisk({ 0.0, -0.1, 0.0 }, 0.74, 0.05, gallery::Plaster()) }),
     vtkBoundingBox(-0.76, 0.76, -0.86, 0.66, -0.07, 1.1), 230, 0.5);
 }
 
+/// The tree for plates of polygons: on one of matter, under a light with an extent, the steps of
+/// samples and of voxels show together.
+vtkSmartPointer<vtkImageData> SampleTree(int resolution)
+{
+  return gallery::Sample(
+    gallery::MakeBonsai(), vtkBoundingBox(-0.62, 0.62, -0.62, 0.62, -0.03, 1.1), resolution, 0.5);
+}
+
+/// Adds the mushrooms to the bonsai of a panel, and shadows of all on all.
+void AddMushrooms(gallery::Panel& panel)
+{
+  gallery::AddModel(panel, MakeMushrooms(), gallery::EDGE_GAIN);
+  gallery::UseSceneShadows(panel, SAMPLES);
+  gallery::UseFinePictures(panel);
+}
+
+/// Adds a panel under lights of \a diameter in the place of those.
+gallery::Panel& AddSoftPanel(gallery::Stage& stage, const std::string& caption, vtkImageData* image,
+  const gallery::Lights& lights, double diameter)
+{
+  gallery::Panel& panel = stage.AddPanel(caption);
+  vtkSmartPointer<vtkVolume> volume =
+    gallery::MakeSlicedVolume(image, gallery::MakeSolidMatter(image));
+  gallery::GetSlicedMapper(volume)->SetLightBufferSize(224);
+  gallery::GetSlicedMapper(volume)->SetNumberOfLightSamples(SAMPLES);
+  panel.Add(volume);
+  panel.SetLights(gallery::MakeRoundLights(lights, diameter));
+  AddMushrooms(panel);
+  return panel;
+}
+
 void Build(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkImageData> image = SampleTree();
-  gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMatter(image),
-    gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85));
+  const Place3 ground{ { 0.0, -0.1, 0.0 } };
+  vtkSmartPointer<vtkImageData> image = SampleTree(170);
+  const gallery::Lights lights = gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85);
+  gallery::ShadowPair pair =
+    gallery::AddShadowPair(stage, image, gallery::MakeSolidMatter(image), lights);
   pair.Without.SetAmbientOcclusion(0.0);
   gallery::AddModel(pair.Without, MakeMushrooms());
-  gallery::AddModel(pair.With, MakeMushrooms(), gallery::EDGE_GAIN);
-  gallery::UseSceneShadows(pair.With);
-  for (gallery::Panel* panel : { &pair.Without, &pair.With })
-  {
-    gallery::UseFinePictures(*panel);
-  }
-  pair.Look({ 0.1, -1.0, 0.5 }, vtkBoundingBox(-0.7, 0.7, -0.1, 0.1, -0.4, 1.06));
+  gallery::AddGround(pair.Without, ground, 0.74);
+  gallery::UseFinePictures(pair.Without);
+  AddMushrooms(pair.With);
+  gallery::AddGround(pair.With, ground, 0.74, gallery::EDGE_GAIN);
+  const vtkBoundingBox frame(-0.7, 0.7, -0.1, 0.1, -0.4, 1.06);
+  pair.Look({ 0.1, -1.0, 0.5 }, frame);
+  gallery::Panel& soft = AddSoftPanel(stage, "with soft shadows", image, lights, 0.7);
+  gallery::AddGround(soft, ground, 0.74, gallery::EDGE_GAIN);
+  soft.LookAs(pair.Without);
+  soft.Frame(frame);
 }
 
 void BuildOtherLight(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkImageData> image = SampleTree();
+  vtkSmartPointer<vtkImageData> image = SampleTreeOnPlate();
   gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMatter(image),
     gallery::MakeStudioLights({ 2.2, -1.7, 2.2 }, 1.15));
-  gallery::AddModel(panel, MakeMushrooms(), gallery::EDGE_GAIN);
-  gallery::UseSceneShadows(panel);
-  gallery::UseFinePictures(panel);
+  AddMushrooms(panel);
   panel.LookFrom({ 0.1, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-0.9, 0.9, -0.1, 0.1, -0.54, 1.08));
 }
 
+void BuildSoft(gallery::Stage& stage)
+{
+  gallery::Panel& panel = AddSoftPanel(
+    stage, "", SampleTree(130), gallery::MakeStudioLights({ 2.0, 0.9, 2.5 }, 1.15), 0.7);
+  gallery::AddGround(panel, { { -0.14, -0.1, 0.0 } }, 1.0, gallery::EDGE_GAIN);
+  panel.LookFrom({ 0.1, -1.0, 0.62 }, { 0.0, 0.0, 1.0 });
+  panel.Frame(vtkBoundingBox(-1.2, 0.92, -0.1, 0.1, -0.9, 1.16));
+}
+
 const gallery::SceneRegistration registration({ "bonsai-mushrooms", "2.41",
-  "A bonsai and mushrooms, without and with shadows",
-  "The bonsai, its pot and the plate are a volume, the mushrooms are of polygons. With shadows all "
-  "of them stand on the plate: the mushrooms' shadows fall on it and on the pot, that of the tree "
-  "on the pot and the plate.",
+  "A bonsai and mushrooms, without, with and with soft shadows",
+  "The bonsai and its pot are a volume, the mushrooms and the plate are of polygons. With shadows "
+  "all of them stand on the plate: the mushrooms' shadows fall on it and on the pot, that of the "
+  "tree on the pot and the plate. In the light of a disk these widen with the distance from what "
+  "casts them.",
   { "bonsai.vti" }, &Build });
 const gallery::SceneRegistration otherRegistration(
   { "bonsai-mushrooms-light", "2.42", "A bonsai and mushrooms under another light",
-    "The same in a low light from the right, with long shadows: those of the mushrooms reach the "
+    "The same, on a plate of matter, in a low light from the right, with long shadows: those of "
+    "the mushrooms reach the "
     "pot.",
     { "bonsai.vti" }, &BuildOtherLight });
+const gallery::SceneRegistration softRegistration(
+  { "bonsai-mushrooms-soft", "2.49", "Soft shadows of a bonsai and mushrooms",
+    "The bonsai is a volume, the mushrooms and the plate are of polygons, the light is a disk. The "
+    "shadow of the tree, which comes from far above the plate, is blurred; those of the mushrooms "
+    "are sharper, as these stand on it.",
+    { "bonsai.vti" }, &BuildSoft });
 }

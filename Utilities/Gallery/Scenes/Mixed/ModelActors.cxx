@@ -36,10 +36,11 @@ void AddModel(Panel& panel, const interlume::Model& model, double gain)
   }
 }
 
-void UseSceneShadows(Panel& panel)
+void UseSceneShadows(Panel& panel, int samples)
 {
   vtkNew<vtkShadowedScenePass> pass;
   pass->SetDepthMapResolution(2048);
+  pass->SetNumberOfLightSamples(samples);
   panel.SetAmbientOcclusion(0.0);
   panel.GetRenderer()->SetPass(pass);
 }
@@ -55,7 +56,7 @@ void UseFinePictures(Panel& panel)
   }
 }
 
-void AddGround(Panel& panel, const interlume::Place3& top, double radius)
+void AddGround(Panel& panel, const interlume::Place3& top, double radius, double gain)
 {
   const vtkColor3d plaster = Plaster();
   const double edge = 0.02;
@@ -66,6 +67,7 @@ void AddGround(Panel& panel, const interlume::Place3& top, double radius)
                                { { radius - edge, 0.0 } }, { { 0.0, 0.0 } } },
             false),
           top),
-      { { plaster[0], plaster[1], plaster[2] } }, 0.05 } });
+      { { plaster[0], plaster[1], plaster[2] } }, 0.05 } },
+    gain);
 }
 }

@@ -16,15 +16,16 @@ class Panel;
 void AddModel(Panel& panel, const interlume::Model& model, double gain = 1.0);
 
 /// The panel is drawn by a vtkShadowedScenePass, without ambient occlusion: its surfaces and
-/// volumes shadow each other.
-void UseSceneShadows(Panel& panel);
+/// volumes shadow each other, under lights with an extent by so many samples.
+void UseSceneShadows(Panel& panel, int samples = 16);
 
 /// Gives the pictures of the panel's volumes all of its pixels: coarser ones of solid matter leave
 /// rims around surfaces.
 void UseFinePictures(Panel& panel);
 
-/// Adds a disk of polygons whose upper side lies on \a top: a ground that catches shadows.
-void AddGround(Panel& panel, const interlume::Place3& top, double radius);
+/// Adds a disk of polygons whose upper side lies on \a top: a ground that catches shadows. \a gain
+/// as for models.
+void AddGround(Panel& panel, const interlume::Place3& top, double radius, double gain = 1.0);
 }
 
 #endif
