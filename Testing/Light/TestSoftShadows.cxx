@@ -2,17 +2,16 @@
 // Soft shadows of area lights: the penumbra of a half plane against the exact ramp, layers of
 // samples against a light for each sample, and what soft shadows cost where there are none.
 #include "Light/ShadowComparison.h"
+#include "Pictures/HalfPlane.h"
 #include "Pictures/ShadowCases.h"
 #include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
 #include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
-#include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkVolumeProperty.h"
@@ -39,108 +38,6 @@ vtkSmartPointer<vtkAreaLight> MakeAreaLight(
   return light;
 }
 
-/// A sheet that is opaque for x < 0 in the plane z = 0, a receiver at z = -0.5, both two voxels
-/// thick, and a light at a height above the sheet; seen from below, along the light.
-struct HalfPlane
-{
-  static constexpr double Width = 0.5;
-  static constexpr double Gap = 0.5;
-
-  HalfPlane(double ratio, double width)
-  {
-    const double height = Gap / ratio;
-    constexpr int layers = 97;
-    const double thickness = Gap / (layers - 11);
-    const auto field = [&](const Double3& x)
-    {
-      // The receiver lies eight layers inside, the sheet two, so that a light can be close.
-      const double layer = x[2] * (layers - 1);
-      const bool isReceiver = std::abs(layer - 8.0) < 0.6;
-      const bool isSheet = std::abs(layer - (layers - 3.0)) < 0.6;
-      return isReceiver ? -1.0 : isSheet && x[0] < 0.5 ? 1.0 : 0.0;
-    };
-    this->Scene.Image =
-      MakeImage({ { 128, 4, layers - 1 } }, { { Width / 128.0, Width / 128.0, thickness } }, field);
-    double origin[3];
-    this->Scene.Image->GetOrigin(origin);
-    origin[2] = -(layers - 3.0) * thickness;
-    this->Scene.Image->SetOrigin(origin);
-    vtkNew<vtkPiecewiseFunction> opacity;
-    opacity->AddPoint(-1.0, 0.5);
-    opacity->AddPoint(-0.4, 0.0);
-    opacity->AddPoint(0.4, 0.0);
-    opacity->AddPoint(0.6, 1.0 - 1e-12);
-    opacity->AddPoint(1.0, 1.0 - 1e-12);
-    vtkNew<vtkColorTransferFunction> color;
-    color->AddRGBPoint(-0.1, 1.0, 1.0, 1.0);
-    color->AddRGBPoint(0.1, 0.0, 0.0, 0.0);
-    this->Scene.Property = vtkSmartPointer<vtkVolumeProperty>::New();
-    this->Scene.Property->SetScalarOpacity(opacity);
-    this->Scene.Property->SetColor(color);
-    this->Scene.Property->SetScalarOpacityUnitDistance(thickness);
-    this->Scene.Property->SetInterpolationTypeToLinear();
-    this->Scene.Property->SetAmbient(0.0);
-    this->Scene.Property->SetDiffuse(1.0);
-    auto light = MakeAreaLight({ { 0.0, 0.0, height } }, 0.0);
-    // The sheets are narrow along y, and a wide light would shine past them.
-    light->SetSize(width / ratio, 0.01 * width / ratio);
-    this->Scene.Lights = { light };
-    this->Scene.Camera = vtkSmartPointer<vtkCamera>::New();
-    this->Scene.Camera->ParallelProjectionOn();
-    this->Scene.Camera->SetPosition(0.0, 0.0, -4.0);
-    this->Scene.Camera->SetFocalPoint(0.0, 0.0, 0.0);
-    this->Scene.Camera->SetParallelScale(0.45 * Width);
-    this->Scene.Camera->SetClippingRange(1.0, 10.0);
-    this->Scene.Size = { { 192, 9 } };
-    // Nine rows are as high as the receiver at most: pixels are square.
-    this->Scene.Camera->SetParallelScale(0.45 * Width * 9.0 / 192.0);
-  }
-
-  ShadowScene Scene;
-};
-
-/// What of the light arrives along a row, from the lit side, in shares of that of a point light
-/// without an occluder.
-std::vector<double> GetProfile(const RgbaPicture& picture)
-{
-  std::vector<double> profile;
-  for (int i = 0; i < picture.Width; ++i)
-  {
-    profile.push_back(picture.At(i, picture.Height / 2)[0]);
-  }
-  // The camera looks up, so that x goes to the left.
-  if (profile.front() > profile.back())
-  {
-    std::reverse(profile.begin(), profile.end());
-  }
-  // Beyond this light shines past the outer edge of the sheet.
-  profile.erase(profile.begin(), profile.begin() + 38);
-  const double lit = profile.back();
-  for (double& value : profile)
-  {
-    value /= lit;
-  }
-  return profile;
-}
-
-/// The width of the even ramp that has the spread of the profile's slope.
-double GetRampWidth(const std::vector<double>& profile, double pixel)
-{
-  double sum = 0.0;
-  double first = 0.0;
-  double second = 0.0;
-  for (std::size_t i = 1; i < profile.size(); ++i)
-  {
-    const double slope = profile[i] - profile[i - 1];
-    const double x = static_cast<double>(i) * pixel;
-    sum += slope;
-    first += slope * x;
-    second += slope * x * x;
-  }
-  const double mean = first / sum;
-  return std::sqrt(12.0 * std::max(second / sum - mean * mean, 0.0));
-}
-
 void TestHalfPlane(Check& check)
 {
   constexpr double width = 0.2;
@@ -148,17 +45,15 @@ void TestHalfPlane(Check& check)
   {
     for (const int size : { 128, 256 })
     {
-      HalfPlane plane(ratio, width);
       vtkNew<Mapper> mapper;
       mapper->SetLightBufferSize(size);
       mapper->SetNumberOfLightSamples(size == 128 ? 16 : 32);
-      const auto profile = GetProfile(DrawByMapper(mapper, plane.Scene));
-      const double pixel = 0.9 * HalfPlane::Width / 192.0;
-      const double error = GetRampWidth(profile, pixel) / width - 1.0;
+      const auto profile = GetPenumbra(DrawByMapper(mapper, MakeHalfPlane(ratio, width)));
+      const double error = GetRampWidth(profile) / width - 1.0;
       double largest = 0.0;
       for (std::size_t i = 0; i < profile.size(); ++i)
       {
-        const double x = (static_cast<double>(i) + 38.0 - 95.5) * pixel;
+        const double x = (static_cast<double>(i) - 57.5) * GetHalfPlanePixel();
         const double exact = std::min(std::max(x / width + 0.5, 0.0), 1.0);
         largest = std::max(largest, std::abs(profile[i] - exact));
       }
@@ -183,12 +78,11 @@ void TestConvolution(Check& check)
   for (const int size : { 64, 256 })
   {
     constexpr double width = 0.2;
-    HalfPlane plane(1.0, width);
     vtkNew<Mapper> mapper;
     mapper->SetSoftShadowMethodToAccumulatedConvolution();
     mapper->SetLightBufferSize(size);
-    const auto profile = GetProfile(DrawByMapper(mapper, plane.Scene));
-    const double share = GetRampWidth(profile, 0.9 * HalfPlane::Width / 192.0) / width;
+    const auto profile = GetPenumbra(DrawByMapper(mapper, MakeHalfPlane(1.0, width)));
+    const double share = GetRampWidth(profile) / width;
     const vtkShadowedSliceReport& report = mapper->GetReport();
     std::cout << "convolution in a buffer of " << size << "^2: " << share << " of the width, "
               << report.SoftShadowPasses << " passes" << std::endl;
