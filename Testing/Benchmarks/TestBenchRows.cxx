@@ -102,7 +102,7 @@ void CheckMethods(const nlohmann::json& rows)
     { "mixed",
       { "scene-pass", "edges", "shadow-maps", "scene-pass shadow-maps",
         "scene-pass, light moves shadow-maps", "scene-pass volume + 2 actors",
-        "scene-pass, light moves volume + 2 actors", "views", "lights" } },
+        "scene-pass, light moves volume + 2 actors", "soft hard", "hard", "views", "lights" } },
     { "flow",
       { "advection", "RK4", "RK45", "equal-error streamtracer-RK4", "equal-error streamtracer-RK45",
         "threads-2 threads-1", "samples", "new-mapping advection", "new-interval advection",

@@ -2,6 +2,7 @@
 #include "Benchmarks/Mixed/MixedCost.h"
 #include "Benchmarks/Mixed/MixedError.h"
 #include "Benchmarks/Mixed/MixedMaps.h"
+#include "Benchmarks/Mixed/MixedSoft.h"
 #include "Benchmarks/Mixed/MixedTurns.h"
 #include "Benchmarks/Suites/BenchSuites.h"
 
@@ -41,6 +42,9 @@ public:
       "posts: surfaces alone under a spotlight, beside vtkShadowMapPass with depth maps of the "
       "same "
       "resolution, the parameter; both against the ray caster.",
+      "posts, round light: soft shadows of surfaces; the parameter is NumberOfLightSamples, the "
+      "peer the light without its extent, both moving, and the ray caster follows 400 rays to "
+      "the light from each pixel.",
       "bonsai, smoke: balls of a million triangles (the parameter) around a volume; the peer is "
       "the "
       "time of the volume alone plus twice that of the actors, each drawn by VTK without a pass.",
@@ -55,6 +59,7 @@ public:
   {
     mixed::AddErrorRows(options, rows);
     mixed::AddMapRows(options, rows);
+    mixed::AddSoftRows(options, rows);
     mixed::AddCostRows(options, rows);
     mixed::AddTurnRows(options, rows);
   }
@@ -71,9 +76,9 @@ public:
   std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows) const override
   {
     std::vector<BenchPlot> plots = mixed::MakeErrorPlots(rows);
-    for (const BenchPlot& plot : mixed::MakeMapPlots(rows))
+    for (const auto& more : { mixed::MakeMapPlots(rows), mixed::MakeSoftPlots(rows) })
     {
-      plots.push_back(plot);
+      plots.insert(plots.end(), more.begin(), more.end());
     }
     return plots;
   }

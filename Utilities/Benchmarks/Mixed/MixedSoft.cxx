@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Mixed/MixedSoft.h"
+
+#include "Benchmarks/Mixed/MixedCases.h"
+#include "Benchmarks/Mixed/MixedDrawing.h"
+#include "Pictures/LightPoints.h"
+#include "Pictures/ReferenceMixedPicture.h"
+
+#include "vtkAreaLight.h"
+#include "vtkMath.h"
+
+namespace mixed
+{
+namespace
+{
+const char* const Soft = "soft";
+const char* const Hard = "hard";
+constexpr double Diameter = 0.8;
+
+/// The case under a round light in the place of its own.
+Case MakeRound(const Case& from)
+{
+  Case made = from;
+  auto light = vtkSmartPointer<vtkAreaLight>::New();
+  light->DeepCopy(from.Scene.Lights.front().Light);
+  light->SetShapeToRound();
+  light->SetSize(Diameter, Diameter);
+  reference::Double3 along;
+  reference::Double3 side;
+  reference::Double3 up;
+  vtkMath::Subtract(light->GetFocalPoint(), light->GetPosition(), along.data());
+  vtkMath::Normalize(along.data());
+  vtkMath::Perpendiculars(along.data(), side.data(), up.data(), 0.0);
+  vtkMath::MultiplyScalar(side.data(), Diameter);
+  vtkMath::MultiplyScalar(up.data(), Diameter);
+  made.Scene.Lights = { { light, reference::MakeRoundPoints(made.LightPosition, side, up, 400) } };
+  return made;
+}
+
+BenchRow MakeSoftRow(const BenchRows& rows, const std::string& name, const char* method,
+  int samples, double seconds, const reference::PictureError& error)
+{
+  BenchRow row = rows.Make(name, method);
+  row.Parameter = samples;
+  row.Seconds = seconds;
+  row.ErrorNorm = "channel difference, mean";
+  row.Error = error.Mean;
+  row.Counts["largest"] = error.Max;
+  return row;
+}
+}
+
+void AddSoftRows(const BenchOptions& options, BenchRows& rows)
+{
+  const Case point = MakePosts(options.Pick(256, 128, 48), options.Pick(20000, 5000, 200));
+  const Case round = MakeRound(point);
+  const std::string name = "posts, round light";
+  const reference::RgbaPicture expected = reference::MakeMixedPicture(round.Scene);
+  Drawing hard(point.Scene, Method::ScenePass);
+  for (const int samples : options.Pick<std::vector<int>>({ 4, 16, 64, 256 }, { 4, 16, 64 }, { 4 }))
+  {
+    Drawing soft(round.Scene, Method::ScenePass);
+    soft.SetNumberOfLightSamples(samples);
+    const std::vector<double> seconds = MeasureAlternately(
+      { soft.GetFrame(options.Threads, true), hard.GetFrame(options.Threads, true) },
+      options.GetRepeats());
+    round.Scene.Lights.front().Light->SetPosition(point.LightPosition.data());
+    soft.SetCamera(round.Scene.Camera);
+    BenchRow row = MakeSoftRow(
+      rows, name, Soft, samples, seconds[0], reference::ComparePictures(soft.Capture(), expected));
+    row.Peer = Hard;
+    row.PeerSeconds = seconds[1];
+    row.Counts["over_hard"] = seconds[0] / seconds[1];
+    row.Counts["processor_over_hard"] = soft.TakeProcessorSeconds() / hard.TakeProcessorSeconds();
+    row.Counts["maps"] = soft.GetReport()->SampleMaps;
+    row.Counts["map_resolution"] = soft.GetReport()->SampleMapResolution;
+    row.Counts["map_bytes"] = soft.GetReport()->SampleMapBytes;
+    rows.Add(row);
+    if (samples == 4)
+    {
+      point.Scene.Lights.front().Light->SetPosition(point.LightPosition.data());
+      hard.SetCamera(point.Scene.Camera);
+      rows.Add(MakeSoftRow(
+        rows, name, Hard, 1, seconds[1], reference::ComparePictures(hard.Capture(), expected)));
+    }
+  }
+}
+
+std::vector<BenchPlot> MakeSoftPlots(const std::vector<BenchRow>& rows)
+{
+  BenchPlot plot;
+  plot.Name = "mixed-soft";
+  plot.Title = "Soft shadows of surfaces: error against run time, maps of 4 samples and more";
+  plot.XLabel = "time of a frame (s)";
+  plot.YLabel = "error: channel difference, mean";
+  plot.LogX = true;
+  plot.LogY = true;
+  for (const BenchRow& row : rows)
+  {
+    if ((row.Method == Soft || row.Method == Hard) && *row.Error > 0.0)
+    {
+      plot.AddPoint(row.Method, row.Method == Hard, *row.Seconds, *row.Error);
+    }
+    if (row.Method == Hard && *row.Error > 0.0)
+    {
+      // A line has two points at least.
+      plot.AddPoint(row.Method, true, *row.Seconds, *row.Error);
+    }
+  }
+  return plot.AllSeries.empty() ? std::vector<BenchPlot>() : std::vector<BenchPlot>{ plot };
+}
+}
