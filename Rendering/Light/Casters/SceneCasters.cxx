@@ -194,6 +194,15 @@ void SceneCasters::SetEmitterUniforms(
   this->AddBias(program, 0.0);
 }
 
+void SceneCasters::ClearUniforms(vtkShaderProgram* program) const
+{
+  if (program->IsUniformUsed("emitters"))
+  {
+    const std::vector<float> none(20 * this->Emitters.GetLights().size(), 0.0F);
+    program->SetUniform4fv("emitters", static_cast<int>(none.size() / 4), none.data());
+  }
+}
+
 void SceneCasters::AddBias(vtkShaderProgram* program, double texels) const
 {
   const CasterMaps& maps = this->EmitterMaps;

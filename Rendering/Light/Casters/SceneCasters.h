@@ -57,6 +57,9 @@ public:
   /// Sets the uniforms of a program with that source, of which places are in coordinates that \a
   /// worldFromPlace leads from. The textures have to be active.
   void SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromPlace) const;
+  /// Takes all samples from a program that draws depths alone, which would compare them for
+  /// nothing.
+  void ClearUniforms(vtkShaderProgram* program) const;
   /// Has maps of samples compared as if they were so many of their texels nearer to the light, for
   /// surfaces whose plane is not known.
   void AddBias(vtkShaderProgram* program, double texels) const;

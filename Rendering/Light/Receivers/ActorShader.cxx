@@ -218,6 +218,7 @@ void ActorShader::SetUniforms(
   const bool hasVolumes = program->IsUniformUsed("sceneTransmittance");
   if (isOfDepths)
   {
+    this->Casters->ClearUniforms(program);
     // A map that is being drawn cannot be read.
     for (const char* name :
       { "casterDepths", "emitterDepths", "paneLayers", "sceneTransmittance", "sceneDepth" })
