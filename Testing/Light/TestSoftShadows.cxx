@@ -2,16 +2,18 @@
 // Soft shadows of area lights: the penumbra of a half plane against the exact ramp, layers of
 // samples against a light for each sample, and what soft shadows cost where there are none.
 #include "Light/ShadowComparison.h"
-#include "Pictures/HalfPlane.h"
 #include "Pictures/ShadowCases.h"
 #include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Light/ReferencePenumbra.h"
 
 #include "vtkAreaLight.h"
+#include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkVolumeProperty.h"
@@ -38,34 +40,174 @@ vtkSmartPointer<vtkAreaLight> MakeAreaLight(
   return light;
 }
 
+/// A sheet that is opaque for x < 0 in the plane z = 0, a receiver at z = -0.5, both two voxels
+/// thick, and a light at a height above the sheet; seen from below, along the light.
+struct HalfPlane
+{
+  static constexpr double Width = 0.5;
+  static constexpr double Gap = 0.5;
+
+  HalfPlane(double ratio, double width)
+  {
+    const double height = Gap / ratio;
+    constexpr int layers = 97;
+    const double thickness = Gap / (layers - 11);
+    const auto field = [&](const Double3& x)
+    {
+      // The receiver lies eight layers inside, the sheet two, so that a light can be close.
+      const double layer = x[2] * (layers - 1);
+      const bool isReceiver = std::abs(layer - 8.0) < 0.6;
+      const bool isSheet = std::abs(layer - (layers - 3.0)) < 0.6;
+      return isReceiver ? -1.0 : isSheet && x[0] < 0.5 ? 1.0 : 0.0;
+    };
+    this->Scene.Image =
+      MakeImage({ { 128, 4, layers - 1 } }, { { Width / 128.0, Width / 128.0, thickness } }, field);
+    double origin[3];
+    this->Scene.Image->GetOrigin(origin);
+    origin[2] = -(layers - 3.0) * thickness;
+    this->Scene.Image->SetOrigin(origin);
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(-1.0, 0.5);
+    opacity->AddPoint(-0.4, 0.0);
+    opacity->AddPoint(0.4, 0.0);
+    opacity->AddPoint(0.6, 1.0 - 1e-12);
+    opacity->AddPoint(1.0, 1.0 - 1e-12);
+    vtkNew<vtkColorTransferFunction> color;
+    color->AddRGBPoint(-0.1, 1.0, 1.0, 1.0);
+    color->AddRGBPoint(0.1, 0.0, 0.0, 0.0);
+    this->Scene.Property = vtkSmartPointer<vtkVolumeProperty>::New();
+    this->Scene.Property->SetScalarOpacity(opacity);
+    this->Scene.Property->SetColor(color);
+    this->Scene.Property->SetScalarOpacityUnitDistance(thickness);
+    this->Scene.Property->SetInterpolationTypeToLinear();
+    this->Scene.Property->SetAmbient(0.0);
+    this->Scene.Property->SetDiffuse(1.0);
+    auto light = MakeAreaLight({ { 0.0, 0.0, height } }, 0.0);
+    // The sheets are narrow along y, and a wide light would shine past them.
+    light->SetSize(width / ratio, 0.01 * width / ratio);
+    this->Scene.Lights = { light };
+    this->Scene.Camera = vtkSmartPointer<vtkCamera>::New();
+    this->Scene.Camera->ParallelProjectionOn();
+    this->Scene.Camera->SetPosition(0.0, 0.0, -4.0);
+    this->Scene.Camera->SetFocalPoint(0.0, 0.0, 0.0);
+    this->Scene.Camera->SetParallelScale(0.45 * Width);
+    this->Scene.Camera->SetClippingRange(1.0, 10.0);
+    this->Scene.Size = { { 192, 9 } };
+    // Nine rows are as high as the receiver at most: pixels are square.
+    this->Scene.Camera->SetParallelScale(0.45 * Width * 9.0 / 192.0);
+  }
+
+  ShadowScene Scene;
+};
+
+/// What of the light arrives along a row, from the lit side, in shares of that of a point light
+/// without an occluder.
+std::vector<double> GetProfile(const RgbaPicture& picture)
+{
+  std::vector<double> profile;
+  for (int i = 0; i < picture.Width; ++i)
+  {
+    profile.push_back(picture.At(i, picture.Height / 2)[0]);
+  }
+  // The camera looks up, so that x goes to the left.
+  if (profile.front() > profile.back())
+  {
+    std::reverse(profile.begin(), profile.end());
+  }
+  // Beyond this light shines past the outer edge of the sheet.
+  profile.erase(profile.begin(), profile.begin() + 38);
+  const double lit = profile.back();
+  for (double& value : profile)
+  {
+    value /= lit;
+  }
+  return profile;
+}
+
+/// The width of the even ramp that has the spread of the profile's slope.
+double GetRampWidth(const std::vector<double>& profile, double pixel)
+{
+  double sum = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+  for (std::size_t i = 1; i < profile.size(); ++i)
+  {
+    const double slope = profile[i] - profile[i - 1];
+    const double x = static_cast<double>(i) * pixel;
+    sum += slope;
+    first += slope * x;
+    second += slope * x * x;
+  }
+  const double mean = first / sum;
+  return std::sqrt(12.0 * std::max(second / sum - mean * mean, 0.0));
+}
+
+/// The place of a profile's value from the middle of the row.
+double GetPlace(std::size_t i, double pixel)
+{
+  return (static_cast<double>(i) + 38.0 - 95.5) * pixel;
+}
+
+double GetRamp(double x, double width)
+{
+  return width > 0.0 ? ReferencePenumbra::GetRamp(x, width) : x > 0.0 ? 1.0 : 0.0;
+}
+
+/// How much farther the lit part of a profile reaches than that of the ramp.
+double GetShift(const std::vector<double>& profile, double width, double pixel)
+{
+  double shift = 0.0;
+  for (std::size_t i = 0; i < profile.size(); ++i)
+  {
+    shift += (profile[i] - GetRamp(GetPlace(i, pixel), width)) * pixel;
+  }
+  return shift;
+}
+
 void TestHalfPlane(Check& check)
 {
   constexpr double width = 0.2;
   for (const double ratio : { 0.05, 1.0, 5.0 })
   {
+    double lastError = 1.0;
+    double lastLargest = 1.0;
     for (const int size : { 128, 256 })
     {
+      HalfPlane plane(ratio, width);
       vtkNew<Mapper> mapper;
       mapper->SetLightBufferSize(size);
       mapper->SetNumberOfLightSamples(size == 128 ? 16 : 32);
-      const auto profile = GetPenumbra(DrawByMapper(mapper, MakeHalfPlane(ratio, width)));
-      const double error = GetRampWidth(profile) / width - 1.0;
+      const auto profile = GetProfile(DrawByMapper(mapper, plane.Scene));
+      const double pixel = 0.9 * HalfPlane::Width / 192.0;
+      const double error = GetRampWidth(profile, pixel) / width - 1.0;
+      // The edge lies where that of hard shadows does, and the rest is compared from there.
+      const double shift = GetShift(profile, width, pixel);
+      vtkNew<Mapper> other;
+      other->SetLightBufferSize(size);
+      const HalfPlane hard(ratio, 0.0);
+      const double hardShift = GetShift(GetProfile(DrawByMapper(other, hard.Scene)), 0.0, pixel);
       double largest = 0.0;
       for (std::size_t i = 0; i < profile.size(); ++i)
       {
-        const double x = (static_cast<double>(i) - 57.5) * GetHalfPlanePixel();
-        const double exact = std::min(std::max(x / width + 0.5, 0.0), 1.0);
-        largest = std::max(largest, std::abs(profile[i] - exact));
+        const double x = GetPlace(i, pixel) + shift;
+        largest = std::max(largest, std::abs(profile[i] - GetRamp(x, width)));
       }
       const std::string name =
         "half plane, dZ/Z " + std::to_string(ratio) + ", buffer of " + std::to_string(size) + "^2";
       std::cout << name << ": width off by " << 100.0 * error << " %, profile by at most "
-                << largest << ", " << mapper->GetReport().LightLayers << " layers, "
+                << largest << ", edge by " << (shift - hardShift) / HalfPlane::Width * size
+                << " texels, " << mapper->GetReport().LightLayers << " layers, "
                 << mapper->GetReport().SoftShadowPasses << " passes for "
                 << mapper->GetReport().LightPasses << std::endl;
       check.Near(error, 0.0, 0.05, name + ": width", 1.0);
-      check.Near(largest, 0.0, (size == 128 ? 0.06 : 0.03) * (ratio > 2.0 ? 2.5 : 1.0),
+      check.Near(largest, 0.0, (size == 128 ? 0.03 : 0.015) * (ratio > 2.0 ? 2.5 : 1.0),
         name + ": profile", 1.0);
+      check.That(std::abs(error) < lastError && largest < 0.8 * lastLargest,
+        name + ": width and profile converge");
+      lastError = std::abs(error);
+      lastLargest = largest;
+      check.Near((shift - hardShift) / HalfPlane::Width * size, 0.0, 1.0,
+        name + ": edge beside that of hard shadows, in texels", 1.0);
     }
   }
 }
@@ -78,11 +220,12 @@ void TestConvolution(Check& check)
   for (const int size : { 64, 256 })
   {
     constexpr double width = 0.2;
+    HalfPlane plane(1.0, width);
     vtkNew<Mapper> mapper;
     mapper->SetSoftShadowMethodToAccumulatedConvolution();
     mapper->SetLightBufferSize(size);
-    const auto profile = GetPenumbra(DrawByMapper(mapper, MakeHalfPlane(1.0, width)));
-    const double share = GetRampWidth(profile) / width;
+    const auto profile = GetProfile(DrawByMapper(mapper, plane.Scene));
+    const double share = GetRampWidth(profile, 0.9 * HalfPlane::Width / 192.0) / width;
     const vtkShadowedSliceReport& report = mapper->GetReport();
     std::cout << "convolution in a buffer of " << size << "^2: " << share << " of the width, "
               << report.SoftShadowPasses << " passes" << std::endl;
@@ -202,8 +345,9 @@ void TestInside(Check& check)
   const vtkShadowedSliceReport& report = mapper->GetReport();
   check.Equal(report.LightLayers, 2, "outside: layers");
   check.Equal(report.LightBuffers, 1, "outside: buffers");
-  check.Equal(report.SoftShadowBytes, 3 * 4 * report.LightBufferSize * report.LightBufferSize,
-    "outside: bytes of two layers and a batch");
+  const int texels = report.LightBufferSize * report.LightBufferSize;
+  check.Equal(report.SoftShadowBytes, 3 * 4 * texels + 3 * texels,
+    "outside: bytes of three batches, and of two layers and their mean");
   check.That(report.SoftShadowMethod == "SampleLayers", "outside: method");
   check.That(report.SoftShadowPasses <= 4 * report.LightPasses, "outside: passes over layers");
 }

@@ -26,6 +26,7 @@ void PicturePlan::Make(SliceFrame& frame, const std::vector<SlicePlan::Matter>& 
   SlicePlan::Settings settings;
   settings.AutomaticFactor = AutomaticSpacing * coarseness;
   settings.BufferSize = asked.LightBufferSize;
+  settings.PictureSize = std::min(frame.Size[0], frame.Size[1]);
   settings.LeastBufferSize = leastBufferSize;
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
@@ -46,8 +47,8 @@ void PicturePlan::Make(SliceFrame& frame, const std::vector<SlicePlan::Matter>& 
       "SampledLights" } };
     // A surface of a scene takes what is left of a light once: shares of lights that stand for
     // samples would be multiplied, and layers of the same samples show the same.
-    const bool isOfLayers = frame.Scene != nullptr &&
-      asked.SoftShadowMethod == vtkShadowedSliceSettings::SAMPLED_LIGHTS;
+    const bool isOfLayers =
+      frame.Scene != nullptr && asked.SoftShadowMethod == vtkShadowedSliceSettings::SAMPLED_LIGHTS;
     const int method = isOfLayers ? static_cast<int>(vtkShadowedSliceSettings::SAMPLE_LAYERS)
                                   : asked.SoftShadowMethod;
     report.SoftShadowMethod = names[method];
@@ -99,9 +100,9 @@ vtkIdType PicturePlan::GetBufferBytes(const std::vector<const SliceFrame*>& fram
       [sweep](const SliceFrame* other) { return SliceShader::HasThickPart(*other, sweep); }));
     for (const SlicePlan::ShadowedLight& light : frame.Plan.Sweeps[sweep].Lights)
     {
-      bytes += static_cast<vtkIdType>(sizeof(float)) * light.BufferSize * light.BufferSize *
-        frame.GetLightChannels() *
-        ((light.IsWide ? 1 : 1 + 2 * thick) + SliceLightBuffer::GetNumberOfSoftBuffers(light));
+      const vtkIdType texels = static_cast<vtkIdType>(light.BufferSize) * light.BufferSize;
+      bytes += static_cast<vtkIdType>(sizeof(float)) * frame.GetLightChannels() *
+        ((light.IsWide ? 1 : 1 + 2 * thick) * texels + SliceLightBuffer::GetSoftTexels(light));
     }
   }
   return bytes;

@@ -41,7 +41,7 @@ std::string SliceLayerPoints::Prepare(vtkOpenGLRenderWindow* window, const Slice
   std::string sum;
   for (std::size_t i = 0; i < layers.GetStacks().size(); ++i)
   {
-    const SliceSampleLayers::Stack& stack = layers.GetStacks()[i];
+    const SliceSampleLayers::Stack& stack = *layers.GetStacks()[i];
     declarations += "uniform sampler2D " + GetStackName(i) + ";\n";
     sum += "  addLayers(" + GetStackName(i) + ", " + std::to_string(stack.First) + ", " +
       std::to_string(stack.Layers) + ");\n";
@@ -63,10 +63,10 @@ void SliceLayerPoints::Draw(vtkOpenGLRenderWindow* window, const SliceFrame& fra
   vtkShaderProgram* program = this->Pass.GetProgram();
   window->GetShaderCache()->ReadyShaderProgram(program);
   SliceShader::SetLayerPointUniforms(program, frame, light);
-  program->SetUniformf("margin", static_cast<float>(0.5 / light.BufferSize));
+  program->SetUniformf("margin", static_cast<float>(0.5 / layers.GetLayerSize()));
   for (std::size_t i = 0; i < layers.GetStacks().size(); ++i)
   {
-    vtkTextureObject* texture = layers.GetStacks()[i].Texture;
+    vtkTextureObject* texture = layers.GetStacks()[i]->Texture;
     texture->Activate();
     program->SetUniformi(GetStackName(i).c_str(), texture->GetTextureUnit());
   }
@@ -90,9 +90,9 @@ void SliceLayerPoints::Draw(vtkOpenGLRenderWindow* window, const SliceFrame& fra
   {
     map->Deactivate();
   }
-  for (const SliceSampleLayers::Stack& stack : layers.GetStacks())
+  for (const std::unique_ptr<SliceSampleLayers::Stack>& stack : layers.GetStacks())
   {
-    stack.Texture->Deactivate();
+    stack->Texture->Deactivate();
   }
 }
 

@@ -30,8 +30,17 @@ SliceLightBuffer::SliceLightBuffer(int light)
 
 SliceLightBuffer::~SliceLightBuffer() = default;
 
+vtkIdType SliceLightBuffer::GetSoftTexels(const SlicePlan::ShadowedLight& light)
+{
+  return light.SoftMethod == SlicePlan::LAYERS ? SliceSampleLayers::GetTexels(light)
+    : light.SoftMethod == SlicePlan::CONVOLUTION
+    ? static_cast<vtkIdType>(light.BufferSize) * light.BufferSize
+    : 0;
+}
+
 std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
-  const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, std::size_t volumes)
+  const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
+  const std::vector<const SlicePolygons*>& polygons)
 {
   this->Size = light.BufferSize;
   this->Bytes = vtkFloatTarget::Allocate(
@@ -40,7 +49,7 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Slice
   {
     return "the graphics card has no memory for the buffer of a light";
   }
-  std::string error = this->PrepareSoftShadows(window, frame, sweep, light);
+  std::string error = this->PrepareSoftShadows(window, frame, sweep, light, polygons);
   if (!error.empty())
   {
     return error;
@@ -74,12 +83,12 @@ std::string SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const Slice
   this->Period = static_cast<int>(
     std::ceil(std::min(std::max(texels * light.TexelSize / sweep.Spacing, 1.0), most)));
   this->IsWide = light.IsWide;
-  while (this->Volumes.size() > volumes)
+  while (this->Volumes.size() > polygons.size())
   {
     Release(*this->Volumes.back(), window);
     this->Volumes.pop_back();
   }
-  while (this->Volumes.size() < volumes)
+  while (this->Volumes.size() < polygons.size())
   {
     this->Volumes.push_back(std::make_unique<Volume>());
   }
@@ -144,7 +153,8 @@ std::string SliceLightBuffer::PrepareVolume(vtkOpenGLRenderWindow* window,
 }
 
 std::string SliceLightBuffer::PrepareSoftShadows(vtkOpenGLRenderWindow* window,
-  const SliceFrame& frame, const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light)
+  const SliceFrame& frame, const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
+  const std::vector<const SlicePolygons*>& polygons)
 {
   const bool hasSamples = light.SoftMethod == SlicePlan::LAYERS;
   const bool isConvolved = light.SoftMethod == SlicePlan::CONVOLUTION;
@@ -165,7 +175,8 @@ std::string SliceLightBuffer::PrepareSoftShadows(vtkOpenGLRenderWindow* window,
     {
       this->Samples = std::make_unique<SliceSampleLayers>();
     }
-    return this->Samples->Prepare(window, sweep, light, frame.GetLightChannels());
+    return this->Samples->Prepare(
+      window, sweep, light, polygons, frame.GetLightChannels(), frame.Scene != nullptr);
   }
   if (isConvolved)
   {
@@ -194,9 +205,16 @@ vtkIdType SliceLightBuffer::GetSoftBytes() const
 int SliceLightBuffer::Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
   const SlicePlan::ShadowedLight& light, int slab)
 {
-  const int passes = this->Samples ? this->Samples->Begin(window, sweep, light, this->Texture, slab)
-    : this->Convolution ? this->Convolution->Begin(window, sweep, light, this->Texture, slab)
-                        : 0;
+  int passes = 0;
+  if (this->Samples && this->Samples->Begin(window, sweep, light, this->Texture, slab, passes))
+  {
+    this->Framebuffer->Bind();
+    this->Framebuffer->AddColorAttachment(1, this->Samples->GetBatch());
+  }
+  if (this->Convolution)
+  {
+    passes = this->Convolution->Begin(window, sweep, light, this->Texture, slab);
+  }
   if (passes > 0)
   {
     // Light comes from aside behind what is dark in one plane.

@@ -45,13 +45,8 @@ public:
   explicit SliceLightBuffer(int light);
   ~SliceLightBuffer();
 
-  /// Returns the number of textures that a light's soft shadows take beside its buffer.
-  static int GetNumberOfSoftBuffers(const SlicePlan::ShadowedLight& light)
-  {
-    return light.SoftMethod == SlicePlan::LAYERS   ? static_cast<int>(light.Samples.size()) + 1
-      : light.SoftMethod == SlicePlan::CONVOLUTION ? 1
-                                                   : 0;
-  }
+  /// Returns the number of texels that a light's soft shadows take beside its buffer.
+  static vtkIdType GetSoftTexels(const SlicePlan::ShadowedLight& light);
 
   int GetLight() const { return this->Light; }
   vtkTextureObject* GetTexture() const { return this->Texture; }
@@ -65,10 +60,12 @@ public:
 
   /**
    * Makes the buffer ready for a sweep: all light passes. \a light is the light of this buffer in
-   * the sweep; \a volumes take from it. Returns what is wrong, or nothing.
+   * the sweep; \a polygons are those of the volumes
+   * that take from it. Returns what is wrong, or nothing.
    */
   std::string Prepare(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
-    const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, std::size_t volumes);
+    const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
+    const std::vector<const SlicePolygons*>& polygons);
 
   /**
    * Makes a volume's program ready, where it has triangles, after Prepare. \a hasLayers says that
@@ -126,7 +123,8 @@ private:
   };
 
   std::string PrepareSoftShadows(vtkOpenGLRenderWindow* window, const SliceFrame& frame,
-    const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
+    const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
+    const std::vector<const SlicePolygons*>& polygons);
   void CopyTo(vtkTextureObject* layer);
   static void Release(Volume& volume, vtkWindow* window);
 

@@ -134,11 +134,16 @@ std::string SliceRasterizer::PrepareLights(
   vtkOpenGLRenderWindow* window, const SliceFrame& frame, std::size_t sweepIndex)
 {
   const Sweep& sweep = frame.Plan.Sweeps[sweepIndex];
+  std::vector<const SlicePolygons*> polygons;
+  for (const std::unique_ptr<SlicePart>& part : this->Parts)
+  {
+    polygons.push_back(&part->GetPolygons());
+  }
   for (const SlicePlan::ShadowedLight& light : sweep.Lights)
   {
     // A light of several sweeps has its buffer in each in turn.
     std::string error =
-      this->GetLightBuffer(light.Light).Prepare(window, frame, sweep, light, this->Parts.size());
+      this->GetLightBuffer(light.Light).Prepare(window, frame, sweep, light, polygons);
     if (!error.empty())
     {
       return error;

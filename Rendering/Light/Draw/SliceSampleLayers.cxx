@@ -3,11 +3,12 @@
 
 #include "Loader/OpenGLFunctions.h"
 #include "Plan/PlaneView.h"
+#include "Plan/SlicePolygons.h"
 
 #include "InterlumeSliceLayerFS.h"
 #include "vtkFloatTarget.h"
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -15,7 +16,6 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace interlume
 {
@@ -26,18 +26,16 @@ namespace
 // The most slabs of a batch, whose own matter casts the shadows of a light without extent in it.
 constexpr int LongestBatch = 64;
 
-// How far the shadows of a sample and of the centre may go apart within a batch, in texels.
-constexpr double Apart = 0.75;
+// How far the shadows of a sample and of the centre may go apart within a batch, in texels of the
+// light's buffer.
+constexpr double Apart = 2.0;
+
+// The number of texels of the light's buffer along an edge of a layer's: a layer is looked up only
+// for shadows that are wide by then.
+constexpr int Coarseness = 2;
 
 // The most layers of a texture, whose homographies are uniforms of one program.
 constexpr int MostLayers = 16;
-
-std::unique_ptr<vtkOpenGLQuadHelper> MakeQuad(vtkOpenGLRenderWindow* window, const char* feature)
-{
-  const std::string source = vtkShaderFeatures::Insert(
-    InterlumeSliceLayerFS, "MOST_LAYERS=" + std::to_string(MostLayers) + feature);
-  return std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
-}
 
 // Returns the plane n.x = height of a sweep.
 std::array<double, 4> GetPlane(const SlicePlan::Sweep& sweep, double slab)
@@ -46,31 +44,88 @@ std::array<double, 4> GetPlane(const SlicePlan::Sweep& sweep, double slab)
     -(sweep.First + slab * sweep.Spacing) } };
 }
 
+// Returns the plane in the middle of a batch.
+std::array<double, 4> GetPlane(const SlicePlan::Sweep& sweep, const LayerBatches::Batch& batch)
+{
+  return GetPlane(sweep, 0.5 * (batch.First + batch.Last + 1));
+}
+
+// Returns the matrix from homogeneous coordinates in a view, whose points are columns, to the ways
+// to a light from there.
+glm::mat3 GetWays(const glm::dmat3x4& points, const glm::dvec4& light)
+{
+  glm::dmat3 ways;
+  for (int column = 0; column < 3; ++column)
+  {
+    ways[column] = glm::dvec3(light) * points[column].w - light.w * glm::dvec3(points[column]);
+  }
+  return glm::mat3(ways);
+}
+
 }
 
 SliceSampleLayers::SliceSampleLayers() = default;
 
 SliceSampleLayers::~SliceSampleLayers() = default;
 
+int SliceSampleLayers::GetLayerSize(const SlicePlan::ShadowedLight& light)
+{
+  return light.BufferSize / Coarseness;
+}
+
+vtkIdType SliceSampleLayers::GetTexels(const SlicePlan::ShadowedLight& light)
+{
+  const vtkIdType layer = GetLayerSize(light);
+  const vtkIdType buffer = light.BufferSize;
+  return (Kept + 1) * buffer * buffer +
+    (static_cast<vtkIdType>(light.Samples.size()) + 1) * layer * layer;
+}
+
 std::string SliceSampleLayers::Prepare(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
-  const SlicePlan::ShadowedLight& light, int channels)
+  const SlicePlan::ShadowedLight& light, const std::vector<const SlicePolygons*>& polygons,
+  int channels, bool isWhole)
+{
+  std::string error = this->Allocate(window, light, channels);
+  if (!error.empty())
+  {
+    return error;
+  }
+  const double apart = light.Spread * sweep.Spacing;
+  this->Period =
+    apart * LongestBatch > Apart ? std::max(static_cast<int>(Apart / apart), 1) : LongestBatch;
+  this->Plan.Build(light, polygons, this->Period, isWhole);
+  this->Tiles->Upload(this->Plan.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+  this->Current = 0;
+  this->Begun = 0;
+  this->HasLayers = false;
+  for (Batch& batch : this->Batches)
+  {
+    batch.Number = -1;
+  }
+  return this->Compile(window, channels);
+}
+
+std::string SliceSampleLayers::Allocate(
+  vtkOpenGLRenderWindow* window, const SlicePlan::ShadowedLight& light, int channels)
 {
   this->Bytes = 0;
   this->NumberOfLayers = static_cast<int>(light.Samples.size());
+  this->LayerSize = GetLayerSize(light);
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-  const int most = std::min(std::max(limit / light.BufferSize, 1), MostLayers);
+  const int most = std::min(std::max(limit / this->LayerSize, 1), MostLayers);
   const auto stacks = static_cast<std::size_t>((this->NumberOfLayers + most - 1) / most);
   while (this->Stacks.size() > stacks)
   {
-    this->Stacks.back().Texture->ReleaseGraphicsResources(window);
+    this->Stacks.back()->Texture->ReleaseGraphicsResources(window);
+    this->Stacks.back()->Mean.ReleaseGraphicsResources();
     this->Stacks.pop_back();
   }
   this->Framebuffer->SetContext(window);
-  const auto prepare = [&](vtkTextureObject* texture, int layers)
+  const auto prepare = [&](vtkTextureObject* texture, int size, int layers)
   {
-    const vtkIdType bytes = vtkFloatTarget::Allocate(
-      window, texture, light.BufferSize, layers * light.BufferSize, channels, true);
+    const vtkIdType bytes =
+      vtkFloatTarget::Allocate(window, texture, size, layers * size, channels, true);
     this->Bytes += bytes;
     if (bytes > 0)
     {
@@ -78,173 +133,221 @@ std::string SliceSampleLayers::Prepare(vtkOpenGLRenderWindow* window, const Slic
     }
     return bytes > 0;
   };
-  bool hasMemory = prepare(this->Batch, 1);
+  bool hasMemory = prepare(this->Sum, this->LayerSize, 1);
+  for (Batch& batch : this->Batches)
+  {
+    hasMemory = hasMemory && prepare(batch.Texture, light.BufferSize, 1);
+  }
   for (std::size_t i = 0; i < stacks && hasMemory; ++i)
   {
     if (i == this->Stacks.size())
     {
-      this->Stacks.push_back({ vtkSmartPointer<vtkTextureObject>::New(), 0, 0 });
+      this->Stacks.push_back(std::make_unique<Stack>());
+      this->Stacks.back()->Texture = vtkSmartPointer<vtkTextureObject>::New();
     }
-    Stack& stack = this->Stacks[i];
+    Stack& stack = *this->Stacks[i];
     stack.First = i * most;
     stack.Layers = std::min(this->NumberOfLayers - static_cast<int>(stack.First), most);
-    hasMemory = prepare(stack.Texture, stack.Layers);
+    hasMemory = prepare(stack.Texture, this->LayerSize, stack.Layers);
   }
-  if (!hasMemory)
+  return hasMemory ? "" : "the graphics card has no memory for the layers of an area light";
+}
+
+std::string SliceSampleLayers::Compile(vtkOpenGLRenderWindow* window, int channels)
+{
+  const std::string light = channels == 1 ? "COLOR=float CHANNELS=r" : "COLOR=vec3 CHANNELS=rgb";
+  const auto prepare = [&](SlicePass& pass, const std::string& features)
   {
-    return "the graphics card has no memory for the layers of an area light";
-  }
-  if (!this->Fill)
+    return pass.Prepare(
+      window, vtkShaderFeatures::Insert(InterlumeSliceLayerFS, light + features), this->Tiles);
+  };
+  std::string error = prepare(this->Fill, "");
+  error = error.empty() ? prepare(this->Join, " JOIN") : error;
+  for (const std::unique_ptr<Stack>& stack : this->Stacks)
   {
-    this->Fill = MakeQuad(window, "");
-    this->Mean = MakeQuad(window, " MEAN");
+    error =
+      error.empty() ? prepare(stack->Mean, " MEAN LAYERS=" + std::to_string(stack->Layers)) : error;
   }
-  if (!this->Fill->Program || !this->Mean->Program)
-  {
-    return "the shader of an area light's layers cannot be compiled";
-  }
-  const double apart = light.Spread * sweep.Spacing;
-  this->Period =
-    apart * LongestBatch > Apart ? std::max(static_cast<int>(Apart / apart), 1) : LongestBatch;
-  this->First = 0;
-  this->Last = -1;
-  return {};
+  return error;
+}
+
+void SliceSampleLayers::Bind(vtkOpenGLRenderWindow* window, vtkTextureObject* target)
+{
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, target);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  window->GetState()->vtkglViewport(
+    0, 0, static_cast<int>(target->GetWidth()), static_cast<int>(target->GetHeight()));
 }
 
 void SliceSampleLayers::Clear(vtkOpenGLRenderWindow* window, vtkTextureObject* texture)
 {
-  this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, texture);
-  this->Framebuffer->ActivateDrawBuffer(0);
+  this->Bind(window, texture);
   window->GetState()->vtkglClearColor(1.0f, 1.0f, 1.0f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void SliceSampleLayers::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLQuadHelper& quad,
-  vtkTextureObject* target, vtkTextureObject* map, const std::vector<glm::dmat3>& homographies)
+void SliceSampleLayers::DrawTiles(vtkOpenGLRenderWindow* window, SlicePass& pass,
+  vtkTextureObject* map, const glm::dmat3& targetFromBuffer, int number)
 {
-  std::vector<float> columns;
-  for (const glm::dmat3& homography : homographies)
+  glm::mat4 clip(0.0F);
+  for (int column = 0; column < 3; ++column)
   {
-    const glm::mat3 single(homography);
-    columns.insert(columns.end(), glm::value_ptr(single), glm::value_ptr(single) + 9);
+    const glm::vec3 from(targetFromBuffer[column]);
+    clip[column < 2 ? column : 3] = glm::vec4(from.x, from.y, 0.0F, from.z);
   }
-  const auto layers = static_cast<int>(homographies.size());
-  this->Framebuffer->AddColorAttachment(0, target);
-  // The light's buffer has its texture unit for the whole sweep.
-  const bool wasActive = map->GetTextureUnit() >= 0;
-  map->Activate();
-  quad.Program->SetUniformi("map", map->GetTextureUnit());
-  quad.Program->SetUniformi("layers", layers);
-  quad.Program->SetUniform3fv("mapFromTarget", 3 * layers, columns.data());
-  window->GetState()->vtkglViewport(
-    0, 0, static_cast<int>(target->GetWidth()), static_cast<int>(target->GetHeight()));
-  quad.Render();
-  if (!wasActive)
-  {
-    map->Deactivate();
-  }
+  pass.GetProgram()->SetUniformMatrix4x4("clipFromUnit", glm::value_ptr(clip));
+  pass.GetProgram()->SetUniformi("map", map->GetTextureUnit());
+  pass.Draw(window, this->Plan.GetStarts(), number, 0.0);
 }
 
-void SliceSampleLayers::FillLayers(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
-  const SlicePlan::ShadowedLight& light)
+int SliceSampleLayers::FillLayers(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+  const SlicePlan::ShadowedLight& light, Batch& batch)
 {
-  this->Framebuffer->Bind();
-  this->Framebuffer->ActivateDrawBuffer(0);
-  const std::array<double, 4> drawn = GetPlane(sweep, 0.5 * (this->First + this->Last + 1));
-  window->GetState()->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-  vtkShaderProgram* program = this->Fill->Program;
-  window->GetShaderCache()->ReadyShaderProgram(program);
-  const glm::mat3x4 points(PlaneView::GetPoints(light.BufferFromUnit, drawn));
-  program->SetUniform4fv("pointFromMap", 3, glm::value_ptr(points));
-  program->SetUniform3f("sliceNormal", glm::value_ptr(glm::vec3(sweep.Normal)));
-  program->SetUniform4f("center", glm::value_ptr(glm::vec4(light.Center)));
-  std::vector<glm::dmat3> homographies;
-  for (const Stack& stack : this->Stacks)
+  if (batch.Number < 0)
   {
-    homographies.clear();
-    std::vector<float> sources;
-    for (int i = 0; i < stack.Layers; ++i)
-    {
-      const SlicePlan::SampleView& sample = light.Samples[stack.First + i];
-      homographies.push_back(
-        PlaneView::GetHomography(sample.LayerFromUnit, light.BufferFromUnit, drawn));
-      const glm::vec4 source(sample.Source);
-      sources.insert(sources.end(), glm::value_ptr(source), glm::value_ptr(source) + 4);
-    }
-    program->SetUniform4fv("sources", stack.Layers, sources.data());
-    this->Draw(window, *this->Fill, stack.Texture, this->Batch, homographies);
-  }
-}
-
-int SliceSampleLayers::Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
-  const SlicePlan::ShadowedLight& light, vtkTextureObject* buffer, int slab)
-{
-  if (this->Last < 0)
-  {
-    this->First = slab;
-  }
-  if (slab - this->First < this->Period)
-  {
-    this->Last = slab;
     return 0;
   }
-  this->FillLayers(window, sweep, light);
   vtkOpenGLState* state = window->GetState();
-  const std::array<double, 4> next = GetPlane(sweep, slab + 0.5 * this->Period);
-  vtkShaderProgram* program = this->Mean->Program;
+  state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+  const std::array<double, 4> plane =
+    GetPlane(sweep, this->Plan.Get()[static_cast<std::size_t>(batch.Number)]);
+  const glm::dmat3x4 points = PlaneView::GetPoints(light.BufferFromUnit, plane);
+  vtkShaderProgram* program = this->Fill.GetProgram();
   window->GetShaderCache()->ReadyShaderProgram(program);
-  program->SetUniformf("margin", static_cast<float>(0.5 / light.BufferSize));
-  for (const Stack& stack : this->Stacks)
+  batch.Texture->Activate();
+  program->SetUniform3f("sliceNormal", glm::value_ptr(glm::vec3(sweep.Normal)));
+  glm::mat3 ways = GetWays(points, light.Center);
+  program->SetUniformMatrix3x3("wayToCenter", glm::value_ptr(ways));
+  for (const std::unique_ptr<Stack>& stack : this->Stacks)
   {
-    std::vector<glm::dmat3> homographies;
-    std::vector<float> weights;
-    for (int i = 0; i < stack.Layers; ++i)
+    this->Bind(window, stack->Texture);
+    for (int i = 0; i < stack->Layers; ++i)
     {
-      const SlicePlan::SampleView& sample = light.Samples[stack.First + i];
-      homographies.push_back(
-        PlaneView::GetHomography(light.BufferFromUnit, sample.LayerFromUnit, next));
+      const SlicePlan::SampleView& sample = light.Samples[stack->First + i];
+      ways = GetWays(points, sample.Source);
+      program->SetUniformMatrix3x3("wayToSample", glm::value_ptr(ways));
+      state->vtkglViewport(0, i * this->LayerSize, this->LayerSize, this->LayerSize);
+      this->DrawTiles(window, this->Fill, batch.Texture,
+        PlaneView::GetHomography(light.BufferFromUnit, sample.LayerFromUnit, plane), batch.Number);
+    }
+  }
+  batch.Texture->Deactivate();
+  this->Clear(window, batch.Texture);
+  batch.Number = -1;
+  return static_cast<int>(this->Stacks.size());
+}
+
+int SliceSampleLayers::DrawMean(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+  const SlicePlan::ShadowedLight& light, vtkTextureObject* buffer, int number)
+{
+  vtkOpenGLState* state = window->GetState();
+  const std::array<double, 4> plane =
+    GetPlane(sweep, this->Plan.Get()[static_cast<std::size_t>(number)]);
+  this->Bind(window, this->Sum);
+  for (const std::unique_ptr<Stack>& stack : this->Stacks)
+  {
+    std::vector<float> columns;
+    std::vector<float> weights;
+    for (int i = 0; i < stack->Layers; ++i)
+    {
+      const SlicePlan::SampleView& sample = light.Samples[stack->First + i];
+      const glm::mat3 seen(
+        PlaneView::GetHomography(light.BufferFromUnit, sample.LayerFromUnit, plane));
+      columns.insert(columns.end(), glm::value_ptr(seen), glm::value_ptr(seen) + 9);
       weights.push_back(static_cast<float>(sample.Weight));
     }
-    program->SetUniform1fv("weights", stack.Layers, weights.data());
-    state->vtkglBlendFunc(GL_ONE, stack.First == 0 ? GL_ZERO : GL_ONE);
-    this->Draw(window, *this->Mean, buffer, stack.Texture, homographies);
+    vtkShaderProgram* program = stack->Mean.GetProgram();
+    window->GetShaderCache()->ReadyShaderProgram(program);
+    program->SetUniform3fv("layerFromBuffer", 3 * stack->Layers, columns.data());
+    program->SetUniform1fv("weights", stack->Layers, weights.data());
+    program->SetUniformf("margin", static_cast<float>(0.5 / this->LayerSize));
+    state->vtkglBlendFunc(GL_ONE, stack->First == 0 ? GL_ZERO : GL_ONE);
+    stack->Texture->Activate();
+    this->DrawTiles(window, stack->Mean, stack->Texture, glm::dmat3(1.0), number);
+    stack->Texture->Deactivate();
   }
-  this->Clear(window, this->Batch);
-  this->First = slab;
-  this->Last = slab;
-  return 2 * static_cast<int>(this->Stacks.size());
+  this->Bind(window, buffer);
+  state->vtkglBlendFunc(GL_ONE, GL_ZERO);
+  window->GetShaderCache()->ReadyShaderProgram(this->Join.GetProgram());
+  this->Sum->Activate();
+  // The batch that begins has nothing yet.
+  for (std::size_t i = 1; i < this->Batches.size(); ++i)
+  {
+    vtkTextureObject* batch = this->Batches[(this->Current + i) % this->Batches.size()].Texture;
+    batch->Activate();
+    this->Join.GetProgram()->SetUniformi(
+      ("batch" + std::to_string(i)).c_str(), batch->GetTextureUnit());
+  }
+  this->DrawTiles(window, this->Join, this->Sum, glm::dmat3(1.0), number);
+  for (std::size_t i = 1; i < this->Batches.size(); ++i)
+  {
+    this->Batches[(this->Current + i) % this->Batches.size()].Texture->Deactivate();
+  }
+  this->Sum->Deactivate();
+  return static_cast<int>(this->Stacks.size()) + 1;
+}
+
+bool SliceSampleLayers::Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+  const SlicePlan::ShadowedLight& light, vtkTextureObject* buffer, int slab, int& passes)
+{
+  const std::vector<LayerBatches::Batch>& batches = this->Plan.Get();
+  const int next = this->Begun;
+  if (next == static_cast<int>(batches.size()) ||
+    slab < batches[static_cast<std::size_t>(next)].First)
+  {
+    return false;
+  }
+  ++this->Begun;
+  // The batch's place has the oldest one, which goes into the layers, as does all before a gap.
+  this->Current = static_cast<std::size_t>(next) % this->Batches.size();
+  int drawn = 0;
+  for (Batch& batch : this->Batches)
+  {
+    const bool isOld = batch.Number >= 0 &&
+      batches[static_cast<std::size_t>(next)].First -
+          batches[static_cast<std::size_t>(batch.Number)].Last >
+        Kept * this->Period;
+    if (isOld || &batch == &this->Batches[this->Current])
+    {
+      drawn += this->FillLayers(window, sweep, light, batch);
+    }
+  }
+  this->HasLayers = this->HasLayers || drawn > 0;
+  passes += drawn;
+  passes += this->HasLayers ? this->DrawMean(window, sweep, light, buffer, next) : 0;
+  this->Batches[this->Current].Number = next;
+  return true;
 }
 
 int SliceSampleLayers::Finish(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
   const SlicePlan::ShadowedLight& light)
 {
-  if (this->Last < 0)
+  int passes = 0;
+  for (Batch& batch : this->Batches)
   {
-    return 0;
+    passes += this->FillLayers(window, sweep, light, batch);
   }
-  this->FillLayers(window, sweep, light);
-  this->Last = -1;
-  return static_cast<int>(this->Stacks.size());
+  return passes;
 }
 
 void SliceSampleLayers::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (const Stack& stack : this->Stacks)
+  for (const std::unique_ptr<Stack>& stack : this->Stacks)
   {
-    stack.Texture->ReleaseGraphicsResources(window);
+    stack->Texture->ReleaseGraphicsResources(window);
+    stack->Mean.ReleaseGraphicsResources();
   }
   this->Stacks.clear();
-  this->Batch->ReleaseGraphicsResources(window);
-  this->Framebuffer->ReleaseGraphicsResources(window);
-  for (std::unique_ptr<vtkOpenGLQuadHelper>* quad : { &this->Fill, &this->Mean })
+  for (Batch& batch : this->Batches)
   {
-    if (*quad)
-    {
-      (*quad)->ReleaseGraphicsResources(window);
-      quad->reset();
-    }
+    batch.Texture->ReleaseGraphicsResources(window);
   }
+  this->Sum->ReleaseGraphicsResources(window);
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->Fill.ReleaseGraphicsResources();
+  this->Join.ReleaseGraphicsResources();
+  this->Tiles->ReleaseGraphicsResources();
   this->Bytes = 0;
 }
 

@@ -3,6 +3,8 @@
 #define interlume_SliceSampleLayers_h
 
 #include "Common/Vectors.h"
+#include "Draw/SlicePass.h"
+#include "Plan/LayerBatches.h"
 #include "Plan/SlicePlan.h"
 
 #include "vtkNew.h"
@@ -10,71 +12,89 @@
 #include "vtkTextureObject.h"
 #include "vtkType.h"
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
+class vtkOpenGLBufferObject;
 class vtkOpenGLFramebufferObject;
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
 
 namespace interlume
 {
 
+class SlicePolygons;
+
 /**
  * @class   SliceSampleLayers
  * @brief   the transmittance from each sample of an area light's emitter to a slice
  *
- * A sample c has a layer T_c in the coordinates of a light at c. The matter of some slabs, the
+ * A sample c has a layer T_c in the coordinates of a light at c. The matter of some slabs, a
  * batch, has one transmittance A from the emitter's centre, drawn once for all samples and put into
  * each layer as seen from its sample: T_c(p) <- T_c(p) A(q)^s, q the place in the
  * centre's coordinates of the point that p is in the batch's middle plane, s the way through a slab
  * on a ray from c over that on a ray from the centre. Planes are seen from two places a
  * homography apart. So no layer is resampled from slab to slab, and what is seen is exact for the
- * sample but for the thickness of a batch, whose shadows go apart by no more than a texel. The
- * light's buffer gets the weighted mean of the layers, each seen from its sample in the middle of
- * the next batch. Within that one it is multiplied as that of a light without extent. Up to sixteen
- * layers stand one over the other in a texture, and take one pass together.
+ * sample but for the thickness of a batch, whose shadows go apart by Apart texels at most.
+ *
+ * Where a batch begins, the light's buffer becomes A B: A of the batch before, and B the weighted
+ * mean of the layers, each seen from its sample in the middle of the new batch. The new batch
+ * multiplies it as that of a light without extent. So matter goes into layers, which are
+ * interpolated and coarser than the buffer, only where it is a batch or more behind a slice, and
+ * its penumbra wider than a texel of a layer: surfaces are not blurred into their own shadows.
+ * Only tiles with matter are drawn.
  */
 class SliceSampleLayers
 {
 public:
-  /// Layers from a first sample on, in one texture.
+  /// Layers from a first sample on, one over the other in one texture, and their mean.
   struct Stack
   {
     vtkSmartPointer<vtkTextureObject> Texture;
     std::size_t First = 0;
     int Layers = 0;
+    SlicePass Mean;
   };
 
   SliceSampleLayers();
   ~SliceSampleLayers();
 
+  /// Returns the number of columns and rows of a layer.
+  static int GetLayerSize(const SlicePlan::ShadowedLight& light);
+  /// Returns the number of texels beside the light's buffer, over all layers and batches.
+  static vtkIdType GetTexels(const SlicePlan::ShadowedLight& light);
+
   /**
-   * Makes empty layers, and the batch, for a sweep. \a channels are those of light. Returns what is
-   * wrong, or nothing.
+   * Makes empty layers and batches for a sweep through what \a polygons have. \a channels are those
+   * of light; \a isWhole says that the buffer is asked for where there is no matter as well.
+   * Returns what is wrong, or nothing.
    */
   std::string Prepare(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
-    const SlicePlan::ShadowedLight& light, int channels);
+    const SlicePlan::ShadowedLight& light, const std::vector<const SlicePolygons*>& polygons,
+    int channels, bool isWhole);
 
   /// Returns the transmittance of the batch, in the coordinates of the light's buffer; slabs
-  /// multiply it.
-  vtkTextureObject* GetBatch() const { return this->Batch; }
+  /// multiply it. It is another texture after each batch.
+  vtkTextureObject* GetBatch() const { return this->Batches[this->Current].Texture; }
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
+  /// Returns the number of columns and rows of a layer.
+  int GetLayerSize() const { return this->LayerSize; }
   /// Returns all layers, in the order of the samples.
-  const std::vector<Stack>& GetStacks() const { return this->Stacks; }
+  const std::vector<std::unique_ptr<Stack>>& GetStacks() const { return this->Stacks; }
   vtkIdType GetBytes() const { return this->Bytes; }
 
   /**
-   * Begins a slab with something in it. Where the batch is full it goes into the layers, and
-   * \a buffer gets their mean. Returns the number of passes over layers that this took.
+   * Begins a slab with something in it. Where it is the first of a batch, \a buffer becomes the
+   * mean of the layers times the batch before. Returns whether it is, and adds the passes that this
+   * took.
    */
-  int Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
-    const SlicePlan::ShadowedLight& light, vtkTextureObject* buffer, int slab);
+  bool Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+    const SlicePlan::ShadowedLight& light, vtkTextureObject* buffer, int slab, int& passes);
 
-  /// Puts the last batch into the layers, which then have all matter. Returns the number of passes
+  /// Puts all batches into the layers, which then have all matter. Returns the number of passes
   /// over layers that this took.
   int Finish(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
     const SlicePlan::ShadowedLight& light);
@@ -82,26 +102,49 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Clear(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
-  /// Puts the batch into the layers.
-  void FillLayers(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
-    const SlicePlan::ShadowedLight& light);
-  /// Draws into \a target what the program makes of \a map, with a homography for each layer.
-  void Draw(vtkOpenGLRenderWindow* window, vtkOpenGLQuadHelper& quad, vtkTextureObject* target,
-    vtkTextureObject* map, const std::vector<glm::dmat3>& homographies);
+  /// What the slabs of a batch let through; nothing was drawn where the number is -1.
+  struct Batch
+  {
+    vtkNew<vtkTextureObject> Texture;
+    int Number = -1;
+  };
 
-  std::vector<Stack> Stacks;
+  std::string Allocate(
+    vtkOpenGLRenderWindow* window, const SlicePlan::ShadowedLight& light, int channels);
+  std::string Compile(vtkOpenGLRenderWindow* window, int channels);
+  void Clear(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
+  /// Puts a batch into the layers and empties it.
+  int FillLayers(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+    const SlicePlan::ShadowedLight& light, Batch& batch);
+  /// Draws the mean of the layers as seen in the middle of a batch, and times another one into
+  /// \a buffer.
+  int DrawMean(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
+    const SlicePlan::ShadowedLight& light, vtkTextureObject* buffer, int number);
+  /// Draws the tiles of a batch, of what \a map has, into a square of \a target.
+  void DrawTiles(vtkOpenGLRenderWindow* window, SlicePass& pass, vtkTextureObject* map,
+    const glm::dmat3& targetFromBuffer, int number);
+  void Bind(vtkOpenGLRenderWindow* window, vtkTextureObject* target);
+
+  std::vector<std::unique_ptr<Stack>> Stacks;
   int NumberOfLayers = 0;
-  vtkNew<vtkTextureObject> Batch;
-  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  /// The program that puts a batch into layers, and the one that adds layers up.
-  std::unique_ptr<vtkOpenGLQuadHelper> Fill;
-  std::unique_ptr<vtkOpenGLQuadHelper> Mean;
-  vtkIdType Bytes = 0;
-  /// The number of slabs of a batch, its first slab and the last one that was begun.
+  int LayerSize = 0;
+  /// The number of batches that are not in the layers yet, beside the one that is drawn.
+  static constexpr int Kept = 2;
+  /// The batch that is drawn and those before.
+  std::array<Batch, Kept + 1> Batches;
+  std::size_t Current = 0;
+  /// The most slabs of a batch, how many batches have begun, and whether one is in the layers.
   int Period = 1;
-  int First = 0;
-  int Last = -1;
+  int Begun = 0;
+  bool HasLayers = false;
+  LayerBatches Plan;
+  vtkNew<vtkOpenGLBufferObject> Tiles;
+  /// The mean of the layers, as large as a layer.
+  vtkNew<vtkTextureObject> Sum;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  SlicePass Fill;
+  SlicePass Join;
+  vtkIdType Bytes = 0;
 };
 
 }

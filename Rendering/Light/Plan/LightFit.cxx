@@ -22,6 +22,7 @@ constexpr double SmallestDepth = 1e-3;
 
 constexpr int SmallestBuffer = 16;
 constexpr int SmallestAutomatic = 64;
+constexpr int SmallestWithLayers = 96;
 constexpr int LargestAutomatic = 2048;
 constexpr int Multiple = 16;
 
@@ -168,21 +169,27 @@ double LightFit::GetVoxelSpacing(const glm::dvec3& direction) const
   return spacing;
 }
 
-int LightFit::GetSize(double texels) const
+int LightFit::GetSize(double texels, int smallest) const
 {
   if (this->Settings.BufferSize > 0)
   {
     return std::max(
       std::min(this->Settings.BufferSize, this->Settings.LargestBufferSize), SmallestBuffer);
   }
-  const double bounded = std::max(
-    std::min(std::max(texels + 2.0 * Border, double(SmallestAutomatic)), double(LargestAutomatic)),
-    double(this->Settings.LeastBufferSize));
+  const double bounded =
+    std::max(std::min(std::max(texels + 2.0 * Border, double(smallest)), double(LargestAutomatic)),
+      double(this->Settings.LeastBufferSize));
   const int rounded = static_cast<int>(std::ceil(bounded / Multiple)) * Multiple;
   return std::max(std::min(rounded, this->Settings.LargestBufferSize), SmallestBuffer);
 }
 
 void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light) const
+{
+  this->FitPlane(source, light, 1.0, SmallestAutomatic);
+}
+
+void LightFit::FitPlane(
+  const LightSource& source, SlicePlan::ShadowedLight& light, double fineness, int smallest) const
 {
   Window window = this->FitBox(source);
   Window screen;
@@ -208,7 +215,7 @@ void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& lig
     texels = std::max(texels, extent / this->GetVoxelSpacing(window.Across[i]));
   }
   light.IsWide = false;
-  light.BufferSize = this->GetSize(texels);
+  light.BufferSize = this->GetSize(fineness * texels, smallest);
   light.BufferFromUnit = glm::dmat4(0.0);
   light.TexelSize = 0.0;
   light.VoxelLength = this->GetVoxelSpacing(window.Axis);
@@ -250,11 +257,16 @@ void LightFit::FitPlane(const LightSource& source, SlicePlan::ShadowedLight& lig
 bool LightFit::Soften(
   const LightSource& source, const glm::dvec3& normal, SlicePlan::ShadowedLight& light) const
 {
-  const int count =
-    this->Settings.SoftMethod == SlicePlan::LAYERS ? this->Settings.Samples : CornerSamples;
+  const bool hasLayers = this->Settings.SoftMethod == SlicePlan::LAYERS;
+  const int count = hasLayers ? this->Settings.Samples : CornerSamples;
+  SlicePlan::ShadowedLight soft = light;
+  if (hasLayers)
+  {
+    const double texels = 0.5 * this->Settings.PictureSize / light.BufferSize;
+    this->FitPlane(
+      source, soft, std::min(std::max(texels, 1.0), LayerFineness), SmallestWithLayers);
+  }
   const std::vector<EmitterSamples::Sample> samples = EmitterSamples::Make(source, count);
-  std::vector<SlicePlan::SampleView> views;
-  double spread = 0.0;
   for (const EmitterSamples::Sample& sample : samples)
   {
     const LightSource placed = EmitterSamples::MakeSource(source, sample);
@@ -270,21 +282,20 @@ bool LightFit::Soften(
       const double apart = Vectors::SafeLength(ray / cosine - center / glm::dot(center, normal));
       // A texel is as large as it is far from the light.
       const double depth =
-        glm::dot(GetRow(light.BufferFromUnit, 3), corner) + light.BufferFromUnit[3][3];
-      spread = std::max(spread, apart / (light.TexelSize * depth));
+        glm::dot(GetRow(soft.BufferFromUnit, 3), corner) + soft.BufferFromUnit[3][3];
+      soft.Spread = std::max(soft.Spread, apart / (soft.TexelSize * depth));
     }
-    SlicePlan::ShadowedLight layer;
-    this->FitPlane(placed, layer);
-    views.push_back({ layer.BufferFromUnit, glm::dot(sample.Weight, glm::dvec3(1.0 / 3.0)),
-      GetHomogeneous(placed) });
+    if (hasLayers)
+    {
+      SlicePlan::ShadowedLight layer;
+      this->FitPlane(placed, layer);
+      soft.Samples.push_back({ layer.BufferFromUnit, glm::dot(sample.Weight, glm::dvec3(1.0 / 3.0)),
+        GetHomogeneous(placed) });
+    }
   }
-  light.SoftMethod = this->Settings.SoftMethod;
-  light.Spread = spread;
-  light.Center = GetHomogeneous(source);
-  if (light.SoftMethod == SlicePlan::LAYERS)
-  {
-    light.Samples = views;
-  }
+  soft.SoftMethod = this->Settings.SoftMethod;
+  soft.Center = GetHomogeneous(source);
+  light = soft;
   return true;
 }
 
@@ -308,7 +319,7 @@ void LightFit::FitHalfSpace(
   light.IsWide = true;
   light.BufferFromUnit = glm::dmat4(0.0);
   // Half a turn around the light.
-  light.BufferSize = this->GetSize(vtkMath::Pi() * texels);
+  light.BufferSize = this->GetSize(vtkMath::Pi() * texels, SmallestAutomatic);
 }
 
 }

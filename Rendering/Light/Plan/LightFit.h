@@ -29,6 +29,9 @@ public:
   /// The distance from which on positional lights are fitted as directional ones: single precision
   /// sees no difference.
   static constexpr double FarDistance = 1e8;
+  /// The most texels to a voxel of the automatic buffer of a light with layers, where the picture
+  /// has two pixels to a texel. Other lights have one.
+  static constexpr double LayerFineness = 1.5;
 
   LightFit(const BoxCorners& corners, const std::vector<SlicePlan::Matter>& matter,
     const SlicePlan::Settings& settings);
@@ -57,7 +60,11 @@ private:
   bool Bound(Window& window) const;
   Window FitBox(const LightSource& source) const;
   bool FitScreen(const LightSource& source, Window& window) const;
-  int GetSize(double texels) const;
+  int GetSize(double texels, int smallest) const;
+  /// Fits a plane's buffer; an automatic one has \a fineness texels to a voxel, and the smallest
+  /// number at least.
+  void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light, double fineness,
+    int smallest) const;
   /// The shortest of a voxel's length along a direction of all volumes.
   double GetVoxelSpacing(const glm::dvec3& direction) const;
 

@@ -138,6 +138,8 @@ public:
     /// The least size where BufferSize is 0.
     int LeastBufferSize = 0;
     int LargestBufferSize = 8192;
+    /// The number of pixels along the picture's shorter edge.
+    int PictureSize = 0;
     int MaximumNumberOfSlabs = 65536;
     int LightsOfSweep = 4;
     SoftMethods SoftMethod = HARD;

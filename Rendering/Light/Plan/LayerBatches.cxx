@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Plan/LayerBatches.h"
+
+#include "Plan/SlicePolygons.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+
+// Texels around a slice from which light is interpolated within its slab, by layers half as fine.
+constexpr double Border = 4.0;
+
+// The tiles of a light's buffer.
+class Tiles
+{
+public:
+  explicit Tiles(const SlicePlan::ShadowedLight& light)
+    : View(light.BufferFromUnit)
+    , Size(light.BufferSize)
+    , Number((light.BufferSize + LayerBatches::TileSize - 1) / LayerBatches::TileSize)
+    , Marks(static_cast<std::size_t>(Number) * Number, 0)
+  {
+  }
+
+  void MarkAll() { std::fill(this->Marks.begin(), this->Marks.end(), 1); }
+
+  // Marks what a slab's triangles may lie in.
+  void Mark(const SlicePolygons& polygons, int slab)
+  {
+    const std::vector<float>& vertices = polygons.GetVertices();
+    const std::size_t end = polygons.GetStarts()[static_cast<std::size_t>(slab) + 1];
+    for (std::size_t i = polygons.GetStarts()[static_cast<std::size_t>(slab)]; i < end; i += 3)
+    {
+      glm::dvec2 low(2.0);
+      glm::dvec2 high(-2.0);
+      for (std::size_t corner = i; corner < i + 3; ++corner)
+      {
+        const glm::dvec4 clip = this->View *
+          glm::dvec4(vertices[3 * corner], vertices[3 * corner + 1], vertices[3 * corner + 2], 1.0);
+        const glm::dvec2 place = clip.w > 0.0 ? glm::dvec2(clip) / clip.w : glm::dvec2(2.0);
+        low = clip.w > 0.0 ? glm::min(low, place) : glm::dvec2(-2.0);
+        high = glm::max(high, place);
+      }
+      this->MarkRectangle(low, high);
+    }
+  }
+
+  // Appends the triangles of all marked tiles, and unmarks them.
+  void Move(std::vector<float>& vertices)
+  {
+    for (int row = 0; row < this->Number; ++row)
+    {
+      const auto begin = this->Marks.begin() + static_cast<std::ptrdiff_t>(row) * this->Number;
+      const auto end = begin + this->Number;
+      for (auto first = std::find(begin, end, 1); first != end; first = std::find(first, end, 1))
+      {
+        const auto last = std::find(first, end, 0);
+        const double left = this->GetClip(first - begin);
+        const double right = this->GetClip(last - begin);
+        const double bottom = this->GetClip(row);
+        const double top = this->GetClip(row + 1);
+        const std::array<glm::dvec2, 6> corners{ { { left, bottom }, { right, bottom },
+          { right, top }, { left, bottom }, { right, top }, { left, top } } };
+        for (const glm::dvec2& corner : corners)
+        {
+          vertices.insert(
+            vertices.end(), { static_cast<float>(corner.x), static_cast<float>(corner.y), 0.0F });
+        }
+        first = last;
+      }
+    }
+    std::fill(this->Marks.begin(), this->Marks.end(), 0);
+  }
+
+private:
+  double GetClip(std::ptrdiff_t tile) const
+  {
+    const auto texel = static_cast<double>(tile * LayerBatches::TileSize);
+    return std::min(2.0 * texel / this->Size, 2.0) - 1.0;
+  }
+
+  int GetTile(double clip, double border) const
+  {
+    const double texel = 0.5 * (clip + 1.0) * this->Size + border;
+    const double tile = std::floor(texel / LayerBatches::TileSize);
+    return static_cast<int>(std::min(std::max(tile, 0.0), this->Number - 1.0));
+  }
+
+  void MarkRectangle(const glm::dvec2& low, const glm::dvec2& high)
+  {
+    const int left = this->GetTile(low.x, -Border);
+    const int right = this->GetTile(high.x, Border);
+    const int top = this->GetTile(high.y, Border);
+    for (int row = this->GetTile(low.y, -Border); row <= top; ++row)
+    {
+      const auto start = this->Marks.begin() + static_cast<std::ptrdiff_t>(row) * this->Number;
+      std::fill(start + left, start + right + 1, 1);
+    }
+  }
+
+  const glm::dmat4 View;
+  const int Size;
+  const int Number;
+  std::vector<unsigned char> Marks;
+};
+
+}
+
+void LayerBatches::Build(const SlicePlan::ShadowedLight& light,
+  const std::vector<const SlicePolygons*>& polygons, int period, bool isWhole)
+{
+  this->Batches.clear();
+  this->Vertices.clear();
+  this->Starts.assign(1, 0);
+  const int slabs = polygons.empty() ? 0 : polygons.front()->GetNumberOfSlabs();
+  const auto isEmpty = [&polygons](int slab)
+  {
+    return std::all_of(polygons.begin(), polygons.end(),
+      [slab](const SlicePolygons* part) { return part->IsEmpty(slab); });
+  };
+  for (int slab = 0; slab < slabs; ++slab)
+  {
+    if (isEmpty(slab))
+    {
+      continue;
+    }
+    if (this->Batches.empty() || slab - this->Batches.back().First >= period)
+    {
+      this->Batches.push_back({ slab, slab });
+    }
+    this->Batches.back().Last = slab;
+  }
+  Tiles tiles(light);
+  for (const Batch& batch : this->Batches)
+  {
+    if (isWhole || &batch == &this->Batches.back())
+    {
+      tiles.MarkAll();
+    }
+    else
+    {
+      for (int slab = batch.First; slab <= batch.Last; ++slab)
+      {
+        for (const SlicePolygons* part : polygons)
+        {
+          tiles.Mark(*part, slab);
+        }
+      }
+    }
+    tiles.Move(this->Vertices);
+    this->Starts.push_back(this->Vertices.size() / 3);
+  }
+}
+
+}

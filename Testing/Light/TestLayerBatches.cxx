@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The batches of slabs that go into an area light's layers: their slabs, and tiles that hold every
+// triangle of a batch with its border, once.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Light/ReferenceUnitSpace.h"
+
+#include "Plan/LayerBatches.h"
+#include "Plan/SlicePolygons.h"
+
+#include <cmath>
+
+namespace
+{
+
+using namespace reference;
+using interlume::LayerBatches;
+using interlume::SlicePlan;
+using interlume::SlicePolygons;
+
+constexpr int Size = 64;
+
+// Returns in how many of a batch's triangles a place in clip coordinates lies.
+int CountTriangles(const LayerBatches& batches, std::size_t batch, const glm::dvec2& place)
+{
+  const std::vector<float>& vertices = batches.GetVertices();
+  int count = 0;
+  for (std::size_t i = batches.GetStarts()[batch]; i < batches.GetStarts()[batch + 1]; i += 3)
+  {
+    bool isInside = true;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      const std::size_t from = 3 * (i + corner);
+      const std::size_t to = 3 * (i + (corner + 1) % 3);
+      const glm::dvec2 start(vertices[from], vertices[from + 1]);
+      const glm::dvec2 edge = glm::dvec2(vertices[to], vertices[to + 1]) - start;
+      const glm::dvec2 offset = place - start;
+      isInside = isInside && edge.x * offset.y - edge.y * offset.x > 0.0;
+    }
+    count += isInside ? 1 : 0;
+  }
+  return count;
+}
+
+// Blocks of a column along z, some of them empty, seen along z.
+void CheckColumn(Check& check)
+{
+  const interlume::UnitSpace space = MakeUnitSpace({ { 33, 33, 33 } }, { { 1.0, 1.0, 1.0 } });
+  std::array<std::vector<double>, 3> borders;
+  for (std::vector<double>& axis : borders)
+  {
+    for (int block = 0; block <= 4; ++block)
+    {
+      axis.push_back(0.25 * block);
+    }
+  }
+  std::vector<unsigned char> visible(64, 0);
+  // One block at the beginning of the light's way and a larger one at its end.
+  visible[0] = 1;
+  for (const int block : { 48, 49, 52, 53 })
+  {
+    visible[static_cast<std::size_t>(block)] = 1;
+  }
+  SlicePlan::Sweep sweep;
+  sweep.Normal = { 0.0, 0.0, 1.0 };
+  const std::array<std::array<double, 2>, 3> box{ { { { 0.0, 1.0 } }, { { 0.0, 1.0 } },
+    { { 0.0, 1.0 } } } };
+  const glm::dvec3 low(space.UnitFromTexture * glm::dvec4(0.0, 0.0, 0.0, 1.0));
+  const glm::dvec3 high(space.UnitFromTexture * glm::dvec4(1.0));
+  sweep.First = low.z;
+  sweep.Slabs = 64;
+  sweep.Spacing = (high.z - low.z) / 64.0;
+  SlicePolygons polygons;
+  polygons.Build(sweep, borders, visible, space, box, 0.0);
+
+  SlicePlan::ShadowedLight light;
+  light.BufferSize = Size;
+  light.BufferFromUnit = glm::dmat4(1.0);
+  light.BufferFromUnit[0][0] = 1.0 / high.x;
+  light.BufferFromUnit[1][1] = 1.0 / high.y;
+  LayerBatches batches;
+  batches.Build(light, { &polygons }, 6, false);
+  const std::vector<std::array<int, 2>> expected{ { { 0, 5 } }, { { 6, 11 } }, { { 12, 15 } },
+    { { 48, 53 } }, { { 54, 59 } }, { { 60, 63 } } };
+  check.Equal(batches.Get().size(), expected.size(), "batches");
+  for (std::size_t i = 0; i < std::min(batches.Get().size(), expected.size()); ++i)
+  {
+    check.SetContext("batch " + std::to_string(i));
+    check.Equal(batches.Get()[i].First, expected[i][0], "first slab");
+    check.Equal(batches.Get()[i].Last, expected[i][1], "last slab");
+    const double edge = i < 3 ? 16.0 : i < 5 ? 32.0 : 64.0;
+    int missing = 0;
+    int twice = 0;
+    int drawn = 0;
+    for (int row = 0; row < Size; ++row)
+    {
+      for (int column = 0; column < Size; ++column)
+      {
+        const int count =
+          CountTriangles(batches, i, glm::dvec2(column + 0.49, row + 0.52) * (2.0 / Size) - 1.0);
+        // Four texels around are interpolated.
+        missing += count == 0 && column < edge + 3.0 && row < edge + 3.0 ? 1 : 0;
+        twice += count > 1 ? 1 : 0;
+        drawn += count;
+      }
+    }
+    check.Equal(missing, 0, "texels with matter or beside it that are not drawn");
+    check.Equal(twice, 0, "texels that are drawn twice");
+    const int tiles = i < 3 ? 4 : i < 5 ? 9 : 16;
+    check.Equal(drawn, tiles * LayerBatches::TileSize * LayerBatches::TileSize, "texels drawn");
+  }
+  check.SetContext("the whole buffer");
+  batches.Build(light, { &polygons }, 64, true);
+  check.Equal(batches.Get().size(), 1, "batches of all slabs");
+  check.Equal(batches.GetVertices().size(), 4 * 18, "numbers of four rows");
+}
+}
+
+int TestLayerBatches(int, char*[])
+{
+  Check check;
+  CheckColumn(check);
+  return check.Result();
+}
