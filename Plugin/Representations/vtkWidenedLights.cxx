@@ -12,6 +12,7 @@
 
 void vtkWidenedLights::Begin(vtkRenderer* renderer, double angle)
 {
+  renderer->UpdateLightsGeometryToFollowCamera();
   this->Lights = vtkLightList::Get(renderer);
   std::map<vtkLight*, Copy> copies;
   std::vector<vtkSmartPointer<vtkLight>> widened;
@@ -27,16 +28,19 @@ void vtkWidenedLights::Begin(vtkRenderer* renderer, double angle)
     {
       copy.Light = vtkSmartPointer<vtkAreaLight>::New();
     }
-    if (copy.Time != light->GetMTime() || copy.Angle != angle)
+    if (copy.Time != light->GetMTime())
     {
       copy.Light->DeepCopy(light);
-      const double distance =
-        std::sqrt(vtkMath::Distance2BetweenPoints(light->GetPosition(), light->GetFocalPoint()));
-      const double size = 2.0 * distance * std::tan(vtkMath::RadiansFromDegrees(0.5 * angle));
-      copy.Light->SetSize(size, size);
       copy.Time = light->GetMTime();
-      copy.Angle = angle;
     }
+    // The size of an area light is the world's, whatever transform its place has.
+    double position[3];
+    double focus[3];
+    light->GetTransformedPosition(position);
+    light->GetTransformedFocalPoint(focus);
+    const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(position, focus));
+    const double size = 2.0 * distance * std::tan(vtkMath::RadiansFromDegrees(0.5 * angle));
+    copy.Light->SetSize(size, size);
     copies[light] = copy;
     widened.emplace_back(copy.Light);
   }

@@ -33,7 +33,6 @@ private:
   {
     vtkSmartPointer<vtkAreaLight> Light;
     vtkMTimeType Time = 0;
-    double Angle = 0.0;
   };
 
   std::map<vtkLight*, Copy> Copies;

@@ -16,7 +16,7 @@ WITHOUT_PICTURE = {
     "Selection"}
 # Another value of each, and what must be set first for it to matter.
 LIGHT = {"ProjectiveLight": 1}
-LAMP = {"AreaLight": 1, "AreaLightIntensity": 2.0}
+LAMP = {"AreaLight": 1, "AreaLightIntensity": 2.0, "NumberOfLightSamples": 4}
 NEARBY = {"Orientation": [0.0, 0.0, 40.0]}
 COMMON = {
     "Opacity": (0.3, {}), "Orientation": ([10.0, 20.0, 30.0], {}), "Origin": ([3.0, 0.0, 0.0], NEARBY),
@@ -31,7 +31,7 @@ CASES = {
     "Shadowed Slices": (image, {
         **COMMON, "Ambient": (0.7, {}), "Diffuse": (0.2, {}), "Specular": (0.9, {}), "SpecularPower": (2.0, {"Specular": 1.0}),
         "ColoredShadows": (1, {}), "ImageSampleDistance": (6.0, {}), "LightBufferSize": (16, {}),
-        "LightLookup": ("Nearest", {}), "MaximumNumberOfShadows": (0, {}), "Shadows": (0, {}), "SliceSpacing": (3.0, {}), "ViewLightAngle": (40.0, {}),
+        "LightLookup": ("Nearest", {}), "MaximumNumberOfShadows": (0, {}), "Shadows": (0, {}), "SliceSpacing": (3.0, {}), "ViewLightAngle": (40.0, {"NumberOfLightSamples": 4}),
         "ShadowedShade": (0, {}), "ShadowedOpacityUnitDistance": (20.0, {}), "ShadowedUseCropping": (1, {
             "ShadowedCroppingScale": [0.5, 0.5, 0.5]}),
         "ShadowedCroppingOrigin": ([2.0, 0.0, 0.0], {"ShadowedUseCropping": 1}),
@@ -53,7 +53,7 @@ CASES = {
         "AreaLightPositional": ("Lamp", LAMP), "AreaLightShadows": (0, LAMP),
         "AreaLightShape": ("Square", {**LAMP, "AreaLightWidth": 9.0}),
         "AreaLightViewUp": ([1.0, 1.0, 0.0], {**LAMP, "AreaLightWidth": 9.0}), "AreaLightWidth": (9.0, LAMP),
-        "NumberOfLightSamples": (4, LAMP), "SoftShadowMethod": ("Accumulated Convolution", LAMP)})}
+        "NumberOfLightSamples": (9, LAMP), "SoftShadowMethod": ("Accumulated Convolution", LAMP)})}
 # Take a texture file, surfaces beside the volume, or several processes; TestPluginShadowedSlices,
 # TestPluginAreaLight, TestPluginSceneShadows and TestPluginPieceShadows draw with them.
 TESTED_ELSEWHERE = {
