@@ -212,6 +212,52 @@ void TestHalfPlane(Check& check)
   }
 }
 
+/// Round lights, and lights tilted by 45 degrees, against the exact share of a disc or rectangle.
+void TestShapes(Check& check)
+{
+  constexpr double width = 0.2;
+  constexpr int size = 256;
+  const double pixel = 0.9 * HalfPlane::Width / 192.0;
+  const auto draw = [](HalfPlane& plane)
+  {
+    vtkNew<Mapper> mapper;
+    mapper->SetLightBufferSize(size);
+    mapper->SetNumberOfLightSamples(32);
+    return GetProfile(DrawByMapper(mapper, plane.Scene));
+  };
+  HalfPlane hard(1.0, 0.0);
+  const double hardShift = GetShift(draw(hard), 0.0, pixel);
+  for (const bool isRound : { false, true })
+  {
+    for (const bool isTilted : { false, true })
+    {
+      HalfPlane plane(1.0, width);
+      auto* light = vtkAreaLight::SafeDownCast(plane.Scene.Lights.front());
+      light->SetShape(isRound ? vtkAreaLight::ROUND : vtkAreaLight::SQUARE);
+      const double tilt = isTilted ? std::sqrt(0.5) : 0.0;
+      const double upright = isTilted ? std::sqrt(0.5) : 1.0;
+      light->SetFocalPoint(HalfPlane::Gap * tilt, 0.0, HalfPlane::Gap - HalfPlane::Gap * upright);
+      const ReferencePenumbra exact{ isRound, { 0.0, 0.0, HalfPlane::Gap }, true,
+        { width * glm::dvec3(upright, 0.0, tilt), glm::dvec3(0.0, 0.01 * width, 0.0) }, 0.0 };
+      const std::vector<double> profile = draw(plane);
+      double largest = 0.0;
+      double mean = 0.0;
+      for (std::size_t i = 0; i < profile.size(); ++i)
+      {
+        const double x = GetPlace(i, pixel) + hardShift;
+        const double error = std::abs(profile[i] - exact.GetShare({ x, 0.0, -HalfPlane::Gap }));
+        largest = std::max(largest, error);
+        mean += error / static_cast<double>(profile.size());
+      }
+      const std::string name =
+        std::string(isTilted ? "tilted " : "") + (isRound ? "disc" : "square");
+      std::cout << name << ": profile off by at most " << largest << ", mean " << mean << std::endl;
+      check.Near(largest, 0.0, 0.025, name + ": profile", 1.0);
+      check.Near(mean, 0.0, 0.008, name + ": mean of the profile", 1.0);
+    }
+  }
+}
+
 /// The source's method spreads by the root of the number of convolutions: its penumbra is narrower
 /// than that of the light, and narrows as the buffer is refined.
 void TestConvolution(Check& check)
@@ -359,6 +405,7 @@ int TestSoftShadows(int, char*[])
   TestPoint(check);
   TestSamples(check);
   TestHalfPlane(check);
+  TestShapes(check);
   TestConvolution(check);
   TestInside(check);
   return check.Result();
