@@ -21,6 +21,7 @@ const char* const Sampled = "sampled-lights";
 const char* const BufferSuffix = ", buffer";
 const char* const Hard = "hard";
 const char* const Default = "default";
+const char* const Refined = "refined";
 const char* const EqualTime = "equal-time";
 /// The light's size in diagonals of the image.
 constexpr double LightSize = 1.0;
@@ -30,8 +31,8 @@ using Change = std::function<void(vtkShadowedSliceMapper*)>;
 
 std::vector<Case> MakeCases(const BenchOptions& options)
 {
-  const int points = options.Pick(128, 32, 12);
-  const int step = options.Pick(2, 8, 16);
+  const int points = options.Pick(64, 32, 12);
+  const int step = options.Pick(4, 8, 16);
   std::vector<Case> cases = { MakeRings(points), MakeBonsai(step, step), MakeBox(points),
     MakeSmoke(points) };
   const int pixels = options.Pick(256, 64, 16);
@@ -81,20 +82,33 @@ Change WithSpacing(int method, double spacing)
   };
 }
 
-std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
-  const reference::ShadowScene& scene, double spacing, const BenchOptions& options)
+/// The default's samples and buffer times a factor, and the distance of slices over it.
+Change WithAll(double factor, int bufferSize, double spacing)
 {
+  return [=](vtkShadowedSliceMapper* mapper)
+  {
+    mapper->SetNumberOfLightSamples(static_cast<int>(factor * mapper->GetNumberOfLightSamples()));
+    mapper->SetLightBufferSize(static_cast<int>(factor * bufferSize));
+    mapper->SetSliceSpacing(spacing / factor);
+  };
+}
+
+/// \a plain is the last picture of the default.
+std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
+  const reference::ShadowScene& scene, const vtkShadowedSliceReport& plain,
+  const BenchOptions& options)
+{
+  const double spacing = plain.SliceSpacing;
   using Mapper = vtkShadowedSliceMapper;
   std::vector<Setting> settings;
   const auto add = [&](const std::string& name, double parameter, const Change& change) {
     settings.push_back({ name, parameter, MakeSlices(stage, scene, change) });
   };
-  for (const int samples :
-    options.Pick<std::vector<int>>({ 2, 4, 8, 16, 32, 64 }, { 4, 16 }, { 4 }))
+  for (const int samples : options.Pick<std::vector<int>>({ 4, 8, 16, 32, 64 }, { 4, 16 }, { 4 }))
   {
     add(Layers, samples, WithSamples(Mapper::SAMPLE_LAYERS, samples));
   }
-  for (const int samples : options.Pick<std::vector<int>>({ 4, 16, 64 }, { 4 }, { 4 }))
+  for (const int samples : options.Pick<std::vector<int>>({ 4, 16 }, { 4 }, { 4 }))
   {
     add(Sampled, samples, WithSamples(Mapper::SAMPLED_LIGHTS, samples));
   }
@@ -104,11 +118,15 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
     add(Convolution, factor, WithSpacing(Mapper::ACCUMULATED_CONVOLUTION, factor * spacing));
   }
   for (const int size :
-    options.Pick<std::vector<int>>({ 64, 128, 256, 512 }, { 32, 64 }, { 16, 32 }))
+    options.Pick<std::vector<int>>({ 64, 128, 192, 256 }, { 32, 64 }, { 16, 32 }))
   {
     add(std::string(Layers) + BufferSuffix, size, WithBuffer(Mapper::SAMPLE_LAYERS, size));
     add(std::string(Convolution) + BufferSuffix, size,
       WithBuffer(Mapper::ACCUMULATED_CONVOLUTION, size));
+  }
+  for (const double factor : { 0.5, 1.0, 2.0 })
+  {
+    add(Refined, factor, WithAll(factor, plain.LightBufferSize, spacing));
   }
   add(Default, 1.0, nullptr);
   reference::ShadowScene hard = scene;
@@ -126,7 +144,7 @@ reference::RgbaPicture MakeLimit(reference::VolumeStage& stage, const reference:
     mapper->SetSoftShadowMethod(vtkShadowedSliceMapper::SAMPLED_LIGHTS);
     mapper->SetNumberOfLightSamples(options.Pick(256, 32, 16));
     mapper->SetSliceSpacing(0.5 * spacing);
-    mapper->SetLightBufferSize(options.Pick(512, 128, 64));
+    mapper->SetLightBufferSize(options.Pick(256, 128, 64));
   };
   return MakeSlices(stage, scene, change)->Capture();
 }
@@ -173,8 +191,8 @@ void AddSceneRows(
 {
   const MethodPointer plain = MakeSlices(stage, what.Scene);
   plain->Capture();
-  const double spacing = plain->GetSlices()->GetReport().SliceSpacing;
-  std::vector<Setting> settings = MakeSettings(stage, what.Scene, spacing, options);
+  const vtkShadowedSliceReport report = plain->GetSlices()->GetReport();
+  std::vector<Setting> settings = MakeSettings(stage, what.Scene, report, options);
   std::vector<BenchWork> works;
   works.reserve(settings.size());
   for (const Setting& setting : settings)
@@ -182,7 +200,7 @@ void AddSceneRows(
     works.push_back(setting.Drawn->GetFrame(options.Threads));
   }
   const std::vector<double> seconds = MeasureAlternately(works, Repeats);
-  const reference::RgbaPicture limit = MakeLimit(stage, what.Scene, spacing, options);
+  const reference::RgbaPicture limit = MakeLimit(stage, what.Scene, report.SliceSpacing, options);
   for (std::size_t i = 0; i < settings.size(); ++i)
   {
     settings[i].Seconds = seconds[i];

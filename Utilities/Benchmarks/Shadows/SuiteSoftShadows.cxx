@@ -22,10 +22,12 @@ public:
       "from frame to frame; all methods take turns.",
       "Error: pictures in a float framebuffer against the same mapper's with each of 256 samples "
       "of the light as a light of its own (32 in quick runs), slices at half the default distance "
-      "and a light buffer of 512^2 (128^2). sample-layers, the default, and sampled-lights: the "
+      "and a light buffer of 256^2 (128^2). sample-layers, the default, and sampled-lights: the "
       "parameter is the number of samples. accumulated-convolution, the published method: the "
       "parameter is the distance of slices over the default one. \", buffer\": it is the size of "
-      "the light's buffer. hard: the light without its extent. equal-time: the default, against "
+      "the light's buffer. refined: the default with samples and buffer times the parameter, and "
+      "the distance of slices over it. hard: the light without its extent. equal-time: the "
+      "default, against "
       "the convolution's smallest error in at most its time, or its fastest setting where all "
       "take longer."
     };
