@@ -54,6 +54,9 @@ void CheckColumn(Check& check)
     }
   }
   std::vector<unsigned char> visible(64, 0);
+  // Blocks end a little before tiles do, which their borders reach beyond.
+  borders[0] = { 0.0, 0.24, 0.49, 0.75, 1.0 };
+  borders[1] = borders[0];
   // One block at the beginning of the light's way and a larger one at its end.
   visible[0] = 1;
   for (const int block : { 48, 49, 52, 53 })
