@@ -11,6 +11,7 @@
 #include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
+#include "vtkAreaLight.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
@@ -309,6 +310,33 @@ void TestWithout(Check& check)
     DefaultBound, "transmittance from a point", 1.0);
 }
 
+/// A homogeneous medium in the light of a large area light: the mean over the light's samples,
+/// whose rays are longer than that of its centre.
+void TestArea(Check& check)
+{
+  constexpr double largest = 3.0;
+  auto scene = LayeredScene([](double) { return 1.0; }, largest, 0.0);
+  vtkNew<vtkAreaLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPositional(true);
+  light->SetConeAngle(180.0);
+  light->SetPosition(0.0, 0.0, 1.5);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetSize(1.0, 1.0);
+  scene.Lights = { light.Get() };
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  LightBuffer buffer(mapper, scene);
+  const Double3 point{ { 0.0, 0.0, -0.5 } };
+  double expected = 0.0;
+  for (const vtkAreaLight::Sample& sample : light->GetSamples(mapper->GetNumberOfLightSamples()))
+  {
+    const double way = std::sqrt(vtkMath::Distance2BetweenPoints(sample.Position, point.data()));
+    expected += sample.Weight[0] * std::exp(-largest * way / (sample.Position[2] - point[2]));
+  }
+  std::cout << "area light: " << buffer.At(point) << " for " << expected << " and "
+            << std::exp(-largest) << " from the centre" << std::endl;
+  check.Near(buffer.At(point), expected, 3e-4, "area light", 1.0);
+}
 }
 
 int TestShadowTransmittance(int, char*[])
@@ -317,6 +345,7 @@ int TestShadowTransmittance(int, char*[])
   TestMedia(check);
   TestTransmission(check);
   TestAngles(check);
+  TestArea(check);
   TestWithout(check);
   return check.Result();
 }

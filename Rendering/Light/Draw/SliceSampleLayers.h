@@ -40,12 +40,12 @@ class SlicePolygons;
  * homography apart. So no layer is resampled from slab to slab, and what is seen is exact for the
  * sample but for the thickness of a batch, whose shadows go apart by Apart texels at most.
  *
- * Where a batch begins, the light's buffer becomes A B: A of the batch before, and B the weighted
- * mean of the layers, each seen from its sample in the middle of the new batch. The new batch
- * multiplies it as that of a light without extent. So matter goes into layers, which are
- * interpolated and coarser than the buffer, only where it is a batch or more behind a slice, and
- * its penumbra wider than a texel of a layer: surfaces are not blurred into their own shadows.
- * Only tiles with matter are drawn.
+ * Where a batch begins, the oldest of those that are kept goes into the layers. The light's buffer
+ * becomes B A1 A2: B the weighted mean of the layers, each seen from its sample in the middle of
+ * the new batch, and A1 and A2 what is left, which casts the shadows of the centre as the new batch
+ * does. So matter goes into layers, which are interpolated and coarser than the buffer, only where
+ * its penumbra is wider than their texels: surfaces are not blurred into their own shadows. Behind
+ * a gap of matter all of it is in the layers. Only tiles with matter are drawn.
  */
 class SliceSampleLayers
 {
@@ -87,9 +87,8 @@ public:
   vtkIdType GetBytes() const { return this->Bytes; }
 
   /**
-   * Begins a slab with something in it. Where it is the first of a batch, \a buffer becomes the
-   * mean of the layers times the batch before. Returns whether it is, and adds the passes that this
-   * took.
+   * Begins a slab with something in it. Where it is the first of a batch, \a buffer is made anew,
+   * and GetBatch is another texture. Returns whether it is, and adds the passes that this took.
    */
   bool Begin(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
     const SlicePlan::ShadowedLight& light, vtkTextureObject* buffer, int slab, int& passes);
