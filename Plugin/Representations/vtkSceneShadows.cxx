@@ -11,7 +11,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
-#if __has_include("vtkIceTCompositePass.h")
+#ifdef INTERLUME_PARAVIEW_HAS_ICET
 #include "vtkIceTCompositePass.h"
 #endif
 
@@ -40,7 +40,7 @@ public:
       pass = processing->GetDelegatePass();
     }
     this->Camera = vtkCameraPass::SafeDownCast(pass);
-#if __has_include("vtkIceTCompositePass.h")
+#ifdef INTERLUME_PARAVIEW_HAS_ICET
     this->Composite =
       vtkIceTCompositePass::SafeDownCast(this->Camera ? this->Camera->GetDelegatePass() : nullptr);
 #endif
@@ -49,7 +49,7 @@ public:
   /// Returns null where ParaView has no such place.
   vtkRenderPass* Get()
   {
-#if __has_include("vtkIceTCompositePass.h")
+#ifdef INTERLUME_PARAVIEW_HAS_ICET
     if (this->Composite)
     {
       return this->Composite->GetRenderPass();
@@ -60,7 +60,7 @@ public:
 
   void Set(vtkRenderPass* pass)
   {
-#if __has_include("vtkIceTCompositePass.h")
+#ifdef INTERLUME_PARAVIEW_HAS_ICET
     if (this->Composite)
     {
       this->Composite->SetRenderPass(pass);
@@ -72,7 +72,7 @@ public:
 
 private:
   vtkCameraPass* Camera = nullptr;
-#if __has_include("vtkIceTCompositePass.h")
+#ifdef INTERLUME_PARAVIEW_HAS_ICET
   vtkIceTCompositePass* Composite = nullptr;
 #endif
 };
