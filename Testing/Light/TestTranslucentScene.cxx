@@ -13,6 +13,7 @@
 #include "vtkLight.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkMapper.h"
@@ -311,11 +312,32 @@ void TestCounters(Check& check)
   check.That(!observer->GetWarning(), "it is named once");
 }
 
+// The first picture of a window, whose textures have no values yet, is as the second one.
+void TestFirstPicture(Check& check)
+{
+  const auto sun = MakeSun({ { 0.3, 0.2, -1.0 } });
+  const auto stage =
+    MakeStage({ MakePane({ { 0.0, 0.0, 0.5 } }, { { 0.0, 0.0, 1.0 } }, 0.6) }, sun);
+  stage->Stage.GetRenderer()->SetPass(stage->Pass);
+  const auto draw = [&]()
+  {
+    vtkRenderWindow* window = stage->Stage.GetWindow();
+    window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    window->GetPixelData(0, 0, PIXELS - 1, PIXELS - 1, 0, pixels);
+    return std::vector<unsigned char>(pixels->Begin(), pixels->End());
+  };
+  const std::vector<unsigned char> first = draw();
+  check.That(first == draw(), "the first picture is as the second");
+  check.That(*std::max_element(first.begin(), first.end()) > 100, "there is light in it");
+}
+
 }
 
 int TestTranslucentScene(int, char*[])
 {
   Check check;
+  TestFirstPicture(check);
   TestPlaces(check);
   TestTwoVolumes(check);
   TestLight(check);

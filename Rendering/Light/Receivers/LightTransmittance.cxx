@@ -62,6 +62,10 @@ bool LightTransmittance::Bind(vtkOpenGLRenderWindow* window)
   {
     vtkOpenGLState* state = window->GetState();
     vtkOpenGLState::ScopedglClearColor color(state);
+    vtkOpenGLState::ScopedglColorMask mask(state);
+    vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglClearColor(1.0F, 1.0F, 1.0F, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
     this->HasContents = true;
