@@ -2,6 +2,7 @@
 // Soft shadows of area lights: the penumbra of a half plane against the exact ramp, layers of
 // samples against a light for each sample, and what soft shadows cost where there are none.
 #include "Light/ShadowComparison.h"
+#include "Pictures/HalfPlane.h"
 #include "Pictures/ShadowCases.h"
 #include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
@@ -9,14 +10,10 @@
 #include "Reference/Light/ReferencePenumbra.h"
 
 #include "vtkAreaLight.h"
-#include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
-#include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkVolumeProperty.h"
 
 #include <cmath>
 #include <iostream>
@@ -40,112 +37,14 @@ vtkSmartPointer<vtkAreaLight> MakeAreaLight(
   return light;
 }
 
-/// A sheet that is opaque for x < 0 in the plane z = 0, a receiver at z = -0.5, both two voxels
-/// thick, and a light at a height above the sheet; seen from below, along the light.
-struct HalfPlane
-{
-  static constexpr double Width = 0.5;
-  static constexpr double Gap = 0.5;
-
-  HalfPlane(double ratio, double width)
-  {
-    const double height = Gap / ratio;
-    constexpr int layers = 97;
-    const double thickness = Gap / (layers - 11);
-    const auto field = [&](const Double3& x)
-    {
-      // The receiver lies eight layers inside, the sheet two, so that a light can be close.
-      const double layer = x[2] * (layers - 1);
-      const bool isReceiver = std::abs(layer - 8.0) < 0.6;
-      const bool isSheet = std::abs(layer - (layers - 3.0)) < 0.6;
-      return isReceiver ? -1.0 : isSheet && x[0] < 0.5 ? 1.0 : 0.0;
-    };
-    this->Scene.Image =
-      MakeImage({ { 128, 4, layers - 1 } }, { { Width / 128.0, Width / 128.0, thickness } }, field);
-    double origin[3];
-    this->Scene.Image->GetOrigin(origin);
-    origin[2] = -(layers - 3.0) * thickness;
-    this->Scene.Image->SetOrigin(origin);
-    vtkNew<vtkPiecewiseFunction> opacity;
-    opacity->AddPoint(-1.0, 0.5);
-    opacity->AddPoint(-0.4, 0.0);
-    opacity->AddPoint(0.4, 0.0);
-    opacity->AddPoint(0.6, 1.0 - 1e-12);
-    opacity->AddPoint(1.0, 1.0 - 1e-12);
-    vtkNew<vtkColorTransferFunction> color;
-    color->AddRGBPoint(-0.1, 1.0, 1.0, 1.0);
-    color->AddRGBPoint(0.1, 0.0, 0.0, 0.0);
-    this->Scene.Property = vtkSmartPointer<vtkVolumeProperty>::New();
-    this->Scene.Property->SetScalarOpacity(opacity);
-    this->Scene.Property->SetColor(color);
-    this->Scene.Property->SetScalarOpacityUnitDistance(thickness);
-    this->Scene.Property->SetInterpolationTypeToLinear();
-    this->Scene.Property->SetAmbient(0.0);
-    this->Scene.Property->SetDiffuse(1.0);
-    auto light = MakeAreaLight({ { 0.0, 0.0, height } }, 0.0);
-    // The sheets are narrow along y, and a wide light would shine past them.
-    light->SetSize(width / ratio, 0.01 * width / ratio);
-    this->Scene.Lights = { light };
-    this->Scene.Camera = vtkSmartPointer<vtkCamera>::New();
-    this->Scene.Camera->ParallelProjectionOn();
-    this->Scene.Camera->SetPosition(0.0, 0.0, -4.0);
-    this->Scene.Camera->SetFocalPoint(0.0, 0.0, 0.0);
-    this->Scene.Camera->SetParallelScale(0.45 * Width);
-    this->Scene.Camera->SetClippingRange(1.0, 10.0);
-    this->Scene.Size = { { 192, 9 } };
-    // Nine rows are as high as the receiver at most: pixels are square.
-    this->Scene.Camera->SetParallelScale(0.45 * Width * 9.0 / 192.0);
-  }
-
-  ShadowScene Scene;
-};
-
-/// What of the light arrives along a row, from the lit side, in shares of that of a point light
-/// without an occluder.
-std::vector<double> GetProfile(const RgbaPicture& picture)
-{
-  std::vector<double> profile;
-  for (int i = 0; i < picture.Width; ++i)
-  {
-    profile.push_back(picture.At(i, picture.Height / 2)[0]);
-  }
-  // The camera looks up, so that x goes to the left.
-  if (profile.front() > profile.back())
-  {
-    std::reverse(profile.begin(), profile.end());
-  }
-  // Beyond this light shines past the outer edge of the sheet.
-  profile.erase(profile.begin(), profile.begin() + 38);
-  const double lit = profile.back();
-  for (double& value : profile)
-  {
-    value /= lit;
-  }
-  return profile;
-}
-
-/// The width of the even ramp that has the spread of the profile's slope.
-double GetRampWidth(const std::vector<double>& profile, double pixel)
-{
-  double sum = 0.0;
-  double first = 0.0;
-  double second = 0.0;
-  for (std::size_t i = 1; i < profile.size(); ++i)
-  {
-    const double slope = profile[i] - profile[i - 1];
-    const double x = static_cast<double>(i) * pixel;
-    sum += slope;
-    first += slope * x;
-    second += slope * x * x;
-  }
-  const double mean = first / sum;
-  return std::sqrt(12.0 * std::max(second / sum - mean * mean, 0.0));
-}
+/// The half plane's distance from the receiver, and its volume's width.
+constexpr double Gap = 0.5;
+constexpr double Width = 0.5;
 
 /// The place of a profile's value from the middle of the row.
-double GetPlace(std::size_t i, double pixel)
+double GetPlace(std::size_t i)
 {
-  return (static_cast<double>(i) + 38.0 - 95.5) * pixel;
+  return (static_cast<double>(i) - 57.5) * GetHalfPlanePixel();
 }
 
 double GetRamp(double x, double width)
@@ -154,12 +53,12 @@ double GetRamp(double x, double width)
 }
 
 /// How much farther the lit part of a profile reaches than that of the ramp.
-double GetShift(const std::vector<double>& profile, double width, double pixel)
+double GetShift(const std::vector<double>& profile, double width)
 {
   double shift = 0.0;
   for (std::size_t i = 0; i < profile.size(); ++i)
   {
-    shift += (profile[i] - GetRamp(GetPlace(i, pixel), width)) * pixel;
+    shift += (profile[i] - GetRamp(GetPlace(i), width)) * GetHalfPlanePixel();
   }
   return shift;
 }
@@ -173,30 +72,28 @@ void TestHalfPlane(Check& check)
     double lastLargest = 1.0;
     for (const int size : { 128, 256 })
     {
-      HalfPlane plane(ratio, width);
       vtkNew<Mapper> mapper;
       mapper->SetLightBufferSize(size);
       mapper->SetNumberOfLightSamples(size == 128 ? 16 : 32);
-      const auto profile = GetProfile(DrawByMapper(mapper, plane.Scene));
-      const double pixel = 0.9 * HalfPlane::Width / 192.0;
-      const double error = GetRampWidth(profile, pixel) / width - 1.0;
+      const auto profile = GetPenumbra(DrawByMapper(mapper, MakeHalfPlane(ratio, width)));
+      const double error = GetRampWidth(profile) / width - 1.0;
       // The edge lies where that of hard shadows does, and the rest is compared from there.
-      const double shift = GetShift(profile, width, pixel);
+      const double shift = GetShift(profile, width);
       vtkNew<Mapper> other;
       other->SetLightBufferSize(size);
-      const HalfPlane hard(ratio, 0.0);
-      const double hardShift = GetShift(GetProfile(DrawByMapper(other, hard.Scene)), 0.0, pixel);
+      const double hardShift =
+        GetShift(GetPenumbra(DrawByMapper(other, MakeHalfPlane(ratio, 0.0))), 0.0);
       double largest = 0.0;
       for (std::size_t i = 0; i < profile.size(); ++i)
       {
-        const double x = GetPlace(i, pixel) + shift;
+        const double x = GetPlace(i) + shift;
         largest = std::max(largest, std::abs(profile[i] - GetRamp(x, width)));
       }
       const std::string name =
         "half plane, dZ/Z " + std::to_string(ratio) + ", buffer of " + std::to_string(size) + "^2";
       std::cout << name << ": width off by " << 100.0 * error << " %, profile by at most "
-                << largest << ", edge by " << (shift - hardShift) / HalfPlane::Width * size
-                << " texels, " << mapper->GetReport().LightLayers << " layers, "
+                << largest << ", edge by " << (shift - hardShift) / Width * size << " texels, "
+                << mapper->GetReport().LightLayers << " layers, "
                 << mapper->GetReport().SoftShadowPasses << " passes for "
                 << mapper->GetReport().LightPasses << std::endl;
       check.Near(error, 0.0, 0.05, name + ": width", 1.0);
@@ -206,7 +103,7 @@ void TestHalfPlane(Check& check)
         name + ": width and profile converge");
       lastError = std::abs(error);
       lastLargest = largest;
-      check.Near((shift - hardShift) / HalfPlane::Width * size, 0.0, 1.0,
+      check.Near((shift - hardShift) / Width * size, 0.0, 1.0,
         name + ": edge beside that of hard shadows, in texels", 1.0);
     }
   }
@@ -217,35 +114,33 @@ void TestShapes(Check& check)
 {
   constexpr double width = 0.2;
   constexpr int size = 256;
-  const double pixel = 0.9 * HalfPlane::Width / 192.0;
-  const auto draw = [](HalfPlane& plane)
+  const auto draw = [](const ShadowScene& plane)
   {
     vtkNew<Mapper> mapper;
     mapper->SetLightBufferSize(size);
     mapper->SetNumberOfLightSamples(32);
-    return GetProfile(DrawByMapper(mapper, plane.Scene));
+    return GetPenumbra(DrawByMapper(mapper, plane));
   };
-  HalfPlane hard(1.0, 0.0);
-  const double hardShift = GetShift(draw(hard), 0.0, pixel);
+  const double hardShift = GetShift(draw(MakeHalfPlane(1.0, 0.0)), 0.0);
   for (const bool isRound : { false, true })
   {
     for (const bool isTilted : { false, true })
     {
-      HalfPlane plane(1.0, width);
-      auto* light = vtkAreaLight::SafeDownCast(plane.Scene.Lights.front());
+      const ShadowScene plane = MakeHalfPlane(1.0, width);
+      auto* light = vtkAreaLight::SafeDownCast(plane.Lights.front());
       light->SetShape(isRound ? vtkAreaLight::ROUND : vtkAreaLight::SQUARE);
       const double tilt = isTilted ? std::sqrt(0.5) : 0.0;
       const double upright = isTilted ? std::sqrt(0.5) : 1.0;
-      light->SetFocalPoint(HalfPlane::Gap * tilt, 0.0, HalfPlane::Gap - HalfPlane::Gap * upright);
-      const ReferencePenumbra exact{ isRound, { 0.0, 0.0, HalfPlane::Gap }, true,
+      light->SetFocalPoint(Gap * tilt, 0.0, Gap - Gap * upright);
+      const ReferencePenumbra exact{ isRound, { 0.0, 0.0, Gap }, true,
         { width * glm::dvec3(upright, 0.0, tilt), glm::dvec3(0.0, 0.01 * width, 0.0) }, 0.0 };
       const std::vector<double> profile = draw(plane);
       double largest = 0.0;
       double mean = 0.0;
       for (std::size_t i = 0; i < profile.size(); ++i)
       {
-        const double x = GetPlace(i, pixel) + hardShift;
-        const double error = std::abs(profile[i] - exact.GetShare({ x, 0.0, -HalfPlane::Gap }));
+        const double x = GetPlace(i) + hardShift;
+        const double error = std::abs(profile[i] - exact.GetShare({ x, 0.0, -Gap }));
         largest = std::max(largest, error);
         mean += error / static_cast<double>(profile.size());
       }
@@ -266,12 +161,11 @@ void TestConvolution(Check& check)
   for (const int size : { 64, 256 })
   {
     constexpr double width = 0.2;
-    HalfPlane plane(1.0, width);
     vtkNew<Mapper> mapper;
     mapper->SetSoftShadowMethodToAccumulatedConvolution();
     mapper->SetLightBufferSize(size);
-    const auto profile = GetProfile(DrawByMapper(mapper, plane.Scene));
-    const double share = GetRampWidth(profile, 0.9 * HalfPlane::Width / 192.0) / width;
+    const auto profile = GetPenumbra(DrawByMapper(mapper, MakeHalfPlane(1.0, width)));
+    const double share = GetRampWidth(profile) / width;
     const vtkShadowedSliceReport& report = mapper->GetReport();
     std::cout << "convolution in a buffer of " << size << "^2: " << share << " of the width, "
               << report.SoftShadowPasses << " passes" << std::endl;
