@@ -9,14 +9,10 @@
 #include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
 
-#include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkSpatialPrimitive.h"
 #include "vtkTurbulenceSource.h"
 #include "vtkVolume.h"
@@ -79,23 +75,6 @@ vtkSmartPointer<vtkVolume> MakeSmoke()
   return gallery::MakeSlicedVolume(image, matter, 1.0);
 }
 
-/// Behind the window; what is translucent is not in the sun's way.
-vtkSmartPointer<vtkActor> MakeSky()
-{
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-1.2, 1.12, 0.5);
-  plane->SetPoint1(0.8, 1.12, 0.5);
-  plane->SetPoint2(-1.2, 1.12, 1.5);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(plane->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->ForceTranslucentOn();
-  actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetColor(0.93, 0.95, 1.0);
-  return actor;
-}
-
 void Build(gallery::Stage& stage)
 {
   Model desk = MakeDesk();
@@ -106,13 +85,13 @@ void Build(gallery::Stage& stage)
   gallery::AddModel(panel, MakeShell());
   gallery::AddModel(panel, Move(desk, { { 0.46, 0.3, 0.0 } }, { { 0.0, 0.0, 6.0 } }));
   gallery::AddModel(panel, Move(MakeChair(), { { 0.1, -0.3, 0.0 } }, { { 0.0, 0.0, 24.0 } }));
-  panel.Add(MakeSky());
   panel.Add(MakeSmoke());
   gallery::UseSceneShadows(panel);
   vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.45, 1.0, 0.6 }, 6.0);
   sun->SetDiffuseColor(1.0, 0.87, 0.68);
   panel.SetLights({ sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.75) });
-  panel.SetBackground(gallery::DarkBackground());
+  // The sky is seen through the window alone.
+  panel.SetBackground(vtkColor3d(0.93, 0.95, 1.0));
   panel.Frame(vtkBoundingBox(-1.08, 1.08, -1.0, -0.99, 0.1, 1.45));
   panel.LookFrom({ 0.12, -1.0, 0.1 }, { 0.0, 0.0, 1.0 });
 }

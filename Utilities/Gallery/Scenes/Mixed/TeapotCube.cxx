@@ -9,38 +9,16 @@
 #include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
 
-#include "vtkActor.h"
-#include "vtkCubeSource.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkSpatialPrimitive.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 namespace
 {
-/// The edges of the cube, for orientation only: what is translucent casts no shadows.
-vtkSmartPointer<vtkActor> MakeEdges()
-{
-  vtkNew<vtkCubeSource> cube;
-  cube->SetBounds(-0.9, 0.9, -0.6, 0.6, 0.0, 1.3);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(cube->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  const vtkColor3d colour = gallery::Pencil();
-  actor->ForceTranslucentOn();
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-  actor->GetProperty()->SetRepresentationToWireframe();
-  actor->GetProperty()->SetLineWidth(2.0);
-  actor->GetProperty()->LightingOff();
-  return actor;
-}
-
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image =
@@ -48,7 +26,7 @@ void Build(gallery::Stage& stage)
       vtkBoundingBox(-1.0, 1.0, -0.7, 0.7, -0.1, 1.4), 120);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(255.0, 0.3);
+  opacity->AddPoint(255.0, 0.6);
   vtkSmartPointer<vtkVolumeProperty> matter = gallery::MakeColouredMatter(opacity, 1.0);
   matter->SetAmbient(0.15);
   matter->SetDiffuse(0.95);
@@ -58,7 +36,6 @@ void Build(gallery::Stage& stage)
   panel.Add(gallery::MakeSlicedVolume(image, matter, 1.0));
   gallery::AddModel(panel,
     interlume::Move(interlume::MakeTeapot(), { { 0.0, 0.0, 0.005 } }, { { 0.0, 0.0, 12.0 } }));
-  panel.Add(MakeEdges());
   gallery::AddGround(panel, { { 0.0, 0.0, -0.02 } }, 1.5);
   gallery::UseSceneShadows(panel);
   panel.SetLights({ gallery::MakePointLight({ -2.2, -0.9, 4.0 }, 1.0),
