@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casters/PropDepths.h"
 
-#include "Loader/OpenGLFunctions.h"
+#include "Loader/ScopedState.h"
 
 #include "vtkFloatTarget.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -13,38 +13,6 @@
 
 namespace interlume
 {
-
-namespace
-{
-// The state that drawing of depths changes, as it was at the end of the block.
-struct ScopedState
-{
-  explicit ScopedState(vtkOpenGLState* state)
-    : DepthTest(state, GL_DEPTH_TEST)
-    , Blend(state, GL_BLEND)
-    , Cull(state, GL_CULL_FACE)
-    , Scissor(state, GL_SCISSOR_TEST)
-    , ScissorBox(state)
-    , DepthMask(state)
-    , DepthFunc(state)
-    , Viewport(state)
-  {
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglDisable(GL_BLEND);
-    state->vtkglEnable(GL_SCISSOR_TEST);
-    state->vtkglDepthMask(GL_TRUE);
-    state->vtkglDepthFunc(GL_LEQUAL);
-  }
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable Cull;
-  vtkOpenGLState::ScopedglEnableDisable Scissor;
-  vtkOpenGLState::ScopedglScissor ScissorBox;
-  vtkOpenGLState::ScopedglDepthMask DepthMask;
-  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
-  vtkOpenGLState::ScopedglViewport Viewport;
-};
-}
 
 PropDepths::PropDepths() = default;
 
@@ -80,6 +48,11 @@ void PropDepths::Draw(
   state->PushFramebufferBindings();
   {
     const ScopedState scoped(state);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglDepthFunc(GL_LEQUAL);
     this->Framebuffer->SetContext(window);
     this->Framebuffer->Bind();
     this->Framebuffer->AddDepthAttachment(this->Texture);

@@ -3,7 +3,7 @@
 
 #include "Draw/SliceShader.h"
 #include "Casters/SceneCasters.h"
-#include "Loader/OpenGLFunctions.h"
+#include "Loader/ScopedState.h"
 #include "Receivers/SliceScene.h"
 #include "Translucent/PaneMaps.h"
 
@@ -28,37 +28,6 @@ namespace
 {
 using Sweep = SlicePlan::Sweep;
 
-// The state that drawing of slices changes, as it was at the end of the block.
-struct ScopedState
-{
-  explicit ScopedState(vtkOpenGLState* state)
-    : DepthTest(state, GL_DEPTH_TEST)
-    , Blend(state, GL_BLEND)
-    , Cull(state, GL_CULL_FACE)
-    , Scissor(state, GL_SCISSOR_TEST)
-    , DepthMask(state)
-    , DepthFunc(state)
-    , BlendFunction(state)
-    , Viewport(state)
-    , ClearColor(state)
-  {
-    state->vtkglDisable(GL_CULL_FACE);
-    state->vtkglDisable(GL_SCISSOR_TEST);
-    state->vtkglDisable(GL_DEPTH_TEST);
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglDepthMask(GL_FALSE);
-    state->vtkglDepthFunc(GL_LESS);
-  }
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable Cull;
-  vtkOpenGLState::ScopedglEnableDisable Scissor;
-  vtkOpenGLState::ScopedglDepthMask DepthMask;
-  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
-  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
-  vtkOpenGLState::ScopedglViewport Viewport;
-  vtkOpenGLState::ScopedglClearColor ClearColor;
-};
 }
 
 SliceRasterizer::SliceRasterizer() = default;
@@ -211,6 +180,12 @@ std::string SliceRasterizer::Draw(vtkRenderer* renderer, const std::vector<Volum
   state->PushFramebufferBindings();
   {
     const ScopedState scoped(state);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglDepthFunc(GL_LESS);
     error = this->PrepareImage(window, frame, report);
     for (std::size_t i = 0; i < frame.Plan.Sweeps.size() && error.empty(); ++i)
     {

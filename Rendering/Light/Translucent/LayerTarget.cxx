@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Translucent/LayerTarget.h"
 
-#include "Loader/OpenGLFunctions.h"
+#include "Loader/ScopedState.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -10,45 +10,6 @@
 
 namespace interlume
 {
-
-namespace
-{
-// The state that drawing of layers changes, as it was at the end of the block.
-struct ScopedState
-{
-  explicit ScopedState(vtkOpenGLState* state)
-    : State(state)
-    , DepthTest(state, GL_DEPTH_TEST)
-    , Blend(state, GL_BLEND)
-    , Cull(state, GL_CULL_FACE)
-    , Scissor(state, GL_SCISSOR_TEST)
-    , ScissorBox(state)
-    , DepthMask(state)
-    , BlendFunction(state)
-    , Viewport(state)
-    , ClearColor(state)
-  {
-    state->vtkglDisable(GL_DEPTH_TEST);
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglEnable(GL_SCISSOR_TEST);
-    state->vtkglDepthMask(GL_FALSE);
-  }
-  ScopedState(const ScopedState&) = delete;
-  ScopedState& operator=(const ScopedState&) = delete;
-  ~ScopedState() { this->State->vtkglBlendEquation(GL_FUNC_ADD); }
-
-  vtkOpenGLState* State;
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable Cull;
-  vtkOpenGLState::ScopedglEnableDisable Scissor;
-  vtkOpenGLState::ScopedglScissor ScissorBox;
-  vtkOpenGLState::ScopedglDepthMask DepthMask;
-  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
-  vtkOpenGLState::ScopedglViewport Viewport;
-  vtkOpenGLState::ScopedglClearColor ClearColor;
-};
-}
 
 LayerTarget::LayerTarget() = default;
 
@@ -61,6 +22,10 @@ void LayerTarget::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   state->PushFramebufferBindings();
   {
     const ScopedState scoped(state);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglDepthMask(GL_FALSE);
     this->Framebuffer->SetContext(window);
     this->Framebuffer->Bind();
     this->Framebuffer->AddColorAttachment(0, texture);
@@ -80,6 +45,7 @@ void LayerTarget::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
         GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     }
     draw();
+    state->vtkglBlendEquation(GL_FUNC_ADD);
     this->Framebuffer->RemoveColorAttachment(0);
   }
   state->PopFramebufferBindings();
