@@ -4,6 +4,7 @@
 
 #include "Casters/CasterView.h"
 #include "Casters/PropDepths.h"
+#include "Casters/ViewTiles.h"
 
 #include "vtkNew.h"
 #include "vtkType.h"
@@ -27,7 +28,7 @@ namespace interlume
  * @class   CasterMaps
  * @brief   the depths of the surfaces that each light sees, in tiles of one texture
  *
- * Tiles are numbered row by row from below. The maps are drawn again only where lights, props or
+ * The maps are drawn again only where lights, props or
  * the resolution have changed.
  */
 class CasterMaps
@@ -50,9 +51,7 @@ public:
 
   vtkTextureObject* GetTexture() const { return this->Depths.GetTexture(); }
   vtkIdType GetBytes() const { return this->Depths.GetBytes(); }
-  int GetResolution() const { return this->Resolution; }
-  int GetColumns() const { return this->Columns; }
-  double GetBias() const { return this->Bias; }
+  const ViewTiles& GetTiles() const { return this->Tiles; }
 
   /// The features of a shader that reads the maps by InterlumeSceneCasters.glsl.
   std::string GetFeatures() const;
@@ -63,14 +62,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::array<int, 2> GetTile(int view) const;
-
   PropDepths Depths;
   vtkNew<vtkOpenGLCamera> Camera;
-  std::vector<CasterView> Views;
-  int Columns = 1;
-  int Resolution = 0;
-  double Bias = 1.0;
+  ViewTiles Tiles;
   int Drawn = 0;
   /// What the maps were drawn of.
   std::vector<double> State;

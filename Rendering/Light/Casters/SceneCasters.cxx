@@ -205,7 +205,7 @@ void SceneCasters::ClearUniforms(vtkShaderProgram* program) const
 
 void SceneCasters::AddBias(vtkShaderProgram* program, double texels) const
 {
-  const CasterMaps& maps = this->EmitterMaps;
+  const ViewTiles& maps = this->EmitterMaps.GetTiles();
   const std::array<float, 3> tiles{ { static_cast<float>(maps.GetColumns()),
     static_cast<float>(maps.GetResolution()), static_cast<float>(maps.GetBias() + texels) } };
   program->SetUniform3f("emitterTiles", tiles.data());

@@ -7,7 +7,6 @@
 #include "InterlumeScenePanes.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkShaderFeatures.h"
 #include "vtkShaderProgram.h"
@@ -15,8 +14,6 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 
 namespace interlume
 {
@@ -25,40 +22,19 @@ PaneMaps::PaneMaps() = default;
 
 PaneMaps::~PaneMaps() = default;
 
-std::array<int, 4> PaneMaps::GetTile(std::size_t view) const
-{
-  const int number = static_cast<int>(view);
-  return { { number % this->Columns * this->Resolution, number / this->Columns * this->Resolution,
-    this->Resolution, this->Resolution } };
-}
-
 std::string PaneMaps::Draw(vtkRenderer* renderer, const CasterViews& views,
   const std::vector<vtkProp*>& props, int resolution, double bias, std::size_t most,
   LayerShader& shader)
 {
   this->Views = views;
-  this->Bias = bias;
-  const std::size_t count = views.GetViews().size();
-  std::vector<double> state{ static_cast<double>(resolution), static_cast<double>(most) };
-  for (const CasterView& view : views.GetViews())
-  {
-    const double* clip = glm::value_ptr(view.ClipFromWorld);
-    state.insert(state.end(), clip, clip + 16);
-  }
-  for (vtkProp* prop : props)
-  {
-    // Doubles have all digits of addresses and times that occur.
-    state.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
-    state.push_back(static_cast<double>(prop->GetRedrawMTime()));
-  }
+  this->Tiles.Set(views.GetViews(), resolution, bias);
+  std::vector<double> state = this->Tiles.GetState(props);
+  state.push_back(static_cast<double>(most));
   if (state == this->State)
   {
     return {};
   }
   this->Clear(renderer->GetRenderWindow());
-  this->Columns = std::max(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count)))), 1);
-  this->Rows = (static_cast<int>(count) + this->Columns - 1) / this->Columns;
-  this->Resolution = resolution;
   std::string error = this->DrawLayers(renderer, props, most, shader);
   if (error.empty())
   {
@@ -71,8 +47,8 @@ std::string PaneMaps::DrawLayers(
   vtkRenderer* renderer, const std::vector<vtkProp*>& props, std::size_t most, LayerShader& shader)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const int width = this->Columns * this->Resolution;
-  const int height = this->Rows * this->Resolution;
+  const int width = this->Tiles.GetWidth();
+  const int height = this->Tiles.GetHeight();
   vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
   const auto draw = [&]()
   {
@@ -80,7 +56,7 @@ std::string PaneMaps::DrawLayers(
     for (std::size_t view = 0; view < this->Views.GetViews().size(); ++view)
     {
       this->Views.GetViews()[view].SetCamera(this->Camera);
-      LayerShader::DrawProps(renderer, props, this->GetTile(view));
+      LayerShader::DrawProps(renderer, props, this->Tiles.GetTile(view));
     }
     renderer->SetActiveCamera(eye);
   };
@@ -137,9 +113,8 @@ void PaneMaps::Clear(vtkWindow* window)
 
 vtkIdType PaneMaps::GetBytes() const
 {
-  const vtkIdType edge = this->Resolution;
-  return static_cast<vtkIdType>(2 * sizeof(float)) * this->Layers * this->Columns * this->Rows *
-    edge * edge;
+  return static_cast<vtkIdType>(2 * sizeof(float)) * this->Layers * this->Tiles.GetWidth() *
+    this->Tiles.GetHeight();
 }
 
 std::string PaneMaps::GetSource(bool hasPlanes) const
@@ -169,38 +144,9 @@ void PaneMaps::SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFro
   {
     return;
   }
-  std::vector<float> clips;
-  std::vector<float> inverses;
-  std::vector<float> tiles;
-  std::vector<float> depths;
-  const std::vector<CasterView>& views = this->Views.GetViews();
-  for (std::size_t i = 0; i < views.size(); ++i)
-  {
-    const glm::dmat4 clip = views[i].ClipFromWorld * worldFromPlace;
-    const glm::mat4 rounded(clip);
-    const glm::mat4 inverse(glm::inverse(clip));
-    clips.insert(clips.end(), glm::value_ptr(rounded), glm::value_ptr(rounded) + 16);
-    inverses.insert(inverses.end(), glm::value_ptr(inverse), glm::value_ptr(inverse) + 16);
-    const std::array<int, 4> tile = this->GetTile(i);
-    tiles.insert(tiles.end(),
-      { static_cast<float>(tile[0]), static_cast<float>(tile[1]),
-        static_cast<float>(this->Resolution), static_cast<float>(this->Bias) });
-    depths.insert(depths.end(),
-      { static_cast<float>(views[i].TexelDepth[0]), static_cast<float>(views[i].TexelDepth[1]) });
-  }
-  const int count = static_cast<int>(views.size());
   program->SetUniformi("paneLayers", this->Texture->GetTextureUnit());
-  program->SetUniformi("paneRows", this->Rows * this->Resolution);
-  program->SetUniformMatrix4x4v("paneFromPlace", count, clips.data());
-  if (program->IsUniformUsed("placeFromPane"))
-  {
-    program->SetUniformMatrix4x4v("placeFromPane", count, inverses.data());
-  }
-  program->SetUniform4fv("paneTiles", count, tiles.data());
-  if (program->IsUniformUsed("paneTexels"))
-  {
-    program->SetUniform2fv("paneTexels", count, depths.data());
-  }
+  program->SetUniformi("paneRows", this->Tiles.GetHeight());
+  this->Tiles.SetUniforms(program, "pane", worldFromPlace);
 }
 
 void PaneMaps::ReleaseGraphicsResources(vtkWindow* window)

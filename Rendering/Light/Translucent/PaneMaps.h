@@ -3,6 +3,7 @@
 #define interlume_PaneMaps_h
 
 #include "Casters/CasterViews.h"
+#include "Casters/ViewTiles.h"
 #include "Translucent/DepthLayers.h"
 
 #include "vtkNew.h"
@@ -64,16 +65,12 @@ public:
 private:
   std::string DrawLayers(vtkRenderer* renderer, const std::vector<vtkProp*>& props,
     std::size_t most, LayerShader& shader);
-  std::array<int, 4> GetTile(std::size_t view) const;
 
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkOpenGLCamera> Camera;
   LayerTarget Target;
   CasterViews Views;
-  int Columns = 1;
-  int Rows = 1;
-  int Resolution = 0;
-  double Bias = 1.0;
+  ViewTiles Tiles;
   int Layers = 0;
   /// What the maps were drawn of.
   std::vector<double> State;
