@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures by the Monte Carlo solver: published intensities of a slab at seven angles, the formula
+// of single scattering, a white furnace, coloured albedo.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Transport/FunctionMedium.h"
+#include "Transport/PictureTransport.h"
+
+#include "vtkSMPTools.h"
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double SolidAngleOfAll = 4.0 * 3.14159265358979324;
+
+/// A line of sight at a cosine to a slab of some thickness; row 0 sees the side that is lit.
+TransportRay MakeSightLine(double cosine, int row, double thickness)
+{
+  const double across = std::sqrt(1.0 - cosine * cosine);
+  return row == 0 ? TransportRay{ { 0.0, 0.0, -1.0 }, { across, 0.0, cosine } }
+                  : TransportRay{ { 0.0, 0.0, thickness + 1.0 }, { across, 0.0, -cosine } };
+}
+
+/// van de Hulst, "Multiple Light Scattering", 1980, volume II, table 35: diffuse intensity of a
+/// slab of depth 2, albedo 0.9, Henyey and Greenstein's g = 0.75, light along the normal, in units
+/// in which R is the integral of 2 mu I. Its values at mu = 0 are limits that no line of sight has.
+void CheckPublished(Check& check)
+{
+  const std::array<double, 6> cosines = { { 0.1, 0.3, 0.5, 0.7, 0.9, 1.0 } };
+  const double expected[2][6] = { { 0.13304, 0.13856, 0.11956, 0.09411, 0.07132, 0.06180 },
+    { 0.16486, 0.22473, 0.27785, 0.36889, 0.72155, 2.40270 } };
+  PictureTransportSettings settings;
+  settings.Phase = TransportPhase::HenyeyGreenstein(0.75);
+  settings.Lights = { {} };
+  settings.PathsPerPixel = 60000;
+  const FunctionMedium slab = FunctionMedium::Slab(2.0, 1.0, glm::dvec3(0.9));
+  const TransportPicture picture = TracePicture(
+    slab, 6, 2,
+    [&](int i, int j) { return MakeSightLine(cosines[static_cast<std::size_t>(i)], j, 2.0); },
+    settings);
+  for (int j = 0; j < 2; ++j)
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      // A light of colour 1 has an irradiance of 4 pi, for which I is pi.
+      const double found = 0.25 * picture.Mean.At(i, j)[0];
+      const double error = 0.25 * picture.StandardError.At(i, j)[0];
+      std::ostringstream what;
+      what << (j == 0 ? "reflected" : "transmitted") << " at "
+           << cosines[static_cast<std::size_t>(i)] << ": " << found << " +- " << error
+           << ", published " << expected[j][i];
+      check.That(std::abs(found - expected[j][i]) <= 3.0 * error + 5e-6, what.str());
+      check.That(error < 0.015 * expected[j][i], what.str() + ": to 0.015 of it");
+    }
+  }
+}
+
+/// One scattering in a slab that the light meets at an angle; a channel for each albedo.
+void CheckSingle(Check& check)
+{
+  PictureTransportSettings settings;
+  settings.Phase = TransportPhase::HenyeyGreenstein(-0.4);
+  const double incidence = 0.6;
+  settings.Lights = { { { 0.0, 0.8, incidence }, { 1.0, 2.0, 1.0 } } };
+  settings.MaximumScatterings = 1;
+  settings.PathsPerPixel = 20000;
+  const glm::dvec3 albedo(1.0, 0.5, 0.0);
+  const double depth = 1.3;
+  const FunctionMedium slab = FunctionMedium::Slab(0.5, depth / 0.5, albedo);
+  const TransportPicture picture = TracePicture(
+    slab, 2, 1, [](int i, int) { return MakeSightLine(i == 0 ? 0.8 : 0.3, 0, 0.5); }, settings);
+  for (int i = 0; i < 2; ++i)
+  {
+    const double mu = i == 0 ? 0.8 : 0.3;
+    const double turn = -mu * incidence;
+    const double way = depth * (1.0 / mu + 1.0 / incidence);
+    const double expected = SolidAngleOfAll * settings.Phase.GetValue(turn) * incidence /
+      (mu + incidence) * -std::expm1(-way);
+    const double* found = picture.Mean.At(i, 0);
+    const double* error = picture.StandardError.At(i, 0);
+    check.That(std::abs(found[0] - expected) < 3.5 * error[0], "albedo 1");
+    check.That(std::abs(found[1] - expected) < 3.5 * error[1], "albedo 0.5 in twice the light");
+    check.Near(found[2], 0.0, 0.0, "albedo 0", 1.0);
+    check.That(std::abs(found[3] + std::expm1(-depth / mu)) < 3.5 * error[3], "opacity");
+    check.That(error[0] < 0.02 * expected, "noise");
+  }
+}
+
+/// Matter that absorbs nothing, in even light from everywhere: it cannot be seen.
+void CheckFurnace(Check& check)
+{
+  const FunctionMedium ball(
+    glm::dvec3(-1.0), glm::dvec3(1.0), { 0.0, 12.0 },
+    [](const glm::dvec3& x)
+    { return 12.0 * std::max(1.0 - x.x * x.x - x.y * x.y - x.z * x.z, 0.0); },
+    [](const glm::dvec3&) { return glm::dvec3(1.0); });
+  PictureTransportSettings settings;
+  settings.Phase = TransportPhase::HenyeyGreenstein(0.8);
+  settings.Surroundings = { 0.2, 0.5, 1.0 };
+  settings.PathsPerPixel = 100;
+  const TransportPicture picture = TracePicture(
+    ball, 8, 1,
+    [](int i, int) {
+      return TransportRay{ { -0.9 + 0.25 * i, 0.1, -4.0 }, { 0.0, 0.0, 1.0 } };
+    },
+    settings);
+  for (int i = 0; i < 8; ++i)
+  {
+    const double* pixel = picture.Mean.At(i, 0);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      check.Near(pixel[channel], pixel[3] * settings.Surroundings[channel], 1e-12, "furnace");
+    }
+  }
+}
+
+void CheckThreads(Check& check)
+{
+  PictureTransportSettings settings;
+  settings.Lights = { {} };
+  settings.PathsPerPixel = 20;
+  const FunctionMedium slab = FunctionMedium::Slab(3.0, 1.0, glm::dvec3(0.9, 0.8, 0.7));
+  const auto trace = [&]
+  {
+    return TracePicture(
+      slab, 20, 20, [](int i, int j) { return MakeSightLine(0.04 * (i + 1), j % 2, 3.0); },
+      settings);
+  };
+  const TransportPicture expected = trace();
+  vtkSMPTools::SetBackend("STDThread");
+  for (const int threads : { 1, 2, 8 })
+  {
+    vtkSMPTools::Initialize(threads);
+    const TransportPicture found = trace();
+    check.That(found.Mean.Values == expected.Mean.Values &&
+        found.StandardError.Values == expected.StandardError.Values,
+      "the same for " + std::to_string(threads) + " threads");
+  }
+}
+}
+
+int TestTransportPictures(int, char*[])
+{
+  Check check;
+  CheckPublished(check);
+  CheckSingle(check);
+  CheckFurnace(check);
+  CheckThreads(check);
+  return check.Result();
+}

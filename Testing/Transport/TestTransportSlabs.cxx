@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Monte Carlo solver of scattered light against published slabs: H. C. van de Hulst, "Multiple
+// Light Scattering", Academic Press 1980, volumes I and II, as public test suites of other solvers
+// quote them. Reflection and transmission are flux over incident flux; the surfaces do not reflect.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Transport/SlabTransport.h"
+
+#include "vtkSMPTools.h"
+
+#include <cmath>
+#include <iostream>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+/// A published number, and the half of its last digit.
+struct Published
+{
+  double Value = 0.0;
+  double Rounding = 0.0;
+};
+
+struct Row
+{
+  const char* Where;
+  double Depth;
+  double Albedo;
+  double G;
+  double Cosine;
+  std::uint64_t Paths;
+  Published Reflected;
+  /// Scattered light alone; a value of 0 for none published.
+  Published Transmitted;
+  Published Direct;
+};
+
+const Row Rows[] = {
+  // Henyey and Greenstein's phase function, light along the normal. T is 0.66096 in all, with
+  // 0.13534 of direct light.
+  { "II, table 35", 2.0, 0.9, 0.75, 1.0, 1200000, { 0.09739, 5e-6 }, { 0.66096 - 0.13534, 1e-5 },
+    { 0.13534, 5e-6 } },
+  { "II, table 37, depth 1", 1.0, 1.0, 0.75, 1.0, 1300000, { 0.07874, 5e-6 }, { 0.55338, 5e-6 },
+    { 0.36788, 5e-6 } },
+  // R, T and direct light as printed make 1.00001.
+  { "II, table 37, depth 8", 8.0, 1.0, 0.75, 1.0, 60000, { 0.50642, 1e-5 }, { 0.49325, 1e-5 },
+    { 0.00034, 5e-6 } },
+  // Isotropic, light at a cosine of 0.1.
+  { "I, table 12, depth 1/32, albedo 0.2", 0.03125, 0.2, 0.0, 0.1, 350000, { 0.025447, 5e-7 }, {},
+    {} },
+  { "I, table 12, depth 1/32, albedo 1", 0.03125, 1.0, 0.0, 0.1, 300000, { 0.13462, 5e-6 }, {},
+    {} },
+  { "I, table 12, depth 32, albedo 0.2", 32.0, 0.2, 0.0, 0.1, 850000, { 0.082661, 5e-7 }, {}, {} },
+  // Direct light is exp(-320).
+  { "I, table 12, depth 32, albedo 1", 32.0, 1.0, 0.0, 0.1, 200000, { 0.978453, 5e-7 },
+    { 0.021548, 5e-7 }, {} },
+};
+
+SlabTransportSettings GetSettings(const Row& row)
+{
+  SlabTransportSettings settings;
+  settings.Depth = row.Depth;
+  settings.Albedo = row.Albedo;
+  settings.Phase = TransportPhase::HenyeyGreenstein(row.G);
+  settings.Cosine = row.Cosine;
+  settings.Paths = row.Paths;
+  return settings;
+}
+
+void CheckEstimate(
+  Check& check, const TransportEstimate& found, const Published& expected, const std::string& what)
+{
+  if (expected.Value == 0.0)
+  {
+    return;
+  }
+  std::ostringstream line;
+  line << what << ": " << found.Value << " +- " << found.StandardError << ", published "
+       << expected.Value;
+  std::cout << line.str() << " (" << (found.Value - expected.Value) / found.StandardError
+            << " deviations)\n";
+  check.That(
+    std::abs(found.Value - expected.Value) <= 3.0 * found.StandardError + expected.Rounding,
+    line.str());
+  check.That(found.StandardError <= 1e-3 * expected.Value, line.str() + ": to 0.001 of it");
+}
+
+void CheckRows(Check& check)
+{
+  for (const Row& row : Rows)
+  {
+    check.SetContext(row.Where);
+    const SlabTransportResult result = TraceSlab(GetSettings(row));
+    CheckEstimate(check, result.Reflected, row.Reflected, std::string(row.Where) + ", R");
+    CheckEstimate(check, result.Transmitted, row.Transmitted, std::string(row.Where) + ", T");
+    if (row.Direct.Value > 0.0)
+    {
+      check.That(std::abs(result.Direct - row.Direct.Value) <= row.Direct.Rounding, "direct light");
+    }
+  }
+}
+
+// Light that nothing absorbs comes out again, every path of it: g may be anything, and the largest
+// extinction of delta tracking larger than the true one. Where the control variate is the same for
+// both sides, what it takes from one it gives to the other.
+void CheckFurnace(Check& check)
+{
+  for (const double g : { -0.99, -0.4, 0.0, 0.0005, 0.6, 0.99 })
+  {
+    for (const double depth : { 1e-6, 0.1, 1.0, 10.0, 100.0 })
+    {
+      SlabTransportSettings settings;
+      settings.Depth = depth;
+      settings.Phase = TransportPhase::HenyeyGreenstein(g);
+      settings.Cosine = 0.7;
+      settings.Majorant = 1.5;
+      settings.Paths = 2000;
+      const SlabTransportResult result = TraceSlab(settings);
+      const double sum = result.Reflected.Value + result.Transmitted.Value + result.Direct;
+      check.Near(sum, 1.0, 1e-12, "all light, g " + std::to_string(g));
+    }
+  }
+}
+
+// Thin matter, of which the first order of scattering is known, and matter that is black.
+void CheckThin(Check& check)
+{
+  SlabTransportSettings settings;
+  settings.Depth = 1e-6;
+  settings.Albedo = 0.5;
+  settings.Paths = 100000;
+  const SlabTransportResult result = TraceSlab(settings);
+  for (const TransportEstimate& side : { result.Reflected, result.Transmitted })
+  {
+    // Half of what is scattered goes to each side; the next order is 1e-5 of it.
+    check.That(std::abs(side.Value - 0.25e-6) < 4.0 * side.StandardError + 1e-11, "a thin slab");
+  }
+  settings.Albedo = 0.0;
+  const SlabTransportResult black = TraceSlab(settings);
+  check.Near(black.Reflected.Value + black.Transmitted.Value, 0.0, 0.0, "albedo 0", 1.0);
+}
+
+// Null collisions change the noise alone.
+void CheckMajorant(Check& check)
+{
+  SlabTransportSettings settings = GetSettings(Rows[0]);
+  settings.Paths = 200000;
+  settings.Majorant = 3.0;
+  const SlabTransportResult result = TraceSlab(settings);
+  check.That(std::abs(result.Reflected.Value - Rows[0].Reflected.Value) <
+      3.5 * result.Reflected.StandardError,
+    "R with null collisions");
+  check.That(std::abs(result.Transmitted.Value - Rows[0].Transmitted.Value) <
+      3.5 * result.Transmitted.StandardError,
+    "T with null collisions");
+}
+
+// A table of Henyey and Greenstein's function scatters as the formula does.
+void CheckTable(Check& check)
+{
+  const TransportPhase formula = TransportPhase::HenyeyGreenstein(0.75);
+  std::vector<double> cosines;
+  std::vector<double> values;
+  for (int i = 0; i <= 2000; ++i)
+  {
+    // Closer to 1, where the function is steep.
+    const double t = 1.0 - i / 2000.0;
+    cosines.push_back(1.0 - 2.0 * t * t);
+    values.push_back(7.0 * formula.GetValue(cosines.back()));
+  }
+  const TransportPhase table = TransportPhase::Table(cosines, values);
+  check.Near(table.GetMeanCosine(), 0.75, 1e-5, "mean cosine of the table");
+  for (const double cosine : { -1.0, -0.3, 0.5, 0.97, 1.0 })
+  {
+    check.Near(table.GetValue(cosine), formula.GetValue(cosine), 1e-4, "value of the table");
+  }
+  SlabTransportSettings settings = GetSettings(Rows[1]);
+  settings.Paths = 300000;
+  settings.Phase = table;
+  const SlabTransportResult result = TraceSlab(settings);
+  check.That(std::abs(result.Reflected.Value - Rows[1].Reflected.Value) <
+      3.5 * result.Reflected.StandardError,
+    "R by a table");
+}
+
+// The stated errors are true: means of other seeds scatter as much.
+void CheckErrors(Check& check)
+{
+  SlabTransportSettings settings = GetSettings(Rows[2]);
+  settings.Paths = 10000;
+  double squares = 0.0;
+  double stated = 0.0;
+  constexpr int Runs = 40;
+  for (int run = 0; run < Runs; ++run)
+  {
+    settings.Seed = static_cast<std::uint64_t>(run) + 10;
+    const TransportEstimate found = TraceSlab(settings).Transmitted;
+    squares += std::pow(found.Value - Rows[2].Transmitted.Value, 2.0) / Runs;
+    stated += found.StandardError * found.StandardError / Runs;
+  }
+  // The deviation of a variance of 40 values is 0.22 of it.
+  check.Near(squares / stated, 1.0, 0.66, "true over stated variance");
+}
+
+void CheckThreads(Check& check)
+{
+  SlabTransportSettings settings = GetSettings(Rows[0]);
+  settings.Paths = 50000;
+  const SlabTransportResult expected = TraceSlab(settings);
+  vtkSMPTools::SetBackend("STDThread");
+  for (const int threads : { 1, 2, 8 })
+  {
+    vtkSMPTools::Initialize(threads);
+    const SlabTransportResult found = TraceSlab(settings);
+    check.That(found.Reflected.Value == expected.Reflected.Value &&
+        found.Reflected.StandardError == expected.Reflected.StandardError &&
+        found.Transmitted.Value == expected.Transmitted.Value,
+      "the same for " + std::to_string(threads) + " threads");
+  }
+}
+}
+
+int TestTransportSlabs(int, char*[])
+{
+  Check check;
+  CheckRows(check);
+  check.SetContext("");
+  CheckFurnace(check);
+  CheckThin(check);
+  CheckMajorant(check);
+  CheckTable(check);
+  CheckErrors(check);
+  CheckThreads(check);
+  return check.Result();
+}
