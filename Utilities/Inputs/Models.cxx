@@ -149,6 +149,47 @@ Model MakeDart()
   return dart;
 }
 
+Model MakeAirplane()
+{
+  const std::array<double, 3> white = { { 0.94, 0.94, 0.93 } };
+  const std::array<double, 3> blue = { { 0.10, 0.24, 0.55 } };
+  const Place3 alongX = { { 0.0, 90.0, 0.0 } };
+  vtkSmartPointer<vtkPolyData> hull =
+    Revolve({ { { 0.0, 0.0 } }, { { 0.012, 0.01 } }, { { 0.04, 0.14 } }, { { 0.052, 0.3 } },
+              { { 0.052, 0.78 } }, { { 0.044, 0.9 } }, { { 0.02, 0.985 } }, { { 0.0, 1.0 } } },
+      true);
+  vtkSmartPointer<vtkPolyData> engine =
+    Revolve({ { { 0.0, 0.0 } }, { { 0.014, 0.0 } }, { { 0.026, 0.05 } }, { { 0.027, 0.12 } },
+              { { 0.02, 0.13 } }, { { 0.018, 0.11 } }, { { 0.0, 0.1 } } },
+      false);
+  std::vector<vtkSmartPointer<vtkPolyData>> wings;
+  std::vector<vtkSmartPointer<vtkPolyData>> engines;
+  for (const double side : { 1.0, -1.0 })
+  {
+    // A wing to +y; the other one is its turn about x by 180 degrees, as plates are alike on both
+    // sides.
+    const double turn = side > 0.0 ? 0.0 : 180.0;
+    const double rise = 5.0 * side;
+    wings.push_back(
+      MoveShape(MakePlate({ { { 0.44, 0.0 } }, { { 0.68, 0.0 } }, { { 0.62, 0.06 } },
+                            { { 0.36, 0.5 } }, { { 0.30, 0.5 } }, { { 0.42, 0.14 } } },
+                  0.012),
+        { { 0.0, 0.0, -0.02 } }, { { turn + rise, 0.0, 0.0 } }));
+    wings.push_back(MoveShape(
+      MakePlate(
+        { { { 0.03, 0.0 } }, { { 0.15, 0.0 } }, { { 0.05, 0.19 } }, { { 0.0, 0.19 } } }, 0.009),
+      { { 0.0, 0.0, 0.01 } }, { { turn + rise, 0.0, 0.0 } }));
+    engines.push_back(MoveShape(engine, { { 0.5, 0.18 * side, -0.04 } }, alongX));
+  }
+  vtkSmartPointer<vtkPolyData> fin = MoveShape(
+    MakePlate(
+      { { { 0.02, 0.0 } }, { { 0.2, 0.0 } }, { { 0.05, 0.2 } }, { { -0.02, 0.2 } } }, 0.011),
+    { { 0.0, 0.0, 0.02 } }, { { 90.0, 0.0, 0.0 } });
+  return { { MoveShape(hull, { { 0.0, 0.0, 0.0 } }, alongX), white, 0.4 },
+    { Join(wings), { { 0.80, 0.82, 0.85 } }, 0.3 }, { Join(engines), Steel, 0.5 },
+    { fin, blue, 0.3 } };
+}
+
 Model MakeDesk()
 {
   Model desk = { MakeBlock({ { 0.0, 0.0, 0.7 } }, { { 1.2, 0.6, 0.04 } }, 0.012, Wood),

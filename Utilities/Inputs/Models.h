@@ -34,6 +34,9 @@ Model MakeTeapot();
 /// A dart of length 1 whose tip is at the origin, and which comes from -x.
 Model MakeDart();
 
+/// An airliner of length 1 along x, its nose at 1, with wings from y = -0.5 to 0.5, up is z.
+Model MakeAirplane();
+
 /// A desk of 1.2 x 0.6 and 0.72 high, with drawers on its right, seen from -y.
 Model MakeDesk();
 
