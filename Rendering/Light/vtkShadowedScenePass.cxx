@@ -4,6 +4,9 @@
 #include "Draw/SliceGroup.h"
 #include "Receivers/SceneRenderer.h"
 
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
@@ -15,6 +18,35 @@
 
 vtkStandardNewMacro(vtkShadowedScenePass);
 vtkCxxSetObjectMacro(vtkShadowedScenePass, DelegatePass, vtkRenderPass);
+vtkInformationKeyMacro(vtkShadowedScenePass, CASTS_SHADOWS, Integer);
+vtkInformationKeyMacro(vtkShadowedScenePass, RECEIVES_SHADOWS, Integer);
+
+namespace
+{
+void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool isOn)
+{
+  if (!prop)
+  {
+    return;
+  }
+  if (vtkInformation* keys = prop->GetPropertyKeys())
+  {
+    isOn ? keys->Remove(key) : keys->Set(key, 0);
+  }
+  else if (!isOn)
+  {
+    vtkNew<vtkInformation> made;
+    made->Set(key, 0);
+    prop->SetPropertyKeys(made);
+  }
+}
+
+bool GetKey(vtkProp* prop, vtkInformationIntegerKey* key)
+{
+  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
+  return prop && (!keys || !keys->Has(key) || keys->Get(key) != 0);
+}
+}
 
 vtkShadowedScenePass::vtkShadowedScenePass()
   : Renderer(std::make_unique<interlume::SceneRenderer>())
@@ -25,6 +57,26 @@ vtkShadowedScenePass::vtkShadowedScenePass()
 vtkShadowedScenePass::~vtkShadowedScenePass()
 {
   this->SetDelegatePass(nullptr);
+}
+
+void vtkShadowedScenePass::SetCastsShadows(vtkProp* prop, bool casts)
+{
+  SetKey(prop, CASTS_SHADOWS(), casts);
+}
+
+bool vtkShadowedScenePass::GetCastsShadows(vtkProp* prop)
+{
+  return GetKey(prop, CASTS_SHADOWS());
+}
+
+void vtkShadowedScenePass::SetReceivesShadows(vtkProp* prop, bool receives)
+{
+  SetKey(prop, RECEIVES_SHADOWS(), receives);
+}
+
+bool vtkShadowedScenePass::GetReceivesShadows(vtkProp* prop)
+{
+  return GetKey(prop, RECEIVES_SHADOWS());
 }
 
 void vtkShadowedScenePass::DrawAll(const vtkRenderState* state)
@@ -61,9 +113,9 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   interlume::SceneRenderer& scene = *this->Renderer;
   const interlume::SceneRenderer::Request request{ this->MaximumNumberOfShadows,
     this->DepthMapResolution, this->DepthBias, this->NumberOfLightSamples,
-    this->MaximumNumberOfLayers };
+    this->MaximumNumberOfLayers, GetCastsShadows, GetReceivesShadows };
   this->FindVolumes(renderer);
-  if (!scene.Begin(renderer, request, static_cast<int>(this->Volumes.size())))
+  if (!scene.Begin(renderer, request, static_cast<int>(this->Volumes.size()), this->Report))
   {
     scene.ReleaseGraphicsResources(window);
     this->Group->ReleaseGraphicsResources(window);

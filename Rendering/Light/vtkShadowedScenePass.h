@@ -10,6 +10,7 @@
 #include <string> // for shaders
 #include <vector> // for volumes
 
+class vtkInformationIntegerKey;
 class vtkVolume;
 
 namespace interlume
@@ -143,6 +144,13 @@ class SliceGroup;
  * of depths needs no such caps, and so there is no warning for open meshes: what is behind the
  * first face, as the inside of an open shell, is in its shadow.
  *
+ * **Actors that are left out** of casting or of receiving say so by a key among their property keys
+ * (vtkProp::SetPropertyKeys), as SetCastsShadows and SetReceivesShadows set it. One that casts none
+ * is in no map of any light and has no layer in it, so that it shadows neither surfaces nor
+ * volumes; it hides what is behind it from the eye as ever. One that receives none has all of each
+ * light, with its image; in smoke it is as bright as before it. Keys of an assembly or of a prop
+ * with levels of detail are those of its parts.
+ *
  * **A scene without actors** and with fewer than two volumes, without lights that cast shadows, or
  * a selection by vtkHardwareSelector, is drawn as if the pass was not there: same picture, no map,
  * no pass. So are volumes without opaque actors beside opaque props of other kinds, as
@@ -232,6 +240,26 @@ public:
    */
   vtkSetClampMacro(MaximumNumberOfLayers, int, 1, 64);
   vtkGetMacro(MaximumNumberOfLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * Keys of a prop's property keys: whether its surfaces cast shadows, and whether they receive
+   * them. Both do where a prop has no such key, and with any value but 0.
+   */
+  static vtkInformationIntegerKey* CASTS_SHADOWS();
+  static vtkInformationIntegerKey* RECEIVES_SHADOWS();
+  ///@}
+
+  ///@{
+  /**
+   * Sets and returns these keys of a prop, of which a null one casts and receives nothing. On is
+   * the default, and removes the key.
+   */
+  static void SetCastsShadows(vtkProp* prop, bool casts);
+  static bool GetCastsShadows(vtkProp* prop);
+  static void SetReceivesShadows(vtkProp* prop, bool receives);
+  static bool GetReceivesShadows(vtkProp* prop);
   ///@}
 
   /**

@@ -6,6 +6,8 @@ void vtkShadowedSceneReport::Print(ostream& os, vtkIndent indent) const
   os << indent << "Casters: " << this->Casters << "\n";
   os << indent << "Lights: " << this->Lights << "\n";
   os << indent << "Volumes: " << this->Volumes << "\n";
+  os << indent << "NotCasting: " << this->NotCasting << "\n";
+  os << indent << "NotReceiving: " << this->NotReceiving << "\n";
   os << indent << "VolumesTogether: " << this->VolumesTogether << "\n";
   os << indent << "VolumesApart: " << this->VolumesApart << "\n";
   os << indent << "Images: " << this->Images << "\n";

@@ -24,6 +24,9 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSceneReport
   int Casters = 0;
   int Lights = 0;
   int Volumes = 0;
+  /// The numbers of visible actors that are kept from casting shadows, and from receiving them.
+  int NotCasting = 0;
+  int NotReceiving = 0;
   /// The number of volumes that share one set of slices, and cast shadows on each other: none, or
   /// two and more. Where others are drawn one by one, with shadows on surfaces alone, VolumesApart
   /// says why, unless they have errors; it is empty otherwise.

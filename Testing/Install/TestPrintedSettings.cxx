@@ -124,8 +124,10 @@ std::string Print(vtkObject* object)
   return text.str();
 }
 
-/// Values that are no state to print: what an id or a layer has is printed for those that have one.
-const std::set<std::string> NotPrinted = { "vtkInflowMapping::Formula", "vtkInflowMapping::Image" };
+/// Values that are no state to print: what an id or a layer has is printed for those that have one,
+/// and keys of a prop are its own.
+const std::set<std::string> NotPrinted = { "vtkInflowMapping::Formula", "vtkInflowMapping::Image",
+  "vtkShadowedScenePass::CastsShadows", "vtkShadowedScenePass::ReceivesShadows" };
 
 /// The text of each header of a module by the name of its class, without comments.
 std::map<std::string, std::string> ReadHeaders(const fs::path& source)

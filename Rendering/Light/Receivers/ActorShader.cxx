@@ -61,7 +61,8 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
   std::transform(viewport.begin(), viewport.end(), this->Viewport.begin(),
     [](int value) { return static_cast<float>(value); });
 
-  this->Numbers.clear();
+  Parts shadowedParts;
+  Parts imageParts;
   this->Lights.clear();
   vtkLightCollection* collection = renderer->GetLights();
   vtkCollectionSimpleIterator iterator;
@@ -84,11 +85,17 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
       shadowed.Tile = transmittance.IsUsed() ? transmittance.GetTile(light) : -1;
     }
     shadowed.Screen = screens.GetFactor(light);
+    if (!shadowed.Screen.empty())
+    {
+      imageParts.Numbers.push_back(number);
+      imageParts.Implementation +=
+        "  vec3 sceneLight" + std::to_string(number) + " = vec3(1.0)" + shadowed.Screen + ";\n";
+    }
     shadowed.Panes = panes.GetShare(light, "vertexVC.xyz", "scenePlaneHere");
     if (!shadowed.Share.empty() || shadowed.Tile >= 0 || !shadowed.Screen.empty() ||
       !shadowed.Panes.empty())
     {
-      this->Numbers.push_back(number);
+      shadowedParts.Numbers.push_back(number);
       this->Lights.push_back(shadowed);
       hasVolumes = hasVolumes || shadowed.Tile >= 0;
     }
@@ -108,9 +115,11 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
   }
   std::string source = InterlumeSceneActor;
   Swap(source, "//INTERLUME::CASTERS", casters.HasViews() ? casters.GetSource() : "");
-  const std::string declarations =
-    vtkShaderFeatures::Insert(source, features) + panes.GetSource(true) + screens.GetDeclarations();
-  std::string implementation = hasVolumes ? "  ivec2 scenePixelHere = scenePixel();\n" : "";
+  imageParts.Declarations = screens.GetDeclarations();
+  shadowedParts.Declarations =
+    vtkShaderFeatures::Insert(source, features) + panes.GetSource(true) + imageParts.Declarations;
+  std::string& implementation = shadowedParts.Implementation;
+  implementation = hasVolumes ? "  ivec2 scenePixelHere = scenePixel();\n" : "";
   implementation += casters.HasViews() || panes.GetLayers() > 0
     ? "  vec4 scenePlaneHere = scenePlane(vertexVC.xyz);\n"
     : "";
@@ -125,22 +134,23 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
       share += " * sceneLightOfVolumes(scenePixelHere + " +
         Tuple("ivec2", transmittance.GetOrigin(light.Tile)) + ")";
     }
-    implementation += "  vec3 sceneLight" + std::to_string(this->Numbers[i]) + " = sceneLightOf(" +
-      std::to_string(i) + ", " + share + ")" + light.Screen + ";\n";
+    implementation += "  vec3 sceneLight" + std::to_string(shadowedParts.Numbers[i]) +
+      " = sceneLightOf(" + std::to_string(i) + ", " + share + ")" + light.Screen + ";\n";
   }
-  const bool isNew = declarations != this->Declarations || implementation != this->Implementation;
-  this->Declarations = declarations;
-  this->Implementation = implementation;
+  // What is put in for images alone is part of what is put in for shadows.
+  const bool isNew = shadowedParts.Declarations != this->Shadowed.Declarations ||
+    implementation != this->Shadowed.Implementation;
+  this->Shadowed = std::move(shadowedParts);
+  this->Images = std::move(imageParts);
   return isNew;
 }
 
 bool ActorShader::Clear()
 {
-  const bool had = !this->Declarations.empty();
-  this->Numbers.clear();
+  const bool had = !this->Shadowed.Declarations.empty();
   this->Lights.clear();
-  this->Declarations.clear();
-  this->Implementation.clear();
+  this->Shadowed = Parts();
+  this->Images = Parts();
   return had;
 }
 
@@ -160,8 +170,9 @@ void ActorShader::Mark(std::string& fragmentShader)
     fragmentShader, "//VTK::Light::Impl", IMPLEMENTATION_MARK + "\n//VTK::Light::Impl", false);
 }
 
-bool ActorShader::Replace(std::string& fragmentShader) const
+bool ActorShader::Replace(std::string& fragmentShader, bool isReceiver) const
 {
+  const Parts& parts = isReceiver ? this->Shadowed : this->Images;
   const std::size_t mark = fragmentShader.find(IMPLEMENTATION_MARK);
   const std::size_t body = mark == std::string::npos ? fragmentShader.find("main()") : mark;
   bool isLit = false;
@@ -177,8 +188,8 @@ bool ActorShader::Replace(std::string& fragmentShader) const
     const std::string number =
       text.substr(place + LIGHT_COLOR.size(), end - place - LIGHT_COLOR.size());
     const bool isShadowed = !number.empty() &&
-      std::find(this->Numbers.begin(), this->Numbers.end(), std::stoi(number)) !=
-        this->Numbers.end();
+      std::find(parts.Numbers.begin(), parts.Numbers.end(), std::stoi(number)) !=
+        parts.Numbers.end();
     if (isShadowed)
     {
       const std::string product = "(" + LIGHT_COLOR + number + " * sceneLight" + number + ")";
@@ -193,8 +204,8 @@ bool ActorShader::Replace(std::string& fragmentShader) const
     return false;
   }
   fragmentShader = text;
-  Swap(fragmentShader, DECLARATION_MARK, isLit ? this->Declarations : "");
-  Swap(fragmentShader, IMPLEMENTATION_MARK, isLit ? this->Implementation : "");
+  Swap(fragmentShader, DECLARATION_MARK, isLit ? parts.Declarations : "");
+  Swap(fragmentShader, IMPLEMENTATION_MARK, isLit ? parts.Implementation : "");
   return true;
 }
 

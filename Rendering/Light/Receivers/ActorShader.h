@@ -46,8 +46,9 @@ public:
 
   /// Marks where the sources go, in a shader without VTK's parts.
   static void Mark(std::string& fragmentShader);
-  /// Puts the sources in. Returns false where light falls in a shader that has no place for them.
-  bool Replace(std::string& fragmentShader) const;
+  /// Puts the sources in, or those of lights' images alone where a surface receives no shadows.
+  /// Returns false where light falls in a shader that has no place for them.
+  bool Replace(std::string& fragmentShader, bool isReceiver) const;
 
   /// Sets the uniforms; the textures are active where not \a isOfDepths. \a placeholder is active
   /// otherwise.
@@ -67,10 +68,17 @@ private:
     std::string Panes;
   };
 
-  std::vector<int> Numbers;
+  /// What is put into a shader: the numbers of lights in it, and sources.
+  struct Parts
+  {
+    std::vector<int> Numbers;
+    std::string Declarations;
+    std::string Implementation;
+  };
+
   std::vector<Light> Lights;
-  std::string Declarations;
-  std::string Implementation;
+  Parts Shadowed;
+  Parts Images;
   const SceneCasters* Casters = nullptr;
   const LightTransmittance* Transmittance = nullptr;
   const PaneMaps* Panes = nullptr;

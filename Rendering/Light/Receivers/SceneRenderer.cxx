@@ -68,21 +68,16 @@ SceneRenderer::SceneRenderer() = default;
 
 SceneRenderer::~SceneRenderer() = default;
 
-bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int volumes)
+bool SceneRenderer::SortProps(vtkRenderer* renderer, Boxes& boxes, vtkShadowedSceneReport& report)
 {
-  this->Settings = request;
   this->Props.clear();
-  this->Casters.clear();
+  this->Opaque.clear();
   this->Panes.clear();
+  this->Casters.clear();
+  this->PaneCasters.clear();
   this->Unsliced.clear();
-  this->Lights.clear();
-  this->Reached.clear();
-  this->Failed.clear();
-  this->Scene = SliceScene();
-  this->Transmittance.Clear(0, 0, 1, {});
-  std::vector<CasterView::Box> boxes;
+  std::vector<vtkProp*> lit;
   bool hasOthers = false;
-  std::vector<CasterView::Box> panes;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
   props->InitTraversal(iterator);
@@ -94,31 +89,72 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
       continue;
     }
     this->Props.push_back(prop);
-    CasterView::Box box{};
-    if (HasBounds(prop))
+    const bool casts = this->Settings.Casts(prop);
+    report.NotCasting += casts ? 0 : 1;
+    if (!this->Settings.Receives(prop))
     {
-      std::copy_n(prop->GetBounds(), 6, box.begin());
-      if (prop->HasOpaqueGeometry())
+      lit.push_back(prop);
+    }
+    if (!HasBounds(prop))
+    {
+      continue;
+    }
+    CasterView::Box box{};
+    std::copy_n(prop->GetBounds(), 6, box.begin());
+    boxes.All.push_back(box);
+    const auto add = [&](std::vector<vtkProp*>& all, std::vector<vtkProp*>& casters,
+                       std::vector<CasterView::Box>& castersBoxes)
+    {
+      all.push_back(prop);
+      if (casts)
       {
-        this->Casters.push_back(prop);
-        boxes.push_back(box);
+        casters.push_back(prop);
+        castersBoxes.push_back(box);
       }
-      if (prop->HasTranslucentPolygonalGeometry())
+    };
+    if (prop->HasOpaqueGeometry())
+    {
+      add(this->Opaque, this->Casters, boxes.Opaque);
+    }
+    if (prop->HasTranslucentPolygonalGeometry())
+    {
+      if (LayerShader::CanDraw(prop))
       {
-        (LayerShader::CanDraw(prop) ? this->Panes : this->Unsliced).push_back(prop);
-        panes.push_back(box);
+        add(this->Panes, this->PaneCasters, boxes.Panes);
+      }
+      else
+      {
+        this->Unsliced.push_back(prop);
       }
     }
   }
+  report.NotReceiving = static_cast<int>(lit.size());
+  if (lit != this->Lit)
+  {
+    this->Lit = std::move(lit);
+    this->ShaderTime.Modified();
+  }
+  return hasOthers;
+}
+
+bool SceneRenderer::Begin(
+  vtkRenderer* renderer, const Request& request, int volumes, vtkShadowedSceneReport& report)
+{
+  this->Settings = request;
+  this->Lights.clear();
+  this->Reached.clear();
+  this->Failed.clear();
+  this->Scene = SliceScene();
+  this->Transmittance.Clear(0, 0, 1, {});
+  Boxes boxes;
+  const bool hasOthers = this->SortProps(renderer, boxes, report);
   // Props of other kinds have no depth yet when volumes are drawn ahead.
   const bool isGroup = volumes > 1 && !hasOthers;
   if (this->Props.empty() && !isGroup)
   {
     return false;
   }
-  std::vector<CasterView::Box> all = boxes;
-  all.insert(all.end(), panes.begin(), panes.end());
-  const UnitSpace space = MakeSpace(all);
+  const UnitSpace space = MakeSpace(boxes.All);
   // Whoever draws the scene without this pass says nothing of such lights either.
   std::vector<std::string> faults;
   this->Lights =
@@ -128,14 +164,14 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
     // One sample is the light's centre.
     light.Area = request.Samples > 1 ? light.Area : nullptr;
   }
-  this->Maps.Fit(this->Lights, space, boxes, request.Resolution, request.Samples);
+  this->Maps.Fit(this->Lights, space, boxes.Opaque, request.Resolution, request.Samples);
   // What translucent surfaces take of an area light is that of its centre.
   std::vector<LightSource> centers = this->Lights;
   for (LightSource& light : centers)
   {
     light.Area = nullptr;
   }
-  this->PaneViews.Fit(centers, space, panes, request.Resolution);
+  this->PaneViews.Fit(centers, space, boxes.Panes, request.Resolution);
   this->Screens.Gather(this->Lights, space);
   const bool hasShadows = std::any_of(this->Lights.begin(), this->Lights.end(),
     [](const LightSource& light) { return light.ShadowStrength > 0.0; });
@@ -143,15 +179,15 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
   const bool isPeeled =
     renderer->GetUseDepthPeeling() != 0 && renderer->GetUseDepthPeelingForVolumes();
   this->IsLayered =
-    !this->Panes.empty() && volumes > 0 && !isPeeled && (!this->Casters.empty() || !hasOthers);
+    !this->Panes.empty() && volumes > 0 && !isPeeled && (!this->Opaque.empty() || !hasOthers);
   this->IsMixed =
-    (volumes > 0 && hasShadows && (!this->Casters.empty() || isGroup)) || this->IsLayered;
+    (volumes > 0 && hasShadows && (!this->Opaque.empty() || isGroup)) || this->IsLayered;
   if (this->Layering.Enable(!this->Panes.empty()))
   {
     this->ShaderTime.Modified();
   }
   return this->Maps.HasViews() || this->IsMixed || !this->Screens.IsEmpty() ||
-    (!this->Panes.empty() && !this->PaneViews.GetViews().empty());
+    (!this->PaneCasters.empty() && !this->PaneViews.GetViews().empty());
 }
 
 std::string SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
@@ -199,7 +235,7 @@ std::string SceneRenderer::DrawEyeDepth(
 {
   this->Scene.Casters = &this->Maps;
   this->Scene.Panes = &this->PaneLight;
-  if (this->Casters.empty() && !this->IsLayered && !renderer->GetPreserveDepthBuffer())
+  if (this->Opaque.empty() && !this->IsLayered && !renderer->GetPreserveDepthBuffer())
   {
     return {};
   }
@@ -219,7 +255,7 @@ std::string SceneRenderer::DrawEyeDepth(
   this->Placeholder->Activate();
   this->EyeDepth.Draw(window, !isKept,
     [&]() {
-      PropDepths::DrawProps(renderer, this->Casters, { { 0, 0, size[0], size[1] } });
+      PropDepths::DrawProps(renderer, this->Opaque, { { 0, 0, size[0], size[1] } });
     });
   this->Placeholder->Deactivate();
   this->IsOfDepths = false;
@@ -246,7 +282,7 @@ std::string SceneRenderer::DrawPanes(vtkRenderer* renderer, vtkShadowedSceneRepo
 {
   const int views = static_cast<int>(this->PaneViews.GetViews().size());
   report.TranslucentActors = static_cast<int>(this->Panes.size());
-  if (this->Panes.empty() || views == 0)
+  if (this->PaneCasters.empty() || views == 0)
   {
     this->PaneLight.Clear(renderer->GetRenderWindow());
     return {};
@@ -255,7 +291,7 @@ std::string SceneRenderer::DrawPanes(vtkRenderer* renderer, vtkShadowedSceneRepo
     std::min(this->Settings.Resolution, CasterMaps::GetLargestResolution(views, 16384));
   this->IsOfDepths = true;
   this->Placeholder->Activate();
-  std::string error = this->PaneLight.Draw(renderer, this->PaneViews, this->Panes, resolution,
+  std::string error = this->PaneLight.Draw(renderer, this->PaneViews, this->PaneCasters, resolution,
     this->Settings.Bias, static_cast<std::size_t>(this->Settings.Layers), this->Layering);
   this->Placeholder->Deactivate();
   this->IsOfDepths = false;
@@ -476,7 +512,7 @@ void SceneRenderer::Mark(std::string& fragmentShader)
 
 void SceneRenderer::Replace(std::string& fragmentShader, vtkProp* prop)
 {
-  if (!this->Shader.Replace(fragmentShader))
+  if (!this->Shader.Replace(fragmentShader, this->Settings.Receives(prop)))
   {
     this->Failed.insert(prop);
   }
@@ -494,7 +530,7 @@ std::vector<vtkProp*> SceneRenderer::TakeUnsliced()
 std::vector<vtkProp*> SceneRenderer::TakeUnreached()
 {
   std::vector<vtkProp*> unreached;
-  for (vtkProp* prop : this->Casters)
+  for (vtkProp* prop : this->Opaque)
   {
     auto* actor = vtkActor::SafeDownCast(prop);
     vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;

@@ -48,6 +48,9 @@ public:
     double Bias = 1.0;
     int Samples = 16;
     int Layers = 16;
+    /// Whether a prop casts shadows, and whether it receives them.
+    bool (*Casts)(vtkProp* prop) = nullptr;
+    bool (*Receives)(vtkProp* prop) = nullptr;
   };
 
   SceneRenderer();
@@ -56,7 +59,8 @@ public:
   /// Finds the props that cast shadows and the lights that they cast them of. Returns whether there
   /// are both, or lights whose light so many \a volumes may take from them, or from each other, or
   /// lights with images.
-  bool Begin(vtkRenderer* renderer, const Request& request, int volumes);
+  bool Begin(
+    vtkRenderer* renderer, const Request& request, int volumes, vtkShadowedSceneReport& report);
 
   /// Whether volumes are part of the scene: else they are drawn as without it.
   bool HasVolumes() const { return this->IsMixed; }
@@ -105,6 +109,16 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  /// The boxes of opaque and of translucent props that cast shadows, and of all props.
+  struct Boxes
+  {
+    std::vector<CasterView::Box> Opaque;
+    std::vector<CasterView::Box> Panes;
+    std::vector<CasterView::Box> All;
+  };
+
+  /// Sorts the visible props of the renderer. Returns whether there are others that hide volumes.
+  bool SortProps(vtkRenderer* renderer, Boxes& boxes, vtkShadowedSceneReport& report);
   std::string UpdateContext(vtkOpenGLRenderWindow* window);
   std::string DrawPanes(vtkRenderer* renderer, vtkShadowedSceneReport& report);
   std::string PeelLayers(vtkRenderer* renderer, vtkShadowedSceneReport& report);
@@ -115,8 +129,12 @@ private:
 
   Request Settings;
   std::vector<vtkProp*> Props;
-  std::vector<vtkProp*> Casters;
+  std::vector<vtkProp*> Opaque;
   std::vector<vtkProp*> Panes;
+  /// Those of both that cast shadows, and props that receive none.
+  std::vector<vtkProp*> Casters;
+  std::vector<vtkProp*> PaneCasters;
+  std::vector<vtkProp*> Lit;
   std::vector<vtkProp*> Unsliced;
   std::vector<LightSource> Lights;
   SceneCasters Maps;
