@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAreaLight.h"
 
+#include "Lights/EmitterGrid.h"
 #include "Lights/EmitterSamples.h"
 #include "Lights/LightFrame.h"
 #include "Lights/LightImage.h"
@@ -29,6 +30,7 @@ void vtkAreaLight::SetShape(int shape)
   if (this->Shape != shape)
   {
     this->Shape = shape;
+    this->Grid = nullptr;
     this->Modified();
   }
 }
@@ -59,6 +61,7 @@ void vtkAreaLight::SetEmitter(vtkImageData* image)
   if (this->Emitter != image)
   {
     this->Emitter = image;
+    this->Grid = nullptr;
     this->Modified();
   }
 }
@@ -130,6 +133,21 @@ bool vtkAreaLight::GetEmitterMatrix(vtkMatrix4x4* matrix)
   return true;
 }
 
+const interlume::EmitterGrid* vtkAreaLight::GetGrid() const
+{
+  if (!this->Emitter)
+  {
+    return nullptr;
+  }
+  const vtkMTimeType time = this->Emitter->GetMTime();
+  if (!this->Grid || this->GridTime != time)
+  {
+    this->Grid = std::make_unique<interlume::EmitterGrid>(this->Shape == ROUND, this->Emitter);
+    this->GridTime = time;
+  }
+  return this->Grid.get();
+}
+
 std::string vtkAreaLight::GetEmitterError() const
 {
   return this->Emitter ? interlume::LightImage(this->Emitter).GetError("the image of its emitter")
@@ -145,7 +163,7 @@ std::vector<vtkAreaLight::Sample> vtkAreaLight::GetSamples(int count)
     return samples;
   }
   for (const interlume::EmitterSamples::Sample& from :
-    interlume::EmitterSamples::Make(this->Shape == ROUND, this->Emitter, count))
+    interlume::EmitterSamples::Make(this->Shape == ROUND, this->GetGrid(), count))
   {
     const glm::dvec3 position = frame.Origin + from.Place.x * this->Size[0] * frame.Right +
       from.Place.y * this->Size[1] * frame.Up;
@@ -159,8 +177,8 @@ std::vector<vtkAreaLight::Sample> vtkAreaLight::GetSamples(int count)
 
 void vtkAreaLight::GetEmitterColor(double color[3]) const
 {
-  vtkImageData* image = this->GetEmitterError().empty() ? this->Emitter.GetPointer() : nullptr;
-  const glm::dvec3 mean = interlume::EmitterSamples::GetColor(this->Shape == ROUND, image);
+  const interlume::EmitterGrid* grid = this->GetEmitterError().empty() ? this->GetGrid() : nullptr;
+  const glm::dvec3 mean = grid ? grid->GetColor() : glm::dvec3(1.0);
   std::copy_n(glm::value_ptr(mean), 3, color);
 }
 

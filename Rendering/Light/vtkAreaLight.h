@@ -6,6 +6,7 @@
 #include "vtkLight.h"
 #include "vtkSmartPointer.h" // for the emitter
 
+#include <memory> // for what is kept of the emitter
 #include <string> // for what is wrong with it
 #include <vector> // for samples
 
@@ -14,6 +15,8 @@ class vtkMatrix4x4;
 
 namespace interlume
 {
+class EmitterGrid;
+class EmitterSamples;
 struct LightFrame;
 }
 
@@ -169,11 +172,18 @@ protected:
   ~vtkAreaLight() override;
 
 private:
+  friend class interlume::EmitterSamples;
+
   bool GetFrame(interlume::LightFrame& frame);
+  /// Returns the colours of the emitter's image, which are found again where it has changed; null
+  /// without an image. The image has no error.
+  const interlume::EmitterGrid* GetGrid() const;
 
   int Shape = ROUND;
   double Size[2] = { 0.25, 0.25 };
   vtkSmartPointer<vtkImageData> Emitter;
+  mutable std::unique_ptr<const interlume::EmitterGrid> Grid;
+  mutable vtkMTimeType GridTime = 0;
   double ViewUp[3] = { 0.0, 1.0, 0.0 };
 
   vtkAreaLight(const vtkAreaLight&) = delete;

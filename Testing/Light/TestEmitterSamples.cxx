@@ -2,12 +2,16 @@
 // Samples of an emitter: moments of disc and square, strata, weights, and the light of images.
 #include "Reference/Checks/ReferenceCheck.h"
 
+#include "vtkAreaLight.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "Lights/EmitterGrid.h"
 #include "Lights/EmitterSamples.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -15,6 +19,7 @@ namespace
 {
 
 using namespace reference;
+using interlume::EmitterGrid;
 using interlume::EmitterSamples;
 using Samples = std::vector<EmitterSamples::Sample>;
 
@@ -173,7 +178,8 @@ void CheckFew(Check& check)
     MakeImage(4, 4, [](double x, double) { return glm::dvec3(x + 0.5, 0.0, 0.0); });
   for (const int count : { 1, 0, -3 })
   {
-    for (vtkImageData* emitter : { static_cast<vtkImageData*>(nullptr), image.GetPointer() })
+    const EmitterGrid grid(true, image);
+    for (const EmitterGrid* emitter : { static_cast<const EmitterGrid*>(nullptr), &grid })
     {
       const Samples samples = EmitterSamples::Make(true, emitter, count);
       check.That(samples.size() == 1 && samples[0].Place == glm::dvec2(0.0) &&
@@ -188,9 +194,10 @@ void CheckImages(Check& check)
   check.SetContext("a ramp, of which green falls");
   const auto ramp = MakeImage(
     64, 32, [](double x, double y) { return glm::dvec3(0.5 + x, 0.25 - 0.5 * x, 0.3 + 0.4 * y); });
+  const EmitterGrid rampGrid(false, ramp);
   for (const int count : { 16, 100, 1024 })
   {
-    const Samples samples = EmitterSamples::Make(false, ramp, count);
+    const Samples samples = EmitterSamples::Make(false, &rampGrid, count);
     CheckWeights(check, samples);
     // The integral of x (1/2 + x) over that of 1/2 + x.
     check.Near(GetMean(samples, 0, X), 1.0 / 6.0, 0.3 / count + 1e-3, "centre of red", 1.0);
@@ -214,7 +221,8 @@ void CheckImages(Check& check)
     { return std::hypot(x - 0.2, y + 0.1) < 0.05 ? glm::dvec3(1.0, 0.5, 0.0) : glm::dvec3(0.0); });
   for (const bool isRound : { false, true })
   {
-    const Samples samples = EmitterSamples::Make(isRound, spot, 16);
+    const EmitterGrid grid(isRound, spot);
+    const Samples samples = EmitterSamples::Make(isRound, &grid, 16);
     CheckWeights(check, samples);
     for (const EmitterSamples::Sample& sample : samples)
     {
@@ -222,7 +230,7 @@ void CheckImages(Check& check)
         std::hypot(sample.Place.x - 0.2, sample.Place.y + 0.1), 0.0, 0.06, "in the spot", 1.0);
       check.Near(sample.Weight.b, 1.0 / 16.0, 1e-12, "the weight of a channel that is nowhere");
     }
-    const glm::dvec3 color = EmitterSamples::GetColor(isRound, spot);
+    const glm::dvec3 color = grid.GetColor();
     check.That(color.r == 1.0 && std::abs(color.g - 0.5) < 1e-9 && color.b == 0.0, "its colour");
   }
 
@@ -230,17 +238,66 @@ void CheckImages(Check& check)
   const auto corners = MakeImage(200, 200,
     [](double x, double y)
     { return std::hypot(x, y) < 0.52 ? glm::dvec3(0.2, 0.4, 0.1) : glm::dvec3(1.0, 0.0, 0.0); });
-  const glm::dvec3 inside = EmitterSamples::GetColor(true, corners);
+  const glm::dvec3 inside = EmitterGrid(true, corners).GetColor();
   check.Near(inside.r, 0.5, 1e-9, "red");
   check.Near(inside.b, 0.25, 1e-9, "blue");
-  check.That(EmitterSamples::GetColor(false, corners).r > 0.9, "a square has the corners");
+  check.That(EmitterGrid(false, corners).GetColor().r > 0.9, "a square has the corners");
 
   check.SetContext("black");
   const auto black = MakeImage(3, 2, [](double, double) { return glm::dvec3(0.0); });
-  check.That(EmitterSamples::GetColor(true, black) == glm::dvec3(0.0), "no light");
-  const Samples samples = EmitterSamples::Make(true, black, 8);
+  const EmitterGrid blackGrid(true, black);
+  check.That(blackGrid.GetColor() == glm::dvec3(0.0), "no light");
+  const Samples samples = EmitterSamples::Make(true, &blackGrid, 8);
   CheckWeights(check, samples);
   check.Near(GetMean(samples, 0, X), 0.0, 1e-15, "samples as of a uniform one", 1.0);
+}
+
+// A light keeps the colours of its image, and finds them again where they, the image or the shape
+// have changed.
+void CheckKept(Check& check)
+{
+  check.SetContext("kept colours");
+  const auto image =
+    MakeImage(64, 64, [](double x, double) { return glm::dvec3(x < 0.0 ? 1.0 : 0.0); });
+  const auto other =
+    MakeImage(64, 64, [](double x, double) { return glm::dvec3(x < 0.0 ? 0.0 : 1.0, 0.0, 0.0); });
+  vtkNew<vtkAreaLight> light;
+  light->SetEmitter(image);
+  const auto areEqual = [&](const std::string& name)
+  {
+    vtkNew<vtkAreaLight> anew;
+    anew->SetShape(light->GetShape());
+    anew->SetEmitter(light->GetEmitter());
+    const std::vector<vtkAreaLight::Sample> found = light->GetSamples(16);
+    const std::vector<vtkAreaLight::Sample> expected = anew->GetSamples(16);
+    double colors[2][3];
+    light->GetEmitterColor(colors[0]);
+    anew->GetEmitterColor(colors[1]);
+    bool isEqual =
+      found.size() == expected.size() && std::equal(colors[0], colors[0] + 3, colors[1]);
+    for (std::size_t i = 0; isEqual && i < found.size(); ++i)
+    {
+      isEqual = std::equal(found[i].Position, found[i].Position + 3, expected[i].Position) &&
+        std::equal(found[i].Weight, found[i].Weight + 3, expected[i].Weight);
+    }
+    return check.That(isEqual, name);
+  };
+  areEqual("an image");
+  light->SetShapeToSquare();
+  areEqual("another shape");
+  light->SetEmitter(other);
+  areEqual("another image");
+  vtkDataArray* values = other->GetPointData()->GetScalars();
+  double before[3];
+  light->GetEmitterColor(before);
+  values->FillComponent(2, 1.0);
+  double kept[3];
+  light->GetEmitterColor(kept);
+  check.That(std::equal(before, before + 3, kept), "values that are not known to have changed");
+  values->Modified();
+  areEqual("other values");
+  light->SetEmitter(nullptr);
+  areEqual("no image");
 }
 
 // The lights that stand for samples: where they are, and that their colours are the light's.
@@ -281,6 +338,7 @@ int TestEmitterSamples(int, char*[])
   CheckSegments(check);
   CheckFew(check);
   CheckImages(check);
+  CheckKept(check);
   CheckSources(check);
   return check.Result();
 }

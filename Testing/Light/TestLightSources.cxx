@@ -300,6 +300,7 @@ void CheckArea(Check& check)
       check, 0.1 * scene.Gather().at(0).Diffuse, { 0.1, 0.2, 0.3 }, "the emitter's colour");
   }
   image->GetPointData()->GetScalars()->Fill(0.0);
+  image->GetPointData()->GetScalars()->Modified();
   light->SetAmbientColor(0.0, 0.0, 0.0);
   check.That(scene.Gather().empty() && scene.Errors.empty(), "a black emitter gives no light");
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/EmitterSamples.h"
 
-#include "Lights/LightImage.h"
+#include "Lights/EmitterGrid.h"
 #include "Space/UnitVector.h"
 
 #include "vtkAreaLight.h"
-#include "vtkImageData.h"
-#include "vtkMath.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 
@@ -50,97 +50,6 @@ std::vector<glm::dvec2> MakeNet(int count)
   return net;
 }
 
-// Maps the unit square to the emitter and keeps areas.
-glm::dvec2 GetPlace(bool isRound, const glm::dvec2& point)
-{
-  const glm::dvec2 place = point - 0.5;
-  if (!isRound || place == glm::dvec2(0.0))
-  {
-    return place;
-  }
-  const bool isWide = std::abs(place.x) > std::abs(place.y);
-  const double radius = isWide ? place.x : place.y;
-  const double angle =
-    0.25 * vtkMath::Pi() * (isWide ? place.y / place.x : 2.0 - place.x / place.y);
-  return { radius * std::cos(angle), radius * std::sin(angle) };
-}
-
-// The colours of an emitter at the middles of the cells of a grid of the unit square.
-class ColorGrid
-{
-public:
-  ColorGrid(bool isRound, vtkImageData* image)
-  {
-    int size[3];
-    image->GetDimensions(size);
-    this->Size = std::min(std::max({ 128, size[0], size[1] }), 512);
-    this->Colors.reserve(static_cast<std::size_t>(this->Size) * this->Size);
-    const LightImage colors(image);
-    for (int j = 0; j < this->Size; ++j)
-    {
-      for (int i = 0; i < this->Size; ++i)
-      {
-        const glm::dvec2 place =
-          GetPlace(isRound, glm::dvec2(i + 0.5, j + 0.5) / static_cast<double>(this->Size)) + 0.5;
-        this->Colors.push_back(colors.GetColor(place.x, place.y, true));
-      }
-    }
-  }
-
-  glm::dvec3 GetMean() const
-  {
-    return std::accumulate(this->Colors.begin(), this->Colors.end(), glm::dvec3(0.0)) /
-      static_cast<double>(this->Colors.size());
-  }
-
-  // Moves points that are spread evenly to where the emitter is bright; returns their colours, each
-  // over its own brightness. The emitter is not black.
-  std::vector<glm::dvec3> Warp(std::vector<glm::dvec2>& points) const
-  {
-    const auto size = static_cast<std::size_t>(this->Size);
-    std::vector<double> rows;
-    std::vector<std::vector<double>> columns(size);
-    double total = 0.0;
-    for (std::size_t j = 0; j < size; ++j)
-    {
-      double sum = 0.0;
-      for (std::size_t i = 0; i < size; ++i)
-      {
-        columns[j].push_back(sum += GetBrightness(this->Colors[j * size + i]));
-      }
-      rows.push_back(total += sum);
-    }
-    std::vector<glm::dvec3> colors;
-    for (glm::dvec2& point : points)
-    {
-      const std::size_t j = Find(rows, point.y);
-      const std::size_t i = Find(columns[j], point.x);
-      const glm::dvec3& color = this->Colors[j * size + i];
-      colors.push_back(color / GetBrightness(color));
-    }
-    return colors;
-  }
-
-private:
-  static double GetBrightness(const glm::dvec3& color) { return color.r + color.g + color.b; }
-
-  // Finds the cell in which the sums reach a share of the last one; the share becomes the place.
-  static std::size_t Find(const std::vector<double>& sums, double& share)
-  {
-    const double sum = share * sums.back();
-    // The first sum above it ends a cell that is not black.
-    const auto above = std::upper_bound(sums.begin(), sums.end(), sum);
-    const auto cell = static_cast<std::size_t>(above - sums.begin());
-    const double before = cell > 0 ? sums[cell - 1] : 0.0;
-    share = (static_cast<double>(cell) + (sum - before) / (sums[cell] - before)) /
-      static_cast<double>(sums.size());
-    return cell;
-  }
-
-  int Size = 0;
-  std::vector<glm::dvec3> Colors;
-};
-
 // Scales the weights of a channel so that their sum is 1; all are the same where the samples have
 // nothing of it. As multiples of 2^-50 they are added without rounding, in any order.
 void Normalize(std::vector<EmitterSamples::Sample>& samples, int channel)
@@ -167,7 +76,7 @@ void Normalize(std::vector<EmitterSamples::Sample>& samples, int channel)
 }
 
 std::vector<EmitterSamples::Sample> EmitterSamples::Make(
-  bool isRound, vtkImageData* image, int count)
+  bool isRound, const EmitterGrid* grid, int count)
 {
   if (count <= 1)
   {
@@ -175,18 +84,16 @@ std::vector<EmitterSamples::Sample> EmitterSamples::Make(
   }
   std::vector<glm::dvec2> points = MakeNet(count);
   std::vector<glm::dvec3> colors(points.size(), glm::dvec3(1.0));
-  bool isUniform = true;
-  if (image)
+  const bool isUniform = !grid || grid->IsBlack();
+  if (!isUniform)
   {
-    const ColorGrid grid(isRound, image);
-    isUniform = grid.GetMean() == glm::dvec3(0.0);
-    colors = isUniform ? colors : grid.Warp(points);
+    colors = grid->Warp(points);
   }
   std::vector<Sample> samples(points.size());
   glm::dvec2 mean(0.0);
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    samples[i] = { GetPlace(isRound, points[i]), colors[i] };
+    samples[i] = { EmitterGrid::GetPlace(isRound, points[i]), colors[i] };
     mean += samples[i].Place / static_cast<double>(count);
   }
   for (Sample& sample : samples)
@@ -243,18 +150,7 @@ std::vector<LightSource> EmitterSamples::Split(
 
 std::vector<EmitterSamples::Sample> EmitterSamples::Make(const LightSource& light, int count)
 {
-  return Make(light.Area->GetShape() == vtkAreaLight::ROUND, light.Area->GetEmitter(), count);
-}
-
-glm::dvec3 EmitterSamples::GetColor(bool isRound, vtkImageData* image)
-{
-  if (!image)
-  {
-    return glm::dvec3(1.0);
-  }
-  const glm::dvec3 mean = ColorGrid(isRound, image).GetMean();
-  const double largest = std::max({ mean.r, mean.g, mean.b });
-  return largest > 0.0 ? mean / largest : mean;
+  return Make(light.Area->GetShape() == vtkAreaLight::ROUND, light.Area->GetGrid(), count);
 }
 
 }

@@ -8,10 +8,10 @@
 
 #include <glm/vec2.hpp>
 
-class vtkImageData;
-
 namespace interlume
 {
+
+class EmitterGrid;
 
 /**
  * @class   EmitterSamples
@@ -39,9 +39,8 @@ public:
     glm::dvec3 Weight{ 1.0, 1.0, 1.0 };
   };
 
-  /// Computes \a count samples, 1 where \a count is less. \a image is null for a uniform emitter;
-  /// it has no error.
-  static std::vector<Sample> Make(bool isRound, vtkImageData* image, int count);
+  /// Computes \a count samples, 1 where \a count is less. \a grid is null for a uniform emitter.
+  static std::vector<Sample> Make(bool isRound, const EmitterGrid* grid, int count);
 
   /// Computes the samples of an area light.
   static std::vector<Sample> Make(const LightSource& light, int count);
@@ -54,10 +53,6 @@ public:
   /// each, in the place of the area light.
   static std::vector<LightSource> Split(
     const std::vector<LightSource>& lights, const std::vector<int>& indices, int count);
-
-  /// Computes the mean colour of the emitter over its largest channel; white without an image,
-  /// black of a black one.
-  static glm::dvec3 GetColor(bool isRound, vtkImageData* image);
 };
 
 }
