@@ -73,16 +73,13 @@ vtkImageData* vtkAreaLight::GetEmitter() const
 
 void vtkAreaLight::SetViewUp(double x, double y, double z)
 {
-  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+  if (!interlume::LightFrame::IsFinite({ x, y, z }))
   {
     vtkErrorMacro("ViewUp " << x << ", " << y << ", " << z << " is not finite.");
     return;
   }
-  if (this->ViewUp[0] != x || this->ViewUp[1] != y || this->ViewUp[2] != z)
+  if (interlume::LightFrame::SetViewUp(this->ViewUp, { x, y, z }))
   {
-    this->ViewUp[0] = x;
-    this->ViewUp[1] = y;
-    this->ViewUp[2] = z;
     this->Modified();
   }
 }

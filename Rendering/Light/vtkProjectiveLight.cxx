@@ -69,15 +69,8 @@ void vtkProjectiveLight::SetScreenSize(double width, double height)
 
 void vtkProjectiveLight::SetViewUp(double x, double y, double z)
 {
-  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+  if (interlume::LightFrame::SetViewUp(this->ViewUp, { x, y, z }))
   {
-    return;
-  }
-  if (this->ViewUp[0] != x || this->ViewUp[1] != y || this->ViewUp[2] != z)
-  {
-    this->ViewUp[0] = x;
-    this->ViewUp[1] = y;
-    this->ViewUp[2] = z;
     this->Modified();
   }
 }

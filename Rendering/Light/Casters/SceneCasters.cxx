@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casters/SceneCasters.h"
 
+#include "Space/MatrixUniform.h"
+
 #include "InterlumeSceneCasters.h"
 #include "InterlumeSceneDepths.h"
 #include "InterlumeSceneEmitters.h"
@@ -27,12 +29,6 @@ void Append(std::vector<float>& values, const Vector& vector)
   const auto* components = glm::value_ptr(vector);
   std::transform(components, components + vector.length(), std::back_inserter(values),
     [](double value) { return static_cast<float>(value); });
-}
-
-void SetMatrix(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix)
-{
-  glm::mat4 rounded(matrix);
-  program->SetUniformMatrix4x4(name, glm::value_ptr(rounded));
 }
 }
 
@@ -156,10 +152,10 @@ void SceneCasters::SetUniforms(vtkShaderProgram* program, const glm::dmat4& worl
 void SceneCasters::SetEmitterUniforms(
   vtkShaderProgram* program, const glm::dmat4& worldFromPlace) const
 {
-  SetMatrix(program, "emitterFromPlace", this->Space.GetUnitFromWorld() * worldFromPlace);
+  MatrixUniform::Set(program, "emitterFromPlace", this->Space.GetUnitFromWorld() * worldFromPlace);
   if (program->IsUniformUsed("placeFromEmitter"))
   {
-    SetMatrix(
+    MatrixUniform::Set(
       program, "placeFromEmitter", glm::inverse(worldFromPlace) * this->Space.GetWorldFromUnit());
   }
   std::vector<float> lights;

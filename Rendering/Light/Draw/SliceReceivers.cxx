@@ -38,9 +38,7 @@ public:
   {
     for (const SlicePlan::ShadowedLight& light : sweep.Lights)
     {
-      const LightSource& source = frame.Lights[light.Light];
-      this->Sources.push_back(source.IsPositional ? glm::dvec4(source.Position, 1.0)
-                                                  : glm::dvec4(-source.Direction, 0.0));
+      this->Sources.push_back(frame.Lights[light.Light].GetHomogeneous());
     }
     for (const SlicePlan::ShadowedLight& light : sweep.Lights)
     {

@@ -4,6 +4,7 @@
 #include "Casters/SceneCasters.h"
 #include "Common/Vectors.h"
 #include "Receivers/SliceScene.h"
+#include "Space/MatrixUniform.h"
 #include "Space/UnitVector.h"
 #include "Translucent/PaneMaps.h"
 
@@ -145,12 +146,6 @@ void SetVector(vtkShaderProgram* program, const std::string& name, const std::ar
   program->SetUniform4f(name.c_str(), values);
 }
 
-void SetMatrix(vtkShaderProgram* program, const std::string& name, const glm::dmat4& matrix)
-{
-  glm::mat4 rounded(matrix);
-  program->SetUniformMatrix4x4(name.c_str(), glm::value_ptr(rounded));
-}
-
 void SetFrame(vtkShaderProgram* program, const std::string& name, const std::array<double, 9>& axes)
 {
   float columns[9];
@@ -212,7 +207,7 @@ Columns GetColorColumns(const SliceFrame& frame)
 void SetMediumUniforms(vtkShaderProgram* program, const SliceFrame& frame, const Sweep& sweep)
 {
   const UnitSpace& space = frame.Space;
-  SetMatrix(program, "textureFromUnit", space.TextureFromUnit);
+  MatrixUniform::Set(program, "textureFromUnit", space.TextureFromUnit);
   program->SetUniformf("worldLength", static_cast<float>(space.Radius));
   SetVector(program, "boxLower",
     glm::dvec3(frame.Region.Box[0][0], frame.Region.Box[1][0], frame.Region.Box[2][0]));
@@ -273,7 +268,7 @@ void SetMediumUniforms(vtkShaderProgram* program, const SliceFrame& frame, const
     SetVector(program, "croppingLower", frame.Region.CroppingLower);
     SetVector(program, "croppingUpper", frame.Region.CroppingUpper);
     program->SetUniformi("croppingFlags", frame.Region.CroppingFlags);
-    SetMatrix(program, "volumeFromUnit", space.VolumeFromUnit);
+    MatrixUniform::Set(program, "volumeFromUnit", space.VolumeFromUnit);
   }
 }
 
@@ -307,7 +302,7 @@ void SetLight(vtkShaderProgram* program, const LightSource& light, const Shadowe
   }
   if (light.Projective)
   {
-    SetMatrix(program, "screenFromUnit" + number, light.ScreenFromUnit);
+    MatrixUniform::Set(program, "screenFromUnit" + number, light.ScreenFromUnit);
     program->SetUniformf(
       ("edgeWidth" + number).c_str(), static_cast<float>(light.Projective->GetEdgeWidth()));
     program->SetUniformf(
@@ -322,7 +317,7 @@ void SetLight(vtkShaderProgram* program, const LightSource& light, const Shadowe
     }
     else
     {
-      SetMatrix(program, "bufferFromUnit" + number, shadow->BufferFromUnit);
+      MatrixUniform::Set(program, "bufferFromUnit" + number, shadow->BufferFromUnit);
       if (isUsed("voxelLength"))
       {
         program->SetUniformf(
@@ -509,7 +504,7 @@ void SliceShader::SetEyeUniforms(
   vtkShaderProgram* program, const SliceFrame& frame, std::size_t sweep, bool isOccluded)
 {
   SetMediumUniforms(program, frame, frame.Plan.Sweeps[sweep]);
-  SetMatrix(program, "clipFromUnit", frame.Eye.ClipFromUnit);
+  MatrixUniform::Set(program, "clipFromUnit", frame.Eye.ClipFromUnit);
   if (frame.Eye.IsParallel)
   {
     SetVector(program, "eyeDirection", frame.Eye.Direction);
@@ -526,7 +521,7 @@ void SliceShader::SetEyeUniforms(
   {
     const float size[2] = { static_cast<float>(frame.Size[0]), static_cast<float>(frame.Size[1]) };
     program->SetUniform2f("imageSize", size);
-    SetMatrix(program, "unitFromClip", glm::inverse(frame.Eye.ClipFromUnit));
+    MatrixUniform::Set(program, "unitFromClip", glm::inverse(frame.Eye.ClipFromUnit));
   }
   if (!frame.IsLit())
   {
@@ -580,11 +575,11 @@ void SliceShader::SetLightUniforms(vtkShaderProgram* program, const SliceFrame& 
     // From a place in the buffer.
     const double rows[16] = { 2.0, 0.0, 0.0, -1.0, 0.0, 2.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
       0.0, 0.0, 1.0 };
-    SetMatrix(program, "clipFromUnit", UnitVector::FromRows(rows));
+    MatrixUniform::Set(program, "clipFromUnit", UnitVector::FromRows(rows));
   }
   else
   {
-    SetMatrix(program, "clipFromUnit", light.BufferFromUnit);
+    MatrixUniform::Set(program, "clipFromUnit", light.BufferFromUnit);
   }
   if (source.IsPositional)
   {
@@ -600,14 +595,14 @@ void SliceShader::SetReceiverUniforms(vtkShaderProgram* program, const SliceFram
   const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light)
 {
   SetMediumUniforms(program, frame, sweep);
-  SetMatrix(program, "clipFromUnit", frame.Eye.ClipFromUnit);
+  MatrixUniform::Set(program, "clipFromUnit", frame.Eye.ClipFromUnit);
   SetLight(program, frame.Lights[light.Light], &light, "_0");
 }
 
 void SliceShader::SetLayerPointUniforms(
   vtkShaderProgram* program, const SliceFrame& frame, const SlicePlan::ShadowedLight& light)
 {
-  SetMatrix(program, "clipFromUnit", frame.Eye.ClipFromUnit);
+  MatrixUniform::Set(program, "clipFromUnit", frame.Eye.ClipFromUnit);
   std::vector<float> layers;
   std::vector<float> weights;
   for (const SlicePlan::SampleView& sample : light.Samples)

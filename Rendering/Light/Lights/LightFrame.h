@@ -40,6 +40,22 @@ struct LightFrame
     this->Right = glm::cross(this->Forward, this->Up);
     return true;
   }
+
+  /// Sets the up of a light. Returns whether it is another now: one that is
+  /// not finite changes nothing.
+  static bool SetViewUp(double (&viewUp)[3], const glm::dvec3& up)
+  {
+    if (!IsFinite(up) || glm::make_vec3(viewUp) == up)
+    {
+      return false;
+    }
+    std::copy_n(glm::value_ptr(up), 3, viewUp);
+    return true;
+  }
+  static bool IsFinite(const glm::dvec3& up)
+  {
+    return std::isfinite(up.x) && std::isfinite(up.y) && std::isfinite(up.z);
+  }
 };
 
 }

@@ -6,6 +6,7 @@
 #include <array>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 
 class vtkAreaLight;
 class vtkLight;
@@ -55,6 +56,12 @@ struct LightSource
   /// The width and height of its emitter as vectors: to the right and up. Of positional lights in
   /// unit space, of directional ones where the distance to the emitter is 1.
   std::array<glm::dvec3, 2> EmitterAxes{};
+
+  /// Returns the light's place, or where its light comes from, in homogeneous coordinates.
+  glm::dvec4 GetHomogeneous() const
+  {
+    return this->IsPositional ? glm::dvec4(this->Position, 1.0) : glm::dvec4(-this->Direction, 0.0);
+  }
 };
 
 }

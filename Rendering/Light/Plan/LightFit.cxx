@@ -36,13 +36,6 @@ glm::dvec3 GetRay(const LightSource& source, const glm::dvec3& place)
                              : source.Direction;
 }
 
-// Returns a light's place, or where its light comes from, in homogeneous coordinates.
-glm::dvec4 GetHomogeneous(const LightSource& source)
-{
-  return source.IsPositional ? glm::dvec4(source.Position, 1.0)
-                             : glm::dvec4(-source.Direction, 0.0);
-}
-
 }
 
 LightFit::LightFit(const BoxCorners& corners, const std::vector<SlicePlan::Matter>& matter,
@@ -290,11 +283,11 @@ bool LightFit::Soften(
       SlicePlan::ShadowedLight layer;
       this->FitPlane(placed, layer);
       soft.Samples.push_back({ layer.BufferFromUnit, glm::dot(sample.Weight, glm::dvec3(1.0 / 3.0)),
-        GetHomogeneous(placed) });
+        placed.GetHomogeneous() });
     }
   }
   soft.SoftMethod = this->Settings.SoftMethod;
-  soft.Center = GetHomogeneous(source);
+  soft.Center = source.GetHomogeneous();
   light = soft;
   return true;
 }

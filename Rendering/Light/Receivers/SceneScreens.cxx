@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Receivers/SceneScreens.h"
 
+#include "Space/MatrixUniform.h"
 #include "Space/UnitSpace.h"
 
 #include "InterlumeLightScreen.h"
@@ -118,9 +119,8 @@ void SceneScreens::SetUniforms(
     }
     if (isUsed("sceneScreenFromView" + number))
     {
-      glm::mat4 matrix(image.ScreenFromWorld * worldFromView);
-      program->SetUniformMatrix4x4(
-        ("sceneScreenFromView" + number).c_str(), glm::value_ptr(matrix));
+      MatrixUniform::Set(
+        program, "sceneScreenFromView" + number, image.ScreenFromWorld * worldFromView);
     }
     if (isUsed("sceneScreen" + number))
     {
