@@ -233,7 +233,9 @@ public:
   ///@{
   /**
    * The number of pixels of the viewport for each pixel of the picture, along an edge; the picture
-   * is interpolated between its pixels. Default 1. Valid: 0.25 to 100.
+   * is interpolated between its pixels, and not across the edges of opaque surfaces in front of or
+   * in the volume. Surfaces narrower than a pixel of the picture may be missed by it. Default 1.
+   * Valid: 0.25 to 100.
    */
   vtkSetClampMacro(ImageSampleDistance, double, 0.25, 100.0);
   vtkGetMacro(ImageSampleDistance, double);

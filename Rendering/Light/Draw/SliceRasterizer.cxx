@@ -170,6 +170,9 @@ std::string SliceRasterizer::Draw(vtkRenderer* renderer, const std::vector<Volum
   {
     this->OpaqueDepth->ReleaseGraphicsResources(window);
   }
+  vtkTextureObject* surfaces = frame.Scene ? frame.Scene->EyeDepth : this->OpaqueDepth.Get();
+  this->Coarse.SetDepths(this->HasOpaqueDepth ? surfaces : nullptr,
+    frame.Scene ? frame.Scene->FrontDepth : nullptr, glm::inverse(frame.Eye.ClipFromUnit));
   report.Features = SliceShader::GetNames(frame, this->HasOpaqueDepth);
   for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
   {
@@ -537,7 +540,7 @@ void SliceRasterizer::AddSweep(vtkOpenGLRenderWindow* window, const SliceFrame& 
 
 bool SliceRasterizer::Show(vtkOpenGLRenderWindow* window)
 {
-  if (this->HasImage)
+  if (this->HasImage && !this->Coarse.Show(window, this->Image))
   {
     this->Quad.Draw(window, this->Image);
   }
@@ -592,6 +595,7 @@ void SliceRasterizer::ReleaseGraphicsResources(vtkWindow* window)
   this->Quad.ReleaseGraphicsResources(window);
   this->SumQuad.ReleaseGraphicsResources(window);
   this->SelectionQuad.ReleaseGraphicsResources(window);
+  this->Coarse.ReleaseGraphicsResources(window);
 }
 
 }

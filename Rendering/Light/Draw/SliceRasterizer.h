@@ -2,6 +2,7 @@
 #ifndef interlume_SliceRasterizer_h
 #define interlume_SliceRasterizer_h
 
+#include "Draw/CoarsePicture.h"
 #include "Draw/SliceFrame.h"
 #include "Draw/SliceLightBuffer.h"
 #include "Draw/SliceOcclusion.h"
@@ -134,6 +135,7 @@ private:
   vtkImageQuad Quad;
   vtkImageQuad SumQuad;
   vtkImageQuad SelectionQuad;
+  CoarsePicture Coarse;
   bool HasOpaqueDepth = false;
   bool HasImage = false;
 };
