@@ -18,7 +18,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <cmath>
-#include <ctime>
 
 namespace mixed
 {
@@ -122,30 +121,22 @@ void Drawing::MoveLights()
 BenchWork Drawing::GetFrame(int threads, bool areLightsMoved)
 {
   return WithThreads(threads,
-    [this, areLightsMoved]()
-    {
-      const std::clock_t start = std::clock();
-      vtkNew<vtkCamera> moved;
-      moved->DeepCopy(this->Scene.Camera);
-      moved->Azimuth(0.5 * (++this->Frames % 40));
-      this->SetCamera(moved);
-      if (areLightsMoved)
+    this->Clock.Watch(
+      [this, areLightsMoved]()
       {
-        this->MoveLights();
-      }
-      this->Stage.GetRenderer()->SetPass(this->Pass);
-      this->Stage.GetWindow()->Render();
-      this->Stage.GetWindow()->WaitForCompletion();
-      this->ProcessorSeconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-      return vtkSmartPointer<vtkObjectBase>(this->Pass);
-    });
-}
-
-double Drawing::TakeProcessorSeconds()
-{
-  const double seconds = Median(this->ProcessorSeconds);
-  this->ProcessorSeconds.clear();
-  return seconds;
+        vtkNew<vtkCamera> moved;
+        moved->DeepCopy(this->Scene.Camera);
+        moved->Azimuth(0.5 * (++this->Frames % 40));
+        this->SetCamera(moved);
+        if (areLightsMoved)
+        {
+          this->MoveLights();
+        }
+        this->Stage.GetRenderer()->SetPass(this->Pass);
+        this->Stage.GetWindow()->Render();
+        this->Stage.GetWindow()->WaitForCompletion();
+        return vtkSmartPointer<vtkObjectBase>(this->Pass);
+      }));
 }
 
 const vtkShadowedSceneReport* Drawing::GetReport() const

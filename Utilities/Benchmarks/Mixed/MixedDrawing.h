@@ -3,6 +3,7 @@
 #define MixedDrawing_h
 
 #include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/ProcessorClock.h"
 #include "Pictures/MixedScene.h"
 #include "Pictures/RgbaPicture.h"
 #include "Pictures/VolumeStage.h"
@@ -63,7 +64,7 @@ public:
 
   /// The median processor seconds of the frames since the last call, of all threads: what else the
   /// machine does falls on it less than on the time.
-  double TakeProcessorSeconds();
+  double TakeProcessorSeconds() { return this->Clock.Take(); }
 
   /// Null where another method draws, and where there is no volume.
   const vtkShadowedSceneReport* GetReport() const;
@@ -78,7 +79,7 @@ private:
   vtkSmartPointer<vtkShadowedScenePass> ScenePass;
   vtkSmartPointer<vtkShadowedSliceMapper> Slices;
   std::vector<reference::Double3> Positions;
-  std::vector<double> ProcessorSeconds;
+  ProcessorClock Clock;
   int Frames = 0;
 };
 }

@@ -35,13 +35,8 @@ std::vector<Case> MakeCases(const BenchOptions& options)
 {
   const int points = options.Pick(128, 32, 12);
   const int step = options.Pick(2, 8, 16);
-  std::vector<Case> cases = { MakeSphere(points), MakeRings(points), MakeBonsai(step, step) };
-  const int pixels = options.Pick(256, 64, 16);
-  for (Case& one : cases)
-  {
-    one.Scene.Size = { { pixels, pixels } };
-  }
-  return cases;
+  return WithPixels(
+    { MakeSphere(points), MakeRings(points), MakeBonsai(step, step) }, options.Pick(256, 64, 16));
 }
 
 /// A method at one of its settings, and what was found.

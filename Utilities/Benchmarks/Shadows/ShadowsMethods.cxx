@@ -81,9 +81,12 @@ BenchWork Method::GetFrame(int threads)
 reference::RgbaPicture Method::Capture()
 {
   this->Show(this->Scene.Camera);
-  // vtkGPUVolumeRayCastMapper cannot take its depth buffer from the float framebuffer and draws
-  // nothing there until it has one.
-  this->Stage.Render();
+  if (!this->GetSlices())
+  {
+    // vtkGPUVolumeRayCastMapper cannot take its depth buffer from the float framebuffer and draws
+    // nothing there until it has one.
+    this->Stage.Render();
+  }
   return this->Stage.Capture();
 }
 

@@ -260,6 +260,15 @@ Case MakeBox(int points)
   return made;
 }
 
+std::vector<Case> WithPixels(std::vector<Case> cases, int pixels)
+{
+  for (Case& one : cases)
+  {
+    one.Scene.Size = { { pixels, pixels } };
+  }
+  return cases;
+}
+
 Case MakeScattering(const Case& from)
 {
   Case made = from;

@@ -5,6 +5,7 @@
 #include "Pictures/ShadowScene.h"
 
 #include <string>
+#include <vector>
 
 /**
  * What the suite `shadows` draws.
@@ -17,6 +18,9 @@ struct Case
   /// With the light of MakeLights(1) and a picture of 512^2.
   reference::ShadowScene Scene;
 };
+
+/// The cases with pictures of so many pixels along both edges.
+std::vector<Case> WithPixels(std::vector<Case> cases, int pixels);
 
 /**
  * bonsai.vti, a CT set of 256^3 bytes, thinned to every so many samples along x and y, and along z.

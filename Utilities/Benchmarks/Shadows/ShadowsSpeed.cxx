@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace shadows
 {
@@ -38,12 +39,7 @@ std::vector<Case> MakeCases(const BenchOptions& options)
   {
     cases = { MakeBonsai(16, 32), MakeSphere(12), MakeRings(12) };
   }
-  const int pixels = options.Pick(512, 192, 32);
-  for (Case& one : cases)
-  {
-    one.Scene.Size = { { pixels, pixels } };
-  }
-  return cases;
+  return WithPixels(std::move(cases), options.Pick(512, 192, 32));
 }
 
 /// A method that takes its turn, and its name in the rows.

@@ -19,9 +19,11 @@ public:
       "One frame of vtkShadowedSliceMapper, off-screen, until OpenGL says it is done, with one "
       "round, positional area light, as wide as a diagonal of the volume and 1.5 of them from its "
       "middle. Every part of the matter scatters light evenly. The camera turns by half a degree "
-      "from frame to frame; all methods take turns.",
+      "from frame to frame; all methods take turns. processor_seconds are those of all "
+      "threads; over_hard and equal times are by them.",
       "Error: pictures in a float framebuffer against the same mapper's with each of 256 samples "
-      "of the light as a light of its own (32 in quick runs), slices at half the default distance "
+      "of the light as a light of its own (32 in quick runs), the mean of pictures of sixteen, "
+      "slices at half the default distance "
       "and a light buffer of 256^2 (128^2). sample-layers, the default, and sampled-lights: the "
       "parameter is the number of samples. accumulated-convolution, the published method: the "
       "parameter is the distance of slices over the default one. \", buffer\": it is the size of "
