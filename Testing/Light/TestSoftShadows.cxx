@@ -12,10 +12,14 @@
 #include "vtkAreaLight.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkShadowedSliceMapper.h"
+#include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 
 namespace
@@ -106,6 +110,68 @@ void TestHalfPlane(Check& check)
       check.Near((shift - hardShift) / Width * size, 0.0, 1.0,
         name + ": edge beside that of hard shadows, in texels", 1.0);
     }
+  }
+}
+
+/// What a half plane's penumbra is off by: its width, as a share, and its profile in the root mean
+/// square from where it lies.
+struct PenumbraError
+{
+  double Width = 0.0;
+  double Profile = 0.0;
+};
+
+/// Slices, texels and samples of the light by steps of 1 / \a steps of what they are of 1. The
+/// receiver is not lit evenly, so that the profile is that of the light that comes through.
+PenumbraError MeasureHalfPlane(double ratio, double width, int steps)
+{
+  const auto draw = [&](const ShadowScene& plane)
+  {
+    vtkNew<Mapper> mapper;
+    mapper->SetLightBufferSize(64 * steps);
+    mapper->SetNumberOfLightSamples(8 * steps);
+    mapper->SetSliceSpacing(Gap / (86.0 * steps));
+    return GetPenumbra(DrawByMapper(mapper, plane));
+  };
+  std::vector<double> profile = draw(MakeHalfPlane(ratio, width));
+  const ShadowScene open = MakeHalfPlane(ratio, width);
+  vtkPiecewiseFunction* opacity = open.Property->GetScalarOpacity();
+  opacity->AddPoint(0.6, 0.0);
+  opacity->AddPoint(1.0, 0.0);
+  const std::vector<double> lit = draw(open);
+  std::transform(profile.begin(), profile.end(), lit.begin(), profile.begin(), std::divides<>());
+  const double shift = GetShift(profile, width);
+  PenumbraError error;
+  error.Width = std::abs(GetRampWidth(profile) / width - 1.0);
+  for (std::size_t i = 0; i < profile.size(); ++i)
+  {
+    const double difference = profile[i] - GetRamp(GetPlace(i) + shift, width);
+    error.Profile += difference * difference / static_cast<double>(profile.size());
+  }
+  error.Profile = std::sqrt(error.Profile);
+  return error;
+}
+
+/// Slices, texels and samples refined together: by which order the profile becomes the ramp.
+void TestRefinement(Check& check)
+{
+  constexpr double width = 0.2;
+  for (const double ratio : { 0.05, 1.0, 5.0 })
+  {
+    PenumbraError first;
+    PenumbraError last;
+    for (const int steps : { 2, 4, 8 })
+    {
+      last = MeasureHalfPlane(ratio, width, steps);
+      first = steps == 2 ? last : first;
+      std::cout << "half plane, dZ/Z " << ratio << ", steps of 1/" << steps << ": width off by "
+                << 100.0 * last.Width << " %, profile by " << last.Profile << std::endl;
+    }
+    const double order = 0.5 * std::log2(first.Profile / last.Profile);
+    std::cout << "half plane, dZ/Z " << ratio << ": order " << order << std::endl;
+    const std::string name = "half plane, dZ/Z " + std::to_string(ratio);
+    check.That(order > 0.7, name + ": order of the profile, " + std::to_string(order));
+    check.Near(last.Width, 0.0, 0.012, name + ": width with the finest steps", 1.0);
   }
 }
 
@@ -299,6 +365,7 @@ int TestSoftShadows(int, char*[])
   TestPoint(check);
   TestSamples(check);
   TestHalfPlane(check);
+  TestRefinement(check);
   TestShapes(check);
   TestConvolution(check);
   TestInside(check);
