@@ -5,6 +5,7 @@
 #include "Gallery/Picture.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
+#include "Gallery/Turns.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -31,6 +32,7 @@ struct Options
   std::string Out = "gallery";
   std::string Size = "1280x800";
   std::string Json;
+  int Degrees = 0;
 };
 
 void PrintList()
@@ -106,11 +108,19 @@ void Draw(const Options& options)
   int height = 0;
   ParseSize(options.Size, width, height);
   const std::vector<const gallery::Scene*> scenes = ChosenScenes(options.Scenes);
+  const gallery::DisplayHold display;
+  if (options.Degrees > 0)
+  {
+    for (const gallery::Scene* scene : scenes)
+    {
+      std::cout << ToText(gallery::TurnScene(*scene, width, height, options.Degrees)) << std::flush;
+    }
+    return;
+  }
   if (!vtksys::SystemTools::MakeDirectory(options.Out))
   {
     throw std::runtime_error("cannot make the folder " + options.Out);
   }
-  const gallery::DisplayHold display;
   std::vector<gallery::SceneReport> reports;
   for (const gallery::Scene* scene : scenes)
   {
@@ -144,6 +154,11 @@ int main(int argc, char* argv[])
   app.add_option("--size", options.Size, "Width and height of a picture in pixels")
     ->capture_default_str();
   app.add_option("--json", options.Json, "Write times and counters of every scene to this file");
+  app
+    .add_option("--turn", options.Degrees,
+      "Instead of pictures, print how far frames stand out while the eye, and then the lights, of "
+      "each panel turn by a degree at a time over so many")
+    ->check(CLI::Range(3, 360));
   CLI11_PARSE(app, argc, argv);
   try
   {

@@ -184,6 +184,11 @@ vtkSmartPointer<vtkImageData> Panel::Draw(int width, int height)
   this->Pixels = static_cast<vtkIdType>(width) * height;
   vtkSmartPointer<vtkRenderWindow> window = MakeWindow(width, height);
   window->AddRenderer(this->Renderer);
+  return this->DrawIn(window);
+}
+
+vtkSmartPointer<vtkImageData> Panel::DrawIn(vtkRenderWindow* window)
+{
   double bounds[6];
   this->GetBox().GetBounds(bounds);
   this->Renderer->ResetCameraClippingRange(bounds);

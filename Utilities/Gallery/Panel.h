@@ -15,6 +15,7 @@
 class vtkImageData;
 class vtkLight;
 class vtkProp;
+class vtkRenderWindow;
 
 namespace gallery
 {
@@ -84,6 +85,8 @@ public:
   std::vector<vtkVector3d> GetPoints() const;
   void Fit(const std::vector<vtkVector3d>& points, double aspect);
   vtkSmartPointer<vtkImageData> Draw(int width, int height);
+  /// Draws in a window that shows this panel alone, and stays for the next drawing.
+  vtkSmartPointer<vtkImageData> DrawIn(vtkRenderWindow* window);
   vtkIdType GetPixels() const { return this->Pixels; }
   ///@}
 

@@ -223,6 +223,12 @@ vtkSmartPointer<vtkImageData> Stage::DrawPaper()
   return GrabPicture(window);
 }
 
+const std::vector<std::unique_ptr<Panel>>& Stage::FitPanels()
+{
+  this->FitCameras();
+  return this->Panels;
+}
+
 void Stage::FitCameras()
 {
   std::map<vtkCamera*, std::vector<vtkVector3d>> points;

@@ -92,6 +92,11 @@ public:
   vtkSmartPointer<vtkImageData> Render();
 
   /**
+   * Fits the cameras as Render() does, and returns the panels.
+   */
+  const std::vector<std::unique_ptr<Panel>>& FitPanels();
+
+  /**
    * What was done up to now; complete after Render().
    */
   const SceneReport& GetReport() const { return this->Report; }
