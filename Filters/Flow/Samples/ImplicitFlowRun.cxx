@@ -12,6 +12,7 @@
 #include "Samples/BeyondTrace.h"
 #include "Samples/CellRefinement.h"
 #include "Samples/ImplicitFlowArrays.h"
+#include "Samples/SampleOrder.h"
 #include "Samples/TerminationSides.h"
 
 #include "vtkAlgorithm.h"
@@ -301,6 +302,7 @@ bool ImplicitFlowRun::Follow(
     samples->GetPoint(0, x);
   }
   sides.SetNumberOfSamples(number);
+  const SampleOrder order(samples, first);
   constexpr double start = FieldDispatch::BuildingPart;
   const double part = (1.0 - start) / (this->Options.RefinementLevels + 1.0);
   const bool isDone =
@@ -310,8 +312,9 @@ bool ImplicitFlowRun::Follow(
         Advection<Walker> advection(walker, this->Options);
         vtkFlowReport& report = reports.Local();
         AdvectionResult result;
-        for (vtkIdType id = first + begin; id < first + end; ++id)
+        for (vtkIdType i = begin; i < end; ++i)
         {
+          const vtkIdType id = order[i];
           double x[3];
           samples->GetPoint(id, x);
           advection.Follow(x, result);
