@@ -7,7 +7,6 @@
 #include "Receivers/SliceScene.h"
 #include "Translucent/PaneMaps.h"
 
-#include "InterlumeSliceSelectionFS.h"
 #include "vtkFloatTarget.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -547,15 +546,9 @@ bool SliceRasterizer::Show(vtkOpenGLRenderWindow* window)
   return this->HasImage;
 }
 
-void SliceRasterizer::ShowSelection(
-  vtkOpenGLRenderWindow* window, const std::array<float, 3>& color)
+void SliceRasterizer::ShowSelection(vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window)
 {
-  if (this->HasImage)
-  {
-    this->SelectionQuad.DrawWith(window, this->Image, InterlumeSliceSelectionFS,
-      [&color](vtkShaderProgram* program)
-      { program->SetUniform3f("selectionColor", color.data()); });
-  }
+  this->Selection.Show(selector, window, this->HasImage ? this->Image.Get() : nullptr);
 }
 
 std::vector<float> SliceRasterizer::ReadLightBuffer(
@@ -594,8 +587,8 @@ void SliceRasterizer::ReleaseGraphicsResources(vtkWindow* window)
   this->Receivers.ReleaseGraphicsResources();
   this->Quad.ReleaseGraphicsResources(window);
   this->SumQuad.ReleaseGraphicsResources(window);
-  this->SelectionQuad.ReleaseGraphicsResources(window);
   this->Coarse.ReleaseGraphicsResources(window);
+  this->Selection.ReleaseGraphicsResources(window);
 }
 
 }

@@ -13,6 +13,7 @@
 
 #include "vtkImageQuad.h"
 #include "vtkNew.h"
+#include "vtkPropSelection.h"
 #include "vtkShadowedSliceReport.h"
 
 #include <array>
@@ -21,6 +22,7 @@
 #include <string>
 #include <vector>
 
+class vtkHardwareSelector;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -69,8 +71,8 @@ public:
   /// Lays the last picture over the scene. Returns false where there is none.
   bool Show(vtkOpenGLRenderWindow* window);
 
-  /// Shows where the last picture has something of the volume, in one colour, for a selection.
-  void ShowSelection(vtkOpenGLRenderWindow* window, const std::array<float, 3>& color);
+  /// Shows where the last picture has something of the volume to a selector.
+  void ShowSelection(vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window);
 
   /// Reads the texels of the buffer of \a light of the last picture; empty where there is none.
   std::vector<float> ReadLightBuffer(
@@ -134,8 +136,8 @@ private:
   std::vector<vtkTextureObject*> Active;
   vtkImageQuad Quad;
   vtkImageQuad SumQuad;
-  vtkImageQuad SelectionQuad;
   CoarsePicture Coarse;
+  vtkPropSelection Selection;
   bool HasOpaqueDepth = false;
   bool HasImage = false;
 };

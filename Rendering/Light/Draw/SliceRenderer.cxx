@@ -12,7 +12,6 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
-#include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkOpaqueProps.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -56,32 +55,6 @@ void FindNearPlane(SliceFrame& frame)
   }
   // The volume lies in the sphere of radius 1 around 0.
   frame.IsCutByNearPlane = frame.NearPlane[3] < 1.0;
-}
-
-// Shows the prop as a whole: in passes that ask for it, for its process and for its only block.
-void ShowSelection(
-  vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window, SliceRasterizer& painter)
-{
-  std::array<float, 3> color{ { 0.0f, 0.0f, 0.0f } };
-  selector->BeginRenderProp();
-  switch (selector->GetCurrentPass())
-  {
-    case vtkHardwareSelector::ACTOR_PASS:
-      std::copy_n(selector->GetPropColorValue(), 3, color.begin());
-      painter.ShowSelection(window, color);
-      break;
-    case vtkHardwareSelector::PROCESS_PASS:
-      vtkHardwareSelector::Convert(selector->GetProcessID() + 1, color.data());
-      painter.ShowSelection(window, color);
-      break;
-    case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
-      vtkHardwareSelector::Convert(1, color.data());
-      painter.ShowSelection(window, color);
-      break;
-    default:
-      break;
-  }
-  selector->EndRenderProp();
 }
 }
 
@@ -341,7 +314,7 @@ std::string SliceRenderer::Render(vtkRenderer* renderer, vtkVolume* volume, cons
   }
   else if (window && renderer->GetSelector())
   {
-    ShowSelection(renderer->GetSelector(), window, resources->Rasterizer);
+    resources->Rasterizer.ShowSelection(renderer->GetSelector(), window);
   }
   else if (window)
   {

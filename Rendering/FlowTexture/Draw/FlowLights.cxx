@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/FlowLights.h"
+
+#include "Common/Vectors.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+namespace interlume
+{
+
+void FlowLights::Gather(vtkRenderer* renderer, const glm::dvec3& center)
+{
+  *this = FlowLights();
+  glm::dvec3 ambient{ 0.0 };
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  const auto toFloats = [](const glm::dvec3& v) {
+    return Float3{ { static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z) } };
+  };
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (!light->GetSwitch() || this->GetNumber() == Largest)
+    {
+      continue;
+    }
+    const glm::dvec3 position = glm::make_vec3(light->GetTransformedPosition());
+    const glm::dvec3 focus = glm::make_vec3(light->GetTransformedFocalPoint());
+    const bool isPositional = light->GetPositional() != 0;
+    const glm::dvec3 way = position - focus;
+    this->Places.push_back(
+      toFloats(isPositional ? position - center : way / std::max(glm::length(way), 1e-300)));
+    this->Colors.push_back(
+      toFloats(glm::make_vec3(light->GetDiffuseColor()) * light->GetIntensity()));
+    this->Positional.push_back(isPositional ? 1.0F : 0.0F);
+    ambient += glm::make_vec3(light->GetAmbientColor()) * light->GetIntensity();
+  }
+  this->Ambient = toFloats(ambient == glm::dvec3(0.0) ? glm::dvec3(1.0) : ambient);
+}
+
+void FlowLights::SetUniforms(vtkShaderProgram* program) const
+{
+  program->SetUniform3f("ambientLight", this->Ambient.data());
+  const int number = this->GetNumber();
+  const auto set = [&](const char* name, const std::vector<Float3>& values)
+  { program->SetUniform3fv(name, number, reinterpret_cast<const float(*)[3]>(values.data())); };
+  if (number > 0)
+  {
+    set("lightDirections", this->Places);
+    set("lightColors", this->Colors);
+    program->SetUniform1fv("lightIsPositional", number, this->Positional.data());
+  }
+}
+
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/FlowTextures.h"
+
+#include "Loader/OpenGLFunctions.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+void FlowTextures::Begin()
+{
+  for (auto& [name, texture] : this->Textures)
+  {
+    texture.IsUsed = false;
+  }
+}
+
+void FlowTextures::Finish(vtkWindow* window)
+{
+  for (auto it = this->Textures.begin(); it != this->Textures.end();)
+  {
+    if (it->second.IsUsed)
+    {
+      ++it;
+      continue;
+    }
+    if (it->second.Object)
+    {
+      it->second.Object->ReleaseGraphicsResources(window);
+    }
+    it = this->Textures.erase(it);
+  }
+}
+
+std::string FlowTextures::Keep(vtkOpenGLRenderWindow* window, const std::string& name,
+  bool isVolume, const Stamp& stamp, const std::function<Source()>& make, int& count,
+  vtkIdType& bytes)
+{
+  Texture& texture = this->Textures[name];
+  texture.IsUsed = true;
+  if (texture.Object && texture.Made == stamp)
+  {
+    return {};
+  }
+  texture.Made = { nullptr, 0 };
+  std::string error = this->Send(window, isVolume, texture, make());
+  if (error.empty())
+  {
+    texture.Made = stamp;
+    ++count;
+    bytes += texture.Bytes;
+  }
+  return error;
+}
+
+std::string FlowTextures::Send(
+  vtkOpenGLRenderWindow* window, bool isVolume, Texture& texture, const Source& source)
+{
+  if (!source.Fault.empty())
+  {
+    return source.Fault;
+  }
+  GLint limit = 0;
+  glGetIntegerv(isVolume ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &limit);
+  const int largest = *std::max_element(source.Size.begin(), source.Size.end());
+  if (largest > limit)
+  {
+    return "has " + std::to_string(largest) + " texels along an axis, and textures here at most " +
+      std::to_string(limit);
+  }
+  if (!texture.Object)
+  {
+    texture.Object = vtkSmartPointer<vtkTextureObject>::New();
+  }
+  vtkTextureObject* object = texture.Object;
+  object->SetContext(window);
+  const int filter = source.IsSmooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  object->SetMagnificationFilter(filter);
+  object->SetMinificationFilter(
+    source.HasLevels ? static_cast<int>(vtkTextureObject::LinearMipmapLinear) : filter);
+  object->SetGenerateMipmap(source.HasLevels);
+  const int wrap = source.IsRepeated ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
+  object->SetWrapS(wrap);
+  object->SetWrapT(wrap);
+  object->SetWrapR(wrap);
+  // Without this the texture keeps the format of the values before.
+  object->ResetFormatAndType();
+  // Without a context glGetError never ends.
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
+  const auto columns = static_cast<unsigned int>(source.Size[0]);
+  const auto rows = static_cast<unsigned int>(source.Size[1]);
+  void* values = const_cast<void*>(source.Values);
+  const bool isMade = isVolume
+    ? object->Create3DFromRaw(columns, rows, static_cast<unsigned int>(source.Size[2]),
+        source.Components, source.Type, values)
+    : object->Create2DFromRaw(columns, rows, source.Components, source.Type, values);
+  const vtkIdType texel = source.Components *
+    static_cast<vtkIdType>(source.Type == VTK_FLOAT ? sizeof(float) : sizeof(unsigned short));
+  texture.Bytes = texel * source.Size[0] * source.Size[1] * source.Size[2];
+  if (!isMade || glGetError() != GL_NO_ERROR)
+  {
+    object->ReleaseGraphicsResources(window);
+    return "takes " + std::to_string(texture.Bytes) +
+      " bytes, for which the graphics card has no memory";
+  }
+  return {};
+}
+
+vtkIdType FlowTextures::GetBytes() const
+{
+  vtkIdType bytes = 0;
+  for (const auto& [name, texture] : this->Textures)
+  {
+    bytes += texture.Bytes;
+  }
+  return bytes;
+}
+
+void FlowTextures::Activate(vtkShaderProgram* program)
+{
+  for (auto& [name, texture] : this->Textures)
+  {
+    if (texture.Object && program->IsUniformUsed(name.c_str()))
+    {
+      texture.Object->Activate();
+      program->SetUniformi(name.c_str(), texture.Object->GetTextureUnit());
+      this->Active.push_back(texture.Object);
+    }
+  }
+}
+
+void FlowTextures::Deactivate()
+{
+  for (vtkTextureObject* texture : this->Active)
+  {
+    texture->Deactivate();
+  }
+  this->Active.clear();
+}
+
+void FlowTextures::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& [name, texture] : this->Textures)
+  {
+    if (texture.Object)
+    {
+      texture.Object->ReleaseGraphicsResources(window);
+    }
+  }
+  this->Textures.clear();
+}
+
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_FlowTextures_h
+#define interlume_FlowTextures_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace interlume
+{
+
+/**
+ * @class   FlowTextures
+ * @brief   textures by the names that a shader has for them, each sent when its source has changed
+ */
+class FlowTextures
+{
+public:
+  /// What a texture is made of.
+  struct Source
+  {
+    std::array<int, 3> Size{ { 1, 1, 1 } };
+    int Components = 1;
+    /// VTK_FLOAT or VTK_UNSIGNED_SHORT.
+    int Type = VTK_FLOAT;
+    const void* Values = nullptr;
+    /// Why there is nothing to send; empty where there is.
+    std::string Fault;
+    /// Whether it is interpolated, goes on beyond its ends, and has levels of detail.
+    bool IsSmooth = false;
+    bool IsRepeated = false;
+    bool HasLevels = false;
+  };
+
+  /// What tells that a source has changed: who it is, and its time or version.
+  using Stamp = std::pair<const void*, vtkMTimeType>;
+
+  /// Begins a picture: textures that are not kept until Finish are released there.
+  void Begin();
+  /**
+   * Keeps a texture, of three dimensions if \a isVolume; \a make is called where the stamp is
+   * another than that of the last time. Returns what is wrong, as the end of a sentence that begins
+   * with the texture, or nothing; \a count and \a bytes grow by what was sent.
+   */
+  std::string Keep(vtkOpenGLRenderWindow* window, const std::string& name, bool isVolume,
+    const Stamp& stamp, const std::function<Source()>& make, int& count, vtkIdType& bytes);
+  void Finish(vtkWindow* window);
+
+  int GetNumber() const { return static_cast<int>(this->Textures.size()); }
+  vtkIdType GetBytes() const;
+
+  /// Binds all textures that the program uses.
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  struct Texture
+  {
+    vtkSmartPointer<vtkTextureObject> Object;
+    Stamp Made{ nullptr, 0 };
+    vtkIdType Bytes = 0;
+    bool IsUsed = false;
+  };
+
+  std::string Send(
+    vtkOpenGLRenderWindow* window, bool isVolume, Texture& texture, const Source& source);
+
+  std::map<std::string, Texture> Textures;
+  std::vector<vtkTextureObject*> Active;
+};
+
+}
+
+#endif

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/FlowView.h"
+
+#include "Common/Vectors.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeMapper.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/matrix.hpp>
+
+namespace interlume
+{
+
+namespace
+{
+glm::dmat4 FromRows(vtkMatrix4x4* matrix)
+{
+  return glm::transpose(glm::make_mat4(matrix->GetData()));
+}
+}
+
+std::string FlowView::Set(
+  vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4* worldFromVolume, const Cuts& cuts)
+{
+  *this = FlowView();
+  int dimensions[3];
+  int extent[6];
+  image->GetDimensions(dimensions);
+  image->GetExtent(extent);
+  this->BoxUpper = glm::dvec3(dimensions[0], dimensions[1], dimensions[2]) - 1.0;
+  const glm::dmat4 first(glm::dvec4(1.0, 0.0, 0.0, 0.0), glm::dvec4(0.0, 1.0, 0.0, 0.0),
+    glm::dvec4(0.0, 0.0, 1.0, 0.0), glm::dvec4(extent[0], extent[2], extent[4], 1.0));
+  this->VolumeFromVoxels = FromRows(image->GetIndexToPhysicalMatrix()) * first;
+  this->WorldFromVoxels = FromRows(worldFromVolume) * this->VolumeFromVoxels;
+  const glm::dmat3 axes(this->WorldFromVoxels);
+  const double size = glm::determinant(axes);
+  if (!(std::abs(size) > 0.0) || !std::isfinite(size))
+  {
+    return "the matrix from voxels to the world is singular or not finite";
+  }
+  this->Spacing = std::min({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
+  this->Diagonal = glm::length(axes * this->BoxUpper);
+  // The world is moved to the middle first, so that far-off volumes keep their digits.
+  const glm::dvec3 middle = 0.5 * this->BoxUpper;
+  const glm::dvec3 center = glm::dvec3(this->WorldFromVoxels * glm::dvec4(middle, 1.0));
+  glm::dmat4 fromCenter(1.0);
+  fromCenter[3] = glm::dvec4(center, 1.0);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const glm::dmat4 clipFromCenter =
+    FromRows(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)) *
+    (FromRows(camera->GetModelViewTransformMatrix()) * fromCenter);
+  const glm::dmat3 voxelsFromWorld = glm::inverse(axes);
+  const glm::dmat4 voxelsFromClip = glm::dmat4(voxelsFromWorld) * glm::inverse(clipFromCenter);
+  this->SetRays(voxelsFromClip, camera->GetParallelProjection() != 0, middle);
+  if (!Vectors::IsFinite(this->Origin) || !Vectors::IsFinite(this->Direction))
+  {
+    return "the camera's matrix is not finite";
+  }
+  if (cuts.IsCropped)
+  {
+    this->SetCropping(image, cuts);
+  }
+  return this->SetClipping(cuts.Planes);
+}
+
+void FlowView::SetRays(const glm::dmat4& voxelsFromClip, bool isParallel, const glm::dvec3& middle)
+{
+  this->IsParallel = isParallel;
+  const glm::dvec4& inward = voxelsFromClip[2];
+  if (isParallel)
+  {
+    // From the near plane to the far one.
+    const double w = voxelsFromClip[3].w;
+    const glm::dvec4 near = voxelsFromClip[3] - inward;
+    this->Direction = 2.0 * glm::dvec3(inward) / w;
+    this->Origin = glm::dvec3(near) / w;
+    this->OriginX = glm::dvec3(voxelsFromClip[0]) / w;
+    this->OriginY = glm::dvec3(voxelsFromClip[1]) / w;
+    this->NearFar = { 0.0, 1.0 };
+  }
+  else
+  {
+    // Homogeneous places of a line of sight differ by multiples of `inward`, which is the eye.
+    const glm::dvec3 eye = glm::dvec3(inward) / inward.w;
+    const auto direct = [&eye](const glm::dvec4& place)
+    { return glm::dvec3(place) - eye * place.w; };
+    this->Direction = direct(voxelsFromClip[3]);
+    this->DirectionX = direct(voxelsFromClip[0]);
+    this->DirectionY = direct(voxelsFromClip[1]);
+    this->Origin = eye;
+    const double w = voxelsFromClip[3].w;
+    this->NearFar = { 1.0 / (w - inward.w), 1.0 / (w + inward.w) };
+  }
+  const double way =
+    -glm::dot(this->Origin, this->Direction) / glm::dot(this->Direction, this->Direction);
+  this->Middle = std::max(way, this->NearFar[0]);
+  this->Origin += this->Middle * this->Direction + middle;
+  this->OriginX += this->Middle * this->DirectionX;
+  this->OriginY += this->Middle * this->DirectionY;
+}
+
+std::string FlowView::SetClipping(vtkPlaneCollection* planes)
+{
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    vtkPlane* plane = planes->GetItem(i);
+    const glm::dvec3 given = glm::make_vec3(plane->GetNormal());
+    const double length = glm::length(given);
+    if (!(length > 0.0) || !std::isfinite(length))
+    {
+      return "clipping plane " + std::to_string(i) + " has no normal";
+    }
+    const glm::dvec3 normal = given / length;
+    const glm::dvec3 start =
+      glm::dvec3(this->WorldFromVoxels[3]) - glm::make_vec3(plane->GetOrigin());
+    this->ClippingPlanes.emplace_back(
+      normal * glm::dmat3(this->WorldFromVoxels), glm::dot(normal, start));
+  }
+  return {};
+}
+
+void FlowView::SetCropping(vtkImageData* image, const Cuts& cuts)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->CroppingLower[axis] = cuts.CroppingPlanes[2 * axis];
+    this->CroppingUpper[axis] = cuts.CroppingPlanes[2 * axis + 1];
+  }
+  this->CroppingFlags = cuts.CroppingFlags;
+  this->HasRegions =
+    cuts.CroppingFlags != VTK_CROP_SUBVOLUME || !image->GetDirectionMatrix()->IsIdentity();
+  if (this->HasRegions)
+  {
+    return;
+  }
+  const glm::dmat4 voxelsFromVolume = glm::inverse(this->VolumeFromVoxels);
+  const glm::dvec3 a(voxelsFromVolume * glm::dvec4(this->CroppingLower, 1.0));
+  const glm::dvec3 b(voxelsFromVolume * glm::dvec4(this->CroppingUpper, 1.0));
+  this->BoxLower = glm::max(this->BoxLower, glm::min(a, b));
+  this->BoxUpper = glm::min(this->BoxUpper, glm::max(a, b));
+}
+
+}

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grid/FlowGrid.h"
+
+#include "Common/ArrayCheck.h"
+#include "Common/ArrayRows.h"
+
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace interlume
+{
+
+namespace
+{
+// These names and values are those of vtkFlowStatus, which is in a module of filters.
+constexpr const char* STATUS = "FlowStatus";
+constexpr const char* ID = "TerminationId";
+constexpr const char* PLACE = "TerminationUV";
+constexpr const char* TIME = "AdvectionTime";
+constexpr const char* SIDE = "TerminationSide";
+constexpr const char* SURFACES = "TerminationSurfaces";
+constexpr double REACHED = 0.0;
+constexpr double AWAY = 2.0;
+}
+
+struct FlowGrid::Arrays
+{
+  ArrayRows Statuses;
+  ArrayRows Ids;
+  ArrayRows Places;
+  ArrayRows Times;
+  ArrayRows Sides;
+  bool HasSides = false;
+
+  static double Get(const ArrayRows& rows, vtkIdType i)
+  {
+    double value = 0.0;
+    rows.Get<1>(i, &value);
+    return value;
+  }
+
+  bool IsFinite(vtkIdType i) const
+  {
+    double place[2];
+    this->Places.Get<2>(i, place);
+    return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(Get(this->Times, i));
+  }
+
+  bool IsReached(vtkIdType i) const { return Get(this->Statuses, i) == REACHED; }
+};
+
+std::string FlowGrid::Build(vtkImageData* image)
+{
+  *this = FlowGrid();
+  const std::pair<const char*, int> needed[] = { { STATUS, 1 }, { ID, 1 }, { PLACE, 2 },
+    { TIME, 1 } };
+  for (const auto& [name, components] : needed)
+  {
+    const std::string fault = ArrayCheck::FindPointFault(image, "input", name, components);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+  }
+  image->GetDimensions(this->Size.data());
+  if (*std::min_element(this->Size.begin(), this->Size.end()) < 2)
+  {
+    return "the input has " + std::to_string(this->Size[0]) + " x " +
+      std::to_string(this->Size[1]) + " x " + std::to_string(this->Size[2]) +
+      " points; two are needed along each axis";
+  }
+  vtkPointData* points = image->GetPointData();
+  Arrays arrays;
+  arrays.Statuses.Build(points->GetArray(STATUS));
+  arrays.Ids.Build(points->GetArray(ID));
+  arrays.Places.Build(points->GetArray(PLACE));
+  arrays.Times.Build(points->GetArray(TIME));
+  vtkAbstractArray* sides = points->GetAbstractArray(SIDE);
+  arrays.HasSides = sides && ArrayCheck::FindPointFault(image, sides, 1).empty();
+  if (arrays.HasSides)
+  {
+    arrays.Sides.Build(points->GetArray(SIDE));
+  }
+  this->FindIds(arrays);
+  if (this->Ids.size() > LARGEST_LABEL)
+  {
+    return "the samples reach " + std::to_string(this->Ids.size()) + " surfaces; " +
+      std::to_string(LARGEST_LABEL) + " are the most that can be told apart";
+  }
+  this->ReadPeriods(image);
+  this->ReadVoxels(arrays);
+  this->FindKinds();
+  this->FindDistances();
+  return {};
+}
+
+void FlowGrid::FindIds(const Arrays& arrays)
+{
+  std::set<int> ids;
+  int last = -1;
+  for (vtkIdType i = 0; i < arrays.Statuses.GetNumber(); ++i)
+  {
+    if (!arrays.IsReached(i))
+    {
+      continue;
+    }
+    const int id = static_cast<int>(Arrays::Get(arrays.Ids, i));
+    if (!arrays.IsFinite(i))
+    {
+      ++this->NonFinite;
+    }
+    else if (ids.empty() || id != last)
+    {
+      ids.insert(id);
+      last = id;
+    }
+  }
+  this->Ids.assign(ids.begin(), ids.end());
+}
+
+int FlowGrid::FindLabel(int id) const
+{
+  const auto found = std::lower_bound(this->Ids.begin(), this->Ids.end(), id);
+  return found != this->Ids.end() && *found == id ? static_cast<int>(found - this->Ids.begin()) + 1
+                                                  : 0;
+}
+
+void FlowGrid::ReadPeriods(vtkImageData* image)
+{
+  this->Periods.assign(this->Ids.size(), Periodicity{ { false, false } });
+  vtkDataArray* surfaces = image->GetFieldData()->GetArray(SURFACES);
+  for (vtkIdType i = 0;
+       surfaces && surfaces->GetNumberOfComponents() == 3 && i < surfaces->GetNumberOfTuples(); ++i)
+  {
+    const int label = this->FindLabel(static_cast<int>(surfaces->GetComponent(i, 0)));
+    if (label > 0)
+    {
+      this->Periods[static_cast<std::size_t>(label) - 1] = { { surfaces->GetComponent(i, 1) != 0.0,
+        surfaces->GetComponent(i, 2) != 0.0 } };
+    }
+  }
+}
+
+void FlowGrid::ReadVoxels(const Arrays& arrays)
+{
+  const vtkIdType number = arrays.Statuses.GetNumber();
+  this->Places.assign(2 * static_cast<std::size_t>(number), 0.0F);
+  this->Times.assign(static_cast<std::size_t>(number), 0.0F);
+  this->Groups.assign(static_cast<std::size_t>(number), 0);
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        if (!arrays.IsReached(i) || !arrays.IsFinite(i))
+        {
+          continue;
+        }
+        double place[2];
+        arrays.Places.Get<2>(i, place);
+        this->Places[2 * i] = static_cast<float>(place[0]);
+        this->Places[2 * i + 1] = static_cast<float>(place[1]);
+        this->Times[i] = static_cast<float>(Arrays::Get(arrays.Times, i));
+        const int label = this->FindLabel(static_cast<int>(Arrays::Get(arrays.Ids, i)));
+        const double side = arrays.HasSides ? Arrays::Get(arrays.Sides, i) : 0.0;
+        const int way = side == AWAY ? 1 : (side == -AWAY ? 2 : 0);
+        this->Groups[i] = static_cast<unsigned short>(label * Ways + way);
+      }
+    });
+}
+
+unsigned short FlowGrid::FindKind(const std::array<vtkIdType, 8>& corners) const
+{
+  const int label = this->Groups[corners[0]] / Ways;
+  float lower[2] = { this->Places[2 * corners[0]], this->Places[2 * corners[0] + 1] };
+  float upper[2] = { lower[0], lower[1] };
+  bool isAlike = true;
+  bool isSplitByWays = false;
+  for (const vtkIdType corner : corners)
+  {
+    isAlike = isAlike && this->Groups[corner] / Ways == label;
+    // A corner on the surface has no way; else both sides of the surface have to be there.
+    isSplitByWays = isSplitByWays || this->Groups[corner] % Ways != this->Groups[corners[0]] % Ways;
+    for (int i = 0; i < 2; ++i)
+    {
+      lower[i] = std::min(lower[i], this->Places[2 * corner + i]);
+      upper[i] = std::max(upper[i], this->Places[2 * corner + i]);
+    }
+  }
+  if (isAlike && label == 0)
+  {
+    return EMPTY;
+  }
+  if (isSplitByWays)
+  {
+    // Of a surface beside the cell some corners have a way, and all others would have, were they
+    // beside it: only a time that is that of the other side tells them apart.
+    float nearest = VTK_FLOAT_MAX;
+    float farthest = 0.0F;
+    for (const vtkIdType corner : corners)
+    {
+      if (this->Groups[corner] % Ways == 0)
+      {
+        nearest = std::min(nearest, this->Times[corner]);
+      }
+      else
+      {
+        farthest = std::max(farthest, this->Times[corner]);
+      }
+    }
+    if (nearest < 0.5F * farthest)
+    {
+      return SPLIT_BY_WAYS;
+    }
+  }
+  if (!isAlike)
+  {
+    return SPLIT;
+  }
+  const Periodicity& periods = this->Periods[static_cast<std::size_t>(label) - 1];
+  const bool isAcross =
+    (periods[0] && upper[0] - lower[0] > 0.5F) || (periods[1] && upper[1] - lower[1] > 0.5F);
+  return static_cast<unsigned short>(isAcross ? static_cast<int>(SPLIT) : label);
+}
+
+void FlowGrid::FindKinds()
+{
+  const vtkIdType rows[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
+  const vtkIdType nextRow = this->Size[0];
+  const vtkIdType nextSlice = nextRow * this->Size[1];
+  this->Cells.resize(static_cast<std::size_t>(rows[0] * rows[1] * rows[2]));
+  vtkSMPTools::For(0, rows[2],
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType k = first; k < last; ++k)
+      {
+        for (vtkIdType j = 0; j < rows[1]; ++j)
+        {
+          for (vtkIdType i = 0; i < rows[0]; ++i)
+          {
+            const vtkIdType a = i + nextRow * j + nextSlice * k;
+            this->Cells[i + rows[0] * (j + rows[1] * k)] =
+              this->FindKind({ { a, a + 1, a + nextRow, a + nextRow + 1, a + nextSlice,
+                a + nextSlice + 1, a + nextSlice + nextRow, a + nextSlice + nextRow + 1 } });
+          }
+        }
+      }
+    });
+  for (const unsigned short kind : this->Cells)
+  {
+    const bool isSplit = kind == SPLIT || kind == SPLIT_BY_WAYS;
+    this->EmptyCells += kind == EMPTY ? 1 : 0;
+    this->SplitCells += isSplit ? 1 : 0;
+    this->UniformCells += kind != EMPTY && !isSplit ? 1 : 0;
+  }
+  if (this->SplitCells == 0)
+  {
+    this->Groups.clear();
+  }
+}
+
+void FlowGrid::FindDistances()
+{
+  if (this->EmptyCells == 0)
+  {
+    return;
+  }
+  // Two sweeps, there and back, over the half of the 26 neighbours that are done, give the distance
+  // in the largest norm.
+  constexpr int largest = 60000;
+  const int size[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
+  const auto at = [&size](int i, int j, int k)
+  { return i + static_cast<vtkIdType>(size[0]) * (j + static_cast<vtkIdType>(size[1]) * k); };
+  for (unsigned short& kind : this->Cells)
+  {
+    kind = kind == EMPTY ? static_cast<unsigned short>(largest) : kind;
+  }
+  const auto visit = [&](int i, int j, int k, int way)
+  {
+    unsigned short& kind = this->Cells[at(i, j, k)];
+    if (kind < EMPTY)
+    {
+      return;
+    }
+    int distance = kind - EMPTY;
+    for (int n = 0; n < 13; ++n)
+    {
+      const int x = i + way * (n % 3 - 1);
+      const int y = j + way * (n / 3 % 3 - 1);
+      const int z = k + way * (n / 9 - 1);
+      if (x >= 0 && y >= 0 && z >= 0 && x < size[0] && y < size[1] && z < size[2])
+      {
+        const unsigned short other = this->Cells[at(x, y, z)];
+        distance = std::min(distance, other < EMPTY ? 1 : other - EMPTY + 1);
+      }
+    }
+    kind = static_cast<unsigned short>(EMPTY + distance);
+  };
+  for (const int way : { 1, -1 })
+  {
+    for (int k = 0; k < size[2]; ++k)
+    {
+      for (int j = 0; j < size[1]; ++j)
+      {
+        for (int i = 0; i < size[0]; ++i)
+        {
+          const bool isThere = way > 0;
+          visit(isThere ? i : size[0] - 1 - i, isThere ? j : size[1] - 1 - j,
+            isThere ? k : size[2] - 1 - k, way);
+        }
+      }
+    }
+  }
+}
+
+}

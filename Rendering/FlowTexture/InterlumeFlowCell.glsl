@@ -1,0 +1,192 @@
+// The implicit flow field within a cell: FlowGrid tells what is stored.
+
+uniform sampler3D cells;
+uniform sampler3D places;
+#ifdef SPLITS
+uniform sampler3D groups;
+#endif
+#ifdef TIMES
+uniform sampler3D times;
+#endif
+#ifdef SURFACES
+// For each label its paint, and whether u and v are periodic.
+uniform sampler2D surfaces;
+#endif
+
+const int SPLIT = 0;
+const int SPLIT_BY_WAYS = 4095;
+const int EMPTY = 4096;
+
+struct Sample
+{
+  int Paint;
+  bvec2 Period;
+  vec2 Place;
+  float Time;
+  // The derivatives of the place, for each axis of the voxels, and those of time.
+  mat3x2 Slope;
+  vec3 TimeSlope;
+#ifdef PAINT_FILTER
+  // The longest axis of what the sample stands for, as a change of place and of time, and the
+  // largest of the others.
+  vec2 Along;
+  float TimeAlong;
+  vec2 Across;
+#endif
+};
+
+int kindAt(ivec3 cell)
+{
+  return int(texelFetch(cells, cell, 0).r * 65535.0 + 0.5);
+}
+
+void setSurface(inout Sample found, int label)
+{
+#ifdef SURFACES
+  vec4 surface = texelFetch(surfaces, ivec2(label, 0), 0);
+  found.Paint = int(surface.r);
+  found.Period = greaterThan(surface.gb, vec2(0.5));
+#else
+  found.Paint = PAINT;
+  found.Period = bvec2(PERIOD_U, PERIOD_V);
+#endif
+}
+
+// Interpolates between eight corners, and differentiates. Corner i is at the bits of i.
+#define INTERPOLATE(TYPE, c, f, value, slopeX, slopeY, slopeZ) \
+  { \
+    TYPE x00 = c[1] - c[0]; \
+    TYPE x10 = c[3] - c[2]; \
+    TYPE x01 = c[5] - c[4]; \
+    TYPE x11 = c[7] - c[6]; \
+    TYPE y0 = c[0] + f.x * x00; \
+    TYPE y1 = c[2] + f.x * x10; \
+    TYPE y2 = c[4] + f.x * x01; \
+    TYPE y3 = c[6] + f.x * x11; \
+    TYPE z0 = mix(y0, y1, f.y); \
+    TYPE z1 = mix(y2, y3, f.y); \
+    value = mix(z0, z1, f.z); \
+    slopeX = mix(mix(x00, x10, f.y), mix(x01, x11, f.y), f.z); \
+    slopeY = mix(y1 - y0, y3 - y2, f.z); \
+    slopeZ = z1 - z0; \
+  }
+
+void lookUpPlain(ivec3 cell, vec3 f, inout Sample found)
+{
+  vec2 c[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    c[i] = texelFetch(places, cell + ivec3(i & 1, (i >> 1) & 1, i >> 2), 0).rg;
+  }
+  vec2 slopeX;
+  vec2 slopeY;
+  vec2 slopeZ;
+  INTERPOLATE(vec2, c, f, found.Place, slopeX, slopeY, slopeZ)
+  found.Slope = mat3x2(slopeX, slopeY, slopeZ);
+#ifdef TIMES
+  float t[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    t[i] = texelFetch(times, cell + ivec3(i & 1, (i >> 1) & 1, i >> 2), 0).r;
+  }
+  INTERPOLATE(float, t, f, found.Time, found.TimeSlope.x, found.TimeSlope.y, found.TimeSlope.z)
+#endif
+}
+
+#ifdef SPLITS
+// Interpolates among the corners of one kind, those that have most weight, and only among these.
+// Returns whether they reached a surface.
+bool lookUpSplit(ivec3 cell, vec3 f, bool isByWays, inout Sample found)
+{
+  int group[8];
+  float weight[8];
+  vec3 slope[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+    int stored = int(texelFetch(groups, cell + corner, 0).r * 65535.0 + 0.5);
+    group[i] = isByWays ? stored : stored / WAYS;
+    vec3 w = mix(1.0 - f, f, vec3(corner));
+    vec3 s = mix(vec3(-1.0), vec3(1.0), vec3(corner));
+    weight[i] = w.x * w.y * w.z;
+    slope[i] = vec3(s.x * w.y * w.z, w.x * s.y * w.z, w.x * w.y * s.z);
+  }
+  int winner = 0;
+  float most = -1.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    float sum = 0.0;
+    for (int j = 0; j < 8; ++j)
+    {
+      sum += group[j] == group[i] ? weight[j] : 0.0;
+    }
+    if (sum > most)
+    {
+      most = sum;
+      winner = group[i];
+    }
+  }
+  int label = isByWays ? winner / WAYS : winner;
+  if (label == 0)
+  {
+    return false;
+  }
+  setSurface(found, label);
+  // Over a seam all places are taken on the side of the nearest corner.
+  vec2 c[8];
+  vec2 nearest = vec2(0.0);
+  float largest = -1.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    c[i] = texelFetch(places, cell + ivec3(i & 1, (i >> 1) & 1, i >> 2), 0).rg;
+    weight[i] = group[i] == winner ? weight[i] : -1.0;
+    nearest = weight[i] > largest ? c[i] : nearest;
+    largest = max(largest, weight[i]);
+  }
+  vec2 value = vec2(0.0);
+  for (int i = 0; i < 8; ++i)
+  {
+    vec2 way = c[i] - nearest;
+    c[i] = way - mix(vec2(0.0), floor(way + 0.5), vec2(found.Period));
+    value += max(weight[i], 0.0) * c[i];
+  }
+  value /= most;
+  found.Place = nearest + value;
+  found.Slope = mat3x2(0.0);
+  for (int i = 0; i < 8; ++i)
+  {
+    vec2 way = group[i] == winner ? (c[i] - value) / most : vec2(0.0);
+    found.Slope += outerProduct(way, slope[i]);
+  }
+#ifdef TIMES
+  found.Time = 0.0;
+  found.TimeSlope = vec3(0.0);
+  float t[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    t[i] = texelFetch(times, cell + ivec3(i & 1, (i >> 1) & 1, i >> 2), 0).r;
+    found.Time += max(weight[i], 0.0) * t[i] / most;
+  }
+  for (int i = 0; i < 8; ++i)
+  {
+    found.TimeSlope += group[i] == winner ? (t[i] - found.Time) / most * slope[i] : vec3(0.0);
+  }
+#endif
+  return true;
+}
+#endif
+
+bool lookUpCell(ivec3 cell, vec3 f, int kind, out Sample found)
+{
+  found.Time = 0.0;
+  found.TimeSlope = vec3(0.0);
+#ifdef SPLITS
+  if (kind == SPLIT || kind == SPLIT_BY_WAYS)
+  {
+    return lookUpSplit(cell, f, kind == SPLIT_BY_WAYS, found);
+  }
+#endif
+  setSurface(found, kind);
+  lookUpPlain(cell, f, found);
+  return true;
+}

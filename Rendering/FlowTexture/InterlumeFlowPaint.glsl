@@ -1,0 +1,165 @@
+// What is painted at a place of a surface: red, green, blue, each times alpha, and alpha, the
+// opacity in one unit distance.
+
+uniform vec4 defaultColor;
+#ifdef DETAIL
+uniform vec3 detailScale;
+#endif
+#if defined(DETAIL) && DETAIL == 3
+uniform sampler3D detail;
+uniform vec3 detailSize;
+#endif
+#if defined(DETAIL) && DETAIL == 2
+uniform sampler2D detail;
+uniform vec3 detailSize;
+#endif
+#ifdef TIMES
+uniform float timePeriod;
+uniform float timePhase;
+#endif
+#ifdef GATE
+uniform sampler2D gate;
+// The first coordinate of the gate's function and its length.
+uniform vec2 gateRange;
+#endif
+#ifdef TRANSFER
+uniform sampler3D opacityValues;
+uniform sampler2D transfer;
+uniform vec2 transferRange;
+uniform vec3 voxels;
+#endif
+#ifdef PAINT_FILTER
+uniform vec2 paintSize;
+uniform int largestPieces;
+#endif
+
+// From the first texel's middle to the last one's, as an image's points are.
+vec2 inTexture(vec2 place, vec2 size)
+{
+  return (clamp(place, 0.0, 1.0) * (size - 1.0) + 0.5) / size;
+}
+
+//INTERLUME::PAINTS
+
+#ifdef PAINT_FILTER
+// Splits what a sample stands for, by its three axes, into the longest and what is across it.
+void setFootprint(inout Sample found, vec3 piece, vec3 pixelX, vec3 pixelY)
+{
+  vec2 along = found.Slope * piece;
+  vec2 x = found.Slope * pixelX;
+  vec2 y = found.Slope * pixelY;
+  vec3 axis = piece;
+  float a = dot(along, along);
+  float b = dot(x, x);
+  float c = dot(y, y);
+  // A pixel's axis has to be much longer than the piece: order along the ray counts.
+  if (b > 4.0 * a && b >= c)
+  {
+    axis = pixelX;
+    found.Across = a > c ? along : y;
+    found.Along = x;
+  }
+  else if (c > 4.0 * a)
+  {
+    axis = pixelY;
+    found.Across = a > b ? along : x;
+    found.Along = y;
+  }
+  else
+  {
+    found.Across = b > c ? x : y;
+    found.Along = along;
+  }
+  found.TimeAlong = dot(found.TimeSlope, axis);
+}
+
+int piecesOf(Sample found)
+{
+  vec2 texels = abs(found.Along) * paintSize;
+  return clamp(int(ceil(max(texels.x, texels.y))), 1, largestPieces);
+}
+
+float levelOf(Sample found, vec2 size)
+{
+  // Along the axis that is split, what one piece has.
+  vec2 across = abs(found.Across) * size;
+  vec2 along = abs(found.Along) * size / float(piecesOf(found));
+  return log2(max(max(max(across.x, across.y), max(along.x, along.y)), 1.0));
+}
+#endif
+
+float strengthAt(vec3 place)
+{
+#ifdef TRANSFER
+  float value = texture(opacityValues, (place + 0.5) / voxels).r;
+  float column = clamp((value - transferRange.x) * transferRange.y, 0.0, 1.0);
+  float size = float(TRANSFER);
+  return texture(transfer, vec2((column * (size - 1.0) + 0.5) / size, 0.5)).r;
+#else
+  return 1.0;
+#endif
+}
+
+#ifdef GATE
+float gateAt(float injected)
+{
+#ifdef GATE_REPEATS
+  float column = fract(injected);
+#else
+  float column = clamp((injected - gateRange.x) / gateRange.y, 0.0, 1.0);
+#endif
+  float size = float(GATE);
+  return texture(gate, vec2((column * (size - 1.0) + 0.5) / size, 0.5)).r;
+}
+#endif
+
+// Returns what is painted in the part of the sample at a share of its longest axis, -0.5 to 0.5.
+vec4 paintOf(Sample found, float share)
+{
+  vec2 place = found.Place;
+  float level = 0.0;
+#ifdef PAINT_FILTER
+  place += share * found.Along;
+  level = levelOf(found, paintSize);
+#endif
+  vec2 inside = place - mix(vec2(0.0), floor(place), vec2(found.Period));
+  vec4 paint = inflowAt(found.Paint, inside, level);
+#ifdef TIMES
+  float time = found.Time;
+#ifdef PAINT_FILTER
+  time += share * found.TimeAlong;
+#endif
+  // The time at which paint was put in here, in periods.
+  float injected = timePhase - time / timePeriod;
+#endif
+#ifdef GATE
+  float open = gateAt(injected);
+#ifdef GATE_INFLOW
+  paint *= open;
+#endif
+#endif
+#ifdef DETAIL
+  vec2 pattern = place * detailScale.xy;
+#ifdef PAINT_FILTER
+  level = levelOf(found, detailSize.xy * detailScale.xy);
+#endif
+#if DETAIL == 3
+  vec4 fine = textureLod(detail, vec3(pattern, -injected * timePeriod * detailScale.z), level);
+#else
+  vec4 fine = textureLod(detail, pattern, level);
+#endif
+#if defined(GATE_DETAIL) && defined(DETAIL_MODULATE)
+  fine = mix(vec4(1.0), fine, open);
+#elif defined(GATE_DETAIL)
+  fine *= open;
+#endif
+#if defined(DETAIL_OVER)
+  paint = fine + (1.0 - fine.a) * paint;
+#elif defined(DETAIL_ADD)
+  paint = min(paint + fine, 1.0);
+#else
+  paint *= fine;
+#endif
+#endif
+  return paint;
+}

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//VTK::System::Dec
+//INTERLUME::FEATURES
+
+// Walks a line of sight through an implicit flow field. Places are in voxels, 0 at the first one;
+// ways along the line in world units, 0 where the plane through the volume's middle is.
+in vec2 texCoord;
+
+uniform vec3 rayOrigin;
+uniform vec3 rayOriginX;
+uniform vec3 rayOriginY;
+uniform vec3 rayDirection;
+uniform vec3 rayDirectionX;
+uniform vec3 rayDirectionY;
+uniform mat3 worldFromVoxels;
+// The ways to the near and the far plane, in lengths of the direction from the eye, and the way
+// from there to 0.
+uniform vec2 nearFar;
+uniform float middle;
+uniform vec3 boxLower;
+uniform vec3 boxUpper;
+uniform vec3 lastCell;
+uniform float sampleDistance;
+uniform float unitDistance;
+#ifdef OPAQUE
+uniform sampler2D image;
+#endif
+#ifdef CLIPPING_PLANES
+uniform vec4 clippingPlanes[CLIPPING_PLANES];
+#endif
+#ifdef CROPPING
+uniform vec3 croppingLower;
+uniform vec3 croppingUpper;
+uniform int croppingFlags;
+uniform mat4 volumeFromVoxels;
+#endif
+#ifdef PAINT_FILTER
+uniform vec2 pixelSize;
+#endif
+
+//VTK::Output::Dec
+
+//INTERLUME::CELL
+//INTERLUME::PAINT
+//INTERLUME::SHADE
+
+const float OPAQUE_ENOUGH = 0.9995;
+
+#ifdef CLIPPING_PLANES
+void clip(vec3 origin, vec3 way, inout float lower, inout float upper)
+{
+  for (int i = 0; i < CLIPPING_PLANES; ++i)
+  {
+    float height = dot(clippingPlanes[i].xyz, origin) + clippingPlanes[i].w;
+    float slope = dot(clippingPlanes[i].xyz, way);
+    if (slope == 0.0)
+    {
+      upper = height < 0.0 ? lower - 1.0 : upper;
+    }
+    else if (slope > 0.0)
+    {
+      lower = max(lower, -height / slope);
+    }
+    else
+    {
+      upper = min(upper, -height / slope);
+    }
+  }
+}
+#endif
+
+#ifdef CROPPING
+bool isCropped(vec3 place)
+{
+  vec3 x = (volumeFromVoxels * vec4(place, 1.0)).xyz;
+  ivec3 region = ivec3(greaterThan(x, croppingLower)) + ivec3(greaterThan(x, croppingUpper));
+  return ((croppingFlags >> (region.x + 3 * region.y + 9 * region.z)) & 1) == 0;
+}
+#endif
+
+void main()
+{
+  vec2 at = 2.0 * texCoord - 1.0;
+  vec3 origin = rayOrigin + at.x * rayOriginX + at.y * rayOriginY;
+  vec3 direction = rayDirection + at.x * rayDirectionX + at.y * rayDirectionY;
+  float unit = length(worldFromVoxels * direction);
+  vec3 way = direction / unit;
+  float lower = (nearFar.x - middle) * unit;
+  float upper = (nearFar.y - middle) * unit;
+#ifdef OPAQUE
+  float stored = texture(image, texCoord).r;
+#ifdef PARALLEL
+  upper = min(upper, (mix(nearFar.x, nearFar.y, stored) - middle) * unit);
+#else
+  upper = min(upper, (1.0 / mix(1.0 / nearFar.x, 1.0 / nearFar.y, stored) - middle) * unit);
+#endif
+#endif
+  vec3 inverse = 1.0 / mix(way, vec3(1e-12), lessThan(abs(way), vec3(1e-12)));
+  vec3 a = (boxLower - origin) * inverse;
+  vec3 b = (boxUpper - origin) * inverse;
+  vec3 near = min(a, b);
+  vec3 far = max(a, b);
+  lower = max(lower, max(max(near.x, near.y), near.z));
+  upper = min(upper, min(min(far.x, far.y), far.z));
+#ifdef CLIPPING_PLANES
+  clip(origin, way, lower, upper);
+#endif
+
+  vec4 sum = vec4(0.0);
+  float number = 0.0;
+  for (float from = lower; from < upper && sum.a < OPAQUE_ENOUGH;
+       from = lower + number * sampleDistance)
+  {
+    // A sample stands for the piece of the ray around it; the last one is shorter.
+    float piece = min(sampleDistance, upper - from);
+    vec3 place = origin + (from + 0.5 * piece) * way;
+    vec3 cell = clamp(floor(place), vec3(0.0), lastCell);
+    int kind = kindAt(ivec3(cell));
+    number += 1.0;
+    if (kind >= EMPTY)
+    {
+      // All cells nearer than the distance are empty: the samples there are passed over.
+      float reach = float(kind - EMPTY);
+      vec3 ends = mix(cell + 1.0 - reach, cell + reach, greaterThan(way, vec3(0.0)));
+      vec3 exits = (ends - place) * inverse;
+      number += max(ceil(min(min(exits.x, exits.y), exits.z) / sampleDistance) - 1.0, 0.0);
+      continue;
+    }
+#ifdef CROPPING
+    if (isCropped(place))
+    {
+      continue;
+    }
+#endif
+    Sample found;
+    if (!lookUpCell(ivec3(cell), place - cell, kind, found))
+    {
+      continue;
+    }
+#ifdef PAINT_FILTER
+    // The axes of what a sample stands for: the piece of the ray, and a pixel at that distance.
+    float share = (from + 0.5 * piece) / unit;
+    setFootprint(found, way * piece, (rayOriginX + share * rayDirectionX) * pixelSize.x,
+      (rayOriginY + share * rayDirectionY) * pixelSize.y);
+    int pieces = piecesOf(found);
+#else
+    const int pieces = 1;
+#endif
+    float depth = piece / (unitDistance * float(pieces));
+    float strength = strengthAt(place);
+#ifdef SHADE
+    Light light = lightAt(place, way);
+#endif
+    for (int i = 0; i < pieces && strength > 0.0; ++i)
+    {
+#ifdef PAINT_FILTER
+      vec4 paint = paintOf(found, (float(i) + 0.5) / float(pieces) - 0.5) * strength;
+#else
+      vec4 paint = paintOf(found, 0.0) * strength;
+#endif
+      if (paint.a > 0.0)
+      {
+        float opacity = 1.0 - pow(max(1.0 - paint.a, 0.0), depth);
+        vec3 color = paint.rgb * (opacity / paint.a);
+#ifdef SHADE
+        color = color * light.Diffuse + opacity * light.Specular;
+#endif
+        sum += (1.0 - sum.a) * vec4(color, opacity);
+      }
+    }
+  }
+  if (!(sum.a > 0.0))
+  {
+    discard;
+  }
+  gl_FragData[0] = sum;
+}

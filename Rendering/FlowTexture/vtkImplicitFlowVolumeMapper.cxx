@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkImplicitFlowVolumeMapper.h"
+
+#include "Draw/FlowVolumeRenderer.h"
+
+#include "vtkDepthPeels.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkImplicitFlowVolumeMapper);
+
+vtkImplicitFlowVolumeMapper::vtkImplicitFlowVolumeMapper()
+  : Peels(std::make_unique<vtkDepthPeels>())
+  , Renderer(std::make_unique<interlume::FlowVolumeRenderer>())
+{
+}
+
+vtkImplicitFlowVolumeMapper::~vtkImplicitFlowVolumeMapper() = default;
+
+int vtkImplicitFlowVolumeMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port != 0)
+  {
+    return 0;
+  }
+  // Render says what is wrong with other grids, and what to do about it.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+void vtkImplicitFlowVolumeMapper::SetInflowTexture(int id, vtkImageData* image)
+{
+  if (id < ALL)
+  {
+    vtkErrorMacro(<< "there is no termination surface of id " << id);
+    return;
+  }
+  if (this->GetInflowTexture(id) == image)
+  {
+    return;
+  }
+  if (image)
+  {
+    this->InflowTextures[id] = image;
+  }
+  else
+  {
+    this->InflowTextures.erase(id);
+  }
+  this->Modified();
+}
+
+void vtkImplicitFlowVolumeMapper::RemoveAllInflowTextures()
+{
+  if (!this->InflowTextures.empty())
+  {
+    this->InflowTextures.clear();
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkImplicitFlowVolumeMapper::GetInflowTexture(int id) const
+{
+  const auto found = this->InflowTextures.find(id);
+  return found != this->InflowTextures.end() ? found->second.Get() : nullptr;
+}
+
+void vtkImplicitFlowVolumeMapper::SetDetailTexture(vtkImageData* image)
+{
+  if (image != this->DetailTexture)
+  {
+    this->DetailTexture = image;
+    this->Modified();
+  }
+}
+
+void vtkImplicitFlowVolumeMapper::SetTimeGate(vtkPiecewiseFunction* function)
+{
+  if (function != this->TimeGate)
+  {
+    this->TimeGate = function;
+    this->Modified();
+  }
+}
+
+void vtkImplicitFlowVolumeMapper::SetName(std::string& member, const char* name)
+{
+  const std::string value = name ? name : "";
+  if (value != member)
+  {
+    member = value;
+    this->Modified();
+  }
+}
+
+void vtkImplicitFlowVolumeMapper::SetOpacityArray(const char* name)
+{
+  this->SetName(this->OpacityArray, name);
+}
+
+void vtkImplicitFlowVolumeMapper::SetShadingArray(const char* name)
+{
+  this->SetName(this->ShadingArray, name);
+}
+
+vtkMTimeType vtkImplicitFlowVolumeMapper::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  const auto include = [&time](vtkObject* part)
+  { time = part ? std::max(time, part->GetMTime()) : time; };
+  for (const auto& [id, image] : this->InflowTextures)
+  {
+    include(image);
+  }
+  include(this->DetailTexture);
+  include(this->TimeGate);
+  return time;
+}
+
+std::string vtkImplicitFlowVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkDataSet* input = this->GetInput();
+  if (this->BlendMode != COMPOSITE_BLEND)
+  {
+    return "blend modes other than composite are not supported";
+  }
+  interlume::FlowVolumeRenderer::Request request;
+  request.Image = vtkImageData::SafeDownCast(input);
+  if (!request.Image)
+  {
+    return std::string("the input is a ") + input->GetClassName() +
+      "; vtkImageData is needed, as vtkImplicitFlowField gives with SAMPLES_OF_IMAGE";
+  }
+  request.Settings = *this;
+  for (double& value : request.Settings.DefaultColor)
+  {
+    value = std::min(std::max(value, 0.0), 1.0);
+  }
+  request.Cuts.Planes = this->ClippingPlanes;
+  request.Cuts.IsCropped = this->Cropping != 0;
+  std::copy_n(this->CroppingRegionPlanes, 6, request.Cuts.CroppingPlanes.begin());
+  request.Cuts.CroppingFlags = this->CroppingRegionFlags;
+  return this->Renderer->Render(renderer, volume, request, this->RenderReport);
+}
+
+void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (this->Peels->Defer(this, renderer, volume))
+  {
+    return;
+  }
+  if (this->Peels->TakeNews())
+  {
+    vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
+                       "translucent polygons, as without it");
+  }
+  vtkDataSet* input = this->GetInput();
+  this->RenderReport = vtkImplicitFlowVolumeReport();
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  if (!input || input->GetNumberOfPoints() == 0 || size[0] <= 0 || size[1] <= 0)
+  {
+    return;
+  }
+  const std::string error = this->Draw(renderer, volume);
+  this->TimeToDraw = this->RenderReport.Seconds;
+  const vtkMTimeType state = std::max(input->GetMTime(), this->GetMTime());
+  if (!error.empty() && (state != this->ErrorTime || error != this->ErrorText))
+  {
+    vtkErrorMacro(<< error);
+    this->ErrorTime = state;
+    this->ErrorText = error;
+  }
+  if (error.empty() && this->RenderReport.NonFiniteSamples > 0 &&
+    input->GetMTime() != this->WarningTime)
+  {
+    vtkWarningMacro(<< this->RenderReport.NonFiniteSamples
+                    << " samples have places, times or values that are not finite");
+    this->WarningTime = input->GetMTime();
+  }
+}
+
+void vtkImplicitFlowVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Renderer->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkImplicitFlowVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "InflowTextures: " << this->InflowTextures.size() << "\n";
+  for (const auto& [id, image] : this->InflowTextures)
+  {
+    os << indent.GetNextIndent() << "InflowTexture " << id << ": " << image.Get() << "\n";
+  }
+  os << indent << "DefaultColor: " << this->DefaultColor[0] << ", " << this->DefaultColor[1] << ", "
+     << this->DefaultColor[2] << ", " << this->DefaultColor[3] << "\n";
+  os << indent << "DetailTexture: " << this->DetailTexture.Get() << "\n";
+  os << indent << "DetailMode: " << this->DetailMode << "\n";
+  os << indent << "DetailScale: " << this->DetailScale[0] << ", " << this->DetailScale[1] << ", "
+     << this->DetailScale[2] << "\n";
+  os << indent << "TimeGate: " << this->TimeGate.Get() << "\n";
+  os << indent << "TimeGateTarget: " << this->TimeGateTarget << "\n";
+  os << indent << "TimeGateRepeat: " << this->TimeGateRepeat << "\n";
+  os << indent << "TimePeriod: " << this->TimePeriod << "\n";
+  os << indent << "TimePhase: " << this->TimePhase << "\n";
+  os << indent << "OpacityArray: " << this->OpacityArray << "\n";
+  os << indent << "ShadingArray: " << this->ShadingArray << "\n";
+  os << indent << "PaintFilter: " << this->PaintFilter << "\n";
+  os << indent << "MaximumPaintSamples: " << this->MaximumPaintSamples << "\n";
+  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "MaximumTextureMemory: " << this->MaximumTextureMemory << "\n";
+  os << indent << "Report:\n";
+  this->RenderReport.Print(os, indent.GetNextIndent());
+}

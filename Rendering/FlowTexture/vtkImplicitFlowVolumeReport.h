@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkImplicitFlowVolumeReport_h
+#define vtkImplicitFlowVolumeReport_h
+
+#include "InterlumeFlowTextureModule.h" // for the export macro
+#include "vtkIndent.h"
+#include "vtkType.h"
+
+#include <string> // for the features
+
+/**
+ * @class   vtkImplicitFlowVolumeReport
+ * @brief   what vtkImplicitFlowVolumeMapper did in its last picture
+ *
+ * This is a plain value object. Counts of what was not done are 0; strings are empty before the
+ * first picture.
+ *
+ * @sa vtkImplicitFlowVolumeMapper
+ */
+struct INTERLUMEFLOWTEXTURE_EXPORT vtkImplicitFlowVolumeReport
+{
+  /// The numbers of surfaces that samples reached, and of those among them without a texture, which
+  /// have DefaultColor.
+  int Surfaces = 0;
+  int SurfacesWithoutTexture = 0;
+  /// The numbers of cells with one surface at all corners, of cells between surfaces, over a seam
+  /// or where nothing was reached at a corner, and of cells with nothing reached at all.
+  vtkIdType UniformCells = 0;
+  vtkIdType SplitCells = 0;
+  vtkIdType EmptyCells = 0;
+  /// The number of samples with no finite place or time, or with no finite value of OpacityArray or
+  /// ShadingArray. They are drawn as having reached no surface, or with the value 0.
+  vtkIdType NonFiniteSamples = 0;
+  /// The names of the parts of the shader that were compiled in, separated by spaces.
+  std::string Features;
+  /// The number of textures of voxels and cells that were sent for this picture, of inflow
+  /// textures, and of each of the others.
+  int GridUploads = 0;
+  int InflowUploads = 0;
+  int DetailUploads = 0;
+  int GateUploads = 0;
+  int TransferUploads = 0;
+  int ArrayUploads = 0;
+  vtkIdType UploadedBytes = 0;
+  /// The numbers of textures and their bytes, and of the picture's buffers.
+  int Textures = 0;
+  vtkIdType TextureBytes = 0;
+  vtkIdType ImageBufferBytes = 0;
+  /// The number of passes over the picture: one, without the one that shows it.
+  int Passes = 0;
+  /// The distance of samples along a line of sight in world units.
+  double SampleDistance = 0.0;
+  /// The number of pixels of the viewport for each pixel of the picture, along an edge.
+  double ImageSampleDistance = 1.0;
+  /// The seconds that this picture took, until the graphics card has its commands.
+  double Seconds = 0.0;
+
+  void Print(ostream& os, vtkIndent indent) const;
+};
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPropSelection.h"
+
+#include "InterlumePropSelectionFS.h"
+#include "vtkHardwareSelector.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <array>
+
+void vtkPropSelection::Show(
+  vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window, vtkTextureObject* picture)
+{
+  std::array<float, 3> color{ { 0.0f, 0.0f, 0.0f } };
+  bool isShown = picture != nullptr;
+  selector->BeginRenderProp();
+  switch (selector->GetCurrentPass())
+  {
+    case vtkHardwareSelector::ACTOR_PASS:
+      std::copy_n(selector->GetPropColorValue(), 3, color.begin());
+      break;
+    case vtkHardwareSelector::PROCESS_PASS:
+      vtkHardwareSelector::Convert(selector->GetProcessID() + 1, color.data());
+      break;
+    case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
+      vtkHardwareSelector::Convert(1, color.data());
+      break;
+    default:
+      isShown = false;
+      break;
+  }
+  if (isShown)
+  {
+    this->Quad.DrawWith(window, picture, InterlumePropSelectionFS,
+      [&color](vtkShaderProgram* program)
+      { program->SetUniform3f("selectionColor", color.data()); });
+  }
+  selector->EndRenderProp();
+}
+
+void vtkPropSelection::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Quad.ReleaseGraphicsResources(window);
+}
