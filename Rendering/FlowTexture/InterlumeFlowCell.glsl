@@ -13,6 +13,8 @@ uniform sampler3D times;
 uniform sampler2D surfaces;
 #endif
 
+uniform vec3 voxels;
+
 const int SPLIT = 0;
 const int SPLIT_BY_WAYS = 4095;
 const int EMPTY = 4096;
@@ -27,17 +29,20 @@ struct Sample
   mat3x2 Slope;
   vec3 TimeSlope;
 #ifdef PAINT_FILTER
-  // The longest axis of what the sample stands for, as a change of place and of time, and the
-  // largest of the others.
+  // Whether the sample is larger than a texel; if so, the longest axis of what the sample stands for, as a change of place
+  // and of time, and the largest of the others.
+  bool IsWide;
+  bool IsAlongRay;
   vec2 Along;
   float TimeAlong;
   vec2 Across;
 #endif
 };
 
-int kindAt(ivec3 cell)
+// Returns the kind of a cell, and the code of the largest change between its corners.
+ivec2 kindAt(ivec3 cell)
 {
-  return int(texelFetch(cells, cell, 0).r * 65535.0 + 0.5);
+  return ivec2(texelFetch(cells, cell, 0).rg * 65535.0 + 0.5);
 }
 
 void setSurface(inout Sample found, int label)
@@ -70,6 +75,18 @@ void setSurface(inout Sample found, int label)
     slopeY = mix(y1 - y0, y3 - y2, f.z); \
     slopeZ = z1 - z0; \
   }
+
+#ifdef SMOOTH_PLACES
+// Interpolates without derivatives.
+void lookUpPlace(vec3 place, inout Sample found)
+{
+  vec3 at = (place + 0.5) / voxels;
+  found.Place = texture(places, at).rg;
+#ifdef TIMES
+  found.Time = texture(times, at).r;
+#endif
+}
+#endif
 
 void lookUpPlain(ivec3 cell, vec3 f, inout Sample found)
 {
@@ -176,17 +193,23 @@ bool lookUpSplit(ivec3 cell, vec3 f, bool isByWays, inout Sample found)
 }
 #endif
 
-bool lookUpCell(ivec3 cell, vec3 f, int kind, out Sample found)
+// Looks the place up within a cell; derivatives, where they are needed. Returns whether there is one.
+bool lookUpCell(vec3 place, vec3 cell, int kind, bool hasSlopes, inout Sample found)
 {
-  found.Time = 0.0;
-  found.TimeSlope = vec3(0.0);
 #ifdef SPLITS
   if (kind == SPLIT || kind == SPLIT_BY_WAYS)
   {
-    return lookUpSplit(cell, f, kind == SPLIT_BY_WAYS, found);
+    return lookUpSplit(ivec3(cell), place - cell, kind == SPLIT_BY_WAYS, found);
   }
 #endif
   setSurface(found, kind);
-  lookUpPlain(cell, f, found);
+#ifdef SMOOTH_PLACES
+  if (!hasSlopes)
+  {
+    lookUpPlace(place, found);
+    return true;
+  }
+#endif
+  lookUpPlain(ivec3(cell), place - cell, found);
   return true;
 }

@@ -26,7 +26,6 @@ uniform vec2 gateRange;
 uniform sampler3D opacityValues;
 uniform sampler2D transfer;
 uniform vec2 transferRange;
-uniform vec3 voxels;
 #endif
 #ifdef PAINT_FILTER
 uniform vec2 paintSize;
@@ -42,6 +41,16 @@ vec2 inTexture(vec2 place, vec2 size)
 //INTERLUME::PAINTS
 
 #ifdef PAINT_FILTER
+// Returns whether a sample may be larger than two texels, which a look at one place covers, by the
+// largest change between the cell's corners.
+bool isWide(int code, vec3 piece, vec3 pixelX, vec3 pixelY)
+{
+  vec3 one = vec3(1.0);
+  float reach =
+    max(dot(abs(piece), one), max(dot(abs(pixelX), one), dot(abs(pixelY), one)));
+  return reach * max(paintSize.x, paintSize.y) > 2.0 * exp2(128.0 - float(code) / 256.0);
+}
+
 // Splits what a sample stands for, by its three axes, into the longest and what is across it.
 void setFootprint(inout Sample found, vec3 piece, vec3 pixelX, vec3 pixelY)
 {
@@ -49,19 +58,22 @@ void setFootprint(inout Sample found, vec3 piece, vec3 pixelX, vec3 pixelY)
   vec2 x = found.Slope * pixelX;
   vec2 y = found.Slope * pixelY;
   vec3 axis = piece;
+  found.IsAlongRay = true;
   float a = dot(along, along);
   float b = dot(x, x);
   float c = dot(y, y);
-  // A pixel's axis has to be much longer than the piece: order along the ray counts.
-  if (b > 4.0 * a && b >= c)
+  // What is along the ray is drawn piece by piece; across it there is a mean.
+  if (b > a && b >= c)
   {
     axis = pixelX;
+    found.IsAlongRay = false;
     found.Across = a > c ? along : y;
     found.Along = x;
   }
-  else if (c > 4.0 * a)
+  else if (c > a)
   {
     axis = pixelY;
+    found.IsAlongRay = false;
     found.Across = a > b ? along : x;
     found.Along = y;
   }
@@ -119,15 +131,18 @@ vec4 paintOf(Sample found, float share)
   vec2 place = found.Place;
   float level = 0.0;
 #ifdef PAINT_FILTER
-  place += share * found.Along;
-  level = levelOf(found, paintSize);
+  if (found.IsWide)
+  {
+    place += share * found.Along;
+    level = levelOf(found, paintSize);
+  }
 #endif
   vec2 inside = place - mix(vec2(0.0), floor(place), vec2(found.Period));
   vec4 paint = inflowAt(found.Paint, inside, level);
 #ifdef TIMES
   float time = found.Time;
 #ifdef PAINT_FILTER
-  time += share * found.TimeAlong;
+  time += found.IsWide ? share * found.TimeAlong : 0.0;
 #endif
   // The time at which paint was put in here, in periods.
   float injected = timePhase - time / timePeriod;
@@ -141,7 +156,7 @@ vec4 paintOf(Sample found, float share)
 #ifdef DETAIL
   vec2 pattern = place * detailScale.xy;
 #ifdef PAINT_FILTER
-  level = levelOf(found, detailSize.xy * detailScale.xy);
+  level = found.IsWide ? levelOf(found, detailSize.xy * detailScale.xy) : 0.0;
 #endif
 #if DETAIL == 3
   vec4 fine = textureLod(detail, vec3(pattern, -injected * timePeriod * detailScale.z), level);
@@ -163,3 +178,21 @@ vec4 paintOf(Sample found, float share)
 #endif
   return paint;
 }
+
+#ifdef PAINT_FILTER
+// Returns the paint of one of the pieces along the ray, or the mean across it.
+vec4 paintFrom(Sample found, int piece, int pieces)
+{
+  if (!found.IsWide || found.IsAlongRay)
+  {
+    return paintOf(found, (float(piece) + 0.5) / float(pieces) - 0.5);
+  }
+  int parts = piecesOf(found);
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < parts; ++i)
+  {
+    sum += paintOf(found, (float(i) + 0.5) / float(parts) - 0.5);
+  }
+  return sum / float(parts);
+}
+#endif

@@ -44,7 +44,21 @@ uniform vec2 pixelSize;
 //INTERLUME::PAINT
 //INTERLUME::SHADE
 
-const float OPAQUE_ENOUGH = 0.9995;
+const float OPAQUE_ENOUGH = 0.9999;
+
+// Returns 1 - (1 - alpha)^length, with all digits of small ones too.
+float opacityOf(float alpha, float length)
+{
+  if (alpha >= 1.0)
+  {
+    return 1.0;
+  }
+  float x = alpha < 0.05
+    ? -alpha * (1.0 + alpha * (1.0 / 2.0 + alpha * (1.0 / 3.0 + alpha / 4.0)))
+    : log(1.0 - alpha);
+  x *= length;
+  return x > -0.05 ? -x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x / 24.0))) : 1.0 - exp(x);
+}
 
 #ifdef CLIPPING_PLANES
 void clip(vec3 origin, vec3 way, inout float lower, inout float upper)
@@ -88,11 +102,11 @@ void main()
   float lower = (nearFar.x - middle) * unit;
   float upper = (nearFar.y - middle) * unit;
 #ifdef OPAQUE
-  float stored = texture(image, texCoord).r;
+  float opaque = texture(image, texCoord).r;
 #ifdef PARALLEL
-  upper = min(upper, (mix(nearFar.x, nearFar.y, stored) - middle) * unit);
+  upper = min(upper, (mix(nearFar.x, nearFar.y, opaque) - middle) * unit);
 #else
-  upper = min(upper, (1.0 / mix(1.0 / nearFar.x, 1.0 / nearFar.y, stored) - middle) * unit);
+  upper = min(upper, (1.0 / mix(1.0 / nearFar.x, 1.0 / nearFar.y, opaque) - middle) * unit);
 #endif
 #endif
   vec3 inverse = 1.0 / mix(way, vec3(1e-12), lessThan(abs(way), vec3(1e-12)));
@@ -115,7 +129,8 @@ void main()
     float piece = min(sampleDistance, upper - from);
     vec3 place = origin + (from + 0.5 * piece) * way;
     vec3 cell = clamp(floor(place), vec3(0.0), lastCell);
-    int kind = kindAt(ivec3(cell));
+    ivec2 stored = kindAt(ivec3(cell));
+    int kind = stored.x;
     number += 1.0;
     if (kind >= EMPTY)
     {
@@ -133,18 +148,28 @@ void main()
     }
 #endif
     Sample found;
-    if (!lookUpCell(ivec3(cell), place - cell, kind, found))
-    {
-      continue;
-    }
 #ifdef PAINT_FILTER
     // The axes of what a sample stands for: the piece of the ray, and a pixel at that distance.
     float share = (from + 0.5 * piece) / unit;
-    setFootprint(found, way * piece, (rayOriginX + share * rayDirectionX) * pixelSize.x,
-      (rayOriginY + share * rayDirectionY) * pixelSize.y);
-    int pieces = piecesOf(found);
+    vec3 pixelX = (rayOriginX + share * rayDirectionX) * pixelSize.x;
+    vec3 pixelY = (rayOriginY + share * rayDirectionY) * pixelSize.y;
+    found.IsWide = isWide(stored.y, way * piece, pixelX, pixelY);
+    if (!lookUpCell(place, cell, kind, found.IsWide, found))
+    {
+      continue;
+    }
+    int pieces = 1;
+    if (found.IsWide)
+    {
+      setFootprint(found, way * piece, pixelX, pixelY);
+      pieces = found.IsAlongRay ? piecesOf(found) : 1;
+    }
 #else
     const int pieces = 1;
+    if (!lookUpCell(place, cell, kind, false, found))
+    {
+      continue;
+    }
 #endif
     float depth = piece / (unitDistance * float(pieces));
     float strength = strengthAt(place);
@@ -154,13 +179,13 @@ void main()
     for (int i = 0; i < pieces && strength > 0.0; ++i)
     {
 #ifdef PAINT_FILTER
-      vec4 paint = paintOf(found, (float(i) + 0.5) / float(pieces) - 0.5) * strength;
+      vec4 paint = paintFrom(found, i, pieces) * strength;
 #else
       vec4 paint = paintOf(found, 0.0) * strength;
 #endif
       if (paint.a > 0.0)
       {
-        float opacity = 1.0 - pow(max(1.0 - paint.a, 0.0), depth);
+        float opacity = opacityOf(paint.a, depth);
         vec3 color = paint.rgb * (opacity / paint.a);
 #ifdef SHADE
         color = color * light.Diffuse + opacity * light.Specular;

@@ -45,7 +45,7 @@ class FlowVolumeRenderer;
  *
  * **Opacity** is that in one ScalarOpacityUnitDistance of the vtkVolumeProperty: a piece of a line
  * of sight of length l has 1 - (1 - alpha)^(l / unit distance). Lines of sight are walked from
- * front to back in pieces of SampleDistance, without jitter, until 0.9995 of opacity.
+ * front to back in pieces of SampleDistance, without jitter, until 0.9999 of opacity.
  *
  * **Sharp paint.** What a sample stands for, a piece of the ray as wide as a pixel, is mapped to
  * (u,v) by the derivatives of the interpolation within its cell, never by those between pixels or
@@ -220,8 +220,8 @@ public:
   ///@{
   /**
    * The distance of samples along a line of sight, in world units. 0, the default: half the
-   * smallest distance of voxels. Valid: 0 and above. A line has no more than 65,536 samples; the
-   * report has the distance in use.
+   * smallest distance of voxels. Valid: 0 and above. A line has no more than 60,000 /
+   * (MaximumPaintSamples + 2) samples; the report has the distance in use.
    */
   vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);

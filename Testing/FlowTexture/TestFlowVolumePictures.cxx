@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkImplicitFlowVolumeMapper against pictures that trace each sample of a line of sight by
 // formula: an image through uniform flow, a rotation, a strained flow on finer and finer voxels.
-#include "FlowReference.h"
+#include "FlowPictures.h"
 
 #include "Pictures/PictureSettings.h"
 #include "Reference/Checks/ReferenceCheck.h"
@@ -30,7 +30,8 @@ Color4 Blocks(double u, double v)
 {
   const int i = static_cast<int>(6.0 * u);
   const int j = static_cast<int>(6.0 * v);
-  return { { 0.2 * (i % 5), 0.25 * (j % 4), 0.5 * ((i + j) % 3), (i + 2 * j) % 5 == 0 ? 0.0 : 1.0 } };
+  return { { 0.2 * (i % 5), 0.25 * (j % 4), 0.5 * ((i + j) % 3),
+    (i + 2 * j) % 5 == 0 ? 0.0 : 1.0 } };
 }
 
 FlowAnswer Uniform(const Place3& x)
@@ -67,8 +68,7 @@ void TestImage(Check& check)
     mapper->AddClippingPlane(far);
     const RgbaPicture found = DrawFlow(mapper, voxels, scene);
     scene.Flow = &Uniform;
-    scene.Paint = [&](const FlowAnswer& answer)
-    { return LookUpPaint(paint, answer.U, answer.V); };
+    scene.Paint = [&](const FlowAnswer& answer) { return LookUpPaint(paint, answer.U, answer.V); };
     scene.IsKept = [at](const Place3& x) { return std::abs(x[0] - at) < 0.06; };
     const RgbaPicture expected = MakeFlowPicture(scene, 100);
     // Everywhere, edges too, within what is between a texel's neighbours; the mean away from them.
@@ -129,8 +129,7 @@ Color4 Discs(const FlowAnswer& answer)
 
 vtkSmartPointer<vtkImageData> PaintDiscs()
 {
-  return MakePaint(
-    257, 257, [](double u, double v) { return Discs({ true, 0, u, v, 0.0 }); });
+  return MakePaint(257, 257, [](double u, double v) { return Discs({ true, 0, u, v, 0.0 }); });
 }
 
 /// Turns around the z axis, from the half plane of y = 0, x > 0, in 2 pi.
@@ -158,6 +157,7 @@ void TestOrder(Check& check, const std::string& name, const FlowFormula& flow,
   FlowScene scene;
   scene.Flow = flow;
   scene.Paint = &Discs;
+  scene.UnitDistance = 0.4;
   scene.Camera = LookAlong(direction, false);
   const RgbaPicture expected = MakeFlowPicture(scene);
   vtkSmartPointer<vtkImageData> paint = PaintDiscs();
@@ -172,7 +172,8 @@ void TestOrder(Check& check, const std::string& name, const FlowFormula& flow,
       ComparePictures(DrawFlow(mapper, MakeFlowVoxels(n, flow), scene), expected);
     std::cout << name << ", " << n << " voxels: " << error << ", order "
               << std::log2(before / error.Mean) << "\n";
-    check.That(before == 0.0 || std::log2(before / error.Mean) >= order,
+    // On the finest voxels what is left is the end of a line of sight at an opacity of 0.9999.
+    check.That(before == 0.0 || n == 65 || std::log2(before / error.Mean) >= order,
       name + ": the order with " + std::to_string(n) + " voxels");
     check.That(n < 65 || error.Mean <= bound, name + ": the error");
     before = error.Mean;
@@ -219,7 +220,7 @@ int TestFlowVolumePictures(int, char*[])
   Check check;
   TestImage(check);
   TestTurn(check);
-  TestOrder(check, "rotation", &Rotation, { { -0.5, 0.7, -0.8 } }, 1.5, 1e-3);
-  TestOrder(check, "strain", &Strain, { { -0.8, -0.5, -0.3 } }, 1.5, 1e-3);
+  TestOrder(check, "rotation", &Rotation, { { -0.5, 0.7, -0.8 } }, 1.8, 4e-5);
+  TestOrder(check, "strain", &Strain, { { -0.8, -0.5, -0.3 } }, 1.8, 4e-5);
   return check.Result();
 }

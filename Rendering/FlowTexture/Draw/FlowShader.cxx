@@ -95,6 +95,7 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
 
   // What follows is no feature but a number that the shader is compiled with.
+  add(parts.IsSoftware, "SMOOTH_PLACES");
   this->Add("WAYS", std::to_string(FlowGrid::Ways));
   add(parts.IsShaded, "LIGHTS", std::to_string(parts.Lights));
   if (paints.IsOne)

@@ -24,6 +24,8 @@ public:
   {
     bool HasOpaqueDepth = false;
     bool HasSplitCells = false;
+    /// Whether textures of floats are interpolated in full.
+    bool IsSoftware = false;
     /// The dimensions of the detail texture, 2 or 3; 0 without one.
     int DetailDimensions = 0;
     bool HasTransfer = false;

@@ -19,6 +19,7 @@
 #include "vtkRenderer.h"
 #include "vtkSceneDepth.h"
 #include "vtkShaderProgram.h"
+#include "vtkSoftwareOpenGL.h"
 #include "vtkTextureObject.h"
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
@@ -206,8 +207,8 @@ std::string FlowVolumeRenderer::Update(Picture& picture)
   const vtkImplicitFlowVolumeSettings& settings = picture.Asked.Settings;
   vtkImplicitFlowVolumeReport& report = picture.Report;
   this->Paints.Assign(settings.InflowTextures, this->Grid);
-  // A line of sight has no more samples than this, whatever is asked for.
-  constexpr double mostSamples = 65536.0;
+  // llvmpipe ends a shader's loops after 65,535 rounds of all of them.
+  const double mostSamples = 60000.0 / (settings.MaximumPaintSamples + 2);
   picture.SampleDistance =
     std::max(settings.SampleDistance > 0.0 ? settings.SampleDistance : 0.5 * this->View.Spacing,
       this->View.Diagonal / mostSamples);
@@ -219,6 +220,7 @@ std::string FlowVolumeRenderer::Update(Picture& picture)
   report.SplitCells = this->Grid.SplitCells;
   report.EmptyCells = this->Grid.EmptyCells;
   report.NonFiniteSamples = this->Grid.NonFinite;
+  picture.Parts.IsSoftware = vtkSoftwareOpenGL::IsUsed(picture.Window);
   picture.Parts.HasSplitCells = this->Grid.SplitCells > 0;
   if (picture.Parts.IsShaded)
   {
@@ -238,6 +240,8 @@ std::string FlowVolumeRenderer::KeepGrid(Picture& picture)
   const auto keep =
     [&](const char* name, int components, int type, const void* values, bool isOfCells)
   {
+    // Software interpolates floats as such; graphics cards round the weights to eight bits.
+    const bool isSmooth = picture.Parts.IsSoftware && type == VTK_FLOAT;
     const std::string wrong = picture.Resources.Textures.Keep(
       picture.Window, name, true, stamp,
       [&]
@@ -251,12 +255,13 @@ std::string FlowVolumeRenderer::KeepGrid(Picture& picture)
         source.Components = components;
         source.Type = type;
         source.Values = values;
+        source.IsSmooth = isSmooth;
         return source;
       },
       report.GridUploads, report.UploadedBytes);
     return wrong.empty() ? wrong : "the texture of voxels `" + std::string(name) + "` " + wrong;
   };
-  std::string error = keep("cells", 1, VTK_UNSIGNED_SHORT, this->Grid.Cells.data(), true);
+  std::string error = keep("cells", 2, VTK_UNSIGNED_SHORT, this->Grid.Cells.data(), true);
   if (error.empty())
   {
     error = keep("places", 2, VTK_FLOAT, this->Grid.Places.data(), false);

@@ -228,12 +228,33 @@ unsigned short FlowGrid::FindKind(const std::array<vtkIdType, 8>& corners) const
   return static_cast<unsigned short>(isAcross ? static_cast<int>(SPLIT) : label);
 }
 
+unsigned short FlowGrid::GetChangeCode(float change)
+{
+  const double code = std::ceil(256.0 * (std::log2(static_cast<double>(change)) + 128.0));
+  return change > 0.0F ? static_cast<unsigned short>(std::min(std::max(code, 1.0), 65535.0)) : 0;
+}
+
+float FlowGrid::FindChange(const std::array<vtkIdType, 8>& corners) const
+{
+  float largest = 0.0F;
+  for (int i = 0; i < 8; ++i)
+  {
+    for (const int step : { 1, 2, 4 })
+    {
+      const float* a = &this->Places[2 * corners[i & ~step]];
+      const float* b = &this->Places[2 * corners[i | step]];
+      largest = std::max({ largest, std::abs(b[0] - a[0]), std::abs(b[1] - a[1]) });
+    }
+  }
+  return largest;
+}
+
 void FlowGrid::FindKinds()
 {
   const vtkIdType rows[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
   const vtkIdType nextRow = this->Size[0];
   const vtkIdType nextSlice = nextRow * this->Size[1];
-  this->Cells.resize(static_cast<std::size_t>(rows[0] * rows[1] * rows[2]));
+  this->Cells.resize(2 * static_cast<std::size_t>(rows[0] * rows[1] * rows[2]));
   vtkSMPTools::For(0, rows[2],
     [&](vtkIdType first, vtkIdType last)
     {
@@ -244,15 +265,19 @@ void FlowGrid::FindKinds()
           for (vtkIdType i = 0; i < rows[0]; ++i)
           {
             const vtkIdType a = i + nextRow * j + nextSlice * k;
-            this->Cells[i + rows[0] * (j + rows[1] * k)] =
-              this->FindKind({ { a, a + 1, a + nextRow, a + nextRow + 1, a + nextSlice,
-                a + nextSlice + 1, a + nextSlice + nextRow, a + nextSlice + nextRow + 1 } });
+            const std::array<vtkIdType, 8> corners{ { a, a + 1, a + nextRow, a + nextRow + 1,
+              a + nextSlice, a + nextSlice + 1, a + nextSlice + nextRow,
+              a + nextSlice + nextRow + 1 } };
+            unsigned short* cell = &this->Cells[2 * (i + rows[0] * (j + rows[1] * k))];
+            cell[0] = this->FindKind(corners);
+            cell[1] = GetChangeCode(this->FindChange(corners));
           }
         }
       }
     });
-  for (const unsigned short kind : this->Cells)
+  for (std::size_t i = 0; i < this->Cells.size(); i += 2)
   {
+    const unsigned short kind = this->Cells[i];
     const bool isSplit = kind == SPLIT || kind == SPLIT_BY_WAYS;
     this->EmptyCells += kind == EMPTY ? 1 : 0;
     this->SplitCells += isSplit ? 1 : 0;
@@ -275,10 +300,11 @@ void FlowGrid::FindDistances()
   constexpr int largest = 60000;
   const int size[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
   const auto at = [&size](int i, int j, int k)
-  { return i + static_cast<vtkIdType>(size[0]) * (j + static_cast<vtkIdType>(size[1]) * k); };
-  for (unsigned short& kind : this->Cells)
+  { return 2 * (i + static_cast<vtkIdType>(size[0]) * (j + static_cast<vtkIdType>(size[1]) * k)); };
+  for (std::size_t i = 0; i < this->Cells.size(); i += 2)
   {
-    kind = kind == EMPTY ? static_cast<unsigned short>(largest) : kind;
+    this->Cells[i] =
+      this->Cells[i] == EMPTY ? static_cast<unsigned short>(largest) : this->Cells[i];
   }
   const auto visit = [&](int i, int j, int k, int way)
   {

@@ -63,8 +63,11 @@ public:
   std::vector<float> Places;
   /// The advection time of each voxel, 0 without a label.
   std::vector<float> Times;
-  /// The kinds of cells; one fewer than voxels along each axis.
+  /// The kinds of cells, each with the code of the largest change of u or v from one corner to the
+  /// next; one cell fewer than voxels along each axis.
   std::vector<unsigned short> Cells;
+  /// A change is at most 2^(code / 256 - 128), and 0 for the code 0.
+  static unsigned short GetChangeCode(float change);
   /// For each voxel its label times Ways, and its way; empty where no cell is split.
   std::vector<unsigned short> Groups;
   vtkIdType UniformCells = 0;
@@ -81,6 +84,7 @@ private:
   void ReadVoxels(const Arrays& arrays);
   void FindKinds();
   unsigned short FindKind(const std::array<vtkIdType, 8>& corners) const;
+  float FindChange(const std::array<vtkIdType, 8>& corners) const;
   void FindDistances();
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef FlowReference_h
-#define FlowReference_h
+#ifndef FlowPictures_h
+#define FlowPictures_h
 
 #include "Pictures/RgbaPicture.h"
 

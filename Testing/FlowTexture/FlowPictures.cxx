@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FlowReference.h"
+#include "FlowPictures.h"
 
 #include "Pictures/ReferenceRay.h"
 #include "Pictures/VolumeStage.h"

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkImplicitFlowVolumeMapper between surfaces, over seams, beside surfaces that streamlines come
+// round to, and where paint is small: nothing is mixed, and letters stay legible.
+#include "FlowPictures.h"
+
+#include "Pictures/PictureSettings.h"
+#include "Reference/Checks/ReferenceCheck.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkImplicitFlowVolumeMapper.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkSignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double PI = 3.14159265358979324;
+
+vtkSmartPointer<vtkImageData> MakePlain(const Color4& color)
+{
+  return MakePaint(2, 2, [&](double, double) { return color; });
+}
+
+FlowScene MakeScene(const FlowFormula& flow, const Place3& direction)
+{
+  FlowScene scene;
+  scene.Flow = flow;
+  scene.Size = { { 64, 64 } };
+  scene.UnitDistance = 0.01;
+  scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, direction, true);
+  return scene;
+}
+
+/// Keeps what is between two planes across z.
+void KeepSlab(vtkImplicitFlowVolumeMapper* mapper, double lower, double upper)
+{
+  for (const bool isLower : { true, false })
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(0.0, 0.0, isLower ? lower : upper);
+    plane->SetNormal(0.0, 0.0, isLower ? 1.0 : -1.0);
+    mapper->AddClippingPlane(plane);
+  }
+}
+
+/// Red, green and blue surfaces with places far apart, which mixing would bring to light.
+void TestSurfaces(Check& check)
+{
+  const auto flow = [](const Place3& x)
+  {
+    const double side = x[0] + 0.3 * x[1];
+    const bool isReached = x[1] < 0.31 + 0.1 * x[0];
+    return side < 0.03 ? FlowAnswer{ isReached, 3, 0.1, 0.1, 0.0 }
+                       : FlowAnswer{ isReached, 70, 0.9, 0.9, 0.0 };
+  };
+  FlowScene scene = MakeScene(flow, { { 0.0, 0.0, -1.0 } });
+  vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+  // Blue is where only a mean of both places could be.
+  mapper->SetInflowTexture(3,
+    MakePaint(64, 64,
+      [](double u, double) {
+        return u < 0.3 ? Color4{ { 1, 0, 0, 1 } } : Color4{ { 0, 0, 1, 1 } };
+      }));
+  mapper->SetInflowTexture(70,
+    MakePaint(64, 64,
+      [](double u, double) {
+        return u > 0.7 ? Color4{ { 0, 1, 0, 1 } } : Color4{ { 0, 0, 1, 1 } };
+      }));
+  const int n = 24;
+  const RgbaPicture found = DrawFlow(mapper, MakeFlowVoxels(n, flow), scene);
+  scene.Paint = [](const FlowAnswer& answer) {
+    return answer.Id == 3 ? Color4{ { 1, 0, 0, 1 } } : Color4{ { 0, 1, 0, 1 } };
+  };
+  const RgbaPicture expected = MakeFlowPicture(scene, 100);
+  double blue = 0.0;
+  double mixed = 0.0;
+  int off = 0;
+  for (int j = 0; j < scene.Size[1]; ++j)
+  {
+    for (int i = 0; i < scene.Size[0]; ++i)
+    {
+      const double* pixel = found.At(i, j);
+      blue = std::max(blue, pixel[2]);
+      mixed = std::max(mixed, std::min(pixel[0], pixel[1]));
+      off += std::abs(pixel[0] - expected.At(i, j)[0]) > 0.5 ||
+          std::abs(pixel[3] - expected.At(i, j)[3]) > 0.5
+        ? 1
+        : 0;
+    }
+  }
+  std::cout << "two surfaces: blue " << blue << ", mixed " << mixed << ", pixels beyond a border "
+            << off << "\n";
+  check.That(blue < 1e-6, "no place between those of two surfaces");
+  check.That(mixed < 1e-6, "no colour of both surfaces");
+  // Borders are off by half a cell at most, of 53 borders' pixels 36 / 23 / 2 each.
+  check.That(off < 2 * 53 * 36 / 23 / 2, "borders within half a cell");
+  check.That(mapper->GetReport().SplitCells > 0 && mapper->GetReport().Surfaces == 2,
+    "cells between surfaces are counted");
+}
+
+/// A seam: u goes round the axis, and the paint in its middle must not be seen at the seam.
+void TestSeam(Check& check, bool isPeriodic)
+{
+  const auto flow = [](const Place3& x)
+  {
+    const double turns = std::atan2(x[1], x[0]) / (2.0 * PI);
+    return FlowAnswer{ std::hypot(x[0], x[1]) > 0.2, 5, turns < 0.0 ? turns + 1.0 : turns,
+      x[2] + 0.5, 0.0 };
+  };
+  FlowScene scene = MakeScene(flow, { { 0.0, 0.0, -1.0 } });
+  vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+  mapper->SetInflowTexture(5,
+    MakePaint(128, 4,
+      [](double u, double) {
+        return u > 0.3 && u < 0.7 ? Color4{ { 1, 0, 0, 1 } } : Color4{ { 0, 1, 0, 1 } };
+      }));
+  std::vector<std::array<int, 3>> periods;
+  if (isPeriodic)
+  {
+    periods.push_back({ { 5, 1, 0 } });
+  }
+  const RgbaPicture found = DrawFlow(mapper, MakeFlowVoxels(24, flow, periods), scene);
+  // Right of the axis is the seam.
+  double red = 0.0;
+  double green = 0.0;
+  for (int j = 20; j < 44; ++j)
+  {
+    for (int i = 44; i < 50; ++i)
+    {
+      red = std::max(red, found.At(i, j)[0]);
+      green = std::max(green, found.At(i, j)[1]);
+    }
+  }
+  std::cout << "seam, periodic " << isPeriodic << ": red " << red << ", green " << green << "\n";
+  check.That(green > 0.9, "the seam is seen");
+  check.That(isPeriodic ? red < 1e-6 : red > 0.2, "the seam's paint");
+}
+
+/// Streamlines come round to a half plane: times of both its sides are not mixed.
+void TestWays(Check& check)
+{
+  const auto flow = [](const Place3& x)
+  {
+    const double angle = std::atan2(x[1], x[0]);
+    return FlowAnswer{ std::hypot(x[0], x[1]) > 0.1, 2, 0.5, 0.5,
+      angle < 0.0 ? angle + 2.0 * PI : angle };
+  };
+  const int n = 25;
+  vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(n, flow);
+  // Above the plane streamlines leave towards it, below away from it; n is odd: voxels are on it.
+  vtkNew<vtkSignedCharArray> sides;
+  sides->SetName("TerminationSide");
+  for (vtkIdType i = 0; i < voxels->GetNumberOfPoints(); ++i)
+  {
+    const double* x = voxels->GetPoint(i);
+    const bool isBeside = x[0] > -0.02 && std::abs(x[1]) < 1.5 / (n - 1) && std::abs(x[1]) > 1e-9;
+    sides->InsertNextValue(static_cast<signed char>(isBeside ? (x[1] > 0.0 ? 1 : -2) : 0));
+  }
+  FlowScene scene = MakeScene(flow, { { 0.0, 0.0, -1.0 } });
+  scene.Size = { { 256, 256 } };
+  // What was put in half a turn ago alone is seen: nothing beside the plane.
+  vtkNew<vtkPiecewiseFunction> gate;
+  gate->AddPoint(-2.0 * PI, 0.0);
+  gate->AddPoint(-PI - 1.0, 0.0);
+  gate->AddPoint(-PI - 0.9, 1.0);
+  gate->AddPoint(-PI + 0.9, 1.0);
+  gate->AddPoint(-PI + 1.0, 0.0);
+  gate->AddPoint(0.0, 0.0);
+  for (const bool hasSides : { false, true })
+  {
+    if (hasSides)
+    {
+      voxels->GetPointData()->AddArray(sides);
+    }
+    vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+    mapper->SetInflowTexture(2, MakePlain({ { 1, 1, 1, 1 } }));
+    mapper->SetTimeGate(gate);
+    mapper->TimeGateRepeatOff();
+    const RgbaPicture found = DrawFlow(mapper, voxels, scene);
+    double beside = 0.0;
+    for (int j = 104; j < 152; ++j)
+    {
+      for (int i = 170; i < 200; ++i)
+      {
+        beside = std::max(beside, found.At(i, j)[3]);
+      }
+    }
+    std::cout << "times with sides " << hasSides << ": " << beside << " beside the plane\n";
+    check.That(hasSides ? beside < 1e-6 : beside > 0.5, "times on both sides of a surface");
+    check.That(LargestAlpha(found) > 0.9, "what was put in half a turn ago is seen");
+  }
+}
+
+/// An E of strokes one tenth high, from 0 to 1.
+bool IsInLetter(double u, double v)
+{
+  const bool isStem = u > 0.3 && u < 0.4;
+  const bool isBar =
+    u > 0.3 && u < 0.7 && ((v > 0.2 && v < 0.3) || (v > 0.45 && v < 0.55) || (v > 0.7 && v < 0.8));
+  return v > 0.2 && v < 0.8 && (isStem || isBar);
+}
+
+/// A letter of 0.6 by ten cells' width, ten cells downstream in a flow that turns and strains it.
+void TestLetter(Check& check)
+{
+  const int n = 21;
+  const auto flow = [](const Place3& x)
+  {
+    const double time = x[2] + 0.5;
+    const double turn = 0.8 * time;
+    const double a = (x[0] * std::cos(turn) + x[1] * std::sin(turn)) * std::exp(0.2 * time);
+    const double b = (x[1] * std::cos(turn) - x[0] * std::sin(turn)) * std::exp(-0.2 * time);
+    return FlowAnswer{ true, 0, 0.5 + 2.0 * a, 0.5 + 2.0 * b, time };
+  };
+  FlowScene scene = MakeScene(flow, { { 0.0, 0.0, -1.0 } });
+  scene.Size = { { 160, 160 } };
+  scene.UnitDistance = 0.002;
+  vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+  const auto letter = [](double u, double v) {
+    return Color4{ { 1.0, 1.0, 1.0, IsInLetter(u, v) ? 1.0 : 0.0 } };
+  };
+  mapper->SetInflowTexture(0, MakePaint(512, 512, letter));
+  KeepSlab(mapper, -0.01, 0.01);
+  const RgbaPicture found = DrawFlow(mapper, MakeFlowVoxels(n, flow), scene);
+  scene.Paint = [&](const FlowAnswer& answer) { return letter(answer.U, answer.V); };
+  scene.IsKept = [](const Place3& x) { return std::abs(x[2]) < 0.01; };
+  const RgbaPicture expected = MakeFlowPicture(scene, 400);
+  int inside = 0;
+  int wrong = 0;
+  for (int j = 0; j < scene.Size[1]; ++j)
+  {
+    for (int i = 0; i < scene.Size[0]; ++i)
+    {
+      const bool isExpected = expected.At(i, j)[3] > 0.5;
+      inside += isExpected ? 1 : 0;
+      wrong += isExpected != (found.At(i, j)[3] > 0.5) ? 1 : 0;
+    }
+  }
+  const PictureError error = ComparePictures(found, expected);
+  std::cout << "a letter: " << wrong << " pixels wrong of " << inside << "; " << error << "\n";
+  // Strokes are 1/20 wide, a cell, some 5 pixels.
+  check.That(inside > 300 && wrong < 0.1 * inside, "a letter ten cells downstream");
+}
+
+/// Stripes finer than pixels: grey where they are filtered, and no moire.
+void TestFilter(Check& check)
+{
+  const auto flow = [](const Place3& x) {
+    return FlowAnswer{ true, 0, x[0] + 0.5, x[1] + 0.5, 0.0 };
+  };
+  FlowScene scene = MakeScene(flow, { { 0.0, 0.0, -1.0 } });
+  // Twenty times a texel's stripes are opaque on average by half.
+  vtkSmartPointer<vtkImageData> stripes = MakePaint(2048, 2,
+    [](double u, double)
+    {
+      const double at = 2047.0 * u / 10.7;
+      return Color4{ { at - std::floor(at) < 0.5 ? 1.0 : 0.0, 0.0, 0.0, 1.0 } };
+    });
+  double spread[2] = { 0.0, 0.0 };
+  for (const bool isFiltered : { false, true })
+  {
+    vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+    mapper->SetInflowTexture(0, stripes);
+    mapper->SetPaintFilter(isFiltered);
+    const RgbaPicture found = DrawFlow(mapper, MakeFlowVoxels(9, flow), scene);
+    for (int i = 20; i < 44; ++i)
+    {
+      spread[isFiltered ? 1 : 0] =
+        std::max(spread[isFiltered ? 1 : 0], std::abs(found.At(i, 32)[0] - 0.5));
+    }
+  }
+  std::cout << "stripes off from grey: " << spread[0] << ", filtered " << spread[1] << "\n";
+  check.That(spread[0] > 0.3 && spread[1] < 0.2, "stripes finer than pixels are grey");
+}
+}
+
+int TestFlowVolumeBorders(int, char*[])
+{
+  Check check;
+  TestSurfaces(check);
+  TestSeam(check, true);
+  TestSeam(check, false);
+  TestWays(check);
+  TestLetter(check);
+  TestFilter(check);
+  return check.Result();
+}

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What vtkImplicitFlowVolumeMapper sends when one thing changes, what it does not have for what is
+// off, and that a picture after many changes is that of a mapper made anew.
+#include "FlowPictures.h"
+
+#include "Pictures/PictureSettings.h"
+#include "Pictures/VolumeStage.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
+
+#include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkImplicitFlowVolumeMapper.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+FlowAnswer TwoSurfaces(const Place3& x)
+{
+  const bool isLeft = x[0] < 0.1;
+  return { x[1] < 0.35, isLeft ? 0 : 8, x[1] + 0.5, x[2] + 0.5, isLeft ? x[0] + 0.6 : x[0] };
+}
+
+vtkSmartPointer<vtkImageData> MakeVoxels()
+{
+  vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(13, &TwoSurfaces, { { { 8, 1, 0 } } });
+  vtkNew<vtkFloatArray> speed;
+  speed->SetName("Speed");
+  vtkNew<vtkFloatArray> ways;
+  ways->SetName("Ways");
+  ways->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < voxels->GetNumberOfPoints(); ++i)
+  {
+    const double* x = voxels->GetPoint(i);
+    speed->InsertNextValue(static_cast<float>(x[0] * x[0] + x[2]));
+    ways->InsertNextTuple3(1.0, x[1], -x[0]);
+  }
+  voxels->GetPointData()->AddArray(speed);
+  voxels->GetPointData()->AddArray(ways);
+  return voxels;
+}
+
+vtkSmartPointer<vtkImageData> MakeStripes(double frequency, double alpha)
+{
+  return MakePaint(33, 17,
+    [=](double u, double v) {
+      return Color4{ { 0.5 + 0.5 * std::sin(frequency * u), v, 0.3, alpha } };
+    });
+}
+
+vtkSmartPointer<vtkImageData> MakeBlock()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(4, 4, 4);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  for (vtkIdType i = 0; i < 64; ++i)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      image->GetPointData()->GetScalars()->SetComponent(
+        i, c, static_cast<double>((37 * i + 61 * c) % 256));
+    }
+  }
+  return image;
+}
+
+/// All that can be changed, and a stage that draws it.
+struct Show
+{
+  Show()
+    : Stage(std::array<int, 2>{ { 40, 40 } })
+    , Voxels(MakeVoxels())
+  {
+    this->Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.4, 0.6, -0.9 } }, false);
+    this->Gate->AddPoint(0.0, 1.0);
+    this->Gate->AddPoint(0.5, 0.1);
+    this->Gate->AddPoint(1.0, 1.0);
+    this->Property->SetScalarOpacityUnitDistance(0.2);
+    this->Mapper->SetInputData(static_cast<vtkDataSet*>(this->Voxels));
+    this->Stage.SetVolume(this->Mapper, this->Property);
+    this->Stage.SetCamera(this->Camera);
+  }
+
+  const vtkImplicitFlowVolumeReport& Draw()
+  {
+    this->Stage.Render();
+    return this->Mapper->GetReport();
+  }
+
+  VolumeStage Stage;
+  vtkSmartPointer<vtkImageData> Voxels;
+  vtkSmartPointer<vtkCamera> Camera;
+  vtkNew<vtkPiecewiseFunction> Gate;
+  vtkNew<vtkVolumeProperty> Property;
+  vtkNew<vtkImplicitFlowVolumeMapper> Mapper;
+};
+
+struct Uploads
+{
+  int Grid = 0;
+  int Inflow = 0;
+  int Detail = 0;
+  int Gate = 0;
+  int Transfer = 0;
+  int Array = 0;
+};
+
+void CheckUploads(Check& check, const vtkImplicitFlowVolumeReport& report, const Uploads& expected,
+  const std::string& what)
+{
+  check.Equal(report.GridUploads, expected.Grid, what + ": textures of voxels");
+  check.Equal(report.InflowUploads, expected.Inflow, what + ": inflow textures");
+  check.Equal(report.DetailUploads, expected.Detail, what + ": detail textures");
+  check.Equal(report.GateUploads, expected.Gate, what + ": gates");
+  check.Equal(report.TransferUploads, expected.Transfer, what + ": transfer functions");
+  check.Equal(report.ArrayUploads, expected.Array, what + ": arrays");
+  const int sum = expected.Grid + expected.Inflow + expected.Detail + expected.Gate +
+    expected.Transfer + expected.Array;
+  check.That((report.UploadedBytes > 0) == (sum > 0), what + ": bytes");
+}
+
+void TestCounters(Check& check)
+{
+  Show show;
+  vtkImplicitFlowVolumeMapper* mapper = show.Mapper;
+  vtkSmartPointer<vtkImageData> first = MakeStripes(20.0, 0.3);
+  vtkSmartPointer<vtkImageData> second = MakeStripes(9.0, 0.6);
+  mapper->SetInflowTexture(0, first);
+  mapper->SetInflowTexture(8, second);
+  const auto expect = [&](const Uploads& uploads, const std::string& what)
+  { CheckUploads(check, show.Draw(), uploads, what); };
+  // Cells, places and groups; two images and which surface has which.
+  expect({ 3, 3, 0, 0, 0, 0 }, "the first picture");
+  check.Equal(mapper->GetReport().Textures, 6, "textures without anything that is off");
+  check.That(mapper->GetReport().Features == "splits surfaces paint_filter",
+    "features: " + mapper->GetReport().Features);
+  expect({}, "the same again");
+  show.Camera->Azimuth(5.0);
+  expect({}, "another view");
+  second->GetPointData()->GetScalars()->SetComponent(3, 0, 0.9);
+  second->GetPointData()->GetScalars()->Modified();
+  second->Modified();
+  expect({ 0, 1, 0, 0, 0, 0 }, "a changed image");
+  mapper->SetInflowTexture(0, MakeStripes(5.0, 0.4));
+  expect({ 0, 1, 0, 0, 0, 0 }, "another image");
+  mapper->SetTimeGate(show.Gate);
+  // The times are sent when they are needed first.
+  expect({ 1, 0, 0, 1, 0, 0 }, "a gate");
+  check.Equal(mapper->GetReport().Textures, 8, "textures with a gate");
+  mapper->SetTimePhase(0.3);
+  expect({}, "another phase");
+  mapper->SetTimePeriod(0.7);
+  expect({}, "another period");
+  show.Gate->AddPoint(0.7, 0.8);
+  expect({ 0, 0, 0, 1, 0, 0 }, "a changed gate");
+  mapper->SetDetailTexture(MakeStripes(3.0, 0.9));
+  expect({ 0, 0, 1, 0, 0, 0 }, "a detail");
+  mapper->SetDetailModeToOver();
+  expect({}, "another mode");
+  mapper->SetOpacityArray("Speed");
+  expect({ 0, 0, 0, 0, 1, 1 }, "a further array");
+  show.Property->GetScalarOpacity()->AddPoint(0.2, 0.4);
+  expect({ 0, 0, 0, 0, 1, 0 }, "a changed transfer function");
+  mapper->SetShadingArray("Ways");
+  expect({}, "a shading array without Shade");
+  show.Property->ShadeOn();
+  expect({ 0, 0, 0, 0, 0, 1 }, "shading");
+  mapper->SetTimeGate(nullptr);
+  mapper->SetDetailTexture(nullptr);
+  mapper->SetOpacityArray(nullptr);
+  show.Property->ShadeOff();
+  expect({}, "all off again");
+  check.Equal(mapper->GetReport().Textures, 6, "textures with all off again");
+  check.That(mapper->GetReport().Features == "splits surfaces paint_filter",
+    "features with all off again: " + mapper->GetReport().Features);
+  show.Voxels->GetPointData()->GetArray("AdvectionTime")->Modified();
+  show.Voxels->Modified();
+  expect({ 3, 0, 0, 0, 0, 0 }, "changed voxels");
+}
+
+/// A state by numbers from 0 to 1, which a mapper is set to whatever it was before.
+struct State
+{
+  std::array<double, 16> Values{};
+
+  void Apply(Show& show) const
+  {
+    vtkImplicitFlowVolumeMapper* mapper = show.Mapper;
+    const auto is = [this](int i) { return this->Values[i] > 0.5; };
+    mapper->RemoveAllInflowTextures();
+    mapper->SetInflowTexture(0, is(0) ? MakeStripes(30.0 * this->Values[0], 0.4) : nullptr);
+    mapper->SetInflowTexture(
+      vtkImplicitFlowVolumeMapper::ALL, is(1) ? MakeStripes(7.0, this->Values[1]) : nullptr);
+    mapper->SetDetailTexture(is(2) ? (is(3) ? MakeBlock() : MakeStripes(11.0, 0.8)) : nullptr);
+    mapper->SetDetailMode(static_cast<int>(3.0 * this->Values[4]));
+    mapper->SetDetailScale(1.0 + this->Values[4], 2.0, 1.5);
+    show.Gate->RemoveAllPoints();
+    show.Gate->AddPoint(0.0, this->Values[5]);
+    show.Gate->AddPoint(1.0, 1.0 - this->Values[5]);
+    mapper->SetTimeGate(is(5) ? show.Gate.Get() : nullptr);
+    mapper->SetTimeGateTarget(static_cast<int>(3.0 * this->Values[6]));
+    mapper->SetTimeGateRepeat(is(7));
+    mapper->SetTimePhase(4.0 * this->Values[7] - 2.0);
+    mapper->SetOpacityArray(is(8) ? "Speed" : "");
+    mapper->SetShadingArray(is(9) ? "Ways" : (is(8) ? "Speed" : ""));
+    show.Property->SetShade(is(10));
+    mapper->SetPaintFilter(is(11));
+    mapper->SetSampleDistance(0.05 * this->Values[11]);
+    mapper->RemoveAllClippingPlanes();
+    if (is(12))
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(this->Values[12], -0.3, 0.2);
+      mapper->AddClippingPlane(plane);
+    }
+    mapper->SetCropping(is(13));
+    mapper->SetCroppingRegionPlanes(-0.3, 0.4, -0.5, 0.2, -0.1, 0.5);
+    mapper->SetCroppingRegionFlags(this->Values[13] > 0.75 ? VTK_CROP_FENCE : VTK_CROP_SUBVOLUME);
+    mapper->SetDefaultColor(this->Values[14], 0.5, 0.6, 0.3);
+    show.Camera->SetParallelProjection(is(15));
+  }
+};
+
+void TestRandom(Check& check)
+{
+  Show kept;
+  Random random(21);
+  double largest = 0.0;
+  for (int change = 0; change < 24; ++change)
+  {
+    State state;
+    for (double& value : state.Values)
+    {
+      value = random.Get(0.0, 1.0);
+    }
+    state.Apply(kept);
+    const RgbaPicture after = kept.Stage.Capture();
+    Show anew;
+    state.Apply(anew);
+    const RgbaPicture fresh = anew.Stage.Capture();
+    const PictureError error = ComparePictures(after, fresh);
+    check.That(error.Max == 0.0,
+      "change " + std::to_string(change) + ", " + kept.Mapper->GetReport().Features + ": off by " +
+        std::to_string(error.Max));
+    largest = std::max(largest, LargestAlpha(after));
+  }
+  check.That(largest > 0.2, "something is seen");
+}
+}
+
+int TestFlowVolumeChanges(int, char*[])
+{
+  Check check;
+  TestCounters(check);
+  TestRandom(check);
+  return check.Result();
+}

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkImplicitFlowVolumeMapper among other props: opaque ones by depth, clipping planes, cropping,
+// several renderers, selection, and the same flow through vtkFlowVolume.
+#include "FlowPictures.h"
+
+#include "Pictures/PictureSettings.h"
+#include "Pictures/VolumeStage.h"
+#include "Reference/Checks/ReferenceCheck.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkDoubleArray.h"
+#include "vtkFlowVolume.h"
+#include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkImplicitFlowVolumeMapper.h"
+#include "vtkInflowMapping.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTerminationPlane.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+
+using namespace reference;
+
+FlowAnswer Uniform(const Place3& x)
+{
+  return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
+}
+
+Color4 Blob(double u, double v)
+{
+  const double r = std::hypot(u - 0.5, v - 0.45) / 0.3;
+  return { { u, 0.4, v, 0.6 * std::exp(-r * r) } };
+}
+
+FlowScene MakeScene()
+{
+  FlowScene scene;
+  scene.Flow = &Uniform;
+  scene.Paint = [](const FlowAnswer& answer) { return Blob(answer.U, answer.V); };
+  scene.UnitDistance = 0.3;
+  scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.5, 0.6, -0.4 } }, false);
+  return scene;
+}
+
+vtkSmartPointer<vtkImageData> MakeBlob()
+{
+  return MakePaint(129, 129, &Blob);
+}
+
+/// Half of the cube by each way to cut.
+void TestCuts(Check& check)
+{
+  FlowScene scene = MakeScene();
+  const auto compare = [&](
+                         vtkImplicitFlowVolumeMapper* mapper, const std::string& what, double bound)
+  {
+    mapper->SetInflowTexture(0, MakeBlob());
+    const PictureError error = ComparePictures(
+      DrawFlow(mapper, MakeFlowVoxels(33, &Uniform), scene), MakeFlowPicture(scene, 800));
+    std::cout << what << ": " << error << "\n";
+    check.That(error.Max <= bound, what + ": off by " + std::to_string(error.Max));
+  };
+  vtkNew<vtkImplicitFlowVolumeMapper> whole;
+  compare(whole, "whole", 2e-3);
+  scene.IsKept = [](const Place3& x) { return x[0] + 2.0 * x[2] > 0.1; };
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.1, 0.0, 0.0);
+  plane->SetNormal(1.0, 0.0, 2.0);
+  vtkNew<vtkImplicitFlowVolumeMapper> clipped;
+  clipped->AddClippingPlane(plane);
+  compare(clipped, "clipped", 2e-3);
+  scene.IsKept = [](const Place3& x)
+  { return x[0] > -0.3 && x[0] < 0.2 && x[1] > -0.1 && x[2] < 0.25; };
+  vtkNew<vtkImplicitFlowVolumeMapper> cropped;
+  cropped->CroppingOn();
+  cropped->SetCroppingRegionPlanes(-0.3, 0.2, -0.1, 0.6, -0.6, 0.25);
+  compare(cropped, "cropped", 2e-3);
+  scene.IsKept = [](const Place3& x) {
+    return !(x[0] > -0.3 && x[0] < 0.2 && x[1] > -0.1 && x[1] < 0.6 && x[2] > -0.6 && x[2] < 0.25);
+  };
+  vtkNew<vtkImplicitFlowVolumeMapper> inverse;
+  inverse->CroppingOn();
+  inverse->SetCroppingRegionPlanes(-0.3, 0.2, -0.1, 0.6, -0.6, 0.25);
+  inverse->SetCroppingRegionFlags(0x7ffdfff);
+  // A sample is in or out as a whole.
+  compare(inverse, "cropped by samples", 0.02);
+}
+
+/// A pane hides what is behind it, whichever way the window draws.
+void TestOpaque(Check& check)
+{
+  for (const bool isParallel : { false, true })
+  {
+    FlowScene scene = MakeScene();
+    scene.Camera->SetParallelProjection(isParallel);
+    vtkNew<vtkPlaneSource> source;
+    source->SetOrigin(0.05, -3.0, -3.0);
+    source->SetPoint1(0.05, 3.0, -3.0);
+    source->SetPoint2(0.05, -3.0, 3.0);
+    vtkNew<vtkPolyDataMapper> surface;
+    surface->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkActor> pane;
+    pane->SetMapper(surface);
+    pane->GetProperty()->LightingOff();
+    pane->GetProperty()->SetColor(0.0, 0.0, 0.0);
+    vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+    mapper->SetInflowTexture(0, MakeBlob());
+    vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(33, &Uniform);
+    mapper->SetInputData(static_cast<vtkDataSet*>(voxels));
+    vtkNew<vtkVolumeProperty> property;
+    property->SetScalarOpacityUnitDistance(scene.UnitDistance);
+    VolumeStage stage(scene.Size);
+    stage.SetVolume(mapper, property);
+    stage.SetCamera(scene.Camera);
+    stage.AddActor(pane);
+    const RgbaPicture found = stage.Capture();
+    check.That(mapper->GetReport().Features.find("opaque") != std::string::npos, "the feature");
+    scene.IsKept = [](const Place3& x) { return x[0] > 0.05; };
+    const RgbaPicture expected = MakeFlowPicture(scene, 800);
+    double largest = 0.0;
+    for (int j = 0; j < scene.Size[1]; ++j)
+    {
+      for (int i = 0; i < scene.Size[0]; ++i)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          largest = std::max(largest, std::abs(found.At(i, j)[c] - expected.At(i, j)[c]));
+        }
+      }
+    }
+    std::cout << "before a pane, parallel " << isParallel << ": " << largest << "\n";
+    check.That(largest < 2e-3, "a pane hides what is behind it");
+
+    // The selector finds the volume before the pane, and the pane beside it.
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(stage.GetRenderer());
+    selector->SetArea(0, 0, 47, 47);
+    stage.Render();
+    check.That(selector->CaptureBuffers(), "a selection");
+    const unsigned int middle[2] = { 24, 24 };
+    const unsigned int corner[2] = { 1, 1 };
+    check.That(selector->GetPixelInformation(middle, 0).Prop == stage.GetVolume(), "the volume");
+    check.That(selector->GetPixelInformation(corner, 0).Prop == pane, "the pane");
+  }
+}
+
+/// Two renderers side by side have a picture each.
+void TestRenderers(Check& check)
+{
+  FlowScene scene = MakeScene();
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(96, 48);
+  vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+  mapper->SetInflowTexture(0, MakeBlob());
+  vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(17, &Uniform);
+  mapper->SetInputData(static_cast<vtkDataSet*>(voxels));
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderers[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    renderers[i]->SetViewport(0.5 * i, 0.0, 0.5 * i + 0.5, 1.0);
+    renderers[i]->SetActiveCamera(scene.Camera);
+    renderers[i]->AddVolume(volume);
+    window->AddRenderer(renderers[i]);
+  }
+  window->Render();
+  check.Equal(mapper->GetReport().GridUploads, 0, "one set of textures for both renderers");
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetRGBACharPixelData(0, 0, 95, 47, 0, pixels);
+  int largest = 0;
+  int brightest = 0;
+  for (int j = 0; j < 48; ++j)
+  {
+    for (int i = 0; i < 48; ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const int a = pixels->GetTypedComponent(96 * j + i, c);
+        largest = std::max(largest, std::abs(a - pixels->GetTypedComponent(96 * j + 48 + i, c)));
+        brightest = std::max(brightest, a);
+      }
+    }
+  }
+  check.That(brightest > 50 && largest <= 1, "the same picture twice");
+}
+
+/// The same Gaussian inflow by tetrahedra and by a texture: silhouettes and optical depths.
+void TestRoutes(Check& check)
+{
+  const int n = 41;
+  auto field = vtkSmartPointer<vtkImageData>::New();
+  field->SetDimensions(n, n, n);
+  field->SetOrigin(-0.5, -0.5, -0.5);
+  field->SetSpacing(1.0 / (n - 1), 1.0 / (n - 1), 1.0 / (n - 1));
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("Velocity");
+  vectors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)
+  {
+    const double* x = field->GetPoint(i);
+    vectors->InsertNextTuple3(1.0, 0.8 * x[2] - 0.2 * x[1], -0.8 * x[1] - 0.2 * x[2]);
+  }
+  field->GetPointData()->SetVectors(vectors);
+  vtkNew<vtkTerminationPlane> plane;
+  plane->SetOrigin(-0.5, -0.9, -0.9);
+  plane->SetPoint1(-0.5, 0.9, -0.9);
+  plane->SetPoint2(-0.5, -0.9, 0.9);
+  // What comes in beside the field is beyond its edge: only a core of the field is drawn.
+  vtkNew<vtkImplicitFlowField> flow;
+  flow->SetInputData(field);
+  flow->AddTerminationSurface(plane);
+  flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
+  flow->Update();
+  auto* samples = vtkImageData::SafeDownCast(flow->GetOutputDataObject(0));
+  // exp(-(r / width)^2) above a limit, as extinction: alpha in a unit distance follows.
+  const double limit = 0.15;
+  const double width = 0.11;
+  const double strength = 6.0;
+  const auto inflow = [&](double u, double v)
+  {
+    const double r = std::hypot(u - 0.5, v - 0.5) / width;
+    return std::exp(-r * r);
+  };
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->AddRing(0, 0.5, 0.5, 0.0, width);
+  mapping->SetInputData(samples);
+  vtkNew<vtkFlowVolume> volume;
+  volume->SetInputConnection(mapping->GetOutputPort());
+  volume->SetNumberOfIntervals(1);
+  volume->SetInterval(0, limit, 2.0);
+  volume->Update();
+
+  FlowScene scene = MakeScene();
+  scene.Size = { { 96, 96 } };
+  scene.UnitDistance = 1.0;
+  scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.3, 0.9, -0.4 } }, true);
+  vtkNew<vtkImplicitFlowVolumeMapper> textured;
+  textured->SetInflowTexture(0,
+    MakePaint(513, 513,
+      [&](double u, double v)
+      {
+        const double value = inflow(u, v);
+        return Color4{ { 1.0, 1.0, 1.0, value > limit ? 1.0 - std::exp(-strength * value) : 0.0 } };
+      }));
+  textured->SetSampleDistance(0.25 / (n - 1));
+  const RgbaPicture by = DrawFlow(textured, samples, scene);
+
+  vtkNew<vtkTimeWeightedTetrahedraMapper> tetrahedra;
+  tetrahedra->SetInputData(vtkUnstructuredGrid::SafeDownCast(volume->GetOutputDataObject(0)));
+  tetrahedra->SelectScalarArray("Inflow");
+  tetrahedra->SetScalarModeToUsePointFieldData();
+  std::vector<FunctionNode> nodes;
+  for (int i = 0; i <= 100; ++i)
+  {
+    // The tetrahedra's function is extinction per unit of length.
+    nodes.push_back({ 0.01 * i, { { 1.0, 1.0, 1.0 } }, strength * 0.01 * i });
+  }
+  vtkSmartPointer<vtkVolumeProperty> property = MakeProperty(nodes, 1.0);
+  VolumeStage stage(scene.Size);
+  stage.SetVolume(tetrahedra, property);
+  stage.SetCamera(scene.Camera);
+  const RgbaPicture with = stage.Capture();
+  double depths[2] = { 0.0, 0.0 };
+  double apart = 0.0;
+  int beyond = 0;
+  int inside = 0;
+  const auto depthOf = [](const double* pixel) { return -std::log(1.0 - pixel[3]); };
+  for (int j = 2; j < scene.Size[1] - 2; ++j)
+  {
+    for (int i = 2; i < scene.Size[0] - 2; ++i)
+    {
+      const double a = depthOf(by.At(i, j));
+      const double b = depthOf(with.At(i, j));
+      depths[0] += a;
+      depths[1] += b;
+      apart += std::abs(a - b);
+      // A silhouette is within a pixel where a neighbour has what the other picture has.
+      for (const bool isSeen : { true, false })
+      {
+        const auto has = [&](const RgbaPicture& picture, int x, int y)
+        { return (picture.At(x, y)[3] > 0.02) == isSeen; };
+        bool isNear = false;
+        for (int k = 0; k < 9; ++k)
+        {
+          isNear = isNear || has(with, i + k % 3 - 1, j + k / 3 - 1);
+        }
+        beyond += has(by, i, j) && !isNear ? 1 : 0;
+      }
+      inside += b > 0.02 ? 1 : 0;
+    }
+  }
+  std::cout << "two routes: depth " << depths[0] << " and " << depths[1] << ", apart " << apart
+            << ", beyond silhouettes " << beyond << " of " << inside << " pixels\n";
+  check.That(inside > 500, "the flow is seen");
+  check.That(beyond == 0, "silhouettes within a pixel");
+  check.That(std::abs(depths[0] / depths[1] - 1.0) <= 0.02, "the optical depth");
+  check.That(apart <= 0.02 * depths[1], "the optical depth, pixel by pixel");
+}
+}
+
+int TestFlowVolumeScene(int, char*[])
+{
+  Check check;
+  TestCuts(check);
+  TestOpaque(check);
+  TestRenderers(check);
+  TestRoutes(check);
+  return check.Result();
+}
