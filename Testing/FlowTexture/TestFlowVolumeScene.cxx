@@ -105,6 +105,30 @@ void TestCuts(Check& check)
   compare(inverse, "cropped by samples", 0.02);
 }
 
+/// Two thin sheets with nothing before, between and behind them, which is passed over.
+void TestSheets(Check& check)
+{
+  FlowScene scene = MakeScene();
+  // Borders lie in the middle between the voxels that reached a surface and those that did not.
+  const double h = 1.0 / 32.0;
+  const auto sheets = [h](const Place3& x)
+  {
+    FlowAnswer answer = Uniform(x);
+    answer.IsReached = std::abs(x[0]) < 1.5 * h || std::abs(x[0] - 10.0 * h) < 0.5 * h;
+    return answer;
+  };
+  vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+  mapper->SetInflowTexture(0, MakeBlob());
+  mapper->SetSampleDistance(0.1 * h);
+  scene.Flow = sheets;
+  scene.UnitDistance = 0.05;
+  const PictureError error = ComparePictures(
+    DrawFlow(mapper, MakeFlowVoxels(33, sheets), scene), MakeFlowPicture(scene, 4000));
+  std::cout << "two sheets: " << error << "\n";
+  check.That(error.Max <= 0.02, "sheets within empty cells");
+  check.That(mapper->GetReport().EmptyCells > 20 * 32 * 32, "empty cells are counted");
+}
+
 /// A pane hides what is behind it, whichever way the window draws.
 void TestOpaque(Check& check)
 {
@@ -324,6 +348,7 @@ int TestFlowVolumeScene(int, char*[])
 {
   Check check;
   TestCuts(check);
+  TestSheets(check);
   TestOpaque(check);
   TestRenderers(check);
   TestRoutes(check);

@@ -24,6 +24,7 @@
 #include "vtkSpatialPrimitive.h"
 #include "vtkSpatialTurbulence.h"
 #include "vtkStreamSurfaceParameters.h"
+#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkStreamlineTexture.h"
 #include "vtkTaperedCylinderSource.h"
 #include "vtkTemporalColorTransferFunction.h"
@@ -96,6 +97,7 @@ std::vector<vtkSmartPointer<vtkObject>> MakeAll()
     Make<vtkSpatialTurbulence>(),
     Make<vtkStreamSurfaceParameters>(),
     Make<vtkStreamlineTexture>(),
+    Make<vtkImplicitFlowVolumeMapper>(),
     Make<vtkTaperedCylinderSource>(),
     Make<vtkTemporalColorTransferFunction>(),
     Make<vtkTerminationBox>(),
