@@ -27,8 +27,10 @@ uniform sampler2D frontDepth;
 #endif
 #endif
 #ifdef LIT
+#ifndef SCATTER
 uniform vec4 materials[ROWS];
 uniform vec3 ambient;
+#endif
 #ifdef SHADE
 // The change from voxel to voxel, in columns of each row, from which on there is a surface.
 uniform vec4 surfaceColumns;
@@ -97,9 +99,13 @@ vec3 meanOfProduct(vec3 first, vec3 last)
 }
 #endif
 
-// Adds equation 2.6, without the ambient part, for light that goes along l.
+//INTERLUME::SCATTER
+// Adds equation 2.6, without the ambient part, for light that goes along l; or what is scattered of it.
 void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
 {
+#ifdef SCATTER
+  sum += sampleAlbedo * diffuse * phaseOf(l);
+#else
   for (int row = 0; row < ROWS; ++row)
   {
 #ifdef SHADE
@@ -118,6 +124,7 @@ void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
     sum += rowShares[row] * rowColors[row] * diffuse * materials[row].y;
 #endif
   }
+#endif
 }
 
 //INTERLUME::LIGHTS
@@ -243,8 +250,15 @@ void main()
     // A change by a millionth of the value is rounding.
     rowSurfaces[row] = min(change / max(surfaceColumns[row], 1e-6 * abs(value) * scale), 1.0);
 #endif
+#ifdef SCATTER
+    sampleAlbedo += rowShares[row] * clamp(rowColors[row], 0.0, 1.0) * samplePart;
+#else
     color += rowShares[row] * rowColors[row] * ambient * materials[row].x;
+#endif
   }
+#ifdef FIELD_MAPS
+  findSeenNode();
+#endif
   //INTERLUME::SHINE
 #else
   for (int row = 0; row < ROWS; ++row)

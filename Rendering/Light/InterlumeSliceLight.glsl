@@ -260,6 +260,13 @@ LIGHT getTransmittance_INDEX(vec3 l)
 void shine_INDEX(inout vec3 sum)
 {
   vec3 l = getDirection_INDEX();
+#ifdef FORWARD_MAP_INDEX
+  vec3 forward = fieldAt(FORWARD_MAP_INDEX);
+#ifdef WIDE_INDEX
+  forward *= dot(sampleAt - position_INDEX, sliceNormal) > 0.0 ? 1.0 : 0.0;
+#endif
+  addReflection(sum, l, forward, vec3(0.0));
+#endif
   vec3 color = getColor_INDEX(l);
   if (!(max(max(color.r, color.g), color.b) > 0.0))
   {

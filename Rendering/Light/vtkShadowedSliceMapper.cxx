@@ -11,10 +11,12 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 vtkStandardNewMacro(vtkShadowedSliceMapper);
 
@@ -55,10 +57,43 @@ void vtkShadowedSliceMapper::SetTransmissionColor(vtkColorTransferFunction* func
   }
 }
 
+void vtkShadowedSliceMapper::SetScatteringAlbedo(vtkColorTransferFunction* function)
+{
+  if (function != this->ScatteringAlbedo)
+  {
+    this->ScatteringAlbedo = function;
+    this->Modified();
+  }
+}
+
+void vtkShadowedSliceMapper::SetPhaseTable(vtkPiecewiseFunction* function)
+{
+  if (function != this->PhaseTable)
+  {
+    this->PhaseTable = function;
+    this->Modified();
+  }
+}
+
+void vtkShadowedSliceMapper::SetScatteringGridSize(int size)
+{
+  const int clamped = size <= 0 ? 0 : std::min(std::max(size, 4), 128);
+  if (clamped != this->ScatteringGridSize)
+  {
+    this->ScatteringGridSize = clamped;
+    this->Modified();
+  }
+}
+
 vtkMTimeType vtkShadowedSliceMapper::GetMTime()
 {
-  const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->TransmissionColor ? std::max(time, this->TransmissionColor->GetMTime()) : time;
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkObject* function : std::initializer_list<vtkObject*>{
+         this->TransmissionColor, this->ScatteringAlbedo, this->PhaseTable })
+  {
+    time = function ? std::max(time, function->GetMTime()) : time;
+  }
+  return time;
 }
 
 std::string vtkShadowedSliceMapper::FindScalars(
@@ -254,6 +289,14 @@ void vtkShadowedSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SoftShadowMethod: " << this->SoftShadowMethod << "\n";
   os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
   os << indent << "TransmissionColor: " << this->TransmissionColor.Get() << "\n";
+  os << indent << "MultipleScattering: " << this->MultipleScattering << "\n";
+  os << indent << "ScatteringAlbedo: " << this->ScatteringAlbedo.Get() << "\n";
+  os << indent << "PhaseFunction: " << this->PhaseFunction << "\n";
+  os << indent << "Anisotropy: " << this->Anisotropy << "\n";
+  os << indent << "PhaseTable: " << this->PhaseTable.Get() << "\n";
+  os << indent << "ForwardSpread: " << this->ForwardSpread << "\n";
+  os << indent << "BackwardLayers: " << this->BackwardLayers << "\n";
+  os << indent << "ScatteringGridSize: " << this->ScatteringGridSize << "\n";
   os << indent << "MaximumTextureMemory: " << this->MaximumTextureMemory << "\n";
   os << indent << "Report:\n";
   this->RenderReport.Print(os, indent.GetNextIndent());

@@ -16,6 +16,7 @@ class vtkDataArray;
 class vtkDepthPeels;
 class vtkImageData;
 class vtkLight;
+class vtkPiecewiseFunction;
 
 namespace interlume
 {
@@ -99,8 +100,8 @@ struct SliceScene;
  * centre, and multiplied, some slabs together, into one layer of transmittance for each of
  * NumberOfLightSamples stratified samples, as seen from there; the buffer is the mean of the layers
  * times what the slabs of the last batches take, which cast the shadows of the centre. So near
- * matter, whose penumbra is a few texels wide, is as sharp as for other lights, and layers need half
- * the buffer's columns and rows. A penumbra is that of the samples, in steps of one over their
+ * matter, whose penumbra is a few texels wide, is as sharp as for other lights, and layers need
+ * half the buffer's columns and rows. A penumbra is that of the samples, in steps of one over their
  * number, up to two texels, and converges as samples, buffer and slices are refined: behind a half
  * plane its width is off by 3.1 % or less in buffers of 128^2 and by 1.3 % in 256^2, dZ / Z 0.05 to
  * 5, and the profile by 0.042 and 0.032 at most, 0.023 and 0.011 up to dZ / Z of 1. An automatic
@@ -121,6 +122,32 @@ struct SliceScene;
  * sample inside the volume takes some forty times the picture without shadows, and software OpenGL
  * minutes to compile at first. All else (both sweeps, several lights, TransmissionColor, cropping,
  * clipping) is as for other lights. A vtkAreaLight of size 0 takes what a vtkLight takes.
+ *
+ * **Scattering** (dissertation, 2.6), where MultipleScattering is on, takes the place of the colour
+ * above: matter of albedo c, the share of light that goes on where it meets matter, sends
+ *   C = c (sum I T 4 pi p(cos) + D)
+ * to the eye, p the phase function at the angle between light and eye, whose integral over the
+ * sphere is 1. Ambient, Diffuse, Specular and Shade have no part, nor have lights' ambient and
+ * specular colours. With p isotropic, D none and c the colours it is what evenly scattered light of
+ * Diffuse 1 and Ambient 0 is. Where TransmissionColor lets light pass, only the rest is scattered.
+ * By MultipleScattering:
+ * - SINGLE_SCATTERING: D is 0. It takes no buffer, no pass and no cells.
+ * - FORWARD_SCATTERING: D is light that was scattered before by less than a right angle, and goes
+ * on as its light does, spread by ForwardSpread. Light that is scattered back is lost.
+ * - FULL_SCATTERING: D is light that was scattered before in any direction; none is gained.
+ * A light of colour 1 lights thin white matter to 1, and thick white matter to up to 4, as a white
+ * wall that faces it would be in these units; light of colour 1 from all sides together, to 1.
+ *
+ * D does not depend on the eye. It is found by threads on the CPU in the cells of a grid
+ * (ScatteringGridSize) around the blocks that can be seen, which have the mean extinction and
+ * albedo of their matter, and is kept until volume, functions, clipping, cropping or lights have
+ * changed; the report counts this (ScatteringSolves). The slices look it up between the cells'
+ * middles. Each volume has a grid of its own: light that one volume has scattered does not reach
+ * another, nor are shadows of other volumes in D. Surfaces of a vtkShadowedScenePass cast their
+ * shadows in D, but neither stop light that was scattered nor receive it. Where lights have soft
+ * shadows D is of up to 16 samples of each. Lights that cast no shadows are scattered once; one of
+ * ShadowAttenuation a below 1 gives D its share a, and is not taken from by as much, so that then
+ * light is gained.
  *
  * **Input**: vtkImageData, point or cell scalars by ScalarMode, ArrayName, ArrayId as in VTK's
  * other mappers, of any type and of
@@ -172,11 +199,20 @@ public:
    */
   using vtkShadowedSliceSettings::ACCUMULATED_CONVOLUTION;
   using vtkShadowedSliceSettings::BILINEAR_LIGHT;
+  using vtkShadowedSliceSettings::FORWARD_SCATTERING;
+  using vtkShadowedSliceSettings::FULL_SCATTERING;
+  using vtkShadowedSliceSettings::HENYEY_GREENSTEIN_PHASE;
+  using vtkShadowedSliceSettings::ISOTROPIC_PHASE;
   using vtkShadowedSliceSettings::LightLookups;
   using vtkShadowedSliceSettings::NEAREST_LIGHT;
+  using vtkShadowedSliceSettings::NO_SCATTERING;
+  using vtkShadowedSliceSettings::PhaseFunctions;
   using vtkShadowedSliceSettings::SAMPLE_LAYERS;
   using vtkShadowedSliceSettings::SAMPLED_LIGHTS;
+  using vtkShadowedSliceSettings::ScatteringModes;
+  using vtkShadowedSliceSettings::SINGLE_SCATTERING;
   using vtkShadowedSliceSettings::SoftShadowMethods;
+  using vtkShadowedSliceSettings::TABLE_PHASE;
   ///@}
 
   ///@{
@@ -297,6 +333,95 @@ public:
    */
   void SetTransmissionColor(vtkColorTransferFunction* function);
   vtkColorTransferFunction* GetTransmissionColor() const { return this->TransmissionColor; }
+  ///@}
+
+  ///@{
+  /**
+   * How light is scattered on its way to the eye; see the description of the class. Default
+   * NO_SCATTERING. Valid: see ScatteringModes; clamped.
+   */
+  vtkSetClampMacro(MultipleScattering, int, NO_SCATTERING, FULL_SCATTERING);
+  vtkGetMacro(MultipleScattering, int);
+  void SetMultipleScatteringToOff() { this->SetMultipleScattering(NO_SCATTERING); }
+  void SetMultipleScatteringToSingle() { this->SetMultipleScattering(SINGLE_SCATTERING); }
+  void SetMultipleScatteringToForward() { this->SetMultipleScattering(FORWARD_SCATTERING); }
+  void SetMultipleScatteringToFull() { this->SetMultipleScattering(FULL_SCATTERING); }
+  ///@}
+
+  ///@{
+  /**
+   * The share of light that goes on where it meets matter, red, green and blue, as a function of
+   * the scalar; the rest is absorbed. Values are clamped to 0 to 1. Only where MultipleScattering
+   * is on, and for volumes of one component or of two without IndependentComponents. Default null:
+   * the colours of the volume's property.
+   */
+  void SetScatteringAlbedo(vtkColorTransferFunction* function);
+  vtkColorTransferFunction* GetScatteringAlbedo() const { return this->ScatteringAlbedo; }
+  ///@}
+
+  ///@{
+  /**
+   * The distribution of scattered light over the angle to where it came from: even in all
+   * directions, Henyey and Greenstein's with Anisotropy, or PhaseTable. Only where
+   * MultipleScattering is on. Default ISOTROPIC_PHASE. Valid: see PhaseFunctions; clamped.
+   */
+  vtkSetClampMacro(PhaseFunction, int, ISOTROPIC_PHASE, TABLE_PHASE);
+  vtkGetMacro(PhaseFunction, int);
+  void SetPhaseFunctionToIsotropic() { this->SetPhaseFunction(ISOTROPIC_PHASE); }
+  void SetPhaseFunctionToHenyeyGreenstein() { this->SetPhaseFunction(HENYEY_GREENSTEIN_PHASE); }
+  void SetPhaseFunctionToTable() { this->SetPhaseFunction(TABLE_PHASE); }
+  ///@}
+
+  ///@{
+  /**
+   * The mean cosine g of HENYEY_GREENSTEIN_PHASE, (1 - g^2) / (4 pi (1 + g^2 - 2 g cos)^1.5): above
+   * 0 light is scattered forwards, as by clouds and tissue, below 0 backwards. Default 0, which is
+   * isotropic. Valid: -0.999 to 0.999.
+   */
+  vtkSetClampMacro(Anisotropy, double, -0.999, 0.999);
+  vtkGetMacro(Anisotropy, double);
+  ///@}
+
+  ///@{
+  /**
+   * The phase function of TABLE_PHASE over the cosine of the angle, from -1, light that goes back,
+   * to 1, light that goes on; it is sampled at 4096 cosines and scaled so that its integral over
+   * the sphere is 1. Values below 0 or that are not finite, or all 0, are an error. Default null:
+   * isotropic.
+   */
+  void SetPhaseTable(vtkPiecewiseFunction* function);
+  vtkPiecewiseFunction* GetPhaseTable() const { return this->PhaseTable; }
+  ///@}
+
+  ///@{
+  /**
+   * What FORWARD_SCATTERING adds to the variance of light's angle to each of two axes across it, in
+   * square radians, for each unit of scattering optical depth: the same whatever the distance of
+   * slices and cells. 0, the default: that of the phase function's forward half, half of the mean
+   * square of the sine. Valid: 0 and above.
+   */
+  vtkSetClampMacro(ForwardSpread, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ForwardSpread, double);
+  ///@}
+
+  ///@{
+  /**
+   * The number of layers of cells behind a place, away from the light, from which light comes back
+   * to it in FULL_SCATTERING (C. Zhang, dissertation, 2.6, keeps three slices). 0, the default:
+   * all. Valid: 0 and above.
+   */
+  vtkSetClampMacro(BackwardLayers, int, 0, VTK_INT_MAX);
+  vtkGetMacro(BackwardLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * The number of cells along the volume's longest edge in which FORWARD_SCATTERING and
+   * FULL_SCATTERING find scattered light. 0, the default: 32, or one for each voxel where there are
+   * fewer. Valid: 0, and 4 to 128.
+   */
+  void SetScatteringGridSize(int size);
+  vtkGetMacro(ScatteringGridSize, int);
   ///@}
 
   ///@{

@@ -61,6 +61,12 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSliceReport
   int SampledLights = 0;
   int SoftShadowPasses = 0;
   vtkIdType SoftShadowBytes = 0;
+  /// The number of cells that light is scattered in on and on, the bytes of what it is there, how
+  /// often that was found for this picture (0 where it was kept) and the seconds that this took.
+  int ScatteringCells = 0;
+  vtkIdType ScatteringBytes = 0;
+  int ScatteringSolves = 0;
+  double ScatteringSeconds = 0.0;
   /// The names of the parts of the shaders that were compiled in, separated by spaces. Words of
   /// shadows (`shadow`, ...) stand there only when a light casts them.
   std::string Features;

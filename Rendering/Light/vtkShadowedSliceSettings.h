@@ -3,7 +3,8 @@
 #define vtkShadowedSliceSettings_h
 
 #include "vtkColorTransferFunction.h" // for the smart pointer
-#include "vtkSmartPointer.h"          // for the transmission colours
+#include "vtkPiecewiseFunction.h"     // for the smart pointer
+#include "vtkSmartPointer.h"          // for functions
 #include "vtkType.h"                  // for bytes
 
 /**
@@ -40,6 +41,31 @@ struct vtkShadowedSliceSettings
     SAMPLED_LIGHTS = 2
   };
 
+  /**
+   * The ways in which light is scattered on its way to the eye.
+   */
+  enum ScatteringModes
+  {
+    /// Light is reflected by material coefficients.
+    NO_SCATTERING = 0,
+    /// Light is scattered once, by albedo and phase function.
+    SINGLE_SCATTERING = 1,
+    /// Light is scattered on and on, away from its source (C. Zhang, dissertation, 2.6).
+    FORWARD_SCATTERING = 2,
+    /// Light is scattered on and on in all directions.
+    FULL_SCATTERING = 3
+  };
+
+  /**
+   * The distributions of scattered light over the angle to where it came from.
+   */
+  enum PhaseFunctions
+  {
+    ISOTROPIC_PHASE = 0,
+    HENYEY_GREENSTEIN_PHASE = 1,
+    TABLE_PHASE = 2
+  };
+
   bool Shadows = true;
   int MaximumNumberOfShadows = 16;
   double SliceSpacing = 0.0;
@@ -52,6 +78,14 @@ struct vtkShadowedSliceSettings
   int NumberOfLightSamples = 16;
   vtkSmartPointer<vtkColorTransferFunction> TransmissionColor;
   vtkIdType MaximumTextureMemory = 0;
+  int MultipleScattering = NO_SCATTERING;
+  vtkSmartPointer<vtkColorTransferFunction> ScatteringAlbedo;
+  int PhaseFunction = ISOTROPIC_PHASE;
+  double Anisotropy = 0.0;
+  vtkSmartPointer<vtkPiecewiseFunction> PhaseTable;
+  double ForwardSpread = 0.0;
+  int BackwardLayers = 0;
+  int ScatteringGridSize = 0;
 };
 
 #endif

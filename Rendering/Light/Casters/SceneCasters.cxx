@@ -82,6 +82,10 @@ std::string SceneCasters::Draw(vtkRenderer* renderer, const std::vector<vtkProp*
   report.SampleMaps = static_cast<int>(this->Emitters.GetViews().size());
   report.SampleMapsDrawn = this->EmitterMaps.GetDrawn();
   report.SampleMapBytes = this->EmitterMaps.GetBytes();
+  if (report.DepthMapsDrawn + report.SampleMapsDrawn > 0)
+  {
+    this->DrawTime.Modified();
+  }
   return error;
 }
 

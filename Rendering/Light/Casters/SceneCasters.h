@@ -7,6 +7,8 @@
 #include "Casters/EmitterViews.h"
 #include "Space/UnitSpace.h"
 
+#include "vtkTimeStamp.h"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +40,8 @@ public:
     const std::vector<CasterView::Box>& casters, int resolution, int samples);
   void Clear();
   bool HasViews() const;
+  /// When maps were drawn last: another time where they have changed.
+  vtkMTimeType GetDrawTime() const { return this->DrawTime.GetMTime(); }
 
   /// Draws the maps. \a bias is the setting DepthBias of vtkShadowedScenePass. Returns what is
   /// wrong, or nothing.
@@ -77,6 +81,7 @@ private:
   CasterMaps EmitterMaps;
   UnitSpace Space;
   int Samples = 0;
+  vtkTimeStamp DrawTime;
 };
 
 }

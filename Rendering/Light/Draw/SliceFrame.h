@@ -3,6 +3,7 @@
 #define interlume_SliceFrame_h
 
 #include "Common/Vectors.h"
+#include "Draw/SliceScattering.h"
 #include "Lights/LightSource.h"
 #include "Plan/ClipRegion.h"
 #include "Plan/SlicePlan.h"
@@ -53,6 +54,9 @@ struct SliceFrame
   bool IsCutByNearPlane = false;
   std::array<double, 4> NearPlane{};
 
+  /// How light is scattered; the colours of the material are its albedo then.
+  SliceScattering Scattering;
+
   bool IsSmoothLookup = true;
   bool MayBeOccluded = false;
 
@@ -82,7 +86,7 @@ struct SliceFrame
     return this->HasColoredLight || !this->Material.Transmission.empty() ? 3 : 1;
   }
   /// Returns whether lights change the colour at all.
-  bool IsLit() const { return this->IsShaded || this->HasShadows(); }
+  bool IsLit() const { return this->IsShaded || this->HasShadows() || this->Scattering.IsOn(); }
 };
 
 }

@@ -101,6 +101,14 @@ void SliceGroup::ShareSettings(SliceScene* scene)
     shared.SliceSpacing = settings.SliceSpacing;
     shared.SurfaceGradient = settings.SurfaceGradient;
     shared.TransmissionColor = settings.TransmissionColor;
+    shared.MultipleScattering = settings.MultipleScattering;
+    shared.ScatteringAlbedo = settings.ScatteringAlbedo;
+    shared.PhaseFunction = settings.PhaseFunction;
+    shared.Anisotropy = settings.Anisotropy;
+    shared.PhaseTable = settings.PhaseTable;
+    shared.ForwardSpread = settings.ForwardSpread;
+    shared.BackwardLayers = settings.BackwardLayers;
+    shared.ScatteringGridSize = settings.ScatteringGridSize;
     settings = shared;
     member.Request.Scene = scene;
     SliceFrame& frame = member.Renderer->GetFrame();
@@ -227,6 +235,7 @@ std::string SliceGroup::DrawMembers(vtkRenderer* renderer, SliceScene* scene)
   const double coarseness = this->ChooseCoarseness();
   vtkShadowedSliceReport shared;
   std::vector<SliceRasterizer::Volume> volumes;
+  std::string error;
   for (Member& member : this->Members)
   {
     // Faults of lights are the same for all.
@@ -238,8 +247,12 @@ std::string SliceGroup::DrawMembers(vtkRenderer* renderer, SliceScene* scene)
       member.Result.Warnings = warnings;
     }
     volumes.push_back({ &member.Renderer->GetFrame(), &member.Renderer->GetTextures(window) });
+    if (error.empty())
+    {
+      error = member.Renderer->UpdateScattering(renderer, member.Request, member.Result.Report);
+    }
   }
-  std::string error = this->MakePlan(coarseness, shared);
+  error = error.empty() ? this->MakePlan(coarseness, shared) : error;
   for (std::size_t i = 0; i < this->Members.size() && error.empty(); ++i)
   {
     error = this->Members[i].Renderer->Upload(window, this->Members[i].Result.Report);
@@ -278,6 +291,10 @@ std::string SliceGroup::DrawMembers(vtkRenderer* renderer, SliceScene* scene)
     report.NonFiniteVoxels = own.NonFiniteVoxels;
     report.TextureBytes = own.TextureBytes;
     report.UploadedBytes += own.UploadedBytes;
+    report.ScatteringCells = own.ScatteringCells;
+    report.ScatteringBytes = own.ScatteringBytes;
+    report.ScatteringSolves = own.ScatteringSolves;
+    report.ScatteringSeconds = own.ScatteringSeconds;
     // Nothing of a picture by itself is kept.
     member.Renderer->ReleasePicture(window);
   }

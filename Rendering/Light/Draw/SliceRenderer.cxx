@@ -34,6 +34,7 @@ struct SliceRenderer::WindowResources
   SliceTextures Textures;
   int SamplesVersion = 0;
   int MaterialVersion = 0;
+  int ScatteringVersion = 0;
 };
 
 namespace
@@ -96,19 +97,27 @@ std::string SliceRenderer::UpdateMaterial(vtkVolume* volume, const Request& requ
   const vtkMTimeType time = property->GetMTime();
   vtkColorTransferFunction* transmission = request.Settings.TransmissionColor;
   const vtkMTimeType transmissionTime = transmission ? transmission->GetMTime() : 0;
+  MaterialTable::Scattering scattering;
+  scattering.IsOn = request.Settings.MultipleScattering != vtkShadowedSliceSettings::NO_SCATTERING;
+  scattering.Albedo = scattering.IsOn ? request.Settings.ScatteringAlbedo.Get() : nullptr;
+  const vtkMTimeType albedoTime = scattering.Albedo ? scattering.Albedo->GetMTime() : 0;
   if (this->MaterialOwner == property && this->MaterialTime == time &&
-    this->TransmissionTime == transmissionTime)
+    this->TransmissionTime == transmissionTime && this->AlbedoTime == albedoTime &&
+    this->IsScattering == scattering.IsOn)
   {
     return {};
   }
   this->MaterialOwner = nullptr;
-  std::string error = this->Frame.Material.Build(property, this->Frame.Samples, transmission);
+  std::string error =
+    this->Frame.Material.Build(property, this->Frame.Samples, transmission, scattering);
   if (error.empty())
   {
     this->Frame.Blocks.Classify(this->Frame.Material);
     this->MaterialOwner = property;
     this->MaterialTime = time;
     this->TransmissionTime = transmissionTime;
+    this->AlbedoTime = albedoTime;
+    this->IsScattering = scattering.IsOn;
     ++this->MaterialVersion;
   }
   return error;
@@ -118,7 +127,7 @@ void SliceRenderer::UpdateShading(vtkVolume* volume)
 {
   vtkVolumeProperty* property = volume->GetProperty();
   SliceFrame& frame = this->Frame;
-  frame.IsShaded = property->GetShade() != 0;
+  frame.IsShaded = property->GetShade() != 0 && !frame.Scattering.IsOn();
   for (int row = 0; row < frame.Material.Rows; ++row)
   {
     frame.Materials[row] = { { static_cast<float>(property->GetAmbient(row)),
@@ -146,7 +155,7 @@ SliceTextures& SliceRenderer::GetTextures(vtkWindow* window)
 vtkIdType SliceRenderer::GetTextureBytes() const
 {
   return SliceTextures::GetBytes(this->Frame.Samples) +
-    SliceTextures::GetBytes(this->Frame.Material);
+    SliceTextures::GetBytes(this->Frame.Material) + SliceTextures::GetBytes(this->Frame.Scattering);
 }
 
 std::string SliceRenderer::Upload(vtkOpenGLRenderWindow* window, vtkShadowedSliceReport& report)
@@ -166,6 +175,12 @@ std::string SliceRenderer::Upload(vtkOpenGLRenderWindow* window, vtkShadowedSlic
     error = textures.Upload(window, frame.Material);
     resources.MaterialVersion = error.empty() ? this->MaterialVersion : 0;
     report.UploadedBytes += SliceTextures::GetBytes(frame.Material);
+  }
+  if (error.empty() && resources.ScatteringVersion != this->Scatterer.GetVersion())
+  {
+    error = textures.Upload(window, frame.Scattering);
+    resources.ScatteringVersion = error.empty() ? this->Scatterer.GetVersion() : 0;
+    report.UploadedBytes += SliceTextures::GetBytes(frame.Scattering);
   }
   std::vector<vtkProjectiveLight*> screens;
   for (const LightSource& light : frame.Lights)
@@ -199,6 +214,10 @@ std::string SliceRenderer::UpdateVolume(
   if (error.empty())
   {
     error = this->UpdateMaterial(volume, request);
+  }
+  if (error.empty())
+  {
+    error = this->Scatterer.SetPhase(request.Settings, this->Frame.Scattering);
   }
   SliceFrame& frame = this->Frame;
   frame.Number = 0;
@@ -257,7 +276,19 @@ void SliceRenderer::UpdateView(vtkRenderer* renderer, vtkVolume* volume, const R
   report.Blocks = frame.Blocks.GetNumberOfBlocks();
   report.BlocksDrawn = frame.Blocks.GetNumberVisible();
   report.NonFiniteVoxels = frame.Samples.NonFinite;
+}
+
+std::string SliceRenderer::UpdateScattering(
+  vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report)
+{
+  // A selection is drawn without lights, and what they have scattered is kept.
+  const std::string error = renderer->GetSelector()
+    ? std::string()
+    : this->Scatterer.Solve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()),
+
+        this->Frame, { { this->SamplesVersion, this->MaterialVersion } }, request.Settings, report);
   report.TextureBytes = this->GetTextureBytes();
+  return error;
 }
 
 SlicePlan::Matter SliceRenderer::GetMatter(const Request& request) const
@@ -280,6 +311,11 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
         this->LastSeconds, this->LastCoarseness, volume->GetAllocatedRenderTime())
     : 1.0;
   this->UpdateView(renderer, volume, request, coarseness, warnings, report);
+  const std::string fault = this->UpdateScattering(renderer, request, report);
+  if (!fault.empty())
+  {
+    return fault;
+  }
   PicturePlan::Make(
     this->Frame, { this->GetMatter(request) }, request.Settings, coarseness, report);
   this->LastCoarseness = coarseness;

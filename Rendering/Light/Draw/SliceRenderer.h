@@ -3,6 +3,7 @@
 #define interlume_SliceRenderer_h
 
 #include "Draw/SliceFrame.h"
+#include "Draw/SliceScatterer.h"
 
 #include "vtkShadowedSliceReport.h"
 #include "vtkShadowedSliceSettings.h"
@@ -73,13 +74,17 @@ public:
   /**
    * The steps of a picture, for volumes that share slices: makes the changed parts of the volume,
    * in a unit space of its own, and returns what is wrong or nothing; moves it to the shared unit
-   * space; looks up how it is seen and lit; sends textures that have changed.
+   * space; looks up how it is seen and lit; finds how light is scattered; sends textures that have
+   * changed.
    */
   std::string UpdateVolume(
     vtkOpenGLRenderWindow* window, vtkVolume* volume, const Request& request);
   void MoveTo(const Request& request, const glm::dvec3& center, double radius);
   void UpdateView(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
     double coarseness, std::vector<std::string>& warnings, vtkShadowedSliceReport& report);
+  /// Finds the light that was scattered before. Returns what is wrong, or nothing.
+  std::string UpdateScattering(
+    vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report);
   std::string Upload(vtkOpenGLRenderWindow* window, vtkShadowedSliceReport& report);
   ///@}
   SliceFrame& GetFrame() { return this->Frame; }
@@ -106,6 +111,9 @@ private:
   bool IsWidened = false;
   vtkMTimeType MaterialTime = 0;
   vtkMTimeType TransmissionTime = 0;
+  vtkMTimeType AlbedoTime = 0;
+  bool IsScattering = false;
+  SliceScatterer Scatterer;
   const void* MaterialOwner = nullptr;
   int SamplesVersion = 0;
   int MaterialVersion = 0;

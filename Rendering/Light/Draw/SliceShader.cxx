@@ -14,6 +14,7 @@
 #include "InterlumeSliceLightFS.h"
 #include "InterlumeSliceMedium.h"
 #include "InterlumeSliceReceiverFS.h"
+#include "InterlumeSliceScatter.h"
 #include "vtkProjectiveLight.h"
 #include "vtkShaderFeatures.h"
 #include "vtkShaderProgram.h"
@@ -122,6 +123,36 @@ std::string GetCasterFeatures(const SliceFrame& frame, int light, int number)
     : std::string();
   const std::string suffix = "_" + std::to_string(number);
   return share.empty() ? share : " CASTERS" + suffix + " CASTER_SHARE" + suffix + "=" + share;
+}
+
+// Returns how light is scattered towards the eye.
+std::string GetScatteringFeatures(const SliceScattering& scattering)
+{
+  if (!scattering.IsOn())
+  {
+    return {};
+  }
+  std::string features = " SCATTER";
+  features +=
+    scattering.Kind == vtkShadowedSliceSettings::HENYEY_GREENSTEIN_PHASE ? " PHASE_ANISOTROPY" : "";
+  features += scattering.Kind == vtkShadowedSliceSettings::TABLE_PHASE
+    ? " PHASE_TABLE PHASE_COLUMNS=" + std::to_string(SliceScattering::PhaseColumns)
+    : std::string();
+  features +=
+    scattering.HasField() ? " FIELD_MAPS=" + std::to_string(scattering.GetMaps()) : std::string();
+  return features;
+}
+
+// Returns the number of the map of what is scattered on with a light of the list, for the first of
+// those that stand for it, or 0.
+int GetForwardMap(const SliceFrame& frame, int light)
+{
+  const auto isSame = [&](const LightSource& other)
+  { return other.Light == frame.Lights[light].Light; };
+  const auto first = std::find_if(frame.Lights.begin(), frame.Lights.end(), isSame);
+  return std::distance(frame.Lights.begin(), first) == light
+    ? frame.Scattering.GetForwardMap(frame.Lights[light].Light)
+    : 0;
 }
 
 // Returns the eye's program with these features, the sources of its lights, and the calls of them.
@@ -272,6 +303,21 @@ void SetMediumUniforms(vtkShaderProgram* program, const SliceFrame& frame, const
   }
 }
 
+void SetScattering(vtkShaderProgram* program, const SliceScattering& scattering)
+{
+  if (program->IsUniformUsed("phase"))
+  {
+    const double g = scattering.Anisotropy;
+    SetVector(program, "phase", glm::dvec3(1.0 - g * g, (1.0 - g) * (1.0 - g), g));
+  }
+  if (program->IsUniformUsed("scattered"))
+  {
+    SetMatrix(program, "nodeFromUnit", scattering.NodeFromUnit);
+    SetVector(program, "fieldNodes", glm::dvec3(scattering.Nodes));
+    program->SetUniformf("meanCosine", static_cast<float>(scattering.MeanCosine));
+  }
+}
+
 void SetLight(vtkShaderProgram* program, const LightSource& light, const ShadowedLight* shadow,
   const std::string& number)
 {
@@ -396,6 +442,7 @@ std::string SliceShader::GetEyeSource(
   }
   features += frame.IsLit() ? " LIT" : "";
   features += frame.IsShaded ? " SHADE" : "";
+  features += GetScatteringFeatures(frame.Scattering);
   features += GetTransmissionFeatures(frame);
   std::string lights;
   std::string calls;
@@ -415,6 +462,9 @@ std::string SliceShader::GetEyeSource(
     features +=
       GetLightFeatures(frame.Lights[light], FindShadow(frame.Plan.Sweeps[sweep], light), number);
     features += GetCasterFeatures(frame, light, number);
+    const int map = GetForwardMap(frame, light);
+    features += map > 0 ? " FORWARD_MAP_" + std::to_string(number) + "=" + std::to_string(map)
+                        : std::string();
     const std::string panes = HasPanes(frame)
       ? frame.Scene->Panes->GetShare(frame.Lights[light].Light, "sampleAt", "vec4(0.0)")
       : std::string();
@@ -424,7 +474,11 @@ std::string SliceShader::GetEyeSource(
     calls += "shine_" + std::to_string(number) + "(color);\n";
     ++number;
   }
-  return MakeEyeSource(features, lights, calls);
+  calls += frame.Scattering.HasFluence && frame.Plan.IsOfFirstPicture(sweep)
+    ? "addScattered(color);\n"
+    : "";
+  return Replace(MakeEyeSource(features, lights, calls), "//INTERLUME::SCATTER",
+    frame.Scattering.IsOn() ? InterlumeSliceScatter : "");
 }
 
 std::string SliceShader::GetLightSource(
@@ -480,6 +534,12 @@ std::string SliceShader::GetNames(const SliceFrame& frame, bool isOccluded)
   add(isOccluded, "opaque");
   add(frame.IsShaded, "shade");
   add(frame.HasShadows(), "shadow");
+  const SliceScattering& scattering = frame.Scattering;
+  add(scattering.IsOn(), "scattering");
+  add(scattering.IsOn() && scattering.Kind == vtkShadowedSliceSettings::HENYEY_GREENSTEIN_PHASE,
+    "anisotropy");
+  add(scattering.IsOn() && scattering.Kind == vtkShadowedSliceSettings::TABLE_PHASE, "phase-table");
+  add(scattering.HasField(), "scattering-field");
   add(HasTransmission(frame), "transmission");
   add(HasCasters(frame), "casters");
   add(HasPanes(frame), "panes");
@@ -535,6 +595,17 @@ void SliceShader::SetEyeUniforms(
   {
     frame.Scene->Panes->SetUniforms(program, frame.Space.GetWorldFromUnit());
   }
+  int number = 0;
+  for (int light : GetLightsOf(frame, sweep))
+  {
+    SetLight(program, frame.Lights[light], FindShadow(frame.Plan.Sweeps[sweep], light),
+      "_" + std::to_string(number++));
+  }
+  if (frame.Scattering.IsOn())
+  {
+    SetScattering(program, frame.Scattering);
+    return;
+  }
   std::vector<float> materials;
   for (int row = 0; row < frame.Material.Rows; ++row)
   {
@@ -556,12 +627,6 @@ void SliceShader::SetEyeUniforms(
   program->SetUniform4fv("materials", frame.Material.Rows, materials.data());
   const glm::dvec3 none{ 0.0, 0.0, 0.0 };
   SetVector(program, "ambient", frame.Plan.IsOfFirstPicture(sweep) ? frame.Ambient : none);
-  int number = 0;
-  for (int light : GetLightsOf(frame, sweep))
-  {
-    SetLight(program, frame.Lights[light], FindShadow(frame.Plan.Sweeps[sweep], light),
-      "_" + std::to_string(number++));
-  }
 }
 
 void SliceShader::SetLightUniforms(vtkShaderProgram* program, const SliceFrame& frame,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/SliceTextures.h"
 
+#include "Draw/SliceScattering.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Volume/MaterialTable.h"
 #include "Volume/VolumeSamples.h"
@@ -176,6 +177,12 @@ vtkIdType SliceTextures::GetBytes(const MaterialTable& material)
   return static_cast<vtkIdType>(sizeof(float)) * static_cast<vtkIdType>(values);
 }
 
+vtkIdType SliceTextures::GetBytes(const SliceScattering& scattering)
+{
+  return static_cast<vtkIdType>(sizeof(float)) *
+    static_cast<vtkIdType>(scattering.Phases.size() + scattering.Texels.size());
+}
+
 std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& samples)
 {
   GLint limit = 0;
@@ -248,6 +255,37 @@ std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialT
     : std::string("the graphics card has no memory for the transfer functions");
 }
 
+std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering)
+{
+  ForgetErrors();
+  UploadTable(window, this->Phases, SliceScattering::PhaseColumns, scattering.Phases, 1);
+  if (scattering.Texels.empty())
+  {
+    this->Scattered->ReleaseGraphicsResources(window);
+  }
+  else
+  {
+    const glm::ivec3 size = scattering.GetTextureSize();
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
+    if (size.z > limit)
+    {
+      return "scattered light takes " + std::to_string(size.z) +
+        " samples along an axis, and textures here have at most " + std::to_string(limit) +
+        ": ScatteringGridSize is too large for so many lights";
+    }
+    this->Scattered->SetContext(window);
+    SetSampling(this->Scattered, true);
+    this->Scattered->ResetFormatAndType();
+    this->Scattered->Create3DFromRaw(static_cast<unsigned int>(size.x),
+      static_cast<unsigned int>(size.y), static_cast<unsigned int>(size.z), 3, VTK_FLOAT,
+      const_cast<float*>(scattering.Texels.data()));
+  }
+  return glGetError() == GL_NO_ERROR ? std::string()
+                                     : "the graphics card has no memory for " +
+      std::to_string(GetBytes(scattering)) + " bytes of scattered light";
+}
+
 void SliceTextures::Activate(vtkShaderProgram* program)
 {
   if (!this->SumTexels.empty() && program->IsUniformUsed("extinctionSums"))
@@ -283,6 +321,8 @@ void SliceTextures::Activate(vtkShaderProgram* program)
   activate(this->GradientOpacities, "gradientOpacities");
   activate(this->Transmissions, "transmissions");
   activate(this->Bends, "bends");
+  activate(this->Phases, "phases");
+  activate(this->Scattered, "scattered");
 }
 
 void SliceTextures::Deactivate()
@@ -314,7 +354,7 @@ void SliceTextures::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (vtkTextureObject* texture : { this->Volume.Get(), this->Mask.Get(), this->Colors.Get(),
          this->Extinctions.Get(), this->ExtinctionSums.Get(), this->GradientOpacities.Get(),
-         this->Transmissions.Get(), this->Bends.Get() })
+         this->Transmissions.Get(), this->Bends.Get(), this->Phases.Get(), this->Scattered.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

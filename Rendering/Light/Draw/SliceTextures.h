@@ -21,6 +21,7 @@ namespace interlume
 
 class MaterialTable;
 class VolumeSamples;
+struct SliceScattering;
 
 /**
  * @class   SliceTextures
@@ -36,6 +37,7 @@ public:
   /// Return the bytes on the graphics card.
   static vtkIdType GetBytes(const VolumeSamples& samples);
   static vtkIdType GetBytes(const MaterialTable& material);
+  static vtkIdType GetBytes(const SliceScattering& scattering);
   ///@}
 
   ///@{
@@ -43,6 +45,7 @@ public:
   /// or nothing.
   std::string Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& samples);
   std::string Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material);
+  std::string Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering);
   ///@}
 
   /// The images of projective lights.
@@ -69,6 +72,8 @@ private:
   vtkNew<vtkTextureObject> GradientOpacities;
   vtkNew<vtkTextureObject> Transmissions;
   vtkNew<vtkTextureObject> Bends;
+  vtkNew<vtkTextureObject> Phases;
+  vtkNew<vtkTextureObject> Scattered;
   /// The sums that ExtinctionSums has yet to get.
   std::vector<float> SumTexels;
   ScreenTextures Screens;

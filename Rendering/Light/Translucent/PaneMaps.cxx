@@ -35,6 +35,7 @@ std::string PaneMaps::Draw(vtkRenderer* renderer, const CasterViews& views,
     return {};
   }
   this->Clear(renderer->GetRenderWindow());
+  this->DrawTime.Modified();
   std::string error = this->DrawLayers(renderer, props, most, shader);
   if (error.empty())
   {

@@ -7,6 +7,7 @@
 #include "Translucent/DepthLayers.h"
 
 #include "vtkNew.h"
+#include "vtkTimeStamp.h"
 #include "vtkType.h"
 
 #include <array>
@@ -47,6 +48,8 @@ public:
 
   /// The number of layers; 0 where nothing takes light.
   int GetLayers() const { return this->Layers; }
+  /// When they were drawn last.
+  vtkMTimeType GetDrawTime() const { return this->DrawTime.GetMTime(); }
   vtkTextureObject* GetTexture() const { return this->Texture; }
   vtkIdType GetBytes() const;
 
@@ -72,6 +75,7 @@ private:
   CasterViews Views;
   ViewTiles Tiles;
   int Layers = 0;
+  vtkTimeStamp DrawTime;
   /// What the maps were drawn of.
   std::vector<double> State;
 };

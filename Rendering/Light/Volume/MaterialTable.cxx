@@ -78,8 +78,8 @@ const TransferColumns::Mapping Kept{ Keep, Keep };
 const TransferColumns::Mapping Clamped{ ClampToOne, Keep };
 }
 
-std::string MaterialTable::Build(
-  vtkVolumeProperty* property, const VolumeSamples& samples, vtkColorTransferFunction* transmission)
+std::string MaterialTable::Build(vtkVolumeProperty* property, const VolumeSamples& samples,
+  vtkColorTransferFunction* transmission, const Scattering& scattering)
 {
   *this = MaterialTable();
   const bool independent = property->GetIndependentComponents() || samples.Components == 1;
@@ -91,10 +91,15 @@ std::string MaterialTable::Build(
   {
     return "transfer functions of two dimensions are not supported";
   }
-  if (transmission && (independent ? samples.Components != 1 : samples.Components != 2))
+  for (const bool isTransmission : { true, false })
   {
-    return "TransmissionColor is for one component, or for two that are not independent, not for " +
-      std::to_string(samples.Components);
+    if ((isTransmission ? transmission : scattering.Albedo) &&
+      (independent ? samples.Components != 1 : samples.Components != 2))
+    {
+      return std::string(isTransmission ? "TransmissionColor" : "ScatteringAlbedo") +
+        " is for one component, or for two that are not independent, not for " +
+        std::to_string(samples.Components);
+    }
   }
   const int rows = independent ? samples.Components : 1;
   for (int row = 0; row < rows; ++row)
@@ -111,7 +116,7 @@ std::string MaterialTable::Build(
   this->Rows = rows;
   for (int row = 0; row < rows; ++row)
   {
-    this->BuildRow(property, samples, row, transmission);
+    this->BuildRow(property, samples, row, transmission, scattering);
   }
   this->BuildGradientOpacity(property);
   return std::string();
@@ -123,7 +128,7 @@ double MaterialTable::GetExtinction(int row, double opacity) const
 }
 
 void MaterialTable::BuildRow(vtkVolumeProperty* property, const VolumeSamples& samples, int row,
-  vtkColorTransferFunction* transmission)
+  vtkColorTransferFunction* transmission, const Scattering& scattering)
 {
   const int component = this->GetOpacityComponent(row);
   this->UnitDistance[row] = property->GetScalarOpacityUnitDistance(row);
@@ -148,6 +153,7 @@ void MaterialTable::BuildRow(vtkVolumeProperty* property, const VolumeSamples& s
   const Range scalars =
     this->Kind == COLOR_OPACITY ? FindTableRange(samples, 0) : this->ScalarRange[row];
   const TransferNodes colors = this->Kind == RGB_OPACITY ? TransferNodes(scalars, 1.0, 1.0)
+    : scattering.Albedo                                  ? GetNodes(scattering.Albedo, scalars, 1.0)
                                                          : GetColorNodes(property, row, scalars);
   this->ColorRange[row] = colors.Limit(scalars);
   if (transmission)
@@ -171,8 +177,8 @@ void MaterialTable::BuildRow(vtkVolumeProperty* property, const VolumeSamples& s
     this->TransmissionBends = std::move(columns.Bends);
     this->TransmissionEdges = std::move(columns.Edges);
   }
-  const TransferColumns columns(
-    colors, TransferColumns::THREE, this->ColorRange[row], Kept, this->Bends);
+  const TransferColumns columns(colors, TransferColumns::THREE, this->ColorRange[row],
+    scattering.IsOn ? Clamped : Kept, this->Bends);
   this->ColorBends.insert(this->ColorBends.end(), columns.Bends.begin(), columns.Bends.end());
   this->ColorEdges.insert(this->ColorEdges.end(), columns.Edges.begin(), columns.Edges.end());
   for (std::size_t i = 0; i < columns.Values.size(); ++i)

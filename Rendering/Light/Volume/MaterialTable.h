@@ -54,14 +54,27 @@ public:
     RGB_OPACITY
   };
 
+  /// Whether colours are shares of light that matter scatters, 0 to 1, and the function of these;
+  /// null for the property's colours.
+  struct Scattering
+  {
+    bool IsOn = false;
+    vtkColorTransferFunction* Albedo = nullptr;
+  };
+
   /**
    * Samples the functions of \a property. \a transmission may be null. Returns what is wrong, or
    * nothing. It is wrong to have three components that are not independent, transfer functions of
-   * two dimensions, a unit distance that is not above 0, or a transmission for several independent
-   * components or for RGB.
+   * two dimensions, a unit distance that is not above 0, or a transmission or an albedo for several
+   * independent components or for RGB.
    */
   std::string Build(vtkVolumeProperty* property, const VolumeSamples& samples,
-    vtkColorTransferFunction* transmission);
+    vtkColorTransferFunction* transmission, const Scattering& scattering);
+  std::string Build(vtkVolumeProperty* property, const VolumeSamples& samples,
+    vtkColorTransferFunction* transmission)
+  {
+    return this->Build(property, samples, transmission, Scattering());
+  }
 
   /// Returns the largest extinction per world unit in [lower, upper] of \a row's opacity function.
   /// A bound within rounding of a point of the function, or within a thousandth of a column's
@@ -119,7 +132,7 @@ public:
 
 private:
   void BuildRow(vtkVolumeProperty* property, const VolumeSamples& samples, int row,
-    vtkColorTransferFunction* transmission);
+    vtkColorTransferFunction* transmission, const Scattering& scattering);
   void BuildGradientOpacity(vtkVolumeProperty* property);
 
   double GetExtinction(int row, double opacity) const;

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/SliceScatterer.h"
+
+#include "Common/Vectors.h"
+#include "Draw/CasterCells.h"
+#include "Draw/SliceFrame.h"
+#include "Grid/FieldMaps.h"
+#include "Grid/GridLight.h"
+#include "Grid/MatterGrid.h"
+#include "Scattering/ScatteringSolver.h"
+
+#include "vtkAreaLight.h"
+#include "vtkMath.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkProjectiveLight.h"
+#include "vtkTimerLog.h"
+
+#include <utility>
+
+namespace interlume
+{
+
+using Settings = vtkShadowedSliceSettings;
+
+namespace
+{
+// The cells along the longest edge where their number is automatic.
+constexpr int AutomaticCells = 32;
+// What no key is.
+const std::vector<double> NoKey{ -1.0 };
+// The samples of an area light that are enough for cells.
+constexpr int MostLightSamples = 16;
+
+// Returns the lights whose light is scattered on: those that matter takes from.
+std::vector<LightSource> FindLights(const SliceFrame& frame)
+{
+  std::vector<LightSource> lights;
+  for (const LightSource& light : frame.Lights)
+  {
+    if (light.ShadowStrength > 0.0 && light.Diffuse != glm::dvec3(0.0))
+    {
+      lights.push_back(light);
+    }
+  }
+  return lights;
+}
+
+int GetLightSamples(const Settings& settings)
+{
+  return std::min(settings.NumberOfLightSamples, MostLightSamples);
+}
+
+void Add(std::vector<double>& key, const double* values, std::size_t count)
+{
+  key.insert(key.end(), values, values + count);
+}
+
+void AddLight(std::vector<double>& key, const LightSource& light)
+{
+  key.insert(key.end(),
+    { light.IsPositional ? 1.0 : 0.0, light.ConeCosine, light.Exponent, light.ShadowStrength });
+  for (const glm::dvec3& v : { light.Position, light.Direction, light.Diffuse, light.Attenuation,
+         light.EmitterAxes[0], light.EmitterAxes[1] })
+  {
+    Add(key, glm::value_ptr(v), 3);
+  }
+  Add(key, glm::value_ptr(light.ScreenFromUnit), 16);
+  key.push_back(light.Projective ? static_cast<double>(light.Projective->GetMTime()) : 0.0);
+  key.push_back(light.Area ? static_cast<double>(light.Area->GetMTime()) : 0.0);
+}
+
+// Returns all numbers that scattered light depends on but for the phase function.
+std::vector<double> MakeKey(const SliceFrame& frame, const std::array<int, 2>& versions,
+  const std::vector<LightSource>& lights, const Settings& settings)
+{
+  std::vector<double> key{ static_cast<double>(versions[0]), static_cast<double>(versions[1]),
+    static_cast<double>(settings.MultipleScattering), settings.ForwardSpread,
+    static_cast<double>(settings.BackwardLayers), static_cast<double>(settings.ScatteringGridSize),
+    static_cast<double>(GetLightSamples(settings)), frame.Space.Radius,
+    static_cast<double>(CasterCells::GetTime(frame.Scene)), frame.Region.HasCropping ? 1.0 : 0.0,
+    static_cast<double>(frame.Region.CroppingFlags) };
+  Add(key, glm::value_ptr(frame.Space.UnitFromTexture), 16);
+  Add(key, glm::value_ptr(frame.Space.VolumeFromUnit), 16);
+  Add(key, glm::value_ptr(frame.Region.CroppingLower), 3);
+  Add(key, glm::value_ptr(frame.Region.CroppingUpper), 3);
+  for (const auto& range : frame.Region.Box)
+  {
+    Add(key, range.data(), 2);
+  }
+  for (const auto& plane : frame.Region.ClippingPlanes)
+  {
+    Add(key, plane.data(), 4);
+  }
+  for (const LightSource& light : lights)
+  {
+    AddLight(key, light);
+  }
+  return key;
+}
+}
+
+std::string SliceScatterer::MakePhase(const Settings& settings, SliceScattering& scattering)
+{
+  this->Phase.SetIsotropic();
+  std::string error;
+  if (scattering.Kind == Settings::HENYEY_GREENSTEIN_PHASE)
+  {
+    error = this->Phase.SetHenyeyGreenstein(settings.Anisotropy);
+  }
+  else if (scattering.Kind == Settings::TABLE_PHASE)
+  {
+    std::vector<double> values(SliceScattering::PhaseColumns);
+    settings.PhaseTable->GetTable(-1.0, 1.0, SliceScattering::PhaseColumns, values.data());
+    error = this->Phase.SetTable(values);
+  }
+  scattering.Phases.clear();
+  for (int i = 0; error.empty() && scattering.Kind == Settings::TABLE_PHASE &&
+       i < SliceScattering::PhaseColumns;
+       ++i)
+  {
+    const double cosine = 2.0 * i / (SliceScattering::PhaseColumns - 1) - 1.0;
+    scattering.Phases.push_back(
+      static_cast<float>(4.0 * vtkMath::Pi() * this->Phase.Value(cosine)));
+  }
+  scattering.MeanCosine = this->Phase.Moment(1);
+  return error;
+}
+
+std::string SliceScatterer::SetPhase(const Settings& settings, SliceScattering& scattering)
+{
+  const bool isOn = settings.MultipleScattering != Settings::NO_SCATTERING;
+  // A table that is not set is isotropic.
+  const bool isTable = settings.PhaseFunction == Settings::TABLE_PHASE;
+  const int kind =
+    !isOn || (isTable && !settings.PhaseTable) ? Settings::ISOTROPIC_PHASE : settings.PhaseFunction;
+  const vtkMTimeType time = kind == Settings::TABLE_PHASE ? settings.PhaseTable->GetMTime() : 0;
+  scattering.Mode = settings.MultipleScattering;
+  if (this->Mode == scattering.Mode && this->Kind == kind &&
+    this->Anisotropy == settings.Anisotropy && this->TableTime == time)
+  {
+    return {};
+  }
+  scattering.Kind = kind;
+  scattering.Anisotropy = settings.Anisotropy;
+  std::string error = this->MakePhase(settings, scattering);
+  ++this->Version;
+  this->Key = NoKey;
+  this->Mode = error.empty() ? scattering.Mode : Settings::NO_SCATTERING;
+  this->Kind = kind;
+  this->Anisotropy = settings.Anisotropy;
+  this->TableTime = time;
+  return error;
+}
+
+std::string SliceScatterer::MakeField(
+  vtkOpenGLRenderWindow* window, SliceFrame& frame, const Settings& settings)
+{
+  SliceScattering& scattering = frame.Scattering;
+  scattering.Texels.clear();
+  scattering.ForwardLights.clear();
+  scattering.HasFluence = false;
+  this->Cells = 0;
+  const std::vector<LightSource> lights = FindLights(frame);
+  MatterGrid grid;
+  const int size = settings.ScatteringGridSize > 0 ? settings.ScatteringGridSize : AutomaticCells;
+  if (scattering.Mode < Settings::FORWARD_SCATTERING || lights.empty() ||
+    !grid.Build({ frame.Samples, frame.Blocks, frame.Material, frame.Space, frame.Region,
+                  frame.Spacing, frame.UnitDistances },
+      size))
+  {
+    return {};
+  }
+  grid.GetMedium().Phase = this->Phase;
+  std::vector<ScatteringLight> direct;
+  direct.reserve(lights.size());
+  for (const LightSource& light : lights)
+  {
+    direct.push_back(GridLight::Make(grid, light, GetLightSamples(settings)));
+  }
+  if (CasterCells::GetTime(frame.Scene) > 0)
+  {
+    std::vector<std::vector<glm::vec3>> shares;
+    std::string fault =
+      CasterCells::Make(window, *frame.Scene, grid, frame.Space.GetWorldFromUnit(), lights, shares);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+    for (std::size_t i = 0; i < shares.size(); ++i)
+    {
+      for (std::size_t cell = 0; cell < shares[i].size(); ++cell)
+      {
+        direct[i].Direct[cell] *= shares[i][cell];
+      }
+    }
+  }
+  ScatteringSettings asked;
+  asked.AngleVariance = settings.ForwardSpread > 0.0 ? settings.ForwardSpread : -1.0;
+  asked.BackwardLayers = settings.BackwardLayers;
+  const bool isFull = scattering.Mode == Settings::FULL_SCATTERING;
+  ScatteringField field;
+  ScatteringReport solved;
+  std::string error = ScatteringSolver::Solve(grid.GetMedium(), direct,
+    isFull ? ScatteringMode::Full : ScatteringMode::Forward, asked, field, solved);
+  if (!error.empty())
+  {
+    return error;
+  }
+  FieldMaps maps(grid, field);
+  scattering.Texels = std::move(maps.Texels);
+  scattering.Nodes = maps.Nodes;
+  scattering.HasFluence = !field.Fluence.empty();
+  scattering.NodeFromUnit = maps.NodeFromUnit;
+  for (std::size_t i = 0; i < field.Forward.size(); ++i)
+  {
+    scattering.ForwardLights.push_back(lights[i].Light);
+  }
+  this->Cells = static_cast<int>(grid.GetMedium().GetNumberOfCells());
+  return {};
+}
+
+std::string SliceScatterer::Solve(vtkOpenGLRenderWindow* window, SliceFrame& frame,
+  const std::array<int, 2>& versions, const Settings& settings, vtkShadowedSliceReport& report)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  const bool isAsked = frame.Scattering.Mode >= Settings::FORWARD_SCATTERING;
+  const std::vector<double> key =
+    isAsked ? MakeKey(frame, versions, FindLights(frame), settings) : std::vector<double>();
+  std::string error;
+  if (key != this->Key)
+  {
+    error = this->MakeField(window, frame, settings);
+    ++this->Version;
+    this->Key = error.empty() ? key : NoKey;
+    report.ScatteringSolves = this->Cells > 0 ? 1 : 0;
+    report.ScatteringSeconds = vtkTimerLog::GetUniversalTime() - start;
+  }
+  report.ScatteringCells = this->Cells;
+  report.ScatteringBytes = static_cast<vtkIdType>(sizeof(float) * frame.Scattering.Texels.size());
+  return error;
+}
+
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_SliceScatterer_h
+#define interlume_SliceScatterer_h
+
+#include "Draw/SliceScattering.h"
+#include "Scattering/PhaseFunction.h"
+
+#include "vtkShadowedSliceReport.h"
+
+#include "vtkShadowedSliceSettings.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+
+namespace interlume
+{
+
+struct SliceFrame;
+
+/**
+ * @class   SliceScatterer
+ * @brief   finds how light is scattered in a volume, and keeps it until something changes
+ */
+class SliceScatterer
+{
+public:
+  /// Takes the way of scattering and the phase function from the settings. Returns what is wrong,
+  /// or nothing.
+  std::string SetPhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
+
+  /**
+   * Finds the light that was scattered before, where settings ask for it and something has changed:
+   * the volume, of these versions, what is left of it, its place, lights, the shadows of surfaces.
+   * Returns what is wrong, or nothing.
+   */
+  std::string Solve(vtkOpenGLRenderWindow* window, SliceFrame& frame,
+    const std::array<int, 2>& versions, const vtkShadowedSliceSettings& settings,
+    vtkShadowedSliceReport& report);
+
+  /// A number that is another one when texels have changed; above 0.
+  int GetVersion() const { return this->Version; }
+
+private:
+  std::string MakePhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
+  std::string MakeField(
+    vtkOpenGLRenderWindow* window, SliceFrame& frame, const vtkShadowedSliceSettings& settings);
+
+  PhaseFunction Phase;
+  /// What the phase function was made of.
+  int Mode = vtkShadowedSliceSettings::NO_SCATTERING;
+  int Kind = vtkShadowedSliceSettings::ISOTROPIC_PHASE;
+  double Anisotropy = 0.0;
+  vtkMTimeType TableTime = 0;
+  /// All that the field depends on.
+  std::vector<double> Key;
+  int Cells = 0;
+  int Version = 1;
+};
+
+}
+
+#endif

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grid/MatterGrid.h"
+
+#include "Grid/MatterSampler.h"
+#include "Plan/ClipRegion.h"
+#include "Space/BoxCorners.h"
+#include "Space/UnitSpace.h"
+#include "Space/UnitVector.h"
+#include "Volume/MaterialTable.h"
+#include "Volume/VolumeBlocks.h"
+#include "Volume/VolumeSamples.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace interlume
+{
+
+namespace
+{
+// Samples of all cells together; more of them along an axis of a cell are left out.
+constexpr double MostSamples = 4e6;
+constexpr int MostSteps = 8;
+
+using Box = std::array<std::array<double, 2>, 3>;
+
+// Finds the part of the region's box around the blocks that can be seen, in texture coordinates.
+// Returns whether there is any.
+bool FindBox(const MatterGrid::Volume& volume, Box& box)
+{
+  const std::array<int, 3>& size = volume.Blocks.GetSize();
+  std::array<std::array<int, 2>, 3> seen{};
+  seen.fill({ { std::numeric_limits<int>::max(), -1 } });
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      for (int i = 0; i < size[0]; ++i)
+      {
+        const std::array<int, 3> at{ { i, j, k } };
+        for (std::size_t axis = 0; axis < 3 && volume.Blocks.IsVisible(i, j, k); ++axis)
+        {
+          seen[axis][0] = std::min(seen[axis][0], at[axis]);
+          seen[axis][1] = std::max(seen[axis][1], at[axis]);
+        }
+      }
+    }
+  }
+  box = volume.Region.Box;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (seen[axis][1] < 0)
+    {
+      return false;
+    }
+    // Blocks at the ends reach to the ends of matter.
+    const std::vector<double> borders = volume.Blocks.GetBorders(static_cast<int>(axis));
+    if (seen[axis][0] > 0)
+    {
+      box[axis][0] = std::max(box[axis][0], borders[static_cast<std::size_t>(seen[axis][0])]);
+    }
+    if (seen[axis][1] + 1 < size[axis])
+    {
+      box[axis][1] = std::min(box[axis][1], borders[static_cast<std::size_t>(seen[axis][1]) + 1]);
+    }
+    if (!(box[axis][1] > box[axis][0]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+bool MatterGrid::PlaceBox(const Volume& volume, int cells)
+{
+  Box box;
+  if (!FindBox(volume, box))
+  {
+    return false;
+  }
+  const glm::dmat4& unitFromTexture = volume.Space.UnitFromTexture;
+  bool isOrthogonal = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec3 edge(unitFromTexture[axis]);
+    this->Axes[axis] = edge / Vectors::SafeLength(edge);
+    for (int other = 0; other < axis; ++other)
+    {
+      constexpr double flattest = 1e-6;
+      isOrthogonal =
+        isOrthogonal && std::abs(glm::dot(this->Axes[axis], this->Axes[other])) < flattest;
+    }
+  }
+  this->Axes = isOrthogonal ? this->Axes : glm::dmat3(1.0);
+  glm::dvec3 lower(std::numeric_limits<double>::max());
+  glm::dvec3 upper(-std::numeric_limits<double>::max());
+  const BoxCorners corners(volume.Space, box);
+  for (const glm::dvec3& corner : corners.Get())
+  {
+    lower = glm::min(lower, corner * this->Axes);
+    upper = glm::max(upper, corner * this->Axes);
+  }
+  const glm::dvec3 whole = upper - lower;
+  const double longest = Vectors::InfinityNorm(whole);
+  // The size of the finest voxel's edge, beyond which cells have nothing more to show.
+  double finest = longest;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double edge = Vectors::SafeLength(glm::dvec3(unitFromTexture[axis]));
+    finest = std::min(finest, edge / volume.Samples.Size[axis]);
+  }
+  const double most = std::max(std::ceil(longest / finest - 1e-6), 1.0);
+  const double along = std::min(static_cast<double>(cells), most);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double edge = std::max(whole[axis], 0.5 * longest / along);
+    const double count = std::max(std::round(edge / longest * along), 1.0);
+    this->Medium.Cells[axis] = static_cast<int>(count);
+    this->Medium.CellSize[axis] = edge / count;
+    lower[axis] -= 0.5 * (edge - whole[axis]);
+  }
+  this->Origin = this->Axes * lower;
+  const double samples =
+    std::cbrt(MostSamples / static_cast<double>(this->Medium.GetNumberOfCells()));
+  const double steps = std::clamp(std::floor(samples), 2.0, static_cast<double>(MostSteps));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double wanted = std::ceil(this->Medium.CellSize[axis] / finest - 1e-6);
+    this->Steps[axis] = static_cast<int>(std::clamp(wanted, 2.0, steps));
+  }
+  return true;
+}
+
+glm::ivec3 MatterGrid::GetCell(std::size_t index) const
+{
+  const auto columns = static_cast<std::size_t>(this->Medium.Cells.x);
+  const auto rows = static_cast<std::size_t>(this->Medium.Cells.y);
+  return { static_cast<int>(index % columns), static_cast<int>(index / columns % rows),
+    static_cast<int>(index / columns / rows) };
+}
+
+bool MatterGrid::Build(const Volume& volume, int cells)
+{
+  this->Parts.clear();
+  this->Medium = ScatteringMedium();
+  if (!this->PlaceBox(volume, cells))
+  {
+    return false;
+  }
+  const std::size_t number = this->Medium.GetNumberOfCells();
+  this->Medium.Extinction.assign(number, 0.0F);
+  this->Medium.Albedo.assign(number, glm::vec3(0.0F));
+  const bool isColored = !volume.Material.Transmission.empty();
+  this->Parts.assign(isColored ? number : 0, glm::vec3(1.0F));
+  const MatterSampler sampler(volume);
+  const double samples = this->Steps.x * this->Steps.y * this->Steps.z;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(number),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (auto cell = static_cast<std::size_t>(first); cell < static_cast<std::size_t>(last);
+           ++cell)
+      {
+        const glm::ivec3 at = this->GetCell(cell);
+        double extinction = 0.0;
+        glm::dvec3 taken(0.0);
+        glm::dvec3 scattered(0.0);
+        glm::ivec3 step;
+        for (step.z = 0; step.z < this->Steps.z; ++step.z)
+        {
+          for (step.y = 0; step.y < this->Steps.y; ++step.y)
+          {
+            for (step.x = 0; step.x < this->Steps.x; ++step.x)
+            {
+              const glm::dvec3 place = this->Medium.CellSize *
+                (glm::dvec3(at) + (glm::dvec3(step) + 0.5) / glm::dvec3(this->Steps));
+              const MatterSampler::Sample sample = sampler.Get(this->ToUnit(place));
+              const glm::dvec3 part = 1.0 - sample.Transmission;
+              extinction += sample.Extinction;
+              taken += sample.Extinction * part;
+              scattered += sample.Extinction * part * sample.Albedo;
+            }
+          }
+        }
+        if (extinction > 0.0)
+        {
+          this->Medium.Extinction[cell] = static_cast<float>(extinction / samples);
+          this->Medium.Albedo[cell] = glm::vec3(scattered / extinction);
+          if (isColored)
+          {
+            this->Parts[cell] = glm::vec3(taken / extinction);
+          }
+        }
+      }
+    });
+  return true;
+}
+
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//VTK::System::Dec
+//INTERLUME::FEATURES
+
+// The share of a light that surfaces of the scene leave in the cells of a grid, one pixel for each: the
+// mean of places in the cell.
+uniform mat4 unitFromCell;
+// The cells along x and y, and the columns of the texture.
+uniform vec3 cellColumns;
+
+//VTK::Output::Dec
+//INTERLUME::CASTERS
+
+void main()
+{
+  int index = int(gl_FragCoord.x) + int(cellColumns.z) * int(gl_FragCoord.y);
+  ivec2 columns = ivec2(cellColumns.xy);
+  vec3 cell = vec3(index % columns.x, index / columns.x % columns.y, index / (columns.x * columns.y));
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 8; ++i)
+  {
+    vec3 place = (unitFromCell * vec4(cell + 0.25 + 0.5 * vec3(i & 1, i >> 1 & 1, i >> 2), 1.0)).xyz;
+    sum += vec3(SHARE);
+  }
+  gl_FragData[0] = vec4(0.125 * sum, 1.0);
+}

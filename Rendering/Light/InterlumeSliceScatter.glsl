@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What matter scatters of light towards the eye.
+
+// The share of light that is scattered, not absorbed, at the sample.
+vec3 sampleAlbedo = vec3(0.0);
+#ifdef PHASE_ANISOTROPY
+// 1 - g^2, (1 - g)^2 and g.
+uniform vec3 phase;
+#endif
+#ifdef PHASE_TABLE
+uniform sampler2D phases;
+#endif
+
+// Returns 4 pi times the phase function for light that goes along l.
+float phaseOf(vec3 l)
+{
+  // One less the cosine of the angle, with all digits of small ones.
+  vec3 change = l + sightline;
+  float turn = min(0.5 * dot(change, change), 2.0);
+#ifdef PHASE_ANISOTROPY
+  float square = phase.y + 2.0 * phase.z * turn;
+  return phase.x / (square * sqrt(square));
+#elif defined(PHASE_TABLE)
+  float column = (1.0 - 0.5 * turn) * float(PHASE_COLUMNS - 1);
+  int first = min(int(column), PHASE_COLUMNS - 2);
+  return mix(texelFetch(phases, ivec2(first, 0), 0).r, texelFetch(phases, ivec2(first + 1, 0), 0).r,
+    column - float(first));
+#else
+  return 1.0;
+#endif
+}
+#ifdef FIELD_MAPS
+// Light that was scattered before, at the nodes of FIELD_MAPS maps one behind the other along z: its
+// fluence, the direction in which more of it goes, and what goes on with each light.
+uniform sampler3D scattered;
+uniform mat4 nodeFromUnit;
+uniform vec3 fieldNodes;
+uniform float meanCosine;
+
+// The node where the eye sees the segment on the average.
+vec3 seenNode = vec3(0.0);
+
+void findSeenNode()
+{
+  float seen = opticalDepth < 0.05 ? 0.5 - opticalDepth / 12.0
+                                   : 1.0 / opticalDepth - (1.0 - opacity) / opacity;
+  vec3 x = mix(segmentStart, segmentEnd, seen);
+  seenNode = clamp((nodeFromUnit * vec4(x, 1.0)).xyz, vec3(0.5), fieldNodes - 1.5);
+}
+
+vec3 fieldAt(int map)
+{
+  vec3 at = vec3(seenNode.xy, seenNode.z + float(map) * fieldNodes.z) + 0.5;
+  return textureLod(scattered, at / (fieldNodes * vec3(1.0, 1.0, float(FIELD_MAPS))), 0.0).rgb;
+}
+
+// Adds what is scattered of light from all directions.
+void addScattered(inout vec3 sum)
+{
+  float lean = 1.0 - 3.0 * meanCosine * dot(fieldAt(1), sightline);
+  sum += sampleAlbedo * max(fieldAt(0), vec3(0.0)) * max(lean, 0.0);
+}
+#endif
