@@ -2,11 +2,10 @@
 #include "Scattering/ScatteringLight.h"
 
 #include "Common/Vectors.h"
+#include "Scattering/CellRay.h"
 
 #include "vtkSMPTools.h"
 #include "vtkType.h"
-
-#include <glm/common.hpp>
 
 #include <limits>
 
@@ -22,58 +21,29 @@ double ExtinctionOf(const ScatteringMedium& medium, std::size_t cell)
   return extinction > 0.0 && std::isfinite(extinction) ? extinction : 0.0;
 }
 
-/// Returns the mean of exp(-depth) along the part of the ray that lies in the cell, and 0 behind
-/// blocked cells. The ray goes from the middle of \a cell to the light, \a reach away.
-double MeanTransmittance(
-  const ScatteringMedium& medium, const glm::ivec3& cell, const glm::dvec3& toLight, double reach)
+/// Returns the mean of exp(-depth) along the part of the ray that lies in its first cell, from the
+/// middle of which it goes to the light, \a reach away; 0 behind blocked cells.
+double MeanTransmittance(const ScatteringMedium& medium, CellRay ray, double reach)
 {
-  // Distances in world units at which the ray leaves the cell along each axis.
-  glm::dvec3 next(std::numeric_limits<double>::infinity());
-  glm::dvec3 step(next);
-  glm::ivec3 side(0);
-  for (int axis = 0; axis < 3; ++axis)
+  // The ray enters the cell as far from the middle as it leaves.
+  const double own = 2.0 * ray.GetExit() * ExtinctionOf(medium, medium.GetIndex(ray.GetCell()));
+  if (medium.IsBlocked(medium.GetIndex(ray.GetCell())))
   {
-    if (toLight[axis] != 0.0)
-    {
-      step[axis] = medium.CellSize[axis] / std::abs(toLight[axis]);
-      next[axis] = 0.5 * step[axis];
-      side[axis] = toLight[axis] > 0.0 ? 1 : -1;
-    }
+    return 0.0;
   }
-  glm::ivec3 at = cell;
-  double gone = 0.0;
   double depth = 0.0;
-  double own = 0.0;
-  while (gone < reach)
+  // Mirrors may hold a ray for ever, and what is left of it soon counts no more.
+  while (ray.GetExit() < reach && depth < 100.0 && ray.Advance())
   {
-    const std::size_t index = medium.GetIndex(at);
+    const std::size_t index = medium.GetIndex(ray.GetCell());
     if (medium.IsBlocked(index))
     {
       return 0.0;
     }
-    const int axis = next.x <= next.y && next.x <= next.z ? 0 : (next.y <= next.z ? 1 : 2);
-    const double end = std::min(next[axis], reach);
-    const double within = ExtinctionOf(medium, index) * (end - gone);
-    if (at == cell)
+    depth += ExtinctionOf(medium, index) * (std::min(ray.GetExit(), reach) - ray.GetEntry());
+    if (ray.GetEntry() > 1e6 * glm::length(medium.CellSize))
     {
-      // The ray enters as far from the middle as it leaves.
-      own = within + ExtinctionOf(medium, index) * next[axis];
-    }
-    else
-    {
-      depth += within;
-    }
-    gone = end;
-    next[axis] += step[axis];
-    at[axis] += side[axis];
-    if (at[axis] < 0 || at[axis] >= medium.Cells[axis])
-    {
-      if (!medium.Mirrors[axis])
-      {
-        break;
-      }
-      at[axis] -= side[axis];
-      side[axis] = -side[axis];
+      break;
     }
   }
   return std::exp(-depth) * (own > 1e-9 ? -std::expm1(-own) / own : 1.0 - 0.5 * own);
@@ -108,7 +78,9 @@ void ScatteringLight::Fill(const ScatteringMedium& medium, const glm::vec3& colo
             const glm::dvec3 middle = medium.Origin + (glm::dvec3(cell) + 0.5) * medium.CellSize;
             const double reach = this->IsPositional ? Vectors::SafeLength(middle - this->Position)
                                                     : std::numeric_limits<double>::infinity();
-            const double mean = MeanTransmittance(medium, cell, -this->GetDirection(middle), reach);
+            const glm::dvec3 direction = this->GetDirection(middle);
+            const CellRay ray(medium, glm::dvec3(cell) + 0.5, -direction);
+            const double mean = reach > 0.0 ? MeanTransmittance(medium, ray, reach) : 1.0;
             this->Direct[medium.GetIndex(cell)] = color * static_cast<float>(mean);
           }
         }

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_CellRay_h
+#define interlume_CellRay_h
+
+#include "Scattering/ScatteringMedium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+
+namespace interlume
+{
+
+/**
+ * @class   CellRay
+ * @brief   the cells that a ray goes through, one after the other, reflected by mirrors
+ */
+class CellRay
+{
+public:
+  /// \a place is in the box, in cells from its lower corner; \a direction of length 1, in the
+  /// world's units along the axes of the box.
+  CellRay(const ScatteringMedium& medium, const glm::dvec3& place, const glm::dvec3& direction)
+    : Medium(medium)
+    , Cell(glm::clamp(glm::ivec3(glm::floor(place)), glm::ivec3(0), medium.Cells - 1))
+    , Direction(direction)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double along = direction[axis];
+      if (along != 0.0)
+      {
+        const double within = place[axis] - this->Cell[axis];
+        this->Step[axis] = medium.CellSize[axis] / std::abs(along);
+        this->Next[axis] = this->Step[axis] * (along > 0.0 ? 1.0 - within : within);
+      }
+    }
+    this->Find();
+  }
+
+  const glm::ivec3& GetCell() const { return this->Cell; }
+  /// The direction in this cell; mirrors turn it.
+  const glm::dvec3& GetDirection() const { return this->Direction; }
+  /// Returns how far from its start the ray enters and leaves this cell.
+  double GetEntry() const { return this->Gone; }
+  double GetExit() const { return this->Next[this->Axis]; }
+
+  /// Goes on to the next cell; returns false where the ray leaves the box.
+  bool Advance()
+  {
+    const int axis = this->Axis;
+    this->Gone = this->Next[axis];
+    this->Next[axis] += this->Step[axis];
+    const int next = this->Cell[axis] + (this->Direction[axis] > 0.0 ? 1 : -1);
+    if (next >= 0 && next < this->Medium.Cells[axis])
+    {
+      this->Cell[axis] = next;
+    }
+    else if (this->Medium.Mirrors[axis])
+    {
+      this->Direction[axis] = -this->Direction[axis];
+    }
+    else
+    {
+      return false;
+    }
+    this->Find();
+    return true;
+  }
+
+private:
+  void Find()
+  {
+    const glm::dvec3& next = this->Next;
+    this->Axis = next.x <= next.y && next.x <= next.z ? 0 : (next.y <= next.z ? 1 : 2);
+  }
+
+  const ScatteringMedium& Medium;
+  glm::ivec3 Cell;
+  glm::dvec3 Direction;
+  /// How far the ray goes between two borders along each axis, and to the next of them.
+  glm::dvec3 Step{ std::numeric_limits<double>::infinity() };
+  glm::dvec3 Next{ std::numeric_limits<double>::infinity() };
+  double Gone = 0.0;
+  int Axis = 0;
+};
+
+}
+
+#endif

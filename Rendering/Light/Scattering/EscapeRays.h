@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_EscapeRays_h
+#define interlume_EscapeRays_h
+
+#include "Scattering/MatterCells.h"
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace interlume
+{
+
+/**
+ * @class   EscapeRays
+ * @brief   computes how much of what the cells send out leaves the medium
+ *
+ * It traces what an eye sees that looks at the box from everywhere: 24 directions, of order 4 in
+ * the moments of the sphere, with a ray through each cell of the sides that are seen.
+ */
+class EscapeRays
+{
+public:
+  /// What a cell sends out in direction w, for each unit of optical depth: Color (1 + Lean . w).
+  struct Source
+  {
+    std::vector<glm::vec3> Color;
+    std::vector<glm::vec3> Lean;
+  };
+  /// Sums over the box, for each color.
+  struct Sums
+  {
+    /// What meets matter again.
+    glm::dvec3 Kept{ 0.0 };
+    /// What leaves the box against a direction, and with it.
+    glm::dvec3 Back{ 0.0 };
+    glm::dvec3 On{ 0.0 };
+    /// What ends on blocked cells.
+    glm::dvec3 Blocked{ 0.0 };
+
+    glm::dvec3 GetOut() const { return this->Back + this->On + this->Blocked; }
+    void Add(const Sums& other);
+    /// Scales all parts alike so that together they are what the cells send out.
+    void ScaleTo(const glm::dvec3& sent);
+  };
+
+  /// Traces several sources at once.
+  static std::vector<Sums> Trace(
+    const MatterCells& matter, const std::vector<Source>& sources, const glm::dvec3& direction);
+};
+
+}
+
+#endif
