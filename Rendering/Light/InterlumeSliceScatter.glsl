@@ -45,7 +45,7 @@ void findSeenNode()
   float seen = opticalDepth < 0.05 ? 0.5 - opticalDepth / 12.0
                                    : 1.0 / opticalDepth - (1.0 - opacity) / opacity;
   vec3 x = mix(segmentStart, segmentEnd, seen);
-  seenNode = clamp((nodeFromUnit * vec4(x, 1.0)).xyz, vec3(0.5), fieldNodes - 1.5);
+  seenNode = clamp((nodeFromUnit * vec4(x, 1.0)).xyz, vec3(0.0), fieldNodes - 1.0);
 }
 
 vec3 fieldAt(int map)

@@ -62,7 +62,8 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSliceReport
   int SoftShadowPasses = 0;
   vtkIdType SoftShadowBytes = 0;
   /// The number of cells that light is scattered in on and on, the bytes of what it is there, how
-  /// often that was found for this picture (0 where it was kept) and the seconds that this took.
+  /// often that was found since it is asked for (a picture that finds nothing new leaves the number
+  /// as it is) and the seconds that this took the last time.
   int ScatteringCells = 0;
   vtkIdType ScatteringBytes = 0;
   int ScatteringSolves = 0;

@@ -232,9 +232,11 @@ std::string SliceScatterer::Solve(vtkOpenGLRenderWindow* window, SliceFrame& fra
     error = this->MakeField(window, frame, settings);
     ++this->Version;
     this->Key = error.empty() ? key : NoKey;
-    report.ScatteringSolves = this->Cells > 0 ? 1 : 0;
-    report.ScatteringSeconds = vtkTimerLog::GetUniversalTime() - start;
+    this->Solves = isAsked ? this->Solves + (this->Cells > 0 ? 1 : 0) : 0;
+    this->Seconds = isAsked ? vtkTimerLog::GetUniversalTime() - start : 0.0;
   }
+  report.ScatteringSolves = this->Solves;
+  report.ScatteringSeconds = this->Seconds;
   report.ScatteringCells = this->Cells;
   report.ScatteringBytes = static_cast<vtkIdType>(sizeof(float) * frame.Scattering.Texels.size());
   return error;

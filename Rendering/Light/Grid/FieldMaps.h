@@ -18,21 +18,19 @@ class MatterGrid;
  * @class   FieldMaps
  * @brief   scattered light in the cells of a grid as a texture of three dimensions has it
  *
- * Maps stand one behind the other along z: Fluence, Lean in the axes of unit space, and Forward of
- * each light. Around the cells there is one more on each side, whose values are such that what is
- * interpolated on the side of the box is what leaves it: of Fluence that of a diffuse medium with
- * nothing beyond (Marshak's condition: over 1 + 3/4 of the transport depth of a cell), of Forward
- * the straight line through both cells before.
+ * Maps stand one behind the other along z, with a texel for each cell: Fluence, Lean in the axes of
+ * unit space, and Forward of each light. Beyond the middles of the cells at the sides values are
+ * theirs, as the solver takes them where it balances what leaves the box.
  */
 struct FieldMaps
 {
   FieldMaps(const MatterGrid& grid, const ScatteringField& field);
 
-  /// Three floats a node.
+  /// Three floats a texel.
   std::vector<float> Texels;
-  /// The nodes of one map.
+  /// The texels of one map.
   glm::ivec3 Nodes{ 0 };
-  /// From unit space to numbers of nodes.
+  /// From unit space to numbers of texels.
   glm::dmat4 NodeFromUnit{ 1.0 };
 };
 

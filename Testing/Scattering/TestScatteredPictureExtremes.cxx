@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Extremes of MultipleScattering of vtkShadowedSliceMapper, each by its name: albedo, anisotropy,
+// depths, sizes, places of lights, values that are no numbers; and no setting gains light.
+#include "Pages/StabilityCase.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
+#include "Pictures/VolumeStage.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <random>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+using Mapper = vtkShadowedSliceMapper;
+
+/// The least and the largest value of a picture's colours, and whether all are numbers.
+struct Range
+{
+  explicit Range(const RgbaPicture& picture)
+  {
+    for (int j = 0; j < picture.Height; ++j)
+    {
+      for (int i = 0; i < picture.Width; ++i)
+      {
+        for (int k = 0; k < 4; ++k)
+        {
+          const double value = picture.At(i, j)[k];
+          this->IsFinite = this->IsFinite && std::isfinite(value);
+          this->Least = std::min(this->Least, value);
+          this->Largest = std::max(this->Largest, k < 3 ? value : 0.0);
+          this->Sum += k < 3 ? value : 0.0;
+          this->Opacity = std::max(this->Opacity, k == 3 ? value : 0.0);
+        }
+      }
+    }
+  }
+  bool IsFinite = true;
+  double Least = 0.0;
+  double Largest = 0.0;
+  double Sum = 0.0;
+  double Opacity = 0.0;
+};
+
+ShadowScene MakeSmallScene(int cells = 12, double opacity = 0.5)
+{
+  auto scene = MakeScene(MakeImage(cells, MakeSphere(0.1, 0.45)), MakeSoftProperty(opacity, false));
+  return scene;
+}
+
+void SetMode(vtkShadowedSliceMapper* mapper, int mode, double g)
+{
+  mapper->SetMultipleScattering(mode);
+  mapper->SetPhaseFunctionToHenyeyGreenstein();
+  mapper->SetAnisotropy(g);
+}
+
+void SetAlbedo(vtkShadowedSliceMapper* mapper, double albedo)
+{
+  vtkNew<vtkColorTransferFunction> function;
+  function->AddRGBPoint(0.0, albedo, albedo, albedo);
+  mapper->SetScatteringAlbedo(function);
+}
+
+class Table
+{
+public:
+  Table(int argc, char* argv[])
+    : Catalogue("TestScatteredPictureExtremes", argc, argv)
+  {
+  }
+
+  /// All modes draw numbers, nothing negative, no more than a bound, and something where that is
+  /// asked for.
+  void Draw(const std::string& name, const std::string& extreme, const ShadowScene& scene,
+    const std::function<void(vtkShadowedSliceMapper*)>& set, double bound, bool isSeen = true)
+  {
+    double largest = 0.0;
+    for (const int mode :
+      { Mapper::SINGLE_SCATTERING, Mapper::FORWARD_SCATTERING, Mapper::FULL_SCATTERING })
+    {
+      vtkNew<Mapper> mapper;
+      vtkNew<vtkTest::ErrorObserver> observer;
+      mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+      mapper->AddObserver(vtkCommand::WarningEvent, observer);
+      SetMode(mapper, mode, 0.0);
+      set(mapper);
+      const Range range(this->DrawScene(mapper, scene));
+      const bool isRight = range.IsFinite && range.Least > -1e-4 && !observer->GetError() &&
+        (range.Largest > 0.0) == isSeen;
+      largest = isRight ? std::max(largest, range.Largest) : std::nan("");
+      if (!isRight)
+      {
+        break;
+      }
+    }
+    this->Catalogue.Measure(
+      name, extreme, "numbers, none negative, none above what can come back", largest, bound);
+  }
+
+  /// The picture, of one window for all, which keeps its shaders.
+  RgbaPicture DrawScene(vtkShadowedSliceMapper* mapper, const ShadowScene& scene)
+  {
+    SetScene(this->Stage, mapper, scene);
+    return this->Stage.Capture();
+  }
+
+  StabilityCatalogue Catalogue;
+
+private:
+  VolumeStage Stage{ { { 24, 24 } } };
+};
+
+void TestMedia(Table& table)
+{
+  const auto none = [](vtkShadowedSliceMapper*) {};
+  for (const double albedo : { 0.0, 1.0 })
+  {
+    table.Draw(
+      "albedo-" + std::to_string(static_cast<int>(albedo)),
+      albedo > 0.0 ? "matter that absorbs nothing" : "matter that scatters nothing",
+      MakeSmallScene(), [=](vtkShadowedSliceMapper* mapper) { SetAlbedo(mapper, albedo); }, 4.0,
+      albedo > 0.0);
+  }
+  for (const double g : { -0.99, -0.5, 0.5, 0.99 })
+  {
+    // The peak of single scattering is seen where light and view are in one line.
+    table.Draw(
+      "anisotropy" + std::to_string(g), "anisotropy " + std::to_string(g), MakeSmallScene(),
+      [=](vtkShadowedSliceMapper* mapper)
+      {
+        SetMode(mapper, mapper->GetMultipleScattering(), g);
+        SetAlbedo(mapper, 1.0);
+      },
+      20.0);
+  }
+  for (const double depth : { 1e-6, 1e4 })
+  {
+    auto scene = MakeHomogeneousScene(12, 1.0);
+    // The opacity of a tenth of a unit cannot be told from 1 where matter is dense.
+    scene.Property->SetScalarOpacityUnitDistance(1.0 / depth);
+    table.Draw(depth < 1.0 ? "depth-1e-6" : "depth-1e+4",
+      depth < 1.0 ? "an optical depth of 1e-6" : "an optical depth of 1e4", scene, none,
+      depth < 1.0 ? 1e-5 : 5.0);
+  }
+  auto empty = MakeHomogeneousScene(8, 1.0);
+  empty.Property->GetScalarOpacity()->RemoveAllPoints();
+  empty.Property->GetScalarOpacity()->AddPoint(0.0, 0.0);
+  table.Draw("empty", "no matter at all", empty, none, 0.0, false);
+  auto one = MakeHomogeneousScene(1, 2.0);
+  table.Draw("one-voxel", "a volume of one voxel", one, none, 4.0);
+  auto flat = MakeScene(
+    MakeImage({ { 16, 16, 1 } }, { { 0.06, 0.06, 2e-3 } }, [](const Double3&) { return 1.0; }),
+    MakeSoftProperty(0.9, false));
+  table.Draw("sheet", "a sheet of a five-hundredth of its width", flat, none, 4.0);
+  auto values = MakeSmallScene();
+  vtkDataArray* array = values.Image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); i += 5)
+  {
+    array->SetComponent(i, 0,
+      i % 2 == 0 ? std::numeric_limits<double>::quiet_NaN()
+                 : std::numeric_limits<double>::infinity());
+  }
+  table.Draw("nan-voxels", "voxels with NaN and infinity", values, none, 4.0);
+  for (const double size : { 1e-20, 1e20 })
+  {
+    auto scene = MakeSmallScene();
+    double spacing = size / 12.0;
+    scene.Image->SetSpacing(spacing, spacing, spacing);
+    scene.Image->SetOrigin(-0.5 * size, -0.5 * size, -0.5 * size);
+    scene.Property->SetScalarOpacityUnitDistance(0.1 * size);
+    scene.Camera = LookAt(scene.Image, { { -0.3, -0.4, -1.0 } }, false);
+    table.Draw(size < 1.0 ? "size-1e-20" : "size-1e+20",
+      size < 1.0 ? "a volume of 1e-20" : "a volume of 1e20", scene, none, 4.0);
+  }
+  auto sheared = MakeSmallScene();
+  sheared.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  sheared.Matrix->SetElement(0, 1, 0.8);
+  sheared.Matrix->SetElement(2, 2, -2.0);
+  table.Draw("sheared", "axes that are not perpendicular, mirrored", sheared, none, 4.0);
+}
+
+void TestLights(Table& table)
+{
+  const auto none = [](vtkShadowedSliceMapper*) {};
+  auto scene = MakeSmallScene();
+  const auto draw = [&](const std::string& name, const std::string& extreme,
+                      const std::vector<vtkSmartPointer<vtkLight>>& lights, bool isSeen = true)
+  {
+    scene.Lights = lights;
+    table.Draw(name, extreme, scene, none, 5.0, isSeen);
+  };
+  draw(
+    "light-inside", "a light inside the volume", { MakePositionalLight({ { 0.1, 0.05, 0.15 } }) });
+  draw("light-in-cell-middle", "a light in the middle of a cell",
+    { MakePositionalLight({ { 0.5 / 12.0, 0.5 / 12.0, 0.5 / 12.0 } }) });
+  draw("light-far", "a light 1e6 away", { MakePositionalLight({ { -6e5, 4.8e5, 6.4e5 } }) });
+  draw("light-against", "light straight against the view",
+    { MakeDirectionalLight({ { 0.3, 0.4, 1.0 } }) });
+  draw("light-along", "light along the view", { MakeDirectionalLight({ { -0.3, -0.4, -1.0 } }) });
+  auto black = MakeDirectionalLight({ { 1.0, -1.0, -1.0 } });
+  black->SetDiffuseColor(0.0, 0.0, 0.0);
+  draw("light-black", "a black light", { black }, false);
+  draw("no-light", "no light", {}, false);
+  auto near = MakePositionalLight({ { 0.0, 0.0, 0.2 } });
+  near->SetAttenuationValues(0.0, 0.0, 1.0);
+  near->SetIntensity(1e-3);
+  draw("light-falls-off", "a light inside that falls off by the square", { near });
+  std::vector<vtkSmartPointer<vtkLight>> many;
+  for (int i = 0; i < 16; ++i)
+  {
+    many.push_back(
+      MakeDirectionalLight({ { std::cos(0.4 * i), std::sin(0.4 * i), i % 2 == 0 ? 0.6 : -0.6 } }));
+    many.back()->SetIntensity(1.0 / 16.0);
+  }
+  draw("lights-16", "sixteen lights on all sides", many);
+}
+
+/// Light from all sides, of all together 1: whatever is set, no pixel is brighter than 1, and a
+/// whole picture no brighter than what it covers.
+void TestRandomSettings(Table& table, int settings)
+{
+  std::mt19937 random(3);
+  const auto uniform = [&random](double from, double to)
+  { return from + (to - from) * static_cast<double>(random() % 10000) / 9999.0; };
+  double brightest = 0.0;
+  double brightestMean = 0.0;
+  vtkNew<Mapper> mapper;
+  mapper->SetLightBufferSize(32);
+  for (int i = 0; i < settings; ++i)
+  {
+    ShadowScene scene = i % 2 == 0 ? MakeHomogeneousScene(8, 1.0) : MakeSmallScene(8, 0.9);
+    scene.Property->SetScalarOpacityUnitDistance(std::pow(10.0, uniform(-0.5, 2.0)));
+    scene.Lights.clear();
+    // The vertices of a tetrahedron and its opposite, a cube: even light up to the third degree.
+    for (unsigned corner = 0; corner < 8; ++corner)
+    {
+      scene.Lights.push_back(MakeDirectionalLight(
+        { { corner & 1u ? 1.0 : -1.0, corner & 2u ? 1.0 : -1.0, corner & 4u ? 1.0 : -1.0 } }));
+      scene.Lights.back()->SetIntensity(0.125);
+    }
+    scene.Camera =
+      LookAt(scene.Image, { { uniform(-1.0, 1.0), uniform(-1.0, 1.0), -1.0 } }, random() % 2 == 0);
+    // Phase functions narrower than the angle between lights show each by itself.
+    SetMode(mapper, 1 + static_cast<int>(random() % 3), uniform(-0.3, 0.3));
+    SetAlbedo(mapper, random() % 2 == 0 ? 1.0 : uniform(0.0, 1.0));
+    mapper->SetForwardSpread(random() % 2 == 0 ? 0.0 : uniform(0.0, 1.0));
+    mapper->SetScatteringGridSize(random() % 2 == 0 ? 0 : 4 + static_cast<int>(random() % 5));
+    const RgbaPicture picture = table.DrawScene(mapper, scene);
+    const Range range(picture);
+    double sum = 0.0;
+    double opacity = 0.0;
+    for (int p = 0; p < 24 * 24; ++p)
+    {
+      sum += picture.At(p % 24, p / 24)[1];
+      opacity += picture.At(p % 24, p / 24)[3];
+    }
+    if (range.Largest > 1.05)
+    {
+      std::cout << "setting " << i << ": " << range.Largest << ", mean " << sum / opacity
+                << ", mode " << mapper->GetMultipleScattering() << ", g " << mapper->GetAnisotropy()
+                << ", unit " << scene.Property->GetScalarOpacityUnitDistance() << ", spread "
+                << mapper->GetForwardSpread() << ", cells " << mapper->GetScatteringGridSize()
+                << std::endl;
+    }
+    const bool isRight = range.IsFinite && range.Least > -1e-4;
+    brightest = isRight ? std::max(brightest, range.Largest) : std::nan("");
+    brightestMean = std::max(brightestMean, opacity > 0.0 ? sum / opacity : 0.0);
+    if (!isRight)
+    {
+      break;
+    }
+  }
+  table.Catalogue.Measure("random-settings", std::to_string(settings) + " random settings",
+    "no pixel brighter than the light around", brightest, 1.05);
+  table.Catalogue.Measure("random-settings-mean", std::to_string(settings) + " random settings",
+    "no picture brighter than the light around", brightestMean, 1.03);
+}
+
+}
+
+int TestScatteredPictureExtremes(int argc, char* argv[])
+{
+  Table table(argc, argv);
+  TestMedia(table);
+  TestLights(table);
+  TestRandomSettings(table, 100);
+  return table.Catalogue.GetExitCode();
+}

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Light that vtkShadowedSliceMapper scatters on and on: pictures against the solver's own numbers,
+// light from all sides, which a medium that absorbs nothing leaves as it is, and pictures that
+// depend neither on the distance of slices nor on the size of buffers and cells.
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Scattering/ScatteringSolver.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+namespace
+{
+
+using namespace reference;
+using Mapper = vtkShadowedSliceMapper;
+using interlume::ScatteringField;
+using interlume::ScatteringLight;
+using interlume::ScatteringMedium;
+
+/// The cells along the cube's edge of length 1.
+constexpr int Cells = 16;
+
+void SetMode(vtkShadowedSliceMapper* mapper, int mode, double g)
+{
+  mapper->SetMultipleScattering(mode);
+  mapper->SetPhaseFunctionToHenyeyGreenstein();
+  mapper->SetAnisotropy(g);
+}
+
+/// A cube of white matter, seen along -z in a parallel picture, lit by one light.
+ShadowScene MakeCube(double extinction, const Double3& direction)
+{
+  ShadowScene scene = MakeHomogeneousScene(Cells, extinction);
+  scene.Size = { { 32, 32 } };
+  scene.Camera = LookAt(scene.Image, { { 0.0, 0.0, -1.0 } }, true);
+  scene.Camera->SetParallelScale(0.5);
+  scene.Lights = { MakeDirectionalLight(direction) };
+  scene.Lights.front()->SetIntensity(1.0);
+  return scene;
+}
+
+/// The mean over the picture but for the pixels at its edges.
+double GetMean(const RgbaPicture& picture, int border = 2)
+{
+  double sum = 0.0;
+  int count = 0;
+  for (int j = border; j < picture.Height - border; ++j)
+  {
+    for (int i = border; i < picture.Width - border; ++i, ++count)
+    {
+      sum += picture.At(i, j)[1];
+    }
+  }
+  return sum / count;
+}
+
+/// The same light by the solver: sources of the cells of a column, each as it is, attenuated to the
+/// eye; without what is scattered once.
+double GetSolved(double extinction, double g, const Double3& direction, bool isFull)
+{
+  ScatteringMedium medium;
+  medium.Cells = glm::ivec3(Cells);
+  medium.CellSize = glm::dvec3(1.0 / Cells);
+  medium.Extinction.assign(medium.GetNumberOfCells(), static_cast<float>(extinction));
+  medium.Albedo.assign(medium.GetNumberOfCells(), glm::vec3(1.0F));
+  medium.Phase.SetHenyeyGreenstein(g);
+  std::vector<ScatteringLight> lights(1);
+  lights[0].Direction = glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
+  lights[0].Fill(medium, glm::vec3(1.0F));
+  ScatteringField field;
+  interlume::ScatteringReport report;
+  interlume::ScatteringSolver::Solve(medium, lights,
+    isFull ? interlume::ScatteringMode::Full : interlume::ScatteringMode::Forward, {}, field,
+    report);
+  const glm::dvec3 toEye(0.0, 0.0, 1.0);
+  const double phase =
+    4.0 * vtkMath::Pi() * medium.Phase.Value(glm::dot(lights[0].Direction, toEye));
+  double sum = 0.0;
+  int columns = 0;
+  for (int j = 1; j + 1 < Cells; ++j)
+  {
+    for (int i = 1; i + 1 < Cells; ++i, ++columns)
+    {
+      double transmittance = 1.0;
+      for (int k = Cells - 1; k >= 0; --k)
+      {
+        const std::size_t cell = medium.GetIndex({ i, j, k });
+        double source = field.Forward.empty() ? 0.0 : phase * field.Forward[0][cell].y;
+        source += field.Fluence.empty()
+          ? 0.0
+          : field.Fluence[cell].y * (1.0 + 3.0 * g * glm::dot(glm::dvec3(field.Lean[cell]), toEye));
+        const double through = std::exp(-extinction / Cells);
+        sum += transmittance * (1.0 - through) * source;
+        transmittance *= through;
+      }
+    }
+  }
+  return sum / columns;
+}
+
+void TestAgainstSolver(Check& check)
+{
+  for (const int mode : { Mapper::FORWARD_SCATTERING, Mapper::FULL_SCATTERING })
+  {
+    for (const double g : { 0.0, 0.75 })
+    {
+      for (const Double3& direction : { Double3{ { 0.0, 0.0, 1.0 } }, Double3{ { 0.0, 0.0, -1.0 } },
+             Double3{ { 1.0, 0.3, -0.2 } } })
+      {
+        constexpr double extinction = 4.0;
+        const ShadowScene scene = MakeCube(extinction, direction);
+        const auto draw = [&](int asked)
+        {
+          vtkNew<Mapper> mapper;
+          SetMode(mapper, asked, g);
+          mapper->SetScatteringGridSize(Cells);
+          return GetMean(DrawByMapper(mapper, scene));
+        };
+        const double found = draw(mode) - draw(Mapper::SINGLE_SCATTERING);
+        const double expected =
+          GetSolved(extinction, g, direction, mode == Mapper::FULL_SCATTERING);
+        const std::string name = std::string(mode == Mapper::FULL_SCATTERING ? "full" : "forward") +
+          ", g " + std::to_string(g) + ", light along " + std::to_string(direction[0]) + " " +
+          std::to_string(direction[2]);
+        std::cout << name << ": " << found << " for " << expected << std::endl;
+        check.Near(found, expected, 0.02 * expected + 1e-4, name, 1.0);
+        check.That(expected > 0.01, name + ": some light");
+      }
+    }
+  }
+}
+
+/// Fourteen lights whose weights are those of a rule of degree 5 on the sphere (Lebedev).
+std::vector<vtkSmartPointer<vtkLight>> MakeFurnace()
+{
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double sign : { -1.0, 1.0 })
+    {
+      Double3 direction{};
+      direction[static_cast<std::size_t>(axis)] = sign;
+      lights.push_back(MakeDirectionalLight(direction));
+      lights.back()->SetIntensity(1.0 / 15.0);
+    }
+  }
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    lights.push_back(MakeDirectionalLight(
+      { { corner & 1u ? 1.0 : -1.0, corner & 2u ? 1.0 : -1.0, corner & 4u ? 1.0 : -1.0 } }));
+    lights.back()->SetIntensity(3.0 / 40.0);
+  }
+  return lights;
+}
+
+/// Light from all sides on matter that absorbs nothing: what is seen of it is the background.
+void TestFurnace(Check& check)
+{
+  for (const double depth : { 0.1, 1.0, 3.0, 10.0 })
+  {
+    for (const double g : { 0.0, 0.3 })
+    {
+      ShadowScene scene = MakeCube(depth, { { 0.0, 0.0, -1.0 } });
+      scene.Lights = MakeFurnace();
+      vtkNew<Mapper> mapper;
+      SetMode(mapper, Mapper::FULL_SCATTERING, g);
+      const RgbaPicture picture = DrawByMapper(mapper, scene);
+      double least = 2.0;
+      double most = 0.0;
+      double mean = 0.0;
+      for (int j = 0; j < 32; ++j)
+      {
+        for (int i = 0; i < 32; ++i)
+        {
+          const auto& pixel = picture.At(i, j);
+          const double seen = pixel[1] + 1.0 - pixel[3];
+          least = std::min(least, seen);
+          most = std::max(most, seen);
+          mean += seen / 1024.0;
+        }
+      }
+      const std::string name =
+        "furnace, depth " + std::to_string(depth) + ", g " + std::to_string(g);
+      std::cout << name << ": " << least << " to " << most << ", mean " << mean << std::endl;
+      check.Near(mean, 1.0, depth < 1.0 ? 0.002 : depth < 2.0 ? 0.015 : 0.06, name + ": mean", 1.0);
+      check.That(most < 1.02, name + ": nothing brighter than the background");
+    }
+  }
+}
+
+/// A soft ball under a slanting light: neither slices nor buffers nor cells change the picture.
+void TestInvariance(Check& check)
+{
+  auto scene = MakeScene(MakeImage(64, MakeSphere(0.1, 0.45)), MakeSoftProperty(0.6, false));
+  vtkNew<vtkColorTransferFunction> albedo;
+  albedo->AddRGBPoint(0.0, 0.95, 0.95, 0.95);
+  scene.Size = { { 48, 48 } };
+  for (const int mode : { Mapper::FORWARD_SCATTERING, Mapper::FULL_SCATTERING })
+  {
+    const auto draw = [&](double spacing, int buffer, int cells)
+    {
+      vtkNew<Mapper> mapper;
+      SetMode(mapper, mode, 0.5);
+      mapper->SetScatteringAlbedo(albedo);
+      mapper->SetSliceSpacing(spacing);
+      mapper->SetLightBufferSize(buffer);
+      mapper->SetScatteringGridSize(cells);
+      const RgbaPicture picture = DrawByMapper(mapper, scene);
+      std::cout << mapper->GetReport().ScatteringCells << " cells in "
+                << mapper->GetReport().ScatteringSeconds << " s, picture in "
+                << mapper->GetReport().Seconds << " s" << std::endl;
+      return picture;
+    };
+    const auto expect = [&](const std::string& what, const std::vector<RgbaPicture>& pictures)
+    {
+      double last = 0.02;
+      for (std::size_t i = 1; i < pictures.size(); ++i)
+      {
+        const double change =
+          ComparePictures(pictures[i - 1], pictures[i]).Mean / GetMean(pictures[i], 0);
+        const std::string name = what + (mode == Mapper::FULL_SCATTERING ? ", full" : ", forward");
+        std::cout << name << ": step " << i << " changes " << change << std::endl;
+        check.Near(change, 0.0, last, name, 1.0);
+        // Forward light is resampled from layer to layer of cells.
+        const bool isResampled = mode == Mapper::FORWARD_SCATTERING && what == "cells doubled";
+        last = isResampled ? 0.02 : std::max(0.5 * change, 1e-4);
+      }
+    };
+    expect("spacing halved",
+      { draw(0.04, 64, 16), draw(0.02, 64, 16), draw(0.01, 64, 16), draw(0.005, 64, 16) });
+    expect("buffer doubled", { draw(0.01, 32, 16), draw(0.01, 64, 16), draw(0.01, 128, 16) });
+    expect("cells doubled", { draw(0.01, 64, 16), draw(0.01, 64, 32), draw(0.01, 64, 64) });
+  }
+}
+
+}
+
+int TestScatteringField(int, char*[])
+{
+  Check check;
+  TestAgainstSolver(check);
+  TestFurnace(check);
+  TestInvariance(check);
+  return check.Result();
+}
