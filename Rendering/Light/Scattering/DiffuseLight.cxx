@@ -2,6 +2,7 @@
 #include "Scattering/DiffuseLight.h"
 
 #include "Scattering/DiffusionGrid.h"
+#include "Scattering/LightSlopes.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -107,48 +108,20 @@ private:
         }
       }
     }
-    this->Thin = sum > 0.0 ? ThinShare * squares / sum : 1.0;
+    // Light leaves by one cell and the next, however thick the medium is.
+    const glm::dvec3& size = box.CellSize;
+    this->Thin = std::min(
+      sum > 0.0 ? ThinShare * squares / sum : 1.0, 0.5 / std::max({ size.x, size.y, size.z }));
   }
 
-  /**
-   * Returns how far from the middle of a cell, in cells, the light is scattered on the whole that
-   * comes along an axis: where it is attenuated within the cell, nearer to where it comes from.
-   */
-  double GetOffset(const glm::ivec3& cell, std::size_t at, int axis) const
+  /// Returns the share of a source that goes out of a cell, so far from its middle, where
+  /// \a beyond conducts it there.
+  double GetShare(std::size_t at, int axis, double distance, double beyond) const
   {
-    const ScatteringMedium& box = this->Matter.Box;
-    const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
-    double offset = 0.0;
-    double total = 0.0;
-    for (std::size_t light = 0; light < this->Input.Lights.size(); ++light)
-    {
-      const std::vector<glm::vec3>& lights = this->Input.Lights[light];
-      const double here = lights[at][this->Color];
-      const double along = this->Matter.Lights[light].GetDirection(middle)[axis];
-      total += here;
-      if (!(here > 0.0) || along == 0.0)
-      {
-        continue;
-      }
-      const int side = along > 0.0 ? 1 : -1;
-      const auto find = [&](int step)
-      {
-        glm::ivec3 other = cell;
-        other[axis] += step;
-        const bool isInside = other[axis] >= 0 && other[axis] < box.Cells[axis];
-        return isInside ? lights[box.GetIndex(other)][this->Color] : 0.0;
-      };
-      const double before = find(-side);
-      const double after = find(side);
-      const double ratio = before > 0.0 ? before / here : (after > 0.0 ? here / after : 1.0);
-      const double largest = this->Matter.Extinction[at] * box.CellSize[axis] / std::abs(along);
-      const double depth = std::min(std::log(std::max(ratio, 1.0)), largest);
-      if (depth > 1e-2)
-      {
-        offset += side * here * (1.0 / depth - 1.0 / std::expm1(depth) - 0.5);
-      }
-    }
-    return total > 0.0 ? offset / total : 0.0;
+    const double own = 0.5 * this->GetConductance(at, axis);
+    const double inwards = own / std::max(distance, 1e-12);
+    const double outwards = 1.0 / (1.0 / beyond + (0.5 - distance) / own);
+    return outwards / (inwards + outwards);
   }
 
   /// Gives the source of a cell to it and its neighbours so that its place is kept; what the nearer
@@ -162,21 +135,19 @@ private:
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double offset = this->GetOffset(cell, at, axis);
+      const double offset = LightSlopes::GetOffset(this->Input.Slopes[at][axis]);
       std::size_t other = at;
       const SideKind kind = this->GetSide(cell, axis, offset < 0.0 ? -1 : 1, other);
       const double distance = std::abs(offset);
       if (kind == SideKind::Inner)
       {
-        this->Right[other] += distance * own;
-        own *= 1.0 - distance;
+        const double share = this->GetShare(at, axis, distance, this->GetConductance(other, axis));
+        this->Right[other] += share * own;
+        own *= 1.0 - share;
       }
-      else if (kind == SideKind::Open && distance > 0.0)
+      else if (kind == SideKind::Open)
       {
-        const double conductance = 0.5 * this->GetConductance(at, axis);
-        const double inwards = conductance / distance;
-        const double outwards = 1.0 / (1.0 / Outflow + (0.5 - distance) / conductance);
-        own *= inwards / (inwards + outwards);
+        own *= 1.0 - this->GetShare(at, axis, distance, Outflow);
       }
     }
     this->Right[at] += own;

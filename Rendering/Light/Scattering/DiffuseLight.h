@@ -40,10 +40,12 @@ public:
     double Peak = 0.0;
     /// The lights D_i, in each cell.
     std::vector<std::vector<glm::vec3>> Lights;
+    /// Those of LightSlopes.
+    std::vector<glm::vec3> Slopes;
     /// Light that has come through about so many layers of cells is dropped; 0 is none.
     int BackwardLayers = 0;
     double Tolerance = 1e-3;
-    int MaximumCycles = 30;
+    int MaximumCycles = 100;
   };
   struct Output
   {

@@ -41,7 +41,7 @@ void ForLayers(const glm::ivec3& cells, Work&& work)
 }
 
 /// Returns the scalar product, summed layer by layer so that threads do not matter.
-double Dot(const glm::ivec3& cells, const std::vector<double>& a, const std::vector<double>& b)
+double Product(const glm::ivec3& cells, const std::vector<double>& a, const std::vector<double>& b)
 {
   std::vector<double> sums(static_cast<std::size_t>(cells.z));
   ForLayers(cells,
@@ -280,7 +280,7 @@ double DiffusionGrid::Solve(const std::vector<double>& b, std::vector<double>& x
   Level& fine = this->Levels.front();
   const glm::ivec3& cells = fine.Cells;
   cycles = 0;
-  const double size = std::sqrt(Dot(cells, b, b));
+  const double size = std::sqrt(Product(cells, b, b));
   if (!(size > 0.0))
   {
     std::fill(x.begin(), x.end(), 0.0);
@@ -291,24 +291,24 @@ double DiffusionGrid::Solve(const std::vector<double>& b, std::vector<double>& x
   std::vector<double> direction(b.size(), 0.0);
   Multiply(fine, x, residual);
   Combine(cells, -1.0, residual, 1.0, b);
-  double left = std::sqrt(Dot(cells, residual, residual)) / size;
+  double left = std::sqrt(Product(cells, residual, residual)) / size;
   double before = 0.0;
   while (left > tolerance && cycles < maximumCycles)
   {
     fine.Source = residual;
     this->Cycle(0);
-    const double product = Dot(cells, residual, fine.Solution);
+    const double product = Product(cells, residual, fine.Solution);
     Combine(cells, before > 0.0 ? product / before : 0.0, direction, 1.0, fine.Solution);
     before = product;
     Multiply(fine, direction, image);
-    const double curvature = Dot(cells, direction, image);
+    const double curvature = Product(cells, direction, image);
     if (!(curvature > 0.0 && std::isfinite(curvature)))
     {
       break;
     }
     Combine(cells, 1.0, x, product / curvature, direction);
     Combine(cells, 1.0, residual, -product / curvature, image);
-    left = std::sqrt(Dot(cells, residual, residual)) / size;
+    left = std::sqrt(Product(cells, residual, residual)) / size;
     ++cycles;
   }
   return left;

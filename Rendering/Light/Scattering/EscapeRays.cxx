@@ -2,10 +2,14 @@
 #include "Scattering/EscapeRays.h"
 
 #include "Scattering/CellRay.h"
+#include "Scattering/LightSlopes.h"
 
 #include "vtkSMPTools.h"
 #include "vtkType.h"
 
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -18,6 +22,8 @@ namespace interlume
 namespace
 {
 
+constexpr double Pi = 3.14159265358979323846;
+
 /// A direction, and the directions' share of the sphere.
 struct Ordinate
 {
@@ -25,43 +31,41 @@ struct Ordinate
   double Weight = 0.0;
 };
 
-/// Returns the 80 directions of the level-symmetric quadrature S8.
+/**
+ * Returns 192 directions: about each of the three axes, eight around it at the cosines of Gauss'
+ * quadrature between 0 and 1 to either side, so that light along thin layers is met too.
+ */
 std::vector<Ordinate> MakeOrdinates()
 {
-  constexpr std::array<double, 4> levels = { { 0.2182179, 0.5773503, 0.7867958, 0.9511897 } };
+  constexpr int turns = 8;
+  const auto& nodes = boost::math::quadrature::gauss<double, 4>::abscissa();
+  const auto& weights = boost::math::quadrature::gauss<double, 4>::weights();
   std::vector<Ordinate> ordinates;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < 4; ++i)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    for (std::size_t j = 0; i + j < 4; ++j)
+    for (std::size_t i = 0; i < 8; ++i)
     {
-      const std::size_t k = 3 - i - j;
-      const std::size_t largest = std::max({ i, j, k });
-      const double weight = largest == 3 ? 0.1209877 : (largest == 2 ? 0.0907407 : 0.0925926);
-      for (int signs = 0; signs < 8; ++signs)
+      // Both signs of a node, and both sides of the sphere.
+      const double node = (i & 1 ? -1.0 : 1.0) * nodes[i / 4];
+      const double cosine = 0.5 * (1.0 + node);
+      const double across = std::sqrt(1.0 - cosine * cosine);
+      for (int turn = 0; turn < turns; ++turn)
       {
+        const double angle = 2.0 * Pi * (turn + 0.5) / turns;
         Ordinate ordinate;
-        ordinate.Out = glm::dvec3(levels[i], levels[j], levels[k]);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          ordinate.Out[axis] *= signs >> axis & 1 ? -1.0 : 1.0;
-        }
-        ordinate.Out = glm::normalize(ordinate.Out);
-        ordinate.Weight = weight;
-        sum += weight;
+        ordinate.Out[axis] = i & 2 ? -cosine : cosine;
+        ordinate.Out[(axis + 1) % 3] = across * std::cos(angle);
+        ordinate.Out[(axis + 2) % 3] = across * std::sin(angle);
+        ordinate.Weight = weights[i / 4] / (3.0 * 4.0 * turns);
         ordinates.push_back(ordinate);
       }
     }
-  }
-  for (Ordinate& ordinate : ordinates)
-  {
-    ordinate.Weight /= sum;
   }
   return ordinates;
 }
 
 /// The largest number of rays along a side of the box.
-constexpr int MostRays = 32;
+constexpr int MostRays = 16;
 
 class DirectionTrace
 {
@@ -127,27 +131,44 @@ private:
       else if (depth > 0.0)
       {
         const double own = -std::expm1(-depth);
-        // depth - through own, of which nothing cancels where depths are small.
-        const double kept = depth * lost +
-          through * (depth < 1e-3 ? depth * depth * (0.5 - depth / 6.0) : depth - own);
-        this->Add(cell, -ray.GetDirection(), isBlocked, area * through * own, area * kept);
+        // depth - own, of which nothing cancels where depths are small.
+        const double ended = depth < 1e-3 ? depth * depth * (0.5 - depth / 6.0) : depth - own;
+        for (std::size_t i = 0; i < this->Sources.size(); ++i)
+        {
+          const double within = this->GetEnded(this->Sources[i], cell, ray, depth, ended);
+          this->Add(i, cell, -ray.GetDirection(), isBlocked, area * through * (depth - within),
+            area * (depth * lost + through * within));
+        }
         lost += through * own;
         through *= 1.0 - own;
       }
     } while (ray.Advance());
   }
 
-  void Add(std::size_t cell, const glm::dvec3& out, bool isBlocked, double leaving, double kept)
+  /// Returns what of a source of strength \a depth along the ray does not leave the cell; \a even
+  /// for an even source.
+  double GetEnded(const EscapeRays::Source& source, std::size_t cell, const CellRay& ray,
+    double depth, double even) const
   {
-    for (std::size_t i = 0; i < this->Sources.size(); ++i)
+    if (source.Slopes.empty() || depth < 1e-2)
     {
-      const EscapeRays::Source& source = this->Sources[i];
-      const glm::dvec3 color =
-        glm::dvec3(source.Color[cell]) * (1.0 + glm::dot(glm::dvec3(source.Lean[cell]), out));
-      EscapeRays::Sums& sums = this->Result[i];
-      sums.Kept += kept * color;
-      (isBlocked ? sums.Blocked : (this->IsBack ? sums.Back : sums.On)) += leaving * color;
+      return even;
     }
+    const glm::dvec3 way =
+      ray.GetDirection() * (ray.GetExit() - ray.GetEntry()) / this->Matter.Box.CellSize;
+    const double slope = glm::dot(glm::dvec3(source.Slopes[cell]), way);
+    return depth * (1.0 - LightSlopes::GetEscape(depth, glm::clamp(slope, -50.0, 50.0)));
+  }
+
+  void Add(std::size_t number, std::size_t cell, const glm::dvec3& out, bool isBlocked,
+    double leaving, double kept)
+  {
+    const EscapeRays::Source& source = this->Sources[number];
+    const glm::dvec3 color =
+      glm::dvec3(source.Color[cell]) * (1.0 + glm::dot(glm::dvec3(source.Lean[cell]), out));
+    EscapeRays::Sums& sums = this->Result[number];
+    sums.Kept += kept * color;
+    (isBlocked ? sums.Blocked : (this->IsBack ? sums.Back : sums.On)) += leaving * color;
   }
 
   const MatterCells& Matter;

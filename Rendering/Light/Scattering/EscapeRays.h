@@ -21,11 +21,13 @@ namespace interlume
 class EscapeRays
 {
 public:
-  /// What a cell sends out in direction w, for each unit of optical depth: Color (1 + Lean . w).
+  /// What a cell sends out in direction w, for each unit of optical depth: Color (1 + Lean . w);
+  /// where in the cell, by slopes of LightSlopes, which are empty where it is even.
   struct Source
   {
     std::vector<glm::vec3> Color;
     std::vector<glm::vec3> Lean;
+    std::vector<glm::vec3> Slopes;
   };
   /// Sums over the box, for each color.
   struct Sums

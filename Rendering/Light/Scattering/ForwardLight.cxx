@@ -92,19 +92,14 @@ struct Kernel
   std::array<double, 2 * Reach + 1> Weights{};
 };
 
-/// Returns the index in a row of cells, reflected by mirrors, or -1 outside.
-int Inside(int index, int cells, bool isMirrored)
+/// Returns the index in a row of cells, which is repeated where it \a isEndless, or -1 outside.
+int Inside(int index, int cells, bool isEndless)
 {
-  if (index >= 0 && index < cells)
+  if (isEndless)
   {
-    return index;
+    return ((index % cells) + cells) % cells;
   }
-  if (!isMirrored)
-  {
-    return -1;
-  }
-  const int turn = ((index % (2 * cells)) + 2 * cells) % (2 * cells);
-  return turn < cells ? turn : 2 * cells - 1 - turn;
+  return index >= 0 && index < cells ? index : -1;
 }
 
 /// Scattering within one cell.
@@ -171,7 +166,10 @@ public:
     const double turned = this->Variance * events;
     beam.Angle = std::min(angle + turned, LargestAngle * after);
     beam.Cross = cross + angle * length + 0.5 * turned * length;
-    const double place = 2.0 * cross * length + (angle + turned / 3.0) * length * length;
+    // Light is placed as it is in the middle of a layer: half of the way through the next is given
+    // before, half of the way through this one was.
+    const double place = 2.0 * cross * length + (angle + turned / 3.0) * length * length -
+      GetDrift(angle, cross, length) + GetDrift(beam.Angle, beam.Cross, length);
     for (std::size_t axis = 0; axis < 2; ++axis)
     {
       beam.Place[axis] = left * beam.Place[axis] + spread[axis] * place;
@@ -180,6 +178,12 @@ public:
   }
 
 private:
+  /// Returns what half of a way adds to the variance of place.
+  static double GetDrift(double angle, double cross, double length)
+  {
+    return cross * length + 0.25 * angle * length * length;
+  }
+
   const MatterCells& Matter;
   const std::vector<glm::vec3>& Direct;
   double Share;
@@ -267,7 +271,13 @@ std::vector<glm::vec3> SolveLayers(
 {
   const ScatteringMedium& box = matter.Box;
   const glm::dvec3 inCells = direction / box.CellSize;
-  const Axes axes(inCells);
+  // Light comes from outside, where there is no mirror.
+  glm::dvec3 open = inCells;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    open[axis] *= box.Mirrors[axis] ? 1e-9 : 1.0;
+  }
+  const Axes axes(open);
   const auto [u, v] = axes.Across;
   const double length = 1.0 / std::abs(inCells[axes.Along]);
   std::array<double, 2> shift{};
@@ -421,8 +431,11 @@ private:
         }
       }
     }
+    // Light goes apart: what comes from the layer before is spread over more cells, as many as lie
+    // around the light.
+    const double closer = (reach - 1.0) * (reach - 1.0) + 1.0 / 12.0;
     Beam mean;
-    mean.Add(total > 0.0 ? 1.0 / total : 0.0, sum);
+    mean.Add(total > 0.0 ? closer / (reach * reach + 1.0 / 12.0) / total : 0.0, sum);
     for (std::size_t i = 0; i < 2; ++i)
     {
       mean.Place[i] -= variance[i] * mean.GetSum();

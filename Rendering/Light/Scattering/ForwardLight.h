@@ -22,7 +22,8 @@ namespace interlume
  *   dP/ds = -(extinction) (1 - albedo share) P + extinction albedo share Direct,
  *
  * solved exactly within a cell. Layers are those of cells across the axis that the light is closest
- * to; for a light at a place, the cells in the order of their distance along these axes.
+ * to; between mirrors cells are repeated without end. For a light at a place, the cells in the
+ * order of their distance along these axes.
  *
  * The convolution between two layers is that of Fermi and Eyges: each scattering adds to the
  * variance of angle, and light carries the variance of its angle and the covariance of angle and

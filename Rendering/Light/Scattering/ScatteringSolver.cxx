@@ -4,6 +4,7 @@
 #include "Scattering/DiffuseLight.h"
 #include "Scattering/EscapeRays.h"
 #include "Scattering/ForwardLight.h"
+#include "Scattering/LightSlopes.h"
 #include "Scattering/MatterCells.h"
 
 #include "vtkSMPTools.h"
@@ -81,6 +82,7 @@ public:
           this->Field.Forward.empty() ? glm::vec3(0.0f) : this->Field.Forward[light][i];
       }
     }
+    input.Slopes = LightSlopes::Find(this->Matter, input.Lights);
     DiffuseLight::Output diffuse = DiffuseLight::Solve(this->Matter, input);
     this->Report.Cycles = diffuse.Cycles;
     this->Report.Residual = diffuse.Residual;
@@ -111,11 +113,31 @@ private:
           const std::size_t light = static_cast<std::size_t>(i);
           this->Field.Forward[light] =
             ForwardLight::Solve(this->Matter, light, share, variance, layers[light]);
+          this->LimitForward(light, share);
         }
       });
     for (const int count : layers)
     {
       this->Report.Layers += count;
+    }
+  }
+
+  /// Scales the forward light where cells take more of it than is scattered into it: by rounding,
+  /// and for lights at a place, whose rays come to cells unevenly.
+  void LimitForward(std::size_t light, double share)
+  {
+    std::vector<glm::vec3>& forward = this->Field.Forward[light];
+    const glm::dvec3 given = this->SumCells([&](std::size_t i)
+      { return share * glm::dvec3(this->Matter.Albedo[i] * this->Matter.Direct[light][i]); });
+    const glm::dvec3 taken = this->SumCells([&](std::size_t i)
+      { return (1.0 - share * glm::dvec3(this->Matter.Albedo[i])) * glm::dvec3(forward[i]); });
+    const glm::vec3 scale(glm::min(given / glm::max(taken, glm::dvec3(1e-300)), 1.0));
+    if (scale != glm::vec3(1.0f))
+    {
+      for (glm::vec3& value : forward)
+      {
+        value *= scale;
+      }
     }
   }
 
@@ -173,6 +195,7 @@ private:
     EscapeRays::Source source;
     source.Color.assign(this->Matter.Extinction.size(), glm::vec3(0.0f));
     source.Lean = source.Color;
+    source.Slopes = input.Slopes;
     direction = glm::dvec3(0.0);
     const double slope = 3.0 * (input.Cosine - input.Peak) / (1.0 - input.Peak);
     glm::ivec3 cell(0);
@@ -226,6 +249,16 @@ private:
   void Balance(const DiffuseLight::Input& input, DiffuseLight::Output& diffuse)
   {
     glm::dvec3 direction(0.0);
+    // Diffusion finds none where all the light goes on and out, by a thick cell or along a thin
+    // one.
+    for (std::size_t i = 0; i < diffuse.Fluence.size(); ++i)
+    {
+      for (const std::vector<glm::vec3>& light : input.Lights)
+      {
+        diffuse.Fluence[i] =
+          glm::max(diffuse.Fluence[i], 1e-3f * this->Matter.Albedo[i] * light[i]);
+      }
+    }
     std::vector<EscapeRays::Source> sources = { this->MakeLightSource(input, direction),
       EscapeRays::Source() };
     sources[1].Color = diffuse.Fluence;

@@ -33,7 +33,7 @@ struct ScatteringSettings
   int BackwardLayers = 0;
   /// The residual at which mode FULL is solved, over its source, and the largest number of cycles.
   double Tolerance = 1e-3;
-  int MaximumCycles = 30;
+  int MaximumCycles = 100;
 };
 
 /// What was done. Amounts of energy are fluence times area in world units, the mean of the colours.

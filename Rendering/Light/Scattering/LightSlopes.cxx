@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scattering/LightSlopes.h"
+
+#include "vtkSMPTools.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlume
+{
+
+namespace
+{
+
+constexpr double Largest = 50.0;
+
+double SumOf(const glm::vec3& color)
+{
+  return static_cast<double>(color.x) + color.y + color.z;
+}
+
+/// Returns the slope of one light along an axis.
+double FindSlope(const ScatteringMedium& box, const std::vector<glm::vec3>& light,
+  const glm::ivec3& cell, int axis, double along, double extinction)
+{
+  const int side = along > 0.0 ? 1 : -1;
+  const auto find = [&](int step)
+  {
+    glm::ivec3 other = cell;
+    other[axis] += step;
+    const bool isInside = other[axis] >= 0 && other[axis] < box.Cells[axis];
+    return isInside ? SumOf(light[box.GetIndex(other)]) : 0.0;
+  };
+  const double here = SumOf(light[box.GetIndex(cell)]);
+  const double before = find(-side);
+  const double after = find(side);
+  const double ratio = before > 0.0 ? before / here : (after > 0.0 ? here / after : 1.0);
+  // Without neighbours in the light, all the matter of the cell may be before it.
+  const double own = extinction * box.CellSize[axis] / std::abs(along);
+  const bool isAlone = !(before > 0.0) && !(after > 0.0);
+  return side * std::min({ isAlone ? own : std::log(std::max(ratio, 1.0)), own, Largest });
+}
+
+}
+
+std::vector<glm::vec3> LightSlopes::Find(
+  const MatterCells& matter, const std::vector<std::vector<glm::vec3>>& lights)
+{
+  const ScatteringMedium& box = matter.Box;
+  std::vector<glm::vec3> slopes(matter.Extinction.size(), glm::vec3(0.0f));
+  vtkSMPTools::For(0, box.Cells.z,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      glm::ivec3 cell(0);
+      for (cell.z = static_cast<int>(begin); cell.z < end; ++cell.z)
+      {
+        for (cell.y = 0; cell.y < box.Cells.y; ++cell.y)
+        {
+          for (cell.x = 0; cell.x < box.Cells.x; ++cell.x)
+          {
+            const std::size_t at = box.GetIndex(cell);
+            const double extinction = matter.Extinction[at];
+            if (!(extinction > 0.0))
+            {
+              continue;
+            }
+            const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
+            glm::dvec3 sum(0.0);
+            double total = 0.0;
+            for (std::size_t light = 0; light < lights.size(); ++light)
+            {
+              const double here = SumOf(lights[light][at]);
+              const glm::dvec3 along = matter.Lights[light].GetDirection(middle);
+              total += here;
+              for (int axis = 0; axis < 3 && here > 0.0; ++axis)
+              {
+                sum[axis] += along[axis] != 0.0
+                  ? here * FindSlope(box, lights[light], cell, axis, along[axis], extinction)
+                  : 0.0;
+              }
+            }
+            slopes[at] = total > 0.0 ? glm::vec3(sum / total) : glm::vec3(0.0f);
+          }
+        }
+      }
+    });
+  return slopes;
+}
+
+double LightSlopes::GetOffset(double slope)
+{
+  return std::abs(slope) > 1e-3 ? 1.0 / slope - 1.0 / std::expm1(slope) - 0.5 : -slope / 12.0;
+}
+
+double LightSlopes::GetEscape(double depth, double slope)
+{
+  // The integral of slope exp(-slope x) / (1 - exp(-slope)) exp(-depth x) over x from 0 to 1.
+  const double scale = std::abs(slope) > 1e-6 ? -slope / std::expm1(-slope) : 1.0 + 0.5 * slope;
+  const double both = depth + slope;
+  return scale * (std::abs(both) > 1e-6 ? -std::expm1(-both) / both : 1.0 - 0.5 * both);
+}
+
+}

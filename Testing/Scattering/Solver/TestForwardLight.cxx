@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mode FORWARD: a pencil of light spreads by multiple scattering at small angles as theory has it,
+// whatever the layers; its sum is that of the equation in one dimension.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Scattering/Solver/ScatteringCases.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <tuple>
+
+namespace
+{
+
+using namespace reference;
+using namespace interlume;
+
+constexpr double Depth = 3.0;
+constexpr double Variance = 0.004;
+
+/// Light in a column of cells in the middle, along an axis of a box of cells.
+struct Pencil
+{
+  Pencil(int lateral, int along, int axis, bool isBackwards)
+    : Axis(axis)
+    , IsBackwards(isBackwards)
+  {
+    glm::ivec3 cells(lateral);
+    cells[axis] = along;
+    this->Medium = MakeMedium(cells, Depth, glm::vec3(1.0f), 0.9);
+    this->Medium.CellSize = 1.0 / glm::dvec3(cells);
+    this->Light.Direction = glm::dvec3(0.0);
+    this->Light.Direction[axis] = isBackwards ? -1.0 : 1.0;
+    this->Light.Fill(this->Medium, glm::vec3(1.0f));
+    for (std::size_t i = 0; i < this->Light.Direct.size(); ++i)
+    {
+      glm::ivec3 cell = this->GetCell(i);
+      cell[axis] = lateral / 2;
+      this->Light.Direct[i] *= cell == glm::ivec3(lateral / 2) ? 1.0f : 0.0f;
+    }
+  }
+
+  glm::ivec3 GetCell(std::size_t index) const
+  {
+    const glm::ivec3& cells = this->Medium.Cells;
+    const int number = static_cast<int>(index);
+    return { number % cells.x, number / cells.x % cells.y, number / (cells.x * cells.y) };
+  }
+
+  /// Sums light over the cells of a layer: that of the light, of scattered light, and its square
+  /// distance along one of the axes across from the middle.
+  void Measure(const ScatteringField& field, int layer, double& direct, double& scattered,
+    double& squares) const
+  {
+    direct = scattered = squares = 0.0;
+    const int across = (this->Axis + 1) % 3;
+    for (std::size_t i = 0; i < this->Light.Direct.size(); ++i)
+    {
+      const glm::ivec3 cell = this->GetCell(i);
+      const int place = this->IsBackwards ? this->Medium.Cells[this->Axis] - 1 - cell[this->Axis]
+                                          : cell[this->Axis];
+      if (place == layer)
+      {
+        const double distance =
+          (cell[across] - this->Medium.Cells[across] / 2) * this->Medium.CellSize[across];
+        direct += this->Light.Direct[i].x;
+        scattered += field.Forward[0][i].x;
+        squares += distance * distance * field.Forward[0][i].x;
+      }
+    }
+  }
+
+  int Axis;
+  bool IsBackwards;
+  ScatteringMedium Medium;
+  ScatteringLight Light;
+};
+
+void CheckSpread(Check& check)
+{
+  // The last column: the largest relative error of the variance at layers from a quarter on.
+  std::cout << "lateral along axis  worst error of variance\n";
+  for (const auto& [lateral, along, axis, isBackwards, bound] :
+    std::vector<std::tuple<int, int, int, bool, double>>{ { 33, 32, 2, false, 3e-4 },
+      { 33, 64, 2, false, 4e-5 }, { 65, 32, 0, true, 3e-4 }, { 65, 64, 1, false, 4e-5 } })
+  {
+    const Pencil pencil(lateral, along, axis, isBackwards);
+    ScatteringSettings settings;
+    settings.AngleVariance = Variance;
+    const Solved solved = Solve(pencil.Medium, { pencil.Light }, ScatteringMode::Forward, settings);
+    const double share = pencil.Medium.Phase.ForwardShare();
+    double worst = 0.0;
+    double worstSum = 0.0;
+    for (int layer = along / 4; layer < along; ++layer)
+    {
+      double direct = 0.0;
+      double scattered = 0.0;
+      double squares = 0.0;
+      pencil.Measure(solved.Field, layer, direct, scattered, squares);
+      const double place = (layer + 0.5) / along;
+      const double sum = std::exp(-Depth * (1.0 - share) * place) - std::exp(-Depth * place);
+      worstSum = std::max(worstSum, std::abs(scattered / sum - 1.0));
+      // Each unit of depth adds to the variance of angle of all the light; only scattered light has
+      // it.
+      const double variance = Variance * Depth * share * place * place * place / 3.0;
+      worst = std::max(worst, std::abs(squares / (direct + scattered) / variance - 1.0));
+    }
+    std::cout << lateral << " " << along << " " << axis << "  " << worst << " " << worstSum << "\n";
+    check.Near(worst, 0.0, bound, "error of the lateral variance", 1.0);
+    check.Near(worstSum, 0.0, 4e-4, "error of the sum over a layer", 1.0);
+  }
+}
+
+/// Oblique light: the middle of the light goes where the light does, and nothing is gained.
+void CheckOblique(Check& check)
+{
+  for (const glm::dvec3& given :
+    { glm::dvec3(1.0, 0.0, 2.0), glm::dvec3(-1.0, 2.0, -2.0), glm::dvec3(1.0, 1.0, 1.0) })
+  {
+    const ScatteringMedium medium = MakeCloud(24, 8.0, glm::vec3(1.0f, 0.9f, 0.5f), 0.8);
+    const ScatteringLight light = MakeLight(medium, given);
+    const Solved solved = Solve(medium, { light }, ScatteringMode::Forward);
+    check.Near(solved.GetSum() / solved.Report.Taken, 1.0, 1e-5, "sum of the energy");
+    check.That(solved.Report.Transmitted > 0.1 * solved.Report.Taken, "light goes through");
+    glm::dvec3 middle(0.0);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < medium.GetNumberOfCells(); ++i)
+    {
+      const int number = static_cast<int>(i);
+      const glm::dvec3 place(number % 24, number / 24 % 24, number / 576);
+      sum += solved.Field.Forward[0][i].x;
+      middle += (place - 11.5) * static_cast<double>(solved.Field.Forward[0][i].x);
+    }
+    middle /= sum;
+    check.That(glm::dot(middle, light.Direction) > 0.8 * glm::length(middle),
+      "scattered light lies behind the middle, as the light goes");
+  }
+}
+
+/// A light at a place far away is as one in a direction; one inside is even around it.
+void CheckPlaces(Check& check)
+{
+  const ScatteringMedium medium = MakeCloud(20, 6.0, glm::vec3(1.0f), 0.7);
+  const ScatteringLight far = MakeLightAt(medium, glm::dvec3(0.5, 0.5, -1000.0));
+  const ScatteringLight along = MakeLight(medium, glm::dvec3(0.0, 0.0, 1.0));
+  ScatteringSettings settings;
+  settings.AngleVariance = Variance;
+  const Solved one = Solve(medium, { far }, ScatteringMode::Forward, settings);
+  const Solved other = Solve(medium, { along }, ScatteringMode::Forward, settings);
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < medium.GetNumberOfCells(); ++i)
+  {
+    sum += other.Field.Forward[0][i].x;
+    difference += std::abs(one.Field.Forward[0][i].x - other.Field.Forward[0][i].x);
+  }
+  std::cout << "far place against direction: " << difference / sum << "\n";
+  check.Near(difference / sum, 0.0, 0.05, "a place far away", 1.0);
+
+  const ScatteringMedium even = MakeMedium(glm::ivec3(15), 4.0, glm::vec3(1.0f), 0.7);
+  const Solved inside =
+    Solve(even, { MakeLightAt(even, glm::dvec3(0.5)) }, ScatteringMode::Forward);
+  const std::vector<glm::vec3>& forward = inside.Field.Forward[0];
+  const auto at = [&](int x, int y, int z) { return forward[even.GetIndex({ x, y, z })].x; };
+  check.That(at(7, 7, 12) > 0.1f, "light is scattered on from within");
+  check.Near(at(7, 7, 2), at(7, 7, 12), 1e-5, "even to both sides");
+  check.Near(at(12, 7, 7), at(7, 7, 12), 0.02, "even along the axes");
+  check.Near(at(2, 2, 2), at(12, 12, 12), 0.02, "even along diagonals");
+}
+
+}
+
+int TestForwardLight(int, char*[])
+{
+  Check check;
+  CheckSpread(check);
+  CheckOblique(check);
+  CheckPlaces(check);
+  return check.Result();
+}

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mode FULL neither gains nor loses energy, whatever the settings; in a furnace it is as bright as
+// what is around; the same bytes for any number of threads; what BackwardLayers cuts off.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
+#include "Reference/Checks/ReferenceThreads.h"
+#include "Scattering/Solver/ScatteringCases.h"
+
+#include "vtkSMPTools.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iostream>
+
+namespace
+{
+
+using namespace reference;
+using namespace interlume;
+
+ScatteringMedium MakeRandomMedium(Random& random)
+{
+  const auto whole = [&random](int lower, int upper)
+  { return static_cast<int>(random.Get(lower, upper + 0.999)); };
+  const glm::ivec3 cells(whole(1, 9), whole(1, 9), whole(1, 9));
+  const double depth = std::pow(10.0, random.Get(-6.0, 4.0));
+  ScatteringMedium medium = MakeMedium(cells, depth, glm::vec3(1.0f), random.Get(-0.99, 0.99));
+  medium.CellSize = { random.Get(0.5, 2.0), random.Get(0.5, 2.0), random.Get(0.5, 2.0) };
+  const double empty = random.Get(-0.5, 0.7);
+  const double blocked = random.Get(-0.5, 0.3);
+  const double albedo = std::min(random.Get(0.0, 1.5), 1.0);
+  const bool isSmooth = random.Get(0.0, 1.0) < 0.5;
+  medium.Blocked.assign(medium.GetNumberOfCells(), 0);
+  for (std::size_t i = 0; i < medium.GetNumberOfCells(); ++i)
+  {
+    medium.Extinction[i] *= static_cast<float>(random.Get(0.0, 1.0) < empty
+        ? 0.0
+        : (isSmooth ? 1.0 : std::pow(10.0, random.Get(-3.0, 0.0))));
+    medium.Albedo[i] = glm::vec3(static_cast<float>(albedo),
+      static_cast<float>(random.Get(0.0, 1.0)), static_cast<float>(random.Get(0.9, 1.0)));
+    medium.Blocked[i] = random.Get(0.0, 1.0) < blocked ? 1 : 0;
+  }
+  return medium;
+}
+
+void CheckRandom(Check& check)
+{
+  Random random(20);
+  double most = 0.0;
+  double least = 2.0;
+  for (int i = 0; i < 500; ++i)
+  {
+    const ScatteringMedium medium = MakeRandomMedium(random);
+    const std::array<double, 3> direction = random.GetDirection();
+    std::vector<ScatteringLight> lights = { MakeLight(medium, glm::make_vec3(direction.data())) };
+    if (random.Get(0.0, 1.0) < 0.4)
+    {
+      const std::array<double, 3> place = random.GetPoint(8.0);
+      lights.push_back(MakeLightAt(medium, glm::make_vec3(place.data())));
+    }
+    ScatteringSettings settings;
+    settings.BackwardLayers = random.Get(0.0, 1.0) < 0.3 ? 3 : 0;
+    settings.AngleVariance = random.Get(-0.1, 0.5);
+    for (const ScatteringMode mode : { ScatteringMode::Forward, ScatteringMode::Full })
+    {
+      const Solved solved = Solve(medium, lights, mode, settings);
+      if (!(solved.Report.Taken > 0.0))
+      {
+        continue;
+      }
+      const double share = solved.GetSum() / solved.Report.Taken;
+      most = std::max(most, share);
+      least = std::min(least, share);
+      check.SetContext("case " + std::to_string(i) + ": ");
+      check.That(share < 1.0 + 1e-5 && share > 0.999, "energy " + std::to_string(share) + " of 1");
+      check.That(solved.Report.Residual <= settings.Tolerance, "solved");
+      for (std::size_t cell = 0; cell < medium.GetNumberOfCells(); ++cell)
+      {
+        const glm::vec3& fluence = solved.Field.Fluence[cell];
+        check.That(fluence.x >= 0.0f && fluence.y >= 0.0f && fluence.z >= 0.0f &&
+            std::isfinite(fluence.x + fluence.y + fluence.z) &&
+            glm::length(solved.Field.Lean[cell]) < 0.3334f,
+          "values are finite, not negative, and lean little");
+      }
+    }
+  }
+  check.SetContext("");
+  std::cout << "energy of random settings: " << least << " to " << most << "\n";
+}
+
+/// A slab without end and without absorption, light from all sides: what is seen is as bright as
+/// what is behind, in all directions.
+void CheckFurnace(Check& check)
+{
+  constexpr int layers = 32;
+  constexpr int levels = 64;
+  for (const double g : { 0.0, 0.75 })
+  {
+    for (const double depth : { 0.1, 1.0, 10.0 })
+    {
+      Slab slab;
+      slab.G = g;
+      slab.Depth = depth;
+      slab.Layers = layers;
+      const ScatteringMedium medium = slab.MakeMedium();
+      std::vector<ScatteringLight> lights;
+      for (int level = 0; level < levels; ++level)
+      {
+        slab.Cosine = (level + 0.5) / levels;
+        ScatteringLight light = slab.MakeLight(medium);
+        for (glm::vec3& direct : light.Direct)
+        {
+          direct *= 0.5f / levels;
+        }
+        lights.push_back(light);
+        light.Direction.z = -light.Direction.z;
+        std::reverse(light.Direct.begin(), light.Direct.end());
+        lights.push_back(light);
+      }
+      const Solved solved = Solve(medium, lights, ScatteringMode::Full);
+      double worst = 0.0;
+      double flux = 0.0;
+      for (const double mu : { 0.1, 0.3, 0.5, 0.7, 0.9 })
+      {
+        double seen = 1.0;
+        for (int layer = 0; layer < layers; ++layer)
+        {
+          const std::size_t cell = static_cast<std::size_t>(layer) * 4;
+          double source =
+            solved.Field.Fluence[cell].x * (1.0 + 3.0 * g * solved.Field.Lean[cell].z * mu);
+          for (std::size_t light = 0; light < lights.size(); ++light)
+          {
+            // The phase function's mean over turns about the slab's normal.
+            double phase = 0.0;
+            for (int turn = 0; turn < 32; ++turn)
+            {
+              const double across =
+                std::sqrt(1.0 - mu * mu) * lights[light].Direction.x * std::cos(0.19634954 * turn);
+              phase +=
+                12.566370614 / 32.0 * medium.Phase.Value(mu * lights[light].Direction.z + across);
+            }
+            const double forward =
+              solved.Field.Forward.empty() ? 0.0 : solved.Field.Forward[light][cell].x;
+            source += (lights[light].Direct[cell].x + forward) * phase;
+          }
+          const double step = depth / layers / mu;
+          seen = seen * std::exp(-step) - source * std::expm1(-step);
+        }
+        flux += mu * seen / 2.5;
+        worst = std::max(worst, std::abs(seen - 1.0));
+      }
+      std::cout << "furnace, g " << g << ", depth " << depth << ": worst " << worst << ", flux "
+                << flux << "\n";
+      check.Near(worst, 0.0, g > 0.0 ? 0.22 : 0.031, "brightness in the furnace", 1.0);
+      check.Near(flux, 1.0, g > 0.0 ? 0.05 : 0.03, "flux out of the furnace");
+    }
+  }
+}
+
+bool IsSame(const ScatteringField& a, const ScatteringField& b)
+{
+  const auto same = [](const std::vector<glm::vec3>& one, const std::vector<glm::vec3>& other)
+  {
+    return one.size() == other.size() &&
+      std::memcmp(one.data(), other.data(), one.size() * sizeof(glm::vec3)) == 0;
+  };
+  bool isSame =
+    same(a.Fluence, b.Fluence) && same(a.Lean, b.Lean) && a.Forward.size() == b.Forward.size();
+  for (std::size_t i = 0; i < a.Forward.size() && isSame; ++i)
+  {
+    isSame = same(a.Forward[i], b.Forward[i]);
+  }
+  return isSame;
+}
+
+void CheckThreads(Check& check)
+{
+  const ScatteringMedium medium = MakeCloud(28, 20.0, { 0.99f, 0.95f, 0.9f }, 0.8);
+  const std::vector<ScatteringLight> lights = { MakeLight(medium, { 1.0, 2.0, 2.0 }),
+    MakeLightAt(medium, { 0.3, 0.4, 0.5 }) };
+  for (const ScatteringMode mode : { ScatteringMode::Forward, ScatteringMode::Full })
+  {
+    ScatteringField first;
+    for (const int threads : { 1, 3 })
+    {
+      vtkSMPTools::Initialize(threads);
+      const Solved solved = Solve(medium, lights, mode);
+      check.That(threads == 1 || IsSame(first, solved.Field), "the same bytes for 3 threads");
+      first = solved.Field;
+    }
+    vtkSMPTools::Initialize(0);
+  }
+}
+
+/// The more layers light comes back from, the nearer to all of them.
+void CheckBackwardLayers(Check& check)
+{
+  Slab slab;
+  slab.G = 0.75;
+  slab.Depth = 8.0;
+  const ScatteringMedium medium = slab.MakeMedium();
+  const ScatteringLight light = slab.MakeLight(medium);
+  const double all = Solve(medium, { light }, ScatteringMode::Full).Report.Reflected;
+  double before = 1.0;
+  for (const int layers : { 3, 6, 12, 24, 48, 96 })
+  {
+    ScatteringSettings settings;
+    settings.BackwardLayers = layers;
+    const Solved solved = Solve(medium, { light }, ScatteringMode::Full, settings);
+    const double error = 1.0 - solved.Report.Reflected / all;
+    std::cout << "light from " << layers << " of 64 layers: " << error << " is missing\n";
+    check.That(error > 0.0 && error < before, "more layers are nearer to all");
+    check.Near(solved.GetSum() / solved.Report.Taken, 1.0, 1e-5, "sum of the energy");
+    before = error;
+  }
+  check.That(before < 0.125, "96 layers are all but an eighth");
+}
+
+}
+
+int TestScatteringEnergy(int, char*[])
+{
+  Check check;
+  CheckRandom(check);
+  CheckFurnace(check);
+  CheckThreads(check);
+  CheckBackwardLayers(check);
+  return check.Result();
+}

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Extremes of media and lights for the solver of multiple scattering, each by its name.
+#include "Pages/StabilityCase.h"
+#include "Scattering/Solver/ScatteringCases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+
+using namespace reference;
+using namespace interlume;
+
+const float NotANumber = std::numeric_limits<float>::quiet_NaN();
+constexpr int Size = 16;
+
+class SolverTable
+{
+public:
+  SolverTable(int argc, char* argv[])
+    : Catalogue("TestScatteringExtremes", argc, argv)
+  {
+  }
+
+  /// Both modes: values are finite and not negative, and the energy is what came in. NaN where no
+  /// light met matter.
+  void Energy(const std::string& name, const std::string& extreme, const ScatteringMedium& medium,
+    const std::vector<ScatteringLight>& lights)
+  {
+    double worst = 0.0;
+    for (const ScatteringMode mode : { ScatteringMode::Forward, ScatteringMode::Full })
+    {
+      const Solved solved = Solve(medium, lights, mode);
+      const double taken = solved.Report.Taken;
+      worst = std::max(worst, taken > 0.0 ? std::abs(solved.GetSum() / taken - 1.0) : std::nan(""));
+      worst = IsSound(solved) && taken > 0.0 ? worst : std::nan("");
+    }
+    this->Catalogue.Measure(
+      name, extreme, "energy out over energy in, less 1, of both modes", worst, 1e-4);
+  }
+
+  void Measure(const std::string& name, const std::string& extreme, const std::string& expected,
+    double measured, double bound)
+  {
+    this->Catalogue.Measure(name, extreme, expected, measured, bound);
+  }
+  void Check(const std::string& name, const std::string& extreme, const std::string& expected,
+    const std::string& seen, bool passed)
+  {
+    this->Catalogue.Check(name, extreme, expected, seen, passed);
+  }
+
+  static bool IsSound(const Solved& solved)
+  {
+    const auto isSound = [](const glm::vec3& value)
+    {
+      return value.x >= 0.0f && value.y >= 0.0f && value.z >= 0.0f &&
+        value.x + value.y + value.z < 1e6f;
+    };
+    bool all = solved.Wrong.empty() && !solved.Field.Fluence.empty() &&
+      std::all_of(solved.Field.Fluence.begin(), solved.Field.Fluence.end(), isSound);
+    for (const std::vector<glm::vec3>& forward : solved.Field.Forward)
+    {
+      all = all && std::all_of(forward.begin(), forward.end(), isSound);
+    }
+    return all;
+  }
+
+  int GetExitCode() const { return this->Catalogue.GetExitCode(); }
+
+private:
+  StabilityCatalogue Catalogue;
+};
+
+/// The largest difference of the fluence, over its largest value.
+double Difference(const ScatteringField& a, const ScatteringField& b)
+{
+  double largest = 0.0;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < a.Fluence.size(); ++i)
+  {
+    largest = std::max(largest, static_cast<double>(b.Fluence[i].x));
+    difference =
+      std::max(difference, static_cast<double>(std::abs(a.Fluence[i].x - b.Fluence[i].x)));
+  }
+  return largest > 0.0 ? difference / largest : std::nan("");
+}
+
+const glm::dvec3 Oblique(1.0, -2.0, 2.0);
+
+void TestMedia(SolverTable& table)
+{
+  for (const double depth : { 1e-6, 1e-2, 1e2, 1e4 })
+  {
+    std::ostringstream name;
+    name << "depth-" << depth;
+    const ScatteringMedium medium = MakeCloud(Size, depth, glm::vec3(1.0f, 0.99f, 0.5f), 0.8);
+    table.Energy(
+      name.str(), "a cloud of that optical depth", medium, { MakeLight(medium, Oblique) });
+  }
+  for (const double g : { -0.99, 0.99 })
+  {
+    const ScatteringMedium medium = MakeCloud(Size, 20.0, glm::vec3(1.0f), g);
+    table.Energy(g < 0.0 ? "backwards" : "forwards",
+      "a phase function with the mean cosine " + std::to_string(g), medium,
+      { MakeLight(medium, Oblique) });
+  }
+  const ScatteringMedium white = MakeCloud(Size, 20.0, glm::vec3(1.0f), 0.0);
+  table.Energy("albedo-1", "nothing is absorbed", white, { MakeLight(white, Oblique) });
+  const ScatteringMedium black = MakeCloud(Size, 20.0, glm::vec3(0.0f), 0.8);
+  const Solved dark = Solve(black, { MakeLight(black, Oblique) }, ScatteringMode::Full);
+  table.Measure("albedo-0", "all is absorbed", "share of the light that is not absorbed",
+    1.0 - dark.Report.Absorbed / dark.Report.Taken, 1e-6);
+  ScatteringMedium one = MakeMedium(glm::ivec3(1), 3.0, glm::vec3(0.9f), 0.5);
+  table.Energy("one-cell", "a grid of one cell", one, { MakeLight(one, Oblique) });
+  ScatteringMedium mirrors = MakeMedium(glm::ivec3(6), 3.0, glm::vec3(0.9f), 0.0);
+  mirrors.Mirrors = glm::bvec3(true);
+  ScatteringLight even;
+  even.Direct.assign(mirrors.GetNumberOfCells(), glm::vec3(1.0f));
+  const Solved closed = Solve(mirrors, { even }, ScatteringMode::Full);
+  table.Measure("mirrors", "mirrors on all sides and an even light",
+    "fluence less albedo / (1 - albedo)", closed.Field.Fluence[0].x - 9.0, 0.01);
+}
+
+void TestCells(SolverTable& table)
+{
+  const ScatteringMedium clean = MakeCloud(Size, 20.0, glm::vec3(0.9f), 0.8);
+  const ScatteringLight light = MakeLight(clean, Oblique);
+  ScatteringMedium empty = clean;
+  ScatteringMedium bad = clean;
+  for (std::size_t i = 0; i < clean.GetNumberOfCells(); i += 37)
+  {
+    empty.Extinction[i] = 0.0f;
+    bad.Extinction[i] = i % 2 ? NotANumber : std::numeric_limits<float>::infinity();
+  }
+  const Solved expected = Solve(empty, { light }, ScatteringMode::Full);
+  const Solved found = Solve(bad, { light }, ScatteringMode::Full);
+  table.Measure("nan-cells", "extinction NaN or infinite in some cells",
+    "largest difference from empty cells", Difference(found.Field, expected.Field), 0.0);
+  const std::size_t count = (clean.GetNumberOfCells() + 36) / 37;
+  table.Measure("nan-cells-counted", "extinction NaN or infinite in some cells",
+    "their number, less that reported",
+    static_cast<double>(count) - static_cast<double>(found.Report.BadCells), 0.0);
+  ScatteringMedium nothing = clean;
+  nothing.Extinction.assign(nothing.GetNumberOfCells(), 0.0f);
+  const Solved none = Solve(nothing, { light }, ScatteringMode::Full);
+  table.Measure("nothing", "no matter at all", "sum of the energy",
+    none.GetSum() + (SolverTable::IsSound(none) ? 0.0 : std::nan("")), 0.0);
+
+  ScatteringMedium wall = MakeMedium(glm::ivec3(Size), 20.0, glm::vec3(1.0f), 0.5);
+  wall.Blocked.assign(wall.GetNumberOfCells(), 0);
+  glm::ivec3 cell(0, 0, Size / 2);
+  for (cell.y = 0; cell.y < Size; ++cell.y)
+  {
+    for (cell.x = 0; cell.x < Size; ++cell.x)
+    {
+      wall.Blocked[wall.GetIndex(cell)] = 1;
+    }
+  }
+  const Solved walled = Solve(wall, { MakeLight(wall, { 0.0, 0.0, 1.0 }) }, ScatteringMode::Full);
+  float behind = 0.0f;
+  for (std::size_t i = wall.GetIndex({ 0, 0, Size / 2 }); i < walled.Field.Fluence.size(); ++i)
+  {
+    behind = std::max(behind, walled.Field.Fluence[i].x);
+  }
+  const float before = walled.Field.Fluence[wall.GetIndex({ Size / 2, Size / 2, 2 })].x;
+  table.Measure("wall", "blocked cells from side to side", "light behind them over that before",
+    before > 0.0f ? behind / before : std::nan(""), 0.0);
+  table.Energy(
+    "wall-energy", "blocked cells from side to side", wall, { MakeLight(wall, { 0.0, 0.0, 1.0 }) });
+}
+
+void TestLights(SolverTable& table)
+{
+  const ScatteringMedium medium = MakeCloud(Size, 20.0, glm::vec3(1.0f, 0.9f, 0.8f), 0.8);
+  table.Energy("light-inside", "a light within the matter", medium,
+    { MakeLightAt(medium, { 0.5, 0.5, 0.5 }) });
+  table.Energy("light-in-middle-of-cell", "a light in the very middle of a cell", medium,
+    { MakeLightAt(medium, glm::dvec3(7.5 / Size)) });
+  table.Energy("light-far", "a light 1e9 away", medium, { MakeLightAt(medium, { 1e9, 0.5, 0.5 }) });
+  table.Energy("opposite-lights", "two lights against each other", medium,
+    { MakeLight(medium, { 0.0, 0.0, 1.0 }), MakeLight(medium, { 0.0, 0.0, -1.0 }) });
+  ScatteringLight dark = MakeLight(medium, Oblique);
+  for (glm::vec3& direct : dark.Direct)
+  {
+    direct = glm::vec3(0.0f);
+  }
+  const Solved black = Solve(medium, { dark }, ScatteringMode::Full);
+  table.Measure("black-light", "a light of no color", "sum of the energy",
+    black.GetSum() + (SolverTable::IsSound(black) ? 0.0 : std::nan("")), 0.0);
+  const Solved none = Solve(medium, {}, ScatteringMode::Full);
+  table.Measure("no-light", "no light at all", "sum of the energy",
+    none.GetSum() + (SolverTable::IsSound(none) ? 0.0 : std::nan("")), 0.0);
+  ScatteringLight bad = MakeLight(medium, Oblique);
+  bad.Direct[100].y = NotANumber;
+  table.Energy("nan-light", "a light that is NaN in a cell", medium, { bad });
+
+  ScatteringField field;
+  ScatteringReport report;
+  bad.Direct.pop_back();
+  std::string wrong =
+    ScatteringSolver::Solve(medium, { bad }, ScatteringMode::Full, {}, field, report);
+  table.Check("cells-missing", "a light with a cell too few", "text with both numbers", wrong,
+    wrong.find("4095") != std::string::npos && wrong.find("4096") != std::string::npos);
+  ScatteringLight still = MakeLight(medium, Oblique);
+  still.Direction = glm::dvec3(0.0);
+  wrong = ScatteringSolver::Solve(medium, { still }, ScatteringMode::Full, {}, field, report);
+  table.Check("no-direction", "a light whose direction has no length", "text with the direction",
+    wrong, wrong.find("not of length 1") != std::string::npos);
+  ScatteringMedium flat = medium;
+  flat.Cells.y = 0;
+  wrong = ScatteringSolver::Solve(flat, {}, ScatteringMode::Full, {}, field, report);
+  table.Check("no-cells", "a grid without cells", "text with the axis", wrong,
+    wrong.find("0 cells along axis 1") != std::string::npos);
+}
+
+}
+
+int TestScatteringExtremes(int argc, char* argv[])
+{
+  SolverTable table(argc, argv);
+  TestMedia(table);
+  TestCells(table);
+  TestLights(table);
+  return table.GetExitCode();
+}
