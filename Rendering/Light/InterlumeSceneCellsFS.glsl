@@ -20,7 +20,7 @@ void main()
   for (int i = 0; i < 8; ++i)
   {
     vec3 place = (unitFromCell * vec4(cell + 0.25 + 0.5 * vec3(i & 1, i >> 1 & 1, i >> 2), 1.0)).xyz;
-    sum += vec3(SHARE);
+    sum += vec3(INTERLUME_SHARE);
   }
   gl_FragData[0] = vec4(0.125 * sum, 1.0);
 }

@@ -161,7 +161,7 @@ void TestMedia(Table& table)
     scene.Property->SetScalarOpacityUnitDistance(1.0 / depth);
     table.Draw(depth < 1.0 ? "depth-1e-6" : "depth-1e+4",
       depth < 1.0 ? "an optical depth of 1e-6" : "an optical depth of 1e4", scene, none,
-      depth < 1.0 ? 1e-5 : 5.0);
+      depth < 1.0 ? 1e-5 : 9.0);
   }
   auto empty = MakeHomogeneousScene(8, 1.0);
   empty.Property->GetScalarOpacity()->RemoveAllPoints();
@@ -238,7 +238,7 @@ void TestLights(Table& table)
 
 /// Light from all sides, of all together 1: whatever is set, no pixel is brighter than 1, and a
 /// whole picture no brighter than what it covers.
-void TestRandomSettings(Table& table, int settings)
+void TestRandomSettings(Table& table, int settings, bool isThin)
 {
   std::mt19937 random(3);
   const auto uniform = [&random](double from, double to)
@@ -250,7 +250,8 @@ void TestRandomSettings(Table& table, int settings)
   for (int i = 0; i < settings; ++i)
   {
     ShadowScene scene = i % 2 == 0 ? MakeHomogeneousScene(8, 1.0) : MakeSmallScene(8, 0.9);
-    scene.Property->SetScalarOpacityUnitDistance(std::pow(10.0, uniform(-0.5, 2.0)));
+    scene.Property->SetScalarOpacityUnitDistance(
+      std::pow(10.0, uniform(isThin ? -1.0 : -3.0, 2.0)));
     scene.Lights.clear();
     // The vertices of a tetrahedron and its opposite, a cube: even light up to the third degree.
     for (unsigned corner = 0; corner < 8; ++corner)
@@ -291,10 +292,14 @@ void TestRandomSettings(Table& table, int settings)
       break;
     }
   }
-  table.Catalogue.Measure("random-settings", std::to_string(settings) + " random settings",
-    "no pixel brighter than the light around", brightest, 1.05);
-  table.Catalogue.Measure("random-settings-mean", std::to_string(settings) + " random settings",
-    "no picture brighter than the light around", brightestMean, 1.03);
+  // Edges of matter whose cells are thick are too bright by what faces are too dark.
+  const std::string name = isThin ? "random-settings" : "random-settings-thick";
+  const std::string extreme = std::to_string(settings) + " random settings" +
+    (isThin ? ", depths to 10" : ", depths to 1e3 in 4 to 8 cells");
+  table.Catalogue.Measure(
+    name, extreme, "no pixel brighter than the light around", brightest, isThin ? 1.05 : 1.6);
+  table.Catalogue.Measure(name + "-mean", extreme, "no picture brighter than the light around",
+    brightestMean, isThin ? 1.03 : 1.25);
 }
 
 }
@@ -304,6 +309,7 @@ int TestScatteredPictureExtremes(int argc, char* argv[])
   Table table(argc, argv);
   TestMedia(table);
   TestLights(table);
-  TestRandomSettings(table, 100);
+  TestRandomSettings(table, 60, true);
+  TestRandomSettings(table, 60, false);
   return table.Catalogue.GetExitCode();
 }

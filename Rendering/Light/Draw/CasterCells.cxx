@@ -37,12 +37,14 @@ std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& s
   const MatterGrid& grid, const glm::dmat4& worldFromUnit, const std::string& share)
 {
   std::string source = InterlumeSceneCellsFS;
-  const std::string mark = "//INTERLUME::CASTERS";
-  source.replace(source.find(mark), mark.size(),
+  const auto replace = [&source](const std::string& mark, const std::string& by)
+  { source.replace(source.find(mark), mark.size(), by); };
+  replace("INTERLUME_SHARE", share);
+  replace("//INTERLUME::CASTERS",
     (scene.Casters->HasViews() ? scene.Casters->GetSource() : std::string()) +
       (scene.Panes ? scene.Panes->GetSource(false) : std::string()));
-  source = vtkShaderFeatures::Insert(source,
-    (scene.Casters->HasViews() ? scene.Casters->GetFeatures() : std::string()) + " SHARE=" + share);
+  source = vtkShaderFeatures::Insert(
+    source, (scene.Casters->HasViews() ? scene.Casters->GetFeatures() : std::string()));
   vtkOpenGLQuadHelper quad(window, nullptr, source.c_str(), nullptr);
   if (!quad.Program)
   {
