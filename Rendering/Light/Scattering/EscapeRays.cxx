@@ -64,15 +64,56 @@ std::vector<Ordinate> MakeOrdinates()
   return ordinates;
 }
 
+/// The phase function over that of an isotropic one, its mean over one direction's share.
+class MeanPhase
+{
+public:
+  MeanPhase(const PhaseFunction& phase, std::size_t directions)
+    : Values(Number + 1)
+  {
+    constexpr int rings = 4;
+    constexpr int turns = 8;
+    for (std::size_t i = 0; i <= Number; ++i)
+    {
+      const double cosine = 2.0 * static_cast<double>(i) / Number - 1.0;
+      const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
+      for (int ring = 0; ring < rings; ++ring)
+      {
+        const double cap = 1.0 - 2.0 * (ring + 0.5) / rings / static_cast<double>(directions);
+        const double across = std::sqrt(1.0 - cap * cap);
+        for (int turn = 0; turn < turns; ++turn)
+        {
+          const double angle = Pi * (turn + 0.5) / turns;
+          this->Values[i] += 4.0 * Pi / (rings * turns) *
+            phase.Value(cosine * cap + sine * across * std::cos(angle));
+        }
+      }
+    }
+  }
+
+  double Get(double cosine) const
+  {
+    const double place = glm::clamp(0.5 * (cosine + 1.0), 0.0, 1.0) * Number;
+    const std::size_t below = std::min(static_cast<std::size_t>(place), Number - 1);
+    const double share = place - static_cast<double>(below);
+    return (1.0 - share) * this->Values[below] + share * this->Values[below + 1];
+  }
+
+private:
+  static constexpr std::size_t Number = 512;
+  std::vector<double> Values;
+};
+
 /// The largest number of rays along a side of the box.
 constexpr int MostRays = 16;
 
 class DirectionTrace
 {
 public:
-  DirectionTrace(const MatterCells& matter, const std::vector<EscapeRays::Source>& sources,
-    const Ordinate& ordinate, bool isBack)
+  DirectionTrace(const MatterCells& matter, const MeanPhase& phase,
+    const std::vector<EscapeRays::Source>& sources, const Ordinate& ordinate, bool isBack)
     : Matter(matter)
+    , Phase(phase)
     , Sources(sources)
     , Out(ordinate.Out)
     , Weight(ordinate.Weight)
@@ -136,8 +177,11 @@ private:
         for (std::size_t i = 0; i < this->Sources.size(); ++i)
         {
           const double within = this->GetEnded(this->Sources[i], cell, ray, depth, ended);
-          this->Add(i, cell, -ray.GetDirection(), isBlocked, area * through * (depth - within),
-            area * (depth * lost + through * within));
+          const glm::dvec3 color = this->GetColor(this->Sources[i], ray, cell);
+          EscapeRays::Sums& sums = this->Result[i];
+          sums.Kept += area * (depth * lost + through * within) * color;
+          (isBlocked ? sums.Blocked : (this->IsBack ? sums.Back : sums.On)) +=
+            area * through * (depth - within) * color;
         }
         lost += through * own;
         through *= 1.0 - own;
@@ -150,28 +194,35 @@ private:
   double GetEnded(const EscapeRays::Source& source, std::size_t cell, const CellRay& ray,
     double depth, double even) const
   {
-    if (source.Slopes.empty() || depth < 1e-2)
+    if (!source.Slopes || depth < 1e-2)
     {
       return even;
     }
     const glm::dvec3 way =
       ray.GetDirection() * (ray.GetExit() - ray.GetEntry()) / this->Matter.Box.CellSize;
-    const double slope = glm::dot(glm::dvec3(source.Slopes[cell]), way);
+    const double slope = glm::dot(glm::dvec3((*source.Slopes)[cell]), way);
     return depth * (1.0 - LightSlopes::GetEscape(depth, glm::clamp(slope, -50.0, 50.0)));
   }
 
-  void Add(std::size_t number, std::size_t cell, const glm::dvec3& out, bool isBlocked,
-    double leaving, double kept)
+  /// Returns what a source sends out against the ray.
+  glm::dvec3 GetColor(const EscapeRays::Source& source, const CellRay& ray, std::size_t cell) const
   {
-    const EscapeRays::Source& source = this->Sources[number];
-    const glm::dvec3 color =
-      glm::dvec3(source.Color[cell]) * (1.0 + glm::dot(glm::dvec3(source.Lean[cell]), out));
-    EscapeRays::Sums& sums = this->Result[number];
-    sums.Kept += kept * color;
-    (isBlocked ? sums.Blocked : (this->IsBack ? sums.Back : sums.On)) += leaving * color;
+    double factor = 1.0;
+    if (source.Light)
+    {
+      const ScatteringMedium& box = this->Matter.Box;
+      const glm::dvec3 middle = box.Origin + (glm::dvec3(ray.GetCell()) + 0.5) * box.CellSize;
+      factor = this->Phase.Get(glm::dot(source.Light->GetDirection(middle), -ray.GetDirection()));
+    }
+    else if (source.Lean)
+    {
+      factor -= source.LeanFactor * glm::dot(glm::dvec3((*source.Lean)[cell]), ray.GetDirection());
+    }
+    return factor * glm::dvec3((*source.Fluence)[cell] * this->Matter.Albedo[cell]);
   }
 
   const MatterCells& Matter;
+  const MeanPhase& Phase;
   const std::vector<EscapeRays::Source>& Sources;
   glm::dvec3 Out;
   double Weight;
@@ -207,10 +258,11 @@ void EscapeRays::Sums::ScaleTo(const glm::dvec3& sent)
   }
 }
 
-std::vector<EscapeRays::Sums> EscapeRays::Trace(
-  const MatterCells& matter, const std::vector<Source>& sources, const glm::dvec3& direction)
+std::vector<EscapeRays::Sums> EscapeRays::Trace(const MatterCells& matter,
+  const PhaseFunction& phase, const std::vector<Source>& sources, const glm::dvec3& direction)
 {
   const std::vector<Ordinate> ordinates = MakeOrdinates();
+  const MeanPhase meanPhase(phase, ordinates.size());
   std::vector<std::vector<Sums>> parts(ordinates.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(ordinates.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
@@ -219,7 +271,7 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(
       {
         const std::size_t at = static_cast<std::size_t>(i);
         const bool isBack = glm::dot(ordinates[at].Out, direction) < 0.0;
-        parts[at] = DirectionTrace(matter, sources, ordinates[at], isBack).Go();
+        parts[at] = DirectionTrace(matter, meanPhase, sources, ordinates[at], isBack).Go();
       }
     });
   std::vector<Sums> sums(sources.size());
@@ -233,7 +285,8 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(
     glm::dvec3 sent(0.0);
     for (std::size_t cell = 0; cell < matter.Extinction.size(); ++cell)
     {
-      sent += matter.CellVolume * matter.Extinction[cell] * glm::dvec3(sources[i].Color[cell]);
+      sent += matter.CellVolume * matter.Extinction[cell] *
+        glm::dvec3((*sources[i].Fluence)[cell] * matter.Albedo[cell]);
     }
     sums[i].ScaleTo(sent);
   }

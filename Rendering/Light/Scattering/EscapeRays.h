@@ -21,13 +21,19 @@ namespace interlume
 class EscapeRays
 {
 public:
-  /// What a cell sends out in direction w, for each unit of optical depth: Color (1 + Lean . w);
-  /// where in the cell, by slopes of LightSlopes, which are empty where it is even.
+  /**
+   * What a cell scatters into direction w, for each unit of optical depth: its albedo times Fluence
+   * times 1 + LeanFactor Lean . w, or, of a light that still goes in its direction, times the phase
+   * function to w over that of an isotropic one. The light is as even in the cell as Slopes of
+   * LightSlopes say.
+   */
   struct Source
   {
-    std::vector<glm::vec3> Color;
-    std::vector<glm::vec3> Lean;
-    std::vector<glm::vec3> Slopes;
+    const std::vector<glm::vec3>* Fluence = nullptr;
+    const std::vector<glm::vec3>* Lean = nullptr;
+    double LeanFactor = 0.0;
+    const ScatteringLight* Light = nullptr;
+    const std::vector<glm::vec3>* Slopes = nullptr;
   };
   /// Sums over the box, for each color.
   struct Sums
@@ -46,9 +52,9 @@ public:
     void ScaleTo(const glm::dvec3& sent);
   };
 
-  /// Traces several sources at once.
-  static std::vector<Sums> Trace(
-    const MatterCells& matter, const std::vector<Source>& sources, const glm::dvec3& direction);
+  /// Traces several sources at once; what leaves against \a direction is kept apart.
+  static std::vector<Sums> Trace(const MatterCells& matter, const PhaseFunction& phase,
+    const std::vector<Source>& sources, const glm::dvec3& direction);
 };
 
 }

@@ -49,17 +49,11 @@ public:
   {
     const double variance = this->Settings.AngleVariance >= 0.0 ? this->Settings.AngleVariance
                                                                 : this->Phase.ForwardVariance();
-    const double share = this->Phase.ForwardShare();
-    this->GoForward(share, variance);
-    glm::dvec3 scattered(0.0);
-    for (std::size_t light = 0; light < this->Matter.Lights.size(); ++light)
-    {
-      scattered += this->SumScattered(light);
-    }
-    this->Report.Dropped = (1.0 - share) * MeanOf(scattered);
-    this->Report.Absorbed = MeanOf(this->SumAbsorbed());
-    this->Report.Transmitted =
-      std::max(this->Report.Taken - this->Report.Absorbed - this->Report.Dropped, 0.0);
+    this->GoForward(this->Phase.ForwardShare(), variance);
+    const std::vector<EscapeRays::Sums> sums = this->TraceLights({});
+    const glm::dvec3 left = this->LimitForward(sums, 1.0);
+    this->Report.Dropped = MeanOf(left);
+    this->ReportLights(sums);
   }
 
   void Full()
@@ -82,7 +76,8 @@ public:
           this->Field.Forward.empty() ? glm::vec3(0.0f) : this->Field.Forward[light][i];
       }
     }
-    input.Slopes = LightSlopes::Find(this->Matter, input.Lights);
+    this->Slopes = LightSlopes::Find(this->Matter, input.Lights);
+    input.Slopes = this->Slopes;
     DiffuseLight::Output diffuse = DiffuseLight::Solve(this->Matter, input);
     this->Report.Cycles = diffuse.Cycles;
     this->Report.Residual = diffuse.Residual;
@@ -99,6 +94,7 @@ private:
     {
       this->Report.Taken += MeanOf(this->SumTaken(light));
     }
+    this->Slopes = LightSlopes::Find(this->Matter, this->Matter.Direct);
     if (!(share > 0.0))
     {
       return;
@@ -113,31 +109,11 @@ private:
           const std::size_t light = static_cast<std::size_t>(i);
           this->Field.Forward[light] =
             ForwardLight::Solve(this->Matter, light, share, variance, layers[light]);
-          this->LimitForward(light, share);
         }
       });
     for (const int count : layers)
     {
       this->Report.Layers += count;
-    }
-  }
-
-  /// Scales the forward light where cells take more of it than is scattered into it: by rounding,
-  /// and for lights at a place, whose rays come to cells unevenly.
-  void LimitForward(std::size_t light, double share)
-  {
-    std::vector<glm::vec3>& forward = this->Field.Forward[light];
-    const glm::dvec3 given = this->SumCells([&](std::size_t i)
-      { return share * glm::dvec3(this->Matter.Albedo[i] * this->Matter.Direct[light][i]); });
-    const glm::dvec3 taken = this->SumCells([&](std::size_t i)
-      { return (1.0 - share * glm::dvec3(this->Matter.Albedo[i])) * glm::dvec3(forward[i]); });
-    const glm::vec3 scale(glm::min(given / glm::max(taken, glm::dvec3(1e-300)), 1.0));
-    if (scale != glm::vec3(1.0f))
-    {
-      for (glm::vec3& value : forward)
-      {
-        value *= scale;
-      }
     }
   }
 
@@ -167,12 +143,6 @@ private:
     return this->SumCells([&](std::size_t i) { return glm::dvec3(this->Matter.Direct[light][i]); });
   }
 
-  glm::dvec3 SumScattered(std::size_t light) const
-  {
-    return this->SumCells(
-      [&](std::size_t i) { return glm::dvec3(this->Matter.Albedo[i]) * this->GetLight(light, i); });
-  }
-
   /// Returns what matter absorbs of the lights and what goes on as they do.
   glm::dvec3 SumAbsorbed() const
   {
@@ -188,67 +158,108 @@ private:
       });
   }
 
-  /// What the cells send out of the lights D_i, and the direction in which these go on the whole.
-  EscapeRays::Source MakeLightSource(const DiffuseLight::Input& input, glm::dvec3& direction) const
+  /// Returns the direction of all lights together, but along mirrors, of which light leaves no
+  /// side.
+  glm::dvec3 GetMainDirection() const
   {
     const ScatteringMedium& box = this->Matter.Box;
-    EscapeRays::Source source;
-    source.Color.assign(this->Matter.Extinction.size(), glm::vec3(0.0f));
-    source.Lean = source.Color;
-    source.Slopes = input.Slopes;
-    direction = glm::dvec3(0.0);
-    const double slope = 3.0 * (input.Cosine - input.Peak) / (1.0 - input.Peak);
-    glm::ivec3 cell(0);
-    std::size_t at = 0;
-    for (cell.z = 0; cell.z < box.Cells.z; ++cell.z)
+    const glm::dvec3 middle = box.Origin + 0.5 * glm::dvec3(box.Cells) * box.CellSize;
+    glm::dvec3 direction(0.0);
+    for (std::size_t light = 0; light < this->Matter.Lights.size(); ++light)
     {
-      for (cell.y = 0; cell.y < box.Cells.y; ++cell.y)
-      {
-        for (cell.x = 0; cell.x < box.Cells.x; ++cell.x, ++at)
-        {
-          const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
-          glm::dvec3 color(0.0);
-          glm::dvec3 lean(0.0);
-          for (std::size_t light = 0; light < input.Lights.size(); ++light)
-          {
-            const glm::dvec3 here = input.Lights[light][at];
-            const double mean = MeanOf(here);
-            if (mean > 0.0)
-            {
-              color += here;
-              lean += mean * this->Matter.Lights[light].GetDirection(middle);
-            }
-          }
-          direction += static_cast<double>(this->Matter.Extinction[at]) * lean;
-          const double mean = MeanOf(color);
-          if (mean > 0.0)
-          {
-            lean *= slope / mean;
-            source.Color[at] =
-              glm::vec3((1.0 - input.Peak) * glm::dvec3(this->Matter.Albedo[at]) * color);
-            // No direction is negative.
-            source.Lean[at] = glm::vec3(lean / std::max(1.0, glm::length(lean)));
-          }
-        }
-      }
+      direction += MeanOf(this->SumTaken(light)) * this->Matter.Lights[light].GetDirection(middle);
     }
     for (int axis = 0; axis < 3; ++axis)
     {
       direction[axis] = box.Mirrors[axis] ? 0.0 : direction[axis];
     }
-    return source;
+    return direction;
+  }
+
+  /// Traces the direct light of each light, then its forward light, then \a others.
+  std::vector<EscapeRays::Sums> TraceLights(const std::vector<EscapeRays::Source>& others) const
+  {
+    std::vector<EscapeRays::Source> sources;
+    const std::vector<std::vector<glm::vec3>>* direct = &this->Matter.Direct;
+    const std::vector<std::vector<glm::vec3>>* forward = &this->Field.Forward;
+    for (const auto* lights : { direct, forward })
+    {
+      for (std::size_t i = 0; i < lights->size(); ++i)
+      {
+        sources.emplace_back();
+        sources.back().Fluence = &(*lights)[i];
+        sources.back().Light = &this->Matter.Lights[i];
+        sources.back().Slopes = &this->Slopes;
+      }
+    }
+    sources.insert(sources.end(), others.begin(), others.end());
+    return EscapeRays::Trace(this->Matter, this->Phase, sources, this->GetMainDirection());
+  }
+
+  /**
+   * Scales the forward light of each light so that no more of it meets matter than \a share of
+   * what meets matter again of what is scattered. Returns what else meets matter again. The forward
+   * light is taken to go on as the light does, which brings it deeper than the phase function's
+   * angles do where a light grazes.
+   */
+  glm::dvec3 LimitForward(std::vector<EscapeRays::Sums> const& sums, double share)
+  {
+    const std::size_t lights = this->Matter.Lights.size();
+    this->ForwardScale.assign(this->Field.Forward.size(), glm::dvec3(1.0));
+    glm::dvec3 left(0.0);
+    for (std::size_t light = 0; light < lights; ++light)
+    {
+      left += sums[light].Kept;
+      if (this->Field.Forward.empty())
+      {
+        continue;
+      }
+      std::vector<glm::vec3>& forward = this->Field.Forward[light];
+      const glm::dvec3 needed =
+        this->SumCells([&](std::size_t i) { return glm::dvec3(forward[i]); }) -
+        sums[lights + light].Kept;
+      glm::dvec3& scale = this->ForwardScale[light];
+      for (int color = 0; color < 3; ++color)
+      {
+        const double most = share * sums[light].Kept[color];
+        scale[color] = needed[color] > most ? most / needed[color] : 1.0;
+      }
+      left -= scale * needed;
+      for (glm::vec3& value : forward)
+      {
+        value *= glm::vec3(scale);
+      }
+    }
+    return glm::max(left, 0.0);
+  }
+
+  /// Adds what is absorbed and seen of the lights and their forward light.
+  void ReportLights(const std::vector<EscapeRays::Sums>& sums)
+  {
+    const std::size_t lights = this->Matter.Lights.size();
+    this->Report.Absorbed += MeanOf(this->SumAbsorbed());
+    for (std::size_t i = 0; i < lights + this->ForwardScale.size(); ++i)
+    {
+      this->ReportOut(sums[i], i < lights ? glm::dvec3(1.0) : this->ForwardScale[i - lights]);
+    }
+  }
+
+  void ReportOut(const EscapeRays::Sums& sums, const glm::dvec3& scale)
+  {
+    this->Report.Absorbed += MeanOf(scale * sums.Blocked);
+    this->Report.Reflected += MeanOf(scale * sums.Back);
+    this->Report.Transmitted += MeanOf(scale * sums.On);
   }
 
   /**
    * Scales the fluence so that what leaves the medium and what it absorbs are what it takes from
-   * the lights. What leaves is what eyes around the box see; with E what the cells send out of
-   * light i without the peak, and K the part of it that meets matter again,
+   * the lights. What leaves is what eyes around the box see; with K what meets matter again of what
+   * the lights and the forward light are scattered to,
    *
-   *   K(lights) = factor (out(fluence) + absorbed(fluence)).
+   *   K - (what meets matter of the forward light) = factor (out(fluence) + absorbed(fluence)).
    */
   void Balance(const DiffuseLight::Input& input, DiffuseLight::Output& diffuse)
   {
-    glm::dvec3 direction(0.0);
     // Diffusion finds none where all the light goes on and out, by a thick cell or along a thin
     // one.
     for (std::size_t i = 0; i < diffuse.Fluence.size(); ++i)
@@ -259,16 +270,13 @@ private:
           glm::max(diffuse.Fluence[i], 1e-3f * this->Matter.Albedo[i] * light[i]);
       }
     }
-    std::vector<EscapeRays::Source> sources = { this->MakeLightSource(input, direction),
-      EscapeRays::Source() };
-    sources[1].Color = diffuse.Fluence;
-    sources[1].Lean = diffuse.Lean;
-    for (std::size_t i = 0; i < diffuse.Fluence.size(); ++i)
-    {
-      sources[1].Color[i] *= this->Matter.Albedo[i];
-      sources[1].Lean[i] *= static_cast<float>(3.0 * input.Cosine);
-    }
-    const std::vector<EscapeRays::Sums> sums = EscapeRays::Trace(this->Matter, sources, direction);
+    EscapeRays::Source source;
+    source.Fluence = &diffuse.Fluence;
+    source.Lean = &diffuse.Lean;
+    source.LeanFactor = 3.0 * input.Cosine;
+    const std::vector<EscapeRays::Sums> sums = this->TraceLights({ source });
+    const glm::dvec3 kept = this->LimitForward(sums, MostForward);
+    this->ReportLights(sums);
     const glm::dvec3 absorbed = this->SumCells([&](std::size_t i)
       { return (1.0 - glm::dvec3(this->Matter.Albedo[i])) * glm::dvec3(diffuse.Fluence[i]); });
     glm::dvec3 dropped(0.0);
@@ -277,37 +285,29 @@ private:
       dropped += this->Matter.CellVolume * diffuse.Drop[i] * glm::dvec3(diffuse.Fluence[i]);
     }
     glm::dvec3 factor(0.0);
-    const glm::dvec3 gone = sums[1].GetOut() + absorbed + dropped;
+    const glm::dvec3 gone = sums.back().GetOut() + absorbed + dropped;
     for (int color = 0; color < 3; ++color)
     {
-      factor[color] = gone[color] > 0.0 ? std::max(sums[0].Kept[color] / gone[color], 0.0) : 0.0;
+      factor[color] = gone[color] > 0.0 ? kept[color] / gone[color] : 0.0;
     }
     for (glm::vec3& fluence : diffuse.Fluence)
     {
       fluence *= glm::vec3(factor);
     }
-    this->Report.Dropped = MeanOf(factor * dropped);
-    this->Report.Absorbed =
-      MeanOf(this->SumAbsorbed() + factor * absorbed + sums[0].Blocked + factor * sums[1].Blocked);
-    this->Report.Reflected = MeanOf(sums[0].Back + factor * sums[1].Back);
-    this->Report.Transmitted =
-      MeanOf(sums[0].On + factor * sums[1].On) + this->GetPeakOutflow(input.Peak);
+    this->Report.Dropped += MeanOf(factor * dropped);
+    this->Report.Absorbed += MeanOf(factor * absorbed);
+    this->ReportOut(sums.back(), factor);
   }
 
-  /// Returns what of the forward peak leaves the box.
-  double GetPeakOutflow(double peak) const
-  {
-    glm::dvec3 sum(0.0);
-    for (std::size_t light = 0; light < this->Field.Forward.size(); ++light)
-    {
-      sum += peak * this->SumScattered(light) -
-        this->SumCells([&](std::size_t i) { return glm::dvec3(this->Field.Forward[light][i]); });
-    }
-    return std::max(MeanOf(sum), 0.0);
-  }
+  /// The most that the forward light of mode FULL takes of what meets matter again of a light.
+  static constexpr double MostForward = 0.75;
 
   MatterCells Matter;
   PhaseFunction Phase;
+  /// Those of LightSlopes.
+  std::vector<glm::vec3> Slopes;
+  /// The factors of forward lights that LimitForward has found.
+  std::vector<glm::dvec3> ForwardScale;
   const ScatteringSettings& Settings;
   ScatteringField& Field;
   ScatteringReport& Report;

@@ -49,9 +49,9 @@ struct ScatteringReport
   std::size_t BadCells = 0;
   /// What the medium takes from the direct light.
   double Taken = 0.0;
-  /// What becomes of it: absorbed in matter and in blocked cells; leaving the box against the
-  /// lights and with them; dropped by mode FORWARD, which has no light that goes back. The sum is
-  /// at most Taken.
+  /// What becomes of it: absorbed in matter and in blocked cells; seen by eyes around the box, from
+  /// the side of the lights and from the other; dropped, what is scattered again by mode FORWARD
+  /// otherwise than forwards, and by BackwardLayers. The sum is Taken.
   double Absorbed = 0.0;
   double Reflected = 0.0;
   double Transmitted = 0.0;

@@ -4,6 +4,8 @@
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Scattering/Solver/ScatteringCases.h"
 
+#include "Scattering/ForwardLight.h"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -50,7 +52,7 @@ struct Pencil
 
   /// Sums light over the cells of a layer: that of the light, of scattered light, and its square
   /// distance along one of the axes across from the middle.
-  void Measure(const ScatteringField& field, int layer, double& direct, double& scattered,
+  void Measure(const std::vector<glm::vec3>& forward, int layer, double& direct, double& scattered,
     double& squares) const
   {
     direct = scattered = squares = 0.0;
@@ -65,8 +67,8 @@ struct Pencil
         const double distance =
           (cell[across] - this->Medium.Cells[across] / 2) * this->Medium.CellSize[across];
         direct += this->Light.Direct[i].x;
-        scattered += field.Forward[0][i].x;
-        squares += distance * distance * field.Forward[0][i].x;
+        scattered += forward[i].x;
+        squares += distance * distance * forward[i].x;
       }
     }
   }
@@ -86,10 +88,11 @@ void CheckSpread(Check& check)
       { 33, 64, 2, false, 4e-5 }, { 65, 32, 0, true, 3e-4 }, { 65, 64, 1, false, 4e-5 } })
   {
     const Pencil pencil(lateral, along, axis, isBackwards);
-    ScatteringSettings settings;
-    settings.AngleVariance = Variance;
-    const Solved solved = Solve(pencil.Medium, { pencil.Light }, ScatteringMode::Forward, settings);
     const double share = pencil.Medium.Phase.ForwardShare();
+    int layers = 0;
+    const std::vector<glm::vec3> forward =
+      ForwardLight::Solve(MatterCells(pencil.Medium, { pencil.Light }), 0, share, Variance, layers);
+    check.Equal(layers, along, "number of layers");
     double worst = 0.0;
     double worstSum = 0.0;
     for (int layer = along / 4; layer < along; ++layer)
@@ -97,7 +100,7 @@ void CheckSpread(Check& check)
       double direct = 0.0;
       double scattered = 0.0;
       double squares = 0.0;
-      pencil.Measure(solved.Field, layer, direct, scattered, squares);
+      pencil.Measure(forward, layer, direct, scattered, squares);
       const double place = (layer + 0.5) / along;
       const double sum = std::exp(-Depth * (1.0 - share) * place) - std::exp(-Depth * place);
       worstSum = std::max(worstSum, std::abs(scattered / sum - 1.0));
