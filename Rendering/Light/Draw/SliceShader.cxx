@@ -312,7 +312,7 @@ void SetScattering(vtkShaderProgram* program, const SliceScattering& scattering)
   }
   if (program->IsUniformUsed("scattered"))
   {
-    SetMatrix(program, "nodeFromUnit", scattering.NodeFromUnit);
+    MatrixUniform::Set(program, "nodeFromUnit", scattering.NodeFromUnit);
     SetVector(program, "fieldNodes", glm::dvec3(scattering.Nodes));
     program->SetUniformf("meanCosine", static_cast<float>(scattering.MeanCosine));
   }
