@@ -114,6 +114,36 @@ void vtkShadowedSliceRepresentation::SetNumberOfLightSamples(int number)
   this->Mapper->SetNumberOfLightSamples(number);
 }
 
+void vtkShadowedSliceRepresentation::SetMultipleScattering(int mode)
+{
+  this->Mapper->SetMultipleScattering(mode);
+}
+
+void vtkShadowedSliceRepresentation::SetPhaseFunction(int phase)
+{
+  this->Mapper->SetPhaseFunction(phase);
+}
+
+void vtkShadowedSliceRepresentation::SetAnisotropy(double anisotropy)
+{
+  this->Mapper->SetAnisotropy(anisotropy);
+}
+
+void vtkShadowedSliceRepresentation::SetForwardSpread(double spread)
+{
+  this->Mapper->SetForwardSpread(spread);
+}
+
+void vtkShadowedSliceRepresentation::SetBackwardLayers(int layers)
+{
+  this->Mapper->SetBackwardLayers(layers);
+}
+
+void vtkShadowedSliceRepresentation::SetScatteringGridSize(int size)
+{
+  this->Mapper->SetScatteringGridSize(size);
+}
+
 void vtkShadowedSliceRepresentation::SetColoredShadows(bool colored)
 {
   this->ColoredShadows = colored;

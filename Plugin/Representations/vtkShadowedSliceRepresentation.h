@@ -96,6 +96,12 @@ public:
   void SetAutoAdjustSampleDistances(bool adjust);
   void SetSoftShadowMethod(int method);
   void SetNumberOfLightSamples(int number);
+  void SetMultipleScattering(int mode);
+  void SetPhaseFunction(int phase);
+  void SetAnisotropy(double anisotropy);
+  void SetForwardSpread(double spread);
+  void SetBackwardLayers(int layers);
+  void SetScatteringGridSize(int size);
   ///@}
 
   /**

@@ -17,6 +17,7 @@ WITHOUT_PICTURE = {
 # Another value of each, and what must be set first for it to matter.
 LIGHT = {"ProjectiveLight": 1}
 LAMP = {"AreaLight": 1, "AreaLightIntensity": 2.0, "NumberOfLightSamples": 4}
+PHASE = {"MultipleScattering": "Single", "ScatteringAnisotropy": 0.8}
 NEARBY = {"Orientation": [0.0, 0.0, 40.0]}
 COMMON = {
     "Opacity": (0.3, {}), "Orientation": ([10.0, 20.0, 30.0], {}), "Origin": ([3.0, 0.0, 0.0], NEARBY),
@@ -53,7 +54,12 @@ CASES = {
         "AreaLightPositional": ("Lamp", LAMP), "AreaLightShadows": (0, LAMP),
         "AreaLightShape": ("Square", {**LAMP, "AreaLightWidth": 9.0}),
         "AreaLightViewUp": ([1.0, 1.0, 0.0], {**LAMP, "AreaLightWidth": 9.0}), "AreaLightWidth": (9.0, LAMP),
-        "NumberOfLightSamples": (9, LAMP), "SoftShadowMethod": ("Accumulated Convolution", LAMP)})}
+        "NumberOfLightSamples": (9, LAMP), "SoftShadowMethod": ("Accumulated Convolution", LAMP),
+        "MultipleScattering": ("Single", {}), "ScatteringPhaseFunction": ("Henyey Greenstein", PHASE),
+        "ScatteringAnisotropy": (0.3, {**PHASE, "ScatteringPhaseFunction": "Henyey Greenstein"}),
+        "ScatteringForwardSpread": (0.5, {"MultipleScattering": "Forward"}),
+        "ScatteringBackwardLayers": (1, {"MultipleScattering": "Full"}),
+        "ScatteringGridSize": (4, {"MultipleScattering": "Full"})})}
 # Take a texture file, surfaces beside the volume, or several processes; TestPluginShadowedSlices,
 # TestPluginAreaLight, TestPluginSceneShadows and TestPluginPieceShadows draw with them.
 TESTED_ELSEWHERE = {

@@ -483,6 +483,12 @@ int main(int argc, char* argv[])
       { "AreaLightIntensity", Text(lamp->GetIntensity()) },
       { "AreaLightShadows", Text(lamp->GetShadowAttenuation()) },
       { "SoftShadowMethod", Text(slices->GetSoftShadowMethod()) },
-      { "NumberOfLightSamples", Text(slices->GetNumberOfLightSamples()) } });
+      { "NumberOfLightSamples", Text(slices->GetNumberOfLightSamples()) },
+      { "MultipleScattering", Text(slices->GetMultipleScattering()) },
+      { "ScatteringPhaseFunction", Text(slices->GetPhaseFunction()) },
+      { "ScatteringAnisotropy", Text(slices->GetAnisotropy()) },
+      { "ScatteringForwardSpread", Text(slices->GetForwardSpread()) },
+      { "ScatteringBackwardLayers", Text(slices->GetBackwardLayers()) },
+      { "ScatteringGridSize", Text(slices->GetScatteringGridSize()) } });
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
