@@ -134,9 +134,14 @@ struct SliceScene;
  * - SINGLE_SCATTERING: D is 0. It takes no buffer, no pass and no cells.
  * - FORWARD_SCATTERING: D is light that was scattered before by less than a right angle, and goes
  * on as its light does, spread by ForwardSpread. Light that is scattered back is lost.
- * - FULL_SCATTERING: D is light that was scattered before in any direction; none is gained.
- * A light of colour 1 lights thin white matter to 1, and thick white matter to up to 4, as a white
- * wall that faces it would be in these units; light of colour 1 from all sides together, to 1.
+ * - FULL_SCATTERING: D is light that was scattered before in any direction. Over all directions of
+ * view none is gained; seen from one, edges of matter whose cells have optical depths above 3 are
+ * too bright. Under even light from all sides on a cube that absorbs nothing, in 16 cells and seen
+ * face on, pixels are off by 0.001 in the mean at a depth of 0.1, 0.01 at 1, 0.03 at 3 and 0.06 at
+ * 10; of 500 random settings with 4 to 8 cells and depths to 1e3 14 have a pixel above 1.05, 1.62
+ * at most. A light of colour 1 lights thin white matter to 1, and thick white matter to up to 4, as
+ * a white wall that faces it would be in these units; light of colour 1 from all sides together,
+ * to 1.
  *
  * D does not depend on the eye. It is found by threads on the CPU in the cells of a grid
  * (ScatteringGridSize) around the blocks that can be seen, which have the mean extinction and
