@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A cloud in the sun, drawn with light that is scattered once, forwards, and in full, against paths
+// of light by Monte Carlo.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Pictures/VolumeStage.h"
+#include "Transport/CloudCase.h"
+#include "Transport/SceneTransport.h"
+
+#include "vtkNew.h"
+#include "vtkShadowedSliceMapper.h"
+
+#include <cmath>
+#include <iostream>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr int Cells = 40;
+constexpr int Pixels = 16;
+
+RgbaPicture Draw(VolumeStage& stage, const ShadowScene& scene, int mode)
+{
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  mapper->SetInputData(scene.Image);
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetMultipleScattering(mode);
+  mapper->SetPhaseFunctionToHenyeyGreenstein();
+  mapper->SetAnisotropy(CloudAnisotropy);
+  stage.SetVolume(mapper, scene.Property);
+  return stage.Capture();
+}
+
+/// The root mean square of the difference over that of the reference, less what the noise of this
+/// adds.
+double GetError(const RgbaPicture& found, const TransportPicture& expected)
+{
+  double difference = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < found.Values.size(); i += 4)
+  {
+    const double noise = expected.StandardError.Values[i] * expected.StandardError.Values[i];
+    difference += std::pow(found.Values[i] - expected.Mean.Values[i], 2.0) - noise;
+    square += expected.Mean.Values[i] * expected.Mean.Values[i] - noise;
+  }
+  return std::sqrt(std::max(difference, 0.0) / square);
+}
+
+}
+
+int TestScatteredClouds(int, char*[])
+{
+  Check check;
+  const ShadowScene scene = MakeCloudCase(Cells, Pixels);
+  VolumeStage stage(scene.Size);
+  stage.SetLights(scene.Lights);
+  stage.SetCamera(scene.Camera);
+  SceneTransportSettings settings;
+  settings.Phase = TransportPhase::HenyeyGreenstein(CloudAnisotropy);
+  settings.PathsPerPixel = 800;
+  const TransportPicture all = TraceScene(scene, settings);
+  settings.MaximumScatterings = 1;
+  const TransportPicture once = TraceScene(scene, settings);
+
+  const RgbaPicture single = Draw(stage, scene, vtkShadowedSliceMapper::SINGLE_SCATTERING);
+  const double first = GetError(single, once);
+  const double singleError = GetError(single, all);
+  const double forwardError =
+    GetError(Draw(stage, scene, vtkShadowedSliceMapper::FORWARD_SCATTERING), all);
+  const double fullError =
+    GetError(Draw(stage, scene, vtkShadowedSliceMapper::FULL_SCATTERING), all);
+  std::cout << "single against one scattering: " << first << "; against all: single " << singleError
+            << ", forward " << forwardError << ", full " << fullError << "\n";
+  // Lines of sight along the cloud's edge see what the light's buffer leaves of its detail.
+  check.That(first < 0.12, "single scattering: " + std::to_string(first));
+  check.That(fullError < forwardError && forwardError < singleError, "full is the best");
+  check.That(fullError < 0.3, "full scattering: " + std::to_string(fullError));
+  return check.Result();
+}
