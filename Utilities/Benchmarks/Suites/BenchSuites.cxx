@@ -11,6 +11,7 @@ std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites()
   suites.push_back(MakeInterval4dSuite());
   suites.push_back(MakeShadowsSuite());
   suites.push_back(MakeSoftShadowsSuite());
+  suites.push_back(MakeScatteringSuite());
   suites.push_back(MakeMixedSuite());
   suites.push_back(MakeFlowSuite());
   return suites;

@@ -14,6 +14,7 @@ std::unique_ptr<BenchSuite> MakeTetrahedraSuite();
 std::unique_ptr<BenchSuite> MakeInterval4dSuite();
 std::unique_ptr<BenchSuite> MakeShadowsSuite();
 std::unique_ptr<BenchSuite> MakeSoftShadowsSuite();
+std::unique_ptr<BenchSuite> MakeScatteringSuite();
 std::unique_ptr<BenchSuite> MakeMixedSuite();
 std::unique_ptr<BenchSuite> MakeFlowSuite();
 

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Scattering/ScatteringClouds.h"
+
+#include "Benchmarks/Scattering/ScatteringModes.h"
+#include "Transport/CloudCase.h"
+#include "Transport/SceneTransport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace scattering
+{
+namespace
+{
+const char* const Norm = "difference over the mean, mean over pixels";
+const char* const CloudName = "cloud";
+const char* const Default = "default";
+const char* const Shadowed = "shadowed";
+const char* const EqualError = "equal-error";
+
+/// The mean over pixels of the difference of colours, over the mean colour of the reference.
+double GetRelativeError(const reference::RgbaPicture& found, const reference::RgbaPicture& expected)
+{
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < expected.Values.size(); ++i)
+  {
+    if (i % 4 != 3)
+    {
+      difference += std::abs(found.Values[i] - expected.Values[i]);
+      sum += expected.Values[i];
+    }
+  }
+  return difference / sum;
+}
+
+/// The error of noise of known standard deviations, as the above.
+double GetNoise(const reference::TransportPicture& picture)
+{
+  // Of a normal distribution the mean distance from the middle, in standard deviations.
+  const double mean = std::sqrt(2.0 / 3.14159265358979324);
+  double sum = 0.0;
+  double colour = 0.0;
+  for (std::size_t i = 0; i < picture.Mean.Values.size(); ++i)
+  {
+    if (i % 4 != 3)
+    {
+      sum += mean * picture.StandardError.Values[i];
+      colour += picture.Mean.Values[i];
+    }
+  }
+  return sum / colour;
+}
+
+struct Setting
+{
+  std::string Mode;
+  std::string Parameter;
+  shadows::MethodPointer Drawn;
+};
+
+std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
+  const reference::ShadowScene& scene, double spacing, const BenchOptions& options)
+{
+  std::vector<Setting> settings;
+  const auto add = [&](const std::string& mode, const std::string& parameter, const Change& more)
+  {
+    settings.push_back({ mode, parameter,
+      shadows::MakeSlices(stage, scene, InMode(mode, reference::CloudAnisotropy, more)) });
+  };
+  for (const std::string& mode : GetModes())
+  {
+    add(mode, Default, nullptr);
+    for (const int size : options.Pick<std::vector<int>>({ 64, 128, 256 }, { 64 }, { 16 }))
+    {
+      add(mode, "buffer " + std::to_string(size),
+        [=](vtkShadowedSliceMapper* mapper) { mapper->SetLightBufferSize(size); });
+    }
+    for (const int factor : options.Pick<std::vector<int>>({ 2, 4 }, { 2 }, { 2 }))
+    {
+      add(mode, "spacing " + std::to_string(factor),
+        [=](vtkShadowedSliceMapper* mapper) { mapper->SetSliceSpacing(factor * spacing); });
+    }
+    if (mode != Single)
+    {
+      for (const int size : options.Pick<std::vector<int>>({ 8, 16, 32, 64 }, { 8, 16 }, { 8 }))
+      {
+        add(mode, "grid " + std::to_string(size),
+          [=](vtkShadowedSliceMapper* mapper) { mapper->SetScatteringGridSize(size); });
+      }
+    }
+  }
+  settings.push_back({ Shadowed, Default, shadows::MakeSlices(stage, scene) });
+  return settings;
+}
+
+BenchRow MakeRow(const BenchRows& rows, const std::string& method, const std::string& parameter,
+  double seconds, double error)
+{
+  BenchRow row = rows.Make(CloudName, method);
+  row.Parameter = parameter;
+  row.Seconds = seconds;
+  row.Error = error;
+  row.ErrorNorm = Norm;
+  return row;
+}
+}
+
+void AddCloudRows(const BenchOptions& options, BenchRows& rows)
+{
+  const reference::ShadowScene scene =
+    reference::MakeCloudCase(options.Pick(96, 32, 12), options.Pick(128, 32, 8));
+  reference::VolumeStage stage(scene.Size);
+  double spacing = 0.0;
+  {
+    const shadows::MethodPointer plain = shadows::MakeSlices(stage, scene);
+    plain->Capture();
+    spacing = plain->GetSlices()->GetReport().SliceSpacing;
+  }
+  const std::vector<Setting> settings = MakeSettings(stage, scene, spacing, options);
+
+  reference::SceneTransportSettings traced;
+  traced.Phase = reference::TransportPhase::HenyeyGreenstein(reference::CloudAnisotropy);
+  traced.PathsPerPixel = static_cast<std::uint64_t>(options.Pick(1500, 200, 10));
+  traced.Seed = options.Seed;
+  reference::TransportPicture expected;
+  const auto trace = WithThreads(options.Threads,
+    [&]()
+    {
+      expected = reference::TraceScene(scene, traced);
+      return vtkSmartPointer<vtkObjectBase>();
+    });
+  const double traceSeconds = TimeOnce(trace);
+  const double noise = GetNoise(expected);
+
+  std::vector<BenchWork> works;
+  for (const Setting& setting : settings)
+  {
+    works.push_back(GetLitFrame(*setting.Drawn, scene.Lights.front(), options.Threads));
+  }
+  const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+  const double shadowed = seconds.back();
+  for (std::size_t i = 0; i < settings.size(); ++i)
+  {
+    const Setting& setting = settings[i];
+    const double error = GetRelativeError(setting.Drawn->Capture(), expected.Mean);
+    BenchRow row = MakeRow(rows, setting.Mode, setting.Parameter, seconds[i], error);
+    shadows::AddReport(setting.Drawn->GetSlices()->GetReport(), row);
+    row.Counts["reference_noise"] = noise;
+    if (setting.Mode != Shadowed && setting.Parameter == Default)
+    {
+      row.Peer = Shadowed;
+      row.PeerSeconds = shadowed;
+      row.Counts["over_shadowed"] = seconds[i] / shadowed;
+    }
+    rows.Add(row);
+    if (setting.Mode == Full && setting.Parameter == Default)
+    {
+      BenchRow equal = MakeRow(rows, EqualError, Default, seconds[i], error);
+      equal.Peer = MonteCarlo;
+      equal.PeerSeconds = traceSeconds * (noise * noise) / (error * error);
+      rows.Add(equal);
+    }
+  }
+  // The noise falls with the square root of the number of paths.
+  for (std::uint64_t paths = traced.PathsPerPixel; paths > 0; paths /= 8)
+  {
+    const double share = static_cast<double>(paths) / static_cast<double>(traced.PathsPerPixel);
+    rows.Add(MakeRow(rows, MonteCarlo, std::to_string(paths) + " paths", traceSeconds * share,
+      noise / std::sqrt(share)));
+  }
+}
+
+std::vector<BenchPlot> MakeCloudPlots(const std::vector<BenchRow>& rows)
+{
+  BenchPlot plot;
+  plot.Name = "scattering-cloud";
+  plot.Title = "cloud: error against run time, one light";
+  plot.XLabel = "time of a frame whose light has moved (s)";
+  plot.YLabel = std::string("error: ") + Norm;
+  plot.LogX = true;
+  plot.LogY = true;
+  for (const BenchRow& row : rows)
+  {
+    if (row.Case == CloudName && row.Method != EqualError && row.Error && *row.Error > 0.0)
+    {
+      plot.AddPoint(
+        row.Method, row.Method == MonteCarlo || row.Method == Shadowed, *row.Seconds, *row.Error);
+      if (row.Method == Shadowed)
+      {
+        // A line has two points at least.
+        plot.AddPoint(row.Method, true, *row.Seconds, *row.Error);
+      }
+      if (row.Method == Full && row.Parameter == Default)
+      {
+        plot.DefaultPoints = { Full, false, { *row.Seconds }, { *row.Error } };
+      }
+    }
+  }
+  return plot.AllSeries.empty() ? std::vector<BenchPlot>() : std::vector<BenchPlot>{ plot };
+}
+}

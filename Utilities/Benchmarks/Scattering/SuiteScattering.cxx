@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Scattering/ScatteringClouds.h"
+#include "Benchmarks/Scattering/ScatteringModes.h"
+#include "Benchmarks/Scattering/ScatteringSlabs.h"
+#include "Benchmarks/Suites/BenchSuites.h"
+
+namespace
+{
+class SuiteScattering : public BenchSuite
+{
+public:
+  std::string GetName() const override { return "scattering"; }
+  std::string GetTitle() const override
+  {
+    return "Scattered light: error of its modes against run time";
+  }
+
+  std::vector<std::string> GetDescription() const override
+  {
+    return {
+      "Frames of vtkShadowedSliceMapper, off-screen, until OpenGL says they are done, in which the "
+      "light and the camera have moved by half a degree, so that scattered light is found anew.",
+      "slab: slabs of matter in parallel light, drawn from five directions on either side and "
+      "integrated over them, against the reflection and transmission that H. C. van de Hulst, "
+      "\"Multiple Light Scattering\", 1980, prints. The parameter is the number of cells of the "
+      "grid "
+      "along the slab, of which few are across it.",
+      "cloud: a cumulus of an optical depth of about 25, Henyey and Greenstein's g = 0.85, albedo "
+      "1, "
+      "against the paths of our own Monte Carlo solver. equal-error: full with its defaults, and "
+      "the "
+      "time that this solver takes until its noise is as large as that error."
+    };
+  }
+
+  void Run(const BenchOptions& options, BenchRows& rows) const override
+  {
+    scattering::AddSlabRows(options, rows);
+    scattering::AddCloudRows(options, rows);
+  }
+
+  std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override
+  {
+    return { BenchClaim::AtMost("full at most 2 times the time of shadows alone", 2.0, rows,
+      CountOf(scattering::Full, "over_shadowed")) };
+  }
+
+  std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows) const override
+  {
+    return scattering::MakeCloudPlots(rows);
+  }
+};
+}
+
+std::unique_ptr<BenchSuite> MakeScatteringSuite()
+{
+  return std::make_unique<SuiteScattering>();
+}
