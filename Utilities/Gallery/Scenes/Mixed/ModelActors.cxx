@@ -17,7 +17,7 @@
 
 namespace gallery
 {
-void AddModel(Panel& panel, const interlume::Model& model, double gain)
+void AddModel(Panel& panel, const interlume::Model& model, double gain, double ambient)
 {
   for (const interlume::ModelPart& part : model)
   {
@@ -27,8 +27,8 @@ void AddModel(Panel& panel, const interlume::Model& model, double gain)
     actor->SetMapper(mapper);
     vtkProperty* property = actor->GetProperty();
     property->SetColor(part.Color[0], part.Color[1], part.Color[2]);
-    // As the matter of volumes beside it.
-    property->SetAmbient(0.25);
+    // By default as the matter of volumes beside it.
+    property->SetAmbient(ambient);
     property->SetDiffuse(0.8 / gain);
     property->SetSpecular(part.Gloss / gain);
     property->SetSpecularPower(40.0);

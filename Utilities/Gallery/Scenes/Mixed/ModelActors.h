@@ -12,8 +12,10 @@ namespace gallery
 class Panel;
 
 /// Adds an actor for each part. Where lights are stronger for the soft edges of matter, by
-/// EDGE_GAIN, \a gain says so, and these surfaces, which have none, reflect that much less.
-void AddModel(Panel& panel, const interlume::Model& model, double gain = 1.0);
+/// EDGE_GAIN, \a gain says so, and these surfaces, which have none, reflect that much less. \a
+/// ambient is what is seen of colours without any light.
+void AddModel(
+  Panel& panel, const interlume::Model& model, double gain = 1.0, double ambient = 0.25);
 
 /// The panel is drawn by a vtkShadowedScenePass, without ambient occlusion: its surfaces and
 /// volumes shadow each other, under lights with an extent by so many samples.

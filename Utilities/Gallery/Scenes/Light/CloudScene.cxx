@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gallery/Scenes/Light/CloudScene.h"
+
+#include "Gallery/Panel.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Inputs/Clouds.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkRenderer.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkSpatialObject.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace gallery
+{
+namespace
+{
+/// Per unit of length, in the middle of a cloud.
+constexpr double EXTINCTION = 34.0;
+
+/// The mean cosine of the angle by which drops of water turn light.
+constexpr double ANISOTROPY = 0.85;
+}
+
+vtkSmartPointer<vtkVolume> MakeCloudVolume(
+  vtkSpatialObject* clouds, const std::array<double, 6>& bounds, int cells, Scattering scattering)
+{
+  vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(
+    interlume::SampleDensity(clouds, bounds, cells), interlume::MakeCloudMatter(EXTINCTION));
+  Scatter(volume, scattering, ANISOTROPY);
+  return volume;
+}
+
+void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy)
+{
+  vtkShadowedSliceMapper* mapper = GetSlicedMapper(volume);
+  mapper->SetMultipleScattering(scattering == Scattering::SINGLE
+      ? vtkShadowedSliceMapper::SINGLE_SCATTERING
+      : scattering == Scattering::FORWARD ? vtkShadowedSliceMapper::FORWARD_SCATTERING
+                                          : vtkShadowedSliceMapper::FULL_SCATTERING);
+  mapper->SetPhaseFunctionToHenyeyGreenstein();
+  mapper->SetAnisotropy(anisotropy);
+  mapper->SetScatteringGridSize(64);
+}
+
+void UseSky(Panel& panel, const vtkVector3d& sun)
+{
+  vtkSmartPointer<vtkLight> direct = MakeParallelLight(sun, 0.48);
+  direct->SetDiffuseColor(1.0, 0.96, 0.88);
+  vtkSmartPointer<vtkLight> sky = MakeParallelLight({ 0.05, -0.4, 1.0 }, 0.15);
+  sky->SetDiffuseColor(0.72, 0.85, 1.0);
+  panel.SetLights({ direct, sky });
+  panel.SetBackground({ 0.80, 0.88, 0.95 });
+  panel.GetRenderer()->SetBackground2(0.26, 0.47, 0.76);
+  panel.GetRenderer()->GradientBackgroundOn();
+}
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scanned tooth without and with light that is scattered inside.
+
+#include "Gallery/Panel.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Light/CloudScene.h"
+#include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/Stage.h"
+#include "Inputs/DataFiles.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+/// What goes on of the light at each scattering: little is lost, more of blue.
+vtkSmartPointer<vtkColorTransferFunction> MakeAlbedo()
+{
+  auto albedo = vtkSmartPointer<vtkColorTransferFunction>::New();
+  albedo->AddRGBPoint(90.0, 0.998, 0.990, 0.965);
+  albedo->AddRGBPoint(190.0, 0.999, 0.996, 0.985);
+  return albedo;
+}
+
+vtkSmartPointer<vtkVolumeProperty> MakeMatter()
+{
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(115.0, 0.0);
+  opacity->AddPoint(150.0, 0.35);
+  opacity->AddPoint(255.0, 0.45);
+  vtkNew<vtkColorTransferFunction> ivory;
+  ivory->AddRGBPoint(90.0, 0.93, 0.86, 0.72);
+  ivory->AddRGBPoint(190.0, 0.97, 0.95, 0.90);
+  auto matter = vtkSmartPointer<vtkVolumeProperty>::New();
+  matter->SetScalarOpacity(opacity);
+  matter->SetColor(ivory);
+  matter->SetInterpolationTypeToLinear();
+  matter->ShadeOn();
+  matter->SetAmbient(0.2);
+  matter->SetDiffuse(0.8);
+  matter->SetSpecular(0.0);
+  return matter;
+}
+
+void Build(gallery::Stage& stage)
+{
+  vtkSmartPointer<vtkDataSet> scan = interlume::ReadData("tooth.vti");
+  auto* image = vtkImageData::SafeDownCast(scan);
+  gallery::Panel& without = stage.AddPanel("light that is reflected");
+  gallery::Panel& with = stage.AddPanel("light that is scattered inside");
+  for (gallery::Panel* panel : { &without, &with })
+  {
+    vtkSmartPointer<vtkVolume> volume = gallery::MakeSlicedVolume(image, MakeMatter());
+    if (panel == &with)
+    {
+      gallery::Scatter(volume, gallery::Scattering::FULL, 0.8);
+      gallery::GetSlicedMapper(volume)->SetScatteringAlbedo(MakeAlbedo());
+    }
+    panel->Add(volume);
+    vtkSmartPointer<vtkLight> lamp =
+      gallery::MakeParallelLight({ 1.0, 0.55, 0.5 }, panel == &with ? 0.6 : 1.4);
+    lamp->SetDiffuseColor(1.0, 0.95, 0.85);
+    panel->SetLights(
+      { lamp, gallery::MakeParallelLight({ -0.7, -1.0, 0.6 }, panel == &with ? 0.2 : 0.45) });
+    panel->SetBackground({ 0.20, 0.23, 0.28 });
+  }
+  // The tooth itself, without the holder that it was scanned in.
+  const double* bounds = image->GetBounds();
+  const vtkVector3d size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+  const vtkBoundingBox frame(bounds[0] + 0.16 * size[0], bounds[0] + 0.84 * size[0],
+    bounds[2] + 0.45 * size[1], bounds[2] + 0.55 * size[1], bounds[4] + 0.2 * size[2], bounds[5]);
+  without.Frame(frame);
+  with.Frame(frame);
+  without.LookFrom({ 0.25, -1.0, 0.25 }, { 0.0, 0.0, 1.0 });
+  with.LookAs(without);
+}
+
+const gallery::SceneRegistration registration(
+  { "tooth-scattering", "2.53", "A scanned tooth without and with light that is scattered inside",
+    "A lamp stands behind a tooth on the right. In the first picture light is reflected where it "
+    "meets "
+    "matter. In the second it goes on inside until it leaves, so that shadows are soft and the far "
+    "side "
+    "glows; its lamps are half as strong.",
+    { "tooth.vti" }, &Build });
+}
