@@ -5,15 +5,18 @@
 // The share of a light that surfaces of the scene leave in the cells of a grid, one pixel for each: the
 // mean of places in the cell.
 uniform mat4 unitFromCell;
-// The cells along x and y, and the columns of the texture.
-uniform vec3 cellColumns;
+// The cells along x and y, the columns and the rows of the texture.
+uniform vec4 cellColumns;
+// VTK's quad gives an error where a shader does not use it.
+in vec2 texCoord;
 
 //VTK::Output::Dec
 //INTERLUME::CASTERS
 
 void main()
 {
-  int index = int(gl_FragCoord.x) + int(cellColumns.z) * int(gl_FragCoord.y);
+  ivec2 texel = ivec2(texCoord * cellColumns.zw);
+  int index = texel.x + int(cellColumns.z) * texel.y;
   ivec2 columns = ivec2(cellColumns.xy);
   vec3 cell = vec3(index % columns.x, index / columns.x % columns.y, index / (columns.x * columns.y));
   vec3 sum = vec3(0.0);

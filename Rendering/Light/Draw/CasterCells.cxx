@@ -104,9 +104,9 @@ std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& s
     unitFromCell[3] = glm::dvec4(grid.ToUnit(glm::dvec3(0.0)), 1.0);
     glm::mat4 rounded(unitFromCell);
     quad.Program->SetUniformMatrix4x4("unitFromCell", glm::value_ptr(rounded));
-    const std::array<float, 3> columns{ { static_cast<float>(medium.Cells.x),
-      static_cast<float>(medium.Cells.y), static_cast<float>(Columns) } };
-    quad.Program->SetUniform3f("cellColumns", columns.data());
+    const std::array<float, 4> columns{ { static_cast<float>(medium.Cells.x),
+      static_cast<float>(medium.Cells.y), static_cast<float>(Columns), static_cast<float>(rows) } };
+    quad.Program->SetUniform4f("cellColumns", columns.data());
     quad.Render();
     glReadPixels(0, 0, Columns, rows, GL_RGBA, GL_FLOAT, values.data());
     for (vtkTextureObject* map : active)
