@@ -37,6 +37,10 @@ public:
     }
   }
 
+  /// Returns the numbers, which are of one of both types; null for the other.
+  const float* GetFloats() const { return this->Floats; }
+  const double* GetDoubles() const { return this->Doubles; }
+
   vtkIdType GetNumber() const { return this->Array->GetNumberOfTuples(); }
 
   /// Returns the error that rounding may have made in numbers as large as \a size; 0 for doubles.

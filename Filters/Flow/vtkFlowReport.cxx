@@ -20,6 +20,7 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
     { { "ReachedWithinTolerance", this->ReachedWithinTolerance }, { "Steps", this->Steps },
       { "RejectedSteps", this->RejectedSteps }, { "StiffSteps", this->StiffSteps },
       { "RejectedStiffSteps", this->RejectedStiffSteps }, { "StiffSamples", this->StiffSamples },
+      { "LaneSteps", this->LaneSteps },
       { "Evaluations", this->Evaluations }, { "JacobianEvaluations", this->JacobianEvaluations },
       { "DistanceEvaluations", this->DistanceEvaluations }, { "CellsVisited", this->CellsVisited },
       { "CellsOfFewerDimensions", this->CellsOfFewerDimensions } });
@@ -48,6 +49,7 @@ void vtkFlowReport::Add(const vtkFlowReport& other)
   }
   this->ReachedWithinTolerance += other.ReachedWithinTolerance;
   this->Steps += other.Steps;
+  this->LaneSteps += other.LaneSteps;
   this->RejectedSteps += other.RejectedSteps;
   this->StiffSteps += other.StiffSteps;
   this->RejectedStiffSteps += other.RejectedStiffSteps;
@@ -68,6 +70,7 @@ void vtkFlowReport::Add(const interlume::AdvectionResult& result)
     this->ReachedWithinTolerance += result.Nearness > 0.0 ? 1 : 0;
   }
   this->Steps += result.Steps;
+  this->LaneSteps += result.LaneSteps;
   this->RejectedSteps += result.RejectedSteps;
   this->StiffSteps += result.StiffSteps;
   this->RejectedStiffSteps += result.RejectedStiffSteps;

@@ -44,6 +44,9 @@ public:
   vtkIdType RejectedSteps = 0;
   vtkIdType StiffSteps = 0;
   vtkIdType RejectedStiffSteps = 0;
+  /// Those of Steps that were taken with steps of three other streamlines at once, on images and
+  /// rectilinear grids. They have the bytes that they would have alone.
+  vtkIdType LaneSteps = 0;
   /// The number of samples that took at least one step of Rosenbrock's method.
   vtkIdType StiffSamples = 0;
   /// The numbers of evaluations of the field, of its Jacobian, and of surfaces' distances.

@@ -72,17 +72,114 @@ public:
 
   void Follow(const double x[3], AdvectionResult& result)
   {
-    this->Reset(result);
-    if (this->Begin(x))
+    bool goesOn = this->Start(x, result);
+    while (goesOn)
     {
-      bool goesOn = true;
-      while (goesOn)
-      {
-        goesOn = this->Enter() && this->TakeStep();
-      }
+      goesOn = this->GoStep();
     }
-    this->End();
+    this->Finish();
   }
+
+  ///@{
+  /// Follows one streamline step by step: Start and GoStep return false where it ends, and then
+  /// Finish is called. \a result is used until then.
+  bool Start(const double x[3], AdvectionResult& result)
+  {
+    this->Reset(result);
+    return this->Begin(x);
+  }
+  bool GoStep() { return this->Enter() && this->TakeStep(); }
+  void Finish() { this->End(); }
+  ///@}
+
+  ///@{
+  /// Hands the streamline over to a lane that goes on with it, if the next steps may be those that
+  /// LaneSteps takes, and takes it back.
+  template <typename Steps>
+  bool GiveTo(Steps& steps, int lane) const
+  {
+    const int most = std::min(this->Stagnation.GetStepsLeft(),
+      this->Options.MaximumNumberOfSteps - this->GetNumberOfSteps());
+    const bool isExplicit = this->Options.Integrator == vtkFlowSettings::DORMAND_PRINCE ||
+      (this->Options.Integrator == vtkFlowSettings::AUTOMATIC && !this->Stiffness.IsStiff());
+    if (!isExplicit || most <= 0 || this->HasIntegrals || this->Recurrence.IsWatching() ||
+      this->Step == 0.0 || this->Crossings >= MostCrossings || this->ClosedFace >= 0)
+    {
+      return false;
+    }
+    steps.Walker.Stand(lane, this->Field.GetPlace());
+    for (int i = 0; i < 3; ++i)
+    {
+      steps.Point[i].Set(lane, this->Point[i]);
+    }
+    steps.Time.Set(lane, this->Time);
+    steps.Step.Set(lane, this->Step);
+    steps.Way.Set(lane, this->Stagnation.GetWay());
+    steps.Previous.Set(lane, this->Controller.GetPrevious());
+    for (std::size_t i = 0; i < steps.Clearances.size(); ++i)
+    {
+      steps.Clearances[i].Set(lane, this->Surfaces.GetClearance(i));
+    }
+    typename Steps::Count& count = steps.Counts[lane];
+    count = typename Steps::Count();
+    count.MostSteps = most;
+    count.MostCells = this->Recurrence.GetNextFace() - this->Result->Cells;
+    count.From = this->Recurrence.GetFrom();
+    count.To = this->Recurrence.GetTo();
+    count.HasRate = this->HasPointRate;
+    count.WasRejected = this->Controller.GetWasRejected();
+    return true;
+  }
+  /// Returns whether the next step meets no surface after all, where that was all that kept a lane
+  /// from it.
+  template <typename Steps>
+  bool IsClear(const Steps& steps, int lane)
+  {
+    // Of several surfaces the first that is met decides which others are looked at.
+    if (!steps.IsNear(lane) || this->Surfaces.GetNumber() != 1)
+    {
+      return false;
+    }
+    double x[3];
+    this->Field.GetPosition(this->Point, x);
+    return this->Surfaces.Renew(x, steps.GetWay(lane));
+  }
+  template <typename Steps>
+  void TakeFrom(const Steps& steps, int lane)
+  {
+    const typename Steps::Count& count = steps.Counts[lane];
+    if (count.Steps == 0)
+    {
+      return;
+    }
+    this->Field.StandIn(steps.Walker.GetPlace(lane));
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Point[i] = steps.Point[i].Get(lane);
+    }
+    this->Time = steps.Time.Get(lane);
+    this->Step = steps.Step.Get(lane);
+    this->Controller.Restore(steps.Previous.Get(lane), count.WasRejected);
+    this->Stagnation.Restore(steps.Way.Get(lane), count.Steps);
+    this->Stiffness.AddHarmless(count.Steps);
+    for (std::size_t i = 0; i < steps.Clearances.size(); ++i)
+    {
+      this->Surfaces.RestoreClearance(i, steps.Clearances[i].Get(lane));
+    }
+    this->HasPointRate = count.HasRate;
+    if (this->HasPointRate)
+    {
+      this->Rate(this->Point, this->PointRate);
+      --this->Rate.Evaluations;
+    }
+    this->Result->Steps += count.Steps;
+    this->Result->LaneSteps += count.Steps;
+    this->Result->Cells += count.Cells;
+    this->Rate.Evaluations += DormandPrinceStep::NumberOfRates * count.Steps + count.Rates;
+    this->Crossings = count.CellBefore >= 0 ? 1 : 0;
+    this->CellBefore = count.CellBefore;
+  }
+  ///@}
 
 private:
   static constexpr int MostCrossings = 64;

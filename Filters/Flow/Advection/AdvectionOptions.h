@@ -64,6 +64,8 @@ struct AdvectionResult
   int RejectedSteps = 0;
   int StiffSteps = 0;
   int RejectedStiffSteps = 0;
+  /// Those of Steps that LaneSteps took.
+  int LaneSteps = 0;
   int Evaluations = 0;
   int JacobianEvaluations = 0;
   int DistanceEvaluations = 0;

@@ -25,6 +25,8 @@ public:
   /// The power of the step by which the error per unit of time falls.
   static constexpr int ErrorOrder = 4;
   static constexpr bool HasEndRate = true;
+  /// The rates that a step computes, without the first.
+  static constexpr int NumberOfRates = 6;
 
   double End[3];
   double EndRate[3];

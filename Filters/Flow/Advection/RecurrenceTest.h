@@ -48,6 +48,12 @@ public:
     return cells >= this->NextFace || (to == this->To && from == this->From);
   }
 
+  /// Returns the crossings that Enter is to be called for: a number of cells, and a face that was
+  /// crossed before.
+  vtkIdType GetNextFace() const { return this->NextFace; }
+  vtkIdType GetFrom() const { return this->From; }
+  vtkIdType GetTo() const { return this->To; }
+
   /// Notes a crossing. \a cells is the number of cells that were entered, \a x the place on the
   /// face.
   void Enter(vtkIdType cells, vtkIdType from, vtkIdType to, const double x[3], const Budget& used,

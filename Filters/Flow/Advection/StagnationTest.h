@@ -34,6 +34,16 @@ public:
     ++this->Steps;
   }
 
+  /// Notes several accepted steps by the way that all steps of the window have made.
+  void Restore(double way, int steps)
+  {
+    this->Way = way;
+    this->Steps += steps;
+  }
+  double GetWay() const { return this->Way; }
+  /// Returns the number of steps that the window still has.
+  int GetStepsLeft() const { return Windows[this->Window] - this->Steps; }
+
   /// Returns whether a window has ended, and Look is to be called.
   bool IsDue() const { return this->Steps >= Windows[this->Window]; }
 

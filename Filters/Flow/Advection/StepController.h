@@ -26,13 +26,11 @@ public:
     const bool wasRejected = this->WasRejected;
     this->WasRejected = false;
     double factor = Largest;
-    if (ratio > 1e-5)
+    if (ratio > SmallRatio)
     {
-      factor = Safety * std::pow(ratio, -1.0 / order + 0.75 * Integral) *
-        std::pow(this->Previous, Integral);
-      factor = std::min(Largest, std::max(Smallest, factor));
+      factor = StepController::GetFactor(ratio, this->Previous, order);
     }
-    this->Previous = std::max(ratio, 1e-4);
+    this->Previous = std::max(ratio, LeastPrevious);
     return wasRejected ? std::min(factor, 1.0) : factor;
   }
 
@@ -45,13 +43,36 @@ public:
     return factor > Smallest ? std::min(factor, Safety) : Smallest;
   }
 
+  /// Returns what the step is multiplied by after accepted errors of \a ratio above SmallRatio, and
+  /// of \a previous before.
+  static double GetFactor(double ratio, double previous, int order)
+  {
+    const double factor =
+      Safety * std::pow(ratio, -1.0 / order + 0.75 * Integral) * std::pow(previous, Integral);
+    return std::min(Largest, std::max(Smallest, factor));
+  }
+
+  static constexpr double Largest = 5.0;
+  /// The ratio below which the step is multiplied by the largest factor.
+  static constexpr double SmallRatio = 1e-5;
+  /// The least ratio that is kept.
+  static constexpr double LeastPrevious = 1e-4;
+
+  /// What is kept of the step before, for those who take steps in its place.
+  double GetPrevious() const { return this->Previous; }
+  bool GetWasRejected() const { return this->WasRejected; }
+  void Restore(double previous, bool wasRejected)
+  {
+    this->Previous = previous;
+    this->WasRejected = wasRejected;
+  }
+
 private:
   static constexpr double Safety = 0.9;
   static constexpr double Integral = 0.04;
   static constexpr double Smallest = 0.2;
-  static constexpr double Largest = 5.0;
 
-  double Previous = 1e-4;
+  double Previous = LeastPrevious;
   bool WasRejected = false;
 };
 

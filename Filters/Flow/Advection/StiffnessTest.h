@@ -42,8 +42,20 @@ public:
     }
   }
 
+  /// Notes several steps of which none had a value above LeastStiff.
+  void AddHarmless(int steps)
+  {
+    this->Count = this->Others < PatienceForOthers && this->Others + steps >= PatienceForOthers
+      ? 0
+      : this->Count;
+    this->Others += steps;
+  }
+
+  /// Steps of values up to this are not stiff.
+  static constexpr double LeastStiff = 3.25;
+
 private:
-  static constexpr double Large = 3.25;
+  static constexpr double Large = LeastStiff;
   static constexpr double Small = 2.0;
   static constexpr int StepsToChange = 15;
   static constexpr int StepsToReturn = 6;

@@ -178,6 +178,28 @@ public:
     return least;
   }
 
+  std::size_t GetNumber() const { return this->States.size(); }
+  /// Returns the distance that the streamline may still go until it can have come to a surface.
+  double GetClearance(std::size_t surface) const { return this->States[surface].Clearance; }
+  /// Notes what steps have left of it that cannot have come there.
+  void RestoreClearance(std::size_t surface, double clearance)
+  {
+    this->States[surface].Clearance = clearance;
+    this->States[surface].IsFresh = false;
+  }
+
+  /// Computes how far the only surface is from \a x, where the streamline stands, as Find does
+  /// where a step may come to it. Returns false where the step of the length \a way still may.
+  bool Renew(const double x[3], double way)
+  {
+    State& state = this->States.front();
+    if (state.Clearance <= way && !state.IsFresh)
+    {
+      state.SetDistance(this->Evaluate(0, x));
+    }
+    return state.Clearance > way;
+  }
+
   bool IsEmpty() const { return this->States.empty(); }
   int GetNumberOfEvaluations() const { return this->Evaluations; }
 

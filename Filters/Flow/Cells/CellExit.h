@@ -14,6 +14,16 @@
 namespace interlume
 {
 
+/// What CellExit takes for near and far, in widths of a cell.
+struct ExitLimits
+{
+  static constexpr double Tolerance = 1e-12;
+  /// How far a step may overshoot a face.
+  static constexpr double LargestOvershoot = 0.5;
+  /// How far beyond a face is much; from less the streamline goes on if it comes back.
+  static constexpr double MuchOutside = 1e-6;
+};
+
 /**
  * @class   CellExit
  * @brief   the faces of a walker's cell as a streamline sees them: how far they are, and which it
@@ -26,7 +36,7 @@ template <typename Walker>
 class CellExit
 {
 public:
-  static constexpr double Tolerance = 1e-12;
+  static constexpr double Tolerance = ExitLimits::Tolerance;
   static constexpr int MaximumNumberOfFaces = 6;
 
   /**
@@ -141,11 +151,8 @@ public:
   }
 
 private:
-  /// The largest overshoot of a step beyond a face, as a share of a cell's width.
-  static constexpr double LargestOvershoot = 0.5;
-  /// The share of a cell's width beyond a face that is much; from less the streamline goes on if it
-  /// comes back.
-  static constexpr double MuchOutside = 1e-6;
+  static constexpr double LargestOvershoot = ExitLimits::LargestOvershoot;
+  static constexpr double MuchOutside = ExitLimits::MuchOutside;
   /// The number of samples of the distances from faces that are not affine.
   static constexpr int NumberOfSamples = 16;
 

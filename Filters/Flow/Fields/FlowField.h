@@ -49,6 +49,7 @@ public:
   }
 
   void GetVector(vtkIdType point, double vector[3]) const { this->Vectors.Get<3>(point, vector); }
+  const ArrayRows& GetVectorRows() const { return this->Vectors; }
   void PrefetchVector(vtkIdType point) const { this->Vectors.Prefetch<3>(point); }
   /// Returns a value of the point array with this number.
   double GetValue(int array, vtkIdType point) const

@@ -19,6 +19,9 @@ namespace interlume
 class ImageFlowField : public IndexedFlowField
 {
 public:
+  /// Whether all cells have the same frame.
+  static constexpr bool HasOneFrame = true;
+
   ImageFlowField() = default;
 
   std::string Build(vtkImageData* image, vtkDataArray* vectors,

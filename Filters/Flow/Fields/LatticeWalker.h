@@ -4,6 +4,7 @@
 
 #include "Fields/CellWalker.h"
 #include "Fields/IndexedFlowField.h"
+#include "Fields/LatticeLanes.h"
 
 namespace interlume
 {
@@ -20,6 +21,8 @@ class LatticeWalker : public CellWalker
 {
 public:
   using Field = FieldType;
+  /// Walks in four cells at once.
+  using LaneWalker = LatticeLanes<FieldType>;
   static constexpr bool FacesAreAffine = true;
 
   explicit LatticeWalker(const Field* field)
@@ -28,6 +31,17 @@ public:
   }
 
   const Field& GetField() const { return *this->Shared; }
+
+  const typename Field::Place& GetPlace() const { return this->Stand; }
+  /// Stands in a cell of the field.
+  void StandIn(const typename Field::Place& place)
+  {
+    if (place.Cell != this->Stand.Cell)
+    {
+      this->Stand = place;
+      this->Enter();
+    }
+  }
 
   bool Locate(const double x[3], double p[3])
   {

@@ -19,6 +19,8 @@ namespace interlume
 class RectilinearFlowField : public IndexedFlowField
 {
 public:
+  static constexpr bool HasOneFrame = false;
+
   RectilinearFlowField() = default;
 
   std::string Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/ImplicitFlowRun.h"
 
-#include "Advection/Advection.h"
+#include "Advection/AdvectionLanes.h"
 #include "Common/ArrayCheck.h"
 #include "Common/Batches.h"
 #include "Fields/BoundaryPatches.h"
@@ -12,6 +12,7 @@
 #include "Samples/BeyondTrace.h"
 #include "Samples/CellRefinement.h"
 #include "Samples/ImplicitFlowArrays.h"
+#include "Samples/LatticeSteps.h"
 #include "Samples/SampleOrder.h"
 #include "Samples/TerminationSides.h"
 
@@ -46,6 +47,28 @@ int GetAutomaticSteps(vtkIdType cells)
 {
   constexpr double least = 2000.0;
   return static_cast<int>(std::max(least, 20.0 * std::cbrt(static_cast<double>(cells))));
+}
+
+/// Follows streamlines as AdvectionLanes does, where the walker has lanes.
+template <typename Walker, typename Begin, typename End>
+void FollowEach(const Walker& walker, const AdvectionOptions& options, Begin&& begin, End&& end)
+{
+  if constexpr (std::is_same_v<Walker, ImageWalker> || std::is_same_v<Walker, RectilinearWalker>)
+  {
+    AdvectionLanes<Walker> advection(walker, options, LatticeSteps::Take);
+    advection.Follow(begin, end);
+  }
+  else
+  {
+    Advection<Walker> advection(walker, options);
+    AdvectionResult result;
+    double x[3];
+    for (vtkIdType id = begin(x); id >= 0; id = begin(x))
+    {
+      advection.Follow(x, result);
+      end(id, x, result);
+    }
+  }
 }
 
 template <typename Array>
@@ -309,19 +332,24 @@ bool ImplicitFlowRun::Follow(
     Batches::Run(number - first, this->Owner, start + level * part, start + (level + 1) * part,
       [&](vtkIdType begin, vtkIdType end)
       {
-        Advection<Walker> advection(walker, this->Options);
         vtkFlowReport& report = reports.Local();
-        AdvectionResult result;
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const vtkIdType id = order[i];
-          double x[3];
-          samples->GetPoint(id, x);
-          advection.Follow(x, result);
-          arrays.Set(id, result);
-          sides.Add(id, x, result);
-          report.Add(result);
-        }
+        FollowEach(
+          walker, this->Options,
+          [&](double x[3])
+          {
+            const vtkIdType id = begin < end ? order[begin++] : -1;
+            if (id >= 0)
+            {
+              samples->GetPoint(id, x);
+            }
+            return id;
+          },
+          [&](vtkIdType id, const double x[3], const AdvectionResult& result)
+          {
+            arrays.Set(id, result);
+            sides.Add(id, x, result);
+            report.Add(result);
+          });
       });
   for (const vtkFlowReport& report : reports)
   {

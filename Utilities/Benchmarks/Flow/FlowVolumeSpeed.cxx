@@ -96,6 +96,8 @@ double AddSamples(
   row.Seconds = seconds;
   row.Counts["samples"] = report.Samples;
   row.Counts["steps"] = report.Steps + report.StiffSteps;
+  row.Counts["lane_steps"] = report.LaneSteps;
+  row.Counts["steps_per_second"] = static_cast<double>(report.Steps + report.StiffSteps) / seconds;
   row.Counts["microseconds_per_sample"] = 1e6 * seconds / static_cast<double>(report.Samples);
   row.Counts["reached"] = static_cast<double>(report.Statuses[vtkFlowStatus::REACHED_SURFACE]) /
     static_cast<double>(report.Samples);

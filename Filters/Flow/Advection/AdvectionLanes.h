@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_AdvectionLanes_h
+#define interlume_AdvectionLanes_h
+
+#include "Advection/Advection.h"
+#include "Advection/LaneSteps.h"
+
+#include <memory>
+
+namespace interlume
+{
+
+/**
+ * @class   AdvectionLanes
+ * @brief   follows several streamlines at a time, four of them by LaneSteps
+ *
+ * Each streamline has an Advection, which takes the steps that LaneSteps does not: the first, those
+ * near surfaces, at edges of cells, at the end of the field, rejected and stiff ones, where a
+ * window of a test ends. Where one ends the next begins in its lane. Results are those of
+ * Advection::Follow to the last byte.
+ */
+template <typename Walker>
+class AdvectionLanes
+{
+public:
+  using LaneWalker = typename Walker::LaneWalker;
+  using Steps = LaneSteps<LaneWalker>;
+
+  /// \a take calls Take of its first argument, compiled for the machine.
+  using Function = unsigned int (*)(Steps& steps, unsigned int lanes);
+
+  /// As Advection is made.
+  AdvectionLanes(const Walker& field, const AdvectionOptions& options, Function take)
+    : Steps4(LaneWalker(&field.GetField()), options)
+    , Take(take)
+  {
+    for (auto& advection : this->Advections)
+    {
+      advection = std::make_unique<Advection<Walker>>(field, options);
+    }
+  }
+
+  /**
+   * Follows streamlines from begin(x), which computes the next start and returns its id, -1 after
+   * the last. end(id, x, result) is called for each in any order.
+   */
+  template <typename Begin, typename End>
+  void Follow(Begin&& begin, End&& end)
+  {
+    unsigned int lanes = 0;
+    for (int lane = 0; lane < Lanes::Number; ++lane)
+    {
+      lanes |= this->BeginLane(lane, begin, end) ? 1U << lane : 0U;
+    }
+    this->Steps4.Walker.Enter();
+    while (lanes != 0)
+    {
+      const unsigned int stopped = this->Take(this->Steps4, lanes);
+      for (int lane = 0; lane < Lanes::Number; ++lane)
+      {
+        if (stopped >> lane & 1U)
+        {
+          this->Advections[lane]->TakeFrom(this->Steps4, lane);
+          const bool isClear = this->Advections[lane]->IsClear(this->Steps4, lane) &&
+            this->Advections[lane]->GiveTo(this->Steps4, lane);
+          if (!isClear && !this->GoOn(lane, end) && !this->BeginLane(lane, begin, end))
+          {
+            lanes &= ~(1U << lane);
+          }
+        }
+      }
+      this->Steps4.Walker.Enter();
+    }
+  }
+
+private:
+  /// Begins streamlines until one goes on in the lane. Returns false after the last.
+  template <typename Begin, typename End>
+  bool BeginLane(int lane, Begin& begin, End& end)
+  {
+    while (true)
+    {
+      this->Ids[lane] = begin(this->Starts[lane]);
+      if (this->Ids[lane] < 0)
+      {
+        return false;
+      }
+      if (!this->Advections[lane]->Start(this->Starts[lane], this->Results[lane]))
+      {
+        this->Finish(lane, end);
+      }
+      else if (this->GoOn(lane, end))
+      {
+        return true;
+      }
+    }
+  }
+
+  /// Goes on until the lane can. Returns false where the streamline has ended.
+  template <typename End>
+  bool GoOn(int lane, End& end)
+  {
+    do
+    {
+      if (!this->Advections[lane]->GoStep())
+      {
+        this->Finish(lane, end);
+        return false;
+      }
+    } while (!this->Advections[lane]->GiveTo(this->Steps4, lane));
+    return true;
+  }
+
+  template <typename End>
+  void Finish(int lane, End& end)
+  {
+    this->Advections[lane]->Finish();
+    end(this->Ids[lane], this->Starts[lane], this->Results[lane]);
+  }
+
+  Steps Steps4;
+  Function Take;
+  std::unique_ptr<Advection<Walker>> Advections[Lanes::Number];
+  AdvectionResult Results[Lanes::Number];
+  double Starts[Lanes::Number][3];
+  vtkIdType Ids[Lanes::Number];
+};
+
+}
+
+#endif
