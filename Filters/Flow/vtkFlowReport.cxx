@@ -20,8 +20,10 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
     { { "ReachedWithinTolerance", this->ReachedWithinTolerance }, { "Steps", this->Steps },
       { "RejectedSteps", this->RejectedSteps }, { "StiffSteps", this->StiffSteps },
       { "RejectedStiffSteps", this->RejectedStiffSteps }, { "StiffSamples", this->StiffSamples },
-      { "LaneSteps", this->LaneSteps },
-      { "Evaluations", this->Evaluations }, { "JacobianEvaluations", this->JacobianEvaluations },
+      { "LaneSteps", this->LaneSteps }, { "SharedSamples", this->SharedSamples },
+      { "SharedChecks", this->SharedChecks }, { "LargestSharedError", this->LargestSharedError },
+      { "MeanSharedError", this->MeanSharedError }, { "Evaluations", this->Evaluations },
+      { "JacobianEvaluations", this->JacobianEvaluations },
       { "DistanceEvaluations", this->DistanceEvaluations }, { "CellsVisited", this->CellsVisited },
       { "CellsOfFewerDimensions", this->CellsOfFewerDimensions } });
   for (std::size_t level = 0; level < this->RefinedCells.size(); ++level)

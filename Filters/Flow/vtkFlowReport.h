@@ -49,6 +49,14 @@ public:
   vtkIdType LaneSteps = 0;
   /// The number of samples that took at least one step of Rosenbrock's method.
   vtkIdType StiffSamples = 0;
+  /// The number of samples whose answer was interpolated from those around (ShareStreamlines). The
+  /// number of interpolations among these that were compared with a streamline, and their largest
+  /// and mean error: the distance of the ends, or the difference of times at the field's largest
+  /// speed, whichever is more, over MaximumError times the time of the streamline.
+  vtkIdType SharedSamples = 0;
+  vtkIdType SharedChecks = 0;
+  double LargestSharedError = 0.0;
+  double MeanSharedError = 0.0;
   /// The numbers of evaluations of the field, of its Jacobian, and of surfaces' distances.
   vtkIdType Evaluations = 0;
   vtkIdType JacobianEvaluations = 0;

@@ -48,6 +48,7 @@ struct vtkFlowSettings
   bool ComputeArcLength = false;
   bool ComputeMeanVorticity = false;
   std::vector<std::string> MeanArrays;
+  bool ShareStreamlines = false;
   bool KeepSteps = false;
   int RefinementLevels = 0;
 };

@@ -618,7 +618,8 @@ void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
       { "ComputeMaximumSpeed", this->ComputeMaximumSpeed },
       { "ComputeArcLength", this->ComputeArcLength },
       { "ComputeMeanVorticity", this->ComputeMeanVorticity }, { "MeanArrays", this->MeanArrays },
-      { "KeepSteps", this->KeepSteps }, { "RefinementLevels", this->RefinementLevels } });
+      { "ShareStreamlines", this->ShareStreamlines }, { "KeepSteps", this->KeepSteps },
+      { "RefinementLevels", this->RefinementLevels } });
   os << indent << "Report:\n";
   this->Report.Print(os, indent.GetNextIndent());
 }

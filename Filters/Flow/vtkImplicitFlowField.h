@@ -307,6 +307,22 @@ public:
 
   ///@{
   /**
+   * Whether samples of an image, a rectilinear or a structured grid may take the answers of those
+   * around them, by interpolation of (u,v) and the time, instead of being advected. That is done
+   * in blocks in whose middle it is off by no more than MaximumError allows for the time there, if
+   * in a block twice as wide it was off by no more than eight times that; never where samples that
+   * are interpolated from differ in FlowStatus or TerminationId, or lie across a seam.
+   * Thin layers between samples at which streamlines part may be missed. Errors are those of the
+   * interpolation on top of those of advection; the report has them. Samples that are refined are
+   * advected; so are all where further quantities of paths are kept. Default off.
+   */
+  vtkSetMacro(ShareStreamlines, bool);
+  vtkGetMacro(ShareStreamlines, bool);
+  vtkBooleanMacro(ShareStreamlines, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether the numbers of all steps and of Rosenbrock's steps of each sample are kept, in the
    * point arrays AdvectionSteps, StiffSteps (int). Default off.
    */

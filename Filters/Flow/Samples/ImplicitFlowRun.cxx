@@ -14,6 +14,7 @@
 #include "Samples/ImplicitFlowArrays.h"
 #include "Samples/LatticeSteps.h"
 #include "Samples/SampleOrder.h"
+#include "Samples/SharedLattice.h"
 #include "Samples/TerminationSides.h"
 
 #include "vtkAlgorithm.h"
@@ -21,6 +22,7 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPThreadLocal.h"
@@ -30,6 +32,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -325,14 +328,27 @@ bool ImplicitFlowRun::Follow(
     samples->GetPoint(0, x);
   }
   sides.SetNumberOfSamples(number);
-  const SampleOrder order(samples, first);
   constexpr double start = FieldDispatch::BuildingPart;
   const double part = (1.0 - start) / (this->Options.RefinementLevels + 1.0);
-  const bool isDone =
-    Batches::Run(number - first, this->Owner, start + level * part, start + (level + 1) * part,
+  const auto take = [&](vtkIdType id, const double x[3], const AdvectionResult& result)
+  {
+    arrays.Set(id, result);
+    sides.Add(id, x, result);
+    reports.Local().Add(result);
+  };
+  vtkIdType done = 0;
+  const auto getProgress = [&]
+  {
+    const double share = static_cast<double>(done) / std::max<vtkIdType>(1, number - first);
+    return start + (level + share) * part;
+  };
+  const auto follow = [&](const SampleOrder& order)
+  {
+    const double before = getProgress();
+    done += order.GetNumber();
+    return Batches::Run(order.GetNumber(), this->Owner, before, getProgress(),
       [&](vtkIdType begin, vtkIdType end)
       {
-        vtkFlowReport& report = reports.Local();
         FollowEach(
           walker, this->Options,
           [&](double x[3])
@@ -344,13 +360,15 @@ bool ImplicitFlowRun::Follow(
             }
             return id;
           },
-          [&](vtkIdType id, const double x[3], const AdvectionResult& result)
-          {
-            arrays.Set(id, result);
-            sides.Add(id, x, result);
-            report.Add(result);
-          });
+          take);
       });
+  };
+  int dimensions[3];
+  const bool isShared = this->Options.ShareStreamlines && level == 0 && !this->HasExtras() &&
+    SharedLattice::GetDimensions(samples, dimensions);
+  const bool isDone = isShared ? this->FollowShared(dimensions, samples, arrays,
+                                   walker.GetField().GetSpeedScale(), follow, take)
+                               : follow(SampleOrder(samples, first));
   for (const vtkFlowReport& report : reports)
   {
     this->Report.Add(report);
@@ -360,6 +378,89 @@ bool ImplicitFlowRun::Follow(
     FindSides(walker, samples, sides, arrays);
   }
   return isDone;
+}
+
+bool ImplicitFlowRun::HasExtras() const
+{
+  return this->Options.ComputeMaximumSpeed || this->Options.ComputeArcLength ||
+    this->Options.ComputeMeanVorticity || !this->Options.MeanNumbers.empty();
+}
+
+double ImplicitFlowRun::GetDistance(int id, const double first[2], const double other[2]) const
+{
+  for (const AdvectionOptions::Surface& surface : this->Options.Surfaces)
+  {
+    const int part = id - surface.Id;
+    double x[3];
+    double y[3];
+    if (part >= 0 && part < surface.Shape->GetNumberOfParts())
+    {
+      return surface.Shape->EvaluatePoint(part, first, x) &&
+          surface.Shape->EvaluatePoint(part, other, y)
+        ? std::sqrt(vtkMath::Distance2BetweenPoints(x, y))
+        : std::numeric_limits<double>::infinity();
+    }
+  }
+  // No face of the domain is wider than the field.
+  return this->Field->GetLength() *
+    std::max(std::abs(first[0] - other[0]), std::abs(first[1] - other[1]));
+}
+
+template <typename FollowSome, typename TakeResult>
+bool ImplicitFlowRun::FollowShared(const int dimensions[3], vtkDataSet* samples,
+  const Arrays& arrays, double speed, FollowSome&& follow, TakeResult&& take)
+{
+  const double length = this->Field->GetLength();
+  SharedLattice lattice(
+    dimensions,
+    { arrays.Status->GetPointer(0), arrays.Id->GetPointer(0), arrays.Parameters->GetPointer(0),
+      arrays.Time->GetPointer(0) },
+    [&](const SharedLattice::Answer& guess, const double* uv, double time)
+    {
+      const double error = std::max(
+        this->GetDistance(guess.Id, guess.Parameters, uv), speed * std::abs(guess.Time - time));
+      // What rounding leaves of numbers as large is no error.
+      constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+      return error / (this->Options.MaximumError * time + rounding * length);
+    },
+    [this](int id) -> std::array<bool, 2>
+    {
+      for (const AdvectionOptions::Surface& surface : this->Options.Surfaces)
+      {
+        const int part = id - surface.Id;
+        if (part >= 0 && part < surface.Shape->GetNumberOfParts())
+        {
+          return { { surface.Shape->IsPeriodic(0, part), surface.Shape->IsPeriodic(1, part) } };
+        }
+      }
+      return { { false, false } };
+    });
+  bool goesOn = follow(SampleOrder(samples, lattice.GetFirst()));
+  while (goesOn && lattice.Next())
+  {
+    goesOn = follow(SampleOrder(samples, lattice.GetFollowed())) &&
+      follow(SampleOrder(samples, lattice.CheckMiddles()));
+    if (goesOn)
+    {
+      lattice.Share(
+        [&](vtkIdType id, const SharedLattice::Answer& answer)
+        {
+          AdvectionResult result;
+          result.Status = vtkFlowStatus::REACHED_SURFACE;
+          result.Id = answer.Id;
+          std::copy_n(answer.Parameters, 2, result.Parameters);
+          result.Time = answer.Time;
+          double x[3];
+          samples->GetPoint(id, x);
+          take(id, x, result);
+          ++this->Report.SharedSamples;
+        });
+    }
+  }
+  this->Report.SharedChecks = lattice.GetNumberOfChecks();
+  this->Report.LargestSharedError = lattice.GetLargestError();
+  this->Report.MeanSharedError = lattice.GetMeanError();
+  return goesOn;
 }
 
 template <typename Walker>

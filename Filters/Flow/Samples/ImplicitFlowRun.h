@@ -58,6 +58,16 @@ private:
   template <typename Walker>
   bool Follow(
     const Walker& walker, vtkDataSet* samples, vtkIdType first, int level, TerminationSides& sides);
+  /// Follows samples of a lattice level by level, where some take the answers of those around them.
+  /// \a follow follows those that an order has and returns false when the owner was aborted, \a
+  /// take takes a result for a sample.
+  template <typename FollowSome, typename TakeResult>
+  bool FollowShared(const int dimensions[3], vtkDataSet* samples, const Arrays& arrays,
+    double speed, FollowSome&& follow, TakeResult&& take);
+  /// Returns whether further quantities of paths are kept.
+  bool HasExtras() const;
+  /// Returns the distance of two places on the surface with this id.
+  double GetDistance(int id, const double first[2], const double other[2]) const;
   /// Finds on which side of their surface samples are, after all samples of \a sides were followed.
   template <typename Walker>
   static void FindSides(

@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Samples/SharedLattice.h"
+
+#include "vtkFlowStatus.h"
+#include "vtkImageData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSMPTools.h"
+#include "vtkStructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace interlume
+{
+
+namespace
+{
+constexpr int Nodes = 4;
+/// By what the error of polynomials of degree three falls at least in blocks of half the width,
+/// where the second derivatives jump.
+constexpr double Fall = 8.0;
+/// The weights of the polynomial through four places, in the middle of each of their intervals.
+constexpr double Weights[Nodes - 1][Nodes] = { { 0.3125, 0.9375, -0.3125, 0.0625 },
+  { -0.0625, 0.5625, 0.5625, -0.0625 }, { 0.0625, -0.3125, 0.9375, 0.3125 } };
+}
+
+bool SharedLattice::GetDimensions(vtkDataSet* samples, int dimensions[3])
+{
+  if (auto* image = vtkImageData::SafeDownCast(samples))
+  {
+    image->GetDimensions(dimensions);
+    return true;
+  }
+  if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(samples))
+  {
+    rectilinear->GetDimensions(dimensions);
+    return true;
+  }
+  if (auto* structured = vtkStructuredGrid::SafeDownCast(samples))
+  {
+    structured->GetDimensions(dimensions);
+    return true;
+  }
+  return false;
+}
+
+SharedLattice::SharedLattice(
+  const int dimensions[3], const Answers& answers, Measure measure, Seams seams)
+  : Dimensions{ { dimensions[0], dimensions[1], dimensions[2] } }
+  , Known(answers)
+  , Compare(std::move(measure))
+  , FindSeams(std::move(seams))
+{
+  int least = std::numeric_limits<int>::max();
+  for (const int points : this->Dimensions)
+  {
+    least = points > 1 ? std::min(least, points) : least;
+  }
+  while (least != std::numeric_limits<int>::max() && (least - 1) / (2 * this->First) + 1 >= Nodes)
+  {
+    this->First *= 2;
+  }
+}
+
+SharedLattice::Ids SharedLattice::GetFirst() const
+{
+  Ids ids;
+  for (int k = 0; k < this->Dimensions[2]; k += this->First)
+  {
+    for (int j = 0; j < this->Dimensions[1]; j += this->First)
+    {
+      for (int i = 0; i < this->Dimensions[0]; i += this->First)
+      {
+        ids.push_back(this->GetId({ { i, j, k } }));
+      }
+    }
+  }
+  return ids;
+}
+
+bool SharedLattice::Next()
+{
+  if (this->Stride == 0)
+  {
+    this->SetStride(this->First);
+  }
+  else
+  {
+    this->Prove();
+  }
+  return this->Stride > 1;
+}
+
+SharedLattice::Ids SharedLattice::GetFollowed()
+{
+  this->VisitBlocks(
+    [this](std::size_t block)
+    {
+      Answer answer;
+      const bool isKnown = this->Marks[block] == GOOD &&
+        this->VisitMiddles(
+          this->GetBlock(block), [&](const Index& at) { return this->Predict(at, answer); });
+      this->Marks[block] = isKnown ? GOOD : NOT_GOOD;
+    });
+  Ids ids;
+  this->VisitNew(
+    [&](const Index& at)
+    {
+      if (this->IsMiddle(at) || !this->IsShared(at, GOOD))
+      {
+        ids.push_back(this->GetId(at));
+      }
+    });
+  return ids;
+}
+
+SharedLattice::Ids SharedLattice::CheckMiddles()
+{
+  std::vector<double> errors(this->Marks.size(), 0.0);
+  this->VisitBlocks(
+    [&](std::size_t block)
+    {
+      if (this->Marks[block] == GOOD)
+      {
+        errors[block] = this->GetError(this->GetMiddle(this->GetBlock(block)));
+        this->Marks[block] = errors[block] <= 1.0 ? GOOD : REFUTED;
+      }
+    });
+  for (std::size_t block = 0; block < errors.size(); ++block)
+  {
+    if (this->Marks[block] == GOOD)
+    {
+      ++this->Checks;
+      this->LargestError = std::max(this->LargestError, errors[block]);
+      this->SumOfErrors += errors[block];
+    }
+  }
+  Ids ids;
+  this->VisitNew(
+    [&](const Index& at)
+    {
+      if (!this->IsMiddle(at) && this->IsShared(at, REFUTED) && !this->IsShared(at, GOOD))
+      {
+        ids.push_back(this->GetId(at));
+      }
+    });
+  return ids;
+}
+
+void SharedLattice::Share(const std::function<void(vtkIdType id, const Answer& answer)>& visit)
+{
+  this->VisitNew(
+    [&](const Index& at)
+    {
+      Answer answer;
+      if (!this->IsMiddle(at) && this->IsShared(at, GOOD) && this->Predict(at, answer))
+      {
+        visit(this->GetId(at), answer);
+      }
+    });
+}
+
+vtkIdType SharedLattice::GetId(const Index& at) const
+{
+  return at[0] +
+    this->Dimensions[0] * (at[1] + this->Dimensions[1] * static_cast<vtkIdType>(at[2]));
+}
+
+SharedLattice::Index SharedLattice::GetBlock(std::size_t block) const
+{
+  const auto x = static_cast<std::size_t>(this->Blocks[0]);
+  const auto y = static_cast<std::size_t>(this->Blocks[1]);
+  return { { static_cast<int>(block % x), static_cast<int>(block / x % y),
+    static_cast<int>(block / (x * y)) } };
+}
+
+SharedLattice::Index SharedLattice::GetMiddle(const Index& block) const
+{
+  Index at;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    at[axis] = this->Stride * block[axis] + (this->Dimensions[axis] > 1 ? this->Stride / 2 : 0);
+  }
+  return at;
+}
+
+bool SharedLattice::IsMiddle(const Index& at) const
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (this->Dimensions[axis] > 1 && at[axis] % this->Stride == 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void SharedLattice::SetStride(int stride)
+{
+  this->Stride = stride;
+  std::size_t number = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->Blocks[axis] = this->Dimensions[axis] > 1 ? (this->Dimensions[axis] - 1) / stride : 1;
+    number *= static_cast<std::size_t>(this->Blocks[axis]);
+  }
+  this->Marks.assign(number, NOT_GOOD);
+}
+
+template <typename Visit>
+void SharedLattice::VisitBlocks(Visit&& visit) const
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Marks.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType block = begin; block < end; ++block)
+      {
+        visit(static_cast<std::size_t>(block));
+      }
+    });
+}
+
+template <typename Visit>
+bool SharedLattice::VisitMiddles(const Index& block, Visit&& visit) const
+{
+  const int half = this->Stride / 2;
+  const auto getLast = [this](std::size_t axis) { return this->Dimensions[axis] > 1 ? 2 : 0; };
+  for (int k = 0; k <= getLast(2); ++k)
+  {
+    for (int j = 0; j <= getLast(1); ++j)
+    {
+      for (int i = 0; i <= getLast(0); ++i)
+      {
+        const bool isNew = ((i | j | k) & 1) != 0;
+        if (isNew &&
+          !visit(Index{ { this->Stride * block[0] + half * i, this->Stride * block[1] + half * j,
+            this->Stride * block[2] + half * k } }))
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+template <typename Visit>
+void SharedLattice::VisitNew(Visit&& visit) const
+{
+  const int half = this->Stride / 2;
+  for (int k = 0; k < this->Dimensions[2]; k += half)
+  {
+    for (int j = 0; j < this->Dimensions[1]; j += half)
+    {
+      for (int i = 0; i < this->Dimensions[0]; i += half)
+      {
+        if (i % this->Stride != 0 || j % this->Stride != 0 || k % this->Stride != 0)
+        {
+          visit(Index{ { i, j, k } });
+        }
+      }
+    }
+  }
+}
+
+bool SharedLattice::IsShared(const Index& at, unsigned char least) const
+{
+  Index first;
+  Index last;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int block = at[axis] / this->Stride;
+    const bool isBetween = at[axis] % this->Stride != 0;
+    first[axis] = isBetween ? block : std::max(0, block - 1);
+    last[axis] = isBetween ? block : std::min(block, this->Blocks[axis] - 1);
+    if (last[axis] >= this->Blocks[axis] || this->Blocks[axis] == 0)
+    {
+      return false;
+    }
+  }
+  for (int k = first[2]; k <= last[2]; ++k)
+  {
+    for (int j = first[1]; j <= last[1]; ++j)
+    {
+      for (int i = first[0]; i <= last[0]; ++i)
+      {
+        const std::size_t block = static_cast<std::size_t>(i) +
+          static_cast<std::size_t>(this->Blocks[0]) *
+            (static_cast<std::size_t>(j) +
+              static_cast<std::size_t>(this->Blocks[1]) * static_cast<std::size_t>(k));
+        if (this->Marks[block] < least)
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+bool SharedLattice::Predict(const Index& at, Answer& answer) const
+{
+  Index first;
+  int nodes[3];
+  const double* weights[3];
+  constexpr double One[1] = { 1.0 };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    first[axis] = at[axis] / this->Stride;
+    nodes[axis] = 1;
+    weights[axis] = One;
+    if (at[axis] % this->Stride != 0)
+    {
+      const int known = (this->Dimensions[axis] - 1) / this->Stride + 1;
+      if (known < Nodes || first[axis] + 1 >= known)
+      {
+        return false;
+      }
+      const int begin = std::min(std::max(first[axis] - 1, 0), known - Nodes);
+      weights[axis] = Weights[first[axis] - begin];
+      nodes[axis] = Nodes;
+      first[axis] = begin;
+    }
+  }
+  answer = Answer();
+  double low[2] = { 0.0, 0.0 };
+  double high[2] = { 0.0, 0.0 };
+  bool isFirst = true;
+  for (int k = 0; k < nodes[2]; ++k)
+  {
+    for (int j = 0; j < nodes[1]; ++j)
+    {
+      for (int i = 0; i < nodes[0]; ++i)
+      {
+        const vtkIdType id = this->GetId({ { this->Stride * (first[0] + i),
+          this->Stride * (first[1] + j), this->Stride * (first[2] + k) } });
+        const double* uv = this->Known.Parameters + 2 * id;
+        if (this->Known.Status[id] != vtkFlowStatus::REACHED_SURFACE ||
+          (!isFirst && this->Known.Id[id] != answer.Id))
+        {
+          return false;
+        }
+        const double weight = weights[0][i] * weights[1][j] * weights[2][k];
+        for (int c = 0; c < 2; ++c)
+        {
+          low[c] = isFirst ? uv[c] : std::min(low[c], uv[c]);
+          high[c] = isFirst ? uv[c] : std::max(high[c], uv[c]);
+          answer.Parameters[c] += weight * uv[c];
+        }
+        answer.Time += weight * this->Known.Time[id];
+        answer.Id = this->Known.Id[id];
+        isFirst = false;
+      }
+    }
+  }
+  const std::array<bool, 2> isPeriodic = this->FindSeams(answer.Id);
+  return answer.Time >= 0.0 && !(isPeriodic[0] && high[0] - low[0] > 0.5) &&
+    !(isPeriodic[1] && high[1] - low[1] > 0.5);
+}
+
+double SharedLattice::GetError(const Index& at) const
+{
+  const vtkIdType id = this->GetId(at);
+  Answer guess;
+  if (!this->Predict(at, guess) || this->Known.Status[id] != vtkFlowStatus::REACHED_SURFACE ||
+    this->Known.Id[id] != guess.Id)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  return this->Compare(guess, this->Known.Parameters + 2 * id, this->Known.Time[id]);
+}
+
+void SharedLattice::Prove()
+{
+  this->VisitBlocks(
+    [this](std::size_t block)
+    {
+      const bool isGood = this->Marks[block] == GOOD ||
+        this->VisitMiddles(
+          this->GetBlock(block), [this](const Index& at) { return this->GetError(at) <= Fall; });
+      this->Marks[block] = isGood ? GOOD : NOT_GOOD;
+    });
+  const Index blocks = this->Blocks;
+  const std::vector<unsigned char> marks = std::move(this->Marks);
+  this->SetStride(this->Stride / 2);
+  for (std::size_t block = 0; block < this->Marks.size(); ++block)
+  {
+    const Index own = this->GetBlock(block);
+    std::size_t parent = 0;
+    bool isInside = true;
+    for (std::size_t axis = 3; axis-- > 0;)
+    {
+      const int index = own[axis] / 2;
+      isInside = isInside && index < blocks[axis];
+      parent = parent * static_cast<std::size_t>(blocks[axis]) + static_cast<std::size_t>(index);
+    }
+    this->Marks[block] = isInside ? marks[parent] : static_cast<unsigned char>(NOT_GOOD);
+  }
+}
+
+}

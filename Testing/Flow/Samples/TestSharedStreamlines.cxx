@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Samples that take the answers of those around them: errors by formula and against all
+// streamlines, what is refused, threads, pay for use.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceMessages.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
+
+#include "Samples/SharedLattice.h"
+
+#include "vtkAnalyticFlowSource.h"
+#include "vtkDataArray.h"
+#include "vtkFlowStatus.h"
+#include "vtkImageData.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationPlane.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+using interlume::SharedLattice;
+
+/// An answer by formula at i, j, k.
+struct Formula
+{
+  int Status = vtkFlowStatus::REACHED_SURFACE;
+  int Id = 0;
+  double U = 0.0;
+  double V = 0.0;
+  double Time = 1.0;
+};
+using Answers = std::function<Formula(double i, double j, double k)>;
+
+/// What a lattice makes of answers that are known.
+struct Outcome
+{
+  vtkIdType Number = 0;
+  std::set<vtkIdType> Shared;
+  double LargestError = 0.0;
+  double LargestChecked = 0.0;
+  vtkIdType Checks = 0;
+};
+
+/// Errors are the largest difference over \a tolerance.
+Outcome Run(const std::vector<int>& points, const Answers& known, double tolerance,
+  std::array<bool, 2> isPeriodic, Check& check)
+{
+  Outcome outcome;
+  outcome.Number = static_cast<vtkIdType>(points[0]) * points[1] * points[2];
+  const auto size = static_cast<std::size_t>(outcome.Number);
+  std::vector<unsigned char> status(size, 255);
+  std::vector<int> ids(size, -7);
+  std::vector<double> uv(2 * size, NAN);
+  std::vector<double> times(size, NAN);
+  const auto get = [&](vtkIdType id)
+  {
+    return known(id % points[0], id / points[0] % points[1],
+      id / (static_cast<vtkIdType>(points[0]) * points[1]));
+  };
+  const auto set = [&](vtkIdType id, const Formula& answer)
+  {
+    const auto i = static_cast<std::size_t>(id);
+    check.Equal(status[i], 255, "an answer that was there before");
+    status[i] = static_cast<unsigned char>(answer.Status);
+    ids[i] = answer.Id;
+    uv[2 * i] = answer.U;
+    uv[2 * i + 1] = answer.V;
+    times[i] = answer.Time;
+  };
+  const auto measure = [tolerance](const SharedLattice::Answer& guess, const double* own, double t)
+  {
+    return std::max({ std::abs(guess.Parameters[0] - own[0]),
+             std::abs(guess.Parameters[1] - own[1]), std::abs(guess.Time - t) }) /
+      tolerance;
+  };
+  SharedLattice lattice(points.data(), { status.data(), ids.data(), uv.data(), times.data() },
+    measure, [isPeriodic](int) { return isPeriodic; });
+  const auto follow = [&](const std::vector<vtkIdType>& followed)
+  {
+    for (const vtkIdType id : followed)
+    {
+      set(id, get(id));
+    }
+  };
+  follow(lattice.GetFirst());
+  while (lattice.Next())
+  {
+    follow(lattice.GetFollowed());
+    follow(lattice.CheckMiddles());
+    lattice.Share(
+      [&](vtkIdType id, const SharedLattice::Answer& answer)
+      {
+        const Formula exact = get(id);
+        Formula shared;
+        shared.Id = answer.Id;
+        shared.U = answer.Parameters[0];
+        shared.V = answer.Parameters[1];
+        shared.Time = answer.Time;
+        outcome.Shared.insert(id);
+        check.That(exact.Status == shared.Status && exact.Id == shared.Id, "its surface");
+        const double own[2] = { exact.U, exact.V };
+        outcome.LargestError = std::max(outcome.LargestError, measure(answer, own, exact.Time));
+        set(id, shared);
+      });
+  }
+  check.That(std::count(status.begin(), status.end(), 255) == 0, "an answer for each sample");
+  outcome.LargestChecked = lattice.GetLargestError();
+  outcome.Checks = lattice.GetNumberOfChecks();
+  return outcome;
+}
+
+/// Polynomials of degree three are exact, others good to the tolerance; what is not smooth is left.
+void TestFormulas(Check& check)
+{
+  const auto cubic = [](double i, double j, double k)
+  {
+    const double x = i / 32.0;
+    const double y = j / 32.0;
+    const double z = k / 32.0;
+    return Formula{ 0, 3, x * x * x - y * z * z, 0.3 + x * y * y * y, 2.0 + z * z * z - x };
+  };
+  for (const std::vector<int>& points : std::vector<std::vector<int>>{ { 33, 33, 33 },
+         { 37, 40, 30 }, { 50, 50, 1 }, { 1, 1, 70 }, { 4, 4, 4 }, { 2, 9, 9 }, { 1, 1, 1 } })
+  {
+    check.SetContext("cubic, " + std::to_string(points[0]) + " points");
+    const Outcome cubics = Run(points, cubic, 1e-9, { { false, false } }, check);
+    check.That(cubics.LargestError < 1e-3, "no error of a cubic");
+    // In a line all samples are in the middle of a block.
+    check.Equal(cubics.Shared.empty(), points[0] < 33, "whether there is a block to share");
+  }
+  check.SetContext("");
+  const auto smooth = [](double i, double j, double k)
+  {
+    return Formula{ 0, 0, std::sin(0.11 * i) * std::cos(0.07 * j), std::cos(0.05 * k + 0.1 * i),
+      2.0 + std::sin(0.09 * j + 0.08 * k) };
+  };
+  vtkIdType before = 0;
+  for (const double tolerance : { 1e-7, 1e-5, 1e-4, 1e-2 })
+  {
+    const Outcome found = Run({ 41, 41, 41 }, smooth, tolerance, { { false, false } }, check);
+    check.That(found.LargestError <= 1.5, "errors within the tolerance");
+    check.That(found.LargestChecked <= 1.0 && (found.Checks > 0 || found.Shared.empty()),
+      "errors in the middles");
+    const auto number = static_cast<vtkIdType>(found.Shared.size());
+    check.That(number >= before, "more where more is tolerated");
+    before = number;
+  }
+  check.That(before > 0.7 * 41 * 41 * 41, std::to_string(before) + " of most samples shared");
+}
+
+/// Across another id, a status, a seam, or a thin wall nothing is shared; beside them it is.
+void TestRefusals(Check& check)
+{
+  const auto share = [&](const Answers& known, std::array<bool, 2> isPeriodic) {
+    return Run({ 33, 33, 33 }, known, 1e-3, isPeriodic, check);
+  };
+  const auto flat = [](double i, double j, double) {
+    return Formula{ 0, 0, 0.01 * i, 0.02 * j, 1.0 + 0.03 * i };
+  };
+  const vtkIdType all = static_cast<vtkIdType>(share(flat, { { false, false } }).Shared.size());
+  for (const int kind : { 0, 1, 2 })
+  {
+    check.SetContext("kind " + std::to_string(kind));
+    const auto halves = [&](double i, double j, double k)
+    {
+      Formula answer = flat(i, j, k);
+      const bool isBeyond = i + 0.3 * j > 20.7;
+      answer.Id = kind == 0 && isBeyond ? 1 : 0;
+      answer.Status = kind == 1 && isBeyond ? vtkFlowStatus::LEFT_DOMAIN : answer.Status;
+      // The seam of u goes through the lattice.
+      answer.U = kind == 2 ? std::fmod(0.8 + answer.U, 1.0) : answer.U;
+      return answer;
+    };
+    const Outcome found = share(halves, { { kind == 2, false } });
+    const auto number = static_cast<vtkIdType>(found.Shared.size());
+    check.That(number > 0.1 * all && number < all, std::to_string(number) + " shared beside");
+    check.That(found.LargestError <= 1.0, "no error beside");
+  }
+  check.SetContext("");
+  // A wall of one sample that no coarse level sees: its samples are followed at the level that
+  // does.
+  const auto wall = [&](double i, double j, double k)
+  {
+    Formula answer = flat(i, j, k);
+    answer.Time += i == 13.0 ? 5.0 : 0.0;
+    return answer;
+  };
+  const Outcome walled = share(wall, { { false, false } });
+  check.That(walled.LargestError <= 6000.0, "what a thin wall costs");
+  check.That(walled.Shared.size() < static_cast<std::size_t>(all), "fewer with a wall");
+}
+
+vtkSmartPointer<vtkImplicitFlowField> NewFilter(int field, double error, bool isShared)
+{
+  vtkNew<vtkAnalyticFlowSource> source;
+  source->SetField(field);
+  source->SetDimensions(17, 17, 17);
+  auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+  filter->SetSampleDimensions(29, 33, 25);
+  filter->DomainFacesOn();
+  filter->SetMaximumTime(20.0);
+  filter->SetMaximumError(error);
+  filter->SetShareStreamlines(isShared);
+  return filter;
+}
+
+vtkDataArray* Get(vtkImplicitFlowField* filter, const char* name)
+{
+  return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData()->GetArray(name);
+}
+
+std::string GetBytes(vtkImplicitFlowField* filter)
+{
+  std::string bytes;
+  for (const char* name : { vtkFlowStatus::StatusArray(), vtkFlowStatus::IdArray(),
+         vtkFlowStatus::ParametersArray(), vtkFlowStatus::TimeArray(), vtkFlowStatus::SideArray() })
+  {
+    vtkDataArray* array = Get(filter, name);
+    bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
+      static_cast<std::size_t>(array->GetNumberOfValues() * array->GetDataTypeSize()));
+  }
+  return bytes;
+}
+
+/// Six fields: 99.9 % within ten times the tolerance of the streamlines themselves.
+void TestFields(Check& check)
+{
+  vtkIdType shared = 0;
+  for (const int field : { vtkAnalyticFlowSource::UNIFORM, vtkAnalyticFlowSource::ROTATION,
+         vtkAnalyticFlowSource::SADDLE, vtkAnalyticFlowSource::SOURCE_SINK,
+         vtkAnalyticFlowSource::SPHERE, vtkAnalyticFlowSource::ABC })
+  {
+    check.SetContext("field " + std::to_string(field));
+    constexpr double error = 1e-3;
+    const auto all = NewFilter(field, error, false);
+    const auto some = NewFilter(field, error, true);
+    all->Update();
+    some->Update();
+    const vtkFlowReport& report = some->GetReport();
+    shared += report.SharedSamples;
+    check.Equal(all->GetReport().SharedSamples, 0, "nothing shared unless asked");
+    check.Equal(report.Samples, all->GetReport().Samples, "samples");
+    check.That(
+      report.LargestSharedError <= 1.0 && report.MeanSharedError <= report.LargestSharedError,
+      "errors in the report");
+    double bounds[6];
+    vtkDataSet::SafeDownCast(some->GetOutputDataObject(0))->GetBounds(bounds);
+    const vtkIdType number = report.Samples;
+    vtkIdType beyond = 0;
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      const bool isSame =
+        Get(all, "FlowStatus")->GetTuple1(i) == Get(some, "FlowStatus")->GetTuple1(i) &&
+        Get(all, "TerminationId")->GetTuple1(i) == Get(some, "TerminationId")->GetTuple1(i);
+      const double time = Get(all, "AdvectionTime")->GetTuple1(i);
+      double distance = 0.0;
+      for (int c = 0; c < 2; ++c)
+      {
+        distance = std::max(distance,
+          (bounds[1] - bounds[0]) *
+            std::abs(Get(all, "TerminationUV")->GetComponent(i, c) -
+              Get(some, "TerminationUV")->GetComponent(i, c)));
+      }
+      beyond += isSame && distance <= 10.0 * error * time + 1e-12 ? 0 : 1;
+    }
+    check.That(beyond <= 0.001 * number,
+      std::to_string(beyond) + " of " + std::to_string(number) + " beyond, " +
+        std::to_string(report.SharedSamples) + " shared");
+  }
+  check.SetContext("");
+  check.That(shared > 20000, std::to_string(shared) + " shared in all");
+}
+
+void TestRuns(Check& check)
+{
+  std::string bytes;
+  for (const int threads : { 1, 3 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads },
+      [&]
+      {
+        const auto filter = NewFilter(vtkAnalyticFlowSource::ROTATION, 1e-3, true);
+        filter->Update();
+        check.That(bytes.empty() || bytes == GetBytes(filter), "the bytes of threads");
+        bytes = GetBytes(filter);
+      });
+  }
+  // Nothing is shared of paths, nor of samples that are no lattice.
+  auto filter = NewFilter(vtkAnalyticFlowSource::ROTATION, 1e-3, true);
+  filter->ComputeArcLengthOn();
+  filter->Update();
+  check.Equal(filter->GetReport().SharedSamples, 0, "quantities of paths");
+  filter = NewFilter(vtkAnalyticFlowSource::ROTATION, 1e-3, true);
+  filter->SetSampleData(MakeFlowMesh(FlowMeshKinds().front(), { { 2, 2, 2 } }));
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
+  filter->Update();
+  check.Equal(filter->GetReport().SharedSamples, 0, "a mesh");
+  CheckPrinted(Print(filter), { "ShareStreamlines: 1", "SharedSamples: 0" }, check);
+}
+
+}
+
+int TestSharedStreamlines(int, char*[])
+{
+  Check check;
+  TestFormulas(check);
+  TestRefusals(check);
+  TestFields(check);
+  TestRuns(check);
+  return check.Result();
+}
