@@ -47,8 +47,10 @@ public:
   /// of \a previous before.
   static double GetFactor(double ratio, double previous, int order)
   {
-    const double factor =
-      Safety * std::pow(ratio, -1.0 / order + 0.75 * Integral) * std::pow(previous, Integral);
+    // Most often the error before was small.
+    static const double least = std::pow(LeastPrevious, Integral);
+    const double part = previous == LeastPrevious ? least : std::pow(previous, Integral);
+    const double factor = Safety * std::pow(ratio, -1.0 / order + 0.75 * Integral) * part;
     return std::min(Largest, std::max(Smallest, factor));
   }
 
