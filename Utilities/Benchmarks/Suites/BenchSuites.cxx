@@ -14,5 +14,6 @@ std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites()
   suites.push_back(MakeScatteringSuite());
   suites.push_back(MakeMixedSuite());
   suites.push_back(MakeFlowSuite());
+  suites.push_back(MakeFlowTextureSuite());
   return suites;
 }

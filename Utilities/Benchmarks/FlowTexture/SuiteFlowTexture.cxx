@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Results/SpeedPlots.h"
+#include "Benchmarks/Suites/BenchSuites.h"
+#include "Pictures/PictureSettings.h"
+#include "Pictures/VolumeStage.h"
+
+#include "vtkAnalyticFlowSource.h"
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageData.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkImplicitFlowVolumeMapper.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationPlane.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace
+{
+constexpr int TEXELS = 256;
+
+/// Paint of coloured squares, half of them nearly transparent.
+vtkSmartPointer<vtkImageData> MakePaint()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(TEXELS, TEXELS, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  for (int j = 0; j < TEXELS; ++j)
+  {
+    for (int i = 0; i < TEXELS; ++i)
+    {
+      const bool isDark = (i / 16 + j / 16) % 2 == 0;
+      const double color[4] = { i / 255.0, j / 255.0, 0.5, isDark ? 0.002 : 0.04 };
+      for (int c = 0; c < 4; ++c)
+      {
+        image->SetScalarComponentFromDouble(i, j, 0, c, color[c]);
+      }
+    }
+  }
+  return image;
+}
+
+/// An implicit flow field of n^3 samples in the cube from -1 to 1.
+vtkSmartPointer<vtkImageData> MakeFlow(const std::string& name, int n)
+{
+  vtkNew<vtkAnalyticFlowSource> source;
+  const bool isHurricane = name == "hurricane";
+  source->SetField(isHurricane ? vtkAnalyticFlowSource::HURRICANE
+      : name == "uniform"      ? vtkAnalyticFlowSource::UNIFORM
+                               : vtkAnalyticFlowSource::ROTATION);
+  source->SetDimensions(33, 33, 33);
+  const double half = isHurricane ? 1.3 : 1.2;
+  const double bounds[6] = { -half, half, -half, half, -half, half };
+  source->SetBounds(bounds);
+  vtkNew<vtkImplicitFlowField> flow;
+  flow->SetInputConnection(source->GetOutputPort());
+  flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+  flow->SetSampleDimensions(n, n, n);
+  const double inner[6] = { -0.8, 0.8, -0.8, 0.8, -0.8, 0.8 };
+  flow->SetSampleBounds(inner);
+  vtkNew<vtkTerminationPlane> plane;
+  vtkNew<vtkTerminationCylinder> rim;
+  if (name == "uniform")
+  {
+    flow->DomainFacesOn();
+  }
+  else if (isHurricane)
+  {
+    source->SetHeight(2.6);
+    rim->SetPoint1(0.0, 0.0, -1.3);
+    rim->SetPoint2(0.0, 0.0, 1.3);
+    rim->SetRadius(1.25);
+    flow->AddTerminationSurface(rim);
+  }
+  else
+  {
+    plane->SetOrigin(0.0, 0.0, -1.2);
+    plane->SetPoint1(1.2, 0.0, -1.2);
+    plane->SetPoint2(0.0, 0.0, 1.2);
+    flow->AddTerminationSurface(plane);
+  }
+  flow->SetMaximumTime(100.0);
+  flow->Update();
+  return vtkImageData::SafeDownCast(flow->GetOutputDataObject(0));
+}
+
+/// Status, u, v and time as four components of floats, 0 to 1.
+vtkSmartPointer<vtkImageData> MakeFourComponents(vtkImageData* flow)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->CopyStructure(flow);
+  vtkNew<vtkFloatArray> values;
+  values->SetNumberOfComponents(4);
+  values->SetNumberOfTuples(flow->GetNumberOfPoints());
+  vtkDataArray* places = flow->GetPointData()->GetArray("TerminationUV");
+  vtkDataArray* times = flow->GetPointData()->GetArray("AdvectionTime");
+  vtkDataArray* statuses = flow->GetPointData()->GetArray("FlowStatus");
+  const double longest = std::max(times->GetRange()[1], 1e-30);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetTuple4(i, places->GetComponent(i, 0), places->GetComponent(i, 1),
+      times->GetComponent(i, 0) / longest, statuses->GetComponent(i, 0) == 0.0 ? 1.0 : 0.0);
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+/// A window with one volume; each frame is seen from half a degree further.
+struct Frames
+{
+  Frames(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int pixels)
+    : Stage(std::array<int, 2>{ { pixels, pixels } })
+  {
+    this->Camera = reference::LookAt({ { 0.0, 0.0, 0.0 } }, 1.39, { { -0.5, 0.7, -0.6 } }, false);
+    this->Stage.SetVolume(mapper, property);
+    this->Stage.SetCamera(this->Camera);
+  }
+
+  vtkSmartPointer<vtkObjectBase> Draw()
+  {
+    this->Camera->Azimuth(0.5);
+    this->Stage.Render();
+    return nullptr;
+  }
+
+  reference::VolumeStage Stage;
+  vtkSmartPointer<vtkCamera> Camera;
+};
+
+vtkSmartPointer<vtkVolumeProperty> MakeProperty(double unit, bool isIndependent)
+{
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  property->SetIndependentComponents(isIndependent);
+  property->SetInterpolationTypeToLinear();
+  for (int i = 0; i < 4; ++i)
+  {
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(0.0, 0.0);
+    opacity->AddPoint(1.0, isIndependent ? 0.01 : 0.02);
+    property->SetScalarOpacity(i, opacity);
+    property->SetScalarOpacityUnitDistance(i, unit);
+  }
+  return property;
+}
+
+void AddRows(
+  const std::string& name, int n, int pixels, const BenchOptions& options, BenchRows& rows)
+{
+  const vtkSmartPointer<vtkImageData> flow = MakeFlow(name, n);
+  const vtkSmartPointer<vtkImageData> four = MakeFourComponents(flow);
+  const double voxel = flow->GetSpacing()[0];
+  const vtkSmartPointer<vtkImageData> paint = MakePaint();
+  std::vector<std::unique_ptr<Frames>> frames;
+  std::vector<BenchWork> works;
+  const auto add = [&](vtkVolumeMapper* mapper, bool isIndependent)
+  {
+    frames.push_back(std::make_unique<Frames>(mapper, MakeProperty(voxel, isIndependent), pixels));
+    works.push_back([draw = frames.back().get()] { return draw->Draw(); });
+  };
+  std::vector<vtkSmartPointer<vtkImplicitFlowVolumeMapper>> mappers;
+  for (const bool isFiltered : { true, false })
+  {
+    auto mapper = vtkSmartPointer<vtkImplicitFlowVolumeMapper>::New();
+    mapper->SetInputData(static_cast<vtkDataSet*>(flow));
+    mapper->SetInflowTexture(vtkImplicitFlowVolumeMapper::ALL, paint);
+    mapper->SetSampleDistance(0.5 * voxel);
+    mapper->SetPaintFilter(isFiltered);
+    add(mapper, true);
+    mappers.push_back(mapper);
+  }
+  for (const bool isIndependent : { true, false })
+  {
+    vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+    mapper->SetInputData(four);
+    mapper->AutoAdjustSampleDistancesOff();
+    mapper->SetSampleDistance(static_cast<float>(0.5 * voxel));
+    add(mapper, isIndependent);
+  }
+  const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+  const char* methods[] = { "textures", "textures, unfiltered" };
+  const char* peers[] = { "gpu", "gpu-rgba" };
+  for (std::size_t method = 0; method < 2; ++method)
+  {
+    for (std::size_t peer = 0; peer < 2; ++peer)
+    {
+      BenchRow row = rows.Make(name, methods[method]);
+      row.Parameter = n;
+      row.Seconds = seconds[method];
+      row.Peer = peers[peer];
+      row.PeerSeconds = seconds[2 + peer];
+      const vtkImplicitFlowVolumeReport& report = mappers[method]->GetReport();
+      row.Counts["texture_bytes"] = report.TextureBytes;
+      row.Counts["split_cells"] = report.SplitCells;
+      row.Counts["pixels"] = pixels;
+      rows.Add(row);
+    }
+  }
+}
+
+class SuiteFlowTexture : public BenchSuite
+{
+public:
+  std::string GetName() const override { return "flow-texture"; }
+  std::string GetTitle() const override
+  {
+    return "vtkImplicitFlowVolumeMapper: time of a frame beside VTK's ray caster";
+  }
+
+  std::vector<std::string> GetDescription() const override
+  {
+    return { "Times are those of one frame, off-screen, until OpenGL says it is done; the camera "
+             "turns by half a degree from frame to frame, and all methods take turns, each in a "
+             "window of its own. The parameter is the number of samples along each axis; all have "
+             "a sample each half voxel. The paint is an image of 256 x 256; \"unfiltered\": with "
+             "PaintFilter off.",
+      "gpu: vtkGPUVolumeRayCastMapper with four independent components of floats (u, v, time and "
+      "whether a surface was reached), as VTK draws four components unless it is told otherwise. "
+      "gpu-rgba: the same four taken as a colour and an opacity, which is one look at the volume "
+      "and one at a table." };
+  }
+
+  void Run(const BenchOptions& options, BenchRows& rows) const override
+  {
+    for (const char* name : { "uniform", "rotation", "hurricane" })
+    {
+      AddRows(name, options.Pick(128, 48, 12), options.Pick(512, 192, 32), options, rows);
+    }
+  }
+
+  std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override
+  {
+    return { BenchClaim::AtLeast("no slower than gpu, textures filtered", 1.0, rows,
+      [](const BenchRow& row) -> std::optional<double>
+      { return row.Method == "textures" && row.Peer == "gpu" ? row.GetRatio() : std::nullopt; }) };
+  }
+
+  std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows) const override
+  {
+    return MakeRatioPlots("flow-texture", "textures", rows);
+  }
+};
+}
+
+std::unique_ptr<BenchSuite> MakeFlowTextureSuite()
+{
+  return std::make_unique<SuiteFlowTexture>();
+}
