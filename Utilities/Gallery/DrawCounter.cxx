@@ -13,6 +13,7 @@
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkShadowedScenePass.h"
+#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkVolume.h"
@@ -110,6 +111,10 @@ void AddVolumeReports(const Panel& panel, SceneReport& report)
     if (auto* sliced = vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper()))
     {
       report.AddVolume(sliced->GetReport());
+    }
+    else if (auto* inflow = vtkImplicitFlowVolumeMapper::SafeDownCast(volume->GetMapper()))
+    {
+      report.AddVolume(inflow->GetReport());
     }
     else
     {

@@ -49,6 +49,16 @@ nlohmann::json ToJson(const vtkShadowedSliceReport& volume)
     { "texture_bytes", volume.TextureBytes }, { "uploaded_bytes", volume.UploadedBytes },
     { "image_sample_distance", volume.ImageSampleDistance }, { "seconds", volume.Seconds } };
 }
+
+nlohmann::json ToJson(const vtkImplicitFlowVolumeReport& volume)
+{
+  return { { "features", volume.Features }, { "surfaces", volume.Surfaces },
+    { "uniform_cells", volume.UniformCells }, { "split_cells", volume.SplitCells },
+    { "empty_cells", volume.EmptyCells }, { "textures", volume.Textures },
+    { "texture_bytes", volume.TextureBytes }, { "passes", volume.Passes },
+    { "image_buffer_bytes", volume.ImageBufferBytes }, { "sample_distance", volume.SampleDistance },
+    { "seconds", volume.Seconds } };
+}
 }
 
 void SceneReport::AddVolume(const vtkTetrahedraReport& volume)
@@ -73,6 +83,15 @@ void SceneReport::AddVolume(const vtkShadowedSliceReport& volume)
   this->SlicedVolumes.push_back(volume);
 }
 
+void SceneReport::AddVolume(const vtkImplicitFlowVolumeReport& volume)
+{
+  this->Features.insert("inflow-textures");
+  this->Passes += volume.Passes;
+  this->Buffers += 1;
+  this->Bytes += volume.ImageBufferBytes;
+  this->InflowVolumes.push_back(volume);
+}
+
 nlohmann::json ToJson(const SceneReport& report)
 {
   const vtkExtractionReport& extraction = report.Extraction;
@@ -86,6 +105,11 @@ nlohmann::json ToJson(const SceneReport& report)
   {
     slicedVolumes.push_back(ToJson(volume));
   }
+  nlohmann::json inflowVolumes = nlohmann::json::array();
+  for (const vtkImplicitFlowVolumeReport& volume : report.InflowVolumes)
+  {
+    inflowVolumes.push_back(ToJson(volume));
+  }
   return { { "id", report.Id }, { "figure", report.Figure },
     { "size", { report.Width, report.Height } },
     { "seconds", report.BuildSeconds + report.RenderSeconds },
@@ -94,12 +118,13 @@ nlohmann::json ToJson(const SceneReport& report)
     { "panels", report.Panels }, { "surface_panels", report.SurfacePanels },
     { "occlusion_panels", report.OcclusionPanels }, { "passes", report.Passes },
     { "buffers", report.Buffers }, { "bytes", report.Bytes }, { "volumes", volumes },
-    { "sliced_volumes", slicedVolumes }, { "filters", report.Filters },
-    { "intervals", report.Intervals }, { "criteria", report.Criteria },
-    { "tetrahedra", report.Tetrahedra }, { "boundary_triangles", report.BoundaryTriangles },
-    { "slabs", report.Slabs }, { "simplices", report.Simplices },
-    { "flow_cells", report.FlowCells }, { "flow_cells_left_out", report.FlowCellsLeftOut },
-    { "inflow_passes", report.InflowPasses }, { "time_passes", report.TimePasses },
+    { "sliced_volumes", slicedVolumes }, { "inflow_volumes", inflowVolumes },
+    { "filters", report.Filters }, { "intervals", report.Intervals },
+    { "criteria", report.Criteria }, { "tetrahedra", report.Tetrahedra },
+    { "boundary_triangles", report.BoundaryTriangles }, { "slabs", report.Slabs },
+    { "simplices", report.Simplices }, { "flow_cells", report.FlowCells },
+    { "flow_cells_left_out", report.FlowCellsLeftOut }, { "inflow_passes", report.InflowPasses },
+    { "time_passes", report.TimePasses },
     { "extraction",
       { { "cells", extraction.Cells }, { "cells_visited", extraction.CellsVisited },
         { "cells_with_output", extraction.CellsWithOutput },

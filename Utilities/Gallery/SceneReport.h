@@ -3,6 +3,7 @@
 #define SceneReport_h
 
 #include "vtkExtractionReport.h"
+#include "vtkImplicitFlowVolumeReport.h"
 #include "vtkShadowedSliceReport.h"
 #include "vtkTetrahedraReport.h"
 #include "vtkType.h"
@@ -34,7 +35,7 @@ struct SceneReport
 
   /// Names of what was on: `criteria`, `boundaries`, `time`, `time-boundaries` (those of
   /// tetrahedra), `time-slices`, `flow`, `stream-surfaces`, `time-surfaces`, `volumes`, `slices`,
-  /// `shadows`, `ambient-occlusion`.
+  /// `inflow-textures`, `shadows`, `ambient-occlusion`.
   std::set<std::string> Features;
 
   /// Extraction filters run, their intervals and criteria, and what came out.
@@ -70,9 +71,11 @@ struct SceneReport
   /// What each volume took; its passes, buffers and bytes are in the sums above.
   std::vector<vtkTetrahedraReport> Volumes;
   std::vector<vtkShadowedSliceReport> SlicedVolumes;
+  std::vector<vtkImplicitFlowVolumeReport> InflowVolumes;
 
   void AddVolume(const vtkTetrahedraReport& volume);
   void AddVolume(const vtkShadowedSliceReport& volume);
+  void AddVolume(const vtkImplicitFlowVolumeReport& volume);
 };
 
 nlohmann::json ToJson(const SceneReport& report);

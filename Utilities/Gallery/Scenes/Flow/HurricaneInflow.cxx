@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A cylinder around the eye of a hurricane, painted, over a map.
+
+#include "Gallery/Look.h"
+#include "Gallery/Props.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/FlowScene.h"
+#include "Gallery/Scenes/Flow/InflowPaint.h"
+#include "Gallery/Stage.h"
+
+#include "vtkActor.h"
+#include "vtkAnalyticFlowSource.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTexture.h"
+#include "vtkVolume.h"
+
+#include <cmath>
+
+namespace
+{
+constexpr double EYE = 0.32;
+
+/// Bands around the cylinder, and between them nothing.
+gallery::Paint Bands(double u, double v)
+{
+  const double band = 6.0 * v - std::floor(6.0 * v);
+  const double spoke = 8.0 * u - std::floor(8.0 * u);
+  if (v < 0.06 || v > 0.94 || band > 0.45)
+  {
+    return {};
+  }
+  const int i = static_cast<int>(6.0 * v) % 4;
+  return { gallery::IntervalColour(i), spoke < 0.55 ? 0.3 : 0.05 };
+}
+
+/// Land and sea, as a map would have them, by a few waves.
+vtkSmartPointer<vtkImageData> MakeMap()
+{
+  return gallery::MakePaint(256, 256,
+    [](double u, double v)
+    {
+      const double coast = 0.42 + 0.13 * std::sin(5.0 * u + 0.4) + 0.05 * std::sin(17.0 * u) +
+        0.02 * std::sin(41.0 * u + 1.0);
+      const bool isLand = v > coast;
+      return gallery::Paint{ isLand ? vtkColor3d(0.56, 0.68, 0.46) : vtkColor3d(0.25, 0.38, 0.55),
+        1.0 };
+    });
+}
+
+void Build(gallery::Stage& stage)
+{
+  const vtkSmartPointer<vtkAnalyticFlowSource> hurricane = gallery::MakeAnalyticFlow(
+    vtkAnalyticFlowSource::HURRICANE, { { 45, 45, 19 }, { -1.3, 1.3, -1.3, 1.3, -0.5, 0.5 } });
+  hurricane->SetHeight(1.0);
+  hurricane->SetMaximumWind(0.5);
+  hurricane->SetUpdraft(0.5);
+  hurricane->SetAxisTilt(0.0, 0.0);
+  hurricane->SetAxisBend(0.0, 0.0);
+  vtkNew<vtkTerminationCylinder> eye;
+  eye->SetPoint1(0.0, 0.0, -0.5);
+  eye->SetPoint2(0.0, 0.0, 0.5);
+  eye->SetRadius(EYE);
+  const gallery::FlowLattice samples = { { 73, 73, 49 }, { -1.1, 1.1, -1.1, 1.1, -0.48, 0.48 } };
+  const vtkSmartPointer<vtkDataSet> flow =
+    gallery::MakeImplicitFlow(hurricane, { eye }, samples, 12.0);
+  const vtkSmartPointer<vtkImageData> bands = gallery::MakePaint(512, 256, &Bands);
+
+  gallery::Panel& panel = stage.AddPanel("");
+  panel.LookFrom({ 0.25, -1.0, 0.62 }, { 0.0, 0.0, 1.0 });
+  panel.Add(gallery::MakeInflowVolume(flow, bands, 0.06));
+  panel.Add(
+    gallery::MakeTerminationActor(eye, gallery::MakeInflowTexture(bands, { 0.97, 0.97, 0.97 })));
+  vtkNew<vtkPlaneSource> ground;
+  ground->SetOrigin(-1.2, -1.2, -0.52);
+  ground->SetPoint1(1.2, -1.2, -0.52);
+  ground->SetPoint2(-1.2, 1.2, -0.52);
+  ground->Update();
+  const vtkSmartPointer<vtkActor> map = gallery::MakeActor(ground->GetOutput(), { 1.0, 1.0, 1.0 });
+  map->SetTexture(gallery::MakeInflowTexture(MakeMap(), { 1.0, 1.0, 1.0 }));
+  panel.Add(map);
+}
+
+const gallery::SceneRegistration registration(
+  { "hurricane-inflow", "4.17", "A painted cylinder around the eye of a hurricane",
+    "A stand-in for a hurricane with known formulas. A cylinder around its eye is painted with "
+    "bands and spokes; each place of the storm has what is painted where its air has passed the "
+    "cylinder. Below it is a map, green for land and blue for the sea, by a formula.",
+    {}, &Build });
+}
