@@ -105,7 +105,7 @@ private:
 };
 
 /// The largest number of rays along a side of the box.
-constexpr int MostRays = 16;
+constexpr int MostRays = 12;
 
 class DirectionTrace
 {
@@ -120,6 +120,11 @@ public:
     , IsBack(isBack)
   {
     this->Result.resize(sources.size());
+    for (const EscapeRays::Source& source : sources)
+    {
+      const bool isEven = source.Light && !source.Light->IsPositional;
+      this->Factors.push_back(isEven ? this->GetPhase(*source.Light, {}, this->Out) : 0.0);
+    }
   }
 
   std::vector<EscapeRays::Sums> Go()
@@ -171,13 +176,15 @@ private:
       }
       else if (depth > 0.0)
       {
-        const double own = -std::expm1(-depth);
         // depth - own, of which nothing cancels where depths are small.
-        const double ended = depth < 1e-3 ? depth * depth * (0.5 - depth / 6.0) : depth - own;
+        const double ended = depth < 1e-2
+          ? depth * depth * (0.5 - depth * (1.0 / 6.0 - depth / 24.0))
+          : depth - 1.0 + std::exp(-depth);
+        const double own = depth - ended;
         for (std::size_t i = 0; i < this->Sources.size(); ++i)
         {
           const double within = this->GetEnded(this->Sources[i], cell, ray, depth, ended);
-          const glm::dvec3 color = this->GetColor(this->Sources[i], ray, cell);
+          const glm::dvec3 color = this->GetColor(i, ray, cell);
           EscapeRays::Sums& sums = this->Result[i];
           sums.Kept += area * (depth * lost + through * within) * color;
           (isBlocked ? sums.Blocked : (this->IsBack ? sums.Back : sums.On)) +=
@@ -204,21 +211,30 @@ private:
     return depth * (1.0 - LightSlopes::GetEscape(depth, glm::clamp(slope, -50.0, 50.0)));
   }
 
-  /// Returns what a source sends out against the ray.
-  glm::dvec3 GetColor(const EscapeRays::Source& source, const CellRay& ray, std::size_t cell) const
+  double GetPhase(const ScatteringLight& light, const glm::ivec3& cell, const glm::dvec3& out) const
   {
+    const ScatteringMedium& box = this->Matter.Box;
+    const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
+    return this->Phase.Get(glm::dot(light.GetDirection(middle), out));
+  }
+
+  /// Returns what a source sends out against the ray.
+  glm::vec3 GetColor(std::size_t number, const CellRay& ray, std::size_t cell) const
+  {
+    const EscapeRays::Source& source = this->Sources[number];
     double factor = 1.0;
     if (source.Light)
     {
-      const ScatteringMedium& box = this->Matter.Box;
-      const glm::dvec3 middle = box.Origin + (glm::dvec3(ray.GetCell()) + 0.5) * box.CellSize;
-      factor = this->Phase.Get(glm::dot(source.Light->GetDirection(middle), -ray.GetDirection()));
+      // Mirrors have turned the ray.
+      const bool isSame = !source.Light->IsPositional && ray.GetDirection() == -this->Out;
+      factor = isSame ? this->Factors[number]
+                      : this->GetPhase(*source.Light, ray.GetCell(), -ray.GetDirection());
     }
     else if (source.Lean)
     {
       factor -= source.LeanFactor * glm::dot(glm::dvec3((*source.Lean)[cell]), ray.GetDirection());
     }
-    return factor * glm::dvec3((*source.Fluence)[cell] * this->Matter.Albedo[cell]);
+    return static_cast<float>(factor) * (*source.Fluence)[cell] * this->Matter.Albedo[cell];
   }
 
   const MatterCells& Matter;
@@ -227,6 +243,8 @@ private:
   glm::dvec3 Out;
   double Weight;
   bool IsBack;
+  /// The phase function for each light in a direction.
+  std::vector<double> Factors;
   std::vector<EscapeRays::Sums> Result;
 };
 
