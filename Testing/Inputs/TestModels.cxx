@@ -82,9 +82,8 @@ int TestModels(int, char*[])
   reference::Check check;
   const std::map<std::string, Model> models = { { "mushroom", MakeMushroom(1.0, 0.5, 0.2) },
     { "teapot", MakeTeapot() }, { "dart", MakeDart() }, { "desk", MakeDesk() },
-    { "airplane", MakeAirplane() },
-    { "chair", MakeChair() }, { "lamp", MakeLamp() }, { "books", MakeBooks() },
-    { "mug", MakeMug() },
+    { "airplane", MakeAirplane() }, { "chair", MakeChair() }, { "lamp", MakeLamp() },
+    { "books", MakeBooks() }, { "mug", MakeMug() },
     { "moved", Move(MakeMug(), { { 1.0, 2.0, 3.0 } }, { { 0.0, 20.0, 30.0 } }) } };
   for (const auto& model : models)
   {
