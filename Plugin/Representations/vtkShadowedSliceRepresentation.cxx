@@ -35,6 +35,7 @@ vtkShadowedSliceRepresentation::vtkShadowedSliceRepresentation()
   , Constant(std::make_unique<vtkConstantScalars>())
 {
   this->Mapper->SetMaximumNumberOfShadows(1);
+  this->Mapper->SetTwoSidedLighting(true);
   this->Property->SetInterpolationTypeToLinear();
   this->Property->SetShade(true);
   this->VolumeMapper = this->Mapper;
@@ -82,6 +83,11 @@ void vtkShadowedSliceRepresentation::SetMaximumNumberOfShadows(int number)
 void vtkShadowedSliceRepresentation::SetSliceSpacing(double spacing)
 {
   this->Mapper->SetSliceSpacing(spacing);
+}
+
+void vtkShadowedSliceRepresentation::SetTwoSidedLighting(bool isTwoSided)
+{
+  this->Mapper->SetTwoSidedLighting(isTwoSided);
 }
 
 void vtkShadowedSliceRepresentation::SetLightBufferSize(int size)

@@ -85,8 +85,9 @@ public:
   ///@{
   /**
    * Pass their values on to the mapper. The defaults are those of the mapper, but for
-   * MaximumNumberOfShadows.
+   * MaximumNumberOfShadows and TwoSidedLighting.
    */
+  void SetTwoSidedLighting(bool isTwoSided);
   void SetShadows(bool shadows);
   void SetMaximumNumberOfShadows(int number);
   void SetSliceSpacing(double spacing);

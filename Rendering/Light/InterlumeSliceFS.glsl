@@ -112,6 +112,10 @@ void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
     vec3 n = rowNormals[row];
     float surface = rowSurfaces[row];
     float cosine = -dot(n, l);
+#ifdef TWO_SIDED
+    n = cosine < 0.0 ? -n : n;
+    cosine = abs(cosine);
+#endif
     float incidence = mix(1.0, max(cosine, 0.0), surface);
     sum += rowShares[row] * rowColors[row] * diffuse * (materials[row].y * incidence);
     if (cosine > 0.0)

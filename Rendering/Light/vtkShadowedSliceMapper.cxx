@@ -286,6 +286,7 @@ void vtkShadowedSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
   os << indent << "SurfaceGradient: " << this->SurfaceGradient << "\n";
+  os << indent << "TwoSidedLighting: " << this->TwoSidedLighting << "\n";
   os << indent << "SoftShadowMethod: " << this->SoftShadowMethod << "\n";
   os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
   os << indent << "TransmissionColor: " << this->TransmissionColor.Get() << "\n";

@@ -307,6 +307,17 @@ public:
 
   ///@{
   /**
+   * Whether surfaces are lit from both sides: N is turned towards each light, as VTK's other volume
+   * mappers turn it by vtkRenderer::TwoSidedLighting. Matter whose values grow towards the eye, as
+   * where the volume ends within it, is dark otherwise. Default false: equation 2.6 as it stands.
+   */
+  vtkSetMacro(TwoSidedLighting, bool);
+  vtkGetMacro(TwoSidedLighting, bool);
+  vtkBooleanMacro(TwoSidedLighting, bool);
+  ///@}
+
+  ///@{
+  /**
    * The way to find the soft shadows of each vtkAreaLight; see the description of the class.
    * Default SAMPLE_LAYERS. Valid: see SoftShadowMethods; clamped.
    */

@@ -74,6 +74,7 @@ struct vtkShadowedSliceSettings
   double ImageSampleDistance = 1.0;
   bool AutoAdjustSampleDistances = true;
   double SurfaceGradient = 0.0;
+  bool TwoSidedLighting = false;
   int SoftShadowMethod = SAMPLE_LAYERS;
   int NumberOfLightSamples = 16;
   vtkSmartPointer<vtkColorTransferFunction> TransmissionColor;

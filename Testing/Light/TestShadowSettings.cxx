@@ -2,6 +2,7 @@
 // Settings of vtkShadowedSliceMapper that no reference has: how much of a surface a gradient makes,
 // and what is given up where time is short.
 #include "Light/ShadowComparison.h"
+#include "Pictures/PictureSettings.h"
 #include "Pictures/ShadowCases.h"
 #include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
@@ -10,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkShadowedSliceMapper.h"
+#include "vtkVolumeProperty.h"
 
 #include <string>
 
@@ -76,6 +78,43 @@ void TestSurfaceGradient(Check& check)
   ExpectAlike(check, "below both changes, every gradient is one of a surface", below, none, bound);
 }
 
+/// The picture is that of the turned values where surfaces are lit from both sides, and at least as
+/// bright as from one; the lines of the shader are there for shaded matter alone.
+void TestTwoSidedLighting(Check& check)
+{
+  const auto draw = [](bool isTurned, bool isTwoSided, bool isShaded, std::string& features)
+  {
+    const auto ramp = [isTurned](const Double3& x)
+    {
+      const double value = 0.3 * x[0] + 0.7 * (1.0 - x[2]);
+      return isTurned ? 1.0 - value : value;
+    };
+    auto property = MakeProperty(
+      { { 0.0, { { 1.0, 1.0, 1.0 } }, 0.3 }, { 1.0, { { 1.0, 1.0, 1.0 } }, 0.3 } }, 0.1);
+    property->SetShade(isShaded);
+    property->SetDiffuse(0.8);
+    property->SetSpecular(0.3);
+    auto scene = MakeScene(MakeImage(Cells, ramp), property);
+    scene.Lights = { MakeDirectionalLight({ { 0.832, 0.358, -0.422 } }) };
+    vtkNew<vtkShadowedSliceMapper> mapper;
+    mapper->SetTwoSidedLighting(isTwoSided);
+    const RgbaPicture picture = DrawByMapper(mapper, scene);
+    features = mapper->GetReport().Features;
+    return picture;
+  };
+  std::string features;
+  const RgbaPicture lit = draw(false, false, true, features);
+  check.That(features.find("two-sided") == std::string::npos, "one side asks for no lines");
+  const RgbaPicture dark = draw(true, false, true, features);
+  const RgbaPicture both = draw(false, true, true, features);
+  check.That(features.find("two-sided") != std::string::npos, "both sides ask for lines");
+  const RgbaPicture turned = draw(true, true, true, features);
+  draw(false, true, false, features);
+  check.That(features.find("two-sided") == std::string::npos, "even matter has no sides");
+  check.That(ComparePictures(lit, dark).Mean > 1e-2, "one side differs from the other");
+  ExpectAlike(check, "values and turned values from both sides", both, turned, { 2e-5, 5e-6 });
+}
+
 vtkShadowedSliceReport DrawAtRate(VolumeStage& stage, vtkShadowedSliceMapper* mapper, double rate)
 {
   stage.GetWindow()->SetDesiredUpdateRate(rate);
@@ -121,6 +160,7 @@ int TestShadowSettings(int, char*[])
 {
   Check check;
   TestSurfaceGradient(check);
+  TestTwoSidedLighting(check);
   TestAutoAdjust(check);
   return check.Result();
 }

@@ -33,7 +33,7 @@ CASES = {
         **COMMON, "Ambient": (0.7, {}), "Diffuse": (0.2, {}), "Specular": (0.9, {}), "SpecularPower": (2.0, {"Specular": 1.0}),
         "ColoredShadows": (1, {}), "ImageSampleDistance": (6.0, {}), "LightBufferSize": (16, {}),
         "LightLookup": ("Nearest", {}), "MaximumNumberOfShadows": (0, {}), "Shadows": (0, {}), "SliceSpacing": (3.0, {}), "ViewLightAngle": (40.0, {"NumberOfLightSamples": 4}),
-        "ShadowedShade": (0, {}), "ShadowedOpacityUnitDistance": (20.0, {}), "ShadowedUseCropping": (1, {
+        "ShadowedShade": (0, {}), "ShadowedTwoSidedLighting": (0, {}), "ShadowedOpacityUnitDistance": (20.0, {}), "ShadowedUseCropping": (1, {
             "ShadowedCroppingScale": [0.5, 0.5, 0.5]}),
         "ShadowedCroppingOrigin": ([2.0, 0.0, 0.0], {"ShadowedUseCropping": 1}),
         "ShadowedCroppingScale": ([0.5, 0.5, 0.5], {"ShadowedUseCropping": 1}),

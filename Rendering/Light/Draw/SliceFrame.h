@@ -40,8 +40,9 @@ struct SliceFrame
   ClipRegion Region;
 
   bool IsShaded = false;
-  /// The setting of this name of vtkShadowedSliceMapper.
+  /// The settings of these names of vtkShadowedSliceMapper.
   double SurfaceGradient = 0.0;
+  bool TwoSidedLighting = false;
   /// The ambient, diffuse and specular coefficients and the specular power of each row.
   std::array<std::array<float, 4>, 4> Materials{};
   glm::dvec3 Ambient{ 1.0, 1.0, 1.0 };

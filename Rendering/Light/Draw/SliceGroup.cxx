@@ -100,6 +100,7 @@ void SliceGroup::ShareSettings(SliceScene* scene)
     vtkShadowedSliceSettings& settings = member.Request.Settings;
     shared.SliceSpacing = settings.SliceSpacing;
     shared.SurfaceGradient = settings.SurfaceGradient;
+    shared.TwoSidedLighting = settings.TwoSidedLighting;
     shared.TransmissionColor = settings.TransmissionColor;
     shared.MultipleScattering = settings.MultipleScattering;
     shared.ScatteringAlbedo = settings.ScatteringAlbedo;

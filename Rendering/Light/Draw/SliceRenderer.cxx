@@ -270,6 +270,7 @@ void SliceRenderer::UpdateView(vtkRenderer* renderer, vtkVolume* volume, const R
     warnings);
   this->UpdateShading(volume);
   frame.SurfaceGradient = request.Settings.SurfaceGradient;
+  frame.TwoSidedLighting = request.Settings.TwoSidedLighting;
   frame.IsSmoothLookup = request.Settings.LightLookup == vtkShadowedSliceSettings::BILINEAR_LIGHT;
   frame.Scene = request.Scene;
   frame.MayBeOccluded = vtkOpaqueProps::MayOcclude(renderer, volume);

@@ -442,6 +442,7 @@ std::string SliceShader::GetEyeSource(
   }
   features += frame.IsLit() ? " LIT" : "";
   features += frame.IsShaded ? " SHADE" : "";
+  features += frame.IsShaded && frame.TwoSidedLighting ? " TWO_SIDED" : "";
   features += GetScatteringFeatures(frame.Scattering);
   features += GetTransmissionFeatures(frame);
   std::string lights;
@@ -533,6 +534,7 @@ std::string SliceShader::GetNames(const SliceFrame& frame, bool isOccluded)
   add(frame.IsCutByNearPlane, "near-plane");
   add(isOccluded, "opaque");
   add(frame.IsShaded, "shade");
+  add(frame.IsShaded && frame.TwoSidedLighting, "two-sided");
   add(frame.HasShadows(), "shadow");
   const SliceScattering& scattering = frame.Scattering;
   add(scattering.IsOn(), "scattering");

@@ -152,6 +152,7 @@ void Draw(const json& picture, const std::string& folder)
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetInputConnection(source->GetOutputPort());
   SetUpMapper(mapper, picture);
+  mapper->TwoSidedLightingOn();
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
   vtkVolumeProperty* property = volume->GetProperty();
