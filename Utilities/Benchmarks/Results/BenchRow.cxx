@@ -31,8 +31,7 @@ std::ostream& operator<<(std::ostream& os, const BenchRow& row)
   os << row.Suite << "  " << row.Case << "  " << row.Method;
   if (!row.Parameter.is_null())
   {
-    os << "  "
-       << (row.Parameter.is_string() ? row.Parameter.get<std::string>() : row.Parameter.dump());
+    os << "  " << row.GetParameterText();
   }
   if (row.Seconds)
   {
@@ -52,6 +51,11 @@ std::ostream& operator<<(std::ostream& os, const BenchRow& row)
   }
   return os;
 }
+}
+
+std::string BenchRow::GetParameterText() const
+{
+  return this->Parameter.is_string() ? this->Parameter.get<std::string>() : this->Parameter.dump();
 }
 
 std::optional<double> BenchRow::GetRatio() const

@@ -41,8 +41,8 @@ std::vector<BenchPlot> MakeRatioPlots(
       {
         plot.BarLabels.push_back(row.Case);
       }
-      plot.AddPoint(row.Parameter.get<std::string>(), false,
-        static_cast<double>(plot.BarLabels.size() - 1), *row.GetRatio());
+      plot.AddPoint(row.GetParameterText(), false, static_cast<double>(plot.BarLabels.size() - 1),
+        *row.GetRatio());
     }
     plots.push_back(plot);
   }
