@@ -262,7 +262,8 @@ void CompareFlowFilters(const std::string& folder)
       { "ComputeArcLength", Text(field->GetComputeArcLength()) },
       { "ComputeMeanVorticity", Text(field->GetComputeMeanVorticity()) }, { "MeanArrays", "" },
       { "KeepSteps", Text(field->GetKeepSteps()) },
-      { "RefinementLevels", Text(field->GetRefinementLevels()) } });
+      { "RefinementLevels", Text(field->GetRefinementLevels()) },
+      { "ShareStreamlines", Text(field->GetShareStreamlines()) } });
 
   vtkNew<vtkInflowMapping> mapping;
   CompareWithXML(folder + "/InflowMapping.xml", "SourceProxy", "vtkPVInflowMapping", "",
