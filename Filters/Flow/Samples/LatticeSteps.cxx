@@ -8,29 +8,37 @@ namespace interlume
 
 namespace
 {
-// Overloaded functions have no clones.
-INTERLUME_FUNCTION_CLONES("avx2")
-unsigned int TakeOnImage(LaneSteps<LatticeLanes<ImageFlowField>>& steps, unsigned int lanes)
+INTERLUME_AVX2_FUNCTION
+unsigned int TakeByAVX2(LatticeSteps::ImageSteps& steps, unsigned int lanes)
 {
   return steps.Take(lanes);
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
-unsigned int TakeOnGrid(LaneSteps<LatticeLanes<RectilinearFlowField>>& steps, unsigned int lanes)
+INTERLUME_AVX2_FUNCTION
+unsigned int TakeByAVX2(LatticeSteps::GridSteps& steps, unsigned int lanes)
 {
   return steps.Take(lanes);
 }
 }
 
-unsigned int LatticeSteps::Take(LaneSteps<LatticeLanes<ImageFlowField>>& steps, unsigned int lanes)
+unsigned int LatticeSteps::Take(ImageSteps& steps, unsigned int lanes)
 {
-  return TakeOnImage(steps, lanes);
+  return INTERLUME_HAS_AVX2 ? TakeByAVX2(steps, lanes) : TakePlainly(steps, lanes);
 }
 
-unsigned int LatticeSteps::Take(
-  LaneSteps<LatticeLanes<RectilinearFlowField>>& steps, unsigned int lanes)
+unsigned int LatticeSteps::Take(GridSteps& steps, unsigned int lanes)
 {
-  return TakeOnGrid(steps, lanes);
+  return INTERLUME_HAS_AVX2 ? TakeByAVX2(steps, lanes) : TakePlainly(steps, lanes);
+}
+
+unsigned int LatticeSteps::TakePlainly(ImageSteps& steps, unsigned int lanes)
+{
+  return steps.Take(lanes);
+}
+
+unsigned int LatticeSteps::TakePlainly(GridSteps& steps, unsigned int lanes)
+{
+  return steps.Take(lanes);
 }
 
 }

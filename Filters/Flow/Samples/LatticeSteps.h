@@ -9,13 +9,18 @@ namespace interlume
 {
 
 /**
- * LaneSteps::Take on images and on rectilinear grids, for AVX2 where the machine has it. Nothing
- * fuses a product and a sum, so that the bytes are the same on all machines.
+ * LaneSteps::Take on images and on rectilinear grids, for AVX2 where the machine has it, and
+ * without on any machine. Nothing fuses a product and a sum, so that the bytes are the same.
  */
 namespace LatticeSteps
 {
-unsigned int Take(LaneSteps<LatticeLanes<ImageFlowField>>& steps, unsigned int lanes);
-unsigned int Take(LaneSteps<LatticeLanes<RectilinearFlowField>>& steps, unsigned int lanes);
+using ImageSteps = LaneSteps<LatticeLanes<ImageFlowField>>;
+using GridSteps = LaneSteps<LatticeLanes<RectilinearFlowField>>;
+
+unsigned int Take(ImageSteps& steps, unsigned int lanes);
+unsigned int Take(GridSteps& steps, unsigned int lanes);
+unsigned int TakePlainly(ImageSteps& steps, unsigned int lanes);
+unsigned int TakePlainly(GridSteps& steps, unsigned int lanes);
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Streamlines four at a time against the same one by one, to the last byte: images and rectilinear
-// grids of any kind, surfaces, limits, every status, every method.
+// Streamlines four at a time, with AVX2 and without, against the same one by one, to the last byte:
+// images and rectilinear grids of any kind, surfaces, limits, every status, every method.
 #include "Reference/Checks/ReferenceCheck.h"
 #include "Reference/Checks/ReferenceRandom.h"
 #include "Reference/Flow/ReferenceFlowGrid.h"
@@ -66,21 +66,12 @@ struct Seen
   vtkIdType LaneSteps = 0;
 };
 
-template <typename Walker>
-void Compare(const Walker& walker, const AdvectionOptions& options,
-  const std::vector<Vector>& starts, Seen& seen, Check& check)
+/// Follows the streamlines by lanes against the bytes of the same followed alone.
+template <typename Lanes>
+void CompareLanes(Lanes& lanes, const std::string& name, const std::vector<Vector>& starts,
+  const std::vector<std::string>& alone, Seen& seen, Check& check)
 {
-  std::vector<std::string> alone;
   std::vector<vtkIdType> answered(starts.size(), 0);
-  interlume::Advection<Walker> advection(walker, options);
-  AdvectionResult result;
-  for (const Vector& start : starts)
-  {
-    advection.Follow(start.data(), result);
-    alone.push_back(GetBytes(result));
-    ++seen.Statuses[result.Status];
-  }
-  interlume::AdvectionLanes<Walker> lanes(walker, options, interlume::LatticeSteps::Take);
   vtkIdType next = 0;
   const auto number = static_cast<vtkIdType>(starts.size());
   lanes.Follow(
@@ -100,12 +91,35 @@ void Compare(const Walker& walker, const AdvectionOptions& options,
       seen.Steps += found.Steps;
       seen.LaneSteps += found.LaneSteps;
       check.That(GetBytes(found) == alone[i],
-        "the bytes of streamline " + std::to_string(id) + ", status " +
+        name + ": the bytes of streamline " + std::to_string(id) + ", status " +
           std::to_string(found.Status) + ", " + std::to_string(found.Steps) + " steps");
     });
   for (const vtkIdType count : answered)
   {
     check.Equal(static_cast<int>(count), 1, "answers of a streamline");
+  }
+}
+
+template <typename Walker>
+void Compare(const Walker& walker, const AdvectionOptions& options,
+  const std::vector<Vector>& starts, Seen& seen, Check& check)
+{
+  std::vector<std::string> alone;
+  interlume::Advection<Walker> advection(walker, options);
+  AdvectionResult result;
+  for (const Vector& start : starts)
+  {
+    advection.Follow(start.data(), result);
+    alone.push_back(GetBytes(result));
+    ++seen.Statuses[result.Status];
+  }
+  using Lanes = interlume::AdvectionLanes<Walker>;
+  for (const bool isPlain : { false, true })
+  {
+    const typename Lanes::Function plain = interlume::LatticeSteps::TakePlainly;
+    const typename Lanes::Function usual = interlume::LatticeSteps::Take;
+    Lanes lanes(walker, options, isPlain ? plain : usual);
+    CompareLanes(lanes, isPlain ? "plain" : "usual", starts, alone, seen, check);
   }
 }
 

@@ -189,6 +189,26 @@ void TestRefusals(Check& check)
     check.That(number > 0.1 * all && number < all, std::to_string(number) + " shared beside");
     check.That(found.LargestError <= 1.0, "no error beside");
   }
+  // Around one sample that all levels know: no sample that is compared is near it, so that all
+  // errors that are measured are small.
+  for (const int kind : { 0, 1, 2 })
+  {
+    check.SetContext("around one sample, kind " + std::to_string(kind));
+    const auto spot = [&](double i, double j, double k)
+    {
+      Formula answer = flat(i, j, k);
+      const bool isNear = std::hypot(i - 16.0, j - 16.0, k - 16.0) < 1.5;
+      answer.Id = kind == 0 && isNear ? 1 : 0;
+      answer.Status = kind == 1 && isNear ? vtkFlowStatus::LEFT_DOMAIN : answer.Status;
+      answer.U = kind == 2 ? (isNear ? 0.999 : 0.001) : answer.U;
+      return answer;
+    };
+    // In the middle of a block beside it, 0.18 is all that is left of a jump by 1.
+    const Outcome found =
+      Run({ 33, 33, 33 }, spot, kind == 2 ? 0.2 : 1e-3, { { kind == 2, false } }, check);
+    check.That(found.LargestError <= 1.0, "no error around");
+    check.That(found.Shared.size() > 0.1 * static_cast<double>(all), "others are shared");
+  }
   check.SetContext("");
   // A wall of one sample that no coarse level sees: its samples are followed at the level that
   // does.
