@@ -149,10 +149,11 @@ struct SliceScene;
  * changed; the report counts this (ScatteringSolves). The slices look it up between the cells'
  * middles. Each volume has a grid of its own: light that one volume has scattered does not reach
  * another, nor are shadows of other volumes in D. Surfaces of a vtkShadowedScenePass cast their
- * shadows in D, but neither stop light that was scattered nor receive it. Where lights have soft
- * shadows D is of up to 16 samples of each. Lights that cast no shadows are scattered once; one of
- * ShadowAttenuation a below 1 gives D its share a, and is not taken from by as much, so that then
- * light is gained.
+ * shadows in D, and opaque ones that do stop light that was scattered: the cells that their
+ * triangles go through take it, a layer of cells for a thin sheet, and send none on. Where lights
+ * have soft shadows D is of up to 16 samples of each. Lights that cast no shadows are scattered
+ * once; one of ShadowAttenuation a below 1 gives D its share a, and is not taken from by as much,
+ * so that then light is gained.
  *
  * **Input**: vtkImageData, point or cell scalars by ScalarMode, ArrayName, ArrayId as in VTK's
  * other mappers, of any type and of

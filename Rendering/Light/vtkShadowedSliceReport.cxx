@@ -18,6 +18,7 @@ void vtkShadowedSliceReport::Print(ostream& os, vtkIndent indent) const
       { "HardLightsInstead", this->HardLightsInstead }, { "LightLayers", this->LightLayers },
       { "SampledLights", this->SampledLights }, { "SoftShadowPasses", this->SoftShadowPasses },
       { "SoftShadowBytes", this->SoftShadowBytes }, { "ScatteringCells", this->ScatteringCells },
+      { "ScatteringBlockedCells", this->ScatteringBlockedCells },
       { "ScatteringBytes", this->ScatteringBytes }, { "ScatteringSolves", this->ScatteringSolves },
       { "ScatteringSeconds", this->ScatteringSeconds }, { "Features", this->Features },
       { "Blocks", this->Blocks }, { "BlocksDrawn", this->BlocksDrawn },

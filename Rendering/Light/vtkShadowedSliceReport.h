@@ -61,10 +61,12 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSliceReport
   int SampledLights = 0;
   int SoftShadowPasses = 0;
   vtkIdType SoftShadowBytes = 0;
-  /// The number of cells that light is scattered in on and on, the bytes of what it is there, how
-  /// often that was found since it is asked for (a picture that finds nothing new leaves the number
-  /// as it is) and the seconds that this took the last time.
+  /// The number of cells that light is scattered in on and on, of those among them that opaque
+  /// surfaces of a vtkShadowedScenePass block, the bytes of what it is there, how often that was
+  /// found since it is asked for (a picture that finds nothing new leaves the number as it is) and
+  /// the seconds that this took the last time.
   int ScatteringCells = 0;
+  int ScatteringBlockedCells = 0;
   vtkIdType ScatteringBytes = 0;
   int ScatteringSolves = 0;
   double ScatteringSeconds = 0.0;

@@ -17,6 +17,7 @@
 #include "vtkShadowedScenePass.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
 
 #include <array>
 #include <iostream>
@@ -128,6 +129,38 @@ void TestTranslucent(Check& check)
   check.Near(half / whole, 0.5, 0.01, "half of the light through a sheet", 1.0);
 }
 
+/// A plate along the light stops what was scattered: the half of the cube beside it is as by
+/// itself.
+void TestBlocked(Check& check)
+{
+  Stage stage;
+  stage.Actor->VisibilityOff();
+  const double whole = stage.Draw(0, 11);
+  check.Equal(stage.Mapper->GetReport().ScatteringBlockedCells, 0, "no plate: cells");
+  stage.Actor->VisibilityOn();
+  // It is in the seventh of twelve layers of cells, and the eye sees its edge alone.
+  stage.Sheet->SetOrigin(0.03, -2.0, -2.0);
+  stage.Sheet->SetPoint1(0.03, 2.0, -2.0);
+  stage.Sheet->SetPoint2(0.03, -2.0, 2.0);
+  const double beside = stage.Draw(0, 11);
+  check.Equal(stage.Mapper->GetReport().ScatteringBlockedCells, 144, "plate: cells");
+  const int solves = stage.Mapper->GetReport().ScatteringSolves;
+  vtkShadowedScenePass::SetCastsShadows(stage.Actor, false);
+  const double kept = stage.Draw(0, 11);
+  check.Equal(stage.Mapper->GetReport().ScatteringBlockedCells, 0, "plate without shadows: cells");
+  check.Equal(stage.Mapper->GetReport().ScatteringSolves, solves + 1, "plate without shadows");
+  stage.Actor->VisibilityOff();
+  stage.Scene.CroppingFlags = VTK_CROP_SUBVOLUME;
+  stage.Scene.CroppingPlanes = { { -0.5, 0.0, -0.5, 0.5, -0.5, 0.5 } };
+  SetScene(stage.Picture, stage.Mapper, stage.Scene);
+  const double half = stage.Draw(0, 11);
+  std::cout << "plate in the cube: " << beside << " beside it, " << half << " in half a cube, "
+            << whole << " without" << std::endl;
+  check.That(beside < 0.97 * whole, "less light beside a plate");
+  check.Near(kept / whole, 1.0, 1e-6, "plate without shadows: light", 1.0);
+  check.Near(beside / half, 1.0, 5e-3, "beside a plate as in half a cube", 1.0);
+}
+
 /// Two volumes that are far from each other are drawn in one set of slices as each by itself.
 void TestVolumes(Check& check)
 {
@@ -160,6 +193,7 @@ int TestScatteredScene(int, char*[])
   TestShadows(check, false);
   TestShadows(check, true);
   TestTranslucent(check);
+  TestBlocked(check);
   TestVolumes(check);
   return check.Result();
 }

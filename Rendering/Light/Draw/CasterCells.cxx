@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/CasterCells.h"
 
+#include "Casters/PropSurfaces.h"
 #include "Casters/SceneCasters.h"
 #include "Common/Vectors.h"
 #include "Grid/MatterGrid.h"
+#include "Grid/SurfaceCells.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Loader/ScopedState.h"
 #include "Receivers/SliceScene.h"
@@ -131,6 +133,14 @@ vtkMTimeType CasterCells::GetTime(const SliceScene* scene)
   const bool hasPanes = scene->Panes && scene->Panes->GetLayers() > 0;
   return std::max(scene->Casters->HasViews() ? scene->Casters->GetDrawTime() : 0,
     hasPanes ? scene->Panes->GetDrawTime() : 0);
+}
+
+void CasterCells::Block(const SliceScene& scene, const glm::dmat4& worldFromUnit, MatterGrid& grid)
+{
+  for (const PropSurfaces::Surface& surface : PropSurfaces::Get(scene.Blockers))
+  {
+    SurfaceCells::Mark(surface.Corners, surface.Planes, worldFromUnit, grid);
+  }
 }
 
 std::string CasterCells::Make(vtkOpenGLRenderWindow* window, const SliceScene& scene,

@@ -21,15 +21,20 @@ struct SliceScene;
 
 /**
  * @class   CasterCells
- * @brief   the share of each light that surfaces of a scene leave in the cells of a grid
+ * @brief   what surfaces of a scene take from light in the cells of a grid
  *
- * It is found by the same functions of the same maps as in slices, opaque and translucent.
+ * The share of each light that they leave is found by the same functions of the same maps as in
+ * slices, opaque and translucent. Light that was scattered ends at cells that opaque ones go
+ * through.
  */
 class CasterCells
 {
 public:
   /// Returns when the maps of the scene were drawn; 0 where surfaces cast no shadows.
   static vtkMTimeType GetTime(const SliceScene* scene);
+
+  /// Marks the cells that the opaque surfaces go through which cast shadows.
+  static void Block(const SliceScene& scene, const glm::dmat4& worldFromUnit, MatterGrid& grid);
 
   /**
    * Computes the shares, a list of cells for each light, empty where nothing takes from it. \a

@@ -293,6 +293,7 @@ std::string SliceGroup::DrawMembers(vtkRenderer* renderer, SliceScene* scene)
     report.TextureBytes = own.TextureBytes;
     report.UploadedBytes += own.UploadedBytes;
     report.ScatteringCells = own.ScatteringCells;
+    report.ScatteringBlockedCells = own.ScatteringBlockedCells;
     report.ScatteringBytes = own.ScatteringBytes;
     report.ScatteringSolves = own.ScatteringSolves;
     report.ScatteringSeconds = own.ScatteringSeconds;

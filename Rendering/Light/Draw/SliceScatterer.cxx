@@ -15,6 +15,7 @@
 #include "vtkProjectiveLight.h"
 #include "vtkTimerLog.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace interlume
@@ -160,6 +161,7 @@ std::string SliceScatterer::MakeField(
   scattering.ForwardLights.clear();
   scattering.HasFluence = false;
   this->Cells = 0;
+  this->BlockedCells = 0;
   const std::vector<LightSource> lights = FindLights(frame);
   MatterGrid grid;
   const int size = settings.ScatteringGridSize > 0 ? settings.ScatteringGridSize : AutomaticCells;
@@ -193,6 +195,8 @@ std::string SliceScatterer::MakeField(
         direct[i].Direct[cell] *= shares[i][cell];
       }
     }
+    // Depth maps are sharper than cells, which stop scattered light alone.
+    CasterCells::Block(*frame.Scene, frame.Space.GetWorldFromUnit(), grid);
   }
   ScatteringSettings asked;
   asked.AngleVariance = settings.ForwardSpread > 0.0 ? settings.ForwardSpread : -1.0;
@@ -215,7 +219,9 @@ std::string SliceScatterer::MakeField(
   {
     scattering.ForwardLights.push_back(lights[i].Light);
   }
+  const std::vector<unsigned char>& blocked = grid.GetMedium().Blocked;
   this->Cells = static_cast<int>(grid.GetMedium().GetNumberOfCells());
+  this->BlockedCells = static_cast<int>(std::count(blocked.begin(), blocked.end(), 1));
   return {};
 }
 
@@ -238,6 +244,7 @@ std::string SliceScatterer::Solve(vtkOpenGLRenderWindow* window, SliceFrame& fra
   report.ScatteringSolves = this->Solves;
   report.ScatteringSeconds = this->Seconds;
   report.ScatteringCells = this->Cells;
+  report.ScatteringBlockedCells = this->BlockedCells;
   report.ScatteringBytes = static_cast<vtkIdType>(sizeof(float) * frame.Scattering.Texels.size());
   return error;
 }

@@ -58,6 +58,7 @@ private:
   /// All that the field depends on.
   std::vector<double> Key;
   int Cells = 0;
+  int BlockedCells = 0;
   /// How often it was found since it is asked for, and the seconds of the last time.
   int Solves = 0;
   double Seconds = 0.0;

@@ -234,6 +234,7 @@ std::string SceneRenderer::DrawEyeDepth(
   vtkRenderer* renderer, int channels, vtkShadowedSceneReport& report)
 {
   this->Scene.Casters = &this->Maps;
+  this->Scene.Blockers = this->Casters;
   this->Scene.Panes = &this->PaneLight;
   if (this->Opaque.empty() && !this->IsLayered && !renderer->GetPreserveDepthBuffer())
   {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+class vtkProp;
 class vtkTextureObject;
 
 namespace interlume
@@ -36,6 +37,8 @@ struct SliceScene
 
   /// The depth maps of lights.
   const SceneCasters* Casters = nullptr;
+  /// The opaque props that these are of.
+  std::vector<vtkProp*> Blockers;
   /// What translucent surfaces leave of the lights.
   const PaneMaps* Panes = nullptr;
 
