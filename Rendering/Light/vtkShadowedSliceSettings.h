@@ -76,7 +76,7 @@ struct vtkShadowedSliceSettings
   double SurfaceGradient = 0.0;
   bool TwoSidedLighting = false;
   int SoftShadowMethod = SAMPLE_LAYERS;
-  int NumberOfLightSamples = 16;
+  int NumberOfLightSamples = 8;
   vtkSmartPointer<vtkColorTransferFunction> TransmissionColor;
   vtkIdType MaximumTextureMemory = 0;
   int MultipleScattering = NO_SCATTERING;

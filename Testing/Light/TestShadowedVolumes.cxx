@@ -392,7 +392,7 @@ void TestSoftShadows(Check& check)
   VolumePile pile(scene);
   const RgbaPicture picture = pile.Draw();
   const vtkShadowedSliceReport& report = pile.Mappers[1]->GetReport();
-  check.Equal(report.LightLayers, 16, "soft: layers for both volumes");
+  check.Equal(report.LightLayers, 8, "soft: layers for both volumes");
   check.Equal(report.LightBuffers, 1, "soft: one buffer");
   check.Equal(report.HardLightsInstead, 0, "soft: no hard light");
   const RgbaPicture expected = MakeMixedPicture(scene);

@@ -113,7 +113,8 @@ void TestCase(Check& check, const Case& setting)
     Configure(mapper, scene);
     mapper->AutoAdjustSampleDistancesOff();
     mapper->SetSoftShadowMethod(setting.Method);
-    mapper->SetNumberOfLightSamples(samples);
+    // Volumes take as many as the surfaces that hide them.
+    mapper->SetNumberOfLightSamples(samples / 2);
     VolumeStage stage(scene.Size);
     SetScene(stage, mapper, scene);
     stage.GetVolume()->SetVisibility(setting.HasSmoke);

@@ -40,6 +40,8 @@ public:
     const std::vector<CasterView::Box>& casters, int resolution, int samples);
   void Clear();
   bool HasViews() const;
+  /// The number of samples of each area light that has maps of them; 0 where none has.
+  int GetLightSamples() const { return this->Emitters.GetSamples().empty() ? 0 : this->Samples; }
   /// When maps were drawn last: another time where they have changed.
   vtkMTimeType GetDrawTime() const { return this->DrawTime.GetMTime(); }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/PicturePlan.h"
 
+#include "Casters/SceneCasters.h"
 #include "Draw/SliceLightBuffer.h"
 #include "Draw/SliceShader.h"
 #include "Lights/EmitterSamples.h"
 #include "Loader/OpenGLFunctions.h"
+#include "Receivers/SliceScene.h"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +41,9 @@ void PicturePlan::Make(SliceFrame& frame, const std::vector<SlicePlan::Matter>& 
   report.SoftLights =
     static_cast<int>(std::count_if(frame.Lights.begin(), frame.Lights.end(), isSoft));
 
-  const int samples = asked.NumberOfLightSamples;
+  // Surfaces hide the samples of a light from layers of the same samples.
+  const int samples =
+    std::max(asked.NumberOfLightSamples, frame.Scene ? frame.Scene->Casters->GetLightSamples() : 0);
   std::vector<int> sampled;
   if (report.SoftLights > 0)
   {

@@ -314,7 +314,7 @@ const gallery::SceneRegistration registration({ "penumbra-analysis", "2.32",
   "that both edges of an occluder get penumbras of the same width. The exact ones differ: at 45 "
   "degrees, here, one is 41 % wider than that and the other 31 % narrower. Samples of the light "
   "itself have no such error. At the right, widths measured in pictures of a half plane: those of "
-  "the default are within 4 % of the exact ones, while convolutions of one buffer, slice by slice, "
+  "the default are within 5 % of the exact ones, while convolutions of one buffer, slice by slice, "
   "add up to too little.",
   {}, &Build });
 }
