@@ -5,6 +5,7 @@
 #include "Benchmarks/Flow/FlowMethods.h"
 #include "Benchmarks/Flow/FlowReference.h"
 #include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/ProcessorClock.h"
 #include "Benchmarks/Measures/SecondThread.h"
 
 #include "vtkImageData.h"
@@ -55,7 +56,7 @@ BenchWork MakeTracer(const Case& what, const TracerSettings& settings)
   };
 }
 
-/// Without what is done before the first step, as far as the clock tells the two apart.
+/// Without what is done before the first step, as far as clocks tell the two apart.
 double StepsPerSecond(vtkIdType steps, double seconds, double setup)
 {
   return static_cast<double>(steps) / std::max(seconds - setup, 0.01 * seconds);
@@ -150,11 +151,15 @@ private:
     // What is made of the field first, such as faces and locators, shows with one streamline.
     Case one = this->What;
     one.Seeds = MakeSeeds(1, 0.01, this->Options.Seed);
-    const std::vector<double> seconds =
-      MeasureAlternately({ WithThreads(1, MakeAdvection(this->What, DefaultTolerance)),
-                           MakeTracer(this->What, settings), MakeAdvection(one, DefaultTolerance),
-                           MakeTracer(one, settings) },
-        3);
+    ProcessorClock clocks[4];
+    const std::vector<double> seconds = MeasureAlternately(
+      { WithThreads(1, clocks[0].Watch(MakeAdvection(this->What, DefaultTolerance))),
+        clocks[1].Watch(MakeTracer(this->What, settings)),
+        clocks[2].Watch(MakeAdvection(one, DefaultTolerance)),
+        clocks[3].Watch(MakeTracer(one, settings)) },
+      3);
+    const double processor = clocks[0].Take();
+    const double peerProcessor = clocks[1].Take();
     BenchRow row = this->Rows.Make(this->What.Name, EqualError);
     row.Parameter = DefaultTolerance;
     row.Error = own.Apart.Mean;
@@ -163,13 +168,15 @@ private:
     row.Peer = std::string(Peer) + "-" + settings.GetName();
     row.PeerSeconds = seconds[1];
     const auto samples = static_cast<double>(this->What.Seeds->GetNumberOfPoints());
-    const double rate = StepsPerSecond(own.Found.Steps, seconds[0], seconds[2]);
-    const double peerRate = StepsPerSecond(other.Found.Steps, seconds[1], seconds[3]);
+    const double rate = StepsPerSecond(own.Found.Steps, processor, clocks[2].Take());
+    const double peerRate = StepsPerSecond(other.Found.Steps, peerProcessor, clocks[3].Take());
     row.Counts["steps"] = own.Found.Steps;
     row.Counts["steps_per_second"] = rate;
     row.Counts["samples_per_second"] = samples / seconds[0];
+    row.Counts["processor_seconds"] = processor;
     row.Counts["setup_seconds"] = seconds[2];
     row.Counts["time_error"] = own.Apart.Time;
+    row.Counts["peer_processor_seconds"] = peerProcessor;
     row.Counts["peer_setup_seconds"] = seconds[3];
     row.Counts["peer_parameter"] = other.Parameter;
     row.Counts["peer_error"] = other.Apart.Mean;

@@ -39,8 +39,8 @@ public:
       "equal-error: the default of vtkImplicitFlowField against the first setting of "
       "streamtracer, the step halved or MaximumError divided by ten each time, whose error is at "
       "most twice as large, or below 3e-8, to which its points in single precision are rounded. "
-      "steps_per_second_ratio compares steps a second at those settings, "
-      "without setup_seconds, what one streamline takes with all that is made of the field first; "
+      "steps_per_second_ratio compares steps a second of processor time at those settings, "
+      "without what one streamline takes with all that is made of the field first, setup_seconds; "
       "the ratio of times is that of samples a second. threads-2: two threads against one.",
       "uniform, rotation, saddle, spiral, stiff: linear fields, which interpolation keeps, so that "
       "streamlines are known by formulas; source-sink, sphere, abc: with the reference above. The "
