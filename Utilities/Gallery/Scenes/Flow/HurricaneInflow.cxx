@@ -33,7 +33,7 @@ gallery::Paint Bands(double u, double v)
     return {};
   }
   const int i = static_cast<int>(6.0 * v) % 4;
-  return { gallery::IntervalColour(i), spoke < 0.55 ? 0.3 : 0.05 };
+  return { gallery::IntervalColour(i), spoke < 0.55 ? 0.85 : 0.2 };
 }
 
 /// Land and sea, as a map would have them, by a few waves.
@@ -69,8 +69,8 @@ void Build(gallery::Stage& stage)
   const vtkSmartPointer<vtkImageData> bands = gallery::MakePaint(512, 256, &Bands);
 
   gallery::Panel& panel = stage.AddPanel("");
-  panel.LookFrom({ 0.25, -1.0, 0.62 }, { 0.0, 0.0, 1.0 });
-  panel.Add(gallery::MakeInflowVolume(flow, bands, 0.06));
+  panel.LookFrom({ 0.25, -1.0, 0.85 }, { 0.0, 0.0, 1.0 });
+  panel.Add(gallery::MakeInflowVolume(flow, bands, 0.05));
   panel.Add(
     gallery::MakeTerminationActor(eye, gallery::MakeInflowTexture(bands, { 0.97, 0.97, 0.97 })));
   vtkNew<vtkPlaneSource> ground;
