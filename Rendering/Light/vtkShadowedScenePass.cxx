@@ -188,6 +188,7 @@ void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
   interlume::SliceScene& scene = this->Renderer->GetScene();
   this->Report.Volumes = 0;
   this->Report.VolumesTogether = 0;
+  scene.Fields.clear();
   this->Group->Clear();
   for (vtkVolume* volume : this->Volumes)
   {

@@ -10,6 +10,9 @@ void vtkShadowedSceneReport::Print(ostream& os, vtkIndent indent) const
   os << indent << "NotReceiving: " << this->NotReceiving << "\n";
   os << indent << "VolumesTogether: " << this->VolumesTogether << "\n";
   os << indent << "VolumesApart: " << this->VolumesApart << "\n";
+  os << indent << "ScatteringReceivers: " << this->ScatteringReceivers << "\n";
+  os << indent << "ScatteringBlockedCells: " << this->ScatteringBlockedCells << "\n";
+  os << indent << "ScatteringVolumesApart: " << this->ScatteringVolumesApart << "\n";
   os << indent << "Images: " << this->Images << "\n";
   os << indent << "DepthMaps: " << this->DepthMaps << "\n";
   os << indent << "DepthMapsDrawn: " << this->DepthMapsDrawn << "\n";

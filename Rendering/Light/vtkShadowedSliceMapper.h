@@ -151,8 +151,10 @@ struct SliceScene;
  * middles. Each volume has a grid of its own: light that one volume has scattered does not reach
  * another, nor are shadows of other volumes in D. Surfaces of a vtkShadowedScenePass cast their
  * shadows in D, and opaque ones that do stop light that was scattered: the cells that their
- * triangles go through take it, a layer of cells for a thin sheet, and send none on. Where lights
- * have soft shadows D is of up to 16 samples of each. Lights that cast no shadows are scattered
+ * triangles go through take it, a layer of cells for a thin sheet, and send none on. Opaque
+ * surfaces that receive shadows are lit by D as well, by its first two moments, within the box of
+ * the cells and, by an estimate, beyond it; physically based shading is not. Where lights have soft
+ * shadows D is of up to 16 samples of each. Lights that cast no shadows are scattered
  * once; one of ShadowAttenuation a below 1 gives D its share a, and is not taken from by as much,
  * so that then light is gained.
  *

@@ -5,10 +5,12 @@
 #include "Pictures/ShadowPicture.h"
 #include "Pictures/VolumeStage.h"
 #include "Reference/Checks/ReferenceCheck.h"
+#include "Scattering/ScatteringSolver.h"
 
 #include "vtkActor.h"
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
@@ -19,9 +21,13 @@
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <string>
+
+#include <glm/geometric.hpp>
 
 namespace
 {
@@ -161,6 +167,135 @@ void TestBlocked(Check& check)
   check.Near(beside / half, 1.0, 5e-3, "beside a plate as in half a cube", 1.0);
 }
 
+/// The cube by the solver, and what a place below its middle receives through a horizontal plane.
+class Below
+{
+public:
+  Below(double extinction, double g)
+    : Anisotropy(g)
+  {
+    this->Medium.Cells = glm::ivec3(Cells);
+    this->Medium.CellSize = glm::dvec3(1.0 / Cells);
+    this->Medium.Extinction.assign(this->Medium.GetNumberOfCells(), static_cast<float>(extinction));
+    this->Medium.Albedo.assign(this->Medium.GetNumberOfCells(), glm::vec3(1.0F));
+    this->Medium.Phase.SetHenyeyGreenstein(g);
+    this->Light.Direction = { 0.0, -1.0, 0.0 };
+    this->Light.Fill(this->Medium, glm::vec3(0.8F));
+    interlume::ScatteringReport report;
+    interlume::ScatteringSolver::Solve(
+      this->Medium, { this->Light }, interlume::ScatteringMode::Full, {}, this->Field, report);
+  }
+
+  /// By the formula of SceneFields.h.
+  double GetFormula(double distance) const
+  {
+    double sum = 0.0;
+    for (const glm::ivec3& cell :
+      { glm::ivec3(5, 0, 5), glm::ivec3(6, 0, 5), glm::ivec3(5, 0, 6), glm::ivec3(6, 0, 6) })
+    {
+      const std::size_t at = this->Medium.GetIndex(cell);
+      sum += 0.25 * this->Field.Fluence[at].y * (0.25 - 0.5 * this->Field.Lean[at].y);
+      sum += this->Field.Forward.empty() ? 0.0 : 0.25 * this->Field.Forward[0][at].y;
+    }
+    const double disc = 1.0 / vtkMath::Pi();
+    return sum * disc / (disc + distance * distance);
+  }
+
+  /// By the sources along lines to all directions of the upper half space.
+  double GetTrue(double distance) const
+  {
+    constexpr int lines = 4000;
+    constexpr int steps = 200;
+    double sum = 0.0;
+    for (int line = 0; line < lines; ++line)
+    {
+      const double height = std::sqrt((line + 0.5) / lines);
+      const double angle = 2.399963229728653 * line;
+      const double side = std::sqrt(1.0 - height * height);
+      const glm::dvec3 up(side * std::cos(angle), height, side * std::sin(angle));
+      double transmittance = 1.0;
+      for (int step = 0; step < steps; ++step)
+      {
+        const double way = 1.0 / steps / height;
+        const glm::dvec3 place =
+          glm::dvec3(0.5, -distance, 0.5) + (distance / height + (step + 0.5) * way) * up;
+        if (std::min(place.x, place.z) > 0.0 && std::max(place.x, place.z) < 1.0)
+        {
+          const std::size_t at = this->Medium.GetIndex(glm::ivec3(place * double(Cells)));
+          const double through = std::exp(-way * this->Medium.Extinction[at]);
+          sum += transmittance * (1.0 - through) * this->GetSource(at, -up) / lines;
+          transmittance *= through;
+        }
+      }
+    }
+    return 0.25 * sum;
+  }
+
+private:
+  static constexpr int Cells = 12;
+
+  double GetSource(std::size_t at, const glm::dvec3& toEye) const
+  {
+    const double phase =
+      4.0 * vtkMath::Pi() * this->Medium.Phase.Value(glm::dot(this->Light.Direction, toEye));
+    const double onwards = this->Field.Forward.empty() ? 0.0 : this->Field.Forward[0][at].y;
+    return (this->Light.Direct[at].y + onwards) * phase +
+      this->Field.Fluence[at].y *
+      (1.0 + 3.0 * this->Anisotropy * glm::dot(glm::dvec3(this->Field.Lean[at]), toEye));
+  }
+
+  double Anisotropy;
+  interlume::ScatteringMedium Medium;
+  interlume::ScatteringLight Light;
+  interlume::ScatteringField Field;
+};
+
+/// A white floor under the cube receives what the formula says, and that without scattering on.
+void TestReceived(Check& check)
+{
+  constexpr double distance = 0.25;
+  Stage stage;
+  stage.Sheet->SetOrigin(-2.0, -0.5 - distance, -2.0);
+  stage.Sheet->SetPoint1(-2.0, -0.5 - distance, 2.0);
+  stage.Sheet->SetPoint2(2.0, -0.5 - distance, -2.0);
+  // The middle of the picture shows the floor below the middle of the cube.
+  stage.Scene.Camera->SetFocalPoint(0.0, -0.5 - distance, 0.0);
+  stage.Scene.Camera->SetPosition(0.0, -0.5 - distance + 0.9, 3.0);
+  stage.Scene.Camera->SetViewUp(0.0, 1.0, 0.0);
+  stage.Scene.Camera->SetClippingRange(0.1, 10.0);
+  stage.Scene.Camera->SetParallelScale(0.05);
+  const auto draw = [&](int mode)
+  {
+    stage.Mapper->SetMultipleScattering(mode);
+    return stage.Draw() / (24.0 * 24.0);
+  };
+  for (const double g : { 0.0, 0.75 })
+  {
+    const std::string name = "floor, g " + std::to_string(g);
+    stage.Mapper->SetPhaseFunctionToHenyeyGreenstein();
+    stage.Mapper->SetAnisotropy(g);
+    const double once = draw(Mapper::SINGLE_SCATTERING);
+    check.Equal(stage.Pass->GetReport().ScatteringReceivers, 0, name + ": none by single");
+    const double full = draw(Mapper::FULL_SCATTERING);
+    check.Equal(stage.Pass->GetReport().ScatteringReceivers, 1, name + ": receivers");
+    vtkShadowedScenePass::SetReceivesShadows(stage.Actor, false);
+    const double lit = draw(Mapper::FULL_SCATTERING);
+    check.Equal(stage.Pass->GetReport().ScatteringReceivers, 0, name + ": kept from it");
+    vtkShadowedScenePass::SetReceivesShadows(stage.Actor, true);
+    const Below below(3.0, g);
+    const double expected = below.GetFormula(distance);
+    std::cout << name << ": " << full << " from " << once << ", " << lit
+              << " without shadows, scattered " << full - once << ", by the formula " << expected
+              << ", by lines " << below.GetTrue(distance) << std::endl;
+    check.Near(once, 0.8 * std::exp(-3.0), 0.01, name + ": light through the cube", 1.0);
+    check.Near(lit, 0.8, 1e-3, name + ": all light without shadows", 1.0);
+    check.Near((full - once) / expected, 1.0, 0.05, name + ": received", 1.0);
+    // The face is brighter in its middle than at its edges.
+    check.Near(expected / below.GetTrue(distance), 1.2, 0.25, name + ": formula", 1.0);
+  }
+  check.Equal(stage.Pass->GetReport().ScatteringVolumesApart, 0, "one volume");
+}
+
 /// Two volumes that are far from each other are drawn in one set of slices as each by itself.
 void TestVolumes(Check& check)
 {
@@ -182,6 +317,7 @@ void TestVolumes(Check& check)
   std::cout << "two volumes: " << both / one << std::endl;
   check.That(stage.Mapper->GetReport().ScatteringCells > 0, "first volume: cells");
   check.That(mapper->GetReport().ScatteringCells > 0, "second volume: cells");
+  check.Equal(stage.Pass->GetReport().ScatteringVolumesApart, 2, "volumes apart");
   check.Near(both / one, 2.0, 0.04, "two volumes beside each other", 1.0);
 }
 
@@ -194,6 +330,7 @@ int TestScatteredScene(int, char*[])
   TestShadows(check, true);
   TestTranslucent(check);
   TestBlocked(check);
+  TestReceived(check);
   TestVolumes(check);
   return check.Result();
 }

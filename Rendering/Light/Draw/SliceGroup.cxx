@@ -297,6 +297,7 @@ std::string SliceGroup::DrawMembers(vtkRenderer* renderer, SliceScene* scene)
     report.ScatteringBytes = own.ScatteringBytes;
     report.ScatteringSolves = own.ScatteringSolves;
     report.ScatteringSeconds = own.ScatteringSeconds;
+    member.Renderer->AddField(window, *scene);
     // Nothing of a picture by itself is kept.
     member.Renderer->ReleasePicture(window);
   }

@@ -9,6 +9,7 @@
 #include "Lights/LightSources.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Plan/UnitSpaceCamera.h"
+#include "Receivers/SliceScene.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
@@ -194,6 +195,28 @@ std::string SliceRenderer::Upload(vtkOpenGLRenderWindow* window, vtkShadowedSlic
   return error;
 }
 
+void SliceRenderer::AddField(vtkOpenGLRenderWindow* window, SliceScene& scene)
+{
+  const SliceScattering& scattering = this->Frame.Scattering;
+  if (!scattering.HasField())
+  {
+    return;
+  }
+  ScatteredField field;
+  field.Texture = this->GetTextures(window).GetScattered();
+  field.Nodes = scattering.Nodes;
+  field.NodeFromWorld = scattering.NodeFromUnit * this->Frame.Space.GetUnitFromWorld();
+  field.HasFluence = scattering.HasFluence;
+  field.BlockedCells = this->Scatterer.GetBlockedCells();
+  for (const vtkLight* known : scattering.ForwardLights)
+  {
+    const auto light = std::find_if(this->Frame.Lights.begin(), this->Frame.Lights.end(),
+      [known](const LightSource& source) { return source.Light == known; });
+    field.Lights.push_back(light->Light);
+  }
+  scene.Fields.push_back(field);
+}
+
 std::string SliceRenderer::UpdateVolume(
   vtkOpenGLRenderWindow* window, vtkVolume* volume, const Request& request)
 {
@@ -342,6 +365,10 @@ std::string SliceRenderer::Render(vtkRenderer* renderer, vtkVolume* volume, cons
     const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
     error = resources->Rasterizer.Draw(
       renderer, { { &this->Frame, &resources->Textures } }, isAborted, report);
+  }
+  if (error.empty() && request.Scene)
+  {
+    this->AddField(window, *request.Scene);
   }
   // The scene is gone when the picture has been drawn.
   this->Frame.Scene = nullptr;

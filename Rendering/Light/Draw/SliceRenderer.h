@@ -87,6 +87,9 @@ public:
     vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report);
   std::string Upload(vtkOpenGLRenderWindow* window, vtkShadowedSliceReport& report);
   ///@}
+  /// Gives a scene the light that was scattered before, if there is any, for its surfaces; after
+  /// Upload.
+  void AddField(vtkOpenGLRenderWindow* window, SliceScene& scene);
   SliceFrame& GetFrame() { return this->Frame; }
   /// What the plan has to know of the volume.
   SlicePlan::Matter GetMatter(const Request& request) const;

@@ -16,6 +16,7 @@
 #include "vtkTimerLog.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace interlume
@@ -94,6 +95,8 @@ std::vector<double> MakeKey(const SliceFrame& frame, const std::array<int, 2>& v
   }
   for (const LightSource& light : lights)
   {
+    // Maps of the field are known by their lights.
+    key.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(light.Light)));
     AddLight(key, light);
   }
   return key;

@@ -41,6 +41,8 @@ public:
     const std::array<int, 2>& versions, const vtkShadowedSliceSettings& settings,
     vtkShadowedSliceReport& report);
 
+  /// The cells that opaque surfaces block, of the last field.
+  int GetBlockedCells() const { return this->BlockedCells; }
   /// A number that is another one when texels have changed; above 0.
   int GetVersion() const { return this->Version; }
 

@@ -48,6 +48,9 @@ public:
   std::string Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering);
   ///@}
 
+  /// The light that was scattered before; without a handle where there is none.
+  vtkTextureObject* GetScattered() const { return this->Scattered; }
+
   /// The images of projective lights.
   ScreenTextures& GetScreens() { return this->Screens; }
 

@@ -4,6 +4,7 @@
 #include "Casters/SceneCasters.h"
 #include "Lights/LightSource.h"
 #include "Receivers/LightTransmittance.h"
+#include "Receivers/SceneFields.h"
 #include "Receivers/SceneScreens.h"
 #include "Space/UnitVector.h"
 #include "Translucent/PaneMaps.h"
@@ -49,8 +50,9 @@ bool Swap(std::string& text, const std::string& mark, const std::string& by)
 
 bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
   const SceneCasters& casters, const LightTransmittance& transmittance, const PaneMaps& panes,
-  const SceneScreens& screens)
+  const SceneScreens& screens, const SceneFields& fields)
 {
+  this->Fields = &fields;
   this->Panes = &panes;
   this->Screens = &screens;
   this->Casters = &casters;
@@ -116,8 +118,8 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
   std::string source = InterlumeSceneActor;
   Swap(source, "//INTERLUME::CASTERS", casters.HasViews() ? casters.GetSource() : "");
   imageParts.Declarations = screens.GetDeclarations();
-  shadowedParts.Declarations =
-    vtkShaderFeatures::Insert(source, features) + panes.GetSource(true) + imageParts.Declarations;
+  shadowedParts.Declarations = vtkShaderFeatures::Insert(source, features) + panes.GetSource(true) +
+    imageParts.Declarations + fields.GetSource();
   std::string& implementation = shadowedParts.Implementation;
   implementation = hasVolumes ? "  ivec2 scenePixelHere = scenePixel();\n" : "";
   implementation += casters.HasViews() || panes.GetLayers() > 0
@@ -203,6 +205,12 @@ bool ActorShader::Replace(std::string& fragmentShader, bool isReceiver) const
   {
     return false;
   }
+  if (isLit && isReceiver && this->Fields && !this->Fields->IsEmpty())
+  {
+    Swap(text, "ambientColor + diffuse + specular",
+      "ambientColor + diffuse + sceneScattered(vertexVC.xyz, normalVCVSOutput) * diffuseColor + "
+      "specular");
+  }
   fragmentShader = text;
   Swap(fragmentShader, DECLARATION_MARK, isLit ? parts.Declarations : "");
   Swap(fragmentShader, IMPLEMENTATION_MARK, isLit ? parts.Implementation : "");
@@ -215,6 +223,10 @@ void ActorShader::SetUniforms(
   if (this->Screens)
   {
     this->Screens->SetUniforms(program, this->WorldFromView, isOfDepths ? placeholder : nullptr);
+  }
+  if (this->Fields)
+  {
+    this->Fields->SetUniforms(program, this->WorldFromView, isOpaque && !isOfDepths);
   }
   if (!program->IsUniformUsed("sceneStrengths"))
   {

@@ -18,6 +18,7 @@ namespace interlume
 class LightTransmittance;
 class PaneMaps;
 class SceneCasters;
+class SceneFields;
 class SceneScreens;
 struct LightSource;
 
@@ -26,7 +27,8 @@ struct LightSource;
  * @brief   makes the fragment shaders of VTK's mappers ask which share of each light comes through
  *
  * VTK's shaders have `lightColorN` for the light N that is switched on, in all kinds of shading;
- * each use of it becomes `(lightColorN * sceneLightN)`.
+ * each use of it becomes `(lightColorN * sceneLightN)`. What volumes scatter on and on is added to
+ * the sum of diffuse light, but for physically based shading.
  */
 class ActorShader
 {
@@ -36,7 +38,7 @@ public:
    */
   bool Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
     const SceneCasters& casters, const LightTransmittance& transmittance, const PaneMaps& panes,
-    const SceneScreens& screens);
+    const SceneScreens& screens, const SceneFields& fields);
   /// What is drawn next: surfaces of these depths, which \a transmittance is for, in the
   /// renderer's viewport or, not \a isOnScreen, in a framebuffer of its size.
   void SetSurfaces(
@@ -83,6 +85,7 @@ private:
   const LightTransmittance* Transmittance = nullptr;
   const PaneMaps* Panes = nullptr;
   const SceneScreens* Screens = nullptr;
+  const SceneFields* Fields = nullptr;
   vtkTextureObject* Depth = nullptr;
   glm::dmat4 WorldFromView{ 0.0 };
   std::array<float, 4> Viewport{};

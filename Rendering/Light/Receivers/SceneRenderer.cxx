@@ -10,6 +10,7 @@
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSceneDepth.h"
 #include "vtkShaderProgram.h"
@@ -145,6 +146,7 @@ bool SceneRenderer::Begin(
   this->Reached.clear();
   this->Failed.clear();
   this->Scene = SliceScene();
+  this->Fields.Forget();
   this->Transmittance.Clear(0, 0, 1, {});
   Boxes boxes;
   const bool hasOthers = this->SortProps(renderer, boxes, report);
@@ -432,16 +434,38 @@ void SceneRenderer::MakeShader(
   {
     this->Transmittance.ReleaseGraphicsResources(window);
   }
+  this->Fields.Set(isShadowed ? this->Scene.Fields : std::vector<ScatteredField>());
+  this->ReportFields(report);
   this->UpdateShader(renderer, isShadowed);
   report.Images = this->Screens.GetNumber();
+}
+
+void SceneRenderer::ReportFields(vtkShadowedSceneReport& report) const
+{
+  const std::vector<ScatteredField>& fields = this->Fields.Get();
+  for (const ScatteredField& field : fields)
+  {
+    report.ScatteringBlockedCells += field.BlockedCells;
+  }
+  report.ScatteringVolumesApart = fields.size() > 1 ? static_cast<int>(fields.size()) : 0;
+  for (vtkProp* prop : this->Opaque)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    vtkProperty* property = actor ? actor->GetProperty() : nullptr;
+    const bool hasPlace =
+      !property || (property->GetLighting() && property->GetInterpolation() != VTK_PBR);
+    report.ScatteringReceivers +=
+      !fields.empty() && hasPlace && this->Settings.Receives(prop) ? 1 : 0;
+  }
 }
 
 void SceneRenderer::UpdateShader(vtkRenderer* renderer, bool isShadowed)
 {
   this->Screens.Upload(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
-  const bool isNew = isShadowed ? this->Shader.Update(renderer, this->Lights, this->Maps,
-                                    this->Transmittance, this->PaneLight, this->Screens)
-                                : this->Shader.Clear();
+  const bool isNew = isShadowed
+    ? this->Shader.Update(renderer, this->Lights, this->Maps, this->Transmittance, this->PaneLight,
+        this->Screens, this->Fields)
+    : this->Shader.Clear();
   this->Shader.SetSurfaces(this->Transmittance, this->EyeDepth.GetTexture(), true);
   if (isNew)
   {
@@ -455,6 +479,13 @@ void SceneRenderer::Activate()
   textures.insert(textures.end(),
     { this->EyeDepth.GetTexture(), this->Transmittance.GetTexture(),
       this->PaneLight.GetTexture() });
+  for (const ScatteredField& field : this->Fields.Get())
+  {
+    if (field.Texture)
+    {
+      textures.push_back(field.Texture);
+    }
+  }
   if (this->Layering.IsOn())
   {
     textures.push_back(this->Placeholder);

@@ -7,6 +7,7 @@
 #include "Lights/LightSource.h"
 #include "Receivers/ActorShader.h"
 #include "Receivers/LightTransmittance.h"
+#include "Receivers/SceneFields.h"
 #include "Receivers/SceneScreens.h"
 #include "Receivers/SliceScene.h"
 #include "Translucent/EyeLayers.h"
@@ -126,6 +127,7 @@ private:
   void Deactivate();
   void ShadeLayer(vtkRenderer* renderer, std::size_t layer);
   void UpdateShader(vtkRenderer* renderer, bool isShadowed);
+  void ReportFields(vtkShadowedSceneReport& report) const;
 
   Request Settings;
   std::vector<vtkProp*> Props;
@@ -148,6 +150,7 @@ private:
   LightTransmittance LayerLight;
   std::vector<float> OpaqueDepths;
   SceneScreens Screens;
+  SceneFields Fields;
   SliceScene Scene;
   ActorShader Shader;
   vtkTimeStamp ShaderTime;

@@ -2,6 +2,8 @@
 #ifndef interlume_SliceScene_h
 #define interlume_SliceScene_h
 
+#include "Receivers/ScatteredField.h"
+
 #include "vtkType.h"
 
 #include <array>
@@ -44,6 +46,8 @@ struct SliceScene
 
   /// What is left of the lights at the eye's surfaces, which the slices multiply.
   LightTransmittance* Transmittance = nullptr;
+  /// The light that volumes have scattered on and on; they add theirs.
+  std::vector<ScatteredField> Fields;
   vtkIdType PixelsBefore = 0;
   vtkIdType PixelsWithin = 0;
   vtkIdType PixelsBehind = 0;

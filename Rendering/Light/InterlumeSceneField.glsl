@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Light that a volume has scattered on and on, at a place in view coordinates. FIELD is its number.
+uniform sampler3D sceneFieldFIELD;
+uniform mat4 sceneNodeFromViewFIELD;
+uniform mat4 sceneWorldFromViewFIELD;
+// The nodes of a map, and of the texture along z; 0 for no light.
+uniform vec4 sceneNodesFIELD;
+uniform float sceneAheadFIELD;
+//INTERLUME::LIGHTS
+vec3 sceneFieldAtFIELD(vec3 node, float map)
+{
+  vec3 inside = clamp(node, vec3(0.0), sceneNodesFIELD.xyz - 1.0) + 0.5;
+  inside.z += map * sceneNodesFIELD.z;
+  return textureLod(sceneFieldFIELD, inside / sceneNodesFIELD.xyw, 0.0).rgb;
+}
+vec3 sceneScatteredFIELD(vec3 place, vec3 normal)
+{
+  if (sceneNodesFIELD.w == 0.0)
+  {
+    return vec3(0.0);
+  }
+  vec3 here = (sceneNodeFromViewFIELD * vec4(place, 1.0)).xyz;
+  vec3 n = normalize(mat3(sceneNodeFromViewFIELD) * normal);
+  vec3 node = here + sceneAheadFIELD * dot(abs(n), vec3(1.0)) * n;
+  // To the nearest place of the box, whose sides are half a cell beyond the nodes.
+  vec3 way = clamp(here, vec3(-0.5), sceneNodesFIELD.xyz - 0.5) - here;
+  float distance = length(way);
+  vec3 toBox = distance > 0.0 ? way / distance : n;
+  float beyond = min(distance, 1.0);
+  vec3 sides = sceneNodesFIELD.xyz * sceneNodesFIELD.yzx;
+  float disc = max(max(sides.x, sides.y), sides.z) / 3.14159265;
+  float s = disc / (disc + distance * distance);
+  float c = dot(n, toBox);
+  float seen = mix(1.0, s * mix(max(c, 0.0), 0.5 + 0.5 * c, s), beyond);
+  vec3 sum = vec3(0.0);
+#if HAS_FLUENCE
+  vec3 facing = mix(n, toBox, beyond) * mat3(sceneNodeFromViewFIELD);
+  facing = normalize(mat3(sceneWorldFromViewFIELD) * facing);
+  float lean = dot(sceneFieldAtFIELD(node, 1.0), facing);
+  sum += max(sceneFieldAtFIELD(node, 0.0), vec3(0.0)) * max(0.25 - 0.5 * lean, 0.0);
+#endif
+//INTERLUME::FORWARD
+  return sum * seen;
+}

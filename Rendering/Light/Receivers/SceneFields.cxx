@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Receivers/SceneFields.h"
+
+#include "Common/Vectors.h"
+#include "Space/MatrixUniform.h"
+#include "Space/UnitVector.h"
+
+#include "InterlumeSceneField.h"
+#include "vtkLight.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <array>
+
+namespace interlume
+{
+
+namespace
+{
+void ReplaceAll(std::string& text, const std::string& mark, const std::string& by)
+{
+  for (std::size_t place = text.find(mark); place != std::string::npos;
+       place = text.find(mark, place + by.size()))
+  {
+    text.replace(place, mark.size(), by);
+  }
+}
+
+// Returns the source of a field without its number.
+std::string GetFieldSource(const ScatteredField& field)
+{
+  std::string source = InterlumeSceneField;
+  std::string declarations = field.Lights.empty()
+    ? ""
+    : "uniform vec4 sceneFieldLightsFIELD[" + std::to_string(field.Lights.size()) + "];\n";
+  std::string forward;
+  for (std::size_t i = 0; i < field.Lights.size(); ++i)
+  {
+    const std::string light = "sceneFieldLightsFIELD[" + std::to_string(i) + "]";
+    forward += "  sum += max(sceneFieldAtFIELD(node, " + std::to_string(i + 2) +
+      ".0), vec3(0.0)) * max(dot(normal, normalize(" + light + ".xyz - " + light +
+      ".w * place)), 0.0);\n";
+  }
+  ReplaceAll(source, "//INTERLUME::LIGHTS", declarations);
+  ReplaceAll(source, "//INTERLUME::FORWARD", forward);
+  ReplaceAll(source, "HAS_FLUENCE", field.HasFluence ? "1" : "0");
+  return source;
+}
+}
+
+std::string SceneFields::GetSource() const
+{
+  if (this->Fields.empty())
+  {
+    return {};
+  }
+  std::string source;
+  std::string sum;
+  for (std::size_t i = 0; i < this->Fields.size(); ++i)
+  {
+    std::string part = GetFieldSource(this->Fields[i]);
+    ReplaceAll(part, "FIELD", std::to_string(i));
+    source += part;
+    sum += (i > 0 ? " + " : "") + ("sceneScattered" + std::to_string(i)) + "(place, normal)";
+  }
+  return source + "vec3 sceneScattered(vec3 place, vec3 normal)\n{\n  return " + sum + ";\n}\n";
+}
+
+void SceneFields::Forget()
+{
+  for (ScatteredField& field : this->Fields)
+  {
+    field.Texture = nullptr;
+  }
+}
+
+void SceneFields::SetUniforms(
+  vtkShaderProgram* program, const glm::dmat4& worldFromView, bool isLit) const
+{
+  // A unit without a texture, which no other kind of sampler has.
+  constexpr int noUnit = 15;
+  const glm::dmat4 viewFromWorld = glm::inverse(worldFromView);
+  for (std::size_t i = 0; i < this->Fields.size(); ++i)
+  {
+    const ScatteredField& field = this->Fields[i];
+    const std::string number = std::to_string(i);
+    if (!program->IsUniformUsed(("sceneField" + number).c_str()))
+    {
+      continue;
+    }
+    const bool isHere = isLit && field.Texture;
+    program->SetUniformi(
+      ("sceneField" + number).c_str(), isHere ? field.Texture->GetTextureUnit() : noUnit);
+    const auto maps = static_cast<float>(2 + field.Lights.size());
+    const glm::vec3 nodes(field.Nodes);
+    const std::array<float, 4> size{ { nodes.x, nodes.y, nodes.z,
+      isHere ? nodes.z * maps : 0.0F } };
+    program->SetUniform4f(("sceneNodes" + number).c_str(), size.data());
+    program->SetUniformf(("sceneAhead" + number).c_str(), field.BlockedCells > 0 ? 1.5F : 0.0F);
+    MatrixUniform::Set(program, "sceneNodeFromView" + number, field.NodeFromWorld * worldFromView);
+    if (program->IsUniformUsed(("sceneWorldFromView" + number).c_str()))
+    {
+      MatrixUniform::Set(program, "sceneWorldFromView" + number, worldFromView);
+    }
+    std::vector<glm::vec4> lights;
+    for (vtkLight* light : isHere ? field.Lights : std::vector<vtkLight*>())
+    {
+      const glm::dvec3 position = glm::make_vec3(light->GetTransformedPosition());
+      const glm::dvec3 focus = glm::make_vec3(light->GetTransformedFocalPoint());
+      const bool isPlace = light->GetPositional() != 0;
+      lights.emplace_back(
+        viewFromWorld * (isPlace ? glm::dvec4(position, 1.0) : glm::dvec4(position - focus, 0.0)));
+    }
+    const std::string name = "sceneFieldLights" + number;
+    if (!lights.empty() && program->IsUniformUsed(name.c_str()))
+    {
+      program->SetUniform4fv(name.c_str(), static_cast<int>(lights.size()),
+        reinterpret_cast<const float(*)[4]>(lights.data()));
+    }
+  }
+}
+
+}
