@@ -218,6 +218,23 @@ void TestChanges(Check& check)
   check.Near(light, 0.0, 0.0, "no light: black", 1.0);
 }
 
+/// Another mapper of the same image and property, in a volume of its own, leaves the first one as
+/// it is.
+void TestSecondMapper(Check& check)
+{
+  const State state;
+  VolumeStage stage(state.Scene.Size);
+  SetScene(stage, state.Mapper, state.Scene);
+  const RgbaPicture first = stage.Capture();
+  const vtkMTimeType time = state.Scene.Property->GetMTime();
+  DrawAnew(state);
+  check.That(state.Scene.Property->GetMTime() > time, "second mapper: VTK counts a change");
+  const double difference = ComparePictures(stage.Capture(), first).Max;
+  check.Near(difference, 0.0, 0.0, "second mapper: picture", 1.0);
+  check.Equal(state.Mapper->GetReport().UploadedBytes, 0, "second mapper: bytes sent");
+  check.Equal(state.Mapper->GetReport().ScatteringSolves, 1, "second mapper: solves");
+}
+
 /// Changes in any order, many of them at once.
 void TestRandomChanges(Check& check)
 {
@@ -248,6 +265,7 @@ int TestScatteringChanges(int, char*[])
 {
   Check check;
   TestChanges(check);
+  TestSecondMapper(check);
   TestRandomChanges(check);
   return check.Result();
 }

@@ -16,6 +16,7 @@
 #include "vtkImageData.h"
 #include "vtkOpaqueProps.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkProjectiveLight.h"
 #include "vtkRenderer.h"
 #include "vtkSoftwareOpenGL.h"
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace interlume
 {
@@ -57,6 +59,39 @@ void FindNearPlane(SliceFrame& frame)
   }
   // The volume lies in the sphere of radius 1 around 0.
   frame.IsCutByNearPlane = frame.NearPlane[3] < 1.0;
+}
+
+// Returns all of a property that a material is made of. The time of the property itself changes
+// with each volume that it is given to, and with what is set for shading.
+std::vector<double> MakeKey(vtkVolumeProperty* property, int components)
+{
+  std::vector<double> key{ static_cast<double>(property->GetIndependentComponents()),
+    static_cast<double>(property->GetTransferFunctionMode()) };
+  const int rows = property->GetIndependentComponents() ? components : 1;
+  for (int row = 0; row < rows; ++row)
+  {
+    const int channels = property->GetColorChannels(row);
+    vtkObject* color = nullptr;
+    if (channels == 3)
+    {
+      color = property->GetRGBTransferFunction(row);
+    }
+    else if (channels == 1)
+    {
+      color = property->GetGrayTransferFunction(row);
+    }
+    // Asking for a function that is not there, or disabled, would make one.
+    const bool hasGradient =
+      property->HasGradientOpacity(row) && property->GetDisableGradientOpacity(row) == 0;
+    vtkObject* gradient = hasGradient ? property->GetGradientOpacity(row) : nullptr;
+    const auto getTime = [](vtkObject* function)
+    { return function ? static_cast<double>(function->GetMTime()) : 0.0; };
+    key.insert(key.end(),
+      { static_cast<double>(channels), hasGradient ? 1.0 : 0.0,
+        property->GetScalarOpacityUnitDistance(row), property->GetComponentWeight(row),
+        getTime(color), getTime(property->GetScalarOpacity(row)), getTime(gradient) });
+  }
+  return key;
 }
 }
 
@@ -95,14 +130,14 @@ std::string SliceRenderer::UpdateSamples(const Request& request, bool isSoftware
 std::string SliceRenderer::UpdateMaterial(vtkVolume* volume, const Request& request)
 {
   vtkVolumeProperty* property = volume->GetProperty();
-  const vtkMTimeType time = property->GetMTime();
+  std::vector<double> key = MakeKey(property, this->Frame.Samples.Components);
   vtkColorTransferFunction* transmission = request.Settings.TransmissionColor;
   const vtkMTimeType transmissionTime = transmission ? transmission->GetMTime() : 0;
   MaterialTable::Scattering scattering;
   scattering.IsOn = request.Settings.MultipleScattering != vtkShadowedSliceSettings::NO_SCATTERING;
   scattering.Albedo = scattering.IsOn ? request.Settings.ScatteringAlbedo.Get() : nullptr;
   const vtkMTimeType albedoTime = scattering.Albedo ? scattering.Albedo->GetMTime() : 0;
-  if (this->MaterialOwner == property && this->MaterialTime == time &&
+  if (this->MaterialOwner == property && this->MaterialKey == key &&
     this->TransmissionTime == transmissionTime && this->AlbedoTime == albedoTime &&
     this->IsScattering == scattering.IsOn)
   {
@@ -115,7 +150,7 @@ std::string SliceRenderer::UpdateMaterial(vtkVolume* volume, const Request& requ
   {
     this->Frame.Blocks.Classify(this->Frame.Material);
     this->MaterialOwner = property;
-    this->MaterialTime = time;
+    this->MaterialKey = std::move(key);
     this->TransmissionTime = transmissionTime;
     this->AlbedoTime = albedoTime;
     this->IsScattering = scattering.IsOn;

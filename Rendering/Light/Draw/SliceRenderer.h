@@ -112,7 +112,7 @@ private:
   vtkDataArray* Scalars = nullptr;
   vtkMTimeType SamplesTime = 0;
   bool IsWidened = false;
-  vtkMTimeType MaterialTime = 0;
+  std::vector<double> MaterialKey;
   vtkMTimeType TransmissionTime = 0;
   vtkMTimeType AlbedoTime = 0;
   bool IsScattering = false;
