@@ -105,7 +105,7 @@ private:
 };
 
 /// The largest number of rays along a side of the box.
-constexpr int MostRays = 12;
+constexpr int MostRays = 16;
 
 class DirectionTrace
 {
