@@ -93,6 +93,15 @@ public:
         volume.at("image_buffers").get<int>() + volume.at("light_buffers").get<int>();
     }
     this->Expect(has("shadows") == (shadowedLights > 0), "shadows as the features say");
+    this->Expect(has("inflow-textures") == !scene.at("inflow_volumes").empty(),
+      "inflow textures as the features say");
+    for (const nlohmann::json& volume : scene.at("inflow_volumes"))
+    {
+      this->CheckInflowVolume(volume);
+      volumePasses += volume.at("passes").get<int>();
+      // Each draws into an image of its own.
+      ++volumeBuffers;
+    }
     const int surfacePanels = scene.at("surface_panels");
     const int occlusionPanels = scene.at("occlusion_panels");
     // Flat drawings and shadows of surfaces have none either.
@@ -210,6 +219,16 @@ public:
     this->Expect((volume.at("light_buffer_bytes") > 0) == hasShadows, "light buffers take bytes");
     this->Expect((features.find(" shadow") != std::string::npos) == hasShadows,
       "code for shadows exactly where a light casts them");
+  }
+
+  void CheckInflowVolume(const nlohmann::json& volume)
+  {
+    const std::string features = " " + volume.at("features").get<std::string>() + " ";
+    this->Expect(volume.at("passes") == 1, "one pass for an inflow volume");
+    this->Expect(volume.at("image_buffer_bytes") > 0, "its image takes bytes");
+    this->Expect(volume.at("textures") > 0, "its textures");
+    this->Expect((features.find(" detail") != std::string::npos) <= (this->Scene == "inflow-dual"),
+      "code for a second texture in inflow-dual only");
   }
 
   void Expect(bool holds, const std::string& what)
