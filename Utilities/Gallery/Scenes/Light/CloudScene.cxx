@@ -45,11 +45,11 @@ void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy)
   mapper->SetScatteringGridSize(64);
 }
 
-void UseSky(Panel& panel, const vtkVector3d& sun)
+void UseSky(Panel& panel, const vtkVector3d& sun, double exposure)
 {
-  vtkSmartPointer<vtkLight> direct = MakeParallelLight(sun, 0.48);
+  vtkSmartPointer<vtkLight> direct = MakeParallelLight(sun, 0.48 * exposure);
   direct->SetDiffuseColor(1.0, 0.96, 0.88);
-  vtkSmartPointer<vtkLight> sky = MakeParallelLight({ 0.05, -0.4, 1.0 }, 0.15);
+  vtkSmartPointer<vtkLight> sky = MakeParallelLight({ 0.05, -0.4, 1.0 }, 0.15 * exposure);
   sky->SetDiffuseColor(0.72, 0.85, 1.0);
   panel.SetLights({ direct, sky });
   panel.SetBackground({ 0.80, 0.88, 0.95 });

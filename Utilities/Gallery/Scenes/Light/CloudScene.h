@@ -34,8 +34,9 @@ vtkSmartPointer<vtkVolume> MakeCloudVolume(
 /// function.
 void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy);
 
-/// The sun out of a direction, weak blue light from above, and a sky behind all.
-void UseSky(Panel& panel, const vtkVector3d& sun);
+/// The sun out of a direction, weak blue light from above, both times exposure, and a sky behind
+/// all.
+void UseSky(Panel& panel, const vtkVector3d& sun, double exposure = 1.0);
 }
 
 #endif

@@ -21,41 +21,42 @@ const std::vector<interlume::Cumulus> CLOUDS = {
   { { { -1.55, 0.4, 0.1 } }, 0.36, 0.8, 0.24, 7, 12 },
 };
 
-void Build(gallery::Stage& stage, gallery::Scattering scattering)
+void Build(gallery::Stage& stage, gallery::Scattering scattering, double exposure)
 {
   gallery::Panel& panel = stage.AddPanel("");
   panel.Add(gallery::MakeCloudVolume(
     interlume::MakeClouds(CLOUDS), { { -2.0, 1.9, -0.95, 1.05, -0.15, 1.35 } }, 240, scattering));
-  gallery::UseSky(panel, { -0.6, 0.62, 0.75 });
+  gallery::UseSky(panel, { -0.6, 0.62, 0.75 }, exposure);
   panel.LookFrom({ 0.0, -1.0, 0.02 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-1.6, 1.6, -0.1, 0.1, -0.2, 1.4));
 }
 
 void BuildSingle(gallery::Stage& stage)
 {
-  Build(stage, gallery::Scattering::SINGLE);
+  Build(stage, gallery::Scattering::SINGLE, 8.0);
 }
 
 void BuildForward(gallery::Stage& stage)
 {
-  Build(stage, gallery::Scattering::FORWARD);
+  Build(stage, gallery::Scattering::FORWARD, 3.0);
 }
 
 void BuildFull(gallery::Stage& stage)
 {
-  Build(stage, gallery::Scattering::FULL);
+  Build(stage, gallery::Scattering::FULL, 1.0);
 }
 
 const gallery::SceneRegistration singleRegistration(
   { "clouds-single", "2.50", "Clouds by light that is scattered once",
     "Cumulus clouds in the sun, which stands behind them on the left. Light is scattered once "
-    "before it is seen: edges that it has come through are bright, and all else is dark.",
+    "before it is seen: edges that it has come through are bright, and all else is dark. "
+    "The lights are eight times as bright as for clouds-full.",
     {}, &BuildSingle });
 
 const gallery::SceneRegistration forwardRegistration(
   { "clouds-forward", "2.52", "Clouds by light that is scattered forwards",
     "The same clouds. Light goes on and on, away from the sun: the clouds are brighter, and light "
-    "comes through where they are thin.",
+    "comes through where they are thin. The lights are three times as bright as for clouds-full.",
     {}, &BuildForward });
 
 const gallery::SceneRegistration fullRegistration(
