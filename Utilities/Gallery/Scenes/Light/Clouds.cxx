@@ -61,7 +61,7 @@ const gallery::SceneRegistration forwardRegistration(
 
 const gallery::SceneRegistration fullRegistration(
   { "clouds-full", "2.53", "Clouds by light that is scattered forwards and back",
-    "The same clouds. Light goes to and fro until it leaves: the clouds are white, soft inside and "
-    "brightest at the edges towards the sun.",
+    "The same clouds. Light goes to and fro until it leaves: the clouds are white "
+    "towards the sun and soft inside.",
     {}, &BuildFull });
 }

@@ -28,14 +28,18 @@ void Build(gallery::Stage& stage)
     { { { 1.3, -0.95, 0.0 } }, 0.5, 0.8, 0.22, 8, 19 },
   };
   gallery::Panel& panel = stage.AddPanel("");
-  panel.Add(gallery::MakeCloudVolume(interlume::MakeClouds(clouds),
-    { { -2.6, 2.4, -1.6, 1.7, -0.12, 0.95 } }, 260, gallery::Scattering::FULL));
+  vtkSmartPointer<vtkVolume> volume = gallery::MakeCloudVolume(interlume::MakeClouds(clouds),
+    { { -2.6, 2.4, -1.6, 1.7, -0.12, 0.95 } }, 260, gallery::Scattering::FULL);
+  // These clouds are small: by droplets that scatter less forwards they are white up to their
+  // edges.
+  gallery::Scatter(volume, gallery::Scattering::FULL, 0.5);
+  panel.Add(volume);
   gallery::AddModel(panel,
     interlume::Move(
       interlume::MakeAirplane(), { { -0.15, -0.55, 0.92 } }, { { 24.0, -5.0, -22.0 } }),
     0.8, 0.5);
   gallery::UseSceneShadows(panel);
-  gallery::UseSky(panel, { -0.6, -0.25, 0.85 });
+  gallery::UseSky(panel, { -0.6, -0.25, 0.85 }, 0.75);
   panel.LookFrom({ 0.12, -1.0, 0.62 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-1.5, 1.5, -0.5, 0.5, -0.12, 1.0));
 }
