@@ -106,7 +106,7 @@ def check_width(checks, view, display):
 def check_settings(checks, view, display):
     """Method, samples, type and shape reach the picture."""
     soft = snapshot(view)
-    for name, value in (("SoftShadowMethod", "Accumulated Convolution"), ("NumberOfLightSamples", 4),
+    for name, value in (("SoftShadowMethod", "Accumulated Convolution"), ("NumberOfLightSamples", 1),
                         ("AreaLightShape", "Round"), ("AreaLightPositional", "Lamp"),
                         ("AreaLightColor", [1.0, 0.5, 0.5]), ("AreaLightIntensity", 0.5),
                         ("AreaLightShadows", 0)):
