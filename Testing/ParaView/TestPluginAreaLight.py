@@ -104,9 +104,9 @@ def check_width(checks, view, display):
 
 
 def check_settings(checks, view, display):
-    """Method, samples, type and shape reach the picture."""
+    """Method, samples, type and shape reach the picture. Volumes beside surfaces have 16 samples or more."""
     soft = snapshot(view)
-    for name, value in (("SoftShadowMethod", "Accumulated Convolution"), ("NumberOfLightSamples", 1),
+    for name, value in (("SoftShadowMethod", "Accumulated Convolution"), ("NumberOfLightSamples", 100),
                         ("AreaLightShape", "Round"), ("AreaLightPositional", "Lamp"),
                         ("AreaLightColor", [1.0, 0.5, 0.5]), ("AreaLightIntensity", 0.5),
                         ("AreaLightShadows", 0)):
