@@ -15,8 +15,8 @@ namespace interlume
  * @class   EscapeRays
  * @brief   computes how much of what the cells send out leaves the medium
  *
- * It traces what an eye sees that looks at the box from everywhere: 24 directions, of order 4 in
- * the moments of the sphere, with a ray through each cell of the sides that are seen.
+ * It traces what an eye sees that looks at the box from everywhere: 192 directions, with a ray
+ * through each cell of the sides that are seen, up to 16 along an edge.
  */
 class EscapeRays
 {
