@@ -124,7 +124,8 @@ ShadowScene LayeredScene(const std::function<double(double)>& profile, double la
   return scene;
 }
 
-/// The largest error at places whose light comes through the top and goes through the bottom.
+/// The largest error at places whose light comes through the top and goes through the bottom; NaN
+/// where any of them has no number.
 double GetLargestError(LightBuffer& buffer, double slope, double depth)
 {
   const double expected = std::exp(-depth * std::sqrt(1.0 + 1.25 * slope * slope));
@@ -134,7 +135,7 @@ double GetLargestError(LightBuffer& buffer, double slope, double depth)
     for (int i = -4; i <= 4; ++i)
     {
       const double error = std::abs(buffer.At({ { 0.05 * i, 0.05 * j, 0.0 } }) - expected);
-      largest = error <= largest ? largest : error;
+      largest = std::isnan(error) ? error : std::max(largest, error);
     }
   }
   return largest;

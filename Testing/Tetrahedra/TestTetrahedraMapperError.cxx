@@ -31,14 +31,13 @@ constexpr Point3 EdgeOn = { { 1.0, 0.03, 0.02 } };
 constexpr double OpenGLEdgeOnBound = 1e-2;
 constexpr double OpenGLSheetBound = 0.1;
 
-/// The largest difference, as a share of the largest alpha where that is small and \a isShare; NaN
-/// where nothing is seen, which fails.
-double ErrorOf(const RgbaPicture& found, const RgbaPicture& expected, bool isShare = true)
+/// The largest difference, as a share of the largest alpha where that is small; NaN where nothing
+/// is seen, which fails.
+double ErrorOf(const RgbaPicture& found, const RgbaPicture& expected)
 {
   const double largest = LargestAlpha(expected);
-  return largest > 0.0
-    ? ComparePictures(found, expected).Max / (isShare ? std::min(1.0, largest) : 1.0)
-    : std::nan("");
+  return largest > 0.0 ? ComparePictures(found, expected).Max / std::min(1.0, largest)
+                       : std::nan("");
 }
 
 double GetOpenGLBound(const std::string& name)
@@ -80,9 +79,8 @@ public:
         const RgbaPicture found = DrawByPath(path, what);
         std::string row = name;
         row.append("-").append(projection).append("-").append(GetPathName(path));
-        // The software path also keeps the digits of volumes that are hardly seen.
         const bool isSoftware = path == vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH;
-        this->Catalogue.Measure(row, extreme, wanted.str(), ErrorOf(found, expected, isSoftware),
+        this->Catalogue.Measure(row, extreme, wanted.str(), ErrorOf(found, expected),
           isSoftware ? Bound : GetOpenGLBound(name));
         std::cout << "      " << ComparePictures(found, expected) << '\n';
       }
