@@ -4,30 +4,46 @@
 
 paraview_root=$build_root/paraview-root
 paraview_stamp=$paraview_root/.unpacked
-# The plugin is built with this ParaView; others come when it knows them.
-paraview_wanted=5.11
+paraview_known='5.11 5.13 6.1'
+
+# Prints the ParaView that the plugin is built with: the one unpacked, or the one apt would bring.
+paraview_version()
+{
+  if [ -s "$paraview_stamp" ]; then
+    cat "$paraview_stamp"
+  else
+    available_version paraview
+  fi
+}
 
 # Prints why ParaView's plugin cannot be built on this system; nothing where it can.
 paraview_obstacle()
 {
-  local version
-  [ ! -e "$paraview_stamp" ] || return 0
-  version=$(available_version paraview)
-  case $version in
-    "$paraview_wanted".*) ;;
-    '') printf 'this system has no ParaView; the plugin needs %s' "$paraview_wanted" ;;
-    *) printf 'this system has ParaView %s; the plugin needs %s' \
-      "${version%%[+-]*}" "$paraview_wanted" ;;
-  esac
+  local version known
+  version=$(paraview_version)
+  for known in $paraview_known; do
+    case $version in "$known".*) return ;; esac
+  done
+  if [ -n "$version" ]; then
+    printf 'this system has ParaView %s' "${version%%[+-]*}"
+  else
+    printf 'this system has no ParaView'
+  fi
+  printf '; the plugin knows %s' "${paraview_known// /, }"
 }
 
 fetch_paraview()
 {
-  local packages=$build_root/paraview-packages obstacle
+  local packages=$build_root/paraview-packages obstacle version qt_packages
   obstacle=$(paraview_obstacle)
   [ -z "$obstacle" ] || die "$obstacle"
-  install_packages paraview-build "${paraview_build_packages[@]}"
-  if [ ! -e "$paraview_stamp" ]; then
+  version=$(paraview_version)
+  case $version in
+    5.11.*) qt_packages=("${paraview_qt5_packages[@]}") ;;
+    *) qt_packages=("${paraview_qt6_packages[@]}") ;;
+  esac
+  install_packages paraview-build "${paraview_build_packages[@]}" "${qt_packages[@]}"
+  if [ ! -s "$paraview_stamp" ]; then
     say "Fetching ParaView into ${paraview_root#"$source_dir"/}"
     rm -rf "$paraview_root" "$packages"
     mkdir -p "$paraview_root" "$packages"
@@ -35,8 +51,9 @@ fetch_paraview()
     run_logged install-paraview-libraries \
       apt_get satisfy "$(libraries_of "$packages"/paraview_*.deb)"
     run_logged unpack-paraview unpack_packages "$packages" "$paraview_root"
+    link_python_modules "$paraview_root"
     rm -rf "$packages"
-    touch "$paraview_stamp"
+    printf '%s\n' "$version" >"$paraview_stamp"
   fi
 }
 
@@ -58,5 +75,15 @@ unpack_packages()
   local package
   for package in "$1"/*.deb; do
     dpkg -x "$package" "$2"
+  done
+}
+
+# ParaView's CMake package names the modules of its Python without the interpreter's tag.
+link_python_modules()
+{
+  local module plain
+  find "$1/usr/lib/python3" -name '*.cpython-*.so' | while read -r module; do
+    plain=${module%%.cpython-*}.so
+    [ -e "$plain" ] || ln -s "${module##*/}" "$plain"
   done
 }
