@@ -3,8 +3,8 @@
 
 #include "vtkAreaLight.h"
 #include "vtkProjectiveLight.h"
+#include "vtkTextureImage.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
@@ -16,16 +16,6 @@ namespace
 {
 // Of 90 degrees and more a light has no cone.
 constexpr double NoCone = 180.0;
-
-/// Returns the image of a texture that may be null, read anew where its file has changed.
-vtkImageData* GetImage(vtkTexture* texture)
-{
-  if (texture && texture->GetInputAlgorithm())
-  {
-    texture->GetInputAlgorithm()->Update();
-  }
-  return texture ? texture->GetInput() : nullptr;
-}
 }
 
 vtkLitVolumeRepresentation::vtkLitVolumeRepresentation()
@@ -195,8 +185,8 @@ bool vtkLitVolumeRepresentation::RemoveFromView(vtkView* view)
 void vtkLitVolumeRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
-  this->Projector->SetImage(GetImage(this->ProjectorImage));
-  this->Lamp->SetEmitter(GetImage(this->LampImage));
+  this->Projector->SetImage(vtkTextureImage(this->ProjectorImage));
+  this->Lamp->SetEmitter(vtkTextureImage(this->LampImage));
 }
 
 void vtkLitVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -25,7 +25,7 @@ function (picture_program name)
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing")
   target_link_libraries(${name} PRIVATE
     InterlumeInputs Interlume::InterlumeFlow Interlume::InterlumeIntervals
-    Interlume::InterlumeLight
+    Interlume::InterlumeFlowTexture Interlume::InterlumeLight
     Interlume::InterlumeSources Interlume::InterlumeTetrahedra VTK::IOImage VTK::RenderingCore
     VTK::RenderingOpenGL2 VTK::RenderingVolume nlohmann_json::nlohmann_json)
   vtk_module_autoinit(TARGETS ${name}
@@ -35,13 +35,14 @@ function (picture_program name)
     LABELS image
     FAIL_REGULAR_EXPRESSION "ERROR: ;Warning: ;ERR\\|;WARN\\|")
 endfunction ()
+picture_program(InflowTexturePictures)
 picture_program(RepresentationPictures)
 picture_program(ShadowedSlicePictures)
 
 add_executable(TestPluginXMLDefaults TestPluginXMLDefaults.cxx)
 target_link_libraries(TestPluginXMLDefaults PRIVATE
-  Interlume::InterlumeFlow Interlume::InterlumeIntervals Interlume::InterlumeLight
-  Interlume::InterlumeSources Interlume::InterlumeTetrahedra VTK::IOXMLParser)
+  Interlume::InterlumeFlow Interlume::InterlumeFlowTexture Interlume::InterlumeIntervals
+  Interlume::InterlumeLight Interlume::InterlumeSources Interlume::InterlumeTetrahedra VTK::IOXMLParser)
 if (INTERLUME_ENABLE_TETGEN)
   target_link_libraries(TestPluginXMLDefaults PRIVATE Interlume::InterlumeMeshing)
   target_compile_definitions(TestPluginXMLDefaults PRIVATE INTERLUME_ENABLE_TETGEN)

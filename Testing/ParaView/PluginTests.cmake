@@ -90,6 +90,8 @@ plugin_test(TestPluginRepresentation "paraview;image"
   ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" whole)
 plugin_test(TestPluginShadowedSlices "paraview;image"
   ${batch} "${script}/TestPluginShadowedSlices.py" "${CMAKE_CURRENT_BINARY_DIR}" whole)
+plugin_test(TestPluginInflowTextures "paraview;image"
+  ${batch} "${script}/TestPluginInflowTextures.py" "${CMAKE_CURRENT_BINARY_DIR}")
 plugin_test(TestPluginAreaLight "paraview;image"
   ${batch} "${script}/TestPluginAreaLight.py" "${CMAKE_CURRENT_BINARY_DIR}")
 plugin_test(TestPluginSceneShadows "paraview;image"

@@ -9,6 +9,7 @@
 #include "vtkFlowLIC.h"
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"
+#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkInflowMapping.h"
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
@@ -492,5 +493,24 @@ int main(int argc, char* argv[])
       { "ScatteringForwardSpread", Text(slices->GetForwardSpread()) },
       { "ScatteringBackwardLayers", Text(slices->GetBackwardLayers()) },
       { "ScatteringGridSize", Text(slices->GetScatteringGridSize()) } });
+  vtkNew<vtkImplicitFlowVolumeMapper> inflow;
+  Check(!inflow->GetTimeGate(), "paint is put in always at first");
+  const double* paint = inflow->GetDefaultColor();
+  CompareWithXML(folder + "/InflowTextureRepresentation.xml", "RepresentationProxy",
+    "vtkInflowTextureRepresentation", "Inflow",
+    { { "InflowTexture", inflow->GetNumberOfInflowTextures() > 0 ? "image" : "" },
+      { "InflowSurfaceTexture", inflow->GetInflowTexture(0) ? "image" : "" },
+      { "InflowSurfaceId", "0" }, { "InflowDefaultColor", Text(paint, 3) },
+      { "InflowDefaultOpacity", Text(paint[3]) },
+      { "InflowDetailTexture", inflow->GetDetailTexture() ? "image" : "" },
+      { "InflowDetailMode", Text(inflow->GetDetailMode()) },
+      { "InflowDetailScale", Text(inflow->GetDetailScale(), 3) }, { "InflowPulseLength", "1" },
+      { "InflowTimeGateTarget", Text(inflow->GetTimeGateTarget()) },
+      { "InflowTimePeriod", Text(inflow->GetTimePeriod()) },
+      { "InflowTimePhase", Text(inflow->GetTimePhase()) },
+      { "InflowPaintFilter", Text(inflow->GetPaintFilter()) },
+      { "InflowMaximumPaintSamples", Text(inflow->GetMaximumPaintSamples()) },
+      { "InflowSampleDistance", Text(inflow->GetSampleDistance()) },
+      { "InflowImageSampleDistance", Text(inflow->GetImageSampleDistance()) } });
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInflowTextureRepresentation.h"
+
+#include "vtkTextureImage.h"
+
+#include "vtkImageData.h"
+#include "vtkImplicitFlowVolumeMapper.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVLODVolume.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkInflowTextureRepresentation);
+
+vtkInflowTextureRepresentation::vtkInflowTextureRepresentation()
+{
+  this->VolumeMapper = this->Mapper;
+}
+
+vtkInflowTextureRepresentation::~vtkInflowTextureRepresentation() = default;
+
+void vtkInflowTextureRepresentation::SetInflowTexture(vtkTexture* texture)
+{
+  this->InflowTexture = texture;
+}
+
+void vtkInflowTextureRepresentation::SetSurfaceTexture(vtkTexture* texture)
+{
+  this->SurfaceTexture = texture;
+}
+
+void vtkInflowTextureRepresentation::SetSurfaceId(int id)
+{
+  this->Mapper->SetInflowTexture(this->SurfaceId, nullptr);
+  this->SurfaceId = std::max(id, 0);
+}
+
+void vtkInflowTextureRepresentation::SetDetailTexture(vtkTexture* texture)
+{
+  this->DetailTexture = texture;
+}
+
+void vtkInflowTextureRepresentation::SetDefaultColor(double red, double green, double blue)
+{
+  this->Mapper->SetDefaultColor(red, green, blue, this->Mapper->GetDefaultColor()[3]);
+}
+
+void vtkInflowTextureRepresentation::SetDefaultOpacity(double opacity)
+{
+  const double* color = this->Mapper->GetDefaultColor();
+  this->Mapper->SetDefaultColor(color[0], color[1], color[2], opacity);
+}
+
+void vtkInflowTextureRepresentation::SetPulseLength(double share)
+{
+  const double end = std::clamp(share, 0.0, 1.0);
+  this->Gate->RemoveAllPoints();
+  // A step, of the sharpness 1 in its middle.
+  this->Gate->AddPoint(0.0, end > 0.0 ? 1.0 : 0.0, 0.0, 1.0);
+  this->Gate->AddPoint(end, end > 0.0 ? 1.0 : 0.0, 0.0, 1.0);
+  this->Gate->AddPoint(1.0, 0.0);
+  this->Mapper->SetTimeGate(end < 1.0 ? this->Gate.Get() : nullptr);
+}
+
+void vtkInflowTextureRepresentation::SetDetailMode(int mode)
+{
+  this->Mapper->SetDetailMode(mode);
+}
+
+void vtkInflowTextureRepresentation::SetDetailScale(double u, double v, double time)
+{
+  this->Mapper->SetDetailScale(u, v, time);
+}
+
+void vtkInflowTextureRepresentation::SetTimeGateTarget(int target)
+{
+  this->Mapper->SetTimeGateTarget(target);
+}
+
+void vtkInflowTextureRepresentation::SetTimePeriod(double period)
+{
+  this->Mapper->SetTimePeriod(period);
+}
+
+void vtkInflowTextureRepresentation::SetTimePhase(double phase)
+{
+  this->Mapper->SetTimePhase(phase);
+}
+
+void vtkInflowTextureRepresentation::SetPaintFilter(bool filter)
+{
+  this->Mapper->SetPaintFilter(filter);
+}
+
+void vtkInflowTextureRepresentation::SetMaximumPaintSamples(int number)
+{
+  this->Mapper->SetMaximumPaintSamples(number);
+}
+
+void vtkInflowTextureRepresentation::SetSampleDistance(double distance)
+{
+  this->Mapper->SetSampleDistance(distance);
+}
+
+void vtkInflowTextureRepresentation::SetImageSampleDistance(double distance)
+{
+  this->Mapper->SetImageSampleDistance(distance);
+}
+
+int vtkInflowTextureRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // Processes that only show the outline have no input.
+  vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() == 1
+    ? vtkDataObject::GetData(inputVector[0], 0)
+    : nullptr;
+  auto* image = vtkImageData::SafeDownCast(input);
+  if (image && image->GetPointData()->GetNumberOfArrays() == 0)
+  {
+    vtkErrorMacro("The image has no point arrays; Inflow Textures draws those of an implicit flow "
+                  "field.");
+  }
+  if (!input || image)
+  {
+    return this->Superclass::RequestData(request, inputVector, outputVector);
+  }
+  vtkErrorMacro("Inflow Textures draws images; the input is a "
+    << input->GetClassName() << ". Choose Image for the Sample Mode of the implicit flow field.");
+  vtkNew<vtkImageData> nothing;
+  vtkNew<vtkInformation> information;
+  information->Copy(inputVector[0]->GetInformationObject(0));
+  information->Set(vtkDataObject::DATA_OBJECT(), nothing);
+  vtkNew<vtkInformationVector> nothingVector;
+  nothingVector->Append(information);
+  vtkInformationVector* nothingVectors[] = { nothingVector };
+  return this->Superclass::RequestData(request, nothingVectors, outputVector);
+}
+
+void vtkInflowTextureRepresentation::UpdateMapperParameters()
+{
+  this->Superclass::UpdateMapperParameters();
+  // ParaView's volume draws nothing unless the mapper has an array that is there; this mapper takes
+  // its arrays by their names, and says itself which of them are missing.
+  this->Mapper->SetScalarModeToUsePointFieldData();
+  this->Mapper->SelectScalarArray(0);
+  // The superclass hides what has no array to colour by.
+  this->Actor->SetVisibility(this->GetVisibility());
+  this->Mapper->SetInflowTexture(
+    vtkImplicitFlowVolumeMapper::ALL, vtkTextureImage(this->InflowTexture));
+  this->Mapper->SetInflowTexture(this->SurfaceId, vtkTextureImage(this->SurfaceTexture));
+  this->Mapper->SetDetailTexture(vtkTextureImage(this->DetailTexture));
+}
+
+void vtkInflowTextureRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SurfaceId: " << this->SurfaceId << "\n";
+  os << indent << "Mapper:\n";
+  this->Mapper->PrintSelf(os, indent.GetNextIndent());
+}

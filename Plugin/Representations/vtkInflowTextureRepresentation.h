@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkInflowTextureRepresentation_h
+#define vtkInflowTextureRepresentation_h
+
+#include "InterlumeRepresentationsModule.h" // for the export macro
+#include "vtkImageVolumeRepresentation.h"
+#include "vtkNew.h"          // for the mapper
+#include "vtkSmartPointer.h" // for textures
+
+class vtkImplicitFlowVolumeMapper;
+class vtkPiecewiseFunction;
+class vtkTexture;
+
+/**
+ * @class   vtkInflowTextureRepresentation
+ * @brief   shows implicit flow fields in ParaView by vtkImplicitFlowVolumeMapper
+ *
+ * Input: a vtkImageData with the arrays of vtkImplicitFlowField; without them the mapper's error
+ * says which are missing, and nothing is drawn. Other datasets are an error, and nothing is drawn.
+ * Colours are those of images that are painted on the termination surfaces; ParaView's array to
+ * colour by has no part.
+ *
+ * With several processes each draws its piece of the data, and ParaView composites the pictures in
+ * order.
+ */
+class INTERLUMEREPRESENTATIONS_EXPORT vtkInflowTextureRepresentation
+  : public vtkImageVolumeRepresentation
+{
+public:
+  static vtkInflowTextureRepresentation* New();
+  vtkTypeMacro(vtkInflowTextureRepresentation, vtkImageVolumeRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The images on all surfaces, on the surface of SurfaceId alone, and that of the details. Default
+   * none, none, 0, none. Valid ids: 0 and above; clamped.
+   */
+  void SetInflowTexture(vtkTexture* texture);
+  void SetSurfaceTexture(vtkTexture* texture);
+  void SetSurfaceId(int id);
+  void SetDetailTexture(vtkTexture* texture);
+  ///@}
+
+  ///@{
+  /**
+   * Colour and opacity of surfaces without an image: the mapper's DefaultColor.
+   */
+  void SetDefaultColor(double red, double green, double blue);
+  void SetDefaultOpacity(double opacity);
+  ///@}
+
+  /**
+   * The share of each period in which paint is put in, from its start: a TimeGate of the mapper
+   * that is 1 for that long and then 0. Default 1: always, without a gate. Valid: 0 to 1; clamped.
+   */
+  void SetPulseLength(double share);
+
+  ///@{
+  /**
+   * Pass their values on to the mapper, with its defaults.
+   */
+  void SetDetailMode(int mode);
+  void SetDetailScale(double u, double v, double time);
+  void SetTimeGateTarget(int target);
+  void SetTimePeriod(double period);
+  void SetTimePhase(double phase);
+  void SetPaintFilter(bool filter);
+  void SetMaximumPaintSamples(int number);
+  void SetSampleDistance(double distance);
+  void SetImageSampleDistance(double distance);
+  ///@}
+
+protected:
+  vtkInflowTextureRepresentation();
+  ~vtkInflowTextureRepresentation() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void UpdateMapperParameters() override;
+
+private:
+  vtkInflowTextureRepresentation(const vtkInflowTextureRepresentation&) = delete;
+  void operator=(const vtkInflowTextureRepresentation&) = delete;
+
+  vtkNew<vtkImplicitFlowVolumeMapper> Mapper;
+  vtkNew<vtkPiecewiseFunction> Gate;
+  vtkSmartPointer<vtkTexture> InflowTexture;
+  vtkSmartPointer<vtkTexture> SurfaceTexture;
+  vtkSmartPointer<vtkTexture> DetailTexture;
+  int SurfaceId = 0;
+};
+
+#endif
