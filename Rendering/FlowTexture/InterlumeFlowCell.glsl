@@ -18,6 +18,9 @@ uniform vec3 voxels;
 const int SPLIT = 0;
 const int SPLIT_BY_WAYS = 4095;
 const int EMPTY = 4096;
+#ifdef SMOOTH_PLACES
+const float LARGEST_LABEL = 4094.5;
+#endif
 
 struct Sample
 {
@@ -77,13 +80,18 @@ void setSurface(inout Sample found, int label)
   }
 
 #ifdef SMOOTH_PLACES
+// Interpolates what SmoothVoxels tells of: u, v, the largest change around, and the label.
+vec4 storedAt(vec3 place)
+{
+  return texture(places, (place + 0.5) / voxels);
+}
+
 // Interpolates without derivatives.
 void lookUpPlace(vec3 place, inout Sample found)
 {
-  vec3 at = (place + 0.5) / voxels;
-  found.Place = texture(places, at).rg;
+  found.Place = storedAt(place).rg;
 #ifdef TIMES
-  found.Time = texture(times, at).r;
+  found.Time = texture(times, (place + 0.5) / voxels).r;
 #endif
 }
 #endif
@@ -193,7 +201,21 @@ bool lookUpSplit(ivec3 cell, vec3 f, bool isByWays, inout Sample found)
 }
 #endif
 
-// Looks the place up within a cell; derivatives, where they are needed. Returns whether there is one.
+// Looks the place up within a cell of one surface; derivatives, where they are needed.
+void lookUpSurface(vec3 place, vec3 cell, int label, bool hasSlopes, inout Sample found)
+{
+  setSurface(found, label);
+#ifdef SMOOTH_PLACES
+  if (!hasSlopes)
+  {
+    lookUpPlace(place, found);
+    return;
+  }
+#endif
+  lookUpPlain(ivec3(cell), place - cell, found);
+}
+
+// Looks the place up within a cell that is not empty. Returns whether there is one.
 bool lookUpCell(vec3 place, vec3 cell, int kind, bool hasSlopes, inout Sample found)
 {
 #ifdef SPLITS
@@ -202,14 +224,6 @@ bool lookUpCell(vec3 place, vec3 cell, int kind, bool hasSlopes, inout Sample fo
     return lookUpSplit(ivec3(cell), place - cell, kind == SPLIT_BY_WAYS, found);
   }
 #endif
-  setSurface(found, kind);
-#ifdef SMOOTH_PLACES
-  if (!hasSlopes)
-  {
-    lookUpPlace(place, found);
-    return true;
-  }
-#endif
-  lookUpPlain(ivec3(cell), place - cell, found);
+  lookUpSurface(place, cell, kind, hasSlopes, found);
   return true;
 }

@@ -41,23 +41,36 @@ vec2 inTexture(vec2 place, vec2 size)
 //INTERLUME::PAINTS
 
 #ifdef PAINT_FILTER
-// Returns whether a sample may be larger than two texels, which a look at one place covers, by the
-// largest change between the cell's corners.
-bool isWide(int code, vec3 piece, vec3 pixelX, vec3 pixelY)
+// The axes of what a sample stands for: the piece of the ray, and a pixel at that distance.
+struct Footprint
+{
+  vec3 Piece;
+  vec3 PixelX;
+  vec3 PixelY;
+};
+
+float reachOf(Footprint footprint)
 {
   vec3 one = vec3(1.0);
-  float reach =
-    max(dot(abs(piece), one), max(dot(abs(pixelX), one), dot(abs(pixelY), one)));
-  return reach * max(paintSize.x, paintSize.y) > 2.0 * exp2(128.0 - float(code) / 256.0);
+  return max(dot(abs(footprint.Piece), one),
+    max(dot(abs(footprint.PixelX), one), dot(abs(footprint.PixelY), one)));
+}
+
+// Returns whether a sample may be larger than two texels, which a look at one place covers, by the
+// largest change between the cell's corners.
+bool isWide(int code, Footprint footprint)
+{
+  return reachOf(footprint) * max(paintSize.x, paintSize.y) >
+    2.0 * exp2(128.0 - float(code) / 256.0);
 }
 
 // Splits what a sample stands for, by its three axes, into the longest and what is across it.
-void setFootprint(inout Sample found, vec3 piece, vec3 pixelX, vec3 pixelY)
+void setFootprint(inout Sample found, Footprint footprint)
 {
-  vec2 along = found.Slope * piece;
-  vec2 x = found.Slope * pixelX;
-  vec2 y = found.Slope * pixelY;
-  vec3 axis = piece;
+  vec2 along = found.Slope * footprint.Piece;
+  vec2 x = found.Slope * footprint.PixelX;
+  vec2 y = found.Slope * footprint.PixelY;
+  vec3 axis = footprint.Piece;
   found.IsAlongRay = true;
   float a = dot(along, along);
   float b = dot(x, x);
@@ -65,14 +78,14 @@ void setFootprint(inout Sample found, vec3 piece, vec3 pixelX, vec3 pixelY)
   // What is along the ray is drawn piece by piece; across it there is a mean.
   if (b > a && b >= c)
   {
-    axis = pixelX;
+    axis = footprint.PixelX;
     found.IsAlongRay = false;
     found.Across = a > c ? along : y;
     found.Along = x;
   }
   else if (c > a)
   {
-    axis = pixelY;
+    axis = footprint.PixelY;
     found.IsAlongRay = false;
     found.Across = a > b ? along : x;
     found.Along = y;

@@ -92,6 +92,8 @@ bool isCropped(vec3 place)
 }
 #endif
 
+//INTERLUME::WALK
+
 void main()
 {
   vec2 at = 2.0 * texCoord - 1.0;
@@ -120,80 +122,28 @@ void main()
   clip(origin, way, lower, upper);
 #endif
 
+  Ray ray = Ray(origin, way, unit, lower, upper, lower, 0.0);
   vec4 sum = vec4(0.0);
-  float number = 0.0;
-  for (float from = lower; from < upper && sum.a < OPAQUE_ENOUGH;
-       from = lower + number * sampleDistance)
+#ifdef SMOOTH_PLACES
+  vec3 size = abs(way);
+  float stride = 1.0 / (sampleDistance * max(max(size.x, size.y), size.z));
+  float reach = 0.0;
+#ifdef PAINT_FILTER
+  reach = max(reachOf(ray, lower), reachOf(ray, upper)) * max(paintSize.x, paintSize.y);
+#endif
+  while (goesOn(ray, sum))
   {
-    // A sample stands for the piece of the ray around it; the last one is shorter.
-    float piece = min(sampleDistance, upper - from);
-    vec3 place = origin + (from + 0.5 * piece) * way;
-    vec3 cell = clamp(floor(place), vec3(0.0), lastCell);
-    ivec2 stored = kindAt(ivec3(cell));
-    int kind = stored.x;
-    number += 1.0;
-    if (kind >= EMPTY)
-    {
-      // All cells nearer than the distance are empty: the samples there are passed over.
-      float reach = float(kind - EMPTY);
-      vec3 ends = mix(cell + 1.0 - reach, cell + reach, greaterThan(way, vec3(0.0)));
-      vec3 exits = (ends - place) * inverse;
-      number += max(ceil(min(min(exits.x, exits.y), exits.z) / sampleDistance) - 1.0, 0.0);
-      continue;
-    }
-#ifdef CROPPING
-    if (isCropped(place))
-    {
-      continue;
-    }
-#endif
-    Sample found;
+    walkSmooth(ray, reach, stride, sum);
 #ifdef PAINT_FILTER
-    // The axes of what a sample stands for: the piece of the ray, and a pixel at that distance.
-    float share = (from + 0.5 * piece) / unit;
-    vec3 pixelX = (rayOriginX + share * rayDirectionX) * pixelSize.x;
-    vec3 pixelY = (rayOriginY + share * rayDirectionY) * pixelSize.y;
-    found.IsWide = isWide(stored.y, way * piece, pixelX, pixelY);
-    if (!lookUpCell(place, cell, kind, found.IsWide, found))
-    {
-      continue;
-    }
-    int pieces = 1;
-    if (found.IsWide)
-    {
-      setFootprint(found, way * piece, pixelX, pixelY);
-      pieces = found.IsAlongRay ? piecesOf(found) : 1;
-    }
-#else
-    const int pieces = 1;
-    if (!lookUpCell(place, cell, kind, false, found))
-    {
-      continue;
-    }
+    walkWide(ray, sum);
 #endif
-    float depth = piece / (unitDistance * float(pieces));
-    float strength = strengthAt(place);
-#ifdef SHADE
-    Light light = lightAt(place, way);
+#ifdef SPLITS
+    walkCells(ray, inverse, sum);
 #endif
-    for (int i = 0; i < pieces && strength > 0.0; ++i)
-    {
-#ifdef PAINT_FILTER
-      vec4 paint = paintFrom(found, i, pieces) * strength;
-#else
-      vec4 paint = paintOf(found, 0.0) * strength;
-#endif
-      if (paint.a > 0.0)
-      {
-        float opacity = opacityOf(paint.a, depth);
-        vec3 color = paint.rgb * (opacity / paint.a);
-#ifdef SHADE
-        color = color * light.Diffuse + opacity * light.Specular;
-#endif
-        sum += (1.0 - sum.a) * vec4(color, opacity);
-      }
-    }
   }
+#else
+  walkCells(ray, inverse, sum);
+#endif
   if (!(sum.a > 0.0))
   {
     discard;

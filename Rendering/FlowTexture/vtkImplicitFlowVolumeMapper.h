@@ -221,7 +221,7 @@ public:
   /**
    * The distance of samples along a line of sight, in world units. 0, the default: half the
    * smallest distance of voxels. Valid: 0 and above. A line has no more than 60,000 /
-   * (MaximumPaintSamples + 2) samples; the report has the distance in use.
+   * (MaximumPaintSamples + 4) samples; the report has the distance in use.
    */
   vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);

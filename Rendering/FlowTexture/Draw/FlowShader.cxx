@@ -10,6 +10,7 @@
 #include "InterlumeFlowPaint.h"
 #include "InterlumeFlowShade.h"
 #include "InterlumeFlowVolumeFS.h"
+#include "InterlumeFlowWalk.h"
 #include "vtkImplicitFlowVolumeSettings.h"
 #include "vtkShaderFeatures.h"
 
@@ -108,6 +109,7 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
     this->Add("PERIOD_V", is(2));
   }
   this->Source = InterlumeFlowVolumeFS;
+  Replace(this->Source, "//INTERLUME::WALK", InterlumeFlowWalk);
   Replace(this->Source, "//INTERLUME::CELL", InterlumeFlowCell);
   Replace(this->Source, "//INTERLUME::PAINT\n", std::string(InterlumeFlowPaint) + "\n");
   Replace(this->Source, "//INTERLUME::PAINTS", MakeInflow(paints));

@@ -4,6 +4,7 @@
 #include "Common/ArrayCheck.h"
 #include "Draw/FlowShader.h"
 #include "Draw/FlowTextures.h"
+#include "Grid/SmoothVoxels.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Loader/ScopedState.h"
 #include "Paint/PaintTexels.h"
@@ -27,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -208,7 +210,7 @@ std::string FlowVolumeRenderer::Update(Picture& picture)
   vtkImplicitFlowVolumeReport& report = picture.Report;
   this->Paints.Assign(settings.InflowTextures, this->Grid);
   // llvmpipe ends a shader's loops after 65,535 rounds of all of them.
-  const double mostSamples = 60000.0 / (settings.MaximumPaintSamples + 2);
+  const double mostSamples = 60000.0 / (settings.MaximumPaintSamples + 4);
   picture.SampleDistance =
     std::max(settings.SampleDistance > 0.0 ? settings.SampleDistance : 0.5 * this->View.Spacing,
       this->View.Diagonal / mostSamples);
@@ -237,11 +239,12 @@ std::string FlowVolumeRenderer::KeepGrid(Picture& picture)
 {
   vtkImplicitFlowVolumeReport& report = picture.Report;
   const FlowTextures::Stamp stamp(this, this->GridVersion);
-  const auto keep =
-    [&](const char* name, int components, int type, const void* values, bool isOfCells)
+  // Software interpolates floats as such; graphics cards round the weights to eight bits.
+  const bool isSoftware = picture.Parts.IsSoftware;
+  std::vector<float> smooth;
+  const auto keep = [&](const char* name, int components, int type,
+                      const std::function<const void*()>& getValues, bool isOfCells)
   {
-    // Software interpolates floats as such; graphics cards round the weights to eight bits.
-    const bool isSmooth = picture.Parts.IsSoftware && type == VTK_FLOAT;
     const std::string wrong = picture.Resources.Textures.Keep(
       picture.Window, name, true, stamp,
       [&]
@@ -254,27 +257,38 @@ std::string FlowVolumeRenderer::KeepGrid(Picture& picture)
         }
         source.Components = components;
         source.Type = type;
-        source.Values = values;
-        source.IsSmooth = isSmooth;
+        source.Values = getValues();
+        source.IsSmooth = isSoftware && type == VTK_FLOAT;
         return source;
       },
       report.GridUploads, report.UploadedBytes);
     return wrong.empty() ? wrong : "the texture of voxels `" + std::string(name) + "` " + wrong;
   };
-  std::string error = keep("cells", 2, VTK_UNSIGNED_SHORT, this->Grid.Cells.data(), true);
+  const FlowGrid& grid = this->Grid;
+  std::string error = keep(
+    "cells", 2, VTK_UNSIGNED_SHORT, [&] { return grid.Cells.data(); }, true);
   if (error.empty())
   {
-    error = keep("places", 2, VTK_FLOAT, this->Grid.Places.data(), false);
+    error = keep(
+      "places", isSoftware ? 4 : 2, VTK_FLOAT,
+      [&]
+      {
+        smooth = isSoftware ? SmoothVoxels::Make(grid) : std::vector<float>();
+        return isSoftware ? smooth.data() : grid.Places.data();
+      },
+      false);
   }
   if (error.empty() && picture.Parts.HasSplitCells)
   {
-    error = keep("groups", 1, VTK_UNSIGNED_SHORT, this->Grid.Groups.data(), false);
+    error = keep(
+      "groups", 1, VTK_UNSIGNED_SHORT, [&] { return grid.Groups.data(); }, false);
   }
   const bool needsTimes =
     picture.Asked.Settings.TimeGate != nullptr || picture.Parts.DetailDimensions == 3;
   if (error.empty() && needsTimes)
   {
-    error = keep("times", 1, VTK_FLOAT, this->Grid.Times.data(), false);
+    error = keep(
+      "times", 1, VTK_FLOAT, [&] { return grid.Times.data(); }, false);
   }
   return error;
 }
