@@ -32,10 +32,9 @@ struct INTERLUMELIGHT_EXPORT vtkShadowedSceneReport
   /// says why, unless they have errors; it is empty otherwise.
   int VolumesTogether = 0;
   std::string VolumesApart;
-  /// The number of opaque actors that receive the light which volumes have scattered on and on
-  /// (those that are lit, but for physically based shading), of the cells of all volumes that
-  /// opaque actors block to it, and of the volumes that scatter it and do not see that of each
-  /// other: none, or two and more.
+  /// The number of actors that receive the light which volumes have scattered on and on (those that
+  /// are lit), of the cells of all volumes that opaque actors block to it, and of the volumes that
+  /// scatter it and do not see that of each other: none, or two and more.
   int ScatteringReceivers = 0;
   int ScatteringBlockedCells = 0;
   int ScatteringVolumesApart = 0;

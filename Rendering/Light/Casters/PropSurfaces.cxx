@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casters/PropSurfaces.h"
 
+#include "Casters/GlyphPlaces.h"
 #include "Common/Vectors.h"
 #include "Space/UnitVector.h"
 
@@ -11,6 +12,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetMapper.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkIdList.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -74,12 +76,27 @@ void AddTriangles(vtkPolyData* data, const glm::dmat4& worldFromData, std::vecto
   }
 }
 
+void AddGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* points, const glm::dmat4& worldFromPoints,
+  std::vector<glm::dvec3>& to)
+{
+  if (!points || mapper->GetUseSourceTableTree())
+  {
+    return;
+  }
+  for (const GlyphPlaces::Place& place : GlyphPlaces::Get(mapper, points))
+  {
+    AddTriangles(mapper->GetSource(place.Source), worldFromPoints * place.Matrix, to);
+  }
+}
+
 PropSurfaces::Surface GetSurface(vtkActor* actor, vtkMatrix4x4* matrix)
 {
   PropSurfaces::Surface surface;
   vtkMapper* any = actor->GetMapper();
   auto* ofData = vtkDataSetMapper::SafeDownCast(any);
-  vtkMapper* mapper = vtkPolyDataMapper::SafeDownCast(ofData ? ofData->GetPolyDataMapper() : any);
+  auto* glyphs = vtkGlyph3DMapper::SafeDownCast(any);
+  vtkMapper* mapper =
+    glyphs ? any : vtkPolyDataMapper::SafeDownCast(ofData ? ofData->GetPolyDataMapper() : any);
   if (!mapper || mapper->GetNumberOfInputConnections(0) == 0 || !actor->HasOpaqueGeometry() ||
     actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
   {
@@ -88,16 +105,26 @@ PropSurfaces::Surface GetSurface(vtkActor* actor, vtkMatrix4x4* matrix)
   any->Update();
   const glm::dmat4 worldFromData =
     matrix ? UnitVector::FromRows(matrix->GetData()) : glm::dmat4(1.0);
+  const auto add = [&](vtkDataObject* data)
+  {
+    if (glyphs)
+    {
+      AddGlyphs(glyphs, vtkDataSet::SafeDownCast(data), worldFromData, surface.Corners);
+    }
+    else
+    {
+      AddTriangles(vtkPolyData::SafeDownCast(data), worldFromData, surface.Corners);
+    }
+  };
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
-  AddTriangles(vtkPolyData::SafeDownCast(input), worldFromData, surface.Corners);
+  add(input);
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
     const vtkSmartPointer<vtkCompositeDataIterator> parts =
       vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
     for (parts->InitTraversal(); !parts->IsDoneWithTraversal(); parts->GoToNextItem())
     {
-      AddTriangles(
-        vtkPolyData::SafeDownCast(parts->GetCurrentDataObject()), worldFromData, surface.Corners);
+      add(parts->GetCurrentDataObject());
     }
   }
   vtkPlaneCollection* planes = any->GetClippingPlanes();

@@ -17,8 +17,9 @@ namespace interlume
  * @brief   the triangles of opaque props in world coordinates
  *
  * They are those of polygons and strips of actors whose mappers draw vtkPolyData, each by itself or
- * in composite data, as surfaces; those of assemblies too. Glyphs, vtkLODProp3D and mappers that
- * make their polygons on the graphics card have none here.
+ * in composite data, as surfaces; those of assemblies too, and of vtkGlyph3DMapper, a copy of its
+ * sources at each place (GlyphPlaces). vtkLODProp3D and mappers that make their polygons on the
+ * graphics card have none here.
  */
 class PropSurfaces
 {

@@ -210,6 +210,9 @@ bool ActorShader::Replace(std::string& fragmentShader, bool isReceiver) const
     Swap(text, "ambientColor + diffuse + specular",
       "ambientColor + diffuse + sceneScattered(vertexVC.xyz, normalVCVSOutput) * diffuseColor + "
       "specular");
+    // What a physically based surface reflects of light from all around.
+    Swap(text, "(1.0 - metallic) * irradiance * albedo",
+      "(1.0 - metallic) * (irradiance + recPI * sceneScattered(vertexVC.xyz, N)) * albedo");
   }
   fragmentShader = text;
   Swap(fragmentShader, DECLARATION_MARK, isLit ? parts.Declarations : "");

@@ -28,7 +28,7 @@ struct LightSource;
  *
  * VTK's shaders have `lightColorN` for the light N that is switched on, in all kinds of shading;
  * each use of it becomes `(lightColorN * sceneLightN)`. What volumes scatter on and on is added to
- * the sum of diffuse light, but for physically based shading.
+ * the sum of diffuse light, in physically based shading to the irradiance of an environment.
  */
 class ActorShader
 {

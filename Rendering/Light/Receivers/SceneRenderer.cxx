@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace interlume
 {
@@ -394,6 +395,11 @@ std::string SceneRenderer::DrawSegments(vtkRenderer* renderer,
     const std::size_t segment = layers - i;
     this->BeginSegment(segment);
     drawVolumes();
+    if (i == 0)
+    {
+      this->Fields.Set(this->Scene.Fields);
+      this->UpdateShader(renderer, true);
+    }
     if (segment < layers)
     {
       this->ShadeLayer(renderer, segment);
@@ -448,15 +454,19 @@ void SceneRenderer::ReportFields(vtkShadowedSceneReport& report) const
     report.ScatteringBlockedCells += field.BlockedCells;
   }
   report.ScatteringVolumesApart = fields.size() > 1 ? static_cast<int>(fields.size()) : 0;
-  for (vtkProp* prop : this->Opaque)
+  const auto receives = [&](vtkProp* prop)
   {
     auto* actor = vtkActor::SafeDownCast(prop);
-    vtkProperty* property = actor ? actor->GetProperty() : nullptr;
-    const bool hasPlace =
-      !property || (property->GetLighting() && property->GetInterpolation() != VTK_PBR);
-    report.ScatteringReceivers +=
-      !fields.empty() && hasPlace && this->Settings.Receives(prop) ? 1 : 0;
+    const bool isLit = !actor || actor->GetProperty()->GetLighting();
+    return !fields.empty() && isLit && this->Settings.Receives(prop);
+  };
+  std::set<vtkProp*> props(this->Opaque.begin(), this->Opaque.end());
+  if (this->IsLayered)
+  {
+    props.insert(this->Panes.begin(), this->Panes.end());
   }
+  report.ScatteringReceivers +=
+    static_cast<int>(std::count_if(props.begin(), props.end(), receives));
 }
 
 void SceneRenderer::UpdateShader(vtkRenderer* renderer, bool isShadowed)
