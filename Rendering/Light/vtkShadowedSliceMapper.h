@@ -148,15 +148,20 @@ struct SliceScene;
  * (ScatteringGridSize) around the blocks that can be seen, which have the mean extinction and
  * albedo of their matter, and is kept until volume, functions, clipping, cropping or lights have
  * changed; the report counts this (ScatteringSolves). The slices look it up between the cells'
- * middles. Each volume has a grid of its own: light that one volume has scattered does not reach
- * another, nor are shadows of other volumes in D. Surfaces of a vtkShadowedScenePass cast their
+ * middles. Volumes that a vtkShadowedScenePass draws together have one grid around all of them, so
+ * that light goes from one to another and D has the shadows of all, each finds D by its own mode
+ * and phase function in all their matter, and those that do not scatter on take light; the grid's
+ * cells are as small as the smallest that one of them has by itself, but for the largest number, 64
+ * or what one of them asks for. Volumes that are drawn by themselves know nothing of each other.
+ * Surfaces of a vtkShadowedScenePass cast their
  * shadows in D, and opaque ones that do stop light that was scattered: the cells that their
- * triangles go through take it, a layer of cells for a thin sheet, and send none on. Opaque
- * surfaces that receive shadows are lit by D as well, by its first two moments, within the box of
- * the cells and, by an estimate, beyond it; physically based shading is not. Where lights have soft
- * shadows D is of up to 16 samples of each. Lights that cast no shadows are scattered
- * once; one of ShadowAttenuation a below 1 gives D its share a, and is not taken from by as much,
- * so that then light is gained.
+ * triangles go through take it, a layer of cells for a thin sheet, and send none on; so do the
+ * copies that a vtkGlyph3DMapper draws. Surfaces that receive shadows are lit by D as well, by its
+ * first two moments, within the box of the cells and, by an estimate, beyond it; in physically
+ * based shading it is light of the environment for the diffuse part alone. Translucent surfaces are
+ * lit so where the pass draws them in order with volumes. Where lights have soft shadows D is of up
+ * to 16 samples of each. Lights that cast no shadows are scattered once; one of ShadowAttenuation a
+ * below 1 gives D its share a, and is not taken from by as much, so that then light is gained.
  *
  * **Input**: vtkImageData, point or cell scalars by ScalarMode, ArrayName, ArrayId as in VTK's
  * other mappers, of any type and of

@@ -10,9 +10,12 @@
 #include "vtkActor.h"
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -296,29 +299,220 @@ void TestReceived(Check& check)
   check.Equal(stage.Pass->GetReport().ScatteringVolumesApart, 0, "one volume");
 }
 
+/// What a floor below a cube shows of light that the cube has scattered.
+struct ReceivedStage : Stage
+{
+  ReceivedStage()
+  {
+    constexpr double height = -0.75;
+    this->Sheet->SetOrigin(-2.0, height, -2.0);
+    this->Sheet->SetPoint1(-2.0, height, 2.0);
+    this->Sheet->SetPoint2(2.0, height, -2.0);
+    this->Scene.Camera->SetFocalPoint(0.0, height, 0.0);
+    this->Scene.Camera->SetPosition(0.0, height + 0.9, 3.0);
+    this->Scene.Camera->SetClippingRange(0.1, 10.0);
+    this->Scene.Camera->SetParallelScale(0.05);
+  }
+
+  /// The mean of the picture's powers by \a gamma.
+  double GetMean(int mode, double gamma)
+  {
+    this->Mapper->SetMultipleScattering(mode);
+    const RgbaPicture picture = this->Picture.Capture();
+    double sum = 0.0;
+    for (int j = 0; j < 24; ++j)
+    {
+      for (int i = 0; i < 24; ++i)
+      {
+        sum += std::pow(picture.At(i, j)[1], gamma) / (24.0 * 24.0);
+      }
+    }
+    return sum;
+  }
+
+  double GetReceived(double gamma = 1.0)
+  {
+    return this->GetMean(Mapper::FULL_SCATTERING, gamma) -
+      this->GetMean(Mapper::SINGLE_SCATTERING, gamma);
+  }
+};
+
+/// Translucent floors receive their share, physically based ones what VTK's formula of light from
+/// all around leaves of it, and floors behind a sheet of glass as much as without it.
+void TestKindsOfReceivers(Check& check)
+{
+  ReceivedStage stage;
+  const double plain = stage.GetReceived();
+  vtkProperty* property = stage.Actor->GetProperty();
+  property->SetOpacity(0.5);
+  const double translucent = stage.GetReceived();
+  check.Equal(stage.Pass->GetReport().ScatteringReceivers, 0, "translucent by single");
+  stage.GetMean(Mapper::FULL_SCATTERING, 1.0);
+  check.Equal(stage.Pass->GetReport().ScatteringReceivers, 1, "translucent: receivers");
+  property->SetOpacity(1.0);
+  property->SetInterpolationToPBR();
+  property->SetRoughness(1.0);
+  property->SetMetallic(0.0);
+  const double physical = stage.GetReceived(2.2);
+  check.Equal(stage.Pass->GetReport().ScatteringReceivers, 0, "physically based by single");
+  property->SetMetallic(1.0);
+  const double metal = stage.GetReceived(2.2);
+  property->SetInterpolationToPhong();
+
+  vtkNew<vtkPlaneSource> glass;
+  glass->SetOrigin(-2.0, -2.0, 1.0);
+  glass->SetPoint1(2.0, -2.0, 1.0);
+  glass->SetPoint2(-2.0, 2.0, 1.0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(glass->GetOutputPort());
+  vtkNew<vtkActor> pane;
+  pane->SetMapper(mapper);
+  pane->GetProperty()->SetOpacity(0.5);
+  pane->GetProperty()->LightingOff();
+  pane->GetProperty()->SetColor(0.0, 0.0, 0.0);
+  vtkShadowedScenePass::SetCastsShadows(pane, false);
+  stage.Picture.AddActor(pane);
+  const double behind = stage.GetReceived();
+
+  std::cout << "received by a floor: " << plain << ", translucent " << translucent
+            << ", physically based " << physical << ", of metal " << metal << ", behind glass "
+            << behind << std::endl;
+  check.That(plain > 0.05, "a floor receives light");
+  check.Near(translucent / plain, 0.5, 0.005, "translucent floor", 1.0);
+  // Of light at right angles the surface of a medium of index 1.5 reflects 0.04 as a mirror.
+  check.Near(physical / plain, 0.96 / vtkMath::Pi(), 0.003, "physically based floor", 1.0);
+  check.Near(metal, 0.0, 1e-4, "floor of metal", 1.0);
+  check.Near(behind / plain, 0.5, 0.005, "floor behind glass", 1.0);
+}
+
+/// A plate of glyphs stops what was scattered as a plate does.
+void TestBlockingGlyphs(Check& check)
+{
+  Stage stage;
+  stage.Sheet->SetOrigin(0.03, -2.0, -2.0);
+  stage.Sheet->SetPoint1(0.03, 2.0, -2.0);
+  stage.Sheet->SetPoint2(0.03, -2.0, 2.0);
+  const double beside = stage.Draw(0, 11);
+  stage.Actor->VisibilityOff();
+  vtkNew<vtkPoints> places;
+  places->InsertNextPoint(0.03, 0.0, 0.0);
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(places);
+  vtkNew<vtkPlaneSource> plate;
+  plate->SetOrigin(0.0, -0.5, -0.5);
+  plate->SetPoint1(0.0, 0.5, -0.5);
+  plate->SetPoint2(0.0, -0.5, 0.5);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(points);
+  mapper->SetSourceConnection(plate->GetOutputPort());
+  mapper->SetScaleFactor(4.0);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  stage.Picture.AddActor(actor);
+  const double glyphs = stage.Draw(0, 11);
+  std::cout << "plate of glyphs: " << glyphs << ", plate " << beside << std::endl;
+  check.Equal(stage.Mapper->GetReport().ScatteringBlockedCells, 144, "plate of glyphs: cells");
+  check.Near(glyphs / beside, 1.0, 1e-3, "plate of glyphs: light", 1.0);
+}
+
+/// A stage with a second volume, and no sheet.
+struct TwoVolumes : Stage
+{
+  TwoVolumes()
+  {
+    this->Actor->VisibilityOff();
+    this->Other->SetMultipleScatteringToFull();
+    this->Volume->SetMapper(this->Other);
+  }
+
+  void Show(const ShadowScene& first, const ShadowScene& second)
+  {
+    SetScene(this->Picture, this->Mapper, first);
+    Configure(this->Other, second);
+    this->Volume->SetProperty(second.Property);
+    this->Picture.GetRenderer()->AddVolume(this->Volume);
+  }
+
+  vtkNew<vtkShadowedSliceMapper> Other;
+  vtkNew<vtkVolume> Volume;
+};
+
 /// Two volumes that are far from each other are drawn in one set of slices as each by itself.
 void TestVolumes(Check& check)
 {
-  Stage stage;
-  stage.Actor->VisibilityOff();
+  TwoVolumes stage;
   stage.Scene.Camera->SetParallelScale(1.6);
   const double one = stage.Draw();
-  const ShadowScene other = stage.Scene;
-  vtkNew<vtkShadowedSliceMapper> mapper;
-  Configure(mapper, other);
-  mapper->SetMultipleScatteringToFull();
-  vtkNew<vtkVolume> volume;
-  volume->SetMapper(mapper);
-  volume->SetProperty(other.Property);
-  volume->SetPosition(-1.0, 0.0, 0.0);
-  stage.Picture.GetRenderer()->AddVolume(volume);
+  stage.Show(stage.Scene, stage.Scene);
+  stage.Volume->SetPosition(-1.0, 0.0, 0.0);
   stage.Picture.GetVolume()->SetPosition(0.5, 0.0, 0.0);
   const double both = stage.Draw();
   std::cout << "two volumes: " << both / one << std::endl;
-  check.That(stage.Mapper->GetReport().ScatteringCells > 0, "first volume: cells");
-  check.That(mapper->GetReport().ScatteringCells > 0, "second volume: cells");
-  check.Equal(stage.Pass->GetReport().ScatteringVolumesApart, 2, "volumes apart");
+  // Twelve cells for an edge of 1, in a box of 2.5.
+  check.Equal(stage.Mapper->GetReport().ScatteringCells, 30 * 12 * 12, "first volume: cells");
+  check.Equal(stage.Other->GetReport().ScatteringCells, 30 * 12 * 12, "second volume: cells");
+  check.Equal(stage.Pass->GetReport().ScatteringVolumesApart, 0, "volumes apart");
   check.Near(both / one, 2.0, 0.04, "two volumes beside each other", 1.0);
+}
+
+/// The mean difference of a picture of two volumes from one of a volume, over its mean.
+double Compare(TwoVolumes& stage, const RgbaPicture& expected)
+{
+  const RgbaPicture found = stage.Picture.Capture();
+  double difference = 0.0;
+  double sum = 0.0;
+  for (int j = 0; j < 24; ++j)
+  {
+    for (int i = 0; i < 24; ++i)
+    {
+      difference += std::abs(found.At(i, j)[1] - expected.At(i, j)[1]);
+      sum += expected.At(i, j)[1];
+    }
+  }
+  return difference / sum;
+}
+
+/// Two halves of a cube, and two cubes of half its matter at its place, scatter light as the cube.
+void TestVolumesTogether(Check& check)
+{
+  TwoVolumes stage;
+  stage.Scene.Camera->Azimuth(25.0);
+  stage.Scene.Camera->Elevation(30.0);
+  stage.Scene.Camera->SetParallelScale(0.8);
+  const RgbaPicture whole = stage.Picture.Capture();
+  ShadowScene half = stage.Scene;
+  half.CroppingFlags = VTK_CROP_SUBVOLUME;
+  half.CroppingPlanes = { { -0.5, 0.0, -0.5, 0.5, -0.5, 0.5 } };
+  ShadowScene rest = half;
+  rest.CroppingPlanes = { { 0.0, 0.5, -0.5, 0.5, -0.5, 0.5 } };
+  stage.Show(half, rest);
+  const double halves = Compare(stage, whole);
+  stage.Other->SetMultipleScatteringToSingle();
+  const double absorbing = Compare(stage, whole);
+  check.Equal(stage.Other->GetReport().ScatteringCells, 0, "single beside full: cells");
+  stage.Other->SetMultipleScatteringToFull();
+
+  ShadowScene thin = MakeHomogeneousScene(12, 1.5);
+  thin.Camera = stage.Scene.Camera;
+  thin.Lights = stage.Scene.Lights;
+  stage.Show(thin, thin);
+  const double thinner = Compare(stage, whole);
+  const int solves = stage.Mapper->GetReport().ScatteringSolves;
+  stage.Volume->SetPosition(0.1, 0.0, 0.0);
+  stage.Picture.Capture();
+  check.Equal(stage.Mapper->GetReport().ScatteringSolves, solves + 1, "the other volume moved");
+  stage.Volume->SetPosition(0.0, 0.0, 0.0);
+  // Another phase function has light of its own.
+  stage.Other->SetPhaseFunctionToHenyeyGreenstein();
+  stage.Other->SetAnisotropy(1e-3);
+  const double apart = Compare(stage, whole);
+  std::cout << "against one volume: halves " << halves << ", one of them by single " << absorbing
+            << ", half the matter twice " << thinner << ", with two phase functions " << apart
+            << std::endl;
+  check.Near(halves, 0.0, 0.002, "two halves", 1.0);
+  check.That(absorbing > 0.1, "a half that does not scatter on");
+  check.Near(thinner, 0.0, 0.005, "half the matter twice", 1.0);
+  check.Near(apart, 0.0, 0.005, "half the matter twice, two phase functions", 1.0);
 }
 
 }
@@ -330,7 +524,10 @@ int TestScatteredScene(int, char*[])
   TestShadows(check, true);
   TestTranslucent(check);
   TestBlocked(check);
+  TestBlockingGlyphs(check);
   TestReceived(check);
+  TestKindsOfReceivers(check);
   TestVolumes(check);
+  TestVolumesTogether(check);
   return check.Result();
 }

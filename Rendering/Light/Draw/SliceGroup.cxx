@@ -226,6 +226,27 @@ std::string SliceGroup::MakePlan(double coarseness, vtkShadowedSliceReport& repo
   return {};
 }
 
+std::string SliceGroup::Scatter(vtkRenderer* renderer)
+{
+  std::vector<SliceScatterer::Matter> matter;
+  for (const Member& member : this->Members)
+  {
+    matter.push_back(member.Renderer->GetScatteringMatter(member.Request));
+  }
+  std::string error;
+  const SliceRenderer* other = nullptr;
+  for (Member& member : this->Members)
+  {
+    if (error.empty())
+    {
+      error = member.Renderer->UpdateScattering(
+        renderer, member.Request, matter, other, member.Result.Report);
+    }
+    other = member.Renderer->GetFrame().Scattering.HasField() && !other ? member.Renderer : other;
+  }
+  return error;
+}
+
 std::string SliceGroup::DrawMembers(vtkRenderer* renderer, SliceScene* scene)
 {
   const double start = vtkTimerLog::GetUniversalTime();
@@ -236,7 +257,6 @@ std::string SliceGroup::DrawMembers(vtkRenderer* renderer, SliceScene* scene)
   const double coarseness = this->ChooseCoarseness();
   vtkShadowedSliceReport shared;
   std::vector<SliceRasterizer::Volume> volumes;
-  std::string error;
   for (Member& member : this->Members)
   {
     // Faults of lights are the same for all.
@@ -248,11 +268,8 @@ std::string SliceGroup::DrawMembers(vtkRenderer* renderer, SliceScene* scene)
       member.Result.Warnings = warnings;
     }
     volumes.push_back({ &member.Renderer->GetFrame(), &member.Renderer->GetTextures(window) });
-    if (error.empty())
-    {
-      error = member.Renderer->UpdateScattering(renderer, member.Request, member.Result.Report);
-    }
   }
+  std::string error = this->Scatter(renderer);
   error = error.empty() ? this->MakePlan(coarseness, shared) : error;
   for (std::size_t i = 0; i < this->Members.size() && error.empty(); ++i)
   {
@@ -297,7 +314,11 @@ std::string SliceGroup::DrawMembers(vtkRenderer* renderer, SliceScene* scene)
     report.ScatteringBytes = own.ScatteringBytes;
     report.ScatteringSolves = own.ScatteringSolves;
     report.ScatteringSeconds = own.ScatteringSeconds;
-    member.Renderer->AddField(window, *scene);
+    // What one volume has scattered is found in the matter of all, so that it counts once.
+    if (scene->Fields.empty())
+    {
+      member.Renderer->AddField(window, *scene);
+    }
     // Nothing of a picture by itself is kept.
     member.Renderer->ReleasePicture(window);
   }

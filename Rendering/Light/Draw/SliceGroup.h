@@ -87,6 +87,9 @@ private:
   /// Plans the picture, for all volumes. Returns why it cannot be drawn, or nothing.
   std::string MakePlan(double coarseness, vtkShadowedSliceReport& report);
   bool HasTooManySlices(const std::vector<SlicePlan::Matter>& matter, double coarseness) const;
+  /// Finds the light that is scattered in the matter of all volumes. Returns what is wrong, or
+  /// nothing.
+  std::string Scatter(vtkRenderer* renderer);
   std::string DrawMembers(vtkRenderer* renderer, SliceScene* scene);
 
   std::vector<Member> Members;

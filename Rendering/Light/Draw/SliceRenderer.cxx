@@ -337,15 +337,22 @@ void SliceRenderer::UpdateView(vtkRenderer* renderer, vtkVolume* volume, const R
   report.NonFiniteVoxels = frame.Samples.NonFinite;
 }
 
-std::string SliceRenderer::UpdateScattering(
-  vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report)
+SliceScatterer::Matter SliceRenderer::GetScatteringMatter(const Request& request) const
+{
+  return { &this->Frame, { { this->SamplesVersion, this->MaterialVersion } },
+    request.Settings.ScatteringGridSize };
+}
+
+std::string SliceRenderer::UpdateScattering(vtkRenderer* renderer, const Request& request,
+  const std::vector<SliceScatterer::Matter>& matter, const SliceRenderer* other,
+  vtkShadowedSliceReport& report)
 {
   // A selection is drawn without lights, and what they have scattered is kept.
   const std::string error = renderer->GetSelector()
     ? std::string()
     : this->Scatterer.Solve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()),
-
-        this->Frame, { { this->SamplesVersion, this->MaterialVersion } }, request.Settings, report);
+        this->Frame, matter, request.Settings, other ? &other->Scatterer : nullptr,
+        other ? &other->Frame.Scattering : nullptr, report);
   report.TextureBytes = this->GetTextureBytes();
   return error;
 }
@@ -370,7 +377,8 @@ std::string SliceRenderer::Update(vtkRenderer* renderer, vtkVolume* volume, cons
         this->LastSeconds, this->LastCoarseness, volume->GetAllocatedRenderTime())
     : 1.0;
   this->UpdateView(renderer, volume, request, coarseness, warnings, report);
-  const std::string fault = this->UpdateScattering(renderer, request, report);
+  const std::string fault = this->UpdateScattering(
+    renderer, request, { this->GetScatteringMatter(request) }, nullptr, report);
   if (!fault.empty())
   {
     return fault;

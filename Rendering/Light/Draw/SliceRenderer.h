@@ -82,9 +82,13 @@ public:
   void MoveTo(const Request& request, const glm::dvec3& center, double radius);
   void UpdateView(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
     double coarseness, std::vector<std::string>& warnings, vtkShadowedSliceReport& report);
-  /// Finds the light that was scattered before. Returns what is wrong, or nothing.
-  std::string UpdateScattering(
-    vtkRenderer* renderer, const Request& request, vtkShadowedSliceReport& report);
+  /// What scattered light has to know of the volume.
+  SliceScatterer::Matter GetScatteringMatter(const Request& request) const;
+  /// Finds the light that was scattered before in all matter of the picture, or takes it from
+  /// another volume's renderer that has found the same. Returns what is wrong, or nothing.
+  std::string UpdateScattering(vtkRenderer* renderer, const Request& request,
+    const std::vector<SliceScatterer::Matter>& matter, const SliceRenderer* other,
+    vtkShadowedSliceReport& report);
   std::string Upload(vtkOpenGLRenderWindow* window, vtkShadowedSliceReport& report);
   ///@}
   /// Gives a scene the light that was scattered before, if there is any, for its surfaces; after

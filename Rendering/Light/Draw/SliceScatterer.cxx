@@ -71,16 +71,25 @@ void AddLight(std::vector<double>& key, const LightSource& light)
   key.push_back(light.Area ? static_cast<double>(light.Area->GetMTime()) : 0.0);
 }
 
-// Returns all numbers that scattered light depends on but for the phase function.
-std::vector<double> MakeKey(const SliceFrame& frame, const std::array<int, 2>& versions,
-  const std::vector<LightSource>& lights, const Settings& settings)
+bool Scatters(const SliceFrame& frame)
 {
-  std::vector<double> key{ static_cast<double>(versions[0]), static_cast<double>(versions[1]),
-    static_cast<double>(settings.MultipleScattering), settings.ForwardSpread,
-    static_cast<double>(settings.BackwardLayers), static_cast<double>(settings.ScatteringGridSize),
-    static_cast<double>(GetLightSamples(settings)), frame.Space.Radius,
-    static_cast<double>(CasterCells::GetTime(frame.Scene)), frame.Region.HasCropping ? 1.0 : 0.0,
-    static_cast<double>(frame.Region.CroppingFlags) };
+  return frame.Scattering.Mode >= Settings::FORWARD_SCATTERING;
+}
+
+// What is known by its address.
+double GetAddress(const void* object)
+{
+  return static_cast<double>(reinterpret_cast<std::uintptr_t>(object));
+}
+
+void AddMatter(std::vector<double>& key, const SliceScatterer::Matter& matter)
+{
+  const SliceFrame& frame = *matter.Frame;
+  key.insert(key.end(),
+    { GetAddress(&frame), static_cast<double>(matter.Versions[0]),
+      static_cast<double>(matter.Versions[1]), static_cast<double>(matter.GridSize),
+      Scatters(frame) ? 1.0 : 0.0, frame.Space.Radius, frame.Region.HasCropping ? 1.0 : 0.0,
+      static_cast<double>(frame.Region.CroppingFlags) });
   Add(key, glm::value_ptr(frame.Space.UnitFromTexture), 16);
   Add(key, glm::value_ptr(frame.Space.VolumeFromUnit), 16);
   Add(key, glm::value_ptr(frame.Region.CroppingLower), 3);
@@ -93,10 +102,24 @@ std::vector<double> MakeKey(const SliceFrame& frame, const std::array<int, 2>& v
   {
     Add(key, plane.data(), 4);
   }
+}
+
+// Returns all numbers that scattered light depends on but for the phase function.
+std::vector<double> MakeKey(const SliceFrame& frame,
+  const std::vector<SliceScatterer::Matter>& matter, const std::vector<LightSource>& lights,
+  const Settings& settings)
+{
+  std::vector<double> key{ static_cast<double>(settings.MultipleScattering), settings.ForwardSpread,
+    static_cast<double>(settings.BackwardLayers), static_cast<double>(GetLightSamples(settings)),
+    static_cast<double>(CasterCells::GetTime(frame.Scene)), static_cast<double>(matter.size()) };
+  for (const SliceScatterer::Matter& volume : matter)
+  {
+    AddMatter(key, volume);
+  }
   for (const LightSource& light : lights)
   {
     // Maps of the field are known by their lights.
-    key.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(light.Light)));
+    key.push_back(GetAddress(light.Light));
     AddLight(key, light);
   }
   return key;
@@ -156,8 +179,14 @@ std::string SliceScatterer::SetPhase(const Settings& settings, SliceScattering& 
   return error;
 }
 
-std::string SliceScatterer::MakeField(
-  vtkOpenGLRenderWindow* window, SliceFrame& frame, const Settings& settings)
+bool SliceScatterer::HasPhaseOf(const SliceScatterer& other) const
+{
+  return this->Kind == other.Kind && this->TableTime == other.TableTime &&
+    (this->Kind != Settings::HENYEY_GREENSTEIN_PHASE || this->Anisotropy == other.Anisotropy);
+}
+
+std::string SliceScatterer::MakeField(vtkOpenGLRenderWindow* window, SliceFrame& frame,
+  const std::vector<Matter>& matter, const Settings& settings)
 {
   SliceScattering& scattering = frame.Scattering;
   scattering.Texels.clear();
@@ -167,11 +196,14 @@ std::string SliceScatterer::MakeField(
   this->BlockedCells = 0;
   const std::vector<LightSource> lights = FindLights(frame);
   MatterGrid grid;
-  const int size = settings.ScatteringGridSize > 0 ? settings.ScatteringGridSize : AutomaticCells;
-  if (scattering.Mode < Settings::FORWARD_SCATTERING || lights.empty() ||
-    !grid.Build({ frame.Samples, frame.Blocks, frame.Material, frame.Space, frame.Region,
-                  frame.Spacing, frame.UnitDistances },
-      size))
+  std::vector<MatterGrid::Volume> volumes;
+  for (const Matter& volume : matter)
+  {
+    const SliceFrame& own = *volume.Frame;
+    volumes.push_back({ own.Samples, own.Blocks, own.Material, own.Space, own.Region, own.Spacing,
+      own.UnitDistances, volume.GridSize > 0 ? volume.GridSize : AutomaticCells, Scatters(own) });
+  }
+  if (!Scatters(frame) || lights.empty() || !grid.Build(volumes))
   {
     return {};
   }
@@ -229,16 +261,26 @@ std::string SliceScatterer::MakeField(
 }
 
 std::string SliceScatterer::Solve(vtkOpenGLRenderWindow* window, SliceFrame& frame,
-  const std::array<int, 2>& versions, const Settings& settings, vtkShadowedSliceReport& report)
+  const std::vector<Matter>& matter, const Settings& settings, const SliceScatterer* other,
+  const SliceScattering* known, vtkShadowedSliceReport& report)
 {
   const double start = vtkTimerLog::GetUniversalTime();
-  const bool isAsked = frame.Scattering.Mode >= Settings::FORWARD_SCATTERING;
+  const bool isAsked = Scatters(frame);
   const std::vector<double> key =
-    isAsked ? MakeKey(frame, versions, FindLights(frame), settings) : std::vector<double>();
+    isAsked ? MakeKey(frame, matter, FindLights(frame), settings) : std::vector<double>();
   std::string error;
   if (key != this->Key)
   {
-    error = this->MakeField(window, frame, settings);
+    if (isAsked && other && other->Key == key && this->HasPhaseOf(*other))
+    {
+      frame.Scattering = *known;
+      this->Cells = other->Cells;
+      this->BlockedCells = other->BlockedCells;
+    }
+    else
+    {
+      error = this->MakeField(window, frame, matter, settings);
+    }
     ++this->Version;
     this->Key = error.empty() ? key : NoKey;
     this->Solves = isAsked ? this->Solves + (this->Cells > 0 ? 1 : 0) : 0;

@@ -32,14 +32,24 @@ public:
   /// or nothing.
   std::string SetPhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
 
+  /// A volume whose matter is in the picture, the versions of its samples and material, and its
+  /// setting ScatteringGridSize.
+  struct Matter
+  {
+    const SliceFrame* Frame;
+    std::array<int, 2> Versions;
+    int GridSize;
+  };
+
   /**
    * Finds the light that was scattered before, where settings ask for it and something has changed:
-   * the volume, of these versions, what is left of it, its place, lights, the shadows of surfaces.
-   * Returns what is wrong, or nothing.
+   * the matter of all volumes, what is left of them, their places, lights, the shadows of surfaces.
+   * Where \a other has found the same for another volume it is taken from \a known, the scattering
+   * of that one. Returns what is wrong, or nothing.
    */
   std::string Solve(vtkOpenGLRenderWindow* window, SliceFrame& frame,
-    const std::array<int, 2>& versions, const vtkShadowedSliceSettings& settings,
-    vtkShadowedSliceReport& report);
+    const std::vector<Matter>& matter, const vtkShadowedSliceSettings& settings,
+    const SliceScatterer* other, const SliceScattering* known, vtkShadowedSliceReport& report);
 
   /// The cells that opaque surfaces block, of the last field.
   int GetBlockedCells() const { return this->BlockedCells; }
@@ -48,8 +58,10 @@ public:
 
 private:
   std::string MakePhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
-  std::string MakeField(
-    vtkOpenGLRenderWindow* window, SliceFrame& frame, const vtkShadowedSliceSettings& settings);
+  std::string MakeField(vtkOpenGLRenderWindow* window, SliceFrame& frame,
+    const std::vector<Matter>& matter, const vtkShadowedSliceSettings& settings);
+  /// Whether the light is scattered by the same phase function.
+  bool HasPhaseOf(const SliceScatterer& other) const;
 
   PhaseFunction Phase;
   /// What the phase function was made of.

@@ -73,48 +73,97 @@ bool FindBox(const MatterGrid::Volume& volume, Box& box)
   }
   return true;
 }
-}
 
-bool MatterGrid::PlaceBox(const Volume& volume, int cells)
+// Returns the directions of a volume's edges, or the axes of the world where they are oblique.
+glm::dmat3 FindAxes(const MatterGrid::Volume& volume)
 {
-  Box box;
-  if (!FindBox(volume, box))
-  {
-    return false;
-  }
-  const glm::dmat4& unitFromTexture = volume.Space.UnitFromTexture;
+  constexpr double flattest = 1e-6;
+  glm::dmat3 axes;
   bool isOrthogonal = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const glm::dvec3 edge(unitFromTexture[axis]);
-    this->Axes[axis] = edge / Vectors::SafeLength(edge);
+    const glm::dvec3 edge(volume.Space.UnitFromTexture[axis]);
+    axes[axis] = edge / Vectors::SafeLength(edge);
     for (int other = 0; other < axis; ++other)
     {
-      constexpr double flattest = 1e-6;
-      isOrthogonal =
-        isOrthogonal && std::abs(glm::dot(this->Axes[axis], this->Axes[other])) < flattest;
+      isOrthogonal = isOrthogonal && std::abs(glm::dot(axes[axis], axes[other])) < flattest;
     }
   }
-  this->Axes = isOrthogonal ? this->Axes : glm::dmat3(1.0);
+  return isOrthogonal ? axes : glm::dmat3(1.0);
+}
+
+glm::dmat3 FindAxes(const std::vector<const MatterGrid::Volume*>& volumes)
+{
+  constexpr double parallel = 1.0 - 1e-9;
+  const glm::dmat3 axes = FindAxes(*volumes[0]);
+  for (const MatterGrid::Volume* volume : volumes)
+  {
+    const glm::dmat3 others = FindAxes(*volume);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (std::abs(glm::dot(axes[axis], others[axis])) < parallel)
+      {
+        return glm::dmat3(1.0);
+      }
+    }
+  }
+  return axes;
+}
+}
+
+bool MatterGrid::PlaceBox(const std::vector<Volume>& volumes)
+{
+  std::vector<Box> boxes;
+  std::vector<const Volume*> seen;
+  for (const Volume& volume : volumes)
+  {
+    Box box;
+    if (volume.Scatters && FindBox(volume, box))
+    {
+      boxes.push_back(box);
+      seen.push_back(&volume);
+    }
+  }
+  if (seen.empty())
+  {
+    return false;
+  }
+  this->Axes = FindAxes(seen);
   glm::dvec3 lower(std::numeric_limits<double>::max());
   glm::dvec3 upper(-std::numeric_limits<double>::max());
-  const BoxCorners corners(volume.Space, box);
-  for (const glm::dvec3& corner : corners.Get())
+  // The shortest edge of a voxel, beyond which cells have nothing more to show, and of a cell.
+  double finest = std::numeric_limits<double>::max();
+  double smallest = finest;
+  // What the largest number of cells along one volume, or along all of them, is.
+  double along = seen.size() > 1 ? MostTogether : 0.0;
+  for (std::size_t i = 0; i < seen.size(); ++i)
   {
-    lower = glm::min(lower, corner * this->Axes);
-    upper = glm::max(upper, corner * this->Axes);
+    glm::dvec3 first(std::numeric_limits<double>::max());
+    glm::dvec3 last(-std::numeric_limits<double>::max());
+    const BoxCorners corners(seen[i]->Space, boxes[i]);
+    for (const glm::dvec3& corner : corners.Get())
+    {
+      first = glm::min(first, corner * this->Axes);
+      last = glm::max(last, corner * this->Axes);
+    }
+    lower = glm::min(lower, first);
+    upper = glm::max(upper, last);
+    const double longest = Vectors::InfinityNorm(last - first);
+    double voxel = longest;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double edge = Vectors::SafeLength(glm::dvec3(seen[i]->Space.UnitFromTexture[axis]));
+      voxel = std::min(voxel, edge / seen[i]->Samples.Size[axis]);
+    }
+    finest = std::min(finest, voxel);
+    const double most = std::max(std::ceil(longest / voxel - 1e-6), 1.0);
+    const double cells = std::min(static_cast<double>(seen[i]->Cells), most);
+    smallest = std::min(smallest, longest / cells);
+    along = std::max(along, cells);
   }
   const glm::dvec3 whole = upper - lower;
   const double longest = Vectors::InfinityNorm(whole);
-  // The size of the finest voxel's edge, beyond which cells have nothing more to show.
-  double finest = longest;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double edge = Vectors::SafeLength(glm::dvec3(unitFromTexture[axis]));
-    finest = std::min(finest, edge / volume.Samples.Size[axis]);
-  }
-  const double most = std::max(std::ceil(longest / finest - 1e-6), 1.0);
-  const double along = std::min(static_cast<double>(cells), most);
+  along = seen.size() > 1 ? std::min(along, longest / smallest) : along;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double edge = std::max(whole[axis], 0.5 * longest / along);
@@ -143,20 +192,21 @@ glm::ivec3 MatterGrid::GetCell(std::size_t index) const
     static_cast<int>(index / columns / rows) };
 }
 
-bool MatterGrid::Build(const Volume& volume, int cells)
+bool MatterGrid::Build(const std::vector<Volume>& volumes)
 {
   this->Parts.clear();
   this->Medium = ScatteringMedium();
-  if (!this->PlaceBox(volume, cells))
+  if (!this->PlaceBox(volumes))
   {
     return false;
   }
   const std::size_t number = this->Medium.GetNumberOfCells();
   this->Medium.Extinction.assign(number, 0.0F);
   this->Medium.Albedo.assign(number, glm::vec3(0.0F));
-  const bool isColored = !volume.Material.Transmission.empty();
+  const bool isColored = std::any_of(volumes.begin(), volumes.end(),
+    [](const Volume& volume) { return !volume.Material.Transmission.empty(); });
   this->Parts.assign(isColored ? number : 0, glm::vec3(1.0F));
-  const MatterSampler sampler(volume);
+  const std::vector<MatterSampler> samplers(volumes.begin(), volumes.end());
   const double samples = this->Steps.x * this->Steps.y * this->Steps.z;
   vtkSMPTools::For(0, static_cast<vtkIdType>(number),
     [&](vtkIdType first, vtkIdType last)
@@ -177,11 +227,15 @@ bool MatterGrid::Build(const Volume& volume, int cells)
             {
               const glm::dvec3 place = this->Medium.CellSize *
                 (glm::dvec3(at) + (glm::dvec3(step) + 0.5) / glm::dvec3(this->Steps));
-              const MatterSampler::Sample sample = sampler.Get(this->ToUnit(place));
-              const glm::dvec3 part = 1.0 - sample.Transmission;
-              extinction += sample.Extinction;
-              taken += sample.Extinction * part;
-              scattered += sample.Extinction * part * sample.Albedo;
+              for (std::size_t i = 0; i < samplers.size(); ++i)
+              {
+                const MatterSampler::Sample sample = samplers[i].Get(this->ToUnit(place));
+                const glm::dvec3 part = 1.0 - sample.Transmission;
+                extinction += sample.Extinction;
+                taken += sample.Extinction * part;
+                scattered +=
+                  volumes[i].Scatters ? sample.Extinction * part * sample.Albedo : glm::dvec3(0.0);
+              }
             }
           }
         }

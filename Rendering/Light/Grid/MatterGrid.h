@@ -21,13 +21,17 @@ class VolumeSamples;
 
 /**
  * @class   MatterGrid
- * @brief   the matter of a volume in the cells of a box, as its mean in each
+ * @brief   the matter of volumes in the cells of a box, as its mean in each
  *
- * The box is around the blocks that can be seen, within what cropping leaves, along the edges of
- * the volume where these are perpendicular, else along the axes of the world. Its coordinates are
- * those of unit space from its lower corner, turned to its axes; extinctions are for lengths there.
- * Cells are as cubic as whole numbers of them allow; a box thinner than half a cell becomes as
- * thick as that.
+ * The box is around the blocks that can be seen of all volumes that scatter, within what cropping
+ * leaves, along the edges of the first one where these are perpendicular and the others' are
+ * parallel to them, else along the axes of the world. Its coordinates are those of unit space,
+ * which all volumes share, from its lower corner, turned to its axes; extinctions are for lengths
+ * there. Cells are as cubic as whole numbers of them allow; a box thinner than half a cell becomes
+ * as thick as that. Those of several volumes are as small as the smallest that one of them has by
+ * itself, but no more than MostTogether along the longest edge, or what one of them asks for.
+ *
+ * Extinctions of volumes add up. Matter of a volume that does not scatter takes light.
  *
  * A cell has the mean extinction of up to 8 samples along each axis, one for each voxel as far as
  * that goes and 2 at least, interpolated and then classified as the slices do, so that the optical
@@ -49,14 +53,19 @@ public:
     glm::dvec3 Spacing;
     /// Of each row.
     std::array<double, 4> UnitDistances;
+    /// The cells along the volume's longest edge; it has fewer where it has fewer voxels.
+    int Cells;
+    bool Scatters;
   };
 
+  /// The largest automatic number of cells along the longest edge of several volumes.
+  static constexpr int MostTogether = 64;
+
   /**
-   * Fills the medium but for its phase function, \a cells of them along the longest edge, or fewer
-   * where there are fewer voxels. Returns false where nothing can be seen. The result is the same
-   * for any number of threads.
+   * Fills the medium but for its phase function. Returns false where nothing can be seen that
+   * scatters. The result is the same for any number of threads.
    */
-  bool Build(const Volume& volume, int cells);
+  bool Build(const std::vector<Volume>& volumes);
 
   const ScatteringMedium& GetMedium() const { return this->Medium; }
   ScatteringMedium& GetMedium() { return this->Medium; }
@@ -79,7 +88,7 @@ public:
   glm::ivec3 GetCell(std::size_t index) const;
 
 private:
-  bool PlaceBox(const Volume& volume, int cells);
+  bool PlaceBox(const std::vector<Volume>& volumes);
 
   ScatteringMedium Medium;
   std::vector<glm::vec3> Parts;
