@@ -20,6 +20,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
 #include "vtkPVRenderView.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
 #include "vtkTrivialProducer.h"
 #include "vtkVolumeProperty.h"
@@ -148,6 +149,29 @@ void vtkShadowedSliceRepresentation::SetBackwardLayers(int layers)
 void vtkShadowedSliceRepresentation::SetScatteringGridSize(int size)
 {
   this->Mapper->SetScatteringGridSize(size);
+}
+
+void vtkShadowedSliceRepresentation::AddScatteringAlbedoPoint(
+  double scalar, double red, double green, double blue)
+{
+  this->Albedo->AddRGBPoint(scalar, red, green, blue);
+}
+
+void vtkShadowedSliceRepresentation::RemoveAllScatteringAlbedoPoints()
+{
+  this->Albedo->RemoveAllPoints();
+}
+
+void vtkShadowedSliceRepresentation::AddPhaseTablePoint(double cosine, double value)
+{
+  this->PhaseTable->AddPoint(cosine, value);
+  this->Mapper->SetPhaseTable(this->PhaseTable);
+}
+
+void vtkShadowedSliceRepresentation::RemoveAllPhaseTablePoints()
+{
+  this->PhaseTable->RemoveAllPoints();
+  this->Mapper->SetPhaseTable(nullptr);
 }
 
 void vtkShadowedSliceRepresentation::SetColoredShadows(bool colored)
@@ -388,6 +412,8 @@ void vtkShadowedSliceRepresentation::UpdateScalars()
   }
   const bool isTinted = this->ColoredShadows && components <= 2;
   this->Mapper->SetTransmissionColor(isTinted ? colors : nullptr);
+  const bool hasAlbedo = this->Albedo->GetSize() > 0 && components <= 2;
+  this->Mapper->SetScatteringAlbedo(hasAlbedo ? this->Albedo.Get() : nullptr);
 }
 
 void vtkShadowedSliceRepresentation::PrintSelf(ostream& os, vtkIndent indent)

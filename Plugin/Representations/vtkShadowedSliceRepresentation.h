@@ -105,6 +105,27 @@ public:
   void SetScatteringGridSize(int size);
   ///@}
 
+  ///@{
+  /**
+   * The points of the mapper's ScatteringAlbedo: scalars, and for each the share of light, red,
+   * green and blue, 0 to 1, that goes on where it meets matter; linear between them, that of the
+   * next one beyond. Without points, as at first, the colours are the albedo. Without effect on
+   * arrays that are drawn by their components.
+   */
+  void AddScatteringAlbedoPoint(double scalar, double red, double green, double blue);
+  void RemoveAllScatteringAlbedoPoints();
+  ///@}
+
+  ///@{
+  /**
+   * The points of the mapper's PhaseTable: cosines, -1 to 1, and for each how much light goes on at
+   * that angle; linear between them. The values are 0 or above, in any unit. Without points, as at
+   * first, the table is even in all directions.
+   */
+  void AddPhaseTablePoint(double cosine, double value);
+  void RemoveAllPhaseTablePoints();
+  ///@}
+
   /**
    * Whether light takes on the colour of the matter that it passes: the mapper's TransmissionColor
    * is the colour function. Without effect on RGB components. Default off.
@@ -174,6 +195,8 @@ private:
   std::unique_ptr<vtkImageComponent> Component;
   std::unique_ptr<vtkVolumeFunctions> Functions;
   std::unique_ptr<vtkConstantScalars> Constant;
+  vtkNew<vtkColorTransferFunction> Albedo;
+  vtkNew<vtkPiecewiseFunction> PhaseTable;
   vtkWeakPointer<vtkRenderer> ViewRenderer;
   vtkSmartPointer<vtkSceneShadows> SceneShadows;
   bool ColoredShadows = false;

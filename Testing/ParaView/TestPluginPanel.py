@@ -57,6 +57,8 @@ CASES = {
         "NumberOfLightSamples": (9, LAMP), "SoftShadowMethod": ("Accumulated Convolution", LAMP),
         "MultipleScattering": ("Single", {}), "ScatteringPhaseFunction": ("Henyey Greenstein", PHASE),
         "ScatteringAnisotropy": (0.3, {**PHASE, "ScatteringPhaseFunction": "Henyey Greenstein"}),
+        "ScatteringPhaseTable": ([-1.0, 0.0, 1.0, 2.0], {**PHASE, "ScatteringPhaseFunction": "Table"}),
+        "ScatteringAlbedo": ([0.0, 0.1, 0.4, 0.9, 8.0, 0.9, 0.4, 0.1], PHASE),
         "ScatteringForwardSpread": (0.5, {"MultipleScattering": "Forward"}),
         "ScatteringBackwardLayers": (1, {"MultipleScattering": "Full"}),
         "ScatteringGridSize": (4, {"MultipleScattering": "Full"})})}

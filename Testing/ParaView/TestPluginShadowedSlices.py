@@ -24,8 +24,8 @@ PROPERTIES = {
     "ambient": "Ambient", "unit": "ShadowedOpacityUnitDistance", "shade": "ShadowedShade",
     "shadows": "Shadows", "number_of_shadows": "MaximumNumberOfShadows", "colored": "ColoredShadows",
     "spacing": "SliceSpacing"}
-OWN_PREFIXES = ("AreaLight", "Colored", "ImageSample", "Light", "MaximumNumberOfS", "NumberOfLight", "Projective",
-                "Scene", "Shadow", "SliceSpacing", "SoftShadow", "ViewLight")
+OWN_PREFIXES = ("AreaLight", "Colored", "ImageSample", "Light", "MaximumNumberOfS", "MultipleScattering",
+                "NumberOfLight", "Projective", "Scattering", "Scene", "Shadow", "SliceSpacing", "SoftShadow", "ViewLight")
 
 
 def add_lights(view, display, picture):

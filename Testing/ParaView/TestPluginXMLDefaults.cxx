@@ -490,6 +490,8 @@ int main(int argc, char* argv[])
       { "MultipleScattering", Text(slices->GetMultipleScattering()) },
       { "ScatteringPhaseFunction", Text(slices->GetPhaseFunction()) },
       { "ScatteringAnisotropy", Text(slices->GetAnisotropy()) },
+      { "ScatteringPhaseTable", slices->GetPhaseTable() ? "points" : "" },
+      { "ScatteringAlbedo", slices->GetScatteringAlbedo() ? "points" : "" },
       { "ScatteringForwardSpread", Text(slices->GetForwardSpread()) },
       { "ScatteringBackwardLayers", Text(slices->GetBackwardLayers()) },
       { "ScatteringGridSize", Text(slices->GetScatteringGridSize()) } });
