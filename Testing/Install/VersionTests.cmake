@@ -11,18 +11,21 @@ set(interlume_version_files
   Utilities/Benchmarks/Flow/VelocityInterpolation.cxx
   Utilities/Benchmarks/Shadows/GpuShadows.h
   # the arithmetic of small vectors
-  Utilities/Gallery/VectorArithmetic.h)
+  Utilities/Gallery/VectorArithmetic.h
+  # whether Python has the VTK that was found
+  Utilities/cmake/InterlumePython.cmake)
 
 function (find_version_tests root output)
   set(found)
   set(in_sources "VTK_(MAJOR_|MINOR_|BUILD_)?VERSION(_NUMBER|_CHECK)?[^A-Z_]|__has_include|vtk_gl(ew|ad)\\.h|vtkVectorOperators\\.h|GLEW_|GLAD_")
   set(in_cmake "VTK_(MAJOR_|MINOR_|BUILD_)?VERSION")
-  foreach (folder IN ITEMS Filters Rendering Plugin Testing Examples Utilities)
+  foreach (folder IN ITEMS Filters Rendering Plugin Python Testing Examples Utilities)
     file(GLOB_RECURSE sources RELATIVE "${root}"
       "${root}/${folder}/*.h" "${root}/${folder}/*.hxx" "${root}/${folder}/*.txx" "${root}/${folder}/*.cxx")
     file(GLOB_RECURSE scripts RELATIVE "${root}"
       "${root}/${folder}/CMakeLists.txt" "${root}/${folder}/*.cmake")
     list(REMOVE_ITEM sources ${interlume_version_files})
+    list(REMOVE_ITEM scripts ${interlume_version_files})
     # The test itself, which names what it looks for.
     list(FILTER scripts EXCLUDE REGEX "^Testing/Install/")
     foreach (kind IN ITEMS sources scripts)

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every public class is in the package, by VTK's wrapping, with its header's text; can be made if it
+is not abstract; and takes its settings. The argument is the project's folder."""
+
+import re
+import sys
+from pathlib import Path
+
+import interlume
+from interlume import InterlumeIntervals
+from vtkmodules.vtkCommonCore import vtkObject, vtkVersion
+
+source = Path(sys.argv[1])
+# Parts of mappers; a class of std::vector<bool>; the module that needs TetGen.
+without = {"Scene", "vtkIsotablePatch"}
+if not hasattr(interlume, "vtkTetrahedralMesher"):
+    without.add("Meshing")
+
+declared = re.compile(r"^(?:class|struct) INTERLUME\w+_EXPORT (vtk\w+)\s*(?::|$)", re.MULTILINE)
+classes = 0
+for header in sorted([*source.glob("Filters/*/vtk*.h"), *source.glob("Rendering/*/vtk*.h")]):
+    if without & {header.parent.name, header.stem}:
+        continue
+    text = header.read_text(encoding="utf-8")
+    for name in declared.findall(text):
+        wrapped = getattr(interlume, name, None)
+        assert isinstance(wrapped, type), f"{name} is not wrapped"
+        brief = re.search(rf"@class +{name}\s.*?@brief +(\w+)", text, re.DOTALL)
+        assert not brief or brief[1] in wrapped.__doc__, f"{name} has not its header's text"
+        if issubclass(wrapped, vtkObject) and f"static {name}* New();" in text:
+            made = wrapped()
+            assert made.IsA(name) and str(made), f"{name} cannot be made"
+        classes += 1
+assert classes > 50, classes
+assert InterlumeIntervals.vtkIntervalVolume is interlume.vtkIntervalVolume
+
+intervals = interlume.vtkIntervalVolume()
+intervals.SetInterval(1, 2.0, 3.0)
+assert intervals.GetNumberOfIntervals() == 2
+assert intervals.LOWER_SIDE != intervals.UPPER_SIDE
+mapper = interlume.vtkTimeWeightedTetrahedraMapper()
+mapper.SetSortMode(interlume.vtkTetrahedraSettings.MPVONC_SORT)
+assert mapper.GetSortMode() == interlume.vtkTetrahedraSettings.MPVONC_SORT != 0
+# VTK's properties, where it makes them.
+if hasattr(mapper, "blend_mode"):
+    intervals.generate_boundaries = True
+    assert intervals.GetGenerateBoundaries()
+print(f"{classes} classes of {vtkVersion.GetVTKVersion()}")
