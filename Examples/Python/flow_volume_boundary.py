@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A flow volume with one of its two boundary surfaces (figure 4.5).
+
+python3 flow_volume_boundary.py PICTURE.png
+"""
+
+from interlume import vtkAnalyticFlowSource, vtkFlowVolume
+from props import COLORS, make_inflow, make_intervals, run, select_triangles, set_boundary
+from stage import Stage
+
+jet = vtkAnalyticFlowSource()
+jet.SetField(jet.SADDLE)
+jet.SetDimensions(17, 17, 17)
+jet.SetBounds(-1.3, 1.3, -0.9, 0.9, 0.0, 1.0)
+jet.SetSaddleRates(0.65, 0.35, -1.0)
+nozzle = [(-0.5, -0.5, 1.0), (0.5, -0.5, 1.0), (-0.5, 0.5, 1.0)]
+inflow = make_inflow(jet, nozzle, (81, 65, 41), (-1.3, 1.3, -0.9, 0.9, 0.02, 1.0),
+                     "sqrt((u - 0.5)^2 + (v - 0.5)^2)")
+ring = vtkFlowVolume()
+ring.SetInterval(0, 0.16, 0.42)
+ring.GenerateStreamSurfacesOn()
+ring.GenerateNormalsOn()
+volume = make_intervals(run(ring, inflow), (COLORS[0], 1.2))
+inner = select_triangles(ring.GetOutputDataObject(1), "StreamSurfaceId", 0)
+set_boundary(volume, inner, COLORS[2], 1.0)
+
+stage = Stage()
+stage.add_panel().add(volume)
+stage.panels[0].look_from((0.45, -1.0, 0.4))
+stage.save()

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One interval at two time steps and between them: slices of 4-simplices (figure 3.11).
+
+python3 time_slices.py PICTURE.png
+"""
+
+from interlume import vtkAnalyticFieldSource, vtkSimplexTimeSlice, vtkTimeVaryingIntervalVolume
+from props import COLORS, make_actor, make_surface, run
+from stage import Stage
+
+wave = vtkAnalyticFieldSource()
+wave.SetFieldToWave()
+wave.SetDimensions(44, 55, 27)
+wave.SetBounds(-1.0, 1.0, -1.25, 1.25, -0.6, 0.6)
+wave.SetTimeRange(0.0, 0.5)
+wave.SetNumberOfTimeSteps(2)
+sheet = vtkTimeVaryingIntervalVolume()
+sheet.SetInputConnection(wave.GetOutputPort())
+sheet.SetInterval(0, -0.15, 0.15)
+sheet.GenerateTetrahedraOff()
+sheet.GenerateSimplicesOn()
+
+stage = Stage()
+times = {0.0: "time step 0", 0.25: "between, at 0.25", 0.5: "time step 0.5"}
+for time, caption in times.items():
+    cut = vtkSimplexTimeSlice()
+    cut.SetInputConnection(sheet.GetOutputPort(2))
+    cut.SetTime(time)
+    panel = stage.add_panel(caption)
+    color = COLORS[len(stage.panels)]
+    panel.add(make_actor(make_surface(run(cut), feature_angle=80.0), color))
+    if len(stage.panels) > 1:
+        panel.look_as(stage.panels[0])
+    else:
+        panel.look_from((0.55, -1.0, 1.0))
+stage.save()

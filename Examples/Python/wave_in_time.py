@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A wave between two time steps, coloured by time (figure 3.20).
+
+python3 wave_in_time.py PICTURE.png
+"""
+
+from interlume import (
+    vtkAnalyticFieldSource, vtkTemporalColorTransferFunction, vtkTimeVaryingIntervalVolume)
+from props import make_opacities, make_volume, run
+from stage import DARK, Stage
+
+wave = vtkAnalyticFieldSource()
+wave.SetFieldToWave()
+wave.SetDimensions(40, 20, 20)
+wave.SetBounds(-2.0, 2.0, -1.0, 1.0, -1.0, 1.0)
+wave.SetTimeRange(0.0, 1.0)
+wave.SetNumberOfTimeSteps(2)
+sheet = vtkTimeVaryingIntervalVolume()
+sheet.SetInputConnection(wave.GetOutputPort())
+sheet.SetInterval(0, -0.15, 0.15)
+
+colors = vtkTemporalColorTransferFunction()
+colors.SetTimes(2, [0.0, 1.0])
+extinction = make_opacities((0.0, 1.1))
+volume = make_volume(run(sheet), "Time", colors, extinction)
+volume.GetMapper().SetBlendModeToAdditive()
+
+stage = Stage()
+panel = stage.add_panel()
+panel.set_background(*DARK)
+panel.add(volume)
+panel.look_from((0.27, -1.0, 0.13))
+stage.set_color_bar("time", colors, 0.0, 1.0)
+stage.save()
