@@ -32,6 +32,19 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
        << " cells, " << this->AddedSamples[level] << " samples added\n";
   }
   interlume::NamedValue::Print(os, indent,
+    { { "SamplingChecks", this->Sampling.Checks },
+      { "SamplingSplitCells", this->Sampling.SplitCells },
+      { "SamplingDifferentMiddles", this->Sampling.DifferentMiddles },
+      { "SamplingCompared", this->Sampling.Compared } });
+  const auto printError = [&](const char* quantity, const vtkFlowSamplingReport::Error& error)
+  {
+    os << indent << "Sampling error, " << quantity << ": mean " << error.Mean << ", 99 % "
+       << error.Percentile99 << ", largest " << error.Largest << "\n";
+  };
+  printError("u", this->Sampling.U);
+  printError("v", this->Sampling.V);
+  printError("time", this->Sampling.Time);
+  interlume::NamedValue::Print(os, indent,
     { { "Executions", this->Executions }, { "MaximumError", this->MaximumError },
       { "MinimumSpeed", this->MinimumSpeed }, { "MaximumSpeed", this->MaximumSpeed },
       { "FillValues", this->FillValues }, { "JoinedFaces", this->JoinedFaces },

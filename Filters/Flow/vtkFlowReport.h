@@ -2,7 +2,8 @@
 #ifndef vtkFlowReport_h
 #define vtkFlowReport_h
 
-#include "InterlumeFlowModule.h" // for the export macro
+#include "InterlumeFlowModule.h"   // for the export macro
+#include "vtkFlowSamplingReport.h" // for the error of sampling
 #include "vtkFlowStatus.h"
 #include "vtkIndent.h"
 #include "vtkType.h"
@@ -69,6 +70,9 @@ public:
   /// The numbers of cells that were mixed and of samples that were added, by level of refinement.
   std::vector<vtkIdType> RefinedCells;
   std::vector<vtkIdType> AddedSamples;
+  /// What interpolation between samples is off by (SamplingChecks). The streamlines that it was
+  /// compared with are in no other number of this report.
+  vtkFlowSamplingReport Sampling;
   /// How often samples were advected since the filter was made; an execution that advects none does
   /// not count.
   vtkIdType Executions = 0;

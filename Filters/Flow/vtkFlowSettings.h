@@ -51,6 +51,7 @@ struct vtkFlowSettings
   bool ShareStreamlines = false;
   bool KeepSteps = false;
   int RefinementLevels = 0;
+  int SamplingChecks = 1000;
 };
 
 #endif

@@ -72,6 +72,17 @@ public:
    * id in use: the id, and whether u and v are periodic with period 1 there.
    */
   static const char* SurfacesArray() { return "TerminationSurfaces"; }
+  ///@{
+  /**
+   * The names of the field arrays of samples in whose cells interpolation was compared with
+   * streamlines (vtkFlowSamplingReport). SamplingChecks (vtkIdType, one tuple): Checks, SplitCells,
+   * DifferentMiddles, Compared. SamplingErrors (double, three tuples: mean, 99 in 100, largest):
+   * the errors of u, v and time.
+   */
+  static const char* SamplingChecksArray() { return "SamplingChecks"; }
+  static const char* SamplingErrorsArray() { return "SamplingErrors"; }
+  ///@}
+
   /**
    * The beginning of the names of field arrays that have a tuple for each sample beside a surface,
    * where that passes through a cell of the samples which can be cut there. BeyondSampleId

@@ -306,6 +306,10 @@ int vtkImplicitFlowField::RequestData(
     return 1;
   }
   interlume::AdvectionOptions options(*this);
+  const bool isSampled = this->SampleMode == SAMPLES_OF_IMAGE ||
+    (this->SampleMode == SAMPLES_AUTOMATIC &&
+      field->GetNumberOfPoints() > interlume::SampleGrid::MostPoints);
+  options.SamplingChecks = isSampled ? this->SamplingChecks : 0;
   vtkSmartPointer<vtkDataSet> samples = output;
   if (this->RefinementLevels > 0)
   {
@@ -611,9 +615,9 @@ void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
       { "CriticalPointId", this->CriticalPointId },
       { "CriticalPointRadius", this->CriticalPointRadius }, { "SampleMode", this->SampleMode },
       { "SampleDimensions", this->SampleDimensions }, { "SampleBounds", this->SampleBounds },
-      { "Direction", this->Direction }, { "Integrator", this->Integrator },
-      { "MaximumError", this->MaximumError }, { "MaximumTime", this->MaximumTime },
-      { "MaximumNumberOfSteps", this->MaximumNumberOfSteps },
+      { "SamplingChecks", this->SamplingChecks }, { "Direction", this->Direction },
+      { "Integrator", this->Integrator }, { "MaximumError", this->MaximumError },
+      { "MaximumTime", this->MaximumTime }, { "MaximumNumberOfSteps", this->MaximumNumberOfSteps },
       { "MinimumSpeed", this->MinimumSpeed }, { "ArrivalTolerance", this->ArrivalTolerance },
       { "ComputeMaximumSpeed", this->ComputeMaximumSpeed },
       { "ComputeArcLength", this->ComputeArcLength },

@@ -181,6 +181,20 @@ public:
   vtkGetVector6Macro(SampleBounds, double);
   ///@}
 
+  ///@{
+  /**
+   * The number of cells of samples in whose middles what is interpolated between the samples is
+   * compared with a streamline from there, where the samples are made by the filter:
+   * SAMPLES_OF_IMAGE, and SAMPLES_AUTOMATIC of a field with more points. The report has the errors
+   * (vtkFlowSamplingReport), and so have the field arrays SamplingChecks and SamplingErrors of
+   * vtkFlowStatus. The cells are spread over all that have a corner in the field, always the same
+   * ones. Cells that are refined are not compared. Default 1000. Valid: 0, for no comparison, to
+   * 1000000.
+   */
+  vtkSetClampMacro(SamplingChecks, int, 0, 1000000);
+  vtkGetMacro(SamplingChecks, int);
+  ///@}
+
   /// Sets the dataset of the samples, on port 1, for SAMPLES_OF_INPUT.
   void SetSampleConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetSampleData(vtkDataSet* data);

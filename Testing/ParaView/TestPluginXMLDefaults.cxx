@@ -253,6 +253,7 @@ void CompareFlowFilters(const std::string& folder)
       { "SampleMode", Text(field->GetSampleMode()) },
       { "SampleDimensions", Text(field->GetSampleDimensions(), 3) },
       { "SampleBounds", Text(field->GetSampleBounds(), 6) },
+      { "SamplingChecks", Text(field->GetSamplingChecks()) },
       { "Direction", Text(field->GetDirection()) }, { "Integrator", Text(field->GetIntegrator()) },
       { "MaximumError", Text(field->GetMaximumError()) },
       { "MaximumTime", Text(field->GetMaximumTime()) },

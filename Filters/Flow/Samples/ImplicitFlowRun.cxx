@@ -14,6 +14,7 @@
 #include "Samples/ImplicitFlowArrays.h"
 #include "Samples/LatticeSteps.h"
 #include "Samples/SampleOrder.h"
+#include "Samples/SamplingCheck.h"
 #include "Samples/SharedLattice.h"
 #include "Samples/TerminationSides.h"
 
@@ -293,6 +294,10 @@ void ImplicitFlowRun::FollowAll(const Walker& walker, vtkDataSet* samples)
   {
     this->FindBeyond(walker, grid ? grid.GetPointer() : samples);
   }
+  if (goesOn && !grid && this->Options.SamplingChecks > 0)
+  {
+    this->CheckSampling(walker, samples);
+  }
   this->Refined = goesOn ? grid : nullptr;
 }
 
@@ -542,6 +547,38 @@ void ImplicitFlowRun::FindBeyond(const Walker& walker, vtkDataSet* samples) cons
   }
   // The id tells whether something is reached.
   data->RemoveArray(Beyond::GetName(vtkFlowStatus::StatusArray()).c_str());
+}
+
+template <typename Walker>
+void ImplicitFlowRun::CheckSampling(const Walker& walker, vtkDataSet* samples)
+{
+  ImplicitFlowArrays arrays;
+  if (!arrays.Find(samples).empty())
+  {
+    return;
+  }
+  SamplingCheck check(samples, arrays, this->Options.SamplingChecks);
+  const bool isDone = Batches::Run(check.GetNumber(), this->Owner, 1.0, 1.0,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      FollowEach(
+        walker, this->Options,
+        [&](double x[3])
+        {
+          const vtkIdType i = first < last ? first++ : -1;
+          if (i >= 0)
+          {
+            check.GetMiddle(i, x);
+          }
+          return i;
+        },
+        [&](vtkIdType i, const double*, const AdvectionResult& result) { check.Set(i, result); });
+    });
+  if (isDone)
+  {
+    this->Report.Sampling = check.GetReport();
+    SamplingCheck::AddArrays(this->Report.Sampling, samples->GetFieldData());
+  }
 }
 
 void ImplicitFlowRun::AddSurfaces(vtkDataSet* samples, int domainFaces) const

@@ -75,6 +75,9 @@ private:
   /// Finds what samples beside surfaces would have on the other side, after their sides were found.
   template <typename Walker>
   void FindBeyond(const Walker& walker, vtkDataSet* samples) const;
+  /// Compares what is interpolated between samples with streamlines.
+  template <typename Walker>
+  void CheckSampling(const Walker& walker, vtkDataSet* samples);
   std::string FindArrays(std::vector<vtkDataArray*>& means) const;
   void AddSurfaces(vtkDataSet* samples, int domainFaces) const;
 

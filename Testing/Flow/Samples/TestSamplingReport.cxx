@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What vtkImplicitFlowField says of the error between its samples, against formulas: flows that are
+// straight and that turn, on all grids; what is split; seams; threads; pay for use.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceProgress.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkFlowStatus.h"
+#include "vtkImageData.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkNew.h"
+#include "vtkSMPTools.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTerminationCylinder.h"
+#include "vtkTerminationPlane.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr int AllCells = 1000000;
+
+/// The image of samples.
+struct Lattice
+{
+  std::array<int, 3> Points;
+  std::array<double, 6> Bounds;
+
+  Vector GetPlace(const std::array<double, 3>& at) const
+  {
+    Vector x;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double width = this->Bounds[2 * axis + 1] - this->Bounds[2 * axis];
+      x[axis] = this->Bounds[2 * axis] + width * at[axis] / (this->Points[axis] - 1);
+    }
+    return x;
+  }
+};
+
+/// How a streamline ends by formula.
+struct End
+{
+  int Status = vtkFlowStatus::REACHED_SURFACE;
+  std::array<double, 3> Values{};
+};
+using Formula = std::function<End(const Vector&)>;
+
+vtkSmartPointer<vtkImplicitFlowField> NewFilter(
+  vtkDataSet* field, vtkTerminationSurface* surface, const Lattice& lattice, int checks = AllCells)
+{
+  auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();
+  filter->SetInputDataObject(field);
+  filter->AddTerminationSurface(surface);
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+  filter->SetSampleDimensions(lattice.Points[0], lattice.Points[1], lattice.Points[2]);
+  filter->SetSampleBounds(lattice.Bounds.data());
+  filter->SetSamplingChecks(checks);
+  return filter;
+}
+
+/// The report of all cells by formula.
+vtkFlowSamplingReport GetExpected(const Lattice& lattice, const Formula& formula)
+{
+  vtkFlowSamplingReport report;
+  std::array<std::vector<double>, 3> errors;
+  for (int k = 0; k + 1 < lattice.Points[2]; ++k)
+  {
+    for (int j = 0; j + 1 < lattice.Points[1]; ++j)
+    {
+      for (int i = 0; i + 1 < lattice.Points[0]; ++i)
+      {
+        std::map<int, int> numbers;
+        std::array<double, 3> means{};
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          const End end = formula(lattice.GetPlace({ { i + 0.0 + (corner & 1),
+            j + 0.0 + ((corner >> 1) & 1), k + 0.0 + (corner >> 2) } }));
+          ++numbers[end.Status];
+          for (std::size_t q = 0; q < 3; ++q)
+          {
+            means[q] += end.Values[q] / 8.0;
+          }
+        }
+        if (numbers[vtkFlowStatus::OUTSIDE] == 8)
+        {
+          continue;
+        }
+        const End middle = formula(lattice.GetPlace({ { i + 0.5, j + 0.5, k + 0.5 } }));
+        int most = 0;
+        for (const auto& status : numbers)
+        {
+          most = std::max(most, status.second);
+        }
+        const bool isDifferent = numbers[middle.Status] < most;
+        ++report.Checks;
+        report.SplitCells += most < 8 ? 1 : 0;
+        report.DifferentMiddles += isDifferent ? 1 : 0;
+        if (most < 8 || isDifferent || middle.Status != vtkFlowStatus::REACHED_SURFACE)
+        {
+          continue;
+        }
+        ++report.Compared;
+        for (std::size_t q = 0; q < 3; ++q)
+        {
+          errors[q].push_back(std::abs(means[q] - middle.Values[q]));
+        }
+      }
+    }
+  }
+  vtkFlowSamplingReport::Error* const found[] = { &report.U, &report.V, &report.Time };
+  for (std::size_t q = 0; q < 3; ++q)
+  {
+    std::vector<double>& list = errors[q];
+    std::sort(list.begin(), list.end());
+    for (const double error : list)
+    {
+      found[q]->Mean += error / static_cast<double>(list.size());
+    }
+    const auto place = std::ceil(0.99 * static_cast<double>(list.size()));
+    found[q]->Percentile99 = list[static_cast<std::size_t>(place) - 1];
+    found[q]->Largest = list.back();
+  }
+  return report;
+}
+
+void CheckReport(
+  const vtkFlowSamplingReport& found, const vtkFlowSamplingReport& expected, Check& check)
+{
+  check.Equal(found.Checks, expected.Checks, "cells");
+  check.Equal(found.SplitCells, expected.SplitCells, "split cells");
+  check.Equal(found.DifferentMiddles, expected.DifferentMiddles, "middles that differ");
+  check.Equal(found.Compared, expected.Compared, "middles with errors");
+  const auto compare = [&](const vtkFlowSamplingReport::Error& one,
+                         const vtkFlowSamplingReport::Error& other, const std::string& name)
+  {
+    check.Near(one.Mean, other.Mean, 1e-3, "mean of " + name, 1e-3);
+    check.Near(one.Percentile99, other.Percentile99, 1e-3, "99 % of " + name, 1e-3);
+    check.Near(one.Largest, other.Largest, 1e-3, "largest of " + name, 1e-3);
+  };
+  compare(found.U, expected.U, "u");
+  compare(found.V, expected.V, "v");
+  compare(found.Time, expected.Time, "time");
+}
+
+/// Straight flow has no error between samples.
+void TestUniform(Check& check)
+{
+  for (const auto& grid : MakeFlowGrids())
+  {
+    check.SetContext("uniform, " + grid.first);
+    AddVectors(grid.second, [](const Vector&) { return Vector{ { 0.5, 0.0, 0.0 } }; });
+    const auto filter =
+      NewFilter(grid.second, MakeFlowPlane(0.0), { { { 9, 8, 7 } }, { { 0, 4, 0, 4, 0, 4 } } });
+    filter->SetMaximumError(1e-11);
+    filter->Update();
+    const vtkFlowSamplingReport& found = filter->GetReport().Sampling;
+    check.Equal(found.Checks, 8 * 7 * 6, "cells");
+    check.Equal(found.Compared, found.Checks, "all reach the plane");
+    check.Equal(found.SplitCells + found.DifferentMiddles, 0, "borders");
+    check.That(
+      std::max({ found.U.Largest, found.V.Largest, found.Time.Largest }) < 1e-9, "no errors");
+    check.Equal(filter->GetReport().Samples, 9 * 8 * 7, "samples alone are counted as such");
+  }
+  check.SetContext("");
+}
+
+/// A turn around the line x = 0, y = -1 towards the plane x = 0; where it would be met above the
+/// field the field is left.
+Vector Turn(const Vector& x)
+{
+  return { { x[1] + 1.0, -x[0], 0.0 } };
+}
+End FollowTurn(const Vector& x)
+{
+  End end;
+  const double radius = std::hypot(x[0], x[1] + 1.0);
+  end.Values = { { (radius - 1.0) / 4.0, x[2] / 4.0, std::atan2(x[0], x[1] + 1.0) } };
+  end.Status = radius > 5.0 ? vtkFlowStatus::LEFT_DOMAIN : end.Status;
+  for (const double place : x)
+  {
+    end.Status = place < 0.0 || place > 4.0 ? vtkFlowStatus::OUTSIDE : end.Status;
+  }
+  return end;
+}
+
+/// The numbers of a turn by formula, on all grids; borders of the field and of what is reached.
+void TestTurn(Check& check)
+{
+  const Lattice lattices[] = { { { { 15, 14, 4 } }, { { 0.11, 3.87, 0.13, 3.91, 0.1, 3.9 } } },
+    { { { 15, 14, 7 } }, { { -0.53, 4.41, -0.67, 4.37, -0.71, 4.43 } } } };
+  for (const auto& grid : MakeFlowGrids())
+  {
+    AddVectors(grid.second, Turn);
+    for (const Lattice& lattice : lattices)
+    {
+      check.SetContext("turn, " + grid.first + ", from " + std::to_string(lattice.Bounds[0]));
+      const auto filter = NewFilter(grid.second, MakeFlowPlane(0.0), lattice);
+      filter->Update();
+      const vtkFlowSamplingReport expected = GetExpected(lattice, FollowTurn);
+      check.That(expected.SplitCells > 40 && expected.Compared > 300 &&
+          expected.Compared < expected.Checks &&
+          (lattice.Bounds[0] > 0.0 || expected.DifferentMiddles > 3),
+        "a case of all");
+      CheckReport(filter->GetReport().Sampling, expected, check);
+    }
+  }
+  check.SetContext("");
+}
+
+/// Errors fall by four for half the distance, and those of a thousand cells are like those of all.
+void TestOrder(Check& check)
+{
+  const auto grid = MakeFlowGrids()[2].second;
+  AddVectors(grid, Turn);
+  vtkFlowSamplingReport before;
+  for (const int points : { 11, 21, 41 })
+  {
+    const Lattice lattice{ { { points, points, points } }, { { 0.3, 2.7, 0.2, 2.4, 0.5, 3.5 } } };
+    const auto filter = NewFilter(grid, MakeFlowPlane(0.0), lattice, 1000);
+    filter->Update();
+    const vtkFlowSamplingReport found = filter->GetReport().Sampling;
+    const vtkFlowSamplingReport all = GetExpected(lattice, FollowTurn);
+    check.SetContext(std::to_string(points) + " points");
+    check.Equal(found.Checks, 1000, "a thousand cells");
+    check.Near(found.U.Mean, all.U.Mean, 0.05, "mean of u");
+    check.Near(found.Time.Mean, all.Time.Mean, 0.05, "mean of time");
+    check.That(
+      found.Time.Largest <= all.Time.Largest + 1e-4 && found.Time.Largest >= 0.8 * all.Time.Largest,
+      "largest of time");
+    if (before.Checks > 0)
+    {
+      check.Near(std::log2(before.U.Mean / found.U.Mean), 2.0, 0.05, "order of u");
+      check.Near(std::log2(before.Time.Mean / found.Time.Mean), 2.0, 0.05, "order of time");
+      check.Near(
+        std::log2(before.Time.Percentile99 / found.Time.Percentile99), 2.0, 0.1, "order of 99 %");
+    }
+    before = found;
+  }
+  check.SetContext("");
+}
+
+/// Around a cylinder all four sides are alike, though the seam of u lies on one.
+void TestSeam(Check& check)
+{
+  const auto field = MakeFlowImage(5,
+    [](const Vector& x) {
+      return Vector{ { x[0] - 2.0, x[1] - 2.0, 0.0 } };
+    });
+  vtkNew<vtkTerminationCylinder> cylinder;
+  cylinder->SetPoint1(2.0, 2.0, -1.0);
+  cylinder->SetPoint2(2.0, 2.0, 5.0);
+  cylinder->SetRadius(0.3);
+  const Lattice sides[] = { { { { 6, 14, 4 } }, { { 2.8, 3.9, 0.7, 3.3, 1, 3 } } },
+    { { { 14, 6, 4 } }, { { 0.7, 3.3, 2.8, 3.9, 1, 3 } } },
+    { { { 6, 14, 4 } }, { { 0.1, 1.2, 0.7, 3.3, 1, 3 } } },
+    { { { 14, 6, 4 } }, { { 0.7, 3.3, 0.1, 1.2, 1, 3 } } } };
+  vtkFlowSamplingReport first;
+  for (const Lattice& side : sides)
+  {
+    const auto filter = NewFilter(field, cylinder, side);
+    filter->Update();
+    const vtkFlowSamplingReport found = filter->GetReport().Sampling;
+    check.Equal(found.Compared, 5 * 13 * 3, "all reach the cylinder");
+    check.That(found.U.Largest > 1e-5 && found.U.Largest < 0.02, "largest of u");
+    first = first.Checks > 0 ? first : found;
+    CheckReport(found, first, check);
+  }
+}
+
+/// Where streamlines come round to their surface again, cells that lie across it are split.
+void TestJump(Check& check)
+{
+  const auto field = MakeFlowImage(5,
+    [](const Vector& x) {
+      return Vector{ { 2.0 - x[1], x[0] - 2.0, 0.0 } };
+    });
+  vtkNew<vtkTerminationPlane> plane;
+  plane->SetOrigin(2.0, 2.0, -1.0);
+  plane->SetPoint1(4.0, 2.0, -1.0);
+  plane->SetPoint2(2.0, 2.0, 5.0);
+  const auto filter =
+    NewFilter(field, plane, { { { 8, 12, 5 } }, { { 2.6, 3.3, 1.52, 2.6, 1, 3 } } });
+  filter->Update();
+  const vtkFlowSamplingReport found = filter->GetReport().Sampling;
+  check.Equal(found.Checks, 7 * 11 * 4, "cells");
+  check.Equal(found.SplitCells, 7 * 4, "a layer of split cells");
+  check.Equal(found.Compared, 7 * 10 * 4, "all others");
+  check.That(found.Time.Largest < 0.02, "no jump is an error");
+}
+
+/// The bytes of threads; arrays and defaults; where nothing is compared.
+void TestRuns(Check& check)
+{
+  const auto grid = MakeFlowGrids()[2].second;
+  AddVectors(grid, Turn);
+  const Lattice lattice{ { { 15, 14, 13 } }, { { 0.11, 3.87, 0.13, 3.91, 0.1, 3.9 } } };
+  std::string before;
+  for (const int threads : { 1, 3 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads },
+      [&]
+      {
+        const auto filter = NewFilter(grid, MakeFlowPlane(0.0), lattice, 500);
+        filter->Update();
+        vtkFieldData* data = filter->GetOutputDataObject(0)->GetFieldData();
+        vtkDataArray* errors = data->GetArray(vtkFlowStatus::SamplingErrorsArray());
+        const vtkFlowSamplingReport& report = filter->GetReport().Sampling;
+        check.That(before.empty() ||
+            before.compare(
+              0, before.size(), static_cast<const char*>(errors->GetVoidPointer(0)), 72) == 0,
+          "the bytes of threads");
+        before.assign(static_cast<const char*>(errors->GetVoidPointer(0)), 72);
+        check.That(errors->GetComponent(0, 0) == report.U.Mean &&
+            errors->GetComponent(1, 1) == report.V.Percentile99 &&
+            errors->GetComponent(2, 2) == report.Time.Largest && report.Time.Largest > 0.0,
+          "errors in the array");
+        check.Equal(static_cast<int>(
+                      data->GetArray(vtkFlowStatus::SamplingChecksArray())->GetComponent(0, 3)),
+          report.Compared, "numbers in the array");
+        CheckPrinted(Print(filter),
+          { "SamplingChecks: 500\n", "SamplingCompared: " + std::to_string(report.Compared) + "\n",
+            "Sampling error, time: mean " },
+          check);
+      });
+  }
+  vtkNew<vtkImplicitFlowField> defaults;
+  check.Equal(defaults->GetSamplingChecks(), 1000, "default");
+
+  const auto isChecked = [&check](vtkImplicitFlowField* filter)
+  {
+    filter->Update();
+    const bool hasArray = filter->GetOutputDataObject(0)->GetFieldData()->HasArray(
+      vtkFlowStatus::SamplingErrorsArray());
+    const bool hasReport = filter->GetReport().Sampling.Checks > 0;
+    check.Equal(hasArray, hasReport, "arrays and the report");
+    return hasReport;
+  };
+  auto filter = NewFilter(grid, MakeFlowPlane(0.0), lattice, 500);
+  check.That(isChecked(filter), "an image");
+  filter->SetSamplingChecks(0);
+  check.That(!isChecked(filter), "none when off");
+  filter->SetSamplingChecks(500);
+  filter->SetRefinementLevels(1);
+  check.That(!isChecked(filter), "none of cells that are refined");
+  filter->SetRefinementLevels(0);
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
+  check.That(!isChecked(filter), "none of the field's points");
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_AUTOMATIC);
+  check.That(!isChecked(filter), "none of a small field's points");
+  const auto large = MakeStructuredGrid({ { 4, 4, 1400 } });
+  AddVectors(large, Turn);
+  filter->SetInputDataObject(large);
+  check.That(isChecked(filter), "fewer samples than a large field has points");
+}
+
+}
+
+int TestSamplingReport(int, char*[])
+{
+  Check check;
+  TestUniform(check);
+  TestTurn(check);
+  TestOrder(check);
+  TestSeam(check);
+  TestJump(check);
+  TestRuns(check);
+  return check.Result();
+}
