@@ -42,8 +42,7 @@ int WaveletPoints(const BenchOptions& options);
 
 /**
  * The wavelet and the real sets of the interval and contour suites: image data, a curvilinear grid
- * and an unstructured hexahedral grid. A set that cannot be read is left out, and the reason is
- * written to the standard error.
+ * and an unstructured hexahedral grid. Throws std::runtime_error where a set cannot be read.
  */
 std::vector<BenchData> MakeSpeedCases(const BenchOptions& options);
 

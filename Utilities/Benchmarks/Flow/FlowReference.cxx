@@ -19,6 +19,8 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace flow
@@ -130,13 +132,18 @@ Difference Reference::Compare(const Answer& answer, vtkIdType stride, double err
       this->GetVelocity(place, v);
       double apart[3];
       vtkMath::Subtract(end.Place.data(), place, apart);
-      const double along = vtkMath::Dot(apart, v) / vtkMath::Dot(v, v);
+      const double speed2 = vtkMath::Dot(v, v);
+      if (speed2 == 0.0)
+      {
+        break;
+      }
+      const double along = vtkMath::Dot(apart, v) / speed2;
       this->Follow(place, along);
       time += along;
     }
-    if (!std::isfinite(time))
+    if (!std::isfinite(time) || !std::isfinite(carried))
     {
-      continue;
+      throw std::runtime_error("the reference of seed " + std::to_string(i) + " is no number");
     }
     aside.push_back(std::sqrt(vtkMath::Distance2BetweenPoints(place, end.Place.data())));
     times.push_back(std::abs(end.Time + time));

@@ -46,7 +46,7 @@ public:
   static Reference OfInterpolation(const Case& what);
 
   /// Over every \a stride-th seed with an answer. \a error: that of Difference::Within, world units
-  /// per unit of time.
+  /// per unit of time. Throws std::runtime_error where a reference is no number.
   Difference Compare(const Answer& answer, vtkIdType stride, double error = 0.0) const;
 
 private:

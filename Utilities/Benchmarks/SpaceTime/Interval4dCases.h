@@ -48,8 +48,7 @@ struct Case
 inline const char* const ClaimedCase = "vortex-2";
 
 /**
- * The names of the cases of that size, in the order of the report. A real set that is not there is
- * left out, which is written to the standard error.
+ * The names of the cases of that size, in the order of the report.
  */
 std::vector<std::string> GetCaseNames(const BenchOptions& options);
 
