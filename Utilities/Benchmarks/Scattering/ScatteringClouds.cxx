@@ -172,6 +172,40 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
+void AddViewRows(const BenchOptions& options, BenchRows& rows)
+{
+  for (const int pixels : options.Pick<std::vector<int>>({ 128, 512 }, { 128 }, { 8 }))
+  {
+    const reference::ShadowScene scene = reference::MakeCloudCase(options.Pick(96, 32, 12), pixels);
+    reference::VolumeStage stage(scene.Size);
+    std::vector<Setting> settings;
+    std::vector<BenchWork> works;
+    for (const std::string& mode : GetModes())
+    {
+      settings.push_back({ mode, Default,
+        shadows::MakeSlices(stage, scene, InMode(mode, reference::CloudAnisotropy)) });
+    }
+    settings.push_back({ Shadowed, Default, shadows::MakeSlices(stage, scene) });
+    for (const Setting& setting : settings)
+    {
+      setting.Drawn->Capture();
+      works.push_back(setting.Drawn->GetFrame(options.Threads));
+    }
+    const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+    for (std::size_t i = 0; i + 1 < settings.size(); ++i)
+    {
+      BenchRow row = rows.Make("cloud, the view turns", settings[i].Mode);
+      row.Parameter = pixels;
+      row.Seconds = seconds[i];
+      row.Peer = Shadowed;
+      row.PeerSeconds = seconds.back();
+      row.Counts["view_over_shadowed"] = seconds[i] / seconds.back();
+      row.Counts["solves"] = settings[i].Drawn->GetSlices()->GetReport().ScatteringSolves;
+      rows.Add(row);
+    }
+  }
+}
+
 std::vector<BenchPlot> MakeCloudPlots(const std::vector<BenchRow>& rows)
 {
   BenchPlot plot;

@@ -20,6 +20,14 @@ namespace scattering
  */
 void AddCloudRows(const BenchOptions& options, BenchRows& rows);
 
+/**
+ * Pictures of the cloud where only the view turns, so that scattered light is kept. Methods
+ * `single`, `forward`, `full`; the parameter is the number of columns and rows of the picture, the
+ * peer the same picture without scattered light. Counts: view_over_shadowed, the times' ratio;
+ * solves, how often scattered light was found, once.
+ */
+void AddViewRows(const BenchOptions& options, BenchRows& rows);
+
 /// Error against run time of a cloud.
 std::vector<BenchPlot> MakeCloudPlots(const std::vector<BenchRow>& rows);
 }

@@ -1,117 +1,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Scattering/ScatteringSlabs.h"
 
-#include "Benchmarks/Scattering/ScatteringModes.h"
-#include "Pictures/PictureSettings.h"
-#include "Pictures/ShadowCases.h"
+#include "Benchmarks/Scattering/SlabDrawing.h"
 #include "Transport/SlabTransport.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace scattering
 {
 namespace
 {
+/// Through the slabs of the limits.
+constexpr int LimitCells = 16;
+const char* const Norm = "relative difference of reflection or transmission, the larger one";
+
 /// H. C. van de Hulst, "Multiple Light Scattering", 1980.
-struct Slab
+struct Published
 {
   const char* Name;
-  double Depth;
-  double Albedo;
-  double G;
-  /// Of the light's angle to the normal.
-  double Cosine;
+  Slab Matter;
   double Reflected;
   /// Of scattered light; none published where it is 0.
   double Transmitted;
 };
 
-const Slab Slabs[] = {
-  { "slab II 35", 2.0, 0.9, 0.75, 1.0, 0.09739, 0.52562 },
-  { "slab II 37 depth 1", 1.0, 1.0, 0.75, 1.0, 0.07874, 0.55338 },
-  { "slab II 37 depth 8", 8.0, 1.0, 0.75, 1.0, 0.50642, 0.49325 },
-  { "slab I 12 depth 1/32 albedo 0.2", 0.03125, 0.2, 0.0, 0.1, 0.025447, 0.0 },
-  { "slab I 12 depth 1/32 albedo 1", 0.03125, 1.0, 0.0, 0.1, 0.13462, 0.0 },
-  { "slab I 12 depth 32 albedo 0.2", 32.0, 0.2, 0.0, 0.1, 0.082661, 0.0 },
-  { "slab I 12 depth 32 albedo 1", 32.0, 1.0, 0.0, 0.1, 0.978453, 0.021548 },
+const Published Slabs[] = {
+  { "slab II 35", { 2.0, 0.9, 0.75, 1.0 }, 0.09739, 0.52562 },
+  { "slab II 37 depth 1", { 1.0, 1.0, 0.75, 1.0 }, 0.07874, 0.55338 },
+  { "slab II 37 depth 8", { 8.0, 1.0, 0.75, 1.0 }, 0.50642, 0.49325 },
+  { "slab I 12 depth 1/32 albedo 0.2", { 0.03125, 0.2, 0.0, 0.1 }, 0.025447, 0.0 },
+  { "slab I 12 depth 1/32 albedo 1", { 0.03125, 1.0, 0.0, 0.1 }, 0.13462, 0.0 },
+  { "slab I 12 depth 32 albedo 0.2", { 32.0, 0.2, 0.0, 0.1 }, 0.082661, 0.0 },
+  { "slab I 12 depth 32 albedo 1", { 32.0, 1.0, 0.0, 0.1 }, 0.978453, 0.021548 },
 };
 
-/// Nodes and weights of Gauss and Legendre on 0 to 1, for cosines of the eye.
-constexpr std::array<double, 5> Nodes = { { 0.0469100770306680, 0.2307653449471585, 0.5,
-  0.7692346550528415, 0.9530899229693320 } };
-constexpr std::array<double, 5> Weights = { { 0.1184634425280945, 0.2393143352496832,
-  0.2844444444444444, 0.2393143352496832, 0.1184634425280945 } };
-
-/// A slab of thickness 1, wide enough that its middle sees nothing of its ends: oblique light comes
-/// from far.
-reference::ShadowScene MakeSlab(const Slab& slab)
-{
-  const int across = slab.Cosine < 1.0 ? 24 : 12;
-  reference::ShadowScene scene;
-  scene.Image = reference::MakeImage({ { across * 2, 12, 16 } }, { { 0.5, 0.5, 1.0 / 16.0 } },
-    [](const reference::Double3&) { return 1.0; });
-  // The albedo is the colour; the unit makes the opacity small, the extinction depth per unit.
-  const double a = slab.Albedo;
-  constexpr double opacity = 0.02;
-  scene.Property =
-    reference::MakeProperty({ { 0.0, { { a, a, a } }, 0.0 }, { 1.0, { { a, a, a } }, opacity } },
-      -std::log1p(-opacity) / slab.Depth);
-  scene.Lights = { reference::MakeDirectionalLight(
-    { { std::sqrt(1.0 - slab.Cosine * slab.Cosine), 0.0, -slab.Cosine } }) };
-  scene.Lights.front()->SetIntensity(1.0);
-  scene.Size = { { 4, 4 } };
-  return scene;
-}
-
-/// The camera that looks at the slab's middle at a cosine, from above for reflected light.
-vtkSmartPointer<vtkCamera> MakeEye(double cosine, bool isAbove)
-{
-  const double across = std::sqrt(1.0 - cosine * cosine);
-  auto camera = reference::LookAt(
-    reference::Point3{}, 13.0, { { across, 0.0, isAbove ? -cosine : cosine } }, true);
-  camera->SetViewUp(0.0, 1.0, 0.0);
-  camera->SetParallelScale(0.02);
-  return camera;
-}
-
-/// Flux of scattered light over incident flux: the integral over directions of cosine times
-/// radiance.
-double Integrate(reference::VolumeStage& stage, const Slab& slab,
-  const reference::ShadowScene& scene, const Change& change, bool isAbove)
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < Nodes.size(); ++i)
-  {
-    reference::ShadowScene seen = scene;
-    seen.Camera = MakeEye(Nodes[i], isAbove);
-    const reference::RgbaPicture picture = shadows::MakeSlices(stage, seen, change)->Capture();
-    sum += Weights[i] * Nodes[i] * picture.At(2, 2)[0];
-  }
-  // A light of colour 1 has an irradiance of 4 pi across its direction; the azimuth gives 2 pi.
-  return 0.5 * sum / slab.Cosine;
-}
-
-void AddMonteCarloRow(const Slab& slab, const BenchOptions& options, BenchRows& rows)
+reference::SlabTransportResult Trace(const Slab& slab, std::uint64_t paths, unsigned int seed)
 {
   reference::SlabTransportSettings settings;
   settings.Depth = slab.Depth;
   settings.Albedo = slab.Albedo;
   settings.Phase = reference::TransportPhase::HenyeyGreenstein(slab.G);
   settings.Cosine = slab.Cosine;
-  settings.Paths = static_cast<std::uint64_t>(options.Pick(4000000, 100000, 1000));
-  settings.Seed = options.Seed;
+  settings.Paths = paths;
+  settings.Seed = seed;
+  return reference::TraceSlab(settings);
+}
+
+void AddMonteCarloRow(const Published& slab, const BenchOptions& options, BenchRows& rows)
+{
+  const auto paths = static_cast<std::uint64_t>(options.Pick(4000000, 100000, 1000));
   reference::SlabTransportResult result;
   const double seconds = TimeOnce(WithThreads(options.Threads,
     [&]()
     {
-      result = reference::TraceSlab(settings);
+      result = Trace(slab.Matter, paths, options.Seed);
       return vtkSmartPointer<vtkObjectBase>();
     }));
   BenchRow row = rows.Make(slab.Name, MonteCarlo);
-  row.Parameter = settings.Paths;
+  row.Parameter = paths;
   row.Seconds = seconds;
   row.ErrorNorm = "relative standard error of the reflection";
   row.Error = result.Reflected.StandardError / slab.Reflected;
@@ -120,17 +71,15 @@ void AddMonteCarloRow(const Slab& slab, const BenchOptions& options, BenchRows& 
   rows.Add(row);
 }
 
-void AddModeRow(reference::VolumeStage& stage, const Slab& slab, const std::string& mode, int cells,
-  const BenchOptions& options, BenchRows& rows)
+void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std::string& mode,
+  int across, const BenchOptions& options, BenchRows& rows)
 {
-  reference::ShadowScene scene = MakeSlab(slab);
-  const Change change = InMode(mode, slab.G,
-    [cells](vtkShadowedSliceMapper* mapper) { mapper->SetScatteringGridSize(cells); });
-  const double reflected = Integrate(stage, slab, scene, change, true);
-  const double transmitted = Integrate(stage, slab, scene, change, false);
+  SlabDrawing drawing(stage, slab.Matter, mode, across);
+  const double reflected = drawing.GetFlux(true);
+  const double transmitted = drawing.GetFlux(false);
   BenchRow row = rows.Make(slab.Name, mode);
-  row.Parameter = cells;
-  row.ErrorNorm = "relative difference of reflection or transmission, the larger one";
+  row.Parameter = drawing.GetAcross();
+  row.ErrorNorm = Norm;
   row.Error = std::abs(reflected - slab.Reflected) / slab.Reflected;
   row.Counts["reflected"] = reflected;
   row.Counts["published_reflected"] = slab.Reflected;
@@ -140,11 +89,15 @@ void AddModeRow(reference::VolumeStage& stage, const Slab& slab, const std::stri
     row.Error = std::max(*row.Error, std::abs(transmitted - slab.Transmitted) / slab.Transmitted);
     row.Counts["published_transmitted"] = slab.Transmitted;
   }
-  scene.Camera = MakeEye(0.5, true);
-  const shadows::MethodPointer drawn = shadows::MakeSlices(stage, scene, change);
-  row.Seconds =
-    MeasureAlternately({ GetLitFrame(*drawn, scene.Lights.front(), options.Threads) }, 1).front();
+  row.Seconds = MeasureAlternately({ drawing.GetLitFrame(options.Threads) }, 1).front();
   rows.Add(row);
+}
+
+std::string ToText(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
 }
 }
 
@@ -152,17 +105,68 @@ void AddSlabRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::array<int, 2> pixels = { { 4, 4 } };
   reference::VolumeStage stage(pixels);
-  const std::vector<int> grids = options.Pick<std::vector<int>>({ 32, 64, 128 }, { 32 }, { 8 });
-  for (const Slab& slab : Slabs)
+  const std::vector<int> grids = options.Pick<std::vector<int>>({ 8, 16, 32 }, { 16 }, { 2 });
+  for (const Published& slab : Slabs)
   {
     for (const std::string& mode : GetModes())
     {
-      for (const int cells : mode == Single ? std::vector<int>{ grids.front() } : grids)
+      int last = 0;
+      for (const int across : mode == Single ? std::vector<int>{ grids.front() } : grids)
       {
-        AddModeRow(stage, slab, mode, cells, options, rows);
+        // Wide boxes have no more cells than the largest number.
+        const int found = SlabDrawing::GetAcross(slab.Matter, across);
+        if (found > last)
+        {
+          AddModeRow(stage, slab, mode, across, options, rows);
+        }
+        last = found;
       }
     }
     AddMonteCarloRow(slab, options, rows);
+  }
+}
+
+void AddLimitRows(const BenchOptions& options, BenchRows& rows)
+{
+  using Values = std::vector<double>;
+  const std::array<int, 2> pixels = { { 4, 4 } };
+  reference::VolumeStage stage(pixels);
+  const auto paths = static_cast<std::uint64_t>(options.Pick(400000, 100000, 1000));
+  std::vector<double> errors;
+  for (const double g : options.Pick<Values>({ 0.0, 0.5, 0.75, 0.9 }, { 0.0, 0.75 }, { 0.5 }))
+  {
+    for (const double albedo : options.Pick<Values>({ 0.5, 0.9, 0.99, 1.0 }, { 0.9, 1.0 }, { 1.0 }))
+    {
+      BenchRow row = rows.Make("limits", Full);
+      row.Parameter = "g " + ToText(g) + ", albedo " + ToText(albedo);
+      row.ErrorNorm = Norm;
+      row.Error = 0.0;
+      for (const double depth :
+        options.Pick<Values>({ 0.25, 1.0, 4.0, 16.0, 64.0 }, { 1.0, 4.0 }, { 1.0 }))
+      {
+        const Slab slab{ depth, albedo, g, 1.0 };
+        SlabDrawing drawing(stage, slab, Full, LimitCells);
+        const reference::SlabTransportResult expected = Trace(slab, paths, options.Seed);
+        const auto compare = [&](bool isReflected, const reference::TransportEstimate& estimate)
+        { return (drawing.GetFlux(isReflected) - estimate.Value) / estimate.Value; };
+        const double reflected = compare(true, expected.Reflected);
+        const double transmitted = compare(false, expected.Transmitted);
+        row.Counts["depth " + ToText(depth) + " reflected"] = reflected;
+        row.Counts["depth " + ToText(depth) + " transmitted"] = transmitted;
+        errors.push_back(std::max(std::abs(reflected), std::abs(transmitted)));
+        row.Error = std::max(*row.Error, errors.back());
+      }
+      rows.Add(row);
+    }
+  }
+  for (const double bound : { 0.05, 0.1, 0.2 })
+  {
+    BenchRow row = rows.Make("limits", Full);
+    row.Parameter = "within " + ToText(bound);
+    row.Counts["settings"] = errors.size();
+    row.Counts["within"] =
+      std::count_if(errors.begin(), errors.end(), [bound](double error) { return error <= bound; });
+    rows.Add(row);
   }
 }
 }

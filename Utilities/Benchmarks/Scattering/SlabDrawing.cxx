@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks/Scattering/SlabDrawing.h"
+
+#include "Pictures/PictureSettings.h"
+#include "Pictures/ShadowCases.h"
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkShadowedSliceMapper.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace scattering
+{
+namespace
+{
+/// Nodes and weights of Gauss and Legendre on 0 to 1, for cosines of the eye.
+constexpr std::array<double, 5> Nodes = { { 0.0469100770306680, 0.2307653449471585, 0.5,
+  0.7692346550528415, 0.9530899229693320 } };
+constexpr std::array<double, 5> Weights = { { 0.1184634425280945, 0.2393143352496832,
+  0.2844444444444444, 0.2393143352496832, 0.1184634425280945 } };
+
+/// The columns and rows of the light's buffer where its free path is short.
+constexpr int FineBuffer = 384;
+
+/// The largest number of cells along the box.
+constexpr int MostCells = 128;
+
+/// Of the box, in thicknesses: what grazes a thin slab comes from far.
+int GetWidth(const Slab& slab)
+{
+  return slab.Depth < 0.1 ? 64 : slab.Depth < 4.0 ? 12 : slab.Depth < 16.0 ? 8 : 3;
+}
+
+reference::ShadowScene MakeScene(const Slab& slab)
+{
+  const int width = GetWidth(slab);
+  reference::ShadowScene scene;
+  scene.Image = reference::MakeImage({ { 2 * width, 2 * width, 32 } }, { { 0.5, 0.5, 1.0 / 32.0 } },
+    [](const reference::Double3&) { return 1.0; });
+  // The albedo is the colour; the unit makes the opacity small, the extinction depth per unit.
+  const double a = slab.Albedo;
+  constexpr double opacity = 0.02;
+  scene.Property =
+    reference::MakeProperty({ { 0.0, { { a, a, a } }, 0.0 }, { 1.0, { { a, a, a } }, opacity } },
+      -std::log1p(-opacity) / slab.Depth);
+  scene.Lights = { reference::MakeDirectionalLight(
+    { { std::sqrt(1.0 - slab.Cosine * slab.Cosine), 0.0, -slab.Cosine } }) };
+  scene.Lights.front()->SetIntensity(1.0);
+  scene.Camera = vtkSmartPointer<vtkCamera>::New();
+  scene.Size = { { 4, 4 } };
+  return scene;
+}
+
+/// The camera that looks at the middle of the slab's upper or lower face at a cosine.
+vtkSmartPointer<vtkCamera> MakeEye(double cosine, bool isAbove, double width)
+{
+  const double across = std::sqrt(1.0 - cosine * cosine);
+  const double side = isAbove ? 1.0 : -1.0;
+  auto camera = reference::LookAt(reference::Point3{ { 0.0, 0.0, 0.5 * side } }, width,
+    { { across, 0.0, -side * cosine } }, true);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetParallelScale(0.02);
+  return camera;
+}
+}
+
+SlabDrawing::SlabDrawing(
+  reference::VolumeStage& stage, const Slab& slab, const std::string& mode, int across)
+  : Matter(slab)
+  , Across(across)
+  , Scene(MakeScene(slab))
+{
+  const int cells = std::min(across * GetWidth(slab), MostCells);
+  // The free path along the normal, of light that comes in aslant.
+  const double path = slab.Cosine / slab.Depth;
+  const double spacing = std::min(1.0 / 32.0, 0.5 * path);
+  this->Drawn = shadows::MakeSlices(stage, this->Scene,
+    InMode(mode, slab.G,
+      [=](vtkShadowedSliceMapper* mapper)
+      {
+        mapper->SetScatteringGridSize(cells);
+        mapper->SetSliceSpacing(spacing);
+        mapper->SetLightBufferSize(path < 1.0 / 64.0 ? FineBuffer : 0);
+      }));
+}
+
+int SlabDrawing::GetAcross(const Slab& slab, int across)
+{
+  return std::max(std::min(across * GetWidth(slab), MostCells) / GetWidth(slab), 1);
+}
+
+double SlabDrawing::GetFlux(bool isReflected)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < Nodes.size(); ++i)
+  {
+    this->Scene.Camera->DeepCopy(MakeEye(Nodes[i], isReflected, GetWidth(this->Matter)));
+    sum += Weights[i] * Nodes[i] * this->Drawn->Capture().At(2, 2)[0];
+  }
+  // A light of colour 1 has an irradiance of 4 pi across its direction; the azimuth gives 2 pi.
+  return 0.5 * sum / this->Matter.Cosine;
+}
+
+BenchWork SlabDrawing::GetLitFrame(int threads)
+{
+  this->Scene.Camera->DeepCopy(MakeEye(0.5, true, GetWidth(this->Matter)));
+  return scattering::GetLitFrame(*this->Drawn, this->Scene.Lights.front(), threads);
+}
+}
