@@ -37,6 +37,7 @@ vtkShadowedSliceRepresentation::vtkShadowedSliceRepresentation()
 {
   this->Mapper->SetMaximumNumberOfShadows(1);
   this->Mapper->SetTwoSidedLighting(true);
+  this->Mapper->SetScatteringBrightness(0.35);
   this->Property->SetInterpolationTypeToLinear();
   this->Property->SetShade(true);
   this->VolumeMapper = this->Mapper;
@@ -149,6 +150,11 @@ void vtkShadowedSliceRepresentation::SetBackwardLayers(int layers)
 void vtkShadowedSliceRepresentation::SetScatteringGridSize(int size)
 {
   this->Mapper->SetScatteringGridSize(size);
+}
+
+void vtkShadowedSliceRepresentation::SetScatteringBrightness(double brightness)
+{
+  this->Mapper->SetScatteringBrightness(brightness);
 }
 
 void vtkShadowedSliceRepresentation::AddScatteringAlbedoPoint(

@@ -85,7 +85,8 @@ public:
   ///@{
   /**
    * Pass their values on to the mapper. The defaults are those of the mapper, but for
-   * MaximumNumberOfShadows and TwoSidedLighting.
+   * MaximumNumberOfShadows, TwoSidedLighting, and ScatteringBrightness, 0.35: the light kit shows
+   * thick white matter as white.
    */
   void SetTwoSidedLighting(bool isTwoSided);
   void SetShadows(bool shadows);
@@ -103,6 +104,7 @@ public:
   void SetForwardSpread(double spread);
   void SetBackwardLayers(int layers);
   void SetScatteringGridSize(int size);
+  void SetScatteringBrightness(double brightness);
   ///@}
 
   ///@{

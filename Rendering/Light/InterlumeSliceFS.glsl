@@ -260,6 +260,9 @@ void main()
     color += rowShares[row] * rowColors[row] * ambient * materials[row].x;
 #endif
   }
+#ifdef SCATTER_BRIGHTNESS
+  sampleAlbedo *= brightness;
+#endif
 #ifdef FIELD_MAPS
   findSeenNode();
 #endif

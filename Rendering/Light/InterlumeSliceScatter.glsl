@@ -3,6 +3,9 @@
 
 // The share of light that is scattered, not absorbed, at the sample.
 vec3 sampleAlbedo = vec3(0.0);
+#ifdef SCATTER_BRIGHTNESS
+uniform float brightness;
+#endif
 #ifdef PHASE_ANISOTROPY
 // 1 - g^2, (1 - g)^2 and g.
 uniform vec3 phase;

@@ -295,6 +295,7 @@ void vtkShadowedSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PhaseFunction: " << this->PhaseFunction << "\n";
   os << indent << "Anisotropy: " << this->Anisotropy << "\n";
   os << indent << "PhaseTable: " << this->PhaseTable.Get() << "\n";
+  os << indent << "ScatteringBrightness: " << this->ScatteringBrightness << "\n";
   os << indent << "ForwardSpread: " << this->ForwardSpread << "\n";
   os << indent << "BackwardLayers: " << this->BackwardLayers << "\n";
   os << indent << "ScatteringGridSize: " << this->ScatteringGridSize << "\n";

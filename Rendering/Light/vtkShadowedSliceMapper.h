@@ -433,6 +433,17 @@ public:
 
   ///@{
   /**
+   * What all scattered light is multiplied by on its way to the eye, as by the exposure of a
+   * camera; surfaces receive it as it is. At 1, the default, thick white matter is up to four times
+   * as bright as a light of colour 1; at 0.25 it is as a white wall that faces the light. Valid: 0
+   * and above.
+   */
+  vtkSetClampMacro(ScatteringBrightness, double, 0.0, VTK_FLOAT_MAX);
+  vtkGetMacro(ScatteringBrightness, double);
+  ///@}
+
+  ///@{
+  /**
    * The number of layers of cells behind a place, away from the light, from which light comes back
    * to it in FULL_SCATTERING (C. Zhang, dissertation, 2.6, keeps three slices). 0, the default:
    * all. Valid: 0 and above.

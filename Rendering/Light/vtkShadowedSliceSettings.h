@@ -87,6 +87,7 @@ struct vtkShadowedSliceSettings
   double ForwardSpread = 0.0;
   int BackwardLayers = 0;
   int ScatteringGridSize = 0;
+  double ScatteringBrightness = 1.0;
 };
 
 #endif

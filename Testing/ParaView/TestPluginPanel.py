@@ -58,6 +58,7 @@ CASES = {
         "MultipleScattering": ("Single", {}), "ScatteringPhaseFunction": ("Henyey Greenstein", PHASE),
         "ScatteringAnisotropy": (0.3, {**PHASE, "ScatteringPhaseFunction": "Henyey Greenstein"}),
         "ScatteringPhaseTable": ([-1.0, 0.0, 1.0, 2.0], {**PHASE, "ScatteringPhaseFunction": "Table"}),
+        "ScatteringBrightness": (0.5, {"MultipleScattering": "Single"}),
         "ScatteringAlbedo": ([0.0, 0.1, 0.4, 0.9, 8.0, 0.9, 0.4, 0.1], PHASE),
         "ScatteringForwardSpread": (0.5, {"MultipleScattering": "Forward"}),
         "ScatteringBackwardLayers": (1, {"MultipleScattering": "Full"}),

@@ -450,7 +450,7 @@ int main(int argc, char* argv[])
       { "IntervalLayerPriorities", "" } });
 
   // A light kit has five lights: one shadow at first, and shading, without which they are too
-  // bright.
+  // bright; scattered light is as bright as surfaces.
   vtkNew<vtkShadowedSliceMapper> slices;
   vtkNew<vtkProjectiveLight> light;
   vtkNew<vtkAreaLight> lamp;
@@ -493,6 +493,7 @@ int main(int argc, char* argv[])
       { "ScatteringAnisotropy", Text(slices->GetAnisotropy()) },
       { "ScatteringPhaseTable", slices->GetPhaseTable() ? "points" : "" },
       { "ScatteringAlbedo", slices->GetScatteringAlbedo() ? "points" : "" },
+      { "ScatteringBrightness", "0.35" },
       { "ScatteringForwardSpread", Text(slices->GetForwardSpread()) },
       { "ScatteringBackwardLayers", Text(slices->GetBackwardLayers()) },
       { "ScatteringGridSize", Text(slices->GetScatteringGridSize()) } });

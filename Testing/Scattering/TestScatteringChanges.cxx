@@ -62,6 +62,7 @@ struct State
     mapper->SetForwardSpread(this->Mapper->GetForwardSpread());
     mapper->SetBackwardLayers(this->Mapper->GetBackwardLayers());
     mapper->SetScatteringGridSize(this->Mapper->GetScatteringGridSize());
+    mapper->SetScatteringBrightness(this->Mapper->GetScatteringBrightness());
     mapper->SetTransmissionColor(this->Mapper->GetTransmissionColor());
   }
 
@@ -175,8 +176,10 @@ void TestChanges(Check& check)
   }
   state.Mapper->SetImageSampleDistance(2.0);
   state.Mapper->SetSliceSpacing(0.05);
+  state.Mapper->SetScatteringBrightness(0.5);
   draw();
-  expectSolves("other slices and pixels");
+  expectSolves("other slices, pixels and brightness");
+  state.Mapper->SetScatteringBrightness(1.0);
   state.Mapper->SetImageSampleDistance(1.0);
   state.Mapper->SetSliceSpacing(0.0);
   last = draw();

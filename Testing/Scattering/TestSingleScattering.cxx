@@ -94,6 +94,10 @@ void TestIsotropic(Check& check)
   single->SetScatteringAlbedo(albedo);
   const RgbaPicture withAlbedo = DrawByMapper(single, scene);
   scene.Property->SetColor(color);
+  single->SetScatteringBrightness(0.25);
+  check.Near(GetDifference(DrawByMapper(single, scene), withAlbedo, 0.25), 0.0, 1e-6,
+    "a quarter of the brightness", 1.0);
+  single->SetScatteringBrightness(1.0);
   single->SetScatteringAlbedo(nullptr);
   check.Near(GetDifference(withAlbedo, DrawByMapper(single, scene), 1.0), 0.0, 1e-6,
     "an albedo in the place of colours, at most 1", 1.0);

@@ -110,6 +110,7 @@ void SliceGroup::ShareSettings(SliceScene* scene)
     shared.ForwardSpread = settings.ForwardSpread;
     shared.BackwardLayers = settings.BackwardLayers;
     shared.ScatteringGridSize = settings.ScatteringGridSize;
+    shared.ScatteringBrightness = settings.ScatteringBrightness;
     settings = shared;
     member.Request.Scene = scene;
     SliceFrame& frame = member.Renderer->GetFrame();

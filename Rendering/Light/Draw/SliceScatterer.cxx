@@ -162,6 +162,7 @@ std::string SliceScatterer::SetPhase(const Settings& settings, SliceScattering& 
     !isOn || (isTable && !settings.PhaseTable) ? Settings::ISOTROPIC_PHASE : settings.PhaseFunction;
   const vtkMTimeType time = kind == Settings::TABLE_PHASE ? settings.PhaseTable->GetMTime() : 0;
   scattering.Mode = settings.MultipleScattering;
+  scattering.Brightness = settings.ScatteringBrightness;
   if (this->Mode == scattering.Mode && this->Kind == kind &&
     this->Anisotropy == settings.Anisotropy && this->TableTime == time)
   {
@@ -274,6 +275,7 @@ std::string SliceScatterer::Solve(vtkOpenGLRenderWindow* window, SliceFrame& fra
     if (isAsked && other && other->Key == key && this->HasPhaseOf(*other))
     {
       frame.Scattering = *known;
+      frame.Scattering.Brightness = settings.ScatteringBrightness;
       this->Cells = other->Cells;
       this->BlockedCells = other->BlockedCells;
     }

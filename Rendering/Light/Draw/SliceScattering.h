@@ -53,6 +53,8 @@ struct SliceScattering
   double Anisotropy = 0.0;
   /// The mean cosine of any.
   double MeanCosine = 0.0;
+  /// What the eye sees of all scattered light.
+  double Brightness = 1.0;
   /// 4 pi times the phase function, PhaseColumns values, of one by a table.
   std::vector<float> Phases;
 

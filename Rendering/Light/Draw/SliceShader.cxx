@@ -133,6 +133,7 @@ std::string GetScatteringFeatures(const SliceScattering& scattering)
     return {};
   }
   std::string features = " SCATTER";
+  features += scattering.Brightness != 1.0 ? " SCATTER_BRIGHTNESS" : "";
   features +=
     scattering.Kind == vtkShadowedSliceSettings::HENYEY_GREENSTEIN_PHASE ? " PHASE_ANISOTROPY" : "";
   features += scattering.Kind == vtkShadowedSliceSettings::TABLE_PHASE
@@ -305,6 +306,10 @@ void SetMediumUniforms(vtkShaderProgram* program, const SliceFrame& frame, const
 
 void SetScattering(vtkShaderProgram* program, const SliceScattering& scattering)
 {
+  if (program->IsUniformUsed("brightness"))
+  {
+    program->SetUniformf("brightness", static_cast<float>(scattering.Brightness));
+  }
   if (program->IsUniformUsed("phase"))
   {
     const double g = scattering.Anisotropy;
