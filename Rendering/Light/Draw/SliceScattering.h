@@ -21,7 +21,7 @@ namespace interlume
  * @class   SliceScattering
  * @brief   how the light of a volume's picture is scattered towards the eye
  *
- * Light that was scattered before is known at the nodes of a grid: maps of three floats a node, one
+ * Light that was scattered before is known at the nodes of a grid: maps of four floats a node, one
  * behind the other along z of one texture. The first two are Fluence and Lean of ScatteringField,
  * the latter in the axes of unit space, then comes Forward of each light.
  */

@@ -278,7 +278,7 @@ std::string SliceTextures::Upload(vtkOpenGLRenderWindow* window, const SliceScat
     SetSampling(this->Scattered, true);
     this->Scattered->ResetFormatAndType();
     this->Scattered->Create3DFromRaw(static_cast<unsigned int>(size.x),
-      static_cast<unsigned int>(size.y), static_cast<unsigned int>(size.z), 3, VTK_FLOAT,
+      static_cast<unsigned int>(size.y), static_cast<unsigned int>(size.z), 4, VTK_FLOAT,
       const_cast<float*>(scattering.Texels.data()));
   }
   return glGetError() == GL_NO_ERROR ? std::string()

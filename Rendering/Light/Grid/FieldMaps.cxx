@@ -18,7 +18,7 @@ void AddMap(float* texels, const Values& values)
 {
   for (const glm::vec3& value : values)
   {
-    texels = std::copy_n(glm::value_ptr(value), 3, texels);
+    texels = std::copy_n(glm::value_ptr(value), 3, texels) + 1;
   }
 }
 }
@@ -26,7 +26,7 @@ void AddMap(float* texels, const Values& values)
 FieldMaps::FieldMaps(const MatterGrid& grid, const ScatteringField& field)
   : Nodes(grid.GetMedium().Cells)
 {
-  const std::size_t map = 3 * grid.GetMedium().GetNumberOfCells();
+  const std::size_t map = 4 * grid.GetMedium().GetNumberOfCells();
   this->Texels.resize(map * (2 + field.Forward.size()));
   AddMap(this->Texels.data(), field.Fluence);
   Values lean = field.Lean;

@@ -26,7 +26,7 @@ struct FieldMaps
 {
   FieldMaps(const MatterGrid& grid, const ScatteringField& field);
 
-  /// Three floats a texel.
+  /// Four floats a texel, the last of them 0: software OpenGL reads these faster than three.
   std::vector<float> Texels;
   /// The texels of one map.
   glm::ivec3 Nodes{ 0 };
