@@ -17,6 +17,8 @@ namespace
 {
 /// Through the slabs of the limits.
 constexpr int LimitCells = 16;
+/// The share of incident light below which no relative error is asked for.
+constexpr double LeastFlux = 1e-3;
 const char* const Norm = "relative difference of reflection or transmission, the larger one";
 
 /// H. C. van de Hulst, "Multiple Light Scattering", 1980.
@@ -147,13 +149,20 @@ void AddLimitRows(const BenchOptions& options, BenchRows& rows)
         const Slab slab{ depth, albedo, g, 1.0 };
         SlabDrawing drawing(stage, slab, Full, LimitCells);
         const reference::SlabTransportResult expected = Trace(slab, paths, options.Seed);
-        const auto compare = [&](bool isReflected, const reference::TransportEstimate& estimate)
-        { return (drawing.GetFlux(isReflected) - estimate.Value) / estimate.Value; };
-        const double reflected = compare(true, expected.Reflected);
-        const double transmitted = compare(false, expected.Transmitted);
-        row.Counts["depth " + ToText(depth) + " reflected"] = reflected;
-        row.Counts["depth " + ToText(depth) + " transmitted"] = transmitted;
-        errors.push_back(std::max(std::abs(reflected), std::abs(transmitted)));
+        double largest = 0.0;
+        const auto compare =
+          [&](bool isReflected, const reference::TransportEstimate& estimate, const char* what)
+        {
+          if (estimate.Value > LeastFlux)
+          {
+            const double error = drawing.GetFlux(isReflected) / estimate.Value - 1.0;
+            row.Counts["depth " + ToText(depth) + what] = error;
+            largest = std::max(largest, std::abs(error));
+          }
+        };
+        compare(true, expected.Reflected, " reflected");
+        compare(false, expected.Transmitted, " transmitted");
+        errors.push_back(largest);
         row.Error = std::max(*row.Error, errors.back());
       }
       rows.Add(row);

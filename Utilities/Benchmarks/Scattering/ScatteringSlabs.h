@@ -20,7 +20,8 @@ void AddSlabRows(const BenchOptions& options, BenchRows& rows);
 /**
  * Where `full` holds: the same errors of slabs in light at right angles, against
  * reference::TraceSlab. A row for each phase function and albedo, with the differences at each
- * depth as counts, reflected and transmitted, relative; the error is the largest. Then how many of
+ * depth as counts, reflected and transmitted, relative, where that is more than a thousandth of the
+ * light; the error is the largest. Then how many of
  * these settings are within 5, 10 and 20 %.
  */
 void AddLimitRows(const BenchOptions& options, BenchRows& rows);
