@@ -9,11 +9,11 @@ namespace scattering
 {
 /**
  * Slabs of van de Hulst's tables, drawn from directions on both sides and integrated over them,
- * against the published reflection and transmission. A case is a row of a table. Methods `single`,
- * `forward`, `full`; the parameter is the number of cells of the grid through the slab. Errors are
- * relative, the larger of both sides; counts reflected, transmitted (scattered light alone) and
- * what is published. `monte-carlo`: the parameter is the number of paths of reference::TraceSlab,
- * the error its standard error.
+ * against the published reflection and transmission. A case is a row of a table; those of light
+ * that grazes are in the full suite alone. Methods `single`, `forward`, `full`; the parameter is
+ * the number of cells of the grid through the slab. Errors are relative, the larger of both sides;
+ * counts reflected, transmitted (scattered light alone) and what is published. `monte-carlo`: the
+ * parameter is the number of paths of reference::TraceSlab, the error its standard error.
  */
 void AddSlabRows(const BenchOptions& options, BenchRows& rows);
 
