@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PaintStyle.h"
+
+#include "PainterWindow.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindowInteractor.h>
+
+vtkStandardNewMacro(PaintStyle);
+
+void PaintStyle::OnLeftButtonDown()
+{
+  const int* place = this->Interactor->GetEventPosition();
+  this->Painter->SetCoarse(true);
+  if (this->Painter->IsOnLeft(place[0]))
+  {
+    this->Painter->BeginStroke(place[0], place[1]);
+  }
+  else
+  {
+    this->Superclass::OnLeftButtonDown();
+  }
+}
+
+void PaintStyle::OnMouseMove()
+{
+  if (this->Painter->IsPainting())
+  {
+    const int* place = this->Interactor->GetEventPosition();
+    this->Painter->ContinueStroke(place[0], place[1]);
+  }
+  else
+  {
+    this->Superclass::OnMouseMove();
+  }
+}
+
+void PaintStyle::OnLeftButtonUp()
+{
+  this->Painter->EndStroke();
+  this->Superclass::OnLeftButtonUp();
+  this->Painter->SetCoarse(false);
+  this->Interactor->Render();
+}
+
+void PaintStyle::OnChar()
+{
+  const char key = this->Interactor->GetKeyCode();
+  if (key == 'q')
+  {
+    this->Superclass::OnChar();
+  }
+  else if (this->Painter->TakeKey(key))
+  {
+    this->Interactor->Render();
+  }
+}
