@@ -211,13 +211,16 @@ void CheckFile(const std::string& file, const std::vector<PaintCanvas::Place>& l
   check.Equal(wrong, 0, "values that differ from the brush's");
 }
 
+/// The values that differ in the right half of the right view, where the flow is and not the page.
 vtkIdType CountChanges(
-  const std::vector<unsigned char>& one, const std::vector<unsigned char>& other)
+  const std::vector<unsigned char>& one, const std::vector<unsigned char>& other, std::size_t width)
 {
   vtkIdType changes = 0;
   for (std::size_t i = 0; i < one.size(); ++i)
   {
-    changes += std::abs(static_cast<int>(one[i]) - static_cast<int>(other[i])) > 20 ? 1 : 0;
+    const bool isFlow = i / 3 % width > width / 2;
+    const int change = std::abs(static_cast<int>(one[i]) - static_cast<int>(other[i]));
+    changes += isFlow && change > 20 ? 1 : 0;
   }
   return changes;
 }
@@ -258,8 +261,9 @@ void TestStroke(const std::string& folder, Check& check)
   check.Equal(sent.Others, 0, "no other texture is sent");
   check.That(sent.Pictures >= 5, "a picture for each event that paints, and one without haste");
   const std::vector<unsigned char> painted = session.GrabRight();
-  const vtkIdType changes = CountChanges(before, painted);
-  check.That(changes > 3000, std::to_string(changes) + " values of the right view changed");
+  const vtkIdType changes =
+    CountChanges(before, painted, static_cast<std::size_t>(painter.GetRight()->GetSize()[0]));
+  check.That(changes > 1000, std::to_string(changes) + " values of the flow changed");
 
   session.Press('z');
   session.Play();
