@@ -32,7 +32,7 @@ struct Options
   std::string Out = "gallery";
   std::string Size = "1280x800";
   std::string Json;
-  int Degrees = 0;
+  gallery::TurnSettings Turn{ 64, 64, 0 };
 };
 
 void PrintList()
@@ -109,11 +109,16 @@ void Draw(const Options& options)
   ParseSize(options.Size, width, height);
   const std::vector<const gallery::Scene*> scenes = ChosenScenes(options.Scenes);
   const gallery::DisplayHold display;
-  if (options.Degrees > 0)
+  if (options.Turn.Degrees > 0)
   {
+    gallery::TurnSettings turn = options.Turn;
+    turn.Width = width;
+    turn.Height = height;
+    std::cout << gallery::GetTurnsHeading() << std::flush;
     for (const gallery::Scene* scene : scenes)
     {
-      std::cout << ToText(gallery::TurnScene(*scene, width, height, options.Degrees)) << std::flush;
+      gallery::TurnScene(
+        *scene, turn, [](const gallery::Turn& found) { std::cout << ToText(found) << std::flush; });
     }
     return;
   }
@@ -155,10 +160,15 @@ int main(int argc, char* argv[])
     ->capture_default_str();
   app.add_option("--json", options.Json, "Write times and counters of every scene to this file");
   app
-    .add_option("--turn", options.Degrees,
+    .add_option("--turn", options.Turn.Degrees,
       "Instead of pictures, print how far frames stand out while the eye, and then the lights, of "
       "each panel turn by a degree at a time over so many")
     ->check(CLI::Range(3, 360));
+  app
+    .add_option("--coarse", options.Turn.Coarseness,
+      "With --turn: slices so many times as far apart, and as many times fewer columns and rows of "
+      "lights' buffers")
+    ->check(CLI::Range(1.0, 16.0));
   CLI11_PARSE(app, argc, argv);
   try
   {

@@ -11,7 +11,10 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
+#include "vtkShadowedSliceMapper.h"
 #include "vtkTransform.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 #include <array>
 #include <cstdio>
@@ -76,6 +79,24 @@ reference::RgbaPicture ToPicture(vtkImageData* image)
   return picture;
 }
 
+/// Has the volumes drawn last drawn more coarsely.
+void Coarsen(vtkRenderer* renderer, double factor)
+{
+  vtkVolumeCollection* volumes = renderer->GetVolumes();
+  vtkCollectionSimpleIterator iterator;
+  volumes->InitTraversal(iterator);
+  while (vtkVolume* volume = volumes->GetNextVolume(iterator))
+  {
+    auto* mapper = vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper());
+    if (mapper && factor != 1.0)
+    {
+      const vtkShadowedSliceReport& report = mapper->GetReport();
+      mapper->SetLightBufferSize(static_cast<int>(report.LightBufferSize / factor));
+      mapper->SetSliceSpacing(factor * report.SliceSpacing);
+    }
+  }
+}
+
 Turn TurnPanel(Panel& panel, vtkRenderWindow* window, bool isOfLights, int degrees)
 {
   vtkCamera* camera = panel.GetCamera();
@@ -110,47 +131,54 @@ Turn TurnPanel(Panel& panel, vtkRenderWindow* window, bool isOfLights, int degre
   turn.Mean = mean > 0.0 ? means.Largest / mean : 0.0;
   turn.MeanAt = means.At;
   turn.MeanP95 = mean > 0.0 ? means.P95 / mean : 0.0;
+  turn.MeanOutliers = means.Outliers;
   turn.Change = changes.Largest;
   turn.ChangeAt = changes.At;
   turn.ChangeP95 = changes.P95;
+  turn.ChangeOutliers = changes.Outliers;
   return turn;
 }
 }
 
-std::vector<Turn> TurnScene(const Scene& scene, int width, int height, int degrees)
+void TurnScene(
+  const Scene& scene, const TurnSettings& settings, const std::function<void(const Turn&)>& visit)
 {
-  Stage stage(width, height);
+  Stage stage(settings.Width, settings.Height);
   scene.Build(stage);
-  std::vector<Turn> turns;
   int number = 0;
   for (const std::unique_ptr<Panel>& panel : stage.FitPanels())
   {
     ++number;
     // The first drawing prepares what the panel is drawn by.
-    panel->Draw(width, height);
-    vtkSmartPointer<vtkRenderWindow> window = MakeWindow(width, height);
+    panel->Draw(settings.Width, settings.Height);
+    Coarsen(panel->GetRenderer(), settings.Coarseness);
+    vtkSmartPointer<vtkRenderWindow> window = MakeWindow(settings.Width, settings.Height);
     window->AddRenderer(panel->GetRenderer());
     for (const bool isOfLights : { false, true })
     {
-      turns.push_back(TurnPanel(*panel, window, isOfLights, degrees));
-      turns.back().Scene = scene.Id;
-      turns.back().Panel = number;
+      Turn turn = TurnPanel(*panel, window, isOfLights, settings.Degrees);
+      turn.Scene = scene.Id;
+      turn.Panel = number;
+      visit(turn);
     }
   }
-  return turns;
 }
 
-std::string ToText(const std::vector<Turn>& turns)
+std::string GetTurnsHeading()
 {
-  std::string text = "scene\tpanel\tturned\tframes\tmean\tat\tp95\tchange\tat\tp95\n";
-  for (const Turn& turn : turns)
-  {
-    std::array<char, 256> line{};
-    std::snprintf(line.data(), line.size(), "%s\t%d\t%s\t%d\t%.5f\t%d\t%.5f\t%.4f\t%d\t%.4f\n",
-      turn.Scene.c_str(), turn.Panel, turn.IsOfLights ? "lights" : "view", turn.Frames, turn.Mean,
-      turn.MeanAt, turn.MeanP95, turn.Change, turn.ChangeAt, turn.ChangeP95);
-    text += line.data();
-  }
-  return text;
+  return "| scene, panel | turned | frames | mean, largest | in frame | 95 % below | outliers "
+         "| change, largest | in frame | 95 % below | outliers |\n"
+         "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+}
+
+std::string ToText(const Turn& turn)
+{
+  std::array<char, 256> line{};
+  std::snprintf(line.data(), line.size(),
+    "| %s, %d | %s | %d | %.2f %% | %d | %.2f %% | %d | %.3f | %d | %.3f | %d |\n",
+    turn.Scene.c_str(), turn.Panel, turn.IsOfLights ? "lights" : "view", turn.Frames,
+    100.0 * turn.Mean, turn.MeanAt, 100.0 * turn.MeanP95, turn.MeanOutliers, turn.Change,
+    turn.ChangeAt, turn.ChangeP95, turn.ChangeOutliers);
+  return line.data();
 }
 }

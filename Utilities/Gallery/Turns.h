@@ -2,8 +2,8 @@
 #ifndef Turns_h
 #define Turns_h
 
+#include <functional>
 #include <string>
-#include <vector>
 
 namespace gallery
 {
@@ -25,19 +25,35 @@ struct Turn
   double Mean = 0.0;
   int MeanAt = 0;
   double MeanP95 = 0.0;
+  int MeanOutliers = 0;
   double Change = 0.0;
   int ChangeAt = 0;
   double ChangeP95 = 0.0;
+  int ChangeOutliers = 0;
 };
 
 /**
- * Turns the eye, and then the lights that stand in the scene, of each panel over so many degrees,
- * in pictures of width x height pixels.
+ * How a scene is turned: over so many degrees, in pictures of Width x Height pixels. Slices of
+ * volumes are Coarseness times as far apart as in the first picture, and lights' buffers have as
+ * many times fewer columns and rows: errors are larger then, and what stands out does so more.
  */
-std::vector<Turn> TurnScene(const Scene& scene, int width, int height, int degrees);
+struct TurnSettings
+{
+  int Width = 64;
+  int Height = 64;
+  int Degrees = 360;
+  double Coarseness = 1.0;
+};
 
-/// One line a turn, with a heading.
-std::string ToText(const std::vector<Turn>& turns);
+/**
+ * Turns the eye, and then the lights that stand in the scene, of each panel, and visits each turn.
+ */
+void TurnScene(
+  const Scene& scene, const TurnSettings& settings, const std::function<void(const Turn&)>& visit);
+
+/// The heading of a table in Markdown, and the row of a turn.
+std::string GetTurnsHeading();
+std::string ToText(const Turn& turn);
 }
 
 #endif

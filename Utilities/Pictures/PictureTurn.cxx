@@ -9,12 +9,29 @@
 namespace reference
 {
 
-PictureTurn::Bend PictureTurn::Measure(const std::vector<double>& numbers)
+namespace
 {
+
+/// Times what 95 % of the second differences are below.
+constexpr double OutlierFactor = 3.0;
+/// Shares of the mean.
+constexpr double SeenMean = 0.0025;
+constexpr double MostMean = 0.01;
+/// Of a pixel, 0 to 1.
+constexpr double SeenChange = 0.05;
+constexpr double MostChange = 1.0;
+
+}
+
+PictureTurn::Bend PictureTurn::Measure(
+  const std::vector<double>& numbers, double seen, double bound, bool isAbove)
+{
+  std::vector<double> above;
   std::vector<double> bends;
   for (std::size_t i = 1; i + 1 < numbers.size(); ++i)
   {
-    bends.push_back(std::abs(0.5 * (numbers[i - 1] + numbers[i + 1]) - numbers[i]));
+    above.push_back(numbers[i] - 0.5 * (numbers[i - 1] + numbers[i + 1]));
+    bends.push_back(std::abs(above.back()));
   }
   Bend bend;
   if (bends.empty())
@@ -24,9 +41,25 @@ PictureTurn::Bend PictureTurn::Measure(const std::vector<double>& numbers)
   const auto largest = std::max_element(bends.begin(), bends.end());
   bend.Largest = *largest;
   bend.At = static_cast<int>(largest - bends.begin()) + 1;
-  std::sort(bends.begin(), bends.end());
-  bend.P95 = bends[static_cast<std::size_t>(0.95 * static_cast<double>(bends.size() - 1))];
+  std::vector<double> sorted = bends;
+  std::sort(sorted.begin(), sorted.end());
+  bend.P95 = sorted[static_cast<std::size_t>(0.95 * static_cast<double>(sorted.size() - 1))];
+  const double most = std::min(std::max(OutlierFactor * bend.P95, seen), bound);
+  const std::vector<double>& counted = isAbove ? above : bends;
+  bend.Outliers = static_cast<int>(
+    std::count_if(counted.begin(), counted.end(), [most](double number) { return number > most; }));
   return bend;
+}
+
+PictureTurn::Bend PictureTurn::GetMeanBend() const
+{
+  const double mean = this->GetMean();
+  return Measure(this->Means, SeenMean * mean, MostMean * mean);
+}
+
+PictureTurn::Bend PictureTurn::GetChangeBend() const
+{
+  return Measure(this->Changes, SeenChange, MostChange, true);
 }
 
 void PictureTurn::Add(RgbaPicture picture)
