@@ -111,14 +111,15 @@ void VolumeStage::Render()
   this->Window->WaitForCompletion();
 }
 
-RgbaPicture VolumeStage::Capture()
+RgbaPicture VolumeStage::Capture(int frames)
 {
   this->Renderer->SetPass(this->Pass);
   // Without a pass the renderer does so itself.
   this->Renderer->UpdateLightsGeometryToFollowCamera();
-  // vtkProjectedTetrahedraMapper leaves the first thousand cells of its first picture out.
-  this->Window->Render();
-  this->Window->Render();
+  for (int i = 0; i < frames; ++i)
+  {
+    this->Window->Render();
+  }
   vtkTextureObject* texture = this->Pass->GetColorTexture();
   if (!texture)
   {

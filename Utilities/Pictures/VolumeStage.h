@@ -58,9 +58,11 @@ public:
 
   /// Draws into the window's own framebuffer and waits until it is done.
   void Render();
-  /// Draws into a float framebuffer. vtkProjectedTetrahedraMapper draws over its last picture there
-  /// where that was one of Render(): give it a stage and a mapper for Capture() alone.
-  RgbaPicture Capture();
+  /// Draws into a float framebuffer, so many frames, and returns the last. With two of them VTK's
+  /// mappers are ready: vtkProjectedTetrahedraMapper leaves the first thousand cells of its first
+  /// picture out. It draws over its last picture there where that was one of Render(): give it a
+  /// stage and a mapper for Capture() alone.
+  RgbaPicture Capture(int frames = 2);
   /// Who draws, as OpenGL names it. Renders once where nothing has been.
   std::string GetDevice();
 

@@ -81,12 +81,13 @@ BenchWork Method::GetFrame(int threads)
 reference::RgbaPicture Method::Capture()
 {
   this->Show(this->Scene.Camera);
-  if (!this->GetSlices())
+  if (this->GetSlices())
   {
-    // vtkGPUVolumeRayCastMapper cannot take its depth buffer from the float framebuffer and draws
-    // nothing there until it has one.
-    this->Stage.Render();
+    return this->Stage.Capture(1);
   }
+  // vtkGPUVolumeRayCastMapper cannot take its depth buffer from the float framebuffer and draws
+  // nothing there until it has one.
+  this->Stage.Render();
   return this->Stage.Capture();
 }
 
