@@ -7,6 +7,8 @@
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -134,6 +136,31 @@ double GetRampWidth(const std::vector<double>& profile)
   }
   const double mean = first / sum;
   return std::sqrt(12.0 * std::max(second / sum - mean * mean, 0.0));
+}
+
+double FitRampWidth(const std::vector<double>& profile)
+{
+  constexpr int Bits = 26;
+  const double count = static_cast<double>(profile.size());
+  // In pixels.
+  const auto square = [&](double middle, double width)
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < profile.size(); ++i)
+    {
+      const double ramp =
+        std::min(std::max((static_cast<double>(i) - middle) / width + 0.5, 0.0), 1.0);
+      sum += (profile[i] - ramp) * (profile[i] - ramp);
+    }
+    return sum;
+  };
+  const auto least = [&](double width)
+  {
+    return boost::math::tools::brent_find_minima(
+      [&](double middle) { return square(middle, width); }, 0.0, count, Bits)
+      .second;
+  };
+  return boost::math::tools::brent_find_minima(least, 1.0, count, Bits).first * GetHalfPlanePixel();
 }
 
 }

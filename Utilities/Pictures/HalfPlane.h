@@ -26,8 +26,13 @@ double GetHalfPlanePixel();
 /// occluder, a value each pixel from x = -57.5 pixels on, where all is dark.
 std::vector<double> GetPenumbra(const RgbaPicture& picture);
 
-/// The width of the even ramp that has the spread of the profile's slope.
+/// The width of the even ramp that has the spread of the profile's slope. What a profile is off by
+/// far from its middle counts by the square of its distance.
 double GetRampWidth(const std::vector<double>& profile);
+
+/// The width of the even ramp from 0 to 1, anywhere, that is nearest to the profile in the mean
+/// square.
+double FitRampWidth(const std::vector<double>& profile);
 
 }
 
