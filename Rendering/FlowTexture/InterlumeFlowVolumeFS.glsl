@@ -17,21 +17,13 @@ uniform mat3 worldFromVoxels;
 // from there to 0.
 uniform vec2 nearFar;
 uniform float middle;
-uniform vec3 boxLower;
-uniform vec3 boxUpper;
 uniform vec3 lastCell;
 uniform float sampleDistance;
 uniform float unitDistance;
 #ifdef OPAQUE
 uniform sampler2D image;
 #endif
-#ifdef CLIPPING_PLANES
-uniform vec4 clippingPlanes[CLIPPING_PLANES];
-#endif
 #ifdef CROPPING
-uniform vec3 croppingLower;
-uniform vec3 croppingUpper;
-uniform int croppingFlags;
 uniform mat4 volumeFromVoxels;
 #endif
 #ifdef PAINT_FILTER
@@ -40,6 +32,7 @@ uniform vec2 pixelSize;
 
 //VTK::Output::Dec
 
+//INTERLUME::CUTS
 //INTERLUME::CELL
 //INTERLUME::PAINT
 //INTERLUME::SHADE
@@ -60,35 +53,10 @@ float opacityOf(float alpha, float length)
   return x > -0.05 ? -x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x / 24.0))) : 1.0 - exp(x);
 }
 
-#ifdef CLIPPING_PLANES
-void clip(vec3 origin, vec3 way, inout float lower, inout float upper)
-{
-  for (int i = 0; i < CLIPPING_PLANES; ++i)
-  {
-    float height = dot(clippingPlanes[i].xyz, origin) + clippingPlanes[i].w;
-    float slope = dot(clippingPlanes[i].xyz, way);
-    if (slope == 0.0)
-    {
-      upper = height < 0.0 ? lower - 1.0 : upper;
-    }
-    else if (slope > 0.0)
-    {
-      lower = max(lower, -height / slope);
-    }
-    else
-    {
-      upper = min(upper, -height / slope);
-    }
-  }
-}
-#endif
-
 #ifdef CROPPING
 bool isCropped(vec3 place)
 {
-  vec3 x = (volumeFromVoxels * vec4(place, 1.0)).xyz;
-  ivec3 region = ivec3(greaterThan(x, croppingLower)) + ivec3(greaterThan(x, croppingUpper));
-  return ((croppingFlags >> (region.x + 3 * region.y + 9 * region.z)) & 1) == 0;
+  return isCroppedAt((volumeFromVoxels * vec4(place, 1.0)).xyz);
 }
 #endif
 
@@ -111,16 +79,8 @@ void main()
   upper = min(upper, (1.0 / mix(1.0 / nearFar.x, 1.0 / nearFar.y, opaque) - middle) * unit);
 #endif
 #endif
-  vec3 inverse = 1.0 / mix(way, vec3(1e-12), lessThan(abs(way), vec3(1e-12)));
-  vec3 a = (boxLower - origin) * inverse;
-  vec3 b = (boxUpper - origin) * inverse;
-  vec3 near = min(a, b);
-  vec3 far = max(a, b);
-  lower = max(lower, max(max(near.x, near.y), near.z));
-  upper = min(upper, min(min(far.x, far.y), far.z));
-#ifdef CLIPPING_PLANES
-  clip(origin, way, lower, upper);
-#endif
+  vec3 inverse = inverseOf(way);
+  cutToMatter(origin, way, origin, inverse, lower, upper);
 
   Ray ray = Ray(origin, way, unit, lower, upper, lower, 0.0);
   vec4 sum = vec4(0.0);

@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShaderFeatures.h"
 
+#include "InterlumeRayCuts.h"
+
 #include <algorithm>
 #include <sstream>
 
+namespace
+{
+void Replace(std::string& text, const std::string& mark, const std::string& by)
+{
+  const std::size_t place = text.find(mark);
+  if (place != std::string::npos)
+  {
+    text.replace(place, mark.size(), by);
+  }
+}
+}
+
 std::string vtkShaderFeatures::Insert(const std::string& source, const std::string& features)
 {
-  static const std::string mark = "//INTERLUME::FEATURES";
   std::string defines;
   std::istringstream words(features);
   for (std::string word; words >> word;)
@@ -15,10 +28,7 @@ std::string vtkShaderFeatures::Insert(const std::string& source, const std::stri
     defines += "#define " + word + "\n";
   }
   std::string result = source;
-  const std::size_t place = result.find(mark);
-  if (place != std::string::npos)
-  {
-    result.replace(place, mark.size(), defines);
-  }
+  Replace(result, "//INTERLUME::FEATURES", defines);
+  Replace(result, "//INTERLUME::CUTS", InterlumeRayCuts);
   return result;
 }

@@ -2,30 +2,20 @@
 #ifndef interlume_FlowVolumeRenderer_h
 #define interlume_FlowVolumeRenderer_h
 
-#include "Draw/FlowLights.h"
-#include "Draw/FlowPaints.h"
-#include "Draw/FlowView.h"
-#include "Grid/FlowGrid.h"
+#include "Draw/FlowPicture.h"
 
 #include "vtkImplicitFlowVolumeReport.h"
-#include "vtkImplicitFlowVolumeSettings.h"
 
 #include <map>
 #include <memory>
 #include <string>
 
-class vtkDataArray;
-class vtkOpenGLRenderWindow;
 class vtkRenderer;
-class vtkShaderProgram;
 class vtkVolume;
 class vtkWindow;
 
 namespace interlume
 {
-
-class FlowShader;
-class FlowTextures;
 
 /**
  * @class   FlowVolumeRenderer
@@ -34,13 +24,7 @@ class FlowTextures;
 class FlowVolumeRenderer
 {
 public:
-  /// What a picture is asked for: the mapper's input, its settings and those of its superclasses.
-  struct Request
-  {
-    vtkImageData* Image = nullptr;
-    vtkImplicitFlowVolumeSettings Settings;
-    FlowView::Cuts Cuts;
-  };
+  using Request = FlowPicture::Request;
 
   FlowVolumeRenderer();
   ~FlowVolumeRenderer();
@@ -53,26 +37,15 @@ public:
 
 private:
   struct WindowResources;
-  struct Picture;
 
   std::string UpdateGrid(const Request& request);
-  std::string FindArrays(Picture& picture);
-  std::string Update(Picture& picture);
-  std::string KeepTextures(Picture& picture);
-  std::string KeepGrid(Picture& picture);
-  std::string KeepPaints(Picture& picture);
-  std::string KeepArrays(Picture& picture);
-  std::string Draw(Picture& picture);
-  void SetUniforms(const Picture& picture, vtkShaderProgram* program) const;
-  void SetViewUniforms(const Picture& picture, vtkShaderProgram* program) const;
+  std::string FindArrays(FlowPicture& picture);
+  std::string Update(FlowPicture& picture);
+  std::string Draw(FlowPicture& picture, WindowResources& resources);
 
-  FlowGrid Grid;
+  FlowScene Scene;
   std::pair<const void*, vtkMTimeType> GridStamp{ nullptr, 0 };
   std::string GridError;
-  vtkMTimeType GridVersion = 0;
-  FlowPaints Paints;
-  FlowView View;
-  FlowLights Lights;
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
 };
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_FlowPicture_h
+#define interlume_FlowPicture_h
+
+#include "Draw/FlowLights.h"
+#include "Draw/FlowPaints.h"
+#include "Draw/FlowShader.h"
+#include "Draw/FlowView.h"
+#include "Grid/FlowGrid.h"
+
+#include "vtkImplicitFlowVolumeSettings.h"
+
+#include <array>
+
+class vtkDataArray;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkVolume;
+struct vtkImplicitFlowVolumeReport;
+
+namespace interlume
+{
+
+/**
+ * @class   FlowScene
+ * @brief   what pictures of an implicit flow field are made of
+ */
+struct FlowScene
+{
+  FlowGrid Grid;
+  /// Grows when the grid changes.
+  vtkMTimeType GridVersion = 0;
+  FlowPaints Paints;
+  FlowView View;
+  FlowLights Lights;
+};
+
+/**
+ * @class   FlowPicture
+ * @brief   what one picture is asked for, and what was found for it
+ */
+struct FlowPicture
+{
+  /// The mapper's input, its settings and those of its superclasses.
+  struct Request
+  {
+    vtkImageData* Image = nullptr;
+    vtkImplicitFlowVolumeSettings Settings;
+    FlowView::Cuts Cuts;
+  };
+
+  vtkRenderer* Renderer;
+  vtkOpenGLRenderWindow* Window;
+  vtkVolume* Volume;
+  const Request& Asked;
+  vtkImplicitFlowVolumeReport& Report;
+
+  std::array<int, 2> Size{};
+  FlowShader::Parts Parts{};
+  vtkDataArray* OpacityValues = nullptr;
+  vtkDataArray* ShadingValues = nullptr;
+  std::array<int, 3> DetailSize{ { 1, 1, 1 } };
+  std::array<double, 2> TransferRange{ { 0.0, 1.0 } };
+  double SampleDistance = 1.0;
+};
+
+}
+
+#endif

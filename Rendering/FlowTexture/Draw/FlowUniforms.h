@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_FlowUniforms_h
+#define interlume_FlowUniforms_h
+
+class vtkShaderProgram;
+
+namespace interlume
+{
+
+struct FlowPicture;
+struct FlowScene;
+
+/**
+ * @class   FlowUniforms
+ * @brief   tells the shader the numbers of a picture
+ */
+class FlowUniforms
+{
+public:
+  static void Set(vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture);
+};
+
+}
+
+#endif
