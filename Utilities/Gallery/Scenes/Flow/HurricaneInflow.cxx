@@ -11,7 +11,9 @@
 #include "vtkActor.h"
 #include "vtkAnalyticFlowSource.h"
 #include "vtkImageData.h"
+#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlaneSource.h"
 #include "vtkTerminationCylinder.h"
 #include "vtkTexture.h"
@@ -22,18 +24,18 @@
 namespace
 {
 constexpr double EYE = 0.32;
+constexpr double TIME = 3.0;
 
-/// Bands around the cylinder, and between them nothing.
-gallery::Paint Bands(double u, double v)
+/// Spokes of four colours, and across them bands that are nearly opaque.
+gallery::Paint Spokes(double u, double v)
 {
   const double band = 6.0 * v - std::floor(6.0 * v);
   const double spoke = 8.0 * u - std::floor(8.0 * u);
-  if (v < 0.06 || v > 0.94 || band > 0.45)
+  if (v < 0.06 || v > 0.94 || spoke > 0.6)
   {
     return {};
   }
-  const int i = static_cast<int>(6.0 * v) % 4;
-  return { gallery::IntervalColour(i), spoke < 0.55 ? 0.85 : 0.2 };
+  return { gallery::IntervalColour(static_cast<int>(8.0 * u) % 4), band < 0.45 ? 0.8 : 0.25 };
 }
 
 /// Land and sea, as a map would have them, by a few waves.
@@ -63,16 +65,29 @@ void Build(gallery::Stage& stage)
   eye->SetPoint1(0.0, 0.0, -0.5);
   eye->SetPoint2(0.0, 0.0, 0.5);
   eye->SetRadius(EYE);
-  const gallery::FlowLattice samples = { { 73, 73, 49 }, { -1.1, 1.1, -1.1, 1.1, -0.48, 0.48 } };
+  const gallery::FlowLattice samples = { { 85, 85, 49 },
+    { -1.25, 1.25, -1.25, 1.25, -0.48, 0.48 } };
   const vtkSmartPointer<vtkDataSet> flow =
     gallery::MakeImplicitFlow(hurricane, { eye }, samples, 12.0);
-  const vtkSmartPointer<vtkImageData> bands = gallery::MakePaint(512, 256, &Bands);
+  const vtkSmartPointer<vtkImageData> spokes = gallery::MakePaint(512, 256, &Spokes);
+  // Paint is put in for a while only, and fades where it was put in first: so it ends within the
+  // samples, in a round front, and not at their square edges.
+  vtkNew<vtkPiecewiseFunction> front;
+  front->AddPoint(0.0, 0.0);
+  front->AddPoint(0.25, 1.0);
+  front->AddPoint(1.0, 1.0);
 
   gallery::Panel& panel = stage.AddPanel("");
   panel.LookFrom({ 0.25, -1.0, 0.85 }, { 0.0, 0.0, 1.0 });
-  panel.Add(gallery::MakeInflowVolume(flow, bands, 0.05));
+  const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(flow, spokes, 0.05);
+  vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
+  mapper->SetTimeGate(front);
+  mapper->TimeGateRepeatOff();
+  mapper->SetTimePeriod(TIME);
+  mapper->SetTimePhase(1.0);
+  panel.Add(volume);
   panel.Add(
-    gallery::MakeTerminationActor(eye, gallery::MakeInflowTexture(bands, { 0.97, 0.97, 0.97 })));
+    gallery::MakeTerminationActor(eye, gallery::MakeInflowTexture(spokes, { 0.97, 0.97, 0.97 })));
   vtkNew<vtkPlaneSource> ground;
   ground->SetOrigin(-1.2, -1.2, -0.52);
   ground->SetPoint1(1.2, -1.2, -0.52);
@@ -86,7 +101,8 @@ void Build(gallery::Stage& stage)
 const gallery::SceneRegistration registration(
   { "hurricane-inflow", "4.17", "A painted cylinder around the eye of a hurricane",
     "A stand-in for a hurricane with known formulas. A cylinder around its eye is painted with "
-    "bands and spokes; each place of the storm has what is painted where its air has passed the "
-    "cylinder. Below it is a map, green for land and blue for the sea, by a formula.",
+    "spokes and bands; each place of the storm has what is painted where its air has passed the "
+    "cylinder in the last while. Below it is a map, green for land and blue for the sea, by a "
+    "formula.",
     {}, &Build });
 }
