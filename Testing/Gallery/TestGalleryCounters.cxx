@@ -130,6 +130,33 @@ public:
       "the page shows the picture");
     this->Expect(
       std::ifstream(this->Folder + "/" + this->Scene + ".png").good(), "the picture is there");
+    this->CheckFrames(scene);
+  }
+
+  /// Files of an animation, which differ from one to the next, and the page that plays them.
+  void CheckFrames(const nlohmann::json& scene)
+  {
+    const int frames = scene.at("frames");
+    this->Expect(
+      (frames > 0) == (this->Scene == "inflow-post"), "an animation in inflow-post only");
+    std::string before;
+    for (int i = 0; i < frames; ++i)
+    {
+      const std::string number = std::to_string(i);
+      const std::string name =
+        this->Scene + "/" + std::string(3 - number.size(), '0') + number + ".png";
+      const std::string bytes = ReadText(this->Folder + "/" + name);
+      this->Expect(!bytes.empty() && bytes != before, "frame " + number);
+      this->Expect(
+        this->Page.find('"' + name + '"') != std::string::npos, "frame " + number + " on the page");
+      before = bytes;
+    }
+    const std::string movie = this->Scene + ".ogv";
+    const bool hasMovie = scene.at("movie");
+    this->Expect(hasMovie == (ReadText(this->Folder + "/" + movie).substr(0, 4) == "OggS"),
+      "a movie where the report says so");
+    this->Expect(
+      hasMovie == (this->Page.find("href=\"" + movie) != std::string::npos), "a movie on the page");
   }
 
   void CheckFlow(const nlohmann::json& scene, bool hasFlow)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // interlume-gallery: draws the pictures of the gallery and the page that shows them.
 
+#include "Gallery/FrameFiles.h"
 #include "Gallery/IndexPage.h"
 #include "Gallery/Picture.h"
 #include "Gallery/Scene.h"
@@ -8,8 +9,6 @@
 #include "Gallery/Turns.h"
 
 #include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPNGWriter.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -33,6 +32,7 @@ struct Options
   std::string Size = "1280x800";
   std::string Json;
   gallery::TurnSettings Turn{ 64, 64, 0 };
+  int Frames = 36;
 };
 
 void PrintList()
@@ -73,18 +73,6 @@ std::vector<const gallery::Scene*> ChosenScenes(const std::vector<std::string>& 
     scenes.push_back(scene);
   }
   return scenes;
-}
-
-void WritePng(vtkImageData* picture, const std::string& path)
-{
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(picture);
-  writer->SetFileName(path.c_str());
-  writer->Write();
-  if (writer->GetErrorCode())
-  {
-    throw std::runtime_error("cannot write " + path);
-  }
 }
 
 void WriteJson(const std::vector<gallery::SceneReport>& reports, const std::string& path)
@@ -130,11 +118,14 @@ void Draw(const Options& options)
   for (const gallery::Scene* scene : scenes)
   {
     gallery::SceneReport report;
-    vtkSmartPointer<vtkImageData> picture = gallery::RenderScene(*scene, width, height, report);
-    WritePng(picture, options.Out + "/" + scene->Id + ".png");
+    gallery::FrameFiles frames(options.Out, scene->Id);
+    vtkSmartPointer<vtkImageData> picture = gallery::RenderScene(*scene, width, height, report,
+      options.Frames, [&frames](vtkImageData* frame) { frames.Add(frame); });
+    report.HasMovie = frames.Finish();
+    gallery::WritePng(picture, options.Out + "/" + scene->Id + ".png");
     reports.push_back(report);
     std::printf("[%zu/%zu] %-26s %.1f s\n", reports.size(), scenes.size(), scene->Id.c_str(),
-      report.BuildSeconds + report.RenderSeconds);
+      report.BuildSeconds + report.RenderSeconds + report.FrameSeconds);
     std::fflush(stdout);
   }
   gallery::WriteIndexPage(options.Out, reports);
@@ -159,6 +150,11 @@ int main(int argc, char* argv[])
   app.add_option("--size", options.Size, "Width and height of a picture in pixels")
     ->capture_default_str();
   app.add_option("--json", options.Json, "Write times and counters of every scene to this file");
+  app
+    .add_option("--frames", options.Frames,
+      "Frames of scenes that move, written beside their pictures and shown on the page; 0 for none")
+    ->check(CLI::Range(0, 999))
+    ->capture_default_str();
   app
     .add_option("--turn", options.Turn.Degrees,
       "Instead of pictures, print how far frames stand out while the eye, and then the lights, of "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/IndexPage.h"
 
+#include "Gallery/FrameFiles.h"
 #include "Gallery/Scene.h"
 #include "Inputs/DataManifest.h"
 #include "Pages/HtmlText.h"
@@ -34,7 +35,7 @@ nav img { width: 100%; display: block; border-radius: 6px; border: 1px solid var
   margin-bottom: 4px; }
 nav a:hover { color: var(--ink); }
 article { margin: 44px 0; }
-article > a img { width: 100%; display: block; border-radius: 10px; border: 1px solid var(--line);
+article > a img, article .frames { width: 100%; display: block; border-radius: 10px; border: 1px solid var(--line);
   background: var(--card); }
 h2 { font-size: 24px; margin: 18px 0 4px; letter-spacing: -0.01em; }
 h2 span { color: var(--soft); font-weight: normal; font-size: 15px; margin-left: 10px;
@@ -48,6 +49,22 @@ dl .features { grid-column: 1 / -1; }
 .source { color: var(--soft); font-size: 13px; margin: 0; max-width: none; }
 footer { color: var(--soft); font-size: 13px; padding-bottom: 56px; }
 )css";
+
+/// Plays the frames of animations, each as soon as it is there.
+const char* const SCRIPT = R"js(
+document.querySelectorAll('img[data-frames]').forEach(picture => {
+  const frames = JSON.parse(picture.dataset.frames).map(name => {
+    const frame = new Image();
+    frame.src = name;
+    return frame;
+  });
+  let next = 0;
+  setInterval(() => {
+    next = (next + 1) % frames.length;
+    if (frames[next].complete) picture.src = frames[next].src;
+  }, 1000 / picture.dataset.rate);
+});
+)js";
 
 using html::Escaped;
 
@@ -105,6 +122,28 @@ void WriteSlices(std::ostream& page, const std::vector<vtkShadowedSliceReport>& 
   WriteFact(page, "Light buffers", std::to_string(lightBuffers));
 }
 
+/// The animation of a scene, as frames that a script plays and as a movie.
+void WriteFrames(std::ostream& page, const Scene& scene, const SceneReport& report)
+{
+  if (report.Frames == 0)
+  {
+    return;
+  }
+  page << "<img class=\"frames\" src=\"" << FrameFiles::GetName(scene.Id, 0) << "\" alt=\""
+       << Escaped(scene.Title) << ", moving\" data-rate=\"" << FrameFiles::FramesPerSecond
+       << "\" data-frames='[";
+  for (int i = 0; i < report.Frames; ++i)
+  {
+    page << (i > 0 ? "," : "") << '"' << FrameFiles::GetName(scene.Id, i) << '"';
+  }
+  page << "]'>\n";
+  if (report.HasMovie)
+  {
+    page << "<p class=\"source\"><a href=\"" << FrameFiles::GetMovieName(scene.Id)
+         << "\">The animation as a movie</a> (Ogg Theora).</p>\n";
+  }
+}
+
 void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& report,
   const std::vector<interlume::DataRow>& manifest)
 {
@@ -112,7 +151,9 @@ void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& repor
        << scene.Id << ".png\" width=\"" << report.Width << "\" height=\"" << report.Height
        << "\" alt=\"" << Escaped(scene.Title) << "\"></a>\n<h2>" << Escaped(scene.Title) << "<span>"
        << scene.Id << " &middot; figure " << scene.Figure << "</span></h2>\n<p>"
-       << Escaped(scene.Caption) << "</p>\n<dl>\n";
+       << Escaped(scene.Caption) << "</p>\n";
+  WriteFrames(page, scene, report);
+  page << "<dl>\n";
   if (report.Filters > 0)
   {
     WriteFact(page, "Cells in", Grouped(report.Extraction.Cells));
@@ -177,8 +218,8 @@ void WriteIndexPage(const std::string& folder, const std::vector<SceneReport>& r
   }
   page << "</main>\n<footer>Drawn off-screen with VTK " << vtkVersion::GetVTKVersion()
        << ". Times are wall clock on the machine that made this page; passes are passes over the "
-          "geometry and the screen, buffers are textures at the size drawn.</footer>\n"
-          "</body>\n</html>\n";
+          "geometry and the screen, buffers are textures at the size drawn.</footer>\n<script>"
+       << SCRIPT << "</script>\n</body>\n</html>\n";
   const std::string path = folder + "/index.html";
   std::ofstream file(path);
   file << page.str();

@@ -32,6 +32,11 @@ struct SceneReport
   double BuildSeconds = 0.0;
   double ExtractSeconds = 0.0;
   double RenderSeconds = 0.0;
+  /// The frames of its animation, how long they took to draw and write, and whether a movie was
+  /// made of them.
+  int Frames = 0;
+  double FrameSeconds = 0.0;
+  bool HasMovie = false;
 
   /// Names of what was on: `criteria`, `boundaries`, `time`, `time-boundaries` (those of
   /// tetrahedra), `time-slices`, `flow`, `stream-surfaces`, `time-surfaces`, `volumes`, `slices`,

@@ -203,6 +203,20 @@ vtkSmartPointer<vtkImageData> Stage::Render()
   return picture;
 }
 
+vtkSmartPointer<vtkImageData> Stage::RenderFrame(double part, int width, int height)
+{
+  const SceneReport report = this->Report;
+  const int size[2] = { this->Width, this->Height };
+  this->Width = SUPERSAMPLING * width;
+  this->Height = SUPERSAMPLING * height;
+  this->Show(part);
+  vtkSmartPointer<vtkImageData> frame = this->Render();
+  this->Width = size[0];
+  this->Height = size[1];
+  this->Report = report;
+  return frame;
+}
+
 vtkSmartPointer<vtkImageData> Stage::DrawPaper()
 {
   const int font = FontSize(this->Height);
@@ -249,6 +263,12 @@ void Stage::FitCameras()
 vtkSmartPointer<vtkImageData> RenderScene(
   const Scene& scene, int width, int height, SceneReport& report)
 {
+  return RenderScene(scene, width, height, report, 0, [](vtkImageData*) {});
+}
+
+vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, int width, int height,
+  SceneReport& report, int frames, const std::function<void(vtkImageData* frame)>& take)
+{
   const Stopwatch watch;
   Stage stage(width, height);
   scene.Build(stage);
@@ -258,6 +278,13 @@ vtkSmartPointer<vtkImageData> RenderScene(
   report.Id = scene.Id;
   report.Figure = scene.Figure;
   report.BuildSeconds = buildSeconds;
+  report.Frames = stage.HasAnimation() ? frames : 0;
+  const Stopwatch frameWatch;
+  for (int i = 0; i < report.Frames; ++i)
+  {
+    take(stage.RenderFrame(static_cast<double>(i) / report.Frames, width / 2, height / 2));
+  }
+  report.FrameSeconds = frameWatch.Seconds();
   return picture;
 }
 }

@@ -87,9 +87,21 @@ public:
   vtkSmartPointer<vtkUnstructuredGrid> Slice(vtkUnstructuredGrid* simplices, double time);
 
   /**
+   * The scene moves: \a show makes it as it is at a part of the animation, 0 to 1. Default: none.
+   */
+  void SetAnimation(const std::function<void(double part)>& show) { this->Show = show; }
+  bool HasAnimation() const { return this->Show != nullptr; }
+
+  /**
    * Draws the picture: RGB, unsigned char.
    */
   vtkSmartPointer<vtkImageData> Render();
+
+  /**
+   * Draws the animation at a part, as a picture of width x height pixels. It is not counted in the
+   * report.
+   */
+  vtkSmartPointer<vtkImageData> RenderFrame(double part, int width, int height);
 
   /**
    * Fits the cameras as Render() does, and returns the panels.
@@ -122,6 +134,7 @@ private:
   int Columns = 0;
   std::vector<std::unique_ptr<Panel>> Panels;
   std::function<void(vtkRenderer*, double, double, int)> Legend;
+  std::function<void(double)> Show;
   SceneReport Report;
 };
 
@@ -130,6 +143,13 @@ private:
  */
 vtkSmartPointer<vtkImageData> RenderScene(
   const Scene& scene, int width, int height, SceneReport& report);
+
+/**
+ * The same, and where the scene has an animation gives \a take that many frames of it, evenly
+ * spaced from part 0 on, without part 1, of half the picture's width and height.
+ */
+vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, int width, int height,
+  SceneReport& report, int frames, const std::function<void(vtkImageData* frame)>& take);
 }
 
 #endif

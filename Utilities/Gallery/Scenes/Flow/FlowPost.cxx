@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Liquid oxygen that parts around a post on a plate, with textured time surfaces.
+// Liquid oxygen that parts around a post on a plate, with textured time surfaces, and with paint on
+// its inflow that moves.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/FlowScene.h"
 #include "Gallery/Scenes/Flow/FlowTextures.h"
+#include "Gallery/Scenes/Flow/InflowPaint.h"
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 #include "Inputs/DataFiles.h"
@@ -14,8 +16,11 @@
 #include "vtkAppendFilter.h"
 #include "vtkDataSet.h"
 #include "vtkFlowVolume.h"
+#include "vtkImageData.h"
+#include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkStructuredGrid.h"
@@ -25,7 +30,9 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -70,17 +77,39 @@ vtkSmartPointer<vtkStructuredGrid> MakeSamples()
   return samples;
 }
 
-void Build(gallery::Stage& stage)
+/// The grid closes around the post; hexahedra of shared points let the flow pass where it does.
+vtkSmartPointer<vtkAppendFilter> ReadFlow()
 {
-  // The grid closes around the post; hexahedra of shared points let the flow pass where it does.
   vtkSmartPointer<vtkDataSet> post = interlume::ReadData("post.vts");
-  vtkNew<vtkAppendFilter> joined;
+  auto joined = vtkSmartPointer<vtkAppendFilter>::New();
   joined->AddInputData(post);
   joined->MergePointsOn();
-  const vtkSmartPointer<vtkTerminationPlane> plane = gallery::MakeInflowPlane(
-    { BEGIN, 0.0, 0.5 * HEIGHT }, { 0.0, 3.0, 0.0 }, { 0.0, 0.0, 0.5 * HEIGHT });
+  return joined;
+}
+
+/// The rectangle in front of the post, half as wide as told.
+vtkSmartPointer<vtkTerminationPlane> MakeInflow(double width)
+{
+  return gallery::MakeInflowPlane(
+    { BEGIN, 0.0, 0.5 * HEIGHT }, { 0.0, width, 0.0 }, { 0.0, 0.0, 0.5 * HEIGHT });
+}
+
+void AddPost(gallery::Panel& panel)
+{
+  panel.Add(gallery::MakePillar(RADIUS, 0.0, 1.1 * HEIGHT, gallery::Pencil()));
+  vtkNew<vtkPlaneSource> plate;
+  plate->SetOrigin(-2.9, -2.2, 0.0);
+  plate->SetPoint1(3.3, -2.2, 0.0);
+  plate->SetPoint2(-2.9, 2.2, 0.0);
+  plate->Update();
+  panel.Add(gallery::MakeActor(plate->GetOutput(), gallery::Pencil()));
+}
+
+void Build(gallery::Stage& stage)
+{
+  const vtkSmartPointer<vtkTerminationPlane> plane = MakeInflow(3.0);
   const vtkSmartPointer<vtkDataSet> inflow =
-    gallery::MapInflow(gallery::MakeImplicitFlow(joined, { plane }, MakeSamples(), 15.0),
+    gallery::MapInflow(gallery::MakeImplicitFlow(ReadFlow(), { plane }, MakeSamples(), 15.0),
       "max(abs(u - 0.5) / 0.25, v / 0.9)");
 
   vtkNew<vtkFlowVolume> filter;
@@ -103,13 +132,81 @@ void Build(gallery::Stage& stage)
       gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id + 1),
         gallery::MakeGridTexture(32, 16, gallery::IntervalColour(1 + id), gallery::Ink())));
   }
-  panel.Add(gallery::MakePillar(RADIUS, 0.0, 1.1 * HEIGHT, gallery::Pencil()));
-  vtkNew<vtkPlaneSource> plate;
-  plate->SetOrigin(-2.9, -2.2, 0.0);
-  plate->SetPoint1(3.3, -2.2, 0.0);
-  plate->SetPoint2(-2.9, 2.2, 0.0);
-  plate->Update();
-  panel.Add(gallery::MakeActor(plate->GetOutput(), gallery::Pencil()));
+  AddPost(panel);
+}
+
+/// Discs in rows, each row of one colour.
+gallery::Paint Discs(double u, double v)
+{
+  const double across = 8.0 * u;
+  const double up = 6.0 * v;
+  const double r = std::hypot(across - std::floor(across) - 0.5, up - std::floor(up) - 0.5);
+  const int row = static_cast<int>(std::min(up, 5.0));
+  return { gallery::IntervalColour(row % 4), r < 0.34 ? 0.5 : 0.0 };
+}
+
+/// A gate by a function of the time when paint was put in.
+vtkSmartPointer<vtkPiecewiseFunction> MakeGate(const std::vector<std::array<double, 2>>& points)
+{
+  auto gate = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  for (const std::array<double, 2>& point : points)
+  {
+    gate->AddPoint(point[0], point[1]);
+  }
+  return gate;
+}
+
+/// Paint that is put in from a time on, and paint in pulses, at a part of their animation.
+void BuildInflow(gallery::Stage& stage)
+{
+  // What the liquid takes to pass through the box, and the pulses in that time.
+  constexpr double duration = 4.2;
+  constexpr int pulses = 4;
+  constexpr double still = 0.7;
+  const vtkSmartPointer<vtkTerminationPlane> plane = MakeInflow(WIDTH);
+  const vtkSmartPointer<vtkDataSet> flow = gallery::MakeImplicitFlow(
+    ReadFlow(), { plane }, { { 89, 61, 49 }, { BEGIN, END, -WIDTH, WIDTH, 0.0, HEIGHT } }, 15.0);
+  const vtkSmartPointer<vtkImageData> discs = gallery::MakePaint(480, 384, &Discs);
+  vtkSmartPointer<vtkImplicitFlowVolumeMapper> mappers[2];
+  gallery::Panel* first = nullptr;
+  for (int i = 0; i < 2; ++i)
+  {
+    gallery::Panel& panel = stage.AddPanel(i == 0 ? "time grows" : "dye in pulses");
+    if (first)
+    {
+      panel.LookAs(*first);
+    }
+    else
+    {
+      first = &panel;
+      panel.LookFrom({ -0.55, -1.0, 0.6 }, { 0.0, 0.0, 1.0 });
+    }
+    const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(flow, discs, 0.15);
+    mappers[i] = gallery::GetInflowMapper(volume);
+    panel.Add(volume);
+    panel.Add(gallery::MakeTerminationActor(
+      plane, gallery::MakeInflowTexture(discs, { 0.97, 0.97, 0.97 })));
+    AddPost(panel);
+  }
+  mappers[0]->SetTimeGate(MakeGate({ { { -0.01, 0.0 } }, { { 0.01, 1.0 } } }));
+  mappers[0]->TimeGateRepeatOff();
+  mappers[1]->SetTimeGate(
+    MakeGate({ { { 0.0, 0.0 } }, { { 0.2, 1.0 } }, { { 0.4, 0.0 } }, { { 1.0, 0.0 } } }));
+  mappers[1]->SetTimePeriod(duration / pulses);
+  const auto setPart = [mappers](double part)
+  {
+    mappers[0]->SetTimePhase(duration * part);
+    mappers[1]->SetTimePhase(pulses * part);
+  };
+  setPart(still);
+  stage.SetAnimation(
+    [mappers, setPart](double part)
+    {
+      setPart(part);
+      // Frames are averaged down from larger ones.
+      mappers[0]->SetImageSampleDistance(2.0);
+      mappers[1]->SetImageSampleDistance(2.0);
+    });
 }
 
 const gallery::SceneRegistration registration(
@@ -119,4 +216,10 @@ const gallery::SceneRegistration registration(
     "0.8, 2.6 and 4.2 units of time. At the plate it stands still, so that they lie down there; "
     "around the post they are held up and stretched, and pass it on both sides.",
     { "post.vts" }, &Build });
+const gallery::SceneRegistration inflow(
+  { "inflow-post", "4.18", "Paint on the inflow of liquid oxygen that flows past a post",
+    "The same flow. Discs are painted on a rectangle in front of the post, and each place has the "
+    "paint of where its liquid came in: as far as it has come since the paint was put in, and of "
+    "pulses of paint. From frame to frame of the animation only a number changes.",
+    { "post.vts" }, &BuildInflow });
 }

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The animation of a scene of the gallery: growing time and dye in pulses, of which the first has
+// more paint from frame to frame, and the second comes back to where it began.
+
+#include "Gallery/Picture.h"
+#include "Gallery/Scene.h"
+#include "Gallery/Stage.h"
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+
+namespace
+{
+constexpr int WIDTH = 240;
+constexpr int HEIGHT = 150;
+
+bool Expect(bool holds, const std::string& what)
+{
+  if (!holds)
+  {
+    std::cerr << "expected: " << what << "\n";
+  }
+  return holds;
+}
+
+/// The number of pixels of one half that differ by more than \a most in a channel.
+int CountChanges(vtkImageData* one, vtkImageData* other, bool isRight, int most)
+{
+  int changes = 0;
+  for (int y = 0; y < HEIGHT; ++y)
+  {
+    for (int x = isRight ? WIDTH / 2 : 0; x < (isRight ? WIDTH : WIDTH / 2); ++x)
+    {
+      const auto* a = static_cast<const unsigned char*>(one->GetScalarPointer(x, y, 0));
+      const auto* b = static_cast<const unsigned char*>(other->GetScalarPointer(x, y, 0));
+      const bool isSame = std::equal(
+        a, a + 3, b, [most](int left, int right) { return std::abs(left - right) <= most; });
+      changes += isSame ? 0 : 1;
+    }
+  }
+  return changes;
+}
+
+bool CheckFrames()
+{
+  const gallery::DisplayHold display;
+  gallery::Stage stage(WIDTH, HEIGHT);
+  gallery::FindScene("inflow-post")->Build(stage);
+  if (!Expect(stage.HasAnimation(), "an animation"))
+  {
+    return false;
+  }
+  const auto draw = [&stage](double part) { return stage.RenderFrame(part, WIDTH, HEIGHT); };
+  const vtkSmartPointer<vtkImageData> begin = draw(0.0);
+  const vtkSmartPointer<vtkImageData> quarter = draw(0.25);
+  const vtkSmartPointer<vtkImageData> later = draw(0.35);
+  const vtkSmartPointer<vtkImageData> end = draw(1.0);
+  constexpr int visible = 12;
+  const int early = CountChanges(begin, quarter, false, visible);
+  const int grown = CountChanges(begin, end, false, visible);
+  bool isGood = Expect(early > 200, std::to_string(early) + " pixels of paint after a quarter");
+  isGood = Expect(grown > 2 * early, std::to_string(grown) + " pixels of paint, more at the end") &&
+    isGood;
+  isGood = Expect(CountChanges(begin, later, true, visible) > 500, "dye that moves") && isGood;
+  isGood = Expect(CountChanges(begin, quarter, true, 0) == 0, "dye after one period") && isGood;
+  isGood = Expect(CountChanges(begin, end, true, 0) == 0, "dye after all periods") && isGood;
+  return Expect(stage.GetReport().Panels == 0, "frames are not counted") && isGood;
+}
+}
+
+int main()
+{
+  try
+  {
+    return CheckFrames() ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << error.what() << "\n";
+    return EXIT_FAILURE;
+  }
+}
