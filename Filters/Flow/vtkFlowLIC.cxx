@@ -25,6 +25,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 vtkStandardNewMacro(vtkFlowLIC);
 
@@ -157,6 +158,10 @@ int vtkFlowLIC::RequestData(
 template <typename Walker>
 void vtkFlowLIC::Convolve(const Walker& walker, vtkDataSet* points, float* values)
 {
+  if constexpr (std::is_same_v<Walker, interlume::UnstructuredWalker>)
+  {
+    this->Mesh = walker.GetField().GetMesh();
+  }
   vtkFlowLICReport& report = this->Report;
   const double minimumSpeed = std::max(
     RelativeMinimumSpeed * walker.GetField().GetSpeedScale(), std::numeric_limits<double>::min());

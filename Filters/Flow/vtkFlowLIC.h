@@ -6,6 +6,13 @@
 #include "vtkDataSetAlgorithm.h"
 #include "vtkFlowLICReport.h" // for the report
 
+#include <memory>
+
+namespace interlume
+{
+class MeshLinks;
+}
+
 /**
  * @class   vtkFlowLIC
  * @brief   line integral convolution at the points of any dataset
@@ -150,6 +157,8 @@ private:
   int Seed = 0;
   double Contrast = 0.2;
   vtkFlowLICReport Report;
+  /// What was found of the last field's mesh, for the next execution.
+  std::shared_ptr<const interlume::MeshLinks> Mesh;
 };
 
 #endif

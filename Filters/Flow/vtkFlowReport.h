@@ -80,6 +80,9 @@ public:
   /// values leave aside as fill values.
   double MaximumSpeed = 0.0;
   vtkIdType FillValues = 0;
+  /// The number of faces of cells of an unstructured grid of which it was known from an execution
+  /// before, of this filter or another, which of them are one face; 0 where that was found anew.
+  vtkIdType KeptFaces = 0;
   /// The number of pairs of cells' faces that are one face within a tolerance only, and the largest
   /// distance between corners of such faces, in widths of the cell.
   vtkIdType JoinedFaces = 0;

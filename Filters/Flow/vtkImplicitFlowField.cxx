@@ -337,6 +337,7 @@ int vtkImplicitFlowField::RequestData(
     interlume::ImplicitFlowRun run(this, options, field, vectors);
     error = run.Execute(samples);
     report = run.GetReport();
+    this->Mesh = run.GetMesh();
     if (run.GetRefined())
     {
       output->ShallowCopy(run.GetRefined());

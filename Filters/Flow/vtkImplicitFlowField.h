@@ -8,6 +8,7 @@
 #include "vtkFlowSettings.h" // for what is set
 #include "vtkSmartPointer.h" // for the surfaces
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@ class vtkTerminationSurface;
 namespace interlume
 {
 class FieldInput;
+class MeshLinks;
 struct AdvectionOptions;
 }
 
@@ -406,6 +408,8 @@ private:
   int SampleDimensions[3] = { 64, 64, 64 };
   double SampleBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   vtkFlowReport Report;
+  /// What was found of the last field's mesh, for the next execution.
+  std::shared_ptr<const interlume::MeshLinks> Mesh;
 };
 
 #endif

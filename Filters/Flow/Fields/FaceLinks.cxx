@@ -339,23 +339,35 @@ FaceLinks::Joins FaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock, co
       isLinked[face] = 1;
       setLink(face, link);
     });
-  std::vector<vtkIdType> single;
-  Block block;
-  for (vtkIdType number = 0; number < numberOfBlocks; ++number)
-  {
-    const unsigned char* known = isLinked.data() + number * facesPerBlock;
-    if (std::find(known, known + facesPerBlock, 0) == known + facesPerBlock)
+  // By parts, so that the faces come in their order.
+  constexpr vtkIdType part = 4096;
+  std::vector<std::vector<vtkIdType>> singles((numberOfBlocks + part - 1) / part);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(singles.size()),
+    [&](vtkIdType first, vtkIdType last)
     {
-      continue;
-    }
-    fill(number, block);
-    for (int i = 0; i < facesPerBlock; ++i)
-    {
-      if (!known[i] && block.Corners[i] > 0)
+      Block block;
+      for (vtkIdType number = first * part; number < std::min(last * part, numberOfBlocks);
+           ++number)
       {
-        single.push_back(number * facesPerBlock + i);
+        const unsigned char* known = isLinked.data() + number * facesPerBlock;
+        if (std::find(known, known + facesPerBlock, 0) == known + facesPerBlock)
+        {
+          continue;
+        }
+        fill(number, block);
+        for (int i = 0; i < facesPerBlock; ++i)
+        {
+          if (!known[i] && block.Corners[i] > 0)
+          {
+            singles[number / part].push_back(number * facesPerBlock + i);
+          }
+        }
       }
-    }
+    });
+  std::vector<vtkIdType> single;
+  for (const std::vector<vtkIdType>& some : singles)
+  {
+    single.insert(single.end(), some.begin(), some.end());
   }
   const auto fillSingle = [&](vtkIdType i, Block& one)
   {

@@ -48,8 +48,17 @@ std::string UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray
   };
   this->SetBlanking(grid, getPoints);
   this->ExcludeFlatCells();
-  error = this->GetNumberOfFlatCells() == this->GetNumberOfCells() ? GetErrorWithoutCells()
-                                                                   : this->FindCellError();
+  // What is kept of a mesh was found without an error.
+  const MeshLinks::Key key = MeshLinks::GetKey(grid);
+  const std::shared_ptr<const MeshLinks> kept = MeshLinks::Find(key);
+  if (this->GetNumberOfFlatCells() == this->GetNumberOfCells())
+  {
+    error = GetErrorWithoutCells();
+  }
+  else if (!kept)
+  {
+    error = this->FindCellError();
+  }
   if (!error.empty() || !progress.Reach(0.1))
   {
     return error;
@@ -60,17 +69,31 @@ std::string UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray
   {
     return {};
   }
+  if (kept)
+  {
+    this->Use(kept);
+    this->NumberOfKeptFaces = static_cast<vtkIdType>(kept->Links.size());
+    // An owner is told of, and may be aborted at, the same places as the first time.
+    if (progress.Reach(0.3))
+    {
+      progress.Reach(0.6);
+    }
+    return {};
+  }
+  const auto mesh = std::make_shared<MeshLinks>();
   const CellPositions positions(this->Positions,
     [this](vtkIdType cell, vtkIdType* ids) { return this->GetCellPoints(cell, ids); });
   error = positions.FindError(this->GetNumberOfCells());
   if (error.empty() && progress.Reach(0.3))
   {
-    positions.Build(this->GetNumberOfCells(), this->Tree);
+    positions.Build(this->GetNumberOfCells(), mesh->Tree);
     if (progress.Reach(0.6))
     {
-      this->FindLinks();
+      this->FindLinks(*mesh);
+      MeshLinks::Add(key, mesh);
     }
   }
+  this->Use(mesh);
   return error;
 }
 
@@ -132,13 +155,20 @@ int UnstructuredFlowField::GetCellPoints(vtkIdType cell, vtkIdType* points) cons
   return GetCorners(place.Type).Number;
 }
 
+void UnstructuredFlowField::Use(const std::shared_ptr<const MeshLinks>& mesh)
+{
+  this->Mesh = mesh;
+  this->FacesPerCell = mesh->FacesPerCell;
+  this->Links = mesh->Links.data();
+}
+
 void UnstructuredFlowField::FillFaces(vtkIdType cell, FaceLinks::Block& faces) const
 {
   vtkIdType points[8];
   const bool isIncluded = this->GetCellPoints(cell, points) > 0;
   const CellShape& shape = CellShape::Of(GetCorners(this->Types[cell]).Shape);
   const int number = isIncluded ? shape.NumberOfFaces : 0;
-  for (int i = 0; i < this->FacesPerCell; ++i)
+  for (int i = 0; i < FaceLinks::MaximumPerBlock; ++i)
   {
     faces.Corners[i] = i < number ? shape.Faces[i].NumberOfCorners : 0;
     for (int corner = 0; corner < faces.Corners[i]; ++corner)
@@ -176,29 +206,36 @@ int UnstructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) cons
   return faces.Corners[number];
 }
 
-void UnstructuredFlowField::FindLinks()
+int UnstructuredFlowField::FindFacesPerCell() const
 {
-  this->FacesPerCell = 4;
+  int most = 4;
   for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
   {
     if (this->IsCellIncluded(cell))
     {
       const int shape = GetCorners(this->Types[cell]).Shape;
-      this->FacesPerCell = std::max(this->FacesPerCell, CellShape::Of(shape).NumberOfFaces);
+      most = std::max(most, CellShape::Of(shape).NumberOfFaces);
     }
   }
-  this->Links.assign(this->GetNumberOfCells() * this->FacesPerCell, -1);
-  this->Joins = FaceLinks::Find(
-    this->GetNumberOfCells(), this->FacesPerCell,
+  return most;
+}
+
+void UnstructuredFlowField::FindLinks(MeshLinks& mesh) const
+{
+  const int facesPerCell = this->FindFacesPerCell();
+  mesh.FacesPerCell = facesPerCell;
+  mesh.Links.assign(this->GetNumberOfCells() * facesPerCell, -1);
+  mesh.Joins = FaceLinks::Find(
+    this->GetNumberOfCells(), facesPerCell,
     [this](vtkIdType cell, FaceLinks::Block& faces) { this->FillFaces(cell, faces); },
-    [this](vtkIdType face, vtkIdType* points)
-    { return this->GetCellPoints(face / this->FacesPerCell, points); },
+    [this, facesPerCell](vtkIdType face, vtkIdType* points)
+    { return this->GetCellPoints(face / facesPerCell, points); },
     this->Positions,
-    [this](vtkIdType face, const FaceLinks::Link& link)
+    [&mesh, facesPerCell](vtkIdType face, const FaceLinks::Link& link)
     {
-      const vtkIdType cell = link.Face / this->FacesPerCell;
-      const vtkIdType number = link.Face % this->FacesPerCell;
-      this->Links[face] = 64 * cell + 8 * number + 2 * link.Start + (link.IsReversed ? 1 : 0);
+      const vtkIdType cell = link.Face / facesPerCell;
+      const vtkIdType number = link.Face % facesPerCell;
+      mesh.Links[face] = 64 * cell + 8 * number + 2 * link.Start + (link.IsReversed ? 1 : 0);
     });
 }
 

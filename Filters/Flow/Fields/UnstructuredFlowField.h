@@ -3,13 +3,15 @@
 #define interlume_UnstructuredFlowField_h
 
 #include "Cells/CellShape.h"
-#include "Cells/CellTree.h"
 #include "Common/GridCells.h"
 #include "Common/StoredIds.h"
 #include "Fields/FaceLinks.h"
 #include "Fields/FlowField.h"
+#include "Fields/MeshLinks.h"
 
 #include "vtkSmartPointer.h"
+
+#include <memory>
 
 class vtkUnstructuredGrid;
 
@@ -22,7 +24,7 @@ namespace interlume
  *
  * Streamlines go from face to face by FaceLinks. A face without a link, as between a
  * quadrilateral and two triangles, is where the field ends. Memory: a number for each face, beside
- * the grid.
+ * the grid; it is used again for the same mesh while somebody keeps it (MeshLinks).
  *
  * Cells of fewer dimensions are not part of the field.
  *
@@ -83,7 +85,7 @@ public:
         values.C[corner][0] = this->GetValue(array, point);
       });
   }
-  const CellTree& GetTree() const { return this->Tree; }
+  const CellTree& GetTree() const { return this->Mesh->Tree; }
   /// Returns the error that rounding to floats may have made in positions; 0 for doubles.
   double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
 
@@ -92,7 +94,11 @@ public:
   std::vector<vtkIdType> GetOuterFaces() const;
   int GetFacePoints(vtkIdType face, vtkIdType* points) const;
   /// Returns the joins of the links.
-  const FaceLinks::Joins& GetJoins() const { return this->Joins; }
+  const FaceLinks::Joins& GetJoins() const { return this->Mesh->Joins; }
+  /// Returns what was found of the mesh, and the number of faces of cells whose links were known
+  /// before.
+  const std::shared_ptr<const MeshLinks>& GetMesh() const { return this->Mesh; }
+  vtkIdType GetNumberOfKeptFaces() const { return this->NumberOfKeptFaces; }
   const ArrayRows& GetPositions() const { return this->Positions; }
 
   /// Prefetches the neighbour's list of points in round 0, their positions and vectors in round 1.
@@ -116,7 +122,7 @@ public:
         this->Positions.Prefetch<3>(point);
         this->PrefetchVector(point);
       });
-    interlume::Prefetch::Read(this->Links.data() + neighbor.Cell * this->FacesPerCell);
+    interlume::Prefetch::Read(this->Links + neighbor.Cell * this->FacesPerCell);
   }
 
   /// Crosses a face into the neighbour. Returns false, and changes nothing, where there is none.
@@ -172,7 +178,9 @@ private:
   std::string FindCellError() const;
   int GetCellPoints(vtkIdType cell, vtkIdType* points) const;
   void FillFaces(vtkIdType cell, FaceLinks::Block& faces) const;
-  void FindLinks();
+  int FindFacesPerCell() const;
+  void FindLinks(MeshLinks& mesh) const;
+  void Use(const std::shared_ptr<const MeshLinks>& mesh);
 
   ArrayRows Positions;
   StoredIds Offsets;
@@ -182,12 +190,11 @@ private:
   int OnlyType = 0;
   int OnlySize = 0;
   vtkSmartPointer<GridCells::Types> TypeArray;
-  CellTree Tree;
+  std::shared_ptr<const MeshLinks> Mesh;
+  vtkIdType NumberOfKeptFaces = 0;
+  // Those of Mesh.
   int FacesPerCell = 0;
-  // The links: for each face of each cell -1, or 64 times the neighbour, 8 times its face, twice
-  // the start and whether it is reversed.
-  std::vector<vtkIdType> Links;
-  FaceLinks::Joins Joins;
+  const vtkIdType* Links = nullptr;
 };
 
 }

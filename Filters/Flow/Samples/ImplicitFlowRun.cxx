@@ -37,7 +37,9 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace interlume
 {
@@ -247,6 +249,7 @@ std::string ImplicitFlowRun::Execute(vtkDataSet* samples)
       BoundaryPatches patches;
       if constexpr (std::is_same_v<decltype(own), UnstructuredWalker>)
       {
+        this->Mesh = walker.GetField().GetMesh();
         if (this->Options.DomainFaces)
         {
           const UnstructuredFlowField& field = walker.GetField();
@@ -312,9 +315,21 @@ void ImplicitFlowRun::Describe(const FieldType& field)
   {
     this->Report.JoinedFaces = field.GetJoins().Number;
     this->Report.LargestJoinedGap = field.GetJoins().LargestGap;
-    const interlume::OpenInterfaces open = interlume::OpenInterfaces::Find(field);
-    this->Report.OpenInterfaces = open.Number;
-    this->Report.FirstOpenCell = open.FirstCell;
+    const auto find = [&field]() -> std::pair<vtkIdType, vtkIdType>
+    {
+      const interlume::OpenInterfaces open = interlume::OpenInterfaces::Find(field);
+      return { open.Number, open.FirstCell };
+    };
+    if constexpr (std::is_same_v<FieldType, UnstructuredFlowField>)
+    {
+      this->Report.KeptFaces = field.GetNumberOfKeptFaces();
+      std::tie(this->Report.OpenInterfaces, this->Report.FirstOpenCell) =
+        field.GetMesh()->GetOpenInterfaces(find);
+    }
+    else
+    {
+      std::tie(this->Report.OpenInterfaces, this->Report.FirstOpenCell) = find();
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include "vtkFlowReport.h"
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ class vtkUnstructuredGrid;
 namespace interlume
 {
 
+class MeshLinks;
 class TerminationSides;
 
 /**
@@ -42,6 +44,10 @@ public:
   vtkUnstructuredGrid* GetRefined() const { return this->Refined; }
 
   const vtkFlowReport& GetReport() const { return this->Report; }
+
+  /// Returns what was found of the mesh of an unstructured grid, to be kept until the next
+  /// execution; null for others.
+  const std::shared_ptr<const MeshLinks>& GetMesh() const { return this->Mesh; }
 
 private:
   struct Arrays;
@@ -87,6 +93,7 @@ private:
   vtkDataArray* Vectors;
   vtkSmartPointer<vtkUnstructuredGrid> Refined;
   vtkFlowReport Report;
+  std::shared_ptr<const MeshLinks> Mesh;
 };
 
 }

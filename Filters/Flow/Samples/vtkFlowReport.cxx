@@ -47,8 +47,9 @@ void vtkFlowReport::Print(std::ostream& os, vtkIndent indent) const
   interlume::NamedValue::Print(os, indent,
     { { "Executions", this->Executions }, { "MaximumError", this->MaximumError },
       { "MinimumSpeed", this->MinimumSpeed }, { "MaximumSpeed", this->MaximumSpeed },
-      { "FillValues", this->FillValues }, { "JoinedFaces", this->JoinedFaces },
-      { "LargestJoinedGap", this->LargestJoinedGap }, { "OpenInterfaces", this->OpenInterfaces } });
+      { "FillValues", this->FillValues }, { "KeptFaces", this->KeptFaces },
+      { "JoinedFaces", this->JoinedFaces }, { "LargestJoinedGap", this->LargestJoinedGap },
+      { "OpenInterfaces", this->OpenInterfaces } });
 }
 
 void vtkFlowReport::Add(const vtkFlowReport& other)

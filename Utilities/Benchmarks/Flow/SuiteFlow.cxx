@@ -41,7 +41,9 @@ public:
       "most twice as large, or below 3e-8, to which its points in single precision are rounded. "
       "steps_per_second_ratio compares steps a second of processor time at those settings, "
       "without what one streamline takes with all that is made of the field first, setup_seconds; "
-      "the ratio of times is that of samples a second. threads-2: two threads against one.",
+      "the ratio of times is that of samples a second. equal-error-again: the same filter executed "
+      "again on the same grid, of which it has kept which faces meet, kept_faces. threads-2: two "
+      "threads against one.",
       "uniform, rotation, saddle, spiral, stiff: linear fields, which interpolation keeps, so that "
       "streamlines are known by formulas; source-sink, sphere, abc: with the reference above. The "
       "parameter is MaximumError over the largest speed; in stiff fields, saddles of that ratio of "

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is found of a mesh's faces is kept between executions: when it is used again, when not, and
+// that answers are those of a mesh that nothing is known of, to the last byte.
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Flow/ReferenceFlowGrid.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFlowLIC.h"
+#include "vtkIdList.h"
+#include "vtkImplicitFlowField.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+vtkSmartPointer<vtkImplicitFlowField> NewFilter(vtkUnstructuredGrid* mesh)
+{
+  auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();
+  filter->SetInputData(mesh);
+  filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
+  filter->SetSampleDimensions(5, 6, 4);
+  filter->DomainFacesOn();
+  return filter;
+}
+
+/// All numbers of the samples.
+std::string GetBytes(vtkImplicitFlowField* filter)
+{
+  std::string bytes;
+  vtkPointData* data = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    bytes += array->GetName();
+    bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
+      static_cast<std::size_t>(array->GetNumberOfValues() * array->GetDataTypeSize()));
+  }
+  return bytes;
+}
+
+/// Executes again, and compares with a copy of the mesh.
+void CheckAgain(vtkImplicitFlowField* filter, vtkUnstructuredGrid* mesh, bool isKept,
+  const std::string& what, Check& check)
+{
+  filter->Modified();
+  filter->Update();
+  const vtkIdType kept = filter->GetReport().KeptFaces;
+  check.That(isKept ? kept > 0 && kept % mesh->GetNumberOfCells() == 0 : kept == 0,
+    what + ": " + std::to_string(kept) + " faces kept");
+  vtkNew<vtkUnstructuredGrid> copy;
+  copy->DeepCopy(mesh);
+  const auto fresh = NewFilter(copy);
+  fresh->Update();
+  check.Equal(fresh->GetReport().KeptFaces, 0, what + ": faces kept of a copy");
+  check.That(GetBytes(fresh) == GetBytes(filter), what + ": the samples");
+  check.Equal(filter->GetReport().OpenInterfaces, fresh->GetReport().OpenInterfaces, what);
+  check.Equal(filter->GetReport().JoinedFaces, fresh->GetReport().JoinedFaces, what);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeSwirl(MeshKind kind)
+{
+  auto mesh = MakeFlowMesh(kind, { { 4, 4, 4 } });
+  AddVectors(mesh,
+    [](const Vector& x) {
+      return Vector{ { 1.5 - x[1] + 0.1 * std::sin(3.0 * x[2]), x[0] - 2.3, 0.7 } };
+    });
+  return mesh;
+}
+
+void TestChanges(MeshKind kind, Check& check)
+{
+  const auto mesh = MakeSwirl(kind);
+  const auto filter = NewFilter(mesh);
+  CheckAgain(filter, mesh, false, "first", check);
+  CheckAgain(filter, mesh, true, "again", check);
+  filter->SetMaximumTime(1.0);
+  filter->Update();
+  check.That(filter->GetReport().KeptFaces > 0, "another time");
+  filter->SetMaximumTime(0.0);
+  AddVectors(mesh, [](const Vector& x) { return Vector{ { 1.0, 0.2 * x[0], -0.3 } }; });
+  CheckAgain(filter, mesh, true, "other vectors", check);
+  {
+    const auto second = NewFilter(mesh);
+    CheckAgain(second, mesh, true, "another filter", check);
+  }
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(mesh->GetPoints());
+  mesh->SetPoints(points);
+  CheckAgain(filter, mesh, false, "other points", check);
+  double x[3];
+  points->GetPoint(62, x);
+  points->SetPoint(62, x[0] + 0.2, x[1] - 0.1, x[2] + 0.1);
+  points->Modified();
+  CheckAgain(filter, mesh, false, "a moved point", check);
+  CheckAgain(filter, mesh, true, "not moved since", check);
+  mesh->Modified();
+  CheckAgain(filter, mesh, false, "a mesh said to be modified", check);
+  mesh->AllocateCellGhostArray()->SetValue(5, vtkDataSetAttributes::HIDDENCELL);
+  CheckAgain(filter, mesh, false, "a hidden cell", check);
+  mesh->GetCellGhostArray()->SetValue(6, vtkDataSetAttributes::HIDDENCELL);
+  mesh->GetCellGhostArray()->Modified();
+  CheckAgain(filter, mesh, false, "another hidden cell", check);
+  // The same cells in another order, in the same number.
+  vtkNew<vtkIdList> first;
+  vtkNew<vtkIdList> other;
+  mesh->GetCellPoints(0, first);
+  mesh->GetCellPoints(1, other);
+  if (first->GetNumberOfIds() == other->GetNumberOfIds())
+  {
+    mesh->GetCells()->ReplaceCellAtId(0, other);
+    mesh->GetCells()->ReplaceCellAtId(1, first);
+    mesh->GetCells()->Modified();
+    CheckAgain(filter, mesh, false, "cells in another order", check);
+  }
+}
+
+/// Nothing is left where no filter keeps it; one that convolves noise keeps it too.
+void TestOwners(Check& check)
+{
+  const auto mesh = MakeSwirl(FlowMeshKinds().front());
+  NewFilter(mesh)->Update();
+  auto filter = NewFilter(mesh);
+  CheckAgain(filter, mesh, false, "after the first filter is gone", check);
+  filter = nullptr;
+  vtkNew<vtkFlowLIC> lic;
+  lic->SetInputData(mesh);
+  lic->Update();
+  filter = NewFilter(mesh);
+  CheckAgain(filter, mesh, true, "after LIC", check);
+  lic->SetInputData(MakeSwirl(FlowMeshKinds().front()));
+  lic->Update();
+  filter = nullptr;
+  filter = NewFilter(mesh);
+  CheckAgain(filter, mesh, false, "after all have gone on to another mesh", check);
+}
+
+}
+
+int TestKeptMesh(int, char*[])
+{
+  Check check;
+  for (const MeshKind kind : FlowMeshKinds())
+  {
+    check.SetContext("kind " + std::to_string(static_cast<int>(kind)));
+    TestChanges(kind, check);
+  }
+  check.SetContext("");
+  TestOwners(check);
+  return check.Result();
+}
