@@ -107,7 +107,7 @@ public:
     {
       return false;
     }
-    steps.Walker.Stand(lane, this->Field.GetPlace());
+    steps.Walker.StandAs(lane, this->Field);
     for (int i = 0; i < 3; ++i)
     {
       steps.Point[i].Set(lane, this->Point[i]);
@@ -116,33 +116,47 @@ public:
     steps.Step.Set(lane, this->Step);
     steps.Way.Set(lane, this->Stagnation.GetWay());
     steps.Previous.Set(lane, this->Controller.GetPrevious());
+    steps.WasRejected.Set(lane, this->Controller.GetWasRejected() ? 1.0 : 0.0);
+    steps.StepsLeft.Set(lane, most);
     for (std::size_t i = 0; i < steps.Clearances.size(); ++i)
     {
       steps.Clearances[i].Set(lane, this->Surfaces.GetClearance(i));
     }
     typename Steps::Count& count = steps.Counts[lane];
     count = typename Steps::Count();
-    count.MostSteps = most;
     count.MostCells = this->Recurrence.GetNextFace() - this->Result->Cells;
     count.From = this->Recurrence.GetFrom();
     count.To = this->Recurrence.GetTo();
     count.HasRate = this->HasPointRate;
-    count.WasRejected = this->Controller.GetWasRejected();
     return true;
   }
   /// Returns whether the next step meets no surface after all, where that was all that kept a lane
-  /// from it.
+  /// from it, so that the lane goes on. Else TakeFrom is to be called.
   template <typename Steps>
-  bool IsClear(const Steps& steps, int lane)
+  bool IsClear(Steps& steps, int lane)
   {
+    if (steps.Counts[lane].Steps > 0)
+    {
+      for (std::size_t i = 0; i < steps.Clearances.size(); ++i)
+      {
+        this->Surfaces.RestoreClearance(i, steps.Clearances[i].Get(lane));
+      }
+    }
     // Of several surfaces the first that is met decides which others are looked at.
     if (!steps.IsNear(lane) || this->Surfaces.GetNumber() != 1)
     {
       return false;
     }
+    const double p[3] = { steps.Point[0].Get(lane), steps.Point[1].Get(lane),
+      steps.Point[2].Get(lane) };
     double x[3];
-    this->Field.GetPosition(this->Point, x);
-    return this->Surfaces.Renew(x, steps.GetWay(lane));
+    steps.Walker.GetPosition(lane, p, x);
+    if (!this->Surfaces.Renew(x, steps.GetWay(lane)))
+    {
+      return false;
+    }
+    steps.Clearances.front().Set(lane, this->Surfaces.GetClearance(0));
+    return true;
   }
   template <typename Steps>
   void TakeFrom(const Steps& steps, int lane)
@@ -159,13 +173,9 @@ public:
     }
     this->Time = steps.Time.Get(lane);
     this->Step = steps.Step.Get(lane);
-    this->Controller.Restore(steps.Previous.Get(lane), count.WasRejected);
+    this->Controller.Restore(steps.Previous.Get(lane), false);
     this->Stagnation.Restore(steps.Way.Get(lane), count.Steps);
     this->Stiffness.AddHarmless(count.Steps);
-    for (std::size_t i = 0; i < steps.Clearances.size(); ++i)
-    {
-      this->Surfaces.RestoreClearance(i, steps.Clearances[i].Get(lane));
-    }
     this->HasPointRate = count.HasRate;
     if (this->HasPointRate)
     {

@@ -12,18 +12,18 @@ namespace interlume
 
 /**
  * @class   AdvectionLanes
- * @brief   follows several streamlines at a time, four of them by LaneSteps
+ * @brief   follows several streamlines at a time by LaneSteps
  *
  * Each streamline has an Advection, which takes the steps that LaneSteps does not: the first, those
  * near surfaces, at edges of cells, at the end of the field, rejected and stiff ones, where a
  * window of a test ends. Where one ends the next begins in its lane. Results are those of
  * Advection::Follow to the last byte.
  */
-template <typename Walker>
+template <typename Walker, typename Lanes>
 class AdvectionLanes
 {
 public:
-  using LaneWalker = typename Walker::LaneWalker;
+  using LaneWalker = typename Walker::template LaneWalker<Lanes>;
   using Steps = LaneSteps<LaneWalker>;
 
   /// \a take calls Take of its first argument, compiled for the machine.
@@ -31,7 +31,7 @@ public:
 
   /// As Advection is made.
   AdvectionLanes(const Walker& field, const AdvectionOptions& options, Function take)
-    : Steps4(LaneWalker(&field.GetField()), options)
+    : Group(LaneWalker(&field.GetField()), options)
     , Take(take)
   {
     for (auto& advection : this->Advections)
@@ -52,24 +52,24 @@ public:
     {
       lanes |= this->BeginLane(lane, begin, end) ? 1U << lane : 0U;
     }
-    this->Steps4.Walker.Enter();
     while (lanes != 0)
     {
-      const unsigned int stopped = this->Take(this->Steps4, lanes);
+      const unsigned int stopped = this->Take(this->Group, lanes);
       for (int lane = 0; lane < Lanes::Number; ++lane)
       {
         if (stopped >> lane & 1U)
         {
-          this->Advections[lane]->TakeFrom(this->Steps4, lane);
-          const bool isClear = this->Advections[lane]->IsClear(this->Steps4, lane) &&
-            this->Advections[lane]->GiveTo(this->Steps4, lane);
-          if (!isClear && !this->GoOn(lane, end) && !this->BeginLane(lane, begin, end))
+          if (this->Advections[lane]->IsClear(this->Group, lane))
+          {
+            continue;
+          }
+          this->Advections[lane]->TakeFrom(this->Group, lane);
+          if (!this->GoOn(lane, end) && !this->BeginLane(lane, begin, end))
           {
             lanes &= ~(1U << lane);
           }
         }
       }
-      this->Steps4.Walker.Enter();
     }
   }
 
@@ -107,7 +107,7 @@ private:
         this->Finish(lane, end);
         return false;
       }
-    } while (!this->Advections[lane]->GiveTo(this->Steps4, lane));
+    } while (!this->Advections[lane]->GiveTo(this->Group, lane));
     return true;
   }
 
@@ -118,7 +118,7 @@ private:
     end(this->Ids[lane], this->Starts[lane], this->Results[lane]);
   }
 
-  Steps Steps4;
+  Steps Group;
   Function Take;
   std::unique_ptr<Advection<Walker>> Advections[Lanes::Number];
   AdvectionResult Results[Lanes::Number];

@@ -11,19 +11,21 @@ namespace interlume
 
 /**
  * @class   LaneExit
- * @brief   what CellExit finds for a cell that is a box, for four streamlines at once
+ * @brief   what CellExit finds for a cell that is a box, for several streamlines at once
  *
  * Each lane has the bytes that CellExit computes, or is told to be unclear: then CellExit has to
  * look. Clear are steps that cross each face at most once, at which the streamline does not stand.
  */
+template <typename Lanes>
 class LaneExit
 {
 public:
+  using Mask = typename Lanes::Mask;
   static constexpr int Degree = 4;
 
   /// As CellExit::Approach, not held. Returns the lanes that stand at no face which is to be
   /// crossed.
-  [[gnu::always_inline]] Lanes::Mask Approach(const Lanes p[3], const Lanes rate[3])
+  [[gnu::always_inline]] Mask Approach(const Lanes p[3], const Lanes rate[3])
   {
     this->Fastest = Lanes::Of(0.0);
     this->Outside = Lanes::Of(0.0);
@@ -35,7 +37,7 @@ public:
     }
     const Lanes zero = Lanes::Of(0.0);
     const Lanes least = -1e-12 * this->Fastest;
-    Lanes::Mask isInside = zero == zero;
+    Mask isInside = zero == zero;
     for (int face = 0; face < 6; ++face)
     {
       const Lanes& distance = this->Distances[face];
@@ -65,15 +67,15 @@ public:
    * Finds where steps first leave their cells, and by which face, as numbers. Where they stay,
    * \a first is above 1. Returns the lanes in which that is clear. \a points are control points.
    */
-  [[gnu::always_inline]] Lanes::Mask Find(
+  [[gnu::always_inline]] Mask Find(
     const Lanes points[Degree + 1][3], Lanes& first, Lanes& exitFace) const
   {
     first = Lanes::Of(BernsteinRoot::None);
     exitFace = Lanes::Of(-1.0);
     Lanes end = Lanes::Of(std::numeric_limits<double>::infinity());
-    Lanes::Mask isClear = first == first;
-    Lanes::Mask isUpper[3];
-    Lanes::Mask isLeft[3];
+    Mask isClear = first == first;
+    Mask isUpper[3];
+    Mask isLeft[3];
     for (int axis = 0; axis < 3; ++axis)
     {
       Lanes low = points[0][axis];
@@ -84,44 +86,68 @@ public:
         high = Lanes::Max(high, points[k][axis]);
       }
       end = Lanes::Min(end, Lanes::Min(points[Degree][axis], 1.0 - points[Degree][axis]));
-      const Lanes::Mask isLow = low <= -this->Slacks[2 * axis];
+      const Mask isLow = low <= -this->Slacks[2 * axis];
       isUpper[axis] = 1.0 - high <= -this->Slacks[2 * axis + 1];
       isLeft[axis] = isLow | isUpper[axis];
       isClear &= ~(isLow & isUpper[axis]);
     }
     isClear &= ~(end < -LargestOvershoot - this->Outside);
-    // In each round every lane looks at its next face in ascending order.
+    // Most often the face to which a straight way would be shortest is the one.
+    Lanes b[3][Degree + 1];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Lanes slack =
+        Lanes::Select(isUpper[axis], this->Slacks[2 * axis + 1], this->Slacks[2 * axis]);
+      for (int k = 0; k <= Degree; ++k)
+      {
+        const Lanes& inside = points[k][axis];
+        b[axis][k] = Lanes::Select(isUpper[axis], 1.0 - inside, inside) + slack;
+      }
+    }
     for (int round = 0; round < 3; ++round)
     {
-      const Lanes::Mask looks = isClear & (isLeft[0] | isLeft[1] | isLeft[2]);
+      const Mask looks = isClear & (isLeft[0] | isLeft[1] | isLeft[2]);
       if (!Lanes::IsAny(looks))
       {
         break;
       }
-      Lanes b[Degree + 1];
+      const Mask isSecond = isLeft[1] & (~isLeft[0] | LaneExit::IsBefore(b[1], b[0]));
+      Mask isThis[3];
+      isThis[2] = isLeft[2] &
+        ((isSecond & LaneExit::IsBefore(b[2], b[1])) |
+          (~isSecond & (~isLeft[0] | LaneExit::IsBefore(b[2], b[0]))));
+      isThis[1] = isSecond & ~isThis[2];
+      isThis[0] = ~isThis[1] & ~isThis[2];
+      Lanes own[Degree + 1];
+      for (int k = 0; k <= Degree; ++k)
+      {
+        own[k] = Lanes::Select(isThis[2], b[2][k], Lanes::Select(isThis[1], b[1][k], b[0][k]));
+      }
       Lanes slack = Lanes::Of(0.0);
       Lanes face = Lanes::Of(0.0);
-      for (int axis = 2; axis >= 0; --axis)
+      for (int axis = 0; axis < 3; ++axis)
       {
-        slack = Lanes::Select(isLeft[axis],
+        slack = Lanes::Select(isThis[axis],
           Lanes::Select(isUpper[axis], this->Slacks[2 * axis + 1], this->Slacks[2 * axis]), slack);
-        face = Lanes::Select(isLeft[axis],
+        face = Lanes::Select(isThis[axis],
           Lanes::Select(isUpper[axis], Lanes::Of(2.0 * axis + 1.0), Lanes::Of(2.0 * axis)), face);
-        for (int k = 0; k <= Degree; ++k)
-        {
-          const Lanes& inside = points[k][axis];
-          const Lanes distance = Lanes::Select(isUpper[axis], 1.0 - inside, inside);
-          b[k] = axis < 2 ? Lanes::Select(isLeft[axis], distance, b[k]) : distance;
-        }
+        isLeft[axis] &= ~isThis[axis];
       }
+      Lanes root;
       Lanes theta;
-      isClear &= LaneExit::FindAffine(b, slack, looks, theta) | ~looks;
-      const Lanes::Mask isFirst = looks & (theta < first);
+      isClear &= LaneExit::FindAffine(own, slack, looks, root, theta) | ~looks;
+      const Mask isFirst = looks & ((theta < first) | ((theta == first) & (face < exitFace)));
       first = Lanes::Select(isFirst, theta, first);
       exitFace = Lanes::Select(isFirst, face, exitFace);
-      isLeft[2] &= isLeft[0] | isLeft[1];
-      isLeft[1] &= isLeft[0];
-      isLeft[0] &= ~isLeft[0];
+      if (round < 2)
+      {
+        // No other face comes first that the streamline stays inside of for somewhat longer.
+        const Lanes end = root + Margin;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          isLeft[axis] &= ~LaneExit::IsInside(b[axis], end);
+        }
+      }
     }
     return isClear;
   }
@@ -137,23 +163,54 @@ private:
   static constexpr double MuchOutside = ExitLimits::MuchOutside;
   static constexpr double LargestOvershoot = ExitLimits::LargestOvershoot;
 
-  /// As CellExit::FindAffine where the distance is 0 or above at first and changes sign at most
-  /// once; returns where that is so. \a looks are the lanes that count.
-  [[gnu::always_inline]] static Lanes::Mask FindAffine(
-    Lanes b[Degree + 1], const Lanes& slack, const Lanes::Mask& looks, Lanes& theta)
+  /// By how much of a step a root must be behind another one, so that neither rounding nor the
+  /// slack changes which is first.
+  static constexpr double Margin = 1e-3;
+
+  /// Returns where the straight way from the first to the last of \a one falls below 0 before that
+  /// of \a other.
+  [[gnu::always_inline]] static Mask IsBefore(
+    const Lanes one[Degree + 1], const Lanes other[Degree + 1])
   {
-    Lanes::Mask changes{};
+    return one[0] * (other[0] - other[Degree]) < other[0] * (one[0] - one[Degree]);
+  }
+
+  /// Returns where a polynomial is above 0 from 0 to \a end, by its control points there.
+  [[gnu::always_inline]] static Mask IsInside(const Lanes b[Degree + 1], const Lanes& end)
+  {
     const Lanes zero = Lanes::Of(0.0);
-    b[0] = b[0] + slack;
+    Lanes at[Degree + 1];
+    for (int k = 0; k <= Degree; ++k)
+    {
+      at[k] = b[k];
+    }
+    Mask isInside = zero < at[0];
+    for (int level = 1; level <= Degree; ++level)
+    {
+      for (int i = 0; i <= Degree - level; ++i)
+      {
+        at[i] = at[i] + end * (at[i + 1] - at[i]);
+      }
+      isInside &= zero < at[0];
+    }
+    return isInside;
+  }
+
+  /// As CellExit::FindAffine, the slack being added, where the distance is 0 or above at first and
+  /// changes sign at most once; returns where that is so. \a looks are the lanes that count.
+  [[gnu::always_inline]] static Mask FindAffine(
+    const Lanes b[Degree + 1], const Lanes& slack, const Mask& looks, Lanes& root, Lanes& theta)
+  {
+    Mask changes{};
+    const Lanes zero = Lanes::Of(0.0);
     for (int k = 1; k <= Degree; ++k)
     {
-      b[k] = b[k] + slack;
       changes += (b[k - 1] < zero) ^ (b[k] < zero);
     }
-    const Lanes::Mask isNegative = b[0] < zero;
-    const Lanes::Mask isOne = looks & ~isNegative & (changes == -1);
-    Lanes::Mask isFound;
-    const Lanes root = LaneExit::FindOnly(b, isOne, isFound);
+    const Mask isNegative = b[0] < zero;
+    const Mask isOne = looks & ~isNegative & (changes == -1);
+    Mask isFound;
+    root = LaneExit::FindOnly(b, isOne, isFound);
     Lanes at[Degree + 1];
     for (int k = 0; k <= Degree; ++k)
     {
@@ -176,7 +233,7 @@ private:
 
   /// As BernsteinRoot::FindOnly, in the lanes \a looks. \a isFound are those that have a root.
   [[gnu::always_inline]] static Lanes FindOnly(
-    const Lanes b[Degree + 1], const Lanes::Mask& looks, Lanes::Mask& isFound)
+    const Lanes b[Degree + 1], const Mask& looks, Mask& isFound)
   {
     Lanes differences[Degree + 1];
     Lanes powers[Degree + 1];
@@ -203,7 +260,7 @@ private:
     Lanes high = Lanes::Of(1.0);
     Lanes theta = LaneExit::GuessOnly(powers[0], powers[1], b[Degree]);
     Lanes root = theta;
-    Lanes::Mask isOpen = looks;
+    Mask isOpen = looks;
     for (int iteration = 0; iteration < 100 && Lanes::IsAny(isOpen); ++iteration)
     {
       Lanes value = powers[Degree];
@@ -213,15 +270,15 @@ private:
         slope = slope * theta + value;
         value = value * theta + powers[i];
       }
-      const Lanes::Mask isBelow = value < zero;
+      const Mask isBelow = value < zero;
       high = Lanes::Select(isBelow, theta, high);
       low = Lanes::Select(isBelow, low, theta);
       Lanes next = theta - value / slope;
-      const Lanes::Mask isNewton = (low < next) & (next < high);
+      const Mask isNewton = (low < next) & (next < high);
       const Lanes halved = Lanes::Select(value == zero, theta, 0.5 * (low + high));
       next = Lanes::Select(isNewton, next, halved);
       const Lanes way = next - theta;
-      const Lanes::Mask isDone = (isNewton & (bend * (way * way) <= 1e-14 * Lanes::Abs(slope))) |
+      const Mask isDone = (isNewton & (bend * (way * way) <= 1e-14 * Lanes::Abs(slope))) |
         (Lanes::Abs(way) <= 2e-16) | (next == low) | (next == high);
       root = Lanes::Select(isOpen & isDone, next, root);
       isOpen &= ~isDone;

@@ -3,6 +3,7 @@
 #define interlume_LaneSteps_h
 
 #include "Advection/AdvectionOptions.h"
+#include "Advection/DormandPrinceStep.h"
 #include "Advection/LaneExit.h"
 #include "Advection/StepController.h"
 #include "Advection/StiffnessTest.h"
@@ -19,7 +20,7 @@ namespace interlume
 
 /**
  * @class   LaneSteps
- * @brief   steps of Dormand and Prince's method for four streamlines at once
+ * @brief   steps of Dormand and Prince's method for several streamlines at once
  *
  * A step is all that Advection does from one entry of a cell to the next, where nothing but the
  * usual happens: it is accepted, meets no surface, and goes on within the cell or by one face into
@@ -30,6 +31,9 @@ template <typename LaneWalker>
 class LaneSteps
 {
 public:
+  using Lanes = typename LaneWalker::Lanes;
+  using Mask = typename Lanes::Mask;
+
   LaneSteps(const LaneWalker& walker, const AdvectionOptions& options)
     : Walker(walker)
     , Clearances(options.Surfaces.size(), Lanes::Of(0.0))
@@ -72,6 +76,10 @@ public:
   Lanes Step = Lanes::Of(1.0);
   Lanes Way = Lanes::Of(0.0);
   Lanes Previous = Lanes::Of(StepController::LeastPrevious);
+  /// 1 after a rejected step, else 0.
+  Lanes WasRejected = Lanes::Of(0.0);
+  /// The number of steps that may still be taken here.
+  Lanes StepsLeft = Lanes::Of(0.0);
   std::vector<Lanes> Clearances;
   ///@}
 
@@ -82,7 +90,6 @@ public:
     int Cells = 0;
     /// The rates at starts of steps that no step before had computed.
     int Rates = 0;
-    int MostSteps = 0;
     vtkIdType MostCells = 0;
     /// The face that is watched: the cells that the streamline goes from and to.
     vtkIdType From = -1;
@@ -90,13 +97,12 @@ public:
     /// The cell that the last step has left, -1 for none.
     vtkIdType CellBefore = -1;
     bool HasRate = false;
-    bool WasRejected = false;
   };
   Count Counts[Lanes::Number];
 
 private:
   static constexpr double Epsilon = std::numeric_limits<double>::epsilon();
-  static constexpr int Degree = LaneExit::Degree;
+  static constexpr int Degree = LaneExit<Lanes>::Degree;
 
   [[gnu::always_inline]] void GetRate(const Lanes p[3], Lanes rate[3]) const
   {
@@ -113,7 +119,7 @@ private:
   }
 
   /// Returns where the root of a square is the length, without scaling.
-  [[gnu::always_inline]] static Lanes::Mask IsOrdinary(const Lanes& square)
+  [[gnu::always_inline]] static Mask IsOrdinary(const Lanes& square)
   {
     return (square > 1e-280) & (square < 1e280);
   }
@@ -209,7 +215,7 @@ private:
   /// Returns the error as Advection::GetLastingError does; \a isOrdinary loses the lanes in which
   /// that is not clear, or in which the step is stiff.
   [[gnu::always_inline]] Lanes GetLastingError(
-    const Lanes& h, const Lanes& fastest, Lanes::Mask& isOrdinary) const
+    const Lanes& h, const Lanes& fastest, Mask& isOrdinary) const
   {
     Lanes error[3];
     this->Walker.GetWorldVector(this->Error, error);
@@ -226,7 +232,7 @@ private:
     const Lanes damping = Lanes::Select(square > std::numeric_limits<double>::min(),
       -h * (Dot(direction, rates) / square), Lanes::Of(0.0));
     const Lanes time = Lanes::Min(1.0 / fastest, this->Time + h);
-    const Lanes::Mask isDamped = (damping > 0.1) & (h < time);
+    const Mask isDamped = (damping > 0.1) & (h < time);
     if (Lanes::IsAny(isDamped))
     {
       Lanes axis[3];
@@ -245,7 +251,7 @@ private:
 
   /// Returns how far the step can go, as Advection does for cells of constant frame; \a isOrdinary
   /// loses the lanes in which that is not clear.
-  [[gnu::always_inline]] Lanes GetReach(Lanes::Mask& isOrdinary) const
+  [[gnu::always_inline]] Lanes GetReach(Mask& isOrdinary) const
   {
     Lanes square = Lanes::Of(0.0);
     for (int j = 0; j < Degree; ++j)
@@ -263,32 +269,6 @@ private:
     return 1.01 * Lanes::Sqrt(square);
   }
 
-  /// Returns the next step as Advection has it of the StepController.
-  [[gnu::always_inline]] Lanes GetNextStep(
-    const Lanes& h, const Lanes& ratio, unsigned int lanes) const
-  {
-    const Lanes longest = StepController::Largest * h;
-    // A short step in a cell leaves a longer one as it is.
-    const Lanes::Mask isSmall = ratio < 1e-3;
-    const Lanes::Mask isKept = isSmall & (longest <= this->Step);
-    const unsigned int changed = lanes & ~Lanes::GetBits(isKept);
-    Lanes step = this->Step;
-    for (int lane = 0; lane < Lanes::Number; ++lane)
-    {
-      if (changed >> lane & 1U)
-      {
-        const double error = ratio.Get(lane);
-        double factor = error > StepController::SmallRatio
-          ? StepController::GetFactor(error, this->Previous.Get(lane), 4)
-          : StepController::Largest;
-        factor = this->Counts[lane].WasRejected ? std::min(factor, 1.0) : factor;
-        const double next = std::min(h.Get(lane) * factor, std::numeric_limits<double>::max());
-        step.Set(lane, error < 1e-3 ? std::max(this->Step.Get(lane), next) : next);
-      }
-    }
-    return step;
-  }
-
   /// Takes one step of each lane. Returns the bits of those that it was taken in.
   [[gnu::always_inline]] unsigned int TakeOne(unsigned int lanes)
   {
@@ -298,9 +278,9 @@ private:
     this->Walker.GetWorldVector(rate, world);
     const Lanes squaredSpeed = Dot(world, world);
     const Lanes speed = Lanes::Sqrt(squaredSpeed);
-    Lanes::Mask isUsual = IsOrdinary(squaredSpeed) & ~(speed < this->MinimumSpeed);
+    Mask isUsual = IsOrdinary(squaredSpeed) & ~(speed < this->MinimumSpeed);
 
-    LaneExit exit;
+    LaneExit<Lanes> exit;
     isUsual &= exit.Approach(this->Point, rate);
     const Lanes h = Lanes::Min(this->Step, exit.TimeLimit);
     isUsual &= h < this->MaximumTime - this->Time;
@@ -317,14 +297,15 @@ private:
     Lanes first;
     Lanes face;
     isUsual &= exit.Find(this->Controls, first, face);
-    const Lanes::Mask leaves = face > -0.5;
+    const Mask leaves = face > -0.5;
     const Lanes end = Lanes::Select(leaves, first, Lanes::Of(1.0));
     const Lanes time = end * h;
     isUsual &= time * exit.Fastest > ExitLimits::Tolerance;
+    isUsual &= Lanes::Of(0.0) < this->StepsLeft;
     if (!this->Clearances.empty())
     {
       this->StepWay = end * this->GetReach(isUsual);
-      Lanes::Mask isClear = isUsual;
+      Mask isClear = isUsual;
       for (std::size_t i = 0; i < this->Clearances.size(); ++i)
       {
         isClear &= this->StepWay < this->Clearances[i];
@@ -334,15 +315,16 @@ private:
       isUsual = isClear;
     }
     lanes &= Lanes::GetBits(isUsual);
-    for (int lane = 0; lane < Lanes::Number; ++lane)
-    {
-      lanes &= this->Counts[lane].Steps < this->Counts[lane].MostSteps ? ~0U : ~(1U << lane);
-    }
     const unsigned int crossing = this->Cross(lanes & Lanes::GetBits(leaves), face);
     lanes &= ~Lanes::GetBits(leaves) | crossing;
 
-    const Lanes nextStep = this->GetNextStep(h, ratio, lanes);
-    const Lanes::Mask isTaken = Lanes::GetMask(lanes);
+    // The next step is as Advection has it: a short one in a cell leaves a longer one as it is.
+    Lanes previous = this->Previous;
+    const Lanes factor = StepController::GetFactor(
+      ratio, DormandPrinceStep::ErrorOrder, Lanes::Of(0.0) < this->WasRejected, previous);
+    const Lanes longer = Lanes::Min(h * factor, Lanes::Of(std::numeric_limits<double>::max()));
+    const Lanes nextStep = Lanes::Select(ratio < 1e-3, Lanes::Max(this->Step, longer), longer);
+    const Mask isTaken = Lanes::GetMask(lanes);
     for (int i = 0; i < 3; ++i)
     {
       Lanes at = this->Curve[Degree][i];
@@ -351,8 +333,8 @@ private:
         at = at * end + this->Curve[k][i];
       }
       // The place on the face has the coordinate of the face in the neighbour.
-      const Lanes::Mask isLower = face == Lanes::Of(2.0 * i);
-      const Lanes::Mask isUpper = face == Lanes::Of(2.0 * i + 1.0);
+      const Mask isLower = face == Lanes::Of(2.0 * i);
+      const Mask isUpper = face == Lanes::Of(2.0 * i + 1.0);
       at = Lanes::Select(isLower, Lanes::Of(1.0), Lanes::Select(isUpper, Lanes::Of(0.0), at));
       at = Lanes::Select(leaves, at, this->End[i]);
       this->Point[i] = Lanes::Select(isTaken, at, this->Point[i]);
@@ -360,8 +342,9 @@ private:
     this->Time = Lanes::Select(isTaken, this->Time + time, this->Time);
     this->Way = Lanes::Select(isTaken, this->Way + speed * end * h, this->Way);
     this->Step = Lanes::Select(isTaken, nextStep, this->Step);
-    this->Previous = Lanes::Select(
-      isTaken, Lanes::Max(ratio, Lanes::Of(StepController::LeastPrevious)), this->Previous);
+    this->Previous = Lanes::Select(isTaken, previous, this->Previous);
+    this->WasRejected = Lanes::Select(isTaken, Lanes::Of(0.0), this->WasRejected);
+    this->StepsLeft = Lanes::Select(isTaken, this->StepsLeft + -1.0, this->StepsLeft);
     for (std::size_t i = 0; i < this->Clearances.size(); ++i)
     {
       this->Clearances[i] = Lanes::Select(isTaken, this->ClearancesLeft[i], this->Clearances[i]);
@@ -376,7 +359,6 @@ private:
         count.Rates += count.HasRate ? 0 : 1;
         count.Cells += isCrossing ? 1 : 0;
         count.HasRate = !isCrossing;
-        count.WasRejected = false;
         count.CellBefore = isCrossing ? this->CellsLeft[lane] : -1;
       }
     }
@@ -406,19 +388,14 @@ private:
         this->CellsLeft[lane] = from;
       }
     }
+    // Of a cell that is not entered Advection knows all that is left.
     const unsigned int entered = lanes & Lanes::GetBits(this->Walker.Enter());
-    bool isSame = true;
     for (int lane = 0; lane < Lanes::Number; ++lane)
     {
-      if (!(entered >> lane & 1U) && this->Walker.GetCell(lane) != before[lane].Cell)
+      if (!(entered >> lane & 1U))
       {
         this->Walker.Stand(lane, before[lane]);
-        isSame = false;
       }
-    }
-    if (!isSame)
-    {
-      this->Walker.Enter();
     }
     return entered;
   }

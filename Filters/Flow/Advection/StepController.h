@@ -2,6 +2,8 @@
 #ifndef interlume_StepController_h
 #define interlume_StepController_h
 
+#include "Numerics/Powers.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,15 +25,14 @@ public:
   /// <= 1.
   double Accept(double ratio, int order)
   {
-    const bool wasRejected = this->WasRejected;
+    using Two = Lanes<2>;
+    Two previous = Two::Of(this->Previous);
+    const Two none = Two::Of(0.0);
+    const typename Two::Mask wasRejected = this->WasRejected ? none == none : none < none;
+    const double factor = GetFactor(Two::Of(ratio), order, wasRejected, previous).Get(0);
     this->WasRejected = false;
-    double factor = Largest;
-    if (ratio > SmallRatio)
-    {
-      factor = StepController::GetFactor(ratio, this->Previous, order);
-    }
-    this->Previous = std::max(ratio, LeastPrevious);
-    return wasRejected ? std::min(factor, 1.0) : factor;
+    this->Previous = previous.Get(0);
+    return factor;
   }
 
   /// Returns what the step is multiplied by, below 1, after an error above the largest; the
@@ -43,24 +44,31 @@ public:
     return factor > Smallest ? std::min(factor, Safety) : Smallest;
   }
 
-  /// Returns what the step is multiplied by after accepted errors of \a ratio above SmallRatio, and
-  /// of \a previous before.
-  static double GetFactor(double ratio, double previous, int order)
+  /// Returns what steps are multiplied by after accepted errors of \a ratio. \a previous is what is
+  /// kept of the error before, and becomes that of this one.
+  template <typename Lanes>
+  [[gnu::always_inline]] static Lanes GetFactor(
+    const Lanes& ratio, int order, const typename Lanes::Mask& wasRejected, Lanes& previous)
   {
-    // Most often the error before was small.
-    static const double least = std::pow(LeastPrevious, Integral);
-    const double part = previous == LeastPrevious ? least : std::pow(previous, Integral);
-    const double factor = Safety * std::pow(ratio, -1.0 / order + 0.75 * Integral) * part;
-    return std::min(Largest, std::max(Smallest, factor));
+    const Lanes one = Lanes::Of(1.0);
+    const Lanes largest = Lanes::Of(Largest);
+    // The largest factor comes of all smaller errors.
+    const Lanes error = Powers::GetLogarithm(Lanes::Max(Lanes::Of(0.5 * SmallRatio), ratio));
+    const Lanes power = (-1.0 / order + 0.75 * Integral) * error + Integral * previous;
+    const Lanes controlled = Safety * Powers::GetPower(power);
+    const Lanes limited = Lanes::Min(largest, Lanes::Max(Lanes::Of(Smallest), controlled));
+    const Lanes factor = Lanes::Select(ratio > SmallRatio, limited, largest);
+    previous = Lanes::Max(error, Lanes::Of(LeastPrevious));
+    return Lanes::Select(wasRejected, Lanes::Min(factor, one), factor);
   }
 
   static constexpr double Largest = 5.0;
   /// The ratio below which the step is multiplied by the largest factor.
   static constexpr double SmallRatio = 1e-5;
-  /// The least ratio that is kept.
-  static constexpr double LeastPrevious = 1e-4;
+  /// The least binary logarithm of a ratio that is kept, that of 1e-4.
+  static constexpr double LeastPrevious = -13.287712379549449;
 
-  /// What is kept of the step before, for those who take steps in its place.
+  /// What is kept of the step before, a logarithm, for those who take steps in its place.
   double GetPrevious() const { return this->Previous; }
   bool GetWasRejected() const { return this->WasRejected; }
   void Restore(double previous, bool wasRejected)

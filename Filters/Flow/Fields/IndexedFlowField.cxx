@@ -35,6 +35,19 @@ std::string IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3]
     this->CornerOffsets[corner] = (corner & 1) * this->PointStrides[0] +
       (corner >> 1 & 1) * this->PointStrides[1] + (corner >> 2) * this->PointStrides[2];
   }
+  for (int face = 0; face < 6; ++face)
+  {
+    const int axis = face >> 1;
+    const int way = face & 1;
+    vtkIdType* beyond = this->OffsetsBeyond[face];
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      if ((corner >> axis & 1) == way)
+      {
+        *beyond++ = (way ? 1 : -1) * this->PointStrides[axis] + this->CornerOffsets[corner];
+      }
+    }
+  }
   const auto getPoints = [this](vtkIdType cell, vtkIdType* ids)
   {
     const Place place = this->GetPlace(cell);

@@ -140,18 +140,11 @@ protected:
   template <typename Visitor>
   void ForEachCornerBeyond(const Place& place, int face, Visitor&& visit) const
   {
-    if (this->IsOutside(place, face))
+    if (!this->IsOutside(place, face))
     {
-      return;
-    }
-    const int axis = face >> 1;
-    const int way = face & 1;
-    const vtkIdType neighbor = place.Point + (way ? 1 : -1) * this->PointStrides[axis];
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      if ((corner >> axis & 1) == way)
+      for (const vtkIdType offset : this->OffsetsBeyond[face])
       {
-        visit(neighbor + this->CornerOffsets[corner]);
+        visit(place.Point + offset);
       }
     }
   }
@@ -164,6 +157,8 @@ private:
   bool Settle(const double slack[3], Place& place, double p[3]) const;
 
   vtkIdType CornerOffsets[8] = { 0, 0, 0, 0, 0, 0, 0, 0 };
+  /// Those of the corners that the neighbour beyond a face has and the cell has not.
+  vtkIdType OffsetsBeyond[6][4] = {};
 };
 
 }

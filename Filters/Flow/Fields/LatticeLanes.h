@@ -10,17 +10,19 @@ namespace interlume
 
 /**
  * @class   LatticeLanes
- * @brief   four walkers of boxes that go together
+ * @brief   several walkers of boxes that go together
  *
- * What LatticeWalker computes for one place this computes for a place in each of four cells, with
- * the same bytes but for the sign of zeros that make no difference. \a FieldType is ImageFlowField
- * or RectilinearFlowField.
+ * What LatticeWalker computes for one place this computes for a place in each of several cells,
+ * with the same bytes but for the sign of zeros that make no difference. \a FieldType is
+ * ImageFlowField or RectilinearFlowField.
  */
-template <typename FieldType>
+template <typename FieldType, typename LaneType>
 class LatticeLanes
 {
 public:
   using Field = FieldType;
+  using Lanes = LaneType;
+  using Mask = typename Lanes::Mask;
   using Place = typename Field::Place;
 
   explicit LatticeLanes(const Field* field)
@@ -32,6 +34,36 @@ public:
 
   /// Stands in a cell without computing what is known of it, which Enter does for all.
   void Stand(int lane, const Place& place) { this->Stands[lane] = place; }
+  /// Stands where another walker does, with all that this knows.
+  template <typename Walker>
+  void StandAs(int lane, const Walker& walker)
+  {
+    this->Stand(lane, walker.GetPlace());
+    if (!Field::HasOneFrame)
+    {
+      double frame[9];
+      double inverse[9];
+      this->Shared->GetFrame(this->Stands[lane], frame);
+      this->Shared->GetInverse(this->Stands[lane], inverse);
+      for (int i = 0; i < 9; ++i)
+      {
+        this->Frame[i].Set(lane, frame[i]);
+        this->Inverse[i].Set(lane, inverse[i]);
+      }
+    }
+    const Trilinear& rate = walker.GetRate();
+    for (int m = 0; m < 8; ++m)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        this->C[m][i].Set(lane, rate.C[m][i]);
+      }
+    }
+  }
+  void GetPosition(int lane, const double p[3], double x[3]) const
+  {
+    this->Shared->GetPosition(this->Stands[lane], p, x);
+  }
   const Place& GetPlace(int lane) const { return this->Stands[lane]; }
   vtkIdType GetCell(int lane) const { return this->Stands[lane].Cell; }
 
@@ -48,7 +80,7 @@ public:
   }
 
   /// Computes the velocities and frames of all cells. Returns the lanes whose vectors are finite.
-  [[gnu::always_inline]] Lanes::Mask Enter()
+  [[gnu::always_inline]] Mask Enter()
   {
     this->FindFrames();
     const auto& rows = this->Shared->GetVectorRows();
@@ -105,15 +137,15 @@ private:
     this->IsDiagonal = true;
     for (int i = 0; i < 9; ++i)
     {
-      this->Frame[i] = Lanes::Of(frames[0][i], frames[1][i], frames[2][i], frames[3][i]);
-      this->Inverse[i] = Lanes::Of(inverses[0][i], inverses[1][i], inverses[2][i], inverses[3][i]);
+      this->Frame[i] = Lanes::OfEach([&](int lane) { return frames[lane][i]; });
+      this->Inverse[i] = Lanes::OfEach([&](int lane) { return inverses[lane][i]; });
       const bool isZero = frames[0][i] == 0.0 && inverses[0][i] == 0.0;
       this->IsDiagonal = this->IsDiagonal && (i % 4 == 0 || isZero);
     }
   }
 
   template <typename Real>
-  [[gnu::always_inline]] Lanes::Mask EnterFrom(const Real* vectors)
+  [[gnu::always_inline]] Mask EnterFrom(const Real* vectors)
   {
     Lanes check = Lanes::Of(0.0);
     for (int corner = 0; corner < 8; ++corner)
@@ -126,7 +158,7 @@ private:
       Lanes vector[3];
       for (int i = 0; i < 3; ++i)
       {
-        vector[i] = Lanes::Of(v[0][i], v[1][i], v[2][i], v[3][i]);
+        vector[i] = Lanes::OfEach([&](int lane) { return v[lane][i]; });
         check = check + vector[i];
       }
       for (int i = 0; i < 3; ++i)

@@ -21,8 +21,9 @@ class LatticeWalker : public CellWalker
 {
 public:
   using Field = FieldType;
-  /// Walks in four cells at once.
-  using LaneWalker = LatticeLanes<FieldType>;
+  /// Walks in several cells at once.
+  template <typename Lanes>
+  using LaneWalker = LatticeLanes<FieldType, Lanes>;
   static constexpr bool FacesAreAffine = true;
 
   explicit LatticeWalker(const Field* field)
@@ -33,6 +34,8 @@ public:
   const Field& GetField() const { return *this->Shared; }
 
   const typename Field::Place& GetPlace() const { return this->Stand; }
+  /// Returns dp/dt in the cell.
+  const Trilinear& GetRate() const { return this->Rate; }
   /// Stands in a cell of the field.
   void StandIn(const typename Field::Place& place)
   {

@@ -3,7 +3,6 @@
 
 #include "Advection/AdvectionLanes.h"
 #include "Common/ArrayCheck.h"
-#include "Common/Batches.h"
 #include "Fields/BoundaryPatches.h"
 #include "Fields/FieldDispatch.h"
 #include "Fields/OpenInterfaces.h"
@@ -15,6 +14,7 @@
 #include "Samples/LatticeSteps.h"
 #include "Samples/SampleOrder.h"
 #include "Samples/SamplingCheck.h"
+#include "Samples/SampleStreams.h"
 #include "Samples/SharedLattice.h"
 #include "Samples/TerminationSides.h"
 
@@ -61,7 +61,8 @@ void FollowEach(const Walker& walker, const AdvectionOptions& options, Begin&& b
 {
   if constexpr (std::is_same_v<Walker, ImageWalker> || std::is_same_v<Walker, RectilinearWalker>)
   {
-    AdvectionLanes<Walker> advection(walker, options, LatticeSteps::Take);
+    using Group = AdvectionLanes<Walker, LatticeSteps::Four>;
+    Group advection(walker, options, LatticeSteps::Take);
     advection.Follow(begin, end);
   }
   else
@@ -366,14 +367,15 @@ bool ImplicitFlowRun::Follow(
   {
     const double before = getProgress();
     done += order.GetNumber();
-    return Batches::Run(order.GetNumber(), this->Owner, before, getProgress(),
-      [&](vtkIdType begin, vtkIdType end)
+    return SampleStreams::Run(order.GetNumber(), this->Owner, before, getProgress(),
+      [&](auto&& next)
       {
         FollowEach(
           walker, this->Options,
           [&](double x[3])
           {
-            const vtkIdType id = begin < end ? order[begin++] : -1;
+            const vtkIdType i = next();
+            const vtkIdType id = i < 0 ? i : order[i];
             if (id >= 0)
             {
               samples->GetPoint(id, x);

@@ -14,8 +14,9 @@ namespace interlume
  */
 namespace LatticeSteps
 {
-using ImageSteps = LaneSteps<LatticeLanes<ImageFlowField>>;
-using GridSteps = LaneSteps<LatticeLanes<RectilinearFlowField>>;
+using Four = Lanes<4>;
+using ImageSteps = LaneSteps<LatticeLanes<ImageFlowField, Four>>;
+using GridSteps = LaneSteps<LatticeLanes<RectilinearFlowField, Four>>;
 
 unsigned int Take(ImageSteps& steps, unsigned int lanes);
 unsigned int Take(GridSteps& steps, unsigned int lanes);

@@ -8,6 +8,7 @@
 
 #include "Advection/AdvectionLanes.h"
 #include "Fields/FieldDispatch.h"
+#include "Numerics/Powers.h"
 #include "Samples/LatticeSteps.h"
 
 #include "vtkAnalyticFlowSource.h"
@@ -67,8 +68,8 @@ struct Seen
 };
 
 /// Follows the streamlines by lanes against the bytes of the same followed alone.
-template <typename Lanes>
-void CompareLanes(Lanes& lanes, const std::string& name, const std::vector<Vector>& starts,
+template <typename Group>
+void CompareLanes(Group& lanes, const std::string& name, const std::vector<Vector>& starts,
   const std::vector<std::string>& alone, Seen& seen, Check& check)
 {
   std::vector<vtkIdType> answered(starts.size(), 0);
@@ -113,13 +114,13 @@ void Compare(const Walker& walker, const AdvectionOptions& options,
     alone.push_back(GetBytes(result));
     ++seen.Statuses[result.Status];
   }
-  using Lanes = interlume::AdvectionLanes<Walker>;
+  using Group = interlume::AdvectionLanes<Walker, interlume::LatticeSteps::Four>;
   for (const bool isPlain : { false, true })
   {
-    const typename Lanes::Function plain = interlume::LatticeSteps::TakePlainly;
-    const typename Lanes::Function usual = interlume::LatticeSteps::Take;
-    Lanes lanes(walker, options, isPlain ? plain : usual);
-    CompareLanes(lanes, isPlain ? "plain" : "usual", starts, alone, seen, check);
+    const typename Group::Function plain = interlume::LatticeSteps::TakePlainly;
+    const typename Group::Function usual = interlume::LatticeSteps::Take;
+    Group group(walker, options, isPlain ? plain : usual);
+    CompareLanes(group, isPlain ? "plain" : "usual", starts, alone, seen, check);
   }
 }
 
@@ -306,11 +307,28 @@ void TestLimits(Seen& seen, Check& check)
   check.SetContext("");
 }
 
+/// Logarithms and powers against the library's, and the same bytes for two lanes as for four.
+void TestPowers(Check& check)
+{
+  using interlume::Lanes;
+  using interlume::Powers;
+  for (double x = 1e-12; x < 1e12; x *= 1.0137)
+  {
+    const double found = Powers::GetLogarithm(Lanes<4>::Of(x)).Get(3);
+    check.Near(found, std::log2(x), 1e-7, "the logarithm of " + std::to_string(x), 1.0);
+    check.That(found == Powers::GetLogarithm(Lanes<2>::Of(x)).Get(0), "two lanes and four");
+    const double power = Powers::GetPower(Lanes<4>::Of(found)).Get(2);
+    check.Near(power, x, 5e-7, "the power of it");
+    check.That(power == Powers::GetPower(Lanes<2>::Of(found)).Get(1), "two lanes and four");
+  }
+}
+
 }
 
 int TestAdvectionLanes(int, char*[])
 {
   Check check;
+  TestPowers(check);
   Seen seen;
   TestFields(seen, check);
   TestGrids(seen, check);

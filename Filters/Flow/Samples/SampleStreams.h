@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_SampleStreams_h
+#define interlume_SampleStreams_h
+
+#include "Common/Batches.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace interlume
+{
+
+/**
+ * Runs threads that work on several numbered items at a time, and go on with the next item whenever
+ * one is done: with ranges of items, as Batches hands them out, they would have few at the end of
+ * each.
+ */
+namespace SampleStreams
+{
+/**
+ * Each thread calls \a work(next), where next() returns an item of [0, number) that nobody has had,
+ * and -1 after the last for the time being. Progress and abort are those of Batches::Run.
+ */
+template <typename Work>
+bool Run(vtkIdType number, vtkAlgorithm* owner, double start, double end, Work&& work)
+{
+  // Items in a row are near each other, and are taken by one thread.
+  constexpr vtkIdType part = 8;
+  const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  const vtkIdType batches = std::min(number, Batches::NumberOfBatches);
+  for (vtkIdType batch = 0; batch < batches; ++batch)
+  {
+    owner->UpdateProgress(start + (end - start) * static_cast<double>(batch) / batches);
+    if (owner->GetAbortExecute())
+    {
+      return false;
+    }
+    std::atomic<vtkIdType> taken(batch * number / batches);
+    const vtkIdType all = (batch + 1) * number / batches;
+    vtkSMPTools::For(0, threads, 1,
+      [&](vtkIdType, vtkIdType)
+      {
+        vtkIdType item = 0;
+        vtkIdType last = 0;
+        work(
+          [&]() -> vtkIdType
+          {
+            if (item == last)
+            {
+              item = std::min(taken.fetch_add(part), all);
+              last = std::min(item + part, all);
+            }
+            return item < last ? item++ : -1;
+          });
+      });
+  }
+  return !owner->GetAbortExecute();
+}
+}
+
+}
+
+#endif
