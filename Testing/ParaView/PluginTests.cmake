@@ -115,6 +115,12 @@ plugin_test(TestPluginHelp "paraview;value" "${Python3_EXECUTABLE}" "${script}/T
   "${PROJECT_BINARY_DIR}/Plugin/paraview_help/Interlume.qch" $<TARGET_FILE:Interlume>
   ${server_manager_xml})
 
+if (INTERLUME_PYTHON)
+  plugin_test(TestPluginPython "paraview;value" ${batch} "${script}/TestPluginPython.py")
+  set_tests_properties(TestPluginPython PROPERTIES ENVIRONMENT
+    "${plugin_environment};PYTHONPATH=${INTERLUME_PARAVIEW_PYTHON}:${script}:${CMAKE_BINARY_DIR}/${INTERLUME_PYTHON_DESTINATION}")
+endif ()
+
 # plugin_example(NAME DATA)
 function (plugin_example name data)
   plugin_test(ParaViewExample_${name} "paraview;image" ${batch} "${script}/TestPluginExample.py"

@@ -3,6 +3,10 @@
 # made: they are installed so that each finds the others beside it.
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_RPATH "$ORIGIN")
+# Libraries of one minor version can stand in for each other.
+set(interlume_soversion "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+set(interlume_library_destination "${CMAKE_INSTALL_LIBDIR}")
+set(interlume_python_component python)
 set(interlume_package_destination "${CMAKE_INSTALL_LIBDIR}/cmake/Interlume")
 
 configure_package_config_file(
@@ -16,4 +20,5 @@ install(
   FILES
     "${CMAKE_BINARY_DIR}/InterlumeConfig.cmake"
     "${CMAKE_BINARY_DIR}/InterlumeConfigVersion.cmake"
-  DESTINATION "${interlume_package_destination}")
+  DESTINATION "${interlume_package_destination}"
+  COMPONENT development)

@@ -17,6 +17,19 @@ paraview_plugin_build(
   LIBRARY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
   PLUGINS              ${plugins})
+
+# Python's package beside the plugin: the one of VTK's own Python cannot be loaded here, and may be
+# installed as well.
+include(InterlumePython)
+interlume_find_python()
+if (INTERLUME_PYTHON)
+  set(modules ${interlume_modules})
+  set(tetgen_modules)
+  set(interlume_library_destination "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/Interlume")
+  set(INTERLUME_PYTHON_DESTINATION "${interlume_library_destination}/python")
+  set(interlume_python_component plugin)
+  add_subdirectory("${PROJECT_SOURCE_DIR}/Python" Python)
+endif ()
 if (BUILD_TESTING)
   add_subdirectory("${PROJECT_SOURCE_DIR}/Testing/ParaView" Testing/ParaView)
 endif ()

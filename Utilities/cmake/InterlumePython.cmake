@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Python's side of the modules: finds what VTK wraps classes with, and wraps ours with it. To be included
 # where VTK, or ParaView, has been found.
-#   INTERLUME_PYTHON   whether the modules are wrapped; where not, a status line has said why
+#   INTERLUME_PYTHON             whether the modules are wrapped; where not, a status line has said why
+#   INTERLUME_PYTHON_DESTINATION where the package goes, relative to the prefix, unless it is given
+#   interlume_python_libraries   the folder of VTK's libraries
 
 # interlume_find_python(): looks for VTK's tools and for the Python that VTK's own modules are made for.
 # A macro, since find_package's targets have the scope of the folder that asks for them.
@@ -22,14 +24,21 @@ macro (interlume_find_python)
     endif ()
     set(Python3_FIND_STRATEGY LOCATION)
     find_package(Python3 QUIET COMPONENTS Interpreter Development.Module)
-    find_package(VTK ${interlume_vtk_version} QUIET
-      OPTIONAL_COMPONENTS Python WrappingPythonCore)
+    if (NOT INTERLUME_BUILD_PARAVIEW_PLUGIN)
+      find_package(VTK ${interlume_vtk_version} QUIET
+        OPTIONAL_COMPONENTS Python WrappingPythonCore)
+    endif ()
+    get_target_property(interlume_python_libraries VTK::CommonCore LOCATION)
+    get_filename_component(interlume_python_libraries "${interlume_python_libraries}" DIRECTORY)
     interlume_find_python_obstacle(interlume_python_obstacle)
   endif ()
   if (interlume_python_obstacle)
     message(STATUS "Without Python: ${interlume_python_obstacle}")
   else ()
     set(INTERLUME_PYTHON ON)
+    if (NOT DEFINED INTERLUME_PYTHON_DESTINATION)
+      interlume_python_destination(INTERLUME_PYTHON_DESTINATION)
+    endif ()
     message(STATUS "With Python ${Python3_VERSION}: ${Python3_EXECUTABLE}")
   endif ()
 endmacro ()
@@ -45,7 +54,8 @@ function (interlume_find_python_obstacle variable)
   else ()
     interlume_python_path(path)
     execute_process(
-      COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${path}" "${Python3_EXECUTABLE}" -c
+      COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${path}" "LD_LIBRARY_PATH=${interlume_python_libraries}"
+        "${Python3_EXECUTABLE}" -c
         "from vtkmodules.vtkCommonCore import vtkVersion; print(vtkVersion.GetVTKVersion(), end='')"
       OUTPUT_VARIABLE version
       ERROR_QUIET)

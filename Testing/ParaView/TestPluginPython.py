@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The classes in ParaView's Python: a programmable filter that uses one of them gives what the plugin's
+own filter gives, to the last byte, and a report."""
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from plugin_testing import Checks, fetch, interval_volume, load_plugin
+
+SCRIPT = """
+from interlume import report, vtkIntervalVolume
+intervals = vtkIntervalVolume()
+intervals.SetInputData(self.GetInputDataObject(0, 0))
+intervals.SetInterval(0, 130.0, 180.0)
+intervals.Update()
+self.GetOutputDataObject(0).ShallowCopy(intervals.GetOutput())
+assert report(intervals)["CellsWithOutput"] > 0
+"""
+
+
+def arrays(grid):
+    cells = grid.GetCells()
+    parts = [grid.GetPoints().GetData(), cells.GetConnectivityArray(), cells.GetOffsetsArray()]
+    for data in (grid.GetPointData(), grid.GetCellData()):
+        parts.extend(data.GetArray(i) for i in range(data.GetNumberOfArrays()))
+    return [vtk_to_numpy(part) for part in parts]
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    wavelet = simple.Wavelet()
+    own = simple.ProgrammableFilter(Input=wavelet, OutputDataSetType="vtkUnstructuredGrid", Script=SCRIPT)
+    found = arrays(fetch(own))
+    expected = arrays(fetch(interval_volume(wavelet, "RTData", [[130.0, 180.0]])))
+    checks.that(len(expected[1]) > 0, "there are tetrahedra")
+    checks.that(len(found) == len(expected), "both have the same number of arrays")
+    for number, (one, other) in enumerate(zip(found, expected)):
+        checks.that(np.array_equal(one, other), f"array {number} is that of the plugin's filter")
+    checks.finish()
+
+
+main()
