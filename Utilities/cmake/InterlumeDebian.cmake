@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# What `cpack` makes of a build: Debian packages, a component each. Of the VTK modules: the libraries,
+# what development needs, Python's package, and what needs TetGen, apart because of its licence. Of a
+# build of the plugin: the plugin. They are meant for a build with CMAKE_INSTALL_PREFIX /usr; Utilities/packages
+# makes and tries them.
+set(INTERLUME_PACKAGE_CONTACT "Interlume developers <developers@interlume.invalid>" CACHE STRING
+  "The maintainer of the packages: a name, and an address in angle brackets")
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME interlume)
+set(CPACK_PACKAGE_VENDOR Interlume)
+set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
+set(CPACK_PACKAGE_CONTACT "${INTERLUME_PACKAGE_CONTACT}")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGING_INSTALL_PREFIX "${CMAKE_INSTALL_PREFIX}")
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_COMPONENTS_ALL)
+
+string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+find_program(INTERLUME_GZIP gzip)
+set(about "${PROJECT_SOURCE_DIR}/Utilities/debian")
+
+# interlume_debian_package(COMPONENT PACKAGE TITLE TEXT [SECTION NAME] [DEPENDS TEXT] [LIBRARIES])
+# LIBRARIES: names of libraries that do not make the package's name.
+macro (interlume_debian_package component package title text)
+  cmake_parse_arguments(arg "LIBRARIES" "SECTION;DEPENDS" "" ${ARGN})
+  string(TOUPPER "${component}" upper)
+  list(APPEND CPACK_COMPONENTS_ALL ${component})
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME "${package}")
+  set(CPACK_COMPONENT_${upper}_DESCRIPTION "${title}\n${text}")
+  foreach (field IN ITEMS SECTION DEPENDS)
+    if (arg_${field})
+      set(CPACK_DEBIAN_${upper}_PACKAGE_${field} "${arg_${field}}")
+    endif ()
+  endforeach ()
+  set(folder "${CMAKE_BINARY_DIR}/debian/${package}")
+  configure_file("${about}/changelog.in" "${folder}/changelog.Debian" @ONLY)
+  execute_process(COMMAND "${INTERLUME_GZIP}" -9 -n -f "${folder}/changelog.Debian")
+  install(FILES "${folder}/changelog.Debian.gz" "${about}/copyright"
+    DESTINATION "share/doc/${package}" COMPONENT ${component})
+  set(overrides "${package}: initial-upload-closes-no-bugs *\n")
+  if (arg_LIBRARIES)
+    string(APPEND overrides "${package}: package-name-doesnt-match-sonames *\n")
+    # In place of the scripts that CPack would write.
+    file(WRITE "${folder}/triggers" "activate-noawait ldconfig\n")
+    set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA "${folder}/triggers")
+  endif ()
+  file(WRITE "${folder}/overrides" "${overrides}")
+  install(FILES "${folder}/overrides" RENAME "${package}"
+    DESTINATION share/lintian/overrides COMPONENT ${component})
+endmacro ()
+
+if (INTERLUME_GZIP AND EXISTS /usr/bin/dpkg-deb)
+  set(text "Interval volumes of any dataset from isotables, implicit flow fields, and their\ndrawing as volumes in time, with shadows, or through inflow textures.")
+  if (INTERLUME_BUILD_PARAVIEW_PLUGIN)
+    interlume_debian_package(plugin paraview-interlume
+      "filters and volume rendering of Interlume in ParaView" "${text}"
+      DEPENDS paraview)
+  else ()
+    set(library "libinterlume${interlume_soversion}")
+    set(same "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+    set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
+    interlume_debian_package(runtime ${library}
+      "interval volumes and flow fields for VTK" "${text}"
+      SECTION libs LIBRARIES)
+    interlume_debian_package(development libinterlume-dev
+      "interval volumes and flow fields for VTK: headers and CMake package" "${text}"
+      SECTION libdevel DEPENDS "${library} ${same}, libvtk9-dev")
+    if (INTERLUME_PYTHON)
+      interlume_debian_package(python python3-interlume
+        "interval volumes and flow fields for VTK in Python" "${text}"
+        SECTION python DEPENDS "${library} ${same}, python3, python3-vtk9")
+    endif ()
+    if (INTERLUME_ENABLE_TETGEN)
+      interlume_debian_package(tetgen interlume-tetgen
+        "tetrahedral meshes by TetGen for VTK" "${text}\nThis package runs TetGen, whose licence is the AGPL."
+        DEPENDS "${library} ${same}, python3" LIBRARIES)
+    endif ()
+  endif ()
+  include(CPack)
+endif ()
