@@ -575,14 +575,14 @@ void ImplicitFlowRun::CheckSampling(const Walker& walker, vtkDataSet* samples)
     return;
   }
   SamplingCheck check(samples, arrays, this->Options.SamplingChecks);
-  const bool isDone = Batches::Run(check.GetNumber(), this->Owner, 1.0, 1.0,
-    [&](vtkIdType first, vtkIdType last)
+  const bool isDone = SampleStreams::Run(check.GetNumber(), this->Owner, 1.0, 1.0,
+    [&](auto&& next)
     {
       FollowEach(
         walker, this->Options,
         [&](double x[3])
         {
-          const vtkIdType i = first < last ? first++ : -1;
+          const vtkIdType i = next();
           if (i >= 0)
           {
             check.GetMiddle(i, x);
