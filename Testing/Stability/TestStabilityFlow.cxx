@@ -102,8 +102,8 @@ void TestStiff(StabilityCatalogue& catalogue)
           result.Status == vtkFlowStatus::OUT_OF_TIME ? Distance(result.Position, end)
                                                       : std::nan(""),
           10.0 * options.MaximumError * time);
-        // Faces of cells are kinks, behind which the step control starts anew: at 1e6 rounding in it
-        // changes the number of steps by a twentieth.
+        // Faces of cells are kinks, behind which the step control starts anew: at 1e6 rounding in
+        // it changes the number of steps by a twentieth.
         catalogue.Measure(name + "-steps", extreme,
           "number of steps, " + std::to_string(result.StiffSteps) + " of Rosenbrock's",
           rate > 100.0 && result.StiffSteps == 0 ? std::nan("") : steps,
