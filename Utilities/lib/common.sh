@@ -65,10 +65,15 @@ build_preset()
     cmake --build --preset "$preset" --parallel "$jobs" ${targets[@]+"${targets[@]}"})
 }
 
-# Runs a command on a virtual display, so that a picture never depends on the desktop's driver. The
-# display takes more clients than usual, since each rank of a parallel run opens windows of its own,
-# and does not reset when the last of them leaves: the next, arriving meanwhile, would be turned away.
+# Runs a command on a virtual display, so that a picture never depends on the desktop's driver; or
+# where `window` names VTK's class of window that needs no display, in those. The display takes more
+# clients than usual, since each rank of a parallel run opens windows of its own, and does not reset
+# when the last of them leaves: the next, arriving meanwhile, would be turned away.
 with_display()
 {
-  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1280x1024x24 -maxclients 512 -noreset" "$@"
+  if [ -n "${window:-}" ]; then
+    env -u DISPLAY LIBGL_ALWAYS_SOFTWARE=1 VTK_DEFAULT_OPENGL_WINDOW="$window" "$@"
+  else
+    LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1280x1024x24 -maxclients 512 -noreset" "$@"
+  fi
 }

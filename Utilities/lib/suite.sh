@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Runs a command of Utilities/ in a Debian system of its own, in a folder. Needs common.sh and
+# packages.sh.
+
+suites_dir=${INTERLUME_SUITES:-$build_root/suites}
+suites_known='bookworm trixie sid'
+
+# run_in_suite SUITE COMMAND...: COMMAND is relative to the source folder. The system is made at the
+# first call; later ones reuse it, with what was installed and built there, and copy the files that
+# have changed since.
+run_in_suite()
+{
+  local suite=$1 root=$suites_dir/$1
+  shift
+  case " $suites_known " in
+    *" $suite "*) ;;
+    *) die "unknown suite $suite; known are: ${suites_known// /, }" ;;
+  esac
+  install_packages suite debootstrap util-linux
+  if [ ! -d "$root" ]; then
+    say "Making Debian $suite in $root"
+    mkdir -p "$suites_dir"
+    as_root rm -rf "$root.part"
+    run_logged "make-$suite" as_root debootstrap --variant=minbase --include=ca-certificates \
+      "$suite" "$root.part" "$(debian_mirror)"
+    as_root mv "$root.part" "$root"
+  fi
+  copy_source "$root"
+  say "Running $* in $root"
+  # The mounts end with the command's own namespace.
+  as_root unshare --mount --propagation private bash -euc '
+    root=$1
+    shift
+    mount -t proc proc "$root/proc"
+    mount -t sysfs -o ro sysfs "$root/sys"
+    mount --rbind /dev "$root/dev"
+    mount -t tmpfs tmpfs "$root/dev/shm"
+    cp /etc/resolv.conf /etc/hosts "$root/etc/" 2>/dev/null || true
+    cp -n /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
+    cd "$root"
+    exec env -i HOME=/root LANG=C.UTF-8 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+      http_proxy="${http_proxy:-}" https_proxy="${https_proxy:-}" \
+      chroot "$root" bash -c "cd /src && exec \"\$@\"" bash "$@"' bash "$root" "$@"
+}
+
+# The mirror that this system uses, else Debian's own.
+debian_mirror()
+{
+  local mirror
+  mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null |
+    sed -nE 's/^(URIs: |deb (\[[^]]*\] )?)(http[^ ]*\/debian)\/?( .*)?$/\3/p' | head -n 1)
+  printf '%s' "${mirror:-http://deb.debian.org/debian}"
+}
+
+# All files but what was built, with their times, so that only what has changed is built again; those
+# that are gone leave the copy too.
+copy_source()
+{
+  local root=$1 list=$1/src.files files=$log_dir/suite-files file
+  mkdir -p "$log_dir"
+  (cd "$source_dir" && find . \( -path ./build -o -path ./.git \) -prune -o ! -type d -print | sort) >"$files"
+  as_root mkdir -p "$root/src"
+  if [ -f "$list" ]; then
+    comm -23 "$list" "$files" | while IFS= read -r file; do as_root rm -f "$root/src/$file"; done
+  fi
+  tar -C "$source_dir" -cf - -T "$files" | as_root tar -C "$root/src" -xf - --no-same-owner
+  as_root cp "$files" "$list"
+}
