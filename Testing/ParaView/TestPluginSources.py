@@ -3,7 +3,9 @@
 
 import math
 
+import numpy
 from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from plugin_testing import Checks, check_documentation, check_menu, fetch, load_plugin
 
@@ -48,6 +50,48 @@ def check_motion(checks, source, array, interval):
     checks.that(volumes[0] != volumes[1], f"{name} moves")
 
 
+def values_of(source, array):
+    """The values of a point array, a row a point."""
+    return vtk_to_numpy(fetch(source).GetPointData().GetArray(array)).copy()
+
+
+def check_models(checks):
+    """Each model is another one, with matter and without, and colours have its density as opacity."""
+    source = simple.ConstructiveVolumeModel(Resolution=32)
+    check_documentation(checks, source)
+    check_menu(checks, "sources", "ConstructiveModelSource")
+    seen = []
+    for model in source.GetProperty("Model").Available:
+        source.Model = model
+        source.OutputMode = "Density"
+        density = values_of(source, "Density")
+        checks.that(density.min() == 0.0 and 0.0 < density.max() <= 1.0, 
+                    f"{model}, densities: {density.min()} to {density.max()}")
+        checks.that(not any(numpy.array_equal(density, other) for other in seen), f"{model} is new")
+        seen.append(density)
+        source.OutputMode = "Color as Floats"
+        colors = values_of(source, "Color")
+        checks.that(numpy.array_equal(colors[:, 3], density), f"{model}, opacity of its colours")
+    checks.equal(len(seen), 9, "number of models")
+
+
+def check_turbulence(checks):
+    """The same seed gives the same noise, another seed or sum another one, on the image asked for."""
+    source = simple.Turbulence(WholeExtent=[0, 20, 0, 16, 0, 12])
+    check_documentation(checks, source)
+    check_menu(checks, "sources", "TurbulenceSource")
+    array = fetch(source).GetPointData().GetArray(0).GetName()
+    values = [values_of(source, array)]
+    checks.equal(len(values[0]), 21 * 17 * 13, "points of the turbulence")
+    for name, value in (("Seed", source.Seed + 1), ("Sum", "Noise"), ("Frequency", 3.0)):
+        before = source.GetProperty(name).GetData()
+        setattr(source, name, value)
+        values.append(values_of(source, array))
+        checks.that(not numpy.array_equal(values[-1], values[0]), f"{name} changes the turbulence")
+        setattr(source, name, before)
+    checks.that(numpy.array_equal(values_of(source, array), values[0]), "the turbulence comes back")
+
+
 def main():
     load_plugin()
     checks = Checks()
@@ -70,6 +114,8 @@ def main():
     check_motion(checks, cylinder, "density", [0.9934, 0.9944])
     check_motion(checks, wing, "loss", [0.4, 0.7])
     check_wave(checks, field)
+    check_models(checks)
+    check_turbulence(checks)
     checks.finish()
 
 

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tetrahedral Mesher in ParaView: volumes, bounds, grids, and arrays."""
+
+import numpy
+from paraview import simple
+
+from plugin_testing import (Checks, check_documentation, check_menu, fetch, load_plugin, simplices,
+                            sizes)
+
+
+def volumes(mesh):
+    """The volume of each tetrahedron."""
+    return sizes(simplices(mesh))
+
+
+def check_sphere(checks):
+    """A sphere of triangles: its volume by the divergence theorem is that of the tetrahedra."""
+    sphere = simple.Sphere(ThetaResolution=24, PhiResolution=16)
+    surface = fetch(sphere)
+    corners = numpy.array([[surface.GetCell(i).GetPoints().GetPoint(j) for j in range(3)]
+                           for i in range(surface.GetNumberOfCells())])
+    expected = abs(numpy.linalg.det(corners).sum()) / 6.0
+    mesher = simple.TetrahedralMesher(Input=sphere)
+    check_documentation(checks, mesher)
+    check_menu(checks, "filters", "TetrahedralMesher")
+    plain = fetch(mesher)
+    checks.close(volumes(plain).sum(), expected, 1e-6, "volume of the sphere")
+    largest = expected / 500.0
+    mesher.MaximumVolume = largest
+    fine = fetch(mesher)
+    checks.that(volumes(fine).max() <= largest * 1.0001, "largest volume of a tetrahedron")
+    checks.close(volumes(fine).sum(), expected, 1e-6, "volume of the fine sphere")
+    checks.that(fine.GetNumberOfCells() > max(500, plain.GetNumberOfCells()), "finer by the bound")
+    checks.that(fine.GetCellData().GetArray("RegionId") is not None, "regions")
+
+
+def check_grid(checks):
+    """Hexahedra are cut into tetrahedra of the same volume that keep the array."""
+    wavelet = simple.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
+    grid = simple.AppendDatasets(Input=wavelet)
+    mesh = fetch(simple.TetrahedralMesher(Input=grid))
+    checks.close(volumes(mesh).sum(), 216.0, 1e-6, "volume of the grid")
+    checks.that(mesh.GetPointData().GetArray("RTData") is not None, "array of the grid")
+
+
+def main():
+    load_plugin()
+    checks = Checks()
+    check_sphere(checks)
+    check_grid(checks)
+    checks.finish()
+
+
+main()
