@@ -14,20 +14,12 @@ uniform vec4 columnOrigin;
 #ifdef BENDS
 uniform sampler2D bends;
 #endif
-uniform vec3 boxLower;
-uniform vec3 boxUpper;
 // The length of one unit of unit space in world units.
 uniform float worldLength;
 #ifdef MASK
 uniform sampler3D mask;
 #endif
-#ifdef CLIPPING_PLANES
-uniform vec4 clippingPlanes[CLIPPING_PLANES];
-#endif
 #ifdef CROPPING
-uniform vec3 croppingLower;
-uniform vec3 croppingUpper;
-uniform int croppingFlags;
 uniform mat4 volumeFromUnit;
 #endif
 #ifdef TRANSMISSION
@@ -58,42 +50,7 @@ vec3 placeInTexture(vec3 x)
   return (textureFromUnit * vec4(x, 1.0)).xyz;
 }
 
-// Returns one over a direction in the texture, as far as that goes.
-vec3 inverseOf(vec3 q)
-{
-  return 1.0 / mix(q, vec3(1e-12), lessThan(abs(q), vec3(1e-12)));
-}
-
-// Finds the part of x + s d between lower and upper that has matter. In the texture x is p, and one
-// over d is inverse.
-void cutToMatter(vec3 x, vec3 d, vec3 p, vec3 inverse, inout float lower, inout float upper)
-{
-  vec3 a = (boxLower - p) * inverse;
-  vec3 b = (boxUpper - p) * inverse;
-  vec3 near = min(a, b);
-  vec3 far = max(a, b);
-  lower = max(lower, max(max(near.x, near.y), near.z));
-  upper = min(upper, min(min(far.x, far.y), far.z));
-#ifdef CLIPPING_PLANES
-  for (int i = 0; i < CLIPPING_PLANES; ++i)
-  {
-    float height = dot(clippingPlanes[i].xyz, x) + clippingPlanes[i].w;
-    float slope = dot(clippingPlanes[i].xyz, d);
-    if (abs(slope) < 1e-12)
-    {
-      upper = height < 0.0 ? lower - 1.0 : upper;
-    }
-    else if (slope > 0.0)
-    {
-      lower = max(lower, -height / slope);
-    }
-    else
-    {
-      upper = min(upper, -height / slope);
-    }
-  }
-#endif
-}
+//INTERLUME::CUTS
 
 #ifdef BENDS
 vec4 bendAt(int texel)
@@ -266,9 +223,7 @@ vec3 gradientOf(vec3 difference)
 #ifdef CROPPING
 bool isCropped(vec3 x)
 {
-  vec3 v = (volumeFromUnit * vec4(x, 1.0)).xyz;
-  ivec3 region = ivec3(greaterThanEqual(v, croppingLower)) + ivec3(greaterThan(v, croppingUpper));
-  return (croppingFlags & (1 << (region.x + 3 * region.y + 9 * region.z))) == 0;
+  return isCroppedAt((volumeFromUnit * vec4(x, 1.0)).xyz);
 }
 #endif
 
