@@ -113,6 +113,13 @@ float levelOf(Sample found, vec2 size)
 }
 #endif
 
+// Returns -log(1 - alpha), with all digits of small ones too, and 69 at most.
+float depthOf(float alpha)
+{
+  return alpha < 0.05 ? alpha * (1.0 + alpha * (1.0 / 2.0 + alpha * (1.0 / 3.0 + alpha / 4.0)))
+                      : -log(max(1.0 - alpha, 1e-30));
+}
+
 float strengthAt(vec3 place)
 {
 #ifdef TRANSFER

@@ -3,20 +3,24 @@
 #ifdef SHADE
 uniform sampler3D shadingValues;
 uniform vec3 shadingVoxels;
-uniform vec3 material; // Ambient, diffuse, specular.
 uniform float power;
+#ifdef LIGHTS
+uniform vec3 material; // Ambient, diffuse, specular.
 uniform vec3 ambientLight;
 uniform vec3 lightDirections[LIGHTS]; // Towards the light, or its position, in world units.
 uniform vec3 lightColors[LIGHTS];
 uniform float lightIsPositional[LIGHTS];
-uniform mat3 worldFromVolume;
 uniform vec3 worldOrigin; // The first voxel, less the middle of the volume.
+#endif
+uniform mat3 worldFromVolume;
 
+#ifdef LIGHTS
 struct Light
 {
   vec3 Diffuse;
   vec3 Specular;
 };
+#endif
 
 vec3 shadingAt(vec3 place)
 {
@@ -24,7 +28,7 @@ vec3 shadingAt(vec3 place)
 }
 
 // Returns the vector of length 1 that shades; 0 where there is none.
-vec3 axisAt(vec3 place)
+vec3 axisAtVoxel(vec3 place)
 {
 #ifdef SHADE_VECTORS
   vec3 axis = worldFromVolume * shadingAt(place);
@@ -39,30 +43,39 @@ vec3 axisAt(vec3 place)
   return size > 1e-20 ? axis / size : vec3(0.0);
 }
 
+// Returns the diffuse and the specular share of light, by the axis and the directions towards the
+// light and the eye, of length 1.
+vec2 reflectionOf(vec3 axis, vec3 l, vec3 eye)
+{
+  bool isFlat = axis == vec3(0.0);
+#ifdef SHADE_VECTORS
+  // Of all normals of a line the one in the plane of line and light.
+  float along = dot(l, axis);
+  float diffuse = isFlat ? 1.0 : sqrt(max(1.0 - along * along, 0.0));
+  float mirrored = diffuse * sqrt(max(1.0 - dot(eye, axis) * dot(eye, axis), 0.0)) -
+    along * dot(eye, axis);
+#else
+  float diffuse = isFlat ? 1.0 : max(dot(l, axis), 0.0);
+  float mirrored = diffuse > 0.0 ? dot(reflect(-l, axis), eye) : 0.0;
+#endif
+  return vec2(diffuse, isFlat ? 0.0 : pow(max(mirrored, 0.0), power));
+}
+
+#ifdef LIGHTS
 Light lightAt(vec3 place, vec3 way)
 {
-  vec3 axis = axisAt(place);
-  bool isFlat = axis == vec3(0.0);
+  vec3 axis = axisAtVoxel(place);
   vec3 eye = -normalize(worldFromVoxels * way);
   vec3 world = worldOrigin + worldFromVoxels * place;
   Light light = Light(material.x * ambientLight, vec3(0.0));
   for (int i = 0; i < LIGHTS; ++i)
   {
     vec3 l = normalize(lightDirections[i] - lightIsPositional[i] * world);
-#ifdef SHADE_VECTORS
-    // Of all normals of a line the one in the plane of line and light.
-    float along = dot(l, axis);
-    float diffuse = isFlat ? 1.0 : sqrt(max(1.0 - along * along, 0.0));
-    float mirrored = diffuse * sqrt(max(1.0 - dot(eye, axis) * dot(eye, axis), 0.0)) -
-      along * dot(eye, axis);
-#else
-    float diffuse = isFlat ? 1.0 : max(dot(l, axis), 0.0);
-    float mirrored = diffuse > 0.0 ? dot(reflect(-l, axis), eye) : 0.0;
-#endif
-    float specular = isFlat ? 0.0 : pow(max(mirrored, 0.0), power);
-    light.Diffuse += material.y * diffuse * lightColors[i];
-    light.Specular += material.z * specular * lightColors[i];
+    vec2 shares = reflectionOf(axis, l, eye);
+    light.Diffuse += material.y * shares.x * lightColors[i];
+    light.Specular += material.z * shares.y * lightColors[i];
   }
   return light;
 }
+#endif
 #endif

@@ -46,10 +46,7 @@ float opacityOf(float alpha, float length)
   {
     return 1.0;
   }
-  float x = alpha < 0.05
-    ? -alpha * (1.0 + alpha * (1.0 / 2.0 + alpha * (1.0 / 3.0 + alpha / 4.0)))
-    : log(1.0 - alpha);
-  x *= length;
+  float x = -depthOf(alpha) * length;
   return x > -0.05 ? -x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x / 24.0))) : 1.0 - exp(x);
 }
 

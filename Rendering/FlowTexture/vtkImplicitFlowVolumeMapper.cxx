@@ -98,6 +98,16 @@ void vtkImplicitFlowVolumeMapper::SetName(std::string& member, const char* name)
   }
 }
 
+void vtkImplicitFlowVolumeMapper::SetLightBufferSize(int size)
+{
+  const int clamped = size <= 0 ? 0 : std::min(std::max(size, 16), 8192);
+  if (clamped != this->LightBufferSize)
+  {
+    this->LightBufferSize = clamped;
+    this->Modified();
+  }
+}
+
 void vtkImplicitFlowVolumeMapper::SetOpacityArray(const char* name)
 {
   this->SetName(this->OpacityArray, name);
@@ -213,6 +223,8 @@ void vtkImplicitFlowVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimePhase: " << this->TimePhase << "\n";
   os << indent << "OpacityArray: " << this->OpacityArray << "\n";
   os << indent << "ShadingArray: " << this->ShadingArray << "\n";
+  os << indent << "Shadows: " << this->Shadows << "\n";
+  os << indent << "LightBufferSize: " << this->LightBufferSize << "\n";
   os << indent << "PaintFilter: " << this->PaintFilter << "\n";
   os << indent << "MaximumPaintSamples: " << this->MaximumPaintSamples << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";

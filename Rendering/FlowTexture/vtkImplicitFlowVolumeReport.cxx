@@ -15,6 +15,9 @@ void vtkImplicitFlowVolumeReport::Print(ostream& os, vtkIndent indent) const
       { "ArrayUploads", this->ArrayUploads }, { "UploadedBytes", this->UploadedBytes },
       { "Textures", this->Textures }, { "TextureBytes", this->TextureBytes },
       { "ImageBufferBytes", this->ImageBufferBytes }, { "Passes", this->Passes },
-      { "SampleDistance", this->SampleDistance },
+      { "ShadowedLights", this->ShadowedLights }, { "Sweeps", this->Sweeps },
+      { "Slices", this->Slices }, { "SliceSpacing", this->SliceSpacing },
+      { "LightBuffers", this->LightBuffers }, { "LightBufferSize", this->LightBufferSize },
+      { "LightBufferBytes", this->LightBufferBytes }, { "SampleDistance", this->SampleDistance },
       { "ImageSampleDistance", this->ImageSampleDistance }, { "Seconds", this->Seconds } });
 }

@@ -31,7 +31,8 @@ struct INTERLUMEFLOWTEXTURE_EXPORT vtkImplicitFlowVolumeReport
   /// The number of samples with no finite place or time, or with no finite value of OpacityArray or
   /// ShadingArray. They are drawn as having reached no surface, or with the value 0.
   vtkIdType NonFiniteSamples = 0;
-  /// The names of the parts of the shader that were compiled in, separated by spaces.
+  /// The names of the parts of the shader that were compiled in, separated by spaces; with shadows
+  /// those of slices stand before them.
   std::string Features;
   /// The number of textures of voxels and cells that were sent for this picture, of inflow
   /// textures, and of each of the others.
@@ -46,8 +47,19 @@ struct INTERLUMEFLOWTEXTURE_EXPORT vtkImplicitFlowVolumeReport
   int Textures = 0;
   vtkIdType TextureBytes = 0;
   vtkIdType ImageBufferBytes = 0;
-  /// The number of passes over the picture: one, without the one that shows it.
+  /// The number of passes over the picture: one, without the one that shows it; none where there
+  /// are slices.
   int Passes = 0;
+  /// With shadows: the numbers of lights that cast them, of sweeps and slices, these' distance in
+  /// world units, the number of buffers of lights, the columns and rows of the largest and the
+  /// bytes of all. Without them 0.
+  int ShadowedLights = 0;
+  int Sweeps = 0;
+  int Slices = 0;
+  double SliceSpacing = 0.0;
+  int LightBuffers = 0;
+  int LightBufferSize = 0;
+  vtkIdType LightBufferBytes = 0;
   /// The distance of samples along a line of sight in world units.
   double SampleDistance = 0.0;
   /// The number of pixels of the viewport for each pixel of the picture, along an edge.

@@ -47,6 +47,9 @@ struct vtkImplicitFlowVolumeSettings
   std::string OpacityArray;
   std::string ShadingArray;
 
+  bool Shadows = false;
+  int LightBufferSize = 0;
+
   bool PaintFilter = true;
   int MaximumPaintSamples = 8;
   double SampleDistance = 0.0;

@@ -8,7 +8,9 @@
 
 // Draws one slab as the eye sees it: colour times opacity, and opacity.
 in vec3 place;
+#ifndef MATTER
 uniform sampler2D colors;
+#endif
 #ifdef PERSPECTIVE
 uniform vec3 eyePosition;
 #else
@@ -31,7 +33,7 @@ uniform sampler2D frontDepth;
 uniform vec4 materials[ROWS];
 uniform vec3 ambient;
 #endif
-#ifdef SHADE
+#if defined(SHADE) && !defined(MATTER)
 // The change from voxel to voxel, in columns of each row, from which on there is a surface.
 uniform vec4 surfaceColumns;
 #endif
@@ -58,7 +60,9 @@ bool isFront = false;
 
 vec3 colorAt(vec4 texel, int row)
 {
-#ifdef RGB
+#if defined(MATTER)
+  return texel.rgb;
+#elif defined(RGB)
   return (texel.rgb - colorColumnOrigin.rgb) * colorColumnScale.rgb;
 #else
   return lookUpColor(colors, texel, row);
@@ -75,7 +79,9 @@ vec3 samplePart = vec3(0.0);
 // The rows' colours, shares of the extinction and normals, and how much of a surface there is, 0 to 1.
 vec3 rowColors[ROWS];
 float rowShares[ROWS];
-#ifdef SHADE
+#if defined(SHADE) && defined(MATTER)
+vec3 sampleAxis = vec3(0.0);
+#elif defined(SHADE)
 vec3 rowNormals[ROWS];
 float rowSurfaces[ROWS];
 #endif
@@ -105,6 +111,10 @@ void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
 {
 #ifdef SCATTER
   sum += sampleAlbedo * diffuse * phaseOf(l);
+#elif defined(SHADE) && defined(MATTER)
+  vec2 shares = reflectionOf(sampleAxis, -l, -sightline);
+  sum += rowColors[0] * diffuse * (materials[0].y * shares.x);
+  sum += specular * (materials[0].z * shares.y);
 #else
   for (int row = 0; row < ROWS; ++row)
   {
@@ -136,6 +146,11 @@ void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
 
 void main()
 {
+#ifdef MATTER
+  // All places of a slab's fragments are in one plane, so that differences are exact.
+  vec3 pixelX = dFdx(place);
+  vec3 pixelY = dFdy(place);
+#endif
 #ifdef PERSPECTIVE
   vec3 ray = place - eyePosition;
   sightline = normalize(ray);
@@ -183,6 +198,9 @@ void main()
   float middle = 0.5 * (lower + upper);
   sampleAt = place + sightline * middle;
   vec3 sampleInTexture = p + q * middle;
+#ifdef MATTER
+  setSampleSize(sightline, upper - lower, pixelX, pixelY);
+#endif
   vec4 texel;
   vec4 parts;
   sampleExtinction = extinctionsAt(sampleAt, sampleInTexture, texel, parts);
@@ -229,7 +247,9 @@ void main()
 #ifdef TRANSMISSION
   samplePart = PART(texel);
 #endif
-#ifdef SHADE
+#if defined(SHADE) && defined(MATTER)
+  sampleAxis = axisAt(sampleInTexture);
+#elif defined(SHADE)
   vec4 differences[3];
   differencesAt(sampleInTexture, texel, differences);
 #endif
@@ -237,7 +257,7 @@ void main()
   {
     rowShares[row] = parts[row] / sampleExtinction;
     rowColors[row] = colorAt(texel, row);
-#ifdef SHADE
+#if defined(SHADE) && !defined(MATTER)
 #if ROWS == 1
     vec3 difference =
       vec3(differences[0].OPACITY_OF, differences[1].OPACITY_OF, differences[2].OPACITY_OF);

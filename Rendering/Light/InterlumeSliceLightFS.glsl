@@ -21,11 +21,20 @@ uniform vec3 direction;
 
 void main()
 {
+#if defined(MATTER) && !defined(WIDE)
+  vec3 texelX = dFdx(place);
+  vec3 texelY = dFdy(place);
+#endif
 #ifdef WIDE
   // Octahedral map of the half space that the light shines into.
   vec2 corner = place.xy * 2.0 - 1.0;
   vec2 across = vec2(corner.x + corner.y, corner.x - corner.y) * 0.5;
   vec3 l = normalize(frame * vec3(across, max(1.0 - abs(across.x) - abs(across.y), 1e-6)));
+#ifdef MATTER
+  // How far the rays of texels beside each other are apart where they are 1 long.
+  vec3 texelX = dFdx(l);
+  vec3 texelY = dFdy(l);
+#endif
   vec3 x = position;
   float slope = max(dot(l, sliceNormal), 1e-6);
   float first = (sliceEntrance - dot(position, sliceNormal)) / slope;
@@ -57,11 +66,17 @@ void main()
   for (int i = 0; i < steps; ++i)
   {
     float s = lower + (float(i) + 0.5) * size;
+#ifdef MATTER
+    setSampleSize(l, size, s * texelX, s * texelY);
+#endif
     float extinction = extinctionsAt(x + l * s, p + q * s, texel, parts);
     depth += extinction * size * PART(texel);
   }
 #else
   float middle = 0.5 * (lower + upper);
+#ifdef MATTER
+  setSampleSize(l, upper - lower, texelX, texelY);
+#endif
   float extinction = extinctionsAt(x + l * middle, p + q * middle, texel, parts);
   if (!(extinction > 0.0))
   {

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The matter along a ray, for fragments of the picture and of a light's buffer. ROWS functions of
-// COLUMNS samples; OPACITY_OF names the components of a texel that have an opacity.
+// COLUMNS samples; OPACITY_OF names the components of a texel that have an opacity. With MATTER there
+// are functions of their own in the place of all these: see vtkSliceMatter.
 
+#ifdef MATTER
+//INTERLUME::MATTER
+#else
 uniform sampler3D volume;
 uniform sampler2D extinctions;
 #ifdef THICK
 uniform sampler2D extinctionSums;
 #endif
-uniform mat4 textureFromUnit;
 // The factor of columns: a texel less the origin, times the scale, is a column.
 uniform vec4 columnScale;
 uniform vec4 columnOrigin;
 #ifdef BENDS
 uniform sampler2D bends;
 #endif
+#endif
+uniform mat4 textureFromUnit;
 // The length of one unit of unit space in world units.
 uniform float worldLength;
 #ifdef MASK
@@ -25,11 +30,11 @@ uniform mat4 volumeFromUnit;
 #ifdef TRANSMISSION
 uniform sampler2D transmissions;
 #endif
-#if defined(TRANSMISSION) || defined(COLOR)
+#if (defined(TRANSMISSION) || defined(COLOR)) && !defined(MATTER)
 uniform vec4 colorColumnScale;
 uniform vec4 colorColumnOrigin;
 #endif
-#if defined(GRADIENT_OPACITY) || defined(SHADE)
+#if (defined(GRADIENT_OPACITY) || defined(SHADE)) && !defined(MATTER)
 uniform vec3 voxel;
 #endif
 #ifdef GRADIENT_OPACITY
@@ -52,6 +57,7 @@ vec3 placeInTexture(vec3 x)
 
 //INTERLUME::CUTS
 
+#ifndef MATTER
 #ifdef BENDS
 vec4 bendAt(int texel)
 {
@@ -158,6 +164,7 @@ vec3 lookUpColor(sampler2D table, vec4 texel, int row)
   return mix(color.rgb, texelFetch(table, ivec2(first + 1, row), 0).rgb, share);
 }
 #endif
+#endif
 
 // Light has three channels where the matter has a colour of its own for light that passes, else one;
 // PART is the share of the extinction that each meets, the same for all three where matter is GREY.
@@ -175,6 +182,7 @@ vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 #define PART(texel) 1.0
 #endif
 
+#ifndef MATTER
 // Returns the mean of the finite samples around, and their share.
 vec4 texelAt(vec3 p, out float share)
 {
@@ -219,6 +227,7 @@ vec3 gradientOf(vec3 difference)
   return normalize((difference / size / voxel) * mat3(textureFromUnit));
 }
 #endif
+#endif
 
 #ifdef CROPPING
 bool isCropped(vec3 x)
@@ -227,6 +236,34 @@ bool isCropped(vec3 x)
 }
 #endif
 
+#ifdef MATTER
+// What a fragment's sample stands for, in the texture: a piece of the ray and the edges of a pixel.
+mat3 sampleSize = mat3(0.0);
+
+// Sets the size from a piece of a ray along d, and the edges of a pixel around, in unit space.
+void setSampleSize(vec3 d, float piece, vec3 x, vec3 y)
+{
+  sampleSize =
+    mat3(textureFromUnit) * mat3(piece * d, x - dot(x, d) * d, y - dot(y, d) * d);
+}
+
+// Finds the extinction at x, which is p in the texture; the texel is the colour.
+float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
+{
+  texel = vec4(0.0);
+  parts = vec4(0.0);
+#ifdef CROPPING
+  if (isCropped(x))
+  {
+    return 0.0;
+  }
+#endif
+  vec3 color = vec3(0.0);
+  parts.x = matterAt(p, sampleSize, color) * worldLength;
+  texel = vec4(color, 0.0);
+  return parts.x;
+}
+#else
 // Finds the extinction of each row at x, which is p in the texture, and returns their sum.
 float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 {
@@ -271,6 +308,7 @@ float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 #endif
   return dot(parts, vec4(1.0));
 }
+#endif
 
 #ifdef THICK
 #ifdef TRANSMISSION

@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
+#include "vtkSliceMatter.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -71,6 +72,15 @@ void vtkShadowedSliceMapper::SetPhaseTable(vtkPiecewiseFunction* function)
   if (function != this->PhaseTable)
   {
     this->PhaseTable = function;
+    this->Modified();
+  }
+}
+
+void vtkShadowedSliceMapper::SetMatter(vtkSliceMatter* matter)
+{
+  if (matter != this->Matter)
+  {
+    this->Matter = matter;
     this->Modified();
   }
 }
@@ -202,6 +212,7 @@ void vtkShadowedSliceMapper::Draw(vtkRenderer* renderer, vtkVolume* volume,
   interlume::SliceRenderer::Request request;
   request.Image = image;
   request.Settings = *this;
+  request.Matter = this->Matter;
   request.ClippingPlanes = this->ClippingPlanes;
   request.Cropping = this->Cropping != 0;
   std::copy_n(this->CroppingRegionPlanes, 6, request.CroppingPlanes.begin());
@@ -244,7 +255,14 @@ void vtkShadowedSliceMapper::ReportFaults(vtkImageData* image, vtkDataArray* sca
   const vtkMTimeType state = std::max(image->GetMTime(), this->GetMTime());
   if (!text.empty() && (state != this->ErrorTime || text != this->ErrorText))
   {
-    vtkErrorMacro(<< text);
+    if (this->Matter)
+    {
+      this->Matter->ReportFault(text);
+    }
+    else
+    {
+      vtkErrorMacro(<< text);
+    }
     this->ErrorTime = state;
     this->ErrorText = text;
   }

@@ -17,6 +17,7 @@ class vtkDepthPeels;
 class vtkImageData;
 class vtkLight;
 class vtkPiecewiseFunction;
+class vtkSliceMatter;
 
 namespace interlume
 {
@@ -472,6 +473,12 @@ public:
   ///@}
 
   /**
+   * WARNING: for mappers of matter that is looked up by functions of its own; see vtkSliceMatter,
+   * which has to live as long as it is set. Default null: the matter of the scalars.
+   */
+  void SetMatter(vtkSliceMatter* matter);
+
+  /**
    * Returns what the last picture took.
    */
   const vtkShadowedSliceReport& GetReport() const { return this->RenderReport; }
@@ -526,6 +533,7 @@ private:
   vtkMTimeType ErrorTime = 0;
   std::string ErrorText;
   vtkMTimeType WarningTime = 0;
+  vtkSliceMatter* Matter = nullptr;
   /// The scene that the picture was drawn ahead for.
   interlume::SliceScene* Scene = nullptr;
   std::unique_ptr<vtkDepthPeels> Peels;

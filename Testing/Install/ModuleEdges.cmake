@@ -4,7 +4,7 @@
 #   - ParaView's headers only in Plugin/
 #   - the programs below Utilities/ know no test
 #   - a rendering module knows no module under Filters/; Scene <- Tetrahedra, Light, FlowTexture, which do
-#     not know each other
+#     not know each other, but that FlowTexture knows what is public of Light
 #   - Isotables knows no pipeline and no dataset; Isotables <- Intervals <- Flow; Sources and Meshing on VTK
 #     alone, and no filter module uses them
 #   - Filters/Common is for all modules, and knows none
@@ -65,14 +65,16 @@ function (find_breaches root output)
   header_pattern(not_sources "${root}/Filters/Isotables" "${root}/Filters/Intervals" "${root}/Filters/Flow")
   header_pattern(tetrahedra "${root}/Rendering/Tetrahedra")
   header_pattern(light "${root}/Rendering/Light")
+  header_pattern(light_rooms "${root}/Rendering/Light/*")
   header_pattern(flow_texture "${root}/Rendering/FlowTexture")
   forbid("${root}" Rendering "${filters}")
   foreach (folder IN ITEMS Scene Light FlowTexture)
     forbid("${root}" Rendering/${folder} "${tetrahedra}")
   endforeach ()
-  foreach (folder IN ITEMS Scene Tetrahedra FlowTexture)
+  foreach (folder IN ITEMS Scene Tetrahedra)
     forbid("${root}" Rendering/${folder} "${light}")
   endforeach ()
+  forbid("${root}" Rendering/FlowTexture "${light_rooms}")
   foreach (folder IN ITEMS Scene Tetrahedra Light)
     forbid("${root}" Rendering/${folder} "${flow_texture}")
   endforeach ()

@@ -14,7 +14,9 @@ file(WRITE "${WORK_DIR}/Filters/Sources/vtkField.h" "#include \"vtkImageAlgorith
 file(WRITE "${WORK_DIR}/Rendering/Scene/vtkDepth.h" "#include \"vtkRenderer.h\"\n")
 file(WRITE "${WORK_DIR}/Rendering/Light/vtkSweep.h" "#include \"vtkDepth.h\"\n")
 file(WRITE "${WORK_DIR}/Rendering/Tetrahedra/vtkOrder.h" "#include \"vtkDepth.h\"\n")
-file(WRITE "${WORK_DIR}/Rendering/FlowTexture/vtkStripes.h" "#include \"vtkDepth.h\"\n")
+file(WRITE "${WORK_DIR}/Rendering/Light/Plan/Slabs.h" "#include \"vtkSweep.h\"\n")
+file(WRITE "${WORK_DIR}/Rendering/FlowTexture/vtkStripes.h"
+  "#include \"vtkDepth.h\"\n#include \"vtkSweep.h\"\n")
 file(WRITE "${WORK_DIR}/Filters/Common/Vectors.h" "#include <cmath>\n")
 file(WRITE "${WORK_DIR}/Rendering/Light/vtkUse.cxx" "#include \"Common/Vectors.h\"\n")
 file(WRITE "${WORK_DIR}/Plugin/vtkPanel.cxx" "#include \"vtkPVView.h\"\n")
@@ -37,7 +39,7 @@ set(expected
   "Filters/Intervals/vtkM.cxx: #include \"vtkField.h\""
   "Filters/Meshing/vtkL.cxx: #include \"vtkCut.h\""
   "Filters/Sources/vtkG.cxx: #include \"vtkTable.h\""
-  "Rendering/FlowTexture/vtkS.cxx: #include \"vtkSweep.h\""
+  "Rendering/FlowTexture/vtkS.cxx: #include \"Plan/Slabs.h\""
   "Rendering/FlowTexture/vtkT.cxx: #include \"vtkOrder.h\""
   "Rendering/Light/vtkU.cxx: #include \"vtkStripes.h\""
   "Rendering/Light/vtkH.cxx: #include <vtkCut.h>"

@@ -56,6 +56,7 @@ struct FlowPicture
   vtkImplicitFlowVolumeReport& Report;
 
   std::array<int, 2> Size{};
+  bool HasShadows = false;
   FlowShader::Parts Parts{};
   vtkDataArray* OpacityValues = nullptr;
   vtkDataArray* ShadingValues = nullptr;

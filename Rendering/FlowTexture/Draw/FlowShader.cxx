@@ -7,6 +7,7 @@
 
 #include "InterlumeFlowCell.h"
 #include "InterlumeFlowInflow.h"
+#include "InterlumeFlowMatter.h"
 #include "InterlumeFlowPaint.h"
 #include "InterlumeFlowShade.h"
 #include "InterlumeFlowVolumeFS.h"
@@ -69,10 +70,13 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
   const bool hasDetail = parts.DetailDimensions > 0;
   const bool hasGate = settings.TimeGate != nullptr;
   this->HasTimes = hasGate || parts.DetailDimensions == 3;
-  add(view.IsParallel, "PARALLEL");
-  add(parts.HasOpaqueDepth, "OPAQUE");
-  add(!view.ClippingPlanes.empty(), "CLIPPING_PLANES", number(view.ClippingPlanes.size()));
-  add(view.HasRegions, "CROPPING");
+  // Slices have these themselves.
+  const bool isAlone = !parts.IsMatter;
+  add(isAlone && view.IsParallel, "PARALLEL");
+  add(isAlone && parts.HasOpaqueDepth, "OPAQUE");
+  add(
+    isAlone && !view.ClippingPlanes.empty(), "CLIPPING_PLANES", number(view.ClippingPlanes.size()));
+  add(isAlone && view.HasRegions, "CROPPING");
   add(parts.HasSplitCells, "SPLITS");
   add(!paints.IsOne, "SURFACES");
   add(this->HasTimes, "TIMES");
@@ -89,7 +93,7 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
       (isBoth || settings.TimeGateTarget == vtkImplicitFlowVolumeSettings::GATE_DETAIL),
     "GATE_DETAIL");
   add(parts.HasTransfer, "TRANSFER", number(Columns));
-  add(parts.IsShaded, "SHADE");
+  add(isAlone && parts.IsShaded, "SHADE");
   add(parts.IsShaded && parts.IsShadedByVectors, "SHADE_VECTORS");
   this->Names = this->Features.substr(0, this->Features.find_last_not_of(' ') + 1);
   std::transform(this->Names.begin(), this->Names.end(), this->Names.begin(),
@@ -98,7 +102,7 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
   // What follows is no feature but a number that the shader is compiled with.
   add(parts.IsSoftware, "SMOOTH_PLACES");
   this->Add("WAYS", std::to_string(FlowGrid::Ways));
-  add(parts.IsShaded, "LIGHTS", std::to_string(parts.Lights));
+  add(isAlone && parts.IsShaded, "LIGHTS", std::to_string(parts.Lights));
   if (paints.IsOne)
   {
     const bool hasSurface = paints.Surfaces.size() > 4;
@@ -108,7 +112,7 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
     this->Add("PERIOD_U", is(1));
     this->Add("PERIOD_V", is(2));
   }
-  this->Source = InterlumeFlowVolumeFS;
+  this->Source = isAlone ? InterlumeFlowVolumeFS : InterlumeFlowMatter;
   Replace(this->Source, "//INTERLUME::WALK", InterlumeFlowWalk);
   Replace(this->Source, "//INTERLUME::CELL", InterlumeFlowCell);
   Replace(this->Source, "//INTERLUME::PAINT\n", std::string(InterlumeFlowPaint) + "\n");

@@ -15,6 +15,8 @@ class FlowView;
 /**
  * @class   FlowShader
  * @brief   puts the shader of a picture together, with nothing of what is off
+ *
+ * It is that of lines of sight, or the functions of matter that vtkSliceMatter tells of.
  */
 class FlowShader
 {
@@ -33,6 +35,8 @@ public:
     bool IsShaded = false;
     bool IsShadedByVectors = false;
     int Lights = 0;
+    /// Whether it is matter of slices, not lines of sight, that is looked up.
+    bool IsMatter = false;
   };
 
   /// The columns of textures of functions.

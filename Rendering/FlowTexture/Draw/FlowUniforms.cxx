@@ -83,12 +83,28 @@ void SetView(vtkShaderProgram* program, const FlowScene& scene, const FlowPictur
 void FlowUniforms::Set(
   vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture)
 {
+  SetView(program, scene, picture);
+  program->SetUniformf("sampleDistance", static_cast<float>(picture.SampleDistance));
+  SetMatter(program, scene, picture);
+  if (picture.Parts.IsShaded)
+  {
+    vtkVolumeProperty* property = picture.Volume->GetProperty();
+    SetValue(program, "material",
+      { property->GetAmbient(), property->GetDiffuse(), property->GetSpecular() });
+    const glm::dvec3 size(scene.Grid.Size[0], scene.Grid.Size[1], scene.Grid.Size[2]);
+    const glm::dmat3 axes(scene.View.WorldFromVoxels);
+    SetValue(program, "worldOrigin", -(axes * (0.5 * (size - 1.0))));
+    scene.Lights.SetUniforms(program);
+  }
+}
+
+void FlowUniforms::SetMatter(
+  vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture)
+{
   const vtkImplicitFlowVolumeSettings& settings = picture.Asked.Settings;
   vtkVolumeProperty* property = picture.Volume->GetProperty();
-  SetView(program, scene, picture);
   const glm::dvec3 size(scene.Grid.Size[0], scene.Grid.Size[1], scene.Grid.Size[2]);
   SetValue(program, "lastCell", size - 2.0);
-  program->SetUniformf("sampleDistance", static_cast<float>(picture.SampleDistance));
   program->SetUniformf(
     "unitDistance", static_cast<float>(property->GetScalarOpacityUnitDistance(0)));
   const double alpha = settings.DefaultColor[3];
@@ -133,14 +149,11 @@ void FlowUniforms::Set(
   if (picture.Parts.IsShaded)
   {
     SetValue(program, "shadingVoxels", size);
-    SetValue(program, "material",
-      { property->GetAmbient(), property->GetDiffuse(), property->GetSpecular() });
     program->SetUniformf("power", static_cast<float>(property->GetSpecularPower()));
     const glm::dmat3 axes(scene.View.WorldFromVoxels);
-    SetValue(program, "worldOrigin", -(axes * (0.5 * (size - 1.0))));
+    SetValue(program, "worldFromVoxels", axes);
     const glm::dmat3 fromVolume = axes * glm::inverse(glm::dmat3(scene.View.VolumeFromVoxels));
     SetValue(program, "worldFromVolume", fromVolume);
-    scene.Lights.SetUniforms(program);
   }
 }
 

@@ -17,7 +17,11 @@ struct FlowScene;
 class FlowUniforms
 {
 public:
+  /// All of lines of sight.
   static void Set(vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture);
+  /// What is painted, and how it is shaded by the matter alone.
+  static void SetMatter(
+    vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture);
 };
 
 }

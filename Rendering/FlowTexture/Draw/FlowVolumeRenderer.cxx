@@ -4,6 +4,7 @@
 #include "Common/ArrayCheck.h"
 #include "Draw/FlowPicture.h"
 #include "Draw/FlowShader.h"
+#include "Draw/FlowSlices.h"
 #include "Draw/FlowSources.h"
 #include "Draw/FlowTextures.h"
 #include "Draw/FlowUniforms.h"
@@ -41,6 +42,17 @@ struct FlowVolumeRenderer::WindowResources
   vtkImageQuad RayQuad;
   vtkImageQuad ShowQuad;
   vtkPropSelection Selection;
+
+  /// Frees what lines of sight are drawn into; afterwards no framebuffer may be bound.
+  void ReleasePicture(vtkWindow* window)
+  {
+    for (vtkTextureObject* texture :
+      { this->Image.Get(), this->OpaqueDepth.Get(), this->NoDepth.Get() })
+    {
+      texture->ReleaseGraphicsResources(window);
+    }
+    this->Framebuffer->ReleaseGraphicsResources(window);
+  }
 };
 
 FlowVolumeRenderer::FlowVolumeRenderer() = default;
@@ -136,7 +148,7 @@ std::string FlowVolumeRenderer::Update(FlowPicture& picture)
   report.NonFiniteSamples = this->Scene.Grid.NonFinite;
   picture.Parts.IsSoftware = vtkSoftwareOpenGL::IsUsed(picture.Window);
   picture.Parts.HasSplitCells = this->Scene.Grid.SplitCells > 0;
-  if (picture.Parts.IsShaded)
+  if (picture.Parts.IsShaded && !picture.HasShadows)
   {
     const glm::dvec3 middle = 0.5 *
       glm::dvec3(
@@ -146,6 +158,36 @@ std::string FlowVolumeRenderer::Update(FlowPicture& picture)
     picture.Parts.Lights = this->Scene.Lights.GetNumber();
   }
   return {};
+}
+
+void FlowVolumeRenderer::ReleaseSlices(vtkOpenGLRenderWindow* window, bool isAsked)
+{
+  if (!this->Slices)
+  {
+    return;
+  }
+  // Where a framebuffer is released none is bound any more.
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Slices->ReleaseGraphicsResources(isAsked ? window : nullptr);
+  state->PopFramebufferBindings();
+  if (!isAsked)
+  {
+    this->Slices.reset();
+  }
+}
+
+std::string FlowVolumeRenderer::DrawSlices(FlowPicture& picture, WindowResources& resources)
+{
+  vtkOpenGLState* state = picture.Window->GetState();
+  state->PushFramebufferBindings();
+  resources.ReleasePicture(picture.Window);
+  state->PopFramebufferBindings();
+  if (!this->Slices)
+  {
+    this->Slices = std::make_unique<FlowSlices>();
+  }
+  return this->Slices->Draw(picture, this->Scene, resources.Textures);
 }
 
 std::string FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& resources)
@@ -231,6 +273,13 @@ std::string FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
     resources = std::make_unique<WindowResources>();
   }
   FlowPicture picture{ renderer, window, volume, request, report };
+  // The selection of a volume has no light.
+  const bool isSelection = renderer->GetSelector() != nullptr;
+  picture.HasShadows = request.Settings.Shadows && !isSelection && FlowSlices::IsAsked(renderer);
+  if (!picture.HasShadows && !isSelection)
+  {
+    this->ReleaseSlices(window, request.Settings.Shadows);
+  }
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
@@ -246,7 +295,8 @@ std::string FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
   }
   if (error.empty() && !this->Scene.Grid.Ids.empty())
   {
-    error = this->Draw(picture, *resources);
+    error =
+      picture.HasShadows ? this->DrawSlices(picture, *resources) : this->Draw(picture, *resources);
   }
   report.Seconds = vtkTimerLog::GetUniversalTime() - start;
   return error;
@@ -254,17 +304,16 @@ std::string FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
 
 void FlowVolumeRenderer::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (this->Slices)
+  {
+    this->Slices->ReleaseGraphicsResources(window);
+  }
   for (auto& [owner, resources] : this->Windows)
   {
     if (!window || owner == window)
     {
       resources->Textures.ReleaseGraphicsResources(owner);
-      for (vtkTextureObject* texture :
-        { resources->Image.Get(), resources->OpaqueDepth.Get(), resources->NoDepth.Get() })
-      {
-        texture->ReleaseGraphicsResources(owner);
-      }
-      resources->Framebuffer->ReleaseGraphicsResources(owner);
+      resources->ReleasePicture(owner);
       resources->RayQuad.ReleaseGraphicsResources(owner);
       resources->ShowQuad.ReleaseGraphicsResources(owner);
       resources->Selection.ReleaseGraphicsResources(owner);

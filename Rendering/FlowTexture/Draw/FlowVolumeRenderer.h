@@ -10,12 +10,15 @@
 #include <memory>
 #include <string>
 
+class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkVolume;
 class vtkWindow;
 
 namespace interlume
 {
+
+class FlowSlices;
 
 /**
  * @class   FlowVolumeRenderer
@@ -42,11 +45,16 @@ private:
   std::string FindArrays(FlowPicture& picture);
   std::string Update(FlowPicture& picture);
   std::string Draw(FlowPicture& picture, WindowResources& resources);
+  /// Frees what slices have in a window while no light asks, or all of it where none is asked for.
+  void ReleaseSlices(vtkOpenGLRenderWindow* window, bool isAsked);
+  std::string DrawSlices(FlowPicture& picture, WindowResources& resources);
 
   FlowScene Scene;
   std::pair<const void*, vtkMTimeType> GridStamp{ nullptr, 0 };
   std::string GridError;
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
+  /// Null where shadows are off.
+  std::unique_ptr<FlowSlices> Slices;
 };
 
 }

@@ -15,6 +15,8 @@
 #include <array>
 #include <vector>
 
+class vtkSliceMatter;
+
 namespace interlume
 {
 
@@ -38,6 +40,10 @@ struct SliceFrame
   std::array<int, 2> Size{ { 0, 0 } };
 
   ClipRegion Region;
+
+  /// What the matter is looked up by, and samples and material only where there is any; null for
+  /// these themselves.
+  vtkSliceMatter* Matter = nullptr;
 
   bool IsShaded = false;
   /// The settings of these names of vtkShadowedSliceMapper.

@@ -19,6 +19,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkProjectiveLight.h"
 #include "vtkRenderer.h"
+#include "vtkSliceMatter.h"
 #include "vtkSoftwareOpenGL.h"
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
@@ -163,7 +164,8 @@ void SliceRenderer::UpdateShading(vtkVolume* volume)
 {
   vtkVolumeProperty* property = volume->GetProperty();
   SliceFrame& frame = this->Frame;
-  frame.IsShaded = property->GetShade() != 0 && !frame.Scattering.IsOn();
+  frame.IsShaded = property->GetShade() != 0 && !frame.Scattering.IsOn() &&
+    (!frame.Matter || frame.Matter->HasReflection());
   for (int row = 0; row < frame.Material.Rows; ++row)
   {
     frame.Materials[row] = { { static_cast<float>(property->GetAmbient(row)),
@@ -190,6 +192,10 @@ SliceTextures& SliceRenderer::GetTextures(vtkWindow* window)
 
 vtkIdType SliceRenderer::GetTextureBytes() const
 {
+  if (this->Frame.Matter)
+  {
+    return SliceTextures::GetBytes(this->Frame.Scattering);
+  }
   return SliceTextures::GetBytes(this->Frame.Samples) +
     SliceTextures::GetBytes(this->Frame.Material) + SliceTextures::GetBytes(this->Frame.Scattering);
 }
@@ -200,13 +206,14 @@ std::string SliceRenderer::Upload(vtkOpenGLRenderWindow* window, vtkShadowedSlic
   const SliceFrame& frame = this->Frame;
   SliceTextures& textures = resources.Textures;
   std::string error;
-  if (resources.SamplesVersion != this->SamplesVersion)
+  textures.SetMatter(frame.Matter);
+  if (!frame.Matter && resources.SamplesVersion != this->SamplesVersion)
   {
     error = textures.Upload(window, frame.Samples);
     resources.SamplesVersion = error.empty() ? this->SamplesVersion : 0;
     report.UploadedBytes += SliceTextures::GetBytes(frame.Samples);
   }
-  if (error.empty() && resources.MaterialVersion != this->MaterialVersion)
+  if (error.empty() && !frame.Matter && resources.MaterialVersion != this->MaterialVersion)
   {
     error = textures.Upload(window, frame.Material);
     resources.MaterialVersion = error.empty() ? this->MaterialVersion : 0;
@@ -278,6 +285,7 @@ std::string SliceRenderer::UpdateVolume(
     error = this->Scatterer.SetPhase(request.Settings, this->Frame.Scattering);
   }
   SliceFrame& frame = this->Frame;
+  frame.Matter = request.Matter;
   frame.Number = 0;
   frame.HasColoredLight = false;
   if (error.empty())

@@ -21,6 +21,7 @@ class vtkLight;
 class vtkOpenGLRenderWindow;
 class vtkPlaneCollection;
 class vtkRenderer;
+class vtkSliceMatter;
 class vtkVolume;
 class vtkWindow;
 
@@ -44,6 +45,8 @@ public:
     vtkDataArray* Scalars = nullptr;
     bool IsOfCells = false;
     vtkShadowedSliceSettings Settings;
+    /// What the matter is looked up by; null for the scalars.
+    vtkSliceMatter* Matter = nullptr;
     vtkPlaneCollection* ClippingPlanes = nullptr;
     bool Cropping = false;
     std::array<double, 6> CroppingPlanes{};

@@ -18,6 +18,7 @@
 #include "vtkProjectiveLight.h"
 #include "vtkShaderFeatures.h"
 #include "vtkShaderProgram.h"
+#include "vtkSliceMatter.h"
 
 #include <algorithm>
 #include <array>
@@ -53,6 +54,10 @@ std::string GetMediumFeatures(const SliceFrame& frame)
   features += material.Kind == MaterialTable::INDEPENDENT ? " OPACITY_OF=r"
     : material.Kind == MaterialTable::COLOR_OPACITY       ? " OPACITY_OF=g"
                                                           : " OPACITY_OF=a";
+  if (frame.Matter)
+  {
+    features += " MATTER";
+  }
   features += frame.Samples.Mask.empty() ? "" : " MASK";
   features += material.GradientOpacity.empty() ? "" : " GRADIENT_OPACITY";
   features += material.Bends.empty() ? "" : " BENDS";
@@ -64,6 +69,13 @@ std::string GetMediumFeatures(const SliceFrame& frame)
     features += " CLIPPING_PLANES=" + std::to_string(frame.Region.ClippingPlanes.size());
   }
   return features;
+}
+
+// Returns the functions that the matter of a volume is looked up by.
+std::string GetMedium(const SliceFrame& frame)
+{
+  return Replace(InterlumeSliceMedium, "//INTERLUME::MATTER",
+    frame.Matter ? frame.Matter->GetSource() : std::string());
 }
 
 // Returns whether light has colours of its own inside the matter, or another volume's.
@@ -157,10 +169,10 @@ int GetForwardMap(const SliceFrame& frame, int light)
 }
 
 // Returns the eye's program with these features, the sources of its lights, and the calls of them.
-std::string MakeEyeSource(
-  const std::string& features, const std::string& lights, const std::string& calls)
+std::string MakeEyeSource(const SliceFrame& frame, const std::string& features,
+  const std::string& lights, const std::string& calls)
 {
-  std::string source = Replace(InterlumeSliceFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
+  std::string source = Replace(InterlumeSliceFS, "//INTERLUME::MEDIUM", GetMedium(frame));
   source = Replace(source, "//INTERLUME::LIGHTS", lights);
   source = Replace(source, "//INTERLUME::SHINE", calls);
   return vtkShaderFeatures::Insert(source, features);
@@ -443,7 +455,7 @@ std::string SliceShader::GetEyeSource(
   features += frame.Material.Kind == MaterialTable::RGB_OPACITY ? " RGB" : "";
   if (part == EMPTY)
   {
-    return MakeEyeSource(features, "", "");
+    return MakeEyeSource(frame, features, "", "");
   }
   features += frame.IsLit() ? " LIT" : "";
   features += frame.IsShaded ? " SHADE" : "";
@@ -483,7 +495,7 @@ std::string SliceShader::GetEyeSource(
   calls += frame.Scattering.HasFluence && frame.Plan.IsOfFirstPicture(sweep)
     ? "addScattered(color);\n"
     : "";
-  return Replace(MakeEyeSource(features, lights, calls), "//INTERLUME::SCATTER",
+  return Replace(MakeEyeSource(frame, features, lights, calls), "//INTERLUME::SCATTER",
     frame.Scattering.IsOn() ? InterlumeSliceScatter : "");
 }
 
@@ -496,7 +508,7 @@ std::string SliceShader::GetLightSource(
   features += frame.Lights[light.Light].IsPositional ? " POSITIONAL" : "";
   // Equal sources would share one program, and its uniforms.
   features += " LIGHT_NUMBER=" + std::to_string(light.Light);
-  std::string source = Replace(InterlumeSliceLightFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
+  std::string source = Replace(InterlumeSliceLightFS, "//INTERLUME::MEDIUM", GetMedium(frame));
   // VTK declares every output that is named, whatever the features are.
   source = Replace(source, "//INTERLUME::BATCH",
     light.SoftMethod == SlicePlan::LAYERS ? "gl_FragData[1] = gl_FragData[0];" : "");
@@ -513,8 +525,7 @@ std::string SliceShader::GetReceiverSource(
   features += " LIGHT_NUMBER=" + std::to_string(light.Light);
   // The first volume has the light's buffer, which is the same for all of them.
   features += frame.Number > 0 ? " WITHIN" : "";
-  std::string source =
-    Replace(InterlumeSliceReceiverFS, "//INTERLUME::MEDIUM", InterlumeSliceMedium);
+  std::string source = Replace(InterlumeSliceReceiverFS, "//INTERLUME::MEDIUM", GetMedium(frame));
   const std::string screen = frame.Lights[light.Light].Projective ? InterlumeLightScreen : "";
   source = Replace(source, "//INTERLUME::LIGHTS",
     screen + Replace(Replace(InterlumeSliceLight, "OF_PANES_INDEX ", ""), "INDEX", "0"));
@@ -532,6 +543,7 @@ std::string SliceShader::GetNames(const SliceFrame& frame, bool isOccluded)
   { names += has ? std::string(" ") + name : std::string(); };
   add(frame.Eye.IsParallel, "parallel");
   add(!frame.Eye.IsParallel, "perspective");
+  add(frame.Matter != nullptr, "matter");
   add(!frame.Samples.Mask.empty(), "mask");
   add(!material.GradientOpacity.empty(), "gradient-opacity");
   add(frame.Region.HasCropping, "cropping");

@@ -8,6 +8,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
+#include "vtkSliceMatter.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -323,6 +324,10 @@ void SliceTextures::Activate(vtkShaderProgram* program)
   activate(this->Bends, "bends");
   activate(this->Phases, "phases");
   activate(this->Scattered, "scattered");
+  if (this->Matter)
+  {
+    this->Matter->Activate(program);
+  }
 }
 
 void SliceTextures::Deactivate()
@@ -337,11 +342,16 @@ void SliceTextures::Suspend()
   {
     bound.first->Deactivate();
   }
+  if (this->Matter)
+  {
+    this->Matter->Deactivate();
+  }
 }
 
 bool SliceTextures::Resume()
 {
-  bool isSame = true;
+  // Programs have to be told of the textures of other matter again.
+  bool isSame = this->Matter == nullptr;
   for (const auto& bound : this->Active)
   {
     bound.first->Activate();

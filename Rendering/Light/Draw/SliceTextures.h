@@ -13,6 +13,7 @@
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
+class vtkSliceMatter;
 class vtkTextureObject;
 class vtkWindow;
 
@@ -48,6 +49,10 @@ public:
   std::string Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering);
   ///@}
 
+  /// The matter that is looked up in textures of its own, which are bound with these; null for
+  /// none.
+  void SetMatter(vtkSliceMatter* matter) { this->Matter = matter; }
+
   /// The light that was scattered before; without a handle where there is none.
   vtkTextureObject* GetScattered() const { return this->Scattered; }
 
@@ -80,6 +85,7 @@ private:
   /// The sums that ExtinctionSums has yet to get.
   std::vector<float> SumTexels;
   ScreenTextures Screens;
+  vtkSliceMatter* Matter = nullptr;
   /// The textures that are bound, or suspended, with their units.
   std::vector<std::pair<vtkTextureObject*, int>> Active;
 };

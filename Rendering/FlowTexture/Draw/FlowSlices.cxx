@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw/FlowSlices.h"
+
+#include "Draw/FlowPicture.h"
+#include "Draw/FlowShader.h"
+#include "Draw/FlowTextures.h"
+#include "Draw/FlowUniforms.h"
+
+#include "vtkImplicitFlowVolumeReport.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace interlume
+{
+
+FlowSlices::FlowSlices()
+{
+  this->Mapper->SetMatter(this);
+  this->Mapper->AutoAdjustSampleDistancesOff();
+  this->Volume->SetMapper(this->Mapper);
+  // A ramp: opacity that jumps would be looked for within slabs.
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(1.0, 0.5);
+  this->Volume->GetProperty()->SetScalarOpacity(opacity);
+}
+
+FlowSlices::~FlowSlices() = default;
+
+bool FlowSlices::IsAsked(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (light->GetSwitch() && light->GetShadowAttenuation() > 0.0F)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void FlowSlices::MakeReached()
+{
+  const FlowGrid& grid = this->Scene->Grid;
+  this->Reached->CopyStructure(this->Picture->Asked.Image);
+  vtkNew<vtkUnsignedCharArray> reached;
+  reached->SetName("Reached");
+  reached->SetNumberOfValues(this->Reached->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < reached->GetNumberOfValues(); ++i)
+  {
+    const bool isReached =
+      grid.Groups.empty() || grid.Groups[static_cast<std::size_t>(i)] >= FlowGrid::Ways;
+    reached->SetValue(i, isReached ? 1 : 0);
+  }
+  this->Reached->GetPointData()->SetScalars(reached);
+  this->ReachedVersion = this->Scene->GridVersion;
+  this->Mapper->SetInputData(this->Reached);
+}
+
+void FlowSlices::Set()
+{
+  const FlowPicture::Request& asked = this->Picture->Asked;
+  const vtkImplicitFlowVolumeSettings& settings = asked.Settings;
+  vtkShadowedSliceMapper* mapper = this->Mapper;
+  mapper->SetLightBufferSize(settings.LightBufferSize);
+  mapper->SetSliceSpacing(settings.SampleDistance);
+  mapper->SetImageSampleDistance(settings.ImageSampleDistance);
+  const vtkIdType most = settings.MaximumTextureMemory;
+  mapper->SetMaximumTextureMemory(
+    most > 0 ? std::max<vtkIdType>(most - this->Picture->Report.TextureBytes, 1) : 0);
+  mapper->SetClippingPlanes(asked.Cuts.Planes);
+  mapper->SetCropping(asked.Cuts.IsCropped);
+  mapper->SetCroppingRegionPlanes(asked.Cuts.CroppingPlanes.data());
+  mapper->SetCroppingRegionFlags(asked.Cuts.CroppingFlags);
+  vtkVolumeProperty* from = this->Picture->Volume->GetProperty();
+  vtkVolumeProperty* to = this->Volume->GetProperty();
+  to->SetShade(from->GetShade());
+  to->SetAmbient(from->GetAmbient());
+  to->SetDiffuse(from->GetDiffuse());
+  to->SetSpecular(from->GetSpecular());
+  to->SetSpecularPower(from->GetSpecularPower());
+  this->Volume->SetUserMatrix(this->Picture->Volume->GetMatrix());
+}
+
+std::string FlowSlices::Draw(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures)
+{
+  this->Picture = &picture;
+  this->Scene = &scene;
+  this->Textures = &textures;
+  this->Fault.clear();
+  picture.Parts.IsMatter = true;
+  if (this->ReachedVersion != scene.GridVersion)
+  {
+    this->MakeReached();
+  }
+  this->Set();
+  this->Mapper->Render(picture.Renderer, this->Volume);
+  const vtkShadowedSliceReport& drawn = this->Mapper->GetReport();
+  vtkImplicitFlowVolumeReport& report = picture.Report;
+  const std::string own =
+    FlowShader(picture.Asked.Settings, picture.Parts, scene.Paints, scene.View).GetNames();
+  report.Features = drawn.Features + (own.empty() ? "" : " ") + own;
+  report.ImageBufferBytes = drawn.ImageBufferBytes;
+  report.ShadowedLights = drawn.ShadowedLights;
+  report.Slices = drawn.Slices;
+  report.Sweeps = drawn.Sweeps;
+  report.SliceSpacing = drawn.SliceSpacing;
+  report.LightBuffers = drawn.LightBuffers;
+  report.LightBufferSize = drawn.LightBufferSize;
+  report.LightBufferBytes = drawn.LightBufferBytes;
+  return this->Fault;
+}
+
+std::string FlowSlices::GetSource() const
+{
+  return FlowShader(
+    this->Picture->Asked.Settings, this->Picture->Parts, this->Scene->Paints, this->Scene->View)
+    .GetSource();
+}
+
+bool FlowSlices::HasReflection() const
+{
+  return this->Picture->Parts.IsShaded;
+}
+
+void FlowSlices::Activate(vtkShaderProgram* program)
+{
+  this->Textures->Activate(program);
+  FlowUniforms::SetMatter(program, *this->Scene, *this->Picture);
+}
+
+void FlowSlices::Deactivate()
+{
+  this->Textures->Deactivate();
+}
+
+void FlowSlices::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Mapper->ReleaseGraphicsResources(window);
+}
+
+}

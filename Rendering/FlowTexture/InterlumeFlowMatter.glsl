@@ -1,0 +1,69 @@
+//INTERLUME::FEATURES
+// What is painted as matter of slices: see vtkSliceMatter.
+
+uniform vec3 lastCell;
+uniform float unitDistance;
+#ifdef SHADE
+uniform mat3 worldFromVoxels;
+#endif
+
+//INTERLUME::CELL
+//INTERLUME::PAINT
+//INTERLUME::SHADE
+
+float matterAt(vec3 p, mat3 size, out vec3 color)
+{
+  color = vec3(0.0);
+  vec3 place = p * voxels - 0.5;
+  vec3 cell = clamp(floor(place), vec3(0.0), lastCell);
+  ivec2 stored = kindAt(ivec3(cell));
+  if (stored.x >= EMPTY)
+  {
+    return 0.0;
+  }
+  Sample found;
+  int pieces = 1;
+#ifdef PAINT_FILTER
+  Footprint footprint = Footprint(size[0] * voxels, size[1] * voxels, size[2] * voxels);
+  found.IsWide = isWide(stored.y, footprint);
+  if (!lookUpCell(place, cell, stored.x, found.IsWide, found))
+  {
+    return 0.0;
+  }
+  if (found.IsWide)
+  {
+    setFootprint(found, footprint);
+    pieces = found.IsAlongRay ? piecesOf(found) : 1;
+  }
+#else
+  if (!lookUpCell(place, cell, stored.x, false, found))
+  {
+    return 0.0;
+  }
+#endif
+  float strength = strengthAt(place);
+  float extinction = 0.0;
+  for (int i = 0; i < pieces && strength > 0.0; ++i)
+  {
+#ifdef PAINT_FILTER
+    vec4 paint = paintFrom(found, i, pieces) * strength;
+#else
+    vec4 paint = paintOf(found, 0.0) * strength;
+#endif
+    if (paint.a > 0.0)
+    {
+      float depth = depthOf(paint.a);
+      extinction += depth;
+      color += paint.rgb * (depth / paint.a);
+    }
+  }
+  color /= max(extinction, 1e-30);
+  return extinction / (unitDistance * float(pieces));
+}
+
+#ifdef SHADE
+vec3 axisAt(vec3 p)
+{
+  return axisAtVoxel(p * voxels - 0.5);
+}
+#endif

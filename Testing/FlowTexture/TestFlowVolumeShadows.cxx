@@ -1,0 +1,492 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shadows of vtkImplicitFlowVolumeMapper: what paint takes from light against its formula, the
+// same paint by slices as by lines of sight, what there is without shadows, and pictures after many
+// changes.
+#include "FlowPictures.h"
+
+#include "Pictures/PictureSettings.h"
+#include "Pictures/VolumeStage.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceRandom.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
+#include "vtkImplicitFlowVolumeMapper.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace reference;
+
+constexpr double UnitDistance = 0.1;
+
+FlowAnswer Uniform(const Place3& x)
+{
+  return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
+}
+
+/// Two slabs along the flow, a red one and a white one.
+Color4 Slabs(double u, double)
+{
+  const bool isFirst = u > 0.25 && u < 0.35;
+  const bool isSecond = u > 0.6 && u < 0.75;
+  return { { 0.9, isFirst ? 0.3 : 0.9, isFirst ? 0.2 : 0.9,
+    isFirst ? 0.6 : (isSecond ? 0.4 : 0.0) } };
+}
+
+/// A blob that is thinner and thicker smoothly.
+Color4 Blob(double u, double v)
+{
+  const double r = std::hypot(u - 0.5, v - 0.45) / 0.25;
+  return { { u, 0.8, v, 0.5 * std::exp(-r * r) } };
+}
+
+using Paint = Color4 (*)(double, double);
+
+double ExtinctionOf(Paint paint, const Place3& x)
+{
+  for (const double coordinate : x)
+  {
+    if (std::abs(coordinate) > 0.5)
+    {
+      return 0.0;
+    }
+  }
+  return -std::log(1.0 - paint(x[1] + 0.5, x[2] + 0.5)[3]) / UnitDistance;
+}
+
+/// The transmittance of paint from a place to a light at a place, or far away along a direction.
+double GetTransmittance(Paint paint, const Place3& x, const Place3& light, bool isPositional)
+{
+  Place3 way = light;
+  for (int i = 0; i < 3 && isPositional; ++i)
+  {
+    way[i] -= x[i];
+  }
+  const double length = std::sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+  const double reach = isPositional ? std::min(length, 1.8) : 1.8;
+  const int steps = 300;
+  double depth = 0.0;
+  for (int i = 0; i < steps; ++i)
+  {
+    Place3 at = x;
+    for (int c = 0; c < 3; ++c)
+    {
+      at[c] += way[c] / length * reach * (i + 0.5) / steps;
+    }
+    depth += ExtinctionOf(paint, at) * reach / steps;
+  }
+  return std::exp(-depth);
+}
+
+vtkSmartPointer<vtkLight> MakeLight(const Place3& place, bool isPositional)
+{
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->SetPositional(isPositional);
+  light->SetConeAngle(90.0);
+  light->SetPosition(place[0], place[1], place[2]);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  return light;
+}
+
+void SetCoefficients(vtkVolumeProperty* property, double ambient, double diffuse)
+{
+  property->SetScalarOpacityUnitDistance(UnitDistance);
+  property->SetAmbient(ambient);
+  property->SetDiffuse(diffuse);
+  property->SetSpecular(0.0);
+}
+
+/// Colours, without opacity, of pixels whose opacity is that of the formula, so that they show no
+/// edge.
+struct LightError
+{
+  double Mean = 0.0;
+  double Largest = 0.0;
+  int Pixels = 0;
+};
+
+LightError CompareLight(const RgbaPicture& found, const RgbaPicture& expected)
+{
+  LightError error;
+  for (int j = 0; j < 48; ++j)
+  {
+    for (int i = 0; i < 48; ++i)
+    {
+      const double alpha = expected.At(i, j)[3];
+      const double drawn = found.At(i, j)[3];
+      if (alpha < 0.1 || std::abs(drawn - alpha) > 0.01)
+      {
+        continue;
+      }
+      ++error.Pixels;
+      for (int c = 0; c < 3; ++c)
+      {
+        const double off = std::abs(found.At(i, j)[c] / drawn - expected.At(i, j)[c] / alpha);
+        error.Mean += off / 3.0;
+        error.Largest = std::max(error.Largest, off);
+      }
+    }
+  }
+  error.Mean /= std::max(error.Pixels, 1);
+  return error;
+}
+
+struct Case
+{
+  std::string Name;
+  Paint Painted;
+  Place3 Light;
+  bool IsPositional;
+  Place3 Sight;
+  /// Bounds of the mean error of light, as it comes and with finer slices and buffers.
+  double Mean;
+  double Fine;
+};
+
+void TestFormula(Check& check)
+{
+  const std::vector<Case> cases{
+    { "slabs, seen across", &Slabs, { { 0.0, -2.0, 0.0 } }, false, { { -1.0, 0.0, 0.1 } }, 0.009,
+      0.004 },
+    { "slabs, seen aslant", &Slabs, { { 0.3, -2.0, 0.5 } }, false, { { -0.5, 0.6, -0.4 } }, 0.008,
+      0.0027 },
+    { "slabs, lit from behind", &Slabs, { { 0.2, 2.0, -0.3 } }, false, { { -0.6, -0.7, 0.3 } },
+      0.0083, 0.002 },
+    { "slabs, a lamp beside", &Slabs, { { 0.2, -1.2, 0.1 } }, true, { { -0.6, 0.5, 0.3 } }, 0.006,
+      0.0021 },
+    { "slabs, a lamp within", &Slabs, { { 0.1, -0.02, 0.05 } }, true, { { -0.6, 0.5, 0.3 } },
+      0.0073, 0.0031 },
+    { "blob", &Blob, { { 0.4, -1.0, 0.8 } }, false, { { -0.5, 0.6, -0.4 } }, 8e-4, 2.5e-4 },
+  };
+  for (const Case& one : cases)
+  {
+    FlowScene scene;
+    scene.Flow = &Uniform;
+    scene.UnitDistance = UnitDistance;
+    scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, one.Sight, false);
+    scene.Paint = [&one](const FlowAnswer& answer)
+    {
+      Color4 color = one.Painted(answer.U, answer.V);
+      const double light = color[3] > 0.0 ? 0.1 +
+          0.9 *
+            GetTransmittance(one.Painted, { { answer.Time - 0.5, answer.U - 0.5, answer.V - 0.5 } },
+              one.Light, one.IsPositional)
+                                          : 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        color[c] *= light;
+      }
+      return color;
+    };
+    const RgbaPicture expected = MakeFlowPicture(scene, 400);
+    for (const bool isFine : { false, true })
+    {
+      vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+      mapper->SetInputData(static_cast<vtkDataSet*>(MakeFlowVoxels(33, &Uniform)));
+      mapper->SetInflowTexture(0, MakePaint(513, 129, one.Painted));
+      mapper->ShadowsOn();
+      mapper->SetLightBufferSize(isFine ? 256 : 0);
+      mapper->SetSampleDistance(isFine ? 0.004 : 0.0);
+      vtkNew<vtkVolumeProperty> property;
+      SetCoefficients(property, 0.1, 0.9);
+      VolumeStage stage(scene.Size);
+      stage.SetVolume(mapper, property);
+      stage.SetCamera(scene.Camera);
+      stage.SetLights({ MakeLight(one.Light, one.IsPositional) });
+      const RgbaPicture found = stage.Capture(1);
+      const LightError error = CompareLight(found, expected);
+      const vtkImplicitFlowVolumeReport& report = mapper->GetReport();
+      const std::string name = one.Name + (isFine ? ", finer" : "");
+      std::cout << name << ": light off by " << error.Mean << " in the mean, " << error.Largest
+                << " at most, in " << error.Pixels << " pixels; picture by "
+                << ComparePictures(found, expected) << "; " << report.Slices << " slices in "
+                << report.Sweeps << " sweeps, buffer " << report.LightBufferSize << "\n";
+      check.That(error.Pixels > 100, name + " is seen");
+      const double bound = isFine ? one.Fine : one.Mean;
+      check.That(error.Mean <= bound, name + ": off by " + std::to_string(error.Mean));
+      check.Equal(report.ShadowedLights, 1, name + ": lights with shadows");
+      check.Equal(report.LightBuffers, 1, name + ": buffers");
+    }
+  }
+}
+
+FlowAnswer TwoSurfaces(const Place3& x)
+{
+  const bool isLeft = x[0] < 0.1;
+  return { x[1] < 0.35, isLeft ? 0 : 8, x[1] + 0.5, x[2] + 0.5, isLeft ? x[0] + 0.6 : x[0] };
+}
+
+vtkSmartPointer<vtkImageData> MakeVoxels()
+{
+  vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(13, &TwoSurfaces, { { { 8, 1, 0 } } });
+  vtkNew<vtkFloatArray> speed;
+  speed->SetName("Speed");
+  vtkNew<vtkFloatArray> ways;
+  ways->SetName("Ways");
+  ways->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < voxels->GetNumberOfPoints(); ++i)
+  {
+    const double* x = voxels->GetPoint(i);
+    speed->InsertNextValue(static_cast<float>(x[0] * x[0] + x[2]));
+    ways->InsertNextTuple3(1.0, x[1], -x[0]);
+  }
+  voxels->GetPointData()->AddArray(speed);
+  voxels->GetPointData()->AddArray(ways);
+  return voxels;
+}
+
+vtkSmartPointer<vtkImageData> MakeStripes(double frequency, double alpha)
+{
+  return MakePaint(33, 17,
+    [=](double u, double v) {
+      return Color4{ { 0.5 + 0.5 * std::sin(frequency * u), v, 0.3, alpha } };
+    });
+}
+
+/// A mapper, what it is set to by numbers from 0 to 1, and a stage that draws it.
+struct Show
+{
+  Show()
+    : Stage(std::array<int, 2>{ { 40, 40 } })
+    , Voxels(MakeVoxels())
+    , Lights{ MakeLight({ { 0.3, 2.0, 0.4 } }, false), MakeLight({ { 0.5, 0.2, 1.0 } }, true) }
+  {
+    this->Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, { { -0.4, 0.6, -0.9 } }, false);
+    SetCoefficients(this->Property, 0.2, 0.8);
+    this->Mapper->SetInputData(static_cast<vtkDataSet*>(this->Voxels));
+    this->Mapper->SetInflowTexture(0, MakeStripes(20.0, 0.2));
+    this->Lights[1]->SwitchOff();
+    this->Stage.SetVolume(this->Mapper, this->Property);
+    this->Stage.SetCamera(this->Camera);
+    this->Stage.SetLights(this->Lights);
+  }
+
+  const vtkImplicitFlowVolumeReport& Draw()
+  {
+    this->Stage.Render();
+    return this->Mapper->GetReport();
+  }
+
+  void Apply(const std::array<double, 16>& values)
+  {
+    const auto is = [&values](int i) { return values[i] > 0.5; };
+    this->Mapper->SetInflowTexture(0, is(0) ? MakeStripes(30.0 * values[0], 0.4) : nullptr);
+    this->Mapper->SetInflowTexture(8, is(1) ? MakeStripes(7.0, values[1]) : nullptr);
+    this->Mapper->SetShadows(values[2] > 0.3);
+    for (int i = 0; i < 2; ++i)
+    {
+      vtkLight* light = this->Lights[i];
+      light->SetPosition(2.0 * values[3 + i] - 1.0, 1.0 - values[4 + i], 0.9);
+      light->SetShadowAttenuation(is(5 + i) ? static_cast<float>(values[5 + i]) : 0.0F);
+      light->SetSwitch(values[7 + i] > 0.3);
+    }
+    this->Gate->RemoveAllPoints();
+    this->Gate->AddPoint(0.0, values[9]);
+    this->Gate->AddPoint(1.0, 1.0 - values[9]);
+    this->Mapper->SetTimeGate(is(9) ? this->Gate.Get() : nullptr);
+    this->Mapper->SetOpacityArray(is(10) ? "Speed" : "");
+    this->Mapper->SetShadingArray(is(11) ? "Ways" : (is(10) ? "Speed" : ""));
+    this->Property->SetShade(is(12));
+    this->Property->SetSpecular(values[12]);
+    this->Mapper->RemoveAllClippingPlanes();
+    if (is(13))
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(values[13], -0.3, 0.2);
+      this->Mapper->AddClippingPlane(plane);
+    }
+    this->Mapper->SetCropping(is(14));
+    this->Mapper->SetCroppingRegionPlanes(-0.3, 0.4, -0.5, 0.2, -0.1, 0.5);
+    this->Mapper->SetCroppingRegionFlags(values[14] > 0.75 ? VTK_CROP_FENCE : VTK_CROP_SUBVOLUME);
+    this->Mapper->SetPaintFilter(is(15));
+    this->Camera->SetParallelProjection(is(15));
+  }
+
+  VolumeStage Stage;
+  vtkSmartPointer<vtkImageData> Voxels;
+  std::vector<vtkSmartPointer<vtkLight>> Lights;
+  vtkSmartPointer<vtkCamera> Camera;
+  vtkNew<vtkPiecewiseFunction> Gate;
+  vtkNew<vtkVolumeProperty> Property;
+  vtkNew<vtkImplicitFlowVolumeMapper> Mapper;
+};
+
+bool Has(const vtkImplicitFlowVolumeReport& report, const std::string& word)
+{
+  return (" " + report.Features + " ").find(" " + word + " ") != std::string::npos;
+}
+
+/// What there is of shadows where they are off or no light asks for them: nothing.
+void TestPay(Check& check)
+{
+  Show never;
+  const RgbaPicture plain = never.Stage.Capture();
+  Show show;
+  const auto expectNothing = [&](const std::string& what)
+  {
+    const RgbaPicture picture = show.Stage.Capture();
+    const vtkImplicitFlowVolumeReport& report = show.Mapper->GetReport();
+    check.That(ComparePictures(picture, plain).Max == 0.0, what + ": the picture");
+    check.Equal(report.Passes, 1, what + ": passes");
+    check.Equal(report.Slices + report.LightBuffers + report.ShadowedLights, 0, what + ": parts");
+    check.That(report.LightBufferBytes == 0 && report.SliceSpacing == 0.0, what + ": bytes");
+    check.That(report.Features == "splits surfaces paint_filter", what + ": " + report.Features);
+  };
+  expectNothing("off");
+  show.Mapper->ShadowsOn();
+  show.Lights[0]->SetShadowAttenuation(0.0F);
+  expectNothing("no light that asks");
+  show.Lights[0]->SetShadowAttenuation(1.0F);
+  show.Lights[0]->SwitchOff();
+  expectNothing("no light");
+  show.Lights[0]->SwitchOn();
+  show.Draw();
+  const vtkImplicitFlowVolumeReport& report = show.Mapper->GetReport();
+  check.That(Has(report, "shadow") && Has(report, "matter"), "on: " + report.Features);
+  check.That(report.Passes == 0 && report.Slices > 10, "slices");
+  check.Equal(report.LightBuffers, 1, "a buffer");
+  const int uploads = report.GridUploads + report.InflowUploads;
+  check.Equal(uploads, 0, "the same textures as before");
+  check.That(report.UploadedBytes == 0, "nothing is sent for shadows alone");
+  show.Lights[0]->SetPosition(1.0, 1.0, 0.5);
+  check.That(show.Draw().UploadedBytes == 0, "nothing is sent for a light that moves");
+  show.Mapper->SetInflowTexture(0, MakeStripes(5.0, 0.4));
+  show.Draw();
+  check.Equal(show.Mapper->GetReport().InflowUploads, 1, "another image");
+  check.Equal(show.Mapper->GetReport().GridUploads, 0, "voxels beside another image");
+  show.Lights[1]->SwitchOn();
+  check.Equal(show.Draw().LightBuffers, 2, "a buffer for each light");
+  show.Mapper->SetLightBufferSize(32);
+  check.Equal(show.Draw().LightBufferSize, 32, "the size of buffers");
+}
+
+/// What goes wrong with slices is the mapper's error, and a selection is drawn without them.
+void TestOthers(Check& check)
+{
+  Show show;
+  show.Mapper->ShadowsOn();
+  show.Draw();
+  const vtkIdType bytes = show.Mapper->GetReport().TextureBytes;
+  vtkNew<vtkTest::ErrorObserver> errors;
+  show.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  show.Mapper->SetMaximumTextureMemory(bytes + 1000);
+  show.Draw();
+  check.That(errors->GetErrorMessage().find("MaximumTextureMemory") != std::string::npos,
+    "the error of slices: " + errors->GetErrorMessage());
+  errors->Clear();
+  show.Mapper->SetMaximumTextureMemory(0);
+  show.Draw();
+  check.That(!errors->GetError(), "no error any more");
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(show.Stage.GetRenderer());
+  selector->SetArea(0, 0, 39, 39);
+  check.That(selector->CaptureBuffers(), "a selection");
+  const unsigned int middle[2] = { 20, 20 };
+  check.That(selector->GetPixelInformation(middle, 0).Prop == show.Stage.GetVolume(), "the volume");
+  check.Equal(show.Draw().LightBuffers, 1, "shadows after a selection");
+}
+
+/// Slices show the paint that lines of sight show under light that takes no part, and the same
+/// shading where next to nothing is taken from light.
+void TestRoutes(Check& check)
+{
+  Random random(5);
+  double largest = 0.0;
+  for (int change = 0; change < 14; ++change)
+  {
+    std::array<double, 16> values{};
+    for (double& value : values)
+    {
+      value = random.Get(0.0, 1.0);
+    }
+    const bool isShaded = change % 2 == 1;
+    values[12] = isShaded ? 1.0 : 0.0;
+    // An array to shade by: without one only slices are lit.
+    values[10] = isShaded ? 1.0 : values[10];
+    Show sliced;
+    sliced.Apply(values);
+    SetCoefficients(sliced.Property, isShaded ? 0.2 : 1.0, isShaded ? 0.5 : 0.0);
+    sliced.Property->SetSpecular(isShaded ? 0.4 : 0.0);
+    sliced.Property->SetSpecularPower(5.0);
+    for (vtkLight* light : sliced.Lights)
+    {
+      light->SwitchOn();
+      light->SetShadowAttenuation(isShaded ? 1e-6F : 1.0F);
+    }
+    sliced.Mapper->SetSampleDistance(0.01);
+    sliced.Mapper->ShadowsOff();
+    const RgbaPicture sights = sliced.Stage.Capture(1);
+    check.Equal(sliced.Mapper->GetReport().Passes, 1, "lines of sight");
+    sliced.Mapper->ShadowsOn();
+    const RgbaPicture slices = sliced.Stage.Capture(1);
+    check.Equal(sliced.Mapper->GetReport().Passes, 0, "slices");
+    const PictureError error = ComparePictures(slices, sights);
+    std::cout << "two routes, " << sliced.Mapper->GetReport().Features << ": " << error << "\n";
+    check.That(error.Mean <= 1.1e-3, "two routes: off by " + std::to_string(error.Mean));
+    largest = std::max(largest, LargestAlpha(sights));
+  }
+  check.That(largest > 0.2, "something is seen");
+}
+
+/// A picture after many changes is that of a mapper made anew.
+void TestRandom(Check& check)
+{
+  Show kept;
+  Random random(21);
+  double largest = 0.0;
+  int shadowed = 0;
+  for (int change = 0; change < 24; ++change)
+  {
+    std::array<double, 16> values{};
+    for (double& value : values)
+    {
+      value = random.Get(0.0, 1.0);
+    }
+    kept.Apply(values);
+    const RgbaPicture after = kept.Stage.Capture();
+    Show anew;
+    anew.Apply(values);
+    const RgbaPicture fresh = anew.Stage.Capture();
+    const PictureError error = ComparePictures(after, fresh);
+    const vtkImplicitFlowVolumeReport& report = kept.Mapper->GetReport();
+    check.That(error.Max == 0.0,
+      "change " + std::to_string(change) + ", " + report.Features + ": off by " +
+        std::to_string(error.Max));
+    shadowed += report.LightBuffers > 0 ? 1 : 0;
+    largest = std::max(largest, LargestAlpha(after));
+  }
+  check.That(largest > 0.2, "something is seen");
+  check.That(
+    shadowed > 5 && shadowed < 20, "with and without shadows: " + std::to_string(shadowed));
+}
+}
+
+int TestFlowVolumeShadows(int, char*[])
+{
+  Check check;
+  TestFormula(check);
+  TestPay(check);
+  TestOthers(check);
+  TestRoutes(check);
+  TestRandom(check);
+  return check.Result();
+}
