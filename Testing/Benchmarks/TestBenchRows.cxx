@@ -109,6 +109,7 @@ void CheckMethods(const nlohmann::json& rows)
         "new-times advection", "automatic", "dormand-prince", "runge-kutta-4", "rosenbrock",
         "conservation", "explicit", "explicit-halved", "implicit", "implicit-again",
         "implicit-refined" } },
+    { "flow-sharing", { "shared all streamlines" } },
   };
   std::map<std::string, std::set<std::string>> seen;
   for (const auto& row : rows)

@@ -18,9 +18,12 @@ namespace interlume
 namespace
 {
 constexpr int Nodes = 4;
-/// By what the error of polynomials of degree three falls at least in blocks of half the width,
-/// where the second derivatives jump.
-constexpr double Fall = 8.0;
+/// The distance of the samples that are followed first: of those that are further apart there are
+/// too few to gain anything.
+constexpr int Widest = 4;
+/// By what the error of polynomials falls in blocks of half the width where second derivatives
+/// jump.
+constexpr double Fall = 4.0;
 /// The weights of the polynomial through four places, in the middle of each of their intervals.
 constexpr double Weights[Nodes - 1][Nodes] = { { 0.3125, 0.9375, -0.3125, 0.0625 },
   { -0.0625, 0.5625, 0.5625, -0.0625 }, { 0.0625, -0.3125, 0.9375, 0.3125 } };
@@ -58,7 +61,8 @@ SharedLattice::SharedLattice(
   {
     least = points > 1 ? std::min(least, points) : least;
   }
-  while (least != std::numeric_limits<int>::max() && (least - 1) / (2 * this->First) + 1 >= Nodes)
+  while (this->First < Widest && least != std::numeric_limits<int>::max() &&
+    (least - 1) / (2 * this->First) + 1 >= Nodes)
   {
     this->First *= 2;
   }
@@ -82,14 +86,7 @@ SharedLattice::Ids SharedLattice::GetFirst() const
 
 bool SharedLattice::Next()
 {
-  if (this->Stride == 0)
-  {
-    this->SetStride(this->First);
-  }
-  else
-  {
-    this->Prove();
-  }
+  this->SetStride(this->Stride == 0 ? this->First : this->Stride / 2);
   return this->Stride > 1;
 }
 
@@ -99,16 +96,18 @@ SharedLattice::Ids SharedLattice::GetFollowed()
     [this](std::size_t block)
     {
       Answer answer;
-      const bool isKnown = this->Marks[block] == GOOD &&
+      const Index at = this->GetBlock(block);
+      const bool isKnown = this->IsProven(at) &&
         this->VisitMiddles(
-          this->GetBlock(block), [&](const Index& at) { return this->Predict(at, answer); });
+          at, [&](const Index& middle) { return this->Predict(middle, this->Stride, answer); });
       this->Marks[block] = isKnown ? GOOD : NOT_GOOD;
     });
+  const bool isAny = this->IsAnyGood();
   Ids ids;
   this->VisitNew(
     [&](const Index& at)
     {
-      if (this->IsMiddle(at) || !this->IsShared(at, GOOD))
+      if (!isAny || this->IsMiddle(at) || !this->IsShared(at, GOOD))
       {
         ids.push_back(this->GetId(at));
       }
@@ -118,13 +117,18 @@ SharedLattice::Ids SharedLattice::GetFollowed()
 
 SharedLattice::Ids SharedLattice::CheckMiddles()
 {
+  Ids ids;
+  if (!this->IsAnyGood())
+  {
+    return ids;
+  }
   std::vector<double> errors(this->Marks.size(), 0.0);
   this->VisitBlocks(
     [&](std::size_t block)
     {
       if (this->Marks[block] == GOOD)
       {
-        errors[block] = this->GetError(this->GetMiddle(this->GetBlock(block)));
+        errors[block] = this->GetError(this->GetMiddle(this->GetBlock(block)), this->Stride);
         this->Marks[block] = errors[block] <= 1.0 ? GOOD : REFUTED;
       }
     });
@@ -137,7 +141,6 @@ SharedLattice::Ids SharedLattice::CheckMiddles()
       this->SumOfErrors += errors[block];
     }
   }
-  Ids ids;
   this->VisitNew(
     [&](const Index& at)
     {
@@ -151,15 +154,25 @@ SharedLattice::Ids SharedLattice::CheckMiddles()
 
 void SharedLattice::Share(const std::function<void(vtkIdType id, const Answer& answer)>& visit)
 {
+  if (!this->IsAnyGood())
+  {
+    return;
+  }
   this->VisitNew(
     [&](const Index& at)
     {
       Answer answer;
-      if (!this->IsMiddle(at) && this->IsShared(at, GOOD) && this->Predict(at, answer))
+      if (!this->IsMiddle(at) && this->IsShared(at, GOOD) &&
+        this->Predict(at, this->Stride, answer))
       {
         visit(this->GetId(at), answer);
       }
     });
+}
+
+bool SharedLattice::IsAnyGood() const
+{
+  return std::find(this->Marks.begin(), this->Marks.end(), GOOD) != this->Marks.end();
 }
 
 vtkIdType SharedLattice::GetId(const Index& at) const
@@ -301,30 +314,84 @@ bool SharedLattice::IsShared(const Index& at, unsigned char least) const
   return true;
 }
 
-bool SharedLattice::Predict(const Index& at, Answer& answer) const
+bool SharedLattice::Predict(const Index& at, int stride, Answer& answer) const
 {
   Index first;
-  int nodes[3];
-  const double* weights[3];
-  constexpr double One[1] = { 1.0 };
+  Index nodes;
+  int known[3];
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    first[axis] = at[axis] / this->Stride;
-    nodes[axis] = 1;
-    weights[axis] = One;
-    if (at[axis] % this->Stride != 0)
+    first[axis] = at[axis] / stride;
+    known[axis] = (this->Dimensions[axis] - 1) / stride + 1;
+    nodes[axis] = at[axis] % stride != 0 ? Nodes : 1;
+    if (nodes[axis] > 1 && (known[axis] < Nodes || first[axis] + 1 >= known[axis]))
     {
-      const int known = (this->Dimensions[axis] - 1) / this->Stride + 1;
-      if (known < Nodes || first[axis] + 1 >= known)
-      {
-        return false;
-      }
-      const int begin = std::min(std::max(first[axis] - 1, 0), known - Nodes);
-      weights[axis] = Weights[first[axis] - begin];
-      nodes[axis] = Nodes;
-      first[axis] = begin;
+      return false;
     }
   }
+  if (!this->IsOneSurface(first, nodes, stride))
+  {
+    return false;
+  }
+  // The four around the middle come first; beside another surface, four to one side of it.
+  for (const int z : { 1, 0, 2 })
+  {
+    for (const int y : { 1, 0, 2 })
+    {
+      for (const int x : { 1, 0, 2 })
+      {
+        const int interval[3] = { x, y, z };
+        constexpr double One[1] = { 1.0 };
+        const double* weights[3] = { One, One, One };
+        Index begin = first;
+        bool isThere = true;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          if (nodes[axis] > 1)
+          {
+            begin[axis] -= interval[axis];
+            weights[axis] = Weights[interval[axis]];
+            isThere = isThere && begin[axis] >= 0 && begin[axis] + Nodes <= known[axis];
+          }
+          else
+          {
+            isThere = isThere && interval[axis] == 1;
+          }
+        }
+        if (isThere && this->Interpolate(begin, nodes, weights, stride, answer))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+bool SharedLattice::IsOneSurface(const Index& first, const Index& nodes, int stride) const
+{
+  const int own =
+    this->Known.Id[this->GetId({ { stride * first[0], stride * first[1], stride * first[2] } })];
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    Index at;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int step = nodes[axis] > 1 ? corner >> axis & 1 : 0;
+      at[axis] = stride * (first[axis] + step);
+    }
+    const vtkIdType id = this->GetId(at);
+    if (this->Known.Status[id] != vtkFlowStatus::REACHED_SURFACE || this->Known.Id[id] != own)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool SharedLattice::Interpolate(const Index& first, const Index& nodes,
+  const double* const weights[3], int stride, Answer& answer) const
+{
   answer = Answer();
   double low[2] = { 0.0, 0.0 };
   double high[2] = { 0.0, 0.0 };
@@ -335,8 +402,8 @@ bool SharedLattice::Predict(const Index& at, Answer& answer) const
     {
       for (int i = 0; i < nodes[0]; ++i)
       {
-        const vtkIdType id = this->GetId({ { this->Stride * (first[0] + i),
-          this->Stride * (first[1] + j), this->Stride * (first[2] + k) } });
+        const vtkIdType id = this->GetId(
+          { { stride * (first[0] + i), stride * (first[1] + j), stride * (first[2] + k) } });
         const double* uv = this->Known.Parameters + 2 * id;
         if (this->Known.Status[id] != vtkFlowStatus::REACHED_SURFACE ||
           (!isFirst && this->Known.Id[id] != answer.Id))
@@ -357,48 +424,53 @@ bool SharedLattice::Predict(const Index& at, Answer& answer) const
     }
   }
   const std::array<bool, 2> isPeriodic = this->FindSeams(answer.Id);
-  return answer.Time >= 0.0 && !(isPeriodic[0] && high[0] - low[0] > 0.5) &&
-    !(isPeriodic[1] && high[1] - low[1] > 0.5);
+  bool isOnSurface = answer.Time >= 0.0;
+  for (std::size_t c = 0; c < 2; ++c)
+  {
+    isOnSurface = isOnSurface && answer.Parameters[c] >= 0.0 && answer.Parameters[c] <= 1.0 &&
+      !(isPeriodic[c] && high[c] - low[c] > 0.5);
+  }
+  return isOnSurface;
 }
 
-double SharedLattice::GetError(const Index& at) const
+double SharedLattice::GetError(const Index& at, int stride) const
+{
+  Answer guess;
+  return this->Predict(at, stride, guess) ? this->GetError(at, guess)
+                                          : std::numeric_limits<double>::infinity();
+}
+
+double SharedLattice::GetError(const Index& at, const Answer& guess) const
 {
   const vtkIdType id = this->GetId(at);
-  Answer guess;
-  if (!this->Predict(at, guess) || this->Known.Status[id] != vtkFlowStatus::REACHED_SURFACE ||
-    this->Known.Id[id] != guess.Id)
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  return this->Compare(guess, this->Known.Parameters + 2 * id, this->Known.Time[id]);
+  return this->Known.Status[id] == vtkFlowStatus::REACHED_SURFACE && this->Known.Id[id] == guess.Id
+    ? this->Compare(guess, this->Known.Parameters + 2 * id, this->Known.Time[id])
+    : std::numeric_limits<double>::infinity();
 }
 
-void SharedLattice::Prove()
+bool SharedLattice::IsProven(const Index& block) const
 {
-  this->VisitBlocks(
-    [this](std::size_t block)
-    {
-      const bool isGood = this->Marks[block] == GOOD ||
-        this->VisitMiddles(
-          this->GetBlock(block), [this](const Index& at) { return this->GetError(at) <= Fall; });
-      this->Marks[block] = isGood ? GOOD : NOT_GOOD;
-    });
-  const Index blocks = this->Blocks;
-  const std::vector<unsigned char> marks = std::move(this->Marks);
-  this->SetStride(this->Stride / 2);
-  for (std::size_t block = 0; block < this->Marks.size(); ++block)
+  const int wide = 2 * this->Stride;
+  const auto getLast = [this](std::size_t axis) { return this->Dimensions[axis] > 1 ? 1 : 0; };
+  for (int k = 0; k <= getLast(2); ++k)
   {
-    const Index own = this->GetBlock(block);
-    std::size_t parent = 0;
-    bool isInside = true;
-    for (std::size_t axis = 3; axis-- > 0;)
+    for (int j = 0; j <= getLast(1); ++j)
     {
-      const int index = own[axis] / 2;
-      isInside = isInside && index < blocks[axis];
-      parent = parent * static_cast<std::size_t>(blocks[axis]) + static_cast<std::size_t>(index);
+      for (int i = 0; i <= getLast(0); ++i)
+      {
+        const Index at = { { this->Stride * (block[0] + i), this->Stride * (block[1] + j),
+          this->Stride * (block[2] + k) } };
+        const bool isBetween = at[0] % wide != 0 || at[1] % wide != 0 || at[2] % wide != 0;
+        Answer guess;
+        // Where nothing tells a corner the middle of the block decides alone.
+        if (isBetween && this->Predict(at, wide, guess) && this->GetError(at, guess) > Fall)
+        {
+          return false;
+        }
+      }
     }
-    this->Marks[block] = isInside ? marks[parent] : static_cast<unsigned char>(NOT_GOOD);
   }
+  return true;
 }
 
 }

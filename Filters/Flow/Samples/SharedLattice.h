@@ -17,15 +17,19 @@ namespace interlume
  * @class   SharedLattice
  * @brief   which samples of a lattice take the answers that those around them have
  *
- * The samples come in levels, those at every 2^k-th place of each axis first. At each level the
- * samples in the middles between those known are either followed, or interpolated from at most 4^3
- * of them by polynomials of degree three. A block of eight known samples is good where all samples
- * in the middles of the block twice as wide were followed, or it was good itself, and the
- * interpolation told them to within eight times the tolerance: in half the width the error falls by
- * as much. It is refused where one of the samples that are interpolated from reached no surface, or
- * another one, or where u or v jumps at a seam. The sample in the middle of each good block, where
- * the polynomial is off by most, is followed all the same: where that is more than the tolerance
- * the block is good no longer. So the error that the answers have is known by measurement.
+ * The samples at every 4th place of each axis are followed first. Two levels halve that distance:
+ * the samples in the middles between those known are either followed, or interpolated from at most
+ * 4^3 of them by polynomials of degree three. Three things have to be so in a block of eight known
+ * samples that is good:
+ * - All samples that its own ones are interpolated from reached one surface, neither u nor v jumps
+ *   at a seam between them, and what is interpolated lies on the surface.
+ * - Those of its corners that lie in the middles between samples twice as far apart are told by
+ *   these to within four times the tolerance. In half the width the error falls by that at least,
+ *   where second derivatives jump, as they do where streamlines pass faces of the field's cells.
+ * - The sample in its middle, where the polynomial is off by most, is followed all the same, and
+ * the polynomial tells it to within the tolerance. A sample is interpolated where all blocks that
+ * it lies in are good. So the error that the answers have is known by measurement, and no
+ * streamline is followed that is not some sample's answer.
  */
 class SharedLattice
 {
@@ -62,7 +66,7 @@ public:
 
   /// Goes to the next level. Returns false after the last.
   bool Next();
-  /// Returns the samples to be followed at this level.
+  /// Returns the samples to be followed at this level whatever the middles of blocks say.
   Ids GetFollowed();
   /// Returns those to be followed too, after the others were.
   Ids CheckMiddles();
@@ -90,10 +94,21 @@ private:
   vtkIdType GetId(const Index& at) const;
   Index GetBlock(std::size_t block) const;
   void SetStride(int stride);
-  /// Computes the answer for a sample in the middle of known ones.
-  bool Predict(const Index& at, Answer& answer) const;
-  /// Returns the error in tolerances of the prediction for a sample that has an answer.
-  double GetError(const Index& at) const;
+  /// Computes the answer for a sample in the middle of some that are \a stride apart. Returns false
+  /// where that is refused.
+  bool Predict(const Index& at, int stride, Answer& answer) const;
+  /// Returns whether the samples next to one in their middle, from \a first to the next along each
+  /// axis with several \a nodes, reached one surface.
+  bool IsOneSurface(const Index& first, const Index& nodes, int stride) const;
+  /// Interpolates from \a nodes samples of each axis from \a first on. Returns false where these
+  /// have no answers of one surface.
+  bool Interpolate(const Index& first, const Index& nodes, const double* const weights[3],
+    int stride, Answer& answer) const;
+  /// Returns the error in tolerances of a prediction for a sample that has an answer; infinite
+  /// where it has another surface, or is not told.
+  double GetError(const Index& at, int stride) const;
+  double GetError(const Index& at, const Answer& guess) const;
+  bool IsAnyGood() const;
   /// Calls visit(at) for the middles of a block until it returns false. Returns whether it did not.
   template <typename Visit>
   bool VisitMiddles(const Index& block, Visit&& visit) const;
@@ -108,8 +123,8 @@ private:
   /// Returns the sample in the middle of a block, and whether one is.
   Index GetMiddle(const Index& block) const;
   bool IsMiddle(const Index& at) const;
-  /// Finds the blocks of the next level that are good.
-  void Prove();
+  /// Returns whether the corners of a block are told by samples twice as far apart.
+  bool IsProven(const Index& block) const;
 
   Index Dimensions;
   Answers Known;

@@ -81,6 +81,17 @@ private:
   std::vector<FieldCase> Cases;
 };
 
+void AddRotation(CaseList& cases)
+{
+  const FlowVector center = { { -1.2, -1.2, 0.0 } };
+  const FlowVector axis = { { 0.0, 0.0, 1.0 } };
+  const auto rotation = cases.NewSource(vtkAnalyticFlowSource::ROTATION);
+  rotation->SetCenter(center[0], center[1], center[2]);
+  cases.Add("rotation", rotation,
+    [center, axis](const FlowVector& x, double t)
+    { return reference::MapRotation(x, center, axis, 1.0, t); });
+}
+
 void AddLinearFields(CaseList& cases)
 {
   const FlowVector velocity = { { 1.0, 0.4, -0.3 } };
@@ -89,16 +100,10 @@ void AddLinearFields(CaseList& cases)
   cases.Add("uniform", uniform,
     [velocity](const FlowVector& x, double t) { return reference::MapUniform(x, velocity, t); });
 
-  const FlowVector center = { { -1.2, -1.2, 0.0 } };
-  const FlowVector axis = { { 0.0, 0.0, 1.0 } };
-  const auto rotation = cases.NewSource(vtkAnalyticFlowSource::ROTATION);
-  rotation->SetCenter(center[0], center[1], center[2]);
-  cases.Add("rotation", rotation,
-    [center, axis](const FlowVector& x, double t)
-    { return reference::MapRotation(x, center, axis, 1.0, t); });
-
+  AddRotation(cases);
   cases.AddSaddle("saddle", { { 1.0, 1.0, -2.0 } }, false);
 
+  const FlowVector axis = { { 0.0, 0.0, 1.0 } };
   const FlowVector rates = { { -1.0, -0.8, -0.6 } };
   constexpr double swirl = 3.0;
   const auto spiral = cases.NewSource(vtkAnalyticFlowSource::NODE);
@@ -107,6 +112,11 @@ void AddLinearFields(CaseList& cases)
   cases.Add("spiral", spiral,
     [rates, axis](const FlowVector& x, double t)
     { return reference::MapNode(x, {}, rates, axis, swirl, t); });
+}
+
+void AddStiffSaddle(CaseList& cases, const std::string& name, double ratio)
+{
+  cases.AddSaddle(name, { { -1.0, ratio, 0.5 * ratio } }, true);
 }
 
 void AddOtherFields(CaseList& cases)
@@ -125,12 +135,27 @@ std::vector<FieldCase> MakeFieldCases(const BenchOptions& options)
   CaseList cases(options);
   AddLinearFields(cases);
   AddOtherFields(cases);
-  for (const auto& ratio : { std::pair<const char*, double>("stiff-1e2", 1e2),
-         std::pair<const char*, double>("stiff-1e4", 1e4),
-         std::pair<const char*, double>("stiff-1e6", 1e6) })
-  {
-    cases.AddSaddle(ratio.first, { { -1.0, ratio.second, 0.5 * ratio.second } }, true);
-  }
+  AddStiffSaddle(cases, "stiff-1e2", 1e2);
+  AddStiffSaddle(cases, "stiff-1e4", 1e4);
+  AddStiffSaddle(cases, "stiff-1e6", 1e6);
   return cases.Take();
+}
+
+std::vector<Case> MakeSharingCases(const BenchOptions& options)
+{
+  CaseList cases(options);
+  const auto shear = cases.NewSource(vtkAnalyticFlowSource::SHEAR);
+  shear->SetThickness(0.1);
+  cases.Add("shear", shear);
+  AddRotation(cases);
+  AddOtherFields(cases);
+  cases.Add("hurricane", cases.NewSource(vtkAnalyticFlowSource::HURRICANE));
+  AddStiffSaddle(cases, "stiff-1e2", 1e2);
+  std::vector<Case> found;
+  for (const FieldCase& field : cases.Take())
+  {
+    found.push_back(field.What);
+  }
+  return found;
 }
 }

@@ -28,6 +28,13 @@ struct FieldCase
  * outside of the image, `sphere` and `abc`.
  */
 std::vector<FieldCase> MakeFieldCases(const BenchOptions& options);
+
+/**
+ * On such images too: `shear`, a layer of a tenth of the width in which the velocity turns round,
+ * `rotation`, `source-sink`, `sphere`, `abc`, `hurricane`, and `stiff-1e2`. Their seeds are those
+ * of MakeFieldCases.
+ */
+std::vector<Case> MakeSharingCases(const BenchOptions& options);
 }
 
 #endif

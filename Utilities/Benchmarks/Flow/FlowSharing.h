@@ -9,16 +9,18 @@
 #include <vector>
 
 /**
- * The part of the suite `flow` about samples that take the answers of those around them.
+ * What the suite `flow-sharing` measures: samples that take the answers of those around them.
  */
 namespace flow
 {
 /**
- * The six fields of MakeFieldCases that are neither uniform nor stiff, about 100,000 samples on an
- * image each. Method `shared`, the parameter being MaximumError over the largest speed: time of
- * vtkImplicitFlowField with ShareStreamlines against that without; `within` is the share of the
- * samples of the same status and id whose ends are no further apart than 10 MaximumError times
- * their time and whose times, at the largest speed, are neither.
+ * The fields of MakeSharingCases, about 100,000 samples on an image each, a quarter as wide for
+ * `dense`. Method `shared`, the parameter being MaximumError over the largest speed: processor time
+ * of vtkImplicitFlowField with ShareStreamlines against that without. The error of a sample is the
+ * distance of the ends, or the difference of times at the largest speed, whichever is more, over
+ * MaximumError times the time of the streamline; infinite where status or id differ, written as
+ * 1e30. `median`, `q99`, `q999` and `largest` are of the samples that were interpolated, `within`
+ * is the share of all samples whose error is at most 10.
  */
 void AddSharingRows(const BenchOptions& options, BenchRows& rows);
 

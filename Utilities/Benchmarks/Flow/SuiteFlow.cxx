@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Flow/FlowConservation.h"
 #include "Benchmarks/Flow/FlowExplicit.h"
-#include "Benchmarks/Flow/FlowSharing.h"
 #include "Benchmarks/Flow/FlowSpeed.h"
 #include "Benchmarks/Flow/FlowTolerances.h"
 #include "Benchmarks/Flow/FlowVolumeSpeed.h"
@@ -50,10 +49,6 @@ public:
       "eigenvalues that damp backward, MaximumError. within: the share of the answers that are no "
       "further than 10 MaximumError times their time from where the field carries the sample in "
       "that time. RK4 and RK45 as above.",
-      "shared: about 100,000 samples on an image, with ShareStreamlines against all streamlines, "
-      "the parameter as above; shared samples are interpolated. within: the share of the answers "
-      "of the same kind whose ends, and whose times at the largest speed, are no further apart "
-      "than 10 MaximumError times their time.",
       "hurricane: advection of as many samples, at most 10 units of time; new stream volumes when "
       "the inflow mapping, the interval alone, or the range of times alone changes, against that "
       "advection. advections: how often it was done again.",
@@ -75,7 +70,6 @@ public:
   {
     flow::AddSpeedRows(options, rows);
     flow::AddToleranceRows(options, rows);
-    flow::AddSharingRows(options, rows);
     flow::AddVolumeRows(options, rows);
     flow::AddConservationRows(options, rows);
     flow::AddExplicitRows(options, rows);
@@ -84,8 +78,8 @@ public:
   std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override
   {
     std::vector<BenchClaim> claims = flow::CheckSpeedClaims(rows);
-    for (const auto& check : { flow::CheckToleranceClaims, flow::CheckSharingClaims,
-           flow::CheckVolumeClaims, flow::CheckConservationClaims })
+    for (const auto& check :
+      { flow::CheckToleranceClaims, flow::CheckVolumeClaims, flow::CheckConservationClaims })
     {
       for (BenchClaim& claim : check(rows))
       {
