@@ -14,7 +14,7 @@
 #include <vector>
 
 /**
- * What the suite `flow` measures on.
+ * What the suites of flow measure on.
  */
 namespace flow
 {

@@ -9,7 +9,7 @@
 #include <vector>
 
 /**
- * The fields on which the suite `flow` measures errors.
+ * The fields on which the suites `flow` and `flow-sharing` measure errors.
  */
 namespace flow
 {

@@ -209,8 +209,11 @@ private:
   {
     const auto known = NewAdvection(this->What, vtkImplicitFlowField::AUTOMATIC, DefaultTolerance);
     known->Update();
-    const std::vector<double> seconds = MeasureAlternately(
-      { WithThreads(1, MakeAgain(known)), WithThreads(1, MakeTracer(this->What, settings)) }, 3);
+    ProcessorClock clocks[2];
+    const std::vector<double> seconds =
+      MeasureAlternately({ WithThreads(1, clocks[0].Watch(MakeAgain(known))),
+                           WithThreads(1, clocks[1].Watch(MakeTracer(this->What, settings))) },
+        3);
     BenchRow row = this->Rows.Make(this->What.Name, Again);
     row.Parameter = DefaultTolerance;
     row.Error = own.Apart.Mean;
@@ -218,6 +221,8 @@ private:
     row.Seconds = seconds[0];
     row.Peer = std::string(Peer) + "-" + settings.GetName();
     row.PeerSeconds = seconds[1];
+    row.Counts["processor_seconds"] = clocks[0].Take();
+    row.Counts["peer_processor_seconds"] = clocks[1].Take();
     row.Counts["kept_faces"] = known->GetReport().KeptFaces;
     row.Counts["peer_error"] = other.Apart.Mean;
     this->Rows.Add(row);

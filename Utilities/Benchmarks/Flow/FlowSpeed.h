@@ -10,7 +10,7 @@
 #include <vector>
 
 /**
- * The part of the suite `flow` about run time against vtkStreamTracer.
+ * What the suite `flow-speed` measures: run time against vtkStreamTracer.
  */
 namespace flow
 {

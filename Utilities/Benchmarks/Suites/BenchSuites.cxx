@@ -14,6 +14,7 @@ std::vector<std::unique_ptr<BenchSuite>> MakeAllSuites()
   suites.push_back(MakeScatteringSuite());
   suites.push_back(MakeMixedSuite());
   suites.push_back(MakeFlowSuite());
+  suites.push_back(MakeFlowSpeedSuite());
   suites.push_back(MakeFlowSharingSuite());
   suites.push_back(MakeFlowTextureSuite());
   return suites;

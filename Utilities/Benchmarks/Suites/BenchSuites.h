@@ -17,6 +17,7 @@ std::unique_ptr<BenchSuite> MakeSoftShadowsSuite();
 std::unique_ptr<BenchSuite> MakeScatteringSuite();
 std::unique_ptr<BenchSuite> MakeMixedSuite();
 std::unique_ptr<BenchSuite> MakeFlowSuite();
+std::unique_ptr<BenchSuite> MakeFlowSpeedSuite();
 std::unique_ptr<BenchSuite> MakeFlowSharingSuite();
 std::unique_ptr<BenchSuite> MakeFlowTextureSuite();
 
