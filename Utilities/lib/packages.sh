@@ -6,9 +6,12 @@
 module_packages=(
   g++ cmake ninja-build libboost-dev libeigen3-dev libglm-dev 'libtet1.5-dev | libtet-dev')
 
+# VTK with what wraps classes for Python, which libvtk9-dev brings, and NumPy, which it does not.
+vtk_packages=(libvtk9-dev libpython3-dev python3-vtk9 python3-numpy)
+
 build_packages=(
-  "${module_packages[@]}"
-  libvtk9-dev libcli11-dev nlohmann-json3-dev
+  "${module_packages[@]}" "${vtk_packages[@]}"
+  libcli11-dev nlohmann-json3-dev
   xvfb xauth libgl1-mesa-dri libglx-mesa0)
 
 # What ParaView's CMake package asks for, and a window manager for the tests of its client; its own
