@@ -161,7 +161,7 @@ void TestMedia(Table& table)
     scene.Property->SetScalarOpacityUnitDistance(1.0 / depth);
     table.Draw(depth < 1.0 ? "depth-1e-6" : "depth-1e+4",
       depth < 1.0 ? "an optical depth of 1e-6" : "an optical depth of 1e4", scene, none,
-      depth < 1.0 ? 1e-5 : 9.0);
+      depth < 1.0 ? 1e-5 : 5.0);
   }
   auto empty = MakeHomogeneousScene(8, 1.0);
   empty.Property->GetScalarOpacity()->RemoveAllPoints();
@@ -253,12 +253,19 @@ void TestRandomSettings(Table& table, int settings, bool isThin)
     scene.Property->SetScalarOpacityUnitDistance(
       std::pow(10.0, uniform(isThin ? -1.0 : -3.0, 2.0)));
     scene.Lights.clear();
-    // The vertices of a tetrahedron and its opposite, a cube: even light up to the third degree.
+    // Light from all sides, of which a face of a cube takes as much as of even light, a quarter.
     for (unsigned corner = 0; corner < 8; ++corner)
     {
       scene.Lights.push_back(MakeDirectionalLight(
         { { corner & 1u ? 1.0 : -1.0, corner & 2u ? 1.0 : -1.0, corner & 4u ? 1.0 : -1.0 } }));
-      scene.Lights.back()->SetIntensity(0.125);
+      scene.Lights.back()->SetIntensity(0.683013 / 8.0);
+    }
+    for (std::size_t side = 0; side < 6; ++side)
+    {
+      Double3 direction{};
+      direction[side / 2] = side % 2 == 0 ? 1.0 : -1.0;
+      scene.Lights.push_back(MakeDirectionalLight(direction));
+      scene.Lights.back()->SetIntensity(0.316987 / 6.0);
     }
     scene.Camera =
       LookAt(scene.Image, { { uniform(-1.0, 1.0), uniform(-1.0, 1.0), -1.0 } }, random() % 2 == 0);
@@ -292,14 +299,14 @@ void TestRandomSettings(Table& table, int settings, bool isThin)
       break;
     }
   }
-  // Edges of matter whose cells are thick are too bright by what faces are too dark.
+  // The cells at edges of matter whose cells are thick are brighter than those of faces.
   const std::string name = isThin ? "random-settings" : "random-settings-thick";
   const std::string extreme = std::to_string(settings) + " random settings" +
     (isThin ? ", depths to 10" : ", depths to 1e3 in 4 to 8 cells");
   table.Catalogue.Measure(
-    name, extreme, "no pixel brighter than the light around", brightest, isThin ? 1.05 : 1.6);
+    name, extreme, "no pixel brighter than the light around", brightest, isThin ? 1.05 : 1.25);
   table.Catalogue.Measure(name + "-mean", extreme, "no picture brighter than the light around",
-    brightestMean, isThin ? 1.03 : 1.25);
+    brightestMean, isThin ? 1.03 : 1.06);
 }
 
 }

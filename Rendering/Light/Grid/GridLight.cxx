@@ -3,6 +3,7 @@
 
 #include "Grid/MatterGrid.h"
 #include "Lights/EmitterSamples.h"
+#include "Scattering/CellLight.h"
 #include "Space/UnitVector.h"
 
 #include "vtkProjectiveLight.h"
@@ -10,86 +11,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 
 namespace interlume
 {
 
 namespace
 {
-// A light of one place or direction, in the box of the grid.
-class GridRay
+// The light of one place or direction without the matter, in the cells of a grid.
+class GridColor
 {
 public:
-  GridRay(const MatterGrid& grid, const LightSource& light)
+  GridColor(const MatterGrid& grid, const LightSource& light)
     : Grid(grid)
     , Light(light)
     , IsPositional(light.IsPositional)
-    , Position(grid.FromUnit(light.Position))
-    , Direction(grid.DirectionFromUnit(light.Direction))
   {
-  }
-
-  /// Returns the mean transmittance of a cell along the ray through its middle.
-  glm::dvec3 GetTransmittance(const glm::ivec3& cell) const
-  {
-    const ScatteringMedium& medium = this->Grid.GetMedium();
-    const glm::dvec3 middle = this->Grid.GetMiddle(cell);
-    const glm::dvec3 way = this->IsPositional ? this->Position - middle : -this->Direction;
-    const double length = glm::length(way);
-    if (!(length > 0.0))
-    {
-      return glm::dvec3(1.0);
-    }
-    const glm::dvec3 toLight = way / length;
-    const double reach = this->IsPositional ? length : std::numeric_limits<double>::max();
-    // How far the ray is from the next border along each axis, and from border to border.
-    glm::dvec3 next;
-    glm::dvec3 step;
-    glm::ivec3 turn;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double slope = std::abs(toLight[axis]);
-      step[axis] = slope > 0.0 ? medium.CellSize[axis] / slope : std::numeric_limits<double>::max();
-      next[axis] = slope > 0.0 ? 0.5 * step[axis] : step[axis];
-      turn[axis] = toLight[axis] > 0.0 ? 1 : -1;
-    }
-    const double chord = std::min({ next.x, next.y, next.z });
-    glm::dvec3 depth(0.0);
-    glm::ivec3 at = cell;
-    double from = chord;
-    while (from < reach)
-    {
-      const int axis = next.x <= next.y && next.x <= next.z ? 0 : next.y <= next.z ? 1 : 2;
-      at[axis] += turn[axis];
-      next[axis] += step[axis];
-      if (at[axis] < 0 || at[axis] >= medium.Cells[axis])
-      {
-        break;
-      }
-      const double to = std::min({ next.x, next.y, next.z, reach });
-      const std::size_t index = medium.GetIndex(at);
-      if (medium.IsBlocked(index))
-      {
-        return glm::dvec3(0.0);
-      }
-      depth += (to - from) * this->GetExtinction(index);
-      from = to;
-    }
-    // From the border towards the light, or the light itself, to the border on the other side.
-    const double own = std::min(chord, reach) + chord;
-    const glm::dvec3 within = own * this->GetExtinction(medium.GetIndex(cell));
-    glm::dvec3 mean;
-    for (int c = 0; c < 3; ++c)
-    {
-      mean[c] = within[c] > 1e-4 ? -std::expm1(-within[c]) / within[c] : 1.0 - 0.5 * within[c];
-    }
-    return glm::exp(-depth) * mean;
   }
 
   /// Returns the light without the matter, as the mean of eight parts of a cell.
-  glm::dvec3 GetColor(const glm::ivec3& cell) const
+  glm::dvec3 Get(const glm::ivec3& cell) const
   {
     if (!this->IsPositional && !this->Light.Projective)
     {
@@ -107,13 +51,6 @@ public:
   }
 
 private:
-  glm::dvec3 GetExtinction(std::size_t cell) const
-  {
-    const double extinction = this->Grid.GetMedium().Extinction[cell];
-    const std::vector<glm::vec3>& parts = this->Grid.GetParts();
-    return parts.empty() ? glm::dvec3(extinction) : extinction * glm::dvec3(parts[cell]);
-  }
-
   glm::dvec3 GetColorAt(const glm::dvec3& place) const
   {
     glm::dvec3 color(1.0);
@@ -149,45 +86,50 @@ private:
   const MatterGrid& Grid;
   const LightSource& Light;
   bool IsPositional;
-  glm::dvec3 Position;
-  glm::dvec3 Direction;
 };
-}
 
-ScatteringLight GridLight::Make(const MatterGrid& grid, const LightSource& light, int samples)
+ScatteringLight PlaceLight(const MatterGrid& grid, const LightSource& light)
 {
   ScatteringLight result;
   result.IsPositional = light.IsPositional;
   result.Position = grid.FromUnit(light.Position);
   result.Direction = grid.DirectionFromUnit(light.Direction);
+  return result;
+}
+}
+
+ScatteringLight GridLight::Make(const MatterGrid& grid, const LightSource& light, int samples)
+{
+  const ScatteringMedium& medium = grid.GetMedium();
+  ScatteringLight result = PlaceLight(grid, light);
   std::vector<LightSource> sources{ light };
   if (light.Area)
   {
     sources = EmitterSamples::Split(sources, { 0 }, samples);
   }
-  std::vector<GridRay> rays;
-  for (const LightSource& source : sources)
+  // The rays of many samples meet a cell in places of their own.
+  const bool isAlone = sources.size() < 4;
+  const std::size_t cells = medium.GetNumberOfCells();
+  result.Direct.assign(cells, glm::vec3(0.0f));
+  for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    rays.emplace_back(grid, source);
-  }
-  const std::size_t cells = grid.GetMedium().GetNumberOfCells();
-  result.Direct.resize(cells);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(cells),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (auto cell = static_cast<std::size_t>(first); cell < static_cast<std::size_t>(last);
-           ++cell)
+    const double number = static_cast<double>(i);
+    const glm::dvec2 offset =
+      isAlone ? glm::dvec2(0.0) : glm::fract(number * glm::dvec2(0.7548776662, 0.5698402910)) - 0.5;
+    const std::vector<glm::vec3> means = CellLight::Find(medium, grid.GetParts(),
+      PlaceLight(grid, sources[i]), isAlone ? CellLight::CountRays(medium.Cells) : 1, offset);
+    const GridColor color(grid, sources[i]);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(cells),
+      [&](vtkIdType first, vtkIdType last)
       {
-        glm::dvec3 sum(0.0);
-        const glm::ivec3 at = grid.GetCell(cell);
-        for (const GridRay& ray : rays)
+        for (auto cell = static_cast<std::size_t>(first); cell < static_cast<std::size_t>(last);
+             ++cell)
         {
-          sum += grid.GetMedium().IsBlocked(cell) ? glm::dvec3(0.0)
-                                                  : ray.GetColor(at) * ray.GetTransmittance(at);
+          const glm::dvec3 share = light.ShadowStrength * glm::dvec3(means[cell]);
+          result.Direct[cell] += glm::vec3(share * color.Get(grid.GetCell(cell)));
         }
-        result.Direct[cell] = glm::vec3(light.ShadowStrength * sum);
-      }
-    });
+      });
+  }
   return result;
 }
 

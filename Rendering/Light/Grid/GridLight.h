@@ -14,11 +14,10 @@ class MatterGrid;
  * @class   GridLight
  * @brief   the light of one source in the cells of a grid, before it is scattered
  *
- * A ray from the middle of each cell to the light goes through the extinctions of the cells before
- * it, whole lengths in each, so that light is as sharp as cells are, inside the volume too; within
- * the cell itself it is the mean along the ray. Cone, attenuation and screen are those of the
- * middle of eight parts of a cell. An area light is the mean of its samples. All of it is times the
- * share of the light that casts shadows.
+ * It is the mean of what matter leaves over each cell, by CellLight's rays through the cells, so
+ * that light is as sharp as cells are, inside the volume too. Cone, attenuation and screen are
+ * those of the middle of eight parts of a cell. An area light is the mean of its samples. All of it
+ * is times the share of the light that casts shadows.
  */
 class GridLight
 {

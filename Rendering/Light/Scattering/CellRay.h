@@ -23,16 +23,24 @@ public:
   /// \a place is in the box, in cells from its lower corner; \a direction of length 1, in the
   /// world's units along the axes of the box.
   CellRay(const ScatteringMedium& medium, const glm::dvec3& place, const glm::dvec3& direction)
+    : CellRay(medium, glm::clamp(glm::ivec3(glm::floor(place)), glm::ivec3(0), medium.Cells - 1),
+        place, direction)
+  {
+  }
+  /// \a place is in or on the sides of \a cell.
+  CellRay(const ScatteringMedium& medium, const glm::ivec3& cell, const glm::dvec3& place,
+    const glm::dvec3& direction)
     : Medium(medium)
-    , Cell(glm::clamp(glm::ivec3(glm::floor(place)), glm::ivec3(0), medium.Cells - 1))
+    , Cell(cell)
     , Direction(direction)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       const double along = direction[axis];
+      const double within = place[axis] - this->Cell[axis];
+      this->Within[axis] = within;
       if (along != 0.0)
       {
-        const double within = place[axis] - this->Cell[axis];
         this->Step[axis] = medium.CellSize[axis] / std::abs(along);
         this->Next[axis] = this->Step[axis] * (along > 0.0 ? 1.0 - within : within);
       }
@@ -46,6 +54,21 @@ public:
   /// Returns how far from its start the ray enters and leaves this cell.
   double GetEntry() const { return this->Gone; }
   double GetExit() const { return this->Next[this->Axis]; }
+
+  /// Returns the place, in cells from the lower corner, so far from the start, in this cell.
+  glm::dvec3 GetPlace(double distance) const
+  {
+    glm::dvec3 place;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // Up to the border that comes next.
+      const double along = this->Direction[axis];
+      const double left =
+        along != 0.0 ? (this->Next[axis] - distance) / this->Step[axis] : 1.0 - this->Within[axis];
+      place[axis] = this->Cell[axis] + (along < 0.0 ? left : 1.0 - left);
+    }
+    return place;
+  }
 
   /// Goes on to the next cell; returns false where the ray leaves the box.
   bool Advance()
@@ -84,6 +107,8 @@ private:
   glm::dvec3 Step{ std::numeric_limits<double>::infinity() };
   glm::dvec3 Next{ std::numeric_limits<double>::infinity() };
   double Gone = 0.0;
+  /// Where in its first cell the ray starts.
+  glm::dvec3 Within{ 0.5 };
   int Axis = 0;
 };
 

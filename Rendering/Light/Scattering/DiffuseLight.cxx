@@ -22,6 +22,9 @@ namespace
 constexpr double ThinShare = 0.2;
 /// The flux out of a medium over its fluence, where no light comes back.
 constexpr double Outflow = 0.5;
+/// The depth in thick matter at which the fluence is what eyes see on the whole: there the flux is
+/// a quarter of it.
+constexpr double SeenDepth = 2.0 / 3.0;
 
 /// The equations of one color.
 class ColorEquations
@@ -36,6 +39,7 @@ public:
     , Current(matter.Extinction.size(), glm::dvec3(0.0))
     , Extinction(matter.Extinction.size(), 0.0)
     , Right(matter.Extinction.size(), 0.0)
+    , Given(matter.Extinction.size(), glm::dvec3(0.0))
   {
     this->FindSources();
   }
@@ -69,7 +73,69 @@ public:
     return flux;
   }
 
+  /**
+   * Returns the fluence of a thick cell as eyes outside see it, who look no deeper into it than
+   * about one free path: that which sends out through the sides to thinner cells what goes through
+   * them. A thin cell has the one in its middle.
+   */
+  double GetSeen(const glm::ivec3& cell, const std::vector<double>& fluence) const
+  {
+    const ScatteringMedium& box = this->Matter.Box;
+    const std::size_t at = box.GetIndex(cell);
+    double sum = 0.0;
+    double weights = 0.0;
+    double open = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double depth = this->Extinction[at] * box.CellSize[axis];
+      const double thickness = 1.0 - SeenDepth / std::max(0.5 * depth, SeenDepth);
+      for (const int side : { -1, 1 })
+      {
+        const double openness = thickness * this->GetOpenness(cell, axis, side);
+        if (openness > 0.0)
+        {
+          const double area = this->Matter.CellVolume / box.CellSize[axis];
+          const double given = side * this->Given[at][axis];
+          const double flux = this->GetOutflow(cell, axis, side, fluence) +
+            std::max(given, 0.0) / area - this->GetSingle(at, axis, side);
+          sum += openness * area * std::max(flux, 0.0);
+          weights += openness * area;
+          open += openness;
+        }
+      }
+    }
+    if (!(weights > 0.0))
+    {
+      return fluence[at];
+    }
+    const double albedo = std::max<double>(this->Matter.Albedo[at][this->Color], 0.01);
+    const double share = std::min(open, 1.0);
+    return (1.0 - share) * fluence[at] + share * 4.0 * sum / (weights * albedo);
+  }
+
 private:
+  /// Returns how much of the light through a side of a cell gets away from it.
+  double GetOpenness(const glm::ivec3& cell, int axis, int side) const
+  {
+    std::size_t other = this->Matter.Box.GetIndex(cell);
+    const SideKind kind = this->GetSide(cell, axis, side, other);
+    if (kind == SideKind::Inner)
+    {
+      return std::exp(-2.0 * this->Extinction[other] * this->Matter.Box.CellSize[axis]);
+    }
+    return kind == SideKind::Open && !this->Matter.Box.IsBlocked(other) ? 1.0 : 0.0;
+  }
+
+  /// Returns the flux through a side of a thick cell that comes from the lights' sources at once,
+  /// which eyes see apart: of light that falls by exp(-k depth), (1 - log(1 + k) / k) / 2.
+  double GetSingle(std::size_t at, int axis, int side) const
+  {
+    const double size = this->Matter.Box.CellSize[axis];
+    const double depth = this->Extinction[at] * size;
+    const double falls = std::max(-side * this->Input.Slopes[at][axis] / depth, 1.0 / depth);
+    return this->Source[at] * size * 0.5 * (1.0 - std::log1p(falls) / falls);
+  }
+
   void FindSources()
   {
     const ScatteringMedium& box = this->Matter.Box;
@@ -128,29 +194,39 @@ private:
   /// open side takes leaves the box.
   void AddSource(const glm::ivec3& cell, std::size_t at)
   {
-    double own = this->Source[at] * this->Matter.CellVolume;
+    const double own = this->Source[at] * this->Matter.CellVolume;
     if (!(own > 0.0))
     {
       return;
     }
+    glm::dvec3 shares(0.0);
+    glm::dvec3 offset(0.0);
+    double kept = 1.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double offset = LightSlopes::GetOffset(this->Input.Slopes[at][axis]);
+      offset[axis] = LightSlopes::GetOffset(this->Input.Slopes[at][axis]);
       std::size_t other = at;
-      const SideKind kind = this->GetSide(cell, axis, offset < 0.0 ? -1 : 1, other);
-      const double distance = std::abs(offset);
-      if (kind == SideKind::Inner)
+      const SideKind kind = this->GetSide(cell, axis, offset[axis] < 0.0 ? -1 : 1, other);
+      if (kind != SideKind::Mirror)
       {
-        const double share = this->GetShare(at, axis, distance, this->GetConductance(other, axis));
-        this->Right[other] += share * own;
-        own *= 1.0 - share;
-      }
-      else if (kind == SideKind::Open)
-      {
-        own *= 1.0 - this->GetShare(at, axis, distance, Outflow);
+        shares[axis] = this->GetShare(at, axis, std::abs(offset[axis]),
+          kind == SideKind::Open ? Outflow : this->GetConductance(other, axis));
+        kept *= 1.0 - shares[axis];
       }
     }
-    this->Right[at] += own;
+    this->Right[at] += kept * own;
+    const double sum = shares.x + shares.y + shares.z;
+    for (int axis = 0; axis < 3 && sum > 0.0; ++axis)
+    {
+      const int side = offset[axis] < 0.0 ? -1 : 1;
+      const double given = own * (1.0 - kept) * shares[axis] / sum;
+      this->Given[at][axis] = side * given;
+      std::size_t other = at;
+      if (this->GetSide(cell, axis, side, other) == SideKind::Inner)
+      {
+        this->Right[other] += given;
+      }
+    }
   }
 
   double GetExtinction(std::size_t cell) const
@@ -295,6 +371,8 @@ private:
   /// The transport extinction e (1 - a g).
   std::vector<double> Extinction;
   std::vector<double> Right;
+  /// What sources near a side give out of their cell through it, along each axis.
+  std::vector<glm::dvec3> Given;
   double Thin = 1.0;
   double Total = 0.0;
 };
@@ -306,6 +384,7 @@ DiffuseLight::Output DiffuseLight::Solve(const MatterCells& matter, const Input&
   const std::size_t cells = matter.Extinction.size();
   Output output;
   output.Fluence.assign(cells, glm::vec3(0.0f));
+  output.Mean.assign(cells, glm::vec3(0.0f));
   output.Lean.assign(cells, glm::vec3(0.0f));
   output.Drop.assign(input.BackwardLayers > 0 ? cells : 0, 0.0f);
   std::vector<glm::dvec3> flux(cells, glm::dvec3(0.0));
@@ -339,9 +418,11 @@ DiffuseLight::Output DiffuseLight::Solve(const MatterCells& matter, const Input&
       {
         for (cell.x = 0; cell.x < matter.Box.Cells.x; ++cell.x, ++at)
         {
-          output.Fluence[at][color] = static_cast<float>(std::max(fluence[at], 0.0));
+          output.Mean[at][color] = static_cast<float>(std::max(fluence[at], 0.0));
           if (!matter.Box.IsBlocked(at))
           {
+            output.Fluence[at][color] =
+              static_cast<float>(std::max(equations.back().GetSeen(cell, fluence), 0.0));
             flux[at] += equations.back().GetFlux(cell, fluence);
           }
         }
@@ -350,7 +431,7 @@ DiffuseLight::Output DiffuseLight::Solve(const MatterCells& matter, const Input&
   }
   for (std::size_t at = 0; at < cells; ++at)
   {
-    const glm::vec3& color = output.Fluence[at];
+    const glm::vec3& color = output.Mean[at];
     const double sum = static_cast<double>(color.x) + color.y + color.z;
     if (sum > 0.0)
     {

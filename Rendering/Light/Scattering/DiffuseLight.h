@@ -49,7 +49,10 @@ public:
   };
   struct Output
   {
+    /// The fluence in a cell's middle and, where it is thick, as it is seen from outside.
     std::vector<glm::vec3> Fluence;
+    /// The fluence that the equations have in a cell, of which matter absorbs.
+    std::vector<glm::vec3> Mean;
     /// The net flux, the mean of the colors, over the mean fluence; at most 1/3 long.
     std::vector<glm::vec3> Lean;
     /// Of BackwardLayers, for each cell: what is dropped over the fluence, in 1 / world unit.

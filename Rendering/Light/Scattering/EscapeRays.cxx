@@ -2,7 +2,6 @@
 #include "Scattering/EscapeRays.h"
 
 #include "Scattering/CellRay.h"
-#include "Scattering/LightSlopes.h"
 
 #include "vtkSMPTools.h"
 #include "vtkType.h"
@@ -11,10 +10,12 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace interlume
 {
@@ -29,6 +30,9 @@ struct Ordinate
 {
   glm::dvec3 Out{ 0.0 };
   double Weight = 0.0;
+  /// Where rays go through their parts of a side. Directions differ in it, so that the rays of all
+  /// meet everything within a cell.
+  glm::dvec2 Place{ 0.5 };
 };
 
 /**
@@ -57,6 +61,8 @@ std::vector<Ordinate> MakeOrdinates()
         ordinate.Out[(axis + 1) % 3] = across * std::cos(angle);
         ordinate.Out[(axis + 2) % 3] = across * std::sin(angle);
         ordinate.Weight = weights[i / 4] / (3.0 * 4.0 * turns);
+        const double number = static_cast<double>(ordinates.size());
+        ordinate.Place = glm::fract(0.5 + number * glm::dvec2(0.7548776662, 0.5698402910));
         ordinates.push_back(ordinate);
       }
     }
@@ -112,11 +118,12 @@ class DirectionTrace
 public:
   DirectionTrace(const MatterCells& matter, const MeanPhase& phase,
     const std::vector<EscapeRays::Source>& sources, const Ordinate& ordinate, bool isBack)
-    : Matter(matter)
+    : Cells(matter)
     , Phase(phase)
     , Sources(sources)
     , Out(ordinate.Out)
     , Weight(ordinate.Weight)
+    , Place(ordinate.Place)
     , IsBack(isBack)
   {
     this->Result.resize(sources.size());
@@ -127,9 +134,12 @@ public:
     }
   }
 
+  /// The optical depth of the matter that rays met times their areas.
+  double GetMet() const { return this->Met; }
+
   std::vector<EscapeRays::Sums> Go()
   {
-    const ScatteringMedium& box = this->Matter.Box;
+    const ScatteringMedium& box = this->Cells.Box;
     for (int axis = 0; axis < 3; ++axis)
     {
       if (box.Mirrors[axis])
@@ -138,16 +148,18 @@ public:
       }
       const int u = (axis + 1) % 3;
       const int v = (axis + 2) % 3;
-      const double rowStep = (box.Cells[v] + MostRays - 1) / MostRays;
-      const double columnStep = (box.Cells[u] + MostRays - 1) / MostRays;
-      const double area = box.CellSize[u] * columnStep * box.CellSize[v] * rowStep *
-        std::abs(this->Out[axis]) * this->Weight;
+      const int rows = std::min(box.Cells[v], MostRays);
+      const int columns = std::min(box.Cells[u], MostRays);
+      const double area = box.CellSize[u] * box.Cells[u] / columns * box.CellSize[v] *
+        box.Cells[v] / rows * std::abs(this->Out[axis]) * this->Weight;
       glm::dvec3 start(0.0);
       start[axis] = this->Out[axis] > 0.0 ? box.Cells[axis] : 0.0;
-      for (start[v] = 0.5 * rowStep; start[v] < box.Cells[v]; start[v] += rowStep)
+      for (int row = 0; row < rows; ++row)
       {
-        for (start[u] = 0.5 * columnStep; start[u] < box.Cells[u]; start[u] += columnStep)
+        start[v] = (row + this->Place.y) * box.Cells[v] / rows;
+        for (int column = 0; column < columns; ++column)
         {
+          start[u] = (column + this->Place.x) * box.Cells[u] / columns;
           this->Follow(CellRay(box, start, -this->Out), area);
         }
       }
@@ -159,14 +171,14 @@ private:
   /// Follows a ray from where it leaves the box to where it enters.
   void Follow(CellRay ray, double area)
   {
-    const ScatteringMedium& box = this->Matter.Box;
+    const ScatteringMedium& box = this->Cells.Box;
     double through = 1.0;
     double lost = 0.0;
     bool isBlocked = false;
     do
     {
       const std::size_t cell = box.GetIndex(ray.GetCell());
-      const double depth = this->Matter.Extinction[cell] * (ray.GetExit() - ray.GetEntry());
+      const double depth = this->Cells.Extinction[cell] * (ray.GetExit() - ray.GetEntry());
       if (box.IsBlocked(cell))
       {
         // What is beyond ends here.
@@ -181,14 +193,15 @@ private:
           ? depth * depth * (0.5 - depth * (1.0 / 6.0 - depth / 24.0))
           : depth - 1.0 + std::exp(-depth);
         const double own = depth - ended;
+        this->Met += area * depth;
+        const FieldWeights weights = this->FindSeen(ray, cell, depth, own);
         for (std::size_t i = 0; i < this->Sources.size(); ++i)
         {
-          const double within = this->GetEnded(this->Sources[i], cell, ray, depth, ended);
-          const glm::dvec3 color = this->GetColor(i, ray, cell);
+          const glm::dvec3 color = this->GetColor(i, ray, cell, weights);
           EscapeRays::Sums& sums = this->Result[i];
-          sums.Kept += area * (depth * lost + through * within) * color;
+          sums.Kept += area * (depth * lost + through * ended) * color;
           (isBlocked ? sums.Blocked : (this->IsBack ? sums.Back : sums.On)) +=
-            area * through * (depth - within) * color;
+            area * through * own * color;
         }
         lost += through * own;
         through *= 1.0 - own;
@@ -196,32 +209,63 @@ private:
     } while (ray.Advance());
   }
 
-  /// Returns what of a source of strength \a depth along the ray does not leave the cell; \a even
-  /// for an even source.
-  double GetEnded(const EscapeRays::Source& source, std::size_t cell, const CellRay& ray,
-    double depth, double even) const
+  /// The cells that the field is looked up in, and how much each counts.
+  struct FieldWeights
   {
-    if (!source.Slopes || depth < 1e-2)
+    std::array<std::size_t, 8> Cells{};
+    std::array<float, 8> Weights{};
+  };
+
+  /// Returns where the eye sees the ray's way in a cell on the average, as slices look it up.
+  /// Blocked cells have none of it; here they have what \a cell has, which is no less.
+  FieldWeights FindSeen(const CellRay& ray, std::size_t cell, double depth, double own) const
+  {
+    const double length = ray.GetExit() - ray.GetEntry();
+    const double part = depth < 0.05 ? 0.5 - depth / 12.0 : 1.0 / depth - std::exp(-depth) / own;
+    const ScatteringMedium& box = this->Cells.Box;
+    const glm::dvec3 at = glm::clamp(ray.GetPlace(ray.GetEntry() + part * length) - 0.5,
+      glm::dvec3(0.0), glm::dvec3(box.Cells - 1));
+    const glm::ivec3 lower(at);
+    const glm::ivec3 upper = glm::min(lower + 1, box.Cells - 1);
+    const glm::vec3 share(at - glm::dvec3(lower));
+    FieldWeights weights;
+    for (unsigned corner = 0; corner < 8; ++corner)
     {
-      return even;
+      const bool isX = (corner & 1u) != 0;
+      const bool isY = (corner & 2u) != 0;
+      const bool isZ = (corner & 4u) != 0;
+      const std::size_t other =
+        box.GetIndex({ isX ? upper.x : lower.x, isY ? upper.y : lower.y, isZ ? upper.z : lower.z });
+      weights.Cells[corner] = box.IsBlocked(other) ? cell : other;
+      weights.Weights[corner] = (isX ? share.x : 1.0f - share.x) *
+        (isY ? share.y : 1.0f - share.y) * (isZ ? share.z : 1.0f - share.z);
     }
-    const glm::dvec3 way =
-      ray.GetDirection() * (ray.GetExit() - ray.GetEntry()) / this->Matter.Box.CellSize;
-    const double slope = glm::dot(glm::dvec3((*source.Slopes)[cell]), way);
-    return depth * (1.0 - LightSlopes::GetEscape(depth, glm::clamp(slope, -50.0, 50.0)));
+    return weights;
+  }
+
+  static glm::vec3 Interpolate(const std::vector<glm::vec3>& values, const FieldWeights& weights)
+  {
+    glm::vec3 sum(0.0f);
+    for (std::size_t i = 0; i < weights.Cells.size(); ++i)
+    {
+      sum += weights.Weights[i] * values[weights.Cells[i]];
+    }
+    return sum;
   }
 
   double GetPhase(const ScatteringLight& light, const glm::ivec3& cell, const glm::dvec3& out) const
   {
-    const ScatteringMedium& box = this->Matter.Box;
+    const ScatteringMedium& box = this->Cells.Box;
     const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
     return this->Phase.Get(glm::dot(light.GetDirection(middle), out));
   }
 
   /// Returns what a source sends out against the ray.
-  glm::vec3 GetColor(std::size_t number, const CellRay& ray, std::size_t cell) const
+  glm::vec3 GetColor(
+    std::size_t number, const CellRay& ray, std::size_t cell, const FieldWeights& weights) const
   {
     const EscapeRays::Source& source = this->Sources[number];
+    const glm::vec3 fluence = Interpolate(*source.Fluence, weights);
     double factor = 1.0;
     if (source.Light)
     {
@@ -232,20 +276,23 @@ private:
     }
     else if (source.Lean)
     {
-      factor -= source.LeanFactor * glm::dot(glm::dvec3((*source.Lean)[cell]), ray.GetDirection());
+      const glm::dvec3 lean(Interpolate(*source.Lean, weights));
+      factor = std::max(1.0 - source.LeanFactor * glm::dot(lean, ray.GetDirection()), 0.0);
     }
-    return static_cast<float>(factor) * (*source.Fluence)[cell] * this->Matter.Albedo[cell];
+    return static_cast<float>(factor) * fluence * this->Cells.Albedo[cell];
   }
 
-  const MatterCells& Matter;
+  const MatterCells& Cells;
   const MeanPhase& Phase;
   const std::vector<EscapeRays::Source>& Sources;
   glm::dvec3 Out;
   double Weight;
+  glm::dvec2 Place;
   bool IsBack;
   /// The phase function for each light in a direction.
   std::vector<double> Factors;
   std::vector<EscapeRays::Sums> Result;
+  double Met = 0.0;
 };
 
 }
@@ -258,22 +305,37 @@ void EscapeRays::Sums::Add(const Sums& other)
   this->Blocked += other.Blocked;
 }
 
+void EscapeRays::Sums::Scale(const glm::dvec3& factor)
+{
+  for (glm::dvec3* part : { &this->Kept, &this->Back, &this->On, &this->Blocked })
+  {
+    *part *= factor;
+  }
+}
+
 void EscapeRays::Sums::ScaleTo(const glm::dvec3& sent)
 {
   const glm::dvec3 found = this->Kept + this->GetOut();
+  glm::dvec3 factor(1.0);
   for (int color = 0; color < 3; ++color)
   {
-    if (!(found[color] > 0.0))
-    {
-      // No ray enters a box of mirrors.
-      this->Kept[color] = sent[color];
-      continue;
-    }
-    for (glm::dvec3* part : { &this->Kept, &this->Back, &this->On, &this->Blocked })
-    {
-      (*part)[color] *= sent[color] / found[color];
-    }
+    factor[color] = found[color] > 0.0 ? sent[color] / found[color] : 1.0;
+    // No ray enters a box of mirrors.
+    this->Kept[color] = found[color] > 0.0 ? this->Kept[color] : sent[color];
   }
+  this->Scale(factor);
+}
+
+void EscapeRays::Sums::ScaleOut(double matter)
+{
+  const glm::dvec3 out = this->GetOut();
+  glm::dvec3 factor(1.0);
+  for (int color = 0; color < 3; ++color)
+  {
+    const double found = this->Kept[color] + out[color];
+    factor[color] += found > 0.0 ? out[color] / found * (matter - 1.0) : 0.0;
+  }
+  this->Scale(factor);
 }
 
 std::vector<EscapeRays::Sums> EscapeRays::Trace(const MatterCells& matter,
@@ -282,6 +344,7 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(const MatterCells& matter,
   const std::vector<Ordinate> ordinates = MakeOrdinates();
   const MeanPhase meanPhase(phase, ordinates.size());
   std::vector<std::vector<Sums>> parts(ordinates.size());
+  std::vector<double> met(ordinates.size(), 0.0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(ordinates.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -289,9 +352,17 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(const MatterCells& matter,
       {
         const std::size_t at = static_cast<std::size_t>(i);
         const bool isBack = glm::dot(ordinates[at].Out, direction) < 0.0;
-        parts[at] = DirectionTrace(matter, meanPhase, sources, ordinates[at], isBack).Go();
+        DirectionTrace trace(matter, meanPhase, sources, ordinates[at], isBack);
+        parts[at] = trace.Go();
+        met[at] = trace.GetMet();
       }
     });
+  double present = 0.0;
+  for (const float extinction : matter.Extinction)
+  {
+    present += matter.CellVolume * extinction;
+  }
+  const double found = std::accumulate(met.begin(), met.end(), 0.0);
   std::vector<Sums> sums(sources.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
   {
@@ -299,14 +370,22 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(const MatterCells& matter,
     {
       sums[i].Add(part[i]);
     }
-    // Rays meet a little more or less matter than there is.
+    // Rays meet a little more or less matter than there is, and few directions meet a narrow phase
+    // function as it is.
     glm::dvec3 sent(0.0);
     for (std::size_t cell = 0; cell < matter.Extinction.size(); ++cell)
     {
       sent += matter.CellVolume * matter.Extinction[cell] *
         glm::dvec3((*sources[i].Fluence)[cell] * matter.Albedo[cell]);
     }
-    sums[i].ScaleTo(sent);
+    if (sources[i].Light)
+    {
+      sums[i].ScaleTo(sent);
+    }
+    else
+    {
+      sums[i].ScaleOut(found > 0.0 ? present / found : 1.0);
+    }
   }
   return sums;
 }

@@ -16,7 +16,8 @@ namespace interlume
  * @brief   computes how much of what the cells send out leaves the medium
  *
  * It traces what an eye sees that looks at the box from everywhere: 192 directions, with a ray
- * through each cell of the sides that are seen, up to 16 along an edge.
+ * through each cell of the sides that are seen, up to 16 along an edge. Fields are linear between
+ * the middles of cells, and looked up where slices do.
  */
 class EscapeRays
 {
@@ -24,8 +25,7 @@ public:
   /**
    * What a cell scatters into direction w, for each unit of optical depth: its albedo times Fluence
    * times 1 + LeanFactor Lean . w, or, of a light that still goes in its direction, times the phase
-   * function to w over that of an isotropic one. The light is as even in the cell as Slopes of
-   * LightSlopes say.
+   * function to w over that of an isotropic one.
    */
   struct Source
   {
@@ -33,7 +33,6 @@ public:
     const std::vector<glm::vec3>* Lean = nullptr;
     double LeanFactor = 0.0;
     const ScatteringLight* Light = nullptr;
-    const std::vector<glm::vec3>* Slopes = nullptr;
   };
   /// Sums over the box, for each color.
   struct Sums
@@ -48,8 +47,12 @@ public:
 
     glm::dvec3 GetOut() const { return this->Back + this->On + this->Blocked; }
     void Add(const Sums& other);
+    void Scale(const glm::dvec3& factor);
     /// Scales all parts alike so that together they are what the cells send out.
     void ScaleTo(const glm::dvec3& sent);
+    /// Scales by the matter that there is over what rays met, the more, the more of all light
+    /// leaves: what leaves thick matter comes from its sides alone.
+    void ScaleOut(double matter);
   };
 
   /// Traces several sources at once; what leaves against \a direction is kept apart.

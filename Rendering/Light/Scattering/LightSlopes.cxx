@@ -13,8 +13,6 @@ namespace interlume
 namespace
 {
 
-constexpr double Largest = 50.0;
-
 double SumOf(const glm::vec3& color)
 {
   return static_cast<double>(color.x) + color.y + color.z;
@@ -39,7 +37,7 @@ double FindSlope(const ScatteringMedium& box, const std::vector<glm::vec3>& ligh
   // Without neighbours in the light, all the matter of the cell may be before it.
   const double own = extinction * box.CellSize[axis] / std::abs(along);
   const bool isAlone = !(before > 0.0) && !(after > 0.0);
-  return side * std::min({ isAlone ? own : std::log(std::max(ratio, 1.0)), own, Largest });
+  return side * std::min(isAlone ? own : std::log(std::max(ratio, 1.0)), own);
 }
 
 }
@@ -91,14 +89,6 @@ std::vector<glm::vec3> LightSlopes::Find(
 double LightSlopes::GetOffset(double slope)
 {
   return std::abs(slope) > 1e-3 ? 1.0 / slope - 1.0 / std::expm1(slope) - 0.5 : -slope / 12.0;
-}
-
-double LightSlopes::GetEscape(double depth, double slope)
-{
-  // The integral of slope exp(-slope x) / (1 - exp(-slope)) exp(-depth x) over x from 0 to 1.
-  const double scale = std::abs(slope) > 1e-6 ? -slope / std::expm1(-slope) : 1.0 + 0.5 * slope;
-  const double both = depth + slope;
-  return scale * (std::abs(both) > 1e-6 ? -std::expm1(-both) / both : 1.0 - 0.5 * both);
 }
 
 }

@@ -19,18 +19,13 @@ namespace LightSlopes
 {
 /**
  * Returns for each cell and axis the logarithm of the light at its lower side over that at its
- * upper side, the mean of \a lights, at most 50 either way. It is found from the neighbours' light
+ * upper side, the mean of \a lights. It is found from the neighbours' light
  * and is at most the cell's own depth.
  */
 std::vector<glm::vec3> Find(
   const MatterCells& matter, const std::vector<std::vector<glm::vec3>>& lights);
 /// Returns how far from the middle of a cell light is scattered on the whole, in cells.
 double GetOffset(double slope);
-/**
- * Returns the share of what is scattered along a way of depth \a depth that leaves it at its
- * start, where the logarithm of the light falls by \a slope from start to end.
- */
-double GetEscape(double depth, double slope);
 }
 
 }

@@ -34,9 +34,8 @@ struct ScatteringLight
   /// Returns the direction, of length 1, in which the light goes at a place; 0 at the light's own.
   glm::dvec3 GetDirection(const glm::dvec3& place) const;
   /**
-   * Sets Direct from the medium, for lights that nothing else stands before: \a color times the
-   * mean of the transmittance along the ray through the middle of the cell, exact for light along
-   * an axis. Blocked cells are dark, and what lies behind them.
+   * Sets Direct from the medium, for lights that nothing else stands before: \a color times what
+   * CellLight finds.
    */
   void Fill(const ScatteringMedium& medium, const glm::vec3& color);
   /// Returns what is wrong: a number of values other than \a cells, a direction without length.

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scattering/ScatteringSolver.h"
 
+#include "Common/Vectors.h"
 #include "Scattering/DiffuseLight.h"
 #include "Scattering/EscapeRays.h"
 #include "Scattering/ForwardLight.h"
 #include "Scattering/LightSlopes.h"
 #include "Scattering/MatterCells.h"
+#include "Scattering/SingleEscape.h"
 
 #include "vtkSMPTools.h"
 #include "vtkType.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -176,24 +179,28 @@ private:
     return direction;
   }
 
-  /// Traces the direct light of each light, then its forward light, then \a others.
+  /// Traces what is scattered once of each light, then its forward light, then \a others.
   std::vector<EscapeRays::Sums> TraceLights(const std::vector<EscapeRays::Source>& others) const
   {
-    std::vector<EscapeRays::Source> sources;
-    const std::vector<std::vector<glm::vec3>>* direct = &this->Matter.Direct;
-    const std::vector<std::vector<glm::vec3>>* forward = &this->Field.Forward;
-    for (const auto* lights : { direct, forward })
+    const glm::dvec3 direction = this->GetMainDirection();
+    const SingleEscape single(this->Phase);
+    std::vector<EscapeRays::Sums> sums;
+    for (std::size_t i = 0; i < this->Matter.Lights.size(); ++i)
     {
-      for (std::size_t i = 0; i < lights->size(); ++i)
-      {
-        sources.emplace_back();
-        sources.back().Fluence = &(*lights)[i];
-        sources.back().Light = &this->Matter.Lights[i];
-        sources.back().Slopes = &this->Slopes;
-      }
+      sums.push_back(single.Find(this->Matter, i, direction));
+    }
+    std::vector<EscapeRays::Source> sources;
+    for (std::size_t i = 0; i < this->Field.Forward.size(); ++i)
+    {
+      sources.emplace_back();
+      sources.back().Fluence = &this->Field.Forward[i];
+      sources.back().Light = &this->Matter.Lights[i];
     }
     sources.insert(sources.end(), others.begin(), others.end());
-    return EscapeRays::Trace(this->Matter, this->Phase, sources, this->GetMainDirection());
+    const std::vector<EscapeRays::Sums> fields =
+      EscapeRays::Trace(this->Matter, this->Phase, sources, direction);
+    sums.insert(sums.end(), fields.begin(), fields.end());
+    return sums;
   }
 
   /**
@@ -215,9 +222,11 @@ private:
         continue;
       }
       std::vector<glm::vec3>& forward = this->Field.Forward[light];
+      // What is absorbed of it and what leaves.
       const glm::dvec3 needed =
-        this->SumCells([&](std::size_t i) { return glm::dvec3(forward[i]); }) -
-        sums[lights + light].Kept;
+        this->SumCells([&](std::size_t i)
+          { return (1.0 - glm::dvec3(this->Matter.Albedo[i])) * glm::dvec3(forward[i]); }) +
+        sums[lights + light].GetOut();
       glm::dvec3& scale = this->ForwardScale[light];
       for (int color = 0; color < 3; ++color)
       {
@@ -270,19 +279,16 @@ private:
           glm::max(diffuse.Fluence[i], 1e-3f * this->Matter.Albedo[i] * light[i]);
       }
     }
-    EscapeRays::Source source;
-    source.Fluence = &diffuse.Fluence;
-    source.Lean = &diffuse.Lean;
-    source.LeanFactor = 3.0 * input.Cosine;
-    const std::vector<EscapeRays::Sums> sums = this->TraceLights({ source });
+    this->LimitFluence(diffuse.Fluence);
+    const std::vector<EscapeRays::Sums> sums = this->TraceLights({ this->GetSource(diffuse) });
     const glm::dvec3 kept = this->LimitForward(sums, MostForward);
     this->ReportLights(sums);
     const glm::dvec3 absorbed = this->SumCells([&](std::size_t i)
-      { return (1.0 - glm::dvec3(this->Matter.Albedo[i])) * glm::dvec3(diffuse.Fluence[i]); });
+      { return (1.0 - glm::dvec3(this->Matter.Albedo[i])) * glm::dvec3(diffuse.Mean[i]); });
     glm::dvec3 dropped(0.0);
     for (std::size_t i = 0; i < diffuse.Drop.size(); ++i)
     {
-      dropped += this->Matter.CellVolume * diffuse.Drop[i] * glm::dvec3(diffuse.Fluence[i]);
+      dropped += this->Matter.CellVolume * diffuse.Drop[i] * glm::dvec3(diffuse.Mean[i]);
     }
     glm::dvec3 factor(0.0);
     const glm::dvec3 gone = sums.back().GetOut() + absorbed + dropped;
@@ -294,9 +300,83 @@ private:
     {
       fluence *= glm::vec3(factor);
     }
-    this->Report.Dropped += MeanOf(factor * dropped);
     this->Report.Absorbed += MeanOf(factor * absorbed);
-    this->ReportOut(sums.back(), factor);
+    if (!this->LimitFluence(diffuse.Fluence))
+    {
+      this->Report.Dropped += MeanOf(factor * dropped);
+      this->ReportOut(sums.back(), factor);
+      return;
+    }
+    // What is beyond the limit is seen by nobody.
+    const EscapeRays::Sums out = EscapeRays::Trace(
+      this->Matter, this->Phase, { this->GetSource(diffuse) }, this->GetMainDirection())
+                                   .front();
+    this->ReportOut(out, glm::dvec3(1.0));
+    this->Report.Dropped += MeanOf(kept - factor * absorbed - out.GetOut());
+  }
+
+  EscapeRays::Source GetSource(const DiffuseLight::Output& diffuse) const
+  {
+    EscapeRays::Source source;
+    source.Fluence = &diffuse.Fluence;
+    source.Lean = &diffuse.Lean;
+    source.LeanFactor = 3.0 * this->Phase.Moment(1);
+    return source;
+  }
+
+  /**
+   * Limits the fluence to what a half space that absorbs nothing has at most, so many times the
+   * light that comes in: deep in it sqrt(3) H(1), and where eyes see it H(1)^2 / 2 - 1 / 2, of
+   * which the last is scattered once. Returns whether there was more. Between mirrors there is no
+   * such limit.
+   */
+  bool LimitFluence(std::vector<glm::vec3>& fluence) const
+  {
+    if (glm::any(this->Matter.Box.Mirrors))
+    {
+      return false;
+    }
+    constexpr float deep = 5.0364f;
+    constexpr float seen = 3.7277f;
+    const glm::vec3 light = this->FindIncoming();
+    const double size = Vectors::InfinityNorm(this->Matter.Box.CellSize);
+    bool isLimited = false;
+    for (std::size_t i = 0; i < fluence.size(); ++i)
+    {
+      const float thin = static_cast<float>(std::exp(-this->Matter.Extinction[i] * size));
+      const glm::vec3 most = (seen + thin * (deep - seen)) * light;
+      isLimited = isLimited || glm::any(glm::greaterThan(fluence[i], most));
+      fluence[i] = glm::min(fluence[i], most);
+    }
+    return isLimited;
+  }
+
+  /// Returns the sum over all lights of the brightest light that enters a cell.
+  glm::vec3 FindIncoming() const
+  {
+    const ScatteringMedium& box = this->Matter.Box;
+    glm::vec3 sum(0.0f);
+    for (std::size_t light = 0; light < this->Matter.Lights.size(); ++light)
+    {
+      glm::vec3 most(0.0f);
+      for (std::size_t i = 0; i < this->Matter.Extinction.size(); ++i)
+      {
+        const int number = static_cast<int>(i);
+        const glm::dvec3 cell(number % box.Cells.x, number / box.Cells.x % box.Cells.y,
+          number / (box.Cells.x * box.Cells.y));
+        const glm::dvec3 way =
+          this->Matter.Lights[light].GetDirection(box.Origin + (cell + 0.5) * box.CellSize);
+        // A light that shines on three sides of a cell goes so far through it on the average.
+        const glm::dvec3 speed = glm::abs(way) / box.CellSize;
+        const double depth =
+          this->Matter.Extinction[i] / std::max(speed.x + speed.y + speed.z, 1e-300);
+        most = glm::max(most,
+          this->Matter.Direct[light][i] *
+            static_cast<float>(depth > 1e-6 ? depth / -std::expm1(-depth) : 1.0));
+      }
+      sum += most;
+    }
+    return sum;
   }
 
   /// The most that the forward light of mode FULL takes of what meets matter again of a light.

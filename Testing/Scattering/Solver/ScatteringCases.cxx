@@ -108,7 +108,7 @@ ScatteringLight Slab::MakeLight(const ScatteringMedium& medium) const
 SlabFlux GatherSlab(
   const Slab& slab, const ScatteringMedium& medium, const ScatteringField& field, int parts)
 {
-  constexpr int cosines = 48;
+  constexpr int cosines = 192;
   constexpr int turns = 48;
   const int layers = slab.Layers * parts;
   const double depth = slab.Depth / layers;

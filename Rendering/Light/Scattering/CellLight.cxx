@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scattering/CellLight.h"
+
+#include "Scattering/CellRay.h"
+
+#include "vtkSMPTools.h"
+#include "vtkType.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace interlume
+{
+
+namespace
+{
+
+/// A side of the box, with rays through it.
+struct Side
+{
+  int Axis = 0;
+  bool IsUpper = false;
+};
+
+/// What the rays of one part have in the cells.
+class RaySums
+{
+public:
+  RaySums(const ScatteringMedium& medium, const std::vector<glm::vec3>& parts)
+    : Medium(medium)
+    , Parts(parts)
+    , Sums(medium.GetNumberOfCells())
+  {
+  }
+
+  /// Follows a ray that starts \a start away from the light; \a weight is its area or, from a
+  /// place, its solid angle.
+  void Follow(CellRay ray, double weight, bool isPositional, double start)
+  {
+    glm::dvec3 through(1.0);
+    int turns = 0;
+    do
+    {
+      const std::size_t index = this->Medium.GetIndex(ray.GetCell());
+      const double length = ray.GetExit() - ray.GetEntry();
+      const double way = weight * length;
+      const double distance = start + ray.GetEntry();
+      Sum& sum = this->Sums[index];
+      // The area across a ray from a place grows with the square of the distance.
+      sum.Way +=
+        isPositional ? way * (distance * (distance + length) + length * length / 3.0) : way;
+      if (this->Medium.IsBlocked(index))
+      {
+        through = glm::dvec3(0.0);
+      }
+      else if (through.x + through.y + through.z > 0.0)
+      {
+        const double half = distance + this->GetPlace(index, length);
+        const double growth = isPositional ? half * half : 1.0;
+        sum.Light += growth * way * this->TakeMean(index, length, through);
+      }
+    } while (ray.Advance() && (!this->HasMirrors || ++turns < MostTurns));
+  }
+
+  struct Sum
+  {
+    glm::dvec3 Light{ 0.0 };
+    double Way = 0.0;
+  };
+  const std::vector<Sum>& Get() const { return this->Sums; }
+
+private:
+  /// Returns the mean transmittance in a cell; \a through becomes that behind it.
+  glm::dvec3 TakeMean(std::size_t index, double length, glm::dvec3& through) const
+  {
+    const float extinction = this->Medium.Extinction[index];
+    if (!(extinction > 0.0f) || !std::isfinite(extinction))
+    {
+      return through;
+    }
+    const double depth = extinction * length;
+    if (this->Parts.empty())
+    {
+      const double mean = this->GetMean(depth);
+      const double before = through.x;
+      through = glm::dvec3(std::max(before * (1.0 - depth * mean), 0.0));
+      return glm::dvec3(before * mean);
+    }
+    const glm::dvec3 depths = depth * glm::dvec3(this->Parts[index]);
+    const glm::dvec3 mean(
+      this->GetMean(depths.x), this->GetMean(depths.y), this->GetMean(depths.z));
+    const glm::dvec3 before = through;
+    through = glm::max(before * (1.0 - depths * mean), glm::dvec3(0.0));
+    return before * mean;
+  }
+
+  /// Returns how far into a cell light meets its matter on the average.
+  double GetPlace(std::size_t index, double length) const
+  {
+    const double depth = std::max(this->Medium.Extinction[index] * length, 0.0);
+    return depth > 1e-2 ? length * (1.0 / depth - 1.0 / std::expm1(depth)) : 0.5 * length;
+  }
+
+  static double GetMean(double depth)
+  {
+    return depth > 1e-4 ? -std::expm1(-depth) / depth : 1.0 - 0.5 * depth;
+  }
+
+  /// The cells after which a ray between mirrors ends.
+  static constexpr int MostTurns = 10000;
+
+  const ScatteringMedium& Medium;
+  const std::vector<glm::vec3>& Parts;
+  bool HasMirrors = glm::any(Medium.Mirrors);
+  std::vector<Sum> Sums;
+};
+
+/// The rays through one side.
+class SideRays
+{
+public:
+  SideRays(const ScatteringMedium& medium, const ScatteringLight& light, const Side& side, int rays,
+    const glm::dvec2& offset)
+    : Medium(medium)
+    , Light(light)
+    , At((light.Position - medium.Origin) / medium.CellSize)
+    , On(side)
+    , Rays(rays)
+    , Offset(offset)
+  {
+    const int axis = side.Axis;
+    this->Across = { { (axis + 1) % 3, (axis + 2) % 3 } };
+    this->Area = medium.CellSize[this->Across[0]] * medium.CellSize[this->Across[1]] /
+      (static_cast<double>(rays) * rays);
+  }
+
+  int GetRows() const { return this->Rays * this->Medium.Cells[this->Across[1]]; }
+
+  void FollowRow(int row, RaySums& sums) const
+  {
+    glm::dvec3 place(0.0);
+    place[this->On.Axis] = this->On.IsUpper ? this->Medium.Cells[this->On.Axis] : 0.0;
+    place[this->Across[1]] = (row + 0.5 + this->Offset.y) / this->Rays;
+    const int columns = this->Rays * this->Medium.Cells[this->Across[0]];
+    for (int column = 0; column < columns; ++column)
+    {
+      place[this->Across[0]] = (column + 0.5 + this->Offset.x) / this->Rays;
+      this->FollowTo(place, sums);
+    }
+  }
+
+private:
+  void FollowTo(const glm::dvec3& place, RaySums& sums) const
+  {
+    if (!this->Light.IsPositional)
+    {
+      const glm::dvec3& way = this->Light.Direction;
+      sums.Follow(
+        CellRay(this->Medium, place, way), this->Area * std::abs(way[this->On.Axis]), false, 0.0);
+      return;
+    }
+    // From the light, or where the ray enters the box, to the place where it leaves.
+    const glm::dvec3 inCells = place - this->At;
+    double entry = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double border = inCells[axis] > 0.0 ? 0.0 : this->Medium.Cells[axis];
+      if (inCells[axis] != 0.0)
+      {
+        entry = std::max(entry, std::min((border - this->At[axis]) / inCells[axis], 1.0));
+      }
+    }
+    const glm::dvec3 way = inCells * this->Medium.CellSize;
+    const double reach = glm::length(way);
+    if (!(reach > 0.0))
+    {
+      return;
+    }
+    const glm::dvec3 direction = way / reach;
+    const glm::dvec3 start =
+      glm::clamp(this->At + entry * inCells, glm::dvec3(0.0), glm::dvec3(this->Medium.Cells));
+    sums.Follow(CellRay(this->Medium, start, direction),
+      this->Area * std::abs(direction[this->On.Axis]) / (reach * reach), true, entry * reach);
+  }
+
+  const ScatteringMedium& Medium;
+  const ScatteringLight& Light;
+  /// The light's place, in cells.
+  glm::dvec3 At;
+  Side On;
+  int Rays;
+  glm::dvec2 Offset;
+  std::array<int, 2> Across{};
+  double Area = 0.0;
+};
+
+/// Returns the sides that rays enter by or, from a place, leave by.
+std::vector<Side> FindSides(const ScatteringMedium& medium, const ScatteringLight& light)
+{
+  const glm::dvec3 at = (light.Position - medium.Origin) / medium.CellSize;
+  std::vector<Side> sides;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const bool isUpper : { false, true })
+    {
+      const double along = isUpper ? -light.Direction[axis] : light.Direction[axis];
+      const bool isLeft = isUpper ? at[axis] < medium.Cells[axis] : at[axis] > 0.0;
+      if (!medium.Mirrors[axis] && (light.IsPositional ? isLeft : along > 0.0))
+      {
+        sides.push_back({ axis, isUpper });
+      }
+    }
+  }
+  return sides;
+}
+
+}
+
+int CellLight::CountRays(const glm::ivec3& cells)
+{
+  constexpr double most = 4096.0;
+  const double sides = static_cast<double>(cells.x) * cells.y +
+    static_cast<double>(cells.y) * cells.z + static_cast<double>(cells.z) * cells.x;
+  return glm::clamp(static_cast<int>(std::sqrt(most / std::max(sides, 1.0)) + 0.5), 2, 16);
+}
+
+std::vector<glm::vec3> CellLight::Find(const ScatteringMedium& medium,
+  const std::vector<glm::vec3>& parts, const ScatteringLight& light, int rays,
+  const glm::dvec2& offset)
+{
+  // Each part has its own sums, which are added in their order.
+  constexpr int number = 4;
+  std::vector<RaySums> sums(number, RaySums(medium, parts));
+  std::vector<SideRays> sides;
+  for (const Side& side : FindSides(medium, light))
+  {
+    sides.emplace_back(medium, light, side, rays, offset);
+  }
+  vtkSMPTools::For(0, number, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType part = begin; part < end; ++part)
+      {
+        for (const SideRays& side : sides)
+        {
+          for (int row = static_cast<int>(part); row < side.GetRows(); row += number)
+          {
+            side.FollowRow(row, sums[static_cast<std::size_t>(part)]);
+          }
+        }
+      }
+    });
+  std::vector<glm::vec3> means(medium.GetNumberOfCells(), glm::vec3(0.0f));
+  const double volume = medium.CellSize.x * medium.CellSize.y * medium.CellSize.z;
+  glm::dvec3 lost(0.0);
+  glm::dvec3 taken(0.0);
+  for (std::size_t cell = 0; cell < means.size(); ++cell)
+  {
+    RaySums::Sum sum;
+    for (const RaySums& part : sums)
+    {
+      sum.Light += part.Get()[cell].Light;
+      sum.Way += part.Get()[cell].Way;
+    }
+    if (sum.Way > 0.0)
+    {
+      means[cell] = glm::vec3(sum.Light / sum.Way);
+      const float extinction = medium.Extinction[cell];
+      if (extinction > 0.0f && std::isfinite(extinction))
+      {
+        const glm::dvec3 each = static_cast<double>(extinction) *
+          (parts.empty() ? glm::dvec3(1.0) : glm::dvec3(parts[cell]));
+        lost += each * sum.Light;
+        taken += each * sum.Light * (volume / sum.Way);
+      }
+    }
+  }
+  // Rays meet a little more or less of a cell than there is: cells take no more than rays lose.
+  glm::vec3 factor(1.0f);
+  for (int color = 0; color < 3; ++color)
+  {
+    factor[color] =
+      taken[color] > lost[color] ? static_cast<float>(lost[color] / taken[color]) : 1.0f;
+  }
+  for (glm::vec3& mean : means)
+  {
+    mean *= factor;
+  }
+  return means;
+}
+
+}
