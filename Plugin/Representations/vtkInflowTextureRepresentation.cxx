@@ -12,6 +12,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkTexture.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 
@@ -20,6 +21,7 @@ vtkStandardNewMacro(vtkInflowTextureRepresentation);
 vtkInflowTextureRepresentation::vtkInflowTextureRepresentation()
 {
   this->VolumeMapper = this->Mapper;
+  this->SetOpacityRange(0.0, 1.0);
 }
 
 vtkInflowTextureRepresentation::~vtkInflowTextureRepresentation() = default;
@@ -65,6 +67,38 @@ void vtkInflowTextureRepresentation::SetPulseLength(double share)
   this->Gate->AddPoint(end, end > 0.0 ? 1.0 : 0.0, 0.0, 1.0);
   this->Gate->AddPoint(1.0, 0.0);
   this->Mapper->SetTimeGate(end < 1.0 ? this->Gate.Get() : nullptr);
+}
+
+void vtkInflowTextureRepresentation::SetUseOpacityArray(bool use)
+{
+  this->UseOpacityArray = use;
+}
+
+void vtkInflowTextureRepresentation::SelectInflowOpacityArray(int, int, int, int, const char* name)
+{
+  this->OpacityArray = name ? name : "";
+}
+
+void vtkInflowTextureRepresentation::SetOpacityRange(double from, double to)
+{
+  this->Opacity->RemoveAllPoints();
+  this->Opacity->AddPoint(from, 0.0);
+  this->Opacity->AddPoint(to, 1.0);
+}
+
+void vtkInflowTextureRepresentation::SelectShadingArray(int, int, int, int, const char* name)
+{
+  this->Mapper->SetShadingArray(name);
+}
+
+void vtkInflowTextureRepresentation::SetShadows(bool shadows)
+{
+  this->Mapper->SetShadows(shadows);
+}
+
+void vtkInflowTextureRepresentation::SetLightBufferSize(int size)
+{
+  this->Mapper->SetLightBufferSize(size);
 }
 
 void vtkInflowTextureRepresentation::SetDetailMode(int mode)
@@ -154,12 +188,18 @@ void vtkInflowTextureRepresentation::UpdateMapperParameters()
     vtkImplicitFlowVolumeMapper::ALL, vtkTextureImage(this->InflowTexture));
   this->Mapper->SetInflowTexture(this->SurfaceId, vtkTextureImage(this->SurfaceTexture));
   this->Mapper->SetDetailTexture(vtkTextureImage(this->DetailTexture));
+  this->Mapper->SetOpacityArray(this->UseOpacityArray ? this->OpacityArray.c_str() : nullptr);
+  this->Property->SetScalarOpacity(this->Opacity);
 }
 
 void vtkInflowTextureRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SurfaceId: " << this->SurfaceId << "\n";
+  os << indent << "UseOpacityArray: " << this->UseOpacityArray << "\n";
+  os << indent << "OpacityArray: " << this->OpacityArray << "\n";
+  os << indent << "OpacityRange: " << this->Opacity->GetRange()[0] << ", "
+     << this->Opacity->GetRange()[1] << "\n";
   os << indent << "Mapper:\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());
 }

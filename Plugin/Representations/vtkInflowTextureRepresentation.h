@@ -7,6 +7,8 @@
 #include "vtkNew.h"          // for the mapper
 #include "vtkSmartPointer.h" // for textures
 
+#include <string> // for the array
+
 class vtkImplicitFlowVolumeMapper;
 class vtkPiecewiseFunction;
 class vtkTexture;
@@ -58,8 +60,24 @@ public:
 
   ///@{
   /**
+   * Whether a further array takes part in opacity, which (the first four numbers have no meaning),
+   * and the values from which and up to which opacity grows from none to all. A range that falls
+   * has most at lower values. Default no, none, 0, 1. Valid ranges: finite.
+   */
+  void SetUseOpacityArray(bool use);
+  void SelectInflowOpacityArray(int, int, int, int, const char* name);
+  void SetOpacityRange(double from, double to);
+  ///@}
+
+  /// The array that shades where Shade is on; the first four numbers have no meaning. Default none.
+  void SelectShadingArray(int, int, int, int, const char* name);
+
+  ///@{
+  /**
    * Pass their values on to the mapper, with its defaults.
    */
+  void SetShadows(bool shadows);
+  void SetLightBufferSize(int size);
   void SetDetailMode(int mode);
   void SetDetailScale(double u, double v, double time);
   void SetTimeGateTarget(int target);
@@ -85,6 +103,9 @@ private:
 
   vtkNew<vtkImplicitFlowVolumeMapper> Mapper;
   vtkNew<vtkPiecewiseFunction> Gate;
+  vtkNew<vtkPiecewiseFunction> Opacity;
+  bool UseOpacityArray = false;
+  std::string OpacityArray;
   vtkSmartPointer<vtkTexture> InflowTexture;
   vtkSmartPointer<vtkTexture> SurfaceTexture;
   vtkSmartPointer<vtkTexture> DetailTexture;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The representation Inflow Textures draws what the mapper draws in C++, with images from files and
-pulses that move with the phase; at its defaults a flow field is seen, of a formula as of a file; an
-image without arrays is an error.
+"""The representation Inflow Textures draws what the mapper draws in C++, with images from files,
+pulses that move with the phase, opacity and shading by an array, cropping and shadows; at its
+defaults a flow field is seen, of a formula as of a file; an image without arrays is an error.
 
 Argument: the folder for the pictures.
 """
@@ -13,7 +13,7 @@ from paraview import simple
 
 from flow_testing import analytic_flow, flow_field
 from plugin_pictures import (
-    Comparison, image, look_at, make_view, picture_path, plain_view, producer, share_shown, snapshot)
+    Comparison, image, look_at, make_view, picture_path, plain_view, producer, set_light, share_shown, snapshot)
 from plugin_testing import Checks, extractions_path, load_plugin, open_file
 
 REPRESENTATION = "Inflow Textures"
@@ -41,6 +41,20 @@ def draw(picture, path):
             setattr(display, name, simple.CreateTexture(extractions_path(picture[key])))
     display.InflowPulseLength = picture["pulse"]
     display.InflowTimePhase = picture["phase"]
+    if picture["opacity_range"]:
+        display.InflowUseOpacityArray = True
+        display.InflowOpacityArray = ["POINTS", "AdvectionTime"]
+        display.InflowOpacityRange = picture["opacity_range"]
+    if picture["shading"]:
+        display.InflowShade = True
+        display.InflowShadingArray = ["POINTS", picture["shading"]]
+    display.InflowShadows = picture["shadows"]
+    display.InflowUseCropping = picture["crop"] != [1.0, 1.0, 1.0]
+    display.InflowCroppingScale = picture["crop"]
+    display.Ambient = picture["ambient"]
+    display.Diffuse = picture["diffuse"]
+    view.UseLight = False
+    set_light(simple.AddLight(view=view), picture["light"])
     simple.SaveScreenshot(path, view, ImageResolution=picture["size"])
     simple.Delete(view)  # while its window still has a display
     simple.Delete(field)

@@ -11,7 +11,7 @@ import sys
 
 from paraview import servermanager, simple
 
-from plugin_pictures import Comparison, make_view, picture_path, set_colors
+from plugin_pictures import Comparison, make_view, picture_path, set_colors, set_light
 from plugin_testing import Checks, extractions_path, load_plugin, open_data, temporal_source
 
 REPRESENTATION = "Shadowed Slices"
@@ -34,14 +34,6 @@ def add_lights(view, display, picture):
         set_light(simple.AddLight(view=view), picture["light"])
     if "projector" in picture:
         set_projector(display, picture["projector"])
-
-
-def set_light(light, values):
-    light.Coords = "Scene"
-    light.Position = values["position"]
-    light.FocalPoint = values["focus"]
-    light.DiffuseColor = values["color"]
-    light.Intensity = values["intensity"]
 
 
 def set_projector(display, values):

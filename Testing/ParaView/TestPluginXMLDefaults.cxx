@@ -512,7 +512,11 @@ int main(int argc, char* argv[])
       { "InflowTimeGateTarget", Text(inflow->GetTimeGateTarget()) },
       { "InflowTimePeriod", Text(inflow->GetTimePeriod()) },
       { "InflowTimePhase", Text(inflow->GetTimePhase()) },
-      { "InflowPaintFilter", Text(inflow->GetPaintFilter()) },
+      { "InflowUseOpacityArray", *inflow->GetOpacityArray() ? "1" : "0" }, { "InflowShade", "0" },
+      { "InflowShadows", Text(inflow->GetShadows()) },
+      { "InflowLightBufferSize", Text(inflow->GetLightBufferSize()) },
+      { "InflowUseCropping", Text(inflow->GetCropping()) }, { "InflowCroppingOrigin", "0 0 0" },
+      { "InflowCroppingScale", "1 1 1" }, { "InflowPaintFilter", Text(inflow->GetPaintFilter()) },
       { "InflowMaximumPaintSamples", Text(inflow->GetMaximumPaintSamples()) },
       { "InflowSampleDistance", Text(inflow->GetSampleDistance()) },
       { "InflowImageSampleDistance", Text(inflow->GetImageSampleDistance()) } });

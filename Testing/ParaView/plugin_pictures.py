@@ -30,6 +30,14 @@ def make_view(picture):
     return view
 
 
+def set_light(light, values):
+    light.Coords = "Scene"
+    light.Position = values["position"]
+    light.FocalPoint = values["focus"]
+    light.DiffuseColor = values["color"]
+    light.Intensity = values["intensity"]
+
+
 def set_colors(display, view, color_by, picture):
     """The array to colour by and its functions."""
     simple.ColorBy(display, color_by, separate=True)

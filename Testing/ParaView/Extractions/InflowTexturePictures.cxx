@@ -9,6 +9,7 @@
 #include "vtkImageData.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkImplicitFlowVolumeMapper.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPNGReader.h"
 #include "vtkPNGWriter.h"
@@ -18,6 +19,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -42,7 +44,11 @@ const json COMMON = { { "source_properties",
     { { "position", { 1.6, -3.6, 1.8 } }, { "focus", { 0.0, 0.0, 0.0 } },
       { "up", { 0.0, 0.0, 1.0 } }, { "angle", 40.0 } } },
   { "unit", 0.1 }, { "inflow", "" }, { "surface", "" }, { "detail", "" }, { "pulse", 1.0 },
-  { "phase", 0.0 } };
+  { "phase", 0.0 }, { "opacity_range", json::array() }, { "shading", "" }, { "shadows", 0 },
+  { "crop", { 1.0, 1.0, 1.0 } }, { "ambient", 0.1 }, { "diffuse", 0.9 },
+  { "light",
+    { { "position", { 1.0, -1.0, 3.0 } }, { "focus", { 0.0, 0.0, 0.0 } },
+      { "color", { 1.0, 0.95, 0.85 } }, { "intensity", 0.9 } } } };
 
 json MakeCase(const std::string& name, const json& changes)
 {
@@ -60,7 +66,11 @@ std::vector<json> AllCases()
     MakeCase("inflow-one-surface", { { "inflow", wide }, { "surface", fine } }),
     MakeCase("inflow-detail", { { "inflow", wide }, { "detail", fine } }),
     MakeCase("inflow-pulse", { { "inflow", wide }, { "pulse", 0.5 } }),
-    MakeCase("inflow-phase", { { "inflow", wide }, { "pulse", 0.5 }, { "phase", 0.3 } }) };
+    MakeCase("inflow-phase", { { "inflow", wide }, { "pulse", 0.5 }, { "phase", 0.3 } }),
+    MakeCase("inflow-opacity", { { "inflow", wide }, { "opacity_range", { 1.0, 0.2 } } }),
+    MakeCase("inflow-cropped", { { "inflow", wide }, { "crop", { 0.9, 0.4, 1.0 } } }),
+    MakeCase("inflow-shaded", { { "inflow", wide }, { "shading", "AdvectionTime" } }),
+    MakeCase("inflow-shadows", { { "inflow", wide }, { "shadows", 1 } }) };
 }
 
 // Squares of two colours, of which one is thin.
@@ -120,9 +130,37 @@ void Draw(const json& picture, const std::string& folder)
   }
   mapper->SetTimePhase(picture["phase"]);
   vtkNew<vtkVolume> volume;
+  vtkVolumeProperty* property = volume->GetProperty();
+  const json& range = picture["opacity_range"];
+  if (!range.empty())
+  {
+    mapper->SetOpacityArray("AdvectionTime");
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(range[0], 0.0);
+    opacity->AddPoint(range[1], 1.0);
+    property->SetScalarOpacity(opacity);
+  }
+  const std::string shading = picture["shading"];
+  mapper->SetShadingArray(shading.c_str());
+  property->SetShade(!shading.empty());
+  property->SetAmbient(picture["ambient"]);
+  property->SetDiffuse(picture["diffuse"]);
+  property->SetSpecular(0.0);
+  mapper->SetShadows(picture["shadows"] == 1);
+  // A share of the bounds, scaled from the origin.
+  field->Update();
+  const double* bounds = vtkImageData::SafeDownCast(field->GetOutputDataObject(0))->GetBounds();
+  const std::array<double, 3> share = Triple(picture["crop"]);
+  mapper->SetCropping(share != std::array<double, 3>{ { 1.0, 1.0, 1.0 } });
+  mapper->SetCroppingRegionPlanes(share[0] * bounds[0], share[0] * bounds[1], share[1] * bounds[2],
+    share[1] * bounds[3], share[2] * bounds[4], share[2] * bounds[5]);
   volume->SetMapper(mapper);
-  volume->GetProperty()->SetScalarOpacityUnitDistance(picture["unit"]);
+  property->SetScalarOpacityUnitDistance(picture["unit"]);
   vtkNew<vtkRenderer> renderer;
+  renderer->AutomaticLightCreationOff();
+  vtkNew<vtkLight> light;
+  SetUpLight(light, picture["light"]);
+  renderer->AddLight(light);
   renderer->AddVolume(volume);
   SavePicture(picture, renderer, folder);
 }

@@ -3,6 +3,7 @@
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPiecewiseFunction.h"
@@ -39,6 +40,15 @@ void SetUpProperty(vtkVolumeProperty* property, const json& picture)
   property->SetColor(colors);
   property->SetScalarOpacity(opacities);
   property->SetScalarOpacityUnitDistance(picture["unit"]);
+}
+
+void SetUpLight(vtkLight* light, const json& values)
+{
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(Triple(values["position"]).data());
+  light->SetFocalPoint(Triple(values["focus"]).data());
+  light->SetColor(Triple(values["color"]).data());
+  light->SetIntensity(values["intensity"]);
 }
 
 void SavePicture(const json& picture, vtkRenderer* renderer, const std::string& folder)

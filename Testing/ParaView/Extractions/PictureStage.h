@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+class vtkLight;
 class vtkRenderer;
 class vtkVolumeProperty;
 
@@ -22,6 +23,9 @@ std::array<double, 3> Triple(const nlohmann::json& numbers);
  * unit distance of the opacity.
  */
 void SetUpProperty(vtkVolumeProperty* property, const nlohmann::json& picture);
+
+/// A light of the scene: `position`, `focus`, `color` and `intensity`.
+void SetUpLight(vtkLight* light, const nlohmann::json& values);
 
 /**
  * Draws the renderer with the picture's `background`, `camera` and `size`, and writes it as

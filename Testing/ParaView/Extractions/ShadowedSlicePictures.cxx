@@ -93,15 +93,6 @@ void WriteScreen(const std::string& folder)
   writer->Write();
 }
 
-void SetUpLight(vtkLight* light, const json& values)
-{
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(Triple(values["position"]).data());
-  light->SetFocalPoint(Triple(values["focus"]).data());
-  light->SetColor(Triple(values["color"]).data());
-  light->SetIntensity(values["intensity"]);
-}
-
 void AddLights(vtkRenderer* renderer, const json& picture, const std::string& folder)
 {
   renderer->AutomaticLightCreationOff();
