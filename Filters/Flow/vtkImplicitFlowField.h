@@ -325,12 +325,16 @@ public:
   /**
    * Whether samples of an image, a rectilinear or a structured grid may take the answers of those
    * around them, by interpolation of (u,v) and the time, instead of being advected. That is done
-   * in blocks in whose middle it is off by no more than MaximumError allows for the time there, if
-   * in a block twice as wide it was off by no more than eight times that; never where samples that
-   * are interpolated from differ in FlowStatus or TerminationId, or lie across a seam.
-   * Thin layers between samples at which streamlines part may be missed. Errors are those of the
-   * interpolation on top of those of advection; the report has them. Samples that are refined are
-   * advected; so are all where further quantities of paths are kept. Default off.
+   * in blocks in whose middle a streamline shows it to be off by no more than MaximumError allows
+   * for the time there, if at the block's corners, from samples twice as far apart, it is off by no
+   * more than four times that; never where samples that are interpolated from differ in FlowStatus
+   * or TerminationId, lie across a seam, or what is interpolated is not on the surface. Samples are
+   * to be dense for the tolerance: interpolated fields have second derivatives that jump between
+   * cells, so that at the default MaximumError hardly any are shared that are as far apart as the
+   * field's points, and nothing is gained. Thin layers between samples at which streamlines part
+   * may be missed. Errors are those of the interpolation on top of those of advection; the report
+   * has them. Samples that are refined are advected; so are all where further quantities of paths
+   * are kept. Default off.
    */
   vtkSetMacro(ShareStreamlines, bool);
   vtkGetMacro(ShareStreamlines, bool);

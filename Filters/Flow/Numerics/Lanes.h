@@ -52,6 +52,23 @@ struct Lanes
 
   alignas(Size) Numbers Values;
 
+  Lanes() = default;
+  /// Copied as one: compilers copy a structure in halves, for which a load of the whole has to
+  /// wait.
+  [[gnu::always_inline]] Lanes(const Numbers& values)
+    : Values(values)
+  {
+  }
+  [[gnu::always_inline]] Lanes(const Lanes& other)
+    : Values(other.Values)
+  {
+  }
+  [[gnu::always_inline]] Lanes& operator=(const Lanes& other)
+  {
+    this->Values = other.Values;
+    return *this;
+  }
+
   [[gnu::always_inline]] static Lanes Of(double value) { return { value - Numbers{} }; }
   /// Makes lanes of get(0), get(1), ...
   template <typename Get>
