@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What `cpack` makes of a build: Debian packages, a component each. Of the VTK modules: the libraries,
 # what development needs, Python's package, and what needs TetGen, apart because of its licence. Of a
-# build of the plugin: the plugin. They are meant for a build with CMAKE_INSTALL_PREFIX /usr; Utilities/packages
-# makes and tries them.
+# build of the plugin: the plugin, and the program that runs TetGen. They are meant for the presets
+# `packages` and `paraview-packages`; Utilities/packages makes and tries them.
 set(INTERLUME_PACKAGE_CONTACT "Interlume developers <developers@interlume.invalid>" CACHE STRING
   "The maintainer of the packages: a name, and an address in angle brackets")
 
@@ -22,6 +22,8 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
+set(CPACK_POST_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/InterlumeDebianTriggers.cmake")
 set(CPACK_COMPONENTS_ALL)
 
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
@@ -29,7 +31,7 @@ find_program(INTERLUME_GZIP gzip)
 set(about "${PROJECT_SOURCE_DIR}/Utilities/debian")
 
 # interlume_debian_package(COMPONENT PACKAGE TITLE TEXT [SECTION NAME] [DEPENDS TEXT] [LIBRARIES])
-# LIBRARIES: names of libraries that do not make the package's name.
+# LIBRARIES: the package has libraries that others link to, whose names do not make its own.
 macro (interlume_debian_package component package title text)
   cmake_parse_arguments(arg "LIBRARIES" "SECTION;DEPENDS" "" ${ARGN})
   string(TOUPPER "${component}" upper)
@@ -45,11 +47,11 @@ macro (interlume_debian_package component package title text)
   configure_file("${about}/changelog.in" "${folder}/changelog.Debian" @ONLY)
   execute_process(COMMAND "${INTERLUME_GZIP}" -9 -n -f "${folder}/changelog.Debian")
   install(FILES "${folder}/changelog.Debian.gz" "${about}/copyright"
+    "${PROJECT_SOURCE_DIR}/Documentation/third-party.spdx.json"
     DESTINATION "share/doc/${package}" COMPONENT ${component})
   set(overrides "${package}: initial-upload-closes-no-bugs *\n")
   if (arg_LIBRARIES)
     string(APPEND overrides "${package}: package-name-doesnt-match-sonames *\n")
-    # In place of the scripts that CPack would write.
     file(WRITE "${folder}/triggers" "activate-noawait ldconfig\n")
     set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA "${folder}/triggers")
   endif ()
@@ -60,29 +62,53 @@ endmacro ()
 
 if (INTERLUME_GZIP AND EXISTS /usr/bin/dpkg-deb)
   set(text "Interval volumes of any dataset from isotables, implicit flow fields, and their\ndrawing as volumes in time, with shadows, or through inflow textures.")
+  set(tetgen_text "${text}\nTetGen's licence is the AGPL.")
+  set(this "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
   if (INTERLUME_BUILD_PARAVIEW_PLUGIN)
+    get_target_property(libraries VTK::CommonCore LOCATION)
+    get_filename_component(libraries "${libraries}" DIRECTORY)
+    set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${libraries}"
+      "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${PARAVIEW_PLUGIN_SUBDIR}/Interlume")
+    # Plugins work with the minor version of ParaView that they are built for.
+    math(EXPR next "${ParaView_VERSION_MINOR} + 1")
     interlume_debian_package(plugin paraview-interlume
       "filters and volume rendering of Interlume in ParaView" "${text}"
-      DEPENDS paraview)
+      DEPENDS "paraview (>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}), paraview (<< ${ParaView_VERSION_MAJOR}.${next}~)")
+    set(CPACK_DEBIAN_PLUGIN_PACKAGE_RECOMMENDS python3-paraview)
+    if (INTERLUME_ENABLE_TETGEN)
+      set(CPACK_DEBIAN_PLUGIN_PACKAGE_SUGGESTS paraview-interlume-tetgen)
+      interlume_debian_package(tetgen paraview-interlume-tetgen
+        "tetrahedral meshes by TetGen for Interlume in ParaView" "${tetgen_text}"
+        DEPENDS "paraview-interlume ${this}")
+    endif ()
   else ()
     set(library "libinterlume${interlume_soversion}")
-    set(same "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
     set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
     interlume_debian_package(runtime ${library}
       "interval volumes and flow fields for VTK" "${text}"
       SECTION libs LIBRARIES)
     interlume_debian_package(development libinterlume-dev
       "interval volumes and flow fields for VTK: headers and CMake package" "${text}"
-      SECTION libdevel DEPENDS "${library} ${same}, libvtk9-dev")
+      SECTION libdevel DEPENDS "${library} ${this}, libvtk9-dev")
+    set(python "")
     if (INTERLUME_PYTHON)
+      # Modules are compiled for one minor version of Python.
+      math(EXPR next "${Python3_VERSION_MINOR} + 1")
+      set(python ", python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next})")
       interlume_debian_package(python python3-interlume
         "interval volumes and flow fields for VTK in Python" "${text}"
-        SECTION python DEPENDS "${library} ${same}, python3, python3-vtk9")
+        SECTION python DEPENDS "${library} ${this}${python}, python3-vtk9")
     endif ()
     if (INTERLUME_ENABLE_TETGEN)
       interlume_debian_package(tetgen interlume-tetgen
-        "tetrahedral meshes by TetGen for VTK" "${text}\nThis package runs TetGen, whose licence is the AGPL."
-        DEPENDS "${library} ${same}, python3" LIBRARIES)
+        "tetrahedral meshes by TetGen for VTK" "${tetgen_text}"
+        DEPENDS "${library} ${this}${python}" LIBRARIES)
+      interlume_debian_package(tetgen_development interlume-tetgen-dev
+        "tetrahedral meshes by TetGen for VTK: headers and CMake package" "${tetgen_text}"
+        SECTION libdevel DEPENDS "interlume-tetgen ${this}, libinterlume-dev ${this}")
+      if (INTERLUME_PYTHON)
+        set(CPACK_DEBIAN_TETGEN_PACKAGE_RECOMMENDS "python3-interlume ${this}")
+      endif ()
     endif ()
   endif ()
   include(CPack)

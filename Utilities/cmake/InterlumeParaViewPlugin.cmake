@@ -16,6 +16,7 @@ paraview_plugin_build(
   RUNTIME_DESTINATION  "${CMAKE_INSTALL_BINDIR}"
   LIBRARY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
+  PLUGINS_COMPONENT    plugin
   PLUGINS              ${plugins})
 
 # Python's package beside the plugin: the one of VTK's own Python cannot be loaded here, and may be

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Run by `cpack` when it has made the packages. CPack adds scripts that run ldconfig to each package with
+# libraries; Debian wants a trigger in their place, which such packages have.
+foreach (package IN LISTS CPACK_PACKAGE_FILES)
+  set(folder "${package}.parts")
+  set(files "${folder}/DEBIAN")
+  execute_process(COMMAND dpkg-deb --raw-extract "${package}" "${folder}" RESULT_VARIABLE status)
+  if (status EQUAL 0 AND EXISTS "${files}/triggers")
+    file(REMOVE "${files}/postinst" "${files}/postrm")
+    execute_process(COMMAND dpkg-deb --root-owner-group --build "${folder}" "${package}"
+      OUTPUT_QUIET RESULT_VARIABLE status)
+  endif ()
+  file(REMOVE_RECURSE "${folder}")
+  if (NOT status EQUAL 0)
+    message(FATAL_ERROR "dpkg-deb could not read or write ${package}")
+  endif ()
+endforeach ()
