@@ -12,6 +12,16 @@ run_in_suite()
 {
   local suite=$1 root=$suites_dir/$1
   shift
+  make_suite "$suite" "$root"
+  copy_source "$root"
+  say "Running $* in $root"
+  enter_suite "$root" /src "$@"
+}
+
+# make_suite SUITE ROOT: a minimal Debian in the folder ROOT, unless it is there.
+make_suite()
+{
+  local suite=$1 root=$2
   case " $suites_known " in
     *" $suite "*) ;;
     *) die "unknown suite $suite; known are: ${suites_known// /, }" ;;
@@ -25,12 +35,18 @@ run_in_suite()
       "$suite" "$root.part" "$(debian_mirror)"
     as_root mv "$root.part" "$root"
   fi
-  copy_source "$root"
-  say "Running $* in $root"
+}
+
+# enter_suite ROOT FOLDER COMMAND...: runs COMMAND in FOLDER of the system in ROOT.
+enter_suite()
+{
+  local root=$1 propagation=private
+  # In a folder that is itself such a system there is nothing to make private.
+  as_root unshare --mount true 2>/dev/null || propagation=unchanged
   # The mounts end with the command's own namespace.
-  as_root unshare --mount --propagation private bash -euc '
-    root=$1
-    shift
+  as_root unshare --mount --propagation $propagation bash -euc '
+    root=$1 folder=$2
+    shift 2
     mount -t proc proc "$root/proc"
     mount -t sysfs -o ro sysfs "$root/sys"
     mount --rbind /dev "$root/dev"
@@ -39,8 +55,8 @@ run_in_suite()
     cp -n /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
     cd "$root"
     exec env -i HOME=/root LANG=C.UTF-8 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-      http_proxy="${http_proxy:-}" https_proxy="${https_proxy:-}" \
-      chroot "$root" bash -c "cd /src && exec \"\$@\"" bash "$@"' bash "$root" "$@"
+      DEBIAN_FRONTEND=noninteractive http_proxy="${http_proxy:-}" https_proxy="${https_proxy:-}" \
+      chroot "$root" bash -c "cd \"\$1\" && shift && exec \"\$@\"" bash "$folder" "$@"' bash "$@"
 }
 
 # The mirror that this system uses, else Debian's own.

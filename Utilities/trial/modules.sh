@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# In a fresh root with /packages and this folder as /trial: installs the packages of the VTK modules, and
+# In a fresh system with /packages and this folder as /trial: installs the packages of the VTK modules, and
 # uses them in C++ and in Python, first without those that need TetGen.
 set -eu
 install()

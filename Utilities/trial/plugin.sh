@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# In a fresh root with /packages and this folder as /trial: installs ParaView and the plugin's packages,
+# In a fresh system with /packages and this folder as /trial: installs ParaView and the plugin's packages,
 # and has ParaView find the plugin by its name in the folder of plugins, and by PV_PLUGIN_PATH. Without
 # either the script fails.
 set -eu
