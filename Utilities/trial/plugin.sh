@@ -9,7 +9,7 @@ apt-get install -y -q --no-install-recommends /packages/paraview-interlume*.deb 
 folder=$(dirname "$(dpkg -L paraview-interlume | grep '/Interlume\.so$')")
 export LIBGL_ALWAYS_SOFTWARE=1
 echo "By its name"
-xvfb-run -a paraview --plugins=Interlume --script=/trial/plugin.py
+xvfb-run -a timeout 600 paraview --plugins=Interlume --script=/trial/plugin.py
 echo "By PV_PLUGIN_PATH"
 PV_PLUGIN_PATH=$folder xvfb-run -a pvbatch /trial/plugin.py
 echo "By nothing"
