@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every public class is in the package, by VTK's wrapping, with its header's text; can be made if it
-is not abstract; and takes its settings. The argument is the project's folder."""
+"""Every public class is in the package, by VTK's wrapping, with its header's text; has type hints where
+VTK writes them; can be made if it is not abstract; and takes its settings. The argument is the project's
+folder."""
 
+import ast
 import re
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import interlume
@@ -16,6 +19,14 @@ without = {"Scene", "vtkIsotablePatch"}
 if not hasattr(interlume, "vtkTetrahedralMesher"):
     without.add("Meshing")
 
+hinted = {
+    node.name
+    for hints in Path(interlume.__file__).parent.glob("*.pyi")
+    for node in ast.parse(hints.read_text(encoding="utf-8")).body
+    if isinstance(node, ast.ClassDef)
+}
+with_hints = find_spec("vtkmodules.generate_pyi") is not None
+
 declared = re.compile(r"^(?:class|struct) INTERLUME\w+_EXPORT (vtk\w+)\s*(?::|$)", re.MULTILINE)
 classes = 0
 for header in sorted([*source.glob("Filters/*/vtk*.h"), *source.glob("Rendering/*/vtk*.h")]):
@@ -27,6 +38,7 @@ for header in sorted([*source.glob("Filters/*/vtk*.h"), *source.glob("Rendering/
         assert isinstance(wrapped, type), f"{name} is not wrapped"
         brief = re.search(rf"@class +{name}\s.*?@brief +(\w+)", text, re.DOTALL)
         assert not brief or brief[1] in wrapped.__doc__, f"{name} has not its header's text"
+        assert name in hinted or not with_hints, f"{name} has no type hints"
         if issubclass(wrapped, vtkObject) and f"static {name}* New();" in text:
             made = wrapped()
             assert made.IsA(name) and str(made), f"{name} cannot be made"
@@ -45,4 +57,4 @@ assert mapper.GetSortMode() == interlume.vtkTetrahedraSettings.MPVONC_SORT != 0
 if hasattr(mapper, "blend_mode"):
     intervals.generate_boundaries = True
     assert intervals.GetGenerateBoundaries()
-print(f"{classes} classes of {vtkVersion.GetVTKVersion()}")
+print(f"{classes} classes, {len(hinted)} with type hints, of {vtkVersion.GetVTKVersion()}")
