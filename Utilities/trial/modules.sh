@@ -3,6 +3,8 @@
 # In a fresh system with /packages and this folder as /trial: installs the packages of the VTK modules, and
 # uses them in C++ and in Python, first without those that need TetGen.
 set -eu
+# The system may be of another day than the mirror; a mirror that stands still has lists that have expired.
+apt-get update -q || true
 install()
 {
   apt-get install -y -q --no-install-recommends "$@"

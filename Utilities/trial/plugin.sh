@@ -4,6 +4,8 @@
 # and has ParaView find the plugin by its name in the folder of plugins, and by PV_PLUGIN_PATH. Without
 # either the script fails.
 set -eu
+# The system may be of another day than the mirror; a mirror that stands still has lists that have expired.
+apt-get update -q || true
 apt-get install -y -q --no-install-recommends /packages/paraview-interlume*.deb python3-paraview \
   xvfb xauth libgl1-mesa-dri libglx-mesa0
 folder=$(dirname "$(dpkg -L paraview-interlume | grep '/Interlume\.so$')")
