@@ -23,9 +23,9 @@ namespace interlume
  * samples that is good:
  * - All samples that its own ones are interpolated from reached one surface, neither u nor v jumps
  *   at a seam between them, and what is interpolated lies on the surface.
- * - Those of its corners that lie in the middles between samples twice as far apart are told by
- *   these to within four times the tolerance. In half the width the error falls by that at least,
- *   where second derivatives jump, as they do where streamlines pass faces of the field's cells.
+ * - Some of its corners lie in the middles between samples twice as far apart, and these tell them
+ *   to within four times the tolerance. In half the width the error falls by that at least, where
+ *   second derivatives jump, as they do where streamlines pass faces of the field's cells.
  * - The sample in its middle, where the polynomial is off by most, is followed all the same, and
  * the polynomial tells it to within the tolerance. A sample is interpolated where all blocks that
  * it lies in are good. So the error that the answers have is known by measurement, and no
@@ -123,7 +123,7 @@ private:
   /// Returns the sample in the middle of a block, and whether one is.
   Index GetMiddle(const Index& block) const;
   bool IsMiddle(const Index& at) const;
-  /// Returns whether the corners of a block are told by samples twice as far apart.
+  /// Returns whether samples twice as far apart tell corners of a block, and none of them falsely.
   bool IsProven(const Index& block) const;
 
   Index Dimensions;

@@ -143,6 +143,13 @@ void TestFormulas(Check& check)
     // In a line all samples are in the middle of a block.
     check.Equal(cubics.Shared.empty(), points[0] < 33, "whether there is a block to share");
   }
+  // Errors along two axes cancel in the middles of blocks, not at their edges.
+  const auto cancelling = [](double i, double j, double) {
+    return Formula{ 0, 0, 0.5 + 1e-5 * (i * i * i * i - j * j * j * j), 0.5, 1.0 };
+  };
+  check.SetContext("cancelling");
+  check.That(Run({ 13, 13, 13 }, cancelling, 1e-6, { { false, false } }, check).LargestError <= 1.0,
+    "errors that cancel in the middle");
   check.SetContext("");
   const auto smooth = [](double i, double j, double k)
   {
