@@ -111,7 +111,7 @@ private:
 };
 
 /// The largest number of rays along a side of the box.
-constexpr int MostRays = 16;
+constexpr int MostRays = 8;
 
 class DirectionTrace
 {

@@ -16,7 +16,7 @@ namespace interlume
  * @brief   computes how much of what the cells send out leaves the medium
  *
  * It traces what an eye sees that looks at the box from everywhere: 192 directions, with a ray
- * through each cell of the sides that are seen, up to 16 along an edge. Fields are linear between
+ * through each cell of the sides that are seen, up to 8 along an edge. Fields are linear between
  * the middles of cells, and looked up where slices do.
  */
 class EscapeRays
