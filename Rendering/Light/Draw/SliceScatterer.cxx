@@ -6,7 +6,6 @@
 #include "Draw/SliceFrame.h"
 #include "Grid/FieldMaps.h"
 #include "Grid/GridLight.h"
-#include "Grid/MatterGrid.h"
 #include "Scattering/ScatteringSolver.h"
 
 #include "vtkAreaLight.h"
@@ -186,6 +185,30 @@ bool SliceScatterer::HasPhaseOf(const SliceScatterer& other) const
     (this->Kind != Settings::HENYEY_GREENSTEIN_PHASE || this->Anisotropy == other.Anisotropy);
 }
 
+bool SliceScatterer::MakeGrid(const std::vector<Matter>& matter)
+{
+  std::vector<double> key;
+  for (const Matter& volume : matter)
+  {
+    AddMatter(key, volume);
+  }
+  if (key != this->GridKey)
+  {
+    std::vector<MatterGrid::Volume> volumes;
+    for (const Matter& volume : matter)
+    {
+      const SliceFrame& own = *volume.Frame;
+      volumes.push_back({ own.Samples, own.Blocks, own.Material, own.Space, own.Region, own.Spacing,
+        own.UnitDistances, volume.GridSize > 0 ? volume.GridSize : AutomaticCells, Scatters(own) });
+    }
+    this->HasGrid = this->Grid.Build(volumes);
+    this->GridKey = key;
+  }
+  // Surfaces are marked anew.
+  this->Grid.GetMedium().Blocked.clear();
+  return this->HasGrid;
+}
+
 std::string SliceScatterer::MakeField(vtkOpenGLRenderWindow* window, SliceFrame& frame,
   const std::vector<Matter>& matter, const Settings& settings)
 {
@@ -196,18 +219,17 @@ std::string SliceScatterer::MakeField(vtkOpenGLRenderWindow* window, SliceFrame&
   this->Cells = 0;
   this->BlockedCells = 0;
   const std::vector<LightSource> lights = FindLights(frame);
-  MatterGrid grid;
-  std::vector<MatterGrid::Volume> volumes;
-  for (const Matter& volume : matter)
+  if (!Scatters(frame))
   {
-    const SliceFrame& own = *volume.Frame;
-    volumes.push_back({ own.Samples, own.Blocks, own.Material, own.Space, own.Region, own.Spacing,
-      own.UnitDistances, volume.GridSize > 0 ? volume.GridSize : AutomaticCells, Scatters(own) });
+    this->Grid = MatterGrid();
+    this->GridKey = NoKey;
+    return {};
   }
-  if (!Scatters(frame) || lights.empty() || !grid.Build(volumes))
+  if (lights.empty() || !this->MakeGrid(matter))
   {
     return {};
   }
+  MatterGrid& grid = this->Grid;
   grid.GetMedium().Phase = this->Phase;
   std::vector<ScatteringLight> direct;
   direct.reserve(lights.size());

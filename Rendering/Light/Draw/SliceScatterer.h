@@ -3,6 +3,7 @@
 #define interlume_SliceScatterer_h
 
 #include "Draw/SliceScattering.h"
+#include "Grid/MatterGrid.h"
 #include "Scattering/PhaseFunction.h"
 
 #include "vtkShadowedSliceReport.h"
@@ -60,6 +61,8 @@ private:
   std::string MakePhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
   std::string MakeField(vtkOpenGLRenderWindow* window, SliceFrame& frame,
     const std::vector<Matter>& matter, const vtkShadowedSliceSettings& settings);
+  /// Makes the grid anew where its matter has changed. Returns whether there is any.
+  bool MakeGrid(const std::vector<Matter>& matter);
   /// Whether the light is scattered by the same phase function.
   bool HasPhaseOf(const SliceScatterer& other) const;
 
@@ -71,6 +74,10 @@ private:
   vtkMTimeType TableTime = 0;
   /// All that the field depends on.
   std::vector<double> Key;
+  /// The matter in cells and what it was made of: it stays where lights alone change.
+  MatterGrid Grid;
+  bool HasGrid = false;
+  std::vector<double> GridKey;
   int Cells = 0;
   int BlockedCells = 0;
   /// How often it was found since it is asked for, and the seconds of the last time.
