@@ -105,6 +105,28 @@ vec3 meanOfProduct(vec3 first, vec3 last)
 }
 #endif
 
+#ifdef BACK_TO_FRONT
+// Returns the mean over the segment, weighted by what the eye sees, of light that is known where the
+// segment starts and in its middle: on an exponential where it falls; where it rises, which has no
+// bound on an exponential, between both.
+float meanFrom(float start, float middle)
+{
+  float seen = opticalDepth < 0.05 ? 0.5 - opticalDepth / 12.0
+                                   : 1.0 / opticalDepth - (1.0 - opacity) / opacity;
+  return start > middle
+    ? start * meanOfProduct(0.0, 2.0 * log(start / max(middle, 1e-30)))
+    : mix(start, middle, 2.0 * seen);
+}
+
+#ifdef TRANSMISSION
+vec3 meanFrom(vec3 start, vec3 middle)
+{
+  return vec3(meanFrom(start.r, middle.r), meanFrom(start.g, middle.g),
+    meanFrom(start.b, middle.b));
+}
+#endif
+#endif
+
 //INTERLUME::SCATTER
 // Adds equation 2.6, without the ambient part, for light that goes along l; or what is scattered of it.
 void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)

@@ -198,6 +198,28 @@ bool findTransmittance_INDEX(vec3 l, out LIGHT result)
 }
 #endif
 
+#if defined(BACK_TO_FRONT) && !defined(WIDE_INDEX)
+// Returns the transmittance up to the slab of the light ray along l that goes on to x.
+LIGHT getOutside_INDEX(vec3 x)
+{
+  vec4 b = bufferFromUnit_INDEX * vec4(x, 1.0);
+  return textureLod(buffer_INDEX, b.xy / b.w * 0.5 + 0.5, 0.0).CHANNELS;
+}
+
+// Returns the transmittance of the slab's matter on the light ray along l that ends where the segment
+// starts: as in the light's buffer, by the extinction in the middle of that way.
+LIGHT getStart_INDEX(vec3 l, vec3 inverse)
+{
+  float way = getPath_INDEX(segmentStart, startInTexture, l, inverse);
+  float middle = -0.5 * way;
+  vec4 texel;
+  vec4 parts;
+  float extinction = extinctionsAt(segmentStart + l * middle,
+    startInTexture + mat3(textureFromUnit) * l * middle, texel, parts);
+  return exp(-extinction * way * PART(texel));
+}
+#endif
+
 // Returns the transmittance from the light: up to the slab from the buffer, within it the mean over
 // what the eye sees of the segment.
 LIGHT getTransmittance_INDEX(vec3 l)
@@ -218,8 +240,10 @@ LIGHT getTransmittance_INDEX(vec3 l)
     return found;
   }
 #endif
+#ifndef BACK_TO_FRONT
   vec4 b = bufferFromUnit_INDEX * vec4(sampleAt, 1.0);
   vec2 uv = b.xy / b.w * 0.5 + 0.5;
+#endif
 #endif
   vec3 inverse = inverseOf(mat3(textureFromUnit) * l);
 #ifdef WIDE_INDEX
@@ -248,12 +272,20 @@ LIGHT getTransmittance_INDEX(vec3 l)
     }
     return outside * exp(-depth);
   }
-#else
+#elif !defined(BACK_TO_FRONT)
   LIGHT outside = textureLod(buffer_INDEX, uv, 0.0).CHANNELS;
 #endif
+#if defined(BACK_TO_FRONT) && !defined(WIDE_INDEX)
+  // What the eye sees first, light reaches last: matter begins between both wherever a surface is lit
+  // and seen, and the sample's extinction on all of the light's way would be a shadow of its own.
+  float way = getPath_INDEX(sampleAt, 0.5 * (startInTexture + endInTexture), l, inverse);
+  return meanFrom(getOutside_INDEX(segmentStart) * getStart_INDEX(l, inverse),
+    getOutside_INDEX(sampleAt) * exp(-sampleExtinction * way * LIGHT(samplePart)));
+#else
   LIGHT first = sampleExtinction * getPath_INDEX(segmentStart, startInTexture, l, inverse) * samplePart;
   LIGHT last = sampleExtinction * getPath_INDEX(segmentEnd, endInTexture, l, inverse) * samplePart;
   return outside * meanOfProduct(first, last);
+#endif
 }
 #endif
 

@@ -458,6 +458,7 @@ std::string SliceShader::GetEyeSource(
     return MakeEyeSource(frame, features, "", "");
   }
   features += frame.IsLit() ? " LIT" : "";
+  features += frame.Plan.Sweeps[sweep].IsFrontToBack ? "" : " BACK_TO_FRONT";
   features += frame.IsShaded ? " SHADE" : "";
   features += frame.IsShaded && frame.TwoSidedLighting ? " TWO_SIDED" : "";
   features += GetScatteringFeatures(frame.Scattering);
