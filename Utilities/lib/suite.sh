@@ -21,7 +21,7 @@ run_in_suite()
 # make_suite SUITE ROOT: a minimal Debian in the folder ROOT, unless it is there.
 make_suite()
 {
-  local suite=$1 root=$2
+  local suite=$1 root=$2 mirror
   case " $suites_known " in
     *" $suite "*) ;;
     *) die "unknown suite $suite; known are: ${suites_known// /, }" ;;
@@ -31,8 +31,9 @@ make_suite()
     say "Making Debian $suite in $root"
     mkdir -p "$suites_dir"
     as_root rm -rf "$root.part"
+    mirror=$(debian_mirror)
     run_logged "make-$suite" as_root debootstrap --variant=minbase --include=ca-certificates \
-      "$suite" "$root.part" "$(debian_mirror)"
+      "$suite" "$root.part" ${mirror:+"$mirror"}
     as_root mv "$root.part" "$root"
   fi
 }
@@ -59,13 +60,11 @@ enter_suite()
       chroot "$root" bash -c "cd \"\$1\" && shift && exec \"\$@\"" bash "$folder" "$@"' bash "$@"
 }
 
-# The mirror that this system uses, else Debian's own.
+# The mirror that this system uses; nothing where it names none, for debootstrap's own.
 debian_mirror()
 {
-  local mirror
-  mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null |
-    sed -nE 's/^(URIs: |deb (\[[^]]*\] )?)(http[^ ]*\/debian)\/?( .*)?$/\3/p' | head -n 1)
-  printf '%s' "${mirror:-http://deb.debian.org/debian}"
+  cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null |
+    sed -nE 's/^(URIs: |deb (\[[^]]*\] )?)(http[^ ]*\/debian)\/?( .*)?$/\3/p' | head -n 1 || true
 }
 
 # All files but what was built, with their times, so that only what has changed is built again; those
