@@ -8,6 +8,8 @@ if (NOT INTERLUME_EXTRACTIONS)
     "modules write; or set BUILD_TESTING to OFF. Utilities/test does both builds.")
 endif ()
 find_program(PVBATCH pvbatch HINTS "${ParaView_PREFIX_PATH}/bin" REQUIRED)
+find_program(PVPYTHON pvpython HINTS "${ParaView_PREFIX_PATH}/bin" REQUIRED)
+find_program(PVSERVER pvserver HINTS "${ParaView_PREFIX_PATH}/bin" REQUIRED)
 find_program(PARAVIEW_CLIENT paraview HINTS "${ParaView_PREFIX_PATH}/bin" REQUIRED)
 find_program(XVFB Xvfb REQUIRED)
 find_program(OPENBOX openbox REQUIRED)
@@ -34,6 +36,7 @@ set(plugin_environment
 set(pieces_file "${CMAKE_CURRENT_BINARY_DIR}/pieces.npz")
 set(piece_shadows_file "${CMAKE_CURRENT_BINARY_DIR}/piece_shadows.npz")
 set(flow_pieces_file "${CMAKE_CURRENT_BINARY_DIR}/flow_pieces.npz")
+set(server_file "${CMAKE_CURRENT_BINARY_DIR}/server.npz")
 
 # plugin_test(NAME LABELS COMMAND...)
 function (plugin_test name labels)
@@ -110,6 +113,18 @@ set_tests_properties(TestPluginPieceShadows PROPERTIES
 plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
 set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON SKIP_RETURN_CODE 77)
+
+set(client "${PVPYTHON}" --force-offscreen-rendering)
+plugin_test(TestPluginNoServer "paraview;image"
+  ${batch} "${script}/TestPluginServer.py" write "${server_file}")
+plugin_test(TestPluginServer "paraview;image"
+  ${client} "${script}/TestPluginServer.py" compare "${server_file}" "${PVSERVER}")
+set_tests_properties(TestPluginNoServer PROPERTIES FIXTURES_SETUP no_server)
+set_tests_properties(TestPluginServer PROPERTIES FIXTURES_REQUIRED no_server)
+foreach (side IN ITEMS client server)
+  plugin_test(TestPluginServerAlone-${side} "paraview;value"
+    ${client} "${script}/TestPluginServer.py" alone ${side} "${PVSERVER}")
+endforeach ()
 
 file(GLOB server_manager_xml "${PROJECT_SOURCE_DIR}/Plugin/*.xml")
 plugin_test(TestPluginHelp "paraview;value" "${Python3_EXECUTABLE}" "${script}/TestPluginHelp.py"
