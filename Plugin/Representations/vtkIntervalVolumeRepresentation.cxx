@@ -2,13 +2,16 @@
 #include "vtkIntervalVolumeRepresentation.h"
 
 #include "vtkConstantScalars.h"
+#include "vtkGridExchange.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkVolumeFunctions.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
+#include "vtkPVRenderView.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPVView.h"
@@ -128,6 +131,10 @@ int vtkIntervalVolumeRepresentation::ProcessViewRequest(
   {
     return 0;
   }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->KeepPieces(inInfo);
+  }
   if (request == vtkPVView::REQUEST_RENDER() && this->Actor->GetMapper())
   {
     vtkDataArray* scalars = this->FindScalars();
@@ -146,6 +153,29 @@ int vtkIntervalVolumeRepresentation::ProcessViewRequest(
     }
   }
   return 1;
+}
+
+void vtkIntervalVolumeRepresentation::KeepPieces(vtkInformation* view)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (!controller || controller->GetNumberOfProcesses() == 1 || vtkGridExchange::IsPossible())
+  {
+    return;
+  }
+  static bool isSaid = false;
+  if (!isSaid && controller->GetLocalProcessId() == 0)
+  {
+    vtkWarningMacro(
+      "These processes cannot send each other grids: VTK before 9.3 (ParaView before 5.12) does "
+      "not "
+      "read them with the expat library that is installed (VTK issue 19258). Interval Volume "
+      "draws the cells of each process where they are, one process after the other from back to "
+      "front: where boxes around the cells of two processes overlap, colours there may be in "
+      "the wrong order.");
+    isSaid = true;
+  }
+  vtkPVRenderView::SetOrderedCompositingConfiguration(
+    view, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, this->DataBounds);
 }
 
 vtkDataArray* vtkIntervalVolumeRepresentation::FindScalars()

@@ -28,7 +28,8 @@ class vtkVolumeFunctions;
  *
  * With several processes ParaView redistributes the tetrahedra and composites the pictures of the
  * processes in order. That is exact for COMPOSITE_BLEND alone: the other blend modes, and
- * overlapping tetrahedra with an extent in time, are right within what one process draws.
+ * overlapping tetrahedra with an extent in time, are right within what one process draws. Where the
+ * processes cannot send each other grids (see vtkGridExchange), each draws its own, with a warning.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkIntervalVolumeRepresentation
   : public vtkUnstructuredGridVolumeRepresentation
@@ -90,6 +91,10 @@ private:
 
   /// Returns the array to colour by, null where the data that the mapper is given lack it.
   vtkDataArray* FindScalars();
+
+  /// Has each process of several draw its own cells where they cannot send each other grids, and
+  /// warns.
+  void KeepPieces(vtkInformation* view);
 
   vtkNew<vtkTimeWeightedTetrahedraMapper> Mapper;
   vtkNew<vtkTrivialProducer> Collection;

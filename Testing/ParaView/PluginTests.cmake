@@ -112,7 +112,7 @@ set_tests_properties(TestPluginPieceShadows PROPERTIES
   FIXTURES_REQUIRED one_piece_shadows RUN_SERIAL ON)
 plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginRepresentation.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
-set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON SKIP_RETURN_CODE 77)
+set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON)
 
 set(client "${PVPYTHON}" --force-offscreen-rendering)
 plugin_test(TestPluginNoServer "paraview;image"

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGridExchange.h"
+
+#include "vtkDIYUtilities.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace
+{
+constexpr int NUMBER_OF_POINTS = 10000;
+
+/// What a reader says of a grid that it cannot read helps no one here.
+class Silence
+{
+public:
+  Silence() { vtkObject::GlobalWarningDisplayOff(); }
+  ~Silence() { vtkObject::SetGlobalWarningDisplay(this->Display); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+private:
+  const int Display = vtkObject::GetGlobalWarningDisplay();
+};
+
+bool TryExchange()
+{
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < NUMBER_OF_POINTS; ++i)
+  {
+    points->InsertNextPoint(0.1 * i, 0.7 * i, 0.3 * i);
+  }
+  vtkNew<vtkUnstructuredGrid> sent;
+  sent->SetPoints(points);
+  const Silence silence;
+  diy::MemoryBuffer buffer;
+  vtkDIYUtilities::Save(buffer, sent);
+  buffer.reset();
+  vtkDataSet* read = nullptr;
+  vtkDIYUtilities::Load(buffer, read);
+  const auto received = vtkSmartPointer<vtkDataSet>::Take(read);
+  return received && received->GetNumberOfPoints() == NUMBER_OF_POINTS;
+}
+}
+
+bool vtkGridExchange::IsPossible()
+{
+  static const bool isPossible = TryExchange();
+  return isPossible;
+}
