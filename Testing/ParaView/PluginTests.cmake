@@ -14,7 +14,7 @@ find_program(PARAVIEW_CLIENT paraview HINTS "${ParaView_PREFIX_PATH}/bin" REQUIR
 find_program(XVFB Xvfb REQUIRED)
 find_program(OPENBOX openbox REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C)
-find_path(INTERLUME_PARAVIEW_PYTHON paraview/simple.py REQUIRED
+find_path(INTERLUME_PARAVIEW_PYTHON paraview/servermanager.py REQUIRED
   HINTS
     "${ParaView_PREFIX_PATH}/lib/python3/dist-packages"
     "${ParaView_PREFIX_PATH}/lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
