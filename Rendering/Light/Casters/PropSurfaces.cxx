@@ -18,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolygon.h"
@@ -44,12 +45,10 @@ void AddPoints(vtkPolyData* data, const std::vector<vtkIdType>& cell, bool isStr
   vtkNew<vtkPolygon> polygon;
   polygon->Initialize(static_cast<int>(cell.size()), cell.data(), data->GetPoints());
   vtkNew<vtkIdList> corners;
-  if (cell.size() > 3 && polygon->Triangulate(corners) != 0)
+  vtkNew<vtkPoints> places;
+  if (cell.size() > 3 && polygon->Triangulate(0, corners, places) != 0)
   {
-    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
-    {
-      points.push_back(cell[static_cast<std::size_t>(corners->GetId(i))]);
-    }
+    points.insert(points.end(), corners->begin(), corners->end());
   }
 }
 
