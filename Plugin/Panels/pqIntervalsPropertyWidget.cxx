@@ -13,7 +13,20 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <type_traits>
 #include <vector>
+
+namespace
+{
+// ParaView 5.11 takes the labels as a vector of characters, 5.13 as one of strings.
+template <typename Labels>
+void SetLabels(pqScalarValueListPropertyWidget* table,
+  void (pqScalarValueListPropertyWidget::*setter)(Labels), const std::vector<const char*>& texts)
+{
+  std::decay_t<Labels> labels(texts.begin(), texts.end());
+  (table->*setter)(labels);
+}
+}
 
 pqIntervalsPropertyWidget::pqIntervalsPropertyWidget(
   vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
@@ -66,12 +79,12 @@ void pqIntervalsPropertyWidget::labelTable()
   vtkPVXMLElement* named = hints ? hints->FindNestedElementByName("ShowComponentLabels") : nullptr;
   for (unsigned int i = 0; named && i < named->GetNumberOfNestedElements(); ++i)
   {
-    labels.push_back(named->GetNestedElement(i)->GetAttribute("label"));
+    labels.push_back(named->GetNestedElement(i)->GetAttributeOrEmpty("label"));
   }
   if (labels.size() == 2)
   {
     this->Table->setShowLabels(true);
-    this->Table->setLabels(labels);
+    SetLabels(this->Table, &pqScalarValueListPropertyWidget::setLabels, labels);
   }
 }
 
