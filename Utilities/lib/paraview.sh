@@ -34,15 +34,16 @@ paraview_obstacle()
 
 fetch_paraview()
 {
-  local packages=$build_root/paraview-packages obstacle version qt_packages
+  local packages=$build_root/paraview-packages obstacle version client_packages
   obstacle=$(paraview_obstacle)
   [ -z "$obstacle" ] || die "$obstacle"
   version=$(paraview_version)
   case $version in
-    5.11.*) qt_packages=("${paraview_qt5_packages[@]}") ;;
-    *) qt_packages=("${paraview_qt6_packages[@]}") ;;
+    5.11.*) client_packages=("${paraview_qt5_packages[@]}") ;;
+    5.13.*) client_packages=("${paraview_qt6_packages[@]}") ;;
+    *) client_packages=("${paraview_qt6_packages[@]}" "${paraview_vtk_packages[@]}") ;;
   esac
-  install_packages paraview-build "${paraview_build_packages[@]}" "${qt_packages[@]}"
+  install_packages paraview-build "${paraview_build_packages[@]}" "${client_packages[@]}"
   if [ ! -s "$paraview_stamp" ]; then
     say "Fetching ParaView into ${paraview_root#"$source_dir"/}"
     rm -rf "$paraview_root" "$packages"
