@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The icons of the client and, where ParaView is of Qt 5, its help: ParaView makes a page for each
-# filter of its XML; the guide and pictures are added. With Qt 6 ParaView's own rule makes none. Sets
-# help_arguments for paraview_add_plugin and, where there is help, help_folder.
+# The icons of the client and, where Qt 5 has its XML patterns, its help: ParaView makes a page for
+# each filter of its XML; the guide and pictures are added. Sets help_arguments for
+# paraview_add_plugin and, where there is help, help_folder.
 set(help_arguments UI_RESOURCES "${CMAKE_CURRENT_LIST_DIR}/../Icons/icons.qrc")
-if (DEFINED PARAVIEW_QT_MAJOR_VERSION AND PARAVIEW_QT_MAJOR_VERSION GREATER 5)
+# ParaView 6.1, of Qt 6, takes the same tool but does not look for it; 5.13 of Qt 6 makes no help.
+find_program(qt_xmlpatterns_executable NAMES xmlpatterns-qt5 xmlpatterns PATHS /usr/lib/qt5/bin)
+mark_as_advanced(qt_xmlpatterns_executable)
+if (NOT qt_xmlpatterns_executable)
   list(APPEND help_arguments XML_DOCUMENTATION OFF)
   return ()
 endif ()

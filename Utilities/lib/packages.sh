@@ -16,7 +16,7 @@ build_packages=(
 
 # What ParaView's CMake package asks for, and a window manager for the tests of its client; its own
 # run-time libraries are read from its package. ParaView 5.11 is of Qt 5, later ones are of Qt 6; 6.1
-# has no VTK of its own but Debian's.
+# has no VTK of its own but Debian's, and makes its help with a tool of Qt 5.
 paraview_build_packages=(
   libtool-bin libopenmpi-dev openmpi-bin python3-mpi4py python3-numpy openbox)
 paraview_qt5_packages=(
@@ -24,7 +24,8 @@ paraview_qt5_packages=(
   libqt5x11extras5-dev libqt5xmlpatterns5-dev qtxmlpatterns5-dev-tools)
 paraview_qt6_packages=(
   qt6-base-dev qt6-tools-dev qt6-tools-dev-tools qt6-svg-dev qt6-5compat-dev)
-paraview_vtk_packages=(libvtk9-dev libvtk9-qt-dev libpython3-dev python3-vtk9)
+paraview_6_packages=(
+  libvtk9-dev libvtk9-qt-dev libpython3-dev python3-vtk9 qtxmlpatterns5-dev-tools)
 
 as_root()
 {

@@ -41,7 +41,7 @@ fetch_paraview()
   case $version in
     5.11.*) client_packages=("${paraview_qt5_packages[@]}") ;;
     5.13.*) client_packages=("${paraview_qt6_packages[@]}") ;;
-    *) client_packages=("${paraview_qt6_packages[@]}" "${paraview_vtk_packages[@]}") ;;
+    *) client_packages=("${paraview_qt6_packages[@]}" "${paraview_6_packages[@]}") ;;
   esac
   install_packages paraview-build "${paraview_build_packages[@]}" "${client_packages[@]}"
   if [ ! -s "$paraview_stamp" ]; then
