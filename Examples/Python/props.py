@@ -22,9 +22,6 @@ from vtkmodules.vtkRenderingCore import (
 
 DATA = Path(os.environ.get("INTERLUME_DATA") or Path(__file__).parents[2] / "Data")
 
-# Of vtkInflowMapping: the formula is that of all surfaces.
-ALL_SURFACES = -1
-
 COLORS = [(0.220, 0.440, 0.720), (0.278, 0.655, 0.580), (0.929, 0.694, 0.263),
           (0.788, 0.286, 0.231), (0.494, 0.341, 0.600), (0.545, 0.565, 0.585)]
 
@@ -77,7 +74,7 @@ def make_inflow(field, corners, dimensions, bounds, formula):
     flow.SetSampleDimensions(*dimensions)
     flow.SetSampleBounds(bounds)
     mapping = vtkInflowMapping()
-    mapping.SetFormula(ALL_SURFACES, formula)
+    mapping.SetFormula(mapping.ALL, formula)
     return run(mapping, run(flow, run(field)))
 
 

@@ -59,8 +59,11 @@ public:
     IMAGE = vtkInflowKind::IMAGE
   };
 
-  /// The id of the mapping for all ids that have none of their own.
-  static constexpr int ALL = -1;
+  enum
+  {
+    /// The id of the mapping for all ids that have none of their own.
+    ALL = -1
+  };
 
   ///@{
   /**

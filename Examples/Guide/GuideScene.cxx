@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A smoke-filled ball above a floor under a lamp of some size: volume and floor share its light and
+// shadows.
+
+#include "GuidePicture.h"
+
+#include <vtkActor.h>
+#include <vtkAreaLight.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkShadowedScenePass.h>
+#include <vtkShadowedSliceMapper.h>
+#include <vtkTurbulenceSource.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+int main(int argc, char* argv[])
+{
+  GuidePicture picture(argc, argv);
+  vtkRenderer* renderer = picture.GetRenderer();
+
+  vtkNew<vtkTurbulenceSource> smoke;
+  smoke->SetEnvelope(vtkTurbulenceSource::SPHERE);
+  vtkNew<vtkShadowedSliceMapper> mapper;
+  mapper->SetInputConnection(smoke->GetOutputPort());
+  vtkNew<vtkColorTransferFunction> grey;
+  grey->AddRGBPoint(0.0, 0.9, 0.9, 0.9);
+  vtkNew<vtkPiecewiseFunction> opacities;
+  opacities->AddPoint(0.0, 0.0);
+  opacities->AddPoint(1.0, 0.9);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  volume->GetProperty()->SetColor(grey);
+  volume->GetProperty()->SetScalarOpacity(opacities);
+  volume->GetProperty()->SetScalarOpacityUnitDistance(0.1);
+  renderer->AddVolume(volume);
+  vtkNew<vtkPlaneSource> floor;
+  floor->SetOrigin(-2.0, -2.0, -1.1);
+  floor->SetPoint1(2.0, -2.0, -1.1);
+  floor->SetPoint2(-2.0, 2.0, -1.1);
+  vtkNew<vtkPolyDataMapper> surface;
+  surface->SetInputConnection(floor->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(surface);
+  renderer->AddActor(actor);
+  vtkNew<vtkAreaLight> lamp;
+  lamp->SetPosition(-2.0, 0.0, 2.5);
+  lamp->SetSize(0.8, 0.8);
+  renderer->AddLight(lamp);
+  vtkNew<vtkShadowedScenePass> shadows;
+  renderer->SetPass(shadows);
+
+  return picture.Write(0.4, -1.5, 0.8);
+}
