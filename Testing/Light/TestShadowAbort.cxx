@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkShadowedSliceMapper leaves off where the window's abort says so, and leaves no trace of it.
+#include "Pictures/DrawingAborts.h"
+#include "Pictures/ShadowCases.h"
+#include "Pictures/ShadowPicture.h"
+#include "Pictures/VolumeStage.h"
+#include "Reference/Checks/ReferenceCheck.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkVolumeProperty.h"
+
+int TestShadowAbort(int, char*[])
+{
+  using namespace reference;
+  Check check;
+  for (const bool shadows : { false, true })
+  {
+    check.SetContext(shadows ? "with shadows" : "without shadows");
+    ShadowScene scene =
+      MakeScene(MakeImage(16, MakeSphere(0.15, 0.45)), MakeSoftProperty(0.6, true));
+    scene.Shadows = shadows;
+    vtkNew<vtkShadowedSliceMapper> mapper;
+    VolumeStage stage(scene.Size);
+    SetScene(stage, mapper, scene);
+    CheckDrawingAborts(stage.GetWindow(), check);
+  }
+  return check.Result();
+}

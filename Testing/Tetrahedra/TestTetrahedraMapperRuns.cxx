@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The software path draws the same picture with any number of threads, and leaves off where the
+// window's abort says so.
+#include "Pictures/DrawingAborts.h"
+#include "Pictures/PictureCases.h"
+#include "Pictures/VolumeStage.h"
+#include "Reference/Checks/ReferenceCheck.h"
+#include "Reference/Checks/ReferenceExecution.h"
+#include "Tetrahedra/MapperPicture.h"
+
+#include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+
+#include <array>
+
+int TestTetrahedraMapperRuns(int, char*[])
+{
+  using namespace reference;
+  Check check;
+  const PictureCase what =
+    MakeCase(MakeCube(12), MakeRamp(0.1, 1.0, 2.0), { { 0.6, -1.0, 0.4 } }, false);
+  const int software = vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH;
+  CheckSame(
+    "software path", [&]() { return DrawByPath(software, what).Values; }, check);
+
+  vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;
+  Configure(mapper, what);
+  mapper->SetRenderPath(software);
+  const std::array<int, 2> size{ { 96, 96 } };
+  VolumeStage stage(size);
+  stage.SetVolume(mapper, what.Property);
+  stage.SetCamera(what.Camera);
+  CheckDrawingAborts(stage.GetWindow(), check);
+  return check.Result();
+}
