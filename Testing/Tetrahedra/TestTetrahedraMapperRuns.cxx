@@ -26,6 +26,7 @@ int TestTetrahedraMapperRuns(int, char*[])
   CheckSame(
     "software path", [&]() { return DrawByPath(software, what).Values; }, check);
 
+  check.SetContext("abort");
   vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;
   Configure(mapper, what);
   mapper->SetRenderPath(software);
