@@ -133,6 +133,11 @@ if (TARGET Interlume_qch)
     ${server_manager_xml})
 endif ()
 
+plugin_test(TestPluginPropertyPage "paraview;value" "${Python3_EXECUTABLE}"
+  "${PROJECT_SOURCE_DIR}/Plugin/Help/make_properties.py" --check
+  "${PROJECT_SOURCE_DIR}/Documentation/guide/properties.md" ${server_manager_xml})
+set_tests_properties(TestPluginPropertyPage PROPERTIES FAIL_REGULAR_EXPRESSION "is not what the XML says")
+
 if (INTERLUME_PYTHON)
   plugin_test(TestPluginPython "paraview;value" ${batch} "${script}/TestPluginPython.py")
   set_tests_properties(TestPluginPython PROPERTIES ENVIRONMENT

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""make_properties.py PAGE XML...: writes the page of the guide with the properties of the plugin's filters,
+sources, termination surfaces and representations, from the XML files that ParaView reads.
+
+With --check before PAGE: fails where the page is not what would be written.
+"""
+
+import re
+import sys
+from pathlib import Path
+from xml.etree import ElementTree
+
+GROUPS = {"filters": "Filters", "sources": "Sources", "termination_surfaces": "Termination surfaces",
+          "representations": "Representations"}
+HEAD = """# Properties in ParaView
+
+What the plugin's XML says of each property, written by `Plugin/Help/make_properties.py`. In Python a property has
+the name of its label without spaces.
+"""
+
+
+def words(element):
+    """The text of an element on one line, fit for a cell of a table."""
+    return re.sub(r"\s+", " ", (element.text or "").strip()).replace("|", "\\|") if element is not None else ""
+
+
+def label_of(element):
+    return element.get("label") or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", element.get("name"))
+
+
+def default_of(element):
+    """The default as the panel has it: the word of an enumeration, on or off."""
+    values = element.get("default_values") or ""
+    for entry in element.iter("Entry"):
+        if entry.get("value") == values:
+            return entry.get("text")
+    if element.find("BooleanDomain") is not None:
+        return "on" if values == "1" else "off"
+    return values if values != "none" else ""
+
+
+def is_shown(element):
+    return (element.tag.endswith("Property") and element.get("is_internal") != "1"
+            and element.get("panel_visibility") != "never" and element.get("information_only") != "1"
+            and element.find("Documentation") is not None)
+
+
+def section(proxy, inherited):
+    rows = [f"| {label_of(item)} | {default_of(item)} | {words(item.find('Documentation'))} |"
+            for item in [*inherited, *proxy] if is_shown(item)]
+    if not rows:
+        return []
+    return ["", f"### {label_of(proxy)}", "", words(proxy.find("Documentation")), "",
+            "| property | default | what it is |", "| --- | --- | --- |", *rows]
+
+
+def page(files):
+    proxies = {}
+    for file in sorted(files):
+        root = ElementTree.parse(file).getroot()
+        for group in root.iter("ProxyGroup"):
+            for proxy in group:
+                proxies[group.get("name"), proxy.get("name")] = proxy
+                kind = root.find(f".//RepresentationType[@subproxy='{proxy.get('name')}']")
+                if kind is not None:
+                    proxy.set("label", kind.get("text"))
+    lines = [HEAD.rstrip()]
+    for group, title in GROUPS.items():
+        lines += ["", f"## {title}"]
+        for (owner, _), proxy in proxies.items():
+            base = proxies.get((proxy.get("base_proxygroup"), proxy.get("base_proxyname")), ())
+            if owner == group and proxy.tag != "Extension" and "Widget" not in proxy.get("name"):
+                lines += section(proxy, base)
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    arguments = sys.argv[1:]
+    check = arguments[0] == "--check"
+    path, *files = map(Path, arguments[check:])
+    text = page(files)
+    if not check:
+        path.write_text(text, encoding="utf-8")
+    elif path.read_text(encoding="utf-8") != text:
+        sys.exit(f"{path.name} is not what the XML says; write it by {Path(__file__).name} PAGE XML...")
+
+
+if __name__ == "__main__":
+    main()
