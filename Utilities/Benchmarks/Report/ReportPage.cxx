@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Report/ReportPage.h"
 
-#include "Benchmarks/Report/ReportTables.h"
 #include "Benchmarks/Results/BenchMachine.h"
 #include "Pages/HtmlText.h"
 
@@ -28,7 +27,16 @@ th, td { border: 1px solid #ddd; padding: .25rem .6rem; text-align: left; vertic
 th { background: #f0f0f0; font-weight: 600; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .failed { color: #a00; font-weight: 600; }
+summary { cursor: pointer; }
 )";
+
+/// What is read by those who ask for it.
+std::string Folded(const std::string& summary, const std::string& content)
+{
+  return content.empty()
+    ? content
+    : "<details><summary>" + summary + "</summary>\n" + content + "</details>\n";
+}
 }
 
 ReportPage::ReportPage(const BenchResults& results)
@@ -47,14 +55,18 @@ void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<std::string
   {
     text << "<li>" << html::Escaped(paragraph) << "</li>\n";
   }
-  text << "</ul>\n" << html::TableOf(suite.CheckClaims(rows)) << "<div class=\"plots\">\n";
+  text << "</ul>\n<div class=\"plots\">\n";
   for (const std::string& plot : plots)
   {
     text << "<a href=\"" << plot << ".png\"><img src=\"" << plot << ".png\" alt=\"" << plot
          << "\"></a>\n";
   }
-  text << "</div>\n" << html::TablesOf(rows);
+  text << "</div>\n" << Folded(std::to_string(rows.size()) + " rows", html::TableOf(rows));
   this->Body += text.str();
+  for (const BenchClaim& claim : suite.CheckClaims(rows))
+  {
+    this->Claims.push_back({ name, claim });
+  }
 }
 
 void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
@@ -71,7 +83,7 @@ void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
   {
     text << passed << " of " << cases.size() << " cases passed.";
   }
-  text << "</p>\n" << html::TableOf(cases);
+  text << "</p>\n" << Folded(std::to_string(cases.size()) + " cases", html::TableOf(cases));
   this->Body += text.str();
 }
 
@@ -94,7 +106,8 @@ void ReportPage::Write(const std::string& path) const
       file << "<a href=\"#" << row.Suite << "\">" << html::Escaped(row.Suite) << "</a>";
     }
   }
-  file << "<a href=\"#stability\">stability</a></nav>\n" << this->Body << "</body>\n</html>\n";
+  file << "<a href=\"#stability\">stability</a></nav>\n<h2 id=\"claims\">claims</h2>\n"
+       << html::TableOf(this->Claims) << this->Body << "</body>\n</html>\n";
   if (!file)
   {
     throw std::runtime_error("cannot write " + path);

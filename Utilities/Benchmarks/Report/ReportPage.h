@@ -2,6 +2,7 @@
 #ifndef ReportPage_h
 #define ReportPage_h
 
+#include "Benchmarks/Report/ReportTables.h"
 #include "Benchmarks/Results/BenchResults.h"
 #include "Benchmarks/Suites/BenchSuite.h"
 #include "Pages/StabilityCase.h"
@@ -10,8 +11,9 @@
 #include <vector>
 
 /**
- * The page of `interlume-bench report`: what was measured on, then a section for each suite with
- * its description, plots and tables, then the stability catalogue.
+ * The page of `interlume-bench report`: what was measured on, all claims with those that are not
+ * met first, then a section for each suite with its description and plots, its rows folded below,
+ * and the stability catalogue, folded too.
  */
 class ReportPage
 {
@@ -33,6 +35,7 @@ public:
 
 private:
   const BenchResults& Results;
+  std::vector<html::SuiteClaim> Claims;
   std::string Body;
 };
 

@@ -3,6 +3,7 @@
 
 #include "Pages/HtmlText.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -82,37 +83,27 @@ Cells CellsOf(const BenchRow& row)
   return cells;
 }
 
-std::vector<std::string> ColumnsOf(const Cells& cells)
+/// The fields of all rows; a new one comes after the one that it follows in its row.
+std::vector<std::string> ColumnsOf(const std::vector<Cells>& rows)
 {
   std::vector<std::string> columns;
-  for (const auto& cell : cells)
+  for (const Cells& cells : rows)
   {
-    columns.push_back(cell.first);
+    auto next = columns.begin();
+    for (const auto& cell : cells)
+    {
+      const auto found = std::find(columns.begin(), columns.end(), cell.first);
+      next = (found == columns.end() ? columns.insert(next, cell.first) : found) + 1;
+    }
   }
   return columns;
 }
 
-std::string TableOf(const std::vector<Cells>& rows)
+bool IsMet(const html::SuiteClaim& claim)
 {
-  std::ostringstream html;
-  html << "<div class=\"wide\"><table><tr>";
-  for (const std::string& column : ColumnsOf(rows.front()))
-  {
-    html << "<th>" << html::Escaped(column) << "</th>";
-  }
-  html << "</tr>\n";
-  for (const Cells& cells : rows)
-  {
-    html << "<tr>";
-    for (const auto& cell : cells)
-    {
-      html << (cell.second.IsNumber ? "<td class=\"number\">" : "<td>") << cell.second.Text
-           << "</td>";
-    }
-    html << "</tr>\n";
-  }
-  html << "</table></div>\n";
-  return html.str();
+  const auto& cases = claim.Claim.Cases;
+  return std::all_of(
+    cases.begin(), cases.end(), [](const BenchClaim::Measured& measured) { return measured.Met; });
 }
 
 std::string Verdict(bool isGood, const std::string& text)
@@ -123,19 +114,25 @@ std::string Verdict(bool isGood, const std::string& text)
 
 namespace html
 {
-std::string TableOf(const std::vector<BenchClaim>& claims)
+std::string TableOf(const std::vector<SuiteClaim>& claims)
 {
   if (claims.empty())
   {
     return {};
   }
+  std::vector<SuiteClaim> sorted = claims;
+  const auto firstMet = std::stable_partition(
+    sorted.begin(), sorted.end(), [](const SuiteClaim& claim) { return !IsMet(claim); });
   std::ostringstream html;
-  html << "<div class=\"wide\"><table><tr><th>wanted</th><th>measured</th></tr>\n";
-  for (const BenchClaim& claim : claims)
+  html << "<p>" << sorted.end() - firstMet << " of " << sorted.size()
+       << " claims are met in every case.</p>\n<div class=\"wide\"><table><tr><th>suite</th>"
+       << "<th>wanted</th><th>measured</th></tr>\n";
+  for (const SuiteClaim& claim : sorted)
   {
-    html << "<tr><td>" << Escaped(claim.Text) << "</td><td>";
+    html << "<tr><td><a href=\"#" << Escaped(claim.Suite) << "\">" << Escaped(claim.Suite)
+         << "</a></td><td>" << Escaped(claim.Claim.Text) << "</td><td>";
     const char* separator = "";
-    for (const BenchClaim::Measured& measured : claim.Cases)
+    for (const BenchClaim::Measured& measured : claim.Claim.Cases)
     {
       const std::string number = Number(measured.Number) + (measured.Met ? "" : " (not met)");
       html << separator << Escaped(measured.Case) << " " << Verdict(measured.Met, number);
@@ -147,21 +144,37 @@ std::string TableOf(const std::vector<BenchClaim>& claims)
   return html.str();
 }
 
-std::string TablesOf(const std::vector<BenchRow>& rows)
+std::string TableOf(const std::vector<BenchRow>& rows)
 {
-  std::string html;
-  std::vector<Cells> table;
-  for (const BenchRow& row : rows)
+  if (rows.empty())
   {
-    const Cells cells = CellsOf(row);
-    if (!table.empty() && ColumnsOf(cells) != ColumnsOf(table.front()))
-    {
-      html += TableOf(table);
-      table.clear();
-    }
-    table.push_back(cells);
+    return {};
   }
-  return table.empty() ? html : html + TableOf(table);
+  std::vector<Cells> table(rows.size());
+  std::transform(rows.begin(), rows.end(), table.begin(), &CellsOf);
+  const std::vector<std::string> columns = ColumnsOf(table);
+  std::ostringstream html;
+  html << "<div class=\"wide\"><table><tr>";
+  for (const std::string& column : columns)
+  {
+    html << "<th>" << Escaped(column) << "</th>";
+  }
+  html << "</tr>\n";
+  for (const Cells& cells : table)
+  {
+    html << "<tr>";
+    for (const std::string& column : columns)
+    {
+      const auto cell = std::find_if(
+        cells.begin(), cells.end(), [&](const auto& named) { return named.first == column; });
+      const bool isThere = cell != cells.end();
+      html << (isThere && cell->second.IsNumber ? "<td class=\"number\">" : "<td>")
+           << (isThere ? cell->second.Text : "") << "</td>";
+    }
+    html << "</tr>\n";
+  }
+  html << "</table></div>\n";
+  return html.str();
 }
 
 std::string TableOf(const std::vector<StabilityCase>& cases)

@@ -14,15 +14,23 @@
  */
 namespace html
 {
-/**
- * What is claimed, and for each case what was measured; what is not met stands out.
- */
-std::string TableOf(const std::vector<BenchClaim>& claims);
+/// A claim, and the suite that measures it.
+struct SuiteClaim
+{
+  std::string Suite;
+  BenchClaim Claim;
+};
 
 /**
- * One table for every run of rows that have the same fields.
+ * What is claimed, and for each case what was measured: claims that are not met first, and what is
+ * not met stands out.
  */
-std::string TablesOf(const std::vector<BenchRow>& rows);
+std::string TableOf(const std::vector<SuiteClaim>& claims);
+
+/**
+ * One table, with a column for each field that a row has, in the order that they come in.
+ */
+std::string TableOf(const std::vector<BenchRow>& rows);
 
 /**
  * The stability catalogue.
