@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The triangles that glyphs stop scattered light with are where VTK draws the glyphs: against
-// vtkTransform for each way to turn them, and by scale, index, mask and transform of the actor.
+// vtkTransform for each way to turn them, and by scale, index, mask and transform of the actor;
+// polygons with a dent are covered once.
 #include "Casters/PropSurfaces.h"
 #include "Reference/Checks/ReferenceCheck.h"
 
@@ -15,6 +16,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTransform.h"
+
+#include <glm/geometric.hpp>
 
 #include <array>
 #include <cmath>
@@ -209,6 +212,35 @@ void TestChoice(Check& check)
   transform->Scale(Size, Size, Size);
   CheckLast(check, chosen, 1, transform, 10.0, "moved actor");
 }
+
+void TestDentedPolygon(Check& check)
+{
+  // A fan from the first corner would reach beyond the dent, which is the second one.
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(9.0, 9.0, 9.0);
+  points->InsertNextPoint(4.0, 0.0, 0.0);
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(0.0, 4.0, 0.0);
+  points->InsertNextPoint(1.0, 1.0, 0.0);
+  vtkNew<vtkCellArray> cells;
+  const std::array<vtkIdType, 4> ids{ { 1, 4, 3, 2 } };
+  cells->InsertNextCell(4, ids.data());
+  vtkNew<vtkPolyData> polygon;
+  polygon->SetPoints(points);
+  polygon->SetPolys(cells);
+  Glyphs dented;
+  dented.Mapper->SetSourceData(0, polygon);
+  const std::vector<glm::dvec3> corners = dented.GetCorners();
+  check.Equal(static_cast<long long>(corners.size()), 12LL, "two triangles for each place");
+  double area = 0.0;
+  for (std::size_t i = 2; i < corners.size(); i += 3)
+  {
+    area +=
+      0.5 * glm::length(glm::cross(corners[i - 1] - corners[i - 2], corners[i] - corners[i - 2]));
+  }
+  check.Near(area, 2.0 * 4.0 * Size * Size, 1e-12, "area of a polygon with a dent", 1.0);
+}
 }
 
 int TestGlyphBlockers(int, char*[])
@@ -217,5 +249,6 @@ int TestGlyphBlockers(int, char*[])
   TestTurns(check);
   TestScales(check);
   TestChoice(check);
+  TestDentedPolygon(check);
   return check.Result();
 }
