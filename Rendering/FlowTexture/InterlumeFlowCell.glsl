@@ -13,11 +13,13 @@ uniform sampler3D times;
 uniform sampler2D surfaces;
 #endif
 
-uniform vec3 voxels;
+// One over the numbers of voxels.
+uniform vec3 voxelSize;
 
 const int SPLIT = 0;
 const int SPLIT_BY_WAYS = 4095;
-const int EMPTY = 4096;
+const int SEAM = 4096;
+const int EMPTY = 8192;
 #ifdef SMOOTH_PLACES
 const float LARGEST_LABEL = 4094.5;
 #endif
@@ -32,17 +34,18 @@ struct Sample
   mat3x2 Slope;
   vec3 TimeSlope;
 #ifdef PAINT_FILTER
-  // Whether the sample is larger than a texel; if so, the longest axis of what the sample stands for, as a change of place
-  // and of time, and the largest of the others.
+  // Whether the sample may be larger than two texels. Then the longest axis of what it stands for, as a
+  // change of place and of time, is split into pieces, and Size is the largest change of place in one.
   bool IsWide;
   bool IsAlongRay;
   vec2 Along;
   float TimeAlong;
-  vec2 Across;
+  vec2 Size;
+  int Pieces;
 #endif
 };
 
-// Returns the kind of a cell, and the code of the largest change between its corners.
+// Returns the kind of a cell, and the code of a bound of the slopes of u and v in it.
 ivec2 kindAt(ivec3 cell)
 {
   return ivec2(texelFetch(cells, cell, 0).rg * 65535.0 + 0.5);
@@ -80,28 +83,37 @@ void setSurface(inout Sample found, int label)
   }
 
 #ifdef SMOOTH_PLACES
-// Interpolates what SmoothVoxels tells of: u, v, the largest change around, and the label.
+// Interpolates what SmoothVoxels tells of: u, v, the largest slope around, and the label.
 vec4 storedAt(vec3 place)
 {
-  return texture(places, (place + 0.5) / voxels);
+  return texture(places, (place + 0.5) * voxelSize);
 }
 
-// Interpolates without derivatives.
-void lookUpPlace(vec3 place, inout Sample found)
+// Looks up what is stored, interpolated at the place, without derivatives.
+void lookUpPlace(vec3 place, vec4 stored, inout Sample found)
 {
-  found.Place = storedAt(place).rg;
+  found.Place = stored.rg;
 #ifdef TIMES
-  found.Time = texture(times, (place + 0.5) / voxels).r;
+  found.Time = texture(times, (place + 0.5) * voxelSize).r;
 #endif
 }
 #endif
 
-void lookUpPlain(ivec3 cell, vec3 f, inout Sample found)
+// Interpolates among the corners of a cell of one surface.
+void lookUpPlain(ivec3 cell, vec3 f, bool isSeam, inout Sample found)
 {
+#ifdef SEAMS
+  // Over a seam all places are taken on the side of the nearest corner.
+  vec2 nearest = texelFetch(places, cell + ivec3(f + 0.5), 0).rg;
+  vec2 period = mix(vec2(0.0), vec2(found.Period), bvec2(isSeam));
+#endif
   vec2 c[8];
   for (int i = 0; i < 8; ++i)
   {
     c[i] = texelFetch(places, cell + ivec3(i & 1, (i >> 1) & 1, i >> 2), 0).rg;
+#ifdef SEAMS
+    c[i] -= period * floor(c[i] - nearest + 0.5);
+#endif
   }
   vec2 slopeX;
   vec2 slopeY;
@@ -119,6 +131,11 @@ void lookUpPlain(ivec3 cell, vec3 f, inout Sample found)
 }
 
 #ifdef SPLITS
+bool isSplit(int kind)
+{
+  return kind == SPLIT || kind == SPLIT_BY_WAYS;
+}
+
 // Interpolates among the corners of one kind, those that have most weight, and only among these.
 // Returns whether they reached a surface.
 bool lookUpSplit(ivec3 cell, vec3 f, bool isByWays, inout Sample found)
@@ -202,24 +219,25 @@ bool lookUpSplit(ivec3 cell, vec3 f, bool isByWays, inout Sample found)
 #endif
 
 // Looks the place up within a cell of one surface; derivatives, where they are needed.
-void lookUpSurface(vec3 place, vec3 cell, int label, bool hasSlopes, inout Sample found)
+void lookUpSurface(vec3 place, vec3 cell, int kind, bool hasSlopes, inout Sample found)
 {
-  setSurface(found, label);
+  bool isSeam = kind > SEAM;
+  setSurface(found, isSeam ? kind - SEAM : kind);
 #ifdef SMOOTH_PLACES
-  if (!hasSlopes)
+  if (!hasSlopes && !isSeam)
   {
-    lookUpPlace(place, found);
+    lookUpPlace(place, storedAt(place), found);
     return;
   }
 #endif
-  lookUpPlain(ivec3(cell), place - cell, found);
+  lookUpPlain(ivec3(cell), place - cell, isSeam, found);
 }
 
 // Looks the place up within a cell that is not empty. Returns whether there is one.
 bool lookUpCell(vec3 place, vec3 cell, int kind, bool hasSlopes, inout Sample found)
 {
 #ifdef SPLITS
-  if (kind == SPLIT || kind == SPLIT_BY_WAYS)
+  if (isSplit(kind))
   {
     return lookUpSplit(ivec3(cell), place - cell, kind == SPLIT_BY_WAYS, found);
   }

@@ -1,13 +1,13 @@
 
 // The paint of one image; there is a copy of this for each.
 uniform sampler2D paint_N;
-uniform vec2 paintSize_N;
+uniform vec4 paintFrame_N;
 
 vec4 inflowUpTo_N(int paint, vec2 place, float level)
 {
   if (paint == NUMBER)
   {
-    return textureLod(paint_N, inTexture(place, paintSize_N), level);
+    return textureLod(paint_N, inTexture(place, paintFrame_N), level);
   }
   return inflowUpTo_P(paint, place, level);
 }

@@ -2,7 +2,9 @@
 // What is painted as matter of slices: see vtkSliceMatter.
 
 uniform vec3 lastCell;
-uniform float unitDistance;
+uniform vec3 voxels;
+// One over the unit distance.
+uniform float unitShare;
 #ifdef SHADE
 uniform mat3 worldFromVoxels;
 #endif
@@ -25,6 +27,7 @@ float matterAt(vec3 p, mat3 size, out vec3 color)
   int pieces = 1;
 #ifdef PAINT_FILTER
   Footprint footprint = Footprint(size[0] * voxels, size[1] * voxels, size[2] * voxels);
+  setNarrow(found);
   found.IsWide = isWide(stored.y, footprint);
   if (!lookUpCell(place, cell, stored.x, found.IsWide, found))
   {
@@ -33,7 +36,7 @@ float matterAt(vec3 p, mat3 size, out vec3 color)
   if (found.IsWide)
   {
     setFootprint(found, footprint);
-    pieces = found.IsAlongRay ? piecesOf(found) : 1;
+    pieces = found.Pieces;
   }
 #else
   if (!lookUpCell(place, cell, stored.x, false, found))
@@ -43,22 +46,20 @@ float matterAt(vec3 p, mat3 size, out vec3 color)
 #endif
   float strength = strengthAt(place);
   float extinction = 0.0;
+  vec4 sum = vec4(0.0);
   for (int i = 0; i < pieces && strength > 0.0; ++i)
   {
-#ifdef PAINT_FILTER
-    vec4 paint = paintFrom(found, i, pieces) * strength;
-#else
-    vec4 paint = paintOf(found, 0.0) * strength;
-#endif
-    if (paint.a > 0.0)
+    vec4 paint;
+    if (takePiece(found, i, sum, paint) && paint.a > 0.0)
     {
+      paint *= strength;
       float depth = depthOf(paint.a);
       extinction += depth;
       color += paint.rgb * (depth / paint.a);
     }
   }
   color /= max(extinction, 1e-30);
-  return extinction / (unitDistance * float(pieces));
+  return extinction * unitShare / float(partsOf(found));
 }
 
 #ifdef SHADE

@@ -32,10 +32,11 @@ uniform vec2 paintSize;
 uniform int largestPieces;
 #endif
 
-// From the first texel's middle to the last one's, as an image's points are.
-vec2 inTexture(vec2 place, vec2 size)
+// From the first texel's middle to the last one's, as an image's points are: the way between these
+// and the first one's place, in the texture.
+vec2 inTexture(vec2 place, vec4 frame)
 {
-  return (clamp(place, 0.0, 1.0) * (size - 1.0) + 0.5) / size;
+  return clamp(place, 0.0, 1.0) * frame.xy + frame.zw;
 }
 
 //INTERLUME::PAINTS
@@ -49,19 +50,27 @@ struct Footprint
   vec3 PixelY;
 };
 
+// Returns the length of the longest axis, in voxels.
 float reachOf(Footprint footprint)
 {
-  vec3 one = vec3(1.0);
-  return max(dot(abs(footprint.Piece), one),
-    max(dot(abs(footprint.PixelX), one), dot(abs(footprint.PixelY), one)));
+  return sqrt(max(dot(footprint.Piece, footprint.Piece),
+    max(dot(footprint.PixelX, footprint.PixelX), dot(footprint.PixelY, footprint.PixelY))));
 }
 
 // Returns whether a sample may be larger than two texels, which a look at one place covers, by the
-// largest change between the cell's corners.
+// code of a bound of the slopes in its cell.
 bool isWide(int code, Footprint footprint)
 {
   return reachOf(footprint) * max(paintSize.x, paintSize.y) >
     2.0 * exp2(128.0 - float(code) / 256.0);
+}
+
+// Makes what a sample stands for one piece.
+void setNarrow(inout Sample found)
+{
+  found.IsWide = false;
+  found.IsAlongRay = true;
+  found.Pieces = 1;
 }
 
 // Splits what a sample stands for, by its three axes, into the longest and what is across it.
@@ -71,6 +80,7 @@ void setFootprint(inout Sample found, Footprint footprint)
   vec2 x = found.Slope * footprint.PixelX;
   vec2 y = found.Slope * footprint.PixelY;
   vec3 axis = footprint.Piece;
+  vec2 across;
   found.IsAlongRay = true;
   float a = dot(along, along);
   float b = dot(x, x);
@@ -80,36 +90,30 @@ void setFootprint(inout Sample found, Footprint footprint)
   {
     axis = footprint.PixelX;
     found.IsAlongRay = false;
-    found.Across = a > c ? along : y;
+    across = a > c ? along : y;
     found.Along = x;
   }
   else if (c > a)
   {
     axis = footprint.PixelY;
     found.IsAlongRay = false;
-    found.Across = a > b ? along : x;
+    across = a > b ? along : x;
     found.Along = y;
   }
   else
   {
-    found.Across = b > c ? x : y;
+    across = b > c ? x : y;
     found.Along = along;
   }
   found.TimeAlong = dot(found.TimeSlope, axis);
-}
-
-int piecesOf(Sample found)
-{
   vec2 texels = abs(found.Along) * paintSize;
-  return clamp(int(ceil(max(texels.x, texels.y))), 1, largestPieces);
+  found.Pieces = clamp(int(ceil(max(texels.x, texels.y))), 1, largestPieces);
+  found.Size = max(abs(across), abs(found.Along) / float(found.Pieces));
 }
 
-float levelOf(Sample found, vec2 size)
+float levelOf(vec2 texels)
 {
-  // Along the axis that is split, what one piece has.
-  vec2 across = abs(found.Across) * size;
-  vec2 along = abs(found.Along) * size / float(piecesOf(found));
-  return log2(max(max(max(across.x, across.y), max(along.x, along.y)), 1.0));
+  return log2(max(max(texels.x, texels.y), 1.0));
 }
 #endif
 
@@ -123,7 +127,7 @@ float depthOf(float alpha)
 float strengthAt(vec3 place)
 {
 #ifdef TRANSFER
-  float value = texture(opacityValues, (place + 0.5) / voxels).r;
+  float value = texture(opacityValues, (place + 0.5) * voxelSize).r;
   float column = clamp((value - transferRange.x) * transferRange.y, 0.0, 1.0);
   float size = float(TRANSFER);
   return texture(transfer, vec2((column * (size - 1.0) + 0.5) / size, 0.5)).r;
@@ -154,7 +158,7 @@ vec4 paintOf(Sample found, float share)
   if (found.IsWide)
   {
     place += share * found.Along;
-    level = levelOf(found, paintSize);
+    level = levelOf(found.Size * paintSize);
   }
 #endif
   vec2 inside = place - mix(vec2(0.0), floor(place), vec2(found.Period));
@@ -174,9 +178,9 @@ vec4 paintOf(Sample found, float share)
 #endif
 #endif
 #ifdef DETAIL
-  vec2 pattern = place * detailScale.xy;
+  vec2 pattern = inside * detailScale.xy;
 #ifdef PAINT_FILTER
-  level = found.IsWide ? levelOf(found, detailSize.xy * detailScale.xy) : 0.0;
+  level = found.IsWide ? levelOf(found.Size * abs(detailSize.xy * detailScale.xy)) : 0.0;
 #endif
 #if DETAIL == 3
   vec4 fine = textureLod(detail, vec3(pattern, -injected * timePeriod * detailScale.z), level);
@@ -199,20 +203,31 @@ vec4 paintOf(Sample found, float share)
   return paint;
 }
 
-#ifdef PAINT_FILTER
-// Returns the paint of one of the pieces along the ray, or the mean across it.
-vec4 paintFrom(Sample found, int piece, int pieces)
+// Returns the number of parts of a sample that are drawn one behind the other.
+int partsOf(Sample found)
 {
-  if (!found.IsWide || found.IsAlongRay)
-  {
-    return paintOf(found, (float(piece) + 0.5) / float(pieces) - 0.5);
-  }
-  int parts = piecesOf(found);
-  vec4 sum = vec4(0.0);
-  for (int i = 0; i < parts; ++i)
-  {
-    sum += paintOf(found, (float(i) + 0.5) / float(parts) - 0.5);
-  }
-  return sum / float(parts);
-}
+#ifdef PAINT_FILTER
+  return found.IsAlongRay ? found.Pieces : 1;
+#else
+  return 1;
 #endif
+}
+
+// Looks a piece up. Returns whether there is paint to draw: that of each piece along the ray, and the
+// mean of all across it after the last.
+bool takePiece(Sample found, int piece, inout vec4 sum, out vec4 paint)
+{
+#ifdef PAINT_FILTER
+  sum += paintOf(found, (float(piece) + 0.5) / float(found.Pieces) - 0.5);
+  if (!found.IsAlongRay)
+  {
+    paint = sum / float(found.Pieces);
+    return piece == found.Pieces - 1;
+  }
+  paint = sum;
+  sum = vec4(0.0);
+#else
+  paint = paintOf(found, 0.0);
+#endif
+  return true;
+}

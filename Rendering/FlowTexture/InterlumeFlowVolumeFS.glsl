@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 //INTERLUME::FEATURES
+#if defined(PAINT_FILTER) || defined(SPLITS) || defined(SEAMS)
+#define PLAIN_CELLS
+#endif
 
 // Walks a line of sight through an implicit flow field. Places are in voxels, 0 at the first one;
 // ways along the line in world units, 0 where the plane through the volume's middle is.
@@ -19,7 +22,8 @@ uniform vec2 nearFar;
 uniform float middle;
 uniform vec3 lastCell;
 uniform float sampleDistance;
-uniform float unitDistance;
+// One over the unit distance.
+uniform float unitShare;
 #ifdef OPAQUE
 uniform sampler2D image;
 #endif
@@ -42,12 +46,10 @@ const float OPAQUE_ENOUGH = 0.9999;
 // Returns 1 - (1 - alpha)^length, with all digits of small ones too.
 float opacityOf(float alpha, float length)
 {
-  if (alpha >= 1.0)
-  {
-    return 1.0;
-  }
-  float x = -depthOf(alpha) * length;
-  return x > -0.05 ? -x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x / 24.0))) : 1.0 - exp(x);
+  float depth = depthOf(alpha) * length;
+  float few = depth * (1.0 - depth * (1.0 / 2.0 - depth * (1.0 / 6.0 - depth / 24.0)));
+  float opacity = depth < 0.05 ? few : 1.0 - exp(-depth);
+  return alpha < 1.0 ? opacity : 1.0;
 }
 
 #ifdef CROPPING
@@ -90,12 +92,16 @@ void main()
 #endif
   while (goesOn(ray, sum))
   {
-    walkSmooth(ray, reach, stride, sum);
-#ifdef PAINT_FILTER
-    walkWide(ray, sum);
+    bool isBeforeSplit = false;
+    while (!isBeforeSplit && goesOn(ray, sum))
+    {
+      walkSmooth(ray, reach, stride, sum);
+#ifdef PLAIN_CELLS
+      isBeforeSplit = walkPlain(ray, sum);
 #endif
+    }
 #ifdef SPLITS
-    walkCells(ray, inverse, sum);
+    walkSplits(ray, sum);
 #endif
   }
 #else

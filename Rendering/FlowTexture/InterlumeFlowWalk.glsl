@@ -40,10 +40,10 @@ void pass(inout Ray ray, float samples)
   ray.From = ray.Lower + ray.Number * sampleDistance;
 }
 
-// Adds what is painted at a place, in so many pieces.
-void add(Ray ray, Sample found, vec3 place, int pieces, inout vec4 sum)
+// Adds what is painted at a place.
+void add(Ray ray, Sample found, vec3 place, inout vec4 sum)
 {
-  float depth = pieceOf(ray) / (unitDistance * float(pieces));
+  float depth = pieceOf(ray) * unitShare / float(partsOf(found));
   float strength = strengthAt(place);
 #ifdef CROPPING
   strength = isCropped(place) ? 0.0 : strength;
@@ -51,17 +51,20 @@ void add(Ray ray, Sample found, vec3 place, int pieces, inout vec4 sum)
 #ifdef SHADE
   Light light = lightAt(place, ray.Way);
 #endif
+#ifdef PAINT_FILTER
+  int pieces = found.Pieces;
+#else
+  const int pieces = 1;
+#endif
+  vec4 pending = vec4(0.0);
   for (int i = 0; i < pieces && strength > 0.0; ++i)
   {
-#ifdef PAINT_FILTER
-    vec4 paint = paintFrom(found, i, pieces) * strength;
-#else
-    vec4 paint = paintOf(found, 0.0) * strength;
-#endif
-    if (paint.a > 0.0)
+    vec4 paint;
+    if (takePiece(found, i, pending, paint))
     {
+      paint *= strength;
       float opacity = opacityOf(paint.a, depth);
-      vec3 color = paint.rgb * (opacity / paint.a);
+      vec3 color = paint.rgb * (opacity / max(paint.a, 1e-30));
 #ifdef SHADE
       color = color * light.Diffuse + opacity * light.Specular;
 #endif
@@ -83,89 +86,137 @@ float reachOf(Ray ray, float from)
 {
   return reachOf(footprintOf(ray, from - 0.5 * sampleDistance, sampleDistance));
 }
+#endif
 
-// Adds what is painted at a place of one cell, and of the size that the sample stands for.
-void addWide(Ray ray, Sample found, Footprint footprint, vec3 place, inout vec4 sum)
+// Adds what is painted at a place of one cell, of the size that the sample stands for. Returns
+// whether the sample may be larger than two texels.
+bool addSized(Ray ray, Sample found, int code, vec3 place, inout vec4 sum)
 {
-  int pieces = 1;
+#ifdef PAINT_FILTER
+  Footprint footprint = footprintOf(ray, ray.From, pieceOf(ray));
+  setNarrow(found);
+  found.IsWide = isWide(code, footprint);
   if (found.IsWide)
   {
     setFootprint(found, footprint);
-    pieces = found.IsAlongRay ? piecesOf(found) : 1;
   }
-  add(ray, found, place, pieces, sum);
-}
 #endif
+  add(ray, found, place, sum);
+#ifdef PAINT_FILTER
+  return found.IsWide;
+#else
+  return false;
+#endif
+}
 
 #ifdef SMOOTH_PLACES
-// Software executes both sides of each branch, so what few samples need has a loop of its own,
-// which is gone through as often as one of the rays beside each other needs it.
+// Software executes both sides of each branch, and each loop once at least, so what few samples need
+// has a loop of its own, around those of what most need.
 
 // Walks while samples have nothing, or one surface and no more than two texels.
 void walkSmooth(inout Ray ray, float reach, float stride, inout vec4 sum)
 {
-  while (goesOn(ray, sum))
+  while (true)
   {
     vec3 place = placeOf(ray);
     vec4 stored = storedAt(place);
-    if (stored.a > LARGEST_LABEL || stored.b * reach > 2.0)
+    bool isOver = !goesOn(ray, sum);
+#if defined(SPLITS) || defined(SEAMS)
+    isOver = isOver || stored.a > LARGEST_LABEL;
+#endif
+#ifdef PAINT_FILTER
+    isOver = isOver || stored.b * reach > 2.0;
+#endif
+    if (isOver)
     {
       break;
     }
+#ifdef EMPTY_CELLS
     if (stored.a > 0.0)
+#endif
     {
       Sample found;
       setSurface(found, int(stored.a));
-      lookUpPlace(place, found);
+      lookUpPlace(place, stored, found);
 #ifdef PAINT_FILTER
-      found.IsWide = false;
+      setNarrow(found);
 #endif
-      add(ray, found, place, 1, sum);
+      add(ray, found, place, sum);
     }
+#ifdef EMPTY_CELLS
     // The distance from a place is at most 1 less than that from its cell.
     pass(ray, max(floor((-1.0 - stored.a) * stride), 1.0));
+#else
+    pass(ray, 1.0);
+#endif
   }
 }
 
-#ifdef PAINT_FILTER
-// Walks on in cells of one surface, and while samples there may have more than two texels.
-void walkWide(inout Ray ray, inout vec4 sum)
+#ifdef PLAIN_CELLS
+// Walks on in cells of one surface, while samples may have more than two texels or something else is
+// in a cell around. Returns whether a split cell is next.
+bool walkPlain(inout Ray ray, inout vec4 sum)
 {
-  bool isStillWide = true;
-  while (isStillWide && goesOn(ray, sum))
+  bool isOver = false;
+  bool isBeforeSplit = false;
+  while (!isOver && goesOn(ray, sum))
   {
     vec3 place = placeOf(ray);
     vec3 cell = cellOf(place);
     ivec2 stored = kindAt(ivec3(cell));
-    if (stored.x == SPLIT || stored.x >= SPLIT_BY_WAYS)
+#ifdef SPLITS
+    if (isSplit(stored.x))
+    {
+      isBeforeSplit = true;
+      break;
+    }
+#endif
+    bool isSeam = stored.x > SEAM;
+    Sample found;
+    setSurface(found, isSeam ? stored.x - SEAM : stored.x);
+    lookUpPlain(ivec3(cell), place - cell, isSeam, found);
+    if (stored.x < EMPTY)
+    {
+      isOver = !addSized(ray, found, stored.y, place, sum) && (stored.y & 1) == 1;
+    }
+    else
+    {
+      isOver = stored.x > EMPTY + 1;
+    }
+    pass(ray, 1.0);
+  }
+  return isBeforeSplit;
+}
+#endif
+
+#ifdef SPLITS
+void walkSplits(inout Ray ray, inout vec4 sum)
+{
+  while (goesOn(ray, sum))
+  {
+    vec3 place = placeOf(ray);
+    vec3 cell = cellOf(place);
+    ivec2 stored = kindAt(ivec3(cell));
+    if (!isSplit(stored.x))
     {
       break;
     }
-    Footprint footprint = footprintOf(ray, ray.From, pieceOf(ray));
     Sample found;
-    isStillWide = isWide(stored.y, footprint);
-    found.IsWide = isStillWide;
-    setSurface(found, stored.x);
-    lookUpPlain(ivec3(cell), place - cell, found);
-    addWide(ray, found, footprint, place, sum);
+    if (lookUpSplit(ivec3(cell), place - cell, stored.x == SPLIT_BY_WAYS, found))
+    {
+      addSized(ray, found, stored.y, place, sum);
+    }
     pass(ray, 1.0);
   }
 }
 #endif
-#endif
-
-// Walks through cells of all kinds; where most are walked by themselves, while there are others.
+#else
+// Walks through cells of all kinds.
 void walkCells(inout Ray ray, vec3 inverse, inout vec4 sum)
 {
   while (goesOn(ray, sum))
   {
     vec3 place = placeOf(ray);
-#ifdef SMOOTH_PLACES
-    if (storedAt(place).a < LARGEST_LABEL)
-    {
-      break;
-    }
-#endif
     vec3 cell = cellOf(place);
     ivec2 stored = kindAt(ivec3(cell));
     float samples = 1.0;
@@ -180,20 +231,12 @@ void walkCells(inout Ray ray, vec3 inverse, inout vec4 sum)
     else
     {
       Sample found;
-#ifdef PAINT_FILTER
-      Footprint footprint = footprintOf(ray, ray.From, pieceOf(ray));
-      found.IsWide = isWide(stored.y, footprint);
-      if (lookUpCell(place, cell, stored.x, found.IsWide, found))
+      if (lookUpCell(place, cell, stored.x, true, found))
       {
-        addWide(ray, found, footprint, place, sum);
+        addSized(ray, found, stored.y, place, sum);
       }
-#else
-      if (lookUpCell(place, cell, stored.x, false, found))
-      {
-        add(ray, found, place, 1, sum);
-      }
-#endif
     }
     pass(ray, samples);
   }
 }
+#endif

@@ -260,7 +260,7 @@ public:
   /**
    * The distance of samples along a line of sight, in world units, or that of slices with shadows.
    * 0, the default: half the smallest distance of voxels, and with shadows a quarter of it. Valid:
-   * 0 and above. A line has no more than 60,000 / (MaximumPaintSamples + 4) samples; the report has
+   * 0 and above. A line has no more than 60,000 / (MaximumPaintSamples + 5) samples; the report has
    * the distance in use.
    */
   vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);

@@ -24,7 +24,8 @@ struct INTERLUMEFLOWTEXTURE_EXPORT vtkImplicitFlowVolumeReport
   int Surfaces = 0;
   int SurfacesWithoutTexture = 0;
   /// The numbers of cells with one surface at all corners, of cells between surfaces, over a seam
-  /// or where nothing was reached at a corner, and of cells with nothing reached at all.
+  /// or where nothing was reached at a corner, and of cells with nothing reached at all. Places go
+  /// on beyond a period, so that a seam is only where one way round an axis meets the other.
   vtkIdType UniformCells = 0;
   vtkIdType SplitCells = 0;
   vtkIdType EmptyCells = 0;

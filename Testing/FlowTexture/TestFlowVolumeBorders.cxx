@@ -7,6 +7,7 @@
 #include "Reference/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkNew.h"
@@ -145,6 +146,61 @@ void TestSeam(Check& check, bool isPeriodic)
   std::cout << "seam, periodic " << isPeriodic << ": red " << red << ", green " << green << "\n";
   check.That(green > 0.9, "the seam is seen");
   check.That(isPeriodic ? red < 1e-6 : red > 0.2, "the seam's paint");
+}
+
+/// Returns the number of cells of n^3 voxels between whose corners u jumps.
+vtkIdType CountJumps(vtkImageData* voxels, int n)
+{
+  vtkDataArray* places = voxels->GetPointData()->GetArray("TerminationUV");
+  vtkIdType count = 0;
+  for (int cell = 0; cell < (n - 1) * (n - 1) * (n - 1); ++cell)
+  {
+    const int at[3] = { cell % (n - 1), cell / (n - 1) % (n - 1), cell / (n - 1) / (n - 1) };
+    double lower = 1.0;
+    double upper = 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const int i = at[0] + (corner & 1);
+      const int j = at[1] + (corner >> 1 & 1);
+      const int k = at[2] + (corner >> 2);
+      const double u = places->GetComponent(i + n * (j + n * k), 0);
+      lower = std::min(lower, u);
+      upper = std::max(upper, u);
+    }
+    count += upper - lower > 0.5 ? 1 : 0;
+  }
+  return count;
+}
+
+/// A seam that is wound up into sheets: all of them but one half plane are gone, and the picture is
+/// that of the formula.
+void TestWoundSeam(Check& check)
+{
+  const auto flow = [](const Place3& x)
+  {
+    const double turns = std::atan2(x[1], x[0]) / (2.0 * PI) + 5.0 * std::hypot(x[0], x[1]);
+    return FlowAnswer{ true, 5, turns - std::floor(turns), x[2] + 0.5, 0.0 };
+  };
+  const auto paint = [](double u, double v)
+  {
+    return Color4{ { 0.5 + 0.5 * std::sin(2.0 * PI * u), 0.5 + 0.5 * std::cos(2.0 * PI * u), v,
+      0.01 } };
+  };
+  FlowScene scene = MakeScene(flow, { { -0.3, 0.4, -0.8 } });
+  scene.Paint = [&](const FlowAnswer& answer) { return paint(answer.U, answer.V); };
+  const RgbaPicture expected = MakeFlowPicture(scene, 400);
+  const int n = 41;
+  vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(n, flow, { { { 5, 1, 0 } } });
+  vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+  mapper->SetInflowTexture(5, MakePaint(257, 33, paint));
+  const PictureError error = ComparePictures(DrawFlow(mapper, voxels, scene), expected);
+  const vtkIdType jumps = CountJumps(voxels, n);
+  const vtkIdType left = mapper->GetReport().SplitCells;
+  std::cout << "a wound seam: " << error << "; " << jumps << " cells with jumps, " << left
+            << " left\n";
+  check.That(error.Mean < 1e-3, "a wound seam: off by " + std::to_string(error.Mean));
+  check.That(jumps > 5000, "the seam is wound up");
+  check.That(left < jumps / 4, "cells that are left: " + std::to_string(left));
 }
 
 /// Streamlines come round to a half plane: times of both its sides are not mixed.
@@ -291,6 +347,7 @@ int TestFlowVolumeBorders(int, char*[])
   TestSurfaces(check);
   TestSeam(check, true);
   TestSeam(check, false);
+  TestWoundSeam(check);
   TestWays(check);
   TestLetter(check);
   TestFilter(check);

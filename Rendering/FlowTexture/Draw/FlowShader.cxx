@@ -78,6 +78,7 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
     isAlone && !view.ClippingPlanes.empty(), "CLIPPING_PLANES", number(view.ClippingPlanes.size()));
   add(isAlone && view.HasRegions, "CROPPING");
   add(parts.HasSplitCells, "SPLITS");
+  add(parts.HasSeamCells, "SEAMS");
   add(!paints.IsOne, "SURFACES");
   add(this->HasTimes, "TIMES");
   add(settings.PaintFilter, "PAINT_FILTER");
@@ -101,6 +102,7 @@ FlowShader::FlowShader(const vtkImplicitFlowVolumeSettings& settings, const Part
 
   // What follows is no feature but a number that the shader is compiled with.
   add(parts.IsSoftware, "SMOOTH_PLACES");
+  add(parts.HasEmptyCells, "EMPTY_CELLS");
   this->Add("WAYS", std::to_string(FlowGrid::Ways));
   add(isAlone && parts.IsShaded, "LIGHTS", std::to_string(parts.Lights));
   if (paints.IsOne)

@@ -26,6 +26,8 @@ public:
   {
     bool HasOpaqueDepth = false;
     bool HasSplitCells = false;
+    bool HasSeamCells = false;
+    bool HasEmptyCells = false;
     /// Whether textures of floats are interpolated in full.
     bool IsSoftware = false;
     /// The dimensions of the detail texture, 2 or 3; 0 without one.

@@ -35,6 +35,13 @@ void SetValue(vtkShaderProgram* program, const char* name, double x, double y)
   program->SetUniform2f(name, values);
 }
 
+void SetValue(vtkShaderProgram* program, const char* name, double x, double y, double z, double w)
+{
+  const float values[4] = { static_cast<float>(x), static_cast<float>(y), static_cast<float>(z),
+    static_cast<float>(w) };
+  program->SetUniform4f(name, values);
+}
+
 void SetValue(vtkShaderProgram* program, const char* name, const glm::dmat3& m)
 {
   float values[9];
@@ -106,7 +113,7 @@ void FlowUniforms::SetMatter(
   const glm::dvec3 size(scene.Grid.Size[0], scene.Grid.Size[1], scene.Grid.Size[2]);
   SetValue(program, "lastCell", size - 2.0);
   program->SetUniformf(
-    "unitDistance", static_cast<float>(property->GetScalarOpacityUnitDistance(0)));
+    "unitShare", static_cast<float>(1.0 / property->GetScalarOpacityUnitDistance(0)));
   const double alpha = settings.DefaultColor[3];
   const float color[4] = { static_cast<float>(settings.DefaultColor[0] * alpha),
     static_cast<float>(settings.DefaultColor[1] * alpha),
@@ -115,7 +122,9 @@ void FlowUniforms::SetMatter(
   std::array<double, 2> largest{ { 1.0, 1.0 } };
   for (const FlowPaints::Paint& paint : scene.Paints.Paints)
   {
-    SetValue(program, ("paintSize_" + paint.Name).c_str(), paint.Size[0], paint.Size[1]);
+    const std::array<double, 2> texel{ { 1.0 / paint.Size[0], 1.0 / paint.Size[1] } };
+    SetValue(program, ("paintFrame_" + paint.Name).c_str(), 1.0 - texel[0], 1.0 - texel[1],
+      0.5 * texel[0], 0.5 * texel[1]);
     for (int i = 0; i < 2; ++i)
     {
       largest[i] = std::max(largest[i], static_cast<double>(paint.Size[i]));
@@ -146,6 +155,7 @@ void FlowUniforms::SetMatter(
   SetValue(program, "transferRange", picture.TransferRange[0],
     1.0 / (picture.TransferRange[1] - picture.TransferRange[0]));
   SetValue(program, "voxels", size);
+  SetValue(program, "voxelSize", 1.0 / size);
   if (picture.Parts.IsShaded)
   {
     SetValue(program, "shadingVoxels", size);

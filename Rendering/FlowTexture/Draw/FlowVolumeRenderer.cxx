@@ -134,7 +134,7 @@ std::string FlowVolumeRenderer::Update(FlowPicture& picture)
   vtkImplicitFlowVolumeReport& report = picture.Report;
   this->Scene.Paints.Assign(settings.InflowTextures, this->Scene.Grid);
   // llvmpipe ends a shader's loops after 65,535 rounds of all of them.
-  const double mostSamples = 60000.0 / (settings.MaximumPaintSamples + 4);
+  const double mostSamples = 60000.0 / (settings.MaximumPaintSamples + 5);
   picture.SampleDistance = std::max(
     settings.SampleDistance > 0.0 ? settings.SampleDistance : 0.5 * this->Scene.View.Spacing,
     this->Scene.View.Diagonal / mostSamples);
@@ -143,11 +143,13 @@ std::string FlowVolumeRenderer::Update(FlowPicture& picture)
   report.Surfaces = static_cast<int>(this->Scene.Grid.Ids.size());
   report.SurfacesWithoutTexture = this->Scene.Paints.WithoutTexture;
   report.UniformCells = this->Scene.Grid.UniformCells;
-  report.SplitCells = this->Scene.Grid.SplitCells;
+  report.SplitCells = this->Scene.Grid.SplitCells + this->Scene.Grid.SeamCells;
   report.EmptyCells = this->Scene.Grid.EmptyCells;
   report.NonFiniteSamples = this->Scene.Grid.NonFinite;
   picture.Parts.IsSoftware = vtkSoftwareOpenGL::IsUsed(picture.Window);
   picture.Parts.HasSplitCells = this->Scene.Grid.SplitCells > 0;
+  picture.Parts.HasSeamCells = this->Scene.Grid.SeamCells > 0;
+  picture.Parts.HasEmptyCells = this->Scene.Grid.EmptyCells > 0;
   if (picture.Parts.IsShaded && !picture.HasShadows)
   {
     const glm::dvec3 middle = 0.5 *

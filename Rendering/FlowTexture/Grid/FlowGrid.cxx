@@ -3,6 +3,7 @@
 
 #include "Common/ArrayCheck.h"
 #include "Common/ArrayRows.h"
+#include "Grid/UnwrappedPlaces.h"
 
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -94,8 +95,10 @@ std::string FlowGrid::Build(vtkImageData* image)
   }
   this->ReadPeriods(image);
   this->ReadVoxels(arrays);
+  UnwrappedPlaces::Apply(*this);
   this->FindKinds();
   this->FindDistances();
+  this->MarkInner();
   return {};
 }
 
@@ -225,28 +228,36 @@ unsigned short FlowGrid::FindKind(const std::array<vtkIdType, 8>& corners) const
   const Periodicity& periods = this->Periods[static_cast<std::size_t>(label) - 1];
   const bool isAcross =
     (periods[0] && upper[0] - lower[0] > 0.5F) || (periods[1] && upper[1] - lower[1] > 0.5F);
-  return static_cast<unsigned short>(isAcross ? static_cast<int>(SPLIT) : label);
+  return static_cast<unsigned short>(isAcross ? SEAM + label : label);
 }
 
-unsigned short FlowGrid::GetChangeCode(float change)
+unsigned short FlowGrid::GetSlopeCode(float slope)
 {
-  const double code = std::ceil(256.0 * (std::log2(static_cast<double>(change)) + 128.0));
-  return change > 0.0F ? static_cast<unsigned short>(std::min(std::max(code, 1.0), 65535.0)) : 0;
+  const double code = 2.0 * std::ceil(128.0 * (std::log2(static_cast<double>(slope)) + 128.0));
+  return slope > 0.0F ? static_cast<unsigned short>(std::min(std::max(code, 2.0), 65534.0)) : 0;
 }
 
-float FlowGrid::FindChange(const std::array<vtkIdType, 8>& corners) const
+float FlowGrid::FindSlope(const std::array<vtkIdType, 8>& corners) const
 {
+  // The derivative along an axis is a mean of the changes along the four edges of that axis.
   float largest = 0.0F;
-  for (int i = 0; i < 8; ++i)
+  for (int c = 0; c < 2; ++c)
   {
+    float sum = 0.0F;
     for (const int step : { 1, 2, 4 })
     {
-      const float* a = &this->Places[2 * corners[i & ~step]];
-      const float* b = &this->Places[2 * corners[i | step]];
-      largest = std::max({ largest, std::abs(b[0] - a[0]), std::abs(b[1] - a[1]) });
+      float change = 0.0F;
+      for (int i = 0; i < 8; ++i)
+      {
+        change = std::max(change,
+          std::abs(
+            this->Places[2 * corners[i | step] + c] - this->Places[2 * corners[i & ~step] + c]));
+      }
+      sum += change * change;
     }
+    largest = std::max(largest, sum);
   }
-  return largest;
+  return std::sqrt(largest);
 }
 
 void FlowGrid::FindKinds()
@@ -270,7 +281,7 @@ void FlowGrid::FindKinds()
               a + nextSlice + nextRow + 1 } };
             unsigned short* cell = &this->Cells[2 * (i + rows[0] * (j + rows[1] * k))];
             cell[0] = this->FindKind(corners);
-            cell[1] = GetChangeCode(this->FindChange(corners));
+            cell[1] = GetSlopeCode(this->FindSlope(corners));
           }
         }
       }
@@ -281,7 +292,8 @@ void FlowGrid::FindKinds()
     const bool isSplit = kind == SPLIT || kind == SPLIT_BY_WAYS;
     this->EmptyCells += kind == EMPTY ? 1 : 0;
     this->SplitCells += isSplit ? 1 : 0;
-    this->UniformCells += kind != EMPTY && !isSplit ? 1 : 0;
+    this->SeamCells += kind > SEAM && kind < EMPTY ? 1 : 0;
+    this->UniformCells += kind <= LARGEST_LABEL && !isSplit ? 1 : 0;
   }
   if (this->SplitCells == 0)
   {
@@ -297,7 +309,7 @@ void FlowGrid::FindDistances()
   }
   // Two sweeps, there and back, over the half of the 26 neighbours that are done, give the distance
   // in the largest norm.
-  constexpr int largest = 60000;
+  constexpr int largest = 65000;
   const int size[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
   const auto at = [&size](int i, int j, int k)
   { return 2 * (i + static_cast<vtkIdType>(size[0]) * (j + static_cast<vtkIdType>(size[1]) * k)); };
@@ -342,6 +354,38 @@ void FlowGrid::FindDistances()
       }
     }
   }
+}
+
+void FlowGrid::MarkInner()
+{
+  const vtkIdType size[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
+  const auto at = [&size](vtkIdType i, vtkIdType j, vtkIdType k)
+  { return 2 * static_cast<std::size_t>(i + size[0] * (j + size[1] * k)); };
+  vtkSMPTools::For(0, size[2],
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType k = first; k < last; ++k)
+      {
+        for (vtkIdType j = 0; j < size[1]; ++j)
+        {
+          for (vtkIdType i = 0; i < size[0]; ++i)
+          {
+            const unsigned short kind = this->Cells[at(i, j, k)];
+            bool isInner = kind != SPLIT && kind <= LARGEST_LABEL;
+            for (int n = 0; n < 27 && isInner; ++n)
+            {
+              const vtkIdType x = i + n % 3 - 1;
+              const vtkIdType y = j + n / 3 % 3 - 1;
+              const vtkIdType z = k + n / 9 - 1;
+              const bool isThere =
+                x >= 0 && y >= 0 && z >= 0 && x < size[0] && y < size[1] && z < size[2];
+              isInner = !isThere || this->Cells[at(x, y, z)] == kind;
+            }
+            this->Cells[at(i, j, k) + 1] |= isInner ? 1 : 0;
+          }
+        }
+      }
+    });
 }
 
 }

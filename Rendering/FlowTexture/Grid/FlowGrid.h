@@ -23,7 +23,8 @@ namespace interlume
  * interpolate in it:
  * - a label: all corners have it, and neither a seam nor a surface that times jump at is between
  *   them;
- * - SPLIT: the corners have several labels, or lie on both sides of a seam;
+ * - SEAM plus a label: all corners have it, and lie on both sides of a seam;
+ * - SPLIT: the corners have several labels;
  * - SPLIT_BY_WAYS: a surface passes through the cell that streamlines come round to again, so that
  *   corners of one label have times, and places, of two kinds (vtkFlowStatus::AWAY);
  * - EMPTY plus a distance: no corner has a label, and so have none within fewer than that many
@@ -37,7 +38,8 @@ public:
     SPLIT = 0,
     LARGEST_LABEL = 4094,
     SPLIT_BY_WAYS = 4095,
-    EMPTY = 4096
+    SEAM = 4096,
+    EMPTY = 8192
   };
   /// Labels in Groups are multiplied by this; the rest is 0, or the side of a voxel of AWAY.
   static constexpr int Ways = 3;
@@ -59,18 +61,21 @@ public:
   /// The ids in use, in order, and whether u and v are periodic there.
   std::vector<int> Ids;
   std::vector<Periodicity> Periods;
-  /// u and v of each voxel, 0 without a label.
+  /// u and v of each voxel, with any number of periods more or less; 0 without a label.
   std::vector<float> Places;
   /// The advection time of each voxel, 0 without a label.
   std::vector<float> Times;
-  /// The kinds of cells, each with the code of the largest change of u or v from one corner to the
-  /// next; one cell fewer than voxels along each axis.
+  /// The kinds of cells, each with the code of a bound of the slopes of u and v within it; one cell
+  /// fewer than voxels along each axis. The codes of cells that all cells around are like, labels
+  /// of one surface, are odd.
   std::vector<unsigned short> Cells;
-  /// A change is at most 2^(code / 256 - 128), and 0 for the code 0.
-  static unsigned short GetChangeCode(float change);
+  /// A slope, the length of a gradient by voxels, is at most 2^(code / 256 - 128), and 0 for the
+  /// codes 0 and 1. Returns the least even code.
+  static unsigned short GetSlopeCode(float slope);
   /// For each voxel its label times Ways, and its way; empty where no cell is split.
   std::vector<unsigned short> Groups;
   vtkIdType UniformCells = 0;
+  vtkIdType SeamCells = 0;
   vtkIdType SplitCells = 0;
   vtkIdType EmptyCells = 0;
   /// The number of samples that reached a surface at no finite place or time.
@@ -84,8 +89,9 @@ private:
   void ReadVoxels(const Arrays& arrays);
   void FindKinds();
   unsigned short FindKind(const std::array<vtkIdType, 8>& corners) const;
-  float FindChange(const std::array<vtkIdType, 8>& corners) const;
+  float FindSlope(const std::array<vtkIdType, 8>& corners) const;
   void FindDistances();
+  void MarkInner();
 };
 
 }

@@ -24,10 +24,10 @@ void AddCell(const unsigned short* cell, bool isFirst, float* texel)
                                : SmoothVoxels::MIXED;
   const bool isAlike = isFirst || code == texel[3] || (code < 0.0F && texel[3] < 0.0F);
   texel[3] = isAlike ? (isFirst ? code : std::max(code, texel[3])) : SmoothVoxels::MIXED;
-  if (isOfLabel && cell[1] > 0)
+  if (isOfLabel && cell[1] > 1)
   {
-    const double change = std::exp2(cell[1] / 256.0 - 128.0);
-    texel[2] = std::max(texel[2], static_cast<float>(std::min(change, 1e30)));
+    const double slope = std::exp2(cell[1] / 256.0 - 128.0);
+    texel[2] = std::max(texel[2], static_cast<float>(std::min(slope, 1e30)));
   }
 }
 }

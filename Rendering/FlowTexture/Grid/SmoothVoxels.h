@@ -15,8 +15,8 @@ class FlowGrid;
  *
  * Of each voxel four numbers:
  * - u and v;
- * - the largest change of u or v between corners of the cells around the voxel, so that the
- *   interpolated one is no less than that of the cell it is in;
+ * - the largest bound of slopes of the cells around the voxel, so that the interpolated one is no
+ *   less than that of the cell it is in;
  * - the label, where all cells around the voxel have one surface and no seam; less the distance of
  *   the nearest cell that is not empty, in the largest norm, where all are empty; else MIXED. What
  *   is interpolated is a label, or below 0, only if that is so at all corners, for all the corners
