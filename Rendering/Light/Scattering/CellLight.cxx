@@ -47,7 +47,7 @@ public:
     int turns = 0;
     do
     {
-      const std::size_t index = this->Medium.GetIndex(ray.GetCell());
+      const std::size_t index = ray.GetIndex();
       const double length = ray.GetExit() - ray.GetEntry();
       const double way = weight * length;
       const double distance = start + ray.GetEntry();

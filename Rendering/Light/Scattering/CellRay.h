@@ -5,7 +5,9 @@
 #include "Scattering/ScatteringMedium.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <glm/common.hpp>
@@ -33,7 +35,9 @@ public:
     : Medium(medium)
     , Cell(cell)
     , Direction(direction)
+    , Index(static_cast<std::ptrdiff_t>(medium.GetIndex(cell)))
   {
+    std::ptrdiff_t stride = 1;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double along = direction[axis];
@@ -44,11 +48,15 @@ public:
         this->Step[axis] = medium.CellSize[axis] / std::abs(along);
         this->Next[axis] = this->Step[axis] * (along > 0.0 ? 1.0 - within : within);
       }
+      this->Strides[static_cast<std::size_t>(axis)] = along > 0.0 ? stride : -stride;
+      stride *= medium.Cells[axis];
     }
     this->Find();
   }
 
   const glm::ivec3& GetCell() const { return this->Cell; }
+  /// Its index in the medium.
+  std::size_t GetIndex() const { return static_cast<std::size_t>(this->Index); }
   /// The direction in this cell; mirrors turn it.
   const glm::dvec3& GetDirection() const { return this->Direction; }
   /// Returns how far from its start the ray enters and leaves this cell.
@@ -80,10 +88,12 @@ public:
     if (next >= 0 && next < this->Medium.Cells[axis])
     {
       this->Cell[axis] = next;
+      this->Index += this->Strides[static_cast<std::size_t>(axis)];
     }
     else if (this->Medium.Mirrors[axis])
     {
       this->Direction[axis] = -this->Direction[axis];
+      this->Strides[static_cast<std::size_t>(axis)] *= -1;
     }
     else
     {
@@ -103,6 +113,9 @@ private:
   const ScatteringMedium& Medium;
   glm::ivec3 Cell;
   glm::dvec3 Direction;
+  /// The cell's index, and what a step along each axis adds to it.
+  std::ptrdiff_t Index;
+  std::array<std::ptrdiff_t, 3> Strides{};
   /// How far the ray goes between two borders along each axis, and to the next of them.
   glm::dvec3 Step{ std::numeric_limits<double>::infinity() };
   glm::dvec3 Next{ std::numeric_limits<double>::infinity() };

@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <array>
@@ -113,18 +114,64 @@ private:
 /// The largest number of rays along a side of the box.
 constexpr int MostRays = 8;
 
+/**
+ * The fields of all sources, cell by cell: a fluence of each source, and a lean behind that of a
+ * source that has one. A ray looks all of them up in the same eight cells.
+ */
+class SourceFields
+{
+public:
+  explicit SourceFields(const std::vector<EscapeRays::Source>& sources)
+  {
+    for (const EscapeRays::Source& source : sources)
+    {
+      this->Count += source.Lean ? 2 : 1;
+    }
+    const std::size_t cells = sources.empty() ? 0 : sources.front().Fluence->size();
+    this->Values.resize(cells * this->Count);
+    std::size_t place = 0;
+    for (const EscapeRays::Source& source : sources)
+    {
+      this->Set(place++, *source.Fluence);
+      if (source.Lean)
+      {
+        this->Set(place++, *source.Lean);
+      }
+    }
+  }
+
+  std::size_t GetCount() const { return this->Count; }
+  /// Returns the first field in a cell.
+  const glm::vec4* Get(std::size_t cell) const { return this->Values.data() + cell * this->Count; }
+
+private:
+  void Set(std::size_t place, const std::vector<glm::vec3>& values)
+  {
+    for (std::size_t cell = 0; cell < values.size(); ++cell)
+    {
+      this->Values[cell * this->Count + place] = glm::vec4(values[cell], 0.0f);
+    }
+  }
+
+  std::size_t Count = 0;
+  std::vector<glm::vec4> Values;
+};
+
 class DirectionTrace
 {
 public:
   DirectionTrace(const MatterCells& matter, const MeanPhase& phase,
-    const std::vector<EscapeRays::Source>& sources, const Ordinate& ordinate, bool isBack)
+    const std::vector<EscapeRays::Source>& sources, const SourceFields& fields,
+    const Ordinate& ordinate, bool isBack)
     : Cells(matter)
     , Phase(phase)
     , Sources(sources)
+    , Fields(fields)
     , Out(ordinate.Out)
     , Weight(ordinate.Weight)
     , Place(ordinate.Place)
     , IsBack(isBack)
+    , Seen(fields.GetCount())
   {
     this->Result.resize(sources.size());
     for (const EscapeRays::Source& source : sources)
@@ -177,8 +224,8 @@ private:
     bool isBlocked = false;
     do
     {
-      const std::size_t cell = box.GetIndex(ray.GetCell());
-      const double depth = this->Cells.Extinction[cell] * (ray.GetExit() - ray.GetEntry());
+      const std::size_t cell = ray.GetIndex();
+      const double extinction = this->Cells.Extinction[cell];
       if (box.IsBlocked(cell))
       {
         // What is beyond ends here.
@@ -186,22 +233,33 @@ private:
         lost = 0.0;
         isBlocked = true;
       }
-      else if (depth > 0.0)
+      else if (extinction > 0.0)
       {
+        const double length = ray.GetExit() - ray.GetEntry();
+        const double depth = extinction * length;
+        if (!(depth > 0.0))
+        {
+          continue;
+        }
         // depth - own, of which nothing cancels where depths are small.
+        const double left = std::exp(-depth);
         const double ended = depth < 1e-2
           ? depth * depth * (0.5 - depth * (1.0 / 6.0 - depth / 24.0))
-          : depth - 1.0 + std::exp(-depth);
+          : depth - 1.0 + left;
         const double own = depth - ended;
         this->Met += area * depth;
-        const FieldWeights weights = this->FindSeen(ray, cell, depth, own);
+        // Where the eye sees the ray's way in the cell on the average, as slices look it up.
+        const double part = depth < 0.05 ? 0.5 - depth / 12.0 : 1.0 / depth - left / own;
+        this->FindSeen(ray.GetPlace(ray.GetEntry() + part * length), cell);
+        const double kept = area * (depth * lost + through * ended);
+        const double out = area * through * own;
+        const glm::vec4* seen = this->Seen.data();
         for (std::size_t i = 0; i < this->Sources.size(); ++i)
         {
-          const glm::dvec3 color = this->GetColor(i, ray, cell, weights);
+          const glm::dvec3 color = this->GetColor(i, ray, cell, seen);
           EscapeRays::Sums& sums = this->Result[i];
-          sums.Kept += area * (depth * lost + through * ended) * color;
-          (isBlocked ? sums.Blocked : (this->IsBack ? sums.Back : sums.On)) +=
-            area * through * own * color;
+          sums.Kept += kept * color;
+          (isBlocked ? sums.Blocked : (this->IsBack ? sums.Back : sums.On)) += out * color;
         }
         lost += through * own;
         through *= 1.0 - own;
@@ -209,48 +267,35 @@ private:
     } while (ray.Advance());
   }
 
-  /// The cells that the field is looked up in, and how much each counts.
-  struct FieldWeights
+  /// Looks all fields up at a place in or on the sides of \a cell. Blocked cells have none of them;
+  /// here they have what \a cell has, which is no less.
+  void FindSeen(const glm::dvec3& place, std::size_t cell)
   {
-    std::array<std::size_t, 8> Cells{};
-    std::array<float, 8> Weights{};
-  };
-
-  /// Returns where the eye sees the ray's way in a cell on the average, as slices look it up.
-  /// Blocked cells have none of it; here they have what \a cell has, which is no less.
-  FieldWeights FindSeen(const CellRay& ray, std::size_t cell, double depth, double own) const
-  {
-    const double length = ray.GetExit() - ray.GetEntry();
-    const double part = depth < 0.05 ? 0.5 - depth / 12.0 : 1.0 / depth - std::exp(-depth) / own;
     const ScatteringMedium& box = this->Cells.Box;
-    const glm::dvec3 at = glm::clamp(ray.GetPlace(ray.GetEntry() + part * length) - 0.5,
-      glm::dvec3(0.0), glm::dvec3(box.Cells - 1));
+    const glm::dvec3 at = glm::clamp(place - 0.5, glm::dvec3(0.0), glm::dvec3(box.Cells - 1));
     const glm::ivec3 lower(at);
-    const glm::ivec3 upper = glm::min(lower + 1, box.Cells - 1);
     const glm::vec3 share(at - glm::dvec3(lower));
-    FieldWeights weights;
+    const std::size_t row = static_cast<std::size_t>(box.Cells.x);
+    const std::size_t layer = row * static_cast<std::size_t>(box.Cells.y);
+    const std::size_t first = box.GetIndex(lower);
+    const std::array<std::size_t, 3> next = { { lower.x + 1 < box.Cells.x ? std::size_t{ 1 } : 0,
+      lower.y + 1 < box.Cells.y ? row : 0, lower.z + 1 < box.Cells.z ? layer : 0 } };
+    std::fill(this->Seen.begin(), this->Seen.end(), glm::vec4(0.0f));
     for (unsigned corner = 0; corner < 8; ++corner)
     {
       const bool isX = (corner & 1u) != 0;
       const bool isY = (corner & 2u) != 0;
       const bool isZ = (corner & 4u) != 0;
       const std::size_t other =
-        box.GetIndex({ isX ? upper.x : lower.x, isY ? upper.y : lower.y, isZ ? upper.z : lower.z });
-      weights.Cells[corner] = box.IsBlocked(other) ? cell : other;
-      weights.Weights[corner] = (isX ? share.x : 1.0f - share.x) *
-        (isY ? share.y : 1.0f - share.y) * (isZ ? share.z : 1.0f - share.z);
+        first + (isX ? next[0] : 0) + (isY ? next[1] : 0) + (isZ ? next[2] : 0);
+      const float weight = (isX ? share.x : 1.0f - share.x) * (isY ? share.y : 1.0f - share.y) *
+        (isZ ? share.z : 1.0f - share.z);
+      const glm::vec4* values = this->Fields.Get(box.IsBlocked(other) ? cell : other);
+      for (glm::vec4& sum : this->Seen)
+      {
+        sum += weight * *values++;
+      }
     }
-    return weights;
-  }
-
-  static glm::vec3 Interpolate(const std::vector<glm::vec3>& values, const FieldWeights& weights)
-  {
-    glm::vec3 sum(0.0f);
-    for (std::size_t i = 0; i < weights.Cells.size(); ++i)
-    {
-      sum += weights.Weights[i] * values[weights.Cells[i]];
-    }
-    return sum;
   }
 
   double GetPhase(const ScatteringLight& light, const glm::ivec3& cell, const glm::dvec3& out) const
@@ -260,12 +305,12 @@ private:
     return this->Phase.Get(glm::dot(light.GetDirection(middle), out));
   }
 
-  /// Returns what a source sends out against the ray.
+  /// Returns what a source sends out against the ray; \a seen becomes the next source's.
   glm::vec3 GetColor(
-    std::size_t number, const CellRay& ray, std::size_t cell, const FieldWeights& weights) const
+    std::size_t number, const CellRay& ray, std::size_t cell, const glm::vec4*& seen) const
   {
     const EscapeRays::Source& source = this->Sources[number];
-    const glm::vec3 fluence = Interpolate(*source.Fluence, weights);
+    const glm::vec3 fluence(*seen++);
     double factor = 1.0;
     if (source.Light)
     {
@@ -276,7 +321,7 @@ private:
     }
     else if (source.Lean)
     {
-      const glm::dvec3 lean(Interpolate(*source.Lean, weights));
+      const glm::dvec3 lean(*seen++);
       factor = std::max(1.0 - source.LeanFactor * glm::dot(lean, ray.GetDirection()), 0.0);
     }
     return static_cast<float>(factor) * fluence * this->Cells.Albedo[cell];
@@ -285,12 +330,15 @@ private:
   const MatterCells& Cells;
   const MeanPhase& Phase;
   const std::vector<EscapeRays::Source>& Sources;
+  const SourceFields& Fields;
   glm::dvec3 Out;
   double Weight;
   glm::dvec2 Place;
   bool IsBack;
   /// The phase function for each light in a direction.
   std::vector<double> Factors;
+  /// The fields where the ray is.
+  std::vector<glm::vec4> Seen;
   std::vector<EscapeRays::Sums> Result;
   double Met = 0.0;
 };
@@ -343,6 +391,7 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(const MatterCells& matter,
 {
   const std::vector<Ordinate> ordinates = MakeOrdinates();
   const MeanPhase meanPhase(phase, ordinates.size());
+  const SourceFields cellFields(sources);
   std::vector<std::vector<Sums>> parts(ordinates.size());
   std::vector<double> met(ordinates.size(), 0.0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(ordinates.size()), 1,
@@ -352,7 +401,7 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(const MatterCells& matter,
       {
         const std::size_t at = static_cast<std::size_t>(i);
         const bool isBack = glm::dot(ordinates[at].Out, direction) < 0.0;
-        DirectionTrace trace(matter, meanPhase, sources, ordinates[at], isBack);
+        DirectionTrace trace(matter, meanPhase, sources, cellFields, ordinates[at], isBack);
         parts[at] = trace.Go();
         met[at] = trace.GetMet();
       }

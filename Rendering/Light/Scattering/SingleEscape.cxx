@@ -170,7 +170,7 @@ private:
     int turns = 0;
     while (ray.GetExit() < reach && depth < 50.0 && ++turns < MostTurns && ray.Advance())
     {
-      const std::size_t index = box.GetIndex(ray.GetCell());
+      const std::size_t index = ray.GetIndex();
       if (box.IsBlocked(index))
       {
         return 0.0;
@@ -190,7 +190,7 @@ private:
     int turns = 0;
     do
     {
-      const std::size_t index = box.GetIndex(ray.GetCell());
+      const std::size_t index = ray.GetIndex();
       if (box.IsBlocked(index))
       {
         isBlocked = true;
