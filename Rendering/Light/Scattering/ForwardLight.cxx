@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <array>
@@ -21,9 +22,12 @@ namespace
 /// The largest variance of the angle to one axis, that of light in all directions.
 constexpr double LargestAngle = 1.0 / 3.0;
 /// The largest variance of a kernel, in square cells.
-constexpr double LargestKernel = 25.0;
+constexpr double LargestKernel = 400.0;
 /// The largest variance that a kernel of three cells has.
 constexpr double LargestThree = 0.75;
+/// How far light is followed beside the box, over its width. Light is spread by kernels, so that
+/// some of it comes back.
+constexpr double MarginShare = 0.25;
 
 /// The light that leaves a cell for the next layer. All but Light is times the light's sum.
 struct Beam
@@ -73,12 +77,20 @@ struct Kernel
     const int reach = std::min(static_cast<int>(std::ceil(3.5 * std::sqrt(variance))), Reach);
     this->First = static_cast<int>(nearest) - reach;
     this->Count = 2 * reach + 1;
-    double sum = 0.0;
-    for (int i = 0; i < this->Count; ++i)
+    // From the middle outwards, each weight by the one before.
+    const double square = std::exp(-1.0 / variance);
+    double sum = this->Weights[static_cast<std::size_t>(reach)] =
+      std::exp(-0.5 * rest * rest / variance);
+    for (const int side : { -1, 1 })
     {
-      const double distance = i - reach - rest;
-      sum += this->Weights[static_cast<std::size_t>(i)] =
-        std::exp(-0.5 * distance * distance / variance);
+      double weight = this->Weights[static_cast<std::size_t>(reach)];
+      double ratio = std::exp((side * rest - 0.5) / variance);
+      for (int i = 1; i <= reach; ++i)
+      {
+        weight *= ratio;
+        ratio *= square;
+        sum += this->Weights[static_cast<std::size_t>(reach + side * i)] = weight;
+      }
     }
     for (int i = 0; i < this->Count; ++i)
     {
@@ -86,10 +98,11 @@ struct Kernel
     }
   }
 
-  static constexpr int Reach = 18;
+  static constexpr int Reach = 70;
   int First = 0;
   int Count = 0;
-  std::array<double, 2 * Reach + 1> Weights{};
+  /// Of which Count are set.
+  std::array<double, 2 * Reach + 1> Weights; // NOLINT(cppcoreguidelines-pro-type-member-init)
 };
 
 /// Returns the index in a row of cells, which is repeated where it \a isEndless, or -1 outside.
@@ -154,13 +167,23 @@ public:
         events += on[color] * (direct[color] + mean[color]) * std::exp(-0.5 * lost[color]);
       }
     }
+    this->Move(before > 0.0 ? kept / before : 0.0, events, length, spread, beam);
+    return mean;
+  }
+
+  /**
+   * Moves light on, of which the share \a left entered the cell and which was scattered
+   * \a events times.
+   */
+  void Move(double left, double events, double length, const std::array<double, 2>& spread,
+    Beam& beam) const
+  {
     const double after = beam.GetSum();
     if (!(after > 0.0))
     {
       beam = Beam();
-      return mean;
+      return;
     }
-    const double left = before > 0.0 ? kept / before : 0.0;
     const double angle = left * beam.Angle;
     const double cross = left * beam.Cross;
     const double turned = this->Variance * events;
@@ -174,8 +197,9 @@ public:
     {
       beam.Place[axis] = left * beam.Place[axis] + spread[axis] * place;
     }
-    return mean;
   }
+
+  bool HasSpread() const { return this->Variance > 0.0; }
 
 private:
   /// Returns what half of a way adds to the variance of place.
@@ -289,8 +313,14 @@ std::vector<glm::vec3> SolveLayers(
     shift[i] = inCells[axis] * length;
     spread[i] = (1.0 + tilt * tilt) / (box.CellSize[axis] * box.CellSize[axis]);
   }
-  LayerShift move(box.Cells[u], box.Cells[v], glm::bvec2(box.Mirrors[u], box.Mirrors[v]), shift);
-  std::vector<Beam> beams(static_cast<std::size_t>(box.Cells[u] * box.Cells[v]));
+  const glm::bvec2 mirrors(box.Mirrors[u], box.Mirrors[v]);
+  const glm::ivec2 sizes(box.Cells[u], box.Cells[v]);
+  const glm::ivec2 margin = step.HasSpread()
+    ? glm::ivec2(MarginShare * glm::dvec2(sizes)) * glm::ivec2(!mirrors.x, !mirrors.y)
+    : glm::ivec2(0);
+  LayerShift move(sizes.x + 2 * margin.x, sizes.y + 2 * margin.y, mirrors, shift);
+  std::vector<Beam> beams(
+    static_cast<std::size_t>((sizes.x + 2 * margin.x) * (sizes.y + 2 * margin.y)));
   std::vector<glm::vec3> result(matter.Extinction.size(), glm::vec3(0.0f));
   const int count = box.Cells[axes.Along];
   for (int layer = 0; layer < count; ++layer)
@@ -298,10 +328,15 @@ std::vector<glm::vec3> SolveLayers(
     glm::ivec3 cell(0);
     cell[axes.Along] = inCells[axes.Along] > 0.0 ? layer : count - 1 - layer;
     std::size_t beam = 0;
-    for (cell[v] = 0; cell[v] < box.Cells[v]; ++cell[v])
+    for (cell[v] = -margin.y; cell[v] < sizes.y + margin.y; ++cell[v])
     {
-      for (cell[u] = 0; cell[u] < box.Cells[u]; ++cell[u], ++beam)
+      for (cell[u] = -margin.x; cell[u] < sizes.x + margin.x; ++cell[u], ++beam)
       {
+        if (cell[u] < 0 || cell[u] >= sizes.x || cell[v] < 0 || cell[v] >= sizes.y)
+        {
+          step.Move(1.0, 0.0, length, spread, beams[beam]);
+          continue;
+        }
         const std::size_t index = box.GetIndex(cell);
         result[index] = step.Go(index, length, spread, beams[beam]);
       }

@@ -31,7 +31,9 @@ namespace interlume
  * Kernels have this variance exactly for light along an axis; for other light a kernel across the
  * cells is no narrower than the cells are, and what is too much is taken from the layers that
  * follow. Light that goes to neighbours is taken from where it was, so that its sum does not grow.
- * For a light at a place, kernels reach one cell in a layer, which bounds the spread.
+ * Layers go on beside the box for a quarter of its width, since kernels bring some of the light
+ * there back. For a light at a place, kernels reach one cell in a layer, which bounds the spread,
+ * and what leaves the box is lost.
  */
 class ForwardLight
 {
