@@ -18,11 +18,15 @@ FIELD = {"WholeExtent": [0, 23, 0, 19, 0, 19], "Bounds": [-0.5, 0.5, -0.4, 0.4, 
 IN_TIME = {"Intervals": [0.3, 0.5, 0.5, 0.8], "GenerateSimplices": True}
 
 
+# ParaView 6.1 calls it otherwise than 5.11 and 5.13.
+ghost_cells = getattr(simple, "GhostCells", None) or simple.GhostCellsGenerator
+
+
 def volumes(mode):
     """Name, extraction and the port whose output is compared; to compare, the unstructured grids are
     read in pieces."""
     wavelet = open_data("wavelet")
-    ghosts = simple.GhostCellsGenerator(Input=wavelet)
+    ghosts = ghost_cells(Input=wavelet)
     ghosts.UpdatePipeline()
     intervals = [(100.0, 140.0), (140.0, 180.0)]
     yield "wavelet", interval_volume(wavelet, "RTData", intervals), 0
@@ -33,7 +37,7 @@ def volumes(mode):
         file = name if mode == "write" else f"{name}_pieces.pvtu"
         yield name, interval_volume(open_data(file), array, intervals), 0
     field = temporal_source("AnalyticField", FIELD)
-    ghosts = simple.GhostCellsGenerator(Input=field)
+    ghosts = ghost_cells(Input=field)
     ghosts.UpdatePipeline()
     for name, source in ("field in time", field), ("field in time with ghosts", ghosts):
         in_time = time_varying_volume(source, IN_TIME)
