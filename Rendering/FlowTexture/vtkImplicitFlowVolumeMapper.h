@@ -73,11 +73,12 @@ class FlowVolumeRenderer;
  * screen, T the transmittance from there and Ia their ambient colours, white where all are black.
  * All lights of that mapper are lights here, soft shadows of a vtkAreaLight too. The light on slabs
  * of paint that cast shadows on each other, three and five voxels thick and of opacities that jump
- * at their sides, is off by 0.009 of 1 or less in the mean, by 0.0034 with slices an eighth of a
- * voxel apart and buffers of 256 columns; on smooth paint by 0.0006 and 0.0002. Sharp edges of
- * opaque paint show the slices as faint stripes, which a smaller SampleDistance thins. Surfaces
- * neither cast shadows in the volume nor receive its own: vtkShadowedScenePass does not know this
- * mapper.
+ * at their sides, is off by 0.0071 of 1 or less in the mean, by 0.0034 with slices an eighth of a
+ * voxel apart and buffers of 256 columns; on smooth paint by 0.0004 and 0.0002. Soft light of a
+ * square emitter is off by 0.006, and by 0.011 where the emitter is half as wide as it is far. On
+ * sharp edges of dense paint the columns of a light's buffer show as faint stripes, which a larger
+ * LightBufferSize thins. Surfaces neither cast shadows in the volume nor receive its own:
+ * vtkShadowedScenePass does not know this mapper.
  *
  * Cropping by region flags and clipping planes cut exactly along the ray where the flags are those
  * of the subvolume, sample by sample otherwise. Opaque props occlude by depth. Translucent polygons
@@ -230,8 +231,8 @@ public:
   ///@{
   /**
    * The number of columns and rows of the buffer of each light that casts shadows. 0, the default:
-   * as many as the volume has voxels across, seen from the light; shadows of paint that is finer
-   * than voxels want more. Valid: 0, and 16 to 8192, up to what the graphics card can do.
+   * twice as many as the volume has voxels across, seen from the light, or as many for a light
+   * within it; shadows of paint that is finer than voxels want more. Valid: 0, and 16 to 8192, up to what the graphics card can do.
    */
   void SetLightBufferSize(int size);
   vtkGetMacro(LightBufferSize, int);

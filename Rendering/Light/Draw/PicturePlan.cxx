@@ -19,6 +19,9 @@ namespace
 {
 // The factors by which pictures may be coarser than asked for.
 constexpr std::array<double, 5> COARSENESSES{ { 1.0, 1.5, 2.0, 3.0, 4.0 } };
+// Columns of a light's buffer for each voxel where matter may have edges that voxels have not: the
+// columns show as stripes on them.
+constexpr double MATTER_TEXELS = 2.0;
 }
 
 void PicturePlan::Make(SliceFrame& frame, const std::vector<SlicePlan::Matter>& matter,
@@ -30,6 +33,7 @@ void PicturePlan::Make(SliceFrame& frame, const std::vector<SlicePlan::Matter>& 
   settings.BufferSize = asked.LightBufferSize;
   settings.PictureSize = std::min(frame.Size[0], frame.Size[1]);
   settings.LeastBufferSize = leastBufferSize;
+  settings.TexelsOfVoxel = frame.Matter ? MATTER_TEXELS : 1.0;
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   settings.LargestBufferSize = std::min(settings.LargestBufferSize, static_cast<int>(limit));

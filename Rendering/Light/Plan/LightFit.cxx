@@ -208,7 +208,7 @@ void LightFit::FitPlane(
     texels = std::max(texels, extent / this->GetVoxelSpacing(window.Across[i]));
   }
   light.IsWide = false;
-  light.BufferSize = this->GetSize(fineness * texels, smallest);
+  light.BufferSize = this->GetSize(fineness * this->Settings.TexelsOfVoxel * texels, smallest);
   light.BufferFromUnit = glm::dmat4(0.0);
   light.TexelSize = 0.0;
   light.VoxelLength = this->GetVoxelSpacing(window.Axis);

@@ -138,6 +138,9 @@ public:
     /// The least size where BufferSize is 0.
     int LeastBufferSize = 0;
     int LargestBufferSize = 8192;
+    /// The number of an automatic buffer's columns for each voxel, but for lights within the
+    /// volume.
+    double TexelsOfVoxel = 1.0;
     /// The number of pixels along the picture's shorter edge.
     int PictureSize = 0;
     int MaximumNumberOfSlabs = 65536;
