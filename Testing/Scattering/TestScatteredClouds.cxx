@@ -76,6 +76,6 @@ int TestScatteredClouds(int, char*[])
   // Lines of sight along the cloud's edge see what the light's buffer leaves of its detail.
   check.That(first < 0.12, "single scattering: " + std::to_string(first));
   check.That(fullError < forwardError && forwardError < singleError, "full is the best");
-  check.That(fullError < 0.3, "full scattering: " + std::to_string(fullError));
+  check.That(fullError < 0.12, "full scattering: " + std::to_string(fullError));
   return check.Result();
 }

@@ -268,9 +268,8 @@ void TestFurnace(Check& check)
       std::cout << name << ": mean " << found.GetMean() << " for " << expected.GetMean() << " +- "
                 << noise << ", squares within " << found.GetDifference(expected) << ", brightest "
                 << most << std::endl;
-      // With 400 paths a pixel the means differ by 0.006 at most up to depth 3 and by 0.021 at 10,
-      // squares by 0.038. The smallest
-      // squares together have 64 pixels, and so four times the noise.
+      // From 400 paths a pixel the means differ by 0.008 at most up to depth 3 and by 0.024 at 10.
+      // The smallest squares together have 64 pixels, and so four times the noise of all.
       check.Near(found.GetMean(), expected.GetMean(), noise + (depth < 5.0 ? 0.008 : 0.025),
         name + ": mean", 1.0);
       check.Near(found.GetDifference(expected), 0.0, 0.045 + 12.0 * noise, name + ": squares", 1.0);

@@ -7,6 +7,7 @@
 #include "Scattering/ForwardLight.h"
 #include "Scattering/LightSlopes.h"
 #include "Scattering/MatterCells.h"
+#include "Scattering/OrdinateSweep.h"
 #include "Scattering/SingleEscape.h"
 
 #include "vtkSMPTools.h"
@@ -84,6 +85,7 @@ public:
     DiffuseLight::Output diffuse = DiffuseLight::Solve(this->Matter, input);
     this->Report.Cycles = diffuse.Cycles;
     this->Report.Residual = diffuse.Residual;
+    OrdinateSweep::Improve(this->Matter, input, diffuse);
     this->Balance(input, diffuse);
     this->Field.Fluence.swap(diffuse.Fluence);
     this->Field.Lean.swap(diffuse.Lean);
