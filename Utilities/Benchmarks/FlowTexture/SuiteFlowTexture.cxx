@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Measures/BenchTiming.h"
+#include "Benchmarks/Measures/ProcessorClock.h"
 #include "Benchmarks/Results/SpeedPlots.h"
 #include "Benchmarks/Suites/BenchSuites.h"
 #include "Pictures/PictureSettings.h"
@@ -13,6 +14,7 @@
 #include "vtkImageData.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkImplicitFlowVolumeMapper.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -161,10 +163,12 @@ void AddRows(
   const vtkSmartPointer<vtkImageData> paint = MakePaint();
   std::vector<std::unique_ptr<Frames>> frames;
   std::vector<BenchWork> works;
+  std::array<ProcessorClock, 4> clocks;
   const auto add = [&](vtkVolumeMapper* mapper, bool isIndependent)
   {
     frames.push_back(std::make_unique<Frames>(mapper, MakeProperty(voxel, isIndependent), pixels));
-    works.push_back([draw = frames.back().get()] { return draw->Draw(); });
+    works.push_back(
+      clocks[works.size()].Watch([draw = frames.back().get()] { return draw->Draw(); }));
   };
   std::vector<vtkSmartPointer<vtkImplicitFlowVolumeMapper>> mappers;
   for (const bool isFiltered : { true, false })
@@ -181,11 +185,18 @@ void AddRows(
   {
     vtkNew<vtkGPUVolumeRayCastMapper> mapper;
     mapper->SetInputData(four);
+    mapper->SetBlendModeToComposite();
+    mapper->UseJitteringOff();
     mapper->AutoAdjustSampleDistancesOff();
     mapper->SetSampleDistance(static_cast<float>(0.5 * voxel));
     add(mapper, isIndependent);
   }
   const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+  std::array<double, 4> processor{};
+  for (std::size_t i = 0; i < clocks.size(); ++i)
+  {
+    processor[i] = clocks[i].Take();
+  }
   const char* methods[] = { "textures", "textures, unfiltered" };
   const char* peers[] = { "gpu", "gpu-rgba" };
   for (std::size_t method = 0; method < 2; ++method)
@@ -198,12 +209,64 @@ void AddRows(
       row.Peer = peers[peer];
       row.PeerSeconds = seconds[2 + peer];
       const vtkImplicitFlowVolumeReport& report = mappers[method]->GetReport();
+      row.Counts["processor_seconds"] = processor[method];
+      row.Counts["peer_processor_seconds"] = processor[2 + peer];
       row.Counts["texture_bytes"] = report.TextureBytes;
       row.Counts["split_cells"] = report.SplitCells;
       row.Counts["pixels"] = pixels;
       rows.Add(row);
     }
   }
+}
+
+/// What shadows cost, and a light that moves from frame to frame beside one that stays.
+void AddShadowRows(int n, int pixels, const BenchOptions& options, BenchRows& rows)
+{
+  const vtkSmartPointer<vtkImageData> flow = MakeFlow("rotation", n);
+  const vtkSmartPointer<vtkImageData> paint = MakePaint();
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  std::array<std::unique_ptr<Frames>, 3> frames;
+  std::array<vtkSmartPointer<vtkImplicitFlowVolumeMapper>, 3> mappers;
+  std::array<ProcessorClock, 3> clocks;
+  std::vector<BenchWork> works;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    mappers[i] = vtkSmartPointer<vtkImplicitFlowVolumeMapper>::New();
+    mappers[i]->SetInputData(static_cast<vtkDataSet*>(flow));
+    mappers[i]->SetInflowTexture(vtkImplicitFlowVolumeMapper::ALL, paint);
+    mappers[i]->SetShadows(i > 0);
+    frames[i] =
+      std::make_unique<Frames>(mappers[i], MakeProperty(flow->GetSpacing()[0], true), pixels);
+    frames[i]->Stage.SetLights({ light.Get() });
+    works.push_back(clocks[i].Watch(
+      [draw = frames[i].get(), light = light.Get(), isMoving = i == 2, turn = 0.0]() mutable
+      {
+        turn += isMoving ? 0.02 : 0.0;
+        light->SetPosition(std::sin(turn), -2.0, 0.5);
+        return draw->Draw();
+      }));
+  }
+  const std::vector<double> seconds = MeasureAlternately(works, options.GetRepeats());
+  const std::array<double, 3> processor{ { clocks[0].Take(), clocks[1].Take(), clocks[2].Take() } };
+  const auto add =
+    [&](const std::string& method, std::size_t own, const std::string& peer, std::size_t other)
+  {
+    BenchRow row = rows.Make("rotation", method);
+    row.Parameter = n;
+    row.Seconds = seconds[own];
+    row.Peer = peer;
+    row.PeerSeconds = seconds[other];
+    const vtkImplicitFlowVolumeReport& report = mappers[own]->GetReport();
+    row.Counts["processor_seconds"] = processor[own];
+    row.Counts["peer_processor_seconds"] = processor[other];
+    row.Counts["slices"] = report.Slices;
+    row.Counts["light_buffer_size"] = report.LightBufferSize;
+    row.Counts["pixels"] = pixels;
+    rows.Add(row);
+  };
+  add("shadows", 1, "no shadows", 0);
+  add("shadows, light moving", 2, "shadows", 1);
 }
 
 class SuiteFlowTexture : public BenchSuite
@@ -225,7 +288,12 @@ public:
       "gpu: vtkGPUVolumeRayCastMapper with four independent components of floats (u, v, time and "
       "whether a surface was reached), as VTK draws four components unless it is told otherwise. "
       "gpu-rgba: the same four taken as a colour and an opacity, which is one look at the volume "
-      "and one at a table." };
+      "and one at a table. Both: composite blending, linear interpolation, no shading, no jitter, "
+      "no adjustment of distances, opacity for a unit distance of one voxel. Nothing is opaque "
+      "enough to end a line of sight before the volume does.",
+      "shadows: Shadows on for one directional light, in slices a quarter of a voxel apart, beside "
+      "the same picture by lines of sight without (\"no shadows\"); then a light that moves from "
+      "frame to frame beside one that stays. processor_seconds is the time of all threads." };
   }
 
   void Run(const BenchOptions& options, BenchRows& rows) const override
@@ -234,6 +302,7 @@ public:
     {
       AddRows(name, options.Pick(128, 48, 12), options.Pick(512, 192, 32), options, rows);
     }
+    AddShadowRows(options.Pick(64, 32, 12), options.Pick(256, 128, 32), options, rows);
   }
 
   std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const override
