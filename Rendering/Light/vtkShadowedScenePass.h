@@ -77,7 +77,8 @@ class SliceGroup;
  * shadows on surfaces alone, where all together would take more than eight times the slices that
  * they have by themselves, beyond MaximumTextureMemory, or where one mapper has several volumes;
  * the report says which (VolumesApart). So is a volume whose Shadows is off. One with an error is
- * left out.
+ * left out. Volumes of other mappers, also of vtkImplicitFlowVolumeMapper, neither cast shadows on
+ * surfaces nor receive theirs.
  *
  * **Lights** are those of vtkShadowedSliceMapper: switched on and with a ShadowAttenuation above 0.
  * Actors cast no shadows of headlights, since the eye would not see them. A positional light
