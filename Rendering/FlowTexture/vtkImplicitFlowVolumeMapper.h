@@ -232,7 +232,8 @@ public:
   /**
    * The number of columns and rows of the buffer of each light that casts shadows. 0, the default:
    * twice as many as the volume has voxels across, seen from the light, or as many for a light
-   * within it; shadows of paint that is finer than voxels want more. Valid: 0, and 16 to 8192, up to what the graphics card can do.
+   * within it; shadows of paint that is finer than voxels want more. Valid: 0, and 16 to 8192, up
+   * to what the graphics card can do.
    */
   void SetLightBufferSize(int size);
   vtkGetMacro(LightBufferSize, int);
